@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+# corgen, and corgen_core: all of it but main.c, so that tests can link it.
+
+set(COR_HAVE_GENERATOR FALSE)
+if(NOT COR_BUILD_GENERATOR MATCHES "^(AUTO|auto|OFF|off|FALSE|0|NO)$")
+  find_package(FLINT)
+  if(NOT FLINT_FOUND)
+    message(FATAL_ERROR "COR_BUILD_GENERATOR=${COR_BUILD_GENERATOR}, but corgen needs GMP, MPFR, FLINT (2.9 or later) "
+      "and, with FLINT 2, Arb. Not found: ${FLINT_MISSING}. "
+      "On Debian: apt-get install libgmp-dev libmpfr-dev libflint-dev libflint-arb-dev")
+  endif()
+elseif(COR_BUILD_GENERATOR MATCHES "^(AUTO|auto)$")
+  find_package(FLINT QUIET)
+  if(NOT FLINT_FOUND)
+    message(STATUS "corgen is left out: ${FLINT_MISSING} not found")
+  endif()
+endif()
+
+if(FLINT_FOUND)
+  set(COR_HAVE_GENERATOR TRUE)
+  include(generator_sources)
+  list(TRANSFORM COR_GENERATOR_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/")
+  add_library(corgen_core STATIC ${COR_GENERATOR_SOURCES})
+  target_include_directories(corgen_core PUBLIC ${PROJECT_SOURCE_DIR}/gen)
+  target_compile_definitions(corgen_core PUBLIC _POSIX_C_SOURCE=200809L)
+  target_link_libraries(corgen_core PUBLIC FLINT::FLINT m PRIVATE cor_defaults)
+  set_target_properties(corgen_core PROPERTIES C_STANDARD 11)
+
+  add_executable(corgen ${PROJECT_SOURCE_DIR}/gen/main.c)
+  target_compile_definitions(corgen PRIVATE COR_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(corgen PRIVATE corgen_core cor_defaults)
+  set_target_properties(corgen PROPERTIES C_STANDARD 11)
+endif()

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: MIT
+# Library, headers, corgen, pkg-config file and CMake package. The installed tree can be moved: the
+# pkg-config file finds its prefix from its own place.
+include(CMakePackageConfigHelpers)
+
+install(TARGETS cor EXPORT cor-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/cor DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+if(COR_HAVE_GENERATOR)
+  install(TARGETS corgen RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+
+file(RELATIVE_PATH COR_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")
+configure_file(${PROJECT_SOURCE_DIR}/cmake/cor.pc.in ${PROJECT_BINARY_DIR}/cor.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/cor.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+set(COR_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/cor)
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/cor-config.cmake.in ${PROJECT_BINARY_DIR}/cor-config.cmake
+  INSTALL_DESTINATION ${COR_CMAKE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/cor-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/cor-config.cmake ${PROJECT_BINARY_DIR}/cor-config-version.cmake
+  DESTINATION ${COR_CMAKE_DIR})
+install(EXPORT cor-targets NAMESPACE cor:: DESTINATION ${COR_CMAKE_DIR})

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+# FLINT with ball arithmetic, GMP and MPFR. FLINT 3 holds Arb itself (flint/arb.h); FLINT 2.9 has it as
+# a library of its own (arb.h), called flint-arb on Debian and arb elsewhere.
+#   FLINT::FLINT     everything to compile and link with; defines COR_FLINT_HAS_ARB for FLINT 3
+#   FLINT_FOUND      true or false
+#   FLINT_MISSING    what was not found, as a sentence part
+# FLINT_ROOT, GMP_ROOT, MPFR_ROOT and ARB_ROOT, as for any package, say where to look first.
+
+find_path(GMP_INCLUDE_DIR gmp.h HINTS ${GMP_ROOT} ENV GMP_ROOT PATH_SUFFIXES include)
+find_library(GMP_LIBRARY gmp HINTS ${GMP_ROOT} ENV GMP_ROOT PATH_SUFFIXES lib)
+find_path(MPFR_INCLUDE_DIR mpfr.h HINTS ${MPFR_ROOT} ENV MPFR_ROOT PATH_SUFFIXES include)
+find_library(MPFR_LIBRARY mpfr HINTS ${MPFR_ROOT} ENV MPFR_ROOT PATH_SUFFIXES lib)
+find_path(FLINT_INCLUDE_DIR flint/flint.h)
+find_library(FLINT_LIBRARY flint)
+
+set(FLINT_HAS_ARB FALSE)
+set(FLINT_REQUIRED_VARIABLES GMP_INCLUDE_DIR GMP_LIBRARY MPFR_INCLUDE_DIR MPFR_LIBRARY FLINT_INCLUDE_DIR FLINT_LIBRARY)
+if(FLINT_INCLUDE_DIR AND EXISTS "${FLINT_INCLUDE_DIR}/flint/arb.h")
+  set(FLINT_HAS_ARB TRUE)
+else()
+  find_path(ARB_INCLUDE_DIR arb.h HINTS ${ARB_ROOT} ENV ARB_ROOT PATH_SUFFIXES include)
+  find_library(ARB_LIBRARY NAMES flint-arb arb HINTS ${ARB_ROOT} ENV ARB_ROOT PATH_SUFFIXES lib)
+  list(APPEND FLINT_REQUIRED_VARIABLES ARB_INCLUDE_DIR ARB_LIBRARY)
+endif()
+
+set(FLINT_MISSING "")
+foreach(library GMP MPFR FLINT ARB)
+  foreach(part INCLUDE_DIR LIBRARY)
+    if("${library}_${part}" IN_LIST FLINT_REQUIRED_VARIABLES AND NOT ${library}_${part})
+      list(APPEND FLINT_MISSING ${library})
+    endif()
+  endforeach()
+endforeach()
+list(REMOVE_DUPLICATES FLINT_MISSING)
+list(JOIN FLINT_MISSING ", " FLINT_MISSING)
+
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(FLINT REQUIRED_VARS ${FLINT_REQUIRED_VARIABLES})
+mark_as_advanced(GMP_INCLUDE_DIR GMP_LIBRARY MPFR_INCLUDE_DIR MPFR_LIBRARY FLINT_INCLUDE_DIR FLINT_LIBRARY
+  ARB_INCLUDE_DIR ARB_LIBRARY)
+
+if(FLINT_FOUND AND NOT TARGET FLINT::FLINT)
+  add_library(FLINT::FLINT INTERFACE IMPORTED)
+  set(FLINT_INCLUDE_DIRS ${FLINT_INCLUDE_DIR} ${ARB_INCLUDE_DIR} ${MPFR_INCLUDE_DIR} ${GMP_INCLUDE_DIR})
+  list(REMOVE_DUPLICATES FLINT_INCLUDE_DIRS)
+  set_target_properties(FLINT::FLINT PROPERTIES
+    INTERFACE_INCLUDE_DIRECTORIES "${FLINT_INCLUDE_DIRS}"
+    INTERFACE_LINK_LIBRARIES "${ARB_LIBRARY};${FLINT_LIBRARY};${MPFR_LIBRARY};${GMP_LIBRARY}")
+  if(FLINT_HAS_ARB)
+    set_target_properties(FLINT::FLINT PROPERTIES
+      INTERFACE_COMPILE_DEFINITIONS COR_FLINT_HAS_ARB
+      INTERFACE_LINK_LIBRARIES "${FLINT_LIBRARY};${MPFR_LIBRARY};${GMP_LIBRARY}")
+  endif()
+endif()

@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: MIT
+# The tests of the generator: add tests/gen/test_<stem>.c, add <stem> here.
+set(COR_GENERATOR_TESTS emit pade published)

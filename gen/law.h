@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/* The contact law x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1 (docs/derivation.md, 1 and 8).
+ * Everything that corgen computes is a function of the two rational exponents below. */
+#ifndef COR_GEN_LAW_H
+#define COR_GEN_LAW_H
+
+#include <stdbool.h>
+
+#include "flint.h"
+
+struct ratio {
+    slong num;
+    slong den; /* > 0, lowest terms */
+};
+
+struct law {
+    struct ratio a; /* elastic exponent, 3/2 for spheres */
+    struct ratio b; /* damping exponent, 1/2 for spheres */
+    slong d;        /* common denominator of a and b: x = w^d makes the law polynomial */
+    slong ad, bd;   /* a d and b d, whole numbers */
+};
+
+extern const struct law law_sphere;
+
+/* Largest numerator and denominator accepted by law_parse. */
+#define LAW_MAX_NUMERATOR 64
+#define LAW_MAX_DENOMINATOR 16
+
+/* Reads "3/2", "1.5" or "2" for each exponent. Returns NULL, or a sentence saying what was wrong. */
+const char *law_parse(struct law *law, const char *elastic, const char *damping);
+
+bool law_is_sphere(const struct law *law);
+
+struct ratio ratio_make(slong num, slong den);
+struct ratio ratio_add(struct ratio x, struct ratio y);
+struct ratio ratio_sub(struct ratio x, struct ratio y);
+struct ratio ratio_mul(struct ratio x, struct ratio y);
+struct ratio ratio_div(struct ratio x, struct ratio y); /* y != 0 */
+
+/* beta is proportional to g^q; q = (2 b - a + 1)/(1 + a). eps is independent of g iff q = 0, (12). */
+struct ratio law_speed_exponent(const struct law *law);
+
+void arb_set_ratio(arb_t y, struct ratio x, slong prec);
+void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec); /* x > 0 */
+void fmpq_set_ratio(fmpq_t y, struct ratio x);
+
+#endif

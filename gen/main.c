@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT */
+#include "console.h"
+#include "subcommand.h"
+
+#define HELP_LAW                                                                                   \
+    "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, as 3/2 or 1.5\n"       \
+    "                             (default 3/2 and 1/2: viscoelastic spheres)\n"
+#define HELP_DIGITS                                                                                \
+    "  --digits D       significant digits, each one proved; 1 to 10000000 (default 20)\n"
+#define HELP_END "  --end E          zero-overlap (default) or zero-force: what ends the contact\n"
+#define HELP_COMMON                                                                                \
+    "  --output FILE    instead of standard output; replaced whole or not at all\n"                \
+    "  --profile        seconds per step and peak memory on standard error\n"
+
+static const struct subcommand subcommands[] = {
+    {"trajectory", "exact rational coefficients of x(t), any order",
+     "Usage: corgen trajectory --order K --terms J [OPTION]...\n\n"
+     "Prints x_0 .. x_K of x(t) = sum x_k(t) beta^k exactly; for spheres\n"
+     "x_k(t) = t sum_j c[k][j] t^(3k/2 + 5j/2), j = 0 .. J.\n\n"
+     "  --order K        highest power of beta, 0 to 100000\n"
+     "  --terms J        highest j, 0 to 100000\n"
+     "  --format F       text (default), csv, json or latex\n" HELP_LAW HELP_COMMON
+     "\nColumns of csv and json: k,j,numerator,denominator.\n"
+     "Example: corgen trajectory --order 3 --terms 4\n",
+     "order terms format elastic damping output profile", "text csv json latex", "order terms",
+     command_trajectory},
+    {"series", "coefficients of x_max, t_max and eps in powers of beta",
+     "Usage: corgen series --order K [OPTION]...\n\n"
+     "Prints x_max = sum y_k beta^k, t_max = sum tau_k beta^k and eps = sum C_k beta^k; with\n"
+     "--end zero-force, eps in powers of sqrt(beta), K being the highest of them.\n\n"
+     "  --order K        highest power, 0 to 100000\n" HELP_DIGITS HELP_END
+     "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
+     "\nColumns: k,y_k,tau_k,C_k; with --end zero-force power_of_sqrt_beta,coefficient\n"
+     "(power_of_beta_root_R, or power_of_beta, where another law has another root).\n"
+     "Example: corgen series --order 5 --digits 30\n",
+     "order digits end format elastic damping output profile", "text csv json", "order",
+     command_series},
+    {"pade", "Pade approximants of eps(beta)",
+     "Usage: corgen pade --numerator M --denominator N [OPTION]...\n\n"
+     "Prints the coefficients of the [M/N] Pade approximant of eps, in powers of beta at zero\n"
+     "overlap and of sqrt(beta) at zero force.\n\n"
+     "  --numerator M    degree, 0 to 2000\n"
+     "  --denominator N  degree, 0 to 2000\n"
+     "  --two-point      match also the limit of large beta (zero overlap; N = M + 5)\n"
+     "  --as-published   reproduce the published [1/4] from its printed coefficients\n" HELP_DIGITS
+         HELP_END
+     "  --header FILE    write the approximant as a C header; refused if it has a pole or a zero\n"
+     "                   on beta > 0\n"
+     "  --force          write it all the same\n"
+     "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
+     "\nExample: corgen pade --numerator 4 --denominator 7 --digits 20\n",
+     "numerator denominator two-point as-published digits end header force format elastic damping "
+     "output profile",
+     "text csv json", "", command_pade},
+    {"collide", "one collision to any number of digits",
+     "Usage: corgen collide --beta B [OPTION]...\n\n"
+     "Solves x'' + beta sqrt(x) x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1 and prints the largest\n"
+     "overlap, its time, and restitution and duration at both ends of contact.\n\n"
+     "  --beta B         0 to 1e6, as 0.1, 1.5e-3 or 2/3\n" HELP_DIGITS
+     "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
+     "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force.\n"
+     "Example: corgen collide --beta 0.1 --digits 30\n",
+     "beta digits format elastic damping output profile", "text csv json", "beta", command_collide},
+    {"tables", "write or check the generated C tables",
+     "Usage: corgen tables [--check] [--output DIR] [OPTION]...\n\n"
+     "Writes every file of generated/, the whole set or none of it.\n\n"
+     "  --check          write nothing; compare byte for byte and fail at a difference\n"
+     "  --output DIR     the directory (default: generated)\n"
+     "  --profile        seconds per step and peak memory on standard error\n"
+     "\nExample: corgen tables --check\n",
+     "check output profile", "", "", command_tables},
+    {0},
+};
+
+int main(int argc, char **argv)
+{
+    console_start();
+    return subcommand_run(subcommands, COR_VERSION, argc, argv);
+}

@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen tables: everything in generated/, or the proof that it is what corgen would write.
+ * A new file is a new row of files[], and one function that writes it to a stream. */
+#define _XOPEN_SOURCE 700 /* open_memstream, mkdir */
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "console.h"
+#include "options.h"
+#include "pade_header.h"
+
+enum {
+    SPHERE_BETA_MAX = 2,
+    SPHERE_EVEN = 256, /* sample points, see references_init */
+    SPHERE_SMALL = 8,
+    SPHERE_BITS = 256, /* of every coefficient before it is rounded */
+    PATH_MAX_LENGTH = 4096
+};
+
+#define SPHERE_LIMIT 1e-10 /* relative, eps and loss, both ends */
+#define DEFAULT_DIRECTORY "generated"
+#define MANIFEST "MANIFEST.txt"
+#define MANIFEST_VERSION_WORD "made-with" /* --check ignores lines that start with it */
+
+/* The least m + n that stay within SPHERE_LIMIT without a pole or a zero on beta > 0; of those the
+ * best. Neither end has a smaller entry among the ordinary ones, nor zero overlap among two-point
+ * ones with fewer conditions at infinity. */
+static const struct {
+    slong numerator, denominator;
+    enum contact_end end;
+    const char *name, *title;
+} sphere_pade[] = {
+    {12, 20, END_ZERO_OVERLAP, "cor_sphere_pade_zero_overlap", "eps at zero overlap, z = beta"},
+    {15, 19, END_ZERO_FORCE, "cor_sphere_pade_zero_force", "eps at zero force, z = sqrt(beta)"},
+};
+enum { SPHERE_PADES = sizeof sphere_pade / sizeof *sphere_pade };
+
+static const char sphere_pade_banner[] =
+    "Restitution coefficient of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0,\n"
+    "for 0 <= beta <= 2 (COR_SPHERE_PADE_BETA_MAX), as Pade approximants in z:\n"
+    "    eps = P(z)/Q(z),    1 - eps = beta L(z)/Q(z),    L = (Q - P)/beta,\n"
+    "z = beta where the contact ends with zero overlap, z = sqrt(beta) where it ends with zero "
+    "force.\n"
+    "Arrays hold ascending powers of z; q[0] = 1. Source: docs/derivation.md, 4, 5 and 7.\n"
+    "\n"
+    "Written by:  corgen tables\n"
+    "Checked by:  corgen tables --check\n"
+    "\n"
+    "Each double is the one nearest to the exact coefficient, which stands beside it: proved. The\n"
+    "errors of approximation (sampled) and of evaluation (proved) stand above each.\n";
+
+static int write_sphere_pade(FILE *file)
+{
+    struct references references;
+    if (references_init(&references, &law_sphere, SPHERE_BETA_MAX, SPHERE_EVEN, SPHERE_SMALL))
+        return STATUS_FAILED;
+    struct emit e;
+    emit_open(&e, file, "COR_GENERATED_SPHERE_PADE_H", sphere_pade_banner);
+    emit_comment(&e, "Every bound below holds for 0 <= beta <= this.");
+    emit_define(&e, "COR_SPHERE_PADE_BETA_MAX", "2.0");
+    int status = STATUS_OK;
+    for (int i = 0; i < SPHERE_PADES && status == STATUS_OK; i++) {
+        const struct pade_header header = {.name = sphere_pade[i].name,
+                                           .title = sphere_pade[i].title,
+                                           .end = sphere_pade[i].end,
+                                           .beta_max = SPHERE_BETA_MAX,
+                                           .references = &references,
+                                           .limit = SPHERE_LIMIT};
+        const struct pade_request request = {.kind = PADE_ORDINARY,
+                                             .numerator = sphere_pade[i].numerator,
+                                             .denominator = sphere_pade[i].denominator,
+                                             .end = sphere_pade[i].end,
+                                             .law = law_sphere};
+        struct pade f;
+        struct pade_analysis a;
+        pade_init(&f);
+        pade_analysis_init(&a);
+        status = pade_compute(&f, &a, &request, SPHERE_BITS);
+        char *defects = status ? NULL : pade_defects(&a);
+        if (defects)
+            status = fail("%s has %s", sphere_pade[i].name, defects);
+        if (status == STATUS_OK)
+            status = pade_emit(&e, &header, &f, &a);
+        free(defects);
+        pade_analysis_clear(&a);
+        pade_clear(&f);
+    }
+    emit_close(&e);
+    references_clear(&references);
+    return status;
+}
+
+struct generated {
+    const char *name;
+    int (*write)(FILE *file);
+};
+
+static const struct generated files[] = {
+    {"sphere_pade.h", write_sphere_pade},
+};
+enum { FILES = sizeof files / sizeof *files };
+
+/* One file, complete, in memory; the manifest comes after files[]. */
+struct content {
+    const char *name;
+    char *text;
+    size_t size;
+};
+
+static int make(struct content *c, const struct generated *row)
+{
+    c->name = row->name;
+    FILE *file = open_memstream(&c->text, &c->size);
+    if (!file)
+        return fail("no memory for %s", row->name);
+    profile_step(row->name);
+    int status = row->write(file);
+    profile_step(NULL);
+    if (fclose(file) && status == STATUS_OK)
+        status = fail("no memory for %s", row->name);
+    return status;
+}
+
+static int make_manifest(struct content *manifest, const struct content *c)
+{
+    manifest->name = MANIFEST;
+    FILE *file = open_memstream(&manifest->text, &manifest->size);
+    if (!file)
+        return fail("no memory for %s", MANIFEST);
+    fprintf(file,
+            "Written by `corgen tables`; `corgen tables --check` compares the files below byte for "
+            "byte.\nLines that start with " MANIFEST_VERSION_WORD
+            " tell which libraries made them, and are not compared.\n\n");
+    for (int i = 0; i < FILES; i++) {
+        long lines = 0;
+        for (size_t k = 0; k < c[i].size; k++)
+            lines += c[i].text[k] == '\n';
+        fprintf(file, "file %s %zu bytes %ld lines\n", c[i].name, c[i].size, lines);
+    }
+    fprintf(file, "\n" MANIFEST_VERSION_WORD " FLINT %s\n", flint_version);
+#ifndef COR_FLINT_HAS_ARB
+    fprintf(file, MANIFEST_VERSION_WORD " Arb %s\n", arb_version);
+#endif
+    fprintf(file, MANIFEST_VERSION_WORD " MPFR %s\n" MANIFEST_VERSION_WORD " GMP %s\n",
+            mpfr_get_version(), gmp_version);
+    return fclose(file) ? fail("no memory for %s", MANIFEST) : STATUS_OK;
+}
+
+static int set_path(char path[PATH_MAX_LENGTH], const char *directory, const char *name)
+{
+    const int n = snprintf(path, PATH_MAX_LENGTH, "%s/%s", directory, name);
+    return n < PATH_MAX_LENGTH ? STATUS_OK : fail("the path %.60s... is too long", directory);
+}
+
+static int write_all(const struct content *c, const char *directory)
+{
+    char path[FILES + 1][PATH_MAX_LENGTH];
+    struct output out[FILES + 1];
+    if (mkdir(directory, 0777) && errno != EEXIST)
+        return fail("cannot make %s: %s", directory, strerror(errno));
+    for (int i = 0; i <= FILES; i++) {
+        int status = set_path(path[i], directory, c[i].name);
+        if (status == STATUS_OK)
+            status = output_open(&out[i], path[i]);
+        if (status == STATUS_OK) {
+            fwrite(c[i].text, 1, c[i].size, out[i].file); /* a failure shows at the commit */
+            continue;
+        }
+        while (i-- > 0)
+            output_discard(&out[i]);
+        return status;
+    }
+    return output_commit_all(out, FILES + 1);
+}
+
+/* The next line that counts, or NULL; *number is its own. */
+static const char *next_line(const char **at, const char *end, bool manifest, size_t *length,
+                             long *number)
+{
+    while (*at < end) {
+        const char *line = *at, *newline = memchr(line, '\n', (size_t)(end - line));
+        *length = newline ? (size_t)(newline - line) + 1 : (size_t)(end - line);
+        *at = line + *length;
+        ++*number;
+        const size_t word = strlen(MANIFEST_VERSION_WORD);
+        if (!manifest || *length < word || memcmp(line, MANIFEST_VERSION_WORD, word) != 0)
+            return line;
+    }
+    return NULL;
+}
+
+/* Line in which the file first differs from what it should be, 0 if nowhere. */
+static long first_difference(const struct content *c, const char *text, size_t size)
+{
+    const bool manifest = strcmp(c->name, MANIFEST) == 0;
+    const char *made = c->text, *found = text;
+    long made_number = 0, found_number = 0;
+    for (;;) {
+        size_t made_length = 0, found_length = 0;
+        const char *a = next_line(&made, c->text + c->size, manifest, &made_length, &made_number);
+        const char *b = next_line(&found, text + size, manifest, &found_length, &found_number);
+        if (!a && !b)
+            return 0;
+        if (!a || !b || made_length != found_length || memcmp(a, b, made_length) != 0)
+            return b ? found_number : found_number + 1;
+    }
+}
+
+/* The whole file, or NULL with errno set. */
+static char *read_file(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return NULL;
+    size_t capacity = 1 << 16;
+    char *text = xmalloc(capacity);
+    *size = 0;
+    for (size_t got; (got = fread(text + *size, 1, capacity - *size, file)) > 0;) {
+        *size += got;
+        if (*size == capacity)
+            text = xrealloc(text, capacity *= 2);
+    }
+    const int error = ferror(file) ? errno : 0;
+    fclose(file);
+    if (error) {
+        free(text);
+        errno = error;
+        return NULL;
+    }
+    return text;
+}
+
+static int check_all(const struct content *c, const char *directory)
+{
+    int status = STATUS_OK;
+    for (int i = 0; i <= FILES; i++) {
+        char path[PATH_MAX_LENGTH];
+        size_t size = 0;
+        if (set_path(path, directory, c[i].name))
+            return STATUS_FAILED;
+        char *text = read_file(path, &size);
+        const long line = text ? first_difference(&c[i], text, size) : 0;
+        if (!text)
+            status = fail("cannot read %s: %s", path, strerror(errno));
+        else if (line)
+            status = fail("%s is not what corgen writes: it differs in line %ld", path, line);
+        free(text);
+    }
+    return status;
+}
+
+int command_tables(const struct options *o)
+{
+    const char *directory = o->output ? o->output : DEFAULT_DIRECTORY;
+    struct content c[FILES + 1] = {{NULL, NULL, 0}};
+    int status = STATUS_OK;
+    for (int i = 0; i < FILES && status == STATUS_OK; i++)
+        status = make(&c[i], &files[i]);
+    if (status == STATUS_OK)
+        status = make_manifest(&c[FILES], c);
+    if (status == STATUS_OK)
+        status = o->check ? check_all(c, directory) : write_all(c, directory);
+    for (int i = 0; i <= FILES && status == STATUS_OK; i++)
+        printf("%s %s/%s: %zu bytes\n", o->check ? "same" : "wrote", directory, c[i].name,
+               c[i].size);
+    if (fflush(stdout) && status == STATUS_OK)
+        status = fail("standard output: %s", strerror(errno));
+    for (int i = 0; i <= FILES; i++)
+        free(c[i].text);
+    return status;
+}

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT */
+/* What functions that can fail return: COR_OK = 0 or a positive status. */
+#ifndef COR_STATUS_H
+#define COR_STATUS_H
+
+#include "export.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Numbers are part of the interface: a new status gets the next number, none is used again. */
+enum cor_status {
+    COR_OK = 0,
+    COR_ERROR_NULL = 1,             /* a pointer is NULL */
+    COR_ERROR_YOUNG_MODULUS = 2,    /* not positive, or NaN; +inf is a rigid body */
+    COR_ERROR_POISSON_RATIO = 3,    /* outside (-1, 1/2], or NaN */
+    COR_ERROR_DISSIPATION_TIME = 4, /* negative, infinite or NaN */
+    COR_ERROR_RADIUS = 5,           /* not positive, or NaN; +inf is a flat wall */
+    COR_ERROR_MASS = 6,             /* not positive, or NaN; +inf is a body held fast */
+    COR_ERROR_BOTH_FLAT = 7,        /* two infinite radii: two walls */
+    COR_ERROR_BOTH_FIXED = 8,       /* two infinite masses */
+    COR_ERROR_BOTH_RIGID = 9,       /* two infinite moduli */
+    COR_ERROR_G_STAR = 10,          /* characteristic speed not positive, or NaN */
+    COR_ERROR_RANGE = 11            /* a result overflows or underflows a double */
+};
+
+/* One English sentence for a status, without a newline; never NULL: a number that is no status gets
+ * a sentence that says so. The string is constant and lives as long as the program. */
+COR_API const char *cor_status_text(int status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

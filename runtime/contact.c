@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+#include "cor/contact.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "cor/sphere.h"
+#include "cor/status.h"
+#include "fifth_root.h"
+#include "sphere_eval.h"
+
+static void contact_clear(struct cor_sphere_contact *contact)
+{
+    contact->effective_mass_kg = NAN;
+    contact->effective_radius_m = NAN;
+    contact->elastic_constant_n_m15 = NAN;
+    contact->dissipation_time_s = NAN;
+    contact->beta_per_root = NAN;
+    contact->scale = NAN;
+}
+
+/* Every comparison is written so that NaN fails it. */
+static int body_status(const struct cor_body *body)
+{
+    if (!(body->young_modulus_pa > 0))
+        return COR_ERROR_YOUNG_MODULUS;
+    if (!(body->poisson_ratio > -1 && body->poisson_ratio <= 0.5))
+        return COR_ERROR_POISSON_RATIO;
+    if (!(body->dissipation_time_s >= 0) || isinf(body->dissipation_time_s))
+        return COR_ERROR_DISSIPATION_TIME;
+    if (!(body->radius_m > 0))
+        return COR_ERROR_RADIUS;
+    if (!(body->mass_kg > 0))
+        return COR_ERROR_MASS;
+    return COR_OK;
+}
+
+static int pair_status(const struct cor_body *body_1, const struct cor_body *body_2)
+{
+    if (isinf(body_1->radius_m) && isinf(body_2->radius_m))
+        return COR_ERROR_BOTH_FLAT;
+    if (isinf(body_1->mass_kg) && isinf(body_2->mass_kg))
+        return COR_ERROR_BOTH_FIXED;
+    if (isinf(body_1->young_modulus_pa) && isinf(body_2->young_modulus_pa))
+        return COR_ERROR_BOTH_RIGID;
+    return COR_OK;
+}
+
+/* x y/(x + y), also where the product would overflow and where one of them is infinite */
+static double half_harmonic_mean(double x, double y)
+{
+    const double small = x < y ? x : y, large = x < y ? y : x;
+    return small / (1 + small / large);
+}
+
+/* (1 - nu^2)/Y, with no cancellation near nu = -1 */
+static double compliance(const struct cor_body *body)
+{
+    return (1 - body->poisson_ratio) * (1 + body->poisson_ratio) / body->young_modulus_pa;
+}
+
+static int in_range(double x)
+{
+    return x >= DBL_MIN && x <= DBL_MAX;
+}
+
+int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor_body *body_1,
+                            const struct cor_body *body_2)
+{
+    if (contact == NULL)
+        return COR_ERROR_NULL;
+    contact_clear(contact);
+    if (body_1 == NULL || body_2 == NULL)
+        return COR_ERROR_NULL;
+    int status = body_status(body_1);
+    if (status == COR_OK)
+        status = body_status(body_2);
+    if (status == COR_OK)
+        status = pair_status(body_1, body_2);
+    if (status != COR_OK)
+        return status;
+
+    const double c1 = compliance(body_1), c2 = compliance(body_2), c = c1 + c2;
+    const double mass = half_harmonic_mean(body_1->mass_kg, body_2->mass_kg);
+    const double radius = half_harmonic_mean(body_1->radius_m, body_2->radius_m);
+    const double rho = 4 * sqrt(radius) / (3 * c);
+    if (!in_range(c) || !in_range(mass) || !in_range(radius) || !in_range(rho))
+        return COR_ERROR_RANGE;
+    /* weights first: they are exactly 1/2 for equal materials, and nothing can overflow */
+    const double a1 = body_1->dissipation_time_s, a2 = body_2->dissipation_time_s;
+    const double a = a1 * (c1 / c) + a2 * (c2 / c);
+    /* roots first: rho/m may overflow, their quotient cannot */
+    const double root = fifth_root(rho) / fifth_root(mass);
+    const double beta_per_root = 1.5 * a * (root * root), scale = 1 / (root * root);
+    const int dissipates = (a1 > 0 && c1 > 0) || (a2 > 0 && c2 > 0);
+    if (!in_range(scale) || (dissipates && !(in_range(a) && in_range(beta_per_root))))
+        return COR_ERROR_RANGE;
+
+    contact->effective_mass_kg = mass;
+    contact->effective_radius_m = radius;
+    contact->elastic_constant_n_m15 = rho;
+    contact->dissipation_time_s = a;
+    contact->beta_per_root = beta_per_root;
+    contact->scale = scale;
+    return COR_OK;
+}
+
+int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, double g_star_m_s)
+{
+    if (contact == NULL)
+        return COR_ERROR_NULL;
+    contact_clear(contact);
+    if (!(g_star_m_s > 0))
+        return COR_ERROR_G_STAR;
+    contact->beta_per_root = 1 / (-COR_SPHERE_C1 * fifth_root(g_star_m_s));
+    return COR_OK;
+}
+
+double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact)
+{
+    const double root = 1 / (-COR_SPHERE_C1 * contact->beta_per_root), square = root * root;
+    return square * square * root;
+}
+
+static inline double contact_beta(const struct cor_sphere_contact *contact, double speed)
+{
+    if (!(speed >= 0))
+        return NAN;
+    /* without dissipation an infinite speed is no 0 times inf */
+    return contact->beta_per_root == 0 ? 0 : contact->beta_per_root * fifth_root(speed);
+}
+
+double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m_s)
+{
+    return contact_beta(contact, speed_m_s);
+}
+
+double cor_contact_eps_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s)
+{
+    return sphere_eps_zero_overlap(contact_beta(contact, speed_m_s));
+}
+
+double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact, double speed_m_s)
+{
+    return sphere_eps_zero_force(contact_beta(contact, speed_m_s));
+}
+
+void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact,
+                                        const double *speed_m_s, double *eps, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        eps[i] = cor_contact_eps_zero_overlap(contact, speed_m_s[i]);
+}
+
+void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact,
+                                      const double *speed_m_s, double *eps, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        eps[i] = cor_contact_eps_zero_force(contact, speed_m_s[i]);
+}
+
+double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa,
+                              double poisson_ratio)
+{
+    const double nu = poisson_ratio;
+    if (!(eta1_pa_s >= 0 && eta1_pa_s <= DBL_MAX && eta2_pa_s >= 0 && eta2_pa_s <= DBL_MAX &&
+          young_modulus_pa > 0 && young_modulus_pa <= DBL_MAX && nu > -1 && nu <= 0.5 && nu != 0))
+        return NAN;
+    if (eta1_pa_s == 0 && eta2_pa_s == 0) /* the limit of 0/0 from every direction */
+        return 0;
+    const double difference = 3 * eta2_pa_s - eta1_pa_s;
+    const double viscosity = difference * (difference / (3 * eta2_pa_s + 2 * eta1_pa_s));
+    const double poisson_factor = (1 - nu) * (1 + nu) * (1 - 2 * nu) / (nu * nu);
+    return viscosity / (3 * young_modulus_pa) * poisson_factor;
+}
+
+double cor_sphere_mass_kg(double radius_m, double density_kg_m3)
+{
+    /* 4 pi/3, rounded to the nearest double; C99 has no pi */
+    static const double volume_of_unit_sphere = 4.18879020478639098462;
+    if (!(radius_m > 0 && density_kg_m3 > 0))
+        return NAN;
+    return volume_of_unit_sphere * (radius_m * radius_m * radius_m) * density_kg_m3;
+}

@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: MIT */
+/* What emit_c writes: a compiler reads every double back to the bit, and finds nothing to warn of.
+ */
+#define _XOPEN_SOURCE 700
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "digits.h"
+#include "emit_c.h"
+#include "pade_header.h"
+
+enum { PREC = 256, BITS = 192, PATH = 512 };
+
+static char directory[PATH];
+
+static int make_directory(void **state)
+{
+    (void)state;
+    const char *parent = getenv("TMPDIR");
+    snprintf(directory, sizeof directory, "%s/cor-emit-XXXXXX", parent ? parent : "/tmp");
+    return mkdtemp(directory) ? 0 : -1;
+}
+
+static int remove_directory(void **state)
+{
+    (void)state;
+    static const char *const made[] = {"header.h", "main.c", "main"};
+    char path[PATH + 16];
+    for (size_t i = 0; i < sizeof made / sizeof *made; i++) {
+        snprintf(path, sizeof path, "%s/%s", directory, made[i]);
+        unlink(path);
+    }
+    return rmdir(directory);
+}
+
+static FILE *create(const char *name)
+{
+    char path[PATH + 16];
+    snprintf(path, sizeof path, "%s/%s", directory, name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    return file;
+}
+
+/* Compiles main.c, runs it, and returns what it prints. */
+static FILE *compile_and_run(void)
+{
+    char command[4 * PATH];
+    const char *cc = getenv("CC");
+    snprintf(command, sizeof command,
+             "%s -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -o '%s/main' '%s/main.c'",
+             cc ? cc : "cc", directory, directory);
+    assert_int_equal(system(command), 0);
+    snprintf(command, sizeof command, "'%s/main'", directory);
+    FILE *output = popen(command, "r");
+    assert_non_null(output);
+    return output;
+}
+
+/* Doubles of every kind: exact, irrational, huge, tiny, subnormal, negative. */
+static void test_doubles(void **state)
+{
+    (void)state;
+    enum { COUNT = 9 };
+    arb_ptr x = _arb_vec_init(COUNT);
+    double expected[COUNT];
+    arb_one(x);
+    arb_set_si(x + 1, -3);
+    arb_mul_2exp_si(x + 1, x + 1, -2);
+    arb_const_pi(x + 2, PREC);
+    arb_neg(x + 3, x + 2);
+    arb_mul_2exp_si(x + 4, x + 2, 1000);
+    arb_mul_2exp_si(x + 5, x + 2, -1000);
+    arb_mul_2exp_si(x + 6, x + 2, -1060);
+    arb_sqrt_ui(x + 7, 2, PREC);
+    for (int i = 0; i < COUNT; i++)
+        assert_true(digits_to_double(&expected[i], x + i));
+
+    struct emit e;
+    FILE *file = create("header.h");
+    emit_open(&e, file, "HEADER_H", "A banner\n\nthat tries to end early: */ int oops;\n");
+    emit_comment(&e, "%d*/%d", 1, 2);
+    assert_int_equal(emit_doubles(&e, "value", x, COUNT), 0);
+    const char *const name[] = {"ONE", "LENGTH"};
+    const slong length[] = {1, COUNT};
+    emit_constants(&e, name, length, 2);
+    emit_define(&e, "BOUND", emit_bound(5.21e-11).text);
+    emit_close(&e);
+    assert_int_equal(fclose(file), 0);
+
+    file = create("main.c");
+    fprintf(
+        file,
+        "#include <stdio.h>\n#include \"header.h\"\n#include \"header.h\"\n"
+        "int main(void)\n{\n"
+        "    printf(\"%%d %%d %%.17g\\n\", (int)(sizeof value / sizeof *value), LENGTH, BOUND);\n"
+        "    for (int i = 0; i < LENGTH; i++)\n        printf(\"%%a\\n\", value[i]);\n"
+        "    return ONE - 1;\n}\n");
+    assert_int_equal(fclose(file), 0);
+    FILE *output = compile_and_run();
+    int size, count;
+    double bound;
+    assert_int_equal(fscanf(output, "%d %d %lf", &size, &count, &bound), 3);
+    assert_int_equal(size, COUNT);
+    assert_int_equal(count, COUNT);
+    assert_true(bound == 5.3e-11);
+    for (int i = 0; i < COUNT; i++) {
+        char text[64];
+        assert_int_equal(fscanf(output, "%63s", text), 1);
+        assert_true(strtod(text, NULL) == expected[i]);
+    }
+    assert_int_equal(pclose(output), 0);
+    _arb_vec_clear(x, COUNT);
+}
+
+/* A ball that straddles the middle of two doubles is refused, not rounded. */
+static void test_too_wide(void **state)
+{
+    (void)state;
+    arb_t x;
+    arb_init(x);
+    arb_one(x);
+    mag_set_ui_2exp_si(arb_radref(x), 1, -40);
+    struct emit e;
+    FILE *file = create("header.h");
+    emit_open(&e, file, "HEADER_H", "wide");
+    assert_int_equal(emit_doubles(&e, "value", x, 1), 1);
+    assert_int_equal(fclose(file), 0);
+    arb_clear(x);
+}
+
+static void test_bound(void **state)
+{
+    (void)state;
+    assert_string_equal(emit_bound(1.0).text, "1.0e+00");
+    assert_string_equal(emit_bound(1.01e-10).text, "1.1e-10");
+    assert_string_equal(emit_bound(9.91e-13).text, "1.0e-12");
+    assert_string_equal(emit_bound(0).text, "0.0e+00");
+    double x = 1e-16;
+    for (int i = 0; i < 1000; i++, x *= 1.0371) {
+        const double up = strtod(emit_bound(x).text, NULL);
+        assert_true(up >= x && up <= 1.1 * x);
+    }
+}
+
+/* A Padé in a header evaluates to eps and to the loss; its bounds hold at points of their own. */
+static void test_pade_header(void **state)
+{
+    (void)state;
+    const struct pade_request r = {.kind = PADE_ORDINARY,
+                                   .numerator = 4,
+                                   .denominator = 6,
+                                   .end = END_ZERO_FORCE,
+                                   .law = law_sphere};
+    struct pade f;
+    struct pade_analysis a;
+    struct references references;
+    pade_init(&f);
+    pade_analysis_init(&a);
+    assert_int_equal(pade_compute(&f, &a, &r, BITS), 0);
+    assert_int_equal(references_init(&references, &law_sphere, 2, 16, 2), 0);
+    struct pade_header h = {.name = "cor_test",
+                            .title = "test",
+                            .end = r.end,
+                            .beta_max = 2,
+                            .references = &references,
+                            .limit = 1e-12};
+    struct emit e;
+    FILE *file = create("header.h");
+    emit_open(&e, file, "HEADER_H", "Pade");
+    assert_int_equal(pade_emit(&e, &h, &f, &a), 1); /* above its limit: refused */
+    assert_int_equal(fclose(file), 0);
+    h.limit = 1;
+    file = create("header.h");
+    emit_open(&e, file, "HEADER_H", "Pade");
+    assert_int_equal(pade_emit(&e, &h, &f, &a), 0);
+    emit_close(&e);
+    assert_int_equal(fclose(file), 0);
+
+    file = create("main.c");
+    fprintf(
+        file,
+        "#include <math.h>\n#include <stdio.h>\n#include \"header.h\"\n"
+        "static double horner(const double *c, int n, double z)\n{\n    double y = 0;\n"
+        "    while (n-- > 0)\n        y = y * z + c[n];\n    return y;\n}\n"
+        "int main(void)\n{\n    const double beta = 0.5, z = 0.70710678118654752440;\n"
+        "    const double q = horner(cor_test_q, COR_TEST_Q, z);\n"
+        "    printf(\"%%.17g %%.17g %%.17g %%.17g\\n\", horner(cor_test_p, COR_TEST_P, z) / q,\n"
+        "           beta * horner(cor_test_l, COR_TEST_L, z) / q, COR_TEST_EPS_MAX_REL,\n"
+        "           COR_TEST_LOSS_MAX_REL);\n    return 0;\n}\n");
+    assert_int_equal(fclose(file), 0);
+    FILE *output = compile_and_run();
+    double eps, loss, eps_bound, loss_bound;
+    assert_int_equal(fscanf(output, "%lf %lf %lf %lf", &eps, &loss, &eps_bound, &loss_bound), 4);
+    assert_int_equal(pclose(output), 0);
+    const double exact = 0.595251501135126961;
+    assert_true(eps / exact - 1 <= eps_bound && 1 - eps / exact <= eps_bound);
+    assert_true(loss / (1 - exact) - 1 <= loss_bound && 1 - loss / (1 - exact) <= loss_bound);
+    assert_true(eps_bound < 0.01);
+    assert_true(eps + loss - 1 < 1e-15 && 1 - eps - loss < 1e-15);
+    references_clear(&references);
+    pade_analysis_clear(&a);
+    pade_clear(&f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_doubles),
+        cmocka_unit_test(test_too_wide),
+        cmocka_unit_test(test_bound),
+        cmocka_unit_test(test_pade_header),
+    };
+    return cmocka_run_group_tests(tests, make_directory, remove_directory);
+}

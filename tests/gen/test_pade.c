@@ -1,0 +1,453 @@
+/* SPDX-License-Identifier: MIT */
+/* Padé approximants: exactly known ones, the defining conditions, the published one, the analysis.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "collision.h"
+#include "pade.h"
+#include "published.h"
+
+enum { PREC = 256, BITS = 160 };
+
+static void exponential(arb_poly_t c, slong order)
+{
+    arb_t x;
+    arb_init(x);
+    arb_one(x);
+    arb_poly_zero(c);
+    for (slong k = 0; k <= order; k++) {
+        arb_poly_set_coeff_arb(c, k, x);
+        arb_div_si(x, x, k + 1, PREC);
+    }
+    arb_clear(x);
+}
+
+static void assert_rational(const arb_poly_t p, slong power, slong num, ulong den)
+{
+    fmpq_t exact;
+    fmpq_init(exact);
+    fmpq_set_si(exact, num, den);
+    arb_srcptr x = arb_poly_get_coeff_ptr(p, power);
+    assert_non_null(x);
+    assert_true(arb_contains_fmpq(x, exact));
+    assert_true(arb_rel_accuracy_bits(x) > BITS);
+    fmpq_clear(exact);
+}
+
+static double middle(const arb_poly_t p, slong power)
+{
+    arb_t x;
+    arb_init(x);
+    arb_poly_get_coeff_arb(x, p, power);
+    const double y = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    arb_clear(x);
+    return y;
+}
+
+static void assert_near(double x, double y, double tolerance)
+{
+    if (!(x - y <= tolerance && y - x <= tolerance))
+        fail_msg("%.17g is not %.17g within %g", x, y, tolerance);
+}
+
+/* Every coefficient of P/Q - c below `count` is a ball around 0, and a narrow one. */
+static void assert_reexpands(const struct pade *f, const arb_poly_t c, slong count)
+{
+    arb_poly_t s;
+    arb_t x, y;
+    arb_poly_init(s);
+    arb_init(x);
+    arb_init(y);
+    arb_poly_div_series(s, f->p, f->q, count, 4 * PREC);
+    for (slong k = 0; k < count; k++) {
+        arb_poly_get_coeff_arb(x, s, k);
+        arb_poly_get_coeff_arb(y, c, k);
+        assert_true(arb_overlaps(x, y));
+        arb_sub(x, x, y, PREC);
+        assert_true(mag_cmp_2exp_si(arb_radref(x), -BITS / 2) < 0);
+    }
+    arb_poly_clear(s);
+    arb_clear(x);
+    arb_clear(y);
+}
+
+static struct pade_request ordinary(slong m, slong n, enum contact_end end)
+{
+    return (struct pade_request){
+        .kind = PADE_ORDINARY, .numerator = m, .denominator = n, .end = end, .law = law_sphere};
+}
+
+/* [2/3] of exp: (1 + 2/5 z + 1/20 z^2)/(1 - 3/5 z + 3/20 z^2 - 1/60 z^3) */
+static void test_exponential(void **state)
+{
+    (void)state;
+    struct pade f;
+    arb_poly_t c;
+    pade_init(&f);
+    arb_poly_init(c);
+    exponential(c, 5);
+    assert_true(pade_of_series(&f, c, 2, 3, PREC));
+    assert_int_equal(arb_poly_degree(f.p), 2);
+    assert_int_equal(arb_poly_degree(f.q), 3);
+    assert_true(arb_is_one(arb_poly_get_coeff_ptr(f.q, 0)));
+    assert_rational(f.p, 0, 1, 1);
+    assert_rational(f.p, 1, 2, 5);
+    assert_rational(f.p, 2, 1, 20);
+    assert_rational(f.q, 1, -3, 5);
+    assert_rational(f.q, 2, 3, 20);
+    assert_rational(f.q, 3, -1, 60);
+
+    /* the edges of the table */
+    assert_true(pade_of_series(&f, c, 5, 0, PREC));
+    assert_rational(f.p, 5, 1, 120);
+    assert_int_equal(arb_poly_degree(f.q), 0);
+    assert_true(pade_of_series(&f, c, 0, 2, PREC));
+    assert_rational(f.q, 1, -1, 1);
+    assert_rational(f.q, 2, 1, 2);
+    assert_true(pade_of_series(&f, c, 0, 0, PREC));
+    assert_rational(f.p, 0, 1, 1);
+    arb_poly_clear(c);
+    pade_clear(&f);
+}
+
+static void test_reexpansion(void **state)
+{
+    (void)state;
+    static const struct {
+        slong m, n;
+        enum contact_end end;
+    } entry[] = {{1, 4, END_ZERO_OVERLAP},   {4, 4, END_ZERO_OVERLAP}, {12, 20, END_ZERO_OVERLAP},
+                 {20, 12, END_ZERO_OVERLAP}, {1, 4, END_ZERO_FORCE},   {15, 19, END_ZERO_FORCE}};
+    for (size_t i = 0; i < sizeof entry / sizeof *entry; i++) {
+        const struct pade_request r = ordinary(entry[i].m, entry[i].n, entry[i].end);
+        struct pade f;
+        arb_poly_t c;
+        slong root;
+        pade_init(&f);
+        arb_poly_init(c);
+        assert_int_equal(pade_compute(&f, NULL, &r, PREC), 0);
+        assert_int_equal(series_eps(c, &root, r.end, r.numerator + r.denominator, &r.law, PREC), 0);
+        assert_int_equal(f.root, root);
+        assert_reexpands(&f, c, r.numerator + r.denominator + 1);
+        arb_poly_clear(c);
+        pade_clear(&f);
+    }
+}
+
+/* C_0..C_{m+4} at 0; h*^5/beta^5 (1 + 0 + ... + 0) at infinity. */
+static void test_two_point(void **state)
+{
+    (void)state;
+    const slong m = 8, n = m + 5;
+    const struct pade_request r = {.kind = PADE_TWO_POINT,
+                                   .numerator = m,
+                                   .denominator = n,
+                                   .end = END_ZERO_OVERLAP,
+                                   .law = law_sphere};
+    struct pade f;
+    struct pade_analysis a;
+    struct collision collision;
+    arb_poly_t c, p, q;
+    arb_t x, y;
+    slong root;
+    pade_init(&f);
+    pade_analysis_init(&a);
+    collision_init(&collision);
+    arb_poly_init(c);
+    arb_poly_init(p);
+    arb_poly_init(q);
+    arb_init(x);
+    arb_init(y);
+    assert_int_equal(pade_compute(&f, &a, &r, PREC), 0);
+    assert_null(pade_defects(&a));
+    assert_int_equal(series_eps(c, &root, r.end, m + n, &r.law, PREC), 0);
+    assert_reexpands(&f, c, m + 5);
+
+    for (slong k = 0; k <= m; k++)
+        arb_poly_set_coeff_arb(p, m - k, arb_poly_get_coeff_ptr(f.p, k));
+    for (slong k = 0; k <= n; k++)
+        arb_poly_set_coeff_arb(q, n - k, arb_poly_get_coeff_ptr(f.q, k));
+    arb_poly_div_series(p, p, q, m + 1, PREC);
+    assert_int_equal(collision_h_star(x, PREC), 0);
+    arb_pow_ui(x, x, 5, PREC);
+    arb_poly_get_coeff_arb(y, p, 0);
+    assert_true(arb_overlaps(x, y));
+    for (slong k = 1; k <= m; k++) {
+        arb_poly_get_coeff_arb(x, p, k);
+        assert_true(arb_contains_zero(x));
+        assert_true(mag_cmp_2exp_si(arb_radref(x), -BITS) < 0);
+    }
+    /* safe and slow: all coefficients positive, 3 % off at beta = 3, 8e-9 at 1/2 */
+    for (slong k = 0; k <= m; k++)
+        assert_true(arb_is_positive(arb_poly_get_coeff_ptr(f.p, k)));
+    for (slong k = 0; k <= n; k++)
+        assert_true(arb_is_positive(arb_poly_get_coeff_ptr(f.q, k)));
+    static const double beta[] = {3, 0.5}, low[] = {0.02, 5e-9}, high[] = {0.04, 1e-8};
+    for (int i = 0; i < 2; i++) {
+        arb_t z;
+        arb_init(z);
+        arb_set_d(z, beta[i]);
+        assert_int_equal(collision_solve(&collision, z, &law_sphere, PREC), 0);
+        arb_poly_evaluate(x, f.p, z, PREC);
+        arb_poly_evaluate(y, f.q, z, PREC);
+        arb_div(x, x, y, PREC);
+        arb_div(x, x, collision.eps_zero_overlap, PREC);
+        arb_sub_ui(x, x, 1, PREC);
+        arb_abs(x, x);
+        const double error = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+        if (!(error > low[i] && error < high[i]))
+            fail_msg("two-point error %g at beta = %g", error, beta[i]);
+        arb_clear(z);
+    }
+    arb_poly_clear(c);
+    arb_poly_clear(p);
+    arb_poly_clear(q);
+    arb_clear(x);
+    arb_clear(y);
+    collision_clear(&collision);
+    pade_analysis_clear(&a);
+    pade_clear(&f);
+}
+
+/* Table I, from the printed a_k and a fifth that is 0. */
+static void test_published(void **state)
+{
+    (void)state;
+    static const double d[] = {2.5840, 3.5840, 2.9840, 1.1487, 0.3265};
+    const struct pade_request r = {.kind = PADE_AS_PUBLISHED,
+                                   .numerator = 1,
+                                   .denominator = 4,
+                                   .end = END_ZERO_OVERLAP,
+                                   .law = law_sphere};
+    struct pade f;
+    struct pade_analysis a;
+    pade_init(&f);
+    pade_analysis_init(&a);
+    assert_int_equal(pade_compute(&f, &a, &r, PREC), 0);
+    assert_null(pade_defects(&a));
+    assert_string_equal(f.variable, "x");
+    assert_near(middle(f.p, 0), 1, 0);
+    assert_near(middle(f.p, 1), d[0], 5e-5);
+    for (int k = 1; k <= 4; k++)
+        assert_near(middle(f.q, k), d[k], 5e-5);
+    /* the print itself, within what six decimals of a_3 and a_4 leave open */
+    assert_near(middle(f.p, 1), atof(published_value(PUBLISHED_D, 1)), 2e-4);
+    for (int k = 1; k <= 4; k++)
+        assert_near(middle(f.q, k), atof(published_value(PUBLISHED_D, k + 1)), 2e-4);
+    pade_analysis_clear(&a);
+    pade_clear(&f);
+}
+
+/* The [1/4] of the true series is another function, negative beyond beta = 2.9. */
+static void test_true_one_four(void **state)
+{
+    (void)state;
+    const struct pade_request r = ordinary(1, 4, END_ZERO_OVERLAP);
+    struct pade f;
+    struct pade_analysis a;
+    pade_init(&f);
+    pade_analysis_init(&a);
+    assert_int_equal(pade_compute(&f, &a, &r, PREC), 0);
+    const double c1 = middle(f.p, 1) - middle(f.q, 1);
+    assert_near(c1, -1.15344885810, 1e-10);
+    assert_near(middle(f.p, 1) / -c1, -0.30244058, 1e-8); /* in x = |C_1| beta */
+    assert_int_equal(a.poles, 4);
+    assert_int_equal(a.positive_poles, 0);
+    assert_int_equal(a.zeros, 1);
+    assert_int_equal(a.positive_zeros, 1);
+    assert_near(arf_get_d(arb_midref(acb_realref(a.zero)), ARF_RND_NEAR), -1 / middle(f.p, 1),
+                1e-9);
+    char *defects = pade_defects(&a);
+    assert_non_null(defects);
+    assert_non_null(strstr(defects, "a zero at beta = 2.86656"));
+    assert_null(strstr(defects, "pole"));
+    free(defects);
+    pade_analysis_clear(&a);
+    pade_clear(&f);
+}
+
+/* p *= (z - re)^2 + im^2, normalised to 1 at 0 */
+static void multiply_pair(arb_poly_t p, double re, double im)
+{
+    arb_poly_t factor;
+    arb_t x, y;
+    arb_poly_init(factor);
+    arb_init(x);
+    arb_init(y);
+    arb_set_d(x, re);
+    arb_set_d(y, im);
+    arb_mul(y, y, y, PREC);
+    arb_addmul(y, x, x, PREC);
+    arb_mul_si(x, x, -2, PREC);
+    arb_div(x, x, y, PREC);
+    arb_inv(y, y, PREC);
+    arb_poly_set_coeff_si(factor, 0, 1);
+    arb_poly_set_coeff_arb(factor, 1, x);
+    arb_poly_set_coeff_arb(factor, 2, y);
+    arb_poly_mul(p, p, factor, PREC);
+    arb_poly_clear(factor);
+    arb_clear(x);
+    arb_clear(y);
+}
+
+static void test_spurious_pair(void **state)
+{
+    (void)state;
+    struct pade f;
+    struct pade_analysis a;
+    pade_init(&f);
+    pade_analysis_init(&a);
+    f.root = 2;
+    f.variable = "beta";
+    /* poles and zeros apart; a pair far from the axis; a pair beside it */
+    arb_poly_one(f.p);
+    arb_poly_one(f.q);
+    multiply_pair(f.q, 1, 3);
+    multiply_pair(f.p, 2, 3);
+    multiply_pair(f.q, -1, 1);
+    multiply_pair(f.p, -1.001, 1);
+    assert_true(pade_analyse(&a, &f, PREC));
+    assert_int_equal(a.poles, 4);
+    assert_int_equal(a.pairs, 2);
+    assert_int_equal(a.spurious, 0);
+    assert_null(pade_defects(&a));
+
+    multiply_pair(f.q, 2, 0.25);
+    multiply_pair(f.p, 2.0625, 0.25); /* three hundredths apart: no pair */
+    assert_true(pade_analyse(&a, &f, PREC));
+    assert_int_equal(a.spurious, 0);
+
+    multiply_pair(f.q, 3, 0.5);
+    multiply_pair(f.p, 3.0009765625, 0.5);
+    assert_true(pade_analyse(&a, &f, PREC));
+    assert_int_equal(a.pairs, 4);
+    assert_int_equal(a.spurious, 2); /* it and its conjugate */
+    assert_int_equal(a.positive_poles, 0);
+    char *defects = pade_defects(&a);
+    assert_non_null(defects);
+    assert_non_null(strstr(defects, "spurious pole-zero pair at beta = 8.75 ")); /* (3 + i/2)^2 */
+    free(defects);
+
+    /* on the axis: a pole, a zero and a pair */
+    arb_poly_t factor;
+    arb_poly_init(factor);
+    arb_poly_set_coeff_si(factor, 0, 1);
+    arb_poly_set_coeff_si(factor, 1, -1);
+    arb_poly_mul(f.q, f.q, factor, PREC);
+    arb_t x;
+    arb_init(x);
+    arb_set_d(x, -1.0009765625);
+    arb_poly_set_coeff_arb(factor, 1, x);
+    arb_poly_mul(f.p, f.p, factor, PREC);
+    assert_true(pade_analyse(&a, &f, PREC));
+    assert_int_equal(a.positive_poles, 1);
+    assert_int_equal(a.positive_zeros, 1);
+    assert_int_equal(a.spurious, 3);
+    defects = pade_defects(&a);
+    assert_non_null(strstr(defects, "a pole at beta = 1;"));
+    free(defects);
+
+    /* roots that no precision separates are not claimed to be isolated */
+    arb_poly_mul(f.q, f.q, f.q, PREC);
+    assert_false(pade_analyse(&a, &f, PREC));
+    arb_clear(x);
+    arb_poly_clear(factor);
+    pade_analysis_clear(&a);
+    pade_clear(&f);
+}
+
+static void assert_block(const arb_poly_t c, slong m, slong n, slong at_m, slong at_n, slong size,
+                         bool open)
+{
+    struct pade_block b;
+    assert_true(pade_block_of(&b, c, m, n, PREC));
+    assert_int_equal(b.m, at_m);
+    assert_int_equal(b.n, at_n);
+    assert_int_equal(b.size, size);
+    assert_true(b.open == open);
+}
+
+static void test_degenerate(void **state)
+{
+    (void)state;
+    struct pade f;
+    struct pade_block b;
+    arb_poly_t c;
+    pade_init(&f);
+    arb_poly_init(c);
+
+    /* 1/(1 - z/3), a fraction: its block never ends */
+    arb_t x;
+    arb_init(x);
+    arb_one(x);
+    for (slong k = 0; k <= 12; k++) {
+        arb_poly_set_coeff_arb(c, k, x);
+        arb_div_si(x, x, 3, PREC);
+    }
+    assert_true(pade_of_series(&f, c, 0, 1, PREC));
+    assert_true(pade_of_series(&f, c, 3, 1, PREC));
+    assert_false(pade_of_series(&f, c, 1, 2, PREC));
+    assert_false(pade_of_series(&f, c, 4, 4, PREC));
+    assert_false(pade_block_of(&b, c, 3, 1, PREC));
+    assert_block(c, 1, 2, 0, 1, 12, true);
+    assert_block(c, 4, 4, 0, 1, 10, true);
+
+    /* 1 + z^3 + 2 z^4 + ...: [0/0]..[2/2] are 1, or nothing */
+    arb_poly_zero(c);
+    arb_poly_set_coeff_si(c, 0, 1);
+    for (slong k = 3; k <= 10; k++)
+        arb_poly_set_coeff_si(c, k, k * k - 3 * k + 1);
+    assert_block(c, 1, 1, 0, 0, 3, false);
+    assert_block(c, 2, 2, 0, 0, 3, false);
+    assert_false(pade_block_of(&b, c, 3, 1, PREC));
+
+    /* eps at zero force has no term in z = sqrt(beta): reported, and without end it is not */
+    struct pade_request r = ordinary(1, 1, END_ZERO_FORCE);
+    assert_int_equal(pade_compute(&f, NULL, &r, BITS), 1);
+    r = ordinary(0, 2, END_ZERO_FORCE);
+    assert_int_equal(pade_compute(&f, NULL, &r, BITS), 0);
+    arb_clear(x);
+    arb_poly_clear(c);
+    pade_clear(&f);
+}
+
+static void test_refusals(void **state)
+{
+    (void)state;
+    struct pade_request r = ordinary(4, 4, END_ZERO_OVERLAP);
+    assert_null(pade_refusal(&r));
+    r.kind = PADE_TWO_POINT;
+    assert_non_null(pade_refusal(&r));
+    r.denominator = 9;
+    assert_null(pade_refusal(&r));
+    r.end = END_ZERO_FORCE;
+    assert_non_null(pade_refusal(&r));
+    r.end = END_ZERO_OVERLAP;
+    assert_null(law_parse(&r.law, "3/2", "1/4"));
+    assert_non_null(pade_refusal(&r));
+    r = ordinary(2, 4, END_ZERO_OVERLAP);
+    r.kind = PADE_AS_PUBLISHED;
+    assert_non_null(pade_refusal(&r));
+    r.numerator = 1;
+    assert_null(pade_refusal(&r));
+    r = ordinary(-1, 4, END_ZERO_OVERLAP);
+    assert_non_null(pade_refusal(&r));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_exponential),   cmocka_unit_test(test_reexpansion),
+        cmocka_unit_test(test_two_point),     cmocka_unit_test(test_published),
+        cmocka_unit_test(test_true_one_four), cmocka_unit_test(test_spurious_pair),
+        cmocka_unit_test(test_degenerate),    cmocka_unit_test(test_refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: MIT */
+/* The printed numbers beside the right ones: which prints are wrong, and that ours are not. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "published.h"
+#include "series.h"
+
+enum { ORDER = 4, BITS = 128 };
+
+static int decimals(const char *text)
+{
+    const char *point = strchr(text, '.');
+    return point ? (int)strlen(point + 1) : 0;
+}
+
+/* Whether x, proved, lies within `units` of the last printed digit of the text. */
+static bool agrees(const arb_t x, const char *text, double units)
+{
+    arb_t printed, unit;
+    fmpq_t exact;
+    arb_init(printed);
+    arb_init(unit);
+    fmpq_init(exact);
+    if (fmpq_set_str(exact, text, 10) == 0)
+        arb_set_fmpq(printed, exact, BITS);
+    else
+        assert_int_equal(arb_set_str(printed, text, BITS), 0);
+    arb_set_si(unit, 10);
+    arb_pow_ui(unit, unit, (ulong)decimals(text), BITS);
+    arb_sub(printed, printed, x, BITS);
+    arb_abs(printed, printed);
+    arb_mul(printed, printed, unit, BITS);
+    arb_set_d(unit, units);
+    const bool near = arb_le(printed, unit);
+    assert_true(near || arb_gt(printed, unit)); /* decided */
+    arb_clear(printed);
+    arb_clear(unit);
+    fmpq_clear(exact);
+    return near;
+}
+
+/* The true number: y_k and C_k of the series, a_k = |C_k|/|C_1|^k. */
+static void true_value(arb_t x, const struct series *s, const struct published *row)
+{
+    arb_t c1;
+    arb_init(c1);
+    arb_poly_get_coeff_arb(x, row->quantity == PUBLISHED_Y ? s->y : s->c, row->index);
+    if (row->quantity == PUBLISHED_A) {
+        arb_poly_get_coeff_arb(c1, s->c, 1);
+        arb_pow_ui(c1, c1, (ulong)row->index, BITS);
+        arb_div(x, x, c1, BITS);
+        arb_abs(x, x);
+    }
+    arb_clear(c1);
+}
+
+static void test_values(void **state)
+{
+    (void)state;
+    struct series s;
+    arb_t x;
+    int wrong = 0;
+    series_init(&s);
+    arb_init(x);
+    assert_int_equal(series_compute(&s, ORDER, &law_sphere, BITS), 0);
+    for (const struct published *row = published; row->printed; row++) {
+        if (row->quantity == PUBLISHED_D)
+            continue;
+        true_value(x, &s, row);
+        if (row->index == 1 && row->quantity == PUBLISHED_A) {
+            assert_true(arb_contains_si(x, 1));
+            continue;
+        }
+        /* a_2 = 3/5 is exact, so its ball is never proved to differ */
+        if (strchr(row->printed, '/')) {
+            fmpq_t exact;
+            fmpq_init(exact);
+            assert_int_equal(fmpq_set_str(exact, row->printed, 10), 0);
+            assert_true(arb_contains_fmpq(x, exact));
+            fmpq_clear(exact);
+            continue;
+        }
+        if (!agrees(x, row->correct, 1))
+            fail_msg("%s: %s is not the right value", row->equation, row->correct);
+        if (agrees(x, row->printed, 1) != row->right)
+            fail_msg("%s: the print %s is %s", row->equation, row->printed,
+                     row->right ? "wrong" : "right");
+        wrong += !row->right;
+    }
+    assert_int_equal(wrong, 6); /* y_2, y_3, C_3, C_4, a_3, a_4 */
+    arb_clear(x);
+    series_clear(&s);
+}
+
+/* The print is consistent with itself: a_k = |C_k|/|C_1|^k of the printed C_k, so the error came in
+ * with the numbers and not with (70), (71). */
+static void test_print_is_consistent(void **state)
+{
+    (void)state;
+    const double c1 = atof(published_value(PUBLISHED_C, 1));
+    const double c3 = atof(published_value(PUBLISHED_C, 3));
+    const double c4 = atof(published_value(PUBLISHED_C, 4));
+    const double a3 = atof(published_value(PUBLISHED_A, 3));
+    const double a4 = atof(published_value(PUBLISHED_A, 4));
+    assert_true(c3 / (c1 * c1 * c1) - a3 < 2e-6 && a3 - c3 / (c1 * c1 * c1) < 2e-6);
+    assert_true(c4 / (c1 * c1 * c1 * c1) - a4 < 2e-6 && a4 - c4 / (c1 * c1 * c1 * c1) < 2e-6);
+}
+
+static void test_lookup(void **state)
+{
+    (void)state;
+    assert_string_equal(published_value(PUBLISHED_Y, 2), "0.260542");
+    assert_string_equal(published_value(PUBLISHED_D, 5), "0.3265");
+    assert_null(published_value(PUBLISHED_A, 5));
+    assert_null(published_value(PUBLISHED_D, 0));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_print_is_consistent),
+        cmocka_unit_test(test_lookup),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: MIT */
+/* What the unit tests share: errors in units of the last place, and a seeded random state.
+ * COR_SEED=<number> repeats a run; COR_TEST_MULTIPLIER=<number> draws that many times more points.
+ */
+#ifndef COR_TESTS_CHECK_H
+#define COR_TESTS_CHECK_H
+
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#define check(condition, ...)                                                                      \
+    do {                                                                                           \
+        if (!(condition)) {                                                                        \
+            print_error("%s is false: ", #condition);                                              \
+            fail_msg(__VA_ARGS__);                                                                 \
+        }                                                                                          \
+    } while (0)
+
+static inline long double relative_error(double computed, long double exact)
+{
+    return fabsl((computed - exact) / exact);
+}
+
+/* |computed - exact| in units of the last place of a double of that size, subnormals included */
+static inline long double ulp_error(double computed, long double exact)
+{
+    int exponent;
+    frexpl(exact, &exponent);
+    if (exponent < DBL_MIN_EXP)
+        exponent = DBL_MIN_EXP;
+    return fabsl(computed - exact) / ldexpl(1, exponent - DBL_MANT_DIG);
+}
+
+static inline int same_bits(double x, double y)
+{
+    return memcmp(&x, &y, sizeof x) == 0;
+}
+
+static inline uint64_t check_number(const char *variable, uint64_t otherwise)
+{
+    const char *text = getenv(variable);
+    return text != NULL && *text != '\0' ? (uint64_t)strtoull(text, NULL, 0) : otherwise;
+}
+
+static inline size_t points(size_t count)
+{
+    return count * (size_t)check_number("COR_TEST_MULTIPLIER", 1);
+}
+
+/* xorshift64*: enough to scatter points, the same on every machine */
+struct random_state {
+    uint64_t state;
+};
+
+static inline struct random_state random_start(void)
+{
+    const uint64_t seed = check_number("COR_SEED", 19990101);
+    print_message("seed: COR_SEED=%llu\n", (unsigned long long)seed);
+    return (struct random_state){seed * 2 + 1};
+}
+
+static inline double random_uniform(struct random_state *r, double low, double high)
+{
+    r->state ^= r->state >> 12;
+    r->state ^= r->state << 25;
+    r->state ^= r->state >> 27;
+    const uint64_t bits = r->state * UINT64_C(2685821657736338717);
+    return low + (high - low) * ((double)(bits >> 11) * 0x1p-53);
+}
+
+/* log-uniform, so that every size is as likely */
+static inline double random_log(struct random_state *r, double low, double high)
+{
+    return exp(random_uniform(r, log(low), log(high)));
+}
+
+#endif

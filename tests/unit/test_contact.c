@@ -1,0 +1,431 @@
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+
+#include <cor/cor.h>
+
+static const double smallest = 4.9406564584124654e-324;
+
+/* Glass: Y = 70 GPa, nu = 1/5, A = 0.2 microseconds, R = 1 mm, 10 mg. */
+static struct cor_body glass(void)
+{
+    return (struct cor_body){7e10, 0.2, 2e-7, 1e-3, 1e-5};
+}
+
+static struct cor_body steel(void)
+{
+    return (struct cor_body){2e11, 0.3, 5e-8, 3e-3, 9e-4};
+}
+
+static struct cor_body wall(void)
+{
+    return (struct cor_body){7e10, 0.2, 2e-7, INFINITY, INFINITY};
+}
+
+/* By hand: two glass spheres. R = 0.5 mm, m = 5 mg; (2) gives
+ * rho = 2 * 7e10/(3 * 0.96) * sqrt(5e-4) = 4.86111...e10 * 0.0223606797749979 = 1.0869774890624e9,
+ * rho/m = 2.1739549781248e14, its power 2/5 is 10^(0.4 * 14.3372505458) = 543125.531,
+ * beta_per_root = 1.5 * 2e-7 * 543125.531 = 0.1629376593. */
+static void two_glass_spheres(void **state)
+{
+    (void)state;
+    struct cor_sphere_contact c;
+    const struct cor_body body = glass();
+    assert_int_equal(cor_sphere_contact_init(&c, &body, &body), COR_OK);
+    check(relative_error(c.effective_mass_kg, 5e-6L) < 1e-15L, "%g", c.effective_mass_kg);
+    check(relative_error(c.effective_radius_m, 5e-4L) < 1e-15L, "%g", c.effective_radius_m);
+    check(relative_error(c.elastic_constant_n_m15, 1.0869774890624e9L) < 1e-12L, "%.17g",
+          c.elastic_constant_n_m15);
+    check(c.dissipation_time_s == 2e-7, "%.17g", c.dissipation_time_s);
+    check(relative_error(c.beta_per_root, 0.1629376593L) < 1e-9L, "%.17g", c.beta_per_root);
+    check(relative_error(c.scale, 1 / 543125.531L) < 1e-8L, "%.17g", c.scale);
+    /* at 1 cm/s the fifth root is 0.398107170553497 */
+    check(relative_error(cor_contact_beta(&c, 0.01), 0.398107170553497L * c.beta_per_root) < 1e-14L,
+          "%.17g", cor_contact_beta(&c, 0.01));
+    /* 1 m/s: beta = beta_per_root, eps a direct call */
+    assert_true(same_bits(cor_contact_eps_zero_overlap(&c, 1),
+                          cor_sphere_eps_zero_overlap(c.beta_per_root)));
+    assert_true(
+        same_bits(cor_contact_eps_zero_force(&c, 1), cor_sphere_eps_zero_force(c.beta_per_root)));
+}
+
+/* By hand: the wall doubles both effective radius and effective mass, so rho grows by sqrt(2) and
+ * rho/m falls by it: beta_per_root changes by the factor 2^(-1/5). */
+static void sphere_and_wall(void **state)
+{
+    (void)state;
+    struct cor_sphere_contact pair, single;
+    const struct cor_body body = glass(), flat = wall();
+    assert_int_equal(cor_sphere_contact_init(&pair, &body, &body), COR_OK);
+    assert_int_equal(cor_sphere_contact_init(&single, &body, &flat), COR_OK);
+    assert_true(single.effective_mass_kg == body.mass_kg);
+    assert_true(single.effective_radius_m == body.radius_m);
+    check(relative_error(single.elastic_constant_n_m15, sqrtl(2) * pair.elastic_constant_n_m15) <
+              1e-15L,
+          "rho");
+    check(relative_error(single.beta_per_root, powl(2, -0.2L) * pair.beta_per_root) < 2e-15L,
+          "beta");
+}
+
+/* By hand: glass c_1 = 0.96/7e10 = 1.37142857e-11, steel c_2 = 0.91/2e11 = 4.55e-12 per Pa;
+ * E = 1/(1.82642857e-11) = 5.47516621e10; R = 0.75 mm;
+ * rho = 4/3 * 5.47516621e10 * 0.0273861279 = 1.99925e9;
+ * A = (2e-7 * 1.37142857 + 5e-8 * 0.455)/1.82642857 = 1.62632e-7 s. */
+static void different_materials(void **state)
+{
+    (void)state;
+    struct cor_sphere_contact c, swapped;
+    const struct cor_body one = glass(), other = steel();
+    assert_int_equal(cor_sphere_contact_init(&c, &one, &other), COR_OK);
+    assert_int_equal(cor_sphere_contact_init(&swapped, &other, &one), COR_OK);
+    assert_memory_equal(&c, &swapped, sizeof c);
+    check(relative_error(c.elastic_constant_n_m15, 1.99925e9L) < 1e-5L, "%.10g",
+          c.elastic_constant_n_m15);
+    check(relative_error(c.dissipation_time_s, 1.62632e-7L) < 1e-5L, "%.10g", c.dissipation_time_s);
+    check(relative_error(c.effective_mass_kg, 9e-9L / 9.1e-4L) < 1e-15L, "%.10g",
+          c.effective_mass_kg);
+
+    /* a rigid partner deforms nothing and dissipates nothing; the modulus doubles */
+    struct cor_body rigid = other;
+    rigid.young_modulus_pa = INFINITY;
+    assert_int_equal(cor_sphere_contact_init(&c, &one, &rigid), COR_OK);
+    assert_true(c.dissipation_time_s == one.dissipation_time_s);
+    check(relative_error(c.elastic_constant_n_m15, 4 * sqrtl(7.5e-4L) * 7e10L / (3 * 0.96L)) <
+              1e-15L,
+          "%.17g", c.elastic_constant_n_m15);
+}
+
+static void against_long_double(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst[4] = {0};
+    const long double c1 = 1.15344885809528879913L;
+    const size_t n = points(20000);
+    for (size_t i = 0; i < n; i++) {
+        struct cor_body b[2];
+        long double compliance[2];
+        for (int k = 0; k < 2; k++) {
+            b[k].young_modulus_pa = random_log(&random, 1e-30, 1e30);
+            b[k].poisson_ratio = random_uniform(&random, -1, 0.5);
+            b[k].dissipation_time_s = random_log(&random, 1e-30, 1e10);
+            b[k].radius_m = random_log(&random, 1e-30, 1e30);
+            b[k].mass_kg = random_log(&random, 1e-60, 1e60);
+            compliance[k] = (1 - (long double)b[k].poisson_ratio) *
+                            (1 + (long double)b[k].poisson_ratio) / b[k].young_modulus_pa;
+        }
+        struct cor_sphere_contact c;
+        assert_int_equal(cor_sphere_contact_init(&c, &b[0], &b[1]), COR_OK);
+        const long double m = 1 / (1.0L / b[0].mass_kg + 1.0L / b[1].mass_kg);
+        const long double r = 1 / (1.0L / b[0].radius_m + 1.0L / b[1].radius_m);
+        const long double sum = compliance[0] + compliance[1];
+        const long double rho = 4 * sqrtl(r) / (3 * sum);
+        const long double a =
+            (b[0].dissipation_time_s * compliance[0] + b[1].dissipation_time_s * compliance[1]) /
+            sum;
+        const long double root = powl(rho / m, 0.4L), beta_per_root = 1.5L * a * root;
+        const double speed = random_log(&random, 1e-320, 1e300);
+        const long double beta = beta_per_root * powl(speed, 0.2L);
+        const long double g_star = powl(c1 * c.beta_per_root, -5);
+        const double computed_g_star = cor_contact_g_star_m_s(&c);
+        const long double error[4] = {
+            ulp_error(c.beta_per_root, beta_per_root), ulp_error(c.scale, 1 / root),
+            ulp_error(cor_contact_beta(&c, speed), beta),
+            /* a fifth power has twice the bound, and may leave the range */
+            isinf(computed_g_star) && g_star > DBL_MAX ? 0
+                                                       : ulp_error(computed_g_star, g_star) / 2};
+        for (int k = 0; k < 4; k++)
+            worst[k] = fmaxl(worst[k], error[k]);
+    }
+    print_message(
+        "beta_per_root %.2Lf, scale %.2Lf, beta %.2Lf, g* %.2Lf ulp at the worst of %zu\n",
+        worst[0], worst[1], worst[2], 2 * worst[3], n);
+    for (int k = 0; k < 4; k++)
+        check(worst[k] <= COR_CONTACT_MAX_ULP, "%d: %Lg ulp", k, worst[k]);
+}
+
+static void speeds(void **state)
+{
+    (void)state;
+    struct cor_sphere_contact c;
+    assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
+    const double bad[] = {-1, -smallest, -INFINITY, NAN};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        assert_true(isnan(cor_contact_beta(&c, bad[i])));
+        assert_true(isnan(cor_contact_eps_zero_overlap(&c, bad[i])));
+        assert_true(isnan(cor_contact_eps_zero_force(&c, bad[i])));
+    }
+    const double zero[] = {0.0, -0.0};
+    for (int i = 0; i < 2; i++) {
+        assert_true(cor_contact_beta(&c, zero[i]) == 0);
+        assert_true(cor_contact_eps_zero_overlap(&c, zero[i]) == 1);
+        assert_true(cor_contact_eps_zero_force(&c, zero[i]) == 1);
+    }
+    /* beta = 2 is reached at g/g* = (2 |C_1|)^5 = 65.333877... */
+    const double limit = 65.3338;
+    assert_true(!isnan(cor_contact_eps_zero_overlap(&c, limit)));
+    assert_true(isnan(cor_contact_eps_zero_overlap(&c, limit * 1.00001)));
+    assert_true(isnan(cor_contact_eps_zero_force(&c, limit * 1.00001)));
+    assert_true(isnan(cor_contact_eps_zero_force(&c, INFINITY)));
+    assert_true(isinf(cor_contact_beta(&c, INFINITY)));
+    /* subnormal speeds: the fifth root of the smallest one is 2^(-1074/5) */
+    const double tiny[] = {smallest, 7 * smallest, DBL_MIN, nextafter(DBL_MIN, 0), 1e-310};
+    for (size_t i = 0; i < sizeof tiny / sizeof *tiny; i++)
+        check(ulp_error(cor_contact_beta(&c, tiny[i]), c.beta_per_root * powl(tiny[i], 0.2L)) <= 2,
+              "%a", tiny[i]);
+    /* exact fifth powers, and their product with 1 */
+    c.beta_per_root = 1;
+    for (int k = 1; k < 1000; k++) {
+        const double x = k, power = x * x * x * x * x;
+        check(cor_contact_beta(&c, power) == x, "the fifth root of %g is %.17g", power,
+              cor_contact_beta(&c, power));
+    }
+    assert_true(cor_contact_beta(&c, 0x1p-1070) == 0x1p-214);
+    assert_true(cor_contact_beta(&c, 0x1p1020) == 0x1p204);
+}
+
+static void characteristic_speed(void **state)
+{
+    (void)state;
+    struct cor_sphere_contact c;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(2000); i++) {
+        const double g_star = random_log(&random, 1e-300, 1e300);
+        assert_int_equal(cor_sphere_contact_init_g_star(&c, g_star), COR_OK);
+        check(relative_error(cor_contact_g_star_m_s(&c), g_star) <
+                  3 * COR_CONTACT_MAX_ULP * DBL_EPSILON,
+              "%a -> %a", g_star, cor_contact_g_star_m_s(&c));
+        /* at g = g*, |C_1| beta = 1 */
+        check(relative_error(cor_contact_beta(&c, g_star), -1 / (long double)COR_SPHERE_C1) <
+                  COR_CONTACT_MAX_ULP * DBL_EPSILON,
+              "%a", g_star);
+        assert_true(isnan(c.effective_mass_kg) && isnan(c.elastic_constant_n_m15));
+    }
+    /* eps = 1 - (g/g*)^(1/5) + (3/5)(g/g*)^(2/5) - ..., (32) */
+    assert_int_equal(cor_sphere_contact_init_g_star(&c, 3.2e-3), COR_OK);
+    check(fabs(cor_contact_eps_zero_overlap(&c, 3.2e-13) - (1 - 0.01 + 0.6e-4)) < 1e-6, "%.17g",
+          cor_contact_eps_zero_overlap(&c, 3.2e-13));
+    /* no dissipation */
+    assert_int_equal(cor_sphere_contact_init_g_star(&c, INFINITY), COR_OK);
+    assert_true(isinf(cor_contact_g_star_m_s(&c)));
+    assert_true(cor_contact_eps_zero_overlap(&c, 1e300) == 1);
+    assert_true(cor_contact_eps_zero_force(&c, INFINITY) == 1);
+    assert_true(isnan(cor_contact_eps_zero_force(&c, NAN)));
+    struct cor_body elastic = glass();
+    elastic.dissipation_time_s = 0;
+    assert_int_equal(cor_sphere_contact_init(&c, &elastic, &elastic), COR_OK);
+    assert_true(c.beta_per_root == 0 && cor_contact_eps_zero_force(&c, 1e5) == 1);
+}
+
+static void all_nan(const struct cor_sphere_contact *c)
+{
+    assert_true(isnan(c->effective_mass_kg) && isnan(c->effective_radius_m) &&
+                isnan(c->elastic_constant_n_m15) && isnan(c->dissipation_time_s) &&
+                isnan(c->beta_per_root) && isnan(c->scale));
+    assert_true(isnan(cor_contact_beta(c, 1)) && isnan(cor_contact_beta(c, 0)));
+    assert_true(isnan(cor_contact_eps_zero_overlap(c, 1)));
+    assert_true(isnan(cor_contact_eps_zero_force(c, 0)));
+    assert_true(isnan(cor_contact_g_star_m_s(c)));
+}
+
+/* Puts a wrong value into one member of a good body, as first and as second. */
+static void refused(size_t member, double value, int status)
+{
+    struct cor_body good = glass(), wrong = glass();
+    memcpy((char *)&wrong + member, &value, sizeof value);
+    struct cor_sphere_contact c = {1, 1, 1, 1, 1, 1};
+    const int first = cor_sphere_contact_init(&c, &wrong, &good);
+    check(first == status, "member at %zu = %g: status %d, not %d", member, value, first, status);
+    all_nan(&c);
+    c = (struct cor_sphere_contact){1, 1, 1, 1, 1, 1};
+    const int second = cor_sphere_contact_init(&c, &good, &wrong);
+    check(second == status, "member at %zu = %g: status %d, not %d", member, value, second, status);
+    all_nan(&c);
+}
+
+static void wrong_inputs(void **state)
+{
+    (void)state;
+    const size_t young = offsetof(struct cor_body, young_modulus_pa);
+    const size_t poisson = offsetof(struct cor_body, poisson_ratio);
+    const size_t time = offsetof(struct cor_body, dissipation_time_s);
+    const size_t radius = offsetof(struct cor_body, radius_m);
+    const size_t mass = offsetof(struct cor_body, mass_kg);
+    const double not_positive[] = {0, -0.0, -1, -smallest, -INFINITY, NAN};
+    for (size_t i = 0; i < sizeof not_positive / sizeof *not_positive; i++) {
+        refused(young, not_positive[i], COR_ERROR_YOUNG_MODULUS);
+        refused(radius, not_positive[i], COR_ERROR_RADIUS);
+        refused(mass, not_positive[i], COR_ERROR_MASS);
+        if (!(not_positive[i] == 0))
+            refused(time, not_positive[i], COR_ERROR_DISSIPATION_TIME);
+    }
+    refused(time, INFINITY, COR_ERROR_DISSIPATION_TIME);
+    const double bad_poisson[] = {-1, nextafter(0.5, 1), -2, 0.6, INFINITY, -INFINITY, NAN};
+    for (size_t i = 0; i < sizeof bad_poisson / sizeof *bad_poisson; i++)
+        refused(poisson, bad_poisson[i], COR_ERROR_POISSON_RATIO);
+    /* what would overflow or vanish */
+    refused(young, smallest, COR_ERROR_RANGE);
+    refused(radius, smallest, COR_ERROR_RANGE);
+    refused(mass, smallest, COR_ERROR_RANGE);
+
+    struct cor_sphere_contact c;
+    struct cor_body one = glass(), other = wall();
+    assert_int_equal(cor_sphere_contact_init(&c, &other, &other), COR_ERROR_BOTH_FLAT);
+    all_nan(&c);
+    other.radius_m = 1;
+    one.mass_kg = INFINITY;
+    assert_int_equal(cor_sphere_contact_init(&c, &one, &other), COR_ERROR_BOTH_FIXED);
+    all_nan(&c);
+    one = other = glass();
+    one.young_modulus_pa = other.young_modulus_pa = INFINITY;
+    assert_int_equal(cor_sphere_contact_init(&c, &one, &other), COR_ERROR_BOTH_RIGID);
+    all_nan(&c);
+    one = glass();
+    assert_int_equal(cor_sphere_contact_init(NULL, &one, &one), COR_ERROR_NULL);
+    assert_int_equal(cor_sphere_contact_init(&c, NULL, &one), COR_ERROR_NULL);
+    all_nan(&c);
+    assert_int_equal(cor_sphere_contact_init(&c, &one, NULL), COR_ERROR_NULL);
+    all_nan(&c);
+    /* the ends of what is allowed */
+    one.poisson_ratio = 0.5;
+    assert_int_equal(cor_sphere_contact_init(&c, &one, &one), COR_OK);
+    one.poisson_ratio = nextafter(-1, 0);
+    assert_int_equal(cor_sphere_contact_init(&c, &one, &one), COR_OK);
+    /* a dissipation time whose beta_per_root underflows is refused, not taken for zero */
+    one = glass();
+    one.dissipation_time_s = smallest;
+    one.young_modulus_pa = 1e-10;
+    assert_int_equal(cor_sphere_contact_init(&c, &one, &one), COR_ERROR_RANGE);
+    all_nan(&c);
+
+    assert_int_equal(cor_sphere_contact_init_g_star(NULL, 1), COR_ERROR_NULL);
+    for (size_t i = 0; i < sizeof not_positive / sizeof *not_positive; i++) {
+        c = (struct cor_sphere_contact){1, 1, 1, 1, 1, 1};
+        assert_int_equal(cor_sphere_contact_init_g_star(&c, not_positive[i]), COR_ERROR_G_STAR);
+        all_nan(&c);
+    }
+}
+
+static void status_texts(void **state)
+{
+    (void)state;
+    for (int i = COR_OK; i <= COR_ERROR_RANGE; i++) {
+        const char *text = cor_status_text(i);
+        check(text != NULL && strlen(text) > 5 && text[strlen(text) - 1] == '.', "%d", i);
+        assert_null(strchr(text, '\n'));
+        for (int j = COR_OK; j < i; j++)
+            check(strcmp(text, cor_status_text(j)) != 0, "%d and %d say the same", i, j);
+        check(strcmp(text, cor_status_text(-1)) != 0, "%d has no text", i);
+    }
+    assert_string_equal(cor_status_text(-1), cor_status_text(COR_ERROR_RANGE + 1));
+    assert_int_equal(COR_OK, 0);
+}
+
+/* By hand: eta_1 = 1e3, eta_2 = 2e3 Pa s: (5e3)^2/8e3 = 3125; Y = 1e9 Pa, nu = 1/4:
+ * (1 - 1/16)(1/2)/(1/16) = 7.5; A = 3125 * 7.5/3e9 = 7.8125e-6 s. */
+static void dissipation_time(void **state)
+{
+    (void)state;
+    check(relative_error(cor_dissipation_time_s(1e3, 2e3, 1e9, 0.25), 7.8125e-6L) < 1e-15L, "%.17g",
+          cor_dissipation_time_s(1e3, 2e3, 1e9, 0.25));
+    assert_true(cor_dissipation_time_s(3, 1, 1e9, 0.25) == 0); /* 3 eta_2 = eta_1 */
+    assert_true(cor_dissipation_time_s(1, 1, 1e9, 0.5) == 0);  /* incompressible */
+    assert_true(cor_dissipation_time_s(0, 0, 1e9, 0.25) == 0);
+    assert_true(cor_dissipation_time_s(0, 1e200, 1e9, 0.25) > 0); /* no overflow of the square */
+    assert_true(isfinite(cor_dissipation_time_s(0, 1e200, 1e9, 0.25)));
+    const double bad[][4] = {
+        {1, 2, 1e9, 0},           {1, 2, 1e9, -0.0},        {1, 2, 1e9, -1},
+        {1, 2, 1e9, 0.51},        {1, 2, 0, 0.25},          {1, 2, -1, 0.25},
+        {-1, 2, 1e9, 0.25},       {1, -2, 1e9, 0.25},       {NAN, 2, 1e9, 0.25},
+        {1, NAN, 1e9, 0.25},      {1, 2, NAN, 0.25},        {1, 2, 1e9, NAN},
+        {1, INFINITY, 1e9, 0.25}, {INFINITY, 1, 1e9, 0.25}, {1, 2, INFINITY, 0.25}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        check(isnan(cor_dissipation_time_s(bad[i][0], bad[i][1], bad[i][2], bad[i][3])), "row %zu",
+              i);
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(5000); i++) {
+        const double eta1 = random_log(&random, 1e-3, 1), eta2 = random_log(&random, 1, 1e3);
+        const double young = random_log(&random, 1, 1e12), nu = random_uniform(&random, -1, 0.5);
+        const long double e1 = eta1, e2 = eta2, n = nu;
+        const long double exact = (3 * e2 - e1) * (3 * e2 - e1) / (3 * (3 * e2 + 2 * e1)) *
+                                  (1 - n) * (1 + n) * (1 - 2 * n) / (young * n * n);
+        check(ulp_error(cor_dissipation_time_s(eta1, eta2, young, nu), exact) <=
+                  COR_CONTACT_MAX_ULP,
+              "%a %a %a %a", eta1, eta2, young, nu);
+    }
+}
+
+/* By hand: R = 1 cm of ice, 917 kg/m^3: 4.18879e-6 * 917 = 3.84112e-3 kg. */
+static void mass_of_a_sphere(void **state)
+{
+    (void)state;
+    check(relative_error(cor_sphere_mass_kg(0.01, 917), 3.84112e-3L) < 1e-6L, "%.10g",
+          cor_sphere_mass_kg(0.01, 917));
+    check(ulp_error(cor_sphere_mass_kg(1, 1), 4 * acosl(-1) / 3) <= 0.5L + 1e-3L, "4 pi/3");
+    const double bad[] = {0, -1, NAN, -INFINITY};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        assert_true(isnan(cor_sphere_mass_kg(bad[i], 1)));
+        assert_true(isnan(cor_sphere_mass_kg(1, bad[i])));
+    }
+}
+
+static void arrays(void **state)
+{
+    (void)state;
+    enum { COUNT = 501 };
+    static double speed[COUNT], eps[COUNT + 1];
+    struct random_state random = random_start();
+    for (int i = 0; i < COUNT; i++)
+        speed[i] = random_log(&random, 1e-10, 1e2);
+    speed[0] = 0;
+    speed[1] = NAN;
+    speed[2] = -1;
+    speed[3] = INFINITY;
+    speed[4] = smallest;
+    struct cor_sphere_contact c;
+    assert_int_equal(cor_sphere_contact_init_g_star(&c, 0.1), COR_OK);
+    double (*const one[2])(const struct cor_sphere_contact *,
+                           double) = {cor_contact_eps_zero_overlap, cor_contact_eps_zero_force};
+    void (*const many[2])(const struct cor_sphere_contact *, const double *, double *, size_t) = {
+        cor_contact_eps_zero_overlap_array, cor_contact_eps_zero_force_array};
+    for (int end = 0; end < 2; end++) {
+        many[end](&c, NULL, NULL, 0);
+        eps[COUNT] = 7;
+        many[end](&c, speed, eps, COUNT);
+        assert_true(eps[COUNT] == 7);
+        int numbers = 0;
+        for (int i = 0; i < COUNT; i++) {
+            const double alone = one[end](&c, speed[i]);
+            numbers += !isnan(alone);
+            check(same_bits(eps[i], alone) || (isnan(eps[i]) && isnan(alone)), "%a", speed[i]);
+        }
+        assert_in_range(numbers, 300, COUNT - 10); /* both kinds were there */
+    }
+}
+
+static void version(void **state)
+{
+    (void)state;
+    char text[32];
+    snprintf(text, sizeof text, "%d.%d.%d", COR_VERSION_MAJOR, COR_VERSION_MINOR,
+             COR_VERSION_PATCH);
+    assert_string_equal(text, COR_VERSION_STRING);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(two_glass_spheres),
+        cmocka_unit_test(sphere_and_wall),
+        cmocka_unit_test(different_materials),
+        cmocka_unit_test(against_long_double),
+        cmocka_unit_test(speeds),
+        cmocka_unit_test(characteristic_speed),
+        cmocka_unit_test(wrong_inputs),
+        cmocka_unit_test(status_texts),
+        cmocka_unit_test(dissipation_time),
+        cmocka_unit_test(mass_of_a_sphere),
+        cmocka_unit_test(arrays),
+        cmocka_unit_test(version),
+    };
+    return cmocka_run_group_tests_name("contact", tests, NULL, NULL);
+}
