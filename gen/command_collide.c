@@ -26,7 +26,7 @@ static int fill(struct table *table, slong *undecided, const struct options *o, 
     arb_t beta;
     arb_init(beta);
     /* beta is rounded with bits to spare, so that this never costs the result its own. */
-    options_beta(beta, o, 2 * bits + 128);
+    options_beta(beta, o, 3 * bits + 256);
     struct collision collision;
     collision_init(&collision);
     int status = collision_solve(&collision, beta, &o->law, bits);

@@ -101,9 +101,7 @@ static void header_name(char name[TEXT_MAX], const struct pade_request *r)
 static const char *header_title(const struct pade_request *r, slong root)
 {
     if (r->kind == PADE_AS_PUBLISHED)
-        return "Table I of the paper of 1999, from its printed a_k: kept for comparison, wrong "
-               "from "
-               "the third order on";
+        return "Table I of the paper of 1999, from its printed a_k: wrong from the third order on";
     if (r->kind == PADE_TWO_POINT)
         return "eps at zero overlap, z = beta, series at 0 and tail at infinity";
     if (r->end == END_ZERO_OVERLAP)
@@ -128,14 +126,22 @@ static int write_header(const struct options *o, const struct pade_request *r, c
     snprintf(guard, sizeof guard, "%s_h", name);
     for (char *c = guard; *c; c++)
         *c = (char)(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c);
-    snprintf(
-        banner, sizeof banner,
-        "Restitution coefficient eps = P(z)/Q(z) of x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0,\n"
-        "1 - eps = z^%ld L(z)/Q(z); z^%ld = %s. Arrays hold ascending powers of z.\n"
-        "Source: docs/derivation.md, 7. Made by\n    %s\n",
-        (long)r->law.b.num, (long)r->law.b.den, (long)r->law.a.num, (long)r->law.a.den,
-        (long)f->root, (long)f->root, r->kind == PADE_AS_PUBLISHED ? "x = (g/g*)^(1/5)" : "beta",
-        command);
+    char z[32] = "";
+    if (f->root > 1)
+        snprintf(z, sizeof z, "^(1/%ld)", (long)f->root);
+    snprintf(banner, sizeof banner,
+             "Restitution coefficient of x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0:\n"
+             "    eps = P(z)/Q(z),    1 - eps = %s L(z)/Q(z),    z = %s%s%s.\n"
+             "Arrays hold ascending powers of z; q[0] = 1. Source: docs/derivation.md, 7.\n"
+             "\n"
+             "Written by:  %s\n"
+             "Checked by:  the same command, whose output is the same to the byte\n"
+             "\n"
+             "Each double is the one nearest to the exact coefficient, which stands beside it: "
+             "proved.\n",
+             (long)r->law.b.num, (long)r->law.b.den, (long)r->law.a.num, (long)r->law.a.den,
+             f->variable, f->variable, z, r->kind == PADE_AS_PUBLISHED ? " = (g/g*)^(1/5)" : "",
+             command);
 
     struct output out;
     int status = output_open(&out, o->header);
@@ -244,7 +250,7 @@ int command_pade(const struct options *o)
     if (status == STATUS_OK) {
         char *defects = pade_defects(&a);
         if (o->header && defects && !o->force)
-            status = fail("no header for a Padé with %s (--force writes it all the same)", defects);
+            status = fail("no header for a Padé with %s (--force writes it)", defects);
         else if (o->header)
             status = write_header(o, &request, &f, &a);
         free(defects);

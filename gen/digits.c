@@ -8,7 +8,7 @@
 
 #include "console.h"
 
-enum { GUARD_BITS = 64, LEADING_ZEROS_MAX = 4 };
+enum { GUARD_BITS = 32, LEADING_ZEROS_MAX = 4 };
 
 slong digits_to_bits(slong digits)
 {
@@ -71,6 +71,9 @@ char *digits_of_ball(const arb_t x, slong digits)
 {
     if (arb_is_zero(x))
         return xstrdup("0");
+    /* The duration of a contact that never ends: [+/- inf] is how balls say so. */
+    if (arf_is_pos_inf(arb_midref(x)))
+        return xstrdup("inf");
 
     slong prec = arb_bits(x) > digits_to_bits(digits) ? arb_bits(x) : digits_to_bits(digits);
     prec += GUARD_BITS;

@@ -9,7 +9,8 @@
 #include "flint.h"
 
 /* The value of x correctly rounded to `digits` significant decimal digits, as a malloc'ed string
- * ("1.0933620739", "-5.04e-12", "0" for an exact zero), or NULL if the ball is too wide to tell. */
+ * ("1.0933620739", "-5.04e-12", "0" for an exact zero, "inf" for a midpoint at infinity), or
+ * NULL if the ball is too wide to tell. */
 char *digits_of_ball(const arb_t x, slong digits);
 
 /* Working precision in bits for so many digits, with guard bits. */

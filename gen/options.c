@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#define _XOPEN_SOURCE 700
-
 #include "options.h"
 
 #include <errno.h>
@@ -286,7 +284,10 @@ int options_parse(struct options *o, const struct subcommand *cmd, int argc, cha
                                 NULL, (int)rules[i].key + LONG_OPTION};
     }
 
-    *o = (struct options){.digits = OPTIONS_DEFAULT_DIGITS, .end = END_ZERO_OVERLAP};
+    *o = (struct options){.numerator = OPTIONS_NOT_GIVEN,
+                          .denominator = OPTIONS_NOT_GIVEN,
+                          .digits = OPTIONS_DEFAULT_DIGITS,
+                          .end = END_ZERO_OVERLAP};
     *help = false;
     const char *elastic = "3/2";
     const char *damping = "1/2";

@@ -13,9 +13,11 @@
 #define OPTIONS_MAX_DEGREE 2000
 #define OPTIONS_MAX_BETA "1e6"
 #define OPTIONS_DEFAULT_DIGITS 20
+#define OPTIONS_NOT_GIVEN (-1)
 
 struct options {
-    slong order, terms, digits, numerator, denominator;
+    slong order, terms, digits;
+    slong numerator, denominator; /* OPTIONS_NOT_GIVEN if so */
     const char *beta; /* text as given, already found good; options_beta makes the ball */
     enum contact_end end;
     enum output_format format;

@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#define _XOPEN_SOURCE 700
-
 #include "output.h"
 
 #include <errno.h>
@@ -29,19 +27,27 @@ static void remove_unfinished(void)
     }
 }
 
-/* SA_RESETHAND has restored the default action, so the parent sees the death it asked for. */
+/* The signal goes on to its default action, so the parent sees the death it asked for. Not by
+ * SA_RESETHAND: a second signal between the reset and the first line here would end the process at
+ * once, and a terminal or timeout(1) sends two. */
 static void on_fatal_signal(int number)
 {
     remove_unfinished();
+    signal(number, SIG_DFL);
     raise(number);
+}
+
+static void fatal_signals(sigset_t *set)
+{
+    sigemptyset(set);
+    for (int i = 0; i < FATAL_SIGNALS; i++)
+        sigaddset(set, fatal_signal[i]);
 }
 
 static void block_signals(sigset_t *before)
 {
     sigset_t set;
-    sigemptyset(&set);
-    for (int i = 0; i < FATAL_SIGNALS; i++)
-        sigaddset(&set, fatal_signal[i]);
+    fatal_signals(&set);
     sigprocmask(SIG_BLOCK, &set, before);
 }
 
@@ -63,8 +69,7 @@ static void install_handlers(void)
             continue;
         memset(&action, 0, sizeof action);
         action.sa_handler = on_fatal_signal;
-        sigemptyset(&action.sa_mask);
-        action.sa_flags = (int)SA_RESETHAND;
+        fatal_signals(&action.sa_mask);
         sigaction(fatal_signal[i], &action, NULL);
     }
     atexit(remove_unfinished);

@@ -283,7 +283,7 @@ static void print_place(FILE *file, const struct pade_analysis *a, const acb_t z
 static void print_pair(FILE *file, const struct pade_analysis *a, const struct pade_pair *pair)
 {
     print_place(file, a, a->pole + pair->pole);
-    fprintf(file, " (relative distance %.1e)", arf_get_d(arb_midref(pair->distance), ARF_RND_NEAR));
+    fprintf(file, " (distance %.1e)", arf_get_d(arb_midref(pair->distance), ARF_RND_NEAR));
 }
 
 static void print_positive(FILE *file, const struct pade_analysis *a, acb_srcptr z, slong count)
@@ -351,7 +351,7 @@ void pade_print_analysis(FILE *file, const struct pade_analysis *a, const char *
         fprintf(file, "%spole-zero pair at ", prefix);
         print_pair(file, a, a->pair + i);
         fprintf(file, a->pair[i].spurious ? ", near the positive axis: spurious\n"
-                                          : ", far from the positive axis: harmless\n");
+                                          : ", away from the positive axis: harmless\n");
     }
 }
 

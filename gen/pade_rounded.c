@@ -2,6 +2,7 @@
 #include "pade_rounded.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "collision.h"
 #include "console.h"
@@ -80,7 +81,9 @@ int references_init(struct references *s, const struct law *law, slong beta_max,
     int status = 0;
     s->count = even + small;
     s->even = even;
-    s->beta = _fmpq_vec_init(s->count);
+    s->beta = xmalloc((size_t)s->count * sizeof *s->beta);
+    for (slong i = 0; i < s->count; i++)
+        fmpq_init(s->beta + i);
     for (int end = 0; end < 2; end++)
         s->eps[end] = _arb_vec_init(s->count);
     collision_init(&c);
@@ -113,7 +116,9 @@ int references_init(struct references *s, const struct law *law, slong beta_max,
 
 void references_clear(struct references *s)
 {
-    _fmpq_vec_clear(s->beta, s->count);
+    for (slong i = 0; i < s->count; i++)
+        fmpq_clear(s->beta + i);
+    free(s->beta);
     for (int end = 0; end < 2; end++)
         _arb_vec_clear(s->eps[end], s->count);
 }

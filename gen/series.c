@@ -45,10 +45,10 @@ static slong reached_bits(const arb_poly_t f, slong order)
 
 int series_compute(struct series *s, slong order, const struct law *law, slong bits)
 {
-    /* First guesses from what orders up to 200 were seen to need: the recurrence loses 5 bits a row in balls,
-     * and a term of the t-series is worth 2 of them. The proof, not the guess, decides. */
-    slong prec = bits + 4 * order + 60;
-    slong terms = (bits + 3 * order) / 2 + 12;
+    /* First guesses, fitted to what the sphere needed for orders up to 100 and 300 bits, with a margin. The
+     * proof, not the guess, decides. */
+    slong prec = bits + 21 * order / 10 + 50;
+    slong terms = (45 * bits + 125 * order) / 100 + 24;
     for (int attempt = 0; attempt < 30; attempt++) {
         switch (turning_point_series(s->y, s->tau, order, terms, law, bits + 8, prec)) {
         case TURNING_POINT_FEW_TERMS:

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "subcommand.h"
 
+#include <errno.h>
 #include <string.h>
 
 #include "console.h"
@@ -75,5 +76,9 @@ int subcommand_run(const struct subcommand *table, const char *version, int argc
     status = cmd->run(&options);
     progress_end();
     profile_report();
+
+    /* For what was printed past output.c: a remark that did not arrive is a failure too. */
+    if (status == STATUS_OK && (fflush(stdout) != 0 || ferror(stdout)))
+        status = fail("cannot write standard output: %s", strerror(errno));
     return status;
 }

@@ -336,6 +336,20 @@ static bool prove_step(struct taylor *y, const arb_t h)
     inside = arb_lt(a + X, a + MW) && arb_lt(a + E, a + MV);
     arb_mul_2exp_si(a + MW, a + MW, 11);
 
+    /* A zero of w must not hide inside the step: either w cannot fall that far, or (kappa w, v), which turns
+     * at 2 L at most, turns by less than pi and cannot come back from w = 0. */
+    arb_mul(a + X, a + L, h, NORM_BITS);
+    arb_mul_2exp_si(a + X, a + X, 1);
+    arb_sub_si(a + X, a + X, 3, NORM_BITS);
+    if (!arb_is_negative(a + X)) {
+        arb_mul(a + X, a + MV, h, NORM_BITS);
+        arb_mul_2exp_si(a + X, a + X, 11);
+        arb_div_si(a + X, a + X, d, NORM_BITS);
+        inside = inside && arb_gt(y->w, a + X);
+    }
+    arf_set_mag(arb_midref(a + X), y->error_w);
+    mag_zero(arb_radref(a + X));
+
     /* t' = w^(d-1) */
     monomial(a + LW, d - 1, a + X, a + MW, d - 2);
     arb_add(a + RT, a + RT, a + LW, NORM_BITS);

@@ -19,6 +19,7 @@
 #define NUMBER fmpq_t
 #define PREC_PARAMETER
 #define number_strengthen(x) (void)(x)
+#define SHIFT_PARAMETER
 #define PREC
 #define poly_init fmpq_poly_init
 #define poly_clear fmpq_poly_clear
@@ -98,6 +99,7 @@ static void exact_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly_str
 #undef poly_dot
 #undef poly_trim
 #undef number_strengthen
+#undef SHIFT_PARAMETER
 #undef number_init
 #undef number_clear
 #undef number_zero
@@ -117,9 +119,10 @@ static void exact_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly_str
 #define POWER_FINISH_ROW ball_power_finish_row
 #define POLY arb_poly_struct
 #define NUMBER arb_t
-#define PREC_PARAMETER , slong shift, slong prec
-#define PREC , shift, prec
+#define PREC_PARAMETER , slong prec
+#define PREC , prec
 #define number_strengthen(x) arb_mul_2exp_si(x, x, shift)
+#define SHIFT_PARAMETER slong shift,
 #define poly_init arb_poly_init
 #define poly_clear arb_poly_clear
 #define poly_zero arb_poly_zero
@@ -209,7 +212,7 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     t->prec = prec;
     t->x = rows_new(order + 1);
     t->shift = (slong)ceil(log2(pow(2 * elastic_time(law), (double)(law->ad + law->d) / (double)law->d)));
-    ball_rows(t->x, &t->x_to_a, &t->x_to_b1, order, terms, law, t->shift, prec);
+    ball_rows(t->shift, t->x, &t->x_to_a, &t->x_to_b1, order, terms, law, prec);
 }
 
 void trajectory_clear(struct trajectory *t)

@@ -159,6 +159,11 @@ static void edges(void **state)
 {
     (void)state;
     assert_true(COR_SPHERE_PADE_BETA_MAX == COR_SPHERE_BETA_MAX);
+    /* what the tables state of themselves keeps the public promise */
+    assert_true(COR_SPHERE_PADE_ZERO_OVERLAP_EPS_MAX_REL <= COR_SPHERE_EPS_MAX_REL);
+    assert_true(COR_SPHERE_PADE_ZERO_OVERLAP_LOSS_MAX_REL <= COR_SPHERE_LOSS_MAX_REL);
+    assert_true(COR_SPHERE_PADE_ZERO_FORCE_EPS_MAX_REL <= COR_SPHERE_EPS_MAX_REL);
+    assert_true(COR_SPHERE_PADE_ZERO_FORCE_LOSS_MAX_REL <= COR_SPHERE_LOSS_MAX_REL);
     const double last = COR_SPHERE_BETA_MAX, before = nextafter(last, 0);
     const struct reference r[2] = {reference_collision(last), reference_collision(before)};
     for (int i = 0; i < 2; i++) {

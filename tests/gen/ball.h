@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT */
+/* What the tests of the generator ask of balls. */
+#ifndef COR_TESTS_GEN_BALL_H
+#define COR_TESTS_GEN_BALL_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "flint.h"
+
+/* x is enclosed to so many relative bits. */
+static inline void assert_bits(const arb_t x, slong bits)
+{
+    if (arb_rel_accuracy_bits(x) < bits) {
+        arb_fprintd(stderr, x, 20);
+        fail_msg(": only %ld relative bits, not %ld", (long)arb_rel_accuracy_bits(x), (long)bits);
+    }
+}
+
+/* Two enclosures of one number have a point in common. */
+static inline void assert_overlap(const arb_t x, const arb_t y, const char *what, slong index)
+{
+    if (!arb_overlaps(x, y)) {
+        arb_fprintn(stderr, x, 40, 0);
+        fprintf(stderr, " and ");
+        arb_fprintn(stderr, y, 40, 0);
+        fail_msg(": %s %ld do not overlap", what, (long)index);
+    }
+}
+
+/* The decimal text is x cut after its last digit. */
+static inline void assert_truncates_to(const arb_t x, const char *text, int decimals)
+{
+    arb_t low, ulp;
+    arb_init(low);
+    arb_init(ulp);
+    arb_set_str(low, text, 300);
+    arb_set_si(ulp, 10);
+    arb_pow_ui(ulp, ulp, (ulong)decimals, 300);
+    arb_inv(ulp, ulp, 300);
+    arb_sub(low, x, low, 300);
+    arb_add_error_2exp_si(low, -200);
+    if (arb_is_negative(low) || !arb_lt(low, ulp)) {
+        arb_fprintn(stderr, x, 40, 0);
+        fail_msg(" does not truncate to %s", text);
+    }
+    arb_clear(low);
+    arb_clear(ulp);
+}
+
+static inline void assert_poly_overlap(const arb_poly_t f, const arb_poly_t g, slong order, const char *what)
+{
+    arb_t x, y;
+    arb_init(x);
+    arb_init(y);
+    for (slong k = 0; k <= order; k++) {
+        arb_poly_get_coeff_arb(x, f, k);
+        arb_poly_get_coeff_arb(y, g, k);
+        assert_overlap(x, y, what, k);
+    }
+    arb_clear(x);
+    arb_clear(y);
+}
+
+#endif

@@ -1,0 +1,320 @@
+/* SPDX-License-Identifier: MIT */
+/* The restitution series: closed forms at high order, and a second route to every coefficient. */
+#include "ball.h"
+
+#include "collision.h"
+#include "restitution.h"
+#include "series.h"
+#include "turning_point.h"
+
+enum { BITS = 160, PREC = 260 };
+
+/* C_1 = -sqrt(pi) Gamma(3/5) / (2^(1/5) 5^(2/5) Gamma(21/10)), (30); C_2 = (3/5) C_1^2, (69); (51). */
+static void test_closed_forms(void **state)
+{
+    (void)state;
+    struct series s;
+    arb_t x, y, c;
+    fmpq_t q;
+    series_init(&s);
+    arb_init(x);
+    arb_init(y);
+    arb_init(c);
+    fmpq_init(q);
+    assert_int_equal(series_compute(&s, 6, &law_sphere, BITS), 0);
+    fmpq_set_si(q, 3, 5);
+    arb_gamma_fmpq(x, q, PREC);
+    fmpq_set_si(q, 21, 10);
+    arb_gamma_fmpq(y, q, PREC);
+    arb_div(x, x, y, PREC);
+    arb_const_sqrt_pi(y, PREC);
+    arb_mul(x, x, y, PREC);
+    arb_set_si(y, 50); /* 2 5^2 */
+    arb_root_ui(y, y, 5, PREC);
+    arb_div(x, x, y, PREC);
+    arb_neg(x, x);
+    arb_poly_get_coeff_arb(c, s.c, 1);
+    assert_overlap(x, c, "C_k", 1);
+    assert_bits(c, BITS);
+    arb_sqr(x, x, PREC);
+    arb_mul_si(x, x, 3, PREC);
+    arb_div_si(x, x, 5, PREC);
+    arb_poly_get_coeff_arb(c, s.c, 2);
+    assert_overlap(x, c, "C_k", 2);
+    /* (51) by another beta function: t_0 = (4/5)^(3/5) Gamma(2/5) Gamma(1/2) / (2 Gamma(9/10)) */
+    fmpq_set_si(q, 2, 5);
+    arb_gamma_fmpq(x, q, PREC);
+    fmpq_set_si(q, 9, 10);
+    arb_gamma_fmpq(y, q, PREC);
+    arb_div(x, x, y, PREC);
+    arb_const_sqrt_pi(y, PREC);
+    arb_mul(x, x, y, PREC);
+    arb_mul_2exp_si(x, x, -1);
+    arb_set_si(y, 4);
+    arb_div_si(y, y, 5, PREC);
+    fmpq_set_si(q, 3, 5);
+    arb_pow_fmpq(y, y, q, PREC);
+    arb_mul(x, x, y, PREC);
+    arb_poly_get_coeff_arb(c, s.tau, 0);
+    assert_overlap(x, c, "tau_k", 0);
+    series_clear(&s);
+    arb_clear(x);
+    arb_clear(y);
+    arb_clear(c);
+    fmpq_clear(q);
+}
+
+/* exp(-z (pi - both asin z)/sqrt(1 - z^2)) with z = beta scale: the linear dashpot at zero overlap (both = 0) and
+ * at zero force (both = 2). */
+static void dashpot(arb_poly_t eps, const arb_t scale, int both, slong n, slong prec)
+{
+    arb_poly_t z, f, g;
+    arb_t pi;
+    arb_poly_init(z);
+    arb_poly_init(f);
+    arb_poly_init(g);
+    arb_init(pi);
+    arb_poly_set_coeff_arb(z, 1, scale);
+    arb_poly_asin_series(f, z, n, prec);
+    arb_set_si(pi, -both);
+    arb_poly_scalar_mul(f, f, pi, prec);
+    arb_const_pi(pi, prec);
+    arb_poly_set_coeff_arb(f, 0, pi);
+    arb_poly_mullow(g, z, z, n, prec);
+    arb_poly_neg(g, g);
+    arb_poly_add_si(g, g, 1, prec);
+    arb_poly_rsqrt_series(g, g, n, prec);
+    arb_poly_mullow(f, f, g, n, prec);
+    arb_poly_mullow(f, f, z, n, prec);
+    arb_poly_neg(f, f);
+    arb_poly_exp_series(eps, f, n, prec);
+    arb_poly_clear(z);
+    arb_poly_clear(f);
+    arb_poly_clear(g);
+    arb_clear(pi);
+}
+
+/* Linear dashpot (1, 0), zeta = beta/2, and Tsuji's (3/2, 1/4), zeta = beta/sqrt(5): both ends, order 40. */
+static void test_linear_laws(void **state)
+{
+    (void)state;
+    enum { ORDER = 40 };
+    static const char *const law_text[2][2] = {{"1", "0"}, {"3/2", "1/4"}};
+    for (int i = 0; i < 2; i++) {
+        struct law law;
+        arb_t scale;
+        arb_poly_t want, got;
+        slong root;
+        arb_init(scale);
+        arb_poly_init(want);
+        arb_poly_init(got);
+        assert_null(law_parse(&law, law_text[i][0], law_text[i][1]));
+        arb_set_si(scale, i == 0 ? 4 : 5);
+        arb_rsqrt(scale, scale, 2 * PREC);
+        assert_int_equal(series_eps(got, &root, END_ZERO_OVERLAP, ORDER, &law, BITS), 0);
+        dashpot(want, scale, 0, ORDER + 1, 2 * PREC);
+        assert_int_equal(root, 1);
+        assert_poly_overlap(got, want, ORDER, "zero overlap, coefficient");
+        assert_int_equal(series_eps(got, &root, END_ZERO_FORCE, ORDER, &law, BITS), 0);
+        dashpot(want, scale, 2, ORDER + 1, 2 * PREC);
+        assert_int_equal(root, 1);
+        assert_poly_overlap(got, want, ORDER, "zero force, coefficient");
+        arb_clear(scale);
+        arb_poly_clear(want);
+        arb_poly_clear(got);
+    }
+}
+
+/* Hunt-Crossley (a, a): beta - ln(1 + beta) = -beta eps - ln(1 - beta eps), any a, both ends one. */
+static void test_hunt_crossley(void **state)
+{
+    (void)state;
+    enum { ORDER = 40 };
+    static const char *const exponent[2] = {"3/2", "1"};
+    for (int i = 0; i < 2; i++) {
+        struct law law;
+        arb_poly_t eps, v, sum;
+        arb_t c;
+        slong root;
+        arb_poly_init(eps);
+        arb_poly_init(v);
+        arb_poly_init(sum);
+        arb_init(c);
+        assert_null(law_parse(&law, exponent[i], exponent[i]));
+        assert_int_equal(series_eps(eps, &root, END_ZERO_FORCE, ORDER, &law, BITS), 0);
+        assert_int_equal(root, 1);
+        /* The ends of the equation start at beta^2: order 41 of it decides coefficient 40 of eps. */
+        arb_poly_shift_left(v, eps, 1);
+        arb_poly_neg(v, v);
+        arb_poly_log1p_series(sum, v, ORDER + 2, 2 * PREC);
+        arb_poly_sub(sum, v, sum, 2 * PREC);
+        arb_poly_zero(v);
+        arb_poly_set_coeff_si(v, 1, 1);
+        arb_poly_sub(sum, sum, v, 2 * PREC);
+        arb_poly_log1p_series(v, v, ORDER + 2, 2 * PREC);
+        arb_poly_add(sum, sum, v, 2 * PREC);
+        for (slong k = 0; k <= ORDER + 1; k++) {
+            arb_poly_get_coeff_arb(c, sum, k);
+            assert_true(arb_contains_zero(c));
+            assert_true(mag_cmp_2exp_si(arb_radref(c), -100) < 0);
+        }
+        arb_poly_clear(eps);
+        arb_poly_clear(v);
+        arb_poly_clear(sum);
+        arb_clear(c);
+    }
+}
+
+/* G and T of docs/derivation.md, 5, and the series in sqrt(beta). */
+static void test_zero_force(void **state)
+{
+    (void)state;
+    static const char *const g_text[] = {"1", "4/15", "13/150", "4897/160875"};
+    static const char *const t_text[] = {"1", "4/35", "2/75"};
+    fmpq_poly_t G, T;
+    fmpq_t want, got;
+    fmpq_poly_init(G);
+    fmpq_poly_init(T);
+    fmpq_init(want);
+    fmpq_init(got);
+    restitution_zero_force_exact(G, T, 6, &law_sphere);
+    for (slong k = 0; k < 4; k++) {
+        fmpq_set_str(want, g_text[k], 10);
+        fmpq_poly_get_coeff_fmpq(got, G, k);
+        assert_true(fmpq_equal(want, got));
+    }
+    for (slong k = 0; k < 3; k++) {
+        fmpq_set_str(want, t_text[k], 10);
+        fmpq_poly_get_coeff_fmpq(got, T, k);
+        assert_true(fmpq_equal(want, got));
+    }
+    static const char *const known[] = {"1", "0", "-1.15344885810", "0", "0.79826656094",
+                                        "0.266666666666", "-0.52288256809", "-0.46137954324",
+                                        "0.34874267526", "0.45235105120"};
+    arb_poly_t eps;
+    arb_t x, y;
+    slong root;
+    arb_poly_init(eps);
+    arb_init(x);
+    arb_init(y);
+    assert_int_equal(series_eps(eps, &root, END_ZERO_FORCE, 9, &law_sphere, BITS), 0);
+    assert_int_equal(root, 2);
+    for (slong k = 0; k < 10; k++) {
+        arb_poly_get_coeff_arb(x, eps, k);
+        arb_set_str(y, known[k], PREC);
+        arb_sub(x, x, y, PREC);
+        assert_true(mag_cmp_2exp_si(arb_radref(x), -100) < 0);
+        arb_abs(x, x);
+        arb_set_d(y, 1e-11);
+        assert_true(arb_lt(x, y));
+    }
+    fmpq_poly_clear(G);
+    fmpq_poly_clear(T);
+    fmpq_clear(want);
+    fmpq_clear(got);
+    arb_poly_clear(eps);
+    arb_clear(x);
+    arb_clear(y);
+}
+
+/* y_k, tau_k and C_k, k = 0..60, by the t-series and the involution, and by the ODE in power series of beta. */
+static void test_two_routes(void **state)
+{
+    (void)state;
+    enum { ORDER = 60, ROUTE_BITS = 100, ROUTE_PREC = 260 };
+    struct series s;
+    arb_poly_t y, tau, c;
+    arb_t x;
+    series_init(&s);
+    arb_poly_init(y);
+    arb_poly_init(tau);
+    arb_poly_init(c);
+    arb_init(x);
+    assert_int_equal(series_compute(&s, ORDER, &law_sphere, ROUTE_BITS), 0);
+    assert_int_equal(collision_series(y, tau, c, ORDER, &law_sphere, ROUTE_PREC), 0);
+    assert_poly_overlap(s.y, y, ORDER, "y_k");
+    assert_poly_overlap(s.tau, tau, ORDER, "tau_k");
+    assert_poly_overlap(s.c, c, ORDER, "C_k");
+    for (slong k = 0; k <= ORDER; k++) {
+        arb_poly_get_coeff_arb(x, s.c, k);
+        if (k > 0)
+            assert_bits(x, ROUTE_BITS);
+        arb_poly_get_coeff_arb(x, c, k);
+        assert_bits(x, 20);
+    }
+    series_clear(&s);
+    arb_poly_clear(y);
+    arb_poly_clear(tau);
+    arb_poly_clear(c);
+    arb_clear(x);
+}
+
+/* Another law by both routes: nothing in them is special to the sphere. */
+static void test_two_routes_other_law(void **state)
+{
+    (void)state;
+    enum { ORDER = 12 };
+    static const char *const law_text[][2] = {{"2", "1/3"}, {"5/4", "1"}, {"3/2", "0"}};
+    for (size_t i = 0; i < sizeof law_text / sizeof *law_text; i++) {
+        struct law law;
+        struct series s;
+        arb_poly_t y, tau, c;
+        arb_t x;
+        series_init(&s);
+        arb_poly_init(y);
+        arb_poly_init(tau);
+        arb_poly_init(c);
+        arb_init(x);
+        assert_null(law_parse(&law, law_text[i][0], law_text[i][1]));
+        assert_int_equal(series_compute(&s, ORDER, &law, 80), 0);
+        assert_int_equal(collision_series(y, tau, c, ORDER, &law, 200), 0);
+        assert_poly_overlap(s.y, y, ORDER, "y_k");
+        assert_poly_overlap(s.tau, tau, ORDER, "tau_k");
+        assert_poly_overlap(s.c, c, ORDER, "C_k");
+        arb_poly_get_coeff_arb(x, c, ORDER);
+        assert_bits(x, 20);
+        series_clear(&s);
+        arb_poly_clear(y);
+        arb_poly_clear(tau);
+        arb_poly_clear(c);
+        arb_clear(x);
+    }
+}
+
+/* |C_(k+1)/C_k| -> 1/h*. */
+static void test_radius(void **state)
+{
+    (void)state;
+    struct series s;
+    arb_t x, y;
+    series_init(&s);
+    arb_init(x);
+    arb_init(y);
+    assert_int_equal(series_compute(&s, 60, &law_sphere, 80), 0);
+    assert_int_equal(collision_h_star(y, 80), 0);
+    arb_poly_get_coeff_arb(x, s.c, 60);
+    arb_t z;
+    arb_init(z);
+    arb_poly_get_coeff_arb(z, s.c, 59);
+    arb_div(x, z, x, PREC);
+    arb_div(x, x, y, PREC);
+    arb_add_si(x, x, 1, PREC);
+    arb_abs(x, x);
+    arb_set_d(y, 0.05);
+    assert_true(arb_lt(x, y));
+    arb_clear(x);
+    arb_clear(y);
+    arb_clear(z);
+    series_clear(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_linear_laws),
+        cmocka_unit_test(test_hunt_crossley), cmocka_unit_test(test_zero_force),
+        cmocka_unit_test(test_two_routes),   cmocka_unit_test(test_two_routes_other_law),
+        cmocka_unit_test(test_radius),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

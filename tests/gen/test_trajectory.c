@@ -1,0 +1,317 @@
+/* SPDX-License-Identifier: MIT */
+/* The exact trajectory: Eq. (49), the equation of motion by another route, and the proof of what is cut off. */
+#include "ball.h"
+
+#include "trajectory.h"
+#include "turning_point.h"
+
+static fmpq_poly_struct *exact_rows(slong order, slong terms, const struct law *law)
+{
+    fmpq_poly_struct *row = flint_malloc((size_t)(order + 1) * sizeof *row);
+    for (slong k = 0; k <= order; k++)
+        fmpq_poly_init(row + k);
+    trajectory_exact(row, order, terms, law);
+    return row;
+}
+
+static void free_rows(fmpq_poly_struct *row, slong order)
+{
+    for (slong k = 0; k <= order; k++)
+        fmpq_poly_clear(row + k);
+    flint_free(row);
+}
+
+/* Every rational of (49), and of (47); the t^10 of x_1 with the digits that the print lost. */
+static void test_equation_49(void **state)
+{
+    (void)state;
+    static const struct {
+        slong k, j;
+        const char *value;
+    } printed[] = {
+        {0, 0, "1"},
+        {0, 1, "-4/35"},
+        {0, 2, "1/175"},
+        {0, 3, "-22/104125"},
+        {0, 4, "52/8017625"},
+        {1, 0, "-4/15"},
+        {1, 1, "3/70"},
+        {1, 2, "-713/238875"},
+        {1, 3, "61216/426391875"},
+        {2, 0, "1/15"},
+        {2, 1, "-937/75075"},
+        {2, 2, "871/808500"},
+        {3, 0, "-38/2475"},
+        {3, 1, "43943/13513500"},
+        {3, 2, "-1184627/3594591000"},
+    };
+    fmpq_poly_struct *row = exact_rows(3, 4, &law_sphere);
+    fmpq_t want, got;
+    fmpq_init(want);
+    fmpq_init(got);
+    for (size_t i = 0; i < sizeof printed / sizeof *printed; i++) {
+        assert_int_equal(fmpq_set_str(want, printed[i].value, 10), 0);
+        fmpq_poly_get_coeff_fmpq(got, row + printed[i].k, printed[i].j);
+        if (!fmpq_equal(want, got))
+            fail_msg("c[%ld][%ld] is not %s", (long)printed[i].k, (long)printed[i].j, printed[i].value);
+    }
+    fmpq_clear(want);
+    fmpq_clear(got);
+    free_rows(row, 3);
+}
+
+/* Plain bivariate arithmetic, cut at u^order s^terms: f[k * (terms + 1) + j]. */
+struct plane {
+    slong order, terms;
+};
+
+static slong cells(const struct plane *p)
+{
+    return (p->order + 1) * (p->terms + 1);
+}
+
+static void plane_mul(fmpq *h, const fmpq *f, const fmpq *g, const struct plane *p)
+{
+    const slong n = p->terms + 1;
+    fmpq *sum = _fmpq_vec_init(cells(p));
+    for (slong k = 0; k <= p->order; k++)
+        for (slong i = 0; i <= k; i++)
+            for (slong j = 0; j <= p->terms; j++)
+                for (slong l = 0; l <= j; l++)
+                    fmpq_addmul(sum + k * n + j, f + i * n + l, g + (k - i) * n + j - l);
+    for (slong i = 0; i < cells(p); i++)
+        fmpq_set(h + i, sum + i);
+    _fmpq_vec_clear(sum, cells(p));
+}
+
+static void plane_pow(fmpq *h, const fmpq *f, slong e, const struct plane *p)
+{
+    fmpq *power = _fmpq_vec_init(cells(p));
+    fmpq_one(power);
+    for (slong i = 0; i < e; i++)
+        plane_mul(power, power, f, p);
+    for (slong i = 0; i < cells(p); i++)
+        fmpq_set(h + i, power + i);
+    _fmpq_vec_clear(power, cells(p));
+}
+
+/* The root r = f^(1/d) with r_00 = 1: each total degree from the defect of the ones below. */
+static void plane_root(fmpq *r, const fmpq *f, slong d, const struct plane *p)
+{
+    const slong n = p->terms + 1;
+    fmpq *power = _fmpq_vec_init(cells(p));
+    fmpq_t defect, inverse;
+    fmpq_init(defect);
+    fmpq_init(inverse);
+    fmpq_set_si(inverse, 1, (ulong)d);
+    for (slong i = 0; i < cells(p); i++)
+        fmpq_zero(r + i);
+    fmpq_one(r);
+    for (slong degree = 1; degree <= p->order + p->terms; degree++) {
+        plane_pow(power, r, d, p);
+        for (slong k = 0; k <= FLINT_MIN(degree, p->order); k++) {
+            const slong j = degree - k;
+            if (j > p->terms)
+                continue;
+            fmpq_sub(defect, f + k * n + j, power + k * n + j);
+            fmpq_mul(r + k * n + j, defect, inverse);
+        }
+    }
+    plane_pow(power, r, d, p);
+    for (slong i = 0; i < cells(p); i++)
+        assert_true(fmpq_equal(power + i, f + i));
+    _fmpq_vec_clear(power, cells(p));
+    fmpq_clear(defect);
+    fmpq_clear(inverse);
+}
+
+/* Number of coefficients of the equation of motion that do not vanish, from roots and whole powers of X alone:
+ * e (e+1) c + [X^b (X + D X)]_(k-1),j + [X^a]_k,(j-1), D X = sum e c. */
+static slong residual(const fmpq_poly_struct *row, const struct plane *p, const struct law *law)
+{
+    const slong n = p->terms + 1;
+    fmpq *x = _fmpq_vec_init(cells(p)), *root = _fmpq_vec_init(cells(p));
+    fmpq *velocity = _fmpq_vec_init(cells(p)), *power = _fmpq_vec_init(cells(p));
+    fmpq *sum = _fmpq_vec_init(cells(p));
+    fmpq_t e, term;
+    slong wrong = 0;
+    fmpq_init(e);
+    fmpq_init(term);
+    for (slong k = 0; k <= p->order; k++)
+        for (slong j = 0; j <= p->terms; j++) {
+            const slong i = k * n + j;
+            fmpq_poly_get_coeff_fmpq(x + i, row + k, j);
+            fmpq_set_si(e, k * (law->bd + law->d) + j * (law->ad + law->d), (ulong)law->d);
+            fmpq_mul(term, e, x + i);
+            fmpq_add(velocity + i, term, x + i);
+            fmpq_mul(sum + i, e, velocity + i);
+        }
+    plane_root(root, x, law->d, p);
+    plane_pow(power, root, law->bd, p);
+    plane_mul(velocity, velocity, power, p);
+    plane_pow(power, root, law->ad, p);
+    for (slong k = 0; k <= p->order; k++)
+        for (slong j = 0; j <= p->terms; j++) {
+            const slong i = k * n + j;
+            if (k > 0)
+                fmpq_add(sum + i, sum + i, velocity + i - n);
+            if (j > 0)
+                fmpq_add(sum + i, sum + i, power + i - 1);
+            wrong += !fmpq_is_zero(sum + i);
+        }
+    _fmpq_vec_clear(x, cells(p));
+    _fmpq_vec_clear(root, cells(p));
+    _fmpq_vec_clear(velocity, cells(p));
+    _fmpq_vec_clear(power, cells(p));
+    _fmpq_vec_clear(sum, cells(p));
+    fmpq_clear(e);
+    fmpq_clear(term);
+    return wrong;
+}
+
+static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"}, {"3/2", "1/4"}, {"3/2", "3/2"},
+                                      {"2", "1/3"},   {"0", "1"}, {"1/2", "2"}};
+enum { LAWS = sizeof laws / sizeof *laws };
+
+static void test_equation_of_motion(void **state)
+{
+    (void)state;
+    for (int i = 0; i < LAWS; i++) {
+        struct law law;
+        const struct plane p = {i == 0 ? 8 : 4, i == 0 ? 9 : 5};
+        assert_null(law_parse(&law, laws[i][0], laws[i][1]));
+        fmpq_poly_struct *row = exact_rows(p.order, p.terms, &law);
+        if (residual(row, &p, &law) != 0)
+            fail_msg("law %s, %s: the equation of motion does not vanish", laws[i][0], laws[i][1]);
+        /* One coefficient off by 10^-30 is seen. */
+        fmpq_t c, off;
+        fmpq_init(c);
+        fmpq_init(off);
+        assert_int_equal(fmpq_set_str(off, "1/1000000000000000000000000000000", 10), 0);
+        fmpq_poly_get_coeff_fmpq(c, row + p.order, p.terms);
+        fmpq_add(c, c, off);
+        fmpq_poly_set_coeff_fmpq(row + p.order, p.terms, c);
+        assert_true(residual(row, &p, &law) > 0);
+        fmpq_clear(c);
+        fmpq_clear(off);
+        free_rows(row, p.order);
+    }
+}
+
+static void test_balls_contain_rationals(void **state)
+{
+    (void)state;
+    enum { ORDER = 12, TERMS = 15, PREC = 200 };
+    for (int i = 0; i < LAWS; i++) {
+        struct law law;
+        struct trajectory t;
+        fmpq_t c;
+        arb_t x;
+        assert_null(law_parse(&law, laws[i][0], laws[i][1]));
+        fmpq_poly_struct *row = exact_rows(ORDER, TERMS, &law);
+        trajectory_init(&t, ORDER, TERMS, &law, PREC);
+        fmpq_init(c);
+        arb_init(x);
+        for (slong k = 0; k <= ORDER; k++)
+            for (slong j = 0; j <= TERMS; j++) {
+                fmpq_poly_get_coeff_fmpq(c, row + k, j);
+                fmpz_mul_2exp(fmpq_numref(c), fmpq_numref(c), (ulong)(t.shift * j));
+                fmpq_canonicalise(c);
+                arb_poly_get_coeff_arb(x, t.x + k, j);
+                assert_true(arb_contains_fmpq(x, c));
+            }
+        fmpq_clear(c);
+        arb_clear(x);
+        trajectory_clear(&t);
+        free_rows(row, ORDER);
+    }
+}
+
+/* The bound on what is cut off holds for the terms that come next, and is not absurdly wide. */
+static void test_truncation_bound(void **state)
+{
+    (void)state;
+    enum { ORDER = 10, TERMS = 60, MORE = 140, PREC = 500 };
+    for (int i = 0; i < 4; i++) {
+        struct law law;
+        struct trajectory cut, long_one;
+        struct trajectory_tail tail;
+        arb_t y0, t0, sum, term, c;
+        mag_t bound;
+        assert_null(law_parse(&law, laws[i][0], laws[i][1]));
+        arb_init(y0);
+        arb_init(t0);
+        arb_init(sum);
+        arb_init(term);
+        arb_init(c);
+        mag_init(bound);
+        turning_point_elastic(y0, t0, &law, PREC);
+        trajectory_init(&cut, ORDER, TERMS, &law, PREC);
+        trajectory_init(&long_one, ORDER, MORE, &law, PREC);
+        trajectory_tail_init(&tail);
+        assert_true(trajectory_tail_prove(&tail, &cut, t0));
+        for (slong k = 0; k <= ORDER; k++)
+            for (slong m = 0; m <= 5; m += 5) {
+                trajectory_tail_jet(bound, &tail, &cut, k, m, t0);
+                arb_zero(sum);
+                for (slong j = TERMS + 1; j <= MORE; j++) {
+                    const slong e = k * (law.bd + law.d) + j * (law.ad + law.d) + law.d;
+                    arb_poly_get_coeff_arb(term, long_one.x + k, j);
+                    arb_abs(term, term);
+                    arb_mul_2exp_si(term, term, -long_one.shift * j);
+                    arb_pow_ratio(c, t0, ratio_make(e - m * law.d, law.d), PREC);
+                    arb_mul(term, term, c, PREC);
+                    for (slong i1 = 0; i1 < m; i1++) {
+                        arb_mul_si(term, term, e - i1 * law.d, PREC);
+                        arb_div_si(term, term, law.d * (i1 + 1), PREC);
+                    }
+                    arb_add(sum, sum, term, PREC);
+                }
+                arf_set_mag(arb_midref(term), bound);
+                mag_zero(arb_radref(term));
+                assert_true(arb_lt(sum, term));
+                /* Within 2^80 of the truth, 40 terms' worth, but for the linear law: there X is entire. */
+                arb_mul_2exp_si(sum, sum, 80);
+                assert_true(i == 1 || arb_gt(sum, term));
+            }
+        trajectory_clear(&cut);
+        trajectory_clear(&long_one);
+        trajectory_tail_clear(&tail);
+        arb_clear(y0);
+        arb_clear(t0);
+        arb_clear(sum);
+        arb_clear(term);
+        arb_clear(c);
+        mag_clear(bound);
+    }
+}
+
+static void test_law_parse(void **state)
+{
+    (void)state;
+    struct law law;
+    assert_null(law_parse(&law, "1.5", "0.5"));
+    assert_true(law_is_sphere(&law));
+    assert_null(law_parse(&law, "6/4", "1/2"));
+    assert_true(law_is_sphere(&law));
+    assert_null(law_parse(&law, "1", "0"));
+    assert_false(law_is_sphere(&law));
+    static const char *const wrong[] = {"", "-1", "x", "1/0", "1/17", "65", "3/2 ", "1e3", "nan", "1.00001", "/2",
+                                        "99999999999999999999"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_non_null(law_parse(&law, wrong[i], "1/2"));
+        assert_non_null(law_parse(&law, "3/2", wrong[i]));
+    }
+    const struct ratio q = law_speed_exponent(&law_sphere);
+    assert_true(q.num == 1 && q.den == 5);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_equation_49),      cmocka_unit_test(test_equation_of_motion),
+        cmocka_unit_test(test_balls_contain_rationals), cmocka_unit_test(test_truncation_bound),
+        cmocka_unit_test(test_law_parse),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
