@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#define _XOPEN_SOURCE 700 /* realpath */
+
 #include "output.h"
 
 #include <errno.h>
@@ -15,7 +17,7 @@
 enum { OUTPUTS_MAX = 64 };
 static char *volatile unfinished[OUTPUTS_MAX];
 
-static const int fatal_signal[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGABRT};
+static const int fatal_signal[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT, SIGXCPU};
 enum { FATAL_SIGNALS = sizeof fatal_signal / sizeof *fatal_signal };
 
 static void remove_unfinished(void)
@@ -72,6 +74,7 @@ static void install_handlers(void)
         fatal_signals(&action.sa_mask);
         sigaction(fatal_signal[i], &action, NULL);
     }
+    signal(SIGXFSZ, SIG_IGN); /* a file at its size limit is a failed write, which is reported */
     atexit(remove_unfinished);
 }
 

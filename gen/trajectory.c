@@ -211,7 +211,7 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     t->terms = terms;
     t->prec = prec;
     t->x = rows_new(order + 1);
-    t->shift = (slong)ceil(log2(pow(2 * elastic_time(law), (double)(law->ad + law->d) / (double)law->d)));
+    t->shift = (slong)floor(log2(pow(2 * elastic_time(law), (double)(law->ad + law->d) / (double)law->d)));
     ball_rows(t->shift, t->x, &t->x_to_a, &t->x_to_b1, order, terms, law, prec);
 }
 

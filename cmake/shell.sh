@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+# For the bash scripts gen/run, tests/run, tests/*/run and bench/run, which source it from the root of the
+# repository: packages that are missing, and build directories.
+
+jobs=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+missing=()
+
+say() {
+    printf '== %s\n' "$*"
+}
+
+have() {
+    command -v "$1" >/dev/null 2>&1
+}
+
+has_header() {
+    printf '#include <%s>\n' "$1" | cc -E - >/dev/null 2>&1
+}
+
+# want PACKAGE CHECK...: the Debian package is missing if the command CHECK fails.
+want() {
+    local package=$1
+    shift
+    "$@" >/dev/null 2>&1 || missing+=("$package")
+}
+
+want_compiler() {
+    want build-essential eval 'have cc && have c++ && have make'
+    want cmake have cmake
+    want pkg-config have pkg-config
+}
+
+want_generator() {
+    want_compiler
+    want libgmp-dev has_header gmp.h
+    want libmpfr-dev has_header mpfr.h
+    want libflint-dev has_header flint/fmpq_poly.h
+}
+
+# FLINT 3 has Arb inside, and its distributions have no package for it: to be asked only when FLINT is there.
+want_arb() {
+    has_header flint/arb.h || want libflint-arb-dev has_header arb.h
+}
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    elif ! have sudo; then
+        return 1
+    elif [ -t 0 ]; then
+        sudo "$@"
+    else
+        sudo -n "$@"
+    fi
+}
+
+# Installs what want() found missing. Fails after naming what is still to be installed by hand.
+install_missing() {
+    [ ${#missing[@]} -eq 0 ] && return 0
+    local packages=("${missing[@]}")
+    missing=()
+    if have apt-get; then
+        say "installing ${packages[*]}"
+        local get=(env DEBIAN_FRONTEND=noninteractive apt-get -y -qq)
+        as_root "${get[@]}" install --no-install-recommends "${packages[@]}" </dev/null >/dev/null 2>&1 && return 0
+        as_root "${get[@]}" update </dev/null >/dev/null 2>&1 || true
+        as_root "${get[@]}" install --no-install-recommends "${packages[@]}" </dev/null >/dev/null && return 0
+    fi
+    say "please install what Debian calls ${packages[*]}" >&2
+    return 1
+}
+
+# What corgen is built from; stops where it cannot be had.
+install_generator() {
+    want_generator
+    install_missing || exit 1
+    want_arb
+    install_missing || exit 1
+}
+
+# How tests/ builds: whole, and no warning passes.
+build_options=(-DCOR_BUILD_GENERATOR=ON -DCOR_BUILD_TESTS=ON -DCOR_BUILD_EXAMPLES=ON -DCOR_WERROR=ON
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
+
+# configure DIR OPTION...: a build directory made from another place or by another CMake is made anew.
+configure() {
+    local dir=$1
+    shift
+    if [ -e "$dir/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$dir/CMakeCache.txt"; then
+        rm -rf "$dir"
+    fi
+    cmake -S . -B "$dir" "$@"
+}
+
+build() {
+    cmake --build "$1" --parallel "$jobs" "${@:2}"
+}
+
+# quietly COMMAND...: its output is shown only if it fails.
+quietly() {
+    local log status=0
+    log=$("$@" 2>&1) || status=$?
+    [ "$status" -eq 0 ] || printf '%s\n' "$log" >&2
+    return "$status"
+}
