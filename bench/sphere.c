@@ -74,7 +74,7 @@ static void array_copy(const double *speed, double *eps, size_t n)
 
 struct method {
     const char *name;
-    double (*scalar)(double);                          /* or */
+    double (*scalar)(double); /* or */
     void (*array)(const double *, double *, size_t);
     int end; /* 0 zero overlap, 1 zero force, -1 none */
 };

@@ -131,8 +131,7 @@ static void print_summary(const struct curve *curve, int curves)
     }
     for (int i = 0; i < curves; i++) {
         const double rms = residuals(&curve[i], curve[i].refitted, &largest);
-        printf("%-23s %-10s %10.4f %8.4f %8.4f\n", curve[i].name, "refitted", curve[i].refitted,
-               rms, largest);
+        printf("%-23s %-10s %10.4f %8.4f %8.4f\n", curve[i].name, "refitted", curve[i].refitted, rms, largest);
     }
     for (int i = 0; i < curves; i++)
         if (curve[i].at_limit)
@@ -154,8 +153,8 @@ static int write_csv(FILE *file, const struct curve *curve, int curves)
 {
     fputs("speed_cm_s,bridges_1984", file);
     for (int i = 0; i < curves; i++)
-        fprintf(file, ",%s_g_star_%.4f,%s_g_star_%.4f", curve[i].column, published_g_star,
-                curve[i].column, curve[i].refitted);
+        fprintf(file, ",%s_g_star_%.4f,%s_g_star_%.4f", curve[i].column, published_g_star, curve[i].column,
+                curve[i].refitted);
     fputs("\n", file);
     for (int k = 0; k < CURVE_POINTS; k++) {
         const double speed = log_point(curve_from, curve_to, k, CURVE_POINTS);
@@ -203,9 +202,7 @@ int main(int argc, char **argv)
     static const char usage[] = "usage: ice [--csv FILE]\n";
     const char *csv = NULL;
     if (argc == 2 && strcmp(argv[1], "--help") == 0) {
-        printf(
-            "%sPrints how well eps(g) of viscoelastic spheres fits ice; --csv writes the curves.\n",
-            usage);
+        printf("%sPrints how well eps(g) of viscoelastic spheres fits ice; --csv writes the curves.\n", usage);
         return 0;
     }
     if (argc == 3 && strcmp(argv[1], "--csv") == 0 && argv[2][0] != '\0') {

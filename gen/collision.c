@@ -368,8 +368,7 @@ static void component_jets(arb_poly_struct *jet, slong count, arb_srcptr f, cons
     }
 }
 
-int collision_series(arb_poly_t y_series, arb_poly_t tau, arb_poly_t c, slong order, const struct law *law,
-                     slong prec)
+int collision_series(arb_poly_t y_series, arb_poly_t tau, arb_poly_t c, slong order, const struct law *law, slong prec)
 {
     const slong count = order + 1;
     struct taylor y;

@@ -7,9 +7,8 @@
 #include "digits.h"
 #include "options.h"
 
-static const char *const column[] = {
-    "beta",           "x_max",          "t_max",       "eps_zero_overlap",
-    "t_zero_overlap", "eps_zero_force", "t_zero_force"};
+static const char *const column[] = {"beta",           "x_max",          "t_max",       "eps_zero_overlap",
+                                     "t_zero_overlap", "eps_zero_force", "t_zero_force"};
 enum { COLUMNS = sizeof column / sizeof *column };
 
 static const char *const meaning[COLUMNS] = {

@@ -24,8 +24,7 @@ enum {
 
 static const char *const columns[] = {"polynomial", "power", "coefficient"};
 
-static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p, slong degree,
-                           slong digits)
+static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p, slong degree, slong digits)
 {
     arb_t x;
     arb_init(x);
@@ -45,8 +44,8 @@ static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p
 }
 
 /* f, its analysis, and the table of its coefficients to so many digits. */
-static int compute(struct pade *f, struct pade_analysis *a, struct table *t,
-                   const struct pade_request *request, slong digits, slong bits)
+static int compute(struct pade *f, struct pade_analysis *a, struct table *t, const struct pade_request *request,
+                   slong digits, slong bits)
 {
     for (int i = 0; i < PRINT_ATTEMPTS; i++, bits *= 2) {
         const int status = pade_compute(f, a, request, bits);
@@ -58,8 +57,7 @@ static int compute(struct pade *f, struct pade_analysis *a, struct table *t,
             return STATUS_OK;
         table_clear(t);
     }
-    return fail("a coefficient lies too near the middle of two numbers of %ld digits",
-                (long)digits);
+    return fail("a coefficient lies too near the middle of two numbers of %ld digits", (long)digits);
 }
 
 static const char *end_option(enum contact_end end)
@@ -71,13 +69,12 @@ static const char *end_option(enum contact_end end)
 static void command_line(char text[TEXT_MAX], const struct pade_request *r, bool force)
 {
     const struct law *law = &r->law;
-    int n = snprintf(text, TEXT_MAX, "corgen pade --numerator %ld --denominator %ld --end %s",
-                     (long)r->numerator, (long)r->denominator, end_option(r->end));
+    int n = snprintf(text, TEXT_MAX, "corgen pade --numerator %ld --denominator %ld --end %s", (long)r->numerator,
+                     (long)r->denominator, end_option(r->end));
     if (!law_is_sphere(law))
-        n += snprintf(text + n, TEXT_MAX - (size_t)n, " --elastic %ld/%ld --damping %ld/%ld",
-                      (long)law->a.num, (long)law->a.den, (long)law->b.num, (long)law->b.den);
-    snprintf(text + n, TEXT_MAX - (size_t)n, "%s%s%s --header FILE",
-             r->kind == PADE_TWO_POINT ? " --two-point" : "",
+        n += snprintf(text + n, TEXT_MAX - (size_t)n, " --elastic %ld/%ld --damping %ld/%ld", (long)law->a.num,
+                      (long)law->a.den, (long)law->b.num, (long)law->b.den);
+    snprintf(text + n, TEXT_MAX - (size_t)n, "%s%s%s --header FILE", r->kind == PADE_TWO_POINT ? " --two-point" : "",
              r->kind == PADE_AS_PUBLISHED ? " --as-published" : "", force ? " --force" : "");
 }
 
@@ -88,14 +85,13 @@ static void header_name(char name[TEXT_MAX], const struct pade_request *r)
     if (law_is_sphere(law))
         n += snprintf(name + n, TEXT_MAX - (size_t)n, "sphere");
     else
-        n += snprintf(name + n, TEXT_MAX - (size_t)n, "law_%ld_%ld_%ld_%ld", (long)law->a.num,
-                      (long)law->a.den, (long)law->b.num, (long)law->b.den);
+        n += snprintf(name + n, TEXT_MAX - (size_t)n, "law_%ld_%ld_%ld_%ld", (long)law->a.num, (long)law->a.den,
+                      (long)law->b.num, (long)law->b.den);
     snprintf(name + n, TEXT_MAX - (size_t)n, "_pade%s_%s_%ld_%ld",
              r->kind == PADE_TWO_POINT      ? "_two_point"
              : r->kind == PADE_AS_PUBLISHED ? "_as_published"
                                             : "",
-             r->end == END_ZERO_FORCE ? "zero_force" : "zero_overlap", (long)r->numerator,
-             (long)r->denominator);
+             r->end == END_ZERO_FORCE ? "zero_force" : "zero_overlap", (long)r->numerator, (long)r->denominator);
 }
 
 static const char *header_title(const struct pade_request *r, slong root)
@@ -117,8 +113,7 @@ static int write_header(const struct options *o, const struct pade_request *r, c
     /* Table I is a function of another variable and of other numbers: nothing to compare it with.
      */
     const bool assessed = law_is_sphere(&r->law) && r->kind != PADE_AS_PUBLISHED;
-    if (assessed &&
-        references_init(&references, &r->law, HEADER_BETA_MAX, HEADER_EVEN, HEADER_SMALL))
+    if (assessed && references_init(&references, &r->law, HEADER_BETA_MAX, HEADER_EVEN, HEADER_SMALL))
         return STATUS_FAILED;
 
     header_name(name, r);
@@ -139,9 +134,8 @@ static int write_header(const struct options *o, const struct pade_request *r, c
              "\n"
              "Each double is the one nearest to the exact coefficient, which stands beside it: "
              "proved.\n",
-             (long)r->law.b.num, (long)r->law.b.den, (long)r->law.a.num, (long)r->law.a.den,
-             f->variable, f->variable, z, r->kind == PADE_AS_PUBLISHED ? " = (g/g*)^(1/5)" : "",
-             command);
+             (long)r->law.b.num, (long)r->law.b.den, (long)r->law.a.num, (long)r->law.a.den, f->variable, f->variable,
+             z, r->kind == PADE_AS_PUBLISHED ? " = (g/g*)^(1/5)" : "", command);
 
     struct output out;
     int status = output_open(&out, o->header);
@@ -171,11 +165,10 @@ static void print_published(FILE *file, const struct pade *f)
 {
     fprintf(file, "\nTable I prints     from the printed a_k\n");
     for (int k = 1; k <= 5; k++) {
-        arb_srcptr x =
-            k == 1 ? arb_poly_get_coeff_ptr(f->p, 1) : arb_poly_get_coeff_ptr(f->q, k - 1);
+        arb_srcptr x = k == 1 ? arb_poly_get_coeff_ptr(f->p, 1) : arb_poly_get_coeff_ptr(f->q, k - 1);
         char *text = digits_of_ball(x, 5);
-        fprintf(file, "d_%d = %-12s  %-7s (%s of x^%d)\n", k, published_value(PUBLISHED_D, k),
-                text ? text : "?", k == 1 ? "numerator" : "denominator", k == 1 ? 1 : k - 1);
+        fprintf(file, "d_%d = %-12s  %-7s (%s of x^%d)\n", k, published_value(PUBLISHED_D, k), text ? text : "?",
+                k == 1 ? "numerator" : "denominator", k == 1 ? 1 : k - 1);
         free(text);
     }
     fprintf(file, "d_0 is near zero, so a_3 and a_4 rounded to six decimals fix d_1, d_2, d_3 to "
@@ -191,8 +184,7 @@ static int print_result(const struct options *o, const struct pade_request *r, c
     if (status)
         return status;
     if (o->format == FORMAT_TEXT) {
-        fprintf(out.file, "[%ld/%ld]: %s\n\n", (long)f->numerator, (long)f->denominator,
-                header_title(r, f->root));
+        fprintf(out.file, "[%ld/%ld]: %s\n\n", (long)f->numerator, (long)f->denominator, header_title(r, f->root));
         table_print(t, o->format, out.file);
         fprintf(out.file, "\n");
         pade_print_analysis(out.file, a, "");

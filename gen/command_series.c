@@ -5,6 +5,7 @@
 #include "console.h"
 #include "digits.h"
 #include "options.h"
+#include "restitution.h"
 
 /* Adds the coefficient to the table, or returns false where its digits are not proved. */
 static bool add_coefficient(struct table *table, const arb_poly_t poly, slong k, slong digits)
@@ -21,8 +22,7 @@ static bool add_coefficient(struct table *table, const arb_poly_t poly, slong k,
 
 /* Each fills the table; *undecided is -1, or the lowest row whose digits are not proved yet. */
 
-static int fill_zero_overlap(struct table *table, slong *undecided, const struct options *o,
-                             slong bits)
+static int fill_zero_overlap(struct table *table, slong *undecided, const struct options *o, slong bits)
 {
     static const char *const column[] = {"k", "y_k", "tau_k", "C_k"};
     table_init(table, column, sizeof column / sizeof *column);
@@ -33,8 +33,7 @@ static int fill_zero_overlap(struct table *table, slong *undecided, const struct
     profile_step("digits");
     for (slong k = 0; k <= o->order && status == STATUS_OK && *undecided < 0; k++) {
         table_add_integer(table, k);
-        if (!add_coefficient(table, series.y, k, o->digits) ||
-            !add_coefficient(table, series.tau, k, o->digits) ||
+        if (!add_coefficient(table, series.y, k, o->digits) || !add_coefficient(table, series.tau, k, o->digits) ||
             !add_coefficient(table, series.c, k, o->digits))
             *undecided = k;
     }
@@ -42,8 +41,7 @@ static int fill_zero_overlap(struct table *table, slong *undecided, const struct
     return status;
 }
 
-static int fill_zero_force(struct table *table, slong *undecided, const struct options *o,
-                           slong bits)
+static int fill_zero_force(struct table *table, slong *undecided, const struct options *o, slong bits)
 {
     static char power[64];
     static const char *column[] = {power, "coefficient"};
@@ -69,19 +67,54 @@ static int fill_zero_force(struct table *table, slong *undecided, const struct o
     return status;
 }
 
+/* G and T of docs/derivation.md, 5: nothing to prove, so no digits and no loop. */
+static void fill_exact(struct table *table, const struct options *o)
+{
+    static const char *const column[] = {"power_of_w", "G", "T"};
+    table_init(table, column, sizeof column / sizeof *column);
+    fmpq_poly_t f[2];
+    fmpq_t c;
+    fmpq_init(c);
+    fmpq_poly_init(f[0]);
+    fmpq_poly_init(f[1]);
+    profile_step("exact rationals");
+    restitution_zero_force_exact(f[0], f[1], o->order, &o->law);
+    for (slong k = 0; k <= o->order; k++) {
+        table_add_integer(table, k);
+        for (int i = 0; i < 2; i++) {
+            fmpq_poly_get_coeff_fmpq(c, f[i], k);
+            char *text = fmpq_get_str(NULL, 10, c);
+            table_add(table, xstrdup(text));
+            flint_free(text);
+        }
+    }
+    fmpq_clear(c);
+    fmpq_poly_clear(f[0]);
+    fmpq_poly_clear(f[1]);
+}
+
 int command_series(const struct options *o)
 {
+    if (o->exact && o->end != END_ZERO_FORCE)
+        return usage_error("--exact needs --end zero-force: the coefficients at zero overlap are irrational");
     struct output out;
     if (output_open(&out, o->output) != STATUS_OK)
         return STATUS_FAILED;
 
+    if (o->exact) {
+        struct table table;
+        fill_exact(&table, o);
+        table_print(&table, o->format, out.file);
+        table_clear(&table);
+        return output_commit(&out);
+    }
     struct precision precision = precision_start(o->digits);
     for (;;) {
         struct table table;
         slong undecided;
         profile_step("series");
-        int status = (o->end == END_ZERO_FORCE ? fill_zero_force : fill_zero_overlap)(
-            &table, &undecided, o, precision.bits);
+        int status =
+            (o->end == END_ZERO_FORCE ? fill_zero_force : fill_zero_overlap)(&table, &undecided, o, precision.bits);
         if (status == STATUS_OK && undecided < 0) {
             profile_step("printing");
             table_print(&table, o->format, out.file);

@@ -52,8 +52,7 @@ int usage_error(const char *format, ...)
 
 static FLINT_NORETURN void out_of_memory(size_t size)
 {
-    fail("out of memory: a block of %zu bytes was refused; ask for fewer digits or a lower order",
-         size);
+    fail("out of memory: a block of %zu bytes was refused; ask for fewer digits or a lower order", size);
     exit(STATUS_FAILED);
 }
 
@@ -139,8 +138,7 @@ void console_start(void)
     /* A missing descriptor would be reused by the first file opened, and messages would go there.
      * The stand-in has the wrong direction, so that using it is an error that output.c reports. */
     for (int fd = 0; fd <= 2; fd++) {
-        if (fcntl(fd, F_GETFD) == -1 && errno == EBADF &&
-            open("/dev/null", fd == 1 ? O_RDONLY : O_WRONLY) != fd)
+        if (fcntl(fd, F_GETFD) == -1 && errno == EBADF && open("/dev/null", fd == 1 ? O_RDONLY : O_WRONLY) != fd)
             exit(STATUS_FAILED);
     }
     limit_memory_to_physical();
@@ -171,8 +169,7 @@ void progress(const char *step, long done, long total)
     progress_updated = now;
     progress_shown = true;
     if (total > 0)
-        fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total,
-                now - progress_started);
+        fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total, now - progress_started);
     else
         fprintf(stderr, "\r\033[K%s: %ld, %.0f s", step, done, now - progress_started);
     fflush(stderr);

@@ -135,8 +135,7 @@ bool precision_raise(struct precision *p)
 
 int precision_spent(const struct precision *p, const char *what, slong digits)
 {
-    return fail(
-        "%s: %ld bits do not decide its %ld digits: it is zero, or halfway between two numbers "
-        "of that many digits; then another --digits helps",
-        what, (long)p->bits, (long)digits);
+    return fail("%s: %ld bits do not decide its %ld digits: it is zero, or halfway between two numbers "
+                "of that many digits; then another --digits helps",
+                what, (long)p->bits, (long)digits);
 }

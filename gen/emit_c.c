@@ -58,8 +58,7 @@ void emit_comment(struct emit *e, const char *format, ...)
  */
 static char *number_text(const arb_t x)
 {
-    if (!arb_is_exact(x) || arb_bits(x) > BITS_OF_SMALL ||
-        arf_cmpabs_2exp_si(arb_midref(x), BITS_OF_SMALL) > 0 ||
+    if (!arb_is_exact(x) || arb_bits(x) > BITS_OF_SMALL || arf_cmpabs_2exp_si(arb_midref(x), BITS_OF_SMALL) > 0 ||
         (!arb_is_zero(x) && arf_cmpabs_2exp_si(arb_midref(x), -BITS_OF_SMALL) < 0))
         return digits_of_ball(x, COMMENT_DIGITS);
     fmpq_t exact;

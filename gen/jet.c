@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "jet.h"
 
-void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_poly_t delta, slong n,
-                 slong prec)
+void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_poly_t delta, slong n, slong prec)
 {
     arb_poly_t sum;
     arb_poly_init(sum);

@@ -7,8 +7,7 @@
 #include "flint.h"
 
 /* y = f(delta(beta); beta) up to beta^(n-1), from f[0..count-1], count >= n; delta(0) = 0. */
-void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_poly_t delta, slong n,
-                 slong prec);
+void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_poly_t delta, slong n, slong prec);
 
 /* The delta(beta) with delta(0) = 0 and f(delta; beta) = 0 up to beta^(n-1). f_0(0) is taken as exactly 0,
  * f_1(0) must not be. */

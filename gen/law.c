@@ -89,8 +89,8 @@ static bool parse_ratio(struct ratio *r, const char *text)
 
 #define STRING_(x) #x
 #define STRING(x) STRING_(x)
-#define EXPONENT_RULE                                                                              \
-    " must be a number >= 0 such as 3/2, 1.5 or 2, with numerator at most " STRING(                \
+#define EXPONENT_RULE                                                                                                  \
+    " must be a number >= 0 such as 3/2, 1.5 or 2, with numerator at most " STRING(                                    \
         LAW_MAX_NUMERATOR) " and denominator at most " STRING(LAW_MAX_DENOMINATOR)
 
 const char *law_parse(struct law *law, const char *elastic, const char *damping)
@@ -113,8 +113,7 @@ bool law_is_sphere(const struct law *law)
 struct ratio law_speed_exponent(const struct law *law)
 {
     struct ratio one = {1, 1}, two = {2, 1};
-    return ratio_div(ratio_add(ratio_sub(ratio_mul(two, law->b), law->a), one),
-                     ratio_add(one, law->a));
+    return ratio_div(ratio_add(ratio_sub(ratio_mul(two, law->b), law->a), one), ratio_add(one, law->a));
 }
 
 void arb_set_ratio(arb_t y, struct ratio x, slong prec)

@@ -2,14 +2,13 @@
 #include "console.h"
 #include "subcommand.h"
 
-#define HELP_LAW                                                                                   \
-    "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, as 3/2 or 1.5\n"       \
+#define HELP_LAW                                                                                                       \
+    "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, as 3/2 or 1.5\n"                           \
     "                             (default 3/2 and 1/2: viscoelastic spheres)\n"
-#define HELP_DIGITS                                                                                \
-    "  --digits D       significant digits, each one proved; 1 to 10000000 (default 20)\n"
+#define HELP_DIGITS "  --digits D       significant digits, each one proved; 1 to 10000000 (default 20)\n"
 #define HELP_END "  --end E          zero-overlap (default) or zero-force: what ends the contact\n"
-#define HELP_COMMON                                                                                \
-    "  --output FILE    instead of standard output; replaced whole or not at all\n"                \
+#define HELP_COMMON                                                                                                    \
+    "  --output FILE    instead of standard output; replaced whole or not at all\n"                                    \
     "  --profile        seconds per step and peak memory on standard error\n"
 
 static const struct subcommand subcommands[] = {
@@ -22,19 +21,21 @@ static const struct subcommand subcommands[] = {
      "  --format F       text (default), csv, json or latex\n" HELP_LAW HELP_COMMON
      "\nColumns of csv and json: k,j,numerator,denominator.\n"
      "Example: corgen trajectory --order 3 --terms 4\n",
-     "order terms format elastic damping output profile", "text csv json latex", "order terms",
-     command_trajectory},
+     "order terms format elastic damping output profile", "text csv json latex", "order terms", command_trajectory},
     {"series", "coefficients of x_max, t_max and eps in powers of beta",
      "Usage: corgen series --order K [OPTION]...\n\n"
      "Prints x_max = sum y_k beta^k, t_max = sum tau_k beta^k and eps = sum C_k beta^k; with\n"
      "--end zero-force, eps in powers of sqrt(beta), K being the highest of them.\n\n"
      "  --order K        highest power, 0 to 100000\n" HELP_DIGITS HELP_END
+     "  --exact          with --end zero-force: the rational coefficients of G and T in powers of w,\n"
+     "                   eps_zero_force = eps_zero_overlap G(w), w = h^(5/2), h = beta eps^(1/5);\n"
+     "                   the force vanishes the time h T(w) before the overlap, in its units\n"
      "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
      "\nColumns: k,y_k,tau_k,C_k; with --end zero-force power_of_sqrt_beta,coefficient\n"
-     "(power_of_beta_root_R, or power_of_beta, where another law has another root).\n"
+     "(power_of_beta_root_R, or power_of_beta, where another law has another root);\n"
+     "with --exact power_of_w,G,T.\n"
      "Example: corgen series --order 5 --digits 30\n",
-     "order digits end format elastic damping output profile", "text csv json", "order",
-     command_series},
+     "order digits end exact format elastic damping output profile", "text csv json", "order", command_series},
     {"pade", "Pade approximants of eps(beta)",
      "Usage: corgen pade --numerator M --denominator N [OPTION]...\n\n"
      "Prints the coefficients of the [M/N] Pade approximant of eps, in powers of beta at zero\n"
@@ -42,8 +43,7 @@ static const struct subcommand subcommands[] = {
      "  --numerator M    degree, 0 to 2000\n"
      "  --denominator N  degree, 0 to 2000\n"
      "  --two-point      match also the limit of large beta (zero overlap; N = M + 5)\n"
-     "  --as-published   reproduce the published [1/4] from its printed coefficients\n" HELP_DIGITS
-         HELP_END
+     "  --as-published   reproduce the published [1/4] from its printed coefficients\n" HELP_DIGITS HELP_END
      "  --header FILE    write the approximant as a C header; refused if it has a pole or a zero\n"
      "                   on beta > 0\n"
      "  --force          write it all the same\n"

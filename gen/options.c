@@ -23,6 +23,7 @@ enum key {
     KEY_DAMPING,
     KEY_OUTPUT,
     KEY_HEADER,
+    KEY_EXACT,
     KEY_TWO_POINT,
     KEY_AS_PUBLISHED,
     KEY_CHECK,
@@ -42,14 +43,10 @@ struct rule {
 static const struct rule rules[] = {
     {"order", KEY_ORDER, true, 0, OPTIONS_MAX_ORDER,
      "an order needs all below it, and their cost grows faster than its cube"},
-    {"terms", KEY_TERMS, true, 0, OPTIONS_MAX_TERMS,
-     "the exact rationals of more terms outgrow any memory"},
-    {"digits", KEY_DIGITS, true, 1, OPTIONS_MAX_DIGITS,
-     "the arithmetic of more digits outgrows any patience"},
-    {"numerator", KEY_NUMERATOR, true, 0, OPTIONS_MAX_DEGREE,
-     "a degree needs a linear system of that size"},
-    {"denominator", KEY_DENOMINATOR, true, 0, OPTIONS_MAX_DEGREE,
-     "a degree needs a linear system of that size"},
+    {"terms", KEY_TERMS, true, 0, OPTIONS_MAX_TERMS, "the exact rationals of more terms outgrow any memory"},
+    {"digits", KEY_DIGITS, true, 1, OPTIONS_MAX_DIGITS, "the arithmetic of more digits outgrows any patience"},
+    {"numerator", KEY_NUMERATOR, true, 0, OPTIONS_MAX_DEGREE, "a degree needs a linear system of that size"},
+    {"denominator", KEY_DENOMINATOR, true, 0, OPTIONS_MAX_DEGREE, "a degree needs a linear system of that size"},
     {"beta", KEY_BETA, true, 0, 0, NULL},
     {"end", KEY_END, true, 0, 0, NULL},
     {"format", KEY_FORMAT, true, 0, 0, NULL},
@@ -57,6 +54,7 @@ static const struct rule rules[] = {
     {"damping", KEY_DAMPING, true, 0, 0, NULL},
     {"output", KEY_OUTPUT, true, 0, 0, NULL},
     {"header", KEY_HEADER, true, 0, 0, NULL},
+    {"exact", KEY_EXACT, false, 0, 0, NULL},
     {"two-point", KEY_TWO_POINT, false, 0, 0, NULL},
     {"as-published", KEY_AS_PUBLISHED, false, 0, 0, NULL},
     {"check", KEY_CHECK, false, 0, 0, NULL},
@@ -98,8 +96,8 @@ static int parse_whole(slong *value, const struct rule *rule, const char *text)
     long parsed = strtol(text, &end, 10);
     bool digits_only = *text && text[strspn(text, "0123456789")] == '\0';
     if (!digits_only || errno || parsed < rule->low || parsed > rule->high)
-        return usage_error("--%s: '%.60s' is not a whole number from %ld to %ld (%s)", rule->name,
-                           text, (long)rule->low, (long)rule->high, rule->why);
+        return usage_error("--%s: '%.60s' is not a whole number from %ld to %ld (%s)", rule->name, text,
+                           (long)rule->low, (long)rule->high, rule->why);
     *value = parsed;
     return STATUS_OK;
 }
@@ -199,10 +197,8 @@ static int parse_end(struct options *o, const char *text)
 
 static int parse_format(struct options *o, const struct subcommand *cmd, const char *text)
 {
-    static const char *const name[] = {[FORMAT_TEXT] = "text",
-                                       [FORMAT_CSV] = "csv",
-                                       [FORMAT_JSON] = "json",
-                                       [FORMAT_LATEX] = "latex"};
+    static const char *const name[] = {
+        [FORMAT_TEXT] = "text", [FORMAT_CSV] = "csv", [FORMAT_JSON] = "json", [FORMAT_LATEX] = "latex"};
     for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
         if (strcmp(text, name[i]) == 0 && has_word(cmd->formats, text)) {
             o->format = (enum output_format)i;
@@ -210,12 +206,11 @@ static int parse_format(struct options *o, const struct subcommand *cmd, const c
         }
     }
     char names[NAMES_MAX];
-    return usage_error("--format: '%.60s' is not a format of corgen %s; allowed: %s", text,
-                       cmd->name, listed(names, cmd->formats, ""));
+    return usage_error("--format: '%.60s' is not a format of corgen %s; allowed: %s", text, cmd->name,
+                       listed(names, cmd->formats, ""));
 }
 
-static int parse_one(struct options *o, const struct subcommand *cmd, const struct rule *rule,
-                     const char *text)
+static int parse_one(struct options *o, const struct subcommand *cmd, const struct rule *rule, const char *text)
 {
     switch (rule->key) {
     case KEY_ORDER:
@@ -239,6 +234,9 @@ static int parse_one(struct options *o, const struct subcommand *cmd, const stru
         if (*text == '\0')
             return usage_error("--%s: the name is empty", rule->name);
         *(rule->key == KEY_OUTPUT ? &o->output : &o->header) = text;
+        break;
+    case KEY_EXACT:
+        o->exact = true;
         break;
     case KEY_TWO_POINT:
         o->two_point = true;
@@ -271,17 +269,15 @@ static const struct rule *rule_of(int key)
     return rule;
 }
 
-int options_parse(struct options *o, const struct subcommand *cmd, int argc, char **argv,
-                  bool *help)
+int options_parse(struct options *o, const struct subcommand *cmd, int argc, char **argv, bool *help)
 {
     /* getopt may complete abbreviations, so it is shown only what this subcommand takes. */
     struct option accepted[RULES + 1] = {{0}};
     int n = 0;
     for (int i = 0; i < RULES; i++) {
         if (rules[i].key == KEY_HELP || has_word(cmd->accepts, rules[i].name))
-            accepted[n++] =
-                (struct option){rules[i].name, rules[i].argument ? required_argument : no_argument,
-                                NULL, (int)rules[i].key + LONG_OPTION};
+            accepted[n++] = (struct option){rules[i].name, rules[i].argument ? required_argument : no_argument, NULL,
+                                            (int)rules[i].key + LONG_OPTION};
     }
 
     *o = (struct options){.numerator = OPTIONS_NOT_GIVEN,
@@ -299,15 +295,13 @@ int options_parse(struct options *o, const struct subcommand *cmd, int argc, cha
     int key;
     while ((key = getopt_long(argc, argv, ":", accepted, NULL)) != -1) {
         if (key == ':')
-            return usage_error("%s needs a value; see corgen %s --help", argv[optind - 1],
-                               cmd->name);
+            return usage_error("%s needs a value; see corgen %s --help", argv[optind - 1], cmd->name);
         if (key == '?' && optopt >= LONG_OPTION)
             return usage_error("--%s takes no value", rule_of(optopt - LONG_OPTION)->name);
         if (key == '?') {
             const char short_option[] = {'-', (char)optopt, '\0'};
             return usage_error("corgen %s does not know '%.60s'; allowed: %s, --help", cmd->name,
-                               optopt ? short_option : argv[optind - 1],
-                               listed(names, cmd->accepts, "--"));
+                               optopt ? short_option : argv[optind - 1], listed(names, cmd->accepts, "--"));
         }
         const struct rule *rule = rule_of(key - LONG_OPTION);
         given[rule->key] = true;
@@ -324,12 +318,11 @@ int options_parse(struct options *o, const struct subcommand *cmd, int argc, cha
             return status;
     }
     if (optind < argc)
-        return usage_error("corgen %s takes options only, not '%.60s'; see corgen %s --help",
-                           cmd->name, argv[optind], cmd->name);
+        return usage_error("corgen %s takes options only, not '%.60s'; see corgen %s --help", cmd->name, argv[optind],
+                           cmd->name);
     for (int i = 0; i < RULES; i++) {
         if (has_word(cmd->requires_, rules[i].name) && !given[rules[i].key])
-            return usage_error("corgen %s needs --%s; see corgen %s --help", cmd->name,
-                               rules[i].name, cmd->name);
+            return usage_error("corgen %s needs --%s; see corgen %s --help", cmd->name, rules[i].name, cmd->name);
     }
 
     const char *wrong = law_parse(&o->law, elastic, damping);

@@ -18,29 +18,28 @@
 struct options {
     slong order, terms, digits;
     slong numerator, denominator; /* OPTIONS_NOT_GIVEN if so */
-    const char *beta; /* text as given, already found good; options_beta makes the ball */
+    const char *beta;             /* text as given, already found good; options_beta makes the ball */
     enum contact_end end;
     enum output_format format;
     struct law law;
     const char *output; /* file, or directory for `tables`; NULL = standard output */
     const char *header; /* pade: write a C header here */
-    bool two_point, as_published, check, force, profile;
+    bool exact, two_point, as_published, check, force, profile;
 };
 
 /* A subcommand of the one table in main.c. */
 struct subcommand {
     const char *name;
     const char *summary;
-    const char *help;    /* full text of --help: usage, options, output columns, example */
-    const char *accepts; /* option names it takes, space separated: "order digits end format ..." */
-    const char *formats; /* of --format, likewise; the first is the default */
+    const char *help;      /* full text of --help: usage, options, output columns, example */
+    const char *accepts;   /* option names it takes, space separated: "order digits end format ..." */
+    const char *formats;   /* of --format, likewise; the first is the default */
     const char *requires_; /* options it cannot do without, likewise */
     int (*run)(const struct options *);
 };
 
 /* argv[0] is the subcommand's name. STATUS_OK, or STATUS_USAGE after a sentence on stderr. */
-int options_parse(struct options *o, const struct subcommand *cmd, int argc, char **argv,
-                  bool *help);
+int options_parse(struct options *o, const struct subcommand *cmd, int argc, char **argv, bool *help);
 
 /* The number that --beta named: exact if binary can hold it, else the ball around it. */
 void options_beta(arb_t beta, const struct options *o, slong prec);

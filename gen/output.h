@@ -43,8 +43,7 @@ struct table {
 void table_init(struct table *t, const char *const *column, int columns);
 void table_add(struct table *t, char *cell); /* takes ownership, row-major order */
 void table_add_integer(struct table *t, long value);
-void table_print(const struct table *t, enum output_format format,
-                 FILE *file); /* not FORMAT_LATEX */
+void table_print(const struct table *t, enum output_format format, FILE *file); /* not FORMAT_LATEX */
 void table_clear(struct table *t);
 
 #endif

@@ -16,8 +16,8 @@ enum {
     TAIL_POWER = 5,      /* eps -> h*^5 / beta^5 at zero overlap, SPHERES */
     GUARD_BITS = 64,     /* on top of what is asked */
     LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, first guess */
-    ATTEMPTS = 4,   /* each with twice the precision: the last has eight times the first guess */
-    ROOT_BITS = 40, /* relative bits of a root, so that its place can be printed */
+    ATTEMPTS = 4,        /* each with twice the precision: the last has eight times the first guess */
+    ROOT_BITS = 40,      /* relative bits of a root, so that its place can be printed */
     PLACE_DIGITS = 8
 };
 
@@ -80,8 +80,7 @@ bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong 
 
 /* The conditions at infinity are p_i = limit q_{i+5} for every i, which leaves the q_j alone:
  * sum_j q_j c_{i-j} - limit q_{i+5} [i <= m] = 0 for i = 0..m+4. */
-bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m,
-                              slong prec)
+bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec)
 {
     const slong n = m + TAIL_POWER;
     arb_mat_t a, b, q;
@@ -180,8 +179,8 @@ static acb_ptr isolate(const arb_poly_t real, slong prec)
     bool isolated = degree == 0;
     for (slong working = 2 * ROOT_BITS; !isolated; working *= 2) {
         const bool last = working >= prec;
-        isolated = acb_poly_find_roots(root, poly, working > 2 * ROOT_BITS ? root : NULL, 0,
-                                       last ? prec : working) == degree &&
+        isolated = acb_poly_find_roots(root, poly, working > 2 * ROOT_BITS ? root : NULL, 0, last ? prec : working) ==
+                       degree &&
                    acb_poly_validate_real_roots(root, poly, last ? prec : working);
         for (slong i = 0; i < degree && isolated; i++) {
             if (arb_contains_zero(acb_imagref(root + i)))
@@ -230,8 +229,7 @@ static void find_pairs(struct pade_analysis *a)
             arb_set(pair->distance, distance);
             arb_abs(slope, acb_imagref(a->pole + i));
             arb_mul_si(slope, slope, PADE_PAIR_SLOPE, prec);
-            pair->spurious = !arb_is_negative(acb_realref(a->pole + i)) &&
-                             !arb_ge(slope, acb_realref(a->pole + i));
+            pair->spurious = !arb_is_negative(acb_realref(a->pole + i)) && !arb_ge(slope, acb_realref(a->pole + i));
             a->spurious += pair->spurious;
         }
     acb_clear(ratio);
@@ -275,8 +273,8 @@ static void print_place(FILE *file, const struct pade_analysis *a, const acb_t z
     if (acb_is_real(z))
         fprintf(file, "%s = %.*g", a->variable, PLACE_DIGITS, re);
     else
-        fprintf(file, "%s = %.*g %c %.*g i", a->variable, PLACE_DIGITS, re, im < 0 ? '-' : '+',
-                PLACE_DIGITS, im < 0 ? -im : im);
+        fprintf(file, "%s = %.*g %c %.*g i", a->variable, PLACE_DIGITS, re, im < 0 ? '-' : '+', PLACE_DIGITS,
+                im < 0 ? -im : im);
     acb_clear(place);
 }
 
@@ -341,8 +339,8 @@ void pade_print_analysis(FILE *file, const struct pade_analysis *a, const char *
             print_positive(file, a, side[i].z, side[i].count);
         else
             fprintf(file, "none");
-        fprintf(file, " (proved: %ld of %ld roots of the %s isolated)\n", (long)side[i].count,
-                (long)side[i].count, side[i].polynomial);
+        fprintf(file, " (proved: %ld of %ld roots of the %s isolated)\n", (long)side[i].count, (long)side[i].count,
+                side[i].polynomial);
     }
     if (a->pairs == 0)
         fprintf(file, "%spole-zero pairs closer than 1/%d of their distance from 0: none\n", prefix,
@@ -402,8 +400,7 @@ const char *pade_refusal(const struct pade_request *r)
 }
 
 /* One attempt. Returns 0 with *regular set, or 1 after a message. */
-static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pade_request *r,
-                   slong prec)
+static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pade_request *r, slong prec)
 {
     int status = 0;
     const slong m = r->numerator, n = r->denominator;
@@ -418,8 +415,7 @@ static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pad
     case PADE_TWO_POINT: {
         arb_t limit;
         arb_init(limit);
-        status = series_eps(c, &f->root, r->end, m + TAIL_POWER - 1, &r->law, prec) ||
-                 collision_h_star(limit, prec);
+        status = series_eps(c, &f->root, r->end, m + TAIL_POWER - 1, &r->law, prec) || collision_h_star(limit, prec);
         arb_pow_ui(limit, limit, TAIL_POWER, prec);
         if (status == 0)
             *regular = pade_two_point_of_series(f, c, limit, m, prec);
@@ -454,14 +450,12 @@ static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slo
     const slong m = r->numerator, n = r->denominator;
     struct pade_block b;
     if (r->kind == PADE_TWO_POINT || !pade_block_of(&b, c, m, n, prec))
-        return fail(
-            "the equations of the [%ld/%ld] Padé at %s are singular, as far as %ld bits tell",
-            (long)m, (long)n, end_name(r->end), (long)prec);
+        return fail("the equations of the [%ld/%ld] Padé at %s are singular, as far as %ld bits tell", (long)m, (long)n,
+                    end_name(r->end), (long)prec);
     return fail("[%ld/%ld] at %s is degenerate (as far as %ld bits tell): it lies in the block of "
                 "[%ld/%ld]..[%ld/%ld]%s, which holds one fraction; ask for [%ld/%ld]",
-                (long)m, (long)n, end_name(r->end), (long)prec, (long)b.m, (long)b.n,
-                (long)(b.m + b.size - 1), (long)(b.n + b.size - 1), b.open ? " or beyond" : "",
-                (long)b.m, (long)b.n);
+                (long)m, (long)n, end_name(r->end), (long)prec, (long)b.m, (long)b.n, (long)(b.m + b.size - 1),
+                (long)(b.n + b.size - 1), b.open ? " or beyond" : "", (long)b.m, (long)b.n);
 }
 
 int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_request *r, slong bits)
@@ -498,13 +492,12 @@ int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_requ
     if (status == 0 && !regular)
         status = fail_degenerate(c, r, prec / 2);
     else if (status == 0 && open && *open == 'r')
-        status = fail("the poles and zeros of [%ld/%ld] could not be isolated with %ld bits",
-                      (long)r->numerator, (long)r->denominator, (long)(prec / 2));
+        status = fail("the poles and zeros of [%ld/%ld] could not be isolated with %ld bits", (long)r->numerator,
+                      (long)r->denominator, (long)(prec / 2));
     else if (status == 0 && open)
-        status =
-            fail("the coefficient of z^%ld in the %s of [%ld/%ld] cannot be certified with %ld "
-                 "bits (it may vanish)",
-                 (long)power, open, (long)r->numerator, (long)r->denominator, (long)(prec / 2));
+        status = fail("the coefficient of z^%ld in the %s of [%ld/%ld] cannot be certified with %ld "
+                      "bits (it may vanish)",
+                      (long)power, open, (long)r->numerator, (long)r->denominator, (long)(prec / 2));
     arb_poly_clear(c);
     return status;
 }

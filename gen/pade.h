@@ -39,8 +39,7 @@ bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong 
 
 /* The [m/m+5] that agrees with c_0..c_{m+4} at 0 and with limit/z^5 (1 + 0/z + ... + 0/z^m) at
  * infinity. Returns as above. */
-bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m,
-                              slong prec);
+bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec);
 
 /* The square block of a degenerate table entry. Every entry of its first row and column is the one
  * fraction [m/n], which agrees with the series to z^(m+n+size-1); the entries inside are the same
@@ -94,7 +93,6 @@ const char *pade_refusal(const struct pade_request *request);
 
 /* The Padé asked for with `bits` relative bits in every coefficient, and its analysis unless a is
  * NULL. Returns 0, or 1 after saying on stderr what failed. */
-int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_request *request,
-                 slong bits);
+int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_request *request, slong bits);
 
 #endif

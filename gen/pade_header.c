@@ -21,8 +21,7 @@ static void macro_name(char name[NAME_MAX_LENGTH], const char *prefix, const cha
         name[i] = (char)toupper((unsigned char)name[i]);
 }
 
-static int emit_polynomial(struct emit *e, const char *prefix, const char *suffix,
-                           const arb_poly_t p)
+static int emit_polynomial(struct emit *e, const char *prefix, const char *suffix, const arb_poly_t p)
 {
     char name[NAME_MAX_LENGTH];
     snprintf(name, sizeof name, "%s%s", prefix, suffix);
@@ -56,9 +55,8 @@ static void print_error(FILE *text, const char *what, double error, const fmpq_t
 }
 
 /* The comment above the arrays. */
-static char *describe(const struct pade_header *h, const struct pade *f,
-                      const struct pade_analysis *a, const struct pade_error *approximation,
-                      double eps, double loss)
+static char *describe(const struct pade_header *h, const struct pade *f, const struct pade_analysis *a,
+                      const struct pade_error *approximation, double eps, double loss)
 {
     char *text;
     size_t size;
@@ -68,11 +66,10 @@ static char *describe(const struct pade_header *h, const struct pade *f,
     fprintf(file, "%s, [%ld/%ld].\n", h->title, (long)f->numerator, (long)f->denominator);
     pade_print_analysis(file, a, "");
     if (approximation) {
-        fprintf(
-            file,
-            "Relative error of the approximation, coefficients rounded: sampled at %ld values of "
-            "beta up to %ld\n(%ld steps, and powers of 2 near 0):\n",
-            (long)h->references->count, (long)h->beta_max, (long)h->references->even);
+        fprintf(file,
+                "Relative error of the approximation, coefficients rounded: sampled at %ld values of "
+                "beta up to %ld\n(%ld steps, and powers of 2 near 0):\n",
+                (long)h->references->count, (long)h->beta_max, (long)h->references->even);
         print_error(file, "eps ", approximation->eps, approximation->eps_at_beta);
         print_error(file, "loss", approximation->loss, approximation->loss_at_beta);
     } else {
@@ -91,8 +88,7 @@ static char *describe(const struct pade_header *h, const struct pade *f,
     return text;
 }
 
-int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f,
-              const struct pade_analysis *a)
+int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f, const struct pade_analysis *a)
 {
     struct pade_rounded r;
     struct pade_error approximation;

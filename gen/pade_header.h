@@ -17,7 +17,6 @@ struct pade_header {
 
 /* Emits name_p, name_q, name_l (ascending powers of z) and NAME_P, NAME_Q, NAME_L; with references
  * also NAME_{EPS,LOSS}_{APPROXIMATION,EVALUATION,MAX}_REL. Returns 0, or 1 after saying why not. */
-int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f,
-              const struct pade_analysis *a);
+int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f, const struct pade_analysis *a);
 
 #endif

@@ -67,13 +67,11 @@ int pade_round(struct pade_rounded *r, const struct pade *f)
         if (i < arb_poly_length(r->l) && !arb_contains_zero(arb_poly_get_coeff_ptr(r->l, i)))
             return fail("1 - P/Q is not of the order of beta");
     arb_poly_shift_right(r->l, r->l, r->root);
-    return round_polynomial(r->p_double, r->p, "numerator") ||
-           round_polynomial(r->q_double, r->q, "denominator") ||
+    return round_polynomial(r->p_double, r->p, "numerator") || round_polynomial(r->q_double, r->q, "denominator") ||
            round_polynomial(r->l_double, r->l, "loss");
 }
 
-int references_init(struct references *s, const struct law *law, slong beta_max, slong even,
-                    slong small)
+int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small)
 {
     struct collision c;
     arb_t beta;
@@ -166,8 +164,8 @@ static void set_z(arb_t z, const struct pade_rounded *r, const arb_t beta)
     arb_root_ui(z, beta, (ulong)r->root, BITS);
 }
 
-void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r,
-                              enum contact_end end, const struct references *s)
+void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum contact_end end,
+                              const struct references *s)
 {
     arb_t beta, z, q, value, exact;
     arb_init(beta);
@@ -221,8 +219,8 @@ static void gamma_bound(arb_t g, slong k)
 /* Relative error of P(z) by Horner's rule for every z of the ball: each coefficient carries at most
  * OPERATIONS_PER_DEGREE deg P + 1 factors (1 + delta), |delta| <= u (Higham 2002, 5.1), times the
  * condition sum |p_i| z^i / |P(z)|. */
-static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magnitude,
-                         const arb_poly_t slope, const arb_t z)
+static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magnitude, const arb_poly_t slope,
+                         const arb_t z)
 {
     arb_t value, centre, radius;
     arb_init(value);

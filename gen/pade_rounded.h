@@ -28,8 +28,7 @@ struct references {
 
 /* `even` points beta_max i/even, i = 1..even, and `small` points beta_max/2^(6 j), j = 1..small.
  * Returns 0, or 1 after saying what failed. */
-int references_init(struct references *s, const struct law *law, slong beta_max, slong even,
-                    slong small);
+int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small);
 void references_clear(struct references *s);
 
 struct pade_error {
@@ -41,8 +40,8 @@ void pade_error_init(struct pade_error *e);
 void pade_error_clear(struct pade_error *e);
 
 /* Of the exact functions of the rounded coefficients, so rounding is in it: sampled. */
-void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r,
-                              enum contact_end end, const struct references *s);
+void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum contact_end end,
+                              const struct references *s);
 
 /* Of their evaluation in double (round to nearest, with or without fused multiply-add) over
  * 0 <= beta <= beta_max, z itself rounded: proved, by sum |p_i| z^i / |P(z)| in balls over pieces

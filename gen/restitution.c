@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "restitution.h"
 
+#include "console.h"
 #include "trajectory.h"
 
 /* z = x^e for a series with x(0) > 0 and a rational e of either sign. */
@@ -65,41 +66,50 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
     arb_clear(scale);
 }
 
-/* f(w) = sum_(k,j) weight(e) c[k][j] (-w T^(b+1))^k (w T^(a+1))^j = sum (-1)^k c[k][j] weight w^(k+j) T^e
- * with T^e by exponent: T = 1 + O(w), e = k (b+1) + j (a+1). */
-static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool velocity, const fmpq_poly_t T,
-                         slong n, const struct law *law)
+/* sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1): X seen backwards, and with the
+ * weights e + 1, e = k (b+1) + j (a+1), the velocity V = X + D X. Horner's rule in B for each row, in A over the
+ * rows; both are O(w), so what is multiplied more often is needed to fewer terms. */
+static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool velocity, const fmpq_poly_t T, slong n,
+                         const struct law *law)
 {
-    const slong d = law->d, du = law->bd + d, ds = law->ad + d;
-    fmpq_poly_t log_t, power;
+    const slong d = law->d, exponent[2] = {law->bd + d, law->ad + d};
+    fmpq_poly_t log_t, power[2], inner, term;
     fmpq_t c, e;
     fmpq_poly_init(log_t);
-    fmpq_poly_init(power);
+    fmpq_poly_init(inner);
+    fmpq_poly_init(term);
     fmpq_init(c);
     fmpq_init(e);
-    fmpq_poly_zero(f);
     fmpq_poly_log_series(log_t, T, n);
-    for (slong k = 0; k < n; k++)
-        for (slong j = 0; k + j < n; j++) {
-            const slong e_num = k * du + j * ds;
+    for (int i = 0; i < 2; i++) {
+        fmpq_poly_init(power[i]);
+        fmpq_set_si(e, exponent[i], (ulong)d);
+        fmpq_poly_scalar_mul_fmpq(power[i], log_t, e);
+        fmpq_poly_exp_series(power[i], power[i], n);
+        fmpq_poly_shift_left(power[i], power[i], 1);
+    }
+    fmpq_poly_neg(power[0], power[0]);
+    fmpq_poly_zero(f);
+    for (slong k = n - 1; k >= 0; k--) {
+        fmpq_poly_zero(inner);
+        for (slong j = n - 1 - k; j >= 0; j--) {
+            fmpq_poly_mullow(inner, inner, power[1], n - k - j);
             fmpq_poly_get_coeff_fmpq(c, row + k, j);
-            if (fmpq_is_zero(c))
-                continue;
-            fmpq_set_si(e, e_num, (ulong)d);
-            fmpq_poly_scalar_mul_fmpq(power, log_t, e);
-            fmpq_poly_exp_series(power, power, n - k - j);
             if (velocity) {
-                fmpq_add_si(e, e, 1);
+                fmpq_set_si(e, k * exponent[0] + j * exponent[1] + d, (ulong)d);
                 fmpq_mul(c, c, e);
             }
-            if (k % 2 != 0)
-                fmpq_neg(c, c);
-            fmpq_poly_scalar_mul_fmpq(power, power, c);
-            fmpq_poly_shift_left(power, power, k + j);
-            fmpq_poly_add(f, f, power);
+            fmpq_poly_set_fmpq(term, c);
+            fmpq_poly_add(inner, inner, term);
         }
+        fmpq_poly_mullow(f, f, power[0], n - k);
+        fmpq_poly_add(f, f, inner);
+    }
     fmpq_poly_clear(log_t);
-    fmpq_poly_clear(power);
+    fmpq_poly_clear(power[0]);
+    fmpq_poly_clear(power[1]);
+    fmpq_poly_clear(inner);
+    fmpq_poly_clear(term);
     fmpq_clear(c);
     fmpq_clear(e);
 }
@@ -128,6 +138,7 @@ void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, con
 
     fmpq_poly_one(T);
     for (slong known = 1; known <= n; known++) {
+        progress("zero force, exact", known, n);
         backward_sum(G, row, true, T, known, law);
         backward_sum(x, row, false, T, known, law);
         fmpq_set_si(e, m.den, (ulong)m.num);

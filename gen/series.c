@@ -76,8 +76,7 @@ int series_compute(struct series *s, slong order, const struct law *law, slong b
                 (long)order, (long)bits, (long)terms, (long)prec);
 }
 
-int series_eps(arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law,
-               slong bits)
+int series_eps(arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law, slong bits)
 {
     *root = end == END_ZERO_FORCE ? restitution_zero_force_root(law) : 1;
     struct series s;

@@ -23,7 +23,6 @@ int series_compute(struct series *s, slong order, const struct law *law, slong b
 
 /* eps at an end as a power series in z = beta^(1/root): root = 1 at zero overlap, 2 at zero force
  * for the sphere. `order` is the highest power of z. Same accuracy and result as above. */
-int series_eps(arb_poly_t eps, slong *root, enum contact_end end, slong order,
-               const struct law *law, slong bits);
+int series_eps(arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law, slong bits);
 
 #endif

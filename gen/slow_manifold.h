@@ -22,8 +22,8 @@ struct slow_manifold {
     arb_t nu;            /* bound of |N(P)| */
     arb_t inverse_error; /* bound of the integral of |1/P - inverse| 2/r over (0, r1] */
     slong prec;
-    arb_t h_star_5;      /* end speed of every trajectory within eta at r1: beta^5 eps */
-    arb_t t_fall;        /* its time t' from r1 to z = 0 */
+    arb_t h_star_5; /* end speed of every trajectory within eta at r1: beta^5 eps */
+    arb_t t_fall;   /* its time t' from r1 to z = 0 */
 };
 
 /* Chooses r1 so that eta is below 2^-bits. False where the enclosure did not close at this precision. */

@@ -37,8 +37,8 @@ static int print_overview(const struct subcommand *table)
 static int print_version(const char *version)
 {
     char text[LINE_MAX_LENGTH];
-    snprintf(text, sizeof text, "corgen %s (GMP %s, MPFR %s, FLINT %s)\n", version, gmp_version,
-             mpfr_get_version(), flint_version);
+    snprintf(text, sizeof text, "corgen %s (GMP %s, MPFR %s, FLINT %s)\n", version, gmp_version, mpfr_get_version(),
+             flint_version);
     return print_whole(text);
 }
 
@@ -61,8 +61,7 @@ int subcommand_run(const struct subcommand *table, const char *version, int argc
     while (cmd->name && strcmp(cmd->name, argv[1]) != 0)
         cmd++;
     if (!cmd->name)
-        return usage_error("'%.60s' is not a subcommand; allowed: %s; see corgen --help", argv[1],
-                           names);
+        return usage_error("'%.60s' is not a subcommand; allowed: %s; see corgen --help", argv[1], names);
 
     struct options options;
     bool help;

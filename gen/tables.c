@@ -130,10 +130,9 @@ static int make_manifest(struct content *manifest, const struct content *c)
     FILE *file = open_memstream(&manifest->text, &manifest->size);
     if (!file)
         return fail("no memory for %s", MANIFEST);
-    fprintf(file,
-            "Written by `corgen tables`; `corgen tables --check` compares the files below byte for "
-            "byte.\nLines that start with " MANIFEST_VERSION_WORD
-            " tell which libraries made them, and are not compared.\n\n");
+    fprintf(file, "Written by `corgen tables`; `corgen tables --check` compares the files below byte for "
+                  "byte.\nLines that start with " MANIFEST_VERSION_WORD
+                  " tell which libraries made them, and are not compared.\n\n");
     for (int i = 0; i < FILES; i++) {
         long lines = 0;
         for (size_t k = 0; k < c[i].size; k++)
@@ -144,8 +143,8 @@ static int make_manifest(struct content *manifest, const struct content *c)
 #ifndef COR_FLINT_HAS_ARB
     fprintf(file, MANIFEST_VERSION_WORD " Arb %s\n", arb_version);
 #endif
-    fprintf(file, MANIFEST_VERSION_WORD " MPFR %s\n" MANIFEST_VERSION_WORD " GMP %s\n",
-            mpfr_get_version(), gmp_version);
+    fprintf(file, MANIFEST_VERSION_WORD " MPFR %s\n" MANIFEST_VERSION_WORD " GMP %s\n", mpfr_get_version(),
+            gmp_version);
     return fclose(file) ? fail("no memory for %s", MANIFEST) : STATUS_OK;
 }
 
@@ -177,8 +176,7 @@ static int write_all(const struct content *c, const char *directory)
 }
 
 /* The next line that counts, or NULL; *number is its own. */
-static const char *next_line(const char **at, const char *end, bool manifest, size_t *length,
-                             long *number)
+static const char *next_line(const char **at, const char *end, bool manifest, size_t *length, long *number)
 {
     while (*at < end) {
         const char *line = *at, *newline = memchr(line, '\n', (size_t)(end - line));
@@ -264,8 +262,7 @@ int command_tables(const struct options *o)
     if (status == STATUS_OK)
         status = o->check ? check_all(c, directory) : write_all(c, directory);
     for (int i = 0; i <= FILES && status == STATUS_OK; i++)
-        printf("%s %s/%s: %zu bytes\n", o->check ? "same" : "wrote", directory, c[i].name,
-               c[i].size);
+        printf("%s %s/%s: %zu bytes\n", o->check ? "same" : "wrote", directory, c[i].name, c[i].size);
     if (fflush(stdout) && status == STATUS_OK)
         status = fail("standard output: %s", strerror(errno));
     for (int i = 0; i <= FILES; i++)

@@ -384,9 +384,9 @@ static double radius_guess(const struct taylor *y)
             for (slong l = 0; l < y->jets; l++) {
                 arb_get_mag(m, component[i] + l * stride(y) + n);
                 if (!mag_is_zero(m))
-                    radius = fmin(radius, (scale - mag_get_d_log2_approx(m) -
-                                           (double)l * mag_get_d_log2_approx(y->weight)) /
-                                              (double)n);
+                    radius =
+                        fmin(radius, (scale - mag_get_d_log2_approx(m) - (double)l * mag_get_d_log2_approx(y->weight)) /
+                                         (double)n);
             }
     }
     mag_clear(m);
@@ -457,11 +457,7 @@ void taylor_value(arb_t value, const struct taylor *y, enum taylor_component com
         return;
     }
     _arb_poly_evaluate(value, component_block(y, component) + l * stride(y), stride(y), s, y->prec);
-    add_remainder(value, y,
-                  component == TAYLOR_W   ? y->error_w
-                  : component == TAYLOR_V ? y->error_v
-                                          : y->error_t,
-                  l);
+    add_remainder(value, y, component == TAYLOR_W ? y->error_w : component == TAYLOR_V ? y->error_v : y->error_t, l);
 }
 
 void taylor_advance(struct taylor *y, const arb_t s)

@@ -16,16 +16,16 @@ struct taylor_power; /* one product of the chain that makes the powers of w */
 struct taylor {
     struct law law;
     slong jets, degree, prec;
-    mag_t weight;            /* weight of the parameter in the norm sum |z_l| weight^l of a series */
-    arb_ptr c1, c2;          /* jets each */
-    arb_ptr w, v, t;         /* jets x (degree + 1) Taylor coefficients, [l * (degree + 1) + n] */
-    arb_ptr force, product;  /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); and times w^(d-1+m) */
+    mag_t weight;           /* weight of the parameter in the norm sum |z_l| weight^l of a series */
+    arb_ptr c1, c2;         /* jets each */
+    arb_ptr w, v, t;        /* jets x (degree + 1) Taylor coefficients, [l * (degree + 1) + n] */
+    arb_ptr force, product; /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); and times w^(d-1+m) */
     struct taylor_power *power;
     int powers;
     int node_t, node_outer, node_damping, node_elastic; /* which power each factor is; -1: the number 1 */
-    arb_ptr damped;          /* w^(bd-m) v where bd > m */
-    mag_t error_w, error_v, error_t; /* remainders on [0, step], in the norm */
-    arb_t step;              /* longest step that they are proved for */
+    arb_ptr damped;                                     /* w^(bd-m) v where bd > m */
+    mag_t error_w, error_v, error_t;                    /* remainders on [0, step], in the norm */
+    arb_t step;                                         /* longest step that they are proved for */
 };
 
 void taylor_init(struct taylor *y, const struct law *law, slong jets, slong degree, slong prec);

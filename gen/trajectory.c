@@ -164,8 +164,7 @@ static void ball_dot(arb_t sum, const arb_poly_struct *p, const arb_poly_struct 
     if (last < first)
         arb_zero(sum);
     else
-        arb_dot(sum, NULL, 0, p->coeffs + first, 1, q->coeffs + n - first, -1, last - first + 1,
-                prec);
+        arb_dot(sum, NULL, 0, p->coeffs + first, 1, q->coeffs + n - first, -1, last - first + 1, prec);
 }
 
 /* Rounding errors grow from row to row; digits below them are not worth multiplying. */

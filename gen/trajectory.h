@@ -39,7 +39,7 @@ bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory
 
 /* Upper bound of sum_{j > terms} |c[k][j]| binomial(e+1, m) t0^(e+1-m), e = k (b+1) + j (a+1): what
  * is missing from the m-th Taylor coefficient of x_k(t) at t0. */
-void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const struct trajectory *t,
-                         slong k, slong m, const arb_t t0);
+void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const struct trajectory *t, slong k, slong m,
+                         const arb_t t0);
 
 #endif

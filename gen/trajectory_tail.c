@@ -77,10 +77,10 @@ static void magnitudes_of_rows(struct magnitudes *g, const arb_poly_struct *row)
 /* Everything about one trajectory that the bound needs, weights aside. */
 struct evidence {
     slong J;
-    struct magnitudes z, inverse, defect;  /* Z, V, 1 - Z V */
-    struct magnitudes p[2], n[2];          /* P and N for p = a, b + 1 */
+    struct magnitudes z, inverse, defect; /* Z, V, 1 - Z V */
+    struct magnitudes p[2], n[2];         /* P and N for p = a, b + 1 */
     struct ratio exponent[2];
-    int powers;                            /* 1 where both are one */
+    int powers; /* 1 where both are one */
 };
 
 static arb_poly_struct *rows_new(slong rows)
@@ -267,8 +267,7 @@ static void power_growth(arb_t y, const arb_t eta, struct ratio p)
 }
 
 /* The proof for one choice of weights: delta with G(ball) inside ball, or false. */
-static bool prove_at(arb_t delta, const struct evidence *e, const struct trajectory *t, const arb_t U,
-                     const arb_t rho)
+static bool prove_at(arb_t delta, const struct evidence *e, const struct trajectory *t, const arb_t U, const arb_t rho)
 {
     enum { NU, THETA, DEFECT, INVERSE, GROWTH, IMAGE, TERM, ETA, LAST, FIRST, COUNT };
     const struct ratio one = {1, 1};
@@ -461,8 +460,8 @@ bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory
     return proved;
 }
 
-void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const struct trajectory *t,
-                         slong k, slong m, const arb_t t0)
+void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const struct trajectory *t, slong k, slong m,
+                         const arb_t t0)
 {
     /* For any r > 0 with s = (t0 + r)^(a+1)/2^shift <= rho, the sum over m of the jets times r^m is x_k's tail at
      * t0 + r: at most (t0 + r)^(k(b+1)+1) delta U^-k (s/rho)^(terms+1). */

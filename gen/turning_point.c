@@ -34,8 +34,8 @@ void turning_point_elastic(arb_t y0, arb_t tau0, const struct law *law, slong pr
 
 /* Taylor coefficients of x at t0 to order m, as polynomials in beta: jet[m] = sum_k x_k^(m)(t0)/m! beta^k,
  * k + m <= order + 1. Returns true where the truncation is what limits them. */
-static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *t,
-                    const struct trajectory_tail *tail, const arb_t t0, slong prec)
+static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *t, const struct trajectory_tail *tail,
+                    const arb_t t0, slong prec)
 {
     const slong d = t->law.d, du = t->law.bd + d, ds = t->law.ad + d;
     const struct ratio one = {1, 1};

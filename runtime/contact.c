@@ -145,26 +145,25 @@ double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact, doub
     return sphere_eps_zero_force(contact_beta(contact, speed_m_s));
 }
 
-void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact,
-                                        const double *speed_m_s, double *eps, size_t n)
+void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *eps,
+                                        size_t n)
 {
     for (size_t i = 0; i < n; i++)
         eps[i] = cor_contact_eps_zero_overlap(contact, speed_m_s[i]);
 }
 
-void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact,
-                                      const double *speed_m_s, double *eps, size_t n)
+void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *eps,
+                                      size_t n)
 {
     for (size_t i = 0; i < n; i++)
         eps[i] = cor_contact_eps_zero_force(contact, speed_m_s[i]);
 }
 
-double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa,
-                              double poisson_ratio)
+double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double poisson_ratio)
 {
     const double nu = poisson_ratio;
-    if (!(eta1_pa_s >= 0 && eta1_pa_s <= DBL_MAX && eta2_pa_s >= 0 && eta2_pa_s <= DBL_MAX &&
-          young_modulus_pa > 0 && young_modulus_pa <= DBL_MAX && nu > -1 && nu <= 0.5 && nu != 0))
+    if (!(eta1_pa_s >= 0 && eta1_pa_s <= DBL_MAX && eta2_pa_s >= 0 && eta2_pa_s <= DBL_MAX && young_modulus_pa > 0 &&
+          young_modulus_pa <= DBL_MAX && nu > -1 && nu <= 0.5 && nu != 0))
         return NAN;
     if (eta1_pa_s == 0 && eta2_pa_s == 0) /* the limit of 0/0 from every direction */
         return 0;

@@ -46,10 +46,8 @@ static inline double sphere_loss_zero_overlap(double beta)
 {
     if (!sphere_in_domain(beta))
         return NAN;
-    return beta * (sphere_polynomial(cor_sphere_pade_zero_overlap_l, COR_SPHERE_PADE_ZERO_OVERLAP_L,
-                                     beta) /
-                   sphere_polynomial(cor_sphere_pade_zero_overlap_q, COR_SPHERE_PADE_ZERO_OVERLAP_Q,
-                                     beta));
+    return beta * (sphere_polynomial(cor_sphere_pade_zero_overlap_l, COR_SPHERE_PADE_ZERO_OVERLAP_L, beta) /
+                   sphere_polynomial(cor_sphere_pade_zero_overlap_q, COR_SPHERE_PADE_ZERO_OVERLAP_Q, beta));
 }
 
 static inline double sphere_loss_zero_force(double beta)
@@ -57,9 +55,8 @@ static inline double sphere_loss_zero_force(double beta)
     if (!sphere_in_domain(beta))
         return NAN;
     const double z = sqrt(beta);
-    return beta *
-           (sphere_polynomial(cor_sphere_pade_zero_force_l, COR_SPHERE_PADE_ZERO_FORCE_L, z) /
-            sphere_polynomial(cor_sphere_pade_zero_force_q, COR_SPHERE_PADE_ZERO_FORCE_Q, z));
+    return beta * (sphere_polynomial(cor_sphere_pade_zero_force_l, COR_SPHERE_PADE_ZERO_FORCE_L, z) /
+                   sphere_polynomial(cor_sphere_pade_zero_force_q, COR_SPHERE_PADE_ZERO_FORCE_Q, z));
 }
 
 #endif

@@ -51,8 +51,8 @@ struct cor_sphere_contact {
  * Returns COR_OK, or the status of the first wrong input, which cor_status_text explains;
  * COR_ERROR_RANGE where a field would overflow or lose digits to underflow. All fields are then
  * NaN, and so is every eps computed from them. */
-COR_API int cor_sphere_contact_init(struct cor_sphere_contact *contact,
-                                    const struct cor_body *body_1, const struct cor_body *body_2);
+COR_API int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor_body *body_1,
+                                    const struct cor_body *body_2);
 
 /* Fills *contact from the characteristic speed g* of (29)-(31) alone, m/s: for a fit to measured
  * eps, where the materials are not known. beta_per_root = (g*)^(-1/5)/|C_1|, the other fields NaN.
@@ -83,17 +83,15 @@ COR_API double cor_contact_beta(const struct cor_sphere_contact *contact, double
  * Accuracy: COR_SPHERE_EPS_MAX_REL at the computed beta.
  * Special values: speed 0 -> exactly 1; negative or NaN speed, a contact whose init failed, and
  * beta beyond COR_SPHERE_BETA_MAX -> NaN. */
-COR_API double cor_contact_eps_zero_overlap(const struct cor_sphere_contact *contact,
-                                            double speed_m_s);
-COR_API double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact,
-                                          double speed_m_s);
+COR_API double cor_contact_eps_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s);
+COR_API double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact, double speed_m_s);
 
 /* eps[i] = cor_contact_eps_...(contact, speed_m_s[i]) for i < n, the same to the last bit. n may be
  * 0, the array pointers then NULL. Both arrays may be the same, but must not overlap otherwise. */
-COR_API void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact,
-                                                const double *speed_m_s, double *eps, size_t n);
-COR_API void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact,
-                                              const double *speed_m_s, double *eps, size_t n);
+COR_API void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
+                                                double *eps, size_t n);
+COR_API void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
+                                              double *eps, size_t n);
 
 /* A of (4), s, from Young's modulus Y > 0 (Pa), Poisson's ratio -1 < nu <= 1/2 and the viscous
  * constants eta_1, eta_2 >= 0 of the material, Pa s, in the notation of (4):

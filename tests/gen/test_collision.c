@@ -407,10 +407,14 @@ static void test_edges(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference_values), cmocka_unit_test(test_series),
-        cmocka_unit_test(test_closed_forms),     cmocka_unit_test(test_overdamped),
-        cmocka_unit_test(test_slow_manifold),    cmocka_unit_test(test_strong_damping),
-        cmocka_unit_test(test_involution),       cmocka_unit_test(test_backward_series),
+        cmocka_unit_test(test_reference_values),
+        cmocka_unit_test(test_series),
+        cmocka_unit_test(test_closed_forms),
+        cmocka_unit_test(test_overdamped),
+        cmocka_unit_test(test_slow_manifold),
+        cmocka_unit_test(test_strong_damping),
+        cmocka_unit_test(test_involution),
+        cmocka_unit_test(test_backward_series),
         cmocka_unit_test(test_edges),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -57,8 +57,8 @@ static FILE *compile_and_run(void)
     char command[4 * PATH];
     const char *cc = getenv("CC");
     snprintf(command, sizeof command,
-             "%s -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -o '%s/main' '%s/main.c'",
-             cc ? cc : "cc", directory, directory);
+             "%s -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -o '%s/main' '%s/main.c'", cc ? cc : "cc",
+             directory, directory);
     assert_int_equal(system(command), 0);
     snprintf(command, sizeof command, "'%s/main'", directory);
     FILE *output = popen(command, "r");
@@ -98,13 +98,11 @@ static void test_doubles(void **state)
     assert_int_equal(fclose(file), 0);
 
     file = create("main.c");
-    fprintf(
-        file,
-        "#include <stdio.h>\n#include \"header.h\"\n#include \"header.h\"\n"
-        "int main(void)\n{\n"
-        "    printf(\"%%d %%d %%.17g\\n\", (int)(sizeof value / sizeof *value), LENGTH, BOUND);\n"
-        "    for (int i = 0; i < LENGTH; i++)\n        printf(\"%%a\\n\", value[i]);\n"
-        "    return ONE - 1;\n}\n");
+    fprintf(file, "#include <stdio.h>\n#include \"header.h\"\n#include \"header.h\"\n"
+                  "int main(void)\n{\n"
+                  "    printf(\"%%d %%d %%.17g\\n\", (int)(sizeof value / sizeof *value), LENGTH, BOUND);\n"
+                  "    for (int i = 0; i < LENGTH; i++)\n        printf(\"%%a\\n\", value[i]);\n"
+                  "    return ONE - 1;\n}\n");
     assert_int_equal(fclose(file), 0);
     FILE *output = compile_and_run();
     int size, count;
@@ -156,11 +154,8 @@ static void test_bound(void **state)
 static void test_pade_header(void **state)
 {
     (void)state;
-    const struct pade_request r = {.kind = PADE_ORDINARY,
-                                   .numerator = 4,
-                                   .denominator = 6,
-                                   .end = END_ZERO_FORCE,
-                                   .law = law_sphere};
+    const struct pade_request r = {
+        .kind = PADE_ORDINARY, .numerator = 4, .denominator = 6, .end = END_ZERO_FORCE, .law = law_sphere};
     struct pade f;
     struct pade_analysis a;
     struct references references;
@@ -168,12 +163,8 @@ static void test_pade_header(void **state)
     pade_analysis_init(&a);
     assert_int_equal(pade_compute(&f, &a, &r, BITS), 0);
     assert_int_equal(references_init(&references, &law_sphere, 2, 16, 2), 0);
-    struct pade_header h = {.name = "cor_test",
-                            .title = "test",
-                            .end = r.end,
-                            .beta_max = 2,
-                            .references = &references,
-                            .limit = 1e-12};
+    struct pade_header h = {
+        .name = "cor_test", .title = "test", .end = r.end, .beta_max = 2, .references = &references, .limit = 1e-12};
     struct emit e;
     FILE *file = create("header.h");
     emit_open(&e, file, "HEADER_H", "Pade");
@@ -187,16 +178,14 @@ static void test_pade_header(void **state)
     assert_int_equal(fclose(file), 0);
 
     file = create("main.c");
-    fprintf(
-        file,
-        "#include <math.h>\n#include <stdio.h>\n#include \"header.h\"\n"
-        "static double horner(const double *c, int n, double z)\n{\n    double y = 0;\n"
-        "    while (n-- > 0)\n        y = y * z + c[n];\n    return y;\n}\n"
-        "int main(void)\n{\n    const double beta = 0.5, z = 0.70710678118654752440;\n"
-        "    const double q = horner(cor_test_q, COR_TEST_Q, z);\n"
-        "    printf(\"%%.17g %%.17g %%.17g %%.17g\\n\", horner(cor_test_p, COR_TEST_P, z) / q,\n"
-        "           beta * horner(cor_test_l, COR_TEST_L, z) / q, COR_TEST_EPS_MAX_REL,\n"
-        "           COR_TEST_LOSS_MAX_REL);\n    return 0;\n}\n");
+    fprintf(file, "#include <math.h>\n#include <stdio.h>\n#include \"header.h\"\n"
+                  "static double horner(const double *c, int n, double z)\n{\n    double y = 0;\n"
+                  "    while (n-- > 0)\n        y = y * z + c[n];\n    return y;\n}\n"
+                  "int main(void)\n{\n    const double beta = 0.5, z = 0.70710678118654752440;\n"
+                  "    const double q = horner(cor_test_q, COR_TEST_Q, z);\n"
+                  "    printf(\"%%.17g %%.17g %%.17g %%.17g\\n\", horner(cor_test_p, COR_TEST_P, z) / q,\n"
+                  "           beta * horner(cor_test_l, COR_TEST_L, z) / q, COR_TEST_EPS_MAX_REL,\n"
+                  "           COR_TEST_LOSS_MAX_REL);\n    return 0;\n}\n");
     assert_int_equal(fclose(file), 0);
     FILE *output = compile_and_run();
     double eps, loss, eps_bound, loss_bound;

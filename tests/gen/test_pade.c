@@ -146,11 +146,8 @@ static void test_two_point(void **state)
 {
     (void)state;
     const slong m = 8, n = m + 5;
-    const struct pade_request r = {.kind = PADE_TWO_POINT,
-                                   .numerator = m,
-                                   .denominator = n,
-                                   .end = END_ZERO_OVERLAP,
-                                   .law = law_sphere};
+    const struct pade_request r = {
+        .kind = PADE_TWO_POINT, .numerator = m, .denominator = n, .end = END_ZERO_OVERLAP, .law = law_sphere};
     struct pade f;
     struct pade_analysis a;
     struct collision collision;
@@ -221,11 +218,8 @@ static void test_published(void **state)
 {
     (void)state;
     static const double d[] = {2.5840, 3.5840, 2.9840, 1.1487, 0.3265};
-    const struct pade_request r = {.kind = PADE_AS_PUBLISHED,
-                                   .numerator = 1,
-                                   .denominator = 4,
-                                   .end = END_ZERO_OVERLAP,
-                                   .law = law_sphere};
+    const struct pade_request r = {
+        .kind = PADE_AS_PUBLISHED, .numerator = 1, .denominator = 4, .end = END_ZERO_OVERLAP, .law = law_sphere};
     struct pade f;
     struct pade_analysis a;
     pade_init(&f);
@@ -262,8 +256,7 @@ static void test_true_one_four(void **state)
     assert_int_equal(a.positive_poles, 0);
     assert_int_equal(a.zeros, 1);
     assert_int_equal(a.positive_zeros, 1);
-    assert_near(arf_get_d(arb_midref(acb_realref(a.zero)), ARF_RND_NEAR), -1 / middle(f.p, 1),
-                1e-9);
+    assert_near(arf_get_d(arb_midref(acb_realref(a.zero)), ARF_RND_NEAR), -1 / middle(f.p, 1), 1e-9);
     char *defects = pade_defects(&a);
     assert_non_null(defects);
     assert_non_null(strstr(defects, "a zero at beta = 2.86656"));
@@ -363,8 +356,7 @@ static void test_spurious_pair(void **state)
     pade_clear(&f);
 }
 
-static void assert_block(const arb_poly_t c, slong m, slong n, slong at_m, slong at_n, slong size,
-                         bool open)
+static void assert_block(const arb_poly_t c, slong m, slong n, slong at_m, slong at_n, slong size, bool open)
 {
     struct pade_block b;
     assert_true(pade_block_of(&b, c, m, n, PREC));
@@ -444,10 +436,9 @@ static void test_refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_exponential),   cmocka_unit_test(test_reexpansion),
-        cmocka_unit_test(test_two_point),     cmocka_unit_test(test_published),
-        cmocka_unit_test(test_true_one_four), cmocka_unit_test(test_spurious_pair),
-        cmocka_unit_test(test_degenerate),    cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_exponential), cmocka_unit_test(test_reexpansion),   cmocka_unit_test(test_two_point),
+        cmocka_unit_test(test_published),   cmocka_unit_test(test_true_one_four), cmocka_unit_test(test_spurious_pair),
+        cmocka_unit_test(test_degenerate),  cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -90,8 +90,7 @@ static void test_values(void **state)
         if (!agrees(x, row->correct, 1))
             fail_msg("%s: %s is not the right value", row->equation, row->correct);
         if (agrees(x, row->printed, 1) != row->right)
-            fail_msg("%s: the print %s is %s", row->equation, row->printed,
-                     row->right ? "wrong" : "right");
+            fail_msg("%s: the print %s is %s", row->equation, row->printed, row->right ? "wrong" : "right");
         wrong += !row->right;
     }
     assert_int_equal(wrong, 6); /* y_2, y_3, C_3, C_4, a_3, a_4 */

@@ -188,9 +188,16 @@ static void test_zero_force(void **state)
         fmpq_poly_get_coeff_fmpq(got, T, k);
         assert_true(fmpq_equal(want, got));
     }
-    static const char *const known[] = {"1", "0", "-1.15344885810", "0", "0.79826656094",
-                                        "0.266666666666", "-0.52288256809", "-0.46137954324",
-                                        "0.34874267526", "0.45235105120"};
+    static const char *const known[] = {"1",
+                                        "0",
+                                        "-1.15344885810",
+                                        "0",
+                                        "0.79826656094",
+                                        "0.266666666666",
+                                        "-0.52288256809",
+                                        "-0.46137954324",
+                                        "0.34874267526",
+                                        "0.45235105120"};
     arb_poly_t eps;
     arb_t x, y;
     slong root;
@@ -311,9 +318,9 @@ static void test_radius(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_linear_laws),
+        cmocka_unit_test(test_closed_forms),  cmocka_unit_test(test_linear_laws),
         cmocka_unit_test(test_hunt_crossley), cmocka_unit_test(test_zero_force),
-        cmocka_unit_test(test_two_routes),   cmocka_unit_test(test_two_routes_other_law),
+        cmocka_unit_test(test_two_routes),    cmocka_unit_test(test_two_routes_other_law),
         cmocka_unit_test(test_radius),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -29,21 +29,11 @@ static void test_equation_49(void **state)
         slong k, j;
         const char *value;
     } printed[] = {
-        {0, 0, "1"},
-        {0, 1, "-4/35"},
-        {0, 2, "1/175"},
-        {0, 3, "-22/104125"},
-        {0, 4, "52/8017625"},
-        {1, 0, "-4/15"},
-        {1, 1, "3/70"},
-        {1, 2, "-713/238875"},
-        {1, 3, "61216/426391875"},
-        {2, 0, "1/15"},
-        {2, 1, "-937/75075"},
-        {2, 2, "871/808500"},
-        {3, 0, "-38/2475"},
-        {3, 1, "43943/13513500"},
-        {3, 2, "-1184627/3594591000"},
+        {0, 0, "1"},          {0, 1, "-4/35"},          {0, 2, "1/175"},
+        {0, 3, "-22/104125"}, {0, 4, "52/8017625"},     {1, 0, "-4/15"},
+        {1, 1, "3/70"},       {1, 2, "-713/238875"},    {1, 3, "61216/426391875"},
+        {2, 0, "1/15"},       {2, 1, "-937/75075"},     {2, 2, "871/808500"},
+        {3, 0, "-38/2475"},   {3, 1, "43943/13513500"}, {3, 2, "-1184627/3594591000"},
     };
     fmpq_poly_struct *row = exact_rows(3, 4, &law_sphere);
     fmpq_t want, got;
@@ -296,8 +286,8 @@ static void test_law_parse(void **state)
     assert_true(law_is_sphere(&law));
     assert_null(law_parse(&law, "1", "0"));
     assert_false(law_is_sphere(&law));
-    static const char *const wrong[] = {"", "-1", "x", "1/0", "1/17", "65", "3/2 ", "1e3", "nan", "1.00001", "/2",
-                                        "99999999999999999999"};
+    static const char *const wrong[] = {"",     "-1",  "x",   "1/0",     "1/17", "65",
+                                        "3/2 ", "1e3", "nan", "1.00001", "/2",   "99999999999999999999"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         assert_non_null(law_parse(&law, wrong[i], "1/2"));
         assert_non_null(law_parse(&law, "3/2", wrong[i]));
@@ -309,8 +299,10 @@ static void test_law_parse(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_equation_49),      cmocka_unit_test(test_equation_of_motion),
-        cmocka_unit_test(test_balls_contain_rationals), cmocka_unit_test(test_truncation_bound),
+        cmocka_unit_test(test_equation_49),
+        cmocka_unit_test(test_equation_of_motion),
+        cmocka_unit_test(test_balls_contain_rationals),
+        cmocka_unit_test(test_truncation_bound),
         cmocka_unit_test(test_law_parse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -17,12 +17,12 @@
 
 #include <cmocka.h>
 
-#define check(condition, ...)                                                                      \
-    do {                                                                                           \
-        if (!(condition)) {                                                                        \
-            print_error("%s is false: ", #condition);                                              \
-            fail_msg(__VA_ARGS__);                                                                 \
-        }                                                                                          \
+#define check(condition, ...)                                                                                          \
+    do {                                                                                                               \
+        if (!(condition)) {                                                                                            \
+            print_error("%s is false: ", #condition);                                                                  \
+            fail_msg(__VA_ARGS__);                                                                                     \
+        }                                                                                                              \
     } while (0)
 
 static inline long double relative_error(double computed, long double exact)

@@ -60,8 +60,8 @@ static long double force(const struct jet *jet, long double beta, long double h)
 }
 
 /* The sign change of f in [0, h] by bisection; f(0) > 0 >= f(h). */
-static long double crossing(long double (*f)(const struct jet *, long double, long double),
-                            const struct jet *jet, long double beta, long double h)
+static long double crossing(long double (*f)(const struct jet *, long double, long double), const struct jet *jet,
+                            long double beta, long double h)
 {
     long double low = 0, high = h;
     for (int i = 0; i < 2 * LDBL_MANT_DIG; i++) {

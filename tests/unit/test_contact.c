@@ -33,19 +33,16 @@ static void two_glass_spheres(void **state)
     assert_int_equal(cor_sphere_contact_init(&c, &body, &body), COR_OK);
     check(relative_error(c.effective_mass_kg, 5e-6L) < 1e-15L, "%g", c.effective_mass_kg);
     check(relative_error(c.effective_radius_m, 5e-4L) < 1e-15L, "%g", c.effective_radius_m);
-    check(relative_error(c.elastic_constant_n_m15, 1.0869774890624e9L) < 1e-12L, "%.17g",
-          c.elastic_constant_n_m15);
+    check(relative_error(c.elastic_constant_n_m15, 1.0869774890624e9L) < 1e-12L, "%.17g", c.elastic_constant_n_m15);
     check(c.dissipation_time_s == 2e-7, "%.17g", c.dissipation_time_s);
     check(relative_error(c.beta_per_root, 0.1629376593L) < 1e-9L, "%.17g", c.beta_per_root);
     check(relative_error(c.scale, 1 / 543125.531L) < 1e-8L, "%.17g", c.scale);
     /* at 1 cm/s the fifth root is 0.398107170553497 */
-    check(relative_error(cor_contact_beta(&c, 0.01), 0.398107170553497L * c.beta_per_root) < 1e-14L,
-          "%.17g", cor_contact_beta(&c, 0.01));
+    check(relative_error(cor_contact_beta(&c, 0.01), 0.398107170553497L * c.beta_per_root) < 1e-14L, "%.17g",
+          cor_contact_beta(&c, 0.01));
     /* 1 m/s: beta = beta_per_root, eps a direct call */
-    assert_true(same_bits(cor_contact_eps_zero_overlap(&c, 1),
-                          cor_sphere_eps_zero_overlap(c.beta_per_root)));
-    assert_true(
-        same_bits(cor_contact_eps_zero_force(&c, 1), cor_sphere_eps_zero_force(c.beta_per_root)));
+    assert_true(same_bits(cor_contact_eps_zero_overlap(&c, 1), cor_sphere_eps_zero_overlap(c.beta_per_root)));
+    assert_true(same_bits(cor_contact_eps_zero_force(&c, 1), cor_sphere_eps_zero_force(c.beta_per_root)));
 }
 
 /* By hand: the wall doubles both effective radius and effective mass, so rho grows by sqrt(2) and
@@ -59,11 +56,8 @@ static void sphere_and_wall(void **state)
     assert_int_equal(cor_sphere_contact_init(&single, &body, &flat), COR_OK);
     assert_true(single.effective_mass_kg == body.mass_kg);
     assert_true(single.effective_radius_m == body.radius_m);
-    check(relative_error(single.elastic_constant_n_m15, sqrtl(2) * pair.elastic_constant_n_m15) <
-              1e-15L,
-          "rho");
-    check(relative_error(single.beta_per_root, powl(2, -0.2L) * pair.beta_per_root) < 2e-15L,
-          "beta");
+    check(relative_error(single.elastic_constant_n_m15, sqrtl(2) * pair.elastic_constant_n_m15) < 1e-15L, "rho");
+    check(relative_error(single.beta_per_root, powl(2, -0.2L) * pair.beta_per_root) < 2e-15L, "beta");
 }
 
 /* By hand: glass c_1 = 0.96/7e10 = 1.37142857e-11, steel c_2 = 0.91/2e11 = 4.55e-12 per Pa;
@@ -78,20 +72,17 @@ static void different_materials(void **state)
     assert_int_equal(cor_sphere_contact_init(&c, &one, &other), COR_OK);
     assert_int_equal(cor_sphere_contact_init(&swapped, &other, &one), COR_OK);
     assert_memory_equal(&c, &swapped, sizeof c);
-    check(relative_error(c.elastic_constant_n_m15, 1.99925e9L) < 1e-5L, "%.10g",
-          c.elastic_constant_n_m15);
+    check(relative_error(c.elastic_constant_n_m15, 1.99925e9L) < 1e-5L, "%.10g", c.elastic_constant_n_m15);
     check(relative_error(c.dissipation_time_s, 1.62632e-7L) < 1e-5L, "%.10g", c.dissipation_time_s);
-    check(relative_error(c.effective_mass_kg, 9e-9L / 9.1e-4L) < 1e-15L, "%.10g",
-          c.effective_mass_kg);
+    check(relative_error(c.effective_mass_kg, 9e-9L / 9.1e-4L) < 1e-15L, "%.10g", c.effective_mass_kg);
 
     /* a rigid partner deforms nothing and dissipates nothing; the modulus doubles */
     struct cor_body rigid = other;
     rigid.young_modulus_pa = INFINITY;
     assert_int_equal(cor_sphere_contact_init(&c, &one, &rigid), COR_OK);
     assert_true(c.dissipation_time_s == one.dissipation_time_s);
-    check(relative_error(c.elastic_constant_n_m15, 4 * sqrtl(7.5e-4L) * 7e10L / (3 * 0.96L)) <
-              1e-15L,
-          "%.17g", c.elastic_constant_n_m15);
+    check(relative_error(c.elastic_constant_n_m15, 4 * sqrtl(7.5e-4L) * 7e10L / (3 * 0.96L)) < 1e-15L, "%.17g",
+          c.elastic_constant_n_m15);
 }
 
 static void against_long_double(void **state)
@@ -110,8 +101,8 @@ static void against_long_double(void **state)
             b[k].dissipation_time_s = random_log(&random, 1e-30, 1e10);
             b[k].radius_m = random_log(&random, 1e-30, 1e30);
             b[k].mass_kg = random_log(&random, 1e-60, 1e60);
-            compliance[k] = (1 - (long double)b[k].poisson_ratio) *
-                            (1 + (long double)b[k].poisson_ratio) / b[k].young_modulus_pa;
+            compliance[k] =
+                (1 - (long double)b[k].poisson_ratio) * (1 + (long double)b[k].poisson_ratio) / b[k].young_modulus_pa;
         }
         struct cor_sphere_contact c;
         assert_int_equal(cor_sphere_contact_init(&c, &b[0], &b[1]), COR_OK);
@@ -119,9 +110,7 @@ static void against_long_double(void **state)
         const long double r = 1 / (1.0L / b[0].radius_m + 1.0L / b[1].radius_m);
         const long double sum = compliance[0] + compliance[1];
         const long double rho = 4 * sqrtl(r) / (3 * sum);
-        const long double a =
-            (b[0].dissipation_time_s * compliance[0] + b[1].dissipation_time_s * compliance[1]) /
-            sum;
+        const long double a = (b[0].dissipation_time_s * compliance[0] + b[1].dissipation_time_s * compliance[1]) / sum;
         const long double root = powl(rho / m, 0.4L), beta_per_root = 1.5L * a * root;
         const double speed = random_log(&random, 1e-320, 1e300);
         const long double beta = beta_per_root * powl(speed, 0.2L);
@@ -131,14 +120,12 @@ static void against_long_double(void **state)
             ulp_error(c.beta_per_root, beta_per_root), ulp_error(c.scale, 1 / root),
             ulp_error(cor_contact_beta(&c, speed), beta),
             /* a fifth power has twice the bound, and may leave the range */
-            isinf(computed_g_star) && g_star > DBL_MAX ? 0
-                                                       : ulp_error(computed_g_star, g_star) / 2};
+            isinf(computed_g_star) && g_star > DBL_MAX ? 0 : ulp_error(computed_g_star, g_star) / 2};
         for (int k = 0; k < 4; k++)
             worst[k] = fmaxl(worst[k], error[k]);
     }
-    print_message(
-        "beta_per_root %.2Lf, scale %.2Lf, beta %.2Lf, g* %.2Lf ulp at the worst of %zu\n",
-        worst[0], worst[1], worst[2], 2 * worst[3], n);
+    print_message("beta_per_root %.2Lf, scale %.2Lf, beta %.2Lf, g* %.2Lf ulp at the worst of %zu\n", worst[0],
+                  worst[1], worst[2], 2 * worst[3], n);
     for (int k = 0; k < 4; k++)
         check(worst[k] <= COR_CONTACT_MAX_ULP, "%d: %Lg ulp", k, worst[k]);
 }
@@ -170,14 +157,12 @@ static void speeds(void **state)
     /* subnormal speeds: the fifth root of the smallest one is 2^(-1074/5) */
     const double tiny[] = {smallest, 7 * smallest, DBL_MIN, nextafter(DBL_MIN, 0), 1e-310};
     for (size_t i = 0; i < sizeof tiny / sizeof *tiny; i++)
-        check(ulp_error(cor_contact_beta(&c, tiny[i]), c.beta_per_root * powl(tiny[i], 0.2L)) <= 2,
-              "%a", tiny[i]);
+        check(ulp_error(cor_contact_beta(&c, tiny[i]), c.beta_per_root * powl(tiny[i], 0.2L)) <= 2, "%a", tiny[i]);
     /* exact fifth powers, and their product with 1 */
     c.beta_per_root = 1;
     for (int k = 1; k < 1000; k++) {
         const double x = k, power = x * x * x * x * x;
-        check(cor_contact_beta(&c, power) == x, "the fifth root of %g is %.17g", power,
-              cor_contact_beta(&c, power));
+        check(cor_contact_beta(&c, power) == x, "the fifth root of %g is %.17g", power, cor_contact_beta(&c, power));
     }
     assert_true(cor_contact_beta(&c, 0x1p-1070) == 0x1p-214);
     assert_true(cor_contact_beta(&c, 0x1p1020) == 0x1p204);
@@ -191,9 +176,8 @@ static void characteristic_speed(void **state)
     for (size_t i = 0; i < points(2000); i++) {
         const double g_star = random_log(&random, 1e-300, 1e300);
         assert_int_equal(cor_sphere_contact_init_g_star(&c, g_star), COR_OK);
-        check(relative_error(cor_contact_g_star_m_s(&c), g_star) <
-                  3 * COR_CONTACT_MAX_ULP * DBL_EPSILON,
-              "%a -> %a", g_star, cor_contact_g_star_m_s(&c));
+        check(relative_error(cor_contact_g_star_m_s(&c), g_star) < 3 * COR_CONTACT_MAX_ULP * DBL_EPSILON, "%a -> %a",
+              g_star, cor_contact_g_star_m_s(&c));
         /* at g = g*, |C_1| beta = 1 */
         check(relative_error(cor_contact_beta(&c, g_star), -1 / (long double)COR_SPHERE_C1) <
                   COR_CONTACT_MAX_ULP * DBL_EPSILON,
@@ -218,9 +202,8 @@ static void characteristic_speed(void **state)
 
 static void all_nan(const struct cor_sphere_contact *c)
 {
-    assert_true(isnan(c->effective_mass_kg) && isnan(c->effective_radius_m) &&
-                isnan(c->elastic_constant_n_m15) && isnan(c->dissipation_time_s) &&
-                isnan(c->beta_per_root) && isnan(c->scale));
+    assert_true(isnan(c->effective_mass_kg) && isnan(c->effective_radius_m) && isnan(c->elastic_constant_n_m15) &&
+                isnan(c->dissipation_time_s) && isnan(c->beta_per_root) && isnan(c->scale));
     assert_true(isnan(cor_contact_beta(c, 1)) && isnan(cor_contact_beta(c, 0)));
     assert_true(isnan(cor_contact_eps_zero_overlap(c, 1)));
     assert_true(isnan(cor_contact_eps_zero_force(c, 0)));
@@ -309,18 +292,16 @@ static void status_texts(void **state)
 {
     (void)state;
     /* a word that belongs to each sentence, by number */
-    static const char *const word[] = {"No error",       "NULL",           "Young's modulus of",
-                                       "Poisson's",      "dissipation",    "radius of",
-                                       "mass of",        "radii",          "masses",
-                                       "Young's moduli", "characteristic", "double"};
+    static const char *const word[] = {
+        "No error", "NULL",   "Young's modulus of", "Poisson's",      "dissipation", "radius of", "mass of",
+        "radii",    "masses", "Young's moduli",     "characteristic", "double"};
     const int count = sizeof word / sizeof *word;
     assert_int_equal(COR_OK, 0);
     assert_int_equal(COR_ERROR_RANGE, count - 1);
     for (int i = 0; i < count; i++) {
         const char *text = cor_status_text(i);
         check(text != NULL && strstr(text, word[i]) != NULL, "status %d: %s", i, text);
-        check(text[strlen(text) - 1] == '.' && strchr(text, '\n') == NULL, "status %d: %s", i,
-              text);
+        check(text[strlen(text) - 1] == '.' && strchr(text, '\n') == NULL, "status %d: %s", i, text);
     }
     assert_string_equal(cor_status_text(-1), "This number is not a status of cor.");
     assert_string_equal(cor_status_text(-1), cor_status_text(count));
@@ -338,25 +319,22 @@ static void dissipation_time(void **state)
     assert_true(cor_dissipation_time_s(0, 0, 1e9, 0.25) == 0);
     assert_true(cor_dissipation_time_s(0, 1e200, 1e9, 0.25) > 0); /* no overflow of the square */
     assert_true(isfinite(cor_dissipation_time_s(0, 1e200, 1e9, 0.25)));
-    const double bad[][4] = {
-        {1, 2, 1e9, 0},           {1, 2, 1e9, -0.0},        {1, 2, 1e9, -1},
-        {1, 2, 1e9, 0.51},        {1, 2, 0, 0.25},          {1, 2, -1, 0.25},
-        {-1, 2, 1e9, 0.25},       {1, -2, 1e9, 0.25},       {NAN, 2, 1e9, 0.25},
-        {1, NAN, 1e9, 0.25},      {1, 2, NAN, 0.25},        {1, 2, 1e9, NAN},
-        {1, INFINITY, 1e9, 0.25}, {INFINITY, 1, 1e9, 0.25}, {1, 2, INFINITY, 0.25}};
+    const double bad[][4] = {{1, 2, 1e9, 0},           {1, 2, 1e9, -0.0},        {1, 2, 1e9, -1},
+                             {1, 2, 1e9, 0.51},        {1, 2, 0, 0.25},          {1, 2, -1, 0.25},
+                             {-1, 2, 1e9, 0.25},       {1, -2, 1e9, 0.25},       {NAN, 2, 1e9, 0.25},
+                             {1, NAN, 1e9, 0.25},      {1, 2, NAN, 0.25},        {1, 2, 1e9, NAN},
+                             {1, INFINITY, 1e9, 0.25}, {INFINITY, 1, 1e9, 0.25}, {1, 2, INFINITY, 0.25}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-        check(isnan(cor_dissipation_time_s(bad[i][0], bad[i][1], bad[i][2], bad[i][3])), "row %zu",
-              i);
+        check(isnan(cor_dissipation_time_s(bad[i][0], bad[i][1], bad[i][2], bad[i][3])), "row %zu", i);
     struct random_state random = random_start();
     for (size_t i = 0; i < points(5000); i++) {
         const double eta1 = random_log(&random, 1e-3, 1), eta2 = random_log(&random, 1, 1e3);
         const double young = random_log(&random, 1, 1e12), nu = random_uniform(&random, -1, 0.5);
         const long double e1 = eta1, e2 = eta2, n = nu;
-        const long double exact = (3 * e2 - e1) * (3 * e2 - e1) / (3 * (3 * e2 + 2 * e1)) *
-                                  (1 - n) * (1 + n) * (1 - 2 * n) / (young * n * n);
-        check(ulp_error(cor_dissipation_time_s(eta1, eta2, young, nu), exact) <=
-                  COR_CONTACT_MAX_ULP,
-              "%a %a %a %a", eta1, eta2, young, nu);
+        const long double exact =
+            (3 * e2 - e1) * (3 * e2 - e1) / (3 * (3 * e2 + 2 * e1)) * (1 - n) * (1 + n) * (1 - 2 * n) / (young * n * n);
+        check(ulp_error(cor_dissipation_time_s(eta1, eta2, young, nu), exact) <= COR_CONTACT_MAX_ULP, "%a %a %a %a",
+              eta1, eta2, young, nu);
     }
 }
 
@@ -364,8 +342,7 @@ static void dissipation_time(void **state)
 static void mass_of_a_sphere(void **state)
 {
     (void)state;
-    check(relative_error(cor_sphere_mass_kg(0.01, 917), 3.84112e-3L) < 1e-6L, "%.10g",
-          cor_sphere_mass_kg(0.01, 917));
+    check(relative_error(cor_sphere_mass_kg(0.01, 917), 3.84112e-3L) < 1e-6L, "%.10g", cor_sphere_mass_kg(0.01, 917));
     check(ulp_error(cor_sphere_mass_kg(1, 1), 4 * acosl(-1) / 3) <= 0.5L + 1e-3L, "4 pi/3");
     const double bad[] = {0, -1, NAN, -INFINITY};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -389,10 +366,10 @@ static void arrays(void **state)
     speed[4] = smallest;
     struct cor_sphere_contact c;
     assert_int_equal(cor_sphere_contact_init_g_star(&c, 0.1), COR_OK);
-    double (*const one[2])(const struct cor_sphere_contact *,
-                           double) = {cor_contact_eps_zero_overlap, cor_contact_eps_zero_force};
-    void (*const many[2])(const struct cor_sphere_contact *, const double *, double *, size_t) = {
-        cor_contact_eps_zero_overlap_array, cor_contact_eps_zero_force_array};
+    double (*const one[2])(const struct cor_sphere_contact *, double) = {cor_contact_eps_zero_overlap,
+                                                                         cor_contact_eps_zero_force};
+    void (*const many[2])(const struct cor_sphere_contact *, const double *, double *,
+                          size_t) = {cor_contact_eps_zero_overlap_array, cor_contact_eps_zero_force_array};
     for (int end = 0; end < 2; end++) {
         many[end](&c, NULL, NULL, 0);
         eps[COUNT] = 7;
@@ -412,8 +389,7 @@ static void version(void **state)
 {
     (void)state;
     char text[32];
-    snprintf(text, sizeof text, "%d.%d.%d", COR_VERSION_MAJOR, COR_VERSION_MINOR,
-             COR_VERSION_PATCH);
+    snprintf(text, sizeof text, "%d.%d.%d", COR_VERSION_MAJOR, COR_VERSION_MINOR, COR_VERSION_PATCH);
     assert_string_equal(text, COR_VERSION_STRING);
 }
 

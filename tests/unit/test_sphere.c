@@ -8,10 +8,8 @@
 
 typedef double sphere_function(double);
 
-static sphere_function *const eps_function[2] = {cor_sphere_eps_zero_overlap,
-                                                 cor_sphere_eps_zero_force};
-static sphere_function *const loss_function[2] = {cor_sphere_loss_zero_overlap,
-                                                  cor_sphere_loss_zero_force};
+static sphere_function *const eps_function[2] = {cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_force};
+static sphere_function *const loss_function[2] = {cor_sphere_loss_zero_overlap, cor_sphere_loss_zero_force};
 static const char *const end_name[2] = {"zero overlap", "zero force"};
 
 /* C_1 by (30), in long double from libm's Gamma: not the library's digits */
@@ -40,11 +38,10 @@ static void known_answers(void **state)
             if (exact == 0)
                 continue;
             const double beta = known[i].beta, eps = eps_function[end](beta);
-            check(relative_error(eps, exact) <= COR_SPHERE_EPS_MAX_REL, "%s, beta = %g: %a",
-                  end_name[end], beta, eps);
+            check(relative_error(eps, exact) <= COR_SPHERE_EPS_MAX_REL, "%s, beta = %g: %a", end_name[end], beta, eps);
             const double loss = loss_function[end](beta);
-            check(relative_error(loss, 1 - exact) <= COR_SPHERE_LOSS_MAX_REL, "%s, beta = %g: %a",
-                  end_name[end], beta, loss);
+            check(relative_error(loss, 1 - exact) <= COR_SPHERE_LOSS_MAX_REL, "%s, beta = %g: %a", end_name[end], beta,
+                  loss);
         }
 }
 
@@ -69,14 +66,13 @@ static void against_the_equation_of_motion(void **state)
     const size_t n = points(4000);
     for (size_t i = 0; i < n; i++) {
         /* half of the points crowd towards 0 */
-        const double beta = i % 2 ? random_uniform(&random, 0, COR_SPHERE_BETA_MAX)
-                                  : random_log(&random, 1e-4, COR_SPHERE_BETA_MAX);
+        const double beta =
+            i % 2 ? random_uniform(&random, 0, COR_SPHERE_BETA_MAX) : random_log(&random, 1e-4, COR_SPHERE_BETA_MAX);
         const struct reference r = reference_collision(beta);
-        const long double error[4] = {
-            relative_error(cor_sphere_eps_zero_overlap(beta), r.eps_zero_overlap),
-            relative_error(cor_sphere_eps_zero_force(beta), r.eps_zero_force),
-            relative_error(cor_sphere_loss_zero_overlap(beta), r.loss_zero_overlap),
-            relative_error(cor_sphere_loss_zero_force(beta), r.loss_zero_force)};
+        const long double error[4] = {relative_error(cor_sphere_eps_zero_overlap(beta), r.eps_zero_overlap),
+                                      relative_error(cor_sphere_eps_zero_force(beta), r.eps_zero_force),
+                                      relative_error(cor_sphere_loss_zero_overlap(beta), r.loss_zero_overlap),
+                                      relative_error(cor_sphere_loss_zero_force(beta), r.loss_zero_force)};
         for (int k = 0; k < 4; k++)
             if (error[k] > worst[k]) {
                 worst[k] = error[k];
@@ -84,10 +80,10 @@ static void against_the_equation_of_motion(void **state)
             }
     }
     for (int k = 0; k < 4; k++) {
-        print_message("%s, %s: worst relative error %.2Lg at beta = %a of %zu points\n",
-                      k < 2 ? "eps" : "loss", end_name[k % 2], worst[k], where[k], n);
-        check(worst[k] <= (k < 2 ? COR_SPHERE_EPS_MAX_REL : COR_SPHERE_LOSS_MAX_REL),
-              "%Lg at beta = %a", worst[k], where[k]);
+        print_message("%s, %s: worst relative error %.2Lg at beta = %a of %zu points\n", k < 2 ? "eps" : "loss",
+                      end_name[k % 2], worst[k], where[k], n);
+        check(worst[k] <= (k < 2 ? COR_SPHERE_EPS_MAX_REL : COR_SPHERE_LOSS_MAX_REL), "%Lg at beta = %a", worst[k],
+              where[k]);
     }
 }
 
@@ -107,15 +103,14 @@ static void loss_of_tiny_beta(void **state)
                 /* powers 5 and 7 of sqrt(beta); 6 and 8 are c3 and c4 */
                 loss -= beta * beta * root * (4.0L / 15 - 0.46137954324L * beta);
             }
-            check(relative_error(loss_function[end](beta), loss) <= COR_SPHERE_LOSS_MAX_REL,
-                  "%s, beta = %a: %a", end_name[end], beta, loss_function[end](beta));
+            check(relative_error(loss_function[end](beta), loss) <= COR_SPHERE_LOSS_MAX_REL, "%s, beta = %a: %a",
+                  end_name[end], beta, loss_function[end](beta));
         }
         /* subnormal: the nearest multiple of the smallest number, or a neighbour */
         for (int k = 1; k < 2000; k++) {
             const double beta = k * smallest;
             const long double loss = -c1 * beta;
-            check(fabsl(loss_function[end](beta) - loss) <=
-                      0.5L * smallest + loss * COR_SPHERE_LOSS_MAX_REL,
+            check(fabsl(loss_function[end](beta) - loss) <= 0.5L * smallest + loss * COR_SPHERE_LOSS_MAX_REL,
                   "%s, beta = %a", end_name[end], beta);
         }
     }
@@ -130,8 +125,7 @@ static void loss_and_eps_add_up(void **state)
         for (int end = 0; end < 2; end++) {
             /* same table: only rounding is left, each side a few dozen half units at the worst */
             const double sum = eps_function[end](beta) + loss_function[end](beta);
-            check(fabs(sum - 1) <= 16 * DBL_EPSILON, "%s, beta = %a: 1 + %g", end_name[end], beta,
-                  sum - 1);
+            check(fabs(sum - 1) <= 16 * DBL_EPSILON, "%s, beta = %a: 1 + %g", end_name[end], beta, sum - 1);
         }
     }
 }
@@ -140,8 +134,7 @@ static void special_values(void **state)
 {
     (void)state;
     const double beyond = nextafter(COR_SPHERE_BETA_MAX, INFINITY);
-    const double outside[] = {beyond, INFINITY, -INFINITY, NAN, -1, -4.9406564584124654e-324,
-                              2.5,    DBL_MAX};
+    const double outside[] = {beyond, INFINITY, -INFINITY, NAN, -1, -4.9406564584124654e-324, 2.5, DBL_MAX};
     for (int end = 0; end < 2; end++) {
         assert_true(eps_function[end](0.0) == 1);
         assert_true(eps_function[end](-0.0) == 1);
@@ -170,8 +163,8 @@ static void edges(void **state)
         const double beta = i ? before : last;
         const long double exact[2] = {r[i].eps_zero_overlap, r[i].eps_zero_force};
         for (int end = 0; end < 2; end++)
-            check(relative_error(eps_function[end](beta), exact[end]) <= COR_SPHERE_EPS_MAX_REL,
-                  "%s, %a", end_name[end], beta);
+            check(relative_error(eps_function[end](beta), exact[end]) <= COR_SPHERE_EPS_MAX_REL, "%s, %a",
+                  end_name[end], beta);
     }
     const double small[] = {4.9406564584124654e-324, DBL_MIN, nextafter(DBL_MIN, 0), 0x1p-1000};
     for (int end = 0; end < 2; end++)
@@ -222,8 +215,7 @@ static void array_is_scalar(void **state)
             array[end](beta, eps, n);
             for (size_t i = 0; i < n; i++) {
                 const double one = eps_function[end](beta[i]);
-                check(same_bits(eps[i], one) || (isnan(eps[i]) && isnan(one)), "%s, %a",
-                      end_name[end], beta[i]);
+                check(same_bits(eps[i], one) || (isnan(eps[i]) && isnan(one)), "%s, %a", end_name[end], beta[i]);
             }
             check(eps[n] == 7, "%s: wrote past %zu elements", end_name[end], n);
         }
@@ -268,8 +260,7 @@ static void simple_theory(void **state)
     struct random_state random = random_start();
     long double worst[3] = {0};
     for (size_t i = 0; i < points(2000); i++) {
-        const double beta =
-            i % 2 ? random_uniform(&random, 0, 20) : random_log(&random, 1e-20, 1e150);
+        const double beta = i % 2 ? random_uniform(&random, 0, 20) : random_log(&random, 1e-20, 1e150);
         const long double c = c1 * beta;
         const long double exact = simple_exact(c);
         /* bisection in the logarithm loses |ln eps| 1e-19: below a tenth of a unit */
@@ -279,14 +270,11 @@ static void simple_theory(void **state)
         for (int k = 0; k < depth; k++)
             t = 1 + c * powl(t, 0.4L);
         worst[1] = fmaxl(worst[1], ulp_error(cor_sphere_eps_simple_fraction(beta, depth), 1 / t));
-        const long double s = c,
-                          published =
-                              (1 + 2.5839L * s) /
-                              (1 + s * (3.5839L + s * (2.9839L + s * (1.1487L + s * 0.3265L))));
+        const long double s = c, published = (1 + 2.5839L * s) /
+                                             (1 + s * (3.5839L + s * (2.9839L + s * (1.1487L + s * 0.3265L))));
         worst[2] = fmaxl(worst[2], ulp_error(cor_sphere_eps_published_pade(beta), published));
     }
-    print_message("simple %.2Lf, fraction %.2Lf, published %.2Lf ulp at the worst\n", worst[0],
-                  worst[1], worst[2]);
+    print_message("simple %.2Lf, fraction %.2Lf, published %.2Lf ulp at the worst\n", worst[0], worst[1], worst[2]);
     for (int k = 0; k < 3; k++)
         check(worst[k] <= COR_SPHERE_EPS_SIMPLE_MAX_ULP, "%d: %Lg ulp", k, worst[k]);
 }
@@ -316,11 +304,9 @@ static void simple_theory_special_values(void **state)
     assert_true(cor_sphere_eps_simple_fraction(1, 0) == 1);
     assert_true(isnan(cor_sphere_eps_simple_fraction(1, -1)));
     /* the limit of (28) is the root of (27), from above */
-    assert_true(relative_error(cor_sphere_eps_simple_fraction(1, 200), cor_sphere_eps_simple(1)) <
-                8 * DBL_EPSILON);
+    assert_true(relative_error(cor_sphere_eps_simple_fraction(1, 200), cor_sphere_eps_simple(1)) < 8 * DBL_EPSILON);
     for (int depth = 0; depth < 20; depth++)
-        assert_true(cor_sphere_eps_simple_fraction(1.5, depth) >
-                    cor_sphere_eps_simple_fraction(1.5, depth + 1));
+        assert_true(cor_sphere_eps_simple_fraction(1.5, depth) > cor_sphere_eps_simple_fraction(1.5, depth + 1));
     assert_true(cor_sphere_eps_simple_fraction(1, 2147483647) > 0.36);
 }
 
@@ -339,8 +325,7 @@ static void documented_errors_of_1999(void **state)
         check(fabs(simple - claim[i].simple) < 0.005, "%g", simple);
     }
     const struct reference three = reference_collision(3);
-    check(fabsl(cor_sphere_eps_published_pade(3) / three.eps_zero_overlap - 3.3L) < 0.05L,
-          "beta = 3");
+    check(fabsl(cor_sphere_eps_published_pade(3) / three.eps_zero_overlap - 3.3L) < 0.05L, "beta = 3");
 }
 
 int main(void)
