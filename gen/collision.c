@@ -372,17 +372,10 @@ int collision_series(arb_poly_t y_series, arb_poly_t tau, arb_poly_t c, slong or
 {
     const slong count = order + 1;
     struct taylor y;
-    arb_poly_struct *w = flint_malloc((size_t)count * sizeof *w);
-    arb_poly_struct *v = flint_malloc((size_t)count * sizeof *v);
-    arb_poly_struct *t = flint_malloc((size_t)count * sizeof *t);
+    arb_poly_struct *w = jet_new(count), *v = jet_new(count), *t = jet_new(count);
     arb_poly_t delta;
     arb_t value, root;
     bool turned = false, done = false;
-    for (slong n = 0; n < count; n++) {
-        arb_poly_init(w + n);
-        arb_poly_init(v + n);
-        arb_poly_init(t + n);
-    }
     arb_poly_init(delta);
     arb_init(value);
     arb_init(root);
@@ -433,14 +426,9 @@ int collision_series(arb_poly_t y_series, arb_poly_t tau, arb_poly_t c, slong or
     }
     progress_end();
     taylor_clear(&y);
-    for (slong n = 0; n < count; n++) {
-        arb_poly_clear(w + n);
-        arb_poly_clear(v + n);
-        arb_poly_clear(t + n);
-    }
-    flint_free(w);
-    flint_free(v);
-    flint_free(t);
+    jet_free(w, count);
+    jet_free(v, count);
+    jet_free(t, count);
     arb_poly_clear(delta);
     arb_clear(value);
     arb_clear(root);

@@ -1,6 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 #include "jet.h"
 
+arb_poly_struct *jet_new(slong count)
+{
+    arb_poly_struct *f = flint_malloc((size_t)count * sizeof *f);
+    for (slong m = 0; m < count; m++)
+        arb_poly_init(f + m);
+    return f;
+}
+
+void jet_free(arb_poly_struct *f, slong count)
+{
+    for (slong m = 0; m < count; m++)
+        arb_poly_clear(f + m);
+    flint_free(f);
+}
+
+void jet_derivative(arb_poly_struct *slope, const arb_poly_struct *f, slong count, slong prec)
+{
+    arb_t scale;
+    arb_init(scale);
+    for (slong m = 1; m < count; m++) {
+        arb_set_si(scale, m);
+        arb_poly_scalar_mul(slope + m - 1, f + m, scale, prec);
+    }
+    arb_clear(scale);
+}
+
 void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_poly_t delta, slong n, slong prec)
 {
     arb_poly_t sum;
@@ -16,19 +42,11 @@ void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_
 
 void jet_solve(arb_poly_t delta, const arb_poly_struct *f, slong count, slong n, slong prec)
 {
-    arb_poly_struct *slope = flint_malloc((size_t)count * sizeof *slope);
+    arb_poly_struct *slope = jet_new(count - 1);
     arb_poly_t value, derivative;
     arb_poly_init(value);
     arb_poly_init(derivative);
-    for (slong m = 0; m < count; m++)
-        arb_poly_init(slope + m);
-    for (slong m = 1; m < count; m++) {
-        arb_t scale;
-        arb_init(scale);
-        arb_set_si(scale, m);
-        arb_poly_scalar_mul(slope + m - 1, f + m, scale, prec);
-        arb_clear(scale);
-    }
+    jet_derivative(slope, f, count, prec);
 
     arb_poly_zero(delta);
     /* Newton: right below beta^known, twice as far after each turn. The coefficients that are right are kept,
@@ -47,9 +65,7 @@ void jet_solve(arb_poly_t delta, const arb_poly_struct *f, slong count, slong n,
         known = next;
     }
 
-    for (slong m = 0; m < count; m++)
-        arb_poly_clear(slope + m);
-    flint_free(slope);
+    jet_free(slope, count - 1);
     arb_poly_clear(value);
     arb_poly_clear(derivative);
 }

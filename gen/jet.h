@@ -6,6 +6,13 @@
 
 #include "flint.h"
 
+/* An array of `count` power series: rows of a trajectory, Taylor coefficients of a jet. */
+arb_poly_struct *jet_new(slong count);
+void jet_free(arb_poly_struct *f, slong count);
+
+/* df/ddelta: slope[m] = (m + 1) f[m + 1], count - 1 of them. */
+void jet_derivative(arb_poly_struct *slope, const arb_poly_struct *f, slong count, slong prec);
+
 /* y = f(delta(beta); beta) up to beta^(n-1), from f[0..count-1], count >= n; delta(0) = 0. */
 void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_poly_t delta, slong n, slong prec);
 

@@ -2,6 +2,7 @@
 #include "trajectory.h"
 
 #include "console.h"
+#include "jet.h"
 
 #include <math.h>
 
@@ -181,21 +182,6 @@ void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const str
     exact_rows(row, NULL, NULL, order, terms, law);
 }
 
-static arb_poly_struct *rows_new(slong count)
-{
-    arb_poly_struct *row = flint_malloc((size_t)count * sizeof *row);
-    for (slong k = 0; k < count; k++)
-        arb_poly_init(row + k);
-    return row;
-}
-
-static void rows_free(arb_poly_struct *row, slong count)
-{
-    for (slong k = 0; k < count; k++)
-        arb_poly_clear(row + k);
-    flint_free(row);
-}
-
 /* tau_0 of (51), to the accuracy of a scale. */
 static double elastic_time(const struct law *law)
 {
@@ -209,15 +195,15 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     t->order = order;
     t->terms = terms;
     t->prec = prec;
-    t->x = rows_new(order + 1);
+    t->x = jet_new(order + 1);
     t->shift = (slong)floor(log2(pow(2 * elastic_time(law), (double)(law->ad + law->d) / (double)law->d)));
     ball_rows(t->shift, t->x, &t->x_to_a, &t->x_to_b1, order, terms, law, prec);
 }
 
 void trajectory_clear(struct trajectory *t)
 {
-    rows_free(t->x, t->order + 1);
-    rows_free(t->x_to_a, t->order + 1);
+    jet_free(t->x, t->order + 1);
+    jet_free(t->x_to_a, t->order + 1);
     if (t->x_to_b1 != t->x_to_a)
-        rows_free(t->x_to_b1, t->order + 1);
+        jet_free(t->x_to_b1, t->order + 1);
 }

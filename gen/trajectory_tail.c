@@ -21,6 +21,8 @@
  * is about as good as the series itself. */
 #include "trajectory.h"
 
+#include "jet.h"
+
 #include <math.h>
 
 /* Norms are wanted to a few digits only; the products below are of midpoints cut to this. */
@@ -83,21 +85,6 @@ struct evidence {
     int powers; /* 1 where both are one */
 };
 
-static arb_poly_struct *rows_new(slong rows)
-{
-    arb_poly_struct *f = flint_malloc((size_t)rows * sizeof *f);
-    for (slong k = 0; k < rows; k++)
-        arb_poly_init(f + k);
-    return f;
-}
-
-static void rows_free(arb_poly_struct *f, slong rows)
-{
-    for (slong k = 0; k < rows; k++)
-        arb_poly_clear(f + k);
-    flint_free(f);
-}
-
 /* Row k of the trajectory is about 2^(-ROW_BITS k) at small s. Undone, products have coefficients of one size,
  * which multiply faster. */
 #define ROW_BITS 2
@@ -138,7 +125,7 @@ static void row_drop_error(arb_poly_struct *row)
 /* V, the truncated series of 1/X, by Newton's iteration in u. Any V will do, so its errors are dropped. */
 static arb_poly_struct *inverse_rows(const arb_poly_struct *x, slong rows, slong length)
 {
-    arb_poly_struct *v = rows_new(rows), *defect = rows_new(rows);
+    arb_poly_struct *v = jet_new(rows), *defect = jet_new(rows);
     arb_poly_inv_series(v, x, length, 4 * NORM_BITS);
     arb_poly_set_round(v, v, NORM_BITS);
     row_drop_error(v);
@@ -160,14 +147,14 @@ static arb_poly_struct *inverse_rows(const arb_poly_struct *x, slong rows, slong
         }
         known = next;
     }
-    rows_free(defect, rows);
+    jet_free(defect, rows);
     return v;
 }
 
 /* th(f) = s f'. */
 static arb_poly_struct *theta_rows(const arb_poly_struct *f, slong rows)
 {
-    arb_poly_struct *g = rows_new(rows);
+    arb_poly_struct *g = jet_new(rows);
     for (slong k = 0; k < rows; k++) {
         arb_poly_set(g + k, f + k);
         for (slong j = 0; j < g[k].length; j++)
@@ -178,7 +165,7 @@ static arb_poly_struct *theta_rows(const arb_poly_struct *f, slong rows)
 
 static arb_poly_struct *rounded_rows(const arb_poly_struct *f, slong rows)
 {
-    arb_poly_struct *g = rows_new(rows);
+    arb_poly_struct *g = jet_new(rows);
     for (slong k = 0; k < rows; k++)
         arb_poly_set_round(g + k, f + k, NORM_BITS);
     return g;
@@ -191,7 +178,7 @@ static void evidence_init(struct evidence *e, const struct trajectory *t)
     const struct ratio one = {1, 1};
     arb_poly_struct *x = rounded_rows(t->x, rows), *theta_x = theta_rows(x, rows);
     arb_poly_struct *v = inverse_rows(x, rows, length);
-    arb_poly_struct *product = rows_new(rows), *other = rows_new(rows);
+    arb_poly_struct *product = jet_new(rows), *other = jet_new(rows);
     arb_t scale;
     arb_init(scale);
 
@@ -224,14 +211,14 @@ static void evidence_init(struct evidence *e, const struct trajectory *t)
                 arb_zero(product[k].coeffs + j);
         }
         magnitudes_of_rows(&e->n[i], product);
-        rows_free(p, rows);
-        rows_free(theta_p, rows);
+        jet_free(p, rows);
+        jet_free(theta_p, rows);
     }
-    rows_free(x, rows);
-    rows_free(theta_x, rows);
-    rows_free(v, rows);
-    rows_free(product, rows);
-    rows_free(other, rows);
+    jet_free(x, rows);
+    jet_free(theta_x, rows);
+    jet_free(v, rows);
+    jet_free(product, rows);
+    jet_free(other, rows);
     arb_clear(scale);
 }
 

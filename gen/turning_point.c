@@ -114,22 +114,11 @@ enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, sl
     profile_step("truncation bound");
 
     if (trajectory_tail_prove(&tail, &t, t0)) {
-        arb_poly_struct *jet = flint_malloc((size_t)count * sizeof *jet);
-        arb_poly_struct *velocity = flint_malloc((size_t)count * sizeof *velocity);
-        for (slong m = 0; m < count; m++) {
-            arb_poly_init(jet + m);
-            arb_poly_init(velocity + m);
-        }
+        arb_poly_struct *jet = jet_new(count), *velocity = jet_new(count - 1);
         profile_step("Taylor coefficients at t_0");
         const bool truncated = jets_at(jet, count, &t, &tail, t0, prec);
         profile_step("turning point");
-        for (slong m = 1; m < count; m++) {
-            arb_t scale;
-            arb_init(scale);
-            arb_set_si(scale, m);
-            arb_poly_scalar_mul(velocity + m - 1, jet + m, scale, prec);
-            arb_clear(scale);
-        }
+        jet_derivative(velocity, jet, count, prec);
         jet_solve(tau, velocity, count - 1, order + 1, prec);
         jet_compose(y, jet, count, tau, order + 1, prec);
         arb_poly_set_coeff_arb(tau, 0, t0);
@@ -148,12 +137,8 @@ enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, sl
                 break;
             }
         }
-        for (slong m = 0; m < count; m++) {
-            arb_poly_clear(jet + m);
-            arb_poly_clear(velocity + m);
-        }
-        flint_free(jet);
-        flint_free(velocity);
+        jet_free(jet, count);
+        jet_free(velocity, count - 1);
     }
     trajectory_clear(&t);
     trajectory_tail_clear(&tail);
