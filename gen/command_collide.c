@@ -64,8 +64,8 @@ int command_collide(const struct options *o)
 
     struct precision precision = precision_start(o->digits);
     for (;;) {
-        struct table table;
-        slong undecided;
+        struct table table = {0};
+        slong undecided = -1;
         profile_step("collision");
         int status = fill(&table, &undecided, o, precision.bits);
         if (status == STATUS_OK && undecided < 0) {

@@ -110,8 +110,8 @@ int command_series(const struct options *o)
     }
     struct precision precision = precision_start(o->digits);
     for (;;) {
-        struct table table;
-        slong undecided;
+        struct table table = {0};
+        slong undecided = -1;
         profile_step("series");
         int status =
             (o->end == END_ZERO_FORCE ? fill_zero_force : fill_zero_overlap)(&table, &undecided, o, precision.bits);

@@ -36,8 +36,7 @@ static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong prec)
     return held;
 }
 
-/* "-12345", point after the first `point` digits -> the shortest spelling that shows every digit.
- */
+/* "-12345", point after the first `point` digits -> the shortest spelling that shows every digit. */
 static char *spell(const char *mantissa, long point)
 {
     size_t size = strlen(mantissa) + 48;
@@ -51,13 +50,13 @@ static char *spell(const char *mantissa, long point)
         end += point;
         if (point < n)
             *end++ = '.';
-        strcpy(end, mantissa + point);
+        memcpy(end, mantissa + point, (size_t)(n - point) + 1);
     } else if (point <= 0 && -point <= LEADING_ZEROS_MAX) {
         *end++ = '0';
         *end++ = '.';
         memset(end, '0', (size_t)-point);
         end += -point;
-        strcpy(end, mantissa);
+        memcpy(end, mantissa, (size_t)n + 1);
     } else {
         *end++ = *mantissa++;
         if (*mantissa)

@@ -48,7 +48,7 @@ static const struct subcommand subcommands[] = {
      "                   on beta > 0\n"
      "  --force          write it all the same\n"
      "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
-     "\nExample: corgen pade --numerator 4 --denominator 7 --digits 20\n",
+     "\nExample: corgen pade --numerator 12 --denominator 20 --digits 20\n",
      "numerator denominator two-point as-published digits end header force format elastic damping "
      "output profile",
      "text csv json", "", command_pade},

@@ -111,7 +111,9 @@ static void forget(struct output *out)
 {
     free(out->target);
     free(out->temporary);
-    *out = (struct output){0};
+    out->target = NULL;
+    out->temporary = NULL;
+    out->file = NULL;
 }
 
 void output_discard(struct output *out)

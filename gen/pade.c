@@ -6,6 +6,7 @@
 #include "pade.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "collision.h"
 #include "console.h"
@@ -153,7 +154,9 @@ bool pade_block_of(struct pade_block *b, const arb_poly_t c, slong m, slong n, s
 
 void pade_analysis_init(struct pade_analysis *a)
 {
-    *a = (struct pade_analysis){.root = 1, .variable = "z"};
+    memset(a, 0, sizeof *a);
+    a->root = 1;
+    a->variable = "z";
 }
 
 void pade_analysis_clear(struct pade_analysis *a)

@@ -26,7 +26,7 @@
 #include <math.h>
 
 /* Norms are wanted to a few digits only; the products below are of midpoints cut to this. */
-#define NORM_BITS 64
+static const slong NORM_BITS = 64;
 
 /* Magnitudes of the coefficients of a row polynomial family, to be summed with many weights. */
 struct magnitudes {
@@ -87,7 +87,7 @@ struct evidence {
 
 /* Row k of the trajectory is about 2^(-ROW_BITS k) at small s. Undone, products have coefficients of one size,
  * which multiply faster. */
-#define ROW_BITS 2
+static const slong ROW_BITS = 2;
 
 /* Rows 0..rows-1 of f g, whole in s where both have at most `length` coefficients: one long product, the rows
  * laid end to end (Kronecker). */

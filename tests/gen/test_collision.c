@@ -9,7 +9,7 @@
 #include "series.h"
 #include "turning_point.h"
 
-enum { PREC = 400 };
+static const slong PREC = 400;
 
 static void solve(struct collision *c, const char *beta, const char *a, const char *b, slong bits)
 {
@@ -55,7 +55,7 @@ static void test_reference_values(void **state)
 static void test_series(void **state)
 {
     (void)state;
-    enum { ORDER = 60 };
+    const slong ORDER = 60;
     static const char *const betas[] = {"1/64", "1/8", "0.4", "0.5"};
     struct series s;
     struct collision c;
@@ -116,7 +116,7 @@ static void dashpot(arb_t eps, arb_t time, const arb_t zeta, int both)
     arb_neg(w, w);
     arb_sqrt(w, w, PREC);
     arb_asin(angle, zeta, PREC);
-    arb_mul_si(angle, angle, -2 * both, PREC);
+    arb_mul_si(angle, angle, -2L * both, PREC);
     arb_const_pi(time, PREC);
     arb_add(angle, angle, time, PREC);
     arb_div(time, angle, w, PREC);

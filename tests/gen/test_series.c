@@ -7,7 +7,7 @@
 #include "series.h"
 #include "turning_point.h"
 
-enum { BITS = 160, PREC = 260 };
+static const slong BITS = 160, PREC = 260;
 
 /* C_1 = -sqrt(pi) Gamma(3/5) / (2^(1/5) 5^(2/5) Gamma(21/10)), (30); C_2 = (3/5) C_1^2, (69); (51). */
 static void test_closed_forms(void **state)

@@ -7,7 +7,7 @@
 #include "series.h"
 #include "sphere_pade.h"
 
-enum { BITS = 1200, PREC = 2600 };
+static const slong BITS = 1200, PREC = 2600;
 
 /* P/Q = f + O(z^(m+n+1)), Q(0) = 1: Euclid on z^(m+n+1) and f, stopped at the first remainder of degree <= m. */
 static void euclid(arb_poly_t P, arb_poly_t Q, const arb_poly_t f, slong m, slong n)
