@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "law.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -84,13 +85,13 @@ static bool parse_ratio(struct ratio *r, const char *text)
     if (*p != '\0')
         return false;
     *r = ratio_make(num, den);
-    return r->num <= LAW_MAX_NUMERATOR && r->den <= LAW_MAX_DENOMINATOR;
+    return r->num <= LAW_MAX_EXPONENT * r->den && r->num <= LAW_MAX_NUMERATOR && r->den <= LAW_MAX_DENOMINATOR;
 }
 
 #define STRING_(x) #x
 #define STRING(x) STRING_(x)
 #define EXPONENT_RULE                                                                                                  \
-    " must be a number >= 0 such as 3/2, 1.5 or 2, with numerator at most " STRING(                                    \
+    " must be a number from 0 to " STRING(LAW_MAX_EXPONENT) " such as 3/2, 1.5 or 2, with numerator at most " STRING(  \
         LAW_MAX_NUMERATOR) " and denominator at most " STRING(LAW_MAX_DENOMINATOR)
 
 const char *law_parse(struct law *law, const char *elastic, const char *damping)
@@ -114,6 +115,18 @@ struct ratio law_speed_exponent(const struct law *law)
 {
     struct ratio one = {1, 1}, two = {2, 1};
     return ratio_div(ratio_add(ratio_sub(ratio_mul(two, law->b), law->a), one), ratio_add(one, law->a));
+}
+
+double law_elastic_time(const struct law *law)
+{
+    const double p = (double)law->d / (double)(law->ad + law->d);
+    return pow(0.5 / p, p) * p * exp(lgamma(p) + lgamma(0.5) - lgamma(p + 0.5));
+}
+
+double law_elastic_radius(const struct law *law)
+{
+    const double half_turn = acos(-1.0), c = cos(half_turn * (double)law->d / (double)(law->ad + law->d));
+    return c > 0.5 ? 1.0 / c : 2.0;
 }
 
 void arb_set_ratio(arb_t y, struct ratio x, slong prec)

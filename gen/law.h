@@ -22,7 +22,9 @@ struct law {
 
 extern const struct law law_sphere;
 
-/* Largest numerator and denominator accepted by law_parse. */
+/* Largest exponent, numerator and denominator accepted by law_parse. (The larger a is, the closer the elastic blow-up
+ * comes to the turning point, and the more terms the t-series needs.) */
+#define LAW_MAX_EXPONENT 24
 #define LAW_MAX_NUMERATOR 64
 #define LAW_MAX_DENOMINATOR 16
 
@@ -39,6 +41,11 @@ struct ratio ratio_div(struct ratio x, struct ratio y); /* y != 0 */
 
 /* beta is proportional to g^q; q = (2 b - a + 1)/(1 + a). eps is independent of g iff q = 0, (12). */
 struct ratio law_speed_exponent(const struct law *law);
+
+/* Scales, good to a few digits. tau_0 of (51), and the radius of convergence of the elastic trajectory in units of
+ * tau_0: its end of contact at 2, or where x'' = x^a blows up, at 1/cos(pi/(a+1)) on the circle |t|. */
+double law_elastic_time(const struct law *law);
+double law_elastic_radius(const struct law *law);
 
 void arb_set_ratio(arb_t y, struct ratio x, slong prec);
 void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec); /* x > 0 */

@@ -3,7 +3,7 @@
 #include "subcommand.h"
 
 #define HELP_LAW                                                                                                       \
-    "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, as 3/2 or 1.5\n"                           \
+    "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, 0 to 24, as 3/2\n"                         \
     "                             (default 3/2 and 1/2: viscoelastic spheres)\n"
 #define HELP_DIGITS "  --digits D       significant digits, each one proved; 1 to 10000000 (default 20)\n"
 #define HELP_END "  --end E          zero-overlap (default) or zero-force: what ends the contact\n"

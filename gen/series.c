@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "series.h"
 
+#include <math.h>
+
 #include "console.h"
 #include "restitution.h"
 #include "turning_point.h"
@@ -45,11 +47,13 @@ static slong reached_bits(const arb_poly_t f, slong order)
 
 int series_compute(struct series *s, slong order, const struct law *law, slong bits)
 {
-    /* First guesses, fitted to what the sphere needed for orders up to 100 and 300 bits, with a margin. The
-     * proof, not the guess, decides. */
+    /* First guesses, fitted to what the sphere needed for orders up to 100 and 300 bits, with a margin; a term of
+     * another law is worth (a+1) log2 R bits where one of the sphere is worth 5/2. The proof, not the guess,
+     * decides. */
     slong prec = bits + 21 * order / 10 + 50;
-    slong terms = (45 * bits + 125 * order) / 100 + 24;
-    for (int attempt = 0; attempt < 30; attempt++) {
+    const double worth = (double)(law->ad + law->d) / (double)law->d * log2(law_elastic_radius(law)) / 2.5;
+    slong terms = (slong)((0.45 * (double)bits + 1.25 * (double)order + 24) / worth);
+    for (int attempt = 0; attempt < 16; attempt++) {
         switch (turning_point_series(s->y, s->tau, order, terms, law, bits + 8, prec)) {
         case TURNING_POINT_FEW_TERMS:
             terms += terms / 4 + 8;

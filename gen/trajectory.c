@@ -182,13 +182,6 @@ void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const str
     exact_rows(row, NULL, NULL, order, terms, law);
 }
 
-/* tau_0 of (51), to the accuracy of a scale. */
-static double elastic_time(const struct law *law)
-{
-    const double p = (double)law->d / (double)(law->ad + law->d);
-    return pow(0.5 / p, p) * p * exp(lgamma(p) + lgamma(0.5) - lgamma(p + 0.5));
-}
-
 void trajectory_init(struct trajectory *t, slong order, slong terms, const struct law *law, slong prec)
 {
     t->law = *law;
@@ -196,7 +189,8 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     t->terms = terms;
     t->prec = prec;
     t->x = jet_new(order + 1);
-    t->shift = (slong)floor(log2(pow(2 * elastic_time(law), (double)(law->ad + law->d) / (double)law->d)));
+    const double farthest = law_elastic_radius(law) * law_elastic_time(law);
+    t->shift = (slong)floor(log2(farthest) * (double)(law->ad + law->d) / (double)law->d);
     ball_rows(t->shift, t->x, &t->x_to_a, &t->x_to_b1, order, terms, law, prec);
 }
 

@@ -10,7 +10,7 @@ void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const str
 
 /* The same rows in balls, with those of the two powers of X that the recurrence makes on its way.
  *
- * The law is solved with the elastic constant 2^shift about (2 tau_0)^(a+1), so row k is
+ * The law is solved with the elastic constant 2^shift about R^(a+1), R the radius of convergence, so row k is
  * sum_j c[k][j] 2^(shift j) s^j with s = t^(a+1)/2^shift: coefficients of one size, which multiply fast. */
 struct trajectory {
     struct law law;

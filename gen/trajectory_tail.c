@@ -409,13 +409,13 @@ bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory
     evidence_init(&e, t);
     arb_pow_ratio(s0, t0, a1, NORM_BITS);
     arb_mul_2exp_si(s0, s0, -t->shift);
-    /* Radii from close to the elastic end of contact, t = 2 t0, down to t = 1.25 t0, and a few weights of
-     * u. The best pair leaves the smallest errors in the coefficients of x at t0: of the last row, and of the
-     * last derivative of the first row (which by itself grows like t0^-m). */
+    /* Radii between t0 and the nearest singularity, and a few weights of u. The best pair leaves the smallest
+     * errors in the coefficients of x at t0: of the last row, and of the last derivative of the first row (which by
+     * itself grows like t0^-m). */
     for (int i = 0; i < 5; i++) {
-        static const double radius[5] = {1.9, 1.8, 1.7, 1.5, 1.25};
+        static const double part[5] = {0.9, 0.8, 0.7, 0.5, 0.25};
         double best_here = HUGE_VAL;
-        arb_set_d(rho, radius[i]);
+        arb_set_d(rho, 1 + part[i] * (law_elastic_radius(&t->law) - 1));
         arb_pow_ratio(rho, rho, a1, NORM_BITS);
         arb_mul(rho, rho, s0, NORM_BITS);
         arb_get_mid_arb(rho, rho);
@@ -454,17 +454,22 @@ void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const 
      * t0 + r: at most (t0 + r)^(k(b+1)+1) delta U^-k (s/rho)^(terms+1). */
     const struct ratio one = {1, 1};
     const struct ratio a1 = ratio_add(t->law.a, one), b1 = ratio_add(t->law.b, one);
-    arb_t r, reach, value, factor;
+    arb_t r, room, reach, value, factor;
     mag_t candidate;
     arb_init(r);
+    arb_init(room);
     arb_init(reach);
     arb_init(value);
     arb_init(factor);
     mag_init(candidate);
     mag_inf(bound);
+    /* Sixteen circles between t0 and the radius that belongs to rho. */
+    arb_mul_2exp_si(room, tail->rho, t->shift);
+    arb_pow_ratio(room, room, ratio_div(one, a1), NORM_BITS);
+    arb_sub(room, room, t0, NORM_BITS);
     for (int i = 1; i <= 16; i++) {
-        arb_mul_si(r, t0, i, NORM_BITS);
-        arb_mul_2exp_si(r, r, -4);
+        arb_mul_si(r, room, i, NORM_BITS);
+        arb_div_si(r, r, 17, NORM_BITS);
         arb_add(reach, t0, r, NORM_BITS);
         arb_pow_ratio(value, reach, a1, NORM_BITS);
         arb_mul_2exp_si(value, value, -t->shift);
@@ -485,6 +490,7 @@ void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const 
         mag_min(bound, bound, candidate);
     }
     arb_clear(r);
+    arb_clear(room);
     arb_clear(reach);
     arb_clear(value);
     arb_clear(factor);

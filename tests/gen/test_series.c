@@ -261,7 +261,7 @@ static void test_two_routes_other_law(void **state)
 {
     (void)state;
     enum { ORDER = 12 };
-    static const char *const law_text[][2] = {{"2", "1/3"}, {"5/4", "1"}, {"3/2", "0"}};
+    static const char *const law_text[][2] = {{"2", "1/3"}, {"5/4", "1"}, {"3/2", "0"}, {"4", "3"}};
     for (size_t i = 0; i < sizeof law_text / sizeof *law_text; i++) {
         struct law law;
         struct series s;
