@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: MIT */
+/* Digits are printed only if the ball proves them, and then correctly rounded. */
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "digits.h"
+
+/* The ball of prec bits around the number `text` to so many digits. */
+static char *spelled(const char *text, slong prec, slong digits)
+{
+    arb_t x;
+    arb_init(x);
+    arb_set_str(x, text, prec);
+    char *s = digits_of_ball(x, digits);
+    arb_clear(x);
+    return s;
+}
+
+static void test_spelling(void **state)
+{
+    static const struct {
+        const char *value, *spelling;
+        slong digits;
+    } known[] = {
+        {"1.0933620739432780563", "1.0933620739", 11},
+        {"-5.0449e-12", "-5.04e-12", 3},
+        {"0.00012345", "0.000123", 3},
+        {"0.000012345", "0.0000123", 3},
+        {"0.0000012345", "1.23e-6", 3},
+        {"123456", "1.23e5", 3},
+        {"123456", "123456", 6},
+        {"123456", "123456.00", 8},
+        {"-0.99996", "-1.000", 4},
+        {"9.9999999", "10", 2},
+        {"3", "3", 1},
+        {"6e-300", "6e-300", 1},
+        {"1e300", "1e300", 1},
+        {"0", "0", 50},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        char *s = spelled(known[i].value, 300, known[i].digits);
+        assert_non_null(s);
+        assert_string_equal(s, known[i].spelling);
+        free(s);
+    }
+}
+
+static void test_wide_balls(void **state)
+{
+    static const char *const undecided[] = {"1.05 +/- 0.001", "0 +/- 1e-100", "1 +/- 2", "0.15 +/- 1e-50"};
+    (void)state;
+    for (size_t i = 0; i < sizeof undecided / sizeof *undecided; i++)
+        assert_null(spelled(undecided[i], 300, i == 0 ? 2 : 1));
+
+    /* Around a number that is no tie the width does no harm, below a power of ten either. */
+    char *s = spelled("1 +/- 1e-30", 300, 20);
+    assert_string_equal(s, "1.0000000000000000000");
+    free(s);
+    arb_t x;
+    arb_init(x);
+    arb_pos_inf(x);
+    s = digits_of_ball(x, 3);
+    assert_string_equal(s, "inf");
+    free(s);
+    arb_indeterminate(x);
+    assert_null(digits_of_ball(x, 3));
+    arb_clear(x);
+}
+
+/* Exact ties are decided: half to even, as everywhere in IEEE arithmetic. */
+static void test_exact_ties(void **state)
+{
+    (void)state;
+    char *s = spelled("0.125", 300, 2);
+    assert_string_equal(s, "0.12");
+    free(s);
+    s = spelled("0.375", 300, 2);
+    assert_string_equal(s, "0.38");
+    free(s);
+}
+
+static void check_double(double centre, slong exponent_of_offset, int sign, double expected)
+{
+    arb_t x, offset;
+    arb_init(x);
+    arb_init(offset);
+    arb_set_d(x, centre);
+    arb_set_si(offset, sign);
+    arb_mul_2exp_si(offset, offset, exponent_of_offset);
+    arb_add(x, x, offset, ARF_PREC_EXACT);
+    double y = -1;
+    assert_true(digits_to_double(&y, x));
+    assert_true(y == expected);
+    arb_add_error_2exp_si(x, exponent_of_offset - 10);
+    y = -1;
+    assert_true(digits_to_double(&y, x));
+    assert_true(y == expected);
+    arb_clear(x);
+    arb_clear(offset);
+}
+
+static void test_doubles(void **state)
+{
+    (void)state;
+    const double ulp = DBL_EPSILON;
+    check_double(1, -200, 1, 1);
+    check_double(1 - ulp / 2, -200, -1, 1 - ulp / 2);
+    check_double(1, -54, 1, 1);
+    check_double(1 + ulp, -54, -1, 1 + ulp);
+    check_double(0x1p-1074, -1080, 1, 0x1p-1074); /* the least subnormal */
+    check_double(0x1.8p-1073, -1100, 1, 0x1.8p-1073);
+    check_double(0x1p-1022, -1076, -1, 0x1p-1022); /* from below, a quarter of the subnormals' ulp */
+    check_double(DBL_MAX, 960, 1, DBL_MAX);
+}
+
+static void test_doubles_undecided(void **state)
+{
+    (void)state;
+    arb_t x;
+    arb_init(x);
+    double y = 7;
+    arb_set_d(x, 1);
+    arb_add_error_2exp_si(x, -53);
+    assert_false(digits_to_double(&y, x));
+    arb_set_str(x, "0 +/- 1e-400", 100);
+    assert_false(digits_to_double(&y, x));
+    arb_set_str(x, "1e400", 100);
+    assert_false(digits_to_double(&y, x));
+    assert_true(y == 7);
+    arb_zero(x);
+    assert_true(digits_to_double(&y, x));
+    assert_true(y == 0);
+    arb_clear(x);
+}
+
+static void test_precision_ends(void **state)
+{
+    (void)state;
+    struct precision p = precision_start(10);
+    int raised = 0;
+    slong before = p.bits;
+    while (precision_raise(&p)) {
+        assert_true(p.bits > before);
+        before = p.bits;
+        raised++;
+    }
+    assert_in_range(raised, 3, 20);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_spelling),          cmocka_unit_test(test_wide_balls),
+        cmocka_unit_test(test_exact_ties),        cmocka_unit_test(test_doubles),
+        cmocka_unit_test(test_doubles_undecided), cmocka_unit_test(test_precision_ends),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
