@@ -137,6 +137,37 @@ static double worst_error(const struct method *m, const double *speed)
     return worst;
 }
 
+/* eps over the truth, minus 1, at a few beta: what each formula costs in accuracy. */
+static void print_errors(void)
+{
+    static const double betas[] = {0.5, 1, 2, 3};
+    enum { BETAS = sizeof betas / sizeof *betas };
+    static const struct {
+        const char *name;
+        double (*eps)(double);
+        int end;
+    } formulas[] = {
+        {"published Pade (35)", cor_sphere_eps_published_pade, 0},
+        {"simple theory (27)", cor_sphere_eps_simple, 0},
+        {"cor zero overlap", cor_sphere_eps_zero_overlap, 0},
+        {"cor zero force", cor_sphere_eps_zero_force, 1},
+    };
+    printf("\n%-38s", "relative error of eps at beta");
+    for (int k = 0; k < BETAS; k++)
+        printf(" %11g", betas[k]);
+    printf("\n");
+    for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
+        printf("%-38s", formulas[i].name);
+        for (int k = 0; k < BETAS; k++) {
+            const struct reference r = reference_collision((long double)betas[k]);
+            const long double exact = formulas[i].end ? r.eps_zero_force : r.eps_zero_overlap;
+            printf(" %+11.1e", (double)(((long double)formulas[i].eps(betas[k]) - exact) / exact));
+        }
+        printf("\n");
+    }
+    printf("\n");
+}
+
 int main(int argc, char **argv)
 {
     const char *const csv = argc == 3 && strcmp(argv[1], "--csv") == 0 ? argv[2] : NULL;
@@ -181,6 +212,7 @@ int main(int argc, char **argv)
         if (file)
             fprintf(file, "%s,%.3f,%.3f,%.3f,%.2e\n", m->name, throughput, latency, first / throughput, error);
     }
+    print_errors();
     if (file && fclose(file)) {
         fprintf(stderr, "bench_sphere: cannot write %s\n", csv);
         return 1;

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "console.h"
 #include "options.h"
@@ -154,6 +155,18 @@ static int set_path(char path[PATH_MAX_LENGTH], const char *directory, const cha
     return n < PATH_MAX_LENGTH ? STATUS_OK : fail("the path %.60s... is too long", directory);
 }
 
+/* Asked before the minutes of computing, not after them; leaves no trace. */
+static int probe_directory(const char *directory)
+{
+    if (mkdir(directory, 0777) == 0) {
+        rmdir(directory);
+        return STATUS_OK;
+    }
+    if (errno != EEXIST)
+        return fail("cannot make %s: %s", directory, strerror(errno));
+    return access(directory, W_OK | X_OK) == 0 ? STATUS_OK : fail("cannot write in %s: %s", directory, strerror(errno));
+}
+
 static int write_all(const struct content *c, const char *directory)
 {
     char path[FILES + 1][PATH_MAX_LENGTH];
@@ -254,7 +267,7 @@ int command_tables(const struct options *o)
 {
     const char *directory = o->output ? o->output : DEFAULT_DIRECTORY;
     struct content c[FILES + 1] = {{NULL, NULL, 0}};
-    int status = STATUS_OK;
+    int status = o->check ? STATUS_OK : probe_directory(directory);
     for (int i = 0; i < FILES && status == STATUS_OK; i++)
         status = make(&c[i], &files[i]);
     if (status == STATUS_OK)
