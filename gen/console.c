@@ -104,6 +104,12 @@ static void gmp_free(void *p, size_t size)
     free(p);
 }
 
+double console_memory(void)
+{
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+    return pages > 0 && page > 0 ? (double)pages * (double)page : 0.0;
+}
+
 /* Past the physical memory a machine swaps or kills; a refused block can still be reported. */
 static void limit_memory_to_physical(void)
 {

@@ -19,6 +19,9 @@ void console_start(void);
 int fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* Bytes of physical memory, or 0 where the system does not tell. */
+double console_memory(void);
+
 /* One line on a terminal, rewritten in place, from the first second on; silent elsewhere.
  * progress("step", done, total), then progress_end() to erase the line. total = 0: unknown. */
 void progress(const char *step, long done, long total);

@@ -53,6 +53,11 @@ int series_compute(struct series *s, slong order, const struct law *law, slong b
     slong prec = bits + 21 * order / 10 + 50;
     const double worth = (double)(law->ad + law->d) / (double)law->d * log2(law_elastic_radius(law)) / 2.5;
     slong terms = (slong)((0.45 * (double)bits + 1.25 * (double)order + 24) / worth);
+    /* Measured at orders 140 and 200; said before the hours of computing, not after them. */
+    const double bytes = 3.0 * (double)(order + 1) * (double)(terms + 1) * ((double)prec / 4 + 1628);
+    if (console_memory() > 0 && bytes > console_memory())
+        return fail("order %ld to %ld bits needs about %.3g GB of memory, and this machine has %.3g GB", (long)order,
+                    (long)bits, bytes / 1e9, console_memory() / 1e9);
     for (int attempt = 0; attempt < 16; attempt++) {
         switch (turning_point_series(s->y, s->tau, order, terms, law, bits + 8, prec)) {
         case TURNING_POINT_FEW_TERMS:

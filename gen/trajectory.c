@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-#define TRAJECTORY_PROGRESS(k, order) progress("trajectory rows", k, order)
+#define TRAJECTORY_PROGRESS progress
 
 /* Exact rationals. */
 #define ROWS exact_rows
