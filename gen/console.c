@@ -113,12 +113,11 @@ double console_memory(void)
 /* Past the physical memory a machine swaps or kills; a refused block can still be reported. */
 static void limit_memory_to_physical(void)
 {
-    long pages = sysconf(_SC_PHYS_PAGES);
-    long page = sysconf(_SC_PAGESIZE);
+    const long page = sysconf(_SC_PAGESIZE);
+    const rlim_t physical = (rlim_t)console_memory();
     struct rlimit limit;
-    if (pages <= 0 || page <= 0 || getrlimit(RLIMIT_DATA, &limit) != 0)
+    if (physical == 0 || getrlimit(RLIMIT_DATA, &limit) != 0)
         return;
-    rlim_t physical = (rlim_t)pages * (rlim_t)page;
 
     /* A sanitizer's shadow memory alone is larger than any machine: then there is no sense in it.
      */

@@ -14,6 +14,23 @@ static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n
     arb_clear(exponent);
 }
 
+/* eps^power, from eps = sum C_k beta^k. -h is an involution sigma of beta, and residues before and after it give
+ *
+ *     [beta^k] (h/beta)^p = (-1)^k p/(k+p) [beta^k] (h/beta)^(-k-p),      eps^power = (h/beta)^p, p = power/q,
+ *
+ * so the coefficient of an even k = -2 p is exactly 0: no ball of any precision could tell. */
+static void eps_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, const struct law *law, slong n,
+                      slong prec)
+{
+    const struct ratio q = law_speed_exponent(law);
+    series_pow(z, eps, power, n, prec);
+    if (q.num == 0)
+        return;
+    const struct ratio k = ratio_mul((struct ratio){-2, 1}, ratio_div(power, q));
+    if (k.den == 1 && k.num > 0 && k.num % 2 == 0 && k.num < z->length)
+        arb_zero(z->coeffs + k.num);
+}
+
 void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, const struct law *law, slong prec)
 {
     /* With Z = E^(2/(1+a)) the equation is F(Z) = Z Y(-beta Z^p) - Y(beta) = 0, p = q (1+a)/2, and
@@ -56,6 +73,7 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
         known = next;
     }
     series_pow(c, z, half_a1, n, prec);
+    eps_power(c, c, one, law, n, prec);
 
     arb_poly_clear(z);
     arb_poly_clear(v);
@@ -202,7 +220,7 @@ void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, con
         arb_set_fmpq(g, coefficient, prec);
         fmpq_clear(coefficient);
         const struct ratio power = ratio_add((struct ratio){1, 1}, ratio_mul(ratio_mul(q, e), (struct ratio){i, 1}));
-        series_pow(h, c, power, n, prec);
+        eps_power(h, c, power, law, n, prec);
         arb_poly_scalar_mul(h, h, g, prec);
         for (slong k = 0; k < h->length && k * root + i * e.num <= order; k++) {
             arb_poly_get_coeff_arb(g, sum, k * root + i * e.num);

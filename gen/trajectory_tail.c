@@ -17,7 +17,7 @@
  *   so |E| <= nu |N| / (J + 1 - p nu |th(Z)|),
  *   nu = |V|/(1 - |1 - Z V|) for any V; here the truncated series of 1/X.
  *
- * The radius rho may come close to the pole of 1/X at the elastic end of contact, s = 2^(a+1) s_0: the bound
+ * The radius rho may come close to the nearest singularity, for spheres the pole of 1/X at s = 2^(a+1) s_0: the bound
  * is about as good as the series itself. */
 #include "trajectory.h"
 
