@@ -69,7 +69,7 @@ static void scales_clear(struct scales *s)
 }
 
 /* What integrate() is after. */
-enum goal { GOAL_ZERO_OVERLAP, GOAL_SLOW_MANIFOLD };
+enum goal { GOAL_ZERO_OVERLAP, GOAL_ZERO_FORCE, GOAL_SLOW_MANIFOLD };
 
 enum outcome { OUTCOME_DONE, OUTCOME_IMPRECISE, OUTCOME_ENDLESS };
 
@@ -214,6 +214,10 @@ static enum outcome integrate(struct collision *c, struct taylor *y, const struc
             outcome = OUTCOME_DONE;
             break;
         }
+        if (released && goal == GOAL_ZERO_FORCE) {
+            outcome = OUTCOME_DONE;
+            break;
+        }
         taylor_advance(y, y->step);
         if (arb_rel_accuracy_bits(y->w) < 8 || arb_rel_accuracy_bits(y->t) < 8)
             break;
@@ -223,6 +227,8 @@ static enum outcome integrate(struct collision *c, struct taylor *y, const struc
                 outcome = OUTCOME_DONE;
                 break;
             }
+            if (arb_gt(r, m->r1)) /* the manifold's own domain is left, and it was not reached */
+                break;
         }
         if (released && creeps(y)) {
             arb_zero(c->eps_zero_overlap);
@@ -246,13 +252,14 @@ static slong degree_for(slong prec)
     return prec / 3 + 10;
 }
 
-static enum outcome solve_directly(struct collision *c, const arb_t beta, const struct law *law, slong prec)
+static enum outcome solve_directly(struct collision *c, const arb_t beta, const struct law *law, enum goal goal,
+                                   slong prec)
 {
     struct scales s;
     struct taylor y;
     scales_init(&s, beta, law, prec);
     taylor_init(&y, law, 1, degree_for(prec), prec);
-    const enum outcome outcome = integrate(c, &y, &s, GOAL_ZERO_OVERLAP, NULL, 0);
+    const enum outcome outcome = integrate(c, &y, &s, goal, NULL, 0);
     taylor_clear(&y);
     scales_clear(&s);
     return outcome;
@@ -296,12 +303,13 @@ static enum outcome solve_by_slow_manifold(struct collision *c, const arb_t beta
     return outcome;
 }
 
-static slong accuracy(const struct collision *c)
+static slong accuracy(const struct collision *c, enum goal goal)
 {
-    const arb_srcptr field[6] = {c->x_max,          c->t_max,          c->eps_zero_overlap,
-                                 c->t_zero_overlap, c->eps_zero_force, c->t_zero_force};
+    const arb_srcptr field[6] = {c->x_max,         c->t_max, c->eps_zero_force, c->t_zero_force, c->eps_zero_overlap,
+                                 c->t_zero_overlap};
+    const int fields = goal == GOAL_ZERO_FORCE ? 4 : 6;
     slong bits = WORD_MAX;
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < fields; i++)
         if (!arb_is_exact(field[i]))
             bits = FLINT_MIN(bits, arb_rel_accuracy_bits(field[i]));
     return bits;
@@ -315,14 +323,14 @@ int collision_solve(struct collision *c, const arb_t beta, const struct law *law
     /* The unloading forgets its past by exp(-2.29 beta^(5/3)); what is forgotten costs as many bits in balls. */
     const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
     const double forgotten = 2.29 / log(2.0) * pow(b, 5.0 / 3.0);
-    const bool slow = law_is_sphere(law) && forgotten > 1.35 * (double)(bits + 60);
+    bool slow = law_is_sphere(law) && forgotten > 1.35 * (double)(bits + 60);
     slong prec = bits + 60 + (slong)fmin(slow ? 1.3 * (double)bits : 1.1 * forgotten, 1e9);
     if (!slow && !law_is_sphere(law))
         prec = bits + 100;
 
     for (int attempt = 0; attempt < 12; attempt++) {
-        const enum outcome outcome =
-            slow ? solve_by_slow_manifold(c, beta, bits + 12, prec) : solve_directly(c, beta, law, prec);
+        const enum outcome outcome = slow ? solve_by_slow_manifold(c, beta, bits + 12, prec)
+                                          : solve_directly(c, beta, law, GOAL_ZERO_OVERLAP, prec);
         progress_end();
         if (outcome == OUTCOME_ENDLESS)
             return fail("no end of contact within %d steps: this law at this beta is too stiff to be integrated",
@@ -332,15 +340,36 @@ int collision_solve(struct collision *c, const arb_t beta, const struct law *law
                 arb_one(c->eps_zero_overlap);
                 arb_one(c->eps_zero_force);
             }
-            if (accuracy(c) >= bits)
+            if (accuracy(c, GOAL_ZERO_OVERLAP) >= bits)
                 return STATUS_OK;
-            prec += bits - accuracy(c) + 20;
+            prec += bits - accuracy(c, GOAL_ZERO_OVERLAP) + 20;
+        } else if (slow && forgotten < 2.0 * (double)(bits + 60)) {
+            /* near the border between the two the manifold may be reached too late */
+            slow = false;
+            prec = bits + 60 + (slong)(1.1 * forgotten);
         } else {
             prec += prec / 2;
         }
     }
     return fail("the collision could not be enclosed to %ld bits; the last attempt worked with %ld", (long)bits,
                 (long)prec);
+}
+
+int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits)
+{
+    if (!arb_is_finite(beta) || !arb_is_positive(beta))
+        return fail("the damping beta of a collision that ends without force must be a number > 0");
+    slong prec = bits + 60;
+    for (int attempt = 0; attempt < 12; attempt++) {
+        arb_indeterminate(c->eps_zero_overlap);
+        arb_indeterminate(c->t_zero_overlap);
+        const enum outcome outcome = solve_directly(c, beta, law, GOAL_ZERO_FORCE, prec);
+        progress_end();
+        if (outcome == OUTCOME_DONE && accuracy(c, GOAL_ZERO_FORCE) >= bits)
+            return STATUS_OK;
+        prec += prec / 2;
+    }
+    return fail("the loading of the collision could not be enclosed to %ld bits", (long)bits);
 }
 
 int collision_h_star(arb_t h_star, slong bits)

@@ -19,6 +19,10 @@ void collision_clear(struct collision *c);
  * t_zero_overlap = +inf. Returns 0, or 1 after saying on stderr what failed. */
 int collision_solve(struct collision *c, const arb_t beta, const struct law *law, slong bits);
 
+/* The same for x_max, t_max, eps_zero_force and t_zero_force alone, which need no unloading to the end: cheap
+ * however strong the damping is. beta > 0 and a > b; the other fields become indeterminate. */
+int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits);
+
 /* h* = lim beta eps^(1/5), sphere only: eps_zero_overlap -> (h_star / beta)^5. */
 int collision_h_star(arb_t h_star, slong bits);
 
