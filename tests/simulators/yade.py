@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+# Head-on collisions of two viscoelastic spheres of unequal size in YADE, and their eps.
+#     yade -x -n -j1 tests/simulators/yade.py LAW [VALUE [SPEED]]
+# for one of the LAWs
+#     vn        en and vn of Ip2_FrictMat_FrictMat_MindlinPhys: VALUE is en at the impact speed SPEED
+#     step      c_n = A k_n, by setting betan before every step: VALUE is the dissipation time A in s
+#     betan     betan constant, VALUE: damping like x^(1/4), another law than the spheres'
+# prints, for three time steps,
+#     eps LAW VALUE SPEED STEP VALUE FORCE
+# SI units; the step in units of (rho/m)^(-2/5) g^(-1/5); FORCE, at last, must be zero.
+# LAW may be "version": has this YADE got vn?
+import atexit
+import os
+import shutil
+import sys
+from math import sqrt
+
+radius, mass = (0.005, 0.02), (0.002, 0.008)
+kn = 1e6  # (4/3) E_eff, Pa
+reff = radius[0] * radius[1] / sum(radius)
+meff = mass[0] * mass[1] / sum(mass)
+rho = kn * sqrt(reff)
+root = (rho / meff)**0.4
+
+
+# YADE leaves an empty folder behind
+atexit.register(shutil.rmtree, os.path.dirname(O.tmpFilename()), ignore_errors=True)
+
+
+def betan_of(A, overlap):
+    """c_n = 2 betan sqrt(m k_n) = A k_n with the tangent stiffness k_n = (3/2) rho sqrt(overlap)"""
+    return 0.5 * A * sqrt(1.5 * rho * sqrt(max(overlap, 0.0)) / meff)
+
+
+def set_betan():
+    if O.interactions.countReal():
+        overlap = sum(radius) - (O.bodies[1].state.pos[0] - O.bodies[0].state.pos[0])
+        O.interactions[0, 1].phys.betan = betan_of(dissipation_time, overlap)
+
+
+def collide(functor, speed, step, before_step=()):
+    O.reset()
+    # Two half spaces of Young's modulus Y and Poisson's ratio 0 have E_eff = Y/2.
+    rubber = O.materials.append(FrictMat(young=1.5 * kn, poisson=0, frictionAngle=0, density=1000))
+    for i, side in enumerate((-1, 1)):
+        O.bodies.append(sphere((side * radius[i], 0, 0), radius[i], material=rubber))
+        O.bodies[i].state.mass = mass[i]
+    O.bodies[0].state.vel = (speed, 0, 0)
+    O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb()])] + list(before_step) + [
+        InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [functor], [Law2_ScGeom_MindlinPhys_Mindlin()]),
+        NewtonIntegrator(damping=0)
+    ]
+    O.dt = step / (root * speed**0.2)
+    O.run(int(3.3 / step), True)
+    return (O.bodies[1].state.vel[0] - O.bodies[0].state.vel[0]) / speed, O.forces.f(0).norm()
+
+
+def has_vn():
+    return hasattr(Ip2_FrictMat_FrictMat_MindlinPhys, "vn")
+
+
+def report(law, value, speed):
+    global dissipation_time
+    for step in (8e-4, 4e-4, 2e-4) if law == "step" else (16e-5, 8e-5, 4e-5):
+        if law == "vn":
+            eps, force = collide(Ip2_FrictMat_FrictMat_MindlinPhys(en=value, vn=speed), speed, step)
+        elif law == "step":
+            dissipation_time = value
+            first = betan_of(value, speed * step / (root * speed**0.2))
+            start = Ip2_FrictMat_FrictMat_MindlinPhys(betan=first, betas=0)
+            eps, force = collide(start, speed, step, [PyRunner(command="set_betan()", iterPeriod=1)])
+        else:
+            eps, force = collide(Ip2_FrictMat_FrictMat_MindlinPhys(betan=value, betas=0), speed, step)
+        print("eps %s %.17g %s %g %.17g %g" % (law, value, speed, step, eps, force))
+
+
+arguments = sys.argv[1:]
+if arguments == ["version"]:
+    print("vn", "yes" if has_vn() else "no")
+while arguments and arguments != ["version"]:
+    report(arguments[0], float(arguments[1]), float(arguments[2]))
+    arguments = arguments[3:]
