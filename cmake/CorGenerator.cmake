@@ -20,7 +20,16 @@ if(FLINT_FOUND)
   set(COR_HAVE_GENERATOR TRUE)
   include(generator_sources)
   list(TRANSFORM COR_GENERATOR_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/")
-  add_library(corgen_core STATIC ${COR_GENERATOR_SOURCES})
+  # corgen embed writes the runtime's evaluator into headers
+  set(evaluator ${PROJECT_BINARY_DIR}/evaluator_text.c)
+  add_custom_command(OUTPUT ${evaluator}
+    COMMAND ${CMAKE_COMMAND} -DRUNTIME=${PROJECT_SOURCE_DIR}/runtime -DOUTPUT=${evaluator}
+      -P ${PROJECT_SOURCE_DIR}/cmake/EvaluatorText.cmake
+    DEPENDS ${PROJECT_SOURCE_DIR}/cmake/EvaluatorText.cmake ${PROJECT_SOURCE_DIR}/runtime/inline.h
+      ${PROJECT_SOURCE_DIR}/runtime/exact.h ${PROJECT_SOURCE_DIR}/runtime/fifth_root.h
+      ${PROJECT_SOURCE_DIR}/runtime/sphere_eval.h
+    VERBATIM)
+  add_library(corgen_core STATIC ${COR_GENERATOR_SOURCES} ${evaluator})
   target_include_directories(corgen_core PUBLIC ${PROJECT_SOURCE_DIR}/gen)
   target_compile_definitions(corgen_core PUBLIC _POSIX_C_SOURCE=200809L)
   target_link_libraries(corgen_core PUBLIC FLINT::FLINT m PRIVATE cor_defaults)

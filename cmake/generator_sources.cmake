@@ -9,6 +9,7 @@ set(COR_GENERATOR_SOURCES
   gen/console.c
   gen/digits.c
   gen/emit_c.c
+  gen/interpolant.c
   gen/jet.c
   gen/law.c
   gen/options.c
@@ -16,10 +17,12 @@ set(COR_GENERATOR_SOURCES
   gen/pade.c
   gen/pade_header.c
   gen/pade_rounded.c
+  gen/pieces.c
   gen/published.c
   gen/restitution.c
   gen/series.c
   gen/slow_manifold.c
+  gen/sphere_tables.c
   gen/subcommand.c
   gen/tables.c
   gen/taylor.c

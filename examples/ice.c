@@ -56,9 +56,7 @@ static double published_pade(double g_star, double speed)
 struct curve {
     const char *name, *column;
     model *eps;
-    int limited;     /* beta <= COR_SPHERE_BETA_MAX */
     double refitted; /* g*, cm/s */
-    int at_limit;
 };
 
 /* The i-th of n points from a to b, equal steps in log(speed). */
@@ -81,21 +79,11 @@ static double residuals(const struct curve *curve, double g_star, double *larges
     return sqrt(sum / SAMPLES);
 }
 
-/* Smallest g* that keeps the fastest measured collision inside the domain of sphere.h:
- * (g/g*)^(1/5) = |C_1| beta. The margin covers the rounding of beta. */
-static double smallest_g_star(const struct curve *curve)
-{
-    if (!curve->limited)
-        return 1e-3;
-    return measured_to / pow(-COR_SPHERE_C1 * COR_SPHERE_BETA_MAX, 5) * (1 + 1e-12);
-}
-
 /* Golden section in log g*: the sum of squares has one minimum there. */
 static void refit(struct curve *curve)
 {
     const double section = 0.6180339887498949;
-    const double low_end = log(smallest_g_star(curve));
-    double low = low_end, high = log(1e3), largest;
+    double low = log(1e-3), high = log(1e3), largest;
     double a = high - section * (high - low), b = low + section * (high - low);
     double at_a = residuals(curve, exp(a), &largest), at_b = residuals(curve, exp(b), &largest);
     while (high - low > 1e-9) {
@@ -113,7 +101,6 @@ static void refit(struct curve *curve)
             at_b = residuals(curve, exp(b), &largest);
         }
     }
-    curve->at_limit = curve->limited && low - low_end < 1e-8;
     curve->refitted = exp((low + high) / 2);
 }
 
@@ -133,14 +120,9 @@ static void print_summary(const struct curve *curve, int curves)
         const double rms = residuals(&curve[i], curve[i].refitted, &largest);
         printf("%-23s %-10s %10.4f %8.4f %8.4f\n", curve[i].name, "refitted", curve[i].refitted, rms, largest);
     }
-    for (int i = 0; i < curves; i++)
-        if (curve[i].at_limit)
-            printf("\n%s: the best g* lies below the smallest one that keeps beta <= %g up to\n"
-                   "%g cm/s; the fit stops there.\n",
-                   curve[i].name, COR_SPHERE_BETA_MAX, measured_to);
 }
 
-/* Empty where a curve is not defined: beyond its domain, or, for the measurements, their range. */
+/* Empty where there is nothing: the measurements beyond their range. */
 static void print_cell(FILE *file, double value)
 {
     if (isnan(value))
@@ -213,9 +195,9 @@ int main(int argc, char **argv)
     }
 
     struct curve curve[] = {
-        {"published Pade (35)", "published_pade", published_pade, 0, 0, 0},
-        {"exact, zero overlap", "zero_overlap", zero_overlap, 1, 0, 0},
-        {"exact, zero force", "zero_force", zero_force, 1, 0, 0},
+        {"published Pade (35)", "published_pade", published_pade, 0},
+        {"exact, zero overlap", "zero_overlap", zero_overlap, 0},
+        {"exact, zero force", "zero_force", zero_force, 0},
     };
     const int curves = sizeof curve / sizeof *curve;
     for (int i = 0; i < curves; i++)

@@ -11,88 +11,13 @@
 
 #include "console.h"
 #include "options.h"
-#include "pade_header.h"
+#include "sphere_tables.h"
 
-enum {
-    SPHERE_BETA_MAX = 2,
-    SPHERE_EVEN = 256, /* sample points, see references_init */
-    SPHERE_SMALL = 8,
-    SPHERE_BITS = 256, /* of every coefficient before it is rounded */
-    PATH_MAX_LENGTH = 4096
-};
+enum { PATH_MAX_LENGTH = 4096 };
 
-#define SPHERE_LIMIT 1e-10 /* relative, eps and loss, both ends */
 #define DEFAULT_DIRECTORY "generated"
 #define MANIFEST "MANIFEST.txt"
 #define MANIFEST_VERSION_WORD "made-with" /* --check ignores lines that start with it */
-
-/* The least m + n that stay within SPHERE_LIMIT without a pole or a zero on beta > 0; of those the
- * best. Neither end has a smaller entry among the ordinary ones, nor zero overlap among two-point
- * ones with fewer conditions at infinity. */
-static const struct {
-    slong numerator, denominator;
-    enum contact_end end;
-    const char *name, *title;
-} sphere_pade[] = {
-    {12, 20, END_ZERO_OVERLAP, "cor_sphere_pade_zero_overlap", "eps at zero overlap, z = beta"},
-    {15, 19, END_ZERO_FORCE, "cor_sphere_pade_zero_force", "eps at zero force, z = sqrt(beta)"},
-};
-enum { SPHERE_PADES = sizeof sphere_pade / sizeof *sphere_pade };
-
-static const char sphere_pade_banner[] =
-    "Restitution coefficient of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0,\n"
-    "for 0 <= beta <= 2 (COR_SPHERE_PADE_BETA_MAX), as Pade approximants in z:\n"
-    "    eps = P(z)/Q(z),    1 - eps = beta L(z)/Q(z),    L = (Q - P)/beta,\n"
-    "z = beta where the contact ends with zero overlap, z = sqrt(beta) where it ends with zero "
-    "force.\n"
-    "Arrays hold ascending powers of z; q[0] = 1. Source: docs/derivation.md, 4, 5 and 7.\n"
-    "\n"
-    "Written by:  corgen tables\n"
-    "Checked by:  corgen tables --check\n"
-    "\n"
-    "Each double is the one nearest to the exact coefficient, which stands beside it: proved. The\n"
-    "errors of approximation (sampled) and of evaluation (proved) stand above each.\n";
-
-static int write_sphere_pade(FILE *file)
-{
-    struct references references;
-    if (references_init(&references, &law_sphere, SPHERE_BETA_MAX, SPHERE_EVEN, SPHERE_SMALL))
-        return STATUS_FAILED;
-    struct emit e;
-    emit_open(&e, file, "COR_GENERATED_SPHERE_PADE_H", sphere_pade_banner);
-    emit_comment(&e, "Every bound below holds for 0 <= beta <= this.");
-    emit_define(&e, "COR_SPHERE_PADE_BETA_MAX", "2.0");
-    int status = STATUS_OK;
-    for (int i = 0; i < SPHERE_PADES && status == STATUS_OK; i++) {
-        const struct pade_header header = {.name = sphere_pade[i].name,
-                                           .title = sphere_pade[i].title,
-                                           .end = sphere_pade[i].end,
-                                           .beta_max = SPHERE_BETA_MAX,
-                                           .references = &references,
-                                           .limit = SPHERE_LIMIT};
-        const struct pade_request request = {.kind = PADE_ORDINARY,
-                                             .numerator = sphere_pade[i].numerator,
-                                             .denominator = sphere_pade[i].denominator,
-                                             .end = sphere_pade[i].end,
-                                             .law = law_sphere};
-        struct pade f;
-        struct pade_analysis a;
-        pade_init(&f);
-        pade_analysis_init(&a);
-        status = pade_compute(&f, &a, &request, SPHERE_BITS);
-        char *defects = status ? NULL : pade_defects(&a);
-        if (defects)
-            status = fail("%s has %s", sphere_pade[i].name, defects);
-        if (status == STATUS_OK)
-            status = pade_emit(&e, &header, &f, &a);
-        free(defects);
-        pade_analysis_clear(&a);
-        pade_clear(&f);
-    }
-    emit_close(&e);
-    references_clear(&references);
-    return status;
-}
 
 struct generated {
     const char *name;
@@ -100,7 +25,8 @@ struct generated {
 };
 
 static const struct generated files[] = {
-    {"sphere_pade.h", write_sphere_pade},
+    {"sphere_tables.h", sphere_tables_write},
+    {"cor_sphere.h", sphere_header_write},
 };
 enum { FILES = sizeof files / sizeof *files };
 
@@ -280,5 +206,6 @@ int command_tables(const struct options *o)
         status = fail("standard output: %s", strerror(errno));
     for (int i = 0; i <= FILES; i++)
         free(c[i].text);
+    sphere_tables_clear();
     return status;
 }

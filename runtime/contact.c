@@ -6,8 +6,17 @@
 
 #include "cor/sphere.h"
 #include "cor/status.h"
-#include "fifth_root.h"
 #include "sphere_eval.h"
+
+/* x^5, rounded once but for what is lost below 2^-100; NaN where that is no normal double. */
+static double fifth_power(double x)
+{
+    if (!(x > 1e-60 && x < 1e60))
+        return NAN;
+    const struct cor_inline_pair square = cor_inline_product(x, x), one = {x, 0};
+    const struct cor_inline_pair power = cor_inline_pair_times(cor_inline_pair_times(square, square), one);
+    return power.hi;
+}
 
 static void contact_clear(struct cor_sphere_contact *contact)
 {
@@ -17,6 +26,7 @@ static void contact_clear(struct cor_sphere_contact *contact)
     contact->dissipation_time_s = NAN;
     contact->beta_per_root = NAN;
     contact->scale = NAN;
+    contact->beta5_per_speed = NAN;
 }
 
 /* Every comparison is written so that NaN fails it. */
@@ -90,7 +100,7 @@ int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor
     const double a1 = body_1->dissipation_time_s, a2 = body_2->dissipation_time_s;
     const double a = a1 * (c1 / c) + a2 * (c2 / c);
     /* roots first: rho/m may overflow, their quotient cannot */
-    const double root = fifth_root(rho) / fifth_root(mass);
+    const double root = cor_inline_fifth_root(rho) / cor_inline_fifth_root(mass);
     const double beta_per_root = 1.5 * a * (root * root), scale = 1 / (root * root);
     const int dissipates = (a1 > 0 && c1 > 0) || (a2 > 0 && c2 > 0);
     if (!in_range(scale) || (dissipates && !(in_range(a) && in_range(beta_per_root))))
@@ -102,6 +112,7 @@ int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor
     contact->dissipation_time_s = a;
     contact->beta_per_root = beta_per_root;
     contact->scale = scale;
+    contact->beta5_per_speed = fifth_power(beta_per_root);
     return COR_OK;
 }
 
@@ -112,7 +123,8 @@ int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, double g_
     contact_clear(contact);
     if (!(g_star_m_s > 0))
         return COR_ERROR_G_STAR;
-    contact->beta_per_root = 1 / (-COR_SPHERE_C1 * fifth_root(g_star_m_s));
+    contact->beta_per_root = 1 / (-COR_SPHERE_C1 * cor_inline_fifth_root(g_star_m_s));
+    contact->beta5_per_speed = fifth_power(contact->beta_per_root);
     return COR_OK;
 }
 
@@ -122,41 +134,89 @@ double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact)
     return square * square * root;
 }
 
-static inline double contact_beta(const struct cor_sphere_contact *contact, double speed)
-{
-    if (!(speed >= 0))
-        return NAN;
-    /* without dissipation an infinite speed is no 0 times inf */
-    return contact->beta_per_root == 0 ? 0 : contact->beta_per_root * fifth_root(speed);
-}
-
 double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m_s)
 {
-    return contact_beta(contact, speed_m_s);
+    const double factor = contact->beta_per_root;
+    double g = speed_m_s, unit = 1;
+    if (!(g >= 0) || isnan(factor))
+        return NAN;
+    /* without dissipation an infinite speed is no 0 times inf */
+    if (factor == 0 || g == 0)
+        return 0;
+    if (isinf(g))
+        return g;
+    /* powers of 32, to where the parts of the root are */
+    if (g < COR_INLINE_2_M900) {
+        g *= COR_INLINE_2_200;
+        unit = COR_INLINE_2_M40;
+    } else if (g > COR_INLINE_2_900) {
+        g *= COR_INLINE_2_M200;
+        unit = COR_INLINE_2_40;
+    }
+    const struct cor_inline_pair root = cor_inline_fifth_root_parts(g);
+    const double head = cor_inline_head(factor), tail = factor - head;
+    return (root.hi * head + (root.hi * tail + root.lo * factor)) * unit;
+}
+
+/* Where x = beta^5 is between 2^-900 and 2^900, or 0 because a speed of 0 or an underflow made it so (eps is 1), the
+ * two roundings in it cost beta less than the root's own; elsewhere the long way. */
+static int power_is_good(double x, double speed)
+{
+    return speed >= 0 && x < COR_INLINE_2_900; /* -0 may be an underflow, NaN is not less */
 }
 
 double cor_contact_eps_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s)
 {
-    return sphere_eps_zero_overlap(contact_beta(contact, speed_m_s));
+    const double x = contact->beta5_per_speed * speed_m_s;
+    return power_is_good(x, speed_m_s) ? cor_inline_eps_zero_overlap_root(x)
+                                       : cor_inline_eps_zero_overlap(cor_contact_beta(contact, speed_m_s));
 }
 
 double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact, double speed_m_s)
 {
-    return sphere_eps_zero_force(contact_beta(contact, speed_m_s));
+    const double x = contact->beta5_per_speed * speed_m_s;
+    return power_is_good(x, speed_m_s) ? cor_inline_eps_zero_force_root(x)
+                                       : cor_inline_eps_zero_force(cor_contact_beta(contact, speed_m_s));
 }
 
-void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *eps,
-                                        size_t n)
+double cor_contact_duration_s_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s)
 {
-    for (size_t i = 0; i < n; i++)
-        eps[i] = cor_contact_eps_zero_overlap(contact, speed_m_s[i]);
+    const double beta = cor_contact_beta(contact, speed_m_s);
+    if (isinf(beta) && !isnan(contact->scale))
+        return INFINITY;
+    return contact->scale / cor_inline_fifth_root(fabs(speed_m_s)) * cor_inline_duration_zero_overlap(beta);
 }
 
-void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *eps,
-                                      size_t n)
+double cor_contact_duration_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s)
 {
-    for (size_t i = 0; i < n; i++)
-        eps[i] = cor_contact_eps_zero_force(contact, speed_m_s[i]);
+    const double beta = cor_contact_beta(contact, speed_m_s);
+    return contact->scale / cor_inline_fifth_root(fabs(speed_m_s)) * cor_inline_duration_zero_force(beta);
+}
+
+double cor_contact_max_overlap_m(const struct cor_sphere_contact *contact, double speed_m_s)
+{
+    const double beta = cor_contact_beta(contact, speed_m_s), root = cor_inline_fifth_root(speed_m_s);
+    if (isinf(beta) && !isnan(contact->scale))
+        return INFINITY; /* it grows like g^(4/5 - 2/15) */
+    return contact->scale * cor_inline_max_overlap(beta) * root * root * root * root;
+}
+
+static double dissipation_time(const struct cor_sphere_contact *contact, double speed, double beta)
+{
+    if (!(speed > 0) || isinf(speed))
+        return NAN;
+    return beta * contact->scale / (1.5 * cor_inline_fifth_root(speed));
+}
+
+double cor_contact_dissipation_time_s_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s,
+                                                   double eps)
+{
+    return dissipation_time(contact, speed_m_s, cor_inline_beta_zero_overlap(eps));
+}
+
+double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s, double eps)
+{
+    return dissipation_time(contact, speed_m_s, cor_inline_beta_zero_force(eps));
 }
 
 double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double poisson_ratio)

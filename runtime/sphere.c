@@ -2,22 +2,24 @@
 #include "cor/sphere.h"
 #include "sphere_eval.h"
 
-double cor_sphere_eps_zero_overlap(double beta)
-{
-    return sphere_eps_zero_overlap(beta);
-}
+/* A function of sphere.h, double and float. */
+#define SPHERE_FUNCTION(quantity)                                                                                      \
+    double cor_sphere_##quantity(double x)                                                                             \
+    {                                                                                                                  \
+        return cor_inline_##quantity(x);                                                                               \
+    }                                                                                                                  \
+    float cor_sphere_##quantity##f(float x)                                                                            \
+    {                                                                                                                  \
+        return (float)cor_inline_##quantity((double)x);                                                                \
+    }
 
-double cor_sphere_eps_zero_force(double beta)
-{
-    return sphere_eps_zero_force(beta);
-}
-
-double cor_sphere_loss_zero_overlap(double beta)
-{
-    return sphere_loss_zero_overlap(beta);
-}
-
-double cor_sphere_loss_zero_force(double beta)
-{
-    return sphere_loss_zero_force(beta);
-}
+SPHERE_FUNCTION(eps_zero_overlap)
+SPHERE_FUNCTION(eps_zero_force)
+SPHERE_FUNCTION(loss_zero_overlap)
+SPHERE_FUNCTION(loss_zero_force)
+SPHERE_FUNCTION(beta_zero_overlap)
+SPHERE_FUNCTION(beta_zero_force)
+SPHERE_FUNCTION(duration_zero_overlap)
+SPHERE_FUNCTION(duration_zero_force)
+SPHERE_FUNCTION(max_overlap)
+SPHERE_FUNCTION(time_of_max_overlap)

@@ -33,7 +33,7 @@ double cor_sphere_eps_simple_fraction(double beta, int depth)
     const double c = -COR_SPHERE_C1 * beta;
     double t = 1;
     for (int k = 0; k < depth; k++) {
-        const double root = fifth_root(t), next = 1 + c * (root * root);
+        const double root = cor_inline_fifth_root(t), next = 1 + c * (root * root);
         if (next == t) /* a fixed point: any depth gives the same */
             break;
         t = next;

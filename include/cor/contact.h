@@ -35,6 +35,8 @@ struct cor_sphere_contact {
     double beta_per_root;          /* (3/2) A (rho/m)^(2/5), (m/s)^(-1/5) */
     double scale;                  /* (rho/m)^(-2/5), m^(1/5) s^(4/5): at impact speed g the unit of
                                     * time is scale g^(-1/5), of length scale g^(4/5) */
+    double beta5_per_speed;        /* beta_per_root^5, s/m: beta^5 = beta5_per_speed g; NaN where it is no normal
+                                    * double, and slower ways are taken */
 };
 
 /* Fills *contact for two bodies, in either order. With c_i = (1 - nu_i^2)/Y_i,
@@ -73,16 +75,18 @@ COR_API int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, d
 COR_API double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact);
 
 /* beta = beta_per_root g^(1/5) at impact speed g >= 0, m/s.
- * Accuracy: COR_CONTACT_MAX_ULP in all, 2 units of the last place relative to beta_per_root;
+ * Accuracy: COR_CONTACT_MAX_ULP in all, 1.5 units of the last place relative to beta_per_root;
  * subnormal speeds included.
  * Special values: 0 -> 0; negative or NaN speed, or a contact whose init failed -> NaN. Without
  * dissipation beta = 0 at every speed, +inf too. */
 COR_API double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m_s);
 
-/* eps at impact speed g >= 0, m/s: cor_sphere_eps_... of cor_contact_beta, at either end.
- * Accuracy: COR_SPHERE_EPS_MAX_REL at the computed beta.
- * Special values: speed 0 -> exactly 1; negative or NaN speed, a contact whose init failed, and
- * beta beyond COR_SPHERE_BETA_MAX -> NaN. */
+/* eps at impact speed g >= 0, m/s: cor_sphere_eps_... at beta = beta_per_root g^(1/5), at either end.
+ * Accuracy: relative error of the whole at most (2 + 2 |d ln eps/d ln beta|) 2^-53, for beta_per_root as
+ * it is; |d ln eps/d ln beta| is below |C_1| beta at small beta, and 5 (zero overlap) or 5/3 (zero force)
+ * at large. Sampled in tests/accuracy.
+ * Special values: speed 0 -> exactly 1, +inf -> 0; negative or NaN speed, or a contact whose init failed
+ * -> NaN, whatever the contact. Without dissipation eps = 1 at every speed >= 0. */
 COR_API double cor_contact_eps_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s);
 COR_API double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact, double speed_m_s);
 
@@ -92,6 +96,28 @@ COR_API void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact 
                                                 double *eps, size_t n);
 COR_API void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
                                               double *eps, size_t n);
+
+/* Duration of a contact at impact speed g > 0, s: scale g^(-1/5) cor_sphere_duration_...(beta).
+ * Accuracy: COR_CONTACT_MAX_ULP in all. Special values: speed 0 -> +inf, +inf -> 0 (where it has a limit:
+ * at zero overlap with dissipation it grows with ln(g), -> +inf); negative or NaN speed, or a contact whose
+ * scale is not known (init failed, or from g* alone) -> NaN. */
+COR_API double cor_contact_duration_s_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s);
+COR_API double cor_contact_duration_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s);
+
+/* Largest overlap at impact speed g >= 0, m: scale g^(4/5) cor_sphere_max_overlap(beta).
+ * Accuracy: COR_CONTACT_MAX_ULP in all. Special values: speed 0 -> 0, +inf -> +inf; negative or NaN speed,
+ * or a contact whose scale is not known (init failed, or from g* alone) -> NaN. */
+COR_API double cor_contact_max_overlap_m(const struct cor_sphere_contact *contact, double speed_m_s);
+
+/* Dissipation time A of the pair, s, from eps measured at impact speed g > 0, m/s, for a contact filled with
+ * any A: A = (2/3) beta(eps) scale g^(-1/5), by cor_sphere_beta_....
+ * Accuracy: COR_CONTACT_MAX_ULP in all, for the eps as given (sphere.h, the inverse).
+ * Special values: eps 1 -> 0, 0 -> +inf; eps outside [0, 1], speed not positive, infinite or NaN, or a
+ * contact whose scale is not known (init failed, or from g* alone) -> NaN. */
+COR_API double cor_contact_dissipation_time_s_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s,
+                                                           double eps);
+COR_API double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s,
+                                                         double eps);
 
 /* A of (4), s, from Young's modulus Y > 0 (Pa), Poisson's ratio -1 < nu <= 1/2 and the viscous
  * constants eta_1, eta_2 >= 0 of the material, Pa s, in the notation of (4):

@@ -26,16 +26,16 @@
 extern "C" {
 #endif
 
-/* Largest beta that the eps and loss functions below accept at this stage. */
-#define COR_SPHERE_BETA_MAX 2.0
-
-/* Bounds on |computed/exact - 1| of eps and of loss = 1 - eps, 0 <= beta <= COR_SPHERE_BETA_MAX,
- * both ends of contact, approximation and evaluation together. Sampled: tests/unit/test_sphere.c
- * asserts them against an integration of the equation of motion; generated/sphere_pade.h states
- * the error of the approximation alone. Where the loss is subnormal, half a unit of the last
- * subnormal place comes on top. */
-#define COR_SPHERE_EPS_MAX_REL 1e-10
-#define COR_SPHERE_LOSS_MAX_REL 1e-10
+/* Bounds on the error of the functions below, in units of the last place of the exact value, over every double in
+ * their domains, subnormal arguments and results included. Sampled: tests/accuracy asserts them against an
+ * independent reference at random arguments and around every boundary; docs/accuracy.md records the worst found. */
+#define COR_SPHERE_EPS_MAX_ULP 1.0
+#define COR_SPHERE_LOSS_MAX_ULP 1.0
+#define COR_SPHERE_MAX_OVERLAP_MAX_ULP 1.0
+#define COR_SPHERE_TIME_MAX_ULP 2.0
+#define COR_SPHERE_BETA_MAX_ULP 2.0
+/* The float variants, in units of the last place of a float. */
+#define COR_SPHERE_FLOAT_MAX_ULP 1.0
 
 /* C_1 of eps = 1 + C_1 beta + C_2 beta^2 + ..., (65) with its sign (minus that of (6)):
  *
@@ -44,26 +44,63 @@ extern "C" {
  * by (30). Rounded to the nearest double. */
 #define COR_SPHERE_C1 (-1.15344885809528879913)
 
-/* eps at zero overlap and at zero force.
- * Domain: 0 <= beta <= COR_SPHERE_BETA_MAX. Accuracy: COR_SPHERE_EPS_MAX_REL.
- * Special values: beta = +-0 -> exactly 1; negative, NaN and beyond the domain (+inf too) -> NaN.
- * Source: (10) with Pade approximants of the series (65) in beta (zero overlap), and of its
- * counterpart in sqrt(beta) (zero force). */
-COR_API double cor_sphere_eps_zero_overlap(double beta);
-COR_API double cor_sphere_eps_zero_force(double beta);
+/* Every function here comes as double, as float (with an f at its end: the double function rounded once), and for
+ * arrays of either: y[i] = function(x[i]) for i < n, the same to the last bit. n may be 0, the pointers then NULL. x
+ * and y may be the same array, but must not overlap otherwise. The same input gives the same bits on every processor:
+ * instruction sets are chosen at run time, and none of them changes a result. */
+#define COR_SPHERE_DECLARE_(quantity)                                                                                  \
+    COR_API double cor_sphere_##quantity(double x);                                                                    \
+    COR_API float cor_sphere_##quantity##f(float x);                                                                   \
+    COR_API void cor_sphere_##quantity##_array(const double *x, double *y, size_t n);                                  \
+    COR_API void cor_sphere_##quantity##_arrayf(const float *x, float *y, size_t n);
 
-/* loss = 1 - eps, with relative accuracy where the subtraction would have none: loss tends to
- * |C_1| beta as beta -> 0, down to the smallest subnormal.
- * Domain: 0 <= beta <= COR_SPHERE_BETA_MAX. Accuracy: COR_SPHERE_LOSS_MAX_REL.
- * Special values: beta = +-0 -> exactly 0; negative, NaN and beyond the domain -> NaN.
- * Source: as eps, 1 - P/Q = (Q - P)/Q with the difference taken before rounding. */
-COR_API double cor_sphere_loss_zero_overlap(double beta);
-COR_API double cor_sphere_loss_zero_force(double beta);
+/* double cor_sphere_eps_zero_overlap(double beta), cor_sphere_eps_zero_force: restitution coefficient at an end.
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_EPS_MAX_ULP. 0 <= eps <= 1, and from one double beta to the next eps
+ * never rises by more than one unit of its last place.
+ * Large beta: h*^5 beta^-5, h*^5 = 5.1583817..., exact in double precision from beta = 7 on (zero overlap);
+ * (3/2)^(2/3) beta^(-5/3) and corrections of relative size beta^(-5/3) ln(beta) (zero force).
+ * Special values: +-0 -> exactly 1, +inf -> 0; negative and NaN -> NaN.
+ * Source: (10), by the equation of motion itself; docs/derivation.md, 4 to 6 and 8. */
+COR_SPHERE_DECLARE_(eps_zero_overlap)
+COR_SPHERE_DECLARE_(eps_zero_force)
 
-/* eps[i] = cor_sphere_eps_...(beta[i]) for i < n, the same to the last bit. n may be 0, the
- * pointers then NULL. beta and eps may be the same array, but must not overlap otherwise. */
-COR_API void cor_sphere_eps_zero_overlap_array(const double *beta, double *eps, size_t n);
-COR_API void cor_sphere_eps_zero_force_array(const double *beta, double *eps, size_t n);
+/* double cor_sphere_loss_zero_overlap(double beta), cor_sphere_loss_zero_force: 1 - eps, with relative accuracy where
+ * the subtraction would have none: it tends to |C_1| beta as beta -> 0, down to the smallest subnormal.
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_LOSS_MAX_ULP.
+ * Special values: +-0 -> 0, +inf -> 1; negative and NaN -> NaN. Source: as eps. */
+COR_SPHERE_DECLARE_(loss_zero_overlap)
+COR_SPHERE_DECLARE_(loss_zero_force)
+
+/* double cor_sphere_beta_zero_overlap(double eps), cor_sphere_beta_zero_force: the inverse, the beta that has this
+ * eps at an end.
+ * Domain: 0 <= eps <= 1. Accuracy: COR_SPHERE_BETA_MAX_ULP for the double eps as it is given. (Near eps = 1 a change of
+ * its last place is a large change of beta = (1 - eps)/|C_1|: the condition number is eps/(1 - eps).)
+ * Special values: 1 -> 0, +-0 -> +inf; outside [0, 1] and NaN -> NaN. Source: as eps. */
+COR_SPHERE_DECLARE_(beta_zero_overlap)
+COR_SPHERE_DECLARE_(beta_zero_force)
+
+/* double cor_sphere_duration_zero_overlap(double beta), cor_sphere_duration_zero_force: duration of the contact, in
+ * units of (rho/m)^(-2/5) g^(-1/5) of contact.h.
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_TIME_MAX_ULP.
+ * Large beta: (10/3) beta ln(beta) (zero overlap); beta^(-2/3) (2.9119... ln(beta) + 0.5292...) (zero force).
+ * Special values: +-0 -> 2 tau_0 of (51), 3.2180...; +inf -> +inf (zero overlap), 0 (zero force); negative and
+ * NaN -> NaN. Source: docs/derivation.md, 4 to 6 and 8. */
+COR_SPHERE_DECLARE_(duration_zero_overlap)
+COR_SPHERE_DECLARE_(duration_zero_force)
+
+/* double cor_sphere_max_overlap(double beta): largest overlap x_max, in units of (rho/m)^(-2/5) g^(4/5).
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_MAX_OVERLAP_MAX_ULP.
+ * Large beta: (3/2)^(2/3) beta^(-2/3).
+ * Special values: +-0 -> y_0 of (51), 1.0933...; +inf -> 0; negative and NaN -> NaN. Source: (57) to (62). */
+COR_SPHERE_DECLARE_(max_overlap)
+
+/* double cor_sphere_time_of_max_overlap(double beta): when it is reached, in units of (rho/m)^(-2/5) g^(-1/5).
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_TIME_MAX_ULP.
+ * Large beta: beta^(-2/3) (1.4559... ln(beta) + 0.4112...).
+ * Special values: +-0 -> tau_0 of (51), 1.6090...; +inf -> 0; negative and NaN -> NaN. Source: (51) to (56). */
+COR_SPHERE_DECLARE_(time_of_max_overlap)
+
+#undef COR_SPHERE_DECLARE_
 
 /* ---- Approximations of 1999, kept as what they are. None of them is the answer. ---- */
 

@@ -120,6 +120,63 @@ static void test_doubles(void **state)
     _arb_vec_clear(x, COUNT);
 }
 
+/* Rows inside a function, hexadecimal with a comment each and as plain decimals: the same doubles. */
+static void test_rows(void **state)
+{
+    (void)state;
+    enum { ROWS = 3, COLUMNS = 5 };
+    arb_ptr x = _arb_vec_init(ROWS * COLUMNS);
+    double expected[ROWS * COLUMNS];
+    for (slong i = 0; i < ROWS * COLUMNS; i++) {
+        arb_sqrt_ui(x + i, (ulong)(2 * i + 1), PREC);
+        arb_mul_2exp_si(x + i, x + i, i % 4 == 3 ? -1060 : 40 * (i - 7)); /* subnormal ones too */
+        if (i % 2)
+            arb_neg(x + i, x + i);
+        assert_true(digits_to_double(&expected[i], x + i));
+    }
+    struct emit e;
+    FILE *file = create("header.h");
+    emit_open(&e, file, "HEADER_H", "rows");
+    for (int decimal = 0; decimal < 2; decimal++) {
+        e.decimal = decimal;
+        emit_rows_open(&e, decimal ? "decimals" : "hexadecimals", ROWS, COLUMNS);
+        for (slong i = 0; i < ROWS; i++)
+            assert_int_equal(emit_row(&e, "a row", x + i * COLUMNS, COLUMNS, i + 1 == ROWS), 0);
+        emit_rows_close(&e);
+    }
+    emit_close(&e);
+    assert_int_equal(fclose(file), 0);
+
+    file = create("main.c");
+    fprintf(file,
+            "#define COR_INLINE static inline\n#include <stdio.h>\n#include \"header.h\"\n"
+            "int main(void)\n{\n"
+            "    for (int i = 0; i < %d; i++)\n        for (int k = 0; k < %d; k++)\n"
+            "            printf(\"%%a %%a\\n\", hexadecimals(i)[k], decimals(i)[k]);\n"
+            "    return 0;\n}\n",
+            ROWS, COLUMNS);
+    assert_int_equal(fclose(file), 0);
+    FILE *output = compile_and_run();
+    for (int i = 0; i < ROWS * COLUMNS; i++) {
+        char hexadecimal[64], decimal[64];
+        assert_int_equal(fscanf(output, "%63s %63s", hexadecimal, decimal), 2);
+        assert_true(strtod(hexadecimal, NULL) == expected[i]);
+        assert_true(strtod(decimal, NULL) == expected[i]);
+    }
+    assert_int_equal(pclose(output), 0);
+
+    /* a number that is not known well enough ends the row */
+    mag_set_ui_2exp_si(arb_radref(x + 1), 1, 300);
+    file = create("header.h");
+    emit_open(&e, file, "HEADER_H", "rows");
+    emit_rows_open(&e, "rows", 1, COLUMNS);
+    assert_int_equal(emit_row(&e, "a row", x, COLUMNS, true), 1);
+    e.decimal = true;
+    assert_int_equal(emit_row(&e, "a row", x, COLUMNS, true), 1);
+    assert_int_equal(fclose(file), 0);
+    _arb_vec_clear(x, ROWS * COLUMNS);
+}
+
 /* A ball that straddles the middle of two doubles is refused, not rounded. */
 static void test_too_wide(void **state)
 {
@@ -204,10 +261,8 @@ static void test_pade_header(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_doubles),
-        cmocka_unit_test(test_too_wide),
-        cmocka_unit_test(test_bound),
-        cmocka_unit_test(test_pade_header),
+        cmocka_unit_test(test_doubles), cmocka_unit_test(test_rows),        cmocka_unit_test(test_too_wide),
+        cmocka_unit_test(test_bound),   cmocka_unit_test(test_pade_header),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

@@ -30,14 +30,19 @@ static inline long double relative_error(double computed, long double exact)
     return fabsl((computed - exact) / exact);
 }
 
-/* |computed - exact| in units of the last place of a double of that size, subnormals included */
-static inline long double ulp_error(double computed, long double exact)
+/* The unit of the last place of a double of that size, subnormals included */
+static inline long double ulp(long double exact)
 {
     int exponent;
     frexpl(exact, &exponent);
     if (exponent < DBL_MIN_EXP)
         exponent = DBL_MIN_EXP;
-    return fabsl(computed - exact) / ldexpl(1, exponent - DBL_MANT_DIG);
+    return ldexpl(1, exponent - DBL_MANT_DIG);
+}
+
+static inline long double ulp_error(double computed, long double exact)
+{
+    return fabsl(computed - exact) / ulp(exact);
 }
 
 static inline int same_bits(double x, double y)

@@ -7,15 +7,23 @@
 struct reference {
     long double eps_zero_overlap, loss_zero_overlap;
     long double eps_zero_force, loss_zero_force;
+    long double duration_zero_overlap, duration_zero_force;
+    long double max_overlap, time_of_max_overlap;
 };
 
-/* One collision at 0 <= beta <= 5: with x = w^2 and dt = w dsigma,
+/* One collision at 0 <= beta <= 20: with x = beta^(-2/3) X, t = beta^(-2/3) s beyond beta = 1, X = w^2 and
+ * ds = w dsigma,
  *
- *     dw/dsigma = v/2,     dv/dsigma = -w^2 (beta v + w^2),     w = 0, v = 1 at the start
+ *     dw/dsigma = v/2,     dv/dsigma = -w^2 (c1 v + c2 w^2),     ds/dsigma = w,     w = 0, v = 1 at the start
  *
- * by Taylor steps of order 40 in long double. Zero overlap: w = 0 again; zero force: beta v + w^2 =
- * 0. eps is good to about 1e-18 where long double has 64 bits, and 1e-15 where it is a double; loss
- * is 1 - eps, with that absolute error. */
+ * by Taylor steps of order 40 in long double, c1 = beta and c2 = 1 up to beta = 1, c1 = 1 and c2 = beta^(-5/3) beyond.
+ * Zero overlap: w = 0 again; zero force: c1 v + c2 w^2 = 0. Relative errors are about 1e-18 where long double has 64
+ * bits, and 1e-15 where it is a double; loss is 1 - eps, with that absolute error. The time grows like beta^4: a
+ * millisecond at 7. */
 struct reference reference_collision(long double beta);
+
+/* The same without the unloading, up to beta = 1e6. Zero overlap is NaN; the duration at zero force loses as many digits
+ * as beta^(5/3) has, for the force vanishes where it is so small. */
+struct reference reference_loading(long double beta);
 
 #endif

@@ -3,6 +3,8 @@
 
 #include <cor/cor.h>
 
+#include "reference_ode.h"
+
 static const double smallest = 4.9406564584124654e-324;
 
 /* Glass: Y = 70 GPa, nu = 1/5, A = 0.2 microseconds, R = 1 mm, 10 mg. */
@@ -147,13 +149,10 @@ static void speeds(void **state)
         assert_true(cor_contact_eps_zero_overlap(&c, zero[i]) == 1);
         assert_true(cor_contact_eps_zero_force(&c, zero[i]) == 1);
     }
-    /* beta = 2 is reached at g/g* = (2 |C_1|)^5 = 65.333877... */
-    const double limit = 65.3338;
-    assert_true(!isnan(cor_contact_eps_zero_overlap(&c, limit)));
-    assert_true(isnan(cor_contact_eps_zero_overlap(&c, limit * 1.00001)));
-    assert_true(isnan(cor_contact_eps_zero_force(&c, limit * 1.00001)));
-    assert_true(isnan(cor_contact_eps_zero_force(&c, INFINITY)));
     assert_true(isinf(cor_contact_beta(&c, INFINITY)));
+    assert_true(cor_contact_eps_zero_overlap(&c, INFINITY) == 0 && cor_contact_eps_zero_force(&c, INFINITY) == 0);
+    assert_true(cor_contact_eps_zero_overlap(&c, DBL_MAX) > 0 && cor_contact_eps_zero_force(&c, DBL_MAX) > 0);
+    assert_true(cor_contact_eps_zero_overlap(&c, smallest) == 1 && cor_contact_eps_zero_force(&c, smallest) == 1);
     /* subnormal speeds: the fifth root of the smallest one is 2^(-1074/5) */
     const double tiny[] = {smallest, 7 * smallest, DBL_MIN, nextafter(DBL_MIN, 0), 1e-310};
     for (size_t i = 0; i < sizeof tiny / sizeof *tiny; i++)
@@ -200,14 +199,29 @@ static void characteristic_speed(void **state)
     assert_true(c.beta_per_root == 0 && cor_contact_eps_zero_force(&c, 1e5) == 1);
 }
 
+/* A contact that does not know its scale has neither seconds nor metres. */
+static void no_dimensions(const struct cor_sphere_contact *c)
+{
+    const double speed[] = {0, -0.0, 1e-3, 1, 1e300, INFINITY, NAN, -1};
+    for (size_t i = 0; i < sizeof speed / sizeof *speed; i++) {
+        assert_true(isnan(cor_contact_duration_s_zero_overlap(c, speed[i])));
+        assert_true(isnan(cor_contact_duration_s_zero_force(c, speed[i])));
+        assert_true(isnan(cor_contact_max_overlap_m(c, speed[i])));
+        assert_true(isnan(cor_contact_dissipation_time_s_zero_overlap(c, speed[i], 0.5)));
+        assert_true(isnan(cor_contact_dissipation_time_s_zero_force(c, speed[i], 0.5)));
+    }
+}
+
 static void all_nan(const struct cor_sphere_contact *c)
 {
     assert_true(isnan(c->effective_mass_kg) && isnan(c->effective_radius_m) && isnan(c->elastic_constant_n_m15) &&
-                isnan(c->dissipation_time_s) && isnan(c->beta_per_root) && isnan(c->scale));
+                isnan(c->dissipation_time_s) && isnan(c->beta_per_root) && isnan(c->scale) &&
+                isnan(c->beta5_per_speed));
     assert_true(isnan(cor_contact_beta(c, 1)) && isnan(cor_contact_beta(c, 0)));
     assert_true(isnan(cor_contact_eps_zero_overlap(c, 1)));
-    assert_true(isnan(cor_contact_eps_zero_force(c, 0)));
+    assert_true(isnan(cor_contact_eps_zero_force(c, 0)) && isnan(cor_contact_eps_zero_overlap(c, INFINITY)));
     assert_true(isnan(cor_contact_g_star_m_s(c)));
+    no_dimensions(c);
 }
 
 /* Puts a wrong value into one member of a good body, as first and as second. */
@@ -215,11 +229,11 @@ static void refused(size_t member, double value, int status)
 {
     struct cor_body good = glass(), wrong = glass();
     memcpy((char *)&wrong + member, &value, sizeof value);
-    struct cor_sphere_contact c = {1, 1, 1, 1, 1, 1};
+    struct cor_sphere_contact c = {1, 1, 1, 1, 1, 1, 1};
     const int first = cor_sphere_contact_init(&c, &wrong, &good);
     check(first == status, "member at %zu = %g: status %d, not %d", member, value, first, status);
     all_nan(&c);
-    c = (struct cor_sphere_contact){1, 1, 1, 1, 1, 1};
+    c = (struct cor_sphere_contact){1, 1, 1, 1, 1, 1, 1};
     const int second = cor_sphere_contact_init(&c, &good, &wrong);
     check(second == status, "member at %zu = %g: status %d, not %d", member, value, second, status);
     all_nan(&c);
@@ -282,7 +296,7 @@ static void wrong_inputs(void **state)
 
     assert_int_equal(cor_sphere_contact_init_g_star(NULL, 1), COR_ERROR_NULL);
     for (size_t i = 0; i < sizeof not_positive / sizeof *not_positive; i++) {
-        c = (struct cor_sphere_contact){1, 1, 1, 1, 1, 1};
+        c = (struct cor_sphere_contact){1, 1, 1, 1, 1, 1, 1};
         assert_int_equal(cor_sphere_contact_init_g_star(&c, not_positive[i]), COR_ERROR_G_STAR);
         all_nan(&c);
     }
@@ -351,6 +365,233 @@ static void mass_of_a_sphere(void **state)
     }
 }
 
+typedef double contact_function(const struct cor_sphere_contact *, double);
+
+static contact_function *const eps_at_speed[2] = {cor_contact_eps_zero_overlap, cor_contact_eps_zero_force};
+static double (*const eps_at_beta[2])(double) = {cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_force};
+
+/* |d ln(eps)/d ln(beta)|, a few digits of it */
+static long double steepness(int end, double beta)
+{
+    if (beta >= 1e15)
+        return end ? 5 / 3.0L : 5;
+    const double above = beta + ldexp(beta, -20), below = beta - ldexp(beta, -20);
+    const long double fall = eps_at_beta[end](below) - (long double)eps_at_beta[end](above);
+    return fall * beta / (((long double)above - below) * eps_at_beta[end](beta));
+}
+
+/* What contact.h promises of eps at a speed, in units of 2^-53, as a part of that promise. */
+static long double eps_error(int end, const struct cor_sphere_contact *c, double speed)
+{
+    const long double beta = c->beta_per_root * powl(speed, 0.2L), x = cbrtl(2.25L);
+    const struct reference r = beta < 7.5L ? reference_collision(beta) : reference_loading(fminl(beta, 1e6L));
+    long double exact = end ? r.eps_zero_force : r.eps_zero_overlap;
+    if (beta >= 7.5L && end == 0)
+        exact = 5.158381704267685216414L / (beta * beta * beta * beta * beta);
+    if (beta >= 1e6L && end == 1) /* 1e-9 off at 1e6 and exact from 1e14 on */
+        exact = x / powl(beta, 5 / 3.0L);
+    const double eps = eps_at_speed[end](c, speed);
+    const long double bound = (2 + 2 * steepness(end, (double)beta)) * DBL_EPSILON / 2;
+    return fabsl(eps / exact - 1) / (bound + (LDBL_MANT_DIG >= 64 ? 0.02L : 16) * DBL_EPSILON);
+}
+
+static void eps_at_a_speed(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst[2] = {0};
+    for (size_t i = 0; i < points(3000); i++) {
+        struct cor_sphere_contact c;
+        assert_int_equal(cor_sphere_contact_init_g_star(&c, random_log(&random, 1e-30, 1e30)), COR_OK);
+        const double beta = i % 3 == 0   ? random_uniform(&random, 0, 7.5)
+                            : i % 3 == 1 ? random_log(&random, 1e-20, 4)
+                                         : random_log(&random, 7.5, 1e6);
+        const double speed = pow(beta / c.beta_per_root, 5);
+        for (int end = 0; end < 2; end++) {
+            const long double error = eps_error(end, &c, speed);
+            worst[end] = fmaxl(worst[end], error);
+            check(error <= 1, "end %d, beta = %a, speed %a: %Lg of the promise", end, beta, speed, error);
+        }
+    }
+    print_message("eps at a speed: %.3Lf and %.3Lf of what is promised\n", worst[0], worst[1]);
+    /* around every place where rows in x = beta^5 end, by a contact whose x is the speed */
+    struct cor_sphere_contact c;
+    assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
+    for (double beta5 = 0x1p-22; beta5 < 0x1p22; beta5 *= 1.0625) {
+        double speed = beta5 / c.beta5_per_speed;
+        for (int end = 0; end < 2; end++) {
+            /* octaves in eighths; the quotient's rounding is a unit */
+            const double fraction = frexp(beta5, &(int){0}), edge = ldexp(nearbyint(ldexp(fraction, 4)), -4);
+            speed = ldexp(edge, ilogb(beta5) + 1) / c.beta5_per_speed;
+            for (int k = 0; k < 6; k++)
+                speed = nextafter(speed, 0);
+            for (int k = 0; k < 12; k++, speed = nextafter(speed, INFINITY)) {
+                const long double a = eps_at_speed[end](&c, speed),
+                                  b = eps_at_speed[end](&c, nextafter(speed, INFINITY));
+                /* both ends of the step may use up their bound, of which steepness takes 5 at most */
+                check(fabsl(a - b) <= 2 * (2 + 2 * 5) * DBL_EPSILON / 2 * a, "end %d at speed %a: %La, then %La", end,
+                      speed, a, b);
+            }
+        }
+    }
+}
+
+/* Contacts whose beta_per_root^5 is no double, with speeds that bring beta back to where something happens. */
+static void extreme_contacts(void **state)
+{
+    (void)state;
+    struct cor_sphere_contact c;
+    assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
+    const double factor[] = {1e-61, 3e-61, 2e-60, 1e60, 3e61, 1e64, 1e-200, 1e200, 5e-310};
+    for (size_t i = 0; i < sizeof factor / sizeof *factor; i++) {
+        /* all that the functions read */
+        c.beta_per_root = factor[i];
+        c.beta5_per_speed = NAN;
+        for (double exponent = -323; exponent < 308; exponent += 0.37) {
+            const double speed = pow(10, exponent), beta = cor_contact_beta(&c, speed);
+            for (int end = 0; end < 2; end++) {
+                const double eps = eps_at_speed[end](&c, speed);
+                check(same_bits(eps, eps_at_beta[end](beta)), "%g at %g", factor[i], speed);
+                if (beta > 1e-12 && beta < 1e5)
+                    check(eps_error(end, &c, speed) <= 1, "%g at %g", factor[i], speed);
+            }
+        }
+        assert_true(cor_contact_eps_zero_overlap(&c, 0) == 1 && cor_contact_eps_zero_force(&c, -0.0) == 1);
+        assert_true(cor_contact_eps_zero_overlap(&c, INFINITY) == 0 && isnan(cor_contact_eps_zero_force(&c, -1)));
+    }
+    /* where init itself cannot hold the power */
+    const struct cor_body soft = {1e-250, 0.3, 1e-10, 1e-3, 1e250};
+    struct cor_sphere_contact extreme;
+    assert_int_equal(cor_sphere_contact_init(&extreme, &soft, &soft), COR_OK);
+    assert_true(isnan(extreme.beta5_per_speed) && extreme.beta_per_root > 0);
+    assert_true(cor_contact_eps_zero_force(&extreme, 1) == 1);
+}
+
+static void without_dissipation(void **state)
+{
+    (void)state;
+    struct cor_body elastic = glass();
+    elastic.dissipation_time_s = 0;
+    struct cor_sphere_contact c[2];
+    assert_int_equal(cor_sphere_contact_init(&c[0], &elastic, &elastic), COR_OK);
+    assert_int_equal(cor_sphere_contact_init_g_star(&c[1], INFINITY), COR_OK);
+    const double speed[] = {0, -0.0, smallest, 1, DBL_MAX, INFINITY}, bad[] = {-smallest, -1, -INFINITY, NAN};
+    for (int k = 0; k < 2; k++)
+        for (int end = 0; end < 2; end++) {
+            for (size_t i = 0; i < sizeof speed / sizeof *speed; i++)
+                check(eps_at_speed[end](&c[k], speed[i]) == 1, "speed %g", speed[i]);
+            for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+                check(isnan(eps_at_speed[end](&c[k], bad[i])), "speed %g", bad[i]);
+        }
+    /* T = 2 tau_0 scale g^(-1/5) at both ends, by Hertz, and x_max = y_0 scale g^(4/5) */
+    const long double root = powl(0.3, 0.2L);
+    const long double time = 3.21806545971904308454L * c[0].scale / root;
+    check(ulp_error(cor_contact_duration_s_zero_overlap(&c[0], 0.3), time) <= 6, "duration");
+    check(ulp_error(cor_contact_duration_s_zero_force(&c[0], 0.3), time) <= 6, "duration");
+    const long double overlap = 1.09336207394327805637L * c[0].scale * root * root * root * root;
+    check(ulp_error(cor_contact_max_overlap_m(&c[0], 0.3), overlap) <= 10, "overlap");
+    assert_true(cor_contact_duration_s_zero_overlap(&c[0], INFINITY) == 0);
+    assert_true(cor_contact_duration_s_zero_force(&c[0], INFINITY) == 0);
+    assert_true(isinf(cor_contact_max_overlap_m(&c[0], INFINITY)));
+    no_dimensions(&c[1]);
+}
+
+static void special_values_of_dimensions(void **state)
+{
+    (void)state;
+    const struct cor_body body = glass();
+    struct cor_sphere_contact c;
+    assert_int_equal(cor_sphere_contact_init(&c, &body, &body), COR_OK);
+    contact_function *const duration[2] = {cor_contact_duration_s_zero_overlap, cor_contact_duration_s_zero_force};
+    const double zero[] = {0.0, -0.0}, bad[] = {-1, -smallest, -INFINITY, NAN};
+    for (int i = 0; i < 2; i++) {
+        for (int end = 0; end < 2; end++)
+            check(duration[end](&c, zero[i]) > DBL_MAX, "duration at %g: %g", zero[i], duration[end](&c, zero[i]));
+        check(cor_contact_max_overlap_m(&c, zero[i]) == 0, "overlap at %g", zero[i]);
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        for (int end = 0; end < 2; end++)
+            check(isnan(duration[end](&c, bad[i])), "duration at %g", bad[i]);
+        check(isnan(cor_contact_max_overlap_m(&c, bad[i])), "overlap at %g", bad[i]);
+    }
+    assert_true(cor_contact_duration_s_zero_overlap(&c, INFINITY) > DBL_MAX);
+    assert_true(cor_contact_duration_s_zero_force(&c, INFINITY) == 0);
+    assert_true(cor_contact_max_overlap_m(&c, INFINITY) > DBL_MAX);
+
+    double (*const time[2])(const struct cor_sphere_contact *, double, double) = {
+        cor_contact_dissipation_time_s_zero_overlap, cor_contact_dissipation_time_s_zero_force};
+    for (int end = 0; end < 2; end++) {
+        assert_true(time[end](&c, 1, 1) == 0);
+        assert_true(time[end](&c, 1, 0) > DBL_MAX && time[end](&c, 1, -0.0) > DBL_MAX);
+        const double no_eps[] = {-smallest, nextafter(1, 2), INFINITY, -INFINITY, NAN};
+        for (size_t i = 0; i < sizeof no_eps / sizeof *no_eps; i++)
+            check(isnan(time[end](&c, 1, no_eps[i])), "eps = %g", no_eps[i]);
+        const double no_speed[] = {0, -0.0, -1, INFINITY, -INFINITY, NAN};
+        for (size_t i = 0; i < sizeof no_speed / sizeof *no_speed; i++)
+            check(isnan(time[end](&c, no_speed[i], 0.5)), "speed %g", no_speed[i]);
+    }
+    assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
+    no_dimensions(&c);
+}
+
+/* From the materials, all in long double, and through the equation of motion. */
+static void dimensions_against_long_double(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst[3] = {0};
+    for (size_t i = 0; i < points(3000); i++) {
+        struct cor_body body = {random_log(&random, 1e6, 1e12), random_uniform(&random, 0, 0.5), 1,
+                                random_log(&random, 1e-6, 10), random_log(&random, 1e-12, 1e6)};
+        const double speed = random_log(&random, 1e-9, 1e3);
+        const long double rho = 2 * sqrtl(body.radius_m / 2.0L) * body.young_modulus_pa /
+                                (3 * (1 - (long double)body.poisson_ratio) * (1 + (long double)body.poisson_ratio));
+        const long double scale = powl(2 * rho / body.mass_kg, -0.4L), root = powl(speed, 0.2L);
+        body.dissipation_time_s = (double)(random_log(&random, 1e-3, 7) * scale / (1.5L * root));
+        const long double beta = 1.5L * body.dissipation_time_s / scale * root;
+        const struct reference r = reference_collision(beta);
+        struct cor_sphere_contact c;
+        assert_int_equal(cor_sphere_contact_init(&c, &body, &body), COR_OK);
+        const long double error[3] = {
+            ulp_error(cor_contact_duration_s_zero_overlap(&c, speed), r.duration_zero_overlap * scale / root),
+            ulp_error(cor_contact_duration_s_zero_force(&c, speed), r.duration_zero_force * scale / root),
+            ulp_error(cor_contact_max_overlap_m(&c, speed), r.max_overlap * scale * root * root * root * root)};
+        for (int k = 0; k < 3; k++) {
+            worst[k] = fmaxl(worst[k], error[k]);
+            check(error[k] <= COR_CONTACT_MAX_ULP, "%d at speed %a: %Lg ulp", k, speed, error[k]);
+        }
+    }
+    print_message("durations %.2Lf and %.2Lf, largest overlap %.2Lf ulp at the worst\n", worst[0], worst[1], worst[2]);
+}
+
+/* A -> eps -> A: what eps lost to rounding, and no more. */
+static void dissipation_time_from_eps(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    double (*const time[2])(const struct cor_sphere_contact *, double, double) = {
+        cor_contact_dissipation_time_s_zero_overlap, cor_contact_dissipation_time_s_zero_force};
+    for (size_t i = 0; i < points(20000); i++) {
+        struct cor_body body = glass();
+        body.dissipation_time_s = random_log(&random, 1e-12, 1e-2);
+        body.radius_m = random_log(&random, 1e-5, 1);
+        struct cor_sphere_contact c, other;
+        assert_int_equal(cor_sphere_contact_init(&c, &body, &body), COR_OK);
+        /* the time in the contact is not looked at */
+        body.dissipation_time_s = 1;
+        assert_int_equal(cor_sphere_contact_init(&other, &body, &body), COR_OK);
+        const double speed = random_log(&random, 1e-6, 1e3), beta = cor_contact_beta(&c, speed);
+        for (int end = 0; end < 2; end++) {
+            const double eps = eps_at_speed[end](&c, speed), back = time[end](&other, speed, eps);
+            const double loss = end ? cor_sphere_loss_zero_force(beta) : cor_sphere_loss_zero_overlap(beta);
+            /* |d ln(beta)/d ln(eps)| is about eps/(1 - eps) and less than 1 where eps is small */
+            const long double condition = 2.0L * eps / loss + 1;
+            check(relative_error(back, c.dissipation_time_s) <= (4 * condition + 2 * COR_CONTACT_MAX_ULP) * DBL_EPSILON,
+                  "end %d, eps = %a: A = %a -> %a", end, eps, c.dissipation_time_s, back);
+        }
+    }
+}
+
 static void arrays(void **state)
 {
     (void)state;
@@ -358,31 +599,39 @@ static void arrays(void **state)
     static double speed[COUNT], eps[COUNT + 1];
     struct random_state random = random_start();
     for (int i = 0; i < COUNT; i++)
-        speed[i] = random_log(&random, 1e-10, 1e2);
+        speed[i] = i % 2 ? random_log(&random, 1e-12, 1e12) : random_log(&random, 1e-3, 1e4);
     speed[0] = 0;
     speed[1] = NAN;
     speed[2] = -1;
     speed[3] = INFINITY;
     speed[4] = smallest;
-    struct cor_sphere_contact c;
-    assert_int_equal(cor_sphere_contact_init_g_star(&c, 0.1), COR_OK);
-    double (*const one[2])(const struct cor_sphere_contact *, double) = {cor_contact_eps_zero_overlap,
-                                                                         cor_contact_eps_zero_force};
+    speed[COUNT - 1] = -0.0;
     void (*const many[2])(const struct cor_sphere_contact *, const double *, double *,
                           size_t) = {cor_contact_eps_zero_overlap_array, cor_contact_eps_zero_force_array};
-    for (int end = 0; end < 2; end++) {
-        many[end](&c, NULL, NULL, 0);
-        eps[COUNT] = 7;
-        many[end](&c, speed, eps, COUNT);
-        assert_true(eps[COUNT] == 7);
-        int numbers = 0;
-        for (int i = 0; i < COUNT; i++) {
-            const double alone = one[end](&c, speed[i]);
-            numbers += !isnan(alone);
-            check(same_bits(eps[i], alone) || (isnan(eps[i]) && isnan(alone)), "%a", speed[i]);
+    struct cor_sphere_contact c[4];
+    assert_int_equal(cor_sphere_contact_init_g_star(&c[0], 0.1), COR_OK);
+    assert_int_equal(cor_sphere_contact_init_g_star(&c[1], INFINITY), COR_OK);
+    assert_int_equal(cor_sphere_contact_init_g_star(&c[2], 1e-305), COR_OK);
+    assert_int_equal(cor_sphere_contact_init_g_star(&c[3], NAN), COR_ERROR_G_STAR);
+    for (int k = 0; k < 4; k++)
+        for (int end = 0; end < 2; end++) {
+            many[end](&c[k], NULL, NULL, 0);
+            eps[COUNT] = 7;
+            many[end](&c[k], speed, eps, COUNT);
+            assert_true(eps[COUNT] == 7);
+            for (int i = 0; i < COUNT; i++) {
+                const double alone = eps_at_speed[end](&c[k], speed[i]);
+                check(same_bits(eps[i], alone) || (isnan(eps[i]) && isnan(alone)), "contact %d, end %d, %a", k, end,
+                      speed[i]);
+            }
+            memcpy(eps, speed, sizeof speed);
+            many[end](&c[k], eps, eps, COUNT);
+            for (int i = 0; i < COUNT; i++) {
+                const double alone = eps_at_speed[end](&c[k], speed[i]);
+                check(same_bits(eps[i], alone) || (isnan(eps[i]) && isnan(alone)), "in place: contact %d, end %d, %a",
+                      k, end, speed[i]);
+            }
         }
-        assert_in_range(numbers, 300, COUNT - 10); /* both kinds were there */
-    }
 }
 
 static void version(void **state)
@@ -406,6 +655,12 @@ int main(void)
         cmocka_unit_test(status_texts),
         cmocka_unit_test(dissipation_time),
         cmocka_unit_test(mass_of_a_sphere),
+        cmocka_unit_test(eps_at_a_speed),
+        cmocka_unit_test(extreme_contacts),
+        cmocka_unit_test(without_dissipation),
+        cmocka_unit_test(special_values_of_dimensions),
+        cmocka_unit_test(dimensions_against_long_double),
+        cmocka_unit_test(dissipation_time_from_eps),
         cmocka_unit_test(arrays),
         cmocka_unit_test(version),
     };

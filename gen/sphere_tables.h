@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT */
+/* generated/sphere_tables.h, the tables of the runtime, and generated/cor_sphere.h, the same tables and the same
+ * evaluator as one header to embed. */
+#ifndef COR_GEN_SPHERE_TABLES_H
+#define COR_GEN_SPHERE_TABLES_H
+
+#include <stdio.h>
+
+int sphere_tables_write(FILE *file);
+int sphere_header_write(FILE *file);
+
+/* What both are made of is computed once and kept; this lets go of it. */
+void sphere_tables_clear(void);
+
+#endif

@@ -1,0 +1,465 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference.h"
+
+#include "motion.h"
+#include "restitution.h"
+#include "series.h"
+
+#include <math.h>
+#include <stdio.h>
+
+enum {
+    BITS = MOTION_BITS,
+    /* beta below 2^FIRST_BINADE: series, TERMS in beta and as many in sqrt(beta) */
+    FIRST_BINADE = -3,
+    TERMS = 24,
+    /* beyond 2^LAST_BINADE: powers and logarithms; three binades more serve as their period */
+    LAST_BINADE = 45,
+    BINADES = LAST_BINADE + 3 - FIRST_BINADE,
+    /* cells of a binade: quarters in the first ones, where singularities in the complex plane are near, then halves */
+    QUARTERED = 7,
+    QUARTERS = 4,
+    HALVES = 2,
+    CELLS = QUARTERED * QUARTERS + (BINADES - QUARTERED) * HALVES,
+    POINTS = 24,
+    /* from 2^MANIFOLD_BINADE on the unloading joins the slow manifold long before its end */
+    MANIFOLD_BINADE = 4,
+    CLOSED_BINADE = 3
+};
+
+/* The polynomial c[0] + low + c[1] x + ...; low is what c[0] lost to rounding. */
+struct cell {
+    long double low, c[POINTS];
+};
+
+/* value = beta^power (even(beta) + sqrt(beta) odd(beta)) */
+struct small {
+    int power;
+    long double low, even[TERMS], odd[TERMS];
+};
+
+static struct cell cells[QUANTITIES][CELLS];
+static struct small series[QUANTITIES];
+static long double h_star_5, ln2;
+
+/* A cell and its range of beta. */
+struct place {
+    int index;
+    long double middle, half;
+};
+
+/* Where beta is, 2^FIRST_BINADE <= beta < 2^(LAST_BINADE + 3). */
+static struct place place_of(long double beta)
+{
+    int exponent;
+    const long double mantissa = 2 * frexpl(beta, &exponent); /* in [1, 2) */
+    const int binade = exponent - 1 - FIRST_BINADE;
+    const int parts = binade < QUARTERED ? QUARTERS : HALVES, part = (int)((mantissa - 1) * (long double)parts);
+    const int first = binade < QUARTERED ? binade * QUARTERS : QUARTERED * QUARTERS + (binade - QUARTERED) * HALVES;
+    const long double half = ldexpl(1, exponent - 2) / (long double)parts;
+    return (struct place){first + part, ldexpl(1, exponent - 1) + (long double)(2 * part + 1) * half, half};
+}
+
+/* ---- tables ---- */
+
+static long double rounded(const arb_t x)
+{
+    mpfr_t y;
+    mpfr_init2(y, BITS);
+    arf_get_mpfr(y, arb_midref(x), MPFR_RNDN);
+    const long double value = mpfr_get_ld(y, MPFR_RNDN);
+    mpfr_clear(y);
+    return value;
+}
+
+static void split(long double *high, long double *low, const arb_t x)
+{
+    arb_t rest;
+    mpfr_t y;
+    arb_init(rest);
+    mpfr_init2(y, 64);
+    *high = rounded(x);
+    mpfr_set_ld(y, *high, MPFR_RNDN);
+    arf_set_mpfr(arb_midref(rest), y);
+    arb_sub(rest, x, rest, BITS);
+    *low = rounded(rest);
+    arb_clear(rest);
+    mpfr_clear(y);
+}
+
+/* From a power series in sqrt(beta) without its first 2 power terms. */
+static void small_set(struct small *s, const arb_poly_t f, int power)
+{
+    arb_t c;
+    arb_init(c);
+    s->power = power;
+    for (slong k = 0; k < TERMS; k++) {
+        arb_poly_get_coeff_arb(c, f, 2 * (k + power));
+        s->even[k] = rounded(c);
+        if (k == 0)
+            split(&s->even[0], &s->low, c);
+        arb_poly_get_coeff_arb(c, f, 2 * (k + power) + 1);
+        s->odd[k] = rounded(c);
+    }
+    arb_clear(c);
+}
+
+/* f(z^2) */
+static void in_root(arb_poly_t g, const arb_poly_t f)
+{
+    arb_t c;
+    arb_init(c);
+    arb_poly_zero(g);
+    for (slong k = 0; k < f->length; k++) {
+        arb_poly_get_coeff_arb(c, f, k);
+        arb_poly_set_coeff_arb(g, 2 * k, c);
+    }
+    arb_clear(c);
+}
+
+/* T_zero_overlap = tau(beta) + eps^(-1/5) tau(-h), h = beta eps^(1/5); T_zero_force = T_zero_overlap - beta T(w),
+ * w = h^(5/2). As power series in z = sqrt(beta). */
+static void duration_series(arb_poly_t overlap, arb_poly_t force, const struct series *s, slong length)
+{
+    const slong n = s->order + 1;
+    arb_poly_t root, h, x, T;
+    fmpq_poly_t G_exact, T_exact;
+    arb_t e;
+    arb_poly_init(root);
+    arb_poly_init(h);
+    arb_poly_init(x);
+    arb_poly_init(T);
+    fmpq_poly_init(G_exact);
+    fmpq_poly_init(T_exact);
+    arb_init(e);
+
+    arb_set_si(e, 5);
+    arb_inv(e, e, 2 * BITS);
+    arb_poly_pow_arb_series(root, s->c, e, n, 2 * BITS);
+    arb_poly_shift_left(h, root, 1);
+    arb_poly_truncate(h, n);
+    arb_poly_neg(x, h);
+    arb_poly_compose_series(x, s->tau, x, n, 2 * BITS);
+    arb_poly_div_series(x, x, root, n, 2 * BITS);
+    arb_poly_add(x, x, s->tau, 2 * BITS);
+    in_root(overlap, x);
+
+    restitution_zero_force_exact(G_exact, T_exact, length / 5 + 1, &law_sphere);
+    arb_poly_set_fmpq_poly(T, T_exact, 2 * BITS);
+    arb_set_d(e, 0.5);
+    arb_poly_pow_arb_series(x, s->c, e, n, 2 * BITS); /* w = beta^(5/2) eps^(1/2) */
+    in_root(h, x);
+    arb_poly_shift_left(h, h, 5);
+    arb_poly_truncate(h, length);
+    arb_poly_compose_series(x, T, h, length, 2 * BITS);
+    arb_poly_shift_left(x, x, 2);
+    arb_poly_sub(force, overlap, x, 2 * BITS);
+
+    arb_poly_clear(root);
+    arb_poly_clear(h);
+    arb_poly_clear(x);
+    arb_poly_clear(T);
+    fmpq_poly_clear(G_exact);
+    fmpq_poly_clear(T_exact);
+    arb_clear(e);
+}
+
+static int build_series(void)
+{
+    const slong order = TERMS + 2;
+    slong root;
+    struct series s;
+    arb_poly_t f, g;
+    series_init(&s);
+    arb_poly_init(f);
+    arb_poly_init(g);
+    int failed = series_compute(&s, order, &law_sphere, BITS);
+    if (!failed) {
+        in_root(f, s.y);
+        small_set(&series[MAX_OVERLAP], f, 0);
+        in_root(f, s.tau);
+        small_set(&series[TIME_OF_MAX_OVERLAP], f, 0);
+        in_root(f, s.c);
+        small_set(&series[EPS_ZERO_OVERLAP], f, 0);
+        arb_poly_neg(f, f);
+        small_set(&series[LOSS_ZERO_OVERLAP], f, 1);
+        duration_series(f, g, &s, 2 * order);
+        small_set(&series[DURATION_ZERO_OVERLAP], f, 0);
+        small_set(&series[DURATION_ZERO_FORCE], g, 0);
+        failed = series_eps(f, &root, END_ZERO_FORCE, 2 * order, &law_sphere, BITS);
+    }
+    if (!failed) {
+        small_set(&series[EPS_ZERO_FORCE], f, 0);
+        arb_poly_neg(f, f);
+        small_set(&series[LOSS_ZERO_FORCE], f, 1);
+    }
+    series_clear(&s);
+    arb_poly_clear(f);
+    arb_poly_clear(g);
+    return failed;
+}
+
+static bool negative_at(const arb_t sigma, arb_srcptr component)
+{
+    arb_t x;
+    arb_init(x);
+    motion_value(x, component, sigma);
+    const bool negative = arb_is_negative(x);
+    arb_clear(x);
+    return negative;
+}
+
+/* All quantities at one beta >= 1/8; those of zero overlap that have a closed form there stay 0. */
+static void solve(arb_ptr value, const arb_t beta, const struct fall *fall)
+{
+    enum { NOTHING, TURNED, RELEASED } seen = NOTHING;
+    struct motion m;
+    arb_t length, mu, x;
+    bool done = false;
+    arb_init(length);
+    arb_init(mu);
+    arb_init(x);
+    arb_root_ui(x, beta, 3, 2 * BITS);
+    arb_sqr(length, x, 2 * BITS);
+    arb_mul(mu, length, beta, 2 * BITS);
+    arb_inv(length, length, 2 * BITS);
+    arb_inv(mu, mu, 2 * BITS);
+    const bool manifold = arf_cmpabs_2exp_si(arb_midref(beta), MANIFOLD_BINADE) >= 0;
+    const bool closed = arf_cmpabs_2exp_si(arb_midref(beta), CLOSED_BINADE) >= 0;
+
+    _arb_vec_zero(value, QUANTITIES);
+    motion_init(&m, mu);
+    while (!done) {
+        motion_expand(&m);
+        if (seen == NOTHING && negative_at(m.step, m.v)) {
+            seen = TURNED;
+            motion_zero(x, m.v, m.step);
+            motion_value(value + TIME_OF_MAX_OVERLAP, m.s, x);
+            motion_value(value + MAX_OVERLAP, m.square, x);
+        }
+        const bool parted = negative_at(m.step, m.w);
+        if (parted) {
+            done = true;
+            motion_zero(m.step, m.w, m.step);
+            motion_value(value + DURATION_ZERO_OVERLAP, m.s, m.step);
+            motion_value(value + EPS_ZERO_OVERLAP, m.f, m.step);
+            arb_neg(value + EPS_ZERO_OVERLAP, value + EPS_ZERO_OVERLAP);
+        }
+        if (seen == TURNED && negative_at(m.step, m.f)) {
+            seen = RELEASED;
+            motion_zero(x, m.f, m.step);
+            motion_value(value + DURATION_ZERO_FORCE, m.s, x);
+            motion_value(value + EPS_ZERO_FORCE, m.v, x);
+            arb_neg(value + EPS_ZERO_FORCE, value + EPS_ZERO_FORCE);
+        }
+        if (!done)
+            motion_advance(&m, m.step);
+        if (manifold && seen == RELEASED && fall_joined(fall, &m)) {
+            done = true;
+            fall_time(value + DURATION_ZERO_OVERLAP, fall, &m);
+            arb_div(value + DURATION_ZERO_OVERLAP, value + DURATION_ZERO_OVERLAP, m.mu, BITS);
+            arb_add(value + DURATION_ZERO_OVERLAP, value + DURATION_ZERO_OVERLAP, m.s, BITS);
+        }
+    }
+    const enum quantity scaled[] = {DURATION_ZERO_OVERLAP, DURATION_ZERO_FORCE, MAX_OVERLAP, TIME_OF_MAX_OVERLAP};
+    for (size_t i = 0; i < sizeof scaled / sizeof *scaled; i++)
+        arb_mul(value + scaled[i], value + scaled[i], length, BITS);
+    arb_sub_si(value + LOSS_ZERO_FORCE, value + EPS_ZERO_FORCE, 1, BITS);
+    arb_neg(value + LOSS_ZERO_FORCE, value + LOSS_ZERO_FORCE);
+    arb_sub_si(value + LOSS_ZERO_OVERLAP, value + EPS_ZERO_OVERLAP, 1, BITS);
+    arb_neg(value + LOSS_ZERO_OVERLAP, value + LOSS_ZERO_OVERLAP);
+    if (closed) {
+        arb_zero(value + EPS_ZERO_OVERLAP);
+        arb_zero(value + LOSS_ZERO_OVERLAP);
+    }
+    motion_clear(&m);
+    arb_clear(length);
+    arb_clear(mu);
+    arb_clear(x);
+}
+
+/* Interpolation at Chebyshev's points x_j = cos(pi (2 j + 1)/(2 POINTS)) of [-1, 1]: the rows of to_power give the
+ * coefficients of 1, x, x^2 ... from the values. */
+struct interpolation {
+    arb_ptr x;
+    arb_mat_t to_power;
+};
+
+static void interpolation_init(struct interpolation *in)
+{
+    arb_poly_t lagrange, factor;
+    arb_t scale;
+    arb_poly_init(lagrange);
+    arb_poly_init(factor);
+    arb_init(scale);
+    in->x = _arb_vec_init(POINTS);
+    arb_mat_init(in->to_power, POINTS, POINTS);
+    for (slong j = 0; j < POINTS; j++) {
+        arb_set_si(in->x + j, 2 * j + 1);
+        arb_div_si(in->x + j, in->x + j, 2 * (slong)POINTS, 2 * BITS);
+        arb_cos_pi(in->x + j, in->x + j, BITS);
+        arb_get_mid_arb(in->x + j, in->x + j);
+    }
+    for (slong j = 0; j < POINTS; j++) {
+        arb_poly_one(lagrange);
+        for (slong i = 0; i < POINTS; i++) {
+            if (i == j)
+                continue;
+            arb_sub(scale, in->x + j, in->x + i, 2 * BITS);
+            arb_poly_set_coeff_si(factor, 1, 1);
+            arb_neg(factor->coeffs, in->x + i);
+            arb_poly_scalar_div(factor, factor, scale, 2 * BITS);
+            arb_poly_mul(lagrange, lagrange, factor, 2 * BITS);
+        }
+        for (slong k = 0; k < POINTS; k++)
+            arb_poly_get_coeff_arb(arb_mat_entry(in->to_power, k, j), lagrange, k);
+    }
+    arb_poly_clear(lagrange);
+    arb_poly_clear(factor);
+    arb_clear(scale);
+}
+
+static void interpolation_clear(struct interpolation *in)
+{
+    _arb_vec_clear(in->x, POINTS);
+    arb_mat_clear(in->to_power);
+}
+
+static void build_cell(struct place place, const struct interpolation *in, const struct fall *fall)
+{
+    arb_ptr values = _arb_vec_init(QUANTITIES * POINTS), value = _arb_vec_init(QUANTITIES);
+    arb_t beta, c;
+    arb_init(beta);
+    arb_init(c);
+    for (slong j = 0; j < POINTS; j++) {
+        arb_set_d(c, (double)place.half);
+        arb_mul(beta, in->x + j, c, BITS);
+        arb_set_d(c, (double)place.middle);
+        arb_add(beta, beta, c, BITS);
+        arb_get_mid_arb(beta, beta);
+        solve(value, beta, fall);
+        for (int q = 0; q < QUANTITIES; q++)
+            arb_swap(values + q * POINTS + j, value + q);
+    }
+    for (int q = 0; q < QUANTITIES; q++)
+        for (slong k = 0; k < POINTS; k++) {
+            struct cell *cell = &cells[q][place.index];
+            arb_dot(c, NULL, 0, arb_mat_entry(in->to_power, k, 0), 1, values + q * POINTS, 1, POINTS, 2 * BITS);
+            cell->c[k] = rounded(c);
+            if (k == 0)
+                split(&cell->c[0], &cell->low, c);
+        }
+    _arb_vec_clear(values, QUANTITIES * POINTS);
+    _arb_vec_clear(value, QUANTITIES);
+    arb_clear(beta);
+    arb_clear(c);
+}
+
+int reference_build(void)
+{
+    struct interpolation in;
+    struct fall fall;
+    if (build_series() != 0)
+        return 1;
+    fall_init(&fall);
+    interpolation_init(&in);
+    for (long double beta = ldexpl(1, FIRST_BINADE); beta < ldexpl(1, LAST_BINADE + 3);) {
+        const struct place place = place_of(beta);
+        build_cell(place, &in, &fall);
+        beta = place.middle + place.half;
+    }
+    h_star_5 = rounded(fall.h_star_5);
+    arb_t c;
+    arb_init(c);
+    arb_const_log2(c, BITS);
+    ln2 = rounded(c);
+    arb_clear(c);
+    interpolation_clear(&in);
+    fall_clear(&fall);
+    return 0;
+}
+
+/* ---- evaluation ---- */
+
+static long double small_value(const struct small *s, long double beta)
+{
+    long double even = s->even[TERMS - 1], odd = s->odd[TERMS - 1];
+    for (int k = TERMS - 2; k > 0; k--) {
+        even = even * beta + s->even[k];
+        odd = odd * beta + s->odd[k];
+    }
+    odd = odd * beta + s->odd[0];
+    const long double value = s->even[0] + (s->low + (even * beta + odd * sqrtl(beta)));
+    return s->power == 0 ? value : value * beta;
+}
+
+static long double cell_value(enum quantity quantity, long double beta)
+{
+    const struct place place = place_of(beta);
+    const struct cell *cell = &cells[quantity][place.index];
+    const long double x = (beta - place.middle) / place.half;
+    long double sum = cell->c[POINTS - 1];
+    for (int k = POINTS - 2; k > 0; k--)
+        sum = sum * x + cell->c[k];
+    return cell->c[0] + (cell->low + sum * x);
+}
+
+/* From beta = 8^k b with b in the last binades: what is next to the leading powers and logarithms is too small. */
+static long double large_value(enum quantity quantity, long double beta)
+{
+    int exponent;
+    frexpl(beta, &exponent);
+    const int k = (exponent - 1 - LAST_BINADE) / 3;
+    const long double b = ldexpl(beta, -3 * k), value = cell_value(quantity, b);
+    switch (quantity) {
+    case EPS_ZERO_FORCE: /* ~ beta^(-5/3) */
+        return ldexpl(value, -5 * k);
+    case DURATION_ZERO_OVERLAP: /* ~ beta (const + (10/3) ln beta) */
+        return ldexpl(value + 10 * k * ln2 * b, 3 * k);
+    case MAX_OVERLAP: /* ~ X beta^(-2/3), X = (3/2)^(2/3) */
+        return ldexpl(value, -2 * k);
+    /* ~ beta^(-2/3) (const + (5/3) ln beta/sqrt(X)), and twice the logarithm at zero force */
+    case TIME_OF_MAX_OVERLAP:
+        return ldexpl(value + 10 * k * ln2 / 3 * cell_value(MAX_OVERLAP, b), -2 * k);
+    case DURATION_ZERO_FORCE:
+        return ldexpl(value + 20 * k * ln2 / 3 * cell_value(MAX_OVERLAP, b), -2 * k);
+    default:
+        return NAN;
+    }
+}
+
+static long double limit_value(enum quantity quantity)
+{
+    switch (quantity) {
+    case LOSS_ZERO_OVERLAP:
+    case LOSS_ZERO_FORCE:
+        return 1;
+    case DURATION_ZERO_OVERLAP:
+        return HUGE_VALL;
+    default:
+        return 0;
+    }
+}
+
+long double reference_value(enum quantity quantity, long double beta)
+{
+    if (!(beta >= 0))
+        return NAN;
+    if (isinf(beta))
+        return limit_value(quantity);
+    if (beta < ldexpl(1, FIRST_BINADE))
+        return small_value(&series[quantity], beta);
+    if (beta >= ldexpl(1, CLOSED_BINADE) && (quantity == EPS_ZERO_OVERLAP || quantity == LOSS_ZERO_OVERLAP)) {
+        const long double square = beta * beta, eps = h_star_5 / (square * square * beta);
+        return quantity == EPS_ZERO_OVERLAP ? eps : 1 - eps;
+    }
+    if (beta < ldexpl(1, LAST_BINADE + 3))
+        return cell_value(quantity, beta);
+    return quantity == LOSS_ZERO_FORCE ? 1 - large_value(EPS_ZERO_FORCE, beta) : large_value(quantity, beta);
+}
+
+long double reference_slope(enum quantity quantity, long double beta)
+{
+    const long double half = beta * 0x1p-16L;
+    return (reference_value(quantity, beta + half) - reference_value(quantity, beta - half)) / (2 * half);
+}

@@ -1,0 +1,492 @@
+/* SPDX-License-Identifier: MIT */
+/* Every sphere function of the library against the reference: random points, all doubles near every boundary of a
+ * piece, the neighbours of the worst point, floats, arrays, special values, contacts. Prints one line for each
+ * function; these lines are what the documentation quotes. --help lists the options. */
+#include "cor/contact.h"
+#include "cor/sphere.h"
+
+#include "boundaries.h"
+#include "reference.h"
+#include "ulp.h"
+
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* ---- what is tested ---- */
+
+enum shape { FALLS, SMOOTH, INVERSE };
+
+struct function {
+    const char *name;
+    double (*value)(double);
+    void (*array)(const double *, double *, size_t);
+    float (*valuef)(float);
+    void (*arrayf)(const float *, float *, size_t);
+    enum quantity quantity; /* of an inverse: that it inverts */
+    enum shape shape;
+    double max_ulp;
+};
+
+#define ROW(name, quantity, shape, max_ulp)                                                                            \
+    {                                                                                                                  \
+#name, cor_sphere_##name, cor_sphere_##name##_array, cor_sphere_##name##f, cor_sphere_##name##_arrayf,         \
+            quantity, shape, max_ulp                                                                                   \
+    }
+
+static const struct function functions[] = {
+    ROW(eps_zero_overlap, EPS_ZERO_OVERLAP, FALLS, COR_SPHERE_EPS_MAX_ULP),
+    ROW(eps_zero_force, EPS_ZERO_FORCE, FALLS, COR_SPHERE_EPS_MAX_ULP),
+    ROW(loss_zero_overlap, LOSS_ZERO_OVERLAP, SMOOTH, COR_SPHERE_LOSS_MAX_ULP),
+    ROW(loss_zero_force, LOSS_ZERO_FORCE, SMOOTH, COR_SPHERE_LOSS_MAX_ULP),
+    ROW(duration_zero_overlap, DURATION_ZERO_OVERLAP, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
+    ROW(duration_zero_force, DURATION_ZERO_FORCE, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
+    ROW(max_overlap, MAX_OVERLAP, SMOOTH, COR_SPHERE_MAX_OVERLAP_MAX_ULP),
+    ROW(time_of_max_overlap, TIME_OF_MAX_OVERLAP, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
+    ROW(beta_zero_overlap, EPS_ZERO_OVERLAP, INVERSE, COR_SPHERE_BETA_MAX_ULP),
+    ROW(beta_zero_force, EPS_ZERO_FORCE, INVERSE, COR_SPHERE_BETA_MAX_ULP),
+};
+
+enum { FUNCTIONS = sizeof functions / sizeof *functions, MAX_THREADS = 64 };
+
+/* ---- errors ---- */
+
+/* Error of beta(eps), without an inverse of the reference: by how much eps or 1 - eps at the computed beta is off,
+ * over its slope. */
+static double inverse_error(enum quantity eps_quantity, double computed, double eps, struct format format)
+{
+    if (!(eps >= 0 && eps <= 1))
+        return isnan(computed) ? 0 : HUGE_VAL;
+    if (eps == 0 || eps == 1)
+        return computed == (eps == 0 ? HUGE_VAL : 0) ? 0 : HUGE_VAL;
+    if (!(computed > 0) || isinf(computed))
+        return HUGE_VAL;
+    const enum quantity loss_quantity = eps_quantity == EPS_ZERO_OVERLAP ? LOSS_ZERO_OVERLAP : LOSS_ZERO_FORCE;
+    const enum quantity quantity = eps < 0.5 ? eps_quantity : loss_quantity;
+    const long double wanted = eps < 0.5 ? (long double)eps : 1 - (long double)eps;
+    const long double off = (reference_value(quantity, computed) - wanted) / reference_slope(quantity, computed);
+    return (double)(fabsl(off) / ulp_size(computed, format));
+}
+
+static double error_of(const struct function *f, double computed, double x, struct format format)
+{
+    if (f->shape == INVERSE)
+        return inverse_error(f->quantity, computed, x, format);
+    return ulp_error(computed, reference_value(f->quantity, x), format);
+}
+
+struct worst {
+    double error, at;
+    uint64_t points;
+    uint64_t rises; /* eps rose by more than a unit of the last place, or left [0, 1] */
+    double rise_at;
+};
+
+static void take(struct worst *worst, double error, double at)
+{
+    worst->points++;
+    if (error > worst->error) {
+        worst->error = error;
+        worst->at = at;
+    }
+}
+
+static void merge(struct worst *into, const struct worst *from)
+{
+    const uint64_t points = into->points + from->points;
+    if (from->error > into->error) {
+        into->error = from->error;
+        into->at = from->at;
+    }
+    if (from->rises > 0)
+        into->rise_at = from->rise_at;
+    into->rises += from->rises;
+    into->points = points;
+}
+
+/* ---- random points ---- */
+
+struct random {
+    uint64_t state;
+};
+
+static uint64_t random_bits(struct random *r)
+{
+    r->state ^= r->state >> 12;
+    r->state ^= r->state << 25;
+    r->state ^= r->state >> 27;
+    return r->state * UINT64_C(2685821657736338717);
+}
+
+static double random_uniform(struct random *r)
+{
+    return (double)(random_bits(r) >> 11) * 0x1p-53;
+}
+
+/* Any nonnegative double below limit, every bit pattern as likely. */
+static double random_pattern(struct random *r, double limit)
+{
+    return double_of(random_bits(r) % bits_of(limit));
+}
+
+/* Most of [1e-3, 100] by its logarithm, a part of everything. */
+static double random_beta(struct random *r)
+{
+    const double kind = random_uniform(r);
+    if (kind < 0.75)
+        return exp(log(1e-3) + random_uniform(r) * log(1e5));
+    if (kind < 0.85)
+        return exp(log(1e-308) + random_uniform(r) * log(1e308) * 2);
+    return random_pattern(r, HUGE_VAL);
+}
+
+/* Uniform; near 0 down to the smallest double; near 1. */
+static double random_eps(struct random *r)
+{
+    const double kind = random_uniform(r);
+    if (kind < 0.5)
+        return random_uniform(r);
+    if (kind < 0.75)
+        return random_pattern(r, 1);
+    return 1 - exp2(-54 * random_uniform(r));
+}
+
+/* ---- the searches ---- */
+
+struct options {
+    uint64_t points, seed, float_stride;
+    int threads;
+};
+
+/* Part `thread` of the work on one function. */
+struct job {
+    const struct function *f;
+    const struct options *options;
+    int thread;
+    struct worst worst, worstf;
+};
+
+/* eps at x, after its value at the double before x: order and range. */
+static void take_order(struct worst *worst, double before, double y, double x)
+{
+    if (!(y >= 0 && y <= 1) || (y > before && bits_of(y) - bits_of(before) > 1)) {
+        worst->rises++;
+        worst->rise_at = x;
+    }
+}
+
+static void search_random(struct job *job)
+{
+    const struct options *o = job->options;
+    const uint64_t threads = (uint64_t)o->threads, part = (uint64_t)job->thread;
+    struct random r = {(o->seed * MAX_THREADS + part) * 2 + 1};
+    for (uint64_t i = part; i < o->points; i += threads) {
+        const double x = job->f->shape == INVERSE ? random_eps(&r) : random_beta(&r);
+        const double y = job->f->value(x);
+        take(&job->worst, error_of(job->f, y, x, format_double), x);
+        if (job->f->shape == FALLS) {
+            const double next = nextafter(x, HUGE_VAL);
+            take_order(&job->worst, y, job->f->value(next), next);
+        }
+    }
+}
+
+static void search_floats(struct job *job)
+{
+    const uint32_t end = job->f->shape == INVERSE ? UINT32_C(0x3f800000) : UINT32_C(0x7f800000);
+    const uint64_t stride = job->options->float_stride, step = stride * (uint64_t)job->options->threads;
+    for (uint64_t bits = stride * (uint64_t)job->thread; bits <= end; bits += step) {
+        const float x = float_of((uint32_t)bits);
+        take(&job->worstf, error_of(job->f, (double)job->f->valuef(x), (double)x, format_float), (double)x);
+    }
+}
+
+static void *run_job(void *argument)
+{
+    struct job *job = argument;
+    search_random(job);
+    search_floats(job);
+    return NULL;
+}
+
+/* Every double from `radius` before x to as many after it: error, order, range. */
+static void walk(struct worst *worst, const struct function *f, double x, uint64_t radius)
+{
+    const uint64_t middle = bits_of(x), last = bits_of(f->shape == INVERSE ? 1 : HUGE_VAL);
+    const uint64_t low = middle > radius ? middle - radius : 0, high = middle < last - radius ? middle + radius : last;
+    double before = HUGE_VAL;
+    for (uint64_t bits = low; bits <= high; bits++) {
+        const double at = double_of(bits), y = f->value(at);
+        take(worst, error_of(f, y, at, format_double), at);
+        if (f->shape == FALLS)
+            take_order(worst, before, y, at);
+        before = y;
+    }
+}
+
+static void search_boundaries(struct worst *worst, const struct function *f)
+{
+    enum { RADIUS = 256 };
+    if (f->shape == INVERSE) {
+        for (int i = 0; i <= 256; i++)
+            walk(worst, f, i / 256.0, RADIUS);
+        for (int exponent = -1074; exponent < 0; exponent++)
+            walk(worst, f, ldexp(1, exponent), 16);
+        for (int exponent = -53; exponent < 0; exponent++)
+            walk(worst, f, 1 - ldexp(1, exponent), RADIUS);
+        return;
+    }
+    for (int i = 1; i <= 2 * CELLS_IN_BETA; i++)
+        walk(worst, f, i / 32.0, RADIUS);
+    for (int i = 1; i <= 2 * CELLS_IN_ROOT; i++)
+        walk(worst, f, (i / 32.0) * (i / 32.0), RADIUS);
+    for (size_t i = 0; i < sizeof region_boundaries / sizeof *region_boundaries; i++)
+        walk(worst, f, region_boundaries[i], RADIUS);
+    for (int exponent = -1074; exponent < 1024; exponent++)
+        walk(worst, f, ldexp(1, exponent), exponent > -70 && exponent < 70 ? RADIUS : 16);
+}
+
+/* Uphill from the worst point so far, while there is a worse one within reach. */
+static void climb(struct worst *worst, const struct function *f)
+{
+    for (int turn = 0; turn < 16; turn++) {
+        const double error = worst->error;
+        walk(worst, f, worst->at, 4096);
+        if (!(worst->error > error))
+            break;
+    }
+}
+
+/* ---- special values and arrays ---- */
+
+static const double specials[] = {0.0,        -0.0, HUGE_VAL,  -HUGE_VAL, NAN,      -1.0,
+                                  -0x1p-1074, 1.0,  0x1p-1074, 1.5,       0x1p-1022};
+enum { SPECIALS = sizeof specials / sizeof *specials };
+
+/* 0, 1, infinity and NaN where the exact value is that, else within the bound. */
+static bool is_right(const struct function *f, double x, double y, double max_ulp, struct format format)
+{
+    if (f->shape == INVERSE)
+        return inverse_error(f->quantity, y, x, format) <= max_ulp;
+    const long double exact = reference_value(f->quantity, x);
+    return x == 0 && (exact == 0 || exact == 1) ? (long double)y == exact : ulp_error(y, exact, format) <= max_ulp;
+}
+
+static uint64_t check_specials(const struct function *f)
+{
+    uint64_t wrong = 0;
+    for (int i = 0; i < SPECIALS; i++) {
+        const double x = specials[i], y = f->value(x);
+        const float xf = (float)x, yf = f->valuef(xf);
+        if (!is_right(f, x, y, f->max_ulp, format_double)) {
+            printf("FAIL  %s(%a) = %a\n", f->name, x, y);
+            wrong++;
+        }
+        if (!is_right(f, (double)xf, (double)yf, COR_SPHERE_FLOAT_MAX_ULP, format_float)) {
+            printf("FAIL  %sf(%a) = %a\n", f->name, (double)xf, (double)yf);
+            wrong++;
+        }
+    }
+    return wrong;
+}
+
+static uint64_t check_arrays(const struct function *f, uint64_t seed)
+{
+    enum { LONGEST = 67, BLOCKS = 3000 };
+    double x[LONGEST + 4], y[LONGEST + 4];
+    float xf[LONGEST + 4], yf[LONGEST + 4];
+    struct random r = {seed * 2 + 1};
+    uint64_t wrong = 0;
+    f->array(NULL, NULL, 0);
+    f->arrayf(NULL, NULL, 0);
+    for (int block = 0; block < BLOCKS; block++) {
+        const size_t n = random_bits(&r) % (LONGEST + 1), from = random_bits(&r) % 4, to = random_bits(&r) % 4;
+        const bool mixed = block % 2 == 0, in_place = block % 3 == 0;
+        for (size_t i = 0; i < n; i++) {
+            x[from + i] = f->shape == INVERSE ? random_eps(&r) : random_beta(&r);
+            if (mixed && random_bits(&r) % 16 == 0)
+                x[from + i] = specials[random_bits(&r) % SPECIALS];
+            xf[from + i] = (float)x[from + i];
+        }
+        memcpy(y + to, x + from, n * sizeof *y);
+        memcpy(yf + to, xf + from, n * sizeof *yf);
+        f->array(in_place ? y + to : x + from, y + to, n);
+        f->arrayf(in_place ? yf + to : xf + from, yf + to, n);
+        for (size_t i = 0; i < n; i++) {
+            const double one = f->value(x[from + i]);
+            const float onef = f->valuef(xf[from + i]);
+            const bool same = same_bits(&one, &y[to + i], sizeof one) || (isnan(one) && isnan(y[to + i]));
+            const bool samef = same_bits(&onef, &yf[to + i], sizeof onef) || (isnan(onef) && isnan(yf[to + i]));
+            if (!same || !samef) {
+                if (wrong++ == 0)
+                    printf("FAIL  %s_array%s: element %zu of %zu, argument %a\n", f->name, same ? "f" : "", i, n,
+                           x[from + i]);
+            }
+        }
+    }
+    return wrong;
+}
+
+/* ---- contacts ---- */
+
+/* g^(1/5), one Newton step after powl, whose exponent is rounded */
+static long double fifth_root(long double g)
+{
+    const long double r = powl(g, 0.2L), square = r * r;
+    return r - (r - g / (square * square)) / 5;
+}
+
+/* Error of eps at an impact speed in units of (2 + 2 |d ln eps/d ln beta|) 2^-53 eps, and half the smallest subnormal
+ * number. */
+static double contact_error(enum quantity quantity, double computed, double beta_per_root, double speed)
+{
+    if (!(speed >= 0))
+        return isnan(computed) ? 0 : HUGE_VAL;
+    if (speed == 0 || isinf(speed) || beta_per_root == 0)
+        return computed == (speed == 0 || beta_per_root == 0) ? 0 : HUGE_VAL;
+    const long double beta = beta_per_root * fifth_root(speed), eps = reference_value(quantity, beta);
+    const long double sensitivity = beta * fabsl(reference_slope(quantity, beta));
+    const long double allowed = (2 * eps + 2 * sensitivity) * 0x1p-53L + 0x1p-1075L;
+    const long double error = fabsl((long double)computed - eps) / allowed;
+    return isnan(error) ? HUGE_VAL : (double)error;
+}
+
+struct contact_function {
+    const char *name;
+    enum quantity quantity;
+    double (*value)(const struct cor_sphere_contact *, double);
+    void (*array)(const struct cor_sphere_contact *, const double *, double *, size_t);
+};
+
+static const struct contact_function contact_functions[] = {
+    {"contact_eps_zero_overlap", EPS_ZERO_OVERLAP, cor_contact_eps_zero_overlap, cor_contact_eps_zero_overlap_array},
+    {"contact_eps_zero_force", EPS_ZERO_FORCE, cor_contact_eps_zero_force, cor_contact_eps_zero_force_array},
+};
+
+/* Random contacts, each with a block of speeds, one by one and as an array. An array that differs is infinitely
+ * wrong. */
+static void search_contacts(struct worst *worst, const struct contact_function *f, const struct options *o)
+{
+    enum { BLOCK = 33 };
+    static const double fixed[] = {
+        0.0, -0.0, HUGE_VAL, -1.0, -HUGE_VAL, NAN, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp+1023};
+    double speed[BLOCK], eps[BLOCK];
+    struct cor_sphere_contact contact;
+    struct random r = {o->seed * 2 + 1};
+    const uint64_t enough = UINT64_C(100000000), points = o->points < enough ? o->points : enough;
+    while (worst->points < points) {
+        const double g_star =
+            random_uniform(&r) < 0.8 ? exp((random_uniform(&r) - 0.5) * 70) : random_pattern(&r, 1e308);
+        cor_sphere_contact_init_g_star(&contact, g_star);
+        for (size_t i = 0; i < BLOCK; i++) {
+            const double kind = random_uniform(&r);
+            speed[i] = kind < 0.05  ? fixed[random_bits(&r) % (sizeof fixed / sizeof *fixed)]
+                       : kind < 0.5 ? g_star * exp((random_uniform(&r) - 0.5) * 40)
+                                    : random_pattern(&r, HUGE_VAL);
+        }
+        f->array(&contact, speed, eps, BLOCK);
+        for (size_t i = 0; i < BLOCK; i++) {
+            const double one = f->value(&contact, speed[i]);
+            const bool same = same_bits(&one, &eps[i], sizeof one) || (isnan(one) && isnan(eps[i]));
+            take(worst, same ? contact_error(f->quantity, one, contact.beta_per_root, speed[i]) : HUGE_VAL, speed[i]);
+        }
+    }
+}
+
+/* ---- running and reporting ---- */
+
+/* One line of the table; true where it is good. */
+static bool report(const char *name, const char *suffix, const struct worst *worst, double bound)
+{
+    const bool good = worst->error <= bound && worst->rises == 0;
+    printf("%-4s  %s%-*s  %12llu  %10.6f  %6.2f  %a\n", good ? "ok" : "FAIL", name, 24 - (int)strlen(name), suffix,
+           (unsigned long long)worst->points, worst->error, bound, worst->at);
+    if (worst->rises > 0)
+        printf("      %s rises by more than a unit or leaves [0, 1] %llu times, at %a\n", name,
+               (unsigned long long)worst->rises, worst->rise_at);
+    fflush(stdout);
+    return good;
+}
+
+static void run_threads(struct worst *worst, struct worst *worstf, const struct function *f, const struct options *o)
+{
+    struct job job[MAX_THREADS];
+    pthread_t thread[MAX_THREADS];
+    bool started[MAX_THREADS];
+    for (int i = 0; i < o->threads; i++) {
+        job[i] = (struct job){.f = f, .options = o, .thread = i};
+        started[i] = i + 1 < o->threads && pthread_create(&thread[i], NULL, run_job, &job[i]) == 0;
+        if (!started[i])
+            run_job(&job[i]);
+    }
+    for (int i = 0; i < o->threads; i++) {
+        if (started[i])
+            pthread_join(thread[i], NULL);
+        merge(worst, &job[i].worst);
+        merge(worstf, &job[i].worstf);
+    }
+}
+
+static int run(const struct options *o)
+{
+    struct worst worst, worstf;
+    bool good = true;
+    printf("seed: %llu\n", (unsigned long long)o->seed);
+    printf("      %-24s  %12s  %10s  %6s  %s\n", "function", "points", "worst ulp", "bound", "argument");
+    for (int i = 0; i < FUNCTIONS; i++) {
+        const struct function *f = &functions[i];
+        worst = (struct worst){0};
+        worstf = (struct worst){0};
+        run_threads(&worst, &worstf, f, o);
+        search_boundaries(&worst, f);
+        climb(&worst, f);
+        good = report(f->name, "", &worst, f->max_ulp) && good;
+        good = report(f->name, "f", &worstf, COR_SPHERE_FLOAT_MAX_ULP) && good;
+        good = check_specials(f) == 0 && good;
+        good = check_arrays(f, o->seed) == 0 && good;
+    }
+    for (size_t i = 0; i < sizeof contact_functions / sizeof *contact_functions; i++) {
+        worst = (struct worst){0};
+        search_contacts(&worst, &contact_functions[i], o);
+        good = report(contact_functions[i].name, "", &worst, 1) && good;
+    }
+    printf("contact: error as a part of (2 + 2 |d ln eps/d ln beta|) 2^-53, argument the speed\n");
+    return good ? 0 : 1;
+}
+
+static const char help[] =
+    "test_accuracy [--points N] [--float-exhaustive] [--threads N] [--seed N]\n"
+    "    --points N          random doubles for each function, 1e6 if not said (1e9: a long run)\n"
+    "    --float-exhaustive  every nonnegative float, not about 10^6 of them\n"
+    "    --threads N         1 if not said\n"
+    "    --seed N            repeats a run\n";
+
+int main(int argc, char **argv)
+{
+    /* a prime, so that every last bit occurs; 0x7f800000/2141 is near 10^6 */
+    struct options o = {.points = 1000000, .seed = 19990101, .float_stride = 2141, .threads = 1};
+    for (int i = 1; i < argc; i++) {
+        const double number = i + 1 < argc ? strtod(argv[i + 1], NULL) : 0;
+        if (strcmp(argv[i], "--float-exhaustive") == 0) {
+            o.float_stride = 1;
+        } else if (strcmp(argv[i], "--points") == 0 && number >= 1 && number <= 1e15) {
+            o.points = (uint64_t)number;
+            i++;
+        } else if (strcmp(argv[i], "--threads") == 0 && number >= 1 && number <= MAX_THREADS) {
+            o.threads = (int)number;
+            i++;
+        } else if (strcmp(argv[i], "--seed") == 0 && number >= 0 && number <= 1e15) {
+            o.seed = (uint64_t)number;
+            i++;
+        } else {
+            fputs(help, stderr);
+            return 2;
+        }
+    }
+    if (LDBL_MANT_DIG < 64) {
+        printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
+        return 77;
+    }
+    return reference_build() != 0 ? 1 : run(&o);
+}

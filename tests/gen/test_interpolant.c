@@ -1,0 +1,228 @@
+/* SPDX-License-Identifier: MIT */
+/* The interpolant of the collision against collisions at places of its own, and what it is made of: collisions without
+ * their unloading, and one that once found no end. */
+#include "ball.h"
+
+#include <math.h>
+#include <unistd.h>
+
+#include "collision.h"
+#include "interpolant.h"
+
+static const slong PREC = 320;
+
+static double uniform(void)
+{
+    static uint64_t state = 19990101;
+    state ^= state >> 12;
+    state ^= state << 25;
+    state ^= state >> 27;
+    return (double)((state * UINT64_C(2685821657736338717)) >> 11) * 0x1p-53;
+}
+
+static arb_srcptr field(const struct collision *c, enum quantity quantity)
+{
+    const arb_srcptr fields[QUANTITIES] = {c->eps_zero_overlap, c->eps_zero_force, c->t_zero_overlap,
+                                           c->t_zero_force,     c->x_max,          c->t_max};
+    return fields[quantity];
+}
+
+/* |x/y - 1| */
+static double relative(const arb_t x, const arb_t y)
+{
+    arb_t d;
+    arf_t bound;
+    arb_init(d);
+    arf_init(bound);
+    arb_div(d, x, y, PREC);
+    arb_sub_ui(d, d, 1, PREC);
+    arb_get_abs_ubound_arf(bound, d, 30);
+    const double error = arf_get_d(bound, ARF_RND_UP);
+    arb_clear(d);
+    arf_clear(bound);
+    return error;
+}
+
+/* Both functions enclose the same numbers, whichever way the first of them went. */
+static void test_loading_alone(void **state)
+{
+    (void)state;
+    static const double betas[] = {1e-20, 0.01, 0.5, 1, 1.0000001, 3, 7, 12, 40, 1000, 1e6};
+    struct collision whole, loading;
+    arb_t beta;
+    collision_init(&whole);
+    collision_init(&loading);
+    arb_init(beta);
+    for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
+        arb_set_d(beta, betas[i]);
+        assert_int_equal(collision_solve(&whole, beta, &law_sphere, 60), 0);
+        assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 100), 0);
+        const enum quantity quantities[] = {EPS_ZERO_FORCE, DURATION_ZERO_FORCE, MAX_OVERLAP, TIME_OF_MAX_OVERLAP};
+        for (size_t k = 0; k < sizeof quantities / sizeof *quantities; k++) {
+            assert_bits(field(&loading, quantities[k]), 100);
+            assert_overlap(field(&whole, quantities[k]), field(&loading, quantities[k]), "loading alone, beta",
+                           (slong)i);
+        }
+        /* unknown, unless the last step reached that far */
+        assert_overlap(whole.eps_zero_overlap, loading.eps_zero_overlap, "the end, beta", (slong)i);
+        assert_true(betas[i] < 0.1 || !arb_is_finite(loading.t_zero_overlap));
+    }
+    /* beta = 0 has no force to vanish; neither have laws with a <= b */
+    arb_zero(beta);
+    assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 60), 1);
+    arb_set_si(beta, -1);
+    assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 60), 1);
+    arb_indeterminate(beta);
+    assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 60), 1);
+    collision_clear(&whole);
+    collision_clear(&loading);
+    arb_clear(beta);
+}
+
+/* Between the methods: too early for the slow manifold at so many bits. It was tried for ever. The alarm ends the
+ * test, and the answer is that of the loading and of h*^5 beta^-5. */
+static void test_between_methods(void **state)
+{
+    (void)state;
+    struct collision c, loading;
+    arb_t beta, h;
+    collision_init(&c);
+    collision_init(&loading);
+    arb_init(beta);
+    arb_init(h);
+    alarm(120);
+    for (int k = 0; k < 2; k++) {
+        arb_set_d(beta, k == 0 ? 13.155 : 12.5);
+        assert_int_equal(collision_solve(&c, beta, &law_sphere, 114), 0);
+        assert_bits(c.eps_zero_overlap, 114);
+        assert_bits(c.t_zero_overlap, 114);
+        assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 114), 0);
+        assert_overlap(c.eps_zero_force, loading.eps_zero_force, "eps at zero force", k);
+        assert_int_equal(collision_h_star(h, 114), 0);
+        arb_div(h, h, beta, PREC);
+        arb_pow_ui(h, h, 5, PREC);
+        assert_true(relative(c.eps_zero_overlap, h) < 0x1p-112);
+    }
+    alarm(0);
+    collision_clear(&c);
+    collision_clear(&loading);
+    arb_clear(beta);
+    arb_clear(h);
+}
+
+static void test_points(void **state)
+{
+    (void)state;
+    for (slong n = 1; n < 60; n += 7)
+        for (slong j = 0; j < n; j++) {
+            const double x = chebyshev_point(j, n);
+            assert_true(x > -1 && x < 1 && fabs(x + chebyshev_point(n - 1 - j, n)) < 1e-15);
+            assert_true(fabs(cos((double)n * acos(x))) < 1e-13);
+            assert_true(j == 0 || x > chebyshev_point(j - 1, n));
+        }
+}
+
+/* Up to beta = 3/8, where the loss has a quotient of its own. */
+static void test_small_beta(void **state)
+{
+    (void)state;
+    struct interpolant *f = interpolant_new(0, 0.375);
+    struct collision c;
+    arb_t z, beta, y, exact;
+    double worst = 0, error;
+    assert_non_null(f);
+    collision_init(&c);
+    arb_init(z);
+    arb_init(beta);
+    arb_init(y);
+    arb_init(exact);
+    for (int k = 0; k < 60; k++) {
+        arb_set_d(z, k == 0 ? 0x1p-10 : k == 1 ? 0.612 : 0.612 * uniform());
+        arb_sqr(beta, z, PREC);
+        assert_int_equal(collision_solve(&c, beta, &law_sphere, 110), 0);
+        for (int q = 0; q < QUANTITIES; q++) {
+            interpolant_value(y, f, (enum quantity)q, z, PREC);
+            worst = fmax(worst, relative(y, field(&c, (enum quantity)q)));
+            if (q != EPS_ZERO_OVERLAP && q != EPS_ZERO_FORCE)
+                continue;
+            arb_sub_ui(exact, field(&c, (enum quantity)q), 1, PREC);
+            arb_div(exact, exact, beta, PREC);
+            arb_neg(exact, exact);
+            interpolant_value(y, f, q == EPS_ZERO_FORCE ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP, z,
+                              PREC);
+            worst = fmax(worst, relative(y, exact));
+        }
+    }
+    print_message("beta < 3/8: %.1e\n", worst);
+    assert_true(worst < 1e-18);
+    assert_int_equal(interpolant_check(&error, f, 3), 0);
+    assert_true(error < 1e-17);
+    interpolant_free(f);
+    collision_clear(&c);
+    arb_clear(z);
+    arb_clear(beta);
+    arb_clear(y);
+    arb_clear(exact);
+}
+
+/* Strong damping: sqrt(beta) up to 17, then ln(beta) with the powers taken out. */
+static void test_large_beta(void **state)
+{
+    (void)state;
+    struct interpolant *f = interpolant_new(8.5, 9);
+    struct collision c;
+    arb_t x, beta, y, exact, power;
+    double worst[2] = {0};
+    assert_non_null(f);
+    collision_init(&c);
+    arb_init(x);
+    arb_init(beta);
+    arb_init(y);
+    arb_init(exact);
+    arb_init(power);
+    for (int k = 0; k < 40; k++) {
+        const bool tail = k >= 20;
+        if (tail) {
+            arb_set_d(beta, exp(2.1 + 7.9 * uniform()));
+            arb_log(x, beta, PREC);
+        } else {
+            arb_set_d(x, 2.875 + 1.25 * uniform());
+            arb_sqr(beta, x, PREC);
+        }
+        const bool whole = tail && k % 4 == 0; /* these cost the most */
+        assert_int_equal(
+            whole ? collision_solve(&c, beta, &law_sphere, 80) : collision_solve_force(&c, beta, &law_sphere, 80), 0);
+        for (int q = 0; q < QUANTITIES; q++) {
+            const enum quantity quantity = (enum quantity)q;
+            if (quantity == EPS_ZERO_OVERLAP || (quantity == DURATION_ZERO_OVERLAP && !whole))
+                continue;
+            arb_set(exact, field(&c, quantity));
+            if (tail) {
+                interpolant_tail(y, f, quantity, x, PREC);
+                arb_pow_ratio(power, beta, interpolant_tail_power(quantity), PREC);
+                arb_mul(y, y, power, PREC);
+            } else {
+                interpolant_value(y, f, quantity, x, PREC);
+            }
+            worst[tail] = fmax(worst[tail], relative(y, exact));
+        }
+    }
+    print_message("beta > 8: %.1e, in ln(beta) %.1e\n", worst[0], worst[1]);
+    assert_true(worst[0] < 1e-18 && worst[1] < 1e-17);
+    interpolant_free(f);
+    collision_clear(&c);
+    arb_clear(x);
+    arb_clear(beta);
+    arb_clear(y);
+    arb_clear(exact);
+    arb_clear(power);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_loading_alone), cmocka_unit_test(test_between_methods), cmocka_unit_test(test_points),
+        cmocka_unit_test(test_small_beta),    cmocka_unit_test(test_large_beta),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

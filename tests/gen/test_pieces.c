@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+/* Tables cut from the interpolant: they reach the bits they state, and a table that misses its bound is refused. */
+#include "ball.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "collision.h"
+#include "digits.h"
+#include "pieces.h"
+
+static const slong PREC = 320;
+static struct interpolant *f;
+
+static int setup(void **state)
+{
+    (void)state;
+    f = interpolant_new(0, 0.375);
+    return f ? 0 : -1;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    interpolant_free(f);
+    return 0;
+}
+
+/* Rows of every kind that reach no further than beta = 3/8. */
+static struct pieces table(int kind)
+{
+    struct pieces p = {.quantity = EPS_ZERO_OVERLAP,
+                       .variable = VARIABLE_BETA,
+                       .step = 0.125,
+                       .rows = 3,
+                       .degree = 10,
+                       .plain = 3,
+                       .name = "rows",
+                       .title = "title",
+                       .least_bits = 40};
+    switch (kind) {
+    case 1: /* s = beta - node^2 from row 2 on */
+        p.quantity = EPS_ZERO_FORCE;
+        p.variable = VARIABLE_SQRT_BETA;
+        p.rows = 5;
+        p.plain = 2;
+        break;
+    case 2:
+        p.quantity = LOSS_QUOTIENT_ZERO_OVERLAP;
+        break;
+    case 3:
+        p.variable = VARIABLE_POWER;
+        p.first = -10;
+        p.rows = p.plain = 2L * PIECES_PER_OCTAVE;
+        break;
+    default:
+        break;
+    }
+    return p;
+}
+
+/* Row r at y from its doubles, in doubles, and the beta it stands for. */
+static double evaluate(const struct pieces *p, slong r, double fraction, double *beta)
+{
+    double c[32], node = p->first + (double)r * p->step, half = p->step / 2, octave = 0;
+    for (slong k = 0; k < p->degree + 2; k++)
+        assert_true(digits_to_double(&c[k], p->coefficient + r * (p->degree + 2) + k));
+    if (p->variable == VARIABLE_POWER) {
+        half = 0.5 / PIECES_PER_OCTAVE;
+        node = 1 + half * (2 * (double)(r % PIECES_PER_OCTAVE) + 1);
+        octave = p->first + (double)(r / PIECES_PER_OCTAVE);
+    }
+    const double y = fmax(node - half + 2 * half * fraction, p->variable == VARIABLE_POWER ? 1 : 0), t = y - node;
+    *beta = p->variable == VARIABLE_BETA ? y : p->variable == VARIABLE_POWER ? pow(ldexp(y, (int)octave), 0.2) : y * y;
+    double sum = 0;
+    for (slong k = p->degree + 1; k >= 2; k--)
+        sum = sum * t + c[k];
+    return c[0] + (c[1] + sum * (r < p->plain ? t : y * y - node * node));
+}
+
+static void test_rows_are_the_function(void **state)
+{
+    (void)state;
+    struct collision c;
+    arb_t x, loss;
+    collision_init(&c);
+    arb_init(x);
+    arb_init(loss);
+    for (int kind = 0; kind < 4; kind++) {
+        struct pieces p = table(kind);
+        assert_int_equal(pieces_make(&p, f), 0);
+        for (slong r = 0; r < p.rows; r++) {
+            assert_true(p.bits[r] >= p.least_bits);
+            double beta;
+            const double value = evaluate(&p, r, 0.8, &beta);
+            arb_set_d(x, beta);
+            assert_int_equal(collision_solve(&c, x, &law_sphere, 80), 0);
+            arb_srcptr eps = p.quantity == EPS_ZERO_FORCE ? c.eps_zero_force : c.eps_zero_overlap;
+            arb_sub_ui(loss, eps, 1, PREC);
+            arb_div(loss, loss, x, PREC);
+            arb_neg(loss, loss);
+            const double exact = arf_get_d(arb_midref(kind == 2 ? loss : eps), ARF_RND_NEAR);
+            /* in plain doubles, so a few units for the sum and for beta */
+            if (!(fabs(value / exact - 1) < 2e-15))
+                fail_msg("kind %d, row %ld, beta = %g: %.17g, not %.17g", kind, (long)r, beta, value, exact);
+            /* c_0' is what c_0 lacks */
+            double c0, c1;
+            assert_true(digits_to_double(&c0, p.coefficient + r * (p.degree + 2)));
+            assert_true(digits_to_double(&c1, p.coefficient + r * (p.degree + 2) + 1));
+            assert_true(fabs(c1) <= fabs(c0) * 0x1p-53);
+        }
+        pieces_clear(&p);
+    }
+    collision_clear(&c);
+    arb_clear(x);
+    arb_clear(loss);
+}
+
+/* The same rows to more bits than they have, and rows too wide for their degree. */
+static void test_bound_missed(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < 4; kind++) {
+        struct pieces p = table(kind);
+        p.least_bits = 75;
+        assert_int_equal(pieces_make(&p, f), 1);
+        pieces_clear(&p);
+        p = table(kind);
+        p.degree = 4;
+        p.least_bits = 50;
+        assert_int_equal(pieces_make(&p, f), 1);
+        pieces_clear(&p);
+    }
+}
+
+/* What the tables' readers rely on: the comment has the grid and the worst of the rows, each row its own bits. */
+static void test_text(void **state)
+{
+    (void)state;
+    struct pieces p = table(0);
+    struct emit e;
+    memset(&e, 0, sizeof e);
+    char text[1 << 16] = "";
+    e.file = tmpfile();
+    assert_non_null(e.file);
+    assert_int_equal(pieces_make(&p, f), 0);
+    assert_int_equal(pieces_emit(&e, &p), 0);
+    rewind(e.file);
+    const size_t size = fread(text, 1, sizeof text - 1, e.file);
+    fclose(e.file);
+    assert_in_range(size, 500, sizeof text - 2);
+    slong rows, degree, index;
+    double first, step, bits, worst = INFINITY;
+    const char *at = strstr(text, "title: ");
+    assert_non_null(at);
+    assert_int_equal(
+        sscanf(at, "title: %ld rows of degree %ld in y = beta, nodes %lf + i %lf", &rows, &degree, &first, &step), 4);
+    assert_true(rows == 3 && degree == 10 && first == 0 && step == 0.125);
+    at = strstr(text, "COR_INLINE const double *rows(int i)");
+    assert_non_null(at);
+    for (slong r = 0; r < rows; r++) {
+        at = strstr(at, "/* [");
+        assert_non_null(at);
+        double lo, hi;
+        assert_int_equal(
+            sscanf(at, "/* [%ld] %lf <= y <= %lf, degree %ld, %lf bits */", &index, &lo, &hi, &degree, &bits), 5);
+        assert_int_equal(index, r);
+        assert_true(hi == 0.125 * (double)r + 0.0625 && lo == (r == 0 ? 0 : hi - 0.125));
+        assert_true(bits <= p.bits[r] && bits > p.bits[r] - 0.11);
+        worst = fmin(worst, bits);
+        at++;
+    }
+    assert_int_equal(sscanf(strstr(text, "approximation: 2^-"), "approximation: 2^-%lf", &bits), 1);
+    assert_true(bits == worst);
+    pieces_clear(&p);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rows_are_the_function),
+        cmocka_unit_test(test_bound_missed),
+        cmocka_unit_test(test_text),
+    };
+    return cmocka_run_group_tests(tests, setup, teardown);
+}

@@ -1,0 +1,720 @@
+/* SPDX-License-Identifier: MIT */
+/* Every row of generated/sphere_tables.h again, by another route than the generator's: the file is read as text, its
+ * doubles are put into the formula of docs/header-format.md in exact arithmetic, and the result is held against
+ * collisions enclosed at places of this test's own. The generator goes through high polynomials instead. */
+#include "ball.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+#include "collision.h"
+
+enum { PREC = 320, BITS = 66, MOST_TABLES = 40, MOST_COLUMNS = 16 };
+
+/* ---- reading the header ---- */
+
+enum variable { BETA, ROOT, LOGARITHM, POWER, NONE };
+
+struct table {
+    char name[64];
+    slong rows, columns;
+    double *c, *bits; /* bits: the error that each row states, as -log2 */
+    double *decimal;  /* the number beside each, or NaN */
+    enum variable variable;
+    double first, step, worst; /* of the nodes; POWER: the first octave, 0; the worst of all bits */
+};
+
+struct tables {
+    struct table table[MOST_TABLES];
+    int count;
+};
+
+static char *read_text(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        fail_msg("cannot open %s", path);
+    assert_int_equal(fseek(file, 0, SEEK_END), 0);
+    const long size = ftell(file);
+    assert_true(size > 0);
+    rewind(file);
+    char *text = malloc((size_t)size + 1);
+    assert_non_null(text);
+    assert_int_equal(fread(text, 1, (size_t)size, file), (size_t)size);
+    text[size] = 0;
+    fclose(file);
+    return text;
+}
+
+/* What the comment above a table says of it; the far coefficients and h*^5 have no grid. */
+static void read_grid(struct table *t, const char *comment, const char *end)
+{
+    t->variable = NONE;
+    slong rows, degree;
+    const char *at = strstr(comment, " rows of degree ");
+    if (!at || at > end)
+        return;
+    while (at > comment && isdigit((unsigned char)at[-1]))
+        at--;
+    char variable[16];
+    assert_int_equal(sscanf(at, "%ld rows of degree %ld in y = %15[^, ]", &rows, &degree, variable), 3);
+    assert_int_equal(rows, t->rows);
+    assert_int_equal(degree + 2, t->columns);
+    const char *const spelling[] = {"beta", "sqrt(beta)", "ln(beta)", "beta^5"};
+    for (int k = 0; k < NONE; k++)
+        if (strcmp(variable, spelling[k]) == 0)
+            t->variable = (enum variable)k;
+    assert_true(t->variable != NONE);
+    if (t->variable == POWER)
+        assert_int_equal(sscanf(strstr(at, "8 to each octave"), "8 to each octave k = %lf", &t->first), 1);
+    else
+        assert_int_equal(sscanf(strstr(at, "nodes"), "nodes %lf + i %lf", &t->first, &t->step), 2);
+    assert_int_equal(sscanf(strstr(at, "approximation: 2^-"), "approximation: 2^-%lf", &t->worst), 1);
+}
+
+/* The numbers between the braces; comments before a row state its bits, those after a number spell it. */
+static void read_numbers(struct table *t, const char *at)
+{
+    const slong count = t->rows * t->columns;
+    t->c = malloc((size_t)count * sizeof *t->c);
+    t->decimal = malloc((size_t)count * sizeof *t->decimal);
+    t->bits = malloc((size_t)t->rows * sizeof *t->bits);
+    assert_true(t->c && t->decimal && t->bits);
+    for (slong n = 0; n < count || *at != '}';) {
+        if (strncmp(at, "/*", 2) == 0) {
+            const char *end = strstr(at, "*/"), *bits = strstr(at, " bits");
+            assert_non_null(end);
+            if (n % t->columns == 0 && bits && bits < end) {
+                while (bits[-1] != ' ')
+                    bits--;
+                t->bits[n / t->columns] = strtod(bits, NULL);
+            } else if (n > 0 && strchr("-.0123456789", at[3])) {
+                t->decimal[n - 1] = strtod(at + 3, NULL);
+            }
+            at = end + 2;
+        } else if (*at && strchr("{}, \n", *at)) {
+            at++;
+        } else {
+            char *end;
+            assert_true(n < count);
+            t->decimal[n] = NAN;
+            t->c[n++] = strtod(at, &end);
+            assert_true(end > at);
+            at = end;
+        }
+    }
+}
+
+static void read_tables(struct tables *all, const char *path)
+{
+    static const char opening[] = "COR_INLINE const double *cor_rows_";
+    char *text = read_text(path);
+    const char *comment = text;
+    all->count = 0;
+    for (char *at = text; (at = strstr(at, "\n/*")) != NULL || comment;) {
+        /* the next function, and the last comment before it */
+        char *function = strstr(comment, opening);
+        if (!function)
+            break;
+        while (at && at < function) {
+            comment = at;
+            at = strstr(at + 1, "\n/*");
+        }
+        assert_true(all->count < MOST_TABLES);
+        struct table *t = &all->table[all->count++];
+        memset(t, 0, sizeof *t);
+        assert_int_equal(sscanf(function, "COR_INLINE const double *cor_rows_%48[a-z_0-9](int i)", t->name), 1);
+        const char *row = strstr(function, "double row[");
+        assert_int_equal(sscanf(row, "double row[%ld][%ld] = {", &t->rows, &t->columns), 2);
+        assert_in_range(t->columns, 2, MOST_COLUMNS);
+        assert_in_range(t->rows, 1, 4000);
+        read_grid(t, comment, function);
+        read_numbers(t, strchr(row, '{'));
+        comment = function + 1;
+        at = function + 1;
+    }
+    free(text);
+    assert_true(all->count > 10);
+}
+
+static void free_tables(struct tables *all)
+{
+    for (int i = 0; i < all->count; i++) {
+        free(all->table[i].c);
+        free(all->table[i].bits);
+        free(all->table[i].decimal);
+    }
+}
+
+static struct tables tables;
+
+static int setup(void **state)
+{
+    (void)state;
+    read_tables(&tables, "generated/sphere_tables.h");
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    free_tables(&tables);
+    return 0;
+}
+
+static const struct table *find(const char *name)
+{
+    for (int i = 0; i < tables.count; i++)
+        if (strcmp(tables.table[i].name, name) == 0)
+            return &tables.table[i];
+    fail_msg("no table cor_rows_%s", name);
+    return NULL;
+}
+
+/* ---- what a table holds ---- */
+
+struct holds {
+    arb_srcptr (*field)(const struct collision *c);
+    bool unloading, loss;
+    struct ratio power; /* of beta that a tail is divided by */
+};
+
+static arb_srcptr eps_overlap(const struct collision *c)
+{
+    return c->eps_zero_overlap;
+}
+static arb_srcptr eps_force(const struct collision *c)
+{
+    return c->eps_zero_force;
+}
+static arb_srcptr time_overlap(const struct collision *c)
+{
+    return c->t_zero_overlap;
+}
+static arb_srcptr time_force(const struct collision *c)
+{
+    return c->t_zero_force;
+}
+static arb_srcptr x_max(const struct collision *c)
+{
+    return c->x_max;
+}
+static arb_srcptr t_max(const struct collision *c)
+{
+    return c->t_max;
+}
+
+static struct holds holds_of(const char *name)
+{
+    static const struct {
+        const char *end;
+        struct holds holds;
+    } known[] = {
+        {"eps_zero_overlap", {eps_overlap, true, false, {-5, 1}}},
+        {"eps_zero_force", {eps_force, false, false, {-5, 3}}},
+        {"duration_zero_overlap", {time_overlap, true, false, {1, 1}}},
+        {"duration_zero_force", {time_force, false, false, {-2, 3}}},
+        {"time_of_max_overlap", {t_max, false, false, {-2, 3}}},
+        {"max_overlap", {x_max, false, false, {-2, 3}}},
+        {"loss_zero_overlap", {eps_overlap, true, true, {1, 1}}},
+        {"loss_zero_force", {eps_force, false, true, {1, 1}}},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        const size_t length = strlen(known[i].end), all = strlen(name);
+        if (all >= length && strcmp(name + all - length, known[i].end) == 0)
+            return known[i].holds;
+    }
+    fail_msg("what does %s hold?", name);
+    return known[0].holds;
+}
+
+struct cell {
+    double lo, hi, node;
+    slong octave;
+    bool square; /* s = beta - node^2 */
+};
+
+static struct cell cell_of(const struct table *t, slong row)
+{
+    struct cell cell = {.octave = 0};
+    double half = t->step / 2;
+    if (t->variable == POWER) {
+        cell.octave = (slong)t->first + row / 8;
+        half = 0.0625;
+        cell.node = 1 + 0.125 * (double)(row % 8) + half;
+    } else {
+        cell.node = t->first + (double)row * t->step;
+    }
+    cell.lo = cell.node - half;
+    cell.hi = cell.node + half;
+    if (cell.lo < 0)
+        cell.lo = 0;
+    cell.square = strcmp(t->name, "eps_zero_force") == 0 && cell.node >= 0.25;
+    return cell;
+}
+
+/* c_0 + c_0' + s (c_1 + ... + c_n t^(n-1)) without error */
+static void row_value(arb_t value, const struct table *t, slong row, const arb_t y)
+{
+    const double *c = t->c + row * t->columns;
+    const struct cell cell = cell_of(t, row);
+    arb_t node, distance, term;
+    arb_init(node);
+    arb_init(distance);
+    arb_init(term);
+    arb_set_d(node, cell.node);
+    arb_sub(distance, y, node, PREC);
+    arb_zero(value);
+    for (slong k = t->columns - 1; k >= 2; k--) {
+        arb_set_d(term, c[k]);
+        arb_mul(value, value, distance, PREC);
+        arb_add(value, value, term, PREC);
+    }
+    if (cell.square) {
+        arb_sqr(distance, y, PREC);
+        arb_submul(distance, node, node, PREC);
+    }
+    arb_mul(value, value, distance, PREC);
+    for (slong k = 0; k < 2; k++) {
+        arb_set_d(term, c[k]);
+        arb_add(value, value, term, PREC);
+    }
+    arb_clear(node);
+    arb_clear(distance);
+    arb_clear(term);
+}
+
+/* beta for a place y of the variable; at a logarithm y moves to that of a beta with few bits. */
+static void beta_of(arb_t beta, arb_t y, const struct table *t, const struct cell *cell)
+{
+    switch (t->variable) {
+    case BETA:
+        arb_set(beta, y);
+        break;
+    case ROOT:
+        arb_sqr(beta, y, PREC);
+        break;
+    case POWER:
+        arb_mul_2exp_si(beta, y, cell->octave);
+        arb_root_ui(beta, beta, 5, PREC);
+        break;
+    default:
+        arb_set_d(beta, nearbyint(ldexp(exp(arf_get_d(arb_midref(y), ARF_RND_NEAR)), 16)));
+        arb_mul_2exp_si(beta, beta, -16);
+        arb_log(y, beta, PREC);
+    }
+}
+
+static void exact_value(arb_t value, const struct table *t, const arb_t beta, slong bits)
+{
+    const struct holds holds = holds_of(t->name);
+    struct collision c;
+    collision_init(&c);
+    assert_int_equal(holds.unloading ? collision_solve(&c, beta, &law_sphere, bits)
+                                     : collision_solve_force(&c, beta, &law_sphere, bits),
+                     0);
+    arb_set(value, holds.field(&c));
+    if (holds.loss) {
+        arb_sub_ui(value, value, 1, PREC);
+        arb_neg(value, value);
+        arb_div(value, value, beta, PREC);
+    } else if (t->variable == LOGARITHM || t->variable == NONE) {
+        arb_t power;
+        arb_init(power);
+        arb_pow_ratio(power, beta, holds.power, PREC);
+        arb_div(value, value, power, PREC);
+        arb_clear(power);
+    }
+    collision_clear(&c);
+}
+
+/* |x - exact| / |exact| as -log2 */
+static double bits_between(const arb_t x, const arb_t exact)
+{
+    arb_t error;
+    arf_t bound;
+    arb_init(error);
+    arf_init(bound);
+    arb_sub(error, x, exact, PREC);
+    arb_div(error, error, exact, PREC);
+    arb_get_abs_ubound_arf(bound, error, 30);
+    const double bits = arf_is_zero(bound) ? INFINITY : -log2(arf_get_d(bound, ARF_RND_UP));
+    arb_clear(error);
+    arf_clear(bound);
+    return bits;
+}
+
+/* ---- the tests ---- */
+
+/* What may be seen between the 25 places at which a row's error was sampled, in bits; and how far the polynomials that
+ * the rows in ln(beta) were cut from are off at their worst, next to u = 2. */
+static const double BETWEEN = 0.3, TAIL_ERROR = 5e-18;
+
+/* -log2 of the error that a row may have */
+static double promised(const struct table *t, slong row)
+{
+    return -log2(exp2(BETWEEN - t->bits[row]) + (t->variable == LOGARITHM ? TAIL_ERROR : 0));
+}
+
+static void test_rows(void **state)
+{
+    (void)state;
+    arb_t y, beta, row, exact, gap;
+    arb_init(y);
+    arb_init(beta);
+    arb_init(row);
+    arb_init(exact);
+    arb_init(gap);
+    for (int i = 0; i < tables.count; i++) {
+        const struct table *t = &tables.table[i];
+        const struct holds holds = holds_of(t->name[0] == 'h' ? "max_overlap" : t->name);
+        /* the more a collision costs the fewer places */
+        const int places = t->variable == POWER || t->variable == LOGARITHM ? 1 : 2;
+        double least = INFINITY, worst = INFINITY;
+        if (t->variable == NONE)
+            continue;
+        for (slong r = 0; r < t->rows; r++) {
+            const struct cell cell = cell_of(t, r);
+            least = fmin(least, t->bits[r]);
+            if (t->variable == POWER && r % 4 != 1)
+                continue; /* test_power_rows has them all */
+            for (int k = 0; k < places; k++) {
+                /* everywhere in turn, the ends included */
+                double fraction = fmod((double)(r * places + k) * 0.6180339887498949, 1);
+                if (r % 8 == 3)
+                    fraction = k;
+                const double place = cell.lo + (cell.hi - cell.lo) * fraction;
+                arb_set_d(y, place);
+                if (place == 0)
+                    continue;
+                beta_of(beta, y, t, &cell);
+                exact_value(exact, t, beta, BITS);
+                row_value(row, t, r, y);
+                const double bits = bits_between(row, exact);
+                worst = fmin(worst, bits);
+                if (!(bits >= promised(t, r)))
+                    fail_msg("%s, row %ld, y = %.17g: %.2f bits, not %.1f", t->name, (long)r, place, bits, t->bits[r]);
+                /* 1 - eps is made of these rows from beta = 1/4 on */
+                if ((holds.field == eps_overlap || holds.field == eps_force) && !holds.loss && t->variable <= ROOT &&
+                    arf_cmp_d(arb_midref(beta), 0.25) >= 0) {
+                    arb_sub_ui(row, row, 1, PREC);
+                    arb_sub_ui(exact, exact, 1, PREC);
+                    if (!(bits_between(row, exact) >= promised(t, r)))
+                        fail_msg("%s, row %ld, y = %.17g: %.2f bits of the loss", t->name, (long)r, place,
+                                 bits_between(row, exact));
+                }
+            }
+        }
+        print_message("%-30s %4ld rows, worst found %.1f bits, stated %.1f\n", t->name, (long)t->rows, worst, least);
+        assert_true(t->worst <= least + 0.051);
+    }
+    arb_clear(y);
+    arb_clear(beta);
+    arb_clear(row);
+    arb_clear(exact);
+    arb_clear(gap);
+}
+
+/* Rows in x = beta^5 against those in beta or sqrt(beta), which are held against collisions at more places. */
+static void test_power_rows(void **state)
+{
+    (void)state;
+    enum { PLACES = 5 };
+    arb_t y, beta, a, b;
+    arb_init(y);
+    arb_init(beta);
+    arb_init(a);
+    arb_init(b);
+    int count = 0;
+    for (int i = 0; i < tables.count; i++) {
+        const struct table *t = &tables.table[i];
+        if (t->variable != POWER)
+            continue;
+        count++;
+        const struct table *base = find(t->name + strlen("power_"));
+        for (slong r = 0; r < t->rows; r++)
+            for (int k = 0; k < PLACES; k++) {
+                const struct cell cell = cell_of(t, r);
+                arb_set_d(y, cell.lo + (cell.hi - cell.lo) * k / (PLACES - 1));
+                beta_of(beta, y, t, &cell);
+                row_value(a, t, r, y);
+                if (base->variable == ROOT)
+                    arb_sqrt(beta, beta, PREC);
+                slong row = (slong)floor(arf_get_d(arb_midref(beta), ARF_RND_NEAR) / base->step + 0.5);
+                row = row < base->rows ? row : base->rows - 1;
+                row_value(b, base, row, beta);
+                const double bits = bits_between(a, b);
+                const double stated = -log2(exp2(BETWEEN - t->bits[r]) + exp2(BETWEEN - base->bits[row]));
+                if (!(bits >= stated))
+                    fail_msg("%s, row %ld, place %d: %.2f bits, not %.1f", t->name, (long)r, k, bits, stated);
+            }
+    }
+    assert_int_equal(count, 2);
+    arb_clear(y);
+    arb_clear(beta);
+    arb_clear(a);
+    arb_clear(b);
+}
+
+/* Neighbouring rows agree where they meet, to what they state. */
+static void test_continuity(void **state)
+{
+    (void)state;
+    arb_t y, a, b;
+    arb_init(y);
+    arb_init(a);
+    arb_init(b);
+    for (int i = 0; i < tables.count; i++) {
+        const struct table *t = &tables.table[i];
+        for (slong r = 0; t->variable != NONE && r + 1 < t->rows; r++) {
+            const struct cell here = cell_of(t, r), next = cell_of(t, r + 1);
+            arb_set_d(y, here.hi);
+            row_value(a, t, r, y);
+            arb_set_d(y, next.lo);
+            assert_true(here.hi == next.lo || (here.hi == 2 && next.lo == 1));
+            row_value(b, t, r + 1, y);
+            const double bits = bits_between(a, b), stated = fmin(t->bits[r], t->bits[r + 1]) - 1 - BETWEEN;
+            if (!(bits >= stated))
+                fail_msg("%s: rows %ld and %ld agree to %.2f bits, not %.1f", t->name, (long)r, (long)r + 1, bits,
+                         stated);
+        }
+    }
+    arb_clear(y);
+    arb_clear(a);
+    arb_clear(b);
+}
+
+/* c_0 is the double nearest to the value at the node, c_0' what it lacks. */
+static void test_nodes(void **state)
+{
+    (void)state;
+    arb_t y, beta, exact, sum, c;
+    arb_init(y);
+    arb_init(beta);
+    arb_init(exact);
+    arb_init(sum);
+    arb_init(c);
+    double worst = INFINITY;
+    for (int i = 0; i < tables.count; i++) {
+        const struct table *t = &tables.table[i];
+        for (slong r = 0; t->variable != NONE && r < t->rows; r++) {
+            const double *row = t->c + r * t->columns;
+            int exponent;
+            frexp(row[0], &exponent);
+            assert_true(fabs(row[1]) <= ldexp(1, exponent - 54));
+            const struct cell cell = cell_of(t, r);
+            /* collisions at every ninth node, and none at beta = 0 or at a logarithm, which has no beta of its own */
+            if (t->variable == LOGARITHM || cell.node == 0 || r % 9 != 1)
+                continue;
+            arb_set_d(y, cell.node);
+            beta_of(beta, y, t, &cell);
+            exact_value(exact, t, beta, BITS);
+            arb_set_d(sum, row[0]);
+            arb_set_d(c, row[1]);
+            arb_add(sum, sum, c, PREC);
+            const double bits = bits_between(sum, exact);
+            worst = fmin(worst, bits);
+            if (!(bits >= t->bits[r]))
+                fail_msg("%s, row %ld: %.1f bits at its node", t->name, (long)r, bits);
+        }
+    }
+    print_message("at the nodes, worst found: %.1f bits\n", worst);
+    arb_clear(y);
+    arb_clear(beta);
+    arb_clear(exact);
+    arb_clear(sum);
+    arb_clear(c);
+}
+
+/* Every double is the one nearest to the decimal beside it, and cor_sphere.h holds the same doubles. */
+static void test_spellings(void **state)
+{
+    (void)state;
+    slong numbers = 0;
+    static struct tables embedded;
+    read_tables(&embedded, "generated/cor_sphere.h");
+    assert_int_equal(embedded.count, tables.count);
+    for (int i = 0; i < tables.count; i++) {
+        const struct table *t = &tables.table[i], *e = &embedded.table[i];
+        assert_string_equal(t->name, e->name);
+        assert_int_equal(t->rows, e->rows);
+        assert_int_equal(t->columns, e->columns);
+        for (slong n = 0; n < t->rows * t->columns; n++) {
+            if (t->c[n] != t->decimal[n])
+                fail_msg("%s, number %ld: %a beside %.17g", t->name, (long)n, t->c[n], t->decimal[n]);
+            if (t->c[n] != e->c[n])
+                fail_msg("%s, number %ld: %a and embedded %a", t->name, (long)n, t->c[n], e->c[n]);
+            numbers++;
+        }
+    }
+    print_message("%ld numbers in %d tables\n", (long)numbers, tables.count);
+    free_tables(&embedded);
+}
+
+static void test_h_star(void **state)
+{
+    (void)state;
+    const struct table *t = find("h_star_5");
+    arb_t h, c, bound;
+    arb_init(h);
+    arb_init(c);
+    arb_init(bound);
+    assert_int_equal(collision_h_star(h, 200), 0);
+    arb_pow_ui(h, h, 5, PREC);
+    assert_true(arf_get_d(arb_midref(h), ARF_RND_NEAR) == t->c[0]);
+    arb_set_d(c, t->c[0]);
+    arb_sub(h, h, c, PREC);
+    assert_bits(h, 100);
+    assert_true(arf_get_d(arb_midref(h), ARF_RND_NEAR) == t->c[1]);
+    arb_clear(h);
+    arb_clear(c);
+    arb_clear(bound);
+}
+
+/* a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + ... + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3) */
+static void far_value(arb_t value, const struct table *t, const arb_t u)
+{
+    arb_t mu, term, c;
+    arb_init(mu);
+    arb_init(term);
+    arb_init(c);
+    arb_mul_si(mu, u, -5, PREC);
+    arb_div_ui(mu, mu, 3, PREC);
+    arb_exp(mu, mu, PREC);
+    assert_int_equal(t->columns, 11);
+    arb_zero(value);
+    slong column = 0;
+    for (ulong order = 0; order < 3; order++)
+        for (ulong power = 0; power <= order + 1; power++)
+            for (int doubles = 0; doubles < (order == 0 ? 2 : 1); doubles++) {
+                arb_pow_ui(term, mu, order, PREC);
+                arb_pow_ui(c, u, power, PREC);
+                arb_mul(term, term, c, PREC);
+                arb_set_d(c, t->c[column++]);
+                arb_addmul(value, term, c, PREC);
+            }
+    arb_clear(mu);
+    arb_clear(term);
+    arb_clear(c);
+}
+
+static void test_far(void **state)
+{
+    (void)state;
+    static const double betas[] = {22027, 30000, 65536, 3e5, 1e6, 1e8};
+    arb_t beta, u, exact, value;
+    arb_init(beta);
+    arb_init(u);
+    arb_init(exact);
+    arb_init(value);
+    int count = 0;
+    for (int i = 0; i < tables.count; i++) {
+        const struct table *t = &tables.table[i];
+        if (strncmp(t->name, "far_", 4) != 0)
+            continue;
+        count++;
+        double worst = INFINITY;
+        for (size_t k = 0; k < sizeof betas / sizeof *betas; k++) {
+            arb_set_d(beta, betas[k]);
+            arb_log(u, beta, PREC);
+            exact_value(exact, t, beta, BITS);
+            far_value(value, t, u);
+            const double bits = bits_between(value, exact);
+            worst = fmin(worst, bits);
+            if (!(bits >= 57))
+                fail_msg("%s at beta = %g: %.1f bits", t->name, betas[k], bits);
+        }
+        print_message("%-30s worst found %.1f bits\n", t->name, worst);
+    }
+    assert_int_equal(count, 5);
+    arb_clear(beta);
+    arb_clear(u);
+    arb_clear(exact);
+    arb_clear(value);
+}
+
+static void assert_pair(const struct table *t, slong column, const arb_t exact, slong bits)
+{
+    arb_t sum, c;
+    arb_init(sum);
+    arb_init(c);
+    arb_set_d(sum, t->c[column]);
+    arb_set_d(c, t->c[column + 1]);
+    arb_add(sum, sum, c, PREC);
+    arb_sub(sum, sum, exact, PREC);
+    if (mag_cmp_2exp_si(arb_radref(exact), -200) > 0 || arf_cmpabs_2exp_si(arb_midref(sum), -bits) > 0) {
+        arb_fprintd(stderr, sum, 10);
+        fail_msg(": %s, columns %ld and %ld", t->name, (long)column, (long)column + 1);
+    }
+    arb_clear(sum);
+    arb_clear(c);
+}
+
+/* mu -> 0 in closed form (docs/derivation.md, 8): X = (3/2)^(2/3) is the largest overlap and the speed at zero force;
+ * t_max -> (2/3) X (ln(3/X) + K + (5/3) u), t_zero_force -> (2/3) X (ln(3/sqrt(X)) + K + (10/3) u), with
+ * K = ln(3)/2 - sqrt(3) pi/6; the fall takes (10/3) beta u and a constant. */
+static void test_leading_coefficients(void **state)
+{
+    (void)state;
+    enum { HELD = 60 };
+    arb_t X, K, zero, a, b;
+    arb_init(X);
+    arb_init(K);
+    arb_init(zero);
+    arb_init(a);
+    arb_init(b);
+    arb_set_d(X, 1.5);
+    arb_pow_ratio(X, X, (struct ratio){2, 3}, PREC);
+    arb_sqrt_ui(K, 3, PREC);
+    arb_const_pi(a, PREC);
+    arb_mul(K, K, a, PREC);
+    arb_div_si(K, K, -6, PREC);
+    arb_log_ui(a, 3, PREC);
+    arb_mul_2exp_si(b, a, -1);
+    arb_add(K, K, b, PREC);
+    const char *const limits[] = {"far_eps_zero_force", "far_max_overlap"};
+    for (int i = 0; i < 2; i++) {
+        assert_pair(find(limits[i]), 0, X, HELD);
+        assert_pair(find(limits[i]), 2, zero, HELD);
+    }
+    const char *const times[] = {"far_time_of_max_overlap", "far_duration_zero_force"};
+    for (int i = 0; i < 2; i++) {
+        /* ln(3) - ln(X)/(i + 1) + K, times (2/3) X */
+        arb_log(b, X, PREC);
+        arb_mul_2exp_si(b, b, -i);
+        arb_log_ui(a, 3, PREC);
+        arb_sub(a, a, b, PREC);
+        arb_add(a, a, K, PREC);
+        arb_mul(a, a, X, PREC);
+        arb_mul_2exp_si(a, a, 1);
+        arb_div_ui(a, a, 3, PREC);
+        assert_pair(find(times[i]), 0, a, HELD);
+        arb_mul_si(a, X, 10 * (i + 1), PREC);
+        arb_div_ui(a, a, 9, PREC);
+        assert_pair(find(times[i]), 2, a, HELD);
+    }
+    arb_set_si(a, 10);
+    arb_div_ui(a, a, 3, PREC);
+    assert_pair(find("far_duration_zero_overlap"), 2, a, HELD);
+    arb_clear(X);
+    arb_clear(K);
+    arb_clear(zero);
+    arb_clear(a);
+    arb_clear(b);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_spellings),
+        cmocka_unit_test(test_h_star),
+        cmocka_unit_test(test_continuity),
+        cmocka_unit_test(test_power_rows),
+        cmocka_unit_test(test_leading_coefficients),
+        cmocka_unit_test(test_nodes),
+        cmocka_unit_test(test_far),
+        cmocka_unit_test(test_rows),
+    };
+    return cmocka_run_group_tests(tests, setup, teardown);
+}

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT */
+/* generated/cor_sphere.h as it is meant to be used: compiled into a program's own unit, in C99, C++11 or CUDA
+ * (tests/header/run). Included twice, as happens. */
+#include "cor_sphere.h"
+
+#include "embedded.h"
+
+const struct embedded_function embedded_functions[EMBEDDED_FUNCTIONS] = {
+#define EMBEDDED_ROW(quantity) {#quantity, cor_inline_##quantity},
+    EMBEDDED_LIST(EMBEDDED_ROW)
+#undef EMBEDDED_ROW
+};
+
+#if defined(__CUDACC__) || defined(__HIPCC__)
+/* Every function in a kernel; compiled, and run only where there is a device. */
+__global__ void embedded_kernel(const double *x, double *y, int n)
+{
+    const int i = (int)(blockIdx.x * blockDim.x + threadIdx.x);
+    if (i >= n)
+        return;
+    int k = 0;
+#define EMBEDDED_ROW(quantity) y[k++ * n + i] = cor_inline_##quantity(x[i]);
+    EMBEDDED_LIST(EMBEDDED_ROW)
+#undef EMBEDDED_ROW
+}
+#endif

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+/* generated/cor_sphere.h gives the bits of the library: from this unit and from another, in whatever language that is. */
+#include "check.h"
+
+#include <cor/cor.h>
+
+#include "cor_sphere.h"
+#include "embedded.h"
+
+/* eps at beta^5 = x, by the library: a contact whose beta_per_root is 1 */
+static double contact_eps(int end, double x)
+{
+    struct cor_sphere_contact c;
+    memset(&c, 0, sizeof c);
+    c.beta_per_root = c.beta5_per_speed = 1;
+    return end ? cor_contact_eps_zero_force(&c, x) : cor_contact_eps_zero_overlap(&c, x);
+}
+
+static double eps_zero_overlap_root(double x)
+{
+    return contact_eps(0, x);
+}
+
+static double eps_zero_force_root(double x)
+{
+    return contact_eps(1, x);
+}
+
+#define cor_sphere_eps_zero_overlap_root eps_zero_overlap_root
+#define cor_sphere_eps_zero_force_root eps_zero_force_root
+
+static const struct {
+    const char *name;
+    double (*library)(double), (*here)(double);
+} functions[EMBEDDED_FUNCTIONS] = {
+#define EMBEDDED_ROW(quantity) {#quantity, cor_sphere_##quantity, cor_inline_##quantity},
+    EMBEDDED_LIST(EMBEDDED_ROW)
+#undef EMBEDDED_ROW
+};
+
+static int same(double x, double y)
+{
+    return same_bits(x, y) || (isnan(x) && isnan(y));
+}
+
+static void compare(double x)
+{
+    for (int k = 0; k < EMBEDDED_FUNCTIONS; k++) {
+        const double library = functions[k].library(x);
+        check(same(library, functions[k].here(x)), "%s(%a)", functions[k].name, x);
+        check(same(library, embedded_functions[k].value(x)), "%s(%a), the other unit", functions[k].name, x);
+    }
+}
+
+static void the_same_bits(void **state)
+{
+    (void)state;
+    for (int k = 0; k < EMBEDDED_FUNCTIONS; k++)
+        assert_string_equal(functions[k].name, embedded_functions[k].name);
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(20000); i++) {
+        compare(random_uniform(&random, 0, 1));
+        compare(random_uniform(&random, 0, 20));
+        compare(random_log(&random, 1e-10, 1e10));
+        compare(random_log(&random, 5e-324, DBL_MAX));
+    }
+    const double special[] = {0.0,
+                              -0.0,
+                              1,
+                              7,
+                              8,
+                              16,
+                              0.25,
+                              16807,
+                              1048576,
+                              0x1p-20,
+                              256,
+                              1024,
+                              INFINITY,
+                              NAN,
+                              -INFINITY,
+                              -1,
+                              DBL_MIN,
+                              DBL_MAX,
+                              4.9406564584124654e-324,
+                              0x1p-900,
+                              0x1p100,
+                              0x1p250};
+    for (size_t i = 0; i < sizeof special / sizeof *special; i++) {
+        compare(special[i]);
+        compare(nextafter(special[i], 0));
+        compare(nextafter(special[i], INFINITY));
+    }
+    for (int i = 0; i < 512; i++) {
+        compare((i + 0.5) / 32);
+        compare((i + 0.5) / 32 * ((i + 0.5) / 32));
+        compare(exp(i / 16.0));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_same_bits),
+    };
+    return cmocka_run_group_tests_name("embedded", tests, NULL, NULL);
+}

@@ -1,0 +1,142 @@
+/* SPDX-License-Identifier: MIT */
+/* The fifth root and the exact arithmetic under it (runtime/fifth_root.h, runtime/exact.h) against long double. */
+#include "check.h"
+
+#include "fifth_root.h"
+
+/* x^(1/5) by Newton's step on powl: good to a unit of long double */
+static long double root_exact(long double x)
+{
+    long double r = powl(x, 0.2L);
+    const long double r4 = r * r * r * r;
+    r -= (r4 * r - x) / (5 * r4);
+    return r;
+}
+
+/* Relative error in units of 2^-53 */
+static long double error_of(long double computed, long double exact)
+{
+    return fabsl(computed / exact - 1) / (DBL_EPSILON / 2);
+}
+
+static const long double slack = LDBL_MANT_DIG >= 64 ? 0.01L : 2;
+
+static void whole_range(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst = 0;
+    for (size_t i = 0; i < points(200000); i++) {
+        const double x = i % 4 == 0 ? random_log(&random, 5e-324, 1e-300) : random_log(&random, DBL_MIN, DBL_MAX);
+        const double root = cor_inline_fifth_root(x);
+        worst = fmaxl(worst, error_of(root, root_exact(x)));
+        check(error_of(root, root_exact(x)) <= 1.5L + slack, "%a -> %a", x, root);
+    }
+    print_message("fifth root: %.3Lf 2^-53\n", worst);
+}
+
+static void parts(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst = 0, longest = 0;
+    for (size_t i = 0; i < points(200000); i++) {
+        const double x = random_log(&random, 0x1p-1000, 0x1p1000);
+        const struct cor_inline_pair root = cor_inline_fifth_root_parts(x);
+        assert_true(cor_inline_head(root.hi) == root.hi);
+        assert_true(same_bits(cor_inline_fifth_root_normal(x), root.hi + root.lo));
+        longest = fmaxl(longest, fabsl((long double)root.lo / root.hi));
+        const long double error = error_of((long double)root.hi + root.lo, root_exact(x));
+        worst = fmaxl(worst, error);
+        check(error <= 0.5L + slack, "%a -> %a + %a: %Lg", x, root.hi, root.lo, error);
+    }
+    print_message("head and tail: %.3Lf 2^-53, tail up to %.3Lg\n", worst, longest);
+    assert_true(longest < 0x1p-12L);
+}
+
+/* The seed is a whole-number fifth of the bits: its error repeats every five octaves. All of them, finely. */
+static void five_octaves(void **state)
+{
+    (void)state;
+    for (double x = 1; x < 32; x += 0x1p-12) {
+        assert_true(error_of(cor_inline_fifth_root_normal(x), root_exact(x)) <= 1.5L + slack);
+        assert_true(same_bits(cor_inline_fifth_root(x * 0x1p-500) * 0x1p100, cor_inline_fifth_root(x)));
+    }
+}
+
+static void exact_powers(void **state)
+{
+    (void)state;
+    for (int k = 1; k < 1500; k++) {
+        const double x = k, power = x * x * x * x * x;
+        check(cor_inline_fifth_root(power) == x, "%d", k);
+        check(cor_inline_fifth_root(ldexp(power, 900)) == ldexp(x, 180), "%d", k);
+        check(cor_inline_fifth_root(ldexp(power, -1000)) == ldexp(x, -200), "%d", k);
+    }
+    for (int k = -1070; k <= 1020; k += 5)
+        check(cor_inline_fifth_root(ldexp(1, k)) == ldexp(1, k / 5), "2^%d", k);
+}
+
+static void special_values(void **state)
+{
+    (void)state;
+    assert_true(same_bits(cor_inline_fifth_root(0.0), 0.0) && same_bits(cor_inline_fifth_root(-0.0), -0.0));
+    assert_true(cor_inline_fifth_root(INFINITY) == INFINITY);
+    assert_true(isnan(cor_inline_fifth_root(NAN)));
+    assert_true(cor_inline_fifth_root(-32) == -32); /* as it is: callers refuse it */
+    const double edge[] = {0x1p-900, 0x1p900, DBL_MIN, DBL_MAX, 5e-324};
+    for (size_t i = 0; i < sizeof edge / sizeof *edge; i++) {
+        const double side[3] = {nextafter(edge[i], 0), edge[i], nextafter(edge[i], DBL_MAX)};
+        for (int k = 0; k < 3; k++)
+            if (side[k] > 0)
+                check(error_of(cor_inline_fifth_root(side[k]), root_exact(side[k])) <= 1.5L + slack, "%a", side[k]);
+    }
+}
+
+static void rising(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(2000); i++) {
+        double x = random_log(&random, 5e-324, DBL_MAX), last = cor_inline_fifth_root(x);
+        for (int k = 0; k < 50; k++) {
+            x = nextafter(x, INFINITY);
+            const double next = cor_inline_fifth_root(x);
+            check(next >= last - (double)ulp(last), "%a", x);
+            last = next;
+        }
+    }
+}
+
+/* Products and quotients of pairs, where long double has room to tell: 11 bits. */
+static void pairs(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(50000); i++) {
+        const double x = random_log(&random, 1e-100, 1e100), y = -random_log(&random, 1e-100, 1e100);
+        const struct cor_inline_pair p = cor_inline_product(x, y);
+        assert_true(p.hi == x * y);
+        const double head = cor_inline_head(x);
+        assert_true(head + (x - head) == x && fabs(x - head) < 0x1p-25 * fabs(head));
+        assert_true(cor_inline_product(head, head).lo == 0);
+        /* the tails have 27 bits, so their product may lose one */
+        assert_true(fabs(p.lo - fma(x, y, -p.hi)) <= 0x1p-104 * fabs(p.hi));
+        const struct cor_inline_pair a = {x, x * 0x1p-54}, b = {y, -y * 0x1p-55}, q = cor_inline_pair_over(a, b),
+                                     back = cor_inline_pair_times(q, b);
+        assert_true(fabs(q.lo) <= 0x1p-52 * fabs(q.hi));
+        assert_true(fabs((back.hi - a.hi) + (back.lo - a.lo)) < 0x1p-98 * fabs(x));
+        const struct cor_inline_pair sum = cor_inline_sum(x, x * 0.3);
+        assert_true(sum.hi == x + x * 0.3 && sum.hi - x + sum.lo == x * 0.3);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(whole_range),  cmocka_unit_test(parts),          cmocka_unit_test(five_octaves),
+        cmocka_unit_test(exact_powers), cmocka_unit_test(special_values), cmocka_unit_test(rising),
+        cmocka_unit_test(pairs),
+    };
+    return cmocka_run_group_tests_name("fifth_root", tests, NULL, NULL);
+}

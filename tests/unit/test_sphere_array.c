@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: MIT */
+/* Arrays are their scalars to the last bit: every function, any length, any place, every instruction set. */
+#include "check.h"
+
+#include <cor/cor.h>
+
+#include "sphere_array.h"
+
+enum { COUNT = 1003 };
+
+struct function {
+    const char *name;
+    double (*value)(double);
+    void (*array)(const double *, double *, size_t);
+    float (*valuef)(float);
+    void (*arrayf)(const float *, float *, size_t);
+};
+
+#define ROW(quantity)                                                                                                  \
+    {                                                                                                                  \
+#quantity, cor_sphere_##quantity, cor_sphere_##quantity##_array, cor_sphere_##quantity##f,                     \
+            cor_sphere_##quantity##_arrayf                                                                             \
+    }
+
+static const struct function functions[] = {
+    ROW(eps_zero_overlap),  ROW(eps_zero_force),      ROW(loss_zero_overlap),     ROW(loss_zero_force),
+    ROW(beta_zero_overlap), ROW(beta_zero_force),     ROW(duration_zero_overlap), ROW(duration_zero_force),
+    ROW(max_overlap),       ROW(time_of_max_overlap),
+};
+enum { FUNCTIONS = sizeof functions / sizeof *functions };
+
+static int same(double x, double y)
+{
+    return same_bits(x, y) || (isnan(x) && isnan(y));
+}
+
+static int same_float(float x, float y)
+{
+    return memcmp(&x, &y, sizeof x) == 0 || (isnan(x) && isnan(y));
+}
+
+/* Arguments of every kind, so that a block has what lies inside the tables beside what does not. */
+static void fill(double *x, int count)
+{
+    struct random_state random = random_start();
+    const double special[] = {0.0,     -0.0,  NAN,  INFINITY, -INFINITY, -1,      4.9406564584124654e-324,
+                              7,       16,    8,    0.25,     DBL_MAX,   DBL_MIN, -4.9406564584124654e-324,
+                              0x1p-20, 0x1p8, 1024, 1,        0.5,       16807,   1048576};
+    enum { SPECIAL = sizeof special / sizeof *special };
+    for (int i = 0; i < count; i++)
+        switch (i % 5) {
+        case 0:
+            x[i] = random_log(&random, 1e-300, 1e300);
+            break;
+        case 1:
+            x[i] = i / 5 % 4 ? random_uniform(&random, 0, 1) : special[i / 20 % SPECIAL];
+            break;
+        default:
+            x[i] = i / 100 % 2 ? random_uniform(&random, 0, 6) : random_log(&random, 1e-4, 20);
+        }
+}
+
+static void lengths_and_places(void **state)
+{
+    (void)state;
+    static double x[COUNT + 3], y[COUNT + 8];
+    static float xf[COUNT + 3], yf[COUNT + 8];
+    fill(x, COUNT + 3);
+    for (int i = 0; i < COUNT + 3; i++)
+        xf[i] = (float)x[i];
+    for (int k = 0; k < FUNCTIONS; k++) {
+        const struct function *f = &functions[k];
+        f->array(NULL, NULL, 0);
+        f->arrayf(NULL, NULL, 0);
+        for (size_t n = 0; n <= COUNT; n += n < 20 || (n > 60 && n < 68) || (n > 124 && n < 132) ? 1
+                                            : n < 140                                            ? 4
+                                                                                                 : 863)
+            for (size_t from = 0; from < 3; from++) {
+                const size_t to = (from * 3 + n) % 5;
+                for (size_t i = 0; i < COUNT + 8; i++) {
+                    y[i] = 7;
+                    yf[i] = 7;
+                }
+                f->array(x + from, y + to, n);
+                f->arrayf(xf + from, yf + to, n);
+                for (size_t i = 0; i < n; i++) {
+                    check(same(y[to + i], f->value(x[from + i])), "%s(%a), %zu of %zu", f->name, x[from + i], i, n);
+                    check(same_float(yf[to + i], f->valuef(xf[from + i])), "%sf(%a), %zu of %zu", f->name,
+                          (double)xf[from + i], i, n);
+                }
+                for (size_t i = 0; i < to; i++)
+                    check(y[i] == 7 && yf[i] == 7, "%s wrote before its elements", f->name);
+                for (size_t i = to + n; i < COUNT + 8; i++)
+                    check(y[i] == 7 && yf[i] == 7, "%s wrote past %zu elements", f->name, n);
+            }
+        memcpy(y, x, sizeof x);
+        memcpy(yf, xf, sizeof xf);
+        f->array(y + 1, y + 1, COUNT);
+        f->arrayf(yf + 1, yf + 1, COUNT);
+        for (size_t i = 1; i <= COUNT; i++) {
+            check(same(y[i], f->value(x[i])), "%s in place: %a", f->name, x[i]);
+            check(same_float(yf[i], f->valuef(xf[i])), "%sf in place: %a", f->name, (double)xf[i]);
+        }
+    }
+}
+
+/* Every set, whichever would have been chosen here. */
+static void every_set(void **state)
+{
+    (void)state;
+    enum { MANY = 60000 };
+    static double x[MANY], y[MANY + 1];
+    fill(x, MANY);
+    struct cor_sphere_contact contact[3];
+    assert_int_equal(cor_sphere_contact_init_g_star(&contact[0], 0.49), COR_OK); /* beta near speed^(1/5) */
+    assert_int_equal(cor_sphere_contact_init_g_star(&contact[1], INFINITY), COR_OK);
+    assert_int_equal(cor_sphere_contact_init_g_star(&contact[2], 1e-304), COR_OK);
+    contact[2].beta5_per_speed = NAN;
+    int sets = 0;
+    for (int s = 0; s < COR_ARRAY_SETS; s++) {
+        const struct cor_array_set *set = cor_array_set(s);
+        if (set == NULL) {
+            print_message("set %d is not in this build or processor\n", s);
+            continue;
+        }
+        sets++;
+        print_message("set %s\n", set->name);
+        cor_array_function *const by_beta[2] = {set->eps_zero_overlap, set->eps_zero_force};
+        cor_array_function *const by_speed[2] = {set->speed_zero_overlap, set->speed_zero_force};
+        double (*const eps[2])(double) = {cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_force};
+        double (*const contact_eps[2])(const struct cor_sphere_contact *, double) = {cor_contact_eps_zero_overlap,
+                                                                                     cor_contact_eps_zero_force};
+        for (int end = 0; end < 2; end++) {
+            for (size_t n = MANY; n > MANY - 140; n -= 67) {
+                y[n] = 7;
+                by_beta[end](NULL, x, y, n);
+                for (size_t i = 0; i < n; i++)
+                    check(same(y[i], eps[end](x[i])), "%s, end %d, beta = %a", set->name, end, x[i]);
+                check(y[n] == 7, "%s wrote past the end", set->name);
+            }
+            for (int k = 0; k < 3; k++) {
+                by_speed[end](&contact[k], x, y, MANY);
+                for (size_t i = 0; i < MANY; i++)
+                    check(same(y[i], contact_eps[end](&contact[k], x[i])), "%s, end %d, contact %d, speed %a",
+                          set->name, end, k, x[i]);
+            }
+            /* short ones, in place */
+            for (size_t n = 1; n < 20; n++) {
+                memcpy(y, x, sizeof x);
+                by_speed[end](&contact[0], y + n, y + n, n);
+                for (size_t i = 0; i < n; i++)
+                    check(same(y[n + i], contact_eps[end](&contact[0], x[n + i])), "%s, %zu", set->name, n);
+                check(same(y[2 * n], x[2 * n]), "%s wrote past %zu", set->name, n);
+            }
+        }
+    }
+    assert_true(sets >= 1);
+    assert_null(cor_array_set(COR_ARRAY_SETS));
+    assert_null(cor_array_set(-1));
+    assert_non_null(cor_array_best_set());
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lengths_and_places),
+        cmocka_unit_test(every_set),
+    };
+    return cmocka_run_group_tests_name("sphere_array", tests, NULL, NULL);
+}
