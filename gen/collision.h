@@ -20,7 +20,7 @@ void collision_clear(struct collision *c);
 int collision_solve(struct collision *c, const arb_t beta, const struct law *law, slong bits);
 
 /* The same for x_max, t_max, eps_zero_force and t_zero_force alone, which need no unloading to the end: cheap
- * however strong the damping is. beta > 0 and a > b; the other fields become indeterminate. */
+ * however strong the damping is. beta > 0 and a > b; the other fields are not to be used. */
 int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits);
 
 /* h* = lim beta eps^(1/5), sphere only: eps_zero_overlap -> (h_star / beta)^5. */

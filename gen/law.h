@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact law x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1 (docs/derivation.md, 1 and 8).
+/* The contact law x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1 (docs/derivation.md, 1 and 9).
  * Everything that corgen computes is a function of the two rational exponents below. */
 #ifndef COR_GEN_LAW_H
 #define COR_GEN_LAW_H

@@ -145,7 +145,7 @@ static int emit_tables(struct emit *e)
 {
     emit_comment(e, "A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
                     "c_0', c_1, ..., c_n. s = t; only in the rows of eps at zero force from node 1/4 on,\n"
-                    "s = beta - node^2. c_0 + c_0' is the value at the node to 2^-106.");
+                    "s = beta - node^2. c_0' is what the double c_0 lacks of the value at the node.");
     for (int i = 0; i < TABLES; i++)
         if (pieces_emit(e, &data.tables[i]))
             return STATUS_FAILED;
@@ -198,7 +198,7 @@ int sphere_tables_write(FILE *file)
 static const char header_banner[] =
     "cor_sphere.h: restitution coefficient, duration and largest overlap of colliding viscoelastic spheres,\n"
     "x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for every beta, as one header to embed.\n"
-    "C99, C++11, CUDA and HIP. Needs sqrt, cbrt, log, frexp and ldexp of math.h, memcpy, and IEEE doubles.\n"
+    "C99, C++11, CUDA and HIP. Needs sqrt, cbrt, exp, log, frexp, ldexp and fabs of math.h, memcpy, IEEE doubles.\n"
     "\n"
     "    double cor_inline_eps_zero_overlap(double beta);            also _zero_force\n"
     "    double cor_inline_loss_zero_overlap(double beta);           1 - eps; also _zero_force\n"

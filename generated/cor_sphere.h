@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* cor_sphere.h: restitution coefficient, duration and largest overlap of colliding viscoelastic spheres,
  * x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for every beta, as one header to embed.
- * C99, C++11, CUDA and HIP. Needs sqrt, cbrt, log, frexp and ldexp of math.h, memcpy, and IEEE doubles.
+ * C99, C++11, CUDA and HIP. Needs sqrt, cbrt, exp, log, frexp, ldexp and fabs of math.h, memcpy, IEEE doubles.
  *
  *     double cor_inline_eps_zero_overlap(double beta);            also _zero_force
  *     double cor_inline_loss_zero_overlap(double beta);           1 - eps; also _zero_force
@@ -94,7 +94,7 @@ COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
     return sum;
 }
 
-/* x y without error, where nothing underflows */
+/* x y to 2^-104, where nothing underflows */
 COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
 {
     const double xh = cor_inline_head(x), xl = x - xh, yh = cor_inline_head(y), yl = y - yh;
@@ -173,7 +173,7 @@ COR_INLINE double cor_inline_fifth_root(double x)
 
 /* A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
  * c_0', c_1, ..., c_n. s = t; only in the rows of eps at zero force from node 1/4 on,
- * s = beta - node^2. c_0 + c_0' is the value at the node to 2^-106. */
+ * s = beta - node^2. c_0' is what the double c_0 lacks of the value at the node. */
 
 /* eps at zero overlap, beta < 7: 57 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 7.0625.
  * Relative error of the approximation: 2^-56.3 at most, sampled at 25 places of each row. */

@@ -54,7 +54,7 @@ COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
     return sum;
 }
 
-/* x y without error, where nothing underflows */
+/* x y to 2^-104, where nothing underflows */
 COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
 {
     const double xh = cor_inline_head(x), xl = x - xh, yh = cor_inline_head(y), yl = y - yh;

@@ -47,7 +47,8 @@ extern "C" {
 /* Every function here comes as double, as float (with an f at its end: the double function rounded once), and for
  * arrays of either: y[i] = function(x[i]) for i < n, the same to the last bit. n may be 0, the pointers then NULL. x
  * and y may be the same array, but must not overlap otherwise. The same input gives the same bits on every processor:
- * instruction sets are chosen at run time, and none of them changes a result. */
+ * instruction sets are chosen at run time, and none of them changes a result. (Beyond beta = 8, or 16 for eps at zero
+ * force, cbrt, exp and log of the C library take part.) */
 #define COR_SPHERE_DECLARE_(quantity)                                                                                  \
     COR_API double cor_sphere_##quantity(double x);                                                                    \
     COR_API float cor_sphere_##quantity##f(float x);                                                                   \

@@ -62,13 +62,14 @@ static struct pieces table(int kind)
 /* Row r at y from its doubles, in doubles, and the beta it stands for. */
 static double evaluate(const struct pieces *p, slong r, double fraction, double *beta)
 {
-    double c[32], node = p->first + (double)r * p->step, half = p->step / 2, octave = 0;
+    double c[32] = {0}, node = p->first + (double)r * p->step, half = p->step / 2, octave = 0;
     for (slong k = 0; k < p->degree + 2; k++)
         assert_true(digits_to_double(&c[k], p->coefficient + r * (p->degree + 2) + k));
     if (p->variable == VARIABLE_POWER) {
         half = 0.5 / PIECES_PER_OCTAVE;
         node = 1 + half * (2 * (double)(r % PIECES_PER_OCTAVE) + 1);
-        octave = p->first + (double)(r / PIECES_PER_OCTAVE);
+        const slong octaves = r / PIECES_PER_OCTAVE;
+        octave = p->first + (double)octaves;
     }
     const double y = fmax(node - half + 2 * half * fraction, p->variable == VARIABLE_POWER ? 1 : 0), t = y - node;
     *beta = p->variable == VARIABLE_BETA ? y : p->variable == VARIABLE_POWER ? pow(ldexp(y, (int)octave), 0.2) : y * y;

@@ -110,17 +110,12 @@ static void read_tables(struct tables *all, const char *path)
 {
     static const char opening[] = "COR_INLINE const double *cor_rows_";
     char *text = read_text(path);
-    const char *comment = text;
     all->count = 0;
-    for (char *at = text; (at = strstr(at, "\n/*")) != NULL || comment;) {
-        /* the next function, and the last comment before it */
-        char *function = strstr(comment, opening);
-        if (!function)
-            break;
-        while (at && at < function) {
-            comment = at;
-            at = strstr(at + 1, "\n/*");
-        }
+    for (const char *at = text, *function; (function = strstr(at, opening)) != NULL; at = function + 1) {
+        /* the last comment before it */
+        const char *comment = at;
+        for (const char *next = strstr(at, "\n/*"); next && next < function; next = strstr(next + 1, "\n/*"))
+            comment = next;
         assert_true(all->count < MOST_TABLES);
         struct table *t = &all->table[all->count++];
         memset(t, 0, sizeof *t);
@@ -131,8 +126,6 @@ static void read_tables(struct tables *all, const char *path)
         assert_in_range(t->rows, 1, 4000);
         read_grid(t, comment, function);
         read_numbers(t, strchr(row, '{'));
-        comment = function + 1;
-        at = function + 1;
     }
     free(text);
     assert_true(all->count > 10);

@@ -417,12 +417,10 @@ static void eps_at_a_speed(void **state)
     /* around every place where rows in x = beta^5 end, by a contact whose x is the speed */
     struct cor_sphere_contact c;
     assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
-    for (double beta5 = 0x1p-22; beta5 < 0x1p22; beta5 *= 1.0625) {
-        double speed = beta5 / c.beta5_per_speed;
+    for (int eighth = -22 * 8; eighth < 22 * 8; eighth++) {
+        const double edge = ldexp(1 + (eighth & 7) / 8.0, (eighth - (eighth & 7)) / 8);
         for (int end = 0; end < 2; end++) {
-            /* octaves in eighths; the quotient's rounding is a unit */
-            const double fraction = frexp(beta5, &(int){0}), edge = ldexp(nearbyint(ldexp(fraction, 4)), -4);
-            speed = ldexp(edge, ilogb(beta5) + 1) / c.beta5_per_speed;
+            double speed = edge / c.beta5_per_speed; /* the quotient's rounding is a unit */
             for (int k = 0; k < 6; k++)
                 speed = nextafter(speed, 0);
             for (int k = 0; k < 12; k++, speed = nextafter(speed, INFINITY)) {

@@ -104,6 +104,10 @@ static void lengths_and_places(void **state)
     }
 }
 
+static double (*const eps_at_beta[2])(double) = {cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_force};
+static double (*const eps_at_speed[2])(const struct cor_sphere_contact *, double) = {cor_contact_eps_zero_overlap,
+                                                                                     cor_contact_eps_zero_force};
+
 /* Every set, whichever would have been chosen here. */
 static void every_set(void **state)
 {
@@ -127,21 +131,18 @@ static void every_set(void **state)
         print_message("set %s\n", set->name);
         cor_array_function *const by_beta[2] = {set->eps_zero_overlap, set->eps_zero_force};
         cor_array_function *const by_speed[2] = {set->speed_zero_overlap, set->speed_zero_force};
-        double (*const eps[2])(double) = {cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_force};
-        double (*const contact_eps[2])(const struct cor_sphere_contact *, double) = {cor_contact_eps_zero_overlap,
-                                                                                     cor_contact_eps_zero_force};
         for (int end = 0; end < 2; end++) {
             for (size_t n = MANY; n > MANY - 140; n -= 67) {
                 y[n] = 7;
                 by_beta[end](NULL, x, y, n);
                 for (size_t i = 0; i < n; i++)
-                    check(same(y[i], eps[end](x[i])), "%s, end %d, beta = %a", set->name, end, x[i]);
+                    check(same(y[i], eps_at_beta[end](x[i])), "%s, end %d, beta = %a", set->name, end, x[i]);
                 check(y[n] == 7, "%s wrote past the end", set->name);
             }
             for (int k = 0; k < 3; k++) {
                 by_speed[end](&contact[k], x, y, MANY);
                 for (size_t i = 0; i < MANY; i++)
-                    check(same(y[i], contact_eps[end](&contact[k], x[i])), "%s, end %d, contact %d, speed %a",
+                    check(same(y[i], eps_at_speed[end](&contact[k], x[i])), "%s, end %d, contact %d, speed %a",
                           set->name, end, k, x[i]);
             }
             /* short ones, in place */
@@ -149,7 +150,7 @@ static void every_set(void **state)
                 memcpy(y, x, sizeof x);
                 by_speed[end](&contact[0], y + n, y + n, n);
                 for (size_t i = 0; i < n; i++)
-                    check(same(y[n + i], contact_eps[end](&contact[0], x[n + i])), "%s, %zu", set->name, n);
+                    check(same(y[n + i], eps_at_speed[end](&contact[0], x[n + i])), "%s, %zu", set->name, n);
                 check(same(y[2 * n], x[2 * n]), "%s wrote past %zu", set->name, n);
             }
         }
