@@ -20,7 +20,7 @@ if(FLINT_FOUND)
   set(COR_HAVE_GENERATOR TRUE)
   include(generator_sources)
   list(TRANSFORM COR_GENERATOR_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/")
-  # corgen embed writes the runtime's evaluator into headers
+  # the generated headers embed the runtime's evaluator
   set(evaluator ${PROJECT_BINARY_DIR}/evaluator_text.c)
   add_custom_command(OUTPUT ${evaluator}
     COMMAND ${CMAKE_COMMAND} -DRUNTIME=${PROJECT_SOURCE_DIR}/runtime -DOUTPUT=${evaluator}

@@ -3,11 +3,17 @@
 set(COR_GENERATOR_SOURCES
   gen/collision.c
   gen/command_collide.c
+  gen/command_embed.c
   gen/command_pade.c
   gen/command_series.c
   gen/command_trajectory.c
   gen/console.c
   gen/digits.c
+  gen/embed_choose.c
+  gen/embed_fit.c
+  gen/embed_form.c
+  gen/embed_header.c
+  gen/embed_scene.c
   gen/emit_c.c
   gen/interpolant.c
   gen/jet.c

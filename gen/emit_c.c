@@ -167,10 +167,8 @@ static const char *real(char text[NUMBER_MAX], const struct emit *e, double x)
         if (e->single ? strtof(text, NULL) == (float)x : strtod(text, NULL) == x)
             break;
     }
-    if (!strpbrk(text, ".e"))
-        strcat(text, ".0");
-    if (e->single)
-        strcat(text, "f");
+    const size_t length = strlen(text);
+    snprintf(text + length, NUMBER_MAX - length, "%s%s", strpbrk(text, ".e") ? "" : ".0", e->single ? "f" : "");
     return text;
 }
 
@@ -256,6 +254,28 @@ void emit_let_polynomial(struct emit *e, const char *name, const char *x, const 
     }
     put_horner(e, name, x, text, degree, degree > 0 && c[degree] == 1);
     free(text);
+}
+
+void emit_let_product(struct emit *e, const char *name, const char *x, const char *y)
+{
+    let(e, real_type(e), name, "%s * %s", x, y);
+}
+
+void emit_let_split_polynomial(struct emit *e, const char *name, const char *x, const char *square, const double *c,
+                               slong degree)
+{
+    static const char *const parity[] = {"even", "odd"};
+    double *part = xmalloc((size_t)(degree + 1) * sizeof *part);
+    char names[2][32];
+    for (slong odd = 0; odd < 2; odd++) {
+        slong n = 0;
+        for (slong k = odd; k <= degree; k += 2)
+            part[n++] = c[k];
+        snprintf(names[odd], sizeof names[odd], "%s_%s", name, parity[odd]);
+        emit_let_polynomial(e, names[odd], square, part, n - 1);
+    }
+    let(e, real_type(e), name, "%s + %s * %s", names[0], x, names[1]);
+    free(part);
 }
 
 void emit_let_row_polynomial(struct emit *e, const char *name, const char *table, const char *row, const char *t,

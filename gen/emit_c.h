@@ -50,6 +50,10 @@ void emit_function_open(struct emit *e, const char *name, const char *argument);
 void emit_let_clamped(struct emit *e, const char *name, const char *x, double low, double high, bool vector);
 void emit_let_sqrt(struct emit *e, const char *name, const char *x);
 void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree);
+/* The same as two polynomials in x^2, of the even and of the odd powers; square is the name of x^2. */
+void emit_let_product(struct emit *e, const char *name, const char *x, const char *y);
+void emit_let_split_polynomial(struct emit *e, const char *name, const char *x, const char *square, const double *c,
+                               slong degree);
 /* x^(1/5): from its bits; polynomials of degree 3 and, unless 0, `degree` correct it (gen/embed_form.c) */
 struct emit_fifth_root {
     double fifth, constant; /* double: of the bits' upper half */

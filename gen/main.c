@@ -61,6 +61,29 @@ static const struct subcommand subcommands[] = {
      "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force.\n"
      "Example: corgen collide --beta 0.1 --digits 30\n",
      "beta digits format elastic damping output profile", "text csv json", "beta", command_collide},
+    {"embed", "a C header with eps of the impact speed for one scene",
+     "Usage: corgen embed --speed-min G --speed-max G --tolerance T CONTACT [OPTION]...\n\n"
+     "Writes a self-contained header, C99, C++11, CUDA and HIP, with one function from the impact\n"
+     "speed in m/s to eps: the cheapest form that meets the tolerance between the two speeds.\n\n"
+     "  --speed-min G, --speed-max G   the range of speeds, m/s; outside, the nearer end's value\n"
+     "  --tolerance T    relative error of eps allowed, 1e-15 (float: 4e-7) to 0.1\n" HELP_END
+     "  --type T         double (default) or float\n"
+     "  --for USE        scalar: calls one at a time; array: loops that become vectors; balanced\n"
+     "                   (default): both\n"
+     "  --name NAME      of the function (default cor_scene_eps); the include guard follows it\n"
+     "\nCONTACT is the characteristic speed\n"
+     "  --g-star G       m/s, from eps = 1 - (speed/g*)^(1/5) + ...\n"
+     "or the materials of two spheres, the second like the first but for what is said of it:\n"
+     "  --young Y, --poisson NU      Pa, -\n"
+     "  --radius R                   m\n"
+     "  --density D or --mass M      kg/m^3, kg\n"
+     "  --dissipation-time A         s\n"
+     "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2, --dissipation-time-2\n"
+     "  --wall           the second is flat and held fast\n\n" HELP_COMMON
+     "\nExample: corgen embed --speed-min 0.1 --speed-max 10 --g-star 0.2 --tolerance 1e-6\n",
+     "speed-min speed-max tolerance g-star end type for name young poisson radius density mass "
+     "dissipation-time young-2 poisson-2 radius-2 density-2 mass-2 dissipation-time-2 wall output profile",
+     "", "speed-min speed-max tolerance", command_embed},
     {"tables", "write or check the generated C tables",
      "Usage: corgen tables [--check] [--output DIR] [OPTION]...\n\n"
      "Writes every file of generated/, the whole set or none of it.\n\n"

@@ -3,12 +3,13 @@
 
 #include <errno.h>
 #include <getopt.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "console.h"
 
-enum { NAMES_MAX = 256, BETA_EXPONENT_DIGITS_MAX = 6, LONG_OPTION = 256 };
+enum { NAMES_MAX = 512, BETA_EXPONENT_DIGITS_MAX = 6, LONG_OPTION = 256 };
 
 enum key {
     KEY_ORDER,
@@ -29,7 +30,12 @@ enum key {
     KEY_CHECK,
     KEY_FORCE,
     KEY_PROFILE,
-    KEY_HELP
+    KEY_TYPE,
+    KEY_NAME,
+    KEY_FOR,
+    KEY_WALL,
+    KEY_HELP,
+    KEY_REAL /* and as many as there are in enum options_real */
 };
 
 struct rule {
@@ -60,7 +66,27 @@ static const struct rule rules[] = {
     {"check", KEY_CHECK, false, 0, 0, NULL},
     {"force", KEY_FORCE, false, 0, 0, NULL},
     {"profile", KEY_PROFILE, false, 0, 0, NULL},
+    {"type", KEY_TYPE, true, 0, 0, NULL},
+    {"name", KEY_NAME, true, 0, 0, NULL},
+    {"for", KEY_FOR, true, 0, 0, NULL},
+    {"wall", KEY_WALL, false, 0, 0, NULL},
     {"help", KEY_HELP, false, 0, 0, NULL},
+    {"speed-min", KEY_REAL + OPTIONS_SPEED_MIN, true, 0, 0, NULL},
+    {"speed-max", KEY_REAL + OPTIONS_SPEED_MAX, true, 0, 0, NULL},
+    {"tolerance", KEY_REAL + OPTIONS_TOLERANCE, true, 0, 0, NULL},
+    {"g-star", KEY_REAL + OPTIONS_G_STAR, true, 0, 0, NULL},
+    {"young", KEY_REAL + OPTIONS_YOUNG, true, 0, 0, NULL},
+    {"poisson", KEY_REAL + OPTIONS_POISSON, true, 0, 0, NULL},
+    {"radius", KEY_REAL + OPTIONS_RADIUS, true, 0, 0, NULL},
+    {"density", KEY_REAL + OPTIONS_DENSITY, true, 0, 0, NULL},
+    {"mass", KEY_REAL + OPTIONS_MASS, true, 0, 0, NULL},
+    {"dissipation-time", KEY_REAL + OPTIONS_DISSIPATION_TIME, true, 0, 0, NULL},
+    {"young-2", KEY_REAL + OPTIONS_YOUNG_2, true, 0, 0, NULL},
+    {"poisson-2", KEY_REAL + OPTIONS_POISSON_2, true, 0, 0, NULL},
+    {"radius-2", KEY_REAL + OPTIONS_RADIUS_2, true, 0, 0, NULL},
+    {"density-2", KEY_REAL + OPTIONS_DENSITY_2, true, 0, 0, NULL},
+    {"mass-2", KEY_REAL + OPTIONS_MASS_2, true, 0, 0, NULL},
+    {"dissipation-time-2", KEY_REAL + OPTIONS_DISSIPATION_TIME_2, true, 0, 0, NULL},
 };
 enum { RULES = sizeof rules / sizeof *rules };
 
@@ -210,8 +236,93 @@ static int parse_format(struct options *o, const struct subcommand *cmd, const c
                        listed(names, cmd->formats, ""));
 }
 
+static const struct rule *rule_of(int key)
+{
+    const struct rule *rule = rules;
+    while ((int)rule->key != key)
+        rule++;
+    return rule;
+}
+
+const char *options_real_name(enum options_real which)
+{
+    return rule_of(KEY_REAL + (int)which)->name;
+}
+
+void options_real(arb_t x, const struct options *o, enum options_real which, slong prec)
+{
+    arb_set_str(x, o->real[which], prec);
+}
+
+/* A positive number; Poisson's ratio is between -1 and 1/2, and bodies may have no dissipation. */
+static int parse_real(struct options *o, const struct rule *rule, const char *text)
+{
+    const enum options_real which = (enum options_real)(rule->key - KEY_REAL);
+    const bool poisson = which == OPTIONS_POISSON || which == OPTIONS_POISSON_2;
+    const bool zero = poisson || which == OPTIONS_DISSIPATION_TIME || which == OPTIONS_DISSIPATION_TIME_2;
+    const char *end = skip_decimal(text + (poisson && *text == '-'));
+    bool good = end && *end == '\0';
+    if (good) {
+        const double value = strtod(text, NULL);
+        good = poisson ? value > -1 && value <= 0.5 : value >= 0 && value < HUGE_VAL && (zero || value > 0);
+    }
+    if (!good)
+        return usage_error("--%s: '%.60s' is not %s, written as 0.1 or 1.5e-3", rule->name, text,
+                           poisson ? "a number above -1 and up to 0.5"
+                           : zero  ? "a finite number, 0 or more"
+                                   : "a finite number above 0");
+    o->real[which] = text;
+    return STATUS_OK;
+}
+
+/* A name of C, long enough to say something. */
+static int parse_name(struct options *o, const char *text)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+    char all[sizeof letters + 10];
+    snprintf(all, sizeof all, "%s0123456789", letters);
+    const size_t length = strlen(text);
+    if (!*text || !strchr(letters, *text) || strspn(text, all) != length || length > OPTIONS_MAX_NAME ||
+        strncmp(text, "__", 2) == 0 || (*text == '_' && text[1] >= 'A' && text[1] <= 'Z'))
+        return usage_error("--name: '%.60s' is not a name for a function of C, letters, digits and _, %d at most", text,
+                           OPTIONS_MAX_NAME);
+    o->name = text;
+    return STATUS_OK;
+}
+
+/* One of the words of `allowed`: its place among them, or -1. */
+static int place_of(const char *word, const char *const *allowed, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (strcmp(word, allowed[i]) == 0)
+            return i;
+    return -1;
+}
+
+static int parse_type(struct options *o, const char *text)
+{
+    static const char *const types[] = {"double", "float"};
+    const int place = place_of(text, types, 2);
+    if (place < 0)
+        return usage_error("--type: '%.60s' is not a type; allowed: double, float", text);
+    o->single = place == 1;
+    return STATUS_OK;
+}
+
+static int parse_use(struct options *o, const char *text)
+{
+    static const char *const uses[] = {"balanced", "scalar", "array"};
+    const int place = place_of(text, uses, 3);
+    if (place < 0)
+        return usage_error("--for: '%.60s' is not a use; allowed: balanced, scalar, array", text);
+    o->use = (enum options_use)place;
+    return STATUS_OK;
+}
+
 static int parse_one(struct options *o, const struct subcommand *cmd, const struct rule *rule, const char *text)
 {
+    if (rule->key >= KEY_REAL)
+        return parse_real(o, rule, text);
     switch (rule->key) {
     case KEY_ORDER:
         return parse_whole(&o->order, rule, text);
@@ -253,20 +364,22 @@ static int parse_one(struct options *o, const struct subcommand *cmd, const stru
     case KEY_PROFILE:
         o->profile = true;
         break;
+    case KEY_TYPE:
+        return parse_type(o, text);
+    case KEY_NAME:
+        return parse_name(o, text);
+    case KEY_FOR:
+        return parse_use(o, text);
+    case KEY_WALL:
+        o->wall = true;
+        break;
     case KEY_ELASTIC:
     case KEY_DAMPING:
     case KEY_HELP:
+    case KEY_REAL:
         break; /* the caller's: the law needs both its numbers, help ends the parsing */
     }
     return STATUS_OK;
-}
-
-static const struct rule *rule_of(int key)
-{
-    const struct rule *rule = rules;
-    while ((int)rule->key != key)
-        rule++;
-    return rule;
 }
 
 int options_parse(struct options *o, const struct subcommand *cmd, int argc, char **argv, bool *help)

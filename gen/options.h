@@ -11,9 +11,34 @@
 #define OPTIONS_MAX_TERMS 100000
 #define OPTIONS_MAX_DIGITS 10000000
 #define OPTIONS_MAX_DEGREE 2000
+#define OPTIONS_MAX_NAME 63
 #define OPTIONS_MAX_BETA "1e6"
 #define OPTIONS_DEFAULT_DIGITS 20
 #define OPTIONS_NOT_GIVEN (-1)
+
+/* Numbers with a unit, as corgen embed takes them: speeds in m/s, the rest in SI units; those of body 2 at a fixed
+ * distance behind those of body 1. */
+enum options_real {
+    OPTIONS_SPEED_MIN,
+    OPTIONS_SPEED_MAX,
+    OPTIONS_TOLERANCE,
+    OPTIONS_G_STAR,
+    OPTIONS_YOUNG,
+    OPTIONS_POISSON,
+    OPTIONS_RADIUS,
+    OPTIONS_DENSITY,
+    OPTIONS_MASS,
+    OPTIONS_DISSIPATION_TIME,
+    OPTIONS_YOUNG_2,
+    OPTIONS_POISSON_2,
+    OPTIONS_RADIUS_2,
+    OPTIONS_DENSITY_2,
+    OPTIONS_MASS_2,
+    OPTIONS_DISSIPATION_TIME_2,
+    OPTIONS_REALS
+};
+
+enum options_use { OPTIONS_BALANCED, OPTIONS_SCALAR, OPTIONS_ARRAY };
 
 struct options {
     slong order, terms, digits;
@@ -22,8 +47,12 @@ struct options {
     enum contact_end end;
     enum output_format format;
     struct law law;
-    const char *output; /* file, or directory for `tables`; NULL = standard output */
-    const char *header; /* pade: write a C header here */
+    const char *output;              /* file, or directory for `tables`; NULL = standard output */
+    const char *header;              /* pade: write a C header here */
+    const char *real[OPTIONS_REALS]; /* texts as given, found good; NULL if not given */
+    const char *name;                /* embed: of the function */
+    enum options_use use;
+    bool single, wall;
     bool exact, two_point, as_published, check, force, profile;
 };
 
@@ -44,10 +73,15 @@ int options_parse(struct options *o, const struct subcommand *cmd, int argc, cha
 /* The number that --beta named: exact if binary can hold it, else the ball around it. */
 void options_beta(arb_t beta, const struct options *o, slong prec);
 
+/* A number of SI units, likewise; it was given. */
+void options_real(arb_t x, const struct options *o, enum options_real which, slong prec);
+const char *options_real_name(enum options_real which); /* speed-min, ... */
+
 int command_trajectory(const struct options *);
 int command_series(const struct options *);
 int command_pade(const struct options *);
 int command_collide(const struct options *);
+int command_embed(const struct options *);
 int command_tables(const struct options *);
 
 #endif

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* The floor: the array read and written, and nothing computed. */
+#include <string.h>
+
+#include "methods.h"
+
+static void loop_each(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n)
+{
+    (void)method;
+    (void)scene;
+    for (size_t i = 0; i < n; i++) { /* may overlap for all the compiler knows: stays a loop */
+        ONE_BY_ONE;
+        out[i] = in[i];
+    }
+}
+
+static void memcpy_each(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n)
+{
+    (void)method;
+    (void)scene;
+    memcpy(out, in, n * sizeof *out);
+}
+
+void add_copies(struct methods *methods)
+{
+    static const struct method loop = {
+        .name = "copy of the array, loop",
+        .precision = "",
+        .end = NO_END,
+        .flags = ARRAY | LARGE | COPY,
+        .each = loop_each,
+    };
+    static const struct method block = {
+        .name = "copy of the array, memcpy",
+        .precision = "",
+        .end = NO_END,
+        .flags = ARRAY | LARGE | COPY,
+        .each = memcpy_each,
+    };
+    methods_add(methods, &loop);
+    methods_add(methods, &block);
+}

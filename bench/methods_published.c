@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: MIT */
+/* What a user writes today, as it is printed. */
+#include <math.h>
+
+#include "methods.h"
+
+/* (35) with Table I of Phys. Rev. E 60, 4465 (1999), x = (g/g*)^(1/5); zero overlap. */
+static double published(double x)
+{
+    return (1 + 2.5839 * x) / (1 + x * (3.5839 + x * (2.9839 + x * (1.1487 + x * 0.3265))));
+}
+
+/* The [1/4] approximant of Mueller and Poeschel, Phys. Rev. E 84, 021302 (2011), v = sqrt(beta); zero force. */
+static double mueller_poeschel(double v)
+{
+    return (1 + 0.501086 * v) / (1 + v * (0.501086 + v * (1.15345 + v * (0.577977 + v * 0.532178))));
+}
+
+SCALAR_METHOD(published, const double g_star = scene->g_star, published(pow(g / g_star, 0.2)))
+SCALAR_METHOD(mueller_poeschel, const double unit = sqrt(scene->contact.beta_per_root),
+              mueller_poeschel(pow(g, 0.1) * unit))
+
+void add_published(struct methods *methods)
+{
+    static const struct method baseline = {
+        .name = "pow(g/g*, 0.2) and the published [1/4] Pade",
+        .label = "pow + published Padé",
+        .precision = "published",
+        .end = ZERO_OVERLAP,
+        .flags = BASELINE,
+        .each = published_each,
+        .chain = published_chain,
+    };
+    static const struct method later = {
+        .name = "pow(g, 0.1) and Mueller & Poeschel's [1/4]",
+        .label = "pow + Müller & Pöschel",
+        .precision = "published",
+        .end = ZERO_FORCE,
+        .each = mueller_poeschel_each,
+        .chain = mueller_poeschel_chain,
+    };
+    methods_add(methods, &baseline);
+    methods_add(methods, &later);
+}

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+#include "timing.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <time.h>
+
+enum { SLOW_SAMPLES = 4 };
+
+static double now_ns(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
+}
+
+/* Time of `repeats` runs, per run. */
+static double sample(const struct job *job, long repeats)
+{
+    const double start = now_ns();
+    for (long i = 0; i < repeats; i++)
+        job->run(job->closure);
+    return (now_ns() - start) / (double)repeats;
+}
+
+void timing_measure(struct job *jobs, size_t n, struct timing timing)
+{
+    long *repeats = malloc(n * sizeof *repeats);
+    if (!repeats)
+        abort();
+    for (size_t i = 0; i < n; i++) {
+        sample(&jobs[i], 1); /* caches, page tables, branch predictors */
+        const double run_ns = sample(&jobs[i], 1);
+        /* 0 is a slow job */
+        repeats[i] = run_ns > SLOW_SAMPLES * timing.sample_ns ? 0 : (long)ceil(timing.sample_ns / fmax(run_ns, 1));
+        jobs[i].best_ns = HUGE_VAL;
+    }
+    for (int round = 0; round < timing.rounds; round++)
+        for (size_t i = 0; i < n; i++) {
+            const int slow = repeats[i] == 0;
+            if (slow && round % timing.slow_share != 0)
+                continue;
+            const double run_ns = sample(&jobs[i], slow ? 1 : repeats[i]);
+            jobs[i].best_ns = fmin(jobs[i].best_ns, run_ns / jobs[i].evaluations);
+        }
+    free(repeats);
+}

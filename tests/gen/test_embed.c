@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: MIT */
+/* Scenes and forms of corgen embed: speeds to beta, fits against collisions solved at those very speeds, the emulated
+ * arithmetic at and outside the ends, operation counts and the choice among forms. What the header computes is tested
+ * by tests/embed/run. */
+#include "console.h" /* before cmocka.h makes a macro of fail */
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "collision.h"
+#include "embed_choose.h"
+#include "embed_fit.h"
+
+/* The scene of a contact with g* = 0.2 m/s. */
+static struct options scene_options(const char *min, const char *max, const char *tolerance, enum contact_end end)
+{
+    struct options o = {.end = end};
+    o.real[OPTIONS_SPEED_MIN] = min;
+    o.real[OPTIONS_SPEED_MAX] = max;
+    o.real[OPTIONS_TOLERANCE] = tolerance;
+    o.real[OPTIONS_G_STAR] = "0.2";
+    return o;
+}
+
+static void assert_near(double x, double y, double tolerance)
+{
+    assert_true(fabs(x / y - 1) <= tolerance);
+}
+
+static double middle(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+/* eps at a speed, by solving that collision */
+static double solved(const struct embed_scene *s, double speed)
+{
+    struct collision c;
+    arb_t beta;
+    collision_init(&c);
+    arb_init(beta);
+    arb_set_d(beta, speed);
+    arb_root_ui(beta, beta, 5, EMBED_BITS);
+    arb_mul(beta, beta, s->beta_per_root, EMBED_BITS);
+    assert_int_equal(collision_solve(&c, beta, &law_sphere, 64), 0);
+    const double eps = middle(s->end == END_ZERO_OVERLAP ? c.eps_zero_overlap : c.eps_zero_force);
+    arb_clear(beta);
+    collision_clear(&c);
+    return eps;
+}
+
+/* A form is what it says: near its tolerance, defined outside, and better nowhere paid for than needed. */
+static void check_form(const struct embed_form *f, const struct embed_scene *s)
+{
+    assert_true(f->error <= s->tolerance);
+    assert_true(f->cost[USE_SCALAR] > 0 && f->cost[USE_ARRAY] > 0);
+    for (int k = 0; k <= 4; k++) {
+        const double speed = fmin(s->speed_min * pow(s->speed_max / s->speed_min, k / 4.0), s->speed_max);
+        for (int fused = 0; fused < 2; fused++)
+            assert_near(embed_form_value(f, embed_rounded(s, speed), fused), solved(s, embed_rounded(s, speed)),
+                        s->tolerance);
+    }
+    const double first = embed_form_value(f, s->speed_min, false), last = embed_form_value(f, s->speed_max, false);
+    assert_true(embed_form_value(f, 0, false) == first && embed_form_value(f, s->speed_min / 3, false) == first);
+    assert_true(embed_form_value(f, INFINITY, false) == last && embed_form_value(f, s->speed_max * 3, false) == last);
+    assert_true(isnan(embed_form_value(f, -1, false)) && isnan(embed_form_value(f, NAN, false)));
+}
+
+/* Every family over scenes of both ends, several tolerances and both types. */
+static void test_scenes(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *min, *max, *tolerance;
+        enum contact_end end;
+        bool single;
+        int least; /* families that must have a member */
+    } scenes[] = {
+        {"0.1", "10", "1e-6", END_ZERO_OVERLAP, false, 8},    {"0.1", "10", "1e-3", END_ZERO_FORCE, true, 8},
+        {"1e-4", "1e-2", "1e-9", END_ZERO_FORCE, false, 8},   {"1e-4", "1e-2", "1e-5", END_ZERO_OVERLAP, true, 10},
+        {"1e-5", "0.1", "1e-13", END_ZERO_OVERLAP, false, 7},
+    };
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        struct options o = scene_options(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
+        o.single = scenes[i].single;
+        struct embed_scene s;
+        struct embed_form form[FAMILIES];
+        assert_int_equal(embed_scene_init(&s, &o), STATUS_OK);
+        assert_int_equal(embed_search(form, &s), STATUS_OK);
+        int found = 0;
+        for (int k = 0; k < FAMILIES; k++) {
+            if (form[k].found)
+                check_form(&form[k], &s);
+            else
+                assert_true(form[k].why[0] != '\0');
+            found += form[k].found;
+        }
+        assert_true(found >= scenes[i].least);
+        for (int use = OPTIONS_BALANCED; use <= OPTIONS_ARRAY; use++)
+            assert_true(form[embed_choose(form, (enum options_use)use)].found);
+        for (int k = 0; k < FAMILIES; k++)
+            embed_form_clear(&form[k]);
+        embed_scene_clear(&s);
+    }
+}
+
+/* beta from materials: two equal balls, and the formula of include/cor/contact.h by hand. */
+static void test_materials(void **state)
+{
+    (void)state;
+    struct options o = scene_options("0.01", "1", "1e-6", END_ZERO_FORCE);
+    o.real[OPTIONS_G_STAR] = NULL;
+    o.real[OPTIONS_YOUNG] = "1e9";
+    o.real[OPTIONS_POISSON] = "0.3";
+    o.real[OPTIONS_RADIUS] = "0.01";
+    o.real[OPTIONS_MASS] = "0.012";
+    o.real[OPTIONS_DISSIPATION_TIME] = "2e-5";
+    const double rho = 4 * sqrt(0.005) / (3 * 2 * 0.91 / 1e9);
+    struct embed_scene s;
+    assert_int_equal(embed_scene_init(&s, &o), STATUS_OK);
+    assert_near(middle(s.beta_per_root), 1.5 * 2e-5 * pow(rho / 0.006, 0.4), 1e-14);
+    assert_near(s.beta_max, middle(s.beta_per_root), 1e-14);
+    embed_scene_clear(&s);
+    o.wall = true;
+    assert_int_equal(embed_scene_init(&s, &o), STATUS_OK);
+    assert_near(middle(s.beta_per_root), 1.5 * 2e-5 * pow(rho * sqrt(2) / 0.012, 0.4), 1e-14);
+    embed_scene_clear(&s);
+}
+
+/* The root from bits: refined so far, off by so much. */
+static void test_root(void **state)
+{
+    (void)state;
+    double number[] = {0, 1};
+    for (int single = 0; single < 2; single++)
+        for (int refinement = 0; refinement < EMBED_REFINEMENTS; refinement++) {
+            const struct embed_form f = {.family = FAMILY_POLYNOMIAL_BETA,
+                                         .variable = FIFTH_ROOT_OF_SPEED,
+                                         .single = single,
+                                         .speed_min = single ? 1e-30 : 1e-250,
+                                         .speed_max = single ? 1e30 : 1e250,
+                                         .refinement = refinement,
+                                         .numerator = 1,
+                                         .number = number};
+            double worst = 0;
+            for (int k = -20000; k <= 20000; k++) {
+                const double x = pow(f.speed_max, k / 20000.0), g = single ? (double)(float)x : x;
+                for (int fused = 0; fused < 2; fused++)
+                    worst = fmax(worst, fabs(embed_form_value(&f, g, fused) / (double)powl((long double)g, 0.2L) - 1));
+            }
+            assert_true(worst <= embed_root_error(refinement, single));
+            assert_true(worst >= embed_root_error(refinement, single) / 20);
+        }
+}
+
+/* What is counted, and that a square root keeps a loop from becoming vectors. */
+static void test_counts(void **state)
+{
+    (void)state;
+    double number[] = {1, 2, 3, 4, 5, 6, 1};
+    struct embed_form f = {
+        .family = FAMILY_RATIONAL_SPEED, .variable = SPEED, .numerator = 3, .denominator = 2, .number = number};
+    embed_form_price(&f);
+    assert_int_equal(f.operations[OP_MUL_ADD], 4);
+    assert_int_equal(f.operations[OP_ADD], 1); /* the leading 1 */
+    assert_int_equal(f.operations[OP_DIV], 1);
+    assert_int_equal(f.operations[OP_SQRT], 0);
+    assert_int_equal(f.operations[OP_MUL], 0);
+    const double without = f.cost[USE_ARRAY];
+    f.variable = SQRT_OF_SPEED;
+    embed_form_price(&f);
+    assert_int_equal(f.operations[OP_SQRT], 1);
+    assert_true(f.cost[USE_ARRAY] == f.cost[USE_SCALAR] && f.cost[USE_ARRAY] > without);
+}
+
+static void test_choice(void **state)
+{
+    (void)state;
+    struct embed_form form[FAMILIES];
+    memset(form, 0, sizeof form);
+    assert_int_equal(embed_choose(form, OPTIONS_BALANCED), FAMILIES);
+    form[FAMILY_SERIES] = (struct embed_form){.found = true, .cost = {5, 5}};
+    form[FAMILY_PIECES_SPEED] = (struct embed_form){.found = true, .cost = {1, 2}};
+    form[FAMILY_RATIONAL_SPEED] = (struct embed_form){.found = true, .cost = {3, 1}};
+    assert_int_equal(embed_choose(form, OPTIONS_SCALAR), FAMILY_PIECES_SPEED);
+    assert_int_equal(embed_choose(form, OPTIONS_ARRAY), FAMILY_RATIONAL_SPEED);
+    assert_int_equal(embed_choose(form, OPTIONS_BALANCED), FAMILY_RATIONAL_SPEED);
+    form[FAMILY_RATIONAL_SPEED].found = false;
+    assert_int_equal(embed_choose(form, OPTIONS_ARRAY), FAMILY_PIECES_SPEED);
+}
+
+/* One degree more makes a fit better, and eps beyond the table is a rational function of the speed: h*^5/(b^5 g). */
+static void test_fit(void **state)
+{
+    (void)state;
+    struct options o = scene_options("0.1", "10", "1e-6", END_ZERO_OVERLAP);
+    struct embed_scene s;
+    assert_int_equal(embed_scene_init(&s, &o), STATUS_OK);
+    double before = 1;
+    for (slong degree = 1; degree <= 7; degree++) {
+        struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
+                               .variable = SPEED,
+                               .speed_min = s.speed_min,
+                               .speed_max = s.speed_max,
+                               .numerator = degree,
+                               .denominator = degree};
+        assert_true(embed_fit_rational(&f, &s));
+        embed_form_assess(&f, &s.samples, 1);
+        assert_true(f.error < before / 4);
+        before = f.error;
+        embed_form_clear(&f);
+    }
+    embed_scene_clear(&s);
+
+    o = scene_options("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
+    assert_int_equal(embed_scene_init(&s, &o), STATUS_OK);
+    assert_true(s.beta_min > 7);
+    struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
+                           .variable = SPEED,
+                           .speed_min = s.speed_min,
+                           .speed_max = s.speed_max,
+                           .denominator = 1};
+    assert_true(embed_fit_rational(&f, &s));
+    embed_form_assess(&f, &s.samples, 1);
+    assert_true(f.error < 1e-15);
+    embed_form_clear(&f);
+    embed_scene_clear(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_choice), cmocka_unit_test(test_counts), cmocka_unit_test(test_root),
+        cmocka_unit_test(test_fit),    cmocka_unit_test(test_scenes), cmocka_unit_test(test_materials),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
