@@ -228,7 +228,7 @@ int pieces_emit(struct emit *e, const struct pieces *p)
     emit_rows_open(e, p->name, p->rows, p->degree + 2);
     for (slong row = 0; row < p->rows; row++) {
         const struct cell cell = cell_of(p, row);
-        char text[96];
+        char text[160];
         char octave[24] = "";
         if (p->variable == VARIABLE_POWER)
             snprintf(octave, sizeof octave, " 2^%ld", (long)cell.octave);
