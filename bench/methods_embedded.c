@@ -31,9 +31,10 @@ SCALAR_METHOD(full_force, ROOT_OF_SCENE, cor_inline_eps_zero_force_root(unit *g)
 /* The flags' name goes behind the name and the label of the row. */
 static inline void add(struct methods *methods, struct method method)
 {
-    char name[sizeof method.name], label[sizeof method.label];
+    char name[sizeof method.name], label[sizeof method.label] = "";
     snprintf(name, sizeof name, "%.40s, %s", method.name, FLAGS);
-    snprintf(label, sizeof label, "%.20s %s", method.label, FLAGS);
+    if (method.label[0])
+        snprintf(label, sizeof label, "%.20s %s", method.label, FLAGS);
     snprintf(method.name, sizeof method.name, "%s", name);
     snprintf(method.label, sizeof method.label, "%s", label);
     methods_add(methods, &method);
@@ -98,6 +99,8 @@ static void add_scenes(struct methods *methods)
         if (rows[i].use[0] == (VECTORS ? 's' : 'a'))
             continue;
         snprintf(method.name, sizeof method.name, "corgen embed --for %s%s", rows[i].use, VECTORS ? ", loop" : "");
+        if (rows[i].use[0] == 'b')
+            snprintf(method.label, sizeof method.label, "corgen embed");
         method.least_speed_up = VECTORS ? 10 : 3;
         if (VECTORS) {
             method.each = rows[i].f.array;

@@ -157,6 +157,7 @@ static double random_eps(struct random *r)
 struct options {
     uint64_t points, seed, float_stride;
     int threads;
+    const char *only; /* part of the names of the functions wanted; NULL for all */
 };
 
 /* Part `thread` of the work on one function. */
@@ -428,6 +429,11 @@ static void run_threads(struct worst *worst, struct worst *worstf, const struct 
     }
 }
 
+static bool wanted(const struct options *o, const char *name)
+{
+    return o->only == NULL || strstr(name, o->only) != NULL;
+}
+
 static int run(const struct options *o)
 {
     struct worst worst, worstf;
@@ -436,6 +442,8 @@ static int run(const struct options *o)
     printf("      %-24s  %12s  %10s  %6s  %s\n", "function", "points", "worst ulp", "bound", "argument");
     for (int i = 0; i < FUNCTIONS; i++) {
         const struct function *f = &functions[i];
+        if (!wanted(o, f->name))
+            continue;
         worst = (struct worst){0};
         worstf = (struct worst){0};
         run_threads(&worst, &worstf, f, o);
@@ -447,6 +455,8 @@ static int run(const struct options *o)
         good = check_arrays(f, o->seed) == 0 && good;
     }
     for (size_t i = 0; i < sizeof contact_functions / sizeof *contact_functions; i++) {
+        if (!wanted(o, contact_functions[i].name))
+            continue;
         worst = (struct worst){0};
         search_contacts(&worst, &contact_functions[i], o);
         good = report(contact_functions[i].name, "", &worst, 1) && good;
@@ -456,11 +466,12 @@ static int run(const struct options *o)
 }
 
 static const char help[] =
-    "test_accuracy [--points N] [--float-exhaustive] [--threads N] [--seed N]\n"
+    "test_accuracy [--points N] [--float-exhaustive] [--threads N] [--seed N] [--only TEXT]\n"
     "    --points N          random doubles for each function, 1e6 if not said (1e9: a long run)\n"
     "    --float-exhaustive  every nonnegative float, not about 10^6 of them\n"
     "    --threads N         1 if not said\n"
-    "    --seed N            repeats a run\n";
+    "    --seed N            repeats a run\n"
+    "    --only TEXT         only functions with this in their name\n";
 
 int main(int argc, char **argv)
 {
@@ -476,6 +487,8 @@ int main(int argc, char **argv)
         } else if (strcmp(argv[i], "--threads") == 0 && number >= 1 && number <= MAX_THREADS) {
             o.threads = (int)number;
             i++;
+        } else if (strcmp(argv[i], "--only") == 0 && i + 1 < argc) {
+            o.only = argv[++i];
         } else if (strcmp(argv[i], "--seed") == 0 && number >= 0 && number <= 1e15) {
             o.seed = (uint64_t)number;
             i++;
