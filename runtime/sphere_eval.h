@@ -310,7 +310,8 @@ COR_INLINE double cor_inline_duration_zero_overlap(double beta)
         return beta;
     const struct cor_inline_pair factor =
         cor_inline_log_factor(beta, 8, cor_rows_tail_duration_zero_overlap, cor_rows_far_duration_zero_overlap);
-    return beta * factor.hi;
+    const struct cor_inline_pair duration = cor_inline_product(beta, factor.hi);
+    return isinf(duration.hi) ? duration.hi : duration.hi + (duration.lo + beta * factor.lo);
 }
 
 COR_INLINE double cor_inline_duration_zero_force(double beta)
