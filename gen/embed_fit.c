@@ -252,43 +252,20 @@ bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s)
     return good;
 }
 
-static double speed_of_bits(const struct embed_form *f, uint64_t bits)
-{
-    if (f->single) {
-        const uint32_t low = (uint32_t)bits;
-        float y;
-        memcpy(&y, &low, sizeof y);
-        return (double)y;
-    }
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-static uint64_t bits_of_speed(const struct embed_form *f, double x)
-{
-    const float y = (float)x;
-    uint32_t low;
-    uint64_t bits;
-    memcpy(&low, &y, sizeof low);
-    memcpy(&bits, &x, sizeof bits);
-    return f->single ? low : bits;
-}
-
 bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, int fraction_bits)
 {
     const slong columns = f->numerator + 1;
     f->low_bits = (f->single ? 23 : 52) - fraction_bits;
-    f->first = bits_of_speed(f, s->speed_min) >> f->low_bits;
-    f->rows = (slong)((bits_of_speed(f, s->speed_max) >> f->low_bits) - f->first) + 1;
+    f->first = embed_bits_of(f, s->speed_min) >> f->low_bits;
+    f->rows = (slong)((embed_bits_of(f, s->speed_max) >> f->low_bits) - f->first) + 1;
     if (f->rows * columns * (f->single ? 4 : 8) > EMBED_TABLE_BYTES)
         return false;
     arb_ptr exact = _arb_vec_init(f->rows * columns), t = _arb_vec_init(columns), eps = _arb_vec_init(columns);
     arb_t g;
     arb_init(g);
     for (slong row = 0; row < f->rows; row++) {
-        const double start = speed_of_bits(f, (f->first + (uint64_t)row) << f->low_bits);
-        const double end = speed_of_bits(f, (f->first + (uint64_t)row + 1) << f->low_bits);
+        const double start = embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
+        const double end = embed_from_bits(f, (f->first + (uint64_t)row + 1) << f->low_bits);
         const double lo = fmax(start, s->speed_min), hi = fmin(end, s->speed_max);
         const slong used = hi - lo > 1e-6 * (end - start) ? columns : 1;
         for (slong j = 0; j < used; j++) {

@@ -68,7 +68,7 @@ static double mul_add(const struct embed_form *f, double x, double y, double z, 
     return f->single ? (double)fmaf((float)x, (float)y, (float)z) : fma(x, y, z);
 }
 
-static uint64_t bits_of(const struct embed_form *f, double x)
+uint64_t embed_bits_of(const struct embed_form *f, double x)
 {
     if (f->single) {
         const float y = (float)x;
@@ -81,7 +81,7 @@ static uint64_t bits_of(const struct embed_form *f, double x)
     return bits;
 }
 
-static double from_bits(const struct embed_form *f, uint64_t bits)
+double embed_from_bits(const struct embed_form *f, uint64_t bits)
 {
     if (f->single) {
         const uint32_t low = (uint32_t)bits;
@@ -125,11 +125,11 @@ static double fifth_root(const struct embed_form *f, double g, bool fused)
 {
     double r;
     if (f->single) {
-        r = from_bits(f, EMBED_ROOT_SINGLE - (uint32_t)bits_of(f, g) / 5);
+        r = embed_from_bits(f, EMBED_ROOT_SINGLE - (uint32_t)embed_bits_of(f, g) / 5);
     } else {
         /* 2^52 + n holds the whole number n in its low bits */
-        const double top = from_bits(f, (bits_of(f, g) >> 32) | UINT64_C(0x4330000000000000));
-        r = from_bits(f, bits_of(f, mul_add(f, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT, fused)) << 32);
+        const double top = embed_from_bits(f, (embed_bits_of(f, g) >> 32) | UINT64_C(0x4330000000000000));
+        r = embed_from_bits(f, embed_bits_of(f, mul_add(f, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT, fused)) << 32);
     }
     for (int k = 0; k < (f->refinement > 0 ? 2 : 1); k++) {
         const double square = product(f, r, r), fourth = product(f, square, square);
@@ -172,9 +172,9 @@ double embed_form_value(const struct embed_form *f, double speed, bool fused)
     double value;
     const double *number = f->number;
     if (f->family == FAMILY_PIECES_SPEED) {
-        const uint64_t row = bits_of(f, g) >> f->low_bits;
+        const uint64_t row = embed_bits_of(f, g) >> f->low_bits;
         number += (slong)(row - f->first) * (f->numerator + 1);
-        x = rounded(f, g - from_bits(f, row << f->low_bits));
+        x = rounded(f, g - embed_from_bits(f, row << f->low_bits));
     } else if (f->family == FAMILY_PIECES_BETA) {
         const double place = mul_add(f, x, f->slope, f->shift, fused);
         const int row = (int)place;

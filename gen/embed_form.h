@@ -98,4 +98,8 @@ const char *embed_family_name(enum embed_family family);
 /* "[5/6]", "degree 7", "54 rows of degree 3": size as a reader wants it */
 void embed_form_size(char *text, size_t size, const struct embed_form *f);
 
+/* The bits of a number of the header's type, and the number that has them. */
+uint64_t embed_bits_of(const struct embed_form *f, double x);
+double embed_from_bits(const struct embed_form *f, uint64_t bits);
+
 #endif
