@@ -29,6 +29,28 @@ const char *cor_status_text(int status)
                "dissipation).";
     case COR_ERROR_RANGE:
         return "A property of the contact is too large or too small for a double.";
+    case COR_ERROR_DISK_POISSON_RATIO:
+        return "Poisson's number of a disk must be between -1 and 1.";
+    case COR_ERROR_DATUM:
+        return "The datum must be one of enum cor_disk_datum.";
+    case COR_ERROR_SPEED:
+        return "The impact speed must be zero or positive, and at most cor_disk_speed_limit().";
+    case COR_ERROR_MODES:
+        return "The table must hold at least as many modes as are asked for, one or more, by increasing frequency.";
+    case COR_ERROR_TOLERANCE:
+        return "The tolerance must be between 0 and 1.";
+    case COR_ERROR_FILE:
+        return "The file cannot be opened or read.";
+    case COR_ERROR_FILE_VERSION:
+        return "The file is not a mode file of the version that this library reads.";
+    case COR_ERROR_FILE_DAMAGED:
+        return "The mode file is not as corgen wrote it, or ends early.";
+    case COR_ERROR_CAPACITY:
+        return "The array is too small for the modes in the file.";
+    case COR_BEYOND_THEORY:
+        return "The collision is too violent for perturbation theory; the numbers are given.";
+    case COR_TOLERANCE_NOT_REACHED:
+        return "The table has too few modes for this tolerance; the best numbers it gives are given.";
     default:
         return "This number is not a status of cor.";
     }

@@ -10,6 +10,7 @@
 #define COR_VERSION_STRING "0.1.0"
 
 #include "contact.h"
+#include "disk.h"
 #include "sphere.h"
 #include "status.h"
 

@@ -22,7 +22,20 @@ enum cor_status {
     COR_ERROR_BOTH_FIXED = 8,       /* two infinite masses */
     COR_ERROR_BOTH_RIGID = 9,       /* two infinite moduli */
     COR_ERROR_G_STAR = 10,          /* characteristic speed not positive, or NaN */
-    COR_ERROR_RANGE = 11            /* a result overflows or underflows a double */
+    COR_ERROR_RANGE = 11,           /* a result overflows or underflows a double */
+    /* disk.h */
+    COR_ERROR_DISK_POISSON_RATIO = 12, /* outside (-1, 1), or NaN */
+    COR_ERROR_DATUM = 13,              /* no enum cor_disk_datum */
+    COR_ERROR_SPEED = 14,              /* negative, NaN, or beyond the domain of the contact law */
+    COR_ERROR_MODES = 15,              /* no modes, more than the table has, or a table out of order */
+    COR_ERROR_TOLERANCE = 16,          /* not between 0 and 1, or NaN */
+    COR_ERROR_FILE = 17,               /* cannot be opened or read */
+    COR_ERROR_FILE_VERSION = 18,       /* no mode file, or one of another version */
+    COR_ERROR_FILE_DAMAGED = 19,       /* a mode file that is not as it was written */
+    COR_ERROR_CAPACITY = 20,           /* an array is too small for what it should hold */
+    /* results are given, and not what they should be */
+    COR_BEYOND_THEORY = 21,        /* a collision too violent for perturbation theory */
+    COR_TOLERANCE_NOT_REACHED = 22 /* the table has too few modes */
 };
 
 /* One English sentence for a status, without a newline; never NULL: a number that is no status gets

@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+/* Elastic disks: free modes, quasistatic contact law, and the energy that a slow collision leaves in the modes.
+ *
+ * A disk of radius R, Young's modulus E and mass per area rho meets a hard wall head on; two equal disks that meet
+ * with twice the speed are the same, by symmetry. Everything is in units E = rho = R = 1: speeds in sqrt(E/rho), times
+ * in R sqrt(rho/E), loads in E R, energies in E R^2, compressions in R; the mass of the disk is pi. nu is Poisson's
+ * number in plane stress, -1 < nu < 1. A disk in plane strain, with three-dimensional E and nu, is the one with
+ * E/(1 - nu^2) and nu/(1 - nu) in their place, (2).
+ *
+ * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 13,
+ * derives them again and lists where the print is wrong. */
+#ifndef COR_DISK_H
+#define COR_DISK_H
+
+#include <stddef.h>
+
+#include "export.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Bounds on the error of the functions below, asserted by the tests; docs/accuracy.md records the worst found. All
+ * sampled. Unless said otherwise they hold for every nu and datum in the whole domain. */
+#define COR_DISK_LAW_MAX_ULP 4.0              /* contact law, largest compression and load, limits: ulp */
+#define COR_DISK_CONTACT_TIME_MAX_ERROR 1e-15 /* relative */
+#define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* of a mode's fraction, relative, or ... */
+#define COR_DISK_RAYLEIGH_MAX_ABSOLUTE 1e-14  /* ... relative to the sum, where a zero of (68) makes it small */
+#define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR 1e-5 /* sum plus tail from 1000 modes on, relative */
+/* Speed beyond which a collision is too violent for perturbation theory, and cor_disk_rayleigh says so. */
+#define COR_DISK_RAYLEIGH_MAX_SPEED 0.03
+
+/* ---- free modes ---- */
+
+/* One free vibration of the disk: displacements u_r(r) cos(n phi), u_phi(r) sin(n phi), frequency omega; l = 0, 1, ...
+ * counts the modes of one n upwards. c = u_r(1) and s = u_phi(1), (28), normalised by (26); the overall sign is that
+ * of c > 0. The torsional modes of n = 0 have c = s = 0 and are left out, as is the translation n = 1, omega = 0. */
+struct cor_disk_mode {
+    int n, l;
+    double omega, c, s;
+};
+
+/* The lowest `count` modes of a disk, by increasing omega, none missing. mode has count elements. */
+struct cor_disk_modes {
+    double nu;
+    size_t count;
+    const struct cor_disk_mode *mode;
+};
+
+/* The 1800 lowest modes for nu = 0.33 and nu = 0.9, every double the one nearest to the exact value (proved). Other
+ * materials: corgen tables --poisson NU --modes N writes a header to embed and a file to read. */
+COR_API extern const struct cor_disk_modes cor_disk_modes_nu033;
+COR_API extern const struct cor_disk_modes cor_disk_modes_nu090;
+
+/* Reads a mode file that corgen wrote (docs/mode-file.md) into mode[0..capacity-1], and sets *modes, whose mode is then
+ * that array. Fails without touching *modes but for modes->count, which becomes what the file promises where `capacity`
+ * is too small for it, so that 0 asks how many there are (mode may then be NULL). *line, if line is not NULL, becomes
+ * the line of the file that is wrong, or 0. COR_OK, or one of
+ *     COR_ERROR_NULL, COR_ERROR_FILE (cannot be read), COR_ERROR_FILE_VERSION (no mode file, or one of another
+ *     version), COR_ERROR_FILE_DAMAGED (a line is not as it was written, ends early, or a number cannot be),
+ *     COR_ERROR_CAPACITY. */
+COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, size_t capacity,
+                                struct cor_disk_modes *modes, size_t *line);
+
+/* ---- quasistatic contact law ---- */
+
+/* Between which points the compression delta is measured; it decides the constant b of the contact law
+ *
+ *     delta = (P/pi) (ln(4 pi/P) + b),     V = P^2/(2 pi) (ln(4 pi/P) + b - 1/2)                               (57)
+ */
+enum cor_disk_datum {
+    COR_DISK_DATUM_CENTRE_OF_MASS, /* centre of mass to wall: b = -2 ln 2 - (1 + nu)/4, what (62) to (67) need */
+    COR_DISK_DATUM_DIAMETER,       /* far rim to wall: b = -1, what (54) and (55) give */
+    COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as (56) and (57) are printed; follows from neither */
+};
+
+/* Where the law ends: the load at which delta no longer grows, P = 4 pi exp(b - 1), its delta = 4 exp(b - 1) and its
+ * V = 4 pi exp(2 b - 2); and the impact speed sqrt(8) exp(b - 1) that reaches it. Each is the largest double inside,
+ * which the functions below accept. NaN: nu outside -1 < nu < 1, or no such datum, here and below. */
+COR_API double cor_disk_load_limit(double nu, enum cor_disk_datum datum);
+COR_API double cor_disk_compression_limit(double nu, enum cor_disk_datum datum);
+COR_API double cor_disk_energy_limit(double nu, enum cor_disk_datum datum);
+COR_API double cor_disk_speed_limit(double nu, enum cor_disk_datum datum);
+
+/* The law and its inverses, (57): load P of a compression, compression delta of a load, stored energy V of a load,
+ * load of an energy.
+ * Domain: 0 up to the limit above. Accuracy: COR_DISK_LAW_MAX_ULP, the arguments being taken as they are; results below
+ * the smallest normal double are rounded there. 0 -> 0; negative, beyond the limit or NaN -> NaN. */
+COR_API double cor_disk_load(double compression, double nu, enum cor_disk_datum datum);
+COR_API double cor_disk_compression(double load, double nu, enum cor_disk_datum datum);
+COR_API double cor_disk_energy(double load, double nu, enum cor_disk_datum datum);
+COR_API double cor_disk_load_of_energy(double energy, double nu, enum cor_disk_datum datum);
+
+/* A quasistatic collision at an impact speed v, where (pi/2) v^2 becomes V: largest load, largest compression
+ * (accuracy: COR_DISK_LAW_MAX_ULP) and contact time
+ *
+ *     tau = sqrt(2) int_0^(pi/2) sqrt(-w) dtheta,   w = W_-1(-(v^2/8) exp(1 - 2 b) sin^2 theta)
+ *
+ * (accuracy: COR_DISK_CONTACT_TIME_MAX_ERROR; Fig. 11).
+ * Domain: 0 <= v <= cor_disk_speed_limit. v = 0 -> 0 and, for the time, +inf; negative, beyond, NaN -> NaN. */
+COR_API double cor_disk_max_load(double speed, double nu, enum cor_disk_datum datum);
+COR_API double cor_disk_max_compression(double speed, double nu, enum cor_disk_datum datum);
+COR_API double cor_disk_contact_time(double speed, double nu, enum cor_disk_datum datum);
+
+/* The same to leading logarithm, as the paper simplifies them, without nu and datum; a constant beside the logarithm
+ * is left out, so they are off by tens of percent at any speed that can be met.
+ *     compression  (P/pi) ln(4 pi/P)                    0 <= P <= 4 pi/e        (58)
+ *     load         pi delta/ln(4/delta)                 0 <= delta < 4          (59)
+ *     energy       (pi/2) delta^2/ln(4/delta)           0 <= delta < 4          (60)
+ *     max_compression  v sqrt(ln(4/v))                  0 <= v <= 4             (61)
+ *     contact_time     pi sqrt(ln(4/v))                 0 <= v <= 4             (61), pi in place of its "proportional"
+ * Accuracy: COR_DISK_LAW_MAX_ULP. 0 -> 0, contact_time +inf; outside and NaN -> NaN. */
+COR_API double cor_disk_compression_leading_log(double load);
+COR_API double cor_disk_load_leading_log(double compression);
+COR_API double cor_disk_energy_leading_log(double compression);
+COR_API double cor_disk_max_compression_leading_log(double speed);
+COR_API double cor_disk_contact_time_leading_log(double speed);
+
+/* ---- Rayleigh's energy ---- */
+
+/* Energy left in the modes by a collision at the impact speed v, as a fraction of (pi/2) v^2, to first order (Rayleigh):
+ * the quasistatic load drives each mode at the point of contact, (65) to (68), which is one integral a mode,
+ *
+ *     fraction of a mode = C^2 (2 I(omega))^2,     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,
+ *     s(theta) = int_theta^(pi/2) sqrt(-w/2) dtheta',     w as in the contact time above
+ */
+struct cor_disk_rayleigh {
+    double fraction;       /* sum over the modes taken */
+    double tail;           /* what all higher modes together add */
+    double error_estimate; /* of fraction + tail, absolute; of the sums, not of the theory */
+    double contact_time;   /* cor_disk_contact_time */
+};
+
+/* Takes the lowest n_modes of *modes, 1 <= n_modes <= modes->count. mode_fraction is NULL, or gets the n_modes fractions.
+ * 0 <= v <= cor_disk_speed_limit(modes->nu, datum); v = 0 is its limit: no energy in any mode, infinite contact time.
+ * Accuracy: COR_DISK_RAYLEIGH_MAX_ERROR, _MAX_ABSOLUTE for each mode, COR_DISK_RAYLEIGH_TAIL_MAX_ERROR for sum and tail.
+ * COR_OK, or with every number given nevertheless
+ *     COR_BEYOND_THEORY  v > COR_DISK_RAYLEIGH_MAX_SPEED, or fraction + tail > 1, which perturbation theory cannot have
+ * or without touching anything
+ *     COR_ERROR_NULL, COR_ERROR_MODES (no such number of modes, or a table that is none), COR_ERROR_DATUM,
+ *     COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED. */
+COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
+                              double speed, struct cor_disk_rayleigh *out, double *mode_fraction);
+
+/* The same with as few modes as bring error_estimate below tolerance (fraction + tail), 0 < tolerance < 1; *n_modes, if
+ * n_modes is not NULL, becomes their number. Statuses as above, COR_ERROR_TOLERANCE for a tolerance that is none, and
+ *     COR_TOLERANCE_NOT_REACHED  the table has too few modes: the best that all of them give */
+COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed,
+                                        double tolerance, struct cor_disk_rayleigh *out, size_t *n_modes);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
