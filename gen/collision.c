@@ -221,7 +221,7 @@ static enum outcome integrate(struct collision *c, struct taylor *y, const struc
         taylor_advance(y, y->step);
         if (arb_rel_accuracy_bits(y->w) < 8 || arb_rel_accuracy_bits(y->t) < 8)
             break;
-        if (goal == GOAL_SLOW_MANIFOLD && released) {
+        if (m && released) { /* the goal is the slow manifold */
             fall_state(r, p, y);
             if (slow_manifold_reached(m, r, p, bits)) {
                 outcome = OUTCOME_DONE;

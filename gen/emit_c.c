@@ -123,6 +123,39 @@ void emit_rows_close(struct emit *e)
     fprintf(e->file, "    };\n    return row[i];\n}\n");
 }
 
+void emit_structs_open(struct emit *e, const char *type, const char *name, slong count)
+{
+    fprintf(e->file, "static const struct %s %s[%ld] = {\n", type, name, (long)count);
+}
+
+int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values, bool last)
+{
+    fprintf(e->file, "    {");
+    for (slong i = 0; i < wholes; i++)
+        fprintf(e->file, "%s%ld", i > 0 ? ", " : "", (long)whole[i]);
+    for (slong i = 0; i < values; i++) {
+        double y;
+        if (!digits_to_double(&y, value + i))
+            return fail("number %ld of a row is not known well enough to be rounded", (long)i);
+        fprintf(e->file, e->decimal ? ", %.17g" : ", %a", y);
+    }
+    fprintf(e->file, "}%s", last ? "" : ",");
+    for (slong i = 0; i < values && !e->decimal; i++) {
+        char *text = number_text(value + i);
+        if (!text)
+            return fail("number %ld of a row is not known well enough to be shown", (long)i);
+        fprintf(e->file, "%s%s%s", i > 0 ? ", " : " /* ", text, i + 1 < values ? "" : " */");
+        free(text);
+    }
+    fprintf(e->file, "\n");
+    return 0;
+}
+
+void emit_structs_close(struct emit *e)
+{
+    fprintf(e->file, "};\n");
+}
+
 void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count)
 {
     fprintf(e->file, "enum {\n");

@@ -12,7 +12,7 @@ struct emit {
     FILE *file;
     const char *guard;
     bool single;  /* the scalar functions below compute in float */
-    bool decimal; /* rows as 17 decimal digits, which every C and C++ reads, instead of hexadecimal */
+    bool decimal; /* rows and structs as 17 decimal digits, which every C and C++ reads, instead of hexadecimal */
 };
 
 /* Licence line, banner, include guard. The banner is plain text; its line breaks are kept, and no
@@ -33,6 +33,12 @@ int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong lengt
 void emit_rows_open(struct emit *e, const char *name, slong rows, slong columns);
 int emit_row(struct emit *e, const char *comment, arb_srcptr value, slong columns, bool last);
 void emit_rows_close(struct emit *e);
+
+/* static const struct TYPE name[count], of whole numbers and then doubles: open, emit_struct for each, close. emit_struct
+ * returns as emit_row; `decimal` is as there, and without the numbers beside. */
+void emit_structs_open(struct emit *e, const char *type, const char *name, slong count);
+int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values, bool last);
+void emit_structs_close(struct emit *e);
 
 /* enum { NAME = value, ... }; */
 void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count);

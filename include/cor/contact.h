@@ -15,6 +15,9 @@ extern "C" {
 /* Bound on the rounding error of the functions below, in units of the last place, against the exact
  * formula of the given inputs. Sampled in tests/unit/test_contact.c. */
 #define COR_CONTACT_MAX_ULP 12.0
+/* Bound on the relative error of eps at a speed, where |d ln eps/d ln beta| = kappa: (2 + 2 kappa) 2^-53. Sampled in
+ * tests/accuracy. */
+#define COR_CONTACT_EPS_MAX_ERROR(kappa) ((2 + 2 * (kappa)) * 1.1102230246251565e-16)
 
 /* One of the two bodies. A wall has radius_m = mass_kg = INFINITY. */
 struct cor_body {
@@ -82,7 +85,7 @@ COR_API double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact);
 COR_API double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m_s);
 
 /* eps at impact speed g >= 0, m/s: cor_sphere_eps_... at beta = beta_per_root g^(1/5), at either end.
- * Accuracy: relative error of the whole at most (2 + 2 |d ln eps/d ln beta|) 2^-53, for beta_per_root as
+ * Accuracy: relative error of the whole at most COR_CONTACT_EPS_MAX_ERROR(|d ln eps/d ln beta|), for beta_per_root as
  * it is; |d ln eps/d ln beta| is below |C_1| beta at small beta, and 5 (zero overlap) or 5/3 (zero force)
  * at large. Sampled in tests/accuracy.
  * Special values: speed 0 -> exactly 1, +inf -> 0; negative or NaN speed, or a contact whose init failed

@@ -348,7 +348,7 @@ static double contact_error(enum quantity quantity, double computed, double beta
         return computed == (speed == 0 || beta_per_root == 0) ? 0 : HUGE_VAL;
     const long double beta = beta_per_root * fifth_root(speed), eps = reference_value(quantity, beta);
     const long double sensitivity = beta * fabsl(reference_slope(quantity, beta));
-    const long double allowed = (2 * eps + 2 * sensitivity) * 0x1p-53L + 0x1p-1075L;
+    const long double allowed = eps * COR_CONTACT_EPS_MAX_ERROR(sensitivity / eps) + 0x1p-1075L;
     const long double error = fabsl((long double)computed - eps) / allowed;
     return isnan(error) ? HUGE_VAL : (double)error;
 }

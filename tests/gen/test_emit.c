@@ -137,8 +137,14 @@ static void test_rows(void **state)
     struct emit e;
     FILE *file = create("header.h");
     emit_open(&e, file, "HEADER_H", "rows");
+    emit_comment(&e, "what the structs below are");
+    fprintf(file, "struct pair { int i, k; double a, b, c, d, e; };\n");
     for (int decimal = 0; decimal < 2; decimal++) {
         e.decimal = decimal;
+        emit_structs_open(&e, "pair", decimal ? "decimal" : "hexadecimal", ROWS);
+        for (slong i = 0; i < ROWS; i++)
+            assert_int_equal(emit_struct(&e, (const slong[]){i, -i}, 2, x + i * COLUMNS, COLUMNS, i + 1 == ROWS), 0);
+        emit_structs_close(&e);
         emit_rows_open(&e, decimal ? "decimals" : "hexadecimals", ROWS, COLUMNS);
         for (slong i = 0; i < ROWS; i++)
             assert_int_equal(emit_row(&e, "a row", x + i * COLUMNS, COLUMNS, i + 1 == ROWS), 0);
@@ -152,7 +158,11 @@ static void test_rows(void **state)
             "#define COR_INLINE static inline\n#include <stdio.h>\n#include \"header.h\"\n"
             "int main(void)\n{\n"
             "    for (int i = 0; i < %d; i++)\n        for (int k = 0; k < %d; k++)\n"
-            "            printf(\"%%a %%a\\n\", hexadecimals(i)[k], decimals(i)[k]);\n"
+            "            if (hexadecimal[i].i != i || decimal[i].k != -i ||\n"
+            "                (&hexadecimal[i].a)[k] != (&decimal[i].a)[k] || (&decimal[i].a)[k] != decimals(i)[k])\n"
+            "                return 1;\n"
+            "            else\n"
+            "                printf(\"%%a %%a\\n\", hexadecimals(i)[k], decimals(i)[k]);\n"
             "    return 0;\n}\n",
             ROWS, COLUMNS);
     assert_int_equal(fclose(file), 0);
@@ -170,9 +180,11 @@ static void test_rows(void **state)
     file = create("header.h");
     emit_open(&e, file, "HEADER_H", "rows");
     emit_rows_open(&e, "rows", 1, COLUMNS);
-    assert_int_equal(emit_row(&e, "a row", x, COLUMNS, true), 1);
-    e.decimal = true;
-    assert_int_equal(emit_row(&e, "a row", x, COLUMNS, true), 1);
+    for (int decimal = 0; decimal < 2; decimal++) {
+        e.decimal = decimal;
+        assert_int_equal(emit_row(&e, "a row", x, COLUMNS, true), 1);
+        assert_int_equal(emit_struct(&e, NULL, 0, x, COLUMNS, true), 1);
+    }
     assert_int_equal(fclose(file), 0);
     _arb_vec_clear(x, ROWS * COLUMNS);
 }

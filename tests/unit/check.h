@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What the unit tests share: errors in units of the last place, and a seeded random state.
- * COR_SEED=<number> repeats a run; COR_TEST_MULTIPLIER=<number> draws that many times more points.
- */
+ * COR_SEED=<number> repeats a run; COR_TEST_MULTIPLIER=<number> draws that many times more points, COR_TEST_DIVISOR that
+ * many times fewer, where only the use of memory is looked at. */
 #ifndef COR_TESTS_CHECK_H
 #define COR_TESTS_CHECK_H
 
@@ -58,7 +58,9 @@ static inline uint64_t check_number(const char *variable, uint64_t otherwise)
 
 static inline size_t points(size_t count)
 {
-    return count * (size_t)check_number("COR_TEST_MULTIPLIER", 1);
+    const size_t n =
+        count * (size_t)check_number("COR_TEST_MULTIPLIER", 1) / (size_t)check_number("COR_TEST_DIVISOR", 1);
+    return n > 0 ? n : 1;
 }
 
 /* xorshift64*: enough to scatter points, the same on every machine */

@@ -385,7 +385,7 @@ static long double steepness(int end, double beta)
     return fall * beta / (((long double)above - below) * eps_at_beta[end](beta));
 }
 
-/* What contact.h promises of eps at a speed, in units of 2^-53, as a part of that promise. */
+/* Error of eps at a speed, as a part of what contact.h promises. */
 static long double eps_error(int end, const struct cor_sphere_contact *c, double speed)
 {
     const long double beta = c->beta_per_root * powl(speed, 0.2L), x = cbrtl(2.25L);
@@ -396,7 +396,7 @@ static long double eps_error(int end, const struct cor_sphere_contact *c, double
     if (beta >= 1e6L && end == 1) /* 1e-9 off at 1e6 and exact from 1e14 on */
         exact = x / powl(beta, 5 / 3.0L);
     const double eps = eps_at_speed[end](c, speed);
-    const long double bound = (2 + 2 * steepness(end, (double)beta)) * DBL_EPSILON / 2;
+    const long double bound = COR_CONTACT_EPS_MAX_ERROR(steepness(end, (double)beta));
     return fabsl(eps / exact - 1) / (bound + (LDBL_MANT_DIG >= 64 ? 0.02L : 16) * DBL_EPSILON);
 }
 
