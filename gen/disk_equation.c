@@ -7,10 +7,11 @@
  * A - 1 as k/d, because 1 - A cancels for n > kappa: d = 1 unless |A| > 1, then h = 1, so that nothing overflows where
  * J_n vanishes. In these, and with capitals for kappa', b_n = (g/N) B, y = n - b_n,
  *
- *     -n(n-1)/2 (e d D - s k D - 2 K d) + g d D - (g/N)(s h D/2 + H d) - (s g (n-1)/(2N)) h H = 0        n >= 1
- *     e d - s k = 0                                                                                      n = 0
+ *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
+ *     e d - s k = 0                                              n = 0
+ *     T0 = e d D - s k D - 2 K d,   T1 = d D,   T2 = h H
  *
- * is the frequency equation (25) divided by g, with nothing left that cancels where nu is next to -1 or 1. */
+ * is the frequency equation (25) divided by g, in which nothing cancels where nu is next to -1 or 1. */
 enum { START_BITS = 8, DOUBLE_BITS = 56 };
 
 /* ---- Bessel functions ---- */
@@ -142,6 +143,17 @@ void disk_init(struct disk *d, const fmpq_t nu, slong prec)
     d->prec = prec;
 }
 
+void disk_init_round(struct disk *d, const struct disk *wide, slong prec)
+{
+    arb_init(d->e);
+    arb_init(d->s);
+    arb_set_round(d->e, wide->e, prec);
+    arb_set_round(d->s, wide->s, prec);
+    d->e_double = wide->e_double;
+    d->s_double = wide->s_double;
+    d->prec = prec;
+}
+
 void disk_clear(struct disk *d)
 {
     arb_clear(d->e);
@@ -175,9 +187,8 @@ static int waves_set(struct waves *v, const struct disk *d, slong n, const arb_t
     return wave_set(&v->a, n, d->prec) && (n == 0 || wave_set(&v->b, n, d->prec));
 }
 
-/* The products of the equation, T = {e d D - s k D - 2 K d, d D, s h D/2 + H d, h H}. They are bilinear: with derivatives in
- * place of one wave's numbers they are half of the product rule. */
-static void products(arb_struct t[4], const struct disk *disk, const arb_t h, const arb_t d, const arb_t k,
+/* T0, T1, T2 are bilinear: with derivatives in place of one wave's numbers they are half of the product rule. */
+static void products(arb_struct t[3], const struct disk *disk, const arb_t h, const arb_t d, const arb_t k,
                      const struct wave *b)
 {
     const slong prec = disk->prec;
@@ -188,24 +199,21 @@ static void products(arb_struct t[4], const struct disk *disk, const arb_t h, co
     arb_mul_2exp_si(t + 1, t + 1, 1);
     arb_sub(t + 0, t + 0, t + 1, prec);
     arb_mul(t + 1, d, b->d, prec);
-    arb_mul(t + 2, disk->s, h, prec);
-    arb_mul(t + 2, t + 2, b->d, prec);
-    arb_mul_2exp_si(t + 2, t + 2, -1);
-    arb_addmul(t + 2, b->h, d, prec);
-    arb_mul(t + 3, h, b->h, prec);
+    arb_mul(t + 2, h, b->h, prec);
 }
 
-/* f = -n(n-1)/2 T0 + rest, rest = g (T1 - T2/N - s (n-1)/(2N) T3) */
-static void combine(arb_t f, arb_t rest, const arb_struct t[4], const struct disk *disk, const arb_t g, slong n)
+/* f = rest - n(n-1)/2 T0, the left side of the equation; rest is what g multiplies in it */
+static void combine(arb_t f, arb_t rest, const arb_struct t[3], const struct disk *disk, const arb_t g, slong n)
 {
     const slong prec = disk->prec;
-    arb_mul(rest, disk->s, t + 3, prec);
-    arb_mul_si(rest, rest, n - 1, prec);
+    arb_mul(rest, disk->s, t + 2, prec);
     arb_mul_2exp_si(rest, rest, -1);
-    arb_add(rest, rest, t + 2, prec);
-    arb_div_si(rest, rest, n + 1, prec);
     arb_sub(rest, t + 1, rest, prec);
+    arb_mul_si(rest, rest, n - 1, prec);
+    arb_mul_2exp_si(f, t + 0, -1);
+    arb_add(rest, rest, f, prec);
     arb_mul(rest, rest, g, prec);
+    arb_div_si(rest, rest, n + 1, prec);
     arb_mul_si(f, t + 0, n * (n - 1) / 2, prec);
     arb_sub(f, rest, f, prec);
 }
@@ -215,12 +223,12 @@ static int sign_of(const arb_t x)
     return arb_is_positive(x) - arb_is_negative(x);
 }
 
-/* Negative eigenvalues of the stiffness at the rim with free and with clamped rim, free - clamped, from the signs of
- *     det(free) = F/D,   D = x y - n^2,   det(clamped) ~ D,   P = y + D/g,
- * all of them multiplied by d D; DISK_UNDECIDED + 0 is none of the values, so undecided is 3. */
 enum { UNDECIDED_SIGN = 3 };
 
-static int eigenvalues(const arb_struct t[4], const struct disk *disk, const struct waves *v, slong n)
+/* Negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. The 2 x 2 matrices have, but for
+ * positive factors, det(clamped) = D = x y - n^2, det(free) = F/D, F the left side of the equation, diagonals -y/D and
+ * -P/D, P = y + D/g. UNDECIDED_SIGN if a sign is not decided. */
+static int eigenvalues(const arb_struct t[3], const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;
     arb_t f, x, y;
@@ -229,17 +237,20 @@ static int eigenvalues(const arb_struct t[4], const struct disk *disk, const str
     arb_init(y);
     int result = UNDECIDED_SIGN;
 
+    /* F, D and P times d D of the waves */
     combine(f, x, t, disk, v->g, n);
     const int sign_f = sign_of(f);
 
-    arb_mul(f, v->a.z, t + 3, prec); /* s g/(2N) hH, in D and P */
+    arb_mul(f, v->a.z, t + 2, prec);
     arb_div_si(f, f, 2 * (n + 1), prec);
-    arb_mul_si(x, t + 2, n, prec);
-    arb_sub(x, f, x, prec);
+    arb_mul_2exp_si(y, t + 0, -1);
+    arb_mul_2exp_si(x, t + 1, 1);
+    arb_sub(x, y, x, prec);
+    arb_mul_si(x, x, n, prec);
+    arb_add(x, x, f, prec);
     const int sign_det = sign_of(x);
 
     arb_mul_si(x, t + 1, n - 1, prec);
-    arb_mul_2exp_si(y, t + 0, -1);
     arb_add(x, x, y, prec);
     arb_mul_si(x, x, n, prec);
     arb_mul(y, v->b.h, v->a.d, prec);
@@ -266,24 +277,24 @@ static int eigenvalues(const arb_struct t[4], const struct disk *disk, const str
     return result;
 }
 
-static void four_init(arb_struct t[4])
+static void three_init(arb_struct t[3])
 {
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 3; i++)
         arb_init(t + i);
 }
 
-static void four_clear(arb_struct t[4])
+static void three_clear(arb_struct t[3])
 {
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 3; i++)
         arb_clear(t + i);
 }
 
 slong disk_count(const struct disk *disk, slong n, const arb_t w)
 {
     struct waves v;
-    arb_struct t[4];
+    arb_struct t[3];
     waves_init(&v);
-    four_init(t);
+    three_init(t);
     slong count = DISK_UNDECIDED;
     if (!waves_set(&v, disk, n, w)) {
         /* undecided */
@@ -301,7 +312,7 @@ slong disk_count(const struct disk *disk, slong n, const arb_t w)
         if (rim != UNDECIDED_SIGN)
             count = v.a.zeros + v.b.zeros + rim + (n > 1);
     }
-    four_clear(t);
+    three_clear(t);
     waves_clear(&v);
     return count;
 }
@@ -311,11 +322,11 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
     const slong prec = disk->prec;
     struct waves v;
     struct wave derivative;
-    arb_struct t[4];
+    arb_struct t[3];
     arb_t f, df, rest;
     waves_init(&v);
     wave_init(&derivative);
-    four_init(t);
+    three_init(t);
     arb_init(f);
     arb_init(df);
     arb_init(rest);
@@ -347,7 +358,7 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
     arb_clear(f);
     arb_clear(df);
     arb_clear(rest);
-    four_clear(t);
+    three_clear(t);
     wave_clear(&derivative);
     waves_clear(&v);
     return done;
@@ -483,20 +494,19 @@ static struct wave_double wave_double_derivative(const struct wave_double *a, sl
 }
 
 struct products_double {
-    double t[4];
+    double t[3];
 };
 
 static struct products_double products_double(const struct disk *disk, const struct wave_double *a,
                                               const struct wave_double *b)
 {
     const double e = disk->e_double, s = disk->s_double;
-    return (struct products_double){
-        {(e * a->d - s * a->k) * b->d - 2 * b->k * a->d, a->d * b->d, s * a->h * b->d / 2 + b->h * a->d, a->h * b->h}};
+    return (struct products_double){{(e * a->d - s * a->k) * b->d - 2 * b->k * a->d, a->d * b->d, a->h * b->h}};
 }
 
 static double rest_double(struct products_double p, double s, double g, double n)
 {
-    return g * (p.t[1] - (p.t[2] + s * (n - 1) * p.t[3] / 2) / (n + 1));
+    return g / (n + 1) * ((n - 1) * (p.t[1] - s * p.t[2] / 2) + p.t[0] / 2);
 }
 
 static slong count_waves_double(const struct disk *disk, const struct wave_double *a, const struct wave_double *b,
@@ -508,8 +518,8 @@ static slong count_waves_double(const struct disk *disk, const struct wave_doubl
     const double n = (double)order, g = b->z / 2;
     const struct products_double p = products_double(disk, a, b);
     const double f = rest_double(p, s, g, n) - n * (n - 1) / 2 * p.t[0];
-    const double part = a->z * p.t[3] / (2 * (n + 1));
-    const double det = part - n * p.t[2];
+    const double part = a->z * p.t[2] / (2 * (n + 1));
+    const double det = part + n * (p.t[0] / 2 - 2 * p.t[1]);
     const double trace = n * ((n - 1) * p.t[1] + p.t[0] / 2) - g * b->h * a->d + part;
     const double y = (n * b->d - g * b->h / (n + 1)) * b->d;
     const int open = (f < 0) != (det < 0) ? 1 : (trace < 0) == (det < 0) ? 2 : 0;

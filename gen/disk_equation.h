@@ -20,6 +20,7 @@ struct disk {
 };
 
 void disk_init(struct disk *d, const fmpq_t nu, slong prec);
+void disk_init_round(struct disk *d, const struct disk *wide, slong prec); /* the same disk, in fewer bits */
 void disk_clear(struct disk *d);
 
 /* What cannot be decided: more precision, or another w, may. */

@@ -11,7 +11,15 @@
 #include "disk_equation.h"
 
 /* Bits of omega lost on the way to C and S, and by the ladders; a mode that loses more is computed again. */
-enum { GUARD_BITS = 24, NEWTON_MAX = 12, NEWTON_FIRST_BITS = 100, NEWTON_SLACK = 16, WIDENINGS = 3, BATCH = 16 };
+enum {
+    GUARD_BITS = 24,
+    NEWTON_MAX = 12,
+    NEWTON_FIRST_BITS = 100,
+    NEWTON_SLACK = 16,
+    WIDENINGS = 3,
+    BATCH = 16,
+    WIDE = 2
+};
 
 void disk_mode_init(struct disk_mode *mode)
 {
@@ -55,7 +63,7 @@ static bool proved_between(arb_t w, const struct disk *disk, slong n, slong l, c
 }
 
 /* Newton's method from the middle of w, then proof. Returns false where it does not lead to root (n, l). */
-static bool newton(arb_t w, const fmpq_t nu, slong n, slong l, slong bits)
+static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bits)
 {
     struct disk disk;
     arb_t step, next;
@@ -70,7 +78,7 @@ static bool newton(arb_t w, const fmpq_t nu, slong n, slong l, slong bits)
 
     const slong full = bits + GUARD_BITS;
     slong prec = full < NEWTON_FIRST_BITS ? full : NEWTON_FIRST_BITS;
-    disk_init(&disk, nu, prec);
+    disk_init_round(&disk, wide, prec);
     for (int i = 0; i < NEWTON_MAX; i++) {
         mag_zero(arb_radref(w));
         if (!disk_newton(step, &disk, n, w))
@@ -105,7 +113,7 @@ static bool newton(arb_t w, const fmpq_t nu, slong n, slong l, slong bits)
             const slong reached = 4 * gained + 2 * NEWTON_SLACK;
             prec = reached < full && reached > prec ? reached : full;
             disk_clear(&disk);
-            disk_init(&disk, nu, prec);
+            disk_init_round(&disk, wide, prec);
         }
     }
     disk_clear(&disk);
@@ -119,7 +127,7 @@ static bool newton(arb_t w, const fmpq_t nu, slong n, slong l, slong bits)
 
 /* Bisection by the count alone, which cannot go astray, until Newton's method does. Undecided counts ask for more bits;
  * false means that `limit` bits did not tell root (n, l) from its neighbour. */
-static bool bisection(arb_t w, const fmpq_t nu, slong n, slong l, slong bits, slong limit)
+static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong bits, slong limit)
 {
     struct disk disk;
     arf_t low, high, middle;
@@ -129,7 +137,7 @@ static bool bisection(arb_t w, const fmpq_t nu, slong n, slong l, slong bits, sl
     arf_init(middle);
     arb_init(x);
     slong prec = bits < limit / 4 ? 64 : bits;
-    disk_init(&disk, nu, prec);
+    disk_init_round(&disk, wide, prec);
     bool found = false, enclosed = false;
 
     /* w >= n (n - 1)/10; from there upwards by factors of four */
@@ -150,7 +158,7 @@ static bool bisection(arb_t w, const fmpq_t nu, slong n, slong l, slong bits, sl
         if (count == DISK_UNDECIDED) {
             prec *= 2;
             disk_clear(&disk);
-            disk_init(&disk, nu, prec);
+            disk_init_round(&disk, wide, prec);
         } else if (count <= l) {
             arf_set(low, middle);
             if (!enclosed)
@@ -163,7 +171,7 @@ static bool bisection(arb_t w, const fmpq_t nu, slong n, slong l, slong bits, sl
         /* Newton's method is dear where it fails, so it is tried rarely. */
         if (enclosed && alone && ++steps % 8 == 0) {
             arb_set_interval_arf(w, low, high, prec);
-            found = newton(w, nu, n, l, bits);
+            found = newton(w, wide, n, l, bits);
         }
     }
     disk_clear(&disk);
@@ -175,19 +183,19 @@ static bool bisection(arb_t w, const fmpq_t nu, slong n, slong l, slong bits, sl
 }
 
 /* Everything of the mode from an approximation to its omega, or none where that is not positive. */
-static bool enclose(struct disk_mode *mode, const fmpq_t nu, const arb_t omega, slong bits, slong limit)
+static bool enclose(struct disk_mode *mode, const struct disk *wide, const arb_t omega, slong bits, slong limit)
 {
     arb_t w;
     arb_init(w);
     bool done = false;
     if (arb_is_positive(omega)) {
         arb_mul(w, omega, omega, bits + GUARD_BITS);
-        done = newton(w, nu, mode->n, mode->l, bits);
+        done = newton(w, wide, mode->n, mode->l, bits);
     }
-    done = done || bisection(w, nu, mode->n, mode->l, bits, limit);
+    done = done || bisection(w, wide, mode->n, mode->l, bits, limit);
     if (done) {
         struct disk disk;
-        disk_init(&disk, nu, bits + GUARD_BITS);
+        disk_init_round(&disk, wide, bits + GUARD_BITS);
         arb_sqrt(mode->omega, w, disk.prec);
         done = disk_amplitudes(mode->c, mode->s, &disk, mode->n, w);
         disk_clear(&disk);
@@ -201,8 +209,11 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, s
     mode->n = n;
     mode->l = l;
     arb_t none;
+    struct disk wide;
     arb_init(none);
-    const bool done = enclose(mode, nu, none, bits, 4 * bits + 1024);
+    disk_init(&wide, nu, WIDE * (4 * bits + 1024));
+    const bool done = enclose(mode, &wide, none, bits, 4 * bits + 1024);
+    disk_clear(&wide);
     arb_clear(none);
     return done ? STATUS_OK
                 : fail("mode n = %ld, l = %ld: %ld bits do not tell it from its neighbour", (long)n, (long)l,
@@ -222,9 +233,8 @@ struct order_roots { /* of one n */
 };
 
 struct work {
-    const struct disk *disk;
-    const fmpq *nu;
-    double omega; /* upper end */
+    const struct disk *disk; /* to more bits than any step asks for */
+    double omega;            /* upper end */
     struct order_roots *order;
     struct disk_mode *mode;
     struct precision *precision;
@@ -384,7 +394,7 @@ static void enclose_one(slong i, void *pointer)
     arb_set(start, mode->omega);
     bool decided = false;
     do {
-        decided = enclose(mode, work->nu, start, p->bits, p->limit) && number_is_decided(mode->omega, work->digits) &&
+        decided = enclose(mode, work->disk, start, p->bits, p->limit) && number_is_decided(mode->omega, work->digits) &&
                   number_is_decided(mode->c, work->digits) && number_is_decided(mode->s, work->digits);
     } while (!decided && precision_raise(p));
     work->failed[index] = !decided;
@@ -405,7 +415,7 @@ static void count_order(slong i, void *pointer)
     slong prec = 64;
     do {
         struct disk disk;
-        disk_init(&disk, work->nu, prec);
+        disk_init_round(&disk, work->disk, prec);
         work->below[n] = disk_count(&disk, n, work->w);
         disk_clear(&disk);
         prec *= 2;
@@ -413,7 +423,7 @@ static void count_order(slong i, void *pointer)
 }
 
 /* Modes below an omega between mode[count - 1] and mode[count], over all n, or DISK_UNDECIDED. */
-static slong count_all(const struct disk_modes *modes, slong count, const fmpq_t nu, slong digits)
+static slong count_all(const struct disk_modes *modes, slong count, const struct disk *wide, slong digits)
 {
     arf_t low, high;
     arb_t w;
@@ -429,7 +439,7 @@ static slong count_all(const struct disk_modes *modes, slong count, const fmpq_t
     const slong orders = disk_orders(arf_get_d(high, ARF_RND_UP));
     arb_mul(w, w, w, ARF_PREC_EXACT);
 
-    struct work work = {.nu = nu, .w = w, .digits = digits, .below = xmalloc((size_t)orders * sizeof *work.below)};
+    struct work work = {.disk = wide, .w = w, .digits = digits, .below = xmalloc((size_t)orders * sizeof *work.below)};
     in_parallel(count_order, &work, orders, "counting modes, n");
     slong total = 0;
     for (slong n = 0; n < orders && total >= 0; n++)
@@ -442,10 +452,10 @@ static slong count_all(const struct disk_modes *modes, slong count, const fmpq_t
 }
 
 /* Encloses every mode, and again with more bits those that overlap, until omega increases from each to the next. */
-static int enclose_all(struct disk_modes *modes, const fmpq_t nu, slong digits)
+static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong digits)
 {
     const size_t count = (size_t)modes->count;
-    struct work work = {.nu = nu,
+    struct work work = {.disk = wide,
                         .digits = digits,
                         .mode = modes->mode,
                         .precision = xmalloc(count * sizeof *work.precision),
@@ -494,12 +504,11 @@ static int enclose_all(struct disk_modes *modes, const fmpq_t nu, slong digits)
 int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits)
 {
     disk_modes_clear(modes);
-    struct disk disk;
-    disk_init(&disk, nu, 128);
+    struct disk wide;
+    disk_init(&wide, nu, WIDE * precision_start(digits).limit);
     profile_step("finding modes");
     slong found;
-    struct candidate *list = candidates(&found, &disk, count);
-    disk_clear(&disk);
+    struct candidate *list = candidates(&found, &wide, count);
 
     modes->mode = xmalloc((size_t)found * sizeof *modes->mode);
     modes->count = found;
@@ -512,14 +521,15 @@ int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slo
     free(list);
 
     profile_step("enclosing modes");
-    int status = enclose_all(modes, nu, digits);
+    int status = enclose_all(modes, &wide, digits);
     if (status == STATUS_OK) {
         profile_step("counting modes");
-        const slong total = found > count ? count_all(modes, count, nu, digits) : DISK_UNDECIDED;
+        const slong total = found > count ? count_all(modes, count, &wide, digits) : DISK_UNDECIDED;
         if (total != count)
             status =
                 fail("the count of the modes does not confirm the %ld lowest: it is %ld", (long)count, (long)total);
     }
+    disk_clear(&wide);
     progress_end();
     profile_step(NULL);
     if (status != STATUS_OK) {
