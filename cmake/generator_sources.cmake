@@ -3,12 +3,15 @@
 set(COR_GENERATOR_SOURCES
   gen/collision.c
   gen/command_collide.c
+  gen/command_disk_modes.c
   gen/command_embed.c
   gen/command_pade.c
   gen/command_series.c
   gen/command_trajectory.c
   gen/console.c
   gen/digits.c
+  gen/disk_equation.c
+  gen/disk_modes.c
   gen/embed_choose.c
   gen/embed_fit.c
   gen/embed_form.c

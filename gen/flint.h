@@ -12,6 +12,7 @@
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz.h>
+#include <flint/thread_support.h>
 
 #ifdef COR_FLINT_HAS_ARB
 #include <flint/acb.h>

@@ -61,6 +61,16 @@ static const struct subcommand subcommands[] = {
      "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force.\n"
      "Example: corgen collide --beta 0.1 --digits 30\n",
      "beta digits format elastic damping output profile", "text csv json", "beta", command_collide},
+    {"disk-modes", "the free modes of an elastic disk",
+     "Usage: corgen disk-modes --poisson NU --count N [OPTION]...\n\n"
+     "Prints the N lowest free modes of an elastic disk, by increasing frequency, none missing: n\n"
+     "nodal diameters, l = 0, 1, ... among the modes of that n, frequency omega in sqrt(E/rho)/R, and\n"
+     "the displacements C (radial, positive) and S (tangential) at the rim, normalised to the area.\n\n"
+     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
+     "  --count N        number of modes, 1 to 10000000\n" HELP_DIGITS
+     "  --format F       text (default), csv or json\n" HELP_COMMON "\nColumns: n,l,omega,C,S.\n"
+     "Example: corgen disk-modes --poisson 0.33 --count 10\n",
+     "poisson count digits format output profile", "text csv json", "poisson count", command_disk_modes},
     {"embed", "a C header with eps of the impact speed for one scene",
      "Usage: corgen embed --speed-min G --speed-max G --tolerance T CONTACT [OPTION]...\n\n"
      "Writes a self-contained header, C99, C++11, CUDA and HIP, with one function from the impact\n"

@@ -8,13 +8,15 @@
 #include <string.h>
 
 #include "console.h"
+#include "disk_equation.h"
 
-enum { NAMES_MAX = 512, BETA_EXPONENT_DIGITS_MAX = 6, LONG_OPTION = 256 };
+enum { NAMES_MAX = 512, EXPONENT_DIGITS_MAX = 6, LONG_OPTION = 256 };
 
 enum key {
     KEY_ORDER,
     KEY_TERMS,
     KEY_DIGITS,
+    KEY_COUNT,
     KEY_NUMERATOR,
     KEY_DENOMINATOR,
     KEY_BETA,
@@ -51,6 +53,7 @@ static const struct rule rules[] = {
      "an order needs all below it, and their cost grows faster than its cube"},
     {"terms", KEY_TERMS, true, 0, OPTIONS_MAX_TERMS, "the exact rationals of more terms outgrow any memory"},
     {"digits", KEY_DIGITS, true, 1, OPTIONS_MAX_DIGITS, "the arithmetic of more digits outgrows any patience"},
+    {"count", KEY_COUNT, true, 1, OPTIONS_MAX_COUNT, "the time grows like the power 3/2 of it, past days"},
     {"numerator", KEY_NUMERATOR, true, 0, OPTIONS_MAX_DEGREE, "a degree needs a linear system of that size"},
     {"denominator", KEY_DENOMINATOR, true, 0, OPTIONS_MAX_DEGREE, "a degree needs a linear system of that size"},
     {"beta", KEY_BETA, true, 0, 0, NULL},
@@ -128,7 +131,7 @@ static int parse_whole(slong *value, const struct rule *rule, const char *text)
     return STATUS_OK;
 }
 
-/* beta: "p/q", or digits with an optional point and an optional decimal exponent. */
+/* beta and a disk's nu: "p/q", or digits with an optional point and an optional decimal exponent. */
 
 static const char *skip_digits(const char *text)
 {
@@ -153,13 +156,13 @@ static const char *skip_decimal(const char *text)
             text++;
         const char *exponent = text;
         text = skip_digits(text);
-        if (text == exponent || text - exponent > BETA_EXPONENT_DIGITS_MAX)
+        if (text == exponent || text - exponent > EXPONENT_DIGITS_MAX)
             return NULL;
     }
     return text;
 }
 
-static bool beta_is_well_formed(const char *text)
+static bool number_is_well_formed(const char *text)
 {
     const char *slash = strchr(text, '/');
     if (slash) {
@@ -188,7 +191,7 @@ void options_beta(arb_t beta, const struct options *o, slong prec)
 static int parse_beta(struct options *o, const char *text)
 {
     o->beta = text;
-    bool good = beta_is_well_formed(text);
+    bool good = number_is_well_formed(text);
     if (good) {
         /* Enough bits to see every digit of the text: then only an exact tie is left undecided. */
         slong prec = 4 * (slong)strlen(text) + 64;
@@ -204,7 +207,7 @@ static int parse_beta(struct options *o, const char *text)
     if (!good)
         return usage_error("--beta: '%.60s' is not a number from 0 to " OPTIONS_MAX_BETA
                            " written as 0.1, 1.5e-3 (exponent of at most %d digits) or 2/3",
-                           text, BETA_EXPONENT_DIGITS_MAX);
+                           text, EXPONENT_DIGITS_MAX);
     return STATUS_OK;
 }
 
@@ -252,6 +255,75 @@ const char *options_real_name(enum options_real which)
 void options_real(arb_t x, const struct options *o, enum options_real which, slong prec)
 {
     arb_set_str(x, o->real[which], prec);
+}
+
+void options_poisson(fmpq_t nu, const struct options *o)
+{
+    const char *text = o->real[OPTIONS_POISSON];
+    if (strchr(text, '/')) {
+        fmpq_set_str(nu, text, 10);
+        fmpq_canonicalise(nu);
+        return;
+    }
+    /* digits and a power of ten */
+    char *digits = xmalloc(strlen(text) + 1);
+    size_t n = 0;
+    slong exponent = 0;
+    bool point = false;
+    for (; *text && *text != 'e' && *text != 'E'; text++) {
+        if (*text == '.') {
+            point = true;
+        } else {
+            digits[n++] = *text;
+            exponent -= point;
+        }
+    }
+    digits[n] = '\0';
+    if (*text)
+        exponent += strtol(text + 1, NULL, 10);
+    fmpz_set_str(fmpq_numref(nu), digits, 10);
+    fmpz_one(fmpq_denref(nu));
+    fmpz_t power;
+    fmpz_init(power);
+    fmpz_ui_pow_ui(power, 10, exponent < 0 ? (ulong)-exponent : (ulong)exponent);
+    if (exponent < 0)
+        fmpq_div_fmpz(nu, nu, power);
+    else
+        fmpq_mul_fmpz(nu, nu, power);
+    fmpz_clear(power);
+    free(digits);
+}
+
+/* Of a disk in plane stress: any between -1 and 1, as exact as it is written. */
+static int parse_poisson(struct options *o, const struct rule *rule, const char *text)
+{
+    bool inside = number_is_well_formed(text + (*text == '-')), apart = false;
+    o->real[OPTIONS_POISSON] = text;
+    if (inside) {
+        fmpq_t margin;
+        arb_t x, limit;
+        fmpq_init(margin);
+        arb_init(x);
+        arb_init(limit);
+        options_poisson(margin, o);
+        fmpq_abs(margin, margin);
+        fmpq_sub_si(margin, margin, 1);
+        fmpq_neg(margin, margin);
+        inside = fmpq_sgn(margin) > 0;
+        arb_set_fmpq(x, margin, 64);
+        arb_set_str(limit, DISK_MARGIN, 64);
+        apart = arb_gt(x, limit);
+        fmpq_clear(margin);
+        arb_clear(x);
+        arb_clear(limit);
+    }
+    if (!inside)
+        return usage_error("--%s: '%.60s' is not a number between -1 and 1, written as 0.33, -2e-1 or 1/3", rule->name,
+                           text);
+    if (!apart)
+        return usage_error("--%s: '%.60s' is nearer than " DISK_MARGIN " to -1 or 1, where a disk has no modes",
+                           rule->name, text);
+    return STATUS_OK;
 }
 
 /* A positive number; Poisson's ratio is between -1 and 1/2, and bodies may have no dissipation. */
@@ -321,6 +393,9 @@ static int parse_use(struct options *o, const char *text)
 
 static int parse_one(struct options *o, const struct subcommand *cmd, const struct rule *rule, const char *text)
 {
+    /* without materials in space it is a disk that is asked for */
+    if (rule->key == KEY_REAL + OPTIONS_POISSON && !has_word(cmd->accepts, "young"))
+        return parse_poisson(o, rule, text);
     if (rule->key >= KEY_REAL)
         return parse_real(o, rule, text);
     switch (rule->key) {
@@ -330,6 +405,8 @@ static int parse_one(struct options *o, const struct subcommand *cmd, const stru
         return parse_whole(&o->terms, rule, text);
     case KEY_DIGITS:
         return parse_whole(&o->digits, rule, text);
+    case KEY_COUNT:
+        return parse_whole(&o->count, rule, text);
     case KEY_NUMERATOR:
         return parse_whole(&o->numerator, rule, text);
     case KEY_DENOMINATOR:

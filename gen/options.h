@@ -11,6 +11,7 @@
 #define OPTIONS_MAX_TERMS 100000
 #define OPTIONS_MAX_DIGITS 10000000
 #define OPTIONS_MAX_DEGREE 2000
+#define OPTIONS_MAX_COUNT 10000000
 #define OPTIONS_MAX_NAME 63
 #define OPTIONS_MAX_BETA "1e6"
 #define OPTIONS_DEFAULT_DIGITS 20
@@ -41,7 +42,7 @@ enum options_real {
 enum options_use { OPTIONS_BALANCED, OPTIONS_SCALAR, OPTIONS_ARRAY };
 
 struct options {
-    slong order, terms, digits;
+    slong order, terms, digits, count;
     slong numerator, denominator; /* OPTIONS_NOT_GIVEN if so */
     const char *beta;             /* text as given, already found good; options_beta makes the ball */
     enum contact_end end;
@@ -77,10 +78,14 @@ void options_beta(arb_t beta, const struct options *o, slong prec);
 void options_real(arb_t x, const struct options *o, enum options_real which, slong prec);
 const char *options_real_name(enum options_real which); /* speed-min, ... */
 
+/* Poisson's ratio of a disk, exactly as --poisson named it. */
+void options_poisson(fmpq_t nu, const struct options *o);
+
 int command_trajectory(const struct options *);
 int command_series(const struct options *);
 int command_pade(const struct options *);
 int command_collide(const struct options *);
+int command_disk_modes(const struct options *);
 int command_embed(const struct options *);
 int command_tables(const struct options *);
 
