@@ -12,6 +12,7 @@ set(COR_GENERATOR_SOURCES
   gen/digits.c
   gen/disk_equation.c
   gen/disk_modes.c
+  gen/disk_tables.c
   gen/embed_choose.c
   gen/embed_fit.c
   gen/embed_form.c

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen disk-modes: the lowest free modes of an elastic disk in proved digits. */
-#include <unistd.h>
-
 #include "console.h"
 #include "digits.h"
 #include "disk_modes.h"
@@ -24,11 +22,10 @@ int command_disk_modes(const struct options *o)
     if (output_open(&out, o->output) != STATUS_OK)
         return STATUS_FAILED;
 
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    flint_set_num_threads(processors > 1 ? (int)processors : 1);
+    disk_modes_use_all_processors();
     fmpq_t nu;
     fmpq_init(nu);
-    options_poisson(nu, o);
+    options_fraction(nu, o->real[OPTIONS_POISSON]);
     struct disk_modes modes;
     disk_modes_init(&modes);
     const int status = disk_modes_solve(&modes, nu, o->count, o->digits);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "console.h"
 #include "digits.h"
@@ -499,6 +500,12 @@ static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong 
     free(work.which);
     free(work.failed);
     return status;
+}
+
+void disk_modes_use_all_processors(void)
+{
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    flint_set_num_threads(processors > 1 ? (int)processors : 1);
 }
 
 int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits)

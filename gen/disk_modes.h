@@ -24,6 +24,9 @@ void disk_modes_clear(struct disk_modes *modes);
  * many threads as flint_set_num_threads said, with the same result. Returns 0, or 1 after saying what failed. */
 int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits);
 
+/* Tells FLINT to use as many threads as there are processors. */
+void disk_modes_use_all_processors(void);
+
 /* One mode by its numbers, to about `bits` relative bits, by the count alone: slower. Returns 0 or 1 likewise. */
 int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, slong bits);
 void disk_mode_init(struct disk_mode *mode);

@@ -164,6 +164,11 @@ void emit_constants(struct emit *e, const char *const *name, const slong *value,
     fprintf(e->file, "};\n");
 }
 
+void emit_include(struct emit *e, const char *name)
+{
+    fprintf(e->file, "#include %s\n", name);
+}
+
 void emit_define(struct emit *e, const char *name, const char *text)
 {
     fprintf(e->file, "#define %s %s\n", name, text);

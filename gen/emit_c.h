@@ -43,6 +43,9 @@ void emit_structs_close(struct emit *e);
 /* enum { NAME = value, ... }; */
 void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count);
 
+/* #include, of a name with its quotes or angle brackets */
+void emit_include(struct emit *e, const char *name);
+
 /* #define NAME text */
 void emit_define(struct emit *e, const char *name, const char *text);
 

@@ -95,13 +95,17 @@ static const struct subcommand subcommands[] = {
      "dissipation-time young-2 poisson-2 radius-2 density-2 mass-2 dissipation-time-2 wall output profile",
      "", "speed-min speed-max tolerance", command_embed},
     {"tables", "write or check the generated C tables",
-     "Usage: corgen tables [--check] [--output DIR] [OPTION]...\n\n"
-     "Writes every file of generated/, the whole set or none of it.\n\n"
+     "Usage: corgen tables [--check] [--output DIR] [OPTION]...\n"
+     "       corgen tables --poisson NU [--modes N] [--check] [--output DIR] [OPTION]...\n\n"
+     "Writes every file of generated/, or the modes of an elastic disk of another material as a C\n"
+     "header to embed and a file to load; all of them or none.\n\n"
+     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
+     "  --modes N        number of modes, 1 to 10000000 (default 1800)\n"
      "  --check          write nothing; compare byte for byte and fail at a difference\n"
-     "  --output DIR     the directory (default: generated)\n"
+     "  --output DIR     the directory (default: generated; with --poisson, the current one)\n"
      "  --profile        seconds per step and peak memory on standard error\n"
      "\nExample: corgen tables --check\n",
-     "check output profile", "", "", command_tables},
+     "poisson modes check output profile", "", "", command_tables},
     {0},
 };
 

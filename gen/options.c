@@ -17,6 +17,7 @@ enum key {
     KEY_TERMS,
     KEY_DIGITS,
     KEY_COUNT,
+    KEY_MODES,
     KEY_NUMERATOR,
     KEY_DENOMINATOR,
     KEY_BETA,
@@ -54,6 +55,7 @@ static const struct rule rules[] = {
     {"terms", KEY_TERMS, true, 0, OPTIONS_MAX_TERMS, "the exact rationals of more terms outgrow any memory"},
     {"digits", KEY_DIGITS, true, 1, OPTIONS_MAX_DIGITS, "the arithmetic of more digits outgrows any patience"},
     {"count", KEY_COUNT, true, 1, OPTIONS_MAX_COUNT, "the time grows like the power 3/2 of it, past days"},
+    {"modes", KEY_MODES, true, 1, OPTIONS_MAX_COUNT, "the time grows like the power 3/2 of it, past days"},
     {"numerator", KEY_NUMERATOR, true, 0, OPTIONS_MAX_DEGREE, "a degree needs a linear system of that size"},
     {"denominator", KEY_DENOMINATOR, true, 0, OPTIONS_MAX_DEGREE, "a degree needs a linear system of that size"},
     {"beta", KEY_BETA, true, 0, 0, NULL},
@@ -257,12 +259,11 @@ void options_real(arb_t x, const struct options *o, enum options_real which, slo
     arb_set_str(x, o->real[which], prec);
 }
 
-void options_poisson(fmpq_t nu, const struct options *o)
+void options_fraction(fmpq_t x, const char *text)
 {
-    const char *text = o->real[OPTIONS_POISSON];
     if (strchr(text, '/')) {
-        fmpq_set_str(nu, text, 10);
-        fmpq_canonicalise(nu);
+        fmpq_set_str(x, text, 10);
+        fmpq_canonicalise(x);
         return;
     }
     /* digits and a power of ten */
@@ -281,15 +282,15 @@ void options_poisson(fmpq_t nu, const struct options *o)
     digits[n] = '\0';
     if (*text)
         exponent += strtol(text + 1, NULL, 10);
-    fmpz_set_str(fmpq_numref(nu), digits, 10);
-    fmpz_one(fmpq_denref(nu));
+    fmpz_set_str(fmpq_numref(x), digits, 10);
+    fmpz_one(fmpq_denref(x));
     fmpz_t power;
     fmpz_init(power);
     fmpz_ui_pow_ui(power, 10, exponent < 0 ? (ulong)-exponent : (ulong)exponent);
     if (exponent < 0)
-        fmpq_div_fmpz(nu, nu, power);
+        fmpq_div_fmpz(x, x, power);
     else
-        fmpq_mul_fmpz(nu, nu, power);
+        fmpq_mul_fmpz(x, x, power);
     fmpz_clear(power);
     free(digits);
 }
@@ -305,7 +306,7 @@ static int parse_poisson(struct options *o, const struct rule *rule, const char 
         fmpq_init(margin);
         arb_init(x);
         arb_init(limit);
-        options_poisson(margin, o);
+        options_fraction(margin, text);
         fmpq_abs(margin, margin);
         fmpq_sub_si(margin, margin, 1);
         fmpq_neg(margin, margin);
@@ -406,6 +407,7 @@ static int parse_one(struct options *o, const struct subcommand *cmd, const stru
     case KEY_DIGITS:
         return parse_whole(&o->digits, rule, text);
     case KEY_COUNT:
+    case KEY_MODES:
         return parse_whole(&o->count, rule, text);
     case KEY_NUMERATOR:
         return parse_whole(&o->numerator, rule, text);
@@ -470,7 +472,8 @@ int options_parse(struct options *o, const struct subcommand *cmd, int argc, cha
                                             (int)rules[i].key + LONG_OPTION};
     }
 
-    *o = (struct options){.numerator = OPTIONS_NOT_GIVEN,
+    *o = (struct options){.count = OPTIONS_NOT_GIVEN,
+                          .numerator = OPTIONS_NOT_GIVEN,
                           .denominator = OPTIONS_NOT_GIVEN,
                           .digits = OPTIONS_DEFAULT_DIGITS,
                           .end = END_ZERO_OVERLAP};

@@ -78,8 +78,8 @@ void options_beta(arb_t beta, const struct options *o, slong prec);
 void options_real(arb_t x, const struct options *o, enum options_real which, slong prec);
 const char *options_real_name(enum options_real which); /* speed-min, ... */
 
-/* Poisson's ratio of a disk, exactly as --poisson named it. */
-void options_poisson(fmpq_t nu, const struct options *o);
+/* The number that a good text names, exactly: "-0.33", "2e-1" or "1/3". */
+void options_fraction(fmpq_t x, const char *text);
 
 int command_trajectory(const struct options *);
 int command_series(const struct options *);

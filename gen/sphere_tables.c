@@ -183,8 +183,9 @@ static const char tables_banner[] =
     "most between them (sampled against enclosed collisions). Errors of the rows stand above each table\n"
     "and beside each row (sampled); errors of evaluation: include/cor/sphere.h (sampled).\n";
 
-int sphere_tables_write(FILE *file)
+int sphere_tables_write(FILE *file, const struct disk_table *none)
 {
+    (void)none;
     if (make())
         return STATUS_FAILED;
     struct emit e;
@@ -220,8 +221,9 @@ static const char header_banner[] =
     "Written by:  corgen tables\n"
     "Checked by:  corgen tables --check\n";
 
-int sphere_header_write(FILE *file)
+int sphere_header_write(FILE *file, const struct disk_table *none)
 {
+    (void)none;
     if (make())
         return STATUS_FAILED;
     struct emit e;

@@ -6,8 +6,10 @@
 
 #include <stdio.h>
 
-int sphere_tables_write(FILE *file);
-int sphere_header_write(FILE *file);
+#include "disk_tables.h"
+
+int sphere_tables_write(FILE *file, const struct disk_table *none);
+int sphere_header_write(FILE *file, const struct disk_table *none);
 
 /* What both are made of is computed once and kept; this lets go of it. */
 void sphere_tables_clear(void);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen tables: everything in generated/, or the proof that it is what corgen would write.
- * A new file is a new row of files[], and one function that writes it to a stream. */
+/* corgen tables: everything in generated/, or the proof that it is what corgen would write; or the mode tables of
+ * another material. A new file is a new row of files[], and one function that writes it to a stream. */
 #define _XOPEN_SOURCE 700 /* open_memstream, mkdir */
 
 #include <errno.h>
@@ -10,25 +10,30 @@
 #include <unistd.h>
 
 #include "console.h"
+#include "disk_tables.h"
 #include "options.h"
 #include "sphere_tables.h"
 
 enum { PATH_MAX_LENGTH = 4096 };
 
 #define DEFAULT_DIRECTORY "generated"
+#define DEFAULT_DIRECTORY_OF_MATERIAL "."
 #define MANIFEST "MANIFEST.txt"
 #define MANIFEST_VERSION_WORD "made-with" /* --check ignores lines that start with it */
 
 struct generated {
     const char *name;
-    int (*write)(FILE *file);
+    int (*write)(FILE *file, const struct disk_table *disk); /* disk is not looked at for spheres */
+    struct disk_table disk;
 };
 
 static const struct generated files[] = {
-    {"sphere_tables.h", sphere_tables_write},
-    {"cor_sphere.h", sphere_header_write},
+    {"sphere_tables.h", sphere_tables_write, {NULL, 0, false}},
+    {"cor_sphere.h", sphere_header_write, {NULL, 0, false}},
+    {"disk_modes_nu033.h", disk_header_write, {"0.33", DISK_TABLE_MODES, false}},
+    {"disk_modes_nu090.h", disk_header_write, {"0.90", DISK_TABLE_MODES, false}},
 };
-enum { FILES = sizeof files / sizeof *files };
+enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 1 /* the manifest */ };
 
 /* One file, complete, in memory; the manifest comes after files[]. */
 struct content {
@@ -44,7 +49,7 @@ static int make(struct content *c, const struct generated *row)
     if (!file)
         return fail("no memory for %s", row->name);
     profile_step(row->name);
-    int status = row->write(file);
+    int status = row->write(file, &row->disk);
     profile_step(NULL);
     if (fclose(file) && status == STATUS_OK)
         status = fail("no memory for %s", row->name);
@@ -93,13 +98,13 @@ static int probe_directory(const char *directory)
     return access(directory, W_OK | X_OK) == 0 ? STATUS_OK : fail("cannot write in %s: %s", directory, strerror(errno));
 }
 
-static int write_all(const struct content *c, const char *directory)
+static int write_all(const struct content *c, int n, const char *directory)
 {
-    char path[FILES + 1][PATH_MAX_LENGTH];
-    struct output out[FILES + 1];
+    char path[CONTENTS][PATH_MAX_LENGTH];
+    struct output out[CONTENTS];
     if (mkdir(directory, 0777) && errno != EEXIST)
         return fail("cannot make %s: %s", directory, strerror(errno));
-    for (int i = 0; i <= FILES; i++) {
+    for (int i = 0; i < n; i++) {
         int status = set_path(path[i], directory, c[i].name);
         if (status == STATUS_OK)
             status = output_open(&out[i], path[i]);
@@ -111,7 +116,7 @@ static int write_all(const struct content *c, const char *directory)
             output_discard(&out[i]);
         return status;
     }
-    return output_commit_all(out, FILES + 1);
+    return output_commit_all(out, n);
 }
 
 /* The next line that counts, or NULL; *number is its own. */
@@ -170,10 +175,10 @@ static char *read_file(const char *path, size_t *size)
     return text;
 }
 
-static int check_all(const struct content *c, const char *directory)
+static int check_all(const struct content *c, int n, const char *directory)
 {
     int status = STATUS_OK;
-    for (int i = 0; i <= FILES; i++) {
+    for (int i = 0; i < n; i++) {
         char path[PATH_MAX_LENGTH];
         size_t size = 0;
         if (set_path(path, directory, c[i].name))
@@ -189,23 +194,51 @@ static int check_all(const struct content *c, const char *directory)
     return status;
 }
 
+/* The files of generated/ and their manifest, or those of one material. */
+static int make_all(struct content *c, int *n, const struct options *o)
+{
+    const slong count = o->count == OPTIONS_NOT_GIVEN ? DISK_TABLE_MODES : o->count;
+    const struct generated material[] = {{NULL, disk_header_write, {o->real[OPTIONS_POISSON], count, true}},
+                                         {NULL, disk_file_write, {o->real[OPTIONS_POISSON], count, true}}};
+    static const char *const extension[] = {"h", "txt"};
+    static char name[2][DISK_TABLE_NAME];
+    int status = STATUS_OK;
+    if (!o->real[OPTIONS_POISSON]) {
+        for (*n = 0; *n < FILES && status == STATUS_OK; ++*n)
+            status = make(&c[*n], &files[*n]);
+        return status == STATUS_OK ? make_manifest(&c[(*n)++], c) : status;
+    }
+    for (*n = 0; *n < 2 && status == STATUS_OK; ++*n) {
+        struct generated row = material[*n];
+        row.name = disk_table_name(name[*n], &row.disk, extension[*n]);
+        status = make(&c[*n], &row);
+    }
+    return status;
+}
+
 int command_tables(const struct options *o)
 {
-    const char *directory = o->output ? o->output : DEFAULT_DIRECTORY;
-    struct content c[FILES + 1] = {{NULL, NULL, 0}};
-    int status = o->check ? STATUS_OK : probe_directory(directory);
-    for (int i = 0; i < FILES && status == STATUS_OK; i++)
-        status = make(&c[i], &files[i]);
+    if (o->count != OPTIONS_NOT_GIVEN && !o->real[OPTIONS_POISSON])
+        return usage_error("--modes needs --poisson: the tables of generated/ have %d modes", DISK_TABLE_MODES);
+    if (o->real[OPTIONS_POISSON] && strlen(o->real[OPTIONS_POISSON]) > DISK_TABLE_POISSON)
+        return usage_error("--poisson: a name of a file is made of it; %d characters at most, as 0.33",
+                           DISK_TABLE_POISSON);
+    const char *directory = o->output                  ? o->output
+                            : o->real[OPTIONS_POISSON] ? DEFAULT_DIRECTORY_OF_MATERIAL
+                                                       : DEFAULT_DIRECTORY;
+    struct content c[CONTENTS] = {{NULL, NULL, 0}};
+    int n = 0, status = o->check ? STATUS_OK : probe_directory(directory);
     if (status == STATUS_OK)
-        status = make_manifest(&c[FILES], c);
+        status = make_all(c, &n, o);
     if (status == STATUS_OK)
-        status = o->check ? check_all(c, directory) : write_all(c, directory);
-    for (int i = 0; i <= FILES && status == STATUS_OK; i++)
+        status = o->check ? check_all(c, n, directory) : write_all(c, n, directory);
+    for (int i = 0; i < n && status == STATUS_OK; i++)
         printf("%s %s/%s: %zu bytes\n", o->check ? "same" : "wrote", directory, c[i].name, c[i].size);
     if (fflush(stdout) && status == STATUS_OK)
         status = fail("standard output: %s", strerror(errno));
-    for (int i = 0; i <= FILES; i++)
+    for (int i = 0; i < CONTENTS; i++)
         free(c[i].text);
     sphere_tables_clear();
+    disk_tables_clear();
     return status;
 }

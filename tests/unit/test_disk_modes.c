@@ -1,0 +1,357 @@
+/* SPDX-License-Identifier: MIT */
+/* The mode tables of the library as a user sees them, and mode files: what is read is what was written, and what was
+ * harmed is refused at its line. That every number is right is proved in tests/table/test_disk_modes.c. */
+#define _XOPEN_SOURCE 700 /* mkstemp, P_tmpdir */
+
+#include "check.h"
+
+#include <unistd.h>
+
+#include <cor/disk.h>
+#include <cor/status.h>
+
+enum { CAPACITY = 1800, LINE_MAX_LENGTH = 256, MODES_OF_FILE = 40, FIRST_MODE_LINE = 5 };
+
+static char path[] = P_tmpdir "/cor-disk-modes-XXXXXX";
+
+/* ---- tables ---- */
+
+/* Found by another program; 0 where it printed no such number. */
+static const struct {
+    const struct cor_disk_modes *modes;
+    struct cor_disk_mode mode;
+} known[] = {
+    {&cor_disk_modes_nu033, {2, 0, 1.43853032762639, 1.38881532256, -0.44144949742}},
+    {&cor_disk_modes_nu033, {1, 0, 1.68910178466690, 0, 0}},
+    {&cor_disk_modes_nu033, {0, 0, 2.19004806589272, 0, 0}},
+    {&cor_disk_modes_nu033, {3, 0, 2.21008494893776, 0, 0}},
+    {&cor_disk_modes_nu090, {2, 0, 1.20715112596031, 0, 0}},
+    {&cor_disk_modes_nu090, {1, 0, 1.55121637766142, 0, 0}},
+    {&cor_disk_modes_nu090, {3, 0, 1.86897856327933, 0, 0}},
+};
+
+static const struct cor_disk_mode *find(const struct cor_disk_modes *modes, int n, int l)
+{
+    for (size_t i = 0; i < modes->count; i++)
+        if (modes->mode[i].n == n && modes->mode[i].l == l)
+            return &modes->mode[i];
+    fail_msg("mode (%d,%d) is missing", n, l);
+    return NULL;
+}
+
+static void known_modes(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        const struct cor_disk_mode *const m = find(known[i].modes, known[i].mode.n, known[i].mode.l);
+        check(fabs(m->omega - known[i].mode.omega) < 1e-14, "omega of (%d,%d): %.17g", m->n, m->l, m->omega);
+        if (known[i].mode.c > 0)
+            check(fabs(m->c - known[i].mode.c) < 1e-11 && fabs(m->s - known[i].mode.s) < 1e-11, "C, S of (%d,%d)", m->n,
+                  m->l);
+    }
+}
+
+/* Order, none twice, l counted from 0 without a gap, the sign, the normalisation (26), the number of modes below a
+ * frequency and the sum of C^2. */
+static void tables_are_whole(void **state)
+{
+    (void)state;
+    const struct cor_disk_modes *const tables[] = {&cor_disk_modes_nu033, &cor_disk_modes_nu090};
+    const double nu[] = {0.33, 0.9};
+    const int highest_n[] = {109, 119};
+    for (int k = 0; k < 2; k++) {
+        const struct cor_disk_modes *const t = tables[k];
+        int next[200] = {0}, highest = 0;
+        double sum = 0;
+        assert_true(same_bits(t->nu, nu[k]));
+        assert_int_equal(t->count, CAPACITY);
+        for (size_t i = 0; i < t->count; i++) {
+            const struct cor_disk_mode *const m = &t->mode[i];
+            assert_in_range(m->n, 0, 199);
+            check(m->l == next[m->n]++, "(%d,%d) is out of turn", m->n, m->l);
+            check(i == 0 || m->omega > m[-1].omega, "(%d,%d) is out of order", m->n, m->l);
+            check(m->c > 0 && (m->n > 0 || m->s == 0), "sign of (%d,%d)", m->n, m->l);
+            const double radial = m->c + m->n * m->s, square = m->omega * m->omega;
+            const double norm =
+                m->n > 0 ? square * (m->c * m->c + m->s * m->s) - radial * radial : 2 * (m->c * m->c * (square - 1));
+            check(fabs(norm - 2 * square) < 1e-12 * square * (2 + m->s * m->s), "(%d,%d): %.17g", m->n, m->l,
+                  norm / square);
+            sum += m->c * m->c;
+            highest = m->n > highest ? m->n : highest;
+        }
+        const double cutoff = t->mode[t->count - 1].omega;
+        const double weyl = ((1 - nu[k] * nu[k]) + 2 * (1 + nu[k])) * cutoff * cutoff / 8;
+        check(fabs((double)t->count / weyl - 1) < 0.05, "Weyl: %g", weyl);
+        check(fabs(sum / (cutoff * cutoff) - 1) < 0.03, "sum of C^2: %g, omega^2 %g", sum, cutoff * cutoff);
+        assert_int_equal(highest, highest_n[k]);
+    }
+}
+
+/* ---- files ---- */
+
+struct text {
+    char *bytes;
+    size_t length;
+    uint32_t check;
+};
+
+static uint32_t hash(uint32_t check, const char *bytes, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        check ^= (unsigned char)bytes[i];
+        check *= 16777619u;
+    }
+    return check;
+}
+
+/* One line and its check. */
+static void add_line(struct text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void add_line(struct text *t, const char *format, ...)
+{
+    char line[LINE_MAX_LENGTH];
+    va_list arguments;
+    va_start(arguments, format);
+    int n = vsnprintf(line, sizeof line - 12, format, arguments);
+    va_end(arguments);
+    line[n++] = ' ';
+    t->check = hash(t->check, line, (size_t)n);
+    n += snprintf(line + n, sizeof line - (size_t)n, "%08lx\n", (unsigned long)t->check);
+    t->check = hash(t->check, line + n - 9, 9);
+    memcpy(t->bytes + t->length, line, (size_t)n);
+    t->length += (size_t)n;
+}
+
+static void add_mode(struct text *t, const struct cor_disk_mode *m)
+{
+    add_line(t, "mode %d %d %a %a %a", m->n, m->l, m->omega, m->c, m->s);
+}
+
+static struct text start(void)
+{
+    const size_t room = (CAPACITY + 10) * LINE_MAX_LENGTH;
+    return (struct text){test_malloc(room), 0, 2166136261u};
+}
+
+static struct text with_header(size_t count)
+{
+    struct text t = start();
+    add_line(&t, "cor-disk-modes 1");
+    add_line(&t, "source a test");
+    add_line(&t, "poisson %a 0.33", 0.33);
+    add_line(&t, "modes %zu", count);
+    return t;
+}
+
+static struct text file_of(const struct cor_disk_modes *modes, size_t count)
+{
+    struct text t = with_header(count);
+    for (size_t i = 0; i < count; i++)
+        add_mode(&t, &modes->mode[i]);
+    add_line(&t, "end");
+    return t;
+}
+
+static void put_file(const char *bytes, size_t length)
+{
+    FILE *const file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, length, file), length);
+    assert_int_equal(fclose(file), 0);
+}
+
+static struct cor_disk_mode room[CAPACITY];
+
+/* Reads it, and nothing of *modes may change. */
+static void refused(const char *bytes, size_t length, int expected, size_t expected_line, const char *what)
+{
+    struct cor_disk_modes modes = {7, 7, NULL};
+    size_t line = 77;
+    put_file(bytes, length);
+    const int status = cor_disk_modes_read(path, room, CAPACITY, &modes, &line);
+    check(status == expected && line == expected_line, "%s: status %d, line %zu, not %d, %zu", what, status, line,
+          expected, expected_line);
+    assert_true(modes.nu == 7 && modes.count == 7 && modes.mode == NULL);
+}
+
+static void refused_text(struct text *t, size_t expected_line, const char *what)
+{
+    refused(t->bytes, t->length, COR_ERROR_FILE_DAMAGED, expected_line, what);
+    test_free(t->bytes);
+}
+
+static size_t line_at(const struct text *t, size_t at)
+{
+    size_t line = 1;
+    for (size_t i = 0; i < at; i++)
+        line += t->bytes[i] == '\n';
+    return line;
+}
+
+static void reads_what_was_written(void **state)
+{
+    (void)state;
+    for (size_t count = 1; count <= CAPACITY; count = count == 1 ? CAPACITY : count + 1) {
+        struct text t = file_of(&cor_disk_modes_nu033, count);
+        struct cor_disk_modes modes = {0, 0, NULL};
+        size_t line = 77;
+        put_file(t.bytes, t.length);
+        /* how many there are, then all of them */
+        assert_int_equal(cor_disk_modes_read(path, NULL, 0, &modes, NULL), COR_ERROR_CAPACITY);
+        assert_int_equal(modes.count, count);
+        assert_int_equal(cor_disk_modes_read(path, room, count - 1, &modes, &line), COR_ERROR_CAPACITY);
+        assert_int_equal(line, 0);
+        assert_int_equal(cor_disk_modes_read(path, room, count, &modes, &line), COR_OK);
+        assert_true(modes.mode == room && modes.count == count && same_bits(modes.nu, 0.33) && line == 0);
+        for (size_t i = 0; i < count; i++) {
+            const struct cor_disk_mode *const a = &room[i], *const b = &cor_disk_modes_nu033.mode[i];
+            assert_true(a->n == b->n && a->l == b->l && same_bits(a->omega, b->omega) && same_bits(a->c, b->c) &&
+                        same_bits(a->s, b->s));
+        }
+        test_free(t.bytes);
+    }
+}
+
+/* Any byte made any other, anywhere; any end too early; anything after the end. */
+static void harmed_bytes(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    struct text t = file_of(&cor_disk_modes_nu033, MODES_OF_FILE);
+    const size_t first_line = (size_t)(strchr(t.bytes, '\n') - t.bytes);
+    for (size_t k = 0; k < points(4000); k++) {
+        const size_t at = first_line + 1 + (size_t)random_uniform(&random, 0, (double)(t.length - first_line - 1));
+        const char before = t.bytes[at];
+        t.bytes[at] = (char)((int)before ^ (1 + (int)random_uniform(&random, 0, 255)));
+        if (t.bytes[at] != before)
+            refused(t.bytes, t.length, COR_ERROR_FILE_DAMAGED, line_at(&t, at), "one byte");
+        t.bytes[at] = before;
+    }
+    for (size_t length = first_line + 1; length < t.length; length += length < 400 ? 1 : 61)
+        refused(t.bytes, length, COR_ERROR_FILE_DAMAGED, line_at(&t, length), "truncated");
+    refused(t.bytes, t.length - 1, COR_ERROR_FILE_DAMAGED, FIRST_MODE_LINE + MODES_OF_FILE, "no last line end");
+    const size_t lines = FIRST_MODE_LINE + MODES_OF_FILE;
+    t.bytes[t.length] = '\n';
+    refused(t.bytes, t.length + 1, COR_ERROR_FILE_DAMAGED, lines + 1, "one byte more");
+    test_free(t.bytes);
+}
+
+static void first_line(void **state)
+{
+    (void)state;
+    static const char *const others[] = {"",
+                                         "\n",
+                                         "cor-disk-modes",
+                                         "cor-disk-modes 2 00000000\n",
+                                         "#!/bin/sh\n",
+                                         "cor-disk-modes 11 00000000\n",
+                                         "n,l,omega,C,S\n"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        refused(others[i], strlen(others[i]), COR_ERROR_FILE_VERSION, 1, others[i]);
+    struct text t = start();
+    add_line(&t, "cor-disk-modes 2");
+    refused(t.bytes, t.length, COR_ERROR_FILE_VERSION, 1, "version 2 in good order");
+    test_free(t.bytes);
+    static const char damaged[] = "cor-disk-modes 1 00000000\n";
+    refused(damaged, strlen(damaged), COR_ERROR_FILE_DAMAGED, 1, "version 1 with a wrong check");
+}
+
+/* Right checks around what no writer writes. */
+static void harmed_lines(void **state)
+{
+    (void)state;
+    const struct cor_disk_mode *const m = cor_disk_modes_nu033.mode;
+    struct text t;
+    static const char *const poisson[] = {"0x1p+0 1",    "-0x1p+0 -1", "0x1.8p+1 3", "0.33 0.33", "0x1.5p-2",   "nan 0",
+                                          "0x1p+1024 0", " 0x1p-2 0",  "0x2p-3 0",   "0x1.p-2",   "0x1p-1023 0"};
+    for (size_t i = 0; i < sizeof poisson / sizeof *poisson; i++) {
+        t = start();
+        add_line(&t, "cor-disk-modes 1");
+        add_line(&t, "source a test");
+        add_line(&t, "poisson %s", poisson[i]);
+        refused_text(&t, 3, poisson[i]);
+    }
+    static const char *const count[] = {"0", "-1", "18446744073709551616", "1 ", "1x", "0x1", ""};
+    for (size_t i = 0; i < sizeof count / sizeof *count; i++) {
+        t = start();
+        add_line(&t, "cor-disk-modes 1");
+        add_line(&t, "source a test");
+        add_line(&t, "poisson 0x1p-2 0.25");
+        add_line(&t, "modes %s", count[i]);
+        refused_text(&t, 4, count[i]);
+    }
+    static const char *const row[] = {"mode 2 0 0x1p+0 0x1p+0 0x1p+0",
+                                      "mode 2 0 0x1p+0",
+                                      "modes 2 0",
+                                      "2 0",
+                                      "mode 0 0 0x1p+1 0x1p+0 0x0p+0",
+                                      "mode 0 0 -0x1p+1 0x1p+0 0x0p+0",
+                                      "mode -2 0 0x1p+0 0x1",
+                                      "mode 2147483648 0"};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        t = with_header(1);
+        add_line(&t, "%s", row[i]);
+        add_line(&t, "end");
+        refused_text(&t, FIRST_MODE_LINE, row[i]);
+    }
+    t = with_header(2); /* out of order */
+    add_mode(&t, &m[1]);
+    add_mode(&t, &m[0]);
+    add_line(&t, "end");
+    refused_text(&t, FIRST_MODE_LINE + 1, "out of order");
+    t = with_header(2); /* twice */
+    add_mode(&t, &m[0]);
+    add_mode(&t, &m[0]);
+    add_line(&t, "end");
+    refused_text(&t, FIRST_MODE_LINE + 1, "twice");
+    t = with_header(1); /* more than promised */
+    add_mode(&t, &m[0]);
+    add_mode(&t, &m[1]);
+    add_line(&t, "end");
+    refused_text(&t, FIRST_MODE_LINE + 1, "one too many");
+    t = with_header(2); /* fewer */
+    add_mode(&t, &m[0]);
+    add_line(&t, "end");
+    refused_text(&t, FIRST_MODE_LINE + 1, "one too few");
+    const double wrong[] = {1 + 1e-10, -1, 0};
+    for (int i = 0; i < 3; i++) /* a number that no mode has: (26) */
+        for (int k = 0; k < 3; k++) {
+            struct cor_disk_mode harmed = m[k];
+            harmed.c *= wrong[i];
+            if (i == 1 && harmed.n == 0)
+                continue; /* a sign is free there */
+            t = with_header(1);
+            add_mode(&t, &harmed);
+            add_line(&t, "end");
+            refused_text(&t, FIRST_MODE_LINE, "C is wrong");
+        }
+}
+
+static void no_file(void **state)
+{
+    (void)state;
+    struct cor_disk_modes modes = {7, 7, NULL};
+    size_t line = 77;
+    assert_int_equal(cor_disk_modes_read("no such directory/no such file", room, CAPACITY, &modes, &line),
+                     COR_ERROR_FILE);
+    assert_int_equal(line, 0);
+    assert_int_equal(cor_disk_modes_read(".", room, CAPACITY, &modes, &line), COR_ERROR_FILE);
+    assert_int_equal(cor_disk_modes_read(NULL, room, CAPACITY, &modes, &line), COR_ERROR_NULL);
+    assert_int_equal(cor_disk_modes_read(path, room, CAPACITY, NULL, &line), COR_ERROR_NULL);
+    assert_int_equal(cor_disk_modes_read(path, NULL, 1, &modes, &line), COR_ERROR_NULL);
+    assert_true(modes.nu == 7 && modes.count == 7 && modes.mode == NULL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(known_modes),  cmocka_unit_test(tables_are_whole), cmocka_unit_test(reads_what_was_written),
+        cmocka_unit_test(harmed_bytes), cmocka_unit_test(first_line),       cmocka_unit_test(harmed_lines),
+        cmocka_unit_test(no_file),
+    };
+    const int descriptor = mkstemp(path);
+    if (descriptor < 0 || close(descriptor))
+        return 1;
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    remove(path);
+    return failed;
+}
