@@ -3,9 +3,6 @@
 
 /* Below, the series; above, where the subtraction in t - ln(1 + t) loses two bits at most, iteration. */
 #define SERIES_END 0.1
-/* Below, q^2 is nothing beside q. */
-#define TINY COR_INLINE_2_500
-
 /* t - p for p = sqrt(2 q) <= sqrt(0.2): sum of a_n p^n from n = 2, where t dt/dp = p (1 + t) gives
  *     a_1 = 1,     (n + 1) a_n = a_(n-1) - sum_(i=2)^(n-1) (n + 1 - i) a_i a_(n+1-i).
  * It converges for p < sqrt(4 pi); what is left out is below 2^-57 p. */
@@ -20,12 +17,12 @@ static double series_rest(double p)
                                1.0 / 204120,
                                -571.0 / 2351462400,
                                -281.0 / 1515591000,
-                               163879.0 / 2172751257600,
-                               -5221.0 / 354648294000,
-                               5246819.0 / 10168475885568000,
-                               5459.0 / 7447614174000,
-                               -534703531.0 / 1830325659402240000,
-                               91207079.0 / 1595278956070800000};
+                               163879.0 / 2172751257600.0,
+                               -5221.0 / 354648294000.0,
+                               5246819.0 / 10168475885568000.0,
+                               5459.0 / 7447614174000.0,
+                               -534703531.0 / 1830325659402240000.0,
+                               91207079.0 / 1595278956070800000.0};
     const double p2 = p * p, p4 = p2 * p2;
     const double low = ((a[0] + a[1] * p) + (a[2] + a[3] * p) * p2) + ((a[4] + a[5] * p) + (a[6] + a[7] * p) * p2) * p4;
     const double high = ((a[8] + a[9] * p) + (a[10] + a[11] * p) * p2) + ((a[12] + a[13] * p) + a[14] * p2) * p4;
@@ -79,4 +76,55 @@ double cor_lambert_t(double q)
     parts.lo = 0;
     const struct cor_inline_pair t = cor_lambert_t_pair(parts);
     return t.hi + t.lo;
+}
+
+struct cor_inline_pair cor_log_ratio_far(struct cor_inline_pair log_a, double x)
+{
+    /* the upper 42 bits of ln 2, so that its product with an exponent is exact, and the rest */
+    const double ln2 = 0.69314718055989033019, ln2_rest = 5.4979230187083711747e-14;
+    const uint64_t bias = UINT64_C(1023) << 52, root_half = UINT64_C(0x3fe6a09e00000000);
+    int exponent = -1023;
+    if (x < COR_INLINE_2_M900) {
+        x *= COR_INLINE_2_200;
+        exponent -= 200;
+    }
+    /* x = m 2^exponent, sqrt(1/2) < m < sqrt(2) */
+    const uint64_t bits = cor_inline_bits(x), power = (bits + (bias - root_half)) >> 52;
+    exponent += (int)power;
+    const double m = cor_inline_from_bits(bits - (power << 52) + bias);
+    const struct cor_inline_pair large = cor_two_sum(log_a.hi, -exponent * ln2), all = cor_two_sum(large.hi, -log(m));
+    return cor_inline_sum(all.hi, all.lo + (large.lo + (log_a.lo - exponent * ln2_rest)));
+}
+
+struct cor_inline_pair cor_log_ratio_near(struct cor_inline_pair a, double x)
+{
+    struct cor_inline_pair q;
+    const double difference = (a.hi - x) + a.lo; /* one rounding: the first subtraction is exact */
+    if (!(difference >= 0)) {
+        q.hi = q.lo = NAN;
+        return q;
+    }
+    const double d = difference / x;
+    q.hi = log1p(d);
+    q.lo = 0;
+    if (d > COR_INLINE_2_M500) { /* what the quotient lacks */
+        const struct cor_inline_pair back = cor_inline_product(d, x);
+        q.lo = ((difference - back.hi) - back.lo) / (x + difference);
+    }
+    return q;
+}
+
+struct cor_inline_pair cor_log_ratio(const struct cor_logarithm *a, double x)
+{
+    const struct cor_inline_pair q = cor_log_ratio_far(a->log, x);
+    return q.hi > COR_LOG_RATIO_NEAR ? q : cor_log_ratio_near(a->number, x);
+}
+
+double cor_lambert_w_minus1(double z)
+{
+    static const struct cor_logarithm one_over_e = {{0.367879441171442334, -1.24287536727883626e-17}, {-1, 0}};
+    if (!(z < 0))
+        return z == 0 ? -INFINITY : NAN;
+    const struct cor_inline_pair t = cor_lambert_t_pair(cor_log_ratio(&one_over_e, -z)), y = cor_two_sum(1, t.hi);
+    return -(y.hi + (y.lo + t.lo));
 }

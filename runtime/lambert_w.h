@@ -16,4 +16,32 @@ struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q);
 /* The same as one double, below 2 ulp */
 double cor_lambert_t(double q);
 
+/* W_-1(z), -1/e < z < 0, z taken as it is: relative error below 1 ulp, sampled. -0 and 0 -> -inf; outside, NaN -> NaN. */
+double cor_lambert_w_minus1(double z);
+
+/* The sum of any two numbers, exact */
+COR_INLINE struct cor_inline_pair cor_two_sum(double x, double y)
+{
+    struct cor_inline_pair sum;
+    sum.hi = x + y;
+    const double part = sum.hi - x;
+    sum.lo = (x - (sum.hi - part)) + (y - part);
+    return sum;
+}
+
+/* A number and its logarithm, each to 2^-104. */
+struct cor_logarithm {
+    struct cor_inline_pair number, log;
+};
+
+/* ln(a/x), 0 < x, from ln(a), to 2^-54 absolute and 2^-53 relative where it is large. */
+struct cor_inline_pair cor_log_ratio_far(struct cor_inline_pair log_a, double x);
+/* Below this value of the above, the one below is good. */
+#define COR_LOG_RATIO_NEAR 0.5
+/* ln(a/x) from a, to 2^-53 relative: x <= a, however close, and a < 2 x; NaN for x > a. */
+struct cor_inline_pair cor_log_ratio_near(struct cor_inline_pair a, double x);
+
+/* ln(a/x) by the one or the other, 0 < x <= a; NaN for x > a and NaN. */
+struct cor_inline_pair cor_log_ratio(const struct cor_logarithm *a, double x);
+
 #endif
