@@ -258,11 +258,13 @@ double cor_disk_max_compression(double speed, double nu, enum cor_disk_datum dat
     return times(speed, cor_inline_pair_over(numerator, pair_sqrt(one_plus(t))));
 }
 
-/* exp(u) - 1 - u, u >= 0, to 3 ulp */
-static double exp_less_two_terms(double u, double exp_u)
+/* exp(u) - 1 - u, 0 <= u < 100, to 3 ulp; to u/3 where u is tiny and so is its part of the integral below */
+static double exp_less_two_terms(double u)
 {
     if (u >= 1)
-        return (exp_u - 1) - u;
+        return (exp(u) - 1) - u;
+    if (u < COR_INLINE_2_M40)
+        return u * u / 2;
     /* 2/(k + 2)! */
     static const double c[] = {1,
                                1.0 / 3,
@@ -314,8 +316,7 @@ static double contact_time(double t)
         const double m = expm1(k * step), u = c / 4 * (m * m / (1 + m));
         if (u > end)
             break;
-        const double exp_u = exp(u);
-        const double f = (t + u) * sqrt(u * (u + c) / (y * exp_less_two_terms(u, exp_u) + t * u));
+        const double f = (t + u) * sqrt(u * (u + c) / (y * exp_less_two_terms(u) + t * u));
         const pair next = cor_two_sum(sum.hi, f);
         sum.hi = next.hi;
         sum.lo += next.lo;

@@ -229,11 +229,8 @@ static const struct law {
     [LAW_ENERGY] = {"energy", cor_disk_energy, cor_disk_load_limit, LOAD, {0.5, 0.1, 3}},
     [LAW_LOAD_OF_ENERGY] = {"load_of_energy", cor_disk_load_of_energy, cor_disk_energy_limit, ENERGY, {0.5, 0.1, 3}},
     [LAW_MAX_LOAD] = {"max_load", cor_disk_max_load, cor_disk_speed_limit, SPEED, {0.5, 0.05, 1.5}},
-    [LAW_MAX_COMPRESSION] = {"max_compression",
-                             cor_disk_max_compression,
-                             cor_disk_speed_limit,
-                             SPEED,
-                             {0.5, 0.05, 1.5}},
+    [LAW_MAX_COMPRESSION] =
+        {"max_compression", cor_disk_max_compression, cor_disk_speed_limit, SPEED, {0.5, 0.05, 1.5}},
 };
 
 /* Where the code changes its units */
@@ -362,8 +359,8 @@ static int search_limits(unsigned long points)
 static const struct leading {
     const char *name;
     double (*value)(double);
-    int four_pi;              /* the logarithm is ln(4 pi/x), or ln(4/x) */
-    int pi, argument, log;    /* exponents of the factors, that of the logarithm times two */
+    int four_pi;           /* the logarithm is ln(4 pi/x), or ln(4/x) */
+    int pi, argument, log; /* exponents of the factors, that of the logarithm times two */
     int halved;
     double end;
 } leading[] = {
@@ -491,7 +488,7 @@ static int search_lambert(unsigned long points)
     }
     arb_clear(x);
     arb_clear(y);
-    return report("t of q", &worst_t, 2, "ulp") & report("W_-1", &worst_w, 1, "ulp");
+    return report("t of q", &worst_t, 2, "ulp") & report("W_-1", &worst_w, 2, "ulp");
 }
 
 /* ---- contact time ---- */
