@@ -6,7 +6,6 @@
 
 #include <limits.h>
 
-#include <cor/cor.h>
 #include <cor/disk.h>
 
 typedef double law_function(double, double, enum cor_disk_datum);
