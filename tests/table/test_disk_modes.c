@@ -183,7 +183,7 @@ static void find_root(arb_t omega, struct bessel *k, struct bessel *k1, const st
             (i ? arb_add : arb_sub)(end[i], omega, at, PREC);
             equation(f[i], k, k1, m, mode->n, end[i]);
             if (i == rises ? !arb_is_positive(f[i]) : !arb_is_negative(f[i]))
-                fail_msg("omega of (%d,%d) is not enclosed", mode->n, mode->l);
+                {arb_fprintn(stderr,f[0],20,0);arb_fprintn(stderr,f[1],20,0);fail_msg("omega of (%d,%d) is not enclosed %d %d", mode->n, mode->l,step,i);}
         }
     }
     arb_union(omega, end[0], end[1], PREC);
