@@ -40,7 +40,8 @@ static void bessel_clear(struct bessel *b)
         arb_clear(&b->j[i]);
 }
 
-/* By the middle of z, for the series of a ball lose exp(z) in width; no J_n is steeper than 1. */
+/* With the bits that the series loses at large z. Where J_n is small, below n, the series of a ball are as narrow as the
+ * ball; beyond, they are exp(z) wider, but no J_n is steeper than 1. */
 static void bessel_j(arb_t j, slong n, const arb_t z)
 {
     arb_t order, middle;
@@ -48,8 +49,10 @@ static void bessel_j(arb_t j, slong n, const arb_t z)
     arb_init(middle);
     arb_set_si(order, n);
     arb_get_mid_arb(middle, z);
-    arb_hypgeom_bessel_j(j, order, middle, PREC);
-    arb_add_error_mag(j, arb_radref(z));
+    const slong whole = arf_get_si(arb_midref(middle), ARF_RND_UP);
+    arb_hypgeom_bessel_j(j, order, whole < n ? z : middle, PREC + 2 * whole);
+    if (whole >= n)
+        arb_add_error_mag(j, arb_radref(z));
     arb_clear(order);
     arb_clear(middle);
 }
@@ -156,7 +159,7 @@ static void half_way(arb_t y, double x, double towards)
     arb_clear(t);
 }
 
-/* Proves that the double is the nearest to a root, and encloses that to 200 bits. */
+/* Proves that the double is the nearest to a root, and encloses that to 180 bits. */
 static void find_root(arb_t omega, struct bessel *k, struct bessel *k1, const struct material *m,
                       const struct cor_disk_mode *mode)
 {
@@ -171,7 +174,7 @@ static void find_root(arb_t omega, struct bessel *k, struct bessel *k1, const st
     if (arb_contains_zero(f[0]) || arb_contains_zero(f[1]) || arb_is_positive(f[0]) == arb_is_positive(f[1]))
         fail_msg("omega of (%d,%d) is not the double nearest to a root", mode->n, mode->l);
     const int rises = arb_is_positive(f[1]);
-    static const slong root_bits[STEPS] = {76, 130, 200};
+    static const slong root_bits[STEPS] = {76, 130, 180};
     for (int step = 0; step < STEPS; step++) {
         arb_sub(f[1], f[1], f[0], PREC);
         arb_div(f[0], f[0], f[1], PREC);
@@ -183,7 +186,7 @@ static void find_root(arb_t omega, struct bessel *k, struct bessel *k1, const st
             (i ? arb_add : arb_sub)(end[i], omega, at, PREC);
             equation(f[i], k, k1, m, mode->n, end[i]);
             if (i == rises ? !arb_is_positive(f[i]) : !arb_is_negative(f[i]))
-                {arb_fprintn(stderr,f[0],20,0);arb_fprintn(stderr,f[1],20,0);fail_msg("omega of (%d,%d) is not enclosed %d %d", mode->n, mode->l,step,i);}
+                fail_msg("omega of (%d,%d) is not enclosed", mode->n, mode->l);
         }
     }
     arb_union(omega, end[0], end[1], PREC);
