@@ -19,6 +19,7 @@
 #include <flint/acb_poly.h>
 #include <flint/arb.h>
 #include <flint/arb_fmpz_poly.h>
+#include <flint/arb_hypgeom.h>
 #include <flint/arb_mat.h>
 #include <flint/arb_poly.h>
 #include <flint/arf.h>
@@ -28,6 +29,7 @@
 #include <acb_poly.h>
 #include <arb.h>
 #include <arb_fmpz_poly.h>
+#include <arb_hypgeom.h>
 #include <arb_mat.h>
 #include <arb_poly.h>
 #include <arf.h>

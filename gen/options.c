@@ -53,7 +53,7 @@ static const struct rule rules[] = {
      "an order needs all below it, and their cost grows faster than its cube"},
     {"terms", KEY_TERMS, true, 0, OPTIONS_MAX_TERMS, "the exact rationals of more terms outgrow any memory"},
     {"digits", KEY_DIGITS, true, 1, OPTIONS_MAX_DIGITS, "the arithmetic of more digits outgrows any patience"},
-    {"count", KEY_COUNT, true, 1, OPTIONS_MAX_COUNT, "the time grows like the power 3/2 of it, past days"},
+    {"count", KEY_COUNT, true, 1, OPTIONS_MAX_COUNT, "the time grows like the power 3/2 of it, past ten hours"},
     {"numerator", KEY_NUMERATOR, true, 0, OPTIONS_MAX_DEGREE, "a degree needs a linear system of that size"},
     {"denominator", KEY_DENOMINATOR, true, 0, OPTIONS_MAX_DEGREE, "a degree needs a linear system of that size"},
     {"beta", KEY_BETA, true, 0, 0, NULL},
