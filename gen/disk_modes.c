@@ -87,7 +87,8 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
         arb_sub_si(next, step, 1, prec);
         arb_mul(next, next, w, prec);
         arf_neg(arb_midref(w), arb_midref(next));
-        const slong gained = -arf_abs_bound_lt_2exp_si(arb_midref(step));
+        const bool exact = arf_cmpabs_2exp_si(arb_midref(step), -full) < 0;
+        const slong gained = exact ? full : -arf_abs_bound_lt_2exp_si(arb_midref(step));
         if (gained < NEWTON_SLACK || !arb_is_positive(w))
             break;
         if (prec == full && 2 * gained >= full + NEWTON_SLACK) {

@@ -616,7 +616,7 @@ static void test_orders(void **state)
         for (int k = 0; k < 40; k++) {
             const double omega = random_log(&random, 0.5, 500);
             const slong orders = disk_orders(omega);
-            assert_true((double)orders * (double)(orders - 1) >= 10 * omega * omega && orders < 4 * omega + 4);
+            assert_true((double)orders * (double)(orders - 1) >= 10 * omega * omega && (double)orders < 4 * omega + 4);
             arb_set_d(w, omega);
             arb_mul(w, w, w, 128);
             for (slong n = orders; n < orders + 3; n++)
