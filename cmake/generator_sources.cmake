@@ -11,6 +11,7 @@ set(COR_GENERATOR_SOURCES
   gen/console.c
   gen/digits.c
   gen/disk_equation.c
+  gen/disk_estimate.c
   gen/disk_modes.c
   gen/disk_tables.c
   gen/embed_choose.c

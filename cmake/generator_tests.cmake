@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
 # The tests of the generator: add tests/gen/test_<stem>.c, add <stem> here.
-set(COR_GENERATOR_TESTS collision digits embed emit interpolant pade pieces published series taylor trajectory)
+set(COR_GENERATOR_TESTS collision digits disk_modes embed emit interpolant pade pieces published series taylor trajectory)

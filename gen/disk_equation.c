@@ -12,13 +12,13 @@
  *     T0 = e d D - s k D - 2 K d,   T1 = d D,   T2 = h H
  *
  * is the frequency equation (25) divided by g, in which nothing cancels where nu is next to -1 or 1. */
-enum { START_BITS = 8, DOUBLE_BITS = 56 };
+enum { START_BITS = 8 };
 
 /* ---- Bessel functions ---- */
 
-/* An m > n from which a_m in [z/(2(m+1)), z/(m+1)], which holds for kappa <= m + 1, gives a_n to `bits` bits: the error
- * shrinks by (J_{m+1}/J_m)^2 a step, and -ln J_m grows from m = kappa on like m arcosh(m/kappa) - sqrt(m^2 - kappa^2). */
-static slong ladder_start(slong n, double kappa, slong bits)
+/* The error of a_m shrinks by (J_{m+1}/J_m)^2 a step, and -ln J_m grows from m = kappa on like
+ * m arcosh(m/kappa) - sqrt(m^2 - kappa^2). */
+slong disk_ladder_start(slong n, double kappa, slong bits)
 {
     const double low = fmax((double)n + 1, ceil(kappa));
     const double x = low / kappa;
@@ -68,7 +68,7 @@ static int wave_set(struct wave *a, slong n, slong prec)
     mag_init(half);
 
     arb_get_mag(half, a->z);
-    slong m = ladder_start(n + 1, sqrt(mag_get_d(half)), prec);
+    slong m = disk_ladder_start(n + 1, sqrt(mag_get_d(half)), prec);
     arb_div_si(r, a->z, 2 * (m + 1), prec);
     arb_get_mag(half, r);
     mag_mul_2exp_si(half, half, -1);
@@ -442,151 +442,12 @@ int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const ar
     return done;
 }
 
-/* ---- the equation in doubles ---- */
-
-struct wave_double {
-    double z, h, d, k;
-    slong zeros;
-};
-
-static double first_rung(double z, slong m)
-{
-    return 0.75 * z / (double)(m + 1);
-}
-
-/* a_{m-1} from a_m; counts a sign. */
-static double rung(double a, double z, slong m, slong *negative)
-{
-    const double t = 2 * (double)m - a;
-    *negative += t < 0;
-    return z / t;
-}
-
-static void wave_double_end(struct wave_double *a, double r, slong n)
-{
-    a->k = r / (2 * (double)(n + 1));
-    a->d = 1 - a->k;
-    a->h = 1;
-    a->zeros += a->d < 0;
-    if (fabs(a->d) >= 1) {
-        a->h = 1 / a->d;
-        a->k *= a->h;
-        a->d = 1;
-    }
-}
-
-static void wave_double_set(struct wave_double *a, slong n)
-{
-    slong m = ladder_start(n + 1, sqrt(a->z), DOUBLE_BITS);
-    double r = first_rung(a->z, m);
-    a->zeros = 0;
-    for (; m > n + 1; m--)
-        r = rung(r, a->z, m, &a->zeros);
-    wave_double_end(a, r, n);
-}
-
-static struct wave_double wave_double_derivative(const struct wave_double *a, slong n)
-{
-    const double N = (double)(n + 1);
-    const double x = a->z * a->h * a->h / (4 * N) - N * a->d * a->k;
-    return fabs(a->d) < 1 ? (struct wave_double){.h = 0, .d = -x, .k = x}
-                          : (struct wave_double){.h = x, .d = 0, .k = x};
-}
-
-struct products_double {
-    double t[3];
-};
-
-static struct products_double products_double(const struct disk *disk, const struct wave_double *a,
-                                              const struct wave_double *b)
-{
-    const double e = disk->e_double, s = disk->s_double;
-    return (struct products_double){{(e * a->d - s * a->k) * b->d - 2 * b->k * a->d, a->d * b->d, a->h * b->h}};
-}
-
-static double rest_double(struct products_double p, double s, double g, double n)
-{
-    return g / (n + 1) * ((n - 1) * (p.t[1] - s * p.t[2] / 2) + p.t[0] / 2);
-}
-
-static slong count_waves_double(const struct disk *disk, const struct wave_double *a, const struct wave_double *b,
-                                slong order)
-{
-    const double e = disk->e_double, s = disk->s_double;
-    if (order == 0)
-        return a->zeros + (a->h * a->d > 0 && (e * a->d - s * a->k) * a->d < 0);
-    const double n = (double)order, g = b->z / 2;
-    const struct products_double p = products_double(disk, a, b);
-    const double f = rest_double(p, s, g, n) - n * (n - 1) / 2 * p.t[0];
-    const double part = a->z * p.t[2] / (2 * (n + 1));
-    const double det = part + n * (p.t[0] / 2 - 2 * p.t[1]);
-    const double trace = n * ((n - 1) * p.t[1] + p.t[0] / 2) - g * b->h * a->d + part;
-    const double y = (n * b->d - g * b->h / (n + 1)) * b->d;
-    const int open = (f < 0) != (det < 0) ? 1 : (trace < 0) == (det < 0) ? 2 : 0;
-    const int closed = (det < 0) != (a->d * b->d < 0) ? 1 : y > 0 ? 2 : 0;
-    return a->zeros + b->zeros + open - closed + (order > 1);
-}
-
-slong disk_count_double(const struct disk *disk, slong n, double omega)
-{
-    const double g = disk->e_double * omega * omega;
-    struct wave_double a = {.z = disk->s_double * g}, b = {.z = 2 * g};
-    wave_double_set(&a, n);
-    if (n > 0)
-        wave_double_set(&b, n);
-    return count_waves_double(disk, &a, &b, n);
-}
-
-double disk_newton_double(const struct disk *disk, slong n, double omega)
-{
-    const double e = disk->e_double, s = disk->s_double, g = e * omega * omega;
-    struct wave_double a = {.z = s * g}, b = {.z = 2 * g};
-    wave_double_set(&a, n);
-    const struct wave_double da = wave_double_derivative(&a, n);
-    double step;
-    if (n == 0) {
-        step = (e * a.d - s * a.k) / (e * da.d - s * da.k);
-    } else {
-        wave_double_set(&b, n);
-        const struct wave_double db = wave_double_derivative(&b, n);
-        const double half = (double)n * (double)(n - 1) / 2;
-        const struct products_double p = products_double(disk, &a, &b), pa = products_double(disk, &da, &b),
-                                     pb = products_double(disk, &a, &db);
-        const double rest = rest_double(p, s, g, (double)n);
-        const double df =
-            rest + rest_double(pa, s, g, (double)n) + rest_double(pb, s, g, (double)n) - half * (pa.t[0] + pb.t[0]);
-        step = (rest - half * p.t[0]) / df;
-    }
-    return omega * sqrt(1 - step);
-}
-
+/* With t = g/N^2 < 1/5, a_n <= (s g/(2N))(1 + s t) and b_n <= (g/N)(1 + 2 t), and the equation times n >= 2 keeps the sign
+ * it has at omega = 0, being at most -(1 + nu)(n(n-1)/2 - 5 omega^2) there. */
 slong disk_orders(double omega)
 {
     slong n = (slong)(omega * sqrt(10.0)) + 2;
     while ((double)n * (double)(n - 1) < 10 * omega * omega * (1 + 1e-9))
         n++;
     return n;
-}
-
-double disk_total_double(const struct disk *disk, double omega)
-{
-    const double g = disk->e_double * omega * omega;
-    const double z[2] = {disk->s_double * g, 2 * g};
-    const slong orders = disk_orders(omega);
-    slong m = ladder_start(orders, sqrt(z[1]), DOUBLE_BITS);
-    double r[2] = {first_rung(z[0], m), first_rung(z[1], m)};
-    slong zeros[2] = {0, 0};
-    double total = 0;
-    for (; m > 0; m--) {
-        const slong n = m - 1;
-        if (n < orders) {
-            struct wave_double a = {.z = z[0], .zeros = zeros[0]}, b = {.z = z[1], .zeros = zeros[1]};
-            wave_double_end(&a, r[0], n);
-            wave_double_end(&b, r[1], n);
-            total += (double)count_waves_double(disk, &a, &b, n);
-        }
-        for (int i = 0; i < 2; i++)
-            r[i] = rung(r[i], z[i], m, &zeros[i]);
-    }
-    return total;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Free modes of the elastic disk, E = rho = R = 1 in plane stress: the frequency equation, the exact count of its roots
- * and the amplitudes at the rim, in doubles to find the modes and in balls to prove them.
+ * and the amplitudes at the rim, in balls.
  *
  * With w = omega^2, e = 1 + nu, s = 1 - nu, g = e w, the squared arguments are kappa^2 = s g and kappa'^2 = 2 g. Of
  * the Bessel functions only a_m(z) = kappa J_{m+1}(kappa)/J_m(kappa), z = kappa^2, is ever needed: it comes by
@@ -35,14 +35,10 @@ int disk_newton(arb_t step, const struct disk *d, slong n, const arb_t w);
 /* C and S of a mode by (26), (28), C > 0, from a ball around the w of a root. Returns 0 where it is too wide. */
 int disk_amplitudes(arb_t c, arb_t s, const struct disk *d, slong n, const arb_t w);
 
-/* The same in double arithmetic, proved by nothing: counts may be wrong by one next to a root. */
-slong disk_count_double(const struct disk *d, slong n, double omega);
-double disk_newton_double(const struct disk *d, slong n, double omega); /* the next omega */
-
-/* Roots of all n below omega in double arithmetic. */
-double disk_total_double(const struct disk *d, double omega);
-
-/* omega_{n,0}^2 >= n (n - 1)/10 for every n >= 2 and nu: the lowest n from which on no mode is below omega. */
+/* The lowest n from which on no mode is below omega: omega_{n,l}^2 >= n (n - 1)/10 for every n >= 2, l and nu. */
 slong disk_orders(double omega);
+
+/* An m > n from which a_m in [z/(2(m+1)), z/(m+1)], which holds for kappa <= m + 1, gives a_n to `bits` bits. */
+slong disk_ladder_start(slong n, double kappa, slong bits);
 
 #endif

@@ -10,6 +10,7 @@
 #include "console.h"
 #include "digits.h"
 #include "disk_equation.h"
+#include "disk_estimate.h"
 
 /* Bits of omega lost on the way to C and S, and by the ladders; a mode that loses more is computed again. */
 enum {
@@ -87,7 +88,8 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
         arb_sub_si(next, step, 1, prec);
         arb_mul(next, next, w, prec);
         arf_neg(arb_midref(w), arb_midref(next));
-        const slong gained = -arf_abs_bound_lt_2exp_si(arb_midref(step));
+        const bool exact = arf_cmpabs_2exp_si(arb_midref(step), -full) < 0;
+        const slong gained = exact ? full : -arf_abs_bound_lt_2exp_si(arb_midref(step));
         if (gained < NEWTON_SLACK || !arb_is_positive(w))
             break;
         if (prec == full && 2 * gained >= full + NEWTON_SLACK) {
@@ -259,58 +261,11 @@ static void in_parallel(do_func_t f, struct work *work, slong total, const char 
 
 /* ---- where the roots are, in doubles ---- */
 
-static double refine_double(const struct disk *disk, slong n, slong l, double low, double high)
-{
-    enum { HALVINGS = 5, STEPS = 8, HALVINGS_MAX = 60 };
-    for (int i = 0; i < HALVINGS_MAX && high - low > 4 * 0x1p-53 * high; i++) {
-        const double middle = low + (high - low) / 2;
-        if (i >= HALVINGS) {
-            double x = middle;
-            for (int step = 0; step < STEPS; step++) {
-                const double next = disk_newton_double(disk, n, x);
-                if (!(next > low && next < high))
-                    break;
-                if (fabs(next - x) < 0x1p-46 * x)
-                    return next;
-                x = next;
-            }
-        }
-        if (disk_count_double(disk, n, middle) > l)
-            high = middle;
-        else
-            low = middle;
-    }
-    return low + (high - low) / 2;
-}
-
-static void isolate(double *omega, const struct disk *disk, slong n, double low, slong below_low, double high,
-                    slong below_high)
-{
-    const double middle = low + (high - low) / 2;
-    if (below_high - below_low == 1) {
-        omega[below_low] = refine_double(disk, n, below_low, low, high);
-    } else if (high - low < 0x1p-46 * high) {
-        /* inseparable here; the balls will part them */
-        for (slong l = below_low; l < below_high; l++)
-            omega[l] = middle;
-    } else if (below_high > below_low) {
-        slong below = disk_count_double(disk, n, middle);
-        below = below < below_low ? below_low : below > below_high ? below_high : below;
-        isolate(omega, disk, n, low, below_low, middle, below);
-        isolate(omega, disk, n, middle, below, high, below_high);
-    }
-}
-
-static void isolate_order(slong i, void *pointer)
+static void estimate_order(slong i, void *pointer)
 {
     const struct work *work = pointer;
     const slong n = work->first + i;
-    struct order_roots *roots = &work->order[n];
-    const slong count = disk_count_double(work->disk, n, work->omega);
-    roots->count = count > 0 ? count : 0;
-    roots->omega = xmalloc((size_t)roots->count * sizeof *roots->omega);
-    isolate(roots->omega, work->disk, n, sqrt((double)n * (double)(n > 0 ? n - 1 : 0) / 10.5), 0, work->omega,
-            roots->count);
+    work->order[n].omega = disk_estimate_roots(&work->order[n].count, work->disk, n, work->omega);
 }
 
 static int by_omega_double(const void *a, const void *b)
@@ -328,13 +283,13 @@ static double upper_end(const struct disk *disk, slong count)
 {
     const double wanted = (double)count + 1, enough = wanted + 2 + wanted / 1000;
     double low = 0, high = 1;
-    while (disk_total_double(disk, high) < wanted) {
+    while (disk_estimate_total(disk, high) < wanted) {
         low = high;
         high *= 2;
     }
     while (high - low > 1e-12 * high) {
         const double middle = low + (high - low) / 2;
-        const double total = disk_total_double(disk, middle);
+        const double total = disk_estimate_total(disk, middle);
         if (total < wanted)
             low = middle;
         else
@@ -351,7 +306,7 @@ static struct candidate *candidates(slong *found, const struct disk *disk, slong
     struct work work = {.disk = disk, .omega = upper_end(disk, count)};
     const slong orders = disk_orders(work.omega);
     work.order = xmalloc((size_t)orders * sizeof *work.order);
-    in_parallel(isolate_order, &work, orders, "finding modes, n");
+    in_parallel(estimate_order, &work, orders, "finding modes, n");
 
     slong all = 0;
     for (slong n = 0; n < orders; n++)
