@@ -1,0 +1,640 @@
+/* SPDX-License-Identifier: MIT */
+/* The quasistatic contact law of the disk (cor/disk.h) and Lambert's W under it (runtime/lambert_w.h) against balls:
+ * random arguments of every size, nu up to its ends, the last doubles inside every limit and both sides of it, one ulp
+ * around every branch of the code. W comes from arb_lambertw, and what is made of it is put back into (57); the
+ * contact time comes from the integral over theta, by tanh-sinh with W at every point. Prints one line for each
+ * function; these lines are what the documentation quotes. --help lists the options. */
+#include "cor/disk.h"
+
+#include "flint.h"
+#include "lambert_w.h"
+#include "ulp.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* ---- random numbers ---- */
+
+static uint64_t random_state;
+
+static double uniform(double low, double high)
+{
+    random_state ^= random_state >> 12;
+    random_state ^= random_state << 25;
+    random_state ^= random_state >> 27;
+    return low + (high - low) * ((double)((random_state * UINT64_C(2685821657736338717)) >> 11) * 0x1p-53);
+}
+
+static int choice(int count)
+{
+    return (int)uniform(0, count);
+}
+
+static double random_nu(void)
+{
+    const double sign = choice(2) ? 1 : -1;
+    switch (choice(8)) {
+    case 0:
+        return sign * (1 - ldexp(1, -1 - choice(53)));
+    case 1:
+        return sign * exp(uniform(-700, 0));
+    case 2:
+        return choice(2) ? 0.33 : 0.9;
+    default:
+        return sign * uniform(0, 1);
+    }
+}
+
+/* ---- balls ---- */
+
+/* The distance of a double from a ball, in ulp of the ball; -1 where the ball is too wide to tell. */
+static double ball_error(double computed, const arb_t exact)
+{
+    if (!(fabs(computed) <= DBL_MAX) || !arb_is_finite(exact))
+        return HUGE_VAL;
+    arb_t off;
+    arb_init(off);
+    /* 2^(exponent - 1) <= |exact| < 2^exponent */
+    const slong exponent = fmpz_get_si(ARF_EXPREF(arb_midref(exact)));
+    const slong unit = (exponent < DBL_MIN_EXP ? DBL_MIN_EXP : exponent) - DBL_MANT_DIG;
+    arb_set_d(off, computed);
+    arb_sub(off, off, exact, 64);
+    arb_mul_2exp_si(off, off, -unit);
+    arb_abs(off, off);
+    const double error = arf_get_d(arb_midref(off), ARF_RND_UP), radius = mag_get_d(arb_radref(off));
+    arb_clear(off);
+    return radius < 1e-4 ? error + radius : -1;
+}
+
+/* b of (57) */
+static void ball_b(arb_t b, double nu, int datum, slong prec)
+{
+    if (datum == COR_DISK_DATUM_DIAMETER) {
+        arb_set_si(b, -1);
+        return;
+    }
+    arb_set_d(b, nu);
+    arb_add_ui(b, b, 1, prec);
+    if (datum == COR_DISK_DATUM_CENTRE_OF_MASS) {
+        arb_t ln2;
+        arb_init(ln2);
+        arb_const_log2(ln2, prec);
+        arb_mul_2exp_si(ln2, ln2, 1);
+        arb_mul_2exp_si(b, b, -2);
+        arb_add(b, b, ln2, prec);
+        arb_clear(ln2);
+    }
+    arb_neg(b, b);
+}
+
+enum quantity { COMPRESSION, LOAD, SPEED, ENERGY };
+
+/* The limits, as disk.h has them */
+static void ball_limit(arb_t x, enum quantity quantity, const arb_t b, slong prec)
+{
+    arb_t pi;
+    arb_init(pi);
+    arb_const_pi(pi, prec);
+    arb_sub_ui(x, b, 1, prec);
+    if (quantity == ENERGY)
+        arb_mul_2exp_si(x, x, 1);
+    arb_exp(x, x, prec);
+    if (quantity == LOAD || quantity == ENERGY)
+        arb_mul(x, x, pi, prec);
+    if (quantity == SPEED) {
+        arb_sqrt_ui(pi, 2, prec);
+        arb_mul(x, x, pi, prec);
+        arb_mul_2exp_si(x, x, 1);
+    } else {
+        arb_mul_2exp_si(x, x, 2);
+    }
+    arb_clear(pi);
+}
+
+/* -W_-1(-z) */
+static void ball_minus_w(arb_t w, const arb_t z, slong prec)
+{
+    arb_neg(w, z);
+    arb_lambertw(w, w, 1, prec);
+    arb_neg(w, w);
+}
+
+/* delta (energy = 0) or V (energy = 1) of a load, (57) */
+static void ball_law(arb_t y, const arb_t load, const arb_t b, int energy, slong prec)
+{
+    arb_t factor;
+    arb_init(factor);
+    arb_const_pi(factor, prec);
+    arb_mul_2exp_si(y, factor, 2);
+    arb_div(y, y, load, prec);
+    arb_log(y, y, prec);
+    arb_add(y, y, b, prec);
+    arb_div(factor, load, factor, prec);
+    if (energy) {
+        arb_mul_2exp_si(y, y, 1);
+        arb_sub_ui(y, y, 1, prec);
+        arb_mul_2exp_si(y, y, -2);
+        arb_mul(factor, factor, load, prec);
+    }
+    arb_mul(y, y, factor, prec);
+    arb_clear(factor);
+}
+
+/* The largest load at an energy V, (V e^(1-2b)/(4 pi) = w e^(-w)): sqrt(4 pi V/w) */
+static void ball_load_of_energy(arb_t load, const arb_t energy, const arb_t b, slong prec)
+{
+    arb_t z, four_pi;
+    arb_init(z);
+    arb_init(four_pi);
+    arb_const_pi(four_pi, prec);
+    arb_mul_2exp_si(four_pi, four_pi, 2);
+    arb_mul_2exp_si(z, b, 1);
+    arb_neg(z, z);
+    arb_add_ui(z, z, 1, prec);
+    arb_exp(z, z, prec);
+    arb_mul(z, z, energy, prec);
+    arb_div(z, z, four_pi, prec);
+    ball_minus_w(load, z, prec);
+    arb_mul(four_pi, four_pi, energy, prec);
+    arb_div(load, four_pi, load, prec);
+    arb_sqrt(load, load, prec);
+    arb_clear(z);
+    arb_clear(four_pi);
+}
+
+enum kind { LAW_LOAD, LAW_COMPRESSION, LAW_ENERGY, LAW_LOAD_OF_ENERGY, LAW_MAX_LOAD, LAW_MAX_COMPRESSION, LAWS };
+
+/* The exact value at x. Returns 0 if putting it back into (57) contradicts. */
+static int ball_value(arb_t y, enum kind kind, double argument, double nu, int datum, slong prec)
+{
+    int consistent = 1;
+    arb_t b, x, back;
+    arb_init(b);
+    arb_init(x);
+    arb_init(back);
+    ball_b(b, nu, datum, prec);
+    arb_set_d(x, argument);
+    switch (kind) {
+    case LAW_LOAD:
+        arb_neg(back, b);
+        arb_exp(back, back, prec);
+        arb_mul(back, back, x, prec);
+        arb_mul_2exp_si(back, back, -2);
+        ball_minus_w(y, back, prec);
+        arb_div(y, x, y, prec);
+        arb_const_pi(back, prec);
+        arb_mul(y, y, back, prec);
+        ball_law(back, y, b, 0, prec);
+        consistent = arb_overlaps(back, x);
+        break;
+    case LAW_COMPRESSION:
+    case LAW_ENERGY:
+        ball_law(y, x, b, kind == LAW_ENERGY, prec);
+        break;
+    case LAW_MAX_LOAD:
+    case LAW_MAX_COMPRESSION:
+        arb_mul(x, x, x, prec);
+        arb_const_pi(back, prec);
+        arb_mul(x, x, back, prec);
+        arb_mul_2exp_si(x, x, -1); /* fall through */
+    case LAW_LOAD_OF_ENERGY:
+        ball_load_of_energy(y, x, b, prec);
+        ball_law(back, y, b, 1, prec);
+        consistent = arb_overlaps(back, x);
+        if (kind == LAW_MAX_COMPRESSION) {
+            arb_set(x, y);
+            ball_law(y, x, b, 0, prec);
+        }
+        break;
+    case LAWS:
+        break;
+    }
+    arb_clear(b);
+    arb_clear(x);
+    arb_clear(back);
+    return consistent;
+}
+
+/* ---- algebraic functions ---- */
+
+static const struct law {
+    const char *name;
+    double (*value)(double, double, enum cor_disk_datum);
+    double (*limit)(double, enum cor_disk_datum);
+    enum quantity quantity;
+    double boundary[3]; /* of ln(limit/argument), where the code branches */
+} laws[LAWS] = {
+    [LAW_LOAD] = {"load", cor_disk_load, cor_disk_compression_limit, COMPRESSION, {0.5, 0.1, 3}},
+    [LAW_COMPRESSION] = {"compression", cor_disk_compression, cor_disk_load_limit, LOAD, {0.5, 0.1, 3}},
+    [LAW_ENERGY] = {"energy", cor_disk_energy, cor_disk_load_limit, LOAD, {0.5, 0.1, 3}},
+    [LAW_LOAD_OF_ENERGY] = {"load_of_energy", cor_disk_load_of_energy, cor_disk_energy_limit, ENERGY, {0.5, 0.1, 3}},
+    [LAW_MAX_LOAD] = {"max_load", cor_disk_max_load, cor_disk_speed_limit, SPEED, {0.5, 0.05, 1.5}},
+    [LAW_MAX_COMPRESSION] = {"max_compression",
+                             cor_disk_max_compression,
+                             cor_disk_speed_limit,
+                             SPEED,
+                             {0.5, 0.05, 1.5}},
+};
+
+/* Where the code changes its units */
+static const double unit_boundary[] = {0x1p-900, 0x1p-200, DBL_MIN};
+
+static double moved(double x, int steps)
+{
+    return double_of(bits_of(x) + (uint64_t)(int64_t)steps);
+}
+
+static double random_argument(const struct law *f, double nu, int datum)
+{
+    const double limit = f->limit(nu, (enum cor_disk_datum)datum);
+    switch (choice(10)) {
+    case 0:
+        return moved(limit, -choice(4));
+    case 1:
+        return moved(limit * exp(-f->boundary[choice(3)]), choice(7) - 3);
+    case 2:
+        return moved(unit_boundary[choice(3)], choice(7) - 3);
+    case 3:
+        return double_of(1 + (uint64_t)uniform(0, 0x1p52)); /* subnormal */
+    case 4:
+        return limit * exp(-uniform(0, 700));
+    case 5:
+    case 6:
+        return fmin(limit, limit * (1 - exp(uniform(-37, 0))));
+    default:
+        return limit * exp(-uniform(0, 7));
+    }
+}
+
+struct worst {
+    double error, at, nu;
+    int datum;
+    unsigned long points;
+};
+
+static void take(struct worst *worst, double error, double at, double nu, int datum)
+{
+    worst->points++;
+    if (error > worst->error)
+        *worst = (struct worst){error, at, nu, datum, worst->points};
+}
+
+static int report(const char *name, const struct worst *worst, double bound, const char *unit)
+{
+    const int good = worst->error <= bound;
+    printf("%-30s %9lu points, %9.3g %s at %a, nu = %a, datum %d%s\n", name, worst->points, worst->error, unit,
+           worst->at, worst->nu, worst->datum, good ? "" : "  BEYOND THE BOUND");
+    return good;
+}
+
+static int search_laws(unsigned long points)
+{
+    int good = 1;
+    arb_t exact;
+    arb_init(exact);
+    for (int kind = 0; kind < LAWS; kind++) {
+        const struct law *f = &laws[kind];
+        struct worst worst = {0};
+        for (unsigned long i = 0; i < points; i++) {
+            const double nu = random_nu();
+            const int datum = choice(3);
+            const double x = random_argument(f, nu, datum), y = f->value(x, nu, (enum cor_disk_datum)datum);
+            double error = -1;
+            for (slong prec = 160; error < 0 && prec < 5000; prec *= 2) {
+                if (!ball_value(exact, (enum kind)kind, x, nu, datum, prec)) {
+                    printf("the reference contradicts (57) at %a\n", x);
+                    good = 0;
+                }
+                error = ball_error(y, exact);
+                if (error == HUGE_VAL && !arb_is_finite(exact))
+                    error = -1; /* too wide to be inside the domain */
+            }
+            take(&worst, error < 0 ? HUGE_VAL : error, x, nu, datum);
+        }
+        good &= report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
+    }
+    arb_clear(exact);
+    return good;
+}
+
+/* Each limit is inside, the next double is not, and the functions agree. */
+static int search_limits(unsigned long points)
+{
+    static const enum kind user[4] = {LAW_LOAD, LAW_COMPRESSION, LAW_MAX_LOAD, LAW_LOAD_OF_ENERGY};
+    unsigned long wrong = 0;
+    arb_t b, exact, x;
+    arb_init(b);
+    arb_init(exact);
+    arb_init(x);
+    for (unsigned long i = 0; i < points; i++) {
+        const double nu = random_nu();
+        const int datum = choice(3), quantity = choice(4);
+        const struct law *f = &laws[user[quantity]];
+        const double limit = f->limit(nu, (enum cor_disk_datum)datum), beyond = moved(limit, 1);
+        ball_b(b, nu, datum, 256);
+        ball_limit(exact, (enum quantity)quantity, b, 256);
+        arb_set_d(x, limit);
+        int good = arb_le(x, exact);
+        arb_set_d(x, beyond);
+        good &= arb_gt(x, exact);
+        good &= !isnan(f->value(limit, nu, (enum cor_disk_datum)datum));
+        good &= isnan(f->value(beyond, nu, (enum cor_disk_datum)datum));
+        if (quantity == LOAD)
+            good &= !isnan(cor_disk_energy(limit, nu, (enum cor_disk_datum)datum)) &&
+                    isnan(cor_disk_energy(beyond, nu, (enum cor_disk_datum)datum));
+        if (quantity == SPEED)
+            good &= !isnan(cor_disk_contact_time(limit, nu, (enum cor_disk_datum)datum)) &&
+                    isnan(cor_disk_contact_time(beyond, nu, (enum cor_disk_datum)datum)) &&
+                    !isnan(cor_disk_max_compression(limit, nu, (enum cor_disk_datum)datum)) &&
+                    isnan(cor_disk_max_compression(beyond, nu, (enum cor_disk_datum)datum));
+        if (!good && wrong++ == 0)
+            printf("limit %d: %a at nu = %a, datum %d\n", quantity, limit, nu, datum);
+    }
+    arb_clear(b);
+    arb_clear(exact);
+    arb_clear(x);
+    printf("%-30s %9lu points, %lu wrong\n", "limits", points, wrong);
+    return wrong == 0;
+}
+
+/* ---- to leading logarithm ---- */
+
+static const struct leading {
+    const char *name;
+    double (*value)(double);
+    int four_pi;              /* the logarithm is ln(4 pi/x), or ln(4/x) */
+    int pi, argument, log;    /* exponents of the factors, that of the logarithm times two */
+    int halved;
+    double end;
+} leading[] = {
+    {"compression_leading_log", cor_disk_compression_leading_log, 1, -1, 1, 2, 0, 0x1.27ddbf6271dbdp+2},
+    {"load_leading_log", cor_disk_load_leading_log, 0, 1, 1, -2, 0, 0x1.fffffffffffffp+1},
+    {"energy_leading_log", cor_disk_energy_leading_log, 0, 1, 2, -2, 1, 0x1.fffffffffffffp+1},
+    {"max_compression_leading_log", cor_disk_max_compression_leading_log, 0, 0, 1, 1, 0, 0x1.fffffffffffffp+1},
+    {"contact_time_leading_log", cor_disk_contact_time_leading_log, 0, 1, 0, 1, 0, 0x1.fffffffffffffp+1},
+};
+
+static int search_leading(unsigned long points)
+{
+    const slong prec = 192;
+    int good = 1;
+    arb_t y, log, pi, x;
+    arb_init(y);
+    arb_init(log);
+    arb_init(pi);
+    arb_init(x);
+    arb_const_pi(pi, prec);
+    for (size_t k = 0; k < sizeof leading / sizeof *leading; k++) {
+        const struct leading *f = &leading[k];
+        const struct law range = {.boundary = {0.5, 0.5, 0.5}};
+        struct worst worst = {0};
+        for (unsigned long i = 0; i < points; i++) {
+            double argument;
+            switch (choice(6)) {
+            case 0:
+                argument = moved(f->end, -choice(4));
+                break;
+            case 1:
+                argument = moved((f->four_pi ? 0x1.921fb54442d18p+3 : 4) * exp(-range.boundary[0]), choice(7) - 3);
+                argument = fmin(argument, f->end);
+                break;
+            case 2:
+                argument = moved(unit_boundary[choice(3)], choice(7) - 3);
+                break;
+            case 3:
+                argument = fmin(f->end, f->end * (1 - exp(uniform(-37, 0))));
+                break;
+            case 4:
+                argument = f->end * exp(-uniform(0, 744));
+                break;
+            default:
+                argument = f->end * exp(-uniform(0, 7));
+            }
+            arb_set_d(x, argument);
+            arb_set_ui(log, 4);
+            if (f->four_pi)
+                arb_mul(log, log, pi, prec);
+            arb_div(log, log, x, prec);
+            arb_log(log, log, prec);
+            if (f->log == 1)
+                arb_sqrt(log, log, prec);
+            arb_set_ui(y, 1);
+            for (int n = 0; n < f->argument; n++)
+                arb_mul(y, y, x, prec);
+            if (f->pi > 0)
+                arb_mul(y, y, pi, prec);
+            if (f->pi < 0)
+                arb_div(y, y, pi, prec);
+            if (f->log > 0)
+                arb_mul(y, y, log, prec);
+            else
+                arb_div(y, y, log, prec);
+            if (f->halved)
+                arb_mul_2exp_si(y, y, -1);
+            take(&worst, ball_error(f->value(argument), y), argument, 0, 0);
+        }
+        good &= report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
+    }
+    arb_clear(y);
+    arb_clear(log);
+    arb_clear(pi);
+    arb_clear(x);
+    return good;
+}
+
+/* ---- Lambert's W ---- */
+
+/* t of q, and W_-1 of a double: of every size, near the branch point, around the branches. */
+static int search_lambert(unsigned long points)
+{
+    struct worst worst_t = {0}, worst_w = {0};
+    arb_t x, y;
+    arb_init(x);
+    arb_init(y);
+    for (unsigned long i = 0; i < points; i++) {
+        static const double boundary[] = {0x1p-500, 0.1, 3};
+        const int kind = choice(4);
+        const double q = kind == 0   ? moved(boundary[choice(3)], choice(7) - 3)
+                         : kind == 1 ? exp(uniform(-700, 8))
+                         : kind == 2 ? exp(uniform(-4, 2))
+                                     : uniform(0, 10);
+        /* near the branch point of W half of the digits are lost: as many more as q needs */
+        const slong prec = 128 + (q < 1 ? (slong)(-1.5 * log2(q)) : 0);
+        arb_set_d(x, q);
+        arb_add_ui(x, x, 1, prec + 1100);
+        arb_neg(x, x);
+        arb_exp(x, x, prec);
+        ball_minus_w(y, x, prec);
+        arb_sub_ui(y, y, 1, prec);
+        double error = ball_error(cor_lambert_t(q), y);
+        if (error < 0 || !arb_is_finite(y)) {
+            arb_set_d(x, q);
+            arb_add_ui(x, x, 1, 3000);
+            arb_neg(x, x);
+            arb_exp(x, x, 3000);
+            ball_minus_w(y, x, 3000);
+            arb_sub_ui(y, y, 1, 3000);
+            error = ball_error(cor_lambert_t(q), y);
+        }
+        take(&worst_t, error < 0 ? HUGE_VAL : error, q, 0, 0);
+
+        const double end = -0x1.78b56362cef37p-2; /* the last double above -1/e */
+        const double part = i % 5 == 4 ? 1 - exp(uniform(-37, 0)) : exp(-fmin(q, 744));
+        const double z = i % 5 == 0   ? moved(end, -choice(4))
+                         : i % 5 == 1 ? -double_of(1 + (uint64_t)uniform(0, 0x1p52))
+                         : i % 5 == 2 ? moved(-0x1p-900, choice(7) - 3)
+                                      : fmax(end, end * part);
+        arb_set_d(x, z);
+        arb_lambertw(y, x, 1, 192);
+        error = z == 0 ? 0 : ball_error(cor_lambert_w_minus1(z), y);
+        take(&worst_w, error < 0 ? HUGE_VAL : error, z, 0, 0);
+    }
+    arb_clear(x);
+    arb_clear(y);
+    return report("t of q", &worst_t, 2, "ulp") & report("W_-1", &worst_w, 1, "ulp");
+}
+
+/* ---- contact time ---- */
+
+/* The integral in disk.h over theta, by tanh-sinh with step 2^-level: theta = (pi/2)/(1 + e), e = exp(-pi sinh(y)).
+ * sin^2(theta) from the nearer end. */
+static void ball_contact_time(arb_t tau, arb_t halved, double speed, double nu, int datum, int level, slong prec)
+{
+    arb_t b, z, pi, y, e, theta, weight, one;
+    arb_init(b);
+    arb_init(z);
+    arb_init(pi);
+    arb_init(y);
+    arb_init(e);
+    arb_init(theta);
+    arb_init(weight);
+    arb_init(one);
+    arb_const_pi(pi, prec);
+    ball_b(b, nu, datum, prec);
+    arb_mul_2exp_si(z, b, 1);
+    arb_neg(z, z);
+    arb_add_ui(z, z, 1, prec);
+    arb_exp(z, z, prec);
+    arb_set_d(y, speed);
+    arb_mul(z, z, y, prec);
+    arb_mul(z, z, y, prec);
+    arb_mul_2exp_si(z, z, -3);
+    arb_zero(tau);
+    arb_zero(halved);
+    const int last = (int)ldexp(3.25, level);
+    for (int k = -last; k <= last; k++) {
+        arb_set_si(y, k);
+        arb_mul_2exp_si(y, y, -level);
+        arb_sinh_cosh(e, weight, y, prec);
+        arb_mul(e, e, pi, prec);
+        arb_neg(e, e);
+        arb_exp(e, e, prec);
+        arb_add_ui(one, e, 1, prec);
+        arb_div(weight, weight, one, prec);
+        arb_div(weight, weight, one, prec);
+        arb_mul(weight, weight, e, prec); /* times pi (pi/2), dtheta/dy */
+        arb_inv(theta, one, prec);
+        if (k > 0)
+            arb_mul(theta, theta, e, prec); /* pi/2 - theta */
+        arb_mul(theta, theta, pi, prec);
+        arb_mul_2exp_si(theta, theta, -1);
+        if (k > 0)
+            arb_cos(theta, theta, prec);
+        else
+            arb_sin(theta, theta, prec);
+        arb_mul(theta, theta, theta, prec);
+        arb_mul(theta, theta, z, prec);
+        ball_minus_w(y, theta, prec);
+        arb_sqrt(y, y, prec);
+        arb_addmul(tau, y, weight, prec);
+        if (k % 2 == 0)
+            arb_addmul(halved, y, weight, prec);
+    }
+    arb_mul(pi, pi, pi, prec);
+    arb_sqrt_ui(y, 2, prec);
+    arb_mul(pi, pi, y, prec);
+    arb_mul_2exp_si(pi, pi, -1 - level);
+    arb_mul(tau, tau, pi, prec);
+    arb_mul(halved, halved, pi, prec);
+    arb_mul_2exp_si(halved, halved, 1);
+    arb_clear(b);
+    arb_clear(z);
+    arb_clear(pi);
+    arb_clear(y);
+    arb_clear(e);
+    arb_clear(theta);
+    arb_clear(weight);
+    arb_clear(one);
+}
+
+static int search_contact_time(unsigned long points)
+{
+    int good = 1;
+    struct worst worst = {0};
+    arb_t tau, halved, off;
+    arb_init(tau);
+    arb_init(halved);
+    arb_init(off);
+    double largest_step = 0;
+    for (unsigned long i = 0; i < points; i++) {
+        const double nu = random_nu();
+        const int datum = choice(3);
+        const double v = random_argument(&laws[LAW_MAX_LOAD], nu, datum);
+        double radius = 1;
+        for (slong prec = 160; !(radius < 1e-18) && prec < 5000; prec *= 2) {
+            ball_contact_time(tau, halved, v, nu, datum, 5, prec);
+            radius = arb_is_finite(tau) ? mag_get_d(arb_radref(tau)) : 1;
+        }
+        good &= radius < 1e-18;
+        arb_div(halved, halved, tau, 64);
+        arb_sub_ui(halved, halved, 1, 64);
+        largest_step = fmax(largest_step, fabs(arf_get_d(arb_midref(halved), ARF_RND_UP)));
+        arb_set_d(off, cor_disk_contact_time(v, nu, (enum cor_disk_datum)datum));
+        arb_div(off, off, tau, 128);
+        arb_sub_ui(off, off, 1, 64);
+        const double error = arb_is_finite(off) ? fabs(arf_get_d(arb_midref(off), ARF_RND_UP)) : HUGE_VAL;
+        take(&worst, error, v, nu, datum);
+    }
+    arb_clear(tau);
+    arb_clear(halved);
+    arb_clear(off);
+    /* halving the step squares the error of the rule, or nearly */
+    printf("%-30s halving the step of the reference changes it by %.2g\n", "", largest_step);
+    good &= largest_step < 1e-11;
+    return report("contact_time", &worst, COR_DISK_CONTACT_TIME_MAX_ERROR, "relative") & good;
+}
+
+/* ---- */
+
+static const char usage[] = "usage: test_disk_law [--points N] [--times N] [--seed S]\n"
+                            "  --points N  random arguments for each algebraic function (20000)\n"
+                            "  --times N   random arguments for the contact time (300)\n"
+                            "  --seed S    of the random numbers (19990101)\n";
+
+int main(int argc, char **argv)
+{
+    unsigned long points = 20000, times = 300, seed = 19990101;
+    for (int i = 1; i < argc; i++) {
+        unsigned long *value = strcmp(argv[i], "--points") == 0  ? &points
+                               : strcmp(argv[i], "--times") == 0 ? &times
+                               : strcmp(argv[i], "--seed") == 0  ? &seed
+                                                                 : NULL;
+        char *end = NULL;
+        const double number = value != NULL && i + 1 < argc ? strtod(argv[++i], &end) : -1;
+        if (!(number >= 0 && number < 1e15 && *end == '\0')) {
+            const int help = strcmp(argv[i], "--help") == 0;
+            fputs(usage, help ? stdout : stderr);
+            return help ? 0 : 2;
+        }
+        *value = (unsigned long)number;
+    }
+    printf("--points %lu --times %lu --seed %lu\n", points, times, seed);
+    random_state = (uint64_t)seed * 2 + 1;
+    int good = search_laws(points);
+    good &= search_limits(points);
+    good &= search_leading(points);
+    good &= search_lambert(points);
+    good &= search_contact_time(times);
+    flint_cleanup();
+    return good ? 0 : 1;
+}
