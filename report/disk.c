@@ -51,7 +51,8 @@ int main(int argc, char **argv)
 {
     static const char usage[] = "usage: cor_report DIRECTORY\n";
     if (argc == 2 && strcmp(argv[1], "--help") == 0) {
-        printf("%sWrites the figures of the paper on disks to DIRECTORY as csv files, and prints what is to be said of each.\n",
+        printf("%sWrites the figures of the paper on disks to DIRECTORY as csv files, and prints what is to be said of "
+               "each.\n",
                usage);
         return 0;
     }

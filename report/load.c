@@ -29,7 +29,8 @@ struct curve {
 static double load_of(struct curve *curve, double compression)
 {
     struct relaxed_state fine, coarse;
-    if (!relaxed_disk_press(curve->disk, compression, &fine) || !relaxed_disk_press(curve->coarse, compression, &coarse))
+    if (!relaxed_disk_press(curve->disk, compression, &fine) ||
+        !relaxed_disk_press(curve->coarse, compression, &coarse))
         return NAN;
     curve->coarse_error = fmax(curve->coarse_error, fabs(coarse.load / fine.load - 1));
     return fine.load;
@@ -75,21 +76,20 @@ static int write_curves(FILE *csv, struct curve curve[CURVES], char verdict[VERD
     double coarse = 0;
     for (int k = 0; k < CURVES; k++)
         coarse = fmax(coarse, curve[k].coarse_error);
+    const double limit = law(small, COR_DISK_DATUM_CENTRE_OF_MASS);
     snprintf(verdict, VERDICT_SIZE,
-             "The relaxed disk of the paper, alpha = %g and %d modes, carries P = %.6f at delta = 0.05 and %.6f at 0.2. It agrees "
-             "with the text that it and the contact law part at large delta; but which law it meets at small delta the print "
-             "hides: x_0 in (41) is the centre of mass, and with that datum P of the relaxed disk over P of the law at delta = "
-             "%g is %.4f with all modes and alpha = %g, %.4f with %g, against %.4f with the paper's %d modes and alpha = %g, "
-             "whose soft wall is felt before it is touched. The law as printed, (57), lies %.1f %% below the law of the centre "
-             "of mass there, the diameter's %.1f %%. At delta = %g the hardest wall carries %.3f of the law, which takes the "
-             "contact for small. The dynamic curves are not drawn here. The loads are exact to %.0e: halving the points changes "
-             "them by no more.",
+             "Agrees in that the relaxed disk (alpha = %g, %d modes: P = %.6f at delta = 0.05, %.6f at 0.2) and the "
+             "contact law part at large delta. Which law it follows at small delta is not the printed one: x_0 in "
+             "(41) is the centre of mass, and to the law with that datum P tends as the wall hardens, its multiple "
+             "at delta = %g being %.4f for alpha = %g (%d modes; a soft wall pushes before it is touched), %.4f for "
+             "%g and %.4f for %g (all modes). The printed law, (57), lies %.1f %% below that limit there, the "
+             "diameter's %.1f %%. At delta = %g the hardest wall carries %.3f of the law, which takes the contact "
+             "for small. The dynamic curves are left out. Halving the points changes no load by more than %.0e of "
+             "it.",
              paper_alpha, PAPER_MODES, load_of(&curve[PAPER], 0.05), load_of(&curve[PAPER], 0.2), small,
-             ratio_small[HARDEST], hardest_alpha, ratio_small[HARD], hard_alpha, ratio_small[PAPER], PAPER_MODES,
-             paper_alpha,
-             100 * (1 - law(small, COR_DISK_DATUM_PRINTED) / law(small, COR_DISK_DATUM_CENTRE_OF_MASS)),
-             100 * (1 - law(small, COR_DISK_DATUM_DIAMETER) / law(small, COR_DISK_DATUM_CENTRE_OF_MASS)), large,
-             ratio_large[HARDEST], coarse);
+             ratio_small[PAPER], paper_alpha, PAPER_MODES, ratio_small[HARD], hard_alpha, ratio_small[HARDEST],
+             hardest_alpha, 100 * (1 - law(small, COR_DISK_DATUM_PRINTED) / limit),
+             100 * (1 - law(small, COR_DISK_DATUM_DIAMETER) / limit), large, ratio_large[HARDEST], coarse);
     return 1;
 }
 
@@ -119,4 +119,5 @@ static int write_load(FILE *csv, char verdict[VERDICT_SIZE])
     return made;
 }
 
-const struct figure load_figure = {"load", "Fig. 10", "load against compression: contact law and relaxed disk", write_load};
+const struct figure load_figure = {"load", "Fig. 10", "load against compression: contact law and relaxed disk",
+                                   write_load};

@@ -13,8 +13,8 @@ static const double largest_shift = 0.22; /* in units of R, for every mode */
 
 /* u_r and u_phi of (27), with kappa and kappa' where (19) has them */
 struct field {
-    int n;
-    double kappa, kappa_prime, a, b;
+    int n, l;
+    double omega, kappa, kappa_prime, a, b;
 };
 
 /* J_n, and its derivative times z */
@@ -52,8 +52,12 @@ static double norm(const struct field *field)
 static struct field field_of(const struct cor_disk_mode *mode)
 {
     const int n = mode->n;
-    struct field field = {
-        .n = n, .kappa = mode->omega * sqrt(1 - nu * nu), .kappa_prime = mode->omega * sqrt(2 * (1 + nu)), .a = 1};
+    struct field field = {.n = n,
+                          .l = mode->l,
+                          .omega = mode->omega,
+                          .kappa = mode->omega * sqrt(1 - nu * nu),
+                          .kappa_prime = mode->omega * sqrt(2 * (1 + nu)),
+                          .a = 1};
     if (n > 0) {
         /* (22)/(1 - nu) and (23)/2: p A + q B = 0, of which that with the larger coefficients says more */
         const double diagonal = mode->omega * mode->omega * (1 + nu) - n * n;
@@ -82,14 +86,14 @@ static void write_point(FILE *csv, const struct field *field, double scale, cons
     displacement(field, fmax(r, 1e-6), &u_r, &u_phi);
     u_r *= scale * cos(field->n * phi);
     u_phi *= scale * sin(field->n * phi);
-    fprintf(csv, "%d,%s,%.4f,%.4f\n", field->n, line, (r + u_r) * cos(phi) - u_phi * sin(phi),
-            (r + u_r) * sin(phi) + u_phi * cos(phi));
+    fprintf(csv, "%d,%d,%.5f,%s,%.4f,%.4f\n", field->n, field->l, field->omega, line,
+            (r + u_r) * cos(phi) - u_phi * sin(phi), (r + u_r) * sin(phi) + u_phi * cos(phi));
 }
 
 /* A blank line after each line of the drawing, two after each mode, as gnuplot wants it */
 static void write_shape(FILE *csv, const struct field *field)
 {
-    enum { CIRCLES = 5, RADII = 24, ANGLES = 96, STEPS = 12 };
+    enum { CIRCLES = 5, RADII = 24, ANGLES = 72, STEPS = 10 };
     double largest = 0;
     for (int i = 1; i <= 100; i++) {
         double u_r, u_phi;
@@ -122,7 +126,7 @@ static int write_shapes(FILE *csv, char verdict[VERDICT_SIZE])
 {
     const int drawn[] = {2, 1, 0};
     double worst = 0, omega[3];
-    fputs("n,line,x,y\n", csv);
+    fputs("n,l,omega,line,x,y\n", csv);
     for (int i = 0; i < 3; i++) {
         const struct cor_disk_mode *mode = find(drawn[i], 0);
         const struct field field = field_of(mode);
@@ -137,12 +141,13 @@ static int write_shapes(FILE *csv, char verdict[VERDICT_SIZE])
         return 0;
     }
     snprintf(verdict, VERDICT_SIZE,
-             "The quadrupole (n, l) = (2, 0), omega = %.6f, the dipole (1, 0), %.6f, whose centre moves against its rim, and the "
-             "breathing mode (0, 0), %.6f, the three lowest of all. It agrees with the text; the caption does not name its "
-             "modes. The fields are (19): (27), which repeats it, has kappa and kappa' exchanged in u_phi, and with (17) taken "
-             "literally A has the other sign. Normalised by (26) they meet C and S of the mode table to better than 1e-9.",
+             "Agrees with the text (the caption names no modes): the three lowest, the quadrupole (n, l) = (2, 0) "
+             "at omega = %.6f, (1, 0) at %.6f, whose centre moves against the rim, and (0, 0) at %.6f. Drawn from "
+             "(19); in (27), which repeats it, kappa and kappa' are exchanged in u_phi. Normalised by (26), u_r and "
+             "u_phi at the rim are C and S of the mode table to better than 1e-9.",
              omega[0], omega[1], omega[2]);
     return 1;
 }
 
-const struct figure shapes_figure = {"shapes", "Fig. 2", "three simple modes: circles and radii, distorted", write_shapes};
+const struct figure shapes_figure = {"shapes", "Fig. 2", "three simple modes: circles and radii, distorted",
+                                     write_shapes};

@@ -12,11 +12,11 @@ static int is_radial(const struct cor_disk_mode *mode)
 
 /* At the lowest `count` modes */
 struct census {
-    int radial, tangential;    /* n >= 1 */
-    int breathing;             /* n = 0, all radial */
+    int radial, tangential; /* n >= 1 */
+    int breathing;          /* n = 0, all radial */
     int largest_n;
-    int high, high_clear;      /* l >= 20 n >= 20; those of them with a ratio of C and S beyond 10 */
-    double closest;            /* least relative distance of neighbours with the same n, of which the lower is ... */
+    int high, high_clear; /* l >= 20 n >= 20; those of them with a ratio of C and S beyond 10 */
+    double closest;       /* least relative distance of neighbours with the same n, of which the lower is ... */
     int closest_n, closest_l;
 };
 
@@ -65,13 +65,13 @@ static int write_spectrum(FILE *csv, char verdict[VERDICT_SIZE])
     }
     const struct census c = take_census(modes);
     snprintf(verdict, VERDICT_SIZE,
-             "The lowest %zu modes at nu = %g reach omega = %.3f and n = %d: %d have n = 0, %d of the others move the rim more "
-             "radially (|C| > |S|) and %d more tangentially. It agrees with the text: even rows for small l, an irregular "
-             "mixture for l >> n, more tangential modes than radial ones, and |C| : |S| or its inverse beyond 10 in %d of the "
-             "%d modes with l >= 20 n. Closest of one n: l = %d and %d of n = %d, %.2g apart, relative; a search for sign "
-             "changes may step over them, a count of the roots cannot.",
-             modes->count, modes->nu, modes->mode[modes->count - 1].omega, c.largest_n, c.breathing, c.radial, c.tangential,
-             c.high_clear, c.high, c.closest_l, c.closest_l + 1, c.closest_n, c.closest);
+             "Agrees with the text: even rows for small l, an irregular mixture for l >> n, more tangential modes "
+             "than radial ones. The lowest %zu modes at nu = %g reach omega = %.3f and n = %d; %d have n = 0, %d of "
+             "the others move the rim more radially (|C| > |S|), %d more tangentially, and in %d of the %d with l "
+             ">= 20 n the ratio is beyond 10. The closest pair of one n is l = %d, %d of n = %d, %.1e apart, "
+             "relative; a search for changes of sign may step over such a pair, a count of the roots cannot.",
+             modes->count, modes->nu, modes->mode[modes->count - 1].omega, c.largest_n, c.breathing, c.radial,
+             c.tangential, c.high_clear, c.high, c.closest_l, c.closest_l + 1, c.closest_n, c.closest);
     return 1;
 }
 
