@@ -60,9 +60,9 @@ int main(int argc, char **argv)
         fputs(usage, stderr);
         return 2;
     }
-    const struct figure *const figure[] = {&shapes_figure, &spectrum_figure, &load_figure, &contact_figure,
-                                           &rayleigh_figure};
-    enum { FIGURES = sizeof figure / sizeof *figure };
+    enum { FIGURES = 5 };
+    const struct figure *const figure[FIGURES] = {&shapes_figure, &spectrum_figure, &load_figure, &contact_figure,
+                                                  &rayleigh_figure};
     static char verdict[FIGURES][VERDICT_SIZE];
     for (size_t i = 0; i < FIGURES; i++)
         if (!make(figure[i], argv[1], verdict[i]))

@@ -37,17 +37,18 @@ static int compliance_new(struct compliance *c, size_t count)
 /* cos(n k step) and sin(n k step) repeat after 4 points: sin is cos a quarter later. */
 static void sum_kernels(struct relaxed_disk *disk, const struct compliance *c)
 {
-    const size_t period = 4 * disk->points;
+    const size_t quarter = disk->points, period = 4 * quarter;
     double *cosine = disk->matrix; /* not needed yet */
     for (size_t k = 0; k < period; k++)
         cosine[k] = cos((double)k * disk->step);
     for (size_t k = 0; k < 2 * disk->points; k++) {
         double a = 0, b = 0, d = 0;
+        size_t turn = 0; /* n k, less whole periods */
         for (size_t n = 0; n < c->count; n++) {
-            const size_t turn = n * k % period;
             a += c->a[n] * cosine[turn];
             d += c->d[n] * cosine[turn];
-            b += c->b[n] * cosine[(turn + 3 * disk->points) % period];
+            b += c->b[n] * cosine[turn >= quarter ? turn - quarter : turn + 3 * quarter];
+            turn += k < period - turn ? k : k - period;
         }
         disk->sum_a[k] = a;
         disk->sum_b[k] = b;
