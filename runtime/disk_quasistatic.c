@@ -258,11 +258,13 @@ double cor_disk_max_compression(double speed, double nu, enum cor_disk_datum dat
     return times(speed, cor_inline_pair_over(numerator, pair_sqrt(one_plus(t))));
 }
 
-/* exp(u) - 1 - u, u >= 0, to 3 ulp */
-static double exp_less_two_terms(double u, double exp_u)
+/* exp(u) - 1 - u, 0 <= u < 100, to 3 ulp; to u/3 where u is tiny and so is its part of the integral below */
+static double exp_less_two_terms(double u)
 {
     if (u >= 1)
-        return (exp_u - 1) - u;
+        return (exp(u) - 1) - u;
+    if (u < COR_INLINE_2_M40)
+        return u * u / 2;
     /* 2/(k + 2)! */
     static const double c[] = {1,
                                1.0 / 3,
@@ -299,9 +301,9 @@ static double exp_less_two_terms(double u, double exp_u)
  *
  *     f(x) = (t + u) sqrt(u (u + c)/((1 + t) (exp(u) - 1 - u) + t u)),
  *
- * even, with the first singularities at x = +-i a and beyond, where 1.0 < a/(1.29/sqrt(1 + c/7.6)) < 1.2 (those from the
- * zeros of the root near u = 2 +- 7 i), and falling like exp(-u/2). The trapezoidal rule with a step of
- * 2 pi a/38 is off by exp(-38), as is cutting at u = 88: 27 to 60 points, up to 200 as t -> 0. */
+ * even, falling like exp(-u/2), with its first singularities at x = +-i a + ..., 0.99 < a/(1.29/sqrt(1 + c/7.6)) < 1.19:
+ * the zeros of the root near u = 2 +- 7 i. The trapezoidal rule with the step 2 pi 1.29/(38.5 sqrt(1 + c/7.6)) is off by
+ * exp(-38), and so is the cut at u = 88. It takes 27 to 60 points, 115 at t = 1e-8 and at most 200. */
 static double contact_time(double t)
 {
     /* Below it, a kink of its size at x = 0 that the rule sees times step^2/12. */
@@ -314,8 +316,7 @@ static double contact_time(double t)
         const double m = expm1(k * step), u = c / 4 * (m * m / (1 + m));
         if (u > end)
             break;
-        const double exp_u = exp(u);
-        const double f = (t + u) * sqrt(u * (u + c) / (y * exp_less_two_terms(u, exp_u) + t * u));
+        const double f = (t + u) * sqrt(u * (u + c) / (y * exp_less_two_terms(u) + t * u));
         const pair next = cor_two_sum(sum.hi, f);
         sum.hi = next.hi;
         sum.lo += next.lo;

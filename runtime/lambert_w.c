@@ -51,9 +51,9 @@ struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q)
         t.lo = (((2 * q.hi - square.hi) - square.lo) + 2 * q.lo) / (2 * p) + series_rest(p);
         return t;
     }
-    /* y = 1 + t, y (1 + e) the next. With r = q - (t - ln(1 + t)) the change e obeys t e + e - ln(1 + e) = r; first
-     * the fourth-order step of Fritsch, Shafer and Crowley (1973), from 2 % to 1e-6, then what a third-order one takes to
-     * 2^-60. y - 1 is exact, and so is q - t in two parts. */
+    /* y = 1 + t, y (1 + e) the next. With r = q - (t - ln(1 + t)) the change e obeys t e + e - ln(1 + e) = r: the
+     * fourth-order step of Fritsch, Shafer and Crowley (1973) brings e from 0.6 % to 5e-12, Newton's to 2^-78. y - 1 is
+     * exact, and so is q - t in two parts; what is lost is half an ulp of ln(y), and (1 + t)/t times that is in t. */
     double y =
         q.hi < 3 ? 1 + p * (1 + p * (1.0 / 3 + p * (1.0 / 36 - p * (1.0 / 270)))) : 1 + q.hi + rough_log(3 + q.hi);
     double u = y - 1;
@@ -63,9 +63,8 @@ struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q)
     u = y - 1;
     const struct cor_inline_pair minus_log = cor_inline_sum(-u, q.hi);
     r = (minus_log.hi + log(y)) + (minus_log.lo + q.lo);
-    const double z = r / u;
     t.hi = u;
-    t.lo = y * (z - z * z / (2 * u));
+    t.lo = y * (r / u);
     return t;
 }
 

@@ -9,14 +9,14 @@
 
 #include "exact.h"
 
-/* t of q = hi + lo, not added up. Domain: 0 <= q <= 2^1000. Relative error of t.hi + t.lo below 1.5 2^-52, of 1 + t
+/* t of q = hi + lo, not added up. Domain: 0 <= q <= 2^400. Relative error of t.hi + t.lo below 1.5 2^-52, of 1 + t
  * below 2^-53, sampled; NaN for q < 0 and NaN. */
 struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q);
 
 /* The same as one double, below 2 ulp */
 double cor_lambert_t(double q);
 
-/* W_-1(z), -1/e < z < 0, z taken as it is: relative error below 1 ulp, sampled. -0 and 0 -> -inf; outside, NaN -> NaN. */
+/* W_-1(z), -1/e < z < 0, z taken as it is: error below 2 ulp, sampled. -0 and 0 -> -inf; outside, NaN -> NaN. */
 double cor_lambert_w_minus1(double z);
 
 /* The sum of any two numbers, exact */

@@ -229,11 +229,8 @@ static const struct law {
     [LAW_ENERGY] = {"energy", cor_disk_energy, cor_disk_load_limit, LOAD, {0.5, 0.1, 3}},
     [LAW_LOAD_OF_ENERGY] = {"load_of_energy", cor_disk_load_of_energy, cor_disk_energy_limit, ENERGY, {0.5, 0.1, 3}},
     [LAW_MAX_LOAD] = {"max_load", cor_disk_max_load, cor_disk_speed_limit, SPEED, {0.5, 0.05, 1.5}},
-    [LAW_MAX_COMPRESSION] = {"max_compression",
-                             cor_disk_max_compression,
-                             cor_disk_speed_limit,
-                             SPEED,
-                             {0.5, 0.05, 1.5}},
+    [LAW_MAX_COMPRESSION] =
+        {"max_compression", cor_disk_max_compression, cor_disk_speed_limit, SPEED, {0.5, 0.05, 1.5}},
 };
 
 /* Where the code changes its units */
@@ -300,7 +297,7 @@ static int search_laws(unsigned long points)
             const int datum = choice(3);
             const double x = random_argument(f, nu, datum), y = f->value(x, nu, (enum cor_disk_datum)datum);
             double error = -1;
-            for (slong prec = 160; error < 0 && prec < 5000; prec *= 2) {
+            for (slong prec = 128; error < 0 && prec < 5000; prec *= 2) {
                 if (!ball_value(exact, (enum kind)kind, x, nu, datum, prec)) {
                     printf("the reference contradicts (57) at %a\n", x);
                     good = 0;
@@ -362,8 +359,8 @@ static int search_limits(unsigned long points)
 static const struct leading {
     const char *name;
     double (*value)(double);
-    int four_pi;              /* the logarithm is ln(4 pi/x), or ln(4/x) */
-    int pi, argument, log;    /* exponents of the factors, that of the logarithm times two */
+    int four_pi;           /* the logarithm is ln(4 pi/x), or ln(4/x) */
+    int pi, argument, log; /* exponents of the factors, that of the logarithm times two */
     int halved;
     double end;
 } leading[] = {
@@ -491,7 +488,7 @@ static int search_lambert(unsigned long points)
     }
     arb_clear(x);
     arb_clear(y);
-    return report("t of q", &worst_t, 2, "ulp") & report("W_-1", &worst_w, 1, "ulp");
+    return report("t of q", &worst_t, 2, "ulp") & report("W_-1", &worst_w, 2, "ulp");
 }
 
 /* ---- contact time ---- */
@@ -607,13 +604,13 @@ static int search_contact_time(unsigned long points)
 /* ---- */
 
 static const char usage[] = "usage: test_disk_law [--points N] [--times N] [--seed S]\n"
-                            "  --points N  random arguments for each algebraic function (20000)\n"
-                            "  --times N   random arguments for the contact time (300)\n"
+                            "  --points N  random arguments for each algebraic function (50000)\n"
+                            "  --times N   random arguments for the contact time (200)\n"
                             "  --seed S    of the random numbers (19990101)\n";
 
 int main(int argc, char **argv)
 {
-    unsigned long points = 20000, times = 300, seed = 19990101;
+    unsigned long points = 50000, times = 200, seed = 19990101;
     for (int i = 1; i < argc; i++) {
         unsigned long *value = strcmp(argv[i], "--points") == 0  ? &points
                                : strcmp(argv[i], "--times") == 0 ? &times

@@ -1,0 +1,516 @@
+/* SPDX-License-Identifier: MIT */
+/* The quasistatic contact law of the disk (runtime/disk_quasistatic.c): values of arbitrary precision, the law itself in
+ * long double, its identities, the contact time over theta, special values. tests/accuracy/test_disk_law.c has the
+ * many points. */
+#include "check.h"
+
+#include <limits.h>
+
+#include <cor/disk.h>
+
+typedef double law_function(double, double, enum cor_disk_datum);
+
+enum { LOAD, COMPRESSION, ENERGY, LOAD_OF_ENERGY, MAX_LOAD, MAX_COMPRESSION, CONTACT_TIME, FUNCTIONS };
+
+static const struct function {
+    const char *name;
+    law_function *value;
+    double (*limit)(double, enum cor_disk_datum);
+} functions[FUNCTIONS] = {
+    [LOAD] = {"load", cor_disk_load, cor_disk_compression_limit},
+    [COMPRESSION] = {"compression", cor_disk_compression, cor_disk_load_limit},
+    [ENERGY] = {"energy", cor_disk_energy, cor_disk_load_limit},
+    [LOAD_OF_ENERGY] = {"load_of_energy", cor_disk_load_of_energy, cor_disk_energy_limit},
+    [MAX_LOAD] = {"max_load", cor_disk_max_load, cor_disk_speed_limit},
+    [MAX_COMPRESSION] = {"max_compression", cor_disk_max_compression, cor_disk_speed_limit},
+    [CONTACT_TIME] = {"contact_time", cor_disk_contact_time, cor_disk_speed_limit},
+};
+
+static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
+                                              COR_DISK_DATUM_PRINTED};
+
+static const double smallest = 4.9406564584124654e-324;
+static const long double pi = 3.14159265358979323846264338327950288L;
+static const long double ln2 = 0.693147180559945309417232121458176568L;
+
+/* What long double itself may lose, relative */
+static const long double slack = LDBL_MANT_DIG >= 64 ? 0x1p-60L : 0x1p-49L;
+
+static long double constant_b(double nu, enum cor_disk_datum datum)
+{
+    if (datum == COR_DISK_DATUM_CENTRE_OF_MASS)
+        return -2 * ln2 - (1 + (long double)nu) / 4;
+    return datum == COR_DISK_DATUM_DIAMETER ? -1 : -1 - (long double)nu;
+}
+
+/* (57) */
+static long double law_compression(long double load, double nu, enum cor_disk_datum datum)
+{
+    return load / pi * (logl(4 * pi / load) + constant_b(nu, datum));
+}
+
+static long double law_energy(long double load, double nu, enum cor_disk_datum datum)
+{
+    return load * load / (2 * pi) * (logl(4 * pi / load) + constant_b(nu, datum) - 0.5L);
+}
+
+static double random_nu(struct random_state *r)
+{
+    const double kind = random_uniform(r, 0, 4);
+    if (kind < 0.5)
+        return 1 - ldexp(1, -(int)random_uniform(r, 1, 54));
+    if (kind < 1)
+        return ldexp(1, -(int)random_uniform(r, 1, 54)) - 1;
+    return random_uniform(r, -1, 1);
+}
+
+static enum cor_disk_datum random_datum(struct random_state *r)
+{
+    return datums[(int)random_uniform(r, 0, 3)];
+}
+
+/* Inside the limit: by its logarithm, near the limit, on it */
+static double random_argument(struct random_state *r, double limit)
+{
+    const double kind = random_uniform(r, 0, 10);
+    if (kind < 1)
+        return limit;
+    if (kind < 3)
+        return fmin(limit, limit * (1 - random_log(r, 0x1p-53, 1)));
+    return kind < 7 ? limit * random_log(r, 1e-3, 1) : limit * random_log(r, 1e-290, 1);
+}
+
+/* ---- values, to 21 digits by arbitrary precision; the contact time over theta ---- */
+
+static const struct {
+    double nu;
+    int datum;
+    double limit[4]; /* load, compression, energy, speed: rounded towards zero */
+} known_limit[] = {
+    {0x1.51eb851eb851fp-2, 0, {0x1.a85928424e74bp-1, 0x1.0e26040e95c96p-2, 0x1.bfcd0c6b7a61bp-5, 0x1.7e0c34369e781p-3}},
+    {0x1.51eb851eb851fp-2, 1, {0x1.b35f53bddae99p+0, 0x1.152aaa3bf81cbp-1, 0x1.d75eb4c3758e4p-3, 0x1.87f90cada9f49p-2}},
+    {0x1.51eb851eb851fp-2, 2, {0x1.38ffe13fdff3fp+0, 0x1.8e85fc3ca181cp-2, 0x1.e741a1875787fp-4, 0x1.19cc7008e73c9p-2}},
+    {0x1.ccccccccccccdp-1, 0, {0x1.6ffd526c0708ap-1, 0x1.d489f0f5701c1p-3, 0x1.50c0b1ce7243fp-5, 0x1.4b4e96a35c9ecp-3}},
+    {0x1.ccccccccccccdp-1, 1, {0x1.b35f53bddae99p+0, 0x1.152aaa3bf81cbp-1, 0x1.d75eb4c3758e4p-3, 0x1.87f90cada9f49p-2}},
+    {0x1.ccccccccccccdp-1, 2, {0x1.6204b576c3347p-1, 0x1.c2c00e553650cp-3, 0x1.37aaef2a7a670p-5, 0x1.3eba815a4a8e1p-3}},
+    {-0x1.0000000000000p-1,
+     0,
+     {0x1.0519db8eeeac5p+0, 0x1.4c71b2477ab1fp-2, 0x1.53117efc2997fp-4, 0x1.d625a14d7c730p-3}},
+    {-0x1.0000000000000p-1,
+     1,
+     {0x1.b35f53bddae99p+0, 0x1.152aaa3bf81cbp-1, 0x1.d75eb4c3758e4p-3, 0x1.87f90cada9f49p-2}},
+    {-0x1.0000000000000p-1,
+     2,
+     {0x1.66e7625fcc2f8p+1, 0x1.c8f87724b5c1dp-1, 0x1.40543f357b4c1p-1, 0x1.4320823f71b31p-1}},
+    {-0x1.fffffffffffffp-1,
+     0,
+     {0x1.27ddbf6271dbdp+0, 0x1.78b56362cef37p-2, 0x1.b35f53bddae99p-4, 0x1.0a5f87fb1306ap-2}},
+    {-0x1.fffffffffffffp-1,
+     1,
+     {0x1.b35f53bddae99p+0, 0x1.152aaa3bf81cbp-1, 0x1.d75eb4c3758e4p-3, 0x1.87f90cada9f49p-2}},
+    {-0x1.fffffffffffffp-1,
+     2,
+     {0x1.27ddbf6271dbdp+2, 0x1.78b56362cef37p+0, 0x1.b35f53bddae98p+0, 0x1.0a5f87fb1306ap+0}},
+    {0x1.fffffffffffffp-1, 0, {0x1.66e7625fcc2f8p-1, 0x1.c8f87724b5c1dp-3, 0x1.40543f357b4c1p-5, 0x1.4320823f71b32p-3}},
+    {0x1.fffffffffffffp-1, 1, {0x1.b35f53bddae99p+0, 0x1.152aaa3bf81cbp-1, 0x1.d75eb4c3758e4p-3, 0x1.87f90cada9f49p-2}},
+    {0x1.fffffffffffffp-1, 2, {0x1.40543f357b4c2p-1, 0x1.97db0ccceb0afp-3, 0x1.fe58089475fa7p-6, 0x1.2065c2f0d142dp-3}},
+    {0, 0, {0x1.ccd776f51f370p-1, 0x1.25618372a584fp-2, 0x1.081112b5a1b1bp-4, 0x1.9ee73c5a7abe9p-3}},
+    {0, 1, {0x1.b35f53bddae99p+0, 0x1.152aaa3bf81cbp-1, 0x1.d75eb4c3758e4p-3, 0x1.87f90cada9f49p-2}},
+    {0, 2, {0x1.b35f53bddae99p+0, 0x1.152aaa3bf81cbp-1, 0x1.d75eb4c3758e4p-3, 0x1.87f90cada9f49p-2}},
+};
+
+static const struct {
+    int function;
+    double nu;
+    int datum;
+    double x;
+    long double value;
+} known[] = {
+    {LOAD, 0x1.51eb851eb851fp-2, 0, 0x1.0e26040e95c96p-2, 0.828805202586929023079L},
+    {LOAD, 0x1.51eb851eb851fp-2, 1, 0x1.152aaa3bf81cbp-1, 1.70067329913282610366L},
+    {LOAD, 0x1.51eb851eb851fp-2, 2, 0x1.8e85fc3ca181cp-2, 1.22265439992133571008L},
+    {LOAD, 0x1.ccccccccccccdp-1, 0, 0x1.d489f0f5701c0p-3, 0.718729554516206561083L},
+    {LOAD, -0x1.fffffffffffffp-1, 2, 0x1.78b56362cef36p+0, 4.62290931725002384325L},
+    {LOAD, 0x1.fffffffffffffp-1, 2, 0x1.97db0ccceb0afp-3, 0.62564274493845622204L},
+    {LOAD, -0x1.fffffffffffffp-1, 0, 0x1.78b56362cef37p-2, 1.15572733434091550362L},
+    {LOAD, -0x1.0000000000000p-1, 2, 0x1.c4669ee9767fep-1, 2.41686079688087865177L},
+    {LOAD, 0x1.51eb851eb851fp-2, 0, 0x1.7a3538e13819ep-3, 0.276617574310902424264L},
+    {LOAD, 0x1.ccccccccccccdp-1, 2, 0x1.c2c00e553650cp-4, 0.129080021782381689651L},
+    {LOAD, 0x1.51eb851eb851fp-2, 1, 0x1.bb7776c659c78p-6, 0.0148042604496098994688L},
+    {LOAD, 0x1.51eb851eb851fp-2, 0, 0x1.5798ee2308c3ap-27, 1.48613737178365302876e-9L},
+    {LOAD, -0x1.6666666666666p-1, 2, 0x1.56e1fc2f8f359p-997, 4.49820280643935888326e-303L},
+    {COMPRESSION, 0x1.51eb851eb851fp-2, 0, 0x1.a85928424e74bp-1, 0.263816893949703346914L},
+    {COMPRESSION, 0x1.51eb851eb851fp-2, 1, 0x1.b35f53bddae99p+0, 0.541341132946450767576L},
+    {COMPRESSION, 0x1.51eb851eb851fp-2, 2, 0x1.38ffe13fdff3fp+0, 0.389182988358131070854L},
+    {COMPRESSION, 0x1.ccccccccccccdp-1, 0, 0x1.6ffd526c07089p-1, 0.228778727045222437801L},
+    {COMPRESSION, -0x1.fffffffffffffp-1, 2, 0x1.27ddbf6271dbcp+2, 1.47151776468576912301L},
+    {COMPRESSION, 0x1.fffffffffffffp-1, 2, 0x1.40543f357b4c2p-1, 0.199148273471455794027L},
+    {COMPRESSION, -0x1.fffffffffffffp-1, 0, 0x1.27ddbf6271dbdp+0, 0.367879441171442311385L},
+    {COMPRESSION, -0x1.0000000000000p-1, 2, 0x1.6350972685061p+1, 0.892475865059989761683L},
+    {COMPRESSION, 0x1.51eb851eb851fp-2, 0, 0x1.290b35c803b81p-1, 0.250539638866512998801L},
+    {COMPRESSION, 0x1.ccccccccccccdp-1, 2, 0x1.6204b576c3347p-2, 0.186324819807670661724L},
+    {COMPRESSION, 0x1.51eb851eb851fp-2, 1, 0x1.5c4c42fe48baep-4, 0.108152711795820747949L},
+    {COMPRESSION, 0x1.51eb851eb851fp-2, 0, 0x1.5798ee2308c3ap-27, 6.12202559355521790594e-8L},
+    {COMPRESSION, -0x1.6666666666666p-1, 2, 0x1.56e1fc2f8f359p-997, 2.2059083673795440001e-298L},
+    {ENERGY, 0x1.51eb851eb851fp-2, 0, 0x1.a85928424e74bp-1, 0.0546632044386791949984L},
+    {ENERGY, 0x1.51eb851eb851fp-2, 1, 0x1.b35f53bddae99p+0, 0.230161106314603301022L},
+    {ENERGY, 0x1.51eb851eb851fp-2, 2, 0x1.38ffe13fdff3fp+0, 0.118959074946788576612L},
+    {ENERGY, 0x1.ccccccccccccdp-1, 0, 0x1.6ffd526c07089p-1, 0.0411075089246613014589L},
+    {ENERGY, -0x1.fffffffffffffp-1, 2, 0x1.27ddbf6271dbcp+2, 1.70067332635054493613L},
+    {ENERGY, 0x1.fffffffffffffp-1, 2, 0x1.40543f357b4c2p-1, 0.0311489185131389706274L},
+    {ENERGY, -0x1.fffffffffffffp-1, 0, 0x1.27ddbf6271dbdp+0, 0.106292082896909076209L},
+    {ENERGY, -0x1.0000000000000p-1, 2, 0x1.6350972685061p+1, 0.625518042504532414905L},
+    {ENERGY, 0x1.51eb851eb851fp-2, 0, 0x1.290b35c803b81p-1, 0.0458920256460566231305L},
+    {ENERGY, 0x1.ccccccccccccdp-1, 2, 0x1.6204b576c3347p-2, 0.0226968659487396505715L},
+    {ENERGY, 0x1.51eb851eb851fp-2, 1, 0x1.5c4c42fe48baep-4, 4.02290803730424987258e-3L},
+    {ENERGY, 0x1.51eb851eb851fp-2, 0, 0x1.5798ee2308c3ap-27, 2.9814353252316613458e-16L},
+    {LOAD_OF_ENERGY, 0x1.51eb851eb851fp-2, 0, 0x1.bfcd0c6b7a61bp-5, 0.82880521040917703311L},
+    {LOAD_OF_ENERGY, 0x1.51eb851eb851fp-2, 1, 0x1.d75eb4c3758e4p-3, 1.70067331884487054582L},
+    {LOAD_OF_ENERGY, 0x1.51eb851eb851fp-2, 2, 0x1.e741a1875787fp-4, 1.22265441529548367478L},
+    {LOAD_OF_ENERGY, 0x1.ccccccccccccdp-1, 0, 0x1.50c0b1ce7243ep-5, 0.718729560856024739293L},
+    {LOAD_OF_ENERGY, -0x1.fffffffffffffp-1, 2, 0x1.b35f53bddae97p+0, 4.62290935980546955976L},
+    {LOAD_OF_ENERGY, 0x1.fffffffffffffp-1, 2, 0x1.fe58089475fa7p-6, 0.625642750848529344712L},
+    {LOAD_OF_ENERGY, -0x1.fffffffffffffp-1, 0, 0x1.b35f53bddae99p-4, 1.15572734399064203858L},
+    {LOAD_OF_ENERGY, -0x1.0000000000000p-1, 2, 0x1.3d2034563a107p-1, 2.60321410771623513197L},
+    {LOAD_OF_ENERGY, 0x1.51eb851eb851fp-2, 0, 0x1.3975ef1808ddfp-5, 0.478813208261291287471L},
+    {LOAD_OF_ENERGY, 0x1.ccccccccccccdp-1, 2, 0x1.37aaef2a7a670p-6, 0.298749679649763132864L},
+    {LOAD_OF_ENERGY, 0x1.51eb851eb851fp-2, 1, 0x1.7918909c5e0b7p-7, 0.158673283393890518969L},
+    {LOAD_OF_ENERGY, 0x1.51eb851eb851fp-2, 0, 0x1.5798ee2308c3ap-27, 8.03099360016630646713e-5L},
+    {LOAD_OF_ENERGY, -0x1.6666666666666p-1, 2, 0x1.56e1fc2f8f359p-997, 1.34152219519951305858e-151L},
+    {MAX_LOAD, 0x1.51eb851eb851fp-2, 0, 0x1.7e0c34369e781p-3, 0.828805206431123518349L},
+    {MAX_LOAD, 0x1.51eb851eb851fp-2, 1, 0x1.87f90cada9f49p-2, 1.70067330888826596616L},
+    {MAX_LOAD, 0x1.51eb851eb851fp-2, 2, 0x1.19cc7008e73c9p-2, 1.22265440030077687058L},
+    {MAX_LOAD, 0x1.ccccccccccccdp-1, 0, 0x1.4b4e96a35c9ebp-3, 0.718729556051308308551L},
+    {MAX_LOAD, -0x1.fffffffffffffp-1, 2, 0x1.0a5f87fb13069p+0, 4.62290933068357060107L},
+    {MAX_LOAD, 0x1.fffffffffffffp-1, 2, 0x1.2065c2f0d142dp-3, 0.625642744716356693631L},
+    {MAX_LOAD, -0x1.fffffffffffffp-1, 0, 0x1.0a5f87fb1306ap-2, 1.15572733886944194629L},
+    {MAX_LOAD, -0x1.0000000000000p-1, 2, 0x1.3fe54dbecf485p-1, 2.51925610680529391109L},
+    {MAX_LOAD, 0x1.51eb851eb851fp-2, 0, 0x1.0b6ef1596eedap-3, 0.352393563154798318517L},
+    {MAX_LOAD, 0x1.ccccccccccccdp-1, 2, 0x1.3eba815a4a8e1p-4, 0.179910995922996633984L},
+    {MAX_LOAD, 0x1.51eb851eb851fp-2, 1, 0x1.39940a2487f6ep-6, 0.0280165524634236100573L},
+    {MAX_LOAD, 0x1.51eb851eb851fp-2, 0, 0x1.5798ee2308c3ap-27, 7.19557159978812170258e-9L},
+    {MAX_LOAD, -0x1.6666666666666p-1, 2, 0x1.56e1fc2f8f359p-997, 1.19198833708144214416e-301L},
+    {MAX_COMPRESSION, 0x1.51eb851eb851fp-2, 0, 0x1.7e0c34369e781p-3, 0.263816893949703329604L},
+    {MAX_COMPRESSION, 0x1.51eb851eb851fp-2, 1, 0x1.87f90cada9f49p-2, 0.541341132946450739039L},
+    {MAX_COMPRESSION, 0x1.51eb851eb851fp-2, 2, 0x1.19cc7008e73c9p-2, 0.389182988358131033995L},
+    {MAX_COMPRESSION, 0x1.ccccccccccccdp-1, 0, 0x1.4b4e96a35c9ebp-3, 0.228778727045222405211L},
+    {MAX_COMPRESSION, -0x1.fffffffffffffp-1, 2, 0x1.0a5f87fb13069p+0, 1.47151776468576896156L},
+    {MAX_COMPRESSION, 0x1.fffffffffffffp-1, 2, 0x1.2065c2f0d142dp-3, 0.199148273471455776936L},
+    {MAX_COMPRESSION, -0x1.fffffffffffffp-1, 0, 0x1.0a5f87fb1306ap-2, 0.367879441171442294959L},
+    {MAX_COMPRESSION, -0x1.0000000000000p-1, 2, 0x1.3fe54dbecf485p-1, 0.887756449110358197991L},
+    {MAX_COMPRESSION, 0x1.51eb851eb851fp-2, 0, 0x1.0b6ef1596eedap-3, 0.208102540889800401751L},
+    {MAX_COMPRESSION, 0x1.ccccccccccccdp-1, 2, 0x1.3eba815a4a8e1p-4, 0.134367603424091836608L},
+    {MAX_COMPRESSION, 0x1.51eb851eb851fp-2, 1, 0x1.39940a2487f6ep-6, 0.0455348879554483158295L},
+    {MAX_COMPRESSION, 0x1.51eb851eb851fp-2, 0, 0x1.5798ee2308c3ap-27, 4.4805295467258697084e-8L},
+    {MAX_COMPRESSION, -0x1.6666666666666p-1, 2, 0x1.56e1fc2f8f359p-997, 2.63748720253942127011e-299L},
+    {CONTACT_TIME, 0x1.51eb851eb851fp-2, 0, 0x1.7e0c34369e781p-3, 3.89965232051436746707L},
+    {CONTACT_TIME, 0x1.51eb851eb851fp-2, 1, 0x1.87f90cada9f49p-2, 3.89965232051436696992L},
+    {CONTACT_TIME, 0x1.51eb851eb851fp-2, 2, 0x1.19cc7008e73c9p-2, 3.89965232051436858003L},
+    {CONTACT_TIME, 0x1.ccccccccccccdp-1, 0, 0x1.4b4e96a35c9ebp-3, 3.89965232051437038762L},
+    {CONTACT_TIME, -0x1.fffffffffffffp-1, 2, 0x1.0a5f87fb13069p+0, 3.89965232051436915032L},
+    {CONTACT_TIME, 0x1.fffffffffffffp-1, 2, 0x1.2065c2f0d142dp-3, 3.89965232051436824117L},
+    {CONTACT_TIME, -0x1.fffffffffffffp-1, 0, 0x1.0a5f87fb1306ap-2, 3.89965232051436665748L},
+    {CONTACT_TIME, -0x1.0000000000000p-1, 2, 0x1.3fe54dbecf485p-1, 3.93724286390455249165L},
+    {CONTACT_TIME, 0x1.51eb851eb851fp-2, 0, 0x1.0b6ef1596eedap-3, 4.6155704316391515069L},
+    {CONTACT_TIME, 0x1.ccccccccccccdp-1, 2, 0x1.3eba815a4a8e1p-4, 5.08411787570707284251L},
+    {CONTACT_TIME, 0x1.51eb851eb851fp-2, 1, 0x1.39940a2487f6ep-6, 7.2530760661937525937L},
+    {CONTACT_TIME, 0x1.51eb851eb851fp-2, 0, 0x1.5798ee2308c3ap-27, 13.9659956660845471973L},
+    {CONTACT_TIME, -0x1.6666666666666p-1, 2, 0x1.56e1fc2f8f359p-997, 82.8408177339498906913L},
+};
+
+static void limits(void **state)
+{
+    (void)state;
+    double (*const limit[4])(double, enum cor_disk_datum) = {cor_disk_load_limit, cor_disk_compression_limit,
+                                                             cor_disk_energy_limit, cor_disk_speed_limit};
+    for (size_t i = 0; i < sizeof known_limit / sizeof *known_limit; i++)
+        for (int k = 0; k < 4; k++) {
+            const double computed = limit[k](known_limit[i].nu, datums[known_limit[i].datum]);
+            check(same_bits(computed, known_limit[i].limit[k]), "limit %d at nu = %a, datum %d: %a", k,
+                  known_limit[i].nu, known_limit[i].datum, computed);
+        }
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(3000); i++) {
+        const double nu = random_nu(&random);
+        const enum cor_disk_datum datum = random_datum(&random);
+        for (int k = 0; k < FUNCTIONS; k++) {
+            const double end = functions[k].limit(nu, datum);
+            check(functions[k].value(end, nu, datum) > 0, "%s at its limit, nu = %a", functions[k].name, nu);
+            check(isnan(functions[k].value(nextafter(end, 8), nu, datum)), "%s beyond its limit, nu = %a",
+                  functions[k].name, nu);
+        }
+    }
+}
+
+static void known_values(void **state)
+{
+    (void)state;
+    long double worst = 0, worst_time = 0;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        const struct function *f = &functions[known[i].function];
+        const double computed = f->value(known[i].x, known[i].nu, datums[known[i].datum]);
+        if (known[i].function == CONTACT_TIME) {
+            const long double error = relative_error(computed, known[i].value);
+            worst_time = fmaxl(worst_time, error);
+            check(error <= COR_DISK_CONTACT_TIME_MAX_ERROR, "contact_time(%a): %a", known[i].x, computed);
+        } else {
+            const long double error = ulp_error(computed, known[i].value);
+            worst = fmaxl(worst, error);
+            check(error <= COR_DISK_LAW_MAX_ULP, "%s(%a), nu = %a: %a, %Lg ulp", f->name, known[i].x, known[i].nu,
+                  computed, error);
+        }
+    }
+    print_message("known values: %.2Lf ulp, contact time %.2Lg\n", worst, worst_time);
+    /* of the theory's check, nu = 0.33 and the printed b */
+    static const double speed[] = {1e-8, 1e-4, 1e-2, 0.1};
+    static const long double tau[] = {14.106276639072995L, 10.238438141667503L, 7.490162708628413L, 5.464716335895670L};
+    for (int i = 0; i < 4; i++)
+        check(relative_error(cor_disk_contact_time(speed[i], 0.33, COR_DISK_DATUM_PRINTED), tau[i]) < 1e-15L, "%g",
+              speed[i]);
+}
+
+/* ---- the law in long double ---- */
+
+static void law(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst[2] = {0};
+    for (size_t i = 0; i < points(20000); i++) {
+        const double nu = random_nu(&random);
+        const enum cor_disk_datum datum = random_datum(&random);
+        double load = random_argument(&random, cor_disk_load_limit(nu, datum));
+        const long double delta = ulp_error(cor_disk_compression(load, nu, datum), law_compression(load, nu, datum));
+        const long double energy = ulp_error(cor_disk_energy(load, nu, datum), law_energy(load, nu, datum));
+        worst[0] = fmaxl(worst[0], delta);
+        worst[1] = fmaxl(worst[1], energy);
+        check(delta <= COR_DISK_LAW_MAX_ULP, "compression(%a), nu = %a: %Lg ulp", load, nu, delta);
+        check(energy <= COR_DISK_LAW_MAX_ULP, "energy(%a), nu = %a: %Lg ulp", load, nu, energy);
+    }
+    print_message("compression %.2Lf, energy %.2Lf ulp at the worst\n", worst[0], worst[1]);
+}
+
+/* The inverses put back into the law, which is t/(1 + t) and 2 t/(1/2 + t) times as far off; V = pi v^2/2. */
+static void inverses(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(20000); i++) {
+        const double nu = random_nu(&random);
+        const enum cor_disk_datum datum = random_datum(&random);
+        const long double bound = COR_DISK_LAW_MAX_ULP * DBL_EPSILON, b = constant_b(nu, datum);
+
+        const double delta = random_argument(&random, cor_disk_compression_limit(nu, datum));
+        const double load = cor_disk_load(delta, nu, datum);
+        long double t = fmaxl(0, logl(4 * pi / load) + b - 1);
+        check(fabsl(law_compression(load, nu, datum) / delta - 1) <= bound * t / (1 + t) + slack,
+              "load(%a) = %a, nu = %a", delta, load, nu);
+
+        const double energy = random_argument(&random, cor_disk_energy_limit(nu, datum));
+        const double load_of_energy = cor_disk_load_of_energy(energy, nu, datum);
+        t = fmaxl(0, logl(4 * pi / load_of_energy) + b - 1);
+        check(fabsl(law_energy(load_of_energy, nu, datum) / energy - 1) <= bound * 2 * t / (0.5L + t) + slack,
+              "load_of_energy(%a) = %a, nu = %a", energy, load_of_energy, nu);
+
+        const double speed = random_argument(&random, cor_disk_speed_limit(nu, datum));
+        const double max_load = cor_disk_max_load(speed, nu, datum);
+        const double max_compression = cor_disk_max_compression(speed, nu, datum);
+        t = fmaxl(0, logl(4 * pi / max_load) + b - 1);
+        check(fabsl(law_energy(max_load, nu, datum) / (pi * speed * speed / 2) - 1) <=
+                  bound * 2 * t / (0.5L + t) + slack,
+              "max_load(%a) = %a, nu = %a", speed, max_load, nu);
+        check(fabsl(law_compression(max_load, nu, datum) / max_compression - 1) <= bound * (1 + t / (1 + t)) + slack,
+              "max_compression(%a) = %a, nu = %a", speed, max_compression, nu);
+    }
+}
+
+/* V = int P ddelta, by Gauss's rule of four points */
+static void energy_is_work(void **state)
+{
+    (void)state;
+    static const long double node[2] = {0.861136311594052575224L, 0.339981043584856264803L},
+                             weight[2] = {0.347854845137453857373L, 0.652145154862546142627L};
+    for (double nu = -0.9; nu < 1; nu += 0.3)
+        for (int datum = 0; datum < 3; datum++) {
+            const double end = 0.9 * cor_disk_compression_limit(nu, datums[datum]);
+            double low = end / 1024;
+            long double work = 0;
+            const double start = cor_disk_energy(cor_disk_load(low, nu, datums[datum]), nu, datums[datum]);
+            while (low < end) {
+                const double high = fmin(end, low * 1.1), half = (high - low) / 2, middle = (high + low) / 2;
+                for (int i = 0; i < 2; i++)
+                    for (int side = -1; side <= 1; side += 2)
+                        work +=
+                            half * weight[i] * cor_disk_load(middle + side * half * (double)node[i], nu, datums[datum]);
+                low = high;
+            }
+            const double stored = cor_disk_energy(cor_disk_load(end, nu, datums[datum]), nu, datums[datum]);
+            check(fabsl(work / (stored - start) - 1) < 1e-9L, "nu = %g, datum %d: %Lg and %g", nu, datum, work,
+                  stored - start);
+        }
+}
+
+/* ---- contact time ---- */
+
+/* t - ln(1 + t) = q by Newton's method; close to q = 0 no more than absolutely good */
+static long double t_of_q(long double q)
+{
+    long double t = q + sqrtl(2 * q) + 1e-6L;
+    for (int i = 0; i < 60; i++) {
+        const long double step = (t - log1pl(t) - q) * (1 + t) / t;
+        t -= step;
+        if (!(fabsl(step) > 1e-19L * t))
+            break;
+    }
+    return t;
+}
+
+/* The integral over theta, by tanh-sinh: theta or pi/2 - theta = (pi/2)/(1 + exp(pi sinh(y))) */
+static long double contact_time_over_theta(double speed, double nu, enum cor_disk_datum datum)
+{
+    const long double q = 2 * (1.5L * ln2 + constant_b(nu, datum) - 1 - logl(speed));
+    const int steps = 28;
+    long double sum = 0;
+    for (int k = -7 * steps / 2; k <= 7 * steps / 2; k++) {
+        const long double y = (long double)k / steps, e = expl(-pi * sinhl(fabsl(y)));
+        const long double angle = pi / 2 * e / (1 + e), weight = coshl(y) * e / ((1 + e) * (1 + e));
+        const long double log_sine = k > 0 ? log1pl(-sinl(angle) * sinl(angle)) / 2 : logl(sinl(angle));
+        sum += weight * sqrtl(1 + t_of_q(q - 2 * log_sine));
+    }
+    return sqrtl(2) * pi * pi / 2 * sum / steps;
+}
+
+static void contact_time(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst = 0;
+    for (size_t i = 0; i < points(300); i++) {
+        const double nu = random_nu(&random);
+        const enum cor_disk_datum datum = random_datum(&random);
+        const double end = cor_disk_speed_limit(nu, datum);
+        const double v = i % 3 == 0   ? end * random_log(&random, 1e-290, 1e-3)
+                         : i % 3 == 1 ? end * random_log(&random, 1e-3, 0.9)
+                                      : end * (1 - random_log(&random, 1e-4, 0.3));
+        const long double error =
+            relative_error(cor_disk_contact_time(v, nu, datum), contact_time_over_theta(v, nu, datum));
+        worst = fmaxl(worst, error);
+        check(error <= COR_DISK_CONTACT_TIME_MAX_ERROR + 8 * slack, "%a, nu = %a, datum %d: %Lg", v, nu, (int)datum,
+              error);
+    }
+    print_message("contact time: %.2Lg at the worst\n", worst);
+    /* pi sqrt(T/2) with T about q + ln(q), where the speed is as small as can be */
+    const double tiny = cor_disk_contact_time(smallest, 0, COR_DISK_DATUM_DIAMETER);
+    assert_true(tiny > 85.5 && tiny < 86);
+}
+
+/* ---- to leading logarithm ---- */
+
+static void leading_logarithms(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst[5] = {0};
+    for (size_t i = 0; i < points(20000); i++) {
+        /* 4 - x is exact, and so the logarithm is good near 4 */
+        const double end = nextafter(4, 0), x = random_argument(&random, end);
+        const long double log = x > 2 ? -log1pl((x - 4.0L) / 4) : logl(4 / (long double)x);
+        const double load = random_argument(&random, 4.62290939916368604);
+        const long double error[5] = {
+            ulp_error(cor_disk_compression_leading_log(load), load / pi * logl(4 * pi / load)),
+            ulp_error(cor_disk_load_leading_log(x), pi * x / log),
+            ulp_error(cor_disk_energy_leading_log(x), pi / 2 * x * x / log),
+            ulp_error(cor_disk_max_compression_leading_log(x), x * sqrtl(log)),
+            ulp_error(cor_disk_contact_time_leading_log(x), pi * sqrtl(log)),
+        };
+        for (int k = 0; k < 5; k++) {
+            worst[k] = fmaxl(worst[k], error[k]);
+            check(error[k] <= COR_DISK_LAW_MAX_ULP, "%d at %a: %Lg ulp", k, k == 0 ? load : x, error[k]);
+        }
+    }
+    print_message("leading logarithms: %.2Lf, %.2Lf, %.2Lf, %.2Lf, %.2Lf ulp at the worst\n", worst[0], worst[1],
+                  worst[2], worst[3], worst[4]);
+    assert_true(cor_disk_max_compression_leading_log(4) == 0 && cor_disk_contact_time_leading_log(4) == 0);
+    assert_true(isnan(cor_disk_load_leading_log(4)) && isnan(cor_disk_energy_leading_log(4)));
+    assert_true(isnan(cor_disk_max_compression_leading_log(nextafter(4, 5))));
+    assert_true(isnan(cor_disk_contact_time_leading_log(nextafter(4, 5))));
+    /* 4 pi/e is 4.62290939916368599... */
+    assert_true(cor_disk_compression_leading_log(4.62290939916368604) > 0);
+    assert_true(isnan(cor_disk_compression_leading_log(nextafter(4.62290939916368604, 5))));
+}
+
+/* ---- special values ---- */
+
+static void special_values(void **state)
+{
+    (void)state;
+    const double bad[] = {-smallest, -1, -INFINITY, INFINITY, NAN, 1e300};
+    const double bad_nu[] = {-1, 1, nextafter(1, 2), nextafter(-1, -2), INFINITY, -INFINITY, NAN};
+    for (int k = 0; k < FUNCTIONS; k++)
+        for (int d = 0; d < 3; d++) {
+            law_function *const value = functions[k].value;
+            const double at_zero = k == CONTACT_TIME ? INFINITY : 0;
+            check(value(0, 0.33, datums[d]) == at_zero, "%s(0)", functions[k].name);
+            check(value(-0.0, 0.33, datums[d]) == at_zero, "%s(-0)", functions[k].name);
+            for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+                check(isnan(value(bad[i], 0.33, datums[d])), "%s(%g)", functions[k].name, bad[i]);
+            const double arguments[] = {0, 1e-3, smallest};
+            for (int a = 0; a < 3; a++)
+                for (size_t i = 0; i < sizeof bad_nu / sizeof *bad_nu; i++)
+                    check(isnan(value(arguments[a], bad_nu[i], datums[d])), "%s, nu = %g", functions[k].name,
+                          bad_nu[i]);
+            for (size_t i = 0; i < sizeof bad_nu / sizeof *bad_nu; i++)
+                check(isnan(functions[k].limit(bad_nu[i], datums[d])), "limit, nu = %g", bad_nu[i]);
+        }
+    const int bad_datum[] = {3, -1, INT_MAX, INT_MIN, 256};
+    for (int k = 0; k < FUNCTIONS; k++)
+        for (size_t i = 0; i < sizeof bad_datum / sizeof *bad_datum; i++) {
+            const enum cor_disk_datum datum = (enum cor_disk_datum)bad_datum[i];
+            check(isnan(functions[k].value(1e-3, 0.33, datum)), "%s, datum %d", functions[k].name, bad_datum[i]);
+            check(isnan(functions[k].value(0, 0.33, datum)), "%s, datum %d", functions[k].name, bad_datum[i]);
+            check(isnan(functions[k].limit(0.33, datum)), "limit, datum %d", bad_datum[i]);
+        }
+    double (*const leading[5])(double) = {cor_disk_compression_leading_log, cor_disk_load_leading_log,
+                                          cor_disk_energy_leading_log, cor_disk_max_compression_leading_log,
+                                          cor_disk_contact_time_leading_log};
+    for (int k = 0; k < 5; k++) {
+        assert_true(leading[k](0) == (k == 4 ? INFINITY : 0) && leading[k](-0.0) == (k == 4 ? INFINITY : 0));
+        for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+            check(isnan(leading[k](bad[i])), "%d at %g", k, bad[i]);
+    }
+}
+
+/* Results that are no normal doubles: the same law in units in which they are. */
+static void subnormal_results(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(5000); i++) {
+        const double nu = random_nu(&random), x = random_log(&random, 1e-323, 1e-305);
+        const enum cor_disk_datum datum = random_datum(&random);
+        const long double delta = law_compression(x, nu, datum);
+        check(ulp_error(cor_disk_compression(x, nu, datum), delta) <= COR_DISK_LAW_MAX_ULP, "compression(%a)", x);
+        const double load = random_log(&random, 1e-163, 1e-152);
+        check(ulp_error(cor_disk_energy(load, nu, datum), law_energy(load, nu, datum)) <= COR_DISK_LAW_MAX_ULP,
+              "energy(%a)", load);
+        const double back = cor_disk_load_of_energy(x, nu, datum);
+        check(fabsl(law_energy(back, nu, datum) / x - 1) <= 2 * COR_DISK_LAW_MAX_ULP * DBL_EPSILON,
+              "load_of_energy(%a)", x);
+        /* far from the limit a slightly smaller P is a slightly smaller delta: to one unit of the last place */
+        const double p = cor_disk_load(x, nu, datum), step = (double)ulp(p) * COR_DISK_LAW_MAX_ULP;
+        check(law_compression(p + step, nu, datum) >= x && (p <= step || law_compression(p - step, nu, datum) <= x),
+              "load(%a) = %a", x, p);
+    }
+    assert_true(cor_disk_energy(1e-200, 0, COR_DISK_DATUM_DIAMETER) == 0);
+    assert_true(cor_disk_energy_leading_log(smallest) == 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(limits),         cmocka_unit_test(known_values),      cmocka_unit_test(law),
+        cmocka_unit_test(inverses),       cmocka_unit_test(energy_is_work),    cmocka_unit_test(contact_time),
+        cmocka_unit_test(special_values), cmocka_unit_test(subnormal_results), cmocka_unit_test(leading_logarithms),
+    };
+    return cmocka_run_group_tests_name("disk_quasistatic", tests, NULL, NULL);
+}

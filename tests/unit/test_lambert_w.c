@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: MIT */
+/* Lambert's W_-1 and t of q (runtime/lambert_w.h) against long double and against values of arbitrary precision.
+ * tests/accuracy/test_disk_law.c has them against balls. */
+#include "check.h"
+
+#include "lambert_w.h"
+
+static const long double slack = LDBL_MANT_DIG >= 64 ? 0.01L : 4;
+
+/* t - ln(1 + t), t >= 0: with z = t/(2 + t) it is t z - 2 (z^3/3 + z^5/5 + ...) */
+static long double q_exact(long double t)
+{
+    if (t > 0.6L)
+        return t - log1pl(t);
+    const long double z = t / (2 + t), square = z * z;
+    long double sum = 0;
+    for (int k = 41; k >= 3; k -= 2)
+        sum = square * (sum + 2.0L / k);
+    return z * (t - sum);
+}
+
+/* How far t is off, q having the slope t/(1 + t); q = q0 + q1 */
+static long double t_off(struct cor_inline_pair t, long double q0, long double q1)
+{
+    const long double whole = (long double)t.hi + t.lo;
+    return ((q_exact(whole) - q0) - q1) * (1 + whole) / whole;
+}
+
+static void check_t(double q, long double worst[2])
+{
+    const struct cor_inline_pair argument = {q, 0}, t = cor_lambert_t_pair(argument);
+    const long double off = t_off(t, q, 0), whole = (long double)t.hi + t.lo;
+    const long double rounded = fabsl(cor_lambert_t(q) - (whole - off)) / ulp(whole),
+                      relative = fabsl(off) / (1 + whole) * 0x1p53L;
+    worst[0] = fmaxl(worst[0], rounded);
+    worst[1] = fmaxl(worst[1], relative);
+    check(rounded <= 2 + slack, "t(%a) = %a: %Lg ulp", q, cor_lambert_t(q), rounded);
+    check(relative <= 1 + slack, "1 + t(%a): %Lg 2^-53", q, relative);
+}
+
+static void t_of_q(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst[2] = {0};
+    for (size_t i = 0; i < points(50000); i++) {
+        check_t(random_log(&random, 1e-300, 1e4), worst);
+        check_t(random_log(&random, 0.01, 100), worst);
+    }
+    const double boundary[] = {0x1p-500, 0.1, 3, 0x1p400};
+    for (size_t i = 0; i < sizeof boundary / sizeof *boundary; i++)
+        for (int k = 0; k < 3; k++)
+            check_t(k == 0   ? nextafter(boundary[i], 0)
+                    : k == 1 ? boundary[i]
+                             : nextafter(boundary[i], INFINITY),
+                    worst);
+    print_message("t: %.2Lf ulp; 1 + t: %.2Lf 2^-53 at the worst\n", worst[0], worst[1]);
+}
+
+/* The second part of q is not lost. */
+static void t_of_two_parts(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(20000); i++) {
+        const double hi = random_log(&random, 1e-30, 1e3), lo = hi * random_uniform(&random, -0x1p-53, 0x1p-53);
+        const struct cor_inline_pair q = {hi, lo}, t = cor_lambert_t_pair(q);
+        const long double off = t_off(t, hi, lo), whole = (long double)t.hi + t.lo;
+        check(fabsl(off) <= (1 + slack) * 0x1p-53L * (1 + whole), "1 + t(%a + %a)", hi, lo);
+        /* where the series begins, only its rest is rounded, less than t/60 */
+        const long double bound = hi < 1e-3 ? 0x1p-57L : 1.5L * 0x1p-52L;
+        check(fabsl(off) <= (bound + slack * 0x1p-53L) * whole, "t(%a + %a): %Lg", hi, lo, off / whole);
+    }
+}
+
+static void series(void **state)
+{
+    (void)state;
+    assert_true(cor_lambert_t(0) == 0);
+    /* sqrt(2 q) (1 + sqrt(2 q)/3), the next term is too small */
+    for (int exponent = -1074; exponent < -120; exponent++) {
+        const long double q = ldexpl(1, exponent), p = sqrtl(2 * q);
+        check(ulp_error(cor_lambert_t((double)q), p * (1 + p / 3)) <= 0.6L + slack, "2^%d", exponent);
+    }
+    assert_true(isnan(cor_lambert_t(-0x1p-1074)) && isnan(cor_lambert_t(-1)) && isnan(cor_lambert_t(NAN)));
+}
+
+/* By arbitrary precision; the first is the last double above -1/e. */
+static const struct {
+    double z;
+    long double w;
+} known[] = {
+    {-0x1.78b56362cef37p-2, -1.00000001530425428464L},  {-0x1.78b56362cef36p-2, -1.00000002315189219977L},
+    {-0x1.78b2e9ccb7d41p-2, -1.00718148895107838543L},  {-0x1.77ced916872b0p-2, -1.07079188676805216693L},
+    {-0x1.3333333333333p-2, -1.78133702342162769635L},  {-0x1.999999999999ap-4, -3.57715206395729714136L},
+    {-0x1.47ae147ae147bp-7, -6.47277512439400467012L},  {-0x1.9b604aaaca626p-200, -143.118780497971037516L},
+    {-0x1.56e1fc2f8f359p-997, -697.32277629546016097L}, {-0x1p-1074, -751.061559539879080602L},
+};
+
+static void lower_branch(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        check(ulp_error(cor_lambert_w_minus1(known[i].z), known[i].w) <= 2, "W(%a) = %a", known[i].z,
+              cor_lambert_w_minus1(known[i].z));
+    assert_true(isnan(cor_lambert_w_minus1(nextafter(known[0].z, -1)))); /* below -1/e */
+    assert_true(isnan(cor_lambert_w_minus1(-1)) && isnan(cor_lambert_w_minus1(-INFINITY)));
+    assert_true(isnan(cor_lambert_w_minus1(0x1p-1074)) && isnan(cor_lambert_w_minus1(NAN)));
+    assert_true(cor_lambert_w_minus1(0) == -INFINITY && cor_lambert_w_minus1(-0.0) == -INFINITY);
+    /* w + ln(-w) = ln(-z) far from the branch point */
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(50000); i++) {
+        const double z = i % 2 ? -random_log(&random, 1e-320, 0.3) : -random_uniform(&random, 0.1, 0.36);
+        const long double w = cor_lambert_w_minus1(z);
+        const long double off = (w + logl(-w) - logl(-(long double)z)) / (1 + 1 / w);
+        check(fabsl(off) <= (2 + slack) * ulp(w), "W(%a) = %La", z, w);
+    }
+}
+
+/* ln(a/x) from the logarithm of a and from a */
+static void log_ratios(void **state)
+{
+    (void)state;
+    const struct cor_logarithm pi = {{3.14159265358979312, 1.22464679914735321e-16},
+                                     {1.14472988584940016, 1.02659511627078262e-17}};
+    const long double exact_pi = 3.14159265358979323846264338327950288L;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(50000); i++) {
+        const double x = i % 2 ? random_log(&random, 1e-323, 3) : random_uniform(&random, 1, 3.14159265358979311);
+        const struct cor_inline_pair far = cor_log_ratio_far(pi.log, x), q = cor_log_ratio(&pi, x);
+        const long double exact = x > 1.5 ? -log1pl(((long double)x - exact_pi) / exact_pi) : logl(exact_pi / x);
+        check(fabsl(far.hi + (far.lo - exact)) <= (1 + slack) * (0x1p-54L + 0x1p-62L * exact), "far, %a", x);
+        check(fabsl(q.hi + (q.lo - exact)) <= (1 + slack) * 0x1p-52L * exact + 0x1p-64L, "%a", x);
+    }
+    /* the number ends 1.22e-16 above its double */
+    const struct cor_inline_pair last = cor_log_ratio(&pi, pi.number.hi);
+    assert_true(fabs(last.hi / (1.22464679914735321e-16 / 3.14159265358979312) - 1) < 1e-15);
+    assert_true(isnan(cor_log_ratio(&pi, nextafter(pi.number.hi, 4)).hi));
+    assert_true(isnan(cor_log_ratio(&pi, INFINITY).hi) && isnan(cor_log_ratio(&pi, NAN).hi));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(t_of_q),       cmocka_unit_test(t_of_two_parts), cmocka_unit_test(series),
+        cmocka_unit_test(lower_branch), cmocka_unit_test(log_ratios),
+    };
+    return cmocka_run_group_tests_name("lambert_w", tests, NULL, NULL);
+}
