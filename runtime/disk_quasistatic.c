@@ -34,7 +34,7 @@ static pair pair_of(double x)
 
 static pair pair_plus(pair x, pair y)
 {
-    const pair sum = cor_two_sum(x.hi, y.hi);
+    const pair sum = cor_inline_two_sum(x.hi, y.hi);
     return cor_inline_sum(sum.hi, sum.lo + (x.lo + y.lo));
 }
 
@@ -301,9 +301,9 @@ static double exp_less_two_terms(double u)
  *
  *     f(x) = (t + u) sqrt(u (u + c)/((1 + t) (exp(u) - 1 - u) + t u)),
  *
- * even, falling like exp(-u/2), with its first singularities at x = +-i a + ..., 0.99 < a/(1.29/sqrt(1 + c/7.6)) < 1.19:
- * the zeros of the root near u = 2 +- 7 i. The trapezoidal rule with the step 2 pi 1.29/(38.5 sqrt(1 + c/7.6)) is off by
- * exp(-38), and so is the cut at u = 88. It takes 27 to 60 points, 115 at t = 1e-8 and at most 200. */
+ * even, falling like exp(-u/2), its first singularities at x = +-i a + ..., 0.99 < a/(1.29/sqrt(1 + c/7.6)) < 1.19,
+ * where the root vanishes near u = 2 +- 7 i. The trapezoidal rule with the step 2 pi 1.29/(38.5 sqrt(1 + c/7.6)) is off
+ * by exp(-38), and so is the cut at u = 88. It takes 27 to 60 points, 115 at t = 1e-8 and at most 200. */
 static double contact_time(double t)
 {
     /* Below it, a kink of its size at x = 0 that the rule sees times step^2/12. */
@@ -317,7 +317,7 @@ static double contact_time(double t)
         if (u > end)
             break;
         const double f = (t + u) * sqrt(u * (u + c) / (y * exp_less_two_terms(u) + t * u));
-        const pair next = cor_two_sum(sum.hi, f);
+        const pair next = cor_inline_two_sum(sum.hi, f);
         sum.hi = next.hi;
         sum.lo += next.lo;
     }

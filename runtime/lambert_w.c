@@ -91,7 +91,8 @@ struct cor_inline_pair cor_log_ratio_far(struct cor_inline_pair log_a, double x)
     const uint64_t bits = cor_inline_bits(x), power = (bits + (bias - root_half)) >> 52;
     exponent += (int)power;
     const double m = cor_inline_from_bits(bits - (power << 52) + bias);
-    const struct cor_inline_pair large = cor_two_sum(log_a.hi, -exponent * ln2), all = cor_two_sum(large.hi, -log(m));
+    const struct cor_inline_pair large = cor_inline_two_sum(log_a.hi, -exponent * ln2),
+                                 all = cor_inline_two_sum(large.hi, -log(m));
     return cor_inline_sum(all.hi, all.lo + (large.lo + (log_a.lo - exponent * ln2_rest)));
 }
 
@@ -124,6 +125,7 @@ double cor_lambert_w_minus1(double z)
     static const struct cor_logarithm one_over_e = {{0.367879441171442334, -1.24287536727883626e-17}, {-1, 0}};
     if (!(z < 0))
         return z == 0 ? -INFINITY : NAN;
-    const struct cor_inline_pair t = cor_lambert_t_pair(cor_log_ratio(&one_over_e, -z)), y = cor_two_sum(1, t.hi);
+    const struct cor_inline_pair t = cor_lambert_t_pair(cor_log_ratio(&one_over_e, -z)),
+                                 y = cor_inline_two_sum(1, t.hi);
     return -(y.hi + (y.lo + t.lo));
 }

@@ -20,7 +20,7 @@ double cor_lambert_t(double q);
 double cor_lambert_w_minus1(double z);
 
 /* The sum of any two numbers, exact */
-COR_INLINE struct cor_inline_pair cor_two_sum(double x, double y)
+COR_INLINE struct cor_inline_pair cor_inline_two_sum(double x, double y)
 {
     struct cor_inline_pair sum;
     sum.hi = x + y;

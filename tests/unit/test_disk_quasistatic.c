@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The quasistatic contact law of the disk (runtime/disk_quasistatic.c): values of arbitrary precision, the law itself in
- * long double, its identities, the contact time over theta, special values. tests/accuracy/test_disk_law.c has the
+/* The quasistatic contact law of the disk (runtime/disk_quasistatic.c): values of arbitrary precision, the law itself
+ * in long double, its identities, the contact time over theta, special values. tests/accuracy/test_disk_law.c has the
  * many points. */
 #include "check.h"
 
@@ -9,6 +9,7 @@
 #include <cor/disk.h>
 
 typedef double law_function(double, double, enum cor_disk_datum);
+typedef double plain_function(double);
 
 enum { LOAD, COMPRESSION, ENERGY, LOAD_OF_ENERGY, MAX_LOAD, MAX_COMPRESSION, CONTACT_TIME, FUNCTIONS };
 
@@ -470,9 +471,9 @@ static void special_values(void **state)
             check(isnan(functions[k].value(0, 0.33, datum)), "%s, datum %d", functions[k].name, bad_datum[i]);
             check(isnan(functions[k].limit(0.33, datum)), "limit, datum %d", bad_datum[i]);
         }
-    double (*const leading[5])(double) = {cor_disk_compression_leading_log, cor_disk_load_leading_log,
-                                          cor_disk_energy_leading_log, cor_disk_max_compression_leading_log,
-                                          cor_disk_contact_time_leading_log};
+    plain_function *const leading[5] = {cor_disk_compression_leading_log, cor_disk_load_leading_log,
+                                        cor_disk_energy_leading_log, cor_disk_max_compression_leading_log,
+                                        cor_disk_contact_time_leading_log};
     for (int k = 0; k < 5; k++) {
         assert_true(leading[k](0) == (k == 4 ? INFINITY : 0) && leading[k](-0.0) == (k == 4 ? INFINITY : 0));
         for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
