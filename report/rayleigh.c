@@ -109,8 +109,8 @@ static void describe(const struct search *search, char verdict[VERDICT_SIZE])
              "nothing in the dips. Does not agree in where the maximum is, near v = 1e-2 in print: the quadrupole's "
              "share follows cos^2(omega tau/2), so the fraction oscillates as tau grows with -ln v, and is largest "
              "(datum: centre of mass, diameter, as printed) with %s for nu = 0.33 and with %s for nu = 0.9; the "
-             "constant b only shifts the curve along ln v. After the maximum come a dip and a rise without end, not "
-             "a fall: beyond v = %g, shaded, perturbation theory has ended, and gives up to %.2f of the energy "
+             "constant b only shifts the curve along ln v. After the maximum come a dip and then a rise, not a "
+             "fall: beyond v = %g, shaded, perturbation theory has ended, and gives up to %.2f times the energy "
              "there is. The modes above the lowest 1800 add %.2g of the fraction at most, too little to be seen. "
              "The points of the full dynamics are left out.",
              100 * search->quadrupole[0][0][at] / search->whole[0][0][at], maxima[0], maxima[1],
