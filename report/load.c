@@ -103,8 +103,8 @@ static int write_load(FILE *csv, char verdict[VERDICT_SIZE])
          relaxed_disk_of_all_modes(nu, paper_alpha, 96), 0},
         {"relaxed_all_modes_alpha_2000", relaxed_disk_of_all_modes(nu, hard_alpha, 320),
          relaxed_disk_of_all_modes(nu, hard_alpha, 160), 0},
-        {"relaxed_all_modes_alpha_20000", relaxed_disk_of_all_modes(nu, hardest_alpha, 768),
-         relaxed_disk_of_all_modes(nu, hardest_alpha, 384), 0},
+        {"relaxed_all_modes_alpha_20000", relaxed_disk_of_all_modes(nu, hardest_alpha, 512),
+         relaxed_disk_of_all_modes(nu, hardest_alpha, 256), 0},
     };
     int made = 1;
     for (int k = 0; k < CURVES; k++)

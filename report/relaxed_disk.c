@@ -12,11 +12,11 @@ struct relaxed_disk {
     double alpha, x_0, step; /* step: points are (i + 1/2) step */
     double largest_residual;
     double *cosine, *sine;
-    double *sum_a, *sum_d, *sum_b; /* sum_n A_n cos(n k step), D_n cos(n k step), B_n sin(n k step), k < 2 points */
-    double *log_f, *f;             /* the state */
-    double *log_unbent;            /* ln f where f at that point alone bends the disk there by 1/alpha */
-    double *step_u, *residual, *scale, *newton, *saved_log_f, *matrix;
-    double memory[]; /* all of the above */
+    double *log_f, *f;  /* the state */
+    double *log_unbent; /* ln f where f at that point alone bends the disk there by 1/alpha */
+    double *step_u, *residual, *scale, *newton, *saved_log_f;
+    double *kernel, *matrix; /* points x points */
+    double memory[];         /* all of the above */
 };
 
 /* A_n, B_n, D_n for n < count, one after the other */
@@ -34,14 +34,18 @@ static int compliance_new(struct compliance *c, size_t count)
     return c->a != NULL;
 }
 
+/* sum_n A_n cos(n k step), D_n cos(n k step) and B_n sin(n k step), k < 2 points */
+struct sums {
+    double *a, *d, *b;
+};
+
 /* cos(n k step) and sin(n k step) repeat after 4 points: sin is cos a quarter later. */
-static void sum_kernels(struct relaxed_disk *disk, const struct compliance *c)
+static void find_sums(const struct compliance *c, size_t points, double *cosine, struct sums *sums)
 {
-    const size_t quarter = disk->points, period = 4 * quarter;
-    double *cosine = disk->matrix; /* not needed yet */
+    const size_t quarter = points, period = 4 * quarter;
     for (size_t k = 0; k < period; k++)
-        cosine[k] = cos((double)k * disk->step);
-    for (size_t k = 0; k < 2 * disk->points; k++) {
+        cosine[k] = cos(2 * pi * (double)k / (double)period);
+    for (size_t k = 0; k < 2 * points; k++) {
         double a = 0, b = 0, d = 0;
         size_t turn = 0; /* n k, less whole periods */
         for (size_t n = 0; n < c->count; n++) {
@@ -50,22 +54,34 @@ static void sum_kernels(struct relaxed_disk *disk, const struct compliance *c)
             b += c->b[n] * cosine[turn >= quarter ? turn - quarter : turn + 3 * quarter];
             turn += k < period - turn ? k : k - period;
         }
-        disk->sum_a[k] = a;
-        disk->sum_b[k] = b;
-        disk->sum_d[k] = d;
+        sums->a[k] = a;
+        sums->b[k] = b;
+        sums->d[k] = d;
     }
+}
+
+/* Products of cosines and sines of two angles are those of their sum and difference, (i + j + 1) step, (i - j) step. */
+static void find_kernel(struct relaxed_disk *disk, const struct compliance *c)
+{
+    const size_t points = disk->points;
+    double *scratch = disk->matrix; /* 10 points of it, not needed yet */
+    struct sums sums = {scratch, scratch + 2 * points, scratch + 4 * points};
+    find_sums(c, points, scratch + 6 * points, &sums);
+    for (size_t i = 0; i < points; i++)
+        for (size_t j = 0; j <= i; j++) {
+            const size_t sum = i + j + 1, difference = i - j;
+            const double cos_i = disk->cosine[i], cos_j = disk->cosine[j], sin_i = disk->sine[i], sin_j = disk->sine[j];
+            const double g = cos_i * cos_j * (sums.a[difference] + sums.a[sum]) +
+                             sin_i * sin_j * (sums.d[difference] - sums.d[sum]) -
+                             cos_i * sin_j * (sums.b[sum] - sums.b[difference]) -
+                             sin_i * cos_j * (sums.b[sum] + sums.b[difference]);
+            disk->kernel[i * points + j] = disk->kernel[j * points + i] = g / (2 * pi);
+        }
 }
 
 double relaxed_disk_kernel(const struct relaxed_disk *disk, size_t i, size_t j)
 {
-    const size_t sum = i + j + 1, difference = i > j ? i - j : j - i;
-    const double sign = i > j ? 1 : -1; /* of sin(n (phi - psi)) */
-    const double b_sum = disk->sum_b[sum], b_difference = sign * disk->sum_b[difference];
-    const double cos_i = disk->cosine[i], cos_j = disk->cosine[j], sin_i = disk->sine[i], sin_j = disk->sine[j];
-    return (cos_i * cos_j * (disk->sum_a[difference] + disk->sum_a[sum]) +
-            sin_i * sin_j * (disk->sum_d[difference] - disk->sum_d[sum]) - cos_i * sin_j * (b_sum - b_difference) -
-            sin_i * cos_j * (b_sum + b_difference)) /
-           (2 * pi);
+    return disk->kernel[i * disk->points + j];
 }
 
 /* Of f, which is even, from -pi/2 to pi/2 */
@@ -76,7 +92,7 @@ static double weight(const struct relaxed_disk *disk)
 
 static struct relaxed_disk *relaxed_disk_new(const struct compliance *c, double alpha, size_t points)
 {
-    const size_t numbers = points * (2 + 3 * 2 + 3 + 5 + points);
+    const size_t numbers = points * (10 + 2 * points);
     struct relaxed_disk *disk = calloc(1, sizeof *disk + numbers * sizeof *disk->memory);
     if (disk == NULL)
         return NULL;
@@ -88,17 +104,17 @@ static struct relaxed_disk *relaxed_disk_new(const struct compliance *c, double 
     double *free_memory = disk->memory;
     for (size_t i = 0; i < sizeof array / sizeof *array; i++, free_memory += points)
         *array[i] = free_memory;
-    double **const sum[] = {&disk->sum_a, &disk->sum_b, &disk->sum_d};
-    for (size_t i = 0; i < sizeof sum / sizeof *sum; i++, free_memory += 2 * points)
-        *sum[i] = free_memory;
-    disk->matrix = free_memory;
-    sum_kernels(disk, c);
-    /* so far away that the pressure bends nothing: it is the undeformed disk's */
-    disk->x_0 = -1 - 36 / alpha;
+    disk->kernel = free_memory;
+    disk->matrix = free_memory + points * points;
     for (size_t i = 0; i < points; i++) {
         const double phi = ((double)i + 0.5) * disk->step;
         disk->cosine[i] = cos(phi);
         disk->sine[i] = sin(phi);
+    }
+    find_kernel(disk, c);
+    /* so far away that the pressure bends nothing: it is the undeformed disk's */
+    disk->x_0 = -1 - 36 / alpha;
+    for (size_t i = 0; i < points; i++) {
         disk->log_f[i] = alpha * (disk->x_0 + disk->cosine[i]);
         disk->f[i] = exp(disk->log_f[i]);
         disk->log_unbent[i] = -log(alpha * weight(disk) * relaxed_disk_kernel(disk, i, i));
@@ -108,7 +124,7 @@ static struct relaxed_disk *relaxed_disk_new(const struct compliance *c, double 
 
 static int is_setting(double nu, double alpha, size_t points)
 {
-    return nu > -1 && nu < 1 && alpha > 0 && alpha <= 1e9 && points >= 8 && points <= 4096;
+    return nu > -1 && nu < 1 && alpha > 0 && alpha <= 1e6 && points >= 16 && points <= 4096;
 }
 
 struct relaxed_disk *relaxed_disk_of_modes(const struct cor_disk_modes *modes, size_t n_modes, double alpha,
@@ -180,9 +196,10 @@ static double find_residual(struct relaxed_disk *disk, double x_0)
     const size_t active = active_points(disk);
     double largest = 0;
     for (size_t i = 0; i < disk->points; i++) {
+        const double *row = disk->kernel + i * disk->points;
         double bent = 0;
         for (size_t j = 0; j < active; j++)
-            bent += relaxed_disk_kernel(disk, i, j) * disk->f[j];
+            bent += row[j] * disk->f[j];
         disk->residual[i] = disk->log_f[i] / disk->alpha - x_0 - disk->cosine[i] + weight(disk) * bent;
         if (!(fabs(disk->residual[i]) <= largest))
             largest = fabs(disk->residual[i]);
@@ -225,8 +242,8 @@ static void cholesky_solve(const double *matrix, size_t n, double *x)
     }
 }
 
-/* The Newton step d of ln f, (1/alpha + G W f) d = -residual: with s = sqrt(alpha W f) and u = s d the matrix 1 + s G s is
- * symmetric, and never singular. */
+/* The Newton step d of ln f, (1/alpha + G W f) d = -residual: with s = sqrt(alpha W f) and u = s d the matrix
+ * 1 + s G s is symmetric, and never singular. */
 static int newton_step(struct relaxed_disk *disk)
 {
     const size_t active = active_points(disk);
@@ -241,17 +258,20 @@ static int newton_step(struct relaxed_disk *disk)
     if (!cholesky(matrix, active))
         return 0;
     cholesky_solve(matrix, active, u);
+    for (size_t i = 0; i < active; i++)
+        u[i] *= scale[i];
     for (size_t i = 0; i < disk->points; i++) {
+        const double *row = disk->kernel + i * disk->points;
         double sum = 0;
         for (size_t j = 0; j < active; j++)
-            sum += relaxed_disk_kernel(disk, i, j) * scale[j] * u[j];
+            sum += row[j] * u[j];
         disk->newton[i] = -disk->alpha * disk->residual[i] - sum;
     }
     return 1;
 }
 
-/* Where the pressure grows, Newton in ln f overshoots and Newton in f, ln f + ln(1 + d), does not; but that one is slow where
- * f is so small that the point itself bends the disk by less than 1/alpha: up to there it may rise freely. */
+/* Where the pressure grows, Newton in ln f overshoots and Newton in f, ln f + ln(1 + d), does not; but that one is slow
+ * where f is so small that the point itself bends the disk by less than 1/alpha: up to there it may rise freely. */
 static void advance(struct relaxed_disk *disk)
 {
     for (size_t i = 0; i < disk->points; i++) {

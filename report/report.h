@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The figures of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999), one file each: stem.c writes docs/disk/stem.csv, which stem.gp
- * draws as docs/disk/stem.svg. */
+/* The figures of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999), one file each: stem.c writes docs/disk/stem.csv,
+ * which stem.gp draws as docs/disk/stem.svg. */
 #ifndef COR_REPORT_REPORT_H
 #define COR_REPORT_REPORT_H
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Fig. 2: circles and radii of the disk, distorted by three free modes. The displacements are (19), with A : B from the
- * boundary conditions (22), (23) and the size from (26). C and S of the mode table come by another way, a closed form in
- * omega, so that both must agree at the rim. */
+/* Fig. 2: circles and radii of the disk, distorted by three free modes. The displacements are (19), with A : B from
+ * the boundary conditions (22), (23) and the size from (26). C and S of the mode table come by another way, a closed
+ * form in omega, so that both must agree at the rim. */
 #include <math.h>
 
 #include "cor/disk.h"

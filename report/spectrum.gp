@@ -17,6 +17,8 @@ set title "free modes, ν = 0.33"
 set label 1 "l = 0" at 36.7, 19.6 center tc rgb grey font ",11"
 set label 2 "l = 1" at 37.9, 27 center tc rgb grey font ",11"
 radial = "radial: |C| > |S|"; tangential = "tangential: |C| < |S|"
-plot csv using 1:(strcol(6) eq "radial" && $3 < 32 ? $3 : NaN) skip 1 with points pt 7 ps 0.5 lc rgb blue title radial, \
-     csv using 1:(strcol(6) eq "tangential" && $3 < 32 ? $3 : NaN) skip 1 with points pt 7 ps 0.5 lc rgb red title tangential
+plot csv using 1:(strcol(6) eq "radial" && $3 < 32 ? $3 : NaN) skip 1 \
+         with points pt 7 ps 0.5 lc rgb blue title radial, \
+     csv using 1:(strcol(6) eq "tangential" && $3 < 32 ? $3 : NaN) skip 1 \
+         with points pt 7 ps 0.5 lc rgb red title tangential
 set output

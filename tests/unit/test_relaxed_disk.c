@@ -182,7 +182,7 @@ static void bad_input_is_refused(void **state)
     assert_null(relaxed_disk_of_modes(modes, modes->count + 1, 500, 64));
     assert_null(relaxed_disk_of_modes(modes, 10, 0, 64));
     assert_null(relaxed_disk_of_modes(modes, 10, NAN, 64));
-    assert_null(relaxed_disk_of_modes(modes, 10, 500, 7));
+    assert_null(relaxed_disk_of_modes(modes, 10, 500, 15));
     const struct cor_disk_mode wrong = {.n = -1, .omega = 1}, still = {.n = 2, .omega = 0};
     assert_null(relaxed_disk_of_modes(&(struct cor_disk_modes){0.33, 1, &wrong}, 1, 500, 64));
     assert_null(relaxed_disk_of_modes(&(struct cor_disk_modes){0.33, 1, &still}, 1, 500, 64));
