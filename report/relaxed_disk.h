@@ -21,10 +21,11 @@
 struct relaxed_disk;
 
 /* A disk that has not touched the wall yet. NULL: nu outside (-1, 1), alpha outside (0, 1e6], points outside 16 to
- * 4096, no such number of modes, a table that is none, or no memory (16 points^2 bytes). The points are equally spaced on the
- * quadrant 0 < phi < pi/2. The sum over them is exact for the trigonometric part of f that they resolve, so its error
- * falls faster than any power once the edge of the contact, about alpha^(-2/3) wide, is a few points wide; the way to
- * know is to compare with twice as many.
+ * 4096, no such number of modes, a table that is none, or no memory (16 points^2 bytes). The points are equally spaced
+ * on the quadrant 0 < phi < pi/2. The sum over them is exact for the trigonometric part of f that they resolve, so its
+ * error falls faster than any power once the edge of the contact, about alpha^(-2/3) wide, is a few points wide: at
+ * delta <= 0.3 below 1e-12 of the load with 192 points for alpha = 500, 1e-7 with 512 for 20000. Sampled, against twice
+ * as many points.
  *
  * The first has the lowest n_modes of a table; the second all modes there are, as far as n < 2 points, by
  *     A_n = D_n = (2n - 1 + nu)/(n^2 - 1),  B_n = (n (1 - nu) - 2)/(n^2 - 1)                       n >= 2

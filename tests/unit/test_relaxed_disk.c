@@ -157,6 +157,19 @@ static void neither_the_way_nor_the_number_of_points_matters(void **state)
     relaxed_disk_free(finer);
 }
 
+/* Ten modes cannot follow a hard wall: it touches them at a few places only, and the way there has many stages. */
+static void a_hard_wall_and_few_modes(void **state)
+{
+    (void)state;
+    struct relaxed_disk *disk = relaxed_disk_of_modes(&cor_disk_modes_nu033, 10, 1e6, 256);
+    const double delta = 0.3, h = 1e-4;
+    const double rise = pressed(disk, delta + h).energy - pressed(disk, delta - h).energy;
+    const struct relaxed_state at = pressed(disk, delta);
+    check(at.residual <= 1e-10, "%g", at.residual);
+    check(fabs(rise / (2 * h) / at.load - 1) <= 1e-4, "%.9g, %.9g", rise / (2 * h), at.load);
+    relaxed_disk_free(disk);
+}
+
 /* The harder the wall, the nearer to the law of (57) with the centre of mass as datum. */
 static void a_hard_wall_gives_the_contact_law(void **state)
 {
@@ -193,7 +206,7 @@ static void bad_input_is_refused(void **state)
 
     struct relaxed_disk *disk = finite_disk(64);
     struct relaxed_state before = {.load = 1}, out = before;
-    const double compressions[] = {NAN, 1.001, INFINITY, -INFINITY};
+    const double compressions[] = {NAN, 1.001, -1.001, INFINITY, -INFINITY};
     for (size_t i = 0; i < sizeof compressions / sizeof *compressions; i++) {
         check(!relaxed_disk_press(disk, compressions[i], &out), "%g", compressions[i]);
         check(same_bits(out.load, before.load), "%g", out.load);
@@ -214,6 +227,7 @@ int main(void)
         cmocka_unit_test(the_pressure_solves_the_equation),
         cmocka_unit_test(the_load_is_the_slope_of_the_energy),
         cmocka_unit_test(neither_the_way_nor_the_number_of_points_matters),
+        cmocka_unit_test(a_hard_wall_and_few_modes),
         cmocka_unit_test(a_hard_wall_gives_the_contact_law),
         cmocka_unit_test(bad_input_is_refused),
     };
