@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: MIT */
+#include "check.h"
+
+#include "relaxed_disk.h"
+
+static const double pi = 3.14159265358979323846;
+
+static struct relaxed_state pressed(struct relaxed_disk *disk, double compression)
+{
+    struct relaxed_state state;
+    check(relaxed_disk_press(disk, compression, &state), "no equilibrium at %g", compression);
+    return state;
+}
+
+static struct relaxed_disk *finite_disk(size_t points)
+{
+    return relaxed_disk_of_modes(&cor_disk_modes_nu033, 1300, 500, points);
+}
+
+/* Found by another program, which minimises over the amplitudes Q of all modes. */
+static void loads_of_1300_modes(void **state)
+{
+    (void)state;
+    struct relaxed_disk *disk = finite_disk(128);
+    const struct {
+        double compression, load;
+    } known[] = {{0.05, 0.044713}, {0.2, 0.273241}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        const double load = pressed(disk, known[i].compression).load;
+        check(fabs(load - known[i].load) <= 5e-7, "P(%g) = %.9f", known[i].compression, load);
+    }
+    relaxed_disk_free(disk);
+}
+
+/* The sum of (40) and (42), mode by mode */
+static double kernel_mode_by_mode(size_t n_modes, double phi, double psi)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n_modes; i++) {
+        const struct cor_disk_mode *mode = &cor_disk_modes_nu033.mode[i];
+        const double n = mode->n;
+        const double at_phi = mode->c * cos(n * phi) * cos(phi) - mode->s * sin(n * phi) * sin(phi);
+        const double at_psi = mode->c * cos(n * psi) * cos(psi) - mode->s * sin(n * psi) * sin(psi);
+        sum += at_phi * at_psi / (pi * mode->omega * mode->omega);
+    }
+    return sum;
+}
+
+static void kernel_is_the_sum_over_modes_and_symmetric(void **state)
+{
+    (void)state;
+    enum { POINTS = 40 };
+    const double step = pi / 2 / POINTS;
+    struct relaxed_disk *disk = finite_disk(POINTS);
+    struct relaxed_disk *all = relaxed_disk_of_all_modes(0.33, 500, POINTS);
+    for (size_t i = 0; i < POINTS; i++)
+        for (size_t j = 0; j < POINTS; j++) {
+            const double kernel = relaxed_disk_kernel(disk, i, j), swapped = relaxed_disk_kernel(disk, j, i);
+            check(fabs(kernel - swapped) <= 1e-15, "G(%zu, %zu) = %.17g, %.17g", i, j, kernel, swapped);
+            check(fabs(relaxed_disk_kernel(all, i, j) - relaxed_disk_kernel(all, j, i)) <= 1e-15, "%zu %zu", i, j);
+            if ((i + j) % 5 != 0)
+                continue;
+            const double sum = kernel_mode_by_mode(1300, ((double)i + 0.5) * step, ((double)j + 0.5) * step);
+            check(fabs(kernel - sum) <= 1e-13, "G(%zu, %zu) = %.17g, %.17g", i, j, kernel, sum);
+        }
+    relaxed_disk_free(disk);
+    relaxed_disk_free(all);
+}
+
+/* Half of f . G f, the energy that a pressure f = cos(phi)^power stores */
+static double energy_of_smooth_pressure(const struct relaxed_disk *disk, size_t points, int power)
+{
+    const double step = pi / 2 / (double)points;
+    double sum = 0;
+    for (size_t i = 0; i < points; i++)
+        for (size_t j = 0; j < points; j++)
+            sum += relaxed_disk_kernel(disk, i, j) *
+                   pow(cos(((double)i + 0.5) * step) * cos(((double)j + 0.5) * step), power);
+    return 2 * step * step * sum;
+}
+
+/* What the modes beyond omega add is proportional to 1/omega: 2 G(4 N) - G(N) has nearly all of it. */
+static void all_modes_are_the_limit_of_many(void **state)
+{
+    (void)state;
+    enum { POINTS = 60 };
+    const struct cor_disk_modes *table[] = {&cor_disk_modes_nu033, &cor_disk_modes_nu090};
+    for (size_t t = 0; t < 2; t++) {
+        struct relaxed_disk *some = relaxed_disk_of_modes(table[t], 450, 500, POINTS);
+        struct relaxed_disk *many = relaxed_disk_of_modes(table[t], 1800, 500, POINTS);
+        struct relaxed_disk *all = relaxed_disk_of_all_modes(table[t]->nu, 500, POINTS);
+        for (int power = 0; power <= 8; power++) {
+            const double limit =
+                2 * energy_of_smooth_pressure(many, POINTS, power) - energy_of_smooth_pressure(some, POINTS, power);
+            const double energy = energy_of_smooth_pressure(all, POINTS, power);
+            check(fabs(limit / energy - 1) <= 1e-3, "nu = %g, power %d: %g, %g", table[t]->nu, power, limit, energy);
+        }
+        relaxed_disk_free(some);
+        relaxed_disk_free(many);
+        relaxed_disk_free(all);
+    }
+}
+
+/* The equation of the header with what was found, and the load as the integral of the pressure */
+static void the_pressure_solves_the_equation(void **state)
+{
+    (void)state;
+    const double alpha = 500, compression = 0.15;
+    struct relaxed_disk *disk = relaxed_disk_of_all_modes(0.33, alpha, 100);
+    const struct relaxed_state at = pressed(disk, compression);
+    const double step = pi / 2 / (double)at.points;
+    double load = 0;
+    for (size_t i = 0; i < at.points; i++) {
+        double x = compression - 1 + cos(((double)i + 0.5) * step);
+        for (size_t j = 0; j < at.points; j++)
+            x -= 2 * step * relaxed_disk_kernel(disk, i, j) * at.pressure[j];
+        const double error = log(at.pressure[i]) / alpha - x;
+        check(fabs(error) <= 1e-13, "%g at point %zu", error, i);
+        load += 2 * step * at.pressure[i];
+    }
+    check(at.residual <= 1e-13, "%g", at.residual);
+    check(fabs(load / at.load - 1) <= 1e-14, "%.17g, %.17g", load, at.load);
+    relaxed_disk_free(disk);
+}
+
+/* dE/dx_0 = P, from five points */
+static void the_load_is_the_slope_of_the_energy(void **state)
+{
+    (void)state;
+    struct relaxed_disk *disks[] = {finite_disk(128), relaxed_disk_of_all_modes(0.9, 2000, 256)};
+    const double compressions[] = {0.01, 0.1, 0.25}, h = 1e-3;
+    for (size_t d = 0; d < 2; d++) {
+        for (size_t i = 0; i < sizeof compressions / sizeof *compressions; i++) {
+            const double delta = compressions[i];
+            const double near = pressed(disks[d], delta + h).energy - pressed(disks[d], delta - h).energy;
+            const double far = pressed(disks[d], delta + 2 * h).energy - pressed(disks[d], delta - 2 * h).energy;
+            const double slope = (8 * near - far) / (12 * h), load = pressed(disks[d], delta).load;
+            check(fabs(slope / load - 1) <= 1e-6, "disk %zu at %g: %.12g, %.12g", d, delta, slope, load);
+        }
+        relaxed_disk_free(disks[d]);
+    }
+}
+
+static void neither_the_way_nor_the_number_of_points_matters(void **state)
+{
+    (void)state;
+    struct relaxed_disk *disk = relaxed_disk_of_all_modes(0.33, 500, 128);
+    struct relaxed_disk *finer = relaxed_disk_of_all_modes(0.33, 500, 256);
+    const double there = pressed(disk, 0.05).load;
+    pressed(disk, 0.3);
+    pressed(disk, -0.01);
+    const double back = pressed(disk, 0.05).load, again = pressed(disk, 0.05).load, fine = pressed(finer, 0.05).load;
+    check(fabs(back / there - 1) <= 1e-12, "%.17g, %.17g", back, there);
+    check(fabs(again / there - 1) <= 1e-12, "%.17g, %.17g", again, there);
+    check(fabs(fine / there - 1) <= 1e-12, "%.17g, %.17g", fine, there);
+    relaxed_disk_free(disk);
+    relaxed_disk_free(finer);
+}
+
+/* Ten modes cannot follow a hard wall: it touches them at a few places only, and the way there has many stages. */
+static void a_hard_wall_and_few_modes(void **state)
+{
+    (void)state;
+    struct relaxed_disk *disk = relaxed_disk_of_modes(&cor_disk_modes_nu033, 10, 1e6, 256);
+    const double delta = 0.3, h = 1e-4;
+    const double rise = pressed(disk, delta + h).energy - pressed(disk, delta - h).energy;
+    const struct relaxed_state at = pressed(disk, delta);
+    check(at.residual <= 1e-10, "%g", at.residual);
+    check(fabs(rise / (2 * h) / at.load - 1) <= 1e-4, "%.9g, %.9g", rise / (2 * h), at.load);
+    relaxed_disk_free(disk);
+}
+
+/* The harder the wall, the nearer to the law of (57) with the centre of mass as datum. */
+static void a_hard_wall_gives_the_contact_law(void **state)
+{
+    (void)state;
+    const double delta = 0.03, law = cor_disk_load(delta, 0.33, COR_DISK_DATUM_CENTRE_OF_MASS);
+    const double alpha[] = {500, 2000, 2e4};
+    double ratio[3];
+    for (size_t i = 0; i < 3; i++) {
+        struct relaxed_disk *disk = relaxed_disk_of_all_modes(0.33, alpha[i], 400);
+        ratio[i] = pressed(disk, delta).load / law;
+        relaxed_disk_free(disk);
+    }
+    check(fabs(ratio[2] - 1.001) <= 5e-4, "%.6f", ratio[2]);
+    check(ratio[0] > ratio[1] && ratio[1] > ratio[2], "%.6f, %.6f, %.6f", ratio[0], ratio[1], ratio[2]);
+}
+
+static void bad_input_is_refused(void **state)
+{
+    (void)state;
+    const struct cor_disk_modes *modes = &cor_disk_modes_nu033;
+    assert_null(relaxed_disk_of_modes(NULL, 10, 500, 64));
+    assert_null(relaxed_disk_of_modes(modes, 0, 500, 64));
+    assert_null(relaxed_disk_of_modes(modes, modes->count + 1, 500, 64));
+    assert_null(relaxed_disk_of_modes(modes, 10, 0, 64));
+    assert_null(relaxed_disk_of_modes(modes, 10, NAN, 64));
+    assert_null(relaxed_disk_of_modes(modes, 10, 500, 15));
+    const struct cor_disk_mode wrong = {.n = -1, .omega = 1}, still = {.n = 2, .omega = 0};
+    assert_null(relaxed_disk_of_modes(&(struct cor_disk_modes){0.33, 1, &wrong}, 1, 500, 64));
+    assert_null(relaxed_disk_of_modes(&(struct cor_disk_modes){0.33, 1, &still}, 1, 500, 64));
+    assert_null(relaxed_disk_of_all_modes(1, 500, 64));
+    assert_null(relaxed_disk_of_all_modes(NAN, 500, 64));
+    assert_null(relaxed_disk_of_all_modes(0.33, INFINITY, 64));
+    relaxed_disk_free(NULL);
+
+    struct relaxed_disk *disk = finite_disk(64);
+    struct relaxed_state before = {.load = 1}, out = before;
+    const double compressions[] = {NAN, 1.001, -1.001, INFINITY, -INFINITY};
+    for (size_t i = 0; i < sizeof compressions / sizeof *compressions; i++) {
+        check(!relaxed_disk_press(disk, compressions[i], &out), "%g", compressions[i]);
+        check(same_bits(out.load, before.load), "%g", out.load);
+    }
+    assert_false(relaxed_disk_press(NULL, 0.1, &out));
+    assert_false(relaxed_disk_press(disk, 0.1, NULL));
+    const double load = pressed(disk, 0.05).load; /* a refused call leaves the disk usable */
+    check(fabs(load - 0.044713) <= 5e-7, "%.9f", load);
+    relaxed_disk_free(disk);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(loads_of_1300_modes),
+        cmocka_unit_test(kernel_is_the_sum_over_modes_and_symmetric),
+        cmocka_unit_test(all_modes_are_the_limit_of_many),
+        cmocka_unit_test(the_pressure_solves_the_equation),
+        cmocka_unit_test(the_load_is_the_slope_of_the_energy),
+        cmocka_unit_test(neither_the_way_nor_the_number_of_points_matters),
+        cmocka_unit_test(a_hard_wall_and_few_modes),
+        cmocka_unit_test(a_hard_wall_gives_the_contact_law),
+        cmocka_unit_test(bad_input_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
