@@ -20,7 +20,8 @@ enum {
     NEWTON_SLACK = 16,
     WIDENINGS = 3,
     BATCH = 16,
-    WIDE = 2
+    WIDE = 2,
+    EXPONENT_MAX = 1000
 };
 
 void disk_mode_init(struct disk_mode *mode)
@@ -147,8 +148,8 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
     arf_set_si(low, n * (n - 1));
     arf_div_ui(low, low, 11, 30, ARF_RND_DOWN);
     arf_set_si(high, n * (n - 1) + 1);
-    slong steps = 0, alone = 0;
-    while (!found && prec <= limit) {
+    slong steps = 0;
+    while (!found && prec <= limit && arf_cmpabs_2exp_si(high, EXPONENT_MAX) < 0) {
         if (enclosed) {
             arf_add(middle, low, high, ARF_PREC_EXACT, ARF_RND_DOWN);
             arf_mul_2exp_si(middle, middle, -1);
@@ -169,10 +170,9 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
         } else {
             arf_set(high, middle);
             enclosed = true;
-            alone += count == l + 1;
         }
         /* Newton's method is dear where it fails, so it is tried rarely. */
-        if (enclosed && alone && ++steps % 8 == 0) {
+        if (enclosed && ++steps % 8 == 0) {
             arb_set_interval_arf(w, low, high, prec);
             found = newton(w, wide, n, l, bits);
         }
