@@ -20,7 +20,7 @@
 /* Below the lowest frequency of any disk, 1.1769 for nu -> 1 */
 #define LEAST_OMEGA 1.17
 /* Frequencies up to this times the highest one taken are treated one by one. */
-#define FAR 16.0
+#define FAR 8.0
 /* The weight begins to fade at this times the highest frequency taken. */
 #define FADE_FROM 0.65
 /* Relative error of the sums themselves */

@@ -108,10 +108,10 @@ static struct number solve(struct number q, struct number q_near, struct number 
 
 /* ---- quadrature ---- */
 
-enum { GAUSS = 12 };
+enum { GAUSS = 14 };
 /* Equal steps in u = -ln|theta - base|: their size, and how many make a panel; more than SHORT_FROM from the base,
  * where zeros of the sine are about as near, only SHORT. */
-enum { STEPS = 8, SHORT = 4 };
+enum { STEPS = 16, SHORT = 4 };
 #define STEP 0.14
 #define SHORT_FROM 0.4
 
@@ -162,7 +162,7 @@ static void rule_init(struct rule *rule)
 
 /* ---- one leg: from its base along a straight ray ---- */
 
-enum { MAX_PANELS = 64, MAX_NODES = (MAX_PANELS + 1) * STEPS };
+enum { MAX_PANELS = 32, MAX_NODES = (MAX_PANELS + 1) * STEPS };
 
 /* theta = base + h(rho); int sin(theta) exp(i omega s) dtheta = exp(i omega s(base)) sum w exp(-omega p). */
 struct leg {
@@ -350,7 +350,7 @@ void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_
     /* tilt the legs a little, to where exp(-omega p) does not turn: far from the limit they need none */
     const double tilt = 1 / (1 + 0.03 * q0), farthest = 20;
     struct shape shape = {1, tilt, q0, theta, tanh_theta};
-    const double enough = 60 / first, nearest = 1e-8 / (high * sqrt(0.5 * q0 + 25));
+    const double enough = 60 / first, nearest = 1e-7 / (high * sqrt(0.5 * q0 + 25));
 
     spectrum->half_time = 0.5 * contact_time;
     spectrum->first = first;
