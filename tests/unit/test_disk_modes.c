@@ -153,6 +153,7 @@ static struct text file_of(const struct cor_disk_modes *modes, size_t count)
 
 static void put_file(const char *bytes, size_t length)
 {
+    remove(path); /* some file systems wait for the disk when a file is truncated and written again */
     FILE *const file = fopen(path, "wb");
     assert_non_null(file);
     assert_int_equal(fwrite(bytes, 1, length, file), length);
@@ -218,7 +219,7 @@ static void harmed_bytes(void **state)
     struct random_state random = random_start();
     struct text t = file_of(&cor_disk_modes_nu033, MODES_OF_FILE);
     const size_t first_line = (size_t)(strchr(t.bytes, '\n') - t.bytes);
-    for (size_t k = 0; k < points(4000); k++) {
+    for (size_t k = 0; k < points(2000); k++) {
         const size_t at = first_line + 1 + (size_t)random_uniform(&random, 0, (double)(t.length - first_line - 1));
         const char before = t.bytes[at];
         t.bytes[at] = (char)((int)before ^ (1 + (int)random_uniform(&random, 0, 255)));
