@@ -22,7 +22,8 @@ static int print_overview(const struct subcommand *table)
     struct output out;
     if (output_open(&out, NULL) != STATUS_OK)
         return STATUS_FAILED;
-    fputs("corgen computes restitution of viscoelastic spheres exactly, or to any number of "
+    fputs("corgen computes restitution of viscoelastic spheres, and free modes of elastic disks, exactly or to any "
+          "number of "
           "proved digits.\n\nUsage: corgen SUBCOMMAND [OPTION]...\n\n",
           out.file);
     for (const struct subcommand *cmd = table; cmd->name; cmd++)
