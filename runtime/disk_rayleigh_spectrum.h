@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* The cosine integral of cor/disk.h for one collision and any frequency,
+ *
+ *     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,     s(theta) = int_theta^(pi/2) sqrt(y/2) dtheta',
+ *     y = 1 + t,     t - ln(1 + t) = q,     q = q0 - 2 ln(sin(theta)),
+ *
+ * q0 = 2 ln(v_limit/v). y is analytic in 0 < Re(theta) < pi but for branch points at pi/2 +- i Theta, where q = 0:
+ * cosh(Theta) = exp(q0/2). On the line between them s is imaginary. So the path from 0 to pi/2 may go from 0 to below,
+ * come up again to pi/2 - i Theta, and end along that line, which adds nothing to the real part:
+ *
+ *     I = Re[exp(i omega tau/2) a(omega)] + b(omega) exp(-omega Y),     Y = int_0^Theta sqrt(y(pi/2 - i eta)/2) deta.
+ *
+ * a and b omega^2 vary slowly, without oscillation. They are interpolated. At a
+ * frequency of 1.17 the far ends of the two legs, which are left out, are below 1e-11 of a, and no disk has a lower one:
+ * the lowest mode has omega > 1.1769 at any nu. */
+#ifndef COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
+#define COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
+
+enum {
+    COR_SPECTRUM_TERMS = 13,  /* of a polynomial in (omega - m)/(omega + m), m the geometric middle of an octave */
+    COR_SPECTRUM_OCTAVES = 48 /* most */
+};
+
+struct cor_spectrum {
+    double half_time;   /* tau/2 */
+    double decay;       /* Y */
+    double first;       /* where the first octave begins */
+    int octaves, edges; /* how many have a, and how many of them b */
+    double a_re[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS], a_im[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS];
+    double b[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS]; /* each times omega^2 */
+};
+
+/* For frequencies from `first` to `high`; contact_time is tau. */
+void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high);
+
+/* What makes I at one frequency */
+struct cor_line {
+    double re, im;       /* a */
+    double cosine, sine; /* of omega tau/2 */
+    double other;        /* b exp(-omega Y) */
+};
+
+struct cor_line cor_spectrum_line(const struct cor_spectrum *spectrum, double omega);
+
+#endif
