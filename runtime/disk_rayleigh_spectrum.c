@@ -110,7 +110,7 @@ enum { GAUSS = 12 };
 /* Equal steps in u = -ln|theta - base|: their size, and how many make a panel; more than SHORT_FROM from the base,
  * where zeros of the sine are about as near, only SHORT. */
 enum { STEPS = 8, SHORT = 4 };
-#define STEP 0.16
+#define STEP 0.14
 #define SHORT_FROM 0.4
 
 /* Gauss and Legendre's rule on [-1, 1]; and the integrals from x to 1 of the polynomial through its points, for
@@ -160,7 +160,7 @@ static void rule_init(struct rule *rule)
 
 /* ---- one leg: from its base along a straight ray ---- */
 
-enum { MAX_PANELS = 40, MAX_NODES = MAX_PANELS * STEPS + 1 };
+enum { MAX_PANELS = 64, MAX_NODES = MAX_PANELS * STEPS + 1 };
 
 /* theta = base + h(rho); int sin(theta) exp(i omega s) dtheta = exp(i omega s(base)) sum w exp(-omega p). */
 struct leg {
@@ -356,9 +356,9 @@ void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_
     const double x = expm1(fmin(0.5 * q0, 300)), root_x = sqrt(x * (x + 2));
     const double theta = q0 > 600 ? 0.5 * q0 + 0.69314718055994531 : log1p(x + root_x), tanh_theta = root_x / (1 + x);
     /* tilt the legs a little, to where exp(-omega p) does not turn: far from the limit they need none */
-    const double tilt = 1 / (1 + 0.03 * q0), farthest = 12;
+    const double tilt = 1 / (1 + 0.03 * q0), farthest = 20;
     struct shape shape = {1, tilt, q0, theta, tanh_theta};
-    const double enough = 40 / first, nearest = 1e-8 / (high * sqrt(0.5 * q0 + 25));
+    const double enough = 60 / first, nearest = 1e-8 / (high * sqrt(0.5 * q0 + 25));
 
     spectrum->half_time = 0.5 * contact_time;
     spectrum->first = first;

@@ -17,7 +17,7 @@
 #define COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
 
 enum {
-    COR_SPECTRUM_TERMS = 13,  /* of a polynomial in (omega - m)/(omega + m), m the geometric middle of an octave */
+    COR_SPECTRUM_TERMS = 16,  /* of a polynomial in (omega - m)/(omega + m), m the geometric middle of an octave */
     COR_SPECTRUM_OCTAVES = 48 /* most */
 };
 

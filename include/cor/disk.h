@@ -26,7 +26,7 @@ extern "C" {
 #define COR_DISK_CONTACT_TIME_MAX_ERROR 1e-15 /* relative */
 #define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* of a mode's fraction, relative, or ... */
 #define COR_DISK_RAYLEIGH_MAX_ABSOLUTE 1e-14  /* ... relative to the sum, where a zero of (68) makes it small */
-#define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR 1e-5 /* sum plus tail from 1000 modes on, relative */
+#define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR 5e-5 /* sum plus tail from 1000 modes on, relative */
 /* Speed beyond which a collision is too violent for perturbation theory, and cor_disk_rayleigh says so. */
 #define COR_DISK_RAYLEIGH_MAX_SPEED 0.03
 

@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: MIT */
+/* Rayleigh's energy (runtime/disk_rayleigh.c): modes against (65) to (67) integrated in time and against printed values,
+ * sums and tails against sums over twenty thousand modes, the tolerance, statuses, the edges of the domain.
+ * tests/accuracy/test_disk_rayleigh.c has the modes one by one, to all digits. */
+#include "check.h"
+
+#include <cor/disk.h>
+#include <cor/status.h>
+
+#include "reference_disk.h"
+
+enum { MODES = 1800 };
+
+static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
+                                              COR_DISK_DATUM_PRINTED};
+static struct random_state state;
+static double fractions[MODES], others[MODES];
+
+static const struct cor_disk_modes *table(int i)
+{
+    return i == 0 ? &cor_disk_modes_nu033 : &cor_disk_modes_nu090;
+}
+
+static double constant_b(double nu, enum cor_disk_datum datum)
+{
+    if (datum == COR_DISK_DATUM_CENTRE_OF_MASS)
+        return -2 * log(2) - (1 + nu) / 4;
+    return datum == COR_DISK_DATUM_DIAMETER ? -1 : -1 - nu;
+}
+
+static struct cor_disk_rayleigh rayleigh(const struct cor_disk_modes *modes, size_t n, enum cor_disk_datum datum,
+                                         double speed, double *mode_fraction)
+{
+    struct cor_disk_rayleigh out;
+    const int status = cor_disk_rayleigh(modes, n, datum, speed, &out, mode_fraction);
+    check(status == COR_OK || status == COR_BEYOND_THEORY, "v = %a, %zu modes: %s", speed, n, cor_status_text(status));
+    return out;
+}
+
+static void against_time(const struct cor_disk_modes *modes, size_t n, enum cor_disk_datum datum, double speed,
+                         double tolerance, double allowed)
+{
+    double expected[16], time;
+    check(reference_disk_rayleigh(modes->mode, n, constant_b(modes->nu, datum), speed, tolerance, expected, &time) > 0,
+          "v = %a", speed);
+    const struct cor_disk_rayleigh out = rayleigh(modes, n, datum, speed, fractions);
+    check(fabs(out.contact_time / time - 1) < allowed, "v = %a: %.15g, %.15g", speed, out.contact_time, time);
+    double sum = 0;
+    for (size_t i = 0; i < n; i++) {
+        sum += expected[i];
+        check(fabs(fractions[i] - expected[i]) < allowed * (out.fraction + expected[i]),
+              "v = %a, mode %zu: %.15g, %.15g", speed, i, fractions[i], expected[i]);
+    }
+    check(fabs(out.fraction / sum - 1) < allowed, "v = %a: %.15g, %.15g", speed, out.fraction, sum);
+}
+
+static void test_integration_in_time(void **unused)
+{
+    (void)unused;
+    against_time(&cor_disk_modes_nu033, 6, COR_DISK_DATUM_PRINTED, 1e-3, 1e-13, 1e-9);
+    against_time(&cor_disk_modes_nu033, 6, COR_DISK_DATUM_CENTRE_OF_MASS, 1e-2, 1e-13, 1e-9);
+    against_time(&cor_disk_modes_nu090, 6, COR_DISK_DATUM_DIAMETER, 0.1, 1e-13, 1e-9);
+    for (size_t i = 0; i < points(6); i++) {
+        const int t = i % 2 != 0;
+        const enum cor_disk_datum datum = datums[i % 3];
+        const double limit = cor_disk_speed_limit(table(t)->nu, datum);
+        const double speed = i == 0 ? limit : random_log(&state, 1e-12, limit);
+        against_time(table(t), 8, datum, speed, 1e-11, 1e-7);
+    }
+}
+
+/* Values of arbitrary precision: nu = 0.33; the constant b as printed, but for the last */
+static void test_values(void **unused)
+{
+    (void)unused;
+    static const struct {
+        double speed, lowest, sum;
+    } rows[] = {{1e-8, 2.6210855651036e-3, 4.4486187796430e-3},
+                {1e-3, 2.4174957962850e-2, 3.5120912929413e-2},
+                {0.1, 4.2732499337497e-1, 4.5313950534031e-1}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const struct cor_disk_rayleigh out =
+            rayleigh(&cor_disk_modes_nu033, MODES, COR_DISK_DATUM_PRINTED, rows[i].speed, fractions);
+        double sum = 0;
+        for (size_t j = MODES; j-- > 0;)
+            sum += fractions[j];
+        check(fabs(out.fraction / sum - 1) < 1e-14, "v = %g", rows[i].speed);
+        check(fabs(fractions[0] / rows[i].lowest - 1) < COR_DISK_RAYLEIGH_MAX_ERROR, "v = %g: %.15g", rows[i].speed,
+              fractions[0]);
+        check(fabs(sum / rows[i].sum - 1) < COR_DISK_RAYLEIGH_MAX_ERROR, "v = %g: %.15g", rows[i].speed, sum);
+        check(out.contact_time == cor_disk_contact_time(rows[i].speed, 0.33, COR_DISK_DATUM_PRINTED), "v = %g",
+              rows[i].speed);
+    }
+    /* cos(omega tau/2) nearly vanishes */
+    rayleigh(&cor_disk_modes_nu033, 1, COR_DISK_DATUM_CENTRE_OF_MASS, 1e-2, fractions);
+    check(fabs(fractions[0] / 2.0424708e-4 - 1) < 3e-8, "%.15g", fractions[0]);
+}
+
+/* All modes together, from the 20 000 lowest and their own tail, whose error is below `error`, relative; in the fourth
+ * row an echo is in step, in the sixth the surface wave */
+static const struct {
+    int table, datum;
+    double speed, all, error;
+} sums[] = {
+    {0, 0, 1e-300, 5.713532732458e-06, 2e-7},  {0, 1, 1e-100, 4.912898511259e-05, 3e-7},
+    {0, 2, 1e-12, 2.681668085419e-03, 6e-7},   {0, 0, 5.3e-10, 1.554503939387e-03, 1e-6},
+    {0, 1, 1e-08, 4.043149007311e-03, 9e-7},   {0, 2, 1.6e-05, 4.842723813425e-03, 9e-7},
+    {0, 0, 0.0001, 8.934374670987e-03, 2e-6},  {0, 1, 0.001, 3.079608324175e-02, 9e-7},
+    {0, 2, 0.01, 1.150344650143e-02, 2e-6},    {0, 0, 0.03, 9.840841976263e-02, 2e-7},
+    {0, 1, 0.1, 2.513922467610e-01, 1e-9},     {1, 0, 1e-300, 7.033640206608e-06, 7e-7},
+    {1, 1, 1e-100, 5.128370451478e-05, 1e-6},  {1, 2, 1e-12, 3.330515265422e-03, 2e-7},
+    {1, 0, 5.3e-10, 5.938187705004e-03, 2e-7}, {1, 1, 1e-08, 4.461277500041e-03, 5e-7},
+    {1, 2, 1.6e-05, 2.897401338943e-02, 1e-7}, {1, 0, 0.0001, 3.587673599287e-02, 2e-7},
+    {1, 1, 0.001, 1.992347301646e-02, 1e-7},   {1, 2, 0.01, 1.390777255816e-01, 3e-8},
+    {1, 0, 0.03, 5.083223410399e-01, 2e-10},   {1, 1, 0.1, 7.520479714269e-01, 5e-9},
+};
+
+static void test_tail(void **unused)
+{
+    (void)unused;
+    static const size_t counts[] = {1, 3, 10, 20, 33, 100, 333, 1000, 1300, MODES};
+    for (size_t i = 0; i < sizeof sums / sizeof *sums; i++)
+        for (size_t j = 0; j < sizeof counts / sizeof *counts; j++) {
+            const struct cor_disk_rayleigh out =
+                rayleigh(table(sums[i].table), counts[j], datums[sums[i].datum], sums[i].speed, NULL);
+            const double error = fabs(out.fraction + out.tail - sums[i].all);
+            check(error <= out.error_estimate + sums[i].error * sums[i].all, "v = %g, %zu modes: %g, %g", sums[i].speed,
+                  counts[j], error / sums[i].all, out.error_estimate / sums[i].all);
+            if (counts[j] >= 1000)
+                check(error <= (COR_DISK_RAYLEIGH_TAIL_MAX_ERROR + sums[i].error) * sums[i].all,
+                      "v = %g, %zu modes: %g", sums[i].speed, counts[j], error / sums[i].all);
+        }
+}
+
+/* The estimate means something: typically a few times the error. */
+static void test_estimate_is_no_excuse(void **unused)
+{
+    (void)unused;
+    static const size_t counts[] = {100, 333, 1000};
+    for (size_t j = 0; j < sizeof counts / sizeof *counts; j++) {
+        double error = 0, estimate = 0;
+        for (size_t i = 0; i < sizeof sums / sizeof *sums; i++) {
+            const struct cor_disk_rayleigh out =
+                rayleigh(table(sums[i].table), counts[j], datums[sums[i].datum], sums[i].speed, NULL);
+            error += fabs(out.fraction + out.tail - sums[i].all) / sums[i].all;
+            estimate += out.error_estimate / sums[i].all;
+        }
+        check(estimate < 30 * error, "%zu modes: %g, %g", counts[j], estimate, error);
+    }
+}
+
+/* However many modes are taken, sum and tail are the same, at any speed. */
+static void test_any_speed(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < points(60); i++) {
+        const int t = i % 2 != 0;
+        const enum cor_disk_datum datum = datums[i % 3];
+        const double limit = cor_disk_speed_limit(table(t)->nu, datum);
+        const double speed = i == 0 ? limit : i == 1 ? 5e-324 : random_log(&state, i % 4 ? 1e-9 : 1e-320, limit);
+        const size_t n = (size_t)random_log(&state, 20, MODES);
+        const struct cor_disk_rayleigh all = rayleigh(table(t), MODES, datum, speed, fractions);
+        const struct cor_disk_rayleigh some = rayleigh(table(t), n, datum, speed, others);
+        const double difference = some.fraction + some.tail - all.fraction - all.tail;
+        check(fabs(difference) <= some.error_estimate + all.error_estimate, "v = %a, %zu modes: %g, %g", speed, n,
+              difference, some.error_estimate);
+        check(all.fraction > 0 && all.tail > 0 && all.tail < 0.01 * all.fraction, "v = %a: %g, %g", speed, all.fraction,
+              all.tail);
+        for (size_t j = 0; j < n; j++)
+            check(fabs(fractions[j] - others[j]) <=
+                      fmax(COR_DISK_RAYLEIGH_MAX_ERROR * fractions[j], COR_DISK_RAYLEIGH_MAX_ABSOLUTE * all.fraction),
+                  "v = %a, mode %zu: %g, %g", speed, j, fractions[j], others[j]);
+    }
+}
+
+static void test_tolerance(void **unused)
+{
+    (void)unused;
+    static const double tolerances[] = {0.3, 1e-2, 1e-3, 3e-5};
+    for (size_t i = 0; i < points(24); i++) {
+        const int t = i % 2 != 0;
+        const enum cor_disk_datum datum = datums[i % 3];
+        const double speed = random_log(&state, 1e-12, 0.2), tolerance = tolerances[i % 4];
+        struct cor_disk_rayleigh out;
+        size_t n = 0;
+        const int status = cor_disk_rayleigh_tolerance(table(t), datum, speed, tolerance, &out, &n);
+        check(n >= 1 && n <= MODES, "%zu", n);
+        const struct cor_disk_rayleigh same = rayleigh(table(t), n, datum, speed, NULL);
+        check(fabs(out.fraction / same.fraction - 1) < 1e-11 && fabs(out.tail - same.tail) < 1e-11 * same.fraction,
+              "v = %a, %zu modes: %.15g, %.15g", speed, n, out.fraction, same.fraction);
+        if (status == COR_TOLERANCE_NOT_REACHED) {
+            check(n == MODES && same.error_estimate > 0.999 * tolerance * (same.fraction + same.tail), "v = %a", speed);
+            continue;
+        }
+        check(status ==
+                  (speed > COR_DISK_RAYLEIGH_MAX_SPEED || out.fraction + out.tail > 1 ? COR_BEYOND_THEORY : COR_OK),
+              "v = %a: %d", speed, status);
+        check(out.error_estimate <= tolerance * (out.fraction + out.tail), "v = %a", speed);
+        if (n > 1) {
+            const struct cor_disk_rayleigh fewer = rayleigh(table(t), n - 1, datum, speed, NULL);
+            check(fewer.error_estimate > 0.999 * tolerance * (fewer.fraction + fewer.tail), "v = %a, %zu modes", speed,
+                  n);
+        }
+    }
+    struct cor_disk_rayleigh out;
+    check(cor_disk_rayleigh_tolerance(&cor_disk_modes_nu033, COR_DISK_DATUM_PRINTED, 1e-3, 1e-2, &out, NULL) == COR_OK,
+          "n_modes may be NULL");
+    size_t n = 0;
+    check(cor_disk_rayleigh_tolerance(&cor_disk_modes_nu033, COR_DISK_DATUM_PRINTED, 1e-8, 1e-9, &out, &n) ==
+                  COR_TOLERANCE_NOT_REACHED &&
+              n == MODES && out.fraction > 0,
+          "%zu", n);
+}
+
+static void test_limits(void **unused)
+{
+    (void)unused;
+    struct cor_disk_rayleigh out = {1, 1, 1, 1};
+    fractions[0] = fractions[1] = 1;
+    check(cor_disk_rayleigh(&cor_disk_modes_nu033, 2, COR_DISK_DATUM_DIAMETER, 0, &out, fractions) == COR_OK, "v = 0");
+    check(out.fraction == 0 && out.tail == 0 && out.error_estimate == 0 && isinf(out.contact_time), "v = 0");
+    check(fractions[0] == 0 && fractions[1] == 0, "v = 0");
+    size_t n = 0;
+    check(cor_disk_rayleigh_tolerance(&cor_disk_modes_nu033, COR_DISK_DATUM_DIAMETER, 0, 0.1, &out, &n) == COR_OK &&
+              n == 1 && out.fraction == 0,
+          "v = 0");
+    /* the energy vanishes like 1/ln(v)^2 */
+    const double tiny = rayleigh(&cor_disk_modes_nu033, 100, COR_DISK_DATUM_DIAMETER, 5e-324, NULL).fraction;
+    check(tiny > 1e-7 && tiny < 1e-4, "%g", tiny);
+    check(cor_disk_rayleigh(&cor_disk_modes_nu033, 9, COR_DISK_DATUM_DIAMETER, COR_DISK_RAYLEIGH_MAX_SPEED, &out,
+                            NULL) == COR_OK,
+          "still within theory");
+    check(cor_disk_rayleigh(&cor_disk_modes_nu033, 9, COR_DISK_DATUM_DIAMETER, 0.0301, &out, NULL) == COR_BEYOND_THEORY,
+          "too fast");
+}
+
+static void test_statuses(void **unused)
+{
+    (void)unused;
+    struct cor_disk_mode mode[] = {{2, 0, 1.44, 1.4, -0.4}, {1, 0, 1.69, 0.5, 2}, {0, 0, 2.2, 1.1, 0}};
+    struct cor_disk_modes modes = {0.33, 3, mode};
+    const enum cor_disk_datum datum = COR_DISK_DATUM_CENTRE_OF_MASS;
+    const double limit = cor_disk_speed_limit(0.33, datum);
+    struct cor_disk_rayleigh out = {7, 7, 7, 7};
+    double f[3] = {7, 7, 7};
+    size_t n = 7;
+#define FAILS(n_modes, datum, speed, status)                                                                           \
+    do {                                                                                                               \
+        check(cor_disk_rayleigh(&modes, n_modes, datum, speed, &out, f) == (status), "%d", status);                    \
+        check(out.fraction == 7 && out.tail == 7 && out.error_estimate == 7 && out.contact_time == 7 && f[0] == 7,     \
+              "touched: %d", status);                                                                                  \
+    } while (0)
+    check(cor_disk_rayleigh(NULL, 3, datum, 0.01, &out, f) == COR_ERROR_NULL, "modes");
+    check(cor_disk_rayleigh(&modes, 3, datum, 0.01, NULL, f) == COR_ERROR_NULL, "out");
+    FAILS(0, datum, 0.01, COR_ERROR_MODES);
+    FAILS(4, datum, 0.01, COR_ERROR_MODES);
+    FAILS(3, (enum cor_disk_datum)3, 0.01, COR_ERROR_DATUM);
+    FAILS(3, datum, -1e-9, COR_ERROR_SPEED);
+    FAILS(3, datum, nextafter(limit, 1), COR_ERROR_SPEED);
+    FAILS(3, datum, NAN, COR_ERROR_SPEED);
+    modes.mode = NULL;
+    FAILS(3, datum, 0.01, COR_ERROR_NULL);
+    modes.mode = mode;
+    static const double bad_nu[] = {-1, 1, NAN};
+    for (int i = 0; i < 3; i++) {
+        modes.nu = bad_nu[i];
+        FAILS(3, datum, 0.01, COR_ERROR_DISK_POISSON_RATIO);
+    }
+    modes.nu = 0.33;
+    static const double bad_omega[] = {1.43, 2.3, 1.0, NAN, INFINITY};
+    for (int i = 0; i < 5; i++) {
+        mode[i == 2 ? 0 : 1].omega = bad_omega[i];
+        FAILS(3, datum, 0.01, COR_ERROR_MODES);
+        mode[0].omega = 1.44;
+        mode[1].omega = 1.69;
+    }
+    mode[2].c = NAN;
+    FAILS(3, datum, 0.01, COR_ERROR_MODES);
+    check(cor_disk_rayleigh(&modes, 2, datum, 0.01, &out, NULL) == COR_OK && out.fraction > 0, "only what is taken");
+    mode[2].c = 1.1;
+    out.fraction = 7;
+    static const double bad_tolerance[] = {0, 1, -0.5, NAN};
+    for (int i = 0; i < 4; i++)
+        check(cor_disk_rayleigh_tolerance(&modes, datum, 0.01, bad_tolerance[i], &out, &n) == COR_ERROR_TOLERANCE &&
+                  n == 7 && out.fraction == 7,
+              "%g", bad_tolerance[i]);
+    check(cor_disk_rayleigh_tolerance(NULL, datum, 0.01, 0.1, &out, &n) == COR_ERROR_NULL, "modes");
+    check(cor_disk_rayleigh_tolerance(&modes, datum, 0.01, 0.1, NULL, &n) == COR_ERROR_NULL, "out");
+    check(cor_disk_rayleigh_tolerance(&modes, datum, 2, 0.1, &out, &n) == COR_ERROR_SPEED, "speed");
+    modes.count = 0;
+    check(cor_disk_rayleigh_tolerance(&modes, datum, 0.01, 0.1, &out, &n) == COR_ERROR_MODES, "count");
+}
+
+int main(void)
+{
+    state = random_start();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_integration_in_time),
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_tail),
+        cmocka_unit_test(test_estimate_is_no_excuse),
+        cmocka_unit_test(test_any_speed),
+        cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_statuses),
+    };
+    return cmocka_run_group_tests_name("disk_rayleigh", tests, NULL, NULL);
+}
