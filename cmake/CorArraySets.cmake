@@ -3,6 +3,7 @@
 # set errno and comparisons may be evaluated ahead.
 set(cor_array_options -O3 -fno-math-errno -fno-trapping-math)
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")
+  set_source_files_properties(runtime/disk_rayleigh_spectrum.c PROPERTIES COMPILE_OPTIONS "${cor_array_options}")
   set_source_files_properties(runtime/sphere_array_portable.c PROPERTIES COMPILE_OPTIONS "${cor_array_options}")
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     set(avx2 -mavx2)

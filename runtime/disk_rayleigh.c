@@ -20,7 +20,7 @@
 /* Below the lowest frequency of any disk, 1.1769 for nu -> 1 */
 #define LEAST_OMEGA 1.17
 /* Frequencies up to this times the highest one taken are treated one by one. */
-#define FAR 16.0
+#define FAR 8.0
 /* The weight begins to fade at this times the highest frequency taken. */
 #define FADE_FROM 0.65
 /* Relative error of the sums themselves */
@@ -48,21 +48,21 @@ static double depth(double speed, double nu, enum cor_disk_datum datum)
     return fmax(2 * (log_limit - log(speed)), 0);
 }
 
-static double amplitude(const struct cor_line *line)
+static double amplitude(const struct cor_lines *line, int i)
 {
-    return 2 * (line->cosine * line->re - line->sine * line->im + line->other);
+    return 2 * (line->cosine[i] * line->re[i] - line->sine[i] * line->im[i] + line->other[i]);
 }
 
 /* (2 I)^2, and its mean over the phase */
-static double response(const struct cor_line *line)
+static double response(const struct cor_lines *line, int i)
 {
-    const double x = amplitude(line);
+    const double x = amplitude(line, i);
     return x * x;
 }
 
-static double mean_response(const struct cor_line *line)
+static double mean_response(const struct cor_lines *line, int i)
 {
-    return 2 * (line->re * line->re + line->im * line->im) + 4 * line->other * line->other;
+    return 2 * (line->re[i] * line->re[i] + line->im[i] * line->im[i]) + 4 * line->other[i] * line->other[i];
 }
 
 /* 0 to 1 with three derivatives 0 at both ends */
@@ -152,29 +152,39 @@ static void surface_modes_init(struct surface_modes *surface, const struct cor_d
     surface->known = last;
 }
 
+static double surface_omega(const struct surface_modes *surface, int n)
+{
+    return surface->speed * n + newton(surface, surface->omega, 1.0 / n);
+}
+
 /* Sum over the modes l = 0 beyond the table of C^2 times what the response has beyond its mean */
 static double surface_sum(const struct surface_modes *surface, const struct cor_spectrum *spectrum, double highest)
 {
-    double sum = 0, omega = 0, next = 0, term = 0, quadrature = 0;
-    int n = surface->known;
+    double sum = 0, omega[COR_LINES], strength[COR_LINES];
+    struct cor_lines lines;
+    int n = surface->known, count = COR_LINES;
     if (n == 0)
         return 0;
-    while (next < FAR * highest) {
-        n++;
-        omega = surface->speed * n + newton(surface, surface->omega, 1.0 / n);
-        next = surface->speed * (n + 1) + newton(surface, surface->omega, 1.0 / (n + 1));
-        if (!(next > omega)) /* no table of a disk */
-            return sum;
-        const double strength = omega * newton(surface, surface->strength, 1.0 / n);
-        const struct cor_line line = cor_spectrum_line(spectrum, omega);
-        sum += strength * (response(&line) - mean_response(&line));
-        const double c = line.cosine * line.re - line.sine * line.im, s = line.cosine * line.im + line.sine * line.re;
-        term = strength * 2 * (c * c - s * s);
-        quadrature = strength * 4 * c * s;
-    }
+    do {
+        for (count = 0; count < COR_LINES && (count == 0 || omega[count - 1] < FAR * highest); count++) {
+            n++;
+            omega[count] = surface_omega(surface, n);
+            strength[count] = omega[count] * newton(surface, surface->strength, 1.0 / n);
+            if (!(omega[count] > highest)) /* no table of a disk */
+                return sum;
+        }
+        cor_spectrum_lines(spectrum, count, omega, &lines);
+        for (int i = 0; i < count; i++)
+            sum += strength[i] * (response(&lines, i) - mean_response(&lines, i));
+    } while (omega[count - 1] < FAR * highest);
     /* beyond: term (n/k)^3 turning by the same angle every time. Its sum is n/(2 - i n z) - 1/2, z the angle's 2 tan of
      * the half: right for small and for large n z, and to some percent between. */
-    const double z = 2 * tan(spectrum->half_time * (next - omega)), size = 4 + (n * z) * (n * z);
+    const int i = count - 1;
+    const double c = lines.cosine[i] * lines.re[i] - lines.sine[i] * lines.im[i];
+    const double s = lines.cosine[i] * lines.im[i] + lines.sine[i] * lines.re[i];
+    const double term = strength[i] * 2 * (c * c - s * s), quadrature = strength[i] * 4 * c * s;
+    const double z = 2 * tan(spectrum->half_time * (surface_omega(surface, n + 1) - omega[i]));
+    const double size = 4 + (n * z) * (n * z);
     return sum + term * (2 * n / size - 0.5) - quadrature * (n * (n * z) / size);
 }
 
@@ -189,15 +199,21 @@ struct integrals {
 static void add_panel(struct integrals *sum, const struct cor_spectrum *spectrum, double low, double high,
                       double fade_from, double fade_to)
 {
-    for (int i = -HALF_POINTS; i < HALF_POINTS; i++) {
-        const int k = i < 0 ? -1 - i : i;
-        const double omega = 0.5 * (low + high) + 0.5 * (high - low) * (i < 0 ? -gauss_x[k] : gauss_x[k]);
-        const struct cor_line line = cor_spectrum_line(spectrum, omega);
-        const double weight = 0.5 * (high - low) * gauss_w[k] * fade((omega - fade_from) / (fade_to - fade_from));
-        const double mean = mean_response(&line);
-        sum->mean += weight * 2 * omega * mean;
+    struct cor_lines lines;
+    double omega[2 * HALF_POINTS];
+    for (int i = 0; i < HALF_POINTS; i++) {
+        omega[HALF_POINTS - 1 - i] = 0.5 * (low + high) - 0.5 * (high - low) * gauss_x[i];
+        omega[HALF_POINTS + i] = 0.5 * (low + high) + 0.5 * (high - low) * gauss_x[i];
+    }
+    cor_spectrum_lines(spectrum, 2 * HALF_POINTS, omega, &lines);
+    for (int i = 0; i < 2 * HALF_POINTS; i++) {
+        const double w = gauss_w[i < HALF_POINTS ? HALF_POINTS - 1 - i : i - HALF_POINTS];
+        const double weight = 0.5 * (high - low) * w * fade((omega[i] - fade_from) / (fade_to - fade_from));
+        const double mean = mean_response(&lines, i);
+        sum->mean += weight * 2 * omega[i] * mean;
         sum->curvature += weight * mean;
-        sum->half += weight * 16 * omega * fabs(line.other) * sqrt(line.re * line.re + line.im * line.im);
+        sum->half +=
+            weight * 16 * omega[i] * fabs(lines.other[i]) * sqrt(lines.re[i] * lines.re[i] + lines.im[i] * lines.im[i]);
     }
 }
 
@@ -209,9 +225,10 @@ static struct integrals integrate(const struct cor_spectrum *spectrum, double fr
         add_panel(&sum, spectrum, omega, 2 * omega, from, to);
     /* beyond: mean response = g/omega^4, where 1/sqrt(g) goes like ln(omega); with r = dln(g)/dln(omega)/2
      * int 2 g omega^-3 = g (1 + r + 3/2 r^2 + ...)/omega^2 */
-    const double end = FAR * to;
-    const struct cor_line far = cor_spectrum_line(spectrum, end), near = cor_spectrum_line(spectrum, 0.5 * end);
-    const double g = mean_response(&far), r = 0.5 * log(16 * g / mean_response(&near)) / 0.69314718055994531;
+    const double ends[2] = {0.5 * FAR * to, FAR * to}, end = ends[1];
+    struct cor_lines lines;
+    cor_spectrum_lines(spectrum, 2, ends, &lines);
+    const double g = mean_response(&lines, 1), r = 0.5 * log(16 * g / mean_response(&lines, 0)) / 0.69314718055994531;
     sum.mean += end * end * g * (1 + r * (1 + 1.5 * r));
     return sum;
 }
@@ -221,16 +238,16 @@ struct window {
     double low, high, strength, re, im, half_re, half_im;
 };
 
-static void window_add(struct window *window, const struct cor_disk_mode *mode, const struct cor_line *line)
+static void window_add(struct window *window, const struct cor_disk_mode *mode, const struct cor_lines *lines, int i)
 {
     const double weight = bump((mode->omega - window->low) / (window->high - window->low)) * mode->c * mode->c;
     window->strength += weight;
     if (mode->l == 0)
         return;
-    window->re += weight * (line->cosine * line->cosine - line->sine * line->sine);
-    window->im += weight * 2 * line->cosine * line->sine;
-    window->half_re += weight * line->cosine;
-    window->half_im += weight * line->sine;
+    window->re += weight * (lines->cosine[i] * lines->cosine[i] - lines->sine[i] * lines->sine[i]);
+    window->im += weight * 2 * lines->cosine[i] * lines->sine[i];
+    window->half_re += weight * lines->cosine[i];
+    window->half_im += weight * lines->sine[i];
 }
 
 /* int bump = 4^4 4! 4!/9! of its width */
@@ -249,6 +266,18 @@ static double echo_of(double re, double im, const struct window *window)
     return sqrt(re * re + im * im) / bump_density(window);
 }
 
+/* Those of the first COR_LINES, or `left`, modes; how many */
+static int lines_of(const struct cor_disk_mode *mode, size_t left, const struct cor_spectrum *spectrum,
+                    struct cor_lines *lines)
+{
+    double omega[COR_LINES];
+    const int count = left < COR_LINES ? (int)left : COR_LINES;
+    for (int i = 0; i < count; i++)
+        omega[i] = mode[i].omega;
+    cor_spectrum_lines(spectrum, count, omega, lines);
+    return count;
+}
+
 /* Tail and error estimate from the n_modes lowest modes, out->fraction being known */
 static void finish(struct cor_disk_rayleigh *out, const struct cor_disk_modes *modes, size_t n_modes,
                    const struct cor_spectrum *spectrum)
@@ -257,15 +286,21 @@ static void finish(struct cor_disk_rayleigh *out, const struct cor_disk_modes *m
     struct window low = {0.35 * to, 0.75 * to, 0, 0, 0, 0, 0}, high = {0.6 * to, to, 0, 0, 0, 0, 0};
     struct surface_modes surface;
     double faded = 0, waves = 0;
-    for (size_t i = n_modes; i-- > 0 && modes->mode[i].omega > low.low;) {
-        const struct cor_disk_mode *mode = &modes->mode[i];
-        const struct cor_line line = cor_spectrum_line(spectrum, mode->omega);
-        const double f = fade((mode->omega - from) / (to - from)) * mode->c * mode->c, value = response(&line);
-        faded += f * value;
-        if (mode->l == 0 && mode->n > 1)
-            waves += f * (value - mean_response(&line));
-        window_add(&low, mode, &line);
-        window_add(&high, mode, &line);
+    size_t first = n_modes;
+    while (first > 0 && modes->mode[first - 1].omega > low.low)
+        first--;
+    for (size_t i = first; i < n_modes; i += COR_LINES) {
+        struct cor_lines lines;
+        const int count = lines_of(&modes->mode[i], n_modes - i, spectrum, &lines);
+        for (int j = 0; j < count; j++) {
+            const struct cor_disk_mode *mode = &modes->mode[i + (size_t)j];
+            const double f = fade((mode->omega - from) / (to - from)) * mode->c * mode->c, value = response(&lines, j);
+            faded += f * value;
+            if (mode->l == 0 && mode->n > 1)
+                waves += f * (value - mean_response(&lines, j));
+            window_add(&low, mode, &lines, j);
+            window_add(&high, mode, &lines, j);
+        }
     }
     const struct integrals integrals = integrate(spectrum, from, to);
     surface_modes_init(&surface, modes, n_modes);
@@ -337,10 +372,20 @@ static void begin(struct cor_disk_rayleigh *out, struct cor_spectrum *spectrum, 
                       FAR * modes->mode[n_modes - 1].omega);
 }
 
-static double fraction_of(const struct cor_disk_mode *mode, const struct cor_spectrum *spectrum)
+/* Adds the fractions of modes i = from..to-1 to *sum, and puts them into mode_fraction[i] if that is not NULL. */
+static void add_fractions(double *sum, const struct cor_disk_modes *modes, size_t from, size_t to,
+                          const struct cor_spectrum *spectrum, double *mode_fraction)
 {
-    const struct cor_line line = cor_spectrum_line(spectrum, mode->omega);
-    return mode->c * mode->c * response(&line);
+    for (size_t i = from; i < to; i += COR_LINES) {
+        struct cor_lines lines;
+        const int count = lines_of(&modes->mode[i], to - i, spectrum, &lines);
+        for (int j = 0; j < count; j++) {
+            const double c = modes->mode[i + (size_t)j].c, fraction = c * c * response(&lines, j);
+            if (mode_fraction)
+                mode_fraction[i + (size_t)j] = fraction;
+            *sum += fraction;
+        }
+    }
 }
 
 int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
@@ -358,12 +403,7 @@ int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum c
         return at_rest(out);
     }
     begin(out, &spectrum, modes, n_modes, datum, speed);
-    for (size_t i = 0; i < n_modes; i++) {
-        const double fraction = fraction_of(&modes->mode[i], &spectrum);
-        if (mode_fraction)
-            mode_fraction[i] = fraction;
-        out->fraction += fraction;
-    }
+    add_fractions(&out->fraction, modes, 0, n_modes, &spectrum, mode_fraction);
     finish(out, modes, n_modes, &spectrum);
     return result_status(out, speed);
 }
@@ -392,8 +432,7 @@ int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum cor_dis
     for (;;) {
         struct cor_disk_rayleigh trial = *out;
         trial.fraction = sum_few;
-        for (size_t i = few; i < n; i++)
-            trial.fraction += fraction_of(&modes->mode[i], &spectrum);
+        add_fractions(&trial.fraction, modes, few, n, &spectrum, NULL);
         finish(&trial, modes, n, &spectrum);
         if (trial.error_estimate <= tolerance * (trial.fraction + trial.tail)) {
             enough = n;

@@ -2,7 +2,9 @@
 #include "disk_rayleigh_spectrum.h"
 
 #include <math.h>
+#include <string.h>
 
+#include "disk_rayleigh_kernel.h"
 #include "lambert_w.h"
 
 /* ---- complex numbers: <complex.h> would check every product for infinities ---- */
@@ -106,10 +108,10 @@ static struct number solve(struct number q, struct number q_near, struct number 
 
 /* ---- quadrature ---- */
 
-enum { GAUSS = 12 };
+enum { GAUSS = 14 };
 /* Equal steps in u = -ln|theta - base|: their size, and how many make a panel; more than SHORT_FROM from the base,
  * where zeros of the sine are about as near, only SHORT. */
-enum { STEPS = 8, SHORT = 4 };
+enum { STEPS = 16, SHORT = 4 };
 #define STEP 0.14
 #define SHORT_FROM 0.4
 
@@ -160,7 +162,7 @@ static void rule_init(struct rule *rule)
 
 /* ---- one leg: from its base along a straight ray ---- */
 
-enum { MAX_PANELS = 64, MAX_NODES = MAX_PANELS * STEPS + 1 };
+enum { MAX_PANELS = 32, MAX_NODES = (MAX_PANELS + 1) * STEPS };
 
 /* theta = base + h(rho); int sin(theta) exp(i omega s) dtheta = exp(i omega s(base)) sum w exp(-omega p). */
 struct leg {
@@ -249,7 +251,7 @@ static void leg_init(struct leg *leg, const struct rule *rule, const struct shap
         p = times(p, plus(plus(number(1, 0), inverse), second));
     }
     leg->n = 0;
-    while (top > last && p.re < enough && leg->n + STEPS < MAX_NODES) {
+    while (top > last && p.re < enough && leg->n + STEPS < MAX_NODES - STEPS) {
         const int steps = exp(-top + STEPS * STEP) < SHORT_FROM ? STEPS : SHORT;
         const double panel = steps * STEP;
         struct number step[GAUSS];
@@ -285,6 +287,8 @@ static void leg_init(struct leg *leg, const struct rule *rule, const struct shap
     leg->w_re[leg->n] = rest * leg->w_re[0];
     leg->w_im[leg->n] = rest * leg->w_im[0];
     leg->n++;
+    for (; leg->n % KERNEL_PARTS != 0; leg->n++) /* up to whole parts */
+        leg->p_re[leg->n] = leg->p_im[leg->n] = leg->w_re[leg->n] = leg->w_im[leg->n] = 0;
 }
 
 /* ---- all of it ---- */
@@ -321,22 +325,10 @@ static void leg_octaves(const struct leg *leg, double first, int octaves, double
     for (int j = 0; j < COR_SPECTRUM_TERMS; j++) {
         const double x = half_width * cosine[j][1];
         double omega = first * 1.4142135623730951 * (1 + x) / (1 - x);
-        for (int i = 0; i < leg->n; i++) {
-            const double size = exp(-omega * leg->p_re[i]), phase = -omega * leg->p_im[i];
-            e_re[i] = size * cos(phase);
-            e_im[i] = size * sin(phase);
-        }
+        kernel_exponentials(leg->n, leg->p_re, leg->p_im, omega, e_re, e_im);
         for (int octave = 0; octave < octaves; octave++, omega *= 2) {
-            double sum_re = 0, sum_im = 0;
-            for (int i = 0; i < leg->n; i++) {
-                sum_re += leg->w_re[i] * e_re[i] - leg->w_im[i] * e_im[i];
-                sum_im += leg->w_re[i] * e_im[i] + leg->w_im[i] * e_re[i];
-            }
-            for (int i = 0; i < leg->n; i++) {
-                const double r = e_re[i], m = e_im[i];
-                e_re[i] = r * r - m * m;
-                e_im[i] = 2 * r * m;
-            }
+            double sum_re, sum_im;
+            kernel_sum_and_square(leg->n, leg->w_re, leg->w_im, e_re, e_im, &sum_re, &sum_im);
             const double factor = omega * omega / COR_SPECTRUM_TERMS;
             for (int k = 0; k < COR_SPECTRUM_TERMS; k++) {
                 const double c = (k == 0 ? factor : 2 * factor) * cosine[j][k];
@@ -358,7 +350,7 @@ void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_
     /* tilt the legs a little, to where exp(-omega p) does not turn: far from the limit they need none */
     const double tilt = 1 / (1 + 0.03 * q0), farthest = 20;
     struct shape shape = {1, tilt, q0, theta, tanh_theta};
-    const double enough = 60 / first, nearest = 1e-8 / (high * sqrt(0.5 * q0 + 25));
+    const double enough = 60 / first, nearest = 1e-7 / (high * sqrt(0.5 * q0 + 25));
 
     spectrum->half_time = 0.5 * contact_time;
     spectrum->first = first;
@@ -382,33 +374,34 @@ void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_
     }
 }
 
-static double chebyshev(const double c[COR_SPECTRUM_TERMS], double x)
+void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double *omega, struct cor_lines *lines)
 {
-    double b1 = 0, b2 = 0;
-    for (int k = COR_SPECTRUM_TERMS - 1; k > 0; k--) {
-        const double b = 2 * x * b1 - b2 + c[k];
-        b2 = b1;
-        b1 = b;
-    }
-    return x * b1 - b2 + c[0];
-}
-
-struct cor_line cor_spectrum_line(const struct cor_spectrum *spectrum, double omega)
-{
-    struct cor_line line;
-    int octave = 0;
+    struct cor_lines some;
+    int octave = 0, from = 0;
     double start = spectrum->first;
-    while (octave < spectrum->octaves - 1 && omega > 2 * start) {
-        start *= 2;
-        octave++;
+    while (from < n) {
+        int to = from;
+        while (octave < spectrum->octaves - 1 && omega[from] > 2 * start) {
+            start *= 2;
+            octave++;
+        }
+        while (to < n && (omega[to] <= 2 * start || octave == spectrum->octaves - 1))
+            to++;
+        struct cor_lines *const into = from == 0 && to == n ? lines : &some;
+        const size_t size = (size_t)(to - from) * sizeof(double);
+        kernel_lines(spectrum, octave, start, to - from, omega + from, into);
+        if (into == &some) {
+            memcpy(lines->re + from, some.re, size);
+            memcpy(lines->im + from, some.im, size);
+            memcpy(lines->cosine + from, some.cosine, size);
+            memcpy(lines->sine + from, some.sine, size);
+            memcpy(lines->other + from, some.other, size);
+        }
+        from = to;
     }
-    const double middle = 1.4142135623730951 * start, scale = 3 + 2 * 1.4142135623730951;
-    const double x = scale * (omega - middle) / (omega + middle), inverse = 1 / (omega * omega);
-    line.re = chebyshev(spectrum->a_re[octave], x) * inverse;
-    line.im = chebyshev(spectrum->a_im[octave], x) * inverse;
-    line.cosine = cos(omega * spectrum->half_time);
-    line.sine = sin(omega * spectrum->half_time);
-    line.other =
-        octave < spectrum->edges ? chebyshev(spectrum->b[octave], x) * inverse * exp(-omega * spectrum->decay) : 0;
-    return line;
+    /* too far round for the short reduction */
+    for (int i = n; i-- > 0 && omega[i] * spectrum->half_time > 1e6;) {
+        lines->cosine[i] = cos(omega[i] * spectrum->half_time);
+        lines->sine[i] = sin(omega[i] * spectrum->half_time);
+    }
 }

@@ -33,13 +33,16 @@ struct cor_spectrum {
 /* For frequencies from `first` to `high`; contact_time is tau. */
 void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high);
 
-/* What makes I at one frequency */
-struct cor_line {
-    double re, im;       /* a */
-    double cosine, sine; /* of omega tau/2 */
-    double other;        /* b exp(-omega Y) */
+/* What makes I at frequencies that go together */
+enum { COR_LINES = 64 };
+
+struct cor_lines {
+    double re[COR_LINES], im[COR_LINES];       /* a */
+    double cosine[COR_LINES], sine[COR_LINES]; /* of omega tau/2 */
+    double other[COR_LINES];                   /* b exp(-omega Y) */
 };
 
-struct cor_line cor_spectrum_line(const struct cor_spectrum *spectrum, double omega);
+/* n <= COR_LINES frequencies, increasing */
+void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double *omega, struct cor_lines *lines);
 
 #endif
