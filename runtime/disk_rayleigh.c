@@ -25,8 +25,9 @@
 #define FADE_FROM 0.65
 /* Relative error of the sums themselves */
 #define ROUNDING 1e-11
-/* Modes l = 0 that the power series in 1/n are fitted to, and the least n of the last */
-enum { FITTED = 5, FIT_FROM = 12 };
+/* Modes l = 0 that the power series in 1/n are fitted to, and the least and largest n of the last; a table with a larger
+ * one would have 10^12 modes */
+enum { FITTED = 5, FIT_FROM = 12, FIT_TO = 1000000 };
 
 static double law_constant(double nu, enum cor_disk_datum datum)
 {
@@ -119,12 +120,17 @@ static double newton(const struct surface_modes *modes, const double c[FITTED], 
     return value;
 }
 
+static double surface_omega(const struct surface_modes *surface, int n)
+{
+    return surface->speed * n + newton(surface, surface->omega, 1.0 / n);
+}
+
 /* omega - speed n and C^2/omega in powers of 1/n */
 static void surface_modes_init(struct surface_modes *surface, const struct cor_disk_modes *modes, size_t n_modes)
 {
     int last = 0, wanted[FITTED], found = 0;
     for (size_t i = 0; i < n_modes; i++)
-        if (modes->mode[i].l == 0 && modes->mode[i].n > last)
+        if (modes->mode[i].l == 0 && modes->mode[i].n > last && modes->mode[i].n <= FIT_TO)
             last = modes->mode[i].n;
     surface->known = 0;
     if (last < FIT_FROM)
@@ -149,12 +155,10 @@ static void surface_modes_init(struct surface_modes *surface, const struct cor_d
             surface->omega[k] = (surface->omega[k] - surface->omega[k - 1]) / step;
             surface->strength[k] = (surface->strength[k] - surface->strength[k - 1]) / step;
         }
-    surface->known = last;
-}
-
-static double surface_omega(const struct surface_modes *surface, int n)
-{
-    return surface->speed * n + newton(surface, surface->omega, 1.0 / n);
+    /* in a table of a disk with none missing the next one comes soon, is not in it, and travels at about that speed */
+    const double highest = modes->mode[n_modes - 1].omega, next = surface_omega(surface, last + 1);
+    if (next > highest && next < highest + 2 && next < 1.5 * surface->speed * last)
+        surface->known = last;
 }
 
 /* Sum over the modes l = 0 beyond the table of C^2 times what the response has beyond its mean */

@@ -103,7 +103,7 @@ static inline void kernel_sum_and_square(int n, const double *restrict w_re, con
     *sum_im = kernel_total(im);
 }
 
-/* Clenshaw's recurrence for lines of one octave, which begins at `start`; b NULL: no second part */
+/* Clenshaw's recurrence for lines of one octave, which begins at `start` */
 static inline void kernel_lines(const struct cor_spectrum *spectrum, int octave, double start, int n,
                                 const double *restrict omega, struct cor_lines *restrict lines)
 {

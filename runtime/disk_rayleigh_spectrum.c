@@ -242,7 +242,7 @@ static void leg_init(struct leg *leg, const struct rule *rule, const struct shap
         t = solve(q, minus(t, log1p_of(t)), t);
     } else
         t = solve(q, q, number(0, 1));
-    /* int_0^rho sqrt(y/2) drho by parts, y' = 2 y/(y - 1) in u; at the other base y is 1 */
+    /* int_0^rho sqrt(y/2) drho by parts, y' = 2 y/(y - 1) in u; at the other base y is 1; the ray starts straight down */
     struct number y = plus(number(1, 0), t), p = scaled(nearest, root(scaled(0.5, y)));
     if (shape->from_zero) {
         const struct number inverse = divided(number(1, 0), t), square = times(inverse, inverse);
@@ -265,8 +265,8 @@ static void leg_init(struct leg *leg, const struct rule *rule, const struct shap
             step[i] = scaled(0.5 * panel * rho, times(number(-slope.im, slope.re), root(scaled(0.5, y))));
         }
         for (int k = 0; k < steps; k++) {
-            const double rho = exp(-(top - k * STEP)), *const row =
-                                                           steps == STEPS ? rule->to_steps[k] : rule->to_short[k];
+            const double *const row = steps == STEPS ? rule->to_steps[k] : rule->to_short[k];
+            const double rho = exp(-(top - k * STEP));
             struct number here = p;
             for (int i = 0; i < GAUSS; i++)
                 here = plus(here, scaled(row[i], step[i]));
@@ -347,7 +347,7 @@ void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_
     rule_init(&rule);
     const double x = expm1(fmin(0.5 * q0, 300)), root_x = sqrt(x * (x + 2));
     const double theta = q0 > 600 ? 0.5 * q0 + 0.69314718055994531 : log1p(x + root_x), tanh_theta = root_x / (1 + x);
-    /* tilt the legs a little, to where exp(-omega p) does not turn: far from the limit they need none */
+    /* far from the limit exp(-omega p) hardly turns. At `enough` it is 2^-86, and the growth of the sine no matter. */
     const double tilt = 1 / (1 + 0.03 * q0), farthest = 20;
     struct shape shape = {1, tilt, q0, theta, tanh_theta};
     const double enough = 60 / first, nearest = 1e-7 / (high * sqrt(0.5 * q0 + 25));

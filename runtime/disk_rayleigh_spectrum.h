@@ -10,9 +10,9 @@
  *
  *     I = Re[exp(i omega tau/2) a(omega)] + b(omega) exp(-omega Y),     Y = int_0^Theta sqrt(y(pi/2 - i eta)/2) deta.
  *
- * a and b omega^2 vary slowly, without oscillation. They are interpolated. At a
- * frequency of 1.17 the far ends of the two legs, which are left out, are below 1e-11 of a, and no disk has a lower one:
- * the lowest mode has omega > 1.1769 at any nu. */
+ * a omega^2 and b omega^2 vary slowly, without oscillation, and are interpolated. What lies between the far ends of the
+ * two legs, left out, is below 1e-12 of a at omega = 1.17, and no disk has a lower frequency: the lowest mode has
+ * omega > 1.1769 at any nu. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
 #define COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
 
