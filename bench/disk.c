@@ -24,6 +24,13 @@ void disk_judge(struct disk_bench *bench, const char *what, int met)
     }
 }
 
+void *disk_memory(size_t n, size_t size)
+{
+    void *const memory = calloc(n, size);
+    disk_must(memory != NULL, "no memory");
+    return memory;
+}
+
 static void field(FILE *file, const char *format, double value)
 {
     fputc(',', file);
@@ -54,8 +61,7 @@ static const struct cor_disk_modes *read_all(const char *path)
     if (cor_disk_modes_read(path, NULL, 0, &modes, NULL) != COR_ERROR_CAPACITY)
         return NULL;
     const size_t capacity = modes.count;
-    struct cor_disk_mode *const mode = malloc(capacity * sizeof *mode);
-    disk_must(mode != NULL, "no memory for modes");
+    struct cor_disk_mode *const mode = disk_memory(capacity, sizeof *mode);
     const int status = cor_disk_modes_read(path, mode, capacity, &modes, NULL);
     disk_must(status == COR_OK, cor_status_text(status));
     return &modes;

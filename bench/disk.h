@@ -35,6 +35,9 @@ void disk_judge(struct disk_bench *bench, const char *what, int met);
 /* Exits with the message if the condition is false. */
 void disk_must(int condition, const char *message);
 
+/* Memory, or exits. */
+void *disk_memory(size_t n, size_t size);
+
 /* The constant b of the contact law measured from the centre of mass */
 long double disk_constant_b(double nu);
 

@@ -189,13 +189,18 @@ static void fill(double *x, size_t n, double low, double high)
 static double worst_error(const double *x, const double *computed, size_t n, long double exact(long double),
                           double *ulp)
 {
-    double worst = *ulp = 0;
+    double worst = 0;
+    *ulp = 0;
     for (size_t i = 0; i < n; i++) {
         const long double truth = exact(x[i]);
         const double off = fabs((double)(computed[i] - truth));
         const double last_place = nextafter((double)truth, INFINITY) - (double)truth;
-        worst = fmax(worst, off / (double)truth);
-        *ulp = fmax(*ulp, off / last_place);
+        if (!(off / last_place <= *ulp)) /* a NaN too */
+            *ulp = off / last_place;
+        if (!(off / (double)truth <= worst))
+            worst = off / (double)truth;
+        if (isnan(off))
+            break;
     }
     return worst;
 }

@@ -6,9 +6,11 @@
 
 #ifdef REAL_IS_DOUBLE
 #define REAL double
+#define NEAR 1e-9 /* a step so small, relative, was the last: its square is rounding */
 #define NAME(stem) stem##_double
 #else
 #define REAL long double
+#define NEAR 1e-11L
 #define NAME(stem) stem##_long
 #endif
 
@@ -70,7 +72,7 @@ static REAL lambert(REAL q)
     for (int i = 0; i < 20; i++) {
         const REAL step = (t - log1p(t) - q) * (1 + t) / t;
         t -= step;
-        if (!(fabs(step) > (sizeof(REAL) == sizeof(double) ? (REAL)1e-9 : (REAL)1e-11) * t)) /* quadratic */
+        if (!(fabs(step) > NEAR * t))
             break;
     }
     return t;
@@ -136,6 +138,8 @@ static int add_split(struct nodes *nodes, const struct rule *rule, int at_end, R
 static int make_nodes(struct nodes *nodes, struct disk_grid grid, REAL q0, REAL omega)
 {
     struct rule rule;
+    if (grid.points < 2 || grid.points > DISK_GRID_POINTS)
+        return 0;
     rule_init(&rule, grid.points);
     nodes->n = 0;
     nodes->half_time = 0;

@@ -17,7 +17,7 @@
 enum { DISK_GRID_POINTS = 32, DISK_GRID_NODES = 16384 };
 
 struct disk_grid {
-    int points;   /* of a panel, at most DISK_GRID_POINTS */
+    int points;   /* of a panel, 2 to DISK_GRID_POINTS */
     int halvings; /* of the panels towards each end */
     double phase; /* a panel spans at most so much of omega s, at the highest frequency */
 };
@@ -26,7 +26,7 @@ struct disk_grid {
 #define DISK_GRID_REFERENCE ((struct disk_grid){28, 40, 30})
 
 /* C^2 (2 I)^2 of mode[0..n-1] for the contact law's constant b, and the contact time; fraction and contact_time may be
- * NULL. Returns the number of nodes; 0: more than DISK_GRID_NODES. */
+ * NULL. Returns the number of nodes; 0: more than DISK_GRID_NODES, or a panel's points out of range. */
 size_t disk_quadrature_double(struct disk_grid grid, const struct cor_disk_mode *mode, size_t n, long double b,
                               double speed, long double *fraction, long double *contact_time);
 size_t disk_quadrature_long(struct disk_grid grid, const struct cor_disk_mode *mode, size_t n, long double b,

@@ -11,7 +11,7 @@
 #include "disk_quadrature.h"
 #include "reference_disk.h"
 
-enum { MODES = 1800, SPEEDS = 8, PROBED = 60, FLOORS = 3, JOBS = 2 * SPEEDS + FLOORS };
+enum { MODES = 1800, SPEEDS = 8, PROBED = 60, SLOW_TURNS = 2, FLOORS = 3, JOBS = 2 * SPEEDS + FLOORS };
 
 /* Coarser misses the error that rounding leaves at any rate, finer gains nothing. */
 static const struct disk_grid users_grid = {16, 26, 15};
@@ -50,7 +50,9 @@ static void with_quadrature(void *closure)
 static void with_runge_kutta(void *closure)
 {
     struct task *const t = closure;
-    reference_disk_rayleigh(t->modes->mode, MODES, (double)t->b, t->speed, t->tolerance, t->fraction, NULL);
+    disk_must(reference_disk_rayleigh(t->modes->mode, MODES, (double)t->b, t->speed, t->tolerance, t->fraction, NULL) >
+                  0,
+              "Runge-Kutta failed");
 }
 
 static void one_sine_and_cosine(void *closure)
@@ -79,7 +81,9 @@ static double runge_kutta_tolerance(const struct task *t, const long double *ref
     const size_t first = MODES - PROBED;
     double least = INFINITY, best = NAN, fraction[PROBED];
     for (double tolerance = 1e-10; tolerance > 0.5e-15 && least > most_error; tolerance /= 10) {
-        reference_disk_rayleigh(t->modes->mode + first, PROBED, (double)t->b, t->speed, tolerance, fraction, NULL);
+        disk_must(reference_disk_rayleigh(t->modes->mode + first, PROBED, (double)t->b, t->speed, tolerance, fraction,
+                                          NULL) > 0,
+                  "Runge-Kutta failed");
         const double error = disk_worst_error(t->modes->mode + first, PROBED, fraction, reference + first);
         if (error < 0.5 * least) {
             least = error;
@@ -125,8 +129,12 @@ static void print_speed(struct disk_bench *bench, const struct task *cor, double
     if (with_slow) {
         users->tolerance = runge_kutta_tolerance(users, reference);
         struct job once = {with_runge_kutta, users, 1, NAN};
-        timing_once(&once);
-        const double slow_ns = once.best_ns, slow_error = disk_worst_error(mode, MODES, users->fraction, reference);
+        double slow_ns = INFINITY;
+        for (int turn = 0; turn < (bench->quick ? 1 : SLOW_TURNS); turn++) {
+            timing_once(&once);
+            slow_ns = fmin(slow_ns, once.best_ns);
+        }
+        const double slow_error = disk_worst_error(mode, MODES, users->fraction, reference);
         printf(" %8.2f %7.0e %8.1e %8.0f", slow_ns / 1e9, users->tolerance, slow_error, slow_ns / cor_ns);
         disk_judge(bench, "1000 times", slow_ns >= least_ratio * cor_ns);
         disk_csv(bench, &(struct disk_row){"rayleigh", "Runge-Kutta", cor->speed, users->tolerance, MODES,

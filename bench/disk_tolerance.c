@@ -27,8 +27,7 @@ static void truth_init(struct truth *truth, const struct disk_bench *bench, doub
         return;
     struct cor_disk_rayleigh out;
     truth->n = bench->all->count;
-    truth->partial = malloc(truth->n * sizeof *truth->partial);
-    disk_must(truth->partial != NULL, "no memory for partial sums");
+    truth->partial = disk_memory(truth->n, sizeof *truth->partial);
     const int status = cor_disk_rayleigh(bench->all, truth->n, datum, speed, &out, truth->partial);
     disk_must(status == COR_OK, cor_status_text(status));
     for (size_t i = 1; i < truth->n; i++)
@@ -164,7 +163,9 @@ static void with_cosines(void *closure)
 static void with_runge_kutta(void *closure)
 {
     const struct slow *const s = closure;
-    reference_disk_rayleigh(cor_disk_modes_nu033.mode, s->n, (double)s->b, s->speed, s->tolerance, s->fraction, NULL);
+    disk_must(reference_disk_rayleigh(cor_disk_modes_nu033.mode, s->n, (double)s->b, s->speed, s->tolerance,
+                                      s->fraction, NULL) > 0,
+              "Runge-Kutta failed");
 }
 
 static double sum_of(const double *fraction, size_t n)
@@ -237,8 +238,7 @@ static void mode_curves(struct disk_bench *bench, struct slow *s)
     const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
     static const struct disk_grid grids[] = {{8, 10, 15},  {9, 13, 15},  {10, 16, 15}, {12, 20, 15},
                                              {14, 26, 15}, {16, 26, 15}, {20, 26, 15}};
-    long double *const reference = malloc(modes->count * sizeof *reference);
-    disk_must(reference != NULL, "no memory for a reference");
+    long double *const reference = disk_memory(modes->count, sizeof *reference);
     s->n = modes->count;
     disk_must(disk_quadrature_long(DISK_GRID_REFERENCE, modes->mode, s->n, s->b, s->speed, reference, NULL) > 0,
               "too many nodes");
@@ -273,9 +273,8 @@ void disk_curves(struct disk_bench *bench)
     const size_t n = cor_disk_modes_nu033.count;
     struct slow s = {.speed = 1e-3, .b = disk_constant_b(cor_disk_modes_nu033.nu)};
     struct truth truth;
-    s.integrals = malloc(n * sizeof *s.integrals);
-    s.fraction = malloc(n * sizeof *s.fraction);
-    disk_must(s.integrals && s.fraction, "no memory for fractions");
+    s.integrals = disk_memory(n, sizeof *s.integrals);
+    s.fraction = disk_memory(n, sizeof *s.fraction);
     truth_init(&truth, bench, s.speed);
     energy_curves(bench, s.speed, &truth);
     slow_energy_curves(bench, &s, &truth);
