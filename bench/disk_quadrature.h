@@ -22,8 +22,9 @@ struct disk_grid {
     double phase; /* a panel spans at most so much of omega s, at the highest frequency */
 };
 
-/* For the reference: ten thousand times finer than 1e-10 asks for */
+/* Two grids for references: rounding in long double is what is left, and makes them differ. */
 #define DISK_GRID_REFERENCE ((struct disk_grid){28, 40, 30})
+#define DISK_GRID_SECOND ((struct disk_grid){32, 44, 22})
 
 /* C^2 (2 I)^2 of mode[0..n-1] for the contact law's constant b, and the contact time; fraction and contact_time may be
  * NULL. Returns the number of nodes; 0: more than DISK_GRID_NODES, or a panel's points out of range. */

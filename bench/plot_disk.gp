@@ -37,7 +37,7 @@ plot csv using 6:(y("energy", "Runge-Kutta")) skip 1 with linespoints pt 7 ps 0.
          title "cor, the sum alone", \
      csv using 6:(y("energy", "cor")) skip 1 with linespoints pt 7 ps 0.6 lw 1.8 lc rgb blue \
          title "cor, to a tolerance", \
-     csv using 6:(y("energy", "truncation") > 0 && number("energy", "truncation") > 0 ? column(7) : NaN):5 skip 1 with labels left \
+     csv using 6:(y("energy", "truncation") > 0 && number("energy", "truncation") > 0 ? column(7) : NaN):(column(5) == 3 ? "3 modes" : strcol(5)) skip 1 with labels left \
          offset 0.6,0.4 tc rgb black font ",10" notitle
 
 set title "the fraction of each of 1800 modes"
