@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The cost of corgen as the order, the digits and beta grow: bench/run sources this, with one_core, quick and results
-# set, and calls generator_costs.
+# set, and calls generator_costs and disk_generator_costs.
 
 # measure LABEL CSV COMMAND...: seconds, peak megabytes and the two dearest steps of a corgen command, by its
 # own --profile; the last is the step that dominates.
@@ -20,6 +20,12 @@ measure() {
             printf "%-42s %9.3f s %8.1f MB   %s (%.0f %%)\n", label, total, memory, step, share
             printf "%s,%s,%s,%s,%.1f\n", label, total, memory, step, share >>csv
         }'
+}
+
+# The same on all cores
+on_all_cores() {
+    local one_core=()
+    measure "$@"
 }
 
 # exponents CSV PATTERN: least-squares slopes of log seconds and log megabytes against log order, over the rows
@@ -64,4 +70,17 @@ generator_costs() {
     for beta in 0.1 5 100 1e6; do
         measure "collide 30 digits beta $beta" "$csv" build/corgen collide --beta "$beta" --digits 30
     done
+}
+
+disk_generator_costs() {
+    local csv=$results/disk_generator.csv
+    echo "command,seconds,peak_mb,dominating_step,percent" >"$csv"
+    say "corgen disk-modes"
+    measure "1800 modes 30 digits one core" "$csv" build/corgen disk-modes --poisson 0.33 --count 1800 --digits 30
+    on_all_cores "1800 modes 30 digits $jobs cores" "$csv" \
+        build/corgen disk-modes --poisson 0.33 --count 1800 --digits 30
+    [ "$quick" ] && return
+    measure "20000 modes 20 digits one core" "$csv" build/corgen disk-modes --poisson 0.33 --count 20000 --digits 20
+    on_all_cores "20000 modes 20 digits $jobs cores" "$csv" \
+        build/corgen disk-modes --poisson 0.33 --count 20000 --digits 20
 }
