@@ -123,10 +123,10 @@ int disk_header_write(FILE *file, const struct disk_table *table)
 {
     if (make(table))
         return STATUS_FAILED;
-    char nu[NU_NAME], upper[NU_NAME], guard[NU_NAME + 32], name[NU_NAME + 32], command[LINE_LENGTH];
+    char nu[NU_NAME] = "", upper[NU_NAME] = "", guard[NU_NAME + 32], name[NU_NAME + 32], command[LINE_LENGTH];
     char banner[sizeof banner_format + 4 * LINE_LENGTH];
     nu_name(nu, table->poisson);
-    for (size_t i = 0; i < sizeof nu; i++)
+    for (size_t i = 0; nu[i]; i++)
         upper[i] = (char)toupper((unsigned char)nu[i]);
     snprintf(guard, sizeof guard, "COR_DISK_MODES_NU%s_H", upper);
     snprintf(name, sizeof name, "cor_disk_mode_rows_nu%s", nu);

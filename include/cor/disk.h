@@ -18,6 +18,11 @@
 
 #ifdef __cplusplus
 extern "C" {
+#if defined(__GNUC__)
+/* A function and a struct may have one name; g++ -Wshadow minds. */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+#endif
 #endif
 
 /* Bounds on the error of the functions below, asserted by the tests; docs/accuracy.md records the worst found. All
@@ -150,6 +155,9 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
                                         double tolerance, struct cor_disk_rayleigh *out, size_t *n_modes);
 
 #ifdef __cplusplus
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 }
 #endif
 
