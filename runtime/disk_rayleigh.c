@@ -337,13 +337,15 @@ static void finish(struct cor_disk_rayleigh *out, const struct cor_disk_modes *m
                                            : 0;
     out->tail = integrals.mean + curvature * integrals.curvature - faded + surface_sum(&surface, spectrum, to);
 
-    /* Echoes in step with the response, as strong as under the windows; what the density has beyond 2 omega + a; and
+    /* Echoes in step with the response, as strong as under the windows; what the density has beyond 2 omega + a; the
+     * density itself, an echo of T = 0, of which the kink of echo_weight at 1 leaves some part in (omega_max tau)^2; and
      * without the modes l = 0 the tail is anyone's guess. The factors are the least, rounded up, that hold against sums
      * over twenty thousand modes. */
-    const double echo = echo_of(high.re, high.im, &high) + 0.4 * echo_of(low.re, low.im, &low);
+    const double echo = echo_of(high.re, high.im, &high) + 0.7 * echo_of(low.re, low.im, &low);
     const double half_echo = echo_of(high.half_re, high.half_im, &high) + 0.4 * echo_of(low.half_re, low.half_im, &low);
-    const double square = to * to, rest = surface.known ? 0.6 / square + 2000 / (square * square * to) : 1;
-    out->error_estimate = (1.8 * echo + rest) * integrals.mean + (2 * half_echo + rest) * integrals.half +
+    const double square = to * to, turned = 2 * spectrum->half_time * to;
+    const double rest = surface.known ? 0.6 / square + 2000 / (square * square * to) + 60 / (turned * turned) : 1;
+    out->error_estimate = (1.6 * echo + rest) * integrals.mean + (2 * half_echo + rest) * integrals.half +
                           ROUNDING * (out->fraction + fabs(out->tail));
 }
 
