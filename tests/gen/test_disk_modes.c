@@ -434,6 +434,7 @@ static void test_normalisation(void **state)
         disk_mode_init(&mode);
         set_nu(nu, cases[i].nu);
         assert_int_equal(disk_mode_solve(&mode, nu, n, cases[i].l, 150), 0);
+        arb_zero(zero);
         arb_set_fmpq(x, nu, PREC);
         arb_add_si(x, x, 1, PREC);
         arb_mul_2exp_si(kappa_, x, 1);

@@ -269,9 +269,13 @@ static void check_mode(const struct material *m, const struct cor_disk_mode *mod
 {
     struct bessel k, k1;
     arb_t omega, a, b, c, s, norm, t;
-    arb_ptr const all[] = {omega, a, b, c, s, norm, t};
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        arb_init(all[i]);
+    arb_init(omega);
+    arb_init(a);
+    arb_init(b);
+    arb_init(c);
+    arb_init(s);
+    arb_init(norm);
+    arb_init(t);
     bessel_init(&k);
     bessel_init(&k1);
     const slong n = mode->n;
@@ -326,8 +330,13 @@ static void check_mode(const struct material *m, const struct cor_disk_mode *mod
         assert_true(mode->s == 0);
     bessel_clear(&k);
     bessel_clear(&k1);
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-        arb_clear(all[i]);
+    arb_clear(omega);
+    arb_clear(a);
+    arb_clear(b);
+    arb_clear(c);
+    arb_clear(s);
+    arb_clear(norm);
+    arb_clear(t);
 }
 
 static void every_mode(void **state)
