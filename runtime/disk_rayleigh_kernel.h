@@ -66,9 +66,7 @@ static inline double kernel_exp(double x)
     return x < 700 ? e * scale : 0;
 }
 
-enum { KERNEL_PARTS = 8 };
-
-static inline double kernel_total(const double part[KERNEL_PARTS])
+static inline double kernel_total(const double part[COR_LEG_PART])
 {
     return ((part[0] + part[4]) + (part[2] + part[6])) + ((part[1] + part[5]) + (part[3] + part[7]));
 }
@@ -85,14 +83,14 @@ static inline void kernel_exponentials(int n, const double *restrict p_re, const
     }
 }
 
-/* sum of w e, and e squared in place; n is a multiple of KERNEL_PARTS */
+/* sum of w e, and e squared in place; n is a multiple of COR_LEG_PART */
 static inline void kernel_sum_and_square(int n, const double *restrict w_re, const double *restrict w_im,
                                          double *restrict e_re, double *restrict e_im, double *restrict sum_re,
                                          double *restrict sum_im)
 {
-    double re[KERNEL_PARTS] = {0}, im[KERNEL_PARTS] = {0};
-    for (int i = 0; i < n; i += KERNEL_PARTS)
-        for (int l = 0; l < KERNEL_PARTS; l++) {
+    double re[COR_LEG_PART] = {0}, im[COR_LEG_PART] = {0};
+    for (int i = 0; i < n; i += COR_LEG_PART)
+        for (int l = 0; l < COR_LEG_PART; l++) {
             const double r = e_re[i + l], m = e_im[i + l];
             re[l] += w_re[i + l] * r - w_im[i + l] * m;
             im[l] += w_re[i + l] * m + w_im[i + l] * r;
@@ -101,6 +99,59 @@ static inline void kernel_sum_and_square(int n, const double *restrict w_re, con
         }
     *sum_re = kernel_total(re);
     *sum_im = kernel_total(im);
+}
+
+/* Twice the frequency is the square of the exponential. */
+static inline void kernel_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
+                                  double im[][COR_SPECTRUM_TERMS])
+{
+    /* cos(pi k/32), down to 0; tanh(ln(2)/4) */
+    static const double quarter[COR_SPECTRUM_TERMS + 1] = {1,
+                                                           0.995184726672196886,
+                                                           0.980785280403230449,
+                                                           0.956940335732208865,
+                                                           0.923879532511286756,
+                                                           0.88192126434835503,
+                                                           0.831469612302545237,
+                                                           0.773010453362736961,
+                                                           0.707106781186547524,
+                                                           0.634393284163645498,
+                                                           0.555570233019602225,
+                                                           0.471396736825997649,
+                                                           0.382683432365089772,
+                                                           0.290284677254462368,
+                                                           0.195090322016128268,
+                                                           0.098017140329560602,
+                                                           0};
+    const double half_width = 3 - 2 * 1.4142135623730951;
+    double e_re[COR_LEG_NODES], e_im[COR_LEG_NODES];
+    for (int k = 0; k < octaves; k++)
+        for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
+            re[k][j] = im[k][j] = 0;
+    for (int j = 0; j < COR_SPECTRUM_TERMS; j++) {
+        double cosine[COR_SPECTRUM_TERMS]; /* cos(pi k (j + 1/2)/TERMS) */
+        for (int k = 0; k < COR_SPECTRUM_TERMS; k++) {
+            const int turn = k * (2 * j + 1) % (4 * COR_SPECTRUM_TERMS), half = 2 * COR_SPECTRUM_TERMS,
+                      up = turn < half ? turn : 2 * half - turn;
+            cosine[k] = up <= half / 2 ? quarter[up] : -quarter[half - up];
+        }
+        const double x = half_width * cosine[1];
+        double omega = first * 1.4142135623730951 * (1 + x) / (1 - x);
+        int n = leg->n;
+        kernel_exponentials(n, leg->p_re, leg->p_im, omega, e_re, e_im);
+        for (int octave = 0; octave < octaves; octave++, omega *= 2) {
+            double sum_re, sum_im;
+            while (n > COR_LEG_PART && omega * leg->p_re[n - COR_LEG_PART] > 60) /* 2^-86 */
+                n -= COR_LEG_PART;
+            kernel_sum_and_square(n, leg->w_re, leg->w_im, e_re, e_im, &sum_re, &sum_im);
+            const double factor = omega * omega / COR_SPECTRUM_TERMS;
+            for (int k = 0; k < COR_SPECTRUM_TERMS; k++) {
+                const double c = (k == 0 ? factor : 2 * factor) * cosine[k];
+                re[octave][k] += c * sum_re;
+                im[octave][k] += c * sum_im;
+            }
+        }
+    }
 }
 
 /* Clenshaw's recurrence for lines of one octave, which begins at `start` */
@@ -140,5 +191,17 @@ static inline void kernel_lines(const struct cor_spectrum *spectrum, int octave,
         lines->other[i] = (x * b1 - b2 + c[0]) * inverse * kernel_exp(omega[i] * spectrum->decay);
     }
 }
+
+#define RAYLEIGH(set)                                                                                                  \
+    void cor_rayleigh_octaves_##set(const struct cor_leg *leg, double first, int octaves,                              \
+                                    double re[][COR_SPECTRUM_TERMS], double im[][COR_SPECTRUM_TERMS])                  \
+    {                                                                                                                  \
+        kernel_octaves(leg, first, octaves, re, im);                                                                   \
+    }                                                                                                                  \
+    void cor_rayleigh_lines_##set(const struct cor_spectrum *spectrum, int octave, double start, int n,                \
+                                  const double *omega, struct cor_lines *lines)                                        \
+    {                                                                                                                  \
+        kernel_lines(spectrum, octave, start, n, omega, lines);                                                        \
+    }
 
 #endif

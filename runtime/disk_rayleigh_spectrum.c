@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "disk_rayleigh_kernel.h"
 #include "lambert_w.h"
 
 /* ---- complex numbers: <complex.h> would check every product for infinities ---- */
@@ -162,14 +161,6 @@ static void rule_init(struct rule *rule)
 
 /* ---- one leg: from its base along a straight ray ---- */
 
-enum { MAX_PANELS = 32, MAX_NODES = (MAX_PANELS + 1) * STEPS };
-
-/* theta = base + h(rho); int sin(theta) exp(i omega s) dtheta = exp(i omega s(base)) sum w exp(-omega p). */
-struct leg {
-    int n;
-    double p_re[MAX_NODES], p_im[MAX_NODES], w_re[MAX_NODES], w_im[MAX_NODES];
-};
-
 struct shape {
     int from_zero; /* base 0, else pi/2 - i Theta */
     double tilt, q0, theta, tanh_theta;
@@ -229,7 +220,7 @@ static struct number sin_at(const struct shape *shape, double rho, double cosh_t
 
 /* From rho = nearest outwards, until rho = farthest or until Re(p) > enough. Trapezoidal rule in u: the integrand falls
  * off like a power on one side and faster than exponentially on the other, where exp(-omega p) does. */
-static void leg_init(struct leg *leg, const struct rule *rule, const struct shape *shape, double nearest,
+static void leg_init(struct cor_leg *leg, const struct rule *rule, const struct shape *shape, double nearest,
                      double farthest, double enough)
 {
     const double cosh_theta = shape->from_zero ? 1 : cosh_of(shape->theta);
@@ -250,8 +241,8 @@ static void leg_init(struct leg *leg, const struct rule *rule, const struct shap
         const struct number second = minus(square, scaled(2, times(y, times(square, inverse))));
         p = times(p, plus(plus(number(1, 0), inverse), second));
     }
-    leg->n = 0;
-    while (top > last && p.re < enough && leg->n + STEPS < MAX_NODES - STEPS) {
+    leg->n = 1; /* 0 is kept for what lies nearer to the base */
+    while (top > last && p.re < enough && leg->n + STEPS < COR_LEG_NODES - STEPS) {
         const int steps = exp(-top + STEPS * STEP) < SHORT_FROM ? STEPS : SHORT;
         const double panel = steps * STEP;
         struct number step[GAUSS];
@@ -281,68 +272,71 @@ static void leg_init(struct leg *leg, const struct rule *rule, const struct shap
             p = plus(p, scaled(rule->w[i], step[i]));
         top -= panel;
     }
-    /* what lies nearer to the base: a geometric series, exp(-omega p) being 1 */
+    /* nearer to the base: a geometric series, exp(-omega p) being 1 */
     const double rest = 1 / (exp(shape->from_zero ? 2 * STEP : STEP) - 1);
-    leg->p_re[leg->n] = leg->p_im[leg->n] = 0;
-    leg->w_re[leg->n] = rest * leg->w_re[0];
-    leg->w_im[leg->n] = rest * leg->w_im[0];
-    leg->n++;
-    for (; leg->n % KERNEL_PARTS != 0; leg->n++) /* up to whole parts */
-        leg->p_re[leg->n] = leg->p_im[leg->n] = leg->w_re[leg->n] = leg->w_im[leg->n] = 0;
+    leg->p_re[0] = leg->p_im[0] = 0;
+    leg->w_re[0] = rest * leg->w_re[1];
+    leg->w_im[0] = rest * leg->w_im[1];
+    for (; leg->n % COR_LEG_PART != 0; leg->n++) { /* up to whole parts */
+        leg->p_re[leg->n] = p.re;
+        leg->p_im[leg->n] = leg->w_re[leg->n] = leg->w_im[leg->n] = 0;
+    }
 }
 
 /* ---- all of it ---- */
 
-/* Y: eta = Theta - rho, where cosh(eta)/cosh(Theta) = 1 + 2 sinh(rho/2)^2 - tanh(Theta) sinh(rho) */
+/* Y: eta = Theta - rho, where cosh(eta)/cosh(Theta) = 1 + 2 sinh(rho/2)^2 - tanh(Theta) sinh(rho). y is a power series
+ * in the root of rho. */
 static double decay_of(const struct rule *rule, double theta, double tanh_theta)
 {
     double sum = 0;
     for (double far = theta, near; far > 0; far = near) {
-        near = far > 0.3 ? 0.4 * far : far > 1e-9 * theta ? 0.1 * far : 0;
-        const double length = near > 0 ? log(far / near) : far;
+        near = far > 0.3 ? 0.4 * far : 0;
+        const double low = sqrt(near), high = sqrt(far);
         for (int i = 0; i < GAUSS; i++) {
-            const double part = 0.5 * (1 + rule->x[i]) * length, rho = near > 0 ? near * exp(part) : part;
+            const double z = low + 0.5 * (1 + rule->x[i]) * (high - low), rho = z * z;
             const double half = sinh(0.5 * rho);
             const double q = -2 * log1p(2 * half * half - tanh_theta * sinh(rho));
-            sum += rule->w[i] * 0.5 * length * (near > 0 ? rho : 1) * sqrt(0.5 * (1 + cor_lambert_t(fmax(q, 0))));
+            sum += rule->w[i] * (high - low) * z * sqrt(0.5 * (1 + cor_lambert_t(fmax(q, 0))));
         }
     }
     return sum;
 }
 
-/* Sums a leg at the nodes of one octave after the other: twice the frequency is the square of the exponential. */
-static void leg_octaves(const struct leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
-                        double im[][COR_SPECTRUM_TERMS])
-{
-    const double half_width = 3 - 2 * 1.4142135623730951, pi = 3.14159265358979323846; /* tanh(ln(2)/4) */
-    double e_re[MAX_NODES], e_im[MAX_NODES], cosine[COR_SPECTRUM_TERMS][COR_SPECTRUM_TERMS];
-    for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
-        for (int k = 0; k < COR_SPECTRUM_TERMS; k++)
-            cosine[j][k] = cos(pi * k * (j + 0.5) / COR_SPECTRUM_TERMS);
-    for (int k = 0; k < octaves; k++)
-        for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
-            re[k][j] = im[k][j] = 0;
-    for (int j = 0; j < COR_SPECTRUM_TERMS; j++) {
-        const double x = half_width * cosine[j][1];
-        double omega = first * 1.4142135623730951 * (1 + x) / (1 - x);
-        kernel_exponentials(leg->n, leg->p_re, leg->p_im, omega, e_re, e_im);
-        for (int octave = 0; octave < octaves; octave++, omega *= 2) {
-            double sum_re, sum_im;
-            kernel_sum_and_square(leg->n, leg->w_re, leg->w_im, e_re, e_im, &sum_re, &sum_im);
-            const double factor = omega * omega / COR_SPECTRUM_TERMS;
-            for (int k = 0; k < COR_SPECTRUM_TERMS; k++) {
-                const double c = (k == 0 ? factor : 2 * factor) * cosine[j][k];
-                re[octave][k] += c * sum_re;
-                im[octave][k] += c * sum_im;
-            }
-        }
+#define SET(set)                                                                                                       \
+    {                                                                                                                  \
+#set, cor_rayleigh_octaves_##set, cor_rayleigh_lines_##set                                                     \
     }
+
+const struct cor_rayleigh_set *cor_rayleigh_set(int i)
+{
+    static const struct cor_rayleigh_set portable = SET(portable);
+#ifdef COR_X86_SETS
+    static const struct cor_rayleigh_set avx2 = SET(avx2), avx512 = SET(avx512);
+    if (i == 1)
+        return __builtin_cpu_supports("avx2") ? &avx2 : NULL;
+    if (i == 2)
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                       __builtin_cpu_supports("avx512vl")
+                   ? &avx512
+                   : NULL;
+#endif
+    return i == 0 ? &portable : NULL;
 }
 
 void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high)
 {
+    int i = COR_RAYLEIGH_SETS - 1;
+    while (i > 0 && !cor_rayleigh_set(i))
+        i--;
+    cor_spectrum_init_by(cor_rayleigh_set(i), spectrum, q0, contact_time, first, high);
+}
+
+void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
+                          double contact_time, double first, double high)
+{
     struct rule rule;
-    struct leg leg;
+    struct cor_leg leg;
     double unused[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS];
     rule_init(&rule);
     const double x = expm1(fmin(0.5 * q0, 300)), root_x = sqrt(x * (x + 2));
@@ -352,11 +346,12 @@ void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_
     struct shape shape = {1, tilt, q0, theta, tanh_theta};
     const double enough = 60 / first, nearest = 1e-7 / (high * sqrt(0.5 * q0 + 25));
 
+    spectrum->set = set;
     spectrum->half_time = 0.5 * contact_time;
     spectrum->first = first;
     spectrum->octaves = (int)fmin(ceil(log2(high / first) + 1e-9) + 1, COR_SPECTRUM_OCTAVES);
     leg_init(&leg, &rule, &shape, nearest, farthest, enough);
-    leg_octaves(&leg, first, spectrum->octaves, spectrum->a_re, spectrum->a_im);
+    set->octaves(&leg, first, spectrum->octaves, spectrum->a_re, spectrum->a_im);
 
     spectrum->edges = 0;
     spectrum->decay = INFINITY;
@@ -367,7 +362,7 @@ void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_
             spectrum->edges++;
         shape.from_zero = 0;
         leg_init(&leg, &rule, &shape, nearest, farthest, enough - spectrum->decay);
-        leg_octaves(&leg, first, spectrum->edges, spectrum->b, unused);
+        set->octaves(&leg, first, spectrum->edges, spectrum->b, unused);
         for (int k = 0; k < spectrum->edges; k++)
             for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
                 spectrum->b[k][j] = -spectrum->b[k][j]; /* upwards */
@@ -389,7 +384,7 @@ void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double
             to++;
         struct cor_lines *const into = from == 0 && to == n ? lines : &some;
         const size_t size = (size_t)(to - from) * sizeof(double);
-        kernel_lines(spectrum, octave, start, to - from, omega + from, into);
+        spectrum->set->lines(spectrum, octave, start, to - from, omega + from, into);
         if (into == &some) {
             memcpy(lines->re + from, some.re, size);
             memcpy(lines->im + from, some.im, size);

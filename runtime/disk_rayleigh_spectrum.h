@@ -21,7 +21,50 @@ enum {
     COR_SPECTRUM_OCTAVES = 48 /* most */
 };
 
+/* One leg of the path, theta = base + h(rho): int sin(theta) exp(i omega s) dtheta =
+ * exp(i omega s(base)) sum w exp(-omega p). Re(p) increases; n is a multiple of COR_LEG_PART. */
+enum { COR_LEG_PART = 8, COR_LEG_NODES = 528 };
+
+struct cor_leg {
+    int n;
+    double p_re[COR_LEG_NODES], p_im[COR_LEG_NODES], w_re[COR_LEG_NODES], w_im[COR_LEG_NODES];
+};
+
+/* The loops over nodes and over modes by instruction set: disk_rayleigh_<set>.c each compile disk_rayleigh_kernel.h
+ * with other flags. */
+struct cor_spectrum;
+struct cor_lines;
+
+/* omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev's coefficients */
+typedef void cor_rayleigh_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
+                                  double im[][COR_SPECTRUM_TERMS]);
+/* Lines of one octave, which begins at `start` */
+typedef void cor_rayleigh_lines(const struct cor_spectrum *spectrum, int octave, double start, int n,
+                                const double *omega, struct cor_lines *lines);
+
+struct cor_rayleigh_set {
+    const char *name;
+    cor_rayleigh_octaves *octaves;
+    cor_rayleigh_lines *lines;
+};
+
+#define COR_RAYLEIGH_SET(set)                                                                                          \
+    cor_rayleigh_octaves cor_rayleigh_octaves_##set;                                                                   \
+    cor_rayleigh_lines cor_rayleigh_lines_##set;
+
+COR_RAYLEIGH_SET(portable)
+#ifdef COR_X86_SETS
+COR_RAYLEIGH_SET(avx2)
+COR_RAYLEIGH_SET(avx512)
+#endif
+
+enum { COR_RAYLEIGH_SETS = 3 };
+
+/* Sets from the narrowest to the widest; NULL where this processor, or this build, has it not. */
+const struct cor_rayleigh_set *cor_rayleigh_set(int i);
+
 struct cor_spectrum {
+    const struct cor_rayleigh_set *set;
     double half_time;   /* tau/2 */
     double decay;       /* Y */
     double first;       /* where the first octave begins */
@@ -30,8 +73,11 @@ struct cor_spectrum {
     double b[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS]; /* each times omega^2 */
 };
 
-/* For frequencies from `first` to `high`; contact_time is tau. */
+/* For frequencies from `first` to `high`; contact_time is tau. By the widest set that this processor has, or by `set`:
+ * the same bits. */
 void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high);
+void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
+                          double contact_time, double first, double high);
 
 /* What makes I at frequencies that go together */
 enum { COR_LINES = 64 };
