@@ -27,7 +27,25 @@ enum { COR_LEG_PART = 8, COR_LEG_NODES = 528 };
 
 struct cor_leg {
     int n;
+    double end_re, end_im; /* p where it ends so far */
     double p_re[COR_LEG_NODES], p_im[COR_LEG_NODES], w_re[COR_LEG_NODES], w_im[COR_LEG_NODES];
+};
+
+struct cor_leg_path {
+    int from_zero;                      /* the base is 0, else pi/2 - i Theta */
+    double tilt, q0, tanh_theta, scale; /* the last: cosh(Theta) at the second base, else 1 */
+};
+
+/* Equal steps in u = -ln|theta - base|: their size, and how many make a panel; where zeros of the sine are about as
+ * near as the base, only COR_LEG_SHORT */
+#define COR_LEG_STEP 0.14
+enum { COR_LEG_STEPS = 16, COR_LEG_SHORT = 4, COR_LEG_GAUSS = 14 };
+
+/* Gauss and Legendre's rule on [-1, 1], filled up; and for its points the integrals from x to 1 of the polynomial that
+ * is 1 there and 0 at the others, x = 1 - 2 k/COR_LEG_STEPS and 1 - 2 k/COR_LEG_SHORT. */
+struct cor_leg_rule {
+    double x[COR_LEG_STEPS], w[COR_LEG_STEPS];
+    double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
 };
 
 /* The loops over nodes and over modes by instruction set: disk_rayleigh_<set>.c each compile disk_rayleigh_kernel.h
@@ -35,6 +53,9 @@ struct cor_leg {
 struct cor_spectrum;
 struct cor_lines;
 
+/* The leg's next panel, from u = top on */
+typedef void cor_rayleigh_panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
+                                struct cor_leg *leg);
 /* omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev's coefficients */
 typedef void cor_rayleigh_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
                                   double im[][COR_SPECTRUM_TERMS]);
@@ -44,11 +65,13 @@ typedef void cor_rayleigh_lines(const struct cor_spectrum *spectrum, int octave,
 
 struct cor_rayleigh_set {
     const char *name;
+    cor_rayleigh_panel *panel;
     cor_rayleigh_octaves *octaves;
     cor_rayleigh_lines *lines;
 };
 
 #define COR_RAYLEIGH_SET(set)                                                                                          \
+    cor_rayleigh_panel cor_rayleigh_panel_##set;                                                                       \
     cor_rayleigh_octaves cor_rayleigh_octaves_##set;                                                                   \
     cor_rayleigh_lines cor_rayleigh_lines_##set;
 
