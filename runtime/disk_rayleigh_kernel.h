@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops of Rayleigh's energy over nodes and over modes, free of calls, so that compilers vectorise them. Sums go
- * into eight parts, whatever the width of a vector, so that all instruction sets give the same bits. */
+ * into sixteen parts, whatever the width of a vector, so that all instruction sets give the same bits. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_KERNEL_H
 #define COR_RUNTIME_DISK_RAYLEIGH_KERNEL_H
 
@@ -338,7 +338,10 @@ KERNEL void kernel_panel(const struct cor_leg_path *path, int from_zero, const s
 
 KERNEL double kernel_total(const double part[COR_LEG_PART])
 {
-    return ((part[0] + part[4]) + (part[2] + part[6])) + ((part[1] + part[5]) + (part[3] + part[7]));
+    double total = 0;
+    for (int l = 0; l < COR_LEG_PART; l++)
+        total += part[l];
+    return total;
 }
 
 /* exp(-omega p) */

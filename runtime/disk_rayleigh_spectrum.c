@@ -14,42 +14,54 @@ static void legendre(double p[COR_LEG_GAUSS + 2], double x)
     p[0] = 1;
     p[1] = x;
     for (int k = 2; k < COR_LEG_GAUSS + 2; k++)
-        p[k] = ((2 * k - 1) * x * p[k - 1] - (k - 1) * p[k - 2]) / k;
+        p[k] = x * p[k - 1] + (1 - 1.0 / k) * (x * p[k - 1] - p[k - 2]);
+}
+
+/* Integrals from x to 1: the polynomial's Legendre coefficients are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j, and that of P_k
+ * is (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1). From -x on it is what the whole has beyond the mirror image's from x on. */
+static void integrals(double row[][COR_LEG_STEPS], int steps, double p[][COR_LEG_GAUSS + 2], const double *w)
+{
+    for (int k = 0; k <= steps / 2; k++) {
+        double at[COR_LEG_GAUSS + 2];
+        legendre(at, 1 - 2.0 * k / steps);
+        for (int j = 0; j < COR_LEG_GAUSS / 2; j++) {
+            double even = 1 - at[1], odd = 0; /* in x_j */
+            for (int l = 1; l < COR_LEG_GAUSS; l += 2) {
+                odd += p[j][l] * (at[l - 1] - at[l + 1]);
+                if (l + 1 < COR_LEG_GAUSS)
+                    even += p[j][l + 1] * (at[l] - at[l + 2]);
+            }
+            const int mirror = COR_LEG_GAUSS - 1 - j;
+            row[j][k] = 0.5 * w[j] * (even + odd);
+            row[mirror][k] = 0.5 * w[j] * (even - odd);
+            if (k > 0) {
+                row[j][steps - k] = w[j] - row[mirror][k];
+                row[mirror][steps - k] = w[j] - row[j][k];
+            }
+        }
+    }
 }
 
 static void rule_init(struct cor_leg_rule *rule)
 {
     const double pi = 3.14159265358979323846;
-    double p[COR_LEG_GAUSS][COR_LEG_GAUSS + 2], at[COR_LEG_GAUSS + 2];
-    for (int i = 0; i < COR_LEG_GAUSS; i++) {
+    double p[COR_LEG_GAUSS / 2][COR_LEG_GAUSS + 2];
+    memset(rule, 0, sizeof *rule);
+    for (int i = 0; i < COR_LEG_GAUSS / 2; i++) {
         double x = cos(pi * (i + 0.75) / (COR_LEG_GAUSS + 0.5)), slope = 1;
-        for (int k = 0; k < 4; k++) { /* Newton's method from a guess good to 1e-3: quadratic */
+        for (int k = 0; k < 3; k++) { /* Newton's method from a guess good to 1e-3: quadratic */
             legendre(p[i], x);
             slope = COR_LEG_GAUSS * (x * p[i][COR_LEG_GAUSS] - p[i][COR_LEG_GAUSS - 1]) / (x * x - 1);
             x -= p[i][COR_LEG_GAUSS] / slope;
         }
         legendre(p[i], x);
+        slope = COR_LEG_GAUSS * p[i][COR_LEG_GAUSS - 1] / (1 - x * x);
         rule->x[i] = x;
-        rule->w[i] = 2 / ((1 - x * x) * slope * slope);
+        rule->x[COR_LEG_GAUSS - 1 - i] = -x;
+        rule->w[i] = rule->w[COR_LEG_GAUSS - 1 - i] = 2 / ((1 - x * x) * slope * slope);
     }
-    for (int i = COR_LEG_GAUSS; i < COR_LEG_STEPS; i++) {
-        rule->x[i] = rule->x[0];
-        rule->w[i] = 0;
-    }
-    memset(rule->to_short, 0, sizeof rule->to_short);
-    /* the polynomial's Legendre coefficients are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j, the integral of P_k from x to 1 is
-     * (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1) */
-    for (int k = 0; k < COR_LEG_STEPS + COR_LEG_SHORT; k++) {
-        const int l = k - COR_LEG_STEPS;
-        const double x = l < 0 ? 1 - 2.0 * k / COR_LEG_STEPS : 1 - 2.0 * l / COR_LEG_SHORT;
-        legendre(at, x);
-        for (int j = 0; j < COR_LEG_GAUSS; j++) {
-            double sum = 0.5 * (1 - x);
-            for (int k = 1; k < COR_LEG_GAUSS; k++)
-                sum += 0.5 * p[j][k] * (at[k - 1] - at[k + 1]);
-            (l < 0 ? rule->to_steps : rule->to_short)[j][l < 0 ? k : l] = sum * rule->w[j];
-        }
-    }
+    integrals(rule->to_steps, COR_LEG_STEPS, p, rule->w);
+    integrals(rule->to_short, COR_LEG_SHORT, p, rule->w);
 }
 
 /* ---- one leg: from its base along a straight ray ---- */

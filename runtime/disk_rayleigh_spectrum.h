@@ -23,7 +23,7 @@ enum {
 
 /* One leg of the path, theta = base + h(rho): int sin(theta) exp(i omega s) dtheta =
  * exp(i omega s(base)) sum w exp(-omega p). Re(p) increases; n is a multiple of COR_LEG_PART. */
-enum { COR_LEG_PART = 8, COR_LEG_NODES = 528 };
+enum { COR_LEG_PART = 16, COR_LEG_NODES = 528 };
 
 struct cor_leg {
     int n;
