@@ -14,7 +14,7 @@ static void legendre(double p[COR_LEG_GAUSS + 2], double x)
     p[0] = 1;
     p[1] = x;
     for (int k = 2; k < COR_LEG_GAUSS + 2; k++)
-        p[k] = x * p[k - 1] + (1 - 1.0 / k) * (x * p[k - 1] - p[k - 2]);
+        p[k] = ((2 * k - 1) * x * p[k - 1] - (k - 1) * p[k - 2]) * (1.0 / k);
 }
 
 /* Integrals from x to 1: the polynomial's Legendre coefficients are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j, and that of P_k
@@ -49,13 +49,12 @@ static void rule_init(struct cor_leg_rule *rule)
     memset(rule, 0, sizeof *rule);
     for (int i = 0; i < COR_LEG_GAUSS / 2; i++) {
         double x = cos(pi * (i + 0.75) / (COR_LEG_GAUSS + 0.5)), slope = 1;
-        for (int k = 0; k < 3; k++) { /* Newton's method from a guess good to 1e-3: quadratic */
+        for (int k = 0; k < 4; k++) { /* Newton's method from a guess good to 1e-3: quadratic */
             legendre(p[i], x);
             slope = COR_LEG_GAUSS * (x * p[i][COR_LEG_GAUSS] - p[i][COR_LEG_GAUSS - 1]) / (x * x - 1);
             x -= p[i][COR_LEG_GAUSS] / slope;
         }
         legendre(p[i], x);
-        slope = COR_LEG_GAUSS * p[i][COR_LEG_GAUSS - 1] / (1 - x * x);
         rule->x[i] = x;
         rule->x[COR_LEG_GAUSS - 1 - i] = -x;
         rule->w[i] = rule->w[COR_LEG_GAUSS - 1 - i] = 2 / ((1 - x * x) * slope * slope);
