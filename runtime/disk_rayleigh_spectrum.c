@@ -75,7 +75,8 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
 {
     const double last = -log(farthest);
     const struct number t = kernel_solve(path, nearest), y = plus(number(1, 0), t);
-    /* int_0^rho sqrt(y/2) drho by parts, y' = 2 y/(y - 1) in u; at the other base y is 1; the ray starts straight down */
+    /* int_0^rho sqrt(y/2) drho by parts, y' = 2 y/(y - 1) in u; at the other base y is 1; the ray starts straight
+     * down */
     struct number p = scaled(nearest, root(scaled(0.5, y)));
     if (path->from_zero) {
         const struct number inverse = divided(number(1, 0), t), square = times(inverse, inverse);
