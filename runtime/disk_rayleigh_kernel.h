@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of Rayleigh's energy over nodes and over modes, free of calls; gcc 12 vectorises all of them, in the portable
- * set too (-fopt-info-vec). Compiled once for every instruction set, in disk_rayleigh_<set>.c, and chosen in
+/* The loops of Rayleigh's energy over nodes and over modes, free of calls; gcc 12 vectorises all of them, in the
+ * portable set too (-fopt-info-vec). Compiled once for every instruction set, in disk_rayleigh_<set>.c, and chosen in
  * disk_rayleigh_spectrum.c. No set may fuse a multiplication with an addition, and sums go into sixteen parts, whatever
  * the width of a vector: so all sets give the same bits. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_KERNEL_H
