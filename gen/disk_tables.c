@@ -123,17 +123,16 @@ int disk_header_write(FILE *file, const struct disk_table *table)
 {
     if (make(table))
         return STATUS_FAILED;
-    char nu[NU_NAME], upper[NU_NAME], guard[NU_NAME + 32], name[NU_NAME + 32], command[LINE_LENGTH];
+    char nu[NU_NAME] = "", upper[NU_NAME] = "", guard[NU_NAME + 32], name[NU_NAME + 32], command[LINE_LENGTH];
     char banner[sizeof banner_format + 4 * LINE_LENGTH];
     nu_name(nu, table->poisson);
-    for (size_t i = 0; i < sizeof nu; i++)
+    for (size_t i = 0; nu[i]; i++)
         upper[i] = (char)toupper((unsigned char)nu[i]);
     snprintf(guard, sizeof guard, "COR_DISK_MODES_NU%s_H", upper);
     snprintf(name, sizeof name, "cor_disk_mode_rows_nu%s", nu);
     command_text(command, table);
     snprintf(banner, sizeof banner, banner_format, (long)table->count, table->poisson, upper,
-             table->embed ? ", in 17 digits" : ", as are the digits beside it", command,
-             command);
+             table->embed ? ", in 17 digits" : ", as are the digits beside it", command, command);
     struct emit e;
     emit_open(&e, file, guard, banner);
     e.decimal = table->embed;

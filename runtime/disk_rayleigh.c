@@ -5,12 +5,16 @@
  * they fluctuate: what leaves the point of contact comes back to it as an echo, after times T, and an echo of relative
  * strength e is a term e cos(omega T + ...) in the density. So
  *
- *   - the density takes the place of modes not at a sharp cut but under a weight that fades over the upper half of the
- *     frequencies taken; that leaves nothing of any echo but in one case:
- *   - where T is the contact time, the echo is in step with the oscillation of (2 I)^2. The strongest echo, with half of
- *     the whole strength, is the surface wave that has gone round the rim: those are the modes l = 0, whose omega and
- *     C^2 go on smoothly as power series in 1/n. They are summed one by one, far beyond the modes taken. The others are
- *     weak; their strength at T = tau is measured on the modes taken. */
+ *   - against the mean of (2 I)^2 over its phase, the density takes the place of modes not at a sharp cut but under a
+ *     weight that fades over the upper third of the frequencies taken; that leaves nothing of any echo.
+ *   - What of (2 I)^2 oscillates, like cos(omega tau + ...)/omega^4, is in step with an echo where T is about tau. The
+ *     strongest echo, with half of the whole strength, is the surface wave that has gone round the rim: those are the
+ *     modes l = 0, whose omega and C^2 go on smoothly as power series in 1/n. They are summed one by one, far beyond the
+ *     modes taken.
+ *   - The others, of waves through the disk, are weak, e of some percent that falls about like omega^(-1/2), and many.
+ *     The modes taken have them too: the oscillation over these modes, under another weight, that is negative before
+ *     it rises to 1, foretells some of the oscillation beyond. See echo_weight. What it misses is estimated from the
+ *     strength at T = tau, measured on the modes taken. */
 #include <math.h>
 
 #include "cor/disk.h"
@@ -23,11 +27,15 @@
 #define FAR 8.0
 /* The weight begins to fade at this times the highest frequency taken. */
 #define FADE_FROM 0.65
+/* and the other weight here */
+#define ECHO_FROM 0.15
 /* Relative error of the sums themselves */
 #define ROUNDING 1e-11
 /* Modes l = 0 that the power series in 1/n are fitted to, and the least and largest n of the last; a table with a larger
  * one would have 10^12 modes */
 enum { FITTED = 5, FIT_FROM = 12, FIT_TO = 1000000 };
+/* Modes that tails are computed from where the table has them, more than were asked for or not */
+enum { TAIL_MODES = 1800 };
 
 static double law_constant(double nu, enum cor_disk_datum datum)
 {
@@ -73,6 +81,20 @@ static double fade(double x)
         return 1;
     const double square = x * x;
     return x > 0 ? square * square * (35 + x * (-84 + x * (70 - 20 * x))) : 0;
+}
+
+/* r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. With r = 1 beyond the modes taken, an echo that misses tau
+ * by dT leaves in the sum
+ *
+ *     F(u) = int r z^(-3 - 1/2) exp(i u z) dz,     z = omega/omega_max, u = omega_max dT,
+ *
+ * times what is the same for all r. max |F| = |F(0)| = 0.290, and |F| < 0.09 from u = 15 on, 0.03 from 30. A fade
+ * without the negative part, from 0.65, has 0.66 in place of 0.29; nothing can have less than about 0.18, the norm of
+ * the Hankel operator (1 + x + y)^(-7/2), and what comes near falls off more slowly. */
+static double echo_weight(double x)
+{
+    const double square = x * x;
+    return x > 0 ? square * square * x * (5 + x * (16 * x - 20)) : 0;
 }
 
 static double bump(double x)
@@ -287,40 +309,43 @@ static void finish(struct cor_disk_rayleigh *out, const struct cor_disk_modes *m
                    const struct cor_spectrum *spectrum)
 {
     const double to = modes->mode[n_modes - 1].omega, from = fmax(FADE_FROM * to, LEAST_OMEGA - 0.1);
+    const double echo_from = fmax(ECHO_FROM * to, LEAST_OMEGA - 0.1);
     struct window low = {0.35 * to, 0.75 * to, 0, 0, 0, 0, 0}, high = {0.6 * to, to, 0, 0, 0, 0, 0};
     struct surface_modes surface;
-    double faded = 0, waves = 0;
+    double faded = 0;
     size_t first = n_modes;
-    while (first > 0 && modes->mode[first - 1].omega > low.low)
+    while (first > 0 && modes->mode[first - 1].omega > echo_from)
         first--;
     for (size_t i = first; i < n_modes; i += COR_LINES) {
         struct cor_lines lines;
         const int count = lines_of(&modes->mode[i], n_modes - i, spectrum, &lines);
         for (int j = 0; j < count; j++) {
             const struct cor_disk_mode *mode = &modes->mode[i + (size_t)j];
-            const double f = fade((mode->omega - from) / (to - from)) * mode->c * mode->c, value = response(&lines, j);
-            faded += f * value;
-            if (mode->l == 0 && mode->n > 1)
-                waves += f * (value - mean_response(&lines, j));
+            const double strength = mode->c * mode->c, mean = mean_response(&lines, j);
+            faded += fade((mode->omega - from) / (to - from)) * strength * mean;
+            if (mode->l != 0 || mode->n <= 1)
+                faded +=
+                    echo_weight((mode->omega - echo_from) / (to - echo_from)) * strength * (response(&lines, j) - mean);
             window_add(&low, mode, &lines, j);
             window_add(&high, mode, &lines, j);
         }
     }
     const struct integrals integrals = integrate(spectrum, from, to);
     surface_modes_init(&surface, modes, n_modes);
-    waves += surface_sum(&surface, spectrum, to);
     const double curvature = surface.known ? (low.strength - bump_density(&low) + high.strength - bump_density(&high)) /
                                                  (bump_integral(&low) + bump_integral(&high))
                                            : 0;
-    out->tail = integrals.mean + curvature * integrals.curvature - faded + waves;
+    out->tail = integrals.mean + curvature * integrals.curvature - faded + surface_sum(&surface, spectrum, to);
 
-    /* Echoes in step with the response, as strong as under the windows; what the density has beyond 2 omega + a; and
+    /* Echoes in step with the response, as strong as under the windows; what the density has beyond 2 omega + a; the
+     * density itself, an echo of T = 0, of which the kink of echo_weight at 1 leaves some part in (omega_max tau)^2; and
      * without the modes l = 0 the tail is anyone's guess. The factors are the least, rounded up, that hold against sums
      * over twenty thousand modes. */
-    const double echo = echo_of(high.re, high.im, &high) + 0.4 * echo_of(low.re, low.im, &low);
+    const double echo = echo_of(high.re, high.im, &high) + 0.7 * echo_of(low.re, low.im, &low);
     const double half_echo = echo_of(high.half_re, high.half_im, &high) + 0.4 * echo_of(low.half_re, low.half_im, &low);
-    const double square = to * to, rest = surface.known ? 0.6 / square + 2000 / (square * square * to) : 1;
-    out->error_estimate = (2 * echo + rest) * integrals.mean + (2 * half_echo + rest) * integrals.half +
+    const double square = to * to, turned = 2 * spectrum->half_time * to;
+    const double rest = surface.known ? 0.6 / square + 2000 / (square * square * to) + 60 / (turned * turned) : 1;
+    out->error_estimate = (1.6 * echo + rest) * integrals.mean + (2 * half_echo + rest) * integrals.half +
                           ROUNDING * (out->fraction + fabs(out->tail));
 }
 
@@ -398,7 +423,10 @@ int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum c
     struct cor_spectrum spectrum;
     if (!modes || !out)
         return COR_ERROR_NULL;
-    const int status = status_of(modes, n_modes, datum, speed);
+    if (n_modes == 0 || n_modes > modes->count)
+        return modes->nu > -1 && modes->nu < 1 ? COR_ERROR_MODES : COR_ERROR_DISK_POISSON_RATIO;
+    const size_t least = modes->count < TAIL_MODES ? modes->count : TAIL_MODES, all = n_modes > least ? n_modes : least;
+    const int status = status_of(modes, all, datum, speed);
     if (status)
         return status;
     if (speed == 0) {
@@ -406,9 +434,13 @@ int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum c
             mode_fraction[i] = 0;
         return at_rest(out);
     }
-    begin(out, &spectrum, modes, n_modes, datum, speed);
+    begin(out, &spectrum, modes, all, datum, speed);
     add_fractions(&out->fraction, modes, 0, n_modes, &spectrum, mode_fraction);
-    finish(out, modes, n_modes, &spectrum);
+    struct cor_disk_rayleigh whole = *out;
+    add_fractions(&whole.fraction, modes, n_modes, all, &spectrum, NULL);
+    finish(&whole, modes, all, &spectrum);
+    out->tail = whole.fraction - out->fraction + whole.tail;
+    out->error_estimate = whole.error_estimate;
     return result_status(out, speed);
 }
 

@@ -4,15 +4,17 @@
  *
  *     (2 I)^2 = ((2/(pi v)) int_0^(tau/2) P cos(omega t) dt)^2.
  *
- * Neither theta nor the energy's Lambert function is in it. Frequencies need not be those of a disk. */
+ * Neither theta nor the energy's Lambert function is in it. Frequencies need not be those of a disk. And sums and tails
+ * of the library's tables against sums over three times the modes. */
 #include "check.h"
 
 #include <cor/disk.h>
 #include <cor/status.h>
 
-#include "flint.h"
+#include "digits.h"
+#include "disk_modes.h"
 
-enum { BITS = 320, TERMS = 48, FREQUENCIES = 10 };
+enum { BITS = 320, TERMS = 48, FREQUENCIES = 10, MANY = 6000 };
 
 static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
                                               COR_DISK_DATUM_PRINTED};
@@ -338,10 +340,58 @@ static void test_random_points(void **unused)
     print_message("worst error: %.2g of what is allowed\n", worst);
 }
 
+/* Theirs is known better by far, and their estimate says how well. */
+static void test_tails(void **unused)
+{
+    (void)unused;
+    static struct cor_disk_mode mode[MANY];
+    static const long percent[2] = {33, 90};
+    for (int i = 0; i < 2; i++) {
+        const struct cor_disk_modes *table = i == 0 ? &cor_disk_modes_nu033 : &cor_disk_modes_nu090;
+        const struct cor_disk_modes many = {table->nu, MANY, mode};
+        struct disk_modes solved;
+        fmpq_t nu;
+        fmpq_init(nu);
+        fmpq_set_si(nu, percent[i], 100);
+        disk_modes_init(&solved);
+        check(disk_modes_solve(&solved, nu, MANY, 17) == 0, "nu = 0.%ld", percent[i]);
+        for (slong j = 0; j < MANY; j++) {
+            const struct disk_mode *from = &solved.mode[j];
+            mode[j].n = (int)from->n;
+            mode[j].l = (int)from->l;
+            check(digits_to_double(&mode[j].omega, from->omega) && digits_to_double(&mode[j].c, from->c), "mode %ld",
+                  (long)j);
+        }
+        disk_modes_clear(&solved);
+        fmpq_clear(nu);
+        double worst_sum = 0, worst_any = 0;
+        for (size_t j = 0; j < points(100); j++) {
+            const enum cor_disk_datum datum = datums[j % 3];
+            const double limit = cor_disk_speed_limit(table->nu, datum);
+            const double v = random_log(&state, j % 5 ? 1e-9 : 1e-300, j % 5 ? limit : 1e-9);
+            struct cor_disk_rayleigh all, out;
+            cor_disk_rayleigh(&many, MANY, datum, v, &all, NULL);
+            cor_disk_rayleigh(table, 1000, datum, v, &out, NULL);
+            const double expected = all.fraction + all.tail, error = fabs(out.fraction + out.tail - expected);
+            check(error <= (j % 5 ? COR_DISK_RAYLEIGH_TAIL_MAX_ERROR : COR_DISK_RAYLEIGH_TAIL_MAX_ERROR_ANY_SPEED) *
+                                   expected +
+                               all.error_estimate,
+                  "nu = %g, v = %a: %g", table->nu, v, error / expected);
+            check(error <= out.error_estimate + all.error_estimate, "nu = %g, v = %a: %g, estimated %g", table->nu, v,
+                  error / expected, out.error_estimate / expected);
+            double *const largest = j % 5 ? &worst_sum : &worst_any;
+            *largest = fmax(*largest, error / expected);
+        }
+        print_message("nu = %g, sum plus tail: worst error %.2g, below v = 1e-9 %.2g\n", table->nu, worst_sum,
+                      worst_any);
+    }
+}
+
 int main(void)
 {
     state = random_start();
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_hard_points), cmocka_unit_test(test_random_points)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_hard_points), cmocka_unit_test(test_random_points),
+                                       cmocka_unit_test(test_tails)};
     const int failed = cmocka_run_group_tests_name("disk_rayleigh", tests, NULL, NULL);
     flint_cleanup();
     return failed;
