@@ -2,16 +2,21 @@
 # cor_defaults forbids contraction, so that every set gives the same bits. The loops vectorise only where sqrt need not
 # set errno and comparisons may be evaluated ahead.
 set(cor_array_options -O3 -fno-math-errno -fno-trapping-math)
+set(cor_array_kernels sphere_array disk_rayleigh)
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")
-  set_source_files_properties(runtime/disk_rayleigh_spectrum.c PROPERTIES COMPILE_OPTIONS "${cor_array_options}")
-  set_source_files_properties(runtime/sphere_array_portable.c PROPERTIES COMPILE_OPTIONS "${cor_array_options}")
+  foreach(kernel ${cor_array_kernels})
+    set_source_files_properties(runtime/${kernel}_portable.c PROPERTIES COMPILE_OPTIONS "${cor_array_options}")
+  endforeach()
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     set(avx2 -mavx2)
-    set(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
+    # AVX-512 has fused operations, which gcc 12 takes where it vectorises straight code, whatever -ffp-contract says.
+    set(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 -fno-tree-slp-vectorize)
     foreach(set avx2 avx512)
-      target_sources(cor PRIVATE runtime/sphere_array_${set}.c)
-      set_source_files_properties(runtime/sphere_array_${set}.c PROPERTIES
-        COMPILE_OPTIONS "${cor_array_options};${${set}}")
+      foreach(kernel ${cor_array_kernels})
+        target_sources(cor PRIVATE runtime/${kernel}_${set}.c)
+        set_source_files_properties(runtime/${kernel}_${set}.c PROPERTIES
+          COMPILE_OPTIONS "${cor_array_options};${${set}}")
+      endforeach()
     endforeach()
     target_compile_definitions(cor PRIVATE COR_X86_SETS)
   endif()

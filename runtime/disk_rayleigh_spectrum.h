@@ -21,7 +21,73 @@ enum {
     COR_SPECTRUM_OCTAVES = 48 /* most */
 };
 
+/* One leg of the path, theta = base + h(rho): int sin(theta) exp(i omega s) dtheta =
+ * exp(i omega s(base)) sum w exp(-omega p). Re(p) increases; n is a multiple of COR_LEG_PART. */
+enum { COR_LEG_PART = 16, COR_LEG_NODES = 528 };
+
+struct cor_leg {
+    int n;
+    double end_re, end_im; /* p where it ends so far */
+    double p_re[COR_LEG_NODES], p_im[COR_LEG_NODES], w_re[COR_LEG_NODES], w_im[COR_LEG_NODES];
+};
+
+struct cor_leg_path {
+    int from_zero;                      /* the base is 0, else pi/2 - i Theta */
+    double tilt, q0, tanh_theta, scale; /* the last: cosh(Theta) at the second base, else 1 */
+};
+
+/* Equal steps in u = -ln|theta - base|: their size, and how many make a panel; where zeros of the sine are about as
+ * near as the base, only COR_LEG_SHORT */
+#define COR_LEG_STEP 0.14
+enum { COR_LEG_STEPS = 16, COR_LEG_SHORT = 4, COR_LEG_GAUSS = 14 };
+
+/* Gauss and Legendre's rule on [-1, 1], filled up; and for its points the integrals from x to 1 of the polynomial that
+ * is 1 there and 0 at the others, x = 1 - 2 k/COR_LEG_STEPS and 1 - 2 k/COR_LEG_SHORT. */
+struct cor_leg_rule {
+    double x[COR_LEG_STEPS], w[COR_LEG_STEPS];
+    double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
+};
+
+/* The loops over nodes and over modes by instruction set: disk_rayleigh_<set>.c each compile disk_rayleigh_kernel.h
+ * with other flags. */
+struct cor_spectrum;
+struct cor_lines;
+
+/* The leg's next panel, from u = top on */
+typedef void cor_rayleigh_panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
+                                struct cor_leg *leg);
+/* omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev's coefficients */
+typedef void cor_rayleigh_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
+                                  double im[][COR_SPECTRUM_TERMS]);
+/* Lines of one octave, which begins at `start` */
+typedef void cor_rayleigh_lines(const struct cor_spectrum *spectrum, int octave, double start, int n,
+                                const double *omega, struct cor_lines *lines);
+
+struct cor_rayleigh_set {
+    const char *name;
+    cor_rayleigh_panel *panel;
+    cor_rayleigh_octaves *octaves;
+    cor_rayleigh_lines *lines;
+};
+
+#define COR_RAYLEIGH_SET(set)                                                                                          \
+    cor_rayleigh_panel cor_rayleigh_panel_##set;                                                                       \
+    cor_rayleigh_octaves cor_rayleigh_octaves_##set;                                                                   \
+    cor_rayleigh_lines cor_rayleigh_lines_##set;
+
+COR_RAYLEIGH_SET(portable)
+#ifdef COR_X86_SETS
+COR_RAYLEIGH_SET(avx2)
+COR_RAYLEIGH_SET(avx512)
+#endif
+
+enum { COR_RAYLEIGH_SETS = 3 };
+
+/* Sets from the narrowest to the widest; NULL where this processor, or this build, has it not. */
+const struct cor_rayleigh_set *cor_rayleigh_set(int i);
+
 struct cor_spectrum {
+    const struct cor_rayleigh_set *set;
     double half_time;   /* tau/2 */
     double decay;       /* Y */
     double first;       /* where the first octave begins */
@@ -30,8 +96,11 @@ struct cor_spectrum {
     double b[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS]; /* each times omega^2 */
 };
 
-/* For frequencies from `first` to `high`; contact_time is tau. */
+/* For frequencies from `first` to `high`; contact_time is tau. By the widest set that this processor has, or by `set`:
+ * the same bits. */
 void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high);
+void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
+                          double contact_time, double first, double high);
 
 /* What makes I at frequencies that go together */
 enum { COR_LINES = 64 };

@@ -1,0 +1,4 @@
+/* SPDX-License-Identifier: MIT */
+#include "disk_rayleigh_kernel.h"
+
+RAYLEIGH(portable)
