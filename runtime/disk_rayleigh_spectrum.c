@@ -88,11 +88,11 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
     leg->end_im = p.im;
     leg->n = 1; /* 0 is kept for what lies nearer to the base */
     double top = -log(nearest);
-    while (top > last && leg->end_re < enough && leg->n + 3 * COR_LEG_STEPS < COR_LEG_NODES) {
+    do {
         const int steps = exp(-top + COR_LEG_STEPS * COR_LEG_STEP) < SHORT_FROM ? COR_LEG_STEPS : COR_LEG_SHORT;
         set->panel(path, rule, steps, top, leg);
         top -= steps * COR_LEG_STEP;
-    }
+    } while (top > last && leg->end_re < enough && leg->n + 3 * COR_LEG_STEPS < COR_LEG_NODES);
     /* nearer to the base: a geometric series, exp(-omega p) being 1 */
     const double rest = 1 / (exp(path->from_zero ? 2 * COR_LEG_STEP : COR_LEG_STEP) - 1);
     leg->p_re[0] = leg->p_im[0] = 0;
@@ -131,23 +131,19 @@ static double decay_of(const struct cor_leg_rule *rule, double theta, double tan
 
 const struct cor_rayleigh_set *cor_rayleigh_set(int i)
 {
-    static const struct cor_rayleigh_set portable = SET(portable);
+    static const struct cor_rayleigh_set sets[] = {
+        SET(portable),
 #ifdef COR_X86_SETS
-    static const struct cor_rayleigh_set avx2 = SET(avx2), avx512 = SET(avx512);
-    if (i == 1)
-        return __builtin_cpu_supports("avx2") ? &avx2 : NULL;
-    if (i == 2)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                       __builtin_cpu_supports("avx512vl")
-                   ? &avx512
-                   : NULL;
+        SET(avx2),
+        SET(avx512),
 #endif
-    return i == 0 ? &portable : NULL;
+    };
+    return i < (int)(sizeof sets / sizeof *sets) && cor_processor_has(i) ? &sets[i] : NULL;
 }
 
 void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high)
 {
-    int i = COR_RAYLEIGH_SETS - 1;
+    int i = COR_INSTRUCTION_SETS - 1;
     while (i > 0 && !cor_rayleigh_set(i))
         i--;
     cor_spectrum_init_by(cor_rayleigh_set(i), spectrum, q0, contact_time, first, high);
@@ -204,7 +200,9 @@ void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double
         }
         while (to < n && (omega[to] <= 2 * start || octave == spectrum->octaves - 1))
             to++;
-        struct cor_lines *const into = from == 0 && to == n ? lines : &some;
+        struct cor_lines *into = &some;
+        if (from == 0 && to == n)
+            into = lines;
         const size_t size = (size_t)(to - from) * sizeof(double);
         spectrum->set->lines(spectrum, octave, start, to - from, omega + from, into);
         if (into == &some) {

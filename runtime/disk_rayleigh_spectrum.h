@@ -16,6 +16,8 @@
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
 #define COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
 
+#include "instruction_set.h"
+
 enum {
     COR_SPECTRUM_TERMS = 16,  /* of a polynomial in (omega - m)/(omega + m), m the geometric middle of an octave */
     COR_SPECTRUM_OCTAVES = 48 /* most */
@@ -81,9 +83,7 @@ COR_RAYLEIGH_SET(avx2)
 COR_RAYLEIGH_SET(avx512)
 #endif
 
-enum { COR_RAYLEIGH_SETS = 3 };
-
-/* Sets from the narrowest to the widest; NULL where this processor, or this build, has it not. */
+/* By enum cor_instruction_set; NULL where this processor, or this build, has it not. */
 const struct cor_rayleigh_set *cor_rayleigh_set(int i);
 
 struct cor_spectrum {

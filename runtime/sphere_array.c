@@ -12,23 +12,19 @@
 
 const struct cor_array_set *cor_array_set(int i)
 {
-    static const struct cor_array_set portable = SET(portable);
+    static const struct cor_array_set sets[] = {
+        SET(portable),
 #ifdef COR_X86_SETS
-    static const struct cor_array_set avx2 = SET(avx2), avx512 = SET(avx512);
-    if (i == 1)
-        return __builtin_cpu_supports("avx2") ? &avx2 : NULL;
-    if (i == 2)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                       __builtin_cpu_supports("avx512vl")
-                   ? &avx512
-                   : NULL;
+        SET(avx2),
+        SET(avx512),
 #endif
-    return i == 0 ? &portable : NULL;
+    };
+    return i < (int)(sizeof sets / sizeof *sets) && cor_processor_has(i) ? &sets[i] : NULL;
 }
 
 const struct cor_array_set *cor_array_best_set(void)
 {
-    for (int i = COR_ARRAY_SETS - 1; i > 0; i--)
+    for (int i = COR_INSTRUCTION_SETS - 1; i > 0; i--)
         if (cor_array_set(i))
             return cor_array_set(i);
     return cor_array_set(0);

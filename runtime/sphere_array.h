@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "cor/contact.h"
+#include "instruction_set.h"
 
 /* contact is not looked at where `in` is beta. */
 typedef void cor_array_function(const struct cor_sphere_contact *contact, const double *in, double *out, size_t n);
@@ -26,9 +27,7 @@ struct cor_array_set {
     cor_array_function *eps_zero_overlap, *eps_zero_force, *speed_zero_overlap, *speed_zero_force;
 };
 
-enum { COR_ARRAY_SETS = 3 };
-
-/* Sets from the narrowest to the widest; NULL where this processor, or this build, has it not. */
+/* By enum cor_instruction_set; NULL where this processor, or this build, has it not. */
 const struct cor_array_set *cor_array_set(int i);
 const struct cor_array_set *cor_array_best_set(void);
 

@@ -37,7 +37,7 @@ static void test_every_set(void **unused)
     struct random_state state = random_start();
     static struct cor_spectrum by_portable, by_set, by_best;
     int sets = 0;
-    for (int i = 0; i < COR_RAYLEIGH_SETS; i++) {
+    for (int i = 0; i < COR_INSTRUCTION_SETS; i++) {
         const struct cor_rayleigh_set *const set = cor_rayleigh_set(i);
         if (!set) {
             printf("instruction set %d: not on this processor\n", i);
@@ -63,7 +63,7 @@ static void test_every_set(void **unused)
         }
     }
     assert_true(sets >= 1);
-    assert_null(cor_rayleigh_set(COR_RAYLEIGH_SETS));
+    assert_null(cor_rayleigh_set(COR_INSTRUCTION_SETS));
     assert_null(cor_rayleigh_set(-1));
 }
 

@@ -121,7 +121,7 @@ static void every_set(void **state)
     assert_int_equal(cor_sphere_contact_init_g_star(&contact[2], 1e-304), COR_OK);
     contact[2].beta5_per_speed = NAN;
     int sets = 0;
-    for (int s = 0; s < COR_ARRAY_SETS; s++) {
+    for (int s = 0; s < COR_INSTRUCTION_SETS; s++) {
         const struct cor_array_set *set = cor_array_set(s);
         if (set == NULL) {
             print_message("set %d is not in this build or processor\n", s);
@@ -156,7 +156,7 @@ static void every_set(void **state)
         }
     }
     assert_true(sets >= 1);
-    assert_null(cor_array_set(COR_ARRAY_SETS));
+    assert_null(cor_array_set(COR_INSTRUCTION_SETS));
     assert_null(cor_array_set(-1));
     assert_non_null(cor_array_best_set());
 }
