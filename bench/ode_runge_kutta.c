@@ -3,21 +3,9 @@
 
 #include <math.h>
 
-enum { STAGES = 7 };
+#include "dormand_prince.h"
 
-static const double a[STAGES][STAGES - 1] = {
-    {0},
-    {1.0 / 5},
-    {3.0 / 40, 9.0 / 40},
-    {44.0 / 45, -56.0 / 15, 32.0 / 9},
-    {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-    {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-    {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
-};
-
-/* fifth order minus fourth */
-static const double difference[STAGES] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
-                                          -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+enum { STAGES = DORMAND_PRINCE_STAGES };
 
 struct state {
     double x, v;
@@ -49,10 +37,10 @@ static struct state weighted(struct state s, double h, const double *weight, con
 static double take(struct step *step, double beta, double tolerance)
 {
     for (int stage = 1; stage < STAGES; stage++) {
-        step->end = weighted(step->start, step->h, a[stage], step->k, stage);
+        step->end = weighted(step->start, step->h, dormand_prince[stage], step->k, stage);
         step->k[stage] = slope(step->end, beta);
     }
-    const struct state error = weighted((struct state){0, 0}, step->h, difference, step->k, STAGES);
+    const struct state error = weighted((struct state){0, 0}, step->h, dormand_prince_difference, step->k, STAGES);
     const double x = error.x / (1 + fmax(fabs(step->start.x), fabs(step->end.x)));
     const double v = error.v / (1 + fmax(fabs(step->start.v), fabs(step->end.v)));
     return sqrt((x * x + v * v) / 2) / tolerance;

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "dormand_prince.h"
+
 static const double mass = 3.14159265358979323846;
 
 /* P = pi delta/u with u - ln(u) = ln(4/delta) + b, u >= 1: Newton's method from above */
@@ -34,24 +36,12 @@ static void slopes(const struct cor_disk_mode *mode, size_t n, double b, double 
     }
 }
 
-enum { STAGES = 7 };
+enum { STAGES = DORMAND_PRINCE_STAGES };
 
 size_t reference_disk_rayleigh(const struct cor_disk_mode *mode, size_t n, double b, double speed, double tolerance,
                                double *fraction, double *contact_time)
 {
     static const double node[STAGES] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
-    static const double row[STAGES][STAGES - 1] = {
-        {0},
-        {1.0 / 5},
-        {3.0 / 40, 9.0 / 40},
-        {44.0 / 45, -56.0 / 15, 32.0 / 9},
-        {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-        {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-        {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
-    };
-    /* order 5 less order 4 */
-    static const double difference[STAGES] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
-                                              -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
     const size_t size = 2 + 2 * n;
     double *const memory = malloc((STAGES + 2) * size * sizeof *memory);
     if (!memory)
@@ -74,7 +64,7 @@ size_t reference_disk_rayleigh(const struct cor_disk_mode *mode, size_t n, doubl
             for (size_t i = 0; i < size; i++) {
                 double sum = 0;
                 for (int j = 0; j < stage; j++)
-                    sum += row[stage][j] * k[(size_t)j * size + i];
+                    sum += dormand_prince[stage][j] * k[(size_t)j * size + i];
                 trial[i] = state[i] + step * sum;
             }
             slopes(mode, n, b, t + node[stage] * step, trial, k + (size_t)stage * size);
@@ -83,7 +73,7 @@ size_t reference_disk_rayleigh(const struct cor_disk_mode *mode, size_t n, doubl
         for (size_t i = 0; i < size; i++) {
             double sum = 0;
             for (int j = 0; j < STAGES; j++)
-                sum += difference[j] * k[(size_t)j * size + i];
+                sum += dormand_prince_difference[j] * k[(size_t)j * size + i];
             error = fmax(error, fabs(step * sum) / speed);
         }
         if (error <= tolerance) {
