@@ -9,7 +9,7 @@
  *
  * where nothing cancels. t begins like sqrt(2 q), so close to the limit q must be known better than a double tells:
  * the limits are pairs there. Far from it their logarithms, linear in nu, are all that is needed. */
-#include "cor/disk.h"
+#include "disk_quasistatic.h"
 
 #include "lambert_w.h"
 
@@ -239,6 +239,12 @@ static pair t_of_speed(double speed, double nu, enum cor_disk_datum datum)
 {
     const pair q = depth(SPEED, speed, nu, datum), twice = {2 * q.hi, 2 * q.lo};
     return cor_lambert_t_pair(twice);
+}
+
+double cor_disk_depth(double speed, double nu, enum cor_disk_datum datum)
+{
+    const pair q = depth(SPEED, speed, nu, datum);
+    return 2 * (q.hi + q.lo);
 }
 
 double cor_disk_max_load(double speed, double nu, enum cor_disk_datum datum)

@@ -19,6 +19,7 @@
 
 #include "cor/disk.h"
 #include "cor/status.h"
+#include "disk_quasistatic.h"
 #include "disk_rayleigh_spectrum.h"
 
 /* Below the lowest frequency of any disk, 1.1769 for nu -> 1 */
@@ -36,26 +37,6 @@
 enum { FITTED = 5, FIT_FROM = 12, FIT_TO = 1000000 };
 /* Modes that tails are computed from where the table has them, more than were asked for or not */
 enum { TAIL_MODES = 1800 };
-
-static double law_constant(double nu, enum cor_disk_datum datum)
-{
-    switch (datum) {
-    case COR_DISK_DATUM_CENTRE_OF_MASS:
-        return -2 * 0.69314718055994531 - 0.25 * (1 + nu);
-    case COR_DISK_DATUM_DIAMETER:
-        return -1;
-    case COR_DISK_DATUM_PRINTED:
-        return -1 - nu;
-    }
-    return NAN;
-}
-
-/* q0 = 2 ln(v_limit/v) */
-static double depth(double speed, double nu, enum cor_disk_datum datum)
-{
-    const double log_limit = 1.5 * 0.69314718055994531 + law_constant(nu, datum) - 1;
-    return fmax(2 * (log_limit - log(speed)), 0);
-}
 
 static double amplitude(const struct cor_lines *line, int i)
 {
@@ -372,9 +353,10 @@ static int status_of(const struct cor_disk_modes *modes, size_t n_modes, enum co
     const int status = modes_status(modes, n_modes);
     if (status)
         return status;
-    if (isnan(law_constant(modes->nu, datum)))
+    const double limit = cor_disk_speed_limit(modes->nu, datum);
+    if (isnan(limit))
         return COR_ERROR_DATUM;
-    if (!(speed >= 0 && speed <= cor_disk_speed_limit(modes->nu, datum)))
+    if (!(speed >= 0 && speed <= limit))
         return COR_ERROR_SPEED;
     return COR_OK;
 }
@@ -397,7 +379,7 @@ static void begin(struct cor_disk_rayleigh *out, struct cor_spectrum *spectrum, 
 {
     out->fraction = 0;
     out->contact_time = cor_disk_contact_time(speed, modes->nu, datum);
-    cor_spectrum_init(spectrum, depth(speed, modes->nu, datum), out->contact_time, LEAST_OMEGA - 0.1,
+    cor_spectrum_init(spectrum, cor_disk_depth(speed, modes->nu, datum), out->contact_time, LEAST_OMEGA - 0.1,
                       FAR * modes->mode[n_modes - 1].omega);
 }
 

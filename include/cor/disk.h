@@ -7,7 +7,7 @@
  * number in plane stress, -1 < nu < 1. A disk in plane strain, with three-dimensional E and nu, is the one with
  * E/(1 - nu^2) and nu/(1 - nu) in their place, (2).
  *
- * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 13,
+ * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 15,
  * derives them again and lists where the print is wrong. */
 #ifndef COR_DISK_H
 #define COR_DISK_H
