@@ -134,10 +134,11 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
  *     s(theta) = int_theta^(pi/2) sqrt(-w/2) dtheta',     w as in the contact time above
  */
 struct cor_disk_rayleigh {
-    double fraction;       /* sum over the modes taken */
-    double tail;           /* what all higher modes together add */
-    double error_estimate; /* of fraction + tail, absolute; of the sums, not of the theory */
-    double contact_time;   /* cor_disk_contact_time */
+    double fraction; /* sum over the modes taken */
+    double tail;     /* what all higher modes together add */
+    double
+        error_estimate; /* of fraction + tail, absolute, typically 20 times the error; of the sums, not of the theory */
+    double contact_time; /* cor_disk_contact_time */
 };
 
 /* Takes the lowest n_modes of *modes, 1 <= n_modes <= modes->count. mode_fraction is NULL, or gets the n_modes fractions.
@@ -149,8 +150,8 @@ struct cor_disk_rayleigh {
  * COR_OK, or with every number given nevertheless
  *     COR_BEYOND_THEORY  v > COR_DISK_RAYLEIGH_MAX_SPEED, or fraction + tail > 1, which perturbation theory cannot have
  * or without touching anything
- *     COR_ERROR_NULL, COR_ERROR_MODES (no such number of modes, or a table that is none), COR_ERROR_DATUM,
- *     COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED. */
+ *     COR_ERROR_NULL, COR_ERROR_MODES (no such number of modes; omega does not grow, or begins below 1.17, which no disk
+ *     has), COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED. */
 COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                               double speed, struct cor_disk_rayleigh *out, double *mode_fraction);
 
