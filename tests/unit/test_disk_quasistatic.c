@@ -431,6 +431,17 @@ static void leading_logarithms(void **state)
     }
     print_message("leading logarithms: %.2Lf, %.2Lf, %.2Lf, %.2Lf, %.2Lf ulp at the worst\n", worst[0], worst[1],
                   worst[2], worst[3], worst[4]);
+    /* what disk.h says they miss, nu = 0.33 */
+    for (int datum = 0; datum < 3; datum++) {
+        const enum cor_disk_datum d = (enum cor_disk_datum)datum;
+        for (double v = 1e-12; v <= 1e-2; v *= 1.7) {
+            assert_true(fabs(cor_disk_contact_time_leading_log(v) / cor_disk_contact_time(v, 0.33, d) - 1) < 0.07);
+            assert_true(fabs(cor_disk_max_compression_leading_log(v) / cor_disk_max_compression(v, 0.33, d) - 1) <
+                        0.07);
+        }
+        for (double x = 0.001; x <= 0.2; x *= 1.1)
+            assert_true(fabs(cor_disk_load_leading_log(x) / cor_disk_load(x, 0.33, d) - 1) < 0.36);
+    }
     assert_true(cor_disk_max_compression_leading_log(4) == 0 && cor_disk_contact_time_leading_log(4) == 0);
     assert_true(isnan(cor_disk_load_leading_log(4)) && isnan(cor_disk_energy_leading_log(4)));
     assert_true(isnan(cor_disk_max_compression_leading_log(nextafter(4, 5))));
