@@ -32,7 +32,7 @@ extern "C" {
 #define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* of a mode's fraction, relative, or ... */
 #define COR_DISK_RAYLEIGH_MAX_ABSOLUTE 1e-14  /* ... relative to the sum, where a zero of (68) makes it small */
 /* Sum plus tail, relative, of any number of modes of the two tables below: for v >= 1e-9, and for all v. With tables of
- * 1800 modes for other nu the worst found is 1.03e-5 (nu = 0.2), and 3.1e-5. */
+ * 1800 modes for other nu 1e-5 holds too but, barely, at nu = 0.2; docs/accuracy.md. */
 #define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR 1e-5
 #define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR_ANY_SPEED 4e-5
 /* Speed beyond which a collision is too violent for perturbation theory, and cor_disk_rayleigh says so. */
