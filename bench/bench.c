@@ -65,6 +65,7 @@ static int belongs(const struct method *method, const struct scene *scene)
 struct inputs {
     double *random[2]; /* SCALARS of them, of which arrays take the first */
     double *even[2];   /* COLLISIONS */
+    float *single[2];  /* the random ones in float */
     double *out;
 };
 
@@ -81,6 +82,11 @@ static struct inputs inputs_new(const struct scene *scene)
         in.random[FROM_BETA][i] = cor_contact_beta(&scene->contact, in.random[FROM_SPEED][i]);
     for (size_t i = 0; i < COLLISIONS; i++)
         in.even[FROM_BETA][i] = cor_contact_beta(&scene->contact, in.even[FROM_SPEED][i]);
+    for (int k = 0; k < 2; k++) {
+        in.single[k] = (float *)(void *)doubles(SCALARS);
+        for (size_t i = 0; i < SCALARS; i++)
+            in.single[k][i] = (float)in.random[k][i];
+    }
     return in;
 }
 
@@ -89,6 +95,7 @@ static void inputs_free(struct inputs *in)
     for (int i = 0; i < 2; i++) {
         free(in->random[i]);
         free(in->even[i]);
+        free(in->single[i]);
     }
     free(in->out);
 }
@@ -97,7 +104,9 @@ static struct task task_of(const struct method *method, const struct scene *scen
 {
     if (method->flags & INTEGRATES)
         return (struct task){method, scene, in->even[method->input], in->out, COLLISIONS};
-    return (struct task){method, scene, in->random[method->input], in->out, method->flags & ARRAY ? IN_CACHE : SCALARS};
+    const void *const random =
+        method->flags & FLOAT ? (const void *)in->single[method->input] : (const void *)in->random[method->input];
+    return (struct task){method, scene, random, in->out, method->flags & ARRAY ? IN_CACHE : SCALARS};
 }
 
 /* Every method of the scene, in the cache. */
@@ -181,16 +190,35 @@ static void measure_large(struct report *report, const struct methods *methods, 
     free(out);
 }
 
+static void add_for_report(struct methods *methods)
+{
+#ifdef COR_BENCH_REPORT
+    add_report_plain(methods);
+#ifdef COR_BENCH_HAS_AVX2
+    add_report_avx2(methods);
+#endif
+#ifdef COR_BENCH_HAS_AVX512
+    add_report_avx512(methods);
+#endif
+#else
+    fprintf(stderr, "bench: built without COR_BENCH_REPORT: no Pades, series and scene headers\n");
+#endif
+    add_report_published(methods);
+    add_report_integrators(methods);
+    add_floats(methods);
+}
+
 static int usage(void)
 {
-    fprintf(stderr, "usage: cor_bench DIRECTORY BUILD [--append] [--quick] [--no-large]\n"
-                    "DIRECTORY receives speed.csv and large.csv; BUILD names the build in them\n");
+    fprintf(stderr, "usage: cor_bench DIRECTORY BUILD [--append] [--quick] [--no-large] [--report]\n"
+                    "DIRECTORY receives speed.csv and large.csv; BUILD names the build in them\n"
+                    "--report: every method that a user might choose, and a scene of weak dissipation\n");
     return 2;
 }
 
 int main(int argc, char **argv)
 {
-    int append = 0, quick = 0, large = 1;
+    int append = 0, quick = 0, large = 1, whole = 0;
     if (argc < 3)
         return usage();
     for (int i = 3; i < argc; i++) {
@@ -200,6 +228,8 @@ int main(int argc, char **argv)
             quick = 1;
         else if (strcmp(argv[i], "--no-large") == 0)
             large = 0;
+        else if (strcmp(argv[i], "--report") == 0)
+            whole = 1;
         else
             return usage();
     }
@@ -214,15 +244,19 @@ int main(int argc, char **argv)
     add_embedded_avx512(&methods);
 #endif
     add_integrators(&methods);
+    if (whole)
+        add_for_report(&methods);
     add_copies(&methods);
 
     struct scene scenes[SCENES];
     scenes_init(scenes);
     struct report report;
     report_open(&report, argv[1], argv[2], append);
-    const struct timing timing = {.sample_ns = 4e5, .rounds = quick ? 24 : 128, .slow_share = 4};
+    const struct timing timing = {
+        .sample_ns = 4e5, .rounds = quick ? (whole ? 8 : 24) : (whole ? 64 : 128), .slow_share = 4};
     for (int i = 0; i < SCENES; i++)
-        measure_scene(&report, &methods, &scenes[i], timing);
+        if (whole || !scenes[i].report_only)
+            measure_scene(&report, &methods, &scenes[i], timing);
     if (large)
         measure_large(&report, &methods, &scenes[0]);
     if (!append)

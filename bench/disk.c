@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Speed of the disk functions, error beside every time. */
-#include "disk.h"
+#include "disk_collision.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,11 +24,14 @@ void disk_judge(struct disk_bench *bench, const char *what, int met)
     }
 }
 
+enum { CACHE_LINE = 64 };
+
 void *disk_memory(size_t n, size_t size)
 {
-    void *const memory = calloc(n, size);
+    const size_t bytes = (n * size + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE;
+    void *const memory = aligned_alloc(CACHE_LINE, bytes);
     disk_must(memory != NULL, "no memory");
-    return memory;
+    return memset(memory, 0, bytes);
 }
 
 static void field(FILE *file, const char *format, double value)
@@ -69,7 +72,8 @@ static const struct cor_disk_modes *read_all(const char *path)
 
 static int usage(void)
 {
-    fprintf(stderr, "usage: cor_bench_disk DIRECTORY [--quick] [--modes FILE] [--all FILE]\n"
+    fprintf(stderr, "usage: cor_bench_disk DIRECTORY [--quick] [--collisions | --report] [--modes FILE] [--all FILE]\n"
+                    "--collisions: these alone; --report: error against time alone\n"
                     "DIRECTORY receives disk.csv; FILE: modes of nu = 0.33 from corgen tables, 1800 and many more\n");
     return 2;
 }
@@ -77,11 +81,16 @@ static int usage(void)
 int main(int argc, char **argv)
 {
     struct disk_bench bench = {.timing = {.sample_ns = 4e5, .rounds = 64, .slow_share = 16}};
+    int collisions = 0;
     if (argc < 2)
         return usage();
     for (int i = 2; i < argc; i++) {
         if (strcmp(argv[i], "--quick") == 0)
             bench.quick = 1;
+        else if (strcmp(argv[i], "--collisions") == 0)
+            collisions = 1;
+        else if (strcmp(argv[i], "--report") == 0)
+            bench.report = 1;
         else if (strcmp(argv[i], "--modes") == 0 && i + 1 < argc)
             bench.modes_file = argv[++i];
         else if (strcmp(argv[i], "--all") == 0 && i + 1 < argc)
@@ -98,11 +107,19 @@ int main(int argc, char **argv)
     disk_must(bench.csv != NULL, "cannot write disk.csv");
     fprintf(bench.csv, "table,method,speed,setting,modes,seconds,max_relative_error\n");
 
-    disk_rayleigh(&bench);
-    disk_tolerance(&bench);
-    disk_curves(&bench);
-    disk_loading(&bench);
-    disk_law(&bench);
+    if (bench.report) {
+        disk_curves(&bench);
+        collision_curves(&bench);
+        collision_models(&bench);
+    } else if (!collisions) {
+        disk_rayleigh(&bench);
+        disk_tolerance(&bench);
+        disk_curves(&bench);
+        disk_loading(&bench);
+        disk_law(&bench);
+    }
+    if (!bench.report)
+        disk_collision(&bench);
     printf("disks: %d targets missed\n\n", bench.missed);
 
     const int failed = ferror(bench.csv);

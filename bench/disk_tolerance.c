@@ -249,7 +249,7 @@ static void mode_curves(struct disk_bench *bench, struct slow *s)
         disk_csv(bench, &(struct disk_row){"modes", "cosines", s->speed, grids[i].points, s->n, cosines.best_ns / 1e9,
                                            disk_worst_error(modes->mode, s->n, s->fraction, reference)});
     }
-    for (int k = 6; k <= 14; k++) {
+    for (int k = 6; k <= (bench->quick ? 10 : 14); k++) {
         struct job steps = {with_runge_kutta, s, 1, NAN};
         s->tolerance = pow(10, -k);
         timing_once(&steps);
@@ -268,7 +268,7 @@ static void mode_curves(struct disk_bench *bench, struct slow *s)
 
 void disk_curves(struct disk_bench *bench)
 {
-    if (bench->quick || !bench->all)
+    if ((bench->quick && !bench->report) || !bench->all)
         return;
     const size_t n = cor_disk_modes_nu033.count;
     struct slow s = {.speed = 1e-3, .b = disk_constant_b(cor_disk_modes_nu033.nu)};

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The cost of corgen as the order, the digits and beta grow: bench/run sources this, with one_core, quick and results
+# The cost of corgen as the order, the digits and beta grow: bench/run sources this, with one_core, quick, report and results
 # set, and calls generator_costs and disk_generator_costs.
 
 # measure LABEL CSV COMMAND...: seconds, peak megabytes and the two dearest steps of a corgen command, by its
@@ -59,6 +59,13 @@ generator_costs() {
     done
     exponents "$csv" "series 40 digits"
     [ "$quick" ] || measure "series 100 digits order 200" "$csv" build/corgen series --order 200 --digits 100
+    if [ "$report" ]; then
+        local more=(20 80)
+        [ "$quick" ] || more+=(160 320)
+        for d in "${more[@]}"; do
+            measure "series order 40 digits $d" "$csv" build/corgen series --order 40 --digits "$d"
+        done
+    fi
     for order in 10 20 40 80; do
         measure "trajectory 20 terms order $order" "$csv" build/corgen trajectory --order "$order" --terms 20
     done
@@ -79,6 +86,12 @@ disk_generator_costs() {
     measure "1800 modes 30 digits one core" "$csv" build/corgen disk-modes --poisson 0.33 --count 1800 --digits 30
     on_all_cores "1800 modes 30 digits $jobs cores" "$csv" \
         build/corgen disk-modes --poisson 0.33 --count 1800 --digits 30
+    if [ "$report" ]; then
+        local d
+        for d in 10 100 300; do
+            measure "1800 modes $d digits one core" "$csv" build/corgen disk-modes --poisson 0.33 --count 1800 --digits "$d"
+        done
+    fi
     [ "$quick" ] && return
     measure "20000 modes 20 digits one core" "$csv" build/corgen disk-modes --poisson 0.33 --count 20000 --digits 20
     on_all_cores "20000 modes 20 digits $jobs cores" "$csv" \

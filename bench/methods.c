@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #if !(defined __GNUC__ && (defined __AVX__ || defined __SSE2__))
-volatile double methods_zero = 0;
+volatile float methods_zero = 0;
 #endif
 
 void methods_add(struct methods *methods, const struct method *method)

@@ -15,11 +15,12 @@ enum end { NO_END = -1, ZERO_OVERLAP, ZERO_FORCE };
 enum input { FROM_SPEED, FROM_BETA };
 
 enum {
-    BASELINE = 1,   /* times are given as ratios to this row */
-    ARRAY = 2,      /* one call for all; the arrays fit the first-level cache */
-    LARGE = 4,      /* timed on arrays larger than the last-level cache too */
-    COPY = 8,       /* the floor; of these the last one for the large arrays */
-    INTEGRATES = 16 /* microseconds each: fewer speeds */
+    BASELINE = 1,    /* times are given as ratios to this row */
+    ARRAY = 2,       /* one call for all; the arrays fit the first-level cache */
+    LARGE = 4,       /* timed on arrays larger than the last-level cache too */
+    COPY = 8,        /* the floor; of these the last one for the large arrays */
+    INTEGRATES = 16, /* microseconds each: fewer speeds */
+    FLOAT = 32       /* in and out are arrays of float; the error is of the float that is given */
 };
 
 struct method {
@@ -33,6 +34,7 @@ struct method {
     unsigned flags;
     int order; /* the knobs */
     double tolerance;
+    char setting[16]; /* the knob in words, where it is neither */
     const struct isa_row *isa;
     double least_speed_up; /* targets: baseline's time over this one's, 0 for none */
     double least_latency_gain;
@@ -43,7 +45,7 @@ struct method {
     double (*chain)(const struct method *method, const struct scene *scene, const double *in, size_t n);
 };
 
-enum { METHODS_MAX = 128 };
+enum { METHODS_MAX = 512 };
 
 struct methods {
     struct method row[METHODS_MAX];
@@ -59,6 +61,11 @@ void add_published(struct methods *methods);
 void add_library(struct methods *methods);
 void add_integrators(struct methods *methods);
 
+/* Of the report alone: what it adds to them, and float */
+void add_report_published(struct methods *methods);
+void add_report_integrators(struct methods *methods);
+void add_floats(struct methods *methods);
+
 /* methods_embedded.c, compiled with the flags of each of these */
 void add_embedded_plain(struct methods *methods);
 #ifdef COR_BENCH_HAS_AVX2
@@ -66,6 +73,17 @@ void add_embedded_avx2(struct methods *methods);
 #endif
 #ifdef COR_BENCH_HAS_AVX512
 void add_embedded_avx512(struct methods *methods);
+#endif
+
+/* methods_report.c, likewise */
+#ifdef COR_BENCH_REPORT
+void add_report_plain(struct methods *methods);
+#ifdef COR_BENCH_HAS_AVX2
+void add_report_avx2(struct methods *methods);
+#endif
+#ifdef COR_BENCH_HAS_AVX512
+void add_report_avx512(struct methods *methods);
+#endif
 #endif
 
 /* A scalar loop stays one: without this, compilers make vectors of what they can inline. */
@@ -81,22 +99,25 @@ void add_embedded_avx512(struct methods *methods);
 #elif defined __GNUC__ && defined __SSE2__
 #define WAIT_FOR(LAST, G) __asm__ volatile("unpcklpd %1, %0" : "+x"(G) : "x"(LAST))
 #else
-extern volatile double methods_zero;
+extern volatile float methods_zero;
 #define WAIT_FOR(LAST, G) ((G) += methods_zero * (LAST))
 #endif
 
 /* NAME_each and NAME_chain of an expression in g (the speed, or beta) after SETUP, which may use scene and method. */
-#define SCALAR_METHOD(NAME, SETUP, EXPRESSION)                                                                         \
+#define SCALAR_METHOD(NAME, SETUP, EXPRESSION) SCALAR_METHOD_OF(double, NAME, SETUP, EXPRESSION)
+#define SCALAR_METHOD_OF(REAL, NAME, SETUP, EXPRESSION)                                                                \
     static void NAME##_each(const struct method *method, const struct scene *scene, const double *in, double *out,     \
                             size_t n)                                                                                  \
     {                                                                                                                  \
         (void)method;                                                                                                  \
         (void)scene;                                                                                                   \
         SETUP;                                                                                                         \
+        const REAL *const from = (const REAL *)(const void *)in;                                                       \
+        REAL *const to = (REAL *)(void *)out;                                                                          \
         for (size_t i = 0; i < n; i++) {                                                                               \
-            const double g = in[i];                                                                                    \
+            const REAL g = from[i];                                                                                    \
             ONE_BY_ONE;                                                                                                \
-            out[i] = (EXPRESSION);                                                                                     \
+            to[i] = (EXPRESSION);                                                                                      \
         }                                                                                                              \
     }                                                                                                                  \
     static double NAME##_chain(const struct method *method, const struct scene *scene, const double *in, size_t n)     \
@@ -104,9 +125,10 @@ extern volatile double methods_zero;
         (void)method;                                                                                                  \
         (void)scene;                                                                                                   \
         SETUP;                                                                                                         \
-        double last = 0;                                                                                               \
+        const REAL *const from = (const REAL *)(const void *)in;                                                       \
+        REAL last = 0;                                                                                                 \
         for (size_t i = 0; i < n; i++) {                                                                               \
-            double g = in[i];                                                                                          \
+            REAL g = from[i];                                                                                          \
             WAIT_FOR(last, g);                                                                                         \
             last = (EXPRESSION);                                                                                       \
         }                                                                                                              \
@@ -114,16 +136,19 @@ extern volatile double methods_zero;
     }
 
 /* NAME_each as a loop that the compiler may make vectors of. */
-#define ARRAY_METHOD(NAME, SETUP, EXPRESSION)                                                                          \
+#define ARRAY_METHOD(NAME, SETUP, EXPRESSION) ARRAY_METHOD_OF(double, NAME, SETUP, EXPRESSION)
+#define ARRAY_METHOD_OF(REAL, NAME, SETUP, EXPRESSION)                                                                 \
     static void NAME##_each(const struct method *method, const struct scene *scene, const double *restrict in,         \
                             double *restrict out, size_t n)                                                            \
     {                                                                                                                  \
         (void)method;                                                                                                  \
         (void)scene;                                                                                                   \
         SETUP;                                                                                                         \
+        const REAL *const restrict from = (const REAL *)(const void *)in;                                              \
+        REAL *const restrict to = (REAL *)(void *)out;                                                                 \
         for (size_t i = 0; i < n; i++) {                                                                               \
-            const double g = in[i];                                                                                    \
-            out[i] = (EXPRESSION);                                                                                     \
+            const REAL g = from[i];                                                                                    \
+            to[i] = (EXPRESSION);                                                                                      \
         }                                                                                                              \
     }
 

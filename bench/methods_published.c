@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What a user writes today, as it is printed. */
 #include <math.h>
+#include <stdio.h>
 
 #include "methods.h"
 
@@ -19,6 +20,31 @@ static double mueller_poeschel(double v)
 SCALAR_METHOD(published, const double g_star = scene->g_star, published(pow(g / g_star, 0.2)))
 SCALAR_METHOD(mueller_poeschel, const double unit = sqrt(scene->contact.beta_per_root),
               mueller_poeschel(pow(g, 0.1) * unit))
+SCALAR_METHOD(published_beta, , published(-COR_SPHERE_C1 *g))
+SCALAR_METHOD(mueller_poeschel_beta, , mueller_poeschel(sqrt(g)))
+SCALAR_METHOD(simple_beta, , cor_sphere_eps_simple(g))
+
+void add_report_published(struct methods *methods)
+{
+    const struct method rows[] = {
+        {.name = "the published [1/4] Pade",
+         .end = ZERO_OVERLAP,
+         .each = published_beta_each,
+         .chain = published_beta_chain},
+        {.name = "Mueller & Poeschel's [1/4]",
+         .end = ZERO_FORCE,
+         .each = mueller_poeschel_beta_each,
+         .chain = mueller_poeschel_beta_chain},
+        {.name = "the simple theory (27)", .end = ZERO_OVERLAP, .each = simple_beta_each, .chain = simple_beta_chain},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct method method = rows[i];
+        method.precision = "published";
+        method.input = FROM_BETA;
+        snprintf(method.curve, sizeof method.curve, "published");
+        methods_add(methods, &method);
+    }
+}
 
 void add_published(struct methods *methods)
 {

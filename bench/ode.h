@@ -21,4 +21,9 @@ int ode_taylor_order(double tolerance);
  * a step relative and absolute by the tolerance, the last step cut to the end of contact by the secant method. */
 double ode_runge_kutta(double beta, enum end end, double tolerance);
 
+/* Velocity Verlet as simulators of many grains take it: steps of a fixed length, so many in a contact without
+ * dissipation, the damping at the half-step's velocity; the contact ends with the step that finds it ended. */
+#define ODE_ELASTIC_CONTACT 3.2180654597190431
+double ode_verlet(double beta, enum end end, long steps);
+
 #endif

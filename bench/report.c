@@ -25,7 +25,7 @@ void report_open(struct report *report, const char *directory, const char *build
     *report = (struct report){.build = build};
     report->speed_csv = open_csv(directory, "speed.csv", append,
                                  "build,scene,method,label,curve,end,input,form,precision,tolerance,throughput_ns,"
-                                 "latency_ns,throughput_ratio,latency_ratio,max_relative_error");
+                                 "latency_ns,throughput_ratio,latency_ratio,max_relative_error,setting");
     report->large_csv = open_csv(directory, "large.csv", append, "build,method,end,elements,ns,gb_per_s,copies");
 }
 
@@ -105,7 +105,7 @@ static void row(struct report *report, const struct scene *scene, const struct r
     field(csv, "%.3f", speed_up);
     field(csv, "%.3f", gain);
     field(csv, "%.2e", result->error);
-    fputc('\n', csv);
+    fprintf(csv, ",%s\n", m->setting);
 }
 
 void report_scene(struct report *report, const struct scene *scene, const struct result *results, size_t n)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # cor_defaults forbids contraction, so that every set gives the same bits. The loops vectorise only where sqrt need not
 # set errno and comparisons may be evaluated ahead.
-set(cor_array_options -O3 -fno-math-errno -fno-trapping-math)
-set(cor_array_kernels sphere_array disk_rayleigh)
+# -Wno-psabi: vectors are arguments of functions that are all inlined.
+set(cor_array_options $<$<NOT:$<CONFIG:Debug>>:-O3> -fno-math-errno -fno-trapping-math -Wno-psabi)
+set(cor_array_kernels sphere_array disk_rayleigh disk_collision)
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")
   foreach(kernel ${cor_array_kernels})
     set_source_files_properties(runtime/${kernel}_portable.c PROPERTIES COMPILE_OPTIONS "${cor_array_options}")
@@ -13,11 +14,16 @@ if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")
     set(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 -fno-tree-slp-vectorize)
     foreach(set avx2 avx512)
       foreach(kernel ${cor_array_kernels})
-        target_sources(cor PRIVATE runtime/${kernel}_${set}.c)
+        if(kernel MATCHES "^disk_")
+          target_sources(cor_collision PRIVATE runtime/${kernel}_${set}.c)
+        else()
+          target_sources(cor PRIVATE runtime/${kernel}_${set}.c)
+        endif()
         set_source_files_properties(runtime/${kernel}_${set}.c PROPERTIES
           COMPILE_OPTIONS "${cor_array_options};${${set}}")
       endforeach()
     endforeach()
     target_compile_definitions(cor PRIVATE COR_X86_SETS)
+    target_compile_definitions(cor_collision PRIVATE COR_X86_SETS)
   endif()
 endif()

@@ -29,10 +29,22 @@ if(FLINT_FOUND)
       ${PROJECT_SOURCE_DIR}/runtime/exact.h ${PROJECT_SOURCE_DIR}/runtime/fifth_root.h
       ${PROJECT_SOURCE_DIR}/runtime/sphere_eval.h
     VERBATIM)
-  add_library(corgen_core STATIC ${COR_GENERATOR_SOURCES} ${evaluator})
-  target_include_directories(corgen_core PUBLIC ${PROJECT_SOURCE_DIR}/gen)
+  # the processes of one mpirun share the rows of a sweep, or there is but one process
+  set(ranks gen/ranks_alone.c)
+  if(COR_WITH_MPI)
+    find_package(MPI REQUIRED COMPONENTS C)
+    set(ranks gen/ranks_mpi.c)
+  endif()
+  set(THREADS_PREFER_PTHREAD_FLAG ON)
+  find_package(Threads REQUIRED)
+  add_library(corgen_core STATIC ${COR_GENERATOR_SOURCES} ${ranks} ${evaluator} runtime/status.c
+    $<TARGET_OBJECTS:cor_collision>)
+  target_include_directories(corgen_core PUBLIC ${PROJECT_SOURCE_DIR}/gen ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(corgen_core PUBLIC _POSIX_C_SOURCE=200809L)
-  target_link_libraries(corgen_core PUBLIC FLINT::FLINT m PRIVATE cor_defaults)
+  target_link_libraries(corgen_core PUBLIC FLINT::FLINT m Threads::Threads PRIVATE cor_defaults)
+  if(COR_WITH_MPI)
+    target_link_libraries(corgen_core PUBLIC MPI::MPI_C)
+  endif()
   set_target_properties(corgen_core PROPERTIES C_STANDARD 11)
 
   add_executable(corgen ${PROJECT_SOURCE_DIR}/gen/main.c)

@@ -3,16 +3,22 @@
 set(COR_GENERATOR_SOURCES
   gen/collision.c
   gen/command_collide.c
+  gen/command_disk_collide.c
   gen/command_disk_modes.c
   gen/command_embed.c
   gen/command_pade.c
+  gen/command_plan.c
   gen/command_series.c
   gen/command_trajectory.c
   gen/console.c
+  gen/crew.c
   gen/digits.c
   gen/disk_equation.c
   gen/disk_estimate.c
+  gen/disk_limit_fit.c
+  gen/disk_limits.c
   gen/disk_modes.c
+  gen/disk_modes_rounded.c
   gen/disk_tables.c
   gen/embed_choose.c
   gen/embed_fit.c
@@ -22,6 +28,7 @@ set(COR_GENERATOR_SOURCES
   gen/emit_c.c
   gen/interpolant.c
   gen/jet.c
+  gen/journal.c
   gen/law.c
   gen/options.c
   gen/output.c
@@ -29,14 +36,19 @@ set(COR_GENERATOR_SOURCES
   gen/pade_header.c
   gen/pade_rounded.c
   gen/pieces.c
+  gen/plan.c
+  gen/plan_disks.c
+  gen/plan_spheres.c
   gen/published.c
   gen/restitution.c
   gen/series.c
   gen/slow_manifold.c
   gen/sphere_tables.c
   gen/subcommand.c
+  gen/sweep.c
   gen/tables.c
   gen/taylor.c
   gen/trajectory.c
   gen/trajectory_tail.c
-  gen/turning_point.c)
+  gen/turning_point.c
+  gen/values.c)

@@ -159,24 +159,49 @@ enum { UPDATES_PER_SECOND = 10 };
 static double progress_started = -1;
 static double progress_updated;
 
-void progress(const char *step, long done, long total)
+/* Whether the line should be written now; *elapsed: seconds since the first call of the step. */
+static bool progress_due(double *elapsed)
 {
     static int terminal = -1;
     if (terminal < 0)
         terminal = isatty(STDERR_FILENO);
     if (!terminal)
-        return;
-    double now = seconds_now();
+        return false;
+    const double now = seconds_now();
     if (progress_started < 0)
         progress_started = now;
-    if (now - progress_started < 1 || now - progress_updated < 1.0 / UPDATES_PER_SECOND)
-        return;
+    *elapsed = now - progress_started;
+    if (*elapsed < 1 || now - progress_updated < 1.0 / UPDATES_PER_SECOND)
+        return false;
     progress_updated = now;
     progress_shown = true;
+    return true;
+}
+
+void progress(const char *step, long done, long total)
+{
+    double elapsed;
+    if (!progress_due(&elapsed))
+        return;
     if (total > 0)
-        fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total, now - progress_started);
+        fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total, elapsed);
     else
-        fprintf(stderr, "\r\033[K%s: %ld, %.0f s", step, done, now - progress_started);
+        fprintf(stderr, "\r\033[K%s: %ld, %.0f s", step, done, elapsed);
+    fflush(stderr);
+}
+
+void progress_left(const char *step, long done, long total, double left)
+{
+    double elapsed;
+    if (!progress_due(&elapsed))
+        return;
+    fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total, elapsed);
+    if (left >= 36000)
+        fprintf(stderr, ", %.0f h left", left / 3600);
+    else if (left >= 600)
+        fprintf(stderr, ", %.0f min left", left / 60);
+    else if (left >= 0)
+        fprintf(stderr, ", %.0f s left", left);
     fflush(stderr);
 }
 

@@ -25,6 +25,8 @@ double console_memory(void);
 /* One line on a terminal, rewritten in place, from the first second on; silent elsewhere.
  * progress("step", done, total), then progress_end() to erase the line. total = 0: unknown. */
 void progress(const char *step, long done, long total);
+/* The same with the time left in seconds; below 0: not known. */
+void progress_left(const char *step, long done, long total, double left);
 void progress_end(void);
 
 /* --profile: seconds per named step on stderr when the program ends, so that growth can be seen.

@@ -195,36 +195,46 @@ static void search_pieces_speed(struct embed_form *best, const struct embed_scen
         snprintf(best->why, sizeof best->why, "no table of %d bytes or less meets the tolerance", EMBED_TABLE_BYTES);
 }
 
-int embed_search(struct embed_form *form, const struct embed_scene *s)
+int embed_series(arb_poly_t series, slong *root, const struct embed_scene *s)
+{
+    profile_step("series");
+    return series_eps(series, root, s->end, SERIES_MAX, &law_sphere, SERIES_BITS) ? STATUS_FAILED : STATUS_OK;
+}
+
+void embed_search_series(struct embed_form *form, const struct embed_scene *s, const arb_poly_t series, slong root)
 {
     for (int i = 0; i < FAMILIES; i++)
         form[i] = blank(s, (enum embed_family)i, SPEED);
+    profile_step("series, Pade");
+    search_series(&form[FAMILY_SERIES], s, series, root);
+    search_pade(&form[FAMILY_PADE], s, series, root);
+    search_two_point(&form[FAMILY_TWO_POINT], s, series);
+    profile_step("polynomials");
+    const bool tenth = s->end == END_ZERO_FORCE;
+    search_polynomial(&form[FAMILY_POLYNOMIAL_BETA], s, FIFTH_ROOT_OF_SPEED);
+    search_rational(&form[FAMILY_RATIONAL_BETA], s, FIFTH_ROOT_OF_SPEED);
+    if (tenth) { /* sqrt(beta), in which eps is analytic at 0 */
+        search_polynomial(&form[FAMILY_POLYNOMIAL_BETA], s, TENTH_ROOT_OF_SPEED);
+        search_rational(&form[FAMILY_RATIONAL_BETA], s, TENTH_ROOT_OF_SPEED);
+    }
+    profile_step("rational in speed");
+    search_rational(&form[FAMILY_RATIONAL_SPEED], s, SPEED);
+    search_rational(&form[FAMILY_RATIONAL_SQRT], s, SQRT_OF_SPEED);
+    search_rational(&form[FAMILY_RATIONAL_FOURTH], s, FOURTH_ROOT_OF_SPEED);
+    profile_step("pieces");
+    search_pieces_beta(&form[FAMILY_PIECES_BETA], s);
+    search_pieces_speed(&form[FAMILY_PIECES_SPEED], s);
+    profile_step(NULL);
+}
+
+int embed_search(struct embed_form *form, const struct embed_scene *s)
+{
     arb_poly_t series;
     slong root;
     arb_poly_init(series);
-    profile_step("series");
-    int status = series_eps(series, &root, s->end, SERIES_MAX, &law_sphere, SERIES_BITS);
-    if (status == STATUS_OK) {
-        profile_step("series, Pade");
-        search_series(&form[FAMILY_SERIES], s, series, root);
-        search_pade(&form[FAMILY_PADE], s, series, root);
-        search_two_point(&form[FAMILY_TWO_POINT], s, series);
-        profile_step("polynomials");
-        const bool tenth = s->end == END_ZERO_FORCE;
-        search_polynomial(&form[FAMILY_POLYNOMIAL_BETA], s, FIFTH_ROOT_OF_SPEED);
-        search_rational(&form[FAMILY_RATIONAL_BETA], s, FIFTH_ROOT_OF_SPEED);
-        if (tenth) { /* sqrt(beta), in which eps is analytic at 0 */
-            search_polynomial(&form[FAMILY_POLYNOMIAL_BETA], s, TENTH_ROOT_OF_SPEED);
-            search_rational(&form[FAMILY_RATIONAL_BETA], s, TENTH_ROOT_OF_SPEED);
-        }
-        profile_step("rational in speed");
-        search_rational(&form[FAMILY_RATIONAL_SPEED], s, SPEED);
-        search_rational(&form[FAMILY_RATIONAL_SQRT], s, SQRT_OF_SPEED);
-        search_rational(&form[FAMILY_RATIONAL_FOURTH], s, FOURTH_ROOT_OF_SPEED);
-        profile_step("pieces");
-        search_pieces_beta(&form[FAMILY_PIECES_BETA], s);
-        search_pieces_speed(&form[FAMILY_PIECES_SPEED], s);
-    }
+    const int status = embed_series(series, &root, s);
+    if (status == STATUS_OK)
+        embed_search_series(form, s, series, root);
     profile_step(NULL);
     arb_poly_clear(series);
     return status;

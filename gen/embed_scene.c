@@ -162,7 +162,7 @@ static int materials_status(const struct options *o)
     if (given(o, OPTIONS_G_STAR))
         return any ? usage_error("--g-star and materials exclude each other: %s", rule) : STATUS_OK;
     if (!any)
-        return usage_error("corgen embed needs a contact: %s", rule);
+        return usage_error("a scene needs a contact: %s", rule);
     for (size_t i = 0; i < sizeof body / sizeof *body; i++)
         if (!given(o, body[i]))
             return usage_error("--%s is missing: %s", options_real_name(body[i]), rule);

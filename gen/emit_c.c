@@ -156,6 +156,25 @@ void emit_structs_close(struct emit *e)
     fprintf(e->file, "};\n");
 }
 
+void emit_struct_decimals(struct emit *e, const char *const *decimal, slong count, bool last)
+{
+    fprintf(e->file, "    {");
+    for (slong i = 0; i < count; i++)
+        fprintf(e->file, "%s%a", i > 0 ? ", " : "", strtod(decimal[i], NULL));
+    fprintf(e->file, "}%s /* ", last ? "" : ",");
+    for (slong i = 0; i < count; i++)
+        fprintf(e->file, "%s%s", i > 0 ? ", " : "", decimal[i]);
+    fprintf(e->file, " */\n");
+}
+
+void emit_decimals(struct emit *e, const char *name, const char *const *decimal, slong count)
+{
+    fprintf(e->file, "static const double %s[] = {\n", name);
+    for (slong i = 0; i < count; i++)
+        fprintf(e->file, "    %a, /* [%ld] %s */\n", strtod(decimal[i], NULL), (long)i, decimal[i]);
+    fprintf(e->file, "};\n");
+}
+
 void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count)
 {
     fprintf(e->file, "enum {\n");

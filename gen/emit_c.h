@@ -40,6 +40,10 @@ void emit_structs_open(struct emit *e, const char *type, const char *name, slong
 int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values, bool last);
 void emit_structs_close(struct emit *e);
 
+/* The same of short decimal numbers, "-0.5", which stand in the comment as they are. */
+void emit_struct_decimals(struct emit *e, const char *const *decimal, slong count, bool last);
+void emit_decimals(struct emit *e, const char *name, const char *const *decimal, slong count);
+
 /* enum { NAME = value, ... }; */
 void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count);
 

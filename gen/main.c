@@ -71,6 +71,32 @@ static const struct subcommand subcommands[] = {
      "  --format F       text (default), csv or json\n" HELP_COMMON "\nColumns: n,l,omega,C,S.\n"
      "Example: corgen disk-modes --poisson 0.33 --count 10\n",
      "poisson count digits format output profile", "text csv json", "poisson count", command_disk_modes},
+    {"disk-collide", "collisions of elastic disks, over lists of parameters",
+     "Usage: corgen disk-collide --speed LIST --poisson LIST --alpha LIST --modes LIST [OPTION]...\n\n"
+     "Collides an elastic disk of so many modes with a wall of potential exp(alpha x)/alpha, for\n"
+     "every combination of the four lists. Units: E = rho = R = 1.\n\n"
+     "  --speed LIST     impact speeds, above 0 and up to 0.5\n"
+     "  --poisson LIST   Poisson's ratios in plane stress, between -1 and 1\n"
+     "  --alpha LIST     hardnesses of the wall, above 0\n"
+     "  --modes LIST     numbers of modes, 1 to 10000000\n"
+     "  --tolerance T    error allowed in eps, 1e-13 to below 1 (default " OPTIONS_DEFAULT_COLLISION_TOLERANCE ")\n"
+     "  --phi-points M   angles on the quadrant for the wall's force, 1 to 16384\n"
+     "                   (default: as many as the tolerance needs)\n"
+     "  --threads K      1 to 1024 (default: as many as processors; under mpirun 1 for each rank)\n"
+     "  --format F       text (default), csv or json\n"
+     "  --output FILE    instead of standard output. Rows are kept in FILE.part till all are\n"
+     "                   there; the same command goes on where an interrupted one ended\n"
+     "  --profile        seconds per step and peak memory on standard error\n"
+     "\nLIST: values and ranges with commas between. 0.1, 1.5e-3 or 1/3 is a value;\n"
+     "  A:B:+S     A, A + S, A + 2 S, ... up to B      (-S: down to B)\n"
+     "  A:B:lin:N  N values from A to B, equally far apart\n"
+     "  A:B:log:N  N values from A to B, each the same multiple of the one before\n"
+     "\nColumns: speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,\n"
+     "steps,status. The speed varies fastest, then modes, alpha, poisson. A row whose status is\n"
+     "not ok is kept, and the exit status is then 1.\n"
+     "Example: corgen disk-collide --speed 0.01:0.3:log:12 --poisson 0.33,0.9 --alpha 500 --modes 940\n",
+     "speed poisson alpha modes tolerance phi-points threads format output profile", "text csv json",
+     "speed poisson alpha modes", command_disk_collide},
     {"embed", "a C header with eps of the impact speed for one scene",
      "Usage: corgen embed --speed-min G --speed-max G --tolerance T CONTACT [OPTION]...\n\n"
      "Writes a self-contained header, C99, C++11, CUDA and HIP, with one function from the impact\n"
@@ -94,18 +120,47 @@ static const struct subcommand subcommands[] = {
      "speed-min speed-max tolerance g-star end type for name young poisson radius density mass "
      "dissipation-time young-2 poisson-2 radius-2 density-2 mass-2 dissipation-time-2 wall output profile",
      "", "speed-min speed-max tolerance", command_embed},
+    {"plan", "which model a scene needs, what it costs and leaves out",
+     "Usage: corgen plan --speed-min G --speed-max G --tolerance T CONTACT [OPTION]...\n"
+     "       corgen plan --disks --speed-min V --speed-max V --tolerance T --poisson NU [OPTION]...\n\n"
+     "Compares models of restitution with collisions over a range of speeds, and names the cheapest\n"
+     "that meets the tolerance, with the command or call to use.\n\n"
+     "Spheres: speeds in m/s, T the relative error of eps, 1e-15 to below 1; CONTACT is --g-star, or\n"
+     "--young --poisson --radius --density (or --mass) --dissipation-time, -2 of the second sphere, or\n"
+     "--wall, as corgen embed --help explains.\n" HELP_END
+     "  --for USE        what time means: scalar: calls one at a time; array: loops; balanced\n"
+     "                   (default): both\n\n"
+     "Disks: speeds in sqrt(E/rho), 0.003 to 0.3; against a hard wall, all modes counted.\n"
+     "  --disks          elastic disks, which lose energy to their vibrations\n"
+     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
+     "  --quantity Q     eps (default; T is its error), contact-time or compression (the largest; T is\n"
+     "                   the relative error)\n\n"
+     "  --points N       speeds compared at, 2 to 1000 (default 33, of disks 9)\n"
+     "  --format F       text (default), csv or json\n" HELP_COMMON
+     "\nColumns of csv and json: model,beta (speed of disks),value,error,cost,uncertainty,verdict;\n"
+     "a row for each model at each point; cost in ns; uncertainty of what it is compared with;\n"
+     "verdict: chosen, meets, misses, outside (no value somewhere), shown (not to choose).\n"
+     "Exit status 1 if no model meets the tolerance.\n"
+     "Example: corgen plan --speed-min 0.1 --speed-max 10 --g-star 0.2 --tolerance 1e-6\n",
+     "speed-min speed-max tolerance g-star end for young poisson radius density mass dissipation-time young-2 "
+     "poisson-2 radius-2 density-2 mass-2 dissipation-time-2 wall disks quantity points format output profile",
+     "text csv json", "speed-min speed-max tolerance", command_plan},
     {"tables", "write or check the generated C tables",
-     "Usage: corgen tables [--check] [--output DIR] [OPTION]...\n"
+     "Usage: corgen tables [--check] [--all] [--output DIR] [OPTION]...\n"
      "       corgen tables --poisson NU [--modes N] [--check] [--output DIR] [OPTION]...\n\n"
      "Writes every file of generated/, or the modes of an elastic disk of another material as a C\n"
      "header to embed and a file to load; all of them or none.\n\n"
      "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
      "  --modes N        number of modes, 1 to 10000000 (default 1800)\n"
-     "  --check          write nothing; compare byte for byte and fail at a difference\n"
+     "  --check          write nothing; compare byte for byte and fail at a difference; collide a\n"
+     "                   random sample of the rows of disk_limits.csv again\n"
+     "  --all            make disk_limits.csv anew, which is else kept; with --check, collide all of\n"
+     "                   its rows again: minutes\n"
+     "  --seed N         of the sample, 0 to 1000000000 (default: another one each time)\n"
      "  --output DIR     the directory (default: generated; with --poisson, the current one)\n"
      "  --profile        seconds per step and peak memory on standard error\n"
      "\nExample: corgen tables --check\n",
-     "poisson modes check output profile", "", "", command_tables},
+     "poisson modes check all seed output profile", "", "", command_tables},
     {0},
 };
 

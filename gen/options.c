@@ -8,7 +8,9 @@
 #include <string.h>
 
 #include "console.h"
+#include "crew.h"
 #include "disk_equation.h"
+#include "sweep.h"
 
 enum { NAMES_MAX = 512, EXPONENT_DIGITS_MAX = 6, LONG_OPTION = 256 };
 
@@ -31,12 +33,21 @@ enum key {
     KEY_TWO_POINT,
     KEY_AS_PUBLISHED,
     KEY_CHECK,
+    KEY_ALL,
+    KEY_SEED,
     KEY_FORCE,
     KEY_PROFILE,
     KEY_TYPE,
     KEY_NAME,
     KEY_FOR,
     KEY_WALL,
+    KEY_SPEED,
+    KEY_ALPHA,
+    KEY_PHI_POINTS,
+    KEY_THREADS,
+    KEY_DISKS,
+    KEY_QUANTITY,
+    KEY_POINTS,
     KEY_HELP,
     KEY_REAL /* and as many as there are in enum options_real */
 };
@@ -69,12 +80,21 @@ static const struct rule rules[] = {
     {"two-point", KEY_TWO_POINT, false, 0, 0, NULL},
     {"as-published", KEY_AS_PUBLISHED, false, 0, 0, NULL},
     {"check", KEY_CHECK, false, 0, 0, NULL},
+    {"all", KEY_ALL, false, 0, 0, NULL},
+    {"seed", KEY_SEED, true, 0, OPTIONS_MAX_SEED, "there are no more samples than that"},
     {"force", KEY_FORCE, false, 0, 0, NULL},
     {"profile", KEY_PROFILE, false, 0, 0, NULL},
     {"type", KEY_TYPE, true, 0, 0, NULL},
     {"name", KEY_NAME, true, 0, 0, NULL},
     {"for", KEY_FOR, true, 0, 0, NULL},
     {"wall", KEY_WALL, false, 0, 0, NULL},
+    {"speed", KEY_SPEED, true, 0, 0, NULL},
+    {"alpha", KEY_ALPHA, true, 0, 0, NULL},
+    {"phi-points", KEY_PHI_POINTS, true, 1, COR_DISK_COLLISION_MAX_PHI_POINTS, "walls that need more are not computed"},
+    {"threads", KEY_THREADS, true, 1, CREW_MAX_THREADS, "no machine has use for more"},
+    {"disks", KEY_DISKS, false, 0, 0, NULL},
+    {"quantity", KEY_QUANTITY, true, 0, 0, NULL},
+    {"points", KEY_POINTS, true, 2, OPTIONS_MAX_POINTS, "every point takes collisions"},
     {"help", KEY_HELP, false, 0, 0, NULL},
     {"speed-min", KEY_REAL + OPTIONS_SPEED_MIN, true, 0, 0, NULL},
     {"speed-max", KEY_REAL + OPTIONS_SPEED_MAX, true, 0, 0, NULL},
@@ -164,7 +184,7 @@ static const char *skip_decimal(const char *text)
     return text;
 }
 
-static bool number_is_well_formed(const char *text)
+bool options_number_is_good(const char *text)
 {
     const char *slash = strchr(text, '/');
     if (slash) {
@@ -193,7 +213,7 @@ void options_beta(arb_t beta, const struct options *o, slong prec)
 static int parse_beta(struct options *o, const char *text)
 {
     o->beta = text;
-    bool good = number_is_well_formed(text);
+    bool good = options_number_is_good(text);
     if (good) {
         /* Enough bits to see every digit of the text: then only an exact tie is left undecided. */
         slong prec = 4 * (slong)strlen(text) + 64;
@@ -298,7 +318,7 @@ void options_fraction(fmpq_t x, const char *text)
 /* Of a disk in plane stress: any between -1 and 1, as exact as it is written. */
 static int parse_poisson(struct options *o, const struct rule *rule, const char *text)
 {
-    bool inside = number_is_well_formed(text + (*text == '-')), apart = false;
+    bool inside = options_number_is_good(text + (*text == '-')), apart = false;
     o->real[OPTIONS_POISSON] = text;
     if (inside) {
         fmpq_t margin;
@@ -392,8 +412,85 @@ static int parse_use(struct options *o, const char *text)
     return STATUS_OK;
 }
 
+static int parse_quantity(struct options *o, const char *text)
+{
+    static const char *const quantities[] = {"eps", "contact-time", "compression"};
+    const int place = place_of(text, quantities, 3);
+    if (place < 0)
+        return usage_error("--quantity: '%.60s' is not a quantity; allowed: eps, contact-time, compression", text);
+    o->quantity = (enum options_quantity)place;
+    return STATUS_OK;
+}
+
+/* corgen plan, when all of the line is known: what goes with --disks, and with spheres, and whose --poisson it is. */
+static int parse_plan(struct options *o, const bool *given)
+{
+    static const enum key of_spheres[] = {KEY_END, KEY_FOR, KEY_WALL};
+    if (!o->disks) {
+        if (given[KEY_QUANTITY])
+            return usage_error("--quantity is for --disks");
+        return o->real[OPTIONS_POISSON] ? parse_real(o, rule_of(KEY_REAL + OPTIONS_POISSON), o->real[OPTIONS_POISSON])
+                                        : STATUS_OK;
+    }
+    for (size_t i = 0; i < sizeof of_spheres / sizeof *of_spheres; i++)
+        if (given[of_spheres[i]])
+            return usage_error("--disks and --%s exclude each other", rule_of((int)of_spheres[i])->name);
+    for (int which = OPTIONS_G_STAR; which < OPTIONS_REALS; which++)
+        if (o->real[which] && which != OPTIONS_POISSON)
+            return usage_error("--disks and --%s exclude each other; a disk has --poisson alone",
+                               options_real_name((enum options_real)which));
+    if (!o->real[OPTIONS_POISSON])
+        return usage_error("corgen plan --disks needs --poisson; see corgen plan --help");
+    return parse_poisson(o, rule_of(KEY_REAL + OPTIONS_POISSON), o->real[OPTIONS_POISSON]);
+}
+
+/* A list of disk-collide is parsed here to be found good, and there to be used. */
+static int parse_list(struct options *o, enum options_list which, const struct values_rule *rule, const char *text)
+{
+    struct values values;
+    const int status = values_parse(&values, rule, text);
+    values_clear(&values);
+    o->list[which] = text;
+    return status;
+}
+
+static int parse_collision_tolerance(struct options *o, const char *text)
+{
+    const char *end = skip_decimal(text);
+    const double value = end && *end == '\0' ? strtod(text, NULL) : 0;
+    if (!(value >= COR_DISK_COLLISION_MIN_TOLERANCE && value < 1))
+        return usage_error("--tolerance: '%.60s' is not a number from %g to below 1, written as 0.001 or 1e-10", text,
+                           COR_DISK_COLLISION_MIN_TOLERANCE);
+    o->collision_tolerance = value;
+    return STATUS_OK;
+}
+
+/* What disk-collide takes by a name that another subcommand has for something else; -1: nothing. */
+static int parse_collision(struct options *o, const struct rule *rule, const char *text)
+{
+    switch ((int)rule->key) {
+    case KEY_MODES:
+        return parse_list(o, OPTIONS_LIST_MODES, &sweep_modes, text);
+    case KEY_REAL + OPTIONS_POISSON:
+        return parse_list(o, OPTIONS_LIST_POISSON, &sweep_poisson, text);
+    case KEY_REAL + OPTIONS_TOLERANCE:
+        return parse_collision_tolerance(o, text);
+    default:
+        return -1;
+    }
+}
+
 static int parse_one(struct options *o, const struct subcommand *cmd, const struct rule *rule, const char *text)
 {
+    if (has_word(cmd->accepts, "alpha")) {
+        const int status = parse_collision(o, rule, text);
+        if (status >= 0)
+            return status;
+    }
+    if (rule->key == KEY_REAL + OPTIONS_POISSON && has_word(cmd->accepts, "disks")) {
+        o->real[OPTIONS_POISSON] = text; /* of which body, parse_plan knows */
+        return STATUS_OK;
+    }
     /* without materials in space it is a disk that is asked for */
     if (rule->key == KEY_REAL + OPTIONS_POISSON && !has_word(cmd->accepts, "young"))
         return parse_poisson(o, rule, text);
@@ -437,6 +534,11 @@ static int parse_one(struct options *o, const struct subcommand *cmd, const stru
     case KEY_CHECK:
         o->check = true;
         break;
+    case KEY_ALL:
+        o->all = true;
+        break;
+    case KEY_SEED:
+        return parse_whole(&o->seed, rule, text);
     case KEY_FORCE:
         o->force = true;
         break;
@@ -452,6 +554,21 @@ static int parse_one(struct options *o, const struct subcommand *cmd, const stru
     case KEY_WALL:
         o->wall = true;
         break;
+    case KEY_SPEED:
+        return parse_list(o, OPTIONS_LIST_SPEED, &sweep_speed, text);
+    case KEY_ALPHA:
+        return parse_list(o, OPTIONS_LIST_ALPHA, &sweep_alpha, text);
+    case KEY_PHI_POINTS:
+        return parse_whole(&o->phi_points, rule, text);
+    case KEY_THREADS:
+        return parse_whole(&o->threads, rule, text);
+    case KEY_DISKS:
+        o->disks = true;
+        break;
+    case KEY_QUANTITY:
+        return parse_quantity(o, text);
+    case KEY_POINTS:
+        return parse_whole(&o->points, rule, text);
     case KEY_ELASTIC:
     case KEY_DAMPING:
     case KEY_HELP:
@@ -475,7 +592,9 @@ int options_parse(struct options *o, const struct subcommand *cmd, int argc, cha
     *o = (struct options){.count = OPTIONS_NOT_GIVEN,
                           .numerator = OPTIONS_NOT_GIVEN,
                           .denominator = OPTIONS_NOT_GIVEN,
+                          .seed = OPTIONS_NOT_GIVEN,
                           .digits = OPTIONS_DEFAULT_DIGITS,
+                          .collision_tolerance = strtod(OPTIONS_DEFAULT_COLLISION_TOLERANCE, NULL),
                           .end = END_ZERO_OVERLAP};
     *help = false;
     const char *elastic = "3/2";
@@ -516,6 +635,12 @@ int options_parse(struct options *o, const struct subcommand *cmd, int argc, cha
     for (int i = 0; i < RULES; i++) {
         if (has_word(cmd->requires_, rules[i].name) && !given[rules[i].key])
             return usage_error("corgen %s needs --%s; see corgen %s --help", cmd->name, rules[i].name, cmd->name);
+    }
+
+    if (has_word(cmd->accepts, "disks")) {
+        const int status = parse_plan(o, given);
+        if (status != STATUS_OK)
+            return status;
     }
 
     const char *wrong = law_parse(&o->law, elastic, damping);

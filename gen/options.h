@@ -12,9 +12,12 @@
 #define OPTIONS_MAX_DIGITS 10000000
 #define OPTIONS_MAX_DEGREE 2000
 #define OPTIONS_MAX_COUNT 10000000
+#define OPTIONS_MAX_SEED 1000000000
 #define OPTIONS_MAX_NAME 63
+#define OPTIONS_MAX_POINTS 1000
 #define OPTIONS_MAX_BETA "1e6"
 #define OPTIONS_DEFAULT_DIGITS 20
+#define OPTIONS_DEFAULT_COLLISION_TOLERANCE "1e-8"
 #define OPTIONS_NOT_GIVEN (-1)
 
 /* Numbers with a unit, as corgen embed takes them: speeds in m/s, the rest in SI units; those of body 2 at a fixed
@@ -39,7 +42,13 @@ enum options_real {
     OPTIONS_REALS
 };
 
+/* Lists, as corgen disk-collide takes them; gen/values.h. */
+enum options_list { OPTIONS_LIST_SPEED, OPTIONS_LIST_POISSON, OPTIONS_LIST_ALPHA, OPTIONS_LIST_MODES, OPTIONS_LISTS };
+
 enum options_use { OPTIONS_BALANCED, OPTIONS_SCALAR, OPTIONS_ARRAY };
+
+/* What corgen plan --disks is asked for. */
+enum options_quantity { OPTIONS_EPS, OPTIONS_CONTACT_TIME, OPTIONS_COMPRESSION };
 
 struct options {
     slong order, terms, digits, count;
@@ -52,9 +61,16 @@ struct options {
     const char *header;              /* pade: write a C header here */
     const char *real[OPTIONS_REALS]; /* texts as given, found good; NULL if not given */
     const char *name;                /* embed: of the function */
+    const char *list[OPTIONS_LISTS]; /* disk-collide: likewise */
+    double collision_tolerance;
+    slong phi_points, threads; /* 0 if not given */
+    slong seed;                /* OPTIONS_NOT_GIVEN if so */
     enum options_use use;
+    enum options_quantity quantity;
+    slong points; /* plan: 0 if not given */
+    bool disks;
     bool single, wall;
-    bool exact, two_point, as_published, check, force, profile;
+    bool exact, two_point, as_published, check, all, force, profile;
 };
 
 /* A subcommand of the one table in main.c. */
@@ -78,6 +94,9 @@ void options_beta(arb_t beta, const struct options *o, slong prec);
 void options_real(arb_t x, const struct options *o, enum options_real which, slong prec);
 const char *options_real_name(enum options_real which); /* speed-min, ... */
 
+/* Whether it is a number without sign: 0.1, 1.5e-3 or 2/3. */
+bool options_number_is_good(const char *text);
+
 /* The number that a good text names, exactly: "-0.33", "2e-1" or "1/3". */
 void options_fraction(fmpq_t x, const char *text);
 
@@ -86,7 +105,9 @@ int command_series(const struct options *);
 int command_pade(const struct options *);
 int command_collide(const struct options *);
 int command_disk_modes(const struct options *);
+int command_disk_collide(const struct options *);
 int command_embed(const struct options *);
+int command_plan(const struct options *);
 int command_tables(const struct options *);
 
 #endif

@@ -7,9 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "console.h"
+#include "disk_limits.h"
 #include "disk_tables.h"
 #include "options.h"
 #include "sphere_tables.h"
@@ -23,15 +25,18 @@ enum { PATH_MAX_LENGTH = 4096 };
 
 struct generated {
     const char *name;
-    int (*write)(FILE *file, const struct disk_table *disk); /* disk is not looked at for spheres */
+    int (*write)(FILE *file, const struct disk_table *disk); /* disk: of modes */
     struct disk_table disk;
+    bool limits; /* of collisions, which are kept */
 };
 
 static const struct generated files[] = {
-    {"sphere_tables.h", sphere_tables_write, {NULL, 0, false}},
-    {"cor_sphere.h", sphere_header_write, {NULL, 0, false}},
-    {"disk_modes_nu033.h", disk_header_write, {"0.33", DISK_TABLE_MODES, false}},
-    {"disk_modes_nu090.h", disk_header_write, {"0.90", DISK_TABLE_MODES, false}},
+    {"sphere_tables.h", sphere_tables_write, {NULL, 0, false}, false},
+    {"cor_sphere.h", sphere_header_write, {NULL, 0, false}, false},
+    {"disk_modes_nu033.h", disk_header_write, {"0.33", DISK_TABLE_MODES, false}, false},
+    {"disk_modes_nu090.h", disk_header_write, {"0.90", DISK_TABLE_MODES, false}, false},
+    {DISK_LIMITS_ROWS_FILE, disk_limits_rows_write, {NULL, 0, false}, true},
+    {DISK_LIMITS_HEADER_FILE, disk_limits_header_write, {NULL, 0, false}, true},
 };
 enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 1 /* the manifest */ };
 
@@ -56,7 +61,7 @@ static int make(struct content *c, const struct generated *row)
     return status;
 }
 
-static int make_manifest(struct content *manifest, const struct content *c)
+static int make_manifest(struct content *manifest, const struct content *c, int files_made)
 {
     manifest->name = MANIFEST;
     FILE *file = open_memstream(&manifest->text, &manifest->size);
@@ -65,7 +70,7 @@ static int make_manifest(struct content *manifest, const struct content *c)
     fprintf(file, "Written by `corgen tables`; `corgen tables --check` compares the files below byte for "
                   "byte.\nLines that start with " MANIFEST_VERSION_WORD
                   " tell which libraries made them, and are not compared.\n\n");
-    for (int i = 0; i < FILES; i++) {
+    for (int i = 0; i < files_made; i++) {
         long lines = 0;
         for (size_t k = 0; k < c[i].size; k++)
             lines += c[i].text[k] == '\n';
@@ -194,19 +199,63 @@ static int check_all(const struct content *c, int n, const char *directory)
     return status;
 }
 
+/* The collisions of the long table: those of the directory, or else of generated/, or made anew. *known: whether there
+ * are any. */
+static int know_limits(bool *known, const struct options *o, const char *directory)
+{
+    static const char *const minutes = "some minutes of processor time";
+    if (o->all && !o->check) {
+        profile_step(DISK_LIMITS_ROWS_FILE);
+        const int status = disk_limits_collide();
+        profile_step(NULL);
+        *known = status == STATUS_OK;
+        return status;
+    }
+    char path[PATH_MAX_LENGTH];
+    size_t size = 0;
+    if (set_path(path, directory, DISK_LIMITS_ROWS_FILE))
+        return STATUS_FAILED;
+    char *text = read_file(path, &size);
+    if (!text && errno == ENOENT && !o->check && strcmp(directory, DEFAULT_DIRECTORY) != 0 &&
+        set_path(path, DEFAULT_DIRECTORY, DISK_LIMITS_ROWS_FILE) == STATUS_OK)
+        text = read_file(path, &size);
+    *known = text != NULL;
+    if (!text && errno != ENOENT)
+        return fail("cannot read %s: %s", path, strerror(errno));
+    if (!text) {
+        fprintf(stderr, "corgen: " DISK_LIMITS_HEADER_FILE " is left out, for there is no %s; --all makes it, in %s\n",
+                path, minutes);
+        return STATUS_OK;
+    }
+    const int status = disk_limits_read(text, size, path);
+    free(text);
+    return status;
+}
+
 /* The files of generated/ and their manifest, or those of one material. */
-static int make_all(struct content *c, int *n, const struct options *o)
+static int make_all(struct content *c, int *n, const struct options *o, const char *directory)
 {
     const slong count = o->count == OPTIONS_NOT_GIVEN ? DISK_TABLE_MODES : o->count;
-    const struct generated material[] = {{NULL, disk_header_write, {o->real[OPTIONS_POISSON], count, true}},
-                                         {NULL, disk_file_write, {o->real[OPTIONS_POISSON], count, true}}};
+    const struct generated material[] = {{NULL, disk_header_write, {o->real[OPTIONS_POISSON], count, true}, false},
+                                         {NULL, disk_file_write, {o->real[OPTIONS_POISSON], count, true}, false}};
     static const char *const extension[] = {"h", "txt"};
     static char name[2][DISK_TABLE_NAME];
     int status = STATUS_OK;
     if (!o->real[OPTIONS_POISSON]) {
-        for (*n = 0; *n < FILES && status == STATUS_OK; ++*n)
-            status = make(&c[*n], &files[*n]);
-        return status == STATUS_OK ? make_manifest(&c[(*n)++], c) : status;
+        bool asked = false, known = false;
+        *n = 0;
+        for (int i = 0; i < FILES && status == STATUS_OK; i++) {
+            if (files[i].limits && !asked) {
+                status = know_limits(&known, o, directory);
+                asked = true;
+            }
+            if (status == STATUS_OK && (known || !files[i].limits))
+                status = make(&c[(*n)++], &files[i]);
+        }
+        if (status == STATUS_OK)
+            status = make_manifest(&c[*n], c, *n);
+        *n += status == STATUS_OK;
+        return status;
     }
     for (*n = 0; *n < 2 && status == STATUS_OK; ++*n) {
         struct generated row = material[*n];
@@ -216,8 +265,24 @@ static int make_all(struct content *c, int *n, const struct options *o)
     return status;
 }
 
+/* Collides again, where the table is not what says so itself: byte for byte it is its own rows that it is made of. */
+static int check_limits(const struct options *o)
+{
+    if (o->all)
+        return disk_limits_check_all();
+    const uint64_t seed = o->seed != OPTIONS_NOT_GIVEN
+                              ? (uint64_t)o->seed
+                              : ((uint64_t)time(NULL) * 1000 + (uint64_t)getpid()) % OPTIONS_MAX_SEED;
+    return disk_limits_check_sample(seed);
+}
+
 int command_tables(const struct options *o)
 {
+    if ((o->all || o->seed != OPTIONS_NOT_GIVEN) && o->real[OPTIONS_POISSON])
+        return usage_error("--%s is about the collisions of generated/" DISK_LIMITS_ROWS_FILE ", not about --poisson",
+                           o->all ? "all" : "seed");
+    if (o->seed != OPTIONS_NOT_GIVEN && (o->all || !o->check))
+        return usage_error("--seed chooses the sample of --check without --all");
     if (o->count != OPTIONS_NOT_GIVEN && !o->real[OPTIONS_POISSON])
         return usage_error("--modes needs --poisson: the tables of generated/ have %d modes", DISK_TABLE_MODES);
     if (o->real[OPTIONS_POISSON] && strlen(o->real[OPTIONS_POISSON]) > DISK_TABLE_POISSON)
@@ -229,16 +294,21 @@ int command_tables(const struct options *o)
     struct content c[CONTENTS] = {{NULL, NULL, 0}};
     int n = 0, status = o->check ? STATUS_OK : probe_directory(directory);
     if (status == STATUS_OK)
-        status = make_all(c, &n, o);
+        status = make_all(c, &n, o, directory);
     if (status == STATUS_OK)
         status = o->check ? check_all(c, n, directory) : write_all(c, n, directory);
     for (int i = 0; i < n && status == STATUS_OK; i++)
         printf("%s %s/%s: %zu bytes\n", o->check ? "same" : "wrote", directory, c[i].name, c[i].size);
+    if (status == STATUS_OK && o->check && disk_limits_known())
+        status = check_limits(o);
+    if (status == STATUS_OK && !o->check && !o->all && disk_limits_known())
+        printf("kept the collisions of " DISK_LIMITS_ROWS_FILE "; --all makes them anew\n");
     if (fflush(stdout) && status == STATUS_OK)
         status = fail("standard output: %s", strerror(errno));
     for (int i = 0; i < CONTENTS; i++)
         free(c[i].text);
     sphere_tables_clear();
     disk_tables_clear();
+    disk_limits_clear();
     return status;
 }

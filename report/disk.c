@@ -1,11 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* cor_report DIRECTORY: the figures of the paper on disks as csv files, and what is to be said of each. */
+/* cor_report: the figures of the paper on disks as csv files, and what is to be said of each. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "collisions.h"
 #include "report.h"
+
+/* Collisions computed again, of those taken from a file */
+enum { SAMPLE = 60 };
 
 double log_point(double a, double b, int i, int n)
 {
@@ -47,29 +52,60 @@ static int make(const struct figure *figure, const char *directory, char verdict
     return 0;
 }
 
+enum { FIGURES = 14 };
+static const struct figure *const figure[FIGURES] = {
+    &collisions_figure,   &restitution_figure, &shapes_figure,     &spectrum_figure,   &sequence_figure,
+    &energies_figure,     &ranking_figure,     &wall_limit_figure, &mode_limit_figure, &load_figure,
+    &load_dynamic_figure, &contact_figure,     &rayleigh_figure,   &oscillation_figure};
+
+static const char usage[] = "usage: cor_report [--collisions FILE [--all]] DIRECTORY\n";
+
+static int help(void)
+{
+    printf("%sWrites the figures of the paper on disks to DIRECTORY as csv files, and prints what is to be said of "
+           "each.\n"
+           "  --collisions FILE  takes the collisions of the full dynamics from a file of an earlier run,\n"
+           "                     docs/disk/collisions.csv, and computes %d of them again, which COR_SEED=<number>\n"
+           "                     draws; without it they are computed, half a minute\n"
+           "  --all              ... each of them again\n",
+           usage, SAMPLE);
+    return 0;
+}
+
+static unsigned long long seed(void)
+{
+    const char *const text = getenv("COR_SEED");
+    return text != NULL ? strtoull(text, NULL, 10) : 19990101;
+}
+
 int main(int argc, char **argv)
 {
-    static const char usage[] = "usage: cor_report DIRECTORY\n";
-    if (argc == 2 && strcmp(argv[1], "--help") == 0) {
-        printf("%sWrites the figures of the paper on disks to DIRECTORY as csv files, and prints what is to be said of "
-               "each.\n",
-               usage);
-        return 0;
-    }
-    if (argc != 2 || argv[1][0] == '\0' || argv[1][0] == '-') {
+    const char *file = NULL, *directory = NULL;
+    int sample = SAMPLE, wrong = 0;
+    if (argc == 2 && strcmp(argv[1], "--help") == 0)
+        return help();
+    for (int i = 1; i < argc; i++)
+        if (strcmp(argv[i], "--all") == 0)
+            sample = -1;
+        else if (strcmp(argv[i], "--collisions") == 0 && i + 1 < argc)
+            file = argv[++i];
+        else if (directory == NULL && argv[i][0] != '-' && argv[i][0] != '\0')
+            directory = argv[i];
+        else
+            wrong = 1;
+    if (wrong || directory == NULL || (file == NULL && sample < 0)) {
         fputs(usage, stderr);
         return 2;
     }
-    enum { FIGURES = 5 };
-    const struct figure *const figure[FIGURES] = {&shapes_figure, &spectrum_figure, &load_figure, &contact_figure,
-                                                  &rayleigh_figure};
     static char verdict[FIGURES][VERDICT_SIZE];
+    if (!(file != NULL ? collisions_read(file, sample, seed()) : collisions_compute()))
+        return 1;
     for (size_t i = 0; i < FIGURES; i++)
-        if (!make(figure[i], argv[1], verdict[i]))
+        if (!make(figure[i], directory, verdict[i]))
             return 1;
-    printf("%-8s %-13s %s\n", "paper", "file", "shows");
+    printf("%-16s %-13s %s\n", "paper", "file", "shows");
     for (size_t i = 0; i < FIGURES; i++)
-        printf("%-8s %-13s %s\n", figure[i]->paper, figure[i]->stem, figure[i]->subject);
+        printf("%-16s %-13s %s\n", figure[i]->paper, figure[i]->stem, figure[i]->subject);
     for (size_t i = 0; i < FIGURES; i++)
         printf("\n%s: %s\n", figure[i]->paper, verdict[i]);
     errno = 0;

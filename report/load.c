@@ -84,7 +84,7 @@ static int write_curves(FILE *csv, struct curve curve[CURVES], char verdict[VERD
              "at delta = %g being %.4f for alpha = %g (%d modes; a soft wall pushes before it is touched), %.4f for "
              "%g and %.4f for %g (all modes). The printed law, (57), lies %.1f %% below that limit there, the "
              "diameter's %.1f %%. At delta = %g the hardest wall carries %.3f of the law, which takes the contact "
-             "for small. The dynamic curves are left out. Halving the points changes no load by more than %.0e of "
+             "for small. Halving the points changes no load by more than %.0e of "
              "it.",
              paper_alpha, PAPER_MODES, load_of(&curve[PAPER], 0.05), load_of(&curve[PAPER], 0.2), small,
              ratio_small[PAPER], paper_alpha, PAPER_MODES, ratio_small[HARD], hard_alpha, ratio_small[HARDEST],

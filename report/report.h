@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The figures of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999), one file each: stem.c writes docs/disk/stem.csv,
- * which stem.gp draws as docs/disk/stem.svg. */
+ * which stem.gp, where there is one, draws as docs/disk/stem.svg. */
 #ifndef COR_REPORT_REPORT_H
 #define COR_REPORT_REPORT_H
 
 #include <stddef.h>
 #include <stdio.h>
 
-enum { VERDICT_SIZE = 2000 };
+enum { VERDICT_SIZE = 3000 };
 
 struct figure {
     const char *stem, *paper, *subject;
@@ -16,7 +16,9 @@ struct figure {
     int (*write)(FILE *csv, char verdict[VERDICT_SIZE]);
 };
 
-extern const struct figure shapes_figure, spectrum_figure, load_figure, contact_figure, rayleigh_figure;
+extern const struct figure restitution_figure, shapes_figure, spectrum_figure, sequence_figure, energies_figure,
+    ranking_figure, wall_limit_figure, mode_limit_figure, load_figure, load_dynamic_figure, contact_figure,
+    rayleigh_figure, oscillation_figure;
 
 /* The i-th of n points from a to b, equal steps in the logarithm. */
 double log_point(double a, double b, int i, int n);

@@ -98,7 +98,7 @@ int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor
         return COR_ERROR_RANGE;
     /* weights first: they are exactly 1/2 for equal materials, and nothing can overflow */
     const double a1 = body_1->dissipation_time_s, a2 = body_2->dissipation_time_s;
-    const double a = a1 * (c1 / c) + a2 * (c2 / c);
+    const double a = 0.0 + a1 * (c1 / c) + a2 * (c2 / c); /* 0.0: two times of -0 are no dissipation either */
     /* roots first: rho/m may overflow, their quotient cannot */
     const double root = cor_inline_fifth_root(rho) / cor_inline_fifth_root(mass);
     const double beta_per_root = 1.5 * a * (root * root), scale = 1 / (root * root);
@@ -136,8 +136,7 @@ double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact)
 
 double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m_s)
 {
-    const double factor = contact->beta_per_root;
-    double g = speed_m_s, unit = 1;
+    double factor = contact->beta_per_root, g = speed_m_s, unit = 1;
     if (!(g >= 0) || isnan(factor))
         return NAN;
     /* without dissipation an infinite speed is no 0 times inf */
@@ -152,6 +151,11 @@ double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m
     } else if (g > COR_INLINE_2_900) {
         g *= COR_INLINE_2_M200;
         unit = COR_INLINE_2_40;
+    }
+    /* and of 2, so that nothing overflows before the result does */
+    if (factor > COR_INLINE_2_500) {
+        factor *= COR_INLINE_2_M500;
+        unit *= COR_INLINE_2_500;
     }
     const struct cor_inline_pair root = cor_inline_fifth_root_parts(g);
     const double head = cor_inline_head(factor), tail = factor - head;
@@ -227,10 +231,15 @@ double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_m
         return NAN;
     if (eta1_pa_s == 0 && eta2_pa_s == 0) /* the limit of 0/0 from every direction */
         return 0;
-    const double difference = 3 * eta2_pa_s - eta1_pa_s;
-    const double viscosity = difference * (difference / (3 * eta2_pa_s + 2 * eta1_pa_s));
-    const double poisson_factor = (1 - nu) * (1 + nu) * (1 - 2 * nu) / (nu * nu);
-    return viscosity / (3 * young_modulus_pa) * poisson_factor;
+    /* powers of two apart, so that only the result can overflow or underflow */
+    int eta_exponent, young_exponent, nu_exponent;
+    frexp(eta1_pa_s > eta2_pa_s ? eta1_pa_s : eta2_pa_s, &eta_exponent);
+    const double eta1 = ldexp(eta1_pa_s, -eta_exponent), eta2 = ldexp(eta2_pa_s, -eta_exponent);
+    const double young = frexp(young_modulus_pa, &young_exponent), small_nu = frexp(nu, &nu_exponent);
+    const double difference = 3 * eta2 - eta1;
+    const double viscosity = difference * (difference / (3 * eta2 + 2 * eta1));
+    const double poisson_factor = (1 - nu) * (1 + nu) * (1 - 2 * nu) / (small_nu * small_nu);
+    return ldexp(viscosity / (3 * young) * poisson_factor, eta_exponent - young_exponent - 2 * nu_exponent);
 }
 
 double cor_sphere_mass_kg(double radius_m, double density_kg_m3)
@@ -239,5 +248,10 @@ double cor_sphere_mass_kg(double radius_m, double density_kg_m3)
     static const double volume_of_unit_sphere = 4.18879020478639098462;
     if (!(radius_m > 0 && density_kg_m3 > 0))
         return NAN;
-    return volume_of_unit_sphere * (radius_m * radius_m * radius_m) * density_kg_m3;
+    if (isinf(radius_m) || isinf(density_kg_m3))
+        return INFINITY;
+    /* powers of two apart: the cube may be out of range where the mass is not */
+    int radius_exponent, density_exponent;
+    const double radius = frexp(radius_m, &radius_exponent), density = frexp(density_kg_m3, &density_exponent);
+    return ldexp(volume_of_unit_sphere * (radius * radius * radius) * density, 3 * radius_exponent + density_exponent);
 }

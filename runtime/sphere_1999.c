@@ -31,14 +31,17 @@ double cor_sphere_eps_simple_fraction(double beta, int depth)
     if (!(beta >= 0) || depth < 0)
         return NAN;
     const double c = -COR_SPHERE_C1 * beta;
-    double t = 1;
+    /* Far out 1 is nothing beside c, and t overflows where 1/t is still a double: t in units of 2^500, (2^100)^5. */
+    const int far = c > COR_INLINE_2_500 && depth > 0;
+    const double one = far ? 0 : 1, factor = far ? c / COR_INLINE_2_300 : c;
+    double t = far ? COR_INLINE_2_M500 : 1;
     for (int k = 0; k < depth; k++) {
-        const double root = cor_inline_fifth_root(t), next = 1 + c * (root * root);
+        const double root = cor_inline_fifth_root(t), next = one + factor * (root * root);
         if (next == t) /* a fixed point: any depth gives the same */
             break;
         t = next;
     }
-    return 1 / t;
+    return far ? COR_INLINE_2_M500 / t : 1 / t;
 }
 
 double cor_sphere_eps_published_pade(double beta)

@@ -260,7 +260,8 @@ static inline void from_speed(const struct cor_sphere_contact *contact, const do
         for (int j = 0; j < count; j++) {
             /* below 2^-180 beta is not told apart: eps is 1 to the last bit */
             const double root = cor_inline_fifth_root_normal(((x[j] > least) & (x[j] < most)) ? x[j] : least);
-            const int inside = (x[j] >= 0) & (x[j] < most) & (root < end->far);
+            /* the speed's sign: a small negative one may leave x = -0 */
+            const int inside = (from[j] >= 0) & (x[j] < most) & (root < end->far);
             outside |= !inside;
             beta[j] = inside ? root : 0;
         }

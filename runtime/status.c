@@ -50,7 +50,19 @@ const char *cor_status_text(int status)
     case COR_BEYOND_THEORY:
         return "The collision is too violent for perturbation theory; the numbers are given.";
     case COR_TOLERANCE_NOT_REACHED:
-        return "The table has too few modes for this tolerance; the best numbers it gives are given.";
+        return "The tolerance cannot be met with this table or these steps; the best numbers are given.";
+    case COR_WALL_NOT_TOUCHED:
+        return "The disk does not move towards the wall; there is no collision.";
+    case COR_CONTACT_NOT_ENDED:
+        return "The contact lasts longer than the number of steps allowed.";
+    case COR_ERROR_ALPHA:
+        return "The hardness alpha of the wall must be positive and finite.";
+    case COR_ERROR_PHI_POINTS:
+        return "There are more angles than COR_DISK_COLLISION_MAX_PHI_POINTS.";
+    case COR_ERROR_WORKSPACE:
+        return "The workspace is smaller than cor_disk_collision_workspace() bytes.";
+    case COR_ERROR_MEMORY:
+        return "There is no memory for a workspace.";
     default:
         return "This number is not a status of cor.";
     }

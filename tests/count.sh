@@ -47,8 +47,25 @@ count_of() {
     fi
 }
 
+# stage NAME...: what follows, up to the next stage or summary, is this; summary shows the seconds that each took, and
+# those of the processor in what has ended by then.
+stages=()
+stage_name=
+stage() {
+    local clock=${EPOCHREALTIME/[!0-9]/} cpu
+    times >"$stage_times"
+    cpu=$(awk '{ for (i = 1; i < 3; i++) { split($i, t, /[ms]/); s += 60 * t[1] + t[2] } } END { printf "%d", 1e6 * s }' "$stage_times")
+    [ -z "$stage_name" ] || stages+=("$(awk -v w=$((clock - stage_clock)) -v c=$((cpu - stage_cpu)) -v n="$stage_name" \
+        'BEGIN { printf "%7.1f s, %7.1f s of a processor: %s", w / 1e6, c / 1e6, n }')")
+    stage_name=$* stage_clock=$clock stage_cpu=$cpu
+}
+stage_times=$(mktemp)
+
 # The last line, and the exit status of the script.
 summary() {
+    [ -z "$stage_name" ] || stage
+    rm -f "$stage_times"
+    [ ${#stages[@]} -eq 0 ] || printf '%s\n' "${stages[@]}"
     if [ "$skipped" -gt 0 ]; then
         printf '%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
     else

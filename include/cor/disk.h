@@ -7,7 +7,7 @@
  * number in plane stress, -1 < nu < 1. A disk in plane strain, with three-dimensional E and nu, is the one with
  * E/(1 - nu^2) and nu/(1 - nu) in their place, (2).
  *
- * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 15,
+ * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 16,
  * derives them again and lists where the print is wrong. */
 #ifndef COR_DISK_H
 #define COR_DISK_H
@@ -161,6 +161,110 @@ COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes
  *     COR_TOLERANCE_NOT_REACHED  the table has too few modes: the best that all of them give */
 COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed,
                                         double tolerance, struct cor_disk_rayleigh *out, size_t *n_modes);
+
+/* ---- full dynamics ---- */
+
+/* A collision of the disk of n_modes modes with a wall of potential exp(alpha x)/alpha, (41) to (45): head on, with no
+ * mode excited before. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is how far the
+ * rim reaches into the wall at the angle phi, (40), x_0 the position of the centre of mass; the wall pushes with
+ * exp(alpha x) on a unit of the rim. Time 0 is when the rim of a disk that keeps its shape and speed would be at x = 0. */
+
+/* Speeds above this one take the disk out of linear elasticity by far. */
+#define COR_DISK_COLLISION_MAX_SPEED 0.5
+/* Softer walls than the first would still push where (41) cuts the rim off, at phi = pi/2. */
+#define COR_DISK_COLLISION_MIN_ALPHA 40
+#define COR_DISK_COLLISION_MAX_ALPHA 1e5
+#define COR_DISK_COLLISION_MIN_TOLERANCE 1e-13
+#define COR_DISK_COLLISION_MAX_PHI_POINTS 16384
+/* Steps after which a contact that has not ended is given up. */
+#define COR_DISK_COLLISION_MAX_STEPS 1000000
+
+struct cor_disk_collision_options {
+    double alpha;      /* hardness of the wall, in 1/R, COR_DISK_COLLISION_MIN_ALPHA to _MAX_ALPHA */
+    double tolerance;  /* absolute error allowed in eps, from COR_DISK_COLLISION_MIN_TOLERANCE to below 1 */
+    size_t phi_points; /* angles between 0 and pi/2 for the wall's force; 0: as many as the tolerance needs */
+};
+
+struct cor_disk_collision {
+    double eps;             /* speed after over speed before */
+    double one_minus_eps2;  /* energy left in the modes, as a fraction of (pi/2) v^2; good where eps is nearly 1 */
+    double contact_time;    /* from the first to the last moment with a load of a thousandth of the largest one */
+    double max_compression; /* largest x_0 + 1 */
+    double energy_drift;    /* energy after less energy before, relative to (pi/2) v^2 */
+    size_t steps;           /* of the integration that gave these numbers */
+};
+
+/* 0 < v <= COR_DISK_COLLISION_MAX_SPEED, 1 <= n_modes <= modes->count. Allocates its workspace, once, and frees it.
+ * Several runs with smaller and smaller steps are extrapolated, docs/derivation.md, 15. eps and one_minus_eps2 are good
+ * to the tolerance; the others, taken in the midst of the contact, are not as good, but to energy_drift, which is
+ * eps^2 + one_minus_eps2 - 1. The same arguments give the same bits, on every instruction set.
+ * COR_OK, or with the best numbers given nevertheless
+ *     COR_TOLERANCE_NOT_REACHED  the runs do not agree as closely: a chaotic collision, or too few phi_points; all NaN
+ *                                where no step was small enough
+ * or with NaN for what is not known
+ *     COR_WALL_NOT_TOUCHED       v <= 0: the disk does not come
+ *     COR_CONTACT_NOT_ENDED      more than COR_DISK_COLLISION_MAX_STEPS steps: a very soft wall, a very slow disk, or
+ *                                one that leaves its vibrations all its energy
+ * or without touching anything
+ *     COR_ERROR_NULL, COR_ERROR_MODES (no such number of modes; omega does not grow; a number that is none),
+ *     COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED (too high or NaN), COR_ERROR_TOLERANCE, COR_ERROR_ALPHA,
+ *     COR_ERROR_PHI_POINTS, COR_ERROR_MEMORY. */
+COR_API int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_modes,
+                               const struct cor_disk_collision_options *options, double speed,
+                               struct cor_disk_collision *out);
+
+/* A moment of a collision */
+struct cor_disk_moment {
+    double time;
+    double position;    /* x_0; the compression is x_0 + 1 */
+    double velocity;    /* of the centre of mass, positive towards the wall */
+    double load;        /* force of the wall, int exp(alpha x) dphi */
+    double wall_energy; /* load/alpha, the energy in the wall */
+};
+
+/* What else a collision can tell. Every pointer may be NULL; arrays have n_modes elements in the order of the table. */
+struct cor_disk_collision_detail {
+    double *energy_after;   /* energy left in each mode, as a fraction of (pi/2) v^2 */
+    double *energy_average; /* its mean over the contact time, likewise */
+    /* Told of every step of the last run, from before the contact till after it; q and q_dot then hold the amplitudes Q
+     * and dQ/dt. */
+    void (*observe)(void *context, const struct cor_disk_moment *moment);
+    void *context;
+    double *q, *q_dot;
+};
+
+/* The same with a workspace of the caller's, for many collisions, and with detail, which may be NULL. Bytes needed at
+ * these arguments, anywhere in memory; more for harder walls, more modes and smaller tolerances; 0 if an argument is
+ * not allowed. */
+COR_API size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
+                                            const struct cor_disk_collision_options *options);
+/* Statuses as above, COR_ERROR_WORKSPACE for one that is too small; allocates nothing. */
+COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
+                                  const struct cor_disk_collision_options *options, double speed,
+                                  struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail);
+
+/* ---- its limits ---- */
+
+/* Restitution of a disk of all its modes at a hard wall: cor_disk_collision with alpha -> infinity and N -> infinity, from
+ * a table of such limits, and between its rows by a polynomial in ln v and nu.
+ *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
+ *     one_minus_eps2_uncertainty   by how much fits that are as good differ at the rows of the table around the point,
+ *                                  plus how much the interpolation misses at most at the places tried: an estimate, no
+ *                                  bound; up to COR_DISK_EPS_MAX_UNCERTAINTY
+ *     eps, eps_uncertainty         the same for eps
+ * Domain: the speeds and Poisson's numbers below, ends included, where the laws of both limits were seen to hold;
+ * elsewhere, and for NaN, the result is NaN, never a guess. Faster disks and softer walls: cor_disk_collision. Slower
+ * ones: cor_disk_rayleigh, which has the size of the loss and its oscillation in ln v, but not yet its phase where this
+ * table begins (nu = 0.33: largest 0.0415 near v = 0.0031 here, 0.0385 near 0.0012 there). */
+#define COR_DISK_EPS_MIN_SPEED 0.003
+#define COR_DISK_EPS_MAX_SPEED 0.3
+#define COR_DISK_EPS_MIN_NU (-0.2)
+#define COR_DISK_EPS_MAX_NU 0.9
+#define COR_DISK_EPS_MAX_UNCERTAINTY 2.1e-3
+COR_API double cor_disk_eps(double speed, double nu);
+COR_API double cor_disk_eps_uncertainty(double speed, double nu);
+COR_API double cor_disk_one_minus_eps2(double speed, double nu);
+COR_API double cor_disk_one_minus_eps2_uncertainty(double speed, double nu);
 
 #ifdef __cplusplus
 #if defined(__GNUC__)

@@ -34,8 +34,15 @@ enum cor_status {
     COR_ERROR_FILE_DAMAGED = 19,       /* a mode file that is not as it was written */
     COR_ERROR_CAPACITY = 20,           /* an array is too small for what it should hold */
     /* results are given, and not what they should be */
-    COR_BEYOND_THEORY = 21,        /* a collision too violent for perturbation theory */
-    COR_TOLERANCE_NOT_REACHED = 22 /* the table has too few modes */
+    COR_BEYOND_THEORY = 21,         /* a collision too violent for perturbation theory */
+    COR_TOLERANCE_NOT_REACHED = 22, /* too few modes in the table, or steps that do not agree */
+    COR_WALL_NOT_TOUCHED = 23,      /* a disk that does not move towards the wall */
+    COR_CONTACT_NOT_ENDED = 24,     /* a contact longer than the steps allowed */
+    /* disk.h, full dynamics */
+    COR_ERROR_ALPHA = 25,      /* hardness of the wall not positive, infinite or NaN */
+    COR_ERROR_PHI_POINTS = 26, /* more angles than COR_DISK_COLLISION_MAX_PHI_POINTS */
+    COR_ERROR_WORKSPACE = 27,  /* a workspace smaller than what the function asks for */
+    COR_ERROR_MEMORY = 28      /* no memory for a workspace */
 };
 
 /* One English sentence for a status, without a newline; never NULL: a number that is no status gets

@@ -193,6 +193,20 @@ static void characteristic_speed(void **state)
     assert_true(cor_contact_eps_zero_overlap(&c, 1e300) == 1);
     assert_true(cor_contact_eps_zero_force(&c, INFINITY) == 1);
     assert_true(isnan(cor_contact_eps_zero_force(&c, NAN)));
+    const struct cor_body without = {1e9, 0.3, -0.0, 0.01, 0.01};
+    assert_int_equal(cor_sphere_contact_init(&c, &without, &without), COR_OK);
+    assert_true(cor_contact_g_star_m_s(&c) == INFINITY);
+    /* so much that beta is beyond the doubles */
+    struct cor_body viscous = {1e80, 0.3, 1e200, 1, 1};
+    for (int i = 0; i < 10; i++, viscous.young_modulus_pa *= 1e20) {
+        assert_int_equal(cor_sphere_contact_init(&c, &viscous, &viscous), COR_OK);
+        const long double beta = c.beta_per_root * powl(DBL_MAX, 0.2L);
+        if (beta < (long double)DBL_MAX)
+            assert_true(relative_error(cor_contact_beta(&c, DBL_MAX), beta) < 2 * DBL_EPSILON);
+        else
+            assert_true(cor_contact_beta(&c, DBL_MAX) == INFINITY);
+        assert_true(cor_contact_eps_zero_overlap(&c, DBL_MAX) == 0 && cor_contact_eps_zero_force(&c, DBL_MAX) >= 0);
+    }
     struct cor_body elastic = glass();
     elastic.dissipation_time_s = 0;
     assert_int_equal(cor_sphere_contact_init(&c, &elastic, &elastic), COR_OK);
@@ -306,17 +320,19 @@ static void status_texts(void **state)
 {
     (void)state;
     /* a word that belongs to each sentence, by number */
-    static const char *const word[] = {"No error",       "NULL",           "Young's modulus of",
-                                       "Poisson's",      "dissipation",    "radius of",
-                                       "mass of",        "radii",          "masses",
-                                       "Young's moduli", "characteristic", "double",
-                                       "of a disk",      "datum",          "cor_disk_speed_limit",
-                                       "by increasing",  "tolerance must", "opened",
-                                       "version",        "ends early",     "too small",
-                                       "too violent",    "too few modes"};
+    static const char *const word[] = {"No error",        "NULL",           "Young's modulus of",
+                                       "Poisson's",       "dissipation",    "radius of",
+                                       "mass of",         "radii",          "masses",
+                                       "Young's moduli",  "characteristic", "double",
+                                       "of a disk",       "datum",          "cor_disk_speed_limit",
+                                       "by increasing",   "tolerance must", "opened",
+                                       "version",         "ends early",     "too small",
+                                       "too violent",     "cannot be met",  "towards",
+                                       "number of steps", "hardness",       "more angles",
+                                       "smaller than",    "no memory"};
     const int count = sizeof word / sizeof *word;
     assert_int_equal(COR_OK, 0);
-    assert_int_equal(COR_TOLERANCE_NOT_REACHED, count - 1);
+    assert_int_equal(COR_ERROR_MEMORY, count - 1);
     for (int i = 0; i < count; i++) {
         const char *text = cor_status_text(i);
         check(text != NULL && strstr(text, word[i]) != NULL, "status %d: %s", i, text);
@@ -324,6 +340,15 @@ static void status_texts(void **state)
     }
     assert_string_equal(cor_status_text(-1), "This number is not a status of cor.");
     assert_string_equal(cor_status_text(-1), cor_status_text(count));
+}
+
+/* Within a bound, or infinite where the exact value is beyond the doubles */
+static void in_doubles(double computed, long double exact, double bound)
+{
+    if (exact > (long double)DBL_MAX * (1 + 1e-15L))
+        assert_true(computed == INFINITY);
+    else if (exact < (long double)DBL_MAX * (1 - 1e-15L))
+        check(ulp_error(computed, exact) <= bound, "%a for %La", computed, exact);
 }
 
 /* By hand: eta_1 = 1e3, eta_2 = 2e3 Pa s: (5e3)^2/8e3 = 3125; Y = 1e9 Pa, nu = 1/4:
@@ -338,6 +363,7 @@ static void dissipation_time(void **state)
     assert_true(cor_dissipation_time_s(0, 0, 1e9, 0.25) == 0);
     assert_true(cor_dissipation_time_s(0, 1e200, 1e9, 0.25) > 0); /* no overflow of the square */
     assert_true(isfinite(cor_dissipation_time_s(0, 1e200, 1e9, 0.25)));
+    assert_true(cor_dissipation_time_s(3e-200, 1e-200, 1e9, 1e-200) == 0); /* nor of 1/nu^2 */
     const double bad[][4] = {{1, 2, 1e9, 0},           {1, 2, 1e9, -0.0},        {1, 2, 1e9, -1},
                              {1, 2, 1e9, 0.51},        {1, 2, 0, 0.25},          {1, 2, -1, 0.25},
                              {-1, 2, 1e9, 0.25},       {1, -2, 1e9, 0.25},       {NAN, 2, 1e9, 0.25},
@@ -355,6 +381,15 @@ static void dissipation_time(void **state)
         check(ulp_error(cor_dissipation_time_s(eta1, eta2, young, nu), exact) <= COR_CONTACT_MAX_ULP, "%a %a %a %a",
               eta1, eta2, young, nu);
     }
+    /* only the result may leave the doubles */
+    for (size_t i = 0; i < points(5000); i++) {
+        const double eta1 = random_log(&random, 1e-320, 1e308), eta2 = eta1 < 1e300 ? 3 * eta1 : DBL_MAX;
+        const double young = random_log(&random, 1e-320, 1e308), nu = random_log(&random, 1e-300, 0.3);
+        const long double e1 = eta1, e2 = eta2, n = nu;
+        const long double exact =
+            (3 * e2 - e1) * ((3 * e2 - e1) / (3 * (3 * e2 + 2 * e1))) * (1 - n) * (1 + n) * (1 - 2 * n) / n / n / young;
+        in_doubles(cor_dissipation_time_s(eta1, eta2, young, nu), exact, COR_CONTACT_MAX_ULP);
+    }
 }
 
 /* By hand: R = 1 cm of ice, 917 kg/m^3: 4.18879e-6 * 917 = 3.84112e-3 kg. */
@@ -367,6 +402,15 @@ static void mass_of_a_sphere(void **state)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         assert_true(isnan(cor_sphere_mass_kg(bad[i], 1)));
         assert_true(isnan(cor_sphere_mass_kg(1, bad[i])));
+        assert_true(isnan(cor_sphere_mass_kg(INFINITY, bad[i])));
+    }
+    assert_true(isinf(cor_sphere_mass_kg(1e-200, INFINITY)) && isinf(cor_sphere_mass_kg(INFINITY, 1e-320)));
+    /* the cube of the radius may be out of range where the mass is not */
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(5000); i++) {
+        const double radius = random_log(&random, 1e-200, 1e200), density = random_log(&random, 1e-320, 1e308);
+        const long double r = radius;
+        in_doubles(cor_sphere_mass_kg(radius, density), 4 * acosl(-1) / 3 * r * r * r * density, 4);
     }
 }
 
@@ -608,15 +652,18 @@ static void arrays(void **state)
     speed[2] = -1;
     speed[3] = INFINITY;
     speed[4] = smallest;
+    speed[5] = -1e-300; /* whose beta^5 may be -0 */
     speed[COUNT - 1] = -0.0;
     void (*const many[2])(const struct cor_sphere_contact *, const double *, double *,
                           size_t) = {cor_contact_eps_zero_overlap_array, cor_contact_eps_zero_force_array};
-    struct cor_sphere_contact c[4];
+    enum { CONTACTS = 5 };
+    struct cor_sphere_contact c[CONTACTS];
     assert_int_equal(cor_sphere_contact_init_g_star(&c[0], 0.1), COR_OK);
     assert_int_equal(cor_sphere_contact_init_g_star(&c[1], INFINITY), COR_OK);
     assert_int_equal(cor_sphere_contact_init_g_star(&c[2], 1e-305), COR_OK);
     assert_int_equal(cor_sphere_contact_init_g_star(&c[3], NAN), COR_ERROR_G_STAR);
-    for (int k = 0; k < 4; k++)
+    assert_int_equal(cor_sphere_contact_init_g_star(&c[4], 1e100), COR_OK);
+    for (int k = 0; k < CONTACTS; k++)
         for (int end = 0; end < 2; end++) {
             many[end](&c[k], NULL, NULL, 0);
             eps[COUNT] = 7;

@@ -1,0 +1,356 @@
+# SPDX-License-Identifier: MIT
+# docs/report/README.md from the tables beside it, and from nothing else:
+#     awk -f bench/report_words.awk docs/report/{machine,spheres_speed,spheres_beta,rayleigh,collision,generator}.csv
+
+BEGIN { FS = "," }
+FNR == 1 { name = FILENAME; sub(/.*\//, "", name); sub(/\.csv$/, "", name); next }
+name == "machine" { machine[++machines] = $1; machine_value[machines] = $2 }
+name ~ /^spheres_/ {
+    n = ++rows[name]
+    scene[name, n] = $1; curve[name, n] = $2; setting[name, n] = $3; set[name, n] = $4; end[name, n] = $5
+    form[name, n] = $6; ns[name, n] = $7; chained[name, n] = $8; error[name, n] = $9
+}
+name == "rayleigh" {
+    n = ++rows[name]
+    quantity[n] = $1; r_method[n] = $2; tolerance[n] = $3; r_modes[n] = $4; r_s[n] = $5; r_error[n] = $6
+}
+name == "collision" {
+    n = ++rows[name]
+    question[n] = $1; built[n] = $2; c_method[n] = $3; speed[n] = $4; c_setting[n] = $5; c_modes[n] = $6; c_s[n] = $7
+    c_error[n] = $8
+}
+name == "generator" {
+    n = ++rows[name]
+    command[n] = $1; fixed[n] = $2; varied[n] = $3; value[n] = $4; g_s[n] = $5; g_mb[n] = $6; step[n] = $7
+}
+
+# ---- numbers in words ----
+
+function short(x) { return sprintf("%.2g", x) }
+function plain_ns(x) { return x < 10 ? sprintf("%.1f", x) : x < 1000 ? sprintf("%.0f", x) : sprintf("%.0f", int(x / 100 + 0.5) * 100) }
+function time(s) {
+    if (s < 1e-6) return sprintf("%.0f ns", s * 1e9)
+    if (s < 1e-3) return sprintf("%.3g us", s * 1e6)
+    if (s < 1) return sprintf("%.3g ms", s * 1e3)
+    return sprintf("%.3g s", s)
+}
+function times(x) { return x < 10 ? sprintf("%.1f", x) : sprintf("%.0f", x) }
+
+# A header without settings is cor itself; a set of instructions goes behind.
+function call_it(t, i,    text) {
+    text = curve[t, i]
+    if (setting[t, i] != "" && text != "cor")
+        text = text " " setting[t, i]
+    if (text == "cor" && form[t, i] == "array") text = "cor array"
+    return set[t, i] != "" ? text ", " set[t, i] : text
+}
+
+# ---- the cheapest ----
+
+# Row of the least time of table t with error at most e; 0 for none. who: "any", "no scene" or the name of a curve
+function allowed(t, i, who) {
+    if (who == "any") return 1
+    if (who == "no scene") return curve[t, i] !~ /^scene header/
+    if (who == "integrated") return curve[t, i] ~ /^(Taylor|Runge-Kutta|Verlet)$/
+    return curve[t, i] == who
+}
+function cheapest(t, s, where, how, who, e,    i, best) {
+    best = 0
+    for (i = 1; i <= rows[t]; i++)
+        if (scene[t, i] == s && end[t, i] == where && form[t, i] == how && error[t, i] != "" && error[t, i] !~ /nan/ \
+            && error[t, i] + 0 <= e && allowed(t, i, who) && (!best || ns[t, i] + 0 < ns[t, best] + 0))
+            best = i
+    return best
+}
+function least_error(t, s, where, how, who,    i, best) {
+    for (i = 1; i <= rows[t]; i++)
+        if (scene[t, i] == s && end[t, i] == where && form[t, i] == how && allowed(t, i, who) && error[t, i] !~ /nan/ \
+            && (!best || error[t, i] + 0 < error[t, best] + 0))
+            best = i
+    return best
+}
+
+function cell(t, i) { return i ? call_it(t, i) ", " plain_ns(ns[t, i]) : "none" }
+
+# One line for each decade, neighbours with the same answers together.
+function decades(t, s, where,    k, line, last, from, headers) {
+    headers = cheapest(t, s, where, "scalar", "scene header", 1) > 0
+    if (headers) {
+        printf "\n| error at most | one at a time, ns | without a header for the scene, ns | in loops and arrays, ns | without a header for the scene, ns |\n"
+        printf "|---|---|---|---|---|\n"
+    } else
+        printf "\n| error at most | one at a time, ns | in loops and arrays, ns |\n|---|---|---|\n"
+    last = ""
+    for (k = 1; k <= 16; k++) {
+        line = ""
+        if (k <= 15)
+            line = (headers ? cell(t, cheapest(t, s, where, "scalar", "any", 10 ^ -k)) " | " : "") \
+                cell(t, cheapest(t, s, where, "scalar", "no scene", 10 ^ -k)) " | " \
+                (headers ? cell(t, cheapest(t, s, where, "array", "any", 10 ^ -k)) " | " : "") \
+                cell(t, cheapest(t, s, where, "array", "no scene", 10 ^ -k))
+        if (line != last) {
+            if (last != "")
+                printf "| %s | %s |\n", (from == k - 1 ? "1e-" from : "1e-" from " to 1e-" k - 1), last
+            from = k
+            last = line
+        }
+    }
+}
+
+function row_of(t, s, where, how, c, what, instructions,    i) {
+    for (i = 1; i <= rows[t]; i++)
+        if (scene[t, i] == s && end[t, i] == where && form[t, i] == how && curve[t, i] == c \
+            && (what == "" || setting[t, i] == what) && (instructions == "" || set[t, i] == instructions))
+            return i
+    return 0
+}
+
+# Time of cor at any speed against what is cheaper: which error does it have at least?
+function cheaper_than_cor(t, s, where, how, who,    i, best, cor) {
+    cor = cheapest(t, s, where, how, "cor", 1e-14)
+    best = 0
+    for (i = 1; i <= rows[t]; i++)
+        if (scene[t, i] == s && end[t, i] == where && form[t, i] == how && allowed(t, i, who) && curve[t, i] !~ /^cor/ \
+            && ns[t, i] + 0 < 0.95 * ns[t, cor] && error[t, i] !~ /nan/ && (!best || error[t, i] + 0 < error[t, best] + 0))
+            best = i
+    return best
+}
+
+function spheres(t, from, picture,    i, j, k, cor, array, s, where, scenes, ends, title) {
+    printf "\n## Spheres, eps from %s\n\n![error against time, spheres](%s)\n", from, picture
+    split("weak ordinary strong", scenes, " ")
+    split("overlap force", ends, " ")
+    title["weak"] = "weak dissipation, 0.03 <= beta <= 0.19"
+    title["ordinary"] = "ordinary dissipation, 0.3 <= beta <= 1.9"
+    title["strong"] = "strong dissipation, 0.95 <= beta <= 6"
+    for (i = 1; i <= 3; i++)
+        for (j = 1; j <= 2; j++) {
+            s = scenes[i]; where = ends[j]
+            printf "\nThe cheapest, %s, ends at zero %s:\n", title[s], where
+            decades(t, s, where)
+            k = cheaper_than_cor(t, s, where, "scalar", "no scene")
+            cor = cheapest(t, s, where, "scalar", "cor", 1e-14)
+            if (k)
+                printf "\nOne at a time, what is cheaper than cor (%s ns, error %s) and knows no scene is wrong by %s or more (%s, %s ns).\n", \
+                    plain_ns(ns[t, cor]), short(error[t, cor]), short(error[t, k]), call_it(t, k), plain_ns(ns[t, k])
+            else
+                printf "\nOne at a time, nothing that knows no scene is cheaper than cor (%s ns, error %s).\n", \
+                    plain_ns(ns[t, cor]), short(error[t, cor])
+        }
+}
+
+function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j, ends, tie, x) {
+    t = "spheres_speed"
+    c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
+    a = cheapest(t, "ordinary", "overlap", "array", "cor", 1e-14)
+    i = row_of(t, "ordinary", "overlap", "scalar", "published", "[1/4] of Table I")
+    printf "- **Spheres, any speed: cor.** One at a time %s ns from a speed, in arrays %s ns (%s), error %s. The published formula takes %s ns and is wrong by %s there, by a factor of %s where dissipation is strong: leave it.\n", \
+        plain_ns(ns[t, c]), plain_ns(ns[t, a]), set[t, a], short(error[t, a]), plain_ns(ns[t, i]), short(error[t, i]), \
+        times(1 + error[t, row_of(t, "strong", "overlap", "scalar", "published", "[1/4] of Table I")])
+    printf "  Where dissipation is weak, 0.03 <= beta <= 0.19, cor takes %s ns at zero overlap and %s ns at zero force: below beta = 1/16 the fast way from a speed has no table.\n", \
+        plain_ns(ns[t, row_of(t, "weak", "overlap", "scalar", "cor", "")]), plain_ns(ns[t, row_of(t, "weak", "force", "scalar", "cor", "")])
+    split("overlap force", ends, " ")
+    least = 1e9; most = 0; tie = ""
+    for (j = 1; j <= 2; j++)
+        for (k = 1; k <= rows[t]; k++)
+            if (curve[t, k] == "scene header" && end[t, k] == ends[j] && form[t, k] == "scalar") {
+                c = row_of(t, "ordinary", ends[j], "scalar", "cor", "")
+                if (ns[t, k] < 0.95 * ns[t, c]) {
+                    if (ns[t, k] + 0 < least) least = ns[t, k] + 0
+                    if (ns[t, k] + 0 > most) most = ns[t, k] + 0
+                } else if (tie == "" || setting[t, k] + 0 > tie + 0) tie = setting[t, k]
+            }
+    printf "- **The range of speeds is known and an error is enough: a header by `corgen embed`**, %s to %s ns one at a time for four decades of speed", plain_ns(least), plain_ns(most)
+    if (tie != "") printf "; from a tolerance of %s on it is no cheaper than cor, and cor knows every speed", tie
+    printf ". In loops for AVX2:"
+    n = 0
+    for (k = 1; k <= rows[t]; k++)
+        if (curve[t, k] == "scene header" && end[t, k] == "overlap" && set[t, k] == "AVX2")
+            printf "%s %s in %s ns", n++ ? "," : "", setting[t, k], plain_ns(ns[t, k])
+    printf ".\n"
+    t = "spheres_beta"
+    i = least_error(t, "weak", "overlap", "scalar", "series")
+    k = least_error(t, "ordinary", "overlap", "scalar", "series")
+    x = cheaper_than_cor(t, "weak", "overlap", "scalar", "series")
+    printf "- **Series: only where dissipation is weak.** For beta up to 0.19, %s has an error of %s in %s ns%s; up to 1.9 the best order, %s, is wrong by a factor of %s: the series diverges.\n", \
+        setting[t, i], short(error[t, i]), plain_ns(ns[t, i]), \
+        (x && x != i ? " (" setting[t, x] ", " short(error[t, x]) " in " plain_ns(ns[t, x]) " ns)" : ""), setting[t, k], times(1 + error[t, k])
+    i = cheaper_than_cor(t, "ordinary", "overlap", "scalar", "Padé")
+    k = cheaper_than_cor(t, "ordinary", "force", "scalar", "Padé")
+    if (i && k)
+        printf "- **A Padé with right coefficients, from beta:** at zero overlap %s, error %s in %s ns, at zero force %s, %s in %s ns, are the best that are cheaper than cor up to beta = 1.9; beyond, look at the tables.\n", \
+            setting[t, i], short(error[t, i]), plain_ns(ns[t, i]), setting[t, k], short(error[t, k]), plain_ns(ns[t, k])
+    i = row_of(t, "strong", "overlap", "scalar", "Padé", "[12/20]")
+    k = row_of(t, "strong", "overlap", "scalar", "two-point Padé", "[12/17]")
+    printf "- **Two-point Padés** hold for every beta, but converge slowly in between: up to beta = 6, [12/17] has an error of %s, the ordinary [12/20] %s.\n", \
+        short(error[t, k]), (error[t, i] > 1 ? "a factor of " times(1 + error[t, i]) : short(error[t, i]))
+    i = row_of(t, "ordinary", "overlap", "scalar", "cor float", "")
+    c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
+    a = row_of(t, "ordinary", "overlap", "array", "cor float", "")
+    printf "- **float**: error %s (of the float that is given), %s ns against %s ns in double, arrays %s ns: take it to save memory%s.\n", short(error[t, i]), \
+        plain_ns(ns[t, i]), plain_ns(ns[t, c]), plain_ns(ns[t, a]), (ns[t, i] > 0.9 * ns[t, c] ? ", not time" : "")
+    t = "spheres_speed"
+    i = cheapest(t, "ordinary", "overlap", "scalar", "Taylor", 2e-9)
+    k = cheapest(t, "ordinary", "overlap", "scalar", "Runge-Kutta", 2e-9)
+    x = row_of(t, "ordinary", "overlap", "scalar", "Verlet", "100 steps")
+    c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
+    printf "- **Integrating the collision** costs %s times cor by Taylor's method for an error of %s", times(ns[t, i] / ns[t, c]), short(error[t, i])
+    if (k) printf ", %s times by Runge and Kutta's for %s", times(ns[t, k] / ns[t, c]), short(error[t, k])
+    printf ". Velocity Verlet with the 100 steps in a contact of a simulator has an error of %s, with 1000 of %s.\n", short(error[t, x]), \
+        short(error[t, row_of(t, "ordinary", "overlap", "scalar", "Verlet", "1000 steps")])
+}
+
+# ---- disks ----
+
+# Fewest modes: in their order time grows, but for what the clock adds.
+function best_rayleigh(method, e,    i, best) {
+    best = 0
+    for (i = 1; i <= rows["rayleigh"]; i++)
+        if (quantity[i] == "energy" && r_method[i] == method && r_error[i] + 0 <= e && (!best || r_modes[i] + 0 < r_modes[best] + 0))
+            best = i
+    return best
+}
+
+function rayleigh(    k, i, n, m, names, best) {
+    printf "\n## Disks: Rayleigh's energy\n\n![error against time, Rayleigh](rayleigh.svg)\n\nEnergy in all modes, nu = 0.33, v = 1e-3, the cheapest of each way:\n\n"
+    printf "| error at most | cor to a tolerance | cor, a plain sum | cosine integrals | Runge-Kutta |\n|---|---|---|---|---|\n"
+    split("cor truncation cosines Runge-Kutta", names, " ")
+    for (k = 1; k <= 7; k++) {
+        printf "| 1e-%d |", k
+        for (m = 1; m <= 4; m++) {
+            best = best_rayleigh(names[m], 10 ^ -k)
+            printf " %s |", best ? time(r_s[best]) ", " r_modes[best] " modes" : "none"
+        }
+        printf "\n"
+    }
+}
+
+function use_rayleigh(    i, k, own, cosines, steps) {
+    i = best_rayleigh("cor", 1e-3)
+    k = best_rayleigh("truncation", 1e-4)
+    own = best_rayleigh("cor", 1e-5)
+    printf "- **Disks, slow (Rayleigh's energy): `cor_disk_rayleigh_tolerance`.** %s for an error of %s with %d modes%s; ", time(r_s[i]), short(r_error[i]), r_modes[i], \
+        own ? ", " time(r_s[own]) " for " short(r_error[own]) : ""
+    printf "a sum without its tail needs %d modes for %s. ", r_modes[k], short(r_error[k])
+    for (i = 1; i <= rows["rayleigh"]; i++)
+        if (quantity[i] == "modes") {
+            if (r_method[i] == "cor") own = i
+            if (r_method[i] == "cosines" && (!cosines || r_error[i] + 0 < r_error[cosines] + 0)) cosines = i
+            if (r_method[i] == "Runge-Kutta" && (!steps || r_error[i] + 0 < r_error[steps] + 0)) steps = i
+        }
+    printf "Each of 1800 modes: cor %s, error %s; cosine integrals %s, %s; Runge-Kutta %s, %s.\n", time(r_s[own]), short(r_error[own]), \
+        time(r_s[cosines]), short(r_error[cosines]), time(r_s[steps]), short(r_error[steps])
+}
+
+# Not by luck: the error stays below for every smaller step or tolerance, for every larger number of modes.
+function stays(i, e,    k) {
+    for (k = 1; k <= rows["collision"]; k++)
+        if (question[k] == question[i] && c_method[k] == c_method[i] && built[k] == built[i] && speed[k] == speed[i] \
+            && c_error[k] + 0 > e \
+            && (question[i] == "method" ? c_setting[k] + 0 <= c_setting[i] + 0 \
+                                        : c_setting[k] + 0 == c_setting[i] + 0 && c_modes[k] + 0 >= c_modes[i] + 0))
+            return 0
+    return 1
+}
+function best_collision(method, e,    i, best) {
+    best = 0
+    for (i = 1; i <= rows["collision"]; i++)
+        if (question[i] == "method" && built[i] != "with cor loops" \
+            && (method == "any rival" ? c_method[i] != "cor" : c_method[i] == method) \
+            && (!best || c_s[i] + 0 < c_s[best] + 0) && stays(i, e))
+            best = i
+    return best
+}
+function best_model(v, e,    i, best) {
+    best = 0
+    for (i = 1; i <= rows["collision"]; i++)
+        if (question[i] == "model" && c_method[i] == "cor" && speed[i] == v && (!best || c_s[i] + 0 < c_s[best] + 0) && stays(i, e))
+            best = i
+    return best
+}
+function special(method, v,    i) {
+    for (i = 1; i <= rows["collision"]; i++)
+        if (question[i] == "model" && c_method[i] == method && speed[i] == v) return i
+    return 0
+}
+
+function collisions(    k, i, m, names, best, errors, text) {
+    printf "\n## Disks: collisions in full\n\n![error against time, collisions](collision.svg)\n\n"
+    printf "A collision of 940 modes, nu = 0.33, alpha = 500, v = 0.1, the cheapest within an error of eps; rivals as they are fastest, with the library's flags or built for the machine; a method has an error only where it keeps it with every smaller step:\n\n"
+    printf "| error at most | cor | Runge-Kutta 4 | Strang | Yoshida 4 | SRKN 6-4 | SRKN 11-6 | SRKN 14-6 |\n|---|---|---|---|---|---|---|---|\n"
+    split("cor;RK4;Strang;Yoshida 4;SRKN 6-4;SRKN 11-6;SRKN 14-6", names, ";")
+    for (k = 3; k <= 12; k++) {
+        printf "| 1e-%d |", k
+        for (m = 1; m <= 7; m++) {
+            best = best_collision(names[m], 10 ^ -k)
+            printf " %s |", best ? time(c_s[best]) : "none"
+        }
+        printf "\n"
+    }
+    printf "\nDistance to a disk of all its modes at a hard wall, as far as that is known (`cor_disk_eps`, its uncertainty), kept with more modes:\n\n"
+    printf "| error at most | v = 0.1: modes, alpha, time | v = 0.01: modes, alpha, time |\n|---|---|---|\n"
+    split("0.02 0.01 0.005 0.002 0.001", errors, " ")
+    for (k = 1; k <= 5; k++) {
+        printf "| %s |", errors[k]
+        for (m = 1; m <= 2; m++) {
+            best = best_model(m == 1 ? "0.1" : "0.01", errors[k])
+            printf " %s |", best ? c_modes[best] ", " c_setting[best] + 0 ", " time(c_s[best]) : "none"
+        }
+        printf "\n"
+    }
+}
+
+function use_collisions(    i, k, m, x, t) {
+    i = best_collision("cor", 1e-4); k = best_collision("any rival", 1e-4)
+    m = best_collision("cor", 1e-8); x = best_collision("any rival", 1e-8); t = best_collision("RK4", 1e-8)
+    printf "- **Disks, one collision of a given disk and wall: `cor_disk_collision` with the tolerance that you need.** 940 modes at alpha = 500: error 1e-4 in %s, 1e-8 in %s (tolerance %s). The best that a user would write takes %s times as long at 1e-4 (%s) and %s times at 1e-8 (%s), the paper's Runge-Kutta method %s times.\n", \
+        time(c_s[i]), time(c_s[m]), c_setting[m], times(c_s[k] / c_s[i]), c_method[k], times(c_s[x] / c_s[m]), c_method[x], times(c_s[t] / c_s[m])
+    i = special("cor_disk_eps", "0.1"); k = special("Rayleigh", "0.01")
+    m = best_model("0.1", 0.005)
+    printf "- **Disks, eps at a hard wall: `cor_disk_eps`**, %s, uncertain by %s at v = 0.1. A collision to the same end is wrong by what its wall and its modes leave out, not by its tolerance: within 0.005 takes %s (%d modes, alpha = %d).", \
+        time(c_s[i]), short(c_error[i]), time(c_s[m]), c_modes[m], c_setting[m]
+    printf " Rayleigh's energy, by perturbation, misses eps by %s at v = 0.01 and by %s at 0.1.\n", short(c_error[k]), short(c_error[special("Rayleigh", "0.1")])
+}
+
+# ---- the generator ----
+
+function slope(c, f, v, column,    i, k, x, y, sx, sy, sxx, sxy) {
+    k = sx = sy = sxx = sxy = 0
+    for (i = 1; i <= rows["generator"]; i++)
+        if (command[i] == c && fixed[i] == f && varied[i] == v && value[i] >= 20) {
+            x = log(value[i]); y = log(column == "s" ? g_s[i] : g_mb[i])
+            k++; sx += x; sy += y; sxx += x * x; sxy += x * y
+        }
+    return k > 1 ? sprintf("%.1f", (k * sxy - sx * sy) / (k * sxx - sx * sx)) : "?"
+}
+
+function generator(    i) {
+    printf "\n## The generator\n\n![order and digits against time and memory](generator.svg)\n\n"
+    printf "| corgen | fixed | | time | memory | most of it |\n|---|---|---|---|---|---|\n"
+    for (i = 1; i <= rows["generator"]; i++)
+        printf "| %s | %s | %s %s | %s | %.0f MB | %s |\n", command[i], fixed[i], varied[i], value[i], time(g_s[i]), g_mb[i], step[i]
+    printf "\nFrom order 20 on, `series` to 40 digits takes time like order^%s and memory like order^%s, `trajectory` of 20 terms like order^%s and order^%s. A collision at beta = 1 takes time like digits^%s from 20 digits on.\n", \
+        slope("series", "40 digits", "order", "s"), slope("series", "40 digits", "order", "mb"), \
+        slope("trajectory", "20 terms", "order", "s"), slope("trajectory", "20 terms", "order", "mb"), slope("collide", "beta 1", "digits", "s")
+}
+
+END {
+    print "<!-- SPDX-License-Identifier: MIT -->\n# Speed against error\n"
+    print "Written by `bench/run --report` from the tables beside it (csv), which come from one run on one machine. Times are the least of many turns, on one core; look at ratios. Errors are relative and the largest found, but of collisions of disks: those are errors of eps.\n"
+    print "| | |\n|---|---|"
+    for (i = 1; i <= machines; i++) printf "| %s | %s |\n", machine[i], machine_value[i]
+    print "\n## Which to use\n"
+    use_spheres()
+    use_rayleigh()
+    use_collisions()
+    i = 0
+    for (k = 1; k <= rows["generator"]; k++)
+        if (command[k] == "series" && varied[k] == "order" && value[k] == 60) i = k
+    if (i) printf "- **The generator**: `corgen series --order 60 --digits 40` takes %s and %.0f MB. Time grows like order^%s, and at order 40 like digits^%s; memory like order^%s.\n", time(g_s[i]), g_mb[i], \
+        slope("series", "40 digits", "order", "s"), slope("series", "order 40", "digits", "s"), slope("series", "40 digits", "order", "mb")
+    spheres("spheres_speed", "a speed", "spheres_speed.svg")
+    spheres("spheres_beta", "beta", "spheres_beta.svg")
+    rayleigh()
+    collisions()
+    generator()
+}

@@ -1,0 +1,202 @@
+/* SPDX-License-Identifier: MIT */
+/* cor_disk_modes_read on arbitrary bytes. What it accepts is read again by another route, strtod and strtoul, and written
+ * again: both must give the same modes. The mutator makes the checks at the ends of the lines right again, but for one
+ * time of four. */
+#define _GNU_SOURCE /* memfd_create */
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "cor/disk.h"
+#include "cor/status.h"
+#include "fuzz.h"
+
+enum { CAPACITY = 64, CHECK = 8, PATH_MAX_LENGTH = 64 };
+
+size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);
+size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed);
+
+/* FNV-1a as docs/mode-file.md says it */
+static uint32_t check_of(uint32_t check, const uint8_t *bytes, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        check ^= bytes[i];
+        check = (uint32_t)((uint64_t)check * 0x01000193);
+    }
+    return check;
+}
+
+#define CHECK_START UINT32_C(0x811c9dc5)
+
+/* The first byte is no part of the file: how many modes there is room for. */
+static void mend_checks(uint8_t *file, size_t size)
+{
+    uint32_t check = CHECK_START;
+    for (size_t at = 0; at < size;) {
+        const uint8_t *const newline = memchr(file + at, '\n', size - at);
+        if (!newline)
+            return;
+        const size_t end = (size_t)(newline - file);
+        if (end - at >= CHECK) {
+            char text[CHECK + 1];
+            check = check_of(check, file + at, end - CHECK - at);
+            snprintf(text, sizeof text, "%08x", (unsigned)check);
+            memcpy(file + end - CHECK, text, CHECK);
+            check = check_of(check, file + end - CHECK, CHECK + 1);
+        } else {
+            check = check_of(check, file + at, end + 1 - at);
+        }
+        at = end + 1;
+    }
+}
+
+/* Within one line a mutation is not undone by the next: a digit, or a whole word, or libFuzzer's own choice. */
+size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed)
+{
+    static const char letters[] = "0123456789abcdef.p+-x ";
+    if (seed % 3 == 0 && size > 1) {
+        for (unsigned i = seed / 3 % 4 + 1; i > 0; i--) {
+            seed = seed * 1664525 + 1013904223;
+            data[1 + (seed >> 8) % (size - 1)] = (uint8_t)letters[(seed >> 4) % (sizeof letters - 1)];
+        }
+    } else {
+        size = LLVMFuzzerMutate(data, size, max_size);
+    }
+    if (seed % 4 != 0 && size > 1)
+        mend_checks(data + 1, size - 1);
+    return size;
+}
+
+static int read_bytes(const uint8_t *bytes, size_t size, struct cor_disk_mode *mode, size_t capacity,
+                      struct cor_disk_modes *modes, size_t *line)
+{
+    static int file = -1;
+    if (file < 0)
+        file = memfd_create("modes", 0);
+    REQUIRE(file >= 0 && ftruncate(file, 0) == 0 && pwrite(file, bytes, size, 0) == (ssize_t)size, "no memory file");
+    char path[PATH_MAX_LENGTH];
+    snprintf(path, sizeof path, "/proc/self/fd/%d", file);
+    return cor_disk_modes_read(path, mode, capacity, modes, line);
+}
+
+static void check_row(const char *text, const struct cor_disk_mode *mode)
+{
+    char *at;
+    REQUIRE(strncmp(text, "mode ", 5) == 0, "row '%s'", text);
+    REQUIRE(strtol(text + 5, &at, 10) == mode->n && strtol(at, &at, 10) == mode->l, "row '%s': %d, %d", text, mode->n,
+            mode->l);
+    const double omega = strtod(at, &at), c = strtod(at, &at), s = strtod(at, &at);
+    REQUIRE(same(omega, mode->omega) && same(c, mode->c) && same(s, mode->s), "row '%s': %a %a %a", text, mode->omega,
+            mode->c, mode->s);
+    REQUIRE(strlen(at) == CHECK + 1 && *at == ' ', "row '%s'", text);
+}
+
+/* By strtod and strtoul, line by line; no locale is set here. */
+static void check_by_another_route(const uint8_t *bytes, size_t size, const struct cor_disk_modes *modes)
+{
+    char *const text = exactly(size + 1);
+    memcpy(text, bytes, size);
+    text[size] = '\0';
+    REQUIRE(size > 0 && text[size - 1] == '\n', "accepted without an end");
+    uint32_t check = CHECK_START;
+    size_t lines = 0, rows = 0;
+    for (char *line = text, *next; *line; line = next, lines++) {
+        next = strchr(line, '\n');
+        REQUIRE(next && next - line > CHECK, "line %zu", lines + 1);
+        *next = '\0';
+        check = check_of(check, (uint8_t *)line, (size_t)(next - line) - CHECK);
+        REQUIRE(strtoul(next - CHECK, NULL, 16) == check, "line %zu: check", lines + 1);
+        *next = '\n';
+        check = check_of(check, (uint8_t *)next - CHECK, CHECK + 1);
+        *next++ = '\0';
+        if (lines == 0)
+            REQUIRE(strncmp(line, "cor-disk-modes 1 ", 17) == 0, "'%s'", line);
+        if (lines == 2)
+            REQUIRE(strncmp(line, "poisson ", 8) == 0 && same(strtod(line + 8, NULL), modes->nu), "'%s'", line);
+        if (lines == 3)
+            REQUIRE(strncmp(line, "modes ", 6) == 0 && strtoull(line + 6, NULL, 10) == modes->count, "'%s'", line);
+        if (lines >= 4 && rows < modes->count) {
+            check_row(line, &modes->mode[rows]);
+            REQUIRE(rows == 0 || modes->mode[rows].omega > modes->mode[rows - 1].omega, "row %zu", rows);
+            rows++;
+        }
+    }
+    REQUIRE(lines == modes->count + 5 && rows == modes->count, "%zu lines, %zu modes", lines, modes->count);
+    free(text);
+}
+
+static size_t add_line(uint8_t *file, size_t at, uint32_t *check, const char *line)
+{
+    const size_t n = strlen(line);
+    memcpy(file + at, line, n);
+    *check = check_of(*check, file + at, n);
+    snprintf((char *)file + at + n, CHECK + 2, "%08x\n", (unsigned)*check);
+    *check = check_of(*check, file + at + n, CHECK + 1);
+    return at + n + CHECK + 1;
+}
+
+static void check_written_again(const struct cor_disk_modes *modes)
+{
+    enum { LINE = 256 };
+    uint8_t *const file = exactly((modes->count + 5) * LINE);
+    char line[LINE];
+    uint32_t check = CHECK_START;
+    size_t at = add_line(file, 0, &check, "cor-disk-modes 1 ");
+    at = add_line(file, at, &check, "source the fuzzer ");
+    snprintf(line, sizeof line, "poisson %a given ", modes->nu);
+    at = add_line(file, at, &check, line);
+    snprintf(line, sizeof line, "modes %zu ", modes->count);
+    at = add_line(file, at, &check, line);
+    for (size_t i = 0; i < modes->count; i++) {
+        const struct cor_disk_mode *m = &modes->mode[i];
+        snprintf(line, sizeof line, "mode %d %d %a %a %a ", m->n, m->l, m->omega, m->c, m->s);
+        at = add_line(file, at, &check, line);
+    }
+    at = add_line(file, at, &check, "end ");
+    struct cor_disk_modes again = {0, 0, NULL};
+    struct cor_disk_mode *const mode = exactly(modes->count * sizeof *mode);
+    size_t wrong;
+    const int status = read_bytes(file, at, mode, modes->count, &again, &wrong);
+    REQUIRE(status == COR_OK && again.count == modes->count && same(again.nu, modes->nu), "status %d, line %zu", status,
+            wrong);
+    for (size_t i = 0; i < modes->count; i++)
+        REQUIRE(mode[i].n == modes->mode[i].n && mode[i].l == modes->mode[i].l &&
+                    same(mode[i].omega, modes->mode[i].omega) && same(mode[i].c, modes->mode[i].c) &&
+                    same(mode[i].s, modes->mode[i].s),
+                "mode %zu", i);
+    free(mode);
+    free(file);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    if (size == 0)
+        return 0;
+    const size_t capacity = *data % (CAPACITY + 1);
+    data++;
+    size--;
+    struct cor_disk_mode *const mode = exactly(capacity * sizeof *mode);
+    const struct cor_disk_modes before = {0.125, 77, NULL};
+    struct cor_disk_modes modes = before;
+    size_t line = SIZE_MAX, lines = 0;
+    for (size_t i = 0; i < size; i++)
+        lines += data[i] == '\n';
+    const int status = read_bytes(data, size, capacity > 0 ? mode : NULL, capacity, &modes, &line);
+    switch (status) {
+    case COR_OK:
+        REQUIRE(line == 0 && modes.mode == mode && modes.count > 0 && modes.count <= capacity, "%zu modes",
+                modes.count);
+        check_by_another_route(data, size, &modes);
+        check_written_again(&modes);
+        break;
+    case COR_ERROR_CAPACITY:
+        REQUIRE(line == 0 && modes.count > capacity && modes.nu == before.nu && !modes.mode, "%zu modes for %zu",
+                modes.count, capacity);
+        break;
+    default:
+        REQUIRE(status == COR_ERROR_FILE_VERSION || status == COR_ERROR_FILE_DAMAGED, "status %d", status);
+        REQUIRE(line >= 1 && (line <= lines + 1 || line <= size / 255 + lines + 1), "line %zu of %zu", line, lines);
+        REQUIRE(modes.nu == before.nu && modes.count == before.count && !modes.mode, "status %d", status);
+    }
+    free(mode);
+    return 0;
+}

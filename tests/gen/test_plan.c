@@ -1,0 +1,432 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen plan: what it measures against formulas of its own and collisions solved at other speeds, and that its choice
+ * is the cheapest that meets the tolerance there. */
+#include "console.h" /* before cmocka.h makes a macro of fail */
+
+#include "check.h"
+#include "collision.h"
+#include "cor/cor.h"
+#include "embed_form.h"
+#include "pade.h"
+#include "plan.h"
+
+#define G_STAR 400.0
+#define TOLERANCE 1e-3
+
+static double middle(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+static double beta_of(double speed)
+{
+    return pow(speed / G_STAR, 0.2) / -COR_SPHERE_C1;
+}
+
+/* eps at both ends of contact */
+static void solve(double *overlap, double *force, double beta_wanted)
+{
+    struct collision c;
+    arb_t beta;
+    collision_init(&c);
+    arb_init(beta);
+    arb_set_d(beta, beta_wanted);
+    assert_int_equal(collision_solve(&c, beta, &law_sphere, 60), 0);
+    *overlap = middle(c.eps_zero_overlap);
+    *force = middle(c.eps_zero_force);
+    arb_clear(beta);
+    collision_clear(&c);
+}
+
+static struct plan_model *named(const struct plan *plan, const char *start)
+{
+    for (int i = 0; i < plan->models; i++)
+        if (strncmp(plan->model[i].name, start, strlen(start)) == 0)
+            return &plan->model[i];
+    fail_msg("no model '%s'", start);
+    return NULL;
+}
+
+static void check_values(const struct plan *plan, const char *start, slong i, double expected, double tolerance)
+{
+    const double value = named(plan, start)->value[i];
+    check(fabs(value / expected - 1) <= tolerance, "%s at point %ld: %.17g, not %.17g", start, (long)i, value,
+          expected);
+}
+
+/* The root of (27) between 0 and 1, by halves. */
+static double simple(double beta)
+{
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; i++) {
+        const double eps = (low + high) / 2;
+        if (eps - COR_SPHERE_C1 * beta * pow(eps, 0.6) > 1)
+            high = eps;
+        else
+            low = eps;
+    }
+    return low;
+}
+
+static double printed_1999(double beta)
+{
+    const double x = -COR_SPHERE_C1 * beta;
+    return (1 + 2.5839 * x) / (1 + 3.5839 * x + 2.9839 * x * x + 1.1487 * pow(x, 3) + 0.3265 * pow(x, 4));
+}
+
+static double printed_2011(double beta)
+{
+    const double v = sqrt(beta);
+    return (1 + 0.501086 * v) / (1 + 0.501086 * v + 1.15345 * v * v + 0.577977 * pow(v, 3) + 0.532178 * pow(v, 4));
+}
+
+/* The [4/6] at zero force by corgen pade's own route. */
+static double pade_46(double beta)
+{
+    static struct pade f;
+    static bool known;
+    if (!known) {
+        const struct pade_request request = {PADE_ORDINARY, 4, 6, END_ZERO_FORCE, law_sphere};
+        pade_init(&f);
+        assert_int_equal(pade_compute(&f, NULL, &request, 64), 0);
+        known = true;
+    }
+    double p = 0, q = 0;
+    for (slong k = 6; k >= 0; k--) {
+        q = q * sqrt(beta) + middle(arb_poly_get_coeff_ptr(f.q, k));
+        p = p * sqrt(beta) + (k <= 4 ? middle(arb_poly_get_coeff_ptr(f.p, k)) : 0);
+    }
+    return p / q;
+}
+
+/* At every tolerance: what is chosen meets it at every point, and of those that do nothing is cheaper; what is said to
+ * miss misses. */
+static void check_choice(struct plan *plan, struct random_state *r)
+{
+    for (int k = 0; k < 300; k++) {
+        plan->tolerance = random_log(r, 1e-17, 1);
+        plan_choose(plan);
+        int least = -1;
+        for (int i = 0; i < plan->models; i++) {
+            const struct plan_model *m = &plan->model[i];
+            bool meets = !m->shown && !m->outside && m->elsewhere <= 0.97 * plan->tolerance;
+            for (slong j = 0; j < plan->points; j++)
+                meets = meets && m->error[j] + (m->promised ? 0 : plan->uncertainty[j]) <= 0.97 * plan->tolerance;
+            assert_true(meets == (m->verdict == PLAN_MEETS || m->verdict == PLAN_CHOSEN));
+            assert_true((m->verdict == PLAN_CHOSEN) == (i == plan->chosen));
+            if (meets && (least < 0 || m->cost < plan->model[least].cost))
+                least = i;
+        }
+        assert_true((least < 0) == (plan->chosen < 0));
+        assert_true(least < 0 || plan->model[plan->chosen].cost == plan->model[least].cost);
+    }
+}
+
+/* The chosen model between the points. */
+static void check_chosen(const struct plan *plan, struct random_state *r)
+{
+    const struct plan_model *m = &plan->model[plan->chosen];
+    assert_non_null(m->eps);
+    for (size_t i = 0; i < points(6); i++) {
+        const double speed = random_log(r, plan->speed[0], plan->speed[plan->points - 1]), beta = beta_of(speed);
+        double overlap, force;
+        solve(&overlap, &force, beta);
+        const double error = fabs(m->eps(m, speed, beta) / force - 1);
+        check(error <= plan->tolerance, "%s at speed %.17g is off by %.3g, more than %.3g", m->name, speed, error,
+              plan->tolerance);
+    }
+}
+
+/* ---- output ---- */
+
+static char *printed(const struct plan *plan, enum output_format format)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = open_memstream(&text, &size);
+    assert_non_null(file);
+    plan_print(plan, format, file);
+    assert_int_equal(fclose(file), 0);
+    return text;
+}
+
+static int lines_of(const char *text)
+{
+    int n = 0;
+    for (; *text; text++)
+        n += *text == '\n';
+    return n;
+}
+
+/* Every number of csv is in json, and the largest errors of csv are those of the text, rounded up to two digits. */
+static void check_output(const struct plan *plan)
+{
+    char *text = printed(plan, FORMAT_TEXT), *csv = printed(plan, FORMAT_CSV), *json = printed(plan, FORMAT_JSON);
+    char heading[64], *rest = NULL;
+    snprintf(heading, sizeof heading, "model,%s,value,error,cost,uncertainty,verdict", plan->argument);
+    const int rows = plan->models * (int)plan->points;
+    assert_int_equal(lines_of(csv), rows + 1);
+    assert_int_equal(lines_of(json), rows + 2);
+    double worst[64] = {0};
+    int row = 0;
+    for (char *line = strtok_r(csv, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest), row++) {
+        if (row == 0) {
+            assert_string_equal(line, heading);
+            continue;
+        }
+        char cell[7][64] = {""}, expected[1024];
+        assert_int_equal(sscanf(line, "%63[^,],%63[^,],%63[^,],%63[^,],%63[^,],%63[^,],%63[^,]", cell[0], cell[1],
+                                cell[2], cell[3], cell[4], cell[5], cell[6]),
+                         7);
+        const int model = (row - 1) / (int)plan->points;
+        assert_string_equal(cell[0], plan->model[model].name);
+        const double error = strtod(cell[3], NULL);
+        worst[model] = isnan(error) ? (double)INFINITY : fmax(worst[model], error);
+        for (int k = 1; k < 6; k++)
+            if (strcmp(cell[k], "nan") == 0)
+                snprintf(cell[k], sizeof cell[k], "null");
+        snprintf(expected, sizeof expected,
+                 "  {\"model\": \"%s\", \"%s\": %s, \"value\": %s, \"error\": %s, \"cost\": %s, \"uncertainty\": %s, "
+                 "\"verdict\": \"%s\"}",
+                 cell[0], plan->argument, cell[1], cell[2], cell[3], cell[4], cell[5], cell[6]);
+        const char *found = strstr(json, expected), *end = row < rows ? ",\n" : "\n]\n";
+        check(found && strncmp(found + strlen(expected), end, strlen(end)) == 0, "json has no %s", expected);
+    }
+    for (int i = 0; i < plan->models; i++) {
+        char start[PLAN_NAME + 8], word[64];
+        snprintf(start, sizeof start, "\n%c %-39s  ", i == plan->chosen ? '>' : ' ', plan->model[i].name);
+        const char *line = strstr(text, start);
+        check(line != NULL, "no line of the text for %s", plan->model[i].name);
+        assert_int_equal(sscanf(line + strlen(start), "%63s", word), 1);
+        worst[i] = fmax(worst[i], plan->model[i].elsewhere);
+        if (isinf(worst[i]))
+            assert_string_equal(word, "none");
+        else
+            check(strtod(word, NULL) >= worst[i] * (1 - 1e-9) && strtod(word, NULL) <= worst[i] * 1.11,
+                  "%s: %s in the text, %.17g in csv", plan->model[i].name, word, worst[i]);
+    }
+    if (plan->chosen >= 0)
+        assert_non_null(strstr(text, plan->model[plan->chosen].name));
+    free(text);
+    free(csv);
+    free(json);
+}
+
+/* ---- spheres ---- */
+
+static void test_spheres(void **state)
+{
+    (void)state;
+    struct random_state r = random_start();
+    struct options o = {.end = END_ZERO_FORCE, .points = 9};
+    o.real[OPTIONS_SPEED_MIN] = "0.01";
+    o.real[OPTIONS_SPEED_MAX] = "1";
+    o.real[OPTIONS_TOLERANCE] = "1e-3";
+    o.real[OPTIONS_G_STAR] = "400";
+    struct plan plan;
+    assert_int_equal(plan_spheres(&plan, &o), STATUS_OK);
+    const slong last = plan.points - 1;
+    assert_int_equal(last, 8);
+    assert_true(plan.speed[0] == 0.01 && plan.speed[last] == 1);
+
+    /* what was measured, by other formulas and at a precision of its own */
+    double low = 1, high = 0;
+    for (slong i = 0; i <= last; i++) {
+        const double beta = beta_of(plan.speed[i]);
+        double overlap, force;
+        solve(&overlap, &force, beta);
+        assert_true(fabs(plan.at[i] / beta - 1) < 1e-14 && fabs(plan.truth[i] / force - 1) < 1e-14);
+        check_values(&plan, "simple theory (27)", i, simple(beta), 1e-14);
+        check_values(&plan, "Pade [1/4] as printed in 1999", i, printed_1999(beta), 1e-14);
+        check_values(&plan, "Pade [1/4] as printed in 2011", i, printed_2011(beta), 1e-14);
+        check_values(&plan, "Pade [4/6]", i, pade_46(beta), 1e-14);
+        check_values(&plan, "the other end", i, overlap, 1e-14);
+        for (int k = 0; k < plan.models; k++)
+            if (!plan.model[k].promised)
+                assert_true(fabs(plan.model[k].error[i] - fabs(plan.model[k].value[i] / force - 1)) < 1e-14);
+        low = fmin(low, force);
+        high = fmax(high, force);
+    }
+    /* no constant is better than the first, and the power law is the better for every other with its slope */
+    double c, a, b;
+    assert_int_equal(sscanf(named(&plan, "constant eps")->use, "double eps = %lf", &c), 1);
+    assert_true(fabs((c / low - 1) - (1 - c / high)) < 1e-9);
+    assert_int_equal(sscanf(named(&plan, "power law")->use, "double eps = fmin(1, %lf * pow(speed, %lf", &a, &b), 2);
+    double above = 0, below = 0;
+    for (slong i = 0; i <= last; i++) {
+        const double law = fmin(1, a * pow(plan.speed[i], b));
+        check_values(&plan, "power law", i, law, 1e-14);
+        above = fmax(above, log(law / plan.truth[i]));
+        below = fmax(below, log(plan.truth[i] / law));
+    }
+    assert_true(fabs(above - below) < 1e-8);
+
+    /* the choice: a header, of a command that names the scene; between the points too */
+    const struct plan_model *m = &plan.model[plan.chosen];
+    assert_true(strncmp(m->name, "header: ", 8) == 0);
+    assert_true(m->elsewhere == m->form->error && m->worst >= m->elsewhere);
+    assert_true(m->cost == (m->form->cost[USE_SCALAR] + 4 * m->form->cost[USE_ARRAY]) / 5);
+    assert_string_equal(m->use, "corgen embed --speed-min 0.01 --speed-max 1 --tolerance 1e-3 --g-star 400 "
+                                "--end zero-force --for balanced --output cor_scene_eps.h\n"
+                                "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n");
+    check_chosen(&plan, &r);
+    check_output(&plan);
+    /* what the library promises is not less than what it does */
+    struct cor_sphere_contact contact;
+    assert_int_equal(cor_sphere_contact_init_g_star(&contact, G_STAR), COR_OK);
+    m = named(&plan, "library");
+    for (slong i = 0; i <= last; i++)
+        assert_true(fabs(cor_contact_eps_zero_force(&contact, plan.speed[i]) / plan.truth[i] - 1) <= m->error[i]);
+    assert_true(m->worst < 1e-14);
+    /* the error that corgen embed found between the points counts */
+    struct plan_model *written = &plan.model[plan.chosen];
+    const double found = written->elsewhere;
+    plan.tolerance = 2 * found;
+    for (int k = 0; k < 2; k++) {
+        written->elsewhere = k == 0 ? 3 * found : found;
+        plan_choose(&plan);
+        assert_true((written->verdict == PLAN_MISSES) == (k == 0));
+    }
+    /* cheaper is worse; and where a constant is good enough, it is taken */
+    plan.tolerance = 0.2;
+    plan_choose(&plan);
+    assert_true(plan.model[plan.chosen].cost == 0);
+    check_chosen(&plan, &r);
+    check_choice(&plan, &r);
+    plan_spheres_clear(&plan);
+    plan_clear(&plan);
+}
+
+/* ---- disks ---- */
+
+static struct options disk_options(enum options_quantity quantity, const char *min, const char *max, slong count)
+{
+    struct options o = {.disks = true, .quantity = quantity, .points = count};
+    o.real[OPTIONS_SPEED_MIN] = min;
+    o.real[OPTIONS_SPEED_MAX] = max;
+    o.real[OPTIONS_TOLERANCE] = "0.01";
+    o.real[OPTIONS_POISSON] = "0.33";
+    return o;
+}
+
+static double collided(size_t modes, double alpha, double speed, enum options_quantity quantity)
+{
+    const struct cor_disk_collision_options options = {alpha, 1e-7, 0};
+    struct cor_disk_collision out;
+    assert_int_equal(cor_disk_collision(&cor_disk_modes_nu033, modes, &options, speed, &out), COR_OK);
+    return quantity == OPTIONS_EPS            ? out.eps
+           : quantity == OPTIONS_CONTACT_TIME ? out.contact_time
+                                              : out.max_compression;
+}
+
+/* The error of a model of disks between the points, against the library's own table. */
+static double disk_error(const struct plan_model *m, double speed)
+{
+    size_t modes;
+    double hard, value = 1;
+    if (sscanf(m->name, "dynamics: %zu modes; alpha = %lf/v", &modes, &hard) == 2)
+        value = collided(modes, fmax(40, hard / speed), speed, OPTIONS_EPS);
+    else
+        assert_int_equal(sscanf(m->use, "double eps = %lf;", &value), 1);
+    return fabs(value - cor_disk_eps(speed, 0.33));
+}
+
+static void test_disks(void **state)
+{
+    (void)state;
+    struct random_state r = random_start();
+    const struct options o = disk_options(OPTIONS_EPS, "0.01", "0.1", 3);
+    struct plan plan;
+    assert_int_equal(plan_disks(&plan, &o), STATUS_OK);
+    assert_string_equal(plan.model[plan.chosen].name, "table: cor_disk_eps");
+    for (slong i = 0; i < plan.points; i++) {
+        const double eps = cor_disk_eps(plan.speed[i], 0.33), speed = plan.speed[i];
+        check(fabs(plan.truth[i] - eps) <= plan.uncertainty[i] + cor_disk_eps_uncertainty(speed, 0.33),
+              "eps(%g) = %.6g, uncertain by %.2g; the table has %.6g", speed, plan.truth[i], plan.uncertainty[i], eps);
+        assert_true(plan.uncertainty[i] > 0 && plan.uncertainty[i] < 3e-3);
+        assert_true(cor_disk_eps_uncertainty(speed, 0.33) <= named(&plan, "table")->error[i] * 1.01);
+        assert_true(named(&plan, "eps = 1")->error[i] == 1 - plan.truth[i]);
+        check_values(&plan, "dynamics: 300 modes; alpha = 56/v", i, collided(300, 56 / speed, speed, OPTIONS_EPS),
+                     2e-6);
+        check_values(&plan, "dynamics: 940 modes; alpha = 500", i, collided(940, 500, speed, OPTIONS_EPS), 2e-6);
+        struct cor_disk_rayleigh out;
+        const int status =
+            cor_disk_rayleigh(&cor_disk_modes_nu033, 1800, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &out, NULL);
+        assert_true(status == (speed > COR_DISK_RAYLEIGH_MAX_SPEED ? COR_BEYOND_THEORY : COR_OK));
+        check_values(&plan, "Rayleigh: 1000", i, sqrt(1 - out.fraction - out.tail), 1e-6);
+    }
+    assert_true(named(&plan, "Rayleigh: 1000")->verdict == PLAN_OUTSIDE);
+    check_output(&plan);
+
+    /* without the table: the cheapest dynamics; and what is worse is so */
+    named(&plan, "table")->outside = true;
+    plan_choose(&plan);
+    const struct plan_model *m = &plan.model[plan.chosen];
+    assert_true(strncmp(m->name, "dynamics: ", 10) == 0);
+    for (int i = 0; i < 3; i++) {
+        const double speed = random_log(&r, 0.01, 0.1), error = disk_error(m, speed);
+        check(error <= plan.tolerance + cor_disk_eps_uncertainty(speed, 0.33), "%s is off by %.3g at %.17g", m->name,
+              error, speed);
+    }
+    for (int i = 0; i < plan.models; i++) {
+        const struct plan_model *other = &plan.model[i];
+        if (other->verdict == PLAN_MISSES && other->cost < m->cost)
+            assert_true(disk_error(other, plan.speed[other->worst_at]) + 2 * plan.uncertainty[other->worst_at] +
+                            cor_disk_eps_uncertainty(plan.speed[other->worst_at], 0.33) >
+                        0.97 * plan.tolerance);
+    }
+    /* and a constant, or no vibrations at all, where that is good enough */
+    static const char *const constants[] = {"constant eps", "eps = 1"};
+    for (int k = 0; k < 2; k++) {
+        named(&plan, "constant eps")->outside = k == 1;
+        plan.tolerance = k == 0 ? 0.03 : 0.08;
+        plan_choose(&plan);
+        m = &plan.model[plan.chosen];
+        assert_string_equal(m->name, constants[k]);
+        for (int i = 0; i < 20; i++)
+            assert_true(disk_error(m, random_log(&r, 0.01, 0.1)) <= plan.tolerance);
+    }
+    check_choice(&plan, &r);
+    plan_clear(&plan);
+}
+
+static void test_contact_time(void **state)
+{
+    (void)state;
+    const struct options o = disk_options(OPTIONS_CONTACT_TIME, "0.01", "0.02", 2);
+    static const char *const law[] = {"quasistatic law: centre of mass", "quasistatic law: diameter",
+                                      "quasistatic law: as printed"};
+    struct plan plan;
+    assert_int_equal(plan_disks(&plan, &o), STATUS_OK);
+    for (slong i = 0; i < plan.points; i++) {
+        const double speed = plan.speed[i];
+        for (int k = 0; k < 3; k++)
+            check_values(&plan, law[k], i, cor_disk_contact_time(speed, 0.33, (enum cor_disk_datum)k), 1e-15);
+        check_values(&plan, "leading logarithm", i, acos(-1) * sqrt(log(4 / speed)), 1e-14);
+        check_values(&plan, "dynamics: 1800 modes; alpha = 22/v", i,
+                     collided(1800, 22 / speed, speed, OPTIONS_CONTACT_TIME), 1e-4);
+        const double hard = collided(1800, 60 / speed, speed, OPTIONS_CONTACT_TIME);
+        const double harder = collided(1800, 100 / speed, speed, OPTIONS_CONTACT_TIME);
+        const double limit = harder + (harder - hard) * 60 / (100 - 60);
+        check(fabs(limit / plan.truth[i] - 1) <= 2 * plan.uncertainty[i] && plan.uncertainty[i] < 0.01,
+              "tau(%g) = %g, uncertain by %.2g, but %g", speed, plan.truth[i], plan.uncertainty[i], limit);
+        for (int k = 0; k < plan.models; k++)
+            assert_true(fabs(plan.model[k].error[i] - fabs(plan.model[k].value[i] / plan.truth[i] - 1)) < 1e-15);
+    }
+    plan.tolerance = 0.1; /* what a law is good for */
+    plan_choose(&plan);
+    assert_true(strncmp(plan.model[plan.chosen].name, "leading", 7) == 0 ||
+                strncmp(plan.model[plan.chosen].name, "quasistatic", 11) == 0);
+    check_output(&plan);
+    plan_clear(&plan);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_spheres),
+        cmocka_unit_test(test_disks),
+        cmocka_unit_test(test_contact_time),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

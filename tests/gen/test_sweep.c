@@ -1,0 +1,403 @@
+/* SPDX-License-Identifier: MIT */
+/* Sweeps: lists, rows, the crew that computes them, and the journal that survives whatever ends it. */
+#define _DEFAULT_SOURCE /* mkdtemp, truncate */
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "console.h" /* before cmocka, which has a macro fail */
+
+#include "check.h"
+
+#include "cor/status.h"
+#include "crew.h"
+#include "journal.h"
+#include "sweep.h"
+
+/* ---- lists ---- */
+
+static const struct values_rule any = {"any", "-1000", "1000", true, true, false, "a number from -1000 to 1000"};
+static const struct values_rule whole = {"whole", "1", "1000", true, true, true, "a whole number from 1 to 1000"};
+
+/* What the list is, in texts. */
+static void assert_list(const struct values_rule *rule, const char *list, const char *expected)
+{
+    struct values values;
+    check(values_parse(&values, rule, list) == STATUS_OK, "%s", list);
+    char seen[1000] = "", text[VALUES_TEXT];
+    for (size_t i = 0; i < values.count; i++) {
+        snprintf(seen + strlen(seen), sizeof seen - strlen(seen), "%s%s", i ? " " : "",
+                 values_text(text, values.nearest[i]));
+    }
+    assert_string_equal(seen, expected);
+    values_clear(&values);
+}
+
+static void test_lists(void **state)
+{
+    (void)state;
+    assert_list(&any, "0.1", "0.1");
+    assert_list(&any, "-1e2,1/3,5e-324,.5", "-100 0.3333333333333333 4.94065645841247e-324 0.5");
+    assert_list(&any, "0.1:0.3:+0.1", "0.1 0.2 0.3"); /* exact: three times the double 0.1 is above 0.3 */
+    assert_list(&any, "0.1:0.35:+0.1", "0.1 0.2 0.3");
+    assert_list(&any, "1:-1:-2/3", "1 0.3333333333333333 -0.3333333333333333 -1");
+    assert_list(&any, "2:2:+1", "2");
+    assert_list(&any, "0:1:lin:4", "0 0.3333333333333333 0.6666666666666666 1");
+    assert_list(&any, "1:-1:lin:3", "1 0 -1");
+    assert_list(&any, "0.001:1:log:4", "0.001 0.01 0.1 1");
+    assert_list(&any, "8:1:log:3", "8 2.8284271247461903 1");
+    assert_list(&any, "3,1:4:+1,3,2", "3 1 2 4"); /* each once, where it came first */
+    assert_list(&whole, "1:10:log:5", "1 2 3 6 10");
+    assert_list(&whole, "1:4:lin:9", "1 2 3 4"); /* halves go up: 1 1.375 1.75 2.125 2.5 2.875 3.25 3.625 4 */
+    assert_list(&whole, "100:900:+400,2e2", "100 500 900 200");
+
+    struct values values;
+    assert_int_equal(values_parse(&values, &any, "1:1000:lin:3,1/7"), STATUS_OK);
+    char *exact = fmpq_get_str(NULL, 10, values.exact + 1);
+    assert_string_equal(exact, "1001/2");
+    flint_free(exact);
+    exact = fmpq_get_str(NULL, 10, values.exact + 3);
+    assert_string_equal(exact, "1/7");
+    flint_free(exact);
+    assert_true(values_least(&values) == 1.0 / 7 && values_largest(&values) == 1000);
+    values_clear(&values);
+}
+
+static void test_wrong_lists(void **state)
+{
+    (void)state;
+    static const char *const wrong[] = {"",
+                                        ",",
+                                        "1,",
+                                        ",1",
+                                        "1,,2",
+                                        "1001",
+                                        "-1000.1",
+                                        "x",
+                                        "1 ",
+                                        "+1",
+                                        "1:2",
+                                        "1:2:3",
+                                        "1:2:+0",
+                                        "1:2:-1",
+                                        "2:1:+1",
+                                        "1:2:+-1",
+                                        "1:2:lin:1",
+                                        "1:2:lin:",
+                                        "1:2:lin:x",
+                                        "1:2:lin:1.5",
+                                        "1:2:log:-3",
+                                        "0:1:log:3",
+                                        "-1:1:log:3",
+                                        "1:2:geo:3",
+                                        "1:2:lin:3:",
+                                        ":::",
+                                        "1:1001:lin:3",
+                                        "1:2:+1e-9",
+                                        "1e1000",
+                                        "1/0",
+                                        "1:2:lin:9999999"};
+    struct values values;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        check(values_parse(&values, &any, wrong[i]) == STATUS_USAGE, "%s", wrong[i]);
+        assert_int_equal(values.count, 0);
+    }
+    static const char *const not_whole[] = {"0", "1.5", "1/3", "1001", "1:10:+0.5"};
+    for (size_t i = 0; i < sizeof not_whole / sizeof *not_whole; i++)
+        check(values_parse(&values, &whole, not_whole[i]) == STATUS_USAGE, "%s", not_whole[i]);
+    /* doubles that are not inside though the numbers are */
+    check(values_parse(&values, &sweep_poisson, "0.99999999999999999") == STATUS_USAGE, "rounds to 1");
+    check(values_parse(&values, &sweep_speed, "1e-400") == STATUS_USAGE, "rounds to 0");
+}
+
+/* The shortest text of a double is read back as it, and one digit fewer is not. */
+static void test_texts(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    char text[VALUES_TEXT];
+    for (int i = 0; i < 2000; i++) {
+        const double x = random_log(&random, 1e-300, 1e300);
+        values_text(text, i % 2 ? x : -x);
+        check(strtod(text, NULL) == (i % 2 ? x : -x), "%s", text);
+    }
+    assert_string_equal(values_text(text, -NAN), "nan");
+    assert_string_equal(values_text(text, 0.1), "0.1");
+}
+
+/* ---- rows ---- */
+
+static void make_sweep(struct sweep *sweep, const char *speed, const char *poisson, const char *alpha,
+                       const char *modes)
+{
+    *sweep = (struct sweep){.text = {speed, poisson, alpha, modes}, .tolerance = 1e-8};
+    assert_int_equal(values_parse(&sweep->speed, &sweep_speed, speed), STATUS_OK);
+    assert_int_equal(values_parse(&sweep->poisson, &sweep_poisson, poisson), STATUS_OK);
+    assert_int_equal(values_parse(&sweep->alpha, &sweep_alpha, alpha), STATUS_OK);
+    assert_int_equal(values_parse(&sweep->modes, &sweep_modes, modes), STATUS_OK);
+}
+
+static void test_product(void **state)
+{
+    (void)state;
+    struct sweep sweep;
+    make_sweep(&sweep, "0.2,0.1,0.3", "0.9,-1/3", "500,100", "940,10,3600,1");
+    assert_int_equal(sweep_count(&sweep), STATUS_OK);
+    assert_int_equal(sweep.rows, 48);
+    assert_int_equal(sweep_rows_of_material(&sweep), 24);
+    const double speed[] = {0.2, 0.1, 0.3}, nu[] = {0.9, -1.0 / 3}, alpha[] = {500, 100};
+    const size_t modes[] = {940, 10, 3600, 1};
+    uint64_t number = 0;
+    double cost = 0;
+    for (size_t p = 0; p < 2; p++)
+        for (size_t a = 0; a < 2; a++)
+            for (size_t m = 0; m < 4; m++)
+                for (size_t s = 0; s < 3; s++, number++) {
+                    struct sweep_row row;
+                    sweep_row(&row, &sweep, number);
+                    assert_true(row.speed == speed[s] && row.nu == nu[p] && row.alpha == alpha[a]);
+                    assert_true(row.modes == modes[m] && row.material == p);
+                    cost += sweep_cost(&sweep, number);
+                }
+    check(fabs(cost / sweep.cost - 1) < 1e-12, "%g %g", cost, sweep.cost);
+
+    /* another phrasing is the same sweep, another number, order or option another */
+    struct sweep other;
+    const uint64_t identity = sweep_identity(&sweep);
+    make_sweep(&other, "2e-1,1/10,0.3,0.1", "0.90,-2/6", "500:100:-400", "940,10,3600,1");
+    assert_true(sweep_identity(&other) == identity);
+    other.tolerance = 1e-9;
+    assert_true(sweep_identity(&other) != identity);
+    other.tolerance = sweep.tolerance;
+    other.phi_points = 100;
+    assert_true(sweep_identity(&other) != identity);
+    sweep_clear(&other);
+    make_sweep(&other, "0.1,0.2,0.3", "0.9,-1/3", "500,100", "940,10,3600,1");
+    assert_true(sweep_identity(&other) != identity);
+    sweep_clear(&other);
+    make_sweep(&other, "0.2,0.1,0.3", "0.9,-0.3333333333333333", "500,100", "940,10,3600,1");
+    assert_true(sweep_identity(&other) != identity); /* the same double, and other modes */
+    sweep_clear(&other);
+    sweep_clear(&sweep);
+
+    make_sweep(&sweep, "0.1:0.2:lin:100000", "0.1:0.2:lin:10", "50:60:lin:500", "1:3:+1");
+    assert_int_equal(sweep_count(&sweep), STATUS_USAGE); /* 1.5e9 */
+    sweep_clear(&sweep);
+}
+
+/* ---- the crew ---- */
+
+enum { TASKS = 40000 };
+
+struct crowd {
+    atomic_uint_fast64_t next;
+    uint64_t stop_at, slow;
+    size_t ready;
+    int threads;
+    bool uneven;
+};
+
+static void crowd_work(void *context, int thread, uint64_t task, void *result)
+{
+    struct crowd *crowd = context;
+    if (crowd->uneven && (task % 997 == 0 || task == crowd->slow)) {
+        const struct timespec nap = {0, task == crowd->slow ? 300000000 : 3000000};
+        nanosleep(&nap, NULL);
+    }
+    const bool right = thread >= 0 && thread < crowd->threads && task < atomic_load(&crowd->next) + CREW_AHEAD;
+    const uint64_t value = right ? task * task : 1;
+    memcpy(result, &value, sizeof value);
+}
+
+static void crowd_ready(void *context, uint64_t task, const void *result)
+{
+    struct crowd *crowd = context;
+    uint64_t value;
+    memcpy(&value, result, sizeof value);
+    crowd->ready += value == task * task;
+}
+
+static int crowd_finish(void *context, uint64_t task, const void *result)
+{
+    struct crowd *crowd = context;
+    uint64_t value;
+    memcpy(&value, result, sizeof value);
+    check(task == crowd->next && value == task * task, "task %llu", (unsigned long long)task);
+    crowd->next++;
+    return task == crowd->stop_at ? 7 : 0;
+}
+
+/* Every task once and in order, from any number of threads, in runs one behind the other, and to where it is stopped. */
+static void test_crew(void **state)
+{
+    (void)state;
+    for (int threads = 1; threads <= 3; threads++) {
+        struct crowd crowd = {.stop_at = UINT64_MAX, .slow = 100, .threads = threads, .uneven = threads > 1};
+        const struct crew_work work = {&crowd, sizeof(uint64_t), crowd_work, crowd_ready, crowd_finish, NULL, NULL};
+        struct crew *crew = crew_start(&work, threads);
+        assert_non_null(crew);
+        assert_int_equal(crew_run(crew, 0, 0), 0);
+        assert_int_equal(crew_run(crew, 0, 5), 0);
+        assert_int_equal(crew_run(crew, 5, TASKS), 0);
+        assert_int_equal(crowd.next, TASKS);
+        assert_int_equal(crowd.ready, TASKS);
+        crowd.next = 1000;
+        crowd.stop_at = 1234;
+        assert_int_equal(crew_run(crew, 1000, TASKS), 7);
+        assert_int_equal(crowd.next, 1235);
+        crowd.next = 3;
+        crowd.stop_at = UINT64_MAX;
+        assert_int_equal(crew_run(crew, 3, 20), 0);
+        assert_int_equal(crowd.next, 20);
+        crew_stop(crew);
+    }
+}
+
+/* ---- the journal ---- */
+
+static const char title[] = "corgen disk-collide, unfinished, sweep 1: --speed 0.1";
+static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at its end 12345678", "4,5"};
+enum { LINES = sizeof line / sizeof *line };
+
+static char *slurp(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    char *bytes = malloc(1 << 16);
+    assert_non_null(bytes);
+    *size = fread(bytes, 1, 1 << 16, file);
+    fclose(file);
+    return bytes;
+}
+
+static void spill(const char *path, const char *bytes, size_t size)
+{
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    assert_int_equal(fclose(file), 0);
+}
+
+static void count_line(void *context, const char *text)
+{
+    size_t *n = context;
+    assert_true(*n < LINES);
+    assert_string_equal(text, line[(*n)++]);
+}
+
+/* Goes on from whatever is there to the end, and gives the number of lines found, or -1 if it was refused. */
+static int go_on(const char *file)
+{
+    struct journal journal;
+    if (journal_open(&journal, file, title, LINES) != STATUS_OK)
+        return -1;
+    const uint64_t found = journal.lines;
+    assert_true(found <= LINES);
+    if (found > 0)
+        assert_string_equal(journal.last, line[found - 1]);
+    for (uint64_t i = found; i < LINES; i++)
+        journal_add(&journal, line[i]);
+    assert_int_equal(journal_flush(&journal), STATUS_OK);
+    size_t n = 0;
+    assert_int_equal(journal_read(&journal, count_line, &n), STATUS_OK);
+    assert_int_equal(n, LINES);
+    journal_close(&journal, false);
+    return (int)found;
+}
+
+static void test_journal(void **state)
+{
+    (void)state;
+    char directory[] = "/tmp/cor-sweep-XXXXXX";
+    assert_non_null(mkdtemp(directory));
+    char file[64], part[64];
+    snprintf(file, sizeof file, "%s/x", directory);
+    snprintf(part, sizeof part, "%s/x.part", directory);
+    assert_int_equal(go_on(file), 0);
+    size_t size, again;
+    char *whole_file = slurp(part, &size);
+    assert_int_equal(go_on(file), LINES);
+
+    /* cut off at every byte: the same bytes in the end, and all lines before the cut are taken over */
+    int last = 0;
+    for (size_t cut = 0; cut <= size; cut++) {
+        spill(part, whole_file, cut);
+        const int found = go_on(file);
+        check(found >= last && found <= last + 1, "%d after %d at %zu", found, last, cut);
+        last = found;
+        char *bytes = slurp(part, &again);
+        check(again == size && memcmp(bytes, whole_file, size) == 0, "cut at %zu", cut);
+        free(bytes);
+    }
+    assert_int_equal(last, LINES);
+    spill(part, whole_file, size); /* more than there should be */
+    FILE *more = fopen(part, "ab");
+    assert_non_null(more);
+    fputs("4,5 0123abcd\nand more", more);
+    fclose(more);
+    assert_int_equal(go_on(file), LINES);
+    char *cut_off = slurp(part, &again);
+    assert_true(again == size && memcmp(cut_off, whole_file, size) == 0);
+    free(cut_off);
+    const size_t first = strlen(title) + 10;
+    for (size_t at = first; at < size;
+         at++) { /* each byte behind the first line damaged, or zeros from there, as a power cut leaves */
+        char *damaged = malloc(size);
+        assert_non_null(damaged);
+        memcpy(damaged, whole_file, size);
+        memset(damaged + at, at % 2 ? 0 : damaged[at] ^ 1, at % 2 ? size - at : 1);
+        spill(part, damaged, size);
+        const int found = go_on(file);
+        check(found >= 0 && found < LINES, "%zu: %d", at, found);
+        char *bytes = slurp(part, &again);
+        check(again == size && memcmp(bytes, whole_file, size) == 0, "damaged at %zu", at);
+        free(bytes);
+        free(damaged);
+    }
+
+    /* somebody else's: refused, and as it was */
+    static const char *const foreign[] = {"speed,nu\n0.1,0.33\n", "x", "\n", "corgen disk-collide of another day\n"};
+    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
+        spill(part, foreign[i], strlen(foreign[i]));
+        assert_int_equal(go_on(file), -1);
+        char *bytes = slurp(part, &again);
+        assert_true(again == strlen(foreign[i]) && memcmp(bytes, foreign[i], again) == 0);
+        free(bytes);
+    }
+    spill(part, whole_file, size);
+    struct journal journal;
+    assert_int_equal(journal_open(&journal, file, "corgen disk-collide, unfinished, sweep 2: --speed 0.1", LINES),
+                     STATUS_FAILED);
+    assert_int_equal(journal_open(&journal, file, "corgen disk-collide, unfinished, sweep 1: --speed 1/10", LINES),
+                     STATUS_OK); /* the same, written in another way */
+    assert_int_equal(journal.lines, LINES);
+    journal_close(&journal, false);
+    assert_int_equal(journal_open(&journal, "/nonexistent/x", title, LINES), STATUS_FAILED);
+
+    /* held by another process */
+    assert_int_equal(journal_open(&journal, file, title, LINES), STATUS_OK);
+    fflush(NULL);
+    const pid_t child = fork();
+    if (child == 0) {
+        struct journal mine;
+        _exit(journal_open(&mine, file, title, LINES) == STATUS_FAILED ? 42 : 1);
+    }
+    int status;
+    assert_true(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 42);
+    journal_close(&journal, true);
+    assert_int_equal(access(part, F_OK), -1);
+    free(whole_file);
+    assert_int_equal(rmdir(directory), 0);
+}
+
+int main(void)
+{
+    console_start();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_lists),   cmocka_unit_test(test_wrong_lists), cmocka_unit_test(test_texts),
+        cmocka_unit_test(test_product), cmocka_unit_test(test_crew),        cmocka_unit_test(test_journal),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

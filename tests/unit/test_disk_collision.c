@@ -1,0 +1,780 @@
+/* SPDX-License-Identifier: MIT */
+/* Collisions of the disk in full (runtime/disk_collision.c): the values of the theory's check, an integrator of another
+ * kind (reference_collision.h), tolerances kept at random, energies, moments, workspaces, hard cases, and what is
+ * refused. */
+#define _XOPEN_SOURCE 600 /* j0, j1 */
+#include "check.h"
+
+#include <limits.h>
+#include <time.h>
+
+#include <cor/disk.h>
+#include <cor/status.h>
+
+#include "reference_collision.h"
+
+static const double pi = 3.14159265358979323846;
+
+/* What the reference itself may be off, in eps and in energies relative to (pi/2) v^2 */
+static const double slack = 1e-11;
+
+/* What disk.h calls not as good: taken between moments, in the midst of the contact; relative to v, relative, and
+ * relative to (pi/2) v^2, at a tolerance of 1e-11 */
+static const double depth_bound = 1e-7, time_bound = 1e-6, average_bound = 1e-4;
+
+enum { TABLE = 1800 };
+static double after[TABLE], average[TABLE], reference_after[TABLE], reference_average[TABLE];
+
+/* As many of a list, fewer where COR_TEST_DIVISOR says so */
+static size_t listed(size_t count)
+{
+    return points(count) < count ? points(count) : count;
+}
+
+static const struct cor_disk_modes *material(double nu)
+{
+    return nu < 0.5 ? &cor_disk_modes_nu033 : &cor_disk_modes_nu090;
+}
+
+static int collide(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
+                   struct cor_disk_collision *out)
+{
+    const struct cor_disk_collision_options options = {alpha, tolerance, 0};
+    return cor_disk_collision(modes, n, &options, v, out);
+}
+
+/* With a workspace of its own, and details */
+static int collide_in_detail(const struct cor_disk_modes *modes, size_t n,
+                             const struct cor_disk_collision_options *options, double v, struct cor_disk_collision *out,
+                             const struct cor_disk_collision_detail *detail)
+{
+    const size_t bytes = cor_disk_collision_workspace(modes, n, options);
+    assert_true(bytes > 0);
+    void *const workspace = malloc(bytes + 1); /* for the analysers, which think bytes might be 0 */
+    assert_non_null(workspace);
+    const int status = cor_disk_collision_in(workspace, bytes, modes, n, options, v, out, detail);
+    free(workspace);
+    return status;
+}
+
+static void same_results(const struct cor_disk_collision *x, const struct cor_disk_collision *y, const char *what)
+{
+    check(same_bits(x->eps, y->eps) && same_bits(x->one_minus_eps2, y->one_minus_eps2) &&
+              same_bits(x->contact_time, y->contact_time) && same_bits(x->max_compression, y->max_compression) &&
+              same_bits(x->energy_drift, y->energy_drift) && x->steps == y->steps,
+          "%s: eps = %a and %a", what, x->eps, y->eps);
+}
+
+/* ---- values ---- */
+
+/* DISKS, section 4, to the digits given; nu = 0.33, alpha = 500, v = 0.1 */
+static void known_answers(void **state)
+{
+    (void)state;
+    static const struct {
+        size_t n;
+        double eps, unit;
+    } known[] = {{10, 0.942107627106, 1e-12}, {940, 0.9504656552925, 1e-13}, {1600, 0.9510872406816, 1e-13}};
+    for (size_t i = 0; i < listed(3); i++) {
+        struct cor_disk_collision out;
+        assert_int_equal(collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-13, &out), COR_OK);
+        print_message("N = %zu: eps = %.15f, drift %.1g, %zu steps\n", known[i].n, out.eps, out.energy_drift,
+                      out.steps);
+        /* half a unit of the last digit, and the tolerance */
+        check(fabs(out.eps - known[i].eps) <= 0.5 * known[i].unit + 1e-13, "N = %zu: %.15f", known[i].n, out.eps);
+        /* an extrapolation of a lower order needs more */
+        check(i > 0 || out.steps < 10000, "%zu steps", out.steps);
+    }
+}
+
+/* ---- the reference ---- */
+
+/* Against the reference: eps and the energies to the tolerance, the rest to the bounds above */
+static void as_reference(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance)
+{
+    const size_t panels = 8 + (size_t)(alpha * v / 100);
+    struct reference_collision reference;
+    struct cor_disk_collision out;
+    assert_int_equal(reference_disk_collision(modes->mode, n, alpha, v, 1e-14, panels, &reference, reference_after,
+                                              reference_average),
+                     0);
+    check(fabs(reference.energy_drift) < slack, "reference, N = %zu, alpha = %g, v = %g: energy drifts by %g", n, alpha,
+          v, reference.energy_drift);
+    const struct cor_disk_collision_options options = {alpha, tolerance, 0};
+    const struct cor_disk_collision_detail detail = {.energy_after = after, .energy_average = average};
+    const int status = collide_in_detail(modes, n, &options, v, &out, &detail);
+    double off_after = 0, off_average = 0;
+    for (size_t i = 0; i < n; i++) {
+        off_after = fmax(off_after, fabs(after[i] - reference_after[i]));
+        off_average = fmax(off_average, fabs(average[i] - reference_average[i]));
+    }
+    print_message("nu = %g, N = %zu, alpha = %g, v = %g: eps %.13f off %.1g, loss %.1g, time %.1g, compression %.1g, "
+                  "modes %.1g, average %.1g\n",
+                  modes->nu, n, alpha, v, reference.eps, out.eps - reference.eps,
+                  out.one_minus_eps2 - reference.one_minus_eps2, out.contact_time - reference.contact_time,
+                  out.max_compression - reference.max_compression, off_after, off_average);
+    assert_int_equal(status, COR_OK);
+    check(fabs(out.eps - reference.eps) <= tolerance + slack, "N = %zu, alpha = %g, v = %g: eps %.15f, not %.15f", n,
+          alpha, v, out.eps, reference.eps);
+    /* 1 - eps^2 moves 2 eps times as far */
+    check(fabs(out.one_minus_eps2 - reference.one_minus_eps2) <= 2 * (tolerance + slack),
+          "N = %zu, alpha = %g, v = %g: 1 - eps^2 = %.15f, not %.15f", n, alpha, v, out.one_minus_eps2,
+          reference.one_minus_eps2);
+    check(off_after <= 4 * (tolerance + slack), "N = %zu, alpha = %g, v = %g: a mode's energy is off %g", n, alpha, v,
+          off_after);
+    check(fabs(out.max_compression - reference.max_compression) <= depth_bound * v,
+          "N = %zu, alpha = %g, v = %g: %.15f, not %.15f", n, alpha, v, out.max_compression, reference.max_compression);
+    check(fabs(out.contact_time / reference.contact_time - 1) <= time_bound,
+          "N = %zu, alpha = %g, v = %g: %.15f, not %.15f", n, alpha, v, out.contact_time, reference.contact_time);
+    check(off_average <= average_bound, "N = %zu, alpha = %g, v = %g: a mode's mean energy is off %g", n, alpha, v,
+          off_average);
+}
+
+static void reference(void **state)
+{
+    (void)state;
+    static const struct {
+        double nu;
+        size_t n;
+        double alpha, v;
+    } scene[] = {
+        {0.33, 1, 500, 0.1},   {0.9, 10, 50, 0.3},      {0.33, 10, 500, 0.1},    {0.33, 100, 500, 0.1},
+        {0.9, 1, 8000, 0.1},   {0.33, 10, 8000, 0.001}, {0.9, 10, 2000, 0.03},   {0.33, 10, 2000, 0.01},
+        {0.9, 100, 500, 0.03}, {0.33, 100, 200, 0.3},   {0.9, 100, 4000, 0.005}, {0.33, 1, 100, 0.02},
+    };
+    for (size_t i = 0; i < listed(sizeof scene / sizeof *scene); i++)
+        as_reference(material(scene[i].nu), scene[i].n, scene[i].alpha, scene[i].v, 1e-11);
+    struct random_state random = random_start();
+    for (size_t i = 0; points(8) > 1 && i < points(8); i++) {
+        const double v = random_log(&random, 0.003, 0.3), alpha = random_log(&random, 50, fmin(8000, 50 / v));
+        as_reference(material(random_uniform(&random, 0, 1)), (size_t)random_log(&random, 1, 60), alpha, v, 1e-11);
+    }
+}
+
+/* ---- mode tables of other kinds ---- */
+
+enum { N_0 = 1200 };
+static struct cor_disk_mode some[TABLE];
+
+/* The lowest modes of n = 0: kappa J_0(kappa) = (1 - nu) J_1(kappa) has one root between two zeros of J_1, about
+ * (k + 1/4) pi; C^2 = omega^2/(omega^2 - 1). */
+static struct cor_disk_modes radial_modes(double nu, size_t count)
+{
+    for (size_t k = 0; k < count; k++) {
+        double low = k == 0 ? 0.5 : ((double)k + 0.25) * pi, high = ((double)k + 1.25) * pi;
+        const int up = k % 2 == 1; /* the sign of the difference at `high` */
+        for (int i = 0; i < 60; i++) {
+            const double kappa = (low + high) / 2;
+            if ((kappa * j0(kappa) > (1 - nu) * j1(kappa)) == up)
+                high = kappa;
+            else
+                low = kappa;
+        }
+        const double omega = low / sqrt(1 - nu * nu);
+        some[k] = (struct cor_disk_mode){0, (int)k, omega, omega / sqrt(omega * omega - 1), 0};
+    }
+    return (struct cor_disk_modes){nu, count, some};
+}
+
+/* Those of the lowest modes that `kept` keeps, `count` of them */
+static struct cor_disk_modes cut(const struct cor_disk_modes *modes, int (*kept)(const struct cor_disk_mode *),
+                                 size_t count)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < modes->count && n < count; i++)
+        if (kept(&modes->mode[i]))
+            some[n++] = modes->mode[i];
+    assert_int_equal(n, count);
+    return (struct cor_disk_modes){modes->nu, count, some};
+}
+
+static int of_five(const struct cor_disk_mode *m)
+{
+    return m->n == 5;
+}
+
+static int with_gaps(const struct cor_disk_mode *m)
+{
+    return m->n == 1 || m->n == 8 || m->n == 9 || m->n == 31;
+}
+
+static int of_109(const struct cor_disk_mode *m)
+{
+    return m->n == 109;
+}
+
+static int of_zero(const struct cor_disk_mode *m)
+{
+    return m->n == 0;
+}
+
+static int of_one(const struct cor_disk_mode *m)
+{
+    return m->n == 1;
+}
+
+static int any(const struct cor_disk_mode *m)
+{
+    return m->n > 0;
+}
+
+static void subsets(void **state)
+{
+    (void)state;
+    static const struct {
+        int (*kept)(const struct cor_disk_mode *);
+        size_t count;
+    } subset[] = {{of_zero, 4}, {of_five, 6}, {with_gaps, 12}, {of_one, 5}, {of_109, 1}};
+    for (size_t i = 0; i < listed(sizeof subset / sizeof *subset); i++) {
+        const struct cor_disk_modes modes = cut(&cor_disk_modes_nu033, subset[i].kept, subset[i].count);
+        as_reference(&modes, modes.count, 300, 0.1, 1e-11);
+    }
+    if (points(2) < 2)
+        return;
+    /* tangential modes only, then radial ones only */
+    for (int k = 0; k < 2; k++) {
+        const struct cor_disk_modes modes = cut(&cor_disk_modes_nu090, any, 12);
+        for (size_t i = 0; i < modes.count; i++)
+            *(k == 0 ? &some[i].c : &some[i].s) = 0;
+        as_reference(&modes, modes.count, 300, 0.1, 1e-11);
+    }
+}
+
+/* One strong mode takes nearly all the speed; the disk has left the wall by 0.07 when the rim comes again, 3.5 later. */
+static void second_contact(void **state)
+{
+    (void)state;
+    some[0] = (struct cor_disk_mode){2, 0, 1.2, 0.84, 0};
+    const struct cor_disk_modes modes = {0.33, 1, some};
+    as_reference(&modes, 1, 800, 0.1, 1e-11);
+    /* the larger the tolerance, the nearer is the disk when nothing is left of the first contact */
+    struct cor_disk_collision fine, coarse;
+    assert_int_equal(collide(&modes, 1, 800, 0.1, 1e-11, &fine), COR_OK);
+    for (double tolerance = 1e-8; tolerance < 1e-3; tolerance *= 10) {
+        assert_int_equal(collide(&modes, 1, 800, 0.1, tolerance, &coarse), COR_OK);
+        check(fabs(coarse.eps - fine.eps) <= tolerance, "second contact, tolerance %g: eps %.12f", tolerance,
+              coarse.eps);
+    }
+}
+
+/* n = 0, omega up to 4000: no resonance of the step with fast modes, and as the reference says */
+static void radial(void **state)
+{
+    (void)state;
+    const struct cor_disk_modes modes = radial_modes(0.33, N_0);
+    for (size_t i = 0, k = 0; i < TABLE; i++) /* as the table has them */
+        if (cor_disk_modes_nu033.mode[i].n == 0) {
+            check(relative_error(some[k].omega, cor_disk_modes_nu033.mode[i].omega) < 1e-13L &&
+                      relative_error(some[k].c, cor_disk_modes_nu033.mode[i].c) < 1e-13L,
+                  "n = 0, l = %zu", k);
+            k++;
+        }
+    check(modes.mode[N_0 - 1].omega > 3980 && modes.mode[N_0 - 1].omega < 4010, "omega = %g",
+          modes.mode[N_0 - 1].omega);
+    struct cor_disk_collision fine, coarse;
+    for (size_t i = 0; i < 2; i++) { /* the stiffness of the wall limits the step, or the fastest mode */
+        const size_t n = i == 0 ? listed(N_0) : listed(N_0 / 4);
+        const double alpha = i == 0 ? 500 : 100, v = i == 0 ? 0.1 : 0.02, tolerance = i == 0 ? 1e-10 : 1e-8;
+        assert_int_equal(collide(&modes, n, alpha, v, tolerance, &fine), COR_OK);
+        assert_int_equal(collide(&modes, n, alpha, v, 1e-5, &coarse), COR_OK);
+        print_message("%zu modes of n = 0, alpha = %g, v = %g: eps %.13f, %zu steps, drift %.1g; at 1e-5 off %.1g, "
+                      "%zu steps\n",
+                      n, alpha, v, fine.eps, fine.steps, fine.energy_drift, coarse.eps - fine.eps, coarse.steps);
+        assert_true(fabs(coarse.eps - fine.eps) <= 1e-5);
+        assert_true(fabs(fine.energy_drift) <= 2 * tolerance && fabs(coarse.energy_drift) <= 2e-5);
+        /* the reference, which takes 2 s over all of them: this is its value */
+        check(i > 0 || n < N_0 || fabs(fine.eps - 0.944508614702153) <= tolerance + slack, "%.15f", fine.eps);
+    }
+    as_reference(&modes, points(200) > 200 ? N_0 : points(200), 500, 0.1, 1e-11); /* COR_TEST_MULTIPLIER: all of them */
+}
+
+/* ---- tolerances ---- */
+
+/* A tolerance is kept: against a run at 1e-12; and energies are what they are of. */
+static void kept(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
+                 const struct cor_disk_collision *truth, double *worst)
+{
+    struct cor_disk_collision out;
+    const struct cor_disk_collision_options options = {alpha, tolerance, 0};
+    const struct cor_disk_collision_detail detail = {.energy_after = after};
+    const int status = collide_in_detail(modes, n, &options, v, &out, &detail);
+    check(status == COR_OK, "nu = %g, N = %zu, alpha = %g, v = %g, tolerance %g: %s", modes->nu, n, alpha, v, tolerance,
+          cor_status_text(status));
+    const double off = fabs(out.eps - truth->eps) / tolerance;
+    *worst = fmax(*worst, off);
+    check(off <= 1 + 1e-12 / tolerance, "nu = %g, N = %zu, alpha = %a, v = %a, tolerance %g: eps %.14f, not %.14f",
+          modes->nu, n, alpha, v, tolerance, out.eps, truth->eps);
+    check(fabs(out.one_minus_eps2 - truth->one_minus_eps2) <= 4 * tolerance,
+          "nu = %g, N = %zu, alpha = %a, v = %a, tolerance %g: 1 - eps^2 = %.14f, not %.14f", modes->nu, n, alpha, v,
+          tolerance, out.one_minus_eps2, truth->one_minus_eps2);
+    check(fabs(out.energy_drift) <= 4 * tolerance, "nu = %g, N = %zu, alpha = %a, v = %a, tolerance %g: drift %g",
+          modes->nu, n, alpha, v, tolerance, out.energy_drift);
+    check(fabs(out.energy_drift - (out.eps * out.eps + out.one_minus_eps2 - 1)) <= 1e-15,
+          "nu = %g, N = %zu, alpha = %a, v = %a, tolerance %g: drift %g", modes->nu, n, alpha, v, tolerance,
+          out.energy_drift);
+    long double sum = 0;
+    for (size_t i = 0; i < n; i++) {
+        check(after[i] >= 0, "mode %zu has the energy %g", i, after[i]);
+        sum += after[i];
+    }
+    check(fabsl(sum - out.one_minus_eps2) <= 1e-14L * out.one_minus_eps2,
+          "N = %zu, alpha = %a, v = %a: %.17Lg and %.17g", n, alpha, v, sum, out.one_minus_eps2);
+}
+
+static void tolerances(void **state)
+{
+    (void)state;
+    static const struct {
+        double nu;
+        size_t n;
+        double alpha, v;
+    } scene[] = {{0.33, 10, 500, 0.1},  {0.9, 1, 50, 0.001},      {0.33, 940, 500, 0.1},
+                 {0.9, 30, 2000, 0.03}, {0.33, 200, 8000, 0.001}, {0.33, 1, 8000, 0.1}};
+    double worst = 0;
+    for (size_t i = 0; i < listed(sizeof scene / sizeof *scene); i++) {
+        const struct cor_disk_modes *const modes = material(scene[i].nu);
+        struct cor_disk_collision truth, out;
+        assert_int_equal(collide(modes, scene[i].n, scene[i].alpha, scene[i].v, 1e-12, &truth), COR_OK);
+        size_t most = 0, least = SIZE_MAX;
+        for (double tolerance = 0.1; tolerance > 2e-12; tolerance /= listed(2) == 2 ? 10 : 100) {
+            kept(modes, scene[i].n, scene[i].alpha, scene[i].v, tolerance, &truth, &worst);
+            assert_int_equal(collide(modes, scene[i].n, scene[i].alpha, scene[i].v, tolerance, &out), COR_OK);
+            most = out.steps > most ? out.steps : most;
+            least = out.steps < least ? out.steps : least;
+        }
+        check(least > 10 && 2 * least <= most, "%zu to %zu steps", least, most);
+    }
+    print_message("off by at most %.2g of the tolerance\n", worst);
+}
+
+static void random_tolerances(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    double worst = 0;
+    size_t chaotic = 0;
+    for (size_t i = 0; i < points(40); i++) {
+        const struct cor_disk_modes *const modes = material(random_uniform(&random, 0, 1));
+        const size_t n = (size_t)random_log(&random, 1, 300);
+        const double v = random_log(&random, 0.003, 0.3), alpha = random_log(&random, 50, fmin(8000, 50 / v));
+        struct cor_disk_collision truth;
+        if (collide(modes, n, alpha, v, 1e-12, &truth) != COR_OK) {
+            print_message("chaotic: nu = %g, N = %zu, alpha = %g, v = %g\n", modes->nu, n, alpha, v);
+            chaotic++;
+            continue;
+        }
+        for (int k = 0; k < 3; k++)
+            kept(modes, n, alpha, v, random_log(&random, 1e-11, 0.9), &truth, &worst);
+    }
+    print_message("off by at most %.2g of the tolerance\n", worst);
+    assert_true(chaotic <= points(40) / 10);
+}
+
+/* At the edges of what may be asked for */
+static void extreme_tolerances(void **state)
+{
+    (void)state;
+    struct cor_disk_collision finest, coarsest;
+    assert_int_equal(collide(&cor_disk_modes_nu033, 3, 500, 0.1, COR_DISK_COLLISION_MIN_TOLERANCE, &finest), COR_OK);
+    assert_int_equal(collide(&cor_disk_modes_nu033, 3, 500, 0.1, nextafter(1, 0), &coarsest), COR_OK);
+    assert_true(finest.eps > 0 && finest.eps < 1 && coarsest.steps < finest.steps);
+    assert_true(fabs(coarsest.eps - finest.eps) < 1);
+    assert_true(fabs(finest.energy_drift) < 1e-12);
+}
+
+/* The wall's force at angles of the caller's choice */
+static void phi_points(void **state)
+{
+    (void)state;
+    struct cor_disk_collision truth, out;
+    assert_int_equal(collide(&cor_disk_modes_nu033, 10, 500, 0.1, 1e-12, &truth), COR_OK);
+    size_t kept_from = 0;
+    const size_t finer = listed(4); /* fewer angles to try for few points */
+    for (size_t n = 1; n <= 512; n = n * (finer + 1) / finer + 1) {
+        const struct cor_disk_collision_options options = {500, 1e-10, n};
+        const int status = cor_disk_collision(&cor_disk_modes_nu033, 10, &options, 0.1, &out);
+        const double off = fabs(out.eps - truth.eps);
+        assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
+        check(status != COR_OK || off <= 1e-10, "%zu angles: eps %.14f, not %.14f", n, out.eps, truth.eps);
+        if (status == COR_OK && kept_from == 0)
+            kept_from = n;
+        check(kept_from == 0 || status == COR_OK, "enough with %zu angles, and not with %zu", kept_from, n);
+    }
+    print_message("%zu angles suffice\n", kept_from);
+    assert_true(kept_from > 30 && kept_from < 256);
+}
+
+/* ---- moments ---- */
+
+struct diary {
+    const struct cor_disk_modes *modes;
+    size_t n, count;
+    double alpha, speed, q[TABLE], q_dot[TABLE], energy[TABLE];
+    struct cor_disk_moment first, last;
+    double wander, drift, max_position, impulse;
+};
+
+static void write_down(void *context, const struct cor_disk_moment *moment)
+{
+    struct diary *const d = context;
+    double energy = pi / 2 * moment->velocity * moment->velocity + moment->wall_energy;
+    for (size_t i = 0; i < d->n; i++) {
+        d->energy[i] = pi / 2 * (d->q_dot[i] * d->q_dot[i] + pow(d->modes->mode[i].omega * d->q[i], 2));
+        energy += d->energy[i];
+    }
+    energy /= pi / 2 * d->speed * d->speed;
+    check(moment->load >= 0 && fabs(moment->wall_energy * d->alpha - moment->load) <= 4 * DBL_EPSILON * moment->load,
+          "load %g, energy %g", moment->load, moment->wall_energy);
+    d->drift = energy - 1;
+    d->wander = fmax(d->wander, fabs(d->drift));
+    if (d->count == 0) {
+        d->first = *moment;
+        d->max_position = moment->position;
+        for (size_t i = 0; i < d->n; i++)
+            assert_true(fabs(d->q_dot[i]) < 1e-6 * d->speed &&
+                        d->modes->mode[i].omega * fabs(d->q[i]) < 1e-6 * d->speed);
+    } else {
+        const double dt = moment->time - d->last.time;
+        check(dt > 0, "time %g after %g", moment->time, d->last.time);
+        d->impulse += dt * (moment->load + d->last.load) / 2;
+        d->max_position = fmax(d->max_position, moment->position);
+    }
+    d->last = *moment;
+    d->count++;
+}
+
+static void moments(void **state)
+{
+    (void)state;
+    static const struct {
+        double nu;
+        size_t n;
+        double alpha, v, tolerance;
+    } scene[] = {
+        {0.33, 10, 500, 0.1, 1e-9}, {0.9, 100, 2000, 0.02, 1e-10}, {0.33, 1, 50, 0.3, 1e-6}, {0.9, 30, 300, 0.1, 1e-3}};
+    for (size_t k = 0; k < listed(sizeof scene / sizeof *scene); k++) {
+        struct diary diary = {
+            .modes = material(scene[k].nu), .n = scene[k].n, .alpha = scene[k].alpha, .speed = scene[k].v};
+        const struct cor_disk_collision_options options = {scene[k].alpha, scene[k].tolerance, 0};
+        const struct cor_disk_collision_detail detail = {after, NULL, write_down, &diary, diary.q, diary.q_dot};
+        struct cor_disk_collision out, silent;
+        assert_int_equal(collide_in_detail(diary.modes, diary.n, &options, diary.speed, &out, &detail), COR_OK);
+        assert_int_equal(cor_disk_collision(diary.modes, diary.n, &options, diary.speed, &silent), COR_OK);
+        same_results(&out, &silent, "observed and not");
+        const double energy = pi / 2 * diary.speed * diary.speed;
+        print_message(
+            "alpha = %g, v = %g, tolerance %g: %zu moments, %zu steps, energy wanders by %.1g, impulse %.6g of %.6g\n",
+            diary.alpha, diary.speed, scene[k].tolerance, diary.count, out.steps, diary.wander, diary.impulse,
+            pi * diary.speed * (1 + out.eps));
+        assert_int_equal(diary.count, out.steps);
+        /* before the contact */
+        assert_true(diary.first.time < 0 && fabs(diary.first.velocity / diary.speed - 1) < 1e-6);
+        assert_true(fabs((diary.first.position + 1) / (diary.speed * diary.first.time) - 1) < 1e-6);
+        assert_true(diary.first.wall_energy < scene[k].tolerance * energy);
+        /* after it: the last run is not yet extrapolated */
+        assert_true(diary.last.wall_energy < scene[k].tolerance * energy);
+        double off = fabs(diary.last.velocity / -diary.speed - out.eps);
+        for (size_t i = 0; i < diary.n; i++)
+            off = fmax(off, fabs(diary.energy[i] / energy - after[i]));
+        print_message("last moment off %.1g, depth %.1g\n", off, diary.max_position + 1 - out.max_compression);
+        assert_true(off < 1e-4);
+        /* in between, where the modified potential stands for the wall's, to the square of the step */
+        assert_true(diary.wander <= 0.01);
+        assert_true(fabs(diary.max_position + 1 - out.max_compression) < 1e-3 * out.max_compression);
+        assert_true(out.contact_time < diary.last.time - diary.first.time);
+        assert_true(fabs(diary.impulse / (pi * diary.speed * (1 + out.eps)) - 1) < 0.02);
+    }
+}
+
+/* ---- the same every time ---- */
+
+static void same_every_time(void **state)
+{
+    (void)state;
+    const struct cor_disk_collision_options options = {500, 1e-7, 0};
+    const struct cor_disk_collision_detail detail = {.energy_after = after, .energy_average = average};
+    const size_t n = 20, bytes = cor_disk_collision_workspace(&cor_disk_modes_nu033, n, &options);
+    assert_true(bytes > 0);
+    enum { SHIFT = 64 };
+    char *const memory = malloc(bytes + SHIFT);
+    assert_non_null(memory);
+    struct cor_disk_collision first, out;
+    assert_int_equal(cor_disk_collision(&cor_disk_modes_nu033, n, &options, 0.1, &first), COR_OK);
+    static double after_first[TABLE], average_first[TABLE];
+    const double nan = NAN;
+    for (int k = 0; k < 5; k++) {
+        char *const workspace = memory + (k == 3 ? SHIFT / 2 : k == 4 ? SHIFT / 4 : 0); /* aligned like malloc's */
+        if (k < 2)
+            memset(workspace, k == 0 ? 0 : 0xff, bytes);
+        else
+            for (size_t i = 0; i + sizeof nan <= bytes; i += sizeof nan)
+                memcpy(workspace + i, &nan, sizeof nan);
+        assert_int_equal(
+            cor_disk_collision_in(workspace, bytes, &cor_disk_modes_nu033, n, &options, 0.1, &out, &detail), COR_OK);
+        same_results(&out, &first, "another workspace");
+        if (k == 0) {
+            memcpy(after_first, after, sizeof after);
+            memcpy(average_first, average, sizeof average);
+        }
+        for (size_t i = 0; i < n; i++)
+            assert_true(same_bits(after[i], after_first[i]) && same_bits(average[i], average_first[i]));
+        /* as another collision left it */
+        assert_int_equal(cor_disk_collision_in(workspace, bytes, &cor_disk_modes_nu090, n / 2, &options, 0.05, &out,
+                                               NULL) == COR_ERROR_WORKSPACE,
+                         0);
+        assert_int_equal(cor_disk_collision_in(workspace, bytes, &cor_disk_modes_nu033, n, &options, 0.1, &out, NULL),
+                         COR_OK);
+        same_results(&out, &first, "a workspace used before");
+    }
+    free(memory);
+}
+
+/* ---- hard cases ---- */
+
+/* The ends of what speeds and walls there are; eps by the reference, to 1e-11 */
+static void corners(void **state)
+{
+    (void)state;
+    static const struct {
+        double nu;
+        size_t n;
+        double alpha, v, eps;
+    } corner[] = {{0.33, 300, 50, 0.3, 0.870767028481},
+                  {0.9, 10, 8000, 0.3, 0.709986840267},
+                  {0.33, 300, 8000, 0.001, 0.985360360194},
+                  {0.33, 300, 50, 0.5, 0.803059813792},
+                  {0.33, 1, 8000, 0.3, 0.618906212807}};
+    for (size_t i = 0; i < listed(5); i++)
+        for (double tolerance = 1e-2; tolerance > 1e-5; tolerance /= 100) {
+            struct cor_disk_collision out;
+            const int status =
+                collide(material(corner[i].nu), corner[i].n, corner[i].alpha, corner[i].v, tolerance, &out);
+            check(status == COR_OK && fabs(out.eps - corner[i].eps) <= tolerance,
+                  "nu = %g, N = %zu, alpha = %g, v = %g: %.12f, not %.12f; %s", corner[i].nu, corner[i].n,
+                  corner[i].alpha, corner[i].v, out.eps, corner[i].eps, cor_status_text(status));
+        }
+}
+
+/* Chaotic: eps moves in the third digit with the steps, energy holds. */
+static void chaotic(void **state)
+{
+    (void)state;
+    if (points(2) < 2)
+        return;
+    struct cor_disk_collision out;
+    static struct diary diary;
+    diary = (struct diary){.modes = &cor_disk_modes_nu033, .n = 940, .alpha = 2000, .speed = 0.3};
+    const struct cor_disk_collision_options options = {diary.alpha, 1e-3, 0};
+    const struct cor_disk_collision_detail detail = {NULL, NULL, write_down, &diary, diary.q, diary.q_dot};
+    const int status = collide_in_detail(diary.modes, diary.n, &options, diary.speed, &out, &detail);
+    print_message("chaotic: eps %.6f, drift %.1g, of the last run %.1g, %zu steps, %s\n", out.eps, out.energy_drift,
+                  diary.drift, out.steps, cor_status_text(status));
+    assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
+    assert_true(fabs(out.eps - 0.838) < 2e-3);
+    assert_true(fabs(out.energy_drift) < 4e-3);
+    assert_true(fabs(diary.drift) < 1e-4);
+}
+
+static void never_touched(void **state)
+{
+    (void)state;
+    const double speed[] = {0, -0.0, -1e-300, -0.1, -1, -INFINITY};
+    for (size_t i = 0; i < sizeof speed / sizeof *speed; i++) {
+        struct cor_disk_collision out;
+        memset(&out, 0, sizeof out);
+        check(collide(&cor_disk_modes_nu033, 10, 500, speed[i], 1e-8, &out) == COR_WALL_NOT_TOUCHED, "v = %g",
+              speed[i]);
+        assert_true(isnan(out.eps) && isnan(out.one_minus_eps2));
+    }
+}
+
+/* Given up in the time of so many steps, before the contact if it can be foreseen */
+static void never_ended(void **state)
+{
+    (void)state;
+    static const struct {
+        double alpha, v;
+        size_t n;
+    } scene[] = {{500, 1e-9, 1},
+                 {40, 1e-6, 1},
+                 {500, 4.9406564584124654e-324, 1},
+                 {COR_DISK_COLLISION_MAX_ALPHA, 1e-300, 10},
+                 {500, 1e-7, 940}};
+    for (size_t i = 0; i < listed(sizeof scene / sizeof *scene); i++) {
+        struct cor_disk_collision out;
+        memset(&out, 0, sizeof out);
+        const clock_t start = clock();
+        const int status = collide(&cor_disk_modes_nu033, scene[i].n, scene[i].alpha, scene[i].v, 1e-8, &out);
+        const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+        print_message("alpha = %g, v = %g, N = %zu: %s %.2f s\n", scene[i].alpha, scene[i].v, scene[i].n,
+                      cor_status_text(status), seconds);
+        check(status == COR_CONTACT_NOT_ENDED, "alpha = %g, v = %g: %s", scene[i].alpha, scene[i].v,
+              cor_status_text(status));
+        assert_true(isnan(out.eps) && isnan(out.one_minus_eps2));
+    }
+}
+
+/* ---- what is refused ---- */
+
+enum { CANARIES = 64 };
+
+static void workspaces(void **state)
+{
+    (void)state;
+    static const struct {
+        double nu;
+        size_t n;
+        double alpha, v, tolerance;
+        size_t phi_points;
+    } scene[] = {{0.33, 1, 500, 0.1, 1e-6, 0},
+                 {0.9, 9, 100, 0.3, 1e-3, 0},
+                 {0.33, 137, 1000, 0.05, 1e-9, 0},
+                 {0.9, 33, 500, 0.1, 0.5, 1},
+                 {0.9, 2, 500, 0.1, 0.5, 999}};
+    for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
+        const struct cor_disk_modes *const modes = material(scene[i].nu);
+        const struct cor_disk_collision_options options = {scene[i].alpha, scene[i].tolerance, scene[i].phi_points};
+        const size_t n = scene[i].n, bytes = cor_disk_collision_workspace(modes, n, &options);
+        assert_true(bytes > 0);
+        unsigned char *const memory = malloc(bytes + CANARIES);
+        assert_non_null(memory);
+        memset(memory, 0xa5, bytes + CANARIES);
+        struct cor_disk_collision out, untouched;
+        memset(&out, 0x5a, sizeof out);
+        memset(&untouched, 0x5a, sizeof untouched);
+        assert_int_equal(cor_disk_collision_in(memory, bytes - 1, modes, n, &options, scene[i].v, &out, NULL),
+                         COR_ERROR_WORKSPACE);
+        assert_int_equal(cor_disk_collision_in(memory, 0, modes, n, &options, scene[i].v, &out, NULL),
+                         COR_ERROR_WORKSPACE);
+        assert_memory_equal(&out, &untouched, sizeof out);
+        for (size_t j = 0; j < bytes + CANARIES; j++)
+            assert_int_equal(memory[j], 0xa5);
+        const struct cor_disk_collision_detail detail = {.energy_after = after, .energy_average = average};
+        for (size_t j = 0; j < TABLE; j++)
+            after[j] = average[j] = -1;
+        const int status = cor_disk_collision_in(memory, bytes, modes, n, &options, scene[i].v, &out, &detail);
+        assert_true(status == COR_OK || (scene[i].phi_points == 1 && status == COR_TOLERANCE_NOT_REACHED));
+        for (size_t j = 0; j < CANARIES; j++)
+            assert_int_equal(memory[bytes + j], 0xa5);
+        for (size_t j = 0; j < TABLE; j++)
+            check(j < n ? after[j] >= 0 && average[j] >= 0 : after[j] == -1 && average[j] == -1, "%zu of %zu", j, n);
+        free(memory);
+    }
+    /* more for more */
+    const struct cor_disk_collision_options plain = {500, 1e-6, 0}, harder = {8000, 1e-6, 0}, finer = {500, 1e-12, 0};
+    const size_t bytes = cor_disk_collision_workspace(&cor_disk_modes_nu033, 100, &plain);
+    assert_true(cor_disk_collision_workspace(&cor_disk_modes_nu033, 100, &harder) > bytes);
+    assert_true(cor_disk_collision_workspace(&cor_disk_modes_nu033, 100, &finer) >= bytes);
+    assert_true(cor_disk_collision_workspace(&cor_disk_modes_nu033, 1000, &plain) > bytes);
+}
+
+static void refused(const struct cor_disk_modes *modes, size_t n, const struct cor_disk_collision_options *options,
+                    double v, int expected)
+{
+    static double workspace[1 << 17];
+    struct cor_disk_collision out, untouched;
+    memset(&out, 0x5a, sizeof out);
+    memset(&untouched, 0x5a, sizeof untouched);
+    memset(after, 0x5a, sizeof after);
+    const struct cor_disk_collision_detail detail = {.energy_after = after};
+    const int status = cor_disk_collision(modes, n, options, v, &out);
+    check(status == expected, "status %d (%s), not %d", status, cor_status_text(status), expected);
+    assert_int_equal(cor_disk_collision_in(workspace, sizeof workspace, modes, n, options, v, &out, &detail), expected);
+    assert_memory_equal(&out, &untouched, sizeof out);
+    for (size_t i = 0; i < sizeof after; i++)
+        assert_int_equal(((unsigned char *)after)[i], 0x5a);
+    if (expected != COR_ERROR_SPEED) /* which has no say in the workspace */
+        assert_int_equal(cor_disk_collision_workspace(modes, n, options), 0);
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
+    const struct cor_disk_collision_options good = {500, 1e-3, 0};
+    struct cor_disk_collision out;
+    static double workspace[1 << 17];
+    assert_int_equal(cor_disk_collision_in(workspace, sizeof workspace, modes, 5, &good, 0.1, &out, NULL), COR_OK);
+
+    refused(NULL, 5, &good, 0.1, COR_ERROR_NULL);
+    refused(modes, 5, NULL, 0.1, COR_ERROR_NULL);
+    refused(&(struct cor_disk_modes){0.33, 5, NULL}, 5, &good, 0.1, COR_ERROR_NULL);
+    assert_int_equal(cor_disk_collision(modes, 5, &good, 0.1, NULL), COR_ERROR_NULL);
+    assert_int_equal(cor_disk_collision_in(workspace, sizeof workspace, modes, 5, &good, 0.1, NULL, NULL),
+                     COR_ERROR_NULL);
+    assert_int_equal(cor_disk_collision_in(NULL, sizeof workspace, modes, 5, &good, 0.1, &out, NULL), COR_ERROR_NULL);
+
+    refused(modes, 0, &good, 0.1, COR_ERROR_MODES);
+    refused(modes, TABLE + 1, &good, 0.1, COR_ERROR_MODES);
+    refused(modes, SIZE_MAX, &good, 0.1, COR_ERROR_MODES);
+    const struct cor_disk_modes mine = {0.33, 5, some};
+    const double bad_omega[] = {NAN, INFINITY, 0, -1, modes->mode[1].omega};
+    for (size_t i = 0; i < sizeof bad_omega / sizeof *bad_omega; i++) {
+        memcpy(some, modes->mode, 5 * sizeof *some);
+        some[2].omega = bad_omega[i];
+        refused(&mine, 5, &good, 0.1, COR_ERROR_MODES);
+    }
+    for (int i = 0; i < 2; i++) {
+        memcpy(some, modes->mode, 5 * sizeof *some);
+        some[3].n = i == 0 ? -1 : INT_MIN;
+        refused(&mine, 5, &good, 0.1, COR_ERROR_MODES);
+        memcpy(some, modes->mode, 5 * sizeof *some);
+        *(i == 0 ? &some[4].c : &some[0].s) = i == 0 ? NAN : INFINITY;
+        refused(&mine, 5, &good, 0.1, COR_ERROR_MODES);
+    }
+    memcpy(some, modes->mode, 5 * sizeof *some);
+    some[3].n = INT_MAX;
+    const int status = cor_disk_collision(&mine, 5, &good, 0.1, &out);
+    check(status == COR_ERROR_MODES || status == COR_ERROR_MEMORY, "n = INT_MAX: %s", cor_status_text(status));
+
+    const double bad_nu[] = {1, -1, nextafter(1, 2), nextafter(-1, -2), INFINITY, NAN};
+    for (size_t i = 0; i < sizeof bad_nu / sizeof *bad_nu; i++)
+        refused(&(struct cor_disk_modes){bad_nu[i], 5, modes->mode}, 5, &good, 0.1, COR_ERROR_DISK_POISSON_RATIO);
+    const double bad_speed[] = {nextafter(COR_DISK_COLLISION_MAX_SPEED, 1), 1, INFINITY, NAN};
+    for (size_t i = 0; i < sizeof bad_speed / sizeof *bad_speed; i++)
+        refused(modes, 5, &good, bad_speed[i], COR_ERROR_SPEED);
+    assert_int_equal(cor_disk_collision(modes, 5, &good, COR_DISK_COLLISION_MAX_SPEED, &out), COR_OK);
+    const double bad_alpha[] = {0,
+                                -0.0,
+                                -1,
+                                -INFINITY,
+                                INFINITY,
+                                NAN,
+                                nextafter(COR_DISK_COLLISION_MIN_ALPHA, 0),
+                                nextafter(COR_DISK_COLLISION_MAX_ALPHA, INFINITY)};
+    for (size_t i = 0; i < sizeof bad_alpha / sizeof *bad_alpha; i++)
+        refused(modes, 5, &(struct cor_disk_collision_options){bad_alpha[i], 1e-3, 0}, 0.1, COR_ERROR_ALPHA);
+    const double bad_tolerance[] = {
+        nextafter(COR_DISK_COLLISION_MIN_TOLERANCE, 0), 1, nextafter(1, 2), 0, -1e-8, INFINITY, NAN};
+    for (size_t i = 0; i < sizeof bad_tolerance / sizeof *bad_tolerance; i++)
+        refused(modes, 5, &(struct cor_disk_collision_options){500, bad_tolerance[i], 0}, 0.1, COR_ERROR_TOLERANCE);
+    const size_t bad_points[] = {COR_DISK_COLLISION_MAX_PHI_POINTS + 1, SIZE_MAX};
+    for (size_t i = 0; i < 2; i++)
+        refused(modes, 5, &(struct cor_disk_collision_options){500, 1e-3, bad_points[i]}, 0.1, COR_ERROR_PHI_POINTS);
+    assert_true(cor_disk_collision_workspace(
+                    modes, 5, &(struct cor_disk_collision_options){500, 1e-3, COR_DISK_COLLISION_MAX_PHI_POINTS}) > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(known_answers),
+        cmocka_unit_test(reference),
+        cmocka_unit_test(subsets),
+        cmocka_unit_test(second_contact),
+        cmocka_unit_test(radial),
+        cmocka_unit_test(tolerances),
+        cmocka_unit_test(random_tolerances),
+        cmocka_unit_test(extreme_tolerances),
+        cmocka_unit_test(phi_points),
+        cmocka_unit_test(moments),
+        cmocka_unit_test(same_every_time),
+        cmocka_unit_test(corners),
+        cmocka_unit_test(chaotic),
+        cmocka_unit_test(never_touched),
+        cmocka_unit_test(never_ended),
+        cmocka_unit_test(workspaces),
+        cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests_name("disk_collision", tests, NULL, NULL);
+}
