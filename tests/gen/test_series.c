@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The restitution series: closed forms at high order, and a second route to every coefficient. */
 #include "ball.h"
+#include "check.h"
 
 #include "collision.h"
 #include "restitution.h"
@@ -259,7 +260,7 @@ static void compare_routes(const struct law *law, slong order, slong bits, slong
 static void test_two_routes(void **state)
 {
     (void)state;
-    compare_routes(&law_sphere, 60, 100, 260);
+    compare_routes(&law_sphere, points(40) > 40 ? 60 : 40, 100, 260); /* with COR_TEST_MULTIPLIER: half a minute */
 }
 
 /* Other laws by both routes: nothing in them is special to the sphere. */
@@ -293,9 +294,10 @@ static void test_vanishing_coefficient(void **state)
         arb_poly_init(c);
         arb_init(x);
         assert_null(law_parse(&law, cases[i].a, cases[i].b));
-        assert_int_equal(series_compute(&s, 12, &law, 80), 0);
-        assert_int_equal(collision_series(y, tau, c, 12, &law, 300), 0);
-        for (slong k = 1; k <= 12; k++) {
+        const slong order = cases[i].k + 2;
+        assert_int_equal(series_compute(&s, order, &law, 80), 0);
+        assert_int_equal(collision_series(y, tau, c, order, &law, 300), 0);
+        for (slong k = 1; k <= order; k++) {
             arb_poly_get_coeff_arb(x, s.c, k);
             assert_true(arb_is_zero(x) == (k == cases[i].k));
             arb_poly_get_coeff_arb(x, c, k);
