@@ -147,7 +147,7 @@ function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j,
     printf "- **Spheres, any speed: cor.** One at a time %s ns from a speed, in arrays %s ns (%s), error %s. The published formula takes %s ns and is wrong by %s there, by a factor of %s where dissipation is strong: leave it.\n", \
         plain_ns(ns[t, c]), plain_ns(ns[t, a]), set[t, a], short(error[t, a]), plain_ns(ns[t, i]), short(error[t, i]), \
         times(1 + error[t, row_of(t, "strong", "overlap", "scalar", "published", "[1/4] of Table I")])
-    printf "  Where dissipation is weak, 0.03 <= beta <= 0.19, cor takes %s ns at zero overlap and %s ns at zero force: below beta = 1/16 the fast way from a speed has no table.\n", \
+    printf "  Where dissipation is weak, 0.03 <= beta <= 0.19, cor takes %s ns at zero overlap and %s ns at zero force; below beta = 1/256, where eps > 0.995, a fifth root comes on top.\n", \
         plain_ns(ns[t, row_of(t, "weak", "overlap", "scalar", "cor", "")]), plain_ns(ns[t, row_of(t, "weak", "force", "scalar", "cor", "")])
     split("overlap force", ends, " ")
     least = 1e9; most = 0; tie = ""

@@ -17,6 +17,7 @@ enum {
     PADE_SKEW = 6, /* denominator's degree less numerator's */
     SERIES_MAX = 40,
     PIECE_DEGREE_MAX = 9,
+    LARGE_PIECE_DEGREE_MAX = 11, /* of tables that are large anyway */
     FRACTION_BITS_MAX = 8,
     ROWS_MAX = 256,
     SERIES_BITS = 320
@@ -182,17 +183,20 @@ static void search_pieces_beta(struct embed_form *best, const struct embed_scene
 
 static void search_pieces_speed(struct embed_form *best, const struct embed_scene *s)
 {
-    for (slong degree = 1; degree <= PIECE_DEGREE_MAX && !best->found; degree++)
-        for (int bits = 0; bits <= FRACTION_BITS_MAX && !best->found; bits++) {
-            struct embed_form f = blank(s, FAMILY_PIECES_SPEED, SPEED);
-            f.numerator = degree;
-            if (embed_fit_pieces_speed(&f, s, bits) && meets(&f, s))
-                keep(best, &f);
-            else
-                embed_form_clear(&f);
-        }
+    for (slong least = 0, most = EMBED_TABLE_BYTES; most <= EMBED_TABLE_BYTES_MOST; least = most, most *= 2)
+        for (slong degree = 1; degree <= (least == 0 ? PIECE_DEGREE_MAX : LARGE_PIECE_DEGREE_MAX) && !best->found;
+             degree++)
+            for (int bits = 0; bits <= FRACTION_BITS_MAX && !best->found; bits++) {
+                struct embed_form f = blank(s, FAMILY_PIECES_SPEED, SPEED);
+                f.numerator = degree;
+                if (embed_fit_pieces_speed(&f, s, bits, least, most) && meets(&f, s))
+                    keep(best, &f);
+                else
+                    embed_form_clear(&f);
+            }
     if (!best->found)
-        snprintf(best->why, sizeof best->why, "no table of %d bytes or less meets the tolerance", EMBED_TABLE_BYTES);
+        snprintf(best->why, sizeof best->why, "no table of %d bytes or less meets the tolerance",
+                 EMBED_TABLE_BYTES_MOST);
 }
 
 int embed_series(arb_poly_t series, slong *root, const struct embed_scene *s)

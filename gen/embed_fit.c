@@ -252,13 +252,15 @@ bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s)
     return good;
 }
 
-bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, int fraction_bits)
+bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, int fraction_bits, slong more_than,
+                            slong at_most)
 {
     const slong columns = f->numerator + 1;
     f->low_bits = (f->single ? 23 : 52) - fraction_bits;
     f->first = embed_bits_of(f, s->speed_min) >> f->low_bits;
     f->rows = (slong)((embed_bits_of(f, s->speed_max) >> f->low_bits) - f->first) + 1;
-    if (f->rows * columns * (f->single ? 4 : 8) > EMBED_TABLE_BYTES)
+    const slong bytes = f->rows * columns * (f->single ? 4 : 8);
+    if (bytes <= more_than || bytes > at_most)
         return false;
     arb_ptr exact = _arb_vec_init(f->rows * columns), t = _arb_vec_init(columns), eps = _arb_vec_init(columns);
     arb_t g;

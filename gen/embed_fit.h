@@ -18,7 +18,9 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
 /* Polynomials of degree f->numerator on f->rows even pieces of the fifth root. */
 bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s);
 
-/* On pieces that begin where so many leading bits of the fraction change. */
-bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, int fraction_bits);
+/* On pieces that begin where so many leading bits of the fraction change; false also if their table takes more bytes
+ * than at_most, or not more than more_than. */
+bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, int fraction_bits, slong more_than,
+                            slong at_most);
 
 #endif

@@ -59,7 +59,8 @@ extern const double embed_root_seed[4], embed_root_step[4];
  * short. */
 enum { EMBED_SPLIT = 4 };
 
-enum { EMBED_TABLE_BYTES = 4096 };
+/* What a table may take of the memory next to the processor, and of speeds, where so little does not suffice. */
+enum { EMBED_TABLE_BYTES = 4096, EMBED_TABLE_BYTES_MOST = 16384 };
 
 struct embed_form {
     enum embed_family family;

@@ -17,8 +17,8 @@
 #define COR_INLINE_OVERLAP_FAR 7.0
 #define COR_INLINE_FORCE_FAR 16.0
 #define COR_INLINE_FAR 8.0
-/* Rows in x = beta^5 are from 2^-20 to 2^14 (zero overlap) and 2^20 (zero force). */
-#define COR_INLINE_POWER_NEAR (1 / 1048576.0)
+/* Rows in x = beta^5 are from 2^-40 to 2^14 (zero overlap) and 2^20 (zero force). */
+#define COR_INLINE_POWER_NEAR (1 / 1099511627776.0)
 #define COR_INLINE_OVERLAP_POWER 16384.0
 #define COR_INLINE_FORCE_POWER 1048576.0
 /* Below, the loss has rows of its own. */
@@ -51,10 +51,10 @@ COR_INLINE int cor_inline_root_index(double z)
     return (int)(z * 16 + 0.5);
 }
 
-/* Row of the grid in x = beta^5, eight to an octave from 2^-20 on, and t = the fraction of x, 1 to 2, less its node. */
+/* Row of the grid in x = beta^5, eight to an octave from 2^-40 on, and t = the fraction of x, 1 to 2, less its node. */
 COR_INLINE uint64_t cor_inline_power_index(double x)
 {
-    return (cor_inline_bits(x) >> 49) - UINT64_C(8) * (1023 - 20);
+    return (cor_inline_bits(x) >> 49) - UINT64_C(8) * (1023 - 40);
 }
 
 COR_INLINE double cor_inline_power_t(double x)
@@ -83,10 +83,13 @@ COR_INLINE struct cor_inline_pair cor_inline_eps_force_parts(double beta)
     const double z = sqrt(beta);
     const int i = cor_inline_root_index(z);
     const double *c = cor_rows_eps_zero_force(i);
-    const double node = i * 0.0625, t = z - node;
+    const double node = i * 0.0625, t = z - node, square = beta - node * node;
+    /* chosen by bits: a jump here is foreseen wrongly half of the time where beta scatters around 1/16 */
+    const uint64_t plain = (uint64_t)0 - (uint64_t)(node < COR_INLINE_PLAIN);
+    const double s = cor_inline_from_bits((cor_inline_bits(t) & plain) | (cor_inline_bits(square) & ~plain));
     struct cor_inline_pair eps;
     eps.hi = c[0];
-    eps.lo = cor_inline_row(c, node < COR_INLINE_PLAIN ? t : beta - node * node, t);
+    eps.lo = cor_inline_row(c, s, t);
     return eps;
 }
 
@@ -201,8 +204,8 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
     return beta >= 0 ? cor_inline_eps_force_far(beta) : (double)NAN;
 }
 
-/* eps at beta = x^(1/5), x being the product of an impact speed g with beta_per_root^5. Between 2^-20 and 2^14 or
- * 2^20 (beta = 1/16 and 7 or 16) no root is taken: rows in x itself, which its exponent and leading bits choose, and only a
+/* eps at beta = x^(1/5), x being the product of an impact speed g with beta_per_root^5. Between 2^-40 and 2^14 or
+ * 2^20 (beta = 1/256 and 7 or 16) no root is taken: rows in x itself, which its exponent and leading bits choose, and only a
  * fifth of the product's rounding error reaches beta. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {

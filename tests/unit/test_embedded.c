@@ -73,7 +73,7 @@ static void the_same_bits(void **state)
                               0.25,
                               16807,
                               1048576,
-                              0x1p-20,
+                              0x1p-40,
                               256,
                               1024,
                               INFINITY,

@@ -45,7 +45,7 @@ static void fill(double *x, int count)
     struct random_state random = random_start();
     const double special[] = {0.0,     -0.0,  NAN,  INFINITY, -INFINITY, -1,      4.9406564584124654e-324,
                               7,       16,    8,    0.25,     DBL_MAX,   DBL_MIN, -4.9406564584124654e-324,
-                              0x1p-20, 0x1p8, 1024, 1,        0.5,       16807,   1048576};
+                              0x1p-40, 0x1p8, 1024, 1,        0.5,       16807,   1048576};
     enum { SPECIAL = sizeof special / sizeof *special };
     for (int i = 0; i < count; i++)
         switch (i % 5) {
