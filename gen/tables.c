@@ -4,12 +4,14 @@
 #define _XOPEN_SOURCE 700 /* open_memstream, mkdir */
 
 #include <errno.h>
+#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "../runtime/mode_file.h"
 #include "console.h"
 #include "disk_limits.h"
 #include "disk_tables.h"
@@ -74,7 +76,8 @@ static int make_manifest(struct content *manifest, const struct content *c, int 
         long lines = 0;
         for (size_t k = 0; k < c[i].size; k++)
             lines += c[i].text[k] == '\n';
-        fprintf(file, "file %s %zu bytes %ld lines\n", c[i].name, c[i].size, lines);
+        fprintf(file, "file %s %zu bytes %ld lines check %08" PRIx32 "\n", c[i].name, c[i].size, lines,
+                cor_mode_file_check(COR_MODE_FILE_CHECK_START, c[i].text, c[i].size));
     }
     fprintf(file, "\n" MANIFEST_VERSION_WORD " FLINT %s\n", flint_version);
 #ifndef COR_FLINT_HAS_ARB

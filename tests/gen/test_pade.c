@@ -12,6 +12,7 @@
 
 #include "collision.h"
 #include "pade.h"
+#include "pade_rounded.h"
 #include "published.h"
 
 enum { PREC = 256, BITS = 160 };
@@ -433,12 +434,68 @@ static void test_refusals(void **state)
     assert_non_null(pade_refusal(&r));
 }
 
+/* The doubles of a Padé in beta^(1/root) and the largest error of their quotient, found here with double. */
+static void test_rounded(void **state)
+{
+    (void)state;
+    static const struct {
+        enum contact_end end;
+        slong m, n;
+    } entry[] = {{END_ZERO_OVERLAP, 3, 6}, {END_ZERO_FORCE, 4, 7}};
+    enum { EVEN = 8, SMALL = 2, BETA_MAX = 2 };
+    struct references s;
+    struct collision collision;
+    arb_t beta;
+    collision_init(&collision);
+    arb_init(beta);
+    assert_int_equal(references_init(&s, &law_sphere, BETA_MAX, EVEN, SMALL), 0);
+    assert_int_equal(s.count, EVEN + SMALL);
+    for (size_t k = 0; k < sizeof entry / sizeof *entry; k++) {
+        const struct pade_request r = ordinary(entry[k].m, entry[k].n, entry[k].end);
+        struct pade f;
+        struct pade_rounded rounded;
+        struct pade_error error;
+        double worst = 0, worst_loss = 0;
+        pade_init(&f);
+        pade_rounded_init(&rounded);
+        pade_error_init(&error);
+        assert_int_equal(pade_compute(&f, NULL, &r, PREC), 0);
+        assert_int_equal(pade_round(&rounded, &f), 0);
+        pade_approximation_error(&error, &rounded, r.end, &s);
+        for (int i = 1; i <= EVEN; i++) {
+            const double b = (double)BETA_MAX * i / EVEN, z = r.end == END_ZERO_FORCE ? sqrt(b) : b;
+            double p = 0, q = 0, l = 0;
+            for (slong j = 0; j <= entry[k].m + entry[k].n; j++) {
+                p += middle(rounded.p_double, j) * pow(z, (double)j);
+                q += middle(rounded.q_double, j) * pow(z, (double)j);
+                l += middle(rounded.l_double, j) * pow(z, (double)j);
+            }
+            arb_set_d(beta, b);
+            assert_int_equal(collision_solve(&collision, beta, &law_sphere, 64), 0);
+            const double eps =
+                arf_get_d(arb_midref(r.end == END_ZERO_FORCE ? collision.eps_zero_force : collision.eps_zero_overlap),
+                          ARF_RND_NEAR);
+            worst = fmax(worst, fabs(p / q / eps - 1));
+            worst_loss = fmax(worst_loss, fabs(b * l / q / (1 - eps) - 1));
+        }
+        print_message("[%ld/%ld]: %.3g, loss %.3g\n", (long)entry[k].m, (long)entry[k].n, error.eps, error.loss);
+        assert_near(error.eps / worst, 1, 1e-6);
+        assert_near(error.loss / worst_loss, 1, 1e-6);
+        pade_clear(&f);
+        pade_rounded_clear(&rounded);
+        pade_error_clear(&error);
+    }
+    references_clear(&s);
+    arb_clear(beta);
+    collision_clear(&collision);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_exponential), cmocka_unit_test(test_reexpansion),   cmocka_unit_test(test_two_point),
-        cmocka_unit_test(test_published),   cmocka_unit_test(test_true_one_four), cmocka_unit_test(test_spurious_pair),
-        cmocka_unit_test(test_degenerate),  cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_exponential),   cmocka_unit_test(test_reexpansion), cmocka_unit_test(test_two_point),
+        cmocka_unit_test(test_rounded),       cmocka_unit_test(test_published),   cmocka_unit_test(test_true_one_four),
+        cmocka_unit_test(test_spurious_pair), cmocka_unit_test(test_degenerate),  cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

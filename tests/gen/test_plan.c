@@ -235,6 +235,7 @@ static void test_spheres(void **state)
         const double beta = beta_of(plan.speed[i]);
         double overlap, force;
         solve(&overlap, &force, beta);
+        assert_true(fabs(plan.speed[i] / (0.01 * pow(100, (double)i / 8)) - 1) < 1e-14);
         assert_true(fabs(plan.at[i] / beta - 1) < 1e-14 && fabs(plan.truth[i] / force - 1) < 1e-14);
         check_values(&plan, "simple theory (27)", i, simple(beta), 1e-14);
         check_values(&plan, "Pade [1/4] as printed in 1999", i, printed_1999(beta), 1e-14);
@@ -293,6 +294,26 @@ static void test_spheres(void **state)
     assert_true(plan.model[plan.chosen].cost == 0);
     check_chosen(&plan, &r);
     check_choice(&plan, &r);
+    plan_spheres_clear(&plan);
+    plan_clear(&plan);
+}
+
+/* Beyond beta = 7 eps at zero overlap is h*^5/beta^5. */
+static void test_strong_damping(void **state)
+{
+    (void)state;
+    struct options o = {.end = END_ZERO_OVERLAP, .points = 3};
+    o.real[OPTIONS_SPEED_MIN] = "0.1";
+    o.real[OPTIONS_SPEED_MAX] = "10";
+    o.real[OPTIONS_TOLERANCE] = "1e-6";
+    o.real[OPTIONS_G_STAR] = "1e-5";
+    struct plan plan;
+    struct cor_sphere_contact contact;
+    assert_int_equal(plan_spheres(&plan, &o), STATUS_OK);
+    assert_int_equal(cor_sphere_contact_init_g_star(&contact, 1e-5), COR_OK);
+    assert_true(plan.at[0] < 7 && plan.at[1] > 7);
+    for (slong i = 0; i < plan.points; i++)
+        assert_true(fabs(cor_contact_eps_zero_overlap(&contact, plan.speed[i]) / plan.truth[i] - 1) < 1e-14);
     plan_spheres_clear(&plan);
     plan_clear(&plan);
 }
@@ -425,6 +446,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_spheres),
+        cmocka_unit_test(test_strong_damping),
         cmocka_unit_test(test_disks),
         cmocka_unit_test(test_contact_time),
     };

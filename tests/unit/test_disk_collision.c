@@ -20,7 +20,7 @@ static const double slack = 1e-11;
 
 /* What disk.h calls not as good: taken between moments, in the midst of the contact; relative to v, relative, and
  * relative to (pi/2) v^2, at a tolerance of 1e-11 */
-static const double depth_bound = 1e-7, time_bound = 1e-6, average_bound = 1e-4;
+static const double depth_bound = 1e-7, time_bound = 1e-6, average_bound = 1e-6, soft_average_bound = 1e-4;
 
 enum { TABLE = 1800 };
 static double after[TABLE], average[TABLE], reference_after[TABLE], reference_average[TABLE];
@@ -126,8 +126,8 @@ static void as_reference(const struct cor_disk_modes *modes, size_t n, double al
           "N = %zu, alpha = %g, v = %g: %.15f, not %.15f", n, alpha, v, out.max_compression, reference.max_compression);
     check(fabs(out.contact_time / reference.contact_time - 1) <= time_bound,
           "N = %zu, alpha = %g, v = %g: %.15f, not %.15f", n, alpha, v, out.contact_time, reference.contact_time);
-    check(off_average <= average_bound, "N = %zu, alpha = %g, v = %g: a mode's mean energy is off %g", n, alpha, v,
-          off_average);
+    check(off_average <= (alpha * v < 10 ? soft_average_bound : average_bound),
+          "N = %zu, alpha = %g, v = %g: a mode's mean energy is off %g", n, alpha, v, off_average);
 }
 
 static void reference(void **state)
@@ -409,9 +409,9 @@ static void phi_points(void **state)
 struct diary {
     const struct cor_disk_modes *modes;
     size_t n, count;
-    double alpha, speed, q[TABLE], q_dot[TABLE], energy[TABLE];
+    double alpha, speed, q[TABLE], q_dot[TABLE], energy[TABLE], first_q[TABLE];
     struct cor_disk_moment first, last;
-    double wander, drift, max_position, impulse;
+    double wander, drift, max_position, impulse, astray;
 };
 
 static void write_down(void *context, const struct cor_disk_moment *moment)
@@ -433,8 +433,12 @@ static void write_down(void *context, const struct cor_disk_moment *moment)
         for (size_t i = 0; i < d->n; i++)
             assert_true(fabs(d->q_dot[i]) < 1e-6 * d->speed &&
                         d->modes->mode[i].omega * fabs(d->q[i]) < 1e-6 * d->speed);
+        memcpy(d->first_q, d->q, sizeof d->q);
     } else {
         const double dt = moment->time - d->last.time;
+        /* modes follow a force that grows like exp(alpha v t), and no swing of their own is in them */
+        for (size_t i = 0; d->count == 1 && i < d->n; i++)
+            d->astray = fmax(d->astray, fabs(d->q[i] / d->first_q[i] / exp(d->alpha * d->speed * dt) - 1));
         check(dt > 0, "time %g after %g", moment->time, d->last.time);
         d->impulse += dt * (moment->load + d->last.load) / 2;
         d->max_position = fmax(d->max_position, moment->position);
@@ -449,9 +453,11 @@ static void moments(void **state)
     static const struct {
         double nu;
         size_t n;
-        double alpha, v, tolerance;
-    } scene[] = {
-        {0.33, 10, 500, 0.1, 1e-9}, {0.9, 100, 2000, 0.02, 1e-10}, {0.33, 1, 50, 0.3, 1e-6}, {0.9, 30, 300, 0.1, 1e-3}};
+        double alpha, v, tolerance, wander;
+    } scene[] = {{0.33, 10, 500, 0.1, 1e-9, 3e-4},
+                 {0.9, 100, 2000, 0.02, 1e-10, 1.2e-5},
+                 {0.33, 1, 50, 0.3, 1e-6, 1.5e-3},
+                 {0.9, 30, 300, 0.1, 1e-3, 5e-4}};
     for (size_t k = 0; k < listed(sizeof scene / sizeof *scene); k++) {
         struct diary diary = {
             .modes = material(scene[k].nu), .n = scene[k].n, .alpha = scene[k].alpha, .speed = scene[k].v};
@@ -476,10 +482,12 @@ static void moments(void **state)
         double off = fabs(diary.last.velocity / -diary.speed - out.eps);
         for (size_t i = 0; i < diary.n; i++)
             off = fmax(off, fabs(diary.energy[i] / energy - after[i]));
+        print_message("first modes astray by %.1g\n", diary.astray);
+        assert_true(diary.astray < 0.01);
         print_message("last moment off %.1g, depth %.1g\n", off, diary.max_position + 1 - out.max_compression);
         assert_true(off < 1e-4);
         /* in between, where the modified potential stands for the wall's, to the square of the step */
-        assert_true(diary.wander <= 0.01);
+        assert_true(diary.wander <= scene[k].wander);
         assert_true(fabs(diary.max_position + 1 - out.max_compression) < 1e-3 * out.max_compression);
         assert_true(out.contact_time < diary.last.time - diary.first.time);
         assert_true(fabs(diary.impulse / (pi * diary.speed * (1 + out.eps)) - 1) < 0.02);
