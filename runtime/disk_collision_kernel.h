@@ -6,22 +6,20 @@
 #define COR_RUNTIME_DISK_COLLISION_KERNEL_H
 
 #include <math.h>
-#include <stdint.h>
 #include <string.h>
 
 #include "disk_collision.h"
+#include "kernel_exp.h"
 
 /* The set that includes this file defines VECTOR, the doubles in one of its vectors, and ACCUMULATORS, how many vectors
  * a sum over terms or angles keeps at once, so that additions need not wait for each other and registers suffice. */
 
 #ifdef __GNUC__
-#define KERNEL static inline __attribute__((always_inline))
 typedef double vector __attribute__((vector_size(VECTOR * sizeof(double))));
 #define MINUS(x, y) ((x) - (y))
 #define PLUS(x, y) ((x) + (y))
 #define TIMES(x, y) ((x) * (y))
 #else
-#define KERNEL static inline
 typedef struct {
     double of[VECTOR];
 } vector;
@@ -123,28 +121,11 @@ KERNEL void kernel_transform(const struct cor_rim *rim, size_t points, const dou
         kernel_sum(points, 0, nothing, pressure, rim->by_term + k * rim->points, e + k);
 }
 
-/* x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer, |x| < 2^51. */
-#define ROUND_TO_INTEGER 6755399441055744.0
-
-/* exp(x), |x| < 700; 0 below, infinite above. Taylor's series on |r| <= ln(2)/2 as far as 2^-55. */
-KERNEL double kernel_exp(double x)
+/* exp(x); 0 below -700, infinite from 700 on */
+KERNEL double kernel_push(double x)
 {
-    const double y = x > -700 ? x : -700;
-    const double shifted = y * 1.4426950408889634 + ROUND_TO_INTEGER, k = shifted - ROUND_TO_INTEGER;
-    const double r = (y - k * 0x1.62e42feep-1) - k * 0x1.a39ef35793c76p-33;
-    const double p =
-        1.0 / 5040 +
-        r * (1.0 / 40320 +
-             r * (1.0 / 362880 +
-                  r * (1.0 / 3628800 + r * (1.0 / 39916800 + r * (1.0 / 479001600 + r * (1.0 / 6227020800))))));
-    const double e =
-        1 + (r + r * r * (0.5 + r * (1.0 / 6 + r * (1.0 / 24 + r * (1.0 / 120 + r * (1.0 / 720 + r * p))))));
-    uint64_t bits;
-    double scale;
-    memcpy(&bits, &shifted, sizeof bits);
-    bits = (bits + 1023) << 52; /* the integer is in the last bits */
-    memcpy(&scale, &bits, sizeof scale);
-    return x < 700 ? x > -700 ? e * scale : 0 : (double)INFINITY;
+    const double e = kernel_exp(x > -700 ? x : -700);
+    return x < 700 ? x > -700 ? e : 0 : (double)INFINITY;
 }
 
 KERNEL double sum_of_lanes(const double sum[COR_LANES])
@@ -156,7 +137,7 @@ KERNEL double kernel_press(size_t points, double alpha, const double *weight, co
 {
     double sum[COR_LANES] = {0};
     for (size_t j = 0; j < points; j++)
-        pressure[j] = weight[j] * kernel_exp(alpha * reach[j]);
+        pressure[j] = weight[j] * kernel_push(alpha * reach[j]);
     for (size_t j = 0; j < points; j += COR_LANES)
         for (size_t i = 0; i < COR_LANES; i++)
             sum[i] += pressure[j + i];

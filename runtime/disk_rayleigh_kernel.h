@@ -11,16 +11,7 @@
 #include <string.h>
 
 #include "disk_rayleigh_spectrum.h"
-
-/* A call left in a loop would keep it from being vectorised. */
-#ifdef __GNUC__
-#define KERNEL static inline __attribute__((always_inline))
-#else
-#define KERNEL static inline
-#endif
-
-/* x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer, |x| < 2^51. */
-#define ROUND_TO_INTEGER 6755399441055744.0
+#include "kernel_exp.h"
 
 struct pair_of_numbers {
     double sine, cosine;
@@ -55,25 +46,11 @@ KERNEL struct pair_of_numbers kernel_sincos(double x)
     return result;
 }
 
-/* exp(-x), x > -700; 0 beyond 700. Taylor's series on |r| <= ln(2)/2 as far as 2^-55. */
-KERNEL double kernel_exp(double x)
+/* exp(-x), x > -700; 0 beyond 700 */
+KERNEL double kernel_decay(double x)
 {
-    const double y = x < 700 ? -x : -700;
-    const double shifted = y * 1.4426950408889634 + ROUND_TO_INTEGER, k = shifted - ROUND_TO_INTEGER;
-    const double r = (y - k * 0x1.62e42feep-1) - k * 0x1.a39ef35793c76p-33;
-    const double p =
-        1.0 / 5040 +
-        r * (1.0 / 40320 +
-             r * (1.0 / 362880 +
-                  r * (1.0 / 3628800 + r * (1.0 / 39916800 + r * (1.0 / 479001600 + r * (1.0 / 6227020800))))));
-    const double e =
-        1 + (r + r * r * (0.5 + r * (1.0 / 6 + r * (1.0 / 24 + r * (1.0 / 120 + r * (1.0 / 720 + r * p))))));
-    uint64_t bits;
-    double scale;
-    memcpy(&bits, &shifted, sizeof bits);
-    bits = (bits + 1023) << 52; /* the integer is in the last bits */
-    memcpy(&scale, &bits, sizeof scale);
-    return x < 700 ? e * scale : 0;
+    const double e = kernel_exp(x < 700 ? -x : -700);
+    return x < 700 ? e : 0;
 }
 
 /* ---- complex numbers: <complex.h> would check every product for infinities ---- */
@@ -164,7 +141,7 @@ struct pair_of_complex {
 KERNEL struct pair_of_complex kernel_complex_sincos(struct number x)
 {
     const struct pair_of_numbers turn = kernel_sincos(x.re);
-    const double down = kernel_exp(x.im), up = 1 / down, cosh_im = 0.5 * (up + down), z = x.im * x.im;
+    const double down = kernel_decay(x.im), up = 1 / down, cosh_im = 0.5 * (up + down), z = x.im * x.im;
     const double series =
         x.im * (1 + z * (1.0 / 6 +
                          z * (1.0 / 120 +
@@ -213,7 +190,7 @@ KERNEL struct number kernel_halley(double q0, struct number power, double move, 
 {
     const struct number one = number(1, 0), six = number(6, 0), y = plus(one, t);
     const struct pair_of_numbers turn = kernel_sincos(t.im);
-    const double size = kernel_exp(t.re - q0);
+    const double size = kernel_decay(t.re - q0);
     const struct number d = minus(times(times(y, power), number(size * turn.cosine, -size * turn.sine)), one);
     /* f = ln(1 + d) = d (6 + d)/(6 + 4 d) + O(d^4), e = -f/f', t -= e/(1 - e f''/(2 f')) */
     const struct number f = divided(times(d, plus(six, d)), plus(six, scaled(4, d))), e = divided(times(f, y), t);
@@ -282,7 +259,7 @@ KERNEL void kernel_panel(const struct cor_leg_path *path, int from_zero, const s
     const double panel = steps * COR_LEG_STEP;
     double step_re[LANES], step_im[LANES], t_re[LANES], t_im[LANES], power_re[LANES], power_im[LANES], move[LANES];
     for (int i = 0; i < LANES; i++) {
-        const double rho = kernel_exp(top - 0.5 * panel * (1 - rule->x[i]));
+        const double rho = kernel_decay(top - 0.5 * panel * (1 - rule->x[i]));
         const struct path_point point = kernel_path(path, from_zero, rho);
         const struct number step = scaled(0.5 * panel * rho, number(-point.slope.im, point.slope.re));
         const struct number t = kernel_guess(path, from_zero, &point, &move[i]);
@@ -322,7 +299,7 @@ KERNEL void kernel_panel(const struct cor_leg_path *path, int from_zero, const s
     memcpy(leg->p_im + leg->n, im, sizeof im);
     const int weights = steps == COR_LEG_STEPS ? COR_LEG_STEPS : COR_LEG_SHORT;
     for (int k = 0; k < weights; k++) {
-        const double rho = kernel_exp(top - k * COR_LEG_STEP);
+        const double rho = kernel_decay(top - k * COR_LEG_STEP);
         const struct path_point point = kernel_path(path, from_zero, rho);
         const struct number w = times(point.slope, scaled(COR_LEG_STEP * rho * path->scale, point.sine));
         w_re[k] = w.re;
@@ -350,7 +327,7 @@ KERNEL void kernel_exponentials(int n, const double *restrict p_re, const double
                                 double *restrict e_re, double *restrict e_im)
 {
     for (int i = 0; i < n; i++) {
-        const double size = kernel_exp(omega * p_re[i]);
+        const double size = kernel_decay(omega * p_re[i]);
         const struct pair_of_numbers turn = kernel_sincos(omega * p_im[i]);
         e_re[i] = size * turn.cosine;
         e_im[i] = -size * turn.sine;
@@ -462,7 +439,7 @@ KERNEL void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
             b2 = b1;
             b1 = b;
         }
-        lines->other[i] = (x * b1 - b2 + c[0]) * inverse * kernel_exp(omega[i] * spectrum->decay);
+        lines->other[i] = (x * b1 - b2 + c[0]) * inverse * kernel_decay(omega[i] * spectrum->decay);
     }
 }
 

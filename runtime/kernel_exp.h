@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/* exp without a call, a jump or a table, for the loops of disk_rayleigh_kernel.h and disk_collision_kernel.h. */
+#ifndef COR_RUNTIME_KERNEL_EXP_H
+#define COR_RUNTIME_KERNEL_EXP_H
+
+#include <stdint.h>
+#include <string.h>
+
+/* A call left in a loop would keep it from being vectorised. */
+#ifdef __GNUC__
+#define KERNEL static inline __attribute__((always_inline))
+#else
+#define KERNEL static inline
+#endif
+
+/* x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer, |x| < 2^51. */
+#define ROUND_TO_INTEGER 6755399441055744.0
+
+/* exp(x), |x| <= 700, and some number beyond. Taylor's series on |r| <= ln(2)/2 as far as 2^-55. */
+KERNEL double kernel_exp(double x)
+{
+    const double shifted = x * 1.4426950408889634 + ROUND_TO_INTEGER, k = shifted - ROUND_TO_INTEGER;
+    const double r = (x - k * 0x1.62e42feep-1) - k * 0x1.a39ef35793c76p-33;
+    const double p =
+        1.0 / 5040 +
+        r * (1.0 / 40320 +
+             r * (1.0 / 362880 +
+                  r * (1.0 / 3628800 + r * (1.0 / 39916800 + r * (1.0 / 479001600 + r * (1.0 / 6227020800))))));
+    const double e =
+        1 + (r + r * r * (0.5 + r * (1.0 / 6 + r * (1.0 / 24 + r * (1.0 / 120 + r * (1.0 / 720 + r * p))))));
+    uint64_t bits;
+    double scale;
+    memcpy(&bits, &shifted, sizeof bits);
+    bits = (bits + 1023) << 52; /* the integer is in the last bits */
+    memcpy(&scale, &bits, sizeof scale);
+    return e * scale;
+}
+
+#endif
