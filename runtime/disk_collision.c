@@ -37,6 +37,9 @@
 #define WALL_LEFT 1e-6
 /* What the angles may be off by, relative to the largest load, over the tolerance; eps is off by less than a tenth */
 #define ANGLES_OFF 1.0
+/* A run that moves eps by more than this is of a collision near chaos, which amplifies what angles are off by too; else
+ * the first ones move it by 1e-5 to 1e-4. */
+#define CALM 1e-4
 enum { LEAST_PHI = 16 };
 /* The estimate of the error, at most, over the tolerance */
 #define STEP_SHARE 0.5
@@ -607,11 +610,23 @@ static double first_step(const struct motion *m)
 }
 
 /* The pressure's harmonics fall off exponentially. With phi angles the harmonic 4 phi - k stands in for k, the worst is
- * that for the largest k; with half the angles, 2 phi stands in for the load, which says how fast they fall off. */
-static double angles_off(const struct motion *m, const struct run *run)
+ * that for the largest k; with half the angles, 2 phi stands in for the load, which says how fast they fall off. shaken:
+ * by how much a run has moved eps, at most. */
+static double angles_off(const struct motion *m, const struct run *run, double shaken)
 {
     const double room = 2 - 0.5 * (double)m->size.n_max / (double)m->phi;
-    return room > 0 ? pow(run->ripple / run->max_load, room) : 1;
+    return room > 0 ? pow(run->ripple / run->max_load, room) * fmax(1, shaken / CALM) : 1;
+}
+
+static int too_coarse(const struct motion *m, const struct run *run, double shaken)
+{
+    return m->phi < m->phi_limit && angles_off(m, run, shaken) > ANGLES_OFF * m->tolerance;
+}
+
+static void more_angles(struct motion *m)
+{
+    const size_t phi = m->phi + m->phi / 4 + 1;
+    set_angles(m, phi < m->phi_limit ? phi : m->phi_limit);
 }
 
 /* Results of the first `levels` runs; returns by how much extrapolation leaves modes with less energy than none, which
@@ -699,7 +714,7 @@ static int extrapolate(struct motion *m, struct cor_disk_collision *out, const s
     struct run run[MAX_LEVELS + 1]; /* the kept ones, and what the next one is before it is kept */
     double moved[MAX_RUNS] = {0};   /* by how much each run moved the answer */
     int levels = 0, runs = 0, cuts = 0, settled = 0, hopeless = 0;
-    double h = first_step(m), change = 0;
+    double h = first_step(m), change = 0, shaken = 0;
     while (runs < MAX_RUNS && !hopeless && (!settled || runs < least_runs)) {
         if (levels == MAX_LEVELS) {
             forget(m, run);
@@ -711,14 +726,11 @@ static int extrapolate(struct motion *m, struct cor_disk_collision *out, const s
             out->steps = run[levels].steps;
             return outcome == TOO_LONG ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED;
         }
-        const int coarse =
-            outcome == ENDED && m->phi < m->phi_limit && angles_off(m, &run[levels]) > ANGLES_OFF * m->tolerance;
-        if (coarse) {
-            const size_t phi = m->phi + m->phi / 4 + 1;
-            set_angles(m, phi < m->phi_limit ? phi : m->phi_limit);
-        } else {
+        const int coarse = outcome == ENDED && too_coarse(m, &run[levels], shaken);
+        if (coarse)
+            more_angles(m);
+        else
             h /= RATIO;
-        }
         if (coarse || outcome != ENDED) { /* what was done so far is worth as little */
             levels = runs = settled = 0;
             cuts += !coarse;
@@ -735,6 +747,7 @@ static int extrapolate(struct motion *m, struct cor_disk_collision *out, const s
         const double change_before = change;
         change = fabs(out->eps - extrapolated_eps(run + 1, levels - 1));
         moved[runs - 1] = fabs(out->eps - answer_before);
+        shaken = fmax(shaken, moved[runs - 1]);
         /* The change is what the last of ever higher orders does, which is little anyway where steps are still too large
          * to extrapolate: the answer then moves as much as before, and modes are left with less energy than none. */
         const double motion = moved[runs - 1] < 0.5 * moved[runs - 2] ? 0.1 * moved[runs - 1] : moved[runs - 1];
@@ -742,11 +755,17 @@ static int extrapolate(struct motion *m, struct cor_disk_collision *out, const s
         const double estimate =
             fmax(runs > 2 ? fmax(fmax(change, 0.1 * change_before), motion) : 5 * change, 0.5 * less_than_none);
         settled = estimate <= STEP_SHARE * m->tolerance;
+        if (settled && too_coarse(m, &run[levels - 1], shaken)) { /* as this run has shown */
+            more_angles(m);
+            h = run[levels - 1].h;
+            levels = runs = settled = 0;
+            continue;
+        }
         hopeless = runs >= PATIENCE && moved[runs - 1] > HOPELESS * moved[runs - 1 - RUNS_BEFORE];
     }
     if (averages)
         conclude_averages(m, run, levels, detail->energy_average);
-    const int enough = angles_off(m, &run[levels - 1]) <= ANGLES_OFF * m->tolerance;
+    const int enough = angles_off(m, &run[levels - 1], shaken) <= ANGLES_OFF * m->tolerance;
     if (detail != NULL && detail->observe != NULL)
         collide(m, &run[levels - 1], &run[levels - 2], NULL, detail);
     return settled && enough ? COR_OK : COR_TOLERANCE_NOT_REACHED;

@@ -43,7 +43,7 @@ size_t reference_disk_rayleigh(const struct cor_disk_mode *mode, size_t n, doubl
 {
     static const double node[STAGES] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
     const size_t size = 2 + 2 * n;
-    double *const memory = malloc((STAGES + 2) * size * sizeof *memory);
+    double *const memory = calloc((STAGES + 2) * size, sizeof *memory);
     if (!memory)
         return 0;
     double *const state = memory, *const trial = memory + size, *const k = memory + 2 * size;
