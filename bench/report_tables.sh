@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The tables of docs/report: bench/run sources this, with quick and results set, and calls report_tables DIR. Every table
+# The tables of docs/speed: bench/run sources this, with quick and results set, and calls report_tables DIR. Every table
 # is a selection of what the benchmarks wrote, one row a point of a plot. report_words DIR writes what they say.
 
 machine_table() {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# docs/report/README.md from the tables beside it, and from nothing else:
-#     awk -f bench/report_words.awk docs/report/{machine,spheres_speed,spheres_beta,rayleigh,collision,generator}.csv
+# docs/speed/README.md from the tables beside it, and from nothing else:
+#     awk -f bench/report_words.awk docs/speed/{machine,spheres_speed,spheres_beta,rayleigh,collision,generator}.csv
 
 BEGIN { FS = "," }
 FNR == 1 { name = FILENAME; sub(/.*\//, "", name); sub(/\.csv$/, "", name); next }

@@ -25,21 +25,20 @@ if(FLINT_FOUND)
   add_custom_command(OUTPUT ${evaluator}
     COMMAND ${CMAKE_COMMAND} -DRUNTIME=${PROJECT_SOURCE_DIR}/runtime -DOUTPUT=${evaluator}
       -P ${PROJECT_SOURCE_DIR}/cmake/EvaluatorText.cmake
-    DEPENDS ${PROJECT_SOURCE_DIR}/cmake/EvaluatorText.cmake ${PROJECT_SOURCE_DIR}/runtime/inline.h
-      ${PROJECT_SOURCE_DIR}/runtime/exact.h ${PROJECT_SOURCE_DIR}/runtime/fifth_root.h
-      ${PROJECT_SOURCE_DIR}/runtime/sphere_eval.h
+    DEPENDS ${PROJECT_SOURCE_DIR}/cmake/EvaluatorText.cmake ${PROJECT_SOURCE_DIR}/runtime/core/inline.h
+      ${PROJECT_SOURCE_DIR}/runtime/core/exact.h ${PROJECT_SOURCE_DIR}/runtime/core/fifth_root.h
+      ${PROJECT_SOURCE_DIR}/runtime/sphere/eval.h
     VERBATIM)
   # the processes of one mpirun share the rows of a sweep, or there is but one process
-  set(ranks gen/ranks_alone.c)
+  set(ranks gen/sweep/ranks_alone.c)
   if(COR_WITH_MPI)
     find_package(MPI REQUIRED COMPONENTS C)
-    set(ranks gen/ranks_mpi.c)
+    set(ranks gen/sweep/ranks_mpi.c)
   endif()
   set(THREADS_PREFER_PTHREAD_FLAG ON)
   find_package(Threads REQUIRED)
-  add_library(corgen_core STATIC ${COR_GENERATOR_SOURCES} ${ranks} ${evaluator} runtime/status.c
-    $<TARGET_OBJECTS:cor_collision>)
-  target_include_directories(corgen_core PUBLIC ${PROJECT_SOURCE_DIR}/gen ${PROJECT_SOURCE_DIR}/include)
+  add_library(corgen_core STATIC ${COR_GENERATOR_SOURCES} ${ranks} ${evaluator} $<TARGET_OBJECTS:cor_without_tables>)
+  target_include_directories(corgen_core PUBLIC ${PROJECT_SOURCE_DIR}/gen ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(corgen_core PUBLIC _POSIX_C_SOURCE=200809L)
   target_link_libraries(corgen_core PUBLIC FLINT::FLINT m Threads::Threads PRIVATE cor_defaults)
   if(COR_WITH_MPI)
@@ -47,7 +46,7 @@ if(FLINT_FOUND)
   endif()
   set_target_properties(corgen_core PROPERTIES C_STANDARD 11)
 
-  add_executable(corgen ${PROJECT_SOURCE_DIR}/gen/main.c)
+  add_executable(corgen ${PROJECT_SOURCE_DIR}/gen/cli/main.c)
   target_compile_definitions(corgen PRIVATE COR_VERSION="${PROJECT_VERSION}")
   target_link_libraries(corgen PRIVATE corgen_core cor_defaults)
   set_target_properties(corgen PROPERTIES C_STANDARD 11)

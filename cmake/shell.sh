@@ -79,7 +79,7 @@ install_generator() {
 }
 
 # How tests/ builds: whole, and no warning passes.
-build_options=(-DCOR_BUILD_GENERATOR=ON -DCOR_BUILD_TESTS=ON -DCOR_BUILD_EXAMPLES=ON -DCOR_BUILD_REPORT=ON
+build_options=(-DCOR_BUILD_GENERATOR=ON -DCOR_BUILD_TESTS=ON -DCOR_BUILD_EXAMPLES=ON -DCOR_BUILD_PAPER=ON
     -DCOR_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
 
 # configure DIR OPTION...: a build directory made from another place or by another CMake is made anew.

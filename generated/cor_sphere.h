@@ -9282,7 +9282,7 @@ COR_INLINE const double *cor_rows_far_time_of_max_overlap(int i)
 #define COR_INLINE_FORCE_POWER 1048576.0
 /* Below, the loss has rows of its own. */
 #define COR_INLINE_LOSS_NEAR 0.25
-/* Below this node s = t in the rows of eps at zero force, and s = beta - node^2 from there on (gen/pieces.h). */
+/* Below this node s = t in the rows of eps at zero force, and s = beta - node^2 from there on (gen/approximation/pieces.h). */
 #define COR_INLINE_PLAIN 0.25
 
 /* A row without its first coefficient c_0: c_0' + s (c_1 + c_2 t + ... + c_10 t^9), columns c[1] to c[11]. An

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* 1 - eps^2 of an elastic disk that hits a hard wall, alpha -> infinity, with all its modes, N -> infinity: limits
  * of the collisions, (41) to (45) of Gerl and Zippelius (1999), in disk_limits.csv. 13 speeds from 0.003 to 0.3,
- * 17 Poisson's numbers from -0.200 to 0.900 in plane stress, E = rho = R = 1. Evaluated by runtime/disk_eps.c.
+ * 17 Poisson's numbers from -0.200 to 0.900 in plane stress, E = rho = R = 1. Evaluated by runtime/disk/limits.c.
  *
  * Each limit is the L of least squares to 20 collisions, alpha v = 22 ... 56 and N = 3000 ... 7500,
  *
@@ -18,7 +18,7 @@
 #ifndef COR_DISK_LIMITS_H
 #define COR_DISK_LIMITS_H
 
-#include "disk_eps.h"
+#include "runtime/core/disk_limit.h"
 
 enum {
     COR_DISK_LIMIT_SPEEDS = 13,

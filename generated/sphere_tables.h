@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for
  * every beta: rows of short polynomials around the nodes of uniform grids, and what follows at large
- * beta. Evaluated by runtime/sphere_eval.h. Source: docs/derivation.md, 4 to 6 and 8; form:
+ * beta. Evaluated by runtime/sphere/eval.h. Source: docs/derivation.md, 4 to 6 and 8; form:
  * docs/header-format.md.
  *
  * Written by:  corgen tables
@@ -14,7 +14,7 @@
 #ifndef COR_GENERATED_SPHERE_TABLES_H
 #define COR_GENERATED_SPHERE_TABLES_H
 
-#include "inline.h"
+#include "runtime/core/inline.h"
 
 /* A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
  * c_0', c_1, ..., c_n. s = t; only in the rows of eps at zero force from node 1/4 on,

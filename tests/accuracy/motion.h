@@ -11,7 +11,7 @@
 
 #include <stdbool.h>
 
-#include "flint.h"
+#include "support/flint.h"
 
 enum { MOTION_BITS = 128, MOTION_DEGREE = 32 };
 

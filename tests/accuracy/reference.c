@@ -2,8 +2,8 @@
 #include "reference.h"
 
 #include "motion.h"
-#include "restitution.h"
-#include "series.h"
+#include "series/restitution.h"
+#include "series/series.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -11,8 +11,8 @@
 #include <cor/disk.h>
 #include <cor/status.h>
 
-#include "digits.h"
-#include "disk_modes.h"
+#include "disk/modes.h"
+#include "support/digits.h"
 
 enum { BITS = 320, TERMS = 48, FREQUENCIES = 10, MANY = 6000 };
 

@@ -2,7 +2,7 @@
 /* The reference of the accuracy test against balls of collision_solve with 30 digits, at random beta. */
 #include "check.h"
 
-#include "collision.h"
+#include "enclosure/collision.h"
 #include "reference.h"
 
 /* Largest difference allowed, relative: 2^-61, that is 1/256 unit of the last place of a double. */

@@ -13,14 +13,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "console.h"
-#include "disk_modes_rounded.h"
-#include "embed_choose.h"
+#include "approximation/interpolant.h"
+#include "cli/options.h"
+#include "disk/modes_rounded.h"
+#include "embed/choose.h"
 #include "fuzz.h"
-#include "interpolant.h"
-#include "options.h"
-#include "sweep.h"
-#include "values.h"
+#include "support/console.h"
+#include "sweep/sweep.h"
+#include "sweep/values.h"
 
 int LLVMFuzzerInitialize(int *argc, char ***argv);
 int corgen_main(int argc, char **argv);

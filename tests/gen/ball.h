@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "flint.h"
+#include "support/flint.h"
 
 /* x is enclosed to so many relative bits. */
 static inline void assert_bits(const arb_t x, slong bits)

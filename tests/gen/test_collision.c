@@ -4,10 +4,10 @@
 
 #include <math.h>
 
-#include "collision.h"
-#include "restitution.h"
-#include "series.h"
-#include "turning_point.h"
+#include "enclosure/collision.h"
+#include "series/restitution.h"
+#include "series/series.h"
+#include "series/turning_point.h"
 
 static const slong PREC = 400;
 

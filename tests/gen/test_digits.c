@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "digits.h"
+#include "support/digits.h"
 
 /* The ball of prec bits around the number `text` to so many digits. */
 static char *spelled(const char *text, slong prec, slong digits)

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "check.h"
-#include "disk_limit_fit.h"
+#include "disk/limit_fit.h"
 
 enum { ALPHAS = 4, COUNTS = 5, ROWS = ALPHAS * COUNTS };
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The file of disk collisions, whole and harmed, and its rows collided again. */
-#include "flint.h"
+#include "support/flint.h"
 
 #include "check.h"
-#include "disk_limits.h"
+#include "tables/limits.h"
 
 static char *file_text(const char *path, size_t *size)
 {

@@ -6,10 +6,10 @@
 #include <math.h>
 
 #include "check.h"
-#include "digits.h"
-#include "disk_equation.h"
-#include "disk_estimate.h"
-#include "disk_modes.h"
+#include "disk/equation.h"
+#include "disk/estimate.h"
+#include "disk/modes.h"
+#include "support/digits.h"
 
 static void set_nu(fmpq_t nu, const char *text)
 {

@@ -2,7 +2,7 @@
 /* Scenes and forms of corgen embed: speeds to beta, fits against collisions solved at those very speeds, the emulated
  * arithmetic at and outside the ends, operation counts and the choice among forms. What the header computes is tested
  * by tests/embed/run. */
-#include "console.h" /* before cmocka.h makes a macro of fail */
+#include "support/console.h" /* before cmocka.h makes a macro of fail */
 
 #include <math.h>
 #include <setjmp.h>
@@ -14,9 +14,9 @@
 
 #include <cmocka.h>
 
-#include "collision.h"
-#include "embed_choose.h"
-#include "embed_fit.h"
+#include "embed/choose.h"
+#include "embed/fit.h"
+#include "enclosure/collision.h"
 
 /* The scene of a contact with g* = 0.2 m/s. */
 static struct options scene_options(const char *min, const char *max, const char *tolerance, enum contact_end end)

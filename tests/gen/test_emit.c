@@ -14,9 +14,9 @@
 
 #include <cmocka.h>
 
-#include "digits.h"
-#include "emit_c.h"
-#include "pade_header.h"
+#include "support/digits.h"
+#include "support/emit_c.h"
+#include "tables/pade.h"
 
 enum { PREC = 256, BITS = 192, PATH = 512 };
 

@@ -6,8 +6,8 @@
 #include <math.h>
 #include <unistd.h>
 
-#include "collision.h"
-#include "interpolant.h"
+#include "approximation/interpolant.h"
+#include "enclosure/collision.h"
 
 static const slong PREC = 320;
 

@@ -10,10 +10,10 @@
 
 #include <cmocka.h>
 
-#include "collision.h"
-#include "pade.h"
-#include "pade_rounded.h"
-#include "published.h"
+#include "approximation/pade.h"
+#include "approximation/pade_rounded.h"
+#include "approximation/published.h"
+#include "enclosure/collision.h"
 
 enum { PREC = 256, BITS = 160 };
 

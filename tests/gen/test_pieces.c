@@ -5,9 +5,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "collision.h"
-#include "digits.h"
-#include "pieces.h"
+#include "approximation/pieces.h"
+#include "enclosure/collision.h"
+#include "support/digits.h"
 
 static const slong PREC = 320;
 static struct interpolant *f;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen plan: what it measures against formulas of its own and collisions solved at other speeds, and that its choice
  * is the cheapest that meets the tolerance there. */
-#include "console.h" /* before cmocka.h makes a macro of fail */
+#include "support/console.h" /* before cmocka.h makes a macro of fail */
 
+#include "approximation/pade.h"
 #include "check.h"
-#include "collision.h"
 #include "cor/cor.h"
-#include "embed_form.h"
-#include "pade.h"
-#include "plan.h"
+#include "embed/form.h"
+#include "enclosure/collision.h"
+#include "plan/plan.h"
 
 #define G_STAR 400.0
 #define TOLERANCE 1e-3

@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "published.h"
-#include "series.h"
+#include "approximation/published.h"
+#include "series/series.h"
 
 enum { ORDER = 4, BITS = 128 };
 

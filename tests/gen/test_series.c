@@ -3,10 +3,10 @@
 #include "ball.h"
 #include "check.h"
 
-#include "collision.h"
-#include "restitution.h"
-#include "series.h"
-#include "turning_point.h"
+#include "enclosure/collision.h"
+#include "series/restitution.h"
+#include "series/series.h"
+#include "series/turning_point.h"
 
 static const slong BITS = 160, PREC = 260;
 

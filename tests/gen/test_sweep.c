@@ -7,14 +7,14 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "console.h" /* before cmocka, which has a macro fail */
+#include "support/console.h" /* before cmocka, which has a macro fail */
 
 #include "check.h"
 
 #include "cor/status.h"
-#include "crew.h"
-#include "journal.h"
-#include "sweep.h"
+#include "sweep/crew.h"
+#include "sweep/journal.h"
+#include "sweep/sweep.h"
 
 /* ---- lists ---- */
 

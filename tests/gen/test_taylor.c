@@ -2,7 +2,7 @@
 /* One enclosed Taylor step: its remainder against the truth, and that no value leaves it out. */
 #include "ball.h"
 
-#include "taylor.h"
+#include "enclosure/taylor.h"
 
 static void start(struct taylor *y, const struct law *law, slong degree, slong prec, const char *beta)
 {

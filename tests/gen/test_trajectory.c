@@ -2,8 +2,8 @@
 /* The exact trajectory: Eq. (49), the equation of motion by another route, and the proof of what is cut off. */
 #include "ball.h"
 
-#include "trajectory.h"
-#include "turning_point.h"
+#include "series/trajectory.h"
+#include "series/turning_point.h"
 
 static fmpq_poly_struct *exact_rows(slong order, slong terms, const struct law *law)
 {

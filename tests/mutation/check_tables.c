@@ -2,7 +2,7 @@
 /* corgen tables --check over many directories, of which the costly files are computed once: check_tables DIRECTORY...
  * prints red or green for each. What depends on a directory's own disk_limits.csv is made for each. Exit status 1 if
  * any is red. */
-#include "../../gen/tables.c"
+#include "cli/tables.c"
 
 int main(int argc, char **argv)
 {

@@ -6,13 +6,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "collision.h"
+#include "approximation/pade.h"
+#include "enclosure/collision.h"
 #include "motion.h"
-#include "pade.h"
 #include "pumped.h"
-#include "series.h"
-#include "trajectory.h"
-#include "turning_point.h"
+#include "series/series.h"
+#include "series/trajectory.h"
+#include "series/turning_point.h"
 
 static double bits_to_relative(slong bits)
 {

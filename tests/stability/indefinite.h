@@ -9,7 +9,7 @@
 #ifndef COR_TESTS_INDEFINITE_H
 #define COR_TESTS_INDEFINITE_H
 
-#include "flint.h"
+#include "support/flint.h"
 
 #include <cor/disk.h>
 

@@ -9,7 +9,7 @@
 #include <cor/disk.h>
 
 #include "indefinite.h"
-#include "lambert_w.h"
+#include "runtime/core/lambert_w.h"
 
 enum { BITS = 256 };
 

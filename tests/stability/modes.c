@@ -9,9 +9,9 @@
 
 #include <cor/disk.h>
 
-#include "digits.h"
-#include "disk_equation.h"
-#include "disk_modes.h"
+#include "disk/equation.h"
+#include "disk/modes.h"
+#include "support/digits.h"
 
 /* One n of one disk: e = 1 + nu, s = 1 - nu */
 struct equation {

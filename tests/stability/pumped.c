@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "collision.h"
+#include "enclosure/collision.h"
 
 /* x = w^2, dt = w dsigma: w' = v/2, v' = -w^2 (beta v + w^2), t' = w. The state and its Taylor coefficients. */
 struct loading {

@@ -4,7 +4,7 @@
 #ifndef COR_TESTS_PUMPED_H
 #define COR_TESTS_PUMPED_H
 
-#include "flint.h"
+#include "support/flint.h"
 
 /* Y(beta) = x_max for beta > -h* */
 void pumped_max_overlap(arb_t x, const arb_t beta, slong prec);

@@ -13,11 +13,11 @@
 #include <cor/status.h>
 
 #include "boundaries.h"
-#include "collision.h"
+#include "enclosure/collision.h"
 #include "pumped.h"
 #include "reference.h"
-#include "series.h"
-#include "turning_point.h"
+#include "series/series.h"
+#include "series/turning_point.h"
 #include "ulp.h"
 
 enum { BITS = 160, ORDER = 28, LEFT_OUT = 80 };

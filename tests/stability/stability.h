@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "flint.h"
+#include "support/flint.h"
 
 /* The worst found of a case */
 struct outcome {

@@ -8,8 +8,8 @@
 #include <math.h>
 
 #include "cor/disk.h"
-#include "disk_modes_nu033.h"
-#include "disk_modes_nu090.h"
+#include "generated/disk_modes_nu033.h"
+#include "generated/disk_modes_nu090.h"
 
 enum { PREC = 320, STEPS = 3 /* chords */, ORDERS = 320 /* far above every kappa' of the tables */ };
 

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "collision.h"
+#include "enclosure/collision.h"
 
 enum { PREC = 320, BITS = 66, MOST_TABLES = 40, MOST_COLUMNS = 16 };
 

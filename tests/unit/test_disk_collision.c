@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions of the disk in full (runtime/disk_collision.c): the values of the theory's check, an integrator of another
+/* Collisions of the disk in full (runtime/disk/collision.c): the values of the theory's check, an integrator of another
  * kind (reference_collision.h), tolerances kept at random, energies, moments, workspaces, hard cases, and what is
  * refused. */
 #define _XOPEN_SOURCE 600 /* j0, j1 */

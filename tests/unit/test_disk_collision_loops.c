@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of a collision (runtime/disk_collision_kernel.h): every instruction set gives the same bits, and what
+/* The loops of a collision (runtime/disk/collision_kernel.h): every instruction set gives the same bits, and what
  * disk_collision.h says. */
 #include "check.h"
 
-#include "disk_collision.h"
+#include "runtime/disk/collision.h"
 
 static const struct {
     const char *name;

@@ -4,7 +4,7 @@
 #include "check.h"
 
 #include "cor/disk.h"
-#include "disk_limits.h"
+#include "generated/disk_limits.h"
 
 enum { SPEEDS = COR_DISK_LIMIT_SPEEDS, NUS = COR_DISK_LIMIT_NUS };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The quasistatic contact law of the disk (runtime/disk_quasistatic.c): values of arbitrary precision, the law itself
+/* The quasistatic contact law of the disk (runtime/disk/quasistatic.c): values of arbitrary precision, the law itself
  * in long double, its identities, the contact time over theta, special values. tests/accuracy/test_disk_law.c has the
  * many points. */
 #include "check.h"

@@ -2,7 +2,7 @@
 /* Every instruction set gives the same bits, at any depth and frequency. */
 #include "check.h"
 
-#include "disk_rayleigh_spectrum.h"
+#include "runtime/disk/rayleigh_spectrum.h"
 
 static const double first = 1.07;
 

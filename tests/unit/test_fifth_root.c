@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The fifth root and the exact arithmetic under it (runtime/fifth_root.h, runtime/exact.h) against long double. */
+/* The fifth root and the exact arithmetic under it (runtime/core/fifth_root.h, runtime/core/exact.h) against long double. */
 #include "check.h"
 
-#include "fifth_root.h"
+#include "runtime/core/fifth_root.h"
 
 /* x^(1/5) by Newton's step on powl: good to a unit of long double */
 static long double root_exact(long double x)

@@ -4,7 +4,7 @@
 
 #include <cor/cor.h>
 
-#include "sphere_array.h"
+#include "runtime/sphere/array.h"
 
 enum { COUNT = 1003 };
 

@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: MIT */
+/* Where the time of a collision goes, by instruction set; and whether a table is the way to sum over the angles. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "collision.h"
+#include "collision_sums.h"
+
+#ifdef COR_BENCH_SHARED
+void collision_parts(struct disk_bench *bench)
+{
+    (void)bench;
+}
+#else
+#include "collision_stage.h"
+
+struct part {
+    struct stage *stage;
+    const struct cor_collision_loops *loops;
+    const struct phi_sums *sums;
+    size_t window;
+};
+
+static void part_turn(void *closure)
+{
+    const struct part *const p = closure;
+    struct stage *const st = p->stage;
+    p->loops->turn(&st->rim, st->q, st->p, st->cosine, st->sine, st->force_c, st->force_s, st->sum_c, st->sum_s);
+}
+
+static void part_reach(void *closure)
+{
+    const struct part *const p = closure;
+    struct stage *const st = p->stage;
+    p->loops->gather(&st->rim, st->sum_c, st->sum_s, st->d);
+    p->loops->reach(&st->rim, p->window, 0, st->shape, st->d, st->reach);
+}
+
+static void part_press(void *closure)
+{
+    const struct part *const p = closure;
+    struct stage *const st = p->stage;
+    p->loops->press(p->window, COLLISION_ALPHA, st->weight, st->reach, st->pressure);
+}
+
+static void part_transform(void *closure)
+{
+    const struct part *const p = closure;
+    struct stage *const st = p->stage;
+    p->loops->transform(&st->rim, p->window, st->pressure, st->e);
+    p->loops->split(&st->rim, 0, st->e, st->force_c, st->force_s); /* 0: the shape is not to explode */
+}
+
+static void part_soften(void *closure)
+{
+    const struct part *const p = closure;
+    struct stage *const st = p->stage;
+    double greatest;
+    p->loops->soften(p->window, 0, st->response, st->pressure, &greatest);
+}
+
+static const struct {
+    const char *name;
+    void (*run)(void *);
+} parts[] = {{"modes: kick, turn, sums of each n", part_turn},
+             {"modes to rim", part_reach},
+             {"exponentials", part_press},
+             {"rim to modes", part_transform},
+             {"softening of the pressure", part_soften}};
+
+enum { PARTS = sizeof parts / sizeof *parts, SETS = COR_INSTRUCTION_SETS };
+
+static void by_set(struct disk_bench *bench, struct stage *st, size_t n_modes)
+{
+    struct part part[SETS];
+    struct job job[SETS * PARTS];
+    const size_t n = stage_sets_here();
+    for (size_t s = 0; s < n; s++) {
+        part[s] = (struct part){st, stage_sets[s].loops, NULL, st->rim.points};
+        for (size_t i = 0; i < PARTS; i++)
+            job[s * PARTS + i] = (struct job){parts[i].run, &part[s], 1, 0};
+    }
+    timing_measure(job, n * PARTS, bench->timing);
+    printf("parts of a step at all angles, us; %zu modes in %zu places, %zu terms, %zu angles\n%-36s", n_modes,
+           st->cells, st->rim.terms, st->rim.points, "");
+    for (size_t s = 0; s < n; s++)
+        printf(" %9s", stage_sets[s].name);
+    for (size_t i = 0; i < PARTS; i++) {
+        printf("\n%-36s", parts[i].name);
+        for (size_t s = 0; s < n; s++) {
+            const double ns = job[s * PARTS + i].best_ns;
+            char table[64];
+            snprintf(table, sizeof table, "collision parts %s", stage_sets[s].name);
+            printf(" %9.2f", ns / 1e3);
+            disk_csv(bench,
+                     &(struct disk_row){table, parts[i].name, NAN, (double)st->rim.points, n_modes, ns / 1e9, NAN});
+        }
+    }
+    printf("\n");
+}
+
+/* ---- sums over the angles ---- */
+
+#ifdef COR_BENCH_HAS_NATIVE
+static void sum_table_reach(void *closure)
+{
+    const struct part *const p = closure;
+    p->loops->reach(&p->stage->rim, p->window, 0, p->stage->flat, p->stage->d, p->stage->response);
+}
+
+static void sum_table_transform(void *closure)
+{
+    const struct part *const p = closure;
+    p->loops->transform(&p->stage->rim, p->window, p->stage->pressure, p->stage->e);
+}
+
+static void sum_recurrence_reach(void *closure)
+{
+    const struct part *const p = closure;
+    phi_sums_reach_recurrence(p->sums, p->window, p->stage->d, p->stage->response);
+}
+
+static void sum_recurrence_transform(void *closure)
+{
+    const struct part *const p = closure;
+    phi_sums_transform_recurrence(p->sums, p->window, p->stage->pressure, p->stage->e);
+}
+
+static void sum_fft_reach(void *closure)
+{
+    const struct part *const p = closure;
+    phi_sums_reach_fft(p->sums, p->stage->d, p->stage->response);
+}
+
+static void sum_fft_transform(void *closure)
+{
+    const struct part *const p = closure;
+    phi_sums_transform_fft(p->sums, p->stage->pressure, p->stage->e);
+}
+
+static double farthest(const double *x, const double *y, size_t n)
+{
+    double most = 0, size = 0;
+    for (size_t i = 0; i < n; i++) {
+        most = fmax(most, fabs(x[i] - y[i]));
+        size = fmax(size, fabs(y[i]));
+    }
+    return most / size;
+}
+
+/* The table, a recurrence and a transform, there and back, at all angles and at the first half and quarter of them:
+ * only angles near the contact feel the wall, and the library takes no others in seven steps of eight. */
+static void sums_over_angles(struct disk_bench *bench, struct stage *st, size_t n_modes)
+{
+    enum { WINDOWS = 3 };
+    static const struct {
+        const char *name;
+        void (*reach)(void *), (*transform)(void *);
+        size_t windows;
+    } ways[] = {{"table, as shipped", sum_table_reach, sum_table_transform, WINDOWS},
+                {"recurrence, no table", sum_recurrence_reach, sum_recurrence_transform, WINDOWS},
+                {"fast Fourier transform", sum_fft_reach, sum_fft_transform, 1}};
+    enum { WAYS = sizeof ways / sizeof *ways };
+    static const char *const tables[WINDOWS] = {"collision sums", "collision sums half", "collision sums quarter"};
+    const size_t points = st->rim.points, terms = st->rim.terms;
+    const struct stage_set *const best = &stage_sets[stage_sets_here() - 1];
+    struct phi_sums sums;
+    phi_sums_init(&sums, terms, points);
+    struct part part[WINDOWS];
+    struct job job[WAYS * WINDOWS * 2];
+    for (size_t w = 0; w < WINDOWS; w++)
+        part[w] = (struct part){st, best->loops, &sums, points >> w};
+
+    /* A shape that matters: that of the modes; a pressure like that of a contact */
+    part_turn(&part[0]);
+    part_reach(&part[0]);
+    for (size_t j = 0; j < points; j++)
+        st->pressure[j] = exp(-40 * pow((double)j / (double)points, 2));
+    double *const reach = disk_memory(points, sizeof *reach), *const e = disk_memory(terms, sizeof *e);
+    double error[WAYS];
+    for (size_t i = 0; i < WAYS; i++) {
+        ways[i].reach(&part[0]);
+        ways[i].transform(&part[0]);
+        if (i == 0) {
+            memcpy(reach, st->response, points * sizeof *reach);
+            memcpy(e, st->e, terms * sizeof *e);
+        }
+        error[i] = fmax(farthest(st->response, reach, points), farthest(st->e, e, st->rim.used_terms));
+        disk_must(error[i] < 1e-10, "ways to sum over the angles differ");
+    }
+    for (size_t i = 0; i < WAYS; i++)
+        for (size_t w = 0; w < WINDOWS; w++) {
+            const size_t at = (i * WINDOWS + w) * 2;
+            job[at] = (struct job){ways[i].reach, &part[w], 1, NAN};
+            job[at + 1] = (struct job){ways[i].transform, &part[w], 1, NAN};
+        }
+    timing_measure(job, WAYS * WINDOWS * 2, bench->timing);
+
+    printf("ways to sum over the angles, us, modes to rim + rim to modes; %zu terms, %zu angles; table: %s, the other "
+           "two\n"
+           "with -O3 -march=native -ffast-math; difference from the table's sums, relative to the largest\n"
+           "%-26s %19s %19s %19s %11s\n",
+           terms, points, best->name, "", "all angles", "half of them", "a quarter", "difference");
+    for (size_t i = 0; i < WAYS; i++) {
+        printf("%-26s", ways[i].name);
+        for (size_t w = 0; w < WINDOWS; w++) {
+            const double *const ns[] = {&job[(i * WINDOWS + w) * 2].best_ns, &job[(i * WINDOWS + w) * 2 + 1].best_ns};
+            if (w < ways[i].windows)
+                printf(" %8.2f + %8.2f", *ns[0] / 1e3, *ns[1] / 1e3);
+            else
+                printf(" %19s", "the same");
+            disk_csv(bench, &(struct disk_row){tables[w], ways[i].name, NAN, (double)points, n_modes,
+                                               (*ns[0] + *ns[1]) / 1e9, error[i]});
+        }
+        printf(" %11.1e\n", error[i]);
+    }
+    phi_sums_free(&sums);
+    free(reach);
+    free(e);
+}
+#endif
+
+void collision_parts(struct disk_bench *bench)
+{
+    const struct {
+        const struct cor_disk_modes *modes;
+        size_t n, points;
+    } scenes[] = {{&cor_disk_modes_nu033, COLLISION_MODES, 128}, {bench->all, 7200, 1024}};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        if (!scenes[i].modes || scenes[i].modes->count < scenes[i].n)
+            continue;
+        struct stage st;
+        stage_init(&st, scenes[i].modes, scenes[i].n, scenes[i].points);
+        by_set(bench, &st, scenes[i].n);
+#ifdef COR_BENCH_HAS_NATIVE
+        sums_over_angles(bench, &st, scenes[i].n);
+#endif
+        stage_free(&st);
+    }
+    printf("\n");
+}
+#endif

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+# Error against time per eps, all methods: weak and ordinary dissipation, both ends.
+#     gnuplot -e "csv = 'spheres_speed.csv'; svg = 'spheres_speed.svg'; from = 'a speed'" bench/plots/plot_spheres.gp
+# The lines that name the gnuplot version are removed.
+set output "| sed -e '/^<desc>/d' -e '/Gnuplot/d' -e '/GNUPLOT/d' > " . svg
+set terminal svg size 1060,1020 fixed font "DejaVu Sans,11" background "white"
+
+black = "#222222"; grey = "#777777"; blue = "#0060ad"; red = "#c8421a"; green = "#2a7f3b"; violet = "#7b3f99"; amber = "#b8860b"
+
+set datafile separator comma
+set datafile missing ""
+set logscale xy
+set format x "10^{%T}"
+set xrange [0.05:3e5]
+set yrange [2e-17:20]
+set xtics nomirror
+set ytics nomirror format "10^{%T}" 1e-16, 100, 1
+set border 3 lc rgb black
+set grid lc rgb "#e4e4e4" lw 0.7
+
+# Columns: 1 scene, 2 curve, 3 setting, 4 instructions, 5 end, 6 form, 7 ns, 9 error. Of loops those for AVX2.
+error(i) = column(9) > 3e-17 ? column(9) : 3e-17
+here(i) = strcol(1) eq scene && strcol(5) eq end
+calls(curve) = here(0) && strcol(2) eq curve && strcol(6) eq "scalar" ? error(0) : NaN
+loops(curve) = here(0) && strcol(2) eq curve && strcol(6) eq "array" && (strcol(4) eq "AVX2" || strcol(4) eq "as shipped") ? error(0) : NaN
+arrays(set) = here(0) && strcol(2) eq "cor" && strcol(4) eq set ? error(0) : NaN
+speeds(text) = from eq "β" ? "" : text # headers take a speed
+betas(text) = from eq "β" ? text : ""  # float, and loops without pow, take beta
+
+set multiplot layout 2,2 title "ε from " . from . ": error against time, one core" font ",14" margins 0.07,0.98,0.22,0.92 spacing 0.07,0.09
+
+do for [panel = 0:3] {
+    scene = panel < 2 ? "weak" : "ordinary"
+    end = panel % 2 == 0 ? "overlap" : "force"
+    set title (panel < 2 ? "0.03 ≤ β ≤ 0.19" : "0.3 ≤ β ≤ 1.9") . ", ends at zero " . end
+    if (panel % 2 == 0) { set ylabel "largest relative error" offset 1 } else { unset ylabel }
+    if (panel >= 2) { set xlabel "time per ε (ns)" } else { unset xlabel }
+    if (panel == 0) { set key at screen 0.5,0.012 center bottom maxrows 6 samplen 2 spacing 1.25 width -3 Left reverse } else { unset key }
+    plot csv using 7:(calls("published")) skip 1 with points pt 2 ps 0.9 lw 1.6 lc rgb black title "published formulas", \
+         csv using 7:(calls("series")) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb amber title "series", \
+         csv using 7:(calls("Padé")) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb red title "Padé", \
+         csv using 7:(loops("Padé")) skip 1 with linespoints pt 4 ps 0.5 lw 1.2 dt (6,4) lc rgb red title betas("Padé, loops (AVX2)"), \
+         csv using 7:(calls("two-point Padé")) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb violet title "two-point Padé", \
+         csv using 7:(loops("two-point Padé")) skip 1 with linespoints pt 4 ps 0.5 lw 1.2 dt (6,4) lc rgb violet title betas("two-point, loops (AVX2)"), \
+         csv using 7:(calls("scene header")) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb green title speeds("scene header"), \
+         csv using 7:(loops("scene header")) skip 1 with linespoints pt 4 ps 0.5 lw 1.2 dt (6,4) lc rgb green title speeds("scene header, loops (AVX2)"), \
+         csv using 7:(calls("scene header float")) skip 1 with points pt 9 ps 0.8 lc rgb green title speeds("scene header, float"), \
+         csv using 7:(calls("cor float")) skip 1 with points pt 9 ps 1 lc rgb blue title betas("cor, float"), \
+         csv using 7:(loops("cor float")) skip 1 with points pt 8 ps 1 lc rgb blue title betas("cor, float array"), \
+         csv using 7:(calls("cor")) skip 1 with points pt 7 ps 1.1 lc rgb blue title "cor (pieces)", \
+         csv using 7:(arrays("portable")) skip 1 with points pt 4 ps 1 lw 1.4 lc rgb blue title "cor array, portable", \
+         csv using 7:(arrays("AVX2")) skip 1 with points pt 6 ps 1 lw 1.4 lc rgb blue title "cor array, AVX2", \
+         csv using 7:(arrays("AVX-512")) skip 1 with points pt 12 ps 1.2 lw 1.4 lc rgb blue title "cor array, AVX-512", \
+         csv using 7:(calls("Verlet")) skip 1 with linespoints pt 7 ps 0.4 lw 1.3 dt (2,3) lc rgb grey title "velocity Verlet", \
+         csv using 7:(calls("Runge-Kutta")) skip 1 with linespoints pt 7 ps 0.4 lw 1.3 dt (8,5) lc rgb grey title "Runge–Kutta 5(4)", \
+         csv using 7:(calls("Taylor")) skip 1 with linespoints pt 7 ps 0.4 lw 1.3 lc rgb black title "Taylor"
+}
+unset multiplot
+set output

@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+/* What is compared: every method is a row of the table. A file methods_*.c adds its rows; the loops that are timed
+ * stand there too, in the form that a user would write, so that what inlines is inlined. */
+#ifndef COR_BENCH_SPHERES_METHODS_H
+#define COR_BENCH_SPHERES_METHODS_H
+
+#include <stddef.h>
+
+#include <cor/cor.h>
+
+#include "scene.h"
+#include "support/isa.h"
+
+enum end { NO_END = -1, ZERO_OVERLAP, ZERO_FORCE };
+enum input { FROM_SPEED, FROM_BETA };
+
+enum {
+    BASELINE = 1,    /* times are given as ratios to this row */
+    ARRAY = 2,       /* one call for all; the arrays fit the first-level cache */
+    LARGE = 4,       /* timed on arrays larger than the last-level cache too */
+    COPY = 8,        /* the floor; of these the last one for the large arrays */
+    INTEGRATES = 16, /* microseconds each: fewer speeds */
+    FLOAT = 32       /* in and out are arrays of float; the error is of the float that is given */
+};
+
+struct method {
+    char name[56];
+    char label[32];        /* at its point in the plot, without commas; none if empty */
+    char curve[24];        /* methods of one curve differ by their knob; empty: a point of its own */
+    const char *precision; /* what it promises: full, published, or a tolerance */
+    const char *scene;     /* the only scene that it knows, or NULL */
+    enum end end;
+    enum input input;
+    unsigned flags;
+    int order; /* the knobs */
+    double tolerance;
+    char setting[16]; /* the knob in words, where it is neither */
+    const struct isa_row *isa;
+    double least_speed_up; /* targets: baseline's time over this one's, 0 for none */
+    double least_latency_gain;
+
+    /* out[i] = eps(in[i]), independent of each other */
+    void (*each)(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n);
+    /* each eps(in[i]) waits for the one before; returns the last; NULL for arrays */
+    double (*chain)(const struct method *method, const struct scene *scene, const double *in, size_t n);
+};
+
+enum { METHODS_MAX = 512 };
+
+struct methods {
+    struct method row[METHODS_MAX];
+    size_t n;
+};
+
+void methods_add(struct methods *methods, const struct method *method);
+const char *end_name(enum end end);
+
+/* Each adds its rows; the baseline and the copy come first. */
+void add_copies(struct methods *methods);
+void add_published(struct methods *methods);
+void add_library(struct methods *methods);
+void add_integrators(struct methods *methods);
+
+/* Of the report alone: what it adds to them, and float */
+void add_report_published(struct methods *methods);
+void add_report_integrators(struct methods *methods);
+void add_floats(struct methods *methods);
+
+/* methods_embedded.c, compiled with the flags of each of these */
+void add_embedded_plain(struct methods *methods);
+#ifdef COR_BENCH_HAS_AVX2
+void add_embedded_avx2(struct methods *methods);
+#endif
+#ifdef COR_BENCH_HAS_AVX512
+void add_embedded_avx512(struct methods *methods);
+#endif
+
+/* methods_report.c, likewise */
+#ifdef COR_BENCH_REPORT
+void add_report_plain(struct methods *methods);
+#ifdef COR_BENCH_HAS_AVX2
+void add_report_avx2(struct methods *methods);
+#endif
+#ifdef COR_BENCH_HAS_AVX512
+void add_report_avx512(struct methods *methods);
+#endif
+#endif
+
+/* A scalar loop stays one: without this, compilers make vectors of what they can inline. */
+#if defined __GNUC__
+#define ONE_BY_ONE __asm__ volatile("")
+#else
+#define ONE_BY_ONE ((void)0)
+#endif
+
+/* G is there only when LAST is, at the least cost that the machine has for it, and does not change. */
+#if defined __GNUC__ && defined __AVX__
+#define WAIT_FOR(LAST, G) __asm__ volatile("vunpcklpd %1, %0, %0" : "+x"(G) : "x"(LAST))
+#elif defined __GNUC__ && defined __SSE2__
+#define WAIT_FOR(LAST, G) __asm__ volatile("unpcklpd %1, %0" : "+x"(G) : "x"(LAST))
+#else
+extern volatile float methods_zero;
+#define WAIT_FOR(LAST, G) ((G) += methods_zero * (LAST))
+#endif
+
+/* NAME_each and NAME_chain of an expression in g (the speed, or beta) after SETUP, which may use scene and method. */
+#define SCALAR_METHOD(NAME, SETUP, EXPRESSION) SCALAR_METHOD_OF(double, NAME, SETUP, EXPRESSION)
+#define SCALAR_METHOD_OF(REAL, NAME, SETUP, EXPRESSION)                                                                \
+    static void NAME##_each(const struct method *method, const struct scene *scene, const double *in, double *out,     \
+                            size_t n)                                                                                  \
+    {                                                                                                                  \
+        (void)method;                                                                                                  \
+        (void)scene;                                                                                                   \
+        SETUP;                                                                                                         \
+        const REAL *const from = (const REAL *)(const void *)in;                                                       \
+        REAL *const to = (REAL *)(void *)out;                                                                          \
+        for (size_t i = 0; i < n; i++) {                                                                               \
+            const REAL g = from[i];                                                                                    \
+            ONE_BY_ONE;                                                                                                \
+            to[i] = (EXPRESSION);                                                                                      \
+        }                                                                                                              \
+    }                                                                                                                  \
+    static double NAME##_chain(const struct method *method, const struct scene *scene, const double *in, size_t n)     \
+    {                                                                                                                  \
+        (void)method;                                                                                                  \
+        (void)scene;                                                                                                   \
+        SETUP;                                                                                                         \
+        const REAL *const from = (const REAL *)(const void *)in;                                                       \
+        REAL last = 0;                                                                                                 \
+        for (size_t i = 0; i < n; i++) {                                                                               \
+            REAL g = from[i];                                                                                          \
+            WAIT_FOR(last, g);                                                                                         \
+            last = (EXPRESSION);                                                                                       \
+        }                                                                                                              \
+        return last;                                                                                                   \
+    }
+
+/* NAME_each as a loop that the compiler may make vectors of. */
+#define ARRAY_METHOD(NAME, SETUP, EXPRESSION) ARRAY_METHOD_OF(double, NAME, SETUP, EXPRESSION)
+#define ARRAY_METHOD_OF(REAL, NAME, SETUP, EXPRESSION)                                                                 \
+    static void NAME##_each(const struct method *method, const struct scene *scene, const double *restrict in,         \
+                            double *restrict out, size_t n)                                                            \
+    {                                                                                                                  \
+        (void)method;                                                                                                  \
+        (void)scene;                                                                                                   \
+        SETUP;                                                                                                         \
+        const REAL *const restrict from = (const REAL *)(const void *)in;                                              \
+        REAL *const restrict to = (REAL *)(void *)out;                                                                 \
+        for (size_t i = 0; i < n; i++) {                                                                               \
+            const REAL g = from[i];                                                                                    \
+            to[i] = (EXPRESSION);                                                                                      \
+        }                                                                                                              \
+    }
+
+#endif

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: MIT */
+/* What eps is asked for: a contact and a range of impact speeds. */
+#ifndef COR_BENCH_SPHERES_SCENE_H
+#define COR_BENCH_SPHERES_SCENE_H
+
+#include <stddef.h>
+
+#include <cor/cor.h>
+
+struct scene {
+    const char *name;
+    double g_star; /* m/s, as all speeds; fixes the contact */
+    double speed_min, speed_max;
+    int embedded_only; /* a scene for embedded headers, beside the baseline */
+    int report_only;
+    struct cor_sphere_contact contact;
+};
+
+enum { SCENES = 4 };
+
+/* The scenes, with their contacts filled. */
+void scenes_init(struct scene scenes[SCENES]);
+
+/* Random speeds, uniform in their logarithm, the same in every run. */
+void scene_speeds(const struct scene *scene, double *speed, size_t n);
+
+/* From speed_min to speed_max, even in their logarithm. */
+void scene_even_speeds(const struct scene *scene, double *speed, size_t n);
+
+#endif

@@ -1,0 +1,506 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L /* open_memstream */
+
+#include <stdio.h>
+
+#include "approximation/pade.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "approximation/published.h"
+#include "enclosure/collision.h"
+#include "support/console.h"
+#include "support/digits.h"
+
+enum {
+    TAIL_POWER = 5,      /* eps -> h*^5 / beta^5 at zero overlap, SPHERES */
+    GUARD_BITS = 64,     /* on top of what is asked */
+    LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, first guess */
+    ATTEMPTS = 4,        /* each with twice the precision: the last has eight times the first guess */
+    ROOT_BITS = 40,      /* relative bits of a root, so that its place can be printed */
+    PLACE_DIGITS = 8
+};
+
+void pade_init(struct pade *f)
+{
+    arb_poly_init(f->p);
+    arb_poly_init(f->q);
+    f->numerator = f->denominator = 0;
+    f->root = 1;
+    f->variable = "z";
+}
+
+void pade_clear(struct pade *f)
+{
+    arb_poly_clear(f->p);
+    arb_poly_clear(f->q);
+}
+
+/* The coefficient c_k, 0 for k < 0: the system's matrix reaches before the series where n > m. */
+static void coefficient(arb_t x, const arb_poly_t c, slong k)
+{
+    if (k < 0)
+        arb_zero(x);
+    else
+        arb_poly_get_coeff_arb(x, c, k);
+}
+
+static void set_denominator(struct pade *f, const arb_mat_t q, slong n)
+{
+    arb_poly_one(f->q);
+    for (slong j = 1; j <= n; j++)
+        arb_poly_set_coeff_arb(f->q, j, arb_mat_entry(q, j - 1, 0));
+}
+
+/* sum_j q_j c_{i-j} = 0 for i = m+1..m+n, then P = Q c up to z^m. */
+bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong prec)
+{
+    arb_mat_t a, b, q;
+    arb_mat_init(a, n, n);
+    arb_mat_init(b, n, 1);
+    arb_mat_init(q, n, 1);
+    for (slong i = 0; i < n; i++) {
+        for (slong j = 0; j < n; j++)
+            coefficient(arb_mat_entry(a, i, j), c, m + i - j);
+        coefficient(arb_mat_entry(b, i, 0), c, m + 1 + i);
+        arb_neg(arb_mat_entry(b, i, 0), arb_mat_entry(b, i, 0));
+    }
+    const bool regular = n == 0 || arb_mat_solve(q, a, b, prec);
+    if (regular) {
+        set_denominator(f, q, n);
+        arb_poly_mullow(f->p, f->q, c, m + 1, prec);
+        f->numerator = m;
+        f->denominator = n;
+    }
+    arb_mat_clear(a);
+    arb_mat_clear(b);
+    arb_mat_clear(q);
+    return regular;
+}
+
+/* The conditions at infinity are p_i = limit q_{i+5} for every i, which leaves the q_j alone:
+ * sum_j q_j c_{i-j} - limit q_{i+5} [i <= m] = 0 for i = 0..m+4. */
+bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec)
+{
+    const slong n = m + TAIL_POWER;
+    arb_mat_t a, b, q;
+    arb_mat_init(a, n, n);
+    arb_mat_init(b, n, 1);
+    arb_mat_init(q, n, 1);
+    for (slong i = 0; i < n; i++) {
+        for (slong j = 1; j <= n; j++)
+            coefficient(arb_mat_entry(a, i, j - 1), c, i - j);
+        if (i <= m) {
+            arb_ptr entry = arb_mat_entry(a, i, i + TAIL_POWER - 1);
+            arb_sub(entry, entry, limit, prec);
+        }
+        coefficient(arb_mat_entry(b, i, 0), c, i);
+        arb_neg(arb_mat_entry(b, i, 0), arb_mat_entry(b, i, 0));
+    }
+    const bool regular = arb_mat_solve(q, a, b, prec);
+    if (regular) {
+        set_denominator(f, q, n);
+        arb_poly_shift_right(f->p, f->q, TAIL_POWER);
+        arb_poly_scalar_mul(f->p, f->p, limit, prec);
+        f->numerator = m;
+        f->denominator = n;
+    }
+    arb_mat_clear(a);
+    arb_mat_clear(b);
+    arb_mat_clear(q);
+    return regular;
+}
+
+/* Whether det (c_{m+i-j}), i, j < n, cannot be told from 0: an inner entry of a block. */
+static bool vanishes(const arb_poly_t c, slong m, slong n, slong prec)
+{
+    if (n <= 0)
+        return false;
+    arb_mat_t a;
+    arb_t det;
+    arb_mat_init(a, n, n);
+    arb_init(det);
+    for (slong i = 0; i < n; i++)
+        for (slong j = 0; j < n; j++)
+            coefficient(arb_mat_entry(a, i, j), c, m + i - j);
+    arb_mat_det(det, a, prec);
+    const bool zero = arb_contains_zero(det);
+    arb_mat_clear(a);
+    arb_clear(det);
+    return zero;
+}
+
+/* Vanishing determinants fill squares whose upper left corner is the entry after the fraction's own
+ * degrees (Gragg 1972), so one walk along the row and one along the column find the square. */
+bool pade_block_of(struct pade_block *b, const arb_poly_t c, slong m, slong n, slong prec)
+{
+    if (!vanishes(c, m, n, prec))
+        return false;
+    const slong known = arb_poly_length(c) - 1;
+    slong left = m, up = n, right = m;
+    while (left > 0 && vanishes(c, left - 1, n, prec))
+        left--;
+    while (up > 1 && vanishes(c, m, up - 1, prec))
+        up--;
+    while (right + n <= known && vanishes(c, right + 1, n, prec))
+        right++;
+    b->m = left - 1;
+    b->n = up - 1;
+    b->size = right - left + 2;
+    b->open = right + n > known;
+    return true;
+}
+
+void pade_analysis_init(struct pade_analysis *a)
+{
+    memset(a, 0, sizeof *a);
+    a->root = 1;
+    a->variable = "z";
+}
+
+void pade_analysis_clear(struct pade_analysis *a)
+{
+    _acb_vec_clear(a->pole, a->poles);
+    _acb_vec_clear(a->zero, a->zeros);
+    for (slong i = 0; i < a->pairs; i++)
+        arb_clear(a->pair[i].distance);
+    free(a->pair);
+    pade_analysis_init(a);
+}
+
+/* All roots of a real polynomial with a leading coefficient that is not 0, or NULL. */
+static acb_ptr isolate(const arb_poly_t real, slong prec)
+{
+    const slong degree = arb_poly_degree(real);
+    if (degree < 0 || arb_contains_zero(arb_poly_get_coeff_ptr(real, degree)))
+        return NULL;
+    acb_poly_t poly;
+    acb_poly_init(poly);
+    acb_poly_set_arb_poly(poly, real);
+    acb_ptr root = _acb_vec_init(degree);
+    bool isolated = degree == 0;
+    for (slong working = 2 * ROOT_BITS; !isolated; working *= 2) {
+        const bool last = working >= prec;
+        isolated = acb_poly_find_roots(root, poly, working > 2 * ROOT_BITS ? root : NULL, 0, last ? prec : working) ==
+                       degree &&
+                   acb_poly_validate_real_roots(root, poly, last ? prec : working);
+        for (slong i = 0; i < degree && isolated; i++) {
+            if (arb_contains_zero(acb_imagref(root + i)))
+                arb_zero(acb_imagref(root + i));
+            isolated = acb_rel_accuracy_bits(root + i) >= ROOT_BITS &&
+                       !(acb_is_real(root + i) && arb_contains_zero(acb_realref(root + i)));
+        }
+        if (last)
+            break;
+    }
+    acb_poly_clear(poly);
+    if (!isolated) {
+        _acb_vec_clear(root, degree);
+        return NULL;
+    }
+    _acb_vec_sort_pretty(root, degree);
+    return root;
+}
+
+static bool on_positive_axis(const acb_t z)
+{
+    return acb_is_real(z) && arb_is_positive(acb_realref(z));
+}
+
+static void find_pairs(struct pade_analysis *a)
+{
+    const slong prec = 2 * ROOT_BITS;
+    acb_t ratio;
+    arb_t distance, slope;
+    acb_init(ratio);
+    arb_init(distance);
+    arb_init(slope);
+    a->pair = xmalloc((size_t)(a->poles * a->zeros + 1) * sizeof *a->pair);
+    for (slong i = 0; i < a->poles; i++)
+        for (slong j = 0; j < a->zeros; j++) {
+            acb_div(ratio, a->zero + j, a->pole + i, prec);
+            acb_sub_ui(ratio, ratio, 1, prec);
+            acb_abs(distance, ratio, prec);
+            arb_mul_si(slope, distance, PADE_PAIR_DISTANCE, prec);
+            arb_sub_si(slope, slope, 1, prec);
+            if (arb_is_positive(slope))
+                continue;
+            struct pade_pair *pair = a->pair + a->pairs++;
+            *pair = (struct pade_pair){.pole = i, .zero = j};
+            arb_init(pair->distance);
+            arb_set(pair->distance, distance);
+            arb_abs(slope, acb_imagref(a->pole + i));
+            arb_mul_si(slope, slope, PADE_PAIR_SLOPE, prec);
+            pair->spurious = !arb_is_negative(acb_realref(a->pole + i)) && !arb_ge(slope, acb_realref(a->pole + i));
+            a->spurious += pair->spurious;
+        }
+    acb_clear(ratio);
+    arb_clear(distance);
+    arb_clear(slope);
+}
+
+bool pade_analyse(struct pade_analysis *a, const struct pade *f, slong prec)
+{
+    pade_analysis_clear(a);
+    acb_ptr pole = isolate(f->q, prec);
+    acb_ptr zero = isolate(f->p, prec);
+    if (pole) {
+        a->pole = pole;
+        a->poles = arb_poly_degree(f->q);
+    }
+    if (zero) {
+        a->zero = zero;
+        a->zeros = arb_poly_degree(f->p);
+    }
+    a->root = f->root;
+    a->variable = f->variable;
+    if (!pole || !zero)
+        return false;
+    for (slong i = 0; i < a->poles; i++)
+        a->positive_poles += on_positive_axis(a->pole + i);
+    for (slong i = 0; i < a->zeros; i++)
+        a->positive_zeros += on_positive_axis(a->zero + i);
+    find_pairs(a);
+    return true;
+}
+
+/* Where z lies, in the variable that the reader knows: "2.9", or "2.9 + 0.1 i". */
+static void print_place(FILE *file, const struct pade_analysis *a, const acb_t z)
+{
+    acb_t place;
+    acb_init(place);
+    acb_pow_ui(place, z, (ulong)a->root, 2 * ROOT_BITS);
+    const double re = arf_get_d(arb_midref(acb_realref(place)), ARF_RND_NEAR);
+    const double im = arf_get_d(arb_midref(acb_imagref(place)), ARF_RND_NEAR);
+    if (acb_is_real(z))
+        fprintf(file, "%s = %.*g", a->variable, PLACE_DIGITS, re);
+    else
+        fprintf(file, "%s = %.*g %c %.*g i", a->variable, PLACE_DIGITS, re, im < 0 ? '-' : '+', PLACE_DIGITS,
+                im < 0 ? -im : im);
+    acb_clear(place);
+}
+
+static void print_pair(FILE *file, const struct pade_analysis *a, const struct pade_pair *pair)
+{
+    print_place(file, a, a->pole + pair->pole);
+    fprintf(file, " (distance %.1e)", arf_get_d(arb_midref(pair->distance), ARF_RND_NEAR));
+}
+
+static void print_positive(FILE *file, const struct pade_analysis *a, acb_srcptr z, slong count)
+{
+    const char *separator = "";
+    for (slong i = 0; i < count; i++)
+        if (on_positive_axis(z + i)) {
+            fputs(separator, file);
+            print_place(file, a, z + i);
+            separator = ", ";
+        }
+}
+
+char *pade_defects(const struct pade_analysis *a)
+{
+    if (a->positive_poles == 0 && a->positive_zeros == 0 && a->spurious == 0)
+        return NULL;
+    char *text;
+    size_t size;
+    const char *separator = "";
+    FILE *file = open_memstream(&text, &size);
+    if (!file)
+        return xstrdup("out of memory");
+    if (a->positive_poles) {
+        fprintf(file, "a pole at ");
+        print_positive(file, a, a->pole, a->poles);
+        separator = "; ";
+    }
+    if (a->positive_zeros) {
+        fprintf(file, "%sa zero at ", separator);
+        print_positive(file, a, a->zero, a->zeros);
+        separator = "; ";
+    }
+    for (slong i = 0; i < a->pairs; i++)
+        if (a->pair[i].spurious) {
+            fprintf(file, "%sa spurious pole-zero pair at ", separator);
+            print_pair(file, a, a->pair + i);
+            separator = "; ";
+        }
+    fclose(file);
+    return text;
+}
+
+void pade_print_analysis(FILE *file, const struct pade_analysis *a, const char *prefix)
+{
+    const struct {
+        const char *name, *polynomial;
+        acb_srcptr z;
+        slong count, positive;
+    } side[] = {{"pole", "denominator", a->pole, a->poles, a->positive_poles},
+                {"zero", "numerator", a->zero, a->zeros, a->positive_zeros}};
+    for (int i = 0; i < 2; i++) {
+        fprintf(file, "%s%ss on %s > 0: ", prefix, side[i].name, a->variable);
+        if (side[i].positive)
+            print_positive(file, a, side[i].z, side[i].count);
+        else
+            fprintf(file, "none");
+        fprintf(file, " (proved: %ld of %ld roots of the %s isolated)\n", (long)side[i].count, (long)side[i].count,
+                side[i].polynomial);
+    }
+    if (a->pairs == 0)
+        fprintf(file, "%spole-zero pairs closer than 1/%d of their distance from 0: none\n", prefix,
+                PADE_PAIR_DISTANCE);
+    for (slong i = 0; i < a->pairs; i++) {
+        fprintf(file, "%spole-zero pair at ", prefix);
+        print_pair(file, a, a->pair + i);
+        fprintf(file, a->pair[i].spurious ? ", near the positive axis: spurious\n"
+                                          : ", away from the positive axis: harmless\n");
+    }
+}
+
+static const char *end_name(enum contact_end end)
+{
+    return end == END_ZERO_FORCE ? "zero force" : "zero overlap";
+}
+
+/* 1 - a_1 x + a_2 x^2 - a_3 x^3 + a_4 x^4 with the printed a_k, then 0 as if a_5 vanished: (32),
+ * (33). */
+static int published_series(arb_poly_t c, slong prec)
+{
+    fmpq_t exact;
+    arb_t a;
+    int status = 0;
+    fmpq_init(exact);
+    arb_init(a);
+    arb_poly_one(c);
+    for (int k = 1; k <= 4; k++) {
+        const char *text = published_value(PUBLISHED_A, k);
+        if (fmpq_set_str(exact, text, 10) == 0)
+            arb_set_fmpq(a, exact, prec);
+        else
+            status |= arb_set_str(a, text, prec);
+        if (k % 2)
+            arb_neg(a, a);
+        arb_poly_set_coeff_arb(c, k, a);
+    }
+    fmpq_clear(exact);
+    arb_clear(a);
+    return status;
+}
+
+const char *pade_refusal(const struct pade_request *r)
+{
+    if (r->numerator < 0 || r->denominator < 0)
+        return "the degrees of a Padé are not negative";
+    if (r->kind == PADE_TWO_POINT && !law_is_sphere(&r->law))
+        return "a two-point Padé needs the tail at infinity, known for the sphere's law only";
+    if (r->kind == PADE_TWO_POINT && r->end != END_ZERO_OVERLAP)
+        return "a two-point Padé exists at zero overlap only: at zero force the tail has "
+               "logarithms";
+    if (r->kind == PADE_TWO_POINT && r->denominator != r->numerator + TAIL_POWER)
+        return "a two-point Padé falls off like beta^-5: its denominator is 5 degrees higher";
+    if (r->kind == PADE_AS_PUBLISHED && (r->numerator != 1 || r->denominator != 4))
+        return "the published Padé is a [1/4]";
+    return NULL;
+}
+
+/* One attempt. Returns 0 with *regular set, or 1 after a message. */
+static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pade_request *r, slong prec)
+{
+    int status = 0;
+    const slong m = r->numerator, n = r->denominator;
+    f->root = 1;
+    f->variable = "beta";
+    switch (r->kind) {
+    case PADE_ORDINARY:
+        status = series_eps(c, &f->root, r->end, m + n, &r->law, prec);
+        if (status == 0)
+            *regular = pade_of_series(f, c, m, n, prec);
+        break;
+    case PADE_TWO_POINT: {
+        arb_t limit;
+        arb_init(limit);
+        status = series_eps(c, &f->root, r->end, m + TAIL_POWER - 1, &r->law, prec) || collision_h_star(limit, prec);
+        arb_pow_ui(limit, limit, TAIL_POWER, prec);
+        if (status == 0)
+            *regular = pade_two_point_of_series(f, c, limit, m, prec);
+        arb_clear(limit);
+        break;
+    }
+    case PADE_AS_PUBLISHED:
+        f->variable = "x";
+        status = published_series(c, prec);
+        if (status == 0)
+            *regular = pade_of_series(f, c, m, n, prec);
+        break;
+    }
+    return status;
+}
+
+/* Whether every coefficient has so many relative bits; if not, which has not. */
+static bool accurate(const arb_poly_t p, slong bits, slong *power)
+{
+    for (slong i = 0; i < arb_poly_length(p); i++) {
+        arb_srcptr x = arb_poly_get_coeff_ptr(p, i);
+        if (!arb_is_zero(x) && arb_rel_accuracy_bits(x) < bits) {
+            *power = i;
+            return false;
+        }
+    }
+    return true;
+}
+
+static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slong prec)
+{
+    const slong m = r->numerator, n = r->denominator;
+    struct pade_block b;
+    if (r->kind == PADE_TWO_POINT || !pade_block_of(&b, c, m, n, prec))
+        return fail("the equations of the [%ld/%ld] Padé at %s are singular, as far as %ld bits tell", (long)m, (long)n,
+                    end_name(r->end), (long)prec);
+    return fail("[%ld/%ld] at %s is degenerate (as far as %ld bits tell): it lies in the block of "
+                "[%ld/%ld]..[%ld/%ld]%s, which holds one fraction; ask for [%ld/%ld]",
+                (long)m, (long)n, end_name(r->end), (long)prec, (long)b.m, (long)b.n, (long)(b.m + b.size - 1),
+                (long)(b.n + b.size - 1), b.open ? " or beyond" : "", (long)b.m, (long)b.n);
+}
+
+int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_request *r, slong bits)
+{
+    const char *why = pade_refusal(r);
+    if (why)
+        return fail("%s", why);
+
+    const slong degrees = r->numerator + r->denominator;
+    slong prec = bits + LOSS_PER_DEGREE * degrees + GUARD_BITS, power = 0;
+    const char *open = NULL;
+    int status = 1;
+    bool regular = false;
+    arb_poly_t c;
+    arb_poly_init(c);
+    /* An entry that is truly degenerate would never be regular: a few doublings, then the block. */
+    for (int i = 0; i < ATTEMPTS; i++, prec *= 2) {
+        status = attempt(f, c, &regular, r, prec);
+        if (status)
+            break;
+        if (!regular)
+            continue;
+        if (!accurate(f->p, bits, &power))
+            open = "numerator";
+        else if (!accurate(f->q, bits, &power))
+            open = "denominator";
+        else if (a && !pade_analyse(a, f, prec))
+            open = "roots";
+        else
+            open = NULL;
+        if (!open)
+            break;
+    }
+    if (status == 0 && !regular)
+        status = fail_degenerate(c, r, prec / 2);
+    else if (status == 0 && open && *open == 'r')
+        status = fail("the poles and zeros of [%ld/%ld] could not be isolated with %ld bits", (long)r->numerator,
+                      (long)r->denominator, (long)(prec / 2));
+    else if (status == 0 && open)
+        status = fail("the coefficient of z^%ld in the %s of [%ld/%ld] cannot be certified with %ld "
+                      "bits (it may vanish)",
+                      (long)power, open, (long)r->numerator, (long)r->denominator, (long)(prec / 2));
+    arb_poly_clear(c);
+    return status;
+}

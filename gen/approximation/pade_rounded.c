@@ -1,0 +1,313 @@
+/* SPDX-License-Identifier: MIT */
+#include "approximation/pade_rounded.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "enclosure/collision.h"
+#include "support/console.h"
+#include "support/digits.h"
+
+enum {
+    BITS = 192,                /* of references and of everything computed here */
+    SMALL_STEP = 6,            /* the small sample points are this many powers of 2 apart */
+    PIECES = 512,              /* that cover the interval where the condition is bounded */
+    OPERATIONS_PER_DEGREE = 3, /* z rounded, one product, one sum */
+};
+
+void pade_rounded_init(struct pade_rounded *r)
+{
+    arb_poly_init(r->p);
+    arb_poly_init(r->q);
+    arb_poly_init(r->l);
+    arb_poly_init(r->p_double);
+    arb_poly_init(r->q_double);
+    arb_poly_init(r->l_double);
+    r->root = 1;
+}
+
+void pade_rounded_clear(struct pade_rounded *r)
+{
+    arb_poly_clear(r->p);
+    arb_poly_clear(r->q);
+    arb_poly_clear(r->l);
+    arb_poly_clear(r->p_double);
+    arb_poly_clear(r->q_double);
+    arb_poly_clear(r->l_double);
+}
+
+static int round_polynomial(arb_poly_t rounded, const arb_poly_t exact, const char *name)
+{
+    arb_t x;
+    arb_init(x);
+    arb_poly_zero(rounded);
+    int status = 0;
+    for (slong i = 0; i < arb_poly_length(exact) && status == 0; i++) {
+        double y;
+        if (digits_to_double(&y, arb_poly_get_coeff_ptr(exact, i))) {
+            arb_set_d(x, y);
+            arb_poly_set_coeff_arb(rounded, i, x);
+        } else {
+            status = fail("coefficient %ld of the %s is no certain double", (long)i, name);
+        }
+    }
+    arb_clear(x);
+    return status;
+}
+
+int pade_round(struct pade_rounded *r, const struct pade *f)
+{
+    r->root = f->root;
+    arb_poly_set(r->p, f->p);
+    arb_poly_set(r->q, f->q);
+    /* eps = 1 + O(beta), so below z^root the difference is exactly 0, if only in a ball around it.
+     */
+    arb_poly_sub(r->l, f->q, f->p, ARF_PREC_EXACT);
+    for (slong i = 0; i < r->root; i++)
+        if (i < arb_poly_length(r->l) && !arb_contains_zero(arb_poly_get_coeff_ptr(r->l, i)))
+            return fail("1 - P/Q is not of the order of beta");
+    arb_poly_shift_right(r->l, r->l, r->root);
+    return round_polynomial(r->p_double, r->p, "numerator") || round_polynomial(r->q_double, r->q, "denominator") ||
+           round_polynomial(r->l_double, r->l, "loss");
+}
+
+int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small)
+{
+    struct collision c;
+    arb_t beta;
+    fmpz_t scale;
+    int status = 0;
+    s->count = even + small;
+    s->even = even;
+    s->beta = xmalloc((size_t)s->count * sizeof *s->beta);
+    for (slong i = 0; i < s->count; i++)
+        fmpq_init(s->beta + i);
+    for (int end = 0; end < 2; end++)
+        s->eps[end] = _arb_vec_init(s->count);
+    collision_init(&c);
+    arb_init(beta);
+    fmpz_init(scale);
+    for (slong i = 0; i < s->count && status == 0; i++) {
+        progress("collisions to compare with", i, s->count);
+        fmpq *x = s->beta + i;
+        if (i < even) {
+            fmpq_set_si(x, beta_max * (i + 1), (ulong)even);
+        } else {
+            fmpz_one(scale);
+            fmpz_mul_2exp(scale, scale, (ulong)(SMALL_STEP * (i - even + 1)));
+            fmpq_set_si(x, beta_max, 1);
+            fmpq_div_fmpz(x, x, scale);
+        }
+        arb_set_fmpq(beta, x, 2 * BITS);
+        status = collision_solve(&c, beta, law, BITS);
+        arb_set(s->eps[END_ZERO_OVERLAP] + i, c.eps_zero_overlap);
+        arb_set(s->eps[END_ZERO_FORCE] + i, c.eps_zero_force);
+    }
+    progress_end();
+    collision_clear(&c);
+    arb_clear(beta);
+    fmpz_clear(scale);
+    if (status)
+        references_clear(s);
+    return status;
+}
+
+void references_clear(struct references *s)
+{
+    for (slong i = 0; i < s->count; i++)
+        fmpq_clear(s->beta + i);
+    free(s->beta);
+    for (int end = 0; end < 2; end++)
+        _arb_vec_clear(s->eps[end], s->count);
+}
+
+void pade_error_init(struct pade_error *e)
+{
+    e->eps = e->loss = 0;
+    fmpq_init(e->eps_at_beta);
+    fmpq_init(e->loss_at_beta);
+}
+
+void pade_error_clear(struct pade_error *e)
+{
+    fmpq_clear(e->eps_at_beta);
+    fmpq_clear(e->loss_at_beta);
+}
+
+static double upper_bound(const arb_t x)
+{
+    if (!arb_is_finite(x))
+        return INFINITY;
+    arf_t end;
+    arf_init(end);
+    arb_get_ubound_arf(end, x, BITS);
+    const double bound = arf_get_d(end, ARF_RND_CEIL);
+    arf_clear(end);
+    return bound;
+}
+
+/* |approximate/exact - 1|, rounded up */
+static double relative(const arb_t approximate, const arb_t exact)
+{
+    arb_t x;
+    arb_init(x);
+    arb_div(x, approximate, exact, BITS);
+    arb_sub_ui(x, x, 1, BITS);
+    arb_abs(x, x);
+    const double error = upper_bound(x);
+    arb_clear(x);
+    return error;
+}
+
+static void set_z(arb_t z, const struct pade_rounded *r, const arb_t beta)
+{
+    arb_root_ui(z, beta, (ulong)r->root, BITS);
+}
+
+void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum contact_end end,
+                              const struct references *s)
+{
+    arb_t beta, z, q, value, exact;
+    arb_init(beta);
+    arb_init(z);
+    arb_init(q);
+    arb_init(value);
+    arb_init(exact);
+    e->eps = e->loss = 0;
+    for (slong i = 0; i < s->count; i++) {
+        arb_set_fmpq(beta, s->beta + i, BITS);
+        set_z(z, r, beta);
+        arb_poly_evaluate(q, r->q_double, z, BITS);
+        arb_poly_evaluate(value, r->p_double, z, BITS);
+        arb_div(value, value, q, BITS);
+        const double eps = relative(value, s->eps[end] + i);
+        arb_poly_evaluate(value, r->l_double, z, BITS);
+        arb_mul(value, value, beta, BITS);
+        arb_div(value, value, q, BITS);
+        arb_sub_ui(exact, s->eps[end] + i, 1, BITS);
+        arb_neg(exact, exact);
+        const double loss = relative(value, exact);
+        if (!(eps <= e->eps)) {
+            e->eps = eps;
+            fmpq_set(e->eps_at_beta, s->beta + i);
+        }
+        if (!(loss <= e->loss)) {
+            e->loss = loss;
+            fmpq_set(e->loss_at_beta, s->beta + i);
+        }
+    }
+    arb_clear(beta);
+    arb_clear(z);
+    arb_clear(q);
+    arb_clear(value);
+    arb_clear(exact);
+}
+
+/* gamma_k = k u/(1 - k u), u = 2^-53 */
+static void gamma_bound(arb_t g, slong k)
+{
+    arb_t d;
+    arb_init(d);
+    arb_set_si(g, k);
+    arb_mul_2exp_si(g, g, -53);
+    arb_sub_ui(d, g, 1, BITS);
+    arb_neg(d, d);
+    arb_div(g, g, d, BITS);
+    arb_clear(d);
+}
+
+/* Relative error of P(z) by Horner's rule for every z of the ball: each coefficient carries at most
+ * OPERATIONS_PER_DEGREE deg P + 1 factors (1 + delta), |delta| <= u (Higham 2002, 5.1), times the
+ * condition sum |p_i| z^i / |P(z)|. */
+static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magnitude, const arb_poly_t slope,
+                         const arb_t z)
+{
+    arb_t value, centre, radius;
+    arb_init(value);
+    arb_init(centre);
+    arb_init(radius);
+    /* mean value form: P at the middle, P' over the ball */
+    arb_get_mid_arb(centre, z);
+    arb_sub(radius, z, centre, BITS);
+    arb_poly_evaluate(value, slope, z, BITS);
+    arb_mul(radius, radius, value, BITS);
+    arb_poly_evaluate(value, p, centre, BITS);
+    arb_add(value, value, radius, BITS);
+    arb_abs(value, value);
+    arb_poly_evaluate(error, magnitude, z, BITS);
+    arb_div(error, error, value, BITS);
+    gamma_bound(value, OPERATIONS_PER_DEGREE * arb_poly_degree(p) + 1);
+    arb_mul(error, error, value, BITS);
+    arb_clear(value);
+    arb_clear(centre);
+    arb_clear(radius);
+}
+
+static void set_magnitude(arb_poly_t magnitude, const arb_poly_t p)
+{
+    arb_poly_set(magnitude, p);
+    for (slong i = 0; i < arb_poly_length(p); i++)
+        arb_abs(arb_poly_get_coeff_ptr(magnitude, i), arb_poly_get_coeff_ptr(p, i));
+}
+
+/* (1 + n)/(1 - d) (1 + u)^rounded - 1 */
+static double quotient_error(const arb_t n, const arb_t d, slong rounded)
+{
+    arb_t x, y;
+    arb_init(x);
+    arb_init(y);
+    arb_sub_ui(y, d, 1, BITS);
+    arb_neg(y, y);
+    double bound = INFINITY;
+    if (arb_is_positive(y)) {
+        arb_add_ui(x, n, 1, BITS);
+        arb_div(x, x, y, BITS);
+        gamma_bound(y, rounded);
+        arb_add_ui(y, y, 1, BITS);
+        arb_mul(x, x, y, BITS);
+        arb_sub_ui(x, x, 1, BITS);
+        bound = upper_bound(x);
+    }
+    arb_clear(x);
+    arb_clear(y);
+    return bound;
+}
+
+void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded *r, slong beta_max)
+{
+    const arb_poly_struct *poly[3] = {r->p_double, r->q_double, r->l_double};
+    arb_poly_t magnitude[3], slope[3];
+    arb_t z, low, high, error[3];
+    for (int i = 0; i < 3; i++) {
+        arb_poly_init(magnitude[i]);
+        arb_poly_init(slope[i]);
+        arb_init(error[i]);
+        set_magnitude(magnitude[i], poly[i]);
+        arb_poly_derivative(slope[i], poly[i], BITS);
+    }
+    arb_init(z);
+    arb_init(low);
+    arb_init(high);
+    *eps = *loss = 0;
+    for (slong k = 0; k < PIECES; k++) {
+        arb_set_si(z, beta_max);
+        set_z(z, r, z);
+        arb_mul_si(low, z, k, BITS);
+        arb_div_si(low, low, PIECES, BITS);
+        arb_mul_si(high, z, k + 1, BITS);
+        arb_div_si(high, high, PIECES, BITS);
+        arb_union(z, low, high, BITS);
+        for (int i = 0; i < 3; i++)
+            horner_error(error[i], poly[i], magnitude[i], slope[i], z);
+        *eps = fmax(*eps, quotient_error(error[0], error[1], 1));
+        *loss = fmax(*loss, quotient_error(error[2], error[1], 2));
+    }
+    for (int i = 0; i < 3; i++) {
+        arb_poly_clear(magnitude[i]);
+        arb_poly_clear(slope[i]);
+        arb_clear(error[i]);
+    }
+    arb_clear(z);
+    arb_clear(low);
+    arb_clear(high);
+}

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT */
+/* A Padé as a program will evaluate it: coefficients rounded to double, and the two errors that
+ * remain. With z = beta^(1/root), eps = P(z)/Q(z) and 1 - eps = beta L(z)/Q(z), each polynomial by
+ * Horner's rule; L = (Q - P)/beta is formed in balls, so nothing cancels in double. */
+#ifndef COR_GEN_APPROXIMATION_PADE_ROUNDED_H
+#define COR_GEN_APPROXIMATION_PADE_ROUNDED_H
+
+#include "approximation/pade.h"
+
+struct pade_rounded {
+    arb_poly_t p, q, l;                      /* balls, before rounding */
+    arb_poly_t p_double, q_double, l_double; /* the doubles, exact */
+    slong root;
+};
+
+void pade_rounded_init(struct pade_rounded *r);
+void pade_rounded_clear(struct pade_rounded *r);
+
+/* Returns 0, or 1 after saying on stderr which coefficient could not be rounded. */
+int pade_round(struct pade_rounded *r, const struct pade *f);
+
+/* eps at both ends for exact rational beta: where an approximation error is sampled. */
+struct references {
+    fmpq *beta;
+    arb_ptr eps[2]; /* by enum contact_end */
+    slong count, even;
+};
+
+/* `even` points beta_max i/even, i = 1..even, and `small` points beta_max/2^(6 j), j = 1..small.
+ * Returns 0, or 1 after saying what failed. */
+int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small);
+void references_clear(struct references *s);
+
+struct pade_error {
+    double eps, loss;                 /* largest relative error found, rounded up */
+    fmpq_t eps_at_beta, loss_at_beta; /* where */
+};
+
+void pade_error_init(struct pade_error *e);
+void pade_error_clear(struct pade_error *e);
+
+/* Of the exact functions of the rounded coefficients, so rounding is in it: sampled. */
+void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum contact_end end,
+                              const struct references *s);
+
+/* Of their evaluation in double (round to nearest, with or without fused multiply-add) over
+ * 0 <= beta <= beta_max, z itself rounded: proved, by sum |p_i| z^i / |P(z)| in balls over pieces
+ * that cover the interval. Infinity where P or Q may vanish there. */
+void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded *r, slong beta_max);
+
+#endif

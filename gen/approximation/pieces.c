@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: MIT */
+#include "approximation/pieces.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "support/console.h"
+#include "support/digits.h"
+
+enum { WORKING_BITS = 320, POINTS = 24 /* where a row's error is sampled */ };
+
+/* From this beta on the loss is 1 minus a row of eps, so the row's error counts relative to the loss too. */
+static const double loss_from_eps = 0.25;
+
+struct cell {
+    double node, lo, hi;
+    slong octave; /* of x = beta^5 */
+    bool plain;
+};
+
+static struct cell cell_of(const struct pieces *p, slong row)
+{
+    struct cell cell = {.plain = row < p->plain};
+    double step = p->step;
+    if (p->variable == VARIABLE_POWER) {
+        step = 1.0 / PIECES_PER_OCTAVE;
+        cell.octave = (slong)p->first + row / PIECES_PER_OCTAVE;
+        cell.node = 1 + step * ((double)(row % PIECES_PER_OCTAVE) + 0.5);
+    } else {
+        cell.node = p->first + (double)row * step;
+    }
+    cell.lo = cell.node - step / 2;
+    cell.hi = cell.node + step / 2;
+    if (p->variable == VARIABLE_BETA || p->variable == VARIABLE_SQRT_BETA)
+        cell.lo = fmax(cell.lo, 0);
+    return cell;
+}
+
+/* sqrt(beta) at y, or ln(beta) where that is the variable */
+static void place(arb_t z, const struct pieces *p, const struct cell *cell, const arb_t y)
+{
+    if (p->variable == VARIABLE_BETA) {
+        arb_sqrt(z, y, WORKING_BITS);
+    } else if (p->variable == VARIABLE_POWER) {
+        arb_mul_2exp_si(z, y, cell->octave);
+        arb_root_ui(z, z, 10, WORKING_BITS);
+    } else {
+        arb_set(z, y);
+    }
+}
+
+static void function(arb_t value, const struct pieces *p, const struct interpolant *f, const struct cell *cell,
+                     const arb_t y)
+{
+    arb_t z;
+    arb_init(z);
+    place(z, p, cell, y);
+    if (p->variable == VARIABLE_LOG_BETA)
+        interpolant_tail(value, f, p->quantity, z, WORKING_BITS);
+    else
+        interpolant_value(value, f, p->quantity, z, WORKING_BITS);
+    arb_clear(z);
+}
+
+/* s of the header at y */
+static void factor(arb_t s, const struct cell *cell, const arb_t y)
+{
+    arb_t node;
+    arb_init(node);
+    arb_set_d(node, cell->node);
+    if (!cell->plain) {
+        arb_sqr(s, y, WORKING_BITS);
+        arb_submul(s, node, node, WORKING_BITS);
+    } else {
+        arb_sub(s, y, node, WORKING_BITS);
+    }
+    arb_clear(node);
+}
+
+/* Where the cell is sampled: a double between its ends. */
+static double between(const struct cell *cell, double fraction)
+{
+    return ldexp(nearbyint(ldexp(cell->lo + (cell->hi - cell->lo) * fraction, 40)), -40);
+}
+
+static void cut(arb_ptr c, const struct pieces *p, const struct interpolant *f, const struct cell *cell)
+{
+    const slong n = p->degree;
+    arb_ptr t = _arb_vec_init(n), quotient = _arb_vec_init(n);
+    arb_poly_t polynomial;
+    arb_t node, y, s;
+    arb_poly_init(polynomial);
+    arb_init(node);
+    arb_init(y);
+    arb_init(s);
+    arb_set_d(node, cell->node);
+    function(c, p, f, cell, node);
+    for (slong j = 0; j < n; j++) {
+        /* never the node itself, where the quotient is 0/0 */
+        arb_set_d(y, between(cell, (1 + chebyshev_point(j, n)) / 2) + ldexp(1, -41));
+        function(quotient + j, p, f, cell, y);
+        arb_sub(quotient + j, quotient + j, c, WORKING_BITS);
+        factor(s, cell, y);
+        arb_div(quotient + j, quotient + j, s, WORKING_BITS);
+        arb_sub(t + j, y, node, WORKING_BITS);
+    }
+    arb_poly_interpolate_barycentric(polynomial, t, quotient, n, WORKING_BITS);
+    for (slong k = 0; k < n; k++)
+        arb_poly_get_coeff_arb(c + 2 + k, polynomial, k);
+    /* what the double nearest to c_0 lacks */
+    arb_set_d(c + 1, arf_get_d(arb_midref(c), ARF_RND_NEAR));
+    arb_sub(c + 1, c, c + 1, WORKING_BITS);
+    arb_poly_clear(polynomial);
+    arb_clear(node);
+    arb_clear(y);
+    arb_clear(s);
+    _arb_vec_clear(t, n);
+    _arb_vec_clear(quotient, n);
+}
+
+/* The row of doubles at y, exactly evaluated. */
+static void row_value(arb_t value, const struct pieces *p, const struct cell *cell, const double *c, const arb_t y)
+{
+    arb_t t, s;
+    arb_init(t);
+    arb_init(s);
+    arb_set_d(t, cell->node);
+    arb_sub(t, y, t, WORKING_BITS);
+    factor(s, cell, y);
+    arb_zero(value);
+    for (slong k = p->degree + 1; k >= 2; k--) {
+        arb_t term;
+        arb_init(term);
+        arb_set_d(term, c[k]);
+        arb_mul(value, value, t, WORKING_BITS);
+        arb_add(value, value, term, WORKING_BITS);
+        arb_clear(term);
+    }
+    arb_mul(value, value, s, WORKING_BITS);
+    arb_set_d(t, c[1]);
+    arb_add(value, value, t, WORKING_BITS);
+    arb_set_d(t, c[0]);
+    arb_add(value, value, t, WORKING_BITS);
+    arb_clear(t);
+    arb_clear(s);
+}
+
+/* -log2 of the largest relative error found in a cell */
+static double bits_reached(const struct pieces *p, const struct interpolant *f, const struct cell *cell,
+                           const double *c)
+{
+    arb_t y, exact, value;
+    double worst = 0;
+    const bool eps = (p->quantity == EPS_ZERO_OVERLAP || p->quantity == EPS_ZERO_FORCE) &&
+                     (p->variable == VARIABLE_BETA || p->variable == VARIABLE_SQRT_BETA);
+    arb_init(y);
+    arb_init(exact);
+    arb_init(value);
+    for (int k = 0; k <= POINTS; k++) {
+        const double at = between(cell, k / (double)POINTS);
+        arb_set_d(y, at);
+        function(exact, p, f, cell, y);
+        row_value(value, p, cell, c, y);
+        arb_sub(value, value, exact, WORKING_BITS);
+        const double beta = p->variable == VARIABLE_BETA ? at : at * at;
+        if (eps && beta >= loss_from_eps && arf_cmp_d(arb_midref(exact), 0.5) > 0) {
+            arb_sub_ui(exact, exact, 1, WORKING_BITS);
+            arb_neg(exact, exact);
+        }
+        arb_div(value, value, exact, WORKING_BITS);
+        worst = fmax(worst, fabs(arf_get_d(arb_midref(value), ARF_RND_UP)));
+    }
+    arb_clear(y);
+    arb_clear(exact);
+    arb_clear(value);
+    return -log2(worst);
+}
+
+int pieces_make(struct pieces *p, const struct interpolant *f)
+{
+    const slong columns = p->degree + 2;
+    p->coefficient = _arb_vec_init(p->rows * columns);
+    p->bits = xmalloc((size_t)p->rows * sizeof *p->bits);
+    double *c = xmalloc((size_t)columns * sizeof *c);
+    int status = STATUS_OK;
+    for (slong row = 0; row < p->rows && status == STATUS_OK; row++) {
+        const struct cell cell = cell_of(p, row);
+        arb_ptr exact = p->coefficient + row * columns;
+        cut(exact, p, f, &cell);
+        for (slong k = 0; k < columns && status == STATUS_OK; k++)
+            if (!digits_to_double(&c[k], exact + k))
+                status = fail("%s, row %ld: coefficient %ld cannot be rounded", p->name, (long)row, (long)k);
+        if (status)
+            break;
+        p->bits[row] = bits_reached(p, f, &cell, c);
+        if (!(p->bits[row] >= p->least_bits))
+            status = fail("%s, row %ld reaches %.1f bits, not the %.1f it must", p->name, (long)row, p->bits[row],
+                          p->least_bits);
+    }
+    free(c);
+    return status;
+}
+
+void pieces_clear(struct pieces *p)
+{
+    _arb_vec_clear(p->coefficient, p->rows * (p->degree + 2));
+    free(p->bits);
+}
+
+int pieces_emit(struct emit *e, const struct pieces *p)
+{
+    static const char *const variables[] = {"beta", "sqrt(beta)", "ln(beta)", "beta^5 2^-k"};
+    double worst = INFINITY;
+    for (slong row = 0; row < p->rows; row++)
+        worst = fmin(worst, p->bits[row]);
+    const struct cell first = cell_of(p, 0), last = cell_of(p, p->rows - 1);
+    char grid[96];
+    if (p->variable == VARIABLE_POWER)
+        snprintf(grid, sizeof grid, "%d to each octave k = %ld ... %ld", PIECES_PER_OCTAVE, (long)first.octave,
+                 (long)last.octave);
+    else
+        snprintf(grid, sizeof grid, "nodes %g + i %g, %g <= y <= %g", p->first, p->step, first.lo, last.hi);
+    emit_comment(e,
+                 "%s: %ld rows of degree %ld in y = %s, %s.\n"
+                 "Relative error of the approximation: 2^-%.1f at most, sampled at %d places of each row.",
+                 p->title, (long)p->rows, (long)p->degree, variables[p->variable], grid, floor(worst * 10) / 10,
+                 POINTS + 1);
+    emit_rows_open(e, p->name, p->rows, p->degree + 2);
+    for (slong row = 0; row < p->rows; row++) {
+        const struct cell cell = cell_of(p, row);
+        char text[160];
+        char octave[24] = "";
+        if (p->variable == VARIABLE_POWER)
+            snprintf(octave, sizeof octave, " 2^%ld", (long)cell.octave);
+        snprintf(text, sizeof text, "[%ld] %g <= y <= %g%s, degree %ld, %.1f bits", (long)row, cell.lo, cell.hi, octave,
+                 (long)p->degree, floor(p->bits[row] * 10) / 10);
+        if (emit_row(e, text, p->coefficient + row * (p->degree + 2), p->degree + 2, row + 1 == p->rows))
+            return STATUS_FAILED;
+    }
+    emit_rows_close(e);
+    return STATUS_OK;
+}

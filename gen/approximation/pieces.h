@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT */
+/* Piecewise polynomials on a uniform grid, cut from the interpolant of the collision.
+ *
+ * Row i belongs to the cell of half a step to either side of its node y_i = first + i step, in the variable y, and
+ * holds columns c_0, c_0', c_1, ..., c_degree:
+ *
+ *     f = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_degree t^(degree-1))),     t = y - y_i
+ *
+ * with s = t in the first `plain` rows and s = beta - y_i^2 in the others, of y = sqrt(beta): that is exact in
+ * floating point, where t is not, but has a zero at -y_i that the first rows are too near to. c_0 is the double
+ * nearest to f(y_i) and c_0' what it lacks; the other coefficients interpolate (f - f(y_i))/s at Chebyshev's points
+ * of the cell and are rounded once. */
+#ifndef COR_GEN_APPROXIMATION_PIECES_H
+#define COR_GEN_APPROXIMATION_PIECES_H
+
+#include "approximation/interpolant.h"
+#include "support/emit_c.h"
+
+/* The variable y of a table. VARIABLE_POWER is x = beta^5, which an impact speed is proportional to, in octaves
+ * 2^k <= x < 2^(k+1): y is x 2^-k, and rows 8 (k - first) + 0 ... 7 have their nodes at 1 + 1/16, 1 + 3/16, ... */
+enum variable { VARIABLE_BETA, VARIABLE_SQRT_BETA, VARIABLE_LOG_BETA, VARIABLE_POWER };
+enum { PIECES_PER_OCTAVE = 8 };
+
+struct pieces {
+    enum quantity quantity;
+    enum variable variable;
+    double first, step; /* of the nodes; VARIABLE_POWER: first k */
+    slong rows, degree, plain;
+    const char *name;    /* cor_sphere_..._row */
+    const char *title;   /* of its comment */
+    double least_bits;   /* every piece must reach so many */
+    arb_ptr coefficient; /* rows x (degree + 2), balls that round to the doubles of the table */
+    double *bits;        /* reached by the rounded row, sampled */
+};
+
+/* Cuts p, whose fields up to least_bits are set. Fails where a piece misses its bound. */
+int pieces_make(struct pieces *p, const struct interpolant *f);
+void pieces_clear(struct pieces *p);
+
+/* The function NAME(i) that returns row i, with the intervals and bits beside the numbers. */
+int pieces_emit(struct emit *e, const struct pieces *p);
+
+#endif

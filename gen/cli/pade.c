@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen pade: the coefficients, the analysis, and on request a C header. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "approximation/pade.h"
+#include "approximation/published.h"
+#include "cli/options.h"
+#include "support/console.h"
+#include "support/digits.h"
+#include "tables/pade.h"
+
+enum {
+    HEADER_BITS = 256,   /* of every coefficient that is rounded to double */
+    HEADER_BETA_MAX = 2, /* bounds in the header hold up to here */
+    HEADER_EVEN = 64,    /* sample points, see references_init */
+    HEADER_SMALL = 4,
+    PRINT_ATTEMPTS = 3, /* a coefficient half-way between two decimals needs more bits */
+    TEXT_MAX = 1024,
+    PUBLISHED_NUMERATOR = 1,
+    PUBLISHED_DENOMINATOR = 4
+};
+
+static const char *const columns[] = {"polynomial", "power", "coefficient"};
+
+static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p, slong degree, slong digits)
+{
+    arb_t x;
+    arb_init(x);
+    bool certain = true;
+    for (slong i = 0; i <= degree && certain; i++) {
+        arb_poly_get_coeff_arb(x, p, i);
+        char *text = digits_of_ball(x, digits);
+        certain = text != NULL;
+        if (certain) {
+            table_add(t, xstrdup(name));
+            table_add_integer(t, (long)i);
+            table_add(t, text);
+        }
+    }
+    arb_clear(x);
+    return certain;
+}
+
+/* f, its analysis, and the table of its coefficients to so many digits. */
+static int compute(struct pade *f, struct pade_analysis *a, struct table *t, const struct pade_request *request,
+                   slong digits, slong bits)
+{
+    for (int i = 0; i < PRINT_ATTEMPTS; i++, bits *= 2) {
+        const int status = pade_compute(f, a, request, bits);
+        if (status)
+            return status;
+        table_init(t, columns, 3);
+        if (add_polynomial(t, "numerator", f->p, f->numerator, digits) &&
+            add_polynomial(t, "denominator", f->q, f->denominator, digits))
+            return STATUS_OK;
+        table_clear(t);
+    }
+    return fail("a coefficient lies too near the middle of two numbers of %ld digits", (long)digits);
+}
+
+static const char *end_option(enum contact_end end)
+{
+    return end == END_ZERO_FORCE ? "zero-force" : "zero-overlap";
+}
+
+/* The literal command that makes the header again. */
+static void command_line(char text[TEXT_MAX], const struct pade_request *r, bool force)
+{
+    const struct law *law = &r->law;
+    int n = snprintf(text, TEXT_MAX, "corgen pade --numerator %ld --denominator %ld --end %s", (long)r->numerator,
+                     (long)r->denominator, end_option(r->end));
+    if (!law_is_sphere(law))
+        n += snprintf(text + n, TEXT_MAX - (size_t)n, " --elastic %ld/%ld --damping %ld/%ld", (long)law->a.num,
+                      (long)law->a.den, (long)law->b.num, (long)law->b.den);
+    snprintf(text + n, TEXT_MAX - (size_t)n, "%s%s%s --header FILE", r->kind == PADE_TWO_POINT ? " --two-point" : "",
+             r->kind == PADE_AS_PUBLISHED ? " --as-published" : "", force ? " --force" : "");
+}
+
+static void header_name(char name[TEXT_MAX], const struct pade_request *r)
+{
+    const struct law *law = &r->law;
+    int n = snprintf(name, TEXT_MAX, "cor_");
+    if (law_is_sphere(law))
+        n += snprintf(name + n, TEXT_MAX - (size_t)n, "sphere");
+    else
+        n += snprintf(name + n, TEXT_MAX - (size_t)n, "law_%ld_%ld_%ld_%ld", (long)law->a.num, (long)law->a.den,
+                      (long)law->b.num, (long)law->b.den);
+    snprintf(name + n, TEXT_MAX - (size_t)n, "_pade%s_%s_%ld_%ld",
+             r->kind == PADE_TWO_POINT      ? "_two_point"
+             : r->kind == PADE_AS_PUBLISHED ? "_as_published"
+                                            : "",
+             r->end == END_ZERO_FORCE ? "zero_force" : "zero_overlap", (long)r->numerator, (long)r->denominator);
+}
+
+static const char *header_title(const struct pade_request *r, slong root)
+{
+    if (r->kind == PADE_AS_PUBLISHED)
+        return "Table I of the paper of 1999, from its printed a_k: wrong from the third order on";
+    if (r->kind == PADE_TWO_POINT)
+        return "eps at zero overlap, z = beta, series at 0 and tail at infinity";
+    if (r->end == END_ZERO_OVERLAP)
+        return "eps at zero overlap, z = beta";
+    return root == 2 ? "eps at zero force, z = sqrt(beta)" : "eps at zero force, z a root of beta";
+}
+
+static int write_header(const struct options *o, const struct pade_request *r, const struct pade *f,
+                        const struct pade_analysis *a)
+{
+    char name[TEXT_MAX], guard[TEXT_MAX + 8], command[TEXT_MAX], banner[3 * TEXT_MAX];
+    struct references references;
+    /* Table I is a function of another variable and of other numbers: nothing to compare it with.
+     */
+    const bool assessed = law_is_sphere(&r->law) && r->kind != PADE_AS_PUBLISHED;
+    if (assessed && references_init(&references, &r->law, HEADER_BETA_MAX, HEADER_EVEN, HEADER_SMALL))
+        return STATUS_FAILED;
+
+    header_name(name, r);
+    command_line(command, r, o->force);
+    snprintf(guard, sizeof guard, "%s_h", name);
+    for (char *c = guard; *c; c++)
+        *c = (char)(*c >= 'a' && *c <= 'z' ? *c - 'a' + 'A' : *c);
+    char z[32] = "";
+    if (f->root > 1)
+        snprintf(z, sizeof z, "^(1/%ld)", (long)f->root);
+    snprintf(banner, sizeof banner,
+             "Restitution coefficient of x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0:\n"
+             "    eps = P(z)/Q(z),    1 - eps = %s L(z)/Q(z),    z = %s%s%s.\n"
+             "Arrays hold ascending powers of z; q[0] = 1. Source: docs/derivation.md, 7.\n"
+             "\n"
+             "Written by:  %s\n"
+             "Checked by:  the same command, whose output is the same to the byte\n"
+             "\n"
+             "Each double is the one nearest to the exact coefficient, which stands beside it: "
+             "proved.\n",
+             (long)r->law.b.num, (long)r->law.b.den, (long)r->law.a.num, (long)r->law.a.den, f->variable, f->variable,
+             z, r->kind == PADE_AS_PUBLISHED ? " = (g/g*)^(1/5)" : "", command);
+
+    struct output out;
+    int status = output_open(&out, o->header);
+    if (status == STATUS_OK) {
+        const struct pade_header header = {.name = name,
+                                           .title = header_title(r, f->root),
+                                           .end = r->end,
+                                           .beta_max = HEADER_BETA_MAX,
+                                           .references = assessed ? &references : NULL,
+                                           .limit = INFINITY};
+        struct emit e;
+        emit_open(&e, out.file, guard, banner);
+        status = pade_emit(&e, &header, f, a);
+        emit_close(&e);
+        if (status == STATUS_OK)
+            status = output_commit(&out);
+        else
+            output_discard(&out);
+    }
+    if (assessed)
+        references_clear(&references);
+    return status;
+}
+
+/* Which printed numbers the coefficients stand for, and how near they are. */
+static void print_published(FILE *file, const struct pade *f)
+{
+    fprintf(file, "\nTable I prints     from the printed a_k\n");
+    for (int k = 1; k <= 5; k++) {
+        arb_srcptr x = k == 1 ? arb_poly_get_coeff_ptr(f->p, 1) : arb_poly_get_coeff_ptr(f->q, k - 1);
+        char *text = digits_of_ball(x, 5);
+        fprintf(file, "d_%d = %-12s  %-7s (%s of x^%d)\n", k, published_value(PUBLISHED_D, k), text ? text : "?",
+                k == 1 ? "numerator" : "denominator", k == 1 ? 1 : k - 1);
+        free(text);
+    }
+    fprintf(file, "d_0 is near zero, so a_3 and a_4 rounded to six decimals fix d_1, d_2, d_3 to "
+                  "about 2e-4 only.\nx = (g/g*)^(1/5). C_3 and C_4 behind these numbers are wrong: "
+                  "corgen series has the right ones.\n");
+}
+
+static int print_result(const struct options *o, const struct pade_request *r, const struct pade *f,
+                        const struct pade_analysis *a, const struct table *t)
+{
+    struct output out;
+    int status = output_open(&out, o->output);
+    if (status)
+        return status;
+    if (o->format == FORMAT_TEXT) {
+        fprintf(out.file, "[%ld/%ld]: %s\n\n", (long)f->numerator, (long)f->denominator, header_title(r, f->root));
+        table_print(t, o->format, out.file);
+        fprintf(out.file, "\n");
+        pade_print_analysis(out.file, a, "");
+        if (r->kind == PADE_AS_PUBLISHED)
+            print_published(out.file, f);
+    } else {
+        table_print(t, o->format, out.file);
+    }
+    return output_commit(&out);
+}
+
+/* The request that the options make, or a usage error. */
+static int read_request(struct pade_request *r, const struct options *o)
+{
+    *r = (struct pade_request){.kind = o->as_published ? PADE_AS_PUBLISHED
+                                       : o->two_point  ? PADE_TWO_POINT
+                                                       : PADE_ORDINARY,
+                               .numerator = o->numerator,
+                               .denominator = o->denominator,
+                               .end = o->end,
+                               .law = o->law};
+    if (o->as_published && o->two_point)
+        return usage_error("--as-published and --two-point exclude each other");
+    if (o->as_published && !law_is_sphere(&o->law))
+        return usage_error("--as-published is the sphere's");
+    if (o->as_published && o->end != END_ZERO_OVERLAP)
+        return usage_error("--as-published: the paper ends the contact at zero overlap");
+    if (o->as_published && r->numerator <= 0 && r->denominator <= 0) { /* not given */
+        r->numerator = PUBLISHED_NUMERATOR;
+        r->denominator = PUBLISHED_DENOMINATOR;
+    }
+    if (r->numerator < 0 || r->denominator < 0)
+        return usage_error("pade needs --numerator and --denominator");
+    const char *why = pade_refusal(r);
+    return why ? usage_error("%s", why) : STATUS_OK;
+}
+
+int command_pade(const struct options *o)
+{
+    struct pade_request request;
+    int status = read_request(&request, o);
+    if (status)
+        return status;
+
+    struct pade f;
+    struct pade_analysis a;
+    struct table t;
+    slong bits = digits_to_bits(o->digits);
+    if (o->header && bits < HEADER_BITS)
+        bits = HEADER_BITS;
+    pade_init(&f);
+    pade_analysis_init(&a);
+    profile_step("Padé");
+    status = compute(&f, &a, &t, &request, o->digits, bits);
+    if (status == STATUS_OK) {
+        char *defects = pade_defects(&a);
+        if (o->header && defects && !o->force)
+            status = fail("no header for a Padé with %s (--force writes it)", defects);
+        else if (o->header)
+            status = write_header(o, &request, &f, &a);
+        free(defects);
+        if (status == STATUS_OK)
+            status = print_result(o, &request, &f, &a, &t);
+        table_clear(&t);
+    }
+    profile_step(NULL);
+    pade_analysis_clear(&a);
+    pade_clear(&f);
+    return status;
+}

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen series: the coefficients of x_max, t_max and eps in proved digits. */
+#include <stdlib.h>
+
+#include "cli/options.h"
+#include "series/restitution.h"
+#include "support/console.h"
+#include "support/digits.h"
+
+/* Adds the coefficient to the table, or returns false where its digits are not proved. */
+static bool add_coefficient(struct table *table, const arb_poly_t poly, slong k, slong digits)
+{
+    arb_t c;
+    arb_init(c);
+    arb_poly_get_coeff_arb(c, poly, k);
+    char *text = digits_of_ball(c, digits);
+    arb_clear(c);
+    if (text)
+        table_add(table, text);
+    return text != NULL;
+}
+
+/* Each fills the table; *undecided is -1, or the lowest row whose digits are not proved yet. */
+
+static int fill_zero_overlap(struct table *table, slong *undecided, const struct options *o, slong bits)
+{
+    static const char *const column[] = {"k", "y_k", "tau_k", "C_k"};
+    table_init(table, column, sizeof column / sizeof *column);
+    *undecided = -1;
+    struct series series;
+    series_init(&series);
+    int status = series_compute(&series, o->order, &o->law, bits);
+    profile_step("digits");
+    for (slong k = 0; k <= o->order && status == STATUS_OK && *undecided < 0; k++) {
+        table_add_integer(table, k);
+        if (!add_coefficient(table, series.y, k, o->digits) || !add_coefficient(table, series.tau, k, o->digits) ||
+            !add_coefficient(table, series.c, k, o->digits))
+            *undecided = k;
+    }
+    series_clear(&series);
+    return status;
+}
+
+static int fill_zero_force(struct table *table, slong *undecided, const struct options *o, slong bits)
+{
+    static char power[64];
+    static const char *column[] = {power, "coefficient"};
+    *undecided = -1;
+    slong root = 1;
+    arb_poly_t eps;
+    arb_poly_init(eps);
+    int status = series_eps(eps, &root, END_ZERO_FORCE, o->order, &o->law, bits);
+    if (root == 1)
+        snprintf(power, sizeof power, "power_of_beta");
+    else if (root == 2)
+        snprintf(power, sizeof power, "power_of_sqrt_beta");
+    else
+        snprintf(power, sizeof power, "power_of_beta_root_%ld", (long)root);
+    table_init(table, column, sizeof column / sizeof *column);
+    profile_step("digits");
+    for (slong k = 0; k <= o->order && status == STATUS_OK && *undecided < 0; k++) {
+        table_add_integer(table, k);
+        if (!add_coefficient(table, eps, k, o->digits))
+            *undecided = k;
+    }
+    arb_poly_clear(eps);
+    return status;
+}
+
+/* G and T of docs/derivation.md, 5: nothing to prove, so no digits and no loop. */
+static void fill_exact(struct table *table, const struct options *o)
+{
+    static const char *const column[] = {"power_of_w", "G", "T"};
+    table_init(table, column, sizeof column / sizeof *column);
+    fmpq_poly_t f[2];
+    fmpq_t c;
+    fmpq_init(c);
+    fmpq_poly_init(f[0]);
+    fmpq_poly_init(f[1]);
+    profile_step("exact rationals");
+    restitution_zero_force_exact(f[0], f[1], o->order, &o->law);
+    for (slong k = 0; k <= o->order; k++) {
+        table_add_integer(table, k);
+        for (int i = 0; i < 2; i++) {
+            fmpq_poly_get_coeff_fmpq(c, f[i], k);
+            char *text = fmpq_get_str(NULL, 10, c);
+            table_add(table, xstrdup(text));
+            flint_free(text);
+        }
+    }
+    fmpq_clear(c);
+    fmpq_poly_clear(f[0]);
+    fmpq_poly_clear(f[1]);
+}
+
+int command_series(const struct options *o)
+{
+    if (o->exact && o->end != END_ZERO_FORCE)
+        return usage_error("--exact needs --end zero-force: the coefficients at zero overlap are irrational");
+    struct output out;
+    if (output_open(&out, o->output) != STATUS_OK)
+        return STATUS_FAILED;
+
+    if (o->exact) {
+        struct table table;
+        fill_exact(&table, o);
+        table_print(&table, o->format, out.file);
+        table_clear(&table);
+        return output_commit(&out);
+    }
+    struct precision precision = precision_start(o->digits);
+    for (;;) {
+        struct table table = {0};
+        slong undecided = -1;
+        profile_step("series");
+        int status =
+            (o->end == END_ZERO_FORCE ? fill_zero_force : fill_zero_overlap)(&table, &undecided, o, precision.bits);
+        if (status == STATUS_OK && undecided < 0) {
+            profile_step("printing");
+            table_print(&table, o->format, out.file);
+            table_clear(&table);
+            return output_commit(&out);
+        }
+        table_clear(&table);
+        if (status == STATUS_OK && !precision_raise(&precision)) {
+            char what[64];
+            snprintf(what, sizeof what, "coefficient %ld", (long)undecided);
+            status = precision_spent(&precision, what, o->digits);
+        }
+        if (status != STATUS_OK) {
+            output_discard(&out);
+            return STATUS_FAILED;
+        }
+    }
+}

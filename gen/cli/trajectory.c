@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen trajectory: the exact x_k(t) of (48), (49). */
+#include <stdlib.h>
+
+#include "cli/options.h"
+#include "series/trajectory.h"
+#include "support/console.h"
+
+#define COEFFICIENTS_MAX 10000000
+
+/* Exponent of t in the term j of row k: 1 + k (b+1) + j (a+1). */
+static struct ratio exponent(const struct law *law, slong k, slong j)
+{
+    struct ratio one = {1, 1};
+    struct ratio u = ratio_mul(ratio_make(k, 1), ratio_add(law->b, one));
+    struct ratio s = ratio_mul(ratio_make(j, 1), ratio_add(law->a, one));
+    return ratio_add(one, ratio_add(u, s));
+}
+
+static void print_power_text(FILE *file, struct ratio e)
+{
+    if (e.den != 1)
+        fprintf(file, "t^(%ld/%ld)", (long)e.num, (long)e.den);
+    else if (e.num != 1)
+        fprintf(file, "t^%ld", (long)e.num);
+    else
+        fputs("t", file);
+}
+
+static void print_power_latex(FILE *file, struct ratio e)
+{
+    if (e.den != 1)
+        fprintf(file, "t^{%ld/%ld}", (long)e.num, (long)e.den);
+    else if (e.num != 1)
+        fprintf(file, "t^{%ld}", (long)e.num);
+    else
+        fputs("t", file);
+}
+
+static void print_size_text(FILE *file, const fmpq_t size)
+{
+    char *text = fmpq_get_str(NULL, 10, size);
+    fprintf(file, "%s ", text);
+    flint_free(text);
+}
+
+static void print_size_latex(FILE *file, const fmpq_t size)
+{
+    char *numerator = fmpz_get_str(NULL, 10, fmpq_numref(size));
+    char *denominator = fmpz_get_str(NULL, 10, fmpq_denref(size));
+    if (fmpz_is_one(fmpq_denref(size)))
+        fprintf(file, "%s\\,", numerator);
+    else
+        fprintf(file, "\\frac{%s}{%s}", numerator, denominator);
+    flint_free(numerator);
+    flint_free(denominator);
+}
+
+/* Terms that vanish are left out; the row goes on beyond the last one asked for. */
+static void print_row(FILE *file, const fmpq_poly_t row, slong k, const struct options *o)
+{
+    bool latex = o->format == FORMAT_LATEX;
+    bool first = true;
+    fmpq_t c;
+    fmpq_init(c);
+    for (slong j = 0; j <= o->terms; j++) {
+        fmpq_poly_get_coeff_fmpq(c, row, j);
+        int sign = fmpq_sgn(c);
+        if (sign == 0)
+            continue;
+        if (first)
+            fputs(sign < 0 ? "-" : "", file);
+        else
+            fputs(sign < 0 ? " - " : " + ", file);
+        first = false;
+        fmpq_abs(c, c);
+        if (!fmpq_is_one(c))
+            (latex ? print_size_latex : print_size_text)(file, c);
+        (latex ? print_power_latex : print_power_text)(file, exponent(&o->law, k, j));
+    }
+    fmpq_clear(c);
+    fprintf(file, "%s%s", first ? "" : " + ", latex ? "\\cdots" : "...");
+}
+
+static void print_rows(FILE *file, const fmpq_poly_struct *row, const struct options *o)
+{
+    bool latex = o->format == FORMAT_LATEX;
+    fputs(latex ? "\\begin{aligned}\n" : "", file);
+    for (slong k = 0; k <= o->order; k++) {
+        fprintf(file, latex ? "x_{%ld}(t) &= " : "x_%ld = ", (long)k);
+        print_row(file, &row[k], k, o);
+        fputs(latex && k < o->order ? " \\\\\n" : "\n", file);
+    }
+    fputs(latex ? "\\end{aligned}\n" : "", file);
+}
+
+static void print_table(FILE *file, const fmpq_poly_struct *row, const struct options *o)
+{
+    static const char *const column[] = {"k", "j", "numerator", "denominator"};
+    struct table table;
+    table_init(&table, column, sizeof column / sizeof *column);
+    fmpq_t c;
+    fmpq_init(c);
+    for (slong k = 0; k <= o->order; k++) {
+        for (slong j = 0; j <= o->terms; j++) {
+            fmpq_poly_get_coeff_fmpq(c, &row[k], j);
+            table_add_integer(&table, k);
+            table_add_integer(&table, j);
+            table_add(&table, fmpz_get_str(NULL, 10, fmpq_numref(c)));
+            table_add(&table, fmpz_get_str(NULL, 10, fmpq_denref(c)));
+        }
+    }
+    fmpq_clear(c);
+    table_print(&table, o->format, file);
+    table_clear(&table);
+}
+
+int command_trajectory(const struct options *o)
+{
+    if ((o->order + 1) * (o->terms + 1) > COEFFICIENTS_MAX)
+        return usage_error("--order %ld with --terms %ld is more than %d coefficients, (order + 1) "
+                           "(terms + 1), which no memory holds as exact rationals",
+                           (long)o->order, (long)o->terms, COEFFICIENTS_MAX);
+    struct output out;
+    if (output_open(&out, o->output) != STATUS_OK)
+        return STATUS_FAILED;
+
+    profile_step("exact rationals");
+    fmpq_poly_struct *row = xmalloc((size_t)(o->order + 1) * sizeof *row);
+    for (slong k = 0; k <= o->order; k++)
+        fmpq_poly_init(&row[k]);
+    trajectory_exact(row, o->order, o->terms, &o->law);
+
+    profile_step("printing");
+    if (o->format == FORMAT_TEXT || o->format == FORMAT_LATEX)
+        print_rows(out.file, row, o);
+    else
+        print_table(out.file, row, o);
+    for (slong k = 0; k <= o->order; k++)
+        fmpq_poly_clear(&row[k]);
+    free(row);
+    return output_commit(&out);
+}

@@ -1,0 +1,453 @@
+/* SPDX-License-Identifier: MIT */
+#include "disk/equation.h"
+
+#include <math.h>
+
+/* With N = n + 1 and u = a_{n+1}/(2N), x = n - a_n has a_n = (z/(2N)) A, A = 1/(1 - u). A is carried as h/d, and
+ * A - 1 as k/d, because 1 - A cancels for n > kappa: d = 1 unless |A| > 1, then h = 1, so that nothing overflows where
+ * J_n vanishes. In these, and with capitals for kappa', b_n = (g/N) B, y = n - b_n,
+ *
+ *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
+ *     e d - s k = 0                                              n = 0
+ *     T0 = e d D - s k D - 2 K d,   T1 = d D,   T2 = h H
+ *
+ * is the frequency equation (25) divided by g, in which nothing cancels where nu is next to -1 or 1. */
+enum { START_BITS = 8 };
+
+/* ---- Bessel functions ---- */
+
+/* The error of a_m shrinks by (J_{m+1}/J_m)^2 a step, and -ln J_m grows from m = kappa on like
+ * m arcosh(m/kappa) - sqrt(m^2 - kappa^2). */
+slong disk_ladder_start(slong n, double kappa, slong bits)
+{
+    const double low = fmax((double)n + 1, ceil(kappa));
+    const double x = low / kappa;
+    const double wanted = low * acosh(x) - kappa * sqrt((x - 1) * (x + 1)) + 0.35 * (double)(bits + START_BITS);
+    double m = low + 2 + cbrt(kappa);
+    for (int i = 0; i < 20; i++) {
+        const double angle = acosh(m / kappa);
+        const double step = (m * angle - kappa * sqrt((m / kappa - 1) * (m / kappa + 1)) - wanted) / angle;
+        m = fmax(m - step, low + 1);
+        if (fabs(step) < 0.5)
+            break;
+    }
+    return (slong)m + 2;
+}
+
+struct wave {
+    arb_t z, h, d, k;
+    int tall;    /* |A| > 1: h = 1 */
+    slong zeros; /* of J_n below kappa */
+};
+
+static void wave_init(struct wave *a)
+{
+    arb_init(a->z);
+    arb_init(a->h);
+    arb_init(a->d);
+    arb_init(a->k);
+}
+
+static void wave_clear(struct wave *a)
+{
+    arb_clear(a->z);
+    arb_clear(a->h);
+    arb_clear(a->d);
+    arb_clear(a->k);
+}
+
+/* From a->z. The zeros of J_m and J_{m+1} interlace, j_{m,k} < j_{m+1,k} < j_{m,k+1}: J_m has one more below kappa than
+ * J_{m+1} has where J_{m+1}/J_m < 0, and the same number otherwise. Returns 0 where a sign is undecided. */
+static int wave_set(struct wave *a, slong n, slong prec)
+{
+    int decided = 1;
+    arb_t r, t;
+    arb_init(r);
+    arb_init(t);
+    mag_t half;
+    mag_init(half);
+
+    arb_get_mag(half, a->z);
+    slong m = disk_ladder_start(n + 1, sqrt(mag_get_d(half)), prec);
+    arb_div_si(r, a->z, 2 * (m + 1), prec);
+    arb_get_mag(half, r);
+    mag_mul_2exp_si(half, half, -1);
+    arb_mul_si(r, r, 3, prec);
+    arb_mul_2exp_si(r, r, -1);
+    arb_add_error_mag(r, half);
+
+    a->zeros = 0;
+    for (; m > n + 1 && decided; m--) {
+        arb_sub_si(t, r, 2 * m, prec);
+        arb_neg(t, t);
+        decided = !arb_contains_zero(t);
+        a->zeros += arb_is_negative(t);
+        arb_div(r, a->z, t, prec);
+    }
+    if (decided) {
+        arb_div_si(a->k, r, 2 * (n + 1), prec); /* u */
+        arb_sub_si(a->d, a->k, 1, prec);
+        arb_neg(a->d, a->d);
+        decided = !arb_contains_zero(a->d);
+        a->zeros += arb_is_negative(a->d);
+        a->tall = arf_cmpabs_2exp_si(arb_midref(a->d), 0) < 0;
+        if (a->tall) {
+            arb_one(a->h);
+        } else if (decided) {
+            arb_inv(a->h, a->d, prec);
+            arb_div(a->k, a->k, a->d, prec);
+            arb_one(a->d);
+        }
+    }
+    mag_clear(half);
+    arb_clear(r);
+    arb_clear(t);
+    return decided;
+}
+
+/* z d/dz of h, d and k: that of A is N (1 - A) + z A^2/(4N), Riccati's equation for a_n. */
+static void wave_derivative(arb_t h, arb_t d, arb_t k, const struct wave *a, slong n, slong prec)
+{
+    arb_mul(h, a->z, a->h, prec);
+    arb_mul(h, h, a->h, prec);
+    arb_div_si(h, h, 4 * (n + 1), prec);
+    arb_mul(d, a->d, a->k, prec);
+    arb_mul_si(d, d, n + 1, prec);
+    arb_sub(h, h, d, prec); /* d^2 times that of A */
+    if (a->tall) {
+        arb_neg(d, h);
+        arb_set(k, h);
+        arb_zero(h);
+    } else {
+        arb_zero(d);
+        arb_set(k, h);
+    }
+}
+
+/* ---- the equation in balls ---- */
+
+void disk_init(struct disk *d, const fmpq_t nu, slong prec)
+{
+    fmpq_t x;
+    fmpq_init(x);
+    arb_init(d->e);
+    arb_init(d->s);
+    fmpq_add_si(x, nu, 1);
+    arb_set_fmpq(d->e, x, prec);
+    fmpq_sub_si(x, x, 2);
+    fmpq_neg(x, x);
+    arb_set_fmpq(d->s, x, prec);
+    fmpq_clear(x);
+    d->e_double = arf_get_d(arb_midref(d->e), ARF_RND_NEAR);
+    d->s_double = arf_get_d(arb_midref(d->s), ARF_RND_NEAR);
+    d->prec = prec;
+}
+
+void disk_init_round(struct disk *d, const struct disk *wide, slong prec)
+{
+    arb_init(d->e);
+    arb_init(d->s);
+    arb_set_round(d->e, wide->e, prec);
+    arb_set_round(d->s, wide->s, prec);
+    d->e_double = wide->e_double;
+    d->s_double = wide->s_double;
+    d->prec = prec;
+}
+
+void disk_clear(struct disk *d)
+{
+    arb_clear(d->e);
+    arb_clear(d->s);
+}
+
+struct waves {
+    arb_t g;
+    struct wave a, b; /* of kappa and kappa' */
+};
+
+static void waves_init(struct waves *w)
+{
+    arb_init(w->g);
+    wave_init(&w->a);
+    wave_init(&w->b);
+}
+
+static void waves_clear(struct waves *w)
+{
+    arb_clear(w->g);
+    wave_clear(&w->a);
+    wave_clear(&w->b);
+}
+
+static int waves_set(struct waves *v, const struct disk *d, slong n, const arb_t w)
+{
+    arb_mul(v->g, d->e, w, d->prec);
+    arb_mul(v->a.z, d->s, v->g, d->prec);
+    arb_mul_2exp_si(v->b.z, v->g, 1);
+    return wave_set(&v->a, n, d->prec) && (n == 0 || wave_set(&v->b, n, d->prec));
+}
+
+/* T0, T1, T2 are bilinear: with derivatives in place of one wave's numbers they are half of the product rule. */
+static void products(arb_struct t[3], const struct disk *disk, const arb_t h, const arb_t d, const arb_t k,
+                     const struct wave *b)
+{
+    const slong prec = disk->prec;
+    arb_mul(t + 0, disk->e, d, prec);
+    arb_submul(t + 0, disk->s, k, prec);
+    arb_mul(t + 0, t + 0, b->d, prec);
+    arb_mul(t + 1, b->k, d, prec);
+    arb_mul_2exp_si(t + 1, t + 1, 1);
+    arb_sub(t + 0, t + 0, t + 1, prec);
+    arb_mul(t + 1, d, b->d, prec);
+    arb_mul(t + 2, h, b->h, prec);
+}
+
+/* f = rest - n(n-1)/2 T0, the left side of the equation; rest is what g multiplies in it */
+static void combine(arb_t f, arb_t rest, const arb_struct t[3], const struct disk *disk, const arb_t g, slong n)
+{
+    const slong prec = disk->prec;
+    arb_mul(rest, disk->s, t + 2, prec);
+    arb_mul_2exp_si(rest, rest, -1);
+    arb_sub(rest, t + 1, rest, prec);
+    arb_mul_si(rest, rest, n - 1, prec);
+    arb_mul_2exp_si(f, t + 0, -1);
+    arb_add(rest, rest, f, prec);
+    arb_mul(rest, rest, g, prec);
+    arb_div_si(rest, rest, n + 1, prec);
+    arb_mul_si(f, t + 0, n * (n - 1) / 2, prec);
+    arb_sub(f, rest, f, prec);
+}
+
+static int sign_of(const arb_t x)
+{
+    return arb_is_positive(x) - arb_is_negative(x);
+}
+
+enum { UNDECIDED_SIGN = 3 };
+
+/* Negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. The 2 x 2 matrices have, but for
+ * positive factors, det(clamped) = D = x y - n^2, det(free) = F/D, F the left side of the equation, diagonals -y/D and
+ * -P/D, P = y + D/g. UNDECIDED_SIGN if a sign is not decided. */
+static int eigenvalues(const arb_struct t[3], const struct disk *disk, const struct waves *v, slong n)
+{
+    const slong prec = disk->prec;
+    arb_t f, x, y;
+    arb_init(f);
+    arb_init(x);
+    arb_init(y);
+    int result = UNDECIDED_SIGN;
+
+    /* F, D and P times d D of the waves */
+    combine(f, x, t, disk, v->g, n);
+    const int sign_f = sign_of(f);
+
+    arb_mul(f, v->a.z, t + 2, prec);
+    arb_div_si(f, f, 2 * (n + 1), prec);
+    arb_mul_2exp_si(y, t + 0, -1);
+    arb_mul_2exp_si(x, t + 1, 1);
+    arb_sub(x, y, x, prec);
+    arb_mul_si(x, x, n, prec);
+    arb_add(x, x, f, prec);
+    const int sign_det = sign_of(x);
+
+    arb_mul_si(x, t + 1, n - 1, prec);
+    arb_add(x, x, y, prec);
+    arb_mul_si(x, x, n, prec);
+    arb_mul(y, v->b.h, v->a.d, prec);
+    arb_submul(x, y, v->g, prec);
+    arb_add(x, x, f, prec);
+    const int sign_p = sign_of(x);
+
+    arb_mul(y, v->g, v->b.h, prec);
+    arb_div_si(y, y, n + 1, prec);
+    arb_mul_si(x, v->b.d, n, prec);
+    arb_sub(y, x, y, prec);
+    const int sign_poles = sign_of(v->a.d) * sign_of(v->b.d);
+    const int sign_y = sign_of(y) * sign_of(v->b.d);
+
+    if (sign_f && sign_det && sign_poles) {
+        const int open = sign_f * sign_det < 0 ? 1 : sign_p == sign_det ? 2 : 0;
+        const int closed = sign_det * sign_poles < 0 ? 1 : sign_y > 0 ? 2 : 0;
+        if ((sign_p || open == 1) && (sign_y || closed == 1))
+            result = open - closed;
+    }
+    arb_clear(f);
+    arb_clear(x);
+    arb_clear(y);
+    return result;
+}
+
+static void three_init(arb_struct t[3])
+{
+    for (int i = 0; i < 3; i++)
+        arb_init(t + i);
+}
+
+static void three_clear(arb_struct t[3])
+{
+    for (int i = 0; i < 3; i++)
+        arb_clear(t + i);
+}
+
+slong disk_count(const struct disk *disk, slong n, const arb_t w)
+{
+    struct waves v;
+    arb_struct t[3];
+    waves_init(&v);
+    three_init(t);
+    slong count = DISK_UNDECIDED;
+    if (!waves_set(&v, disk, n, w)) {
+        /* undecided */
+    } else if (n == 0) {
+        arb_mul(t + 0, disk->e, v.a.d, disk->prec);
+        arb_submul(t + 0, disk->s, v.a.k, disk->prec);
+        const int positive = sign_of(v.a.h) * sign_of(v.a.d) > 0; /* A */
+        if (!positive)
+            count = v.a.zeros;
+        else if (sign_of(t + 0))
+            count = v.a.zeros + (sign_of(t + 0) * sign_of(v.a.d) < 0);
+    } else {
+        products(t, disk, v.a.h, v.a.d, v.a.k, &v.b);
+        const int rim = eigenvalues(t, disk, &v, n);
+        if (rim != UNDECIDED_SIGN)
+            count = v.a.zeros + v.b.zeros + rim + (n > 1);
+    }
+    three_clear(t);
+    waves_clear(&v);
+    return count;
+}
+
+int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
+{
+    const slong prec = disk->prec;
+    struct waves v;
+    struct wave derivative;
+    arb_struct t[3];
+    arb_t f, df, rest;
+    waves_init(&v);
+    wave_init(&derivative);
+    three_init(t);
+    arb_init(f);
+    arb_init(df);
+    arb_init(rest);
+    int done = waves_set(&v, disk, n, w);
+    if (done) {
+        wave_derivative(derivative.h, derivative.d, derivative.k, &v.a, n, prec);
+        if (n == 0) {
+            arb_mul(f, disk->e, v.a.d, prec);
+            arb_submul(f, disk->s, v.a.k, prec);
+            arb_mul(df, disk->e, derivative.d, prec);
+            arb_submul(df, disk->s, derivative.k, prec);
+        } else {
+            arb_t part;
+            arb_init(part);
+            products(t, disk, v.a.h, v.a.d, v.a.k, &v.b);
+            combine(f, df, t, disk, v.g, n); /* rest is proportional to g: its own derivative */
+            products(t, disk, derivative.h, derivative.d, derivative.k, &v.b);
+            combine(part, rest, t, disk, v.g, n);
+            arb_add(df, df, part, prec);
+            wave_derivative(derivative.h, derivative.d, derivative.k, &v.b, n, prec);
+            products(t, disk, v.a.h, v.a.d, v.a.k, &derivative);
+            combine(part, rest, t, disk, v.g, n);
+            arb_add(df, df, part, prec);
+            arb_clear(part);
+        }
+        arb_div(step, f, df, prec);
+        done = arb_is_finite(step);
+    }
+    arb_clear(f);
+    arb_clear(df);
+    arb_clear(rest);
+    three_clear(t);
+    wave_clear(&derivative);
+    waves_clear(&v);
+    return done;
+}
+
+static slong accuracy(const arb_t x, const arb_t y)
+{
+    const slong a = arb_rel_accuracy_bits(x), b = arb_rel_accuracy_bits(y);
+    return a < b ? a : b;
+}
+
+int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const arb_t w)
+{
+    const slong prec = disk->prec;
+    if (n == 0) { /* C^2 = omega^2/(omega^2 - 1) */
+        arb_sub_si(c, w, 1, prec);
+        arb_div(c, w, c, prec);
+        arb_sqrt(c, c, prec);
+        arb_zero(s);
+        return arb_is_positive(c);
+    }
+
+    struct waves v;
+    arb_t a, b, x, y, stiff;
+    waves_init(&v);
+    arb_init(a);
+    arb_init(b);
+    arb_init(x);
+    arb_init(y);
+    arb_init(stiff);
+    int done = waves_set(&v, disk, n, w);
+    if (done) {
+        /* (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S; either row alone degenerates for some
+         * modes, so the one that is known better. */
+        arb_sub_si(stiff, v.g, n * (n - 1), prec);
+        arb_mul(a, v.a.z, v.a.h, prec);
+        arb_div_si(a, a, 2 * (n + 1), prec);
+        arb_mul(s, stiff, v.a.d, prec);
+        arb_sub(s, s, a, prec);
+        arb_mul_si(c, v.a.d, n - 1, prec);
+        arb_sub(c, c, a, prec);
+        arb_mul_si(c, c, n, prec);
+
+        arb_mul(b, v.g, v.b.h, prec);
+        arb_div_si(b, b, n + 1, prec);
+        arb_mul_si(y, v.b.d, n - 1, prec);
+        arb_sub(y, y, b, prec);
+        arb_mul_si(y, y, n, prec);
+        arb_mul(x, stiff, v.b.d, prec);
+        arb_sub(x, x, b, prec);
+        if (accuracy(x, y) > accuracy(c, s)) {
+            arb_swap(c, x);
+            arb_swap(s, y);
+        }
+        arb_neg(s, s);
+
+        /* omega^2 (C^2 + S^2) - (C + n S)^2 = 2 omega^2 */
+        arb_mul(x, c, c, prec);
+        arb_addmul(x, s, s, prec);
+        arb_mul(x, x, w, prec);
+        arb_mul_si(y, s, n, prec);
+        arb_add(y, y, c, prec);
+        arb_submul(x, y, y, prec);
+        arb_mul_2exp_si(y, w, 1);
+        arb_div(x, y, x, prec);
+        done = arb_is_positive(x) && (sign_of(c) || sign_of(s));
+        if (done) {
+            arb_sqrt(x, x, prec);
+            if (sign_of(c) < 0 || (arb_is_zero(c) && sign_of(s) < 0))
+                arb_neg(x, x);
+            arb_mul(c, c, x, prec);
+            arb_mul(s, s, x, prec);
+        }
+    }
+    arb_clear(a);
+    arb_clear(b);
+    arb_clear(x);
+    arb_clear(y);
+    arb_clear(stiff);
+    waves_clear(&v);
+    return done;
+}
+
+/* With t = g/N^2 < 1/5, a_n <= (s g/(2N))(1 + s t) and b_n <= (g/N)(1 + 2 t), and the equation times n >= 2 keeps the sign
+ * it has at omega = 0, being at most -(1 + nu)(n(n-1)/2 - 5 omega^2) there. */
+slong disk_orders(double omega)
+{
+    slong n = (slong)(omega * sqrt(10.0)) + 2;
+    while ((double)n * (double)(n - 1) < 10 * omega * omega * (1 + 1e-9))
+        n++;
+    return n;
+}

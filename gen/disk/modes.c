@@ -1,0 +1,505 @@
+/* SPDX-License-Identifier: MIT */
+#include "disk/modes.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "disk/equation.h"
+#include "disk/estimate.h"
+#include "support/console.h"
+#include "support/digits.h"
+
+/* Bits of omega lost on the way to C and S, and by the ladders; a mode that loses more is computed again. */
+enum {
+    GUARD_BITS = 24,
+    NEWTON_MAX = 12,
+    NEWTON_FIRST_BITS = 100,
+    NEWTON_SLACK = 16,
+    WIDENINGS = 3,
+    BATCH = 16,
+    WIDE = 2,
+    EXPONENT_MAX = 1000
+};
+
+void disk_mode_init(struct disk_mode *mode)
+{
+    *mode = (struct disk_mode){0};
+    arb_init(mode->omega);
+    arb_init(mode->c);
+    arb_init(mode->s);
+}
+
+void disk_mode_clear(struct disk_mode *mode)
+{
+    arb_clear(mode->omega);
+    arb_clear(mode->c);
+    arb_clear(mode->s);
+}
+
+void disk_modes_init(struct disk_modes *modes)
+{
+    *modes = (struct disk_modes){0};
+}
+
+void disk_modes_clear(struct disk_modes *modes)
+{
+    for (slong i = 0; i < modes->count; i++)
+        disk_mode_clear(&modes->mode[i]);
+    free(modes->mode);
+    disk_modes_init(modes);
+}
+
+/* ---- one mode, in balls ---- */
+
+/* w becomes the ball from low to high if root (n, l), and no other of this n, is proved to be there. */
+static bool proved_between(arb_t w, const struct disk *disk, slong n, slong l, const arf_t low, const arf_t high)
+{
+    arb_set_arf(w, low);
+    bool proved = disk_count(disk, n, w) == l;
+    arb_set_arf(w, high);
+    proved = proved && disk_count(disk, n, w) == l + 1;
+    arb_set_interval_arf(w, low, high, 2 * disk->prec);
+    return proved;
+}
+
+/* Newton's method from the middle of w, then proof. Returns false where it does not lead to root (n, l). */
+static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bits)
+{
+    struct disk disk;
+    arb_t step, next;
+    arf_t low, high;
+    mag_t width;
+    arb_init(step);
+    arb_init(next);
+    arf_init(low);
+    arf_init(high);
+    mag_init(width);
+    bool proved = false;
+
+    const slong full = bits + GUARD_BITS;
+    slong prec = full < NEWTON_FIRST_BITS ? full : NEWTON_FIRST_BITS;
+    disk_init_round(&disk, wide, prec);
+    for (int i = 0; i < NEWTON_MAX; i++) {
+        mag_zero(arb_radref(w));
+        if (!disk_newton(step, &disk, n, w))
+            break;
+        arb_sub_si(next, step, 1, prec);
+        arb_mul(next, next, w, prec);
+        arf_neg(arb_midref(w), arb_midref(next));
+        const bool exact = arf_cmpabs_2exp_si(arb_midref(step), -full) < 0;
+        const slong gained = exact ? full : -arf_abs_bound_lt_2exp_si(arb_midref(step));
+        if (gained < NEWTON_SLACK || !arb_is_positive(w))
+            break;
+        if (prec == full && 2 * gained >= full + NEWTON_SLACK) {
+            /* the next step would be below what the balls can see: a bracket of twice what they see is enough */
+            mag_set(width, arb_radref(step));
+            mag_mul_2exp_si(width, width, 1);
+            mag_set_ui_2exp_si(arb_radref(step), 1, 2 - bits - GUARD_BITS / 2);
+            mag_max(width, width, arb_radref(step));
+            for (int wider = 0; wider < WIDENINGS && !proved; wider++) {
+                arb_one(next);
+                mag_set(arb_radref(next), width);
+                arb_mul(next, next, w, 2 * full);
+                arb_get_lbound_arf(low, next, full);
+                arb_get_ubound_arf(high, next, full);
+                arb_set(next, w);
+                proved = arf_sgn(low) > 0 && proved_between(next, &disk, n, l, low, high);
+                mag_mul_2exp_si(width, width, GUARD_BITS / 4);
+            }
+            if (proved)
+                arb_set(w, next);
+            break;
+        }
+        if (prec < full) {
+            const slong reached = 4 * gained + 2 * NEWTON_SLACK;
+            prec = reached < full && reached > prec ? reached : full;
+            disk_clear(&disk);
+            disk_init_round(&disk, wide, prec);
+        }
+    }
+    disk_clear(&disk);
+    arb_clear(step);
+    arb_clear(next);
+    arf_clear(low);
+    arf_clear(high);
+    mag_clear(width);
+    return proved;
+}
+
+/* Bisection by the count alone, which cannot go astray, until Newton's method does. Undecided counts ask for more bits;
+ * false means that `limit` bits did not tell root (n, l) from its neighbour. */
+static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong bits, slong limit)
+{
+    struct disk disk;
+    arf_t low, high, middle;
+    arb_t x;
+    arf_init(low);
+    arf_init(high);
+    arf_init(middle);
+    arb_init(x);
+    slong prec = bits < limit / 4 ? 64 : bits;
+    disk_init_round(&disk, wide, prec);
+    bool found = false, enclosed = false;
+
+    /* w >= n (n - 1)/10; from there upwards by factors of four */
+    arf_set_si(low, n * (n - 1));
+    arf_div_ui(low, low, 11, 30, ARF_RND_DOWN);
+    arf_set_si(high, n * (n - 1) + 1);
+    slong steps = 0;
+    while (!found && prec <= limit && arf_cmpabs_2exp_si(high, EXPONENT_MAX) < 0) {
+        if (enclosed) {
+            arf_add(middle, low, high, ARF_PREC_EXACT, ARF_RND_DOWN);
+            arf_mul_2exp_si(middle, middle, -1);
+            arf_set_round(middle, middle, prec, ARF_RND_DOWN);
+        } else {
+            arf_set(middle, high);
+        }
+        arb_set_arf(x, middle);
+        slong count = arf_cmp(middle, low) > 0 ? disk_count(&disk, n, x) : DISK_UNDECIDED;
+        if (count == DISK_UNDECIDED) {
+            prec *= 2;
+            disk_clear(&disk);
+            disk_init_round(&disk, wide, prec);
+        } else if (count <= l) {
+            arf_set(low, middle);
+            if (!enclosed)
+                arf_mul_2exp_si(high, high, 2);
+        } else {
+            arf_set(high, middle);
+            enclosed = true;
+        }
+        /* Newton's method is dear where it fails, so it is tried rarely. */
+        if (enclosed && ++steps % 8 == 0) {
+            arb_set_interval_arf(w, low, high, prec);
+            found = newton(w, wide, n, l, bits);
+        }
+    }
+    disk_clear(&disk);
+    arf_clear(low);
+    arf_clear(high);
+    arf_clear(middle);
+    arb_clear(x);
+    return found;
+}
+
+/* Everything of the mode from an approximation to its omega, or none where that is not positive. */
+static bool enclose(struct disk_mode *mode, const struct disk *wide, const arb_t omega, slong bits, slong limit)
+{
+    arb_t w;
+    arb_init(w);
+    bool done = false;
+    if (arb_is_positive(omega)) {
+        arb_mul(w, omega, omega, bits + GUARD_BITS);
+        done = newton(w, wide, mode->n, mode->l, bits);
+    }
+    done = done || bisection(w, wide, mode->n, mode->l, bits, limit);
+    if (done) {
+        struct disk disk;
+        disk_init_round(&disk, wide, bits + GUARD_BITS);
+        arb_sqrt(mode->omega, w, disk.prec);
+        done = disk_amplitudes(mode->c, mode->s, &disk, mode->n, w);
+        disk_clear(&disk);
+    }
+    arb_clear(w);
+    return done;
+}
+
+int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, slong bits)
+{
+    mode->n = n;
+    mode->l = l;
+    arb_t none;
+    struct disk wide;
+    arb_init(none);
+    disk_init(&wide, nu, WIDE * (4 * bits + 1024));
+    const bool done = enclose(mode, &wide, none, bits, 4 * bits + 1024);
+    disk_clear(&wide);
+    arb_clear(none);
+    return done ? STATUS_OK
+                : fail("mode n = %ld, l = %ld: %ld bits do not tell it from its neighbour", (long)n, (long)l,
+                       (long)(4 * bits + 1024));
+}
+
+/* ---- all of them ---- */
+
+struct candidate {
+    slong n, l;
+    double omega;
+};
+
+struct order_roots { /* of one n */
+    double *omega;
+    slong count;
+};
+
+struct work {
+    const struct disk *disk; /* to more bits than any step asks for */
+    double omega;            /* upper end */
+    struct order_roots *order;
+    struct disk_mode *mode;
+    struct precision *precision;
+    slong *which; /* modes to be computed */
+    bool *failed;
+    slong *below;
+    const arb_struct *w;
+    slong digits, first;
+};
+
+/* f(i, work) for i = 0..total-1 on all threads, in batches so that this one can tell how far it is. */
+static void in_parallel(do_func_t f, struct work *work, slong total, const char *name)
+{
+    const slong batch = BATCH * flint_get_num_threads();
+    for (work->first = 0; work->first < total; work->first += batch) {
+        progress(name, work->first, total);
+        flint_parallel_do(f, work, total - work->first < batch ? total - work->first : batch, -1,
+                          FLINT_PARALLEL_DYNAMIC);
+    }
+}
+
+/* ---- where the roots are, in doubles ---- */
+
+static void estimate_order(slong i, void *pointer)
+{
+    const struct work *work = pointer;
+    const slong n = work->first + i;
+    work->order[n].omega = disk_estimate_roots(&work->order[n].count, work->disk, n, work->omega);
+}
+
+static int by_omega_double(const void *a, const void *b)
+{
+    const struct candidate *x = a, *y = b;
+    if (x->omega != y->omega)
+        return x->omega < y->omega ? -1 : 1;
+    if (x->n != y->n)
+        return x->n < y->n ? -1 : 1;
+    return (x->l > y->l) - (x->l < y->l);
+}
+
+/* Some omega that has more than `count` modes below it, and few more. */
+static double upper_end(const struct disk *disk, slong count)
+{
+    const double wanted = (double)count + 1, enough = wanted + 2 + wanted / 1000;
+    double low = 0, high = 1;
+    while (disk_estimate_total(disk, high) < wanted) {
+        low = high;
+        high *= 2;
+    }
+    while (high - low > 1e-12 * high) {
+        const double middle = low + (high - low) / 2;
+        const double total = disk_estimate_total(disk, middle);
+        if (total < wanted)
+            low = middle;
+        else
+            high = middle;
+        if (total >= wanted && total <= enough)
+            break;
+    }
+    return high;
+}
+
+/* The lowest modes by doubles: `count`, the next one, and what doubles do not tell from it. */
+static struct candidate *candidates(slong *found, const struct disk *disk, slong count)
+{
+    struct work work = {.disk = disk, .omega = upper_end(disk, count)};
+    const slong orders = disk_orders(work.omega);
+    work.order = xmalloc((size_t)orders * sizeof *work.order);
+    in_parallel(estimate_order, &work, orders, "finding modes, n");
+
+    slong all = 0;
+    for (slong n = 0; n < orders; n++)
+        all += work.order[n].count;
+    struct candidate *list = xmalloc((size_t)all * sizeof *list);
+    slong i = 0;
+    for (slong n = 0; n < orders; n++) {
+        for (slong l = 0; l < work.order[n].count; l++)
+            list[i++] = (struct candidate){n, l, work.order[n].omega[l]};
+        free(work.order[n].omega);
+    }
+    free(work.order);
+    qsort(list, (size_t)all, sizeof *list, by_omega_double);
+    for (*found = count + 1 < all ? count + 1 : all; *found < all; ++*found) {
+        if (list[*found].omega > list[count].omega * (1 + 1e-9))
+            break;
+    }
+    return list;
+}
+
+/* ---- what they are, in balls ---- */
+
+static bool number_is_decided(const arb_t x, slong digits)
+{
+    double rounded;
+    if (!digits_to_double(&rounded, x))
+        return false;
+    char *text = digits_of_ball(x, digits);
+    free(text);
+    return text != NULL;
+}
+
+static void enclose_one(slong i, void *pointer)
+{
+    const struct work *work = pointer;
+    const slong index = work->which[work->first + i];
+    struct disk_mode *mode = &work->mode[index];
+    struct precision *p = &work->precision[index];
+    arb_t start;
+    arb_init(start);
+    arb_set(start, mode->omega);
+    bool decided = false;
+    do {
+        decided = enclose(mode, work->disk, start, p->bits, p->limit) && number_is_decided(mode->omega, work->digits) &&
+                  number_is_decided(mode->c, work->digits) && number_is_decided(mode->s, work->digits);
+    } while (!decided && precision_raise(p));
+    work->failed[index] = !decided;
+    arb_clear(start);
+}
+
+static int by_omega(const void *a, const void *b)
+{
+    const struct disk_mode *x = a, *y = b;
+    return arf_cmp(arb_midref(x->omega), arb_midref(y->omega));
+}
+
+static void count_order(slong i, void *pointer)
+{
+    const struct work *work = pointer;
+    const slong n = work->first + i;
+    const struct precision start = precision_start(work->digits);
+    slong prec = 64;
+    do {
+        struct disk disk;
+        disk_init_round(&disk, work->disk, prec);
+        work->below[n] = disk_count(&disk, n, work->w);
+        disk_clear(&disk);
+        prec *= 2;
+    } while (work->below[n] == DISK_UNDECIDED && prec <= 2 * start.limit);
+}
+
+/* Modes below an omega between mode[count - 1] and mode[count], over all n, or DISK_UNDECIDED. */
+static slong count_all(const struct disk_modes *modes, slong count, const struct disk *wide, slong digits)
+{
+    arf_t low, high;
+    arb_t w;
+    arf_init(low);
+    arf_init(high);
+    arb_init(w);
+    const slong prec = 2 * arb_bits(modes->mode[count].omega) + 64;
+    arb_get_ubound_arf(low, modes->mode[count - 1].omega, prec);
+    arb_get_lbound_arf(high, modes->mode[count].omega, prec);
+    arf_add(low, low, high, ARF_PREC_EXACT, ARF_RND_DOWN);
+    arf_mul_2exp_si(low, low, -1);
+    arb_set_arf(w, low);
+    const slong orders = disk_orders(arf_get_d(high, ARF_RND_UP));
+    arb_mul(w, w, w, ARF_PREC_EXACT);
+
+    struct work work = {.disk = wide, .w = w, .digits = digits, .below = xmalloc((size_t)orders * sizeof *work.below)};
+    in_parallel(count_order, &work, orders, "counting modes, n");
+    slong total = 0;
+    for (slong n = 0; n < orders && total >= 0; n++)
+        total = work.below[n] == DISK_UNDECIDED ? DISK_UNDECIDED : total + work.below[n];
+    free(work.below);
+    arf_clear(low);
+    arf_clear(high);
+    arb_clear(w);
+    return total;
+}
+
+/* Encloses every mode, and again with more bits those that overlap, until omega increases from each to the next. */
+static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong digits)
+{
+    const size_t count = (size_t)modes->count;
+    struct work work = {.disk = wide,
+                        .digits = digits,
+                        .mode = modes->mode,
+                        .precision = xmalloc(count * sizeof *work.precision),
+                        .which = xmalloc(count * sizeof *work.which),
+                        .failed = xmalloc(count * sizeof *work.failed)};
+    for (slong i = 0; i < modes->count; i++) {
+        work.precision[i] = precision_start(digits);
+        work.which[i] = i;
+    }
+    int status = STATUS_OK;
+    slong todo = modes->count;
+    while (todo > 0 && status == STATUS_OK) {
+        in_parallel(enclose_one, &work, todo, "enclosing modes");
+        for (slong i = 0; i < todo && status == STATUS_OK; i++) {
+            const struct disk_mode *mode = &modes->mode[work.which[i]];
+            if (work.failed[work.which[i]]) {
+                char what[96];
+                snprintf(what, sizeof what, "mode n = %ld, l = %ld", (long)mode->n, (long)mode->l);
+                status = precision_spent(&work.precision[work.which[i]], what, digits);
+            }
+        }
+        /* A mode computed twice may change places, its precision with it: all of one pair get the same. */
+        qsort(modes->mode, count, sizeof *modes->mode, by_omega);
+        todo = 0;
+        for (slong i = 1; i < modes->count && status == STATUS_OK; i++) {
+            if (arb_lt(modes->mode[i - 1].omega, modes->mode[i].omega))
+                continue;
+            if (todo == 0 || work.which[todo - 1] != i - 1)
+                work.which[todo++] = i - 1;
+            work.which[todo++] = i;
+        }
+        for (slong i = 0; i < todo && status == STATUS_OK; i++) {
+            struct precision *p = &work.precision[work.which[i]];
+            if (!precision_raise(p))
+                status = fail("modes n = %ld and n = %ld near omega = %.17g: %ld bits do not tell which is lower",
+                              (long)modes->mode[work.which[i > 0 ? i - 1 : 0]].n, (long)modes->mode[work.which[i]].n,
+                              arf_get_d(arb_midref(modes->mode[work.which[i]].omega), ARF_RND_NEAR), (long)p->bits);
+        }
+    }
+    free(work.precision);
+    free(work.which);
+    free(work.failed);
+    return status;
+}
+
+void disk_modes_use_all_processors(void)
+{
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    flint_set_num_threads(processors > 1 ? (int)processors : 1);
+}
+
+int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits)
+{
+    disk_modes_clear(modes);
+    struct disk wide;
+    disk_init(&wide, nu, WIDE * precision_start(digits).limit);
+    profile_step("finding modes");
+    slong found;
+    struct candidate *list = candidates(&found, &wide, count);
+
+    modes->mode = xmalloc((size_t)found * sizeof *modes->mode);
+    modes->count = found;
+    for (slong i = 0; i < found; i++) {
+        disk_mode_init(&modes->mode[i]);
+        modes->mode[i].n = list[i].n;
+        modes->mode[i].l = list[i].l;
+        arb_set_d(modes->mode[i].omega, list[i].omega);
+    }
+    free(list);
+
+    profile_step("enclosing modes");
+    int status = enclose_all(modes, &wide, digits);
+    if (status == STATUS_OK) {
+        profile_step("counting modes");
+        const slong total = found > count ? count_all(modes, count, &wide, digits) : DISK_UNDECIDED;
+        if (total != count)
+            status =
+                fail("the count of the modes does not confirm the %ld lowest: it is %ld", (long)count, (long)total);
+    }
+    disk_clear(&wide);
+    progress_end();
+    profile_step(NULL);
+    if (status != STATUS_OK) {
+        disk_modes_clear(modes);
+        return status;
+    }
+    for (slong i = count; i < found; i++)
+        disk_mode_clear(&modes->mode[i]);
+    modes->count = count;
+    return STATUS_OK;
+}

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+#include "disk/modes_rounded.h"
+
+#include <stdlib.h>
+
+#include "disk/modes.h"
+#include "support/console.h"
+#include "support/digits.h"
+
+enum { MODE_DIGITS = 17 /* digits_to_double needs no more */, NU_BITS = 4000 };
+
+static int round_all(struct cor_disk_mode *mode, const struct disk_modes *exact)
+{
+    for (slong i = 0; i < exact->count; i++) {
+        const struct disk_mode *const m = &exact->mode[i];
+        mode[i] = (struct cor_disk_mode){(int)m->n, (int)m->l, 0, 0, 0};
+        if (!digits_to_double(&mode[i].omega, m->omega) || !digits_to_double(&mode[i].c, m->c) ||
+            !(arb_is_zero(m->s) || digits_to_double(&mode[i].s, m->s)))
+            return fail("mode %ld is too near to the middle of two doubles", (long)i);
+    }
+    return STATUS_OK;
+}
+
+int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count)
+{
+    struct disk_modes exact;
+    disk_modes_init(&exact);
+    int status = disk_modes_solve(&exact, nu, count, MODE_DIGITS);
+    if (status == STATUS_OK) {
+        struct cor_disk_mode *const mode = xmalloc((size_t)count * sizeof *mode);
+        arb_t ball;
+        arb_init(ball);
+        arb_set_fmpq(ball, nu, NU_BITS);
+        *modes = (struct cor_disk_modes){arf_get_d(arb_midref(ball), ARF_RND_NEAR), (size_t)count, mode};
+        arb_clear(ball);
+        status = round_all(mode, &exact);
+        if (status != STATUS_OK)
+            free(mode);
+    }
+    disk_modes_clear(&exact);
+    return status;
+}

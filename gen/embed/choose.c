@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: MIT */
+#include "embed/choose.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "embed/fit.h"
+#include "enclosure/collision.h"
+#include "support/console.h"
+
+enum {
+    COARSE = 64, /* a first look takes every so many samples */
+    POLYNOMIAL_MAX = 24,
+    RATIONAL_MAX = 40, /* sum of degrees */
+    PADE_MAX = 40,
+    PADE_SKEW = 6, /* denominator's degree less numerator's */
+    SERIES_MAX = 40,
+    PIECE_DEGREE_MAX = 9,
+    LARGE_PIECE_DEGREE_MAX = 11, /* of tables that are large anyway */
+    FRACTION_BITS_MAX = 8,
+    ROWS_MAX = 256,
+    SERIES_BITS = 320
+};
+
+/* Between the samples the error may be a little larger. */
+static const double margin = 0.97;
+
+static struct embed_form blank(const struct embed_scene *s, enum embed_family family, enum embed_variable variable)
+{
+    struct embed_form f = {.family = family,
+                           .variable = variable,
+                           .single = s->single,
+                           .speed_min = s->speed_min,
+                           .speed_max = s->speed_max};
+    if (variable >= FIFTH_ROOT_OF_SPEED) /* as good as the tolerance needs */
+        while (f.refinement < EMBED_REFINEMENTS - 1 &&
+               8 * s->slope * embed_root_error(f.refinement, s->single) > s->tolerance)
+            f.refinement++;
+    snprintf(f.why, sizeof f.why, "none of the degrees tried meets the tolerance");
+    return f;
+}
+
+/* Whether f, its numbers filled, meets the tolerance. */
+static bool meets(struct embed_form *f, const struct embed_scene *s)
+{
+    embed_form_assess(f, &s->samples, COARSE);
+    if (!(f->error <= s->tolerance))
+        return false;
+    embed_form_assess(f, &s->samples, 1);
+    return f->error <= margin * s->tolerance;
+}
+
+/* A call of its own counts as much as four numbers of an array. */
+static double balanced(const struct embed_form *f)
+{
+    return f->cost[USE_SCALAR] + 4 * f->cost[USE_ARRAY];
+}
+
+/* Keeps the cheaper of both in *best and clears the other. */
+static void keep(struct embed_form *best, struct embed_form *f)
+{
+    embed_form_price(f);
+    f->found = true;
+    if (best->found && balanced(best) <= balanced(f)) {
+        embed_form_clear(f);
+    } else {
+        embed_form_clear(best);
+        *best = *f;
+    }
+}
+
+static bool try_rational(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable, slong m,
+                         slong n)
+{
+    struct embed_form f = blank(s, best->family, variable);
+    f.numerator = m;
+    f.denominator = n;
+    const bool good = embed_fit_rational(&f, s) && meets(&f, s);
+    if (good)
+        keep(best, &f);
+    else
+        embed_form_clear(&f);
+    return good;
+}
+
+/* The degrees nearest to the diagonal. */
+static void search_rational(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable)
+{
+    for (slong total = 1; total <= RATIONAL_MAX; total++) {
+        const slong half = total / 2;
+        if (try_rational(best, s, variable, half, total - half) ||
+            (total % 2 && try_rational(best, s, variable, half + 1, half)) ||
+            (total % 2 == 0 && half > 0 && try_rational(best, s, variable, half - 1, half + 1)))
+            return;
+    }
+}
+
+static void search_polynomial(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable)
+{
+    for (slong degree = 1; degree <= POLYNOMIAL_MAX; degree++)
+        if (try_rational(best, s, variable, degree, 0))
+            return;
+}
+
+/* ---- from the series at beta = 0 ---- */
+
+static bool try_quotient(struct embed_form *best, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q,
+                         slong root, slong m, slong n)
+{
+    struct embed_form f = blank(s, best->family, root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED);
+    f.numerator = m;
+    f.denominator = n;
+    const bool good = embed_fit_quotient(&f, s, p, q, root) && meets(&f, s);
+    if (good)
+        keep(best, &f);
+    else
+        embed_form_clear(&f);
+    return good;
+}
+
+static void search_series(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series, slong root)
+{
+    arb_poly_t p, one;
+    arb_poly_init(p);
+    arb_poly_init(one);
+    arb_poly_one(one);
+    for (slong degree = 1; degree <= SERIES_MAX; degree++) {
+        arb_poly_set_trunc(p, series, degree + 1);
+        if (try_quotient(best, s, p, one, root, degree, 0))
+            break;
+    }
+    arb_poly_clear(p);
+    arb_poly_clear(one);
+    if (!best->found && s->beta_max > 1.35)
+        snprintf(best->why, sizeof best->why, "beta leaves the circle of convergence, 1.388");
+}
+
+static void search_pade(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series, slong root)
+{
+    struct pade f;
+    pade_init(&f);
+    for (slong total = 1; total <= PADE_MAX && !best->found; total++)
+        for (slong skew = total % 2; skew <= PADE_SKEW && skew <= total && !best->found; skew += 2) {
+            const slong m = (total - skew) / 2, n = total - m;
+            if (pade_of_series(&f, series, m, n, SERIES_BITS))
+                try_quotient(best, s, f.p, f.q, root, m, n);
+        }
+    pade_clear(&f);
+}
+
+static void search_two_point(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series)
+{
+    if (s->end != END_ZERO_OVERLAP) {
+        snprintf(best->why, sizeof best->why, "at zero force large beta has no power law to match");
+        return;
+    }
+    struct pade f;
+    pade_init(&f);
+    for (slong m = 0; 2 * m + 5 <= PADE_MAX && !best->found; m++)
+        if (pade_two_point_of_series(&f, series, s->h_star_5, m, SERIES_BITS))
+            try_quotient(best, s, f.p, f.q, 1, m, m + 5);
+    pade_clear(&f);
+}
+
+/* ---- tables ---- */
+
+static void search_pieces_beta(struct embed_form *best, const struct embed_scene *s)
+{
+    for (slong degree = 1; degree <= PIECE_DEGREE_MAX && !best->found; degree++)
+        for (slong rows = 4; rows <= ROWS_MAX && !best->found; rows *= 2) {
+            if (rows * (degree + 1) * (s->single ? 4 : 8) > EMBED_TABLE_BYTES)
+                break;
+            struct embed_form f = blank(s, FAMILY_PIECES_BETA, FIFTH_ROOT_OF_SPEED);
+            f.numerator = degree;
+            f.rows = rows;
+            if (embed_fit_pieces_beta(&f, s) && meets(&f, s))
+                keep(best, &f);
+            else
+                embed_form_clear(&f);
+        }
+}
+
+static void search_pieces_speed(struct embed_form *best, const struct embed_scene *s)
+{
+    for (slong least = 0, most = EMBED_TABLE_BYTES; most <= EMBED_TABLE_BYTES_MOST; least = most, most *= 2)
+        for (slong degree = 1; degree <= (least == 0 ? PIECE_DEGREE_MAX : LARGE_PIECE_DEGREE_MAX) && !best->found;
+             degree++)
+            for (int bits = 0; bits <= FRACTION_BITS_MAX && !best->found; bits++) {
+                struct embed_form f = blank(s, FAMILY_PIECES_SPEED, SPEED);
+                f.numerator = degree;
+                if (embed_fit_pieces_speed(&f, s, bits, least, most) && meets(&f, s))
+                    keep(best, &f);
+                else
+                    embed_form_clear(&f);
+            }
+    if (!best->found)
+        snprintf(best->why, sizeof best->why, "no table of %d bytes or less meets the tolerance",
+                 EMBED_TABLE_BYTES_MOST);
+}
+
+int embed_series(arb_poly_t series, slong *root, const struct embed_scene *s)
+{
+    profile_step("series");
+    return series_eps(series, root, s->end, SERIES_MAX, &law_sphere, SERIES_BITS) ? STATUS_FAILED : STATUS_OK;
+}
+
+void embed_search_series(struct embed_form *form, const struct embed_scene *s, const arb_poly_t series, slong root)
+{
+    for (int i = 0; i < FAMILIES; i++)
+        form[i] = blank(s, (enum embed_family)i, SPEED);
+    profile_step("series, Pade");
+    search_series(&form[FAMILY_SERIES], s, series, root);
+    search_pade(&form[FAMILY_PADE], s, series, root);
+    search_two_point(&form[FAMILY_TWO_POINT], s, series);
+    profile_step("polynomials");
+    const bool tenth = s->end == END_ZERO_FORCE;
+    search_polynomial(&form[FAMILY_POLYNOMIAL_BETA], s, FIFTH_ROOT_OF_SPEED);
+    search_rational(&form[FAMILY_RATIONAL_BETA], s, FIFTH_ROOT_OF_SPEED);
+    if (tenth) { /* sqrt(beta), in which eps is analytic at 0 */
+        search_polynomial(&form[FAMILY_POLYNOMIAL_BETA], s, TENTH_ROOT_OF_SPEED);
+        search_rational(&form[FAMILY_RATIONAL_BETA], s, TENTH_ROOT_OF_SPEED);
+    }
+    profile_step("rational in speed");
+    search_rational(&form[FAMILY_RATIONAL_SPEED], s, SPEED);
+    search_rational(&form[FAMILY_RATIONAL_SQRT], s, SQRT_OF_SPEED);
+    search_rational(&form[FAMILY_RATIONAL_FOURTH], s, FOURTH_ROOT_OF_SPEED);
+    profile_step("pieces");
+    search_pieces_beta(&form[FAMILY_PIECES_BETA], s);
+    search_pieces_speed(&form[FAMILY_PIECES_SPEED], s);
+    profile_step(NULL);
+}
+
+int embed_search(struct embed_form *form, const struct embed_scene *s)
+{
+    arb_poly_t series;
+    slong root;
+    arb_poly_init(series);
+    const int status = embed_series(series, &root, s);
+    if (status == STATUS_OK)
+        embed_search_series(form, s, series, root);
+    profile_step(NULL);
+    arb_poly_clear(series);
+    return status;
+}
+
+enum embed_family embed_choose(const struct embed_form *form, enum options_use use)
+{
+    enum embed_family best = FAMILIES;
+    double least = INFINITY;
+    for (int i = 0; i < FAMILIES; i++) {
+        if (!form[i].found)
+            continue;
+        const double cost = use == OPTIONS_BALANCED ? balanced(&form[i])
+                            : use == OPTIONS_SCALAR ? form[i].cost[USE_SCALAR]
+                                                    : form[i].cost[USE_ARRAY];
+        if (cost < least) {
+            least = cost;
+            best = (enum embed_family)i;
+        }
+    }
+    return best;
+}

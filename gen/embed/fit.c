@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: MIT */
+#include "embed/fit.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "approximation/interpolant.h"
+#include "support/console.h"
+
+enum { LANDEN_STEPS = 12, CHECK_CELLS = 2048, NODE_BITS = 40 };
+
+/* ---- where to interpolate ---- */
+
+/* dn(u K, k') for the complementary modulus k, by descending Landen transformations. */
+static double dn(double u, double k)
+{
+    double a[LANDEN_STEPS + 1], c[LANDEN_STEPS + 1], b = k;
+    a[0] = 1;
+    c[0] = sqrt(1 - k * k);
+    for (int i = 0; i < LANDEN_STEPS; i++) {
+        a[i + 1] = (a[i] + b) / 2;
+        c[i + 1] = (a[i] - b) / 2;
+        b = sqrt(a[i] * b);
+    }
+    /* u K = u pi/(2 a_N) */
+    double phi = ldexp(u * acos(-1.0) / 2, LANDEN_STEPS), before = phi;
+    for (int i = LANDEN_STEPS; i > 0; i--) {
+        before = phi;
+        phi = (phi + asin(c[i] / a[i] * sin(phi))) / 2;
+    }
+    const double divisor = cos(before - phi);
+    return fabs(divisor) > 1e-9 ? cos(phi) / divisor : k;
+}
+
+static double root_degree(enum embed_variable variable)
+{
+    static const double degree[] = {1, 2, 4, 5, 10};
+    return degree[variable];
+}
+
+/* Point j of n between lo and hi. A function with a cut along the negative axis is best interpolated by a rational
+ * one where the Green function of the plane between the cut and [lo, hi] says, at hi dn^2; by a polynomial, and where
+ * the cut is far, at Chebyshev's points. */
+static double node(const struct embed_form *f, double lo, double hi, slong j, slong n)
+{
+    const bool elliptic = f->denominator > 0 && f->variable <= FOURTH_ROOT_OF_SPEED;
+    double x;
+    if (elliptic) {
+        const double d = dn((2 * (double)j + 1) / (2 * (double)n), sqrt(lo / hi));
+        x = hi * d * d;
+    } else {
+        x = (lo + hi) / 2 + (hi - lo) / 2 * chebyshev_point(j, n);
+    }
+    int exponent;
+    x = frexp(fmin(fmax(x, lo), hi), &exponent);
+    return ldexp(nearbyint(ldexp(x, NODE_BITS)), exponent - NODE_BITS);
+}
+
+/* eps where the variable is x, pushed into the range if rounding left it. */
+static void eps_at(arb_t eps, const struct embed_form *f, const struct embed_scene *s, const arb_t x)
+{
+    arb_t g;
+    arb_init(g);
+    arb_pow_ui(g, x, (ulong)root_degree(f->variable), EMBED_BITS);
+    embed_scene_eps(eps, s, g);
+    arb_clear(g);
+}
+
+/* ---- rounding ---- */
+
+static bool representable(const struct embed_form *f, double x)
+{
+    const double least = f->single ? 1e3 * (double)FLT_MIN : 1e3 * DBL_MIN;
+    const double most = f->single ? 1e-3 * (double)FLT_MAX : 1e-3 * DBL_MAX;
+    return x == 0 || (fabs(x) >= least && fabs(x) <= most);
+}
+
+static bool round_numbers(struct embed_form *f, arb_srcptr exact, slong count)
+{
+    f->number = xrealloc(f->number, (size_t)count * sizeof *f->number);
+    for (slong k = 0; k < count; k++) {
+        const double x = arf_get_d(arb_midref(exact + k), ARF_RND_NEAR);
+        f->number[k] = f->single ? (double)(float)x : x;
+        if (!arb_is_finite(exact + k) || !isfinite(f->number[k]) || !representable(f, f->number[k]))
+            return false;
+    }
+    return true;
+}
+
+/* q > 0 on [lo, hi]: on each of many cells, by its rising terms at one end and its falling ones at the other. */
+static bool positive(const double *q, slong degree, double lo, double hi)
+{
+    bool all = true;
+    for (slong k = 0; k <= degree; k++)
+        all = all && q[k] >= 0;
+    if (all)
+        return true;
+    const double step = pow(hi / lo, 1.0 / CHECK_CELLS);
+    for (double x = lo; x < hi; x *= step) {
+        double sum = 0, size = 0, low = 1, high = 1;
+        for (slong k = 0; k <= degree; k++) {
+            const double term = q[k] * (q[k] > 0 ? low : high);
+            sum += term;
+            size += fabs(term);
+            low *= x;
+            high *= x * step * (1 + 1e-12);
+        }
+        if (!(sum > 1e-12 * size))
+            return false;
+    }
+    return true;
+}
+
+/* p_0, ..., p_m, q_0, ..., q_n in the unit 2^scale of the variable: in the variable itself, with q_n = 1. */
+static bool finish_quotient(struct embed_form *f, arb_ptr c, slong scale)
+{
+    const slong m = f->numerator, n = f->denominator;
+    const slong count = m + 1 + (n > 0 ? n + 1 : 0);
+    for (slong k = 0; k < count; k++)
+        arb_mul_2exp_si(c + k, c + k, -scale * (k <= m ? k : k - m - 1));
+    if (n > 0) {
+        arb_t top;
+        arb_init(top);
+        arb_set(top, c + count - 1);
+        for (slong k = 0; k < count; k++)
+            arb_div(c + k, c + k, top, EMBED_BITS);
+        arb_one(c + count - 1);
+        arb_clear(top);
+    }
+    if (!round_numbers(f, c, count))
+        return false;
+    const double power = 1 / root_degree(f->variable);
+    return n == 0 ||
+           positive(f->number + m + 1, n, pow(f->speed_min, power) * (1 - 1e-5), pow(f->speed_max, power) * (1 + 1e-5));
+}
+
+/* ---- interpolation ---- */
+
+bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
+{
+    const slong m = f->numerator, n = f->denominator, count = m + n + 1;
+    const double power = 1 / root_degree(f->variable);
+    /* a little inside, for x^5 must not leave the range */
+    const double lo = pow(s->speed_min, power) * (1 + 1e-13), hi = pow(s->speed_max, power) * (1 - 1e-13);
+    const slong scale = lround(log2(lo * hi) / 2);
+    arb_mat_t a, b;
+    arb_t x, eps, term;
+    arb_mat_init(a, count, count);
+    arb_mat_init(b, count, 1);
+    arb_init(x);
+    arb_init(eps);
+    arb_init(term);
+    for (slong j = 0; j < count; j++) { /* p(x) - eps (q_0 + ... + q_(n-1) x^(n-1)) = eps x^n */
+        arb_set_d(x, node(f, lo, hi, j, count));
+        eps_at(eps, f, s, x);
+        arb_mul_2exp_si(x, x, -scale);
+        arb_one(term);
+        for (slong k = 0; k <= FLINT_MAX(m, n); k++) {
+            if (k <= m)
+                arb_set(arb_mat_entry(a, j, k), term);
+            if (k < n) {
+                arb_mul(arb_mat_entry(a, j, m + 1 + k), eps, term, EMBED_BITS);
+                arb_neg(arb_mat_entry(a, j, m + 1 + k), arb_mat_entry(a, j, m + 1 + k));
+            }
+            if (k == n)
+                arb_mul(arb_mat_entry(b, j, 0), eps, term, EMBED_BITS);
+            arb_mul(term, term, x, EMBED_BITS);
+        }
+    }
+    bool good = arb_mat_solve(b, a, b, EMBED_BITS);
+    if (good) {
+        arb_ptr c = _arb_vec_init(count + 1);
+        for (slong k = 0; k < count; k++)
+            arb_set(c + k, arb_mat_entry(b, k, 0));
+        arb_one(c + count);
+        good = finish_quotient(f, c, scale);
+        _arb_vec_clear(c, count + 1);
+    }
+    arb_mat_clear(a);
+    arb_mat_clear(b);
+    arb_clear(x);
+    arb_clear(eps);
+    arb_clear(term);
+    return good;
+}
+
+bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q,
+                        slong root)
+{
+    const slong m = f->numerator, n = f->denominator;
+    arb_ptr c = _arb_vec_init(m + n + 2);
+    arb_t unit, power;
+    arb_init(unit);
+    arb_init(power);
+    arb_root_ui(unit, s->beta_per_root, (ulong)root, EMBED_BITS); /* z = unit speed^(1/(5 root)) */
+    for (slong k = 0; k <= m + n + 1; k++) {
+        const slong degree = k <= m ? k : k - m - 1;
+        arb_poly_get_coeff_arb(c + k, k <= m ? p : q, degree);
+        arb_pow_ui(power, unit, (ulong)degree, EMBED_BITS);
+        arb_mul(c + k, c + k, power, EMBED_BITS);
+    }
+    arb_clear(unit);
+    arb_clear(power);
+    const bool good = finish_quotient(f, c, 0);
+    _arb_vec_clear(c, m + n + 2);
+    return good;
+}
+
+/* A row: eps at `count` Chebyshev points t of [lo, hi], as a polynomial in t. */
+static void fit_row(arb_ptr row, arb_ptr t, arb_ptr eps, slong count)
+{
+    arb_poly_t polynomial;
+    arb_poly_init(polynomial);
+    arb_poly_interpolate_newton(polynomial, t, eps, count, EMBED_BITS);
+    for (slong k = 0; k < count; k++)
+        arb_poly_get_coeff_arb(row + k, polynomial, k);
+    arb_poly_clear(polynomial);
+}
+
+bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s)
+{
+    const slong columns = f->numerator + 1;
+    const double error = 2 * embed_root_error(f->refinement, f->single) + (f->single ? 1e-6 : 1e-14);
+    const double lo = pow(s->speed_min, 0.2) * (1 - error), hi = pow(s->speed_max, 0.2) * (1 + error);
+    f->slope = embed_rounded(s, (double)f->rows / (hi - lo));
+    f->shift = embed_rounded(s, -lo * f->slope);
+    arb_ptr exact = _arb_vec_init(f->rows * columns), t = _arb_vec_init(columns), eps = _arb_vec_init(columns);
+    arb_t x, limit;
+    arb_init(x);
+    arb_init(limit);
+    for (slong row = 0; row < f->rows; row++) {
+        for (slong j = 0; j < columns; j++) {
+            double y = ((double)row + (1 + chebyshev_point(j, columns)) / 2 - f->shift) / f->slope;
+            y = fmin(fmax(y, pow(s->speed_min, 0.2) * (1 + 1e-14)), pow(s->speed_max, 0.2) * (1 - 1e-14));
+            arb_set_d(x, y);
+            eps_at(eps + j, f, s, x);
+            arb_set_d(t + j, f->slope);
+            arb_mul(x, x, t + j, EMBED_BITS);
+            arb_set_d(t + j, f->shift - (double)row);
+            arb_add(t + j, t + j, x, EMBED_BITS);
+        }
+        fit_row(exact + row * columns, t, eps, columns);
+    }
+    const bool good = round_numbers(f, exact, f->rows * columns);
+    arb_clear(x);
+    arb_clear(limit);
+    _arb_vec_clear(exact, f->rows * columns);
+    _arb_vec_clear(t, columns);
+    _arb_vec_clear(eps, columns);
+    return good;
+}
+
+bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, int fraction_bits, slong more_than,
+                            slong at_most)
+{
+    const slong columns = f->numerator + 1;
+    f->low_bits = (f->single ? 23 : 52) - fraction_bits;
+    f->first = embed_bits_of(f, s->speed_min) >> f->low_bits;
+    f->rows = (slong)((embed_bits_of(f, s->speed_max) >> f->low_bits) - f->first) + 1;
+    const slong bytes = f->rows * columns * (f->single ? 4 : 8);
+    if (bytes <= more_than || bytes > at_most)
+        return false;
+    arb_ptr exact = _arb_vec_init(f->rows * columns), t = _arb_vec_init(columns), eps = _arb_vec_init(columns);
+    arb_t g;
+    arb_init(g);
+    for (slong row = 0; row < f->rows; row++) {
+        const double start = embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
+        const double end = embed_from_bits(f, (f->first + (uint64_t)row + 1) << f->low_bits);
+        const double lo = fmax(start, s->speed_min), hi = fmin(end, s->speed_max);
+        const slong used = hi - lo > 1e-6 * (end - start) ? columns : 1;
+        for (slong j = 0; j < used; j++) {
+            double x = (lo + hi) / 2 + (hi - lo) / 2 * chebyshev_point(j, used);
+            arb_set_d(g, fmin(fmax(x, lo), hi));
+            embed_scene_eps(eps + j, s, g);
+            arb_set_d(t + j, start);
+            arb_sub(t + j, g, t + j, EMBED_BITS);
+        }
+        fit_row(exact + row * columns, t, eps, used);
+    }
+    const bool good = round_numbers(f, exact, f->rows * columns);
+    arb_clear(g);
+    _arb_vec_clear(exact, f->rows * columns);
+    _arb_vec_clear(t, columns);
+    _arb_vec_clear(eps, columns);
+    return good;
+}

@@ -1,0 +1,270 @@
+/* SPDX-License-Identifier: MIT */
+#include "embed/form.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const embed_operation_names[OPERATIONS] = {"mul+add", "mul",  "add",     "div",    "sqrt",
+                                                       "bits",    "load", "convert", "compare"};
+
+/* ns each, of double and float, as bench/spheres/operation_costs.c measures them (docs/embed.md, "Costs"): in a loop that takes
+ * one number after the other (-O2), and in one that the compiler has made vectors of (-O3 -mavx2 -mfma). A square root
+ * may set errno, so that a loop with one stays scalar unless the user says -fno-math-errno. */
+static const double nanoseconds[2][USES][OPERATIONS] = {
+    {{0.27, 0.14, 0.14, 1.11, 1.67, 0.10, 0, 0.51, 0.15}, {0.03, 0.03, 0.03, 0.56, 1.67, 0.07, 0.18, 0.11, 0.14}},
+    {{0.27, 0.14, 0.14, 0.84, 0.90, 0.10, 0, 0.51, 0.15}, {0.02, 0.02, 0.01, 0.17, 0.90, 0.02, 0.23, 0.03, 0.02}},
+};
+
+void embed_form_clear(struct embed_form *f)
+{
+    free(f->number);
+    f->number = NULL;
+}
+
+const char *embed_family_name(enum embed_family family)
+{
+    static const char *const names[FAMILIES] = {
+        "series in beta",          "Pade in beta",           "two-point Pade in beta", "polynomial in beta",
+        "rational in beta",        "pieces in beta",         "pieces in speed",        "rational in speed",
+        "rational in sqrt(speed)", "rational in speed^(1/4)"};
+    return names[family];
+}
+
+void embed_form_size(char *text, size_t size, const struct embed_form *f)
+{
+    if (f->rows > 0)
+        snprintf(text, size, "%ld rows, degree %ld", (long)f->rows, (long)f->numerator);
+    else if (f->denominator == 0)
+        snprintf(text, size, "degree %ld", (long)f->numerator);
+    else
+        snprintf(text, size, "[%ld/%ld]", (long)f->numerator, (long)f->denominator);
+}
+
+double embed_root_error(int refinement, bool single)
+{
+    static const double error[EMBED_REFINEMENTS] = {2.33e-5, 3.9e-10, 8.6e-15, 1.3e-15};
+    return fmax(error[refinement], single ? 7e-7 : 0);
+}
+
+/* ---- the arithmetic of the header ---- */
+
+/* For +, -, *, / and sqrt of floats, rounding to double first changes nothing. */
+static double rounded(const struct embed_form *f, double x)
+{
+    return f->single ? (double)(float)x : x;
+}
+
+static double product(const struct embed_form *f, double x, double y)
+{
+    return rounded(f, x * y);
+}
+
+/* x y + z */
+static double mul_add(const struct embed_form *f, double x, double y, double z, bool fused)
+{
+    if (!fused)
+        return rounded(f, rounded(f, x * y) + z);
+    return f->single ? (double)fmaf((float)x, (float)y, (float)z) : fma(x, y, z);
+}
+
+uint64_t embed_bits_of(const struct embed_form *f, double x)
+{
+    if (f->single) {
+        const float y = (float)x;
+        uint32_t bits;
+        memcpy(&bits, &y, sizeof bits);
+        return bits;
+    }
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+double embed_from_bits(const struct embed_form *f, uint64_t bits)
+{
+    if (f->single) {
+        const uint32_t low = (uint32_t)bits;
+        float y;
+        memcpy(&y, &low, sizeof y);
+        return (double)y;
+    }
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static double horner(const struct embed_form *f, const double *c, slong degree, double x, bool fused)
+{
+    double y = c[degree];
+    for (slong k = degree - 1; k >= 0; k--)
+        y = mul_add(f, x, y, c[k], fused);
+    return y;
+}
+
+/* c_0 + c_2 x^2 + ... + x (c_1 + c_3 x^2 + ...) */
+static double split(const struct embed_form *f, const double *c, slong degree, double x, bool fused)
+{
+    if (degree < EMBED_SPLIT)
+        return horner(f, c, degree, x, fused);
+    const double square = product(f, x, x);
+    double part[2];
+    for (int odd = 0; odd < 2; odd++) {
+        slong k = degree - (degree - odd) % 2;
+        part[odd] = c[k];
+        for (k -= 2; k >= 0; k -= 2)
+            part[odd] = mul_add(f, square, part[odd], c[k], fused);
+    }
+    return mul_add(f, x, part[1], part[0], fused);
+}
+
+const double embed_root_seed[4] = {0.9999949028651255, 0.19999368411425256, 0.12170544636870924, 0.08960415657233971};
+const double embed_root_step[4] = {1, 0.2, 0.12, 0.088};
+
+static double fifth_root(const struct embed_form *f, double g, bool fused)
+{
+    double r;
+    if (f->single) {
+        r = embed_from_bits(f, EMBED_ROOT_SINGLE - (uint32_t)embed_bits_of(f, g) / 5);
+    } else {
+        /* 2^52 + n holds the whole number n in its low bits */
+        const double top = embed_from_bits(f, (embed_bits_of(f, g) >> 32) | UINT64_C(0x4330000000000000));
+        r = embed_from_bits(f, embed_bits_of(f, mul_add(f, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT, fused)) << 32);
+    }
+    for (int k = 0; k < (f->refinement > 0 ? 2 : 1); k++) {
+        const double square = product(f, r, r), fourth = product(f, square, square);
+        const double e = mul_add(f, -product(f, g, r), fourth, 1, fused);
+        double c[4];
+        for (int i = 0; i < 4; i++)
+            c[i] = rounded(f, k == 0 ? embed_root_seed[i] : embed_root_step[i]);
+        r = product(f, r, horner(f, c, k == 0 ? 3 : f->refinement, e, fused));
+    }
+    const double square = product(f, r, r);
+    return product(f, g, product(f, square, square));
+}
+
+static double root(const struct embed_form *f, double x)
+{
+    return rounded(f, sqrt(x));
+}
+
+double embed_form_value(const struct embed_form *f, double speed, bool fused)
+{
+    const double above = speed > f->speed_min ? speed : f->speed_min;
+    const double g = above < f->speed_max ? above : f->speed_max;
+    double x = g;
+    switch (f->variable) {
+    case SPEED:
+        break;
+    case SQRT_OF_SPEED:
+        x = root(f, g);
+        break;
+    case FOURTH_ROOT_OF_SPEED:
+        x = root(f, root(f, g));
+        break;
+    case FIFTH_ROOT_OF_SPEED:
+        x = fifth_root(f, g, fused);
+        break;
+    case TENTH_ROOT_OF_SPEED:
+        x = root(f, fifth_root(f, g, fused));
+        break;
+    }
+    double value;
+    const double *number = f->number;
+    if (f->family == FAMILY_PIECES_SPEED) {
+        const uint64_t row = embed_bits_of(f, g) >> f->low_bits;
+        number += (slong)(row - f->first) * (f->numerator + 1);
+        x = rounded(f, g - embed_from_bits(f, row << f->low_bits));
+    } else if (f->family == FAMILY_PIECES_BETA) {
+        const double place = mul_add(f, x, f->slope, f->shift, fused);
+        const int row = (int)place;
+        number += row * (f->numerator + 1);
+        x = rounded(f, place - row);
+    }
+    if (f->rows > 0)
+        value = horner(f, number, f->numerator, x, fused);
+    else
+        value = split(f, number, f->numerator, x, fused);
+    if (f->denominator > 0)
+        value = rounded(f, value / split(f, number + f->numerator + 1, f->denominator, x, fused));
+    return speed >= 0 ? value : (double)NAN;
+}
+
+void embed_form_assess(struct embed_form *f, const struct embed_samples *samples, slong stride)
+{
+    f->error = 0;
+    f->error_at = f->speed_min;
+    for (slong i = 0; i < samples->count; i += stride) {
+        for (int fused = 0; fused < 2; fused++) {
+            const double value = embed_form_value(f, samples->speed[i], fused);
+            const double error = fabs(((value - samples->eps[i]) - samples->rest[i]) / samples->eps[i]);
+            if (!(error <= f->error)) { /* a NaN too */
+                f->error = isnan(error) ? INFINITY : error;
+                f->error_at = samples->speed[i];
+            }
+        }
+    }
+}
+
+/* ---- costs ---- */
+
+static void count_root(int *n, const struct embed_form *f)
+{
+    const int steps = f->refinement > 0 ? 2 : 1;
+    n[OP_BITS] += f->single ? 4 : 3; /* a division by 5 is a product and a shift */
+    n[OP_MUL_ADD] += f->single ? 0 : 1;
+    n[OP_MUL] += 4 * steps + 3; /* r^2, r^4, g r and the last, a step; r^2, r^4, g r^4 in the end */
+    n[OP_MUL_ADD] += steps + 3 + f->refinement;
+}
+
+void embed_form_price(struct embed_form *f)
+{
+    int *n = f->operations;
+    memset(n, 0, sizeof f->operations);
+    n[OP_COMPARE] = 3;
+    switch (f->variable) {
+    case SPEED:
+        break;
+    case SQRT_OF_SPEED:
+        n[OP_SQRT] = 1;
+        break;
+    case FOURTH_ROOT_OF_SPEED:
+        n[OP_SQRT] = 2;
+        break;
+    case TENTH_ROOT_OF_SPEED:
+        n[OP_SQRT] = 1;
+        count_root(n, f);
+        break;
+    case FIFTH_ROOT_OF_SPEED:
+        count_root(n, f);
+        break;
+    }
+    if (f->rows > 0) {
+        n[OP_LOAD] += (int)f->numerator + 1;
+        n[OP_BITS] += f->family == FAMILY_PIECES_SPEED ? 3 : 0; /* shift, first row, and back again */
+        n[OP_CONVERT] += f->family == FAMILY_PIECES_BETA ? 2 : 0;
+        n[OP_MUL_ADD] += f->family == FAMILY_PIECES_BETA ? 1 : 0;
+        n[OP_ADD] += 1;
+    }
+    n[OP_MUL_ADD] += (int)(f->numerator + f->denominator);
+    if (f->rows == 0 && FLINT_MAX(f->numerator, f->denominator) >= EMBED_SPLIT)
+        n[OP_MUL]++;
+    /* a leading coefficient 1 need not be multiplied with */
+    if (f->denominator > 0 && f->number && f->number[f->numerator + f->denominator + 1] == 1) {
+        n[OP_MUL_ADD]--;
+        n[OP_ADD]++;
+    }
+    if (f->denominator > 0)
+        n[OP_DIV] += 1;
+    for (int use = 0; use < USES; use++) {
+        /* what keeps a loop from becoming vectors is paid for by all the rest */
+        const int as = use == USE_ARRAY && n[OP_SQRT] > 0 ? USE_SCALAR : use;
+        const double *ns = nanoseconds[f->single][as];
+        /* division and square root have a unit of their own, which works beside the others */
+        const double beside = n[OP_DIV] * ns[OP_DIV] + n[OP_SQRT] * ns[OP_SQRT];
+        double sum = 0;
+        for (int op = 0; op < OPERATIONS; op++)
+            sum += op == OP_DIV || op == OP_SQRT ? 0 : n[op] * ns[op];
+        f->cost[use] = fmax(sum, beside);
+    }
+}

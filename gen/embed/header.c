@@ -1,0 +1,269 @@
+/* SPDX-License-Identifier: MIT */
+#include "embed/header.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/console.h"
+#include "support/emit_c.h"
+#include "support/evaluator_text.h"
+
+enum { TEXT_MAX = 16384, NAME_MAX_HERE = 128 };
+
+static const char default_name[] = "cor_scene_eps";
+static const char *const use_names[] = {"balanced", "scalar", "array"};
+
+struct text {
+    char text[TEXT_MAX];
+    size_t length;
+};
+
+static void append(struct text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void append(struct text *t, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const int n = vsnprintf(t->text + t->length, TEXT_MAX - t->length, format, arguments);
+    va_end(arguments);
+    t->length = n < 0 ? t->length : FLINT_MIN(t->length + (size_t)n, (size_t)TEXT_MAX - 1);
+}
+
+static void append_command(struct text *t, const struct options *o)
+{
+    int column = 15;
+    append(t, "Written by:  corgen embed");
+    for (int i = 0; i < OPTIONS_REALS; i++) {
+        if (!o->real[i])
+            continue;
+        const char *name = options_real_name((enum options_real)i);
+        const int width = (int)(strlen(name) + strlen(o->real[i])) + 4;
+        if ((column += width) > 85) {
+            append(t, " \\\n                ");
+            column = width;
+        }
+        append(t, " --%s %s", name, o->real[i]);
+    }
+    append(t, "%s \\\n                 --end %s --type %s --for %s", o->wall ? " --wall" : "",
+           o->end == END_ZERO_FORCE ? "zero-force" : "zero-overlap", o->single ? "float" : "double", use_names[o->use]);
+    if (o->name)
+        append(t, " --name %s", o->name);
+    append(t, "\nChecked by:  the same command, whose output is the same to the byte\n");
+}
+
+static void append_operations(struct text *t, const struct embed_form *f)
+{
+    const char *before = "";
+    for (int op = 0; op < OPERATIONS; op++)
+        if (f->operations[op] > 0) {
+            append(t, "%s%d %s", before, f->operations[op], embed_operation_names[op]);
+            before = ", ";
+        }
+}
+
+static void append_alternatives(struct text *t, const struct embed_form *form, enum embed_family chosen)
+{
+    append(t, "                                                            ns each\n"
+              "  form                    size                   error    scalar vector  operations\n");
+    for (int i = 0; i < FAMILIES; i++) {
+        const struct embed_form *f = &form[i];
+        append(t, "%c %-23s ", i == (int)chosen ? '>' : ' ', embed_family_name((enum embed_family)i));
+        if (f->found) {
+            char size[64];
+            embed_form_size(size, sizeof size, f);
+            append(t, "%-22s %s  %6.2f %6.2f  ", size, emit_bound(f->error).text, f->cost[USE_SCALAR],
+                   f->cost[USE_ARRAY]);
+            append_operations(t, f);
+            append(t, "\n");
+        } else {
+            append(t, "%s\n", f->why);
+        }
+    }
+}
+
+/* What the choice means in words. */
+static const char *rule_of_use(enum options_use use)
+{
+    switch (use) {
+    case OPTIONS_SCALAR:
+        return "the least time for calls of their own, column scalar";
+    case OPTIONS_ARRAY:
+        return "the least time in loops that become vectors, column vector";
+    default:
+        return "the least time, a call of its own counting\nas much as four numbers of a loop that becomes vectors, "
+               "scalar + 4 vector";
+    }
+}
+
+static void append_scene(struct text *t, const struct options *o, const struct embed_scene *s)
+{
+    char *beta = arb_get_str(s->beta_per_root, 20, ARB_STR_NO_RADIUS);
+    append(t,
+           "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n"
+           "beta = %s (speed/(m/s))^(1/5), from %.4g to %.4g.\n"
+           "Accuracy: relative error of eps at most %s, approximation and rounding together (sampled, below).\n"
+           "Outside: the value at the nearer end, of speed 0 and +inf too; negative or NaN -> NaN.\n\n",
+           o->real[OPTIONS_SPEED_MIN], o->real[OPTIONS_SPEED_MAX],
+           o->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)", beta, s->beta_min, s->beta_max,
+           o->real[OPTIONS_TOLERANCE]);
+    flint_free(beta);
+}
+
+static void append_choice(struct text *t, const struct options *o, const struct embed_form *form,
+                          enum embed_family chosen)
+{
+    const struct embed_form *f = &form[chosen];
+    char size[64];
+    embed_form_size(size, sizeof size, f);
+    append(t,
+           "Chosen: %s, %s. Of what meets the tolerance it takes\n%s (--for %s).\n"
+           "Largest error found %s, at %.6g m/s, of %d speeds even in their logarithm, sums of products rounded\n"
+           "once and twice: sampled. %s\n\n"
+           "The cheapest of each kind. ns are made from the operations and what they cost in a loop where that was\n"
+           "measured (docs/embed.md): right as ratios. Division and square root run beside the others.\n\n",
+           embed_family_name(chosen), size, rule_of_use(o->use), use_names[o->use], emit_bound(f->error).text,
+           f->error_at, EMBED_SAMPLES, f->rows > 0 ? "No branch; one table." : "No branch, no table.");
+    append_alternatives(t, form, chosen);
+}
+
+static void append_provenance(struct text *t)
+{
+    append(t, "\nFitted to and sampled against collisions x'' + beta sqrt(x) x' + x^(3/2) = 0 enclosed to 76 bits or\n"
+              "more (proved), which are interpolated to 1e-17 (sampled); coefficients rounded once to the type.\n"
+              "C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n");
+}
+
+/* ---- the function ---- */
+
+static const struct emit_fifth_root *root_of(struct emit_fifth_root *root, const struct embed_form *f)
+{
+    root->fifth = EMBED_ROOT_FIFTH;
+    root->constant = EMBED_ROOT_CONSTANT;
+    root->single_constant = EMBED_ROOT_SINGLE;
+    root->seed = embed_root_seed;
+    root->step = embed_root_step;
+    root->degree = f->refinement;
+    return root;
+}
+
+/* Defines the variable of the polynomials; returns its name. */
+static const char *emit_variable(struct emit *e, const struct embed_form *f)
+{
+    struct emit_fifth_root root;
+    switch (f->variable) {
+    case SQRT_OF_SPEED:
+        emit_let_sqrt(e, "x", "g");
+        return "x";
+    case FOURTH_ROOT_OF_SPEED:
+        emit_let_sqrt(e, "half", "g");
+        emit_let_sqrt(e, "x", "half");
+        return "x";
+    case FIFTH_ROOT_OF_SPEED:
+        emit_let_fifth_root(e, "x", "g", root_of(&root, f));
+        return "x";
+    case TENTH_ROOT_OF_SPEED:
+        emit_let_fifth_root(e, "y", "g", root_of(&root, f));
+        emit_let_sqrt(e, "x", "y");
+        return "x";
+    default:
+        return "g";
+    }
+}
+
+static void emit_long_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree)
+{
+    if (degree < EMBED_SPLIT)
+        emit_let_polynomial(e, name, x, c, degree);
+    else
+        emit_let_split_polynomial(e, name, x, "xx", c, degree);
+}
+
+static void emit_form(struct emit *e, const char *name, const struct embed_form *f, bool vector)
+{
+    emit_function_open(e, name, "speed");
+    if (f->rows > 0)
+        emit_table(e, "row", f->number, f->rows, f->numerator + 1);
+    emit_let_clamped(e, "g", "speed", f->speed_min, f->speed_max, vector);
+    const char *x = emit_variable(e, f);
+    if (f->rows > 0) {
+        if (f->family == FAMILY_PIECES_SPEED)
+            emit_let_row_of_bits(e, "i", "t", x, f->low_bits, f->first);
+        else
+            emit_let_row_of_grid(e, "i", "t", x, f->slope, f->shift);
+        emit_let_row_polynomial(e, "eps", "row", "i", "t", f->numerator);
+        emit_function_close(e, "speed", "eps", NULL, vector);
+    } else {
+        const bool quotient = f->denominator > 0;
+        if (FLINT_MAX(f->numerator, f->denominator) >= EMBED_SPLIT)
+            emit_let_product(e, "xx", x, x);
+        emit_long_polynomial(e, quotient ? "p" : "eps", x, f->number, f->numerator);
+        if (quotient)
+            emit_long_polynomial(e, "q", x, f->number + f->numerator + 1, f->denominator);
+        emit_function_close(e, "speed", quotient ? "p" : "eps", quotient ? "q" : NULL, vector);
+    }
+}
+
+static void upper_case(char *text)
+{
+    for (; *text; text++)
+        *text = (char)(*text >= 'a' && *text <= 'z' ? *text - 'a' + 'A' : *text);
+}
+
+static void emit_macros(struct emit *e, const char *name, const struct options *o)
+{
+    static const struct {
+        const char *suffix;
+        enum options_real which;
+    } macros[] = {{"SPEED_MIN", OPTIONS_SPEED_MIN}, {"SPEED_MAX", OPTIONS_SPEED_MAX}, {"TOLERANCE", OPTIONS_TOLERANCE}};
+    for (size_t i = 0; i < sizeof macros / sizeof *macros; i++) {
+        char macro[NAME_MAX_HERE], value[NAME_MAX_HERE];
+        snprintf(macro, sizeof macro, "%s_%s", name, macros[i].suffix);
+        upper_case(macro);
+        const int length = snprintf(value, sizeof value, "%.17g", strtod(o->real[macros[i].which], NULL));
+        if (!strpbrk(value, ".e"))
+            snprintf(value + length, sizeof value - (size_t)length, ".0");
+        emit_define(e, macro, value);
+    }
+}
+
+void embed_header_write(FILE *file, const struct options *o, const struct embed_scene *s, const struct embed_form *form,
+                        enum embed_family chosen)
+{
+    const char *name = o->name ? o->name : default_name;
+    char guard[NAME_MAX_HERE];
+    snprintf(guard, sizeof guard, "%s_h", name);
+    upper_case(guard);
+    struct text *banner = xmalloc(sizeof *banner);
+    banner->length = 0;
+    append(banner,
+           "Restitution coefficient of viscoelastic spheres that collide at an impact speed, for one scene:\n"
+           "    %s %s(%s speed);\n\n",
+           s->single ? "float" : "double", name, s->single ? "float" : "double");
+    append_scene(banner, o, s);
+    append_choice(banner, o, form, chosen);
+    append_provenance(banner);
+    append_command(banner, o);
+
+    struct emit e;
+    emit_open(&e, file, guard, banner->text);
+    e.single = s->single;
+    fprintf(file, "\n%s\n", evaluator_inline);
+    emit_macros(&e, name, o);
+    emit_comment(&e, "eps at an impact speed in m/s");
+    emit_form(&e, name, &form[chosen], o->use != OPTIONS_SCALAR);
+    emit_close(&e);
+    free(banner);
+}
+
+char *embed_failures(const struct embed_form *form)
+{
+    struct text *t = xmalloc(sizeof *t);
+    t->length = 0;
+    t->text[0] = '\0';
+    for (int i = 0; i < FAMILIES; i++)
+        append(t, "%s%s: %s", i ? "; " : "", embed_family_name((enum embed_family)i), form[i].why);
+    char *copy = xstrdup(t->text);
+    free(t);
+    return copy;
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/* Enclosed Taylor steps on the polynomial form of the equation of motion (docs/derivation.md, 6),
+ *
+ *   x = w^d, dt = w^(d-1) dsigma:   dw/dsigma = v/d,  dv/dsigma = -w^(d-1) (c1 w^(bd) v + c2 w^(ad)),
+ *                                   dt/dsigma = w^(d-1),
+ *
+ * for numbers (jets = 1) or power series in a parameter cut after `jets` terms, which c1 and c2 may contain.
+ * Every number is a ball that contains the exact one. */
+#ifndef COR_GEN_ENCLOSURE_TAYLOR_H
+#define COR_GEN_ENCLOSURE_TAYLOR_H
+
+#include "series/law.h"
+
+struct taylor_power; /* one product of the chain that makes the powers of w */
+
+struct taylor {
+    struct law law;
+    slong jets, degree, prec;
+    mag_t weight;           /* weight of the parameter in the norm sum |z_l| weight^l of a series */
+    arb_ptr c1, c2;         /* jets each */
+    arb_ptr w, v, t;        /* jets x (degree + 1) Taylor coefficients, [l * (degree + 1) + n] */
+    arb_ptr force, product; /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); and times w^(d-1+m) */
+    struct taylor_power *power;
+    int powers;
+    int node_t, node_outer, node_damping, node_elastic; /* which power each factor is; -1: the number 1 */
+    arb_ptr damped;                                     /* w^(bd-m) v where bd > m */
+    mag_t error_w, error_v, error_t;                    /* remainders on [0, step], in the norm */
+    arb_t step;                                         /* longest step that they are proved for */
+};
+
+void taylor_init(struct taylor *y, const struct law *law, slong jets, slong degree, slong prec);
+void taylor_clear(struct taylor *y);
+
+/* w, v, t at sigma = 0 are coefficient 0 of each; the rest follows. */
+void taylor_expand(struct taylor *y);
+
+/* Chooses a step and proves the remainders on it; false where none was found (a state too wide). */
+bool taylor_choose_step(struct taylor *y);
+
+enum taylor_component { TAYLOR_W, TAYLOR_V, TAYLOR_T, TAYLOR_FORCE };
+
+/* Component at sigma = s in [0, step], jet l, remainder included. */
+void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, slong l, const arb_t s);
+
+/* Replaces the state by the one at s. */
+void taylor_advance(struct taylor *y, const arb_t s);
+
+/* Encloses the zero of jet 0 of a component in [0, end], end <= step, where it goes from positive to negative and
+ * is known to have one zero only. */
+bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t end);
+
+#endif

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: MIT */
+#include "plan/plan.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/console.h"
+#include "sweep/values.h"
+
+static const char *const verdicts[] = {"chosen", "meets", "misses", "outside", "shown"};
+
+static double *numbers(slong n)
+{
+    double *x = xmalloc((size_t)n * sizeof *x);
+    for (slong i = 0; i < n; i++)
+        x[i] = (double)NAN;
+    return x;
+}
+
+void plan_init(struct plan *plan, slong points, double speed_min, double speed_max)
+{
+    *plan = (struct plan){.points = points, .chosen = -1};
+    plan->speed = numbers(points);
+    plan->at = numbers(points);
+    plan->truth = numbers(points);
+    plan->uncertainty = numbers(points);
+    for (slong i = 0; i < points; i++) {
+        const double speed = speed_min * pow(speed_max / speed_min, (double)i / (double)(points - 1));
+        plan->speed[i] = i == 0 ? speed_min : i + 1 == points ? speed_max : fmin(fmax(speed, speed_min), speed_max);
+        plan->uncertainty[i] = 0;
+    }
+}
+
+void plan_clear(struct plan *plan)
+{
+    for (int i = 0; i < plan->models; i++) {
+        free(plan->model[i].value);
+        free(plan->model[i].error);
+        free(plan->model[i].use);
+    }
+    free(plan->model);
+    free(plan->speed);
+    free(plan->at);
+    free(plan->truth);
+    free(plan->uncertainty);
+    free(plan->title);
+    *plan = (struct plan){.chosen = -1};
+}
+
+struct plan_model *plan_add(struct plan *plan, const char *format, ...)
+{
+    plan->model = xrealloc(plan->model, (size_t)(plan->models + 1) * sizeof *plan->model);
+    struct plan_model *model = &plan->model[plan->models++];
+    *model = (struct plan_model){.value = numbers(plan->points), .error = numbers(plan->points)};
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(model->name, sizeof model->name, format, arguments);
+    va_end(arguments);
+    return model;
+}
+
+char *plan_text(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const int length = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    const size_t size = length < 0 ? 1 : (size_t)length + 1;
+    char *text = xmalloc(size);
+    va_start(arguments, format);
+    vsnprintf(text, size, format, arguments);
+    va_end(arguments);
+    return text;
+}
+
+void plan_compare(const struct plan *plan, struct plan_model *model, bool relative)
+{
+    for (slong i = 0; i < plan->points; i++) {
+        const double off = fabs(model->value[i] - plan->truth[i]);
+        model->error[i] = relative ? off / plan->truth[i] : off;
+    }
+}
+
+static void judge(const struct plan *plan, struct plan_model *model)
+{
+    double worst = 0, with = 0;
+    model->worst_at = 0;
+    for (slong i = 0; i < plan->points; i++) {
+        const double error = isnan(model->error[i]) ? (double)INFINITY : model->error[i];
+        with = fmax(with, error + (model->promised ? 0 : plan->uncertainty[i]));
+        if (error > worst) {
+            worst = error;
+            model->worst_at = i;
+        }
+    }
+    model->worst = fmax(worst, model->elsewhere);
+    with = fmax(with, model->elsewhere);
+    model->verdict = model->shown                            ? PLAN_SHOWN
+                     : model->outside || isinf(worst)        ? PLAN_OUTSIDE
+                     : with <= PLAN_MARGIN * plan->tolerance ? PLAN_MEETS
+                                                             : PLAN_MISSES;
+}
+
+void plan_choose(struct plan *plan)
+{
+    plan->chosen = -1;
+    for (int i = 0; plan->model && i < plan->models; i++) {
+        struct plan_model *model = &plan->model[i];
+        judge(plan, model);
+        const struct plan_model *best = plan->chosen < 0 ? NULL : &plan->model[plan->chosen];
+        if (model->verdict == PLAN_MEETS &&
+            (!best || model->cost < best->cost || (!(model->cost > best->cost) && model->worst < best->worst)))
+            plan->chosen = i;
+    }
+    if (plan->model && plan->chosen >= 0)
+        plan->model[plan->chosen].verdict = PLAN_CHOSEN;
+}
+
+/* ---- output ---- */
+
+/* "0", "3.4 ns", "160 us" */
+static void print_cost(char *text, size_t size, double ns)
+{
+    static const char *const unit[] = {"ns", "us", "ms", "s"};
+    int k = 0;
+    for (; ns >= 995 && k < 3; k++)
+        ns /= 1000;
+    if (!(ns > 0))
+        snprintf(text, size, "0");
+    else if (ns >= 99.5)
+        snprintf(text, size, "%.0f %s", 10 * round(ns / 10), unit[k]);
+    else
+        snprintf(text, size, "%.2g %s", ns, unit[k]);
+}
+
+/* Two digits, rounded up, as a bound should be. */
+static void print_error(char *text, size_t size, double error)
+{
+    if (!(error > 0) || isinf(error)) {
+        snprintf(text, size, "%s", isinf(error) ? "none" : "0");
+        return;
+    }
+    const double unit = pow(10, floor(log10(error)) - 1);
+    snprintf(text, size, "%.2g", ceil(error / unit * (1 - 1e-12)) * unit);
+}
+
+/* `text`, a few lines, each moved to the right. */
+static void print_lines(FILE *file, const char *indent, const char *text)
+{
+    while (text && *text) {
+        const int length = (int)strcspn(text, "\n");
+        fprintf(file, "%s%.*s\n", indent, length, text);
+        text += length + (text[length] == '\n');
+    }
+}
+
+static const char *heading(const struct plan *plan)
+{
+    return strcmp(plan->argument, "beta") == 0 ? "at beta" : "at speed";
+}
+
+static void print_text(const struct plan *plan, FILE *file)
+{
+    char error[32], cost[32], tolerance[VALUES_TEXT];
+    fprintf(file, "%s", plan->title);
+    fprintf(file, "Wanted: %s, %s at most %s.\n\n", plan->quantity, plan->unit,
+            values_text(tolerance, plan->tolerance));
+    fprintf(file, "  %-39s  %-8s  %-8s  %-8s  %-8s  %s\n", "model", "error", heading(plan), "cost", "", "leaves out");
+    for (int i = 0; i < plan->models; i++) {
+        const struct plan_model *m = &plan->model[i];
+        print_error(error, sizeof error, m->worst);
+        print_cost(cost, sizeof cost, m->cost);
+        fprintf(file, "%c %-39s  %-8s  %-8.4g  %-8s  %-8s  %s\n", i == plan->chosen ? '>' : ' ', m->name, error,
+                plan->at[m->worst_at], cost, i == plan->chosen ? "" : verdicts[m->verdict], m->leaves_out);
+    }
+    fprintf(file, "\n");
+    if (plan->chosen < 0) {
+        fprintf(file, "None of these meets the tolerance.\n\n");
+    } else {
+        const struct plan_model *m = &plan->model[plan->chosen];
+        print_error(error, sizeof error, m->worst);
+        print_cost(cost, sizeof cost, m->cost);
+        fprintf(file, "Take: %s. Error %s, cost %s; leaves out %s.\n\n", m->name, error, cost, m->leaves_out);
+        print_lines(file, "    ", m->use);
+        fprintf(file, "\n");
+    }
+    fprintf(file, "%s", plan->note);
+}
+
+static void print_number(FILE *file, double x, bool json)
+{
+    char text[VALUES_TEXT];
+    fputs(isfinite(x) ? values_text(text, x) : json ? "null" : "nan", file);
+}
+
+static void print_rows(const struct plan *plan, FILE *file, bool json)
+{
+    const char *const column[] = {plan->argument, "value", "error", "cost", "uncertainty"};
+    if (json)
+        fprintf(file, "[\n");
+    else
+        fprintf(file, "model,%s,value,error,cost,uncertainty,verdict\n", plan->argument);
+    for (int i = 0; i < plan->models; i++)
+        for (slong k = 0; k < plan->points; k++) {
+            const struct plan_model *m = &plan->model[i];
+            const double number[] = {plan->at[k], m->value[k], m->error[k], m->cost, plan->uncertainty[k]};
+            fprintf(file, json ? "  {\"model\": \"%s\"" : "%s", m->name);
+            for (size_t j = 0; j < sizeof number / sizeof *number; j++) {
+                if (json)
+                    fprintf(file, ", \"%s\": ", column[j]);
+                else
+                    fprintf(file, ",");
+                print_number(file, number[j], json);
+            }
+            const bool last = i + 1 == plan->models && k + 1 == plan->points;
+            fprintf(file, json ? ", \"verdict\": \"%s\"}%s\n" : ",%s%s\n", verdicts[m->verdict],
+                    json && !last ? "," : "");
+        }
+    if (json)
+        fprintf(file, "]\n");
+}
+
+void plan_print(const struct plan *plan, enum output_format format, FILE *file)
+{
+    if (format == FORMAT_TEXT)
+        print_text(plan, file);
+    else
+        print_rows(plan, file, format == FORMAT_JSON);
+}

@@ -1,0 +1,499 @@
+/* SPDX-License-Identifier: MIT */
+/* Viscoelastic spheres: models of eps from what simulations paste to corgen's headers, against collisions. */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "approximation/pade.h"
+#include "cor/contact.h"
+#include "cor/sphere.h"
+#include "embed/choose.h"
+#include "enclosure/collision.h"
+#include "plan/plan.h"
+#include "support/console.h"
+#include "sweep/values.h"
+
+/* At zero overlap eps is h*^5 beta^-5 from here on, to 2^-60. */
+#define OVERLAP_FAR 7.0
+#define BETA_LIMIT 1e6
+#define LEAST_TOLERANCE 1e-15
+#define EMBED_TOLERANCE "0.1" /* the coarsest that corgen embed takes */
+enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, PADE_COEFFICIENTS = 64, ROOT_REFINEMENT = 2, TEXT = 1024 };
+
+/* ns of a call and in a loop, not made of operations: README.md's table has the published ways and the library,
+ * docs/plan.md the others, measured by the side of these. */
+static const struct cost {
+    double call, loop;
+} cost_published = {14.6, 14.6}, cost_mueller = {12.3, 12.3}, cost_power = {11, 11}, cost_simple = {66, 66},
+  cost_library = {4.4, 2.2}, cost_constant = {0, 0};
+
+struct spheres {
+    struct embed_scene scene;
+    struct embed_form form[FAMILIES];
+    double pade[16][PADE_COEFFICIENTS];
+    int pades;
+    double *other; /* eps at the other end of contact, at every point */
+};
+
+static const char *end_option(enum contact_end end)
+{
+    return end == END_ZERO_FORCE ? "zero-force" : "zero-overlap";
+}
+
+static const char *end_name(enum contact_end end)
+{
+    return end == END_ZERO_FORCE ? "zero_force" : "zero_overlap";
+}
+
+static double priced(const struct options *o, struct cost cost)
+{
+    return o->use == OPTIONS_SCALAR ? cost.call : o->use == OPTIONS_ARRAY ? cost.loop : (cost.call + 4 * cost.loop) / 5;
+}
+
+static struct cost of_form(const struct embed_form *f)
+{
+    return (struct cost){f->cost[USE_SCALAR], f->cost[USE_ARRAY]};
+}
+
+/* ---- the collisions ---- */
+
+static double middle(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+/* eps at both ends */
+static int solve(double eps[2], const arb_t beta, const arb_t h_star)
+{
+    struct collision c;
+    collision_init(&c);
+    int status;
+    if (middle(beta) < OVERLAP_FAR) {
+        status = collision_solve(&c, beta, &law_sphere, TRUTH_BITS);
+    } else {
+        status = collision_solve_force(&c, beta, &law_sphere, TRUTH_BITS);
+        arb_div(c.eps_zero_overlap, h_star, beta, EMBED_BITS);
+        arb_pow_ui(c.eps_zero_overlap, c.eps_zero_overlap, 5, EMBED_BITS);
+    }
+    eps[END_ZERO_OVERLAP] = middle(c.eps_zero_overlap);
+    eps[END_ZERO_FORCE] = middle(c.eps_zero_force);
+    collision_clear(&c);
+    return status ? STATUS_FAILED : STATUS_OK;
+}
+
+static int find_truth(struct plan *plan, struct spheres *s, enum contact_end end)
+{
+    arb_t beta, h_star;
+    arb_init(beta);
+    arb_init(h_star);
+    s->other = xmalloc((size_t)plan->points * sizeof *s->other);
+    int status = STATUS_OK;
+    if (s->scene.beta_max >= OVERLAP_FAR && collision_h_star(h_star, TRUTH_BITS))
+        status = STATUS_FAILED;
+    for (slong i = 0; i < plan->points && status == STATUS_OK; i++) {
+        progress("collisions", (long)i, (long)plan->points);
+        arb_set_d(beta, plan->speed[i]);
+        arb_root_ui(beta, beta, 5, EMBED_BITS);
+        arb_mul(beta, beta, s->scene.beta_per_root, EMBED_BITS);
+        double eps[2];
+        status = solve(eps, beta, h_star);
+        plan->at[i] = middle(beta);
+        plan->truth[i] = eps[end];
+        s->other[i] = eps[end == END_ZERO_OVERLAP ? END_ZERO_FORCE : END_ZERO_OVERLAP];
+    }
+    progress_end();
+    arb_clear(beta);
+    arb_clear(h_star);
+    return status;
+}
+
+/* ---- models ---- */
+
+static double constant(const struct plan_model *m, double speed, double beta)
+{
+    (void)speed;
+    (void)beta;
+    return m->number[0];
+}
+
+static double power_law(const struct plan_model *m, double speed, double beta)
+{
+    (void)beta;
+    return fmin(1, m->number[0] * pow(speed, -m->number[1]));
+}
+
+static double simple_theory(const struct plan_model *m, double speed, double beta)
+{
+    (void)m;
+    (void)speed;
+    return cor_sphere_eps_simple(beta);
+}
+
+static double table_1(const struct plan_model *m, double speed, double beta)
+{
+    (void)m;
+    (void)speed;
+    return cor_sphere_eps_published_pade(beta);
+}
+
+/* [1/4] of Mueller and Poeschel 2011, v = sqrt(beta); zero force */
+static const double mueller_poeschel[] = {1, 0.501086, 1, 0.501086, 1.15345, 0.577977, 0.532178};
+
+static double horner(const double *c, slong degree, double z)
+{
+    double y = c[degree];
+    while (degree > 0)
+        y = z * y + c[--degree];
+    return y;
+}
+
+static double pade(const struct plan_model *m, double speed, double beta)
+{
+    (void)speed;
+    const double z = m->root == 2 ? sqrt(beta) : beta;
+    return horner(m->coefficient, m->m, z) / horner(m->coefficient + m->m + 1, m->n, z);
+}
+
+static double header(const struct plan_model *m, double speed, double beta)
+{
+    (void)beta;
+    return embed_form_value(m->form, speed, false);
+}
+
+/* Values and errors of a model that is a function. */
+static void evaluate(const struct plan *plan, struct plan_model *m)
+{
+    for (slong i = 0; i < plan->points; i++)
+        m->value[i] = m->eps(m, plan->speed[i], plan->at[i]);
+    plan_compare(plan, m, true);
+}
+
+/* The number that ten digits leave of it: what is evaluated is what is printed. */
+static double ten_digits(double x)
+{
+    char text[VALUES_TEXT];
+    snprintf(text, sizeof text, "%.10g", x);
+    return strtod(text, NULL);
+}
+
+static void add_constants(struct plan *plan, const struct options *o)
+{
+    const slong last = plan->points - 1;
+    for (int measured = 0; measured < 2; measured++) {
+        const double first = plan->truth[0], end = plan->truth[last];
+        /* eps falls, so that its ends decide: of all constants 2 a b/(a + b) has the least relative error */
+        struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
+        m->number[0] = ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
+        m->eps = constant;
+        m->cost = priced(o, cost_constant);
+        m->leaves_out = "that eps falls with the speed";
+        m->use = plan_text("double eps = %.10g;\n", m->number[0]);
+        evaluate(plan, m);
+    }
+}
+
+/* eps = a g^-b: of the slope of ln eps between the ends, the best a, for ln eps is a concave function of ln g. */
+static void add_power_law(struct plan *plan, const struct options *o)
+{
+    const slong last = plan->points - 1;
+    struct plan_model *m = plan_add(plan, "power law min(1; a speed^-b)");
+    const double b = log(plan->truth[0] / plan->truth[last]) / log(plan->speed[last] / plan->speed[0]);
+    double low = (double)INFINITY, high = -(double)INFINITY;
+    for (slong i = 0; i <= last; i++) {
+        const double rest = log(plan->truth[i]) + b * log(plan->speed[i]);
+        low = fmin(low, rest);
+        high = fmax(high, rest);
+    }
+    m->number[0] = ten_digits(exp((low + high) / 2));
+    m->number[1] = ten_digits(b);
+    m->eps = power_law;
+    m->cost = priced(o, cost_power);
+    m->leaves_out = "how ln(eps) bends; eps = 1 at rest";
+    m->use = plan_text("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]);
+    evaluate(plan, m);
+}
+
+/* C statements that make `contact`. */
+static char *contact_text(const struct options *o)
+{
+    if (o->real[OPTIONS_G_STAR])
+        return plan_text("struct cor_sphere_contact contact;\ncor_sphere_contact_init_g_star(&contact, %s);\n",
+                         o->real[OPTIONS_G_STAR]);
+    char body[2][TEXT];
+    for (int second = 0; second < 2; second++) {
+        const char *text[OPTIONS_YOUNG_2 - OPTIONS_YOUNG];
+        for (int i = 0; i < OPTIONS_YOUNG_2 - OPTIONS_YOUNG; i++) {
+            text[i] = second ? o->real[OPTIONS_YOUNG_2 + i] : NULL;
+            if (!text[i])
+                text[i] = o->real[OPTIONS_YOUNG + i];
+        }
+        enum { YOUNG, POISSON, RADIUS, DENSITY, MASS, TIME };
+        /* a mass of body 2 hides the density that it would have of body 1, and the other way round */
+        const bool dense = second && (o->real[OPTIONS_MASS_2] || o->real[OPTIONS_DENSITY_2])
+                               ? o->real[OPTIONS_DENSITY_2] != NULL
+                               : o->real[OPTIONS_DENSITY] != NULL;
+        if (second && o->wall)
+            snprintf(body[second], TEXT, "{%s, %s, %s, INFINITY, INFINITY}", text[YOUNG], text[POISSON], text[TIME]);
+        else if (dense)
+            snprintf(body[second], TEXT, "{%s, %s, %s, %s, cor_sphere_mass_kg(%s, %s)}", text[YOUNG], text[POISSON],
+                     text[TIME], text[RADIUS], text[RADIUS], text[DENSITY]);
+        else
+            snprintf(body[second], TEXT, "{%s, %s, %s, %s, %s}", text[YOUNG], text[POISSON], text[TIME], text[RADIUS],
+                     text[MASS]);
+    }
+    return plan_text("struct cor_body body_1 = %s;\nstruct cor_body body_2 = %s;\n"
+                     "struct cor_sphere_contact contact;\ncor_sphere_contact_init(&contact, &body_1, &body_2);\n",
+                     body[0], body[1]);
+}
+
+static char *call_of_beta(const struct options *o, const char *call)
+{
+    char *contact = contact_text(o);
+    char *text = plan_text("#include \"cor/cor.h\"\n%sdouble eps = %s;\n", contact, call);
+    free(contact);
+    return text;
+}
+
+static void add_published(struct plan *plan, const struct options *o)
+{
+    struct plan_model *m = plan_add(plan, "simple theory (27)");
+    m->eps = simple_theory;
+    m->cost = priced(o, cost_simple);
+    m->leaves_out = "C_3 and all after it";
+    m->use = call_of_beta(o, "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))");
+    evaluate(plan, m);
+    m = plan_add(plan, "Pade [1/4] as printed in 1999 (35)");
+    m->eps = table_1;
+    m->cost = priced(o, cost_published);
+    m->leaves_out = "a_3 and all after it; zero force";
+    m->use = call_of_beta(o, "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))");
+    evaluate(plan, m);
+    m = plan_add(plan, "Pade [1/4] as printed in 2011");
+    m->eps = pade;
+    m->coefficient = mueller_poeschel;
+    m->m = 1;
+    m->n = 4;
+    m->root = 2;
+    m->cost = priced(o, cost_mueller);
+    m->leaves_out = "what follows beta^(5/2); zero overlap";
+    m->use = call_of_beta(o, "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))");
+    char *text = m->use;
+    m->use = plan_text("%s/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", text);
+    free(text);
+    evaluate(plan, m);
+}
+
+/* f in doubles; whether its denominator keeps its sign over the range is looked at closely. */
+static void add_pade(struct plan *plan, struct spheres *s, const struct options *o, const struct pade *f, slong root,
+                     bool two_point)
+{
+    const slong m = f->numerator, n = f->denominator;
+    if (m + n + 2 > PADE_COEFFICIENTS || s->pades == (int)(sizeof s->pade / sizeof *s->pade))
+        return;
+    double *c = s->pade[s->pades++];
+    arb_t x;
+    arb_init(x);
+    for (slong k = 0; k <= m + n + 1; k++) {
+        arb_poly_get_coeff_arb(x, k <= m ? f->p : f->q, k <= m ? k : k - m - 1);
+        c[k] = middle(x);
+    }
+    arb_clear(x);
+    struct plan_model *model = plan_add(plan, "%s [%ld/%ld]", two_point ? "two-point Pade" : "Pade", (long)m, (long)n);
+    model->eps = pade;
+    model->coefficient = c;
+    model->m = m;
+    model->n = n;
+    model->root = root;
+    struct embed_form form = {.variable = root == 2 ? TENTH_ROOT_OF_SPEED : FIFTH_ROOT_OF_SPEED,
+                              .numerator = m,
+                              .denominator = n,
+                              .refinement = ROOT_REFINEMENT};
+    embed_form_price(&form);
+    model->cost = priced(o, of_form(&form));
+    model->leaves_out = two_point ? "terms between series and limit"
+                                  : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it");
+    model->use =
+        plan_text("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
+                  "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
+                  (long)m, (long)n, two_point ? " --two-point" : "", end_option(o->end), two_point ? "two_point_" : "",
+                  end_name(o->end), (long)m, (long)n, root == 2 ? "sqrt(beta)" : "beta");
+    const double low = plan->at[0], high = plan->at[plan->points - 1];
+    for (int k = 0; k <= PADE_POINTS; k++) {
+        const double beta = low + (high - low) * k / PADE_POINTS;
+        model->outside = model->outside || !(horner(c + m + 1, n, root == 2 ? sqrt(beta) : beta) > 0);
+    }
+    evaluate(plan, model);
+}
+
+static void add_pades(struct plan *plan, struct spheres *s, const struct options *o, const arb_poly_t series,
+                      slong root)
+{
+    static const slong ordinary[][2] = {{1, 4}, {2, 3}, {3, 5}, {4, 6}, {6, 9}, {8, 12}, {10, 15}};
+    static const slong two_point[] = {2, 4, 8};
+    struct pade f;
+    pade_init(&f);
+    for (size_t i = 0; i < sizeof ordinary / sizeof *ordinary; i++)
+        if (pade_of_series(&f, series, ordinary[i][0], ordinary[i][1], PADE_BITS))
+            add_pade(plan, s, o, &f, root, false);
+    if (o->end == END_ZERO_OVERLAP)
+        for (size_t i = 0; i < sizeof two_point / sizeof *two_point; i++)
+            if (pade_two_point_of_series(&f, series, s->scene.h_star_5, two_point[i], PADE_BITS))
+                add_pade(plan, s, o, &f, root, true);
+    pade_clear(&f);
+}
+
+/* The command with the scene's own options, and a tolerance. */
+static char *embed_command(const struct options *o, const char *tolerance)
+{
+    static const char *const use[] = {"balanced", "scalar", "array"};
+    char line[TEXT] = "";
+    size_t length = 0;
+    for (int i = 0; i < OPTIONS_REALS; i++)
+        if (o->real[i] && length < sizeof line)
+            length += (size_t)snprintf(line + length, sizeof line - length, " --%s %s",
+                                       options_real_name((enum options_real)i),
+                                       i == OPTIONS_TOLERANCE ? tolerance : o->real[i]);
+    return plan_text("corgen embed%s%s --end %s --for %s --output cor_scene_eps.h\n"
+                     "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
+                     line, o->wall ? " --wall" : "", end_option(o->end), use[o->use]);
+}
+
+static void add_header(struct plan *plan, struct spheres *s, const struct options *o, const char *tolerance)
+{
+    const enum embed_family chosen = embed_choose(s->form, o->use);
+    if (chosen == FAMILIES)
+        return; /* the library is left */
+    const struct embed_form *f = &s->form[chosen];
+    char size[PLAN_NAME];
+    embed_form_size(size, sizeof size, f);
+    struct plan_model *m = plan_add(plan, "header: %s %s", embed_family_name(chosen), size);
+    for (char *c = m->name; *c; c++)
+        *c = (char)(*c == ',' ? ';' : *c);
+    m->eps = header;
+    m->form = f;
+    m->elsewhere = f->error;
+    m->cost = priced(o, of_form(f));
+    m->leaves_out = "speeds outside the range";
+    m->use = embed_command(o, tolerance);
+    evaluate(plan, m);
+}
+
+/* What the library promises; it is made of tables that corgen makes, and so cannot be asked here. */
+static void add_library(struct plan *plan, struct spheres *s, const struct options *o)
+{
+    struct plan_model *m = plan_add(plan, "library: cor_contact_eps_%s", end_name(o->end));
+    const double promise =
+        COR_CONTACT_EPS_MAX_ERROR(s->scene.slope) + s->scene.slope * COR_CONTACT_MAX_ULP * DBL_EPSILON;
+    for (slong i = 0; i < plan->points; i++) {
+        m->value[i] = plan->truth[i];
+        m->error[i] = promise;
+    }
+    m->promised = true;
+    m->cost = priced(o, cost_library);
+    m->leaves_out = "nothing; good at every speed";
+    char call[TEXT];
+    snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", end_name(o->end));
+    m->use = call_of_beta(o, call);
+}
+
+static void add_other_end(struct plan *plan, const struct spheres *s, const struct options *o)
+{
+    const enum contact_end other = o->end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
+    struct plan_model *m = plan_add(plan, "the other end: %s", end_option(other));
+    memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
+    plan_compare(plan, m, true);
+    m->cost = priced(o, cost_library);
+    m->leaves_out = "which end the contact has";
+    m->shown = true;
+}
+
+/* ---- the plan ---- */
+
+static char *title(const struct plan *plan, const struct options *o)
+{
+    const slong last = plan->points - 1;
+    return plan_text("Spheres at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
+                     o->real[OPTIONS_SPEED_MIN], o->real[OPTIONS_SPEED_MAX],
+                     o->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
+                     plan->truth[0], plan->truth[last]);
+}
+
+static const char *note(const struct options *o)
+{
+    static const char *const notes[] = {
+        "Error: the largest of the points, against enclosed collisions; taken below 0.97 of the tolerance. Of the "
+        "library:\n"
+        "what it promises. Cost: ns for one eps, (call + 4 in a loop)/5 (--for balanced). Of Pade and header made of\n"
+        "operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare them; clocks differ.\n",
+        "Error: the largest of the points, against enclosed collisions; taken below 0.97 of the tolerance. Of the "
+        "library:\n"
+        "what it promises. Cost: ns for one eps, in calls one at a time (--for scalar). Of Pade and header made of\n"
+        "operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare them; clocks differ.\n",
+        "Error: the largest of the points, against enclosed collisions; taken below 0.97 of the tolerance. Of the "
+        "library:\n"
+        "what it promises. Cost: ns for one eps, in a loop (--for array). Of Pade and header made of\n"
+        "operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare them; clocks differ.\n"};
+    return notes[o->use];
+}
+
+int plan_spheres(struct plan *plan, const struct options *o)
+{
+    *plan = (struct plan){.chosen = -1};
+    const double tolerance = strtod(o->real[OPTIONS_TOLERANCE], NULL);
+    if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
+        return usage_error("--tolerance %.60s is not from %g to below 1, a relative error that a double can hold",
+                           o->real[OPTIONS_TOLERANCE], LEAST_TOLERANCE);
+    struct options embed = *o;
+    if (tolerance > strtod(EMBED_TOLERANCE, NULL))
+        embed.real[OPTIONS_TOLERANCE] = EMBED_TOLERANCE;
+    struct spheres *s = xmalloc(sizeof *s);
+    memset(s, 0, sizeof *s);
+    profile_step("scene");
+    int status = embed_scene_init(&s->scene, &embed);
+    if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
+        status = fail("beta up to %.3g: no model is compared beyond %g", s->scene.beta_max, BETA_LIMIT);
+    plan_init(plan, o->points ? o->points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
+    plan->owned = s;
+    plan->argument = "beta";
+    plan->quantity = "eps";
+    plan->unit = "relative error";
+    plan->tolerance = tolerance;
+    plan->note = note(o);
+    profile_step("collisions");
+    if (status == STATUS_OK)
+        status = find_truth(plan, s, o->end);
+    arb_poly_t series;
+    slong root;
+    arb_poly_init(series);
+    if (status == STATUS_OK)
+        status = embed_series(series, &root, &s->scene);
+    if (status == STATUS_OK) {
+        plan->title = title(plan, o);
+        add_constants(plan, o);
+        add_power_law(plan, o);
+        add_published(plan, o);
+        add_pades(plan, s, o, series, root);
+        embed_search_series(s->form, &s->scene, series, root);
+        add_header(plan, s, o, embed.real[OPTIONS_TOLERANCE]);
+        add_library(plan, s, o);
+        add_other_end(plan, s, o);
+        plan_choose(plan);
+    }
+    profile_step(NULL);
+    arb_poly_clear(series);
+    return status;
+}
+
+void plan_spheres_clear(struct plan *plan)
+{
+    struct spheres *s = plan->owned;
+    if (!s)
+        return;
+    for (int i = 0; i < FAMILIES; i++)
+        embed_form_clear(&s->form[i]);
+    embed_scene_clear(&s->scene);
+    free(s->other);
+    free(s);
+    plan->owned = NULL;
+}

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT */
+#include "series/jet.h"
+
+arb_poly_struct *jet_new(slong count)
+{
+    arb_poly_struct *f = flint_malloc((size_t)count * sizeof *f);
+    for (slong m = 0; m < count; m++)
+        arb_poly_init(f + m);
+    return f;
+}
+
+void jet_free(arb_poly_struct *f, slong count)
+{
+    for (slong m = 0; m < count; m++)
+        arb_poly_clear(f + m);
+    flint_free(f);
+}
+
+void jet_derivative(arb_poly_struct *slope, const arb_poly_struct *f, slong count, slong prec)
+{
+    arb_t scale;
+    arb_init(scale);
+    for (slong m = 1; m < count; m++) {
+        arb_set_si(scale, m);
+        arb_poly_scalar_mul(slope + m - 1, f + m, scale, prec);
+    }
+    arb_clear(scale);
+}
+
+void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_poly_t delta, slong n, slong prec)
+{
+    arb_poly_t sum;
+    arb_poly_init(sum);
+    for (slong m = FLINT_MIN(count, n) - 1; m >= 0; m--) {
+        /* delta^m = O(beta^m): what is multiplied m more times matters only to beta^(n-1-m). */
+        arb_poly_mullow(sum, sum, delta, n - m, prec);
+        arb_poly_add_series(sum, sum, f + m, n - m, prec);
+    }
+    arb_poly_swap(y, sum);
+    arb_poly_clear(sum);
+}
+
+void jet_solve(arb_poly_t delta, const arb_poly_struct *f, slong count, slong n, slong prec)
+{
+    arb_poly_struct *slope = jet_new(count - 1);
+    arb_poly_t value, derivative;
+    arb_poly_init(value);
+    arb_poly_init(derivative);
+    jet_derivative(slope, f, count, prec);
+
+    arb_poly_zero(delta);
+    /* Newton: right below beta^known, twice as far after each turn. The coefficients that are right are kept,
+     * so that their balls do not grow. */
+    for (slong known = 1; known < n;) {
+        const slong next = FLINT_MIN(2 * known, n);
+        jet_compose(value, f, count, delta, next, prec);
+        jet_compose(derivative, slope, count - 1, delta, next - known, prec);
+        for (slong k = 0; k < FLINT_MIN(known, value->length); k++)
+            arb_zero(value->coeffs + k);
+        _arb_poly_normalise(value);
+        arb_poly_shift_right(value, value, known);
+        arb_poly_div_series(value, value, derivative, next - known, prec);
+        arb_poly_shift_left(value, value, known);
+        arb_poly_sub(delta, delta, value, prec);
+        known = next;
+    }
+
+    jet_free(slope, count - 1);
+    arb_poly_clear(value);
+    arb_poly_clear(derivative);
+}

@@ -1,0 +1,150 @@
+/* SPDX-License-Identifier: MIT */
+#include "series/law.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const struct law law_sphere = {{3, 2}, {1, 2}, 2, 3, 1};
+
+static slong gcd(slong x, slong y)
+{
+    while (y != 0) {
+        slong r = x % y;
+        x = y;
+        y = r;
+    }
+    return x < 0 ? -x : x;
+}
+
+struct ratio ratio_make(slong num, slong den)
+{
+    slong g = gcd(num, den);
+    struct ratio r = {num / g, den / g};
+    if (r.den < 0) {
+        r.num = -r.num;
+        r.den = -r.den;
+    }
+    return r;
+}
+
+struct ratio ratio_add(struct ratio x, struct ratio y)
+{
+    return ratio_make(x.num * y.den + y.num * x.den, x.den * y.den);
+}
+
+struct ratio ratio_sub(struct ratio x, struct ratio y)
+{
+    return ratio_make(x.num * y.den - y.num * x.den, x.den * y.den);
+}
+
+struct ratio ratio_mul(struct ratio x, struct ratio y)
+{
+    return ratio_make(x.num * y.num, x.den * y.den);
+}
+
+struct ratio ratio_div(struct ratio x, struct ratio y)
+{
+    return ratio_make(x.num * y.den, x.den * y.num);
+}
+
+/* Digits only, no sign: at most max; returns the end of the number, or NULL. */
+static const char *parse_whole(const char *text, slong max, slong *value)
+{
+    slong v = 0;
+    const char *p = text;
+    for (; *p >= '0' && *p <= '9'; p++) {
+        v = 10 * v + (*p - '0');
+        if (v > max)
+            return NULL;
+    }
+    *value = v;
+    return p == text ? NULL : p;
+}
+
+static bool parse_ratio(struct ratio *r, const char *text)
+{
+    /* A decimal such as 1.0625 has a numerator beyond the bound before it is reduced. */
+    const slong largest = 100000000;
+    slong num, den = 1;
+    const char *p = parse_whole(text, largest, &num);
+    if (p == NULL)
+        return false;
+    if (*p == '/') {
+        p = parse_whole(p + 1, largest, &den);
+        if (p == NULL || den == 0)
+            return false;
+    } else if (*p == '.') {
+        for (p++; *p >= '0' && *p <= '9'; p++) {
+            if (num > largest || den > largest)
+                return false;
+            num = 10 * num + (*p - '0');
+            den *= 10;
+        }
+    }
+    if (*p != '\0')
+        return false;
+    *r = ratio_make(num, den);
+    return r->num <= LAW_MAX_EXPONENT * r->den && r->num <= LAW_MAX_NUMERATOR && r->den <= LAW_MAX_DENOMINATOR;
+}
+
+#define STRING_(x) #x
+#define STRING(x) STRING_(x)
+#define EXPONENT_RULE                                                                                                  \
+    " must be a number from 0 to " STRING(LAW_MAX_EXPONENT) " such as 3/2, 1.5 or 2, with numerator at most " STRING(  \
+        LAW_MAX_NUMERATOR) " and denominator at most " STRING(LAW_MAX_DENOMINATOR)
+
+const char *law_parse(struct law *law, const char *elastic, const char *damping)
+{
+    if (!parse_ratio(&law->a, elastic))
+        return "the elastic exponent" EXPONENT_RULE;
+    if (!parse_ratio(&law->b, damping))
+        return "the damping exponent" EXPONENT_RULE;
+    law->d = law->a.den / gcd(law->a.den, law->b.den) * law->b.den;
+    law->ad = law->a.num * (law->d / law->a.den);
+    law->bd = law->b.num * (law->d / law->b.den);
+    return NULL;
+}
+
+bool law_is_sphere(const struct law *law)
+{
+    return law->d == 2 && law->ad == 3 && law->bd == 1;
+}
+
+struct ratio law_speed_exponent(const struct law *law)
+{
+    struct ratio one = {1, 1}, two = {2, 1};
+    return ratio_div(ratio_add(ratio_sub(ratio_mul(two, law->b), law->a), one), ratio_add(one, law->a));
+}
+
+double law_elastic_time(const struct law *law)
+{
+    const double p = (double)law->d / (double)(law->ad + law->d);
+    return pow(0.5 / p, p) * p * exp(lgamma(p) + lgamma(0.5) - lgamma(p + 0.5));
+}
+
+double law_elastic_radius(const struct law *law)
+{
+    const double half_turn = acos(-1.0), c = cos(half_turn * (double)law->d / (double)(law->ad + law->d));
+    return c > 0.5 ? 1.0 / c : 2.0;
+}
+
+void arb_set_ratio(arb_t y, struct ratio x, slong prec)
+{
+    arb_set_si(y, x.num);
+    arb_div_si(y, y, x.den, prec);
+}
+
+void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec)
+{
+    fmpq_t q;
+    fmpq_init(q);
+    fmpq_set_ratio(q, e);
+    arb_pow_fmpq(y, x, q, prec);
+    fmpq_clear(q);
+}
+
+void fmpq_set_ratio(fmpq_t y, struct ratio x)
+{
+    fmpq_set_si(y, x.num, (ulong)x.den);
+}

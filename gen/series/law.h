@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT */
+/* The contact law x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1 (docs/derivation.md, 1 and 9).
+ * Everything that corgen computes is a function of the two rational exponents below. */
+#ifndef COR_GEN_SERIES_LAW_H
+#define COR_GEN_SERIES_LAW_H
+
+#include <stdbool.h>
+
+#include "support/flint.h"
+
+struct ratio {
+    slong num;
+    slong den; /* > 0, lowest terms */
+};
+
+struct law {
+    struct ratio a; /* elastic exponent, 3/2 for spheres */
+    struct ratio b; /* damping exponent, 1/2 for spheres */
+    slong d;        /* common denominator of a and b: x = w^d makes the law polynomial */
+    slong ad, bd;   /* a d and b d, whole numbers */
+};
+
+extern const struct law law_sphere;
+
+/* Largest exponent, numerator and denominator accepted by law_parse. (The larger a is, the closer the elastic blow-up
+ * comes to the turning point, and the more terms the t-series needs.) */
+#define LAW_MAX_EXPONENT 24
+#define LAW_MAX_NUMERATOR 64
+#define LAW_MAX_DENOMINATOR 16
+
+/* Reads "3/2", "1.5" or "2" for each exponent. Returns NULL, or a sentence saying what was wrong. */
+const char *law_parse(struct law *law, const char *elastic, const char *damping);
+
+bool law_is_sphere(const struct law *law);
+
+struct ratio ratio_make(slong num, slong den);
+struct ratio ratio_add(struct ratio x, struct ratio y);
+struct ratio ratio_sub(struct ratio x, struct ratio y);
+struct ratio ratio_mul(struct ratio x, struct ratio y);
+struct ratio ratio_div(struct ratio x, struct ratio y); /* y != 0 */
+
+/* beta is proportional to g^q; q = (2 b - a + 1)/(1 + a). eps is independent of g iff q = 0, (12). */
+struct ratio law_speed_exponent(const struct law *law);
+
+/* Scales, good to a few digits. tau_0 of (51), and the radius of convergence of the elastic trajectory in units of
+ * tau_0: its end of contact at 2, or where x'' = x^a blows up, at 1/cos(pi/(a+1)) on the circle |t|. */
+double law_elastic_time(const struct law *law);
+double law_elastic_radius(const struct law *law);
+
+void arb_set_ratio(arb_t y, struct ratio x, slong prec);
+void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec); /* x > 0 */
+void fmpq_set_ratio(fmpq_t y, struct ratio x);
+
+#endif

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: MIT */
+#include "series/restitution.h"
+
+#include "series/trajectory.h"
+#include "support/console.h"
+
+/* z = x^e for a series with x(0) > 0 and a rational e of either sign. */
+static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n, slong prec)
+{
+    arb_t exponent;
+    arb_init(exponent);
+    arb_set_ratio(exponent, e, prec);
+    arb_poly_pow_arb_series(z, x, exponent, n, prec);
+    arb_clear(exponent);
+}
+
+/* eps^power, from eps = sum C_k beta^k. -h is an involution sigma of beta, and residues before and after it give
+ *
+ *     [beta^k] (h/beta)^p = (-1)^k p/(k+p) [beta^k] (h/beta)^(-k-p),      eps^power = (h/beta)^p, p = power/q,
+ *
+ * so the coefficient of an even k = -2 p is exactly 0: no ball of any precision could tell. */
+static void eps_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, const struct law *law, slong n,
+                      slong prec)
+{
+    const struct ratio q = law_speed_exponent(law);
+    series_pow(z, eps, power, n, prec);
+    if (q.num == 0)
+        return;
+    const struct ratio k = ratio_mul((struct ratio){-2, 1}, ratio_div(power, q));
+    if (k.den == 1 && k.num > 0 && k.num % 2 == 0 && k.num < z->length)
+        arb_zero(z->coeffs + k.num);
+}
+
+void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, const struct law *law, slong prec)
+{
+    /* With Z = E^(2/(1+a)) the equation is F(Z) = Z Y(-beta Z^p) - Y(beta) = 0, p = q (1+a)/2, and
+     * F' = Y(v) + p v Y'(v) at v = -beta Z^p. Newton's iteration on the series of Z. */
+    const struct ratio one = {1, 1}, two = {2, 1};
+    const struct ratio half_a1 = ratio_div(ratio_add(law->a, one), two);
+    const struct ratio p = ratio_mul(law_speed_exponent(law), half_a1);
+    const slong n = order + 1;
+    arb_poly_t z, v, value, slope, step, y_prime;
+    arb_t scale;
+    arb_poly_init(z);
+    arb_poly_init(v);
+    arb_poly_init(value);
+    arb_poly_init(slope);
+    arb_poly_init(step);
+    arb_poly_init(y_prime);
+    arb_init(scale);
+    arb_poly_derivative(y_prime, y, prec);
+    arb_set_ratio(scale, p, prec);
+
+    arb_poly_one(z);
+    for (slong known = 1; known < n;) {
+        const slong next = FLINT_MIN(2 * known, n), fresh = next - known;
+        series_pow(v, z, p, next, prec);
+        arb_poly_shift_left(v, v, 1);
+        arb_poly_neg(v, v);
+        arb_poly_truncate(v, next);
+        arb_poly_compose_series(value, y, v, next, prec);
+        arb_poly_mullow(value, value, z, next, prec);
+        arb_poly_sub_series(value, value, y, next, prec);
+        arb_poly_shift_right(value, value, known);
+        arb_poly_compose_series(slope, y, v, fresh, prec);
+        arb_poly_compose_series(step, y_prime, v, fresh, prec);
+        arb_poly_mullow(step, step, v, fresh, prec);
+        arb_poly_scalar_mul(step, step, scale, prec);
+        arb_poly_add(slope, slope, step, prec);
+        arb_poly_div_series(step, value, slope, fresh, prec);
+        arb_poly_shift_left(step, step, known);
+        arb_poly_sub(z, z, step, prec);
+        known = next;
+    }
+    series_pow(c, z, half_a1, n, prec);
+    eps_power(c, c, one, law, n, prec);
+
+    arb_poly_clear(z);
+    arb_poly_clear(v);
+    arb_poly_clear(value);
+    arb_poly_clear(slope);
+    arb_poly_clear(step);
+    arb_poly_clear(y_prime);
+    arb_clear(scale);
+}
+
+/* sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1): X seen backwards, and with the
+ * weights e + 1, e = k (b+1) + j (a+1), the velocity V = X + D X. Horner's rule in B for each row, in A over the
+ * rows; both are O(w), so what is multiplied more often is needed to fewer terms. */
+static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool velocity, const fmpq_poly_t T, slong n,
+                         const struct law *law)
+{
+    const slong d = law->d, exponent[2] = {law->bd + d, law->ad + d};
+    fmpq_poly_t log_t, power[2], inner, term;
+    fmpq_t c, e;
+    fmpq_poly_init(log_t);
+    fmpq_poly_init(inner);
+    fmpq_poly_init(term);
+    fmpq_init(c);
+    fmpq_init(e);
+    fmpq_poly_log_series(log_t, T, n);
+    for (int i = 0; i < 2; i++) {
+        fmpq_poly_init(power[i]);
+        fmpq_set_si(e, exponent[i], (ulong)d);
+        fmpq_poly_scalar_mul_fmpq(power[i], log_t, e);
+        fmpq_poly_exp_series(power[i], power[i], n);
+        fmpq_poly_shift_left(power[i], power[i], 1);
+    }
+    fmpq_poly_neg(power[0], power[0]);
+    fmpq_poly_zero(f);
+    for (slong k = n - 1; k >= 0; k--) {
+        fmpq_poly_zero(inner);
+        for (slong j = n - 1 - k; j >= 0; j--) {
+            fmpq_poly_mullow(inner, inner, power[1], n - k - j);
+            fmpq_poly_get_coeff_fmpq(c, row + k, j);
+            if (velocity) {
+                fmpq_set_si(e, k * exponent[0] + j * exponent[1] + d, (ulong)d);
+                fmpq_mul(c, c, e);
+            }
+            fmpq_poly_set_fmpq(term, c);
+            fmpq_poly_add(inner, inner, term);
+        }
+        fmpq_poly_mullow(f, f, power[0], n - k);
+        fmpq_poly_add(f, f, inner);
+    }
+    fmpq_poly_clear(log_t);
+    fmpq_poly_clear(power[0]);
+    fmpq_poly_clear(power[1]);
+    fmpq_poly_clear(inner);
+    fmpq_poly_clear(term);
+    fmpq_clear(c);
+    fmpq_clear(e);
+}
+
+void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, const struct law *law)
+{
+    /* Backwards, with beta -> -h, x = t X and x' = V: the force vanishes where x^(a-b) = h x', that is
+     * T = (V / X^(a-b))^(1/(a-b)). Each pass makes one more coefficient right, since T enters V and X with a
+     * factor w. */
+    const slong n = order + 1;
+    const struct ratio m = ratio_sub(law->a, law->b);
+    fmpq_poly_one(G);
+    fmpq_poly_zero(T);
+    if (m.num <= 0)
+        return;
+
+    fmpq_poly_struct *row = flint_malloc((size_t)n * sizeof *row);
+    fmpq_poly_t x, next;
+    fmpq_t e;
+    fmpq_init(e);
+    fmpq_poly_init(x);
+    fmpq_poly_init(next);
+    for (slong k = 0; k < n; k++)
+        fmpq_poly_init(row + k);
+    trajectory_exact(row, order, order, law);
+
+    fmpq_poly_one(T);
+    for (slong known = 1; known <= n; known++) {
+        progress("zero force, exact", known, n);
+        backward_sum(G, row, true, T, known, law);
+        backward_sum(x, row, false, T, known, law);
+        fmpq_set_si(e, m.den, (ulong)m.num);
+        fmpq_poly_log_series(next, G, known);
+        fmpq_poly_scalar_mul_fmpq(next, next, e);
+        fmpq_poly_log_series(x, x, known);
+        fmpq_poly_sub(next, next, x);
+        fmpq_poly_exp_series(T, next, known);
+    }
+    backward_sum(G, row, true, T, n, law);
+
+    for (slong k = 0; k < n; k++)
+        fmpq_poly_clear(row + k);
+    flint_free(row);
+    fmpq_poly_clear(x);
+    fmpq_poly_clear(next);
+    fmpq_clear(e);
+}
+
+/* The exponent (a+1)/(a-b) of h in w. */
+static struct ratio force_exponent(const struct law *law)
+{
+    const struct ratio one = {1, 1};
+    return ratio_div(ratio_add(law->a, one), ratio_sub(law->a, law->b));
+}
+
+slong restitution_zero_force_root(const struct law *law)
+{
+    if (ratio_sub(law->a, law->b).num <= 0)
+        return 1;
+    return force_exponent(law).den;
+}
+
+void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, const struct law *law, slong prec)
+{
+    const slong root = restitution_zero_force_root(law);
+    const slong n = order / root + 1;
+    fmpq_poly_t G, T;
+    arb_poly_t h, sum;
+    arb_t g;
+    if (ratio_sub(law->a, law->b).num <= 0) {
+        arb_poly_set(eps, c);
+        arb_poly_truncate(eps, order + 1);
+        return;
+    }
+    const struct ratio e = force_exponent(law);
+    const struct ratio q = law_speed_exponent(law);
+    const slong terms = order / e.num;
+    fmpq_poly_init(G);
+    fmpq_poly_init(T);
+    arb_poly_init(h);
+    arb_poly_init(sum);
+    arb_init(g);
+
+    restitution_zero_force_exact(G, T, terms, law);
+    /* w^i = beta^(i e) (eps^q)^(i e); beta^(i e) = z^(i e.num), the rest is a series in beta = z^root. */
+    for (slong i = 0; i <= terms; i++) {
+        fmpq_t coefficient;
+        fmpq_init(coefficient);
+        fmpq_poly_get_coeff_fmpq(coefficient, G, i);
+        arb_set_fmpq(g, coefficient, prec);
+        fmpq_clear(coefficient);
+        const struct ratio power = ratio_add((struct ratio){1, 1}, ratio_mul(ratio_mul(q, e), (struct ratio){i, 1}));
+        eps_power(h, c, power, law, n, prec);
+        arb_poly_scalar_mul(h, h, g, prec);
+        for (slong k = 0; k < h->length && k * root + i * e.num <= order; k++) {
+            arb_poly_get_coeff_arb(g, sum, k * root + i * e.num);
+            arb_add(g, g, h->coeffs + k, prec);
+            arb_poly_set_coeff_arb(sum, k * root + i * e.num, g);
+        }
+    }
+    arb_poly_swap(eps, sum);
+
+    fmpq_poly_clear(G);
+    fmpq_poly_clear(T);
+    arb_poly_clear(h);
+    arb_poly_clear(sum);
+    arb_clear(g);
+}

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT */
+/* Restitution at both ends of contact from the turning point (docs/derivation.md, 4 and 5). */
+#ifndef COR_GEN_SERIES_RESTITUTION_H
+#define COR_GEN_SERIES_RESTITUTION_H
+
+#include "series/law.h"
+
+/* C_k, k = 0..order, of eps = sum C_k beta^k at zero overlap: the E(beta) with E(0) = 1 and
+ * E^(2/(1+a)) Y(-beta E^q) = Y(beta), Y = sum y_k beta^k, which is (63) for any law. */
+void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, const struct law *law, slong prec);
+
+/* eps_zero_force = eps_zero_overlap G(w); the force vanishes at backward time h^(1/(a-b)) T(w),
+ * w = h^((a+1)/(a-b)), h = beta eps_zero_overlap^q. Exact, to w^order. For a <= b the force vanishes only
+ * where the overlap does: G = 1, T = 0. */
+void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, const struct law *law);
+
+/* Smallest root with eps_zero_force a power series in beta^(1/root): w is beta^(p/root) times a series. */
+slong restitution_zero_force_root(const struct law *law);
+
+/* eps_zero_force to z^order, z = beta^(1/root), from C_0..C_(order/root). */
+void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, const struct law *law, slong prec);
+
+#endif

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: MIT */
+#include "series/series.h"
+
+#include <math.h>
+
+#include "series/restitution.h"
+#include "series/turning_point.h"
+#include "support/console.h"
+
+void series_init(struct series *s)
+{
+    arb_poly_init(s->y);
+    arb_poly_init(s->tau);
+    arb_poly_init(s->c);
+    s->order = 0;
+}
+
+void series_clear(struct series *s)
+{
+    arb_poly_clear(s->y);
+    arb_poly_clear(s->tau);
+    arb_poly_clear(s->c);
+}
+
+/* Smallest relative accuracy in bits; a coefficient whose ball contains zero counts by its radius. */
+static slong reached_bits(const arb_poly_t f, slong order)
+{
+    slong reached = WORD_MAX;
+    arb_t c;
+    arb_init(c);
+    for (slong k = 0; k <= order; k++) {
+        arb_poly_get_coeff_arb(c, f, k);
+        if (arb_is_exact(c))
+            continue;
+        slong bits = arb_rel_accuracy_bits(c);
+        if (arb_contains_zero(c)) {
+            fmpz_t e;
+            fmpz_init_set(e, MAG_EXPREF(arb_radref(c)));
+            bits = fmpz_fits_si(e) ? -fmpz_get_si(e) : -WORD_MAX / 2;
+            fmpz_clear(e);
+        }
+        reached = FLINT_MIN(reached, bits);
+    }
+    arb_clear(c);
+    return reached;
+}
+
+int series_compute(struct series *s, slong order, const struct law *law, slong bits)
+{
+    /* First guesses, fitted to what the sphere needed for orders up to 100 and 300 bits, with a margin; a term of
+     * another law is worth (a+1) log2 R bits where one of the sphere is worth 5/2. The proof, not the guess,
+     * decides. */
+    slong prec = bits + 21 * order / 10 + 50;
+    const double worth = (double)(law->ad + law->d) / (double)law->d * log2(law_elastic_radius(law)) / 2.5;
+    slong terms = (slong)((0.45 * (double)bits + 1.25 * (double)order + 24) / worth);
+    /* Measured at orders 140 and 200; said before the hours of computing, not after them. */
+    const double bytes = 3.0 * (double)(order + 1) * (double)(terms + 1) * ((double)prec / 4 + 1628);
+    if (console_memory() > 0 && bytes > console_memory())
+        return fail("order %ld to %ld bits needs about %.3g GB of memory, and this machine has %.3g GB", (long)order,
+                    (long)bits, bytes / 1e9, console_memory() / 1e9);
+    for (int attempt = 0; attempt < 16; attempt++) {
+        switch (turning_point_series(s->y, s->tau, order, terms, law, bits + 8, prec)) {
+        case TURNING_POINT_FEW_TERMS:
+            terms += terms / 4 + 8;
+            continue;
+        case TURNING_POINT_FEW_BITS:
+            prec += prec / 4 + 32;
+            continue;
+        case TURNING_POINT_OK:
+            break;
+        }
+        profile_step("restitution");
+        restitution_zero_overlap(s->c, s->y, order, law, prec);
+        if (reached_bits(s->c, order) >= bits) {
+            profile_step(NULL);
+            s->order = order;
+            return STATUS_OK;
+        }
+        /* The balls of y limit those of C. */
+        prec += prec / 4 + 32;
+        terms += terms / 4 + 8;
+    }
+    return fail("the series of order %ld could not be proved to %ld bits; the last attempt used %ld terms "
+                "and %ld bits",
+                (long)order, (long)bits, (long)terms, (long)prec);
+}
+
+int series_eps(arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law, slong bits)
+{
+    *root = end == END_ZERO_FORCE ? restitution_zero_force_root(law) : 1;
+    struct series s;
+    series_init(&s);
+    int status = STATUS_OK;
+    for (slong extra = 16; status == STATUS_OK; extra *= 2) {
+        status = series_compute(&s, order / *root, law, bits + extra);
+        if (status != STATUS_OK)
+            break;
+        if (end == END_ZERO_FORCE)
+            restitution_zero_force(eps, s.c, order, law, bits + 4 * extra + order);
+        else
+            arb_poly_set(eps, s.c);
+        if (reached_bits(eps, order) >= bits)
+            break;
+    }
+    series_clear(&s);
+    return status;
+}

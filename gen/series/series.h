@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* The restitution series at either end with a promised accuracy: what the rest of corgen asks for. */
+#ifndef COR_GEN_SERIES_SERIES_H
+#define COR_GEN_SERIES_SERIES_H
+
+#include "series/law.h"
+
+enum contact_end { END_ZERO_OVERLAP, END_ZERO_FORCE };
+
+struct series {
+    arb_poly_t y;   /* x_max = sum y_k beta^k */
+    arb_poly_t tau; /* t_max = sum tau_k beta^k */
+    arb_poly_t c;   /* eps = sum C_k beta^k, zero overlap */
+    slong order;    /* highest power of beta */
+};
+
+void series_init(struct series *s);
+void series_clear(struct series *s);
+
+/* All coefficients 0..order to at least `bits` relative bits each (absolute for those that vanish).
+ * Returns 0, or 1 after saying on stderr what failed. */
+int series_compute(struct series *s, slong order, const struct law *law, slong bits);
+
+/* eps at an end as a power series in z = beta^(1/root): root = 1 at zero overlap, 2 at zero force
+ * for the sphere. `order` is the highest power of z. Same accuracy and result as above. */
+int series_eps(arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law, slong bits);
+
+#endif

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* Exact trajectory x(t) = t X, X = sum_{k,j} c[k][j] u^k s^j, u = beta t^(b+1), s = t^(a+1), (48), (49). */
+#ifndef COR_GEN_SERIES_TRAJECTORY_H
+#define COR_GEN_SERIES_TRAJECTORY_H
+
+#include "series/law.h"
+
+/* row[k], k = 0..order, initialised by the caller, becomes sum_j c[k][j] s^j, j = 0..terms. */
+void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const struct law *law);
+
+/* The same rows in balls, with those of the two powers of X that the recurrence makes on its way.
+ *
+ * The law is solved with the elastic constant 2^shift about R^(a+1), R the radius of convergence, so row k is
+ * sum_j c[k][j] 2^(shift j) s^j with s = t^(a+1)/2^shift: coefficients of one size, which multiply fast. */
+struct trajectory {
+    struct law law;
+    slong order, terms, prec, shift;
+    arb_poly_struct *x;       /* order + 1 rows of X */
+    arb_poly_struct *x_to_a;  /* X^a */
+    arb_poly_struct *x_to_b1; /* X^(b+1); the same pointer if b + 1 = a */
+};
+
+void trajectory_init(struct trajectory *t, slong order, slong terms, const struct law *law, slong prec);
+void trajectory_clear(struct trajectory *t);
+
+/* What the truncation at s^terms leaves out, proved (trajectory_tail.c):
+ *
+ *   sum_k U^k sum_{j > terms} |row[k]_j| rho^j <= delta       over the rows k = 0..order. */
+struct trajectory_tail {
+    arb_t delta, U, rho;
+};
+
+void trajectory_tail_init(struct trajectory_tail *tail);
+void trajectory_tail_clear(struct trajectory_tail *tail);
+
+/* Finds delta, U and rho that make the bound useful at t0 (a ball). Returns false where the number of terms
+ * is too small for the proof to close: the caller takes more. */
+bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory *t, const arb_t t0);
+
+/* Upper bound of sum_{j > terms} |c[k][j]| binomial(e+1, m) t0^(e+1-m), e = k (b+1) + j (a+1): what
+ * is missing from the m-th Taylor coefficient of x_k(t) at t0. */
+void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const struct trajectory *t, slong k, slong m,
+                         const arb_t t0);
+
+#endif

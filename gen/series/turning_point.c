@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT */
+#include "series/turning_point.h"
+
+#include "series/jet.h"
+#include "series/trajectory.h"
+#include "support/console.h"
+
+void turning_point_elastic(arb_t y0, arb_t tau0, const struct law *law, slong prec)
+{
+    const struct ratio one = {1, 1}, half = {1, 2};
+    const struct ratio a1 = ratio_add(law->a, one), inverse = ratio_div(one, a1);
+    fmpq_t q;
+    arb_t x, y;
+    fmpq_init(q);
+    arb_init(x);
+    arb_init(y);
+    arb_set_ratio(x, ratio_div(a1, (struct ratio){2, 1}), prec);
+    arb_pow_ratio(y0, x, inverse, prec);
+    /* B(p, 1/2) = Gamma(p) sqrt(pi) / Gamma(p + 1/2) */
+    fmpq_set_ratio(q, inverse);
+    arb_gamma_fmpq(x, q, prec);
+    fmpq_set_ratio(q, ratio_add(inverse, half));
+    arb_gamma_fmpq(y, q, prec);
+    arb_div(x, x, y, prec);
+    arb_const_sqrt_pi(y, prec);
+    arb_mul(x, x, y, prec);
+    arb_set_ratio(y, inverse, prec);
+    arb_mul(x, x, y, prec);
+    arb_mul(tau0, x, y0, prec);
+    fmpq_clear(q);
+    arb_clear(x);
+    arb_clear(y);
+}
+
+/* Taylor coefficients of x at t0 to order m, as polynomials in beta: jet[m] = sum_k x_k^(m)(t0)/m! beta^k,
+ * k + m <= order + 1. Returns true where the truncation is what limits them. */
+static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *t, const struct trajectory_tail *tail,
+                    const arb_t t0, slong prec)
+{
+    const slong d = t->law.d, du = t->law.bd + d, ds = t->law.ad + d;
+    const struct ratio one = {1, 1};
+    const struct ratio a1 = ratio_add(t->law.a, one), b1 = ratio_add(t->law.b, one);
+    arb_ptr term = _arb_vec_init(t->terms + 1);
+    arb_t s0, u0, power, sum, scale, inverse;
+    mag_t missing;
+    slong truncated = 0, rounded = 0;
+    arb_init(s0);
+    arb_init(u0);
+    arb_init(power);
+    arb_init(sum);
+    arb_init(scale);
+    arb_init(inverse);
+    mag_init(missing);
+    arb_pow_ratio(s0, t0, a1, prec);
+    arb_mul_2exp_si(s0, s0, -t->shift);
+    arb_pow_ratio(u0, t0, b1, prec);
+    arb_inv(inverse, t0, prec);
+
+    for (slong k = 0; k <= t->order; k++) {
+        progress("turning point", k, t->order);
+        /* term_j = c_kj t0^(e+1) (e+1) e (e-1) ... d^m, one more factor for each m */
+        arb_pow_ui(power, u0, (ulong)k, prec);
+        arb_mul(power, power, t0, prec);
+        for (slong j = 0; j <= t->terms; j++) {
+            arb_poly_get_coeff_arb(term + j, t->x + k, j);
+            arb_mul(term + j, term + j, power, prec);
+            arb_mul(power, power, s0, prec);
+        }
+        arb_one(scale);
+        for (slong m = 0; m < count && m + k <= t->order + 1; m++) {
+            arb_zero(sum);
+            for (slong j = 0; j <= t->terms; j++)
+                arb_add(sum, sum, term + j, prec);
+            arb_mul(sum, sum, scale, prec);
+            trajectory_tail_jet(missing, tail, t, k, m, t0);
+            if (mag_cmp(missing, arb_radref(sum)) > 0)
+                truncated++;
+            else
+                rounded++;
+            arb_add_error_mag(sum, missing);
+            arb_poly_set_coeff_arb(jet + m, k, sum);
+            for (slong j = 0; j <= t->terms; j++)
+                arb_mul_si(term + j, term + j, k * du + j * ds + d - m * d, prec);
+            arb_div_si(scale, scale, d * (m + 1), prec);
+            arb_mul(scale, scale, inverse, prec);
+        }
+    }
+
+    _arb_vec_clear(term, t->terms + 1);
+    arb_clear(s0);
+    arb_clear(u0);
+    arb_clear(power);
+    arb_clear(sum);
+    arb_clear(scale);
+    arb_clear(inverse);
+    mag_clear(missing);
+    return truncated > rounded;
+}
+
+enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, slong order, slong terms,
+                                                const struct law *law, slong bits, slong prec)
+{
+    enum turning_point_verdict verdict = TURNING_POINT_FEW_TERMS;
+    const slong count = order + 2;
+    struct trajectory t;
+    struct trajectory_tail tail;
+    arb_t y0, t0;
+    arb_init(y0);
+    arb_init(t0);
+    turning_point_elastic(y0, t0, law, prec);
+    trajectory_tail_init(&tail);
+    profile_step("trajectory");
+    trajectory_init(&t, order, terms, law, prec);
+    profile_step("truncation bound");
+
+    if (trajectory_tail_prove(&tail, &t, t0)) {
+        arb_poly_struct *jet = jet_new(count), *velocity = jet_new(count - 1);
+        profile_step("Taylor coefficients at t_0");
+        const bool truncated = jets_at(jet, count, &t, &tail, t0, prec);
+        profile_step("turning point");
+        jet_derivative(velocity, jet, count, prec);
+        jet_solve(tau, velocity, count - 1, order + 1, prec);
+        jet_compose(y, jet, count, tau, order + 1, prec);
+        arb_poly_set_coeff_arb(tau, 0, t0);
+        arb_poly_set_coeff_arb(y, 0, y0);
+        verdict = TURNING_POINT_OK;
+        for (slong k = 0; k <= order; k++) {
+            arb_t c;
+            arb_init(c);
+            arb_poly_get_coeff_arb(c, y, k);
+            slong reached = arb_rel_accuracy_bits(c);
+            arb_poly_get_coeff_arb(c, tau, k);
+            reached = FLINT_MIN(reached, arb_rel_accuracy_bits(c));
+            arb_clear(c);
+            if (reached < bits) {
+                verdict = truncated ? TURNING_POINT_FEW_TERMS : TURNING_POINT_FEW_BITS;
+                break;
+            }
+        }
+        jet_free(jet, count);
+        jet_free(velocity, count - 1);
+    }
+    trajectory_clear(&t);
+    trajectory_tail_clear(&tail);
+    arb_clear(y0);
+    arb_clear(t0);
+    return verdict;
+}

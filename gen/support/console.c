@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/console.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "support/flint.h"
+
+static bool progress_shown;
+
+static double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static void say(const char *format, va_list arguments)
+{
+    progress_end();
+    fputs("corgen: ", stderr);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+}
+
+int fail(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    say(format, arguments);
+    va_end(arguments);
+    return STATUS_FAILED;
+}
+
+int usage_error(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    say(format, arguments);
+    va_end(arguments);
+    return STATUS_USAGE;
+}
+
+/* Memory. GMP and FLINT would abort; exit() instead runs the clean-up of unfinished files. */
+
+static FLINT_NORETURN void out_of_memory(size_t size)
+{
+    fail("out of memory: a block of %zu bytes was refused; ask for fewer digits or a lower order", size);
+    exit(STATUS_FAILED);
+}
+
+static FLINT_NORETURN void library_gave_up(void)
+{
+    fail("the arithmetic library could not go on; its own message stands above");
+    exit(STATUS_FAILED);
+}
+
+void *xmalloc(size_t size)
+{
+    void *p = malloc(size ? size : 1);
+    if (!p)
+        out_of_memory(size);
+    return p;
+}
+
+static void *xcalloc(size_t n, size_t size)
+{
+    void *p = calloc(n ? n : 1, size ? size : 1);
+    if (!p)
+        out_of_memory(n * size);
+    return p;
+}
+
+void *xrealloc(void *old, size_t size)
+{
+    void *p = realloc(old, size ? size : 1);
+    if (!p)
+        out_of_memory(size);
+    return p;
+}
+
+char *xstrdup(const char *text)
+{
+    size_t size = strlen(text) + 1;
+    return memcpy(xmalloc(size), text, size);
+}
+
+static void *gmp_realloc(void *old, size_t old_size, size_t size)
+{
+    (void)old_size;
+    return xrealloc(old, size);
+}
+
+static void gmp_free(void *p, size_t size)
+{
+    (void)size;
+    free(p);
+}
+
+double console_memory(void)
+{
+    const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
+    return pages > 0 && page > 0 ? (double)pages * (double)page : 0.0;
+}
+
+/* Past the physical memory a machine swaps or kills; a refused block can still be reported. */
+static void limit_memory_to_physical(void)
+{
+    const long page = sysconf(_SC_PAGESIZE);
+    const rlim_t physical = (rlim_t)console_memory();
+    struct rlimit limit;
+    if (physical == 0 || getrlimit(RLIMIT_DATA, &limit) != 0)
+        return;
+
+    /* A sanitizer's shadow memory alone is larger than any machine: then there is no sense in it.
+     */
+    unsigned long data_pages = 0;
+    FILE *statm = fopen("/proc/self/statm", "r");
+    if (statm) {
+        char line[256];
+        if (fgets(line, sizeof line, statm)) {
+            char *field = line;
+            for (int i = 0; i < 6; i++)
+                data_pages = strtoul(field, &field, 10);
+        }
+        fclose(statm);
+    }
+    if ((rlim_t)data_pages * (rlim_t)page < physical / 2 && limit.rlim_cur > physical) {
+        limit.rlim_cur = physical;
+        setrlimit(RLIMIT_DATA, &limit);
+    }
+}
+
+void console_start(void)
+{
+    /* A missing descriptor would be reused by the first file opened, and messages would go there.
+     * The stand-in has the wrong direction, so that using it is an error that output.c reports. */
+    for (int fd = 0; fd <= 2; fd++) {
+        if (fcntl(fd, F_GETFD) == -1 && errno == EBADF && open("/dev/null", fd == 1 ? O_RDONLY : O_WRONLY) != fd)
+            exit(STATUS_FAILED);
+    }
+    limit_memory_to_physical();
+    mp_set_memory_functions(xmalloc, gmp_realloc, gmp_free);
+    __flint_set_memory_functions(xmalloc, xcalloc, xrealloc, free);
+    flint_set_abort(library_gave_up);
+}
+
+/* Progress */
+
+enum { UPDATES_PER_SECOND = 10 };
+
+static double progress_started = -1;
+static double progress_updated;
+
+/* Whether the line should be written now; *elapsed: seconds since the first call of the step. */
+static bool progress_due(double *elapsed)
+{
+    static int terminal = -1;
+    if (terminal < 0)
+        terminal = isatty(STDERR_FILENO);
+    if (!terminal)
+        return false;
+    const double now = seconds_now();
+    if (progress_started < 0)
+        progress_started = now;
+    *elapsed = now - progress_started;
+    if (*elapsed < 1 || now - progress_updated < 1.0 / UPDATES_PER_SECOND)
+        return false;
+    progress_updated = now;
+    progress_shown = true;
+    return true;
+}
+
+void progress(const char *step, long done, long total)
+{
+    double elapsed;
+    if (!progress_due(&elapsed))
+        return;
+    if (total > 0)
+        fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total, elapsed);
+    else
+        fprintf(stderr, "\r\033[K%s: %ld, %.0f s", step, done, elapsed);
+    fflush(stderr);
+}
+
+void progress_left(const char *step, long done, long total, double left)
+{
+    double elapsed;
+    if (!progress_due(&elapsed))
+        return;
+    fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total, elapsed);
+    if (left >= 36000)
+        fprintf(stderr, ", %.0f h left", left / 3600);
+    else if (left >= 600)
+        fprintf(stderr, ", %.0f min left", left / 60);
+    else if (left >= 0)
+        fprintf(stderr, ", %.0f s left", left);
+    fflush(stderr);
+}
+
+void progress_end(void)
+{
+    if (progress_shown)
+        fputs("\r\033[K", stderr);
+    progress_shown = false;
+    progress_started = -1;
+}
+
+/* Profile */
+
+enum { STEPS_MAX = 64 };
+
+static bool profile_enabled;
+static struct {
+    const char *name;
+    double seconds;
+} steps[STEPS_MAX];
+static int step_count;
+static int step_now = -1;
+static double step_started;
+static double profile_started;
+
+void profile_enable(void)
+{
+    profile_enabled = true;
+    profile_started = seconds_now();
+}
+
+void profile_step(const char *name)
+{
+    if (!profile_enabled)
+        return;
+    double now = seconds_now();
+    if (step_now >= 0)
+        steps[step_now].seconds += now - step_started;
+    step_now = -1;
+    if (!name)
+        return;
+    for (int i = 0; i < step_count; i++) {
+        if (strcmp(steps[i].name, name) == 0)
+            step_now = i;
+    }
+    if (step_now < 0 && step_count < STEPS_MAX) {
+        step_now = step_count++;
+        steps[step_now].name = name;
+        steps[step_now].seconds = 0;
+    }
+    step_started = now;
+}
+
+void profile_report(void)
+{
+    if (!profile_enabled)
+        return;
+    profile_step(NULL);
+    double total = seconds_now() - profile_started;
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    progress_end();
+    double named = 0;
+    for (int i = 0; i < step_count; i++) {
+        fprintf(stderr, "profile: %10.3f s  %s\n", steps[i].seconds, steps[i].name);
+        named += steps[i].seconds;
+    }
+    fprintf(stderr, "profile: %10.3f s  the rest\n", total > named ? total - named : 0);
+    fprintf(stderr, "profile: %10.3f s  total\n", total);
+    fprintf(stderr, "profile: %10.1f MB peak memory\n", (double)usage.ru_maxrss / 1024);
+}

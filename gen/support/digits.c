@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/digits.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/console.h"
+
+enum { GUARD_BITS = 32, LEADING_ZEROS_MAX = 4 };
+
+slong digits_to_bits(slong digits)
+{
+    return (digits * 3322 + 999) / 1000 + GUARD_BITS; /* log2(10) < 3.322 */
+}
+
+/* Ends lower <= x <= upper, rounded outwards, and exact where the ball is. Returns 0 if x has no
+ * finite ends that MPFR can hold. */
+static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong prec)
+{
+    if (!arb_is_finite(x))
+        return 0;
+    arf_t end;
+    arf_init(end);
+    int held = 1;
+    arb_get_lbound_arf(end, x, prec);
+    held &= arf_cmpabs_2exp_si(end, MPFR_EMAX_DEFAULT) < 0;
+    held &= arf_is_zero(end) || arf_cmpabs_2exp_si(end, MPFR_EMIN_DEFAULT) > 0;
+    arf_get_mpfr(lower, end, MPFR_RNDD);
+    arb_get_ubound_arf(end, x, prec);
+    held &= arf_cmpabs_2exp_si(end, MPFR_EMAX_DEFAULT) < 0;
+    held &= arf_is_zero(end) || arf_cmpabs_2exp_si(end, MPFR_EMIN_DEFAULT) > 0;
+    arf_get_mpfr(upper, end, MPFR_RNDU);
+    arf_clear(end);
+    return held;
+}
+
+/* "-12345", point after the first `point` digits -> the shortest spelling that shows every digit. */
+static char *spell(const char *mantissa, long point)
+{
+    size_t size = strlen(mantissa) + 48;
+    char *text = xmalloc(size);
+    char *end = text;
+    if (*mantissa == '-')
+        *end++ = *mantissa++;
+    long n = (long)strlen(mantissa);
+    if (point > 0 && point <= n) {
+        memcpy(end, mantissa, (size_t)point);
+        end += point;
+        if (point < n)
+            *end++ = '.';
+        memcpy(end, mantissa + point, (size_t)(n - point) + 1);
+    } else if (point <= 0 && -point <= LEADING_ZEROS_MAX) {
+        *end++ = '0';
+        *end++ = '.';
+        memset(end, '0', (size_t)-point);
+        end += -point;
+        memcpy(end, mantissa, (size_t)n + 1);
+    } else {
+        *end++ = *mantissa++;
+        if (*mantissa)
+            *end++ = '.';
+        snprintf(end, size - (size_t)(end - text), "%se%ld", mantissa, point - 1);
+    }
+    return text;
+}
+
+char *digits_of_ball(const arb_t x, slong digits)
+{
+    if (arb_is_zero(x))
+        return xstrdup("0");
+    /* The duration of a contact that never ends: [+/- inf] is how balls say so. */
+    if (arf_is_pos_inf(arb_midref(x)))
+        return xstrdup("inf");
+
+    slong prec = arb_bits(x) > digits_to_bits(digits) ? arb_bits(x) : digits_to_bits(digits);
+    prec += GUARD_BITS;
+    mpfr_t lower, upper;
+    mpfr_init2(lower, prec);
+    mpfr_init2(upper, prec);
+    char *text = NULL;
+    if (ball_ends(lower, upper, x, prec) && mpfr_sgn(lower) * mpfr_sgn(upper) > 0) {
+        mpfr_exp_t lower_point, upper_point;
+        char *a = mpfr_get_str(NULL, &lower_point, 10, (size_t)digits, lower, MPFR_RNDN);
+        char *b = mpfr_get_str(NULL, &upper_point, 10, (size_t)digits, upper, MPFR_RNDN);
+        if (lower_point == upper_point && strcmp(a, b) == 0)
+            text = spell(a, (long)lower_point);
+        mpfr_free_str(a);
+        mpfr_free_str(b);
+    }
+    mpfr_clear(lower);
+    mpfr_clear(upper);
+    return text;
+}
+
+int digits_to_double(double *y, const arb_t x)
+{
+    if (arb_is_zero(x)) {
+        *y = 0;
+        return 1;
+    }
+    slong prec = arb_bits(x) + GUARD_BITS;
+    mpfr_t lower, upper;
+    mpfr_init2(lower, prec);
+    mpfr_init2(upper, prec);
+    int same = 0;
+    if (ball_ends(lower, upper, x, prec) && mpfr_sgn(lower) * mpfr_sgn(upper) > 0) {
+        double a = mpfr_get_d(lower, MPFR_RNDN);
+        double b = mpfr_get_d(upper, MPFR_RNDN);
+        same = a == b && isfinite(a);
+        if (same)
+            *y = a;
+    }
+    mpfr_clear(lower);
+    mpfr_clear(upper);
+    return same;
+}
+
+struct precision precision_start(slong digits)
+{
+    slong bits = digits_to_bits(digits);
+    return (struct precision){.bits = bits, .step = GUARD_BITS, .limit = 3 * bits + 512};
+}
+
+bool precision_raise(struct precision *p)
+{
+    if (p->bits >= p->limit)
+        return false;
+    p->bits += p->step;
+    p->step *= 2;
+    return true;
+}
+
+int precision_spent(const struct precision *p, const char *what, slong digits)
+{
+    return fail("%s: %ld bits do not decide its %ld digits: it is zero, or halfway between two numbers "
+                "of that many digits; then another --digits helps",
+                what, (long)p->bits, (long)digits);
+}

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/* The one place that knows how FLINT is installed: FLINT 3 keeps Arb in flint/, FLINT 2.9 has it as
+ * a library of its own with headers at the top. COR_FLINT_HAS_ARB is set by CMake. */
+#ifndef COR_GEN_SUPPORT_FLINT_H
+#define COR_GEN_SUPPORT_FLINT_H
+
+#include <gmp.h>
+#include <mpfr.h>
+
+#include <flint/flint.h>
+#include <flint/fmpq.h>
+#include <flint/fmpq_poly.h>
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz.h>
+#include <flint/thread_support.h>
+
+#ifdef COR_FLINT_HAS_ARB
+#include <flint/acb.h>
+#include <flint/acb_poly.h>
+#include <flint/arb.h>
+#include <flint/arb_fmpz_poly.h>
+#include <flint/arb_hypgeom.h>
+#include <flint/arb_mat.h>
+#include <flint/arb_poly.h>
+#include <flint/arf.h>
+#include <flint/mag.h>
+#else
+#include <acb.h>
+#include <acb_poly.h>
+#include <arb.h>
+#include <arb_fmpz_poly.h>
+#include <arb_hypgeom.h>
+#include <arb_mat.h>
+#include <arb_poly.h>
+#include <arf.h>
+#include <mag.h>
+#endif
+
+#endif

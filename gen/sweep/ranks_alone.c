@@ -1,0 +1,50 @@
+/* SPDX-License-Identifier: MIT */
+#include "sweep/ranks.h"
+
+#include <stdlib.h>
+
+#include "support/console.h"
+
+/* As many processes that know nothing of each other would do the same work. */
+int ranks_start(void)
+{
+    static const char *const told[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS"};
+    for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
+        const char *size = getenv(told[i]);
+        if (size && strtol(size, NULL, 10) > 1)
+            return fail("this corgen is built without MPI, and mpirun has started several; build it with "
+                        "-DCOR_WITH_MPI=ON or run it alone");
+    }
+    return STATUS_OK;
+}
+
+void ranks_stop(void)
+{
+}
+
+int ranks_count(void)
+{
+    return 1;
+}
+
+int ranks_mine(void)
+{
+    return 0;
+}
+
+void ranks_send(int rank, int tag, const void *bytes, size_t n)
+{
+    (void)rank;
+    (void)tag;
+    (void)bytes;
+    (void)n;
+}
+
+bool ranks_receive(int *rank, int *tag, void **bytes, size_t *n)
+{
+    (void)rank;
+    (void)tag;
+    (void)bytes;
+    (void)n;
+    return false;
+}

@@ -1,0 +1,310 @@
+/* SPDX-License-Identifier: MIT */
+#include "sweep/values.h"
+
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/options.h"
+#include "support/console.h"
+
+enum { TOKEN_MAX = 200, EXPONENT_DIGITS = 3, BITS = 256, PARTS = 4 };
+
+static const char ranges_are[] = "ranges are FIRST:LAST:+STEP, FIRST:LAST:-STEP, FIRST:LAST:lin:COUNT and "
+                                 "FIRST:LAST:log:COUNT";
+
+static double nearest_double(const fmpq_t x)
+{
+    arf_t y;
+    arf_init(y);
+    arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), DBL_MANT_DIG, ARF_RND_NEAR);
+    const double nearest = arf_get_d(y, ARF_RND_NEAR);
+    arf_clear(y);
+    return nearest;
+}
+
+static bool read_number(fmpq_t x, const char *text)
+{
+    if (strlen(text) > TOKEN_MAX || !options_number_is_good(text + (*text == '-')))
+        return false;
+    const char *exponent = strpbrk(text, "eE");
+    if (exponent && strspn(exponent + 1 + (exponent[1] == '-' || exponent[1] == '+'), "0123456789") > EXPONENT_DIGITS)
+        return false;
+    options_fraction(x, text);
+    return true;
+}
+
+/* The number and the double that stands for it are both inside. */
+static bool inside(const struct values_rule *rule, const fmpq_t x)
+{
+    const double nearest = nearest_double(x);
+    fmpq_t limit;
+    fmpq_init(limit);
+    options_fraction(limit, rule->low);
+    const int above = fmpq_cmp(x, limit);
+    const double low = nearest_double(limit);
+    bool good = above > 0 ? nearest > low || rule->low_allowed : above == 0 && rule->low_allowed;
+    if (rule->high) {
+        options_fraction(limit, rule->high);
+        const int beyond = fmpq_cmp(x, limit);
+        const double high = nearest_double(limit);
+        good = good && (beyond < 0 ? nearest < high || rule->high_allowed : beyond == 0 && rule->high_allowed);
+    }
+    fmpq_clear(limit);
+    return good && isfinite(nearest) && (!rule->whole || fmpz_is_one(fmpq_denref(x)));
+}
+
+static int add(struct values *values, const struct values_rule *rule, const fmpq_t x, size_t *capacity)
+{
+    if (values->count == VALUES_MAX)
+        return usage_error("--%s: more than %d values; cut the sweep into several", rule->option, VALUES_MAX);
+    if (values->count == *capacity) {
+        *capacity = *capacity ? 2 * *capacity : 16;
+        values->exact = xrealloc(values->exact, *capacity * sizeof *values->exact);
+        values->nearest = xrealloc(values->nearest, *capacity * sizeof *values->nearest);
+    }
+    fmpq_init(values->exact + values->count);
+    fmpq_set(values->exact + values->count, x);
+    values->nearest[values->count++] = nearest_double(x);
+    return STATUS_OK;
+}
+
+static int read_value(fmpq_t x, const struct values_rule *rule, const char *text)
+{
+    if (!read_number(x, text) || !inside(rule, x))
+        return usage_error("--%s: '%.60s' is not %s, written as %s", rule->option, text, rule->allowed,
+                           rule->whole ? "940" : "0.1, 1.5e-3 (exponent of at most 3 digits) or 1/3");
+    return STATUS_OK;
+}
+
+/* A + i (B - A)/n, or A (B/A)^(i/n), rounded to a whole number where the list is of such. */
+static void between(fmpq_t x, const struct values_rule *rule, bool geometric, const fmpq_t a, const fmpq_t b, slong i,
+                    slong n)
+{
+    if (i == 0 || i == n) {
+        fmpq_set(x, i == 0 ? a : b);
+        return;
+    }
+    if (!geometric) {
+        fmpq_sub(x, b, a);
+        fmpq_mul_si(x, x, i);
+        fmpz_mul_si(fmpq_denref(x), fmpq_denref(x), n);
+        fmpq_canonicalise(x);
+        fmpq_add(x, x, a);
+    } else {
+        arb_t first, ratio;
+        arb_init(first);
+        arb_init(ratio);
+        fmpq_div(x, b, a);
+        arb_set_fmpq(ratio, x, BITS);
+        arb_log(ratio, ratio, BITS);
+        arb_mul_si(ratio, ratio, i, BITS);
+        arb_div_si(ratio, ratio, n, BITS);
+        arb_exp(ratio, ratio, BITS);
+        arb_set_fmpq(first, a, BITS);
+        arb_mul(first, first, ratio, BITS);
+        if (!rule->whole)
+            arf_set_round(arb_midref(first), arb_midref(first), DBL_MANT_DIG, ARF_RND_NEAR);
+        arf_get_fmpq(x, arb_midref(first));
+        arb_clear(first);
+        arb_clear(ratio);
+    }
+    if (rule->whole) { /* floor(x + 1/2) */
+        fmpz_mul_2exp(fmpq_numref(x), fmpq_numref(x), 1);
+        fmpz_add(fmpq_numref(x), fmpq_numref(x), fmpq_denref(x));
+        fmpz_mul_2exp(fmpq_denref(x), fmpq_denref(x), 1);
+        fmpz_fdiv_q(fmpq_numref(x), fmpq_numref(x), fmpq_denref(x));
+        fmpz_one(fmpq_denref(x));
+    }
+}
+
+static int add_stepped(struct values *values, const struct values_rule *rule, const char *text, const fmpq_t a,
+                       const fmpq_t b, const char *step_text, size_t *capacity)
+{
+    fmpq_t step, x;
+    fmpq_init(step);
+    fmpq_init(x);
+    int status = STATUS_OK;
+    if (step_text[1] == '-' || !read_number(step, step_text + 1) || fmpq_is_zero(step) ||
+        (rule->whole && !fmpz_is_one(fmpq_denref(step)))) {
+        status = usage_error("--%s: the step of '%.60s' is not + or - and a %snumber above 0; %s", rule->option, text,
+                             rule->whole ? "whole " : "", ranges_are);
+    } else {
+        if (*step_text == '-')
+            fmpq_neg(step, step);
+        fmpq_sub(x, b, a);
+        if (fmpq_sgn(x) * fmpq_sgn(step) < 0)
+            status = usage_error("--%s: the step of '%.60s' leads away from its last value; %s", rule->option, text,
+                                 ranges_are);
+        for (fmpq_set(x, a); status == STATUS_OK && fmpq_cmp(x, b) * fmpq_sgn(step) <= 0; fmpq_add(x, x, step))
+            status = add(values, rule, x, capacity);
+    }
+    fmpq_clear(step);
+    fmpq_clear(x);
+    return status;
+}
+
+static int add_spread(struct values *values, const struct values_rule *rule, const char *text, const fmpq_t a,
+                      const fmpq_t b, const char *kind, const char *count, size_t *capacity)
+{
+    const bool geometric = strcmp(kind, "log") == 0;
+    errno = 0;
+    const long n = *count && count[strspn(count, "0123456789")] == '\0' ? strtol(count, NULL, 10) : 0;
+    if (n < 2 || n > VALUES_MAX || errno)
+        return usage_error("--%s: the count of '%.60s' is not a whole number from 2 to %d; %s", rule->option, text,
+                           VALUES_MAX, ranges_are);
+    if (geometric && (fmpq_sgn(a) <= 0 || fmpq_sgn(b) <= 0))
+        return usage_error("--%s: '%.60s': both ends of a log range are above 0", rule->option, text);
+    fmpq_t x;
+    fmpq_init(x);
+    int status = STATUS_OK;
+    for (slong i = 0; i < n && status == STATUS_OK; i++) {
+        between(x, rule, geometric, a, b, i, n - 1);
+        status = add(values, rule, x, capacity);
+    }
+    fmpq_clear(x);
+    return status;
+}
+
+/* `text`, one member of the list, is cut up. */
+static int add_member(struct values *values, const struct values_rule *rule, char *text, size_t *capacity)
+{
+    char whole[TOKEN_MAX];
+    snprintf(whole, sizeof whole, "%s", text);
+    char *part[PARTS + 1] = {text};
+    int parts = 1;
+    for (char *c = text; *c && parts <= PARTS; c++) {
+        if (*c == ':') {
+            *c = '\0';
+            part[parts++] = c + 1;
+        }
+    }
+    fmpq_t a, b;
+    fmpq_init(a);
+    fmpq_init(b);
+    int status;
+    if (parts == 1) {
+        status = read_value(a, rule, part[0]);
+        if (status == STATUS_OK)
+            status = add(values, rule, a, capacity);
+    } else if (parts == 3 && (*part[2] == '+' || *part[2] == '-')) {
+        status = read_value(a, rule, part[0]);
+        if (status == STATUS_OK)
+            status = read_value(b, rule, part[1]);
+        if (status == STATUS_OK)
+            status = add_stepped(values, rule, whole, a, b, part[2], capacity);
+    } else if (parts == 4 && (strcmp(part[2], "lin") == 0 || strcmp(part[2], "log") == 0)) {
+        status = read_value(a, rule, part[0]);
+        if (status == STATUS_OK)
+            status = read_value(b, rule, part[1]);
+        if (status == STATUS_OK)
+            status = add_spread(values, rule, whole, a, b, part[2], part[3], capacity);
+    } else {
+        status = usage_error("--%s: '%.60s' is no range; %s", rule->option, whole, ranges_are);
+    }
+    fmpq_clear(a);
+    fmpq_clear(b);
+    return status;
+}
+
+struct place {
+    double value;
+    size_t index;
+};
+
+static int compare_places(const void *a, const void *b)
+{
+    const struct place *x = a, *y = b;
+    if (x->value != y->value)
+        return x->value < y->value ? -1 : 1;
+    return x->index < y->index ? -1 : x->index > y->index;
+}
+
+static void leave_out_repeated(struct values *values)
+{
+    struct place *place = xmalloc(values->count * sizeof *place);
+    bool *repeated = xmalloc(values->count * sizeof *repeated);
+    for (size_t i = 0; i < values->count; i++)
+        place[i] = (struct place){values->nearest[i], i};
+    qsort(place, values->count, sizeof *place, compare_places);
+    for (size_t i = 0; i < values->count; i++)
+        repeated[place[i].index] = i > 0 && place[i].value == place[i - 1].value;
+    size_t kept = 0;
+    for (size_t i = 0; i < values->count; i++) {
+        if (!repeated[i]) {
+            fmpq_swap(values->exact + kept, values->exact + i);
+            values->nearest[kept++] = values->nearest[i];
+        }
+    }
+    for (size_t i = kept; i < values->count; i++)
+        fmpq_clear(values->exact + i);
+    values->count = kept;
+    free(place);
+    free(repeated);
+}
+
+int values_parse(struct values *values, const struct values_rule *rule, const char *text)
+{
+    *values = (struct values){0};
+    size_t capacity = 0;
+    char *copy = xstrdup(text);
+    int status = STATUS_OK;
+    for (char *member = copy, *next; member && status == STATUS_OK; member = next) {
+        next = strchr(member, ',');
+        if (next)
+            *next++ = '\0';
+        if (*member == '\0')
+            status = usage_error("--%s: '%.60s' has an empty member; lists are values and ranges with commas between, "
+                                 "as 0.1,0.2 or 0.1:0.5:+0.1",
+                                 rule->option, text);
+        else
+            status = add_member(values, rule, member, &capacity);
+    }
+    free(copy);
+    if (status == STATUS_OK)
+        leave_out_repeated(values);
+    else
+        values_clear(values);
+    return status;
+}
+
+void values_clear(struct values *values)
+{
+    for (size_t i = 0; i < values->count; i++)
+        fmpq_clear(values->exact + i);
+    free(values->exact);
+    free(values->nearest);
+    *values = (struct values){0};
+}
+
+double values_least(const struct values *values)
+{
+    double least = values->nearest[0];
+    for (size_t i = 1; i < values->count; i++)
+        least = fmin(least, values->nearest[i]);
+    return least;
+}
+
+double values_largest(const struct values *values)
+{
+    double largest = values->nearest[0];
+    for (size_t i = 1; i < values->count; i++)
+        largest = fmax(largest, values->nearest[i]);
+    return largest;
+}
+
+const char *values_text(char text[VALUES_TEXT], double x)
+{
+    if (isnan(x)) { /* of either sign */
+        snprintf(text, VALUES_TEXT, "nan");
+        return text;
+    }
+    for (int digits = DBL_DIG; digits <= DBL_DECIMAL_DIG; digits++) {
+        snprintf(text, VALUES_TEXT, "%.*g", digits, x);
+        if (strtod(text, NULL) == x)
+            break;
+    }
+    return text;
+}

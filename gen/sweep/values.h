@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* Lists of numbers on a command line: values and ranges, separated by commas, every one of them exact.
+ *
+ *     0.1, 1.5e-3, 1/3       a value
+ *     A:B:+S, A:B:-S         A, A + S, A + 2 S, ... as far as B, or downwards
+ *     A:B:lin:N              N values from A to B, equally far apart
+ *     A:B:log:N              N values from A to B, each the same multiple of the one before
+ *
+ * A value that has occurred is left out where it occurs again. */
+#ifndef COR_GEN_SWEEP_VALUES_H
+#define COR_GEN_SWEEP_VALUES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "support/flint.h"
+
+#define VALUES_MAX 1000000 /* of one list */
+
+struct values_rule {
+    const char *option;     /* without its dashes */
+    const char *low, *high; /* limits, as numbers are written; high may be NULL */
+    bool low_allowed, high_allowed;
+    bool whole;          /* values of a range are rounded to whole numbers, others refused */
+    const char *allowed; /* the limits in words: "a number above 0 and up to 0.5" */
+};
+
+struct values {
+    size_t count;
+    fmpq *exact;     /* between powers of a log range, the double of it */
+    double *nearest; /* the double nearest to each */
+};
+
+/* STATUS_OK, or STATUS_USAGE after a sentence about the first thing that is wrong. */
+int values_parse(struct values *values, const struct values_rule *rule, const char *text);
+void values_clear(struct values *values);
+
+double values_least(const struct values *values);
+double values_largest(const struct values *values);
+
+/* The shortest decimal text of at most 17 digits that is read back as x; "nan" and "inf" for what is no number. */
+enum { VALUES_TEXT = 32 };
+const char *values_text(char text[VALUES_TEXT], double x);
+
+#endif

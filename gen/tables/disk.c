@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: MIT */
+#include "tables/disk.h"
+
+#include <ctype.h>
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/options.h"
+#include "disk/modes.h"
+#include "runtime/core/mode_file.h"
+#include "support/console.h"
+#include "support/digits.h"
+#include "support/emit_c.h"
+
+enum {
+    TABLE_DIGITS = 25 /* of the comments */,
+    LINE_LENGTH = 512,
+    NU_NAME = 128,
+    LEAST_NU_DIGITS = 3,
+    VALUES = 3,
+    NU_BITS = 4000,
+    CHECK_LENGTH = 9 /* with the line's end */
+};
+
+/* 0.33 is 033, 0.9 is 090, -0.5 is m050, 1/3 is 1_3. */
+static void nu_name(char name[NU_NAME], const char *poisson)
+{
+    size_t n = 0, digits = 0;
+    for (const char *c = poisson; *c && n + LEAST_NU_DIGITS + 1 < NU_NAME; c++) {
+        if (*c == '-' || *c == '/')
+            name[n++] = *c == '-' ? 'm' : '_';
+        else if (isalnum((unsigned char)*c))
+            name[n++] = (char)tolower((unsigned char)*c);
+        digits += isdigit((unsigned char)*c) != 0;
+    }
+    if (!strpbrk(poisson, "eE/"))
+        for (; digits < LEAST_NU_DIGITS; digits++)
+            name[n++] = '0';
+    name[n] = '\0';
+}
+
+const char *disk_table_name(char name[DISK_TABLE_NAME], const struct disk_table *table, const char *extension)
+{
+    char nu[NU_NAME];
+    nu_name(nu, table->poisson);
+    snprintf(name, DISK_TABLE_NAME, "disk_modes_nu%s.%s", nu, extension);
+    return name;
+}
+
+/* The command that makes it again. */
+static void command_text(char text[LINE_LENGTH], const struct disk_table *table)
+{
+    if (table->embed)
+        snprintf(text, LINE_LENGTH, "corgen tables --poisson %s --modes %ld", table->poisson, (long)table->count);
+    else
+        snprintf(text, LINE_LENGTH, "corgen tables");
+}
+
+/* The modes of the last table. */
+static struct {
+    bool made;
+    char poisson[LINE_LENGTH];
+    double nu; /* the nearest */
+    struct disk_modes modes;
+} last;
+
+void disk_tables_clear(void)
+{
+    if (last.made)
+        disk_modes_clear(&last.modes);
+    last.made = false;
+}
+
+static int make(const struct disk_table *table)
+{
+    if (last.made && last.modes.count == table->count && strcmp(last.poisson, table->poisson) == 0)
+        return STATUS_OK;
+    disk_tables_clear();
+    snprintf(last.poisson, sizeof last.poisson, "%s", table->poisson);
+    disk_modes_use_all_processors();
+    fmpq_t nu;
+    fmpq_init(nu);
+    options_fraction(nu, table->poisson);
+    arb_t ball;
+    arb_init(ball);
+    arb_set_fmpq(ball, nu, NU_BITS);
+    last.nu = arf_get_d(arb_midref(ball), ARF_RND_NEAR);
+    arb_clear(ball);
+    disk_modes_init(&last.modes);
+    last.made = true;
+    const int status = disk_modes_solve(&last.modes, nu, table->count, TABLE_DIGITS);
+    fmpq_clear(nu);
+    if (status != STATUS_OK)
+        disk_tables_clear();
+    return status;
+}
+
+/* omega, C, S of mode i, one after the other. */
+static void numbers_of(arb_ptr value, slong i)
+{
+    const struct disk_mode *const m = &last.modes.mode[i];
+    arb_set(value, m->omega);
+    arb_set(value + 1, m->c);
+    arb_set(value + 2, m->s);
+}
+
+static const char banner_format[] =
+    "The %ld lowest free modes of an elastic disk, Poisson's number nu = %s in plane stress, E = rho = R = 1:\n"
+    "{n, l, omega, C, S} by increasing omega, as struct cor_disk_mode of cor/disk.h, none missing (proved).\n"
+    "\n"
+    "    static const struct cor_disk_modes modes = COR_DISK_MODES_NU%s;\n"
+    "\n"
+    "omega: frequency, a root of (25) of Gerl and Zippelius (1999); C = u_r(1), S = u_phi(1): (28), normalised by "
+    "(26);\n"
+    "docs/derivation.md, 11. Each double is the one nearest to the exact value (proved)%s.\n"
+    "\n"
+    "Written by:  %s\n"
+    "Checked by:  %s --check\n";
+
+int disk_header_write(FILE *file, const struct disk_table *table)
+{
+    if (make(table))
+        return STATUS_FAILED;
+    char nu[NU_NAME] = "", upper[NU_NAME] = "", guard[NU_NAME + 32], name[NU_NAME + 32], command[LINE_LENGTH];
+    char banner[sizeof banner_format + 4 * LINE_LENGTH];
+    nu_name(nu, table->poisson);
+    for (size_t i = 0; nu[i]; i++)
+        upper[i] = (char)toupper((unsigned char)nu[i]);
+    snprintf(guard, sizeof guard, "COR_DISK_MODES_NU%s_H", upper);
+    snprintf(name, sizeof name, "cor_disk_mode_rows_nu%s", nu);
+    command_text(command, table);
+    snprintf(banner, sizeof banner, banner_format, (long)table->count, table->poisson, upper,
+             table->embed ? ", in 17 digits" : ", as are the digits beside it", command, command);
+    struct emit e;
+    emit_open(&e, file, guard, banner);
+    e.decimal = table->embed;
+    fprintf(file, "\n");
+    emit_include(&e, table->embed ? "<cor/disk.h>" : "\"cor/disk.h\"");
+    fprintf(file, "\n");
+    emit_structs_open(&e, "cor_disk_mode", name, table->count);
+    arb_ptr value = _arb_vec_init(VALUES);
+    int status = STATUS_OK;
+    for (slong i = 0; i < table->count && status == STATUS_OK; i++) {
+        const slong whole[] = {last.modes.mode[i].n, last.modes.mode[i].l};
+        numbers_of(value, i);
+        status = emit_struct(&e, whole, 2, value, VALUES, i + 1 == table->count);
+    }
+    _arb_vec_clear(value, VALUES);
+    emit_structs_close(&e);
+    char macro[NU_NAME + 32], text[LINE_LENGTH];
+    snprintf(macro, sizeof macro, "COR_DISK_MODES_NU%s", upper);
+    snprintf(text, sizeof text, "{%.17g, %ld, %s}", last.nu, (long)table->count, name);
+    fprintf(file, "\n");
+    emit_define(&e, macro, text);
+    emit_close(&e);
+    return status;
+}
+
+/* ---- the file to load, docs/mode-file.md ---- */
+
+struct lines {
+    FILE *file;
+    uint32_t check;
+};
+
+static void put_line(struct lines *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void put_line(struct lines *out, const char *format, ...)
+{
+    char text[LINE_LENGTH];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    out->check = cor_mode_file_check(out->check, text, strlen(text));
+    out->check = cor_mode_file_check(out->check, " ", 1);
+    char check[CHECK_LENGTH + 1];
+    snprintf(check, sizeof check, "%08" PRIx32 "\n", out->check);
+    out->check = cor_mode_file_check(out->check, check, CHECK_LENGTH);
+    fprintf(out->file, "%s %s", text, check);
+}
+
+int disk_file_write(FILE *file, const struct disk_table *table)
+{
+    if (make(table))
+        return STATUS_FAILED;
+    char command[LINE_LENGTH];
+    command_text(command, table);
+    struct lines out = {file, COR_MODE_FILE_CHECK_START};
+    put_line(&out, COR_MODE_FILE_NAME " " COR_MODE_FILE_VERSION);
+    put_line(&out, "source %s", command);
+    put_line(&out, "poisson %a %s", last.nu, table->poisson);
+    put_line(&out, "modes %ld", (long)table->count);
+    arb_ptr value = _arb_vec_init(VALUES);
+    int status = STATUS_OK;
+    for (slong i = 0; i < table->count && status == STATUS_OK; i++) {
+        double x[VALUES];
+        numbers_of(value, i);
+        for (int k = 0; k < VALUES; k++)
+            if (!digits_to_double(&x[k], value + k))
+                status = fail("number %d of mode %ld is not known well enough to be rounded", k, (long)i);
+        put_line(&out, "mode %ld %ld %a %a %a", (long)last.modes.mode[i].n, (long)last.modes.mode[i].l, x[0], x[1],
+                 x[2]);
+    }
+    _arb_vec_clear(value, VALUES);
+    put_line(&out, "end");
+    return status;
+}

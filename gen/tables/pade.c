@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L /* open_memstream */
+
+#include "tables/pade.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "approximation/published.h"
+#include "support/console.h"
+
+enum { NAME_MAX_LENGTH = 128 };
+
+/* prefix in capitals + suffix */
+static void macro_name(char name[NAME_MAX_LENGTH], const char *prefix, const char *suffix)
+{
+    int n = snprintf(name, NAME_MAX_LENGTH, "%s%s", prefix, suffix);
+    for (int i = 0; i < n && i + 1 < NAME_MAX_LENGTH; i++)
+        name[i] = (char)toupper((unsigned char)name[i]);
+}
+
+static int emit_polynomial(struct emit *e, const char *prefix, const char *suffix, const arb_poly_t p)
+{
+    char name[NAME_MAX_LENGTH];
+    snprintf(name, sizeof name, "%s%s", prefix, suffix);
+    return emit_doubles(e, name, p->coeffs, arb_poly_length(p));
+}
+
+static void emit_lengths(struct emit *e, const char *prefix, const struct pade_rounded *r)
+{
+    char text[3][NAME_MAX_LENGTH];
+    macro_name(text[0], prefix, "_p");
+    macro_name(text[1], prefix, "_q");
+    macro_name(text[2], prefix, "_l");
+    const char *const name[] = {text[0], text[1], text[2]};
+    const slong value[] = {arb_poly_length(r->p), arb_poly_length(r->q), arb_poly_length(r->l)};
+    emit_constants(e, name, value, 3);
+}
+
+static void emit_error(struct emit *e, const char *prefix, const char *suffix, double x)
+{
+    char name[NAME_MAX_LENGTH];
+    macro_name(name, prefix, suffix);
+    if (isfinite(x))
+        emit_define(e, name, emit_bound(x).text);
+}
+
+static void print_error(FILE *text, const char *what, double error, const fmpq_t beta)
+{
+    char *place = fmpq_get_str(NULL, 10, beta);
+    fprintf(text, "  %s %s, worst at beta = %s\n", what, emit_bound(error).text, place);
+    flint_free(place);
+}
+
+/* The comment above the arrays. */
+static char *describe(const struct pade_header *h, const struct pade *f, const struct pade_analysis *a,
+                      const struct pade_error *approximation, double eps, double loss)
+{
+    char *text;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    if (!file)
+        return NULL;
+    fprintf(file, "%s, [%ld/%ld].\n", h->title, (long)f->numerator, (long)f->denominator);
+    pade_print_analysis(file, a, "");
+    if (approximation) {
+        fprintf(file,
+                "Relative error of the approximation, coefficients rounded: sampled at %ld values of "
+                "beta up to %ld\n(%ld steps, and powers of 2 near 0):\n",
+                (long)h->references->count, (long)h->beta_max, (long)h->references->even);
+        print_error(file, "eps ", approximation->eps, approximation->eps_at_beta);
+        print_error(file, "loss", approximation->loss, approximation->loss_at_beta);
+    } else {
+        fprintf(file, "Error of the approximation: not assessed.\n");
+    }
+    fprintf(file,
+            "Relative error of the evaluation in double, Horner's rule: proved by interval "
+            "arithmetic over\n0 <= %s <= %ld:\n",
+            f->variable, (long)h->beta_max);
+    if (isfinite(eps))
+        fprintf(file, "  eps  %s, loss ", emit_bound(eps).text);
+    else
+        fprintf(file, "  eps  without bound (P or Q may vanish), loss ");
+    fprintf(file, isfinite(loss) ? "%s\n" : "without bound\n", emit_bound(loss).text);
+    fclose(file);
+    return text;
+}
+
+int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f, const struct pade_analysis *a)
+{
+    struct pade_rounded r;
+    struct pade_error approximation;
+    double eps, loss;
+    pade_rounded_init(&r);
+    pade_error_init(&approximation);
+    int status = pade_round(&r, f);
+    if (status == 0) {
+        pade_evaluation_error(&eps, &loss, &r, h->beta_max);
+        if (h->references)
+            pade_approximation_error(&approximation, &r, h->end, h->references);
+        const double worst = fmax(approximation.eps + eps, approximation.loss + loss);
+        if (!(worst <= h->limit))
+            status = fail("%s: relative error %.1e, above %.1e", h->name, worst, h->limit);
+    }
+    if (status == 0) {
+        char *text = describe(h, f, a, h->references ? &approximation : NULL, eps, loss);
+        emit_comment(e, "%s", text ? text : h->title);
+        free(text);
+        emit_lengths(e, h->name, &r);
+        if (h->references) {
+            emit_error(e, h->name, "_eps_approximation_rel", approximation.eps);
+            emit_error(e, h->name, "_loss_approximation_rel", approximation.loss);
+            emit_error(e, h->name, "_eps_evaluation_rel", eps);
+            emit_error(e, h->name, "_loss_evaluation_rel", loss);
+            emit_error(e, h->name, "_eps_max_rel", approximation.eps + eps);
+            emit_error(e, h->name, "_loss_max_rel", approximation.loss + loss);
+        }
+        status = emit_polynomial(e, h->name, "_p", r.p) || emit_polynomial(e, h->name, "_q", r.q) ||
+                 emit_polynomial(e, h->name, "_l", r.l);
+    }
+    pade_rounded_clear(&r);
+    pade_error_clear(&approximation);
+    return status;
+}

@@ -1,0 +1,237 @@
+/* SPDX-License-Identifier: MIT */
+#include "tables/sphere.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "approximation/pieces.h"
+#include "enclosure/collision.h"
+#include "support/console.h"
+#include "support/evaluator_text.h"
+
+enum { H_STAR_BITS = 160 };
+
+/* The tables of the runtime, all of one layout. Nodes, steps and domains are those of runtime/sphere/eval.h. Where the
+ * promise is one unit of the last place, 57 bits leave it a sixteenth; the loss at beta < 1 is 1 minus a row of eps, so
+ * that counts relative to the smaller of the two. Rows in x owe less where eps falls steeply: from a speed, five times
+ * as much is lost in beta at zero overlap. */
+enum { DEGREE = 10, FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */ };
+static const struct {
+    const char *name, *title;
+    enum quantity quantity;
+    enum variable variable;
+    double first, step;
+    slong rows;
+    double least_bits;
+} layout[] = {
+    {"cor_rows_eps_zero_overlap", "eps at zero overlap, beta < 7", EPS_ZERO_OVERLAP, VARIABLE_BETA, 0, 0.125, 57, 55.5},
+    {"cor_rows_eps_zero_force", "eps at zero force, beta < 16", EPS_ZERO_FORCE, VARIABLE_SQRT_BETA, 0, 0.0625, 65,
+     55.5},
+    {"cor_rows_power_eps_zero_overlap", "eps at zero overlap by x = beta^5, 2^-40 <= x < 2^14", EPS_ZERO_OVERLAP,
+     VARIABLE_POWER, -40, 0, 54 * PIECES_PER_OCTAVE, 53.5},
+    {"cor_rows_power_eps_zero_force", "eps at zero force by x = beta^5, 2^-40 <= x < 2^20", EPS_ZERO_FORCE,
+     VARIABLE_POWER, -40, 0, 60 * PIECES_PER_OCTAVE, 57},
+    {"cor_rows_loss_zero_overlap", "(1 - eps)/beta at zero overlap, beta < 1/4", LOSS_QUOTIENT_ZERO_OVERLAP,
+     VARIABLE_BETA, 0, 0.125, 3, 57},
+    {"cor_rows_loss_zero_force", "(1 - eps)/beta at zero force, beta < 1/4", LOSS_QUOTIENT_ZERO_FORCE,
+     VARIABLE_SQRT_BETA, 0, 0.0625, 9, 57},
+    {"cor_rows_duration_zero_overlap", "duration at zero overlap, beta < 8", DURATION_ZERO_OVERLAP, VARIABLE_BETA, 0,
+     0.125, 65, 56},
+    {"cor_rows_duration_zero_force", "duration at zero force, beta < 8", DURATION_ZERO_FORCE, VARIABLE_SQRT_BETA, 0,
+     0.0625, 46, 56},
+    {"cor_rows_max_overlap", "largest overlap, beta < 8", MAX_OVERLAP, VARIABLE_BETA, 0, 0.125, 65, 57},
+    {"cor_rows_time_of_max_overlap", "time of the largest overlap, beta < 8", TIME_OF_MAX_OVERLAP, VARIABLE_BETA, 0,
+     0.125, 65, 56},
+    {"cor_rows_tail_eps_zero_force", "eps beta^(5/3) at zero force, beta > exp(2)", EPS_ZERO_FORCE, VARIABLE_LOG_BETA,
+     2.125, 0.25, 32, 57},
+    {"cor_rows_tail_duration_zero_overlap", "duration/beta at zero overlap, beta > exp(2)", DURATION_ZERO_OVERLAP,
+     VARIABLE_LOG_BETA, 2.0625, 0.125, 64, 56},
+    {"cor_rows_tail_duration_zero_force", "duration beta^(2/3) at zero force, beta > exp(2)", DURATION_ZERO_FORCE,
+     VARIABLE_LOG_BETA, 2.125, 0.25, 32, 56},
+    {"cor_rows_tail_max_overlap", "largest overlap beta^(2/3), beta > exp(2)", MAX_OVERLAP, VARIABLE_LOG_BETA, 2.125,
+     0.25, 32, 57},
+    {"cor_rows_tail_time_of_max_overlap", "time of the largest overlap beta^(2/3), beta > exp(2)", TIME_OF_MAX_OVERLAP,
+     VARIABLE_LOG_BETA, 2.125, 0.25, 32, 56},
+};
+enum { TABLES = sizeof layout / sizeof *layout };
+
+static const struct {
+    enum quantity quantity;
+    const char *name, *title;
+} far_tables[] = {
+    {EPS_ZERO_FORCE, "cor_rows_far_eps_zero_force", "eps beta^(5/3) at zero force"},
+    {DURATION_ZERO_OVERLAP, "cor_rows_far_duration_zero_overlap", "duration/beta at zero overlap"},
+    {DURATION_ZERO_FORCE, "cor_rows_far_duration_zero_force", "duration beta^(2/3) at zero force"},
+    {MAX_OVERLAP, "cor_rows_far_max_overlap", "largest overlap beta^(2/3)"},
+    {TIME_OF_MAX_OVERLAP, "cor_rows_far_time_of_max_overlap", "time of the largest overlap beta^(2/3)"},
+};
+enum { FAR_TABLES = sizeof far_tables / sizeof *far_tables, FAR_COLUMNS = INTERPOLANT_FAR + 2, CHECK_POINTS = 9 };
+
+/* Relative error of the interpolant, so that sampling against it means something. */
+#define INTERPOLANT_LIMIT 4e-18
+
+static struct {
+    bool made;
+    struct pieces tables[TABLES];
+    double error; /* of the interpolant, sampled */
+    arb_struct h_star_5[2];
+    arb_ptr far[FAR_TABLES]; /* a_0 and a_1 with what their doubles lack, and the rest */
+} data;
+
+/* value, and what the double nearest to it lacks */
+static void split(arb_t value, arb_t rest)
+{
+    arb_set_d(rest, arf_get_d(arb_midref(value), ARF_RND_NEAR));
+    arb_sub(rest, value, rest, H_STAR_BITS);
+}
+
+static int make(void)
+{
+    if (data.made)
+        return STATUS_OK;
+    struct interpolant *f = interpolant_new(0, INFINITY);
+    if (!f)
+        return STATUS_FAILED;
+    int status = interpolant_check(&data.error, f, CHECK_POINTS);
+    if (status == STATUS_OK && data.error > INTERPOLANT_LIMIT)
+        status = fail("the interpolant of the collision is off by %.1e", data.error);
+    for (int i = 0; i < TABLES && status == STATUS_OK; i++) {
+        const bool mixed = layout[i].quantity == EPS_ZERO_FORCE && layout[i].variable == VARIABLE_SQRT_BETA;
+        data.tables[i] = (struct pieces){.name = layout[i].name,
+                                         .title = layout[i].title,
+                                         .quantity = layout[i].quantity,
+                                         .variable = layout[i].variable,
+                                         .first = layout[i].first,
+                                         .step = layout[i].step,
+                                         .rows = layout[i].rows,
+                                         .degree = DEGREE,
+                                         .plain = mixed ? FORCE_PLAIN : layout[i].rows,
+                                         .least_bits = layout[i].least_bits};
+        status = pieces_make(&data.tables[i], f);
+    }
+    for (int i = 0; i < FAR_TABLES; i++) {
+        data.far[i] = _arb_vec_init(FAR_COLUMNS);
+        interpolant_far(data.far[i] + 2, f, far_tables[i].quantity);
+        arb_set(data.far[i], data.far[i] + 2);
+        arb_set(data.far[i] + 2, data.far[i] + 3);
+        split(data.far[i], data.far[i] + 1);
+        split(data.far[i] + 2, data.far[i] + 3);
+    }
+    interpolant_free(f);
+    arb_init(&data.h_star_5[0]);
+    arb_init(&data.h_star_5[1]);
+    if (status == STATUS_OK)
+        status = collision_h_star(&data.h_star_5[0], H_STAR_BITS);
+    arb_pow_ui(&data.h_star_5[0], &data.h_star_5[0], 5, H_STAR_BITS);
+    split(&data.h_star_5[0], &data.h_star_5[1]);
+    data.made = status == STATUS_OK;
+    return status;
+}
+
+void sphere_tables_clear(void)
+{
+    if (!data.made)
+        return;
+    for (int i = 0; i < TABLES; i++)
+        pieces_clear(&data.tables[i]);
+    for (int i = 0; i < FAR_TABLES; i++)
+        _arb_vec_clear(data.far[i], FAR_COLUMNS);
+    arb_clear(&data.h_star_5[0]);
+    arb_clear(&data.h_star_5[1]);
+    data.made = false;
+}
+
+static int emit_tables(struct emit *e)
+{
+    emit_comment(e, "A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
+                    "c_0', c_1, ..., c_n. s = t; only in the rows of eps at zero force from node 1/4 on,\n"
+                    "s = beta - node^2. c_0' is what the double c_0 lacks of the value at the node.");
+    for (int i = 0; i < TABLES; i++)
+        if (pieces_emit(e, &data.tables[i]))
+            return STATUS_FAILED;
+    emit_comment(e, "h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision from beta = 7\n"
+                    "on. Proved.");
+    emit_rows_open(e, "cor_rows_h_star_5", 1, 2);
+    if (emit_row(e, "h*^5, and what that double lacks", data.h_star_5, 2, true))
+        return STATUS_FAILED;
+    emit_rows_close(e);
+    emit_comment(
+        e,
+        "u = ln(beta) >= 10: a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3),\n"
+        "mu = beta^(-5/3), through nine enclosed collisions with u = 9.5 ... 13.5. Terms in mu^3 are left\n"
+        "out: less than 2^-57 at u = 10, sampled in tests/accuracy.");
+    for (int i = 0; i < FAR_TABLES; i++) {
+        emit_rows_open(e, far_tables[i].name, 1, FAR_COLUMNS);
+        if (emit_row(e, far_tables[i].title, data.far[i], FAR_COLUMNS, true))
+            return STATUS_FAILED;
+        emit_rows_close(e);
+    }
+    return STATUS_OK;
+}
+
+static const char tables_banner[] =
+    "Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for\n"
+    "every beta: rows of short polynomials around the nodes of uniform grids, and what follows at large\n"
+    "beta. Evaluated by runtime/sphere/eval.h. Source: docs/derivation.md, 4 to 6 and 8; form:\n"
+    "docs/header-format.md.\n"
+    "\n"
+    "Written by:  corgen tables\n"
+    "Checked by:  corgen tables --check\n"
+    "\n"
+    "Each double is the one nearest to the coefficient beside it: proved. The rows interpolate polynomials\n"
+    "of high degree through collisions enclosed to 76 bits or more (proved), which are off by 4e-18 at\n"
+    "most between them (sampled against enclosed collisions). Errors of the rows stand above each table\n"
+    "and beside each row (sampled); errors of evaluation: include/cor/sphere.h (sampled).\n";
+
+int sphere_tables_write(FILE *file, const struct disk_table *none)
+{
+    (void)none;
+    if (make())
+        return STATUS_FAILED;
+    struct emit e;
+    emit_open(&e, file, "COR_GENERATED_SPHERE_TABLES_H", tables_banner);
+    fprintf(file, "\n#include \"runtime/core/inline.h\"\n");
+    const int status = emit_tables(&e);
+    emit_close(&e);
+    return status;
+}
+
+static const char header_banner[] =
+    "cor_sphere.h: restitution coefficient, duration and largest overlap of colliding viscoelastic spheres,\n"
+    "x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for every beta, as one header to embed.\n"
+    "C99, C++11, CUDA and HIP. Needs sqrt, cbrt, exp, log, frexp, ldexp and fabs of math.h, memcpy, IEEE doubles.\n"
+    "\n"
+    "    double cor_inline_eps_zero_overlap(double beta);            also _zero_force\n"
+    "    double cor_inline_loss_zero_overlap(double beta);           1 - eps; also _zero_force\n"
+    "    double cor_inline_duration_zero_overlap(double beta);       in units of (rho/m)^(-2/5) g^(-1/5);\n"
+    "                                                                also _zero_force\n"
+    "    double cor_inline_max_overlap(double beta);                 in units of (rho/m)^(-2/5) g^(4/5)\n"
+    "    double cor_inline_time_of_max_overlap(double beta);         units as the duration\n"
+    "    double cor_inline_beta_zero_overlap(double eps);            the inverse; also _zero_force\n"
+    "    double cor_inline_eps_zero_overlap_root(double x);          at beta = x^(1/5), the fast way from an\n"
+    "                                                                impact speed g: x = beta_per_root^5 g,\n"
+    "                                                                beta_per_root = (3/2) A (rho/m)^(2/5);\n"
+    "                                                                also _zero_force\n"
+    "\n"
+    "The same evaluator and tables as libcor, where domain, special values and accuracy are documented\n"
+    "(include/cor/sphere.h): eps, loss and largest overlap within 1 unit of the last place, times and inverse\n"
+    "within 2, sampled. beta = 0 -> 1, +inf -> 0 (eps); negative or NaN -> NaN.\n"
+    "Zero overlap ends the contact when x = 0 again, zero force when x'' = 0.\n"
+    "\n"
+    "Written by:  corgen tables\n"
+    "Checked by:  corgen tables --check\n";
+
+int sphere_header_write(FILE *file, const struct disk_table *none)
+{
+    (void)none;
+    if (make())
+        return STATUS_FAILED;
+    struct emit e;
+    emit_open(&e, file, "COR_SPHERE_EMBEDDED_H", header_banner);
+    e.decimal = true;
+    fprintf(file, "\n%s\n%s\n%s", evaluator_inline, evaluator_exact, evaluator_fifth_root);
+    const int status = emit_tables(&e);
+    fprintf(file, "\n%s", evaluator_sphere);
+    emit_close(&e);
+    return status;
+}

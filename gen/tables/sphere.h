@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT */
+/* generated/sphere_tables.h, the tables of the runtime, and generated/cor_sphere.h, the same tables and the same
+ * evaluator as one header to embed. */
+#ifndef COR_GEN_TABLES_SPHERE_H
+#define COR_GEN_TABLES_SPHERE_H
+
+#include <stdio.h>
+
+#include "tables/disk.h"
+
+int sphere_tables_write(FILE *file, const struct disk_table *none);
+int sphere_header_write(FILE *file, const struct disk_table *none);
+
+/* What both are made of is computed once and kept; this lets go of it. */
+void sphere_tables_clear(void);
+
+#endif

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT */
+/* The approximations of 1999, kept as what they are. */
+#include <math.h>
+
+#include "cor/sphere.h"
+#include "runtime/core/fifth_root.h"
+
+double cor_sphere_eps_simple(double beta)
+{
+    if (!(beta >= 0))
+        return NAN;
+    const double c = -COR_SPHERE_C1 * beta;
+    if (isinf(c))
+        return 0;
+    /* With y = eps^(1/5), (27) is f(y) = y^3 (y^2 + c) - 1 = 0, increasing and convex for y > 0.
+     * Both 1 and c^(-1/3) lie above the root, and from above Newton's method falls to it, at the
+     * slowest (c near 1) in five steps; the sixth cleans up after cbrt. */
+    double y = c > 1 ? 1 / cbrt(c) : 1;
+    for (int i = 0; i < 6; i++) {
+        const double y2 = y * y, y3 = y2 * y;
+        y -= (y3 * (y2 + c) - 1) / (5 * y2 * y2 + 3 * c * y2);
+    }
+    /* The difference is the better form while it loses no digits; the power has five times y's
+     * error. */
+    const double y2 = y * y, gone = c * (y2 * y);
+    return gone < 0.5 ? 1 - gone : y2 * y2 * y;
+}
+
+double cor_sphere_eps_simple_fraction(double beta, int depth)
+{
+    if (!(beta >= 0) || depth < 0)
+        return NAN;
+    const double c = -COR_SPHERE_C1 * beta;
+    /* Far out 1 is nothing beside c, and t overflows where 1/t is still a double: t in units of 2^500, (2^100)^5. */
+    const int far = c > COR_INLINE_2_500 && depth > 0;
+    const double one = far ? 0 : 1, factor = far ? c / COR_INLINE_2_300 : c;
+    double t = far ? COR_INLINE_2_M500 : 1;
+    for (int k = 0; k < depth; k++) {
+        const double root = cor_inline_fifth_root(t), next = one + factor * (root * root);
+        if (next == t) /* a fixed point: any depth gives the same */
+            break;
+        t = next;
+    }
+    return far ? COR_INLINE_2_M500 / t : 1 / t;
+}
+
+double cor_sphere_eps_published_pade(double beta)
+{
+    static const double d1 = 2.5839, d2 = 3.5839, d3 = 2.9839, d4 = 1.1487, d5 = 0.3265;
+    if (!(beta >= 0))
+        return NAN;
+    const double s = -COR_SPHERE_C1 * beta;
+    if (s <= 1)
+        return (1 + d1 * s) / (1 + s * (d2 + s * (d3 + s * (d4 + s * d5))));
+    /* the same in r = 1/s, where no power overflows */
+    const double r = 1 / s;
+    return r * r * r * ((d1 + r) / (d5 + r * (d4 + r * (d3 + r * (d2 + r)))));
+}

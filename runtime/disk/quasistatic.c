@@ -1,0 +1,383 @@
+/* SPDX-License-Identifier: MIT */
+/* The quasistatic contact law of the disk. With q = ln(limit/argument) and t - ln(1 + t) = q (lambert_w.h) it is
+ *
+ *     P = pi delta/(1 + t)               q = ln(delta_limit/delta)
+ *     delta = (P/pi) (1 + t)             t = ln(P_limit/P)
+ *     V = P^2/(2 pi) (1/2 + t)           t = ln(P_limit/P)
+ *     P = sqrt(4 pi V/(1 + t))           q = ln(V_limit/V)
+ *     P = sqrt(2) pi v/sqrt(1 + t)       q = 2 ln(v_limit/v),     delta = sqrt(2) v (1 + t/2)/sqrt(1 + t)
+ *
+ * where nothing cancels. t begins like sqrt(2 q), so close to the limit q must be known better than a double tells:
+ * the limits are pairs there. Far from it their logarithms, linear in nu, are all that is needed. */
+#include "runtime/disk/quasistatic.h"
+
+#include "runtime/core/lambert_w.h"
+
+typedef struct cor_inline_pair pair;
+
+static const pair pi = {3.14159265358979312, 1.22464679914735321e-16};
+static const pair half_pi = {1.57079632679489656, 6.12323399573676604e-17};
+static const pair four_pi = {12.5663706143591725, 4.89858719658941283e-16};
+static const pair one_over_pi = {0.318309886183790691, -1.96786766751824859e-17};
+static const pair one_over_two_pi = {0.159154943091895346, -9.83933833759124294e-18};
+static const pair root_2 = {1.41421356237309515, -9.66729331345291345e-17};
+static const pair root_2_pi = {4.4428829381583661, 1.4522739312260849e-16};
+static const pair not_a_number = {NAN, 0};
+
+/* ---- pairs ---- */
+
+static pair pair_of(double x)
+{
+    const pair result = {x, 0};
+    return result;
+}
+
+static pair pair_plus(pair x, pair y)
+{
+    const pair sum = cor_inline_two_sum(x.hi, y.hi);
+    return cor_inline_sum(sum.hi, sum.lo + (x.lo + y.lo));
+}
+
+/* 0 -> 0 */
+static pair pair_sqrt(pair x)
+{
+    if (x.hi == 0)
+        return x;
+    const double root = sqrt(x.hi);
+    const pair square = cor_inline_product(root, root);
+    return cor_inline_sum(root, (((x.hi - square.hi) - square.lo) + x.lo) / (2 * root));
+}
+
+/* exp(x), |x| < 2, to 2^-102: the power series of exp(x/2^9) - 1, doubled nine times by s -> 2 s + s^2 */
+static pair pair_exp(double x)
+{
+    static const pair one_over_factorial[] = {{1, 0},
+                                              {0.5, 0},
+                                              {0.166666666666666657, 9.25185853854297066e-18},
+                                              {0.0416666666666666644, 2.31296463463574266e-18},
+                                              {0.00833333333333333322, 1.15648231731787138e-19},
+                                              {0.00138888888888888894, -5.30054395437357706e-20}};
+    const double r = x / 512;
+    const double rest = r * (1.0 / 5040 + r * (1.0 / 40320 + r * (1.0 / 362880 + r * (1.0 / 3628800))));
+    pair s = pair_of(rest);
+    for (int i = 5; i >= 0; i--)
+        s = cor_inline_pair_times(pair_plus(one_over_factorial[i], s), pair_of(r));
+    for (int i = 0; i < 9; i++) {
+        const pair twice = {2 * s.hi, 2 * s.lo};
+        s = pair_plus(twice, cor_inline_pair_times(s, s));
+    }
+    return pair_plus(pair_of(1), s);
+}
+
+/* x f, rounded once, also where it is subnormal */
+static double times(double x, pair f)
+{
+    const double unit = x < COR_INLINE_2_M900 ? COR_INLINE_2_M200 : 1;
+    if (x < COR_INLINE_2_M900)
+        x *= COR_INLINE_2_200;
+    const pair product = cor_inline_product(x, f.hi);
+    return (product.hi + (product.lo + x * f.lo)) * unit;
+}
+
+/* x^2 f */
+static double square_times(double x, pair f)
+{
+    if (!(x < COR_INLINE_2_M200)) {
+        const pair product = cor_inline_pair_times(cor_inline_product(x, x), f);
+        return product.hi + product.lo;
+    }
+    x *= COR_INLINE_2_500;
+    const pair product = cor_inline_pair_times(cor_inline_product(x, x), f);
+    return product.hi * COR_INLINE_2_M500 * COR_INLINE_2_M500;
+}
+
+/* ---- limits ---- */
+
+enum quantity { COMPRESSION, LOAD, SPEED, ENERGY };
+
+/* A limit is number exp(slope nu), its logarithm log + slope nu. */
+struct limit {
+    struct cor_logarithm at_zero;
+    double exponent; /* slope nu */
+};
+
+/* Returns 0 for what is no nu or no datum. At nu = 0 the data are two: exp(b - 1) is exp(-5/4)/4 for the centre of
+ * mass and exp(-2) for the others. */
+static int find_limit(enum quantity quantity, double nu, enum cor_disk_datum datum, struct limit *limit)
+{
+    static const struct cor_logarithm at_zero[4][2] = {
+        {{{0.286504796860190092, 8.47983007760764371e-18}, {-1.25, 0}},
+         {{0.541341132946450809, -4.16952569315467595e-17}, {-0.613705638880109428, 4.63809362769259912e-17}}},
+        {{{0.900081365034209324, -4.48326081344595376e-17}, {-0.105270114150599822, -3.61183664510663038e-18}},
+         {{1.70067332635054536, -4.19664535413403417e-17}, {0.531024246969290847, -5.43754150228818365e-17}}},
+        {{{0.202589484702314693, -3.27135359085663891e-18}, {-1.5965735902799727, 4.39159171620263277e-17}},
+         {{0.382785986041643711, -1.51544099505634689e-17}, {-0.960279229160082015, -2.07254490235633321e-17}}},
+        {{{0.0644694071616921799, 5.68575250841498294e-18}, {-2.74156447527049041, -3.61149851142181648e-17}},
+         {{0.230161106314603292, 8.96601817150281698e-18}, {-1.46897575303070926, 5.66468874396338237e-17}}}};
+    if (!(nu > -1 && nu < 1))
+        return 0;
+    double slope;
+    switch ((int)datum) {
+    case COR_DISK_DATUM_CENTRE_OF_MASS:
+        slope = -0.25;
+        break;
+    case COR_DISK_DATUM_DIAMETER:
+        slope = 0;
+        break;
+    case COR_DISK_DATUM_PRINTED:
+        slope = -1;
+        break;
+    default:
+        return 0;
+    }
+    limit->at_zero = at_zero[quantity][datum != COR_DISK_DATUM_CENTRE_OF_MASS];
+    limit->exponent = (quantity == ENERGY ? 2 * slope : slope) * nu;
+    return 1;
+}
+
+static pair limit_number(const struct limit *limit)
+{
+    if (limit->exponent == 0)
+        return limit->at_zero.number;
+    return cor_inline_pair_times(limit->at_zero.number, pair_exp(limit->exponent));
+}
+
+/* The largest double inside, of a positive number */
+static double largest(pair x)
+{
+    return x.lo >= 0 ? x.hi : cor_inline_from_bits(cor_inline_bits(x.hi) - 1);
+}
+
+static double public_limit(enum quantity quantity, double nu, enum cor_disk_datum datum)
+{
+    struct limit limit;
+    return find_limit(quantity, nu, datum, &limit) ? largest(limit_number(&limit)) : NAN;
+}
+
+/* ln(limit/x), 0 < x; NaN outside the domain */
+static pair depth(enum quantity quantity, double x, double nu, enum cor_disk_datum datum)
+{
+    struct limit limit;
+    if (!find_limit(quantity, nu, datum, &limit))
+        return not_a_number;
+    const pair log = pair_plus(limit.at_zero.log, pair_of(limit.exponent)), q = cor_log_ratio_far(log, x);
+    return q.hi > COR_LOG_RATIO_NEAR ? q : cor_log_ratio_near(limit_number(&limit), x);
+}
+
+double cor_disk_load_limit(double nu, enum cor_disk_datum datum)
+{
+    return public_limit(LOAD, nu, datum);
+}
+
+double cor_disk_compression_limit(double nu, enum cor_disk_datum datum)
+{
+    return public_limit(COMPRESSION, nu, datum);
+}
+
+double cor_disk_energy_limit(double nu, enum cor_disk_datum datum)
+{
+    return public_limit(ENERGY, nu, datum);
+}
+
+double cor_disk_speed_limit(double nu, enum cor_disk_datum datum)
+{
+    return public_limit(SPEED, nu, datum);
+}
+
+/* ---- the law ---- */
+
+/* What an argument of 0, a negative one or NaN gives, if nu and datum are fit */
+static double not_positive(double x, double at_zero, double nu, enum cor_disk_datum datum)
+{
+    struct limit limit;
+    return x == 0 && find_limit(LOAD, nu, datum, &limit) ? at_zero : NAN;
+}
+
+static pair one_plus(pair t)
+{
+    return pair_plus(pair_of(1), t);
+}
+
+double cor_disk_load(double compression, double nu, enum cor_disk_datum datum)
+{
+    if (!(compression > 0))
+        return not_positive(compression, 0, nu, datum);
+    const pair t = cor_lambert_t_pair(depth(COMPRESSION, compression, nu, datum));
+    return times(compression, cor_inline_pair_over(pi, one_plus(t)));
+}
+
+double cor_disk_compression(double load, double nu, enum cor_disk_datum datum)
+{
+    if (!(load > 0))
+        return not_positive(load, 0, nu, datum);
+    const pair t = depth(LOAD, load, nu, datum);
+    return times(load, cor_inline_pair_times(one_over_pi, one_plus(t)));
+}
+
+double cor_disk_energy(double load, double nu, enum cor_disk_datum datum)
+{
+    if (!(load > 0))
+        return not_positive(load, 0, nu, datum);
+    const pair t = depth(LOAD, load, nu, datum);
+    return square_times(load, cor_inline_pair_times(one_over_two_pi, pair_plus(pair_of(0.5), t)));
+}
+
+double cor_disk_load_of_energy(double energy, double nu, enum cor_disk_datum datum)
+{
+    if (!(energy > 0))
+        return not_positive(energy, 0, nu, datum);
+    const pair t = cor_lambert_t_pair(depth(ENERGY, energy, nu, datum));
+    const int small = energy < COR_INLINE_2_M900;
+    const pair scaled = pair_of(small ? energy * COR_INLINE_2_200 : energy);
+    const pair root = pair_sqrt(cor_inline_pair_over(cor_inline_pair_times(four_pi, scaled), one_plus(t)));
+    return small ? root.hi / COR_INLINE_2_100 : root.hi;
+}
+
+/* ---- a collision ---- */
+
+static pair t_of_speed(double speed, double nu, enum cor_disk_datum datum)
+{
+    const pair q = depth(SPEED, speed, nu, datum), twice = {2 * q.hi, 2 * q.lo};
+    return cor_lambert_t_pair(twice);
+}
+
+double cor_disk_depth(double speed, double nu, enum cor_disk_datum datum)
+{
+    const pair q = depth(SPEED, speed, nu, datum);
+    return 2 * (q.hi + q.lo);
+}
+
+double cor_disk_max_load(double speed, double nu, enum cor_disk_datum datum)
+{
+    if (!(speed > 0))
+        return not_positive(speed, 0, nu, datum);
+    const pair t = t_of_speed(speed, nu, datum);
+    return times(speed, cor_inline_pair_over(root_2_pi, pair_sqrt(one_plus(t))));
+}
+
+double cor_disk_max_compression(double speed, double nu, enum cor_disk_datum datum)
+{
+    if (!(speed > 0))
+        return not_positive(speed, 0, nu, datum);
+    const pair t = t_of_speed(speed, nu, datum), half = {t.hi / 2, t.lo / 2};
+    const pair numerator = cor_inline_pair_times(root_2, one_plus(half));
+    return times(speed, cor_inline_pair_over(numerator, pair_sqrt(one_plus(t))));
+}
+
+/* exp(u) - 1 - u, 0 <= u < 100, to 3 ulp; to u/3 where u is tiny and so is its part of the integral below */
+static double exp_less_two_terms(double u)
+{
+    if (u >= 1)
+        return (exp(u) - 1) - u;
+    if (u < COR_INLINE_2_M40)
+        return u * u / 2;
+    /* 2/(k + 2)! */
+    static const double c[] = {1,
+                               1.0 / 3,
+                               1.0 / 12,
+                               1.0 / 60,
+                               1.0 / 360,
+                               1.0 / 2520,
+                               1.0 / 20160,
+                               1.0 / 181440,
+                               1.0 / 1814400,
+                               1.0 / 19958400,
+                               1.0 / 239500800,
+                               1.0 / 3113510400,
+                               1.0 / 43589145600,
+                               1.0 / 653837184000,
+                               1.0 / 10461394944000,
+                               1.0 / 177843714048000};
+    const double square = u * u;
+    double even = c[14], odd = c[15];
+    for (int k = 12; k >= 0; k -= 2) {
+        even = c[k] + square * even;
+        odd = c[k + 1] + square * odd;
+    }
+    return square / 2 * (even + u * odd);
+}
+
+/* tau = sqrt(2) int sqrt(1 + T) dtheta, where T - ln(1 + T) = q - 2 ln(sin(theta)) and T = t at theta = pi/2. In
+ * u = T - t there is nothing to invert,
+ *
+ *     tau = (1/sqrt(2)) int_0^inf (t + u) du/sqrt((1 + t) (exp(u) - 1 - u) + t u)
+ *
+ * and the root has zeros at u = 0 and near u = -c, c = t + t/(1 + t), close together near the edge of the domain. Both
+ * go in u = c sinh^2(x/2): the integrand becomes
+ *
+ *     f(x) = (t + u) sqrt(u (u + c)/((1 + t) (exp(u) - 1 - u) + t u)),
+ *
+ * even, falling like exp(-u/2), its first singularities at x = +-i a + ..., 0.99 < a/(1.29/sqrt(1 + c/7.6)) < 1.19,
+ * where the root vanishes near u = 2 +- 7 i. The trapezoidal rule with the step 2 pi 1.29/(38.5 sqrt(1 + c/7.6)) is off
+ * by exp(-38), and so is the cut at u = 88. It takes 27 to 60 points, 115 at t = 1e-8 and at most 200. */
+static double contact_time(double t)
+{
+    /* Below it, a kink of its size at x = 0 that the rule sees times step^2/12. */
+    const double least = 1e-15, end = 88;
+    const double y = 1 + t, between = t + t / y, c = between < least ? least : between;
+    /* head: k step is exact */
+    const double step = cor_inline_head(0.2105 / sqrt(1 + c / 7.6));
+    pair sum = pair_of(sqrt(t * c) / 2);
+    for (int k = 1;; k++) {
+        const double m = expm1(k * step), u = c / 4 * (m * m / (1 + m));
+        if (u > end)
+            break;
+        const double f = (t + u) * sqrt(u * (u + c) / (y * exp_less_two_terms(u) + t * u));
+        const pair next = cor_inline_two_sum(sum.hi, f);
+        sum.hi = next.hi;
+        sum.lo += next.lo;
+    }
+    const pair tau = cor_inline_pair_times(cor_inline_pair_times(sum, pair_of(step / 2)), root_2);
+    return tau.hi;
+}
+
+double cor_disk_contact_time(double speed, double nu, enum cor_disk_datum datum)
+{
+    if (!(speed > 0))
+        return not_positive(speed, INFINITY, nu, datum);
+    const pair t = t_of_speed(speed, nu, datum);
+    return t.hi >= 0 ? contact_time(t.hi + t.lo) : NAN;
+}
+
+/* ---- to leading logarithm ---- */
+
+static const struct cor_logarithm four = {{4, 0}, {1.38629436111989057, 4.63809362769259912e-17}};
+static const struct cor_logarithm log_four_pi = {{12.5663706143591725, 4.89858719658941283e-16},
+                                                 {2.53102424696929074, 5.66468874396338237e-17}};
+/* the largest double below 4 pi/e */
+static const double load_end = 4.62290939916368604;
+
+double cor_disk_compression_leading_log(double load)
+{
+    if (!(load > 0 && load <= load_end))
+        return load == 0 ? 0 : NAN;
+    return times(load, cor_inline_pair_times(one_over_pi, cor_log_ratio(&log_four_pi, load)));
+}
+
+double cor_disk_load_leading_log(double compression)
+{
+    if (!(compression > 0 && compression < 4))
+        return compression == 0 ? 0 : NAN;
+    return times(compression, cor_inline_pair_over(pi, cor_log_ratio(&four, compression)));
+}
+
+double cor_disk_energy_leading_log(double compression)
+{
+    if (!(compression > 0 && compression < 4))
+        return compression == 0 ? 0 : NAN;
+    return square_times(compression, cor_inline_pair_over(half_pi, cor_log_ratio(&four, compression)));
+}
+
+double cor_disk_max_compression_leading_log(double speed)
+{
+    if (!(speed > 0 && speed <= 4))
+        return speed == 0 ? 0 : NAN;
+    return times(speed, pair_sqrt(cor_log_ratio(&four, speed)));
+}
+
+double cor_disk_contact_time_leading_log(double speed)
+{
+    if (!(speed > 0 && speed <= 4))
+        return speed == 0 ? INFINITY : NAN;
+    return cor_inline_pair_times(pi, pair_sqrt(cor_log_ratio(&four, speed))).hi;
+}

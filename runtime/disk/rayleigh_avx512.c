@@ -1,0 +1,4 @@
+/* SPDX-License-Identifier: MIT */
+#include "runtime/disk/rayleigh_kernel.h"
+
+RAYLEIGH(avx512)

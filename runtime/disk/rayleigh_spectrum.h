@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+/* The cosine integral of cor/disk.h for one collision and any frequency,
+ *
+ *     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,     s(theta) = int_theta^(pi/2) sqrt(y/2) dtheta',
+ *     y = 1 + t,     t - ln(1 + t) = q,     q = q0 - 2 ln(sin(theta)),
+ *
+ * q0 = 2 ln(v_limit/v). y is analytic in 0 < Re(theta) < pi but for branch points at pi/2 +- i Theta, where q = 0:
+ * cosh(Theta) = exp(q0/2). On the line between them s is imaginary. So the path from 0 to pi/2 may go from 0 to below,
+ * come up again to pi/2 - i Theta, and end along that line, which adds nothing to the real part:
+ *
+ *     I = Re[exp(i omega tau/2) a(omega)] + b(omega) exp(-omega Y),     Y = int_0^Theta sqrt(y(pi/2 - i eta)/2) deta.
+ *
+ * a omega^2 and b omega^2 vary slowly, without oscillation, and are interpolated. What lies between the far ends of the
+ * two legs, left out, is below 1e-12 of a at omega = 1.17, and no disk has a lower frequency: the lowest mode has
+ * omega > 1.1769 at any nu. */
+#ifndef COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
+#define COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
+
+#include "runtime/core/instruction_set.h"
+
+enum {
+    COR_SPECTRUM_TERMS = 16,  /* of a polynomial in (omega - m)/(omega + m), m the geometric middle of an octave */
+    COR_SPECTRUM_OCTAVES = 48 /* most */
+};
+
+/* One leg of the path, theta = base + h(rho): int sin(theta) exp(i omega s) dtheta =
+ * exp(i omega s(base)) sum w exp(-omega p). Re(p) increases; n is a multiple of COR_LEG_PART. */
+enum { COR_LEG_PART = 16, COR_LEG_NODES = 528 };
+
+struct cor_leg {
+    int n;
+    double end_re, end_im; /* p where it ends so far */
+    double p_re[COR_LEG_NODES], p_im[COR_LEG_NODES], w_re[COR_LEG_NODES], w_im[COR_LEG_NODES];
+};
+
+struct cor_leg_path {
+    int from_zero;                      /* the base is 0, else pi/2 - i Theta */
+    double tilt, q0, tanh_theta, scale; /* the last: cosh(Theta) at the second base, else 1 */
+};
+
+/* Equal steps in u = -ln|theta - base|: their size, and how many make a panel; where zeros of the sine are about as
+ * near as the base, only COR_LEG_SHORT */
+#define COR_LEG_STEP 0.14
+enum { COR_LEG_STEPS = 16, COR_LEG_SHORT = 4, COR_LEG_GAUSS = 14 };
+
+/* Gauss and Legendre's rule on [-1, 1], filled up; and for its points the integrals from x to 1 of the polynomial that
+ * is 1 there and 0 at the others, x = 1 - 2 k/COR_LEG_STEPS and 1 - 2 k/COR_LEG_SHORT. */
+struct cor_leg_rule {
+    double x[COR_LEG_STEPS], w[COR_LEG_STEPS];
+    double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
+};
+
+/* The loops over nodes and over modes by instruction set: disk_rayleigh_<set>.c each compile disk_rayleigh_kernel.h
+ * with other flags. */
+struct cor_spectrum;
+struct cor_lines;
+
+/* The leg's next panel, from u = top on */
+typedef void cor_rayleigh_panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
+                                struct cor_leg *leg);
+/* omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev's coefficients */
+typedef void cor_rayleigh_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
+                                  double im[][COR_SPECTRUM_TERMS]);
+/* Lines of one octave, which begins at `start` */
+typedef void cor_rayleigh_lines(const struct cor_spectrum *spectrum, int octave, double start, int n,
+                                const double *omega, struct cor_lines *lines);
+
+struct cor_rayleigh_set {
+    const char *name;
+    cor_rayleigh_panel *panel;
+    cor_rayleigh_octaves *octaves;
+    cor_rayleigh_lines *lines;
+};
+
+#define COR_RAYLEIGH_SET(set)                                                                                          \
+    cor_rayleigh_panel cor_rayleigh_panel_##set;                                                                       \
+    cor_rayleigh_octaves cor_rayleigh_octaves_##set;                                                                   \
+    cor_rayleigh_lines cor_rayleigh_lines_##set;
+
+COR_RAYLEIGH_SET(portable)
+#ifdef COR_X86_SETS
+COR_RAYLEIGH_SET(avx2)
+COR_RAYLEIGH_SET(avx512)
+#endif
+
+/* By enum cor_instruction_set; NULL where this processor, or this build, has it not. */
+const struct cor_rayleigh_set *cor_rayleigh_set(int i);
+
+struct cor_spectrum {
+    const struct cor_rayleigh_set *set;
+    double half_time;   /* tau/2 */
+    double decay;       /* Y */
+    double first;       /* where the first octave begins */
+    int octaves, edges; /* how many have a, and how many of them b */
+    double a_re[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS], a_im[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS];
+    double b[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS]; /* each times omega^2 */
+};
+
+/* For frequencies from `first` to `high`; contact_time is tau. By the widest set that this processor has, or by `set`:
+ * the same bits. */
+void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high);
+void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
+                          double contact_time, double first, double high);
+
+/* What makes I at frequencies that go together */
+enum { COR_LINES = 64 };
+
+struct cor_lines {
+    double re[COR_LINES], im[COR_LINES];       /* a */
+    double cosine[COR_LINES], sine[COR_LINES]; /* of omega tau/2 */
+    double other[COR_LINES];                   /* b exp(-omega Y) */
+};
+
+/* n <= COR_LINES frequencies, increasing */
+void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double *omega, struct cor_lines *lines);
+
+#endif

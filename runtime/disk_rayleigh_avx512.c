@@ -1,4 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "disk_rayleigh_kernel.h"
-
-RAYLEIGH(avx512)

@@ -1,0 +1,4 @@
+/* SPDX-License-Identifier: MIT */
+#include "runtime/sphere/array_kernel.h"
+
+ARRAYS(avx2)

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT */
+#include "cor/sphere.h"
+#include "runtime/sphere/eval.h"
+
+/* A function of sphere.h, double and float. */
+#define SPHERE_FUNCTION(quantity)                                                                                      \
+    double cor_sphere_##quantity(double x)                                                                             \
+    {                                                                                                                  \
+        return cor_inline_##quantity(x);                                                                               \
+    }                                                                                                                  \
+    float cor_sphere_##quantity##f(float x)                                                                            \
+    {                                                                                                                  \
+        return (float)cor_inline_##quantity((double)x);                                                                \
+    }
+
+SPHERE_FUNCTION(eps_zero_overlap)
+SPHERE_FUNCTION(eps_zero_force)
+SPHERE_FUNCTION(loss_zero_overlap)
+SPHERE_FUNCTION(loss_zero_force)
+SPHERE_FUNCTION(beta_zero_overlap)
+SPHERE_FUNCTION(beta_zero_force)
+SPHERE_FUNCTION(duration_zero_overlap)
+SPHERE_FUNCTION(duration_zero_force)
+SPHERE_FUNCTION(max_overlap)
+SPHERE_FUNCTION(time_of_max_overlap)

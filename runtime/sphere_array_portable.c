@@ -1,4 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "sphere_array_kernel.h"
-
-ARRAYS(portable)
