@@ -26,6 +26,7 @@ set(COR_GENERATOR_SOURCES
   gen/embed/fit.c
   gen/embed/form.c
   gen/embed/header.c
+  gen/embed/request.c
   gen/embed/scene.c
   gen/enclosure/collision.c
   gen/enclosure/slow_manifold.c
@@ -41,13 +42,16 @@ set(COR_GENERATOR_SOURCES
   gen/series/trajectory_tail.c
   gen/series/turning_point.c
   gen/support/console.c
+  gen/support/decimal.c
   gen/support/digits.c
   gen/support/emit_c.c
   gen/support/output.c
   gen/sweep/crew.c
   gen/sweep/journal.c
+  gen/sweep/run.c
   gen/sweep/sweep.c
   gen/sweep/values.c
+  gen/tables/directory.c
   gen/tables/disk.c
   gen/tables/limits.c
   gen/tables/pade.c

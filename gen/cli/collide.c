@@ -2,7 +2,7 @@
 /* corgen collide: one collision in proved digits. */
 #include <stdlib.h>
 
-#include "cli/options.h"
+#include "cli/commands.h"
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/digits.h"
@@ -18,17 +18,18 @@ static const char *const meaning[COLUMNS] = {
     "duration of that contact"};
 
 /* Fills the one row; *undecided is -1, or the column whose digits are not proved yet. */
-static int fill(struct table *table, slong *undecided, const struct options *o, slong bits)
+static int fill(struct table *table, slong *undecided, const struct collide_arguments *o, const struct law *law,
+                slong bits)
 {
     table_init(table, column, COLUMNS);
     *undecided = -1;
     arb_t beta;
     arb_init(beta);
     /* beta is rounded with bits to spare, so that this never costs the result its own. */
-    options_beta(beta, o, 3 * bits + 256);
+    arb_set_fmpq(beta, o->beta.value, 3 * bits + 256);
     struct collision collision;
     collision_init(&collision);
-    int status = collision_solve(&collision, beta, &o->law, bits);
+    int status = collision_solve(&collision, beta, law, bits);
     profile_step("digits");
     const arb_struct *const value[COLUMNS] = {NULL,
                                               collision.x_max,
@@ -37,7 +38,7 @@ static int fill(struct table *table, slong *undecided, const struct options *o, 
                                               collision.t_zero_overlap,
                                               collision.eps_zero_force,
                                               collision.t_zero_force};
-    table_add(table, xstrdup(o->beta));
+    table_add(table, xstrdup(o->beta.text));
     for (int i = 1; i < COLUMNS && status == STATUS_OK && *undecided < 0; i++) {
         char *text = digits_of_ball(value[i], o->digits);
         if (text)
@@ -56,10 +57,15 @@ static void print_text(FILE *file, const struct table *table)
         fprintf(file, "%-16s  %s  (%s)\n", column[i], table->cell[i], meaning[i]);
 }
 
-int command_collide(const struct options *o)
+static int run_collide(const void *arguments)
 {
+    const struct collide_arguments *const o = arguments;
+    struct law law;
+    const int wrong = options_law(&law, &o->law);
+    if (wrong)
+        return wrong;
     struct output out;
-    if (output_open(&out, o->output) != STATUS_OK)
+    if (output_open(&out, o->common.output) != STATUS_OK)
         return STATUS_FAILED;
 
     struct precision precision = precision_start(o->digits);
@@ -67,13 +73,13 @@ int command_collide(const struct options *o)
         struct table table = {0};
         slong undecided = -1;
         profile_step("collision");
-        int status = fill(&table, &undecided, o, precision.bits);
+        int status = fill(&table, &undecided, o, &law, precision.bits);
         if (status == STATUS_OK && undecided < 0) {
             profile_step("printing");
-            if (o->format == FORMAT_TEXT)
+            if (o->common.format == FORMAT_TEXT)
                 print_text(out.file, &table);
             else
-                table_print(&table, o->format, out.file);
+                table_print(&table, (enum output_format)o->common.format, out.file);
             table_clear(&table);
             return output_commit(&out);
         }
@@ -86,3 +92,29 @@ int command_collide(const struct options *o)
         }
     }
 }
+
+static const char help[] = "Usage: corgen collide --beta B [OPTION]...\n\n"
+                           "Solves x'' + beta sqrt(x) x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1 and prints the largest\n"
+                           "overlap, its time, and restitution and duration at both ends of contact.\n\n"
+                           "  --beta B         0 to 1e6, as 0.1, 1.5e-3 or 2/3\n" HELP_DIGITS
+                           "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
+                           "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force.\n"
+                           "Example: corgen collide --beta 0.1 --digits 30\n";
+
+static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, true, false, "a number from 0 to 1e6"},
+                                                   .forms = DECIMAL_RATIO};
+
+#define AT(FIELD) offsetof(struct collide_arguments, FIELD)
+static const struct option_rule options[] = {
+    {.name = "beta", .kind = OPTION_REAL, .offset = AT(beta), .range.number = &beta_numbers, .required = true},
+    OPTION_DIGITS(struct collide_arguments),
+    OPTION_FORMAT(struct collide_arguments, option_formats),
+    OPTION_LAW(struct collide_arguments),
+    OPTION_COMMON(struct collide_arguments),
+    {.name = NULL},
+};
+
+static const struct collide_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
+
+const struct subcommand command_collide = {
+    "collide", "one collision to any number of digits", help, options, sizeof defaults, &defaults, run_collide};

@@ -1,414 +1,85 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen disk-collide: sweeps of the full dynamics of disks. docs/disk-collide.md. */
-#include <inttypes.h>
-#include <math.h>
-#include <signal.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-#include <time.h>
-#include <unistd.h>
-
-#include "cli/options.h"
-#include "cor/status.h"
-#include "disk/modes_rounded.h"
+#include "cli/commands.h"
+#include "cor/disk.h"
 #include "support/console.h"
 #include "sweep/crew.h"
-#include "sweep/journal.h"
-#include "sweep/ranks.h"
-#include "sweep/sweep.h"
 
-/* What a mode takes on the way, all together */
-enum { MODE_BYTES = 900 };
+#define DEFAULT_TOLERANCE "1e-8"
+#define TEXT_OF_(x) #x
+#define TEXT_OF(x) TEXT_OF_(x)
 
-struct collide {
-    struct sweep sweep;
-    int threads;
-    struct sweep_room *room; /* of each thread */
-    struct cor_disk_mode *mode;
-    struct cor_disk_modes modes; /* of the material at hand */
+static int run_disk_collide(const void *arguments)
+{
+    const struct disk_collide_arguments *const o = arguments;
+    struct decimal tolerance = {0};
+    decimal_set(&tolerance, o->tolerance.text ? o->tolerance.text : DEFAULT_TOLERANCE);
+    const struct sweep_request request = {.sweep = {.speed = o->speed,
+                                                    .poisson = o->poisson,
+                                                    .alpha = o->alpha,
+                                                    .modes = o->modes,
+                                                    .tolerance = decimal_value(&tolerance),
+                                                    .phi_points = (size_t)o->phi_points},
+                                          .threads = (int)o->threads,
+                                          .format = (enum output_format)o->common.format,
+                                          .output = o->common.output};
+    decimal_clear(&tolerance);
+    return sweep_run(&request);
+}
 
-    /* Rank 0. Lines go either to a journal or to a printer. */
-    struct journal journal;
-    struct sweep_printer printer;
-    const char *again; /* the last line of an earlier run, which is computed again */
-    uint64_t again_row;
+static const struct option_numbers tolerance_numbers = {
+    .range = {TEXT_OF(COR_DISK_COLLISION_MIN_TOLERANCE), "1", true, false, true,
+              "a number from " TEXT_OF(COR_DISK_COLLISION_MIN_TOLERANCE) " to below 1"}};
 
-    double started, modes_seconds, rows_seconds, rows_started; /* of this run; modes_seconds of one material */
-    double cost_done, cost_found;                              /* in this run and before it */
-    uint64_t ready;
-    size_t materials_left;
+static const char help[] =
+    "Usage: corgen disk-collide --speed LIST --poisson LIST --alpha LIST --modes LIST [OPTION]...\n\n"
+    "Collides an elastic disk of so many modes with a wall of potential exp(alpha x)/alpha, for\n"
+    "every combination of the four lists. Units: E = rho = R = 1.\n\n"
+    "  --speed LIST     impact speeds, above 0 and up to 0.5\n"
+    "  --poisson LIST   Poisson's ratios in plane stress, between -1 and 1\n"
+    "  --alpha LIST     hardnesses of the wall, above 0\n"
+    "  --modes LIST     numbers of modes, 1 to 10000000\n"
+    "  --tolerance T    error allowed in eps, 1e-13 to below 1 (default " DEFAULT_TOLERANCE ")\n"
+    "  --phi-points M   angles on the quadrant for the wall's force, 1 to 16384\n"
+    "                   (default: as many as the tolerance needs)\n"
+    "  --threads K      1 to 1024 (default: as many as processors; under mpirun 1 for each rank)\n"
+    "  --format F       text (default), csv or json\n"
+    "  --output FILE    instead of standard output. Rows are kept in FILE.part till all are\n"
+    "                   there; the same command goes on where an interrupted one ended\n"
+    "  --profile        seconds per step and peak memory on standard error\n"
+    "\nLIST: values and ranges with commas between. 0.1, 1.5e-3 or 1/3 is a value;\n"
+    "  A:B:+S     A, A + S, A + 2 S, ... up to B      (-S: down to B)\n"
+    "  A:B:lin:N  N values from A to B, equally far apart\n"
+    "  A:B:log:N  N values from A to B, each the same multiple of the one before\n"
+    "\nColumns: speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,\n"
+    "steps,status. The speed varies fastest, then modes, alpha, poisson. A row whose status is\n"
+    "not ok is kept, and the exit status is then 1.\n"
+    "Example: corgen disk-collide --speed 0.01:0.3:log:12 --poisson 0.33,0.9 --alpha 500 --modes 940\n";
+
+#define AT(FIELD) offsetof(struct disk_collide_arguments, FIELD)
+static const struct option_rule options[] = {
+    {.name = "speed", .kind = OPTION_LIST, .offset = AT(speed), .range.values = &sweep_speed, .required = true},
+    {.name = "poisson", .kind = OPTION_LIST, .offset = AT(poisson), .range.values = &sweep_poisson, .required = true},
+    {.name = "alpha", .kind = OPTION_LIST, .offset = AT(alpha), .range.values = &sweep_alpha, .required = true},
+    {.name = "modes", .kind = OPTION_LIST, .offset = AT(modes), .range.values = &sweep_modes, .required = true},
+    {.name = "tolerance", .kind = OPTION_REAL, .offset = AT(tolerance), .range.number = &tolerance_numbers},
+    {.name = "phi-points",
+     .kind = OPTION_WHOLE,
+     .offset = AT(phi_points),
+     .range.whole = {1, COR_DISK_COLLISION_MAX_PHI_POINTS},
+     .why = "walls that need more are not computed"},
+    {.name = "threads",
+     .kind = OPTION_WHOLE,
+     .offset = AT(threads),
+     .range.whole = {1, CREW_MAX_THREADS},
+     .why = "no machine has use for more"},
+    OPTION_FORMAT(struct disk_collide_arguments, option_formats),
+    OPTION_COMMON(struct disk_collide_arguments),
+    {.name = NULL},
 };
 
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
+static const struct disk_collide_arguments defaults = {0};
 
-/* ---- options ---- */
-
-static int read_lists(struct sweep *sweep, const struct options *o)
-{
-    *sweep = (struct sweep){.text = {o->list[OPTIONS_LIST_SPEED], o->list[OPTIONS_LIST_POISSON],
-                                     o->list[OPTIONS_LIST_ALPHA], o->list[OPTIONS_LIST_MODES]},
-                            .tolerance = o->collision_tolerance,
-                            .phi_points = o->phi_points > 0 ? (size_t)o->phi_points : 0};
-    const struct values_rule *const rule[] = {&sweep_speed, &sweep_poisson, &sweep_alpha, &sweep_modes};
-    struct values *const list[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
-    int status = STATUS_OK;
-    for (size_t i = 0; i < SWEEP_LISTS && status == STATUS_OK; i++)
-        status = values_parse(list[i], rule[i], sweep->text[i]);
-    return status == STATUS_OK ? sweep_count(sweep) : status;
-}
-
-static int refuse_memory(const struct sweep *sweep)
-{
-    const double modes = values_largest(&sweep->modes), needed = modes * MODE_BYTES, memory = console_memory();
-    if (memory > 0 && needed > memory)
-        return fail("%.0f modes need about %.3g GB of memory, and this machine has %.3g GB", modes, needed / 1e9,
-                    memory / 1e9);
-    return STATUS_OK;
-}
-
-/* ---- modes ---- */
-
-static int find_modes(struct collide *run, size_t material)
-{
-    const double start = seconds_now();
-    flint_set_num_threads(run->threads);
-    free(run->mode);
-    run->mode = NULL;
-    const int status =
-        disk_modes_rounded(&run->modes, run->sweep.poisson.exact + material, (slong)values_largest(&run->sweep.modes));
-    if (status == STATUS_OK)
-        run->mode = (struct cor_disk_mode *)run->modes.mode;
-    profile_step(NULL);
-    run->modes_seconds = seconds_now() - start;
-    return status;
-}
-
-/* Modes as they go to the other ranks. */
-static void tell_modes(struct crew *crew, const struct collide *run)
-{
-    if (ranks_count() < 2)
-        return;
-    const size_t bytes = run->modes.count * sizeof *run->mode;
-    unsigned char *message = xmalloc(sizeof run->modes.nu + bytes);
-    memcpy(message, &run->modes.nu, sizeof run->modes.nu);
-    memcpy(message + sizeof run->modes.nu, run->mode, bytes);
-    crew_tell(crew, message, sizeof run->modes.nu + bytes);
-    free(message);
-}
-
-static void hear_modes(void *context, const void *bytes, size_t n)
-{
-    struct collide *run = context;
-    const size_t size = n - sizeof run->modes.nu;
-    run->mode = xrealloc(run->mode, size);
-    memcpy(&run->modes.nu, bytes, sizeof run->modes.nu);
-    memcpy(run->mode, (const char *)bytes + sizeof run->modes.nu, size);
-    run->modes.count = size / sizeof *run->mode;
-    run->modes.mode = run->mode;
-}
-
-/* What the integrator would refuse, at the corners of the sweep. */
-static int refuse_corners(const struct collide *run, const struct cor_disk_modes *modes)
-{
-    const struct sweep *s = &run->sweep;
-    const double alpha[] = {values_least(&s->alpha), values_largest(&s->alpha)};
-    const double speed[] = {values_least(&s->speed), values_largest(&s->speed)};
-    const double count[] = {values_least(&s->modes), values_largest(&s->modes)};
-    double most = 0;
-    for (int corner = 0; corner < 8; corner++) {
-        const double a = alpha[corner & 1], v = speed[corner >> 1 & 1];
-        const size_t n = (size_t)fmin(count[corner >> 2], (double)modes->count);
-        const struct cor_disk_collision_options options = {a, s->tolerance, s->phi_points};
-        struct cor_disk_collision out;
-        double nothing = 0;
-        const int status = cor_disk_collision_in(&nothing, 0, modes, n, &options, v, &out, NULL);
-        if (status != COR_ERROR_WORKSPACE)
-            return usage_error("--alpha %g with --speed %g and --modes %g: %s", a, v, count[corner >> 2],
-                               cor_status_text(status));
-        most = fmax(most, (double)cor_disk_collision_workspace(modes, n, &options));
-    }
-    const double memory = console_memory();
-    if (memory > 0 && most * run->threads > memory)
-        return fail("%d threads need about %.3g GB of memory, and this machine has %.3g GB; choose fewer --threads",
-                    run->threads, most * run->threads / 1e9, memory / 1e9);
-    return STATUS_OK;
-}
-
-/* Before any mode is found: what does not depend on them, with one that any disk might have. */
-static int refuse_early(const struct collide *run)
-{
-    static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
-    const struct cor_disk_modes modes = {run->sweep.poisson.nearest[0], 1, &mode};
-    return refuse_corners(run, &modes);
-}
-
-/* ---- rows ---- */
-
-static void collide_row(void *context, int thread, uint64_t number, void *result)
-{
-    struct collide *run = context;
-    struct sweep_row row;
-    sweep_row(&row, &run->sweep, number);
-    sweep_collide(result, &run->sweep, &row, &run->modes, &run->room[thread]);
-}
-
-static void row_ready(void *context, uint64_t number, const void *result)
-{
-    struct collide *run = context;
-    (void)result;
-    if (run->again && number == run->again_row)
-        return;
-    run->cost_done += sweep_cost(&run->sweep, number);
-    run->ready++;
-}
-
-static int row_finished(void *context, uint64_t number, const void *bytes)
-{
-    struct collide *run = context;
-    struct sweep_result result;
-    memcpy(&result, bytes, sizeof result);
-    struct sweep_row row;
-    sweep_row(&row, &run->sweep, number);
-    char line[SWEEP_LINE];
-    sweep_line(line, &row, &result);
-    if (result.status == COR_ERROR_MEMORY || result.status == COR_ERROR_WORKSPACE)
-        return fail("row %" PRIu64 ": %s", number + 1, cor_status_text(result.status));
-    if (run->again && number == run->again_row) {
-        if (strcmp(line, run->again) != 0)
-            return fail("%s was begun by another corgen or on another machine: its row %" PRIu64
-                        " has other digits here; go on there, remove it or choose another --output",
-                        run->journal.path, number + 1);
-    } else if (run->journal.path) {
-        journal_add(&run->journal, line);
-    } else {
-        sweep_print(&run->printer, line);
-        if (ferror(run->printer.file))
-            return STATUS_FAILED; /* output_commit says why */
-    }
-    return STATUS_OK;
-}
-
-static double seconds_left(const struct collide *run)
-{
-    if (run->cost_done <= 0)
-        return -1;
-    const double seconds = run->rows_seconds + seconds_now() - run->rows_started;
-    const double rows = seconds * (run->sweep.cost - run->cost_found - run->cost_done) / run->cost_done;
-    return fmax(rows, 0) + run->modes_seconds * (double)run->materials_left;
-}
-
-static int tick(void *context)
-{
-    struct collide *run = context;
-    progress_left("collisions", (long)run->ready, (long)run->sweep.rows, seconds_left(run));
-    return run->journal.path ? journal_flush(&run->journal) : STATUS_OK;
-}
-
-/* All rows from `first` on. */
-static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
-{
-    const uint64_t each = sweep_rows_of_material(&run->sweep);
-    bool checked = false;
-    run->started = seconds_now();
-    run->ready = first;
-    if (first > 0 && first < run->sweep.rows && run->journal.last) {
-        run->again = run->journal.last;
-        run->again_row = first - 1;
-        first--;
-    }
-    for (; first < run->sweep.rows; first = (first / each + 1) * each) {
-        const size_t material = (size_t)(first / each);
-        run->materials_left = run->sweep.poisson.count - material - 1;
-        int status = find_modes(run, material);
-        if (status == STATUS_OK && !checked)
-            status = refuse_corners(run, &run->modes);
-        if (status != STATUS_OK)
-            return status;
-        checked = true;
-        tell_modes(crew, run);
-        profile_step("collisions");
-        run->rows_started = seconds_now();
-        status = crew_run(crew, first, (first / each + 1) * each);
-        run->rows_seconds += seconds_now() - run->rows_started;
-        profile_step(NULL);
-        if (run->journal.path && journal_flush(&run->journal) != STATUS_OK)
-            return STATUS_FAILED;
-        if (status != STATUS_OK)
-            return status;
-    }
-    return STATUS_OK;
-}
-
-/* ---- output ---- */
-
-static char *interrupted_text;
-static struct sigaction before_interrupt[3];
-static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
-
-/* The rows are safe at any moment; the signal goes on to end the program as its sender expects. */
-static void on_interrupt(int number)
-{
-    const char *text = interrupted_text;
-    if (text && write(STDERR_FILENO, text, strlen(text)) < 0)
-        text = NULL;
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
-static void interrupts_say(const char *path)
-{
-    static const char format[] = "\ncorgen: interrupted; the same command goes on where %s ends\n";
-    interrupted_text = xmalloc(sizeof format + strlen(path));
-    snprintf(interrupted_text, sizeof format + strlen(path), format, path);
-    for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++) {
-        sigaction(interrupts[i], NULL, &before_interrupt[i]);
-        if (before_interrupt[i].sa_handler == SIG_IGN)
-            continue; /* by the parent: nohup */
-        struct sigaction action;
-        memset(&action, 0, sizeof action);
-        action.sa_handler = on_interrupt;
-        sigfillset(&action.sa_mask);
-        sigaction(interrupts[i], &action, NULL);
-    }
-}
-
-static void interrupts_as_before(void)
-{
-    for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++)
-        sigaction(interrupts[i], &before_interrupt[i], NULL);
-    free(interrupted_text);
-    interrupted_text = NULL;
-}
-
-/* What is wrong with the rows that were printed, if anything is. */
-static int verdict(const struct sweep_printer *printer)
-{
-    if (printer->tolerance_not_reached + printer->failed == 0)
-        return STATUS_OK;
-    return fail("of %" PRIu64 " rows, %" PRIu64 " did not reach the tolerance and %" PRIu64
-                " have no eps; the column status says which",
-                printer->rows, printer->tolerance_not_reached, printer->failed);
-}
-
-static void print_line(void *context, const char *line)
-{
-    sweep_print(context, line);
-}
-
-/* The finished journal becomes the file. */
-static int publish(struct collide *run, const struct options *o)
-{
-    struct output out;
-    if (output_open(&out, o->output) != STATUS_OK)
-        return STATUS_FAILED;
-    sweep_print_start(&run->printer, &run->sweep, o->format, out.file);
-    int status = journal_read(&run->journal, print_line, &run->printer);
-    sweep_print_end(&run->printer);
-    if (status == STATUS_OK)
-        status = output_commit(&out);
-    else
-        output_discard(&out);
-    return status;
-}
-
-static char *title_of(const struct sweep *sweep)
-{
-    static const char format[] = "corgen disk-collide, unfinished, sweep %016" PRIx64 ", %" PRIu64
-                                 " rows: --speed %s --poisson %s --alpha %s --modes %s --tolerance %s --phi-points %zu";
-    size_t size = sizeof format + 4 * VALUES_TEXT;
-    for (size_t i = 0; i < SWEEP_LISTS; i++)
-        size += strlen(sweep->text[i]);
-    char *title = xmalloc(size), tolerance[VALUES_TEXT];
-    snprintf(title, size, format, sweep_identity(sweep), sweep->rows, sweep->text[0], sweep->text[1], sweep->text[2],
-             sweep->text[3], values_text(tolerance, sweep->tolerance), sweep->phi_points);
-    return title;
-}
-
-static int collide_to_file(struct collide *run, struct crew *crew, const struct options *o)
-{
-    /* whether it could be written at the end is better known now; and output.c's handlers are in place */
-    struct output probe;
-    if (output_open(&probe, o->output) != STATUS_OK)
-        return STATUS_FAILED;
-    output_discard(&probe);
-    char *title = title_of(&run->sweep);
-    int status = journal_open(&run->journal, o->output, title, run->sweep.rows);
-    free(title);
-    if (status != STATUS_OK)
-        return status;
-    for (uint64_t i = 0; i < run->journal.lines; i++)
-        run->cost_found += sweep_cost(&run->sweep, i);
-    interrupts_say(run->journal.path);
-    status = collide_all(run, crew, run->journal.lines);
-    interrupts_as_before();
-    if (status == STATUS_OK)
-        status = publish(run, o);
-    journal_close(&run->journal, status == STATUS_OK);
-    return status == STATUS_OK ? verdict(&run->printer) : status;
-}
-
-static int collide_to_stream(struct collide *run, struct crew *crew, const struct options *o)
-{
-    struct output out;
-    if (output_open(&out, o->output) != STATUS_OK)
-        return STATUS_FAILED;
-    sweep_print_start(&run->printer, &run->sweep, o->format, out.file);
-    int status = collide_all(run, crew, 0);
-    if (status == STATUS_OK)
-        sweep_print_end(&run->printer);
-    if (status != STATUS_OK && !ferror(out.file)) {
-        output_discard(&out);
-        return status;
-    }
-    status = output_commit(&out);
-    return status == STATUS_OK ? verdict(&run->printer) : status;
-}
-
-int command_disk_collide(const struct options *o)
-{
-    struct collide run = {.journal = {.fd = -1}};
-    int status = ranks_start();
-    if (status == STATUS_OK)
-        status = read_lists(&run.sweep, o);
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    run.threads = o->threads > 0                  ? (int)o->threads
-                  : ranks_count() > 1             ? 1
-                  : processors < 1                ? 1
-                  : processors < CREW_MAX_THREADS ? (int)processors
-                                                  : CREW_MAX_THREADS;
-    run.room = xmalloc((size_t)run.threads * sizeof *run.room);
-    memset(run.room, 0, (size_t)run.threads * sizeof *run.room);
-    struct crew *crew = NULL;
-    const struct crew_work work = {&run,      sizeof(struct sweep_result), collide_row, row_ready, row_finished, tick,
-                                   hear_modes};
-    if (status == STATUS_OK && !(crew = crew_start(&work, run.threads)))
-        status = STATUS_FAILED;
-    /* only now, when crew_stop ends the other ranks */
-    if (status == STATUS_OK && ranks_mine() == 0)
-        status = refuse_memory(&run.sweep);
-    if (status == STATUS_OK && ranks_mine() == 0)
-        status = refuse_early(&run);
-    if (status == STATUS_OK) {
-        struct stat file;
-        if (ranks_mine() > 0)
-            crew_serve(crew);
-        else if (o->output && !(stat(o->output, &file) == 0 && !S_ISREG(file.st_mode)))
-            status = collide_to_file(&run, crew, o);
-        else
-            status = collide_to_stream(&run, crew, o);
-    }
-    crew_stop(crew);
-    ranks_stop();
-    for (int i = 0; i < run.threads; i++)
-        free(run.room[i].bytes);
-    free(run.room);
-    free(run.mode);
-    sweep_clear(&run.sweep);
-    return status;
-}
+const struct subcommand command_disk_collide = {
+    "disk-collide",  "collisions of elastic disks, over lists of parameters", help, options, sizeof defaults, &defaults,
+    run_disk_collide};

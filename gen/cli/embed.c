@@ -2,32 +2,35 @@
 /* corgen embed: one header for one scene. */
 #include <stdlib.h>
 
+#include "cli/commands.h"
+#include "cli/scene_options.h"
 #include "embed/choose.h"
 #include "embed/header.h"
 #include "support/console.h"
 
-static int write_header(const struct options *o, const struct embed_scene *s, const struct embed_form *form)
+static int write_header(const struct embed_arguments *o, const struct embed_scene *s, const struct embed_form *form)
 {
-    const enum embed_family chosen = embed_choose(form, o->use);
+    const enum embed_family chosen = embed_choose(form, o->scene.purpose);
     if (chosen == FAMILIES) {
         char *why = embed_failures(form);
-        const int status = fail("no form meets the tolerance %s (%s)", o->real[OPTIONS_TOLERANCE], why);
+        const int status = fail("no form meets the tolerance %s (%s)", o->scene.number[EMBED_TOLERANCE].text, why);
         free(why);
         return status;
     }
     struct output out;
-    if (output_open(&out, o->output))
+    if (output_open(&out, o->common.output))
         return STATUS_FAILED;
-    embed_header_write(out.file, o, s, form, chosen);
+    embed_header_write(out.file, &o->scene, s, form, chosen);
     return output_commit(&out);
 }
 
-int command_embed(const struct options *o)
+static int run_embed(const void *arguments)
 {
+    const struct embed_arguments *const o = arguments;
     struct embed_scene scene;
     struct embed_form form[FAMILIES] = {{0}};
     profile_step("collisions");
-    int status = embed_scene_init(&scene, o);
+    int status = embed_scene_init(&scene, &o->scene);
     if (status == STATUS_OK)
         status = embed_search(form, &scene);
     if (status == STATUS_OK)
@@ -38,3 +41,39 @@ int command_embed(const struct options *o)
     embed_scene_clear(&scene);
     return status;
 }
+
+static const char help[] =
+    "Usage: corgen embed --speed-min G --speed-max G --tolerance T CONTACT [OPTION]...\n\n"
+    "Writes a self-contained header, C99, C++11, CUDA and HIP, with one function from the impact\n"
+    "speed in m/s to eps: the cheapest form that meets the tolerance between the two speeds.\n\n"
+    "  --speed-min G, --speed-max G   the range of speeds, m/s; outside, the nearer end's value\n"
+    "  --tolerance T    relative error of eps allowed, 1e-15 (float: 4e-7) to 0.1\n" HELP_END
+    "  --type T         double (default) or float\n"
+    "  --for USE        scalar: calls one at a time; array: loops that become vectors; balanced\n"
+    "                   (default): both\n"
+    "  --name NAME      of the function (default cor_scene_eps); the include guard follows it\n"
+    "\nCONTACT is the characteristic speed\n"
+    "  --g-star G       m/s, from eps = 1 - (speed/g*)^(1/5) + ...\n"
+    "or the materials of two spheres, the second like the first but for what is said of it:\n"
+    "  --young Y, --poisson NU      Pa, -\n"
+    "  --radius R                   m\n"
+    "  --density D or --mass M      kg/m^3, kg\n"
+    "  --dissipation-time A         s\n"
+    "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2, --dissipation-time-2\n"
+    "  --wall           the second is flat and held fast\n\n" HELP_COMMON
+    "\nExample: corgen embed --speed-min 0.1 --speed-max 10 --g-star 0.2 --tolerance 1e-6\n";
+
+#define AT(FIELD) offsetof(struct embed_arguments, FIELD)
+static const struct option_rule options[] = {
+    SCENE_OPTIONS(struct embed_arguments, &option_sphere_poisson, NULL),
+    {.name = "type", .kind = OPTION_WORD, .offset = AT(scene.type), .range.words = embed_type_names, .why = "a type"},
+    {.name = "name", .kind = OPTION_C_NAME, .offset = AT(scene.name)},
+    OPTION_COMMON(struct embed_arguments),
+    {.name = NULL},
+};
+
+static const struct embed_arguments defaults = {0};
+
+const struct subcommand command_embed = {
+    "embed",  "a C header with eps of the impact speed for one scene", help, options, sizeof defaults, &defaults,
+    run_embed};

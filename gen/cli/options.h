@@ -1,113 +1,109 @@
 /* SPDX-License-Identifier: MIT */
-/* Command-line options shared by the subcommands; every one is parsed and range-checked here. */
+/* Command-line options as data. A subcommand lists the options that it takes, each with the field of its struct of
+ * arguments that the option fills; options_parse() does the rest. */
 #ifndef COR_GEN_CLI_OPTIONS_H
 #define COR_GEN_CLI_OPTIONS_H
 
-#include "series/law.h"
-#include "series/series.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "support/decimal.h"
 #include "support/output.h"
 
-#define OPTIONS_MAX_ORDER 100000
-#define OPTIONS_MAX_TERMS 100000
-#define OPTIONS_MAX_DIGITS 10000000
-#define OPTIONS_MAX_DEGREE 2000
-#define OPTIONS_MAX_COUNT 10000000
-#define OPTIONS_MAX_SEED 1000000000
 #define OPTIONS_MAX_NAME 63
-#define OPTIONS_MAX_POINTS 1000
-#define OPTIONS_MAX_BETA "1e6"
-#define OPTIONS_DEFAULT_DIGITS 20
-#define OPTIONS_DEFAULT_COLLISION_TOLERANCE "1e-8"
 #define OPTIONS_NOT_GIVEN (-1)
 
-/* Numbers with a unit, as corgen embed takes them: speeds in m/s, the rest in SI units; those of body 2 at a fixed
- * distance behind those of body 1. */
-enum options_real {
-    OPTIONS_SPEED_MIN,
-    OPTIONS_SPEED_MAX,
-    OPTIONS_TOLERANCE,
-    OPTIONS_G_STAR,
-    OPTIONS_YOUNG,
-    OPTIONS_POISSON,
-    OPTIONS_RADIUS,
-    OPTIONS_DENSITY,
-    OPTIONS_MASS,
-    OPTIONS_DISSIPATION_TIME,
-    OPTIONS_YOUNG_2,
-    OPTIONS_POISSON_2,
-    OPTIONS_RADIUS_2,
-    OPTIONS_DENSITY_2,
-    OPTIONS_MASS_2,
-    OPTIONS_DISSIPATION_TIME_2,
-    OPTIONS_REALS
+/* What an option's value is, and the type of the field that it fills. */
+enum option_kind {
+    OPTION_FLAG,  /* no value; bool */
+    OPTION_WHOLE, /* a whole number in `whole`; slong */
+    OPTION_REAL,  /* a number in `number`; struct decimal */
+    OPTION_WORD,  /* one of `words`; the place among them as an int, or an enum of that size */
+    OPTION_LIST,  /* a list by `values`; struct values */
+    OPTION_TEXT,  /* any text but the empty one; const char * */
+    OPTION_C_NAME /* an identifier of C; const char * */
 };
 
-/* Lists, as corgen disk-collide takes them; gen/sweep/values.h. */
-enum options_list { OPTIONS_LIST_SPEED, OPTIONS_LIST_POISSON, OPTIONS_LIST_ALPHA, OPTIONS_LIST_MODES, OPTIONS_LISTS };
-
-enum options_use { OPTIONS_BALANCED, OPTIONS_SCALAR, OPTIONS_ARRAY };
-
-/* What corgen plan --disks is asked for. */
-enum options_quantity { OPTIONS_EPS, OPTIONS_CONTACT_TIME, OPTIONS_COMPRESSION };
-
-struct options {
-    slong order, terms, digits, count;
-    slong numerator, denominator; /* OPTIONS_NOT_GIVEN if so */
-    const char *beta;             /* text as given, already found good; options_beta makes the ball */
-    enum contact_end end;
-    enum output_format format;
-    struct law law;
-    const char *output;              /* file, or directory for `tables`; NULL = standard output */
-    const char *header;              /* pade: write a C header here */
-    const char *real[OPTIONS_REALS]; /* texts as given, found good; NULL if not given */
-    const char *name;                /* embed: of the function */
-    const char *list[OPTIONS_LISTS]; /* disk-collide: likewise */
-    double collision_tolerance;
-    slong phi_points, threads; /* 0 if not given */
-    slong seed;                /* OPTIONS_NOT_GIVEN if so */
-    enum options_use use;
-    enum options_quantity quantity;
-    slong points; /* plan: 0 if not given */
-    bool disks;
-    bool single, wall;
-    bool exact, two_point, as_published, check, all, force, profile;
+struct option_numbers {
+    struct decimal_range range;
+    enum decimal_forms forms; /* that the text may have */
 };
 
-/* A subcommand of the one table in main.c. */
-struct subcommand {
-    const char *name;
-    const char *summary;
-    const char *help;      /* full text of --help: usage, options, output columns, example */
-    const char *accepts;   /* option names it takes, space separated: "order digits end format ..." */
-    const char *formats;   /* of --format, likewise; the first is the default */
-    const char *requires_; /* options it cannot do without, likewise */
-    int (*run)(const struct options *);
+struct option_rule {
+    const char *name; /* without its dashes; NULL ends a list */
+    enum option_kind kind;
+    size_t offset; /* of the field in the struct of arguments */
+    union {
+        struct {
+            slong low, high;
+        } whole;
+        const struct option_numbers *number;
+        const char *const *words; /* ends with NULL */
+        const struct values_rule *values;
+    } range;
+    const char *why; /* there is an upper limit; of words: what they are, "an end of contact" */
+    bool required;
+    const char *excludes; /* options that contradict this one, space separated, or NULL */
+    const char *needs;    /* the option without which this one means nothing, or NULL */
 };
 
-/* argv[0] is the subcommand's name. STATUS_OK, or STATUS_USAGE after a sentence on stderr. */
-int options_parse(struct options *o, const struct subcommand *cmd, int argc, char **argv, bool *help);
+/* What every subcommand has; the first member of its struct of arguments. */
+struct option_common {
+    int format;         /* enum output_format */
+    const char *output; /* file, or directory for `tables`; NULL: standard output */
+    bool profile;
+};
 
-/* The number that --beta named: exact if binary can hold it, else the ball around it. */
-void options_beta(arb_t beta, const struct options *o, slong prec);
+/* Rules that several subcommands share. TYPE: their struct of arguments, whose first member is `common`. */
+#define OPTION_COMMON(TYPE)                                                                                            \
+    {.name = "output", .kind = OPTION_TEXT, .offset = offsetof(TYPE, common.output)},                                  \
+    {                                                                                                                  \
+        .name = "profile", .kind = OPTION_FLAG, .offset = offsetof(TYPE, common.profile)                               \
+    }
+#define OPTION_FORMAT(TYPE, WORDS)                                                                                     \
+    {                                                                                                                  \
+        .name = "format", .kind = OPTION_WORD, .offset = offsetof(TYPE, common.format), .range.words = (WORDS),        \
+        .why = "a format"                                                                                              \
+    }
+#define OPTION_DIGITS(TYPE)                                                                                            \
+    {                                                                                                                  \
+        .name = "digits", .kind = OPTION_WHOLE, .offset = offsetof(TYPE, digits),                                      \
+        .range.whole = {1, OPTIONS_MAX_DIGITS}, .why = "more digits than that take longer than anyone waits"           \
+    }
+#define OPTION_END(TYPE, FIELD)                                                                                        \
+    {                                                                                                                  \
+        .name = "end", .kind = OPTION_WORD, .offset = offsetof(TYPE, FIELD), .range.words = option_ends,               \
+        .why = "an end of contact"                                                                                     \
+    }
+#define OPTION_LAW(TYPE)                                                                                               \
+    {.name = "elastic", .kind = OPTION_TEXT, .offset = offsetof(TYPE, law.elastic)},                                   \
+    {                                                                                                                  \
+        .name = "damping", .kind = OPTION_TEXT, .offset = offsetof(TYPE, law.damping)                                  \
+    }
+#define OPTION_COUNT_WHY "the time grows like the power 3/2 of it, past ten hours"
 
-/* A number of SI units, likewise; it was given. */
-void options_real(arb_t x, const struct options *o, enum options_real which, slong prec);
-const char *options_real_name(enum options_real which); /* speed-min, ... */
+#define OPTIONS_MAX_DIGITS 10000000
+#define OPTIONS_DEFAULT_DIGITS 20
 
-/* Whether it is a number without sign: 0.1, 1.5e-3 or 2/3. */
-bool options_number_is_good(const char *text);
+extern const char *const option_ends[];          /* in the order of enum contact_end */
+extern const char *const option_formats[];       /* text, csv, json */
+extern const char *const option_formats_latex[]; /* and latex */
+extern const struct option_numbers option_positive, option_not_negative, option_sphere_poisson, option_disk_poisson;
 
-/* The number that a good text names, exactly: "-0.33", "2e-1" or "1/3". */
-void options_fraction(fmpq_t x, const char *text);
+/* The two exponents of a law as they are written; NULL: the sphere's. */
+struct option_law {
+    const char *elastic, *damping;
+};
 
-int command_trajectory(const struct options *);
-int command_series(const struct options *);
-int command_pade(const struct options *);
-int command_collide(const struct options *);
-int command_disk_modes(const struct options *);
-int command_disk_collide(const struct options *);
-int command_embed(const struct options *);
-int command_plan(const struct options *);
-int command_tables(const struct options *);
+/* Fills *arguments from argv[1], ..., and *help. STATUS_OK, or STATUS_USAGE after a sentence on stderr that names the
+ * command, argv[0]. options_clear() frees what the fields own, in any case. */
+int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help);
+void options_clear(void *arguments, const struct option_rule *rules);
+
+/* STATUS_OK, or STATUS_USAGE after a sentence. */
+struct law;
+int options_law(struct law *law, const struct option_law *text);
+int options_check_real(const char *name, const struct option_numbers *numbers, const struct decimal *value);
+int options_disk_poisson(const struct decimal *poisson); /* not too near to -1 or 1 */
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "approximation/pade.h"
 #include "approximation/published.h"
-#include "cli/options.h"
+#include "cli/commands.h"
 #include "support/console.h"
 #include "support/digits.h"
 #include "tables/pade.h"
@@ -19,7 +19,8 @@ enum {
     PRINT_ATTEMPTS = 3, /* a coefficient half-way between two decimals needs more bits */
     TEXT_MAX = 1024,
     PUBLISHED_NUMERATOR = 1,
-    PUBLISHED_DENOMINATOR = 4
+    PUBLISHED_DENOMINATOR = 4,
+    MAX_DEGREE = 2000
 };
 
 static const char *const columns[] = {"polynomial", "power", "coefficient"};
@@ -105,7 +106,7 @@ static const char *header_title(const struct pade_request *r, slong root)
     return root == 2 ? "eps at zero force, z = sqrt(beta)" : "eps at zero force, z a root of beta";
 }
 
-static int write_header(const struct options *o, const struct pade_request *r, const struct pade *f,
+static int write_header(const struct pade_arguments *o, const struct pade_request *r, const struct pade *f,
                         const struct pade_analysis *a)
 {
     char name[TEXT_MAX], guard[TEXT_MAX + 8], command[TEXT_MAX], banner[3 * TEXT_MAX];
@@ -176,28 +177,28 @@ static void print_published(FILE *file, const struct pade *f)
                   "corgen series has the right ones.\n");
 }
 
-static int print_result(const struct options *o, const struct pade_request *r, const struct pade *f,
+static int print_result(const struct pade_arguments *o, const struct pade_request *r, const struct pade *f,
                         const struct pade_analysis *a, const struct table *t)
 {
     struct output out;
-    int status = output_open(&out, o->output);
+    int status = output_open(&out, o->common.output);
     if (status)
         return status;
-    if (o->format == FORMAT_TEXT) {
+    if (o->common.format == FORMAT_TEXT) {
         fprintf(out.file, "[%ld/%ld]: %s\n\n", (long)f->numerator, (long)f->denominator, header_title(r, f->root));
-        table_print(t, o->format, out.file);
+        table_print(t, (enum output_format)o->common.format, out.file);
         fprintf(out.file, "\n");
         pade_print_analysis(out.file, a, "");
         if (r->kind == PADE_AS_PUBLISHED)
             print_published(out.file, f);
     } else {
-        table_print(t, o->format, out.file);
+        table_print(t, (enum output_format)o->common.format, out.file);
     }
     return output_commit(&out);
 }
 
 /* The request that the options make, or a usage error. */
-static int read_request(struct pade_request *r, const struct options *o)
+static int read_request(struct pade_request *r, const struct pade_arguments *o, const struct law *law)
 {
     *r = (struct pade_request){.kind = o->as_published ? PADE_AS_PUBLISHED
                                        : o->two_point  ? PADE_TWO_POINT
@@ -205,10 +206,8 @@ static int read_request(struct pade_request *r, const struct options *o)
                                .numerator = o->numerator,
                                .denominator = o->denominator,
                                .end = o->end,
-                               .law = o->law};
-    if (o->as_published && o->two_point)
-        return usage_error("--as-published and --two-point exclude each other");
-    if (o->as_published && !law_is_sphere(&o->law))
+                               .law = *law};
+    if (o->as_published && !law_is_sphere(law))
         return usage_error("--as-published is the sphere's");
     if (o->as_published && o->end != END_ZERO_OVERLAP)
         return usage_error("--as-published: the paper ends the contact at zero overlap");
@@ -222,10 +221,14 @@ static int read_request(struct pade_request *r, const struct options *o)
     return why ? usage_error("%s", why) : STATUS_OK;
 }
 
-int command_pade(const struct options *o)
+static int run_pade(const void *arguments)
 {
+    const struct pade_arguments *const o = arguments;
+    struct law law;
     struct pade_request request;
-    int status = read_request(&request, o);
+    int status = options_law(&law, &o->law);
+    if (status == STATUS_OK)
+        status = read_request(&request, o, &law);
     if (status)
         return status;
 
@@ -255,3 +258,47 @@ int command_pade(const struct options *o)
     pade_clear(&f);
     return status;
 }
+
+static const char help[] =
+    "Usage: corgen pade --numerator M --denominator N [OPTION]...\n\n"
+    "Prints the coefficients of the [M/N] Pade approximant of eps, in powers of beta at zero\n"
+    "overlap and of sqrt(beta) at zero force.\n\n"
+    "  --numerator M    degree, 0 to 2000\n"
+    "  --denominator N  degree, 0 to 2000\n"
+    "  --two-point      match also the limit of large beta (zero overlap; N = M + 5)\n"
+    "  --as-published   reproduce the published [1/4] from its printed coefficients\n" HELP_DIGITS HELP_END
+    "  --header FILE    write the approximant as a C header; refused if it has a pole or a zero\n"
+    "                   on beta > 0\n"
+    "  --force          write it all the same\n"
+    "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
+    "\nExample: corgen pade --numerator 12 --denominator 20 --digits 20\n";
+
+#define AT(FIELD) offsetof(struct pade_arguments, FIELD)
+static const struct option_rule options[] = {
+    {.name = "numerator",
+     .kind = OPTION_WHOLE,
+     .offset = AT(numerator),
+     .range.whole = {0, MAX_DEGREE},
+     .why = "a degree needs a linear system of that size"},
+    {.name = "denominator",
+     .kind = OPTION_WHOLE,
+     .offset = AT(denominator),
+     .range.whole = {0, MAX_DEGREE},
+     .why = "a degree needs a linear system of that size"},
+    {.name = "two-point", .kind = OPTION_FLAG, .offset = AT(two_point), .excludes = "as-published"},
+    {.name = "as-published", .kind = OPTION_FLAG, .offset = AT(as_published)},
+    OPTION_DIGITS(struct pade_arguments),
+    OPTION_END(struct pade_arguments, end),
+    {.name = "header", .kind = OPTION_TEXT, .offset = AT(header)},
+    {.name = "force", .kind = OPTION_FLAG, .offset = AT(force), .needs = "header"},
+    OPTION_FORMAT(struct pade_arguments, option_formats),
+    OPTION_LAW(struct pade_arguments),
+    OPTION_COMMON(struct pade_arguments),
+    {.name = NULL},
+};
+
+static const struct pade_arguments defaults = {
+    .numerator = OPTIONS_NOT_GIVEN, .denominator = OPTIONS_NOT_GIVEN, .digits = OPTIONS_DEFAULT_DIGITS};
+
+const struct subcommand command_pade = {
+    "pade", "Pade approximants of eps(beta)", help, options, sizeof defaults, &defaults, run_pade};

@@ -1,23 +1,103 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen plan: which model of a collision a scene needs, what it costs and leaves out. */
 #include "plan/plan.h"
+#include "cli/commands.h"
+#include "cli/scene_options.h"
 #include "support/console.h"
 
-int command_plan(const struct options *o)
+static int plan_of_disks(struct plan *plan, const struct plan_arguments *o)
 {
-    struct plan plan;
-    int status = o->disks ? plan_disks(&plan, o) : plan_spheres(&plan, o);
+    const struct decimal *const number = o->scene.number;
+    if (!embed_given(&o->scene, EMBED_POISSON))
+        return usage_error("corgen plan --disks needs --poisson; see corgen plan --help");
+    const int status = options_disk_poisson(&number[EMBED_POISSON]);
+    if (status != STATUS_OK)
+        return status;
+    const struct plan_disks_request request = {number[EMBED_SPEED_MIN],
+                                               number[EMBED_SPEED_MAX],
+                                               number[EMBED_TOLERANCE],
+                                               number[EMBED_POISSON],
+                                               o->quantity,
+                                               o->points};
+    return plan_disks(plan, &request);
+}
+
+static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
+{
+    if (embed_given(&o->scene, EMBED_POISSON)) {
+        const int status = options_check_real("poisson", &option_sphere_poisson, &o->scene.number[EMBED_POISSON]);
+        if (status != STATUS_OK)
+            return status;
+    }
+    const struct plan_spheres_request request = {o->scene, o->points};
+    return plan_spheres(plan, &request);
+}
+
+static int run_plan(const void *arguments)
+{
+    const struct plan_arguments *const o = arguments;
+    struct plan plan = {.chosen = -1};
+    int status = (o->disks ? plan_of_disks : plan_of_spheres)(&plan, o);
     struct output out;
     if (status == STATUS_OK)
-        status = output_open(&out, o->output);
+        status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {
-        plan_print(&plan, o->format, out.file);
+        plan_print(&plan, (enum output_format)o->common.format, out.file);
         status = output_commit(&out);
     }
     if (status == STATUS_OK && plan.chosen < 0)
-        status = fail("no model meets the tolerance %s", o->real[OPTIONS_TOLERANCE]);
+        status = fail("no model meets the tolerance %s", o->scene.number[EMBED_TOLERANCE].text);
     if (!o->disks)
         plan_spheres_clear(&plan);
     plan_clear(&plan);
     return status;
 }
+
+static const char help[] =
+    "Usage: corgen plan --speed-min G --speed-max G --tolerance T CONTACT [OPTION]...\n"
+    "       corgen plan --disks --speed-min V --speed-max V --tolerance T --poisson NU [OPTION]...\n\n"
+    "Compares models of restitution with collisions over a range of speeds, and names the cheapest\n"
+    "that meets the tolerance, with the command or call to use.\n\n"
+    "Spheres: speeds in m/s, T the relative error of eps, 1e-15 to below 1; CONTACT is --g-star, or\n"
+    "--young --poisson --radius --density (or --mass) --dissipation-time, -2 of the second sphere, or\n"
+    "--wall, as corgen embed --help explains.\n" HELP_END
+    "  --for USE        what time means: scalar: calls one at a time; array: loops; balanced\n"
+    "                   (default): both\n\n"
+    "Disks: speeds in sqrt(E/rho), 0.003 to 0.3; against a hard wall, all modes counted.\n"
+    "  --disks          elastic disks, which lose energy to their vibrations\n"
+    "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
+    "  --quantity Q     eps (default; T is its error), contact-time or compression (the largest; T is\n"
+    "                   the relative error)\n\n"
+    "  --points N       speeds compared at, 2 to 1000 (default 33, of disks 9)\n"
+    "  --format F       text (default), csv or json\n" HELP_COMMON
+    "\nColumns of csv and json: model,beta (speed of disks),value,error,cost,uncertainty,verdict;\n"
+    "a row for each model at each point; cost in ns; uncertainty of what it is compared with;\n"
+    "verdict: chosen, meets, misses, outside (no value somewhere), shown (not to choose).\n"
+    "Exit status 1 if no model meets the tolerance.\n"
+    "Example: corgen plan --speed-min 0.1 --speed-max 10 --g-star 0.2 --tolerance 1e-6\n";
+
+#define AT(FIELD) offsetof(struct plan_arguments, FIELD)
+static const struct option_rule options[] = {
+    SCENE_OPTIONS(struct plan_arguments, &option_disk_poisson, "disks"),
+    {.name = "disks", .kind = OPTION_FLAG, .offset = AT(disks)},
+    {.name = "quantity",
+     .kind = OPTION_WORD,
+     .offset = AT(quantity),
+     .range.words = plan_quantity_names,
+     .why = "a quantity",
+     .needs = "disks"},
+    {.name = "points",
+     .kind = OPTION_WHOLE,
+     .offset = AT(points),
+     .range.whole = {PLAN_MIN_POINTS, PLAN_MAX_POINTS},
+     .why = "every point takes collisions"},
+    OPTION_FORMAT(struct plan_arguments, option_formats),
+    OPTION_COMMON(struct plan_arguments),
+    {.name = NULL},
+};
+
+static const struct plan_arguments defaults = {0};
+
+const struct subcommand command_plan = {
+    "plan",  "which model a scene needs, what it costs and leaves out", help, options, sizeof defaults, &defaults,
+    run_plan};

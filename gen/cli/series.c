@@ -2,10 +2,12 @@
 /* corgen series: the coefficients of x_max, t_max and eps in proved digits. */
 #include <stdlib.h>
 
-#include "cli/options.h"
+#include "cli/commands.h"
 #include "series/restitution.h"
 #include "support/console.h"
 #include "support/digits.h"
+
+enum { MAX_ORDER = 100000 };
 
 /* Adds the coefficient to the table, or returns false where its digits are not proved. */
 static bool add_coefficient(struct table *table, const arb_poly_t poly, slong k, slong digits)
@@ -22,14 +24,15 @@ static bool add_coefficient(struct table *table, const arb_poly_t poly, slong k,
 
 /* Each fills the table; *undecided is -1, or the lowest row whose digits are not proved yet. */
 
-static int fill_zero_overlap(struct table *table, slong *undecided, const struct options *o, slong bits)
+static int fill_zero_overlap(struct table *table, slong *undecided, const struct series_arguments *o,
+                             const struct law *law, slong bits)
 {
     static const char *const column[] = {"k", "y_k", "tau_k", "C_k"};
     table_init(table, column, sizeof column / sizeof *column);
     *undecided = -1;
     struct series series;
     series_init(&series);
-    int status = series_compute(&series, o->order, &o->law, bits);
+    int status = series_compute(&series, o->order, law, bits);
     profile_step("digits");
     for (slong k = 0; k <= o->order && status == STATUS_OK && *undecided < 0; k++) {
         table_add_integer(table, k);
@@ -41,7 +44,8 @@ static int fill_zero_overlap(struct table *table, slong *undecided, const struct
     return status;
 }
 
-static int fill_zero_force(struct table *table, slong *undecided, const struct options *o, slong bits)
+static int fill_zero_force(struct table *table, slong *undecided, const struct series_arguments *o,
+                           const struct law *law, slong bits)
 {
     static char power[64];
     static const char *column[] = {power, "coefficient"};
@@ -49,7 +53,7 @@ static int fill_zero_force(struct table *table, slong *undecided, const struct o
     slong root = 1;
     arb_poly_t eps;
     arb_poly_init(eps);
-    int status = series_eps(eps, &root, END_ZERO_FORCE, o->order, &o->law, bits);
+    int status = series_eps(eps, &root, END_ZERO_FORCE, o->order, law, bits);
     if (root == 1)
         snprintf(power, sizeof power, "power_of_beta");
     else if (root == 2)
@@ -68,7 +72,7 @@ static int fill_zero_force(struct table *table, slong *undecided, const struct o
 }
 
 /* G and T of docs/derivation.md, 5: nothing to prove, so no digits and no loop. */
-static void fill_exact(struct table *table, const struct options *o)
+static void fill_exact(struct table *table, slong order, const struct law *law)
 {
     static const char *const column[] = {"power_of_w", "G", "T"};
     table_init(table, column, sizeof column / sizeof *column);
@@ -78,8 +82,8 @@ static void fill_exact(struct table *table, const struct options *o)
     fmpq_poly_init(f[0]);
     fmpq_poly_init(f[1]);
     profile_step("exact rationals");
-    restitution_zero_force_exact(f[0], f[1], o->order, &o->law);
-    for (slong k = 0; k <= o->order; k++) {
+    restitution_zero_force_exact(f[0], f[1], order, law);
+    for (slong k = 0; k <= order; k++) {
         table_add_integer(table, k);
         for (int i = 0; i < 2; i++) {
             fmpq_poly_get_coeff_fmpq(c, f[i], k);
@@ -93,18 +97,23 @@ static void fill_exact(struct table *table, const struct options *o)
     fmpq_poly_clear(f[1]);
 }
 
-int command_series(const struct options *o)
+static int run_series(const void *arguments)
 {
+    const struct series_arguments *const o = arguments;
+    struct law law;
+    const int wrong = options_law(&law, &o->law);
+    if (wrong)
+        return wrong;
     if (o->exact && o->end != END_ZERO_FORCE)
         return usage_error("--exact needs --end zero-force: the coefficients at zero overlap are irrational");
     struct output out;
-    if (output_open(&out, o->output) != STATUS_OK)
+    if (output_open(&out, o->common.output) != STATUS_OK)
         return STATUS_FAILED;
 
     if (o->exact) {
         struct table table;
-        fill_exact(&table, o);
-        table_print(&table, o->format, out.file);
+        fill_exact(&table, o->order, &law);
+        table_print(&table, (enum output_format)o->common.format, out.file);
         table_clear(&table);
         return output_commit(&out);
     }
@@ -113,11 +122,11 @@ int command_series(const struct options *o)
         struct table table = {0};
         slong undecided = -1;
         profile_step("series");
-        int status =
-            (o->end == END_ZERO_FORCE ? fill_zero_force : fill_zero_overlap)(&table, &undecided, o, precision.bits);
+        int status = (o->end == END_ZERO_FORCE ? fill_zero_force : fill_zero_overlap)(&table, &undecided, o, &law,
+                                                                                      precision.bits);
         if (status == STATUS_OK && undecided < 0) {
             profile_step("printing");
-            table_print(&table, o->format, out.file);
+            table_print(&table, (enum output_format)o->common.format, out.file);
             table_clear(&table);
             return output_commit(&out);
         }
@@ -133,3 +142,40 @@ int command_series(const struct options *o)
         }
     }
 }
+
+static const char help[] =
+    "Usage: corgen series --order K [OPTION]...\n\n"
+    "Prints x_max = sum y_k beta^k, t_max = sum tau_k beta^k and eps = sum C_k beta^k; with\n"
+    "--end zero-force, eps in powers of sqrt(beta), K being the highest of them.\n\n"
+    "  --order K        highest power, 0 to 100000\n" HELP_DIGITS HELP_END
+    "  --exact          with --end zero-force: the rational coefficients of G and T in powers of w,\n"
+    "                   eps_zero_force = eps_zero_overlap G(w), w = h^(5/2), h = beta eps^(1/5);\n"
+    "                   the force vanishes the time h T(w) before the overlap, in its units\n"
+    "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
+    "\nColumns: k,y_k,tau_k,C_k; with --end zero-force power_of_sqrt_beta,coefficient\n"
+    "(power_of_beta_root_R, or power_of_beta, where another law has another root);\n"
+    "with --exact power_of_w,G,T.\n"
+    "Example: corgen series --order 5 --digits 30\n";
+
+#define AT(FIELD) offsetof(struct series_arguments, FIELD)
+static const struct option_rule options[] = {
+    {.name = "order",
+     .kind = OPTION_WHOLE,
+     .offset = AT(order),
+     .range.whole = {0, MAX_ORDER},
+     .why = "an order needs all below it, and their cost grows faster than its cube",
+     .required = true},
+    OPTION_DIGITS(struct series_arguments),
+    OPTION_END(struct series_arguments, end),
+    {.name = "exact", .kind = OPTION_FLAG, .offset = AT(exact)},
+    OPTION_FORMAT(struct series_arguments, option_formats),
+    OPTION_LAW(struct series_arguments),
+    OPTION_COMMON(struct series_arguments),
+    {.name = NULL},
+};
+
+static const struct series_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
+
+const struct subcommand command_series = {
+    "series",  "coefficients of x_max, t_max and eps in powers of beta", help, options, sizeof defaults, &defaults,
+    run_series};

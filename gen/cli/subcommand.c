@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L /* open_memstream */
 #include "cli/subcommand.h"
 
 #include <errno.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "support/console.h"
-
-enum { LINE_MAX_LENGTH = 256 };
 
 static int print_whole(const char *text)
 {
@@ -17,7 +17,7 @@ static int print_whole(const char *text)
     return output_commit(&out);
 }
 
-static int print_overview(const struct subcommand *table)
+static int print_overview(const struct subcommand *const *table)
 {
     struct output out;
     if (output_open(&out, NULL) != STATUS_OK)
@@ -26,8 +26,8 @@ static int print_overview(const struct subcommand *table)
           "number of "
           "proved digits.\n\nUsage: corgen SUBCOMMAND [OPTION]...\n\n",
           out.file);
-    for (const struct subcommand *cmd = table; cmd->name; cmd++)
-        fprintf(out.file, "  %-12s %s\n", cmd->name, cmd->summary);
+    for (; *table; table++)
+        fprintf(out.file, "  %-12s %s\n", (*table)->name, (*table)->summary);
     fputs("\ncorgen SUBCOMMAND --help explains one; corgen --version names the versions.\n"
           "Exit status: 0 done, 1 failed, 2 the command line is wrong.\n"
           "Try: corgen collide --beta 0.1 --digits 30\n",
@@ -37,48 +37,67 @@ static int print_overview(const struct subcommand *table)
 
 static int print_version(const char *version)
 {
-    char text[LINE_MAX_LENGTH];
-    snprintf(text, sizeof text, "corgen %s (GMP %s, MPFR %s, FLINT %s)\n", version, gmp_version, mpfr_get_version(),
-             flint_version);
-    return print_whole(text);
+    struct output out;
+    if (output_open(&out, NULL) != STATUS_OK)
+        return STATUS_FAILED;
+    fprintf(out.file, "corgen %s (GMP %s, MPFR %s, FLINT %s)\n", version, gmp_version, mpfr_get_version(),
+            flint_version);
+    return output_commit(&out);
 }
 
-int subcommand_run(const struct subcommand *table, const char *version, int argc, char **argv)
+/* NULL after a sentence, if `name` is none; of a NULL name, too. */
+static const struct subcommand *find(const struct subcommand *const *table, const char *name)
 {
-    char names[LINE_MAX_LENGTH] = "";
-    for (const struct subcommand *cmd = table; cmd->name; cmd++) {
-        if (cmd != table)
-            strncat(names, ", ", sizeof names - strlen(names) - 1);
-        strncat(names, cmd->name, sizeof names - strlen(names) - 1);
-    }
-    if (argc < 2)
-        return usage_error("no subcommand; allowed: %s; see corgen --help", names);
-    if (strcmp(argv[1], "--help") == 0)
-        return print_overview(table);
-    if (strcmp(argv[1], "--version") == 0)
-        return print_version(version);
+    for (const struct subcommand *const *row = table; name && *row; row++)
+        if (strcmp((*row)->name, name) == 0)
+            return *row;
+    char *names = NULL;
+    size_t size;
+    FILE *const file = open_memstream(&names, &size);
+    for (const struct subcommand *const *row = table; file && *row; row++)
+        fprintf(file, "%s%s", row == table ? "" : ", ", (*row)->name);
+    if (file)
+        fclose(file);
+    if (name)
+        usage_error("'%s' is not a subcommand; allowed: %s; see corgen --help", name, names ? names : "");
+    else
+        usage_error("no subcommand; allowed: %s; see corgen --help", names ? names : "");
+    free(names);
+    return NULL;
+}
 
-    const struct subcommand *cmd = table;
-    while (cmd->name && strcmp(cmd->name, argv[1]) != 0)
-        cmd++;
-    if (!cmd->name)
-        return usage_error("'%.60s' is not a subcommand; allowed: %s; see corgen --help", argv[1], names);
-
-    struct options options;
-    bool help;
-    int status = options_parse(&options, cmd, argc - 1, argv + 1, &help);
-    if (status != STATUS_OK)
-        return status;
-    if (help)
-        return print_whole(cmd->help);
-    if (options.profile)
+static int run(const struct subcommand *cmd, const void *arguments)
+{
+    const struct option_common *const common = arguments;
+    if (common->profile)
         profile_enable();
-    status = cmd->run(&options);
+    int status = cmd->run(arguments);
     progress_end();
     profile_report();
-
     /* For what was printed past output.c: a remark that did not arrive is a failure too. */
     if (status == STATUS_OK && (fflush(stdout) != 0 || ferror(stdout)))
         status = fail("cannot write standard output: %s", strerror(errno));
+    return status;
+}
+
+int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)
+{
+    const char *const name = argc < 2 ? NULL : argv[1];
+    if (name && strcmp(name, "--help") == 0)
+        return print_overview(table);
+    if (name && strcmp(name, "--version") == 0)
+        return print_version(version);
+    const struct subcommand *const cmd = find(table, name);
+    if (!cmd)
+        return STATUS_USAGE;
+
+    void *arguments = xmalloc(cmd->size);
+    memcpy(arguments, cmd->defaults, cmd->size);
+    bool help;
+    int status = options_parse(arguments, cmd->options, argc - 1, argv + 1, &help);
+    if (status == STATUS_OK)
+        status = help ? print_whole(cmd->help) : run(cmd, arguments);
+    options_clear(arguments, cmd->options);
+    free(arguments);
     return status;
 }

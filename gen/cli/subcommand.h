@@ -1,11 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* From a command line to the subcommand that it names. */
+/* A subcommand of corgen, and the way from a command line to the one that it names. */
 #ifndef COR_GEN_CLI_SUBCOMMAND_H
 #define COR_GEN_CLI_SUBCOMMAND_H
 
 #include "cli/options.h"
 
-/* Chooses and runs one out of a table that ends with a NULL name; returns the exit status. */
-int subcommand_run(const struct subcommand *table, const char *version, int argc, char **argv);
+struct subcommand {
+    const char *name;
+    const char *summary;
+    const char *help; /* full text of --help: usage, options, output columns, example */
+    const struct option_rule *options;
+    size_t size;                       /* of its struct of arguments, which begins with struct option_common, */
+    const void *defaults;              /* and what that holds where no option is given */
+    int (*run)(const void *arguments); /* exit status */
+};
+
+/* Chooses and runs one out of a table that ends with NULL; returns the exit status. */
+int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv);
+
+/* Parts of help texts */
+#define HELP_LAW                                                                                                       \
+    "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, 0 to 24, as 3/2\n"                         \
+    "                             (default 3/2 and 1/2: viscoelastic spheres)\n"
+#define HELP_DIGITS "  --digits D       significant digits, each one proved; 1 to 10000000 (default 20)\n"
+#define HELP_END "  --end E          zero-overlap (default) or zero-force: what ends the contact\n"
+#define HELP_COMMON                                                                                                    \
+    "  --output FILE    instead of standard output; replaced whole or not at all\n"                                    \
+    "  --profile        seconds per step and peak memory on standard error\n"
 
 #endif

@@ -2,11 +2,12 @@
 /* corgen trajectory: the exact x_k(t) of (48), (49). */
 #include <stdlib.h>
 
-#include "cli/options.h"
+#include "cli/commands.h"
 #include "series/trajectory.h"
 #include "support/console.h"
 
 #define COEFFICIENTS_MAX 10000000
+enum { MAX_ORDER = 100000, MAX_TERMS = 100000 };
 
 /* Exponent of t in the term j of row k: 1 + k (b+1) + j (a+1). */
 static struct ratio exponent(const struct law *law, slong k, slong j)
@@ -57,9 +58,10 @@ static void print_size_latex(FILE *file, const fmpq_t size)
 }
 
 /* Terms that vanish are left out; the row goes on beyond the last one asked for. */
-static void print_row(FILE *file, const fmpq_poly_t row, slong k, const struct options *o)
+static void print_row(FILE *file, const fmpq_poly_t row, slong k, const struct trajectory_arguments *o,
+                      const struct law *law)
 {
-    bool latex = o->format == FORMAT_LATEX;
+    bool latex = o->common.format == FORMAT_LATEX;
     bool first = true;
     fmpq_t c;
     fmpq_init(c);
@@ -76,25 +78,26 @@ static void print_row(FILE *file, const fmpq_poly_t row, slong k, const struct o
         fmpq_abs(c, c);
         if (!fmpq_is_one(c))
             (latex ? print_size_latex : print_size_text)(file, c);
-        (latex ? print_power_latex : print_power_text)(file, exponent(&o->law, k, j));
+        (latex ? print_power_latex : print_power_text)(file, exponent(law, k, j));
     }
     fmpq_clear(c);
     fprintf(file, "%s%s", first ? "" : " + ", latex ? "\\cdots" : "...");
 }
 
-static void print_rows(FILE *file, const fmpq_poly_struct *row, const struct options *o)
+static void print_rows(FILE *file, const fmpq_poly_struct *row, const struct trajectory_arguments *o,
+                       const struct law *law)
 {
-    bool latex = o->format == FORMAT_LATEX;
+    bool latex = o->common.format == FORMAT_LATEX;
     fputs(latex ? "\\begin{aligned}\n" : "", file);
     for (slong k = 0; k <= o->order; k++) {
         fprintf(file, latex ? "x_{%ld}(t) &= " : "x_%ld = ", (long)k);
-        print_row(file, &row[k], k, o);
+        print_row(file, &row[k], k, o, law);
         fputs(latex && k < o->order ? " \\\\\n" : "\n", file);
     }
     fputs(latex ? "\\end{aligned}\n" : "", file);
 }
 
-static void print_table(FILE *file, const fmpq_poly_struct *row, const struct options *o)
+static void print_table(FILE *file, const fmpq_poly_struct *row, const struct trajectory_arguments *o)
 {
     static const char *const column[] = {"k", "j", "numerator", "denominator"};
     struct table table;
@@ -111,29 +114,34 @@ static void print_table(FILE *file, const fmpq_poly_struct *row, const struct op
         }
     }
     fmpq_clear(c);
-    table_print(&table, o->format, file);
+    table_print(&table, (enum output_format)o->common.format, file);
     table_clear(&table);
 }
 
-int command_trajectory(const struct options *o)
+static int run_trajectory(const void *arguments)
 {
+    const struct trajectory_arguments *const o = arguments;
+    struct law law;
+    const int wrong = options_law(&law, &o->law);
+    if (wrong)
+        return wrong;
     if ((o->order + 1) * (o->terms + 1) > COEFFICIENTS_MAX)
         return usage_error("--order %ld with --terms %ld is more than %d coefficients, (order + 1) "
                            "(terms + 1), which no memory holds as exact rationals",
                            (long)o->order, (long)o->terms, COEFFICIENTS_MAX);
     struct output out;
-    if (output_open(&out, o->output) != STATUS_OK)
+    if (output_open(&out, o->common.output) != STATUS_OK)
         return STATUS_FAILED;
 
     profile_step("exact rationals");
     fmpq_poly_struct *row = xmalloc((size_t)(o->order + 1) * sizeof *row);
     for (slong k = 0; k <= o->order; k++)
         fmpq_poly_init(&row[k]);
-    trajectory_exact(row, o->order, o->terms, &o->law);
+    trajectory_exact(row, o->order, o->terms, &law);
 
     profile_step("printing");
-    if (o->format == FORMAT_TEXT || o->format == FORMAT_LATEX)
-        print_rows(out.file, row, o);
+    if (o->common.format == FORMAT_TEXT || o->common.format == FORMAT_LATEX)
+        print_rows(out.file, row, o, &law);
     else
         print_table(out.file, row, o);
     for (slong k = 0; k <= o->order; k++)
@@ -141,3 +149,38 @@ int command_trajectory(const struct options *o)
     free(row);
     return output_commit(&out);
 }
+
+static const char help[] = "Usage: corgen trajectory --order K --terms J [OPTION]...\n\n"
+                           "Prints x_0 .. x_K of x(t) = sum x_k(t) beta^k exactly; for spheres\n"
+                           "x_k(t) = t sum_j c[k][j] t^(3k/2 + 5j/2), j = 0 .. J.\n\n"
+                           "  --order K        highest power of beta, 0 to 100000\n"
+                           "  --terms J        highest j, 0 to 100000\n"
+                           "  --format F       text (default), csv, json or latex\n" HELP_LAW HELP_COMMON
+                           "\nColumns of csv and json: k,j,numerator,denominator.\n"
+                           "Example: corgen trajectory --order 3 --terms 4\n";
+
+#define AT(FIELD) offsetof(struct trajectory_arguments, FIELD)
+static const struct option_rule options[] = {
+    {.name = "order",
+     .kind = OPTION_WHOLE,
+     .offset = AT(order),
+     .range.whole = {0, MAX_ORDER},
+     .why = "an order needs all below it, and their cost grows faster than its cube",
+     .required = true},
+    {.name = "terms",
+     .kind = OPTION_WHOLE,
+     .offset = AT(terms),
+     .range.whole = {0, MAX_TERMS},
+     .why = "the exact rationals of more terms outgrow any memory",
+     .required = true},
+    OPTION_FORMAT(struct trajectory_arguments, option_formats_latex),
+    OPTION_LAW(struct trajectory_arguments),
+    OPTION_COMMON(struct trajectory_arguments),
+    {.name = NULL},
+};
+
+static const struct trajectory_arguments defaults = {0};
+
+const struct subcommand command_trajectory = {
+    "trajectory",  "exact rational coefficients of x(t), any order", help, options, sizeof defaults, &defaults,
+    run_trajectory};

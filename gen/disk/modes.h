@@ -5,6 +5,8 @@
 
 #include "support/flint.h"
 
+#define DISK_MODES_MAX 10000000 /* modes that corgen computes of one disk, at most */
+
 /* omega: frequency; c = u_r(1) > 0 and s = u_phi(1), (28), normalised by (26). l counts the modes of one n from 0. */
 struct disk_mode {
     slong n, l;

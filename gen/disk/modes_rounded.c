@@ -5,9 +5,10 @@
 
 #include "disk/modes.h"
 #include "support/console.h"
+#include "support/decimal.h"
 #include "support/digits.h"
 
-enum { MODE_DIGITS = 17 /* digits_to_double needs no more */, NU_BITS = 4000 };
+enum { MODE_DIGITS = 17 /* digits_to_double needs no more */ };
 
 static int round_all(struct cor_disk_mode *mode, const struct disk_modes *exact)
 {
@@ -28,11 +29,7 @@ int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong coun
     int status = disk_modes_solve(&exact, nu, count, MODE_DIGITS);
     if (status == STATUS_OK) {
         struct cor_disk_mode *const mode = xmalloc((size_t)count * sizeof *mode);
-        arb_t ball;
-        arb_init(ball);
-        arb_set_fmpq(ball, nu, NU_BITS);
-        *modes = (struct cor_disk_modes){arf_get_d(arb_midref(ball), ARF_RND_NEAR), (size_t)count, mode};
-        arb_clear(ball);
+        *modes = (struct cor_disk_modes){decimal_nearest(nu), (size_t)count, mode};
         status = round_all(mode, &exact);
         if (status != STATUS_OK)
             free(mode);

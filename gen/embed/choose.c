@@ -244,16 +244,16 @@ int embed_search(struct embed_form *form, const struct embed_scene *s)
     return status;
 }
 
-enum embed_family embed_choose(const struct embed_form *form, enum options_use use)
+enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose purpose)
 {
     enum embed_family best = FAMILIES;
     double least = INFINITY;
     for (int i = 0; i < FAMILIES; i++) {
         if (!form[i].found)
             continue;
-        const double cost = use == OPTIONS_BALANCED ? balanced(&form[i])
-                            : use == OPTIONS_SCALAR ? form[i].cost[USE_SCALAR]
-                                                    : form[i].cost[USE_ARRAY];
+        const double cost = purpose == PURPOSE_BALANCED ? balanced(&form[i])
+                            : purpose == PURPOSE_SCALAR ? form[i].cost[USE_SCALAR]
+                                                        : form[i].cost[USE_ARRAY];
         if (cost < least) {
             least = cost;
             best = (enum embed_family)i;

@@ -13,6 +13,6 @@ void embed_search_series(struct embed_form *form, const struct embed_scene *s, c
 
 /* The family for a use, or FAMILIES if none was found. balanced: a call of its own counts as much as four numbers of an
  * array. */
-enum embed_family embed_choose(const struct embed_form *form, enum options_use use);
+enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose purpose);
 
 #endif

@@ -13,7 +13,6 @@
 enum { TEXT_MAX = 16384, NAME_MAX_HERE = 128 };
 
 static const char default_name[] = "cor_scene_eps";
-static const char *const use_names[] = {"balanced", "scalar", "array"};
 
 struct text {
     char text[TEXT_MAX];
@@ -30,25 +29,26 @@ static void append(struct text *t, const char *format, ...)
     t->length = n < 0 ? t->length : FLINT_MIN(t->length + (size_t)n, (size_t)TEXT_MAX - 1);
 }
 
-static void append_command(struct text *t, const struct options *o)
+static void append_command(struct text *t, const struct embed_request *request)
 {
     int column = 15;
     append(t, "Written by:  corgen embed");
-    for (int i = 0; i < OPTIONS_REALS; i++) {
-        if (!o->real[i])
+    for (int i = 0; i < EMBED_NUMBERS; i++) {
+        if (!request->number[i].text)
             continue;
-        const char *name = options_real_name((enum options_real)i);
-        const int width = (int)(strlen(name) + strlen(o->real[i])) + 4;
+        const char *name = embed_number_names[i];
+        const int width = (int)(strlen(name) + strlen(request->number[i].text)) + 4;
         if ((column += width) > 85) {
             append(t, " \\\n                ");
             column = width;
         }
-        append(t, " --%s %s", name, o->real[i]);
+        append(t, " --%s %s", name, request->number[i].text);
     }
-    append(t, "%s \\\n                 --end %s --type %s --for %s", o->wall ? " --wall" : "",
-           o->end == END_ZERO_FORCE ? "zero-force" : "zero-overlap", o->single ? "float" : "double", use_names[o->use]);
-    if (o->name)
-        append(t, " --name %s", o->name);
+    append(t, "%s \\\n                 --end %s --type %s --for %s", request->wall ? " --wall" : "",
+           request->end == END_ZERO_FORCE ? "zero-force" : "zero-overlap", embed_type_names[request->type],
+           embed_purpose_names[request->purpose]);
+    if (request->name)
+        append(t, " --name %s", request->name);
     append(t, "\nChecked by:  the same command, whose output is the same to the byte\n");
 }
 
@@ -83,12 +83,12 @@ static void append_alternatives(struct text *t, const struct embed_form *form, e
 }
 
 /* What the choice means in words. */
-static const char *rule_of_use(enum options_use use)
+static const char *rule_of_purpose(enum embed_purpose purpose)
 {
-    switch (use) {
-    case OPTIONS_SCALAR:
+    switch (purpose) {
+    case PURPOSE_SCALAR:
         return "the least time for calls of their own, column scalar";
-    case OPTIONS_ARRAY:
+    case PURPOSE_ARRAY:
         return "the least time in loops that become vectors, column vector";
     default:
         return "the least time, a call of its own counting\nas much as four numbers of a loop that becomes vectors, "
@@ -96,7 +96,7 @@ static const char *rule_of_use(enum options_use use)
     }
 }
 
-static void append_scene(struct text *t, const struct options *o, const struct embed_scene *s)
+static void append_scene(struct text *t, const struct embed_request *request, const struct embed_scene *s)
 {
     char *beta = arb_get_str(s->beta_per_root, 20, ARB_STR_NO_RADIUS);
     append(t,
@@ -104,13 +104,13 @@ static void append_scene(struct text *t, const struct options *o, const struct e
            "beta = %s (speed/(m/s))^(1/5), from %.4g to %.4g.\n"
            "Accuracy: relative error of eps at most %s, approximation and rounding together (sampled, below).\n"
            "Outside: the value at the nearer end, of speed 0 and +inf too; negative or NaN -> NaN.\n\n",
-           o->real[OPTIONS_SPEED_MIN], o->real[OPTIONS_SPEED_MAX],
-           o->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)", beta, s->beta_min, s->beta_max,
-           o->real[OPTIONS_TOLERANCE]);
+           request->number[EMBED_SPEED_MIN].text, request->number[EMBED_SPEED_MAX].text,
+           request->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)", beta, s->beta_min,
+           s->beta_max, request->number[EMBED_TOLERANCE].text);
     flint_free(beta);
 }
 
-static void append_choice(struct text *t, const struct options *o, const struct embed_form *form,
+static void append_choice(struct text *t, const struct embed_request *request, const struct embed_form *form,
                           enum embed_family chosen)
 {
     const struct embed_form *f = &form[chosen];
@@ -122,8 +122,9 @@ static void append_choice(struct text *t, const struct options *o, const struct 
            "once and twice: sampled. %s\n\n"
            "The cheapest of each kind. ns are made from the operations and what they cost in a loop where that was\n"
            "measured (docs/embed.md): right as ratios. Division and square root run beside the others.\n\n",
-           embed_family_name(chosen), size, rule_of_use(o->use), use_names[o->use], emit_bound(f->error).text,
-           f->error_at, EMBED_SAMPLES, f->rows > 0 ? "No branch; one table." : "No branch, no table.");
+           embed_family_name(chosen), size, rule_of_purpose(request->purpose), embed_purpose_names[request->purpose],
+           emit_bound(f->error).text, f->error_at, EMBED_SAMPLES,
+           f->rows > 0 ? "No branch; one table." : "No branch, no table.");
     append_alternatives(t, form, chosen);
 }
 
@@ -210,27 +211,27 @@ static void upper_case(char *text)
         *text = (char)(*text >= 'a' && *text <= 'z' ? *text - 'a' + 'A' : *text);
 }
 
-static void emit_macros(struct emit *e, const char *name, const struct options *o)
+static void emit_macros(struct emit *e, const char *name, const struct embed_request *request)
 {
     static const struct {
         const char *suffix;
-        enum options_real which;
-    } macros[] = {{"SPEED_MIN", OPTIONS_SPEED_MIN}, {"SPEED_MAX", OPTIONS_SPEED_MAX}, {"TOLERANCE", OPTIONS_TOLERANCE}};
+        enum embed_number which;
+    } macros[] = {{"SPEED_MIN", EMBED_SPEED_MIN}, {"SPEED_MAX", EMBED_SPEED_MAX}, {"TOLERANCE", EMBED_TOLERANCE}};
     for (size_t i = 0; i < sizeof macros / sizeof *macros; i++) {
         char macro[NAME_MAX_HERE], value[NAME_MAX_HERE];
         snprintf(macro, sizeof macro, "%s_%s", name, macros[i].suffix);
         upper_case(macro);
-        const int length = snprintf(value, sizeof value, "%.17g", strtod(o->real[macros[i].which], NULL));
+        const int length = snprintf(value, sizeof value, "%.17g", embed_number(request, macros[i].which));
         if (!strpbrk(value, ".e"))
             snprintf(value + length, sizeof value - (size_t)length, ".0");
         emit_define(e, macro, value);
     }
 }
 
-void embed_header_write(FILE *file, const struct options *o, const struct embed_scene *s, const struct embed_form *form,
-                        enum embed_family chosen)
+void embed_header_write(FILE *file, const struct embed_request *request, const struct embed_scene *s,
+                        const struct embed_form *form, enum embed_family chosen)
 {
-    const char *name = o->name ? o->name : default_name;
+    const char *name = request->name ? request->name : default_name;
     char guard[NAME_MAX_HERE];
     snprintf(guard, sizeof guard, "%s_h", name);
     upper_case(guard);
@@ -240,18 +241,18 @@ void embed_header_write(FILE *file, const struct options *o, const struct embed_
            "Restitution coefficient of viscoelastic spheres that collide at an impact speed, for one scene:\n"
            "    %s %s(%s speed);\n\n",
            s->single ? "float" : "double", name, s->single ? "float" : "double");
-    append_scene(banner, o, s);
-    append_choice(banner, o, form, chosen);
+    append_scene(banner, request, s);
+    append_choice(banner, request, form, chosen);
     append_provenance(banner);
-    append_command(banner, o);
+    append_command(banner, request);
 
     struct emit e;
     emit_open(&e, file, guard, banner->text);
     e.single = s->single;
     fprintf(file, "\n%s\n", evaluator_inline);
-    emit_macros(&e, name, o);
+    emit_macros(&e, name, request);
     emit_comment(&e, "eps at an impact speed in m/s");
-    emit_form(&e, name, &form[chosen], o->use != OPTIONS_SCALAR);
+    emit_form(&e, name, &form[chosen], request->purpose != PURPOSE_SCALAR);
     emit_close(&e);
     free(banner);
 }

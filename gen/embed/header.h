@@ -5,8 +5,8 @@
 
 #include "embed/choose.h"
 
-void embed_header_write(FILE *file, const struct options *o, const struct embed_scene *s, const struct embed_form *form,
-                        enum embed_family chosen);
+void embed_header_write(FILE *file, const struct embed_request *request, const struct embed_scene *s,
+                        const struct embed_form *form, enum embed_family chosen);
 
 /* "neither a series ..., nor ...": what was tried and how it failed, for a person. Malloc'ed. */
 char *embed_failures(const struct embed_form *form);

@@ -26,26 +26,20 @@ double embed_rounded(const struct embed_scene *s, double x)
 
 /* ---- beta from materials ---- */
 
-static bool given(const struct options *o, enum options_real which)
-{
-    return o->real[which] != NULL;
-}
-
 /* The number of body 2, or else that of body 1. */
-static void of_body(arb_t x, const struct options *o, enum options_real which, int body)
+static void of_body(arb_t x, const struct embed_request *request, enum embed_number which, int body)
 {
-    const enum options_real second = which + (OPTIONS_YOUNG_2 - OPTIONS_YOUNG);
-    options_real(x, o, body == 2 && given(o, second) ? second : which, EMBED_BITS);
+    arb_set_fmpq(x, embed_number_of_body(request, which, body)->value, EMBED_BITS);
 }
 
 /* (1 - nu^2)/Y; 0 of a rigid body */
-static void compliance(arb_t c, const struct options *o, int body)
+static void compliance(arb_t c, const struct embed_request *request, int body)
 {
     arb_t nu, y;
     arb_init(nu);
     arb_init(y);
-    of_body(nu, o, OPTIONS_POISSON, body);
-    of_body(y, o, OPTIONS_YOUNG, body);
+    of_body(nu, request, EMBED_POISSON, body);
+    of_body(y, request, EMBED_YOUNG, body);
     arb_sqr(c, nu, EMBED_BITS);
     arb_sub_ui(c, c, 1, EMBED_BITS);
     arb_neg(c, c);
@@ -55,24 +49,22 @@ static void compliance(arb_t c, const struct options *o, int body)
 }
 
 /* 1/radius and 1/mass; 0 of a wall */
-static void inverses(arb_t radius, arb_t mass, const struct options *o, int body)
+static void inverses(arb_t radius, arb_t mass, const struct embed_request *request, int body)
 {
     arb_zero(radius);
     arb_zero(mass);
-    if (body == 2 && o->wall)
+    if (body == 2 && request->wall)
         return;
     arb_t x, y;
     arb_init(x);
     arb_init(y);
-    of_body(x, o, OPTIONS_RADIUS, body);
+    of_body(x, request, EMBED_RADIUS, body);
     arb_inv(radius, x, EMBED_BITS);
-    const bool by_mass = given(
-        o, body == 2 && (given(o, OPTIONS_MASS_2) || given(o, OPTIONS_DENSITY_2)) ? OPTIONS_MASS_2 : OPTIONS_MASS);
-    if (by_mass) {
-        of_body(mass, o, OPTIONS_MASS, body);
+    if (embed_mass_is_given(request, body)) {
+        of_body(mass, request, EMBED_MASS, body);
     } else { /* (4/3) pi R^3 density */
         arb_pow_ui(x, x, 3, EMBED_BITS);
-        of_body(y, o, OPTIONS_DENSITY, body);
+        of_body(y, request, EMBED_DENSITY, body);
         arb_mul(x, x, y, EMBED_BITS);
         arb_const_pi(y, EMBED_BITS);
         arb_mul(x, x, y, EMBED_BITS);
@@ -85,15 +77,15 @@ static void inverses(arb_t radius, arb_t mass, const struct options *o, int body
 }
 
 /* (3/2) A (rho/m)^(2/5) of include/cor/contact.h */
-static void beta_of_materials(arb_t beta, const struct options *o)
+static void beta_of_materials(arb_t beta, const struct embed_request *request)
 {
     enum { C1, C2, C, R1, R2, M1, M2, A, RHO, COUNT };
     arb_ptr x = _arb_vec_init(COUNT);
-    compliance(x + C1, o, 1);
-    compliance(x + C2, o, 2);
+    compliance(x + C1, request, 1);
+    compliance(x + C2, request, 2);
     arb_add(x + C, x + C1, x + C2, EMBED_BITS);
-    inverses(x + R1, x + M1, o, 1);
-    inverses(x + R2, x + M2, o, 2);
+    inverses(x + R1, x + M1, request, 1);
+    inverses(x + R2, x + M2, request, 2);
     arb_add(x + R1, x + R1, x + R2, EMBED_BITS); /* 1/R */
     arb_add(x + M1, x + M1, x + M2, EMBED_BITS); /* 1/m */
     /* rho = 4 sqrt(R)/(3 (c_1 + c_2)) */
@@ -102,9 +94,9 @@ static void beta_of_materials(arb_t beta, const struct options *o)
     arb_div_ui(x + RHO, x + RHO, 3, EMBED_BITS);
     arb_div(x + RHO, x + RHO, x + C, EMBED_BITS);
     /* A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2) */
-    of_body(beta, o, OPTIONS_DISSIPATION_TIME, 1);
+    of_body(beta, request, EMBED_DISSIPATION_TIME, 1);
     arb_mul(x + A, beta, x + C1, EMBED_BITS);
-    of_body(beta, o, OPTIONS_DISSIPATION_TIME, 2);
+    of_body(beta, request, EMBED_DISSIPATION_TIME, 2);
     arb_addmul(x + A, beta, x + C2, EMBED_BITS);
     arb_div(x + A, x + A, x + C, EMBED_BITS);
     arb_mul(x + RHO, x + RHO, x + M1, EMBED_BITS);
@@ -137,42 +129,16 @@ static void first_coefficient(arb_t c)
     arb_clear(x);
 }
 
-static void beta_of_g_star(arb_t beta, const struct options *o)
+static void beta_of_g_star(arb_t beta, const struct embed_request *request)
 {
     arb_t c;
     arb_init(c);
-    options_real(beta, o, OPTIONS_G_STAR, EMBED_BITS);
+    arb_set_fmpq(beta, request->number[EMBED_G_STAR].value, EMBED_BITS);
     arb_root_ui(beta, beta, 5, EMBED_BITS);
     first_coefficient(c);
     arb_mul(beta, beta, c, EMBED_BITS);
     arb_inv(beta, beta, EMBED_BITS);
     arb_clear(c);
-}
-
-/* Which numbers there must be, and which may not be together. */
-static int materials_status(const struct options *o)
-{
-    static const enum options_real body[] = {OPTIONS_YOUNG, OPTIONS_POISSON, OPTIONS_RADIUS, OPTIONS_DISSIPATION_TIME};
-    static const char rule[] =
-        "a scene has --g-star, or --young, --poisson, --radius, --dissipation-time and --density "
-        "or --mass";
-    bool any = o->wall;
-    for (enum options_real r = OPTIONS_YOUNG; r < OPTIONS_REALS; r++)
-        any = any || given(o, r);
-    if (given(o, OPTIONS_G_STAR))
-        return any ? usage_error("--g-star and materials exclude each other: %s", rule) : STATUS_OK;
-    if (!any)
-        return usage_error("a scene needs a contact: %s", rule);
-    for (size_t i = 0; i < sizeof body / sizeof *body; i++)
-        if (!given(o, body[i]))
-            return usage_error("--%s is missing: %s", options_real_name(body[i]), rule);
-    if (given(o, OPTIONS_DENSITY) == given(o, OPTIONS_MASS))
-        return usage_error("--density and --mass: one of them, please; %s", rule);
-    if (given(o, OPTIONS_DENSITY_2) && given(o, OPTIONS_MASS_2))
-        return usage_error("--density-2 and --mass-2 exclude each other");
-    if (o->wall && (given(o, OPTIONS_RADIUS_2) || given(o, OPTIONS_DENSITY_2) || given(o, OPTIONS_MASS_2)))
-        return usage_error("--wall is flat and held fast: no --radius-2, --density-2 or --mass-2");
-    return STATUS_OK;
 }
 
 /* ---- eps ---- */
@@ -273,25 +239,25 @@ static void make_samples(struct embed_scene *s)
                                       log(samples->speed[i] / samples->speed[i - step]));
 }
 
-static int read_range(struct embed_scene *s, const struct options *o)
+static int read_range(struct embed_scene *s, const struct embed_request *request)
 {
     const double limit = s->single ? (double)FLT_MAX : DBL_MAX, least = s->single ? (double)FLT_MIN : 1e-270;
     const char *type = s->single ? "float" : "double";
-    s->speed_min = embed_rounded(s, strtod(o->real[OPTIONS_SPEED_MIN], NULL));
-    s->speed_max = embed_rounded(s, strtod(o->real[OPTIONS_SPEED_MAX], NULL));
-    s->tolerance = strtod(o->real[OPTIONS_TOLERANCE], NULL);
+    s->speed_min = embed_rounded(s, embed_number(request, EMBED_SPEED_MIN));
+    s->speed_max = embed_rounded(s, embed_number(request, EMBED_SPEED_MAX));
+    s->tolerance = embed_number(request, EMBED_TOLERANCE);
     if (!(s->speed_min >= least))
-        return usage_error("--speed-min %.60s m/s is too small for a %s; at least %.2g", o->real[OPTIONS_SPEED_MIN],
-                           type, least);
+        return usage_error("--speed-min %s m/s is too small for a %s; at least %.2g",
+                           request->number[EMBED_SPEED_MIN].text, type, least);
     if (!(s->speed_max <= fmin(limit, 1e270)))
-        return usage_error("--speed-max %.60s m/s is too large for a %s", o->real[OPTIONS_SPEED_MAX], type);
+        return usage_error("--speed-max %s m/s is too large for a %s", request->number[EMBED_SPEED_MAX].text, type);
     if (!(s->speed_max > s->speed_min))
-        return usage_error("--speed-min %.60s is not below --speed-max %.60s", o->real[OPTIONS_SPEED_MIN],
-                           o->real[OPTIONS_SPEED_MAX]);
+        return usage_error("--speed-min %s is not below --speed-max %s", request->number[EMBED_SPEED_MIN].text,
+                           request->number[EMBED_SPEED_MAX].text);
     const double finest = s->single ? 4e-7 : 1e-15;
     if (!(s->tolerance >= finest && s->tolerance <= 0.1))
-        return usage_error("--tolerance %.60s is not from %g to 0.1, what a %s can hold", o->real[OPTIONS_TOLERANCE],
-                           finest, type);
+        return usage_error("--tolerance %s is not from %g to 0.1, what a %s can hold",
+                           request->number[EMBED_TOLERANCE].text, finest, type);
     return STATUS_OK;
 }
 
@@ -322,20 +288,20 @@ static int prepare(struct embed_scene *s)
     return STATUS_OK;
 }
 
-int embed_scene_init(struct embed_scene *s, const struct options *o)
+int embed_scene_init(struct embed_scene *s, const struct embed_request *request)
 {
-    *s = (struct embed_scene){.end = o->end, .single = o->single};
+    *s = (struct embed_scene){.end = request->end, .single = request->type == EMBED_FLOAT};
     arb_init(s->beta_per_root);
     arb_init(s->h_star_5);
-    int status = read_range(s, o);
+    int status = read_range(s, request);
     if (status == STATUS_OK)
-        status = materials_status(o);
+        status = embed_request_check(request);
     if (status)
         return status;
-    if (given(o, OPTIONS_G_STAR))
-        beta_of_g_star(s->beta_per_root, o);
+    if (embed_given(request, EMBED_G_STAR))
+        beta_of_g_star(s->beta_per_root, request);
     else
-        beta_of_materials(s->beta_per_root, o);
+        beta_of_materials(s->beta_per_root, request);
     return prepare(s);
 }
 

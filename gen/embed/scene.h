@@ -3,7 +3,7 @@
 #ifndef COR_GEN_EMBED_SCENE_H
 #define COR_GEN_EMBED_SCENE_H
 
-#include "cli/options.h"
+#include "embed/request.h"
 
 struct interpolant;
 
@@ -27,8 +27,8 @@ struct embed_scene {
 
 enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320 };
 
-/* From the options of corgen embed. STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a sentence on stderr. */
-int embed_scene_init(struct embed_scene *s, const struct options *o);
+/* STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a sentence on stderr. */
+int embed_scene_init(struct embed_scene *s, const struct embed_request *request);
 void embed_scene_clear(struct embed_scene *s);
 
 /* eps at a speed in [speed_min, speed_max], certified as interpolant.h says. */

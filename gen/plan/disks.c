@@ -22,7 +22,7 @@ enum {
     FIT_COUNTS = 3, /* from 1800 on, and walls from 22 on: disk_limit_fit.h */
     FIT_WALLS = 4,
     FIT = FIT_COUNTS * FIT_WALLS,
-    QUANTITIES = 3 /* enum options_quantity */
+    QUANTITIES = 3 /* enum plan_quantity */
 };
 #define COLLISION_TOLERANCE 1e-6
 /* The paper's wall and number of modes. */
@@ -44,7 +44,7 @@ struct outcome {
 };
 
 struct disks {
-    const struct options *o;
+    const struct plan_disks_request *request;
     struct cor_disk_modes modes;
     struct outcome *grid; /* [point][count][wall] */
     struct outcome *paper;
@@ -73,9 +73,9 @@ static void collide(struct disks *d, struct outcome *out, size_t modes, double a
     }
     struct cor_disk_collision c = {(double)NAN, (double)NAN, (double)NAN, (double)NAN, (double)NAN, 0};
     const int status = cor_disk_collision_in(d->room, d->bytes, &d->modes, modes, &options, speed, &c, NULL);
-    out->value[OPTIONS_EPS] = c.eps;
-    out->value[OPTIONS_CONTACT_TIME] = c.contact_time;
-    out->value[OPTIONS_COMPRESSION] = c.max_compression;
+    out->value[PLAN_EPS] = c.eps;
+    out->value[PLAN_CONTACT_TIME] = c.contact_time;
+    out->value[PLAN_COMPRESSION] = c.max_compression;
     out->reached = status == COR_OK;
     out->steps = (double)c.steps;
 }
@@ -103,7 +103,7 @@ static int limit_of_eps(struct plan *plan, const struct disks *d, slong i)
     for (int k = 0; k < FIT; k++) {
         const int n = COUNTS - FIT_COUNTS + k / FIT_WALLS, wall = WALLS - FIT_WALLS + k % FIT_WALLS;
         const struct outcome *out = at(d, i, n, wall);
-        const double eps = out->value[OPTIONS_EPS];
+        const double eps = out->value[PLAN_EPS];
         row[k] = (struct disk_limit_row){alpha_of(hardness[wall], plan->speed[i]), counts[n],
                                          out->reached ? 1 - eps * eps : (double)NAN};
     }
@@ -117,15 +117,14 @@ static int limit_of_eps(struct plan *plan, const struct disks *d, slong i)
 }
 
 /* At a hard wall, linear in 1/alpha through two walls. */
-static double hard_wall(const struct disks *d, slong i, int count, int softer, int harder,
-                        enum options_quantity quantity)
+static double hard_wall(const struct disks *d, slong i, int count, int softer, int harder, enum plan_quantity quantity)
 {
     const double x = at(d, i, count, softer)->value[quantity], y = at(d, i, count, harder)->value[quantity];
     return y + (y - x) * hardness[softer] / (hardness[harder] - hardness[softer]);
 }
 
 /* The other quantities, of the most modes; uncertain by what two other walls and fewer modes make of them. */
-static int limit_of_other(struct plan *plan, const struct disks *d, slong i, enum options_quantity quantity)
+static int limit_of_other(struct plan *plan, const struct disks *d, slong i, enum plan_quantity quantity)
 {
     const int most = COUNTS - 1, half = COUNTS - FIT_COUNTS;
     const double limit = hard_wall(d, i, most, WALLS - 3, WALLS - 1, quantity);
@@ -143,7 +142,7 @@ static int limit_of_other(struct plan *plan, const struct disks *d, slong i, enu
 /* C that makes `modes` and `v` known */
 static char *modes_text(const struct disks *d, size_t count)
 {
-    const char *poisson = d->o->real[OPTIONS_POISSON];
+    const char *poisson = d->request->poisson.text;
     if (count <= 1800 && (d->modes.nu == 0.33 || d->modes.nu == 0.9))
         return plan_text("#include \"cor/cor.h\"\nconst struct cor_disk_modes *modes = &cor_disk_modes_nu0%d;\n",
                          d->modes.nu == 0.33 ? 33 : 90);
@@ -153,7 +152,7 @@ static char *modes_text(const struct disks *d, size_t count)
                      poisson, count);
 }
 
-static const char *field(enum options_quantity quantity)
+static const char *field(enum plan_quantity quantity)
 {
     static const char *const fields[QUANTITIES] = {"eps", "contact_time", "max_compression"};
     return fields[quantity];
@@ -161,7 +160,7 @@ static const char *field(enum options_quantity quantity)
 
 static bool is_relative(const struct disks *d)
 {
-    return d->o->quantity != OPTIONS_EPS;
+    return d->request->quantity != PLAN_EPS;
 }
 
 /* hard = 0: the paper's wall */
@@ -177,7 +176,7 @@ static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes,
     double steps = 0;
     for (slong i = 0; i < plan->points; i++) {
         const struct outcome *out = hard > 0 ? at(d, i, n, k) : &d->paper[i];
-        m->value[i] = out->value[d->o->quantity];
+        m->value[i] = out->value[d->request->quantity];
         steps += out->steps / (double)plan->points;
     }
     plan_compare(plan, m, is_relative(d));
@@ -191,7 +190,7 @@ static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes,
     m->use = plan_text("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
                        "struct cor_disk_collision out;\n"
                        "int status = cor_disk_collision(modes, %zu, &options, v, &out); /* out.%s */\n",
-                       table, alpha, COLLISION_TOLERANCE, modes, field(d->o->quantity));
+                       table, alpha, COLLISION_TOLERANCE, modes, field(d->request->quantity));
     free(table);
 }
 
@@ -267,7 +266,7 @@ static void add_models_of_eps(struct plan *plan, const struct disks *d)
     m->promised = true;
     m->cost = NS_EPS_TABLE;
     m->leaves_out = "nothing; estimated, not proved";
-    m->use = plan_text("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->o->real[OPTIONS_POISSON]);
+    m->use = plan_text("#include \"cor/cor.h\"\ndouble eps = cor_disk_eps(v, %s);\n", d->request->poisson.text);
 }
 
 typedef double law(double speed, double nu, enum cor_disk_datum datum);
@@ -276,46 +275,46 @@ static void add_laws(struct plan *plan, const struct disks *d)
 {
     static const char *const name[] = {"centre of mass", "diameter", "as printed"};
     static const char *const datum[] = {"CENTRE_OF_MASS", "DIAMETER", "PRINTED"};
-    const bool time = d->o->quantity == OPTIONS_CONTACT_TIME;
+    const bool time = d->request->quantity == PLAN_CONTACT_TIME;
     law *const function = time ? cor_disk_contact_time : cor_disk_max_compression;
     const char *const called = time ? "cor_disk_contact_time" : "cor_disk_max_compression";
     struct plan_model *m = plan_add(plan, "leading logarithm (61)");
     for (slong i = 0; i < plan->points; i++)
         m->value[i] = (time ? cor_disk_contact_time_leading_log : cor_disk_max_compression_leading_log)(plan->speed[i]);
     plan_compare(plan, m, true);
-    m->cost = ns_leading_log[d->o->quantity];
+    m->cost = ns_leading_log[d->request->quantity];
     m->leaves_out = "all beside ln(4/v); vibrations";
-    m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", field(d->o->quantity), called);
+    m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", field(d->request->quantity), called);
     for (int k = 0; k < 3; k++) {
         m = plan_add(plan, "quasistatic law: %s", name[k]);
         for (slong i = 0; i < plan->points; i++)
             m->value[i] = function(plan->speed[i], d->modes.nu, (enum cor_disk_datum)k);
         plan_compare(plan, m, true);
-        m->cost = ns_law[d->o->quantity];
+        m->cost = ns_law[d->request->quantity];
         m->leaves_out = "vibrations";
-        m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n", field(d->o->quantity),
-                           called, d->o->real[OPTIONS_POISSON], datum[k]);
+        m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n",
+                           field(d->request->quantity), called, d->request->poisson.text, datum[k]);
     }
 }
 
 /* ---- the plan ---- */
 
-static int read_range(double range[2], double *tolerance, const struct options *o)
+static int read_range(double range[2], double *tolerance, const struct plan_disks_request *request)
 {
-    range[0] = strtod(o->real[OPTIONS_SPEED_MIN], NULL);
-    range[1] = strtod(o->real[OPTIONS_SPEED_MAX], NULL);
-    *tolerance = strtod(o->real[OPTIONS_TOLERANCE], NULL);
+    range[0] = decimal_value(&request->speed_min);
+    range[1] = decimal_value(&request->speed_max);
+    *tolerance = decimal_value(&request->tolerance);
     if (!(range[0] >= COR_DISK_EPS_MIN_SPEED && range[1] <= COR_DISK_EPS_MAX_SPEED))
-        return usage_error("--speed-min %.60s to --speed-max %.60s: what collisions tend to is known from %g to %g, in "
+        return usage_error("--speed-min %s to --speed-max %s: what collisions tend to is known from %g to %g, in "
                            "sqrt(E/rho)",
-                           o->real[OPTIONS_SPEED_MIN], o->real[OPTIONS_SPEED_MAX], COR_DISK_EPS_MIN_SPEED,
+                           request->speed_min.text, request->speed_max.text, COR_DISK_EPS_MIN_SPEED,
                            COR_DISK_EPS_MAX_SPEED);
     if (!(range[1] > range[0]))
-        return usage_error("--speed-min %.60s is not below --speed-max %.60s", o->real[OPTIONS_SPEED_MIN],
-                           o->real[OPTIONS_SPEED_MAX]);
+        return usage_error("--speed-min %s is not below --speed-max %s", request->speed_min.text,
+                           request->speed_max.text);
     if (!(*tolerance >= COLLISION_TOLERANCE && *tolerance < 1))
-        return usage_error("--tolerance %.60s is not from %g, the error of a collision here, to below 1",
-                           o->real[OPTIONS_TOLERANCE], COLLISION_TOLERANCE);
+        return usage_error("--tolerance %s is not from %g, the error of a collision here, to below 1",
+                           request->tolerance.text, COLLISION_TOLERANCE);
     return STATUS_OK;
 }
 
@@ -327,9 +326,8 @@ static char *title(const struct plan *plan, const struct disks *d)
         uncertainty = fmax(uncertainty, plan->uncertainty[i]);
     return plan_text("Disks of nu = %s at %s to %s sqrt(E/rho): %s from %.4g to %.4g,\n"
                      "what collisions of many modes with hard walls tend to, uncertain by %.1e%s.\n",
-                     d->o->real[OPTIONS_POISSON], d->o->real[OPTIONS_SPEED_MIN], d->o->real[OPTIONS_SPEED_MAX],
-                     plan->quantity, plan->truth[0], plan->truth[last], uncertainty,
-                     is_relative(d) ? ", relative" : "");
+                     d->request->poisson.text, d->request->speed_min.text, d->request->speed_max.text, plan->quantity,
+                     plan->truth[0], plan->truth[last], uncertainty, is_relative(d) ? ", relative" : "");
 }
 
 static int fill(struct plan *plan, struct disks *d)
@@ -339,12 +337,13 @@ static int fill(struct plan *plan, struct disks *d)
     int status = STATUS_OK;
     for (slong i = 0; i < plan->points && status == STATUS_OK; i++) {
         plan->at[i] = plan->speed[i];
-        status = d->o->quantity == OPTIONS_EPS ? limit_of_eps(plan, d, i) : limit_of_other(plan, d, i, d->o->quantity);
+        status = d->request->quantity == PLAN_EPS ? limit_of_eps(plan, d, i)
+                                                  : limit_of_other(plan, d, i, d->request->quantity);
     }
     if (status != STATUS_OK)
         return status;
     plan->argument = "speed";
-    plan->quantity = quantity[d->o->quantity];
+    plan->quantity = quantity[d->request->quantity];
     plan->unit = is_relative(d) ? "relative error" : "error";
     plan->note =
         "Error: the largest of the points; taken where error and uncertainty of what it is compared with are below\n"
@@ -352,7 +351,7 @@ static int fill(struct plan *plan, struct disks *d)
         "truth from two sides, so that few modes at a soft wall may be right by accident.\n"
         "Cost: of a collision, from its steps and modes; all as measured once, docs/plan.md.\n";
     plan->title = title(plan, d);
-    if (d->o->quantity == OPTIONS_EPS)
+    if (d->request->quantity == PLAN_EPS)
         add_models_of_eps(plan, d);
     else
         add_laws(plan, d);
@@ -361,23 +360,19 @@ static int fill(struct plan *plan, struct disks *d)
     return STATUS_OK;
 }
 
-int plan_disks(struct plan *plan, const struct options *o)
+int plan_disks(struct plan *plan, const struct plan_disks_request *request)
 {
     *plan = (struct plan){.chosen = -1};
     double range[2], tolerance;
-    int status = read_range(range, &tolerance, o);
+    int status = read_range(range, &tolerance, request);
     if (status != STATUS_OK)
         return status;
-    plan_init(plan, o->points ? o->points : PLAN_DEFAULT_POINTS_DISKS, range[0], range[1]);
+    plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS_DISKS, range[0], range[1]);
     plan->tolerance = tolerance;
-    struct disks d = {.o = o};
-    fmpq_t nu;
-    fmpq_init(nu);
-    options_fraction(nu, o->real[OPTIONS_POISSON]);
+    struct disks d = {.request = request};
     disk_modes_use_all_processors();
     profile_step("modes");
-    status = disk_modes_rounded(&d.modes, nu, (slong)counts[COUNTS - 1]);
-    fmpq_clear(nu);
+    status = disk_modes_rounded(&d.modes, request->poisson.value, (slong)counts[COUNTS - 1]);
     profile_step("collisions");
     if (status == STATUS_OK) {
         status = fill(plan, &d);

@@ -7,7 +7,10 @@
 #include <string.h>
 
 #include "support/console.h"
-#include "sweep/values.h"
+#include "support/decimal.h"
+
+const char *const plan_quantity_names[] = {
+    [PLAN_EPS] = "eps", [PLAN_CONTACT_TIME] = "contact-time", [PLAN_COMPRESSION] = "compression", NULL};
 
 static const char *const verdicts[] = {"chosen", "meets", "misses", "outside", "shown"};
 
@@ -163,10 +166,10 @@ static const char *heading(const struct plan *plan)
 
 static void print_text(const struct plan *plan, FILE *file)
 {
-    char error[32], cost[32], tolerance[VALUES_TEXT];
+    char error[32], cost[32], tolerance[DECIMAL_TEXT];
     fprintf(file, "%s", plan->title);
     fprintf(file, "Wanted: %s, %s at most %s.\n\n", plan->quantity, plan->unit,
-            values_text(tolerance, plan->tolerance));
+            decimal_text(tolerance, plan->tolerance));
     fprintf(file, "  %-39s  %-8s  %-8s  %-8s  %-8s  %s\n", "model", "error", heading(plan), "cost", "", "leaves out");
     for (int i = 0; i < plan->models; i++) {
         const struct plan_model *m = &plan->model[i];
@@ -191,8 +194,8 @@ static void print_text(const struct plan *plan, FILE *file)
 
 static void print_number(FILE *file, double x, bool json)
 {
-    char text[VALUES_TEXT];
-    fputs(isfinite(x) ? values_text(text, x) : json ? "null" : "nan", file);
+    char text[DECIMAL_TEXT];
+    fputs(isfinite(x) ? decimal_text(text, x) : json ? "null" : "nan", file);
 }
 
 static void print_rows(const struct plan *plan, FILE *file, bool json)

@@ -7,14 +7,37 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "cli/options.h"
+#include "embed/request.h"
+#include "support/output.h"
 
 struct embed_form;
+
+/* What corgen plan is asked for. points: 0 for the default. */
+enum plan_quantity { PLAN_EPS, PLAN_CONTACT_TIME, PLAN_COMPRESSION };
+extern const char *const plan_quantity_names[]; /* ends with NULL */
+
+struct plan_spheres_request {
+    struct embed_request scene; /* its tolerance: 1e-15 to below 1 */
+    slong points;
+};
+
+struct plan_disks_request {
+    struct decimal speed_min, speed_max; /* in sqrt(E/rho) */
+    struct decimal tolerance, poisson;
+    enum plan_quantity quantity;
+    slong points;
+};
 
 /* Between the points the error may be a little larger. */
 #define PLAN_MARGIN 0.97
 
-enum { PLAN_NAME = 48, PLAN_DEFAULT_POINTS = 33, PLAN_DEFAULT_POINTS_DISKS = 9, PLAN_MIN_POINTS = 2 };
+enum {
+    PLAN_NAME = 48,
+    PLAN_DEFAULT_POINTS = 33,
+    PLAN_DEFAULT_POINTS_DISKS = 9,
+    PLAN_MIN_POINTS = 2,
+    PLAN_MAX_POINTS = 1000
+};
 
 enum plan_verdict {
     PLAN_CHOSEN,
@@ -83,8 +106,8 @@ void plan_choose(struct plan *plan);
 void plan_print(const struct plan *plan, enum output_format format, FILE *file);
 
 /* Each returns STATUS_OK, or another status after a sentence on stderr; clear it in any case. */
-int plan_spheres(struct plan *plan, const struct options *o);
+int plan_spheres(struct plan *plan, const struct plan_spheres_request *request);
 void plan_spheres_clear(struct plan *plan);
-int plan_disks(struct plan *plan, const struct options *o);
+int plan_disks(struct plan *plan, const struct plan_disks_request *request);
 
 #endif

@@ -12,13 +12,13 @@
 #include "enclosure/collision.h"
 #include "plan/plan.h"
 #include "support/console.h"
-#include "sweep/values.h"
+#include "support/decimal.h"
 
 /* At zero overlap eps is h*^5 beta^-5 from here on, to 2^-60. */
 #define OVERLAP_FAR 7.0
 #define BETA_LIMIT 1e6
 #define LEAST_TOLERANCE 1e-15
-#define EMBED_TOLERANCE "0.1" /* the coarsest that corgen embed takes */
+#define EMBED_COARSEST "0.1" /* the coarsest that corgen embed takes */
 enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, PADE_COEFFICIENTS = 64, ROOT_REFINEMENT = 2, TEXT = 1024 };
 
 /* ns of a call and in a loop, not made of operations: README.md's table has the published ways and the library,
@@ -46,9 +46,11 @@ static const char *end_name(enum contact_end end)
     return end == END_ZERO_FORCE ? "zero_force" : "zero_overlap";
 }
 
-static double priced(const struct options *o, struct cost cost)
+static double priced(const struct embed_request *scene, struct cost cost)
 {
-    return o->use == OPTIONS_SCALAR ? cost.call : o->use == OPTIONS_ARRAY ? cost.loop : (cost.call + 4 * cost.loop) / 5;
+    return scene->purpose == PURPOSE_SCALAR  ? cost.call
+           : scene->purpose == PURPOSE_ARRAY ? cost.loop
+                                             : (cost.call + 4 * cost.loop) / 5;
 }
 
 static struct cost of_form(const struct embed_form *f)
@@ -172,12 +174,12 @@ static void evaluate(const struct plan *plan, struct plan_model *m)
 /* The number that ten digits leave of it: what is evaluated is what is printed. */
 static double ten_digits(double x)
 {
-    char text[VALUES_TEXT];
+    char text[DECIMAL_TEXT];
     snprintf(text, sizeof text, "%.10g", x);
     return strtod(text, NULL);
 }
 
-static void add_constants(struct plan *plan, const struct options *o)
+static void add_constants(struct plan *plan, const struct embed_request *scene)
 {
     const slong last = plan->points - 1;
     for (int measured = 0; measured < 2; measured++) {
@@ -186,7 +188,7 @@ static void add_constants(struct plan *plan, const struct options *o)
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
         m->number[0] = ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
         m->eps = constant;
-        m->cost = priced(o, cost_constant);
+        m->cost = priced(scene, cost_constant);
         m->leaves_out = "that eps falls with the speed";
         m->use = plan_text("double eps = %.10g;\n", m->number[0]);
         evaluate(plan, m);
@@ -194,7 +196,7 @@ static void add_constants(struct plan *plan, const struct options *o)
 }
 
 /* eps = a g^-b: of the slope of ln eps between the ends, the best a, for ln eps is a concave function of ln g. */
-static void add_power_law(struct plan *plan, const struct options *o)
+static void add_power_law(struct plan *plan, const struct embed_request *scene)
 {
     const slong last = plan->points - 1;
     struct plan_model *m = plan_add(plan, "power law min(1; a speed^-b)");
@@ -208,34 +210,27 @@ static void add_power_law(struct plan *plan, const struct options *o)
     m->number[0] = ten_digits(exp((low + high) / 2));
     m->number[1] = ten_digits(b);
     m->eps = power_law;
-    m->cost = priced(o, cost_power);
+    m->cost = priced(scene, cost_power);
     m->leaves_out = "how ln(eps) bends; eps = 1 at rest";
     m->use = plan_text("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]);
     evaluate(plan, m);
 }
 
 /* C statements that make `contact`. */
-static char *contact_text(const struct options *o)
+static char *contact_text(const struct embed_request *scene)
 {
-    if (o->real[OPTIONS_G_STAR])
+    if (scene->number[EMBED_G_STAR].text)
         return plan_text("struct cor_sphere_contact contact;\ncor_sphere_contact_init_g_star(&contact, %s);\n",
-                         o->real[OPTIONS_G_STAR]);
+                         scene->number[EMBED_G_STAR].text);
     char body[2][TEXT];
     for (int second = 0; second < 2; second++) {
-        const char *text[OPTIONS_YOUNG_2 - OPTIONS_YOUNG];
-        for (int i = 0; i < OPTIONS_YOUNG_2 - OPTIONS_YOUNG; i++) {
-            text[i] = second ? o->real[OPTIONS_YOUNG_2 + i] : NULL;
-            if (!text[i])
-                text[i] = o->real[OPTIONS_YOUNG + i];
-        }
+        const char *text[EMBED_BODY];
+        for (int i = 0; i < EMBED_BODY; i++)
+            text[i] = embed_number_of_body(scene, EMBED_YOUNG + (enum embed_number)i, second + 1)->text;
         enum { YOUNG, POISSON, RADIUS, DENSITY, MASS, TIME };
-        /* a mass of body 2 hides the density that it would have of body 1, and the other way round */
-        const bool dense = second && (o->real[OPTIONS_MASS_2] || o->real[OPTIONS_DENSITY_2])
-                               ? o->real[OPTIONS_DENSITY_2] != NULL
-                               : o->real[OPTIONS_DENSITY] != NULL;
-        if (second && o->wall)
+        if (second && scene->wall)
             snprintf(body[second], TEXT, "{%s, %s, %s, INFINITY, INFINITY}", text[YOUNG], text[POISSON], text[TIME]);
-        else if (dense)
+        else if (!embed_mass_is_given(scene, second + 1))
             snprintf(body[second], TEXT, "{%s, %s, %s, %s, cor_sphere_mass_kg(%s, %s)}", text[YOUNG], text[POISSON],
                      text[TIME], text[RADIUS], text[RADIUS], text[DENSITY]);
         else
@@ -247,27 +242,27 @@ static char *contact_text(const struct options *o)
                      body[0], body[1]);
 }
 
-static char *call_of_beta(const struct options *o, const char *call)
+static char *call_of_beta(const struct embed_request *scene, const char *call)
 {
-    char *contact = contact_text(o);
+    char *contact = contact_text(scene);
     char *text = plan_text("#include \"cor/cor.h\"\n%sdouble eps = %s;\n", contact, call);
     free(contact);
     return text;
 }
 
-static void add_published(struct plan *plan, const struct options *o)
+static void add_published(struct plan *plan, const struct embed_request *scene)
 {
     struct plan_model *m = plan_add(plan, "simple theory (27)");
     m->eps = simple_theory;
-    m->cost = priced(o, cost_simple);
+    m->cost = priced(scene, cost_simple);
     m->leaves_out = "C_3 and all after it";
-    m->use = call_of_beta(o, "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))");
+    m->use = call_of_beta(scene, "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))");
     evaluate(plan, m);
     m = plan_add(plan, "Pade [1/4] as printed in 1999 (35)");
     m->eps = table_1;
-    m->cost = priced(o, cost_published);
+    m->cost = priced(scene, cost_published);
     m->leaves_out = "a_3 and all after it; zero force";
-    m->use = call_of_beta(o, "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))");
+    m->use = call_of_beta(scene, "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))");
     evaluate(plan, m);
     m = plan_add(plan, "Pade [1/4] as printed in 2011");
     m->eps = pade;
@@ -275,9 +270,9 @@ static void add_published(struct plan *plan, const struct options *o)
     m->m = 1;
     m->n = 4;
     m->root = 2;
-    m->cost = priced(o, cost_mueller);
+    m->cost = priced(scene, cost_mueller);
     m->leaves_out = "what follows beta^(5/2); zero overlap";
-    m->use = call_of_beta(o, "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))");
+    m->use = call_of_beta(scene, "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))");
     char *text = m->use;
     m->use = plan_text("%s/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", text);
     free(text);
@@ -285,8 +280,8 @@ static void add_published(struct plan *plan, const struct options *o)
 }
 
 /* f in doubles; whether its denominator keeps its sign over the range is looked at closely. */
-static void add_pade(struct plan *plan, struct spheres *s, const struct options *o, const struct pade *f, slong root,
-                     bool two_point)
+static void add_pade(struct plan *plan, struct spheres *s, const struct embed_request *scene, const struct pade *f,
+                     slong root, bool two_point)
 {
     const slong m = f->numerator, n = f->denominator;
     if (m + n + 2 > PADE_COEFFICIENTS || s->pades == (int)(sizeof s->pade / sizeof *s->pade))
@@ -310,14 +305,14 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct options 
                               .denominator = n,
                               .refinement = ROOT_REFINEMENT};
     embed_form_price(&form);
-    model->cost = priced(o, of_form(&form));
+    model->cost = priced(scene, of_form(&form));
     model->leaves_out = two_point ? "terms between series and limit"
                                   : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it");
-    model->use =
-        plan_text("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
-                  "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
-                  (long)m, (long)n, two_point ? " --two-point" : "", end_option(o->end), two_point ? "two_point_" : "",
-                  end_name(o->end), (long)m, (long)n, root == 2 ? "sqrt(beta)" : "beta");
+    model->use = plan_text("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
+                           "/* arrays cor_sphere_pade_%s%s_%ld_%ld_p and _q: eps = P(z)/Q(z), z = %s */\n",
+                           (long)m, (long)n, two_point ? " --two-point" : "", end_option(scene->end),
+                           two_point ? "two_point_" : "", end_name(scene->end), (long)m, (long)n,
+                           root == 2 ? "sqrt(beta)" : "beta");
     const double low = plan->at[0], high = plan->at[plan->points - 1];
     for (int k = 0; k <= PADE_POINTS; k++) {
         const double beta = low + (high - low) * k / PADE_POINTS;
@@ -326,7 +321,7 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct options 
     evaluate(plan, model);
 }
 
-static void add_pades(struct plan *plan, struct spheres *s, const struct options *o, const arb_poly_t series,
+static void add_pades(struct plan *plan, struct spheres *s, const struct embed_request *scene, const arb_poly_t series,
                       slong root)
 {
     static const slong ordinary[][2] = {{1, 4}, {2, 3}, {3, 5}, {4, 6}, {6, 9}, {8, 12}, {10, 15}};
@@ -335,33 +330,31 @@ static void add_pades(struct plan *plan, struct spheres *s, const struct options
     pade_init(&f);
     for (size_t i = 0; i < sizeof ordinary / sizeof *ordinary; i++)
         if (pade_of_series(&f, series, ordinary[i][0], ordinary[i][1], PADE_BITS))
-            add_pade(plan, s, o, &f, root, false);
-    if (o->end == END_ZERO_OVERLAP)
+            add_pade(plan, s, scene, &f, root, false);
+    if (scene->end == END_ZERO_OVERLAP)
         for (size_t i = 0; i < sizeof two_point / sizeof *two_point; i++)
             if (pade_two_point_of_series(&f, series, s->scene.h_star_5, two_point[i], PADE_BITS))
-                add_pade(plan, s, o, &f, root, true);
+                add_pade(plan, s, scene, &f, root, true);
     pade_clear(&f);
 }
 
 /* The command with the scene's own options, and a tolerance. */
-static char *embed_command(const struct options *o, const char *tolerance)
+static char *embed_command(const struct embed_request *scene, const char *tolerance)
 {
-    static const char *const use[] = {"balanced", "scalar", "array"};
     char line[TEXT] = "";
     size_t length = 0;
-    for (int i = 0; i < OPTIONS_REALS; i++)
-        if (o->real[i] && length < sizeof line)
-            length += (size_t)snprintf(line + length, sizeof line - length, " --%s %s",
-                                       options_real_name((enum options_real)i),
-                                       i == OPTIONS_TOLERANCE ? tolerance : o->real[i]);
+    for (int i = 0; i < EMBED_NUMBERS; i++)
+        if (scene->number[i].text && length < sizeof line)
+            length += (size_t)snprintf(line + length, sizeof line - length, " --%s %s", embed_number_names[i],
+                                       i == EMBED_TOLERANCE ? tolerance : scene->number[i].text);
     return plan_text("corgen embed%s%s --end %s --for %s --output cor_scene_eps.h\n"
                      "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
-                     line, o->wall ? " --wall" : "", end_option(o->end), use[o->use]);
+                     line, scene->wall ? " --wall" : "", end_option(scene->end), embed_purpose_names[scene->purpose]);
 }
 
-static void add_header(struct plan *plan, struct spheres *s, const struct options *o, const char *tolerance)
+static void add_header(struct plan *plan, struct spheres *s, const struct embed_request *scene, const char *tolerance)
 {
-    const enum embed_family chosen = embed_choose(s->form, o->use);
+    const enum embed_family chosen = embed_choose(s->form, scene->purpose);
     if (chosen == FAMILIES)
         return; /* the library is left */
     const struct embed_form *f = &s->form[chosen];
@@ -373,16 +366,16 @@ static void add_header(struct plan *plan, struct spheres *s, const struct option
     m->eps = header;
     m->form = f;
     m->elsewhere = f->error;
-    m->cost = priced(o, of_form(f));
+    m->cost = priced(scene, of_form(f));
     m->leaves_out = "speeds outside the range";
-    m->use = embed_command(o, tolerance);
+    m->use = embed_command(scene, tolerance);
     evaluate(plan, m);
 }
 
 /* What the library promises; it is made of tables that corgen makes, and so cannot be asked here. */
-static void add_library(struct plan *plan, struct spheres *s, const struct options *o)
+static void add_library(struct plan *plan, struct spheres *s, const struct embed_request *scene)
 {
-    struct plan_model *m = plan_add(plan, "library: cor_contact_eps_%s", end_name(o->end));
+    struct plan_model *m = plan_add(plan, "library: cor_contact_eps_%s", end_name(scene->end));
     const double promise =
         COR_CONTACT_EPS_MAX_ERROR(s->scene.slope) + s->scene.slope * COR_CONTACT_MAX_ULP * DBL_EPSILON;
     for (slong i = 0; i < plan->points; i++) {
@@ -390,36 +383,36 @@ static void add_library(struct plan *plan, struct spheres *s, const struct optio
         m->error[i] = promise;
     }
     m->promised = true;
-    m->cost = priced(o, cost_library);
+    m->cost = priced(scene, cost_library);
     m->leaves_out = "nothing; good at every speed";
     char call[TEXT];
-    snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", end_name(o->end));
-    m->use = call_of_beta(o, call);
+    snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", end_name(scene->end));
+    m->use = call_of_beta(scene, call);
 }
 
-static void add_other_end(struct plan *plan, const struct spheres *s, const struct options *o)
+static void add_other_end(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
 {
-    const enum contact_end other = o->end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
+    const enum contact_end other = scene->end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
     struct plan_model *m = plan_add(plan, "the other end: %s", end_option(other));
     memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
     plan_compare(plan, m, true);
-    m->cost = priced(o, cost_library);
+    m->cost = priced(scene, cost_library);
     m->leaves_out = "which end the contact has";
     m->shown = true;
 }
 
 /* ---- the plan ---- */
 
-static char *title(const struct plan *plan, const struct options *o)
+static char *title(const struct plan *plan, const struct embed_request *scene)
 {
     const slong last = plan->points - 1;
     return plan_text("Spheres at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
-                     o->real[OPTIONS_SPEED_MIN], o->real[OPTIONS_SPEED_MAX],
-                     o->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
+                     scene->number[EMBED_SPEED_MIN].text, scene->number[EMBED_SPEED_MAX].text,
+                     scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
                      plan->truth[0], plan->truth[last]);
 }
 
-static const char *note(const struct options *o)
+static const char *note(const struct embed_request *scene)
 {
     static const char *const notes[] = {
         "Error: the largest of the points, against enclosed collisions; taken below 0.97 of the tolerance. Of the "
@@ -434,54 +427,59 @@ static const char *note(const struct options *o)
         "library:\n"
         "what it promises. Cost: ns for one eps, in a loop (--for array). Of Pade and header made of\n"
         "operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare them; clocks differ.\n"};
-    return notes[o->use];
+    return notes[scene->purpose];
 }
 
-int plan_spheres(struct plan *plan, const struct options *o)
+int plan_spheres(struct plan *plan, const struct plan_spheres_request *request)
 {
     *plan = (struct plan){.chosen = -1};
-    const double tolerance = strtod(o->real[OPTIONS_TOLERANCE], NULL);
+    const double tolerance = embed_number(&request->scene, EMBED_TOLERANCE);
     if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
-        return usage_error("--tolerance %.60s is not from %g to below 1, a relative error that a double can hold",
-                           o->real[OPTIONS_TOLERANCE], LEAST_TOLERANCE);
-    struct options embed = *o;
-    if (tolerance > strtod(EMBED_TOLERANCE, NULL))
-        embed.real[OPTIONS_TOLERANCE] = EMBED_TOLERANCE;
+        return usage_error("--tolerance %s is not from %g to below 1, a relative error that a double can hold",
+                           request->scene.number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
+    /* the request for a header; what corgen embed takes at the coarsest is not the request's own, and is freed here */
+    struct embed_request embed = request->scene;
+    struct decimal coarsest = {0};
+    decimal_set(&coarsest, EMBED_COARSEST);
+    if (tolerance > decimal_value(&coarsest))
+        embed.number[EMBED_TOLERANCE] = coarsest;
+    const struct embed_request *const scene = &request->scene;
     struct spheres *s = xmalloc(sizeof *s);
     memset(s, 0, sizeof *s);
     profile_step("scene");
     int status = embed_scene_init(&s->scene, &embed);
     if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
         status = fail("beta up to %.3g: no model is compared beyond %g", s->scene.beta_max, BETA_LIMIT);
-    plan_init(plan, o->points ? o->points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
+    plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
     plan->owned = s;
     plan->argument = "beta";
     plan->quantity = "eps";
     plan->unit = "relative error";
     plan->tolerance = tolerance;
-    plan->note = note(o);
+    plan->note = note(scene);
     profile_step("collisions");
     if (status == STATUS_OK)
-        status = find_truth(plan, s, o->end);
+        status = find_truth(plan, s, scene->end);
     arb_poly_t series;
     slong root;
     arb_poly_init(series);
     if (status == STATUS_OK)
         status = embed_series(series, &root, &s->scene);
     if (status == STATUS_OK) {
-        plan->title = title(plan, o);
-        add_constants(plan, o);
-        add_power_law(plan, o);
-        add_published(plan, o);
-        add_pades(plan, s, o, series, root);
+        plan->title = title(plan, scene);
+        add_constants(plan, scene);
+        add_power_law(plan, scene);
+        add_published(plan, scene);
+        add_pades(plan, s, scene, series, root);
         embed_search_series(s->form, &s->scene, series, root);
-        add_header(plan, s, o, embed.real[OPTIONS_TOLERANCE]);
-        add_library(plan, s, o);
-        add_other_end(plan, s, o);
+        add_header(plan, s, scene, embed.number[EMBED_TOLERANCE].text);
+        add_library(plan, s, scene);
+        add_other_end(plan, s, scene);
         plan_choose(plan);
     }
     profile_step(NULL);
     arb_poly_clear(series);
+    decimal_clear(&coarsest);
     return status;
 }
 

@@ -8,31 +8,28 @@
 #include <string.h>
 #include <time.h>
 
-#include "cli/options.h"
 #include "cor/status.h"
+#include "disk/modes.h"
 #include "support/console.h"
 
 #define TEXT_OF_(x) #x
 #define TEXT_OF(x) TEXT_OF_(x)
 
 const struct values_rule sweep_speed = {"speed",
-                                        "0",
-                                        TEXT_OF(COR_DISK_COLLISION_MAX_SPEED),
-                                        false,
-                                        true,
-                                        false,
-                                        "a number above 0 and up to " TEXT_OF(COR_DISK_COLLISION_MAX_SPEED)};
-const struct values_rule sweep_poisson = {"poisson", "-1", "1", false, false, false, "a number between -1 and 1"};
+                                        {"0", TEXT_OF(COR_DISK_COLLISION_MAX_SPEED), false, true, true,
+                                         "a number above 0 and up to " TEXT_OF(COR_DISK_COLLISION_MAX_SPEED)},
+                                        false};
+const struct values_rule sweep_poisson = {
+    "poisson", {"-1", "1", false, false, true, "a number between -1 and 1"}, false};
 const struct values_rule sweep_alpha = {
     "alpha",
-    TEXT_OF(COR_DISK_COLLISION_MIN_ALPHA),
-    TEXT_OF(COR_DISK_COLLISION_MAX_ALPHA),
-    true,
-    true,
-    false,
-    "a number from " TEXT_OF(COR_DISK_COLLISION_MIN_ALPHA) " to " TEXT_OF(COR_DISK_COLLISION_MAX_ALPHA)};
+    {TEXT_OF(COR_DISK_COLLISION_MIN_ALPHA), TEXT_OF(COR_DISK_COLLISION_MAX_ALPHA), true, true, true,
+     "a number from " TEXT_OF(COR_DISK_COLLISION_MIN_ALPHA) " to " TEXT_OF(COR_DISK_COLLISION_MAX_ALPHA)},
+    false};
 const struct values_rule sweep_modes = {
-    "modes", "1", TEXT_OF(OPTIONS_MAX_COUNT), true, true, true, "a whole number from 1 to " TEXT_OF(OPTIONS_MAX_COUNT)};
+    "modes",
+    {"1", TEXT_OF(DISK_MODES_MAX), true, true, true, "a whole number from 1 to " TEXT_OF(DISK_MODES_MAX)},
+    true};
 
 /* ---- cost ---- */
 
@@ -141,7 +138,7 @@ uint64_t sweep_identity(const struct sweep *sweep)
 {
     const struct values *list[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
     uint64_t hash = UINT64_C(14695981039346656037);
-    char text[3 * VALUES_TEXT];
+    char text[3 * DECIMAL_TEXT];
     for (size_t i = 0; i < SWEEP_LISTS; i++) {
         for (size_t j = 0; j < list[i]->count; j++) {
             snprintf(text, sizeof text, "%a", list[i]->nearest[j]);
@@ -185,7 +182,7 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
 
 /* ---- lines ---- */
 
-static const char *status_word(char text[VALUES_TEXT], int status)
+static const char *status_word(char text[DECIMAL_TEXT], int status)
 {
     switch (status) {
     case COR_OK:
@@ -197,7 +194,7 @@ static const char *status_word(char text[VALUES_TEXT], int status)
     case COR_CONTACT_NOT_ENDED:
         return "contact_not_ended";
     default:
-        snprintf(text, VALUES_TEXT, "error_%d", status);
+        snprintf(text, DECIMAL_TEXT, "error_%d", status);
         return text;
     }
 }
@@ -205,12 +202,12 @@ static const char *status_word(char text[VALUES_TEXT], int status)
 void sweep_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct sweep_result *result)
 {
     const struct cor_disk_collision *c = &result->collision;
-    char text[8][VALUES_TEXT], word[VALUES_TEXT];
-    snprintf(line, SWEEP_LINE, "%s,%s,%s,%zu,%s,%s,%s,%s,%s,%zu,%s", values_text(text[0], row->speed),
-             values_text(text[1], row->nu), values_text(text[2], row->alpha), row->modes, values_text(text[3], c->eps),
-             values_text(text[4], c->one_minus_eps2), values_text(text[5], c->contact_time),
-             values_text(text[6], c->max_compression), values_text(text[7], c->energy_drift), c->steps,
-             status_word(word, result->status));
+    char text[8][DECIMAL_TEXT], word[DECIMAL_TEXT];
+    snprintf(line, SWEEP_LINE, "%s,%s,%s,%zu,%s,%s,%s,%s,%s,%zu,%s", decimal_text(text[0], row->speed),
+             decimal_text(text[1], row->nu), decimal_text(text[2], row->alpha), row->modes,
+             decimal_text(text[3], c->eps), decimal_text(text[4], c->one_minus_eps2),
+             decimal_text(text[5], c->contact_time), decimal_text(text[6], c->max_compression),
+             decimal_text(text[7], c->energy_drift), c->steps, status_word(word, result->status));
 }
 
 /* ---- tables ---- */
@@ -231,9 +228,9 @@ static void cut(char *cell[SWEEP_COLUMNS], char *line)
 static int widest(const char *name, const struct values *values)
 {
     size_t width = strlen(name);
-    char text[VALUES_TEXT];
+    char text[DECIMAL_TEXT];
     for (size_t i = 0; i < values->count; i++) {
-        const size_t n = strlen(values_text(text, values->nearest[i]));
+        const size_t n = strlen(decimal_text(text, values->nearest[i]));
         width = n > width ? n : width;
     }
     return (int)width;
@@ -243,7 +240,7 @@ static int widest(const char *name, const struct values *values)
 static void print_text(const struct sweep_printer *p, char *const cell[SWEEP_COLUMNS])
 {
     for (int j = 0; j + 1 < SWEEP_COLUMNS; j++) {
-        char rounded[VALUES_TEXT];
+        char rounded[DECIMAL_TEXT];
         const char *text = cell[j];
         char *end;
         const double x = strtod(text, &end);

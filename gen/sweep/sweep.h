@@ -13,12 +13,11 @@
 #define SWEEP_MAX_ROWS UINT64_C(1000000000)
 #define SWEEP_HEADER "speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,steps,status"
 
-enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 11, SWEEP_LINE = SWEEP_COLUMNS * VALUES_TEXT };
+enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 11, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 
 /* Rows are numbered in the order of the lists as written, speed running fastest, then modes, alpha and poisson. */
 struct sweep {
     struct values speed, poisson, alpha, modes;
-    const char *text[SWEEP_LISTS]; /* of the lists in that order, as written */
     double tolerance;
     size_t phi_points;
     uint64_t rows;

@@ -7,53 +7,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/options.h"
 #include "support/console.h"
 
-enum { TOKEN_MAX = 200, EXPONENT_DIGITS = 3, BITS = 256, PARTS = 4 };
+enum { TOKEN_MAX = 200, BITS = 256, PARTS = 4 };
 
 static const char ranges_are[] = "ranges are FIRST:LAST:+STEP, FIRST:LAST:-STEP, FIRST:LAST:lin:COUNT and "
                                  "FIRST:LAST:log:COUNT";
 
-static double nearest_double(const fmpq_t x)
-{
-    arf_t y;
-    arf_init(y);
-    arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), DBL_MANT_DIG, ARF_RND_NEAR);
-    const double nearest = arf_get_d(y, ARF_RND_NEAR);
-    arf_clear(y);
-    return nearest;
-}
-
 static bool read_number(fmpq_t x, const char *text)
 {
-    if (strlen(text) > TOKEN_MAX || !options_number_is_good(text + (*text == '-')))
+    struct decimal number = {0};
+    if (strlen(text) > TOKEN_MAX || !decimal_parse(&number, text, DECIMAL_EXPONENT_DIGITS_IN_LIST))
         return false;
-    const char *exponent = strpbrk(text, "eE");
-    if (exponent && strspn(exponent + 1 + (exponent[1] == '-' || exponent[1] == '+'), "0123456789") > EXPONENT_DIGITS)
-        return false;
-    options_fraction(x, text);
+    fmpq_set(x, number.value);
+    decimal_clear(&number);
     return true;
 }
 
-/* The number and the double that stands for it are both inside. */
 static bool inside(const struct values_rule *rule, const fmpq_t x)
 {
-    const double nearest = nearest_double(x);
-    fmpq_t limit;
-    fmpq_init(limit);
-    options_fraction(limit, rule->low);
-    const int above = fmpq_cmp(x, limit);
-    const double low = nearest_double(limit);
-    bool good = above > 0 ? nearest > low || rule->low_allowed : above == 0 && rule->low_allowed;
-    if (rule->high) {
-        options_fraction(limit, rule->high);
-        const int beyond = fmpq_cmp(x, limit);
-        const double high = nearest_double(limit);
-        good = good && (beyond < 0 ? nearest < high || rule->high_allowed : beyond == 0 && rule->high_allowed);
-    }
-    fmpq_clear(limit);
-    return good && isfinite(nearest) && (!rule->whole || fmpz_is_one(fmpq_denref(x)));
+    return decimal_inside(&rule->range, x) && (!rule->whole || fmpz_is_one(fmpq_denref(x)));
 }
 
 static int add(struct values *values, const struct values_rule *rule, const fmpq_t x, size_t *capacity)
@@ -67,14 +40,14 @@ static int add(struct values *values, const struct values_rule *rule, const fmpq
     }
     fmpq_init(values->exact + values->count);
     fmpq_set(values->exact + values->count, x);
-    values->nearest[values->count++] = nearest_double(x);
+    values->nearest[values->count++] = decimal_nearest(x);
     return STATUS_OK;
 }
 
 static int read_value(fmpq_t x, const struct values_rule *rule, const char *text)
 {
     if (!read_number(x, text) || !inside(rule, x))
-        return usage_error("--%s: '%.60s' is not %s, written as %s", rule->option, text, rule->allowed,
+        return usage_error("--%s: '%s' is not %s, written as %s", rule->option, text, rule->range.allowed,
                            rule->whole ? "940" : "0.1, 1.5e-3 (exponent of at most 3 digits) or 1/3");
     return STATUS_OK;
 }
@@ -129,14 +102,14 @@ static int add_stepped(struct values *values, const struct values_rule *rule, co
     int status = STATUS_OK;
     if (step_text[1] == '-' || !read_number(step, step_text + 1) || fmpq_is_zero(step) ||
         (rule->whole && !fmpz_is_one(fmpq_denref(step)))) {
-        status = usage_error("--%s: the step of '%.60s' is not + or - and a %snumber above 0; %s", rule->option, text,
+        status = usage_error("--%s: the step of '%s' is not + or - and a %snumber above 0; %s", rule->option, text,
                              rule->whole ? "whole " : "", ranges_are);
     } else {
         if (*step_text == '-')
             fmpq_neg(step, step);
         fmpq_sub(x, b, a);
         if (fmpq_sgn(x) * fmpq_sgn(step) < 0)
-            status = usage_error("--%s: the step of '%.60s' leads away from its last value; %s", rule->option, text,
+            status = usage_error("--%s: the step of '%s' leads away from its last value; %s", rule->option, text,
                                  ranges_are);
         for (fmpq_set(x, a); status == STATUS_OK && fmpq_cmp(x, b) * fmpq_sgn(step) <= 0; fmpq_add(x, x, step))
             status = add(values, rule, x, capacity);
@@ -153,10 +126,10 @@ static int add_spread(struct values *values, const struct values_rule *rule, con
     errno = 0;
     const long n = *count && count[strspn(count, "0123456789")] == '\0' ? strtol(count, NULL, 10) : 0;
     if (n < 2 || n > VALUES_MAX || errno)
-        return usage_error("--%s: the count of '%.60s' is not a whole number from 2 to %d; %s", rule->option, text,
+        return usage_error("--%s: the count of '%s' is not a whole number from 2 to %d; %s", rule->option, text,
                            VALUES_MAX, ranges_are);
     if (geometric && (fmpq_sgn(a) <= 0 || fmpq_sgn(b) <= 0))
-        return usage_error("--%s: '%.60s': both ends of a log range are above 0", rule->option, text);
+        return usage_error("--%s: '%s': both ends of a log range are above 0", rule->option, text);
     fmpq_t x;
     fmpq_init(x);
     int status = STATUS_OK;
@@ -202,7 +175,7 @@ static int add_member(struct values *values, const struct values_rule *rule, cha
         if (status == STATUS_OK)
             status = add_spread(values, rule, whole, a, b, part[2], part[3], capacity);
     } else {
-        status = usage_error("--%s: '%.60s' is no range; %s", rule->option, whole, ranges_are);
+        status = usage_error("--%s: '%s' is no range; %s", rule->option, whole, ranges_are);
     }
     fmpq_clear(a);
     fmpq_clear(b);
@@ -247,7 +220,7 @@ static void leave_out_repeated(struct values *values)
 
 int values_parse(struct values *values, const struct values_rule *rule, const char *text)
 {
-    *values = (struct values){0};
+    *values = (struct values){.text = text};
     size_t capacity = 0;
     char *copy = xstrdup(text);
     int status = STATUS_OK;
@@ -256,7 +229,7 @@ int values_parse(struct values *values, const struct values_rule *rule, const ch
         if (next)
             *next++ = '\0';
         if (*member == '\0')
-            status = usage_error("--%s: '%.60s' has an empty member; lists are values and ranges with commas between, "
+            status = usage_error("--%s: '%s' has an empty member; lists are values and ranges with commas between, "
                                  "as 0.1,0.2 or 0.1:0.5:+0.1",
                                  rule->option, text);
         else
@@ -293,18 +266,4 @@ double values_largest(const struct values *values)
     for (size_t i = 1; i < values->count; i++)
         largest = fmax(largest, values->nearest[i]);
     return largest;
-}
-
-const char *values_text(char text[VALUES_TEXT], double x)
-{
-    if (isnan(x)) { /* of either sign */
-        snprintf(text, VALUES_TEXT, "nan");
-        return text;
-    }
-    for (int digits = DBL_DIG; digits <= DBL_DECIMAL_DIG; digits++) {
-        snprintf(text, VALUES_TEXT, "%.*g", digits, x);
-        if (strtod(text, NULL) == x)
-            break;
-    }
-    return text;
 }

@@ -13,19 +13,18 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "support/flint.h"
+#include "support/decimal.h"
 
 #define VALUES_MAX 1000000 /* of one list */
 
 struct values_rule {
-    const char *option;     /* without its dashes */
-    const char *low, *high; /* limits, as numbers are written; high may be NULL */
-    bool low_allowed, high_allowed;
-    bool whole;          /* values of a range are rounded to whole numbers, others refused */
-    const char *allowed; /* the limits in words: "a number above 0 and up to 0.5" */
+    const char *option; /* without its dashes */
+    struct decimal_range range;
+    bool whole; /* values of a range are rounded to whole numbers, others refused */
 };
 
 struct values {
+    const char *text; /* as the user wrote the list; not copied */
     size_t count;
     fmpq *exact;     /* between powers of a log range, the double of it */
     double *nearest; /* the double nearest to each */
@@ -37,9 +36,5 @@ void values_clear(struct values *values);
 
 double values_least(const struct values *values);
 double values_largest(const struct values *values);
-
-/* The shortest decimal text of at most 17 digits that is read back as x; "nan" and "inf" for what is no number. */
-enum { VALUES_TEXT = 32 };
-const char *values_text(char text[VALUES_TEXT], double x);
 
 #endif

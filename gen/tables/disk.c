@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/options.h"
 #include "disk/modes.h"
 #include "runtime/core/mode_file.h"
 #include "support/console.h"
@@ -20,7 +19,6 @@ enum {
     NU_NAME = 128,
     LEAST_NU_DIGITS = 3,
     VALUES = 3,
-    NU_BITS = 4000,
     CHECK_LENGTH = 9 /* with the line's end */
 };
 
@@ -44,7 +42,7 @@ static void nu_name(char name[NU_NAME], const char *poisson)
 const char *disk_table_name(char name[DISK_TABLE_NAME], const struct disk_table *table, const char *extension)
 {
     char nu[NU_NAME];
-    nu_name(nu, table->poisson);
+    nu_name(nu, table->poisson.text);
     snprintf(name, DISK_TABLE_NAME, "disk_modes_nu%s.%s", nu, extension);
     return name;
 }
@@ -53,7 +51,7 @@ const char *disk_table_name(char name[DISK_TABLE_NAME], const struct disk_table 
 static void command_text(char text[LINE_LENGTH], const struct disk_table *table)
 {
     if (table->embed)
-        snprintf(text, LINE_LENGTH, "corgen tables --poisson %s --modes %ld", table->poisson, (long)table->count);
+        snprintf(text, LINE_LENGTH, "corgen tables --poisson %s --modes %ld", table->poisson.text, (long)table->count);
     else
         snprintf(text, LINE_LENGTH, "corgen tables");
 }
@@ -73,25 +71,17 @@ void disk_tables_clear(void)
     last.made = false;
 }
 
-static int make(const struct disk_table *table)
+static int find_modes(const struct disk_table *table)
 {
-    if (last.made && last.modes.count == table->count && strcmp(last.poisson, table->poisson) == 0)
+    if (last.made && last.modes.count == table->count && strcmp(last.poisson, table->poisson.text) == 0)
         return STATUS_OK;
     disk_tables_clear();
-    snprintf(last.poisson, sizeof last.poisson, "%s", table->poisson);
+    snprintf(last.poisson, sizeof last.poisson, "%s", table->poisson.text);
+    last.nu = decimal_value(&table->poisson);
     disk_modes_use_all_processors();
-    fmpq_t nu;
-    fmpq_init(nu);
-    options_fraction(nu, table->poisson);
-    arb_t ball;
-    arb_init(ball);
-    arb_set_fmpq(ball, nu, NU_BITS);
-    last.nu = arf_get_d(arb_midref(ball), ARF_RND_NEAR);
-    arb_clear(ball);
     disk_modes_init(&last.modes);
     last.made = true;
-    const int status = disk_modes_solve(&last.modes, nu, table->count, TABLE_DIGITS);
-    fmpq_clear(nu);
+    const int status = disk_modes_solve(&last.modes, table->poisson.value, table->count, TABLE_DIGITS);
     if (status != STATUS_OK)
         disk_tables_clear();
     return status;
@@ -121,17 +111,17 @@ static const char banner_format[] =
 
 int disk_header_write(FILE *file, const struct disk_table *table)
 {
-    if (make(table))
+    if (find_modes(table))
         return STATUS_FAILED;
     char nu[NU_NAME] = "", upper[NU_NAME] = "", guard[NU_NAME + 32], name[NU_NAME + 32], command[LINE_LENGTH];
     char banner[sizeof banner_format + 4 * LINE_LENGTH];
-    nu_name(nu, table->poisson);
+    nu_name(nu, table->poisson.text);
     for (size_t i = 0; nu[i]; i++)
         upper[i] = (char)toupper((unsigned char)nu[i]);
     snprintf(guard, sizeof guard, "COR_DISK_MODES_NU%s_H", upper);
     snprintf(name, sizeof name, "cor_disk_mode_rows_nu%s", nu);
     command_text(command, table);
-    snprintf(banner, sizeof banner, banner_format, (long)table->count, table->poisson, upper,
+    snprintf(banner, sizeof banner, banner_format, (long)table->count, table->poisson.text, upper,
              table->embed ? ", in 17 digits" : ", as are the digits beside it", command, command);
     struct emit e;
     emit_open(&e, file, guard, banner);
@@ -183,14 +173,14 @@ static void put_line(struct lines *out, const char *format, ...)
 
 int disk_file_write(FILE *file, const struct disk_table *table)
 {
-    if (make(table))
+    if (find_modes(table))
         return STATUS_FAILED;
     char command[LINE_LENGTH];
     command_text(command, table);
     struct lines out = {file, COR_MODE_FILE_CHECK_START};
     put_line(&out, COR_MODE_FILE_NAME " " COR_MODE_FILE_VERSION);
     put_line(&out, "source %s", command);
-    put_line(&out, "poisson %a %s", last.nu, table->poisson);
+    put_line(&out, "poisson %a %s", last.nu, table->poisson.text);
     put_line(&out, "modes %ld", (long)table->count);
     arb_ptr value = _arb_vec_init(VALUES);
     int status = STATUS_OK;

@@ -6,12 +6,12 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "support/flint.h"
+#include "support/decimal.h"
 
 enum { DISK_TABLE_MODES = 1800, DISK_TABLE_POISSON = 60 /* characters */, DISK_TABLE_NAME = 160 };
 
 struct disk_table {
-    const char *poisson; /* as the user wrote it: a decimal number, found good */
+    struct decimal poisson; /* file names and comments have it as it is written */
     slong count;
     bool embed; /* for C++ too: decimal doubles */
 };

@@ -8,11 +8,11 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "cli/options.h"
 #include "cor/status.h"
 #include "disk/limit_fit.h"
 #include "disk/modes_rounded.h"
 #include "support/console.h"
+#include "support/decimal.h"
 #include "support/emit_c.h"
 #include "sweep/crew.h"
 
@@ -165,11 +165,10 @@ static int finish(void *context, uint64_t task, const void *result)
 
 static int find_modes(struct cor_disk_modes *modes, const char *nu_text, size_t count)
 {
-    fmpq_t nu;
-    fmpq_init(nu);
-    options_fraction(nu, nu_text);
-    const int status = disk_modes_rounded(modes, nu, (slong)count);
-    fmpq_clear(nu);
+    struct decimal nu = {0};
+    decimal_set(&nu, nu_text);
+    const int status = disk_modes_rounded(modes, nu.value, (slong)count);
+    decimal_clear(&nu);
     return status;
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The whole of corgen, from its command line to its output: the input's lines are the arguments. Subcommands run where
- * they are cheap; the linker puts the functions below before theirs, which look at what the parser let through.
+/* The whole of corgen, from its command line to its output: the input's lines are the arguments. Each subcommand is run
+ * by a function below, which first checks what the parser let through, and goes on where the subcommand is cheap.
  *
  * It runs in a directory of its own, two deep, and arguments have no slash but between digits: nothing outside can be
  * written. stdout and stderr are streams in memory meanwhile; what the sanitizers and libFuzzer say goes to the
@@ -14,7 +14,8 @@
 #include <unistd.h>
 
 #include "approximation/interpolant.h"
-#include "cli/options.h"
+#include "cli/commands.h"
+#include "disk/modes.h"
 #include "disk/modes_rounded.h"
 #include "embed/choose.h"
 #include "fuzz.h"
@@ -23,7 +24,6 @@
 #include "sweep/values.h"
 
 int LLVMFuzzerInitialize(int *argc, char ***argv);
-int corgen_main(int argc, char **argv);
 
 enum { ARGUMENTS_MAX = 24, SIZE_MAX_INPUT = 600, PATH_LENGTH = 4096 };
 
@@ -35,102 +35,176 @@ static void require_whole(slong value, slong low, slong high)
     REQUIRE(value >= low && value <= high, "%ld", (long)value);
 }
 
-static void require_number(const char *text)
+static void require_number(const struct decimal *number)
 {
-    if (!text)
+    if (!number->text)
         return;
     char *end;
-    strtod(text, &end);
-    REQUIRE(*text && (*end == '\0' || *end == '/'), "number '%s'", text);
+    strtod(number->text, &end);
+    REQUIRE(*number->text && (*end == '\0' || *end == '/'), "number '%s'", number->text);
 }
 
-/* What holds of any options that the parser lets through */
-static void check_options(const struct options *o)
+static void require_name(const char *name)
 {
-    require_whole(o->order, 0, OPTIONS_MAX_ORDER);
-    require_whole(o->terms, 0, OPTIONS_MAX_TERMS);
-    require_whole(o->digits, 1, OPTIONS_MAX_DIGITS);
-    if (o->count != OPTIONS_NOT_GIVEN)
-        require_whole(o->count, 1, OPTIONS_MAX_COUNT);
-    if (o->numerator != OPTIONS_NOT_GIVEN)
-        require_whole(o->numerator, 0, OPTIONS_MAX_DEGREE);
-    if (o->denominator != OPTIONS_NOT_GIVEN)
-        require_whole(o->denominator, 0, OPTIONS_MAX_DEGREE);
-    require_number(o->beta);
-    for (int i = 0; i < OPTIONS_REALS; i++)
-        require_number(o->real[i]);
-    REQUIRE(!o->output || *o->output, "an empty name");
-    REQUIRE(!o->header || *o->header, "an empty name");
-    REQUIRE(!o->name || (strlen(o->name) <= OPTIONS_MAX_NAME && !isdigit((unsigned char)*o->name)), "name '%s'",
-            o->name);
+    REQUIRE(!name || *name, "an empty name");
 }
 
-static int run_if(bool cheap, int (*command)(const struct options *), const struct options *o)
+static int run_if(bool cheap, const struct subcommand *command, const struct option_common *o)
 {
-    check_options(o);
+    require_whole(o->format, FORMAT_TEXT, FORMAT_LATEX);
+    require_name(o->output);
     skipped = !cheap;
-    return cheap ? command(o) : STATUS_OK;
+    return cheap ? command->run(o) : STATUS_OK;
 }
 
-static bool short_number(const char *text)
+static bool short_number(const struct decimal *number)
 {
-    return !text || (strlen(text) <= 12 && !strpbrk(text, "eE"));
+    return !number->text || (strlen(number->text) <= 12 && !strpbrk(number->text, "eE"));
 }
 
-static bool simple_law(const struct options *o)
+static bool simple_law(const struct option_law *text)
 {
-    return o->law.a.num <= 9 && o->law.a.den <= 4 && o->law.b.num <= 9 && o->law.b.den <= 4;
+    struct law law;
+    return options_law(&law, text) == STATUS_OK && law.a.num <= 9 && law.a.den <= 4 && law.b.num <= 9 && law.b.den <= 4;
 }
 
-#define COMMAND(name, cheap)                                                                                           \
-    int __real_command_##name(const struct options *o);                                                                \
-    int __wrap_command_##name(const struct options *o);                                                                \
-    int __wrap_command_##name(const struct options *o)                                                                 \
-    {                                                                                                                  \
-        return run_if(cheap, __real_command_##name, o);                                                                \
-    }
-
-COMMAND(trajectory, o->order <= 8 && o->terms <= 8)
-COMMAND(series, o->order <= 6 && o->digits <= 40 && simple_law(o))
-COMMAND(pade, o->numerator + o->denominator <= 6 && o->digits <= 40 && !o->header && !o->two_point && simple_law(o))
-COMMAND(collide, o->digits <= 20 && short_number(o->beta) && law_is_sphere(&o->law) && strtod(o->beta, NULL) < 3)
-COMMAND(disk_modes, o->count <= 6 && o->digits <= 40 && short_number(o->real[OPTIONS_POISSON]))
-COMMAND(embed, true)
-COMMAND(tables, o->real[OPTIONS_POISSON] && short_number(o->real[OPTIONS_POISSON]) && o->count != OPTIONS_NOT_GIVEN &&
-                    o->count <= 6)
-
-static bool few(const char *text, const struct values_rule *rule, size_t most, double least, double largest)
+static bool sphere(const struct option_law *text)
 {
-    struct values values;
-    REQUIRE(values_parse(&values, rule, text) == STATUS_OK, "list '%s' was good and is bad", text);
-    REQUIRE(values.count >= 1 && values.count <= VALUES_MAX, "list '%s' has %zu values", text, values.count);
-    const bool is = values.count <= most && values_least(&values) >= least && values_largest(&values) <= largest;
-    values_clear(&values);
-    return is;
+    struct law law;
+    return options_law(&law, text) == STATUS_OK && law_is_sphere(&law);
 }
 
-static bool small_sweep(const struct options *o)
+/* A law that the parser let through may be none; then the subcommand says so. */
+static bool no_law(const struct option_law *text)
 {
-    return few(o->list[OPTIONS_LIST_SPEED], &sweep_speed, 4, 0.01, 0.5) &&
-           few(o->list[OPTIONS_LIST_POISSON], &sweep_poisson, 1, -0.95, 0.95) &&
-           few(o->list[OPTIONS_LIST_ALPHA], &sweep_alpha, 2, 0, 200) &&
-           few(o->list[OPTIONS_LIST_MODES], &sweep_modes, 2, 1, 6) && o->collision_tolerance >= 1e-6 &&
-           o->phi_points <= 100 && o->threads <= 3;
+    struct law law;
+    return options_law(&law, text) != STATUS_OK;
 }
 
-COMMAND(disk_collide, small_sweep(o))
+static int fuzz_trajectory(const void *arguments)
+{
+    const struct trajectory_arguments *const o = arguments;
+    require_whole(o->order, 0, 100000);
+    require_whole(o->terms, 0, 100000);
+    return run_if(no_law(&o->law) || (o->order <= 8 && o->terms <= 8), &command_trajectory, &o->common);
+}
+
+static int fuzz_series(const void *arguments)
+{
+    const struct series_arguments *const o = arguments;
+    require_whole(o->order, 0, 100000);
+    require_whole(o->digits, 1, OPTIONS_MAX_DIGITS);
+    return run_if(no_law(&o->law) || (o->order <= 6 && o->digits <= 40 && simple_law(&o->law)), &command_series,
+                  &o->common);
+}
+
+static int fuzz_pade(const void *arguments)
+{
+    const struct pade_arguments *const o = arguments;
+    require_whole(o->numerator, OPTIONS_NOT_GIVEN, 2000);
+    require_whole(o->denominator, OPTIONS_NOT_GIVEN, 2000);
+    require_whole(o->digits, 1, OPTIONS_MAX_DIGITS);
+    require_name(o->header);
+    return run_if(no_law(&o->law) || (o->numerator + o->denominator <= 6 && o->digits <= 40 && !o->header &&
+                                      !o->two_point && simple_law(&o->law)),
+                  &command_pade, &o->common);
+}
+
+static int fuzz_collide(const void *arguments)
+{
+    const struct collide_arguments *const o = arguments;
+    require_number(&o->beta);
+    require_whole(o->digits, 1, OPTIONS_MAX_DIGITS);
+    return run_if(no_law(&o->law) ||
+                      (o->digits <= 20 && short_number(&o->beta) && sphere(&o->law) && decimal_value(&o->beta) < 3),
+                  &command_collide, &o->common);
+}
+
+static int fuzz_disk_modes(const void *arguments)
+{
+    const struct disk_modes_arguments *const o = arguments;
+    require_number(&o->poisson);
+    require_whole(o->count, 1, DISK_MODES_MAX);
+    require_whole(o->digits, 1, OPTIONS_MAX_DIGITS);
+    return run_if(o->count <= 6 && o->digits <= 40 && short_number(&o->poisson), &command_disk_modes, &o->common);
+}
+
+static bool few(const struct values *values, size_t most, double least, double largest)
+{
+    REQUIRE(values->count >= 1 && values->count <= VALUES_MAX, "list '%s' has %zu values", values->text, values->count);
+    return values->count <= most && values_least(values) >= least && values_largest(values) <= largest;
+}
+
+static int fuzz_disk_collide(const void *arguments)
+{
+    const struct disk_collide_arguments *const o = arguments;
+    require_number(&o->tolerance);
+    const bool small = few(&o->speed, 4, 0.01, 0.5) && few(&o->poisson, 1, -0.95, 0.95) && few(&o->alpha, 2, 0, 200) &&
+                       few(&o->modes, 2, 1, 6) && (!o->tolerance.text || decimal_value(&o->tolerance) >= 1e-6) &&
+                       o->phi_points <= 100 && o->threads <= 3;
+    return run_if(small, &command_disk_collide, &o->common);
+}
+
+static void require_scene(const struct embed_request *scene)
+{
+    for (int i = 0; i < EMBED_NUMBERS; i++)
+        require_number(&scene->number[i]);
+    REQUIRE(!scene->name || (strlen(scene->name) <= OPTIONS_MAX_NAME && !isdigit((unsigned char)*scene->name)),
+            "name '%s'", scene->name);
+}
+
+static int fuzz_embed(const void *arguments)
+{
+    const struct embed_arguments *const o = arguments;
+    require_scene(&o->scene);
+    return run_if(true, &command_embed, &o->common);
+}
 
 /* plan goes on to where its modes or collisions begin, */
 static bool planning;
 
-int __real_command_plan(const struct options *o);
-int __wrap_command_plan(const struct options *o);
-int __wrap_command_plan(const struct options *o)
+static int fuzz_plan(const void *arguments)
 {
+    const struct plan_arguments *const o = arguments;
+    require_scene(&o->scene);
     planning = true;
-    const int status = run_if(true, __real_command_plan, o);
+    const int status = run_if(true, &command_plan, &o->common);
     planning = false;
     return status;
+}
+
+static int fuzz_tables(const void *arguments)
+{
+    const struct tables_arguments *const o = arguments;
+    require_number(&o->poisson);
+    return run_if(o->poisson.text && short_number(&o->poisson) && o->modes != OPTIONS_NOT_GIVEN && o->modes <= 6,
+                  &command_tables, &o->common);
+}
+
+/* corgen's subcommands with the functions above in the place of theirs. */
+static int corgen_main(int argc, char **argv)
+{
+    static const struct {
+        const struct subcommand *command;
+        int (*run)(const void *arguments);
+    } row[] = {{&command_trajectory, fuzz_trajectory},
+               {&command_series, fuzz_series},
+               {&command_pade, fuzz_pade},
+               {&command_collide, fuzz_collide},
+               {&command_disk_modes, fuzz_disk_modes},
+               {&command_disk_collide, fuzz_disk_collide},
+               {&command_embed, fuzz_embed},
+               {&command_plan, fuzz_plan},
+               {&command_tables, fuzz_tables}};
+    enum { ROWS = sizeof row / sizeof *row };
+    struct subcommand copy[ROWS];
+    const struct subcommand *table[ROWS + 1] = {NULL};
+    for (size_t i = 0; i < ROWS; i++) {
+        copy[i] = *row[i].command;
+        copy[i].run = row[i].run;
+        table[i] = &copy[i];
+    }
+    return subcommand_run(table, "fuzzed", argc, argv);
 }
 
 int __real_disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count);

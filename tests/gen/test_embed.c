@@ -18,15 +18,21 @@
 #include "embed/fit.h"
 #include "enclosure/collision.h"
 
-/* The scene of a contact with g* = 0.2 m/s. */
-static struct options scene_options(const char *min, const char *max, const char *tolerance, enum contact_end end)
+/* The scene of a contact with g* = 0.2 m/s; to be cleared. */
+static struct embed_request scene_request(const char *min, const char *max, const char *tolerance, enum contact_end end)
 {
-    struct options o = {.end = end};
-    o.real[OPTIONS_SPEED_MIN] = min;
-    o.real[OPTIONS_SPEED_MAX] = max;
-    o.real[OPTIONS_TOLERANCE] = tolerance;
-    o.real[OPTIONS_G_STAR] = "0.2";
-    return o;
+    struct embed_request request = {.end = end};
+    decimal_set(&request.number[EMBED_SPEED_MIN], min);
+    decimal_set(&request.number[EMBED_SPEED_MAX], max);
+    decimal_set(&request.number[EMBED_TOLERANCE], tolerance);
+    decimal_set(&request.number[EMBED_G_STAR], "0.2");
+    return request;
+}
+
+static void request_clear(struct embed_request *request)
+{
+    for (int i = 0; i < EMBED_NUMBERS; i++)
+        decimal_clear(&request->number[i]);
 }
 
 static void assert_near(double x, double y, double tolerance)
@@ -88,11 +94,11 @@ static void test_scenes(void **state)
         {"1e-5", "0.1", "1e-13", END_ZERO_OVERLAP, false, 7},
     };
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
-        struct options o = scene_options(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
-        o.single = scenes[i].single;
+        struct embed_request request = scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
+        request.type = scenes[i].single ? EMBED_FLOAT : EMBED_DOUBLE;
         struct embed_scene s;
         struct embed_form form[FAMILIES];
-        assert_int_equal(embed_scene_init(&s, &o), STATUS_OK);
+        assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
         assert_int_equal(embed_search(form, &s), STATUS_OK);
         int found = 0;
         for (int k = 0; k < FAMILIES; k++) {
@@ -103,11 +109,12 @@ static void test_scenes(void **state)
             found += form[k].found;
         }
         assert_true(found >= scenes[i].least);
-        for (int use = OPTIONS_BALANCED; use <= OPTIONS_ARRAY; use++)
-            assert_true(form[embed_choose(form, (enum options_use)use)].found);
+        for (int purpose = PURPOSE_BALANCED; purpose <= PURPOSE_ARRAY; purpose++)
+            assert_true(form[embed_choose(form, (enum embed_purpose)purpose)].found);
         for (int k = 0; k < FAMILIES; k++)
             embed_form_clear(&form[k]);
         embed_scene_clear(&s);
+        request_clear(&request);
     }
 }
 
@@ -115,23 +122,24 @@ static void test_scenes(void **state)
 static void test_materials(void **state)
 {
     (void)state;
-    struct options o = scene_options("0.01", "1", "1e-6", END_ZERO_FORCE);
-    o.real[OPTIONS_G_STAR] = NULL;
-    o.real[OPTIONS_YOUNG] = "1e9";
-    o.real[OPTIONS_POISSON] = "0.3";
-    o.real[OPTIONS_RADIUS] = "0.01";
-    o.real[OPTIONS_MASS] = "0.012";
-    o.real[OPTIONS_DISSIPATION_TIME] = "2e-5";
+    struct embed_request request = scene_request("0.01", "1", "1e-6", END_ZERO_FORCE);
+    decimal_clear(&request.number[EMBED_G_STAR]);
+    decimal_set(&request.number[EMBED_YOUNG], "1e9");
+    decimal_set(&request.number[EMBED_POISSON], "0.3");
+    decimal_set(&request.number[EMBED_RADIUS], "0.01");
+    decimal_set(&request.number[EMBED_MASS], "0.012");
+    decimal_set(&request.number[EMBED_DISSIPATION_TIME], "2e-5");
     const double rho = 4 * sqrt(0.005) / (3 * 2 * 0.91 / 1e9);
     struct embed_scene s;
-    assert_int_equal(embed_scene_init(&s, &o), STATUS_OK);
+    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
     assert_near(middle(s.beta_per_root), 1.5 * 2e-5 * pow(rho / 0.006, 0.4), 1e-14);
     assert_near(s.beta_max, middle(s.beta_per_root), 1e-14);
     embed_scene_clear(&s);
-    o.wall = true;
-    assert_int_equal(embed_scene_init(&s, &o), STATUS_OK);
+    request.wall = true;
+    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
     assert_near(middle(s.beta_per_root), 1.5 * 2e-5 * pow(rho * sqrt(2) / 0.012, 0.4), 1e-14);
     embed_scene_clear(&s);
+    request_clear(&request);
 }
 
 /* The root from bits: refined so far, off by so much. */
@@ -185,24 +193,24 @@ static void test_choice(void **state)
     (void)state;
     struct embed_form form[FAMILIES];
     memset(form, 0, sizeof form);
-    assert_int_equal(embed_choose(form, OPTIONS_BALANCED), FAMILIES);
+    assert_int_equal(embed_choose(form, PURPOSE_BALANCED), FAMILIES);
     form[FAMILY_SERIES] = (struct embed_form){.found = true, .cost = {5, 5}};
     form[FAMILY_PIECES_SPEED] = (struct embed_form){.found = true, .cost = {1, 2}};
     form[FAMILY_RATIONAL_SPEED] = (struct embed_form){.found = true, .cost = {3, 1}};
-    assert_int_equal(embed_choose(form, OPTIONS_SCALAR), FAMILY_PIECES_SPEED);
-    assert_int_equal(embed_choose(form, OPTIONS_ARRAY), FAMILY_RATIONAL_SPEED);
-    assert_int_equal(embed_choose(form, OPTIONS_BALANCED), FAMILY_RATIONAL_SPEED);
+    assert_int_equal(embed_choose(form, PURPOSE_SCALAR), FAMILY_PIECES_SPEED);
+    assert_int_equal(embed_choose(form, PURPOSE_ARRAY), FAMILY_RATIONAL_SPEED);
+    assert_int_equal(embed_choose(form, PURPOSE_BALANCED), FAMILY_RATIONAL_SPEED);
     form[FAMILY_RATIONAL_SPEED].found = false;
-    assert_int_equal(embed_choose(form, OPTIONS_ARRAY), FAMILY_PIECES_SPEED);
+    assert_int_equal(embed_choose(form, PURPOSE_ARRAY), FAMILY_PIECES_SPEED);
 }
 
 /* One degree more makes a fit better, and eps beyond the table is a rational function of the speed: h*^5/(b^5 g). */
 static void test_fit(void **state)
 {
     (void)state;
-    struct options o = scene_options("0.1", "10", "1e-6", END_ZERO_OVERLAP);
+    struct embed_request request = scene_request("0.1", "10", "1e-6", END_ZERO_OVERLAP);
     struct embed_scene s;
-    assert_int_equal(embed_scene_init(&s, &o), STATUS_OK);
+    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
     double before = 1;
     for (slong degree = 1; degree <= 7; degree++) {
         struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
@@ -218,9 +226,10 @@ static void test_fit(void **state)
         embed_form_clear(&f);
     }
     embed_scene_clear(&s);
+    request_clear(&request);
 
-    o = scene_options("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
-    assert_int_equal(embed_scene_init(&s, &o), STATUS_OK);
+    request = scene_request("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
+    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
     assert_true(s.beta_min > 7);
     struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
                            .variable = SPEED,
@@ -232,6 +241,7 @@ static void test_fit(void **state)
     assert_true(f.error < 1e-15);
     embed_form_clear(&f);
     embed_scene_clear(&s);
+    request_clear(&request);
 }
 
 int main(void)

@@ -218,13 +218,13 @@ static void test_spheres(void **state)
 {
     (void)state;
     struct random_state r = random_start();
-    struct options o = {.end = END_ZERO_FORCE, .points = 9};
-    o.real[OPTIONS_SPEED_MIN] = "0.01";
-    o.real[OPTIONS_SPEED_MAX] = "1";
-    o.real[OPTIONS_TOLERANCE] = "1e-3";
-    o.real[OPTIONS_G_STAR] = "400";
+    struct plan_spheres_request request = {.scene = {.end = END_ZERO_FORCE}, .points = 9};
+    decimal_set(&request.scene.number[EMBED_SPEED_MIN], "0.01");
+    decimal_set(&request.scene.number[EMBED_SPEED_MAX], "1");
+    decimal_set(&request.scene.number[EMBED_TOLERANCE], "1e-3");
+    decimal_set(&request.scene.number[EMBED_G_STAR], "400");
     struct plan plan;
-    assert_int_equal(plan_spheres(&plan, &o), STATUS_OK);
+    assert_int_equal(plan_spheres(&plan, &request), STATUS_OK);
     const slong last = plan.points - 1;
     assert_int_equal(last, 8);
     assert_true(plan.speed[0] == 0.01 && plan.speed[last] == 1);
@@ -296,48 +296,59 @@ static void test_spheres(void **state)
     check_choice(&plan, &r);
     plan_spheres_clear(&plan);
     plan_clear(&plan);
+    for (int i = 0; i < EMBED_NUMBERS; i++)
+        decimal_clear(&request.scene.number[i]);
 }
 
 /* Beyond beta = 7 eps at zero overlap is h*^5/beta^5. */
 static void test_strong_damping(void **state)
 {
     (void)state;
-    struct options o = {.end = END_ZERO_OVERLAP, .points = 3};
-    o.real[OPTIONS_SPEED_MIN] = "0.1";
-    o.real[OPTIONS_SPEED_MAX] = "10";
-    o.real[OPTIONS_TOLERANCE] = "1e-6";
-    o.real[OPTIONS_G_STAR] = "1e-5";
+    struct plan_spheres_request request = {.scene = {.end = END_ZERO_OVERLAP}, .points = 3};
+    decimal_set(&request.scene.number[EMBED_SPEED_MIN], "0.1");
+    decimal_set(&request.scene.number[EMBED_SPEED_MAX], "10");
+    decimal_set(&request.scene.number[EMBED_TOLERANCE], "1e-6");
+    decimal_set(&request.scene.number[EMBED_G_STAR], "1e-5");
     struct plan plan;
     struct cor_sphere_contact contact;
-    assert_int_equal(plan_spheres(&plan, &o), STATUS_OK);
+    assert_int_equal(plan_spheres(&plan, &request), STATUS_OK);
     assert_int_equal(cor_sphere_contact_init_g_star(&contact, 1e-5), COR_OK);
     assert_true(plan.at[0] < 7 && plan.at[1] > 7);
     for (slong i = 0; i < plan.points; i++)
         assert_true(fabs(cor_contact_eps_zero_overlap(&contact, plan.speed[i]) / plan.truth[i] - 1) < 1e-14);
     plan_spheres_clear(&plan);
     plan_clear(&plan);
+    for (int i = 0; i < EMBED_NUMBERS; i++)
+        decimal_clear(&request.scene.number[i]);
 }
 
 /* ---- disks ---- */
 
-static struct options disk_options(enum options_quantity quantity, const char *min, const char *max, slong count)
+static struct plan_disks_request disk_request(enum plan_quantity quantity, const char *min, const char *max,
+                                              slong count)
 {
-    struct options o = {.disks = true, .quantity = quantity, .points = count};
-    o.real[OPTIONS_SPEED_MIN] = min;
-    o.real[OPTIONS_SPEED_MAX] = max;
-    o.real[OPTIONS_TOLERANCE] = "0.01";
-    o.real[OPTIONS_POISSON] = "0.33";
-    return o;
+    struct plan_disks_request request = {.quantity = quantity, .points = count};
+    decimal_set(&request.speed_min, min);
+    decimal_set(&request.speed_max, max);
+    decimal_set(&request.tolerance, "0.01");
+    decimal_set(&request.poisson, "0.33");
+    return request;
 }
 
-static double collided(size_t modes, double alpha, double speed, enum options_quantity quantity)
+static void disk_request_clear(struct plan_disks_request *request)
+{
+    decimal_clear(&request->speed_min);
+    decimal_clear(&request->speed_max);
+    decimal_clear(&request->tolerance);
+    decimal_clear(&request->poisson);
+}
+
+static double collided(size_t modes, double alpha, double speed, enum plan_quantity quantity)
 {
     const struct cor_disk_collision_options options = {alpha, 1e-7, 0};
     struct cor_disk_collision out;
     assert_int_equal(cor_disk_collision(&cor_disk_modes_nu033, modes, &options, speed, &out), COR_OK);
-    return quantity == OPTIONS_EPS            ? out.eps
-           : quantity == OPTIONS_CONTACT_TIME ? out.contact_time
-                                              : out.max_compression;
+    return quantity == PLAN_EPS ? out.eps : quantity == PLAN_CONTACT_TIME ? out.contact_time : out.max_compression;
 }
 
 /* The error of a model of disks between the points, against the library's own table. */
@@ -346,7 +357,7 @@ static double disk_error(const struct plan_model *m, double speed)
     size_t modes;
     double hard, value = 1;
     if (sscanf(m->name, "dynamics: %zu modes; alpha = %lf/v", &modes, &hard) == 2)
-        value = collided(modes, fmax(40, hard / speed), speed, OPTIONS_EPS);
+        value = collided(modes, fmax(40, hard / speed), speed, PLAN_EPS);
     else
         assert_int_equal(sscanf(m->use, "double eps = %lf;", &value), 1);
     return fabs(value - cor_disk_eps(speed, 0.33));
@@ -356,9 +367,9 @@ static void test_disks(void **state)
 {
     (void)state;
     struct random_state r = random_start();
-    const struct options o = disk_options(OPTIONS_EPS, "0.01", "0.1", 3);
+    struct plan_disks_request request = disk_request(PLAN_EPS, "0.01", "0.1", 3);
     struct plan plan;
-    assert_int_equal(plan_disks(&plan, &o), STATUS_OK);
+    assert_int_equal(plan_disks(&plan, &request), STATUS_OK);
     assert_string_equal(plan.model[plan.chosen].name, "table: cor_disk_eps");
     for (slong i = 0; i < plan.points; i++) {
         const double eps = cor_disk_eps(plan.speed[i], 0.33), speed = plan.speed[i];
@@ -367,9 +378,8 @@ static void test_disks(void **state)
         assert_true(plan.uncertainty[i] > 0 && plan.uncertainty[i] < 3e-3);
         assert_true(cor_disk_eps_uncertainty(speed, 0.33) <= named(&plan, "table")->error[i] * 1.01);
         assert_true(named(&plan, "eps = 1")->error[i] == 1 - plan.truth[i]);
-        check_values(&plan, "dynamics: 300 modes; alpha = 56/v", i, collided(300, 56 / speed, speed, OPTIONS_EPS),
-                     2e-6);
-        check_values(&plan, "dynamics: 940 modes; alpha = 500", i, collided(940, 500, speed, OPTIONS_EPS), 2e-6);
+        check_values(&plan, "dynamics: 300 modes; alpha = 56/v", i, collided(300, 56 / speed, speed, PLAN_EPS), 2e-6);
+        check_values(&plan, "dynamics: 940 modes; alpha = 500", i, collided(940, 500, speed, PLAN_EPS), 2e-6);
         struct cor_disk_rayleigh out;
         const int status =
             cor_disk_rayleigh(&cor_disk_modes_nu033, 1800, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &out, NULL);
@@ -409,25 +419,26 @@ static void test_disks(void **state)
     }
     check_choice(&plan, &r);
     plan_clear(&plan);
+    disk_request_clear(&request);
 }
 
 static void test_contact_time(void **state)
 {
     (void)state;
-    const struct options o = disk_options(OPTIONS_CONTACT_TIME, "0.01", "0.02", 2);
+    struct plan_disks_request request = disk_request(PLAN_CONTACT_TIME, "0.01", "0.02", 2);
     static const char *const law[] = {"quasistatic law: centre of mass", "quasistatic law: diameter",
                                       "quasistatic law: as printed"};
     struct plan plan;
-    assert_int_equal(plan_disks(&plan, &o), STATUS_OK);
+    assert_int_equal(plan_disks(&plan, &request), STATUS_OK);
     for (slong i = 0; i < plan.points; i++) {
         const double speed = plan.speed[i];
         for (int k = 0; k < 3; k++)
             check_values(&plan, law[k], i, cor_disk_contact_time(speed, 0.33, (enum cor_disk_datum)k), 1e-15);
         check_values(&plan, "leading logarithm", i, acos(-1) * sqrt(log(4 / speed)), 1e-14);
         check_values(&plan, "dynamics: 1800 modes; alpha = 22/v", i,
-                     collided(1800, 22 / speed, speed, OPTIONS_CONTACT_TIME), 1e-4);
-        const double hard = collided(1800, 60 / speed, speed, OPTIONS_CONTACT_TIME);
-        const double harder = collided(1800, 100 / speed, speed, OPTIONS_CONTACT_TIME);
+                     collided(1800, 22 / speed, speed, PLAN_CONTACT_TIME), 1e-4);
+        const double hard = collided(1800, 60 / speed, speed, PLAN_CONTACT_TIME);
+        const double harder = collided(1800, 100 / speed, speed, PLAN_CONTACT_TIME);
         const double limit = harder + (harder - hard) * 60 / (100 - 60);
         check(fabs(limit / plan.truth[i] - 1) <= 2 * plan.uncertainty[i] && plan.uncertainty[i] < 0.01,
               "tau(%g) = %g, uncertain by %.2g, but %g", speed, plan.truth[i], plan.uncertainty[i], limit);
@@ -440,6 +451,7 @@ static void test_contact_time(void **state)
                 strncmp(plan.model[plan.chosen].name, "quasistatic", 11) == 0);
     check_output(&plan);
     plan_clear(&plan);
+    disk_request_clear(&request);
 }
 
 int main(void)

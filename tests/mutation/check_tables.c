@@ -2,22 +2,22 @@
 /* corgen tables --check over many directories, of which the costly files are computed once: check_tables DIRECTORY...
  * prints red or green for each. What depends on a directory's own disk_limits.csv is made for each. Exit status 1 if
  * any is red. */
-#include "cli/tables.c"
+#include "tables/directory.c"
 
 int main(int argc, char **argv)
 {
     struct content c[CONTENTS] = {{NULL, NULL, 0}};
-    const struct options options = {.check = true};
+    const struct tables_request request = {.check = true};
     int n = 0, status = STATUS_OK, reds = 0;
     for (; n < FILES && !files[n].limits && status == STATUS_OK; n++)
-        status = make(&c[n], &files[n]);
+        status = generated_make(&c[n], &files[n]);
     for (int i = 1; i < argc && status == STATUS_OK; i++) {
         bool known = false;
-        int m = n, verdict = know_limits(&known, &options, argv[i]);
+        int m = n, verdict = know_limits(&known, &request, argv[i]);
         for (; m < FILES && known && verdict == STATUS_OK; m++)
-            verdict = make(&c[m], &files[m]);
+            verdict = generated_make(&c[m], &files[m]);
         if (verdict == STATUS_OK)
-            verdict = make_manifest(&c[m], c, m);
+            verdict = manifest_make(&c[m], c, m);
         if (verdict == STATUS_OK)
             verdict = check_all(c, m + 1, argv[i]);
         printf("%s %s\n", verdict == STATUS_OK ? "green" : "red", argv[i]);

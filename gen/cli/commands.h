@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: MIT */
+/* The subcommands of corgen, one file each, and what each takes. */
+#ifndef COR_GEN_CLI_COMMANDS_H
+#define COR_GEN_CLI_COMMANDS_H
+
+#include "approximation/pade.h"
+#include "cli/subcommand.h"
+#include "embed/request.h"
+#include "plan/plan.h"
+#include "sweep/run.h"
+#include "tables/directory.h"
+
+struct trajectory_arguments {
+    struct option_common common;
+    slong order, terms;
+    struct option_law law;
+};
+
+struct series_arguments {
+    struct option_common common;
+    slong order, digits;
+    enum contact_end end;
+    bool exact;
+    struct option_law law;
+};
+
+struct pade_arguments {
+    struct option_common common;
+    slong numerator, denominator; /* OPTIONS_NOT_GIVEN if so */
+    slong digits;
+    enum contact_end end;
+    bool two_point, as_published, force;
+    const char *header; /* the C header is written here; NULL: none */
+    struct option_law law;
+};
+
+struct collide_arguments {
+    struct option_common common;
+    struct decimal beta;
+    slong digits;
+    struct option_law law;
+};
+
+struct disk_modes_arguments {
+    struct option_common common;
+    struct decimal poisson;
+    slong count, digits;
+};
+
+struct disk_collide_arguments {
+    struct option_common common;
+    struct values speed, poisson, alpha, modes;
+    struct decimal tolerance;
+    slong phi_points, threads; /* 0 if not given */
+};
+
+struct embed_arguments {
+    struct option_common common;
+    struct embed_request scene;
+};
+
+struct plan_arguments {
+    struct option_common common;
+    struct embed_request scene; /* of disks: both speeds, tolerance and Poisson's ratio */
+    slong points;               /* 0 if not given */
+    bool disks;
+    enum plan_quantity quantity;
+};
+
+struct tables_arguments {
+    struct option_common common;
+    struct decimal poisson;
+    slong modes, seed; /* OPTIONS_NOT_GIVEN if so */
+    bool check, all;
+};
+
+extern const struct subcommand command_trajectory, command_series, command_pade, command_collide, command_disk_modes,
+    command_disk_collide, command_embed, command_plan, command_tables;
+
+#endif

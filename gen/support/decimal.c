@@ -1,0 +1,191 @@
+/* SPDX-License-Identifier: MIT */
+#include "support/decimal.h"
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/console.h"
+
+/* ---- which texts are numbers ---- */
+
+static const char *skip_digits(const char *text)
+{
+    return text + strspn(text, "0123456789");
+}
+
+/* Digits with an optional point and an optional exponent; NULL if the text does not begin with such a number. */
+static const char *skip_decimal(const char *text, int exponent_digits)
+{
+    const char *const whole = text;
+    text = skip_digits(text);
+    ptrdiff_t digits = text - whole;
+    if (*text == '.') {
+        const char *const fraction = ++text;
+        text = skip_digits(text);
+        digits += text - fraction;
+    }
+    if (digits == 0)
+        return NULL;
+    if (*text == 'e' || *text == 'E') {
+        text++;
+        if (*text == '+' || *text == '-')
+            text++;
+        const char *const exponent = text;
+        text = skip_digits(text);
+        if (text == exponent || text - exponent > exponent_digits)
+            return NULL;
+    }
+    return text;
+}
+
+static bool is_ratio(const char *text)
+{
+    const char *const slash = skip_digits(text);
+    if (slash == text || *slash != '/')
+        return false;
+    const char *const end = skip_digits(slash + 1);
+    return end != slash + 1 && *end == '\0' && slash[1 + strspn(slash + 1, "0")] != '\0';
+}
+
+/* ---- their values ---- */
+
+/* Digits times a power of ten. */
+static void set_value(fmpq_t x, const char *text)
+{
+    char *digits = xmalloc(strlen(text) + 1);
+    size_t n = 0;
+    slong exponent = 0;
+    bool point = false;
+    for (; *text && *text != 'e' && *text != 'E'; text++) {
+        if (*text == '.') {
+            point = true;
+        } else {
+            digits[n++] = *text;
+            exponent -= point;
+        }
+    }
+    digits[n] = '\0';
+    if (*text)
+        exponent += strtol(text + 1, NULL, 10);
+    fmpz_set_str(fmpq_numref(x), digits, 10);
+    fmpz_one(fmpq_denref(x));
+    free(digits);
+    fmpz_t power;
+    fmpz_init(power);
+    fmpz_ui_pow_ui(power, 10, exponent < 0 ? (ulong)-exponent : (ulong)exponent);
+    if (exponent < 0)
+        fmpq_div_fmpz(x, x, power);
+    else
+        fmpq_mul_fmpz(x, x, power);
+    fmpz_clear(power);
+}
+
+bool decimal_parse(struct decimal *x, const char *text, int exponent_digits)
+{
+    const bool sign = *text == '-', ratio = is_ratio(text + sign);
+    const char *const end = ratio ? NULL : skip_decimal(text + sign, exponent_digits);
+    if (!ratio && !(end && *end == '\0'))
+        return false;
+    if (!x->text)
+        fmpq_init(x->value);
+    x->text = text;
+    x->forms = (sign ? DECIMAL_SIGN : DECIMAL_PLAIN) | (ratio ? DECIMAL_RATIO : DECIMAL_PLAIN);
+    if (ratio) {
+        fmpq_set_str(x->value, text, 10);
+        fmpq_canonicalise(x->value);
+    } else {
+        set_value(x->value, text);
+    }
+    return true;
+}
+
+void decimal_set(struct decimal *x, const char *text)
+{
+    if (!decimal_parse(x, text, DECIMAL_EXPONENT_DIGITS))
+        exit(fail("a constant of corgen, '%s', is not a number", text));
+}
+
+void decimal_clear(struct decimal *x)
+{
+    if (x->text)
+        fmpq_clear(x->value);
+    x->text = NULL;
+}
+
+/* A limit, whose nearest double goes to *nearest; the sign of x - limit. */
+static int compare_with(double *nearest, const char *limit, const fmpq_t x)
+{
+    struct decimal y = {0};
+    decimal_set(&y, limit);
+    *nearest = decimal_value(&y);
+    const int order = fmpq_cmp(x, y.value);
+    decimal_clear(&y);
+    return order;
+}
+
+bool decimal_inside(const struct decimal_range *range, const fmpq_t x)
+{
+    const double nearest = decimal_nearest(x);
+    bool good = !range->nearest || isfinite(nearest);
+    double limit;
+    if (range->low) {
+        const int order = compare_with(&limit, range->low, x);
+        good = good && (range->low_allowed ? order >= 0 : order > 0 && !(range->nearest && nearest <= limit));
+    }
+    if (range->high) {
+        const int order = compare_with(&limit, range->high, x);
+        good = good && (range->high_allowed ? order <= 0 : order < 0 && !(range->nearest && nearest >= limit));
+    }
+    return good;
+}
+
+double decimal_nearest(const fmpq_t x)
+{
+    arf_t y;
+    fmpz_t exponent;
+    arf_init(y);
+    fmpz_init(exponent);
+    /* rounded down to a few bits, so that the exponent is that of x: 2^(e-1) <= |x| < 2^e */
+    arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), 2, ARF_RND_DOWN);
+    arf_abs_bound_lt_2exp_fmpz(exponent, y);
+    /* a subnormal double has as many bits as lie above 2^-1074 */
+    const slong bits = fmpz_cmp_si(exponent, DBL_MIN_EXP) >= 0 ? DBL_MANT_DIG
+                       : fmpz_cmp_si(exponent, DBL_MIN_EXP - 60) > 0
+                           ? DBL_MANT_DIG - DBL_MIN_EXP + fmpz_get_si(exponent)
+                           : 0;
+    double nearest = 0;
+    if (bits >= 1) {
+        arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), bits, ARF_RND_NEAR);
+        nearest = arf_get_d(y, ARF_RND_NEAR);
+    } else if (bits == 0 && fmpz_cmp_si(exponent, DBL_MIN_EXP - DBL_MANT_DIG) == 0) {
+        /* from 2^-1075, which is a tie and goes to 0, to 2^-1074 */
+        const bool tie = arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), 1, ARF_RND_DOWN) == 0;
+        nearest = tie ? 0 : fmpq_sgn(x) * DBL_TRUE_MIN;
+    }
+    arf_clear(y);
+    fmpz_clear(exponent);
+    return nearest;
+}
+
+double decimal_value(const struct decimal *x)
+{
+    return decimal_nearest(x->value);
+}
+
+const char *decimal_text(char text[DECIMAL_TEXT], double x)
+{
+    if (isnan(x)) { /* of either sign */
+        snprintf(text, DECIMAL_TEXT, "nan");
+        return text;
+    }
+    for (int digits = DBL_DIG; digits <= DBL_DECIMAL_DIG; digits++) {
+        snprintf(text, DECIMAL_TEXT, "%.*g", digits, x);
+        if (strtod(text, NULL) == x)
+            break;
+    }
+    return text;
+}

@@ -1,0 +1,319 @@
+/* SPDX-License-Identifier: MIT */
+#define _XOPEN_SOURCE 700 /* open_memstream, mkdir */
+#include "tables/directory.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "runtime/core/mode_file.h"
+#include "support/console.h"
+#include "support/output.h"
+#include "tables/disk.h"
+#include "tables/limits.h"
+#include "tables/sphere.h"
+
+enum { PATH_MAX_LENGTH = 4096 };
+
+#define DEFAULT_DIRECTORY "generated"
+#define DEFAULT_DIRECTORY_OF_MATERIAL "."
+#define MANIFEST "MANIFEST.txt"
+#define MANIFEST_VERSION_WORD "made-with" /* --check ignores lines that start with it */
+
+struct generated {
+    const char *name;
+    int (*write)(FILE *file, const struct disk_table *disk);
+    const char *poisson; /* of a table of modes; otherwise NULL */
+    bool limits;         /* of collisions, which are kept */
+};
+
+static const struct generated files[] = {
+    {"sphere_tables.h", sphere_tables_write, NULL, false},
+    {"cor_sphere.h", sphere_header_write, NULL, false},
+    {"disk_modes_nu033.h", disk_header_write, "0.33", false},
+    {"disk_modes_nu090.h", disk_header_write, "0.90", false},
+    {DISK_LIMITS_ROWS_FILE, disk_limits_rows_write, NULL, true},
+    {DISK_LIMITS_HEADER_FILE, disk_limits_header_write, NULL, true},
+};
+enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 1 /* the manifest */ };
+
+/* One file, complete, in memory; the manifest comes after files[]. */
+struct content {
+    const char *name;
+    char *text;
+    size_t size;
+};
+
+/* One file. disk: the modes that it holds, if it is a table of modes. */
+static int content_make(struct content *c, const char *name, int (*write)(FILE *, const struct disk_table *),
+                        const struct disk_table *disk)
+{
+    c->name = name;
+    FILE *file = open_memstream(&c->text, &c->size);
+    if (!file)
+        return fail("no memory for %s", name);
+    profile_step(name);
+    int status = write(file, disk);
+    profile_step(NULL);
+    if (fclose(file) && status == STATUS_OK)
+        status = fail("no memory for %s", name);
+    return status;
+}
+
+/* A file of generated/. */
+static int generated_make(struct content *c, const struct generated *row)
+{
+    struct disk_table disk = {.count = DISK_TABLE_MODES};
+    if (row->poisson)
+        decimal_set(&disk.poisson, row->poisson);
+    const int status = content_make(c, row->name, row->write, &disk);
+    decimal_clear(&disk.poisson);
+    return status;
+}
+
+static int manifest_make(struct content *manifest, const struct content *c, int files_made)
+{
+    manifest->name = MANIFEST;
+    FILE *file = open_memstream(&manifest->text, &manifest->size);
+    if (!file)
+        return fail("no memory for %s", MANIFEST);
+    fprintf(file, "Written by `corgen tables`; `corgen tables --check` compares the files below byte for "
+                  "byte.\nLines that start with " MANIFEST_VERSION_WORD
+                  " tell which libraries made them, and are not compared.\n\n");
+    for (int i = 0; i < files_made; i++) {
+        long lines = 0;
+        for (size_t k = 0; k < c[i].size; k++)
+            lines += c[i].text[k] == '\n';
+        fprintf(file, "file %s %zu bytes %ld lines check %08" PRIx32 "\n", c[i].name, c[i].size, lines,
+                cor_mode_file_check(COR_MODE_FILE_CHECK_START, c[i].text, c[i].size));
+    }
+    fprintf(file, "\n" MANIFEST_VERSION_WORD " FLINT %s\n", flint_version);
+#ifndef COR_FLINT_HAS_ARB
+    fprintf(file, MANIFEST_VERSION_WORD " Arb %s\n", arb_version);
+#endif
+    fprintf(file, MANIFEST_VERSION_WORD " MPFR %s\n" MANIFEST_VERSION_WORD " GMP %s\n", mpfr_get_version(),
+            gmp_version);
+    return fclose(file) ? fail("no memory for %s", MANIFEST) : STATUS_OK;
+}
+
+static int set_path(char path[PATH_MAX_LENGTH], const char *directory, const char *name)
+{
+    const int n = snprintf(path, PATH_MAX_LENGTH, "%s/%s", directory, name);
+    return n < PATH_MAX_LENGTH ? STATUS_OK : fail("the path %.60s... is too long", directory);
+}
+
+/* Asked before the minutes of computing, not after them; leaves no trace. */
+static int probe_directory(const char *directory)
+{
+    if (mkdir(directory, 0777) == 0) {
+        rmdir(directory);
+        return STATUS_OK;
+    }
+    if (errno != EEXIST)
+        return fail("cannot make %s: %s", directory, strerror(errno));
+    return access(directory, W_OK | X_OK) == 0 ? STATUS_OK : fail("cannot write in %s: %s", directory, strerror(errno));
+}
+
+static int write_all(const struct content *c, int n, const char *directory)
+{
+    char path[CONTENTS][PATH_MAX_LENGTH];
+    struct output out[CONTENTS];
+    if (mkdir(directory, 0777) && errno != EEXIST)
+        return fail("cannot make %s: %s", directory, strerror(errno));
+    for (int i = 0; i < n; i++) {
+        int status = set_path(path[i], directory, c[i].name);
+        if (status == STATUS_OK)
+            status = output_open(&out[i], path[i]);
+        if (status == STATUS_OK) {
+            fwrite(c[i].text, 1, c[i].size, out[i].file); /* a failure shows at the commit */
+            continue;
+        }
+        while (i-- > 0)
+            output_discard(&out[i]);
+        return status;
+    }
+    return output_commit_all(out, n);
+}
+
+/* The next line that counts, or NULL; *number is its own. */
+static const char *next_line(const char **at, const char *end, bool manifest, size_t *length, long *number)
+{
+    while (*at < end) {
+        const char *line = *at, *newline = memchr(line, '\n', (size_t)(end - line));
+        *length = newline ? (size_t)(newline - line) + 1 : (size_t)(end - line);
+        *at = line + *length;
+        ++*number;
+        const size_t word = strlen(MANIFEST_VERSION_WORD);
+        if (!manifest || *length < word || memcmp(line, MANIFEST_VERSION_WORD, word) != 0)
+            return line;
+    }
+    return NULL;
+}
+
+/* Line in which the file first differs from what it should be, 0 if nowhere. */
+static long first_difference(const struct content *c, const char *text, size_t size)
+{
+    const bool manifest = strcmp(c->name, MANIFEST) == 0;
+    const char *made = c->text, *found = text;
+    long made_number = 0, found_number = 0;
+    for (;;) {
+        size_t made_length = 0, found_length = 0;
+        const char *a = next_line(&made, c->text + c->size, manifest, &made_length, &made_number);
+        const char *b = next_line(&found, text + size, manifest, &found_length, &found_number);
+        if (!a && !b)
+            return 0;
+        if (!a || !b || made_length != found_length || memcmp(a, b, made_length) != 0)
+            return b ? found_number : found_number + 1;
+    }
+}
+
+/* The whole file, or NULL with errno set. */
+static char *read_file(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return NULL;
+    size_t capacity = 1 << 16;
+    char *text = xmalloc(capacity);
+    *size = 0;
+    for (size_t got; (got = fread(text + *size, 1, capacity - *size, file)) > 0;) {
+        *size += got;
+        if (*size == capacity)
+            text = xrealloc(text, capacity *= 2);
+    }
+    const int error = ferror(file) ? errno : 0;
+    fclose(file);
+    if (error) {
+        free(text);
+        errno = error;
+        return NULL;
+    }
+    return text;
+}
+
+static int check_all(const struct content *c, int n, const char *directory)
+{
+    int status = STATUS_OK;
+    for (int i = 0; i < n; i++) {
+        char path[PATH_MAX_LENGTH];
+        size_t size = 0;
+        if (set_path(path, directory, c[i].name))
+            return STATUS_FAILED;
+        char *text = read_file(path, &size);
+        const long line = text ? first_difference(&c[i], text, size) : 0;
+        if (!text)
+            status = fail("cannot read %s: %s", path, strerror(errno));
+        else if (line)
+            status = fail("%s is not what corgen writes: it differs in line %ld", path, line);
+        free(text);
+    }
+    return status;
+}
+
+/* The collisions of the long table: those of the directory, or else of generated/, or made anew. *known: whether there
+ * are any. */
+static int know_limits(bool *known, const struct tables_request *request, const char *directory)
+{
+    static const char *const minutes = "some minutes of processor time";
+    if (request->all && !request->check) {
+        profile_step(DISK_LIMITS_ROWS_FILE);
+        const int status = disk_limits_collide();
+        profile_step(NULL);
+        *known = status == STATUS_OK;
+        return status;
+    }
+    char path[PATH_MAX_LENGTH];
+    size_t size = 0;
+    if (set_path(path, directory, DISK_LIMITS_ROWS_FILE))
+        return STATUS_FAILED;
+    char *text = read_file(path, &size);
+    if (!text && errno == ENOENT && !request->check && strcmp(directory, DEFAULT_DIRECTORY) != 0 &&
+        set_path(path, DEFAULT_DIRECTORY, DISK_LIMITS_ROWS_FILE) == STATUS_OK)
+        text = read_file(path, &size);
+    *known = text != NULL;
+    if (!text && errno != ENOENT)
+        return fail("cannot read %s: %s", path, strerror(errno));
+    if (!text) {
+        fprintf(stderr, "corgen: " DISK_LIMITS_HEADER_FILE " is left out, for there is no %s; --all makes it, in %s\n",
+                path, minutes);
+        return STATUS_OK;
+    }
+    const int status = disk_limits_read(text, size, path);
+    free(text);
+    return status;
+}
+
+/* The files of generated/ and their manifest. */
+static int make_generated(struct content *c, int *n, const struct tables_request *request, const char *directory)
+{
+    bool asked = false, known = false;
+    int status = STATUS_OK;
+    for (int i = 0; i < FILES && status == STATUS_OK; i++) {
+        if (files[i].limits && !asked) {
+            status = know_limits(&known, request, directory);
+            asked = true;
+        }
+        if (status == STATUS_OK && (known || !files[i].limits))
+            status = generated_make(&c[(*n)++], &files[i]);
+    }
+    if (status == STATUS_OK)
+        status = manifest_make(&c[*n], c, *n);
+    *n += status == STATUS_OK;
+    return status;
+}
+
+/* The two files of one material. */
+static int make_material(struct content *c, int *n, const struct tables_request *request)
+{
+    static const struct {
+        const char *extension;
+        int (*write)(FILE *file, const struct disk_table *disk);
+    } form[] = {{"h", disk_header_write}, {"txt", disk_file_write}};
+    enum { FORMS = sizeof form / sizeof *form };
+    static char name[FORMS][DISK_TABLE_NAME];
+    const struct disk_table disk = {*request->poisson, request->modes ? request->modes : DISK_TABLE_MODES, true};
+    int status = STATUS_OK;
+    for (*n = 0; *n < FORMS && status == STATUS_OK; ++*n)
+        status = content_make(&c[*n], disk_table_name(name[*n], &disk, form[*n].extension), form[*n].write, &disk);
+    return status;
+}
+
+/* Byte equality proves only that the header follows from the csv file; collisions computed again check the csv file. */
+static int check_limits(const struct tables_request *request)
+{
+    if (request->all)
+        return disk_limits_check_all();
+    return disk_limits_check_sample(
+        request->seeded ? request->seed : ((uint64_t)time(NULL) * 1000 + (uint64_t)getpid()) % TABLES_MAX_SEED);
+}
+
+int tables_run(const struct tables_request *request)
+{
+    const char *directory = request->directory ? request->directory
+                            : request->poisson ? DEFAULT_DIRECTORY_OF_MATERIAL
+                                               : DEFAULT_DIRECTORY;
+    struct content c[CONTENTS] = {{NULL, NULL, 0}};
+    int n = 0, status = request->check ? STATUS_OK : probe_directory(directory);
+    if (status == STATUS_OK)
+        status = request->poisson ? make_material(c, &n, request) : make_generated(c, &n, request, directory);
+    if (status == STATUS_OK)
+        status = request->check ? check_all(c, n, directory) : write_all(c, n, directory);
+    for (int i = 0; i < n && status == STATUS_OK; i++)
+        printf("%s %s/%s: %zu bytes\n", request->check ? "same" : "wrote", directory, c[i].name, c[i].size);
+    if (status == STATUS_OK && request->check && disk_limits_known())
+        status = check_limits(request);
+    if (status == STATUS_OK && !request->check && !request->all && disk_limits_known())
+        printf("kept the collisions of " DISK_LIMITS_ROWS_FILE "; --all makes them anew\n");
+    if (fflush(stdout) && status == STATUS_OK)
+        status = fail("standard output: %s", strerror(errno));
+    for (int i = 0; i < CONTENTS; i++)
+        free(c[i].text);
+    sphere_tables_clear();
+    disk_tables_clear();
+    disk_limits_clear();
+    return status;
+}
