@@ -171,12 +171,105 @@ COR_INLINE double cor_inline_fifth_root(double x)
 
 #endif
 
+/* Rows of short polynomials on a grid, whatever function they hold: where a number falls, and the row's value there.
+ *
+ * A generated table cor_rows_NAME(i) comes with its geometry in macros COR_ROWS_NAME_FIRST, _STEP, ... (form:
+ * docs/header-format.md). The functions below take it as a struct, COR_INLINE_GRID(COR_ROWS_NAME); a compiler makes
+ * constants of it. */
+#ifndef COR_RUNTIME_ROW_H
+#define COR_RUNTIME_ROW_H
+
+
+/* A row of degree 10 without its first coefficient c_0: c_0' + s (c_1 + c_2 t + ... + c_10 t^9), in columns c[1] to
+ * c[11]. By Estrin's scheme: five products deep in t where Horner's rule has ten. An expression, because the array
+ * functions put vectors in it.
+ *
+ * Rounding error: |s (c_1 + ...)| is at most a few percent of c_0, so its relative rounding error, some 3 2^-53, is a
+ * tenth of a unit of the last place of c_0 + row, whose own rounding is at most half a unit. */
+#define COR_INLINE_ROW(c, s, t, t2, t4)                                                                                \
+    ((c)[1] + (s) * (((((c)[2] + (c)[3] * (t)) + ((c)[4] + (c)[5] * (t)) * (t2)) +                                     \
+                      (((c)[6] + (c)[7] * (t)) + ((c)[8] + (c)[9] * (t)) * (t2)) * (t4)) +                             \
+                     ((c)[10] + (c)[11] * (t)) * ((t4) * (t4))))
+#define COR_INLINE_COLUMNS 12
+
+COR_INLINE double cor_inline_row(const double *c, double s, double t)
+{
+    const double t2 = t * t, t4 = t2 * t2;
+    return COR_INLINE_ROW(c, s, t, t2, t4);
+}
+
+/* ---- uniform grids: node i = first + i step ---- */
+
+struct cor_inline_grid {
+    double first, step, per_unit; /* per_unit = 1/step; all three short, so that products with i are exact */
+};
+
+COR_INLINE struct cor_inline_grid cor_inline_grid_of(double first, double step, double per_unit)
+{
+    struct cor_inline_grid grid;
+    grid.first = first;
+    grid.step = step;
+    grid.per_unit = per_unit;
+    return grid;
+}
+#define COR_INLINE_GRID(table) cor_inline_grid_of(table##_FIRST, table##_STEP, table##_PER_UNIT)
+
+/* The row whose node is nearest to y */
+COR_INLINE int cor_inline_grid_row(struct cor_inline_grid grid, double y)
+{
+    return (int)((y - grid.first) * grid.per_unit + 0.5);
+}
+
+/* y - node i. Exact: y and its node are multiples of the last place of y, or of the difference. */
+COR_INLINE double cor_inline_grid_t(struct cor_inline_grid grid, double y, int i)
+{
+    return (y - grid.first) - i * grid.step;
+}
+
+/* ---- grids by octaves: the same cells in every octave 2^k <= x < 2^(k+1), nodes in their middle ---- */
+
+struct cor_inline_octaves {
+    int first, bits; /* the first k; 2^bits cells to an octave */
+};
+
+COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(int first, int bits)
+{
+    struct cor_inline_octaves grid;
+    grid.first = first;
+    grid.bits = bits;
+    return grid;
+}
+#define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST_OCTAVE, table##_OCTAVE_BITS)
+
+/* The row of x: its exponent and the leading bits of its fraction are the index. x >= 2^first */
+COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
+{
+    const int bias = 1023, fraction_bits = 52;
+    return (cor_inline_bits(x) >> (fraction_bits - grid.bits)) - ((uint64_t)(bias + grid.first) << grid.bits);
+}
+
+/* x 2^-k, 1 <= x 2^-k < 2, less the node of its cell. Exact. */
+COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
+{
+    const uint64_t one = UINT64_C(0x3ff0000000000000), half_cell = UINT64_C(1) << (51 - grid.bits);
+    const uint64_t fraction = cor_inline_bits(x) & UINT64_C(0xfffffffffffff);
+    const uint64_t node = (fraction & ~(2 * half_cell - 1)) | half_cell;
+    return cor_inline_from_bits(fraction | one) - cor_inline_from_bits(node | one);
+}
+
+#endif
+
 /* A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
  * c_0', c_1, ..., c_n. s = t; only in the rows of eps at zero force from node 1/4 on,
  * s = beta - node^2. c_0' is what the double c_0 lacks of the value at the node. */
 
 /* eps at zero overlap, beta < 7: 57 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 7.0625.
  * Relative error of the approximation: 2^-56.3 at most, sampled at 25 places of each row. */
+#define COR_ROWS_EPS_ZERO_OVERLAP_FIRST 0.0
+#define COR_ROWS_EPS_ZERO_OVERLAP_STEP 0.125
+#define COR_ROWS_EPS_ZERO_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_EPS_ZERO_OVERLAP_ROWS 57
+#define COR_ROWS_EPS_ZERO_OVERLAP_END 7.0
 COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
 {
     static const double row[57][12] = {
@@ -528,6 +621,12 @@ COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
 
 /* eps at zero force, beta < 16: 65 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 4.03125.
  * Relative error of the approximation: 2^-57.5 at most, sampled at 25 places of each row. */
+#define COR_ROWS_EPS_ZERO_FORCE_FIRST 0.0
+#define COR_ROWS_EPS_ZERO_FORCE_STEP 0.0625
+#define COR_ROWS_EPS_ZERO_FORCE_PER_UNIT 16.0
+#define COR_ROWS_EPS_ZERO_FORCE_ROWS 65
+#define COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS 4
+#define COR_ROWS_EPS_ZERO_FORCE_END 16.0
 COR_INLINE const double *cor_rows_eps_zero_force(int i)
 {
     static const double row[65][12] = {
@@ -927,6 +1026,11 @@ COR_INLINE const double *cor_rows_eps_zero_force(int i)
 
 /* eps at zero overlap by x = beta^5, 2^-40 <= x < 2^14: 432 rows of degree 10 in y = beta^5 2^-k, 8 to each octave k = -40 ... 13.
  * Relative error of the approximation: 2^-53.8 at most, sampled at 25 places of each row. */
+#define COR_ROWS_POWER_EPS_ZERO_OVERLAP_FIRST 9.094947017729282e-13
+#define COR_ROWS_POWER_EPS_ZERO_OVERLAP_FIRST_OCTAVE (-40)
+#define COR_ROWS_POWER_EPS_ZERO_OVERLAP_OCTAVE_BITS 3
+#define COR_ROWS_POWER_EPS_ZERO_OVERLAP_ROWS 432
+#define COR_ROWS_POWER_EPS_ZERO_OVERLAP_END 16384.0
 COR_INLINE const double *cor_rows_power_eps_zero_overlap(int i)
 {
     static const double row[432][12] = {
@@ -3528,6 +3632,11 @@ COR_INLINE const double *cor_rows_power_eps_zero_overlap(int i)
 
 /* eps at zero force by x = beta^5, 2^-40 <= x < 2^20: 480 rows of degree 10 in y = beta^5 2^-k, 8 to each octave k = -40 ... 19.
  * Relative error of the approximation: 2^-57.4 at most, sampled at 25 places of each row. */
+#define COR_ROWS_POWER_EPS_ZERO_FORCE_FIRST 9.094947017729282e-13
+#define COR_ROWS_POWER_EPS_ZERO_FORCE_FIRST_OCTAVE (-40)
+#define COR_ROWS_POWER_EPS_ZERO_FORCE_OCTAVE_BITS 3
+#define COR_ROWS_POWER_EPS_ZERO_FORCE_ROWS 480
+#define COR_ROWS_POWER_EPS_ZERO_FORCE_END 1048576.0
 COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
 {
     static const double row[480][12] = {
@@ -6417,6 +6526,11 @@ COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
 
 /* (1 - eps)/beta at zero overlap, beta < 1/4: 3 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 0.3125.
  * Relative error of the approximation: 2^-59.0 at most, sampled at 25 places of each row. */
+#define COR_ROWS_LOSS_ZERO_OVERLAP_FIRST 0.0
+#define COR_ROWS_LOSS_ZERO_OVERLAP_STEP 0.125
+#define COR_ROWS_LOSS_ZERO_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_LOSS_ZERO_OVERLAP_ROWS 3
+#define COR_ROWS_LOSS_ZERO_OVERLAP_END 0.25
 COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
 {
     static const double row[3][12] = {
@@ -6444,6 +6558,11 @@ COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
 
 /* (1 - eps)/beta at zero force, beta < 1/4: 9 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 0.53125.
  * Relative error of the approximation: 2^-60.5 at most, sampled at 25 places of each row. */
+#define COR_ROWS_LOSS_ZERO_FORCE_FIRST 0.0
+#define COR_ROWS_LOSS_ZERO_FORCE_STEP 0.0625
+#define COR_ROWS_LOSS_ZERO_FORCE_PER_UNIT 16.0
+#define COR_ROWS_LOSS_ZERO_FORCE_ROWS 9
+#define COR_ROWS_LOSS_ZERO_FORCE_END 0.25
 COR_INLINE const double *cor_rows_loss_zero_force(int i)
 {
     static const double row[9][12] = {
@@ -6507,6 +6626,11 @@ COR_INLINE const double *cor_rows_loss_zero_force(int i)
 
 /* duration at zero overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-58.2 at most, sampled at 25 places of each row. */
+#define COR_ROWS_DURATION_ZERO_OVERLAP_FIRST 0.0
+#define COR_ROWS_DURATION_ZERO_OVERLAP_STEP 0.125
+#define COR_ROWS_DURATION_ZERO_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_DURATION_ZERO_OVERLAP_ROWS 65
+#define COR_ROWS_DURATION_ZERO_OVERLAP_END 8.0
 COR_INLINE const double *cor_rows_duration_zero_overlap(int i)
 {
     static const double row[65][12] = {
@@ -6906,6 +7030,11 @@ COR_INLINE const double *cor_rows_duration_zero_overlap(int i)
 
 /* duration at zero force, beta < 8: 46 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 2.84375.
  * Relative error of the approximation: 2^-60.4 at most, sampled at 25 places of each row. */
+#define COR_ROWS_DURATION_ZERO_FORCE_FIRST 0.0
+#define COR_ROWS_DURATION_ZERO_FORCE_STEP 0.0625
+#define COR_ROWS_DURATION_ZERO_FORCE_PER_UNIT 16.0
+#define COR_ROWS_DURATION_ZERO_FORCE_ROWS 46
+#define COR_ROWS_DURATION_ZERO_FORCE_END 8.0
 COR_INLINE const double *cor_rows_duration_zero_force(int i)
 {
     static const double row[46][12] = {
@@ -7191,6 +7320,11 @@ COR_INLINE const double *cor_rows_duration_zero_force(int i)
 
 /* largest overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-58.1 at most, sampled at 25 places of each row. */
+#define COR_ROWS_MAX_OVERLAP_FIRST 0.0
+#define COR_ROWS_MAX_OVERLAP_STEP 0.125
+#define COR_ROWS_MAX_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_MAX_OVERLAP_ROWS 65
+#define COR_ROWS_MAX_OVERLAP_END 8.0
 COR_INLINE const double *cor_rows_max_overlap(int i)
 {
     static const double row[65][12] = {
@@ -7590,6 +7724,11 @@ COR_INLINE const double *cor_rows_max_overlap(int i)
 
 /* time of the largest overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-60.7 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TIME_OF_MAX_OVERLAP_FIRST 0.0
+#define COR_ROWS_TIME_OF_MAX_OVERLAP_STEP 0.125
+#define COR_ROWS_TIME_OF_MAX_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_TIME_OF_MAX_OVERLAP_ROWS 65
+#define COR_ROWS_TIME_OF_MAX_OVERLAP_END 8.0
 COR_INLINE const double *cor_rows_time_of_max_overlap(int i)
 {
     static const double row[65][12] = {
@@ -7989,6 +8128,11 @@ COR_INLINE const double *cor_rows_time_of_max_overlap(int i)
 
 /* eps beta^(5/3) at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-59.9 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TAIL_EPS_ZERO_FORCE_FIRST 2.125
+#define COR_ROWS_TAIL_EPS_ZERO_FORCE_STEP 0.25
+#define COR_ROWS_TAIL_EPS_ZERO_FORCE_PER_UNIT 4.0
+#define COR_ROWS_TAIL_EPS_ZERO_FORCE_ROWS 32
+#define COR_ROWS_TAIL_EPS_ZERO_FORCE_END 10.0
 COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
 {
     static const double row[32][12] = {
@@ -8190,6 +8334,11 @@ COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
 
 /* duration/beta at zero overlap, beta > exp(2): 64 rows of degree 10 in y = ln(beta), nodes 2.0625 + i 0.125, 2 <= y <= 10.
  * Relative error of the approximation: 2^-58.7 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_FIRST 2.0625
+#define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_STEP 0.125
+#define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_ROWS 64
+#define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_END 10.0
 COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
 {
     static const double row[64][12] = {
@@ -8583,6 +8732,11 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
 
 /* duration beta^(2/3) at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-57.8 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TAIL_DURATION_ZERO_FORCE_FIRST 2.125
+#define COR_ROWS_TAIL_DURATION_ZERO_FORCE_STEP 0.25
+#define COR_ROWS_TAIL_DURATION_ZERO_FORCE_PER_UNIT 4.0
+#define COR_ROWS_TAIL_DURATION_ZERO_FORCE_ROWS 32
+#define COR_ROWS_TAIL_DURATION_ZERO_FORCE_END 10.0
 COR_INLINE const double *cor_rows_tail_duration_zero_force(int i)
 {
     static const double row[32][12] = {
@@ -8784,6 +8938,11 @@ COR_INLINE const double *cor_rows_tail_duration_zero_force(int i)
 
 /* largest overlap beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-60.5 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TAIL_MAX_OVERLAP_FIRST 2.125
+#define COR_ROWS_TAIL_MAX_OVERLAP_STEP 0.25
+#define COR_ROWS_TAIL_MAX_OVERLAP_PER_UNIT 4.0
+#define COR_ROWS_TAIL_MAX_OVERLAP_ROWS 32
+#define COR_ROWS_TAIL_MAX_OVERLAP_END 10.0
 COR_INLINE const double *cor_rows_tail_max_overlap(int i)
 {
     static const double row[32][12] = {
@@ -8985,6 +9144,11 @@ COR_INLINE const double *cor_rows_tail_max_overlap(int i)
 
 /* time of the largest overlap beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-58.3 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_FIRST 2.125
+#define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_STEP 0.25
+#define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_PER_UNIT 4.0
+#define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_ROWS 32
+#define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_END 10.0
 COR_INLINE const double *cor_rows_tail_time_of_max_overlap(int i)
 {
     static const double row[32][12] = {
@@ -9265,72 +9429,21 @@ COR_INLINE const double *cor_rows_far_time_of_max_overlap(int i)
  *
  * Near beta = 0 to 8 (7 and 16 for eps at its two ends) a quantity is a row of a table, a short polynomial around
  * the nearest node of a uniform grid. Beyond, it is a power of beta times a function of ln(beta): rows again up to
- * beta = exp(10), and three orders in mu = beta^(-5/3), with their logarithms, from there to infinity. The leading
- * coefficient of a row comes as two doubles and the rest is small beside it, so that what is rounded last is all
- * that is lost. */
+ * beta = exp(10), and three orders in mu = beta^(-5/3), with their logarithms, from there to infinity. The first
+ * coefficient of a row is a double-double and dominates, so the final addition causes nearly all of the rounding
+ * error. */
 #ifndef COR_RUNTIME_SPHERE_EVAL_H
 #define COR_RUNTIME_SPHERE_EVAL_H
 
-
-/* First beta of the power-law regime: h*^5 beta^-5, and the logarithmic tails. */
-#define COR_INLINE_OVERLAP_FAR 7.0
-#define COR_INLINE_FORCE_FAR 16.0
-#define COR_INLINE_FAR 8.0
-/* Rows in x = beta^5 are from 2^-40 to 2^14 (zero overlap) and 2^20 (zero force). */
-#define COR_INLINE_POWER_NEAR (1 / 1099511627776.0)
-#define COR_INLINE_OVERLAP_POWER 16384.0
-#define COR_INLINE_FORCE_POWER 1048576.0
-/* Below, the loss has rows of its own. */
-#define COR_INLINE_LOSS_NEAR 0.25
-/* Below this node s = t in the rows of eps at zero force, and s = beta - node^2 from there on (gen/approximation/pieces.h). */
-#define COR_INLINE_PLAIN 0.25
-
-/* A row without its first coefficient c_0: c_0' + s (c_1 + c_2 t + ... + c_10 t^9), columns c[1] to c[11]. An
- * expression, since the array functions put vectors in it. */
-#define COR_INLINE_ROW(c, s, t, t2, t4)                                                                                \
-    ((c)[1] + (s) * (((((c)[2] + (c)[3] * (t)) + ((c)[4] + (c)[5] * (t)) * (t2)) +                                     \
-                      (((c)[6] + (c)[7] * (t)) + ((c)[8] + (c)[9] * (t)) * (t2)) * (t4)) +                             \
-                     ((c)[10] + (c)[11] * (t)) * ((t4) * (t4))))
-#define COR_INLINE_COLUMNS 12
-
-COR_INLINE double cor_inline_row(const double *c, double s, double t)
-{
-    const double t2 = t * t, t4 = t2 * t2;
-    return COR_INLINE_ROW(c, s, t, t2, t4);
-}
-
-/* Rows of the grids in beta and z = sqrt(beta): nodes i/8 and i/16. */
-COR_INLINE int cor_inline_beta_index(double beta)
-{
-    return (int)(beta * 8 + 0.5);
-}
-
-COR_INLINE int cor_inline_root_index(double z)
-{
-    return (int)(z * 16 + 0.5);
-}
-
-/* Row of the grid in x = beta^5, eight to an octave from 2^-40 on, and t = the fraction of x, 1 to 2, less its node. */
-COR_INLINE uint64_t cor_inline_power_index(double x)
-{
-    return (cor_inline_bits(x) >> 49) - UINT64_C(8) * (1023 - 40);
-}
-
-COR_INLINE double cor_inline_power_t(double x)
-{
-    const uint64_t one = UINT64_C(0x3ff0000000000000), half_cell = UINT64_C(1) << 48;
-    const uint64_t fraction = cor_inline_bits(x) & UINT64_C(0xfffffffffffff);
-    const uint64_t node = (fraction & UINT64_C(0xe000000000000)) | half_cell;
-    return cor_inline_from_bits(fraction | one) - cor_inline_from_bits(node | one);
-}
 
 /* ---- eps as c_0 + rest, both ends, inside the tables ---- */
 
 COR_INLINE struct cor_inline_pair cor_inline_eps_overlap_parts(double beta)
 {
-    const int i = cor_inline_beta_index(beta);
+    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP);
+    const int i = cor_inline_grid_row(grid, beta);
     const double *c = cor_rows_eps_zero_overlap(i);
-    const double t = beta - i * 0.125;
+    const double t = cor_inline_grid_t(grid, beta, i);
     struct cor_inline_pair eps;
     eps.hi = c[0];
     eps.lo = cor_inline_row(c, t, t);
@@ -9339,12 +9452,13 @@ COR_INLINE struct cor_inline_pair cor_inline_eps_overlap_parts(double beta)
 
 COR_INLINE struct cor_inline_pair cor_inline_eps_force_parts(double beta)
 {
+    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE);
     const double z = sqrt(beta);
-    const int i = cor_inline_root_index(z);
+    const int i = cor_inline_grid_row(grid, z);
     const double *c = cor_rows_eps_zero_force(i);
-    const double node = i * 0.0625, t = z - node, square = beta - node * node;
-    /* chosen by bits: a jump here is foreseen wrongly half of the time where beta scatters around 1/16 */
-    const uint64_t plain = (uint64_t)0 - (uint64_t)(node < COR_INLINE_PLAIN);
+    const double node = grid.first + i * grid.step, t = z - node, square = beta - node * node;
+    /* Selected by bits: the processor would mispredict half of the jumps where beta scatters around 1/16. */
+    const uint64_t plain = (uint64_t)0 - (uint64_t)(i < COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS);
     const double s = cor_inline_from_bits((cor_inline_bits(t) & plain) | (cor_inline_bits(square) & ~plain));
     struct cor_inline_pair eps;
     eps.hi = c[0];
@@ -9372,15 +9486,15 @@ COR_INLINE struct cor_inline_pair cor_inline_log(double beta)
     return u;
 }
 
-/* The logarithmic factor of a tail: rows in u = ln(beta), so many to a unit, from u = 2 on; then three orders in mu. */
-COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, double per_unit, const double *(*rows)(int),
-                                                        const double *(*far)(int))
+/* The logarithmic factor of a tail: rows in u = ln(beta) up to u = end; then three orders in mu. */
+COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
+                                                        const double *(*rows)(int), const double *(*far)(int))
 {
     const struct cor_inline_pair u = cor_inline_log(beta);
-    if (u.hi < 10) {
-        const int i = (int)((u.hi - 2) * per_unit);
+    if (u.hi < end) {
+        const int i = cor_inline_grid_row(grid, u.hi);
         const double *c = rows(i);
-        const double t = ((u.hi - 2) - (i + 0.5) / per_unit) + u.lo;
+        const double t = cor_inline_grid_t(grid, u.hi, i) + u.lo;
         return cor_inline_sum(c[0], cor_inline_row(c, t, t));
     }
     const double *c = far(0);
@@ -9392,6 +9506,9 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, double per_
         slope.hi > fabs(c[0]) ? cor_inline_sum(slope.hi, c[0]) : cor_inline_sum(c[0], slope.hi);
     return cor_inline_sum(sum.hi, sum.lo + more);
 }
+
+#define COR_INLINE_LOG_FACTOR(beta, quantity, table)                                                                   \
+    cor_inline_log_factor(beta, COR_INLINE_GRID(table), table##_END, cor_rows_tail_##quantity, cor_rows_far_##quantity)
 
 /* factor beta^(-2/3), or with `fifths` factor beta^(-5/3), as a pair times 2^exponent: nothing over- or underflows. */
 COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor_inline_pair factor, int fifths,
@@ -9439,15 +9556,14 @@ COR_INLINE double cor_inline_eps_force_far(double beta)
 {
     if (isinf(beta))
         return 0;
-    return cor_inline_power_tail(
-        beta, cor_inline_log_factor(beta, 4, cor_rows_tail_eps_zero_force, cor_rows_far_eps_zero_force), 1);
+    return cor_inline_power_tail(beta, COR_INLINE_LOG_FACTOR(beta, eps_zero_force, COR_ROWS_TAIL_EPS_ZERO_FORCE), 1);
 }
 
 /* ---- eps and 1 - eps ---- */
 
 COR_INLINE double cor_inline_eps_zero_overlap(double beta)
 {
-    if (beta >= 0 && beta < COR_INLINE_OVERLAP_FAR) {
+    if (beta >= 0 && beta < COR_ROWS_EPS_ZERO_OVERLAP_END) {
         const struct cor_inline_pair eps = cor_inline_eps_overlap_parts(beta);
         return eps.hi + eps.lo;
     }
@@ -9456,7 +9572,7 @@ COR_INLINE double cor_inline_eps_zero_overlap(double beta)
 
 COR_INLINE double cor_inline_eps_zero_force(double beta)
 {
-    if (beta >= 0 && beta < COR_INLINE_FORCE_FAR) {
+    if (beta >= 0 && beta < COR_ROWS_EPS_ZERO_FORCE_END) {
         const struct cor_inline_pair eps = cor_inline_eps_force_parts(beta);
         return eps.hi + eps.lo;
     }
@@ -9468,9 +9584,10 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
  * fifth of the product's rounding error reaches beta. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
-    if (x >= COR_INLINE_POWER_NEAR && x < COR_INLINE_OVERLAP_POWER) {
-        const double *c = cor_rows_power_eps_zero_overlap((int)cor_inline_power_index(x));
-        const double t = cor_inline_power_t(x);
+    if (x >= COR_ROWS_POWER_EPS_ZERO_OVERLAP_FIRST && x < COR_ROWS_POWER_EPS_ZERO_OVERLAP_END) {
+        const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
+        const double *c = cor_rows_power_eps_zero_overlap((int)cor_inline_octaves_row(grid, x));
+        const double t = cor_inline_octaves_t(grid, x);
         return c[0] + cor_inline_row(c, t, t);
     }
     return cor_inline_eps_zero_overlap(cor_inline_fifth_root(x));
@@ -9478,9 +9595,10 @@ COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 
 COR_INLINE double cor_inline_eps_zero_force_root(double x)
 {
-    if (x >= COR_INLINE_POWER_NEAR && x < COR_INLINE_FORCE_POWER) {
-        const double *c = cor_rows_power_eps_zero_force((int)cor_inline_power_index(x));
-        const double t = cor_inline_power_t(x);
+    if (x >= COR_ROWS_POWER_EPS_ZERO_FORCE_FIRST && x < COR_ROWS_POWER_EPS_ZERO_FORCE_END) {
+        const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_FORCE);
+        const double *c = cor_rows_power_eps_zero_force((int)cor_inline_octaves_row(grid, x));
+        const double t = cor_inline_octaves_t(grid, x);
         return c[0] + cor_inline_row(c, t, t);
     }
     return cor_inline_eps_zero_force(cor_inline_fifth_root(x));
@@ -9506,9 +9624,10 @@ COR_INLINE double cor_inline_one_minus(struct cor_inline_pair eps)
 
 COR_INLINE const double *cor_inline_loss_overlap_row(double beta, double *rest)
 {
-    const int i = cor_inline_beta_index(beta);
+    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_OVERLAP);
+    const int i = cor_inline_grid_row(grid, beta);
     const double *c = cor_rows_loss_zero_overlap(i);
-    const double t = beta - i * 0.125;
+    const double t = cor_inline_grid_t(grid, beta, i);
     *rest = cor_inline_row(c, t, t);
     return c;
 }
@@ -9516,9 +9635,10 @@ COR_INLINE const double *cor_inline_loss_overlap_row(double beta, double *rest)
 COR_INLINE const double *cor_inline_loss_force_row(double beta, double *rest)
 {
     const double z = sqrt(beta);
-    const int i = cor_inline_root_index(z);
+    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_FORCE);
+    const int i = cor_inline_grid_row(grid, z);
     const double *c = cor_rows_loss_zero_force(i);
-    const double t = z - i * 0.0625;
+    const double t = cor_inline_grid_t(grid, z, i);
     *rest = cor_inline_row(c, t, t);
     return c;
 }
@@ -9527,12 +9647,12 @@ COR_INLINE double cor_inline_loss_zero_overlap(double beta)
 {
     if (!(beta >= 0))
         return (double)NAN;
-    if (beta < COR_INLINE_LOSS_NEAR) {
+    if (beta < COR_ROWS_LOSS_ZERO_OVERLAP_END) {
         double rest;
         const double *c = cor_inline_loss_overlap_row(beta, &rest);
         return cor_inline_small_loss(beta, c[0], rest);
     }
-    if (beta < COR_INLINE_OVERLAP_FAR)
+    if (beta < COR_ROWS_EPS_ZERO_OVERLAP_END)
         return cor_inline_one_minus(cor_inline_eps_overlap_parts(beta));
     return 1 - cor_inline_eps_overlap_far(beta);
 }
@@ -9541,24 +9661,24 @@ COR_INLINE double cor_inline_loss_zero_force(double beta)
 {
     if (!(beta >= 0))
         return (double)NAN;
-    if (beta < COR_INLINE_LOSS_NEAR) {
+    if (beta < COR_ROWS_LOSS_ZERO_FORCE_END) {
         double rest;
         const double *c = cor_inline_loss_force_row(beta, &rest);
         return cor_inline_small_loss(beta, c[0], rest);
     }
-    if (beta < COR_INLINE_FORCE_FAR)
+    if (beta < COR_ROWS_EPS_ZERO_FORCE_END)
         return cor_inline_one_minus(cor_inline_eps_force_parts(beta));
     return 1 - cor_inline_eps_force_far(beta);
 }
 
 /* ---- times and the largest overlap ---- */
 
-/* the row of the grid in beta, all of it */
-COR_INLINE double cor_inline_beta_row(double beta, const double *(*rows)(int))
+/* A table at y, s = t in all of its rows */
+COR_INLINE double cor_inline_grid_value(struct cor_inline_grid grid, double y, const double *(*rows)(int))
 {
-    const int i = cor_inline_beta_index(beta);
+    const int i = cor_inline_grid_row(grid, y);
     const double *c = rows(i);
-    const double t = beta - i * 0.125;
+    const double t = cor_inline_grid_t(grid, y, i);
     return c[0] + cor_inline_row(c, t, t);
 }
 
@@ -9566,12 +9686,13 @@ COR_INLINE double cor_inline_duration_zero_overlap(double beta)
 {
     if (!(beta >= 0))
         return (double)NAN;
-    if (beta < COR_INLINE_FAR)
-        return cor_inline_beta_row(beta, cor_rows_duration_zero_overlap);
+    if (beta < COR_ROWS_DURATION_ZERO_OVERLAP_END)
+        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_OVERLAP), beta,
+                                     cor_rows_duration_zero_overlap);
     if (isinf(beta))
         return beta;
     const struct cor_inline_pair factor =
-        cor_inline_log_factor(beta, 8, cor_rows_tail_duration_zero_overlap, cor_rows_far_duration_zero_overlap);
+        COR_INLINE_LOG_FACTOR(beta, duration_zero_overlap, COR_ROWS_TAIL_DURATION_ZERO_OVERLAP);
     const struct cor_inline_pair duration = cor_inline_product(beta, factor.hi);
     return isinf(duration.hi) ? duration.hi : duration.hi + (duration.lo + beta * factor.lo);
 }
@@ -9580,48 +9701,43 @@ COR_INLINE double cor_inline_duration_zero_force(double beta)
 {
     if (!(beta >= 0))
         return (double)NAN;
-    if (beta < COR_INLINE_FAR) {
-        const double z = sqrt(beta);
-        const int i = cor_inline_root_index(z);
-        const double *c = cor_rows_duration_zero_force(i);
-        const double t = z - i * 0.0625;
-        return c[0] + cor_inline_row(c, t, t);
-    }
+    if (beta < COR_ROWS_DURATION_ZERO_FORCE_END)
+        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_FORCE), sqrt(beta),
+                                     cor_rows_duration_zero_force);
     if (isinf(beta))
         return 0;
     return cor_inline_power_tail(
-        beta, cor_inline_log_factor(beta, 4, cor_rows_tail_duration_zero_force, cor_rows_far_duration_zero_force), 0);
+        beta, COR_INLINE_LOG_FACTOR(beta, duration_zero_force, COR_ROWS_TAIL_DURATION_ZERO_FORCE), 0);
 }
 
 COR_INLINE double cor_inline_max_overlap(double beta)
 {
     if (!(beta >= 0))
         return (double)NAN;
-    if (beta < COR_INLINE_FAR)
-        return cor_inline_beta_row(beta, cor_rows_max_overlap);
+    if (beta < COR_ROWS_MAX_OVERLAP_END)
+        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_MAX_OVERLAP), beta, cor_rows_max_overlap);
     if (isinf(beta))
         return 0;
-    return cor_inline_power_tail(
-        beta, cor_inline_log_factor(beta, 4, cor_rows_tail_max_overlap, cor_rows_far_max_overlap), 0);
+    return cor_inline_power_tail(beta, COR_INLINE_LOG_FACTOR(beta, max_overlap, COR_ROWS_TAIL_MAX_OVERLAP), 0);
 }
 
 COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 {
     if (!(beta >= 0))
         return (double)NAN;
-    if (beta < COR_INLINE_FAR)
-        return cor_inline_beta_row(beta, cor_rows_time_of_max_overlap);
+    if (beta < COR_ROWS_TIME_OF_MAX_OVERLAP_END)
+        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_TIME_OF_MAX_OVERLAP), beta, cor_rows_time_of_max_overlap);
     if (isinf(beta))
         return 0;
     return cor_inline_power_tail(
-        beta, cor_inline_log_factor(beta, 4, cor_rows_tail_time_of_max_overlap, cor_rows_far_time_of_max_overlap), 0);
+        beta, COR_INLINE_LOG_FACTOR(beta, time_of_max_overlap, COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP), 0);
 }
 
 /* ---- the inverse ---- */
 
 /* The beta with beta Q(beta) = loss, Q the loss's rows: Newton's method with the slope of Q taken from the row, then
  * once more as a quotient, which keeps nothing of the last iterate but its place. */
-COR_INLINE double cor_inline_beta_of_loss(double loss, const double *(*row)(double, double *))
+COR_INLINE double cor_inline_beta_of_loss(double loss, double end, const double *(*row)(double, double *))
 {
     double rest, beta = loss * 0.8669653265572703; /* loss/|C_1| */
     const double *c = row(beta, &rest);
@@ -9629,7 +9745,7 @@ COR_INLINE double cor_inline_beta_of_loss(double loss, const double *(*row)(doub
         const double next = loss / (c[0] + rest);
         const double step = next - beta;
         beta = next;
-        c = row(beta < COR_INLINE_LOSS_NEAR ? beta : COR_INLINE_LOSS_NEAR, &rest);
+        c = row(beta < end ? beta : end, &rest);
         if (fabs(step) < COR_INLINE_2_M56 * beta || step == 0)
             break;
     }
@@ -9674,9 +9790,10 @@ COR_INLINE double cor_inline_beta_zero_overlap(double eps)
 {
     if (!(eps >= 0 && eps <= 1))
         return (double)NAN;
-    const int last = cor_inline_beta_index(COR_INLINE_OVERLAP_FAR);
-    if (eps > cor_rows_eps_zero_overlap(cor_inline_beta_index(COR_INLINE_LOSS_NEAR))[0])
-        return cor_inline_beta_of_loss(1 - eps, cor_inline_loss_overlap_row);
+    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP);
+    const int last = cor_inline_grid_row(grid, COR_ROWS_EPS_ZERO_OVERLAP_END);
+    if (eps > cor_rows_eps_zero_overlap(cor_inline_grid_row(grid, COR_ROWS_LOSS_ZERO_OVERLAP_END))[0])
+        return cor_inline_beta_of_loss(1 - eps, COR_ROWS_LOSS_ZERO_OVERLAP_END, cor_inline_loss_overlap_row);
     if (eps <= cor_rows_eps_zero_overlap(last)[0]) {
         if (eps == 0)
             return (double)INFINITY;
@@ -9687,7 +9804,7 @@ COR_INLINE double cor_inline_beta_zero_overlap(double eps)
                     : cor_inline_fifth_root_normal(h5 / eps);
     }
     const int i = cor_inline_row_of_eps(eps, 0, last, cor_rows_eps_zero_overlap);
-    return cor_inline_beta_of_eps(eps, i * 0.125, (i + 1) * 0.125, cor_inline_eps_overlap_parts);
+    return cor_inline_beta_of_eps(eps, i * grid.step, (i + 1) * grid.step, cor_inline_eps_overlap_parts);
 }
 
 /* eps = F(ln beta) beta^(-5/3): beta = (F/eps)^(3/5), where F changes little; then once Newton's step, against eps as a
@@ -9704,8 +9821,8 @@ COR_INLINE double cor_inline_beta_force_far(double eps)
         const double root = cor_inline_fifth_root_normal(factor.hi / scaled), next = root * root * root * unit;
         if (fabs(next - beta) <= 4 * COR_INLINE_2_M52 * beta)
             break;
-        beta = next < COR_INLINE_FAR ? COR_INLINE_FAR : next;
-        factor = cor_inline_log_factor(beta, 4, cor_rows_tail_eps_zero_force, cor_rows_far_eps_zero_force);
+        beta = next < COR_ROWS_EPS_ZERO_FORCE_END ? COR_ROWS_EPS_ZERO_FORCE_END : next;
+        factor = COR_INLINE_LOG_FACTOR(beta, eps_zero_force, COR_ROWS_TAIL_EPS_ZERO_FORCE);
     }
     int exponent;
     const struct cor_inline_pair value = cor_inline_power_parts(beta, factor, 1, &exponent);
@@ -9717,13 +9834,14 @@ COR_INLINE double cor_inline_beta_zero_force(double eps)
 {
     if (!(eps >= 0 && eps <= 1))
         return (double)NAN;
-    const int last = cor_inline_root_index(4);
-    if (eps > cor_rows_eps_zero_force(cor_inline_root_index(0.5))[0])
-        return cor_inline_beta_of_loss(1 - eps, cor_inline_loss_force_row);
+    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE);
+    const int last = cor_inline_grid_row(grid, sqrt(COR_ROWS_EPS_ZERO_FORCE_END));
+    if (eps > cor_rows_eps_zero_force(cor_inline_grid_row(grid, sqrt(COR_ROWS_LOSS_ZERO_FORCE_END)))[0])
+        return cor_inline_beta_of_loss(1 - eps, COR_ROWS_LOSS_ZERO_FORCE_END, cor_inline_loss_force_row);
     if (eps <= cor_rows_eps_zero_force(last)[0])
         return eps == 0 ? (double)INFINITY : cor_inline_beta_force_far(eps);
     const int i = cor_inline_row_of_eps(eps, 0, last, cor_rows_eps_zero_force);
-    const double z0 = i * 0.0625, z1 = (i + 1) * 0.0625;
+    const double z0 = i * grid.step, z1 = (i + 1) * grid.step;
     return cor_inline_beta_of_eps(eps, z0 * z0, z1 * z1, cor_inline_eps_force_parts);
 }
 

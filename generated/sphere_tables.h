@@ -22,6 +22,11 @@
 
 /* eps at zero overlap, beta < 7: 57 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 7.0625.
  * Relative error of the approximation: 2^-56.3 at most, sampled at 25 places of each row. */
+#define COR_ROWS_EPS_ZERO_OVERLAP_FIRST 0.0
+#define COR_ROWS_EPS_ZERO_OVERLAP_STEP 0.125
+#define COR_ROWS_EPS_ZERO_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_EPS_ZERO_OVERLAP_ROWS 57
+#define COR_ROWS_EPS_ZERO_OVERLAP_END 7.0
 COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
 {
     static const double row[57][12] = {
@@ -886,6 +891,12 @@ COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
 
 /* eps at zero force, beta < 16: 65 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 4.03125.
  * Relative error of the approximation: 2^-57.5 at most, sampled at 25 places of each row. */
+#define COR_ROWS_EPS_ZERO_FORCE_FIRST 0.0
+#define COR_ROWS_EPS_ZERO_FORCE_STEP 0.0625
+#define COR_ROWS_EPS_ZERO_FORCE_PER_UNIT 16.0
+#define COR_ROWS_EPS_ZERO_FORCE_ROWS 65
+#define COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS 4
+#define COR_ROWS_EPS_ZERO_FORCE_END 16.0
 COR_INLINE const double *cor_rows_eps_zero_force(int i)
 {
     static const double row[65][12] = {
@@ -1870,6 +1881,11 @@ COR_INLINE const double *cor_rows_eps_zero_force(int i)
 
 /* eps at zero overlap by x = beta^5, 2^-40 <= x < 2^14: 432 rows of degree 10 in y = beta^5 2^-k, 8 to each octave k = -40 ... 13.
  * Relative error of the approximation: 2^-53.8 at most, sampled at 25 places of each row. */
+#define COR_ROWS_POWER_EPS_ZERO_OVERLAP_FIRST 9.094947017729282e-13
+#define COR_ROWS_POWER_EPS_ZERO_OVERLAP_FIRST_OCTAVE (-40)
+#define COR_ROWS_POWER_EPS_ZERO_OVERLAP_OCTAVE_BITS 3
+#define COR_ROWS_POWER_EPS_ZERO_OVERLAP_ROWS 432
+#define COR_ROWS_POWER_EPS_ZERO_OVERLAP_END 16384.0
 COR_INLINE const double *cor_rows_power_eps_zero_overlap(int i)
 {
     static const double row[432][12] = {
@@ -8359,6 +8375,11 @@ COR_INLINE const double *cor_rows_power_eps_zero_overlap(int i)
 
 /* eps at zero force by x = beta^5, 2^-40 <= x < 2^20: 480 rows of degree 10 in y = beta^5 2^-k, 8 to each octave k = -40 ... 19.
  * Relative error of the approximation: 2^-57.4 at most, sampled at 25 places of each row. */
+#define COR_ROWS_POWER_EPS_ZERO_FORCE_FIRST 9.094947017729282e-13
+#define COR_ROWS_POWER_EPS_ZERO_FORCE_FIRST_OCTAVE (-40)
+#define COR_ROWS_POWER_EPS_ZERO_FORCE_OCTAVE_BITS 3
+#define COR_ROWS_POWER_EPS_ZERO_FORCE_ROWS 480
+#define COR_ROWS_POWER_EPS_ZERO_FORCE_END 1048576.0
 COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
 {
     static const double row[480][12] = {
@@ -15568,6 +15589,11 @@ COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
 
 /* (1 - eps)/beta at zero overlap, beta < 1/4: 3 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 0.3125.
  * Relative error of the approximation: 2^-59.0 at most, sampled at 25 places of each row. */
+#define COR_ROWS_LOSS_ZERO_OVERLAP_FIRST 0.0
+#define COR_ROWS_LOSS_ZERO_OVERLAP_STEP 0.125
+#define COR_ROWS_LOSS_ZERO_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_LOSS_ZERO_OVERLAP_ROWS 3
+#define COR_ROWS_LOSS_ZERO_OVERLAP_END 0.25
 COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
 {
     static const double row[3][12] = {
@@ -15622,6 +15648,11 @@ COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
 
 /* (1 - eps)/beta at zero force, beta < 1/4: 9 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 0.53125.
  * Relative error of the approximation: 2^-60.5 at most, sampled at 25 places of each row. */
+#define COR_ROWS_LOSS_ZERO_FORCE_FIRST 0.0
+#define COR_ROWS_LOSS_ZERO_FORCE_STEP 0.0625
+#define COR_ROWS_LOSS_ZERO_FORCE_PER_UNIT 16.0
+#define COR_ROWS_LOSS_ZERO_FORCE_ROWS 9
+#define COR_ROWS_LOSS_ZERO_FORCE_END 0.25
 COR_INLINE const double *cor_rows_loss_zero_force(int i)
 {
     static const double row[9][12] = {
@@ -15766,6 +15797,11 @@ COR_INLINE const double *cor_rows_loss_zero_force(int i)
 
 /* duration at zero overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-58.2 at most, sampled at 25 places of each row. */
+#define COR_ROWS_DURATION_ZERO_OVERLAP_FIRST 0.0
+#define COR_ROWS_DURATION_ZERO_OVERLAP_STEP 0.125
+#define COR_ROWS_DURATION_ZERO_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_DURATION_ZERO_OVERLAP_ROWS 65
+#define COR_ROWS_DURATION_ZERO_OVERLAP_END 8.0
 COR_INLINE const double *cor_rows_duration_zero_overlap(int i)
 {
     static const double row[65][12] = {
@@ -16750,6 +16786,11 @@ COR_INLINE const double *cor_rows_duration_zero_overlap(int i)
 
 /* duration at zero force, beta < 8: 46 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 2.84375.
  * Relative error of the approximation: 2^-60.4 at most, sampled at 25 places of each row. */
+#define COR_ROWS_DURATION_ZERO_FORCE_FIRST 0.0
+#define COR_ROWS_DURATION_ZERO_FORCE_STEP 0.0625
+#define COR_ROWS_DURATION_ZERO_FORCE_PER_UNIT 16.0
+#define COR_ROWS_DURATION_ZERO_FORCE_ROWS 46
+#define COR_ROWS_DURATION_ZERO_FORCE_END 8.0
 COR_INLINE const double *cor_rows_duration_zero_force(int i)
 {
     static const double row[46][12] = {
@@ -17449,6 +17490,11 @@ COR_INLINE const double *cor_rows_duration_zero_force(int i)
 
 /* largest overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-58.1 at most, sampled at 25 places of each row. */
+#define COR_ROWS_MAX_OVERLAP_FIRST 0.0
+#define COR_ROWS_MAX_OVERLAP_STEP 0.125
+#define COR_ROWS_MAX_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_MAX_OVERLAP_ROWS 65
+#define COR_ROWS_MAX_OVERLAP_END 8.0
 COR_INLINE const double *cor_rows_max_overlap(int i)
 {
     static const double row[65][12] = {
@@ -18433,6 +18479,11 @@ COR_INLINE const double *cor_rows_max_overlap(int i)
 
 /* time of the largest overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-60.7 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TIME_OF_MAX_OVERLAP_FIRST 0.0
+#define COR_ROWS_TIME_OF_MAX_OVERLAP_STEP 0.125
+#define COR_ROWS_TIME_OF_MAX_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_TIME_OF_MAX_OVERLAP_ROWS 65
+#define COR_ROWS_TIME_OF_MAX_OVERLAP_END 8.0
 COR_INLINE const double *cor_rows_time_of_max_overlap(int i)
 {
     static const double row[65][12] = {
@@ -19417,6 +19468,11 @@ COR_INLINE const double *cor_rows_time_of_max_overlap(int i)
 
 /* eps beta^(5/3) at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-59.9 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TAIL_EPS_ZERO_FORCE_FIRST 2.125
+#define COR_ROWS_TAIL_EPS_ZERO_FORCE_STEP 0.25
+#define COR_ROWS_TAIL_EPS_ZERO_FORCE_PER_UNIT 4.0
+#define COR_ROWS_TAIL_EPS_ZERO_FORCE_ROWS 32
+#define COR_ROWS_TAIL_EPS_ZERO_FORCE_END 10.0
 COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
 {
     static const double row[32][12] = {
@@ -19906,6 +19962,11 @@ COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
 
 /* duration/beta at zero overlap, beta > exp(2): 64 rows of degree 10 in y = ln(beta), nodes 2.0625 + i 0.125, 2 <= y <= 10.
  * Relative error of the approximation: 2^-58.7 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_FIRST 2.0625
+#define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_STEP 0.125
+#define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_PER_UNIT 8.0
+#define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_ROWS 64
+#define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_END 10.0
 COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
 {
     static const double row[64][12] = {
@@ -20875,6 +20936,11 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
 
 /* duration beta^(2/3) at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-57.8 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TAIL_DURATION_ZERO_FORCE_FIRST 2.125
+#define COR_ROWS_TAIL_DURATION_ZERO_FORCE_STEP 0.25
+#define COR_ROWS_TAIL_DURATION_ZERO_FORCE_PER_UNIT 4.0
+#define COR_ROWS_TAIL_DURATION_ZERO_FORCE_ROWS 32
+#define COR_ROWS_TAIL_DURATION_ZERO_FORCE_END 10.0
 COR_INLINE const double *cor_rows_tail_duration_zero_force(int i)
 {
     static const double row[32][12] = {
@@ -21364,6 +21430,11 @@ COR_INLINE const double *cor_rows_tail_duration_zero_force(int i)
 
 /* largest overlap beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-60.5 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TAIL_MAX_OVERLAP_FIRST 2.125
+#define COR_ROWS_TAIL_MAX_OVERLAP_STEP 0.25
+#define COR_ROWS_TAIL_MAX_OVERLAP_PER_UNIT 4.0
+#define COR_ROWS_TAIL_MAX_OVERLAP_ROWS 32
+#define COR_ROWS_TAIL_MAX_OVERLAP_END 10.0
 COR_INLINE const double *cor_rows_tail_max_overlap(int i)
 {
     static const double row[32][12] = {
@@ -21853,6 +21924,11 @@ COR_INLINE const double *cor_rows_tail_max_overlap(int i)
 
 /* time of the largest overlap beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-58.3 at most, sampled at 25 places of each row. */
+#define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_FIRST 2.125
+#define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_STEP 0.25
+#define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_PER_UNIT 4.0
+#define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_ROWS 32
+#define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_END 10.0
 COR_INLINE const double *cor_rows_tail_time_of_max_overlap(int i)
 {
     static const double row[32][12] = {

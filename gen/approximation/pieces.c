@@ -9,9 +9,6 @@
 
 enum { WORKING_BITS = 320, POINTS = 24 /* where a row's error is sampled */ };
 
-/* From this beta on the loss is 1 minus a row of eps, so the row's error counts relative to the loss too. */
-static const double loss_from_eps = 0.25;
-
 struct cell {
     double node, lo, hi;
     slong octave; /* of x = beta^5 */
@@ -163,7 +160,7 @@ static double bits_reached(const struct pieces *p, const struct interpolant *f, 
         row_value(value, p, cell, c, y);
         arb_sub(value, value, exact, WORKING_BITS);
         const double beta = p->variable == VARIABLE_BETA ? at : at * at;
-        if (eps && beta >= loss_from_eps && arf_cmp_d(arb_midref(exact), 0.5) > 0) {
+        if (eps && beta >= p->loss_from && arf_cmp_d(arb_midref(exact), 0.5) > 0) {
             arb_sub_ui(exact, exact, 1, WORKING_BITS);
             arb_neg(exact, exact);
         }
@@ -176,6 +173,15 @@ static double bits_reached(const struct pieces *p, const struct interpolant *f, 
     return -log2(worst);
 }
 
+/* Whether the rows reach as far as the table is used. */
+static bool covers_end(const struct pieces *p)
+{
+    const struct cell last = cell_of(p, p->rows - 1);
+    if (p->variable == VARIABLE_POWER)
+        return ldexp(last.hi, (int)last.octave) >= p->end;
+    return (p->variable == VARIABLE_SQRT_BETA ? last.hi * last.hi : last.hi) >= p->end;
+}
+
 int pieces_make(struct pieces *p, const struct interpolant *f)
 {
     const slong columns = p->degree + 2;
@@ -183,6 +189,8 @@ int pieces_make(struct pieces *p, const struct interpolant *f)
     p->bits = xmalloc((size_t)p->rows * sizeof *p->bits);
     double *c = xmalloc((size_t)columns * sizeof *c);
     int status = STATUS_OK;
+    if (!covers_end(p))
+        status = fail("%s: %ld rows do not reach %g", p->name, (long)p->rows, p->end);
     for (slong row = 0; row < p->rows && status == STATUS_OK; row++) {
         const struct cell cell = cell_of(p, row);
         arb_ptr exact = p->coefficient + row * columns;
@@ -207,6 +215,36 @@ void pieces_clear(struct pieces *p)
     free(p->bits);
 }
 
+/* Where the table is used, as its title says it */
+static void domain_text(char text[64], const struct pieces *p)
+{
+    if (p->variable == VARIABLE_POWER)
+        snprintf(text, 64, "by x = beta^5, 2^%g <= x < 2^%g", p->first, log2(p->end));
+    else if (p->variable == VARIABLE_LOG_BETA)
+        snprintf(text, 64, "beta > exp(%g)", p->first - p->step / 2);
+    else if (p->end < 1)
+        snprintf(text, 64, "beta < 1/%g", 1 / p->end);
+    else
+        snprintf(text, 64, "beta < %g", p->end);
+}
+
+static void emit_geometry(struct emit *e, const struct pieces *p)
+{
+    if (p->variable == VARIABLE_POWER) {
+        emit_geometry_real(e, p->name, "FIRST", ldexp(1, (int)p->first));
+        emit_geometry_integer(e, p->name, "FIRST_OCTAVE", (slong)p->first);
+        emit_geometry_integer(e, p->name, "OCTAVE_BITS", PIECES_OCTAVE_BITS);
+    } else {
+        emit_geometry_real(e, p->name, "FIRST", p->first);
+        emit_geometry_real(e, p->name, "STEP", p->step);
+        emit_geometry_real(e, p->name, "PER_UNIT", 1 / p->step);
+    }
+    emit_geometry_integer(e, p->name, "ROWS", p->rows);
+    if (p->plain < p->rows)
+        emit_geometry_integer(e, p->name, "PLAIN_ROWS", p->plain);
+    emit_geometry_real(e, p->name, "END", p->end);
+}
+
 int pieces_emit(struct emit *e, const struct pieces *p)
 {
     static const char *const variables[] = {"beta", "sqrt(beta)", "ln(beta)", "beta^5 2^-k"};
@@ -220,11 +258,14 @@ int pieces_emit(struct emit *e, const struct pieces *p)
                  (long)last.octave);
     else
         snprintf(grid, sizeof grid, "nodes %g + i %g, %g <= y <= %g", p->first, p->step, first.lo, last.hi);
+    char domain[64];
+    domain_text(domain, p);
     emit_comment(e,
-                 "%s: %ld rows of degree %ld in y = %s, %s.\n"
+                 "%s%s%s: %ld rows of degree %ld in y = %s, %s.\n"
                  "Relative error of the approximation: 2^-%.1f at most, sampled at %d places of each row.",
-                 p->title, (long)p->rows, (long)p->degree, variables[p->variable], grid, floor(worst * 10) / 10,
-                 POINTS + 1);
+                 p->title, p->variable == VARIABLE_POWER ? " " : ", ", domain, (long)p->rows, (long)p->degree,
+                 variables[p->variable], grid, floor(worst * 10) / 10, POINTS + 1);
+    emit_geometry(e, p);
     emit_rows_open(e, p->name, p->rows, p->degree + 2);
     for (slong row = 0; row < p->rows; row++) {
         const struct cell cell = cell_of(p, row);

@@ -19,14 +19,16 @@
 /* The variable y of a table. VARIABLE_POWER is x = beta^5, which an impact speed is proportional to, in octaves
  * 2^k <= x < 2^(k+1): y is x 2^-k, and rows 8 (k - first) + 0 ... 7 have their nodes at 1 + 1/16, 1 + 3/16, ... */
 enum variable { VARIABLE_BETA, VARIABLE_SQRT_BETA, VARIABLE_LOG_BETA, VARIABLE_POWER };
-enum { PIECES_PER_OCTAVE = 8 };
+enum { PIECES_OCTAVE_BITS = 3, PIECES_PER_OCTAVE = 1 << PIECES_OCTAVE_BITS };
 
 struct pieces {
     enum quantity quantity;
     enum variable variable;
     double first, step; /* of the nodes; VARIABLE_POWER: first k */
+    double end;         /* first beta, or ln(beta) or beta^5 where that is y, that the table is not for */
+    double loss_from;   /* from this beta on the loss is 1 minus a row of eps, whose error counts relative to both */
     slong rows, degree, plain;
-    const char *name;    /* cor_sphere_..._row */
+    const char *name;    /* of the function that returns a row, cor_rows_...; COR_ROWS_..._FIRST is of its geometry */
     const char *title;   /* of its comment */
     double least_bits;   /* every piece must reach so many */
     arb_ptr coefficient; /* rows x (degree + 2), balls that round to the doubles of the table */
@@ -37,7 +39,16 @@ struct pieces {
 int pieces_make(struct pieces *p, const struct interpolant *f);
 void pieces_clear(struct pieces *p);
 
-/* The function NAME(i) that returns row i, with the intervals and bits beside the numbers. */
+/* The geometry of the table as macros, under NAME in capitals, and the function NAME(i) that returns row i, with the
+ * intervals and bits beside the numbers:
+ *
+ *     _FIRST, _STEP, _PER_UNIT, _ROWS   nodes FIRST + i STEP, 0 <= i < ROWS, PER_UNIT = 1/STEP
+ *     _END                              as the field `end`
+ *     _PLAIN_ROWS                       rows with s = t, where not all have it
+ *
+ * and of VARIABLE_POWER, where FIRST is the first x:
+ *
+ *     _FIRST, _FIRST_OCTAVE, _OCTAVE_BITS, _ROWS, _END   FIRST = 2^FIRST_OCTAVE; 2^OCTAVE_BITS rows to an octave */
 int pieces_emit(struct emit *e, const struct pieces *p);
 
 #endif

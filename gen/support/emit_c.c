@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/emit_c.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -227,6 +228,31 @@ static const char *real(char text[NUMBER_MAX], const struct emit *e, double x)
     const size_t length = strlen(text);
     snprintf(text + length, NUMBER_MAX - length, "%s%s", strpbrk(text, ".e") ? "" : ".0", e->single ? "f" : "");
     return text;
+}
+
+static void put_geometry(struct emit *e, const char *table, const char *what, const char *number)
+{
+    fprintf(e->file, "#define ");
+    for (const char *at = table; *at; at++)
+        putc(toupper((unsigned char)*at), e->file);
+    fprintf(e->file, "_%s %s\n", what, number);
+}
+
+void emit_geometry_real(struct emit *e, const char *table, const char *what, double x)
+{
+    char number[NUMBER_MAX];
+    if (x == rint(x) && fabs(x) < 1e9)
+        snprintf(number, sizeof number, "%.1f", x);
+    else
+        real(number, e, x);
+    put_geometry(e, table, what, number);
+}
+
+void emit_geometry_integer(struct emit *e, const char *table, const char *what, slong n)
+{
+    char number[NUMBER_MAX];
+    snprintf(number, sizeof number, n < 0 ? "(%ld)" : "%ld", (long)n);
+    put_geometry(e, table, what, number);
 }
 
 static void let(struct emit *e, const char *type, const char *name, const char *format, ...)

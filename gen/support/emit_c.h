@@ -40,6 +40,11 @@ void emit_structs_open(struct emit *e, const char *type, const char *name, slong
 int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values, bool last);
 void emit_structs_close(struct emit *e);
 
+/* #define TABLE_WHAT: a number of a table's geometry, under the table's name in capitals. Reals are written in decimal
+ * and read back to the bit. */
+void emit_geometry_real(struct emit *e, const char *table, const char *what, double x);
+void emit_geometry_integer(struct emit *e, const char *table, const char *what, slong n);
+
 /* The same of short decimal numbers, "-0.5", which stand in the comment as they are. */
 void emit_struct_decimals(struct emit *e, const char *const *decimal, slong count, bool last);
 void emit_decimals(struct emit *e, const char *name, const char *const *decimal, slong count);

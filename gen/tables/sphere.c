@@ -11,47 +11,49 @@
 
 enum { H_STAR_BITS = 160 };
 
-/* The tables of the runtime, all of one layout. Nodes, steps and domains are those of runtime/sphere/eval.h. Where the
- * promise is one unit of the last place, 57 bits leave it a sixteenth; the loss at beta < 1 is 1 minus a row of eps, so
- * that counts relative to the smaller of the two. Rows in x owe less where eps falls steeply: from a speed, five times
- * as much is lost in beta at zero overlap. */
+/* Where the loss is no longer beta times a row of its own, but 1 minus a row of eps */
+#define LOSS_FROM_EPS 0.25
+
+/* The tables of the runtime, all of one layout. Their geometry stands here and nowhere else: the headers carry it to
+ * the evaluators as macros (approximation/pieces.h). Where the promise is one unit of the last place, 57 bits leave the
+ * approximation a sixteenth of it; the loss at beta < 1 is 1 minus a row of eps, so the row's error counts relative to
+ * the smaller of the two. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply: there the rounding
+ * of x alone changes eps by more. */
 enum { DEGREE = 10, FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */ };
+#define IN_BETA VARIABLE_BETA, 0, 0.125
+#define IN_ROOT VARIABLE_SQRT_BETA, 0, 0.0625
+#define IN_POWER VARIABLE_POWER, -40, 0
+#define IN_LOG(step) VARIABLE_LOG_BETA, 2 + (step) / 2, step
 static const struct {
     const char *name, *title;
     enum quantity quantity;
     enum variable variable;
-    double first, step;
+    double first, step, end;
     slong rows;
     double least_bits;
 } layout[] = {
-    {"cor_rows_eps_zero_overlap", "eps at zero overlap, beta < 7", EPS_ZERO_OVERLAP, VARIABLE_BETA, 0, 0.125, 57, 55.5},
-    {"cor_rows_eps_zero_force", "eps at zero force, beta < 16", EPS_ZERO_FORCE, VARIABLE_SQRT_BETA, 0, 0.0625, 65,
-     55.5},
-    {"cor_rows_power_eps_zero_overlap", "eps at zero overlap by x = beta^5, 2^-40 <= x < 2^14", EPS_ZERO_OVERLAP,
-     VARIABLE_POWER, -40, 0, 54 * PIECES_PER_OCTAVE, 53.5},
-    {"cor_rows_power_eps_zero_force", "eps at zero force by x = beta^5, 2^-40 <= x < 2^20", EPS_ZERO_FORCE,
-     VARIABLE_POWER, -40, 0, 60 * PIECES_PER_OCTAVE, 57},
-    {"cor_rows_loss_zero_overlap", "(1 - eps)/beta at zero overlap, beta < 1/4", LOSS_QUOTIENT_ZERO_OVERLAP,
-     VARIABLE_BETA, 0, 0.125, 3, 57},
-    {"cor_rows_loss_zero_force", "(1 - eps)/beta at zero force, beta < 1/4", LOSS_QUOTIENT_ZERO_FORCE,
-     VARIABLE_SQRT_BETA, 0, 0.0625, 9, 57},
-    {"cor_rows_duration_zero_overlap", "duration at zero overlap, beta < 8", DURATION_ZERO_OVERLAP, VARIABLE_BETA, 0,
-     0.125, 65, 56},
-    {"cor_rows_duration_zero_force", "duration at zero force, beta < 8", DURATION_ZERO_FORCE, VARIABLE_SQRT_BETA, 0,
-     0.0625, 46, 56},
-    {"cor_rows_max_overlap", "largest overlap, beta < 8", MAX_OVERLAP, VARIABLE_BETA, 0, 0.125, 65, 57},
-    {"cor_rows_time_of_max_overlap", "time of the largest overlap, beta < 8", TIME_OF_MAX_OVERLAP, VARIABLE_BETA, 0,
-     0.125, 65, 56},
-    {"cor_rows_tail_eps_zero_force", "eps beta^(5/3) at zero force, beta > exp(2)", EPS_ZERO_FORCE, VARIABLE_LOG_BETA,
-     2.125, 0.25, 32, 57},
-    {"cor_rows_tail_duration_zero_overlap", "duration/beta at zero overlap, beta > exp(2)", DURATION_ZERO_OVERLAP,
-     VARIABLE_LOG_BETA, 2.0625, 0.125, 64, 56},
-    {"cor_rows_tail_duration_zero_force", "duration beta^(2/3) at zero force, beta > exp(2)", DURATION_ZERO_FORCE,
-     VARIABLE_LOG_BETA, 2.125, 0.25, 32, 56},
-    {"cor_rows_tail_max_overlap", "largest overlap beta^(2/3), beta > exp(2)", MAX_OVERLAP, VARIABLE_LOG_BETA, 2.125,
-     0.25, 32, 57},
-    {"cor_rows_tail_time_of_max_overlap", "time of the largest overlap beta^(2/3), beta > exp(2)", TIME_OF_MAX_OVERLAP,
-     VARIABLE_LOG_BETA, 2.125, 0.25, 32, 56},
+    {"cor_rows_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_BETA, 7, 57, 55.5},
+    {"cor_rows_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_ROOT, 16, 65, 55.5},
+    {"cor_rows_power_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_POWER, 16384,
+     54 * PIECES_PER_OCTAVE, 53.5},
+    {"cor_rows_power_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_POWER, 1048576, 60 * PIECES_PER_OCTAVE,
+     57},
+    {"cor_rows_loss_zero_overlap", "(1 - eps)/beta at zero overlap", LOSS_QUOTIENT_ZERO_OVERLAP, IN_BETA, LOSS_FROM_EPS,
+     3, 57},
+    {"cor_rows_loss_zero_force", "(1 - eps)/beta at zero force", LOSS_QUOTIENT_ZERO_FORCE, IN_ROOT, LOSS_FROM_EPS, 9,
+     57},
+    {"cor_rows_duration_zero_overlap", "duration at zero overlap", DURATION_ZERO_OVERLAP, IN_BETA, 8, 65, 56},
+    {"cor_rows_duration_zero_force", "duration at zero force", DURATION_ZERO_FORCE, IN_ROOT, 8, 46, 56},
+    {"cor_rows_max_overlap", "largest overlap", MAX_OVERLAP, IN_BETA, 8, 65, 57},
+    {"cor_rows_time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, IN_BETA, 8, 65, 56},
+    {"cor_rows_tail_eps_zero_force", "eps beta^(5/3) at zero force", EPS_ZERO_FORCE, IN_LOG(0.25), 10, 32, 57},
+    {"cor_rows_tail_duration_zero_overlap", "duration/beta at zero overlap", DURATION_ZERO_OVERLAP, IN_LOG(0.125), 10,
+     64, 56},
+    {"cor_rows_tail_duration_zero_force", "duration beta^(2/3) at zero force", DURATION_ZERO_FORCE, IN_LOG(0.25), 10,
+     32, 56},
+    {"cor_rows_tail_max_overlap", "largest overlap beta^(2/3)", MAX_OVERLAP, IN_LOG(0.25), 10, 32, 57},
+    {"cor_rows_tail_time_of_max_overlap", "time of the largest overlap beta^(2/3)", TIME_OF_MAX_OVERLAP, IN_LOG(0.25),
+     10, 32, 56},
 };
 enum { TABLES = sizeof layout / sizeof *layout };
 
@@ -103,6 +105,8 @@ static int make(void)
                                          .variable = layout[i].variable,
                                          .first = layout[i].first,
                                          .step = layout[i].step,
+                                         .end = layout[i].end,
+                                         .loss_from = LOSS_FROM_EPS,
                                          .rows = layout[i].rows,
                                          .degree = DEGREE,
                                          .plain = mixed ? FORCE_PLAIN : layout[i].rows,
@@ -229,7 +233,7 @@ int sphere_header_write(FILE *file, const struct disk_table *none)
     struct emit e;
     emit_open(&e, file, "COR_SPHERE_EMBEDDED_H", header_banner);
     e.decimal = true;
-    fprintf(file, "\n%s\n%s\n%s", evaluator_inline, evaluator_exact, evaluator_fifth_root);
+    fprintf(file, "\n%s\n%s\n%s\n%s", evaluator_inline, evaluator_exact, evaluator_fifth_root, evaluator_row);
     const int status = emit_tables(&e);
     fprintf(file, "\n%s", evaluator_sphere);
     emit_close(&e);

@@ -1,10 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* The instruction sets that array loops are built for, and which of them this processor has. */
+/* The one dispatch by instruction set. A loop is written once, as a kernel, and compiled once for every set that this
+ * build has, in <stem>_<set>.c; the functions of one set stand in one row of a table, in the order of the enum. */
 #ifndef COR_RUNTIME_INSTRUCTION_SET_H
 #define COR_RUNTIME_INSTRUCTION_SET_H
 
+/* By increasing width */
 enum cor_instruction_set { COR_PORTABLE, COR_AVX2, COR_AVX512, COR_INSTRUCTION_SETS };
 
+/* X(set) for every set of this build, in that order: to declare its functions, or to write its row. */
+#ifdef COR_X86_SETS
+#define COR_EACH_SET(X) X(portable) X(avx2) X(avx512)
+#else
+#define COR_EACH_SET(X) X(portable)
+#endif
+
+/* Whether this build has the set and this processor can run it */
 static inline int cor_processor_has(int set)
 {
 #ifdef COR_X86_SETS
@@ -15,6 +25,15 @@ static inline int cor_processor_has(int set)
                __builtin_cpu_supports("avx512vl");
 #endif
     return set == COR_PORTABLE;
+}
+
+/* The row to take here */
+static inline int cor_widest_set(void)
+{
+    int set = COR_INSTRUCTION_SETS - 1;
+    while (!cor_processor_has(set))
+        set--;
+    return set;
 }
 
 #endif

@@ -182,13 +182,9 @@ static size_t arrange(struct motion *m, char *base)
 
 static const struct cor_collision_loops *widest_loops(void)
 {
-#ifdef COR_X86_SETS
-    if (cor_processor_has(COR_AVX512))
-        return &cor_collision_avx512;
-    if (cor_processor_has(COR_AVX2))
-        return &cor_collision_avx2;
-#endif
-    return &cor_collision_portable;
+#define COLLISION_ROW(set) &cor_collision_##set,
+    static const struct cor_collision_loops *const loops[] = {COR_EACH_SET(COLLISION_ROW)};
+    return loops[cor_widest_set()];
 }
 
 /* Sets the angles phi_j = j pi/(2 phi) of the trapezoidal rule, to which the angle pi/2 adds nothing, and cos(k phi_j). */

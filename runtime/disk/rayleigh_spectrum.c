@@ -124,29 +124,17 @@ static double decay_of(const struct cor_leg_rule *rule, double theta, double tan
     return sum;
 }
 
-#define SET(set)                                                                                                       \
-    {                                                                                                                  \
-#set, cor_rayleigh_panel_##set, cor_rayleigh_octaves_##set, cor_rayleigh_lines_##set                           \
-    }
+#define RAYLEIGH_ROW(set) {#set, cor_rayleigh_panel_##set, cor_rayleigh_octaves_##set, cor_rayleigh_lines_##set},
 
 const struct cor_rayleigh_set *cor_rayleigh_set(int i)
 {
-    static const struct cor_rayleigh_set sets[] = {
-        SET(portable),
-#ifdef COR_X86_SETS
-        SET(avx2),
-        SET(avx512),
-#endif
-    };
-    return i < (int)(sizeof sets / sizeof *sets) && cor_processor_has(i) ? &sets[i] : NULL;
+    static const struct cor_rayleigh_set sets[] = {COR_EACH_SET(RAYLEIGH_ROW)};
+    return cor_processor_has(i) ? &sets[i] : NULL;
 }
 
 void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high)
 {
-    int i = COR_INSTRUCTION_SETS - 1;
-    while (i > 0 && !cor_rayleigh_set(i))
-        i--;
-    cor_spectrum_init_by(cor_rayleigh_set(i), spectrum, q0, contact_time, first, high);
+    cor_spectrum_init_by(cor_rayleigh_set(cor_widest_set()), spectrum, q0, contact_time, first, high);
 }
 
 void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,

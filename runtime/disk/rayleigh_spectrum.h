@@ -77,11 +77,7 @@ struct cor_rayleigh_set {
     cor_rayleigh_octaves cor_rayleigh_octaves_##set;                                                                   \
     cor_rayleigh_lines cor_rayleigh_lines_##set;
 
-COR_RAYLEIGH_SET(portable)
-#ifdef COR_X86_SETS
-COR_RAYLEIGH_SET(avx2)
-COR_RAYLEIGH_SET(avx512)
-#endif
+COR_EACH_SET(COR_RAYLEIGH_SET)
 
 /* By enum cor_instruction_set; NULL where this processor, or this build, has it not. */
 const struct cor_rayleigh_set *cor_rayleigh_set(int i);

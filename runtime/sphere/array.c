@@ -4,30 +4,19 @@
 #include "cor/sphere.h"
 #include "runtime/sphere/eval.h"
 
-#define SET(set)                                                                                                       \
-    {                                                                                                                  \
-#set, cor_array_eps_zero_overlap_##set, cor_array_eps_zero_force_##set, cor_array_speed_zero_overlap_##set,    \
-            cor_array_speed_zero_force_##set                                                                           \
-    }
+#define ARRAY_ROW(set)                                                                                                 \
+    {#set, cor_array_eps_zero_overlap_##set, cor_array_eps_zero_force_##set, cor_array_speed_zero_overlap_##set,       \
+     cor_array_speed_zero_force_##set},
 
 const struct cor_array_set *cor_array_set(int i)
 {
-    static const struct cor_array_set sets[] = {
-        SET(portable),
-#ifdef COR_X86_SETS
-        SET(avx2),
-        SET(avx512),
-#endif
-    };
-    return i < (int)(sizeof sets / sizeof *sets) && cor_processor_has(i) ? &sets[i] : NULL;
+    static const struct cor_array_set sets[] = {COR_EACH_SET(ARRAY_ROW)};
+    return cor_processor_has(i) ? &sets[i] : NULL;
 }
 
 const struct cor_array_set *cor_array_best_set(void)
 {
-    for (int i = COR_INSTRUCTION_SETS - 1; i > 0; i--)
-        if (cor_array_set(i))
-            return cor_array_set(i);
-    return cor_array_set(0);
+    return cor_array_set(cor_widest_set());
 }
 
 void cor_sphere_eps_zero_overlap_array(const double *beta, double *eps, size_t n)

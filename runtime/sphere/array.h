@@ -15,11 +15,7 @@ typedef void cor_array_function(const struct cor_sphere_contact *contact, const 
     cor_array_function cor_array_eps_zero_overlap_##set, cor_array_eps_zero_force_##set,                               \
         cor_array_speed_zero_overlap_##set, cor_array_speed_zero_force_##set;
 
-COR_ARRAY_SET(portable)
-#ifdef COR_X86_SETS
-COR_ARRAY_SET(avx2)
-COR_ARRAY_SET(avx512)
-#endif
+COR_EACH_SET(COR_ARRAY_SET)
 
 /* The widest set that this processor has: a row of four functions. */
 struct cor_array_set {

@@ -111,22 +111,24 @@ enum { STREAM_FROM = 1 << 22 /* numbers: 32 MiB */, CACHE_LINE = 64 };
 /* beta of a block by the rows in beta, or in sqrt(beta). */
 static inline void reduce_overlap(struct reduced *r, const double *beta, int count)
 {
+    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP);
     for (int j = 0; j < count; j++) {
-        const int i = cor_inline_beta_index(beta[j]);
+        const int i = cor_inline_grid_row(grid, beta[j]);
         r->row[j] = (uint64_t)i;
-        r->s[j] = r->t[j] = beta[j] - i * 0.125;
+        r->s[j] = r->t[j] = cor_inline_grid_t(grid, beta[j], i);
     }
 }
 
 static inline void reduce_force(struct reduced *r, const double *beta, int count)
 {
+    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE);
     for (int j = 0; j < count; j++) {
         const double z = sqrt(beta[j]);
-        const int i = cor_inline_root_index(z);
-        const double node = i * 0.0625, t = z - node, square = beta[j] - node * node;
+        const int i = cor_inline_grid_row(grid, z);
+        const double node = grid.first + i * grid.step, t = z - node, square = beta[j] - node * node;
         r->row[j] = (uint64_t)i;
         r->t[j] = t;
-        r->s[j] = node < COR_INLINE_PLAIN ? t : square;
+        r->s[j] = node < COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS * grid.step ? t : square;
     }
 }
 
@@ -135,7 +137,8 @@ typedef void reduce_function(struct reduced *r, const double *beta, int count);
 /* What an array function needs to know of an end of contact. */
 struct end {
     const double *beta_rows, *power_rows;
-    double far, power_far; /* where the tables in beta and in x = beta^5 end */
+    struct cor_inline_octaves power_grid;
+    double far, power_near, power_far; /* the tables' ends: in beta, and in x = beta^5 both */
     double (*eps)(double beta);
     double (*contact_eps)(const struct cor_sphere_contact *contact, double speed);
 };
@@ -245,12 +248,12 @@ static inline void from_speed(const struct cor_sphere_contact *contact, const do
         const int count = next_block(from, in + i, m);
         for (int j = 0; j < count; j++) {
             x[j] = scale * from[j];
-            const int inside = (x[j] >= COR_INLINE_POWER_NEAR) & (x[j] < end->power_far);
+            const int inside = (x[j] >= end->power_near) & (x[j] < end->power_far);
             beyond |= !inside;
             within |= inside;
             const double y = inside ? x[j] : 1;
-            r.row[j] = cor_inline_power_index(y);
-            r.s[j] = r.t[j] = cor_inline_power_t(y);
+            r.row[j] = cor_inline_octaves_row(end->power_grid, y);
+            r.s[j] = r.t[j] = cor_inline_octaves_t(end->power_grid, y);
         }
         if (within)
             put_block(out + i, eps, &r, end->power_rows, m, count, !beyond, stream);
@@ -268,29 +271,31 @@ static inline void from_speed(const struct cor_sphere_contact *contact, const do
         reduce(&r, beta, count);
         evaluate_rows(other, &r, end->beta_rows, count);
         for (size_t j = 0; j < m; j++)
-            out[i + j] = within && x[j] >= COR_INLINE_POWER_NEAR && x[j] < end->power_far ? eps[j] : other[j];
+            out[i + j] = within && x[j] >= end->power_near && x[j] < end->power_far ? eps[j] : other[j];
         for (size_t j = 0; outside && j < m; j++)
-            if (beta[j] == 0 && !(x[j] >= COR_INLINE_POWER_NEAR && x[j] < end->power_far))
+            if (beta[j] == 0 && !(x[j] >= end->power_near && x[j] < end->power_far))
                 out[i + j] = end->contact_eps(contact, from[j]);
     }
     end_streaming(stream);
 }
 
+#define END_OF_CONTACT(name, NAME)                                                                                     \
+    static inline struct end end_##name(void)                                                                          \
+    {                                                                                                                  \
+        const struct end end = {cor_rows_eps_zero_##name(0),                                                           \
+                                cor_rows_power_eps_zero_##name(0),                                                     \
+                                COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_##NAME),                                    \
+                                COR_ROWS_EPS_ZERO_##NAME##_END,                                                        \
+                                COR_ROWS_POWER_EPS_ZERO_##NAME##_FIRST,                                                \
+                                COR_ROWS_POWER_EPS_ZERO_##NAME##_END,                                                  \
+                                cor_inline_eps_zero_##name,                                                            \
+                                cor_contact_eps_zero_##name};                                                          \
+        return end;                                                                                                    \
+    }
+END_OF_CONTACT(overlap, OVERLAP)
+END_OF_CONTACT(force, FORCE)
+
 #define ARRAYS(set)                                                                                                    \
-    static inline struct end end_overlap(void)                                                                         \
-    {                                                                                                                  \
-        const struct end end = {cor_rows_eps_zero_overlap(0), cor_rows_power_eps_zero_overlap(0),                      \
-                                COR_INLINE_OVERLAP_FAR,       COR_INLINE_OVERLAP_POWER,                                \
-                                cor_inline_eps_zero_overlap,  cor_contact_eps_zero_overlap};                           \
-        return end;                                                                                                    \
-    }                                                                                                                  \
-    static inline struct end end_force(void)                                                                           \
-    {                                                                                                                  \
-        const struct end end = {cor_rows_eps_zero_force(0), cor_rows_power_eps_zero_force(0),                          \
-                                COR_INLINE_FORCE_FAR,       COR_INLINE_FORCE_POWER,                                    \
-                                cor_inline_eps_zero_force,  cor_contact_eps_zero_force};                               \
-        return end;                                                                                                    \
-    }                                                                                                                  \
     void cor_array_eps_zero_overlap_##set(const struct cor_sphere_contact *contact, const double *in, double *out,     \
                                           size_t n)                                                                    \
     {                                                                                                                  \

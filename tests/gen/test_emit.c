@@ -189,6 +189,44 @@ static void test_rows(void **state)
     _arb_vec_clear(x, ROWS * COLUMNS);
 }
 
+/* The numbers of a grid, as macros under the table's name in capitals. */
+static void test_geometry(void **state)
+{
+    (void)state;
+    const double real[] = {0, 7, 1048576, -2, 0.0625, 0x1p-40, 1.0 / 3, 1e300};
+    enum { REALS = sizeof real / sizeof *real };
+    struct emit e;
+    FILE *file = create("header.h");
+    emit_open(&e, file, "HEADER_H", "geometry");
+    for (int i = 0; i < REALS; i++) {
+        char what[16];
+        snprintf(what, sizeof what, "REAL_%d", i);
+        emit_geometry_real(&e, "a_table1", what, real[i]);
+    }
+    emit_geometry_integer(&e, "a_table1", "ROWS", 65);
+    emit_geometry_integer(&e, "a_table1", "OCTAVE", -40);
+    emit_close(&e);
+    assert_int_equal(fclose(file), 0);
+    file = create("main.c");
+    fprintf(file, "#include <stdio.h>\n#include \"header.h\"\nint main(void)\n{\n"
+                  "    printf(\"%%d %%d\\n\", 2 * A_TABLE1_ROWS, 3 -A_TABLE1_OCTAVE);\n");
+    for (int i = 0; i < REALS; i++)
+        fprintf(file, "    printf(\"%%a\\n\", 0.5 * A_TABLE1_REAL_%d);\n", i);
+    fprintf(file, "    return 0;\n}\n");
+    assert_int_equal(fclose(file), 0);
+    FILE *output = compile_and_run();
+    int twice_rows, octaves;
+    assert_int_equal(fscanf(output, "%d %d", &twice_rows, &octaves), 2);
+    assert_int_equal(twice_rows, 130);
+    assert_int_equal(octaves, 43);
+    for (int i = 0; i < REALS; i++) {
+        char half[64];
+        assert_int_equal(fscanf(output, "%63s", half), 1);
+        assert_true(strtod(half, NULL) == 0.5 * real[i]);
+    }
+    assert_int_equal(pclose(output), 0);
+}
+
 /* A ball that straddles the middle of two doubles is refused, not rounded. */
 static void test_too_wide(void **state)
 {
@@ -273,8 +311,8 @@ static void test_pade_header(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_doubles), cmocka_unit_test(test_rows),        cmocka_unit_test(test_too_wide),
-        cmocka_unit_test(test_bound),   cmocka_unit_test(test_pade_header),
+        cmocka_unit_test(test_doubles),  cmocka_unit_test(test_rows),  cmocka_unit_test(test_geometry),
+        cmocka_unit_test(test_too_wide), cmocka_unit_test(test_bound), cmocka_unit_test(test_pade_header),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

@@ -33,6 +33,8 @@ static struct pieces table(int kind)
                        .variable = VARIABLE_BETA,
                        .step = 0.125,
                        .rows = 3,
+                       .end = 0.25,
+                       .loss_from = 0.25,
                        .degree = 10,
                        .plain = 3,
                        .name = "rows",
@@ -44,6 +46,7 @@ static struct pieces table(int kind)
         p.variable = VARIABLE_SQRT_BETA;
         p.rows = 5;
         p.plain = 2;
+        p.end = 0.25;
         break;
     case 2:
         p.quantity = LOSS_QUOTIENT_ZERO_OVERLAP;
@@ -51,6 +54,7 @@ static struct pieces table(int kind)
     case 3:
         p.variable = VARIABLE_POWER;
         p.first = -10;
+        p.end = 0x1p-8;
         p.rows = p.plain = 2L * PIECES_PER_OCTAVE;
         break;
     default:
@@ -131,10 +135,19 @@ static void test_bound_missed(void **state)
         p.least_bits = 50;
         assert_int_equal(pieces_make(&p, f), 1);
         pieces_clear(&p);
+        /* used as far as the last row reaches, and beyond */
+        p = table(kind);
+        p.end = kind == 1 ? 0.5625 * 0.5625 : kind == 3 ? 0x1p-8 : 0.3125;
+        assert_int_equal(pieces_make(&p, f), 0);
+        pieces_clear(&p);
+        p.end = nextafter(p.end, 1);
+        assert_int_equal(pieces_make(&p, f), 1);
+        pieces_clear(&p);
     }
 }
 
-/* What the tables' readers rely on: the comment has the grid and the worst of the rows, each row its own bits. */
+/* What the tables' readers rely on: the comment has the grid and the worst of the rows, macros have the grid, each
+ * row its own bits. */
 static void test_text(void **state)
 {
     (void)state;
@@ -152,11 +165,14 @@ static void test_text(void **state)
     assert_in_range(size, 500, sizeof text - 2);
     slong rows, degree, index;
     double first, step, bits, worst = INFINITY;
-    const char *at = strstr(text, "title: ");
+    const char *at = strstr(text, "title, beta < 1/4: ");
     assert_non_null(at);
-    assert_int_equal(
-        sscanf(at, "title: %ld rows of degree %ld in y = beta, nodes %lf + i %lf", &rows, &degree, &first, &step), 4);
+    assert_int_equal(sscanf(at, "title, beta < 1/4: %ld rows of degree %ld in y = beta, nodes %lf + i %lf", &rows,
+                            &degree, &first, &step),
+                     4);
     assert_true(rows == 3 && degree == 10 && first == 0 && step == 0.125);
+    assert_non_null(strstr(at, "\n#define ROWS_FIRST 0.0\n#define ROWS_STEP 0.125\n#define ROWS_PER_UNIT 8.0\n"
+                               "#define ROWS_ROWS 3\n#define ROWS_END 0.25\n"));
     at = strstr(text, "COR_INLINE const double *rows(int i)");
     assert_non_null(at);
     for (slong r = 0; r < rows; r++) {

@@ -23,6 +23,8 @@ struct table {
     double *decimal;  /* the number beside each, or NaN */
     enum variable variable;
     double first, step, worst; /* of the nodes; POWER: the first octave, 0; the worst of all bits */
+    /* the macros, NaN where there is none */
+    double macro_first, macro_step, macro_per_unit, macro_rows, macro_end, macro_plain, macro_octave, macro_bits;
 };
 
 struct tables {
@@ -106,6 +108,32 @@ static void read_numbers(struct table *t, const char *at)
     }
 }
 
+/* The number of the macro COR_ROWS_<name>_<what> between two places of the text, or NaN */
+static double read_macro(const struct table *t, const char *what, const char *from, const char *to)
+{
+    char opening[128];
+    int length = snprintf(opening, sizeof opening, "#define COR_ROWS_%s_%s ", t->name, what);
+    for (int i = 8; i < length; i++)
+        opening[i] = (char)toupper((unsigned char)opening[i]);
+    const char *at = strstr(from, opening);
+    if (!at || at > to)
+        return NAN;
+    at += length;
+    return strtod(*at == '(' ? at + 1 : at, NULL);
+}
+
+static void read_macros(struct table *t, const char *from, const char *to)
+{
+    const struct {
+        const char *what;
+        double *into;
+    } macros[] = {{"FIRST", &t->macro_first},         {"STEP", &t->macro_step},       {"PER_UNIT", &t->macro_per_unit},
+                  {"ROWS", &t->macro_rows},           {"END", &t->macro_end},         {"PLAIN_ROWS", &t->macro_plain},
+                  {"FIRST_OCTAVE", &t->macro_octave}, {"OCTAVE_BITS", &t->macro_bits}};
+    for (size_t i = 0; i < sizeof macros / sizeof *macros; i++)
+        *macros[i].into = read_macro(t, macros[i].what, from, to);
+}
+
 static void read_tables(struct tables *all, const char *path)
 {
     static const char opening[] = "COR_INLINE const double *cor_rows_";
@@ -125,6 +153,7 @@ static void read_tables(struct tables *all, const char *path)
         assert_in_range(t->columns, 2, MOST_COLUMNS);
         assert_in_range(t->rows, 1, 4000);
         read_grid(t, comment, function);
+        read_macros(t, comment, function);
         read_numbers(t, strchr(row, '{'));
     }
     free(text);
@@ -450,6 +479,32 @@ static void test_power_rows(void **state)
     arb_clear(b);
 }
 
+/* The macros by which evaluators find a row say what the comment above the table says, and no table is used beyond its
+ * last row. */
+static void test_geometry(void **state)
+{
+    (void)state;
+    for (int i = 0; i < tables.count; i++) {
+        const struct table *t = &tables.table[i];
+        if (t->variable == NONE) {
+            assert_true(isnan(t->macro_first) && isnan(t->macro_rows));
+            continue;
+        }
+        print_message("%s\n", t->name);
+        assert_true(t->macro_rows == (double)t->rows);
+        const struct cell last = cell_of(t, t->rows - 1);
+        if (t->variable == POWER) {
+            assert_true(t->macro_octave == t->first && t->macro_first == ldexp(1, (int)t->first));
+            assert_true(t->macro_bits == 3);
+            assert_true(t->macro_end == ldexp(last.hi, (int)last.octave));
+            continue;
+        }
+        assert_true(t->macro_first == t->first && t->macro_step == t->step && t->macro_per_unit * t->step == 1);
+        assert_true(t->macro_end <= (t->variable == ROOT ? last.hi * last.hi : last.hi));
+        assert_true(isnan(t->macro_plain) ? !last.square : t->macro_plain * t->step == 0.25 && last.square);
+    }
+}
+
 /* Neighbouring rows agree where they meet, to what they state. */
 static void test_continuity(void **state)
 {
@@ -700,13 +755,10 @@ static void test_leading_coefficients(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spellings),
-        cmocka_unit_test(test_h_star),
-        cmocka_unit_test(test_continuity),
-        cmocka_unit_test(test_power_rows),
-        cmocka_unit_test(test_leading_coefficients),
-        cmocka_unit_test(test_nodes),
-        cmocka_unit_test(test_far),
+        cmocka_unit_test(test_spellings),  cmocka_unit_test(test_h_star),
+        cmocka_unit_test(test_geometry),   cmocka_unit_test(test_continuity),
+        cmocka_unit_test(test_power_rows), cmocka_unit_test(test_leading_coefficients),
+        cmocka_unit_test(test_nodes),      cmocka_unit_test(test_far),
         cmocka_unit_test(test_rows),
     };
     return cmocka_run_group_tests(tests, setup, teardown);
