@@ -63,6 +63,7 @@
 #define COR_INLINE_2_250 1.80925139433306555e+75
 #define COR_INLINE_2_300 2.03703597633448609e+90
 #define COR_INLINE_2_500 3.27339060789614187e+150
+#define COR_INLINE_2_600 4.14951556888099296e+180
 #define COR_INLINE_2_900 8.45271249817064394e+270
 #define COR_INLINE_2_964 1.55925024182399985e+290
 #define COR_INLINE_2_1000 1.07150860718626732e+301
@@ -99,6 +100,12 @@ COR_INLINE int cor_inline_below(double x, double end)
     return cor_inline_bits(x) < cor_inline_bits(end);
 }
 
+/* least <= x < end; not for NaN. Of negative numbers and of those below `least` the difference is huge. */
+COR_INLINE int cor_inline_between(double x, double least, double end)
+{
+    return cor_inline_bits(x) - cor_inline_bits(least) < cor_inline_bits(end) - cor_inline_bits(least);
+}
+
 #define COR_INLINE_INFINITY_BITS UINT64_C(0x7ff0000000000000)
 #define COR_INLINE_SIGN_BIT UINT64_C(0x8000000000000000)
 
@@ -110,6 +117,15 @@ COR_INLINE double cor_inline_infinity(void)
 COR_INLINE double cor_inline_nan(void)
 {
     return cor_inline_from_bits(UINT64_C(0x7ff8000000000000));
+}
+
+/* The float nearest to x, without FE_OVERFLOW */
+COR_INLINE float cor_inline_narrow(double x)
+{
+    const double beyond = 3.40282356779733662e+38; /* halfway between the largest float and 2^128 */
+    return (float)(cor_inline_below(x, beyond) || cor_inline_bits(x) > COR_INLINE_INFINITY_BITS
+                       ? x
+                       : cor_inline_infinity());
 }
 
 COR_INLINE int cor_inline_is_finite(double x)
@@ -202,6 +218,12 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_over(struct cor_inline_pair x,
 #define COR_RUNTIME_FIFTH_ROOT_H
 
 
+/* (1 + d)^(1/5) - 1 up to d^4, |d| < 4e-4: the next term is below 2^-59. */
+COR_INLINE double cor_inline_fifth_root_rest(double d)
+{
+    return d * ((0.2 - 0.08 * d) + (d * d) * (0.048 - 0.0336 * d));
+}
+
 /* x^(1/5) = head + tail for 2^-1000 <= x <= 2^1000; the head has 26 bits, |tail/head| < 2^-12. Relative error of the
  * sum, before it is rounded: 0.5 2^-53, measured in tests/unit/test_fifth_root.c. */
 COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
@@ -220,11 +242,21 @@ COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
     /* Cut to 26 bits, r^2 is exact, and r^5 is off by two roundings, of which a fifth reaches the root. x - r^5 is
      * exact. */
     const double r = cor_inline_head(halley), r2 = r * r, r5 = COR_INLINE_KEEP(r2 * r2 * r);
-    const double d = (x - r5) / r5;
-    /* (1 + d)^(1/5) - 1 up to d^4; |d| < 4e-4, and the next term is below 2^-59. */
     struct cor_inline_pair root;
     root.hi = r;
-    root.lo = r * (d * ((0.2 - 0.08 * d) + (d * d) * (0.048 - 0.0336 * d)));
+    root.lo = r * cor_inline_fifth_root_rest((x - r5) / r5);
+    return root;
+}
+
+/* The same of a pair; relative error below 2^-58: r^5 and the difference are pairs too. */
+COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inline_pair x)
+{
+    struct cor_inline_pair root = cor_inline_fifth_root_parts(x.hi), r, r5;
+    r.hi = root.hi;
+    r.lo = 0;
+    r5 = cor_inline_pair_times(cor_inline_product(r.hi * r.hi, r.hi * r.hi), r);
+    const double d = (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - r5.hi) - r5.lo) + x.lo) / r5.hi;
+    root.lo = r.hi * cor_inline_fifth_root_rest(d);
     return root;
 }
 
@@ -388,12 +420,6 @@ COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(double first, int bit
     return grid;
 }
 #define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST, table##_OCTAVE_BITS)
-
-/* Whether first <= x < end; not for NaN. Of negative numbers and of those below `first` the difference is huge. */
-COR_INLINE int cor_inline_octaves_hold(struct cor_inline_octaves grid, double x, double end)
-{
-    return cor_inline_bits(x) - cor_inline_bits(grid.first) < cor_inline_bits(end) - cor_inline_bits(grid.first);
-}
 
 /* The row of x: how many cells lie between first and x, for the bits of x rise by the same from cell to cell. */
 COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
@@ -12204,6 +12230,9 @@ COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair fact
 
 /* ---- eps ---- */
 
+/* Below, eps is 1 to the last bit; rounded upward, products that underflow would carry a row beyond it. */
+#define COR_INLINE_EPS_LEAST COR_INLINE_2_M60
+
 /* h*^5 beta^-5 for beta >= 7, whose correction is below 2^-75. The power and the quotient are double-doubles, so the
  * final rounding is all: 0.5 ulp. */
 COR_INLINE double cor_inline_eps_overlap_far(double beta)
@@ -12232,23 +12261,23 @@ COR_INLINE double cor_inline_eps_force_far(double beta)
 
 COR_INLINE double cor_inline_eps_zero_overlap(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_EPS_ZERO_OVERLAP_END))
+    if (cor_inline_between(beta, COR_INLINE_EPS_LEAST, COR_ROWS_EPS_ZERO_OVERLAP_END))
         return cor_inline_row_value(
             cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP), beta, cor_rows_eps_zero_overlap));
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
-    return beta == 0 ? 1 : cor_inline_eps_overlap_far(beta);
+    return beta < COR_INLINE_EPS_LEAST ? 1 : cor_inline_eps_overlap_far(beta);
 }
 
 COR_INLINE double cor_inline_eps_zero_force(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_EPS_ZERO_FORCE_END))
+    if (cor_inline_between(beta, COR_INLINE_EPS_LEAST, COR_ROWS_EPS_ZERO_FORCE_END))
         return cor_inline_row_value(cor_inline_grid_place_of_root(COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE),
                                                                   COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS, beta,
                                                                   cor_rows_eps_zero_force));
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
-    return beta == 0 ? 1 : cor_inline_eps_force_far(beta);
+    return beta < COR_INLINE_EPS_LEAST ? 1 : cor_inline_eps_force_far(beta);
 }
 
 /* eps at beta = x^(1/5), x being the product of an impact speed g with beta_per_root^5. Between 2^-40 and 2^14 or
@@ -12257,7 +12286,7 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
-    if (cor_inline_octaves_hold(grid, x, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END))
+    if (cor_inline_between(x, grid.first, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END))
         return cor_inline_row_value(cor_inline_octaves_place(grid, x, cor_rows_power_eps_zero_overlap));
     return cor_inline_eps_zero_overlap(cor_inline_fifth_root(x));
 }
@@ -12265,7 +12294,7 @@ COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 COR_INLINE double cor_inline_eps_zero_force_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_FORCE);
-    if (cor_inline_octaves_hold(grid, x, COR_ROWS_POWER_EPS_ZERO_FORCE_END))
+    if (cor_inline_between(x, grid.first, COR_ROWS_POWER_EPS_ZERO_FORCE_END))
         return cor_inline_row_value(cor_inline_octaves_place(grid, x, cor_rows_power_eps_zero_force));
     return cor_inline_eps_zero_force(cor_inline_fifth_root(x));
 }
@@ -12386,14 +12415,6 @@ COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_gri
                                   cor_inline_choose(near, loss, 1));
 }
 
-/* The root of a pair, (hi + lo)^(1/5), as head and tail: relative error 2^-54, before they are added up */
-COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inline_pair x)
-{
-    struct cor_inline_pair root = cor_inline_fifth_root_parts(x.hi);
-    root.lo += root.hi * (0.2 * (x.lo / x.hi));
-    return root;
-}
-
 /* a/eps as a pair times 2^500 if eps is tiny, where it might overflow */
 COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double eps, int tiny)
 {
@@ -12433,7 +12454,7 @@ COR_INLINE double cor_inline_beta_force_far(double eps)
 
 COR_INLINE double cor_inline_beta_zero_overlap(double eps)
 {
-    if (cor_inline_octaves_hold(COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_OVERLAP), eps, 1) || eps == 1)
+    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_OVERLAP_FIRST, 1) || eps == 1)
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_OVERLAP), 0,
                                   cor_rows_near_beta_zero_overlap, COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_OVERLAP),
                                   cor_rows_beta_zero_overlap);
@@ -12444,7 +12465,7 @@ COR_INLINE double cor_inline_beta_zero_overlap(double eps)
 
 COR_INLINE double cor_inline_beta_zero_force(double eps)
 {
-    if (cor_inline_octaves_hold(COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_FORCE), eps, 1) || eps == 1)
+    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_FORCE_FIRST, 1) || eps == 1)
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_FORCE), 1, cor_rows_near_beta_zero_force,
                                   COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_FORCE), cor_rows_beta_zero_force);
     if (eps == 0)

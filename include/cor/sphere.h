@@ -130,7 +130,7 @@ COR_API double cor_sphere_eps_simple(double beta);
  *     t_0 = 1,     t_(k+1) = 1 + 2 delta d t_k^(2/5)
  *
  * Each level lowers the value, towards cor_sphere_eps_simple.
- * Domain: 0 <= beta <= inf, depth >= 0; a beta above 1.5e308 counts as infinite.
+ * Domain: 0 <= beta <= inf, depth >= 0.
  * Accuracy as (28): COR_SPHERE_EPS_SIMPLE_MAX_ULP, sampled.
  * Special values: +-0 or depth 0 -> 1, +inf -> 0 for depth >= 1; negative or NaN beta, or negative
  * depth -> NaN. */

@@ -23,6 +23,7 @@
 #define COR_INLINE_2_250 1.80925139433306555e+75
 #define COR_INLINE_2_300 2.03703597633448609e+90
 #define COR_INLINE_2_500 3.27339060789614187e+150
+#define COR_INLINE_2_600 4.14951556888099296e+180
 #define COR_INLINE_2_900 8.45271249817064394e+270
 #define COR_INLINE_2_964 1.55925024182399985e+290
 #define COR_INLINE_2_1000 1.07150860718626732e+301
@@ -59,6 +60,12 @@ COR_INLINE int cor_inline_below(double x, double end)
     return cor_inline_bits(x) < cor_inline_bits(end);
 }
 
+/* least <= x < end; not for NaN. Of negative numbers and of those below `least` the difference is huge. */
+COR_INLINE int cor_inline_between(double x, double least, double end)
+{
+    return cor_inline_bits(x) - cor_inline_bits(least) < cor_inline_bits(end) - cor_inline_bits(least);
+}
+
 #define COR_INLINE_INFINITY_BITS UINT64_C(0x7ff0000000000000)
 #define COR_INLINE_SIGN_BIT UINT64_C(0x8000000000000000)
 
@@ -70,6 +77,15 @@ COR_INLINE double cor_inline_infinity(void)
 COR_INLINE double cor_inline_nan(void)
 {
     return cor_inline_from_bits(UINT64_C(0x7ff8000000000000));
+}
+
+/* The float nearest to x, without FE_OVERFLOW */
+COR_INLINE float cor_inline_narrow(double x)
+{
+    const double beyond = 3.40282356779733662e+38; /* halfway between the largest float and 2^128 */
+    return (float)(cor_inline_below(x, beyond) || cor_inline_bits(x) > COR_INLINE_INFINITY_BITS
+                       ? x
+                       : cor_inline_infinity());
 }
 
 COR_INLINE int cor_inline_is_finite(double x)

@@ -5,6 +5,12 @@
 
 #include "runtime/core/exact.h"
 
+/* (1 + d)^(1/5) - 1 up to d^4, |d| < 4e-4: the next term is below 2^-59. */
+COR_INLINE double cor_inline_fifth_root_rest(double d)
+{
+    return d * ((0.2 - 0.08 * d) + (d * d) * (0.048 - 0.0336 * d));
+}
+
 /* x^(1/5) = head + tail for 2^-1000 <= x <= 2^1000; the head has 26 bits, |tail/head| < 2^-12. Relative error of the
  * sum, before it is rounded: 0.5 2^-53, measured in tests/unit/test_fifth_root.c. */
 COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
@@ -23,11 +29,21 @@ COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
     /* Cut to 26 bits, r^2 is exact, and r^5 is off by two roundings, of which a fifth reaches the root. x - r^5 is
      * exact. */
     const double r = cor_inline_head(halley), r2 = r * r, r5 = COR_INLINE_KEEP(r2 * r2 * r);
-    const double d = (x - r5) / r5;
-    /* (1 + d)^(1/5) - 1 up to d^4; |d| < 4e-4, and the next term is below 2^-59. */
     struct cor_inline_pair root;
     root.hi = r;
-    root.lo = r * (d * ((0.2 - 0.08 * d) + (d * d) * (0.048 - 0.0336 * d)));
+    root.lo = r * cor_inline_fifth_root_rest((x - r5) / r5);
+    return root;
+}
+
+/* The same of a pair; relative error below 2^-58: r^5 and the difference are pairs too. */
+COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inline_pair x)
+{
+    struct cor_inline_pair root = cor_inline_fifth_root_parts(x.hi), r, r5;
+    r.hi = root.hi;
+    r.lo = 0;
+    r5 = cor_inline_pair_times(cor_inline_product(r.hi * r.hi, r.hi * r.hi), r);
+    const double d = (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - r5.hi) - r5.lo) + x.lo) / r5.hi;
+    root.lo = r.hi * cor_inline_fifth_root_rest(d);
     return root;
 }
 

@@ -139,12 +139,6 @@ COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(double first, int bit
 }
 #define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST, table##_OCTAVE_BITS)
 
-/* Whether first <= x < end; not for NaN. Of negative numbers and of those below `first` the difference is huge. */
-COR_INLINE int cor_inline_octaves_hold(struct cor_inline_octaves grid, double x, double end)
-{
-    return cor_inline_bits(x) - cor_inline_bits(grid.first) < cor_inline_bits(end) - cor_inline_bits(grid.first);
-}
-
 /* The row of x: how many cells lie between first and x, for the bits of x rise by the same from cell to cell. */
 COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
 {

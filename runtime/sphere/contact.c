@@ -147,6 +147,20 @@ int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor
     return status;
 }
 
+static double beta_per_root_of(const struct cor_sphere_contact *unused_1, double g_star, double unused_2)
+{
+    (void)unused_1;
+    (void)unused_2;
+    return 1 / (-COR_SPHERE_C1 * cor_inline_fifth_root(g_star));
+}
+
+static double beta5_per_speed_of(const struct cor_sphere_contact *unused_1, double beta_per_root, double unused_2)
+{
+    (void)unused_1;
+    (void)unused_2;
+    return fifth_power(beta_per_root);
+}
+
 int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, double g_star_m_s)
 {
     if (contact == NULL)
@@ -154,8 +168,8 @@ int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, double g_
     contact_clear(contact);
     if (cor_inline_is_refused(g_star_m_s) || g_star_m_s == 0)
         return COR_ERROR_G_STAR;
-    contact->beta_per_root = 1 / (-COR_SPHERE_C1 * cor_inline_fifth_root(g_star_m_s));
-    contact->beta5_per_speed = fifth_power(contact->beta_per_root);
+    contact->beta_per_root = in_environment(beta_per_root_of, NULL, g_star_m_s, 0);
+    contact->beta5_per_speed = in_environment(beta5_per_speed_of, NULL, contact->beta_per_root, 0);
     return COR_OK;
 }
 
@@ -229,9 +243,11 @@ double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact, doub
 
 /* ---- times, overlaps and A ---- */
 
+/* y: 0, or beta where the formula needs one */
 static double contact_value(contact_formula *formula, const struct cor_sphere_contact *contact, double speed, double y)
 {
-    if (cor_contact_is_ordinary_speed(speed) && cor_contact_is_ordinary(contact, 1))
+    if (cor_contact_is_ordinary_speed(speed) && cor_contact_is_ordinary(contact, 1) &&
+        cor_inline_below(y, COR_INLINE_2_300))
         return formula(contact, speed, y);
     return in_environment(formula, contact, speed, y);
 }

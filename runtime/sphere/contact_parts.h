@@ -10,21 +10,15 @@
 #define COR_CONTACT_LEAST_SPEED COR_INLINE_2_M300
 #define COR_CONTACT_MOST_SPEED COR_INLINE_2_300
 
-/* least <= x < most; not for NaN */
-static inline int cor_contact_is_between(double x, double least, double most)
-{
-    return cor_inline_bits(x) - cor_inline_bits(least) < cor_inline_bits(most) - cor_inline_bits(least);
-}
-
 static inline int cor_contact_is_ordinary(const struct cor_sphere_contact *contact, int needs_scale)
 {
     return cor_inline_below(contact->beta_per_root, COR_INLINE_2_500) &&
-           (!needs_scale || cor_contact_is_between(contact->scale, COR_INLINE_2_M500, COR_INLINE_2_500));
+           (!needs_scale || cor_inline_between(contact->scale, COR_INLINE_2_M500, COR_INLINE_2_500));
 }
 
 static inline int cor_contact_is_ordinary_speed(double speed)
 {
-    return cor_contact_is_between(speed, COR_CONTACT_LEAST_SPEED, COR_CONTACT_MOST_SPEED);
+    return cor_inline_between(speed, COR_CONTACT_LEAST_SPEED, COR_CONTACT_MOST_SPEED);
 }
 
 /* Bits of speeds below this are of speeds >= 0 whose product with `scale` is below 2^902: the bits of two factors add

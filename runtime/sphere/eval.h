@@ -105,6 +105,9 @@ COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair fact
 
 /* ---- eps ---- */
 
+/* Below, eps is 1 to the last bit; rounded upward, products that underflow would carry a row beyond it. */
+#define COR_INLINE_EPS_LEAST COR_INLINE_2_M60
+
 /* h*^5 beta^-5 for beta >= 7, whose correction is below 2^-75. The power and the quotient are double-doubles, so the
  * final rounding is all: 0.5 ulp. */
 COR_INLINE double cor_inline_eps_overlap_far(double beta)
@@ -133,23 +136,23 @@ COR_INLINE double cor_inline_eps_force_far(double beta)
 
 COR_INLINE double cor_inline_eps_zero_overlap(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_EPS_ZERO_OVERLAP_END))
+    if (cor_inline_between(beta, COR_INLINE_EPS_LEAST, COR_ROWS_EPS_ZERO_OVERLAP_END))
         return cor_inline_row_value(
             cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP), beta, cor_rows_eps_zero_overlap));
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
-    return beta == 0 ? 1 : cor_inline_eps_overlap_far(beta);
+    return beta < COR_INLINE_EPS_LEAST ? 1 : cor_inline_eps_overlap_far(beta);
 }
 
 COR_INLINE double cor_inline_eps_zero_force(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_EPS_ZERO_FORCE_END))
+    if (cor_inline_between(beta, COR_INLINE_EPS_LEAST, COR_ROWS_EPS_ZERO_FORCE_END))
         return cor_inline_row_value(cor_inline_grid_place_of_root(COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE),
                                                                   COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS, beta,
                                                                   cor_rows_eps_zero_force));
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
-    return beta == 0 ? 1 : cor_inline_eps_force_far(beta);
+    return beta < COR_INLINE_EPS_LEAST ? 1 : cor_inline_eps_force_far(beta);
 }
 
 /* eps at beta = x^(1/5), x being the product of an impact speed g with beta_per_root^5. Between 2^-40 and 2^14 or
@@ -158,7 +161,7 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
-    if (cor_inline_octaves_hold(grid, x, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END))
+    if (cor_inline_between(x, grid.first, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END))
         return cor_inline_row_value(cor_inline_octaves_place(grid, x, cor_rows_power_eps_zero_overlap));
     return cor_inline_eps_zero_overlap(cor_inline_fifth_root(x));
 }
@@ -166,7 +169,7 @@ COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 COR_INLINE double cor_inline_eps_zero_force_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_FORCE);
-    if (cor_inline_octaves_hold(grid, x, COR_ROWS_POWER_EPS_ZERO_FORCE_END))
+    if (cor_inline_between(x, grid.first, COR_ROWS_POWER_EPS_ZERO_FORCE_END))
         return cor_inline_row_value(cor_inline_octaves_place(grid, x, cor_rows_power_eps_zero_force));
     return cor_inline_eps_zero_force(cor_inline_fifth_root(x));
 }
@@ -287,14 +290,6 @@ COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_gri
                                   cor_inline_choose(near, loss, 1));
 }
 
-/* The root of a pair, (hi + lo)^(1/5), as head and tail: relative error 2^-54, before they are added up */
-COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inline_pair x)
-{
-    struct cor_inline_pair root = cor_inline_fifth_root_parts(x.hi);
-    root.lo += root.hi * (0.2 * (x.lo / x.hi));
-    return root;
-}
-
 /* a/eps as a pair times 2^500 if eps is tiny, where it might overflow */
 COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double eps, int tiny)
 {
@@ -334,7 +329,7 @@ COR_INLINE double cor_inline_beta_force_far(double eps)
 
 COR_INLINE double cor_inline_beta_zero_overlap(double eps)
 {
-    if (cor_inline_octaves_hold(COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_OVERLAP), eps, 1) || eps == 1)
+    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_OVERLAP_FIRST, 1) || eps == 1)
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_OVERLAP), 0,
                                   cor_rows_near_beta_zero_overlap, COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_OVERLAP),
                                   cor_rows_beta_zero_overlap);
@@ -345,7 +340,7 @@ COR_INLINE double cor_inline_beta_zero_overlap(double eps)
 
 COR_INLINE double cor_inline_beta_zero_force(double eps)
 {
-    if (cor_inline_octaves_hold(COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_FORCE), eps, 1) || eps == 1)
+    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_FORCE_FIRST, 1) || eps == 1)
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_FORCE), 1, cor_rows_near_beta_zero_force,
                                   COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_FORCE), cor_rows_beta_zero_force);
     if (eps == 0)
