@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* cor_sphere.h: restitution coefficient, duration and largest overlap of colliding viscoelastic spheres,
  * x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for every beta, as one header to embed.
- * C99, C++11, CUDA and HIP. Needs sqrt, cbrt, exp, log, frexp, ldexp and fabs of math.h, memcpy, IEEE doubles.
+ * C99, C++11, CUDA and HIP. Needs sqrt, cbrt, log and fabs of math.h, memcpy, IEEE doubles.
  *
  *     double cor_inline_eps_zero_overlap(double beta);            also _zero_force
  *     double cor_inline_loss_zero_overlap(double beta);           1 - eps; also _zero_force
@@ -17,7 +17,8 @@
  *
  * The same evaluator and tables as libcor, where domain, special values and accuracy are documented
  * (include/cor/sphere.h): eps, loss and largest overlap within 1 unit of the last place, times and inverse
- * within 2, sampled. beta = 0 -> 1, +inf -> 0 (eps); negative or NaN -> NaN.
+ * within 2, sampled. beta = 0 -> 1, +inf -> 0 (eps); negative or NaN -> NaN. Any flags are safe: no argument
+ * leads beyond a table, and -ffast-math and -march=native change a result by 4 units at most.
  * Zero overlap ends the contact when x = 0 again, zero force when x'' = 0.
  *
  * Written by:  corgen tables
@@ -126,6 +127,11 @@ COR_INLINE float cor_inline_narrow(double x)
     return (float)(cor_inline_below(x, beyond) || cor_inline_bits(x) > COR_INLINE_INFINITY_BITS
                        ? x
                        : cor_inline_infinity());
+}
+
+COR_INLINE int cor_inline_is_zero(double x)
+{
+    return (cor_inline_bits(x) & ~COR_INLINE_SIGN_BIT) == 0;
 }
 
 COR_INLINE int cor_inline_is_finite(double x)
@@ -237,14 +243,14 @@ COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
 
     /* Halley's step for r^5 = x: the relative error becomes twice its cube, 8e-5. */
     const double seed2 = seed * seed, seed5 = seed2 * seed2 * seed;
-    const double halley = seed + seed * ((x - seed5) / (2 * x + 3 * seed5));
+    const double halley = seed + seed * COR_INLINE_KEEP((x - seed5) / (2 * x + 3 * seed5));
 
     /* Cut to 26 bits, r^2 is exact, and r^5 is off by two roundings, of which a fifth reaches the root. x - r^5 is
      * exact. */
     const double r = cor_inline_head(halley), r2 = r * r, r5 = COR_INLINE_KEEP(r2 * r2 * r);
     struct cor_inline_pair root;
     root.hi = r;
-    root.lo = r * cor_inline_fifth_root_rest((x - r5) / r5);
+    root.lo = r * cor_inline_fifth_root_rest(COR_INLINE_KEEP((x - r5) / r5));
     return root;
 }
 
@@ -12252,6 +12258,12 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
     return huge ? eps * COR_INLINE_2_M500 * COR_INLINE_2_M500 : eps;
 }
 
+/* The same at beta = x^(1/5), x >= 2^14: 0.75 ulp, for the second half of h*^5 is left out. */
+COR_INLINE double cor_inline_eps_overlap_far_root(double x)
+{
+    return cor_rows_h_star_5(0)[0] / x;
+}
+
 COR_INLINE double cor_inline_eps_force_far(double beta)
 {
     if (!cor_inline_is_finite(beta))
@@ -12282,12 +12294,14 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
 
 /* eps at beta = x^(1/5), x being the product of an impact speed g with beta_per_root^5. Between 2^-40 and 2^14 or
  * 2^20 (beta = 1/256 and 7 or 16) no root is taken: rows in x itself, and only a fifth of the product's rounding error
- * reaches beta. */
+ * reaches beta. Beyond, eps at zero overlap is h*^5/x. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
     if (cor_inline_between(x, grid.first, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END))
         return cor_inline_row_value(cor_inline_octaves_place(grid, x, cor_rows_power_eps_zero_overlap));
+    if (cor_inline_between(x, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END, COR_INLINE_2_900))
+        return cor_inline_eps_overlap_far_root(x);
     return cor_inline_eps_zero_overlap(cor_inline_fifth_root(x));
 }
 
@@ -12316,7 +12330,7 @@ COR_INLINE double cor_inline_loss_zero_overlap(double beta)
             cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_OVERLAP), beta, cor_rows_loss_zero_overlap), beta);
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
-    return beta == 0 ? 0 : 1 - cor_inline_eps_overlap_far(beta);
+    return cor_inline_is_zero(beta) ? 0 : 1 - cor_inline_eps_overlap_far(beta);
 }
 
 COR_INLINE double cor_inline_loss_zero_force(double beta)
@@ -12328,7 +12342,7 @@ COR_INLINE double cor_inline_loss_zero_force(double beta)
                                        beta);
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
-    return beta == 0 ? 0 : 1 - cor_inline_eps_force_far(beta);
+    return cor_inline_is_zero(beta) ? 0 : 1 - cor_inline_eps_force_far(beta);
 }
 
 /* ---- times and the largest overlap ---- */
@@ -12347,7 +12361,7 @@ COR_INLINE double cor_inline_linear_tail(double beta, struct cor_inline_pair fac
 
 COR_INLINE double cor_inline_duration_zero_overlap(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_OVERLAP_END) || beta == 0)
+    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_OVERLAP_END) || cor_inline_is_zero(beta))
         return cor_inline_row_value(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_OVERLAP), beta,
                                                           cor_rows_duration_zero_overlap));
     if (cor_inline_is_refused(beta))
@@ -12360,7 +12374,7 @@ COR_INLINE double cor_inline_duration_zero_overlap(double beta)
 
 COR_INLINE double cor_inline_duration_zero_force(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_FORCE_END) || beta == 0)
+    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_FORCE_END) || cor_inline_is_zero(beta))
         return cor_inline_row_value(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_FORCE), sqrt(beta),
                                                           cor_rows_duration_zero_force));
     if (cor_inline_is_refused(beta))
@@ -12373,7 +12387,7 @@ COR_INLINE double cor_inline_duration_zero_force(double beta)
 
 COR_INLINE double cor_inline_max_overlap(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_MAX_OVERLAP_END) || beta == 0)
+    if (cor_inline_below(beta, COR_ROWS_MAX_OVERLAP_END) || cor_inline_is_zero(beta))
         return cor_inline_row_value(
             cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_MAX_OVERLAP), beta, cor_rows_max_overlap));
     if (cor_inline_is_refused(beta))
@@ -12385,7 +12399,7 @@ COR_INLINE double cor_inline_max_overlap(double beta)
 
 COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_TIME_OF_MAX_OVERLAP_END) || beta == 0)
+    if (cor_inline_below(beta, COR_ROWS_TIME_OF_MAX_OVERLAP_END) || cor_inline_is_zero(beta))
         return cor_inline_row_value(
             cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_TIME_OF_MAX_OVERLAP), beta, cor_rows_time_of_max_overlap));
     if (cor_inline_is_refused(beta))
@@ -12454,21 +12468,21 @@ COR_INLINE double cor_inline_beta_force_far(double eps)
 
 COR_INLINE double cor_inline_beta_zero_overlap(double eps)
 {
-    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_OVERLAP_FIRST, 1) || eps == 1)
+    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_OVERLAP_FIRST, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_OVERLAP), 0,
                                   cor_rows_near_beta_zero_overlap, COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_OVERLAP),
                                   cor_rows_beta_zero_overlap);
-    if (eps == 0)
+    if (cor_inline_is_zero(eps))
         return cor_inline_infinity();
     return cor_inline_below(eps, 1) ? cor_inline_beta_overlap_far(eps) : cor_inline_nan();
 }
 
 COR_INLINE double cor_inline_beta_zero_force(double eps)
 {
-    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_FORCE_FIRST, 1) || eps == 1)
+    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_FORCE_FIRST, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_FORCE), 1, cor_rows_near_beta_zero_force,
                                   COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_FORCE), cor_rows_beta_zero_force);
-    if (eps == 0)
+    if (cor_inline_is_zero(eps))
         return cor_inline_infinity();
     return cor_inline_below(eps, 1) ? cor_inline_beta_force_far(eps) : cor_inline_nan();
 }

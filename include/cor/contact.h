@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* From materials and sizes in SI units to beta of sphere.h and to eps at an impact speed: two
- * spheres, or a sphere and a wall. Equation numbers as in sphere.h. */
+ * spheres, or a sphere and a wall. Equation numbers and floating-point environment as in sphere.h. */
 #ifndef COR_CONTACT_H
 #define COR_CONTACT_H
 
@@ -38,8 +38,8 @@ struct cor_sphere_contact {
     double beta_per_root;          /* (3/2) A (rho/m)^(2/5), (m/s)^(-1/5) */
     double scale;                  /* (rho/m)^(-2/5), m^(1/5) s^(4/5): at impact speed g the unit of
                                     * time is scale g^(-1/5), of length scale g^(4/5) */
-    double beta5_per_speed;        /* beta_per_root^5, s/m: beta^5 = beta5_per_speed g; NaN where it is no normal
-                                    * double, and slower ways are taken */
+    double beta5_per_speed;        /* beta_per_root^5, s/m: beta^5 = beta5_per_speed g. NaN if it is not a normal
+                                    * double; a slower path is used then. */
 };
 
 /* Fills *contact for two bodies, in either order. With c_i = (1 - nu_i^2)/Y_i,

@@ -7,6 +7,10 @@
  * number in plane stress, -1 < nu < 1. A disk in plane strain, with three-dimensional E and nu, is the one with
  * E/(1 - nu^2) and nu/(1 - nu) in their place, (2).
  *
+ * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno for arguments in
+ * its domain, so that programs may trap these. The contact law and Rayleigh's energy round to nearest whatever the
+ * caller's mode is.
+ *
  * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 16,
  * derives them again and lists where the print is wrong. */
 #ifndef COR_DISK_H

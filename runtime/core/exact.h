@@ -88,6 +88,11 @@ COR_INLINE float cor_inline_narrow(double x)
                        : cor_inline_infinity());
 }
 
+COR_INLINE int cor_inline_is_zero(double x)
+{
+    return (cor_inline_bits(x) & ~COR_INLINE_SIGN_BIT) == 0;
+}
+
 COR_INLINE int cor_inline_is_finite(double x)
 {
     return (cor_inline_bits(x) & ~COR_INLINE_SIGN_BIT) < COR_INLINE_INFINITY_BITS;

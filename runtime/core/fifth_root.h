@@ -24,14 +24,14 @@ COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
 
     /* Halley's step for r^5 = x: the relative error becomes twice its cube, 8e-5. */
     const double seed2 = seed * seed, seed5 = seed2 * seed2 * seed;
-    const double halley = seed + seed * ((x - seed5) / (2 * x + 3 * seed5));
+    const double halley = seed + seed * COR_INLINE_KEEP((x - seed5) / (2 * x + 3 * seed5));
 
     /* Cut to 26 bits, r^2 is exact, and r^5 is off by two roundings, of which a fifth reaches the root. x - r^5 is
      * exact. */
     const double r = cor_inline_head(halley), r2 = r * r, r5 = COR_INLINE_KEEP(r2 * r2 * r);
     struct cor_inline_pair root;
     root.hi = r;
-    root.lo = r * cor_inline_fifth_root_rest((x - r5) / r5);
+    root.lo = r * cor_inline_fifth_root_rest(COR_INLINE_KEEP((x - r5) / r5));
     return root;
 }
 

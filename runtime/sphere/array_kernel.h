@@ -419,7 +419,8 @@ struct end {
     const double *power_rows;
     struct cor_inline_octaves power_grid;
     double power_end;
-    struct table table; /* in beta */
+    struct table table;               /* in beta */
+    double (*eps_far_root)(double x); /* from there on; or NULL */
     double (*contact_eps)(const struct cor_sphere_contact *contact, double speed);
 };
 
@@ -463,6 +464,8 @@ KERNEL void eps_from_speed(const struct cor_sphere_contact *contact, const doubl
         for (size_t j = 0; j < m; j++) {
             if (holds(x[j], end->power_grid.first, end->power_end))
                 out[i + j] = eps[j];
+            else if (end->eps_far_root && holds(x[j], end->power_end, COR_INLINE_2_900))
+                out[i + j] = end->eps_far_root(x[j]);
             else if (table_has(&end->table, beta[j]))
                 out[i + j] = other[j];
             else
@@ -472,10 +475,10 @@ KERNEL void eps_from_speed(const struct cor_sphere_contact *contact, const doubl
     end_streaming(stream);
 }
 
-#define END_OF_CONTACT(end, END)                                                                                       \
+#define END_OF_CONTACT(end, END, eps_far_root)                                                                         \
     {                                                                                                                  \
         cor_rows_power_eps_zero_##end(0), COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_##END),                           \
-            COR_ROWS_POWER_EPS_ZERO_##END##_END, table_eps_zero_##end(), cor_contact_eps_zero_##end                    \
+            COR_ROWS_POWER_EPS_ZERO_##END##_END, table_eps_zero_##end(), eps_far_root, cor_contact_eps_zero_##end      \
     }
 
 /* ---- beta, times and overlaps of impact speeds ---- */
@@ -557,11 +560,11 @@ KERNEL void dissipation_from_eps(const struct cor_sphere_contact *contact, const
         const struct inverse_table table = table_##quantity();                                                         \
         from_eps(in, out, n, &table, cor_sphere_##quantity);                                                           \
     }
-#define ARRAY_EPS_FROM_SPEED(end_name, END)                                                                            \
+#define ARRAY_EPS_FROM_SPEED(end_name, END, eps_far_root)                                                              \
     static void contact_eps_zero_##end_name(const struct cor_sphere_contact *contact, const double *in, double *out,   \
                                             size_t n)                                                                  \
     {                                                                                                                  \
-        const struct end end = END_OF_CONTACT(end_name, END);                                                          \
+        const struct end end = END_OF_CONTACT(end_name, END, eps_far_root);                                            \
         eps_from_speed(contact, in, out, n, &end);                                                                     \
     }
 #define ARRAY_FROM_SPEED(quantity, kind, of)                                                                           \
@@ -588,8 +591,8 @@ ARRAY_FROM_BETA(max_overlap)
 ARRAY_FROM_BETA(time_of_max_overlap)
 ARRAY_FROM_EPS(beta_zero_overlap)
 ARRAY_FROM_EPS(beta_zero_force)
-ARRAY_EPS_FROM_SPEED(overlap, OVERLAP)
-ARRAY_EPS_FROM_SPEED(force, FORCE)
+ARRAY_EPS_FROM_SPEED(overlap, OVERLAP, cor_inline_eps_overlap_far_root)
+ARRAY_EPS_FROM_SPEED(force, FORCE, NULL)
 ARRAY_FROM_SPEED(beta, CONTACT_BETA, eps_zero_overlap)
 ARRAY_FROM_SPEED(duration_s_zero_overlap, CONTACT_DURATION, duration_zero_overlap)
 ARRAY_FROM_SPEED(duration_s_zero_force, CONTACT_DURATION, duration_zero_force)

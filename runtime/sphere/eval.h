@@ -127,6 +127,12 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
     return huge ? eps * COR_INLINE_2_M500 * COR_INLINE_2_M500 : eps;
 }
 
+/* The same at beta = x^(1/5), x >= 2^14: 0.75 ulp, for the second half of h*^5 is left out. */
+COR_INLINE double cor_inline_eps_overlap_far_root(double x)
+{
+    return cor_rows_h_star_5(0)[0] / x;
+}
+
 COR_INLINE double cor_inline_eps_force_far(double beta)
 {
     if (!cor_inline_is_finite(beta))
@@ -157,12 +163,14 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
 
 /* eps at beta = x^(1/5), x being the product of an impact speed g with beta_per_root^5. Between 2^-40 and 2^14 or
  * 2^20 (beta = 1/256 and 7 or 16) no root is taken: rows in x itself, and only a fifth of the product's rounding error
- * reaches beta. */
+ * reaches beta. Beyond, eps at zero overlap is h*^5/x. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
     if (cor_inline_between(x, grid.first, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END))
         return cor_inline_row_value(cor_inline_octaves_place(grid, x, cor_rows_power_eps_zero_overlap));
+    if (cor_inline_between(x, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END, COR_INLINE_2_900))
+        return cor_inline_eps_overlap_far_root(x);
     return cor_inline_eps_zero_overlap(cor_inline_fifth_root(x));
 }
 
@@ -191,7 +199,7 @@ COR_INLINE double cor_inline_loss_zero_overlap(double beta)
             cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_OVERLAP), beta, cor_rows_loss_zero_overlap), beta);
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
-    return beta == 0 ? 0 : 1 - cor_inline_eps_overlap_far(beta);
+    return cor_inline_is_zero(beta) ? 0 : 1 - cor_inline_eps_overlap_far(beta);
 }
 
 COR_INLINE double cor_inline_loss_zero_force(double beta)
@@ -203,7 +211,7 @@ COR_INLINE double cor_inline_loss_zero_force(double beta)
                                        beta);
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
-    return beta == 0 ? 0 : 1 - cor_inline_eps_force_far(beta);
+    return cor_inline_is_zero(beta) ? 0 : 1 - cor_inline_eps_force_far(beta);
 }
 
 /* ---- times and the largest overlap ---- */
@@ -222,7 +230,7 @@ COR_INLINE double cor_inline_linear_tail(double beta, struct cor_inline_pair fac
 
 COR_INLINE double cor_inline_duration_zero_overlap(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_OVERLAP_END) || beta == 0)
+    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_OVERLAP_END) || cor_inline_is_zero(beta))
         return cor_inline_row_value(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_OVERLAP), beta,
                                                           cor_rows_duration_zero_overlap));
     if (cor_inline_is_refused(beta))
@@ -235,7 +243,7 @@ COR_INLINE double cor_inline_duration_zero_overlap(double beta)
 
 COR_INLINE double cor_inline_duration_zero_force(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_FORCE_END) || beta == 0)
+    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_FORCE_END) || cor_inline_is_zero(beta))
         return cor_inline_row_value(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_FORCE), sqrt(beta),
                                                           cor_rows_duration_zero_force));
     if (cor_inline_is_refused(beta))
@@ -248,7 +256,7 @@ COR_INLINE double cor_inline_duration_zero_force(double beta)
 
 COR_INLINE double cor_inline_max_overlap(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_MAX_OVERLAP_END) || beta == 0)
+    if (cor_inline_below(beta, COR_ROWS_MAX_OVERLAP_END) || cor_inline_is_zero(beta))
         return cor_inline_row_value(
             cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_MAX_OVERLAP), beta, cor_rows_max_overlap));
     if (cor_inline_is_refused(beta))
@@ -260,7 +268,7 @@ COR_INLINE double cor_inline_max_overlap(double beta)
 
 COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 {
-    if (cor_inline_below(beta, COR_ROWS_TIME_OF_MAX_OVERLAP_END) || beta == 0)
+    if (cor_inline_below(beta, COR_ROWS_TIME_OF_MAX_OVERLAP_END) || cor_inline_is_zero(beta))
         return cor_inline_row_value(
             cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_TIME_OF_MAX_OVERLAP), beta, cor_rows_time_of_max_overlap));
     if (cor_inline_is_refused(beta))
@@ -329,21 +337,21 @@ COR_INLINE double cor_inline_beta_force_far(double eps)
 
 COR_INLINE double cor_inline_beta_zero_overlap(double eps)
 {
-    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_OVERLAP_FIRST, 1) || eps == 1)
+    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_OVERLAP_FIRST, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_OVERLAP), 0,
                                   cor_rows_near_beta_zero_overlap, COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_OVERLAP),
                                   cor_rows_beta_zero_overlap);
-    if (eps == 0)
+    if (cor_inline_is_zero(eps))
         return cor_inline_infinity();
     return cor_inline_below(eps, 1) ? cor_inline_beta_overlap_far(eps) : cor_inline_nan();
 }
 
 COR_INLINE double cor_inline_beta_zero_force(double eps)
 {
-    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_FORCE_FIRST, 1) || eps == 1)
+    if (cor_inline_between(eps, COR_ROWS_BETA_ZERO_FORCE_FIRST, 1) || cor_inline_bits(eps) == cor_inline_bits(1))
         return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_FORCE), 1, cor_rows_near_beta_zero_force,
                                   COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_FORCE), cor_rows_beta_zero_force);
-    if (eps == 0)
+    if (cor_inline_is_zero(eps))
         return cor_inline_infinity();
     return cor_inline_below(eps, 1) ? cor_inline_beta_force_far(eps) : cor_inline_nan();
 }

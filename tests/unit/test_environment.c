@@ -11,6 +11,8 @@
 #include <fenv.h>
 
 #include <cor/cor.h>
+
+#include "cor_sphere.h"
 #ifdef __SSE2__
 #include <xmmintrin.h>
 #endif
@@ -91,6 +93,27 @@ SPHERE_CALL(duration_zero_overlap, beta)
 SPHERE_CALL(duration_zero_force, beta)
 SPHERE_CALL(max_overlap, beta)
 SPHERE_CALL(time_of_max_overlap, beta)
+
+/* generated/cor_sphere.h */
+static void call_inline(const struct arguments *a, struct results *r)
+{
+    put(r, cor_inline_eps_zero_overlap(a->beta));
+    put(r, cor_inline_eps_zero_force(a->beta));
+    put(r, cor_inline_loss_zero_overlap(a->beta));
+    put(r, cor_inline_loss_zero_force(a->beta));
+    put(r, cor_inline_eps_zero_overlap_root(a->beta));
+    put(r, cor_inline_eps_zero_force_root(a->beta));
+}
+
+static void call_inline_times(const struct arguments *a, struct results *r)
+{
+    put(r, cor_inline_duration_zero_overlap(a->beta));
+    put(r, cor_inline_duration_zero_force(a->beta));
+    put(r, cor_inline_max_overlap(a->beta));
+    put(r, cor_inline_time_of_max_overlap(a->beta));
+    put(r, cor_inline_beta_zero_overlap(a->eps));
+    put(r, cor_inline_beta_zero_force(a->eps));
+}
 
 static void call_formulas_of_1999(const struct arguments *a, struct results *r)
 {
@@ -248,6 +271,8 @@ static const struct {
     SPHERE_ROWS(duration_zero_force, 0),
     SPHERE_ROWS(max_overlap, 0),
     SPHERE_ROWS(time_of_max_overlap, 0),
+    {"cor_sphere.h, eps and loss", call_inline, 1, 1, 0},
+    {"cor_sphere.h, the others", call_inline_times, 1, 0, 0},
     {"formulas of 1999", call_formulas_of_1999, 1, 1, 0},
     {"contact_init", call_contact_init, 1, 0, 1},
     {"contact_eps", call_contact_eps, 1, 1, 0},
