@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* From materials and sizes in SI units to beta of sphere.h and to eps at an impact speed: two
- * spheres, or a sphere and a wall. Equation numbers as in sphere.h. */
+ * spheres, or a sphere and a wall. Equation numbers and floating-point environment as in sphere.h. */
 #ifndef COR_CONTACT_H
 #define COR_CONTACT_H
 
@@ -38,8 +38,8 @@ struct cor_sphere_contact {
     double beta_per_root;          /* (3/2) A (rho/m)^(2/5), (m/s)^(-1/5) */
     double scale;                  /* (rho/m)^(-2/5), m^(1/5) s^(4/5): at impact speed g the unit of
                                     * time is scale g^(-1/5), of length scale g^(4/5) */
-    double beta5_per_speed;        /* beta_per_root^5, s/m: beta^5 = beta5_per_speed g; NaN where it is no normal
-                                    * double, and slower ways are taken */
+    double beta5_per_speed;        /* beta_per_root^5, s/m: beta^5 = beta5_per_speed g. NaN if it is not a normal
+                                    * double; a slower path is used then. */
 };
 
 /* Fills *contact for two bodies, in either order. With c_i = (1 - nu_i^2)/Y_i,
@@ -93,13 +93,6 @@ COR_API double cor_contact_beta(const struct cor_sphere_contact *contact, double
 COR_API double cor_contact_eps_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s);
 COR_API double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact, double speed_m_s);
 
-/* eps[i] = cor_contact_eps_...(contact, speed_m_s[i]) for i < n, the same to the last bit. n may be
- * 0, the array pointers then NULL. Both arrays may be the same, but must not overlap otherwise. */
-COR_API void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
-                                                double *eps, size_t n);
-COR_API void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
-                                              double *eps, size_t n);
-
 /* Duration of a contact at impact speed g > 0, s: scale g^(-1/5) cor_sphere_duration_...(beta).
  * Accuracy: COR_CONTACT_MAX_ULP in all. Special values: speed 0 -> +inf, +inf -> 0 (where it has a limit:
  * at zero overlap with dissipation it grows with ln(g), -> +inf); negative or NaN speed, or a contact whose
@@ -121,6 +114,26 @@ COR_API double cor_contact_dissipation_time_s_zero_overlap(const struct cor_sphe
                                                            double eps);
 COR_API double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s,
                                                          double eps);
+
+/* Arrays: y[i] = cor_contact_...(contact, speed_m_s[i]) for i < n, or of speed_m_s[i] and eps[i], the same to the last
+ * bit. n may be 0, the array pointers then NULL. The results may overwrite an array of arguments, but arrays must not
+ * overlap otherwise. */
+#define COR_CONTACT_DECLARE_(quantity)                                                                                 \
+    COR_API void cor_contact_##quantity##_array(const struct cor_sphere_contact *contact, const double *speed_m_s,     \
+                                                double *y, size_t n);
+COR_CONTACT_DECLARE_(beta)
+COR_CONTACT_DECLARE_(eps_zero_overlap)
+COR_CONTACT_DECLARE_(eps_zero_force)
+COR_CONTACT_DECLARE_(duration_s_zero_overlap)
+COR_CONTACT_DECLARE_(duration_s_zero_force)
+COR_CONTACT_DECLARE_(max_overlap_m)
+#undef COR_CONTACT_DECLARE_
+COR_API void cor_contact_dissipation_time_s_zero_overlap_array(const struct cor_sphere_contact *contact,
+                                                               const double *speed_m_s, const double *eps, double *y,
+                                                               size_t n);
+COR_API void cor_contact_dissipation_time_s_zero_force_array(const struct cor_sphere_contact *contact,
+                                                             const double *speed_m_s, const double *eps, double *y,
+                                                             size_t n);
 
 /* A of (4), s, from Young's modulus Y > 0 (Pa), Poisson's ratio -1 < nu <= 1/2 and the viscous
  * constants eta_1, eta_2 >= 0 of the material, Pa s, in the notation of (4):

@@ -7,6 +7,10 @@
  * number in plane stress, -1 < nu < 1. A disk in plane strain, with three-dimensional E and nu, is the one with
  * E/(1 - nu^2) and nu/(1 - nu) in their place, (2).
  *
+ * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno for arguments in
+ * its domain, so that programs may trap these. The contact law and Rayleigh's energy round to nearest whatever the
+ * caller's mode is.
+ *
  * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 16,
  * derives them again and lists where the print is wrong. */
 #ifndef COR_DISK_H
@@ -154,6 +158,17 @@ struct cor_disk_rayleigh {
  *     has), COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED. */
 COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                               double speed, struct cor_disk_rayleigh *out, double *mode_fraction);
+
+/* The same at n speeds of one table: out[i] at speed[i], and mode_fraction[i n_modes + k] if mode_fraction is not NULL.
+ * Many speeds share most of the work. Where at least 28 of them have 2 ln(limit/v) between two powers of 4, what varies
+ * slowly with v is interpolated. Results differ from those of cor_disk_rayleigh by less than its bounds, and from list
+ * to list by less than 1e-12. status is NULL, or gets the status of each speed; out[i] of a speed out of range is NaN.
+ * n may be 0, speed and out then NULL. Allocates its workspace, once, and frees it; threads are left to the caller.
+ * COR_OK, the first status of a speed that is not, or without touching anything
+ *     COR_ERROR_NULL, COR_ERROR_MODES, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO as above, COR_ERROR_MEMORY. */
+COR_API int cor_disk_rayleigh_array(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
+                                    const double *speed, size_t n, struct cor_disk_rayleigh *out, double *mode_fraction,
+                                    int *status);
 
 /* The same with as few modes as bring error_estimate below tolerance (fraction + tail), 0 < tolerance < 1; *n_modes, if
  * n_modes is not NULL, becomes their number; the tail is computed from these modes alone. Statuses as above,

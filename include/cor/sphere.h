@@ -13,6 +13,13 @@
  *     zero overlap     x = 0 again; the force is attractive just before
  *     zero force       x'' = 0, that is x = -beta x'; no attraction
  *
+ * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
+ * argument, so that programs may trap these; FE_UNDERFLOW and FE_INEXACT may be raised. The bounds below hold for
+ * rounding to nearest. In the other rounding modes, and where subnormal numbers are flushed to zero, results of scalar
+ * functions change by less than 1e-9 of themselves (1.2e-7, floats) and eps and loss stay in [0, 1]; array functions,
+ * and what contact.h computes from a speed out of the ordinary, round to nearest whatever the mode. Held by
+ * tests/unit/test_environment.c.
+ *
  * Equation numbers (n) are those of Ramirez, Poeschel, Brilliantov and Schwager, Phys. Rev. E 60,
  * 4465 (1999); docs/derivation.md derives them again and lists where the print is wrong. */
 #ifndef COR_SPHERE_H
@@ -34,6 +41,12 @@ extern "C" {
 #define COR_SPHERE_MAX_OVERLAP_MAX_ULP 1.0
 #define COR_SPHERE_TIME_MAX_ULP 2.0
 #define COR_SPHERE_BETA_MAX_ULP 2.0
+/* Largest difference of a function of generated/cor_sphere.h from the library's, in units of the last place, when its
+ * user compiles it with -ffast-math, or for a machine with fused multiplication and addition (-march=native). Special
+ * values stay what they are. Elsewhere, -ffinite-math-only included, the bits are the library's. Sampled:
+ * tests/header/run. */
+#define COR_SPHERE_INLINE_FAST_MATH_ULP 4
+#define COR_SPHERE_INLINE_NATIVE_ULP 4
 /* The float variants, in units of the last place of a float. */
 #define COR_SPHERE_FLOAT_MAX_ULP 1.0
 
@@ -48,7 +61,7 @@ extern "C" {
  * arrays of either: y[i] = function(x[i]) for i < n, the same to the last bit. n may be 0, the pointers then NULL. x
  * and y may be the same array, but must not overlap otherwise. The same input gives the same bits on every processor:
  * instruction sets are chosen at run time, and none of them changes a result. (Beyond beta = 8, or 16 for eps at zero
- * force, cbrt, exp and log of the C library take part.) */
+ * force, cbrt and log of the C library take part.) */
 #define COR_SPHERE_DECLARE_(quantity)                                                                                  \
     COR_API double cor_sphere_##quantity(double x);                                                                    \
     COR_API float cor_sphere_##quantity##f(float x);                                                                   \
@@ -130,7 +143,7 @@ COR_API double cor_sphere_eps_simple(double beta);
  *     t_0 = 1,     t_(k+1) = 1 + 2 delta d t_k^(2/5)
  *
  * Each level lowers the value, towards cor_sphere_eps_simple.
- * Domain: 0 <= beta <= inf, depth >= 0; a beta above 1.5e308 counts as infinite.
+ * Domain: 0 <= beta <= inf, depth >= 0.
  * Accuracy as (28): COR_SPHERE_EPS_SIMPLE_MAX_ULP, sampled.
  * Special values: +-0 or depth 0 -> 1, +inf -> 0 for depth >= 1; negative or NaN beta, or negative
  * depth -> NaN. */

@@ -7,11 +7,11 @@
 
 double cor_sphere_eps_simple(double beta)
 {
-    if (!(beta >= 0))
-        return NAN;
-    const double c = -COR_SPHERE_C1 * beta;
-    if (isinf(c))
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (beta > COR_INLINE_2_900) /* eps falls like beta^(-5/3) */
         return 0;
+    const double c = -COR_SPHERE_C1 * beta;
     /* With y = eps^(1/5), (27) is f(y) = y^3 (y^2 + c) - 1 = 0, increasing and convex for y > 0.
      * Both 1 and c^(-1/3) lie above the root, and from above Newton's method falls to it, at the
      * slowest (c near 1) in five steps; the sixth cleans up after cbrt. */
@@ -28,18 +28,20 @@ double cor_sphere_eps_simple(double beta)
 
 double cor_sphere_eps_simple_fraction(double beta, int depth)
 {
-    if (!(beta >= 0) || depth < 0)
-        return NAN;
-    const double c = -COR_SPHERE_C1 * beta;
-    /* Far out 1 is nothing beside c, and t overflows where 1/t is still a double: t in units of 2^500, (2^100)^5. */
-    const int far = c > COR_INLINE_2_500 && depth > 0;
-    const double one = far ? 0 : 1, factor = far ? c / COR_INLINE_2_300 : c;
+    if (cor_inline_is_refused(beta) || depth < 0)
+        return cor_inline_nan();
+    /* Far out 1 is nothing beside c = |C_1| beta, and t overflows where 1/t is still a double: t in units of 2^500,
+     * (2^100)^5. */
+    const int far = beta > COR_INLINE_2_500 && depth > 0;
+    const double one = far ? 0 : 1, factor = -COR_SPHERE_C1 * (far ? beta * COR_INLINE_2_M300 : beta);
     double t = far ? COR_INLINE_2_M500 : 1;
     for (int k = 0; k < depth; k++) {
         const double root = cor_inline_fifth_root(t), next = one + factor * (root * root);
         if (next == t) /* a fixed point: any depth gives the same */
             break;
         t = next;
+        if (far && t > COR_INLINE_2_600) /* each level raises t: the quotient is and stays below 2^-1100 */
+            return 0;
     }
     return far ? COR_INLINE_2_M500 / t : 1 / t;
 }
@@ -47,8 +49,10 @@ double cor_sphere_eps_simple_fraction(double beta, int depth)
 double cor_sphere_eps_published_pade(double beta)
 {
     static const double d1 = 2.5839, d2 = 3.5839, d3 = 2.9839, d4 = 1.1487, d5 = 0.3265;
-    if (!(beta >= 0))
-        return NAN;
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (beta > COR_INLINE_2_900) /* beta^(-3) */
+        return 0;
     const double s = -COR_SPHERE_C1 * beta;
     if (s <= 1)
         return (1 + d1 * s) / (1 + s * (d2 + s * (d3 + s * (d4 + s * d5))));

@@ -11,6 +11,7 @@
  * the limits are pairs there. Far from it their logarithms, linear in nu, are all that is needed. */
 #include "runtime/disk/quasistatic.h"
 
+#include "runtime/core/environment.h"
 #include "runtime/core/lambert_w.h"
 
 typedef struct cor_inline_pair pair;
@@ -148,10 +149,10 @@ static double largest(pair x)
     return x.lo >= 0 ? x.hi : cor_inline_from_bits(cor_inline_bits(x.hi) - 1);
 }
 
-static double public_limit(enum quantity quantity, double nu, enum cor_disk_datum datum)
+static double law_limit(double quantity, double nu, enum cor_disk_datum datum)
 {
     struct limit limit;
-    return find_limit(quantity, nu, datum, &limit) ? largest(limit_number(&limit)) : NAN;
+    return find_limit((enum quantity)(int)quantity, nu, datum, &limit) ? largest(limit_number(&limit)) : NAN;
 }
 
 /* ln(limit/x), 0 < x; NaN outside the domain */
@@ -162,26 +163,6 @@ static pair depth(enum quantity quantity, double x, double nu, enum cor_disk_dat
         return not_a_number;
     const pair log = pair_plus(limit.at_zero.log, pair_of(limit.exponent)), q = cor_log_ratio_far(log, x);
     return q.hi > COR_LOG_RATIO_NEAR ? q : cor_log_ratio_near(limit_number(&limit), x);
-}
-
-double cor_disk_load_limit(double nu, enum cor_disk_datum datum)
-{
-    return public_limit(LOAD, nu, datum);
-}
-
-double cor_disk_compression_limit(double nu, enum cor_disk_datum datum)
-{
-    return public_limit(COMPRESSION, nu, datum);
-}
-
-double cor_disk_energy_limit(double nu, enum cor_disk_datum datum)
-{
-    return public_limit(ENERGY, nu, datum);
-}
-
-double cor_disk_speed_limit(double nu, enum cor_disk_datum datum)
-{
-    return public_limit(SPEED, nu, datum);
 }
 
 /* ---- the law ---- */
@@ -198,7 +179,7 @@ static pair one_plus(pair t)
     return pair_plus(pair_of(1), t);
 }
 
-double cor_disk_load(double compression, double nu, enum cor_disk_datum datum)
+static double law_load(double compression, double nu, enum cor_disk_datum datum)
 {
     if (!(compression > 0))
         return not_positive(compression, 0, nu, datum);
@@ -206,7 +187,7 @@ double cor_disk_load(double compression, double nu, enum cor_disk_datum datum)
     return times(compression, cor_inline_pair_over(pi, one_plus(t)));
 }
 
-double cor_disk_compression(double load, double nu, enum cor_disk_datum datum)
+static double law_compression(double load, double nu, enum cor_disk_datum datum)
 {
     if (!(load > 0))
         return not_positive(load, 0, nu, datum);
@@ -214,7 +195,7 @@ double cor_disk_compression(double load, double nu, enum cor_disk_datum datum)
     return times(load, cor_inline_pair_times(one_over_pi, one_plus(t)));
 }
 
-double cor_disk_energy(double load, double nu, enum cor_disk_datum datum)
+static double law_energy(double load, double nu, enum cor_disk_datum datum)
 {
     if (!(load > 0))
         return not_positive(load, 0, nu, datum);
@@ -222,7 +203,7 @@ double cor_disk_energy(double load, double nu, enum cor_disk_datum datum)
     return square_times(load, cor_inline_pair_times(one_over_two_pi, pair_plus(pair_of(0.5), t)));
 }
 
-double cor_disk_load_of_energy(double energy, double nu, enum cor_disk_datum datum)
+static double law_load_of_energy(double energy, double nu, enum cor_disk_datum datum)
 {
     if (!(energy > 0))
         return not_positive(energy, 0, nu, datum);
@@ -247,7 +228,7 @@ double cor_disk_depth(double speed, double nu, enum cor_disk_datum datum)
     return 2 * (q.hi + q.lo);
 }
 
-double cor_disk_max_load(double speed, double nu, enum cor_disk_datum datum)
+static double law_max_load(double speed, double nu, enum cor_disk_datum datum)
 {
     if (!(speed > 0))
         return not_positive(speed, 0, nu, datum);
@@ -255,7 +236,7 @@ double cor_disk_max_load(double speed, double nu, enum cor_disk_datum datum)
     return times(speed, cor_inline_pair_over(root_2_pi, pair_sqrt(one_plus(t))));
 }
 
-double cor_disk_max_compression(double speed, double nu, enum cor_disk_datum datum)
+static double law_max_compression(double speed, double nu, enum cor_disk_datum datum)
 {
     if (!(speed > 0))
         return not_positive(speed, 0, nu, datum);
@@ -310,7 +291,7 @@ static double exp_less_two_terms(double u)
  * even, falling like exp(-u/2), its first singularities at x = +-i a + ..., 0.99 < a/(1.29/sqrt(1 + c/7.6)) < 1.19,
  * where the root vanishes near u = 2 +- 7 i. The trapezoidal rule with the step 2 pi 1.29/(38.5 sqrt(1 + c/7.6)) is off
  * by exp(-38), and so is the cut at u = 88. It takes 27 to 60 points, 115 at t = 1e-8 and at most 200. */
-static double contact_time(double t)
+static double time_of_t(double t)
 {
     /* Below it, a kink of its size at x = 0 that the rule sees times step^2/12. */
     const double least = 1e-15, end = 88;
@@ -331,12 +312,12 @@ static double contact_time(double t)
     return tau.hi;
 }
 
-double cor_disk_contact_time(double speed, double nu, enum cor_disk_datum datum)
+static double law_contact_time(double speed, double nu, enum cor_disk_datum datum)
 {
     if (!(speed > 0))
         return not_positive(speed, INFINITY, nu, datum);
     const pair t = t_of_speed(speed, nu, datum);
-    return t.hi >= 0 ? contact_time(t.hi + t.lo) : NAN;
+    return t.hi >= 0 ? time_of_t(t.hi + t.lo) : NAN;
 }
 
 /* ---- to leading logarithm ---- */
@@ -347,37 +328,94 @@ static const struct cor_logarithm log_four_pi = {{12.5663706143591725, 4.8985871
 /* the largest double below 4 pi/e */
 static const double load_end = 4.62290939916368604;
 
-double cor_disk_compression_leading_log(double load)
+static double leading_compression(double load, double nu, enum cor_disk_datum datum)
 {
+    (void)nu;
+    (void)datum;
     if (!(load > 0 && load <= load_end))
         return load == 0 ? 0 : NAN;
     return times(load, cor_inline_pair_times(one_over_pi, cor_log_ratio(&log_four_pi, load)));
 }
 
-double cor_disk_load_leading_log(double compression)
+static double leading_load(double compression, double nu, enum cor_disk_datum datum)
 {
+    (void)nu;
+    (void)datum;
     if (!(compression > 0 && compression < 4))
         return compression == 0 ? 0 : NAN;
     return times(compression, cor_inline_pair_over(pi, cor_log_ratio(&four, compression)));
 }
 
-double cor_disk_energy_leading_log(double compression)
+static double leading_energy(double compression, double nu, enum cor_disk_datum datum)
 {
+    (void)nu;
+    (void)datum;
     if (!(compression > 0 && compression < 4))
         return compression == 0 ? 0 : NAN;
     return square_times(compression, cor_inline_pair_over(half_pi, cor_log_ratio(&four, compression)));
 }
 
-double cor_disk_max_compression_leading_log(double speed)
+static double leading_max_compression(double speed, double nu, enum cor_disk_datum datum)
 {
+    (void)nu;
+    (void)datum;
     if (!(speed > 0 && speed <= 4))
         return speed == 0 ? 0 : NAN;
     return times(speed, pair_sqrt(cor_log_ratio(&four, speed)));
 }
 
-double cor_disk_contact_time_leading_log(double speed)
+static double leading_contact_time(double speed, double nu, enum cor_disk_datum datum)
 {
+    (void)nu;
+    (void)datum;
     if (!(speed > 0 && speed <= 4))
         return speed == 0 ? INFINITY : NAN;
     return cor_inline_pair_times(pi, pair_sqrt(cor_log_ratio(&four, speed))).hi;
 }
+
+/* ---- the public functions ---- */
+
+/* Pairs need rounding to nearest. Volatile operands: see environment.h. */
+static double in_environment(double (*law)(double x, double nu, enum cor_disk_datum datum), double x, double nu,
+                             enum cor_disk_datum datum)
+{
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile double argument = x, ratio = nu;
+    const volatile double value = law(argument, ratio, datum);
+    cor_environment_leave(&caller);
+    return value;
+}
+
+#define LIMIT(name, quantity)                                                                                          \
+    double cor_disk_##name##_limit(double nu, enum cor_disk_datum datum)                                               \
+    {                                                                                                                  \
+        return in_environment(law_limit, quantity, nu, datum);                                                         \
+    }
+LIMIT(load, LOAD)
+LIMIT(compression, COMPRESSION)
+LIMIT(energy, ENERGY)
+LIMIT(speed, SPEED)
+
+#define LAW(name)                                                                                                      \
+    double cor_disk_##name(double x, double nu, enum cor_disk_datum datum)                                             \
+    {                                                                                                                  \
+        return in_environment(law_##name, x, nu, datum);                                                               \
+    }
+LAW(load)
+LAW(compression)
+LAW(energy)
+LAW(load_of_energy)
+LAW(max_load)
+LAW(max_compression)
+LAW(contact_time)
+
+#define LEADING_LOGARITHM(name)                                                                                        \
+    double cor_disk_##name##_leading_log(double x)                                                                     \
+    {                                                                                                                  \
+        return in_environment(leading_##name, x, 0, COR_DISK_DATUM_DIAMETER);                                          \
+    }
+LEADING_LOGARITHM(compression)
+LEADING_LOGARITHM(load)
+LEADING_LOGARITHM(energy)
+LEADING_LOGARITHM(max_compression)
+LEADING_LOGARITHM(contact_time)

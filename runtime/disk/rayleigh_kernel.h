@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops of Rayleigh's energy over nodes and over modes, free of calls; gcc 12 vectorises all of them, in the
- * portable set too (-fopt-info-vec). Compiled once for every instruction set, in disk_rayleigh_<set>.c, and chosen in
- * disk_rayleigh_spectrum.c. No set may fuse a multiplication with an addition, and sums go into sixteen parts, whatever
+ * portable set too (-fopt-info-vec). Compiled once for every instruction set, in rayleigh_<set>.c, and chosen in
+ * rayleigh_spectrum.c. No set may fuse a multiplication with an addition, and sums go into sixteen parts, whatever
  * the width of a vector: so all sets give the same bits. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_KERNEL_H
 #define COR_RUNTIME_DISK_RAYLEIGH_KERNEL_H
@@ -443,6 +443,122 @@ KERNEL void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
     }
 }
 
+/* ---- sums over modes ---- */
+
+/* 0 to 1 with three derivatives 0 at both ends */
+KERNEL double kernel_fade(double x)
+{
+    const double y = x < 0 ? 0 : x > 1 ? 1 : x, square = y * y;
+    return square * square * (35 + y * (-84 + y * (70 - 20 * y)));
+}
+
+/* r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. With r = 1 beyond the modes taken, an echo that misses tau
+ * by dT leaves in the sum
+ *
+ *     F(u) = int r z^(-3 - 1/2) exp(i u z) dz,     z = omega/omega_max, u = omega_max dT,
+ *
+ * times what is the same for all r. max |F| = |F(0)| = 0.290, and |F| < 0.09 from u = 15 on, 0.03 from 30. A fade
+ * without the negative part, from 0.65, has 0.66 in place of 0.29; nothing can have less than about 0.18, the norm of
+ * the Hankel operator (1 + x + y)^(-7/2), and what comes near falls off more slowly. */
+KERNEL double kernel_echo_weight(double x)
+{
+    const double y = x < 0 ? 0 : x, square = y * y;
+    return square * square * y * (5 + y * (16 * y - 20));
+}
+
+KERNEL double kernel_bump(double omega, const double window[2])
+{
+    const double x = (omega - window[0]) / (window[1] - window[0]), y = 4 * x * (1 - x), inside = y < 0 ? 0 : y;
+    const double square = inside * inside;
+    return square * square;
+}
+
+KERNEL void kernel_weigh(const struct cor_fading *fading, const double *restrict omega, const double *restrict beyond,
+                         const double *restrict through, struct cor_mode_weights *restrict weights,
+                         double *restrict low_strength, double *restrict high_strength)
+{
+    double all_low[COR_LINES], all_high[COR_LINES];
+    for (int i = 0; i < COR_LINES; i++) {
+        const double strength = weights->strength[i];
+        weights->mean[i] = kernel_fade((omega[i] - fading->mean_from) / (fading->to - fading->mean_from)) * strength;
+        weights->echo[i] = kernel_echo_weight((omega[i] - fading->echo_from) / (fading->to - fading->echo_from)) *
+                           strength * beyond[i];
+        all_low[i] = kernel_bump(omega[i], fading->low) * strength;
+        all_high[i] = kernel_bump(omega[i], fading->high) * strength;
+        weights->low[i] = all_low[i] * through[i];
+        weights->high[i] = all_high[i] * through[i];
+    }
+    for (int i = 0; i < COR_LINES; i++) {
+        *low_strength += all_low[i];
+        *high_strength += all_high[i];
+    }
+}
+
+/* part[l] += sum of x y over every COR_LEG_PART-th number */
+KERNEL double kernel_dot(const double *restrict x, const double *restrict y)
+{
+    double part[COR_LEG_PART] = {0};
+    for (int i = 0; i < COR_LINES; i += COR_LEG_PART)
+        for (int l = 0; l < COR_LEG_PART; l++)
+            part[l] += x[i + l] * y[i + l];
+    return kernel_total(part);
+}
+
+KERNEL void kernel_sum(const struct cor_lines *restrict lines, const struct cor_mode_weights *restrict weights,
+                       struct cor_mode_sums *restrict sums, double *restrict fraction)
+{
+    double mean[COR_LINES], more[COR_LINES], cosine[COR_LINES], sine[COR_LINES];
+    for (int i = 0; i < COR_LINES; i++) {
+        const double re = lines->re[i], im = lines->im[i], other = lines->other[i];
+        const double c = lines->cosine[i], s = lines->sine[i], x = 2 * (c * re - s * im + other);
+        fraction[i] = weights->strength[i] * (x * x);
+        mean[i] = 2 * (re * re + im * im) + 4 * other * other;
+        more[i] = x * x - mean[i];
+        cosine[i] = c * c - s * s;
+        sine[i] = 2 * c * s;
+    }
+    for (int i = 0; i < COR_LINES; i++) /* one after the other, as a caller would add them up */
+        sums->fraction += fraction[i];
+    sums->faded += kernel_dot(weights->mean, mean) + kernel_dot(weights->echo, more);
+    sums->low[0] += kernel_dot(weights->low, cosine);
+    sums->low[1] += kernel_dot(weights->low, sine);
+    sums->low[2] += kernel_dot(weights->low, lines->cosine);
+    sums->low[3] += kernel_dot(weights->low, lines->sine);
+    sums->high[0] += kernel_dot(weights->high, cosine);
+    sums->high[1] += kernel_dot(weights->high, sine);
+    sums->high[2] += kernel_dot(weights->high, lines->cosine);
+    sums->high[3] += kernel_dot(weights->high, lines->sine);
+}
+
+/* Newton's interpolation in 1/n */
+KERNEL double kernel_newton(const struct cor_surface_fit *fit, const double *c, double x)
+{
+    double value = c[COR_SURFACE_FITTED - 1];
+    for (int i = COR_SURFACE_FITTED - 2; i >= 0; i--)
+        value = value * (x - fit->node[i]) + c[i];
+    return value;
+}
+
+KERNEL void kernel_surface(const struct cor_surface_fit *fit, int n, double *restrict omega, double *restrict strength)
+{
+    for (int i = 0; i < COR_LINES; i++) {
+        const double number = n + i, x = 1 / number;
+        omega[i] = fit->speed * number + kernel_newton(fit, fit->omega, x);
+        strength[i] = omega[i] * kernel_newton(fit, fit->strength, x);
+    }
+}
+
+KERNEL void kernel_blend(int nodes, const double *weight, const double *const *in, int count, double *out)
+{
+    for (int i = 0; i < count; i += COR_LEG_PART) {
+        double sum[COR_LEG_PART] = {0};
+        for (int k = 0; k < nodes; k++)
+            for (int l = 0; l < COR_LEG_PART; l++)
+                sum[l] += weight[k] * in[k][i + l];
+        memcpy(out + i, sum, sizeof sum);
+    }
+}
+
 #define RAYLEIGH(set)                                                                                                  \
     void cor_rayleigh_panel_##set(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps,         \
                                   double top, struct cor_leg *leg)                                                     \
@@ -461,6 +577,24 @@ KERNEL void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
                                   const double *omega, struct cor_lines *lines)                                        \
     {                                                                                                                  \
         kernel_lines(spectrum, octave, start, n, omega, lines);                                                        \
+    }                                                                                                                  \
+    void cor_rayleigh_weigh_##set(const struct cor_fading *fading, const double *omega, const double *beyond,          \
+                                  const double *through, struct cor_mode_weights *weights, double *low, double *high)  \
+    {                                                                                                                  \
+        kernel_weigh(fading, omega, beyond, through, weights, low, high);                                              \
+    }                                                                                                                  \
+    void cor_rayleigh_sum_##set(const struct cor_lines *lines, const struct cor_mode_weights *weights,                 \
+                                struct cor_mode_sums *sums, double *fraction)                                          \
+    {                                                                                                                  \
+        kernel_sum(lines, weights, sums, fraction);                                                                    \
+    }                                                                                                                  \
+    void cor_rayleigh_surface_##set(const struct cor_surface_fit *fit, int n, double *omega, double *strength)         \
+    {                                                                                                                  \
+        kernel_surface(fit, n, omega, strength);                                                                       \
+    }                                                                                                                  \
+    void cor_rayleigh_blend_##set(int nodes, const double *weight, const double *const *in, int count, double *out)    \
+    {                                                                                                                  \
+        kernel_blend(nodes, weight, in, count, out);                                                                   \
     }
 
 #endif

@@ -106,8 +106,17 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
 
 /* ---- all of it ---- */
 
-/* Y: eta = Theta - rho, where cosh(eta)/cosh(Theta) = 1 + 2 sinh(rho/2)^2 - tanh(Theta) sinh(rho). y is a power series
- * in the root of rho. */
+/* q = -2 ln(cosh(Theta - rho)/cosh(Theta)); the quotient is 1 + 2 sinh(rho/2)^2 - tanh(Theta) sinh(rho), which cancels
+ * where rho is large. */
+static double depth_beyond(double theta, double tanh_theta, double rho)
+{
+    if (rho > 0.5)
+        return 2 * rho + 2 * (log1p(exp(-2 * theta)) - log1p(exp(-2 * (theta - rho))));
+    const double half = sinh(0.5 * rho);
+    return -2 * log1p(2 * half * half - tanh_theta * sinh(rho));
+}
+
+/* Y: eta = Theta - rho. y is a power series in the root of rho. */
 static double decay_of(const struct cor_leg_rule *rule, double theta, double tanh_theta)
 {
     double sum = 0;
@@ -116,15 +125,22 @@ static double decay_of(const struct cor_leg_rule *rule, double theta, double tan
         const double low = sqrt(near), high = sqrt(far);
         for (int i = 0; i < COR_LEG_GAUSS; i++) {
             const double z = low + 0.5 * (1 + rule->x[i]) * (high - low), rho = z * z;
-            const double half = sinh(0.5 * rho);
-            const double q = -2 * log1p(2 * half * half - tanh_theta * sinh(rho));
+            const double q = depth_beyond(theta, tanh_theta, rho);
             sum += rule->w[i] * (high - low) * z * sqrt(0.5 * (1 + cor_lambert_t(fmax(q, 0))));
         }
     }
     return sum;
 }
 
-#define RAYLEIGH_ROW(set) {#set, cor_rayleigh_panel_##set, cor_rayleigh_octaves_##set, cor_rayleigh_lines_##set},
+#define RAYLEIGH_ROW(set)                                                                                              \
+    {#set,                                                                                                             \
+     cor_rayleigh_panel_##set,                                                                                         \
+     cor_rayleigh_octaves_##set,                                                                                       \
+     cor_rayleigh_lines_##set,                                                                                         \
+     cor_rayleigh_weigh_##set,                                                                                         \
+     cor_rayleigh_sum_##set,                                                                                           \
+     cor_rayleigh_surface_##set,                                                                                       \
+     cor_rayleigh_blend_##set},
 
 const struct cor_rayleigh_set *cor_rayleigh_set(int i)
 {
@@ -137,42 +153,175 @@ void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_
     cor_spectrum_init_by(cor_rayleigh_set(cor_widest_set()), spectrum, q0, contact_time, first, high);
 }
 
-void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
-                          double contact_time, double first, double high)
+/* cosh(Theta) - 1, Theta and tanh(Theta) of cosh(Theta) = exp(q0/2) */
+struct branch_point {
+    double x, theta, tanh_theta;
+};
+
+static struct branch_point branch_point_of(double q0)
 {
-    struct cor_leg_rule rule;
+    struct branch_point point;
+    point.x = expm1(fmin(0.5 * q0, 300));
+    const double root_x = sqrt(point.x * (point.x + 2));
+    point.theta = q0 > 600 ? 0.5 * q0 + 0.69314718055994531 : log1p(point.x + root_x);
+    point.tanh_theta = root_x / (1 + point.x);
+    return point;
+}
+
+static int octaves_between(double first, double high)
+{
+    return (int)fmin(ceil(log2(high / first) + 1e-9) + 1, COR_SPECTRUM_OCTAVES);
+}
+
+/* b is left out where exp(-omega Y) is below exp(-40). */
+static int count_edges(double decay, double first, int octaves)
+{
+    int edges = 0;
+    while (edges < octaves && decay * ldexp(first, edges) < 40)
+        edges++;
+    return edges;
+}
+
+/* b, where it counts; in `edges` octaves if that is not negative */
+static void init_edges(struct cor_spectrum *spectrum, const struct cor_leg_rule *rule, struct cor_leg_path path,
+                       const struct branch_point *point, double nearest, double farthest, double enough, int edges)
+{
     struct cor_leg leg;
     double unused[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS];
-    rule_init(&rule);
-    const double x = expm1(fmin(0.5 * q0, 300)), root_x = sqrt(x * (x + 2));
-    const double theta = q0 > 600 ? 0.5 * q0 + 0.69314718055994531 : log1p(x + root_x), tanh_theta = root_x / (1 + x);
+    spectrum->edges = 0;
+    spectrum->decay = INFINITY;
+    /* Y > (2/3) (Theta - 1)^(3/2) */
+    if (edges < 0 && !(point->theta < 1 || spectrum->first * pow(point->theta - 1, 1.5) < 60))
+        return;
+    spectrum->decay = decay_of(rule, point->theta, point->tanh_theta);
+    spectrum->edges = edges < 0 ? count_edges(spectrum->decay, spectrum->first, spectrum->octaves) : edges;
+    if (spectrum->edges == 0)
+        return;
+    path.from_zero = 0;
+    path.scale = 1 + point->x;
+    /* b counts times exp(-omega Y), unless it is to be interpolated */
+    leg_init(&leg, spectrum->set, rule, &path, nearest, farthest, edges < 0 ? enough - spectrum->decay : enough);
+    spectrum->set->octaves(&leg, spectrum->first, spectrum->edges, spectrum->b, unused);
+    for (int k = 0; k < spectrum->edges; k++)
+        for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
+            spectrum->b[k][j] = -spectrum->b[k][j]; /* upwards */
+}
+
+static void spectrum_init(struct cor_spectrum *spectrum, const struct cor_rayleigh_set *set,
+                          const struct cor_leg_rule *rule, double q0, double contact_time, double first, double high,
+                          int edges)
+{
+    struct cor_leg leg;
+    const struct branch_point point = branch_point_of(q0);
     /* far from the limit exp(-omega p) hardly turns. At `enough` it is 2^-86, and the growth of the sine no matter. */
     const double tilt = 1 / (1 + 0.03 * q0), farthest = 20;
-    struct cor_leg_path path = {1, tilt, q0, tanh_theta, 1};
+    const struct cor_leg_path path = {1, tilt, q0, point.tanh_theta, 1};
     const double enough = 60 / first, nearest = 1e-7 / (high * sqrt(0.5 * q0 + 25));
 
     spectrum->set = set;
     spectrum->half_time = 0.5 * contact_time;
     spectrum->first = first;
-    spectrum->octaves = (int)fmin(ceil(log2(high / first) + 1e-9) + 1, COR_SPECTRUM_OCTAVES);
-    leg_init(&leg, set, &rule, &path, nearest, farthest, enough);
+    spectrum->octaves = octaves_between(first, high);
+    leg_init(&leg, set, rule, &path, nearest, farthest, enough);
     set->octaves(&leg, first, spectrum->octaves, spectrum->a_re, spectrum->a_im);
+    init_edges(spectrum, rule, path, &point, nearest, farthest, enough, edges);
+}
 
-    spectrum->edges = 0;
-    spectrum->decay = INFINITY;
-    /* Y > (2/3) (Theta - 1)^(3/2) */
-    if (theta < 1 || first * pow(theta - 1, 1.5) < 60) {
-        spectrum->decay = decay_of(&rule, theta, tanh_theta);
-        while (spectrum->edges < spectrum->octaves && spectrum->decay * ldexp(first, spectrum->edges) < 40)
-            spectrum->edges++;
-        path.from_zero = 0;
-        path.scale = 1 + x;
-        leg_init(&leg, set, &rule, &path, nearest, farthest, enough - spectrum->decay);
-        set->octaves(&leg, first, spectrum->edges, spectrum->b, unused);
-        for (int k = 0; k < spectrum->edges; k++)
-            for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
-                spectrum->b[k][j] = -spectrum->b[k][j]; /* upwards */
+void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
+                          double contact_time, double first, double high)
+{
+    struct cor_leg_rule rule;
+    rule_init(&rule);
+    spectrum_init(spectrum, set, &rule, q0, contact_time, first, high, -1);
+}
+
+/* ---- many speeds ---- */
+
+size_t cor_spectrum_piece_size(double first, double high)
+{
+    return (size_t)COR_PIECE_NODES * 3 * (size_t)octaves_between(first, high) * COR_SPECTRUM_TERMS;
+}
+
+/* Node k of a piece in ln(q0), -1 to 1 */
+static double piece_place(int k)
+{
+    return -cos(3.14159265358979323846 * (k + 0.5) / COR_PIECE_NODES);
+}
+
+static double piece_q0(const struct cor_spectrum_piece *piece, double x)
+{
+    return piece->low * exp2(x + 1);
+}
+
+void cor_spectrum_piece_init(struct cor_spectrum_piece *piece, const struct cor_rayleigh_set *set, double low,
+                             double first, double high, double *room)
+{
+    struct cor_leg_rule rule;
+    struct cor_spectrum spectrum;
+    rule_init(&rule);
+    piece->set = set;
+    piece->low = low;
+    piece->first = first;
+    piece->octaves = octaves_between(first, high);
+    /* Y rises with q0: no octave of the piece has a b that the first q0 has not. */
+    const struct branch_point point = branch_point_of(low);
+    piece->edges = 0;
+    if (point.theta < 1 || first * pow(point.theta - 1, 1.5) < 60)
+        piece->edges = count_edges(decay_of(&rule, point.theta, point.tanh_theta), first, piece->octaves);
+    const size_t of_a = (size_t)piece->octaves * COR_SPECTRUM_TERMS, of_b = (size_t)piece->edges * COR_SPECTRUM_TERMS;
+    for (int k = 0; k < COR_PIECE_NODES; k++) {
+        const double q0 = piece_q0(piece, piece_place(k));
+        double *const node = piece->node[k] = room + (size_t)k * 3 * of_a;
+        spectrum_init(&spectrum, set, &rule, q0, 1, first, high, piece->edges);
+        piece->decay[k] = piece->edges > 0 ? spectrum.decay : 0;
+        memcpy(node, spectrum.a_re, of_a * sizeof *node);
+        memcpy(node + of_a, spectrum.a_im, of_a * sizeof *node);
+        const double unit = exp(-0.5 * q0);
+        for (size_t j = 0; j < of_b; j++)
+            node[2 * of_a + j] = unit * spectrum.b[j / COR_SPECTRUM_TERMS][j % COR_SPECTRUM_TERMS];
     }
+}
+
+void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spectrum_piece *piece, double q0,
+                           double contact_time)
+{
+    const double x = log2(q0 / piece->low) - 1;
+    const size_t of_a = (size_t)piece->octaves * COR_SPECTRUM_TERMS, of_b = (size_t)piece->edges * COR_SPECTRUM_TERMS;
+    const double *im[COR_PIECE_NODES], *b[COR_PIECE_NODES];
+    double weight[COR_PIECE_NODES], sum = 0, decay = 0;
+    /* barycentric weights; at a node its own is 1 */
+    for (int k = 0; k < COR_PIECE_NODES; k++) {
+        const double distance = x - piece_place(k), angle = 3.14159265358979323846 * (k + 0.5) / COR_PIECE_NODES;
+        weight[k] = (k % 2 ? -1 : 1) * sin(angle) / (distance == 0 ? 1e-30 : distance);
+        sum += weight[k];
+        im[k] = piece->node[k] + of_a;
+        b[k] = piece->node[k] + 2 * of_a;
+    }
+    for (int k = 0; k < COR_PIECE_NODES; k++) {
+        weight[k] /= sum;
+        decay += weight[k] * piece->decay[k];
+    }
+    spectrum->set = piece->set;
+    spectrum->half_time = 0.5 * contact_time;
+    spectrum->first = piece->first;
+    spectrum->octaves = piece->octaves;
+    spectrum->edges = piece->edges;
+    spectrum->decay = piece->edges > 0 ? decay : INFINITY;
+    piece->set->blend(COR_PIECE_NODES, weight, (const double *const *)piece->node, (int)of_a, spectrum->a_re[0]);
+    piece->set->blend(COR_PIECE_NODES, weight, im, (int)of_a, spectrum->a_im[0]);
+    const double unit = exp(0.5 * q0);
+    for (int k = 0; k < COR_PIECE_NODES; k++)
+        weight[k] *= unit;
+    piece->set->blend(COR_PIECE_NODES, weight, b, (int)of_b, spectrum->b[0]);
+}
+
+/* ---- lines ---- */
+
+void cor_lines_fill(struct cor_lines *lines, int n)
+{
+    double *const arrays[] = {lines->re, lines->im, lines->cosine, lines->sine, lines->other};
+    for (size_t k = 0; k < sizeof arrays / sizeof *arrays; k++)
+        memset(arrays[k] + n, 0, (size_t)(COR_LINES - n) * sizeof(double));
 }
 
 void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double *omega, struct cor_lines *lines)

@@ -16,6 +16,8 @@
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
 #define COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
 
+#include <stddef.h>
+
 #include "runtime/core/instruction_set.h"
 
 enum {
@@ -50,7 +52,7 @@ struct cor_leg_rule {
     double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
 };
 
-/* The loops over nodes and over modes by instruction set: disk_rayleigh_<set>.c each compile disk_rayleigh_kernel.h
+/* The loops over nodes and over modes by instruction set: rayleigh_<set>.c each compile rayleigh_kernel.h
  * with other flags. */
 struct cor_spectrum;
 struct cor_lines;
@@ -65,17 +67,63 @@ typedef void cor_rayleigh_octaves(const struct cor_leg *leg, double first, int o
 typedef void cor_rayleigh_lines(const struct cor_spectrum *spectrum, int octave, double start, int n,
                                 const double *omega, struct cor_lines *lines);
 
+/* Lines that go through the loops together */
+enum { COR_LINES = 64 };
+
+/* Weights of modes in the sums below: C^2; C^2 under the two weights of the tail (rayleigh_tail.c); C^2 of modes l > 0
+ * under two windows. 0 where a chunk has no mode. */
+struct cor_mode_weights {
+    double strength[COR_LINES], mean[COR_LINES], echo[COR_LINES], low[COR_LINES], high[COR_LINES];
+};
+
+/* Sums of strength (2 I)^2; of mean times the mean of (2 I)^2 over its phase and echo times what (2 I)^2 has beyond that;
+ * and of the windows times cos and sin of omega tau, cos and sin of omega tau/2. */
+struct cor_mode_sums {
+    double fraction, faded, low[4], high[4];
+};
+
+/* Frequencies between which the weights fade, and the windows, from and to */
+struct cor_fading {
+    double mean_from, echo_from, to, low[2], high[2];
+};
+
+/* omega - speed n and C^2/omega of the modes l = 0: Newton's divided differences in 1/n */
+enum { COR_SURFACE_FITTED = 5 };
+struct cor_surface_fit {
+    double speed, node[COR_SURFACE_FITTED], omega[COR_SURFACE_FITTED], strength[COR_SURFACE_FITTED];
+};
+
+/* From weights->strength the others; `beyond` is 1 for modes that the echoes' weight is for, `through` for those with
+ * l > 0. Adds the strengths of all modes under the two windows to *low and *high. All arrays have COR_LINES numbers. */
+typedef void cor_rayleigh_weigh(const struct cor_fading *fading, const double *omega, const double *beyond,
+                                const double *through, struct cor_mode_weights *weights, double *low, double *high);
+/* Adds to *sums; fraction[i] = strength (2 I)^2 */
+typedef void cor_rayleigh_sum(const struct cor_lines *lines, const struct cor_mode_weights *weights,
+                              struct cor_mode_sums *sums, double *fraction);
+/* Frequencies and C^2 of the modes n to n + COR_LINES - 1 */
+typedef void cor_rayleigh_surface(const struct cor_surface_fit *fit, int n, double *omega, double *strength);
+/* out[i] = sum weight[k] in[k][i], i < count, a multiple of COR_LEG_PART */
+typedef void cor_rayleigh_blend(int nodes, const double *weight, const double *const *in, int count, double *out);
+
 struct cor_rayleigh_set {
     const char *name;
     cor_rayleigh_panel *panel;
     cor_rayleigh_octaves *octaves;
     cor_rayleigh_lines *lines;
+    cor_rayleigh_weigh *weigh;
+    cor_rayleigh_sum *sum;
+    cor_rayleigh_surface *surface;
+    cor_rayleigh_blend *blend;
 };
 
 #define COR_RAYLEIGH_SET(set)                                                                                          \
     cor_rayleigh_panel cor_rayleigh_panel_##set;                                                                       \
     cor_rayleigh_octaves cor_rayleigh_octaves_##set;                                                                   \
-    cor_rayleigh_lines cor_rayleigh_lines_##set;
+    cor_rayleigh_lines cor_rayleigh_lines_##set;                                                                       \
+    cor_rayleigh_weigh cor_rayleigh_weigh_##set;                                                                       \
+    cor_rayleigh_sum cor_rayleigh_sum_##set;                                                                           \
+    cor_rayleigh_surface cor_rayleigh_surface_##set;                                                                   \
+    cor_rayleigh_blend cor_rayleigh_blend_##set;
 
 COR_EACH_SET(COR_RAYLEIGH_SET)
 
@@ -99,8 +147,6 @@ void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectru
                           double contact_time, double first, double high);
 
 /* What makes I at frequencies that go together */
-enum { COR_LINES = 64 };
-
 struct cor_lines {
     double re[COR_LINES], im[COR_LINES];       /* a */
     double cosine[COR_LINES], sine[COR_LINES]; /* of omega tau/2 */
@@ -109,5 +155,30 @@ struct cor_lines {
 
 /* n <= COR_LINES frequencies, increasing */
 void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double *omega, struct cor_lines *lines);
+/* Makes the lines from n on 0, for loops over all of them. */
+void cor_lines_fill(struct cor_lines *lines, int n);
+
+/* ---- many speeds ---- */
+
+/* Spectra as a function of q0, in pieces [4^k, 4^(k+1)): the coefficients of a, and those of b over cosh(Theta), which is
+ * what makes them grow, interpolated at Chebyshev's points in ln(q0). Error of a and b, relative to a: below 1e-13,
+ * measured from q0 = 1e-3 to 1500 (tests/unit/test_disk_rayleigh_spectrum.c). */
+enum { COR_PIECE_NODES = 24 };
+
+struct cor_spectrum_piece {
+    const struct cor_rayleigh_set *set;
+    double low, first; /* q0 from low to 4 low; the first octave of all spectra */
+    int octaves, edges;
+    double decay[COR_PIECE_NODES];
+    double *node[COR_PIECE_NODES]; /* octaves of a_re, a_im, and edges of b, COR_SPECTRUM_TERMS each */
+};
+
+/* Doubles that the nodes of a piece need */
+size_t cor_spectrum_piece_size(double first, double high);
+/* `room` has that many. */
+void cor_spectrum_piece_init(struct cor_spectrum_piece *piece, const struct cor_rayleigh_set *set, double low,
+                             double first, double high, double *room);
+void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spectrum_piece *piece, double q0,
+                           double contact_time);
 
 #endif

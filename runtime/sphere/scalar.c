@@ -10,7 +10,7 @@
     }                                                                                                                  \
     float cor_sphere_##quantity##f(float x)                                                                            \
     {                                                                                                                  \
-        return (float)cor_inline_##quantity((double)x);                                                                \
+        return cor_inline_narrow(cor_inline_##quantity((double)x));                                                    \
     }
 
 SPHERE_FUNCTION(eps_zero_overlap)

@@ -301,6 +301,19 @@ static void wrong_inputs(void **state)
     assert_int_equal(cor_sphere_contact_init(&c, &one, &one), COR_OK);
     one.poisson_ratio = nextafter(-1, 0);
     assert_int_equal(cor_sphere_contact_init(&c, &one, &one), COR_OK);
+    /* the smallest normal number is one, as a mass, and the one below it is not */
+    one = other = glass();
+    one.mass_kg = other.mass_kg = 2 * DBL_MIN;
+    assert_int_equal(cor_sphere_contact_init(&c, &one, &other), COR_OK);
+    assert_true(c.effective_mass_kg == DBL_MIN);
+    one.mass_kg = other.mass_kg = 2 * DBL_MIN - 4 * smallest;
+    assert_int_equal(cor_sphere_contact_init(&c, &one, &other), COR_ERROR_RANGE);
+    all_nan(&c);
+    /* the largest mass */
+    one = other = glass();
+    one.mass_kg = other.mass_kg = DBL_MAX;
+    assert_int_equal(cor_sphere_contact_init(&c, &one, &other), COR_OK);
+    assert_true(c.effective_mass_kg == DBL_MAX / 2);
     /* a dissipation time whose beta_per_root underflows is refused, not taken for zero */
     one = glass();
     one.dissipation_time_s = smallest;

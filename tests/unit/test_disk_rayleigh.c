@@ -241,6 +241,101 @@ static void test_tolerance(void **unused)
           "%zu", n);
 }
 
+/* ---- many speeds ---- */
+
+enum { LIST = 90 };
+static double list_fractions[LIST * MODES];
+
+/* Every speed against the function of one */
+static void against_one(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
+                        const double *speed, size_t n, int exact)
+{
+    struct cor_disk_rayleigh list[LIST];
+    int status[LIST];
+    int expected = COR_OK;
+    const int first = cor_disk_rayleigh_array(modes, n_modes, datum, speed, n, list, list_fractions, status);
+    for (size_t i = 0; i < n; i++) {
+        struct cor_disk_rayleigh one;
+        const int here = cor_disk_rayleigh(modes, n_modes, datum, speed[i], &one, fractions);
+        const double *const f = list_fractions + i * n_modes;
+        check(status[i] == here, "v = %a: %d, %d", speed[i], status[i], here);
+        expected = expected ? expected : here;
+        if (here == COR_ERROR_SPEED) {
+            check(isnan(list[i].fraction) && isnan(list[i].tail) && isnan(list[i].error_estimate) &&
+                      isnan(list[i].contact_time) && isnan(f[n_modes - 1]),
+                  "v = %a", speed[i]);
+            continue;
+        }
+        check(same_bits(list[i].contact_time, one.contact_time), "v = %a", speed[i]);
+        const double allowed = exact ? 0 : 1e-12, sum = one.fraction + one.tail;
+        check(fabs(list[i].fraction - one.fraction) <= allowed * sum &&
+                  fabs(list[i].tail - one.tail) <= allowed * sum &&
+                  fabs(list[i].error_estimate - one.error_estimate) <= allowed * sum,
+              "v = %a: %.17g, %.17g", speed[i], list[i].fraction, one.fraction);
+        for (size_t k = 0; k < n_modes; k++)
+            check(fabs(f[k] - fractions[k]) <= (exact ? 0
+                                                      : fmax(COR_DISK_RAYLEIGH_MAX_ERROR * fractions[k],
+                                                             COR_DISK_RAYLEIGH_MAX_ABSOLUTE * one.fraction)),
+                  "v = %a, mode %zu: %.17g, %.17g", speed[i], k, f[k], fractions[k]);
+    }
+    check(first == expected, "%d, %d", first, expected);
+}
+
+static void test_array(void **unused)
+{
+    (void)unused;
+    double speed[LIST];
+    for (int t = 0; t < 2; t++) {
+        const enum cor_disk_datum datum = datums[(t + 1) % 3];
+        const double limit = cor_disk_speed_limit(table(t)->nu, datum);
+        /* so many near each other that spectra are interpolated: slow, fast, and close to the limit of the law */
+        const double from[] = {1e-9, 1e-5, 0.3 * limit, 0.9 * limit}, to[] = {1e-6, 1e-3, 0.95 * limit, limit};
+        for (size_t k = 0; k < 4; k++) {
+            for (size_t i = 0; i < LIST; i++)
+                speed[i] = random_log(&state, from[k], to[k]);
+            speed[0] = to[k];
+            against_one(table(t), k == 0 ? MODES : (size_t)random_log(&state, 1, MODES), datum, speed, LIST, 0);
+        }
+        /* so few, or so far apart, that each is computed by itself; what is no speed in between */
+        const double special[] = {0, -0.0, limit, nextafter(limit, 9), -1, NAN, INFINITY, 5e-324, 1e-300, 1e-3};
+        against_one(table(t), 70, datum, special, sizeof special / sizeof *special, 1);
+        for (size_t i = 0; i < 20; i++)
+            speed[i] = random_log(&state, 1e-320, limit);
+        against_one(table(t), 64, datum, speed, 20, 1);
+    }
+    /* a table without modes l = 0 that could be continued */
+    struct cor_disk_modes few = lowest(&cor_disk_modes_nu033, 20);
+    against_one(&few, 7, COR_DISK_DATUM_DIAMETER, speed, 20, 1);
+}
+
+static void test_array_statuses(void **unused)
+{
+    (void)unused;
+    const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
+    const enum cor_disk_datum datum = COR_DISK_DATUM_DIAMETER;
+    struct cor_disk_rayleigh out[2] = {{7, 7, 7, 7}, {7, 7, 7, 7}};
+    const double speed[2] = {1e-3, 1};
+    int status[2] = {7, 7};
+    check(cor_disk_rayleigh_array(NULL, 3, datum, speed, 2, out, NULL, status) == COR_ERROR_NULL, "modes");
+    check(cor_disk_rayleigh_array(modes, 3, datum, NULL, 2, out, NULL, status) == COR_ERROR_NULL, "speed");
+    check(cor_disk_rayleigh_array(modes, 3, datum, speed, 2, NULL, NULL, status) == COR_ERROR_NULL, "out");
+    check(cor_disk_rayleigh_array(modes, 0, datum, speed, 2, out, NULL, status) == COR_ERROR_MODES, "no modes");
+    check(cor_disk_rayleigh_array(modes, 1801, datum, speed, 2, out, NULL, status) == COR_ERROR_MODES, "too many");
+    check(cor_disk_rayleigh_array(modes, 3, (enum cor_disk_datum)3, speed, 2, out, NULL, status) == COR_ERROR_DATUM,
+          "datum");
+    struct cor_disk_modes none = *modes;
+    none.nu = 2;
+    check(cor_disk_rayleigh_array(&none, 3, datum, speed, 2, out, NULL, status) == COR_ERROR_DISK_POISSON_RATIO, "nu");
+    check(out[0].fraction == 7 && out[1].tail == 7 && status[0] == 7, "touched");
+    check(cor_disk_rayleigh_array(modes, 3, datum, speed, 0, NULL, NULL, NULL) == COR_OK, "no speeds");
+    check(cor_disk_rayleigh_array(modes, 3, datum, speed, SIZE_MAX / 4, out, NULL, NULL) == COR_ERROR_MEMORY,
+          "no memory");
+    check(cor_disk_rayleigh_array(modes, 3, datum, speed, 1, out, NULL, NULL) == COR_OK && out[0].fraction < 1, "one");
+    check(cor_disk_rayleigh_array(modes, 3, datum, speed, 2, out, NULL, status) == COR_ERROR_SPEED &&
+              status[0] == COR_OK && status[1] == COR_ERROR_SPEED && isnan(out[1].fraction),
+          "too fast for the law");
+}
+
 static void test_limits(void **unused)
 {
     (void)unused;
@@ -333,6 +428,8 @@ int main(void)
         cmocka_unit_test(test_estimate_is_no_excuse),
         cmocka_unit_test(test_any_speed),
         cmocka_unit_test(test_tolerance),
+        cmocka_unit_test(test_array),
+        cmocka_unit_test(test_array_statuses),
         cmocka_unit_test(test_limits),
         cmocka_unit_test(test_statuses),
     };

@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: MIT */
+/* The tail of Rayleigh's energy.
+ *
+ * The strengths C^2 of the modes have a density 2 omega + a + O(1/omega); a comes from the rim's curvature. About it
+ * they fluctuate: what leaves the point of contact comes back to it as an echo, after times T, and an echo of relative
+ * strength e is a term e cos(omega T + ...) in the density. So
+ *
+ *   - against the mean of (2 I)^2 over its phase, the density takes the place of modes not at a sharp cut but under a
+ *     weight that fades over the upper third of the frequencies taken; that leaves nothing of any echo.
+ *   - What of (2 I)^2 oscillates, like cos(omega tau + ...)/omega^4, is in step with an echo where T is about tau. The
+ *     strongest echo, with half of the whole strength, is the surface wave that has gone round the rim: those are the
+ *     modes l = 0, whose omega and C^2 go on smoothly as power series in 1/n. They are summed one by one, far beyond the
+ *     modes taken.
+ *   - The others, of waves through the disk, are weak, e of some percent that falls about like omega^(-1/2), and many.
+ *     The modes taken have them too: the oscillation over these modes, under another weight, that is negative before
+ *     it rises to 1, foretells some of the oscillation beyond. See kernel_echo_weight. What it misses is estimated from the
+ *     strength at T = tau, measured on the modes taken. */
+#include "runtime/disk/rayleigh_tail.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "runtime/disk/rayleigh_kernel.h"
+
+/* The weight begins to fade at this times the highest frequency taken. */
+#define FADE_FROM 0.65
+/* and the other weight here */
+#define ECHO_FROM 0.15
+/* Relative error of the sums themselves */
+#define ROUNDING 1e-11
+/* Modes l = 0 that the power series in 1/n are fitted to: least and largest n of the last one; a table with a larger one
+ * would have 10^12 modes */
+enum { FIT_FROM = 12, FIT_TO = 1000000 };
+
+/* The mean of (2 I)^2 at line i over its phase */
+static double mean_response(const struct cor_lines *line, int i)
+{
+    return 2 * (line->re[i] * line->re[i] + line->im[i] * line->im[i]) + 4 * line->other[i] * line->other[i];
+}
+
+/* Gauss and Legendre's rule with 12 points on [0, 1], the half of it; DLMF 3.5(v) */
+enum { HALF_POINTS = 6 };
+static const double gauss_x[HALF_POINTS] = {0.125233408511468916, 0.367831498998180194, 0.587317954286617448,
+                                            0.769902674194304687, 0.904117256370474857, 0.981560634246719251};
+static const double gauss_w[HALF_POINTS] = {0.249147045813402785, 0.233492536538354809, 0.203167426723065922,
+                                            0.160078328543346226, 0.106939325995318431, 0.0471753363865118272};
+
+/* ---- the modes of the table ---- */
+
+void cor_rayleigh_table_init(struct cor_rayleigh_table *table, const struct cor_rayleigh_set *set,
+                             const struct cor_disk_modes *modes, size_t n_modes)
+{
+    const double to = modes->mode[n_modes - 1].omega;
+    table->set = set;
+    table->modes = modes;
+    table->n_modes = n_modes;
+    table->fading.to = to;
+    table->fading.mean_from = fmax(FADE_FROM * to, COR_RAYLEIGH_LEAST_OMEGA - 0.1);
+    table->fading.echo_from = fmax(ECHO_FROM * to, COR_RAYLEIGH_LEAST_OMEGA - 0.1);
+    table->fading.low[0] = 0.35 * to;
+    table->fading.low[1] = 0.75 * to;
+    table->fading.high[0] = 0.6 * to;
+    table->fading.high[1] = to;
+    table->low_strength = table->high_strength = 0;
+}
+
+static void chunk_clear(struct cor_mode_chunk *chunk)
+{
+    memset(&chunk->weights, 0, sizeof chunk->weights);
+    for (int i = 0; i < COR_LINES; i++)
+        chunk->omega[i] = 1;
+}
+
+void cor_rayleigh_weigh_modes(struct cor_rayleigh_table *table, size_t i, size_t to, struct cor_mode_chunk *chunk)
+{
+    const struct cor_disk_mode *const mode = table->modes->mode + i;
+    chunk_clear(chunk);
+    chunk->count = to - i < COR_LINES ? (int)(to - i) : COR_LINES;
+    double through[COR_LINES] = {0}, beyond[COR_LINES] = {0};
+    for (int j = 0; j < chunk->count; j++) {
+        chunk->omega[j] = mode[j].omega;
+        chunk->weights.strength[j] = mode[j].c * mode[j].c;
+        /* the surface waves l = 0 are continued one by one; n <= 1 are none */
+        beyond[j] = mode[j].l != 0 || mode[j].n <= 1;
+        through[j] = mode[j].l != 0;
+    }
+    table->set->weigh(&table->fading, chunk->omega, beyond, through, &chunk->weights, &table->low_strength,
+                      &table->high_strength);
+}
+
+void cor_rayleigh_add(const struct cor_spectrum *spectrum, const struct cor_mode_chunk *chunk,
+                      struct cor_mode_sums *sums, double *mode_fraction)
+{
+    struct cor_lines lines;
+    double fraction[COR_LINES];
+    cor_spectrum_lines(spectrum, chunk->count, chunk->omega, &lines);
+    cor_lines_fill(&lines, chunk->count);
+    spectrum->set->sum(&lines, &chunk->weights, sums, fraction);
+    if (mode_fraction)
+        memcpy(mode_fraction, fraction, (size_t)chunk->count * sizeof *mode_fraction);
+}
+
+/* ---- the modes l = 0 beyond it ---- */
+
+/* Speed of surface waves: xi = (c/c_S)^2, xi^3 - 8 xi^2 + (24 - 16 k) xi - 16 (1 - k) = 0, k = (c_S/c_P)^2, rises in
+ * (0, 1) through its one root there. */
+static double surface_speed(double nu)
+{
+    const double k = 0.5 * (1 - nu);
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; i++) {
+        const double xi = 0.5 * (low + high);
+        if (((xi - 8) * xi + 24 - 16 * k) * xi - 16 * (1 - k) < 0)
+            low = xi;
+        else
+            high = xi;
+    }
+    return sqrt(0.5 * (low + high) / (2 * (1 + nu)));
+}
+
+/* Newton's divided differences in place */
+static void divide_differences(const double *node, double *value)
+{
+    for (int order = 1; order < COR_SURFACE_FITTED; order++)
+        for (int k = COR_SURFACE_FITTED - 1; k >= order; k--)
+            value[k] = (value[k] - value[k - 1]) / (node[k] - node[k - order]);
+}
+
+/* omega - speed n and C^2/omega in powers of 1/n */
+void cor_surface_modes_init(struct cor_surface_modes *surface, const struct cor_rayleigh_table *table)
+{
+    const struct cor_disk_modes *const modes = table->modes;
+    struct cor_surface_fit *const fit = &surface->fit;
+    int last = 0, wanted[COR_SURFACE_FITTED], found = 0;
+    for (size_t i = 0; i < table->n_modes; i++)
+        if (modes->mode[i].l == 0 && modes->mode[i].n > last && modes->mode[i].n <= FIT_TO)
+            last = modes->mode[i].n;
+    surface->known = 0;
+    surface->highest = modes->mode[table->n_modes - 1].omega;
+    if (last < FIT_FROM)
+        return;
+    fit->speed = surface_speed(modes->nu);
+    for (int k = 0; k < COR_SURFACE_FITTED; k++)
+        wanted[k] = last - (last * k) / 8; /* down to half of it */
+    for (size_t i = 0; i < table->n_modes; i++)
+        for (int k = 0; k < COR_SURFACE_FITTED && modes->mode[i].l == 0; k++)
+            if (modes->mode[i].n == wanted[k]) {
+                const struct cor_disk_mode *mode = &modes->mode[i];
+                fit->node[k] = 1.0 / mode->n;
+                fit->omega[k] = mode->omega - fit->speed * mode->n;
+                fit->strength[k] = mode->c * mode->c / mode->omega;
+                found++;
+            }
+    if (found != COR_SURFACE_FITTED)
+        return;
+    divide_differences(fit->node, fit->omega);
+    divide_differences(fit->node, fit->strength);
+    /* In a table of a disk with none missing the next mode l = 0 comes soon, is not in it, and travels at about that
+     * speed. */
+    double omega[COR_LINES], strength[COR_LINES];
+    table->set->surface(fit, last + 1, omega, strength);
+    if (omega[0] > surface->highest && omega[0] < surface->highest + 2 && omega[0] < 1.5 * fit->speed * last)
+        surface->known = last;
+}
+
+int cor_surface_modes_next(const struct cor_surface_modes *surface, const struct cor_rayleigh_set *set, int *n,
+                           struct cor_mode_chunk *chunk)
+{
+    const double end = COR_RAYLEIGH_FAR * surface->highest;
+    double omega[COR_LINES], strength[COR_LINES];
+    if (surface->known == 0)
+        return 0;
+    /* the frequency of the mode before tells whether the last chunk has reached the end */
+    set->surface(&surface->fit, *n, omega, strength);
+    if (*n > surface->known && !(omega[0] < end))
+        return 0;
+    set->surface(&surface->fit, *n + 1, omega, strength);
+    chunk_clear(chunk);
+    chunk->count = 0;
+    while (chunk->count < COR_LINES && (chunk->count == 0 || chunk->omega[chunk->count - 1] < end)) {
+        if (!(omega[chunk->count] > surface->highest)) /* no table of a disk */
+            return 0;
+        chunk->omega[chunk->count] = omega[chunk->count];
+        chunk->weights.echo[chunk->count] = strength[chunk->count];
+        chunk->count++;
+    }
+    *n += chunk->count;
+    return 1;
+}
+
+/* The surface modes beyond the last one, n: its term (n/k)^3 turning by the same angle every time. The sum is
+ * n/(2 - i n z) - 1/2, z the angle's 2 tan of the half: right for small and for large n z, and to some percent
+ * between. */
+static double surface_rest(const struct cor_spectrum *spectrum, const struct cor_surface_modes *surface,
+                           const struct cor_mode_chunk *last, int n)
+{
+    struct cor_lines lines;
+    double omega[COR_LINES], strength[COR_LINES];
+    const int i = last->count - 1;
+    spectrum->set->surface(&surface->fit, n + 1, omega, strength);
+    cor_spectrum_lines(spectrum, 1, last->omega + i, &lines);
+    const double c = lines.cosine[0] * lines.re[0] - lines.sine[0] * lines.im[0];
+    const double s = lines.cosine[0] * lines.im[0] + lines.sine[0] * lines.re[0];
+    const double term = last->weights.echo[i] * 2 * (c * c - s * s), quadrature = last->weights.echo[i] * 4 * c * s;
+    const double z = 2 * tan(spectrum->half_time * (omega[0] - last->omega[i]));
+    const double size = 4 + (n * z) * (n * z);
+    return term * (2 * n / size - 0.5) - quadrature * (n * (n * z) / size);
+}
+
+/* ---- the modes left out ---- */
+
+/* Integrals under the weight, of the density 2 omega times the mean response, and of the mean response alone; and of
+ * 2 omega times what of the response turns with omega tau/2 */
+struct integrals {
+    double mean, curvature, half;
+};
+
+static void add_panel(struct integrals *sum, const struct cor_spectrum *spectrum, double low, double high,
+                      double fade_from, double fade_to)
+{
+    struct cor_lines lines;
+    double omega[2 * HALF_POINTS];
+    for (int i = 0; i < HALF_POINTS; i++) {
+        omega[HALF_POINTS - 1 - i] = 0.5 * (low + high) - 0.5 * (high - low) * gauss_x[i];
+        omega[HALF_POINTS + i] = 0.5 * (low + high) + 0.5 * (high - low) * gauss_x[i];
+    }
+    cor_spectrum_lines(spectrum, 2 * HALF_POINTS, omega, &lines);
+    for (int i = 0; i < 2 * HALF_POINTS; i++) {
+        const double w = gauss_w[i < HALF_POINTS ? HALF_POINTS - 1 - i : i - HALF_POINTS];
+        const double weight = 0.5 * (high - low) * w * kernel_fade((omega[i] - fade_from) / (fade_to - fade_from));
+        const double mean = mean_response(&lines, i);
+        sum->mean += weight * 2 * omega[i] * mean;
+        sum->curvature += weight * mean;
+        sum->half +=
+            weight * 16 * omega[i] * fabs(lines.other[i]) * sqrt(lines.re[i] * lines.re[i] + lines.im[i] * lines.im[i]);
+    }
+}
+
+static struct integrals integrate(const struct cor_spectrum *spectrum, double from, double to)
+{
+    struct integrals sum = {0, 0, 0};
+    add_panel(&sum, spectrum, from, to, from, to);
+    for (double omega = to; omega < 0.99 * COR_RAYLEIGH_FAR * to; omega *= 2)
+        add_panel(&sum, spectrum, omega, 2 * omega, from, to);
+    /* beyond: mean response = g/omega^4, where 1/sqrt(g) goes like ln(omega); with r = dln(g)/dln(omega)/2
+     * int 2 g omega^-3 = g (1 + r + 3/2 r^2 + ...)/omega^2 */
+    const double ends[2] = {0.5 * COR_RAYLEIGH_FAR * to, COR_RAYLEIGH_FAR * to}, end = ends[1];
+    struct cor_lines lines;
+    cor_spectrum_lines(spectrum, 2, ends, &lines);
+    const double g = mean_response(&lines, 1), r = 0.5 * log(16 * g / mean_response(&lines, 0)) / 0.69314718055994531;
+    sum.mean += end * end * g * (1 + r * (1 + 1.5 * r));
+    return sum;
+}
+
+/* int bump = 4^4 4! 4!/9! of its width */
+static double bump_integral(const double window[2])
+{
+    return (window[1] - window[0]) * (256 * 576 / 362880.0);
+}
+
+static double bump_density(const double window[2])
+{
+    return bump_integral(window) * (window[1] + window[0]);
+}
+
+/* An echo's strength, of its two components under a window */
+static double echo_of(const double sums[2], const double window[2])
+{
+    return sqrt(sums[0] * sums[0] + sums[1] * sums[1]) / bump_density(window);
+}
+
+void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
+                         const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums,
+                         const struct cor_surface_modes *surface, double surface_sum, const struct cor_mode_chunk *last,
+                         int n)
+{
+    const struct cor_fading *const fading = &table->fading;
+    const double *const low = fading->low, *const high = fading->high;
+    const struct integrals integrals = integrate(spectrum, fading->mean_from, fading->to);
+    const double more = table->low_strength - bump_density(low) + table->high_strength - bump_density(high);
+    const double curvature = surface->known ? more / (bump_integral(low) + bump_integral(high)) : 0;
+    if (surface->known)
+        surface_sum += surface_rest(spectrum, surface, last, n);
+    out->tail = integrals.mean + curvature * integrals.curvature - sums->faded + surface_sum;
+
+    /* Echoes in step with the response, as strong as under the windows; what the density has beyond 2 omega + a; the
+     * density itself, an echo of T = 0, of which the kink of the echoes' weight at 1 leaves some part in
+     * (omega_max tau)^2. Without modes l = 0 the tail cannot be estimated. The factors are empirical: the smallest,
+     * rounded up, that bound the error against sums over 20,000 modes (tests/unit/test_disk_rayleigh.c). */
+    const double echo_low = 0.7, half_echo_low = 0.4, of_density = 0.6, of_fifth = 2000, of_turn = 60;
+    const double of_echo = 1.6, of_half_echo = 2, unknown = 1;
+    const double echo = echo_of(sums->high, high) + echo_low * echo_of(sums->low, low);
+    const double half_echo = echo_of(sums->high + 2, high) + half_echo_low * echo_of(sums->low + 2, low);
+    const double square = fading->to * fading->to, turned = 2 * spectrum->half_time * fading->to;
+    const double known = of_density / square + of_fifth / (square * square * fading->to) + of_turn / (turned * turned);
+    const double rest = surface->known ? known : unknown;
+    out->error_estimate = (of_echo * echo + rest) * integrals.mean +
+                          (of_half_echo * half_echo + rest) * integrals.half +
+                          ROUNDING * (out->fraction + fabs(out->tail));
+}
