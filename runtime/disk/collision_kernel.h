@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "runtime/core/kernel_exp.h"
-#include "runtime/disk/collision.h"
+#include "runtime/disk/collision_loops.h"
 
 /* The set that includes this file defines VECTOR, the doubles in one of its vectors, and ACCUMULATORS, how many vectors
  * a sum over terms or angles keeps at once, so that additions need not wait for each other and registers suffice. */
