@@ -264,6 +264,26 @@ static void second_contact(void **state)
     }
 }
 
+/* The step of the last run */
+static void note_step(void *context, const struct cor_disk_moment *moment)
+{
+    double *const time = context;
+    time[1] = moment->time - time[0];
+    time[0] = moment->time;
+}
+
+/* omega_max h is at most 1, so that no two modes turn by 2 pi together between kicks. */
+static void no_resonance(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance)
+{
+    double time[2] = {0, 0};
+    const struct cor_disk_collision_options options = {alpha, tolerance, 0, 0};
+    const struct cor_disk_collision_detail detail = {.observe = note_step, .context = time};
+    struct cor_disk_collision out;
+    assert_int_equal(collide_in_detail(modes, n, &options, v, &out, &detail), COR_OK);
+    check(time[1] > 0 && modes->mode[n - 1].omega * time[1] <= 1 + 1e-9, "omega_max h = %g",
+          modes->mode[n - 1].omega * time[1]);
+}
+
 /* n = 0, omega up to 4000: no resonance of the step with fast modes, and as the reference says */
 static void radial(void **state)
 {
@@ -284,6 +304,7 @@ static void radial(void **state)
         const double alpha = i == 0 ? 500 : 100, v = i == 0 ? 0.1 : 0.02, tolerance = i == 0 ? 1e-10 : 1e-8;
         assert_int_equal(collide(&modes, n, alpha, v, tolerance, &fine), COR_OK);
         assert_int_equal(collide(&modes, n, alpha, v, 1e-5, &coarse), COR_OK);
+        no_resonance(&modes, n, alpha, v, 1e-5);
         print_message("%zu modes of n = 0, alpha = %g, v = %g: eps %.13f, %zu steps, drift %.1g; at 1e-5 off %.1g, "
                       "%zu steps\n",
                       n, alpha, v, fine.eps, fine.steps, fine.energy_drift, coarse.eps - fine.eps, coarse.steps);
