@@ -3,18 +3,8 @@
 
 #include <math.h>
 
-/* How much of the movement of all energies is a movement of eps: the largest share so far, for one may be small by chance */
-static double share_of_eps(const struct cor_collision_evidence *evidence)
-{
-    double share = cor_tuning.least_share;
-    for (int i = 2; i < evidence->runs; i++)
-        if (evidence->movement[i] > 0)
-            share = fmax(share, evidence->eps_movement[i] / evidence->movement[i]);
-    return evidence->runs > 3 ? share : 1;
-}
-
 /* The next run would move the result by the last movement times about the ratio of the last two, and the ones after it by
- * less: a geometric series. */
+ * less: a geometric series. Movements are those of all energies, for that of eps alone may be small by chance. */
 double cor_collision_step_error(const struct cor_collision_evidence *evidence)
 {
     const int runs = evidence->runs;
@@ -29,9 +19,8 @@ double cor_collision_step_error(const struct cor_collision_evidence *evidence)
     if (runs > 3 && movement[-2] > 0)
         ratio = fmax(ratio, movement[-1] / movement[-2]);
     const double last = fmax(movement[0], cor_tuning.least_movement * movement[-1]);
-    const double error = ratio < cor_tuning.no_convergence ? last * ratio / (1 - ratio)
-                                                           : cor_tuning.scatter * fmax(movement[0], movement[-1]);
-    return share_of_eps(evidence) * error;
+    return ratio < cor_tuning.no_convergence ? last * ratio / (1 - ratio)
+                                             : cor_tuning.scatter * fmax(movement[0], movement[-1]);
 }
 
 /* The pressure's harmonics fall off exponentially. With phi angles the harmonic 4 phi - k stands in for k, which is worst

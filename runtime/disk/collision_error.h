@@ -14,11 +14,10 @@ struct cor_collision_error {
 
 /* What the runs of a call have shown about their errors */
 struct cor_collision_evidence {
-    int runs;                                /* with the same angles */
-    double movement[COR_COLLISION_RUNS];     /* of the extrapolated result by each of them but the first */
-    double eps_movement[COR_COLLISION_RUNS]; /* of its eps */
-    double largest_movement;                 /* of eps, in the whole call */
-    double amplification;                    /* of errors: measured, or a bound on it */
+    int runs;                            /* with the same angles */
+    double movement[COR_COLLISION_RUNS]; /* of the extrapolated result by each of them but the first */
+    double largest_movement;             /* of eps, in the whole call */
+    double amplification;                /* of errors: measured, or a bound on it */
     int measured;
 };
 

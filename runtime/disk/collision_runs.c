@@ -160,10 +160,9 @@ static void runs_conclude(struct cor_motion *m, struct runs *runs, struct cor_di
     struct cor_collision_evidence *const evidence = &runs->evidence;
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
     const double less_than_none = cor_collision_results(m, runs->run, runs->levels, out, energy_after);
-    const double eps_movement = cor_collision_eps_movement(runs->run, runs->levels), left = out->one_minus_eps2;
+    const double left = out->one_minus_eps2;
     evidence->movement[evidence->runs - 1] = cor_collision_movement(m, runs->run, runs->levels);
-    evidence->eps_movement[evidence->runs - 1] = eps_movement;
-    evidence->largest_movement = fmax(evidence->largest_movement, eps_movement);
+    evidence->largest_movement = fmax(evidence->largest_movement, cor_collision_eps_movement(runs->run, runs->levels));
     bound_amplification(m, runs);
     /* modes with less energy than none: the steps are still too large to extrapolate */
     runs->error.step = fmax(cor_collision_step_error(evidence), 0.5 * less_than_none);

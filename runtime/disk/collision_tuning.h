@@ -26,7 +26,7 @@ struct cor_collision_tuning {
     /* the wall where there is no contact */
     double wall_left, wall_tolerance, no_load, contact_load;
     /* error by the step */
-    double two_runs, third_ratio, later_ratio, least_share, least_movement, no_convergence, scatter;
+    double two_runs, third_ratio, later_ratio, least_movement, no_convergence, scatter;
     /* error by the angles */
     double angles_allowed, angles_in_eps, calm;
     /* error by round-off and by the wall's energy */
@@ -87,8 +87,6 @@ static const struct cor_collision_tuning cor_tuning = {
     /* Ratio of successive movements that is believed at least, after three runs and later. Fitted. */
     .third_ratio = 0.4,
     .later_ratio = 0.25,
-    /* Movement of eps over that of all energies, at least, from four runs on. Fitted. */
-    .least_share = 0.2,
     /* A movement counts as this part of the one before it at least. Fitted. */
     .least_movement = 0.01,
     /* Ratio from which on the runs do not converge, and the error over the larger of the last two movements then.

@@ -326,7 +326,7 @@ int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double 
         memset(course.integral, 0, n * sizeof(double));
         if (collide(&disk, &efforts[i], &course) != 0)
             status = 2;
-        out->error = i == 0 ? HUGE_VAL : (double)fabsl(course.eps - before);
+        out->error = i == 0 ? HUGE_VAL : 4 * (double)fabsl(course.eps - before);
         out->bits = efforts[i].wide ? 113 : LDBL_MANT_DIG;
         if (out->error <= needed)
             status = 0;
