@@ -124,7 +124,7 @@ KERNEL void kernel_transform(const struct cor_rim *rim, size_t points, const dou
 /* exp(x); 0 below -700, infinite from 700 on */
 KERNEL double kernel_push(double x)
 {
-    const double e = kernel_exp(x > -700 ? x : -700);
+    const double e = kernel_exp(x > -700 ? x < 700 ? x : 700 : -700);
     return x < 700 ? x > -700 ? e : 0 : (double)INFINITY;
 }
 

@@ -79,7 +79,7 @@ static void course_follow(struct course *course, struct cor_collision_run *run, 
         return;
     if (course_has_maximum(course->depth))
         run->max_compression = fmax(run->max_compression, course_maximum(course->depth));
-    if (course_has_maximum(load))
+    if (course_has_maximum(load) && load[0] > LOG_NO_LOAD && load[MOMENTS - 1] > LOG_NO_LOAD)
         run->max_load = fmax(run->max_load, exp(course_maximum(load)));
     const int above = load[3] >= log_threshold;
     if (above != (load[2] >= log_threshold)) {

@@ -99,7 +99,8 @@ enum cor_collision_kick cor_collision_kick(struct cor_motion *m, double h, enum 
     const size_t reached = angles == COR_WINDOW ? now->window : m->rim.points;
     now->force = now->stiffness = 0;
     now->load = rim_load(m, now->depth, reached);
-    if (!(now->load < INFINITY))
+    /* the largest acceleration of the rim is at least that of the centre */
+    if (!(h * h * m->alpha / COR_DISK_MASS * now->load < cor_tuning.max_stiffness))
         return COR_KICK_TOO_STIFF;
     memset(m->force_c, 0, m->size.blocks * COR_LANES * sizeof *m->force_c);
     memset(m->force_s, 0, m->size.blocks * COR_LANES * sizeof *m->force_s);

@@ -103,6 +103,9 @@ size_t cor_motion_arrange(struct cor_motion *m, char *base)
 
 /* ---- tables ---- */
 
+/* Reach of the places beyond the last angle: they never have a pressure. */
+#define NOWHERE (-1e6)
+
 void cor_motion_set_modes(struct cor_motion *m)
 {
     const struct cor_motion_sizes *size = &m->size;
@@ -146,7 +149,7 @@ void cor_motion_set_angles(struct cor_motion *m, size_t phi)
     }
     for (size_t j = 0; j < points; j++) {
         const double half_sine = sin((double)j * (COR_PI / (4 * (double)phi)));
-        m->shape[j] = -2 * half_sine * half_sine; /* cos(phi_j) - 1 */
+        m->shape[j] = j < phi ? -2 * half_sine * half_sine : NOWHERE; /* cos(phi_j) - 1 */
         m->flat[j] = 0;
         m->weight[j] = j == 0 ? COR_PI / (2 * (double)phi) : j < phi ? COR_PI / (double)phi : 0;
         for (size_t k = 0; k < terms; k++) {

@@ -5,6 +5,8 @@
 #define _XOPEN_SOURCE 600 /* j0, j1 */
 #include "check.h"
 
+#include <errno.h>
+#include <fenv.h>
 #include <limits.h>
 #include <time.h>
 
@@ -667,6 +669,27 @@ static void never_ended(void **state)
     }
 }
 
+/* Simulators trap these, and errno is theirs: whatever the speed, the wall and the angles, also where runs fail. */
+static void no_exceptions(void **state)
+{
+    (void)state;
+    static const double alpha[] = {40, 500, 4000, 1e5}, speed[] = {0x1p-1074, 1e-160, 1e-7, 0.003, 0.1, 0.5};
+    static const size_t angles[] = {0, 1, 2, 7, 50};
+    for (size_t i = 0; i < sizeof alpha / sizeof *alpha; i++)
+        for (size_t j = 0; j < sizeof speed / sizeof *speed; j++)
+            for (size_t k = 0; k < listed(sizeof angles / sizeof *angles); k++)
+                for (size_t n = 1; n < 100; n = 10 * n + 1) {
+                    const struct cor_disk_collision_options options = {alpha[i], 1e-6, angles[k], 1500};
+                    struct cor_disk_collision out;
+                    errno = 0;
+                    feclearexcept(FE_ALL_EXCEPT);
+                    cor_disk_collision(&cor_disk_modes_nu033, n, &options, speed[j], &out);
+                    check(fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) == 0 && errno == 0,
+                          "N = %zu, alpha = %g, v = %g, %zu angles: exceptions %d, errno %d", n, alpha[i], speed[j],
+                          angles[k], fetestexcept(FE_ALL_EXCEPT), errno);
+                }
+}
+
 /* ---- what is refused ---- */
 
 enum { CANARIES = 64 };
@@ -828,6 +851,7 @@ int main(void)
         cmocka_unit_test(chaotic),
         cmocka_unit_test(never_touched),
         cmocka_unit_test(never_ended),
+        cmocka_unit_test(no_exceptions),
         cmocka_unit_test(workspaces),
         cmocka_unit_test(refusals),
     };

@@ -184,6 +184,8 @@ static void six_and_seven_modes(void **state)
 static void one_mode_at_a_stiff_wall(void **state)
 {
     (void)state;
+    if (points(2) < 2) /* a million steps */
+        return;
     const struct scene s = {0.33, 1, 1e5, 0.5, 1e-3};
     const clock_t start = clock();
     promise_kept(&s, 0.64017708980255905, COR_OK);

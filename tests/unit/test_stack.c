@@ -137,7 +137,7 @@ static void stack_of_functions(void **state)
     static const struct {
         const char *name;
         void (*function)(void);
-        size_t most; /* what cor/disk.h says, and a tenth more */
+        size_t most; /* what cor/disk.h says, with a margin */
     } group[] = {
         {"cor_disk_rayleigh", disk_rayleigh, 60000},
         {"cor_disk_collision", disk_collision, 10000},
