@@ -138,17 +138,17 @@ static const struct hard_case collision_cases[] = {
     {"resonance of fast n = 0 modes with the step", "omega h near a multiple of pi feeds energy into a mode",
      "the four lowest modes and all of n = 0 to omega = 62 (nu = 0.33, 0.9), alpha = 200, 2000, tolerances 1e-2 to "
      "1e-11 (full: 70 to 4000, every number of modes)",
-     "Taylor series in time, in long double or quad precision", "tolerances, or error_estimates where not COR_OK", 1,
-     resonance},
+     "Taylor series in time, in long double or quad precision",
+     "of the tolerance, or of error_estimate where not COR_OK", 1, resonance},
     {"the chaotic case", "error_estimate is smaller than the error",
      "940 modes, alpha = 2000, v = 0.3, tolerances 1e-2, 1e-3 and 1e-8", "runs with other steps and angles",
-     "tolerances, or error_estimates where not COR_OK", 1, chaotic},
+     "of the tolerance, or of error_estimate where not COR_OK", 1, chaotic},
     {"the chaotic case", "runs agree by chance and COR_OK is wrong",
      "few modes at a hard wall: 30, alpha = 8000, v = 0.3; 60, 2000, 0.1; 100, 4000, 0.05; tolerances 1e-3 to 1e-5 "
      "(full: "
      "to 1e-7)",
      "Taylor series in time, in long double or quad precision (full: run again)",
-     "tolerances, or error_estimates where not COR_OK", 1, bounces},
+     "of the tolerance, or of error_estimate where not COR_OK", 1, bounces},
 };
 
 const struct case_list stability_collision = {collision_cases, sizeof collision_cases / sizeof *collision_cases};
