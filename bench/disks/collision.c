@@ -9,7 +9,7 @@
 int collision_with_cor(const struct cor_disk_modes *modes, size_t n_modes, double alpha, double tolerance,
                        struct cor_disk_collision *out)
 {
-    const struct cor_disk_collision_options options = {alpha, tolerance, 0};
+    const struct cor_disk_collision_options options = {alpha, tolerance, 0, 0};
     const int status = cor_disk_collision(modes, n_modes, &options, COLLISION_SPEED, out);
     disk_must(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED, cor_status_text(status));
     return status;

@@ -18,7 +18,7 @@ struct model {
 static void collide(void *closure)
 {
     struct model *const m = closure;
-    const struct cor_disk_collision_options options = {m->alpha, model_tolerance, 0};
+    const struct cor_disk_collision_options options = {m->alpha, model_tolerance, 0, 0};
     struct cor_disk_collision out;
     const int status = cor_disk_collision(&cor_disk_modes_nu033, m->n, &options, m->speed, &out);
     disk_must(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED, cor_status_text(status));

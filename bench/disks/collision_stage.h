@@ -5,11 +5,11 @@
 
 #include <cor/disk.h>
 
-#include "runtime/disk/collision.h"
+#include "runtime/disk/collision_loops.h"
 
 #define STAGE_MASS 3.14159265358979323846
 
-/* A disk as the library's inner loops want it (runtime/disk/collision.h) */
+/* A disk as the library's inner loops want it (runtime/disk/collision_loops.h) */
 struct stage {
     size_t cells, lanes;
     struct cor_mode_block *block;

@@ -63,7 +63,7 @@ struct collision {
 static void collide(void *closure)
 {
     struct collision *const c = closure;
-    const struct cor_disk_collision_options options = {56 / c->speed, 1e-6, 0};
+    const struct cor_disk_collision_options options = {56 / c->speed, 1e-6, 0, 0};
     struct cor_disk_collision out;
     cor_disk_collision(modes, c->modes, &options, c->speed, &out);
     c->steps = (double)out.steps;

@@ -64,14 +64,14 @@ static double alpha_of(double hard, double speed)
 
 static void collide(struct disks *d, struct outcome *out, size_t modes, double alpha, double speed)
 {
-    const struct cor_disk_collision_options options = {alpha, COLLISION_TOLERANCE, 0};
+    const struct cor_disk_collision_options options = {alpha, COLLISION_TOLERANCE, 0, 0};
     const size_t needed = cor_disk_collision_workspace(&d->modes, modes, &options);
     if (needed > d->bytes) {
         free(d->room);
         d->room = xmalloc(needed);
         d->bytes = needed;
     }
-    struct cor_disk_collision c = {(double)NAN, (double)NAN, (double)NAN, (double)NAN, (double)NAN, 0};
+    struct cor_disk_collision c = {(double)NAN, (double)NAN, (double)NAN, (double)NAN, (double)NAN, 0, (double)NAN};
     const int status = cor_disk_collision_in(d->room, d->bytes, &d->modes, modes, &options, speed, &c, NULL);
     out->value[PLAN_EPS] = c.eps;
     out->value[PLAN_CONTACT_TIME] = c.contact_time;

@@ -110,7 +110,7 @@ static int refuse_corners(const struct collide *run, const struct cor_disk_modes
     for (int corner = 0; corner < 8; corner++) {
         const double a = alpha[corner & 1], v = speed[corner >> 1 & 1];
         const size_t n = (size_t)fmin(count[corner >> 2], (double)modes->count);
-        const struct cor_disk_collision_options options = {a, s->tolerance, s->phi_points};
+        const struct cor_disk_collision_options options = {a, s->tolerance, s->phi_points, 0};
         struct cor_disk_collision out;
         double nothing = 0;
         const int status = cor_disk_collision_in(&nothing, 0, modes, n, &options, v, &out, NULL);

@@ -166,9 +166,9 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
                    const struct cor_disk_modes *modes, struct sweep_room *room)
 {
     const double start = seconds_now();
-    const struct cor_disk_collision_options options = {row->alpha, sweep->tolerance, sweep->phi_points};
+    const struct cor_disk_collision_options options = {row->alpha, sweep->tolerance, sweep->phi_points, 0};
     /* of nothing but this row, so that nothing else can decide its numbers */
-    *result = (struct sweep_result){.collision = {NAN, NAN, NAN, NAN, NAN, 0}};
+    *result = (struct sweep_result){.collision = {NAN, NAN, NAN, NAN, NAN, 0, NAN}};
     const size_t needed = cor_disk_collision_workspace(modes, row->modes, &options);
     if (needed > room->size) {
         free(room->bytes);

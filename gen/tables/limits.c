@@ -130,9 +130,10 @@ static void collide(void *context, int thread, uint64_t task, void *result)
     struct collisions *const run = context;
     const struct row *const row = &run->row[run->chosen[task]];
     struct room *const room = &run->room[thread];
-    const struct cor_disk_collision_options options = {number(row->alpha), DISK_LIMITS_TOLERANCE, 0};
+    const struct cor_disk_collision_options options = {number(row->alpha), DISK_LIMITS_TOLERANCE, 0,
+                                                       COR_DISK_COLLISION_MAX_STEPS};
     const size_t needed = cor_disk_collision_workspace(&run->modes, row->modes, &options);
-    struct cor_disk_collision collision = {NAN, NAN, NAN, NAN, NAN, 0};
+    struct cor_disk_collision collision = {NAN, NAN, NAN, NAN, NAN, 0, NAN};
     if (needed > room->size) {
         free(room->bytes);
         room->bytes = xmalloc(needed);

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "runtime/core/kernel_exp.h"
-#include "runtime/disk/collision.h"
+#include "runtime/disk/collision_loops.h"
 
 /* The set that includes this file defines VECTOR, the doubles in one of its vectors, and ACCUMULATORS, how many vectors
  * a sum over terms or angles keeps at once, so that additions need not wait for each other and registers suffice. */
@@ -124,7 +124,7 @@ KERNEL void kernel_transform(const struct cor_rim *rim, size_t points, const dou
 /* exp(x); 0 below -700, infinite from 700 on */
 KERNEL double kernel_push(double x)
 {
-    const double e = kernel_exp(x > -700 ? x : -700);
+    const double e = kernel_exp(x > -700 ? x < 700 ? x : 700 : -700);
     return x < 700 ? x > -700 ? e : 0 : (double)INFINITY;
 }
 

@@ -102,7 +102,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct input in = {data, size};
     const uint8_t how = take_byte(&in);
     double speed = take_double(&in);
-    struct cor_disk_collision_options options = {take_double(&in), take_double(&in), 0};
+    struct cor_disk_collision_options options = {take_double(&in), take_double(&in), 0, 0};
     /* two of three are in the middle of what is allowed */
     if (how % 3 != 0) {
         options.alpha = 40 + fmin(fabs(options.alpha), 1) * 1000;

@@ -345,7 +345,7 @@ static void disk_request_clear(struct plan_disks_request *request)
 
 static double collided(size_t modes, double alpha, double speed, enum plan_quantity quantity)
 {
-    const struct cor_disk_collision_options options = {alpha, 1e-7, 0};
+    const struct cor_disk_collision_options options = {alpha, 1e-7, 0, 0};
     struct cor_disk_collision out;
     assert_int_equal(cor_disk_collision(&cor_disk_modes_nu033, modes, &options, speed, &out), COR_OK);
     return quantity == PLAN_EPS ? out.eps : quantity == PLAN_CONTACT_TIME ? out.contact_time : out.max_compression;

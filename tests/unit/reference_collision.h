@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The collision of a disk with the wall exp(alpha x)/alpha, (40), (44), (45) of Gerl and Zippelius, by extrapolation:
- * what tests hold cor_disk_collision against, and no code of it. */
+/* The collision of a disk with the wall exp(alpha x)/alpha, (40), (44), (45) of Gerl and Zippelius, by Taylor series in
+ * time: the truth for tests of cor_disk_collision, with none of its code and none of its method. */
 #ifndef COR_TESTS_REFERENCE_COLLISION_H
 #define COR_TESTS_REFERENCE_COLLISION_H
 
@@ -12,20 +12,19 @@ struct reference_collision {
     double eps, one_minus_eps2, contact_time, max_compression; /* as in struct cor_disk_collision */
     double energy_drift;
     double max_load;
-    size_t steps, evaluations;
+    double error;         /* four times the difference of the last two runs in eps; the first of them errs more */
+    int bits;             /* of the arithmetic: 64 for long double, 113 for quad precision */
+    size_t steps, panels; /* of the last run */
 };
 
 /* The equations of motion with the signs that conserve energy, in the variables x_0 and Q themselves,
  *     x_0'' = -load/m,     Q'' = -omega^2 Q - (1/m) int (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) exp(alpha x) dphi,
- * by Stoermer's method with 1, 2, ... 8 sub-steps extrapolated to none (order 16), its step chosen for an error of
- * `tolerance` a step in every velocity, relative to v; the integrals by Gauss's rule of 16 points on `panels` equal
- * panels of the part of 0 <= phi <= pi/2 that can be pressed, and on one panel of the rest. Moments between steps (largest load, ends of contact, largest compression) are reached by
- * a shorter step from the one before, so are as good as the rest. The motion ends where no sum of the amplitudes, all
- * of one sign, reaches the wall again.
- * energy_after and energy_average are NULL or get n numbers. Returns 0, or 1 without memory or where the step vanishes
- * or after 10^6 of them. */
-int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double alpha, double speed, double tolerance,
-                             size_t panels, struct reference_collision *out, double *energy_after,
-                             double *energy_average);
+ * by Taylor series of order 20 to 34 in time. The integrals take Gauss's rule of 16 points on equal panels of the
+ * quadrant. Each run has steps, order and panels for 100 times less error than the run before; the first runs are in
+ * long double, the later ones in quad precision. The runs end when two of them agree to `needed` in eps.
+ * energy_after and energy_average are NULL or get n numbers. Returns 0, or 1 where even the last runs do not agree (their
+ * numbers are in *out), or 2 without memory or after 10^6 steps. */
+int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double alpha, double speed, double needed,
+                             struct reference_collision *out, double *energy_after, double *energy_average);
 
 #endif

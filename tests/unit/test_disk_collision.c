@@ -5,6 +5,8 @@
 #define _XOPEN_SOURCE 600 /* j0, j1 */
 #include "check.h"
 
+#include <errno.h>
+#include <fenv.h>
 #include <limits.h>
 #include <time.h>
 
@@ -15,8 +17,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* What the reference itself may be off, in eps and in energies relative to (pi/2) v^2 */
-static const double slack = 1e-11;
+/* Error allowed to the reference, in eps and in energies relative to (pi/2) v^2 */
+static const double slack = 1e-13;
 
 /* What disk.h calls not as good: taken between moments, in the midst of the contact; relative to v, relative, and
  * relative to (pi/2) v^2, at a tolerance of 1e-11 */
@@ -39,7 +41,7 @@ static const struct cor_disk_modes *material(double nu)
 static int collide(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
                    struct cor_disk_collision *out)
 {
-    const struct cor_disk_collision_options options = {alpha, tolerance, 0};
+    const struct cor_disk_collision_options options = {alpha, tolerance, 0, 0};
     return cor_disk_collision(modes, n, &options, v, out);
 }
 
@@ -61,7 +63,8 @@ static void same_results(const struct cor_disk_collision *x, const struct cor_di
 {
     check(same_bits(x->eps, y->eps) && same_bits(x->one_minus_eps2, y->one_minus_eps2) &&
               same_bits(x->contact_time, y->contact_time) && same_bits(x->max_compression, y->max_compression) &&
-              same_bits(x->energy_drift, y->energy_drift) && x->steps == y->steps,
+              same_bits(x->energy_drift, y->energy_drift) && x->steps == y->steps &&
+              same_bits(x->error_estimate, y->error_estimate),
           "%s: eps = %a and %a", what, x->eps, y->eps);
 }
 
@@ -77,10 +80,16 @@ static void known_answers(void **state)
     } known[] = {{10, 0.942107627106, 1e-12}, {940, 0.9504656552925, 1e-13}, {1600, 0.9510872406816, 1e-13}};
     for (size_t i = 0; i < listed(3); i++) {
         struct cor_disk_collision out;
-        assert_int_equal(collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-13, &out), COR_OK);
+        assert_int_equal(collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-12, &out), COR_OK);
+        assert_true(out.error_estimate <= 1e-12);
+        check(fabs(out.eps - known[i].eps) <= 0.5 * known[i].unit + 1e-12, "N = %zu: %.15f", known[i].n, out.eps);
+        /* round-off allows no more, and the estimate says so; the number is as good as it can be */
+        const int status = collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-13, &out);
+        assert_true(status == (out.error_estimate <= 1e-13 ? COR_OK : COR_TOLERANCE_NOT_REACHED));
+        assert_true(out.error_estimate < 4e-13);
         print_message("N = %zu: eps = %.15f, drift %.1g, %zu steps\n", known[i].n, out.eps, out.energy_drift,
                       out.steps);
-        /* half a unit of the last digit, and the tolerance */
+        /* half a unit of the last digit, and what was asked for */
         check(fabs(out.eps - known[i].eps) <= 0.5 * known[i].unit + 1e-13, "N = %zu: %.15f", known[i].n, out.eps);
         /* an extrapolation of a lower order needs more */
         check(i > 0 || out.steps < 10000, "%zu steps", out.steps);
@@ -92,17 +101,17 @@ static void known_answers(void **state)
 /* Against the reference: eps and the energies to the tolerance, the rest to the bounds above */
 static void as_reference(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance)
 {
-    const size_t panels = 8 + (size_t)(alpha * v / 100);
     struct reference_collision reference;
     struct cor_disk_collision out;
-    assert_int_equal(reference_disk_collision(modes->mode, n, alpha, v, 1e-14, panels, &reference, reference_after,
-                                              reference_average),
-                     0);
-    check(fabs(reference.energy_drift) < slack, "reference, N = %zu, alpha = %g, v = %g: energy drifts by %g", n, alpha,
-          v, reference.energy_drift);
-    const struct cor_disk_collision_options options = {alpha, tolerance, 0};
+    assert_int_equal(
+        reference_disk_collision(modes->mode, n, alpha, v, slack, &reference, reference_after, reference_average), 0);
+    check(fabs(reference.energy_drift) <= slack, "reference, N = %zu, alpha = %g, v = %g: energy drifts by %g", n,
+          alpha, v, reference.energy_drift);
+    const struct cor_disk_collision_options options = {alpha, tolerance, 0, 0};
     const struct cor_disk_collision_detail detail = {.energy_after = after, .energy_average = average};
     const int status = collide_in_detail(modes, n, &options, v, &out, &detail);
+    check(fabs(out.eps - reference.eps) <= out.error_estimate + slack, "N = %zu, alpha = %g, v = %g: off %g, not %g", n,
+          alpha, v, out.eps - reference.eps, out.error_estimate);
     double off_after = 0, off_average = 0;
     for (size_t i = 0; i < n; i++) {
         off_after = fmax(off_after, fabs(after[i] - reference_after[i]));
@@ -257,6 +266,26 @@ static void second_contact(void **state)
     }
 }
 
+/* The step of the last run */
+static void note_step(void *context, const struct cor_disk_moment *moment)
+{
+    double *const time = context;
+    time[1] = moment->time - time[0];
+    time[0] = moment->time;
+}
+
+/* omega_max h is at most 1, so that no two modes turn by 2 pi together between kicks. */
+static void no_resonance(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance)
+{
+    double time[2] = {0, 0};
+    const struct cor_disk_collision_options options = {alpha, tolerance, 0, 0};
+    const struct cor_disk_collision_detail detail = {.observe = note_step, .context = time};
+    struct cor_disk_collision out;
+    assert_int_equal(collide_in_detail(modes, n, &options, v, &out, &detail), COR_OK);
+    check(time[1] > 0 && modes->mode[n - 1].omega * time[1] <= 1 + 1e-9, "omega_max h = %g",
+          modes->mode[n - 1].omega * time[1]);
+}
+
 /* n = 0, omega up to 4000: no resonance of the step with fast modes, and as the reference says */
 static void radial(void **state)
 {
@@ -277,6 +306,7 @@ static void radial(void **state)
         const double alpha = i == 0 ? 500 : 100, v = i == 0 ? 0.1 : 0.02, tolerance = i == 0 ? 1e-10 : 1e-8;
         assert_int_equal(collide(&modes, n, alpha, v, tolerance, &fine), COR_OK);
         assert_int_equal(collide(&modes, n, alpha, v, 1e-5, &coarse), COR_OK);
+        no_resonance(&modes, n, alpha, v, 1e-5);
         print_message("%zu modes of n = 0, alpha = %g, v = %g: eps %.13f, %zu steps, drift %.1g; at 1e-5 off %.1g, "
                       "%zu steps\n",
                       n, alpha, v, fine.eps, fine.steps, fine.energy_drift, coarse.eps - fine.eps, coarse.steps);
@@ -290,19 +320,26 @@ static void radial(void **state)
 
 /* ---- tolerances ---- */
 
-/* A tolerance is kept: against a run at 1e-12; and energies are what they are of. */
+/* Tolerances from here on are reached in calm collisions; below it round-off may exceed them. */
+static const double least_tolerance = 1e-11;
+
+/* A tolerance is kept, and energies are what they are of. */
 static void kept(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
-                 const struct cor_disk_collision *truth, double *worst)
+                 const struct reference_collision *truth, double unsure, double *worst)
 {
     struct cor_disk_collision out;
-    const struct cor_disk_collision_options options = {alpha, tolerance, 0};
+    const struct cor_disk_collision_options options = {alpha, tolerance, 0, 0};
     const struct cor_disk_collision_detail detail = {.energy_after = after};
     const int status = collide_in_detail(modes, n, &options, v, &out, &detail);
-    check(status == COR_OK, "nu = %g, N = %zu, alpha = %g, v = %g, tolerance %g: %s", modes->nu, n, alpha, v, tolerance,
+    check(status == COR_OK || (status == COR_TOLERANCE_NOT_REACHED && tolerance < least_tolerance),
+          "nu = %g, N = %zu, alpha = %g, v = %g, tolerance %g: %s", modes->nu, n, alpha, v, tolerance,
           cor_status_text(status));
+    check(fabs(out.eps - truth->eps) <= out.error_estimate + unsure, "tolerance %g: off %g, not %g", tolerance,
+          out.eps - truth->eps, out.error_estimate);
+    tolerance = fmax(tolerance, out.error_estimate);
     const double off = fabs(out.eps - truth->eps) / tolerance;
     *worst = fmax(*worst, off);
-    check(off <= 1 + 1e-12 / tolerance, "nu = %g, N = %zu, alpha = %a, v = %a, tolerance %g: eps %.14f, not %.14f",
+    check(off <= 1 + unsure / tolerance, "nu = %g, N = %zu, alpha = %a, v = %a, tolerance %g: eps %.14f, not %.14f",
           modes->nu, n, alpha, v, tolerance, out.eps, truth->eps);
     check(fabs(out.one_minus_eps2 - truth->one_minus_eps2) <= 4 * tolerance,
           "nu = %g, N = %zu, alpha = %a, v = %a, tolerance %g: 1 - eps^2 = %.14f, not %.14f", modes->nu, n, alpha, v,
@@ -333,12 +370,19 @@ static void tolerances(void **state)
     double worst = 0;
     for (size_t i = 0; i < listed(sizeof scene / sizeof *scene); i++) {
         const struct cor_disk_modes *const modes = material(scene[i].nu);
-        struct cor_disk_collision truth, out;
-        assert_int_equal(collide(modes, scene[i].n, scene[i].alpha, scene[i].v, 1e-12, &truth), COR_OK);
+        /* the value of 940 modes is one of known_answers: the reference takes a second for it */
+        struct reference_collision truth = {.eps = 0.9504656552925};
+        struct cor_disk_collision out;
+        if (scene[i].n < 940)
+            assert_int_equal(reference_disk_collision(modes->mode, scene[i].n, scene[i].alpha, scene[i].v, slack,
+                                                      &truth, NULL, NULL),
+                             0);
+        else
+            truth.one_minus_eps2 = 1 - truth.eps * truth.eps;
         size_t most = 0, least = SIZE_MAX;
         for (double tolerance = 0.1; tolerance > 2e-12; tolerance /= listed(2) == 2 ? 10 : 100) {
-            kept(modes, scene[i].n, scene[i].alpha, scene[i].v, tolerance, &truth, &worst);
-            assert_int_equal(collide(modes, scene[i].n, scene[i].alpha, scene[i].v, tolerance, &out), COR_OK);
+            kept(modes, scene[i].n, scene[i].alpha, scene[i].v, tolerance, &truth, slack, &worst);
+            collide(modes, scene[i].n, scene[i].alpha, scene[i].v, tolerance, &out);
             most = out.steps > most ? out.steps : most;
             least = out.steps < least ? out.steps : least;
         }
@@ -347,27 +391,29 @@ static void tolerances(void **state)
     print_message("off by at most %.2g of the tolerance\n", worst);
 }
 
+/* More modes, softer walls and larger tolerances than test_disk_collision_error.c draws, against a call with 1e-11 */
 static void random_tolerances(void **state)
 {
     (void)state;
     struct random_state random = random_start();
     double worst = 0;
     size_t chaotic = 0;
-    for (size_t i = 0; i < points(40); i++) {
+    for (size_t i = 0; i < points(30); i++) {
         const struct cor_disk_modes *const modes = material(random_uniform(&random, 0, 1));
         const size_t n = (size_t)random_log(&random, 1, 300);
         const double v = random_log(&random, 0.003, 0.3), alpha = random_log(&random, 50, fmin(8000, 50 / v));
-        struct cor_disk_collision truth;
-        if (collide(modes, n, alpha, v, 1e-12, &truth) != COR_OK) {
+        struct cor_disk_collision fine;
+        if (collide(modes, n, alpha, v, 1e-11, &fine) != COR_OK) {
             print_message("chaotic: nu = %g, N = %zu, alpha = %g, v = %g\n", modes->nu, n, alpha, v);
             chaotic++;
             continue;
         }
+        const struct reference_collision truth = {.eps = fine.eps, .one_minus_eps2 = fine.one_minus_eps2};
         for (int k = 0; k < 3; k++)
-            kept(modes, n, alpha, v, random_log(&random, 1e-11, 0.9), &truth, &worst);
+            kept(modes, n, alpha, v, random_log(&random, 1e-9, 0.9), &truth, 1e-11, &worst);
     }
     print_message("off by at most %.2g of the tolerance\n", worst);
-    assert_true(chaotic <= points(40) / 10);
+    assert_true(chaotic <= points(30) / 10);
 }
 
 /* At the edges of what may be asked for */
@@ -375,7 +421,8 @@ static void extreme_tolerances(void **state)
 {
     (void)state;
     struct cor_disk_collision finest, coarsest;
-    assert_int_equal(collide(&cor_disk_modes_nu033, 3, 500, 0.1, COR_DISK_COLLISION_MIN_TOLERANCE, &finest), COR_OK);
+    collide(&cor_disk_modes_nu033, 3, 500, 0.1, COR_DISK_COLLISION_MIN_TOLERANCE, &finest);
+    assert_true(finest.error_estimate < 1e-12);
     assert_int_equal(collide(&cor_disk_modes_nu033, 3, 500, 0.1, nextafter(1, 0), &coarsest), COR_OK);
     assert_true(finest.eps > 0 && finest.eps < 1 && coarsest.steps < finest.steps);
     assert_true(fabs(coarsest.eps - finest.eps) < 1);
@@ -391,7 +438,7 @@ static void phi_points(void **state)
     size_t kept_from = 0;
     const size_t finer = listed(4); /* fewer angles to try for few points */
     for (size_t n = 1; n <= 512; n = n * (finer + 1) / finer + 1) {
-        const struct cor_disk_collision_options options = {500, 1e-10, n};
+        const struct cor_disk_collision_options options = {500, 1e-10, n, 0};
         const int status = cor_disk_collision(&cor_disk_modes_nu033, 10, &options, 0.1, &out);
         const double off = fabs(out.eps - truth.eps);
         assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
@@ -456,12 +503,12 @@ static void moments(void **state)
         double alpha, v, tolerance, wander;
     } scene[] = {{0.33, 10, 500, 0.1, 1e-9, 3e-4},
                  {0.9, 100, 2000, 0.02, 1e-10, 1.2e-5},
-                 {0.33, 1, 50, 0.3, 1e-6, 1.5e-3},
+                 {0.33, 1, 50, 0.3, 1e-7, 1.5e-3},
                  {0.9, 30, 300, 0.1, 1e-3, 5e-4}};
     for (size_t k = 0; k < listed(sizeof scene / sizeof *scene); k++) {
         struct diary diary = {
             .modes = material(scene[k].nu), .n = scene[k].n, .alpha = scene[k].alpha, .speed = scene[k].v};
-        const struct cor_disk_collision_options options = {scene[k].alpha, scene[k].tolerance, 0};
+        const struct cor_disk_collision_options options = {scene[k].alpha, scene[k].tolerance, 0, 0};
         const struct cor_disk_collision_detail detail = {after, NULL, write_down, &diary, diary.q, diary.q_dot};
         struct cor_disk_collision out, silent;
         assert_int_equal(collide_in_detail(diary.modes, diary.n, &options, diary.speed, &out, &detail), COR_OK);
@@ -499,7 +546,7 @@ static void moments(void **state)
 static void same_every_time(void **state)
 {
     (void)state;
-    const struct cor_disk_collision_options options = {500, 1e-7, 0};
+    const struct cor_disk_collision_options options = {500, 1e-7, 0, 0};
     const struct cor_disk_collision_detail detail = {.energy_after = after, .energy_average = average};
     const size_t n = 20, bytes = cor_disk_collision_workspace(&cor_disk_modes_nu033, n, &options);
     assert_true(bytes > 0);
@@ -572,7 +619,7 @@ static void chaotic(void **state)
     struct cor_disk_collision out;
     static struct diary diary;
     diary = (struct diary){.modes = &cor_disk_modes_nu033, .n = 940, .alpha = 2000, .speed = 0.3};
-    const struct cor_disk_collision_options options = {diary.alpha, 1e-3, 0};
+    const struct cor_disk_collision_options options = {diary.alpha, 1e-3, 0, 30000};
     const struct cor_disk_collision_detail detail = {NULL, NULL, write_down, &diary, diary.q, diary.q_dot};
     const int status = collide_in_detail(diary.modes, diary.n, &options, diary.speed, &out, &detail);
     print_message("chaotic: eps %.6f, drift %.1g, of the last run %.1g, %zu steps, %s\n", out.eps, out.energy_drift,
@@ -622,6 +669,27 @@ static void never_ended(void **state)
     }
 }
 
+/* Simulators trap these, and errno is theirs: whatever the speed, the wall and the angles, also where runs fail. */
+static void no_exceptions(void **state)
+{
+    (void)state;
+    static const double alpha[] = {40, 500, 4000, 1e5}, speed[] = {0x1p-1074, 1e-160, 1e-7, 0.003, 0.1, 0.5};
+    static const size_t angles[] = {0, 1, 2, 7, 50};
+    for (size_t i = 0; i < sizeof alpha / sizeof *alpha; i++)
+        for (size_t j = 0; j < sizeof speed / sizeof *speed; j++)
+            for (size_t k = 0; k < listed(sizeof angles / sizeof *angles); k++)
+                for (size_t n = 1; n < 100; n = 10 * n + 1) {
+                    const struct cor_disk_collision_options options = {alpha[i], 1e-6, angles[k], 1500};
+                    struct cor_disk_collision out;
+                    errno = 0;
+                    feclearexcept(FE_ALL_EXCEPT);
+                    cor_disk_collision(&cor_disk_modes_nu033, n, &options, speed[j], &out);
+                    check(fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) == 0 && errno == 0,
+                          "N = %zu, alpha = %g, v = %g, %zu angles: exceptions %d, errno %d", n, alpha[i], speed[j],
+                          angles[k], fetestexcept(FE_ALL_EXCEPT), errno);
+                }
+}
+
 /* ---- what is refused ---- */
 
 enum { CANARIES = 64 };
@@ -641,7 +709,7 @@ static void workspaces(void **state)
                  {0.9, 2, 500, 0.1, 0.5, 999}};
     for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
         const struct cor_disk_modes *const modes = material(scene[i].nu);
-        const struct cor_disk_collision_options options = {scene[i].alpha, scene[i].tolerance, scene[i].phi_points};
+        const struct cor_disk_collision_options options = {scene[i].alpha, scene[i].tolerance, scene[i].phi_points, 0};
         const size_t n = scene[i].n, bytes = cor_disk_collision_workspace(modes, n, &options);
         assert_true(bytes > 0);
         unsigned char *const memory = malloc(bytes + CANARIES);
@@ -669,7 +737,8 @@ static void workspaces(void **state)
         free(memory);
     }
     /* more for more */
-    const struct cor_disk_collision_options plain = {500, 1e-6, 0}, harder = {8000, 1e-6, 0}, finer = {500, 1e-12, 0};
+    const struct cor_disk_collision_options plain = {500, 1e-6, 0, 0}, harder = {8000, 1e-6, 0, 0},
+                                            finer = {500, 1e-12, 0, 0};
     const size_t bytes = cor_disk_collision_workspace(&cor_disk_modes_nu033, 100, &plain);
     assert_true(cor_disk_collision_workspace(&cor_disk_modes_nu033, 100, &harder) > bytes);
     assert_true(cor_disk_collision_workspace(&cor_disk_modes_nu033, 100, &finer) >= bytes);
@@ -699,7 +768,7 @@ static void refusals(void **state)
 {
     (void)state;
     const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
-    const struct cor_disk_collision_options good = {500, 1e-3, 0};
+    const struct cor_disk_collision_options good = {500, 1e-3, 0, 0};
     struct cor_disk_collision out;
     static double workspace[1 << 17];
     assert_int_equal(cor_disk_collision_in(workspace, sizeof workspace, modes, 5, &good, 0.1, &out, NULL), COR_OK);
@@ -751,16 +820,17 @@ static void refusals(void **state)
                                 nextafter(COR_DISK_COLLISION_MIN_ALPHA, 0),
                                 nextafter(COR_DISK_COLLISION_MAX_ALPHA, INFINITY)};
     for (size_t i = 0; i < sizeof bad_alpha / sizeof *bad_alpha; i++)
-        refused(modes, 5, &(struct cor_disk_collision_options){bad_alpha[i], 1e-3, 0}, 0.1, COR_ERROR_ALPHA);
+        refused(modes, 5, &(struct cor_disk_collision_options){bad_alpha[i], 1e-3, 0, 0}, 0.1, COR_ERROR_ALPHA);
     const double bad_tolerance[] = {
         nextafter(COR_DISK_COLLISION_MIN_TOLERANCE, 0), 1, nextafter(1, 2), 0, -1e-8, INFINITY, NAN};
     for (size_t i = 0; i < sizeof bad_tolerance / sizeof *bad_tolerance; i++)
-        refused(modes, 5, &(struct cor_disk_collision_options){500, bad_tolerance[i], 0}, 0.1, COR_ERROR_TOLERANCE);
+        refused(modes, 5, &(struct cor_disk_collision_options){500, bad_tolerance[i], 0, 0}, 0.1, COR_ERROR_TOLERANCE);
     const size_t bad_points[] = {COR_DISK_COLLISION_MAX_PHI_POINTS + 1, SIZE_MAX};
     for (size_t i = 0; i < 2; i++)
-        refused(modes, 5, &(struct cor_disk_collision_options){500, 1e-3, bad_points[i]}, 0.1, COR_ERROR_PHI_POINTS);
+        refused(modes, 5, &(struct cor_disk_collision_options){500, 1e-3, bad_points[i], 0}, 0.1, COR_ERROR_PHI_POINTS);
     assert_true(cor_disk_collision_workspace(
-                    modes, 5, &(struct cor_disk_collision_options){500, 1e-3, COR_DISK_COLLISION_MAX_PHI_POINTS}) > 0);
+                    modes, 5, &(struct cor_disk_collision_options){500, 1e-3, COR_DISK_COLLISION_MAX_PHI_POINTS, 0}) >
+                0);
 }
 
 int main(void)
@@ -781,6 +851,7 @@ int main(void)
         cmocka_unit_test(chaotic),
         cmocka_unit_test(never_touched),
         cmocka_unit_test(never_ended),
+        cmocka_unit_test(no_exceptions),
         cmocka_unit_test(workspaces),
         cmocka_unit_test(refusals),
     };

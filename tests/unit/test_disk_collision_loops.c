@@ -3,7 +3,7 @@
  * disk_collision.h says. */
 #include "check.h"
 
-#include "runtime/disk/collision.h"
+#include "runtime/disk/collision_loops.h"
 
 static const struct {
     const char *name;

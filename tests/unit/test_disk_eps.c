@@ -170,7 +170,7 @@ static void test_collisions(void **state)
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++) {
             struct cor_disk_collision soft, hard;
-            struct cor_disk_collision_options options = {25 / speeds[i], 1e-6, 0};
+            struct cor_disk_collision_options options = {25 / speeds[i], 1e-6, 0, 0};
             assert_int_equal(cor_disk_collision(tables[k], 1800, &options, speeds[i], &soft), 0);
             options.alpha *= 2;
             assert_int_equal(cor_disk_collision(tables[k], 1800, &options, speeds[i], &hard), 0);

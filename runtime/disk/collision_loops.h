@@ -7,8 +7,8 @@
  * sums over the modes of each n need no sum across lanes. Empty places have c = s = 0.
  *
  * On the rim, cos(n phi) cos(phi) and sin(n phi) sin(phi) are halves of sums of cos((n +- 1) phi): one cosine series. */
-#ifndef COR_RUNTIME_DISK_COLLISION_H
-#define COR_RUNTIME_DISK_COLLISION_H
+#ifndef COR_RUNTIME_DISK_COLLISION_LOOPS_H
+#define COR_RUNTIME_DISK_COLLISION_LOOPS_H
 
 #include <stddef.h>
 

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+#include "runtime/disk/collision_error.h"
+
+#include <math.h>
+
+/* The next run would move the result by the last movement times about the ratio of the last two, and the ones after it by
+ * less: a geometric series. Movements are those of all energies, for that of eps alone may be small by chance. */
+double cor_collision_step_error(const struct cor_collision_evidence *evidence)
+{
+    const int runs = evidence->runs;
+    const double *const movement = evidence->movement + runs - 1; /* the last one */
+    if (runs < 2)
+        return 1; /* nothing is known of an eps between 0 and 1 */
+    if (runs == 2)
+        return cor_tuning.two_runs * movement[0];
+    double ratio = runs == 3 ? cor_tuning.third_ratio : cor_tuning.later_ratio;
+    if (movement[-1] > 0)
+        ratio = fmax(ratio, movement[0] / movement[-1]);
+    if (runs > 3 && movement[-2] > 0)
+        ratio = fmax(ratio, movement[-1] / movement[-2]);
+    const double last = fmax(movement[0], cor_tuning.least_movement * movement[-1]);
+    return ratio < cor_tuning.no_convergence ? last * ratio / (1 - ratio)
+                                             : cor_tuning.scatter * fmax(movement[0], movement[-1]);
+}
+
+/* The pressure's harmonics fall off exponentially. With phi angles the harmonic 4 phi - k stands in for k, which is worst
+ * for the largest k; with half the angles, 2 phi stands in for the load, and that shows how fast they fall off. */
+double cor_collision_angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
+                                  const struct cor_collision_evidence *evidence)
+{
+    const double power = 2 - 0.5 * (double)m->size.n_max / (double)m->phi;
+    if (!(power > 0 && run->ripple < run->max_load))
+        return 1;
+    return fmin(1, pow(run->ripple / run->max_load, power) * fmax(1, evidence->largest_movement / cor_tuning.calm));
+}
+
+void cor_collision_other_errors(const struct cor_motion *m, const struct cor_collision_run *run, double left,
+                                const struct cor_collision_evidence *evidence, struct cor_collision_error *error)
+{
+    const double steps = (double)run->steps, amplification = evidence->amplification, half_ulp = 0x1p-53;
+    const double wall = cor_tuning.wall_left * fmin(m->tolerance, cor_tuning.wall_tolerance);
+    const double angles = cor_collision_angles_error(m, run, evidence);
+    error->angles = angles < 1 ? cor_tuning.angles_in_eps * angles : 1;
+    error->round_off = half_ulp * (sqrt(steps) * (1 + cor_tuning.random_walk * amplification) +
+                                   cor_tuning.steady_drift * steps * sqrt(left) * (1 + 0.5 * amplification));
+    error->wall = cor_tuning.wall_in_eps * wall * (1 + amplification);
+}
+
+double cor_collision_total_error(const struct cor_collision_error *error)
+{
+    return fmin(1, error->step + error->angles + error->round_off + error->wall);
+}

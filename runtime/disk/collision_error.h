@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/* What the error of eps is made of, and estimates of its parts, docs/derivation.md, 15. */
+#ifndef COR_RUNTIME_DISK_COLLISION_ERROR_H
+#define COR_RUNTIME_DISK_COLLISION_ERROR_H
+
+#include "runtime/disk/collision_run.h"
+
+struct cor_collision_error {
+    double step;      /* of the extrapolation to h = 0 */
+    double angles;    /* of the quadrature over the rim */
+    double round_off; /* of all operations */
+    double wall;      /* of the wall's force before the first and after the last moment */
+};
+
+/* What the runs of a call have shown about their errors */
+struct cor_collision_evidence {
+    int runs;                            /* with the same angles */
+    double movement[COR_COLLISION_RUNS]; /* of the extrapolated result by each of them but the first */
+    double largest_movement;             /* of eps, in the whole call */
+    double amplification;                /* of errors: measured, or a bound on it */
+    int measured;
+};
+
+/* Error by the step after the last run */
+double cor_collision_step_error(const struct cor_collision_evidence *evidence);
+/* Error of the quadrature relative to the peak load */
+double cor_collision_angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
+                                  const struct cor_collision_evidence *evidence);
+/* Sets the parts but for the step, for the last run, which leaves the fraction `left` of the energy in the modes. */
+void cor_collision_other_errors(const struct cor_motion *m, const struct cor_collision_run *run, double left,
+                                const struct cor_collision_evidence *evidence, struct cor_collision_error *error);
+double cor_collision_total_error(const struct cor_collision_error *error);
+
+#endif

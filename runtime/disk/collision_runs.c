@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: MIT */
+#include "runtime/disk/collision_runs.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cor/status.h"
+#include "runtime/disk/collision_error.h"
+#include "runtime/disk/collision_extrapolation.h"
+#include "runtime/disk/collision_step.h"
+
+/* The runs that count: all with the same angles, each with the step of the one before over COR_COLLISION_RATIO */
+struct runs {
+    struct cor_collision_run run[COR_COLLISION_LEVELS + 1]; /* the last place is for the run being made */
+    int levels;
+    double h; /* of the next run */
+    int cuts;
+    enum cor_collision_outcome outcome; /* of the last run made */
+    struct cor_collision_evidence evidence;
+    struct cor_collision_error error;
+};
+
+/* ---- steps and angles ---- */
+
+/* As large as is safe and, for small tolerances, so that few runs suffice. The comparison avoids the quotient by a speed
+ * that may be next to nothing. */
+static double first_step(const struct cor_motion *m)
+{
+    const double sigma = m->alpha * m->speed;
+    const int turns = cor_tuning.max_turn * sigma < cor_tuning.max_rise * m->size.omega_max;
+    const double safe = turns ? cor_tuning.max_turn / m->size.omega_max : cor_tuning.max_rise / sigma;
+    return safe * fmin(1, pow(m->tolerance / cor_tuning.easy_tolerance, 1.0 / 8));
+}
+
+static int too_few_angles(const struct cor_motion *m, const struct runs *runs, const struct cor_collision_run *run)
+{
+    return cor_collision_angles_error(m, run, &runs->evidence) > cor_tuning.angles_allowed * m->tolerance;
+}
+
+/* Starts again with the step h: what was done so far has other angles or too large a step. */
+static void runs_restart(struct runs *runs, double h)
+{
+    runs->levels = runs->evidence.runs = 0;
+    runs->h = h;
+}
+
+/* Starts again with more angles, if there may be more; h is the step of a run that was good enough but for them. */
+static int runs_restart_finer(struct cor_motion *m, struct runs *runs, double h)
+{
+    if (m->phi >= m->phi_limit)
+        return 0;
+    const size_t phi = m->phi + m->phi / 4 + 1;
+    cor_motion_set_angles(m, phi < m->phi_limit ? phi : m->phi_limit);
+    runs_restart(runs, h);
+    return 1;
+}
+
+/* ---- runs ---- */
+
+static void runs_forget_first(struct cor_motion *m, struct runs *runs)
+{
+    double *const after = m->after[0], *const average = m->average[0];
+    memmove(runs->run, runs->run + 1, (COR_COLLISION_LEVELS - 1) * sizeof *runs->run);
+    memmove(m->after, m->after + 1, (COR_COLLISION_LEVELS - 1) * sizeof *m->after);
+    memmove(m->average, m->average + 1, (COR_COLLISION_LEVELS - 1) * sizeof *m->average);
+    m->after[COR_COLLISION_LEVELS - 1] = after;
+    m->average[COR_COLLISION_LEVELS - 1] = average;
+    runs->levels--;
+}
+
+/* Runs again with all angles where the window proves too narrow. */
+static enum cor_collision_outcome run_widely(struct cor_motion *m, struct cor_collision_run *run,
+                                             const struct cor_collision_run *before, double *average,
+                                             const struct cor_disk_collision_detail *detail)
+{
+    enum cor_collision_outcome outcome = cor_collision_run(m, run, before, average, detail);
+    if (outcome == COR_RUN_TOO_NARROW) {
+        run->all_angles = 1;
+        outcome = cor_collision_run(m, run, before, average, detail);
+    }
+    return outcome;
+}
+
+static enum cor_collision_outcome runs_make(struct cor_motion *m, struct runs *runs, int averages)
+{
+    if (runs->levels == COR_COLLISION_LEVELS)
+        runs_forget_first(m, runs);
+    struct cor_collision_run *const run = &runs->run[runs->levels];
+    const struct cor_collision_run *const before = runs->levels > 0 ? run - 1 : NULL;
+    memset(run, 0, sizeof *run);
+    run->h = runs->h;
+    run->number = before == NULL ? 0 : before->number + 1;
+    run->all_angles = before != NULL && before->all_angles;
+    return run_widely(m, run, before, averages && run->number >= 2 ? m->average[runs->levels] : NULL, NULL);
+}
+
+/* Keeps the run just made, and the energies that it left in the modes. */
+static void runs_keep(struct cor_motion *m, struct runs *runs)
+{
+    for (size_t i = 0; i < m->size.modes; i++)
+        m->after[runs->levels][i] = cor_collision_mode_energy(m, i) / (0.5 * COR_DISK_MASS * m->speed * m->speed);
+    runs->levels++;
+    runs->evidence.runs++;
+    runs->h /= COR_COLLISION_RATIO;
+}
+
+/* Whether the budget is enough for a run that takes so many times as much as the last one */
+static int runs_affordable(const struct cor_motion *m, const struct runs *runs, double times)
+{
+    const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
+    return times * last->work <= m->work_left && times * (double)last->steps <= COR_DISK_COLLISION_MAX_STEPS;
+}
+
+/* ---- error ---- */
+
+/* The last two runs differ by the step's error, which the collision has amplified: a bound on how much it amplifies. */
+static void bound_amplification(const struct cor_motion *m, struct runs *runs)
+{
+    struct cor_collision_evidence *const evidence = &runs->evidence;
+    const double stiffness = runs->run[runs->levels - 2].stiffness;
+    if (evidence->measured || !(stiffness > 0))
+        return;
+    const double bound =
+        cor_collision_difference(m, runs->run, runs->levels) / (cor_tuning.least_sensitivity * stiffness * stiffness);
+    evidence->amplification = fmax(evidence->amplification, bound);
+}
+
+/* Repeats one of the runs with v a little larger: amplification is the change of the result over that of v. An early run
+ * shows it as well as a later one, and costs less. */
+static void measure_amplification(struct cor_motion *m, struct runs *runs)
+{
+    const int level = runs->levels < 4 ? runs->levels - 2 : 2;
+    const struct cor_collision_run *const run = &runs->run[level];
+    const double speed = m->speed, change = cor_tuning.perturbation;
+    if (runs->evidence.measured || !runs_affordable(m, runs, 1))
+        return;
+    struct cor_collision_run twin = *run;
+    m->speed = speed * (1 + change);
+    if (run_widely(m, &twin, level > 0 ? run - 1 : NULL, NULL, NULL) == COR_RUN_ENDED) {
+        double sum = 0;
+        for (size_t i = 0; i < m->size.modes; i++) {
+            const double after = cor_collision_mode_energy(m, i) / (0.5 * COR_DISK_MASS * m->speed * m->speed);
+            sum += (after - m->after[level][i]) * (after - m->after[level][i]);
+        }
+        runs->evidence.amplification = fmax(fabs(twin.eps - run->eps), sqrt(sum)) / change;
+        runs->evidence.measured = 1;
+    }
+    m->speed = speed;
+}
+
+/* Errors that smaller steps do not reduce */
+static double other_errors(const struct runs *runs)
+{
+    return runs->error.angles + runs->error.round_off + runs->error.wall;
+}
+
+/* Sets the results of the kept runs, two or more, with the estimate of their error. */
+static void runs_conclude(struct cor_motion *m, struct runs *runs, struct cor_disk_collision *out, double *energy_after)
+{
+    struct cor_collision_evidence *const evidence = &runs->evidence;
+    const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
+    const double less_than_none = cor_collision_results(m, runs->run, runs->levels, out, energy_after);
+    const double left = out->one_minus_eps2;
+    evidence->movement[evidence->runs - 1] = cor_collision_movement(m, runs->run, runs->levels);
+    evidence->largest_movement = fmax(evidence->largest_movement, cor_collision_eps_movement(runs->run, runs->levels));
+    bound_amplification(m, runs);
+    /* modes with less energy than none: the steps are still too large to extrapolate */
+    runs->error.step = fmax(cor_collision_step_error(evidence), 0.5 * less_than_none);
+    cor_collision_other_errors(m, last, left, evidence, &runs->error);
+    if (cor_collision_total_error(&runs->error) > m->tolerance &&
+        runs->error.step <= fmax(m->tolerance, runs->error.round_off + runs->error.wall)) {
+        measure_amplification(m, runs);
+        cor_collision_other_errors(m, last, left, evidence, &runs->error);
+    }
+    out->error_estimate = cor_collision_total_error(&runs->error);
+}
+
+/* ---- a call ---- */
+
+enum verdict { GO_ON, SETTLED, GIVEN_UP };
+
+static enum verdict runs_judge(const struct cor_motion *m, const struct runs *runs)
+{
+    const struct cor_collision_evidence *const evidence = &runs->evidence;
+    const double *const movement = &evidence->movement[evidence->runs - 1];
+    if (cor_collision_total_error(&runs->error) <= m->tolerance &&
+        !too_few_angles(m, runs, &runs->run[runs->levels - 1]))
+        return SETTLED;
+    if (runs->error.step <= other_errors(runs))
+        return GIVEN_UP;
+    if (evidence->runs < cor_tuning.patience)
+        return GO_ON;
+    const int converging = movement[0] <= cor_tuning.hopeless * movement[-cor_tuning.runs_before];
+    return converging && evidence->runs < COR_COLLISION_RUNS ? GO_ON : GIVEN_UP;
+}
+
+/* Makes one more run, and keeps it or starts again. 0 if there can be none. */
+static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
+{
+    if (runs->levels > 0 && !runs_affordable(m, runs, COR_COLLISION_RATIO))
+        return 0;
+    runs->outcome = runs_make(m, runs, averages);
+    if (runs->outcome == COR_RUN_TOO_LONG)
+        return 0;
+    if (runs->outcome != COR_RUN_ENDED) {
+        runs_restart(runs, runs->h / COR_COLLISION_RATIO);
+        return runs->cuts++ < cor_tuning.max_cuts;
+    }
+    if (!too_few_angles(m, runs, &runs->run[runs->levels]) || !runs_restart_finer(m, runs, runs->h))
+        runs_keep(m, runs);
+    return 1;
+}
+
+/* Runs until the error is small enough or cannot become it. */
+static enum verdict runs_settle(struct cor_motion *m, struct runs *runs, struct cor_disk_collision *out,
+                                const struct cor_disk_collision_detail *detail)
+{
+    enum verdict verdict = GO_ON;
+    while (verdict == GO_ON) {
+        if (!runs_advance(m, runs, detail->energy_average != NULL))
+            return GIVEN_UP;
+        if (runs->levels < 2)
+            continue;
+        const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
+        runs_conclude(m, runs, out, detail->energy_after);
+        verdict = runs_judge(m, runs);
+        /* this run may have shown that the angles are too few */
+        if (verdict != GO_ON && too_few_angles(m, runs, last) && runs_restart_finer(m, runs, last->h))
+            verdict = GO_ON;
+    }
+    return verdict;
+}
+
+static void runs_add_details(struct cor_motion *m, struct runs *runs, const struct cor_disk_collision_detail *detail)
+{
+    if (detail->energy_average != NULL) {
+        /* a run that only averages need */
+        if (runs->evidence.runs == 2 && runs_affordable(m, runs, COR_COLLISION_RATIO) &&
+            runs_make(m, runs, 1) == COR_RUN_ENDED)
+            runs_keep(m, runs);
+        cor_collision_averages(m, runs->run, runs->levels, detail->energy_average);
+    }
+    if (detail->observe != NULL && runs->levels > 0) {
+        struct cor_collision_run *const last = &runs->run[runs->levels - 1];
+        m->work_left = INFINITY;
+        cor_collision_run(m, last, runs->levels > 1 ? last - 1 : NULL, NULL, detail);
+    }
+}
+
+int cor_collision_runs(struct cor_motion *m, struct cor_disk_collision *out,
+                       const struct cor_disk_collision_detail *detail)
+{
+    static const struct cor_disk_collision_detail no_detail;
+    const struct cor_disk_collision unknown = {NAN, NAN, NAN, NAN, NAN, 0, NAN};
+    struct runs runs;
+    memset(&runs, 0, sizeof runs);
+    runs.h = first_step(m);
+    *out = unknown;
+    const enum verdict verdict = runs_settle(m, &runs, out, detail != NULL ? detail : &no_detail);
+    if (isnan(out->eps) && runs.levels == 1) {
+        cor_collision_results(m, runs.run, 1, out, detail != NULL ? detail->energy_after : NULL);
+        out->error_estimate = cor_collision_step_error(&runs.evidence);
+    }
+    if (isnan(out->eps)) {
+        out->steps = runs.run[runs.levels].steps;
+        return runs.outcome == COR_RUN_TOO_LONG ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED;
+    }
+    if (detail != NULL)
+        runs_add_details(m, &runs, detail);
+    return verdict == SETTLED ? COR_OK : COR_TOLERANCE_NOT_REACHED;
+}

@@ -1,0 +1,457 @@
+/* SPDX-License-Identifier: MIT */
+/* The parts of a collision, each by itself: a drift, a kick against the gradient of its potential, the window of angles, the
+ * extrapolation of made series, the error of made movements. */
+#include "check.h"
+
+#include <cor/disk.h>
+
+#include "runtime/disk/collision_error.h"
+#include "runtime/disk/collision_extrapolation.h"
+#include "runtime/disk/collision_step.h"
+
+/* A disk of n of the modes of nu = 0.33, with phi angles, in a workspace that is freed by motion_end */
+struct stage {
+    struct cor_motion m;
+    struct cor_collision_state now;
+    void *memory;
+};
+
+static void stage_begin(struct stage *stage, size_t n, double alpha, double speed, size_t phi, double h)
+{
+    const struct cor_disk_collision_options options = {alpha, 1e-8, phi, 0};
+    memset(stage, 0, sizeof *stage);
+    struct cor_motion *const m = &stage->m;
+    m->size = cor_motion_sizes(cor_disk_modes_nu033.mode, n, &options);
+    const size_t bytes = cor_motion_arrange(m, NULL);
+    stage->memory = malloc(bytes + COR_COLLISION_ALIGNMENT);
+    assert_non_null(stage->memory);
+    const size_t beyond = (size_t)((uintptr_t)stage->memory % COR_COLLISION_ALIGNMENT);
+    cor_motion_arrange(m, (char *)stage->memory + COR_COLLISION_ALIGNMENT - beyond);
+    m->mode = cor_disk_modes_nu033.mode;
+    m->alpha = alpha;
+    m->tolerance = options.tolerance;
+    m->speed = speed;
+    m->work_left = INFINITY;
+    m->loops = &cor_collision_portable;
+    m->phi_limit = phi;
+    cor_motion_set_modes(m);
+    cor_motion_set_angles(m, phi);
+    cor_collision_approach(m, h, &stage->now);
+}
+
+static void stage_end(struct stage *stage)
+{
+    free(stage->memory);
+}
+
+/* ---- drift ---- */
+
+static void drift(void **state)
+{
+    (void)state;
+    enum { MODES = 9 };
+    struct random_state random = random_start();
+    struct stage stage;
+    const double h = 0.37;
+    stage_begin(&stage, MODES, 500, 0.1, 64, h);
+    struct cor_motion *const m = &stage.m;
+    double q[MODES], p[MODES];
+    memset(m->force_c, 0, m->size.blocks * COR_LANES * sizeof *m->force_c);
+    memset(m->force_s, 0, m->size.blocks * COR_LANES * sizeof *m->force_s);
+    for (size_t i = 0; i < MODES; i++) {
+        m->q[m->place[i]] = q[i] = random_uniform(&random, -1, 1);
+        m->p[m->place[i]] = p[i] = random_uniform(&random, -1, 1);
+    }
+    const struct cor_collision_state before = stage.now;
+    cor_collision_drift(m, h, &stage.now);
+    assert_true(stage.now.time == before.time + h && stage.now.depth == before.depth + h * before.v);
+    for (size_t i = 0; i < MODES; i++) {
+        const long double angle = (long double)m->mode[i].omega * h;
+        const long double turned_q = cosl(angle) * q[i] + sinl(angle) * p[i],
+                          turned_p = cosl(angle) * p[i] - sinl(angle) * q[i];
+        check(fabsl(m->q[m->place[i]] - turned_q) < 4e-16L && fabsl(m->p[m->place[i]] - turned_p) < 4e-16L, "mode %zu",
+              i);
+    }
+    stage_end(&stage);
+}
+
+/* ---- kick ---- */
+
+enum { MODES = 7 };
+
+/* The potential of (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the rule of phi
+ * angles, and its gradient by x_0 and Q, by central differences */
+struct potential {
+    size_t phi;
+    double alpha, h;
+};
+
+static long double rim(size_t phi, size_t j, const long double *y, long double along[1 + MODES])
+{
+    const long double pi = 3.14159265358979323846264338L, angle = pi * (long double)j / (2 * (long double)phi);
+    long double x = y[0] - 1 + cosl(angle);
+    along[0] = 1;
+    for (size_t i = 0; i < MODES; i++) {
+        const struct cor_disk_mode *const mode = &cor_disk_modes_nu033.mode[i];
+        along[1 + i] = mode->c * cosl(mode->n * angle) * cosl(angle) - mode->s * sinl(mode->n * angle) * sinl(angle);
+        x += y[1 + i] * along[1 + i];
+    }
+    return x;
+}
+
+static long double modified_potential(const struct potential *p, const long double *y)
+{
+    const long double pi = 3.14159265358979323846264338L;
+    long double v = 0, gradient[1 + MODES] = {0}, square = 0, along[1 + MODES];
+    for (size_t j = 0; j < p->phi; j++) {
+        const long double weight = pi / (long double)p->phi / (j == 0 ? 2 : 1);
+        const long double pressure = weight * expl(p->alpha * rim(p->phi, j, y, along));
+        v += pressure / p->alpha;
+        for (size_t i = 0; i <= MODES; i++)
+            gradient[i] += pressure * along[i];
+    }
+    for (size_t i = 0; i <= MODES; i++)
+        square += gradient[i] * gradient[i];
+    return v - (long double)p->h * p->h / 24 * square / pi;
+}
+
+/* A kick changes v and the modes' p by -h times the gradient, over m and over sqrt(m omega). */
+static void kick(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t k = 0; k < points(20); k++) {
+        const struct potential p = {48, random_log(&random, 50, 500), random_log(&random, 0.001, 0.02)};
+        const double mass = 3.14159265358979323846;
+        struct stage stage;
+        stage_begin(&stage, MODES, p.alpha, 0.1, p.phi, p.h);
+        struct cor_motion *const m = &stage.m;
+        long double y[1 + MODES];
+        memset(m->force_c, 0, m->size.blocks * COR_LANES * sizeof *m->force_c);
+        memset(m->force_s, 0, m->size.blocks * COR_LANES * sizeof *m->force_s);
+        for (size_t i = 0; i < MODES; i++)
+            m->q[m->place[i]] = random_uniform(&random, -0.02, 0.02);
+        memset(m->p, 0, m->size.cells * sizeof *m->p);
+        stage.now.depth = random_uniform(&random, -1, 0.5) / p.alpha;
+        stage.now.v = 0;
+        cor_collision_drift(m, 0, &stage.now); /* sums up the modes, whose angles it was given for h: turned */
+        y[0] = stage.now.depth;
+        for (size_t i = 0; i < MODES; i++)
+            y[1 + i] = m->q[m->place[i]] / sqrtl(mass * (long double)m->mode[i].omega);
+        if (cor_collision_kick(m, p.h, COR_ALL_ANGLES, &stage.now) != COR_KICKED) {
+            stage_end(&stage);
+            continue; /* too stiff */
+        }
+        for (size_t i = 0; i <= MODES; i++) {
+            const long double step = 1e-6L / p.alpha, at = y[i];
+            y[i] = at + step;
+            const long double above = modified_potential(&p, y);
+            y[i] = at - step;
+            const long double gradient = (above - modified_potential(&p, y)) / (2 * step);
+            y[i] = at;
+            const size_t n = i > 0 ? (size_t)m->mode[i - 1].n : 0, cell = i > 0 ? m->place[i - 1] : 0;
+            const double kicked =
+                i == 0 ? stage.now.v * mass
+                       : (m->c[cell] * m->force_c[n] + m->s[cell] * m->force_s[n]) * sqrt(mass * m->mode[i - 1].omega);
+            check(fabsl(kicked + p.h * gradient) <= 1e-9L * p.h * stage.now.load, "coordinate %zu: %g, not %Lg", i,
+                  kicked, -p.h * gradient);
+        }
+        assert_true(stage.now.force > 0 && stage.now.force < stage.now.load);
+        stage_end(&stage);
+    }
+}
+
+/* h^2 alpha a may come up to 3, no further: it grows with the square of the step. */
+static void stiffness(void **state)
+{
+    (void)state;
+    static const struct {
+        double stiffness;
+        enum cor_collision_kick kick;
+    } step[] = {{0.01, COR_KICKED}, {2.99, COR_KICKED}, {3.01, COR_KICK_TOO_STIFF}, {7, COR_KICK_TOO_STIFF}};
+    double square = 1e-6, found = 0;
+    for (size_t i = 0; i < sizeof step / sizeof *step; i++) {
+        struct stage stage;
+        const double h = i == 0 ? sqrt(square) : sqrt(square * step[i].stiffness / found);
+        stage_begin(&stage, 5, 500, 0.1, 96, h);
+        cor_collision_drift(&stage.m, h, &stage.now);
+        stage.now.depth = 0.001;
+        const enum cor_collision_kick result = cor_collision_kick(&stage.m, h, COR_ALL_ANGLES, &stage.now);
+        if (i == 0)
+            found = stage.now.stiffness;
+        else
+            check(fabs(stage.now.stiffness / step[i].stiffness - 1) < 1e-6, "%g, not %g", stage.now.stiffness,
+                  step[i].stiffness);
+        check(result == step[i].kick, "stiffness %g: %d", stage.now.stiffness, (int)result);
+        stage_end(&stage);
+    }
+}
+
+/* A scan says whether an angle outside the window had a pressure above 1e-14 of the load, unless the load is none. */
+static void window(void **state)
+{
+    (void)state;
+    enum { PHI = 256 };
+    static const struct {
+        double alpha, depth;
+        enum cor_collision_angles angles;
+        enum cor_collision_kick kick;
+    } scan[] = {
+        {1400, 0, COR_SCAN, COR_KICK_TOO_NARROW}, {1400, 0, COR_ALL_ANGLES, COR_KICKED},
+        {1400, 0, COR_WINDOW, COR_KICKED},        {1800, 0, COR_SCAN, COR_KICKED},
+        {1400, -0.2, COR_SCAN, COR_KICKED},       {1300, 0.001, COR_SCAN, COR_KICK_TOO_NARROW},
+    };
+    for (size_t i = 0; i < sizeof scan / sizeof *scan; i++) {
+        struct stage stage;
+        const double h = 1e-4;
+        stage_begin(&stage, 3, scan[i].alpha, 0.1, PHI, h);
+        memset(stage.m.q, 0, stage.m.size.cells * sizeof *stage.m.q);
+        memset(stage.m.p, 0, stage.m.size.cells * sizeof *stage.m.p);
+        memset(stage.m.sum_c, 0, stage.m.size.blocks * COR_LANES * sizeof *stage.m.sum_c);
+        memset(stage.m.sum_s, 0, stage.m.size.blocks * COR_LANES * sizeof *stage.m.sum_s);
+        stage.now.depth = scan[i].depth;
+        stage.now.window = COR_PANEL;
+        const enum cor_collision_kick result = cor_collision_kick(&stage.m, h, scan[i].angles, &stage.now);
+        const double first_outside = stage.m.pressure[COR_PANEL] / stage.now.load;
+        print_message("alpha = %g, depth %g: %.2g of the load at the first angle outside\n", scan[i].alpha,
+                      scan[i].depth, first_outside);
+        check(result == scan[i].kick, "scan %zu: %d", i, (int)result);
+        /* the next window ends where the pressure is below 1e-26 of the peak, which is that of angle 0 */
+        if (scan[i].angles != COR_WINDOW && result == COR_KICKED) {
+            size_t last = 0;
+            for (size_t j = 0; j < PHI; j++)
+                if (stage.m.shape[j] * scan[i].alpha > log(1e-26) - log(2))
+                    last = j;
+            check(stage.now.window == (last / COR_PANEL + 1) * COR_PANEL, "window %zu, last %zu", stage.now.window,
+                  last);
+        }
+        stage_end(&stage);
+    }
+}
+
+/* ---- extrapolation ---- */
+
+/* Series in h^4, h^6, ... and h^2, h^4, ... with as many terms as there are runs less one are extrapolated exactly. */
+static void extrapolation(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    enum { LEVELS = COR_COLLISION_LEVELS };
+    for (int levels = 2; levels <= LEVELS; levels++) {
+        struct cor_motion m;
+        struct cor_collision_run run[LEVELS];
+        double after[LEVELS][2], average[LEVELS][2], c[4][LEVELS], limit[2] = {0.3, 0.01}, found[2], mean[2];
+        memset(&m, 0, sizeof m);
+        memset(run, 0, sizeof run);
+        m.size.modes = 2;
+        for (int i = 0; i < 4; i++)
+            for (int k = 0; k < LEVELS; k++)
+                c[i][k] = random_uniform(&random, -0.1, 0.1);
+        for (int k = 0; k < levels; k++) {
+            const double h = ldexp(1, -k / 2) * (k % 2 ? sqrt(0.5) : 1);
+            run[k].number = k + 2;
+            run[k].eps = 0.9;
+            after[k][0] = limit[0];
+            after[k][1] = limit[1];
+            average[k][0] = average[k][1] = 0.2;
+            for (int j = 0; j < levels - 1; j++) {
+                run[k].eps += c[0][j] * pow(h, 4 + 2 * j);
+                after[k][0] += c[1][j] * pow(h, 4 + 2 * j);
+                after[k][1] += 0.01 * c[2][j] * pow(h, 4 + 2 * j);
+                average[k][0] += c[3][j] * pow(h, 2 + 2 * j);
+            }
+            m.after[k] = after[k];
+            m.average[k] = average[k];
+        }
+        struct cor_disk_collision out = {0, 0, 0, 0, 0, 0, 0.125};
+        assert_true(cor_collision_results(&m, run, levels, &out, found) == 0);
+        cor_collision_averages(&m, run, levels, mean);
+        check(fabs(out.eps - 0.9) < 1e-14 && fabs(found[0] - limit[0]) < 1e-14 && fabs(found[1] - limit[1]) < 1e-15,
+              "%d runs: %.16f, %.16f, %.16f", levels, out.eps, found[0], found[1]);
+        check(fabs(mean[0] - 0.2) < 1e-14 && fabs(mean[1] - 0.2) < 1e-14, "%d runs: %.16f", levels, mean[0]);
+        assert_true(out.error_estimate == 0.125);
+        /* the last run moves the result from what the runs before it give */
+        struct cor_disk_collision less = out;
+        double found_before[2];
+        cor_collision_results(&m, run, levels - 1, &less, found_before);
+        const double norm = 0.5 * hypot(found[0] - found_before[0], found[1] - found_before[1]);
+        const double moved = fabs(out.eps - less.eps);
+        check(fabs(cor_collision_eps_movement(run, levels) - moved) < 1e-15 &&
+                  fabs(cor_collision_movement(&m, run, levels) - fmax(moved, norm)) < 1e-15,
+              "%d runs: moved by %g and %g", levels, moved, norm);
+        const double raw =
+            0.5 * hypot(after[levels - 1][0] - after[levels - 2][0], after[levels - 1][1] - after[levels - 2][1]);
+        assert_true(fabs(cor_collision_difference(&m, run, levels) -
+                         fmax(raw, fabs(run[levels - 1].eps - run[levels - 2].eps))) < 1e-15);
+    }
+}
+
+/* An energy below none counts as none, and the results say how much it was. */
+static void negative_energy(void **state)
+{
+    (void)state;
+    double after[2][2] = {{0.2, 0.04}, {0.25, 0.01}}, found[2];
+    struct cor_motion m;
+    struct cor_collision_run run[2];
+    struct cor_disk_collision out = {0, 0, 0, 0, 0, 0, 0};
+    memset(&m, 0, sizeof m);
+    memset(run, 0, sizeof run);
+    m.size.modes = 2;
+    m.after[0] = after[0];
+    m.after[1] = after[1];
+    run[0].number = 1;
+    run[0].eps = run[1].eps = 0.8;
+    /* weights 4/3 and -1/3: the second mode gets (4 * 0.01 - 0.04)/3 = 0, then less */
+    after[1][1] = 0.0025;
+    const double less = cor_collision_results(&m, run, 2, &out, found);
+    assert_true(fabs(less - 0.01) < 1e-16 && found[1] == 0 && fabs(found[0] - 0.8 / 3) < 1e-15);
+    assert_true(out.one_minus_eps2 == found[0]);
+}
+
+/* ---- the error by the step ---- */
+
+/* Movements of runs that converge like ratio^k; what they leave */
+static double remainder_of(struct cor_collision_evidence *evidence, int runs, double first, double ratio)
+{
+    memset(evidence, 0, sizeof *evidence);
+    evidence->runs = runs;
+    for (int i = 1; i < runs; i++)
+        evidence->movement[i] = first * pow(ratio, i - 1);
+    return first * pow(ratio, runs - 1) / (1 - ratio);
+}
+
+static void step_error(void **state)
+{
+    (void)state;
+    struct cor_collision_evidence evidence;
+    remainder_of(&evidence, 1, 0, 0.1);
+    assert_true(cor_collision_step_error(&evidence) == 1);
+    for (int runs = 2; runs <= 8; runs++)
+        for (double ratio = 0.01; ratio < 0.8; ratio += 0.02) {
+            const double left = remainder_of(&evidence, runs, 1e-3, ratio);
+            const double error = cor_collision_step_error(&evidence), last = evidence.movement[runs - 1];
+            /* two runs show no ratio: one up to 2/3 is allowed for */
+            if (runs > 2 || ratio < 0.6)
+                check(error >= left * (1 - 1e-12), "%d runs, ratio %g: %g, not %g", runs, ratio, error, left);
+            /* no faster convergence is believed than what leaves this much of the last movement */
+            check(error >= (runs == 2   ? 1.9
+                            : runs == 3 ? 0.6
+                                        : 0.33) *
+                               last,
+                  "%d runs, ratio %g: %g", runs, ratio, error);
+            /* and no convergence is shown by a ratio of one half */
+            if (runs > 2 && ratio > 0.5)
+                assert_true(error >= 3.9 * evidence.movement[runs - 2]);
+        }
+    /* one movement that is small by chance */
+    remainder_of(&evidence, 6, 1e-3, 0.1);
+    evidence.movement[5] = 1e-15;
+    assert_true(cor_collision_step_error(&evidence) > 3e-10);
+    /* slow convergence before counts */
+    remainder_of(&evidence, 5, 1e-3, 0.4);
+    evidence.movement[4] = 0.1 * evidence.movement[3];
+    assert_true(cor_collision_step_error(&evidence) > 0.6 * evidence.movement[4]);
+}
+
+/* Energies that move while eps does not count as well. */
+static void energies_move(void **state)
+{
+    (void)state;
+    double after[2][2] = {{0.2, 0.04}, {0.21, 0.03}};
+    struct cor_motion m;
+    struct cor_collision_run run[2];
+    memset(&m, 0, sizeof m);
+    memset(run, 0, sizeof run);
+    m.size.modes = 2;
+    m.after[0] = after[0];
+    m.after[1] = after[1];
+    run[0].eps = run[1].eps = 0.8;
+    assert_true(cor_collision_eps_movement(run, 2) == 0);
+    /* by 4/3 of the differences */
+    assert_true(fabs(cor_collision_movement(&m, run, 2) - 0.5 * 4 / 3 * 0.01 * sqrt(2)) < 1e-15);
+}
+
+/* ---- the other errors ---- */
+
+static void other_errors(void **state)
+{
+    (void)state;
+    struct stage stage;
+    stage_begin(&stage, 5, 500, 0.1, 96, 0.01);
+    struct cor_collision_evidence calm, wild;
+    struct cor_collision_run run;
+    struct cor_collision_error error, more;
+    memset(&run, 0, sizeof run);
+    memset(&calm, 0, sizeof calm);
+    calm.amplification = 0.1;
+    wild = calm;
+    wild.amplification = 1e6;
+    run.steps = 1000;
+    run.max_load = 1;
+    run.ripple = 1e-6;
+    /* a random walk of 1000 steps, and what 10^6 makes of it */
+    cor_collision_other_errors(&stage.m, &run, 0, &calm, &error);
+    cor_collision_other_errors(&stage.m, &run, 0, &wild, &more);
+    assert_true(error.round_off > sqrt(1000) * 0x1p-53 && error.round_off < 10 * sqrt(1000) * 0x1p-53);
+    assert_true(more.round_off > 1e6 * sqrt(1000) * 0x1p-53 && more.round_off < 1e7 * sqrt(1000) * 0x1p-53);
+    /* rotations that drift, where modes have a tenth of the energy */
+    const double walk = more.round_off;
+    cor_collision_other_errors(&stage.m, &run, 0.1, &calm, &error);
+    cor_collision_other_errors(&stage.m, &run, 0.1, &wild, &more);
+    assert_true(error.round_off > 100 * 0x1p-53 && error.round_off < 1000 * 0x1p-53);
+    assert_true(more.round_off - walk > 1e6 * 50 * 0x1p-53 && more.round_off - walk < 1e6 * 1000 * 0x1p-53);
+    /* the wall has 1e-6 of the tolerance at both ends */
+    assert_true(error.wall > 2e-14 && error.wall < 1e-13 && more.wall > 1e6 * 2e-14 && more.wall < 1e6 * 1e-13);
+    assert_true(error.angles > 1e-15 && error.angles < 1e-10 && more.angles == error.angles);
+    assert_true(cor_collision_total_error(&error) > error.round_off + error.wall);
+    /* half the angles change the load by all of it: nothing is known */
+    run.ripple = 1;
+    cor_collision_other_errors(&stage.m, &run, 0.1, &calm, &error);
+    assert_true(error.angles == 1);
+    run.ripple = 1e-6;
+    stage.m.size.n_max = 4 * stage.m.phi;
+    cor_collision_other_errors(&stage.m, &run, 0.1, &calm, &error);
+    assert_true(error.angles == 1);
+    stage_end(&stage);
+}
+
+/* ---- the budget ---- */
+
+static void work(void **state)
+{
+    (void)state;
+    struct stage stage;
+    stage_begin(&stage, 5, 500, 0.1, 96, 0.01);
+    struct cor_motion *const m = &stage.m;
+    assert_true(cor_motion_work(m, 96, 96) > cor_motion_work(m, 96, 32) &&
+                cor_motion_work(m, 96, 32) > cor_motion_work(m, 32, 32));
+    struct cor_collision_run run;
+    memset(&run, 0, sizeof run);
+    run.h = 0.01;
+    for (int by_steps = 0; by_steps < 2; by_steps++) {
+        m->work_per_step = by_steps;
+        m->work_left = 1e9;
+        assert_int_equal(cor_collision_run(m, &run, NULL, NULL, NULL), COR_RUN_ENDED);
+        assert_true(run.work == 1e9 - m->work_left && run.work >= (double)run.steps);
+        assert_true(!by_steps || run.work == (double)run.steps);
+        const size_t steps = run.steps;
+        m->work_left = run.work;
+        assert_int_equal(cor_collision_run(m, &run, NULL, NULL, NULL), COR_RUN_ENDED);
+        assert_true(run.steps == steps && m->work_left == 0);
+        m->work_left = run.work / 2;
+        assert_int_equal(cor_collision_run(m, &run, NULL, NULL, NULL), COR_RUN_TOO_LONG);
+        assert_true(run.steps < steps && run.steps > steps / 4);
+    }
+    stage_end(&stage);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(drift),      cmocka_unit_test(kick),          cmocka_unit_test(stiffness),
+        cmocka_unit_test(window),     cmocka_unit_test(extrapolation), cmocka_unit_test(negative_energy),
+        cmocka_unit_test(step_error), cmocka_unit_test(energies_move), cmocka_unit_test(other_errors),
+        cmocka_unit_test(work),
+    };
+    return cmocka_run_group_tests_name("disk_collision_parts", tests, NULL, NULL);
+}
