@@ -46,7 +46,7 @@ static int print_version(const char *version)
 }
 
 /* NULL after a sentence, if `name` is none; of a NULL name, too. */
-static const struct subcommand *find(const struct subcommand *const *table, const char *name)
+static const struct subcommand *subcommand_named(const struct subcommand *const *table, const char *name)
 {
     for (const struct subcommand *const *row = table; name && *row; row++)
         if (strcmp((*row)->name, name) == 0)
@@ -66,7 +66,7 @@ static const struct subcommand *find(const struct subcommand *const *table, cons
     return NULL;
 }
 
-static int run(const struct subcommand *cmd, const void *arguments)
+static int subcommand_start(const struct subcommand *cmd, const void *arguments)
 {
     const struct option_common *const common = arguments;
     if (common->profile)
@@ -87,7 +87,7 @@ int subcommand_run(const struct subcommand *const *table, const char *version, i
         return print_overview(table);
     if (name && strcmp(name, "--version") == 0)
         return print_version(version);
-    const struct subcommand *const cmd = find(table, name);
+    const struct subcommand *const cmd = subcommand_named(table, name);
     if (!cmd)
         return STATUS_USAGE;
 
@@ -96,7 +96,7 @@ int subcommand_run(const struct subcommand *const *table, const char *version, i
     bool help;
     int status = options_parse(arguments, cmd->options, argc - 1, argv + 1, &help);
     if (status == STATUS_OK)
-        status = help ? print_whole(cmd->help) : run(cmd, arguments);
+        status = help ? print_whole(cmd->help) : subcommand_start(cmd, arguments);
     options_clear(arguments, cmd->options);
     free(arguments);
     return status;

@@ -11,6 +11,7 @@
 #include "disk/estimate.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/precision.h"
 
 /* Bits of omega lost on the way to C and S, and by the ladders; a mode that loses more is computed again. */
 enum {

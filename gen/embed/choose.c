@@ -26,7 +26,7 @@ enum {
 /* Between the samples the error may be a little larger. */
 static const double margin = 0.97;
 
-static struct embed_form blank(const struct embed_scene *s, enum embed_family family, enum embed_variable variable)
+static struct embed_form form_blank(const struct embed_scene *s, enum embed_family family, enum embed_variable variable)
 {
     struct embed_form f = {.family = family,
                            .variable = variable,
@@ -42,7 +42,7 @@ static struct embed_form blank(const struct embed_scene *s, enum embed_family fa
 }
 
 /* Whether f, its numbers filled, meets the tolerance. */
-static bool meets(struct embed_form *f, const struct embed_scene *s)
+static bool form_meets(struct embed_form *f, const struct embed_scene *s)
 {
     embed_form_assess(f, &s->samples, COARSE);
     if (!(f->error <= s->tolerance))
@@ -52,17 +52,17 @@ static bool meets(struct embed_form *f, const struct embed_scene *s)
 }
 
 /* A call of its own counts as much as four numbers of an array. */
-static double balanced(const struct embed_form *f)
+static double form_balanced_cost(const struct embed_form *f)
 {
     return f->cost[USE_SCALAR] + 4 * f->cost[USE_ARRAY];
 }
 
 /* Keeps the cheaper of both in *best and clears the other. */
-static void keep(struct embed_form *best, struct embed_form *f)
+static void form_keep_cheaper(struct embed_form *best, struct embed_form *f)
 {
     embed_form_price(f);
     f->found = true;
-    if (best->found && balanced(best) <= balanced(f)) {
+    if (best->found && form_balanced_cost(best) <= form_balanced_cost(f)) {
         embed_form_clear(f);
     } else {
         embed_form_clear(best);
@@ -73,12 +73,12 @@ static void keep(struct embed_form *best, struct embed_form *f)
 static bool try_rational(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable, slong m,
                          slong n)
 {
-    struct embed_form f = blank(s, best->family, variable);
+    struct embed_form f = form_blank(s, best->family, variable);
     f.numerator = m;
     f.denominator = n;
-    const bool good = embed_fit_rational(&f, s) && meets(&f, s);
+    const bool good = embed_fit_rational(&f, s) && form_meets(&f, s);
     if (good)
-        keep(best, &f);
+        form_keep_cheaper(best, &f);
     else
         embed_form_clear(&f);
     return good;
@@ -108,12 +108,12 @@ static void search_polynomial(struct embed_form *best, const struct embed_scene 
 static bool try_quotient(struct embed_form *best, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q,
                          slong root, slong m, slong n)
 {
-    struct embed_form f = blank(s, best->family, root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED);
+    struct embed_form f = form_blank(s, best->family, root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED);
     f.numerator = m;
     f.denominator = n;
-    const bool good = embed_fit_quotient(&f, s, p, q, root) && meets(&f, s);
+    const bool good = embed_fit_quotient(&f, s, p, q, root) && form_meets(&f, s);
     if (good)
-        keep(best, &f);
+        form_keep_cheaper(best, &f);
     else
         embed_form_clear(&f);
     return good;
@@ -171,11 +171,11 @@ static void search_pieces_beta(struct embed_form *best, const struct embed_scene
         for (slong rows = 4; rows <= ROWS_MAX && !best->found; rows *= 2) {
             if (rows * (degree + 1) * (s->single ? 4 : 8) > EMBED_TABLE_BYTES)
                 break;
-            struct embed_form f = blank(s, FAMILY_PIECES_BETA, FIFTH_ROOT_OF_SPEED);
+            struct embed_form f = form_blank(s, FAMILY_PIECES_BETA, FIFTH_ROOT_OF_SPEED);
             f.numerator = degree;
             f.rows = rows;
-            if (embed_fit_pieces_beta(&f, s) && meets(&f, s))
-                keep(best, &f);
+            if (embed_fit_pieces_beta(&f, s) && form_meets(&f, s))
+                form_keep_cheaper(best, &f);
             else
                 embed_form_clear(&f);
         }
@@ -187,10 +187,10 @@ static void search_pieces_speed(struct embed_form *best, const struct embed_scen
         for (slong degree = 1; degree <= (least == 0 ? PIECE_DEGREE_MAX : LARGE_PIECE_DEGREE_MAX) && !best->found;
              degree++)
             for (int bits = 0; bits <= FRACTION_BITS_MAX && !best->found; bits++) {
-                struct embed_form f = blank(s, FAMILY_PIECES_SPEED, SPEED);
+                struct embed_form f = form_blank(s, FAMILY_PIECES_SPEED, SPEED);
                 f.numerator = degree;
-                if (embed_fit_pieces_speed(&f, s, bits, least, most) && meets(&f, s))
-                    keep(best, &f);
+                if (embed_fit_pieces_speed(&f, s, bits, least, most) && form_meets(&f, s))
+                    form_keep_cheaper(best, &f);
                 else
                     embed_form_clear(&f);
             }
@@ -208,7 +208,7 @@ int embed_series(arb_poly_t series, slong *root, const struct embed_scene *s)
 void embed_search_series(struct embed_form *form, const struct embed_scene *s, const arb_poly_t series, slong root)
 {
     for (int i = 0; i < FAMILIES; i++)
-        form[i] = blank(s, (enum embed_family)i, SPEED);
+        form[i] = form_blank(s, (enum embed_family)i, SPEED);
     profile_step("series, Pade");
     search_series(&form[FAMILY_SERIES], s, series, root);
     search_pade(&form[FAMILY_PADE], s, series, root);
@@ -251,7 +251,7 @@ enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose
     for (int i = 0; i < FAMILIES; i++) {
         if (!form[i].found)
             continue;
-        const double cost = purpose == PURPOSE_BALANCED ? balanced(&form[i])
+        const double cost = purpose == PURPOSE_BALANCED ? form_balanced_cost(&form[i])
                             : purpose == PURPOSE_SCALAR ? form[i].cost[USE_SCALAR]
                                                         : form[i].cost[USE_ARRAY];
         if (cost < least) {

@@ -52,7 +52,7 @@ struct disks {
     size_t bytes;
 };
 
-static struct outcome *at(const struct disks *d, slong point, int count, int wall)
+static struct outcome *outcome_at(const struct disks *d, slong point, int count, int wall)
 {
     return &d->grid[(point * COUNTS + count) * WALLS + wall];
 }
@@ -62,7 +62,7 @@ static double alpha_of(double hard, double speed)
     return fmax(COR_DISK_COLLISION_MIN_ALPHA, hard / speed);
 }
 
-static void collide(struct disks *d, struct outcome *out, size_t modes, double alpha, double speed)
+static void disks_collide_one(struct disks *d, struct outcome *out, size_t modes, double alpha, double speed)
 {
     const struct cor_disk_collision_options options = {alpha, COLLISION_TOLERANCE, 0};
     const size_t needed = cor_disk_collision_workspace(&d->modes, modes, &options);
@@ -80,15 +80,16 @@ static void collide(struct disks *d, struct outcome *out, size_t modes, double a
     out->steps = (double)c.steps;
 }
 
-static void collide_all(struct plan *plan, struct disks *d)
+static void disks_collide_all(struct plan *plan, struct disks *d)
 {
     d->grid = xmalloc((size_t)plan->points * COUNTS * WALLS * sizeof *d->grid);
     d->paper = xmalloc((size_t)plan->points * sizeof *d->paper);
     for (slong i = 0; i < plan->points; i++) {
         for (int n = 0; n < COUNTS; n++)
             for (int k = 0; k < WALLS; k++)
-                collide(d, at(d, i, n, k), counts[n], alpha_of(hardness[k], plan->speed[i]), plan->speed[i]);
-        collide(d, &d->paper[i], PAPER_MODES, PAPER_ALPHA, plan->speed[i]);
+                disks_collide_one(d, outcome_at(d, i, n, k), counts[n], alpha_of(hardness[k], plan->speed[i]),
+                                  plan->speed[i]);
+        disks_collide_one(d, &d->paper[i], PAPER_MODES, PAPER_ALPHA, plan->speed[i]);
         progress("collisions", (long)i + 1, (long)plan->points);
     }
     progress_end();
@@ -102,7 +103,7 @@ static int limit_of_eps(struct plan *plan, const struct disks *d, slong i)
     struct disk_limit_row row[FIT];
     for (int k = 0; k < FIT; k++) {
         const int n = COUNTS - FIT_COUNTS + k / FIT_WALLS, wall = WALLS - FIT_WALLS + k % FIT_WALLS;
-        const struct outcome *out = at(d, i, n, wall);
+        const struct outcome *out = outcome_at(d, i, n, wall);
         const double eps = out->value[PLAN_EPS];
         row[k] = (struct disk_limit_row){alpha_of(hardness[wall], plan->speed[i]), counts[n],
                                          out->reached ? 1 - eps * eps : (double)NAN};
@@ -119,7 +120,8 @@ static int limit_of_eps(struct plan *plan, const struct disks *d, slong i)
 /* At a hard wall, linear in 1/alpha through two walls. */
 static double hard_wall(const struct disks *d, slong i, int count, int softer, int harder, enum plan_quantity quantity)
 {
-    const double x = at(d, i, count, softer)->value[quantity], y = at(d, i, count, harder)->value[quantity];
+    const double x = outcome_at(d, i, count, softer)->value[quantity],
+                 y = outcome_at(d, i, count, harder)->value[quantity];
     return y + (y - x) * hardness[softer] / (hardness[harder] - hardness[softer]);
 }
 
@@ -152,7 +154,7 @@ static char *modes_text(const struct disks *d, size_t count)
                      poisson, count);
 }
 
-static const char *field(enum plan_quantity quantity)
+static const char *quantity_field(enum plan_quantity quantity)
 {
     static const char *const fields[QUANTITIES] = {"eps", "contact_time", "max_compression"};
     return fields[quantity];
@@ -175,7 +177,7 @@ static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes,
                                     : plan_add(plan, "dynamics: %zu modes; alpha = %g", modes, PAPER_ALPHA);
     double steps = 0;
     for (slong i = 0; i < plan->points; i++) {
-        const struct outcome *out = hard > 0 ? at(d, i, n, k) : &d->paper[i];
+        const struct outcome *out = hard > 0 ? outcome_at(d, i, n, k) : &d->paper[i];
         m->value[i] = out->value[d->request->quantity];
         steps += out->steps / (double)plan->points;
     }
@@ -190,7 +192,7 @@ static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes,
     m->use = plan_text("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
                        "struct cor_disk_collision out;\n"
                        "int status = cor_disk_collision(modes, %zu, &options, v, &out); /* out.%s */\n",
-                       table, alpha, COLLISION_TOLERANCE, modes, field(d->request->quantity));
+                       table, alpha, COLLISION_TOLERANCE, modes, quantity_field(d->request->quantity));
     free(table);
 }
 
@@ -284,7 +286,8 @@ static void add_laws(struct plan *plan, const struct disks *d)
     plan_compare(plan, m, true);
     m->cost = ns_leading_log[d->request->quantity];
     m->leaves_out = "all beside ln(4/v); vibrations";
-    m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", field(d->request->quantity), called);
+    m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantity_field(d->request->quantity),
+                       called);
     for (int k = 0; k < 3; k++) {
         m = plan_add(plan, "quasistatic law: %s", name[k]);
         for (slong i = 0; i < plan->points; i++)
@@ -293,7 +296,7 @@ static void add_laws(struct plan *plan, const struct disks *d)
         m->cost = ns_law[d->request->quantity];
         m->leaves_out = "vibrations";
         m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n",
-                           field(d->request->quantity), called, d->request->poisson.text, datum[k]);
+                           quantity_field(d->request->quantity), called, d->request->poisson.text, datum[k]);
     }
 }
 
@@ -318,7 +321,7 @@ static int read_range(double range[2], double *tolerance, const struct plan_disk
     return STATUS_OK;
 }
 
-static char *title(const struct plan *plan, const struct disks *d)
+static char *disks_title(const struct plan *plan, const struct disks *d)
 {
     const slong last = plan->points - 1;
     double uncertainty = 0;
@@ -330,10 +333,10 @@ static char *title(const struct plan *plan, const struct disks *d)
                      plan->truth[0], plan->truth[last], uncertainty, is_relative(d) ? ", relative" : "");
 }
 
-static int fill(struct plan *plan, struct disks *d)
+static int disks_fill(struct plan *plan, struct disks *d)
 {
     static const char *const quantity[] = {"eps", "contact time", "largest compression"};
-    collide_all(plan, d);
+    disks_collide_all(plan, d);
     int status = STATUS_OK;
     for (slong i = 0; i < plan->points && status == STATUS_OK; i++) {
         plan->at[i] = plan->speed[i];
@@ -350,7 +353,7 @@ static int fill(struct plan *plan, struct disks *d)
         "0.97 of the tolerance. Of cor_disk_eps: what the library promises. More modes and harder walls tend to the\n"
         "truth from two sides, so that few modes at a soft wall may be right by accident.\n"
         "Cost: of a collision, from its steps and modes; all as measured once, docs/plan.md.\n";
-    plan->title = title(plan, d);
+    plan->title = disks_title(plan, d);
     if (d->request->quantity == PLAN_EPS)
         add_models_of_eps(plan, d);
     else
@@ -375,7 +378,7 @@ int plan_disks(struct plan *plan, const struct plan_disks_request *request)
     status = disk_modes_rounded(&d.modes, request->poisson.value, (slong)counts[COUNTS - 1]);
     profile_step("collisions");
     if (status == STATUS_OK) {
-        status = fill(plan, &d);
+        status = disks_fill(plan, &d);
         free((void *)d.modes.mode);
     }
     profile_step(NULL);

@@ -8,21 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "support/clock.h"
 #include "support/flint.h"
 
 static bool progress_shown;
 
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static void say(const char *format, va_list arguments)
+static void print_message(const char *format, va_list arguments)
 {
     progress_end();
     fputs("corgen: ", stderr);
@@ -34,7 +27,7 @@ int fail(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    say(format, arguments);
+    print_message(format, arguments);
     va_end(arguments);
     return STATUS_FAILED;
 }
@@ -43,7 +36,7 @@ int usage_error(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    say(format, arguments);
+    print_message(format, arguments);
     va_end(arguments);
     return STATUS_USAGE;
 }
@@ -167,7 +160,7 @@ static bool progress_due(double *elapsed)
         terminal = isatty(STDERR_FILENO);
     if (!terminal)
         return false;
-    const double now = seconds_now();
+    const double now = clock_seconds();
     if (progress_started < 0)
         progress_started = now;
     *elapsed = now - progress_started;
@@ -230,14 +223,14 @@ static double profile_started;
 void profile_enable(void)
 {
     profile_enabled = true;
-    profile_started = seconds_now();
+    profile_started = clock_seconds();
 }
 
 void profile_step(const char *name)
 {
     if (!profile_enabled)
         return;
-    double now = seconds_now();
+    double now = clock_seconds();
     if (step_now >= 0)
         steps[step_now].seconds += now - step_started;
     step_now = -1;
@@ -260,7 +253,7 @@ void profile_report(void)
     if (!profile_enabled)
         return;
     profile_step(NULL);
-    double total = seconds_now() - profile_started;
+    double total = clock_seconds() - profile_started;
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     progress_end();

@@ -102,12 +102,12 @@ static const char *name_of(const struct output *out)
     return out->path ? out->path : "standard output";
 }
 
-static int cannot(const char *verb, const struct output *out)
+static int output_failure(const char *verb, const struct output *out)
 {
     return fail("cannot %s %s: %s", verb, name_of(out), errno ? strerror(errno) : "write error");
 }
 
-static void forget(struct output *out)
+static void output_release(struct output *out)
 {
     free(out->target);
     free(out->temporary);
@@ -124,11 +124,11 @@ void output_discard(struct output *out)
         unlink(out->temporary);
         registry_remove(out->temporary);
     }
-    forget(out);
+    output_release(out);
 }
 
 /* The file that `path` names after its symbolic links; a new file has a directory that exists. */
-static char *resolve(const char *path)
+static char *resolve_links(const char *path)
 {
     char *real = realpath(path, NULL);
     if (!real && errno == ENOENT)
@@ -186,7 +186,7 @@ int output_open(struct output *out, const char *path)
     struct stat status;
     if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
         out->file = fopen(path, "w");
-    } else if ((out->target = resolve(path))) {
+    } else if ((out->target = resolve_links(path))) {
         /* rename() would not ask, but a file that its owner made read-only is to be kept. */
         if (access(out->target, F_OK) != 0 || access(out->target, W_OK) == 0)
             make_temporary(out);
@@ -201,27 +201,27 @@ int output_open(struct output *out, const char *path)
 }
 
 /* Everything but the rename. */
-static int complete(struct output *out)
+static int output_complete(struct output *out)
 {
     errno = 0;
     bool written = fflush(out->file) == 0 && !ferror(out->file);
     if (!written)
-        return cannot("write", out);
+        return output_failure("write", out);
     if (!out->path)
         return STATUS_OK;
 
     if (out->temporary && fsync(fileno(out->file)) != 0)
-        return cannot("write", out);
+        return output_failure("write", out);
     int closed = fclose(out->file) == 0;
     out->file = NULL;
-    return closed ? STATUS_OK : cannot("write", out);
+    return closed ? STATUS_OK : output_failure("write", out);
 }
 
 int output_commit_all(struct output *out, int n)
 {
     int result = STATUS_OK;
     for (int i = 0; i < n && result == STATUS_OK; i++)
-        result = complete(&out[i]);
+        result = output_complete(&out[i]);
 
     sigset_t before;
     block_signals(&before);
@@ -229,10 +229,10 @@ int output_commit_all(struct output *out, int n)
         if (!out[i].temporary)
             continue;
         if (rename(out[i].temporary, out[i].target) != 0) {
-            result = cannot("replace", &out[i]);
+            result = output_failure("replace", &out[i]);
         } else {
             registry_remove(out[i].temporary);
-            forget(&out[i]);
+            output_release(&out[i]);
         }
     }
     restore_signals(&before);

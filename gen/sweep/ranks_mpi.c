@@ -12,7 +12,7 @@ static int count = 1, mine;
 static bool joined;
 
 /* Without a launcher MPI is not asked: alone it would start helpers of its own, and fail where these cannot be. */
-static bool launched(void)
+static bool ranks_launched(void)
 {
     static const char *const told[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMI_RANK", "PMIX_RANK", "MPI_LOCALNRANKS"};
     for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
@@ -24,7 +24,7 @@ static bool launched(void)
 
 int ranks_start(void)
 {
-    if (joined || !launched())
+    if (joined || !ranks_launched())
         return STATUS_OK;
     int given;
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &given) != MPI_SUCCESS)

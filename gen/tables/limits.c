@@ -5,12 +5,12 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "cor/status.h"
 #include "disk/limit_fit.h"
 #include "disk/modes_rounded.h"
+#include "support/clock.h"
 #include "support/console.h"
 #include "support/decimal.h"
 #include "support/emit_c.h"
@@ -202,13 +202,6 @@ static int collide_all(struct row *row, const int *chosen, int count)
     return status;
 }
 
-static double processor_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 static int *all_rows(void)
 {
     int *const chosen = xmalloc(ROWS * sizeof *chosen);
@@ -219,14 +212,14 @@ static int *all_rows(void)
 
 int disk_limits_collide(void)
 {
-    const double start = processor_seconds();
+    const double start = clock_processor_seconds();
     disk_limits_clear();
     lay_out(table.row);
     int *const chosen = all_rows();
     const int status = collide_all(table.row, chosen, ROWS);
     free(chosen);
     table.known = status == STATUS_OK;
-    table.seconds = lround(processor_seconds() - start);
+    table.seconds = lround(clock_processor_seconds() - start);
     return status;
 }
 

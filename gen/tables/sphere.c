@@ -81,13 +81,13 @@ static struct {
 } data;
 
 /* value, and what the double nearest to it lacks */
-static void split(arb_t value, arb_t rest)
+static void split_constant(arb_t value, arb_t rest)
 {
     arb_set_d(rest, arf_get_d(arb_midref(value), ARF_RND_NEAR));
     arb_sub(rest, value, rest, H_STAR_BITS);
 }
 
-static int make(void)
+static int sphere_data_make(void)
 {
     if (data.made)
         return STATUS_OK;
@@ -118,8 +118,8 @@ static int make(void)
         interpolant_far(data.far[i] + 2, f, far_tables[i].quantity);
         arb_set(data.far[i], data.far[i] + 2);
         arb_set(data.far[i] + 2, data.far[i] + 3);
-        split(data.far[i], data.far[i] + 1);
-        split(data.far[i] + 2, data.far[i] + 3);
+        split_constant(data.far[i], data.far[i] + 1);
+        split_constant(data.far[i] + 2, data.far[i] + 3);
     }
     interpolant_free(f);
     arb_init(&data.h_star_5[0]);
@@ -127,7 +127,7 @@ static int make(void)
     if (status == STATUS_OK)
         status = collision_h_star(&data.h_star_5[0], H_STAR_BITS);
     arb_pow_ui(&data.h_star_5[0], &data.h_star_5[0], 5, H_STAR_BITS);
-    split(&data.h_star_5[0], &data.h_star_5[1]);
+    split_constant(&data.h_star_5[0], &data.h_star_5[1]);
     data.made = status == STATUS_OK;
     return status;
 }
@@ -190,7 +190,7 @@ static const char tables_banner[] =
 int sphere_tables_write(FILE *file, const struct disk_table *none)
 {
     (void)none;
-    if (make())
+    if (sphere_data_make())
         return STATUS_FAILED;
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_SPHERE_TABLES_H", tables_banner);
@@ -228,7 +228,7 @@ static const char header_banner[] =
 int sphere_header_write(FILE *file, const struct disk_table *none)
 {
     (void)none;
-    if (make())
+    if (sphere_data_make())
         return STATUS_FAILED;
     struct emit e;
     emit_open(&e, file, "COR_SPHERE_EMBEDDED_H", header_banner);
