@@ -4,6 +4,7 @@
 #include "support/output.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -127,13 +128,95 @@ void output_discard(struct output *out)
     output_release(out);
 }
 
-/* The file that `path` names after its symbolic links; a new file has a directory that exists. */
-static char *resolve_links(const char *path)
+/* ---- what a path names ---- */
+
+enum { LINKS_MAX = 40, NOT_A_DESCRIPTOR = -1 };
+
+/* The descriptor of this process that a path names, as /dev/fd/3 and /proc/self/fd/3 do, or NOT_A_DESCRIPTOR. */
+static int descriptor_named(const char *path)
 {
-    char *real = realpath(path, NULL);
-    if (!real && errno == ENOENT)
-        real = xstrdup(path);
-    return real;
+    const char *const slash = strrchr(path, '/');
+    const char *const digits = slash ? slash + 1 : path;
+    if (!slash || !*digits || strspn(digits, "0123456789") != strlen(digits) || strlen(digits) > 6)
+        return NOT_A_DESCRIPTOR;
+    char own[64], *directory = xstrdup(path);
+    directory[slash - path] = '\0';
+    snprintf(own, sizeof own, "/proc/%ld/fd", (long)getpid());
+    char *const real = realpath(directory, NULL);
+    const bool is = strcmp(directory, "/dev/fd") == 0 || (real && strcmp(real, own) == 0);
+    free(real);
+    free(directory);
+    return is ? (int)strtol(digits, NULL, 10) : NOT_A_DESCRIPTOR;
+}
+
+/* `link` with its last part replaced by what the link holds, unless that is a whole path; malloc'ed. */
+static char *link_target(const char *link)
+{
+    char text[4096];
+    const ssize_t n = readlink(link, text, sizeof text - 1);
+    if (n < 0)
+        return NULL;
+    text[n] = '\0';
+    const char *const slash = strrchr(link, '/');
+    const size_t directory = slash && text[0] != '/' ? (size_t)(slash - link) + 1 : 0;
+    char *const target = xmalloc(directory + (size_t)n + 1);
+    memcpy(target, link, directory);
+    memcpy(target + directory, text, (size_t)n + 1);
+    return target;
+}
+
+/* The name behind all symbolic links, whether that file exists or not, malloc'ed; or NULL with *descriptor set, or with
+ * errno set. */
+static char *follow_links(const char *path, int *descriptor)
+{
+    char *name = xstrdup(path);
+    *descriptor = NOT_A_DESCRIPTOR;
+    for (int links = 0; name && (*descriptor = descriptor_named(name)) == NOT_A_DESCRIPTOR; links++) {
+        struct stat status;
+        if (lstat(name, &status) != 0 || !S_ISLNK(status.st_mode))
+            return name;
+        char *const next = links < LINKS_MAX ? link_target(name) : NULL;
+        if (links == LINKS_MAX)
+            errno = ELOOP;
+        free(name);
+        name = next;
+    }
+    free(name);
+    return NULL;
+}
+
+bool output_is_direct(const char *path)
+{
+    struct stat status;
+    int descriptor = NOT_A_DESCRIPTOR;
+    if (!path || (stat(path, &status) == 0 && !S_ISREG(status.st_mode)))
+        return true;
+    free(follow_links(path, &descriptor));
+    return descriptor != NOT_A_DESCRIPTOR;
+}
+
+/* ---- the temporary file ---- */
+
+/* Mode, owner and group of the file to be replaced. False if they cannot be had: then the file is written in place. */
+static bool take_over(int fd, const struct stat *old)
+{
+    struct stat mine;
+    if (fstat(fd, &mine) != 0)
+        return false;
+    const bool same_owner = mine.st_uid == old->st_uid && mine.st_gid == old->st_gid;
+    return (same_owner || fchown(fd, old->st_uid, old->st_gid) == 0) && fchmod(fd, old->st_mode & 07777) == 0;
+}
+
+static int set_mode(struct output *out, int fd)
+{
+    struct stat old;
+    if (stat(out->target, &old) == 0) {
+        out->in_place = old.st_nlink > 1 || !take_over(fd, &old);
+        return out->in_place ? fchmod(fd, 0600) : 0;
+    }
+    const mode_t mask = umask(0);
+    umask(mask);
+    return fchmod(fd, 0666 & ~mask);
 }
 
 static int make_temporary(struct output *out)
@@ -161,9 +244,7 @@ static int make_temporary(struct output *out)
         return -1;
     }
 
-    mode_t mask = umask(0);
-    umask(mask);
-    if (fchmod(fd, 0666 & ~mask) != 0 || !(out->file = fdopen(fd, "w"))) {
+    if (set_mode(out, fd) != 0 || !(out->file = fdopen(fd, "w+"))) {
         int reason = errno;
         close(fd);
         errno = reason;
@@ -183,10 +264,17 @@ int output_open(struct output *out, const char *path)
         return STATUS_OK;
     }
 
+    int descriptor;
     struct stat status;
-    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+    out->target = follow_links(path, &descriptor);
+    if (descriptor != NOT_A_DESCRIPTOR) {
+        const int copy = dup(descriptor);
+        out->file = copy < 0 ? NULL : fdopen(copy, "w");
+    } else if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+        free(out->target);
+        out->target = NULL;
         out->file = fopen(path, "w");
-    } else if ((out->target = resolve_links(path))) {
+    } else if (out->target) {
         /* rename() would not ask, but a file that its owner made read-only is to be kept. */
         if (access(out->target, F_OK) != 0 || access(out->target, W_OK) == 0)
             make_temporary(out);
@@ -204,17 +292,73 @@ int output_open(struct output *out, const char *path)
 static int output_complete(struct output *out)
 {
     errno = 0;
-    bool written = fflush(out->file) == 0 && !ferror(out->file);
+    const bool written = fflush(out->file) == 0 && !ferror(out->file);
     if (!written)
         return output_failure("write", out);
     if (!out->path)
         return STATUS_OK;
-
     if (out->temporary && fsync(fileno(out->file)) != 0)
         return output_failure("write", out);
-    int closed = fclose(out->file) == 0;
+    if (out->in_place)
+        return STATUS_OK; /* still to be read */
+    const bool closed = fclose(out->file) == 0;
     out->file = NULL;
     return closed ? STATUS_OK : output_failure("write", out);
+}
+
+/* Copies `size` bytes of the stream to the descriptor. */
+static bool copy_bytes(FILE *from, int to, off_t size)
+{
+    char block[1 << 16];
+    rewind(from);
+    while (size > 0) {
+        const size_t n = fread(block, 1, sizeof block, from);
+        if (n == 0)
+            return false;
+        for (size_t done = 0; done < n;) {
+            const ssize_t written = write(to, block + done, n - done);
+            if (written < 0 && errno != EINTR)
+                return false;
+            done += written > 0 ? (size_t)written : 0;
+        }
+        size -= (off_t)n;
+    }
+    return true;
+}
+
+/* The complete temporary file over the target's bytes. Space is reserved first, so that a full disk leaves the old text. */
+static bool output_overwrite(struct output *out)
+{
+    const int fd = open(out->target, O_WRONLY | O_CLOEXEC);
+    struct stat old, now;
+    if (fd < 0)
+        return false;
+    bool good = fstat(fd, &old) == 0 && fstat(fileno(out->file), &now) == 0;
+    if (good && now.st_size > old.st_size) {
+        const int reason = posix_fallocate(fd, old.st_size, now.st_size - old.st_size);
+        if (reason != 0 && reason != EINVAL && reason != EOPNOTSUPP) {
+            good = false;
+            errno = ftruncate(fd, old.st_size) == 0 ? reason : errno;
+        }
+    }
+    good = good && copy_bytes(out->file, fd, now.st_size) && ftruncate(fd, now.st_size) == 0 && fsync(fd) == 0;
+    const int reason = errno;
+    if (close(fd) != 0 && good)
+        return false;
+    errno = reason;
+    return good;
+}
+
+/* Puts a complete temporary file in the place of the target. */
+static bool output_replace(struct output *out)
+{
+    if (!out->in_place)
+        return rename(out->temporary, out->target) == 0;
+    if (!output_overwrite(out))
+        return false;
+    fclose(out->file);
+    out->file = NULL;
+    return unlink(out->temporary) == 0;
 }
 
 int output_commit_all(struct output *out, int n)
@@ -228,7 +372,7 @@ int output_commit_all(struct output *out, int n)
     for (int i = 0; i < n && result == STATUS_OK; i++) {
         if (!out[i].temporary)
             continue;
-        if (rename(out[i].temporary, out[i].target) != 0) {
+        if (!output_replace(&out[i])) {
             result = output_failure("replace", &out[i]);
         } else {
             registry_remove(out[i].temporary);

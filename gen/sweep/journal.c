@@ -108,7 +108,10 @@ static int journal_open_locked(struct journal *journal)
 {
     for (;;) {
         struct stat opened, named;
-        journal->fd = open(journal->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        /* not through a symbolic link, which would let FILE.part be written anywhere */
+        journal->fd = open(journal->path, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (journal->fd < 0 && errno == ELOOP)
+            return fail("cannot write %s: it is a symbolic link; remove it or choose another --output", journal->path);
         if (journal->fd < 0 || fstat(journal->fd, &opened) != 0)
             return journal_failure("write", journal);
         if (!S_ISREG(opened.st_mode))

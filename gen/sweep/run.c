@@ -6,7 +6,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cor/status.h"
@@ -376,10 +375,9 @@ int sweep_run(const struct sweep_request *request)
     if (status == STATUS_OK && ranks_mine() == 0)
         status = refuse_early(&run);
     if (status == STATUS_OK) {
-        struct stat file;
         if (ranks_mine() > 0)
             crew_serve(crew);
-        else if (request->output && !(stat(request->output, &file) == 0 && !S_ISREG(file.st_mode)))
+        else if (!output_is_direct(request->output))
             status = collide_to_file(&run, crew, request);
         else
             status = collide_to_stream(&run, crew, request);
