@@ -48,6 +48,7 @@ set(COR_GENERATOR_SOURCES
   gen/support/digits.c
   gen/support/emit_c.c
   gen/support/output.c
+  gen/support/parallel.c
   gen/support/precision.c
   gen/sweep/crew.c
   gen/sweep/journal.c

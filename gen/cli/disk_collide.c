@@ -3,7 +3,7 @@
 #include "cli/commands.h"
 #include "cor/disk.h"
 #include "support/console.h"
-#include "sweep/crew.h"
+#include "support/parallel.h"
 
 #define DEFAULT_TOLERANCE "1e-8"
 #define TEXT_OF_(x) #x
@@ -71,7 +71,7 @@ static const struct option_rule options[] = {
     {.name = "threads",
      .kind = OPTION_WHOLE,
      .offset = AT(threads),
-     .range.whole = {1, CREW_MAX_THREADS},
+     .range.whole = {1, PARALLEL_MAX_THREADS},
      .why = "no machine has use for more"},
     OPTION_FORMAT(struct disk_collide_arguments, option_formats),
     OPTION_COMMON(struct disk_collide_arguments),

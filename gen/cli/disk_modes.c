@@ -26,7 +26,6 @@ static int run_disk_modes(const void *arguments)
     if (output_open(&out, o->common.output) != STATUS_OK)
         return STATUS_FAILED;
 
-    disk_modes_use_all_processors();
     struct disk_modes modes;
     disk_modes_init(&modes);
     const int status = disk_modes_solve(&modes, o->poisson.value, o->count, o->digits);

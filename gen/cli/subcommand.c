@@ -22,13 +22,12 @@ static int print_overview(const struct subcommand *const *table)
     struct output out;
     if (output_open(&out, NULL) != STATUS_OK)
         return STATUS_FAILED;
-    fputs("corgen computes restitution of viscoelastic spheres, and free modes of elastic disks, exactly or to any "
-          "number of "
-          "proved digits.\n\nUsage: corgen SUBCOMMAND [OPTION]...\n\n",
+    fputs("corgen computes the restitution of viscoelastic spheres and the free modes of elastic disks, exactly or to\n"
+          "any number of proved digits.\n\nUsage: corgen SUBCOMMAND [OPTION]...\n\n",
           out.file);
     for (; *table; table++)
         fprintf(out.file, "  %-12s %s\n", (*table)->name, (*table)->summary);
-    fputs("\ncorgen SUBCOMMAND --help explains one; corgen --version names the versions.\n"
+    fputs("\ncorgen help SUBCOMMAND (or corgen SUBCOMMAND --help) explains one; corgen --version names the versions.\n"
           "Exit status: 0 done, 1 failed, 2 the command line is wrong.\n"
           "Try: corgen collide --beta 0.1 --digits 30\n",
           out.file);
@@ -80,24 +79,44 @@ static int subcommand_start(const struct subcommand *cmd, const void *arguments)
     return status;
 }
 
-int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)
+static bool word_is(const char *text, const char *word)
 {
-    const char *const name = argc < 2 ? NULL : argv[1];
-    if (name && strcmp(name, "--help") == 0)
-        return print_overview(table);
-    if (name && strcmp(name, "--version") == 0)
-        return print_version(version);
-    const struct subcommand *const cmd = subcommand_named(table, name);
-    if (!cmd)
-        return STATUS_USAGE;
+    return text && strcmp(text, word) == 0;
+}
 
+/* corgen help [SUBCOMMAND] */
+static int print_help(const struct subcommand *const *table, int argc, char **argv)
+{
+    if (argc > 1)
+        return usage_error("corgen help takes one subcommand, not '%s' too", argv[1]);
+    if (argc == 0)
+        return print_overview(table);
+    const struct subcommand *const cmd = subcommand_named(table, argv[0]);
+    return cmd ? print_whole(cmd->help) : STATUS_USAGE;
+}
+
+static int subcommand_parse_and_start(const struct subcommand *cmd, int argc, char **argv)
+{
     void *arguments = xmalloc(cmd->size);
     memcpy(arguments, cmd->defaults, cmd->size);
     bool help;
-    int status = options_parse(arguments, cmd->options, argc - 1, argv + 1, &help);
+    int status = options_parse(arguments, cmd->options, argc, argv, &help);
     if (status == STATUS_OK)
         status = help ? print_whole(cmd->help) : subcommand_start(cmd, arguments);
     options_clear(arguments, cmd->options);
     free(arguments);
     return status;
+}
+
+int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)
+{
+    const char *const name = argc < 2 ? NULL : argv[1];
+    if (word_is(name, "--help") || word_is(name, "-h"))
+        return print_overview(table);
+    if (word_is(name, "help"))
+        return print_help(table, argc - 2, argv + 2);
+    if (word_is(name, "--version"))
+        return print_version(version);
+    const struct subcommand *const cmd = subcommand_named(table, name);
+    return cmd ? subcommand_parse_and_start(cmd, argc - 1, argv + 1) : STATUS_USAGE;
 }

@@ -373,7 +373,6 @@ int plan_disks(struct plan *plan, const struct plan_disks_request *request)
     plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS_DISKS, range[0], range[1]);
     plan->tolerance = tolerance;
     struct disks d = {.request = request};
-    disk_modes_use_all_processors();
     profile_step("modes");
     status = disk_modes_rounded(&d.modes, request->poisson.value, (slong)counts[COUNTS - 1]);
     profile_step("collisions");

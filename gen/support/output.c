@@ -453,6 +453,18 @@ static bool is_json_number(const char *text)
     return *text == '\0';
 }
 
+/* A number that a reader of JSON holds exactly, as most hold doubles: a fraction as well as any, a whole number of at
+ * most 2^53 = 9007199254740992. */
+static bool is_safe_json_number(const char *text)
+{
+    static const char largest[] = "9007199254740992";
+    if (!is_json_number(text))
+        return false;
+    const char *const digits = text + (*text == '-');
+    const size_t n = span_digits(digits), most = sizeof largest - 1;
+    return digits[n] != '\0' || n < most || (n == most && strcmp(digits, largest) <= 0);
+}
+
 static bool is_integer(const char *text)
 {
     if (*text == '-')
@@ -480,7 +492,7 @@ static void print_json(const struct table *t, FILE *file)
 {
     bool *number = xmalloc((size_t)t->columns * sizeof *number);
     for (int j = 0; j < t->columns; j++)
-        number[j] = column_all(t, j, is_json_number);
+        number[j] = column_all(t, j, is_safe_json_number);
     fputs("[", file);
     for (long i = 0; i < t->cells; i++) {
         int j = (int)(i % t->columns);

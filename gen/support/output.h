@@ -37,8 +37,8 @@ int output_commit_all(struct output *out, int n);
 
 void output_discard(struct output *out);
 
-/* A table of strings: the header row names the columns exactly as the contract does. In json it is
- * an array of objects; a column is unquoted if every cell in it is a JSON number. */
+/* A table of strings: the header row names the columns exactly as the contract does. In json it is an array of objects; a
+ * column is unquoted if every cell in it is a JSON number that a double holds: no whole number beyond 2^53. */
 struct table {
     const char *const *column;
     int columns;

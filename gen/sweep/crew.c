@@ -10,6 +10,7 @@
 
 #include "support/clock.h"
 #include "support/console.h"
+#include "support/parallel.h"
 #include "sweep/ranks.h"
 
 /* QUEUE: tasks that wait for a thread, at most, each. */
@@ -141,7 +142,7 @@ struct crew *crew_start(const struct crew_work *work, int threads)
     pthread_condattr_destroy(&attributes);
     int reason = 0;
     while (crew->threads < threads && reason == 0) {
-        reason = pthread_create(&crew->thread[crew->threads], NULL, crew_thread, crew);
+        reason = parallel_start_thread(&crew->thread[crew->threads], crew_thread, crew);
         crew->threads += reason == 0;
     }
     if (crew->threads == 0) {

@@ -13,6 +13,7 @@
 #include "support/clock.h"
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/parallel.h"
 #include "sweep/crew.h"
 #include "sweep/journal.h"
 #include "sweep/ranks.h"
@@ -55,7 +56,7 @@ static int refuse_memory(const struct sweep *sweep)
 static int find_modes(struct collide *run, size_t material)
 {
     const double start = clock_seconds();
-    flint_set_num_threads(run->threads);
+    parallel_use(run->threads);
     free(run->mode);
     run->mode = NULL;
     const int status =
@@ -356,12 +357,7 @@ int sweep_run(const struct sweep_request *request)
     int status = ranks_start();
     if (status == STATUS_OK)
         status = sweep_count(&run.sweep);
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    run.threads = request->threads > 0            ? request->threads
-                  : ranks_count() > 1             ? 1
-                  : processors < 1                ? 1
-                  : processors < CREW_MAX_THREADS ? (int)processors
-                                                  : CREW_MAX_THREADS;
+    run.threads = request->threads > 0 ? request->threads : ranks_count() > 1 ? 1 : parallel_processors();
     run.room = xmalloc((size_t)run.threads * sizeof *run.room);
     memset(run.room, 0, (size_t)run.threads * sizeof *run.room);
     struct crew *crew = NULL;

@@ -78,7 +78,6 @@ static int find_modes(const struct disk_table *table)
     disk_tables_clear();
     snprintf(last.poisson, sizeof last.poisson, "%s", table->poisson.text);
     last.nu = decimal_value(&table->poisson);
-    disk_modes_use_all_processors();
     disk_modes_init(&last.modes);
     last.made = true;
     const int status = disk_modes_solve(&last.modes, table->poisson.value, table->count, TABLE_DIGITS);

@@ -5,7 +5,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "cor/status.h"
 #include "disk/limit_fit.h"
@@ -14,6 +13,7 @@
 #include "support/console.h"
 #include "support/decimal.h"
 #include "support/emit_c.h"
+#include "support/parallel.h"
 #include "sweep/crew.h"
 
 #define PI 3.14159265358979323846
@@ -175,14 +175,12 @@ static int find_modes(struct cor_disk_modes *modes, const char *nu_text, size_t 
 /* The chosen rows, which are in order of material. */
 static int collide_all(struct row *row, const int *chosen, int count)
 {
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    const int threads = processors < 1 ? 1 : processors < CREW_MAX_THREADS ? (int)processors : CREW_MAX_THREADS;
+    const int threads = parallel_threads();
     struct collisions run = {row, chosen, count, 0, {0, 0, NULL}, xmalloc((size_t)threads * sizeof(struct room))};
     memset(run.room, 0, (size_t)threads * sizeof *run.room);
     const struct crew_work work = {&run, sizeof(struct outcome), collide, NULL, finish, NULL, NULL};
     struct crew *const crew = crew_start(&work, threads);
     int status = crew ? STATUS_OK : STATUS_FAILED;
-    flint_set_num_threads(threads);
     for (int first = 0, end; first < count && status == STATUS_OK; first = end) {
         const struct row *const one = &row[chosen[first]];
         size_t modes = 0;
