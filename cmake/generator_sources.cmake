@@ -24,6 +24,7 @@ set(COR_GENERATOR_SOURCES
   gen/disk/modes.c
   gen/disk/modes_rounded.c
   gen/embed/choose.c
+  gen/embed/contact.c
   gen/embed/fit.c
   gen/embed/form.c
   gen/embed/header.c

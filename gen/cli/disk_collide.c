@@ -37,7 +37,7 @@ static const char help[] =
     "every combination of the four lists. Units: E = rho = R = 1.\n\n"
     "  --speed LIST     impact speeds, above 0 and up to 0.5\n"
     "  --poisson LIST   Poisson's ratios in plane stress, between -1 and 1\n"
-    "  --alpha LIST     hardnesses of the wall, above 0\n"
+    "  --alpha LIST     hardnesses of the wall, 40 to 1e5\n"
     "  --modes LIST     numbers of modes, 1 to 10000000\n"
     "  --tolerance T    error allowed in eps, 1e-13 to below 1 (default " DEFAULT_TOLERANCE ")\n"
     "  --phi-points M   angles on the quadrant for the wall's force, 1 to 16384\n"

@@ -209,6 +209,8 @@ static int read_request(struct pade_request *r, const struct pade_arguments *o, 
                                .denominator = o->denominator,
                                .end = o->end,
                                .law = *law};
+    if (o->header && o->common.output && strcmp(o->header, o->common.output) == 0)
+        return usage_error("--header and --output name the same file, '%s'", o->header);
     if (o->as_published && !law_is_sphere(law))
         return usage_error("--as-published is the sphere's");
     if (o->as_published && o->end != END_ZERO_OVERLAP)

@@ -156,7 +156,7 @@ static const struct option_rule options[] = {
      .required = true},
     OPTION_DIGITS(struct series_arguments),
     OPTION_END(struct series_arguments, end),
-    {.name = "exact", .kind = OPTION_FLAG, .offset = AT(exact)},
+    {.name = "exact", .kind = OPTION_FLAG, .offset = AT(exact), .excludes = "digits"},
     OPTION_FORMAT(struct series_arguments, option_formats),
     OPTION_LAW(struct series_arguments),
     OPTION_COMMON(struct series_arguments),

@@ -199,49 +199,94 @@ static void search_pieces_speed(struct embed_form *best, const struct embed_scen
                  EMBED_TABLE_BYTES_MOST);
 }
 
-int embed_series(arb_poly_t series, slong *root, const struct embed_scene *s)
+/* ---- all families ---- */
+
+static void compute_series(void *context)
 {
-    profile_step("series");
-    return series_eps(series, root, s->end, SERIES_MAX, &law_sphere, SERIES_BITS) ? STATUS_FAILED : STATUS_OK;
+    struct embed_series *const series = context;
+    series->status = series_eps(series->eps, &series->root, series->end, SERIES_MAX, &law_sphere, SERIES_BITS);
 }
 
-void embed_search_series(struct embed_form *form, const struct embed_scene *s, const arb_poly_t series, slong root)
+void embed_series_begin(struct embed_series *series, enum contact_end end)
 {
-    for (int i = 0; i < FAMILIES; i++)
-        form[i] = form_blank(s, (enum embed_family)i, SPEED);
-    profile_step("series, Pade");
-    search_series(&form[FAMILY_SERIES], s, series, root);
-    search_pade(&form[FAMILY_PADE], s, series, root);
-    search_two_point(&form[FAMILY_TWO_POINT], s, series);
-    profile_step("polynomials");
-    const bool tenth = s->end == END_ZERO_FORCE;
-    search_polynomial(&form[FAMILY_POLYNOMIAL_BETA], s, FIFTH_ROOT_OF_SPEED);
-    search_rational(&form[FAMILY_RATIONAL_BETA], s, FIFTH_ROOT_OF_SPEED);
-    if (tenth) { /* sqrt(beta), in which eps is analytic at 0 */
-        search_polynomial(&form[FAMILY_POLYNOMIAL_BETA], s, TENTH_ROOT_OF_SPEED);
-        search_rational(&form[FAMILY_RATIONAL_BETA], s, TENTH_ROOT_OF_SPEED);
+    series->end = end;
+    series->root = 1;
+    series->status = STATUS_FAILED;
+    arb_poly_init(series->eps);
+    parallel_begin(&series->task, compute_series, series);
+}
+
+int embed_series_end(struct embed_series *series)
+{
+    parallel_end(&series->task);
+    return series->status == 0 ? STATUS_OK : STATUS_FAILED;
+}
+
+void embed_series_clear(struct embed_series *series)
+{
+    arb_poly_clear(series->eps);
+}
+
+struct search {
+    struct embed_form *form;
+    const struct embed_scene *scene;
+    const struct embed_series *series;
+};
+
+static void search_family(void *context, slong family)
+{
+    const struct search *const search = context;
+    const struct embed_scene *const s = search->scene;
+    const struct embed_series *const series = search->series;
+    struct embed_form *const form = &search->form[family];
+    const bool tenth = s->end == END_ZERO_FORCE; /* sqrt(beta), in which eps is analytic at 0 */
+    *form = form_blank(s, (enum embed_family)family, SPEED);
+    switch (form->family) {
+    case FAMILY_SERIES:
+        search_series(form, s, series->eps, series->root);
+        break;
+    case FAMILY_PADE:
+        search_pade(form, s, series->eps, series->root);
+        break;
+    case FAMILY_TWO_POINT:
+        search_two_point(form, s, series->eps);
+        break;
+    case FAMILY_POLYNOMIAL_BETA:
+        search_polynomial(form, s, FIFTH_ROOT_OF_SPEED);
+        if (tenth)
+            search_polynomial(form, s, TENTH_ROOT_OF_SPEED);
+        break;
+    case FAMILY_RATIONAL_BETA:
+        search_rational(form, s, FIFTH_ROOT_OF_SPEED);
+        if (tenth)
+            search_rational(form, s, TENTH_ROOT_OF_SPEED);
+        break;
+    case FAMILY_PIECES_BETA:
+        search_pieces_beta(form, s);
+        break;
+    case FAMILY_PIECES_SPEED:
+        search_pieces_speed(form, s);
+        break;
+    case FAMILY_RATIONAL_SPEED:
+        search_rational(form, s, SPEED);
+        break;
+    case FAMILY_RATIONAL_SQRT:
+        search_rational(form, s, SQRT_OF_SPEED);
+        break;
+    case FAMILY_RATIONAL_FOURTH:
+        search_rational(form, s, FOURTH_ROOT_OF_SPEED);
+        break;
+    case FAMILIES:
+        break;
     }
-    profile_step("rational in speed");
-    search_rational(&form[FAMILY_RATIONAL_SPEED], s, SPEED);
-    search_rational(&form[FAMILY_RATIONAL_SQRT], s, SQRT_OF_SPEED);
-    search_rational(&form[FAMILY_RATIONAL_FOURTH], s, FOURTH_ROOT_OF_SPEED);
-    profile_step("pieces");
-    search_pieces_beta(&form[FAMILY_PIECES_BETA], s);
-    search_pieces_speed(&form[FAMILY_PIECES_SPEED], s);
-    profile_step(NULL);
 }
 
-int embed_search(struct embed_form *form, const struct embed_scene *s)
+void embed_search(struct embed_form *form, const struct embed_scene *s, const struct embed_series *series)
 {
-    arb_poly_t series;
-    slong root;
-    arb_poly_init(series);
-    const int status = embed_series(series, &root, s);
-    if (status == STATUS_OK)
-        embed_search_series(form, s, series, root);
+    struct search search = {form, s, series};
+    profile_step("forms");
+    parallel_for(search_family, &search, FAMILIES, "forms");
     profile_step(NULL);
-    arb_poly_clear(series);
-    return status;
 }
 
 enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose purpose)

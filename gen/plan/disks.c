@@ -12,6 +12,7 @@
 #include "disk/modes_rounded.h"
 #include "plan/plan.h"
 #include "support/console.h"
+#include "support/parallel.h"
 
 /* Every number of modes with every hardness alpha v. Limits are fitted to the last ones. */
 static const size_t counts[] = {10, 30, 100, 300, 940, 1800, 2500, 3600};
@@ -48,8 +49,6 @@ struct disks {
     struct cor_disk_modes modes;
     struct outcome *grid; /* [point][count][wall] */
     struct outcome *paper;
-    void *room;
-    size_t bytes;
 };
 
 static struct outcome *outcome_at(const struct disks *d, slong point, int count, int wall)
@@ -62,17 +61,14 @@ static double alpha_of(double hard, double speed)
     return fmax(COR_DISK_COLLISION_MIN_ALPHA, hard / speed);
 }
 
-static void disks_collide_one(struct disks *d, struct outcome *out, size_t modes, double alpha, double speed)
+static void disks_collide_one(const struct disks *d, struct outcome *out, size_t modes, double alpha, double speed)
 {
     const struct cor_disk_collision_options options = {alpha, COLLISION_TOLERANCE, 0};
-    const size_t needed = cor_disk_collision_workspace(&d->modes, modes, &options);
-    if (needed > d->bytes) {
-        free(d->room);
-        d->room = xmalloc(needed);
-        d->bytes = needed;
-    }
+    const size_t bytes = cor_disk_collision_workspace(&d->modes, modes, &options);
+    void *const room = xmalloc(bytes);
     struct cor_disk_collision c = {(double)NAN, (double)NAN, (double)NAN, (double)NAN, (double)NAN, 0};
-    const int status = cor_disk_collision_in(d->room, d->bytes, &d->modes, modes, &options, speed, &c, NULL);
+    const int status = cor_disk_collision_in(room, bytes, &d->modes, modes, &options, speed, &c, NULL);
+    free(room);
     out->value[PLAN_EPS] = c.eps;
     out->value[PLAN_CONTACT_TIME] = c.contact_time;
     out->value[PLAN_COMPRESSION] = c.max_compression;
@@ -80,19 +76,33 @@ static void disks_collide_one(struct disks *d, struct outcome *out, size_t modes
     out->steps = (double)c.steps;
 }
 
+struct collisions {
+    const struct plan *plan;
+    struct disks *disks;
+};
+
+/* Task i: of a point the collisions of one row of the grid, the most modes first, or the paper's. */
+static void disks_collide_row(void *context, slong i)
+{
+    const struct collisions *const work = context;
+    struct disks *const d = work->disks;
+    const slong points = work->plan->points, point = i % points;
+    const double speed = work->plan->speed[point];
+    const int count = COUNTS - 1 - (int)(i / points);
+    if (count < 0) {
+        disks_collide_one(d, &d->paper[point], PAPER_MODES, PAPER_ALPHA, speed);
+        return;
+    }
+    for (int k = 0; k < WALLS; k++)
+        disks_collide_one(d, outcome_at(d, point, count, k), counts[count], alpha_of(hardness[k], speed), speed);
+}
+
 static void disks_collide_all(struct plan *plan, struct disks *d)
 {
     d->grid = xmalloc((size_t)plan->points * COUNTS * WALLS * sizeof *d->grid);
     d->paper = xmalloc((size_t)plan->points * sizeof *d->paper);
-    for (slong i = 0; i < plan->points; i++) {
-        for (int n = 0; n < COUNTS; n++)
-            for (int k = 0; k < WALLS; k++)
-                disks_collide_one(d, outcome_at(d, i, n, k), counts[n], alpha_of(hardness[k], plan->speed[i]),
-                                  plan->speed[i]);
-        disks_collide_one(d, &d->paper[i], PAPER_MODES, PAPER_ALPHA, plan->speed[i]);
-        progress("collisions", (long)i + 1, (long)plan->points);
-    }
-    progress_end();
+    struct collisions work = {plan, d};
+    parallel_for(disks_collide_row, &work, plan->points * (COUNTS + 1), "collisions");
 }
 
 /* ---- what they tend to ---- */
@@ -383,6 +393,5 @@ int plan_disks(struct plan *plan, const struct plan_disks_request *request)
     profile_step(NULL);
     free(d.grid);
     free(d.paper);
-    free(d.room);
     return status;
 }

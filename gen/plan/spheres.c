@@ -2,6 +2,7 @@
 /* Viscoelastic spheres: models of eps from what simulations paste to corgen's headers, against collisions. */
 #include <float.h>
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,12 +14,14 @@
 #include "plan/plan.h"
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/parallel.h"
 
 /* At zero overlap eps is h*^5 beta^-5 from here on, to 2^-60. */
 #define OVERLAP_FAR 7.0
 #define BETA_LIMIT 1e6
 #define LEAST_TOLERANCE 1e-15
-#define EMBED_COARSEST "0.1" /* the coarsest that corgen embed takes */
+#define TEXT_OF_(x) #x
+#define TEXT_OF(x) TEXT_OF_(x)
 enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, PADE_COEFFICIENTS = 64, ROOT_REFINEMENT = 2, TEXT = 1024 };
 
 /* ns of a call and in a loop, not made of operations: README.md's table has the published ways and the library,
@@ -84,30 +87,44 @@ static int collide_both_ends(double eps[2], const arb_t beta, const arb_t h_star
     return status ? STATUS_FAILED : STATUS_OK;
 }
 
+struct truth {
+    struct plan *plan;
+    struct spheres *spheres;
+    enum contact_end end;
+    arb_t h_star;
+    atomic_bool failed;
+};
+
+static void find_truth_at(void *context, slong i)
+{
+    struct truth *const truth = context;
+    struct plan *const plan = truth->plan;
+    arb_t beta;
+    arb_init(beta);
+    arb_set_d(beta, plan->speed[i]);
+    arb_root_ui(beta, beta, 5, EMBED_BITS);
+    arb_mul(beta, beta, truth->spheres->scene.beta_per_root, EMBED_BITS);
+    double eps[2];
+    if (collide_both_ends(eps, beta, truth->h_star) != STATUS_OK)
+        atomic_store(&truth->failed, true);
+    plan->at[i] = ball_middle(beta);
+    plan->truth[i] = eps[truth->end];
+    truth->spheres->other[i] = eps[truth->end == END_ZERO_OVERLAP ? END_ZERO_FORCE : END_ZERO_OVERLAP];
+    arb_clear(beta);
+}
+
 static int find_truth(struct plan *plan, struct spheres *s, enum contact_end end)
 {
-    arb_t beta, h_star;
-    arb_init(beta);
-    arb_init(h_star);
+    struct truth truth = {.plan = plan, .spheres = s, .end = end};
+    arb_init(truth.h_star);
     s->other = xmalloc((size_t)plan->points * sizeof *s->other);
     int status = STATUS_OK;
-    if (s->scene.beta_max >= OVERLAP_FAR && collision_h_star(h_star, TRUTH_BITS))
-        status = STATUS_FAILED;
-    for (slong i = 0; i < plan->points && status == STATUS_OK; i++) {
-        progress("collisions", (long)i, (long)plan->points);
-        arb_set_d(beta, plan->speed[i]);
-        arb_root_ui(beta, beta, 5, EMBED_BITS);
-        arb_mul(beta, beta, s->scene.beta_per_root, EMBED_BITS);
-        double eps[2];
-        status = collide_both_ends(eps, beta, h_star);
-        plan->at[i] = ball_middle(beta);
-        plan->truth[i] = eps[end];
-        s->other[i] = eps[end == END_ZERO_OVERLAP ? END_ZERO_FORCE : END_ZERO_OVERLAP];
-    }
-    progress_end();
-    arb_clear(beta);
-    arb_clear(h_star);
-    return status;
+    if (s->scene.beta_max >= OVERLAP_FAR)
+        status = collision_h_star(truth.h_star, TRUTH_BITS);
+    if (status == STATUS_OK)
+        parallel_for(find_truth_at, &truth, plan->points, "collisions at the points");
+    arb_clear(truth.h_star);
+    return status == STATUS_OK && !atomic_load(&truth.failed) ? STATUS_OK : STATUS_FAILED;
 }
 
 /* ---- models ---- */
@@ -430,24 +447,32 @@ static const char *spheres_note(const struct embed_request *scene)
     return notes[scene->purpose];
 }
 
-int plan_spheres(struct plan *plan, const struct plan_spheres_request *request)
+/* All models, once the truth and the series are known. `header`: the tolerance of the header. */
+static void add_models(struct plan *plan, struct spheres *s, const struct embed_request *scene,
+                       const struct embed_series *series, const char *header)
 {
-    *plan = (struct plan){.chosen = -1};
-    const double tolerance = embed_number(&request->scene, EMBED_TOLERANCE);
-    if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
-        return usage_error("--tolerance %s is not from %g to below 1, a relative error that a double can hold",
-                           request->scene.number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
-    /* for a header: corgen embed takes no coarser tolerance than this one, which is freed here */
-    struct embed_request embed = request->scene;
-    struct decimal coarsest = {0};
-    decimal_set(&coarsest, EMBED_COARSEST);
-    if (tolerance > decimal_value(&coarsest))
-        embed.number[EMBED_TOLERANCE] = coarsest;
+    plan->title = spheres_title(plan, scene);
+    add_constants(plan, scene);
+    add_power_law(plan, scene);
+    add_published(plan, scene);
+    add_pades(plan, s, scene, series->eps, series->root);
+    embed_search(s->form, &s->scene, series);
+    add_header(plan, s, scene, header);
+    add_library(plan, s, scene);
+    add_other_end(plan, s, scene);
+    plan_choose(plan);
+}
+
+/* The plan of a scene that has been checked. `embed`: the scene with the tolerance of a header. */
+static int plan_scene(struct plan *plan, const struct plan_spheres_request *request, const struct embed_request *embed)
+{
     const struct embed_request *const scene = &request->scene;
     struct spheres *s = xmalloc(sizeof *s);
     memset(s, 0, sizeof *s);
-    profile_step("scene");
-    int status = embed_scene_init(&s->scene, &embed);
+    struct embed_series series;
+    embed_series_begin(&series, scene->end);
+    profile_step("scene, series");
+    int status = embed_scene_init(&s->scene, embed);
     if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
         status = fail("beta up to %.3g: no model is compared beyond %g", s->scene.beta_max, BETA_LIMIT);
     plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
@@ -455,30 +480,36 @@ int plan_spheres(struct plan *plan, const struct plan_spheres_request *request)
     plan->argument = "beta";
     plan->quantity = "eps";
     plan->unit = "relative error";
-    plan->tolerance = tolerance;
+    plan->tolerance = embed_number(scene, EMBED_TOLERANCE);
     plan->note = spheres_note(scene);
     profile_step("collisions");
     if (status == STATUS_OK)
         status = find_truth(plan, s, scene->end);
-    arb_poly_t series;
-    slong root;
-    arb_poly_init(series);
+    const int series_status = embed_series_end(&series);
     if (status == STATUS_OK)
-        status = embed_series(series, &root, &s->scene);
-    if (status == STATUS_OK) {
-        plan->title = spheres_title(plan, scene);
-        add_constants(plan, scene);
-        add_power_law(plan, scene);
-        add_published(plan, scene);
-        add_pades(plan, s, scene, series, root);
-        embed_search_series(s->form, &s->scene, series, root);
-        add_header(plan, s, scene, embed.number[EMBED_TOLERANCE].text);
-        add_library(plan, s, scene);
-        add_other_end(plan, s, scene);
-        plan_choose(plan);
-    }
+        status = series_status;
+    if (status == STATUS_OK)
+        add_models(plan, s, scene, &series, embed->number[EMBED_TOLERANCE].text);
     profile_step(NULL);
-    arb_poly_clear(series);
+    embed_series_clear(&series);
+    return status;
+}
+
+int plan_spheres(struct plan *plan, const struct plan_spheres_request *request)
+{
+    *plan = (struct plan){.chosen = -1};
+    const double tolerance = embed_number(&request->scene, EMBED_TOLERANCE);
+    if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
+        return usage_error("--tolerance %s is not from %g to below 1, a relative error that a double can hold",
+                           request->scene.number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
+    struct embed_request embed = request->scene;
+    struct decimal coarsest = {0};
+    decimal_set(&coarsest, TEXT_OF(EMBED_COARSEST));
+    if (tolerance > EMBED_COARSEST)
+        embed.number[EMBED_TOLERANCE] = coarsest;
+    int status = embed_request_check(&embed);
+    if (status == STATUS_OK)
+        status = plan_scene(plan, request, &embed);
     decimal_clear(&coarsest);
     return status;
 }

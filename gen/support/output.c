@@ -472,12 +472,21 @@ static bool is_integer(const char *text)
     return *text && text[span_digits(text)] == '\0';
 }
 
+/* Once in a thousand cells, and only on a terminal. */
+static void print_progress(const struct table *t, long cell)
+{
+    if (cell >= 0 && cell % 1024 == 0)
+        progress("printing rows", cell / t->columns, t->cells / t->columns);
+}
+
 static void print_csv(const struct table *t, FILE *file)
 {
     for (int j = 0; j < t->columns; j++)
         fprintf(file, "%s%c", t->column[j], j + 1 < t->columns ? ',' : '\n');
-    for (long i = 0; i < t->cells; i++)
+    for (long i = 0; i < t->cells; i++) {
+        print_progress(t, i);
         fprintf(file, "%s%c", t->cell[i], (i + 1) % t->columns ? ',' : '\n');
+    }
 }
 
 static bool column_all(const struct table *t, int column, bool (*is)(const char *))
@@ -495,6 +504,7 @@ static void print_json(const struct table *t, FILE *file)
         number[j] = column_all(t, j, is_safe_json_number);
     fputs("[", file);
     for (long i = 0; i < t->cells; i++) {
+        print_progress(t, i);
         int j = (int)(i % t->columns);
         const char *quote = number[j] ? "" : "\"";
         fputs(j ? ", " : i ? ",\n  {" : "\n  {", file);
@@ -524,6 +534,7 @@ static void print_text(const struct table *t, FILE *file)
         }
     }
     for (long i = -t->columns; i < t->cells; i++) {
+        print_progress(t, i);
         int j = (int)((i + t->columns) % t->columns);
         const char *text = i < 0 ? t->column[j] : t->cell[i];
         const char *space = sign[j] && *text != '-' ? " " : "";
@@ -554,4 +565,5 @@ void table_print(const struct table *t, enum output_format format, FILE *file)
         print_text(t, file);
         break;
     }
+    progress_end();
 }

@@ -7,7 +7,6 @@
 #include <sched.h>
 #include <signal.h>
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -92,4 +91,28 @@ void parallel_for(void (*task)(void *context, slong i), void *context, slong cou
         pthread_join(thread[--started], NULL);
     progress_leave();
     free(thread);
+}
+
+static void *task_thread(void *argument)
+{
+    const struct parallel_task *const task = argument;
+    within_task = true;
+    task->task(task->context);
+    flint_cleanup();
+    return NULL;
+}
+
+void parallel_begin(struct parallel_task *task, void (*work)(void *context), void *context)
+{
+    *task = (struct parallel_task){.task = work, .context = context};
+    task->started =
+        !within_task && parallel_threads() > 1 && parallel_start_thread(&task->thread, task_thread, task) == 0;
+}
+
+void parallel_end(struct parallel_task *task)
+{
+    if (task->started)
+        pthread_join(task->thread, NULL);
+    else
+        task->task(task->context);
 }

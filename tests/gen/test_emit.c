@@ -2,6 +2,7 @@
 /* What emit_c writes: a compiler reads every double back to the bit, and finds nothing to warn of.
  */
 #define _XOPEN_SOURCE 700
+#include "support/console.h" /* before cmocka, which has a macro fail */
 
 #include <math.h>
 #include <setjmp.h>
@@ -18,6 +19,7 @@
 #include "enclosure/collision.h"
 #include "support/digits.h"
 #include "support/emit_c.h"
+#include "support/output.h"
 #include "tables/pade.h"
 
 enum { PREC = 256, BITS = 192, PATH = 512 };
@@ -310,6 +312,44 @@ static void test_pade_header(void **state)
     pade_clear(&f);
 }
 
+/* A whole number in json is one up to 2^53, of either sign, and a string beyond; a fraction is a number. */
+static void test_json_numbers(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *cell;
+        bool number;
+    } cells[] = {{"0", true},
+                 {"-1", true},
+                 {"9007199254740992", true},
+                 {"-9007199254740992", true},
+                 {"9007199254740993", false},
+                 {"-9007199254740993", false},
+                 {"10000000000000000", false},
+                 {"90071992547409920", false},
+                 {"9007199254740993.5", true},
+                 {"1e300", true},
+                 {"inf", false},
+                 {"1/3", false},
+                 {".5", false}};
+    static const char *const column[] = {"x"};
+    for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
+        struct table table;
+        char *text = NULL, expected[64];
+        size_t size;
+        FILE *file = open_memstream(&text, &size);
+        table_init(&table, column, 1);
+        table_add(&table, xstrdup(cells[i].cell));
+        table_print(&table, FORMAT_JSON, file);
+        table_clear(&table);
+        assert_int_equal(fclose(file), 0);
+        const char *const quote = cells[i].number ? "" : "\"";
+        snprintf(expected, sizeof expected, "[\n  {\"x\": %s%s%s}\n]\n", quote, cells[i].cell, quote);
+        assert_string_equal(text, expected);
+        free(text);
+    }
+}
+
 /* Every two-point Pade of up to 20 degrees in the numerator: none has a coefficient that cannot be rounded, and the
  * headers, all in one unit, compute eps(1/2). The approximants of 15 degrees and more have a pole far beyond 1/2. */
 /* eps(1/2) at zero overlap: corgen collide --beta 0.5, by enclosure of the motion instead of series */
@@ -378,9 +418,14 @@ static void test_two_point_headers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_doubles),           cmocka_unit_test(test_rows),  cmocka_unit_test(test_geometry),
-        cmocka_unit_test(test_too_wide),          cmocka_unit_test(test_bound), cmocka_unit_test(test_pade_header),
+        cmocka_unit_test(test_doubles),
+        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_geometry),
+        cmocka_unit_test(test_too_wide),
+        cmocka_unit_test(test_bound),
+        cmocka_unit_test(test_pade_header),
         cmocka_unit_test(test_two_point_headers),
+        cmocka_unit_test(test_json_numbers),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
