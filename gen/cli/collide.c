@@ -98,5 +98,10 @@ static const struct option_rule options[] = {
 
 static const struct collide_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_collide = {
-    "collide", "one collision to any number of digits", help, options, sizeof defaults, &defaults, run_collide};
+const struct subcommand command_collide = {.name = "collide",
+                                           .summary = "one collision to any number of digits",
+                                           .help = help,
+                                           .options = options,
+                                           .size = sizeof defaults,
+                                           .defaults = &defaults,
+                                           .run = run_collide};

@@ -80,6 +80,11 @@ static const struct option_rule options[] = {
 
 static const struct disk_collide_arguments defaults = {0};
 
-const struct subcommand command_disk_collide = {
-    "disk-collide",  "collisions of elastic disks, over lists of parameters", help, options, sizeof defaults, &defaults,
-    run_disk_collide};
+const struct subcommand command_disk_collide = {.name = "disk-collide",
+                                                .summary = "collisions of elastic disks, over lists of parameters",
+                                                .help = help,
+                                                .options = options,
+                                                .size = sizeof defaults,
+                                                .defaults = &defaults,
+                                                .run = run_disk_collide,
+                                                .on_all_ranks = true};

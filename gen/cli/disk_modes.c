@@ -115,5 +115,10 @@ static const struct option_rule options[] = {
 
 static const struct disk_modes_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_disk_modes = {
-    "disk-modes", "the free modes of an elastic disk", help, options, sizeof defaults, &defaults, run_disk_modes};
+const struct subcommand command_disk_modes = {.name = "disk-modes",
+                                              .summary = "the free modes of an elastic disk",
+                                              .help = help,
+                                              .options = options,
+                                              .size = sizeof defaults,
+                                              .defaults = &defaults,
+                                              .run = run_disk_modes};

@@ -83,6 +83,10 @@ static const struct option_rule options[] = {
 
 static const struct embed_arguments defaults = {0};
 
-const struct subcommand command_embed = {
-    "embed",  "a C header with eps of the impact speed for one scene", help, options, sizeof defaults, &defaults,
-    run_embed};
+const struct subcommand command_embed = {.name = "embed",
+                                         .summary = "a C header with eps of the impact speed for one scene",
+                                         .help = help,
+                                         .options = options,
+                                         .size = sizeof defaults,
+                                         .defaults = &defaults,
+                                         .run = run_embed};

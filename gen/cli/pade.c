@@ -304,5 +304,10 @@ static const struct option_rule options[] = {
 static const struct pade_arguments defaults = {
     .numerator = OPTIONS_NOT_GIVEN, .denominator = OPTIONS_NOT_GIVEN, .digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_pade = {
-    "pade", "Pade approximants of eps(beta)", help, options, sizeof defaults, &defaults, run_pade};
+const struct subcommand command_pade = {.name = "pade",
+                                        .summary = "Pade approximants of eps(beta)",
+                                        .help = help,
+                                        .options = options,
+                                        .size = sizeof defaults,
+                                        .defaults = &defaults,
+                                        .run = run_pade};

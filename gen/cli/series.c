@@ -165,6 +165,10 @@ static const struct option_rule options[] = {
 
 static const struct series_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_series = {
-    "series",  "coefficients of x_max, t_max and eps in powers of beta", help, options, sizeof defaults, &defaults,
-    run_series};
+const struct subcommand command_series = {.name = "series",
+                                          .summary = "coefficients of x_max, t_max and eps in powers of beta",
+                                          .help = help,
+                                          .options = options,
+                                          .size = sizeof defaults,
+                                          .defaults = &defaults,
+                                          .run = run_series};

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "support/console.h"
+#include "sweep/ranks.h"
 
 static int print_whole(const char *text)
 {
@@ -108,7 +109,8 @@ static int subcommand_parse_and_start(const struct subcommand *cmd, int argc, ch
     return status;
 }
 
-int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)
+/* What the command line says, by one process. */
+static int run_alone(const struct subcommand *const *table, const char *version, int argc, char **argv)
 {
     const char *const name = argc < 2 ? NULL : argv[1];
     if (word_is(name, "--help") || word_is(name, "-h"))
@@ -119,4 +121,31 @@ int subcommand_run(const struct subcommand *const *table, const char *version, i
         return print_version(version);
     const struct subcommand *const cmd = subcommand_named(table, name);
     return cmd ? subcommand_parse_and_start(cmd, argc - 1, argv + 1) : STATUS_USAGE;
+}
+
+static const struct subcommand *command_on_all_ranks(const struct subcommand *const *table, const char *name)
+{
+    for (; name && *table; table++)
+        if ((*table)->on_all_ranks && strcmp((*table)->name, name) == 0)
+            return *table;
+    return NULL;
+}
+
+int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)
+{
+    if (ranks_start() != STATUS_OK)
+        return STATUS_FAILED;
+    const struct subcommand *const shared = command_on_all_ranks(table, argc < 2 ? NULL : argv[1]);
+    int status = STATUS_OK;
+    if (shared) {
+        console_show_usage_errors(ranks_mine() == 0);
+        status = subcommand_parse_and_start(shared, argc - 1, argv + 1);
+    } else if (ranks_mine() > 0) {
+        ranks_wait();
+    } else {
+        status = run_alone(table, version, argc, argv);
+        ranks_release();
+    }
+    ranks_stop();
+    return status;
 }

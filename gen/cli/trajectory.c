@@ -181,6 +181,10 @@ static const struct option_rule options[] = {
 
 static const struct trajectory_arguments defaults = {0};
 
-const struct subcommand command_trajectory = {
-    "trajectory",  "exact rational coefficients of x(t), any order", help, options, sizeof defaults, &defaults,
-    run_trajectory};
+const struct subcommand command_trajectory = {.name = "trajectory",
+                                              .summary = "exact rational coefficients of x(t), any order",
+                                              .help = help,
+                                              .options = options,
+                                              .size = sizeof defaults,
+                                              .defaults = &defaults,
+                                              .run = run_trajectory};

@@ -36,8 +36,17 @@ int fail(const char *format, ...)
     return STATUS_FAILED;
 }
 
+static bool usage_errors_hidden;
+
+void console_show_usage_errors(bool show)
+{
+    usage_errors_hidden = !show;
+}
+
 int usage_error(const char *format, ...)
 {
+    if (usage_errors_hidden)
+        return STATUS_USAGE;
     va_list arguments;
     va_start(arguments, format);
     print_message(format, arguments);

@@ -19,6 +19,9 @@ void console_start(void);
 int fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+/* Of several processes with one command line, one says what is wrong with it. */
+void console_show_usage_errors(bool show);
+
 /* Bytes of physical memory, or 0 where the system does not tell. */
 double console_memory(void);
 

@@ -3,10 +3,13 @@
 
 #include <limits.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include <mpi.h>
 
 #include "support/console.h"
+
+enum { TAG_RELEASE = 0, PAUSE_NANOSECONDS = 20000000 };
 
 static int count = 1, mine;
 static bool joined;
@@ -45,6 +48,29 @@ void ranks_stop(void)
         MPI_Finalize();
     joined = false;
     count = 1;
+}
+
+int ranks_check(void)
+{
+    return STATUS_OK;
+}
+
+/* MPI itself can wait only by being busy. */
+void ranks_wait(void)
+{
+    const struct timespec pause = {0, PAUSE_NANOSECONDS};
+    int rank, tag;
+    void *bytes;
+    size_t n;
+    while (!ranks_receive(&rank, &tag, &bytes, &n))
+        nanosleep(&pause, NULL);
+    free(bytes);
+}
+
+void ranks_release(void)
+{
+    for (int rank = 1; rank < count; rank++)
+        ranks_send(rank, TAG_RELEASE, NULL, 0);
 }
 
 int ranks_count(void)

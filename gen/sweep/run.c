@@ -354,7 +354,7 @@ static int collide_to_stream(struct collide *run, struct crew *crew, const struc
 int sweep_run(const struct sweep_request *request)
 {
     struct collide run = {.sweep = request->sweep, .journal = {.fd = -1}};
-    int status = ranks_start();
+    int status = ranks_check();
     if (status == STATUS_OK)
         status = sweep_count(&run.sweep);
     run.threads = request->threads > 0 ? request->threads : ranks_count() > 1 ? 1 : parallel_processors();
@@ -379,7 +379,6 @@ int sweep_run(const struct sweep_request *request)
             status = collide_to_stream(&run, crew, request);
     }
     crew_stop(crew);
-    ranks_stop();
     for (int i = 0; i < run.threads; i++)
         free(run.room[i].bytes);
     free(run.room);
