@@ -199,8 +199,9 @@ static void values_drop_repeated(struct values *values)
 {
     struct place *place = xmalloc(values->count * sizeof *place);
     bool *repeated = xmalloc(values->count * sizeof *repeated);
+    /* the last first: a sort that keeps the order of equals shows when the comparison forgets them */
     for (size_t i = 0; i < values->count; i++)
-        place[i] = (struct place){values->nearest[i], i};
+        place[values->count - 1 - i] = (struct place){values->nearest[i], i};
     qsort(place, values->count, sizeof *place, compare_places);
     for (size_t i = 0; i < values->count; i++)
         repeated[place[i].index] = i > 0 && place[i].value == place[i - 1].value;
