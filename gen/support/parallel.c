@@ -8,6 +8,7 @@
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "support/console.h"
@@ -46,30 +47,100 @@ int parallel_start_thread(pthread_t *thread, void *(*start)(void *), void *argum
     return reason;
 }
 
+/* ---- slots: of all threads that have work, as many run as parallel_threads() says ---- */
+
+enum { PROGRESS_NANOSECONDS = 200000000 };
+
+static pthread_mutex_t slots_mutex = PTHREAD_MUTEX_INITIALIZER;
+static pthread_cond_t slot_is_free = PTHREAD_COND_INITIALIZER;
+static int slots_taken;
+
+static void slot_take(void)
+{
+    pthread_mutex_lock(&slots_mutex);
+    while (slots_taken >= parallel_threads())
+        pthread_cond_wait(&slot_is_free, &slots_mutex);
+    slots_taken++;
+    pthread_mutex_unlock(&slots_mutex);
+    within_task = true;
+}
+
+static void slot_give(void)
+{
+    within_task = false;
+    pthread_mutex_lock(&slots_mutex);
+    slots_taken--;
+    pthread_cond_signal(&slot_is_free);
+    pthread_mutex_unlock(&slots_mutex);
+}
+
+/* ---- many tasks ---- */
+
 struct loop {
     void (*task)(void *context, slong i);
     void *context;
     slong count;
-    atomic_long next, done;
+    atomic_long next;
+    pthread_mutex_t mutex; /* of done */
+    pthread_cond_t is_done;
+    slong done;
 };
 
-static void loop_work(struct loop *loop, bool shows_progress)
+/* One task, if any is left. */
+static bool loop_step(struct loop *loop)
 {
-    within_task = true;
-    for (slong i; (i = atomic_fetch_add(&loop->next, 1)) < loop->count;) {
-        loop->task(loop->context, i);
-        const slong done = atomic_fetch_add(&loop->done, 1) + 1;
-        if (shows_progress)
-            progress_at(done);
-    }
-    within_task = false;
+    const slong i = atomic_fetch_add(&loop->next, 1);
+    if (i >= loop->count)
+        return false;
+    slot_take();
+    loop->task(loop->context, i);
+    slot_give();
+    pthread_mutex_lock(&loop->mutex);
+    if (++loop->done == loop->count)
+        pthread_cond_signal(&loop->is_done);
+    pthread_mutex_unlock(&loop->mutex);
+    return true;
 }
 
 static void *loop_thread(void *argument)
 {
-    loop_work(argument, false);
+    while (loop_step(argument))
+        continue;
     flint_cleanup(); /* constants that FLINT keeps for each thread */
     return NULL;
+}
+
+/* While others work: a task may take minutes, and the progress line goes on meanwhile. */
+static void loop_watch(struct loop *loop)
+{
+    pthread_mutex_lock(&loop->mutex);
+    while (loop->done < loop->count) {
+        struct timespec until;
+        clock_gettime(CLOCK_REALTIME, &until);
+        until.tv_nsec += PROGRESS_NANOSECONDS;
+        until.tv_sec += until.tv_nsec / 1000000000;
+        until.tv_nsec %= 1000000000;
+        pthread_cond_timedwait(&loop->is_done, &loop->mutex, &until);
+        progress_at(loop->done);
+    }
+    pthread_mutex_unlock(&loop->mutex);
+}
+
+static void loop_run(struct loop *loop)
+{
+    const slong wanted = FLINT_MIN((slong)parallel_threads(), loop->count);
+    pthread_t *thread = xmalloc((size_t)FLINT_MAX(wanted, 1) * sizeof *thread);
+    slong started = 0;
+    while (wanted > 1 && started < wanted && parallel_start_thread(&thread[started], loop_thread, loop) == 0)
+        started++;
+    if (started > 0)
+        loop_watch(loop);
+    else
+        while (loop_step(loop))
+            progress_at(loop->done);
+    while (started > 0)
+        pthread_join(thread[--started], NULL);
+    free(thread);
 }
 
 void parallel_for(void (*task)(void *context, slong i), void *context, slong count, const char *step)
@@ -80,24 +151,23 @@ void parallel_for(void (*task)(void *context, slong i), void *context, slong cou
         return;
     }
     struct loop loop = {.task = task, .context = context, .count = count};
-    const slong wanted = parallel_threads() < count ? parallel_threads() : count;
-    pthread_t *thread = xmalloc((size_t)FLINT_MAX(wanted, 1) * sizeof *thread);
-    slong started = 0;
+    pthread_mutex_init(&loop.mutex, NULL);
+    pthread_cond_init(&loop.is_done, NULL);
     progress_enter(step, count);
-    while (started + 1 < wanted && parallel_start_thread(&thread[started], loop_thread, &loop) == 0)
-        started++;
-    loop_work(&loop, true);
-    while (started > 0)
-        pthread_join(thread[--started], NULL);
+    loop_run(&loop);
     progress_leave();
-    free(thread);
+    pthread_cond_destroy(&loop.is_done);
+    pthread_mutex_destroy(&loop.mutex);
 }
+
+/* ---- one task beside others ---- */
 
 static void *task_thread(void *argument)
 {
     const struct parallel_task *const task = argument;
-    within_task = true;
+    slot_take();
     task->task(task->context);
+    slot_give();
     flint_cleanup();
     return NULL;
 }
