@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The sources of corgen but for main.c, in alphabetical order: add a file to gen/, add a line here.
 set(COR_GENERATOR_SOURCES
+  gen/approximation/function_rows.c
   gen/approximation/interpolant.c
   gen/approximation/pade.c
   gen/approximation/pade_rounded.c
@@ -53,6 +54,8 @@ set(COR_GENERATOR_SOURCES
   gen/sweep/values.c
   gen/tables/directory.c
   gen/tables/disk.c
+  gen/tables/law_times.c
+  gen/tables/laws.c
   gen/tables/limits.c
   gen/tables/pade.c
   gen/tables/sphere.c)
