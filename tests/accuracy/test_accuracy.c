@@ -46,6 +46,10 @@ static const struct function functions[] = {
     ROW(time_of_max_overlap, TIME_OF_MAX_OVERLAP, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
     ROW(beta_zero_overlap, EPS_ZERO_OVERLAP, INVERSE, COR_SPHERE_BETA_MAX_ULP),
     ROW(beta_zero_force, EPS_ZERO_FORCE, INVERSE, COR_SPHERE_BETA_MAX_ULP),
+    ROW(eps_approach_only, EPS_APPROACH_ONLY, FALLS, COR_SPHERE_APPROACH_MAX_ULP),
+    ROW(loss_approach_only, LOSS_APPROACH_ONLY, SMOOTH, COR_SPHERE_APPROACH_MAX_ULP),
+    ROW(duration_approach_only, DURATION_APPROACH_ONLY, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
+    ROW(beta_approach_only, EPS_APPROACH_ONLY, INVERSE, COR_SPHERE_APPROACH_MAX_ULP),
 };
 
 enum { FUNCTIONS = sizeof functions / sizeof *functions, MAX_THREADS = 64 };
@@ -60,9 +64,13 @@ static double inverse_error(enum quantity eps_quantity, double computed, double 
         return isnan(computed) ? 0 : HUGE_VAL;
     if (eps == 0 || eps == 1)
         return computed == (eps == 0 ? HUGE_VAL : 0) ? 0 : HUGE_VAL;
-    if (!(computed > 0) || isinf(computed))
+    if (isinf(computed)) /* right where eps at the largest double is above */
+        return reference_value(eps_quantity, ldexpl(1, format.max_exponent)) > eps ? 0 : HUGE_VAL;
+    if (!(computed > 0))
         return HUGE_VAL;
-    const enum quantity loss_quantity = eps_quantity == EPS_ZERO_OVERLAP ? LOSS_ZERO_OVERLAP : LOSS_ZERO_FORCE;
+    const enum quantity loss_quantity = eps_quantity == EPS_ZERO_OVERLAP ? LOSS_ZERO_OVERLAP
+                                        : eps_quantity == EPS_ZERO_FORCE ? LOSS_ZERO_FORCE
+                                                                         : LOSS_APPROACH_ONLY;
     const enum quantity quantity = eps < 0.5 ? eps_quantity : loss_quantity;
     const long double wanted = eps < 0.5 ? (long double)eps : 1 - (long double)eps;
     const long double off = (reference_value(quantity, computed) - wanted) / reference_slope(quantity, computed);
