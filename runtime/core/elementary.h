@@ -13,7 +13,7 @@
 #define COR_KERNEL static inline
 #endif
 
-/* x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer, |x| < 2^51; the last bits of x + 1.5 2^52 are that integer. */
+/* x + 1.5 2^52 - 1.5 2^52 is x rounded to a whole number k, |x| < 2^51; the last bits of k + 1.5 2^52 are k. */
 #define COR_KERNEL_INTEGER 6755399441055744.0
 
 /* ln(2) in two parts: 32 bits, so that its product with an integer below 2^20 is exact, and the rest to 2^-87 */
@@ -128,11 +128,12 @@ struct cor_kernel_decay {
     double k, r, q;
 };
 
-/* Domain: |x.hi| < 2^19 */
+/* Domain: |x.hi| <= 1400 */
 COR_KERNEL struct cor_kernel_decay cor_kernel_decay(struct cor_inline_pair x)
 {
     const double *c = cor_kernel_exp_polynomial;
-    const double k = (x.hi * 1.4426950408889634 + COR_KERNEL_INTEGER) - COR_KERNEL_INTEGER;
+    const double nearest = (x.hi * 1.4426950408889634 + COR_KERNEL_INTEGER) - COR_KERNEL_INTEGER;
+    const double k = fabs(x.hi) < 0.34 ? 0 : nearest; /* in every rounding mode, so that 1 - exp(-x) keeps its digits */
     const double head = k * COR_KERNEL_LN2_HEAD - x.hi; /* exact */
     const struct cor_inline_pair r = cor_inline_sum(head, k * COR_KERNEL_LN2_TAIL - x.lo);
     const double s = r.hi, s2 = s * s, s4 = s2 * s2;
@@ -171,31 +172,53 @@ COR_KERNEL double cor_kernel_one_minus_exp_minus(struct cor_inline_pair x)
 
 /* ---- ln ---- */
 
-/* -ln(x) for x = hi + lo, hi a normal double: relative error 2^-56, near x = 1 too.
- * hi = 2^k (1 + f), sqrt(1/2) <= 1 + f < sqrt(2); ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)), s = f/(2 + f). */
-COR_KERNEL struct cor_inline_pair cor_kernel_minus_log(struct cor_inline_pair x)
+/* A number as 2^k (1 + (f + lo)), sqrt(1/2) <= 1 + f < sqrt(2), |lo| of the order of the last place of 1 + f */
+struct cor_kernel_split {
+    double k, f, lo;
+};
+
+/* x = hi + lo, hi a normal double */
+COR_KERNEL struct cor_kernel_split cor_kernel_split(struct cor_inline_pair x)
 {
     const uint64_t root_half = UINT64_C(0x3fe6a09e667f3bcd), one = UINT64_C(0x3ff0000000000000);
     const uint64_t two52 = UINT64_C(0x4330000000000000);
     const uint64_t biased = (cor_inline_bits(x.hi) + (one - root_half)) >> 52; /* k + 1023 */
-    const double k = cor_inline_from_bits(two52 | biased) - (4503599627370496.0 + 1023);
-    const double f = cor_inline_from_bits(cor_inline_bits(x.hi) - (biased << 52) + one) - 1;
-    const double lo = x.lo * cor_inline_from_bits((UINT64_C(2046) - biased) << 52);
-
-    const double s = f / (2 + f), z = s * s, z2 = z * z, z4 = z2 * z2;
-    const struct cor_inline_pair square = cor_inline_product(f, f);
-    const double series = z * COR_POLYNOMIAL_8(cor_kernel_log_polynomial, z, z2, z4);
-    const double rest = s * (0.5 * square.hi + series) - 0.5 * square.lo + lo * (1 - f + f * f);
-    const struct cor_inline_pair head = cor_inline_sum(f, -0.5 * square.hi);
-    const struct cor_inline_pair sum = cor_pair_two_sum(k * COR_KERNEL_LN2_HEAD, head.hi);
-    return cor_inline_sum(-sum.hi, -(sum.lo + (head.lo + (rest + k * COR_KERNEL_LN2_TAIL))));
+    struct cor_kernel_split s;
+    s.k = cor_inline_from_bits(two52 | biased) - (4503599627370496.0 + 1023);
+    s.f = cor_inline_from_bits(cor_inline_bits(x.hi) - (biased << 52) + one) - 1;
+    s.lo = x.lo * (0.5 * cor_inline_from_bits((UINT64_C(2047) - biased) << 52)); /* k may be 1024 */
+    return s;
 }
 
-/* -ln(1 - loss), 0 <= loss < 1 */
+/* -ln of it: relative error 2^-56, near 1 too.
+ * ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)), s = f/(2 + f). */
+COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_of(struct cor_kernel_split x)
+{
+    const double f = x.f, s = f / (2 + f), z = s * s, z2 = z * z, z4 = z2 * z2;
+    const struct cor_inline_pair square = cor_inline_product(f, f);
+    const double series = z * COR_POLYNOMIAL_8(cor_kernel_log_polynomial, z, z2, z4);
+    const double rest = s * (0.5 * square.hi + series) - 0.5 * square.lo + x.lo * (1 - f + f * f);
+    const struct cor_inline_pair head = cor_inline_sum(f, -0.5 * square.hi);
+    const struct cor_inline_pair sum = cor_pair_two_sum(x.k * COR_KERNEL_LN2_HEAD, head.hi);
+    return cor_inline_sum(-sum.hi, -(sum.lo + (head.lo + (rest + x.k * COR_KERNEL_LN2_TAIL))));
+}
+
+/* -ln(x) for x = hi + lo, hi a normal double */
+COR_KERNEL struct cor_inline_pair cor_kernel_minus_log(struct cor_inline_pair x)
+{
+    return cor_kernel_minus_log_of(cor_kernel_split(x));
+}
+
+/* -ln(1 - loss), 0 <= loss < 1. A small loss is -f itself, in every rounding mode. */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_one_minus(double loss)
 {
     const double eps = 1 - loss;
-    return cor_kernel_minus_log(cor_pair(eps, (1 - eps) - loss));
+    const int small = loss < 0.25;
+    struct cor_kernel_split split = cor_kernel_split(cor_pair(eps, (1 - eps) - loss));
+    split.k = small ? 0 : split.k;
+    split.f = small ? -loss : split.f;
+    split.lo = small ? 0 : split.lo;
+    return cor_kernel_minus_log_of(split);
 }
 
 #endif
