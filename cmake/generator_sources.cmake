@@ -58,4 +58,5 @@ set(COR_GENERATOR_SOURCES
   gen/tables/laws.c
   gen/tables/limits.c
   gen/tables/pade.c
-  gen/tables/sphere.c)
+  gen/tables/sphere.c
+  gen/tables/waves.c)

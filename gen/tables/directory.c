@@ -17,6 +17,7 @@
 #include "tables/laws.h"
 #include "tables/limits.h"
 #include "tables/sphere.h"
+#include "tables/waves.h"
 
 enum { PATH_MAX_LENGTH = 4096 };
 
@@ -37,6 +38,7 @@ static const struct generated files[] = {
     {"cor_sphere.h", sphere_header_write, NULL, false},
     {"tsuji_tables.h", tsuji_tables_write, NULL, false},
     {"hunt_crossley_tables.h", hunt_crossley_tables_write, NULL, false},
+    {"wave_tables.h", wave_tables_write, NULL, false},
     {"disk_modes_nu033.h", disk_header_write, "0.33", false},
     {"disk_modes_nu090.h", disk_header_write, "0.90", false},
     {DISK_LIMITS_ROWS_FILE, disk_limits_rows_write, NULL, true},
