@@ -32,6 +32,7 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/collision.c
   gen/enclosure/slow_manifold.c
   gen/enclosure/taylor.c
+  gen/hosts/hosts.c
   gen/plan/disks.c
   gen/plan/plan.c
   gen/plan/spheres.c
