@@ -11,7 +11,7 @@
 typedef void cor_law_array_function(const double *in, double *out, size_t n);
 
 #define COR_LAW_LOOP_NUMBER_(name, least, largest) COR_LAW_##name,
-enum cor_law_loop { COR_LAW_LOOPS(COR_LAW_LOOP_NUMBER_) COR_LAW_LOOP_COUNT };
+enum cor_law_loop { COR_LAW_LOOPS(COR_LAW_LOOP_NUMBER_, COR_LAW_LOOP_NUMBER_) COR_LAW_LOOP_COUNT };
 
 #define COR_LAW_SET_(set) extern cor_law_array_function *const cor_law_loops_##set[COR_LAW_LOOP_COUNT];
 COR_EACH_SET(COR_LAW_SET_)

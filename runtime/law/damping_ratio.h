@@ -232,20 +232,29 @@ COR_KERNEL struct cor_inline_pair cor_ratio_omega_square(double zeta)
     return cor_inline_pair_times(cor_pair(minus, (1 - minus) - zeta), cor_pair(plus, zeta - (plus - 1)));
 }
 
-/* numerator/sqrt(1 - zeta^2), zeta < 1 */
-COR_KERNEL struct cor_inline_pair cor_ratio_over_omega(double zeta, struct cor_inline_pair numerator)
+/* numerator/omega from omega^2 */
+COR_KERNEL struct cor_inline_pair cor_ratio_over_root(struct cor_inline_pair numerator, struct cor_inline_pair square)
 {
-    const struct cor_inline_pair square = cor_ratio_omega_square(zeta);
     const double root = sqrt(square.hi), inverse = 1 / root;
     return cor_pair_over_with(numerator, cor_pair_root_with(square, root, inverse), inverse);
 }
 
-/* L, which grows to 2.2e8; past 1400 eps is 0, and what exceeds that is cut off. */
+/* numerator/sqrt(1 - zeta^2), zeta < 1 */
+COR_KERNEL struct cor_inline_pair cor_ratio_over_omega(double zeta, struct cor_inline_pair numerator)
+{
+    return cor_ratio_over_root(numerator, cor_ratio_omega_square(zeta));
+}
+
+/* L, cut off past 1400, where eps has long been 0. Up to there 1 - zeta^2 is above 2^-18, and its error of 2^-104 is nothing. */
 COR_KERNEL struct cor_inline_pair cor_ratio_overlap_near(double zeta)
 {
-    struct cor_inline_pair phase = cor_inline_product(COR_RATIO_PI, zeta);
+    const struct cor_inline_pair square = cor_inline_product(zeta, zeta);
+    const double less = 1 - square.hi;
+    struct cor_inline_pair rest = cor_inline_sum(less, ((1 - less) - square.hi) - square.lo), phase;
+    rest.hi = cor_kernel_max(rest.hi, 1.0 / 262144);
+    phase = cor_inline_product(COR_RATIO_PI, zeta);
     phase.lo += COR_RATIO_PI_TAIL * zeta;
-    struct cor_inline_pair exponent = cor_ratio_over_omega(zeta, phase);
+    struct cor_inline_pair exponent = cor_ratio_over_root(phase, rest);
     exponent.hi = cor_kernel_min(exponent.hi, 1400);
     return exponent;
 }

@@ -4,7 +4,8 @@
  *     f(beta) = f(-h),  f(z) = z - ln(1 + z),  h = beta eps
  *     beta = y + c, h = y - c, c = y coth(y) - 1;   eps = h/beta, 1 - eps = 2 c/beta
  *
- * As runtime/law/damping_ratio.h: kernels, cor_hunt_crossley_..._near, on an interval, and functions of every double. */
+ * As runtime/law/damping_ratio.h: kernels, cor_hc_..._near, or two of them, _first and _second, on an interval, and functions of
+ * every double. */
 #ifndef COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 #define COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 
@@ -152,31 +153,37 @@ COR_KERNEL struct cor_hc_speeds cor_hc_speeds_strong(double beta)
     return speeds;
 }
 
-/* Both, and a choice that vectorises */
-COR_KERNEL struct cor_hc_speeds cor_hc_speeds_near(double beta)
+/* Which of the two holds: array loops part their numbers by it. */
+COR_KERNEL int cor_hc_is_weak(double beta)
 {
-    const struct cor_hc_speeds weak = cor_hc_speeds_weak(cor_kernel_min(beta, COR_HC_BETA_NEAR));
-    const struct cor_hc_speeds strong = cor_hc_speeds_strong(cor_kernel_max(beta, COR_HC_BETA_NEAR));
-    const int near = beta < COR_HC_BETA_NEAR;
-    struct cor_hc_speeds speeds;
-    speeds.rebound.hi = near ? weak.rebound.hi : strong.rebound.hi;
-    speeds.rebound.lo = near ? weak.rebound.lo : strong.rebound.lo;
-    speeds.lost.hi = near ? weak.lost.hi : strong.lost.hi;
-    speeds.lost.lo = near ? weak.lost.lo : strong.lost.lo;
-    return speeds;
+    return beta < COR_HC_BETA_NEAR;
 }
 
-COR_KERNEL double cor_hc_eps_near(double beta)
+COR_KERNEL double cor_hc_eps_of(struct cor_hc_speeds speeds, double beta)
 {
-    const struct cor_hc_speeds speeds = cor_hc_speeds_near(beta);
     return cor_pair_over(speeds.rebound, cor_pair(beta, 0)).hi;
 }
 
-COR_KERNEL double cor_hc_loss_near(double beta)
+COR_KERNEL double cor_hc_loss_of(struct cor_hc_speeds speeds, double beta)
 {
-    const struct cor_hc_speeds speeds = cor_hc_speeds_near(beta);
     return cor_pair_over(speeds.lost, cor_pair(beta, 0)).hi;
 }
+
+#define COR_HC_KERNELS(quantity)                                                                                       \
+    COR_KERNEL int cor_hc_##quantity##_is_first(double beta)                                                           \
+    {                                                                                                                  \
+        return cor_hc_is_weak(beta);                                                                                   \
+    }                                                                                                                  \
+    COR_KERNEL double cor_hc_##quantity##_first(double beta)                                                           \
+    {                                                                                                                  \
+        return cor_hc_##quantity##_of(cor_hc_speeds_weak(beta), beta);                                                 \
+    }                                                                                                                  \
+    COR_KERNEL double cor_hc_##quantity##_second(double beta)                                                          \
+    {                                                                                                                  \
+        return cor_hc_##quantity##_of(cor_hc_speeds_strong(beta), beta);                                               \
+    }
+COR_HC_KERNELS(eps)
+COR_HC_KERNELS(loss)
 
 /* 2/3 beta - 4/9 beta^2 + 44/135 beta^3, |beta| < COR_HC_TINY */
 COR_INLINE double cor_hc_loss_tiny(double beta)
@@ -233,16 +240,10 @@ COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped(double b)
     return b < 0.7 ? cor_hc_speeds_pumped_near(b) : cor_hc_speeds_pumped_far(b);
 }
 
-/* The same with a jump: h and beta - h, COR_HC_TINY <= beta <= COR_HC_LARGEST */
-COR_INLINE struct cor_hc_speeds cor_hc_speeds(double beta)
-{
-    return beta < COR_HC_BETA_NEAR ? cor_hc_speeds_weak(beta) : cor_hc_speeds_strong(beta);
-}
-
 COR_INLINE double cor_hc_eps(double beta)
 {
     if (beta >= COR_HC_TINY && beta <= COR_HC_LARGEST)
-        return cor_pair_over(cor_hc_speeds(beta).rebound, cor_pair(beta, 0)).hi;
+        return cor_hc_is_weak(beta) ? cor_hc_eps_first(beta) : cor_hc_eps_second(beta);
     if (!(beta > -1))
         return (double)NAN;
     if (fabs(beta) < COR_HC_TINY)
@@ -255,7 +256,7 @@ COR_INLINE double cor_hc_eps(double beta)
 COR_INLINE double cor_hc_loss(double beta)
 {
     if (beta >= COR_HC_TINY && beta <= COR_HC_LARGEST)
-        return cor_pair_over(cor_hc_speeds(beta).lost, cor_pair(beta, 0)).hi;
+        return cor_hc_is_weak(beta) ? cor_hc_loss_first(beta) : cor_hc_loss_second(beta);
     if (!(beta > -1))
         return (double)NAN;
     if (fabs(beta) < COR_HC_TINY)
@@ -300,34 +301,44 @@ COR_KERNEL double cor_hc_of_limit(struct cor_inline_pair eps)
     return next - cor_hc_limit_step(next, eps);
 }
 
-/* Both ways, and a choice that vectorises; the way not taken is given a number of its interval. */
-COR_KERNEL double cor_hc_beta_of(struct cor_inline_pair eps, struct cor_inline_pair loss)
+/* By eps, 2^-900 <= eps < 1, and by the loss, 2^-200 <= loss < 1 */
+COR_KERNEL int cor_hc_beta_is_first(double eps)
 {
-    const int near = eps.hi >= COR_HC_EPS_NEAR;
-    const struct cor_inline_pair e = cor_pair(near ? eps.hi : 0.75, near ? eps.lo : 0);
-    const struct cor_inline_pair l = cor_pair(near ? loss.hi : 0.25, near ? loss.lo : 0);
-    const struct cor_inline_pair small = cor_pair(near ? 0.25 : eps.hi, near ? 0 : eps.lo);
-    const double langevin = cor_hc_of_langevin(e, l).hi, limit = cor_hc_of_limit(small);
-    return near ? langevin : limit;
+    return eps >= COR_HC_EPS_NEAR;
 }
 
-COR_KERNEL double cor_hc_beta_near(double eps)
+COR_KERNEL double cor_hc_beta_first(double eps)
 {
     const double loss = 1 - eps;
-    return cor_hc_beta_of(cor_pair(eps, 0), cor_pair(loss, (1 - loss) - eps));
+    return cor_hc_of_langevin(cor_pair(eps, 0), cor_pair(loss, (1 - loss) - eps)).hi;
 }
 
-/* The same with a jump */
-COR_INLINE double cor_hc_beta_of_pairs(struct cor_inline_pair eps, struct cor_inline_pair loss)
+COR_KERNEL double cor_hc_beta_second(double eps)
 {
-    return eps.hi >= COR_HC_EPS_NEAR ? cor_hc_of_langevin(eps, loss).hi : cor_hc_of_limit(eps);
+    return cor_hc_of_limit(cor_pair(eps, 0));
+}
+
+COR_KERNEL int cor_hc_beta_of_loss_is_first(double loss)
+{
+    return 1 - loss >= COR_HC_EPS_NEAR;
+}
+
+COR_KERNEL double cor_hc_beta_of_loss_first(double loss)
+{
+    const double eps = 1 - loss;
+    return cor_hc_of_langevin(cor_pair(eps, (1 - eps) - loss), cor_pair(loss, 0)).hi;
+}
+
+COR_KERNEL double cor_hc_beta_of_loss_second(double loss)
+{
+    const double eps = 1 - loss;
+    return cor_hc_of_limit(cor_pair(eps, (1 - eps) - loss));
 }
 
 COR_INLINE double cor_hc_beta(double eps)
 {
-    const double loss = 1 - eps;
     if (eps >= COR_INLINE_2_M900 && eps < 1)
-        return cor_hc_beta_of_pairs(cor_pair(eps, 0), cor_pair(loss, (1 - loss) - eps));
+        return cor_hc_beta_is_first(eps) ? cor_hc_beta_first(eps) : cor_hc_beta_second(eps);
     if (!(eps >= 0 && eps <= 1))
         return (double)NAN;
     if (eps == 1)
@@ -335,17 +346,10 @@ COR_INLINE double cor_hc_beta(double eps)
     return eps <= 5.56268464626800345772e-309 ? (double)INFINITY : 1 / eps; /* 2^-1024 */
 }
 
-COR_KERNEL double cor_hc_beta_of_loss_near(double loss)
-{
-    const double eps = 1 - loss;
-    return cor_hc_beta_of(cor_pair(eps, (1 - eps) - loss), cor_pair(loss, 0));
-}
-
 COR_INLINE double cor_hc_beta_of_loss(double loss)
 {
-    const double eps = 1 - loss;
     if (loss >= COR_INLINE_2_M200 && loss < 1)
-        return cor_hc_beta_of_pairs(cor_pair(eps, (1 - eps) - loss), cor_pair(loss, 0));
+        return cor_hc_beta_of_loss_is_first(loss) ? cor_hc_beta_of_loss_first(loss) : cor_hc_beta_of_loss_second(loss);
     if (!(loss >= 0 && loss <= 1))
         return (double)NAN;
     return loss == 1 ? (double)INFINITY : 1.5 * loss;

@@ -17,7 +17,7 @@ static const struct {
     double least, largest;
 } loops[] = {
 #define LOOP_ROW(name, least, largest) {#name, cor_##name, least, largest},
-    COR_LAW_LOOPS(LOOP_ROW)
+    COR_LAW_LOOPS(LOOP_ROW, LOOP_ROW)
 #undef LOOP_ROW
 };
 
