@@ -2,10 +2,13 @@
 #include "approximation/interpolant.h"
 
 #include <math.h>
+#include <stdatomic.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "enclosure/collision.h"
 #include "support/console.h"
+#include "support/parallel.h"
 
 enum { WORKING_BITS = 320, FAR_BITS = 112, GUARD_BITS = 16 };
 
@@ -24,7 +27,7 @@ static const struct interval intervals[] = {
     {2.375, 2.875, 40, 90, false, true, false}, {2.875, 4.125, 40, 90, false, false, false},
     {2, 10, 52, 76, true, true, false},
 };
-enum { INTERVALS = sizeof intervals / sizeof *intervals, TAIL = INTERVALS - 1 };
+enum { INTERVALS = sizeof intervals / sizeof *intervals, TAIL = INTERVALS - 1, MOST_SAMPLES = 64 };
 
 struct samples {
     arb_ptr beta, node, weight, value[QUANTITIES];
@@ -262,34 +265,44 @@ static void far_basis(arb_mat_t a, slong row, const arb_t u)
     arb_clear(term);
 }
 
-/* Through as many samples as there are coefficients, u = 9.5, 10, ..., 13.5. */
-static int make_far(struct interpolant *f)
+struct far_system {
+    arb_mat_t basis, value;
+    atomic_bool failed;
+};
+
+static void sample_far(void *context, slong k)
 {
-    arb_mat_t a, b;
-    arb_t beta, u;
+    struct far_system *const system = context;
     arb_ptr value = _arb_vec_init(QUANTITIES);
-    int status = STATUS_OK;
-    arb_mat_init(a, INTERPOLANT_FAR, INTERPOLANT_FAR);
-    arb_mat_init(b, INTERPOLANT_FAR, QUANTITIES);
+    arb_t beta, u;
     arb_init(beta);
     arb_init(u);
-    for (slong k = 0; k < INTERPOLANT_FAR && status == STATUS_OK; k++) {
-        place(beta, u, &intervals[TAIL], 9.5 + 0.5 * (double)k);
-        far_basis(a, k, u);
-        status = solve_rounded(value, &intervals[TAIL], beta, FAR_BITS);
-        for (int q = 0; q < QUANTITIES; q++)
-            arb_set(arb_mat_entry(b, k, q), value + q);
-    }
-    if (status == STATUS_OK && !arb_mat_solve(b, a, b, WORKING_BITS))
-        status = fail("the far coefficients could not be solved for");
-    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
-        for (int k = 0; k < INTERPOLANT_FAR; k++)
-            arb_set(&f->far[q][k], arb_mat_entry(b, k, q));
-    arb_mat_clear(a);
-    arb_mat_clear(b);
+    place(beta, u, &intervals[TAIL], 9.5 + 0.5 * (double)k);
+    far_basis(system->basis, k, u);
+    if (solve_rounded(value, &intervals[TAIL], beta, FAR_BITS) != STATUS_OK)
+        atomic_store(&system->failed, true);
+    for (int q = 0; q < QUANTITIES; q++)
+        arb_set(arb_mat_entry(system->value, k, q), value + q);
     arb_clear(beta);
     arb_clear(u);
     _arb_vec_clear(value, QUANTITIES);
+}
+
+/* Through as many samples as there are coefficients, u = 9.5, 10, ..., 13.5. */
+static int make_far(struct interpolant *f)
+{
+    struct far_system system = {.failed = false};
+    arb_mat_init(system.basis, INTERPOLANT_FAR, INTERPOLANT_FAR);
+    arb_mat_init(system.value, INTERPOLANT_FAR, QUANTITIES);
+    parallel_for(sample_far, &system, INTERPOLANT_FAR, "collisions at large beta");
+    int status = atomic_load(&system.failed) ? STATUS_FAILED : STATUS_OK;
+    if (status == STATUS_OK && !arb_mat_solve(system.value, system.basis, system.value, WORKING_BITS))
+        status = fail("the far coefficients could not be solved for");
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
+        for (int k = 0; k < INTERPOLANT_FAR; k++)
+            arb_set(&f->far[q][k], arb_mat_entry(system.value, k, q));
+    arb_mat_clear(system.basis);
+    arb_mat_clear(system.value);
     return status;
 }
 
@@ -301,10 +314,36 @@ static bool needed(const struct interval *interval, double beta_min, double beta
     return beta_max >= lo && beta_min <= hi;
 }
 
+/* One sample, or one of the far ones: a task of its own. */
+struct sampling {
+    struct interpolant *f;
+    struct {
+        int interval;
+        slong sample;
+    } task[INTERVALS * MOST_SAMPLES];
+    slong tasks;
+    atomic_bool failed;
+};
+
+static void sample(void *context, slong i)
+{
+    struct sampling *const work = context;
+    const int interval = work->task[i].interval;
+    const slong j = work->task[i].sample;
+    struct samples *const s = &work->f->samples[interval];
+    if (atomic_load(&work->failed))
+        return;
+    arb_ptr value = _arb_vec_init(QUANTITIES);
+    if (solve_rounded(value, &intervals[interval], s->beta + j, intervals[interval].bits) != STATUS_OK)
+        atomic_store(&work->failed, true);
+    for (int q = 0; q < QUANTITIES; q++)
+        arb_set(s->value[q] + j, value + q);
+    _arb_vec_clear(value, QUANTITIES);
+}
+
 struct interpolant *interpolant_new(double beta_min, double beta_max)
 {
     struct interpolant *f = xmalloc(sizeof *f);
-    arb_ptr value = _arb_vec_init(QUANTITIES);
     int status = STATUS_OK;
     for (int i = 0; i < INTERVALS; i++) {
         struct samples *s = &f->samples[i];
@@ -317,23 +356,21 @@ struct interpolant *interpolant_new(double beta_min, double beta_max)
     for (int q = 0; q < QUANTITIES; q++)
         for (int k = 0; k < INTERPOLANT_FAR; k++)
             arb_init(&f->far[q][k]);
-    for (int i = 0; i < INTERVALS && status == STATUS_OK; i++) {
-        struct samples *s = &f->samples[i];
+    struct sampling work = {.f = f};
+    for (int i = INTERVALS - 1; i >= 0; i--) { /* the longest collisions first */
         f->known[i] = needed(&intervals[i], beta_min, beta_max);
         if (!f->known[i])
             continue;
-        place_nodes(s, &intervals[i]);
-        for (slong j = 0; j < intervals[i].count && status == STATUS_OK; j++) {
-            progress("collisions", i * 40 + (long)j, INTERVALS * 40);
-            status = solve_rounded(value, &intervals[i], s->beta + j, intervals[i].bits);
-            for (int q = 0; q < QUANTITIES; q++)
-                arb_set(s->value[q] + j, value + q);
+        place_nodes(&f->samples[i], &intervals[i]);
+        for (slong j = intervals[i].count - 1; j >= 0; j--) {
+            work.task[work.tasks].interval = i;
+            work.task[work.tasks++].sample = j;
         }
     }
+    parallel_for(sample, &work, work.tasks, "collisions");
+    status = atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
     if (status == STATUS_OK && beta_max > exp(intervals[TAIL].hi))
         status = make_far(f);
-    progress_end();
-    _arb_vec_clear(value, QUANTITIES);
     if (status == STATUS_OK)
         return f;
     interpolant_free(f);
@@ -357,37 +394,54 @@ void interpolant_free(struct interpolant *f)
     free(f);
 }
 
-int interpolant_check(double *error, const struct interpolant *f, int points)
+struct checking {
+    const struct interpolant *f;
+    int points;
+    double *error; /* of each task */
+    atomic_bool failed;
+};
+
+/* Point i % points of interval i / points: the ends, where interpolation is worst, and between. */
+static void check_point(void *context, slong i)
 {
+    struct checking *const work = context;
+    const int index = (int)(i / work->points), k = (int)(i % work->points);
+    const struct interval *const interval = &intervals[index];
+    work->error[i] = 0;
+    if (!work->f->known[index])
+        return;
     arb_ptr value = _arb_vec_init(QUANTITIES);
     arb_t beta, x, y;
-    int status = STATUS_OK;
     arb_init(beta);
     arb_init(x);
     arb_init(y);
-    *error = 0;
-    for (int i = 0; i < INTERVALS; i++) {
-        const struct interval *interval = &intervals[i];
-        for (int k = 0; k < points && f->known[i] && status == STATUS_OK; k++) {
-            /* the ends, where interpolation is worst, and between */
-            const double s = points > 1 ? k / (double)(points - 1) : 0;
-            place(beta, x, interval,
-                  interval->lo + (interval->hi - interval->lo) * (k == 0 && interval->lo == 0 ? 1e-6 : s));
-            status = solve(value, interval, beta, interval->bits);
-            for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
-                if (!sampled(interval, (enum quantity)q))
-                    continue;
-                evaluate(y, f, i, (enum quantity)q, x, WORKING_BITS);
-                arb_div(y, y, value + q, WORKING_BITS);
-                arb_sub_ui(y, y, 1, WORKING_BITS);
-                *error = fmax(*error, fabs(arf_get_d(arb_midref(y), ARF_RND_UP)));
-            }
-        }
+    const double s = work->points > 1 ? k / (double)(work->points - 1) : 0;
+    place(beta, x, interval, interval->lo + (interval->hi - interval->lo) * (k == 0 && interval->lo == 0 ? 1e-6 : s));
+    const int status = solve(value, interval, beta, interval->bits);
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
+        if (!sampled(interval, (enum quantity)q))
+            continue;
+        evaluate(y, work->f, index, (enum quantity)q, x, WORKING_BITS);
+        arb_div(y, y, value + q, WORKING_BITS);
+        arb_sub_ui(y, y, 1, WORKING_BITS);
+        work->error[i] = fmax(work->error[i], fabs(arf_get_d(arb_midref(y), ARF_RND_UP)));
     }
-    progress_end();
+    if (status != STATUS_OK)
+        atomic_store(&work->failed, true);
     arb_clear(beta);
     arb_clear(x);
     arb_clear(y);
     _arb_vec_clear(value, QUANTITIES);
-    return status;
+}
+
+int interpolant_check(double *error, const struct interpolant *f, int points)
+{
+    const slong tasks = (slong)INTERVALS * points;
+    struct checking work = {.f = f, .points = points, .error = xmalloc((size_t)tasks * sizeof *work.error)};
+    parallel_for(check_point, &work, tasks, "collisions to check with");
+    *error = 0;
+    for (slong i = 0; i < tasks; i++)
+        *error = fmax(*error, work.error[i]);
+    free(work.error);
+    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
 }

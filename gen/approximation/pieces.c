@@ -2,10 +2,13 @@
 #include "approximation/pieces.h"
 
 #include <math.h>
+#include <stdatomic.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/parallel.h"
 
 enum { WORKING_BITS = 320, POINTS = 24 /* where a row's error is sampled */ };
 
@@ -182,31 +185,45 @@ static bool covers_end(const struct pieces *p)
     return (p->variable == VARIABLE_SQRT_BETA ? last.hi * last.hi : last.hi) >= p->end;
 }
 
-int pieces_make(struct pieces *p, const struct interpolant *f)
+struct cutting {
+    struct pieces *p;
+    const struct interpolant *f;
+    atomic_bool failed;
+};
+
+static void cut_row(void *context, slong row)
 {
+    struct cutting *const work = context;
+    struct pieces *const p = work->p;
     const slong columns = p->degree + 2;
-    p->coefficient = _arb_vec_init(p->rows * columns);
-    p->bits = xmalloc((size_t)p->rows * sizeof *p->bits);
+    const struct cell cell = cell_of(p, row);
+    arb_ptr exact = p->coefficient + row * columns;
     double *c = xmalloc((size_t)columns * sizeof *c);
     int status = STATUS_OK;
-    if (!covers_end(p))
-        status = fail("%s: %ld rows do not reach %g", p->name, (long)p->rows, p->end);
-    for (slong row = 0; row < p->rows && status == STATUS_OK; row++) {
-        const struct cell cell = cell_of(p, row);
-        arb_ptr exact = p->coefficient + row * columns;
-        cut(exact, p, f, &cell);
-        for (slong k = 0; k < columns && status == STATUS_OK; k++)
-            if (!digits_to_double(&c[k], exact + k))
-                status = fail("%s, row %ld: coefficient %ld cannot be rounded", p->name, (long)row, (long)k);
-        if (status)
-            break;
-        p->bits[row] = bits_reached(p, f, &cell, c);
+    cut(exact, p, work->f, &cell);
+    for (slong k = 0; k < columns && status == STATUS_OK; k++)
+        if (!digits_to_double(&c[k], exact + k))
+            status = fail("%s, row %ld: coefficient %ld cannot be rounded", p->name, (long)row, (long)k);
+    if (status == STATUS_OK) {
+        p->bits[row] = bits_reached(p, work->f, &cell, c);
         if (!(p->bits[row] >= p->least_bits))
             status = fail("%s, row %ld reaches %.1f bits, not the %.1f it must", p->name, (long)row, p->bits[row],
                           p->least_bits);
     }
+    if (status != STATUS_OK)
+        atomic_store(&work->failed, true);
     free(c);
-    return status;
+}
+
+int pieces_make(struct pieces *p, const struct interpolant *f)
+{
+    p->coefficient = _arb_vec_init(p->rows * (p->degree + 2));
+    p->bits = xmalloc((size_t)p->rows * sizeof *p->bits);
+    if (!covers_end(p))
+        return fail("%s: %ld rows do not reach %g", p->name, (long)p->rows, p->end);
+    struct cutting work = {.p = p, .f = f};
+    parallel_for(cut_row, &work, p->rows, p->name);
+    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
 }
 
 void pieces_clear(struct pieces *p)

@@ -378,6 +378,7 @@ int collision_h_star(arb_t h_star, slong bits)
     for (int attempt = 0; attempt < 12; attempt++) {
         struct slow_manifold m;
         const bool closed = slow_manifold_init(&m, bits + 12, prec);
+        progress_end();
         arb_root_ui(h_star, m.h_star_5, 5, prec);
         slow_manifold_clear(&m);
         if (closed && arb_rel_accuracy_bits(h_star) >= bits)

@@ -2,6 +2,7 @@
 #include "enclosure/slow_manifold.h"
 
 #include "enclosure/taylor.h"
+#include "support/console.h"
 
 /* Upper bound of sum_{n >= first} |p_n| r^n / n^(divide ? 1 : 0). */
 static void abs_tail(arb_t sum, const arb_poly_t p, slong first, const arb_t r, bool divide, slong prec)
@@ -65,7 +66,8 @@ static bool fall(arb_t speed, arb_t time, const arb_t r1, const arb_t p, slong p
     arb_sqr(y.v, y.w, prec);
     arb_mul(y.v, y.v, p, prec);
     arb_neg(y.v, y.v);
-    while (sound && !fallen) {
+    for (slong step = 0; sound && !fallen; step++) {
+        progress("fall along the slow manifold", step, 0);
         taylor_expand(&y);
         sound = taylor_choose_step(&y);
         if (!sound)

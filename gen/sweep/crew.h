@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { CREW_MAX_THREADS = 1024, CREW_AHEAD = 1 << 14 };
+enum { CREW_AHEAD = 1 << 14 };
 
 /* What the tasks are. work runs on a thread, numbered from 0; all else where crew_run was called. */
 struct crew_work {

@@ -8,41 +8,34 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "runtime/core/mode_file.h"
+#include "support/clock.h"
 #include "support/console.h"
 
 /* A line ends with a space and the check of all that stands before that, as in a mode file: what is not as it was
  * written, for whatever reason, is found, and all behind it is in doubt. */
 enum { CHECK_LENGTH = 9, PENDING_MAX = 1 << 20, SYNC_SECONDS = 30 };
 
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static int cannot(const char *verb, const struct journal *journal)
+static int journal_failure(const char *verb, const struct journal *journal)
 {
     return fail("cannot %s %s: %s", verb, journal->path, errno ? strerror(errno) : "write error");
 }
 
-static uint32_t check_of(uint32_t check, const char *line, size_t n)
+static uint32_t line_check(uint32_t check, const char *line, size_t n)
 {
     return cor_mode_file_check(cor_mode_file_check(check, line, n), " ", 1);
 }
 
 /* Takes the check off a line that was read, with its end, if it is right; otherwise leaves both alone. */
-static bool accept(uint32_t *check, char *line, size_t n)
+static bool line_accept(uint32_t *check, char *line, size_t n)
 {
     if (n < CHECK_LENGTH + 1 || line[n - 1] != '\n' || memchr(line, '\0', n))
         return false;
     char expected[CHECK_LENGTH + 2];
     const size_t length = n - CHECK_LENGTH - 1;
-    const uint32_t so_far = check_of(*check, line, length);
+    const uint32_t so_far = line_check(*check, line, length);
     snprintf(expected, sizeof expected, " %08" PRIx32 "\n", so_far);
     if (memcmp(line + length, expected, CHECK_LENGTH + 1) != 0)
         return false;
@@ -54,7 +47,7 @@ static bool accept(uint32_t *check, char *line, size_t n)
 void journal_add(struct journal *journal, const char *line)
 {
     const size_t n = strlen(line), size = n + CHECK_LENGTH + 1;
-    const uint32_t check = check_of(journal->check, line, n);
+    const uint32_t check = line_check(journal->check, line, n);
     if (journal->pending_size + size + 1 > journal->pending_capacity) {
         journal->pending_capacity = 2 * (journal->pending_size + size + 1);
         journal->pending = xrealloc(journal->pending, journal->pending_capacity);
@@ -79,28 +72,28 @@ int journal_flush(struct journal *journal)
             /* what is there stays a beginning */
             memmove(journal->pending, journal->pending + done, journal->pending_size - done);
             journal->pending_size -= done;
-            return cannot("write", journal);
+            return journal_failure("write", journal);
         }
         done += (size_t)n;
     }
     journal->pending_size = 0;
-    if (done > 0 && seconds_now() - journal->synced > SYNC_SECONDS) {
+    if (done > 0 && clock_seconds() - journal->synced > SYNC_SECONDS) {
         if (fsync(journal->fd) != 0 && errno != EINVAL)
-            return cannot("write", journal);
-        journal->synced = seconds_now();
+            return journal_failure("write", journal);
+        journal->synced = clock_seconds();
     }
     return STATUS_OK;
 }
 
 /* ---- opening ---- */
 
-static int lock(struct journal *journal)
+static int journal_lock(struct journal *journal)
 {
     struct flock region = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
     if (fcntl(journal->fd, F_SETLK, &region) == 0)
         return STATUS_OK;
     if (errno != EACCES && errno != EAGAIN) { /* a file system without locks */
-        cannot("lock", journal);
+        journal_failure("lock", journal);
         fail("going on; see to it that no other corgen has the same --output");
         return STATUS_OK;
     }
@@ -111,16 +104,19 @@ static int lock(struct journal *journal)
 }
 
 /* The file of that name, locked: not one that another process finished and removed in between. */
-static int open_locked(struct journal *journal)
+static int journal_open_locked(struct journal *journal)
 {
     for (;;) {
         struct stat opened, named;
-        journal->fd = open(journal->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        /* not through a symbolic link, which would let FILE.part be written anywhere */
+        journal->fd = open(journal->path, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (journal->fd < 0 && errno == ELOOP)
+            return fail("cannot write %s: it is a symbolic link; remove it or choose another --output", journal->path);
         if (journal->fd < 0 || fstat(journal->fd, &opened) != 0)
-            return cannot("write", journal);
+            return journal_failure("write", journal);
         if (!S_ISREG(opened.st_mode))
             return fail("cannot write %s: it is no regular file", journal->path);
-        if (lock(journal) != STATUS_OK)
+        if (journal_lock(journal) != STATUS_OK)
             return STATUS_FAILED;
         if (stat(journal->path, &named) == 0 && named.st_ino == opened.st_ino && named.st_dev == opened.st_dev)
             return STATUS_OK;
@@ -129,7 +125,7 @@ static int open_locked(struct journal *journal)
     }
 }
 
-static int foreign(const struct journal *journal, const char *title)
+static int journal_refuse_foreign(const struct journal *journal, const char *title)
 {
     enum { SHOWN = 300 };
     static const char start[] = "corgen ";
@@ -150,7 +146,7 @@ static bool same_sweep(const char *title, const char *other)
 }
 
 /* Where the good lines end, or -1 after a sentence. */
-static off_t recover(struct journal *journal, const char *title, uint64_t most)
+static off_t journal_recover(struct journal *journal, const char *title, uint64_t most)
 {
     enum { BLOCK = 1 << 16, LINE = 1 << 12 };
     const size_t longest = strlen(title) + LINE; /* what is longer is no line of ours */
@@ -173,7 +169,7 @@ static off_t recover(struct journal *journal, const char *title, uint64_t most)
             const ssize_t n = read(journal->fd, buffer + size, capacity - size);
             if (n < 0 && errno != EINTR) {
                 free(buffer);
-                cannot("read", journal);
+                journal_failure("read", journal);
                 return -1;
             }
             ended = n == 0;
@@ -183,11 +179,11 @@ static off_t recover(struct journal *journal, const char *title, uint64_t most)
         if (!end)
             break;
         const size_t n = (size_t)(end - (buffer + start)) + 1;
-        if (!accept(&check, buffer + start, n))
+        if (!line_accept(&check, buffer + start, n))
             break;
         if (!titled) {
             if (!same_sweep(title, buffer + start)) {
-                foreign(journal, buffer + start);
+                journal_refuse_foreign(journal, buffer + start);
                 free(buffer);
                 return -1;
             }
@@ -209,7 +205,7 @@ static off_t recover(struct journal *journal, const char *title, uint64_t most)
         const size_t same = size < n ? size : n;
         const bool beginning = size <= n + CHECK_LENGTH && memcmp(buffer, title, same) == 0;
         if (!beginning) {
-            foreign(journal, "");
+            journal_refuse_foreign(journal, "");
             free(buffer);
             return -1;
         }
@@ -235,17 +231,17 @@ static void sync_directory(const char *path)
 
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most)
 {
-    *journal = (struct journal){.fd = -1, .check = COR_MODE_FILE_CHECK_START, .synced = seconds_now()};
+    *journal = (struct journal){.fd = -1, .check = COR_MODE_FILE_CHECK_START, .synced = clock_seconds()};
     static const char extension[] = ".part";
     const size_t size = strlen(file) + sizeof extension;
     journal->path = xmalloc(size);
     snprintf(journal->path, size, "%s%s", file, extension);
     signal(SIGXFSZ, SIG_IGN); /* a file at its size limit is a failed write, which is reported */
     off_t good = -1;
-    if (open_locked(journal) == STATUS_OK)
-        good = recover(journal, title, most);
+    if (journal_open_locked(journal) == STATUS_OK)
+        good = journal_recover(journal, title, most);
     if (good >= 0 && (ftruncate(journal->fd, good) != 0 || lseek(journal->fd, good, SEEK_SET) != good)) {
-        cannot("write", journal);
+        journal_failure("write", journal);
         good = -1;
     }
     int status = good >= 0 ? STATUS_OK : STATUS_FAILED;
@@ -254,7 +250,7 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
         journal->lines = 0;
         status = journal_flush(journal);
         if (status == STATUS_OK && fsync(journal->fd) != 0 && errno != EINVAL)
-            status = cannot("write", journal);
+            status = journal_failure("write", journal);
         sync_directory(journal->path);
     }
     if (status != STATUS_OK)
@@ -270,7 +266,7 @@ int journal_read(struct journal *journal, void (*tell)(void *context, const char
     errno = 0;
     FILE *file = lseek(journal->fd, 0, SEEK_SET) == 0 ? fdopen(journal->fd, "r") : NULL;
     if (!file)
-        return cannot("read", journal);
+        return journal_failure("read", journal);
     journal->stream = file;
     char *line = NULL;
     size_t capacity = 0;
@@ -278,7 +274,7 @@ int journal_read(struct journal *journal, void (*tell)(void *context, const char
     uint32_t check = COR_MODE_FILE_CHECK_START;
     bool good = true;
     for (ssize_t n; good && number <= journal->lines && (n = getline(&line, &capacity, file)) > 0; number++) {
-        good = accept(&check, line, (size_t)n);
+        good = line_accept(&check, line, (size_t)n);
         if (good && number > 0)
             tell(context, line);
     }
@@ -294,7 +290,7 @@ int journal_read(struct journal *journal, void (*tell)(void *context, const char
 void journal_close(struct journal *journal, bool done)
 {
     if (done && unlink(journal->path) != 0)
-        cannot("remove", journal);
+        journal_failure("remove", journal);
     if (journal->stream)
         fclose(journal->stream);
     else if (journal->fd >= 0)

@@ -3,16 +3,19 @@
 
 #include <limits.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include <mpi.h>
 
 #include "support/console.h"
 
+enum { TAG_RELEASE = 0, PAUSE_NANOSECONDS = 20000000 };
+
 static int count = 1, mine;
 static bool joined;
 
 /* Without a launcher MPI is not asked: alone it would start helpers of its own, and fail where these cannot be. */
-static bool launched(void)
+static bool ranks_launched(void)
 {
     static const char *const told[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMI_RANK", "PMIX_RANK", "MPI_LOCALNRANKS"};
     for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
@@ -24,7 +27,7 @@ static bool launched(void)
 
 int ranks_start(void)
 {
-    if (joined || !launched())
+    if (joined || !ranks_launched())
         return STATUS_OK;
     int given;
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &given) != MPI_SUCCESS)
@@ -45,6 +48,29 @@ void ranks_stop(void)
         MPI_Finalize();
     joined = false;
     count = 1;
+}
+
+int ranks_check(void)
+{
+    return STATUS_OK;
+}
+
+/* MPI itself can wait only by being busy. */
+void ranks_wait(void)
+{
+    const struct timespec pause = {0, PAUSE_NANOSECONDS};
+    int rank, tag;
+    void *bytes;
+    size_t n;
+    while (!ranks_receive(&rank, &tag, &bytes, &n))
+        nanosleep(&pause, NULL);
+    free(bytes);
+}
+
+void ranks_release(void)
+{
+    for (int rank = 1; rank < count; rank++)
+        ranks_send(rank, TAG_RELEASE, NULL, 0);
 }
 
 int ranks_count(void)

@@ -6,14 +6,14 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "cor/status.h"
 #include "disk/modes_rounded.h"
+#include "support/clock.h"
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/parallel.h"
 #include "sweep/crew.h"
 #include "sweep/journal.h"
 #include "sweep/ranks.h"
@@ -40,13 +40,6 @@ struct collide {
     size_t materials_left;
 };
 
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 /* ---- what a sweep may be ---- */
 
 static int refuse_memory(const struct sweep *sweep)
@@ -62,8 +55,8 @@ static int refuse_memory(const struct sweep *sweep)
 
 static int find_modes(struct collide *run, size_t material)
 {
-    const double start = seconds_now();
-    flint_set_num_threads(run->threads);
+    const double start = clock_seconds();
+    parallel_use(run->threads);
     free(run->mode);
     run->mode = NULL;
     const int status =
@@ -71,7 +64,7 @@ static int find_modes(struct collide *run, size_t material)
     if (status == STATUS_OK)
         run->mode = (struct cor_disk_mode *)run->modes.mode;
     profile_step(NULL);
-    run->modes_seconds = seconds_now() - start;
+    run->modes_seconds = clock_seconds() - start;
     return status;
 }
 
@@ -184,12 +177,12 @@ static double seconds_left(const struct collide *run)
 {
     if (run->cost_done <= 0)
         return -1;
-    const double seconds = run->rows_seconds + seconds_now() - run->rows_started;
+    const double seconds = run->rows_seconds + clock_seconds() - run->rows_started;
     const double rows = seconds * (run->sweep.cost - run->cost_found - run->cost_done) / run->cost_done;
     return fmax(rows, 0) + run->modes_seconds * (double)run->materials_left;
 }
 
-static int tick(void *context)
+static int sweep_tick(void *context)
 {
     struct collide *run = context;
     progress_left("collisions", (long)run->ready, (long)run->sweep.rows, seconds_left(run));
@@ -201,7 +194,7 @@ static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
 {
     const uint64_t each = sweep_rows_of_material(&run->sweep);
     bool checked = false;
-    run->started = seconds_now();
+    run->started = clock_seconds();
     run->ready = first;
     if (first > 0 && first < run->sweep.rows && run->journal.last) {
         run->again = run->journal.last;
@@ -219,9 +212,9 @@ static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
         checked = true;
         tell_modes(crew, run);
         profile_step("collisions");
-        run->rows_started = seconds_now();
+        run->rows_started = clock_seconds();
         status = crew_run(crew, first, (first / each + 1) * each);
-        run->rows_seconds += seconds_now() - run->rows_started;
+        run->rows_seconds += clock_seconds() - run->rows_started;
         profile_step(NULL);
         if (run->journal.path && journal_flush(&run->journal) != STATUS_OK)
             return STATUS_FAILED;
@@ -273,7 +266,7 @@ static void interrupts_as_before(void)
 }
 
 /* What is wrong with the rows that were printed, if anything is. */
-static int verdict(const struct sweep_printer *printer)
+static int report_rows(const struct sweep_printer *printer)
 {
     if (printer->tolerance_not_reached + printer->failed == 0)
         return STATUS_OK;
@@ -288,7 +281,7 @@ static void print_line(void *context, const char *line)
 }
 
 /* The finished journal becomes the file. */
-static int publish(struct collide *run, const struct sweep_request *request)
+static int publish_journal(struct collide *run, const struct sweep_request *request)
 {
     struct output out;
     if (output_open(&out, request->output) != STATUS_OK)
@@ -336,9 +329,9 @@ static int collide_to_file(struct collide *run, struct crew *crew, const struct 
     status = collide_all(run, crew, run->journal.lines);
     interrupts_as_before();
     if (status == STATUS_OK)
-        status = publish(run, request);
+        status = publish_journal(run, request);
     journal_close(&run->journal, status == STATUS_OK);
-    return status == STATUS_OK ? verdict(&run->printer) : status;
+    return status == STATUS_OK ? report_rows(&run->printer) : status;
 }
 
 static int collide_to_stream(struct collide *run, struct crew *crew, const struct sweep_request *request)
@@ -355,26 +348,21 @@ static int collide_to_stream(struct collide *run, struct crew *crew, const struc
         return status;
     }
     status = output_commit(&out);
-    return status == STATUS_OK ? verdict(&run->printer) : status;
+    return status == STATUS_OK ? report_rows(&run->printer) : status;
 }
 
 int sweep_run(const struct sweep_request *request)
 {
     struct collide run = {.sweep = request->sweep, .journal = {.fd = -1}};
-    int status = ranks_start();
+    int status = ranks_check();
     if (status == STATUS_OK)
         status = sweep_count(&run.sweep);
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    run.threads = request->threads > 0            ? request->threads
-                  : ranks_count() > 1             ? 1
-                  : processors < 1                ? 1
-                  : processors < CREW_MAX_THREADS ? (int)processors
-                                                  : CREW_MAX_THREADS;
+    run.threads = request->threads > 0 ? request->threads : ranks_count() > 1 ? 1 : parallel_processors();
     run.room = xmalloc((size_t)run.threads * sizeof *run.room);
     memset(run.room, 0, (size_t)run.threads * sizeof *run.room);
     struct crew *crew = NULL;
-    const struct crew_work work = {&run,      sizeof(struct sweep_result), collide_row, row_ready, row_finished, tick,
-                                   hear_modes};
+    const struct crew_work work = {
+        &run, sizeof(struct sweep_result), collide_row, row_ready, row_finished, sweep_tick, hear_modes};
     if (status == STATUS_OK && !(crew = crew_start(&work, run.threads)))
         status = STATUS_FAILED;
     /* only now, when crew_stop ends the other ranks */
@@ -383,16 +371,14 @@ int sweep_run(const struct sweep_request *request)
     if (status == STATUS_OK && ranks_mine() == 0)
         status = refuse_early(&run);
     if (status == STATUS_OK) {
-        struct stat file;
         if (ranks_mine() > 0)
             crew_serve(crew);
-        else if (request->output && !(stat(request->output, &file) == 0 && !S_ISREG(file.st_mode)))
+        else if (!output_is_direct(request->output))
             status = collide_to_file(&run, crew, request);
         else
             status = collide_to_stream(&run, crew, request);
     }
     crew_stop(crew);
-    ranks_stop();
     for (int i = 0; i < run.threads; i++)
         free(run.room[i].bytes);
     free(run.room);

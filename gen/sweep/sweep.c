@@ -6,10 +6,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "cor/status.h"
 #include "disk/modes.h"
+#include "support/clock.h"
 #include "support/console.h"
 
 #define TEXT_OF_(x) #x
@@ -126,7 +126,7 @@ void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number
 }
 
 /* FNV-1a, 64 bits */
-static uint64_t hashed(uint64_t hash, const char *text)
+static uint64_t hash_text(uint64_t hash, const char *text)
 {
     do
         hash = (hash ^ (unsigned char)*text) * UINT64_C(1099511628211);
@@ -142,30 +142,23 @@ uint64_t sweep_identity(const struct sweep *sweep)
     for (size_t i = 0; i < SWEEP_LISTS; i++) {
         for (size_t j = 0; j < list[i]->count; j++) {
             snprintf(text, sizeof text, "%a", list[i]->nearest[j]);
-            hash = hashed(hash, text);
+            hash = hash_text(hash, text);
             if (list[i] == &sweep->poisson) { /* the modes are those of the exact number */
                 char *exact = fmpq_get_str(NULL, 10, list[i]->exact + j);
-                hash = hashed(hash, exact);
+                hash = hash_text(hash, exact);
                 flint_free(exact);
             }
         }
-        hash = hashed(hash, ";");
+        hash = hash_text(hash, ";");
     }
     snprintf(text, sizeof text, "%a %zu", sweep->tolerance, sweep->phi_points);
-    return hashed(hash, text);
-}
-
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+    return hash_text(hash, text);
 }
 
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
                    const struct cor_disk_modes *modes, struct sweep_room *room)
 {
-    const double start = seconds_now();
+    const double start = clock_seconds();
     const struct cor_disk_collision_options options = {row->alpha, sweep->tolerance, sweep->phi_points};
     /* of nothing but this row, so that nothing else can decide its numbers */
     *result = (struct sweep_result){.collision = {NAN, NAN, NAN, NAN, NAN, 0}};
@@ -177,7 +170,7 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
     }
     result->status =
         cor_disk_collision_in(room->bytes, needed, modes, row->modes, &options, row->speed, &result->collision, NULL);
-    result->seconds = seconds_now() - start;
+    result->seconds = clock_seconds() - start;
 }
 
 /* ---- lines ---- */
@@ -215,7 +208,7 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct
 enum { COLUMN_MODES = 3, COLUMN_DRIFT = 8, COLUMN_STEPS = 9, DRIFT_DIGITS = 2, LEAST_DIGITS = 4 };
 
 /* Cuts a line at its commas; the cells remain in `line`. */
-static void cut(char *cell[SWEEP_COLUMNS], char *line)
+static void line_cut(char *cell[SWEEP_COLUMNS], char *line)
 {
     for (int j = 0; j < SWEEP_COLUMNS; j++) {
         cell[j] = line;
@@ -225,7 +218,7 @@ static void cut(char *cell[SWEEP_COLUMNS], char *line)
     }
 }
 
-static int widest(const char *name, const struct values *values)
+static int column_width(const char *name, const struct values *values)
 {
     size_t width = strlen(name);
     char text[DECIMAL_TEXT];
@@ -269,14 +262,14 @@ void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum 
     *p = (struct sweep_printer){.file = file, .format = format};
     char header[] = SWEEP_HEADER;
     char *name[SWEEP_COLUMNS];
-    cut(name, header);
+    line_cut(name, header);
     const struct values *list[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
     p->digits = (int)fmin(fmax(ceil(-log10(sweep->tolerance)), LEAST_DIGITS), DBL_DIG);
     for (int j = 0; j < SWEEP_COLUMNS; j++) {
         const int number = (int)(sizeof "-0.e-100" - 1) + (j == COLUMN_DRIFT ? DRIFT_DIGITS : p->digits);
         const int named = (int)strlen(name[j]);
         if (j <= COLUMN_MODES)
-            p->width[j] = widest(name[j], list[j]);
+            p->width[j] = column_width(name[j], list[j]);
         else if (j == COLUMN_STEPS)
             p->width[j] = (int)sizeof TEXT_OF(COR_DISK_COLLISION_MAX_STEPS) - 1;
         else
@@ -297,8 +290,8 @@ void sweep_print(struct sweep_printer *p, const char *line)
     char header[] = SWEEP_HEADER, copy[SWEEP_LINE];
     char *name[SWEEP_COLUMNS], *cell[SWEEP_COLUMNS];
     snprintf(copy, sizeof copy, "%s", line);
-    cut(name, header);
-    cut(cell, copy);
+    line_cut(name, header);
+    line_cut(cell, copy);
     if (p->format == FORMAT_JSON)
         print_json(p, name, cell);
     else if (p->format == FORMAT_TEXT)
