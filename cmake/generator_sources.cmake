@@ -34,10 +34,12 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/collision.c
   gen/enclosure/slow_manifold.c
   gen/enclosure/taylor.c
+  gen/enclosure/wave_factor.c
   gen/hosts/hosts.c
   gen/plan/disks.c
   gen/plan/plan.c
   gen/plan/spheres.c
+  gen/plan/waves.c
   gen/series/jet.c
   gen/series/law.c
   gen/series/restitution.c

@@ -2,6 +2,7 @@
 /* J(nu): known values, the two routes to it, and the bound on an ellipse from which the error of the table follows. */
 #include "check.h"
 
+#include "enclosure/wave_factor.h"
 #include "tables/waves.h"
 
 static void set_tau(acb_t tau, const char *nu, slong prec)
