@@ -346,6 +346,23 @@ static void units(void **state)
     }
 }
 
+/* MercuryDPM computes its dashpot from the mass of one particle, sqrt(2 mass k/(pi^2 + ln(e)^2)) (-ln(e)); two such particles have half
+ * of it as effective mass, and their collision realises e. */
+static void mass_of_one_particle(void **state)
+{
+    (void)state;
+    static const double pi = 3.14159265358979323846;
+    const struct host_model *m = model_named("mercurydpm", "setStiffness");
+    for (int k = 0; k < ASKED; k++) {
+        const double mass = 0.3, stiffness = 2e4, l = -log(asked[k]);
+        const struct host_scene pair = {mass / 2, stiffness, 1, 0.7};
+        const double dashpot = sqrt(2 * mass * stiffness / (pi * pi + l * l)) * l;
+        const double eps = integrated_eps(hooke_velocity, m->end, dashpot, &pair, sqrt(mass / 2 / stiffness));
+        check(fabs(eps - asked[k]) < 2e-5, "MercuryDPM realises %g, not %g", eps, asked[k]);
+        check(fabs(host_realised(m, asked[k]) - asked[k]) < 1e-15, "%g", host_realised(m, asked[k]));
+    }
+}
+
 /* Every row says what a reader needs. */
 static void rows_are_whole(void **state)
 {
@@ -368,9 +385,13 @@ static void rows_are_whole(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(realised), cmocka_unit_test(formulas_for_hunt_and_crossley),
-        cmocka_unit_test(cures),    cmocka_unit_test(limits),
-        cmocka_unit_test(units),    cmocka_unit_test(rows_are_whole),
+        cmocka_unit_test(realised),
+        cmocka_unit_test(formulas_for_hunt_and_crossley),
+        cmocka_unit_test(cures),
+        cmocka_unit_test(limits),
+        cmocka_unit_test(units),
+        cmocka_unit_test(rows_are_whole),
+        cmocka_unit_test(mass_of_one_particle),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -304,6 +304,42 @@ static void there_and_back(void **state)
     }
 }
 
+/* A pair of functions: eps -> damping -> eps is off by at most `most` units of eps, however small eps is. */
+static void check_back(const char *name, law_function *inverse, law_function *eps, double e, double most)
+{
+    const double damping = inverse(e);
+    if (damping < DBL_MAX)
+        check(ulp_error(eps(damping), e) <= most, "%s: %a -> %a -> %a", name, e, damping, eps(damping));
+}
+
+/* Every size of e and of 1 - e, subnormal numbers included. eps is a power of the damping where it is small, so that a rounding of
+ * the damping costs no more than two roundings of eps. At zero overlap it costs |d ln(eps)/d ln(zeta)| = L (1 + L^2/pi^2). */
+static void every_size(void **state)
+{
+    (void)state;
+    for (int k = -1074; k < 0; k++) {
+        const double e = ldexp(k > -1050 ? 1.375 : 1, k), exponent = -log(e);
+        const double cost = 4 + 2 * exponent * (1 + exponent * exponent / 9.869604401089358);
+        for (int law = 0; law < 2; law++) {
+            for (int end = 0; end < ENDS; end++)
+                check_back(end_name[end], zeta_of[law][end], eps_of[law][end], e, end == LAW_ZERO_OVERLAP ? cost : 8);
+            for (int end = 0; end < ENDS; end++)
+                if (k > -1073 && k < (end == LAW_ZERO_OVERLAP ? -1 : 0))
+                    check_back("loss", zeta_of_loss[law][end], loss_of[law][end], e, 8);
+        }
+        check_back("Hunt-Crossley", cor_hunt_crossley_beta, cor_hunt_crossley_eps, e, 8);
+        check_back("its loss", cor_hunt_crossley_beta_of_loss, cor_hunt_crossley_loss, e, 8);
+        check_back("Hunt-Crossley, approach only", cor_hunt_crossley_beta_approach_only,
+                   cor_hunt_crossley_eps_approach_only, e, 8);
+        check_back("its loss", cor_hunt_crossley_beta_of_loss_approach_only, cor_hunt_crossley_loss_approach_only, e,
+                   8);
+        check_back("sphere, approach only", cor_sphere_beta_approach_only, cor_sphere_eps_approach_only, e, 8);
+        check_back("its loss", cor_sphere_beta_of_loss_approach_only, cor_sphere_loss_approach_only, e, 8);
+        check_back("sphere, zero overlap", cor_sphere_beta_zero_overlap, cor_sphere_eps_zero_overlap, e, 20);
+        check_back("sphere, zero force", cor_sphere_beta_zero_force, cor_sphere_eps_zero_force, e, 20);
+    }
+}
+
 /* What the laws say of themselves */
 static void identities(void **state)
 {
@@ -501,6 +537,20 @@ static void crossley_times(void **state)
                 COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
 }
 
+/* Tsuji's times beyond the tables too; tests/accuracy has more of them. */
+static void tsuji_times(void **state)
+{
+    (void)state;
+    static const double zetas[] = {0.4, 2.5, 40, 1e6, 1e17};
+    for (size_t i = 0; i < sizeof zetas / sizeof *zetas; i++) {
+        const double zeta = zetas[i];
+        check_value(cor_tsuji_duration_zero_force(zeta), reference_tsuji_time(LAW_ZERO_FORCE, zeta),
+                    COR_LAW_TIME_MAX_ULP);
+        check_value(cor_tsuji_time_of_max_overlap(zeta), reference_tsuji_time(LAW_APPROACH_ONLY, zeta),
+                    COR_LAW_TIME_MAX_ULP);
+    }
+}
+
 /* ---- the floating-point environment ---- */
 
 static double max_overlap_3_2(double beta)
@@ -626,9 +676,11 @@ int main(void)
         cmocka_unit_test(special_crossley),
         cmocka_unit_test(special_sphere_approach),
         cmocka_unit_test(there_and_back),
+        cmocka_unit_test(every_size),
         cmocka_unit_test(identities),
         cmocka_unit_test(against_the_equation_of_motion),
         cmocka_unit_test(crossley_times),
+        cmocka_unit_test(tsuji_times),
         cmocka_unit_test(floating_point_environment),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
