@@ -3,7 +3,8 @@
  * gen/hosts.
  *     cor_realised table      csv, at the values of e that docs/laws.md lists
  *     cor_realised curve      csv, at 0.01 to 0.99, for the picture
- *     cor_realised markdown   the tables of docs/laws.md; models with the same end and the same numbers share a row
+ *     cor_realised markdown   two tables of docs/laws.md; models with the same end and the same numbers share a row
+ *     cor_realised models     another one: all models, with law, end, and a sentence for the user
  * An empty cell: the model refuses this e, or no e makes it realise this one. */
 #include <math.h>
 #include <stdio.h>
@@ -109,6 +110,17 @@ static void print_table(const char *title, double (*quantity)(const struct host_
     }
 }
 
+static void print_models(void)
+{
+    printf("| simulator | model | a user sets | law | end | what to know | file | known "
+           "|\n|---|---|---|---|---|---|---|---|\n");
+    for (size_t i = 0; i < host_model_count; i++) {
+        const struct host_model *m = &host_models[i];
+        printf("| %s | %s | %s | %s | %s | %s | %s | %s |\n", m->host, m->model, m->parameter, host_law_name(m->law),
+               host_end_name(m->end), m->advice, m->file, m->known);
+    }
+}
+
 int main(int argc, char **argv)
 {
     const char *form = argc == 2 ? argv[1] : "";
@@ -118,8 +130,10 @@ int main(int argc, char **argv)
         print_table("realised where a user asks for e =", realised);
         printf("\n");
         print_table("what to give instead, to realise e =", cure);
+    } else if (strcmp(form, "models") == 0) {
+        print_models();
     } else {
-        fprintf(stderr, "cor_realised takes one argument: table, curve or markdown\n");
+        fprintf(stderr, "cor_realised takes one argument: table, curve, markdown or models\n");
         return 2;
     }
     return 0;
