@@ -87,6 +87,7 @@ TIME_FUNCTIONS(hertz_duration_by_log, of_log, hertz_duration)
         name, title, variable, function##_sample, function##_enclosure, grid, TIME_BITS, NULL, NULL                    \
     }
 
+#define OVERLAP_END 10
 static struct function_rows tsuji_rows[] = {
     TABLE("cor_rows_tsuji_time_of_max_overlap", "time of the largest overlap", "ln(1 + zeta)", max_by_log,
           LOG_ROWS(0, 0.25, TSUJI_END)),
@@ -99,7 +100,7 @@ static struct function_rows tsuji_rows[] = {
     TABLE("cor_rows_tsuji_duration_limited", "duration with the limited damper", "ln(1 + zeta)", limited_by_log,
           LOG_ROWS(1.5, 0.25, TSUJI_END)),
     {"cor_rows_tsuji_overlap_factor", "V of the duration at zero overlap", "zeta/(10 sqrt(1 - zeta^2))",
-     tsuji_overlap_factor, tsuji_overlap_factor, LOG_ROWS(0, 0.0625, 6.5), TIME_BITS, NULL, NULL},
+     tsuji_overlap_factor, tsuji_overlap_factor, LOG_ROWS(0, 0.0625, OVERLAP_END), TIME_BITS, NULL, NULL},
 };
 enum { TSUJI_ROWS = sizeof tsuji_rows / sizeof *tsuji_rows };
 
@@ -252,8 +253,41 @@ static const struct far_form tsuji_far[] = {
 };
 enum { TSUJI_FAR = sizeof tsuji_far / sizeof *tsuji_far };
 
-/* y^(4/5) V(y) = v_0 (1 + v_1/y^2 + ...): Stirling's series of |Gamma(9/10 + i y)|^2, whose error at y = 6.5 is below
- * exp(-13 pi). v_0 and what its double lacks, v_1, ...: through values, as above */
+/* y^(4/5) V(y) as the row gives it, relative error, is below 2^-57: sampled from y = OVERLAP_END to 115 */
+static int overlap_far_check(arb_srcptr row, slong terms)
+{
+    arb_t y, v, sum;
+    arb_init(y);
+    arb_init(v);
+    arb_init(sum);
+    double worst = 0;
+    for (double at = OVERLAP_END; at < 115; at *= 1.03125) {
+        arb_set_d(y, at);
+        tsuji_overlap_factor(v, y, FAR_BITS);
+        arb_root_ui(sum, y, FIFTH, FAR_BITS);
+        arb_pow_ui(sum, sum, 4, FAR_BITS);
+        arb_mul(v, v, sum, FAR_BITS);
+        arb_zero(sum);
+        for (slong k = terms; k > 0; k--) {
+            arb_add(sum, sum, row + k, FAR_BITS);
+            if (k > 1) {
+                arb_div(sum, sum, y, FAR_BITS);
+                arb_div(sum, sum, y, FAR_BITS);
+            }
+        }
+        arb_add(sum, sum, row, FAR_BITS);
+        arb_div(sum, sum, v, FAR_BITS);
+        arb_sub_ui(sum, sum, 1, FAR_BITS);
+        worst = fmax(worst, fabs(arf_get_d(arb_midref(sum), ARF_RND_NEAR)));
+    }
+    arb_clear(y);
+    arb_clear(v);
+    arb_clear(sum);
+    return worst < 0x1p-57 ? STATUS_OK : fail("Tsuji's duration at zero overlap is off by %.3g far out", worst);
+}
+
+/* y^(4/5) V(y) = v_0 (1 + v_1/y^2 + ...): Stirling's series of |Gamma(9/10 + i y)|^2, whose terms at y = 10 are below 2^-57 from the
+ * eighth on. v_0 and what its double lacks, v_1, ...: through values, as above */
 static int overlap_far_emit(struct emit *e)
 {
     enum { TERMS = 8 };
@@ -265,7 +299,7 @@ static int overlap_far_emit(struct emit *e)
     arb_init(y);
     arb_init(v);
     for (slong i = 0; i < TERMS; i++) {
-        arb_set_ui(y, 40 + 8 * (ulong)i);
+        arb_set_ui(y, OVERLAP_END + 6 * (ulong)i);
         tsuji_overlap_factor(v, y, FAR_BITS);
         arb_root_ui(arb_mat_entry(b, i, 0), y, FIFTH, FAR_BITS);
         arb_pow_ui(arb_mat_entry(b, i, 0), arb_mat_entry(b, i, 0), 4, FAR_BITS);
@@ -282,10 +316,14 @@ static int overlap_far_emit(struct emit *e)
             arb_set(row + k + 1, c + k);
             exact_double(row + k + 1);
         }
-        emit_comment(e,
-                     "y >= 6.5: V = y^(-4/5) (v_0 + v_0' + v_1/y^2 + ... + v_7/y^14), through values at y = 40 ... 96.");
+        status = overlap_far_check(row, TERMS);
+        emit_comment(
+            e,
+            "y >= 10: V = y^(-4/5) (v_0 + v_0' + v_1/y^2 + ... + v_7/y^14), through values at y = 10 ... 52; relative "
+            "error below 2^-57, sampled.");
         emit_rows_open(e, "cor_rows_tsuji_far_overlap_factor", 1, TERMS + 1);
-        status = emit_row(e, "V of the duration at zero overlap", row, TERMS + 1, true) ? STATUS_FAILED : STATUS_OK;
+        if (emit_row(e, "V of the duration at zero overlap", row, TERMS + 1, true))
+            status = STATUS_FAILED;
         emit_rows_close(e);
     }
     arb_mat_clear(a);

@@ -541,6 +541,14 @@ static void crossley_times(void **state)
 static void tsuji_times(void **state)
 {
     (void)state;
+    /* zero overlap: y = zeta/(10 sqrt(1 - zeta^2)) on both sides of where a series takes over from the tables, y = 10 */
+    static const double ys[] = {0.01, 0.3,  1,       3,    5.9,  6.4, 6.6, 7,  8, 9,
+                                9.9,  9.99, 10.0001, 10.1, 10.5, 11,  12,  14, 17};
+    for (size_t i = 0; i < sizeof ys / sizeof *ys; i++) {
+        const double zeta = 10 * ys[i] / sqrt(1 + 100 * ys[i] * ys[i]);
+        check_value(cor_tsuji_duration_zero_overlap(zeta), reference_tsuji_time(LAW_ZERO_OVERLAP, zeta),
+                    COR_LAW_TIME_MAX_ULP);
+    }
     static const double zetas[] = {0.4, 2.5, 40, 1e6, 1e17};
     for (size_t i = 0; i < sizeof zetas / sizeof *zetas; i++) {
         const double zeta = zetas[i];
