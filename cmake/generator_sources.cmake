@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The sources of corgen but for main.c, in alphabetical order: add a file to gen/, add a line here.
 set(COR_GENERATOR_SOURCES
+  gen/approximation/function_rows.c
   gen/approximation/interpolant.c
   gen/approximation/pade.c
   gen/approximation/pade_rounded.c
@@ -33,9 +34,12 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/collision.c
   gen/enclosure/slow_manifold.c
   gen/enclosure/taylor.c
+  gen/enclosure/wave_factor.c
+  gen/hosts/hosts.c
   gen/plan/disks.c
   gen/plan/plan.c
   gen/plan/spheres.c
+  gen/plan/waves.c
   gen/series/jet.c
   gen/series/law.c
   gen/series/restitution.c
@@ -58,6 +62,9 @@ set(COR_GENERATOR_SOURCES
   gen/sweep/values.c
   gen/tables/directory.c
   gen/tables/disk.c
+  gen/tables/law_times.c
+  gen/tables/laws.c
   gen/tables/limits.c
   gen/tables/pade.c
-  gen/tables/sphere.c)
+  gen/tables/sphere.c
+  gen/tables/waves.c)

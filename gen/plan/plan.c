@@ -49,6 +49,7 @@ void plan_clear(struct plan *plan)
     free(plan->truth);
     free(plan->uncertainty);
     free(plan->title);
+    free(plan->remark);
     *plan = (struct plan){.chosen = -1};
 }
 
@@ -190,6 +191,8 @@ static void print_text(const struct plan *plan, FILE *file)
         print_lines(file, "    ", m->use);
         fprintf(file, "\n");
     }
+    if (plan->remark)
+        fprintf(file, "%s\n", plan->remark);
     fprintf(file, "%s", plan->note);
 }
 

@@ -74,6 +74,7 @@ struct plan {
     char *title;          /* lines that end with \n */
     const char *unit;     /* of the tolerance: "relative error", "error" */
     const char *note;     /* how errors and costs are known; likewise */
+    char *remark;         /* what no model says; likewise; NULL: nothing */
     double tolerance;
     slong points;
     double *speed, *at;  /* at: the argument */

@@ -12,6 +12,7 @@
 #include "embed/choose.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
+#include "plan/waves.h"
 #include "support/console.h"
 #include "support/decimal.h"
 #include "support/parallel.h"
@@ -452,6 +453,7 @@ static void add_models(struct plan *plan, struct spheres *s, const struct embed_
                        const struct embed_series *series, const char *header)
 {
     plan->title = spheres_title(plan, scene);
+    plan->remark = plan_wave_remark(scene, plan->speed[plan->points - 1], plan->truth[plan->points - 1]);
     add_constants(plan, scene);
     add_power_law(plan, scene);
     add_published(plan, scene);

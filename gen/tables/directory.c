@@ -14,8 +14,10 @@
 #include "support/console.h"
 #include "support/output.h"
 #include "tables/disk.h"
+#include "tables/laws.h"
 #include "tables/limits.h"
 #include "tables/sphere.h"
+#include "tables/waves.h"
 
 enum { PATH_MAX_LENGTH = 4096 };
 
@@ -34,6 +36,9 @@ struct generated {
 static const struct generated files[] = {
     {"sphere_tables.h", sphere_tables_write, NULL, false},
     {"cor_sphere.h", sphere_header_write, NULL, false},
+    {"tsuji_tables.h", tsuji_tables_write, NULL, false},
+    {"hunt_crossley_tables.h", hunt_crossley_tables_write, NULL, false},
+    {"wave_tables.h", wave_tables_write, NULL, false},
     {"disk_modes_nu033.h", disk_header_write, "0.33", false},
     {"disk_modes_nu090.h", disk_header_write, "0.90", false},
     {DISK_LIMITS_ROWS_FILE, disk_limits_rows_write, NULL, true},

@@ -23,7 +23,7 @@ extern "C" {
 struct cor_body {
     double young_modulus_pa;   /* Y > 0; INFINITY is a rigid body */
     double poisson_ratio;      /* -1 < nu <= 1/2 */
-    double dissipation_time_s; /* A >= 0 of (3), finite; cor_dissipation_time_s gives it by (4) */
+    double dissipation_time_s; /* A >= 0 of (3), finite; of a viscous material cor_dissipation_time_viscous_s */
     double radius_m;           /* R > 0; INFINITY is flat */
     double mass_kg;            /* > 0; INFINITY is held fast */
 };
@@ -135,8 +135,25 @@ COR_API void cor_contact_dissipation_time_s_zero_force_array(const struct cor_sp
                                                              const double *speed_m_s, const double *eps, double *y,
                                                              size_t n);
 
-/* A of (4), s, from Young's modulus Y > 0 (Pa), Poisson's ratio -1 < nu <= 1/2 and the viscous
- * constants eta_1, eta_2 >= 0 of the material, Pa s, in the notation of (4):
+/* A of a Kelvin-Voigt solid, s: the one to use for a material whose viscous constants are known. Young's modulus Y > 0 (Pa),
+ * Poisson's ratio -1 < nu <= 1/2, viscous constants eta_1, eta_2 >= 0 (Pa s) in the notation of (4), where the viscous stress is
+ * the elastic one with 2 mu -> eta_1 and the bulk modulus -> eta_2: eta_1 is twice the shear viscosity, eta_2 the bulk viscosity.
+ *
+ *     A = (1 + nu)/((1 - nu) Y) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)
+ *
+ * It is the derivative of ln(Y/(1 - nu^2)) along (eta_1/2, eta_2) in the space of shear and bulk modulus: docs/laws.md derives it
+ * from the contact of a rigid body with a Kelvin-Voigt half-space, exact where the constants are proportional to the moduli
+ * and to first order in A over the duration otherwise. Unlike (4) it is finite and positive for every nu. It agrees with the
+ * correction of (4) by Goldobin, Susloparov, Pimenova and Brilliantov, Eur. Phys. J. E 38, 55 (2015), whose eta_1 is the shear
+ * viscosity. Where eta_1 : eta_2 is 2 mu : K both formulas give the same A.
+ * Accuracy: COR_CONTACT_MAX_ULP.
+ * Special values: eta_1 = eta_2 = 0 -> 0; any argument outside its domain, infinite or NaN -> NaN. */
+COR_API double cor_dissipation_time_viscous_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa,
+                                              double poisson_ratio);
+
+/* A of (4), s, as it was published in 1999: from a quasi-static displacement field that leaves out what the viscous stress does
+ * to it. It vanishes at nu = 1/2, is singular at nu = 0, and is right only where eta_1/eta_2 is near 2 mu/K: use the function
+ * above, and this one to reproduce results that were computed with (4). Arguments as above.
  *
  *     A = (1/3) (3 eta_2 - eta_1)^2/(3 eta_2 + 2 eta_1) (1 - nu^2)(1 - 2 nu)/(Y nu^2)
  *
@@ -145,6 +162,84 @@ COR_API void cor_contact_dissipation_time_s_zero_force_array(const struct cor_sp
  * its domain, infinite or NaN -> NaN. */
 COR_API double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa,
                                       double poisson_ratio);
+
+/* ---- A sphere on a thin plate (Zener) ----
+ *
+ * A large thin plate answers a force F at a point with the velocity F/Z, Z = 8 sqrt(B rho_p h), B = E_p h^3/(12 (1 - nu_p^2)): it
+ * carries energy away in bending waves. A sphere that hits it obeys the sphere's equation with the dissipation time A = m/Z, and
+ * beta = (3/2) lambda with Zener's inelasticity parameter lambda. The plate is at rest when the contact force vanishes, at zero
+ * overlap: cor_contact_eps_zero_overlap is its restitution; functions of the zero-force end have no meaning here.
+ * Source: Zener, Phys. Rev. 59, 669 (1941); docs/laws.md. */
+
+struct cor_plate {
+    double young_modulus_pa; /* E_p > 0, finite */
+    double poisson_ratio;    /* -1 < nu_p <= 1/2 */
+    double density_kg_m3;    /* rho_p > 0, finite */
+    double thickness_m;      /* h > 0, finite */
+};
+
+/* Fills *contact for a sphere and a plate. Effective mass and radius are the sphere's; a dissipation time of the sphere's material
+ * is added to m/Z, weighted by its compliance as in cor_sphere_contact_init, which is right to first order.
+ * Accuracy of beta_per_root and scale: COR_CONTACT_MAX_ULP, sampled in tests/unit/test_plate.c.
+ * Returns COR_OK or the status of the first wrong input; COR_ERROR_RANGE where a field would overflow or lose digits to underflow.
+ * All fields are then NaN. */
+COR_API int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_body *sphere,
+                                   const struct cor_plate *plate);
+
+/* Zener's lambda = (2/3) beta of a filled contact at impact speed g, m/s. Special values: as cor_contact_beta. */
+COR_API double cor_plate_lambda(const struct cor_sphere_contact *contact, double speed_m_s);
+
+/* What the theory takes for granted, of a filled contact at impact speed g > 0 (m/s), for the caller to judge. NaN for a speed
+ * that is not positive and finite, or a contact or plate that is not valid. Accuracy: COR_CONTACT_MAX_ULP + 8.
+ *
+ * _contact_radius_ratio   largest contact radius sqrt(R x_max) over h: must be well below 1
+ * _shear_crossings        duration times shear wave speed sqrt(E_p/(2 (1 + nu_p) rho_p)) over h: how often a wave crosses the plate's
+ *                         thickness during contact: must be well above 1. Else the plate is a half-space (cor_contact_wave_loss).
+ * _sphere_crossings       duration times sqrt(E/rho) of the sphere over its diameter: must be well above 1; the sphere is taken to be
+ *                         homogeneous
+ * _least_half_width_m     distance to the nearest edge below which echoes return during contact, by the group velocity of bending
+ *                         waves of frequency 4 pi/duration: 2 sqrt(pi duration) (B/(rho_p h))^(1/4), m. On a square plate of that
+ *                         half width, simply supported, eps is off by 0.5 % at lambda = 1 and by 0.01 % at 0.2 (tests/unit/test_plate.c). */
+COR_API double cor_plate_contact_radius_ratio(const struct cor_sphere_contact *contact, const struct cor_plate *plate,
+                                              double speed_m_s);
+COR_API double cor_plate_shear_crossings(const struct cor_sphere_contact *contact, const struct cor_plate *plate,
+                                         double speed_m_s);
+COR_API double cor_plate_sphere_crossings(const struct cor_sphere_contact *contact, const struct cor_body *sphere,
+                                          double speed_m_s);
+COR_API double cor_plate_least_half_width_m(const struct cor_sphere_contact *contact, const struct cor_plate *plate,
+                                            double speed_m_s);
+
+/* ---- What elastic waves take on a massive block ----
+ *
+ * An ideally elastic sphere that hits a half-space loses energy to the waves it excites, the least that any contact with a large
+ * body loses. A slow force history radiates J(nu)/(2 pi rho c_s^3) int F'^2 dt, c_s the shear wave speed, and to first order
+ *
+ *     1 - eps^2 = 2 |C_1| beta_w,   beta_w = (9/4) J/(2 pi rho c_s^3) K^(6/5) m^(-1/5) g^(3/5),   C_1 = -0.8457421741960...
+ *
+ * with K and m of the contact: C_1 is that of the law x'' + beta x x' + x^(3/2) = 0. Good while the result is well below 1, the
+ * block is deeper than half the duration times the pressure wave speed, and nothing yields; other losses add to it at first order
+ * only. Source: docs/laws.md; Hunter, J. Mech. Phys. Solids 5, 162 (1957), with a constant 6 to 8 % smaller. */
+
+struct cor_half_space {
+    double young_modulus_pa; /* E > 0, finite */
+    double poisson_ratio;    /* -1 < nu <= 1/2 */
+    double density_kg_m3;    /* rho > 0, finite */
+};
+
+/* J(nu), dimensionless, -1 < nu <= 1/2: 0.9307526... at 1/4. Outside, NaN -> NaN.
+ * Relative error of the table: COR_WAVE_MAX_ERROR, proved (generated/wave_tables.h); with rounding: 8 ulp, sampled. */
+#define COR_WAVE_MAX_ERROR 1e-15
+COR_API double cor_half_space_wave_factor(double poisson_ratio);
+
+/* Lam of 1 - eps^2 = Lam (g/c)^(3/5), c = sqrt(E/rho), for a sphere and a half-space of the same material: 1.1115324... at nu = 1/4.
+ * Domain and accuracy as J; 16 ulp. */
+COR_API double cor_half_space_wave_coefficient(double poisson_ratio);
+
+/* 1 - eps^2 to first order for a contact of any sphere with a half-space, which the contact was filled with as a wall, at impact
+ * speed g >= 0, m/s: not above 1. Accuracy as the formula above: COR_CONTACT_MAX_ULP + 16 units of the last place.
+ * Special values: 0 -> 0; a negative or NaN speed, a contact without materials, a half-space outside its domain -> NaN. */
+COR_API double cor_contact_wave_loss(const struct cor_sphere_contact *contact, const struct cor_half_space *half_space,
+                                     double speed_m_s);
 
 /* Mass of a homogeneous sphere, (4/3) pi R^3 times density, kg.
  * Domain: radius and density > 0; anything else -> NaN. Accuracy: 4 units of the last place. */

@@ -114,6 +114,33 @@ COR_SPHERE_DECLARE_(max_overlap)
  * Special values: +-0 -> tau_0 of (51), 1.6090...; +inf -> 0; negative and NaN -> NaN. Source: (51) to (56). */
 COR_SPHERE_DECLARE_(time_of_max_overlap)
 
+/* ---- Damping while approaching only ----
+ *
+ * Some simulators damp the force while the bodies approach and let it be elastic from the turning point on (law.h,
+ * approach_only). The approach is that of the full law, so that with its largest overlap
+ *
+ *     eps = sqrt((4/5) x_max^(5/2)),     duration = time of the largest overlap + tau_0 eps^(-1/5)
+ *
+ * double cor_sphere_eps_approach_only(double beta), cor_sphere_loss_approach_only: eps, and 1 - eps with relative accuracy.
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_APPROACH_MAX_ULP, sampled in tests/accuracy.
+ * Small beta: 1 - eps tends to |C_1| beta/2. Large beta: sqrt(4/5) (3/2)^(5/6) beta^(-5/6).
+ * Special values: +-0 -> 1 (loss 0), +inf -> 0 (loss 1); negative and NaN -> NaN.
+ *
+ * double cor_sphere_beta_approach_only(double eps), cor_sphere_beta_of_loss_approach_only(double loss): the inverse, from eps
+ * or from 1 - eps. Domain: 0 to 1. Accuracy: COR_SPHERE_APPROACH_MAX_ULP for the double as it is given.
+ * Special values: eps 1, loss 0 -> 0; eps 0, loss 1 -> +inf, and +inf where beta is beyond the largest double; outside
+ * [0, 1] and NaN -> NaN.
+ *
+ * double cor_sphere_duration_approach_only(double beta): in the unit of the other durations.
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_TIME_MAX_ULP. Special values: +-0 -> 2 tau_0, +inf -> +inf; negative and
+ * NaN -> NaN. */
+#define COR_SPHERE_APPROACH_MAX_ULP 2.0
+COR_SPHERE_DECLARE_(eps_approach_only)
+COR_SPHERE_DECLARE_(loss_approach_only)
+COR_SPHERE_DECLARE_(beta_approach_only)
+COR_SPHERE_DECLARE_(beta_of_loss_approach_only)
+COR_SPHERE_DECLARE_(duration_approach_only)
+
 #undef COR_SPHERE_DECLARE_
 
 /* ---- Approximations of 1999, kept as what they are. None of them is the answer. ---- */

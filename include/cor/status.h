@@ -42,7 +42,10 @@ enum cor_status {
     COR_ERROR_ALPHA = 25,      /* hardness of the wall not positive, infinite or NaN */
     COR_ERROR_PHI_POINTS = 26, /* more angles than COR_DISK_COLLISION_MAX_PHI_POINTS */
     COR_ERROR_WORKSPACE = 27,  /* a workspace smaller than what the function asks for */
-    COR_ERROR_MEMORY = 28      /* no memory for a workspace */
+    COR_ERROR_MEMORY = 28,     /* no memory for a workspace */
+    /* contact.h, plates */
+    COR_ERROR_DENSITY = 29,  /* not positive, infinite or NaN */
+    COR_ERROR_THICKNESS = 30 /* not positive, infinite or NaN */
 };
 
 /* One English sentence for a status, without a newline; never NULL: a number that is no status gets

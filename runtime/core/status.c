@@ -69,6 +69,10 @@ const char *cor_status_text(int status)
         return "The workspace is smaller than cor_disk_collision_workspace() bytes.";
     case COR_ERROR_MEMORY:
         return "There is no memory for a workspace.";
+    case COR_ERROR_DENSITY:
+        return "The density must be positive and finite.";
+    case COR_ERROR_THICKNESS:
+        return "The thickness must be positive and finite.";
     default:
         return "This number is not a status of cor.";
     }

@@ -39,7 +39,7 @@ struct small {
 };
 
 static struct cell cells[QUANTITIES][CELLS];
-static struct small series[QUANTITIES];
+static struct small series[ALL_QUANTITIES];
 static long double h_star_5, ln2;
 
 /* A cell and its range of beta. */
@@ -164,6 +164,18 @@ static void duration_series(arb_poly_t overlap, arb_poly_t force, const struct s
     arb_clear(e);
 }
 
+/* (y/y_0)^(5/4) */
+static void approach_series(arb_poly_t eps, const arb_poly_t y, slong order)
+{
+    arb_t power;
+    arb_init(power);
+    arb_poly_get_coeff_arb(power, y, 0);
+    arb_poly_scalar_div(eps, y, power, 2 * BITS);
+    arb_set_d(power, 1.25);
+    arb_poly_pow_arb_series(eps, eps, power, order + 1, 2 * BITS);
+    arb_clear(power);
+}
+
 static int build_series(void)
 {
     const slong order = TERMS + 2;
@@ -177,6 +189,11 @@ static int build_series(void)
     if (!failed) {
         in_root(f, s.y);
         small_set(&series[MAX_OVERLAP], f, 0);
+        approach_series(g, s.y, order);
+        in_root(f, g);
+        small_set(&series[EPS_APPROACH_ONLY], f, 0);
+        arb_poly_neg(f, f);
+        small_set(&series[LOSS_APPROACH_ONLY], f, 1);
         in_root(f, s.tau);
         small_set(&series[TIME_OF_MAX_OVERLAP], f, 0);
         in_root(f, s.c);
@@ -434,11 +451,25 @@ static long double limit_value(enum quantity quantity)
     case LOSS_ZERO_OVERLAP:
     case LOSS_ZERO_FORCE:
         return 1;
+    case LOSS_APPROACH_ONLY:
+        return 1;
     case DURATION_ZERO_OVERLAP:
+    case DURATION_APPROACH_ONLY:
         return HUGE_VALL;
     default:
         return 0;
     }
+}
+
+/* eps = sqrt(4/5) x_max^(5/4); the duration: t_max + tau_0 eps^(-1/5) */
+static long double approach_value(enum quantity quantity, long double beta)
+{
+    if (quantity != DURATION_APPROACH_ONLY && beta < ldexpl(1, FIRST_BINADE))
+        return small_value(&series[quantity], beta);
+    const long double eps = sqrtl(0.8L) * powl(reference_value(MAX_OVERLAP, beta), 1.25L);
+    if (quantity != DURATION_APPROACH_ONLY)
+        return quantity == EPS_APPROACH_ONLY ? eps : 1 - eps;
+    return reference_value(TIME_OF_MAX_OVERLAP, beta) + reference_value(TIME_OF_MAX_OVERLAP, 0) * powl(eps, -0.2L);
 }
 
 long double reference_value(enum quantity quantity, long double beta)
@@ -447,6 +478,8 @@ long double reference_value(enum quantity quantity, long double beta)
         return NAN;
     if (isinf(beta))
         return limit_value(quantity);
+    if (quantity >= QUANTITIES)
+        return approach_value(quantity, beta);
     if (beta < ldexpl(1, FIRST_BINADE))
         return small_value(&series[quantity], beta);
     if (beta >= ldexpl(1, CLOSED_BINADE) && (quantity == EPS_ZERO_OVERLAP || quantity == LOSS_ZERO_OVERLAP)) {

@@ -20,7 +20,12 @@ enum quantity {
     DURATION_ZERO_FORCE,
     MAX_OVERLAP,
     TIME_OF_MAX_OVERLAP,
-    QUANTITIES
+    QUANTITIES,
+    /* made of the largest overlap and its time */
+    EPS_APPROACH_ONLY = QUANTITIES,
+    LOSS_APPROACH_ONLY,
+    DURATION_APPROACH_ONLY,
+    ALL_QUANTITIES
 };
 
 /* Makes the tables, some seconds; once, before any thread calls the functions below. Returns 0, or 1 after saying

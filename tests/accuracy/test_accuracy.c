@@ -46,6 +46,10 @@ static const struct function functions[] = {
     ROW(time_of_max_overlap, TIME_OF_MAX_OVERLAP, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
     ROW(beta_zero_overlap, EPS_ZERO_OVERLAP, INVERSE, COR_SPHERE_BETA_MAX_ULP),
     ROW(beta_zero_force, EPS_ZERO_FORCE, INVERSE, COR_SPHERE_BETA_MAX_ULP),
+    ROW(eps_approach_only, EPS_APPROACH_ONLY, FALLS, COR_SPHERE_APPROACH_MAX_ULP),
+    ROW(loss_approach_only, LOSS_APPROACH_ONLY, SMOOTH, COR_SPHERE_APPROACH_MAX_ULP),
+    ROW(duration_approach_only, DURATION_APPROACH_ONLY, SMOOTH, COR_SPHERE_TIME_MAX_ULP),
+    ROW(beta_approach_only, EPS_APPROACH_ONLY, INVERSE, COR_SPHERE_APPROACH_MAX_ULP),
 };
 
 enum { FUNCTIONS = sizeof functions / sizeof *functions, MAX_THREADS = 64 };
@@ -60,9 +64,13 @@ static double inverse_error(enum quantity eps_quantity, double computed, double 
         return isnan(computed) ? 0 : HUGE_VAL;
     if (eps == 0 || eps == 1)
         return computed == (eps == 0 ? HUGE_VAL : 0) ? 0 : HUGE_VAL;
-    if (!(computed > 0) || isinf(computed))
+    if (isinf(computed)) /* right where eps at the largest double is above */
+        return reference_value(eps_quantity, ldexpl(1, format.max_exponent)) > eps ? 0 : HUGE_VAL;
+    if (!(computed > 0))
         return HUGE_VAL;
-    const enum quantity loss_quantity = eps_quantity == EPS_ZERO_OVERLAP ? LOSS_ZERO_OVERLAP : LOSS_ZERO_FORCE;
+    const enum quantity loss_quantity = eps_quantity == EPS_ZERO_OVERLAP ? LOSS_ZERO_OVERLAP
+                                        : eps_quantity == EPS_ZERO_FORCE ? LOSS_ZERO_FORCE
+                                                                         : LOSS_APPROACH_ONLY;
     const enum quantity quantity = eps < 0.5 ? eps_quantity : loss_quantity;
     const long double wanted = eps < 0.5 ? (long double)eps : 1 - (long double)eps;
     const long double off = (reference_value(quantity, computed) - wanted) / reference_slope(quantity, computed);
@@ -152,6 +160,15 @@ static double random_eps(struct random *r)
     return 1 - exp2(-54 * random_uniform(r));
 }
 
+/* Functions with damping while approaching only are short formulas of the largest overlap, which is searched itself: a tenth. */
+static uint64_t share_of(const struct function *f)
+{
+    return f->quantity == EPS_APPROACH_ONLY || f->quantity == LOSS_APPROACH_ONLY ||
+                   f->quantity == DURATION_APPROACH_ONLY
+               ? 10
+               : 1;
+}
+
 /* ---- the searches ---- */
 
 struct options {
@@ -182,7 +199,7 @@ static void search_random(struct job *job)
     const struct options *o = job->options;
     const uint64_t threads = (uint64_t)o->threads, part = (uint64_t)job->thread;
     struct random r = {(o->seed * MAX_THREADS + part) * 2 + 1};
-    for (uint64_t i = part; i < o->points; i += threads) {
+    for (uint64_t i = part; i < o->points / share_of(job->f); i += threads) {
         const double x = job->f->shape == INVERSE ? random_eps(&r) : random_beta(&r);
         const double y = job->f->value(x);
         take(&job->worst, error_of(job->f, y, x, format_double), x);
@@ -196,7 +213,8 @@ static void search_random(struct job *job)
 static void search_floats(struct job *job)
 {
     const uint32_t end = job->f->shape == INVERSE ? UINT32_C(0x3f800000) : UINT32_C(0x7f800000);
-    const uint64_t stride = job->options->float_stride, step = stride * (uint64_t)job->options->threads;
+    const uint64_t stride = job->options->float_stride == 1 ? 1 : job->options->float_stride * share_of(job->f);
+    const uint64_t step = stride * (uint64_t)job->options->threads;
     for (uint64_t bits = stride * (uint64_t)job->thread; bits <= end; bits += step) {
         const float x = float_of((uint32_t)bits);
         take(&job->worstf, error_of(job->f, (double)job->f->valuef(x), (double)x, format_float), (double)x);
@@ -228,24 +246,24 @@ static void walk(struct worst *worst, const struct function *f, double x, uint64
 
 static void search_boundaries(struct worst *worst, const struct function *f)
 {
-    enum { RADIUS = 256 };
+    const uint64_t radius = 256 / share_of(f);
     if (f->shape == INVERSE) {
         for (int i = 0; i <= 256; i++)
-            walk(worst, f, i / 256.0, RADIUS);
+            walk(worst, f, i / 256.0, radius);
         for (int exponent = -1074; exponent < 0; exponent++)
             walk(worst, f, ldexp(1, exponent), 16);
         for (int exponent = -53; exponent < 0; exponent++)
-            walk(worst, f, 1 - ldexp(1, exponent), RADIUS);
+            walk(worst, f, 1 - ldexp(1, exponent), radius);
         return;
     }
     for (int i = 1; i <= 2 * CELLS_IN_BETA; i++)
-        walk(worst, f, i / 32.0, RADIUS);
+        walk(worst, f, i / 32.0, radius);
     for (int i = 1; i <= 2 * CELLS_IN_ROOT; i++)
-        walk(worst, f, (i / 32.0) * (i / 32.0), RADIUS);
+        walk(worst, f, (i / 32.0) * (i / 32.0), radius);
     for (size_t i = 0; i < sizeof region_boundaries / sizeof *region_boundaries; i++)
-        walk(worst, f, region_boundaries[i], RADIUS);
+        walk(worst, f, region_boundaries[i], radius);
     for (int exponent = -1074; exponent < 1024; exponent++)
-        walk(worst, f, ldexp(1, exponent), exponent > -70 && exponent < 70 ? RADIUS : 16);
+        walk(worst, f, ldexp(1, exponent), exponent > -70 && exponent < 70 ? radius : 16);
 }
 
 /* Uphill from the worst point so far, while there is a worse one within reach. */

@@ -9,6 +9,7 @@
 #include "embed/form.h"
 #include "enclosure/collision.h"
 #include "plan/plan.h"
+#include "plan/waves.h"
 
 #define G_STAR 400.0
 #define TOLERANCE 1e-3
@@ -454,13 +455,71 @@ static void test_contact_time(void **state)
     disk_request_clear(&request);
 }
 
+/* A glass sphere and a wall: the same material, then another wall */
+static struct embed_request wall_request(const char *young_2, const char *poisson_2)
+{
+    struct embed_request request = {.wall = true};
+    decimal_set(&request.number[EMBED_YOUNG], "7e10");
+    decimal_set(&request.number[EMBED_POISSON], "0.25");
+    decimal_set(&request.number[EMBED_RADIUS], "0.005");
+    decimal_set(&request.number[EMBED_DENSITY], "2500");
+    if (young_2) {
+        decimal_set(&request.number[EMBED_YOUNG_2], young_2);
+        decimal_set(&request.number[EMBED_POISSON_2], poisson_2);
+    }
+    return request;
+}
+
+static void wall_request_clear(struct embed_request *request)
+{
+    for (int i = 0; i < EMBED_NUMBERS; i++)
+        decimal_clear(&request->number[i]);
+}
+
+/* Elastic waves, against the library, whose J is a Chebyshev series, and against Lam(1/4) = 1.1115324 */
+static void test_waves(void **state)
+{
+    (void)state;
+    const double mass = cor_sphere_mass_kg(0.005, 2500);
+    struct embed_request request = wall_request(NULL, NULL);
+    check(fabs(plan_wave_loss(&request, 2) / (1.1115324 * pow(2 / sqrt(7e10 / 2500), 0.6)) - 1) < 1e-7,
+          "elastic waves take %.17g", plan_wave_loss(&request, 2));
+    char *remark = plan_wave_remark(&request, 2, 0.9);
+    assert_non_null(strstr(remark, "1 - eps^2 = 0.0098 at 2 m/s"));
+    assert_non_null(strstr(remark, "it is 0.19. A measured dissipation time includes the waves."));
+    free(remark);
+    remark = plan_wave_remark(&request, 2, 0.9999);
+    assert_non_null(strstr(remark, "it is 0.0002. The waves take more"));
+    free(remark);
+    wall_request_clear(&request);
+
+    static const struct {
+        const char *young, *poisson;
+    } walls[] = {{"2e11", "0.3"}, {"1e6", "0.49"}, {"3e9", "0.5"}, {"4e10", "0"}, {"1e10", "-0.5"}};
+    for (size_t i = 0; i < sizeof walls / sizeof *walls; i++) {
+        request = wall_request(walls[i].young, walls[i].poisson);
+        const double young = strtod(walls[i].young, NULL), nu = strtod(walls[i].poisson, NULL);
+        const struct cor_body sphere = {7e10, 0.25, 0, 0.005, mass}, wall = {young, nu, 0, INFINITY, INFINITY};
+        const struct cor_half_space half_space = {young, nu, 2500};
+        struct cor_sphere_contact contact;
+        assert_int_equal(cor_sphere_contact_init(&contact, &sphere, &wall), COR_OK);
+        const double expected = cor_contact_wave_loss(&contact, &half_space, 0.01);
+        check(fabs(plan_wave_loss(&request, 0.01) / expected - 1) < 1e-14, "elastic waves take %.17g, not %.17g",
+              plan_wave_loss(&request, 0.01), expected);
+        request.wall = false;
+        assert_null(plan_wave_remark(&request, 1, 0.5));
+        request.wall = true;
+        decimal_set(&request.number[EMBED_G_STAR], "1");
+        assert_null(plan_wave_remark(&request, 1, 0.5));
+        wall_request_clear(&request);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spheres),
-        cmocka_unit_test(test_strong_damping),
-        cmocka_unit_test(test_disks),
-        cmocka_unit_test(test_contact_time),
+        cmocka_unit_test(test_spheres),      cmocka_unit_test(test_strong_damping), cmocka_unit_test(test_disks),
+        cmocka_unit_test(test_contact_time), cmocka_unit_test(test_waves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -342,10 +342,11 @@ static void status_texts(void **state)
                                        "version",         "ends early",     "too small",
                                        "too violent",     "cannot be met",  "towards",
                                        "number of steps", "hardness",       "more angles",
-                                       "smaller than",    "no memory"};
+                                       "smaller than",    "no memory",      "density",
+                                       "thickness"};
     const int count = sizeof word / sizeof *word;
     assert_int_equal(COR_OK, 0);
-    assert_int_equal(COR_ERROR_MEMORY, count - 1);
+    assert_int_equal(COR_ERROR_THICKNESS, count - 1);
     for (int i = 0; i < count; i++) {
         const char *text = cor_status_text(i);
         check(text != NULL && strstr(text, word[i]) != NULL, "status %d: %s", i, text);

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT */
+/* What each simulator realises where a user asks for a restitution coefficient e, and the number to give it instead, from the table of
+ * gen/hosts.
+ *     cor_realised table      csv, at the values of e that docs/laws.md lists
+ *     cor_realised curve      csv, at 0.01 to 0.99, for the picture
+ *     cor_realised markdown   two tables of docs/laws.md; models with the same end and the same numbers share a row
+ *     cor_realised models     another one: all models, with law, end, and a sentence for the user
+ * An empty cell: the model refuses this e, or no e makes it realise this one. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "hosts/hosts.h"
+
+static const double asked[] = {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99};
+enum { ASKED = sizeof asked / sizeof *asked };
+
+static double realised(const struct host_model *m, double e)
+{
+    return host_realised(m, e);
+}
+
+static double cure(const struct host_model *m, double e)
+{
+    enum host_cure_status status;
+    return host_cure(m, e, &status);
+}
+
+/* ---- csv ---- */
+
+/* gnuplot splits a line at every comma, in quotation marks too. */
+static void print_name(const char *text)
+{
+    for (; *text; text++)
+        putchar(*text == ',' ? ';' : *text);
+}
+
+static void print_number(const char *before, double x)
+{
+    printf("%s", before);
+    if (!isnan(x))
+        printf("%.6f", x);
+}
+
+static void print_row(const struct host_model *m, double e)
+{
+    printf("%s: ", m->host);
+    print_name(m->model);
+    printf(",%s,%g", host_end_name(m->end), e);
+    print_number(",", realised(m, e));
+    print_number(",", cure(m, e));
+    printf("\n");
+}
+
+static void print_csv(int curve)
+{
+    printf("model,end,asked,realised,cure\n");
+    for (size_t i = 0; i < host_model_count; i++)
+        if (host_models[i].damping_of_e)
+            for (int k = 0; k < (curve ? 99 : ASKED); k++)
+                print_row(&host_models[i], curve ? (k + 1) / 100.0 : asked[k]);
+}
+
+/* ---- markdown ---- */
+
+static int same_number(double a, double b)
+{
+    return isnan(a) ? isnan(b) : fabs(a - b) < 5e-7;
+}
+
+static int same_row(const struct host_model *a, const struct host_model *b)
+{
+    int same = b->damping_of_e && a->end == b->end;
+    for (int k = 0; same && k < ASKED; k++)
+        same = same_number(realised(a, asked[k]), realised(b, asked[k])) &&
+               same_number(cure(a, asked[k]), cure(b, asked[k]));
+    return same;
+}
+
+static int is_first_of_its_row(size_t i)
+{
+    for (size_t k = 0; k < i; k++)
+        if (same_row(&host_models[k], &host_models[i]))
+            return 0;
+    return host_models[i].damping_of_e != NULL;
+}
+
+static void print_table(const char *title, double (*quantity)(const struct host_model *m, double e))
+{
+    printf("| %s |", title);
+    for (int k = 0; k < ASKED; k++)
+        printf(" %g |", asked[k]);
+    printf("\n|---|");
+    for (int k = 0; k < ASKED; k++)
+        printf("---|");
+    printf("\n");
+    for (size_t i = 0; i < host_model_count; i++) {
+        if (!is_first_of_its_row(i))
+            continue;
+        printf("| ");
+        for (size_t k = i; k < host_model_count; k++)
+            if (same_row(&host_models[i], &host_models[k]))
+                printf("%s%s: %s", k > i ? "<br>" : "", host_models[k].host, host_models[k].model);
+        printf(" |");
+        for (int k = 0; k < ASKED; k++) {
+            print_number(" ", quantity(&host_models[i], asked[k]));
+            printf(" |");
+        }
+        printf("\n");
+    }
+}
+
+static void print_models(void)
+{
+    printf("| simulator | model | a user sets | law | end | what to know | file | known "
+           "|\n|---|---|---|---|---|---|---|---|\n");
+    for (size_t i = 0; i < host_model_count; i++) {
+        const struct host_model *m = &host_models[i];
+        printf("| %s | %s | %s | %s | %s | %s | %s | %s |\n", m->host, m->model, m->parameter, host_law_name(m->law),
+               host_end_name(m->end), m->advice, m->file, m->known);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const char *form = argc == 2 ? argv[1] : "";
+    if (strcmp(form, "table") == 0 || strcmp(form, "curve") == 0) {
+        print_csv(*form == 'c');
+    } else if (strcmp(form, "markdown") == 0) {
+        print_table("realised where a user asks for e =", realised);
+        printf("\n");
+        print_table("what to give instead, to realise e =", cure);
+    } else if (strcmp(form, "models") == 0) {
+        print_models();
+    } else {
+        fprintf(stderr, "cor_realised takes one argument: table, curve, markdown or models\n");
+        return 2;
+    }
+    return 0;
+}

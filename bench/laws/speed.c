@@ -1,0 +1,310 @@
+/* SPDX-License-Identifier: MIT */
+/* Each function of law.h against what simulators and textbooks do in its place: time and error in one table.
+ *     cor_bench_laws > speed.csv
+ * Arguments are uniform in the interval of the row. Times are the least of many turns. The error of an eps or a loss is relative; of
+ * a damping it is what it does to eps, relative, too: |eps(damping) - e|/e. Exact values in long double. */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cor/cor.h>
+
+#include "hosts/hosts.h"
+#include "support/timing.h"
+
+#include "runtime/law/array.h"
+
+enum { COUNT = 2048 };
+
+/* ---- exact values ---- */
+
+static long double phase_time(long double zeta)
+{
+    const long double square = (1 - zeta) * (1 + zeta);
+    return square == 0 ? 1 : square > 0 ? acosl(zeta) / sqrtl(square) : acoshl(zeta) / sqrtl(-square);
+}
+
+static long double exact_eps_overlap(long double zeta)
+{
+    return zeta < 1 ? expl(-acosl(-1) * zeta / sqrtl((1 - zeta) * (1 + zeta))) : 0;
+}
+
+static long double exact_eps_force(long double zeta)
+{
+    return expl(-2 * zeta * phase_time(zeta));
+}
+
+static long double exact_loss_force(long double zeta)
+{
+    return -expm1l(-2 * zeta * phase_time(zeta));
+}
+
+static long double exact_eps_approach(long double zeta)
+{
+    return expl(-zeta * phase_time(zeta));
+}
+
+static long double exact_eps_limited(long double zeta)
+{
+    const long double square = (1 - zeta) * (1 + zeta), om = sqrtl(fabsl(square)), below = 1 + 2 * zeta * zeta;
+    const long double part = square == 0  ? 2 / below
+                             : square > 0 ? atan2l(2 * zeta * om, below) / om
+                                          : atanhl(2 * zeta * om / below) / om;
+    return expl(-zeta * (2 * phase_time(zeta) - part));
+}
+
+static long double energy(long double z)
+{
+    long double sum = 0;
+    if (fabsl(z) > 0.3L)
+        return z - log1pl(z);
+    for (int k = 60; k >= 2; k--)
+        sum = 1.0L / k - z * sum;
+    return z * z * sum;
+}
+
+static long double exact_crossley(long double beta)
+{
+    if (beta == 0)
+        return 1;
+    const long double wanted = energy(beta);
+    long double z = -beta / (1 + beta);
+    for (int k = 0; k < 100; k++) {
+        const long double next = z - (energy(z) - wanted) * (1 + z) / z;
+        if (fabsl(next - z) < 1e-19L)
+            break;
+        z = next > -1 ? next : (z - 1) / 2;
+    }
+    return -z / beta;
+}
+
+static long double exact_sphere_force(long double beta)
+{
+    return cor_sphere_eps_zero_force((double)beta); /* within a unit of its last place */
+}
+
+/* ---- what is in use ---- */
+
+static double formula_eps_overlap(double zeta)
+{
+    return zeta < 1 ? exp(-3.14159265358979323846 * zeta / sqrt(1 - zeta * zeta)) : 0;
+}
+
+/* Schwager and Poeschel's three cases, as Kratos and others code them */
+static double formula_eps_force(double zeta)
+{
+    const double pi = 3.14159265358979323846;
+    if (zeta < 0.70710678118654752440) {
+        const double om = sqrt(1 - zeta * zeta);
+        return exp(-zeta / om * (pi - atan(2 * zeta * om / (1 - 2 * zeta * zeta))));
+    }
+    if (zeta < 1) {
+        const double om = sqrt(1 - zeta * zeta);
+        return exp(-zeta / om * atan(2 * zeta * om / (2 * zeta * zeta - 1)));
+    }
+    const double om = sqrt(zeta * zeta - 1);
+    return zeta == 1 ? exp(-2.0) : exp(-zeta / om * log((zeta + om) / (zeta - om)));
+}
+
+static double formula_loss_force(double zeta)
+{
+    return 1 - formula_eps_force(zeta);
+}
+
+static double formula_zeta_overlap(double e)
+{
+    const double pi = 3.14159265358979323846, l = log(e);
+    return -l / sqrt(pi * pi + l * l);
+}
+
+static double formula_thornton(double e)
+{
+    return sqrt(1.2) * host_thornton_gamma(e);
+}
+
+/* between 0 and 16 until the interval is below 0.0001 */
+static double formula_bisected(double e)
+{
+    double low = 0, high = 16;
+    while (high - low > 1e-4) {
+        const double middle = 0.5 * (low + high);
+        *(formula_eps_force(middle) > e ? &low : &high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+static double formula_bisected_full(double e)
+{
+    double low = 0, high = 16;
+    for (int k = 0; k < 58; k++) {
+        const double middle = 0.5 * (low + high);
+        *(formula_eps_force(middle) > e ? &low : &high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+static double formula_tsuji_2026(double e)
+{
+    return sqrt(0.4) * host_tsuji_alpha(e);
+}
+
+/* Newton's method on the [1/4] Pade approximant of Mueller and Poeschel in v* = sqrt(beta), as simulators solve for A */
+static double formula_sphere_newton(double e)
+{
+    static const double a1 = 0.501086, b1 = 0.501086, b2 = 1.15345, b3 = 0.577977, b4 = 0.532178;
+    double v = 1;
+    for (int k = 0; k < 40; k++) {
+        const double top = 1 + a1 * v, below = 1 + v * (b1 + v * (b2 + v * (b3 + v * b4)));
+        const double slope = a1 / below - top * (b1 + v * (2 * b2 + v * (3 * b3 + v * 4 * b4))) / (below * below);
+        const double step = (top / below - e) / slope;
+        v -= step;
+        if (fabs(step) < 1e-12)
+            break;
+    }
+    return v * v;
+}
+
+/* Newton's method for f(-h) = f(beta), f(z) = z - ln(1 + z) */
+static double formula_crossley(double beta)
+{
+    const double wanted = beta - log1p(beta);
+    double h = beta / (1 + beta);
+    for (int k = 0; k < 40; k++) {
+        const double off = -h - log1p(-h) - wanted, next = h - off * (1 - h) / h;
+        if (fabs(next - h) < 1e-15)
+            break;
+        h = next < 1 ? next : (h + 1) / 2;
+    }
+    return h / beta;
+}
+
+/* ---- the table ---- */
+
+typedef double scalar_function(double x);
+typedef long double exact_function(long double x);
+
+enum { NO_LOOP = -1, MAX_JOBS = 128 };
+
+/* Rows of cor name a loop, which is timed in every instruction set. */
+static const struct method {
+    const char *quantity, *method;
+    scalar_function *scalar;
+    int loop;
+    exact_function *exact; /* of the value, or of eps for an inverse */
+    int inverse;
+    double low, high; /* of the argument */
+} methods[] = {
+    {"eps of zeta; zero overlap", "cor", cor_linear_eps_zero_overlap, COR_LAW_ratio_eps_zero_overlap, exact_eps_overlap,
+     0, 0.01, 0.8},
+    {"eps of zeta; zero overlap", "exp(-pi zeta/sqrt(1-zeta^2))", formula_eps_overlap, NO_LOOP, exact_eps_overlap, 0,
+     0.01, 0.8},
+    {"eps of zeta; zero force", "cor", cor_linear_eps_zero_force, COR_LAW_ratio_eps_zero_force, exact_eps_force, 0,
+     0.01, 2},
+    {"eps of zeta; zero force", "three cases: atan or ln; exp", formula_eps_force, NO_LOOP, exact_eps_force, 0, 0.01,
+     2},
+    {"1-eps of zeta; zero force; zeta < 1e-4", "cor", cor_linear_loss_zero_force, COR_LAW_ratio_loss_zero_force,
+     exact_loss_force, 0, 1e-6, 1e-4},
+    {"1-eps of zeta; zero force; zeta < 1e-4", "1 - the three cases", formula_loss_force, NO_LOOP, exact_loss_force, 0,
+     1e-6, 1e-4},
+    {"eps of zeta; approach only", "cor", cor_linear_eps_approach_only, COR_LAW_ratio_eps_approach_only,
+     exact_eps_approach, 0, 0.01, 2},
+    {"eps of zeta; limited damper", "cor", cor_linear_eps_limited, COR_LAW_ratio_eps_limited, exact_eps_limited, 0,
+     0.01, 2},
+    {"zeta of eps; zero overlap", "cor", cor_linear_zeta_zero_overlap, COR_LAW_ratio_zeta_zero_overlap,
+     exact_eps_overlap, 1, 0.1, 0.99},
+    {"zeta of eps; zero overlap", "-ln(e)/sqrt(pi^2+ln(e)^2)", formula_zeta_overlap, NO_LOOP, exact_eps_overlap, 1, 0.1,
+     0.99},
+    {"zeta of eps; zero overlap", "LAMMPS tsuji since July 2026: degree 6", formula_tsuji_2026, NO_LOOP,
+     exact_eps_overlap, 1, 0.1, 0.99},
+    {"zeta of eps; zero force", "cor", cor_linear_zeta_zero_force, COR_LAW_ratio_zeta_zero_force, exact_eps_force, 1,
+     0.1, 0.99},
+    {"zeta of eps; zero force", "Thornton: degree 10; exp; sqrt", formula_thornton, NO_LOOP, exact_eps_force, 1, 0.1,
+     0.99},
+    {"zeta of eps; zero force", "bisected to 0.0001 (Kratos)", formula_bisected, NO_LOOP, exact_eps_force, 1, 0.1,
+     0.99},
+    {"zeta of eps; zero force", "bisected to the last bit", formula_bisected_full, NO_LOOP, exact_eps_force, 1, 0.1,
+     0.99},
+    {"zeta of eps; zero force", "the zero-overlap formula (Chrono)", formula_zeta_overlap, NO_LOOP, exact_eps_force, 1,
+     0.1, 0.99},
+    {"zeta of eps; limited damper", "cor", cor_linear_zeta_limited, COR_LAW_ratio_zeta_limited, exact_eps_limited, 1,
+     0.1, 0.99},
+    {"eps of beta; Hunt-Crossley", "cor", cor_hunt_crossley_eps, COR_LAW_hc_eps, exact_crossley, 0, 0.01, 5},
+    {"eps of beta; Hunt-Crossley", "Newton's method with log1p", formula_crossley, NO_LOOP, exact_crossley, 0, 0.01, 5},
+    {"beta of eps; Hunt-Crossley", "cor", cor_hunt_crossley_beta, COR_LAW_hc_beta, exact_crossley, 1, 0.1, 0.99},
+    {"beta of eps; Hunt-Crossley", "Flores: 8(1-e)/(5e)", host_crossley_flores, NO_LOOP, exact_crossley, 1, 0.1, 0.99},
+    {"beta of eps; Hunt-Crossley", "Lankarani and Nikravesh: 3(1-e^2)/4", host_crossley_lankarani, NO_LOOP,
+     exact_crossley, 1, 0.1, 0.99},
+    {"beta of eps; sphere; zero force", "cor", cor_sphere_beta_zero_force, NO_LOOP, exact_sphere_force, 1, 0.1, 0.99},
+    {"beta of eps; sphere; zero force", "Newton's method on a Pade", formula_sphere_newton, NO_LOOP, exact_sphere_force,
+     1, 0.1, 0.99},
+};
+enum { METHODS = sizeof methods / sizeof *methods };
+
+/* One line of the result */
+struct line {
+    const struct method *method;
+    cor_law_array_function *loop; /* NULL: the scalar */
+    const char *set;
+    double x[COUNT], y[COUNT], error;
+};
+
+static void run_line(void *closure)
+{
+    struct line *line = closure;
+    if (line->loop) {
+        line->loop(line->x, line->y, COUNT);
+        return;
+    }
+    scalar_function *const f = line->method->scalar;
+    for (int i = 0; i < COUNT; i++)
+        line->y[i] = f(line->x[i]);
+}
+
+static double worst_error(const struct line *line)
+{
+    long double worst = 0;
+    for (int i = 0; i < COUNT; i++) {
+        const long double exact = line->method->inverse ? line->x[i] : line->method->exact(line->x[i]);
+        const long double value = line->method->inverse ? line->method->exact(line->y[i]) : line->y[i];
+        worst = fmaxl(worst, fabsl(value / exact - 1));
+    }
+    return (double)worst;
+}
+
+static int add_line(struct line *line, const struct method *method, int set)
+{
+    static const char *const name[COR_INSTRUCTION_SETS] = {"portable", "AVX2", "AVX-512"};
+    if (set >= 0 && !cor_processor_has(set))
+        return 0;
+    line->method = method;
+    line->loop = set >= 0 ? cor_law_loops(set)[method->loop] : NULL;
+    line->set = set >= 0 ? name[set] : "";
+    /* scattered, the same every time: multiples of the golden ratio */
+    for (int i = 0; i < COUNT; i++)
+        line->x[i] = method->low + (method->high - method->low) * fmod(0.61803398874989485 * (i + 1), 1);
+    return 1;
+}
+
+int main(int argc, char **argv)
+{
+    static struct line lines[MAX_JOBS];
+    struct job jobs[MAX_JOBS];
+    int n = 0;
+    for (int i = 0; i < METHODS; i++) {
+        n += add_line(&lines[n], &methods[i], -1);
+        for (int set = 0; methods[i].loop >= 0 && set < COR_INSTRUCTION_SETS; set++)
+            n += add_line(&lines[n], &methods[i], set);
+    }
+    for (int i = 0; i < n; i++)
+        jobs[i] = (struct job){run_line, &lines[i], COUNT, 0};
+    const int quick = argc > 1 && strcmp(argv[1], "--quick") == 0;
+    timing_measure(jobs, (size_t)n, (struct timing){2e5, quick ? 20 : 400, 4});
+    printf("quantity,method,instructions,ns,relative_error\n");
+    for (int i = 0; i < n; i++)
+        printf("%s,%s%s,%s,%.3g,%.2g\n", lines[i].method->quantity, lines[i].method->method,
+               lines[i].loop ? " array" : "", lines[i].loop ? lines[i].set : "scalar", jobs[i].best_ns,
+               worst_error(&lines[i]));
+    return 0;
+}

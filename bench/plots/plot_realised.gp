@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+# Restitution realised against asked, by simulator: cor_realised curve.
+#     gnuplot -e "csv = 'curve.csv'; svg = 'realised.svg'" bench/plots/plot_realised.gp
+# The lines that name the gnuplot version are removed.
+set output "| sed -e '/^<desc>/d' -e '/Gnuplot/d' -e '/GNUPLOT/d' > " . svg
+set terminal svg size 1000,520 fixed font "DejaVu Sans,11" background "white"
+
+black = "#222222"; blue = "#0060ad"; red = "#c8421a"; green = "#2a7f3b"; violet = "#7b3f99"; amber = "#b8860b"; teal = "#00a0a0"; pink = "#d07090"
+
+set datafile separator comma
+set datafile missing ""
+set border 3 lc rgb black
+set tics nomirror
+set grid lc rgb "#e4e4e4" lw 0.7
+set xlabel "e asked"
+set xrange [0:1]
+
+# Columns: 1 model, 3 asked, 4 realised
+is(part) = strstrt(strcol(1), part) > 0
+realised(part) = is(part) ? column(4) : NaN
+off(part) = is(part) ? column(4) - column(3) : NaN
+
+cut = "chrono: SMC; Hooke or Hertz"
+tsuji = "damping tsuji; releases"
+tsuji_limit = "damping tsuji; limit_damping"
+tsuji_new = "damping tsuji; source after"
+thornton = "granulars.jl"
+mfix = "mfix: DEM; HERTZIAN"
+flores = "chrono-multicore"
+
+set multiplot layout 1,2 title "Restitution that simulators realise" font ",14" margins 0.06,0.985,0.12,0.88 spacing 0.08,0
+set ylabel "e realised" offset 1
+set yrange [0:1]
+set key at graph 0.98, 0.03 bottom right samplen 2 spacing 1.15
+plot x w l lc rgb black dt 2 lw 1 t "exact", \
+    csv every ::1 u 3:(realised(tsuji_limit)) w l lc rgb amber lw 2 notitle, \
+    csv every ::1 u 3:(realised(tsuji)) w l lc rgb red lw 2 notitle, \
+    csv every ::1 u 3:(realised(cut)) w l lc rgb blue lw 2 notitle, \
+    csv every ::1 u 3:(realised(mfix)) w l lc rgb green lw 2 notitle, \
+    csv every ::1 u 3:(realised(flores)) w l lc rgb violet lw 2 notitle, \
+    csv every ::1 u 3:(realised(thornton)) w l lc rgb teal lw 2 notitle, \
+    csv every ::1 u 3:(realised(tsuji_new)) w l lc rgb pink lw 2 notitle
+set ylabel "e realised - e asked" offset 1
+set yrange [-0.06:0.36]
+set key at graph 0.99, 0.98 top right
+plot 0 w l lc rgb black dt 2 lw 1 t "exact", \
+    csv every ::1 u 3:(off(tsuji_limit)) w l lc rgb amber lw 2 t "LAMMPS tsuji to July 2026, limit\\_damping", \
+    csv every ::1 u 3:(off(tsuji)) w l lc rgb red lw 2 t "LAMMPS tsuji to July 2026", \
+    csv every ::1 u 3:(off(cut)) w l lc rgb blue lw 2 t "zero-overlap formula, force cut off: Chrono", \
+    csv every ::1 u 3:(off(mfix)) w l lc rgb green lw 2 t "MFiX Hertz", \
+    csv every ::1 u 3:(off(flores)) w l lc rgb violet lw 2 t "Flores: Chrono multicore", \
+    csv every ::1 u 3:(off(thornton)) w l lc rgb teal lw 2 t "Thornton: YADE, Granulars.jl", \
+    csv every ::1 u 3:(off(tsuji_new)) w l lc rgb pink lw 2 t "LAMMPS tsuji since July 2026"
+unset multiplot

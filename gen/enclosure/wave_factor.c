@@ -1,0 +1,370 @@
+/* SPDX-License-Identifier: MIT */
+#include "enclosure/wave_factor.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+#ifdef COR_FLINT_HAS_ARB
+#include <flint/acb_calc.h>
+#else
+#include <acb_calc.h>
+#endif
+
+/* ---- J ----
+ *
+ * With gamma = c_s/c_p, gamma^2 = (1 - 2 nu)/(2 (1 - nu)) = tau^2/(1 + tau^2), a^2 = |x^2 - gamma^2|, b^2 = |x^2 - 1| and D = (2 x^2 - 1)^2,
+ *
+ *     J = int_0^gamma x a/(D + 4 x^2 a b) dx + int_gamma^1 4 x^3 a^2 b/(D^2 + 16 x^4 a^2 b^2) dx - pi x_R a(x_R)/R'(x_R)
+ *
+ * R = D - 4 x^2 a b, R(x_R) = 0. x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 leave no root at the ends of the integrals. At
+ * gamma^2 = 1/2 both integrands are 0/0 at x = gamma; near it J is computed as the imaginary part of
+ * int x a/R dx along a path from 0 to 2 above gamma, 1 and x_R, where nothing is singular. */
+
+struct wave_parameters {
+    acb_t gamma, gamma2;
+};
+
+/* D = (2 x^2 - 1)^2 */
+static void wave_square(acb_t d, const acb_t x, slong prec)
+{
+    acb_mul(d, x, x, prec);
+    acb_mul_2exp_si(d, d, 1);
+    acb_sub_ui(d, d, 1, prec);
+    acb_mul(d, d, d, prec);
+}
+
+static int pressure_integrand(acb_ptr y, const acb_t u, void *parameters, slong order, slong prec)
+{
+    const struct wave_parameters *const p = parameters;
+    acb_t x, x2, a, b, d, u2;
+    acb_init(x);
+    acb_init(x2);
+    acb_init(a);
+    acb_init(b);
+    acb_init(d);
+    acb_init(u2);
+    acb_mul(u2, u, u, prec);
+    acb_sub_ui(x, u2, 1, prec);
+    acb_neg(x, x);
+    acb_mul(x, x, p->gamma, prec);
+    acb_mul(x2, x, x, prec);
+    /* a = gamma u sqrt(2 - u^2) */
+    acb_sub_ui(a, u2, 2, prec);
+    acb_neg(a, a);
+    acb_sqrt_analytic(a, a, order > 0, prec);
+    acb_mul(a, a, u, prec);
+    acb_mul(a, a, p->gamma, prec);
+    acb_sub_ui(b, x2, 1, prec);
+    acb_neg(b, b);
+    acb_sqrt_analytic(b, b, order > 0, prec);
+    wave_square(d, x, prec);
+    acb_mul(b, b, a, prec);
+    acb_mul(b, b, x2, prec);
+    acb_mul_2exp_si(b, b, 2);
+    acb_add(d, d, b, prec);
+    acb_mul(y, x, a, prec);
+    acb_div(y, y, d, prec);
+    acb_mul(y, y, u, prec);
+    acb_mul(y, y, p->gamma, prec);
+    acb_mul_2exp_si(y, y, 1);
+    acb_clear(x);
+    acb_clear(x2);
+    acb_clear(a);
+    acb_clear(b);
+    acb_clear(d);
+    acb_clear(u2);
+    return 0;
+}
+
+static int shear_integrand(acb_ptr y, const acb_t u, void *parameters, slong order, slong prec)
+{
+    const struct wave_parameters *const p = parameters;
+    acb_t x, x2, a2, b, d, width;
+    acb_init(x);
+    acb_init(x2);
+    acb_init(a2);
+    acb_init(b);
+    acb_init(d);
+    acb_init(width);
+    acb_sub_ui(width, p->gamma, 1, prec);
+    acb_neg(width, width);
+    acb_mul(x, u, u, prec);
+    acb_mul(x, x, width, prec);
+    acb_sub_ui(x, x, 1, prec);
+    acb_neg(x, x);
+    acb_mul(x2, x, x, prec);
+    acb_sub(a2, x2, p->gamma2, prec);
+    /* b = u sqrt((1 - gamma)(1 + x)) */
+    acb_add_ui(b, x, 1, prec);
+    acb_mul(b, b, width, prec);
+    acb_sqrt_analytic(b, b, order > 0, prec);
+    acb_mul(b, b, u, prec);
+    wave_square(d, x, prec);
+    acb_mul(d, d, d, prec);
+    /* y = 4 x^2 a^2 b; the denominator is D^2 + 4 x^2 b y */
+    acb_mul(y, x2, a2, prec);
+    acb_mul(y, y, b, prec);
+    acb_mul_2exp_si(y, y, 2);
+    acb_mul(a2, y, b, prec);
+    acb_mul(a2, a2, x2, prec);
+    acb_mul_2exp_si(a2, a2, 2);
+    acb_add(d, d, a2, prec);
+    acb_div(y, y, d, prec);
+    acb_mul(y, y, x, prec);
+    acb_mul(y, y, width, prec);
+    acb_mul(y, y, u, prec);
+    acb_mul_2exp_si(y, y, 1);
+    acb_clear(x);
+    acb_clear(x2);
+    acb_clear(a2);
+    acb_clear(b);
+    acb_clear(d);
+    acb_clear(width);
+    return 0;
+}
+
+static void wave_integral(acb_t y, acb_calc_func_t f, void *p, slong prec)
+{
+    acb_t from, to;
+    mag_t tolerance;
+    acb_init(from);
+    acb_init(to);
+    mag_init(tolerance);
+    acb_one(to);
+    mag_set_ui_2exp_si(tolerance, 1, -prec);
+    acb_calc_integrate(y, f, p, from, to, prec, tolerance, NULL, prec + 20);
+    acb_clear(from);
+    acb_clear(to);
+    mag_clear(tolerance);
+}
+
+/* p^3 - 8 p^2 + (24 - 16 gamma^2) p - 16 (1 - gamma^2), and its derivative */
+static void rayleigh_cubic(acb_t f, acb_t df, const acb_t p, const acb_t gamma2, slong prec)
+{
+    acb_t c;
+    acb_init(c);
+    acb_sub_ui(f, p, 8, prec);
+    acb_mul_ui(df, p, 3, prec);
+    acb_sub_ui(df, df, 16, prec);
+    acb_mul_ui(c, gamma2, 16, prec);
+    acb_sub_ui(c, c, 24, prec);
+    acb_mul(f, f, p, prec);
+    acb_sub(f, f, c, prec);
+    acb_mul(df, df, p, prec);
+    acb_sub(df, df, c, prec);
+    acb_mul(f, f, p, prec);
+    acb_sub_ui(c, gamma2, 1, prec);
+    acb_mul_ui(c, c, 16, prec);
+    acb_add(f, f, c, prec);
+    acb_clear(c);
+}
+
+/* (c_R/c_s)^2 for every gamma^2 of the ball: Newton's method, and its interval form as proof; infinite if that does not prove it. */
+static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
+{
+    acb_t mid, f, df, try, middle2;
+    acb_init(mid);
+    acb_init(f);
+    acb_init(df);
+    acb_init(try);
+    acb_init(middle2);
+    /* through the roots at gamma^2 = 0, 1/4, 1/2, 3/4 and 1 */
+    static const double start[] = {0.91262, -0.32764, 1.34339, -3.20310, 1.27473};
+    acb_get_mid(middle2, gamma2);
+    acb_zero(p);
+    for (int k = 4; k >= 0; k--) {
+        acb_mul(p, p, middle2, prec);
+        acb_set_d(mid, start[k]);
+        acb_add(p, p, mid, prec);
+    }
+    for (int k = 0; k < 60; k++) {
+        acb_get_mid(p, p);
+        rayleigh_cubic(f, df, p, middle2, prec);
+        acb_div(f, f, df, prec);
+        acb_sub(p, p, f, prec);
+    }
+    acb_get_mid(mid, p);
+    rayleigh_cubic(f, df, mid, gamma2, prec);
+    acb_div(f, f, df, prec);
+    /* a ball of thrice the first step's size must be mapped into itself */
+    mag_t size;
+    mag_init(size);
+    acb_get_mag(size, f);
+    mag_mul_ui(size, size, 3);
+    acb_set(try, mid);
+    acb_add_error_mag(try, size);
+    rayleigh_cubic(p, df, try, gamma2, prec);
+    rayleigh_cubic(f, p, mid, gamma2, prec);
+    acb_div(f, f, df, prec);
+    acb_sub(p, mid, f, prec);
+    if (!acb_contains(try, p))
+        acb_indeterminate(p);
+    mag_clear(size);
+    acb_clear(mid);
+    acb_clear(f);
+    acb_clear(df);
+    acb_clear(try);
+    acb_clear(middle2);
+}
+
+/* - pi x a/R'(x) at the root, with p = 1/x^2, A = sqrt(1 - gamma^2 p), 4 A sqrt(1 - p) = (2 - p)^2:
+ * - pi A sqrt(p)/(8 ((2 - p) - (2 - p)^2/4 - 2 (2 - (1 + gamma^2) p)/(2 - p)^2)) */
+static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
+{
+    acb_t p, a, q, d;
+    acb_init(p);
+    acb_init(a);
+    acb_init(q);
+    acb_init(d);
+    rayleigh_root(p, gamma2, prec);
+    acb_mul(a, p, gamma2, prec);
+    acb_sub_ui(q, p, 2, prec);
+    acb_neg(q, q); /* 2 - p */
+    acb_sub(d, q, a, prec);
+    acb_sub_ui(a, a, 1, prec);
+    acb_neg(a, a);
+    acb_sqrt(a, a, prec);
+    acb_mul(y, q, q, prec);
+    acb_div(d, d, y, prec);
+    acb_mul_2exp_si(d, d, 1);
+    acb_mul_2exp_si(y, y, -2);
+    acb_sub(q, q, y, prec);
+    acb_sub(d, q, d, prec);
+    acb_sqrt(p, p, prec);
+    acb_mul(y, a, p, prec);
+    acb_div(y, y, d, prec);
+    acb_const_pi(d, prec);
+    acb_mul(y, y, d, prec);
+    acb_mul_2exp_si(y, y, -3);
+    acb_neg(y, y);
+    acb_clear(p);
+    acb_clear(a);
+    acb_clear(q);
+    acb_clear(d);
+}
+
+/* ---- the same along a path ---- */
+
+/* x a/R from `from` to `to` along a straight line; a = i sqrt(gamma^2 - x^2) or sqrt(x^2 - gamma^2), b likewise: equal in between,
+ * the first without a cut where x is small, the second where it is large */
+struct path_parameters {
+    acb_t from, step, gamma2;
+    int far;
+};
+
+static void path_root(acb_t a, const acb_t square, const acb_t x2, int far, int analytic, slong prec)
+{
+    if (far)
+        acb_sub(a, x2, square, prec);
+    else
+        acb_sub(a, square, x2, prec);
+    acb_sqrt_analytic(a, a, analytic, prec);
+    if (!far)
+        acb_mul_onei(a, a);
+}
+
+static int path_integrand(acb_ptr y, const acb_t u, void *parameters, slong order, slong prec)
+{
+    const struct path_parameters *const p = parameters;
+    acb_t x, x2, a, b, one;
+    acb_init(x);
+    acb_init(x2);
+    acb_init(a);
+    acb_init(b);
+    acb_init(one);
+    acb_one(one);
+    acb_mul(x, u, p->step, prec);
+    acb_add(x, x, p->from, prec);
+    acb_mul(x2, x, x, prec);
+    path_root(a, p->gamma2, x2, p->far, order > 0, prec);
+    path_root(b, one, x2, p->far, order > 0, prec);
+    wave_square(y, x, prec);
+    acb_mul(b, b, a, prec);
+    acb_mul(b, b, x2, prec);
+    acb_mul_2exp_si(b, b, 2);
+    acb_sub(y, y, b, prec);
+    acb_mul(x, x, a, prec);
+    acb_div(y, x, y, prec);
+    acb_mul(y, y, p->step, prec);
+    acb_clear(x);
+    acb_clear(x2);
+    acb_clear(a);
+    acb_clear(b);
+    acb_clear(one);
+    return 0;
+}
+
+/* from 0 over 7/8 + 7/8 i to 2 */
+static void path_integral(acb_t y, const acb_t gamma2, slong prec)
+{
+    struct path_parameters p = {.far = 0};
+    acb_t part, corner;
+    acb_init(p.from);
+    acb_init(p.step);
+    acb_init(p.gamma2);
+    acb_init(part);
+    acb_init(corner);
+    acb_set(p.gamma2, gamma2);
+    acb_set_d_d(corner, 0.875, 0.875);
+    acb_set(p.step, corner);
+    wave_integral(y, path_integrand, &p, prec);
+    p.far = 1;
+    acb_set(p.from, corner);
+    acb_sub_ui(p.step, corner, 2, prec);
+    acb_neg(p.step, p.step);
+    wave_integral(part, path_integrand, &p, prec);
+    acb_add(y, y, part, prec);
+    acb_clear(p.from);
+    acb_clear(p.step);
+    acb_clear(p.gamma2);
+    acb_clear(part);
+    acb_clear(corner);
+}
+
+/* (I(gamma) - conj(I(conj(gamma))))/(2 i), which is Im(I) where gamma is real */
+static void wave_factor_by_path(acb_t j, const acb_t gamma2, slong prec)
+{
+    acb_t other;
+    acb_init(other);
+    acb_conj(other, gamma2);
+    path_integral(j, gamma2, prec);
+    path_integral(other, other, prec);
+    acb_conj(other, other);
+    acb_sub(j, j, other, prec);
+    acb_div_onei(j, j);
+    acb_mul_2exp_si(j, j, -1);
+    acb_clear(other);
+}
+
+void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
+{
+    struct wave_parameters p;
+    acb_t part;
+    acb_init(p.gamma);
+    acb_init(p.gamma2);
+    acb_init(part);
+    acb_mul(p.gamma2, tau, tau, prec + 20);
+    acb_add_ui(part, p.gamma2, 1, prec + 20);
+    acb_div(p.gamma2, p.gamma2, part, prec + 20);
+    acb_sqrt(part, part, prec + 20);
+    acb_div(p.gamma, tau, part, prec + 20);
+    if (route == WAVE_BY_PATH) {
+        wave_factor_by_path(j, p.gamma2, prec);
+    } else {
+        wave_integral(j, pressure_integrand, &p, prec);
+        wave_integral(part, shear_integrand, &p, prec);
+        acb_add(j, j, part, prec);
+        rayleigh_share(part, p.gamma2, prec + 20);
+        acb_add(j, j, part, prec);
+    }
+    acb_clear(p.gamma);
+    acb_clear(p.gamma2);
+    acb_clear(part);
+}
+
+/* The integrals along the axis are quick but for gamma^2 within 0.02 of 1/2, that is tau = 1. */
+void wave_factor(acb_t j, const acb_t tau, slong prec)
+{
+    const double x = arf_get_d(arb_midref(acb_realref(tau)), ARF_RND_NEAR) - 1;
+    wave_factor_by(j, fabs(x) < 0.04 ? WAVE_BY_PATH : WAVE_BY_AXIS, tau, prec);
+}

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT */
+/* The contact models of simulators (hosts): which damping law each one is, when it ends a contact, what it makes of a restitution
+ * coefficient that a user asks for, and which number makes it realise the wished one. One table; docs/laws.md explains it.
+ *
+ * A model's damping is the parameter of its law in law.h and sphere.h: zeta of the linear dashpot and of Tsuji's damping, beta of
+ * the others. Nothing here needs a table of the runtime. */
+#ifndef COR_GEN_HOSTS_HOSTS_H
+#define COR_GEN_HOSTS_HOSTS_H
+
+#include <stddef.h>
+
+/* Force K x^a + C x^b x': (1, 0), (3/2, 1/4), (1, 1/2), (3/2, 0), (3/2, 1/2), b = a */
+enum host_law {
+    HOST_LINEAR,
+    HOST_TSUJI,
+    HOST_LINEAR_ROOT,
+    HOST_HERTZ_DASHPOT,
+    HOST_SPHERE,
+    HOST_HUNT_CROSSLEY,
+    HOST_LAWS
+};
+
+enum host_end { HOST_ZERO_OVERLAP, HOST_ZERO_FORCE, HOST_LIMITED, HOST_APPROACH_ONLY, HOST_ENDS };
+
+/* Two bodies in contact, in SI units */
+struct host_scene {
+    double mass_kg;   /* effective mass */
+    double stiffness; /* K of the elastic force K x^a, N/m^a */
+    double radius_m;  /* effective radius */
+    double speed_m_s; /* impact speed */
+};
+
+typedef double host_map(double x);
+typedef double host_scene_map(double x, const struct host_scene *scene);
+
+struct host_model {
+    const char *host;      /* "lammps" */
+    const char *model;     /* as the host's input or documentation calls it */
+    const char *parameter; /* what the user sets, with its unit; "e" where that is a restitution coefficient */
+    enum host_law law;
+    enum host_end end;
+
+    /* Where the user sets e: the damping that the host makes of it, for least <= e <= most; NULL where the user sets no e. */
+    host_map *damping_of_e;
+    double least, most;
+
+    /* Where the user sets another number: that number from the damping, and back; NULL where the user sets e. */
+    host_scene_map *number_of_damping, *damping_of_number;
+
+    const char *file;   /* where the host computes it */
+    const char *known;  /* "run", "source" or "documentation" */
+    const char *advice; /* a sentence for the user */
+};
+
+extern const struct host_model host_models[];
+extern const size_t host_model_count;
+
+const char *host_law_name(enum host_law law);
+const char *host_end_name(enum host_end end);
+
+/* The restitution of a law at an end and its inverse, for the laws that have closed forms: linear, Tsuji, Hunt and Crossley. NaN
+ * for the others. */
+double host_eps(enum host_law law, enum host_end end, double damping);
+double host_damping(enum host_law law, enum host_end end, double eps);
+
+/* What the model realises where a user asks for e: NaN where it takes no e, or refuses this one. */
+double host_realised(const struct host_model *model, double e);
+
+/* The e' to hand to the model so that it realises `wished`. */
+enum host_cure_status {
+    HOST_CURE_OK,
+    HOST_CURE_NOT_ASKED, /* the model takes no e, or its law has no closed form */
+    HOST_CURE_TOO_SMALL, /* the model's least e realises more */
+    HOST_CURE_TOO_LARGE  /* the model's largest e realises less */
+};
+double host_cure(const struct host_model *model, double wished, enum host_cure_status *status);
+
+/* The least and the largest restitution that the model can realise through its e. */
+void host_reach(const struct host_model *model, double *least, double *most);
+
+/* ---- formulas in use, by themselves ---- */
+
+/* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent), fitted to zero force */
+double host_thornton_gamma(double e);
+/* The polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), as LAMMPS has it */
+double host_tsuji_alpha(double e);
+/* d g as a function of e: Hunt and Crossley (1975); Lankarani and Nikravesh (1990); Gonthier et al. (2004); Herbert and
+ * McWhannell (1977); Hu and Guo (2015); Flores et al. (2011) */
+double host_crossley_hunt(double e);
+double host_crossley_lankarani(double e);
+double host_crossley_gonthier(double e);
+double host_crossley_herbert(double e);
+double host_crossley_hu(double e);
+double host_crossley_flores(double e);
+
+#endif

@@ -1,0 +1,530 @@
+/* SPDX-License-Identifier: MIT */
+#include "tables/law_times.h"
+
+#ifdef COR_FLINT_HAS_ARB
+#include <flint/acb_calc.h>
+#include <flint/acb_hypgeom.h>
+#else
+#include <acb_calc.h>
+#include <acb_hypgeom.h>
+#endif
+
+enum { GUARD_BITS = 40 };
+
+static void set_ratio(arb_t x, slong p, ulong q, slong prec)
+{
+    arb_set_si(x, p);
+    arb_div_ui(x, x, q, prec);
+}
+
+/* x^(p/q), x > 0 */
+static void pow_ratio(arb_t y, const arb_t x, slong p, ulong q, slong prec)
+{
+    arb_t e;
+    arb_init(e);
+    set_ratio(e, p, q, prec);
+    arb_pow(y, x, e, prec);
+    arb_clear(e);
+}
+
+/* Nodes of a rule by Gauss and Legendre on [0, 1] and its weights, to GAUSS_BITS; made once */
+enum { GAUSS_POINTS = 56, GAUSS_BITS = 320 };
+static arb_ptr gauss_node, gauss_weight;
+
+static void gauss_make(void)
+{
+    if (gauss_node)
+        return;
+    gauss_node = _arb_vec_init(GAUSS_POINTS);
+    gauss_weight = _arb_vec_init(GAUSS_POINTS);
+    for (slong j = 0; j < GAUSS_POINTS; j++) {
+        arb_hypgeom_legendre_p_ui_root(gauss_node + j, gauss_weight + j, GAUSS_POINTS, (ulong)j, GAUSS_BITS);
+        arb_add_ui(gauss_node + j, gauss_node + j, 1, GAUSS_BITS);
+        arb_mul_2exp_si(gauss_node + j, gauss_node + j, -1);
+        arb_mul_2exp_si(gauss_weight + j, gauss_weight + j, -1);
+    }
+}
+
+void law_times_clear(void)
+{
+    if (!gauss_node)
+        return;
+    _arb_vec_clear(gauss_node, GAUSS_POINTS);
+    _arb_vec_clear(gauss_weight, GAUSS_POINTS);
+    gauss_node = gauss_weight = NULL;
+}
+
+/* From 0 to 1 in two parts, since what is singular lies near 1 or around the middle */
+static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong prec)
+{
+    static const double from[] = {0, 0.75}, length[] = {0.75, 0.25};
+    acb_t x, value;
+    arb_t part;
+    acb_init(x);
+    acb_init(value);
+    arb_init(part);
+    gauss_make();
+    arb_zero(y);
+    for (slong j = 0; j < 2 * GAUSS_POINTS; j++) {
+        const slong i = j / 2, half = j % 2;
+        arb_set_d(part, length[half]);
+        arb_mul(acb_realref(x), gauss_node + i, part, prec + GUARD_BITS);
+        arb_mul(part, gauss_weight + i, part, prec + GUARD_BITS);
+        arb_set_d(acb_realref(value), from[half]);
+        arb_add(acb_realref(x), acb_realref(x), acb_realref(value), prec + GUARD_BITS);
+        arb_zero(acb_imagref(x));
+        f(value, x, parameters, 0, prec + GUARD_BITS);
+        arb_addmul(y, part, acb_realref(value), prec + GUARD_BITS);
+    }
+    acb_clear(x);
+    acb_clear(value);
+    arb_clear(part);
+}
+
+/* The integral of f from 0 to 1, of a real function, relative accuracy `prec` bits at best */
+static void integrate(arb_t y, enum quadrature how, acb_calc_func_t f, void *parameters, slong prec)
+{
+    if (how == QUADRATURE_GAUSS) {
+        integrate_gauss(y, f, parameters, prec);
+        return;
+    }
+    acb_t from, to, sum;
+    mag_t tolerance;
+    acb_init(from);
+    acb_init(to);
+    acb_init(sum);
+    mag_init(tolerance);
+    acb_one(to);
+    mag_set_ui_2exp_si(tolerance, 1, -prec);
+    acb_calc_integrate(sum, f, parameters, from, to, prec - 16, tolerance, NULL, prec + GUARD_BITS);
+    arb_set(y, acb_realref(sum));
+    acb_clear(from);
+    acb_clear(to);
+    acb_clear(sum);
+    mag_clear(tolerance);
+}
+
+/* ---- Tsuji: G(end) = integral from 0 to end of exp(zeta s/5) (sin(om s)/om)^(-1/5) ds, om^2 = 1 - zeta^2 of any sign ---- */
+
+struct tsuji_integrand {
+    arb_srcptr zeta, end;
+    acb_t om;
+};
+
+/* s = end x^5, and the factor s^(-1/5) taken together with ds: 5 x^3 end^(4/5) exp(zeta s/5) sinc(om s)^(-1/5) */
+static int tsuji_integrand(acb_ptr y, const acb_t x, void *parameters, slong order, slong prec)
+{
+    const struct tsuji_integrand *const p = parameters;
+    acb_t s, cube, sinc, power;
+    arb_t e;
+    acb_init(s);
+    acb_init(cube);
+    acb_init(sinc);
+    acb_init(power);
+    arb_init(e);
+    acb_pow_ui(cube, x, 3, prec);
+    acb_mul(s, x, x, prec);
+    acb_mul(s, s, cube, prec);
+    acb_mul_arb(s, s, p->end, prec);
+    acb_mul(sinc, s, p->om, prec);
+    acb_sinc(sinc, sinc, prec);
+    set_ratio(e, -1, 5, prec);
+    acb_set_arb(power, e);
+    acb_pow_analytic(y, sinc, power, order > 0, prec);
+    acb_mul_arb(s, s, p->zeta, prec);
+    acb_div_ui(s, s, 5, prec);
+    acb_exp(s, s, prec);
+    acb_mul(y, y, s, prec);
+    acb_mul(y, y, cube, prec);
+    acb_clear(s);
+    acb_clear(cube);
+    acb_clear(sinc);
+    acb_clear(power);
+    arb_clear(e);
+    return 0;
+}
+
+static void tsuji_integral(arb_t g, enum quadrature how, const arb_t zeta, const arb_t end, slong prec)
+{
+    struct tsuji_integrand p = {.zeta = zeta, .end = end};
+    arb_t factor;
+    arb_init(factor);
+    acb_init(p.om);
+    arb_sqr(acb_realref(p.om), zeta, prec + GUARD_BITS);
+    arb_sub_ui(acb_realref(p.om), acb_realref(p.om), 1, prec + GUARD_BITS);
+    arb_neg(acb_realref(p.om), acb_realref(p.om));
+    acb_sqrt(p.om, p.om, prec + GUARD_BITS);
+    integrate(g, how, tsuji_integrand, &p, prec);
+    pow_ratio(factor, end, 4, 5, prec);
+    arb_mul_ui(factor, factor, 5, prec);
+    arb_mul(g, g, factor, prec);
+    acb_clear(p.om);
+    arb_clear(factor);
+}
+
+/* (5/4)^(-3/5), which is w0^(-6/5) */
+static void tsuji_unit(arb_t x, slong prec)
+{
+    set_ratio(x, 5, 4, prec);
+    pow_ratio(x, x, -3, 5, prec);
+}
+
+/* acos(zeta)/sqrt(1 - zeta^2) = 2F1(1, 1; 3/2; (1 - zeta)/2), at zeta = 1 too */
+static void phase_time(arb_t a, const arb_t zeta, slong prec)
+{
+    arb_t one, half_3, z;
+    arb_init(one);
+    arb_init(half_3);
+    arb_init(z);
+    arb_one(one);
+    set_ratio(half_3, 3, 2, prec);
+    arb_sub(z, one, zeta, prec);
+    arb_mul_2exp_si(z, z, -1);
+    arb_hypgeom_2f1(a, one, one, half_3, z, 0, prec);
+    arb_clear(one);
+    arb_clear(half_3);
+    arb_clear(z);
+}
+
+/* om = sqrt(1 - zeta^2), zeta < 1 */
+static void omega(arb_t om, const arb_t zeta, slong prec)
+{
+    arb_sqr(om, zeta, prec);
+    arb_sub_ui(om, om, 1, prec);
+    arb_neg(om, om);
+    arb_sqrt(om, om, prec);
+}
+
+void tsuji_time_of_max_overlap(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
+{
+    arb_t end;
+    arb_init(end);
+    phase_time(end, zeta, prec + GUARD_BITS);
+    tsuji_integral(t, how, zeta, end, prec);
+    tsuji_unit(end, prec);
+    arb_mul(t, t, end, prec);
+    arb_clear(end);
+}
+
+/* (5/4)^(-3/5) pi 2^(1/5) Gamma(4/5) exp(-pi y)/|Gamma(9/10 + i y)|^2 */
+void tsuji_overlap_factor(arb_t v, const arb_t y, slong prec)
+{
+    acb_t z;
+    arb_t x;
+    acb_init(z);
+    arb_init(x);
+    set_ratio(acb_realref(z), 9, 10, prec);
+    arb_set(acb_imagref(z), y);
+    acb_lgamma(z, z, prec);
+    arb_mul_2exp_si(v, acb_realref(z), 1);
+    arb_const_pi(x, prec);
+    arb_addmul(v, x, y, prec);
+    arb_neg(v, v);
+    arb_exp(v, v, prec);
+    arb_mul(v, v, x, prec);
+    set_ratio(x, 4, 5, prec);
+    arb_gamma(x, x, prec);
+    arb_mul(v, v, x, prec);
+    arb_set_ui(x, 2);
+    pow_ratio(x, x, 1, 5, prec);
+    arb_mul(v, v, x, prec);
+    tsuji_unit(x, prec);
+    arb_mul(v, v, x, prec);
+    acb_clear(z);
+    arb_clear(x);
+}
+
+/* The duration at zero overlap, zeta < 1 */
+static void tsuji_duration_zero_overlap(arb_t t, const arb_t zeta, slong prec)
+{
+    arb_t om, y, x;
+    arb_init(om);
+    arb_init(y);
+    arb_init(x);
+    omega(om, zeta, prec);
+    arb_div(y, zeta, om, prec);
+    arb_div_ui(y, y, 10, prec);
+    tsuji_overlap_factor(t, y, prec);
+    arb_const_pi(x, prec);
+    arb_mul(x, x, y, prec);
+    arb_mul_2exp_si(x, x, 1);
+    arb_exp(x, x, prec);
+    arb_mul(t, t, x, prec);
+    pow_ratio(x, om, -4, 5, prec);
+    arb_mul(t, t, x, prec);
+    arb_clear(om);
+    arb_clear(y);
+    arb_clear(x);
+}
+
+/* For zeta < 0.7 from the other end, since the integrand is singular at om s = pi, which is near:
+ * t_0 - exp(pi zeta/(5 om)) times the integral with -zeta up to 2 asin(zeta)/om */
+static void tsuji_duration_zero_force_weak(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
+{
+    arb_t om, end, minus, part;
+    const slong more = prec + GUARD_BITS;
+    arb_init(om);
+    arb_init(end);
+    arb_init(minus);
+    arb_init(part);
+    omega(om, zeta, more);
+    arb_asin(end, zeta, more);
+    arb_mul_2exp_si(end, end, 1);
+    arb_div(end, end, om, more);
+    arb_neg(minus, zeta);
+    tsuji_integral(part, how, minus, end, prec);
+    tsuji_unit(end, more);
+    arb_mul(part, part, end, more);
+    arb_const_pi(end, more);
+    arb_mul(end, end, zeta, more);
+    arb_div(end, end, om, more);
+    arb_div_ui(end, end, 5, more);
+    arb_exp(end, end, more);
+    arb_mul(part, part, end, more);
+    tsuji_duration_zero_overlap(t, zeta, more);
+    arb_sub(t, t, part, prec);
+    arb_clear(om);
+    arb_clear(end);
+    arb_clear(minus);
+    arb_clear(part);
+}
+
+void tsuji_duration_zero_force(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
+{
+    arb_t x;
+    arb_init(x);
+    set_ratio(x, 7, 10, prec);
+    if (arb_lt(zeta, x)) {
+        tsuji_duration_zero_force_weak(t, how, zeta, prec);
+    } else {
+        phase_time(x, zeta, prec + GUARD_BITS);
+        arb_mul_2exp_si(x, x, 1);
+        tsuji_integral(t, how, zeta, x, prec);
+        tsuji_unit(x, prec);
+        arb_mul(t, t, x, prec);
+    }
+    arb_clear(x);
+}
+
+/* phi/om, phi = atan2(2 zeta om, 1 + 2 zeta^2): k 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2 zeta^2) */
+static void limited_phase(arb_t phase, const arb_t zeta, slong prec)
+{
+    arb_t k, square, half, one, half_3;
+    arb_init(k);
+    arb_init(square);
+    arb_init(half);
+    arb_init(one);
+    arb_init(half_3);
+    arb_sqr(square, zeta, prec);
+    arb_mul_2exp_si(k, square, 1);
+    arb_add_ui(k, k, 1, prec);
+    arb_div(k, zeta, k, prec);
+    arb_mul_2exp_si(k, k, 1);
+    arb_sub_ui(square, square, 1, prec);
+    arb_mul(square, square, k, prec);
+    arb_mul(square, square, k, prec);
+    arb_one(one);
+    set_ratio(half, 1, 2, prec);
+    set_ratio(half_3, 3, 2, prec);
+    arb_hypgeom_2f1(phase, half, one, half_3, square, 0, prec);
+    arb_mul(phase, phase, k, prec);
+    arb_clear(k);
+    arb_clear(square);
+    arb_clear(half);
+    arb_clear(one);
+    arb_clear(half_3);
+}
+
+/* While the force is twice the elastic one: (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8 zeta^2) */
+static void limited_first_part(arb_t t, const arb_t zeta, slong prec)
+{
+    arb_t m, a, b;
+    arb_init(m);
+    arb_init(a);
+    arb_init(b);
+    arb_sqr(m, zeta, prec);
+    arb_mul_2exp_si(m, m, 3);
+    arb_add_ui(a, m, 1, prec);
+    arb_div(m, m, a, prec);
+    set_ratio(a, 2, 5, prec);
+    set_ratio(b, 1, 2, prec);
+    arb_hypgeom_beta_lower(t, a, b, m, 0, prec);
+    arb_mul(t, t, a, prec);
+    set_ratio(b, 5, 8, prec);
+    arb_pow(b, b, a, prec);
+    arb_mul(t, t, b, prec);
+    arb_clear(m);
+    arb_clear(a);
+    arb_clear(b);
+}
+
+/* Then the law from phase phi on: exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5) G(phi/om)) */
+void tsuji_duration_limited(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
+{
+    const slong more = prec + 2 * GUARD_BITS;
+    arb_t phase, part;
+    arb_init(phase);
+    arb_init(part);
+    limited_phase(phase, zeta, more);
+    tsuji_integral(part, how, zeta, phase, prec);
+    tsuji_unit(t, more);
+    arb_mul(part, part, t, more);
+    tsuji_duration_zero_force(t, how, zeta, prec);
+    arb_sub(t, t, part, more);
+    arb_mul(phase, phase, zeta, more);
+    arb_div_si(phase, phase, -5, more);
+    arb_exp(phase, phase, more);
+    arb_mul(t, t, phase, more);
+    limited_first_part(part, zeta, more);
+    arb_add(t, t, part, prec);
+    arb_clear(phase);
+    arb_clear(part);
+}
+
+/* ---- Hunt and Crossley ----
+ *
+ * With tau = ln((1 + beta)/(1 + beta v)) while loading and ln((1 + beta v)/(1 - h)) from the end backwards, k = a/(a + 1),
+ *
+ *     t = beta^(2k - 1) int ((a + 1) tau B(tau))^-k d tau,   B = sign (p E(-sign tau) - 1), E(x) = (exp(x) - 1)/x
+ *
+ * loading: p = 1 + beta, sign +, up to ln(1 + beta); rebound: p = 1 - h, sign -, up to -ln(1 - h). */
+
+struct crossley_integrand {
+    enum crossley_exponent a;
+    int sign;
+    arb_srcptr p, end;
+};
+
+/* (exp(x) - 1)/x */
+static void mean_exponential(acb_t y, const acb_t x, slong prec)
+{
+    acb_t term;
+    mag_t size, tail;
+    mag_init(size);
+    mag_init(tail);
+    acb_get_mag(size, x);
+    if (mag_cmp_2exp_si(size, -1) > 0) {
+        acb_init(term);
+        acb_expm1(term, x, prec);
+        acb_div(y, term, x, prec);
+        acb_clear(term);
+    } else {
+        /* the series; what follows the last term is below twice the next one */
+        const slong terms = prec / 5 + 8;
+        acb_init(term);
+        acb_one(y);
+        for (slong k = terms; k >= 1; k--) {
+            acb_mul(y, y, x, prec);
+            acb_div_ui(y, y, (ulong)k + 1, prec);
+            acb_add_ui(y, y, 1, prec);
+        }
+        mag_pow_ui(tail, size, (ulong)terms + 1);
+        mag_mul_2exp_si(tail, tail, 1);
+        mag_t factorial;
+        mag_init(factorial);
+        mag_fac_ui(factorial, (ulong)terms + 1);
+        mag_div(tail, tail, factorial); /* (terms + 2)! is larger still */
+        mag_clear(factorial);
+        acb_add_error_mag(y, tail);
+        acb_clear(term);
+    }
+    mag_clear(size);
+    mag_clear(tail);
+}
+
+/* tau = end x^m, m = 2 or 5, with tau^-k taken together with d tau: x^(m - 1 - m k) ((a + 1) B)^-k, times m end^(1 - k) */
+static int crossley_integrand(acb_ptr y, const acb_t x, void *parameters, slong order, slong prec)
+{
+    const struct crossley_integrand *const p = parameters;
+    const int hertz = p->a == CROSSLEY_HERTZ;
+    acb_t tau, b, power;
+    acb_init(tau);
+    acb_init(b);
+    acb_init(power);
+    acb_pow_ui(tau, x, hertz ? 5 : 2, prec);
+    acb_mul_arb(tau, tau, p->end, prec);
+    if (p->sign > 0)
+        acb_neg(tau, tau);
+    mean_exponential(b, tau, prec);
+    acb_mul_arb(b, b, p->p, prec);
+    acb_sub_ui(b, b, 1, prec);
+    if (p->sign < 0)
+        acb_neg(b, b);
+    acb_mul_ui(b, b, hertz ? 5 : 2, prec);
+    if (hertz)
+        acb_mul_2exp_si(b, b, -1);
+    set_ratio(acb_realref(power), hertz ? -3 : -1, hertz ? 5 : 2, prec);
+    acb_pow_analytic(y, b, power, order > 0, prec);
+    if (hertz)
+        acb_mul(y, y, x, prec);
+    acb_clear(tau);
+    acb_clear(b);
+    acb_clear(power);
+    return 0;
+}
+
+/* the integral times m end^(1 - k) beta^(2k - 1) */
+static void crossley_part(arb_t t, enum quadrature how, enum crossley_exponent a, int sign, const arb_t p,
+                          const arb_t end, const arb_t beta, slong prec)
+{
+    struct crossley_integrand integrand = {.a = a, .sign = sign, .p = p, .end = end};
+    const int hertz = a == CROSSLEY_HERTZ;
+    arb_t x;
+    arb_init(x);
+    integrate(t, how, crossley_integrand, &integrand, prec);
+    arb_mul_ui(t, t, hertz ? 5 : 2, prec);
+    pow_ratio(x, end, hertz ? 2 : 1, hertz ? 5 : 2, prec);
+    arb_mul(t, t, x, prec);
+    if (hertz) {
+        pow_ratio(x, beta, 1, 5, prec);
+        arb_mul(t, t, x, prec);
+    }
+    arb_clear(x);
+}
+
+void crossley_time_of_max_overlap(arb_t t, enum quadrature how, enum crossley_exponent a, const arb_t beta, slong prec)
+{
+    arb_t p, end;
+    arb_init(p);
+    arb_init(end);
+    arb_add_ui(p, beta, 1, prec + 2 * GUARD_BITS);
+    arb_log1p(end, beta, prec + 2 * GUARD_BITS);
+    crossley_part(t, how, a, 1, p, end, beta, prec);
+    arb_clear(p);
+    arb_clear(end);
+}
+
+/* 1 - h = -W_0(-(1 + beta) exp(-1 - beta)) */
+static void crossley_rest(arb_t rest, const arb_t beta, slong prec)
+{
+    arb_t p, x;
+    arb_init(p);
+    arb_init(x);
+    arb_add_ui(p, beta, 1, prec);
+    arb_neg(x, p);
+    arb_exp(x, x, prec);
+    arb_mul(x, x, p, prec);
+    arb_neg(x, x);
+    arb_lambertw(rest, x, 0, prec);
+    arb_neg(rest, rest);
+    arb_clear(p);
+    arb_clear(x);
+}
+
+void crossley_duration(arb_t t, enum quadrature how, enum crossley_exponent a, const arb_t beta, slong prec)
+{
+    arb_t p, end, loading;
+    arb_init(p);
+    arb_init(end);
+    arb_init(loading);
+    /* near beta = 0, W's branch point takes half of the bits, and logarithms some more */
+    crossley_rest(p, beta, 3 * prec);
+    arb_log(end, p, 2 * prec);
+    arb_neg(end, end);
+    crossley_part(t, how, a, -1, p, end, beta, prec);
+    crossley_time_of_max_overlap(loading, how, a, beta, prec);
+    arb_add(t, t, loading, prec);
+    arb_clear(p);
+    arb_clear(end);
+    arb_clear(loading);
+}

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT */
+/* Times of Tsuji's damping and of Hunt and Crossley's law, enclosed: quadrature in balls of the integrals of docs/laws.md.
+ * Times are in units of (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
+#ifndef COR_GEN_TABLES_LAW_TIMES_H
+#define COR_GEN_TABLES_LAW_TIMES_H
+
+#include "support/flint.h"
+
+/* ENCLOSED: adaptive, a proved enclosure, 5 to 10 ms. GAUSS: two rules of 56 points, whose error is not in the ball, 20
+ * times as quick: for samples that enclosures are compared with. */
+enum quadrature { QUADRATURE_ENCLOSED, QUADRATURE_GAUSS };
+
+/* Lets go of the rule. */
+void law_times_clear(void);
+
+/* ---- Tsuji's damping, (a, b) = (3/2, 1/4), by the damping ratio zeta > 0 ---- */
+
+void tsuji_time_of_max_overlap(arb_t t, enum quadrature how, const arb_t zeta, slong prec);
+void tsuji_duration_zero_force(arb_t t, enum quadrature how, const arb_t zeta, slong prec);
+void tsuji_duration_limited(arb_t t, enum quadrature how, const arb_t zeta, slong prec);
+/* V of the duration at zero overlap exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)) >= 0; and
+ * y^(4/5) V(y) where y is large, by Stirling's series */
+void tsuji_overlap_factor(arb_t v, const arb_t y, slong prec);
+
+/* ---- Hunt and Crossley's law with a = 1 or 3/2, by beta > 0 ---- */
+
+enum crossley_exponent { CROSSLEY_LINEAR, CROSSLEY_HERTZ };
+void crossley_time_of_max_overlap(arb_t t, enum quadrature how, enum crossley_exponent a, const arb_t beta, slong prec);
+void crossley_duration(arb_t t, enum quadrature how, enum crossley_exponent a, const arb_t beta, slong prec);
+
+#endif

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+/* generated/tsuji_tables.h and generated/hunt_crossley_tables.h: the times of these laws that have no closed form. */
+#ifndef COR_GEN_TABLES_LAWS_H
+#define COR_GEN_TABLES_LAWS_H
+
+#include <stdio.h>
+
+#include "tables/disk.h"
+
+int tsuji_tables_write(FILE *file, const struct disk_table *none);
+int hunt_crossley_tables_write(FILE *file, const struct disk_table *none);
+
+#endif

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+#include "tables/waves.h"
+
+#include <math.h>
+
+#include "approximation/interpolant.h"
+#include "enclosure/wave_factor.h"
+#include "support/console.h"
+#include "support/emit_c.h"
+
+/* ---- Chebyshev's series on 0 <= tau <= 7/4 ---- */
+
+/* J goes through SAMPLES points; of its series the first TERMS are kept, for the others are below 1e-17. */
+enum { SAMPLES = 110, TERMS = 40, SAMPLE_BITS = 80 };
+
+/* c_k of J = sum c_k T_k(8 tau/7 - 1), through SAMPLES points, enclosed */
+static void chebyshev_series(arb_ptr c)
+{
+    enum { BITS = SAMPLE_BITS + 40 };
+    arb_t angle, x;
+    acb_t tau, j;
+    arb_init(angle);
+    arb_init(x);
+    acb_init(tau);
+    acb_init(j);
+    for (slong i = 0; i < SAMPLES; i++) {
+        progress("elastic waves", i, SAMPLES);
+        arb_set_si(angle, 2 * i + 1);
+        arb_div_ui(angle, angle, 2 * SAMPLES, BITS);
+        arb_cos_pi(x, angle, BITS);
+        arb_add_ui(x, x, 1, BITS);
+        arb_mul_ui(x, x, 7, BITS);
+        arb_mul_2exp_si(x, x, -3);
+        acb_set_arb(tau, x);
+        wave_factor(j, tau, SAMPLE_BITS);
+        for (slong k = 0; k < SAMPLES; k++) {
+            arb_mul_si(x, angle, k, BITS);
+            arb_cos_pi(x, x, BITS);
+            arb_addmul(c + k, acb_realref(j), x, BITS);
+        }
+    }
+    progress_end();
+    for (slong k = 0; k < SAMPLES; k++) {
+        arb_mul_ui(c + k, c + k, k == 0 ? 1 : 2, BITS);
+        arb_div_ui(c + k, c + k, SAMPLES, BITS);
+    }
+    arb_clear(angle);
+    arb_clear(x);
+    acb_clear(tau);
+    acb_clear(j);
+}
+
+/* |x| at most */
+static double largest(const arb_t x)
+{
+    mag_t m;
+    mag_init(m);
+    arb_get_mag(m, x);
+    const double size = mag_get_d(m);
+    mag_clear(m);
+    return size;
+}
+
+/* What the terms that are left out, the samples' enclosures and the rounding to doubles add, proved; c becomes the doubles. */
+static double round_series(arb_ptr c)
+{
+    double error = 0;
+    arb_t rest;
+    arb_init(rest);
+    for (slong k = 0; k < SAMPLES; k++) {
+        const double nearest = k < TERMS ? arf_get_d(arb_midref(c + k), ARF_RND_NEAR) : 0;
+        arb_set_d(rest, nearest);
+        arb_sub(rest, c + k, rest, 200);
+        error += largest(rest);
+        arb_set_d(c + k, nearest);
+    }
+    arb_clear(rest);
+    return error;
+}
+
+static const char wave_banner[] =
+    "J(nu) of a half-space, the part of its compliance that radiates elastic waves, as a Chebyshev series in\n"
+    "tau = sqrt(1 - 2 nu): J = sum c_k T_k(8 tau/7 - 1), 0 <= tau <= sqrt(3), -1 <= nu <= 1/2. Evaluated by\n"
+    "runtime/sphere/waves.c. Source: docs/laws.md.\n"
+    "\n"
+    "Written by:  corgen tables\n"
+    "Checked by:  corgen tables --check\n"
+    "\n"
+    "Error: proved, see below.\n";
+
+int wave_tables_write(FILE *file, const struct disk_table *none)
+{
+    (void)none;
+    arb_ptr c = _arb_vec_init(SAMPLES);
+    chebyshev_series(c);
+    const double rounded = round_series(c);
+    /* Trefethen, Approximation Theory and Approximation Practice, theorem 8.2 */
+    const double cut = 4 * WAVE_ELLIPSE_BOUND * pow(WAVE_ELLIPSE, -(SAMPLES - 1)) / (WAVE_ELLIPSE - 1);
+    struct emit e;
+    emit_open(&e, file, "COR_GENERATED_WAVE_TABLES_H", wave_banner);
+    emit_include(&e, "\"runtime/core/inline.h\"");
+    emit_comment(
+        &e,
+        "The polynomial of degree %d through %d enclosed samples is off by %s at most, proved: |J| is below %g on\n"
+        "the ellipse with foci 0 and 7/4 and half axes that add up to %g times 7/8 (tests/gen/test_waves.c). Keeping "
+        "%d\n"
+        "terms, rounded to doubles, adds %s at most, proved. J is between 0.65 and 3.84.",
+        SAMPLES - 1, SAMPLES, emit_bound(cut).text, WAVE_ELLIPSE_BOUND, WAVE_ELLIPSE, TERMS, emit_bound(rounded).text);
+    emit_geometry_real(&e, "cor_wave_factor", "END", WAVE_TAU_END);
+    emit_geometry_integer(&e, "cor_wave_factor", "TERMS", TERMS);
+    emit_rows_open(&e, "cor_rows_wave_factor", 1, TERMS);
+    const int status = emit_row(&e, "c_0, c_1, ...", c, TERMS, true) ? STATUS_FAILED : STATUS_OK;
+    emit_rows_close(&e);
+    emit_close(&e);
+    _arb_vec_clear(c, SAMPLES);
+    return status;
+}

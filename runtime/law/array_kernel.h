@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT */
+/* Whole arrays of the functions that COR_LAW_LOOPS lists: compiled once for every instruction set, in array_<set>.c, and chosen
+ * in array.c. No set may fuse a multiplication with an addition, so all of them and the scalar functions give the same
+ * bits. Blocks of numbers go through a loop that a compiler vectorises; numbers outside the kernel's interval are put right
+ * one by one. */
+#ifndef COR_RUNTIME_LAW_ARRAY_KERNEL_H
+#define COR_RUNTIME_LAW_ARRAY_KERNEL_H
+
+#include "runtime/law/array.h"
+
+/* LANES: whole vectors of every set */
+enum { BLOCK = 128, LANES = 8 };
+
+typedef double law_function(double x);
+
+/* The next m numbers of `in`, which may be `out` too, filled up to whole vectors, with numbers outside the interval replaced
+ * by its end; whether there were such numbers. */
+static inline int next_block(double *from, double *inside, const double *in, size_t m, size_t count, double least,
+                             double largest)
+{
+    int outside = 0;
+    memcpy(from, in, m * sizeof *from);
+    for (size_t j = m; j < count; j++)
+        from[j] = largest;
+    for (size_t j = 0; j < count; j++) {
+        const int is_inside = (from[j] >= least) & (from[j] <= largest);
+        outside |= !is_inside;
+        inside[j] = is_inside ? from[j] : largest;
+    }
+    return outside;
+}
+
+static inline void put_block(double *out, const double *to, const double *from, size_t m, int outside, double least,
+                             double largest, law_function *function)
+{
+    memcpy(out, to, m * sizeof *out);
+    for (size_t j = 0; outside && j < m; j++)
+        if (!(from[j] >= least && from[j] <= largest))
+            out[j] = function(from[j]);
+}
+
+#define LAW_LOOP(name, least, largest)                                                                                 \
+    static void loop_##name(const double *in, double *out, size_t n)                                                   \
+    {                                                                                                                  \
+        for (size_t i = 0; i < n; i += BLOCK) {                                                                        \
+            double from[BLOCK], inside[BLOCK], to[BLOCK];                                                              \
+            const size_t m = n - i < BLOCK ? n - i : BLOCK, count = (m + LANES - 1) / LANES * LANES;                   \
+            const int outside = next_block(from, inside, in + i, m, count, least, largest);                            \
+            for (size_t j = 0; j < count; j++)                                                                         \
+                to[j] = cor_##name##_near(inside[j]);                                                                  \
+            put_block(out + i, to, from, m, outside, least, largest, cor_##name);                                      \
+        }                                                                                                              \
+    }
+
+/* The places of a block's numbers, those of the first kernel from the front, those of the second after them, both filled up to whole
+ * vectors with the last number of their kind */
+struct parted {
+    double x[BLOCK + 2 * LANES], y[BLOCK + 2 * LANES];
+    size_t place[BLOCK + 2 * LANES], first, second; /* whole vectors */
+};
+
+static inline size_t fill_up(struct parted *p, size_t from, size_t n)
+{
+    const size_t whole = (n + LANES - 1) / LANES * LANES;
+    for (size_t j = n; j < whole; j++) {
+        p->x[from + j] = p->x[from + n - 1];
+        p->place[from + j] = p->place[from + n - 1];
+    }
+    return whole;
+}
+
+static inline void part(struct parted *p, const double *inside, const unsigned char *is_first, size_t count)
+{
+    size_t n = 0, rest = 0;
+    for (size_t j = 0; j < count; j++) {
+        p->x[n] = inside[j];
+        p->place[n] = j;
+        n += is_first[j];
+    }
+    p->first = n > 0 ? fill_up(p, 0, n) : 0;
+    for (size_t j = 0; j < count; j++) {
+        p->x[p->first + rest] = inside[j];
+        p->place[p->first + rest] = j;
+        rest += !is_first[j];
+    }
+    p->second = rest > 0 ? fill_up(p, p->first, rest) : 0;
+}
+
+#define PARTED_LOOP(name, least, largest)                                                                              \
+    static void loop_##name(const double *in, double *out, size_t n)                                                   \
+    {                                                                                                                  \
+        for (size_t i = 0; i < n; i += BLOCK) {                                                                        \
+            double from[BLOCK], inside[BLOCK], to[BLOCK];                                                              \
+            unsigned char is_first[BLOCK];                                                                             \
+            struct parted p;                                                                                           \
+            const size_t m = n - i < BLOCK ? n - i : BLOCK, count = (m + LANES - 1) / LANES * LANES;                   \
+            const int outside = next_block(from, inside, in + i, m, count, least, largest);                            \
+            for (size_t j = 0; j < count; j++)                                                                         \
+                is_first[j] = (unsigned char)cor_##name##_is_first(inside[j]);                                         \
+            part(&p, inside, is_first, count);                                                                         \
+            for (size_t j = 0; j < p.first; j++)                                                                       \
+                p.y[j] = cor_##name##_first(p.x[j]);                                                                   \
+            for (size_t j = p.first; j < p.first + p.second; j++)                                                      \
+                p.y[j] = cor_##name##_second(p.x[j]);                                                                  \
+            for (size_t j = 0; j < p.first + p.second; j++)                                                            \
+                to[p.place[j]] = p.y[j];                                                                               \
+            put_block(out + i, to, from, m, outside, least, largest, cor_##name);                                      \
+        }                                                                                                              \
+    }
+
+COR_LAW_LOOPS(LAW_LOOP, PARTED_LOOP)
+
+#define LAW_LOOP_ROW(name, least, largest) loop_##name,
+#define LAW_LOOPS_OF(set)                                                                                              \
+    cor_law_array_function *const cor_law_loops_##set[COR_LAW_LOOP_COUNT] = {COR_LAW_LOOPS(LAW_LOOP_ROW, LAW_LOOP_ROW)};
+
+#endif

@@ -1,0 +1,295 @@
+/* SPDX-License-Identifier: MIT */
+/* Durations of Hunt and Crossley's law and the time of its largest overlap: tables for a = 1 and a = 3/2
+ * (generated/hunt_crossley_tables.h), quadrature for every other exponent and for pumped collisions. */
+#include "cor/law.h"
+#include "generated/hunt_crossley_tables.h"
+#include "runtime/core/row.h"
+#include "runtime/law/define.h"
+#include "runtime/law/hunt_crossley.h"
+
+/* ---- a = 1 and a = 3/2 by tables ---- */
+
+/* What one exponent has */
+struct crossley_tables {
+    const double *(*max_rows)(int), *(*duration_rows)(int), *(*far_max)(int), *(*far_rebound)(int);
+    struct cor_inline_pair exponent; /* k = a/(a + 1) */
+    double elastic, elastic_tail;    /* half of the elastic duration, as a pair */
+};
+
+static struct crossley_tables crossley_tables_of(double a)
+{
+    struct crossley_tables t;
+    if (a == 1) {
+        t.max_rows = cor_rows_crossley_time_of_max_overlap_1;
+        t.duration_rows = cor_rows_crossley_duration_1;
+        t.far_max = cor_rows_crossley_far_time_of_max_overlap_1;
+        t.far_rebound = cor_rows_crossley_far_rebound_1;
+        t.exponent = cor_pair(0.5, 0);
+        t.elastic = 1.57079632679489655800;
+        t.elastic_tail = 6.12323399573676588613e-17;
+    } else {
+        t.max_rows = cor_rows_crossley_time_of_max_overlap_3_2;
+        t.duration_rows = cor_rows_crossley_duration_3_2;
+        t.far_max = cor_rows_crossley_far_time_of_max_overlap_3_2;
+        t.far_rebound = cor_rows_crossley_far_rebound_3_2;
+        t.exponent = cor_pair(0.6, 2.22044604925031308085e-17);
+        t.elastic = 1.60903272985952150442;
+        t.elastic_tail = 3.78449505742605387477e-17;
+    }
+    return t;
+}
+
+/* ln(1 + beta) */
+static struct cor_inline_pair crossley_log_plus_1(double beta)
+{
+    const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair_two_sum(1, beta));
+    return cor_pair(-minus.hi, -minus.lo);
+}
+
+/* A row's value at s = head + tail, as a pair */
+static struct cor_inline_pair crossley_row(struct cor_inline_grid grid, const double *(*rows)(int),
+                                           struct cor_inline_pair s)
+{
+    const int i = (int)((s.hi - grid.first) * grid.per_unit + 0.5);
+    const double *c = rows(i);
+    const double t = cor_inline_grid_t(grid, s.hi, i) + s.lo;
+    return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, t)));
+}
+
+/* beta^(2k - 1) ((1 - k)/(1 + beta))^k, given s = ln(1 + beta) and beta past 2^53: (1 + beta)^k is beta^k (1 + k/beta). With
+ * both powers as one, beta^(k - 1) (1 - k)^k. */
+static struct cor_inline_pair crossley_far_unit(struct cor_inline_pair log_beta, struct cor_inline_pair k)
+{
+    const struct cor_inline_pair rest = cor_pair_plus(cor_pair(1, 0), cor_pair(-k.hi, -k.lo));
+    const struct cor_inline_pair power = cor_inline_pair_times(rest, log_beta);
+    const struct cor_inline_pair constant = cor_inline_pair_times(k, cor_kernel_minus_log(rest));
+    return cor_kernel_exp_minus_pair(cor_pair_plus(power, constant));
+}
+
+/* The time of the largest overlap, 0 <= beta < inf */
+static struct cor_inline_pair crossley_max(const struct crossley_tables *tables, double beta)
+{
+    const struct cor_inline_pair s = crossley_log_plus_1(beta);
+    if (s.hi < COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1_END)
+        return crossley_row(COR_INLINE_GRID(COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1), tables->max_rows, s);
+    const double *c = tables->far_max(0), inverse = 1 / beta, v = s.hi;
+    /* (1 + beta)^-k is beta^-k (1 - k/beta), so that ln(beta) is all that is needed */
+    const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair(beta, 0)), u = cor_pair(-minus.hi, -minus.lo);
+    struct cor_inline_pair sum = cor_pair_plus(s, cor_pair(c[0], c[1]));
+    sum.lo += inverse * (c[2] + v * (c[3] + v * c[4]) - tables->exponent.hi * (v + c[0]));
+    return cor_inline_pair_times(crossley_far_unit(u, tables->exponent), sum);
+}
+
+/* The rebound for s = ln(1 + beta) >= 4.5: with U = 1 + beta - s,
+ * beta^(2k - 1) (a + 1)^-k U^(1 - k) ((a + 1) + (c_1/U + ... + c_11/U^11)/U) */
+static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables *tables, double beta,
+                                                   struct cor_inline_pair s)
+{
+    const double *c = tables->far_rebound(0);
+    const struct cor_inline_pair k = tables->exponent, one = cor_pair(1, 0);
+    const struct cor_inline_pair rest = cor_pair_plus(one, cor_pair(-k.hi, -k.lo)); /* 1/(a + 1) */
+    const struct cor_inline_pair u = cor_pair_plus(cor_pair_two_sum(1, beta), cor_pair(-s.hi, -s.lo));
+    const struct cor_inline_pair log_u = cor_kernel_minus_log(u), log_beta = cor_kernel_minus_log(cor_pair(beta, 0));
+    double sum = 0;
+    const double x = 1 / u.hi;
+    for (int p = 10; p >= 0; p--)
+        sum = c[p] + x * sum;
+    /* -ln of beta^(2k - 1) U^(1 - k) (1 - k)^k */
+    const struct cor_inline_pair slope = cor_pair_plus(k, cor_pair(-rest.hi, -rest.lo));
+    struct cor_inline_pair exponent = cor_inline_pair_times(slope, log_beta);
+    exponent = cor_pair_plus(exponent, cor_inline_pair_times(rest, log_u));
+    const struct cor_inline_pair constant = cor_inline_pair_times(k, cor_kernel_minus_log(rest));
+    exponent = cor_pair_plus(cor_pair(exponent.hi, exponent.lo), constant);
+    struct cor_inline_pair factor = cor_pair_over(one, rest);
+    factor = cor_inline_sum(factor.hi, factor.lo + x * x * sum);
+    return cor_inline_pair_times(cor_kernel_exp_minus_pair(exponent), factor);
+}
+
+static double crossley_table_duration(const struct crossley_tables *tables, double beta)
+{
+    if (isinf(beta))
+        return beta;
+    const struct cor_inline_pair s = crossley_log_plus_1(beta);
+    if (s.hi < COR_ROWS_CROSSLEY_DURATION_1_END) {
+        const struct cor_inline_pair t =
+            crossley_row(COR_INLINE_GRID(COR_ROWS_CROSSLEY_DURATION_1), tables->duration_rows, s);
+        return t.hi;
+    }
+    return cor_pair_plus(crossley_far_rebound(tables, beta, s), crossley_max(tables, beta)).hi;
+}
+
+/* ---- every exponent: double exponential quadrature ----
+ *
+ * Loading, tau = ln((1 + beta)/(1 + beta v)), and rebound, tau = ln((1 + beta v)/(1 - h)) from the end backwards, take
+ *
+ *     beta^(2k - 1) int_0^end (tau B(tau)/(1 - k))^-k d tau,   B = (1 + beta) E(-tau) - 1 or 1 - (1 - h) E(tau)
+ *
+ * with end = ln(1 + beta) or -ln(1 - h) and E(x) = (exp(x) - 1)/x. With tau = end w^(a+1) that is, for both,
+ *
+ *     (end/beta)^(1-k) r^-k (a + 1) int_0^1 (b(w)/(1 - k))^-k dw,   b = B/(beta r), r = 1 or eps
+ *
+ * where b is of order one for every beta. */
+
+struct crossley_side {
+    double end, rest;   /* end; 1 - h of the rebound */
+    double speed, beta; /* beta r; beta */
+    double power;       /* a + 1 */
+    int rebound;
+};
+
+/* (exp(x) - 1)/x - 1, with relative accuracy, |x| <= 0.5 */
+static double crossley_mean_exponential(double x)
+{
+    double sum = 0;
+    for (int n = 17; n >= 2; n--)
+        sum = (1 + sum) * x / n;
+    return sum;
+}
+
+/* b at w = 1 - below: near w = 1 the rebound needs end - tau, which only `below` knows */
+static double crossley_b(const struct crossley_side *side, double w, double below)
+{
+    const double share = below < 0.5 ? side->power * log1p(-below) : side->power * log(w);
+    const double tau = share < -700 ? 0 : side->end * exp(share);
+    if (tau < 0.5) {
+        const double e = crossley_mean_exponential(side->rebound ? tau : -tau);
+        return side->rebound ? 1 - side->rest / side->speed * e : 1 + e + e / side->beta;
+    }
+    if (!side->rebound)
+        return ((1 + 1 / side->beta) * -expm1(-(tau < 700 ? tau : 700)) - tau / side->beta) / tau;
+    const double left = -side->end * expm1(share), near = left < 700 ? exp(-left) : 0;
+    return (tau - near + side->rest) / (tau * side->speed);
+}
+
+/* The integral by w = 1/(1 + exp(-pi sinh(t))): the step's error is far below 1e-14, and the cut-off leaves out 2^-58. */
+static double crossley_quadrature(const struct crossley_side *side, double k)
+{
+    const int steps = side->end > 40 ? 256 : 96;
+    const double pi = 3.14159265358979311600, end = 3.2512; /* pi sinh(end) = 40.5 */
+    const double step = 2 * end / steps;
+    double sum = 0;
+    for (int j = 0; j <= steps; j++) {
+        const double t = step * (j - steps / 2), q = exp(-pi * sinh(t)), w = 1 / (1 + q), below = q / (1 + q);
+        const double weight = pi * cosh(t) * w * below;
+        sum += weight * pow(crossley_b(side, w, below) * side->power, -k);
+    }
+    return sum * step;
+}
+
+static double crossley_side_time(const struct crossley_side *side)
+{
+    const double k = 1 - 1 / side->power;
+    return pow(side->end / side->beta, 1 - k) * pow(side->speed / side->beta, -k) * side->power *
+           crossley_quadrature(side, k);
+}
+
+static double crossley_loading(double beta, double a)
+{
+    const struct crossley_side side = {log1p(beta), 0, beta, beta, a + 1, 0};
+    return crossley_side_time(&side);
+}
+
+/* -ln(1 - h) is U = beta + 1 - ln(1 + beta) - (1 - h) or, for small beta, -ln(1 - h) itself */
+static double crossley_rebound(double beta, double a)
+{
+    const int weak = beta < COR_HC_BETA_NEAR;
+    const double h = beta * cor_hc_eps(beta), rest = weak ? 1 - h : cor_hc_rest(beta);
+    const double end = weak ? -log1p(-h) : beta + 1 - log1p(beta) - rest;
+    const struct crossley_side side = {end, rest, h, beta, a + 1, 1};
+    return crossley_side_time(&side);
+}
+
+/* A pumped collision backwards is the damped one that starts with speed eps: its loading is the other's rebound. */
+struct crossley_times {
+    double loading, rebound;
+};
+
+static struct crossley_times crossley_times(double beta, double a)
+{
+    struct crossley_times times;
+    if (fabs(beta) < 1e-15) {
+        times.loading = times.rebound = crossley_loading(1e-15, a);
+    } else if (beta > 0) {
+        times.loading = crossley_loading(beta, a);
+        times.rebound = crossley_rebound(beta, a);
+    } else {
+        const double eps = cor_hc_eps(beta), unit = pow(eps, (1 - a) / (1 + a));
+        times.loading = unit * crossley_rebound(-beta * eps, a);
+        times.rebound = unit * crossley_loading(-beta * eps, a);
+    }
+    return times;
+}
+
+/* ---- the functions ---- */
+
+static int crossley_valid(double beta, double a)
+{
+    return beta > -1 && a >= 0 && a <= COR_HUNT_CROSSLEY_MAX_EXPONENT;
+}
+
+static int crossley_has_table(double beta, double a)
+{
+    return beta >= 0 && (a == 1 || a == 1.5);
+}
+
+static double cor_crossley_inline_duration(double beta, double elastic_exponent)
+{
+    const double a = elastic_exponent;
+    if (!crossley_valid(beta, a))
+        return NAN;
+    if (isinf(beta))
+        return a > 0 ? INFINITY
+                     : 1; /* a constant force: the approach takes no time, the rebound (1 - h) e^tau = 1 all of it */
+    if (crossley_has_table(beta, a)) {
+        const struct crossley_tables tables = crossley_tables_of(a);
+        return crossley_table_duration(&tables, beta);
+    }
+    const struct crossley_times times = crossley_times(beta, a);
+    return times.loading + times.rebound;
+}
+
+static double cor_crossley_inline_time_of_max_overlap(double beta, double elastic_exponent)
+{
+    const double a = elastic_exponent;
+    if (!crossley_valid(beta, a))
+        return NAN;
+    if (isinf(beta))
+        return 0;
+    if (crossley_has_table(beta, a)) {
+        const struct crossley_tables tables = crossley_tables_of(a);
+        return crossley_max(&tables, beta).hi;
+    }
+    return crossley_times(beta, a).loading;
+}
+
+/* The elastic rebound of speed eps takes the elastic half times eps^((1 - a)/(1 + a)). */
+static struct cor_inline_pair crossley_elastic_rebound(double beta, double a)
+{
+    const struct cor_inline_pair plus = cor_pair_two_sum(1, a), minus = cor_pair_two_sum(1, -a);
+    const struct cor_inline_pair power = cor_pair_over(minus, plus);
+    const struct cor_inline_pair exponent =
+        cor_inline_pair_times(power, cor_kernel_minus_log(cor_hc_eps_approach_pair(beta)));
+    return cor_kernel_exp_minus_pair(exponent);
+}
+
+static double cor_crossley_inline_duration_approach_only(double beta, double elastic_exponent)
+{
+    const double a = elastic_exponent;
+    if (!crossley_valid(beta, a))
+        return NAN;
+    if (isinf(beta) && a != 1)
+        return a > 1 ? INFINITY : 0;
+    if (crossley_has_table(beta, a)) {
+        const struct crossley_tables tables = crossley_tables_of(a);
+        const struct cor_inline_pair half = cor_pair(tables.elastic, tables.elastic_tail);
+        if (isinf(beta))
+            return half.hi;
+        const struct cor_inline_pair rebound = cor_inline_pair_times(half, crossley_elastic_rebound(beta, a));
+        return cor_pair_plus(rebound, crossley_max(&tables, beta)).hi;
+    }
+    return crossley_times(beta, a).loading + crossley_times(0, a).loading * crossley_elastic_rebound(beta, a).hi;
+}
+
+LAW_DEFINE_WITH_EXPONENT(hunt_crossley_duration, crossley_inline_duration)
+LAW_DEFINE_WITH_EXPONENT(hunt_crossley_duration_approach_only, crossley_inline_duration_approach_only)
+LAW_DEFINE_WITH_EXPONENT(hunt_crossley_time_of_max_overlap, crossley_inline_time_of_max_overlap)

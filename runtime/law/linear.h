@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT */
+/* The linear dashpot x'' + 2 zeta x' + x = 0 in time: what it has beside the functions of damping_ratio.h. */
+#ifndef COR_RUNTIME_LAW_LINEAR_H
+#define COR_RUNTIME_LAW_LINEAR_H
+
+#include "runtime/law/damping_ratio.h"
+
+COR_KERNEL double cor_linear_inline_time_of_max_overlap_near(double zeta)
+{
+    return cor_ratio_phase_near(cor_pair(zeta, 0), cor_pair(2, 0)).hi;
+}
+
+COR_INLINE double cor_linear_inline_time_of_max_overlap(double zeta)
+{
+    return zeta >= 0 ? cor_ratio_phase_time(zeta).hi : (double)NAN;
+}
+
+COR_KERNEL double cor_linear_inline_duration_zero_force_near(double zeta)
+{
+    return 2 * cor_linear_inline_time_of_max_overlap_near(zeta);
+}
+
+COR_INLINE double cor_linear_inline_duration_zero_force(double zeta)
+{
+    return 2 * cor_linear_inline_time_of_max_overlap(zeta);
+}
+
+/* The rebound of an undamped spring takes pi/2 whatever its speed. */
+COR_INLINE double cor_linear_inline_duration_approach_only(double zeta)
+{
+    if (!(zeta >= 0))
+        return (double)NAN;
+    const struct cor_inline_pair rebound = cor_pair(COR_RATIO_HALF_PI, COR_RATIO_HALF_PI_TAIL);
+    return cor_pair_plus(rebound, cor_ratio_phase_time(zeta)).hi;
+}
+
+COR_KERNEL double cor_linear_inline_duration_zero_overlap_near(double zeta)
+{
+    return cor_ratio_over_omega(zeta, cor_pair(COR_RATIO_PI, COR_RATIO_PI_TAIL)).hi;
+}
+
+COR_INLINE double cor_linear_inline_duration_zero_overlap(double zeta)
+{
+    if (!(zeta >= 0))
+        return (double)NAN;
+    return zeta < 1 ? cor_linear_inline_duration_zero_overlap_near(zeta) : (double)INFINITY;
+}
+
+/* The force is twice the elastic one for atan(2 sqrt(2) zeta)/sqrt(2) = (2 zeta/R) A(1/R), R = sqrt(1 + 8 zeta^2); then the
+ * law holds for L/zeta. From 2^64 on, pi/(2 sqrt(2)) is all that is left. */
+COR_INLINE double cor_linear_inline_duration_limited(double zeta)
+{
+    if (!(zeta >= 0))
+        return (double)NAN;
+    if (zeta > COR_INLINE_2_40 * 16777216.0)
+        return 1.11072073453959156175;
+    const struct cor_inline_pair over = cor_pair_over(cor_pair(1, 0), cor_ratio_limited_parts(zeta).root);
+    const struct cor_inline_pair numerator = cor_inline_pair_times(over, cor_pair(4 * zeta, 0));
+    return cor_pair_plus(cor_ratio_phase_near(over, numerator), cor_ratio_limited_time(zeta)).hi;
+}
+
+/* sqrt(eps) at zero force */
+COR_INLINE double cor_linear_inline_max_overlap(double zeta)
+{
+    return cor_ratio_eps_approach_only(zeta);
+}
+
+/* Tsuji's damping: (5/4 eps)^(2/5), eps at zero force */
+COR_INLINE double cor_tsuji_inline_max_overlap(double zeta)
+{
+    if (!(zeta >= 0))
+        return (double)NAN;
+    if (isinf(zeta))
+        return 0;
+    const struct cor_inline_pair two_fifths = cor_pair(0.4, -2.22044604925031308085e-17);
+    const struct cor_inline_pair log_5_4 = cor_pair(-8.92574205256839031675e-02, 8.60950677367028016675e-19);
+    const struct cor_inline_pair part = cor_inline_pair_times(two_fifths, cor_ratio_force_exponent(zeta));
+    const struct cor_inline_pair sum = cor_pair_two_sum(part.hi, log_5_4.hi);
+    return cor_kernel_exp_minus_pair(cor_pair(sum.hi, sum.lo + (part.lo + log_5_4.lo))).hi;
+}
+
+#endif

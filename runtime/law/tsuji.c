@@ -1,0 +1,151 @@
+/* SPDX-License-Identifier: MIT */
+/* Durations of Tsuji's damping and the time of its largest overlap, from generated/tsuji_tables.h. */
+#include "cor/law.h"
+#include "generated/tsuji_tables.h"
+#include "runtime/core/fifth_root.h"
+#include "runtime/core/row.h"
+#include "runtime/law/define.h"
+#include "runtime/law/linear.h"
+
+/* zeta from which the rows by ln(1 + zeta) end: exp(12.25) - 1 */
+#define TSUJI_FAR 208980.0
+/* ... and those by zeta^(1/5) end: 1.3125^5 is 3.895 */
+#define TSUJI_STRONG 3.89
+/* Below, every duration is the sphere's elastic one to the last bit, but for terms in zeta^(4/5). */
+#define TSUJI_LEAST COR_INLINE_2_M200
+
+/* Half of the elastic collision's duration, X_0 sqrt(pi) Gamma(7/5)/Gamma(9/10), as a pair */
+#define TSUJI_HALF 1.60903272985952150442
+#define TSUJI_HALF_TAIL 3.78449505742605387477e-17
+
+/* A row's value at y = head + tail */
+static double tsuji_row(struct cor_inline_grid grid, const double *(*rows)(int), struct cor_inline_pair y)
+{
+    const int i = (int)((y.hi - grid.first) * grid.per_unit + 0.5);
+    const double *c = rows(i);
+    const double t = cor_inline_grid_t(grid, y.hi, i) + y.lo;
+    return c[0] + cor_inline_row(cor_inline_place_of(c, t));
+}
+
+static struct cor_inline_pair tsuji_log_plus_1(double zeta)
+{
+    const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair_two_sum(1, zeta));
+    return cor_pair(-minus.hi, -minus.lo);
+}
+
+/* zeta^(-4/5) (c_0 + c_1 u + mu (...)), u = ln(zeta), mu = 1/zeta^2, for TSUJI_FAR <= zeta */
+static double tsuji_far(double zeta, const double *c)
+{
+    const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair(zeta, 0));
+    const struct cor_inline_pair four_fifths = cor_pair(0.8, -4.44089209850062616169e-17);
+    const struct cor_inline_pair u = cor_pair(-minus.hi, -minus.lo);
+    const struct cor_inline_pair power = cor_kernel_exp_minus_pair(cor_inline_pair_times(u, four_fifths));
+    const double inverse = 1 / zeta, v = u.hi;
+    struct cor_inline_pair sum = cor_inline_pair_times(u, cor_pair(c[2], c[3]));
+    sum = cor_pair_plus(sum, cor_pair(c[0], c[1]));
+    sum.lo += inverse * (inverse * (c[4] + v * (c[5] + v * c[6])));
+    return cor_inline_pair_times(power, sum).hi;
+}
+
+static double cor_tsuji_inline_time_of_max_overlap(double zeta)
+{
+    if (!(zeta >= 0))
+        return NAN;
+    if (zeta < TSUJI_FAR)
+        return tsuji_row(COR_INLINE_GRID(COR_ROWS_TSUJI_TIME_OF_MAX_OVERLAP), cor_rows_tsuji_time_of_max_overlap,
+                         tsuji_log_plus_1(zeta));
+    return isinf(zeta) ? 0 : tsuji_far(zeta, cor_rows_tsuji_far_time_of_max_overlap(0));
+}
+
+/* The row by zeta^(1/5); its first row is for 0 too. */
+static double tsuji_weak(struct cor_inline_grid grid, const double *(*rows)(int), double zeta)
+{
+    return tsuji_row(grid, rows, zeta < TSUJI_LEAST ? cor_pair(0, 0) : cor_inline_fifth_root_parts(zeta));
+}
+
+static double cor_tsuji_inline_duration_zero_force(double zeta)
+{
+    if (!(zeta >= 0))
+        return NAN;
+    if (zeta < TSUJI_STRONG)
+        return tsuji_weak(COR_INLINE_GRID(COR_ROWS_TSUJI_DURATION_ZERO_FORCE_WEAK),
+                          cor_rows_tsuji_duration_zero_force_weak, zeta);
+    if (zeta < TSUJI_FAR)
+        return tsuji_row(COR_INLINE_GRID(COR_ROWS_TSUJI_DURATION_ZERO_FORCE), cor_rows_tsuji_duration_zero_force,
+                         tsuji_log_plus_1(zeta));
+    return isinf(zeta) ? 0 : tsuji_far(zeta, cor_rows_tsuji_far_duration_zero_force(0));
+}
+
+static double cor_tsuji_inline_duration_limited(double zeta)
+{
+    if (!(zeta >= 0))
+        return NAN;
+    if (zeta < TSUJI_STRONG)
+        return tsuji_weak(COR_INLINE_GRID(COR_ROWS_TSUJI_DURATION_LIMITED_WEAK), cor_rows_tsuji_duration_limited_weak,
+                          zeta);
+    if (zeta < TSUJI_FAR)
+        return tsuji_row(COR_INLINE_GRID(COR_ROWS_TSUJI_DURATION_LIMITED), cor_rows_tsuji_duration_limited,
+                         tsuji_log_plus_1(zeta));
+    const double *c = cor_rows_tsuji_far_duration_limited(0);
+    if (isinf(zeta))
+        return c[0];
+    const double mu = 1 / zeta, u = -cor_kernel_minus_log(cor_pair(zeta, 0)).hi;
+    return c[0] + (c[1] + mu * ((c[2] + c[4] * u) + mu * (mu * (c[5] + u * (c[6] + u * c[7])))));
+}
+
+/* exp(2 pi y) (1 - zeta^2)^(-2/5) V(y), y = zeta/(10 sqrt(1 - zeta^2)). Beyond y = 6.5, (1 - zeta^2)^(-2/5) y^(-4/5) is
+ * (zeta/10)^(-4/5). Past y = 112.9 the duration is beyond the largest double. */
+static double cor_tsuji_inline_duration_zero_overlap(double zeta)
+{
+    if (!(zeta >= 0))
+        return NAN;
+    if (zeta >= 1)
+        return INFINITY;
+    const struct cor_inline_pair ten = cor_pair(10, 0), two_fifths = cor_pair(0.4, -2.22044604925031308085e-17);
+    const struct cor_inline_pair ratio = cor_ratio_over_omega(zeta, cor_pair(zeta, 0)), y = cor_pair_over(ratio, ten);
+    if (y.hi > 112.9)
+        return INFINITY;
+    const struct cor_inline_pair two_pi = cor_pair(2 * COR_RATIO_PI, 2 * COR_RATIO_PI_TAIL);
+    const struct cor_inline_pair growth = cor_inline_pair_times(two_pi, y);
+    struct cor_inline_pair factor, exponent;
+    if (y.hi < COR_ROWS_TSUJI_OVERLAP_FACTOR_END) {
+        const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_TSUJI_OVERLAP_FACTOR);
+        const int i = (int)((y.hi - grid.first) * grid.per_unit + 0.5);
+        const double *c = cor_rows_tsuji_overlap_factor(i), t = cor_inline_grid_t(grid, y.hi, i) + y.lo;
+        factor = cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, t)));
+        exponent = cor_inline_pair_times(two_fifths, cor_kernel_minus_log(cor_ratio_omega_square(zeta)));
+    } else {
+        const double *c = cor_rows_tsuji_far_overlap_factor(0), x = 1 / (y.hi * y.hi);
+        const double rest = c[2] + x * (c[3] + x * (c[4] + x * (c[5] + x * (c[6] + x * (c[7] + x * c[8])))));
+        factor = cor_inline_sum(c[0], c[1] + x * rest);
+        const struct cor_inline_pair tenth = cor_kernel_minus_log(cor_pair_over(cor_pair(zeta, 0), ten));
+        exponent = cor_pair_scaled(cor_inline_pair_times(two_fifths, tenth), 2);
+    }
+    /* In units of 2^8, so that only the result can overflow; half of the power at a time */
+    const struct cor_inline_pair half = cor_pair_scaled(cor_pair_plus(growth, exponent), -0.5);
+    const struct cor_inline_pair root = cor_kernel_exp_minus_pair(half);
+    const double scaled =
+        cor_inline_pair_times(cor_inline_pair_times(root, factor), cor_pair_scaled(root, 1.0 / 256)).hi;
+    return scaled < 7.02223880805592105e+305 ? scaled * 256 : INFINITY; /* 2^1016 */
+}
+
+/* The elastic rebound of speed eps takes half the elastic duration times eps^(-1/5). */
+static double cor_tsuji_inline_duration_approach_only(double zeta)
+{
+    if (!(zeta >= 0))
+        return NAN;
+    if (isinf(zeta))
+        return INFINITY;
+    const struct cor_inline_pair fifth = cor_pair(0.2, -1.11022302462515654042e-17);
+    /* ln(eps)/5, where L at zero force is twice that at this end */
+    const struct cor_inline_pair part = cor_inline_pair_times(fifth, cor_ratio_force_exponent(zeta));
+    const struct cor_inline_pair growth = cor_kernel_exp_minus_pair(cor_pair_scaled(part, -0.5));
+    const struct cor_inline_pair rebound = cor_inline_pair_times(growth, cor_pair(TSUJI_HALF, TSUJI_HALF_TAIL));
+    return cor_pair_plus(rebound, cor_pair(cor_tsuji_inline_time_of_max_overlap(zeta), 0)).hi;
+}
+
+LAW_DEFINE_ONE_BY_ONE(tsuji_duration_zero_overlap, tsuji_inline_duration_zero_overlap)
+LAW_DEFINE_ONE_BY_ONE(tsuji_duration_zero_force, tsuji_inline_duration_zero_force)
+LAW_DEFINE_ONE_BY_ONE(tsuji_duration_limited, tsuji_inline_duration_limited)
+LAW_DEFINE_ONE_BY_ONE(tsuji_duration_approach_only, tsuji_inline_duration_approach_only)
+LAW_DEFINE_ONE_BY_ONE(tsuji_time_of_max_overlap, tsuji_inline_time_of_max_overlap)

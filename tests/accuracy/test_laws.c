@@ -1,0 +1,736 @@
+/* SPDX-License-Identifier: MIT */
+/* Every function of law.h that has a closed form against long double in another formulation, and against MPFR where long
+ * double has too few digits: random points, doubles near every boundary of a kernel, the neighbours of the worst point,
+ * floats, arrays, special values. Prints one line for each function; these lines are what docs/accuracy.md quotes.
+ *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points of each function, 20000 if not said) */
+#include "cor/law.h"
+
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <mpfr.h>
+
+#include "reference_law.h"
+#include "ulp.h"
+
+/* ---- the exact values ---- */
+
+enum { MPFR_BITS = 256, MAX_THREADS = 64 };
+
+/* exp(x), -exp(x) expm1 and so on of a long double keep what the double needs up to this L. */
+static const long double far_exponent = 16;
+
+/* L of an end in MPFR, by acos, acosh, atan2 and logarithms */
+static void exponent_mpfr(mpfr_t l, enum law_end end, double zeta)
+{
+    mpfr_t z, om, phase, below;
+    mpfr_inits2(MPFR_BITS, z, om, phase, below, NULL);
+    const bool over = zeta > 1;
+    mpfr_set_d(z, zeta, MPFR_RNDN);
+    mpfr_sqr(om, z, MPFR_RNDN);
+    mpfr_mul_ui(below, om, 2, MPFR_RNDN);
+    mpfr_add_ui(below, below, 1, MPFR_RNDN);
+    mpfr_ui_sub(om, 1, om, MPFR_RNDN);
+    mpfr_abs(om, om, MPFR_RNDN);
+    mpfr_sqrt(om, om, MPFR_RNDN);
+    if (end == LAW_ZERO_OVERLAP) {
+        mpfr_const_pi(phase, MPFR_RNDN);
+    } else {
+        (over ? mpfr_acosh : mpfr_acos)(phase, z, MPFR_RNDN);
+        mpfr_mul_ui(phase, phase, end == LAW_APPROACH_ONLY ? 1 : 2, MPFR_RNDN);
+    }
+    if (end == LAW_LIMITED) {
+        mpfr_mul(l, z, om, MPFR_RNDN);
+        mpfr_mul_ui(l, l, 2, MPFR_RNDN);
+        if (over) {
+            mpfr_add(below, below, l, MPFR_RNDN);
+            mpfr_log(below, below, MPFR_RNDN);
+            mpfr_sqr(l, z, MPFR_RNDN);
+            mpfr_mul_ui(l, l, 8, MPFR_RNDN);
+            mpfr_log1p(l, l, MPFR_RNDN);
+            mpfr_div_ui(l, l, 2, MPFR_RNDN);
+            mpfr_sub(l, below, l, MPFR_RNDN);
+        } else {
+            mpfr_atan2(l, l, below, MPFR_RNDN);
+        }
+        mpfr_sub(phase, phase, l, MPFR_RNDN);
+    }
+    mpfr_mul(l, z, phase, MPFR_RNDN);
+    mpfr_div(l, l, om, MPFR_RNDN);
+    mpfr_clears(z, om, phase, below, NULL);
+}
+
+/* exp(-share L) */
+static long double eps_mpfr(enum law_end end, double zeta, long double share, long double factor)
+{
+    mpfr_t l;
+    mpfr_init2(l, MPFR_BITS);
+    exponent_mpfr(l, end, zeta);
+    if (share != 1) { /* 2/5 */
+        mpfr_mul_ui(l, l, 2, MPFR_RNDN);
+        mpfr_div_ui(l, l, 5, MPFR_RNDN);
+    }
+    mpfr_neg(l, l, MPFR_RNDN);
+    mpfr_exp(l, l, MPFR_RNDN);
+    const long double eps = mpfr_get_ld(l, MPFR_RNDN);
+    mpfr_clear(l);
+    return factor * eps;
+}
+
+static long double ratio_eps(enum law_end end, double zeta)
+{
+    if (zeta == 0)
+        return 1;
+    if (isinf(zeta) || (end == LAW_ZERO_OVERLAP && zeta >= 1))
+        return 0;
+    const long double l = reference_ratio_exponent(end, zeta);
+    return l < far_exponent ? expl(-l) : eps_mpfr(end, zeta, 1, 1);
+}
+
+static long double ratio_loss(enum law_end end, double zeta)
+{
+    if (zeta == 0 || isinf(zeta) || (end == LAW_ZERO_OVERLAP && zeta >= 1))
+        return zeta == 0 ? 0 : 1;
+    return -expm1l(-reference_ratio_exponent(end, zeta));
+}
+
+/* ln(zeta computed/exact) from L wanted = -ln(eps), where the least eps makes L - ln(...) all that counts */
+static double ratio_inverse_error(enum law_end end, double zeta, long double wanted, double eps, double loss)
+{
+    const long double h = 1e-6L;
+    if (end == LAW_ZERO_OVERLAP) {
+        const long double pi = acosl(-1);
+        return ulp_error(zeta, wanted / sqrtl(pi * pi + wanted * wanted), format_double);
+    }
+    const long double l = reference_ratio_exponent(end, zeta);
+    const long double slope =
+        (reference_ratio_exponent(end, zeta * (1 + h)) - reference_ratio_exponent(end, zeta * (1 - h))) / (2 * h);
+    long double off = (l - wanted) / slope;
+    if (wanted > far_exponent) {
+        mpfr_t exact, other;
+        mpfr_inits2(MPFR_BITS, exact, other, NULL);
+        exponent_mpfr(exact, end, zeta);
+        mpfr_set_d(other, loss == 0 ? eps : -loss, MPFR_RNDN);
+        (loss == 0 ? mpfr_log : mpfr_log1p)(other, other, MPFR_RNDN);
+        mpfr_add(exact, exact, other, MPFR_RNDN);
+        off = mpfr_get_ld(exact, MPFR_RNDN) / slope;
+        mpfr_clears(exact, other, NULL);
+    }
+    return (double)(fabsl(off) * zeta / ulp_size(zeta, format_double));
+}
+
+/* ---- what is tested ---- */
+
+/* SLOW_TIME: the reference takes 0.1 ms, and so there are fewer points */
+enum shape { EPS, LOSS, TIME, SLOW_TIME, INVERSE, INVERSE_OF_LOSS };
+enum { SLOW_SHARE = 400 };
+enum law { RATIO, CROSSLEY, CROSSLEY_APPROACH, CROSSLEY_TIMES };
+
+struct function {
+    const char *name;
+    double (*value)(double);
+    void (*array)(const double *, double *, size_t);
+    float (*valuef)(float);
+    void (*arrayf)(const float *, float *, size_t);
+    enum shape shape;
+    enum law law;
+    enum law_end end;
+    long double (*time)(double);
+    double max_ulp;
+};
+
+#define ROW(name, shape, law, end, time, max_ulp)                                                                      \
+    {                                                                                                                  \
+#name, cor_##name, cor_##name##_array, cor_##name##f, cor_##name##_arrayf, shape, law, end, time, max_ulp      \
+    }
+#define RATIO_ROWS(law, name, end)                                                                                     \
+    ROW(law##_eps_##name, EPS, RATIO, end, NULL, COR_LAW_EPS_MAX_ULP),                                                 \
+        ROW(law##_loss_##name, LOSS, RATIO, end, NULL, COR_LAW_LOSS_MAX_ULP),                                          \
+        ROW(law##_zeta_##name, INVERSE, RATIO, end, NULL, COR_LAW_INVERSE_MAX_ULP),                                    \
+        ROW(law##_zeta_of_loss_##name, INVERSE_OF_LOSS, RATIO, end, NULL, COR_LAW_INVERSE_MAX_ULP)
+
+#define CROSSLEY_ROW(name) ROW(name, SLOW_TIME, CROSSLEY_TIMES, 0, name##_exact, COR_LAW_TIME_MAX_ULP)
+
+static long double time_of_max_overlap(double zeta)
+{
+    return zeta == 0 ? acosl(0) : isinf(zeta) ? 0 : reference_ratio_exponent(LAW_APPROACH_ONLY, zeta) / zeta;
+}
+
+static long double duration_zero_force(double zeta)
+{
+    return 2 * time_of_max_overlap(zeta);
+}
+
+static long double duration_zero_overlap(double zeta)
+{
+    return zeta < 1 ? acosl(-1) / sqrtl((1 - (long double)zeta) * (1 + (long double)zeta)) : HUGE_VALL;
+}
+
+static long double duration_limited(double zeta)
+{
+    const long double root_2 = sqrtl(2);
+    if (zeta == 0 || isinf(zeta))
+        return zeta == 0 ? acosl(-1) : acosl(0) / root_2;
+    return atanl(2 * root_2 * zeta) / root_2 + reference_ratio_exponent(LAW_LIMITED, zeta) / zeta;
+}
+
+static long double duration_approach_only(double zeta)
+{
+    return acosl(0) + time_of_max_overlap(zeta);
+}
+
+static long double linear_max_overlap(double zeta)
+{
+    return ratio_eps(LAW_APPROACH_ONLY, zeta);
+}
+
+/* (5/4 eps)^(2/5) */
+static long double tsuji_max_overlap(double zeta)
+{
+    const long double elastic = expl(0.4L * logl(1.25L));
+    if (zeta == 0 || isinf(zeta))
+        return zeta == 0 ? elastic : 0;
+    const long double l = reference_ratio_exponent(LAW_ZERO_FORCE, zeta);
+    return l < far_exponent ? elastic * expl(-0.4L * l) : eps_mpfr(LAW_ZERO_FORCE, zeta, 0.4L, elastic);
+}
+
+static long double tsuji_time_of_max_overlap(double zeta)
+{
+    return zeta == 0     ? expl(0.4L * logl(1.25L)) * sqrtl(acosl(-1)) * tgammal(1.4L) / tgammal(0.9L)
+           : isinf(zeta) ? 0
+                         : reference_tsuji_time(LAW_APPROACH_ONLY, zeta);
+}
+
+static long double tsuji_duration_zero_force(double zeta)
+{
+    return zeta == 0 ? 2 * tsuji_time_of_max_overlap(0) : isinf(zeta) ? 0 : reference_tsuji_time(LAW_ZERO_FORCE, zeta);
+}
+
+/* (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2), 0 to 1 */
+static long double tsuji_duration_limited(double zeta)
+{
+    if (zeta < 1e-30)
+        return 2 * tsuji_time_of_max_overlap(0);
+    return zeta < 1e18 ? reference_tsuji_time(LAW_LIMITED, zeta)
+                       : powl(0.625L, 0.4L) * sqrtl(acosl(-1)) * tgammal(1.4L) / tgammal(0.9L);
+}
+
+/* By the product of Gamma functions at moderate damping; past 0.9 by the collision backwards, a pumped one. */
+static long double tsuji_duration_zero_overlap(double zeta)
+{
+    if (zeta == 0)
+        return 2 * tsuji_time_of_max_overlap(0);
+    return zeta < 1 ? reference_tsuji_time(LAW_ZERO_OVERLAP, zeta) : HUGE_VALL;
+}
+
+static long double tsuji_duration_approach_only(double zeta)
+{
+    if (isinf(zeta))
+        return HUGE_VALL;
+    const long double half = tsuji_time_of_max_overlap(0);
+    return zeta == 0
+               ? 2 * half
+               : tsuji_time_of_max_overlap(zeta) + half * expl(reference_ratio_exponent(LAW_APPROACH_ONLY, zeta) / 5);
+}
+
+/* Hunt and Crossley's times for a = 1 and 3/2, and the functions of one argument that the table wants */
+static long double crossley_duration(double a, double beta)
+{
+    const long double half = tgammal(1 + 1 / (a + 1.0L)) / tgammal(0.5L + 1 / (a + 1.0L)) * sqrtl(acosl(-1)) *
+                             powl((a + 1.0L) / 2, 1 / (a + 1.0L));
+    return beta < 1e-25 ? 2 * half : isinf(beta) ? HUGE_VALL : reference_crossley_duration(a, beta);
+}
+
+static long double crossley_max(double a, double beta)
+{
+    if (beta < 1e-25)
+        return crossley_duration(a, beta) / 2;
+    return isinf(beta) ? 0 : reference_crossley_time_of_max_overlap(a, beta);
+}
+
+static long double crossley_approach(double a, double beta)
+{
+    const long double half = crossley_duration(a, 0) / 2;
+    if (beta < 1e-25)
+        return crossley_duration(a, beta);
+    if (isinf(beta))
+        return a > 1 ? HUGE_VALL : half;
+    return reference_crossley_time_of_max_overlap(a, beta) +
+           half * powl(reference_hunt_crossley_approach_eps(beta), (1 - (long double)a) / (1 + (long double)a));
+}
+
+#define CROSSLEY_TIME(function, reference, suffix, a)                                                                  \
+    static double cor_##function##_##suffix(double beta)                                                               \
+    {                                                                                                                  \
+        return cor_##function(beta, a);                                                                                \
+    }                                                                                                                  \
+    static float cor_##function##_##suffix##f(float beta)                                                              \
+    {                                                                                                                  \
+        return cor_##function##f(beta, (float)(a));                                                                    \
+    }                                                                                                                  \
+    static void cor_##function##_##suffix##_array(const double *x, double *y, size_t n)                                \
+    {                                                                                                                  \
+        cor_##function##_array(x, a, y, n);                                                                            \
+    }                                                                                                                  \
+    static void cor_##function##_##suffix##_arrayf(const float *x, float *y, size_t n)                                 \
+    {                                                                                                                  \
+        cor_##function##_arrayf(x, (float)(a), y, n);                                                                  \
+    }                                                                                                                  \
+    static long double function##_##suffix##_exact(double beta)                                                        \
+    {                                                                                                                  \
+        return reference(a, beta);                                                                                     \
+    }
+CROSSLEY_TIME(hunt_crossley_duration, crossley_duration, 1, 1)
+CROSSLEY_TIME(hunt_crossley_duration, crossley_duration, 3_2, 1.5)
+CROSSLEY_TIME(hunt_crossley_time_of_max_overlap, crossley_max, 1, 1)
+CROSSLEY_TIME(hunt_crossley_time_of_max_overlap, crossley_max, 3_2, 1.5)
+CROSSLEY_TIME(hunt_crossley_duration_approach_only, crossley_approach, 1, 1)
+CROSSLEY_TIME(hunt_crossley_duration_approach_only, crossley_approach, 3_2, 1.5)
+
+static const struct function functions[] = {
+    RATIO_ROWS(linear, zero_overlap, LAW_ZERO_OVERLAP),
+    RATIO_ROWS(linear, zero_force, LAW_ZERO_FORCE),
+    RATIO_ROWS(linear, limited, LAW_LIMITED),
+    RATIO_ROWS(linear, approach_only, LAW_APPROACH_ONLY),
+    ROW(linear_duration_zero_overlap, TIME, RATIO, 0, duration_zero_overlap, COR_LAW_TIME_MAX_ULP),
+    ROW(linear_duration_zero_force, TIME, RATIO, 0, duration_zero_force, COR_LAW_TIME_MAX_ULP),
+    ROW(linear_duration_limited, TIME, RATIO, 0, duration_limited, COR_LAW_TIME_MAX_ULP),
+    ROW(linear_duration_approach_only, TIME, RATIO, 0, duration_approach_only, COR_LAW_TIME_MAX_ULP),
+    ROW(linear_max_overlap, TIME, RATIO, 0, linear_max_overlap, COR_LAW_MAX_OVERLAP_MAX_ULP),
+    ROW(linear_time_of_max_overlap, TIME, RATIO, 0, time_of_max_overlap, COR_LAW_TIME_MAX_ULP),
+    ROW(tsuji_max_overlap, TIME, RATIO, 0, tsuji_max_overlap, COR_LAW_MAX_OVERLAP_MAX_ULP),
+    ROW(tsuji_duration_zero_overlap, SLOW_TIME, RATIO, 0, tsuji_duration_zero_overlap, COR_LAW_TIME_MAX_ULP),
+    ROW(tsuji_duration_zero_force, SLOW_TIME, RATIO, 0, tsuji_duration_zero_force, COR_LAW_TIME_MAX_ULP),
+    ROW(tsuji_duration_limited, SLOW_TIME, RATIO, 0, tsuji_duration_limited, COR_LAW_TIME_MAX_ULP),
+    ROW(tsuji_duration_approach_only, SLOW_TIME, RATIO, 0, tsuji_duration_approach_only, COR_LAW_TIME_MAX_ULP),
+    ROW(tsuji_time_of_max_overlap, SLOW_TIME, RATIO, 0, tsuji_time_of_max_overlap, COR_LAW_TIME_MAX_ULP),
+    CROSSLEY_ROW(hunt_crossley_duration_1),
+    CROSSLEY_ROW(hunt_crossley_duration_3_2),
+    CROSSLEY_ROW(hunt_crossley_time_of_max_overlap_1),
+    CROSSLEY_ROW(hunt_crossley_time_of_max_overlap_3_2),
+    CROSSLEY_ROW(hunt_crossley_duration_approach_only_1),
+    CROSSLEY_ROW(hunt_crossley_duration_approach_only_3_2),
+    ROW(hunt_crossley_eps, EPS, CROSSLEY, 0, NULL, COR_LAW_EPS_MAX_ULP),
+    ROW(hunt_crossley_loss, LOSS, CROSSLEY, 0, NULL, COR_LAW_LOSS_MAX_ULP),
+    ROW(hunt_crossley_beta, INVERSE, CROSSLEY, 0, NULL, COR_LAW_INVERSE_MAX_ULP),
+    ROW(hunt_crossley_beta_of_loss, INVERSE_OF_LOSS, CROSSLEY, 0, NULL, COR_LAW_INVERSE_MAX_ULP),
+    ROW(hunt_crossley_eps_approach_only, EPS, CROSSLEY_APPROACH, 0, NULL, COR_LAW_EPS_MAX_ULP),
+    ROW(hunt_crossley_loss_approach_only, LOSS, CROSSLEY_APPROACH, 0, NULL, COR_LAW_LOSS_MAX_ULP),
+    ROW(hunt_crossley_beta_approach_only, INVERSE, CROSSLEY_APPROACH, 0, NULL, COR_LAW_INVERSE_MAX_ULP),
+    ROW(hunt_crossley_beta_of_loss_approach_only, INVERSE_OF_LOSS, CROSSLEY_APPROACH, 0, NULL, COR_LAW_INVERSE_MAX_ULP),
+};
+enum { FUNCTIONS = sizeof functions / sizeof *functions };
+
+static bool is_inverse(const struct function *f)
+{
+    return f->shape == INVERSE || f->shape == INVERSE_OF_LOSS;
+}
+
+/* eps or 1 - eps of Hunt and Crossley's law */
+static long double crossley(enum law law, bool loss, long double beta)
+{
+    if (beta == 0 || isinf(beta))
+        return (beta == 0) == loss ? 0 : 1;
+    if (law == CROSSLEY)
+        return loss ? reference_hunt_crossley_loss(beta) : reference_hunt_crossley_eps(beta);
+    return loss ? reference_hunt_crossley_approach_loss(beta) : reference_hunt_crossley_approach_eps(beta);
+}
+
+/* By how much eps, or 1 - eps where that is small, is off at the computed beta, over its slope */
+static double crossley_inverse_error(enum law law, double beta, long double eps, long double loss)
+{
+    const bool of_loss = loss < 0.5L;
+    const long double h = 1e-6L, wanted = of_loss ? loss : eps;
+    const long double slope =
+        (crossley(law, of_loss, beta * (1 + h)) - crossley(law, of_loss, beta * (1 - h))) / (2 * h);
+    const long double off = (crossley(law, of_loss, beta) - wanted) / slope;
+    return (double)(fabsl(off) * beta / ulp_size(beta, format_double));
+}
+
+static double inverse_error(const struct function *f, double computed, double x)
+{
+    const bool of_loss = f->shape == INVERSE_OF_LOSS;
+    if (!(x >= 0 && x <= 1))
+        return isnan(computed) ? 0 : HUGE_VAL;
+    const double at_rest = f->law == RATIO && f->end == LAW_ZERO_OVERLAP ? 1 : HUGE_VAL;
+    if (x == 0 || x == 1)
+        return computed == ((x == 1) != of_loss ? 0 : at_rest) ? 0 : HUGE_VAL;
+    const long double eps = of_loss ? 1 - (long double)x : x, loss = of_loss ? x : 1 - (long double)x;
+    if (isinf(computed)) /* eps at the largest double must be above */
+        return f->law == RATIO ? (ratio_eps(f->end, 0x1.fffffffffffffp+1023) >= eps ? 0 : HUGE_VAL)
+                               : (crossley(f->law, false, 0x1.fffffffffffffp+1023) >= eps ? 0 : HUGE_VAL);
+    if (of_loss && x < 0x1p-1022) /* proportional to the loss, which reference functions know for a normal one */
+        return ulp_error(computed, (long double)f->value(0x1p-1000) * 0x1p1000L * x, format_double);
+    if (!(computed > 0))
+        return HUGE_VAL;
+    if (f->law == RATIO)
+        return ratio_inverse_error(f->end, computed, of_loss ? -log1pl(-loss) : -logl(eps), x, of_loss ? x : 0);
+    return crossley_inverse_error(f->law, computed, eps, loss);
+}
+
+static long double exact_value(const struct function *f, double x)
+{
+    if (f->law == RATIO && !(x >= 0))
+        return NAN;
+    if (f->law != RATIO && !(x > -1))
+        return NAN;
+    if (f->shape == TIME || f->shape == SLOW_TIME)
+        return f->time(x);
+    if (f->law == RATIO)
+        return f->shape == LOSS ? ratio_loss(f->end, x) : ratio_eps(f->end, x);
+    return crossley(f->law, f->shape == LOSS, x);
+}
+
+static double error_of(const struct function *f, double computed, double x)
+{
+    if (is_inverse(f))
+        return inverse_error(f, computed, x);
+    if (f->law == CROSSLEY_TIMES && x < 0) /* by quadrature: tests/unit/test_law.c */
+        return 0;
+    const long double exact = exact_value(f, x);
+    return exact < 0 ? ulp_error(-computed, -exact, format_double) : ulp_error(computed, exact, format_double);
+}
+
+/* ---- searches ---- */
+
+struct worst {
+    double error, at, rise_at;
+    uint64_t points, rises;
+};
+
+static void take(struct worst *worst, const struct function *f, double x)
+{
+    const double error = error_of(f, f->value(x), x);
+    worst->points++;
+    if (!(error <= worst->error)) {
+        worst->error = error;
+        worst->at = x;
+    }
+}
+
+struct random {
+    uint64_t state;
+};
+
+static uint64_t random_bits(struct random *r)
+{
+    r->state ^= r->state >> 12;
+    r->state ^= r->state << 25;
+    r->state ^= r->state >> 27;
+    return r->state * UINT64_C(2685821657736338717);
+}
+
+static double random_uniform(struct random *r)
+{
+    return (double)(random_bits(r) >> 11) * 0x1p-53;
+}
+
+static double random_pattern(struct random *r, double limit)
+{
+    return double_of(random_bits(r) % bits_of(limit));
+}
+
+/* zeta or beta: where kernels are, near 1, every size, every bit pattern; a part of beta is negative */
+static double random_damping(struct random *r, const struct function *f)
+{
+    const double kind = random_uniform(r), u = random_uniform(r);
+    if (f->law != RATIO && kind < 0.15)
+        return kind < 0.08 ? -u : -exp(-30 * u);
+    if (kind < 0.55)
+        return 3 * u;
+    if (kind < 0.7)
+        return 15 * u;
+    if (kind < 0.85)
+        return exp(-46 + 92 * u);
+    if (kind < 0.9)
+        return 1 + (random_bits(r) & 1 ? -1 : 1) * exp2(-52 * u);
+    return random_pattern(r, HUGE_VAL);
+}
+
+static double random_eps(struct random *r)
+{
+    const double kind = random_uniform(r), u = random_uniform(r);
+    if (kind < 0.6)
+        return u;
+    if (kind < 0.75)
+        return random_pattern(r, 1);
+    if (kind < 0.9)
+        return 1 - exp2(-54 * u);
+    return exp(-30 * u);
+}
+
+static double random_argument(struct random *r, const struct function *f)
+{
+    return is_inverse(f) ? random_eps(r) : random_damping(r, f);
+}
+
+/* eps never rises by more than two units of the last place from one double to the next, and stays in [0, 1] but for a
+ * pumped collision. */
+static void take_order(struct worst *worst, const struct function *f, double x)
+{
+    if (f->shape != EPS || !(x >= 0))
+        return;
+    const double y = f->value(x), next = f->value(nextafter(x, HUGE_VAL));
+    if (!(y >= 0 && y <= 1) || (next > y && bits_of(next) - bits_of(y) > 2)) {
+        worst->rises++;
+        worst->rise_at = x;
+    }
+}
+
+struct options {
+    uint64_t points, seed;
+    int threads;
+    const char *only;
+};
+
+struct job {
+    const struct function *f;
+    const struct options *options;
+    int thread;
+    struct worst worst;
+};
+
+static void *search_random(void *argument)
+{
+    struct job *job = argument;
+    const struct options *o = job->options;
+    struct random r = {(o->seed * MAX_THREADS + (uint64_t)job->thread) * 2 + 1};
+    const uint64_t points = o->points / (job->f->shape == SLOW_TIME ? SLOW_SHARE : 1);
+    for (uint64_t i = (uint64_t)job->thread; i < points; i += (uint64_t)o->threads) {
+        const double x = random_argument(&r, job->f);
+        take(&job->worst, job->f, x);
+        take_order(&job->worst, job->f, x);
+    }
+    mpfr_free_cache();
+    return NULL;
+}
+
+static void search_threads(struct worst *worst, const struct function *f, const struct options *o)
+{
+    struct job job[MAX_THREADS];
+    pthread_t thread[MAX_THREADS];
+    bool started[MAX_THREADS];
+    for (int i = 0; i < o->threads; i++) {
+        job[i] = (struct job){.f = f, .options = o, .thread = i};
+        started[i] = i + 1 < o->threads && pthread_create(&thread[i], NULL, search_random, &job[i]) == 0;
+        if (!started[i])
+            search_random(&job[i]);
+    }
+    for (int i = 0; i < o->threads; i++) {
+        if (started[i])
+            pthread_join(thread[i], NULL);
+        worst->points += job[i].worst.points;
+        worst->rises += job[i].worst.rises;
+        if (job[i].worst.rises > 0)
+            worst->rise_at = job[i].worst.rise_at;
+        if (!(job[i].worst.error <= worst->error)) {
+            worst->error = job[i].worst.error;
+            worst->at = job[i].worst.at;
+        }
+    }
+}
+
+/* Every double from `radius` before |x| to as many after it */
+static void walk(struct worst *worst, const struct function *f, double x, uint64_t radius)
+{
+    const uint64_t middle = bits_of(fabs(x)), last = bits_of(is_inverse(f) ? 1 : HUGE_VAL);
+    const uint64_t low = middle > radius ? middle - radius : 0, high = middle + radius < last ? middle + radius : last;
+    for (uint64_t bits = low; bits <= high; bits++) {
+        const double at = copysign(double_of(bits), x);
+        take(worst, f, at);
+        take_order(worst, f, at);
+    }
+}
+
+/* Where kernels and series meet (runtime/law/damping_ratio.h, hunt_crossley.h), and the ends of the number format */
+static const double damping_boundaries[] = {
+    1,        3,          11,      2.157, 2,        0.7,       2.0 / 3, 0x1p-20, 0x1p-60,  0x1p64, 0x1p100,
+    0x1p500,  0x1p540,    0x1p511, 1e300, 0x1p-900, 0x1p-1022, 0x1p28,  800,     0x1p-537, 0x1p53, 2.23606797749979,
+    0x1p1023, 0x1.8p1022, 0.84,    1000,  0x1p200,  0x1p900,
+};
+static const double eps_boundaries[] = {
+    0.02385,
+    0.1545,
+    0.0319,
+    0.3908,
+    0.6714,
+    0.1353352832366127,
+    0.4065696597405991,
+    0.1495686192226351,
+    0x1p-900,
+    0x1p-200,
+    1e-154,
+    2.7813423231340017e-309,
+    1.9667060174891983e-309,
+    5.562684646268003e-309,
+    0x1p-60,
+    0x1p-30,
+};
+
+static void search_boundaries(struct worst *worst, const struct function *f)
+{
+    const uint64_t radius = f->shape == SLOW_TIME ? 0 : 32;
+    if (is_inverse(f)) {
+        for (size_t i = 0; i < sizeof eps_boundaries / sizeof *eps_boundaries; i++) {
+            walk(worst, f, eps_boundaries[i], radius);
+            walk(worst, f, 1 - eps_boundaries[i], radius);
+        }
+        for (int k = -1074; k <= 0; k++)
+            walk(worst, f, ldexp(1, k), 1);
+        for (int k = -53; k < 0; k++)
+            walk(worst, f, 1 - ldexp(1, k), 3);
+        return;
+    }
+    for (size_t i = 0; i < sizeof damping_boundaries / sizeof *damping_boundaries; i++) {
+        walk(worst, f, damping_boundaries[i], radius);
+        if (f->law != RATIO && damping_boundaries[i] <= 1)
+            walk(worst, f, -damping_boundaries[i], radius);
+    }
+    for (int k = -1074; k < 1024; k += f->shape == SLOW_TIME ? 91 : 1)
+        walk(worst, f, ldexp(1, k), radius > 0);
+}
+
+/* Uphill from the worst point */
+static void climb(struct worst *worst, const struct function *f)
+{
+    for (int turn = 0; turn < 8; turn++) {
+        const double error = worst->error;
+        walk(worst, f, worst->at, f->shape == SLOW_TIME ? 2 : 200);
+        if (!(worst->error > error))
+            break;
+    }
+}
+
+/* ---- special values, floats, arrays ---- */
+
+static const double specials[] = {0.0,
+                                  -0.0,
+                                  HUGE_VAL,
+                                  -HUGE_VAL,
+                                  NAN,
+                                  -1.0,
+                                  -0x1p-1074,
+                                  1.0,
+                                  0x1p-1074,
+                                  1.5,
+                                  0x1p-1022,
+                                  2.0,
+                                  0x1.fffffffffffffp-1,
+                                  0x1.0000000000001p+0,
+                                  -0.5,
+                                  0x1p1023};
+enum { SPECIALS = sizeof specials / sizeof *specials };
+
+static uint64_t check_specials(const struct function *f)
+{
+    uint64_t wrong = 0;
+    for (int i = 0; i < SPECIALS; i++) {
+        const double x = specials[i], y = f->value(x);
+        if (error_of(f, y, x) <= f->max_ulp)
+            continue;
+        printf("FAIL  %s(%a) = %a\n", f->name, x, y);
+        wrong++;
+    }
+    return wrong;
+}
+
+static bool same(const void *x, const void *y, size_t size, bool both_nan)
+{
+    return same_bits(x, y, size) || both_nan;
+}
+
+/* The float is the double rounded once, and arrays are their scalars, at any place and length. */
+static uint64_t check_arrays(const struct function *f, uint64_t seed)
+{
+    enum { LONGEST = 300, BLOCKS = 60 };
+    double x[LONGEST + 4], y[LONGEST + 4];
+    float xf[LONGEST + 4], yf[LONGEST + 4];
+    struct random r = {seed * 2 + 1};
+    uint64_t wrong = 0;
+    f->array(NULL, NULL, 0);
+    f->arrayf(NULL, NULL, 0);
+    for (int block = 0; block < BLOCKS; block++) {
+        const size_t n = random_bits(&r) % (LONGEST + 1), from = random_bits(&r) % 4, to = random_bits(&r) % 4;
+        for (size_t i = from; i < from + n; i++) {
+            x[i] =
+                block % 2 && random_bits(&r) % 16 == 0 ? specials[random_bits(&r) % SPECIALS] : random_argument(&r, f);
+            xf[i] = (float)x[i];
+        }
+        memcpy(y + to, x + from, n * sizeof *y);
+        memcpy(yf + to, xf + from, n * sizeof *yf);
+        f->array(block % 3 ? x + from : y + to, y + to, n);
+        f->arrayf(block % 3 ? xf + from : yf + to, yf + to, n);
+        for (size_t i = 0; i < n; i++) {
+            const double one = f->value(x[from + i]);
+            const float onef = (float)f->value((double)xf[from + i]), scalarf = f->valuef(xf[from + i]);
+            if (same(&one, &y[to + i], sizeof one, isnan(one) && isnan(y[to + i])) &&
+                same(&onef, &yf[to + i], sizeof onef, isnan(onef) && isnan(yf[to + i])) &&
+                same(&onef, &scalarf, sizeof onef, isnan(onef) && isnan(scalarf)))
+                continue;
+            if (wrong++ == 0)
+                printf("FAIL  %s: arrays at %a\n", f->name, x[from + i]);
+        }
+    }
+    return wrong;
+}
+
+/* ---- the run ---- */
+
+static bool report(const struct function *f, const struct worst *worst)
+{
+    const bool good = worst->error <= f->max_ulp && worst->rises == 0;
+    printf("%s  %-42s  %10llu  %8.3f  %4.1f  %a\n", good ? "ok  " : "FAIL", f->name, (unsigned long long)worst->points,
+           worst->error, f->max_ulp, worst->at);
+    if (worst->rises > 0)
+        printf("      rises or leaves [0, 1] %llu times, at %a\n", (unsigned long long)worst->rises, worst->rise_at);
+    return good;
+}
+
+static int run(const struct options *o)
+{
+    bool good = true;
+    printf("seed: %llu\n", (unsigned long long)o->seed);
+    printf("      %-42s  %10s  %8s  %s  %s\n", "function", "points", "worst ulp", "bound", "argument");
+    for (int i = 0; i < FUNCTIONS; i++) {
+        const struct function *f = &functions[i];
+        if (o->only != NULL && strstr(f->name, o->only) == NULL)
+            continue;
+        struct worst worst = {0};
+        search_threads(&worst, f, o);
+        search_boundaries(&worst, f);
+        climb(&worst, f);
+        good = report(f, &worst) && good;
+        good = check_specials(f) == 0 && good;
+        good = check_arrays(f, o->seed) == 0 && good;
+    }
+    mpfr_free_cache();
+    return good ? 0 : 1;
+}
+
+int main(int argc, char **argv)
+{
+    struct options o = {.points = 20000, .seed = 19990101, .threads = 1};
+    for (int i = 1; i < argc; i++) {
+        const double number = i + 1 < argc ? strtod(argv[i + 1], NULL) : 0;
+        if (strcmp(argv[i], "--points") == 0 && number >= 1 && number <= 1e15) {
+            o.points = (uint64_t)number;
+        } else if (strcmp(argv[i], "--threads") == 0 && number >= 1 && number <= MAX_THREADS) {
+            o.threads = (int)number;
+        } else if (strcmp(argv[i], "--only") == 0 && i + 1 < argc) {
+            o.only = argv[i + 1];
+        } else if (strcmp(argv[i], "--seed") == 0 && number >= 0 && number <= 1e15) {
+            o.seed = (uint64_t)number;
+        } else {
+            fputs("test_laws [--points N] [--threads N] [--only TEXT] [--seed N]\n", stderr);
+            return 2;
+        }
+        i++;
+    }
+    if (LDBL_MANT_DIG < 64) {
+        printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
+        return 77;
+    }
+    return run(&o);
+}

@@ -1,0 +1,357 @@
+/* SPDX-License-Identifier: MIT */
+/* The polynomials of runtime/core/elementary.h and runtime/law/: the errors that stand beside them. Those that carry the
+ * accuracy of a kernel are proved: in each cell of the interval the error is Taylor's polynomial in balls around the middle
+ * and a remainder enclosed over the cell. The start values of Newton's method are sampled. */
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "runtime/law/damping_ratio.h"
+#include "runtime/law/hunt_crossley.h"
+#include "support/flint.h"
+
+enum { BITS = 400, LENGTH = 20 };
+
+/* ---- series of an error around a point, which may be a ball ---- */
+
+/* sum of c[k] x^k for a series x */
+static void compose(arb_poly_t y, const double *c, slong n, const arb_poly_t x, slong length)
+{
+    arb_t coefficient, added;
+    arb_init(coefficient);
+    arb_poly_zero(y);
+    arb_init(added);
+    while (n-- > 0) {
+        arb_poly_mullow(y, y, x, length, BITS);
+        arb_poly_get_coeff_arb(coefficient, y, 0);
+        arb_set_d(added, c[n]);
+        arb_add(coefficient, coefficient, added, BITS);
+        arb_poly_set_coeff_arb(y, 0, coefficient);
+    }
+    arb_clear(coefficient);
+    arb_clear(added);
+}
+
+/* the variable itself: centre + t */
+static void variable(arb_poly_t x, const arb_t centre)
+{
+    arb_poly_zero(x);
+    arb_poly_set_coeff_arb(x, 0, centre);
+    arb_poly_set_coeff_si(x, 1, 1);
+}
+
+typedef void error_series(arb_poly_t e, const arb_poly_t x, slong length);
+
+/* s^2 p(s) - (exp(s) - 1 - s) */
+static void exp_error(arb_poly_t e, const arb_poly_t s, slong length)
+{
+    arb_poly_t p;
+    arb_poly_init(p);
+    compose(p, cor_kernel_exp_polynomial, 11, s, length);
+    arb_poly_mullow(p, p, s, length, BITS);
+    arb_poly_mullow(p, p, s, length, BITS);
+    arb_poly_exp_series(e, s, length, BITS);
+    arb_poly_sub(e, e, s, BITS);
+    arb_poly_add_si(e, e, -1, BITS);
+    arb_poly_sub(e, p, e, BITS);
+    arb_poly_clear(p);
+}
+
+/* s + s^3 factor p(sign s^2) */
+static void odd(arb_poly_t e, const double *c, slong n, const arb_poly_t s, int sign, int halves, slong length)
+{
+    arb_poly_t square;
+    arb_poly_init(square);
+    arb_poly_mullow(square, s, s, length, BITS);
+    if (sign < 0)
+        arb_poly_neg(square, square);
+    compose(e, c, n, square, length);
+    arb_poly_mullow(e, e, square, length, BITS);
+    arb_poly_scalar_mul_2exp_si(e, e, -halves);
+    arb_poly_mullow(e, e, s, length, BITS);
+    arb_poly_add(e, e, s, BITS);
+    arb_poly_clear(square);
+}
+
+/* atanh by its derivative */
+static void atanh_series(arb_poly_t y, const arb_poly_t s, slong length)
+{
+    arb_poly_t plus, minus;
+    arb_poly_init(plus);
+    arb_poly_init(minus);
+    arb_poly_add_si(plus, s, 1, BITS);
+    arb_poly_neg(minus, s);
+    arb_poly_add_si(minus, minus, 1, BITS);
+    arb_poly_log_series(plus, plus, length, BITS);
+    arb_poly_log_series(minus, minus, length, BITS);
+    arb_poly_sub(y, plus, minus, BITS);
+    arb_poly_scalar_mul_2exp_si(y, y, -1);
+    arb_poly_clear(plus);
+    arb_poly_clear(minus);
+}
+
+static void odd_error(arb_poly_t e, const double *c, slong n, const arb_poly_t s, int sign, int halves, slong length)
+{
+    arb_poly_t exact;
+    arb_poly_init(exact);
+    if (sign * (c[0] < 0 ? -1 : 1) > 0)
+        atanh_series(exact, s, length);
+    else
+        arb_poly_atan_series(exact, s, length, BITS);
+    odd(e, c, n, s, sign, halves, length);
+    arb_poly_sub(e, e, exact, BITS);
+    arb_poly_clear(exact);
+}
+
+static void log_error(arb_poly_t e, const arb_poly_t s, slong length)
+{
+    odd_error(e, cor_kernel_log_polynomial, 8, s, 1, 1, length);
+}
+
+static void atan_error(arb_poly_t e, const arb_poly_t t, slong length)
+{
+    odd_error(e, cor_ratio_phase_polynomial, 15, t, 1, 0, length);
+}
+
+static void phase_atanh_error(arb_poly_t e, const arb_poly_t t, slong length)
+{
+    odd_error(e, cor_ratio_phase_polynomial, 15, t, -1, 0, length);
+}
+
+/* 1/3 is a pair there, exact here */
+static void add_third(arb_poly_t e)
+{
+    arb_poly_t third;
+    arb_t value;
+    arb_poly_init(third);
+    arb_init(value);
+    arb_set_ui(value, 1);
+    arb_div_ui(value, value, 3, BITS);
+    arb_poly_set_coeff_arb(third, 0, value);
+    arb_poly_add(e, e, third, BITS);
+    arb_poly_clear(third);
+    arb_clear(value);
+}
+
+/* s + s^3 (1/3 + s^2 p(s^2)) - atanh(s) */
+static void approach_error(arb_poly_t e, const arb_poly_t s, slong length)
+{
+    arb_poly_t square, exact;
+    arb_poly_init(square);
+    arb_poly_init(exact);
+    arb_poly_mullow(square, s, s, length, BITS);
+    compose(e, cor_hc_atanh_polynomial, 13, square, length);
+    arb_poly_mullow(e, e, square, length, BITS);
+    add_third(e);
+    arb_poly_mullow(e, e, square, length, BITS);
+    arb_poly_mullow(e, e, s, length, BITS);
+    arb_poly_add(e, e, s, BITS);
+    atanh_series(exact, s, length);
+    arb_poly_sub(e, e, exact, BITS);
+    arb_poly_clear(square);
+    arb_poly_clear(exact);
+}
+
+/* (y^2 (1/3 + y^2 p(y^2))) sinh(y) - (y cosh(y) - sinh(y)); 1/3 as above */
+static void coth_error(arb_poly_t e, const arb_poly_t y, slong length)
+{
+    arb_poly_t square, sinh, cosh;
+    arb_poly_init(square);
+    arb_poly_init(sinh);
+    arb_poly_init(cosh);
+    arb_poly_mullow(square, y, y, length, BITS);
+    compose(e, cor_hc_coth_polynomial, 13, square, length);
+    arb_poly_mullow(e, e, square, length, BITS);
+    add_third(e);
+    arb_poly_mullow(e, e, square, length, BITS);
+    arb_poly_sinh_cosh_series(sinh, cosh, y, length, BITS);
+    arb_poly_mullow(e, e, sinh, length, BITS);
+    arb_poly_mullow(cosh, cosh, y, length, BITS);
+    arb_poly_sub(e, e, cosh, BITS);
+    arb_poly_add(e, e, sinh, BITS);
+    arb_poly_clear(square);
+    arb_poly_clear(sinh);
+    arb_poly_clear(cosh);
+}
+
+/* x + x^2 p(x) - w, x = w exp(-w) */
+static void lambert_error(arb_poly_t e, const arb_poly_t w, slong length)
+{
+    arb_poly_t x;
+    arb_poly_init(x);
+    arb_poly_neg(x, w);
+    arb_poly_exp_series(x, x, length, BITS);
+    arb_poly_mullow(x, x, w, length, BITS);
+    compose(e, cor_hc_lambert_polynomial, 15, x, length);
+    arb_poly_mullow(e, e, x, length, BITS);
+    arb_poly_mullow(e, e, x, length, BITS);
+    arb_poly_add(e, e, x, BITS);
+    arb_poly_sub(e, e, w, BITS);
+    arb_poly_clear(x);
+}
+
+/* ---- the proof ---- */
+
+/* |e| <= bound |x|^power in the cell middle +- radius, middle = 0 or the cell away from 0 */
+static bool cell_holds(error_series *series, double middle, double radius, int power, double bound)
+{
+    arb_poly_t x, e;
+    arb_t centre, sum, scale, term;
+    arb_poly_init(x);
+    arb_poly_init(e);
+    arb_init(centre);
+    arb_init(sum);
+    arb_init(scale);
+    arb_init(term);
+    /* the remainder: coefficient LENGTH over the cell */
+    arb_set_d(centre, middle);
+    arb_set_d(scale, radius);
+    arb_add_error(centre, scale);
+    variable(x, centre);
+    series(e, x, LENGTH + 1);
+    arb_poly_get_coeff_arb(sum, e, LENGTH);
+    arb_abs(sum, sum);
+    arb_pow_ui(term, scale, (ulong)(middle == 0 ? LENGTH - power : LENGTH), BITS);
+    arb_mul(sum, sum, term, BITS);
+    /* Taylor's polynomial */
+    arb_set_d(centre, middle);
+    variable(x, centre);
+    series(e, x, LENGTH);
+    bool divisible = true;
+    for (slong k = 0; k < LENGTH; k++) {
+        arb_poly_get_coeff_arb(term, e, k);
+        if (middle == 0 && k < power) {
+            divisible = divisible && arb_is_zero(term);
+            continue;
+        }
+        arb_abs(term, term);
+        arb_pow_ui(centre, scale, (ulong)(middle == 0 ? k - power : k), BITS);
+        arb_addmul(sum, term, centre, BITS);
+    }
+    arb_set_d(term, middle == 0 ? bound : bound * pow(fabs(middle) - radius, power) * (1 - 1e-12));
+    const bool holds = divisible && arb_lt(sum, term);
+    arb_poly_clear(x);
+    arb_poly_clear(e);
+    arb_clear(centre);
+    arb_clear(sum);
+    arb_clear(scale);
+    arb_clear(term);
+    return holds;
+}
+
+static bool prove(const char *name, error_series *series, double low, double high, int power, double bound)
+{
+    enum { CELLS = 300 };
+    const double radius = high / (2 * CELLS - 1);
+    bool good = true;
+    for (int i = low < 0 ? -CELLS + 1 : 0; i < CELLS; i++)
+        good = cell_holds(series, 2 * i * radius, radius * (1 + 1e-9), power, bound) && good;
+    printf("%s  %-34s  |x| <= %-8g  error below 2^%.1f |x|^%d, proved\n", good ? "ok  " : "FAIL", name, high,
+           log2(bound), power);
+    return good;
+}
+
+/* ---- start values, sampled in MPFR ---- */
+
+enum { SAMPLES = 4000 };
+
+static long double polynomial(const double *c, int n, long double x)
+{
+    long double sum = 0;
+    while (n-- > 0)
+        sum = sum * x + (long double)c[n];
+    return sum;
+}
+
+static bool sampled(const char *name, long double worst, double bound)
+{
+    const bool good = worst <= bound;
+    printf("%s  %-34s  error %.1Lf bits, promised %.0f, sampled at %d points\n", good ? "ok  " : "FAIL", name,
+           -log2l(worst), -log2(bound), SAMPLES);
+    return good;
+}
+
+/* th cot(th) and cos(th) of the angle th = s, or of th = i s */
+static long double start_error(int slope)
+{
+    long double worst = 0;
+    for (int i = 1; i < SAMPLES; i++) {
+        const int over = i > SAMPLES / 2;
+        const long double u = (long double)i / SAMPLES, th = over ? (u - 0.5L) * 2 * acoshl(3) : u * acosl(-1);
+        const long double x = over ? th / tanhl(th) : th / tanl(th), zeta = over ? coshl(th) : cosl(th);
+        /* d zeta/d th over dx/d th */
+        const long double sine = over ? sinhl(th) : sinl(th);
+        const long double dx = over ? (sine * zeta - th) / (sine * sine) : (sine * zeta - th) / (sine * sine);
+        const long double exact = slope ? (over ? sine : -sine) / dx : zeta;
+        const long double value =
+            slope ? polynomial(cor_ratio_slope_polynomial, 8, x) : x * polynomial(cor_ratio_start_polynomial, 11, x);
+        if (th > 1e-3L)
+            worst = fmaxl(worst, fabsl(value / exact - 1));
+    }
+    return worst;
+}
+
+/* L of the limited damper, by the kernel, whose own error tests/accuracy/test_laws.c bounds */
+static long double limited_error(void)
+{
+    long double worst = 0;
+    for (int i = 1; i < SAMPLES; i++) {
+        const double zeta = 11.0 * i / SAMPLES;
+        const double x = cor_ratio_limited_near(zeta).hi;
+        const int row = (x > 0.9) + (x > 1.9);
+        worst = fmaxl(worst, fabsl(x * polynomial(cor_ratio_limited_polynomial[row], 11, x) / zeta - 1));
+    }
+    return worst;
+}
+
+/* y, c = y coth(y) - 1, beta = y + c, t = c/y, eps = (y - c)/(y + c) */
+static void crossley_errors(long double worst[3])
+{
+    for (int i = 1; i < SAMPLES; i++) {
+        const long double y = 1.5L * i / SAMPLES, c = y / tanhl(y) - 1, beta = y + c, t = c / y, s = beta / (2 + beta);
+        if (y < 0.01L)
+            continue; /* c has lost its digits */
+        worst[0] = fmaxl(worst[0], fabsl(polynomial(cor_hc_start_polynomial, 10, s) / (c / (beta * beta)) - 1));
+        worst[1] = fmaxl(worst[1], fabsl(polynomial(cor_hc_langevin_polynomial, 7, t * t) / (y / t) - 1));
+    }
+    for (int i = 1; i < SAMPLES; i++) {
+        const long double y = 1.5L + 20.0L * i / SAMPLES, c = y / tanhl(y) - 1, eps = (y - c) / (y + c);
+        worst[2] = fmaxl(worst[2], fabsl(polynomial(cor_hc_limit_polynomial, 9, eps) - (1 - (y - c))));
+    }
+}
+
+static long double approach_start_error(void)
+{
+    long double worst = 0;
+    for (int i = 1; i < SAMPLES; i++) {
+        const long double s = 0.5L * i / SAMPLES, beta = 2 * s / (1 - s);
+        const long double x = 1 - 2 * (beta - log1pl(beta)) / (beta * beta);
+        if (s > 0.01L)
+            worst = fmaxl(worst, fabsl(x * polynomial(cor_hc_approach_polynomial, 9, x) / s - 1));
+    }
+    return worst;
+}
+
+int main(void)
+{
+    long double crossley[3] = {0};
+    bool good = prove("exp", exp_error, -1, 0.3467, 0, 0x1p-60);
+    good = prove("ln", log_error, 0, 0.1717, 1, 0x1p-59) && good;
+    good = prove("phase, zeta < 1", atan_error, 0, 0.41437, 1, 0x1p-57) && good;
+    good = prove("phase, zeta > 1", phase_atanh_error, 0, 0.41437, 1, 0x1p-57) && good;
+    /* c >= 0.29 y^2 and sinh(y) >= y */
+    good = prove("y coth(y) - 1", coth_error, 0, 1.503, 3, 0.29 * 0x1p-55) && good;
+    /* 1 - w >= 0.84 */
+    good = prove("Lambert's W", lambert_error, 0, 0.1575, 0, 0.84 * 0x1p-55) && good;
+    good = prove("atanh, approach only", approach_error, 0, 0.5, 3, 0x1p-55) && good;
+    good = sampled("zeta of zeta A(zeta)", start_error(0), 0x1p-39) && good;
+    good = sampled("its slope", start_error(1), 0x1p-22) && good;
+    good = sampled("zeta of the limited damper", limited_error(), 0x1p-24) && good;
+    crossley_errors(crossley);
+    good = sampled("c of beta", crossley[0], 0x1p-29) && good;
+    good = sampled("Langevin's function inverted", crossley[1], 0x1p-28) && good;
+    good = sampled("1 - beta eps of eps", crossley[2], 0x1p-13) && good;
+    good = sampled("s of 1 - eps^2", approach_start_error(), 0x1p-30) && good;
+    flint_cleanup();
+    return good ? 0 : 1;
+}

@@ -1,0 +1,164 @@
+/* SPDX-License-Identifier: MIT */
+/* J(nu): known values, the two routes to it, and the bound on an ellipse from which the error of the table follows. */
+#include "check.h"
+
+#include "enclosure/wave_factor.h"
+#include "tables/waves.h"
+
+static void set_tau(acb_t tau, const char *nu, slong prec)
+{
+    arb_set_str(acb_realref(tau), nu, prec);
+    arb_mul_si(acb_realref(tau), acb_realref(tau), -2, prec);
+    arb_add_ui(acb_realref(tau), acb_realref(tau), 1, prec);
+    arb_sqrt(acb_realref(tau), acb_realref(tau), prec);
+    arb_zero(acb_imagref(tau));
+}
+
+/* Miller and Pursey's half-space: J from two contours that agree to 30 digits */
+static void known_values(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *nu, *j;
+    } known[] = {{"0.25", "0.930752601914437910 +/- 6e-19"}, {"0.3", "0.862223129240137236 +/- 6e-19"}};
+    acb_t tau, j;
+    arb_t exact;
+    acb_init(tau);
+    acb_init(j);
+    arb_init(exact);
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        set_tau(tau, known[i].nu, 128);
+        wave_factor(j, tau, 100);
+        arb_set_str(exact, known[i].j, 100);
+        assert_true(arb_overlaps(acb_realref(j), exact) && arb_rel_accuracy_bits(acb_realref(j)) > 60);
+    }
+    acb_clear(tau);
+    acb_clear(j);
+    arb_clear(exact);
+}
+
+static void two_routes(void **state)
+{
+    (void)state;
+    static const char *const nu[] = {"-0.9", "-0.4", "0.1", "0.2", "0.33", "0.45"};
+    acb_t tau, axis, path;
+    acb_init(tau);
+    acb_init(axis);
+    acb_init(path);
+    for (size_t i = 0; i < sizeof nu / sizeof *nu; i++) {
+        set_tau(tau, nu[i], 100);
+        wave_factor_by(axis, WAVE_BY_AXIS, tau, 60);
+        wave_factor_by(path, WAVE_BY_PATH, tau, 60);
+        check(arb_overlaps(acb_realref(axis), acb_realref(path)), "nu = %s", nu[i]);
+        assert_true(arb_rel_accuracy_bits(acb_realref(axis)) > 40 && arb_rel_accuracy_bits(acb_realref(path)) > 40);
+    }
+    acb_clear(tau);
+    acb_clear(axis);
+    acb_clear(path);
+}
+
+/* tau on the ellipse, pi times `angle` from its right end */
+static void on_ellipse(acb_t tau, double angle, double radius)
+{
+    acb_t w;
+    acb_init(w);
+    arb_set_d(acb_realref(w), angle);
+    mag_set_d(arb_radref(acb_realref(w)), radius);
+    acb_exp_pi_i(w, w, 53);
+    acb_mul_ui(w, w, 3, 53);
+    acb_mul_2exp_si(w, w, -1); /* WAVE_ELLIPSE */
+    acb_inv(tau, w, 53);
+    acb_add(tau, tau, w, 53);
+    acb_mul_2exp_si(tau, tau, -1);
+    acb_add_ui(tau, tau, 1, 53);
+    acb_mul_ui(tau, tau, 7, 53);
+    acb_mul_2exp_si(tau, tau, -3);
+    acb_clear(w);
+}
+
+/* |J| < bound on the arc, by either route, or on both halves of it */
+static int arc_holds(double angle, double radius, int depth)
+{
+    acb_t tau, j;
+    mag_t size;
+    acb_init(tau);
+    acb_init(j);
+    mag_init(size);
+    int holds = 0;
+    on_ellipse(tau, angle, radius);
+    for (int route = WAVE_BY_PATH; route >= WAVE_BY_AXIS && !holds; route--) {
+        wave_factor_by(j, (enum wave_route)route, tau, 8);
+        acb_get_mag(size, j);
+        holds = acb_is_finite(j) && mag_get_d(size) < WAVE_ELLIPSE_BOUND;
+    }
+    acb_clear(tau);
+    acb_clear(j);
+    mag_clear(size);
+    return holds || (depth < 12 && arc_holds(angle - radius / 2, radius / 2, depth + 1) &&
+                     arc_holds(angle + radius / 2, radius / 2, depth + 1));
+}
+
+/* J is real on the real axis, so that the upper half is enough. All arcs and all of the inside with COR_TEST_MULTIPLIER=160, some minutes. */
+static void bound_on_the_ellipse(void **state)
+{
+    (void)state;
+    assert_true(WAVE_ELLIPSE == 1.5 && WAVE_TAU_END == 1.75);
+    enum { ARCS = 400 };
+    const size_t wanted = points(8), step = wanted < ARCS ? ARCS / wanted : 1;
+    for (size_t k = 0; k < ARCS; k += step)
+        check(arc_holds(((double)k + 0.5) / ARCS, 0.5 / ARCS * (1 + 1e-12), 0), "arc %zu", k);
+}
+
+/* Whether the square around (x, y) of half side h is outside the ellipse: both axes are known */
+static int is_outside(double x, double y, double h)
+{
+    const double a = 0.875 * (1.5 + 1 / 1.5) / 2, b = 0.875 * (1.5 - 1 / 1.5) / 2;
+    const double dx = fmax(0, fabs(x - 0.875) - h) / a, dy = fmax(0, fabs(y) - h) / b;
+    return dx * dx + dy * dy > 1;
+}
+
+/* J is analytic on the square, since one of the routes encloses it there, or on its quarters */
+static int square_holds(double x, double y, double h, int depth)
+{
+    if (is_outside(x, y, h))
+        return 1;
+    acb_t tau, j;
+    acb_init(tau);
+    acb_init(j);
+    int holds = 0;
+    acb_set_d_d(tau, x, y);
+    mag_set_d(arb_radref(acb_realref(tau)), h * (1 + 1e-9));
+    mag_set_d(arb_radref(acb_imagref(tau)), h * (1 + 1e-9));
+    for (int route = WAVE_BY_PATH; route >= WAVE_BY_AXIS && !holds; route--) {
+        wave_factor_by(j, (enum wave_route)route, tau, 8);
+        holds = acb_is_finite(j);
+    }
+    acb_clear(tau);
+    acb_clear(j);
+    for (int k = 0; k < 4 && !holds && depth < 8; k++)
+        if (!square_holds(x + (k % 2 ? h : -h) / 2, y + (k / 2 ? h : -h) / 2, h / 2, depth + 1))
+            return 0;
+    return holds || depth < 8;
+}
+
+static void analytic_inside(void **state)
+{
+    (void)state;
+    const size_t wanted = points(2);
+    size_t count = 0;
+    const double h = 0.02;
+    for (double x = -0.1; x < 1.9; x += 2 * h) {
+        for (double y = 0; y < 0.42; y += 2 * h, count++)
+            if (wanted >= 320 || count % (550 / wanted) == 0)
+                check(square_holds(x, y, h, 0), "around %g + %g i", x, y);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(known_values), cmocka_unit_test(two_routes),
+                                       cmocka_unit_test(bound_on_the_ellipse), cmocka_unit_test(analytic_inside)};
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    flint_cleanup();
+    return failed;
+}

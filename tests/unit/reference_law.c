@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: MIT */
+#include "reference_law.h"
+
+#include <math.h>
+
+/* acos(zeta)/sqrt(1 - zeta^2) and what it becomes beyond 1 */
+static long double phase_time(long double zeta)
+{
+    const long double square = (1 - zeta) * (1 + zeta);
+    if (square == 0)
+        return 1;
+    return square > 0 ? acosl(zeta) / sqrtl(square) : acoshl(zeta) / sqrtl(-square);
+}
+
+/* atan2(2 zeta om, 1 + 2 zeta^2)/om; beyond 1 the area tangent as a logarithm, since its argument is near 1 */
+static long double limited_phase_time(long double zeta)
+{
+    const long double square = (1 - zeta) * (1 + zeta), om = sqrtl(fabsl(square)), below = 1 + 2 * zeta * zeta;
+    if (square == 0)
+        return 2 / below;
+    if (square > 0)
+        return atan2l(2 * zeta * om, below) / om;
+    if (zeta < 1.5L)
+        return atanhl(2 * zeta * om / below) / om;
+    return (logl(below + 2 * zeta * om) - logl(1 + 8 * zeta * zeta) / 2) / om;
+}
+
+long double reference_ratio_exponent(enum law_end end, long double zeta)
+{
+    switch (end) {
+    case LAW_ZERO_OVERLAP:
+        return acosl(-1) * zeta / sqrtl((1 - zeta) * (1 + zeta));
+    case LAW_ZERO_FORCE:
+        return 2 * zeta * phase_time(zeta);
+    case LAW_LIMITED:
+        return zeta * (2 * phase_time(zeta) - limited_phase_time(zeta));
+    default:
+        return zeta * phase_time(zeta);
+    }
+}
+
+/* z - ln(1 + z), z > -1 */
+static long double energy(long double z)
+{
+    if (fabsl(z) > 0.3L)
+        return z - log1pl(z);
+    long double sum = 0;
+    for (int k = 60; k >= 2; k--)
+        sum = 1.0L / k - z * sum;
+    return z * z * sum;
+}
+
+/* h = beta eps. Newton's method for f(-h) = f(beta) on the side of the root where f is convex towards it; where h is 1
+ * but for its last bits, 1 - h = exp(-f - h) is iterated. */
+static long double rebound(long double beta)
+{
+    const long double wanted = energy(beta);
+    if (beta > 30) {
+        long double rest = 0;
+        for (int k = 0; k < 20; k++)
+            rest = expl(rest - 1 - wanted);
+        return 1 - rest;
+    }
+    long double z = beta > 0 ? -beta / (1 + beta) : beta > -0.1L ? -beta : 2 * wanted + 1;
+    for (int k = 0; k < 100; k++) {
+        const long double step = (energy(z) - wanted) * (1 + z) / z, next = z - step;
+        if (fabsl(step) < 3e-19L * fabsl(z))
+            break;
+        z = next > -1 ? next : (z - 1) / 2;
+    }
+    return -z;
+}
+
+long double reference_hunt_crossley_eps(long double beta)
+{
+    return rebound(beta) / beta;
+}
+
+long double reference_hunt_crossley_loss(long double beta)
+{
+    /* LAWS: the series of 1 - eps, exact fractions */
+    static const long double c[] = {
+        2.0L / 3,         -4.0L / 9,       44.0L / 135,        -104.0L / 405,           40.0L / 189,
+        -7648.0L / 42525, 2848.0L / 18225, -31712.0L / 229635, 23429344.0L / 189448875, -89072576.0L / 795685275};
+    if (fabsl(beta) > 0.01L)
+        return 1 - rebound(beta) / beta;
+    long double sum = 0;
+    for (int k = (int)(sizeof c / sizeof *c) - 1; k >= 0; k--)
+        sum = c[k] + beta * sum;
+    return beta * sum;
+}
+
+long double reference_hunt_crossley_approach_eps(long double beta)
+{
+    return sqrtl(2 * energy(beta)) / fabsl(beta);
+}
+
+long double reference_hunt_crossley_approach_loss(long double beta)
+{
+    if (fabsl(beta) > 0.1L)
+        return 1 - reference_hunt_crossley_approach_eps(beta);
+    long double sum = 0; /* 1 - eps^2 */
+    for (int k = 40; k >= 1; k--)
+        sum = 2.0L / (k + 2) - beta * sum;
+    sum *= beta;
+    return sum / (1 + sqrtl(1 - sum));
+}
+
+/* ---- times ---- */
+
+/* The integral from 0 to 1 of a function of x and 1 - x that may be singular at both ends, up to x^-0.85 */
+typedef long double quadrature_function(long double x, long double below, const long double *parameters);
+
+static long double quadrature(quadrature_function *f, const long double *parameters)
+{
+    const long double pi = acosl(-1), end = 5.2L, step = 0.02L;
+    long double sum = 0;
+    for (int j = -(int)(end / step); j <= (int)(end / step); j++) {
+        const long double t = j * step, q = expl(-pi * sinhl(t)), x = 1 / (1 + q), below = q / (1 + q);
+        const long double weight = pi * coshl(t) * x * below;
+        if (weight > 0 && x > 0 && below > 0)
+            sum += weight * f(x, below, parameters);
+    }
+    return sum * step;
+}
+
+/* s = end x; parameters: zeta, om, end, whether sinh, and pi - om end, which counts where om s is near pi:
+ * exp(zeta s/5) (sin(om s)/om)^(-1/5) */
+static long double tsuji_integrand(long double x, long double below, const long double *p)
+{
+    const long double s = p[2] * x;
+    const long double sine = p[3] != 0      ? sinhl(p[1] * s)
+                             : p[1] * s < 2 ? sinl(p[1] * s)
+                                            : sinl(p[4] + p[1] * p[2] * below);
+    return expl(p[0] * s / 5) * powl(p[1] == 0 ? s : sine / p[1], -0.2L);
+}
+
+/* The integral up to `end`, of which om end and pi differ by `short_of` */
+static long double tsuji_integral(long double zeta, long double end, long double short_of)
+{
+    const long double square = (1 - zeta) * (1 + zeta);
+    const long double p[] = {zeta, sqrtl(fabsl(square)), end, square < 0, short_of};
+    return powl(1.25L, -0.6L) * end * quadrature(tsuji_integrand, p);
+}
+
+/* (5/8)^(2/5) times the integral of (1 - X^(5/2))^(-1/2) up to X = m^(2/5), X = x times that; p: the end, and 1 - m */
+static long double limited_integrand(long double x, long double below, const long double *p)
+{
+    (void)x;
+    const long double deficit = -expm1l(2.5L * log1pl(-below)) * (1 - p[1]) + p[1];
+    return p[0] / sqrtl(deficit);
+}
+
+long double reference_tsuji_time(enum law_end end, long double zeta)
+{
+    const long double pi = acosl(-1), om = sqrtl(fabsl((1 - zeta) * (1 + zeta))), a = phase_time(zeta);
+    const long double twice = zeta < 1 ? 2 * asinl(zeta) : 0;
+    switch (end) {
+    case LAW_APPROACH_ONLY:
+        return tsuji_integral(zeta, a, zeta < 1 ? pi - acosl(zeta) : 0);
+    case LAW_ZERO_FORCE:
+        return tsuji_integral(zeta, 2 * a, twice);
+    case LAW_ZERO_OVERLAP:
+        return tsuji_integral(zeta, pi / om, 0);
+    default:
+        break;
+    }
+    const long double square = 8 * zeta * zeta, rest = 1 / (1 + square), phase = limited_phase_time(zeta);
+    const long double p[] = {powl(0.625L * square * rest, 0.4L), rest};
+    const long double first = quadrature(limited_integrand, p);
+    const long double second = tsuji_integral(zeta, 2 * a, twice) - tsuji_integral(zeta, phase, pi - om * phase);
+    return first + expl(-zeta * phase / 5) * second;
+}
+
+/* -ln(1 - x) - x, x < 1 */
+static long double log_excess(long double x)
+{
+    if (fabsl(x) > 0.2L)
+        return -log1pl(-x) - x;
+    long double sum = 0;
+    for (int k = 40; k >= 2; k--)
+        sum = 1.0L / k + x * sum;
+    return x * x * sum;
+}
+
+/* Loading, d = 1 - v: 1/((1 + beta v) x^a), x^(a+1)/(a+1) = (beta e - excess(e))/beta^2, e = beta d/(1 + beta). p: a, beta */
+static long double loading_integrand(long double d, long double v, const long double *p)
+{
+    const long double a = p[0], beta = p[1], e = beta * d / (1 + beta);
+    const long double energy_left = d < 0.5L ? beta * e - log_excess(e) : energy(beta) - energy(beta * v);
+    return powl((a + 1) * energy_left / (beta * beta), -a / (a + 1)) / (1 + beta * v);
+}
+
+/* Rebound, d = (eps + v)/eps. p: a, beta, eps, 1 - h */
+static long double rebound_integrand(long double d, long double below, const long double *p)
+{
+    const long double a = p[0], beta = p[1], v = -p[2] * below, e = beta * p[2] * d / p[3];
+    const long double energy_left = d < 0.5L ? beta * p[2] * e - log_excess(-e) : energy(beta) - energy(beta * v);
+    return p[2] * powl((a + 1) * energy_left / (beta * beta), -a / (a + 1)) / (1 + beta * v);
+}
+
+/* The same over tau = ln((1 + beta v)/(1 - h)) from 0 to U = -ln(1 - h): p: a, beta, U, 1 - h */
+static long double strong_rebound_integrand(long double x, long double below, const long double *p)
+{
+    const long double a = p[0], u = p[2] * x, left = p[2] * below;
+    const long double energy_left = u < 0.5L ? u - p[3] * expm1l(u) : u - expl(-left) + p[3];
+    return p[2] / p[1] * powl((a + 1) * energy_left / (p[1] * p[1]), -a / (a + 1));
+}
+
+/* Loading over tau = ln((1 + beta)/(1 + beta v)) from 0 to ln(1 + beta): p: a, beta, end */
+static long double strong_loading_integrand(long double x, long double below, const long double *p)
+{
+    const long double a = p[0], beta = p[1], tau = p[2] * x, gone = -expm1l(-tau);
+    (void)below;
+    /* (1 + beta) gone - tau over beta */
+    const long double part = gone - (tau < 0.2L ? log_excess(gone) : tau - gone) / beta;
+    return p[2] * powl((a + 1) * part / beta, -a / (a + 1)) / beta;
+}
+
+long double reference_crossley_time_of_max_overlap(long double a, long double beta)
+{
+    const long double p[] = {a, beta, log1pl(beta)};
+    return quadrature(beta < 2 ? loading_integrand : strong_loading_integrand, p);
+}
+
+long double reference_crossley_duration(long double a, long double beta)
+{
+    const long double loading = reference_crossley_time_of_max_overlap(a, beta), h = rebound(beta);
+    if (beta < 2) {
+        const long double p[] = {a, beta, h / beta, 1 - h};
+        return loading + quadrature(rebound_integrand, p);
+    }
+    long double rest = 1 - h; /* of which 1 - h may keep nothing */
+    for (int k = 0; k < 200; k++)
+        rest = expl(rest - 1 - energy(beta));
+    const long double p[] = {a, beta, beta + 1 - log1pl(beta) - rest, rest};
+    return loading + quadrature(strong_rebound_integrand, p);
+}

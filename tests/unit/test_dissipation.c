@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: MIT */
+/* The dissipation time of a Kelvin-Voigt solid: against the contact modulus in the complex plane of its definition, against the
+ * hereditary integral of viscoelastic contact at finite rates, and its limits. */
+#include "check.h"
+
+#include <cor/cor.h>
+
+/* 1/(1 - nu^2) Y from shear modulus mu and bulk modulus k */
+static long double contact_modulus(long double mu, long double k)
+{
+    return 4 * mu * (mu + 3 * k) / (4 * mu + 3 * k);
+}
+
+struct material {
+    double eta1, eta2, young, nu;
+};
+
+static struct material random_material(struct random_state *r)
+{
+    return (struct material){random_log(r, 1e-6, 1e9), random_log(r, 1e-6, 1e9), random_log(r, 1e3, 1e12),
+                             random_uniform(r, -0.99, 0.5)};
+}
+
+static double time_of(struct material m)
+{
+    return cor_dissipation_time_viscous_s(m.eta1, m.eta2, m.young, m.nu);
+}
+
+/* A is d ln(E*)/ds at 0 with mu + s eta_1/2, k + s eta_2: six digits by a central difference */
+static void derivative_of_the_modulus(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(20000); i++) {
+        const struct material m = random_material(&random);
+        const long double mu = m.young / (2 * (1 + (long double)m.nu)), k = m.young / (3 * (1 - 2 * (long double)m.nu));
+        const long double s = 1e-6L * fminl(mu / m.eta1, k / m.eta2);
+        const long double up = contact_modulus(mu + s * m.eta1 / 2, k + s * m.eta2);
+        const long double down = contact_modulus(mu - s * m.eta1 / 2, k - s * m.eta2);
+        const long double exact = (logl(up) - logl(down)) / (2 * s);
+        check(relative_error(time_of(m), exact) < 1e-7, "%g %g %g %g: %g, not %Lg", m.eta1, m.eta2, m.young, m.nu,
+              time_of(m), exact);
+    }
+}
+
+/* The formula in long double */
+static void rounding(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst = 0;
+    for (size_t i = 0; i < points(100000); i++) {
+        const struct material m = random_material(&random);
+        const long double nu = m.nu, volume = 1 - 2 * nu;
+        const long double exact =
+            (1 + nu) / ((1 - nu) * m.young) * (2 * (1 - nu + nu * nu) / 3 * m.eta1 + volume * volume * m.eta2);
+        worst = fmaxl(worst, ulp_error(time_of(m), exact));
+    }
+    print_message("worst: %.2Lf ulp\n", worst);
+    assert_true(worst <= COR_CONTACT_MAX_ULP);
+}
+
+/* Viscous constants proportional to the moduli: the stress is (1 + tau d/dt) times the elastic one, A is tau in both formulas. */
+static void proportional_constants(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(2000); i++) {
+        const double nu = random_uniform(&random, 0.05, 0.45), young = random_log(&random, 1e3, 1e12), tau = 1e-4;
+        const double eta1 = tau * young / (1 + nu), eta2 = tau * young / (3 * (1 - 2 * nu));
+        assert_true(relative_error(cor_dissipation_time_viscous_s(eta1, eta2, young, nu), tau) < 1e-14);
+        assert_true(relative_error(cor_dissipation_time_s(eta1, eta2, young, nu), tau) < 1e-11);
+    }
+}
+
+/* Loading of a sphere at finite rate. E*(s) is c0 + c1 s + c2/(s + c3) by partial fractions, so that with x^(3/2) = p(t),
+ * F/(4/3 sqrt(R)) = c0 p + c1 p' + c2 int exp(-c3 (t - t')) p(t') dt' (Lee and Radok, J. Appl. Mech. 27, 438 (1960)). Against it
+ * E* (p + A p') is off by the square of the rate. */
+static long double hereditary_force(const struct material *m, long double rate, long double *first_order)
+{
+    const long double mu = m->young / (2 * (1 + (long double)m->nu)), k = m->young / (3 * (1 - 2 * (long double)m->nu));
+    const long double a = m->eta1 / 2, b = m->eta2;
+    /* 4 M (M + 3 K)/(4 M + 3 K), M = mu + a s, K = k + b s: divide by q = 4 a + 3 b */
+    const long double q = 4 * a + 3 * b, pole = (4 * mu + 3 * k) / q;
+    const long double top2 = 4 * a * (a + 3 * b), top1 = 4 * (mu * (a + 3 * b) + a * (mu + 3 * k)),
+                      top0 = 4 * mu * (mu + 3 * k);
+    const long double c1 = top2 / q, c0 = (top1 - c1 * (4 * mu + 3 * k)) / q, c2 = (top0 - c0 * (4 * mu + 3 * k)) / q;
+    /* p = (1 - cos(rate t)), at rate t = 1 */
+    const long double t = 1 / rate, p = 1 - cosl(1), dp = rate * sinl(1);
+    long double memory = 0;
+    enum { STEPS = 4000 };
+    for (int i = 0; i <= STEPS; i++) { /* Simpson, dense where exp(-pole (t - t')) is not small */
+        const long double u = (long double)i / STEPS, span = fminl(t, 60 / pole), back = span * u;
+        const long double weight = (i == 0 || i == STEPS ? 1 : i % 2 ? 4 : 2) * span / (3 * STEPS);
+        memory += weight * expl(-pole * back) * (1 - cosl(rate * (t - back)));
+    }
+    const long double modulus = contact_modulus(mu, k);
+    *first_order = modulus * (p + time_of(*m) * dp);
+    return c0 * p + c1 * dp + c2 * memory;
+}
+
+static void finite_rates(void **state)
+{
+    (void)state;
+    const struct material materials[] = {
+        {3e4, 1e4, 1e7, 0.3}, {1e4, 5e5, 1e7, 0.1}, {2e4, 0, 1e6, 0.45}, {0, 3e4, 1e8, -0.3}};
+    for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
+        const struct material *m = &materials[i];
+        const long double tau = time_of(*m);
+        long double off[3], first;
+        for (int k = 0; k < 3; k++) {
+            const long double rate = 0.02L / tau / (1 << k), force = hereditary_force(m, rate, &first);
+            off[k] = fabsl(first / force - 1);
+        }
+        check(off[0] < 1e-3L && off[1] < off[0] / 3.7L + 1e-12L && off[2] < off[1] / 3.7L + 1e-12L, "%zu: %Lg %Lg %Lg",
+              i, off[0], off[1], off[2]);
+    }
+}
+
+static void limits(void **state)
+{
+    (void)state;
+    /* incompressible: shear viscosity over shear modulus, Y = 3 mu; (4) gives 0 */
+    assert_true(relative_error(cor_dissipation_time_viscous_s(2e3, 7, 3e6, 0.5), 1e3 / 1e6L) < 1e-15);
+    assert_true(cor_dissipation_time_s(2e3, 7e3, 3e6, 0.5) == 0);
+    /* nu = 0: (4) is singular */
+    assert_true(relative_error(cor_dissipation_time_viscous_s(3, 5, 7, 0), 1.0L) < 1e-15 &&
+                isnan(cor_dissipation_time_s(3, 5, 7, 0)));
+    assert_true(cor_dissipation_time_viscous_s(0, 0, 1, 0.3) == 0);
+    assert_true(
+        isnan(cor_dissipation_time_viscous_s(-1, 0, 1, 0.3)) && isnan(cor_dissipation_time_viscous_s(1, NAN, 1, 0.3)) &&
+        isnan(cor_dissipation_time_viscous_s(1, 1, 0, 0.3)) &&
+        isnan(cor_dissipation_time_viscous_s(1, 1, INFINITY, 0.3)) &&
+        isnan(cor_dissipation_time_viscous_s(1, 1, 1, -1)) && isnan(cor_dissipation_time_viscous_s(1, 1, 1, 0.6)) &&
+        isnan(cor_dissipation_time_viscous_s(INFINITY, 1, 1, 0.3)));
+    /* only the result may leave the doubles */
+    assert_true(relative_error(cor_dissipation_time_viscous_s(1e300, 1e300, 1e300, 0.25),
+                               cor_dissipation_time_viscous_s(1, 1, 1, 0.25)) < 1e-15);
+    assert_true(isinf(cor_dissipation_time_viscous_s(1e300, 1e300, 1e-300, 0.25)));
+    assert_true(cor_dissipation_time_viscous_s(1e-300, 1e-300, 1e300, 0.25) == 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(derivative_of_the_modulus),
+        cmocka_unit_test(rounding),
+        cmocka_unit_test(proportional_constants),
+        cmocka_unit_test(finite_rates),
+        cmocka_unit_test(limits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,695 @@
+/* SPDX-License-Identifier: MIT */
+/* law.h: known answers, special values, hard cases, both directions, integration of the equation of motion. Errors in units of
+ * the last place at very many points: tests/accuracy/test_laws.c. */
+#include "check.h"
+
+#include <errno.h>
+#include <fenv.h>
+
+#include <cor/cor.h>
+
+#include "dormand_prince.h"
+#include "reference_law.h"
+
+typedef double law_function(double);
+
+enum { ENDS = 4 };
+static const char *const end_name[ENDS] = {"zero overlap", "zero force", "limited", "approach only"};
+
+/* The functions of the damping ratio, by enum law_end, of both laws that have one */
+#define BY_END(quantity)                                                                                               \
+    {                                                                                                                  \
+        {cor_linear_##quantity##_zero_overlap, cor_linear_##quantity##_zero_force, cor_linear_##quantity##_limited,    \
+         cor_linear_##quantity##_approach_only},                                                                       \
+        {                                                                                                              \
+            cor_tsuji_##quantity##_zero_overlap, cor_tsuji_##quantity##_zero_force, cor_tsuji_##quantity##_limited,    \
+                cor_tsuji_##quantity##_approach_only                                                                   \
+        }                                                                                                              \
+    }
+static law_function *const eps_of[2][ENDS] = BY_END(eps);
+static law_function *const loss_of[2][ENDS] = BY_END(loss);
+static law_function *const zeta_of[2][ENDS] = BY_END(zeta);
+static law_function *const zeta_of_loss[2][ENDS] = BY_END(zeta_of_loss);
+static law_function *const duration_of[2][ENDS] = BY_END(duration);
+
+static const double smallest = 4.9406564584124654e-324, below_1 = 0x1.fffffffffffffp-1, above_1 = 0x1.0000000000001p+0;
+
+/* `exact` has 18 digits, or a double's */
+#define check_value(computed, exact, max_ulp)                                                                          \
+    do {                                                                                                               \
+        const double value_ = (computed);                                                                              \
+        check(ulp_error(value_, exact) <= (max_ulp), "%s = %.17g, not %.19Lg", #computed, value_,                      \
+              (long double)(exact));                                                                                   \
+    } while (0)
+
+/* ---- known answers: integrated to 34 digits, or corgen's enclosures ---- */
+
+static void known_ratio(void **state)
+{
+    (void)state;
+    check_value(cor_linear_eps_zero_overlap(0.25), 0.444344225088488753L, 2);
+    check_value(cor_linear_eps_zero_force(0.25), 0.506276552518630332L, 2);
+    check_value(cor_linear_eps_zero_force(2), 0.047768732505620189L, 2);
+    check_value(cor_linear_max_overlap(0.25), 0.711531132501333586L, 2);
+    check_value(cor_linear_time_of_max_overlap(0.25), 1.361344425034588321L, 2);
+    check_value(cor_linear_duration_zero_overlap(0.25), 3.244622940778889517L, 2);
+    check_value(cor_linear_duration_zero_force(0.25), 2.722688850069176642L, 2);
+    check_value(cor_linear_duration_zero_force(2), 1.520691992601892695L, 2);
+    check_value(cor_tsuji_max_overlap(0.25), 0.832758608536924381L, 2);
+    check_value(cor_tsuji_time_of_max_overlap(0.25), 1.468372332360592689L, 2);
+    check_value(cor_tsuji_duration_zero_overlap(0.25), 3.585839815827821764L, 2);
+    check_value(cor_tsuji_duration_zero_force(0.25), 2.828408309179784348L, 2);
+    check_value(cor_tsuji_duration_zero_force(2), 1.903214870431890414L, 2);
+}
+
+static void known_crossley(void **state)
+{
+    (void)state;
+    check_value(cor_hunt_crossley_eps(1), 0.593624260040040092L, 2);
+    check_value(cor_hunt_crossley_eps(10), 0.099981624752943886L, 2);
+    check_value(cor_hunt_crossley_max_overlap(1, 1), 0.783393667883593108L, 2);
+    check_value(cor_hunt_crossley_max_overlap(1, 1.5), 0.899389992119600589L, 2);
+    check_value(cor_hunt_crossley_time_of_max_overlap(1, 1), 1.345378721742292364L, 2);
+    check_value(cor_hunt_crossley_duration(1, 1), 3.222399315523942771L, 2);
+    check_value(cor_hunt_crossley_duration(1, 1.5), 3.475683527067974480L, 2);
+    check_value(cor_sphere_eps_approach_only(1), 0.642509264217666807L, 2);
+}
+
+/* zF(e), z0(e), bH(e) of the table of docs/laws.md, as many digits as it has */
+static void known_inverses(void **state)
+{
+    (void)state;
+    static const struct {
+        double eps, force, overlap, crossley;
+    } row[] = {
+        {0.1, 1.243188, 0.591155, 9.998159},       {0.2, 0.731247, 0.455950, 4.919167},
+        {0.3, 0.497239, 0.357857, 3.087082},       {0.5, 0.255276, 0.215454, 1.432750},
+        {0.7, 0.122215, 0.112808, 0.634828},       {0.8, 0.0743551, 0.0708503, 0.373146},
+        {0.9, 0.0342652, 0.0335184, 0.166482},     {0.95, 0.0164982, 0.0163250, 0.0789266},
+        {0.99, 0.00320565, 0.00319910, 0.0151514},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        const double e = row[i].eps;
+        assert_true(fabs(cor_linear_zeta_zero_force(e) / row[i].force - 1) < 4e-6);
+        assert_true(fabs(cor_linear_zeta_zero_overlap(e) / row[i].overlap - 1) < 4e-6);
+        assert_true(fabs(cor_hunt_crossley_beta(e) / row[i].crossley - 1) < 4e-6);
+    }
+}
+
+/* Critical damping, where 0/0 stands in every formula; one unit of the last place to either side */
+static void critical_damping(void **state)
+{
+    (void)state;
+    const long double at_1[ENDS] = {0, expl(-2), expl(-4.0L / 3), expl(-1)};
+    for (int end = LAW_ZERO_FORCE; end < ENDS; end++) {
+        for (int law = 0; law < 2; law++) {
+            check_value(eps_of[law][end](1), at_1[end], COR_LAW_EPS_MAX_ULP);
+            check_value(eps_of[law][end](below_1), at_1[end], COR_LAW_EPS_MAX_ULP + 2);
+            check_value(eps_of[law][end](above_1), at_1[end], COR_LAW_EPS_MAX_ULP + 2);
+            check_value(loss_of[law][end](1), 1 - at_1[end], COR_LAW_LOSS_MAX_ULP);
+            /* the doubles nearest to e^-2, e^-1 and e^(-4/3), and their neighbours */
+            const double e = (double)at_1[end];
+            for (int k = -3; k <= 3; k++) {
+                const double near = e * (1 + k * DBL_EPSILON), zeta = zeta_of[law][end](near);
+                check(fabs(zeta - 1) < 20 * DBL_EPSILON, "%s: zeta(%a) = %a", end_name[end], near, zeta);
+            }
+        }
+    }
+    assert_true(cor_linear_duration_zero_force(1) == 2 && cor_linear_time_of_max_overlap(1) == 1);
+    for (int law = 0; law < 2; law++) {
+        /* exp(-pi/1e-8) is 0 long before zeta = 1 */
+        assert_true(eps_of[law][LAW_ZERO_OVERLAP](below_1) == 0 && eps_of[law][LAW_ZERO_OVERLAP](1) == 0);
+        assert_true(eps_of[law][LAW_ZERO_OVERLAP](above_1) == 0 && loss_of[law][LAW_ZERO_OVERLAP](above_1) == 1);
+        assert_true(isinf(duration_of[law][LAW_ZERO_OVERLAP](1)) && isinf(duration_of[law][LAW_ZERO_OVERLAP](2)));
+    }
+    /* pi/sqrt(1 - zeta^2) has one root of 2^-52 left */
+    check_value(cor_linear_duration_zero_overlap(below_1),
+                acosl(-1) / sqrtl((1 - (long double)below_1) * (1 + (long double)below_1)), 2);
+    assert_true(isinf(cor_tsuji_duration_zero_overlap(below_1)));
+    assert_true(cor_tsuji_duration_zero_overlap(0.9999996) > 1e300);
+}
+
+/* beta = 2 and sqrt(5), each rounded either way, as a user computes zeta from beta */
+static void zeta_from_beta(void **state)
+{
+    (void)state;
+    const double root_5 = sqrt(5.0);
+    for (int k = -1; k <= 1; k++) {
+        const double zeta = root_5 * (1 + k * DBL_EPSILON) / root_5;
+        assert_true(fabs(cor_tsuji_eps_zero_force(zeta) - exp(-2)) < 1e-15);
+        assert_true(cor_tsuji_eps_zero_overlap(zeta) == 0);
+    }
+}
+
+/* ---- special values ---- */
+
+static void special_ratio(void **state)
+{
+    (void)state;
+    for (int law = 0; law < 2; law++) {
+        for (int end = 0; end < ENDS; end++) {
+            law_function *const eps = eps_of[law][end], *const loss = loss_of[law][end],
+                                *const zeta = zeta_of[law][end];
+            law_function *const of_loss = zeta_of_loss[law][end], *const duration = duration_of[law][end];
+            const double stuck = end == LAW_ZERO_OVERLAP ? 1 : INFINITY;
+            assert_true(eps(0) == 1 && eps(-0.0) == 1 && eps(INFINITY) == 0 && eps(smallest) == 1);
+            assert_true(loss(0) == 0 && loss(-0.0) == 0 && loss(INFINITY) == 1);
+            assert_true(zeta(1) == 0 && zeta(0) == stuck && of_loss(0) == 0 && of_loss(1) == stuck);
+            assert_true(isnan(eps(-1)) && isnan(eps(NAN)) && isnan(eps(-smallest)) && isnan(loss(-1)) &&
+                        isnan(loss(NAN)));
+            assert_true(isnan(zeta(-smallest)) && isnan(zeta(above_1)) && isnan(zeta(NAN)) && isnan(zeta(INFINITY)));
+            assert_true(isnan(of_loss(-smallest)) && isnan(of_loss(above_1)) && isnan(of_loss(NAN)));
+            assert_true(isnan(duration(-1)) && isnan(duration(NAN)));
+            /* a tiny zeta: the loss is pi zeta, pi zeta/2 with damping while approaching only */
+            const long double share = end == LAW_APPROACH_ONLY ? acosl(0) : acosl(-1);
+            check_value(loss(0x1p-60), share * 0x1p-60L, COR_LAW_LOSS_MAX_ULP);
+            check_value(loss(0x1.8p-1040), share * 0x1.8p-1040L, COR_LAW_LOSS_MAX_ULP);
+            check_value(of_loss(0x1p-60), 0x1p-60L / share, COR_LAW_INVERSE_MAX_ULP);
+            check_value(of_loss(0x1p-1040), 0x1p-1040L / share, COR_LAW_INVERSE_MAX_ULP);
+            check_value(zeta(below_1), 0x1p-53L / share, COR_LAW_INVERSE_MAX_ULP);
+            check_value(eps(0x1p-54), 1, 1);
+        }
+        /* huge zeta: eps underflows gracefully, nothing overflows */
+        check_value(eps_of[law][LAW_ZERO_FORCE](1e150), 0.25e-300L, COR_LAW_EPS_MAX_ULP);
+        assert_true(eps_of[law][LAW_ZERO_FORCE](1e300) == 0 && loss_of[law][LAW_ZERO_FORCE](1e300) == 1);
+        check_value(eps_of[law][LAW_APPROACH_ONLY](1e300), 0.5e-300L, COR_LAW_EPS_MAX_ULP);
+        check_value(eps_of[law][LAW_LIMITED](1e300), 1e-300L / (2 * sqrtl(2)), COR_LAW_EPS_MAX_ULP);
+        assert_true(zeta_of[law][LAW_ZERO_FORCE](smallest) > 1e161 && zeta_of[law][LAW_ZERO_FORCE](smallest) < 1e162);
+        assert_true(isinf(zeta_of[law][LAW_APPROACH_ONLY](smallest)) && isinf(zeta_of[law][LAW_LIMITED](smallest)));
+        assert_true(zeta_of[law][LAW_ZERO_OVERLAP](smallest) < 1);
+    }
+    assert_true(cor_linear_duration_zero_force(INFINITY) == 0 && cor_linear_time_of_max_overlap(INFINITY) == 0);
+    check_value(cor_linear_time_of_max_overlap(1e300), logl(2e300L) / 1e300L, COR_LAW_TIME_MAX_ULP);
+    check_value(cor_linear_duration_limited(INFINITY), acosl(-1) / (2 * sqrtl(2)), COR_LAW_TIME_MAX_ULP);
+    check_value(cor_linear_duration_approach_only(INFINITY), acosl(0), COR_LAW_TIME_MAX_ULP);
+    for (int end = 0; end < ENDS; end++) {
+        check_value(duration_of[0][end](0), acosl(-1), COR_LAW_TIME_MAX_ULP);
+        check_value(duration_of[1][end](0), 3.21806545971904308454L, COR_LAW_TIME_MAX_ULP);
+        check_value(duration_of[1][end](1e-300), 3.21806545971904308454L, COR_LAW_TIME_MAX_ULP);
+    }
+    assert_true(cor_linear_max_overlap(0) == 1 && cor_linear_max_overlap(INFINITY) == 0 &&
+                isnan(cor_linear_max_overlap(-1)));
+    check_value(cor_tsuji_max_overlap(0), 1.09336207394327805637L, COR_LAW_MAX_OVERLAP_MAX_ULP);
+    assert_true(cor_tsuji_max_overlap(INFINITY) == 0 && isnan(cor_tsuji_max_overlap(-1)) &&
+                isnan(cor_tsuji_max_overlap(NAN)));
+    assert_true(cor_tsuji_duration_zero_force(INFINITY) == 0 && isinf(cor_tsuji_duration_approach_only(INFINITY)));
+    assert_true(isnan(cor_tsuji_time_of_max_overlap(-1)) && cor_tsuji_time_of_max_overlap(INFINITY) == 0);
+}
+
+static void special_crossley(void **state)
+{
+    (void)state;
+    law_function *const eps[] = {cor_hunt_crossley_eps, cor_hunt_crossley_eps_approach_only};
+    law_function *const loss[] = {cor_hunt_crossley_loss, cor_hunt_crossley_loss_approach_only};
+    law_function *const beta[] = {cor_hunt_crossley_beta, cor_hunt_crossley_beta_approach_only};
+    law_function *const of_loss[] = {cor_hunt_crossley_beta_of_loss, cor_hunt_crossley_beta_of_loss_approach_only};
+    for (int k = 0; k < 2; k++) {
+        const long double share = k == 0 ? 2.0L / 3 : 1.0L / 3;
+        assert_true(eps[k](0) == 1 && eps[k](-0.0) == 1 && eps[k](INFINITY) == 0 && eps[k](1e-300) == 1);
+        assert_true(loss[k](0) == 0 && loss[k](INFINITY) == 1 && beta[k](1) == 0 && isinf(beta[k](0)));
+        assert_true(of_loss[k](0) == 0 && isinf(of_loss[k](1)));
+        assert_true(isnan(eps[k](-1)) && isnan(eps[k](-2)) && isnan(eps[k](NAN)) && isnan(loss[k](-1)) &&
+                    isnan(eps[k](-INFINITY)));
+        assert_true(isnan(beta[k](-smallest)) && isnan(beta[k](above_1)) && isnan(beta[k](NAN)));
+        assert_true(isnan(of_loss[k](-smallest)) && isnan(of_loss[k](above_1)) && isnan(of_loss[k](NAN)));
+        for (int sign = -1; sign <= 1; sign += 2) { /* small beta of either sign, across the seams of the series */
+            const double small[] = {1e-300, 0x1p-60, 0x1p-27, 0x1p-20, 0x1.fffffffffffffp-21, 0x1.8p-1060};
+            for (size_t i = 0; i < sizeof small / sizeof *small; i++) {
+                const long double b = sign * (long double)small[i];
+                const long double exact = k == 0 ? b * (2.0L / 3 - b * (4.0L / 9 - b * (44.0L / 135)))
+                                                 : b * (1.0L / 3 - b * (7.0L / 36 - b * (73.0L / 540)));
+                check(ulp_error(sign * loss[k]((double)b), sign * exact) <= COR_LAW_LOSS_MAX_ULP, "loss(%a) = %a",
+                      (double)b, loss[k]((double)b));
+            }
+        }
+        check_value(of_loss[k](0x1p-1050), 0x1p-1050L / share, COR_LAW_INVERSE_MAX_ULP);
+        check_value(beta[k](below_1), 0x1p-53L / share, COR_LAW_INVERSE_MAX_ULP);
+        assert_true(isinf(beta[k](k == 0 ? 5e-309 : 1e-154)));
+        assert_true(eps[k](-below_1) > 1 && eps[k](-0.5) > 1 && loss[k](-0.5) < 0);
+    }
+    /* 1 - beta eps underflows to nothing: the rebound speed is 1/d whatever the impact speed */
+    check_value(cor_hunt_crossley_eps(1e16), 1e-16L, COR_LAW_EPS_MAX_ULP);
+    check_value(cor_hunt_crossley_eps(1.7e308), 1 / 1.7e308L, COR_LAW_EPS_MAX_ULP);
+    check_value(cor_hunt_crossley_eps_approach_only(1e308), sqrtl(2e-308L), COR_LAW_EPS_MAX_ULP);
+    check_value(cor_hunt_crossley_max_overlap(0, 1.5), 1.09336207394327805637L, COR_LAW_MAX_OVERLAP_MAX_ULP);
+    assert_true(cor_hunt_crossley_max_overlap(0, 1) == 1 && cor_hunt_crossley_max_overlap(INFINITY, 1) == 0);
+    assert_true(isnan(cor_hunt_crossley_max_overlap(-1, 1)) && isnan(cor_hunt_crossley_max_overlap(1, -1)) &&
+                isnan(cor_hunt_crossley_max_overlap(1, INFINITY)) && isnan(cor_hunt_crossley_max_overlap(NAN, 1)));
+    /* a constant force, a = 0: 1/2 */
+    check_value(cor_hunt_crossley_max_overlap(0, 0), 0.5L, COR_LAW_MAX_OVERLAP_MAX_ULP);
+    assert_true(isinf(cor_hunt_crossley_duration(INFINITY, 1)) && isinf(cor_hunt_crossley_duration(INFINITY, 2)));
+    assert_true(cor_hunt_crossley_duration(INFINITY, 0) == 1 &&
+                cor_hunt_crossley_time_of_max_overlap(INFINITY, 2) == 0);
+    assert_true(isnan(cor_hunt_crossley_duration(1, 101)) && isnan(cor_hunt_crossley_duration(-1, 1)) &&
+                isnan(cor_hunt_crossley_duration(1, -0.5)) && isnan(cor_hunt_crossley_duration(1, NAN)));
+    check_value(cor_hunt_crossley_duration_approach_only(INFINITY, 1), acosl(0), COR_LAW_TIME_MAX_ULP);
+    assert_true(isinf(cor_hunt_crossley_duration_approach_only(INFINITY, 1.5)));
+}
+
+static void special_sphere_approach(void **state)
+{
+    (void)state;
+    assert_true(cor_sphere_eps_approach_only(0) == 1 && cor_sphere_eps_approach_only(INFINITY) == 0);
+    assert_true(cor_sphere_loss_approach_only(0) == 0 && cor_sphere_loss_approach_only(INFINITY) == 1);
+    assert_true(cor_sphere_beta_approach_only(1) == 0 && isinf(cor_sphere_beta_approach_only(0)));
+    assert_true(cor_sphere_beta_of_loss_approach_only(0) == 0 && isinf(cor_sphere_beta_of_loss_approach_only(1)));
+    assert_true(isnan(cor_sphere_eps_approach_only(-1)) && isnan(cor_sphere_beta_approach_only(1.5)) &&
+                isnan(cor_sphere_beta_of_loss_approach_only(-1)) && isnan(cor_sphere_duration_approach_only(NAN)));
+    check_value(cor_sphere_duration_approach_only(0), 3.21806545971904308454L, COR_SPHERE_TIME_MAX_ULP);
+    assert_true(isinf(cor_sphere_duration_approach_only(INFINITY)));
+    check_value(cor_sphere_loss_approach_only(0x1p-1050), -0x1p-1051L * COR_SPHERE_C1, COR_SPHERE_APPROACH_MAX_ULP);
+    /* from the loss and back, every size of it */
+    for (int k = -1040; k < -1; k++) {
+        const double loss = ldexp(1.375, k), beta = cor_sphere_beta_of_loss_approach_only(loss);
+        check_value(cor_sphere_loss_approach_only(beta), loss, 5);
+    }
+}
+
+/* ---- both directions ---- */
+
+/* e -> zeta -> e over every size of e and of 1 - e: off by what a rounding of zeta does, d ln(e)/d ln(zeta) units, and the
+ * bounds of both functions */
+static void there_and_back(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(4000); i++) {
+        const double e = i % 2 ? exp(-random_uniform(&random, 0, 700)) : -expm1(-random_log(&random, 1e-16, 30));
+        for (int end = 0; end < ENDS; end++) {
+            const double zeta = zeta_of[i % 2][end](e);
+            if (isinf(zeta) || zeta >= 1e300 || !(e < 1) || (end == LAW_ZERO_OVERLAP && 1 - zeta < 1e-9))
+                continue;
+            const long double h = 1e-7L, slope = (reference_ratio_exponent((enum law_end)end, zeta * (1 + h)) -
+                                                  reference_ratio_exponent((enum law_end)end, zeta * (1 - h))) /
+                                                 (2 * h);
+            const double back = eps_of[i % 2][end](zeta);
+            check(relative_error(back, e) <= DBL_EPSILON * (2 + 2 * slope), "%s: %a -> %a -> %a", end_name[end], e,
+                  zeta, back);
+            const double loss = 1 - e; /* exact where e is above 1/2 */
+            if (e >= 0.5) {
+                const double back_loss = loss_of[i % 2][end](zeta_of_loss[i % 2][end](loss));
+                check(relative_error(back_loss, loss) <= 6 * DBL_EPSILON, "%s: loss %a -> %a", end_name[end], loss,
+                      back_loss);
+                assert_true(same_bits(zeta_of[i % 2][end](e), zeta_of_loss[i % 2][end](loss)) ||
+                            relative_error(zeta, zeta_of_loss[i % 2][end](loss)) <= 4 * DBL_EPSILON);
+            }
+        }
+        const double beta = cor_hunt_crossley_beta(e);
+        if (e < 1 && beta < 1e300) {
+            check(relative_error(cor_hunt_crossley_eps(beta), e) <= 5 * DBL_EPSILON, "Hunt-Crossley: %a -> %a", e,
+                  beta);
+            if (e >= 0.5)
+                assert_true(relative_error(cor_hunt_crossley_beta_of_loss(1 - e), beta) <= 4 * DBL_EPSILON);
+        }
+    }
+}
+
+/* A pair of functions: eps -> damping -> eps is off by at most `most` units of eps, however small eps is. */
+static void check_back(const char *name, law_function *inverse, law_function *eps, double e, double most)
+{
+    const double damping = inverse(e);
+    if (damping < DBL_MAX)
+        check(ulp_error(eps(damping), e) <= most, "%s: %a -> %a -> %a", name, e, damping, eps(damping));
+}
+
+/* Every size of e and of 1 - e, subnormal numbers included. eps is a power of the damping where it is small, so that a rounding of
+ * the damping costs no more than two roundings of eps. At zero overlap it costs |d ln(eps)/d ln(zeta)| = L (1 + L^2/pi^2). */
+static void every_size(void **state)
+{
+    (void)state;
+    for (int k = -1074; k < 0; k++) {
+        const double e = ldexp(k > -1050 ? 1.375 : 1, k), exponent = -log(e);
+        const double cost = 4 + 2 * exponent * (1 + exponent * exponent / 9.869604401089358);
+        for (int law = 0; law < 2; law++) {
+            for (int end = 0; end < ENDS; end++)
+                check_back(end_name[end], zeta_of[law][end], eps_of[law][end], e, end == LAW_ZERO_OVERLAP ? cost : 8);
+            for (int end = 0; end < ENDS; end++)
+                if (k > -1073 && k < (end == LAW_ZERO_OVERLAP ? -1 : 0))
+                    check_back("loss", zeta_of_loss[law][end], loss_of[law][end], e, 8);
+        }
+        check_back("Hunt-Crossley", cor_hunt_crossley_beta, cor_hunt_crossley_eps, e, 8);
+        check_back("its loss", cor_hunt_crossley_beta_of_loss, cor_hunt_crossley_loss, e, 8);
+        check_back("Hunt-Crossley, approach only", cor_hunt_crossley_beta_approach_only,
+                   cor_hunt_crossley_eps_approach_only, e, 8);
+        check_back("its loss", cor_hunt_crossley_beta_of_loss_approach_only, cor_hunt_crossley_loss_approach_only, e,
+                   8);
+        check_back("sphere, approach only", cor_sphere_beta_approach_only, cor_sphere_eps_approach_only, e, 8);
+        check_back("its loss", cor_sphere_beta_of_loss_approach_only, cor_sphere_loss_approach_only, e, 8);
+        check_back("sphere, zero overlap", cor_sphere_beta_zero_overlap, cor_sphere_eps_zero_overlap, e, 20);
+        check_back("sphere, zero force", cor_sphere_beta_zero_force, cor_sphere_eps_zero_force, e, 20);
+    }
+}
+
+/* What the laws say of themselves */
+static void identities(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(2000); i++) {
+        const double zeta = random_log(&random, 1e-6, 1e6), beta = random_log(&random, 1e-6, 1e6);
+        const double eps_a = cor_linear_eps_approach_only(zeta), eps_f = cor_linear_eps_zero_force(zeta);
+        /* eps at zero force is the square of eps with damping while approaching only, and elastic energy at the turning point */
+        assert_true(relative_error(eps_a * eps_a, eps_f) <= 6 * DBL_EPSILON);
+        assert_true(same_bits(cor_linear_max_overlap(zeta), eps_a));
+        assert_true(relative_error(pow(cor_tsuji_max_overlap(zeta), 2.5) * 0.8, eps_f) <= 12 * DBL_EPSILON);
+        /* zero overlap <= zero force <= limited <= approach only */
+        assert_true(cor_linear_eps_zero_overlap(zeta) <= eps_f && eps_f <= cor_linear_eps_limited(zeta) &&
+                    cor_linear_eps_limited(zeta) <= eps_a);
+        /* a pumped collision is a damped one backwards: eps(-beta eps(beta)) = 1/eps(beta) */
+        const double eps = cor_hunt_crossley_eps(beta), back = beta * eps;
+        if (back < 1 - 1e-6)
+            check(relative_error(cor_hunt_crossley_eps(-back), 1 / eps) <= DBL_EPSILON * (4 + 4 / (1 - back)),
+                  "beta = %a", beta);
+        /* the largest overlap is elastic energy of the speed that approach-only gives back */
+        const double y = cor_hunt_crossley_max_overlap(beta, 2.25), e = cor_hunt_crossley_eps_approach_only(beta);
+        assert_true(relative_error(pow(y, 3.25) * 2 / 3.25, e * e) <= 16 * DBL_EPSILON);
+    }
+}
+
+/* ---- the equation of motion ---- */
+
+/* x'' = -max(elastic and damping by the end's rule): integrated in time until the contact ends. */
+struct motion {
+    double a, b, beta;
+    enum law_end end;
+    int crossley; /* damping x^a x' d, with beta = d */
+};
+
+static double motion_force(const struct motion *m, double x, double v)
+{
+    if (x <= 0)
+        return 0;
+    const double elastic = pow(x, m->a), damping = m->beta * pow(x, m->b) * v;
+    if (m->end == LAW_APPROACH_ONLY)
+        return elastic + (v > 0 ? damping : 0);
+    if (m->end == LAW_LIMITED)
+        return elastic + (damping > elastic ? elastic : damping);
+    return elastic + damping;
+}
+
+struct motion_result {
+    double eps, duration, max_overlap, time_of_max_overlap;
+};
+
+/* The turning point inside a step from v to nv, by the cubic with the accelerations a and na at its ends */
+static void motion_turn(struct motion_result *r, double t, double x, double h, double v, double nv, double a, double na)
+{
+    double low = 0, high = 1, speed = v, length = 0;
+    for (int k = 0; k < 50; k++) {
+        const double s = (low + high) / 2, s2 = s * s, s3 = s2 * s;
+        speed = v * (2 * s3 - 3 * s2 + 1) + h * a * (s3 - 2 * s2 + s) + nv * (3 * s2 - 2 * s3) + h * na * (s3 - s2);
+        length = v * (s3 * s / 2 - s3 + s) + h * a * (s3 * s / 4 - 2 * s3 / 3 + s2 / 2) + nv * (s3 - s3 * s / 2) +
+                 h * na * (s3 * s / 4 - s3 / 3);
+        *(speed > 0 ? &low : &high) = s;
+    }
+    r->time_of_max_overlap = t + low * h;
+    r->max_overlap = x + length * h;
+}
+
+/* By the method of Dormand and Prince, with adaptive steps that are halved at the end of contact. Accuracy about 1e-8. */
+static struct motion_result motion_integrate(const struct motion *m)
+{
+    double t = 0, x = 0, v = 1, h = 1e-9;
+    struct motion_result r = {0, 0, 0, 0};
+    for (long steps = 0; steps < 2000000; steps++) {
+        double kx[DORMAND_PRINCE_STAGES], kv[DORMAND_PRINCE_STAGES], error = 0, nx = x, nv = v;
+        for (int s = 0; s < DORMAND_PRINCE_STAGES; s++) {
+            nx = x;
+            nv = v;
+            for (int j = 0; j < s; j++) {
+                nx += h * dormand_prince[s][j] * kx[j];
+                nv += h * dormand_prince[s][j] * kv[j];
+            }
+            kx[s] = nv;
+            kv[s] = -motion_force(m, nx, nv);
+        }
+        for (int s = 0; s < DORMAND_PRINCE_STAGES; s++)
+            error += h * dormand_prince_difference[s] * (fabs(kv[s]) > fabs(kx[s]) ? kv[s] : kx[s]);
+        const double tolerance = 1e-12;
+        const int free_soon =
+            m->end != LAW_ZERO_OVERLAP && m->end != LAW_APPROACH_ONLY && nv < 0 && motion_force(m, nx, nv) <= 0;
+        if ((fabs(error) > tolerance || free_soon || nx <= 0) && h > 1e-13) {
+            if (!(fabs(error) > tolerance) && h < 1e-12) {
+                r.eps = -nv;
+                r.duration = t + h;
+                return r;
+            }
+            h /= 2;
+            continue;
+        }
+        if (v > 0 && nv <= 0)
+            motion_turn(&r, t, x, h, v, nv, kv[0], kv[DORMAND_PRINCE_STAGES - 1]);
+        t += h;
+        x = nx;
+        v = nv;
+        if (nx <= 0 || free_soon) {
+            r.eps = -v;
+            r.duration = t;
+            return r;
+        }
+        if (fabs(error) < tolerance / 64)
+            h *= 1.5;
+    }
+    r.eps = NAN;
+    return r;
+}
+
+static void compare(const char *what, double parameter, double computed, double integrated, double tolerance)
+{
+    check(fabs(computed - integrated) <= tolerance * (1 + fabs(integrated)), "%s at %g: %.12g, integrated %.12g", what,
+          parameter, computed, integrated);
+}
+
+static void against_the_equation_of_motion(void **state)
+{
+    (void)state;
+    static const double zetas[] = {0.05, 0.3, 0.8, 1, 1.6};
+    for (int law = 0; law < 2; law++) {
+        for (int end = 0; end < ENDS; end++) {
+            for (size_t i = 0; i < sizeof zetas / sizeof *zetas; i++) {
+                const double zeta = zetas[i];
+                if (end == LAW_ZERO_OVERLAP && zeta > 0.5)
+                    continue; /* creeps */
+                const struct motion m = {law ? 1.5 : 1, law ? 0.25 : 0, law ? sqrt(5) * zeta : 2 * zeta,
+                                         (enum law_end)end, 0};
+                const struct motion_result r = motion_integrate(&m);
+                compare(end_name[end], zeta, eps_of[law][end](zeta), r.eps, 1e-8);
+                compare("its duration", zeta, duration_of[law][end](zeta), r.duration, 1e-7);
+                if (end != LAW_LIMITED) {
+                    compare("largest overlap", zeta, law ? cor_tsuji_max_overlap(zeta) : cor_linear_max_overlap(zeta),
+                            r.max_overlap, 1e-6);
+                    compare("its time", zeta,
+                            law ? cor_tsuji_time_of_max_overlap(zeta) : cor_linear_time_of_max_overlap(zeta),
+                            r.time_of_max_overlap, 1e-5);
+                }
+            }
+        }
+    }
+    static const double exponents[] = {0.5, 1, 1.5, 2.25}, betas[] = {-0.6, 0.2, 1, 4};
+    for (size_t i = 0; i < sizeof exponents / sizeof *exponents; i++) {
+        for (size_t j = 0; j < sizeof betas / sizeof *betas; j++) {
+            const double a = exponents[i], beta = betas[j];
+            struct motion m = {a, a, beta, LAW_ZERO_OVERLAP, 1};
+            struct motion_result r = motion_integrate(&m);
+            compare("Hunt-Crossley", beta, cor_hunt_crossley_eps(beta), r.eps, 1e-7);
+            compare("duration", beta, cor_hunt_crossley_duration(beta, a), r.duration, 1e-6);
+            compare("largest overlap", beta, cor_hunt_crossley_max_overlap(beta, a), r.max_overlap, 1e-6);
+            compare("its time", beta, cor_hunt_crossley_time_of_max_overlap(beta, a), r.time_of_max_overlap, 1e-5);
+            m.end = LAW_APPROACH_ONLY;
+            r = motion_integrate(&m);
+            compare("approach only", beta, cor_hunt_crossley_eps_approach_only(beta), r.eps, 1e-7);
+            compare("duration", beta, cor_hunt_crossley_duration_approach_only(beta, a), r.duration, 1e-6);
+        }
+    }
+    for (int i = 1; i <= 3; i++) {
+        const struct motion m = {1.5, 0.5, i, LAW_APPROACH_ONLY, 0};
+        const struct motion_result r = motion_integrate(&m);
+        compare("sphere, approach only", i, cor_sphere_eps_approach_only(i), r.eps, 1e-7);
+        compare("duration", i, cor_sphere_duration_approach_only(i), r.duration, 1e-6);
+    }
+}
+
+/* Quadrature at run time: any exponent, pumped collisions */
+static void crossley_times(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    double worst = 0;
+    for (size_t i = 0; i < points(60); i++) {
+        const double a = random_uniform(&random, 0.05, 4), beta = random_log(&random, 1e-6, 1e6);
+        const double t = cor_hunt_crossley_duration(beta, a), half = cor_hunt_crossley_time_of_max_overlap(beta, a);
+        worst = fmax(worst, (double)relative_error(t, reference_crossley_duration(a, beta)));
+        worst = fmax(worst, (double)relative_error(half, reference_crossley_time_of_max_overlap(a, beta)));
+    }
+    print_message("Hunt-Crossley's times by quadrature: %.1e\n", worst);
+    assert_true(worst <= COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
+    /* a pumped collision takes as long as the damped one backwards */
+    for (double beta = 0.1; beta < 30; beta *= 1.7) {
+        const double eps = cor_hunt_crossley_eps(beta), back = -beta * eps, unit = pow(eps, (1 - 1.5) / (1 + 1.5));
+        if (back < -0.999)
+            break;
+        assert_true(relative_error(cor_hunt_crossley_duration(back, 1.5) * unit,
+                                   cor_hunt_crossley_duration(beta, 1.5)) <= 1e-12 / (1 + back));
+    }
+    /* the elastic limit and a constant force, whose duration is (1 + eps) over the mean of its force: exact for a = 0 */
+    assert_true(relative_error(cor_hunt_crossley_duration(1e-20, 2), cor_hunt_crossley_duration(0, 2)) < 1e-13);
+    assert_true(relative_error(cor_hunt_crossley_duration(1, 0), log(2) - log1p(-cor_hunt_crossley_eps(1))) <
+                COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
+}
+
+/* Tsuji's times beyond the tables too; tests/accuracy has more of them. */
+static void tsuji_times(void **state)
+{
+    (void)state;
+    /* zero overlap: y = zeta/(10 sqrt(1 - zeta^2)) on both sides of where a series takes over from the tables, y = 10 */
+    static const double ys[] = {0.01, 0.3,  1,       3,    5.9,  6.4, 6.6, 7,  8, 9,
+                                9.9,  9.99, 10.0001, 10.1, 10.5, 11,  12,  14, 17};
+    for (size_t i = 0; i < sizeof ys / sizeof *ys; i++) {
+        const double zeta = 10 * ys[i] / sqrt(1 + 100 * ys[i] * ys[i]);
+        check_value(cor_tsuji_duration_zero_overlap(zeta), reference_tsuji_time(LAW_ZERO_OVERLAP, zeta),
+                    COR_LAW_TIME_MAX_ULP);
+    }
+    static const double zetas[] = {0.4, 2.5, 40, 1e6, 1e17};
+    for (size_t i = 0; i < sizeof zetas / sizeof *zetas; i++) {
+        const double zeta = zetas[i];
+        check_value(cor_tsuji_duration_zero_force(zeta), reference_tsuji_time(LAW_ZERO_FORCE, zeta),
+                    COR_LAW_TIME_MAX_ULP);
+        check_value(cor_tsuji_time_of_max_overlap(zeta), reference_tsuji_time(LAW_APPROACH_ONLY, zeta),
+                    COR_LAW_TIME_MAX_ULP);
+    }
+}
+
+/* ---- the floating-point environment ---- */
+
+static double max_overlap_3_2(double beta)
+{
+    return cor_hunt_crossley_max_overlap(beta, 1.5);
+}
+static double duration_1(double beta)
+{
+    return cor_hunt_crossley_duration(beta, 1);
+}
+static double duration_2(double beta)
+{
+    return cor_hunt_crossley_duration(beta, 2);
+}
+static double duration_approach_3_2(double beta)
+{
+    return cor_hunt_crossley_duration_approach_only(beta, 1.5);
+}
+static double time_of_max_3_2(double beta)
+{
+    return cor_hunt_crossley_time_of_max_overlap(beta, 1.5);
+}
+
+static law_function *const of_eps[] = {
+    cor_linear_zeta_zero_overlap,
+    cor_linear_zeta_zero_force,
+    cor_linear_zeta_limited,
+    cor_linear_zeta_approach_only,
+    cor_linear_zeta_of_loss_zero_overlap,
+    cor_linear_zeta_of_loss_zero_force,
+    cor_linear_zeta_of_loss_limited,
+    cor_linear_zeta_of_loss_approach_only,
+    cor_hunt_crossley_beta,
+    cor_hunt_crossley_beta_of_loss,
+    cor_hunt_crossley_beta_approach_only,
+    cor_hunt_crossley_beta_of_loss_approach_only,
+    cor_sphere_beta_approach_only,
+    cor_sphere_beta_of_loss_approach_only,
+};
+static law_function *const of_damping[] = {
+    cor_linear_eps_zero_overlap,
+    cor_linear_eps_zero_force,
+    cor_linear_eps_limited,
+    cor_linear_eps_approach_only,
+    cor_linear_loss_zero_overlap,
+    cor_linear_loss_zero_force,
+    cor_linear_loss_limited,
+    cor_linear_loss_approach_only,
+    cor_linear_duration_zero_overlap,
+    cor_linear_duration_zero_force,
+    cor_linear_duration_limited,
+    cor_linear_duration_approach_only,
+    cor_linear_time_of_max_overlap,
+    cor_tsuji_max_overlap,
+    cor_tsuji_duration_zero_overlap,
+    cor_tsuji_duration_zero_force,
+    cor_tsuji_duration_limited,
+    cor_tsuji_duration_approach_only,
+    cor_tsuji_time_of_max_overlap,
+    cor_hunt_crossley_eps,
+    cor_hunt_crossley_loss,
+    cor_hunt_crossley_eps_approach_only,
+    cor_hunt_crossley_loss_approach_only,
+    max_overlap_3_2,
+    duration_1,
+    duration_2,
+    duration_approach_3_2,
+    time_of_max_3_2,
+    cor_sphere_eps_approach_only,
+    cor_sphere_loss_approach_only,
+    cor_sphere_duration_approach_only,
+};
+
+static const double dampings[] = {0,           5e-324, 1e-310,      1e-300, 1e-19,   1e-8,    0.01, 0.3,  0.7,
+                                  1 - 0x1p-53, 1,      1 + 0x1p-52, 1.3,    2.157,   2.9,     3,    3.1,  8,
+                                  10.9,        11,     30,          1e3,    1e6,     1e15,    1e20, 1e40, 1e100,
+                                  1e154,       1e155,  1e200,       1e300,  1.7e308, INFINITY};
+static const double restitutions[] = {0,     5e-324, 1e-310, 2e-309, 1e-300, 1e-200,   1e-155,      1e-100, 1e-60,
+                                      1e-20, 1e-6,   0.01,   0.03,   0.1,    0.15,     0.2,         0.39,   0.4,
+                                      0.5,   0.67,   0.7,    0.9,    0.99,   1 - 1e-9, 1 - 0x1p-53, 1};
+
+static void check_environment(law_function *const *functions, size_t count, const double *x, size_t n)
+{
+    const int refused = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+    for (size_t k = 0; k < count; k++) {
+        for (size_t i = 0; i < n; i++) {
+            volatile double at = x[i];
+            feclearexcept(FE_ALL_EXCEPT);
+            errno = 0;
+            const volatile double nearest = functions[k](at);
+            check(!fetestexcept(refused) && errno == 0, "function %zu at %a raises %x, errno %d", k, at,
+                  (unsigned)fetestexcept(refused), errno);
+            static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+            for (int m = 0; m < 3; m++) {
+                fesetround(modes[m]);
+                const volatile double other = functions[k](at);
+                fesetround(FE_TONEAREST);
+                check(other == nearest || fabs(other - nearest) <= 1e-11 * fabs(nearest) + 1e-322 || nearest > 1e307 ||
+                          other > 1e307,
+                      "function %zu at %a, mode %d: %a, not %a", k, at, m, other, nearest);
+            }
+        }
+    }
+}
+
+/* No exception but inexact and underflow, errno untouched, and 11 digits in every rounding mode */
+static void floating_point_environment(void **state)
+{
+    (void)state;
+    check_environment(of_eps, sizeof of_eps / sizeof *of_eps, restitutions, sizeof restitutions / sizeof *restitutions);
+    check_environment(of_damping, sizeof of_damping / sizeof *of_damping, dampings, sizeof dampings / sizeof *dampings);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(known_ratio),
+        cmocka_unit_test(known_crossley),
+        cmocka_unit_test(known_inverses),
+        cmocka_unit_test(critical_damping),
+        cmocka_unit_test(zeta_from_beta),
+        cmocka_unit_test(special_ratio),
+        cmocka_unit_test(special_crossley),
+        cmocka_unit_test(special_sphere_approach),
+        cmocka_unit_test(there_and_back),
+        cmocka_unit_test(every_size),
+        cmocka_unit_test(identities),
+        cmocka_unit_test(against_the_equation_of_motion),
+        cmocka_unit_test(crossley_times),
+        cmocka_unit_test(tsuji_times),
+        cmocka_unit_test(floating_point_environment),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/* Loops of the laws are their scalars to the last bit: every function, any length, any place, every instruction set, numbers
+ * inside and outside the kernels' intervals and at their ends. (Public array functions: tests/accuracy/test_laws.c.) */
+#include "check.h"
+
+#include <cor/cor.h>
+
+#include "runtime/law/array.h"
+
+enum { COUNT = 700 };
+
+static const char *const set_name[COR_INSTRUCTION_SETS] = {"portable", "AVX2", "AVX-512"};
+
+static const struct {
+    const char *name;
+    double (*value)(double);
+    double least, largest;
+} loops[] = {
+#define LOOP_ROW(name, least, largest) {#name, cor_##name, least, largest},
+    COR_LAW_LOOPS(LOOP_ROW, LOOP_ROW)
+#undef LOOP_ROW
+};
+
+static void fill(struct random_state *r, double *x, size_t n, double least, double largest)
+{
+    static const double specials[] = {0.0, -0.0,   INFINITY, -INFINITY, NAN,
+                                      -1,  5e-324, 1,        1e300,     2.2250738585072014e-308};
+    for (size_t i = 0; i < n; i++) {
+        const double kind = random_uniform(r, 0, 1);
+        const double low = least > 1e-30 ? least : 1e-30, high = largest < 1e6 ? largest : 1e6;
+        x[i] = kind < 0.6 ? random_uniform(r, low, high < 3 ? high : 3) : random_log(r, low, high);
+        if (kind > 0.9)
+            x[i] = specials[(size_t)random_uniform(r, 0, (double)(sizeof specials / sizeof *specials))];
+        else if (kind > 0.85)
+            x[i] =
+                kind > 0.88 ? nextafter(largest, random_uniform(r, -1, 9)) : nextafter(least, random_uniform(r, -1, 1));
+        else if (kind > 0.8)
+            x[i] = random_log(r, 1e-300, 1e300);
+    }
+}
+
+static void loop_is_its_scalar(cor_law_array_function *loop, int k, const char *set, struct random_state *random)
+{
+    double x[COUNT], y[COUNT + 1];
+    fill(random, x, COUNT, loops[k].least, loops[k].largest);
+    for (size_t n = 0; n <= COUNT; n += n < 20 ? 1 : 97) {
+        const size_t place = n % 5, m = n > place ? n - place : 0;
+        y[m] = -7; /* a guard */
+        loop(x + place, y, m);
+        assert_true(y[m] == -7);
+        for (size_t i = 0; i < m; i++) {
+            const double one = loops[k].value(x[place + i]);
+            check(same_bits(one, y[i]) || (isnan(one) && isnan(y[i])), "%s, %s at %a: %a, not %a", set, loops[k].name,
+                  x[place + i], y[i], one);
+        }
+    }
+    /* in place */
+    memcpy(y, x, sizeof x);
+    loop(y, y, COUNT);
+    for (size_t i = 0; i < COUNT; i++) {
+        const double one = loops[k].value(x[i]);
+        assert_true(same_bits(one, y[i]) || (isnan(one) && isnan(y[i])));
+    }
+}
+
+static void every_set(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (int set = 0; set < COR_INSTRUCTION_SETS; set++) {
+        if (!cor_processor_has(set)) {
+            print_message("this processor has no %s\n", set_name[set]);
+            continue;
+        }
+        for (int k = 0; k < COR_LAW_LOOP_COUNT; k++)
+            loop_is_its_scalar(cor_law_loops(set)[k], k, set_name[set], &random);
+    }
+}
+
+static void widest_set(void **state)
+{
+    (void)state;
+    assert_true(cor_law_best_loops() == cor_law_loops(cor_widest_set()));
+    cor_law_best_loops()[0](NULL, NULL, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_set), cmocka_unit_test(widest_set)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,284 @@
+/* SPDX-License-Identifier: MIT */
+/* A sphere on a thin plate: the contact's fields, sphere and plate integrated as two bodies, a plate with edges, published
+ * approximations, and what the theory takes for granted. */
+#include "check.h"
+
+#include <cor/cor.h>
+
+struct scene {
+    struct cor_body sphere;
+    struct cor_plate plate;
+    double speed;
+};
+
+static struct scene random_scene(struct random_state *r)
+{
+    const double radius = random_log(r, 1e-4, 1e-1), density = random_log(r, 500, 1e4);
+    return (struct scene){
+        {random_log(r, 1e8, 5e11), random_uniform(r, 0, 0.5), 0, radius, cor_sphere_mass_kg(radius, density)},
+        {random_log(r, 1e9, 5e11), random_uniform(r, 0, 0.5), random_log(r, 500, 1e4), random_log(r, 1e-4, 1e-2)},
+        random_log(r, 1e-3, 30)};
+}
+
+/* ---- the fields ---- */
+
+static void fields(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst = 0;
+    for (size_t i = 0; i < points(20000); i++) {
+        const struct scene s = random_scene(&random);
+        struct cor_sphere_contact c;
+        assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_OK);
+        const long double nu = s.plate.poisson_ratio, h = s.plate.thickness_m, young = s.plate.young_modulus_pa;
+        const long double b = young * h * h * h / (12 * (1 - nu * nu)), z = 8 * sqrtl(b * s.plate.density_kg_m3 * h);
+        const long double nu_s = s.sphere.poisson_ratio, m = s.sphere.mass_kg;
+        const long double modulus = 1 / ((1 - nu_s * nu_s) / s.sphere.young_modulus_pa + (1 - nu * nu) / young);
+        const long double k = 4 * modulus * sqrtl(s.sphere.radius_m) / 3, root = powl(k / m, 0.4L);
+        worst = fmaxl(worst, ulp_error(c.dissipation_time_s, m / z));
+        worst = fmaxl(worst, ulp_error(c.beta_per_root, 1.5L * m / z * root));
+        worst = fmaxl(worst, ulp_error(c.scale, 1 / root));
+        assert_true(c.effective_mass_kg == s.sphere.mass_kg && c.effective_radius_m == s.sphere.radius_m);
+        /* Zener's lambda */
+        const long double lambda = m / z * root * powl(s.speed, 0.2L);
+        check(ulp_error(cor_plate_lambda(&c, s.speed), lambda) <= COR_CONTACT_MAX_ULP, "lambda %Lg", lambda);
+        /* the end of contact is the sphere's zero overlap, not the other one */
+        const double eps = cor_contact_eps_zero_overlap(&c, s.speed), beta = 1.5 * (double)lambda;
+        assert_true(fabs(eps - cor_sphere_eps_zero_overlap(beta)) <= 1e-14);
+    }
+    print_message("worst: %.2Lf ulp\n", worst);
+    assert_true(worst <= COR_CONTACT_MAX_ULP);
+}
+
+static void refused(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    const struct scene good = random_scene(&random);
+    struct cor_sphere_contact c;
+    assert_int_equal(cor_plate_contact_init(NULL, &good.sphere, &good.plate), COR_ERROR_NULL);
+    assert_int_equal(cor_plate_contact_init(&c, NULL, &good.plate), COR_ERROR_NULL);
+    assert_true(isnan(c.beta_per_root) && isnan(c.scale));
+    assert_int_equal(cor_plate_contact_init(&c, &good.sphere, NULL), COR_ERROR_NULL);
+    struct scene s = good;
+    s.plate.thickness_m = 0;
+    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_THICKNESS);
+    assert_true(isnan(c.beta_per_root) && isnan(c.dissipation_time_s) && isnan(c.effective_mass_kg));
+    s = good;
+    s.plate.density_kg_m3 = INFINITY;
+    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_DENSITY);
+    s = good;
+    s.plate.young_modulus_pa = INFINITY;
+    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_YOUNG_MODULUS);
+    s = good;
+    s.plate.poisson_ratio = NAN;
+    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_POISSON_RATIO);
+    s = good;
+    s.sphere.radius_m = INFINITY;
+    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_BOTH_FLAT);
+    s = good;
+    s.sphere.mass_kg = INFINITY;
+    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_BOTH_FIXED);
+    s = good;
+    s.sphere.mass_kg = -1;
+    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_MASS);
+    s = good;
+    s.plate.thickness_m = 1e-170;
+    assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_ERROR_RANGE);
+    /* a viscoelastic sphere adds its own time, by its share of the compliance */
+    s = good;
+    s.sphere.dissipation_time_s = 1e-6;
+    struct cor_sphere_contact with;
+    assert_int_equal(cor_plate_contact_init(&c, &good.sphere, &good.plate), COR_OK);
+    assert_int_equal(cor_plate_contact_init(&with, &s.sphere, &s.plate), COR_OK);
+    assert_true(with.dissipation_time_s > c.dissipation_time_s &&
+                with.dissipation_time_s < c.dissipation_time_s + 1e-6);
+}
+
+/* ---- two bodies ---- */
+
+/* Speed of the sphere after contact in units of the impact speed: m u' = -F, w' = F/Z, F = K (s - w)^(3/2), in scaled units with
+ * Z = 1/lambda; Runge and Kutta's method in sigma, dt = sqrt(x) d sigma near the ends where x^(3/2) is not smooth. */
+struct two_bodies {
+    double s, u, w;
+};
+
+static struct two_bodies two_bodies_rate(struct two_bodies b, double lambda)
+{
+    const double x = b.s - b.w, force = x > 0 ? x * sqrt(x) : 0;
+    return (struct two_bodies){b.u, -force, lambda * force};
+}
+
+static struct two_bodies moved(struct two_bodies b, struct two_bodies rate, double h)
+{
+    return (struct two_bodies){b.s + h * rate.s, b.u + h * rate.u, b.w + h * rate.w};
+}
+
+static double two_bodies_eps(double lambda, double step, double *duration)
+{
+    struct two_bodies b = {0, 1, 0};
+    double t = 0;
+    for (;;) {
+        const double x = b.s - b.w, h = step * fmin(1, sqrt(fmax(x, 1e-9)) + 1e-5);
+        const struct two_bodies k1 = two_bodies_rate(b, lambda), k2 = two_bodies_rate(moved(b, k1, h / 2), lambda),
+                                k3 = two_bodies_rate(moved(b, k2, h / 2), lambda),
+                                k4 = two_bodies_rate(moved(b, k3, h), lambda);
+        struct two_bodies next = b;
+        next = moved(next, k1, h / 6);
+        next = moved(next, k2, h / 3);
+        next = moved(next, k3, h / 3);
+        next = moved(next, k4, h / 6);
+        if (next.s - next.w <= 0 && t > 0) {
+            *duration = t + h * x / (x - (next.s - next.w));
+            return -b.u;
+        }
+        b = next;
+        t += h;
+    }
+}
+
+static void against_two_bodies(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (int i = 0; i < 40; i++) {
+        const struct scene s = random_scene(&random);
+        struct cor_sphere_contact c;
+        assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_OK);
+        const double lambda = cor_plate_lambda(&c, s.speed), unit = c.scale / pow(s.speed, 0.2);
+        if (lambda > 3)
+            continue;
+        double duration;
+        const double eps = two_bodies_eps(lambda, 2e-3, &duration), wanted = cor_contact_eps_zero_overlap(&c, s.speed);
+        check(fabs(eps - wanted) < 1e-7, "lambda = %g: %.12g, not %.12g", lambda, wanted, eps);
+        check(fabs(duration * unit / cor_contact_duration_s_zero_overlap(&c, s.speed) - 1) < 2e-4,
+              "lambda = %g: %g, not %g", lambda, cor_contact_duration_s_zero_overlap(&c, s.speed), duration * unit);
+    }
+}
+
+/* ---- a plate with edges ----
+ *
+ * A simply supported square plate of side l, hit in its middle: its modes sin(i pi x/l) sin(j pi y/l), i and j odd, are propagated
+ * exactly under a force that is constant in a step. No impedance and no infinite plate are in it. */
+enum { HARMONICS = 50 };
+
+struct square_plate {
+    double omega[HARMONICS * HARMONICS], q[HARMONICS * HARMONICS], p[HARMONICS * HARMONICS];
+    double cosine[HARMONICS * HARMONICS], sine[HARMONICS * HARMONICS];
+};
+
+/* Scaled units: mass, stiffness and speed 1, plate of mass 1 per area and impedance 1/lambda */
+static double square_plate_eps(double lambda, double side, double dt)
+{
+    static struct square_plate plate;
+    const double pi = 3.14159265358979311600, stiffness = 1 / (8 * lambda),
+                 mass = side * side / 4; /* sqrt(B/rho h), modal mass */
+    double own = 0;
+    for (int k = 0; k < HARMONICS * HARMONICS; k++) {
+        const double i = 2 * (k / HARMONICS) + 1, j = 2 * (k % HARMONICS) + 1;
+        const double omega = pi * pi * (i * i + j * j) / (side * side) * stiffness;
+        plate.omega[k] = omega;
+        plate.q[k] = plate.p[k] = 0;
+        plate.cosine[k] = cos(omega * dt);
+        plate.sine[k] = sin(omega * dt);
+        own += (1 - plate.cosine[k]) / (omega * omega * mass);
+    }
+    double s = 0, u = 1, force = 0;
+    for (int step = 0;; step++) {
+        double free = 0, mean = force, after = 0, x = 0;
+        for (int k = 0; k < HARMONICS * HARMONICS; k++)
+            free += plate.q[k] * plate.cosine[k] + plate.p[k] * plate.sine[k] / plate.omega[k];
+        for (int turn = 0; turn < 40; turn++) {
+            x = s + u * dt - 0.5 * mean * dt * dt - free - own * mean;
+            after = x > 0 ? x * sqrt(x) : 0;
+            mean = (force + after) / 2;
+        }
+        for (int k = 0; k < HARMONICS * HARMONICS; k++) {
+            const double rest = mean / (plate.omega[k] * plate.omega[k] * mass), q = plate.q[k] - rest, p = plate.p[k];
+            plate.q[k] = q * plate.cosine[k] + p * plate.sine[k] / plate.omega[k] + rest;
+            plate.p[k] = p * plate.cosine[k] - q * plate.omega[k] * plate.sine[k];
+        }
+        s += u * dt - 0.5 * mean * dt * dt;
+        u -= mean * dt;
+        force = after;
+        if (x <= 0 && step > 3)
+            return -u;
+    }
+}
+
+/* The least half width by cor_plate_least_half_width_m, in scaled units: 2 sqrt(pi t_0) (B/(rho h))^(1/4) */
+static void a_plate_with_edges(void **state)
+{
+    (void)state;
+    static const struct {
+        double lambda, tolerance;
+    } row[] = {{0.2, 1.5e-4}, {0.6, 1.5e-3}, {1, 5e-3}};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        const double lambda = row[i].lambda, beta = 1.5 * lambda, duration = cor_sphere_duration_zero_overlap(beta);
+        const double half = 2 * sqrt(acos(-1) * duration) * sqrt(1 / (8 * lambda));
+        const double wide = square_plate_eps(lambda, 2 * half, duration / 1500),
+                     narrow = square_plate_eps(lambda, half, duration / 600);
+        const double eps = cor_sphere_eps_zero_overlap(beta);
+        print_message("lambda = %g: %.5f, without edges %.5f, with half of the width %.5f\n", lambda, wide, eps,
+                      narrow);
+        assert_true(fabs(wide / eps - 1) < row[i].tolerance && fabs(narrow / eps - 1) > 4 * row[i].tolerance);
+    }
+}
+
+/* ---- published ---- */
+
+static void published(void **state)
+{
+    (void)state;
+    /* exp(-1.719 lambda), a fit to Zener's curve in use since 1941: its 1.719 is 1.73017 = -(3/2) C_1 at small lambda */
+    for (double lambda = 0.01; lambda < 0.8; lambda += 0.01)
+        assert_true(fabs(cor_sphere_eps_zero_overlap(1.5 * lambda) - exp(-1.719 * lambda)) < 0.022);
+    assert_true(fabs(cor_sphere_loss_zero_overlap(1.5e-6) / 1e-6 - 1.730173) < 1e-5);
+}
+
+/* ---- what is taken for granted ---- */
+
+static void conditions(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(2000); i++) {
+        const struct scene s = random_scene(&random);
+        struct cor_sphere_contact c;
+        assert_int_equal(cor_plate_contact_init(&c, &s.sphere, &s.plate), COR_OK);
+        const double t = cor_contact_duration_s_zero_overlap(&c, s.speed), x = cor_contact_max_overlap_m(&c, s.speed);
+        const long double nu = s.plate.poisson_ratio, h = s.plate.thickness_m, young = s.plate.young_modulus_pa;
+        const long double b = young * h * h * h / (12 * (1 - nu * nu)),
+                          shear = sqrtl(young / (2 * (1 + nu)) / s.plate.density_kg_m3);
+        const long double pi = acosl(-1), r = s.sphere.radius_m, density = s.sphere.mass_kg / (4 * pi / 3 * r * r * r);
+        assert_true(ulp_error(cor_plate_contact_radius_ratio(&c, &s.plate, s.speed), sqrtl(r * x) / h) <= 8);
+        assert_true(ulp_error(cor_plate_shear_crossings(&c, &s.plate, s.speed), t * shear / h) <= 8);
+        assert_true(ulp_error(cor_plate_sphere_crossings(&c, &s.sphere, s.speed),
+                              t * sqrtl(s.sphere.young_modulus_pa / density) / (2 * r)) <= 8);
+        assert_true(ulp_error(cor_plate_least_half_width_m(&c, &s.plate, s.speed),
+                              2 * sqrtl(pi * t) * powl(b / (s.plate.density_kg_m3 * h), 0.25L)) <= 8);
+        assert_true(isnan(cor_plate_least_half_width_m(&c, &s.plate, 0)) &&
+                    isnan(cor_plate_shear_crossings(&c, &s.plate, -1)) &&
+                    isnan(cor_plate_contact_radius_ratio(&c, &s.plate, INFINITY)) &&
+                    isnan(cor_plate_sphere_crossings(&c, &s.sphere, NAN)));
+        struct cor_plate wrong = s.plate;
+        wrong.thickness_m = -1;
+        assert_true(isnan(cor_plate_least_half_width_m(&c, &wrong, 1)) &&
+                    isnan(cor_plate_contact_radius_ratio(&c, &wrong, 1)) &&
+                    isnan(cor_plate_shear_crossings(&c, &wrong, 1)));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(fields),
+        cmocka_unit_test(refused),
+        cmocka_unit_test(against_two_bodies),
+        cmocka_unit_test(a_plate_with_edges),
+        cmocka_unit_test(published),
+        cmocka_unit_test(conditions),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT */
+/* What elastic waves take: known values, another contour for J(nu), the sphere and half-space of one material and of two. */
+#include "check.h"
+
+#include <complex.h>
+
+#include <cor/cor.h>
+
+static void known_values(void **state)
+{
+    (void)state;
+    assert_true(ulp_error(cor_half_space_wave_factor(0.25), 0.930752601914437910L) <= 8);
+    static const struct {
+        double nu, coefficient;
+    } known[] = {{0.2, 1.0966459}, {0.25, 1.1115324}, {0.3, 1.1318097}, {0.33, 1.1475532}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        assert_true(fabs(cor_half_space_wave_coefficient(known[i].nu) / known[i].coefficient - 1) < 5e-8);
+    assert_true(isnan(cor_half_space_wave_factor(-1)) && isnan(cor_half_space_wave_factor(0.5000001)) &&
+                isnan(cor_half_space_wave_factor(NAN)) && isnan(cor_half_space_wave_coefficient(-1)) &&
+                isnan(cor_half_space_wave_coefficient(INFINITY)));
+    /* Rayleigh waves carry 67 % at nu = 1/4 (Miller and Pursey): the rest is the integral over the body waves, positive */
+    assert_true(cor_half_space_wave_factor(0.5) > 0.65 && cor_half_space_wave_factor(-0.999999) < 3.84);
+}
+
+/* J = Im int x a/R dx over a half circle from 0 to 2 above the branch points and the Rayleigh pole: by the trapezoidal rule
+ * after a substitution that flattens both ends */
+static long double factor_by_contour(long double nu)
+{
+    const long double pi = acosl(-1), g2 = (1 - 2 * nu) / (2 * (1 - nu)), end = 3.4L, step = 0.004L;
+    long double sum = 0;
+    for (int j = -(int)(end / step); j <= (int)(end / step); j++) {
+        const long double t = j * step, u = 1 / (1 + expl(-pi * sinhl(t))), below = 1 / (1 + expl(pi * sinhl(t)));
+        const long double du = pi * coshl(t) * u * below, angle = pi * below;
+        /* x = 1 - cos(pi u) + i sin(pi u) = 1 + exp(i pi (1 - u)) */
+        const long double complex x = 1 + cexpl(I * angle), dx = -I * pi * cexpl(I * angle), x2 = x * x;
+        /* the roots that are positive where x is real and large, without a cut above the real axis */
+        const long double root_g = sqrtl(g2);
+        const long double complex a = csqrtl(x - root_g) * csqrtl(x + root_g), b = csqrtl(x - 1) * csqrtl(x + 1);
+        const long double complex d = (2 * x2 - 1) * (2 * x2 - 1) - 4 * x2 * a * b;
+        sum += cimagl(x * a / d * dx) * du;
+    }
+    return sum * step;
+}
+
+static void another_contour(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    long double worst = 0;
+    for (size_t i = 0; i < points(40); i++) {
+        const double nu = i == 0 ? 0.5 : i == 1 ? 0 : random_uniform(&random, -0.99, 0.5);
+        const long double exact = factor_by_contour(nu);
+        const long double error = ulp_error(cor_half_space_wave_factor(nu), exact);
+        check(error <= 8, "nu = %.17g: %.17g, not %.19Lg", nu, cor_half_space_wave_factor(nu), exact);
+        worst = fmaxl(worst, error);
+    }
+    print_message("J: %.2Lf ulp\n", worst);
+}
+
+static struct cor_body sphere_of(double young, double nu, double density, double radius)
+{
+    return (struct cor_body){young, nu, 0, radius, cor_sphere_mass_kg(radius, density)};
+}
+
+static void collisions(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(2000); i++) {
+        const double young = random_log(&random, 1e6, 1e12), nu = random_uniform(&random, -0.5, 0.5);
+        const double density = random_log(&random, 100, 2e4), radius = random_log(&random, 1e-5, 10);
+        const double sound = sqrt(young / density), speed = sound * random_log(&random, 1e-12, 1e-4);
+        const struct cor_body sphere = sphere_of(young, nu, density, radius), wall = {young, nu, 0, INFINITY, INFINITY};
+        const struct cor_half_space block = {young, nu, density};
+        struct cor_sphere_contact contact;
+        assert_int_equal(cor_sphere_contact_init(&contact, &sphere, &wall), COR_OK);
+        /* the general formula, and the one of one material, in which radius and modulus cancel */
+        const double loss = cor_contact_wave_loss(&contact, &block, speed);
+        const long double like =
+            cor_half_space_wave_coefficient(nu) * powl(speed / sqrtl((long double)young / density), 0.6L);
+        check(relative_error(loss, like) < 5e-14, "%g, not %Lg", loss, like);
+    }
+    /* a rigid sphere of the block's density: 2.553631 and 2.600216 */
+    for (int k = 0; k < 2; k++) {
+        const double nu = k ? 0.3 : 0.25, wanted = k ? 2.600216 : 2.553631;
+        const struct cor_body rigid = sphere_of(INFINITY, 0.2, 2000, 0.01), wall = {1e10, nu, 0, INFINITY, INFINITY};
+        const struct cor_half_space block = {1e10, nu, 2000};
+        struct cor_sphere_contact contact;
+        assert_int_equal(cor_sphere_contact_init(&contact, &rigid, &wall), COR_OK);
+        const double coefficient = cor_contact_wave_loss(&contact, &block, 1) / pow(1 / sqrt(1e10 / 2000), 0.6);
+        assert_true(fabs(coefficient / wanted - 1) < 1e-6);
+        assert_true(cor_contact_wave_loss(&contact, &block, 0) == 0 &&
+                    cor_contact_wave_loss(&contact, &block, INFINITY) == 1);
+        assert_true(cor_contact_wave_loss(&contact, &block, 1e6) == 1 &&
+                    isnan(cor_contact_wave_loss(&contact, &block, -1)) &&
+                    isnan(cor_contact_wave_loss(&contact, &block, NAN)));
+        struct cor_half_space wrong = block;
+        wrong.density_kg_m3 = 0;
+        assert_true(isnan(cor_contact_wave_loss(&contact, &wrong, 1)));
+        wrong = block;
+        wrong.poisson_ratio = 0.6;
+        assert_true(isnan(cor_contact_wave_loss(&contact, &wrong, 1)));
+        cor_sphere_contact_init_g_star(&contact, 1);
+        assert_true(isnan(cor_contact_wave_loss(&contact, &block, 1)));
+    }
+}
+
+/* The law of first order, x'' + beta x x' + x^(3/2) = 0: its loss by integration, against 2 |C_1| beta_w. The radiated energy is
+ * kappa int F'^2 dt of the elastic collision. */
+static void first_order(void **state)
+{
+    (void)state;
+    /* elastic collision in scaled units: F = x^(3/2), F' = (3/2) sqrt(x) v; int F'^2 dt = 2 int_0^X (9/4) x v dx */
+    const long double x0 = powl(1.25L, 0.4L);
+    long double sum = 0;
+    enum { STEPS = 20000 };
+    for (int i = 0; i < STEPS; i++) {
+        const long double x = x0 * (i + 0.5L) / STEPS;
+        sum += x0 / STEPS * x * sqrtl(1 - 0.8L * powl(x, 2.5L));
+    }
+    const long double radiated =
+        2 * 2.25L * sum; /* of kinetic energy 1/2: 1 - eps^2 = 2 kappa' radiated, beta_w = (9/4) kappa' */
+    assert_true(fabsl(2 * radiated / 2.25L - 2 * 0.845742174195960231708L) < 1e-5L);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(known_values), cmocka_unit_test(another_contour),
+                                       cmocka_unit_test(collisions), cmocka_unit_test(first_order)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
