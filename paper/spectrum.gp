@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Fig. 3, drawn by paper/run from spectrum.csv, which goes on to higher frequencies.
+# Fig. 3, drawn by paper/run from spectrum.csv.
 stem = "spectrum"; home = "docs/paper"; width = 960; height = 560
 load "docs/style.gp"
 
@@ -16,8 +16,8 @@ set title "the modes of a free disk below ω = 32, ν = 0.33; l counts the modes
 set label 1 "l = 0" at 36.7, 19.6 center tc rgb grey font small
 set label 2 "l = 1" at 37.9, 27 center tc rgb grey font small
 radial = "radial: |C| > |S|"; tangential = "tangential: |C| < |S|"
-plot csv using 1:(strcol(6) eq "radial" && $3 < 32 ? $3 : NaN) skip 1 \
+plot csv using 1:(strcol(6) eq "radial" ? $3 : NaN) skip 1 \
          with points pt 7 ps 0.5 lc rgb blue title radial, \
-     csv using 1:(strcol(6) eq "tangential" && $3 < 32 ? $3 : NaN) skip 1 \
+     csv using 1:(strcol(6) eq "tangential" ? $3 : NaN) skip 1 \
          with points pt 7 ps 0.5 lc rgb red title tangential
 set output
