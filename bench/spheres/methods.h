@@ -22,7 +22,7 @@ enum {
 };
 
 struct method {
-    char curve[24];           /* methods of one curve differ by their setting and instructions */
+    const char *curve;        /* methods of one curve differ by their setting and instructions */
     char setting[32];         /* degrees, a tolerance, steps; empty: it has none */
     const char *instructions; /* of loops and arrays; NULL: not chosen */
     const char *scene;        /* the only scene that it knows, or NULL */
