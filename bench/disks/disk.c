@@ -33,10 +33,11 @@ static void field(FILE *file, const char *format, double value)
 void disk_csv(struct disk_bench *bench, const struct disk_row *row)
 {
     FILE *const files[2] = {bench->csv, stdout};
+    disk_must(!strchr(row->table, ',') && !strchr(row->method, ','), "a comma in a cell");
     for (int i = 0; i < 2; i++) {
         fprintf(files[i], "%s,%s", row->table, row->method);
         field(files[i], "%.6g", row->speed);
-        field(files[i], "%.3g", row->setting);
+        field(files[i], "%.4g", row->setting);
         field(files[i], "%.0f", row->modes ? (double)row->modes : NAN);
         field(files[i], "%.4g", row->seconds);
         field(files[i], "%.2e", row->error);
