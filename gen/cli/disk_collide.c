@@ -45,7 +45,7 @@ static const char help[] =
     "  --threads K      1 to 1024 (default: as many as processors; under mpirun 1 for each rank)\n"
     "  --format F       text (default), csv or json\n"
     "  --output FILE    instead of standard output. Rows are kept in FILE.part till all are\n"
-    "                   there; the same command goes on where an interrupted one ended\n"
+    "                   there; the same command continues an interrupted one\n"
     "  --profile        seconds per step and peak memory on standard error\n"
     "\nLIST: values and ranges with commas between. 0.1, 1.5e-3 or 1/3 is a value;\n"
     "  A:B:+S     A, A + S, A + 2 S, ... up to B      (-S: down to B)\n"

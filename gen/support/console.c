@@ -18,10 +18,60 @@ static bool progress_shown;
 
 static void progress_erase(void);
 
+/* Of a word longer than WORD_SHOWN bytes, such as an over-long name, a message shows the head and the tail. */
+enum { WORD_SHOWN = 300, WORD_HEAD = 200, WORD_TAIL = 97 };
+
+static bool utf8_continues(char byte)
+{
+    return ((unsigned char)byte & 0xc0) == 0x80;
+}
+
+static void shorten_words(char *text)
+{
+    static const char gap[3] = {'.', '.', '.'};
+    char *end = text;
+    for (const char *word = text; *word;) {
+        const size_t n = strcspn(word, " \n");
+        size_t head = n, tail = n;
+        if (n > WORD_SHOWN) {
+            head = WORD_HEAD;
+            tail = n - WORD_TAIL;
+            while (head > 0 && utf8_continues(word[head]))
+                head--;
+            while (tail < n && utf8_continues(word[tail]))
+                tail++;
+        }
+        memmove(end, word, head);
+        end += head;
+        if (head < n) {
+            memcpy(end, gap, sizeof gap);
+            end += sizeof gap;
+            memmove(end, word + tail, n - tail);
+            end += n - tail;
+        }
+        word += n;
+        if (*word)
+            *end++ = *word++;
+    }
+    *end = '\0';
+}
+
 static void print_message(const char *format, va_list arguments)
 {
     if (console_thread)
         progress_erase();
+    va_list again;
+    va_copy(again, arguments);
+    const int size = vsnprintf(NULL, 0, format, again);
+    va_end(again);
+    char *text = size < 0 ? NULL : malloc((size_t)size + 1);
+    if (text) { /* without memory the message appears as it is */
+        vsnprintf(text, (size_t)size + 1, format, arguments);
+        shorten_words(text);
+        fprintf(stderr, "corgen: %s\n", text);
+        free(text);
+        return;
+    }
     fputs("corgen: ", stderr);
     vfprintf(stderr, format, arguments);
     fputc('\n', stderr);

@@ -13,33 +13,33 @@
 #include "support/parallel.h"
 #include "sweep/ranks.h"
 
-/* QUEUE: tasks that wait for a thread, at most, each. */
-enum { QUEUE = 64, TAG_TASKS = 1, TAG_RESULTS, TAG_TOLD, TAG_STOP };
+/* QUEUE: the most tasks that wait for each thread. */
+enum { QUEUE = 64, TAG_TASKS = 1, TAG_RESULTS, TAG_BROADCAST, TAG_STOP };
 
-#define QUEUE_SECONDS 0.05 /* work that should wait for a thread, so that it need not wait */
+#define QUEUE_SECONDS 0.05 /* seconds of work queued for each thread, so that no thread runs dry between two looks */
 #define TICK_SECONDS 0.2
-#define POLL_SECONDS 0.0005 /* between looks for messages: MPI can wait only by being busy */
+#define POLL_SECONDS 0.0005 /* between two polls for messages: an MPI that waits keeps its processor busy */
 
 struct crew {
     struct crew_work work;
     int threads;
     pthread_t *thread;
 
-    pthread_mutex_t mutex; /* of what follows */
+    pthread_mutex_t mutex; /* guards the fields down to `started` */
     pthread_cond_t has_task, has_result;
     bool stopping;
-    uint64_t *task; /* a ring */
+    uint64_t *task; /* a ring buffer of task numbers */
     size_t task_first, tasks, tasks_max;
-    unsigned char *result; /* numbers and results */
+    unsigned char *result; /* records of finished tasks */
     size_t results;
     int started;
 
-    double seconds;         /* of a task, lately; 0: not known. Of the coordinator, as what follows */
-    size_t at_work;         /* given to own threads and not seen again */
-    size_t *at_rank;        /* likewise to the other ranks */
-    unsigned char *waiting; /* results in order: a ring of CREW_AHEAD */
+    double seconds;         /* average time of recent tasks; 0: not known. From here on for the coordinator only */
+    size_t at_work;         /* tasks with threads of this rank whose results are not collected yet */
+    size_t *at_rank;        /* the same for each other rank */
+    unsigned char *waiting; /* ring buffer of CREW_AHEAD results that wait for earlier ones */
     bool *waits;
-    unsigned char *taken; /* what was taken from `result` */
+    unsigned char *taken; /* records swapped out of `result` */
 };
 
 struct interval {
@@ -96,7 +96,7 @@ static void crew_queue_task(struct crew *crew, uint64_t task)
     crew->at_work++;
 }
 
-/* Waits a while for own results and moves them to crew->taken; how many there are. */
+/* Waits up to `wait` seconds for results of this rank's threads, moves them to crew->taken and returns their number. */
 static size_t crew_take_results(struct crew *crew, double wait)
 {
     struct timespec until;
@@ -123,7 +123,7 @@ struct crew *crew_start(const struct crew_work *work, int threads)
     struct crew *crew = xmalloc(sizeof *crew);
     *crew = (struct crew){.work = *work};
     const size_t most = (size_t)threads * (QUEUE + 1);
-    /* another rank's tasks come in two messages */
+    /* tasks of another rank can come in two messages before the first are done */
     crew->tasks_max = 2 * most;
     crew->task = xmalloc(crew->tasks_max * sizeof *crew->task);
     crew->result = xmalloc(2 * most * record_size(crew));
@@ -180,7 +180,7 @@ void crew_stop(struct crew *crew)
 
 /* ---- rank 0 ---- */
 
-/* Tasks that a rank should have: one a thread, and what fills the time till the next are given. */
+/* The number of tasks that a rank should hold: one for each thread, and enough to fill QUEUE_SECONDS. */
 static size_t crew_tasks_wanted(const struct crew *crew)
 {
     size_t each = 1;
@@ -218,7 +218,8 @@ static size_t crew_tasks_away(const struct crew *crew)
     return away;
 }
 
-/* To other ranks no fewer at once than half of what they should have: a message each would be many. */
+/* Gives tasks to every rank that holds less than it should. Another rank gets new ones only below half of that number,
+ * which keeps the number of messages low. Returns the next task to give out. */
 static uint64_t crew_give_out(struct crew *crew, uint64_t next, uint64_t end)
 {
     const size_t wanted = crew_tasks_wanted(crew);
@@ -239,7 +240,7 @@ static uint64_t crew_give_out(struct crew *crew, uint64_t next, uint64_t end)
     return next;
 }
 
-/* What no thread has begun is not begun. */
+/* Removes the tasks that no thread has begun. */
 static void crew_drop_queue(struct crew *crew)
 {
     pthread_mutex_lock(&crew->mutex);
@@ -250,7 +251,7 @@ static void crew_drop_queue(struct crew *crew)
 
 int crew_run(struct crew *crew, uint64_t first, uint64_t end)
 {
-    uint64_t next = first; /* to be given out */
+    uint64_t next = first; /* first task not given out yet */
     uint64_t finished = first;
     int status = 0;
     double ticked = clock_seconds();
@@ -285,11 +286,11 @@ int crew_run(struct crew *crew, uint64_t first, uint64_t end)
     return status;
 }
 
-void crew_tell(struct crew *crew, const void *bytes, size_t n)
+void crew_broadcast(struct crew *crew, const void *bytes, size_t n)
 {
     (void)crew;
     for (int rank = 1; rank < ranks_count(); rank++)
-        ranks_send(rank, TAG_TOLD, bytes, n);
+        ranks_send(rank, TAG_BROADCAST, bytes, n);
 }
 
 /* ---- the other ranks ---- */
@@ -309,8 +310,8 @@ void crew_serve(struct crew *crew)
                 memcpy(&tasks, bytes, sizeof tasks);
                 for (uint64_t i = 0; i < tasks.count; i++)
                     crew_queue_task(crew, tasks.first + i);
-            } else if (tag == TAG_TOLD) {
-                crew->work.told(crew->work.context, bytes, size);
+            } else if (tag == TAG_BROADCAST) {
+                crew->work.received(crew->work.context, bytes, size);
             }
             stop = tag == TAG_STOP;
             free(bytes);

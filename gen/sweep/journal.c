@@ -14,8 +14,8 @@
 #include "support/clock.h"
 #include "support/console.h"
 
-/* A line ends with a space and the check of all that stands before that, as in a mode file: what is not as it was
- * written, for whatever reason, is found, and all behind it is in doubt. */
+/* A line ends with a space and a check sum of everything before the sum, as in a mode file. A changed byte therefore
+ * shows in its own line and in every later one. */
 enum { CHECK_LENGTH = 9, PENDING_MAX = 1 << 20, SYNC_SECONDS = 30 };
 
 static int journal_failure(const char *verb, const struct journal *journal)
@@ -28,7 +28,8 @@ static uint32_t line_check(uint32_t check, const char *line, size_t n)
     return cor_mode_file_check(cor_mode_file_check(check, line, n), " ", 1);
 }
 
-/* Takes the check off a line that was read, with its end, if it is right; otherwise leaves both alone. */
+/* If the check sum at the end of the line is right, cuts it off, updates *check and returns true. Otherwise neither
+ * changes. */
 static bool line_accept(uint32_t *check, char *line, size_t n)
 {
     if (n < CHECK_LENGTH + 1 || line[n - 1] != '\n' || memchr(line, '\0', n))
@@ -58,7 +59,7 @@ void journal_add(struct journal *journal, const char *line)
     journal->pending_size += size;
     journal->lines++;
     if (journal->pending_size > PENDING_MAX)
-        journal_flush(journal); /* an error is met again by the caller's own */
+        journal_flush(journal); /* the caller's next journal_flush reports an error again */
 }
 
 int journal_flush(struct journal *journal)
@@ -69,7 +70,7 @@ int journal_flush(struct journal *journal)
         if (n < 0 && errno == EINTR)
             continue;
         if (n <= 0) {
-            /* what is there stays a beginning */
+            /* keep what is not written, so that the file stays a prefix of the journal */
             memmove(journal->pending, journal->pending + done, journal->pending_size - done);
             journal->pending_size -= done;
             return journal_failure("write", journal);
@@ -92,9 +93,9 @@ static int journal_lock(struct journal *journal)
     struct flock region = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
     if (fcntl(journal->fd, F_SETLK, &region) == 0)
         return STATUS_OK;
-    if (errno != EACCES && errno != EAGAIN) { /* a file system without locks */
+    if (errno != EACCES && errno != EAGAIN) { /* the file system has no locks */
         journal_failure("lock", journal);
-        fail("going on; see to it that no other corgen has the same --output");
+        fail("continuing without a lock; make sure that no other corgen writes to the same --output");
         return STATUS_OK;
     }
     if (fcntl(journal->fd, F_GETLK, &region) == 0 && region.l_type != F_UNLCK)
@@ -103,19 +104,20 @@ static int journal_lock(struct journal *journal)
     return fail("%s is in use by another process; wait for it or choose another --output", journal->path);
 }
 
-/* The file of that name, locked: not one that another process finished and removed in between. */
+/* Opens and locks the file. Another process may finish the journal and remove it between open and lock; then the name
+ * belongs to another file or to none, and the file is opened again. */
 static int journal_open_locked(struct journal *journal)
 {
     for (;;) {
         struct stat opened, named;
-        /* not through a symbolic link, which would let FILE.part be written anywhere */
+        /* a symbolic link could lead anywhere, so it is not followed */
         journal->fd = open(journal->path, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (journal->fd < 0 && errno == ELOOP)
             return fail("cannot write %s: it is a symbolic link; remove it or choose another --output", journal->path);
         if (journal->fd < 0 || fstat(journal->fd, &opened) != 0)
             return journal_failure("write", journal);
         if (!S_ISREG(opened.st_mode))
-            return fail("cannot write %s: it is no regular file", journal->path);
+            return fail("cannot write %s: it is not a regular file", journal->path);
         if (journal_lock(journal) != STATUS_OK)
             return STATUS_FAILED;
         if (stat(journal->path, &named) == 0 && named.st_ino == opened.st_ino && named.st_dev == opened.st_dev)
@@ -130,7 +132,7 @@ static int journal_refuse_foreign(const struct journal *journal, const char *tit
     enum { SHOWN = 300 };
     static const char start[] = "corgen ";
     if (strncmp(title, start, sizeof start - 1) != 0)
-        return fail("%s is no unfinished sweep of corgen; remove it or choose another --output", journal->path);
+        return fail("%s is not an unfinished sweep of corgen; remove it or choose another --output", journal->path);
     const char *command = strstr(title, ": ");
     return fail("%s holds rows of another sweep, '%.*s%s'; finish it by that command, remove it or choose another "
                 "--output",
@@ -138,18 +140,18 @@ static int journal_refuse_foreign(const struct journal *journal, const char *tit
                 command && strlen(command + 2) > SHOWN ? "..." : "");
 }
 
-/* A title says what the sweep is, and behind a colon how the command was written, which does not matter. */
+/* A title identifies the sweep before its first colon. The command after the colon may be written in another way. */
 static bool same_sweep(const char *title, const char *other)
 {
     const char *colon = strchr(title, ':');
     return colon ? strncmp(title, other, (size_t)(colon - title) + 1) == 0 : strcmp(title, other) == 0;
 }
 
-/* Where the good lines end, or -1 after a sentence. */
+/* Returns the size of the good lines in bytes, or -1 after a message. */
 static off_t journal_recover(struct journal *journal, const char *title, uint64_t most)
 {
     enum { BLOCK = 1 << 16, LINE = 1 << 12 };
-    const size_t longest = strlen(title) + LINE; /* what is longer is no line of ours */
+    const size_t longest = strlen(title) + LINE; /* no line of a journal is longer */
     size_t capacity = BLOCK, size = 0, start = 0;
     char *buffer = xmalloc(capacity);
     off_t good = 0;
@@ -200,7 +202,7 @@ static off_t journal_recover(struct journal *journal, const char *title, uint64_
         start += n;
     }
     if (!titled) {
-        /* a first line half written is the beginning of the right one; anything else is somebody's file */
+        /* a prefix of the title was cut off while it was written; any other first line is from another program */
         const size_t n = strlen(title);
         const size_t same = size < n ? size : n;
         const bool beginning = size <= n + CHECK_LENGTH && memcmp(buffer, title, same) == 0;
@@ -214,7 +216,7 @@ static off_t journal_recover(struct journal *journal, const char *title, uint64_
     return good;
 }
 
-/* The name of a new file is on the disk only when its directory is. */
+/* A power cut can lose the name of a new file until its directory is synced. */
 static void sync_directory(const char *path)
 {
     char *directory = xstrdup(path);
@@ -236,7 +238,8 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
     const size_t size = strlen(file) + sizeof extension;
     journal->path = xmalloc(size);
     snprintf(journal->path, size, "%s%s", file, extension);
-    signal(SIGXFSZ, SIG_IGN); /* a file at its size limit is a failed write, which is reported */
+    /* a write beyond a size limit must fail, which is reported, and not end the program */
+    signal(SIGXFSZ, SIG_IGN);
     off_t good = -1;
     if (journal_open_locked(journal) == STATUS_OK)
         good = journal_recover(journal, title, most);
@@ -258,11 +261,11 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
     return status;
 }
 
-int journal_read(struct journal *journal, void (*tell)(void *context, const char *line), void *context)
+int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context)
 {
     if (journal_flush(journal) != STATUS_OK)
         return STATUS_FAILED;
-    /* not by a second descriptor: whichever of the two is closed first takes the lock away */
+    /* not by a second descriptor: closing either one releases the lock */
     errno = 0;
     FILE *file = lseek(journal->fd, 0, SEEK_SET) == 0 ? fdopen(journal->fd, "r") : NULL;
     if (!file)
@@ -276,13 +279,12 @@ int journal_read(struct journal *journal, void (*tell)(void *context, const char
     for (ssize_t n; good && number <= journal->lines && (n = getline(&line, &capacity, file)) > 0; number++) {
         good = line_accept(&check, line, (size_t)n);
         if (good && number > 0)
-            tell(context, line);
+            visit(context, line);
     }
     free(line);
     good = good && number == journal->lines + 1;
     if (!good) {
-        fail("%s has been changed by another program; the rows from line %" PRIu64 " on are lost", journal->path,
-             number);
+        fail("another program has changed %s; its rows from line %" PRIu64 " on are lost", journal->path, number);
     }
     return good ? STATUS_OK : STATUS_FAILED;
 }

@@ -14,12 +14,13 @@ enum { TAG_RELEASE = 0, PAUSE_NANOSECONDS = 20000000 };
 static int count = 1, mine;
 static bool joined;
 
-/* Without a launcher MPI is not asked: alone it would start helpers of its own, and fail where these cannot be. */
+/* MPI is initialised only under a launcher. Without one it would start daemons of its own, and fail where it cannot. */
 static bool ranks_launched(void)
 {
-    static const char *const told[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMI_RANK", "PMIX_RANK", "MPI_LOCALNRANKS"};
-    for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
-        if (getenv(told[i]))
+    static const char *const variable[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMI_RANK", "PMIX_RANK",
+                                           "MPI_LOCALNRANKS"};
+    for (size_t i = 0; i < sizeof variable / sizeof *variable; i++) {
+        if (getenv(variable[i]))
             return true;
     }
     return false;
@@ -55,7 +56,7 @@ int ranks_check(void)
     return STATUS_OK;
 }
 
-/* MPI itself can wait only by being busy. */
+/* Polls, because a waiting MPI keeps its processor busy. */
 void ranks_wait(void)
 {
     const struct timespec pause = {0, PAUSE_NANOSECONDS};
@@ -85,7 +86,7 @@ int ranks_mine(void)
 
 void ranks_send(int rank, int tag, const void *bytes, size_t n)
 {
-    if (n > INT_MAX) { /* no table of modes that a sweep allows is as long */
+    if (n > INT_MAX) { /* the largest table of modes that a sweep allows is shorter */
         fail("a message of %zu bytes is more than MPI sends", n);
         MPI_Abort(MPI_COMM_WORLD, STATUS_FAILED);
     }

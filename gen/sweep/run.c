@@ -18,24 +18,24 @@
 #include "sweep/journal.h"
 #include "sweep/ranks.h"
 
-/* What a mode takes on the way, all together */
+/* Memory for each mode while the modes are found, measured. */
 enum { MODE_BYTES = 900 };
 
 struct collide {
     struct sweep sweep;
     int threads;
-    struct sweep_room *room; /* of each thread */
+    struct sweep_room *room; /* one workspace for each thread */
     struct cor_disk_mode *mode;
-    struct cor_disk_modes modes; /* of the material at hand */
+    struct cor_disk_modes modes; /* modes of the present material */
 
-    /* Rank 0. Lines go either to a journal or to a printer. */
+    /* Rank 0: lines go to the journal if there is one, otherwise to the printer. */
     struct journal journal;
     struct sweep_printer printer;
-    const char *again; /* the last line of an earlier run, which is computed again */
+    const char *again; /* last line of an earlier run, computed again as a check; NULL if there is none */
     uint64_t again_row;
 
-    double started, modes_seconds, rows_seconds, rows_started; /* of this run; modes_seconds of one material */
-    double cost_done, cost_found;                              /* in this run and before it */
+    double started, modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */
+    double cost_done, cost_found; /* of rows finished in this run, and of rows found in the journal */
     uint64_t ready;
     size_t materials_left;
 };
@@ -68,8 +68,8 @@ static int find_modes(struct collide *run, size_t material)
     return status;
 }
 
-/* Modes as they go to the other ranks. */
-static void tell_modes(struct crew *crew, const struct collide *run)
+/* Sends the modes to the other ranks. */
+static void send_modes(struct crew *crew, const struct collide *run)
 {
     if (ranks_count() < 2)
         return;
@@ -77,11 +77,11 @@ static void tell_modes(struct crew *crew, const struct collide *run)
     unsigned char *message = xmalloc(sizeof run->modes.nu + bytes);
     memcpy(message, &run->modes.nu, sizeof run->modes.nu);
     memcpy(message + sizeof run->modes.nu, run->mode, bytes);
-    crew_tell(crew, message, sizeof run->modes.nu + bytes);
+    crew_broadcast(crew, message, sizeof run->modes.nu + bytes);
     free(message);
 }
 
-static void hear_modes(void *context, const void *bytes, size_t n)
+static void receive_modes(void *context, const void *bytes, size_t n)
 {
     struct collide *run = context;
     const size_t size = n - sizeof run->modes.nu;
@@ -92,7 +92,7 @@ static void hear_modes(void *context, const void *bytes, size_t n)
     run->modes.mode = run->mode;
 }
 
-/* What the integrator would refuse, at the corners of the sweep. */
+/* Asks the integrator at every corner of the sweep whether it refuses the parameters or needs too much memory. */
 static int refuse_corners(const struct collide *run, const struct cor_disk_modes *modes)
 {
     const struct sweep *s = &run->sweep;
@@ -119,7 +119,7 @@ static int refuse_corners(const struct collide *run, const struct cor_disk_modes
     return STATUS_OK;
 }
 
-/* Before any mode is found: what does not depend on them, with one that any disk might have. */
+/* The same before the modes are found. One plausible mode stands for them, since no refusal depends on the modes. */
 static int refuse_early(const struct collide *run)
 {
     static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
@@ -161,14 +161,14 @@ static int row_finished(void *context, uint64_t number, const void *bytes)
     if (run->again && number == run->again_row) {
         if (strcmp(line, run->again) != 0)
             return fail("%s was begun by another corgen or on another machine: its row %" PRIu64
-                        " has other digits here; go on there, remove it or choose another --output",
+                        " has other digits here; continue there, remove it or choose another --output",
                         run->journal.path, number + 1);
     } else if (run->journal.path) {
         journal_add(&run->journal, line);
     } else {
         sweep_print(&run->printer, line);
         if (ferror(run->printer.file))
-            return STATUS_FAILED; /* output_commit says why */
+            return STATUS_FAILED; /* output_commit reports the reason */
     }
     return STATUS_OK;
 }
@@ -189,7 +189,7 @@ static int sweep_tick(void *context)
     return run->journal.path ? journal_flush(&run->journal) : STATUS_OK;
 }
 
-/* All rows from `first` on. */
+/* Collides all rows from `first` on. */
 static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
 {
     const uint64_t each = sweep_rows_of_material(&run->sweep);
@@ -210,7 +210,7 @@ static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
         if (status != STATUS_OK)
             return status;
         checked = true;
-        tell_modes(crew, run);
+        send_modes(crew, run);
         profile_step("collisions");
         run->rows_started = clock_seconds();
         status = crew_run(crew, first, (first / each + 1) * each);
@@ -230,7 +230,7 @@ static char *interrupted_text;
 static struct sigaction before_interrupt[3];
 static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
 
-/* The rows are safe at any moment; the signal goes on to end the program as its sender expects. */
+/* Rows are safe at any moment, so the handler only prints a message and passes the signal on to its default action. */
 static void on_interrupt(int number)
 {
     const char *text = interrupted_text;
@@ -242,13 +242,13 @@ static void on_interrupt(int number)
 
 static void interrupts_say(const char *path)
 {
-    static const char format[] = "\ncorgen: interrupted; the same command goes on where %s ends\n";
+    static const char format[] = "\ncorgen: interrupted; the same command continues after the last row of %s\n";
     interrupted_text = xmalloc(sizeof format + strlen(path));
     snprintf(interrupted_text, sizeof format + strlen(path), format, path);
     for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++) {
         sigaction(interrupts[i], NULL, &before_interrupt[i]);
         if (before_interrupt[i].sa_handler == SIG_IGN)
-            continue; /* by the parent: nohup */
+            continue; /* the parent, such as nohup, ignores it */
         struct sigaction action;
         memset(&action, 0, sizeof action);
         action.sa_handler = on_interrupt;
@@ -265,7 +265,7 @@ static void interrupts_as_before(void)
     interrupted_text = NULL;
 }
 
-/* What is wrong with the rows that were printed, if anything is. */
+/* Reports rows whose status is not ok. */
 static int report_rows(const struct sweep_printer *printer)
 {
     if (printer->tolerance_not_reached + printer->failed == 0)
@@ -280,7 +280,7 @@ static void print_line(void *context, const char *line)
     sweep_print(context, line);
 }
 
-/* The finished journal becomes the file. */
+/* Writes the file from the finished journal. */
 static int publish_journal(struct collide *run, const struct sweep_request *request)
 {
     struct output out;
@@ -313,7 +313,7 @@ static char *title_of(const struct sweep *sweep)
 
 static int collide_to_file(struct collide *run, struct crew *crew, const struct sweep_request *request)
 {
-    /* whether it could be written at the end is better known now; and output.c's handlers are in place */
+    /* fail now rather than after hours if the file cannot be written; this also installs output.c's signal handlers */
     struct output probe;
     if (output_open(&probe, request->output) != STATUS_OK)
         return STATUS_FAILED;
@@ -362,10 +362,10 @@ int sweep_run(const struct sweep_request *request)
     memset(run.room, 0, (size_t)run.threads * sizeof *run.room);
     struct crew *crew = NULL;
     const struct crew_work work = {
-        &run, sizeof(struct sweep_result), collide_row, row_ready, row_finished, sweep_tick, hear_modes};
+        &run, sizeof(struct sweep_result), collide_row, row_ready, row_finished, sweep_tick, receive_modes};
     if (status == STATUS_OK && !(crew = crew_start(&work, run.threads)))
         status = STATUS_FAILED;
-    /* only now, when crew_stop ends the other ranks */
+    /* not before the crew exists: crew_stop ends the other ranks */
     if (status == STATUS_OK && ranks_mine() == 0)
         status = refuse_memory(&run.sweep);
     if (status == STATUS_OK && ranks_mine() == 0)

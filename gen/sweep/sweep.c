@@ -33,11 +33,10 @@ const struct values_rule sweep_modes = {
 
 /* ---- cost ---- */
 
-/* What a row takes, fitted to 13 rows at the tolerance 1e-8, within a factor of 1.8 there and of 2.5 at six others
- * (sampled): passages from rim to modes and back,
- * in proportion to modes and angles together; as many steps as the contact lasts, more where the pressure rises and
- * moves fast, alpha v large, which is where collisions become chaotic, and more where the disk is slow. Each part is a
- * product of factors of one parameter, so that the sum over all rows is a product of sums. */
+/* The cost of a row, fitted to 13 rows at tolerance 1e-8: within a factor of 1.8 of their times, and of 2.5 at six
+ * other rows (sampled). A step costs in proportion to modes and angles together. The number of steps grows with the
+ * duration of the contact, with alpha v, where collisions become chaotic, and for slow disks. Each of the three parts
+ * is a product of functions of one parameter, so that the sum over all rows is a product of sums. */
 enum { COST_PARTS = 3 };
 
 static double cost_of_modes(double modes)
@@ -87,8 +86,7 @@ int sweep_count(struct sweep *sweep)
     }
     if (product > (double)SWEEP_MAX_ROWS)
         return usage_error("the lists make %.4g rows; up to %" PRIu64
-                           " are allowed, for more take weeks and longer; cut "
-                           "the sweep into several",
+                           " are allowed, because more take weeks; split the sweep",
                            product, SWEEP_MAX_ROWS);
     double of_modes = 0;
     for (size_t i = 0; i < sweep->modes.count; i++)
@@ -143,7 +141,7 @@ uint64_t sweep_identity(const struct sweep *sweep)
         for (size_t j = 0; j < list[i]->count; j++) {
             snprintf(text, sizeof text, "%a", list[i]->nearest[j]);
             hash = hash_text(hash, text);
-            if (list[i] == &sweep->poisson) { /* the modes are those of the exact number */
+            if (list[i] == &sweep->poisson) { /* two exact ratios with one double have different modes */
                 char *exact = fmpq_get_str(NULL, 10, list[i]->exact + j);
                 hash = hash_text(hash, exact);
                 flint_free(exact);
@@ -160,7 +158,7 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
 {
     const double start = clock_seconds();
     const struct cor_disk_collision_options options = {row->alpha, sweep->tolerance, sweep->phi_points, 0};
-    /* of nothing but this row, so that nothing else can decide its numbers */
+    /* sized for this row alone: the angles chosen must not depend on earlier rows */
     *result = (struct sweep_result){.collision = {NAN, NAN, NAN, NAN, NAN, 0, NAN}};
     const size_t needed = cor_disk_collision_workspace(modes, row->modes, &options);
     if (needed > room->size) {
@@ -207,7 +205,7 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct
 
 enum { COLUMN_MODES = 3, COLUMN_DRIFT = 8, COLUMN_STEPS = 9, DRIFT_DIGITS = 2, LEAST_DIGITS = 4 };
 
-/* Cuts a line at its commas; the cells remain in `line`. */
+/* Cuts a line at its commas; the cells point into `line`. */
 static void line_cut(char *cell[SWEEP_COLUMNS], char *line)
 {
     for (int j = 0; j < SWEEP_COLUMNS; j++) {
@@ -229,7 +227,7 @@ static int column_width(const char *name, const struct values *values)
     return (int)width;
 }
 
-/* For the eye: as many digits as the tolerance stands for. */
+/* Prints as many digits as the tolerance justifies. */
 static void print_text(const struct sweep_printer *p, char *const cell[SWEEP_COLUMNS])
 {
     for (int j = 0; j + 1 < SWEEP_COLUMNS; j++) {

@@ -32,7 +32,7 @@ static bool value_inside(const struct values_rule *rule, const fmpq_t x)
 static int values_add(struct values *values, const struct values_rule *rule, const fmpq_t x, size_t *capacity)
 {
     if (values->count == VALUES_MAX)
-        return usage_error("--%s: more than %d values; cut the sweep into several", rule->option, VALUES_MAX);
+        return usage_error("--%s: more than %d values; split the sweep", rule->option, VALUES_MAX);
     if (values->count == *capacity) {
         *capacity = *capacity ? 2 * *capacity : 16;
         values->exact = xrealloc(values->exact, *capacity * sizeof *values->exact);
@@ -52,7 +52,7 @@ static int value_read(fmpq_t x, const struct values_rule *rule, const char *text
     return STATUS_OK;
 }
 
-/* A + i (B - A)/n, or A (B/A)^(i/n), rounded to a whole number where the list is of such. */
+/* x = A + i (B - A)/n, or A (B/A)^(i/n); rounded to a whole number if the list consists of whole numbers. */
 static void value_between(fmpq_t x, const struct values_rule *rule, bool geometric, const fmpq_t a, const fmpq_t b,
                           slong i, slong n)
 {
@@ -129,7 +129,7 @@ static int values_add_spread(struct values *values, const struct values_rule *ru
         return usage_error("--%s: the count of '%s' is not a whole number from 2 to %d; %s", rule->option, text,
                            VALUES_MAX, ranges_are);
     if (geometric && (fmpq_sgn(a) <= 0 || fmpq_sgn(b) <= 0))
-        return usage_error("--%s: '%s': both ends of a log range are above 0", rule->option, text);
+        return usage_error("--%s: '%s': both ends of a log range must be above 0", rule->option, text);
     fmpq_t x;
     fmpq_init(x);
     int status = STATUS_OK;
@@ -141,7 +141,7 @@ static int values_add_spread(struct values *values, const struct values_rule *ru
     return status;
 }
 
-/* `text`, one member of the list, is cut up. */
+/* Adds one member of the list, and modifies its text. */
 static int values_add_member(struct values *values, const struct values_rule *rule, char *text, size_t *capacity)
 {
     char whole[TOKEN_MAX];
@@ -175,7 +175,7 @@ static int values_add_member(struct values *values, const struct values_rule *ru
         if (status == STATUS_OK)
             status = values_add_spread(values, rule, whole, a, b, part[2], part[3], capacity);
     } else {
-        status = usage_error("--%s: '%s' is no range; %s", rule->option, whole, ranges_are);
+        status = usage_error("--%s: '%s' is not a range; %s", rule->option, whole, ranges_are);
     }
     fmpq_clear(a);
     fmpq_clear(b);
@@ -199,7 +199,7 @@ static void values_drop_repeated(struct values *values)
 {
     struct place *place = xmalloc(values->count * sizeof *place);
     bool *repeated = xmalloc(values->count * sizeof *repeated);
-    /* the last first: a sort that keeps the order of equals shows when the comparison forgets them */
+    /* in reverse, so that a stable sort would not hide a comparison that ignores the index */
     for (size_t i = 0; i < values->count; i++)
         place[values->count - 1 - i] = (struct place){values->nearest[i], i};
     qsort(place, values->count, sizeof *place, compare_places);

@@ -182,11 +182,12 @@ static int count_edges(double decay, double first, int octaves)
     return edges;
 }
 
-/* b, where it counts; in `edges` octaves if that is not negative */
-static void init_edges(struct cor_spectrum *spectrum, const struct cor_leg_rule *rule, struct cor_leg_path path,
-                       const struct branch_point *point, double nearest, double farthest, double enough, int edges)
+/* b, where it counts; in `edges` octaves if that is not negative. The caller's leg is overwritten: two would take
+ * 34 kB of stack. */
+static void init_edges(struct cor_spectrum *spectrum, struct cor_leg *leg, const struct cor_leg_rule *rule,
+                       struct cor_leg_path path, const struct branch_point *point, double nearest, double farthest,
+                       double enough, int edges)
 {
-    struct cor_leg leg;
     double unused[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS];
     spectrum->edges = 0;
     spectrum->decay = INFINITY;
@@ -200,8 +201,8 @@ static void init_edges(struct cor_spectrum *spectrum, const struct cor_leg_rule 
     path.from_zero = 0;
     path.scale = 1 + point->x;
     /* b counts times exp(-omega Y), unless it is to be interpolated */
-    leg_init(&leg, spectrum->set, rule, &path, nearest, farthest, edges < 0 ? enough - spectrum->decay : enough);
-    spectrum->set->octaves(&leg, spectrum->first, spectrum->edges, spectrum->b, unused);
+    leg_init(leg, spectrum->set, rule, &path, nearest, farthest, edges < 0 ? enough - spectrum->decay : enough);
+    spectrum->set->octaves(leg, spectrum->first, spectrum->edges, spectrum->b, unused);
     for (int k = 0; k < spectrum->edges; k++)
         for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
             spectrum->b[k][j] = -spectrum->b[k][j]; /* upwards */
@@ -224,7 +225,7 @@ static void spectrum_init(struct cor_spectrum *spectrum, const struct cor_raylei
     spectrum->octaves = octaves_between(first, high);
     leg_init(&leg, set, rule, &path, nearest, farthest, enough);
     set->octaves(&leg, first, spectrum->octaves, spectrum->a_re, spectrum->a_im);
-    init_edges(spectrum, rule, path, &point, nearest, farthest, enough, edges);
+    init_edges(spectrum, &leg, rule, path, &point, nearest, farthest, enough, edges);
 }
 
 void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,

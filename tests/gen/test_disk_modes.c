@@ -9,8 +9,8 @@
 #include "disk/equation.h"
 #include "disk/estimate.h"
 #include "disk/modes.h"
-#include "support/parallel.h"
 #include "support/digits.h"
+#include "support/parallel.h"
 
 static void set_nu(fmpq_t nu, const char *text)
 {

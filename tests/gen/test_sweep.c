@@ -316,7 +316,7 @@ struct party {
     struct crowd crowd; /* what finish and ready count */
     atomic_int by_other;
     atomic_bool waited_in_vain;
-    int told;
+    int received;
 };
 
 static void nap(long milliseconds)
@@ -348,16 +348,16 @@ static void other_work(void *context, int thread, uint64_t task, void *result)
     party->by_other++;
 }
 
-static void other_told(void *context, const void *bytes, size_t n)
+static void other_received(void *context, const void *bytes, size_t n)
 {
     struct party *const party = context;
     assert_true(n == 5 && memcmp(bytes, "hello", n) == 0);
-    party->told++;
+    party->received++;
 }
 
 static void *other_rank(void *context)
 {
-    const struct crew_work work = {context, sizeof(uint64_t), other_work, NULL, NULL, NULL, other_told};
+    const struct crew_work work = {context, sizeof(uint64_t), other_work, NULL, NULL, NULL, other_received};
     rank_of_thread = 1;
     struct crew *const crew = crew_start(&work, 1);
     crew_serve(crew);
@@ -377,7 +377,7 @@ static void test_ranks(void **state)
     rank_count = 2;
     struct crew *const crew = crew_start(&work, 1);
     assert_int_equal(pthread_create(&other, NULL, other_rank, &party), 0);
-    crew_tell(crew, "hello", 5);
+    crew_broadcast(crew, "hello", 5);
     assert_int_equal(crew_run(crew, 0, SHARED_TASKS), 0);
     assert_int_equal(party.crowd.next, SHARED_TASKS);
     assert_int_equal(party.crowd.ready, SHARED_TASKS);
@@ -391,7 +391,7 @@ static void test_ranks(void **state)
     alarm(0);
     crew_stop(crew);
     assert_int_equal(pthread_join(other, NULL), 0);
-    assert_int_equal(party.told, 1);
+    assert_int_equal(party.received, 1);
     assert_null(inbox[0]);
     assert_null(inbox[1]);
     rank_count = 1;
