@@ -50,8 +50,10 @@ void collision_growth(struct disk_bench *bench)
     for (size_t modes = 225, i = 0; i < SIZES; i++, modes *= 2) {
         const struct cor_disk_modes *const table =
             modes <= cor_disk_modes_nu033.count ? &cor_disk_modes_nu033 : bench->all;
-        if (table && modes <= table->count)
-            size[n++] = (struct scene){.modes = table, .n = modes, .alpha = COLLISION_ALPHA};
+        if (table && modes <= table->count) {
+            size[n] = (struct scene){.modes = table, .n = modes, .alpha = COLLISION_ALPHA};
+            n++;
+        }
     }
     measure(bench, "collision modes", size, n);
     const size_t walls = bench->quick ? QUICK_WALLS : WALLS;
