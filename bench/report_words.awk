@@ -381,7 +381,7 @@ function slope(c, f, v, column,    i, n, x, y) {
 # "memory like order^1.4", or that it does not grow
 function memory(c, f, v,    p) {
     p = slope(c, f, v, "mb")
-    return p + 0 < 0.1 ? "memory that does not grow with the " v : "memory like " v "^" p
+    return p + 0 < 0.15 ? "memory that hardly grows with the " v : "memory like " v "^" p
 }
 
 function generator(    i) {

@@ -15,7 +15,7 @@ measure() {
             else if ($2 > most) { most = $2; step = name }
         }
         $1 == "profile:" && $3 == "MB" { memory = $2 }
-        END { printf "%s,%s,%s,%s,%.1f\n", label, total, memory, step, total > 0 ? 100 * most / total : 0 }' |
+        END { printf "%s,%s,%s,%s,%.1f\n", label, total, memory, step, (total > 0 ? 100 * most / total : 0) }' |
         tee -a "$results/generator.csv"
 }
 
