@@ -1,17 +1,11 @@
 # SPDX-License-Identifier: MIT
 # Restitution realised against asked, by simulator: cor_realised curve.
-#     gnuplot -e "csv = 'curve.csv'; svg = 'realised.svg'" bench/plots/plot_realised.gp
-# The lines that name the gnuplot version are removed.
-set output "| sed -e '/^<desc>/d' -e '/Gnuplot/d' -e '/GNUPLOT/d' > " . svg
-set terminal svg size 1000,520 fixed font "DejaVu Sans,11" background "white"
+#     gnuplot -e "csv = 'curve.csv'; svg = 'realised.svg'" bench/plots/realised.gp
+stem = "realised"; home = "docs/laws"; width = 1000; height = 520
+load "docs/style.gp"
+teal = "#00a0a0"; pink = "#d07090"
 
-black = "#222222"; blue = "#0060ad"; red = "#c8421a"; green = "#2a7f3b"; violet = "#7b3f99"; amber = "#b8860b"; teal = "#00a0a0"; pink = "#d07090"
-
-set datafile separator comma
 set datafile missing ""
-set border 3 lc rgb black
-set tics nomirror
-set grid lc rgb "#e4e4e4" lw 0.7
 set xlabel "e asked"
 set xrange [0:1]
 
@@ -28,7 +22,7 @@ thornton = "granulars.jl"
 mfix = "mfix: DEM; HERTZIAN"
 flores = "chrono-multicore"
 
-set multiplot layout 1,2 title "Restitution that simulators realise" font ",14" margins 0.06,0.985,0.12,0.88 spacing 0.08,0
+set multiplot layout 1,2 title "Restitution that simulators realise" margins 0.06,0.985,0.12,0.88 spacing 0.08,0
 set ylabel "e realised" offset 1
 set yrange [0:1]
 set key at graph 0.98, 0.03 bottom right samplen 2 spacing 1.15
