@@ -85,3 +85,9 @@ report_words() {
     awk -f bench/report_words.awk \
         "$1"/{machine,spheres_speed,spheres_beta,rayleigh,collision,generator}.csv
 }
+
+# readme_words DIR: README.md with the table of DIR between its two marks
+readme_words() {
+    awk -v page=readme -f bench/report_words.awk "$1/spheres_speed.csv" |
+        sed -e '/^<!-- written by bench\/run --report/r /dev/stdin' -e '/^<!-- written by bench\/run --report/,/^<!-- end -->/{/^<!--/!d}' README.md
+}

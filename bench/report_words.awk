@@ -334,7 +334,28 @@ function generator(    i) {
         slope("trajectory", "20 terms", "order", "s"), slope("trajectory", "20 terms", "order", "mb"), slope("collide", "beta 1", "digits", "s")
 }
 
+# The table of README.md: the ordinary scene, contacts that end at zero overlap
+function readme_row(name, i, loop) {
+    printf "| %s | %s | %s | %s |\n", name, short(error["spheres_speed", i]), plain_ns(ns["spheres_speed", i]), \
+        loop ? plain_ns(ns["spheres_speed", loop]) " (" set["spheres_speed", loop] ")" : ""
+}
+
+function readme(    t, s, e) {
+    t = "spheres_speed"; s = "ordinary"; e = "overlap"
+    printf "| eps from a speed, 0.3 <= beta <= 1.9 | largest relative error | ns, one call | ns, in a loop |\n|---|---|---|---|\n"
+    readme_row("published Padé of 1999, with `pow`", row_of(t, s, e, "scalar", "published", "[1/4] of Table I"))
+    readme_row("velocity Verlet, 100 steps in a contact", row_of(t, s, e, "scalar", "Verlet", "100 steps"))
+    readme_row("Taylor series of the motion, tolerance 1e-9", row_of(t, s, e, "scalar", "Taylor", "1e-09"))
+    readme_row("header by `corgen embed`, tolerance 1e-6", row_of(t, s, e, "scalar", "scene header", "1e-6"), \
+        row_of(t, s, e, "array", "scene header", "1e-6", "AVX2"))
+    readme_row("**cor**, any speed", row_of(t, s, e, "scalar", "cor", ""), row_of(t, s, e, "array", "cor", "", "AVX2"))
+}
+
 END {
+    if (page == "readme") {
+        readme()
+        exit
+    }
     print "<!-- SPDX-License-Identifier: MIT -->\n# Speed against error\n"
     print "Written by `bench/run --report` from the tables beside it (csv), which come from one run on one machine. Times are the least of many turns, on one core; look at ratios. Errors are relative and the largest found, but of collisions of disks: those are errors of eps.\n"
     print "| | |\n|---|---|"
