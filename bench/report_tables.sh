@@ -81,9 +81,22 @@ report_tables() {
     generator_table >"$1/generator.csv"
 }
 
+# Lines of at most 120 bytes, but for rows of tables; lines of a list item are indented.
+wrapped() {
+    LC_ALL=C awk '/^\|/ || length($0) <= 120 { print; next }
+        {
+            indent = /^(- |  )/ ? "  " : ""
+            line = /^  / ? " " : ""
+            for (i = 1; i <= NF; i++) {
+                if (i > 1 && length(line) + length($i) >= 120) { print line; line = indent $i }
+                else line = line (i > 1 || line != "" ? " " : "") $i
+            }
+            print line
+        }'
+}
+
 report_words() {
-    awk -f bench/report_words.awk \
-        "$1"/{machine,spheres_speed,spheres_beta,rayleigh,collision,generator}.csv
+    awk -f bench/report_words.awk "$1"/{machine,spheres_speed,spheres_beta,rayleigh,collision,generator}.csv | wrapped
 }
 
 # readme_words DIR: README.md with the table of DIR between its two marks

@@ -131,10 +131,10 @@ function spheres(t, from, picture,    i, j, k, cor, array, s, where, scenes, end
             k = cheaper_than_cor(t, s, where, "scalar", "no scene")
             cor = cheapest(t, s, where, "scalar", "cor", 1e-14)
             if (k)
-                printf "\nOne at a time, what is cheaper than cor (%s ns, error %s) and knows no scene is wrong by %s or more (%s, %s ns).\n", \
+                printf "\nOne at a time, every method that is cheaper than cor (%s ns, error %s) and holds for every scene has an error of %s or more (%s, %s ns).\n", \
                     plain_ns(ns[t, cor]), short(error[t, cor]), short(error[t, k]), call_it(t, k), plain_ns(ns[t, k])
             else
-                printf "\nOne at a time, nothing that knows no scene is cheaper than cor (%s ns, error %s).\n", \
+                printf "\nOne at a time, no method that holds for every scene is cheaper than cor (%s ns, error %s).\n", \
                     plain_ns(ns[t, cor]), short(error[t, cor])
         }
 }
@@ -144,10 +144,10 @@ function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j,
     c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
     a = cheapest(t, "ordinary", "overlap", "array", "cor", 1e-14)
     i = row_of(t, "ordinary", "overlap", "scalar", "published", "[1/4] of Table I")
-    printf "- **Spheres, any speed: cor.** One at a time %s ns from a speed, in arrays %s ns (%s), error %s. The published formula takes %s ns and is wrong by %s there, by a factor of %s where dissipation is strong: leave it.\n", \
+    printf "- **Spheres, any speed: cor.** One at a time %s ns from a speed, in arrays %s ns (%s), error %s. The published formula takes %s ns; its error is %s there, and a factor of %s where dissipation is strong. Do not use it.\n", \
         plain_ns(ns[t, c]), plain_ns(ns[t, a]), set[t, a], short(error[t, a]), plain_ns(ns[t, i]), short(error[t, i]), \
         times(1 + error[t, row_of(t, "strong", "overlap", "scalar", "published", "[1/4] of Table I")])
-    printf "  Where dissipation is weak, 0.03 <= beta <= 0.19, cor takes %s ns at zero overlap and %s ns at zero force; below beta = 1/256, where eps > 0.995, a fifth root comes on top.\n", \
+    printf "  Where dissipation is weak, 0.03 <= beta <= 0.19, cor takes %s ns at zero overlap and %s ns at zero force; below beta = 1/256, where eps > 0.995, it also takes a fifth root.\n", \
         plain_ns(ns[t, row_of(t, "weak", "overlap", "scalar", "cor", "")]), plain_ns(ns[t, row_of(t, "weak", "force", "scalar", "cor", "")])
     split("overlap force", ends, " ")
     least = 1e9; most = 0; tie = ""
@@ -160,8 +160,8 @@ function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j,
                     if (ns[t, k] + 0 > most) most = ns[t, k] + 0
                 } else if (tie == "" || setting[t, k] + 0 > tie + 0) tie = setting[t, k]
             }
-    printf "- **The range of speeds is known and an error is enough: a header by `corgen embed`**, %s to %s ns one at a time for four decades of speed", plain_ns(least), plain_ns(most)
-    if (tie != "") printf "; from a tolerance of %s on it is no cheaper than cor, and cor knows every speed", tie
+    printf "- **Spheres in a known range of speeds, with a known tolerance: a header by `corgen embed`**, %s to %s ns one at a time for four decades of speed", plain_ns(least), plain_ns(most)
+    if (tie != "") printf "; from a tolerance of %s on it is no cheaper than cor, which holds at every speed", tie
     printf ". In loops for AVX2:"
     n = 0
     for (k = 1; k <= rows[t]; k++)
@@ -172,31 +172,31 @@ function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j,
     i = least_error(t, "weak", "overlap", "scalar", "series")
     k = least_error(t, "ordinary", "overlap", "scalar", "series")
     x = cheaper_than_cor(t, "weak", "overlap", "scalar", "series")
-    printf "- **Series: only where dissipation is weak.** For beta up to 0.19, %s has an error of %s in %s ns%s; up to 1.9 the best order, %s, is wrong by a factor of %s: the series diverges.\n", \
+    printf "- **Series: only where dissipation is weak.** For beta up to 0.19, %s has an error of %s in %s ns%s. Up to 1.9 the error of the best order, %s, is a factor of %s, because the series diverges.\n", \
         setting[t, i], short(error[t, i]), plain_ns(ns[t, i]), \
         (x && x != i ? " (" setting[t, x] ", " short(error[t, x]) " in " plain_ns(ns[t, x]) " ns)" : ""), setting[t, k], times(1 + error[t, k])
     i = cheaper_than_cor(t, "ordinary", "overlap", "scalar", "Padé")
     k = cheaper_than_cor(t, "ordinary", "force", "scalar", "Padé")
     if (i && k)
-        printf "- **A Padé with right coefficients, from beta:** at zero overlap %s, error %s in %s ns, at zero force %s, %s in %s ns, are the best that are cheaper than cor up to beta = 1.9; beyond, look at the tables.\n", \
+        printf "- **A Padé approximant with correct coefficients, from beta:** up to beta = 1.9 the best ones cheaper than cor are %s at zero overlap, error %s in %s ns, and %s at zero force, %s in %s ns. The tables below have larger beta.\n", \
             setting[t, i], short(error[t, i]), plain_ns(ns[t, i]), setting[t, k], short(error[t, k]), plain_ns(ns[t, k])
     i = row_of(t, "strong", "overlap", "scalar", "Padé", "[12/20]")
     k = row_of(t, "strong", "overlap", "scalar", "two-point Padé", "[12/17]")
-    printf "- **Two-point Padés** hold for every beta, but converge slowly in between: up to beta = 6, [12/17] has an error of %s, the ordinary [12/20] %s.\n", \
+    printf "- **Two-point Padé approximants** hold for every beta, but converge slowly at medium beta: up to beta = 6 the error of [12/17] is %s, that of the ordinary [12/20] %s.\n", \
         short(error[t, k]), (error[t, i] > 1 ? "a factor of " times(1 + error[t, i]) : short(error[t, i]))
     i = row_of(t, "ordinary", "overlap", "scalar", "cor float", "")
     c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
     a = row_of(t, "ordinary", "overlap", "array", "cor float", "")
-    printf "- **float**: error %s (of the float that is given), %s ns against %s ns in double, arrays %s ns: take it to save memory%s.\n", short(error[t, i]), \
+    printf "- **float**: error %s (for the float argument), %s ns against %s ns in double, arrays %s ns. It saves memory%s.\n", short(error[t, i]), \
         plain_ns(ns[t, i]), plain_ns(ns[t, c]), plain_ns(ns[t, a]), (ns[t, i] > 0.9 * ns[t, c] ? ", not time" : "")
     t = "spheres_speed"
     i = cheapest(t, "ordinary", "overlap", "scalar", "Taylor", 2e-9)
     k = cheapest(t, "ordinary", "overlap", "scalar", "Runge-Kutta", 2e-9)
     x = row_of(t, "ordinary", "overlap", "scalar", "Verlet", "100 steps")
     c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
-    printf "- **Integrating the collision** costs %s times cor by Taylor's method for an error of %s", times(ns[t, i] / ns[t, c]), short(error[t, i])
-    if (k) printf ", %s times by Runge and Kutta's for %s", times(ns[t, k] / ns[t, c]), short(error[t, k])
-    printf ". Velocity Verlet with the 100 steps in a contact of a simulator has an error of %s, with 1000 of %s.\n", short(error[t, x]), \
+    printf "- **Integrating the collision** costs %s times cor's time by a Taylor method with an error of %s", times(ns[t, i] / ns[t, c]), short(error[t, i])
+    if (k) printf ", and %s times by a Runge-Kutta method with %s", times(ns[t, k] / ns[t, c]), short(error[t, k])
+    printf ". Velocity Verlet with 100 steps in a contact, as in a simulator, has an error of %s, with 1000 steps %s.\n", short(error[t, x]), \
         short(error[t, row_of(t, "ordinary", "overlap", "scalar", "Verlet", "1000 steps")])
 }
 
@@ -212,7 +212,7 @@ function best_rayleigh(method, e,    i, best) {
 }
 
 function rayleigh(    k, i, n, m, names, best) {
-    printf "\n## Disks: Rayleigh's energy\n\n![error against time, Rayleigh](rayleigh.svg)\n\nEnergy in all modes, nu = 0.33, v = 1e-3, the cheapest of each way:\n\n"
+    printf "\n## Disks: Rayleigh's energy\n\n![error against time, Rayleigh](rayleigh.svg)\n\nEnergy in all modes, Poisson's ratio nu = 0.33, impact speed v = 1e-3, the fastest run of each method:\n\n"
     printf "| error at most | cor to a tolerance | cor, a plain sum | cosine integrals | Runge-Kutta |\n|---|---|---|---|---|\n"
     split("cor truncation cosines Runge-Kutta", names, " ")
     for (k = 1; k <= 7; k++) {
@@ -276,7 +276,7 @@ function special(method, v,    i) {
 
 function collisions(    k, i, m, names, best, errors, text) {
     printf "\n## Disks: collisions in full\n\n![error against time, collisions](collision.svg)\n\n"
-    printf "A collision of 940 modes, nu = 0.33, alpha = 500, v = 0.1, the cheapest within an error of eps; rivals as they are fastest, with the library's flags or built for the machine; a method has an error only where it keeps it with every smaller step:\n\n"
+    printf "A collision of 940 modes, Poisson's ratio nu = 0.33, hardness of the wall alpha = 500, impact speed v = 0.1: the fastest run of each method within an error of eps. Other methods count with their faster build, with the library's flags or with -O3 -march=native -ffast-math. A method counts for an error only if every smaller step keeps it:\n\n"
     printf "| error at most | cor | Runge-Kutta 4 | Strang | Yoshida 4 | SRKN 6-4 | SRKN 11-6 | SRKN 14-6 |\n|---|---|---|---|---|---|---|---|\n"
     split("cor;RK4;Strang;Yoshida 4;SRKN 6-4;SRKN 11-6;SRKN 14-6", names, ";")
     for (k = 3; k <= 12; k++) {
@@ -287,7 +287,7 @@ function collisions(    k, i, m, names, best, errors, text) {
         }
         printf "\n"
     }
-    printf "\nDistance to a disk of all its modes at a hard wall, as far as that is known (`cor_disk_eps`, its uncertainty), kept with more modes:\n\n"
+    printf "\nDistance to eps of all modes at a hard wall (`cor_disk_eps`, within its uncertainty), not exceeded with more modes:\n\n"
     printf "| error at most | v = 0.1: modes, alpha, time | v = 0.01: modes, alpha, time |\n|---|---|---|\n"
     split("0.02 0.01 0.005 0.002 0.001", errors, " ")
     for (k = 1; k <= 5; k++) {
@@ -303,13 +303,13 @@ function collisions(    k, i, m, names, best, errors, text) {
 function use_collisions(    i, k, m, x, t) {
     i = best_collision("cor", 1e-4); k = best_collision("any rival", 1e-4)
     m = best_collision("cor", 1e-8); x = best_collision("any rival", 1e-8); t = best_collision("RK4", 1e-8)
-    printf "- **Disks, one collision of a given disk and wall: `cor_disk_collision` with the tolerance that you need.** 940 modes at alpha = 500: error 1e-4 in %s, 1e-8 in %s (tolerance %s). The best that a user would write takes %s times as long at 1e-4 (%s) and %s times at 1e-8 (%s), the paper's Runge-Kutta method %s times.\n", \
+    printf "- **Disks, one collision with a given wall: `cor_disk_collision` with the tolerance that you need.** 940 modes at alpha = 500: error 1e-4 in %s, 1e-8 in %s (tolerance %s). The fastest other method takes %s times as long at 1e-4 (%s) and %s times at 1e-8 (%s); the paper's Runge-Kutta method takes %s times as long at 1e-8.\n", \
         time(c_s[i]), time(c_s[m]), c_setting[m], times(c_s[k] / c_s[i]), c_method[k], times(c_s[x] / c_s[m]), c_method[x], times(c_s[t] / c_s[m])
     i = special("cor_disk_eps", "0.1"); k = special("Rayleigh", "0.01")
     m = best_model("0.1", 0.005)
-    printf "- **Disks, eps at a hard wall: `cor_disk_eps`**, %s, uncertain by %s at v = 0.1. A collision to the same end is wrong by what its wall and its modes leave out, not by its tolerance: within 0.005 takes %s (%d modes, alpha = %d).", \
+    printf "- **Disks, eps at a hard wall: `cor_disk_eps`**, %s, uncertain by %s at v = 0.1. The error of a single collision in its place comes from its soft wall and its missing modes, not from its tolerance: an error of 0.005 takes %s (%d modes, alpha = %d).", \
         time(c_s[i]), short(c_error[i]), time(c_s[m]), c_modes[m], c_setting[m]
-    printf " Rayleigh's energy, by perturbation, misses eps by %s at v = 0.01 and by %s at 0.1.\n", short(c_error[k]), short(c_error[special("Rayleigh", "0.1")])
+    printf " Rayleigh's energy, first-order perturbation, gives eps with an error of %s at v = 0.01 and %s at 0.1.\n", short(c_error[k]), short(c_error[special("Rayleigh", "0.1")])
 }
 
 # ---- the generator ----
@@ -324,14 +324,20 @@ function slope(c, f, v, column,    i, k, x, y, sx, sy, sxx, sxy) {
     return k > 1 ? sprintf("%.1f", (k * sxy - sx * sy) / (k * sxx - sx * sx)) : "?"
 }
 
+# An exponent below a tenth is none.
+function growth(c, f, v, column,    e) {
+    e = slope(c, f, v, column)
+    return e < 0.1 ? "hardly depends on the " v : "grows like " v "^" e
+}
+
 function generator(    i) {
     printf "\n## The generator\n\n![order and digits against time and memory](generator.svg)\n\n"
-    printf "| corgen | fixed | | time | memory | most of it |\n|---|---|---|---|---|---|\n"
+    printf "| corgen | fixed | | time | memory | most expensive step |\n|---|---|---|---|---|---|\n"
     for (i = 1; i <= rows["generator"]; i++)
         printf "| %s | %s | %s %s | %s | %.0f MB | %s |\n", command[i], fixed[i], varied[i], value[i], time(g_s[i]), g_mb[i], step[i]
-    printf "\nFrom order 20 on, `series` to 40 digits takes time like order^%s and memory like order^%s, `trajectory` of 20 terms like order^%s and order^%s. A collision at beta = 1 takes time like digits^%s from 20 digits on.\n", \
+    printf "\nFrom order 20 on, the time of `series` to 40 digits grows like order^%s and its memory like order^%s. The time of `trajectory` with 20 terms grows like order^%s; its memory %s. From 20 digits on, the time of a collision at beta = 1 grows like digits^%s.\n", \
         slope("series", "40 digits", "order", "s"), slope("series", "40 digits", "order", "mb"), \
-        slope("trajectory", "20 terms", "order", "s"), slope("trajectory", "20 terms", "order", "mb"), slope("collide", "beta 1", "digits", "s")
+        slope("trajectory", "20 terms", "order", "s"), growth("trajectory", "20 terms", "order", "mb"), slope("collide", "beta 1", "digits", "s")
 }
 
 # The table of README.md: the ordinary scene, contacts that end at zero overlap
@@ -357,7 +363,7 @@ END {
         exit
     }
     print "<!-- SPDX-License-Identifier: MIT -->\n# Speed against error\n"
-    print "Written by `bench/run --report` from the tables beside it (csv), which come from one run on one machine. Times are the least of many turns, on one core; look at ratios. Errors are relative and the largest found, but of collisions of disks: those are errors of eps.\n"
+    print "`bench/run --report` writes this page from the csv tables beside it, which come from one run on one machine. eps is the coefficient of restitution, g the impact speed, and beta the number, proportional to g^(1/5), on which eps of viscoelastic spheres depends ([derivation](../derivation.md), 1). A contact ends at zero overlap or at zero force. A time is the least of many turns on one core; compare ratios. An error is the largest found. Errors are relative; for collisions of disks they are errors of eps.\n"
     print "| | |\n|---|---|"
     for (i = 1; i <= machines; i++) printf "| %s | %s |\n", machine[i], machine_value[i]
     print "\n## Which to use\n"
