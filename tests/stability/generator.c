@@ -29,7 +29,7 @@ static void take_ball(struct outcome *out, double error, const char *input, cons
 
 /* ---- exact rationals ---- */
 
-/* x(t) by exact coefficients, summed in balls, against the motion itself */
+/* x(t) by exact coefficients, summed in interval arithmetic, against the motion itself */
 static void exact_series(struct outcome *out, bool full)
 {
     const slong order = full ? 40 : 14, terms = order, prec = 700;
@@ -106,8 +106,8 @@ static slong need_other_route(bool full)
     return order;
 }
 
-/* y_k and tau_k by the t-series, in balls whose promise is `bits`, against the motion carried in series of beta; and the
- * condition: what the sums lose of the precision they are computed with. */
+/* y_k and tau_k by the t-series in interval arithmetic, to `bits` bits, against the motion as a series in beta; and the
+ * condition: the precision that the sums lose. */
 static void turning_sums(struct outcome *out, bool full)
 {
     enum { PROMISED = 100 };
@@ -194,8 +194,8 @@ static void limit_of_fall(struct outcome *out, bool full)
 
 /* ---- Padé ---- */
 
-/* [m/m] of exp: p_j = m! (2 m - j)!/((2 m)! j! (m - j)!), q_j = (-1)^j p_j, against the linear system in balls. The
- * condition is what the balls grow by. */
+/* [m/m] of exp: p_j = m! (2 m - j)!/((2 m)! j! (m - j)!), q_j = (-1)^j p_j, against the linear system in interval
+ * arithmetic. The condition is the growth of the intervals. */
 static void exponential_pade(struct outcome *out, bool full)
 {
     static const slong degree[] = {4, 10, 20, 30};
@@ -451,19 +451,20 @@ static const struct hard_case generator_cases[] = {
      "x(t) to order 14 at three (beta, t), one of them pumped (full: order 40)", "the motion by Taylor steps, 160 bits",
      "relative", 1e-27, exact_series},
     {"alternating sums cancel", "the t-series at the turning point, and C_k from y_k",
-     "y_k, tau_k, C_k to order 10 for 100 bits (full: 25)", "the motion carried in power series of beta, in balls",
-     "2^-99", 1, turning_sums},
+     "y_k, tau_k, C_k to order 10 for 100 bits (full: 25)",
+     "the motion carried in power series of beta, in interval arithmetic", "2^-99", 1, turning_sums},
     {"alternating sums cancel", "too few bits or terms go unnoticed", "30 to 90 terms, 64 to 400 bits for 60 or 100",
      "the same", "false proofs", 0, turning_verdicts},
-    {"Padé systems are ill-conditioned", "the condition number eats the precision",
+    {"Padé systems are ill-conditioned", "the condition number consumes the precision",
      "exp, [4/4], [10/10], [20/20] with 20 bits a degree (full: [30/30])", "its closed form", "2^-60", 1,
      exponential_pade},
     {"Padé systems are ill-conditioned", "coefficients with fewer digits than are printed",
      "eps, [3/7] for 100 bits (full: [10/15])", "Q eps - P = O(beta^(m+n+1)), eps by the other route", "2^-98", 1,
      sphere_pade},
-    {"spurious pole-zero pairs", "a pair too close to be seen", "1/(1 + z) + d/(1 - z/2), d = 2^-10 to 2^-300, and 0",
-     "pole and zero in closed form", "absolute, of their distance", 1e-15, near_defect},
-    {"spurious pole-zero pairs", "a pole on the positive axis is served",
+    {"spurious pole-zero pairs", "a pair too close to be resolved",
+     "1/(1 + z) + d/(1 - z/2), d = 2^-10 to 2^-300, and 0", "pole and zero in closed form",
+     "absolute, of their distance", 1e-15, near_defect},
+    {"spurious pole-zero pairs", "a header has a pole on the positive axis",
      "every [m/n] of eps with m + n <= 6 (full: 14)", "signs along the axis, 2001 places", "wrong answers", 0,
      poles_of_eps},
 };

@@ -447,7 +447,7 @@ static void modes_to_minus_one(struct outcome *out, bool full)
 }
 
 static const struct hard_case modes_cases[] = {
-    {"near pairs of modes", "two roots are taken for one, or mixed",
+    {"near pairs of modes", "two roots are taken for one, or exchanged",
      "(1,50), (1,51) of nu = 0.33, gap 4.2e-4, and the 3 nearest of each table, of one n and of all (full: all 3600 "
      "modes)",
      "the frequency equation by Arb's Bessel functions, a change of sign over 2^-150", "ulp of omega, C, S", 0.5,
