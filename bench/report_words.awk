@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # docs/speed/README.md from the tables beside it, and from nothing else:
-#     awk -f bench/report_words.awk docs/speed/{machine,spheres_speed,spheres_beta,rayleigh,collision,generator}.csv
+#     awk -f bench/report_words.awk docs/speed/*.csv          (-v page=readme: the table of README.md; bench/words.sh)
 
 BEGIN { FS = "," }
 FNR == 1 { name = FILENAME; sub(/.*\//, "", name); sub(/\.csv$/, "", name); next }
@@ -10,14 +10,9 @@ name ~ /^spheres_/ {
     scene[name, n] = $1; curve[name, n] = $2; setting[name, n] = $3; set[name, n] = $4; end[name, n] = $5
     form[name, n] = $6; ns[name, n] = $7; chained[name, n] = $8; error[name, n] = $9
 }
-name == "rayleigh" {
+name == "disks" {
     n = ++rows[name]
-    quantity[n] = $1; r_method[n] = $2; tolerance[n] = $3; r_modes[n] = $4; r_s[n] = $5; r_error[n] = $6
-}
-name == "collision" {
-    n = ++rows[name]
-    question[n] = $1; built[n] = $2; c_method[n] = $3; speed[n] = $4; c_setting[n] = $5; c_modes[n] = $6; c_s[n] = $7
-    c_error[n] = $8
+    table[n] = $1; method[n] = $2; speed[n] = $3; d_setting[n] = $4; modes[n] = $5; d_s[n] = $6; d_error[n] = $7
 }
 name == "generator" {
     n = ++rows[name]
@@ -41,7 +36,7 @@ function call_it(t, i,    text) {
     text = curve[t, i]
     if (setting[t, i] != "" && text != "cor")
         text = text " " setting[t, i]
-    if (text == "cor" && form[t, i] == "array") text = "cor array"
+    if (text == "cor" && form[t, i] != "scalar") text = "cor array"
     return set[t, i] != "" ? text ", " set[t, i] : text
 }
 
@@ -139,6 +134,14 @@ function spheres(t, from, picture,    i, j, k, cor, array, s, where, scenes, end
         }
 }
 
+function large_arrays(    t, i, text) {
+    t = "spheres_speed"
+    text = ""
+    for (i = 1; i <= rows[t]; i++)
+        if (form[t, i] == "large" && end[t, i] != "force") text = text (text != "" ? ", " : "") (curve[t, i] == "copy" ? "a copy by " setting[t, i] : call_it(t, i)) " " plain_ns(ns[t, i])
+    if (text != "") printf "\nArrays larger than the last-level cache, ns for each number: %s.\n", text
+}
+
 function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j, ends, tie, x) {
     t = "spheres_speed"
     c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
@@ -202,16 +205,29 @@ function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j,
 
 # ---- disks ----
 
+function row_of_disks(t, m, v, what,    i) {
+    for (i = 1; i <= rows["disks"]; i++)
+        if (table[i] == t && method[i] == m && (v == "" || speed[i] == v) && (what == "" || d_setting[i] == what)) return i
+    return 0
+}
+
 # Fewest modes: in their order time grows, but for what the clock adds.
-function best_rayleigh(method, e,    i, best) {
+function best_rayleigh(m, e,    i, best) {
     best = 0
-    for (i = 1; i <= rows["rayleigh"]; i++)
-        if (quantity[i] == "energy" && r_method[i] == method && r_error[i] + 0 <= e && (!best || r_modes[i] + 0 < r_modes[best] + 0))
+    for (i = 1; i <= rows["disks"]; i++)
+        if (table[i] == "energy" && method[i] == m && d_error[i] + 0 <= e && (!best || modes[i] + 0 < modes[best] + 0))
             best = i
     return best
 }
+function least_disk_error(t, m,    i, best) {
+    best = 0
+    for (i = 1; i <= rows["disks"]; i++)
+        if (table[i] == t && method[i] == m && (!best || d_error[i] + 0 < d_error[best] + 0)) best = i
+    return best
+}
+function timed(i) { return i ? time(d_s[i]) ", " short(d_error[i]) : "" }
 
-function rayleigh(    k, i, n, m, names, best) {
+function rayleigh(    k, i, m, names, best, first) {
     printf "\n## Disks: Rayleigh's energy\n\n![error against time, Rayleigh](rayleigh.svg)\n\nEnergy in all modes, Poisson's ratio nu = 0.33, impact speed v = 1e-3, the fastest run of each method:\n\n"
     printf "| error at most | cor to a tolerance | cor, a plain sum | cosine integrals | Runge-Kutta |\n|---|---|---|---|---|\n"
     split("cor truncation cosines Runge-Kutta", names, " ")
@@ -219,74 +235,106 @@ function rayleigh(    k, i, n, m, names, best) {
         printf "| 1e-%d |", k
         for (m = 1; m <= 4; m++) {
             best = best_rayleigh(names[m], 10 ^ -k)
-            printf " %s |", best ? time(r_s[best]) ", " r_modes[best] " modes" : "none"
+            printf " %s |", best ? time(d_s[best]) ", " modes[best] " modes" : "none"
         }
         printf "\n"
     }
+    first = 1
+    for (i = 1; i <= rows["disks"]; i++)
+        if (table[i] == "rayleigh" && method[i] == "cor") {
+            if (first) printf "\nEach of 1800 modes, nu = 0.33: time, and the largest error of a mode whose cosine does not cancel:\n\n| v | cor | cosine integrals | Runge-Kutta 5(4) |\n|---|---|---|---|\n"
+            first = 0
+            printf "| %s | %s | %s | %s |\n", short(speed[i]), timed(i), timed(row_of_disks("rayleigh", "cosines", speed[i])), timed(row_of_disks("rayleigh", "Runge-Kutta", speed[i]))
+        }
+    first = 1
+    for (i = 1; i <= rows["disks"]; i++)
+        if (table[i] == "tolerance" && method[i] == "all") {
+            if (first) printf "\nTolerances of the sum over all modes, nu = 0.33, from a table of 20000 modes:\n\n| v | tolerance | modes taken | time | true error | modes without the tail |\n|---|---|---|---|---|---|\n"
+            first = 0
+            k = row_of_disks("tolerance", "sum alone", speed[i], d_setting[i])
+            printf "| %s | %s | %d | %s | %s | %s |\n", short(speed[i]), short(d_setting[i]), modes[i], time(d_s[i]), d_error[i] != "" ? short(d_error[i]) : "", k ? short(modes[k]) : ""
+        }
+    i = row_of_disks("loading", "cor_disk_modes_read"); k = row_of_disks("loading", "fgets and sscanf")
+    if (i && k) printf "\n`cor_disk_modes_read` reads and checks a file of 1800 modes in %s; `sscanf`, without checks, takes %s times as long.\n", time(d_s[i]), times(d_s[k] / d_s[i])
 }
 
-function use_rayleigh(    i, k, own, cosines, steps) {
+function use_rayleigh(    i, k, own) {
     i = best_rayleigh("cor", 1e-3)
     k = best_rayleigh("truncation", 1e-4)
     own = best_rayleigh("cor", 1e-5)
-    printf "- **Disks, slow (Rayleigh's energy): `cor_disk_rayleigh_tolerance`.** %s for an error of %s with %d modes%s; ", time(r_s[i]), short(r_error[i]), r_modes[i], \
-        own ? ", " time(r_s[own]) " for " short(r_error[own]) : ""
-    printf "a sum without its tail needs %d modes for %s. ", r_modes[k], short(r_error[k])
-    for (i = 1; i <= rows["rayleigh"]; i++)
-        if (quantity[i] == "modes") {
-            if (r_method[i] == "cor") own = i
-            if (r_method[i] == "cosines" && (!cosines || r_error[i] + 0 < r_error[cosines] + 0)) cosines = i
-            if (r_method[i] == "Runge-Kutta" && (!steps || r_error[i] + 0 < r_error[steps] + 0)) steps = i
-        }
-    printf "Each of 1800 modes: cor %s, error %s; cosine integrals %s, %s; Runge-Kutta %s, %s.\n", time(r_s[own]), short(r_error[own]), \
-        time(r_s[cosines]), short(r_error[cosines]), time(r_s[steps]), short(r_error[steps])
+    printf "- **Disks, slow (Rayleigh's energy): `cor_disk_rayleigh_tolerance`.** %s for an error of %s with %d modes%s; ", time(d_s[i]), short(d_error[i]), modes[i], \
+        own ? ", " time(d_s[own]) " for " short(d_error[own]) : ""
+    printf "a sum without its tail needs %d modes for %s. ", modes[k], short(d_error[k])
+    i = row_of_disks("modes", "cor")
+    printf "Each of 1800 modes: cor %s, error %s; cosine integrals %s; Runge-Kutta %s.\n", time(d_s[i]), short(d_error[i]), \
+        timed(least_disk_error("modes", "cosines")), timed(least_disk_error("modes", "Runge-Kutta"))
 }
 
 # Not by luck: the error stays below for every smaller step or tolerance, for every larger number of modes.
 function stays(i, e,    k) {
-    for (k = 1; k <= rows["collision"]; k++)
-        if (question[k] == question[i] && c_method[k] == c_method[i] && built[k] == built[i] && speed[k] == speed[i] \
-            && c_error[k] + 0 > e \
-            && (question[i] == "method" ? c_setting[k] + 0 <= c_setting[i] + 0 \
-                                        : c_setting[k] + 0 == c_setting[i] + 0 && c_modes[k] + 0 >= c_modes[i] + 0))
+    for (k = 1; k <= rows["disks"]; k++)
+        if (table[k] == table[i] && method[k] == method[i] && speed[k] == speed[i] && d_error[k] + 0 > e \
+            && (table[i] != "collision models" ? d_setting[k] + 0 <= d_setting[i] + 0 \
+                                               : d_setting[k] + 0 == d_setting[i] + 0 && modes[k] + 0 >= modes[i] + 0))
             return 0
     return 1
 }
-function best_collision(method, e,    i, best) {
+function best_collision(m, e,    i, best) {
     best = 0
-    for (i = 1; i <= rows["collision"]; i++)
-        if (question[i] == "method" && built[i] != "with cor loops" \
-            && (method == "any rival" ? c_method[i] != "cor" : c_method[i] == method) \
-            && (!best || c_s[i] + 0 < c_s[best] + 0) && stays(i, e))
+    for (i = 1; i <= rows["disks"]; i++)
+        if (table[i] ~ /^collision( native)?$/ && (m == "any rival" ? method[i] != "cor" : method[i] == m) \
+            && (!best || d_s[i] + 0 < d_s[best] + 0) && stays(i, e))
             best = i
     return best
 }
 function best_model(v, e,    i, best) {
     best = 0
-    for (i = 1; i <= rows["collision"]; i++)
-        if (question[i] == "model" && c_method[i] == "cor" && speed[i] == v && (!best || c_s[i] + 0 < c_s[best] + 0) && stays(i, e))
+    for (i = 1; i <= rows["disks"]; i++)
+        if (table[i] == "collision models" && method[i] == "cor" && speed[i] == v && (!best || d_s[i] + 0 < d_s[best] + 0) && stays(i, e))
             best = i
     return best
 }
-function special(method, v,    i) {
-    for (i = 1; i <= rows["collision"]; i++)
-        if (question[i] == "model" && c_method[i] == method && speed[i] == v) return i
-    return 0
+
+# Of ln(time) against ln(column), modes or setting, by least squares
+function growth(t, m, column,    i, n, x, y) {
+    n = 0
+    for (i = 1; i <= rows["disks"]; i++)
+        if (table[i] == t && method[i] == m) { x[++n] = column == "modes" ? modes[i] : d_setting[i]; y[n] = d_s[i] }
+    return exponent(x, y, n)
 }
 
-function collisions(    k, i, m, names, best, errors, text) {
+function collisions(    k, i, m, names, best, errors, first) {
     printf "\n## Disks: collisions in full\n\n![error against time, collisions](collision.svg)\n\n"
-    printf "A collision of 940 modes, Poisson's ratio nu = 0.33, hardness of the wall alpha = 500, impact speed v = 0.1: the fastest run of each method within an error of eps. Other methods count with their faster build, with the library's flags or with -O3 -march=native -ffast-math. A method counts for an error only if every smaller step keeps it:\n\n"
+    printf "A collision of 940 modes, Poisson's ratio nu = 0.33, hardness of the wall alpha = 500, impact speed v = 0.1: the fastest run of each method within an error of eps. The other methods are built twice, with the flags of cor's own loops and for the machine (-O3 -march=native -ffast-math); an entry is the faster of the two. A method counts for an error only if every smaller step keeps it:\n\n"
     printf "| error at most | cor | Runge-Kutta 4 | Strang | Yoshida 4 | SRKN 6-4 | SRKN 11-6 | SRKN 14-6 |\n|---|---|---|---|---|---|---|---|\n"
     split("cor;RK4;Strang;Yoshida 4;SRKN 6-4;SRKN 11-6;SRKN 14-6", names, ";")
     for (k = 3; k <= 12; k++) {
         printf "| 1e-%d |", k
         for (m = 1; m <= 7; m++) {
             best = best_collision(names[m], 10 ^ -k)
-            printf " %s |", best ? time(c_s[best]) : "none"
+            printf " %s |", best ? time(d_s[best]) : "none"
         }
         printf "\n"
     }
+    i = row_of_disks("collision forms", "RK4")
+    if (i) printf "\nBuilt with the flags of cor's loops, a step of Runge-Kutta 4 takes %s times as long if it evaluates every mode at every angle, as (40) and (44) are printed. It takes %s times as long if it computes cos and sin of omega t directly instead of by a recurrence.\n", \
+        times(d_s[row_of_disks("collision forms", "RK4; every mode at every angle")] / d_s[i]), times(d_s[row_of_disks("collision forms", "RK4; cos and sin anew")] / d_s[i])
+    if (row_of_disks("collision modes", "cor 1e-03")) {
+        printf "\nThe time of cor grows with the number of modes like N^%s at tolerance 1e-3 and N^%s at 1e-6, ", growth("collision modes", "cor 1e-03", "modes"), growth("collision modes", "cor 1e-06", "modes")
+        printf "with the hardness of the wall like alpha^%s at 1e-3 and, as the collision becomes chaotic, like alpha^%s at 1e-6.\n", growth("collision alpha", "cor 1e-03", "alpha"), growth("collision alpha", "cor 1e-06", "alpha")
+    }
+    first = 1
+    for (i = 1; i <= rows["disks"]; i++)
+        if (table[i] == "collision sums") {
+            if (first) printf "\nTime of the sums over the angles, from the modes to the rim and back, over all angles or those near the contact:\n\n| way | modes | angles | all of them | half | a quarter |\n|---|---|---|---|---|---|\n"
+            first = 0
+            printf "| %s | %d | %d | %s |", method[i], modes[i], d_setting[i], time(d_s[i])
+            for (m = 1; m <= 2; m++) {
+                k = row_of_disks(m == 1 ? "collision sums half" : "collision sums quarter", method[i], "", d_setting[i])
+                printf " %s |", k ? time(d_s[k]) : "the same"
+            }
+            printf "\n"
+        }
     printf "\nDistance to eps of all modes at a hard wall (`cor_disk_eps`, within its uncertainty), not exceeded with more modes:\n\n"
     printf "| error at most | v = 0.1: modes, alpha, time | v = 0.01: modes, alpha, time |\n|---|---|---|\n"
     split("0.02 0.01 0.005 0.002 0.001", errors, " ")
@@ -294,7 +342,7 @@ function collisions(    k, i, m, names, best, errors, text) {
         printf "| %s |", errors[k]
         for (m = 1; m <= 2; m++) {
             best = best_model(m == 1 ? "0.1" : "0.01", errors[k])
-            printf " %s |", best ? c_modes[best] ", " c_setting[best] + 0 ", " time(c_s[best]) : "none"
+            printf " %s |", best ? modes[best] ", " d_setting[best] + 0 ", " time(d_s[best]) : "none"
         }
         printf "\n"
     }
@@ -304,30 +352,36 @@ function use_collisions(    i, k, m, x, t) {
     i = best_collision("cor", 1e-4); k = best_collision("any rival", 1e-4)
     m = best_collision("cor", 1e-8); x = best_collision("any rival", 1e-8); t = best_collision("RK4", 1e-8)
     printf "- **Disks, one collision with a given wall: `cor_disk_collision` with the tolerance that you need.** 940 modes at alpha = 500: error 1e-4 in %s, 1e-8 in %s (tolerance %s). The fastest other method takes %s times as long at 1e-4 (%s) and %s times at 1e-8 (%s); the paper's Runge-Kutta method takes %s times as long at 1e-8.\n", \
-        time(c_s[i]), time(c_s[m]), c_setting[m], times(c_s[k] / c_s[i]), c_method[k], times(c_s[x] / c_s[m]), c_method[x], times(c_s[t] / c_s[m])
-    i = special("cor_disk_eps", "0.1"); k = special("Rayleigh", "0.01")
+        time(d_s[i]), time(d_s[m]), d_setting[m], times(d_s[k] / d_s[i]), method[k], times(d_s[x] / d_s[m]), method[x], times(d_s[t] / d_s[m])
+    i = row_of_disks("collision models", "cor_disk_eps", "0.1"); k = row_of_disks("collision models", "Rayleigh", "0.01")
     m = best_model("0.1", 0.005)
     printf "- **Disks, eps at a hard wall: `cor_disk_eps`**, %s, uncertain by %s at v = 0.1. The error of a single collision in its place comes from its soft wall and its missing modes, not from its tolerance: an error of 0.005 takes %s (%d modes, alpha = %d).", \
-        time(c_s[i]), short(c_error[i]), time(c_s[m]), c_modes[m], c_setting[m]
-    printf " Rayleigh's energy, first-order perturbation, gives eps with an error of %s at v = 0.01 and %s at 0.1.\n", short(c_error[k]), short(c_error[special("Rayleigh", "0.1")])
+        time(d_s[i]), short(d_error[i]), time(d_s[m]), modes[m], d_setting[m]
+    printf " Rayleigh's energy, first-order perturbation, gives eps with an error of %s at v = 0.01 and %s at 0.1.\n", short(d_error[k]), short(d_error[row_of_disks("collision models", "Rayleigh", "0.1")])
 }
 
 # ---- the generator ----
 
-function slope(c, f, v, column,    i, k, x, y, sx, sy, sxx, sxy) {
-    k = sx = sy = sxx = sxy = 0
-    for (i = 1; i <= rows["generator"]; i++)
-        if (command[i] == c && fixed[i] == f && varied[i] == v && value[i] >= 20) {
-            x = log(value[i]); y = log(column == "s" ? g_s[i] : g_mb[i])
-            k++; sx += x; sy += y; sxx += x * x; sxy += x * y
-        }
-    return k > 1 ? sprintf("%.1f", (k * sxy - sx * sy) / (k * sxx - sx * sx)) : "?"
+# Slope of ln y against ln x by least squares, from three points on
+function exponent(x, y, n,    i, sx, sy, sxx, sxy, p) {
+    sx = sy = sxx = sxy = 0
+    for (i = 1; i <= n; i++) {
+        sx += log(x[i]); sy += log(y[i]); sxx += log(x[i]) ^ 2; sxy += log(x[i]) * log(y[i])
+    }
+    if (n < 3) return "?"
+    p = (n * sxy - sx * sy) / (n * sxx - sx * sx)
+    return sprintf("%.1f", p)
 }
-
-# An exponent below a tenth is none.
-function growth(c, f, v, column,    e) {
-    e = slope(c, f, v, column)
-    return e < 0.1 ? "hardly depends on the " v : "grows like " v "^" e
+function slope(c, f, v, column,    i, n, x, y) {
+    n = 0
+    for (i = 1; i <= rows["generator"]; i++)
+        if (command[i] == c && fixed[i] == f && varied[i] == v && value[i] >= 20) { x[++n] = value[i]; y[n] = column == "s" ? g_s[i] : g_mb[i] }
+    return exponent(x, y, n)
+}
+# "memory like order^1.4", or that it does not grow
+function memory(c, f, v,    p) {
+    p = slope(c, f, v, "mb")
+    return p + 0 < 0.1 ? "memory that does not grow with the " v : "memory like " v "^" p
 }
 
 function generator(    i) {
@@ -335,9 +389,9 @@ function generator(    i) {
     printf "| corgen | fixed | | time | memory | most expensive step |\n|---|---|---|---|---|---|\n"
     for (i = 1; i <= rows["generator"]; i++)
         printf "| %s | %s | %s %s | %s | %.0f MB | %s |\n", command[i], fixed[i], varied[i], value[i], time(g_s[i]), g_mb[i], step[i]
-    printf "\nFrom order 20 on, the time of `series` to 40 digits grows like order^%s and its memory like order^%s. The time of `trajectory` with 20 terms grows like order^%s; its memory %s. From 20 digits on, the time of a collision at beta = 1 grows like digits^%s.\n", \
-        slope("series", "40 digits", "order", "s"), slope("series", "40 digits", "order", "mb"), \
-        slope("trajectory", "20 terms", "order", "s"), growth("trajectory", "20 terms", "order", "mb"), slope("collide", "beta 1", "digits", "s")
+    printf "\nFrom order 20 on, `series` to 40 digits takes time like order^%s and %s. `trajectory` of 20 terms takes time like order^%s and %s. A collision at beta = 1 takes time like digits^%s from 20 digits on.\n", \
+        slope("series", "40 digits", "order", "s"), memory("series", "40 digits", "order"), \
+        slope("trajectory", "20 terms", "order", "s"), memory("trajectory", "20 terms", "order"), slope("collide", "beta 1", "digits", "s")
 }
 
 # The table of README.md: the ordinary scene, contacts that end at zero overlap
@@ -363,7 +417,7 @@ END {
         exit
     }
     print "<!-- SPDX-License-Identifier: MIT -->\n# Speed against error\n"
-    print "`bench/run --report` writes this page from the csv tables beside it, which come from one run on one machine. eps is the coefficient of restitution, g the impact speed, and beta the number, proportional to g^(1/5), on which eps of viscoelastic spheres depends ([derivation](../derivation.md), 1). A contact ends at zero overlap or at zero force. A time is the least of many turns on one core; compare ratios. An error is the largest found. Errors are relative; for collisions of disks they are errors of eps.\n"
+    print "`bench/run` writes this page from the csv tables beside it, which come from one run on one machine. eps is the coefficient of restitution, g the impact speed, and beta the number, proportional to g^(1/5), on which eps of viscoelastic spheres depends ([derivation](../derivation.md), 1). A contact ends at zero overlap or at zero force. A time is the least of many turns on one core; compare ratios. An error is the largest found. Errors are relative; for collisions of disks they are errors of eps.\n"
     print "| | |\n|---|---|"
     for (i = 1; i <= machines; i++) printf "| %s | %s |\n", machine[i], machine_value[i]
     print "\n## Which to use\n"
@@ -373,9 +427,10 @@ END {
     i = 0
     for (k = 1; k <= rows["generator"]; k++)
         if (command[k] == "series" && varied[k] == "order" && value[k] == 60) i = k
-    if (i) printf "- **The generator**: `corgen series --order 60 --digits 40` takes %s and %.0f MB. Time grows like order^%s, and at order 40 like digits^%s; memory like order^%s.\n", time(g_s[i]), g_mb[i], \
-        slope("series", "40 digits", "order", "s"), slope("series", "order 40", "digits", "s"), slope("series", "40 digits", "order", "mb")
+    if (i) printf "- **The generator**: `corgen series --order 60 --digits 40` takes %s and %.0f MB. Time grows like order^%s, and at order 40 like digits^%s; %s.\n", time(g_s[i]), g_mb[i], \
+        slope("series", "40 digits", "order", "s"), slope("series", "order 40", "digits", "s"), memory("series", "40 digits", "order")
     spheres("spheres_speed", "a speed", "spheres_speed.svg")
+    large_arrays()
     spheres("spheres_beta", "beta", "spheres_beta.svg")
     rayleigh()
     collisions()

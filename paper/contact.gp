@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Fig. 11, drawn by paper/run from contact.csv.
-stem = "contact"
-set terminal svg size 960,440 fixed font "DejaVu Sans,13" background "white"
-load "paper/style.gp"
+stem = "contact"; home = "docs/paper"; width = 960; height = 470
+load "docs/style.gp"
 points = dir."/collisions.csv"
 
 # Columns: 1 speed; contact time: 2 centre of mass, 3 diameter, 4 as printed, 5 leading logarithm; largest compression:
@@ -10,13 +9,14 @@ points = dir."/collisions.csv"
 # Of collisions.csv: 1 nu, 2 modes, 3 alpha, 4 speed, 7 contact time, 8 largest compression
 chosen(nu, modes, alpha, speed) = nu == 0.33 && modes == 1800 && alpha*speed > 99
 
-set multiplot layout 1,2 margins 0.06,0.985,0.135,0.91 spacing 0.085
+set multiplot layout 1,2 title "a disk and a wall, ν = 0.33: the law by datum, and the dynamics of 1800 modes with α v ≥ 100 √(E/ρ)/R" \
+    margins 0.06,0.985,0.125,0.85 spacing 0.085
 set logscale x
 set format x "10^{%L}"
 set xrange [1e-6:0.5]
 set xlabel "impact speed v (√(E/ρ))"
 
-set title "contact time, ν = 0.33"
+set title "contact time"
 set ylabel "τ (R √(ρ/E))" offset 0.5
 set yrange [0:14]
 set ytics 2
@@ -28,7 +28,7 @@ plot csv using 1:3 skip 1 with lines lw 2.2 lc rgb green title "diameter", \
      points using (chosen($1, $2, $3, $4) ? $4 : NaN):7 skip 1 \
          with points pt 12 ps 0.65 lw 1.3 lc rgb black title "full dynamics"
 
-set title "largest compression over speed, ν = 0.33"
+set title "largest compression over speed"
 set ylabel "δ_{max}/v (R √(ρ/E))" offset 0.5
 set yrange [0:4.5]
 set ytics 1

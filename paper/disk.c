@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* cor_paper: the figures of the paper on disks as csv files, and what is to be said of each. */
 #include <errno.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,19 +10,6 @@
 
 /* Collisions computed again, of those taken from a file */
 enum { SAMPLE = 60 };
-
-double log_point(double a, double b, int i, int n)
-{
-    return a * pow(b / a, (double)i / (n - 1));
-}
-
-void write_cell(FILE *csv, double value)
-{
-    if (isnan(value))
-        fputs(",", csv);
-    else
-        fprintf(csv, ",%.6g", value);
-}
 
 /* Written beside the target and renamed over it, so that no reader sees half a file. */
 static int make(const struct figure *figure, const char *directory, char verdict[VERDICT_SIZE])

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Fig. 10, the dynamic curves, drawn by paper/run from load_dynamic.csv and load.csv.
-stem = "load_dynamic"
-set terminal svg size 960,440 fixed font "DejaVu Sans,13" background "white"
-load "paper/style.gp"
+stem = "load_dynamic"; home = "docs/paper"; width = 960; height = 460
+load "docs/style.gp"
 static = dir."/load.csv"
 
 # Columns: 1 speed, 2 time, 3 compression, 4 load, one block for each speed. Of load.csv: 1 compression, 2 law, centre
@@ -28,17 +27,17 @@ do for [k = 0:1] {
     }
 }
 
-set multiplot layout 1,2 margins 0.08,0.985,0.135,0.91 spacing 0.085
+set multiplot layout 1,2 title "collisions of a disk with a wall: ν = 0.33, α = 500/R, 1300 modes" margins 0.08,0.985,0.125,0.85 spacing 0.085
 set key top left
 set xlabel "compression δ (R)"
 do for [k = 0:1] {
-    set title sprintf("a collision at v = %s, α = 500, N = 1300, ν = 0.33", k == 0 ? "0.1" : "0.04")
+    set title sprintf("v = %s √(E/ρ)", k == 0 ? "0.1" : "0.04")
     set xrange [-0.005:(k == 0 ? 0.175 : 0.08)]
     set yrange [0:(k == 0 ? 0.22 : 0.09)]
     tick = k == 0 ? 0.05 : 0.02
     set xtics tick
     set ytics tick
-    set ylabel (k == 0 ? "load P (E R)" : "") offset 0.5
+    set ylabel "load P (E R)" offset 0.5
     unset arrow
     do for [i = 1:8] {
         if (i != 4 && i != 5) {

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Not in the paper, drawn by paper/run from oscillation.csv.
-stem = "oscillation"
-set terminal svg size 760,480 fixed font "DejaVu Sans,14" background "white"
-load "paper/style.gp"
+stem = "oscillation"; home = "docs/paper"; width = 760; height = 480
+load "docs/style.gp"
 curve = dir."/rayleigh.csv"
 
 # Columns: 1 speed; 1 - eps^2: 2 limit, 3, 4 within the uncertainty, 5 to 7 N = 940, 1300, 1800. Of rayleigh.csv: 1 speed,
@@ -17,7 +16,8 @@ set ytics 0.02
 set xlabel "impact speed v (√(E/ρ))"
 set ylabel "1 − ε^2" offset 0.5
 set object 1 rectangle from 0.03, graph 0 to 0.12, graph 1 fc rgb shade fillstyle solid noborder behind
-set label 1 "beyond\nRayleigh's theory" at 0.032, 0.0955 tc rgb grey font ",11"
+set label 1 "beyond\nRayleigh's theory" at 0.032, 0.0955 tc rgb grey font small
+set title "a disk and a rigid wall, ν = 0.33"
 set key top left
 plot curve using 1:3 skip 1 with lines lw 2.2 lc rgb blue title "Rayleigh, centre of mass", \
      csv using 1:2:3:4 skip 1 with yerrorbars pt 7 ps 0.6 lw 1.4 lc rgb red title "full dynamics, all modes", \

@@ -1,26 +1,26 @@
 # SPDX-License-Identifier: MIT
 # Fig. 12, drawn by paper/run from rayleigh.csv.
-stem = "rayleigh"
-set terminal svg size 960,460 fixed font "DejaVu Sans,13" background "white"
-load "paper/style.gp"
+stem = "rayleigh"; home = "docs/paper"; width = 960; height = 490
+load "docs/style.gp"
 full = dir."/restitution.csv"
 slow = dir."/oscillation.csv"
 
 # Columns: 1 speed; nu = 0.33: 2 to 4 centre of mass (1800 modes, all modes, quadrupole), 5 to 7 diameter, 8 to 10 as
 # printed; nu = 0.9: 11 to 19 likewise. Of restitution.csv: 2 speed, 6 1 - eps^2, one block for each nu; of
 # oscillation.csv: 1 speed, 2 1 - eps^2
-set multiplot layout 1,2 margins 0.075,0.985,0.125,0.91 spacing 0.075
+set multiplot layout 1,2 title "Rayleigh's energy of a disk by datum, and 1 − ε^2 of the dynamics at a rigid wall" \
+    margins 0.08,0.985,0.12,0.85 spacing 0.085
 set logscale xy
 set format "10^{%L}"
 set xrange [1e-6:0.1]
 set yrange [1e-3:3]
 set xlabel "impact speed v (√(E/ρ))"
 set object 1 rectangle from 0.03, graph 0 to 0.1, graph 1 fc rgb shade fillstyle solid noborder behind
-set label 1 "beyond the theory" at 0.026, 1.9 right tc rgb grey font ",11"
+set label 1 "beyond the theory" at 0.026, 1.9 right tc rgb grey font small
 set key top left
 
 set title "ν = 0.33"
-set ylabel "energy left in the modes, of m v^2/2" offset 0.5
+set ylabel "energy left in the modes/(m v^2/2)" offset 0.5
 plot csv using 1:2 skip 1 with lines lw 2.4 lc rgb blue title "centre of mass", \
      csv using 1:8 skip 1 with lines lw 2.4 lc rgb red title "as printed", \
      csv using 1:5 skip 1 with lines lw 2.4 lc rgb green title "diameter", \
@@ -31,7 +31,6 @@ plot csv using 1:2 skip 1 with lines lw 2.4 lc rgb blue title "centre of mass", 
      full using 2:6 index 0 skip 1 with points pt 12 ps 0.65 lw 1.3 lc rgb black notitle
 
 set title "ν = 0.9"
-unset ylabel
 unset key
 plot csv using 1:11 skip 1 with lines lw 2.4 lc rgb blue, \
      csv using 1:17 skip 1 with lines lw 2.4 lc rgb red, \

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Fig. 5, drawn by paper/run from sequence.csv: one block for each moment, one curve for each circle and radius.
-stem = "sequence"
-set terminal svg size 1000,440 fixed font "DejaVu Sans,13" background "white"
-load "paper/style.gp"
+stem = "sequence"; home = "docs/paper"; width = 1000; height = 470
+load "docs/style.gp"
 
-set multiplot layout 2,5 margins 0.005,0.995,0.01,0.93 spacing 0.004,0.075
+set multiplot layout 2,5 title "a disk and a wall (grey), true to scale: ν = 0.33, v = 0.2 √(E/ρ), α = 500/R, 940 modes; time t in R √(ρ/E)" \
+    margins 0.005,0.995,0.01,0.86 spacing 0.004,0.075
 unset border
 unset tics
 unset grid

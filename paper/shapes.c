@@ -40,7 +40,7 @@ static void write_point(FILE *csv, const struct mode_shape *shape, double scale,
 /* A blank line after each line of the drawing, two after each mode, as gnuplot wants it */
 static void write_shape(FILE *csv, const struct mode_shape *shape)
 {
-    enum { CIRCLES = 5, RADII = 24, ANGLES = 72, STEPS = 10 };
+    enum { CIRCLES = 5, RADII = 24, ANGLES = 72, STEPS = 6 };
     double largest = 0;
     for (int i = 1; i <= 100; i++) {
         double u_r, u_phi;
@@ -49,7 +49,7 @@ static void write_shape(FILE *csv, const struct mode_shape *shape)
     }
     const double scale = largest_shift / largest;
     for (int i = 1; i <= CIRCLES; i++) {
-        for (int k = 0; k <= ANGLES; k++)
+        for (int k = 0; k <= ANGLES; k += i < CIRCLES ? 2 : 1)
             write_point(csv, shape, scale, i < CIRCLES ? "circle" : "rim", (double)i / CIRCLES, 2 * pi * k / ANGLES);
         fputs("\n", csv);
     }

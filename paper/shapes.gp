@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Fig. 2, drawn by paper/run from shapes.csv: one block for each mode, one curve for each circle and radius.
-stem = "shapes"
-set terminal svg size 960,350 fixed font "DejaVu Sans,13" background "white"
-load "paper/style.gp"
+stem = "shapes"; home = "docs/paper"; width = 960; height = 370
+load "docs/style.gp"
 
 # before the ranges are set, which stats would heed
 array n[3]
@@ -14,7 +13,7 @@ do for [i = 0:2] {
     omega[i + 1] = STATS_max
 }
 
-set multiplot layout 1,3 margins 0.01,0.99,0.02,0.86 spacing 0.01
+set multiplot layout 1,3 title "the three lowest modes of a free disk, ν = 0.33; frequency ω in √(E/ρ)/R" margins 0.01,0.99,0.02,0.79 spacing 0.01
 unset border
 unset tics
 unset grid

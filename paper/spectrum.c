@@ -54,14 +54,18 @@ static struct census take_census(const struct cor_disk_modes *modes)
     return c;
 }
 
+/* What the picture shows; the sentence is about all 1800 modes. */
+enum { DRAWN_OMEGA = 32, DRAWN_N = 40 };
+
 static int write_spectrum(FILE *csv, char verdict[VERDICT_SIZE])
 {
     const struct cor_disk_modes *modes = &cor_disk_modes_nu033;
     fputs("n,l,omega,C,S,motion\n", csv);
     for (size_t i = 0; i < modes->count; i++) {
         const struct cor_disk_mode *mode = &modes->mode[i];
-        fprintf(csv, "%d,%d,%.6f,%.5f,%.5f,%s\n", mode->n, mode->l, mode->omega, mode->c, mode->s,
-                is_radial(mode) ? "radial" : "tangential");
+        if (mode->omega < DRAWN_OMEGA && mode->n <= DRAWN_N)
+            fprintf(csv, "%d,%d,%.6f,%.5f,%.5f,%s\n", mode->n, mode->l, mode->omega, mode->c, mode->s,
+                    is_radial(mode) ? "radial" : "tangential");
     }
     const struct census c = take_census(modes);
     snprintf(verdict, VERDICT_SIZE,

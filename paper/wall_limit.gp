@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Fig. 7, drawn by paper/run from collisions.csv and, the lines, wall_limit.csv.
-stem = "wall_limit"
-set terminal svg size 960,480 fixed font "DejaVu Sans,13" background "white"
-load "paper/style.gp"
+stem = "wall_limit"; home = "docs/paper"; width = 960; height = 520
+load "docs/style.gp"
 points = dir."/collisions.csv"
 
 # Columns of collisions: 1 nu, 2 modes, 3 alpha, 4 speed, 5 converged, 6 1 - eps^2; of wall_limit: 1 speed, 2 modes,
@@ -15,31 +14,36 @@ array slope[rows]
 stats csv using (v[int($0) + 1] = $1, limit[int($0) + 1] = $3, slope[int($0) + 1] = $4) skip 1 nooutput
 is(nu, modes, speed, i) = nu == 0.33 && modes == 940 && abs(speed/v[i] - 1) < 1e-6
 
-set multiplot layout 1,2 margins 0.08,0.985,0.125,0.91 spacing 0.1
+set multiplot layout 1,2 title "a disk of 940 modes and a wall exp(α x), ν = 0.33; lines through α v ≥ 25 √(E/ρ)/R" \
+    margins 0.07,0.985,0.12,0.86 spacing 0.09
 unset key
-set title "ν = 0.33, N = 940, v = 0.005 ... 0.30"
-set xrange [0:0.0042]
+set title "each line one speed v (√(E/ρ))"
+set xrange [0:0.0048]
 set yrange [0:0.32]
 set xtics 0.001
 set ytics 0.05
 set xlabel "1/α (R)"
-set ylabel "1 − ε^2" offset 1
-plot for [i = 1:rows] [0:v[i]/20] limit[i] + slope[i]*x with lines lw 1.2 lc rgb blue, \
-     for [i = 1:rows] points using (is($1, $2, $4, i) ? 1/$3 : NaN):6 skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red
+set ylabel "1 − ε^2" offset 0.3
+do for [i = 7:rows:2] {
+    set label i sprintf(i == rows ? "v = %g" : "%g", v[i]) at 0.0041, limit[i] + slope[i]*0.004 font small tc rgb black
+}
+plot for [i = 1:rows] [0:(v[i] < 0.08 ? v[i]/20 : 0.004)] limit[i] + slope[i]*x with lines lw 1.2 lc rgb blue, \
+     for [i = 1:rows] points using (is($1, $2, $4, i) && $3 >= 250 ? 1/$3 : NaN):6 skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red
 
-set title "over its limit, against 1/(α v)"
+unset label
+set title "relative to the limit of a rigid wall"
 set xrange [0:0.105]
 set yrange [0.6:1.02]
 set xtics 0.02
 set ytics 0.1
-set xlabel "1/(α v)"
-set ylabel "(1 − ε^2) over its limit" offset 1
+set xlabel "1/(α v)  (R √(ρ/E))"
+set ylabel "(1 − ε^2)/its limit" offset 1
 set key bottom left
 array shown[4] = [17, 7, 4, 1]
 array colour[4] = [blue, red, green, grey]
 plot for [k = 1:4] [0:0.045] 1 + slope[shown[k]]*v[shown[k]]/limit[shown[k]]*x \
          with lines lw 1.4 lc rgb colour[k] notitle, \
      for [k = 1:4] points using (is($1, $2, $4, shown[k]) ? 1/($3*$4) : NaN):($6/limit[shown[k]]) skip 1 \
-         with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title sprintf("v = %g", v[shown[k]])
+         with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title sprintf("v = %g √(E/ρ)", v[shown[k]])
 unset multiplot
 set output

@@ -17,17 +17,7 @@ static inline struct timing collision_timing(const struct disk_bench *bench)
 }
 
 /* The library's collision; its status, COR_OK or COR_TOLERANCE_NOT_REACHED. */
-int collision_with_cor(const struct cor_disk_modes *modes, size_t n_modes, double alpha, double tolerance,
+int collision_with_cor(const struct cor_disk_modes *modes, size_t n_modes, double alpha, double speed, double tolerance,
                        struct cor_disk_collision *out);
-
-/* Error against time of all methods, and the targets */
-void collision_curves(struct disk_bench *bench);
-
-/* Error and time of fewer modes and softer walls */
-void collision_models(struct disk_bench *bench);
-
-/* Parts of one evaluation of the wall's force by instruction set, and other ways to sum over the angles. Nothing where
- * the library's inner loops cannot be reached, that is, in a shared library. */
-void collision_parts(struct disk_bench *bench);
 
 #endif

@@ -6,6 +6,7 @@
 #include <cor/status.h>
 
 #include "collision.h"
+#include "stages.h"
 
 static const double model_tolerance = 1e-4;
 
@@ -18,10 +19,8 @@ struct model {
 static void collide(void *closure)
 {
     struct model *const m = closure;
-    const struct cor_disk_collision_options options = {m->alpha, model_tolerance, 0, 0};
     struct cor_disk_collision out;
-    const int status = cor_disk_collision(&cor_disk_modes_nu033, m->n, &options, m->speed, &out);
-    disk_must(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED, cor_status_text(status));
+    collision_with_cor(&cor_disk_modes_nu033, m->n, m->alpha, m->speed, model_tolerance, &out);
     m->eps = out.eps;
 }
 
@@ -56,16 +55,12 @@ void collision_models(struct disk_bench *bench)
         timing_measure(job, MODELS, collision_timing(bench));
         const double exact = model[0].eps;
         const double unsure = cor_disk_eps_uncertainty(speeds[k], cor_disk_modes_nu033.nu);
-        printf("all modes and a hard wall, v = %g: eps = %.5f +- %.1e\n", speeds[k], exact, unsure);
         for (int i = 0; i < MODELS; i++) {
             static const char *const methods[] = {"cor_disk_eps", "Rayleigh", "cor"};
             const struct model *const m = &model[i];
             const double error = fmax(fabs(m->eps - exact), unsure);
-            printf("%-14s alpha %6g modes %5zu: %10.4f ms, error %.1e\n", methods[i < 2 ? i : 2], m->alpha, m->n,
-                   job[i].best_ns / 1e6, error);
             disk_csv(bench, &(struct disk_row){"collision models", methods[i < 2 ? i : 2], m->speed,
                                                m->alpha > 0 ? m->alpha : NAN, m->n, job[i].best_ns / 1e9, error});
         }
     }
-    printf("\n");
 }

@@ -9,7 +9,7 @@
 
 /* A splitting: kick b[0], free motion a[0], kick b[1], ... kick b[stages]; b[0] may be 0. Times of the step. */
 struct rival_splitting {
-    const char *name, *csv;
+    const char *name;
     int order, stages;
     double a[16], b[17];
 };

@@ -1,207 +1,161 @@
 /* SPDX-License-Identifier: MIT */
-#include "collision_sums.h"
-
+/* Ways to sum over the angles: the library's table, a recurrence, a fast Fourier transform. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "disk.h"
+#include "collision.h"
+#include "phi_sums.h"
+#include "stages.h"
 
-#define PI 3.14159265358979323846
-
-enum { WIDTH = 8 };
-typedef double vector __attribute__((vector_size(WIDTH * sizeof(double))));
-
-static vector load(const double *from)
+#if defined COR_BENCH_SHARED || !defined COR_BENCH_HAS_NATIVE
+void collision_sums(struct disk_bench *bench)
 {
-    vector x;
-    memcpy(&x, from, sizeof x);
-    return x;
+    (void)bench;
+}
+#else
+#include "collision_stage.h"
+
+struct part {
+    struct stage *stage;
+    const struct cor_collision_loops *loops;
+    const struct phi_sums *sums;
+    size_t window;
+};
+
+static void part_turn(void *closure)
+{
+    const struct part *const p = closure;
+    struct stage *const st = p->stage;
+    p->loops->turn(&st->rim, st->q, st->p, st->cosine, st->sine, st->force_c, st->force_s, st->sum_c, st->sum_s);
 }
 
-static void store(double *to, vector x)
+static void part_reach(void *closure)
 {
-    memcpy(to, &x, sizeof x);
+    const struct part *const p = closure;
+    struct stage *const st = p->stage;
+    p->loops->gather(&st->rim, st->sum_c, st->sum_s, st->d);
+    p->loops->reach(&st->rim, p->window, 0, st->shape, st->d, st->reach);
 }
 
-void phi_sums_init(struct phi_sums *sums, size_t terms, size_t points)
+static void sum_table_reach(void *closure)
 {
-    disk_must(terms % WIDTH == 0 && terms <= points && (points & (points - 1)) == 0, "no such sums");
-    const double p = (double)points;
-    *sums = (struct phi_sums){.terms = terms, .points = points};
-    sums->two_cos = disk_memory(points, sizeof(double));
-    sums->two_cos8 = disk_memory(points, sizeof(double));
-    sums->first = disk_memory(2 * WIDTH * points, sizeof(double));
-    sums->twiddle = disk_memory(2 * points, sizeof(double));
-    sums->quarter = disk_memory(2 * (points + 1), sizeof(double));
-    sums->half = disk_memory(2 * points, sizeof(double));
-    sums->work = disk_memory(6 * points, sizeof(double));
-    for (size_t j = 0; j < points; j++) {
-        const double phi = ((double)j + 0.5) * PI / (2 * p);
-        sums->two_cos[j] = 2 * cos(phi);
-        sums->two_cos8[j] = 2 * cos(WIDTH * phi);
-        for (size_t k = 0; k < 2 * WIDTH; k++)
-            sums->first[j * 2 * WIDTH + k] = cos(((double)k - WIDTH) * phi);
+    const struct part *const p = closure;
+    p->loops->reach(&p->stage->rim, p->window, 0, p->stage->flat, p->stage->d, p->stage->response);
+}
+
+static void sum_table_transform(void *closure)
+{
+    const struct part *const p = closure;
+    p->loops->transform(&p->stage->rim, p->window, p->stage->pressure, p->stage->e);
+}
+
+static void sum_recurrence_reach(void *closure)
+{
+    const struct part *const p = closure;
+    phi_sums_reach_recurrence(p->sums, p->window, p->stage->d, p->stage->response);
+}
+
+static void sum_recurrence_transform(void *closure)
+{
+    const struct part *const p = closure;
+    phi_sums_transform_recurrence(p->sums, p->window, p->stage->pressure, p->stage->e);
+}
+
+static void sum_fft_reach(void *closure)
+{
+    const struct part *const p = closure;
+    phi_sums_reach_fft(p->sums, p->stage->d, p->stage->response);
+}
+
+static void sum_fft_transform(void *closure)
+{
+    const struct part *const p = closure;
+    phi_sums_transform_fft(p->sums, p->stage->pressure, p->stage->e);
+}
+
+static double farthest(const double *x, const double *y, size_t n)
+{
+    double most = 0, size = 0;
+    for (size_t i = 0; i < n; i++) {
+        most = fmax(most, fabs(x[i] - y[i]));
+        size = fmax(size, fabs(y[i]));
     }
-    double *at = sums->twiddle;
-    for (size_t half = points / 2; half > 0; half /= 2) {
-        for (size_t i = 0; i < half; i++) {
-            at[i] = cos(PI * (double)i / (double)half);
-            at[half + i] = -sin(PI * (double)i / (double)half);
+    return most / size;
+}
+
+/* The table, a recurrence and a transform, there and back, at all angles and at the first half and quarter of them:
+ * only angles near the contact feel the wall, and the library takes no others in seven steps of eight. */
+static void sums_over_angles(struct disk_bench *bench, struct stage *st, size_t n_modes)
+{
+    enum { WINDOWS = 3 };
+    static const struct {
+        const char *name;
+        void (*reach)(void *), (*transform)(void *);
+        size_t windows;
+    } ways[] = {{"table, as shipped", sum_table_reach, sum_table_transform, WINDOWS},
+                {"recurrence, no table", sum_recurrence_reach, sum_recurrence_transform, WINDOWS},
+                {"fast Fourier transform", sum_fft_reach, sum_fft_transform, 1}};
+    enum { WAYS = sizeof ways / sizeof *ways };
+    static const char *const tables[WINDOWS] = {"collision sums", "collision sums half", "collision sums quarter"};
+    const size_t points = st->rim.points, terms = st->rim.terms;
+    const struct stage_set *const best = &stage_sets[stage_sets_here() - 1];
+    struct phi_sums sums;
+    phi_sums_init(&sums, terms, points);
+    struct part part[WINDOWS];
+    struct job job[WAYS * WINDOWS * 2];
+    for (size_t w = 0; w < WINDOWS; w++)
+        part[w] = (struct part){st, best->loops, &sums, points >> w};
+
+    /* A shape that matters: that of the modes; a pressure like that of a contact */
+    part_turn(&part[0]);
+    part_reach(&part[0]);
+    for (size_t j = 0; j < points; j++)
+        st->pressure[j] = exp(-40 * pow((double)j / (double)points, 2));
+    double *const reach = disk_memory(points, sizeof *reach), *const e = disk_memory(terms, sizeof *e);
+    double error[WAYS];
+    for (size_t i = 0; i < WAYS; i++) {
+        ways[i].reach(&part[0]);
+        ways[i].transform(&part[0]);
+        if (i == 0) {
+            memcpy(reach, st->response, points * sizeof *reach);
+            memcpy(e, st->e, terms * sizeof *e);
         }
-        at += 2 * half;
+        error[i] = fmax(farthest(st->response, reach, points), farthest(st->e, e, st->rim.used_terms));
+        disk_must(error[i] < 1e-10, "ways to sum over the angles differ");
     }
-    for (size_t k = 0; k <= points; k++) {
-        sums->quarter[2 * k] = cos(PI * (double)k / (4 * p));
-        sums->quarter[2 * k + 1] = sin(PI * (double)k / (4 * p));
-    }
-    for (size_t k = 0; k < points; k++) {
-        sums->half[2 * k] = cos(PI * (double)k / p);
-        sums->half[2 * k + 1] = sin(PI * (double)k / p);
-    }
-}
-
-void phi_sums_free(struct phi_sums *sums)
-{
-    free(sums->two_cos);
-    free(sums->two_cos8);
-    free(sums->first);
-    free(sums->twiddle);
-    free(sums->quarter);
-    free(sums->half);
-    free(sums->work);
-}
-
-/* ---- recurrences ---- */
-
-/* Clenshaw's, 32 angles at once */
-void phi_sums_reach_recurrence(const struct phi_sums *sums, size_t window, const double *d, double *reach)
-{
-    for (size_t j = 0; j < window; j += 4 * WIDTH) {
-        vector x[4], b[4], next[4];
-        for (size_t i = 0; i < 4; i++) {
-            x[i] = load(sums->two_cos + j + i * WIDTH);
-            b[i] = next[i] = x[i] - x[i];
+    for (size_t i = 0; i < WAYS; i++)
+        for (size_t w = 0; w < WINDOWS; w++) {
+            const size_t at = (i * WINDOWS + w) * 2;
+            job[at] = (struct job){ways[i].reach, &part[w], 1, NAN};
+            job[at + 1] = (struct job){ways[i].transform, &part[w], 1, NAN};
         }
-        for (size_t k = sums->terms - 1; k > 0; k--)
-            for (size_t i = 0; i < 4; i++) {
-                const vector now = x[i] * b[i] + (d[k] - next[i]);
-                next[i] = b[i];
-                b[i] = now;
-            }
-        for (size_t i = 0; i < 4; i++)
-            store(reach + j + i * WIDTH, 0.5 * x[i] * b[i] + (d[0] - next[i]));
-    }
-}
+    timing_measure(job, WAYS * WINDOWS * 2, bench->timing);
 
-/* cos((k + 8) phi) = 2 cos(8 phi) cos(k phi) - cos((k - 8) phi), 8 terms at once of 8 angles */
-void phi_sums_transform_recurrence(const struct phi_sums *sums, size_t window, const double *pressure, double *e)
-{
-    enum { ANGLES = 8 };
-    memset(e, 0, sums->terms * sizeof *e);
-    for (size_t j = 0; j < window; j += ANGLES) {
-        vector now[ANGLES], before[ANGLES];
-        double x[ANGLES];
-        for (size_t i = 0; i < ANGLES; i++) {
-            before[i] = pressure[j + i] * load(sums->first + (j + i) * 2 * WIDTH);
-            now[i] = pressure[j + i] * load(sums->first + (j + i) * 2 * WIDTH + WIDTH);
-            x[i] = sums->two_cos8[j + i];
+    for (size_t i = 0; i < WAYS; i++)
+        for (size_t w = 0; w < ways[i].windows; w++) {
+            const size_t at = (i * WINDOWS + w) * 2;
+            disk_csv(bench, &(struct disk_row){tables[w], ways[i].name, NAN, (double)points, n_modes,
+                                               (job[at].best_ns + job[at + 1].best_ns) / 1e9, error[i]});
         }
-        for (size_t k = 0; k < sums->terms; k += WIDTH) {
-            vector sum = load(e + k);
-            for (size_t i = 0; i < ANGLES; i++) {
-                const vector next = x[i] * now[i] - before[i];
-                sum += now[i];
-                before[i] = now[i];
-                now[i] = next;
-            }
-            store(e + k, sum);
-        }
-    }
+    phi_sums_free(&sums);
+    free(reach);
+    free(e);
 }
 
-/* ---- transforms ---- */
-
-/* sum_k z_k exp(-2 pi i k n/size), radix 2, sorting itself (Stockham): from re, im to where it returns, one of the two
- * pairs. */
-static double *transform(const struct phi_sums *sums, double *from, double *to)
+void collision_sums(struct disk_bench *bench)
 {
-    const size_t size = sums->points;
-    const double *twiddle = sums->twiddle;
-    size_t stride = 1;
-    for (size_t half = size / 2; half > 0; half /= 2, stride *= 2) {
-        const double *restrict const re = from, *restrict const im = from + size;
-        double *restrict const re_to = to, *restrict const im_to = to + size;
-        for (size_t p = 0; p < half; p++) {
-            const double c = twiddle[p], s = twiddle[half + p];
-            const size_t a = stride * p, b = stride * (p + half), out = 2 * stride * p;
-            for (size_t q = 0; q < stride; q++) {
-                const double x = re[a + q] - re[b + q], y = im[a + q] - im[b + q];
-                re_to[out + q] = re[a + q] + re[b + q];
-                im_to[out + q] = im[a + q] + im[b + q];
-                re_to[out + stride + q] = x * c - y * s;
-                im_to[out + stride + q] = x * s + y * c;
-            }
-        }
-        twiddle += 2 * half;
-        double *const swap = from;
-        from = to;
-        to = swap;
-    }
-    return from;
-}
-
-/* Makhoul, IEEE Trans. ASSP 28, 27 (1980). With M = 2 points angles on the half circle, v_n = x_2n and
- * v_(M-1-n) = x_(2n+1) have the transform V_k = (d_k exp(-i pi k/(2 M)) + its mirror)/2, and pairs of v are one complex
- * sequence of half the length. */
-void phi_sums_reach_fft(const struct phi_sums *sums, const double *d, double *reach)
-{
-    const size_t size = sums->points, terms = sums->terms;
-    double *const z = sums->work, *const re = z, *const im = z + size;
-    /* V_k, k < terms, is w_k/2 (w_0 for k = 0), w_k = d_k exp(-i pi k/(4 size)); V_(k + size) is conj(V_(size - k)) */
-    for (size_t k = 0; k < size; k++) {
-        const size_t m = size - k;
-        const double scale = k > 0 ? 0.5 : 1;
-        const double a = k < terms ? scale * d[k] * sums->quarter[2 * k] : 0;
-        const double b = k < terms ? -scale * d[k] * sums->quarter[2 * k + 1] : 0;
-        const double c = m < terms ? 0.5 * d[m] * sums->quarter[2 * m] : 0;
-        const double s = m < terms ? 0.5 * d[m] * sums->quarter[2 * m + 1] : 0;
-        const double cos_k = sums->half[2 * k], sin_k = sums->half[2 * k + 1];
-        /* Z = (V_k + V_(k + size)) + i exp(-i pi k/size) (V_k - V_(k + size)) */
-        const double x = a - c, y = b - s;
-        re[k] = (a + c) + (sin_k * x - cos_k * y);
-        im[k] = (b + s) + (cos_k * x + sin_k * y);
-    }
-    const double *const v_even = transform(sums, z, z + 2 * size), *const v_odd = v_even + size;
-    /* even j = 2 n from v_n, odd j = 2 n + 1 from v_(M - 1 - n); v_2i = v_even[i], v_(2i+1) = v_odd[i] */
-    for (size_t n = 0; n < size / 2; n += 2) {
-        reach[2 * n] = v_even[n / 2];
-        reach[2 * n + 2] = v_odd[n / 2];
-        reach[2 * n + 1] = v_odd[size - 1 - n / 2];
-        reach[2 * n + 3] = v_even[size - 1 - n / 2];
+    const struct {
+        const struct cor_disk_modes *modes;
+        size_t n, points;
+    } scenes[] = {{&cor_disk_modes_nu033, COLLISION_MODES, 128}, {bench->all, 7200, 1024}};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        if (!scenes[i].modes || scenes[i].modes->count < scenes[i].n)
+            continue;
+        struct stage st;
+        stage_init(&st, scenes[i].modes, scenes[i].n, scenes[i].points);
+        sums_over_angles(bench, &st, scenes[i].n);
+        stage_free(&st);
     }
 }
-
-void phi_sums_transform_fft(const struct phi_sums *sums, const double *pressure, double *e)
-{
-    const size_t size = sums->points;
-    double *const z = sums->work, *const v_even = z, *const v_odd = z + size;
-    memset(z, 0, 2 * size * sizeof *z);
-    for (size_t n = 0; n < size / 2; n += 2) {
-        v_even[n / 2] = pressure[2 * n];
-        v_odd[n / 2] = pressure[2 * n + 2];
-        v_odd[size - 1 - n / 2] = pressure[2 * n + 1];
-        v_even[size - 1 - n / 2] = pressure[2 * n + 3];
-    }
-    const double *const re = transform(sums, z, z + 2 * size), *const im = re + size;
-    e[0] = re[0] + im[0];
-    for (size_t k = 1; k < sums->terms; k++) {
-        const size_t m = size - k;
-        const double cos_k = sums->half[2 * k], sin_k = sums->half[2 * k + 1];
-        /* V_k = (Z_k + conj(Z_m))/2 - (i/2) exp(-i pi k/size) (Z_k - conj(Z_m)) */
-        const double x = re[k] - re[m], y = im[k] + im[m];
-        const double v_re = 0.5 * ((re[k] + re[m]) + (cos_k * y - sin_k * x));
-        const double v_im = 0.5 * ((im[k] - im[m]) - (cos_k * x + sin_k * y));
-        e[k] = sums->quarter[2 * k] * v_re + sums->quarter[2 * k + 1] * v_im;
-    }
-}
+#endif

@@ -11,15 +11,14 @@
 
 struct disk_bench {
     FILE *csv;
-    const char *directory;            /* for files to be read */
-    const char *modes_file;           /* 1800 modes of nu = 0.33 that corgen wrote; NULL: this program writes it */
+    const char *modes_file;           /* 1800 modes of nu = 0.33 that corgen wrote; NULL: none */
     const struct cor_disk_modes *all; /* many more modes of nu = 0.33; NULL: none */
-    int quick, report;                /* report: the work-precision curves, in a quick run too */
-    int missed;                       /* targets */
+    int quick;
     struct timing timing;
 };
 
-/* A line of disk.csv; NaN and 0 modes leave their field empty. The error is relative. */
+/* A line of disks.csv, which is printed too; NaN and 0 modes leave their field empty. Errors are relative, but of
+ * collisions: those are errors of eps. */
 struct disk_row {
     const char *table, *method;
     double speed, setting; /* setting: a tolerance, a panel's points, a step, alpha, or angles */
@@ -29,9 +28,6 @@ struct disk_row {
 
 void disk_csv(struct disk_bench *bench, const struct disk_row *row);
 
-/* Prints that a target is missed, at the end of a line. */
-void disk_judge(struct disk_bench *bench, const char *what, int met);
-
 /* Exits with the message if the condition is false. */
 void disk_must(int condition, const char *message);
 
@@ -40,13 +36,5 @@ void *disk_memory(size_t n, size_t size);
 
 /* The constant b of the contact law measured from the centre of mass */
 long double disk_constant_b(double nu);
-
-/* The tables, one file each. */
-void disk_loading(struct disk_bench *bench);
-void disk_law(struct disk_bench *bench);
-void disk_rayleigh(struct disk_bench *bench);
-void disk_tolerance(struct disk_bench *bench);
-void disk_curves(struct disk_bench *bench);
-void disk_collision(struct disk_bench *bench);
 
 #endif

@@ -6,10 +6,10 @@
 
 #include <cor/status.h>
 
-#include "disk.h"
 #include "errors.h"
 #include "quadrature.h"
 #include "reference_disk.h"
+#include "stages.h"
 
 static const enum cor_disk_datum datum = COR_DISK_DATUM_CENTRE_OF_MASS;
 
@@ -76,33 +76,17 @@ static double true_error(const struct task *t, const struct truth *truth)
     return fabs((t->out.fraction + t->out.tail) / truth->energy - 1);
 }
 
-/* One table of modes at one tolerance */
-static void print_half(struct disk_bench *bench, const struct task *t, const struct truth *truth, double ns)
-{
-    const double error = true_error(t, truth);
-    printf(" | %6zu%c %9.0f %8.1e", t->n, t->status == COR_TOLERANCE_NOT_REACHED ? '*' : ' ', ns / 1e3,
-           t->out.error_estimate / (t->out.fraction + t->out.tail));
-    if (isnan(error) || 2 * t->n > truth->n) /* the truth has the same modes */
-        printf(" %9s", "");
-    else if (error < truth->error)
-        printf(" <%8.1e", truth->error);
-    else
-        printf(" %9.1e", error);
-    disk_csv(bench, &(struct disk_row){"tolerance", t->modes->count == truth->n ? "all" : "1800", t->speed,
-                                       t->tolerance, t->n, ns / 1e9, error});
-}
-
+/* The modes that a tolerance takes, of the library's 1800 ("1800") and of many more ("all"), and those whose sum alone
+ * would be as good. A table with too few modes has no row. */
 void disk_tolerance(struct disk_bench *bench)
 {
     enum { SPEEDS = 3, TOLERANCES = 9, TABLES = 2 };
     static const double speeds[SPEEDS] = {1e-8, 1e-3, 1e-2};
     static struct task task[SPEEDS][TOLERANCES][TABLES];
     struct job job[SPEEDS * TOLERANCES * TABLES];
-    struct truth truth[SPEEDS];
-    const int tables = bench->all ? 2 : 1;
+    const int tables = bench->all ? TABLES : 1;
     size_t jobs = 0;
-    for (int i = 0; i < SPEEDS; i++) {
-        truth_init(&truth[i], bench, speeds[i]);
+    for (int i = 0; i < SPEEDS; i++)
         for (int k = 0; k < TOLERANCES; k++)
             for (int table = 0; table < tables; table++) {
                 struct task *const t = &task[i][k][table];
@@ -111,33 +95,26 @@ void disk_tolerance(struct disk_bench *bench)
                                    .tolerance = pow(10, -2 - k)};
                 job[jobs++] = (struct job){to_tolerance, t, 1, NAN};
             }
-    }
     timing_measure(job, jobs, bench->timing);
-
-    printf("cost of a tolerance, nu = 0.33, centre of mass: modes taken, time, estimate of the relative error of the\n"
-           "energy in all modes, true error against 20000 modes and their tail; *: the table has too few modes.\n"
-           "Truncation: modes whose sum alone is as good, beyond 20000 (~) continued like 1/n\n");
-    printf("%-8s %9s | %-35s", "v", "tolerance", "the library's 1800 modes");
-    if (bench->all)
-        printf(" | %-35s | %-10s", "a table of 20000", "truncation");
-    printf("\n%-8s %9s", "", "");
-    for (int table = 0; table < tables; table++)
-        printf(" | %6s  %9s %8s %9s", "modes", "us", "estimate", "error");
-    printf(bench->all ? " | %10s\n" : "\n", "modes");
     jobs = 0;
     for (int i = 0; i < SPEEDS; i++) {
+        struct truth truth;
+        truth_init(&truth, bench, speeds[i]);
         for (int k = 0; k < TOLERANCES; k++) {
-            const double tolerance = task[i][k][0].tolerance, modes = truncation(&truth[i], tolerance);
-            printf("%-8.0e %9.0e", speeds[i], tolerance);
-            for (int table = 0; table < tables; table++)
-                print_half(bench, &task[i][k][table], &truth[i], job[jobs++].best_ns);
+            for (int table = 0; table < tables; table++, jobs++) {
+                const struct task *const t = &task[i][k][table];
+                const int known = 2 * t->n <= truth.n; /* else the truth has the same modes */
+                if (t->status == COR_OK)
+                    disk_csv(bench, &(struct disk_row){"tolerance", table ? "all" : "1800", t->speed, t->tolerance,
+                                                       t->n, job[jobs].best_ns / 1e9,
+                                                       known ? fmax(true_error(t, &truth), truth.error) : NAN});
+            }
             if (bench->all)
-                printf(" | %c%9.3g", modes > (double)truth[i].n ? '~' : ' ', modes);
-            printf("\n");
+                disk_csv(bench, &(struct disk_row){"tolerance", "sum alone", speeds[i], task[i][k][0].tolerance,
+                                                   (size_t)truncation(&truth, task[i][k][0].tolerance), NAN, NAN});
         }
-        free(truth[i].partial);
+        free(truth.partial);
     }
-    printf("\n");
 }
 
 /* ---- error against time, for the plot ---- */
@@ -268,7 +245,7 @@ static void mode_curves(struct disk_bench *bench, struct slow *s)
 
 void disk_curves(struct disk_bench *bench)
 {
-    if ((bench->quick && !bench->report) || !bench->all)
+    if (!bench->all)
         return;
     const size_t n = cor_disk_modes_nu033.count;
     struct slow s = {.speed = 1e-3, .b = disk_constant_b(cor_disk_modes_nu033.nu)};

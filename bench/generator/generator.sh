@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-# The cost of corgen as the order, the digits and beta grow: bench/run sources this, with one_core, quick, report and results
-# set, and calls generator_costs and disk_generator_costs.
+# The cost of corgen as the order, the digits and beta grow: bench/run sources this, with one_core, quick and results set,
+# and calls generator.
 
-# measure LABEL CSV COMMAND...: seconds, peak megabytes and the two dearest steps of a corgen command, by its
-# own --profile; the last is the step that dominates.
+# measure FIXED VARIED VALUE SUBCOMMAND OPTION...: a row with seconds, peak megabytes and the dearest step of a corgen
+# command, by its own --profile.
 measure() {
-    local label=$1 csv=$2
-    shift 2
-    "${one_core[@]}" "$@" --profile 2>&1 >/dev/null | awk -v label="$label" -v csv="$csv" '
+    local label="$4,$1,$2,$3"
+    shift 3
+    "${one_core[@]}" build/corgen "$@" --profile 2>&1 >/dev/null | awk -v label="$label" '
         $1 == "profile:" && $3 == "s" {
             name = $4
             for (i = 5; i <= NF; i++) name = name " " $i
@@ -15,85 +15,34 @@ measure() {
             else if ($2 > most) { most = $2; step = name }
         }
         $1 == "profile:" && $3 == "MB" { memory = $2 }
-        END {
-            share = total > 0 ? 100 * most / total : 0
-            printf "%-42s %9.3f s %8.1f MB   %s (%.0f %%)\n", label, total, memory, step, share
-            printf "%s,%s,%s,%s,%.1f\n", label, total, memory, step, share >>csv
-        }'
+        END { printf "%s,%s,%s,%s,%.1f\n", label, total, memory, step, total > 0 ? 100 * most / total : 0 }' |
+        tee -a "$results/generator.csv"
 }
 
-# The same on all cores
-on_all_cores() {
-    local one_core=()
-    measure "$@"
-}
-
-# exponents CSV PATTERN: least-squares slopes of log seconds and log megabytes against log order, over the rows
-# whose label ends in "order N" with N >= 25.
-exponents() {
-    awk -F, -v pattern="$2" '
-        $1 ~ pattern {
-            split($1, word, " ")
-            n = word[length(word)]
-            if (n < 25) next
-            x = log(n); y = log($2); z = log($3)
-            k++; sx += x; sy += y; sz += z; sxx += x * x; sxy += x * y; sxz += x * z
-        }
-        END {
-            d = k * sxx - sx * sx
-            if (k > 1)
-                printf "%-42s time ~ order^%.1f, memory ~ order^%.1f (%d orders)\n", "growth, " pattern,
-                    (k * sxy - sx * sy) / d, (k * sxz - sx * sz) / d, k
-        }' "$1"
-}
-
-generator_costs() {
-    local csv=$results/generator.csv order d beta
-    local orders=(12 25 40 60) digits=(16 50 100)
-    echo "command,seconds,peak_mb,dominating_step,percent" >"$csv"
-    say "corgen (targets: series 60/40 2 s and 200 MB, 200/100 120 s and 2000 MB, trajectory 20/40 5 s)"
-    measure "trajectory 40 terms order 20" "$csv" build/corgen trajectory --order 20 --terms 40
-    [ "$quick" ] || orders+=(100 140)
-    for order in "${orders[@]}"; do
-        measure "series 40 digits order $order" "$csv" build/corgen series --order "$order" --digits 40
+generator() {
+    local orders=(12 25 40 60) series_digits=(20 80) digits=(16 50 100) value
+    echo "command,fixed,varied,value,seconds,peak_mb,dominating_step,percent" >"$results/generator.csv"
+    say "corgen"
+    [ "$quick" ] || orders+=(100 140) series_digits+=(160 320) digits+=(300 1000)
+    measure "40 terms" order 20 trajectory --order 20 --terms 40
+    for value in "${orders[@]}"; do
+        measure "40 digits" order "$value" series --order "$value" --digits 40
     done
-    exponents "$csv" "series 40 digits"
-    [ "$quick" ] || measure "series 100 digits order 200" "$csv" build/corgen series --order 200 --digits 100
-    if [ "$report" ]; then
-        local more=(20 80)
-        [ "$quick" ] || more+=(160 320)
-        for d in "${more[@]}"; do
-            measure "series order 40 digits $d" "$csv" build/corgen series --order 40 --digits "$d"
-        done
-    fi
-    for order in 10 20 40 80; do
-        measure "trajectory 20 terms order $order" "$csv" build/corgen trajectory --order "$order" --terms 20
+    [ "$quick" ] || measure "100 digits" order 200 series --order 200 --digits 100
+    for value in "${series_digits[@]}"; do
+        measure "order 40" digits "$value" series --order 40 --digits "$value"
     done
-    exponents "$csv" "trajectory 20 terms"
-    [ "$quick" ] || digits+=(300 1000)
-    for d in "${digits[@]}"; do
-        measure "collide beta 1 digits $d" "$csv" build/corgen collide --beta 1 --digits "$d"
+    for value in 10 20 40 80; do
+        measure "20 terms" order "$value" trajectory --order "$value" --terms 20
     done
-    for beta in 0.1 5 100 1e6; do
-        measure "collide 30 digits beta $beta" "$csv" build/corgen collide --beta "$beta" --digits 30
+    for value in "${digits[@]}"; do
+        measure "beta 1" digits "$value" collide --beta 1 --digits "$value"
     done
-}
-
-disk_generator_costs() {
-    local csv=$results/disk_generator.csv
-    echo "command,seconds,peak_mb,dominating_step,percent" >"$csv"
-    say "corgen disk-modes"
-    measure "1800 modes 30 digits one core" "$csv" build/corgen disk-modes --poisson 0.33 --count 1800 --digits 30
-    on_all_cores "1800 modes 30 digits $jobs cores" "$csv" \
-        build/corgen disk-modes --poisson 0.33 --count 1800 --digits 30
-    if [ "$report" ]; then
-        local d
-        for d in 10 100 300; do
-            measure "1800 modes $d digits one core" "$csv" build/corgen disk-modes --poisson 0.33 --count 1800 --digits "$d"
-        done
-    fi
-    [ "$quick" ] && return
-    measure "20000 modes 20 digits one core" "$csv" build/corgen disk-modes --poisson 0.33 --count 20000 --digits 20
-    on_all_cores "20000 modes 20 digits $jobs cores" "$csv" \
-        build/corgen disk-modes --poisson 0.33 --count 20000 --digits 20
+    for value in 0.1 5 100 1e6; do
+        measure "30 digits" beta "$value" collide --beta "$value" --digits 30
+    done
+    for value in 10 30 100 300; do
+        measure "1800 modes" digits "$value" disk-modes --poisson 0.33 --count 1800 --digits "$value"
+    done
+    [ "$quick" ] || measure "20000 modes" digits 20 disk-modes --poisson 0.33 --count 20000 --digits 20
 }

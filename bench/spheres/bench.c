@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Speed of eps, error beside every time: one row a method, all in one run.
  *
- *   independent   random speeds one after the other, ns each
- *   dependent     each speed waits for the eps before it, ns each
- *   max error     largest relative error over the speeds of the scene, against the collision integrated in
- *                 long double */
+ *   ns                   random speeds one after the other, each
+ *   ns_dependent         each speed waits for the eps before it
+ *   max_relative_error   largest over the speeds of the scene, against the collision integrated in long double */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,9 +55,7 @@ static double *doubles(size_t n)
 
 static int belongs(const struct method *method, const struct scene *scene)
 {
-    if (method->scene)
-        return strcmp(method->scene, scene->name) == 0;
-    return !scene->embedded_only || method->flags & BASELINE;
+    return !method->scene || strcmp(method->scene, scene->name) == 0;
 }
 
 /* The speeds of a scene and their beta, by enum input. */
@@ -121,25 +118,22 @@ static void measure_scene(struct report *report, const struct methods *methods, 
     size_t n = 0, n_jobs = 0;
     for (size_t i = 0; i < methods->n; i++) {
         const struct method *const m = &methods->row[i];
-        if (!belongs(m, scene))
+        if (!belongs(m, scene) || m->end == NO_END)
             continue;
-        results[n++] = (struct result){m, NAN, NAN, NAN};
-        const int forms = m->chain ? 2 : 1;
-        for (int chained = 0; chained < forms; chained++, n_jobs++) {
+        results[n++] = (struct result){m, m->flags & ARRAY ? "array" : "scalar", NAN, NAN, NAN};
+        for (int chained = 0; chained < (m->chain ? 2 : 1); chained++, n_jobs++) {
             tasks[n_jobs] = task_of(m, scene, &in);
             jobs[n_jobs] = (struct job){chained ? run_chain : run_each, &tasks[n_jobs], (double)tasks[n_jobs].n, NAN};
         }
     }
-    if (n > 1) {
-        timing_measure(jobs, n_jobs, timing);
-        truth_compute(&truth, scene);
-        for (size_t i = 0, k = 0; i < n; i++) {
-            results[i].throughput_ns = jobs[k++].best_ns;
-            if (results[i].method->chain)
-                results[i].latency_ns = jobs[k++].best_ns;
-            results[i].error = truth_worst_error(&truth, scene, results[i].method);
-        }
-        report_scene(report, scene, results, n);
+    timing_measure(jobs, n_jobs, timing);
+    truth_compute(&truth, scene);
+    for (size_t i = 0, k = 0; i < n; i++) {
+        results[i].ns = jobs[k++].best_ns;
+        if (results[i].method->chain)
+            results[i].ns_chained = jobs[k++].best_ns;
+        results[i].error = truth_worst_error(&truth, scene, results[i].method);
+        report_row(report, scene, &results[i]);
     }
     inputs_free(&in);
 }
@@ -162,76 +156,37 @@ static size_t large_elements(void)
     return (size_t)bytes / sizeof(double);
 }
 
+/* The library from a speed, and copies, on arrays larger than the cache */
 static void measure_large(struct report *report, const struct methods *methods, const struct scene *scene)
 {
     static struct task tasks[ROWS];
     static struct job jobs[ROWS];
-    static struct result results[ROWS];
     const size_t elements = large_elements();
     double *const in = doubles(elements), *const out = doubles(elements);
     scene_speeds(scene, in, SCALARS);
     for (size_t i = SCALARS; i < elements; i += SCALARS)
         memcpy(in + i, in, sizeof *in * (elements - i < SCALARS ? elements - i : SCALARS));
     size_t n = 0;
-    for (size_t i = 0; i < methods->n; i++) {
-        const struct method *const m = &methods->row[i];
-        if (!(m->flags & LARGE) || !belongs(m, scene))
-            continue;
-        results[n] = (struct result){m, NAN, NAN, NAN};
-        tasks[n] = (struct task){m, scene, in, out, elements};
-        jobs[n] = (struct job){run_each, &tasks[n], (double)elements, NAN};
-        n++;
-    }
+    for (size_t i = 0; i < methods->n; i++)
+        if (methods->row[i].flags & LARGE) {
+            tasks[n] = (struct task){&methods->row[i], scene, in, out, elements};
+            jobs[n] = (struct job){run_each, &tasks[n], (double)elements, NAN};
+            n++;
+        }
     timing_measure(jobs, n, (struct timing){.sample_ns = 1, .rounds = 6, .slow_share = 1});
     for (size_t i = 0; i < n; i++)
-        results[i].throughput_ns = jobs[i].best_ns;
-    report_large(report, scene, results, n, elements);
+        report_row(report, scene, &(struct result){tasks[i].method, "large", jobs[i].best_ns, NAN, NAN});
     free(in);
     free(out);
 }
 
-static void add_for_report(struct methods *methods)
-{
-#ifdef COR_BENCH_REPORT
-    add_report_plain(methods);
-#ifdef COR_BENCH_HAS_AVX2
-    add_report_avx2(methods);
-#endif
-#ifdef COR_BENCH_HAS_AVX512
-    add_report_avx512(methods);
-#endif
-#else
-    fprintf(stderr, "bench: built without COR_BENCH_REPORT: no Pades, series and scene headers\n");
-#endif
-    add_report_published(methods);
-    add_report_integrators(methods);
-    add_floats(methods);
-}
-
-static int usage(void)
-{
-    fprintf(stderr, "usage: cor_bench DIRECTORY BUILD [--append] [--quick] [--no-large] [--report]\n"
-                    "DIRECTORY receives speed.csv and large.csv; BUILD names the build in them\n"
-                    "--report: every method that a user might choose, and a scene of weak dissipation\n");
-    return 2;
-}
-
 int main(int argc, char **argv)
 {
-    int append = 0, quick = 0, large = 1, whole = 0;
-    if (argc < 3)
-        return usage();
-    for (int i = 3; i < argc; i++) {
-        if (strcmp(argv[i], "--append") == 0)
-            append = 1;
-        else if (strcmp(argv[i], "--quick") == 0)
-            quick = 1;
-        else if (strcmp(argv[i], "--no-large") == 0)
-            large = 0;
-        else if (strcmp(argv[i], "--report") == 0)
-            whole = 1;
-        else
-            return usage();
+    const int quick = argc == 3 && strcmp(argv[2], "--quick") == 0;
+    if (argc != 2 + quick) {
+        fprintf(stderr, "usage: cor_bench DIRECTORY [--quick]\n"
+                        "DIRECTORY receives spheres_speed.csv and spheres_beta.csv\n");
+        return 2;
     }
     static struct methods methods;
     add_published(&methods);
@@ -244,24 +199,18 @@ int main(int argc, char **argv)
     add_embedded_avx512(&methods);
 #endif
     add_integrators(&methods);
-    if (whole)
-        add_for_report(&methods);
     add_copies(&methods);
 
     struct scene scenes[SCENES];
     scenes_init(scenes);
     struct report report;
-    report_open(&report, argv[1], argv[2], append);
-    const struct timing timing = {
-        .sample_ns = 4e5, .rounds = quick ? (whole ? 8 : 24) : (whole ? 64 : 128), .slow_share = 4};
+    report_open(&report, argv[1]);
+    const struct timing timing = {.sample_ns = 4e5, .rounds = quick ? 8 : 64, .slow_share = 4};
     for (int i = 0; i < SCENES; i++)
-        if (whole || !scenes[i].report_only)
-            measure_scene(&report, &methods, &scenes[i], timing);
-    if (large)
+        measure_scene(&report, &methods, &scenes[i], timing);
+    if (!quick)
         measure_large(&report, &methods, &scenes[0]);
-    if (!append)
-        truth_print_formulas();
-    printf("%s build: %d targets missed\n\n", report.build, report.missed);
     report_close(&report);
+    truth_print_formulas();
     return 0;
 }

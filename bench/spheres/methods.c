@@ -16,15 +16,3 @@ void methods_add(struct methods *methods, const struct method *method)
     }
     methods->row[methods->n++] = *method;
 }
-
-const char *end_name(enum end end)
-{
-    switch (end) {
-    case ZERO_OVERLAP:
-        return "overlap";
-    case ZERO_FORCE:
-        return "force";
-    default:
-        return "";
-    }
-}

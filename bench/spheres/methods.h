@@ -15,29 +15,23 @@ enum end { NO_END = -1, ZERO_OVERLAP, ZERO_FORCE };
 enum input { FROM_SPEED, FROM_BETA };
 
 enum {
-    BASELINE = 1,    /* times are given as ratios to this row */
-    ARRAY = 2,       /* one call for all; the arrays fit the first-level cache */
-    LARGE = 4,       /* timed on arrays larger than the last-level cache too */
-    COPY = 8,        /* the floor; of these the last one for the large arrays */
-    INTEGRATES = 16, /* microseconds each: fewer speeds */
-    FLOAT = 32       /* in and out are arrays of float; the error is of the float that is given */
+    ARRAY = 1,      /* one call for all; the arrays fit the first-level cache */
+    LARGE = 2,      /* timed on arrays larger than the last-level cache too */
+    INTEGRATES = 4, /* microseconds each: fewer speeds */
+    FLOAT = 8       /* in and out are arrays of float; the error is of the float that is given */
 };
 
 struct method {
-    char name[56];
-    char label[32];        /* at its point in the plot, without commas; none if empty */
-    char curve[24];        /* methods of one curve differ by their knob; empty: a point of its own */
-    const char *precision; /* what it promises: full, published, or a tolerance */
-    const char *scene;     /* the only scene that it knows, or NULL */
+    const char *curve;        /* methods of one curve differ by their setting and instructions */
+    char setting[32];         /* degrees, a tolerance, steps; empty: it has none */
+    const char *instructions; /* of loops and arrays; NULL: not chosen */
+    const char *scene;        /* the only scene that it knows, or NULL */
     enum end end;
     enum input input;
     unsigned flags;
-    int order; /* the knobs */
+    int order; /* the setting of integrators */
     double tolerance;
-    char setting[16]; /* the knob in words, where it is neither */
     const struct isa_row *isa;
-    double least_speed_up; /* targets: baseline's time over this one's, 0 for none */
-    double least_latency_gain;
 
     /* out[i] = eps(in[i]), independent of each other */
     void (*each)(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n);
@@ -53,38 +47,17 @@ struct methods {
 };
 
 void methods_add(struct methods *methods, const struct method *method);
-const char *end_name(enum end end);
 
-/* Each adds its rows; the baseline and the copy come first. */
+/* Each adds its rows. */
 void add_copies(struct methods *methods);
 void add_published(struct methods *methods);
 void add_library(struct methods *methods);
 void add_integrators(struct methods *methods);
 
-/* Of the report alone: what it adds to them, and float */
-void add_report_published(struct methods *methods);
-void add_report_integrators(struct methods *methods);
-void add_floats(struct methods *methods);
-
 /* methods_embedded.c, compiled with the flags of each of these */
 void add_embedded_plain(struct methods *methods);
-#ifdef COR_BENCH_HAS_AVX2
 void add_embedded_avx2(struct methods *methods);
-#endif
-#ifdef COR_BENCH_HAS_AVX512
 void add_embedded_avx512(struct methods *methods);
-#endif
-
-/* methods_report.c, likewise */
-#ifdef COR_BENCH_REPORT
-void add_report_plain(struct methods *methods);
-#ifdef COR_BENCH_HAS_AVX2
-void add_report_avx2(struct methods *methods);
-#endif
-#ifdef COR_BENCH_HAS_AVX512
-void add_report_avx512(struct methods *methods);
-#endif
-#endif
 
 /* A scalar loop stays one: without this, compilers make vectors of what they can inline. */
 #if defined __GNUC__

@@ -23,20 +23,10 @@ static void memcpy_each(const struct method *method, const struct scene *scene, 
 
 void add_copies(struct methods *methods)
 {
-    static const struct method loop = {
-        .name = "copy of the array, loop",
-        .precision = "",
-        .end = NO_END,
-        .flags = ARRAY | LARGE | COPY,
-        .each = loop_each,
+    static const struct method copies[] = {
+        {.curve = "copy", .setting = "loop", .end = NO_END, .flags = ARRAY | LARGE, .each = loop_each},
+        {.curve = "copy", .setting = "memcpy", .end = NO_END, .flags = ARRAY | LARGE, .each = memcpy_each},
     };
-    static const struct method block = {
-        .name = "copy of the array, memcpy",
-        .precision = "",
-        .end = NO_END,
-        .flags = ARRAY | LARGE | COPY,
-        .each = memcpy_each,
-    };
-    methods_add(methods, &loop);
-    methods_add(methods, &block);
+    methods_add(methods, &copies[0]);
+    methods_add(methods, &copies[1]);
 }

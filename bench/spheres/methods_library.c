@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* libcor: scalar functions, and arrays by instruction set. */
-#include <stdio.h>
-
+/* libcor: scalar functions, in float too, and arrays by instruction set. */
 #include "methods.h"
 
 SCALAR_METHOD(speed_zero_overlap, const struct cor_sphere_contact *const contact = &scene->contact,
@@ -10,6 +8,8 @@ SCALAR_METHOD(speed_zero_force, const struct cor_sphere_contact *const contact =
               cor_contact_eps_zero_force(contact, g))
 SCALAR_METHOD(beta_zero_overlap, , cor_sphere_eps_zero_overlap(g))
 SCALAR_METHOD(beta_zero_force, , cor_sphere_eps_zero_force(g))
+SCALAR_METHOD_OF(float, float_zero_overlap, , cor_sphere_eps_zero_overlapf(g))
+SCALAR_METHOD_OF(float, float_zero_force, , cor_sphere_eps_zero_forcef(g))
 
 static void array_each(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n)
 {
@@ -20,69 +20,47 @@ static void array_each(const struct method *method, const struct scene *scene, c
         (method->end == ZERO_OVERLAP ? isa->beta_zero_overlap : isa->beta_zero_force)(in, out, n);
 }
 
-static void add_scalars(struct methods *methods)
+static void float_array_each(const struct method *method, const struct scene *scene, const double *in, double *out,
+                             size_t n)
 {
-    static const struct method scalars[] = {
-        {.name = "cor, from speed",
-         .label = "cor",
-         .end = ZERO_OVERLAP,
-         .input = FROM_SPEED,
-         .each = speed_zero_overlap_each,
-         .chain = speed_zero_overlap_chain},
-        {.name = "cor, from speed",
-         .label = "cor",
-         .end = ZERO_FORCE,
-         .input = FROM_SPEED,
-         .each = speed_zero_force_each,
-         .chain = speed_zero_force_chain},
-        {.name = "cor, from beta",
-         .end = ZERO_OVERLAP,
-         .input = FROM_BETA,
-         .each = beta_zero_overlap_each,
-         .chain = beta_zero_overlap_chain},
-        {.name = "cor, from beta",
-         .end = ZERO_FORCE,
-         .input = FROM_BETA,
-         .each = beta_zero_force_each,
-         .chain = beta_zero_force_chain},
-    };
-    for (size_t i = 0; i < sizeof scalars / sizeof *scalars; i++) {
-        struct method method = scalars[i];
-        method.precision = "full";
-        if (method.input == FROM_SPEED) {
-            method.least_speed_up = 1;
-            method.least_latency_gain = 1 / 1.2;
-        }
-        methods_add(methods, &method);
-    }
+    (void)scene;
+    (method->end == ZERO_OVERLAP ? cor_sphere_eps_zero_overlap_arrayf
+                                 : cor_sphere_eps_zero_force_arrayf)((const void *)in, (void *)out, n);
 }
 
-static void add_array(struct methods *methods, const struct isa_row *isa, enum input input, enum end end)
-{
-    struct method method = {
-        .precision = "full", .end = end, .input = input, .flags = ARRAY, .isa = isa, .each = array_each};
-    snprintf(method.name, sizeof method.name, "cor array, from %s, %s", input == FROM_SPEED ? "speed" : "beta",
-             isa->name);
-    snprintf(method.label, sizeof method.label, "%s", isa->label);
-    if (input == FROM_SPEED) {
-        method.flags |= LARGE;
-        method.least_speed_up = isa->least_speed_up ? isa->least_speed_up() : 0;
+#define CALL(CURVE, END, INPUT, FLAGS, NAME)                                                                           \
+    {                                                                                                                  \
+        .curve = CURVE, .end = END, .input = INPUT, .flags = FLAGS, .each = NAME##_each, .chain = NAME##_chain         \
     }
-    methods_add(methods, &method);
-}
+static const struct method calls[] = {
+    CALL("cor", ZERO_OVERLAP, FROM_SPEED, 0, speed_zero_overlap),
+    CALL("cor", ZERO_FORCE, FROM_SPEED, 0, speed_zero_force),
+    CALL("cor", ZERO_OVERLAP, FROM_BETA, 0, beta_zero_overlap),
+    CALL("cor", ZERO_FORCE, FROM_BETA, 0, beta_zero_force),
+    CALL("cor float", ZERO_OVERLAP, FROM_BETA, FLOAT, float_zero_overlap),
+    CALL("cor float", ZERO_FORCE, FROM_BETA, FLOAT, float_zero_force),
+};
 
 void add_library(struct methods *methods)
 {
-    add_scalars(methods);
-    for (size_t i = 0; i < isa_row_count; i++) {
-        const struct isa_row *const isa = &isa_rows[i];
-        if (!isa->available())
-            continue;
-        for (enum end end = ZERO_OVERLAP; end <= ZERO_FORCE; end++)
-            if (end == ZERO_OVERLAP ? isa->speed_zero_overlap : isa->speed_zero_force)
-                add_array(methods, isa, FROM_SPEED, end);
-        for (enum end end = ZERO_OVERLAP; end <= ZERO_FORCE; end++)
-            if (end == ZERO_OVERLAP ? isa->beta_zero_overlap : isa->beta_zero_force)
-                add_array(methods, isa, FROM_BETA, end);
+    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
+        methods_add(methods, &calls[i]);
+    for (enum end end = ZERO_OVERLAP; end <= ZERO_FORCE; end++) {
+        methods_add(methods, &(struct method){.curve = "cor float",
+                                              .instructions = "as shipped",
+                                              .end = end,
+                                              .input = FROM_BETA,
+                                              .flags = FLOAT | ARRAY,
+                                              .each = float_array_each});
+        for (size_t i = 0; i < isa_row_count; i++)
+            for (enum input input = FROM_SPEED; input <= FROM_BETA; input++)
+                if (isa_rows[i].available())
+                    methods_add(methods, &(struct method){.curve = "cor",
+                                                          .instructions = isa_rows[i].name,
+                                                          .end = end,
+                                                          .input = input,
+                                                          .flags = ARRAY | (input == FROM_SPEED ? LARGE : 0),
+                                                          .isa = &isa_rows[i],
+                                                          .each = array_each});
     }
 }

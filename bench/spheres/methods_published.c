@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What a user writes today, as it is printed. */
 #include <math.h>
-#include <stdio.h>
 
 #include "methods.h"
 
@@ -24,47 +23,33 @@ SCALAR_METHOD(published_beta, , published(-COR_SPHERE_C1 *g))
 SCALAR_METHOD(mueller_poeschel_beta, , mueller_poeschel(sqrt(g)))
 SCALAR_METHOD(simple_beta, , cor_sphere_eps_simple(g))
 
-void add_report_published(struct methods *methods)
+void add_published(struct methods *methods)
 {
-    const struct method rows[] = {
-        {.name = "the published [1/4] Pade",
+    static const struct method rows[] = {
+        {.setting = "[1/4] of Table I", .end = ZERO_OVERLAP, .each = published_each, .chain = published_chain},
+        {.setting = "Müller & Pöschel [1/4]",
+         .end = ZERO_FORCE,
+         .each = mueller_poeschel_each,
+         .chain = mueller_poeschel_chain},
+        {.setting = "[1/4] of Table I",
          .end = ZERO_OVERLAP,
+         .input = FROM_BETA,
          .each = published_beta_each,
          .chain = published_beta_chain},
-        {.name = "Mueller & Poeschel's [1/4]",
+        {.setting = "Müller & Pöschel [1/4]",
          .end = ZERO_FORCE,
+         .input = FROM_BETA,
          .each = mueller_poeschel_beta_each,
          .chain = mueller_poeschel_beta_chain},
-        {.name = "the simple theory (27)", .end = ZERO_OVERLAP, .each = simple_beta_each, .chain = simple_beta_chain},
+        {.setting = "simple theory (27)",
+         .end = ZERO_OVERLAP,
+         .input = FROM_BETA,
+         .each = simple_beta_each,
+         .chain = simple_beta_chain},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct method method = rows[i];
-        method.precision = "published";
-        method.input = FROM_BETA;
-        snprintf(method.curve, sizeof method.curve, "published");
+        method.curve = "published";
         methods_add(methods, &method);
     }
-}
-
-void add_published(struct methods *methods)
-{
-    static const struct method baseline = {
-        .name = "pow(g/g*, 0.2) and the published [1/4] Pade",
-        .label = "pow + published Padé",
-        .precision = "published",
-        .end = ZERO_OVERLAP,
-        .flags = BASELINE,
-        .each = published_each,
-        .chain = published_chain,
-    };
-    static const struct method later = {
-        .name = "pow(g, 0.1) and Mueller & Poeschel's [1/4]",
-        .label = "pow + Müller & Pöschel",
-        .precision = "published",
-        .end = ZERO_FORCE,
-        .each = mueller_poeschel_each,
-        .chain = mueller_poeschel_chain,
-    };
-    methods_add(methods, &baseline);
-    methods_add(methods, &later);
 }

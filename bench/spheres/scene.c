@@ -9,8 +9,7 @@ void scenes_init(struct scene scenes[SCENES])
     static const struct scene table[SCENES] = {
         {.name = "ordinary", .g_star = 0.2, .speed_min = 0.001, .speed_max = 10},   /* 0.30 <= beta <= 1.90 */
         {.name = "strong", .g_star = 0.00063, .speed_min = 0.001, .speed_max = 10}, /* 0.95 <= beta <= 6.00 */
-        {.name = "two decades", .g_star = 0.2, .speed_min = 0.1, .speed_max = 10, .embedded_only = 1},
-        {.name = "weak", .g_star = 40000, .speed_min = 0.001, .speed_max = 10, .report_only = 1}, /* 0.03 to 0.19 */
+        {.name = "weak", .g_star = 40000, .speed_min = 0.001, .speed_max = 10},     /* 0.03 <= beta <= 0.19 */
     };
     for (int i = 0; i < SCENES; i++) {
         scenes[i] = table[i];

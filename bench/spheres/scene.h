@@ -11,12 +11,10 @@ struct scene {
     const char *name;
     double g_star; /* m/s, as all speeds; fixes the contact */
     double speed_min, speed_max;
-    int embedded_only; /* a scene for embedded headers, beside the baseline */
-    int report_only;
     struct cor_sphere_contact contact;
 };
 
-enum { SCENES = 4 };
+enum { SCENES = 3 };
 
 /* The scenes, with their contacts filled. */
 void scenes_init(struct scene scenes[SCENES]);

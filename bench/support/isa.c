@@ -26,12 +26,6 @@ int isa_has_avx512(void)
     return SUPPORTS("avx512f") && SUPPORTS("avx512dq") && SUPPORTS("avx512vl");
 }
 
-/* What the library owes on this machine. */
-static int shipped_target(void)
-{
-    return isa_has_avx512() ? 6 : isa_has_avx2() ? 4 : 0;
-}
-
 /* One set of sphere_array.h; a shared libcor shows none of them. */
 #ifndef COR_BENCH_SHARED
 #define SET(i, set)                                                                                                    \
@@ -58,36 +52,21 @@ static int shipped_target(void)
 SET(0, portable)
 SET(1, avx2)
 SET(2, avx512)
-#define SET_ROW(name, label, set, target)                                                                              \
+#define SET_ROW(name, set)                                                                                             \
     {                                                                                                                  \
-        name, label, set##_available, set##_speed_overlap, set##_speed_force, set##_beta_overlap, set##_beta_force,    \
-            target                                                                                                     \
+        name, set##_available, set##_speed_overlap, set##_speed_force, set##_beta_overlap, set##_beta_force            \
     }
-
-static int no_target(void)
-{
-    return 0;
-}
-
-static int avx2_target(void)
-{
-    return 4;
-}
-
-static int avx512_target(void)
-{
-    return 6;
-}
 #endif
 
 const struct isa_row isa_rows[] = {
 #ifndef COR_BENCH_SHARED
-    SET_ROW("portable", "", portable, no_target),
-    SET_ROW("AVX2", "AVX2", avx2, avx2_target),
-    SET_ROW("AVX-512", "", avx512, avx512_target),
+    SET_ROW("portable", portable),
+    SET_ROW("AVX2", avx2),
+    SET_ROW("AVX-512", avx512),
+#else
+    {"as shipped", isa_always, cor_contact_eps_zero_overlap_array, cor_contact_eps_zero_force_array,
+     cor_sphere_eps_zero_overlap_array, cor_sphere_eps_zero_force_array},
 #endif
-    {"as shipped", "cor array", isa_always, cor_contact_eps_zero_overlap_array, cor_contact_eps_zero_force_array,
-     cor_sphere_eps_zero_overlap_array, cor_sphere_eps_zero_force_array, shipped_target},
 };
 
 const size_t isa_row_count = sizeof isa_rows / sizeof *isa_rows;

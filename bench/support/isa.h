@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The library's arrays, as shipped and one instruction set at a time. To add a row: one entry in isa.c. */
+/* The library's arrays, one instruction set at a time; as shipped where a shared library hides the sets. To add a row: one entry in isa.c. */
 #ifndef COR_BENCH_SUPPORT_ISA_H
 #define COR_BENCH_SUPPORT_ISA_H
 
@@ -11,12 +11,10 @@ typedef void isa_speed(const struct cor_sphere_contact *, const double *, double
 typedef void isa_beta(const double *, double *, size_t);
 
 struct isa_row {
-    const char *name;       /* in the table */
-    const char *label;      /* in the plot, "" for none */
+    const char *name;
     int (*available)(void); /* whether this machine can run it */
     isa_speed *speed_zero_overlap, *speed_zero_force;
-    isa_beta *beta_zero_overlap, *beta_zero_force; /* NULL: no such row */
-    int (*least_speed_up)(void);                   /* from speed, against the baseline; 0 for no target */
+    isa_beta *beta_zero_overlap, *beta_zero_force;
 };
 
 extern const struct isa_row isa_rows[];

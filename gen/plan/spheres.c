@@ -24,7 +24,7 @@
 #define TEXT_OF(x) TEXT_OF_(x)
 enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, PADE_COEFFICIENTS = 64, ROOT_REFINEMENT = 2, TEXT = 1024 };
 
-/* ns of a call and in a loop, measured once: published formulas and the library by bench/run --speed, the others as
+/* ns of a call and in a loop, measured once: published formulas and the library by bench/run spheres, the others as
  * docs/plan.md says. */
 static const struct cost {
     double call, loop;

@@ -2,8 +2,8 @@
 /* Ways to sum a cosine series over the angles phi_j = (j + 1/2) pi/(2 points) other than by a table: a recurrence, and
  * a fast Fourier transform. Built for this machine, with fused operations and -ffast-math, which the library's loops
  * are not. */
-#ifndef COR_BENCH_DISKS_COLLISION_SUMS_H
-#define COR_BENCH_DISKS_COLLISION_SUMS_H
+#ifndef COR_BENCH_DISKS_PHI_SUMS_H
+#define COR_BENCH_DISKS_PHI_SUMS_H
 
 #include <stddef.h>
 
