@@ -252,7 +252,7 @@ function rayleigh(    k, i, m, names, best, first) {
             if (first) printf "\nTolerances of the sum over all modes, nu = 0.33, from a table of 20000 modes:\n\n| v | tolerance | modes taken | time | true error | modes without the tail |\n|---|---|---|---|---|---|\n"
             first = 0
             k = row_of_disks("tolerance", "sum alone", speed[i], d_setting[i])
-            printf "| %s | %s | %d | %s | %s | %s |\n", short(speed[i]), short(d_setting[i]), modes[i], time(d_s[i]), d_error[i] != "" ? short(d_error[i]) : "", k ? short(modes[k]) : ""
+            printf "| %s | %s | %d | %s | %s | %s |\n", short(speed[i]), short(d_setting[i]), modes[i], time(d_s[i]), d_error[i] != "" ? short(d_error[i]) : "", k ? (modes[k] < 1e6 ? modes[k] : short(modes[k])) : ""
         }
     i = row_of_disks("loading", "cor_disk_modes_read"); k = row_of_disks("loading", "fgets and sscanf")
     if (i && k) printf "\n`cor_disk_modes_read` reads and checks a file of 1800 modes in %s; `sscanf`, without checks, takes %s times as long.\n", time(d_s[i]), times(d_s[k] / d_s[i])
@@ -317,8 +317,8 @@ function collisions(    k, i, m, names, best, errors, first) {
         printf "\n"
     }
     i = row_of_disks("collision forms", "RK4")
-    if (i) printf "\nBuilt with the flags of cor's loops, a step of Runge-Kutta 4 takes %s times as long if it evaluates every mode at every angle, as (40) and (44) are printed. It takes %s times as long if it computes cos and sin of omega t directly instead of by a recurrence.\n", \
-        times(d_s[row_of_disks("collision forms", "RK4; every mode at every angle")] / d_s[i]), times(d_s[row_of_disks("collision forms", "RK4; cos and sin anew")] / d_s[i])
+    if (i) printf "\nBuilt with the flags of cor's loops, a step of Runge-Kutta 4 takes %s times as long if it evaluates every mode at every angle, as (40) and (44) are printed.\n", \
+        times(d_s[row_of_disks("collision forms", "RK4; every mode at every angle")] / d_s[i])
     if (row_of_disks("collision modes", "cor 1e-03")) {
         printf "\nThe time of cor grows with the number of modes like N^%s at tolerance 1e-3 and N^%s at 1e-6, ", growth("collision modes", "cor 1e-03", "modes"), growth("collision modes", "cor 1e-06", "modes")
         printf "with the hardness of the wall like alpha^%s at 1e-3 and, as the collision becomes chaotic, like alpha^%s at 1e-6.\n", growth("collision alpha", "cor 1e-03", "alpha"), growth("collision alpha", "cor 1e-06", "alpha")

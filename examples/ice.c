@@ -17,7 +17,7 @@
 static const double measured_from = 0.015, measured_to = 5.1; /* cm/s */
 static const double published_g_star = 0.32;                  /* cm/s */
 
-enum { SAMPLES = 400, CURVE_POINTS = 301 };
+enum { SAMPLES = 400, CURVE_POINTS = 101 };
 static const double curve_from = 1e-3, curve_to = 10; /* cm/s, what --csv covers */
 
 /* eps at a speed, both speeds in cm/s */

@@ -29,7 +29,7 @@ unset key
 do for [i = 3:rows:2] {
     set label i sprintf(i == rows ? "v = %g" : "%g", v[i]) at 0.059, few[i] + few_slope[i]*0.0577 font small tc rgb black
 }
-plot for [i = 1:rows] [0:0.06] few[i] + few_slope[i]*x with lines lw 1 dt (6,4) lc rgb grey notitle, \
+plot for [i = 1:rows] [0:0.058] few[i] + few_slope[i]*x with lines lw 1 dt (6,4) lc rgb grey notitle, \
      for [i = 1:rows] [0:0.034] many[i] + many_slope[i]*x with lines lw 1.6 lc rgb blue notitle, \
      for [k = 1:6] csv using (1/sqrt(modes[k])):(column(k + 1)) skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red notitle
 

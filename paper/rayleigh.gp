@@ -8,7 +8,7 @@ slow = dir."/oscillation.csv"
 # Columns: 1 speed; nu = 0.33: 2 to 4 centre of mass (1800 modes, all modes, quadrupole), 5 to 7 diameter, 8 to 10 as
 # printed; nu = 0.9: 11 to 19 likewise. Of restitution.csv: 2 speed, 6 1 - eps^2, one block for each nu; of
 # oscillation.csv: 1 speed, 2 1 - eps^2
-set multiplot layout 1,2 title "Rayleigh's energy of a disk by datum, and 1 − ε^2 of the dynamics at a rigid wall" \
+set multiplot layout 1,2 title "Rayleigh's energy of a disk by datum, and 1 − ε^2  of the dynamics at a rigid wall" \
     margins 0.08,0.985,0.12,0.85 spacing 0.085
 set logscale xy
 set format "10^{%L}"

@@ -157,9 +157,7 @@ static void measure_forms(struct disk_bench *bench, const struct rival_disk *dis
     static const struct {
         const char *name;
         enum rival_rk4 form;
-    } forms[] = {{"RK4", RIVAL_RK4},
-                 {"RK4; cos and sin anew", RIVAL_RK4_RECOMPUTED},
-                 {"RK4; every mode at every angle", RIVAL_RK4_UNGROUPED}};
+    } forms[] = {{"RK4", RIVAL_RK4}, {"RK4; every mode at every angle", RIVAL_RK4_UNGROUPED}};
     enum { FORMS = sizeof forms / sizeof *forms };
     struct run run[FORMS];
     struct job job[FORMS];

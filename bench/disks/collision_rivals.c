@@ -248,21 +248,14 @@ static void rk4_free(struct rk4 *rk4)
 }
 
 /* exp(i omega t) half a step on */
-static void advance_phases(const struct rk4 *rk4, int from, int to, double time)
+static void advance_phases(const struct rk4 *rk4, int from, int to)
 {
-    const size_t modes = rk4->disk->modes;
     const double *restrict const c = rk4->cosine[from], *restrict const s = rk4->sine[from];
     double *restrict const c_to = rk4->cosine[to], *restrict const s_to = rk4->sine[to];
-    if (rk4->form == RIVAL_RK4_RECOMPUTED)
-        for (size_t i = 0; i < modes; i++) {
-            c_to[i] = cos(rk4->disk->omega[i] * time);
-            s_to[i] = sin(rk4->disk->omega[i] * time);
-        }
-    else
-        for (size_t i = 0; i < modes; i++) {
-            c_to[i] = c[i] * rk4->half_cos[i] - s[i] * rk4->half_sin[i];
-            s_to[i] = s[i] * rk4->half_cos[i] + c[i] * rk4->half_sin[i];
-        }
+    for (size_t i = 0; i < rk4->disk->modes; i++) {
+        c_to[i] = c[i] * rk4->half_cos[i] - s[i] * rk4->half_sin[i];
+        s_to[i] = s[i] * rk4->half_cos[i] + c[i] * rk4->half_sin[i];
+    }
 }
 
 /* The wall at a stage: Q = Re(q exp(-i omega t)) */
@@ -319,11 +312,10 @@ static double runge_kutta(const struct rival_disk *disk, enum rival_rk4 form, do
     double x0 = rival_first_position(disk), v = disk->speed, eps = RIVAL_NO_RESULT;
     const long most = (long)(patience / (disk->speed * h));
     for (*steps = 0; *steps < most && fabs(v) < 10 * disk->speed;) {
-        const double time = (double)*steps * h;
         memcpy(rk4.cosine[0], rk4.cosine[2], bytes);
         memcpy(rk4.sine[0], rk4.sine[2], bytes);
-        advance_phases(&rk4, 0, 1, time + 0.5 * h);
-        advance_phases(&rk4, 1, 2, time + h);
+        advance_phases(&rk4, 0, 1);
+        advance_phases(&rk4, 1, 2);
         memset(rk4.slope_re, 0, bytes);
         memset(rk4.slope_im, 0, bytes);
         static const int phase[4] = {0, 1, 1, 2};

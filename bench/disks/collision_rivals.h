@@ -19,8 +19,8 @@ enum { RIVAL_STRANG, RIVAL_YOSHIDA4, RIVAL_SRKN6_4, RIVAL_SRKN11_6, RIVAL_SRKN14
 extern const struct rival_splitting rival_splittings[RIVAL_SPLITTINGS];
 
 /* How the paper's Runge-Kutta method evaluates its right side: the sums over modes grouped by n, or every mode at every
- * angle; exp(i omega t) by a recurrence, or by cos and sin. */
-enum rival_rk4 { RIVAL_RK4, RIVAL_RK4_UNGROUPED, RIVAL_RK4_RECOMPUTED };
+ * angle. exp(i omega t) comes by a recurrence. */
+enum rival_rk4 { RIVAL_RK4, RIVAL_RK4_UNGROUPED };
 
 struct rival_disk {
     size_t modes, ns, width, angles; /* ns: n = 0 ... ns - 1; width: ns, filled up to a multiple of 4 */

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "support/table.h"
+
 void disk_must(int condition, const char *message)
 {
     if (!condition) {
@@ -23,23 +25,17 @@ void *disk_memory(size_t n, size_t size)
     return memset(memory, 0, bytes);
 }
 
-static void field(FILE *file, const char *format, double value)
-{
-    fputc(',', file);
-    if (!isnan(value))
-        fprintf(file, format, value);
-}
-
 void disk_csv(struct disk_bench *bench, const struct disk_row *row)
 {
     FILE *const files[2] = {bench->csv, stdout};
+    disk_must(!strchr(row->table, ',') && !strchr(row->method, ','), "a comma in a cell");
     for (int i = 0; i < 2; i++) {
         fprintf(files[i], "%s,%s", row->table, row->method);
-        field(files[i], "%.6g", row->speed);
-        field(files[i], "%.3g", row->setting);
-        field(files[i], "%.0f", row->modes ? (double)row->modes : NAN);
-        field(files[i], "%.4g", row->seconds);
-        field(files[i], "%.2e", row->error);
+        table_number(files[i], "%.6g", row->speed);
+        table_number(files[i], "%.4g", row->setting);
+        table_number(files[i], "%.0f", row->modes ? (double)row->modes : NAN);
+        table_number(files[i], "%.4g", row->seconds);
+        table_number(files[i], "%.2e", row->error);
         fputc('\n', files[i]);
     }
     fflush(stdout);

@@ -6,6 +6,7 @@
 #include <cor/status.h>
 
 #include "stages.h"
+#include "support/table.h"
 
 /* Modes from a file that may not be there. */
 static const struct cor_disk_modes *read_all(const char *path)
@@ -44,11 +45,7 @@ int main(int argc, char **argv)
     }
     if (bench.quick)
         bench.timing.rounds = 16;
-    char path[4096];
-    snprintf(path, sizeof path, "%s/disks.csv", argv[1]);
-    bench.csv = fopen(path, "w");
-    disk_must(bench.csv != NULL, "cannot write disks.csv");
-    fprintf(bench.csv, "table,method,speed,setting,modes,seconds,error\n");
+    bench.csv = table_open(argv[1], "disks.csv", "table,method,speed,setting,modes,seconds,error");
 
     disk_rayleigh(&bench);
     disk_tolerance(&bench);
@@ -59,8 +56,7 @@ int main(int argc, char **argv)
     collision_growth(&bench);
     collision_sums(&bench);
 
-    const int failed = ferror(bench.csv);
-    disk_must(fclose(bench.csv) == 0 && !failed, "cannot write disks.csv");
+    table_close(bench.csv);
     if (bench.all)
         free((void *)(size_t)bench.all->mode);
     return 0;

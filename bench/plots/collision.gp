@@ -33,7 +33,7 @@ plot csv using (ms($6)):(y("collision", "RK4")) skip 1 with linespoints pt 7 ps 
      csv using (ms($6)):(y(rivals, "SRKN 6-4")) skip 1 with linespoints pt 11 ps 0.6 lw 1.8 lc rgb green title "SRKN_6^4", \
      csv using (ms($6)):(y(rivals, "SRKN 11-6")) skip 1 with linespoints pt 13 ps 0.6 lw 1.8 lc rgb violet title "SRKN_{11}^6", \
      csv using (ms($6)):(y(rivals, "SRKN 14-6")) skip 1 with linespoints pt 13 ps 0.6 lw 1.8 dt (8,5) lc rgb violet title "SRKN_{14}^6", \
-     csv using (ms($6)):(y("collision cor's", "SRKN 11-6")) skip 1 with linespoints pt 6 ps 0.6 lw 1.4 lc rgb blue title "SRKN_{11}^6 on cor's loops", \
+     csv using (ms($6)):(y("collision cor's", "SRKN 11-6")) skip 1 with linespoints pt 6 ps 0.6 lw 1.4 lc rgb blue title "SRKN_{11}^6  on cor's loops", \
      csv using (ms($6)):(y("collision", "cor")) skip 1 with linespoints pt 7 ps 0.8 lw 2.4 lc rgb blue title "cor, to a tolerance"
 
 set title "α = 125, 250, ... 2000/R along each line"

@@ -11,6 +11,7 @@ named(n) = n == 3 || n == 100 || n == 1800 || n == 20000
 is_named(i) = strcol(1) eq "energy" && strcol(2) eq "truncation" && named(column(5)) ? column(7) : NaN
 ms(x) = 1e3*x
 
+set style textbox opaque noborder margins 0.3,0.3 fillcolor rgb "white"
 set logscale xy
 set format xy power
 set xrange [0.03:1e4]
@@ -29,7 +30,7 @@ plot csv using (ms($6)):(y("energy", "Runge-Kutta")) skip 1 with linespoints pt 
          title "cor, the sum over as many modes as written", \
      csv using (ms($6)):(y("energy", "cor")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 lc rgb blue \
          title "cor, to a tolerance", \
-     csv using (ms($6)):(is_named(0)):(strcol(5)) skip 1 with labels right offset -0.8,-0.1 tc rgb red font small notitle
+     csv using (ms($6)):(is_named(0)):(strcol(5)) skip 1 with labels left boxed offset 0.8,0 tc rgb red font small notitle
 set title "energy left in each of 1800 modes"
 set ylabel "largest relative error of a mode" offset 0.5
 set yrange [1e-13:1]

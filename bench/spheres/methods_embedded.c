@@ -28,28 +28,7 @@ static void add_full(struct methods *methods)
 
 #ifdef COR_BENCH_REPORT
 #include "approximants.h"
-#include "report_force_10.h"
-#include "report_force_12.h"
-#include "report_force_14.h"
-#include "report_force_2.h"
-#include "report_force_3.h"
-#include "report_force_4.h"
-#include "report_force_6.h"
-#include "report_force_8.h"
-#include "report_force_float_2.h"
-#include "report_force_float_4.h"
-#include "report_force_float_6.h"
-#include "report_overlap_10.h"
-#include "report_overlap_12.h"
-#include "report_overlap_14.h"
-#include "report_overlap_2.h"
-#include "report_overlap_3.h"
-#include "report_overlap_4.h"
-#include "report_overlap_6.h"
-#include "report_overlap_8.h"
-#include "report_overlap_float_2.h"
-#include "report_overlap_float_4.h"
-#include "report_overlap_float_6.h"
+#include "scene_headers.h"
 
 #ifdef __AVX2__
 enum { FORM = ARRAY };
@@ -78,32 +57,8 @@ APPROXIMANTS
 #undef X_force
 #endif
 
-/* CMakeLists.txt has the same list. */
-#define HEADERS(X)                                                                                                     \
-    X(double, 0, report_overlap_2, ZERO_OVERLAP, 1e-2)                                                                 \
-    X(double, 0, report_overlap_3, ZERO_OVERLAP, 1e-3)                                                                 \
-    X(double, 0, report_overlap_4, ZERO_OVERLAP, 1e-4)                                                                 \
-    X(double, 0, report_overlap_6, ZERO_OVERLAP, 1e-6)                                                                 \
-    X(double, 0, report_overlap_8, ZERO_OVERLAP, 1e-8)                                                                 \
-    X(double, 0, report_overlap_10, ZERO_OVERLAP, 1e-10)                                                               \
-    X(double, 0, report_overlap_12, ZERO_OVERLAP, 1e-12)                                                               \
-    X(double, 0, report_overlap_14, ZERO_OVERLAP, 1e-14)                                                               \
-    X(double, 0, report_force_2, ZERO_FORCE, 1e-2)                                                                     \
-    X(double, 0, report_force_3, ZERO_FORCE, 1e-3)                                                                     \
-    X(double, 0, report_force_4, ZERO_FORCE, 1e-4)                                                                     \
-    X(double, 0, report_force_6, ZERO_FORCE, 1e-6)                                                                     \
-    X(double, 0, report_force_8, ZERO_FORCE, 1e-8)                                                                     \
-    X(double, 0, report_force_10, ZERO_FORCE, 1e-10)                                                                   \
-    X(double, 0, report_force_12, ZERO_FORCE, 1e-12)                                                                   \
-    X(double, 0, report_force_14, ZERO_FORCE, 1e-14)                                                                   \
-    X(float, FLOAT, report_overlap_float_2, ZERO_OVERLAP, 1e-2)                                                        \
-    X(float, FLOAT, report_overlap_float_4, ZERO_OVERLAP, 1e-4)                                                        \
-    X(float, FLOAT, report_overlap_float_6, ZERO_OVERLAP, 1e-6)                                                        \
-    X(float, FLOAT, report_force_float_2, ZERO_FORCE, 1e-2)                                                            \
-    X(float, FLOAT, report_force_float_4, ZERO_FORCE, 1e-4)                                                            \
-    X(float, FLOAT, report_force_float_6, ZERO_FORCE, 1e-6)
 #define DEFINE(REAL, FLAG, NAME, END, TOLERANCE) FORM_OF(REAL, NAME, , NAME(g))
-HEADERS(DEFINE)
+SCENE_HEADERS(DEFINE)
 
 static void add_generated(struct methods *methods)
 {
@@ -129,7 +84,7 @@ static void add_generated(struct methods *methods)
 #endif
 #define HEADER_ROW(REAL, FLAG, NAME, END, TOLERANCE)                                                                   \
     ROW(FLAG ? "scene header float" : "scene header", #TOLERANCE, "ordinary", END, FROM_SPEED, FORM | (FLAG), NAME)
-    HEADERS(HEADER_ROW)
+    SCENE_HEADERS(HEADER_ROW)
 }
 #endif
 
