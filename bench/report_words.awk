@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # docs/speed/README.md from the tables beside it, and from nothing else:
-#     awk -f bench/report_words.awk docs/speed/*.csv
+#     awk -f bench/report_words.awk docs/speed/*.csv          (-v page=readme: the table of README.md; bench/words.sh)
 
 BEGIN { FS = "," }
 FNR == 1 { name = FILENAME; sub(/.*\//, "", name); sub(/\.csv$/, "", name); next }
@@ -126,10 +126,10 @@ function spheres(t, from, picture,    i, j, k, cor, array, s, where, scenes, end
             k = cheaper_than_cor(t, s, where, "scalar", "no scene")
             cor = cheapest(t, s, where, "scalar", "cor", 1e-14)
             if (k)
-                printf "\nOne at a time, what is cheaper than cor (%s ns, error %s) and knows no scene is wrong by %s or more (%s, %s ns).\n", \
+                printf "\nOne at a time, every method that is cheaper than cor (%s ns, error %s) and holds for every scene has an error of %s or more (%s, %s ns).\n", \
                     plain_ns(ns[t, cor]), short(error[t, cor]), short(error[t, k]), call_it(t, k), plain_ns(ns[t, k])
             else
-                printf "\nOne at a time, nothing that knows no scene is cheaper than cor (%s ns, error %s).\n", \
+                printf "\nOne at a time, no method that holds for every scene is cheaper than cor (%s ns, error %s).\n", \
                     plain_ns(ns[t, cor]), short(error[t, cor])
         }
 }
@@ -147,10 +147,10 @@ function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j,
     c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
     a = cheapest(t, "ordinary", "overlap", "array", "cor", 1e-14)
     i = row_of(t, "ordinary", "overlap", "scalar", "published", "[1/4] of Table I")
-    printf "- **Spheres, any speed: cor.** One at a time %s ns from a speed, in arrays %s ns (%s), error %s. The published formula takes %s ns and is wrong by %s there, by a factor of %s where dissipation is strong: leave it.\n", \
+    printf "- **Spheres, any speed: cor.** One at a time %s ns from a speed, in arrays %s ns (%s), error %s. The published formula takes %s ns; its error is %s there, and a factor of %s where dissipation is strong. Do not use it.\n", \
         plain_ns(ns[t, c]), plain_ns(ns[t, a]), set[t, a], short(error[t, a]), plain_ns(ns[t, i]), short(error[t, i]), \
         times(1 + error[t, row_of(t, "strong", "overlap", "scalar", "published", "[1/4] of Table I")])
-    printf "  Where dissipation is weak, 0.03 <= beta <= 0.19, cor takes %s ns at zero overlap and %s ns at zero force; below beta = 1/256, where eps > 0.995, a fifth root comes on top.\n", \
+    printf "  Where dissipation is weak, 0.03 <= beta <= 0.19, cor takes %s ns at zero overlap and %s ns at zero force; below beta = 1/256, where eps > 0.995, it also takes a fifth root.\n", \
         plain_ns(ns[t, row_of(t, "weak", "overlap", "scalar", "cor", "")]), plain_ns(ns[t, row_of(t, "weak", "force", "scalar", "cor", "")])
     split("overlap force", ends, " ")
     least = 1e9; most = 0; tie = ""
@@ -163,8 +163,8 @@ function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j,
                     if (ns[t, k] + 0 > most) most = ns[t, k] + 0
                 } else if (tie == "" || setting[t, k] + 0 > tie + 0) tie = setting[t, k]
             }
-    printf "- **The range of speeds is known and an error is enough: a header by `corgen embed`**, %s to %s ns one at a time for four decades of speed", plain_ns(least), plain_ns(most)
-    if (tie != "") printf "; from a tolerance of %s on it is no cheaper than cor, and cor knows every speed", tie
+    printf "- **Spheres in a known range of speeds, with a known tolerance: a header by `corgen embed`**, %s to %s ns one at a time for four decades of speed", plain_ns(least), plain_ns(most)
+    if (tie != "") printf "; from a tolerance of %s on it is no cheaper than cor, which holds at every speed", tie
     printf ". In loops for AVX2:"
     n = 0
     for (k = 1; k <= rows[t]; k++)
@@ -175,31 +175,31 @@ function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j,
     i = least_error(t, "weak", "overlap", "scalar", "series")
     k = least_error(t, "ordinary", "overlap", "scalar", "series")
     x = cheaper_than_cor(t, "weak", "overlap", "scalar", "series")
-    printf "- **Series: only where dissipation is weak.** For beta up to 0.19, %s has an error of %s in %s ns%s; up to 1.9 the best order, %s, is wrong by a factor of %s: the series diverges.\n", \
+    printf "- **Series: only where dissipation is weak.** For beta up to 0.19, %s has an error of %s in %s ns%s. Up to 1.9 the error of the best order, %s, is a factor of %s, because the series diverges.\n", \
         setting[t, i], short(error[t, i]), plain_ns(ns[t, i]), \
         (x && x != i ? " (" setting[t, x] ", " short(error[t, x]) " in " plain_ns(ns[t, x]) " ns)" : ""), setting[t, k], times(1 + error[t, k])
     i = cheaper_than_cor(t, "ordinary", "overlap", "scalar", "Padé")
     k = cheaper_than_cor(t, "ordinary", "force", "scalar", "Padé")
     if (i && k)
-        printf "- **A Padé with right coefficients, from beta:** at zero overlap %s, error %s in %s ns, at zero force %s, %s in %s ns, are the best that are cheaper than cor up to beta = 1.9; beyond, look at the tables.\n", \
+        printf "- **A Padé approximant with correct coefficients, from beta:** up to beta = 1.9 the best ones cheaper than cor are %s at zero overlap, error %s in %s ns, and %s at zero force, %s in %s ns. The tables below have larger beta.\n", \
             setting[t, i], short(error[t, i]), plain_ns(ns[t, i]), setting[t, k], short(error[t, k]), plain_ns(ns[t, k])
     i = row_of(t, "strong", "overlap", "scalar", "Padé", "[12/20]")
     k = row_of(t, "strong", "overlap", "scalar", "two-point Padé", "[12/17]")
-    printf "- **Two-point Padés** hold for every beta, but converge slowly in between: up to beta = 6, [12/17] has an error of %s, the ordinary [12/20] %s.\n", \
+    printf "- **Two-point Padé approximants** hold for every beta, but converge slowly at medium beta: up to beta = 6 the error of [12/17] is %s, that of the ordinary [12/20] %s.\n", \
         short(error[t, k]), (error[t, i] > 1 ? "a factor of " times(1 + error[t, i]) : short(error[t, i]))
     i = row_of(t, "ordinary", "overlap", "scalar", "cor float", "")
     c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
     a = row_of(t, "ordinary", "overlap", "array", "cor float", "")
-    printf "- **float**: error %s (of the float that is given), %s ns against %s ns in double, arrays %s ns: take it to save memory%s.\n", short(error[t, i]), \
+    printf "- **float**: error %s (for the float argument), %s ns against %s ns in double, arrays %s ns. It saves memory%s.\n", short(error[t, i]), \
         plain_ns(ns[t, i]), plain_ns(ns[t, c]), plain_ns(ns[t, a]), (ns[t, i] > 0.9 * ns[t, c] ? ", not time" : "")
     t = "spheres_speed"
     i = cheapest(t, "ordinary", "overlap", "scalar", "Taylor", 2e-9)
     k = cheapest(t, "ordinary", "overlap", "scalar", "Runge-Kutta", 2e-9)
     x = row_of(t, "ordinary", "overlap", "scalar", "Verlet", "100 steps")
     c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
-    printf "- **Integrating the collision** costs %s times cor by Taylor's method for an error of %s", times(ns[t, i] / ns[t, c]), short(error[t, i])
-    if (k) printf ", %s times by Runge and Kutta's for %s", times(ns[t, k] / ns[t, c]), short(error[t, k])
-    printf ". Velocity Verlet with the 100 steps in a contact of a simulator has an error of %s, with 1000 of %s.\n", short(error[t, x]), \
+    printf "- **Integrating the collision** costs %s times cor's time by a Taylor method with an error of %s", times(ns[t, i] / ns[t, c]), short(error[t, i])
+    if (k) printf ", and %s times by a Runge-Kutta method with %s", times(ns[t, k] / ns[t, c]), short(error[t, k])
+    printf ". Velocity Verlet with 100 steps in a contact, as in a simulator, has an error of %s, with 1000 steps %s.\n", short(error[t, x]), \
         short(error[t, row_of(t, "ordinary", "overlap", "scalar", "Verlet", "1000 steps")])
 }
 
@@ -228,7 +228,7 @@ function least_disk_error(t, m,    i, best) {
 function timed(i) { return i ? time(d_s[i]) ", " short(d_error[i]) : "" }
 
 function rayleigh(    k, i, m, names, best, first) {
-    printf "\n## Disks: Rayleigh's energy\n\n![error against time, Rayleigh](rayleigh.svg)\n\nEnergy in all modes, nu = 0.33, v = 1e-3, the cheapest of each way:\n\n"
+    printf "\n## Disks: Rayleigh's energy\n\n![error against time, Rayleigh](rayleigh.svg)\n\nEnergy in all modes, Poisson's ratio nu = 0.33, impact speed v = 1e-3, the fastest run of each method:\n\n"
     printf "| error at most | cor to a tolerance | cor, a plain sum | cosine integrals | Runge-Kutta |\n|---|---|---|---|---|\n"
     split("cor truncation cosines Runge-Kutta", names, " ")
     for (k = 1; k <= 7; k++) {
@@ -255,7 +255,7 @@ function rayleigh(    k, i, m, names, best, first) {
             printf "| %s | %s | %d | %s | %s | %s |\n", short(speed[i]), short(d_setting[i]), modes[i], time(d_s[i]), d_error[i] != "" ? short(d_error[i]) : "", k ? (modes[k] < 1e6 ? modes[k] : short(modes[k])) : ""
         }
     i = row_of_disks("loading", "cor_disk_modes_read"); k = row_of_disks("loading", "fgets and sscanf")
-    if (i && k) printf "\nA file of 1800 modes is read, and checked line by line, in %s; `sscanf`, which checks nothing, takes %s times as long.\n", time(d_s[i]), times(d_s[k] / d_s[i])
+    if (i && k) printf "\n`cor_disk_modes_read` reads and checks a file of 1800 modes in %s; `sscanf`, without checks, takes %s times as long.\n", time(d_s[i]), times(d_s[k] / d_s[i])
 }
 
 function use_rayleigh(    i, k, own) {
@@ -305,7 +305,7 @@ function growth(t, m, column,    i, n, x, y) {
 
 function collisions(    k, i, m, names, best, errors, first) {
     printf "\n## Disks: collisions in full\n\n![error against time, collisions](collision.svg)\n\n"
-    printf "A collision of 940 modes, nu = 0.33, alpha = 500, v = 0.1, the cheapest within an error of eps. The rivals are built twice, with the flags of cor's own loops and for the machine (-O3 -march=native -ffast-math), and each entry is the faster of the two. A method has an error only where it keeps it with every smaller step:\n\n"
+    printf "A collision of 940 modes, Poisson's ratio nu = 0.33, hardness of the wall alpha = 500, impact speed v = 0.1: the fastest run of each method within an error of eps. The other methods are built twice, with the flags of cor's own loops and for the machine (-O3 -march=native -ffast-math); an entry is the faster of the two. A method counts for an error only if every smaller step keeps it:\n\n"
     printf "| error at most | cor | Runge-Kutta 4 | Strang | Yoshida 4 | SRKN 6-4 | SRKN 11-6 | SRKN 14-6 |\n|---|---|---|---|---|---|---|---|\n"
     split("cor;RK4;Strang;Yoshida 4;SRKN 6-4;SRKN 11-6;SRKN 14-6", names, ";")
     for (k = 3; k <= 12; k++) {
@@ -317,16 +317,16 @@ function collisions(    k, i, m, names, best, errors, first) {
         printf "\n"
     }
     i = row_of_disks("collision forms", "RK4")
-    if (i) printf "\nWith the flags of cor's loops, a step of Runge-Kutta 4 takes %s times as long where every mode is evaluated at every angle, as (40) and (44) are printed.\n", \
+    if (i) printf "\nBuilt with the flags of cor's loops, a step of Runge-Kutta 4 takes %s times as long if it evaluates every mode at every angle, as (40) and (44) are printed.\n", \
         times(d_s[row_of_disks("collision forms", "RK4; every mode at every angle")] / d_s[i])
     if (row_of_disks("collision modes", "cor 1e-03")) {
         printf "\nThe time of cor grows with the number of modes like N^%s at tolerance 1e-3 and N^%s at 1e-6, ", growth("collision modes", "cor 1e-03", "modes"), growth("collision modes", "cor 1e-06", "modes")
-        printf "with the hardness of the wall like alpha^%s and, as the collision becomes chaotic, alpha^%s.\n", growth("collision alpha", "cor 1e-03", "alpha"), growth("collision alpha", "cor 1e-06", "alpha")
+        printf "with the hardness of the wall like alpha^%s at 1e-3 and, as the collision becomes chaotic, like alpha^%s at 1e-6.\n", growth("collision alpha", "cor 1e-03", "alpha"), growth("collision alpha", "cor 1e-06", "alpha")
     }
     first = 1
     for (i = 1; i <= rows["disks"]; i++)
         if (table[i] == "collision sums") {
-            if (first) printf "\nSums over the angles, from the modes to the rim and back; only the angles near the contact matter:\n\n| way | modes | angles | all of them | half | a quarter |\n|---|---|---|---|---|---|\n"
+            if (first) printf "\nTime of the sums over the angles, from the modes to the rim and back, over all angles or those near the contact:\n\n| way | modes | angles | all of them | half | a quarter |\n|---|---|---|---|---|---|\n"
             first = 0
             printf "| %s | %d | %d | %s |", method[i], modes[i], d_setting[i], time(d_s[i])
             for (m = 1; m <= 2; m++) {
@@ -335,7 +335,7 @@ function collisions(    k, i, m, names, best, errors, first) {
             }
             printf "\n"
         }
-    printf "\nDistance to a disk of all its modes at a hard wall, as far as that is known (`cor_disk_eps`, its uncertainty), kept with more modes:\n\n"
+    printf "\nDistance to eps of all modes at a hard wall (`cor_disk_eps`, within its uncertainty), not exceeded with more modes:\n\n"
     printf "| error at most | v = 0.1: modes, alpha, time | v = 0.01: modes, alpha, time |\n|---|---|---|\n"
     split("0.02 0.01 0.005 0.002 0.001", errors, " ")
     for (k = 1; k <= 5; k++) {
@@ -351,13 +351,13 @@ function collisions(    k, i, m, names, best, errors, first) {
 function use_collisions(    i, k, m, x, t) {
     i = best_collision("cor", 1e-4); k = best_collision("any rival", 1e-4)
     m = best_collision("cor", 1e-8); x = best_collision("any rival", 1e-8); t = best_collision("RK4", 1e-8)
-    printf "- **Disks, one collision of a given disk and wall: `cor_disk_collision` with the tolerance that you need.** 940 modes at alpha = 500: error 1e-4 in %s, 1e-8 in %s (tolerance %s). The best that a user would write takes %s times as long at 1e-4 (%s) and %s times at 1e-8 (%s), the paper's Runge-Kutta method %s times.\n", \
+    printf "- **Disks, one collision with a given wall: `cor_disk_collision` with the tolerance that you need.** 940 modes at alpha = 500: error 1e-4 in %s, 1e-8 in %s (tolerance %s). The fastest other method takes %s times as long at 1e-4 (%s) and %s times at 1e-8 (%s); the paper's Runge-Kutta method takes %s times as long at 1e-8.\n", \
         time(d_s[i]), time(d_s[m]), d_setting[m], times(d_s[k] / d_s[i]), method[k], times(d_s[x] / d_s[m]), method[x], times(d_s[t] / d_s[m])
     i = row_of_disks("collision models", "cor_disk_eps", "0.1"); k = row_of_disks("collision models", "Rayleigh", "0.01")
     m = best_model("0.1", 0.005)
-    printf "- **Disks, eps at a hard wall: `cor_disk_eps`**, %s, uncertain by %s at v = 0.1. A collision to the same end is wrong by what its wall and its modes leave out, not by its tolerance: within 0.005 takes %s (%d modes, alpha = %d).", \
+    printf "- **Disks, eps at a hard wall: `cor_disk_eps`**, %s, uncertain by %s at v = 0.1. The error of a single collision in its place comes from its soft wall and its missing modes, not from its tolerance: an error of 0.005 takes %s (%d modes, alpha = %d).", \
         time(d_s[i]), short(d_error[i]), time(d_s[m]), modes[m], d_setting[m]
-    printf " Rayleigh's energy, by perturbation, misses eps by %s at v = 0.01 and by %s at 0.1.\n", short(d_error[k]), short(d_error[row_of_disks("collision models", "Rayleigh", "0.1")])
+    printf " Rayleigh's energy, first-order perturbation, gives eps with an error of %s at v = 0.01 and %s at 0.1.\n", short(d_error[k]), short(d_error[row_of_disks("collision models", "Rayleigh", "0.1")])
 }
 
 # ---- the generator ----
@@ -386,17 +386,38 @@ function memory(c, f, v,    p) {
 
 function generator(    i) {
     printf "\n## The generator\n\n![order and digits against time and memory](generator.svg)\n\n"
-    printf "| corgen | fixed | | time | memory | most of it |\n|---|---|---|---|---|---|\n"
+    printf "| corgen | fixed | | time | memory | most expensive step |\n|---|---|---|---|---|---|\n"
     for (i = 1; i <= rows["generator"]; i++)
         printf "| %s | %s | %s %s | %s | %.0f MB | %s |\n", command[i], fixed[i], varied[i], value[i], time(g_s[i]), g_mb[i], step[i]
-    printf "\nFrom order 20 on, `series` to 40 digits takes time like order^%s and %s, `trajectory` of 20 terms time like order^%s and %s. A collision at beta = 1 takes time like digits^%s from 20 digits on.\n", \
+    printf "\nFrom order 20 on, `series` to 40 digits takes time like order^%s and %s. `trajectory` of 20 terms takes time like order^%s and %s. A collision at beta = 1 takes time like digits^%s from 20 digits on.\n", \
         slope("series", "40 digits", "order", "s"), memory("series", "40 digits", "order"), \
         slope("trajectory", "20 terms", "order", "s"), memory("trajectory", "20 terms", "order"), slope("collide", "beta 1", "digits", "s")
 }
 
+# The table of README.md: the ordinary scene, contacts that end at zero overlap
+function readme_row(name, i, loop) {
+    printf "| %s | %s | %s | %s |\n", name, short(error["spheres_speed", i]), plain_ns(ns["spheres_speed", i]), \
+        loop ? plain_ns(ns["spheres_speed", loop]) " (" set["spheres_speed", loop] ")" : ""
+}
+
+function readme(    t, s, e) {
+    t = "spheres_speed"; s = "ordinary"; e = "overlap"
+    printf "| eps from a speed, 0.3 <= beta <= 1.9 | largest relative error | ns, one call | ns, in a loop |\n|---|---|---|---|\n"
+    readme_row("published Padé of 1999, with `pow`", row_of(t, s, e, "scalar", "published", "[1/4] of Table I"))
+    readme_row("velocity Verlet, 100 steps in a contact", row_of(t, s, e, "scalar", "Verlet", "100 steps"))
+    readme_row("Taylor series of the motion, tolerance 1e-9", row_of(t, s, e, "scalar", "Taylor", "1e-09"))
+    readme_row("header by `corgen embed`, tolerance 1e-6", row_of(t, s, e, "scalar", "scene header", "1e-6"), \
+        row_of(t, s, e, "array", "scene header", "1e-6", "AVX2"))
+    readme_row("**cor**, any speed", row_of(t, s, e, "scalar", "cor", ""), row_of(t, s, e, "array", "cor", "", "AVX2"))
+}
+
 END {
+    if (page == "readme") {
+        readme()
+        exit
+    }
     print "<!-- SPDX-License-Identifier: MIT -->\n# Speed against error\n"
-    print "Written by `bench/run` from the tables beside it (csv), which come from one run on one machine. Times are the least of many turns, on one core; look at ratios. Errors are relative and the largest found, but of collisions of disks: those are errors of eps.\n"
+    print "`bench/run` writes this page from the csv tables beside it, which come from one run on one machine. eps is the coefficient of restitution, g the impact speed, and beta the number, proportional to g^(1/5), on which eps of viscoelastic spheres depends ([derivation](../derivation.md), 1). A contact ends at zero overlap or at zero force. A time is the least of many turns on one core; compare ratios. An error is the largest found. Errors are relative; for collisions of disks they are errors of eps.\n"
     print "| | |\n|---|---|"
     for (i = 1; i <= machines; i++) printf "| %s | %s |\n", machine[i], machine_value[i]
     print "\n## Which to use\n"

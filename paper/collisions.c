@@ -262,11 +262,10 @@ static int write_collisions(FILE *csv, char verdict[VERDICT_SIZE])
     char reached[80] = "which all reach";
     if (off > 0)
         snprintf(reached, sizeof reached, "which %d of them, mostly chaotic, do not reach", off);
-    snprintf(
-        verdict, VERDICT_SIZE,
-        "%d collisions, each with the tolerance %g on eps, %s. No more than %d modes: the tables in the library end "
-        "there.",
-        count, COLLISION_TOLERANCE, reached, size[SIZES - 1]);
+    snprintf(verdict, VERDICT_SIZE,
+             "%d collisions, each with the tolerance %g on eps, %s. They have at most %d modes, as the tables in the "
+             "library.",
+             count, COLLISION_TOLERANCE, reached, size[SIZES - 1]);
     return 1;
 }
 

@@ -46,10 +46,10 @@ static int write_energies(FILE *csv, char verdict[VERDICT_SIZE])
         if (cor_disk_modes_nu033.mode[i].n == 0 && cor_disk_modes_nu033.mode[i].l == 2)
             other = closest.energy[i];
     snprintf(verdict, VERDICT_SIZE,
-             "Agrees: the quadrupole dominates, with %.1f %% of (pi/2) v^2 at closest approach, t = %.2f; the modes "
-             "have %.1f %%, those with l = 0 %.1f %%, those with n = 0 %.1f %%. The caption's (n = 0, l = 2) means n = "
-             "2, l = 0: the mode it names has %.2f %%. The caption gives neither v nor alpha nor the number of modes; "
-             "here those of Table 1.",
+             "Agrees: the quadrupole dominates, with %.1f %% of (pi/2) v^2 at closest approach, t = %.2f. All modes "
+             "hold %.1f %%, those with l = 0 %.1f %%, those with n = 0 %.1f %%. The caption's (n = 0, l = 2) means n "
+             "= 2, l = 0: the mode that it names has %.2f %%. The caption gives neither v nor alpha nor the number of "
+             "modes; those of Table 1 are used here.",
              100 * closest.energy[0], closest.time, 100 * all, 100 * of_l_0, 100 * of_n_0, 100 * other);
     return 1;
 }

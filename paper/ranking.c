@@ -110,12 +110,11 @@ static int write_ranking(FILE *csv, char verdict[VERDICT_SIZE])
     }
     int used = snprintf(
         verdict, VERDICT_SIZE,
-        "Agrees in that the quadrupole leads, then (3, 0), and in %d of the ten modes being among the first ten here; "
-        "the "
-        "averages of those with n > 0 are %.2f to %.2f times the printed ones. Not reproduced: the rows with n = 0 but "
-        "the first, whose modes hold a third of what is printed, the energies after the collision, %.2f to %.2f times "
-        "those printed (the ten together %.4f, printed %.4f, of 1 - eps^2 = %.4f here), and \"75 %% of the most "
-        "significant modes have n = 0\": of the first 100 here %.0f %%, of the first 300 %.0f %%.\n\n",
+        "Agrees: the quadrupole leads, then (3, 0), and %d of the ten modes are among the first ten here; the "
+        "averages of those with n > 0 are %.2f to %.2f times the printed ones. Not reproduced: the rows with n = 0 "
+        "except the first, whose modes hold a third of the printed energy; the energies after the collision, %.2f to "
+        "%.2f times the printed ones (all ten together %.4f, printed %.4f, of 1 - eps^2 = %.4f here); and \"75 %% of "
+        "the most significant modes have n = 0\": of the first 100 here %.0f %%, of the first 300 %.0f %%.\n\n",
         among_ten, low, high, low_after, high_after, sum, sum_printed, out.one_minus_eps2, share_of_n_0(entry, 100),
         share_of_n_0(entry, 300));
     for (int i = 0; i < RANKS; i++) {

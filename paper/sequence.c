@@ -140,10 +140,10 @@ static int write_sequence(FILE *csv, char verdict[VERDICT_SIZE])
         }
         snprintf(
             verdict, VERDICT_SIZE,
-            "Agrees: the oscillations after the collision can be seen. v = %g, nu = 0.33, alpha = %g, %d modes (the "
-            "caption gives v alone), true to scale; t = 0 is when a rigid disk would touch. The disk is closest at "
-            "t = %.2f, with delta = %.4f; at t = 3 it is %.2f broad and %.2f high. The contact lasts %.2f; in the "
-            "pictures after it the breadth is %.2f to %.2f.",
+            "Agrees: the oscillations after the collision are visible. v = %g, nu = 0.33, alpha = %g, %d modes (the "
+            "caption gives v alone), true to scale; a rigid disk would touch at t = 0. The disk is closest at t = "
+            "%.2f, with delta = %.4f; at t = 3 it is %.2f wide and %.2f high. The contact lasts %.2f; in the pictures "
+            "after it the width is %.2f to %.2f.",
             speed, alpha, MODES, film->time_of_closest, out.max_compression, extent[3].breadth, 2 * extent[3].height,
             out.contact_time, narrow, broad);
     }

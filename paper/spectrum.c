@@ -70,10 +70,10 @@ static int write_spectrum(FILE *csv, char verdict[VERDICT_SIZE])
     const struct census c = take_census(modes);
     snprintf(verdict, VERDICT_SIZE,
              "Agrees with the text: even rows for small l, an irregular mixture for l >> n, more tangential modes "
-             "than radial ones. The lowest %zu modes at nu = %g reach omega = %.3f and n = %d; %d have n = 0, %d of "
-             "the others move the rim more radially (|C| > |S|), %d more tangentially, and in %d of the %d with l "
-             ">= 20 n the ratio is beyond 10. The closest pair of one n is l = %d, %d of n = %d, %.1e apart, "
-             "relative; a search for changes of sign may step over such a pair, a count of the roots cannot.",
+             "than radial ones. The lowest %zu modes at nu = %g reach omega = %.3f and n = %d. %d of them have n = 0; "
+             "%d of the others move the rim more radially (|C| > |S|), %d more tangentially. In %d of the %d with l "
+             ">= 20 n the ratio exceeds 10. The closest pair of one n is l = %d, %d of n = %d, with a relative "
+             "distance of %.1e. A search for changes of sign may miss such a pair; a count of the roots cannot.",
              modes->count, modes->nu, modes->mode[modes->count - 1].omega, c.largest_n, c.breathing, c.radial,
              c.tangential, c.high_clear, c.high, c.closest_l, c.closest_l + 1, c.closest_n, c.closest);
     return 1;

@@ -35,7 +35,7 @@ plot x w l lc rgb black dt 2 lw 1 t "exact", \
     csv every ::1 u 3:(realised(thornton)) w l lc rgb teal lw 2 notitle, \
     csv every ::1 u 3:(realised(tsuji_new)) w l lc rgb pink lw 2 notitle
 set ylabel "e realised - e asked" offset 1
-set yrange [-0.06:0.36]
+set yrange [-0.06:0.56]
 set key at graph 0.99, 0.98 top right
 plot 0 w l lc rgb black dt 2 lw 1 t "exact", \
     csv every ::1 u 3:(off(tsuji_limit)) w l lc rgb amber lw 2 t "LAMMPS tsuji to July 2026, limit\\_damping", \

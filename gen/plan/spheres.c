@@ -25,8 +25,8 @@
 #define TEXT_OF(x) TEXT_OF_(x)
 enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, PADE_COEFFICIENTS = 64, ROOT_REFINEMENT = 2, TEXT = 1024 };
 
-/* ns of a call and in a loop, not made of operations: README.md's table has the published ways and the library,
- * docs/plan.md the others, measured by the side of these. */
+/* ns of a call and in a loop, measured once: published formulas and the library by bench/run spheres, the others as
+ * docs/plan.md says. */
 static const struct cost {
     double call, loop;
 } cost_published = {14.6, 14.6}, cost_mueller = {12.3, 12.3}, cost_power = {11, 11}, cost_simple = {66, 66},

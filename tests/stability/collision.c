@@ -132,7 +132,7 @@ static void bounces(struct outcome *out, bool full)
 }
 
 static const struct hard_case collision_cases[] = {
-    {"v = 1e-12", "a contact of 10^9 time units is stepped through, or called good",
+    {"v = 1e-12", "a contact of 10^9 time units is integrated, or reported as COR_OK",
      "full dynamics, 1e-12 and smaller, alpha 40 to 1e5", "COR_CONTACT_NOT_ENDED, at once", "wrong answers", 0,
      slow_collision},
     {"resonance of fast n = 0 modes with the step", "omega h near a multiple of pi feeds energy into a mode",

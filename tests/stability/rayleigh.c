@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rayleigh's energy where its integral cancels or oscillates, against sinc functions in balls. */
+/* Rayleigh's energy where its integral cancels or oscillates, against sinc functions in interval arithmetic. */
 #include "stability.h"
 
 #include <math.h>
@@ -152,18 +152,19 @@ static void fraction_at_edge(struct outcome *out, bool full)
 }
 
 static const struct hard_case rayleigh_cases[] = {
-    {"v at the edge of the domain", "Rayleigh's integrand has its branch point; perturbation theory has ended unsaid",
-     "v at the limit, and 2^-50 before it, five modes of nu = 0.33 (full: 0.9 too)", "sinc functions in balls",
-     "of COR_DISK_RAYLEIGH_MAX_ERROR", 1, fraction_at_edge},
+    {"v at the edge of the domain",
+     "Rayleigh's integrand has its branch point; no status says that perturbation theory has ended",
+     "v at the limit, and 2^-50 before it, five modes of nu = 0.33 (full: 0.9 too)",
+     "sinc functions in interval arithmetic", "of COR_DISK_RAYLEIGH_MAX_ERROR", 1, fraction_at_edge},
     {"the zero of the quadrupole", "no digit is left where the integral vanishes",
      "v = 1e-2, where cos(omega tau/2) = 0; the zero of I between 0.008 and 0.02 to the last double, and 1e-12 to 1e-3 "
      "from it",
-     "sinc functions in balls", "of 1e-10, or 1e-14 of the sum", 1, zero_of_quadrupole},
-    {"omega tau >> 1", "the integrand turns a thousand times, I is 1e-4 of it",
+     "sinc functions in interval arithmetic", "of 1e-10, or 1e-14 of the sum", 1, zero_of_quadrupole},
+    {"omega tau >> 1", "the integrand oscillates a thousand times, and I is 1e-4 of it",
      "v = 1e-8, five modes, omega tau to 900 (full: every fifth of 1800; v = 1e-300)",
-     "sinc functions in balls, 3300 nodes", "of COR_DISK_RAYLEIGH_MAX_ERROR", 1, fast_modes},
+     "sinc functions in interval arithmetic, 3300 nodes", "of COR_DISK_RAYLEIGH_MAX_ERROR", 1, fast_modes},
     {"v = 1e-12", "the contact time is long, v^2 small",
-     "five modes of nu = 0.33 (full: nu = 0.9, 1e-100, the smallest double)", "sinc functions in balls",
+     "five modes of nu = 0.33 (full: nu = 0.9, 1e-100, the smallest double)", "sinc functions in interval arithmetic",
      "of COR_DISK_RAYLEIGH_MAX_ERROR", 1, slow_modes},
 };
 

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+# The examples of a page, run and compared with what the page shows. tests/count.sh has been sourced; corgen, work (a
+# directory) and, for C, library (libcor.a) are set.
+#
+#         $ corgen ...         a command of corgen or cc, its output indented below it; a line may end in \
+#     ```c                     a program, after a line <!-- NAME.c -->, or lines that take the place of the loop in
+#     ```                      the page's first program; its output, if it is shown, is the next indented block
+#
+# samples_of PAGE [NEW-PAGE]: one verdict for each example; NEW-PAGE is then the page with the outputs of today.
+
+# sample_output COMMAND: what the shell prints for it, where a reader of the page would stand.
+sample_output() {
+    (cd "$work/samples" && PATH="$work/bin:$PATH" bash -c "$1" 2>&1 </dev/null)
+}
+
+samples_prepare() {
+    mkdir -p "$work/bin" "$work/samples"
+    ln -sf "$corgen" "$work/bin/corgen"
+    printf '#!/bin/sh\necho "-I%s %s -lm"\n' "$PWD/include" "${library-}" >"$work/bin/pkg-config"
+    chmod +x "$work/bin/pkg-config"
+}
+
+# sample_program TEXT NAME: writes NAME.c, a whole program, or the first one of the page with these lines in its loop's
+# place.
+sample_program() {
+    local body
+    if [[ $1 == *"int main("* ]]; then
+        printf '%s' "$1" >"$work/samples/$2.c"
+        [ -e "$work/samples/first.c" ] || cp "$work/samples/$2.c" "$work/samples/first.c"
+        return
+    fi
+    body=$(grep -v '^#include' <<<"$1")
+    {
+        grep '^#include' <<<"$1"
+        sed '/^    for /,$d' "$work/samples/first.c"
+        printf '%s\n    return 0;\n}\n' "$body"
+    } >"$work/samples/$2.c"
+}
+
+# sample_verdict: judges the example at hand, and puts what it prints today into new.
+sample_verdict() {
+    local seen shown=$expected
+    seen=$(sample_output "$command") || seen+=$'\n'"(exit status $?)"
+    while [[ $shown == *$'\n' ]]; do shown=${shown%$'\n'}; done
+    if [ "$seen" = "$shown" ]; then
+        pass "$page: ${title:0:50}"
+    else
+        bad "$page: $title" "$(diff <(printf '%s\n' "$shown") <(printf '%s\n' "$seen"))"
+    fi
+    [ -z "$seen" ] || new+=$(sed 's/^\(.\)/    \1/' <<<"$seen")$'\n'
+    expected=${expected#"$shown"}
+    [ -z "$shown" ] || expected=${expected#$'\n'}
+    new+=$expected
+    command='' expected=''
+}
+
+samples_of() {
+    local page=$1 new='' line command='' expected='' title='' name='' code='' in_code='' last='' count=0
+    samples_prepare
+    rm -f "$work/samples/first.c"
+    while IFS= read -r line; do
+        if [ "$in_code" ]; then
+            new+=$line$'\n'
+            if [ "$line" = '```' ]; then
+                in_code=''
+                count=$((count + 1))
+                : "${name:=sample_$count}"
+                sample_program "$code" "$name"
+            else
+                code+=$line$'\n'
+            fi
+            continue
+        fi
+        # an example ends at the first line that is not indented, or at the next command
+        if [ "$command" ] && [[ $line != '' && $line != '    '* || $line == '    $ '* ]]; then
+            sample_verdict
+        fi
+        if [ "$command" ]; then
+            expected+=${line#    }$'\n'
+            continue
+        fi
+        case $line in
+        '```c')
+            in_code=1 code=''
+            [[ $last =~ ^'<!-- '(.*/)?([a-z_]+)\.c' -->'$ ]] && name=${BASH_REMATCH[2]} || name=''
+            ;;
+        '    $ corgen '* | '    $ cc '*)
+            new+=$line$'\n'
+            command=${line#*\$ } code=''
+            while [[ $command == *\\ ]] && IFS= read -r line; do
+                new+=$line$'\n'
+                command="${command%\\}${line#    }"
+            done
+            title=$command
+            continue
+            ;;
+        '    '*)
+            if [ "$code" ]; then
+                command="cc -std=c99 -Wall -Wextra -Werror $name.c \$(pkg-config --cflags --libs cor) && ./a.out"
+                title="lines of C, $name" code=''
+                expected=${line#    }$'\n'
+                continue
+            fi
+            ;;
+        '' | '```'*) ;;
+        *) code='' ;;
+        esac
+        new+=$line$'\n'
+        last=$line
+    done < <(cat "$page" && echo '<end of the page>')
+    [ -z "${2-}" ] || printf '%s' "${new%'<end of the page>'$'\n'}" >"$2"
+}
