@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Elastic disks: free modes, quasistatic contact law, and the energy that a slow collision leaves in the modes.
+/* Elastic disks: free modes, quasistatic contact law, the energy that a slow collision leaves in the modes, and full
+ * dynamics.
  *
- * A disk of radius R, Young's modulus E and mass per area rho meets a hard wall head on; two equal disks that meet
- * with twice the speed are the same, by symmetry. Everything is in units E = rho = R = 1: speeds in sqrt(E/rho), times
- * in R sqrt(rho/E), loads in E R, energies in E R^2, compressions in R; the mass of the disk is pi. nu is Poisson's
- * number in plane stress, -1 < nu < 1. A disk in plane strain, with three-dimensional E and nu, is the one with
- * E/(1 - nu^2) and nu/(1 - nu) in their place, (2).
+ * A disk of radius R, Young's modulus E and mass per area rho meets a hard wall head on. By symmetry, two equal disks
+ * that meet with twice the speed behave in the same way. All quantities are in units E = rho = R = 1: speeds in
+ * sqrt(E/rho), times in R sqrt(rho/E), loads in E R, energies in E R^2, compressions in R; the mass of the disk is pi.
+ * nu is Poisson's ratio in plane stress, -1 < nu < 1. For plane strain, replace the three-dimensional E and nu by E/(1
+ * - nu^2) and nu/(1 - nu), (2).
  *
  * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno for arguments in
- * its domain, so that programs may trap these. The contact law and Rayleigh's energy round to nearest whatever the
- * caller's mode is.
+ * its domain, so that programs may trap these exceptions. The contact law and Rayleigh's energy round to nearest in
+ * every rounding mode of the caller.
  *
  * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 16,
  * derives them again and lists where the print is wrong. */
@@ -23,77 +24,81 @@
 #ifdef __cplusplus
 extern "C" {
 #if defined(__GNUC__)
-/* A function and a struct may have one name; g++ -Wshadow minds. */
+/* A function and a struct may share a name, but g++ -Wshadow warns. */
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wshadow"
 #endif
 #endif
 
-/* Bounds on the error of the functions below, asserted by the tests; docs/accuracy.md records the worst found. All
- * sampled. Unless said otherwise they hold for every nu and datum in the whole domain. */
+/* Bounds on the error of the functions below, all sampled. The tests assert them; docs/accuracy.md records the worst
+ * cases found. Unless a bound says otherwise, it holds for every nu and datum in the whole domain. */
 #define COR_DISK_LAW_MAX_ULP 4.0              /* contact law, largest compression and load, limits: ulp */
 #define COR_DISK_CONTACT_TIME_MAX_ERROR 1e-15 /* relative */
-#define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* of a mode's fraction, relative, or ... */
-#define COR_DISK_RAYLEIGH_MAX_ABSOLUTE 1e-14  /* ... relative to the sum, where a zero of (68) makes it small */
-/* Sum plus tail, relative, of any number of modes of the two tables below: for v >= 1e-9, and for all v. With tables of
- * 1800 modes for other nu 1e-5 holds too but, barely, at nu = 0.2; docs/accuracy.md. */
+#define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* relative, of a mode's fraction, or */
+#define COR_DISK_RAYLEIGH_MAX_ABSOLUTE 1e-14  /* relative to the sum, where a zero of (68) makes the fraction small */
+/* Relative error of sum plus tail, for any number of modes of the two tables below: the first bound holds for v >=
+ * 1e-9, the second for all v. For tables of 1800 modes of other nu, 1e-5 holds too, except that it is barely exceeded
+ * at nu = 0.2; docs/accuracy.md. */
 #define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR 1e-5
 #define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR_ANY_SPEED 4e-5
-/* Speed beyond which a collision is too violent for perturbation theory, and cor_disk_rayleigh says so. */
+/* Beyond this speed a collision is too violent for perturbation theory, and cor_disk_rayleigh returns
+ * COR_BEYOND_THEORY. */
 #define COR_DISK_RAYLEIGH_MAX_SPEED 0.03
 
-/* Bytes of stack that a function takes at most, asserted by tests/unit/test_stack.c. Measured, built with optimisation and
- * with what libm takes: 58 kB by cor_disk_rayleigh, 6 kB by cor_disk_collision, 4 kB by the others; 20 kB by the functions
- * of arrays in cor/sphere.h and cor/contact.h. */
+/* No function uses more bytes of stack; tests/unit/test_stack.c asserts this bound. Measured in an optimised build,
+ * libm included: cor_disk_rayleigh uses 58 kB, cor_disk_collision 6 kB, the array functions of cor/sphere.h and
+ * cor/contact.h 20 kB, and the others 4 kB. */
 #define COR_DISK_MAX_STACK 65536
 
 /* ---- free modes ---- */
 
 /* One free vibration of the disk: displacements u_r(r) cos(n phi), u_phi(r) sin(n phi), frequency omega; l = 0, 1, ...
- * counts the modes of one n upwards. c = u_r(1) and s = u_phi(1), (28), normalised by (26); the overall sign is that
- * of c > 0. The torsional modes of n = 0 have c = s = 0 and are left out, as is the translation n = 1, omega = 0. */
+ * counts the modes of one n upwards. c = u_r(1) and s = u_phi(1), (28), normalised by (26); the overall sign is that of
+ * c > 0. The table omits the torsional modes of n = 0, which have c = s = 0, and the translation n = 1, omega = 0. */
 struct cor_disk_mode {
     int n, l;
     double omega, c, s;
 };
 
-/* The lowest `count` modes of a disk, by increasing omega, none missing. mode has count elements. */
+/* The lowest `count` modes of a disk, by increasing omega, without gaps. mode has count elements. */
 struct cor_disk_modes {
     double nu;
     size_t count;
     const struct cor_disk_mode *mode;
 };
 
-/* The 1800 lowest modes for nu = 0.33 and nu = 0.9, every double the one nearest to the exact value (proved). Other
+/* The 1800 lowest modes for nu = 0.33 and nu = 0.9. Every double is the one nearest to the exact value (proved). Other
  * materials: corgen tables --poisson NU --modes N writes a header to embed and a file to read. */
 COR_API extern const struct cor_disk_modes cor_disk_modes_nu033;
 COR_API extern const struct cor_disk_modes cor_disk_modes_nu090;
 
 /* Reads a mode file that corgen wrote (docs/mode-file.md) into mode[0..capacity-1], and sets *modes, whose mode is then
- * that array. Fails without touching *modes but for modes->count, which becomes what the file promises where `capacity`
- * is too small for it, so that 0 asks how many there are (mode may then be NULL). *line, if line is not NULL, becomes
- * the line of the file that is wrong, or 0. COR_OK, or one of
- *     COR_ERROR_NULL, COR_ERROR_FILE (cannot be read), COR_ERROR_FILE_VERSION (no mode file, or one of another
- *     version), COR_ERROR_FILE_DAMAGED (a line is not as it was written, ends early, or a number cannot be),
- *     COR_ERROR_CAPACITY. */
+ * that array. On failure *modes is unchanged, except that COR_ERROR_CAPACITY sets modes->count to the number of modes
+ * in the file. To query that number, pass capacity 0; mode may then be NULL. *line, if line is not NULL, becomes the
+ * number of the wrong line of the file, or 0. Returns COR_OK or
+ *     COR_ERROR_NULL
+ *     COR_ERROR_FILE          the file cannot be read
+ *     COR_ERROR_FILE_VERSION the file is not a mode file, or one of another version
+ *     COR_ERROR_FILE_DAMAGED the check of a line fails, a line ends early, or a number is impossible
+ *     COR_ERROR_CAPACITY      the file has more modes than the array */
 COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, size_t capacity,
                                 struct cor_disk_modes *modes, size_t *line);
 
 /* ---- quasistatic contact law ---- */
 
-/* Between which points the compression delta is measured; it decides the constant b of the contact law
+/* The points between which the compression delta is measured. They determine the constant b of the contact law
  *
- *     delta = (P/pi) (ln(4 pi/P) + b),     V = P^2/(2 pi) (ln(4 pi/P) + b - 1/2)                               (57)
- */
+ *     delta = (P/pi) (ln(4 pi/P) + b),     V = P^2/(2 pi) (ln(4 pi/P) + b - 1/2)                               (57) */
 enum cor_disk_datum {
-    COR_DISK_DATUM_CENTRE_OF_MASS, /* centre of mass to wall: b = -2 ln 2 - (1 + nu)/4, what (62) to (67) need */
-    COR_DISK_DATUM_DIAMETER,       /* far rim to wall: b = -1, what (54) and (55) give */
+    COR_DISK_DATUM_CENTRE_OF_MASS, /* centre of mass to wall: b = -2 ln 2 - (1 + nu)/4, which (62) to (67) require */
+    COR_DISK_DATUM_DIAMETER,       /* far rim to wall: b = -1, which (54) and (55) give */
     COR_DISK_DATUM_PRINTED         /* b = -1 - nu, as (56) and (57) are printed; follows from neither */
 };
 
-/* Where the law ends: the load at which delta no longer grows, P = 4 pi exp(b - 1), its delta = 4 exp(b - 1) and its
- * V = 4 pi exp(2 b - 2); and the impact speed sqrt(8) exp(b - 1) that reaches it. Each is the largest double inside,
- * which the functions below accept. NaN: nu outside -1 < nu < 1, or no such datum, here and below. */
+/* The limits of the law: the load P = 4 pi exp(b - 1) at which delta stops growing, its delta = 4 exp(b - 1), its V = 4
+ * pi exp(2 b - 2), and the impact speed sqrt(8) exp(b - 1) that reaches this load. Each result is the largest double
+ * inside the limit, which the functions below accept. Here and below the result is NaN if nu is outside -1 < nu < 1 or
+ * the datum does not exist. */
 COR_API double cor_disk_load_limit(double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_compression_limit(double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_energy_limit(double nu, enum cor_disk_datum datum);
@@ -101,15 +106,15 @@ COR_API double cor_disk_speed_limit(double nu, enum cor_disk_datum datum);
 
 /* The law and its inverses, (57): load P of a compression, compression delta of a load, stored energy V of a load,
  * load of an energy.
- * Domain: 0 up to the limit above. Accuracy: COR_DISK_LAW_MAX_ULP, the arguments being taken as they are; results below
- * the smallest normal double are rounded there. 0 -> 0; negative, beyond the limit or NaN -> NaN. */
+ * Domain: 0 up to the limit above. Accuracy: COR_DISK_LAW_MAX_ULP, with the arguments taken as exact. Results below the
+ * smallest normal double are rounded to subnormal numbers. 0 -> 0; negative, beyond the limit or NaN -> NaN. */
 COR_API double cor_disk_load(double compression, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_compression(double load, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_energy(double load, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_load_of_energy(double energy, double nu, enum cor_disk_datum datum);
 
-/* A quasistatic collision at an impact speed v, where (pi/2) v^2 becomes V: largest load, largest compression
- * (accuracy: COR_DISK_LAW_MAX_ULP) and contact time
+/* A quasistatic collision at an impact speed v, in which the energy (pi/2) v^2 becomes V: the largest load, the largest
+ * compression (accuracy: COR_DISK_LAW_MAX_ULP) and the contact time
  *
  *     tau = sqrt(2) int_0^(pi/2) sqrt(-w) dtheta,   w = W_-1(-(v^2/8) exp(1 - 2 b) sin^2 theta)
  *
@@ -119,9 +124,9 @@ COR_API double cor_disk_max_load(double speed, double nu, enum cor_disk_datum da
 COR_API double cor_disk_max_compression(double speed, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_contact_time(double speed, double nu, enum cor_disk_datum datum);
 
-/* The same to leading logarithm, as the paper simplifies them, without nu and datum. What they leave out beside the
- * logarithm nearly cancels in (61), which for v <= 1e-2 is within 7 % of the law at nu = 0.33, but not in (59), which
- * misses it by up to 35 % between delta = 0.001 and 0.2.
+/* The functions above to leading logarithm, as the paper simplifies them, without nu and datum. At nu = 0.33 the
+ * neglected constants nearly cancel in (61), which is within 7 % of the law for v <= 1e-2. They do not cancel in (59),
+ * which is off by up to 35 % between delta = 0.001 and 0.2.
  *     compression  (P/pi) ln(4 pi/P)                    0 <= P <= 4 pi/e        (58)
  *     load         pi delta/ln(4/delta)                 0 <= delta < 4          (59)
  *     energy       (pi/2) delta^2/ln(4/delta)           0 <= delta < 4          (60)
@@ -136,67 +141,71 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
 
 /* ---- Rayleigh's energy ---- */
 
-/* Energy left in the modes by a collision at the impact speed v, as a fraction of (pi/2) v^2, to first order (Rayleigh):
- * the quasistatic load drives each mode at the point of contact, (65) to (68), which is one integral a mode,
+/* Energy that a collision at the impact speed v leaves in the modes, as a fraction of (pi/2) v^2, to first order
+ * (Rayleigh): the quasistatic load drives each mode at the point of contact, (65) to (68). Each mode takes one
+ * integral,
  *
  *     fraction of a mode = C^2 (2 I(omega))^2,     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,
  *     s(theta) = int_theta^(pi/2) sqrt(-w/2) dtheta',     w as in the contact time above
  */
 struct cor_disk_rayleigh {
-    double fraction; /* sum over the modes taken */
-    double tail;     /* what all higher modes together add */
-    double
-        error_estimate; /* of fraction + tail, absolute, typically 20 times the error; of the sums, not of the theory */
-    double contact_time; /* cor_disk_contact_time */
+    double fraction;       /* sum over the n_modes modes */
+    double tail;           /* sum over all higher modes */
+    double error_estimate; /* absolute, of fraction + tail as sums, not of the theory; typically 20 times the error */
+    double contact_time;   /* cor_disk_contact_time */
 };
 
-/* Takes the lowest n_modes of *modes, 1 <= n_modes <= modes->count. mode_fraction is NULL, or gets the n_modes fractions.
- * The tail has the modes n_modes + 1 to 1800 one by one, as far as the table goes, so that sum plus tail is as good from
- * few modes as from 1800, and takes as long; a table cut to n_modes gives what these modes alone tell.
- * 0 <= v <= cor_disk_speed_limit(modes->nu, datum); v = 0 is its limit: no energy in any mode, infinite contact time.
- * Accuracy: COR_DISK_RAYLEIGH_MAX_ERROR, _MAX_ABSOLUTE for each mode, COR_DISK_RAYLEIGH_TAIL_MAX_ERROR and
+/* Sums the lowest n_modes of *modes, 1 <= n_modes <= modes->count. mode_fraction is NULL, or receives the n_modes
+ * fractions. The tail sums modes n_modes + 1 to 1800 individually, as far as the table goes, so that accuracy and cost
+ * equal those of 1800 modes. To use n_modes modes alone, pass a table cut to them.
+ * Domain: 0 <= v <= cor_disk_speed_limit(modes->nu, datum). At v = 0 no mode has energy and the contact time is
+ * infinite.
+ * Accuracy: COR_DISK_RAYLEIGH_MAX_ERROR or _MAX_ABSOLUTE for each mode; COR_DISK_RAYLEIGH_TAIL_MAX_ERROR and
  * _TAIL_MAX_ERROR_ANY_SPEED for sum plus tail.
- * COR_OK, or with every number given nevertheless
- *     COR_BEYOND_THEORY  v > COR_DISK_RAYLEIGH_MAX_SPEED, or fraction + tail > 1, which perturbation theory cannot have
- * or without touching anything
- *     COR_ERROR_NULL, COR_ERROR_MODES (no such number of modes; omega does not grow, or begins below 1.17, which no disk
- *     has), COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED. */
+ * Returns COR_OK, or, with every number set,
+ *     COR_BEYOND_THEORY v > COR_DISK_RAYLEIGH_MAX_SPEED, or fraction + tail > 1, which perturbation theory excludes
+ * or, with nothing changed,
+ *     COR_ERROR_MODES    the table lacks that number of modes; omega does not grow; or omega begins below 1.17, lower
+ *                        than in any disk
+ *     COR_ERROR_NULL, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED */
 COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                               double speed, struct cor_disk_rayleigh *out, double *mode_fraction);
 
-/* The same at n speeds of one table: out[i] at speed[i], and mode_fraction[i n_modes + k] if mode_fraction is not NULL.
- * Many speeds share most of the work. Where at least 28 of them have 2 ln(limit/v) between two powers of 4, what varies
- * slowly with v is interpolated. Results differ from those of cor_disk_rayleigh by less than its bounds, and from list
- * to list by less than 1e-12. status is NULL, or gets the status of each speed; out[i] of a speed out of range is NaN.
- * n may be 0, speed and out then NULL. Allocates its workspace, once, and frees it; threads are left to the caller.
- * COR_OK, the first status of a speed that is not, or without touching anything
- *     COR_ERROR_NULL, COR_ERROR_MODES, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO as above, COR_ERROR_MEMORY. */
+/* The same at n speeds of one table: out[i] belongs to speed[i], and mode_fraction[i n_modes + k], if mode_fraction is
+ * not NULL, to mode k. The speeds share most of the work. Where at least 28 speeds have 2 ln(limit/v) between two
+ * powers of 4, the function interpolates the terms that vary slowly with v. Its results differ from those of
+ * cor_disk_rayleigh by less than the bounds, and between lists of speeds by less than 1e-12. status is NULL, or
+ * receives the status of each speed. out[i] is NaN where the speed is out of range. If n is 0, speed and out may be
+ * NULL. The function allocates its workspace once and frees it; callers may divide the speeds among threads.
+ * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
+ *     COR_ERROR_NULL, COR_ERROR_MODES, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO as above, COR_ERROR_MEMORY */
 COR_API int cor_disk_rayleigh_array(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                                     const double *speed, size_t n, struct cor_disk_rayleigh *out, double *mode_fraction,
                                     int *status);
 
-/* The same with as few modes as bring error_estimate below tolerance (fraction + tail), 0 < tolerance < 1; *n_modes, if
- * n_modes is not NULL, becomes their number; the tail is computed from these modes alone. Statuses as above,
- * COR_ERROR_TOLERANCE for a tolerance that is none, and
- *     COR_TOLERANCE_NOT_REACHED  the table has too few modes: the best that all of them give */
+/* Sums the smallest number of modes with error_estimate below tolerance (fraction + tail), 0 < tolerance < 1. *n_modes,
+ * if n_modes is not NULL, becomes that number. The tail is computed from these modes alone. Returns a status as above,
+ * COR_ERROR_TOLERANCE for a tolerance outside its range, or
+ *     COR_TOLERANCE_NOT_REACHED the table has too few modes; the results are those of all of them */
 COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum cor_disk_datum datum, double speed,
                                         double tolerance, struct cor_disk_rayleigh *out, size_t *n_modes);
 
 /* ---- full dynamics ---- */
 
 /* A collision of the disk of n_modes modes with a wall of potential exp(alpha x)/alpha, (41) to (45): head on, with no
- * mode excited before. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is how far the
- * rim reaches into the wall at the angle phi, (40), x_0 the position of the centre of mass; the wall pushes with
- * exp(alpha x) on a unit of the rim. Time 0 is when the rim of a disk that keeps its shape and speed would be at x = 0. */
+ * mode excited before. x(phi) = x_0 + cos(phi) + sum Q (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) is the depth of
+ * the rim in the wall at the angle phi, (40), and x_0 is the position of the centre of mass. The wall pushes with the
+ * force exp(alpha x) per unit length of the rim. At time 0 the rim of a disk that kept its shape and speed would be at
+ * x = 0. */
 
-/* Speeds above this one take the disk out of linear elasticity by far. */
+/* Above this speed the disk is far outside linear elasticity. */
 #define COR_DISK_COLLISION_MAX_SPEED 0.5
-/* Softer walls than the first would still push where (41) cuts the rim off, at phi = pi/2. */
+/* A softer wall would still push at phi = pi/2, where (41) cuts off the rim. */
 #define COR_DISK_COLLISION_MIN_ALPHA 40
 #define COR_DISK_COLLISION_MAX_ALPHA 1e5
 #define COR_DISK_COLLISION_MIN_TOLERANCE 1e-13
 #define COR_DISK_COLLISION_MAX_PHI_POINTS 16384
-/* Steps of one run, at most: a contact that lasts longer has not ended. */
+/* Largest number of steps of one run. A contact that lasts longer returns COR_CONTACT_NOT_ENDED. */
 #define COR_DISK_COLLISION_MAX_STEPS 1000000
 
 struct cor_disk_collision_options {
@@ -204,44 +213,50 @@ struct cor_disk_collision_options {
     double tolerance;  /* absolute error allowed in eps, from COR_DISK_COLLISION_MIN_TOLERANCE to below 1 */
     size_t phi_points; /* angles between 0 and pi/2 for the wall's force; 0: as many as the tolerance needs */
     size_t
-        max_steps; /* of all runs together; 0: a number of operations, the same on every machine, that takes 5 to 10 s
-                          on a processor of 2.6 GHz */
+        max_steps; /* of all runs together; 0: a fixed number of operations, which a processor of 2.6 GHz does in 5 to
+                    * 10 s */
 };
 
 struct cor_disk_collision {
     double eps;             /* speed after over speed before */
-    double one_minus_eps2;  /* energy left in the modes, as a fraction of (pi/2) v^2; good where eps is nearly 1 */
-    double contact_time;    /* from the first to the last moment with a load of a thousandth of the largest one */
+    double one_minus_eps2;  /* energy left in the modes, as a fraction of (pi/2) v^2; accurate even where eps is nearly
+                             * 1 */
+    double contact_time;    /* between the first and the last moment at which the load is a thousandth of its largest
+                             * value */
     double max_compression; /* largest x_0 + 1 */
-    double energy_drift;    /* energy after less energy before, relative to (pi/2) v^2 */
-    size_t steps;           /* of the integration that gave these numbers */
-    double error_estimate;  /* absolute error of eps; 1 after a single run, whose error nothing shows */
+    double energy_drift;    /* energy after minus energy before, relative to (pi/2) v^2 */
+    size_t steps;           /* of the run that these numbers come from */
+    double error_estimate;  /* absolute error of eps; 1 after a single run, which gives no estimate */
 };
 
-/* 0 < v <= COR_DISK_COLLISION_MAX_SPEED, 1 <= n_modes <= modes->count. Allocates its workspace, once, and frees it.
- * Several runs with smaller and smaller steps are extrapolated, docs/derivation.md, 15.
+/* Computes one collision. Domain: 0 < v <= COR_DISK_COLLISION_MAX_SPEED, 1 <= n_modes <= modes->count. The function
+ * extrapolates several runs with smaller and smaller steps (docs/derivation.md, 15). It allocates its workspace once
+ * and frees it.
  *
- * Accuracy. error_estimate adds up what is left of the extrapolation, the quadrature over the rim, and round-off and the
- * wall's force before and after the contact times the amplification of errors, which is bounded from the runs or measured
- * by a run with v changed by 2^-40. Sampled: in 10^4 random scenes (1 to 60 modes of nu = 0.33 and 0.9, alpha 200 to
- * 8000, v 0.003 to 0.3, tolerances 1e-3 to 1e-11) the error never exceeds the tolerance where the status is COR_OK, and
- * exceeds error_estimate in less than 1 of 200, by a factor below 3. Near chaos round-off alone may exceed a small
- * tolerance, and below 1e-12 it does mostly.
- * one_minus_eps2 is as good as eps; contact_time and max_compression, taken in the midst of the contact, are not.
- * energy_drift is eps^2 + one_minus_eps2 - 1. The same arguments give the same bits, on every instruction set.
+ * error_estimate is the sum of three parts: the remainder of the extrapolation, the error of the quadrature over the
+ * rim, and round-off and the wall's force before and after the contact times the amplification of errors. The
+ * amplification is bounded from the runs, or measured by a run with v changed by 2^-40.
+ * Accuracy, sampled in 10^4 random scenes (1 to 60 modes of nu = 0.33 and 0.9, alpha 200 to 8000, v 0.003 to 0.3,
+ * tolerances 1e-3 to 1e-11): where the status is COR_OK, the error never exceeds the tolerance. It exceeds
+ * error_estimate in less than 1 of 200 scenes, by a factor below 3. Near chaos, round-off alone may exceed a small
+ * tolerance; below 1e-12 it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression, which
+ * are taken during the contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. The same arguments give
+ * the same bits on every instruction set.
  *
- * COR_OK: error_estimate is at most the tolerance. Or with the best numbers and their error_estimate
- *     COR_TOLERANCE_NOT_REACHED  a chaotic collision, too few phi_points, or no budget left; all NaN where no step was
- *                                small enough
- * or with NaN for what is not known
- *     COR_WALL_NOT_TOUCHED       v <= 0: the disk does not come
- *     COR_CONTACT_NOT_ENDED      the first run takes more than COR_DISK_COLLISION_MAX_STEPS steps or more than the budget:
- *                                a very slow disk, a very hard or soft wall, or a disk that leaves its vibrations all its
- *                                energy
- * or without touching anything
- *     COR_ERROR_NULL, COR_ERROR_MODES (no such number of modes; omega does not grow; a number that is none),
- *     COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED (too high or NaN), COR_ERROR_TOLERANCE, COR_ERROR_ALPHA,
- *     COR_ERROR_PHI_POINTS, COR_ERROR_MEMORY. */
+ * Returns COR_OK if error_estimate is at most the tolerance. It returns, with the best numbers and their
+ * error_estimate,
+ *     COR_TOLERANCE_NOT_REACHED a chaotic collision, too few phi_points, or an exhausted budget; all results are NaN
+ *                                if no step was small enough
+ * or, with NaN for unknown results,
+ *     COR_WALL_NOT_TOUCHED       v <= 0: the disk does not reach the wall
+ *     COR_CONTACT_NOT_ENDED      the first run takes more than COR_DISK_COLLISION_MAX_STEPS steps or more than the
+ *                                budget: a very slow disk, a very hard or soft wall, or a disk whose vibrations take
+ *                                all its energy
+ * or, with nothing changed,
+ *     COR_ERROR_MODES            the table lacks that number of modes, omega does not grow, or an entry is not a number
+ *     COR_ERROR_SPEED            the speed is too high or NaN
+ *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_TOLERANCE, COR_ERROR_ALPHA, COR_ERROR_PHI_POINTS,
+ *     COR_ERROR_MEMORY */
 COR_API int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_modes,
                                const struct cor_disk_collision_options *options, double speed,
                                struct cor_disk_collision *out);
@@ -255,40 +270,41 @@ struct cor_disk_moment {
     double wall_energy; /* load/alpha, the energy in the wall */
 };
 
-/* Further results. Every pointer may be NULL; arrays have n_modes elements in the order of the table. */
+/* Optional results. Every pointer may be NULL. Arrays have n_modes elements in the order of the table. */
 struct cor_disk_collision_detail {
     double *energy_after;   /* energy left in each mode, as a fraction of (pi/2) v^2 */
-    double *energy_average; /* its mean over the contact time, likewise; NaN where the budget ended before three runs */
-    /* Called at every step of the last run, which is repeated for it, from before the contact until after it; q and q_dot
-     * then hold the amplitudes Q and dQ/dt. */
+    double *energy_average; /* its mean over the contact time, in the same unit; NaN if the budget ended before three
+                             * runs */
+    /* The function repeats its last run and calls observe at every step, from before the contact until after it. q and
+     * q_dot then hold the amplitudes Q and dQ/dt. */
     void (*observe)(void *context, const struct cor_disk_moment *moment);
     void *context;
     double *q, *q_dot;
 };
 
-/* The same with a workspace of the caller, for many collisions, and with detail, which may be NULL. The first function
- * returns the bytes that the second one needs, at any address: more for harder walls, more modes and smaller tolerances,
- * and 0 if an argument is not allowed. */
+/* cor_disk_collision_in computes the same with a workspace of the caller, for many collisions, and with detail, which
+ * may be NULL. cor_disk_collision_workspace returns the number of bytes that it needs, at any address, or 0 if an
+ * argument is outside its domain. The number grows with alpha, with n_modes and with a smaller tolerance. */
 COR_API size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                             const struct cor_disk_collision_options *options);
-/* Statuses as above, COR_ERROR_WORKSPACE for a workspace that is too small; allocates nothing. */
+/* Returns a status as above, or COR_ERROR_WORKSPACE if the workspace is too small. It allocates nothing. */
 COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
                                   const struct cor_disk_collision_options *options, double speed,
                                   struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail);
 
-/* ---- its limits ---- */
+/* ---- all modes and a hard wall ---- */
 
-/* Restitution of a disk of all its modes at a hard wall: cor_disk_collision with alpha -> infinity and N -> infinity, from
- * a table of such limits, and between its rows by a polynomial in ln v and nu.
+/* Restitution of a disk of infinitely many modes at a hard wall: the limit of cor_disk_collision as alpha -> infinity
+ * and the number of modes -> infinity. The functions interpolate a table of such limits by a polynomial in ln v and nu.
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
- *     one_minus_eps2_uncertainty   by how much fits that are as good differ at the rows of the table around the point,
- *                                  plus how much the interpolation misses at most at the places tried: an estimate, no
- *                                  bound; up to COR_DISK_EPS_MAX_UNCERTAINTY
+ *     one_minus_eps2_uncertainty   spread of equally good fits at the surrounding nodes plus the largest interpolation
+ *                                  error seen: an estimate, not a bound; at most COR_DISK_EPS_MAX_UNCERTAINTY
  *     eps, eps_uncertainty         the same for eps
- * Domain: the speeds and Poisson's numbers below, ends included, where the laws of both limits were seen to hold;
- * elsewhere, and for NaN, the result is NaN, never a guess. Faster disks and softer walls: cor_disk_collision. Slower
- * ones: cor_disk_rayleigh, which has the size of the loss and its oscillation in ln v, but not yet its phase where this
- * table begins (nu = 0.33: largest 0.0415 near v = 0.0031 here, 0.0385 near 0.0012 there). */
+ * Domain: the speeds and Poisson's ratios below, ends included, where both limits were observed to follow their laws.
+ * Outside the domain, and for NaN, the result is NaN. For faster disks and softer walls call cor_disk_collision, for
+ * slower disks cor_disk_rayleigh. At this table's lowest speed, cor_disk_rayleigh has the size of the loss and its
+ * oscillation in ln v, but not yet its phase: for nu = 0.33 the loss has a maximum of 0.0415 near v = 0.0031 here, and
+ * of 0.0385 near 0.0012 there. */
 #define COR_DISK_EPS_MIN_SPEED 0.003
 #define COR_DISK_EPS_MAX_SPEED 0.3
 #define COR_DISK_EPS_MIN_NU (-0.2)

@@ -452,8 +452,8 @@ KERNEL double kernel_fade(double x)
     return square * square * (35 + y * (-84 + y * (70 - 20 * y)));
 }
 
-/* r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. With r = 1 beyond the modes taken, an echo that misses tau
- * by dT leaves in the sum
+/* r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. With r = 1 beyond the modes taken, an echo that misses
+ * tau by dT leaves in the sum
  *
  *     F(u) = int r z^(-3 - 1/2) exp(i u z) dz,     z = omega/omega_max, u = omega_max dT,
  *

@@ -76,8 +76,8 @@ struct cor_mode_weights {
     double strength[COR_LINES], mean[COR_LINES], echo[COR_LINES], low[COR_LINES], high[COR_LINES];
 };
 
-/* Sums of strength (2 I)^2; of mean times the mean of (2 I)^2 over its phase and echo times what (2 I)^2 has beyond that;
- * and of the windows times cos and sin of omega tau, cos and sin of omega tau/2. */
+/* Sums of strength (2 I)^2; of mean times the mean of (2 I)^2 over its phase and echo times what (2 I)^2 has beyond
+ * that; and of the windows times cos and sin of omega tau, cos and sin of omega tau/2. */
 struct cor_mode_sums {
     double fraction, faded, low[4], high[4];
 };
@@ -160,8 +160,8 @@ void cor_lines_fill(struct cor_lines *lines, int n);
 
 /* ---- many speeds ---- */
 
-/* Spectra as a function of q0, in pieces [4^k, 4^(k+1)): the coefficients of a, and those of b over cosh(Theta), which is
- * what makes them grow, interpolated at Chebyshev's points in ln(q0). Error of a and b, relative to a: below 1e-13,
+/* Spectra as a function of q0, in pieces [4^k, 4^(k+1)): the coefficients of a, and those of b over cosh(Theta), which
+ * is what makes them grow, interpolated at Chebyshev's points in ln(q0). Error of a and b, relative to a: below 1e-13,
  * measured from q0 = 1e-3 to 1500 (tests/unit/test_disk_rayleigh_spectrum.c). */
 enum { COR_PIECE_NODES = 24 };
 

@@ -9,11 +9,13 @@
  *     weight that fades over the upper third of the frequencies taken; that leaves nothing of any echo.
  *   - What of (2 I)^2 oscillates, like cos(omega tau + ...)/omega^4, is in step with an echo where T is about tau. The
  *     strongest echo, with half of the whole strength, is the surface wave that has gone round the rim: those are the
- *     modes l = 0, whose omega and C^2 go on smoothly as power series in 1/n. They are summed one by one, far beyond the
+ *     modes l = 0, whose omega and C^2 go on smoothly as power series in 1/n. They are summed one by one, far beyond
+ *     the
  *     modes taken.
  *   - The others, of waves through the disk, are weak, e of some percent that falls about like omega^(-1/2), and many.
  *     The modes taken have them too: the oscillation over these modes, under another weight, that is negative before
- *     it rises to 1, foretells some of the oscillation beyond. See kernel_echo_weight. What it misses is estimated from the
+ *     it rises to 1, foretells some of the oscillation beyond. See kernel_echo_weight. What it misses is estimated from
+ *     the
  *     strength at T = tau, measured on the modes taken. */
 #include "runtime/disk/rayleigh_tail.h"
 
@@ -28,8 +30,8 @@
 #define ECHO_FROM 0.15
 /* Relative error of the sums themselves */
 #define ROUNDING 1e-11
-/* Modes l = 0 that the power series in 1/n are fitted to: least and largest n of the last one; a table with a larger one
- * would have 10^12 modes */
+/* Modes l = 0 that the power series in 1/n are fitted to: least and largest n of the last one; a table with a larger
+ * one would have 10^12 modes */
 enum { FIT_FROM = 12, FIT_TO = 1000000 };
 
 /* The mean of (2 I)^2 at line i over its phase */
