@@ -5,7 +5,7 @@
 
 #include "support/console.h"
 
-/* The arithmetic of disk_equation.c, where the letters are explained. */
+/* equation.c explains the letters of this arithmetic. */
 enum { DOUBLE_BITS = 56 };
 
 struct wave {
@@ -18,7 +18,7 @@ static double first_rung(double z, slong m)
     return 0.75 * z / (double)(m + 1);
 }
 
-/* a_{m-1} from a_m; counts a sign. */
+/* a_{m-1} from a_m; counts negative signs. */
 static double rung(double a, double z, slong m, slong *negative)
 {
     const double t = 2 * (double)m - a;
@@ -176,7 +176,7 @@ static void isolate(double *omega, const struct disk *disk, slong n, double low,
     if (below_high - below_low == 1) {
         omega[below_low] = refine(disk, n, below_low, low, high);
     } else if (high - low < 0x1p-46 * high) {
-        /* inseparable here; the balls will part them */
+        /* doubles cannot separate these roots, interval (ball) arithmetic does */
         for (slong l = below_low; l < below_high; l++)
             omega[l] = middle;
     } else if (below_high > below_low) {

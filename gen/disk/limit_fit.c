@@ -9,13 +9,13 @@
 
 enum { TERMS_MAX = 6, LEAST_ALPHAS = 4, LEAST_COUNTS = 3 };
 
-/* What stands beside L, u and w. */
+/* The terms beside L, u and w */
 struct law {
     enum { EDGE_5_3, EDGE_4_3, EDGE_2, EDGE_NONE } edge; /* power of u in the second term */
     bool product, square;                                /* u w, w^2 */
 };
 
-/* Rows that a fit leaves out: those of one alpha or of one N, and all of softer walls. */
+/* Rows that a fit omits: those of one alpha or of one N, and those of softer walls */
 struct without {
     double alpha, softer_than;
     size_t modes;
@@ -27,8 +27,8 @@ static bool is_used(const struct disk_limit_row *row, const struct without *with
            row->modes != without->modes;
 }
 
-/* u and w in units of what they are at most, so that no column is small; no power is left to pow(), whose last bit
- * depends on the library. */
+/* u and w are divided by their largest values, so that no column is small. Powers are computed without pow(), whose
+ * last bit depends on the library. */
 static int terms_of(double term[TERMS_MAX], const struct law *law, double speed, const struct disk_limit_row *row)
 {
     const double u = DISK_LIMIT_HARDNESS / (row->alpha * speed), w = sqrt(DISK_LIMIT_MODES / (double)row->modes);
@@ -54,8 +54,8 @@ static double dot(const double *x, const double *y, size_t n)
     return sum;
 }
 
-/* Least squares by Gram and Schmidt, each column made orthogonal twice; false where the columns are dependent. column
- * is `n` of `rows` numbers, y another; y becomes what is left of it. */
+/* Solves a least-squares problem by the Gram-Schmidt method, which orthogonalises each column twice. Returns false if
+ * the columns are dependent. column holds `n` columns of `rows` numbers. y becomes the residual. */
 static bool solve(double *x, double *column, int n, double *y, size_t rows)
 {
     double r[TERMS_MAX][TERMS_MAX] = {{0}};
@@ -90,7 +90,7 @@ static bool solve(double *x, double *column, int n, double *y, size_t rows)
     return true;
 }
 
-/* The limit that one law gives; false where the rows do not determine it. */
+/* The limit from one law. Returns false if the rows do not determine the limit. */
 static bool fit(double *limit, double *residual, const struct law *law, const struct without *without, double speed,
                 const struct disk_limit_row *row, size_t rows)
 {
@@ -126,7 +126,7 @@ static bool is_first(const struct disk_limit_row *row, size_t i, bool of_alpha)
     return !isnan(row[i].one_minus_eps2);
 }
 
-/* The third hardest of the walls: straight lines are drawn through it and those above. */
+/* The third hardest wall; straight lines are fitted to this one and the harder ones. */
 static double third_hardest(const struct disk_limit_row *row, size_t rows)
 {
     double hardest[3] = {0, 0, 0};
@@ -145,8 +145,8 @@ static double third_hardest(const struct disk_limit_row *row, size_t rows)
 
 static const struct law central = {EDGE_5_3, true, false}, straight = {EDGE_NONE, true, false};
 
-/* Adds the square of the standard error of the limit, from the n fits that each leave out the rows of one alpha, or of
- * one N: (n - 1)/n times the sum of the squares of their limits' differences from their mean. */
+/* Adds the square of the standard error of the limit. Each of n fits omits the rows of one alpha, or of one N. The
+ * square is (n - 1)/n times the sum of the squared differences of their limits from the mean. */
 static bool jackknife(double *square, bool of_alpha, double speed, const struct disk_limit_row *row, size_t rows)
 {
     double limit, residual, sum = 0, sum_of_squares = 0, first = 0, n = 0;
@@ -156,7 +156,8 @@ static bool jackknife(double *square, bool of_alpha, double speed, const struct 
             continue;
         if (!fit(&limit, &residual, &central, &one, speed, row, rows))
             return false;
-        first = n > 0 ? first : limit; /* squares of small numbers lose nothing */
+        first = n > 0 ? first : limit; /* differences from the first limit are small, so that their squares lose no
+                                        * digits */
         sum += limit - first;
         sum_of_squares += (limit - first) * (limit - first);
         n++;

@@ -3,7 +3,7 @@
 #ifndef COR_GEN_SUPPORT_CLOCK_H
 #define COR_GEN_SUPPORT_CLOCK_H
 
-/* Seconds of a clock that only goes forward; differences count. */
+/* Seconds of a monotonic clock; only differences have a meaning. */
 double clock_seconds(void);
 
 /* Seconds of processor time that this process has used, all threads together. */

@@ -59,8 +59,8 @@ static const struct cor_collision_tuning cor_tuning = {
     .phi_offset = 0.05,
     .phi_slow = 0.25,
     .phi_fast = 0.6,
-    /* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles; half of them suffice
-     * here, because the pressure is checked separately, see cor_collision_angles_error. */
+    /* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles, and the angles for
+     * the pressure count as half of them; see cor_collision_angles_error. */
     .phi_per_n = 0.25,
     /* Largest number of angles over the first choice. Chosen. */
     .phi_limit = 2.5,

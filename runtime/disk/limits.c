@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution of a disk of all its modes at a hard wall: a product of Chebyshev polynomials in ln v and nu through
- * the limits of generated/disk_limits.h. */
+/* The restitution of a disk of infinitely many modes at a hard wall. Products of Chebyshev polynomials in ln v and nu
+ * interpolate the limits of generated/disk_limits.h. */
 #include <math.h>
 #include <stddef.h>
 
@@ -21,7 +21,7 @@ static double chebyshev(const double *c, int n, double x)
     return c[0] + (x * b - before);
 }
 
-/* Not where either is NaN. */
+/* False if speed or nu is NaN */
 static int is_inside(double speed, double nu)
 {
     return speed >= COR_DISK_EPS_MIN_SPEED && speed <= COR_DISK_EPS_MAX_SPEED && nu >= COR_DISK_EPS_MIN_NU &&
@@ -44,7 +44,7 @@ double cor_disk_one_minus_eps2_uncertainty(double speed, double nu)
 {
     if (!is_inside(speed, nu))
         return NAN;
-    /* the largest at the corners of the cell that holds the point */
+    /* the largest uncertainty at the corners of the cell that contains the point */
     int i = 0, j = 0;
     while (j < NUS - 2 && cor_disk_limits[(j + 1) * SPEEDS].nu < nu)
         j++;
