@@ -16,7 +16,7 @@ struct ratio {
 struct law {
     struct ratio a; /* elastic exponent, 3/2 for spheres */
     struct ratio b; /* damping exponent, 1/2 for spheres */
-    slong d;        /* common denominator of a and b: x = w^d makes the law polynomial */
+    slong d;        /* common denominator of a and b; with x = w^d the law is polynomial */
     slong ad, bd;   /* a d and b d, whole numbers */
 };
 
@@ -28,7 +28,7 @@ extern const struct law law_sphere;
 #define LAW_MAX_NUMERATOR 64
 #define LAW_MAX_DENOMINATOR 16
 
-/* Reads "3/2", "1.5" or "2" for each exponent. Returns NULL, or a sentence saying what was wrong. */
+/* Reads "3/2", "1.5" or "2" for each exponent. Returns NULL, or a sentence that describes the error. */
 const char *law_parse(struct law *law, const char *elastic, const char *damping);
 
 bool law_is_sphere(const struct law *law);
@@ -42,8 +42,9 @@ struct ratio ratio_div(struct ratio x, struct ratio y); /* y != 0 */
 /* beta is proportional to g^q; q = (2 b - a + 1)/(1 + a). eps is independent of g iff q = 0, (12). */
 struct ratio law_speed_exponent(const struct law *law);
 
-/* Scales, good to a few digits. tau_0 of (51), and the radius of convergence of the elastic trajectory in units of
- * tau_0: its end of contact at 2, or where x'' = x^a blows up, at 1/cos(pi/(a+1)) on the circle |t|. */
+/* Scales with an accuracy of a few digits. The first is tau_0 of (51). The second is the radius of convergence of the
+ * elastic trajectory in units of tau_0: its end of contact at 2, or the singularity of x'' = x^a on the circle |t| =
+ * 1/cos(pi/(a+1)). */
 double law_elastic_time(const struct law *law);
 double law_elastic_radius(const struct law *law);
 
