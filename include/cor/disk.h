@@ -254,6 +254,52 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
                                   const struct cor_disk_collision_options *options, double speed,
                                   struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail);
 
+/* ---- the hard wall ---- */
+
+/* A collision of the disk of all its modes with a rigid wall: the limit of cor_disk_collision for alpha -> infinity and
+ * n_modes -> infinity, computed directly. docs/derivation.md, 17.
+ *
+ * Modes below a frequency Omega move, under a weight that fades smoothly to 0 at Omega; all that is left of the static
+ * compliance, which is known for all modes, acts at once; the wall is rigid. L = 1 - eps^2 then tends to its limit like
+ * Omega^-2, and a ladder of levels Omega, each sqrt(2) times the one before, is extrapolated. Below
+ * COR_DISK_HARD_WALL_POINT_SPEED the contact is a point with the contact law (57), which allows any speed. */
+#define COR_DISK_HARD_WALL_MAX_SPEED 0.5
+#define COR_DISK_HARD_WALL_POINT_SPEED 1e-5
+#define COR_DISK_HARD_WALL_MIN_TOLERANCE 1e-7
+
+struct cor_disk_hard_wall_options {
+    double tolerance; /* absolute error allowed in 1 - eps^2, from COR_DISK_HARD_WALL_MIN_TOLERANCE to below 1 */
+};
+
+struct cor_disk_hard_wall {
+    double one_minus_eps2;  /* energy left in the modes, as a fraction of (pi/2) v^2 */
+    double eps;             /* speed after over speed before */
+    double contact_time;    /* from the first to the last touch, of the highest level */
+    double max_compression; /* largest x_0 + 1 */
+    double error_estimate;  /* of one_minus_eps2, absolute */
+    size_t omega_levels;    /* levels of Omega that were computed */
+};
+
+/* A moment of a collision with a rigid wall */
+struct cor_disk_hard_wall_moment {
+    double time;          /* from the first touch */
+    double position;      /* x_0; the compression is x_0 + 1 */
+    double velocity;      /* of the centre of mass, positive towards the wall */
+    double load;          /* force of the wall */
+    double contact_angle; /* largest angle in contact; 0 in a point contact too */
+};
+
+/* What else a collision can tell, all of the highest level. Every pointer may be NULL; arrays have n_modes elements in the
+ * order of the table, 0 for modes above Omega. */
+struct cor_disk_hard_wall_detail {
+    double *energy_after;   /* energy left in each mode, as a fraction of (pi/2) v^2 */
+    double *energy_average; /* its mean over the contact time, likewise */
+    /* Told of every step, from the first touch till after the last; q and q_dot then hold the amplitudes Q and dQ/dt. */
+    void (*observe)(void *context, const struct cor_disk_hard_wall_moment *moment);
+    void *context;
+    double *q, *q_dot;
+};
+
 /* ---- its limits ---- */
 
 /* Restitution of a disk of all its modes at a hard wall: cor_disk_collision with alpha -> infinity and N -> infinity, from
