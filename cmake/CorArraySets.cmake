@@ -3,7 +3,7 @@
 # set errno and comparisons may be evaluated ahead.
 # -Wno-psabi: vectors are arguments of functions that are all inlined.
 set(cor_array_options $<$<NOT:$<CONFIG:Debug>>:-O3> -fno-math-errno -fno-trapping-math -Wno-psabi)
-set(cor_array_kernels sphere/array disk/rayleigh disk/collision disk/hard_wall)
+set(cor_array_kernels sphere/array disk/rayleigh disk/collision disk/hard_wall disk/mode_source)
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")
   foreach(kernel ${cor_array_kernels})
     set_source_files_properties(runtime/${kernel}_portable.c PROPERTIES COMPILE_OPTIONS "${cor_array_options}")

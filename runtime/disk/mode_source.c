@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Free modes of an elastic disk in double arithmetic, eight frequencies of one n at a time.
+/* Free modes of an elastic disk in double arithmetic, COR_MODE_LANES frequencies of one n at a time.
  *
  * Only the quotients a_m = kappa J_(m+1)(kappa)/J_m(kappa) are needed. The ladder a_(m-1) = z/(2m - a_m), z = kappa^2, goes
  * down from any m > kappa without overflow, and the signs of 2m - a_m count the zeros of J_n below kappa, (11.3). With
@@ -22,8 +22,7 @@
 
 /* Bits to which a_n is known, more than a double holds */
 enum { DOUBLE_BITS = 56, START_BITS = 8 };
-/* Frequencies evaluated at once: independent ladders, whose divisions overlap */
-enum { LANES = 8 };
+enum { LANES = COR_MODE_LANES };
 
 /* ---- one n at LANES frequencies ---- */
 
@@ -65,24 +64,31 @@ static void wave_end(struct wave *a, int i, double r, long n)
     a->d[i] = tall ? d : 1;
 }
 
+static const struct cor_mode_loops *widest_loops(void)
+{
+#ifdef COR_X86_SETS
+    if (cor_processor_has(COR_AVX512))
+        return &cor_mode_avx512;
+    if (cor_processor_has(COR_AVX2))
+        return &cor_mode_avx2;
+#endif
+    return &cor_mode_portable;
+}
+
 static void wave_set(struct wave *a, long n)
 {
-    double greatest = 0, r[LANES];
+    double greatest = 0, kappa[LANES], two_over_kappa[LANES], first_quotient[LANES], quotient[LANES];
     for (int i = 0; i < LANES; i++)
         greatest = fmax(greatest, a->z[i]);
-    long m = cor_mode_ladder_start(n + 1, sqrt(greatest), DOUBLE_BITS);
+    const long m = cor_mode_ladder_start(n + 1, sqrt(greatest), DOUBLE_BITS);
     for (int i = 0; i < LANES; i++) {
-        r[i] = first_rung(a->z[i], m);
-        a->zeros[i] = 0;
+        kappa[i] = sqrt(a->z[i]);
+        two_over_kappa[i] = 2 / kappa[i];
+        first_quotient[i] = first_rung(a->z[i], m) / kappa[i];
     }
-    for (; m > n + 1; m--)
-        for (int i = 0; i < LANES; i++) {
-            const double t = 2 * (double)m - r[i];
-            a->zeros[i] += t < 0 ? 1.0 : 0.0;
-            r[i] = a->z[i] / t;
-        }
+    widest_loops()->ladder(two_over_kappa, first_quotient, m, n + 1, quotient, a->zeros);
     for (int i = 0; i < LANES; i++)
-        wave_end(a, i, r[i], n);
+        wave_end(a, i, kappa[i] * quotient[i], n);
 }
 
 /* z d/dz of h, d and k: that of A is N (1 - A) + z A^2/(4N), Riccati's equation for a_n. */

@@ -10,6 +10,22 @@
 #include <stddef.h>
 
 #include "cor/disk.h"
+#include "runtime/core/instruction_set.h"
+
+/* Frequencies of one n that are evaluated at once, as independent ladders of Bessel functions */
+enum { COR_MODE_LANES = 16 };
+
+struct cor_mode_loops {
+    /* For COR_MODE_LANES arguments kappa: J_(end+1)/J_end, from J_(start+1)/J_start, and how often J_start, ..., J_end
+     * change their sign */
+    void (*ladder)(const double *two_over_kappa, const double *first_quotient, long start, long end, double *quotient,
+                   double *zeros);
+};
+
+extern const struct cor_mode_loops cor_mode_portable;
+#ifdef COR_X86_SETS
+extern const struct cor_mode_loops cor_mode_avx2, cor_mode_avx512;
+#endif
 
 /* e and s are given apart, so that nu next to 1 or -1 keeps its digits. */
 struct cor_mode_material {
