@@ -71,15 +71,23 @@ COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, si
                                 struct cor_disk_modes *modes, size_t *line);
 
 /* Computes the `count` lowest modes of a disk in double arithmetic into mode[0..count-1], for any nu, and sets *modes,
- * whose mode is then that array. 13,000 modes take a tenth of a second, time and number growing like omega^3 and omega^2.
+ * whose mode is then that array. 13,000 modes take 0.1 s; the time grows like omega^3, the number like omega^2.
  * Allocates, and frees, as much memory again as the modes take.
- * Domain: -1 < nu < 1 and 1 <= count <= COR_DISK_MODES_MAX_COUNT. Accuracy: omega to COR_DISK_MODES_OMEGA_MAX_ERROR,
- * c and s to COR_DISK_MODES_AMPLITUDE_MAX_ERROR, relative to sqrt(c^2 + s^2); compared with proved tables, see the macros.
- * Nothing proves that no mode is missing; corgen tables --poisson NU --modes N proves a table.
- * COR_OK, or without touching anything COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_MODES (count, or fewer
- * modes were found than the count of all has), COR_ERROR_MEMORY. */
+ * Domain: -1 < nu < 1 and 1 <= count <= COR_DISK_MODES_MAX_COUNT.
+ * Accuracy, sampled against proved tables: omega to COR_DISK_MODES_OMEGA_MAX_ERROR, relative; c and s to
+ * COR_DISK_MODES_AMPLITUDE_MAX_ERROR, relative to the length of (c, s). Nothing proves that no mode is missing; `corgen tables
+ * --poisson NU --modes N` proves a table.
+ * COR_OK, or without touching anything COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_MODES (count), or
+ * COR_ERROR_MEMORY. */
 #define COR_DISK_MODES_MAX_COUNT 1000000
+#define COR_DISK_MODES_OMEGA_MAX_ERROR 2e-14
+#define COR_DISK_MODES_AMPLITUDE_MAX_ERROR 1e-10
 COR_API int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes);
+
+/* Number of modes below omega, about ((1 - nu^2) + 2 (1 + nu)) omega^2/8. Domain: -1 < nu < 1, 0 < omega <=
+ * COR_DISK_MODES_MAX_OMEGA; 0 outside. May be off by one where omega is the frequency of a mode to rounding. */
+#define COR_DISK_MODES_MAX_OMEGA 2000.0
+COR_API size_t cor_disk_modes_below(double nu, double omega);
 
 /* ---- quasistatic contact law ---- */
 
@@ -264,8 +272,10 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
  * Omega^-2, and a ladder of levels Omega, each sqrt(2) times the one before, is extrapolated. Below
  * COR_DISK_HARD_WALL_POINT_SPEED the contact is a point with the contact law (57), which allows any speed. */
 #define COR_DISK_HARD_WALL_MAX_SPEED 0.5
-#define COR_DISK_HARD_WALL_POINT_SPEED 1e-5
+#define COR_DISK_HARD_WALL_POINT_SPEED 1e-7
 #define COR_DISK_HARD_WALL_MIN_TOLERANCE 1e-7
+/* Level k = 0, 1, ... has Omega = 15 * 2^(k/2), which is 15 to 960. */
+#define COR_DISK_HARD_WALL_MAX_LEVELS 13
 
 struct cor_disk_hard_wall_options {
     double tolerance; /* absolute error allowed in 1 - eps^2, from COR_DISK_HARD_WALL_MIN_TOLERANCE to below 1 */
@@ -274,11 +284,34 @@ struct cor_disk_hard_wall_options {
 struct cor_disk_hard_wall {
     double one_minus_eps2;  /* energy left in the modes, as a fraction of (pi/2) v^2 */
     double eps;             /* speed after over speed before */
-    double contact_time;    /* from the first to the last touch, of the highest level */
+    double contact_time;    /* from the first to the last touch, at the highest level */
     double max_compression; /* largest x_0 + 1 */
     double error_estimate;  /* of one_minus_eps2, absolute */
     size_t omega_levels;    /* levels of Omega that were computed */
 };
+
+/* Takes levels until error_estimate is below the tolerance, as far as the lowest n_modes modes go: all modes below the
+ * Omega of a level must be among them, and cor_disk_modes_below tells how many these are. Two levels are the least, and 1800
+ * modes suffice for five (Omega = 60), which is good to 1e-4 or so.
+ * 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, however small. Allocates its workspace, once, and frees it. The same arguments give
+ * the same bits, on every instruction set.
+ * COR_OK, or with the best numbers given nevertheless
+ *     COR_TOLERANCE_NOT_REACHED  the modes end before error_estimate is below the tolerance
+ * or with NaN for what is not known
+ *     COR_WALL_NOT_TOUCHED       v <= 0: the disk does not come
+ *     COR_CONTACT_NOT_ENDED      a disk that leaves its vibrations nearly all its energy
+ *     COR_ERROR_MODES            the modes leave a compliance that no disk has: numbers in the table are wrong
+ * or without touching anything
+ *     COR_ERROR_NULL, COR_ERROR_MODES (no such number of modes; omega does not grow; a number that is none; too few for two
+ *     levels), COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED (too high or NaN), COR_ERROR_TOLERANCE, COR_ERROR_MEMORY. */
+COR_API int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,
+                               const struct cor_disk_hard_wall_options *options, double speed,
+                               struct cor_disk_hard_wall *out);
+
+/* The same for any nu, -1 < nu < 1, without a table: computes as many modes as the tolerance needs, by
+ * cor_disk_modes_compute, up to COR_DISK_HARD_WALL_MAX_LEVELS. For many speeds a table is faster. */
+COR_API int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
+                                  struct cor_disk_hard_wall *out);
 
 /* A moment of a collision with a rigid wall */
 struct cor_disk_hard_wall_moment {
@@ -299,6 +332,15 @@ struct cor_disk_hard_wall_detail {
     void *context;
     double *q, *q_dot;
 };
+
+/* The same with a workspace of the caller's, and with detail, which may be NULL. Bytes needed at these arguments, anywhere
+ * in memory; 0 if an argument is not allowed. */
+COR_API size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
+                                            const struct cor_disk_hard_wall_options *options, double speed);
+/* Statuses as above, COR_ERROR_WORKSPACE for one that is too small; allocates nothing. */
+COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
+                                  const struct cor_disk_hard_wall_options *options, double speed,
+                                  struct cor_disk_hard_wall *out, const struct cor_disk_hard_wall_detail *detail);
 
 /* ---- its limits ---- */
 

@@ -182,7 +182,7 @@ static int solve_whole(struct cor_hard_wall_contact *contact, const double *reac
 {
     const size_t points = contact->points;
     size_t m = 0;
-    for (; m < points; m++) {
+    for (; m < points && !contact->indefinite; m++) {
         if (contact->whole.rows == m)
             append_row(contact, &contact->whole, m);
         contact->z[m] = solve_forward(contact, &contact->whole, m, reach[m], contact->z);
@@ -274,7 +274,7 @@ static void pivot(struct cor_hard_wall_contact *contact, const double *reach, do
 {
     size_t fewest = contact->points + 1, last = 0;
     int patience = PATIENCE;
-    for (int round = 0; round < MAX_ROUNDS; round++) {
+    for (int round = 0; round < MAX_ROUNDS && !contact->indefinite; round++) {
         solve_part(contact, reach, y);
         const size_t faults = find_faults(contact, reach, negligible, y, &last);
         if (faults == 0)

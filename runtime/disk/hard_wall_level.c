@@ -471,7 +471,7 @@ static int collide(struct level *level, struct motion *motion, double contact_ti
             const struct kick kick = step(level, motion, at);
             if (level->size.points > 0 && kick.end == level->size.points)
                 return COR_ERROR_WORKSPACE;
-            if (!(kick.load < INFINITY))
+            if (level->contact.indefinite || !(kick.load < INFINITY))
                 return COR_ERROR_MODES;
             if (detail != NULL)
                 tell(level, motion, &kick, contact_time, detail);

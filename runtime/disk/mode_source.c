@@ -475,3 +475,10 @@ int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, 
     free(all);
     return status;
 }
+
+size_t cor_disk_modes_below(double nu, double omega)
+{
+    const struct cor_mode_material material = {1 + nu, 1 - nu};
+    return nu > -1 && nu < 1 && omega > 0 && omega <= COR_DISK_MODES_MAX_OMEGA ? (size_t)cor_mode_total(&material, omega)
+                                                                             : 0;
+}
