@@ -102,9 +102,10 @@ struct cor_hard_wall_contact {
 /* Cuts the arrays from the store. */
 void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct cor_hard_wall_store *store,
                                    size_t points);
-/* From T_k and Q_k, k < terms, of derivation 17. twice_cosine[i] = 2 cos(i d), i < 2 points; scratch has 2 points elements. */
-void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t terms, const double *t, const double *q,
-                                 const double *twice_cosine, double constant, double *scratch);
+/* From T_k, k < t_terms, and Q_n, n < q_terms, of derivation 17; the others are 0. twice_cosine[i] = 2 cos(i d), i < 2
+ * points; scratch has 2 points elements. */
+void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t_terms, const double *t, size_t q_terms,
+                                 const double *q, const double *twice_cosine, double constant, double *scratch);
 /* Sets the forces y >= 0, `points` of them, at which no angle reaches into the wall, if reach[j] is how far it would
  * without forces; up to `negligible` counts as nothing. Returns 1 more than the last angle with a force, which is `points`
  * where the contact does not fit. */

@@ -74,14 +74,14 @@ static void mirror(size_t points, double factor, const double *values, double *t
         table[points + i] = factor * values[i];
 }
 
-void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t terms, const double *t, const double *q,
-                                 const double *twice_cosine, double constant, double *scratch)
+void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t_terms, const double *t, size_t q_terms,
+                                 const double *q, const double *twice_cosine, double constant, double *scratch)
 {
     const size_t points = contact->points;
     contact->constant = constant;
-    contact->loops->cosines(terms, t, 2 * points, twice_cosine, scratch);
+    contact->loops->cosines(t_terms, t, 2 * points, twice_cosine, scratch);
     mirror(points, 1 / (8 * PI), scratch, contact->same);
-    contact->loops->cosines(terms, q, 2 * points, twice_cosine, scratch);
+    contact->loops->cosines(q_terms, q, 2 * points, twice_cosine, scratch);
     mirror(points, 1 / (4 * PI), scratch, contact->across);
     mirror(points, 0.5, twice_cosine, contact->cosine);
     double greatest = 0;

@@ -119,7 +119,7 @@ static void arrange(struct level *level, struct cor_hard_wall_store *store)
     for (size_t i = 0; i < sizeof of_points / sizeof *of_points; i++)
         *of_points[i] = cor_hard_wall_take(store, size->points, real);
     level->t = cor_hard_wall_take(store, size->nyquist + 1, real);
-    level->q = cor_hard_wall_take(store, size->nyquist + 1, real);
+    level->q = cor_hard_wall_take(store, size->lanes, real);
     if (size->points > 0)
         cor_hard_wall_contact_arrange(&level->contact, store, size->points);
 }
@@ -172,14 +172,15 @@ static void add_compliance(struct level *level, size_t n, double sum_square, dou
     if (n + 1 <= level->size.nyquist)
         level->t[n + 1] += sum_square;
     level->t[n > 0 ? n - 1 : 1] += difference_square;
-    level->q[n] += across;
+    if (n < level->size.lanes) /* 0 beyond */
+        level->q[n] += across;
 }
 
 /* The static compliance of all modes up to Nyquist's number, section 14 */
 static void add_static_compliance(struct level *level, double nu)
 {
     memset(level->t, 0, (level->size.nyquist + 1) * sizeof *level->t);
-    memset(level->q, 0, (level->size.nyquist + 1) * sizeof *level->q);
+    memset(level->q, 0, level->size.lanes * sizeof *level->q);
     const double one = 0.5 * (1 - nu); /* A_0 = A_1 = B_1 */
     add_compliance(level, 0, one, one, one);
     add_compliance(level, 1, 3 * one + 0.5 * (3 + nu), 0.5 * (3 + nu) - one, one - 0.5 * (3 + nu));
@@ -241,8 +242,8 @@ static void set_angles(struct level *level)
         level->shape[j] = -2 * half_sine * half_sine / level->speed;
     }
     memset(level->force, 0, size->points * sizeof *level->force);
-    cor_hard_wall_contact_begin(&level->contact, size->nyquist + 1, level->t, level->q, level->twice_cosine,
-                                level->h * level->h / (12 * MASS), level->reach);
+    cor_hard_wall_contact_begin(&level->contact, size->nyquist + 1, level->t, size->lanes, level->q,
+                                level->twice_cosine, level->h * level->h / (12 * MASS), level->reach);
 }
 
 /* ---- wall ---- */
