@@ -157,6 +157,9 @@ static int press_exponential(struct disk *disk)
 {
     const int m = disk->angles;
     const double d = pi / disk->wall->nyquist, alpha = disk->wall->alpha;
+    for (int j = 0; j < m; j++) /* no more than without a compliance */
+        disk->force[j] = fmin(fmax(disk->force[j], d * exp(fmax(alpha * fmin(disk->reach[j], 0), -600))),
+                              2 * d * exp(fmin(alpha * disk->reach[j], 0)));
     for (int round = 0; round < 200; round++) {
         double change = 0;
         for (int j = 0; j < m; j++) {
@@ -172,9 +175,9 @@ static int press_exponential(struct disk *disk)
         for (int j = 0; j < m; j++) {
             const double step = disk->system[j * (m + 1) + m], bounded = fmin(fmax(step, -20), 2);
             disk->force[j] = fmax(disk->force[j], 1e-290) * exp(bounded);
-            change = fmax(change, fabs(step) * disk->force[j]);
+            change = fmax(change, fabs(step) * fmin(disk->force[j] / 1e-16, 1));
         }
-        if (change < 1e-14)
+        if (change < 1e-9)
             return 0;
     }
     return 1;
