@@ -35,10 +35,4 @@ int disk_newton(arb_t step, const struct disk *d, slong n, const arb_t w);
 /* C and S of a mode by (26), (28), C > 0, from a ball around the w of a root. Returns 0 where it is too wide. */
 int disk_amplitudes(arb_t c, arb_t s, const struct disk *d, slong n, const arb_t w);
 
-/* The lowest n from which on no mode is below omega: omega_{n,l}^2 >= n (n - 1)/10 for every n >= 2, l and nu. */
-slong disk_orders(double omega);
-
-/* An m > n from which a_m in [z/(2(m+1)), z/(m+1)], which holds for kappa <= m + 1, gives a_n to `bits` bits. */
-slong disk_ladder_start(slong n, double kappa, slong bits);
-
 #endif

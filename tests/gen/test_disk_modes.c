@@ -7,8 +7,8 @@
 
 #include "check.h"
 #include "disk/equation.h"
-#include "disk/estimate.h"
 #include "disk/modes.h"
+#include "runtime/core/mode_source.h"
 #include "support/digits.h"
 
 static void set_nu(fmpq_t nu, const char *text)
@@ -244,7 +244,8 @@ static void test_ritz(void **state)
                 const slong ritz = ritz_count(nu, n, w, PAIRS), count = disk_count(&disk, n, w);
                 check(count + (n == 1) == ritz, "nu = %s, n = %ld, omega = %a: %ld, and %ld by Ritz", materials[i],
                       (long)n, omega, (long)count, (long)ritz);
-                assert_true(disk_estimate_count(&disk, n, omega) == count);
+                const struct cor_mode_material material = {disk.e_double, disk.s_double};
+                assert_true(cor_mode_count(&material, n, omega) == count);
                 assert_true(ritz_count(nu, n, w, 3) <= ritz);
             }
         }
@@ -600,7 +601,7 @@ static void test_corners_of_nu(void **state)
     fmpq_clear(nu);
 }
 
-/* No mode of any n >= disk_orders(omega) is below omega, and not many n are looked at in vain. */
+/* No mode of any n >= cor_mode_orders(omega) is below omega, and not many n are looked at in vain. */
 static void test_orders(void **state)
 {
     (void)state;
@@ -616,7 +617,7 @@ static void test_orders(void **state)
         disk_init(&disk, nu, 128);
         for (int k = 0; k < 40; k++) {
             const double omega = random_log(&random, 0.5, 500);
-            const slong orders = disk_orders(omega);
+            const slong orders = cor_mode_orders(omega);
             assert_true((double)orders * (double)(orders - 1) >= 10 * omega * omega && (double)orders < 4 * omega + 4);
             arb_set_d(w, omega);
             arb_mul(w, w, w, 128);

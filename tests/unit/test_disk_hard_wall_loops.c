@@ -5,7 +5,7 @@
 #include "check.h"
 
 #include "runtime/disk/hard_wall.h"
-#include "runtime/disk/mode_source.h"
+#include "runtime/core/mode_source.h"
 
 static const struct {
     const char *name;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Ladders of Bessel functions. Compiled once for every instruction set, in mode_source_<set>.c, and chosen in
  * mode_source.c; all sets give the same bits, see kernel_vector.h. */
-#ifndef COR_RUNTIME_DISK_MODE_SOURCE_KERNEL_H
-#define COR_RUNTIME_DISK_MODE_SOURCE_KERNEL_H
+#ifndef COR_RUNTIME_CORE_MODE_SOURCE_KERNEL_H
+#define COR_RUNTIME_CORE_MODE_SOURCE_KERNEL_H
 
 #include <stdint.h>
 
 #include "runtime/core/kernel_vector.h"
-#include "runtime/disk/mode_source.h"
+#include "runtime/core/mode_source.h"
 
 #ifdef __GNUC__
 typedef __typeof__(all(0) < all(0)) changes; /* -1 where it is so */

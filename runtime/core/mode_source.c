@@ -12,7 +12,7 @@
  *     T0 = e d D - s k D - 2 K d,   T1 = d D,   T2 = h H
  *
  * in which nothing cancels where nu is next to -1 or 1. */
-#include "runtime/disk/mode_source.h"
+#include "runtime/core/mode_source.h"
 
 #include <math.h>
 #include <stdlib.h>
