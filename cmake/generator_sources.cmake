@@ -46,6 +46,7 @@ set(COR_GENERATOR_SOURCES
   gen/support/emit_c.c
   gen/support/output.c
   gen/sweep/crew.c
+  gen/sweep/hard_wall.c
   gen/sweep/journal.c
   gen/sweep/run.c
   gen/sweep/sweep.c

@@ -26,7 +26,8 @@ struct collide {
     int threads;
     struct sweep_room *room; /* of each thread */
     struct cor_disk_mode *mode;
-    struct cor_disk_modes modes; /* of the material at hand */
+    struct cor_disk_modes modes; /* of the material at hand; of the hard wall: */
+    struct hard_wall_tables tables;
 
     /* Rank 0. Lines go either to a journal or to a printer. */
     struct journal journal;
@@ -63,6 +64,10 @@ static int refuse_memory(const struct sweep *sweep)
 static int find_modes(struct collide *run, size_t material)
 {
     const double start = seconds_now();
+    if (run->sweep.hard_wall) { /* the rows make them, as many as they need */
+        hard_wall_tables_set(&run->tables, run->sweep.poisson.nearest[material]);
+        return STATUS_OK;
+    }
     flint_set_num_threads(run->threads);
     free(run->mode);
     run->mode = NULL;
@@ -80,6 +85,10 @@ static void tell_modes(struct crew *crew, const struct collide *run)
 {
     if (ranks_count() < 2)
         return;
+    if (run->sweep.hard_wall) {
+        crew_tell(crew, &run->tables.nu, sizeof run->tables.nu);
+        return;
+    }
     const size_t bytes = run->modes.count * sizeof *run->mode;
     unsigned char *message = xmalloc(sizeof run->modes.nu + bytes);
     memcpy(message, &run->modes.nu, sizeof run->modes.nu);
@@ -91,6 +100,12 @@ static void tell_modes(struct crew *crew, const struct collide *run)
 static void hear_modes(void *context, const void *bytes, size_t n)
 {
     struct collide *run = context;
+    if (run->sweep.hard_wall) {
+        double nu;
+        memcpy(&nu, bytes, sizeof nu);
+        hard_wall_tables_set(&run->tables, nu);
+        return;
+    }
     const size_t size = n - sizeof run->modes.nu;
     run->mode = xrealloc(run->mode, size);
     memcpy(&run->modes.nu, bytes, sizeof run->modes.nu);
@@ -141,7 +156,10 @@ static void collide_row(void *context, int thread, uint64_t number, void *result
     struct collide *run = context;
     struct sweep_row row;
     sweep_row(&row, &run->sweep, number);
-    sweep_collide(result, &run->sweep, &row, &run->modes, &run->room[thread]);
+    if (run->sweep.hard_wall)
+        sweep_collide_hard(result, &run->sweep, &row, &run->tables, &run->room[thread]);
+    else
+        sweep_collide(result, &run->sweep, &row, &run->modes, &run->room[thread]);
 }
 
 static void row_ready(void *context, uint64_t number, const void *result)
@@ -162,7 +180,7 @@ static int row_finished(void *context, uint64_t number, const void *bytes)
     struct sweep_row row;
     sweep_row(&row, &run->sweep, number);
     char line[SWEEP_LINE];
-    sweep_line(line, &row, &result);
+    sweep_line(line, &run->sweep, &row, &result);
     if (result.status == COR_ERROR_MEMORY || result.status == COR_ERROR_WORKSPACE)
         return fail("row %" PRIu64 ": %s", number + 1, cor_status_text(result.status));
     if (run->again && number == run->again_row) {
@@ -212,7 +230,7 @@ static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
         const size_t material = (size_t)(first / each);
         run->materials_left = run->sweep.poisson.count - material - 1;
         int status = find_modes(run, material);
-        if (status == STATUS_OK && !checked)
+        if (status == STATUS_OK && !checked && !run->sweep.hard_wall)
             status = refuse_corners(run, &run->modes);
         if (status != STATUS_OK)
             return status;
@@ -303,8 +321,21 @@ static int publish(struct collide *run, const struct sweep_request *request)
     return status;
 }
 
+static char *title_of_hard_wall(const struct sweep *sweep)
+{
+    static const char format[] = "corgen disk-collide, unfinished, sweep %016" PRIx64 ", %" PRIu64
+                                 " rows: --hard-wall --speed %s --poisson %s --tolerance %s";
+    const size_t size = sizeof format + 4 * DECIMAL_TEXT + strlen(sweep->speed.text) + strlen(sweep->poisson.text);
+    char *title = xmalloc(size), tolerance[DECIMAL_TEXT];
+    snprintf(title, size, format, sweep_identity(sweep), sweep->rows, sweep->speed.text, sweep->poisson.text,
+             decimal_text(tolerance, sweep->tolerance));
+    return title;
+}
+
 static char *title_of(const struct sweep *sweep)
 {
+    if (sweep->hard_wall)
+        return title_of_hard_wall(sweep);
     static const char format[] = "corgen disk-collide, unfinished, sweep %016" PRIx64 ", %" PRIu64
                                  " rows: --speed %s --poisson %s --alpha %s --modes %s --tolerance %s --phi-points %zu";
     size_t size = sizeof format + 4 * DECIMAL_TEXT;
@@ -370,6 +401,7 @@ int sweep_run(const struct sweep_request *request)
                   : processors < 1                ? 1
                   : processors < CREW_MAX_THREADS ? (int)processors
                                                   : CREW_MAX_THREADS;
+    hard_wall_tables_init(&run.tables);
     run.room = xmalloc((size_t)run.threads * sizeof *run.room);
     memset(run.room, 0, (size_t)run.threads * sizeof *run.room);
     struct crew *crew = NULL;
@@ -378,9 +410,9 @@ int sweep_run(const struct sweep_request *request)
     if (status == STATUS_OK && !(crew = crew_start(&work, run.threads)))
         status = STATUS_FAILED;
     /* only now, when crew_stop ends the other ranks */
-    if (status == STATUS_OK && ranks_mine() == 0)
+    if (status == STATUS_OK && ranks_mine() == 0 && !run.sweep.hard_wall)
         status = refuse_memory(&run.sweep);
-    if (status == STATUS_OK && ranks_mine() == 0)
+    if (status == STATUS_OK && ranks_mine() == 0 && !run.sweep.hard_wall)
         status = refuse_early(&run);
     if (status == STATUS_OK) {
         struct stat file;
@@ -397,5 +429,6 @@ int sweep_run(const struct sweep_request *request)
         free(run.room[i].bytes);
     free(run.room);
     free(run.mode);
+    hard_wall_tables_clear(&run.tables);
     return status;
 }

@@ -274,7 +274,8 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 #define COR_DISK_HARD_WALL_MAX_SPEED 0.5
 #define COR_DISK_HARD_WALL_POINT_SPEED 1e-7
 #define COR_DISK_HARD_WALL_MIN_TOLERANCE 1e-7
-/* Level k = 0, 1, ... has Omega = 15 * 2^(k/2), which is 15 to 960. */
+/* Level k = 0, 1, ... has Omega = COR_DISK_HARD_WALL_FIRST_OMEGA 2^(k/2), which is 15 to 960. */
+#define COR_DISK_HARD_WALL_FIRST_OMEGA 15.0
 #define COR_DISK_HARD_WALL_MAX_LEVELS 13
 
 struct cor_disk_hard_wall_options {

@@ -12,8 +12,6 @@
 
 /* ---- what was chosen, and how ---- */
 
-/* Level k has Omega = FIRST_OMEGA 2^(k/2). */
-#define FIRST_OMEGA 15.0
 enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 
 /* Steps and angles are finer by `fineness` than what suffices for COARSE_TOLERANCE, and FINEST at most. Fitted: at
@@ -63,7 +61,7 @@ static double fineness_of(double tolerance)
 
 static double omega_of(size_t level)
 {
-    return FIRST_OMEGA * ldexp(level % 2 == 0 ? 1 : 1.4142135623730951, (int)(level / 2));
+    return COR_DISK_HARD_WALL_FIRST_OMEGA * ldexp(level % 2 == 0 ? 1 : 1.4142135623730951, (int)(level / 2));
 }
 
 static struct cor_hard_wall_settings settings_of(size_t level, double speed, double tolerance, double widened)
