@@ -18,7 +18,6 @@ set(COR_GENERATOR_SOURCES
   gen/cli/tables.c
   gen/cli/trajectory.c
   gen/disk/equation.c
-  gen/disk/limit_fit.c
   gen/disk/modes.c
   gen/disk/modes_rounded.c
   gen/embed/choose.c

@@ -3,7 +3,6 @@
 
 #include <inttypes.h>
 #include <math.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -251,45 +250,6 @@ static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
 
 /* ---- output ---- */
 
-static char *interrupted_text;
-static struct sigaction before_interrupt[3];
-static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
-
-/* The rows are safe at any moment; the signal goes on to end the program as its sender expects. */
-static void on_interrupt(int number)
-{
-    const char *text = interrupted_text;
-    if (text && write(STDERR_FILENO, text, strlen(text)) < 0)
-        text = NULL;
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
-static void interrupts_say(const char *path)
-{
-    static const char format[] = "\ncorgen: interrupted; the same command goes on where %s ends\n";
-    interrupted_text = xmalloc(sizeof format + strlen(path));
-    snprintf(interrupted_text, sizeof format + strlen(path), format, path);
-    for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++) {
-        sigaction(interrupts[i], NULL, &before_interrupt[i]);
-        if (before_interrupt[i].sa_handler == SIG_IGN)
-            continue; /* by the parent: nohup */
-        struct sigaction action;
-        memset(&action, 0, sizeof action);
-        action.sa_handler = on_interrupt;
-        sigfillset(&action.sa_mask);
-        sigaction(interrupts[i], &action, NULL);
-    }
-}
-
-static void interrupts_as_before(void)
-{
-    for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++)
-        sigaction(interrupts[i], &before_interrupt[i], NULL);
-    free(interrupted_text);
-    interrupted_text = NULL;
-}
-
 /* What is wrong with the rows that were printed, if anything is. */
 static int verdict(const struct sweep_printer *printer)
 {
@@ -363,9 +323,9 @@ static int collide_to_file(struct collide *run, struct crew *crew, const struct 
         return status;
     for (uint64_t i = 0; i < run->journal.lines; i++)
         run->cost_found += sweep_cost(&run->sweep, i);
-    interrupts_say(run->journal.path);
+    journal_say_on_interrupt(&run->journal);
     status = collide_all(run, crew, run->journal.lines);
-    interrupts_as_before();
+    journal_silent_on_interrupt();
     if (status == STATUS_OK)
         status = publish(run, request);
     journal_close(&run->journal, status == STATUS_OK);

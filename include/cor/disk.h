@@ -345,22 +345,25 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
 
 /* ---- its limits ---- */
 
-/* Restitution of a disk of all its modes at a hard wall: cor_disk_collision with alpha -> infinity and N -> infinity, from
- * a table of such limits, and between its rows by a polynomial in ln v and nu.
+/* Restitution of a disk of all its modes at a rigid wall, as cor_disk_hard_wall computes it, from a table of collisions,
+ * generated/disk_limits.h, between which polynomials of degree 3 in v^(1/8) and nu interpolate. Fractions of a microsecond.
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
- *     one_minus_eps2_uncertainty   by how much fits that are as good differ at the rows of the table around the point,
- *                                  plus how much the interpolation misses at most at the places tried: an estimate, no
- *                                  bound; up to COR_DISK_EPS_MAX_UNCERTAINTY
+ *     one_minus_eps2_uncertainty   1.5 times what the polynomial misses at most at places between those of the table
+ *                                  around, plus the estimate of the errors of the collisions: an estimate, no bound, but
+ *                                  not exceeded at 1000 random places off the grid (tests/unit/test_disk_eps.c). Up to
+ *                                  COR_DISK_EPS_MAX_UNCERTAINTY for v <= COR_DISK_EPS_CALM_SPEED, and up to
+ *                                  COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
  *     eps, eps_uncertainty         the same for eps
- * Domain: the speeds and Poisson's numbers below, ends included, where the laws of both limits were seen to hold;
- * elsewhere, and for NaN, the result is NaN, never a guess. Faster disks and softer walls: cor_disk_collision. Slower
- * ones: cor_disk_rayleigh, which has the size of the loss and its oscillation in ln v, but not yet its phase where this
- * table begins (nu = 0.33: largest 0.0415 near v = 0.0031 here, 0.0385 near 0.0012 there). */
-#define COR_DISK_EPS_MIN_SPEED 0.003
+ * Between cells of the table the functions jump by no more than the uncertainty.
+ * Domain: the speeds and Poisson's ratios below, ends included; elsewhere, and for NaN, the result is NaN. At other speeds
+ * and nu, and for smaller errors: cor_disk_hard_wall. Softer walls: cor_disk_collision. */
+#define COR_DISK_EPS_MIN_SPEED 1e-5
 #define COR_DISK_EPS_MAX_SPEED 0.3
+#define COR_DISK_EPS_CALM_SPEED 0.15
 #define COR_DISK_EPS_MIN_NU (-0.2)
 #define COR_DISK_EPS_MAX_NU 0.9
-#define COR_DISK_EPS_MAX_UNCERTAINTY 2.1e-3
+#define COR_DISK_EPS_MAX_UNCERTAINTY 2e-5
+#define COR_DISK_EPS_MAX_UNCERTAINTY_FAST 1e-4
 COR_API double cor_disk_eps(double speed, double nu);
 COR_API double cor_disk_eps_uncertainty(double speed, double nu);
 COR_API double cor_disk_one_minus_eps2(double speed, double nu);
