@@ -48,5 +48,6 @@ void disk_rayleigh(struct disk_bench *bench);
 void disk_tolerance(struct disk_bench *bench);
 void disk_curves(struct disk_bench *bench);
 void disk_collision(struct disk_bench *bench);
+void disk_hard_wall(struct disk_bench *bench);
 
 #endif

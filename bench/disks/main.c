@@ -118,8 +118,10 @@ int main(int argc, char **argv)
         disk_loading(&bench);
         disk_law(&bench);
     }
-    if (!bench.report)
+    if (!bench.report) {
+        disk_hard_wall(&bench);
         disk_collision(&bench);
+    }
     printf("disks: %d targets missed\n\n", bench.missed);
 
     const int failed = ferror(bench.csv);

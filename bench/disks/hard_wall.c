@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+/* The rigid wall, error against time: cor_disk_hard_wall at tolerances, beside what was to be had before it, soft walls of
+ * few modes extrapolated to alpha -> infinity and N -> infinity. The truth is the rigid wall at its least tolerance, with
+ * modes up to Omega = 960 (480 in a quick run). */
+#include "disk.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cor/status.h>
+
+enum { SCENES = 5, TOLERANCES = 5, GRIDS = 4 };
+static const struct scene {
+    double nu, speed;
+} scenes[SCENES] = {{0.33, 0.01}, {0.33, 0.06}, {0.33, 0.1}, {0.33, 0.3}, {0.9, 0.1}};
+static const double tolerances[TOLERANCES] = {1e-3, 1e-4, 1e-5, 3e-6, 1e-6};
+
+/* Seconds within which one core should reach 1e-6 at nu = 0.33, v <= 0.1 */
+#define TARGET_SECONDS 2.0
+
+/* The first modes of a material, as many as so many levels of the rigid wall need */
+static struct cor_disk_modes modes_of(double nu, int levels)
+{
+    struct cor_disk_modes modes;
+    const double omega = COR_DISK_HARD_WALL_FIRST_OMEGA * pow(2, 0.5 * (levels - 1));
+    const size_t count = cor_disk_modes_below(nu, omega * (1 + 1e-9)) + 1;
+    struct cor_disk_mode *const mode = disk_memory(count, sizeof *mode);
+    disk_must(cor_disk_modes_compute(nu, count, mode, &modes) == COR_OK, "no modes");
+    return modes;
+}
+
+/* ---- the rigid wall ---- */
+
+struct rigid {
+    const struct cor_disk_modes *modes;
+    double speed, tolerance;
+    struct cor_disk_hard_wall out;
+    int status;
+};
+
+static void to_tolerance(void *closure)
+{
+    struct rigid *const r = closure;
+    const struct cor_disk_hard_wall_options options = {r->tolerance};
+    r->status = cor_disk_hard_wall(r->modes, r->modes->count, &options, r->speed, &r->out);
+    disk_must(r->status == COR_OK || r->status == COR_TOLERANCE_NOT_REACHED, cor_status_text(r->status));
+}
+
+/* ---- soft walls, extrapolated ---- */
+
+/* 1 - eps^2 = L + a u + c u^(5/3) + b w + d u w, u = 1/(alpha v), w = 1/sqrt(N), by least squares: the best of the forms
+ * that were tried, docs/derivation.md, 15 */
+enum { WALLS = 4, COUNTS = 5, ROWS = WALLS * COUNTS, TERMS = 5 };
+static const double hardness[WALLS] = {22, 30, 41, 56};
+static const size_t counts[COUNTS] = {3000, 3800, 4800, 6000, 7500};
+static const double shares[GRIDS] = {0.15, 0.4, 1, 2.5}; /* of these counts */
+
+static void set_terms(long double term[TERMS], double u, double w)
+{
+    term[0] = 1;
+    term[1] = u;
+    term[2] = powl(u, 5.0L / 3);
+    term[3] = w;
+    term[4] = (long double)u * w;
+}
+
+static double fitted_limit(const double u[ROWS], const double w[ROWS], const double loss[ROWS])
+{
+    long double a[TERMS][TERMS + 1] = {{0}};
+    for (int r = 0; r < ROWS; r++) {
+        long double term[TERMS];
+        set_terms(term, u[r], w[r]);
+        for (int i = 0; i < TERMS; i++) {
+            for (int j = 0; j < TERMS; j++)
+                a[i][j] += term[i] * term[j];
+            a[i][TERMS] += term[i] * loss[r];
+        }
+    }
+    for (int k = 0; k < TERMS; k++) /* positive definite: no exchange of rows is needed */
+        for (int i = 0; i < TERMS; i++)
+            if (i != k) {
+                const long double factor = a[i][k] / a[k][k];
+                for (int j = k; j <= TERMS; j++)
+                    a[i][j] -= factor * a[k][j];
+            }
+    return (double)(a[0][TERMS] / a[0][0]);
+}
+
+struct soft {
+    const struct cor_disk_modes *modes;
+    double speed, share, limit;
+};
+
+static void extrapolate(void *closure)
+{
+    struct soft *const s = closure;
+    double u[ROWS], w[ROWS], loss[ROWS];
+    for (int r = 0; r < ROWS; r++) {
+        const size_t n = (size_t)(s->share * (double)counts[r % COUNTS]);
+        const struct cor_disk_collision_options options = {.alpha = hardness[r / COUNTS] / s->speed, .tolerance = 1e-7};
+        struct cor_disk_collision out;
+        const int status = cor_disk_collision(s->modes, n, &options, s->speed, &out);
+        disk_must(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED, cor_status_text(status));
+        u[r] = 1 / hardness[r / COUNTS];
+        w[r] = 1 / sqrt((double)n);
+        loss[r] = out.one_minus_eps2;
+    }
+    s->limit = fitted_limit(u, w, loss);
+}
+
+/* ---- tables ---- */
+
+static void bench_scene(struct disk_bench *bench, const struct scene *scene, const struct cor_disk_modes *modes)
+{
+    struct rigid truth = {modes, scene->speed, bench->quick ? 1e-6 : COR_DISK_HARD_WALL_MIN_TOLERANCE, {0}, 0};
+    to_tolerance(&truth);
+    printf("nu = %g, v = %g: 1 - eps^2 = %.8f +- %.1e\n", scene->nu, scene->speed, truth.out.one_minus_eps2,
+           truth.out.error_estimate);
+    printf("  %-34s %9s %6s %10s %10s\n", "", "seconds", "levels", "estimate", "error");
+    for (int i = 0; i < TOLERANCES; i++) {
+        struct rigid r = {modes, scene->speed, tolerances[i], {0}, 0};
+        struct job job = {to_tolerance, &r, 1, NAN};
+        timing_measure(&job, 1, bench->timing);
+        const double seconds = job.best_ns / 1e9, error = fabs(r.out.one_minus_eps2 - truth.out.one_minus_eps2);
+        printf("  rigid wall, tolerance %-12.0e %9.4f %5zu%c %10.1e %10.1e", tolerances[i], seconds, r.out.omega_levels,
+               r.status == COR_OK ? ' ' : '*', r.out.error_estimate, error);
+        if (tolerances[i] <= 1e-6 && scene->nu == 0.33 && scene->speed <= 0.1)
+            disk_judge(bench, "1e-6 within 2 s", error <= 1e-6 && seconds <= TARGET_SECONDS);
+        printf("\n");
+        disk_csv(bench, &(struct disk_row){"hard_wall", "rigid", scene->speed, tolerances[i], r.out.omega_levels, seconds,
+                                           error});
+    }
+    for (int i = 0; i < (bench->quick ? GRIDS - 1 : GRIDS); i++) {
+        struct soft s = {modes, scene->speed, shares[i], NAN};
+        struct job job = {extrapolate, &s, 1, NAN};
+        timing_once(&job);
+        const double error = fabs(s.limit - truth.out.one_minus_eps2);
+        printf("  20 soft walls, up to %5.0f modes     %9.4f %6s %10s %10.1e\n", shares[i] * (double)counts[COUNTS - 1],
+               job.best_ns / 1e9, "", "", error);
+        disk_csv(bench, &(struct disk_row){"hard_wall", "extrapolated", scene->speed, shares[i],
+                                           (size_t)(shares[i] * (double)counts[COUNTS - 1]), job.best_ns / 1e9, error});
+    }
+}
+
+struct making {
+    double nu;
+    size_t count;
+    struct cor_disk_mode *mode;
+};
+
+static void make_modes(void *closure)
+{
+    const struct making *const m = closure;
+    struct cor_disk_modes modes;
+    disk_must(cor_disk_modes_compute(m->nu, m->count, m->mode, &modes) == COR_OK, "no modes");
+}
+
+void disk_hard_wall(struct disk_bench *bench)
+{
+    static const size_t made[] = {1800, 13000, 52000, 103000};
+    printf("modes in double arithmetic (cor_disk_modes_compute), nu = 0.33\n");
+    for (size_t i = 0; i < (bench->quick ? 3 : 4); i++) {
+        struct making m = {0.33, made[i], disk_memory(made[i], sizeof *m.mode)};
+        struct job job = {make_modes, &m, 1, NAN};
+        timing_measure(&job, 1, bench->timing);
+        printf("  %6zu modes, up to omega = %6.2f: %8.4f s", made[i], m.mode[made[i] - 1].omega, job.best_ns / 1e9);
+        if (made[i] == 13000)
+            disk_judge(bench, "13,000 within half a second", job.best_ns <= 5e8);
+        printf("\n");
+        disk_csv(bench, &(struct disk_row){"hard_wall", "modes", NAN, NAN, made[i], job.best_ns / 1e9, NAN});
+        free(m.mode);
+    }
+    printf("\nrigid wall and all modes, one core, the modes at hand; *: these modes do not reach the tolerance.\n"
+           "Soft walls: 4 hardnesses alpha v = 22 to 56, 5 numbers of modes, fitted by L + a u + c u^(5/3) + b w + d u w\n");
+    struct cor_disk_modes modes = {NAN, 0, NULL};
+    for (int i = 0; i < SCENES; i++) {
+        if (!(modes.nu == scenes[i].nu)) {
+            free((void *)(size_t)modes.mode);
+            modes = modes_of(scenes[i].nu, bench->quick ? 11 : 13);
+        }
+        bench_scene(bench, &scenes[i], &modes);
+    }
+    free((void *)(size_t)modes.mode);
+    printf("\n");
+}
