@@ -113,13 +113,14 @@ static void extrapolate(void *closure)
 
 static void bench_scene(struct disk_bench *bench, const struct scene *scene, const struct cor_disk_modes *modes)
 {
-    struct rigid truth = {modes, scene->speed, bench->quick ? 1e-6 : COR_DISK_HARD_WALL_MIN_TOLERANCE, {0}, 0};
+    struct rigid truth = {
+        .modes = modes, .speed = scene->speed, .tolerance = bench->quick ? 1e-6 : COR_DISK_HARD_WALL_MIN_TOLERANCE};
     to_tolerance(&truth);
     printf("nu = %g, v = %g: 1 - eps^2 = %.8f +- %.1e\n", scene->nu, scene->speed, truth.out.one_minus_eps2,
            truth.out.error_estimate);
     printf("  %-34s %9s %6s %10s %10s\n", "", "seconds", "levels", "estimate", "error");
     for (int i = 0; i < TOLERANCES; i++) {
-        struct rigid r = {modes, scene->speed, tolerances[i], {0}, 0};
+        struct rigid r = {.modes = modes, .speed = scene->speed, .tolerance = tolerances[i]};
         struct job job = {to_tolerance, &r, 1, NAN};
         timing_measure(&job, 1, bench->timing);
         const double seconds = job.best_ns / 1e9, error = fabs(r.out.one_minus_eps2 - truth.out.one_minus_eps2);
@@ -128,8 +129,8 @@ static void bench_scene(struct disk_bench *bench, const struct scene *scene, con
         if (tolerances[i] <= 1e-6 && scene->nu == 0.33 && scene->speed <= 0.1)
             disk_judge(bench, "1e-6 within 2 s", error <= 1e-6 && seconds <= TARGET_SECONDS);
         printf("\n");
-        disk_csv(bench, &(struct disk_row){"hard_wall", "rigid", scene->speed, tolerances[i], r.out.omega_levels, seconds,
-                                           error});
+        disk_csv(bench, &(struct disk_row){"hard_wall", "rigid", scene->speed, tolerances[i], r.out.omega_levels,
+                                           seconds, error});
     }
     for (int i = 0; i < (bench->quick ? GRIDS - 1 : GRIDS); i++) {
         struct soft s = {modes, scene->speed, shares[i], NAN};
@@ -172,7 +173,8 @@ void disk_hard_wall(struct disk_bench *bench)
         free(m.mode);
     }
     printf("\nrigid wall and all modes, one core, the modes at hand; *: these modes do not reach the tolerance.\n"
-           "Soft walls: 4 hardnesses alpha v = 22 to 56, 5 numbers of modes, fitted by L + a u + c u^(5/3) + b w + d u w\n");
+           "Soft walls: 4 hardnesses alpha v = 22 to 56, 5 numbers of modes, fitted by L + a u + c u^(5/3) + b w + d u "
+           "w\n");
     struct cor_disk_modes modes = {NAN, 0, NULL};
     for (int i = 0; i < SCENES; i++) {
         if (!(modes.nu == scenes[i].nu)) {

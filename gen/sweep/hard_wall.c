@@ -8,8 +8,8 @@
 #include "cor/status.h"
 #include "support/console.h"
 
-/* Levels of the ladder that each table has the modes for: Omega = 120, 240, 480, 960 */
-static const int levels[HARD_WALL_TABLES] = {7, 9, 11, COR_DISK_HARD_WALL_MAX_LEVELS};
+/* Levels of the ladder that each table has the modes for: Omega = 170, 339, 679, 960 */
+static const int levels[HARD_WALL_TABLES] = {8, 10, 12, COR_DISK_HARD_WALL_MAX_LEVELS};
 
 void hard_wall_tables_init(struct hard_wall_tables *tables)
 {

@@ -348,11 +348,11 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
 /* Restitution of a disk of all its modes at a rigid wall, as cor_disk_hard_wall computes it, from a table of collisions,
  * generated/disk_limits.h, between which polynomials of degree 3 in v^(1/8) and nu interpolate. Fractions of a microsecond.
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
- *     one_minus_eps2_uncertainty   1.5 times what the polynomial misses at most at places between those of the table
- *                                  around, plus the estimate of the errors of the collisions: an estimate, no bound, but
- *                                  not exceeded at 1000 random places off the grid (tests/unit/test_disk_eps.c). Up to
- *                                  COR_DISK_EPS_MAX_UNCERTAINTY for v <= COR_DISK_EPS_CALM_SPEED, and up to
- *                                  COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
+ *     one_minus_eps2_uncertainty   from 1.5 times what the polynomial misses at most at places between those of the
+ *                                  table around, and from the estimate of the errors of the collisions: an estimate, no
+ *                                  bound, but not exceeded at 1000 random places off the grid
+ *                                  (tests/unit/test_disk_eps.c). Up to COR_DISK_EPS_MAX_UNCERTAINTY for
+ *                                  v <= COR_DISK_EPS_CALM_SPEED, and up to COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
  *     eps, eps_uncertainty         the same for eps
  * Between cells of the table the functions jump by no more than the uncertainty.
  * Domain: the speeds and Poisson's ratios below, ends included; elsewhere, and for NaN, the result is NaN. At other speeds
