@@ -4,7 +4,7 @@ stem = "mode_limit"
 set terminal svg size 960,500 fixed font "DejaVu Sans,13" background "white"
 load "paper/style.gp"
 
-# Columns: 1 speed, 2 to 7 N = 300, 400, 600, 940, 1300, 1800; limit and slope: 8, 9 of N = 300 to 940, 10, 11 of 940 up
+# Columns: 1 speed, 2 to 7 N = 300, 400, 600, 940, 1300, 1800; limit and slope: 8, 9 of N = 300 to 940, 10, 11 of 940 up; 13 all modes at a rigid wall
 stats csv using 1 skip 1 nooutput
 rows = STATS_records
 array v[rows]
@@ -26,14 +26,15 @@ set ytics 0.05
 set xlabel "1/√N"
 set ylabel "1 − ε^2" offset 1
 unset key
-set label 1 "circles: N = 300 to 1800; lines through N = 300 to 940, dashed, and N = 940 to 1800, full" \
+set label 1 "circles: N = 300 to 1800; dots: all modes, computed; lines through N = 300 to 940, dashed, and N = 940 to 1800, full" \
     at screen 0.5, 0.965 center
 plot for [i = 1:rows] [0:0.06] few[i] + few_slope[i]*x with lines lw 1 dt (6,4) lc rgb grey notitle, \
      for [i = 1:rows] [0:0.034] many[i] + many_slope[i]*x with lines lw 1.6 lc rgb blue notitle, \
-     for [k = 1:6] csv using (1/sqrt(modes[k])):(column(k + 1)) skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red notitle
+     for [k = 1:6] csv using (1/sqrt(modes[k])):(column(k + 1)) skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red notitle, \
+     csv using (0):13 skip 1 with points pt 7 ps 0.5 lc rgb black notitle
 
 unset label 1
-set title "over its limit, N = 940 to 1800"
+set title "over the limit of N = 940 to 1800"
 set yrange [0.98:1.12]
 set ytics 0.02
 set ylabel "(1 − ε^2) over its limit" offset 1
@@ -44,6 +45,7 @@ plot for [k = 1:4] [0:0.06] (few[shown[k]] + few_slope[shown[k]]*x)/many[shown[k
          with lines lw 1 dt (6,4) lc rgb colour[k] notitle, \
      for [k = 1:4] [0:0.034] 1 + many_slope[shown[k]]/many[shown[k]]*x with lines lw 1.6 lc rgb colour[k] notitle, \
      for [k = 1:4] for [j = 1:6] csv using (int($0) == shown[k] - 1 ? 1/sqrt(modes[j]) : NaN):(column(j + 1)/$10) \
-         skip 1 with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title (j == 1 ? sprintf("v = %g", v[shown[k]]) : "")
+         skip 1 with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title (j == 1 ? sprintf("v = %g", v[shown[k]]) : ""), \
+     for [k = 1:4] csv using (int($0) == shown[k] - 1 ? 0 : NaN):($13/$10) skip 1 with points pt 7 ps 0.8 lc rgb colour[k] notitle
 unset multiplot
 set output

@@ -6,7 +6,7 @@ load "paper/style.gp"
 points = dir."/collisions.csv"
 
 # Columns of collisions: 1 nu, 2 modes, 3 alpha, 4 speed, 5 converged, 6 1 - eps^2; of wall_limit: 1 speed, 2 modes,
-# 3 limit, 4 slope
+# 3 limit, 4 slope, 5 all modes at a rigid wall
 stats csv using 1 skip 1 nooutput
 rows = STATS_records
 array v[rows]
@@ -25,7 +25,8 @@ set ytics 0.05
 set xlabel "1/α (R)"
 set ylabel "1 − ε^2" offset 1
 plot for [i = 1:rows] [0:v[i]/20] limit[i] + slope[i]*x with lines lw 1.2 lc rgb blue, \
-     for [i = 1:rows] points using (is($1, $2, $4, i) ? 1/$3 : NaN):6 skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red
+     for [i = 1:rows] points using (is($1, $2, $4, i) ? 1/$3 : NaN):6 skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red, \
+     csv using (0):5 skip 1 with points pt 7 ps 0.5 lc rgb black
 
 set title "over its limit, against 1/(α v)"
 set xrange [0:0.105]

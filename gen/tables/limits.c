@@ -22,10 +22,10 @@
 #define FIRST_NU (-0.2)
 #define LAST_NU 0.9
 enum { X_ROOTS = 20, NU_ROOTS = 8, ROOTS = X_ROOTS * NU_ROOTS };
-/* A cell is cut at most DEPTH times: each more of them costs 3 times the collisions of all before, and `corgen tables
- * --all` can go on with those that it has (disk_limits.h.part). Places are counted in sixths of the side of a cell that is
- * cut FINEST times, so that they do not depend on DEPTH. */
-enum { DEPTH = 1, FINEST = 6, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
+/* How often a cell is cut at most, for each row of NU_ROOTS. Once more costs about 3 times the collisions of all before.
+ * Places are counted in sixths of the side of a cell that is cut FINEST times, so that they do not depend on these. */
+enum { FINEST = 6, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
+static const int most_cuts[NU_ROOTS] = {0, 0, 1, 1, 1, 0, 0, 0};
 
 /* What collisions are asked for up to a speed and beyond it, and by how much what the polynomial of a cell misses at the
  * 9 places between its 16 is multiplied */
@@ -199,8 +199,8 @@ static int collide_all(struct scene *scene, long count, struct journal *journal,
 struct scenes {
     struct scene *scene; /* in order of place */
     long count, capacity;
-    struct scene *found; /* by an earlier run that did not end, in the order in which it found them */
-    long found_count, found_capacity, found_used;
+    struct scene *found; /* by an earlier run that did not end, in order of place; how many of them were needed */
+    long found_count, found_capacity, recalled;
 };
 
 static void add_scene(struct scene **list, long *count, long *capacity, struct scene scene)
@@ -227,18 +227,23 @@ static void take_found(void *context, const char *line)
         add_scene(&scenes->found, &scenes->found_count, &scenes->found_capacity, scene);
 }
 
-/* The scenes of a list that an earlier run has found, in the order in which this run needs them too; how many */
+/* Takes those of a list that an earlier run has found into the known scenes, out of the list; how many stay in it */
 static long recall(struct scenes *scenes, struct scene *needed, long count)
 {
-    long n = 0;
-    while (n < count && scenes->found_used < scenes->found_count) {
-        const struct scene *const found = &scenes->found[scenes->found_used];
-        if (found->x != needed[n].x || found->nu != needed[n].nu)
-            break;
-        needed[n++] = *found;
-        scenes->found_used++;
+    long kept = 0;
+    for (long i = 0; i < count; i++) {
+        const struct scene *const found =
+            scenes->found_count
+                ? bsearch(&needed[i], scenes->found, (size_t)scenes->found_count, sizeof *needed, by_place)
+                : NULL;
+        if (found) {
+            add_scene(&scenes->scene, &scenes->count, &scenes->capacity, *found);
+            scenes->recalled++;
+        } else {
+            needed[kept++] = needed[i];
+        }
     }
-    return n;
+    return kept;
 }
 
 /* ---- cells ---- */
@@ -268,7 +273,8 @@ static void need_places(const struct cell *cell, const struct scenes *scenes, st
 static long without_repetitions(struct scene *scene, long count)
 {
     long kept = 0;
-    qsort(scene, (size_t)count, sizeof *scene, by_place);
+    if (count)
+        qsort(scene, (size_t)count, sizeof *scene, by_place);
     for (long i = 0; i < count; i++)
         if (kept == 0 || by_place(&scene[kept - 1], &scene[i]) != 0)
             scene[kept++] = scene[i];
@@ -282,10 +288,10 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
     for (int i = 0; i < cells; i++)
         need_places(&cell[i], scenes, &needed, &count, &capacity);
     count = without_repetitions(needed, count);
-    const long recalled = recall(scenes, needed, count);
+    count = recall(scenes, needed, count);
     char name[LINE];
     snprintf(name, sizeof name, "collisions for %d cells", cells);
-    const int status = collide_all(needed + recalled, count - recalled, journal, name);
+    const int status = collide_all(needed, count, journal, name);
     for (long i = 0; i < count; i++)
         add_scene(&scenes->scene, &scenes->count, &scenes->capacity, needed[i]);
     qsort(scenes->scene, (size_t)scenes->count, sizeof *scenes->scene, by_place);
@@ -340,7 +346,7 @@ static int refine(struct scenes *scenes, struct cell **cell, int *cells, struct 
         const struct cell *const c = &(*cell)[i];
         struct cor_disk_limit_cell filled;
         fill_cell(&filled, c, scenes);
-        if (c->depth == DEPTH || filled.uncertainty * COR_DISK_LIMIT_UNIT <= wanted_at(c->x)) {
+        if (c->depth == most_cuts[c->nu / ROOT_SIDE] || filled.uncertainty * COR_DISK_LIMIT_UNIT <= wanted_at(c->x)) {
             table->node[c->node] = (int16_t)table->cells;
             table->cell[table->cells++] = filled;
         } else if (table->nodes + 4 > NODES_MAX) {
@@ -388,6 +394,7 @@ int disk_limits_collide(const char *path)
     if (status != STATUS_OK)
         return status;
     status = journal_read(&journal, take_found, &scenes);
+    scenes.found_count = without_repetitions(scenes.found, scenes.found_count);
     start_table();
     if (status == STATUS_OK) {
         journal_say_on_interrupt(&journal);
@@ -396,7 +403,7 @@ int disk_limits_collide(const char *path)
     }
     table->scenes = scenes.count;
     /* of this run; of one that goes on with another's collisions, as many times more as it has more of them */
-    const long own = scenes.count - scenes.found_used;
+    const long own = scenes.count - scenes.recalled;
     table->seconds = lround((processor_seconds() - start) * (own > 0 ? (double)scenes.count / (double)own : 1));
     table->known = status == STATUS_OK;
     journal_close(&journal, status == STATUS_OK);
@@ -412,7 +419,7 @@ int disk_limits_collide(const char *path)
 /* The largest uncertainty of cells that begin below, or at and above, CALM_SPEED, and the median of all */
 struct summary {
     int32_t calm, fast, median;
-    int depth[DEPTH + 1];
+    int depth[FINEST + 1], deepest;
 };
 
 static int by_size(const void *a, const void *b)
@@ -433,6 +440,7 @@ static void summarise_node(struct summary *summary, const struct limits *limits,
     const int32_t uncertainty = limits->cell[number].uncertainty;
     *most = uncertainty > *most ? uncertainty : *most;
     summary->depth[depth]++;
+    summary->deepest = depth > summary->deepest ? depth : summary->deepest;
 }
 
 static struct summary summary_of(const struct limits *limits)
@@ -459,12 +467,12 @@ static void write_banner(FILE *file, const struct limits *limits)
         " * speeds from %g to %g and Poisson's ratios from %g to %g in plane stress. Evaluated by "
         "runtime/disk/limits.c.\n"
         " *\n"
-        " * %ld collisions, asked for an error of %.0e up to v = %g and %.0e beyond (estimated by "
+        " * %ld collisions, asked for an error of %g up to v = %g and %g beyond (estimated by "
         "cor_disk_hard_wall).\n"
         " * The plane of x = v^(1/8) and nu is cut into %d cells, of depths 0 to %d: ",
         FIRST_SPEED, LAST_SPEED, FIRST_NU, LAST_NU, limits->scenes, CALM_TOLERANCE, CALM_SPEED, FAST_TOLERANCE,
-        limits->cells, DEPTH);
-    for (int k = 0; k <= DEPTH; k++)
+        limits->cells, summary.deepest);
+    for (int k = 0; k <= summary.deepest; k++)
         fprintf(file, "%s%d", k ? ", " : "", summary.depth[k]);
     fprintf(
         file,
