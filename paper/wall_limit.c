@@ -9,7 +9,7 @@
 
 static int write_wall_limit(FILE *csv, char verdict[VERDICT_SIZE])
 {
-    double on_line = 0, soft = 0, hard = 0, above = 0, below = 0;
+    double on_line = 0, soft = 0, hard = 0, above = -INFINITY, below = INFINITY;
     fputs("speed,modes,limit,slope,all_modes\n", csv);
     for (int i = 0; i < PAPER_SPEEDS; i++) {
         const double v = paper_speed(i);
