@@ -53,11 +53,12 @@ static int make(const struct figure *figure, const char *directory, char verdict
     return 0;
 }
 
-enum { FIGURES = 15 };
+enum { FIGURES = 16 };
 static const struct figure *const figure[FIGURES] = {
-    &collisions_figure,   &restitution_figure, &shapes_figure,     &spectrum_figure,    &sequence_figure,
-    &energies_figure,     &ranking_figure,     &wall_limit_figure, &mode_limit_figure,  &load_figure,
-    &load_dynamic_figure, &contact_figure,     &rayleigh_figure,   &oscillation_figure, &rigid_wall_figure};
+    &collisions_figure, &restitution_figure, &shapes_figure,       &spectrum_figure,
+    &sequence_figure,   &energies_figure,    &ranking_figure,      &wall_limit_figure,
+    &mode_limit_figure, &load_figure,        &load_dynamic_figure, &contact_figure,
+    &rayleigh_figure,   &oscillation_figure, &rigid_wall_figure,   &approach_figure};
 
 static const char usage[] = "usage: cor_paper [--collisions FILE [--all]] DIRECTORY\n";
 

@@ -16,6 +16,6 @@ struct cor_disk_hard_wall rigid_wall(double nu, double speed, double tolerance);
 
 void rigid_wall_clear(void);
 
-extern const struct figure rigid_wall_figure;
+extern const struct figure rigid_wall_figure, approach_figure;
 
 #endif
