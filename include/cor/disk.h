@@ -7,7 +7,7 @@
  * number in plane stress, -1 < nu < 1. A disk in plane strain, with three-dimensional E and nu, is the one with
  * E/(1 - nu^2) and nu/(1 - nu) in their place, (2).
  *
- * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 16,
+ * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 17,
  * derives them again and lists where the print is wrong. */
 #ifndef COR_DISK_H
 #define COR_DISK_H
@@ -270,7 +270,7 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
  * Modes below a frequency Omega move, under a weight that fades smoothly to 0 at Omega; all that is left of the static
  * compliance, which is known for all modes, acts at once; the wall is rigid. L = 1 - eps^2 then tends to its limit like
  * Omega^-2, and a ladder of levels Omega, each sqrt(2) times the one before, is extrapolated. Below
- * COR_DISK_HARD_WALL_POINT_SPEED the contact is a point with the contact law (57), which allows any speed. */
+ * COR_DISK_HARD_WALL_POINT_SPEED the contact is a point with one equation for the load, which allows any speed. */
 #define COR_DISK_HARD_WALL_MAX_SPEED 0.5
 #define COR_DISK_HARD_WALL_POINT_SPEED 1e-7
 #define COR_DISK_HARD_WALL_MIN_TOLERANCE 1e-7
