@@ -20,12 +20,13 @@
 #define FIRST_SPEED 1e-5
 #define LAST_SPEED 0.3
 #define FIRST_NU (-0.2)
-#define LAST_NU 0.9
-enum { X_ROOTS = 20, NU_ROOTS = 8, ROOTS = X_ROOTS * NU_ROOTS };
+#define NU_STEP 0.1375
+enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
+#define LAST_NU (FIRST_NU + NU_ROOTS * NU_STEP)
 /* How often a cell is cut at most, for each row of NU_ROOTS. Once more costs about 3 times the collisions of all before.
  * Places are counted in sixths of the side of a cell that is cut FINEST times, so that they do not depend on these. */
 enum { FINEST = 6, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
-static const int most_cuts[NU_ROOTS] = {0, 0, 1, 1, 1, 0, 0, 0};
+static const int most_cuts[NU_ROOTS] = {1, 1, 1, 1, 1};
 
 /* What collisions are asked for up to a speed and beyond it, and by how much what the polynomial of a cell misses at the
  * 9 places between its 16 is multiplied */
@@ -84,11 +85,6 @@ static double x_step(void)
     return (x_of_speed(LAST_SPEED) - x_of_speed(FIRST_SPEED)) / X_ROOTS;
 }
 
-static double nu_step(void)
-{
-    return (LAST_NU - FIRST_NU) / NU_ROOTS;
-}
-
 static double speed_at(int32_t x)
 {
     const double root = x_of_speed(FIRST_SPEED) + x_step() * ((double)x / ROOT_SIDE), square = root * root;
@@ -97,13 +93,13 @@ static double speed_at(int32_t x)
 
 static double nu_at(int32_t nu)
 {
-    return FIRST_NU + nu_step() * ((double)nu / ROOT_SIDE);
+    return FIRST_NU + NU_STEP * ((double)nu / ROOT_SIDE);
 }
 
 static struct cor_disk_limit_table evaluable(const struct limits *limits)
 {
     return (struct cor_disk_limit_table){
-        X_ROOTS, NU_ROOTS, x_of_speed(FIRST_SPEED), x_step(), FIRST_NU, nu_step(), limits->node, limits->cell};
+        X_ROOTS, NU_ROOTS, x_of_speed(FIRST_SPEED), x_step(), FIRST_NU, NU_STEP, limits->node, limits->cell};
 }
 
 /* ---- collisions ---- */
@@ -388,8 +384,8 @@ int disk_limits_collide(const char *path)
     struct scenes scenes = {0};
     char title[4 * LINE];
     snprintf(title, sizeof title,
-             "corgen tables --all, unfinished: %d x %d cells, v %g to %g, nu %g to %g, to %g and %g", X_ROOTS, NU_ROOTS,
-             FIRST_SPEED, LAST_SPEED, FIRST_NU, LAST_NU, CALM_TOLERANCE, FAST_TOLERANCE);
+             "corgen tables --all, unfinished: %d cells, v %g to %g, nu from %g by %g, to %g and %g", X_ROOTS,
+             FIRST_SPEED, LAST_SPEED, FIRST_NU, NU_STEP, CALM_TOLERANCE, FAST_TOLERANCE);
     int status = journal_open(&journal, path, title, UINT64_MAX);
     if (status != STATUS_OK)
         return status;
@@ -522,7 +518,7 @@ int disk_limits_write(FILE *file, const struct disk_table *modes)
         const char *name;
         double value;
     } number[] = {
-        {"X_FIRST", x_of_speed(FIRST_SPEED)}, {"X_STEP", x_step()}, {"NU_FIRST", FIRST_NU}, {"NU_STEP", nu_step()}};
+        {"X_FIRST", x_of_speed(FIRST_SPEED)}, {"X_STEP", x_step()}, {"NU_FIRST", FIRST_NU}, {"NU_STEP", NU_STEP}};
     for (size_t i = 0; i < sizeof number / sizeof *number; i++)
         fprintf(file, "#define COR_DISK_LIMIT_%s (%a) /* %.17g */\n", number[i].name, number[i].value, number[i].value);
     fputs("\n", file);
