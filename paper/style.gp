@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What the figures of docs/disk share. dir: where the csv files lie and the svg files go.
-if (!exists("dir")) dir = "docs/disk"
+# What the figures of docs/paper share. dir: where the csv files lie and the svg files go.
+if (!exists("dir")) dir = "docs/paper"
 csv = dir."/".stem.".csv"
 
 # The same bytes on every run and machine: the lines that name the gnuplot version are removed.
