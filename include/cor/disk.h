@@ -351,12 +351,13 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  *     one_minus_eps2_uncertainty   from 1.5 times what the polynomial misses at most at places between those of the
  *                                  table around, and from the estimate of the errors of the collisions: an estimate, no
  *                                  bound, but not exceeded at 1000 random places off the grid
- *                                  (tests/unit/test_disk_eps.c). Up to COR_DISK_EPS_MAX_UNCERTAINTY for
- *                                  v <= COR_DISK_EPS_CALM_SPEED, and up to COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
+ *                                  (tests/unit/test_disk_eps.c). At most COR_DISK_EPS_MAX_UNCERTAINTY for
+ *                                  v <= COR_DISK_EPS_CALM_SPEED, and COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
  *     eps, eps_uncertainty         the same for eps
  * Between cells of the table the functions jump by no more than the uncertainty.
- * Domain: the speeds and Poisson's ratios below, ends included; elsewhere, and for NaN, the result is NaN. At other speeds
- * and nu, and for smaller errors: cor_disk_hard_wall. Softer walls: cor_disk_collision. */
+ * Domain: the speeds and Poisson's ratios below, ends included; elsewhere, and for NaN, the result is NaN. Beyond nu =
+ * COR_DISK_EPS_MAX_NU, 1 - eps^2 has so many kinks that no table of this size is good there. At other speeds and nu, and
+ * for smaller errors: cor_disk_hard_wall_nu. Softer walls: cor_disk_collision. */
 #define COR_DISK_EPS_MIN_SPEED 1e-5
 #define COR_DISK_EPS_MAX_SPEED 0.3
 #define COR_DISK_EPS_CALM_SPEED 0.15
