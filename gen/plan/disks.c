@@ -30,7 +30,9 @@ enum {
 #define TRUTH_SHARE 0.02
 #define FINEST_TRUTH 1e-6
 #define COARSEST_TRUTH 1e-4
-/* Of the contact time and the largest compression, the change from a rigid wall to this tolerance is their uncertainty. */
+#define COARSEST_TRUTH_OF_OTHERS 1e-5 /* of levels beyond those of COARSE_TOLERANCE */
+/* Of the contact time and the largest compression, twice the change from a rigid wall to this tolerance is their
+ * uncertainty: the contact time converges like 1/Omega. */
 #define COARSE_TOLERANCE 1e-3
 #define LEAST_TOLERANCE 1e-6
 #define MIN_SPEED 1e-3 /* alpha v = 56 is beyond COR_DISK_COLLISION_MAX_ALPHA soon below it */
@@ -119,9 +121,10 @@ static int collide_rigid(struct disks *d, struct outcome *out, double *uncertain
     return status == COR_OK || status == COR_TOLERANCE_NOT_REACHED ? STATUS_OK : STATUS_FAILED;
 }
 
-static double truth_tolerance(const struct plan *plan)
+static double truth_tolerance(const struct plan *plan, enum plan_quantity quantity)
 {
-    return fmin(fmax(TRUTH_SHARE * plan->tolerance, FINEST_TRUTH), COARSEST_TRUTH);
+    const double coarsest = quantity == PLAN_EPS ? COARSEST_TRUTH : COARSEST_TRUTH_OF_OTHERS;
+    return fmin(fmax(TRUTH_SHARE * plan->tolerance, FINEST_TRUTH), coarsest);
 }
 
 static int find_truth(struct plan *plan, struct disks *d, slong i)
@@ -129,11 +132,11 @@ static int find_truth(struct plan *plan, struct disks *d, slong i)
     const enum plan_quantity quantity = d->request->quantity;
     struct outcome coarse;
     double of_coarse;
-    int status = collide_rigid(d, &d->truth[i], &plan->uncertainty[i], truth_tolerance(plan), plan->speed[i]);
+    int status = collide_rigid(d, &d->truth[i], &plan->uncertainty[i], truth_tolerance(plan, quantity), plan->speed[i]);
     plan->truth[i] = d->truth[i].value[quantity];
     if (status == STATUS_OK && quantity != PLAN_EPS) {
         status = collide_rigid(d, &coarse, &of_coarse, COARSE_TOLERANCE, plan->speed[i]);
-        plan->uncertainty[i] = fabs(coarse.value[quantity] / plan->truth[i] - 1);
+        plan->uncertainty[i] = 2 * fabs(coarse.value[quantity] / plan->truth[i] - 1);
     }
     if (status != STATUS_OK || !isfinite(plan->truth[i]) || !isfinite(plan->uncertainty[i]))
         return fail("the collision at speed %.4g with a rigid wall is not known", plan->speed[i]);
