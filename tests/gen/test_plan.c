@@ -457,7 +457,7 @@ static void test_contact_time(void **state)
         const double limit = harder + (harder - hard) * 60 / (100 - 60);
         /* there the contact ends at a thousandth of the largest load, at a rigid wall with the last touch */
         check(fabs(limit / plan.truth[i] - 1) <= 0.015, "tau(%g) = %g, from two walls %g", speed, plan.truth[i], limit);
-        check(fabs(at_rigid_wall(1e-6, speed).contact_time / plan.truth[i] - 1) <= plan.uncertainty[i] &&
+        check(fabs(at_rigid_wall(3e-6, speed).contact_time / plan.truth[i] - 1) <= plan.uncertainty[i] &&
                   plan.uncertainty[i] < 0.01,
               "tau(%g) = %g, uncertain by %.2g", speed, plan.truth[i], plan.uncertainty[i]);
         for (int k = 0; k < plan.models; k++)
