@@ -10,8 +10,8 @@
 #define RIGID_TOLERANCE 2e-5
 #define RIGID_LINE_TOLERANCE 1e-4
 
-/* A collision at nu = 0.33 or 0.9, computed at the first call with these arguments; all NaN after saying on stderr what is
- * wrong. */
+/* A collision at nu = 0.33 or 0.9, computed at the first call with these arguments; all NaN after saying on stderr what
+ * is wrong. */
 struct cor_disk_hard_wall rigid_wall(double nu, double speed, double tolerance);
 
 void rigid_wall_clear(void);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The rigid wall, error against time: cor_disk_hard_wall at tolerances, beside what was to be had before it, soft walls of
- * few modes extrapolated to alpha -> infinity and N -> infinity. The truth is the rigid wall at its least tolerance, with
- * modes up to Omega = 960 (480 in a quick run). */
+/* The rigid wall, error against time: cor_disk_hard_wall at tolerances, beside what was to be had before it, soft walls
+ * of few modes extrapolated to alpha -> infinity and N -> infinity. The truth is the rigid wall at its least tolerance,
+ * with modes up to Omega = 960 (480 in a quick run). */
 #include "disk.h"
 
 #include <math.h>
@@ -50,8 +50,8 @@ static void to_tolerance(void *closure)
 
 /* ---- soft walls, extrapolated ---- */
 
-/* 1 - eps^2 = L + a u + c u^(5/3) + b w + d u w, u = 1/(alpha v), w = 1/sqrt(N), by least squares: the best of the forms
- * that were tried, docs/derivation.md, 15 */
+/* 1 - eps^2 = L + a u + c u^(5/3) + b w + d u w, u = 1/(alpha v), w = 1/sqrt(N), by least squares: the best of the
+ * forms that were tried, docs/derivation.md, 15 */
 enum { WALLS = 4, COUNTS = 5, ROWS = WALLS * COUNTS, TERMS = 5 };
 static const double hardness[WALLS] = {22, 30, 41, 56};
 static const size_t counts[COUNTS] = {3000, 3800, 4800, 6000, 7500};

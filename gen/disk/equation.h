@@ -26,7 +26,8 @@ void disk_clear(struct disk *d);
 /* What cannot be decided: more precision, or another w, may. */
 #define DISK_UNDECIDED (-1)
 
-/* Number of roots of one n below omega, w = omega^2 > 0, without the translation n = 1, omega = 0; or DISK_UNDECIDED. */
+/* Number of roots of one n below omega, w = omega^2 > 0, without the translation n = 1, omega = 0; or DISK_UNDECIDED.
+ * */
 slong disk_count(const struct disk *d, slong n, const arb_t w);
 
 /* Step of Newton's method: w (1 - step) is nearer to a root. Returns 0 where the ball is too wide to tell. */

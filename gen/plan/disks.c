@@ -15,8 +15,8 @@
 /* Every number of modes with every hardness alpha v. */
 static const size_t counts[] = {10, 30, 100, 300, 940, 1800, 3600};
 static const double hardness[] = {11, 22, 56};
-/* What the rigid wall is asked for, on 1 - eps^2, and ns for it: the median of 30 speeds from 0.001 to 0.3, the modes at
- * hand, measured once: docs/plan.md. */
+/* What the rigid wall is asked for, on 1 - eps^2, and ns for it: the median of 30 speeds from 0.001 to 0.3, the modes
+ * at hand, measured once: docs/plan.md. */
 static const struct {
     double tolerance, cost;
 } rigid[] = {{1e-3, 4e6}, {1e-4, 7e6}, {1e-5, 5e7}, {1e-6, 5e8}};

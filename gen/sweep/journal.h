@@ -21,8 +21,8 @@ struct journal {
 };
 
 /* Opens or makes FILE.part. title: its first line, without end. A file whose first line differs before the first colon
- * is refused; of the right one, the lines that are as they were written are kept, up to `most` of them, and what follows is cut off. STATUS_OK, or
- * STATUS_FAILED after saying why. */
+ * is refused; of the right one, the lines that are as they were written are kept, up to `most` of them, and what
+ * follows is cut off. STATUS_OK, or STATUS_FAILED after saying why. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 
 /* Adds a line, without its end. It survives this process once journal_flush has returned, and the machine's end within

@@ -63,8 +63,8 @@ static double sum_of(double (*cost)(int part, double value), int part, const str
     return sum;
 }
 
-/* Of the hard wall a row takes about as long at any speed and nu, but up to ten times as long where waves come back while
- * the contact ends or splits. */
+/* Of the hard wall a row takes about as long at any speed and nu, but up to ten times as long where waves come back
+ * while the contact ends or splits. */
 double sweep_cost(const struct sweep *sweep, uint64_t number)
 {
     struct sweep_row row;
@@ -236,7 +236,7 @@ static const char *status_word(char text[DECIMAL_TEXT], int status)
 static void hard_wall_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct sweep_result *result)
 {
     const struct cor_disk_hard_wall *h = &result->hard_wall;
-    const double number[] = {row->speed,      row->nu,           h->one_minus_eps2, h->eps, h->contact_time,
+    const double number[] = {row->speed,         row->nu,          h->one_minus_eps2, h->eps, h->contact_time,
                              h->max_compression, h->error_estimate};
     int length = 0;
     char text[DECIMAL_TEXT];
@@ -279,11 +279,11 @@ struct layout {
     int columns;
     enum column_kind kind[SWEEP_COLUMNS];
 };
-static const struct layout soft_layout = {
-    SWEEP_HEADER,
-    SWEEP_COLUMNS,
-    {COLUMN_LIST, COLUMN_LIST, COLUMN_LIST, COLUMN_COUNT, COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT,
-     COLUMN_SMALL, COLUMN_STEPS, COLUMN_STATUS}};
+static const struct layout soft_layout = {SWEEP_HEADER,
+                                          SWEEP_COLUMNS,
+                                          {COLUMN_LIST, COLUMN_LIST, COLUMN_LIST, COLUMN_COUNT, COLUMN_RESULT,
+                                           COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT, COLUMN_SMALL, COLUMN_STEPS,
+                                           COLUMN_STATUS}};
 static const struct layout hard_layout = {SWEEP_HARD_WALL_HEADER,
                                           8,
                                           {COLUMN_LIST, COLUMN_LIST, COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions of elastic disks over the product of lists: what a row is, what it costs, and how it is written. A sweep is of
- * soft walls (cor_disk_collision), four lists, or of the hard wall (cor_disk_hard_wall), which has no alpha and all modes:
- * the lists of alpha and modes are empty then, count 0. */
+/* Collisions of elastic disks over the product of lists: what a row is, what it costs, and how it is written. A sweep
+ * is of soft walls (cor_disk_collision), four lists, or of the hard wall (cor_disk_hard_wall), which has no alpha and
+ * all modes: the lists of alpha and modes are empty then, count 0. */
 #ifndef COR_GEN_SWEEP_SWEEP_H
 #define COR_GEN_SWEEP_SWEEP_H
 
@@ -16,8 +16,7 @@
 
 #define SWEEP_MAX_ROWS UINT64_C(1000000000)
 #define SWEEP_HEADER "speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,steps,status"
-#define SWEEP_HARD_WALL_HEADER                                                                                         \
-    "speed,nu,one_minus_eps2,eps,contact_time,max_compression,error_estimate,status"
+#define SWEEP_HARD_WALL_HEADER "speed,nu,one_minus_eps2,eps,contact_time,max_compression,error_estimate,status"
 
 enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 11, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 

@@ -32,10 +32,8 @@ struct generated {
 };
 
 static const struct generated files[] = {
-    {"sphere_tables.h", sphere_tables_write, NULL, false},
-    {"cor_sphere.h", sphere_header_write, NULL, false},
-    {"disk_modes_nu033.h", disk_header_write, "0.33", false},
-    {"disk_modes_nu090.h", disk_header_write, "0.90", false},
+    {"sphere_tables.h", sphere_tables_write, NULL, false},    {"cor_sphere.h", sphere_header_write, NULL, false},
+    {"disk_modes_nu033.h", disk_header_write, "0.33", false}, {"disk_modes_nu090.h", disk_header_write, "0.90", false},
     {DISK_LIMITS_FILE, disk_limits_write, NULL, true},
 };
 enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 1 /* the manifest */ };
@@ -237,8 +235,9 @@ static int know_limits(bool *known, const struct tables_request *request, const 
     if (!text && errno != ENOENT)
         return fail("cannot read %s: %s", path, strerror(errno));
     if (!text) {
-        fprintf(stderr, "corgen: " DISK_LIMITS_FILE " is left out, for there is no %s; --all makes it, in hours of processor "
-                        "time\n",
+        fprintf(stderr,
+                "corgen: " DISK_LIMITS_FILE " is left out, for there is no %s; --all makes it, in hours of processor "
+                "time\n",
                 path);
         return STATUS_OK;
     }

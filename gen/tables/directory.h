@@ -17,7 +17,7 @@ struct tables_request {
     const char *directory;         /* NULL: generated, or the current one for a material */
     bool check;                    /* compare, write nothing */
     bool all;                      /* collide at all places of disk_limits.h */
-    bool seeded; /* `seed` chooses the places at which a check collides; otherwise the time does */
+    bool seeded;                   /* `seed` chooses the places at which a check collides; otherwise the time does */
     uint64_t seed;
 };
 

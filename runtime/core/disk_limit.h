@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of generated/disk_limits.h and its evaluation, which corgen shares: 1 - eps^2 over the plane of x = v^(1/8) and
- * nu. The plane is cut into cells, and cells in which a polynomial is not good enough into four, and so on. A cell holds
- * the values on a grid of 4 x 4 points, its corners included, and is evaluated by the polynomial of degree 3 in x and in nu
- * through them. x makes speeds denser the faster they are: 0.002 and 0.2 are as far apart as 2e-7 and 0.002. */
+/* The table of generated/disk_limits.h and its evaluation, which corgen shares: 1 - eps^2 over the plane of x = v^(1/8)
+ * and nu. The plane is cut into cells, and cells in which a polynomial is not good enough into four, and so on. A cell
+ * holds the values on a grid of 4 x 4 points, its corners included, and is evaluated by the polynomial of degree 3 in x
+ * and in nu through them. x makes speeds denser the faster they are: 0.002 and 0.2 are as far apart as 2e-7 and 0.002.
+ * */
 #ifndef COR_RUNTIME_CORE_DISK_LIMIT_H
 #define COR_RUNTIME_CORE_DISK_LIMIT_H
 
@@ -73,8 +74,8 @@ static inline double cor_disk_limit_value(const struct cor_disk_limit_cell *cell
     cor_disk_limit_weights(nu_in, nu_weight);
     for (int j = 0; j < COR_DISK_LIMIT_SIDE; j++) {
         const int32_t *const value = cell->value + COR_DISK_LIMIT_SIDE * j;
-        sum += nu_weight[j] * ((x_weight[0] * value[0] + x_weight[3] * value[3]) +
-                               (x_weight[1] * value[1] + x_weight[2] * value[2]));
+        sum += nu_weight[j] *
+               ((x_weight[0] * value[0] + x_weight[3] * value[3]) + (x_weight[1] * value[1] + x_weight[2] * value[2]));
     }
     return COR_DISK_LIMIT_UNIT * sum;
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Free modes of an elastic disk in double arithmetic, COR_MODE_LANES frequencies of one n at a time.
  *
- * Only the quotients a_m = kappa J_(m+1)(kappa)/J_m(kappa) are needed. The ladder a_(m-1) = z/(2m - a_m), z = kappa^2, goes
- * down from any m > kappa without overflow, and the signs of 2m - a_m count the zeros of J_n below kappa, (11.3). With
- * N = n + 1 and u = a_N/(2N), kappa J_n'/J_n = n - a_n has a_n = (z/(2N)) A, A = 1/(1 - u). A is carried as h/d, and
- * A - 1 as k/d, because 1 - A cancels for n > kappa: d = 1 unless |A| > 1, then h = 1, so that nothing overflows where
- * J_n vanishes. In these, and with capitals for kappa', the frequency equation (25) divided by g is
+ * Only the quotients a_m = kappa J_(m+1)(kappa)/J_m(kappa) are needed. The ladder a_(m-1) = z/(2m - a_m), z = kappa^2,
+ * goes down from any m > kappa without overflow, and the signs of 2m - a_m count the zeros of J_n below kappa, (11.3).
+ * With N = n + 1 and u = a_N/(2N), kappa J_n'/J_n = n - a_n has a_n = (z/(2N)) A, A = 1/(1 - u). A is carried as h/d,
+ * and A - 1 as k/d, because 1 - A cancels for n > kappa: d = 1 unless |A| > 1, then h = 1, so that nothing overflows
+ * where J_n vanishes. In these, and with capitals for kappa', the frequency equation (25) divided by g is
  *
  *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
  *     e d - s k = 0                                              n = 0
@@ -111,8 +111,8 @@ struct products {
 /* T0, T1, T2 are bilinear: with derivatives in place of one wave's numbers they are half of the product rule. */
 static struct products products_of(const struct cor_mode_material *m, const struct wave *a, const struct wave *b, int i)
 {
-    const struct products p = {{(m->e * a->d[i] - m->s * a->k[i]) * b->d[i] - 2 * b->k[i] * a->d[i],
-                                a->d[i] * b->d[i], a->h[i] * b->h[i]}};
+    const struct products p = {
+        {(m->e * a->d[i] - m->s * a->k[i]) * b->d[i] - 2 * b->k[i] * a->d[i], a->d[i] * b->d[i], a->h[i] * b->h[i]}};
     return p;
 }
 
@@ -140,9 +140,9 @@ static void point_set(struct point *p, const struct cor_mode_material *m, long n
         wave_set(&p->b, n);
 }
 
-/* Negative eigenvalues of the rim's stiffness, free minus clamped, and zeros of both Bessel functions, (11.3). The 2 x 2
- * matrices have, but for positive factors, det(clamped) = D = x y - n^2, det(free) = F/D, F the left side of the equation,
- * diagonals -y/D and -P/D, P = y + D/g. */
+/* Negative eigenvalues of the rim's stiffness, free minus clamped, and zeros of both Bessel functions, (11.3). The 2 x
+ * 2 matrices have, but for positive factors, det(clamped) = D = x y - n^2, det(free) = F/D, F the left side of the
+ * equation, diagonals -y/D and -P/D, P = y + D/g. */
 static double count_of(const struct cor_mode_material *m, const struct wave *a, const struct wave *b, int i, long order)
 {
     if (order == 0)
@@ -176,8 +176,7 @@ static void newton_steps(double step[LANES], const struct point *p, const struct
         const struct products both = products_of(m, &p->a, &p->b, i), of_a = products_of(m, &da, &p->b, i),
                               of_b = products_of(m, &p->a, &db, i);
         const double rest = rest_of(both, m->s, g, n);
-        const double df =
-            rest + rest_of(of_a, m->s, g, n) + rest_of(of_b, m->s, g, n) - half * (of_a.t[0] + of_b.t[0]);
+        const double df = rest + rest_of(of_a, m->s, g, n) + rest_of(of_b, m->s, g, n) - half * (of_a.t[0] + of_b.t[0]);
         step[i] = (rest - half * both.t[0]) / df;
     }
 }
@@ -479,6 +478,7 @@ int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, 
 size_t cor_disk_modes_below(double nu, double omega)
 {
     const struct cor_mode_material material = {1 + nu, 1 - nu};
-    return nu > -1 && nu < 1 && omega > 0 && omega <= COR_DISK_MODES_MAX_OMEGA ? (size_t)cor_mode_total(&material, omega)
-                                                                             : 0;
+    return nu > -1 && nu < 1 && omega > 0 && omega <= COR_DISK_MODES_MAX_OMEGA
+               ? (size_t)cor_mode_total(&material, omega)
+               : 0;
 }

@@ -2,8 +2,8 @@
 /* Free modes of an elastic disk in double arithmetic. Nothing here is proved; gen/disk/modes.c encloses and proves what
  * this file finds, and the tests compare both. docs/derivation.md, 11.
  *
- * With e = 1 + nu, s = 1 - nu and g = e omega^2, the squared arguments of the Bessel functions are z = s g (longitudinal
- * waves, kappa^2) and z = 2 g (transverse waves, kappa'^2). */
+ * With e = 1 + nu, s = 1 - nu and g = e omega^2, the squared arguments of the Bessel functions are z = s g
+ * (longitudinal waves, kappa^2) and z = 2 g (transverse waves, kappa'^2). */
 #ifndef COR_RUNTIME_CORE_MODE_SOURCE_H
 #define COR_RUNTIME_CORE_MODE_SOURCE_H
 

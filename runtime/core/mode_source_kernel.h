@@ -25,8 +25,8 @@ typedef struct {
     } while (0)
 #endif
 
-/* J_m(kappa) but for a factor, by J_(m-1) = (2m/kappa) J_m - J_(m+1) from `start` down to `end`, and the changes of its sign
- * on the way. Numbers grow by 2^64 at most until they oscillate. */
+/* J_m(kappa) but for a factor, by J_(m-1) = (2m/kappa) J_m - J_(m+1) from `start` down to `end`, and the changes of its
+ * sign on the way. Numbers grow by 2^64 at most until they oscillate. */
 KERNEL void kernel_ladder(const double *two_over_kappa, const double *first_quotient, long start, long end,
                           double *quotient, double *zeros)
 {

@@ -18,8 +18,8 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
  * fineness 1 they leave a noise of 5e-7 in L of nine levels of ten, at 200 random scenes. */
 #define COARSE_TOLERANCE 4e-6
 #define FINEST 0.4
-#define TURN 0.8          /* Omega h */
-#define WAVE_SPACING 0.4  /* Omega d, unless more than MOST_ANGLES fit the contact's half-width a */
+#define TURN 0.8             /* Omega h */
+#define WAVE_SPACING 0.4     /* Omega d, unless more than MOST_ANGLES fit the contact's half-width a */
 #define COARSEST_SPACING 0.8 /* Omega d, at most: the rim's waves reach n = 1.75 Omega, Nyquist's number must be more */
 #define LEAST_ANGLES 60
 #define MOST_ANGLES 120
@@ -28,18 +28,19 @@ enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 #define WIDENING 1.5
 enum { MAX_WIDENINGS = 4 };
 
-/* The estimate of the error is the sum of three parts. First the largest of the last changes of the extrapolated value, by
- * these factors, and a quarter of what the extrapolation itself changes. Then what waves that come back while contact ends
- * or splits may still change, unseen so far. Then the noise of steps and angles. Fitted: with these factors the estimate is
- * at least the error at every one of 200 random scenes and six tolerances, judged by two more levels. */
+/* The estimate of the error is the sum of three parts. First the largest of the last changes of the extrapolated value,
+ * by these factors, and a quarter of what the extrapolation itself changes. Then what waves that come back while
+ * contact ends or splits may still change, unseen so far. Then the noise of steps and angles. Fitted: with these
+ * factors the estimate is at least the error at every one of 200 random scenes and six tolerances, judged by two more
+ * levels. */
 static const double change_weight[] = {3, 1, 0.3, 0.1};
 #define EXTRAPOLATED 0.25
-#define UNSEEN 0.07  /* over Omega^2 */
-#define NOISE 8e-7   /* times fineness^NOISE_POWER */
+#define UNSEEN 0.07 /* over Omega^2 */
+#define NOISE 8e-7  /* times fineness^NOISE_POWER */
 #define NOISE_POWER 2.5
 /* Levels that must agree before an estimate is taken to be good */
 enum { ENOUGH_LEVELS = 5 };
-#define POINT_ERROR 3e-8  /* of L in a point contact: measured against the full method at v = 1e-7 to 1e-5 */
+#define POINT_ERROR 3e-8 /* of L in a point contact: measured against the full method at v = 1e-7 to 1e-5 */
 
 const struct cor_hard_wall_loops *cor_hard_wall_widest_loops(void)
 {

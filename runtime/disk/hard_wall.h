@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* An elastic disk at a rigid wall: what the parts of the solver share. docs/derivation.md, 17, has the formulas.
  *
- * Modes below the frequency Omega of a level move, mode i with sqrt(w_i) times its rim functions, w(omega/Omega) a fade;
- * what is left of the static compliance of all modes acts at once. The wall is rigid: contact forces y_j >= 0 stand on the
- * angles phi_j = j d, y_j on the pair +-phi_j, y_0 on one, and no angle reaches into the wall. Kicks of these forces
- * follow each other at intervals h.
+ * Modes below the frequency Omega of a level move, mode i with sqrt(w_i) times its rim functions, w(omega/Omega) a
+ * fade; what is left of the static compliance of all modes acts at once. The wall is rigid: contact forces y_j >= 0
+ * stand on the angles phi_j = j d, y_j on the pair +-phi_j, y_0 on one, and no angle reaches into the wall. Kicks of
+ * these forces follow each other at intervals h.
  *
  * Between kicks a mode turns freely, so its amplitude Q at successive kicks obeys
  *
@@ -21,8 +21,9 @@
 #include "cor/disk.h"
 #include "runtime/core/instruction_set.h"
 
-/* Kicks for which one pass over the modes suffices: the pass also foretells what the sums over the modes of each n would
- * be at the next kicks without forces; what the forces add is known from sums over products, cor_hard_wall_echo. */
+/* Kicks for which one pass over the modes suffices: the pass also foretells what the sums over the modes of each n
+ * would be at the next kicks without forces; what the forces add is known from sums over products, cor_hard_wall_echo.
+ * */
 enum { COR_HARD_WALL_BATCH = 4 };
 /* Angles and terms are summed in panels of so many. */
 enum { COR_HARD_WALL_PANEL = 32 };
@@ -41,8 +42,8 @@ struct cor_hard_wall_modes {
     double *q, *before;         /* at a kick, and at the one before it */
 };
 
-/* Loops that are built for every instruction set; all give the same bits. Arrays of each n have `lanes` elements, lanes =
- * blocks COR_HARD_WALL_LANES; [b] of an array is at b lanes. */
+/* Loops that are built for every instruction set; all give the same bits. Arrays of each n have `lanes` elements, lanes
+ * = blocks COR_HARD_WALL_LANES; [b] of an array is at b lanes. */
 struct cor_hard_wall_loops {
     /* Takes the modes through `steps` kicks with the forces [0..steps-1] of each n, and sets [0..steps-1] of sum_c and
      * sum_s: what sum c q and sum s q will be at that and the next kicks if nothing pushes. steps: BATCH or 1. */
@@ -73,8 +74,8 @@ void *cor_hard_wall_take(struct cor_hard_wall_store *store, size_t n, size_t byt
 
 /* ---- contact: hard_wall_contact.c ---- */
 
-/* Cholesky's factor of the compliance between some angles: row i of it, below the diagonal, is padded with zeros to whole
- * vectors, and 1 over the diagonal stands in pivot. */
+/* Cholesky's factor of the compliance between some angles: row i of it, below the diagonal, is padded with zeros to
+ * whole vectors, and 1 over the diagonal stands in pivot. */
 struct cor_hard_wall_factor {
     double *below, *pivot;
     size_t rows;
@@ -86,8 +87,8 @@ struct cor_hard_wall_contact {
     const struct cor_hard_wall_loops *loops;
     size_t points; /* a multiple of COR_HARD_WALL_PANEL */
     double constant;
-    /* Of the sums and differences of angles, from -points to 2 points, 0 at [points]: the compliance between angles i and j
-     * is same[i - j] + same[i + j] + across[i + j] cosine[i - j] + across[i - j] cosine[i + j] + constant. */
+    /* Of the sums and differences of angles, from -points to 2 points, 0 at [points]: the compliance between angles i
+     * and j is same[i - j] + same[i + j] + across[i + j] cosine[i - j] + across[i - j] cosine[i + j] + constant. */
     double *same, *across, *cosine;
     double *far;                       /* far[k]: no |compliance| between angles k or more apart is greater */
     struct cor_hard_wall_factor whole; /* of angles 0, 1, 2, ..., as many as were needed yet */
@@ -107,8 +108,8 @@ void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct
 void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t_terms, const double *t, size_t q_terms,
                                  const double *q, const double *twice_cosine, double constant, double *scratch);
 /* Sets the forces y >= 0, `points` of them, at which no angle reaches into the wall, if reach[j] is how far it would
- * without forces; up to `negligible` counts as nothing. Returns 1 more than the last angle with a force, which is `points`
- * where the contact does not fit. */
+ * without forces; up to `negligible` counts as nothing. Returns 1 more than the last angle with a force, which is
+ * `points` where the contact does not fit. */
 size_t cor_hard_wall_contact_solve(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                                    double *y);
 
@@ -142,8 +143,8 @@ struct cor_hard_wall_result {
 enum { COR_HARD_WALL_ALIGNMENT = 64 };
 size_t cor_hard_wall_level_bytes(const struct cor_disk_mode *mode, size_t modes,
                                  const struct cor_hard_wall_settings *settings);
-/* COR_OK, COR_ERROR_MODES (no disk has such modes), COR_CONTACT_NOT_ENDED, or COR_ERROR_WORKSPACE where the contact is wider
- * than settings->range. Takes the modes below settings->omega. detail may be NULL. */
+/* COR_OK, COR_ERROR_MODES (no disk has such modes), COR_CONTACT_NOT_ENDED, or COR_ERROR_WORKSPACE where the contact is
+ * wider than settings->range. Takes the modes below settings->omega. detail may be NULL. */
 int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, double speed,
                         const struct cor_hard_wall_settings *settings, struct cor_hard_wall_result *result,
                         const struct cor_disk_hard_wall_detail *detail);

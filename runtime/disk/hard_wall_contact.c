@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Contact of the rim with a rigid wall: y >= 0, reach - K y <= 0, y (reach - K y) = 0, where K is the compliance that acts
- * at once, a positive definite matrix. docs/derivation.md, 17.
+/* Contact of the rim with a rigid wall: y >= 0, reach - K y <= 0, y (reach - K y) = 0, where K is the compliance that
+ * acts at once, a positive definite matrix. docs/derivation.md, 17.
  *
  * Nearly always the contact is one piece, angles 0 to m - 1. The leading block of Cholesky's factor, K = L L', is the
- * factor of the leading block, so one factor serves every m. And z = L^-1 reach tells m: z_j <= 0 says that angle j is out
- * of contact if angles 0 to j - 1 are in contact. What remains to be checked is that no force pulls and no other angle
- * reaches into the wall. Where one does, block principal pivoting (Judice and Pires, 1994) finds the contact, starting from
- * that of the step before. */
+ * factor of the leading block, so one factor serves every m. And z = L^-1 reach tells m: z_j <= 0 says that angle j is
+ * out of contact if angles 0 to j - 1 are in contact. What remains to be checked is that no force pulls and no other
+ * angle reaches into the wall. Where one does, block principal pivoting (Judice and Pires, 1994) finds the contact,
+ * starting from that of the step before. */
 #include <math.h>
 #include <string.h>
 
@@ -149,7 +149,8 @@ static void solve_backward(const struct cor_hard_wall_contact *contact, const st
 /* ---- which angles touch ---- */
 
 /* How far angle j reaches into the wall under the forces y on angles 0 to m - 1 */
-static double reach_under(const struct cor_hard_wall_contact *contact, size_t j, double reach, const double *y, size_t m)
+static double reach_under(const struct cor_hard_wall_contact *contact, size_t j, double reach, const double *y,
+                          size_t m)
 {
     compliance_row(contact, j, m, contact->row);
     memset(contact->row + m, 0, (padded(m) - m) * sizeof *contact->row);
@@ -245,8 +246,8 @@ static void solve_part(struct cor_hard_wall_contact *contact, const double *reac
 }
 
 /* Marks the angles whose force pulls or that reach into the wall; their number, and the last of them. */
-static size_t find_faults(struct cor_hard_wall_contact *contact, const double *reach, double negligible, const double *y,
-                          size_t *last)
+static size_t find_faults(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
+                          const double *y, size_t *last)
 {
     size_t m = 0, faults = 0;
     double greatest = 0, load = 0;

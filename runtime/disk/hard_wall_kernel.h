@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of a disk at a rigid wall over modes, angles and rows of the compliance. Compiled once for every instruction
- * set, in hard_wall_<set>.c, and chosen in hard_wall.c; all sets give the same bits, see kernel_vector.h. */
+/* The loops of a disk at a rigid wall over modes, angles and rows of the compliance. Compiled once for every
+ * instruction set, in hard_wall_<set>.c, and chosen in hard_wall.c; all sets give the same bits, see kernel_vector.h.
+ * */
 #ifndef COR_RUNTIME_DISK_HARD_WALL_KERNEL_H
 #define COR_RUNTIME_DISK_HARD_WALL_KERNEL_H
 
@@ -27,8 +28,8 @@ KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps
                 const vector turn = load(modes->turn + i), c = load(modes->c + i), s = load(modes->s + i);
                 vector q = load(modes->q + i), before = load(modes->before + i);
                 for (size_t k = 0; k < steps; k++) {
-                    const vector force = PLUS(TIMES(c, load(force_c + k * lanes + n)),
-                                              TIMES(s, load(force_s + k * lanes + n)));
+                    const vector force =
+                        PLUS(TIMES(c, load(force_c + k * lanes + n)), TIMES(s, load(force_s + k * lanes + n)));
                     const vector next = PLUS(MINUS(TIMES(turn, q), before), force);
                     before = q;
                     q = next;
@@ -54,7 +55,8 @@ KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps
 }
 
 /* Clenshaw's recurrence b_k = factor_k + 2 cos(phi) b_(k+1) - b_(k+2); the sum is factor_0 + cos(phi) b_1 - b_2. */
-KERNEL void kernel_cosines(size_t count, const double *factor, size_t points, const double *twice_cosine, double *result)
+KERNEL void kernel_cosines(size_t count, const double *factor, size_t points, const double *twice_cosine,
+                           double *result)
 {
     for (size_t part = 0; part < points; part += COLUMNS * VECTOR) {
         vector x[COLUMNS], one[COLUMNS], two[COLUMNS]; /* b_(k+1), b_(k+2) */
@@ -78,8 +80,7 @@ KERNEL void kernel_cosines(size_t count, const double *factor, size_t points, co
             }
         for (size_t i = 0; i < COLUMNS; i++)
             store(result + part + i * VECTOR,
-                  count == 0 ? all(0)
-                             : PLUS(MINUS(all(factor[0]), two[i]), TIMES(TIMES(all(0.5), x[i]), one[i])));
+                  count == 0 ? all(0) : PLUS(MINUS(all(factor[0]), two[i]), TIMES(TIMES(all(0.5), x[i]), one[i])));
     }
 }
 

@@ -2,9 +2,9 @@
 /* One level of the ladder: the modes below Omega, with a fade, and a rigid wall. docs/derivation.md, 17.
  *
  * Lengths are in units of the speed v here, and forces and amplitudes too, so that nothing underflows however slow the
- * disk is. The compliance at once replaces 1/omega^2 of a mode by the static compliance (h/(2 omega)) cot(omega h/2) that
- * the mode has under kicks at intervals h, and 0 of the centre of mass by h^2/12: the error of the kicks then begins with
- * h^4 in place of h^2. */
+ * disk is. The compliance at once replaces 1/omega^2 of a mode by the static compliance (h/(2 omega)) cot(omega h/2)
+ * that the mode has under kicks at intervals h, and 0 of the centre of mass by h^2/12: the error of the kicks then
+ * begins with h^4 in place of h^2. */
 #include <math.h>
 #include <string.h>
 
@@ -37,14 +37,14 @@ struct level {
     double speed, h, spacing;
     struct cor_hard_wall_modes modes;
     struct cor_hard_wall_block *block;
-    size_t *place;               /* cell of each mode */
-    double *turn, *c, *s;        /* of each cell */
-    double *sine, *unit;         /* of each mode: sin(omega h), sqrt(g): the amplitude of q = 1 */
-    double *force_c, *force_s;   /* [batch][lanes] */
-    double *sum_c, *sum_s;       /* likewise */
+    size_t *place;                       /* cell of each mode */
+    double *turn, *c, *s;                /* of each cell */
+    double *sine, *unit;                 /* of each mode: sin(omega h), sqrt(g): the amplitude of q = 1 */
+    double *force_c, *force_s;           /* [batch][lanes] */
+    double *sum_c, *sum_s;               /* likewise */
     double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: what a force adds to sums so many kicks later */
     double *twice_cosine, *shape, *reach, *force, *series, *filled;
-    double *t, *q;               /* T_k and Q_n of the compliance at once, k up to nyquist */
+    double *t, *q; /* T_k and Q_n of the compliance at once, k up to nyquist */
     struct cor_hard_wall_contact contact;
     double point_constant; /* of the contact law, (57), without the modes that move */
 };
@@ -331,10 +331,10 @@ static struct kick push_on_rim(struct level *level, double depth, const double *
 /* ---- a collision ---- */
 
 struct motion {
-    double time, depth, velocity;  /* velocity before the kick, positive towards the wall */
-    double last, last_but_one;     /* depths at the kicks before */
-    double load;                   /* at the kick before */
-    double max_depth, end;         /* end of the last contact */
+    double time, depth, velocity; /* velocity before the kick, positive towards the wall */
+    double last, last_but_one;    /* depths at the kicks before */
+    double load;                  /* at the kick before */
+    double max_depth, end;        /* end of the last contact */
     size_t steps;
 };
 
@@ -357,8 +357,8 @@ static double true_depth(const struct level *level, const struct motion *motion,
     return motion->depth - level->h * level->h / (12 * MASS) * load;
 }
 
-/* Notes the largest depth, on a parabola through three, and the end of the contact, at which the load goes on to fall as
- * it fell. */
+/* Notes the largest depth, on a parabola through three, and the end of the contact, at which the load goes on to fall
+ * as it fell. */
 static void follow(struct motion *motion, const struct level *level, double load)
 {
     const double depth = true_depth(level, motion, load), last = motion->last, last_but_one = motion->last_but_one;
@@ -430,7 +430,7 @@ static void add_echoes(struct level *level, size_t at)
     for (size_t k = 0; k < at; k++) {
         const double *const force_c = level->force_c + k * lanes, *const force_s = level->force_s + k * lanes;
         const double *const cc = level->echo_cc + (at - k) * lanes, *const cs = level->echo_cs + (at - k) * lanes,
-                           *const ss = level->echo_ss + (at - k) * lanes;
+                            *const ss = level->echo_ss + (at - k) * lanes;
         for (size_t n = 0; n < lanes; n++) {
             sum_c[n] += cc[n] * force_c[n] + cs[n] * force_s[n];
             sum_s[n] += cs[n] * force_c[n] + ss[n] * force_s[n];
@@ -445,9 +445,8 @@ static struct kick step(struct level *level, struct motion *motion, size_t at)
     double *const force_c = level->force_c + at * lanes, *const force_s = level->force_s + at * lanes;
     const double *const sum_c = level->sum_c + at * lanes, *const sum_s = level->sum_s + at * lanes;
     add_echoes(level, at);
-    const struct kick kick = level->size.points > 0
-                                 ? push_on_rim(level, motion->depth, sum_c, sum_s, force_c, force_s)
-                                 : push_at_point(level, motion->depth, sum_c, force_c, force_s);
+    const struct kick kick = level->size.points > 0 ? push_on_rim(level, motion->depth, sum_c, sum_s, force_c, force_s)
+                                                    : push_at_point(level, motion->depth, sum_c, force_c, force_s);
     follow(motion, level, kick.load);
     return kick;
 }
@@ -483,8 +482,7 @@ static int collide(struct level *level, struct motion *motion, double contact_ti
         free_batches = load > 0 ? 0 : free_batches + 1;
         if (motion->steps > MAX_STEPS)
             return COR_CONTACT_NOT_ENDED;
-    } while (free_batches % BATCHES_A_LOOK != 1 || motion->velocity >= 0 ||
-             motion->depth + greatest_swing(level) >= 0);
+    } while (free_batches % BATCHES_A_LOOK != 1 || motion->velocity >= 0 || motion->depth + greatest_swing(level) >= 0);
     return COR_OK;
 }
 

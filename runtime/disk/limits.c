@@ -5,10 +5,9 @@
 #include "cor/disk.h"
 #include "generated/disk_limits.h"
 
-static const struct cor_disk_limit_table table = {COR_DISK_LIMIT_X_ROOTS,  COR_DISK_LIMIT_NU_ROOTS,
-                                                  COR_DISK_LIMIT_X_FIRST,  COR_DISK_LIMIT_X_STEP,
-                                                  COR_DISK_LIMIT_NU_FIRST, COR_DISK_LIMIT_NU_STEP,
-                                                  cor_disk_limit_node,     cor_disk_limit_cell};
+static const struct cor_disk_limit_table table = {
+    COR_DISK_LIMIT_X_ROOTS,  COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST, COR_DISK_LIMIT_X_STEP,
+    COR_DISK_LIMIT_NU_FIRST, COR_DISK_LIMIT_NU_STEP,  cor_disk_limit_node,    cor_disk_limit_cell};
 
 /* Not where either is NaN. */
 static int is_inside(double speed, double nu)

@@ -145,8 +145,8 @@ static void test_near_pair(void **state)
 /* ---- Rayleigh-Ritz ---- */
 
 /* Negative eigenvalues of K - w M in the fields (u_r, u_phi) = r^p (1, sigma), all that are polynomials in x and y of
- * that n up to a degree; by LDL^T. No more than there are modes below omega, the rigid ones included, and as many if the
- * degree is high enough. */
+ * that n up to a degree; by LDL^T. No more than there are modes below omega, the rigid ones included, and as many if
+ * the degree is high enough. */
 enum { RITZ_MAX = 64 };
 static const slong RITZ_PREC = 500;
 
@@ -565,8 +565,8 @@ static void test_corners_of_nu(void **state)
     disk_modes_init(&other);
     static const ulong margins[] = {6, 30, 99};
     for (size_t i = 0; i < sizeof margins / sizeof *margins; i++) {
-        /* nu -> -1: conformal maps z^(n+1), which cost compression alone: omega^2 = (n+1)(n+2)/2, C = S = sqrt(n+2); the
-         * breathing mode has omega = C = sqrt(2) */
+        /* nu -> -1: conformal maps z^(n+1), which cost compression alone: omega^2 = (n+1)(n+2)/2, C = S = sqrt(n+2);
+         * the breathing mode has omega = C = sqrt(2) */
         near_end(nu, -1, margins[i]);
         assert_int_equal(disk_modes_solve(&modes, nu, 300, 20), 0);
         for (slong n = 0; n < modes.count && margins[i] > 14; n++) {

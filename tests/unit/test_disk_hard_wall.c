@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The rigid wall as its callers see it (runtime/disk/hard_wall.c): values found by another program, the error against two
- * more levels, every speed down to the smallest double, details, workspaces, and what is refused. */
+/* The rigid wall as its callers see it (runtime/disk/hard_wall.c): values found by another program, the error against
+ * two more levels, every speed down to the smallest double, details, workspaces, and what is refused. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -117,8 +117,8 @@ static void errors(void **state)
             const int judged_status = cor_disk_hard_wall(&modes, modes.count, &finest, speed, &judge);
             assert_true(judged_status == COR_OK || judged_status == COR_TOLERANCE_NOT_REACHED);
             const double off = fabs(out.one_minus_eps2 - judge.one_minus_eps2) / out.error_estimate;
-            check(off <= 1, "nu = %.17g, v = %.17g, tolerance %g: %.9f +- %.1e, two levels on %.9f", nu, speed, tolerance,
-                  out.one_minus_eps2, out.error_estimate, judge.one_minus_eps2);
+            check(off <= 1, "nu = %.17g, v = %.17g, tolerance %g: %.9f +- %.1e, two levels on %.9f", nu, speed,
+                  tolerance, out.one_minus_eps2, out.error_estimate, judge.one_minus_eps2);
             worst = fmax(worst, off);
             judged++;
         }
@@ -142,16 +142,16 @@ static void slower_and_slower(void **state)
         const double speed = pow(10, exponents[i]);
         const struct cor_disk_hard_wall out = collide(&modes, speed, 1e-5, COR_OK);
         struct cor_disk_rayleigh rayleigh;
-        assert_int_equal(cor_disk_rayleigh(&cor_disk_modes_nu033, 1800, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &rayleigh,
-                                           NULL),
-                         COR_OK);
+        assert_int_equal(
+            cor_disk_rayleigh(&cor_disk_modes_nu033, 1800, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &rayleigh, NULL),
+            COR_OK);
         const double theory = rayleigh.fraction + rayleigh.tail;
         print_message("v = 1e%g: %.7f, Rayleigh %.7f, contact time %.4f, law %.4f\n", exponents[i], out.one_minus_eps2,
                       theory, out.contact_time, rayleigh.contact_time);
         if (exponents[i] <= -30) {
             check(fabs(out.contact_time / rayleigh.contact_time - 1) < 0.02, "contact time %g", out.contact_time);
-            check(fabs(out.max_compression /
-                           cor_disk_max_compression(speed, 0.33, COR_DISK_DATUM_CENTRE_OF_MASS) - 1) < 0.02,
+            check(fabs(out.max_compression / cor_disk_max_compression(speed, 0.33, COR_DISK_DATUM_CENTRE_OF_MASS) - 1) <
+                      0.02,
                   "largest compression %g", out.max_compression);
         }
         if (exponents[i] <= -30) {
@@ -350,9 +350,9 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_answers), cmocka_unit_test(proved_modes),      cmocka_unit_test(errors),
-        cmocka_unit_test(slower_and_slower), cmocka_unit_test(joins),         cmocka_unit_test(without_a_table),
-        cmocka_unit_test(details),       cmocka_unit_test(refusals),
+        cmocka_unit_test(known_answers),     cmocka_unit_test(proved_modes), cmocka_unit_test(errors),
+        cmocka_unit_test(slower_and_slower), cmocka_unit_test(joins),        cmocka_unit_test(without_a_table),
+        cmocka_unit_test(details),           cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* One level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c): against the formulas written out, which
- * share no sum, no contact solver and no step with it; two fades, angles shifted by half a cell, walls of potential
- * exp(alpha x)/alpha, a point contact, energy, contacts in pieces. */
+/* One level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c): against the formulas written out,
+ * which share no sum, no contact solver and no step with it; two fades, angles shifted by half a cell, walls of
+ * potential exp(alpha x)/alpha, a point contact, energy, contacts in pieces. */
 #include "check.h"
 
 #include <cor/status.h>
@@ -184,8 +184,8 @@ static void shifted_by_half_a_cell(void **state)
           l[1][0] - l[1][1]);
 }
 
-/* The compliance under kicks takes away the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing happens, where plain
- * kicks are off by 1e-4. And energy is what the centre of mass has lost. */
+/* The compliance under kicks takes away the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing happens, where
+ * plain kicks are off by 1e-4. And energy is what the centre of mass has lost. */
 static void steps_and_energy(void **state)
 {
     (void)state;
@@ -226,7 +226,8 @@ static void hard_limit(void **state)
     check(fabs(2 * l[1] - l[0] - rigid) < 4e-5, "%.8f, not %.8f", 2 * l[1] - l[0], rigid);
 }
 
-/* All modes, at equal alpha: the compliance at once, Omega -> infinity, against cor_disk_collision with ever more modes */
+/* All modes, at equal alpha: the compliance at once, Omega -> infinity, against cor_disk_collision with ever more modes
+ * */
 static void soft_wall_of_all_modes(void **state)
 {
     (void)state;

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of the rigid wall and of the modes (runtime/disk/hard_wall_kernel.h, mode_source_kernel.h): every instruction
- * set gives the same bits, and what the headers say. */
+/* The loops of the rigid wall and of the modes (runtime/disk/hard_wall_kernel.h, mode_source_kernel.h): every
+ * instruction set gives the same bits, and what the headers say. */
 #define _XOPEN_SOURCE 600 /* j0, j1 */
 #include "check.h"
 
-#include "runtime/disk/hard_wall.h"
 #include "runtime/core/mode_source.h"
+#include "runtime/disk/hard_wall.h"
 
 static const struct {
     const char *name;
@@ -130,9 +130,9 @@ static void as_defined(void **state)
                 const size_t cell = row * COR_HARD_WALL_LANES + n % COR_HARD_WALL_LANES;
                 double q = start.q[cell], before = start.before[cell];
                 for (size_t k = 0; k < 2 * in.steps - 1; k++) {
-                    const double force = k < in.steps ? in.c[cell] * in.force_c[k * lanes + n] +
-                                                            in.s[cell] * in.force_s[k * lanes + n]
-                                                      : 0;
+                    const double force =
+                        k < in.steps ? in.c[cell] * in.force_c[k * lanes + n] + in.s[cell] * in.force_s[k * lanes + n]
+                                     : 0;
                     const double next = in.turn[cell] * q - before + force;
                     before = q;
                     q = next;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Modes in double arithmetic (cor_disk_modes_compute): against the proved tables, by the sum rules, by the count, between
- * nu = -1 and 1 and next to both, and what is refused. */
+/* Modes in double arithmetic (cor_disk_modes_compute): against the proved tables, by the sum rules, by the count,
+ * between nu = -1 and 1 and next to both, and what is refused. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -66,8 +66,8 @@ static void starts_alike(void **state)
     }
 }
 
-/* l counts the modes of each n from 0, frequencies grow, and the sums over l of C^2/omega^2 and C S/omega^2 miss what (11.5)
- * says by about what the modes beyond have: 2 sqrt(1 - nu^2)/(pi Omega), half of it for n = 0. */
+/* l counts the modes of each n from 0, frequencies grow, and the sums over l of C^2/omega^2 and C S/omega^2 miss what
+ * (11.5) says by about what the modes beyond have: 2 sqrt(1 - nu^2)/(pi Omega), half of it for n = 0. */
 static void sum_rules(double nu, size_t count)
 {
     enum { ORDERS = 2000, CHECKED = 12 };
