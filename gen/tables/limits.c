@@ -23,13 +23,14 @@
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 #define LAST_NU (FIRST_NU + NU_ROOTS * NU_STEP)
-/* How often a cell is cut at most, for each row of NU_ROOTS. Once more costs about 3 times the collisions of all before.
- * Places are counted in sixths of the side of a cell that is cut FINEST times, so that they do not depend on these. */
+/* How often a cell is cut at most, for each row of NU_ROOTS. Once more costs about 3 times the collisions of all
+ * before. Places are counted in sixths of the side of a cell that is cut FINEST times, so that they do not depend on
+ * these. */
 enum { FINEST = 6, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
-static const int most_cuts[NU_ROOTS] = {1, 1, 1, 1, 1};
+static const int most_cuts[NU_ROOTS] = {1, 1, 1, 2, 2};
 
-/* What collisions are asked for up to a speed and beyond it, and by how much what the polynomial of a cell misses at the
- * 9 places between its 16 is multiplied */
+/* What collisions are asked for up to a speed and beyond it, and by how much what the polynomial of a cell misses at
+ * the 9 places between its 16 is multiplied */
 #define CALM_SPEED COR_DISK_EPS_CALM_SPEED
 #define CALM_TOLERANCE 1.5e-5
 #define FAST_TOLERANCE 5e-5
@@ -475,15 +476,13 @@ static void write_banner(FILE *file, const struct limits *limits)
         ". Each holds 4 x 4\n"
         " * values, between which polynomials of degree 3 interpolate, runtime/core/disk_limit.h.\n"
         " *\n"
-        " * Uncertainty of a cell: the root of the squares of two parts, %g times what its polynomial misses at most "
-        "at 9\n"
-        " * collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions. It is "
-        "an\n"
-        " * estimate, no bound, and at most %.1e in cells that begin below v = %g, %.1e in the others, %.1e in half of "
-        "all.\n"
+        " * Uncertainty of a cell: the root of the squares of two parts, %g times what its polynomial misses at most\n"
+        " * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.\n"
+        " * It is an estimate, no bound, and at most %.1e in cells that begin below v = %g, %.1e in the others,\n"
+        " * %.1e in half of all.\n"
         " *\n" SECONDS_START "%ld seconds of processor time\n"
-        " * Checked by:  corgen tables --check, which collides at places of one cell again, and corgen tables --check\n"
-        " *              --all */\n",
+        " * Checked by:  corgen tables --check, which collides at places of one cell again, and corgen tables\n"
+        " *              --check --all */\n",
         SAFETY, summary.calm * COR_DISK_LIMIT_UNIT, CALM_SPEED, summary.fast * COR_DISK_LIMIT_UNIT,
         summary.median * COR_DISK_LIMIT_UNIT, limits->seconds);
 }
