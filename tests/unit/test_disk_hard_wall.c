@@ -131,7 +131,7 @@ static void errors(void **state)
 
 /* ---- any speed ---- */
 
-/* Rayleigh's theory is approached like 1/ln(1/v): the ratio to its fraction, which oscillates at first. */
+/* Rayleigh's theory is approached slowly; the ratio to its fraction oscillates at first. */
 static void slower_and_slower(void **state)
 {
     (void)state;
