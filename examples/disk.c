@@ -30,7 +30,7 @@ int main(void)
             printf("%.6f +- %.0e\n", wall.eps, wall.error_estimate / (2 * wall.eps));
         }
     }
-    printf("First order: the vibrations do not push back on the contact. It is approached slowly, like 1/sqrt(ln(1/speed)).\n");
+    printf("First order: the vibrations do not push back on the contact. It is approached slowly.\n");
     printf("\n   speed   eps, all modes, rigid wall  eps, 940 modes, alpha = 500\n");
     for (int i = 1; i <= 3; i++) {
         const double speed = i / 10.0;
