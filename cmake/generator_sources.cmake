@@ -20,8 +20,6 @@ set(COR_GENERATOR_SOURCES
   gen/cli/tables.c
   gen/cli/trajectory.c
   gen/disk/equation.c
-  gen/disk/estimate.c
-  gen/disk/limit_fit.c
   gen/disk/modes.c
   gen/disk/modes_rounded.c
   gen/embed/choose.c
@@ -56,6 +54,7 @@ set(COR_GENERATOR_SOURCES
   gen/support/parallel.c
   gen/support/precision.c
   gen/sweep/crew.c
+  gen/sweep/hard_wall.c
   gen/sweep/journal.c
   gen/sweep/run.c
   gen/sweep/sweep.c

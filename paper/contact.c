@@ -6,6 +6,7 @@
 #include "collisions.h"
 #include "cor/disk.h"
 #include "report.h"
+#include "rigid.h"
 
 static const double pi = 3.14159265358979323846;
 static const double nu = 0.33;
@@ -64,7 +65,8 @@ static int write_contact(FILE *csv, char verdict[VERDICT_SIZE])
              "with the diameter %.4f. The law ends at v = %.4f, %.4f and %.4f. The "
              "full dynamics (%d modes, alpha = %g/v, contact while the load is above a thousandth of its largest) "
              "agrees with the law for the centre of mass: tau(%g) = %.2f, law %.2f, and delta_max %.1f %% below the "
-             "law's. It parts from it where the law ends: tau(%g) = %.2f, law %.2f, and goes on to %.2f at v = %g.",
+             "law's. It parts from it where the law ends: tau(%g) = %.2f, law %.2f, and goes on to %.2f at v = %g. "
+             "The black line is all modes at a rigid wall: tau(%g) = %.4f, tau(%g) = %.4f, delta_max(%g) = %.5f.",
              rebound_ratio(1e-2), rebound_ratio(1e-4), rebound_ratio(1e-8), 100 * time_off(slow), slow,
              100 * time_off(fast), fast, 100 * compression_off(slow), 100 * compression_off(fast), slow,
              cor_disk_contact_time(slow, nu, COR_DISK_DATUM_CENTRE_OF_MASS),
@@ -76,7 +78,9 @@ static int write_contact(FILE *csv, char verdict[VERDICT_SIZE])
              100 *
                  (1 - dynamic[0]->max_compression / cor_disk_max_compression(0.01, nu, COR_DISK_DATUM_CENTRE_OF_MASS)),
              0.1, dynamic[1]->contact_time, cor_disk_contact_time(0.1, nu, COR_DISK_DATUM_CENTRE_OF_MASS),
-             dynamic[2]->contact_time, 0.3);
+             dynamic[2]->contact_time, 0.3, 0.01, rigid_wall(nu, 0.01, RIGID_TOLERANCE).contact_time, 0.1,
+             rigid_wall(nu, paper_speed(6), RIGID_TOLERANCE).contact_time, 0.1,
+             rigid_wall(nu, paper_speed(6), RIGID_TOLERANCE).max_compression);
     return 1;
 }
 

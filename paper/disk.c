@@ -7,6 +7,7 @@
 
 #include "collisions.h"
 #include "report.h"
+#include "rigid.h"
 
 /* Collisions computed again, of those taken from a file */
 enum { SAMPLE = 60 };
@@ -38,11 +39,12 @@ static int make(const struct figure *figure, const char *directory, char verdict
     return 0;
 }
 
-enum { FIGURES = 14 };
+enum { FIGURES = 16 };
 static const struct figure *const figure[FIGURES] = {
-    &collisions_figure,   &restitution_figure, &shapes_figure,     &spectrum_figure,   &sequence_figure,
-    &energies_figure,     &ranking_figure,     &wall_limit_figure, &mode_limit_figure, &load_figure,
-    &load_dynamic_figure, &contact_figure,     &rayleigh_figure,   &oscillation_figure};
+    &collisions_figure, &restitution_figure, &shapes_figure,       &spectrum_figure,
+    &sequence_figure,   &energies_figure,    &ranking_figure,      &wall_limit_figure,
+    &mode_limit_figure, &load_figure,        &load_dynamic_figure, &contact_figure,
+    &rayleigh_figure,   &oscillation_figure, &rigid_wall_figure,   &approach_figure};
 
 static const char usage[] = "usage: cor_paper [--collisions FILE [--all]] DIRECTORY\n";
 
@@ -89,6 +91,7 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < FIGURES; i++)
         if (!make(figure[i], directory, verdict[i]))
             return 1;
+    rigid_wall_clear();
     printf("%-16s %-13s %s\n", "paper", "file", "shows");
     for (size_t i = 0; i < FIGURES; i++)
         printf("%-16s %-13s %s\n", figure[i]->paper, figure[i]->stem, figure[i]->subject);

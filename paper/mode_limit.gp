@@ -3,7 +3,7 @@
 stem = "mode_limit"; home = "docs/paper"; width = 960; height = 520
 load "docs/style.gp"
 
-# Columns: 1 speed, 2 to 7 N = 300, 400, 600, 940, 1300, 1800; limit and slope: 8, 9 of N = 300 to 940, 10, 11 of 940 up
+# Columns: 1 speed, 2 to 7 N = 300, 400, 600, 940, 1300, 1800; limit and slope: 8, 9 of N = 300 to 940, 10, 11 of 940 up; 13 all modes at a rigid wall
 stats csv using 1 skip 1 nooutput
 rows = STATS_records
 array v[rows]
@@ -31,7 +31,8 @@ do for [i = 3:rows:2] {
 }
 plot for [i = 1:rows] [0:0.058] few[i] + few_slope[i]*x with lines lw 1 dt (6,4) lc rgb grey notitle, \
      for [i = 1:rows] [0:0.034] many[i] + many_slope[i]*x with lines lw 1.6 lc rgb blue notitle, \
-     for [k = 1:6] csv using (1/sqrt(modes[k])):(column(k + 1)) skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red notitle
+     for [k = 1:6] csv using (1/sqrt(modes[k])):(column(k + 1)) skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red notitle, \
+     csv using (0):13 skip 1 with points pt 7 ps 0.5 lc rgb black notitle
 
 unset label
 set xrange [0:0.06]
@@ -46,6 +47,7 @@ plot for [k = 1:4] [0:0.06] (few[shown[k]] + few_slope[shown[k]]*x)/many[shown[k
          with lines lw 1 dt (6,4) lc rgb colour[k] notitle, \
      for [k = 1:4] [0:0.034] 1 + many_slope[shown[k]]/many[shown[k]]*x with lines lw 1.6 lc rgb colour[k] notitle, \
      for [k = 1:4] for [j = 1:6] csv using (int($0) == shown[k] - 1 ? 1/sqrt(modes[j]) : NaN):(column(j + 1)/$10) \
-         skip 1 with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title (j == 1 ? sprintf("v = %g √(E/ρ)", v[shown[k]]) : "")
+         skip 1 with points pt 6 ps 0.7 lw 1.6 lc rgb colour[k] title (j == 1 ? sprintf("v = %g √(E/ρ)", v[shown[k]]) : ""), \
+     for [k = 1:4] csv using (int($0) == shown[k] - 1 ? 0 : NaN):($13/$10) skip 1 with points pt 7 ps 0.8 lc rgb colour[k] notitle
 unset multiplot
 set output

@@ -6,6 +6,7 @@
 #include "cor/status.h"
 #include "limit.h"
 #include "report.h"
+#include "rigid.h"
 
 #define UNCERTAIN 0.06 /* of a limit, above which none is given */
 
@@ -63,13 +64,15 @@ static int write_oscillation(FILE *csv, char verdict[VERDICT_SIZE])
         "1 - eps^2 does not fall steadily with v, in the full dynamics either: at nu = 0.33, with %d modes and a "
         "hard wall, it falls from a maximum of %.4f at v = %.2g by %.0f %% to a minimum at v = %.2g, and rises again. "
         "Rayleigh's curve, with the centre of mass, falls from %.4f at v = %.2g by %.0f %% to v = %.2g: as high, "
-        "but at half the speed, and much deeper. From v = %.2g on the limit of all modes is known to %.0f %%, and "
-        "drawn; at smaller speeds the contact is too narrow for 1800 modes, and N = 940, 1300 and 1800, drawn for "
-        "all, do not yet lie on a line.",
+        "but at half the speed, and much deeper. From v = %.2g on extrapolations know the limit to %.0f %%, and "
+        "are drawn; at smaller speeds the contact is too narrow for 1800 modes, and N = 940, 1300 and 1800, drawn for "
+        "all, do not yet lie on a line. The black line is the limit itself, all modes at a rigid wall: %.5f at v = "
+        "0.0023, %.5f at 0.015.",
         size[SIZES - 1], dynamic[top], slow_speed(top), 100 * (1 - dynamic[bottom] / dynamic[top]), slow_speed(bottom),
         rayleigh[rayleigh_top], slow_speed(rayleigh_top),
         100 * (1 - rayleigh[rayleigh_bottom] / rayleigh[rayleigh_top]), slow_speed(rayleigh_bottom),
-        slow_speed(known_from), 100 * known_to);
+        slow_speed(known_from), 100 * known_to, rigid_wall(0.33, 0.0023, RIGID_TOLERANCE).one_minus_eps2,
+        rigid_wall(0.33, 0.015, RIGID_TOLERANCE).one_minus_eps2);
     return 1;
 }
 

@@ -5,8 +5,8 @@
 
 #include "cor/disk.h"
 #include "cor/status.h"
-#include "limit.h"
 #include "report.h"
+#include "rigid.h"
 
 static const struct cor_disk_modes *const material[] = {&cor_disk_modes_nu033, &cor_disk_modes_nu090};
 static const enum cor_disk_datum datum[] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
@@ -108,8 +108,8 @@ static void describe(const struct search *search, char verdict[VERDICT_SIZE])
     const int at = maximum_of(search->whole[0][0]);
     double dynamic[MATERIALS][2], at_slow[MATERIALS], at_fast[MATERIALS];
     for (int m = 0; m < MATERIALS; m++) {
-        dynamic[m][0] = limit_of(material[m]->nu, 0.01).one_minus_eps2;
-        dynamic[m][1] = limit_of(material[m]->nu, 0.1).one_minus_eps2;
+        dynamic[m][0] = rigid_wall(material[m]->nu, 0.01, RIGID_TOLERANCE).one_minus_eps2;
+        dynamic[m][1] = rigid_wall(material[m]->nu, 0.1, RIGID_TOLERANCE).one_minus_eps2;
         at_slow[m] = search->whole[m][0][SLOW_POINT];
         at_fast[m] = search->whole[m][0][POINTS - 1];
     }
@@ -121,7 +121,7 @@ static void describe(const struct search *search, char verdict[VERDICT_SIZE])
              "constant b only shifts the curve along ln v. After the maximum come a dip and then a rise, not a "
              "fall: beyond v = %g, shaded, perturbation theory has ended, and gives up to %.2f times the energy "
              "there is. The modes above the lowest 1800 add %.2g of the fraction at most, too little to be seen. "
-             "The full dynamics, from section 4's extrapolations, agrees in size, as printed, but its dip is shallow "
+             "The full dynamics, all modes at a rigid wall, agrees in size, as printed, but its dip is shallow "
              "and its "
              "rise less steep: at nu = 0.33 it gives %.4f at v = 0.01 where Rayleigh, with the centre of mass, has "
              "%.4f, and %.4f at 0.1 for %.2f; at nu = 0.9 %.4f for %.4f, and %.4f for %.2f.",

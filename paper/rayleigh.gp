@@ -4,10 +4,11 @@ stem = "rayleigh"; home = "docs/paper"; width = 960; height = 490
 load "docs/style.gp"
 full = dir."/restitution.csv"
 slow = dir."/oscillation.csv"
+limit = dir."/rigid_wall.csv"
 
 # Columns: 1 speed; nu = 0.33: 2 to 4 centre of mass (1800 modes, all modes, quadrupole), 5 to 7 diameter, 8 to 10 as
 # printed; nu = 0.9: 11 to 19 likewise. Of restitution.csv: 2 speed, 6 1 - eps^2, one block for each nu; of
-# oscillation.csv: 1 speed, 2 1 - eps^2
+# oscillation.csv: 1 speed, 2 1 - eps^2; of rigid_wall.csv: 2 speed, 3 1 - eps^2, one block for each nu
 set multiplot layout 1,2 title "Rayleigh's energy of a disk by datum, and 1 − ε^2  of the dynamics at a rigid wall" \
     margins 0.08,0.985,0.12,0.85 spacing 0.085
 set logscale xy
@@ -27,6 +28,7 @@ plot csv using 1:2 skip 1 with lines lw 2.4 lc rgb blue title "centre of mass", 
      csv using 1:4 skip 1 with lines lw 1.2 dt (4,3) lc rgb blue title "quadrupole alone", \
      csv using 1:10 skip 1 with lines lw 1.2 dt (4,3) lc rgb red notitle, \
      csv using 1:7 skip 1 with lines lw 1.2 dt (4,3) lc rgb green notitle, \
+     limit using 2:3 index 0 skip 1 with lines lw 1.8 lc rgb black title "all modes, rigid wall", \
      slow using 1:2 skip 1 with points pt 12 ps 0.65 lw 1.3 lc rgb black title "full dynamics, extrapolated", \
      full using 2:6 index 0 skip 1 with points pt 12 ps 0.65 lw 1.3 lc rgb black notitle
 
@@ -38,6 +40,7 @@ plot csv using 1:11 skip 1 with lines lw 2.4 lc rgb blue, \
      csv using 1:13 skip 1 with lines lw 1.2 dt (4,3) lc rgb blue, \
      csv using 1:19 skip 1 with lines lw 1.2 dt (4,3) lc rgb red, \
      csv using 1:16 skip 1 with lines lw 1.2 dt (4,3) lc rgb green, \
+     limit using 2:3 index 1 with lines lw 1.8 lc rgb black, \
      full using 2:6 index 1 with points pt 12 ps 0.65 lw 1.3 lc rgb black
 unset multiplot
 set output

@@ -4,8 +4,9 @@ stem = "restitution"; home = "docs/paper"; width = 960; height = 480
 load "docs/style.gp"
 
 # Columns: 1 nu, 2 speed, 3 eps, 4, 5 eps within the uncertainty, 6 1 - eps^2, 7 its uncertainty; one block for each nu;
-# blocks 2, 3: the same of cor_disk_eps
-set multiplot layout 1,2 title "a disk of all its modes and a rigid wall: cor\\_disk\\_eps, and N ≤ 1800 modes extrapolated" \
+# of rigid_wall.csv: 2 speed, 5 eps, one block for each nu
+limit = dir."/rigid_wall.csv"
+set multiplot layout 1,2 title "a disk of all its modes at a rigid wall, and N ≤ 1800 modes extrapolated" \
     margins 0.07,0.985,0.13,0.86 spacing 0.09
 set xlabel "impact speed v (√(E/ρ))"
 set title "as in the paper"
@@ -15,10 +16,8 @@ set xtics 0.05
 set ytics 0.1
 set ylabel "coefficient of restitution ε" offset 0.5
 set key bottom left
-plot csv using 2:4:5 index 2 with filledcurves fc rgb blue fs transparent solid 0.18 notitle, \
-     csv using 2:4:5 index 3 with filledcurves fc rgb red fs transparent solid 0.18 notitle, \
-     csv using 2:3 index 2 with lines lw 2.2 lc rgb blue title "ν = 0.33", \
-     csv using 2:3 index 3 with lines lw 2.2 lc rgb red title "ν = 0.9", \
+plot limit using 2:5 index 0 skip 1 with lines lw 2.2 lc rgb blue title "ν = 0.33, all modes, rigid wall", \
+     limit using 2:5 index 1 with lines lw 2.2 lc rgb red title "ν = 0.9, all modes, rigid wall", \
      csv using 2:3:4:5 index 0 skip 1 with yerrorbars lw 1.2 pt 7 ps 0.6 lc rgb blue title "N ≤ 1800, extrapolated", \
      csv using 2:3:4:5 index 1 with yerrorbars lw 1.2 pt 7 ps 0.6 lc rgb red notitle, \
      "+" using (0.3):(0.65) every ::0::0 with points pt 4 ps 1.1 lw 2 lc rgb grey title "ν = 0.9, the paper's text"
@@ -31,10 +30,8 @@ set xtics (0.003, 0.01, 0.03, 0.1, 0.3)
 set ytics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
 set ylabel "1 − ε^2" offset 0.5
 unset key
-plot csv using 2:($6 - $7):($6 + $7) index 2 with filledcurves fc rgb blue fs transparent solid 0.18, \
-     csv using 2:($6 - $7):($6 + $7) index 3 with filledcurves fc rgb red fs transparent solid 0.18, \
-     csv using 2:6 index 2 with lines lw 2.2 lc rgb blue, \
-     csv using 2:6 index 3 with lines lw 2.2 lc rgb red, \
+plot limit using 2:3 index 0 skip 1 with lines lw 2.2 lc rgb blue, \
+     limit using 2:3 index 1 with lines lw 2.2 lc rgb red, \
      csv using 2:6:7 index 0 skip 1 with yerrorbars lw 1.2 pt 7 ps 0.6 lc rgb blue, \
      csv using 2:6:7 index 1 with yerrorbars lw 1.2 pt 7 ps 0.6 lc rgb red
 unset multiplot

@@ -5,7 +5,7 @@ load "docs/style.gp"
 points = dir."/collisions.csv"
 
 # Columns of collisions: 1 nu, 2 modes, 3 alpha, 4 speed, 5 converged, 6 1 - eps^2; of wall_limit: 1 speed, 2 modes,
-# 3 limit, 4 slope
+# 3 limit, 4 slope, 5 all modes at a rigid wall
 stats csv using 1 skip 1 nooutput
 rows = STATS_records
 array v[rows]
@@ -28,7 +28,8 @@ do for [i = 7:rows:2] {
     set label i sprintf(i == rows ? "v = %g" : "%g", v[i]) at 0.0041, limit[i] + slope[i]*0.004 font small tc rgb black
 }
 plot for [i = 1:rows] [0:(v[i] < 0.08 ? v[i]/20 : 0.004)] limit[i] + slope[i]*x with lines lw 1.2 lc rgb blue, \
-     for [i = 1:rows] points using (is($1, $2, $4, i) && $3 >= 250 ? 1/$3 : NaN):6 skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red
+     for [i = 1:rows] points using (is($1, $2, $4, i) && $3 >= 250 ? 1/$3 : NaN):6 skip 1 with points pt 6 ps 0.5 lw 1.4 lc rgb red, \
+     csv using (0):5 skip 1 with points pt 7 ps 0.5 lc rgb black
 
 unset label
 set title "relative to the limit of a rigid wall"

@@ -55,6 +55,7 @@ int main(int argc, char **argv)
     collision_models(&bench);
     collision_growth(&bench);
     collision_sums(&bench);
+    disk_hard_wall(&bench);
 
     table_close(bench.csv);
     if (bench.all)

@@ -21,4 +21,7 @@ void collision_models(struct disk_bench *bench);
 void collision_growth(struct disk_bench *bench);
 void collision_sums(struct disk_bench *bench);
 
+/* The rigid wall: error against time, beside soft walls extrapolated; random scenes to 1e-6 */
+void disk_hard_wall(struct disk_bench *bench);
+
 #endif

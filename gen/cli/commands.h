@@ -52,6 +52,7 @@ struct disk_collide_arguments {
     struct values speed, poisson, alpha, modes;
     struct decimal tolerance;
     slong phi_points, threads; /* 0 if not given */
+    bool hard_wall;
 };
 
 struct embed_arguments {

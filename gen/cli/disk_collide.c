@@ -6,18 +6,43 @@
 #include "support/parallel.h"
 
 #define DEFAULT_TOLERANCE "1e-8"
+#define DEFAULT_HARD_WALL_TOLERANCE "1e-5"
 #define TEXT_OF_(x) #x
 #define TEXT_OF(x) TEXT_OF_(x)
+
+static const struct option_numbers tolerance_numbers = {
+    .range = {TEXT_OF(COR_DISK_COLLISION_MIN_TOLERANCE), "1", true, false, true,
+              "a number from " TEXT_OF(COR_DISK_COLLISION_MIN_TOLERANCE) " to below 1"}};
+static const struct option_numbers hard_wall_tolerance = {
+    .range = {TEXT_OF(COR_DISK_HARD_WALL_MIN_TOLERANCE), "1", true, false, true,
+              "a number from " TEXT_OF(COR_DISK_HARD_WALL_MIN_TOLERANCE) " to below 1 (--hard-wall)"}};
+
+/* Soft walls need alpha and a number of modes; the hard wall has neither. */
+static int check_wall(const struct disk_collide_arguments *o)
+{
+    const char *const missing = o->hard_wall ? NULL : !o->alpha.text ? "alpha" : !o->modes.text ? "modes" : NULL;
+    if (missing)
+        return usage_error("corgen disk-collide needs --%s, or --hard-wall; see corgen disk-collide --help", missing);
+    if (o->hard_wall && o->tolerance.text)
+        return options_check_real("tolerance", &hard_wall_tolerance, &o->tolerance);
+    return STATUS_OK;
+}
 
 static int run_disk_collide(const void *arguments)
 {
     const struct disk_collide_arguments *const o = arguments;
+    const int wrong = check_wall(o);
+    if (wrong)
+        return wrong;
     struct decimal tolerance = {0};
-    decimal_set(&tolerance, o->tolerance.text ? o->tolerance.text : DEFAULT_TOLERANCE);
+    decimal_set(&tolerance, o->tolerance.text ? o->tolerance.text
+                            : o->hard_wall    ? DEFAULT_HARD_WALL_TOLERANCE
+                                              : DEFAULT_TOLERANCE);
     const struct sweep_request request = {.sweep = {.speed = o->speed,
                                                     .poisson = o->poisson,
                                                     .alpha = o->alpha,
                                                     .modes = o->modes,
+                                                    .hard_wall = o->hard_wall,
                                                     .tolerance = decimal_value(&tolerance),
                                                     .phi_points = (size_t)o->phi_points},
                                           .threads = (int)o->threads,
@@ -27,19 +52,19 @@ static int run_disk_collide(const void *arguments)
     return sweep_run(&request);
 }
 
-static const struct option_numbers tolerance_numbers = {
-    .range = {TEXT_OF(COR_DISK_COLLISION_MIN_TOLERANCE), "1", true, false, true,
-              "a number from " TEXT_OF(COR_DISK_COLLISION_MIN_TOLERANCE) " to below 1"}};
-
 static const char help[] =
-    "Usage: corgen disk-collide --speed LIST --poisson LIST --alpha LIST --modes LIST [OPTION]...\n\n"
-    "Collides an elastic disk of so many modes with a wall of potential exp(alpha x)/alpha, for\n"
-    "every combination of the four lists. Units: E = rho = R = 1.\n\n"
+    "Usage: corgen disk-collide --speed LIST --poisson LIST --alpha LIST --modes LIST [OPTION]...\n"
+    "       corgen disk-collide --hard-wall --speed LIST --poisson LIST [OPTION]...\n\n"
+    "Collides an elastic disk of so many modes with a wall of potential exp(alpha x)/alpha, or the\n"
+    "disk of all its modes with a rigid wall, for every combination of the lists. Units: E = rho =\n"
+    "R = 1.\n\n"
+    "  --hard-wall      a rigid wall and all modes: the limit of alpha and of the number of modes\n"
     "  --speed LIST     impact speeds, above 0 and up to 0.5\n"
     "  --poisson LIST   Poisson's ratios in plane stress, between -1 and 1\n"
     "  --alpha LIST     hardnesses of the wall, 40 to 1e5\n"
     "  --modes LIST     numbers of modes, 1 to 10000000\n"
-    "  --tolerance T    error allowed in eps, 1e-13 to below 1 (default " DEFAULT_TOLERANCE ")\n"
+    "  --tolerance T    error allowed in eps, 1e-13 to below 1 (default " DEFAULT_TOLERANCE "); with --hard-wall\n"
+    "                   in 1 - eps^2, 1e-7 to below 1 (default " DEFAULT_HARD_WALL_TOLERANCE ")\n"
     "  --phi-points M   angles on the quadrant for the wall's force, 1 to 16384\n"
     "                   (default: as many as the tolerance needs)\n"
     "  --threads K      1 to 1024 (default: as many as processors; under mpirun 1 for each rank)\n"
@@ -52,7 +77,8 @@ static const char help[] =
     "  A:B:lin:N  N values from A to B, equally far apart\n"
     "  A:B:log:N  N values from A to B, each the same multiple of the one before\n"
     "\nColumns: speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,\n"
-    "steps,status. The speed varies fastest, then modes, alpha, poisson. A row whose status is\n"
+    "steps,status; with --hard-wall: speed,nu,one_minus_eps2,eps,contact_time,max_compression,\n"
+    "error_estimate,status. The speed varies fastest, then modes, alpha, poisson. A row whose status is\n"
     "not ok is kept, and the exit status is then 1.\n"
     "Example: corgen disk-collide --speed 0.01:0.3:log:12 --poisson 0.33,0.9 --alpha 500 --modes 940\n";
 
@@ -60,14 +86,15 @@ static const char help[] =
 static const struct option_rule options[] = {
     {.name = "speed", .kind = OPTION_LIST, .offset = AT(speed), .range.values = &sweep_speed, .required = true},
     {.name = "poisson", .kind = OPTION_LIST, .offset = AT(poisson), .range.values = &sweep_poisson, .required = true},
-    {.name = "alpha", .kind = OPTION_LIST, .offset = AT(alpha), .range.values = &sweep_alpha, .required = true},
-    {.name = "modes", .kind = OPTION_LIST, .offset = AT(modes), .range.values = &sweep_modes, .required = true},
+    {.name = "alpha", .kind = OPTION_LIST, .offset = AT(alpha), .range.values = &sweep_alpha},
+    {.name = "modes", .kind = OPTION_LIST, .offset = AT(modes), .range.values = &sweep_modes},
     {.name = "tolerance", .kind = OPTION_REAL, .offset = AT(tolerance), .range.number = &tolerance_numbers},
     {.name = "phi-points",
      .kind = OPTION_WHOLE,
      .offset = AT(phi_points),
      .range.whole = {1, COR_DISK_COLLISION_MAX_PHI_POINTS},
      .why = "walls that need more are not computed"},
+    {.name = "hard-wall", .kind = OPTION_FLAG, .offset = AT(hard_wall), .excludes = "alpha modes phi-points"},
     {.name = "threads",
      .kind = OPTION_WHOLE,
      .offset = AT(threads),

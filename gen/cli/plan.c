@@ -63,7 +63,7 @@ static const char help[] =
     "--wall, as corgen embed --help explains.\n" HELP_END
     "  --for USE        what time means: scalar: calls one at a time; array: loops; balanced\n"
     "                   (default): both\n\n"
-    "Disks: speeds in sqrt(E/rho), 0.003 to 0.3; against a hard wall, all modes counted.\n"
+    "Disks: speeds in sqrt(E/rho), 0.001 to 0.5; against a rigid wall, all modes counted.\n"
     "  --disks          elastic disks, which lose energy to their vibrations\n"
     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
     "  --quantity Q     eps (default; T is its error), contact-time or compression (the largest; T is\n"

@@ -11,7 +11,7 @@
 static int check_arguments(const struct tables_arguments *o)
 {
     if ((o->all || o->seed != OPTIONS_NOT_GIVEN) && o->poisson.text)
-        return usage_error("--%s is about the collisions of generated/" DISK_LIMITS_ROWS_FILE ", not about --poisson",
+        return usage_error("--%s is about the collisions of generated/" DISK_LIMITS_FILE ", not about --poisson",
                            o->all ? "all" : "seed");
     if (o->seed != OPTIONS_NOT_GIVEN && (o->all || !o->check))
         return usage_error("--seed chooses the sample of --check without --all");
@@ -48,10 +48,11 @@ static const char help[] =
     "header to embed and a file to load; all of them or none.\n\n"
     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
     "  --modes N        number of modes, 1 to 10000000 (default 1800)\n"
-    "  --check          write nothing; compare byte for byte and fail at a difference; collide a\n"
-    "                   random sample of the rows of disk_limits.csv again\n"
-    "  --all            make disk_limits.csv anew, which is else kept; with --check, collide all of\n"
-    "                   its rows again: minutes\n"
+    "  --check          write nothing; compare byte for byte and fail at a difference; collide disks\n"
+    "                   again at some places of disk_limits.h, chosen at random\n"
+    "  --all            collide for disk_limits.h anew, which is kept otherwise; hours. Unfinished,\n"
+    "                   collisions are in disk_limits.h.part, and the same command goes on with them;\n"
+    "                   with --check, collide at all its places\n"
     "  --seed N         of the sample, 0 to 1000000000 (default: another one each time)\n"
     "  --output DIR     the directory (default: generated; with --poisson, the current one)\n"
     "  --profile        seconds per step and peak memory on standard error\n"

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "runtime/core/mode_source.h"
+
 /* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A is stored as h/d, and A
  * - 1 as k/d, because 1 - A cancels for n > kappa. d = 1 unless |A| > 1; then h = 1, so that nothing overflows where
  * J_n vanishes. In these variables, with capital letters for kappa', b_n = (g/N) B and y = n - b_n,
@@ -12,27 +14,8 @@
  *     T0 = e d D - s k D - 2 K d,   T1 = d D,   T2 = h H
  *
  * is the frequency equation (25) divided by g. Nothing cancels in it where nu is close to -1 or 1. */
-enum { START_BITS = 8 };
 
 /* ---- Bessel functions ---- */
-
-/* The error of a_m shrinks by (J_{m+1}/J_m)^2 a step, and -ln J_m grows from m = kappa on like
- * m arcosh(m/kappa) - sqrt(m^2 - kappa^2). */
-slong disk_ladder_start(slong n, double kappa, slong bits)
-{
-    const double low = fmax((double)n + 1, ceil(kappa));
-    const double x = low / kappa;
-    const double wanted = low * acosh(x) - kappa * sqrt((x - 1) * (x + 1)) + 0.35 * (double)(bits + START_BITS);
-    double m = low + 2 + cbrt(kappa);
-    for (int i = 0; i < 20; i++) {
-        const double angle = acosh(m / kappa);
-        const double step = (m * angle - kappa * sqrt((m / kappa - 1) * (m / kappa + 1)) - wanted) / angle;
-        m = fmax(m - step, low + 1);
-        if (fabs(step) < 0.5)
-            break;
-    }
-    return (slong)m + 2;
-}
 
 struct wave {
     arb_t z, h, d, k;
@@ -69,7 +52,7 @@ static int wave_set(struct wave *a, slong n, slong prec)
     mag_init(half);
 
     arb_get_mag(half, a->z);
-    slong m = disk_ladder_start(n + 1, sqrt(mag_get_d(half)), prec);
+    slong m = cor_mode_ladder_start(n + 1, sqrt(mag_get_d(half)), prec);
     arb_div_si(r, a->z, 2 * (m + 1), prec);
     arb_get_mag(half, r);
     mag_mul_2exp_si(half, half, -1);
@@ -441,14 +424,4 @@ int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const ar
     arb_clear(stiff);
     waves_clear(&v);
     return done;
-}
-
-/* With t = g/N^2 < 1/5, a_n <= (s g/(2N))(1 + s t) and b_n <= (g/N)(1 + 2 t), and for n >= 2 the equation times n keeps
- * its sign at omega = 0, because it is at most -(1 + nu)(n(n-1)/2 - 5 omega^2). */
-slong disk_orders(double omega)
-{
-    slong n = (slong)(omega * sqrt(10.0)) + 2;
-    while ((double)n * (double)(n - 1) < 10 * omega * omega * (1 + 1e-9))
-        n++;
-    return n;
 }

@@ -26,7 +26,8 @@ void disk_clear(struct disk *d);
 /* The result of an undecided count; more precision or another w may decide it. */
 #define DISK_UNDECIDED (-1)
 
-/* Number of roots of one n below omega, w = omega^2 > 0, without the translation n = 1, omega = 0; or DISK_UNDECIDED. */
+/* Number of roots of one n below omega, w = omega^2 > 0, without the translation n = 1, omega = 0; or DISK_UNDECIDED.
+ * */
 slong disk_count(const struct disk *d, slong n, const arb_t w);
 
 /* A step of Newton's method: w (1 - step) is nearer to a root. Returns 0 if the interval is too wide. */
@@ -35,13 +36,5 @@ int disk_newton(arb_t step, const struct disk *d, slong n, const arb_t w);
 /* C and S of a mode by (26), (28), C > 0, from an interval that contains the w of a root. Returns 0 if the interval is
  * too wide. */
 int disk_amplitudes(arb_t c, arb_t s, const struct disk *d, slong n, const arb_t w);
-
-/* The smallest n such that no mode of this or a larger n is below omega: omega_{n,l}^2 >= n (n - 1)/10 for every n >=
- * 2, l and nu. */
-slong disk_orders(double omega);
-
-/* An m > n such that the recurrence from a_m in [z/(2(m+1)), z/(m+1)], which holds for kappa <= m + 1, gives a_n to
- * `bits` bits. */
-slong disk_ladder_start(slong n, double kappa, slong bits);
 
 #endif

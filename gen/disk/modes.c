@@ -6,8 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cor/status.h"
 #include "disk/equation.h"
-#include "disk/estimate.h"
+#include "runtime/core/mode_source.h"
 #include "support/console.h"
 #include "support/digits.h"
 #include "support/parallel.h"
@@ -232,8 +233,8 @@ struct candidate {
     double omega;
 };
 
-struct order_roots { /* roots of one n */
-    double *omega;
+struct order_roots { /* roots of one n, in doubles */
+    struct cor_disk_mode *mode;
     slong count;
 };
 
@@ -252,11 +253,22 @@ struct work {
 
 /* ---- estimates of the roots in doubles ---- */
 
-static void estimate_order(void *pointer, slong i)
+static struct cor_mode_material material_of(const struct disk *disk)
+{
+    return (struct cor_mode_material){disk->e_double, disk->s_double};
+}
+
+static void find_order(void *pointer, slong i)
 {
     const struct work *work = pointer;
     const slong n = i;
-    work->order[n].omega = disk_estimate_roots(&work->order[n].count, work->disk, n, work->omega);
+    const struct cor_mode_material material = material_of(work->disk);
+    struct order_roots *order = &work->order[n];
+    const slong count = cor_mode_count(&material, n, work->omega);
+    order->count = count > 0 ? count : 0;
+    order->mode = xmalloc((size_t)order->count * sizeof *order->mode);
+    if (cor_mode_find(&material, n, work->omega, order->mode, order->count) != COR_OK)
+        order->count = 0; /* the proof will miss them */
 }
 
 static int by_omega_double(const void *a, const void *b)
@@ -269,35 +281,14 @@ static int by_omega_double(const void *a, const void *b)
     return (x->l > y->l) - (x->l < y->l);
 }
 
-/* An omega with slightly more than `count` modes below it */
-static double upper_end(const struct disk *disk, slong count)
-{
-    const double wanted = (double)count + 1, enough = wanted + 2 + wanted / 1000;
-    double low = 0, high = 1;
-    while (disk_estimate_total(disk, high) < wanted) {
-        low = high;
-        high *= 2;
-    }
-    while (high - low > 1e-12 * high) {
-        const double middle = low + (high - low) / 2;
-        const double total = disk_estimate_total(disk, middle);
-        if (total < wanted)
-            low = middle;
-        else
-            high = middle;
-        if (total >= wanted && total <= enough)
-            break;
-    }
-    return high;
-}
-
 /* The lowest modes in doubles: the first `count`, the next one, and those that doubles do not separate from it. */
 static struct candidate *candidates(slong *found, const struct disk *disk, slong count)
 {
-    struct work work = {.disk = disk, .omega = upper_end(disk, count)};
-    const slong orders = disk_orders(work.omega);
+    const struct cor_mode_material material = material_of(disk);
+    struct work work = {.disk = disk, .omega = cor_mode_upper_end(&material, (size_t)count)};
+    const slong orders = cor_mode_orders(work.omega);
     work.order = xmalloc((size_t)orders * sizeof *work.order);
-    parallel_for(estimate_order, &work, orders, "finding modes, n");
+    parallel_for(find_order, &work, orders, "finding modes, n");
 
     slong all = 0;
     for (slong n = 0; n < orders; n++)
@@ -306,8 +297,8 @@ static struct candidate *candidates(slong *found, const struct disk *disk, slong
     slong i = 0;
     for (slong n = 0; n < orders; n++) {
         for (slong l = 0; l < work.order[n].count; l++)
-            list[i++] = (struct candidate){n, l, work.order[n].omega[l]};
-        free(work.order[n].omega);
+            list[i++] = (struct candidate){n, l, work.order[n].mode[l].omega};
+        free(work.order[n].mode);
     }
     free(work.order);
     qsort(list, (size_t)all, sizeof *list, by_omega_double);
@@ -383,7 +374,7 @@ static slong count_all(const struct disk_modes *modes, slong count, const struct
     arf_add(low, low, high, ARF_PREC_EXACT, ARF_RND_DOWN);
     arf_mul_2exp_si(low, low, -1);
     arb_set_arf(w, low);
-    const slong orders = disk_orders(arf_get_d(high, ARF_RND_UP));
+    const slong orders = cor_mode_orders(arf_get_d(high, ARF_RND_UP));
     arb_mul(w, w, w, ARF_PREC_EXACT);
 
     struct work work = {.disk = wide, .w = w, .digits = digits, .below = xmalloc((size_t)orders * sizeof *work.below)};

@@ -1,30 +1,42 @@
 /* SPDX-License-Identifier: MIT */
-/* Elastic disks: from leaving the vibrations out to collisions of many modes, against what collisions of hard walls and
- * all modes tend to. */
+/* Elastic disks: from leaving the vibrations out to collisions of many modes, against a rigid wall and all modes. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cor/disk.h"
 #include "cor/status.h"
-#include "disk/limit_fit.h"
 #include "disk/modes.h"
 #include "disk/modes_rounded.h"
 #include "plan/plan.h"
 #include "support/console.h"
 #include "support/parallel.h"
+#include "sweep/hard_wall.h"
 
-/* Every number of modes with every hardness alpha v. Limits are fitted to the last ones. */
-static const size_t counts[] = {10, 30, 100, 300, 940, 1800, 2500, 3600};
-static const double hardness[] = {11, 22, 30, 41, 56};
+/* Every number of modes with every hardness alpha v. */
+static const size_t counts[] = {10, 30, 100, 300, 940, 1800, 3600};
+static const double hardness[] = {11, 22, 56};
+/* What the rigid wall is asked for, on 1 - eps^2, and ns for it: the median of 30 speeds from 0.001 to 0.3, the modes
+ * at hand, measured once: docs/plan.md. */
+static const struct {
+    double tolerance, cost;
+} rigid[] = {{1e-3, 4e6}, {1e-4, 7e6}, {1e-5, 5e7}, {1e-6, 5e8}};
 enum {
     COUNTS = sizeof counts / sizeof *counts,
     WALLS = sizeof hardness / sizeof *hardness,
-    FIT_COUNTS = 3, /* from 1800 on, and walls from 22 on: disk_limit_fit.h */
-    FIT_WALLS = 4,
-    FIT = FIT_COUNTS * FIT_WALLS,
+    RIGID = sizeof rigid / sizeof *rigid,
     QUANTITIES = 3 /* enum plan_quantity */
 };
+/* The truth: a rigid wall to this part of the tolerance asked for, but within these bounds */
+#define TRUTH_SHARE 0.02
+#define FINEST_TRUTH 1e-6
+#define COARSEST_TRUTH 1e-4
+#define COARSEST_TRUTH_OF_OTHERS 1e-5 /* of levels beyond those of COARSE_TOLERANCE */
+/* Of the contact time and the largest compression, twice the change from a rigid wall to this tolerance is their
+ * uncertainty: the contact time converges like 1/Omega. */
+#define COARSE_TOLERANCE 1e-3
+#define LEAST_TOLERANCE 1e-6
+#define MIN_SPEED 1e-3 /* alpha v = 56 is beyond COR_DISK_COLLISION_MAX_ALPHA soon below it */
 #define COLLISION_TOLERANCE 1e-6
 /* The paper's wall and number of modes. */
 #define PAPER_ALPHA 500.0
@@ -49,6 +61,9 @@ struct disks {
     struct cor_disk_modes modes;
     struct outcome *grid; /* [point][count][wall] */
     struct outcome *paper;
+    struct outcome *truth; /* [point] */
+    struct hard_wall_tables tables;
+    struct sweep_room room;
 };
 
 static struct outcome *outcome_at(const struct disks *d, slong point, int count, int wall)
@@ -105,47 +120,39 @@ static void disks_collide_all(struct plan *plan, struct disks *d)
     parallel_for(disks_collide_row, &work, plan->points * (COUNTS + 1), "collisions");
 }
 
-/* ---- what they tend to ---- */
+/* ---- the rigid wall ---- */
 
-/* eps of all modes at a hard wall */
-static int limit_of_eps(struct plan *plan, const struct disks *d, slong i)
+static int collide_rigid(struct disks *d, struct outcome *out, double *uncertainty, double tolerance, double speed)
 {
-    struct disk_limit_row row[FIT];
-    for (int k = 0; k < FIT; k++) {
-        const int n = COUNTS - FIT_COUNTS + k / FIT_WALLS, wall = WALLS - FIT_WALLS + k % FIT_WALLS;
-        const struct outcome *out = outcome_at(d, i, n, wall);
-        const double eps = out->value[PLAN_EPS];
-        row[k] = (struct disk_limit_row){alpha_of(hardness[wall], plan->speed[i]), counts[n],
-                                         out->reached ? 1 - eps * eps : (double)NAN};
+    struct cor_disk_hard_wall h;
+    const int status = hard_wall_collide(&h, &d->tables, tolerance, speed, &d->room);
+    out->value[PLAN_EPS] = h.eps;
+    out->value[PLAN_CONTACT_TIME] = h.contact_time;
+    out->value[PLAN_COMPRESSION] = h.max_compression;
+    out->reached = status == COR_OK;
+    *uncertainty = h.error_estimate / (2 * h.eps);
+    return status == COR_OK || status == COR_TOLERANCE_NOT_REACHED ? STATUS_OK : STATUS_FAILED;
+}
+
+static double truth_tolerance(const struct plan *plan, enum plan_quantity quantity)
+{
+    const double coarsest = quantity == PLAN_EPS ? COARSEST_TRUTH : COARSEST_TRUTH_OF_OTHERS;
+    return fmin(fmax(TRUTH_SHARE * plan->tolerance, FINEST_TRUTH), coarsest);
+}
+
+static int find_truth(struct plan *plan, struct disks *d, slong i)
+{
+    const enum plan_quantity quantity = d->request->quantity;
+    struct outcome coarse;
+    double of_coarse;
+    int status = collide_rigid(d, &d->truth[i], &plan->uncertainty[i], truth_tolerance(plan, quantity), plan->speed[i]);
+    plan->truth[i] = d->truth[i].value[quantity];
+    if (status == STATUS_OK && quantity != PLAN_EPS) {
+        status = collide_rigid(d, &coarse, &of_coarse, COARSE_TOLERANCE, plan->speed[i]);
+        plan->uncertainty[i] = 2 * fabs(coarse.value[quantity] / plan->truth[i] - 1);
     }
-    struct disk_limit limit;
-    const enum disk_limit_status status = disk_limit_fit(&limit, plan->speed[i], row, FIT);
-    if (status != DISK_LIMIT_OK)
-        return fail("what collisions at speed %.4g tend to is not known: %s", plan->speed[i], disk_limit_text(status));
-    plan->truth[i] = sqrt(1 - limit.one_minus_eps2);
-    plan->uncertainty[i] = limit.uncertainty / (2 * plan->truth[i]);
-    return STATUS_OK;
-}
-
-/* At a hard wall, linear in 1/alpha through two walls. */
-static double hard_wall(const struct disks *d, slong i, int count, int softer, int harder, enum plan_quantity quantity)
-{
-    const double x = outcome_at(d, i, count, softer)->value[quantity],
-                 y = outcome_at(d, i, count, harder)->value[quantity];
-    return y + (y - x) * hardness[softer] / (hardness[harder] - hardness[softer]);
-}
-
-/* The other quantities, of the most modes; uncertain by what two other walls and fewer modes make of them. */
-static int limit_of_other(struct plan *plan, const struct disks *d, slong i, enum plan_quantity quantity)
-{
-    const int most = COUNTS - 1, half = COUNTS - FIT_COUNTS;
-    const double limit = hard_wall(d, i, most, WALLS - 3, WALLS - 1, quantity);
-    const double walls = hard_wall(d, i, most, WALLS - 4, WALLS - 2, quantity);
-    const double modes = hard_wall(d, i, half, WALLS - 3, WALLS - 1, quantity);
-    plan->truth[i] = limit;
-    plan->uncertainty[i] = (fabs(walls - limit) + fabs(modes - limit)) / limit;
-    if (!isfinite(plan->uncertainty[i]))
-        return fail("the collision at speed %.4g does not end", plan->speed[i]);
+    if (status != STATUS_OK || !isfinite(plan->truth[i]) || !isfinite(plan->uncertainty[i]))
+        return fail("the collision at speed %.4g with a rigid wall is not known", plan->speed[i]);
     return STATUS_OK;
 }
 
@@ -173,6 +180,32 @@ static const char *quantity_field(enum plan_quantity quantity)
 static bool is_relative(const struct disks *d)
 {
     return d->request->quantity != PLAN_EPS;
+}
+
+/* What corgen promises of eps, and how the other quantities differ from the truth */
+static int add_rigid(struct plan *plan, struct disks *d, int k)
+{
+    const enum plan_quantity quantity = d->request->quantity;
+    struct plan_model *m = plan_add(plan, "rigid wall: tolerance %g", rigid[k].tolerance);
+    int status = STATUS_OK;
+    for (slong i = 0; i < plan->points && status == STATUS_OK; i++) {
+        struct outcome out = d->truth[i];
+        double uncertainty;
+        if (quantity != PLAN_EPS)
+            status = collide_rigid(d, &out, &uncertainty, rigid[k].tolerance, plan->speed[i]);
+        m->value[i] = out.value[quantity];
+        m->error[i] = rigid[k].tolerance / (2 * plan->truth[i]);
+    }
+    m->promised = quantity == PLAN_EPS;
+    if (!m->promised)
+        plan_compare(plan, m, true);
+    m->cost = rigid[k].cost;
+    m->leaves_out = "nothing; estimated, not proved";
+    m->use = plan_text("#include \"cor/cor.h\"\nstruct cor_disk_hard_wall_options options = {.tolerance = %g};\n"
+                       "struct cor_disk_hard_wall out;\n"
+                       "int status = cor_disk_hard_wall_nu(%s, &options, v, &out); /* out.%s */\n",
+                       rigid[k].tolerance, d->request->poisson.text, quantity_field(quantity));
+    return status;
 }
 
 /* hard = 0: the paper's wall */
@@ -208,9 +241,9 @@ static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes,
 
 static void add_all_dynamics(struct plan *plan, const struct disks *d)
 {
-    static const size_t ladder[] = {10, 30, 100, 300, 940, 1800, 3600}, soft[] = {300, 1800};
-    for (size_t i = 0; i < sizeof ladder / sizeof *ladder; i++)
-        add_dynamics(plan, d, ladder[i], hardness[WALLS - 1], "higher modes; some hardness of the wall");
+    static const size_t soft[] = {300, 1800};
+    for (size_t i = 0; i < COUNTS; i++)
+        add_dynamics(plan, d, counts[i], hardness[WALLS - 1], "higher modes; some hardness of the wall");
     for (size_t i = 0; i < sizeof soft / sizeof *soft; i++)
         for (int k = 0; k < 2; k++)
             add_dynamics(plan, d, soft[i], hardness[k], "higher modes; much hardness of the wall");
@@ -273,7 +306,11 @@ static void add_models_of_eps(struct plan *plan, const struct disks *d)
     m->outside = !(d->modes.nu >= COR_DISK_EPS_MIN_NU && d->modes.nu <= COR_DISK_EPS_MAX_NU);
     for (slong i = 0; i < plan->points; i++) {
         m->value[i] = plan->truth[i];
-        m->error[i] = COR_DISK_EPS_MAX_UNCERTAINTY / (2 * plan->truth[i]);
+        m->error[i] = (plan->speed[i] <= COR_DISK_EPS_CALM_SPEED ? COR_DISK_EPS_MAX_UNCERTAINTY
+                                                                 : COR_DISK_EPS_MAX_UNCERTAINTY_FAST) /
+                      (2 * plan->truth[i]);
+        m->outside =
+            m->outside || !(plan->speed[i] >= COR_DISK_EPS_MIN_SPEED && plan->speed[i] <= COR_DISK_EPS_MAX_SPEED);
     }
     m->promised = true;
     m->cost = NS_EPS_TABLE;
@@ -317,17 +354,15 @@ static int read_range(double range[2], double *tolerance, const struct plan_disk
     range[0] = decimal_value(&request->speed_min);
     range[1] = decimal_value(&request->speed_max);
     *tolerance = decimal_value(&request->tolerance);
-    if (!(range[0] >= COR_DISK_EPS_MIN_SPEED && range[1] <= COR_DISK_EPS_MAX_SPEED))
-        return usage_error("--speed-min %s to --speed-max %s: what collisions tend to is known from %g to %g, in "
-                           "sqrt(E/rho)",
-                           request->speed_min.text, request->speed_max.text, COR_DISK_EPS_MIN_SPEED,
-                           COR_DISK_EPS_MAX_SPEED);
+    if (!(range[0] >= MIN_SPEED && range[1] <= COR_DISK_HARD_WALL_MAX_SPEED))
+        return usage_error("--speed-min %s to --speed-max %s: models are compared from %g to %g, in sqrt(E/rho)",
+                           request->speed_min.text, request->speed_max.text, MIN_SPEED, COR_DISK_HARD_WALL_MAX_SPEED);
     if (!(range[1] > range[0]))
         return usage_error("--speed-min %s is not below --speed-max %s", request->speed_min.text,
                            request->speed_max.text);
-    if (!(*tolerance >= COLLISION_TOLERANCE && *tolerance < 1))
+    if (!(*tolerance >= LEAST_TOLERANCE && *tolerance < 1))
         return usage_error("--tolerance %s is not from %g, the error of a collision here, to below 1",
-                           request->tolerance.text, COLLISION_TOLERANCE);
+                           request->tolerance.text, LEAST_TOLERANCE);
     return STATUS_OK;
 }
 
@@ -338,7 +373,7 @@ static char *disks_title(const struct plan *plan, const struct disks *d)
     for (slong i = 0; i <= last; i++)
         uncertainty = fmax(uncertainty, plan->uncertainty[i]);
     return plan_text("Disks of nu = %s at %s to %s sqrt(E/rho): %s from %.4g to %.4g,\n"
-                     "what collisions of many modes with hard walls tend to, uncertain by %.1e%s.\n",
+                     "of a disk of all its modes at a rigid wall, uncertain by %.1e%s.\n",
                      d->request->poisson.text, d->request->speed_min.text, d->request->speed_max.text, plan->quantity,
                      plan->truth[0], plan->truth[last], uncertainty, is_relative(d) ? ", relative" : "");
 }
@@ -347,12 +382,17 @@ static int disks_fill(struct plan *plan, struct disks *d)
 {
     static const char *const quantity[] = {"eps", "contact time", "largest compression"};
     disks_collide_all(plan, d);
+    d->truth = xmalloc((size_t)plan->points * sizeof *d->truth);
+    hard_wall_tables_set(&d->tables, d->modes.nu);
     int status = STATUS_OK;
     for (slong i = 0; i < plan->points && status == STATUS_OK; i++) {
         plan->at[i] = plan->speed[i];
-        status = d->request->quantity == PLAN_EPS ? limit_of_eps(plan, d, i)
-                                                  : limit_of_other(plan, d, i, d->request->quantity);
+        status = find_truth(plan, d, i);
+        progress("rigid walls", (long)i + 1, (long)plan->points);
     }
+    progress_end();
+    if (status == STATUS_OK)
+        disks_collide_all(plan, d);
     if (status != STATUS_OK)
         return status;
     plan->argument = "speed";
@@ -360,8 +400,8 @@ static int disks_fill(struct plan *plan, struct disks *d)
     plan->unit = is_relative(d) ? "relative error" : "error";
     plan->note =
         "Error: the largest of the points; taken where error and uncertainty of what it is compared with are below\n"
-        "0.97 of the tolerance. Of cor_disk_eps: what the library promises. More modes and harder walls tend to the\n"
-        "truth from two sides, so that few modes at a soft wall may be right by accident.\n"
+        "0.97 of the tolerance. Of cor_disk_eps and the rigid wall: what the library promises. More modes and harder\n"
+        "walls tend to the truth from two sides, so that few modes at a soft wall may be right by accident.\n"
         "Cost: of a collision, from its steps and modes; all as measured once, docs/plan.md.\n";
     plan->title = disks_title(plan, d);
     if (d->request->quantity == PLAN_EPS)
@@ -369,8 +409,10 @@ static int disks_fill(struct plan *plan, struct disks *d)
     else
         add_laws(plan, d);
     add_all_dynamics(plan, d);
+    for (int k = 0; k < RIGID && status == STATUS_OK; k++)
+        status = add_rigid(plan, d, k);
     plan_choose(plan);
-    return STATUS_OK;
+    return status;
 }
 
 int plan_disks(struct plan *plan, const struct plan_disks_request *request)
@@ -383,6 +425,7 @@ int plan_disks(struct plan *plan, const struct plan_disks_request *request)
     plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS_DISKS, range[0], range[1]);
     plan->tolerance = tolerance;
     struct disks d = {.request = request};
+    hard_wall_tables_init(&d.tables);
     profile_step("modes");
     status = disk_modes_rounded(&d.modes, request->poisson.value, (slong)counts[COUNTS - 1]);
     profile_step("collisions");
@@ -393,5 +436,8 @@ int plan_disks(struct plan *plan, const struct plan_disks_request *request)
     profile_step(NULL);
     free(d.grid);
     free(d.paper);
+    free(d.truth);
+    free(d.room.bytes);
+    hard_wall_tables_clear(&d.tables);
     return status;
 }

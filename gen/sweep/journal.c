@@ -302,3 +302,45 @@ void journal_close(struct journal *journal, bool done)
     free(journal->pending);
     *journal = (struct journal){.fd = -1};
 }
+
+/* ---- interruptions ---- */
+
+static char *interrupted_text;
+static struct sigaction before_interrupt[3];
+static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
+
+/* What has been added is safe at any moment; the signal goes on to end the program as its sender expects. */
+static void on_interrupt(int number)
+{
+    const char *text = interrupted_text;
+    if (text && write(STDERR_FILENO, text, strlen(text)) < 0)
+        text = NULL;
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+void journal_say_on_interrupt(const struct journal *journal)
+{
+    const char *const path = journal->path;
+    static const char format[] = "\ncorgen: interrupted; the same command continues after the last row of %s\n";
+    interrupted_text = xmalloc(sizeof format + strlen(path));
+    snprintf(interrupted_text, sizeof format + strlen(path), format, path);
+    for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++) {
+        sigaction(interrupts[i], NULL, &before_interrupt[i]);
+        if (before_interrupt[i].sa_handler == SIG_IGN)
+            continue; /* by the parent: nohup */
+        struct sigaction action;
+        memset(&action, 0, sizeof action);
+        action.sa_handler = on_interrupt;
+        sigfillset(&action.sa_mask);
+        sigaction(interrupts[i], &action, NULL);
+    }
+}
+
+void journal_silent_on_interrupt(void)
+{
+    for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++)
+        sigaction(interrupts[i], &before_interrupt[i], NULL);
+    free(interrupted_text);
+    interrupted_text = NULL;
+}

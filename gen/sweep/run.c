@@ -3,7 +3,6 @@
 
 #include <inttypes.h>
 #include <math.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -26,7 +25,8 @@ struct collide {
     int threads;
     struct sweep_room *room; /* one workspace for each thread */
     struct cor_disk_mode *mode;
-    struct cor_disk_modes modes; /* modes of the present material */
+    struct cor_disk_modes modes;    /* soft walls: modes of the present material */
+    struct hard_wall_tables tables; /* the hard wall: the same, as many as the rows need */
 
     /* Rank 0: lines go to the journal if there is one, otherwise to the printer. */
     struct journal journal;
@@ -56,6 +56,10 @@ static int refuse_memory(const struct sweep *sweep)
 static int find_modes(struct collide *run, size_t material)
 {
     const double start = clock_seconds();
+    if (run->sweep.hard_wall) { /* the rows compute their modes, as many as they need */
+        hard_wall_tables_set(&run->tables, run->sweep.poisson.nearest[material]);
+        return STATUS_OK;
+    }
     parallel_use(run->threads);
     free(run->mode);
     run->mode = NULL;
@@ -73,6 +77,10 @@ static void send_modes(struct crew *crew, const struct collide *run)
 {
     if (ranks_count() < 2)
         return;
+    if (run->sweep.hard_wall) {
+        crew_broadcast(crew, &run->tables.nu, sizeof run->tables.nu);
+        return;
+    }
     const size_t bytes = run->modes.count * sizeof *run->mode;
     unsigned char *message = xmalloc(sizeof run->modes.nu + bytes);
     memcpy(message, &run->modes.nu, sizeof run->modes.nu);
@@ -84,6 +92,12 @@ static void send_modes(struct crew *crew, const struct collide *run)
 static void receive_modes(void *context, const void *bytes, size_t n)
 {
     struct collide *run = context;
+    if (run->sweep.hard_wall) {
+        double nu;
+        memcpy(&nu, bytes, sizeof nu);
+        hard_wall_tables_set(&run->tables, nu);
+        return;
+    }
     const size_t size = n - sizeof run->modes.nu;
     run->mode = xrealloc(run->mode, size);
     memcpy(&run->modes.nu, bytes, sizeof run->modes.nu);
@@ -134,7 +148,10 @@ static void collide_row(void *context, int thread, uint64_t number, void *result
     struct collide *run = context;
     struct sweep_row row;
     sweep_row(&row, &run->sweep, number);
-    sweep_collide(result, &run->sweep, &row, &run->modes, &run->room[thread]);
+    if (run->sweep.hard_wall)
+        sweep_collide_hard(result, &run->sweep, &row, &run->tables, &run->room[thread]);
+    else
+        sweep_collide(result, &run->sweep, &row, &run->modes, &run->room[thread]);
 }
 
 static void row_ready(void *context, uint64_t number, const void *result)
@@ -155,7 +172,7 @@ static int row_finished(void *context, uint64_t number, const void *bytes)
     struct sweep_row row;
     sweep_row(&row, &run->sweep, number);
     char line[SWEEP_LINE];
-    sweep_line(line, &row, &result);
+    sweep_line(line, &run->sweep, &row, &result);
     if (result.status == COR_ERROR_MEMORY || result.status == COR_ERROR_WORKSPACE)
         return fail("row %" PRIu64 ": %s", number + 1, cor_status_text(result.status));
     if (run->again && number == run->again_row) {
@@ -205,7 +222,7 @@ static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
         const size_t material = (size_t)(first / each);
         run->materials_left = run->sweep.poisson.count - material - 1;
         int status = find_modes(run, material);
-        if (status == STATUS_OK && !checked)
+        if (status == STATUS_OK && !checked && !run->sweep.hard_wall)
             status = refuse_corners(run, &run->modes);
         if (status != STATUS_OK)
             return status;
@@ -225,45 +242,6 @@ static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
 }
 
 /* ---- output ---- */
-
-static char *interrupted_text;
-static struct sigaction before_interrupt[3];
-static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
-
-/* Rows are safe at any moment, so the handler only prints a message and passes the signal on to its default action. */
-static void on_interrupt(int number)
-{
-    const char *text = interrupted_text;
-    if (text && write(STDERR_FILENO, text, strlen(text)) < 0)
-        text = NULL;
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
-static void interrupts_say(const char *path)
-{
-    static const char format[] = "\ncorgen: interrupted; the same command continues after the last row of %s\n";
-    interrupted_text = xmalloc(sizeof format + strlen(path));
-    snprintf(interrupted_text, sizeof format + strlen(path), format, path);
-    for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++) {
-        sigaction(interrupts[i], NULL, &before_interrupt[i]);
-        if (before_interrupt[i].sa_handler == SIG_IGN)
-            continue; /* the parent, such as nohup, ignores it */
-        struct sigaction action;
-        memset(&action, 0, sizeof action);
-        action.sa_handler = on_interrupt;
-        sigfillset(&action.sa_mask);
-        sigaction(interrupts[i], &action, NULL);
-    }
-}
-
-static void interrupts_as_before(void)
-{
-    for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++)
-        sigaction(interrupts[i], &before_interrupt[i], NULL);
-    free(interrupted_text);
-    interrupted_text = NULL;
-}
 
 /* Reports rows whose status is not ok. */
 static int report_rows(const struct sweep_printer *printer)
@@ -296,8 +274,21 @@ static int publish_journal(struct collide *run, const struct sweep_request *requ
     return status;
 }
 
+static char *title_of_hard_wall(const struct sweep *sweep)
+{
+    static const char format[] = "corgen disk-collide, unfinished, sweep %016" PRIx64 ", %" PRIu64
+                                 " rows: --hard-wall --speed %s --poisson %s --tolerance %s";
+    const size_t size = sizeof format + 4 * DECIMAL_TEXT + strlen(sweep->speed.text) + strlen(sweep->poisson.text);
+    char *title = xmalloc(size), tolerance[DECIMAL_TEXT];
+    snprintf(title, size, format, sweep_identity(sweep), sweep->rows, sweep->speed.text, sweep->poisson.text,
+             decimal_text(tolerance, sweep->tolerance));
+    return title;
+}
+
 static char *title_of(const struct sweep *sweep)
 {
+    if (sweep->hard_wall)
+        return title_of_hard_wall(sweep);
     static const char format[] = "corgen disk-collide, unfinished, sweep %016" PRIx64 ", %" PRIu64
                                  " rows: --speed %s --poisson %s --alpha %s --modes %s --tolerance %s --phi-points %zu";
     size_t size = sizeof format + 4 * DECIMAL_TEXT;
@@ -325,9 +316,9 @@ static int collide_to_file(struct collide *run, struct crew *crew, const struct 
         return status;
     for (uint64_t i = 0; i < run->journal.lines; i++)
         run->cost_found += sweep_cost(&run->sweep, i);
-    interrupts_say(run->journal.path);
+    journal_say_on_interrupt(&run->journal);
     status = collide_all(run, crew, run->journal.lines);
-    interrupts_as_before();
+    journal_silent_on_interrupt();
     if (status == STATUS_OK)
         status = publish_journal(run, request);
     journal_close(&run->journal, status == STATUS_OK);
@@ -358,6 +349,7 @@ int sweep_run(const struct sweep_request *request)
     if (status == STATUS_OK)
         status = sweep_count(&run.sweep);
     run.threads = request->threads > 0 ? request->threads : ranks_count() > 1 ? 1 : parallel_processors();
+    hard_wall_tables_init(&run.tables);
     run.room = xmalloc((size_t)run.threads * sizeof *run.room);
     memset(run.room, 0, (size_t)run.threads * sizeof *run.room);
     struct crew *crew = NULL;
@@ -366,9 +358,9 @@ int sweep_run(const struct sweep_request *request)
     if (status == STATUS_OK && !(crew = crew_start(&work, run.threads)))
         status = STATUS_FAILED;
     /* not before the crew exists: crew_stop ends the other ranks */
-    if (status == STATUS_OK && ranks_mine() == 0)
+    if (status == STATUS_OK && ranks_mine() == 0 && !run.sweep.hard_wall)
         status = refuse_memory(&run.sweep);
-    if (status == STATUS_OK && ranks_mine() == 0)
+    if (status == STATUS_OK && ranks_mine() == 0 && !run.sweep.hard_wall)
         status = refuse_early(&run);
     if (status == STATUS_OK) {
         if (ranks_mine() > 0)
@@ -383,5 +375,6 @@ int sweep_run(const struct sweep_request *request)
         free(run.room[i].bytes);
     free(run.room);
     free(run.mode);
+    hard_wall_tables_clear(&run.tables);
     return status;
 }

@@ -62,11 +62,15 @@ static double sum_of(double (*cost)(int part, double value), int part, const str
     return sum;
 }
 
+/* Of the hard wall a row takes about as long at any speed and nu, but up to ten times as long where waves come back
+ * while the contact ends or splits. */
 double sweep_cost(const struct sweep *sweep, uint64_t number)
 {
     struct sweep_row row;
     sweep_row(&row, sweep, number);
     double cost = 0;
+    if (sweep->hard_wall)
+        return 1;
     for (int part = 0; part < COST_PARTS; part++)
         cost += cost_of_alpha(part, row.alpha) * cost_of_speed(part, row.speed);
     return cost * cost_of_modes((double)row.modes);
@@ -74,12 +78,21 @@ double sweep_cost(const struct sweep *sweep, uint64_t number)
 
 /* ---- rows ---- */
 
+/* The lists that a sweep has; their number */
+static size_t lists_of(const struct sweep *sweep, const struct values *list[SWEEP_LISTS])
+{
+    const struct values *const all[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
+    memcpy(list, all, sizeof all);
+    return sweep->hard_wall ? 2 : SWEEP_LISTS;
+}
+
 int sweep_count(struct sweep *sweep)
 {
-    const struct values *list[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
+    const struct values *list[SWEEP_LISTS];
+    const size_t lists = lists_of(sweep, list);
     double product = 1;
     sweep->rows = 1;
-    for (size_t i = 0; i < SWEEP_LISTS; i++) {
+    for (size_t i = 0; i < lists; i++) {
         product *= (double)list[i]->count;
         if (product <= (double)SWEEP_MAX_ROWS)
             sweep->rows *= list[i]->count;
@@ -88,6 +101,10 @@ int sweep_count(struct sweep *sweep)
         return usage_error("the lists make %.4g rows; up to %" PRIu64
                            " are allowed, because more take weeks; split the sweep",
                            product, SWEEP_MAX_ROWS);
+    if (sweep->hard_wall) {
+        sweep->cost = (double)sweep->rows;
+        return STATUS_OK;
+    }
     double of_modes = 0;
     for (size_t i = 0; i < sweep->modes.count; i++)
         of_modes += cost_of_modes(sweep->modes.nearest[i]);
@@ -115,10 +132,14 @@ void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number
 {
     row->speed = sweep->speed.nearest[number % sweep->speed.count];
     number /= sweep->speed.count;
-    row->modes = (size_t)sweep->modes.nearest[number % sweep->modes.count];
-    number /= sweep->modes.count;
-    row->alpha = sweep->alpha.nearest[number % sweep->alpha.count];
-    number /= sweep->alpha.count;
+    row->modes = 0;
+    row->alpha = INFINITY;
+    if (!sweep->hard_wall) {
+        row->modes = (size_t)sweep->modes.nearest[number % sweep->modes.count];
+        number /= sweep->modes.count;
+        row->alpha = sweep->alpha.nearest[number % sweep->alpha.count];
+        number /= sweep->alpha.count;
+    }
     row->material = (size_t)number;
     row->nu = sweep->poisson.nearest[number];
 }
@@ -134,10 +155,11 @@ static uint64_t hash_text(uint64_t hash, const char *text)
 
 uint64_t sweep_identity(const struct sweep *sweep)
 {
-    const struct values *list[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
+    const struct values *list[SWEEP_LISTS];
+    const size_t lists = lists_of(sweep, list);
     uint64_t hash = UINT64_C(14695981039346656037);
     char text[3 * DECIMAL_TEXT];
-    for (size_t i = 0; i < SWEEP_LISTS; i++) {
+    for (size_t i = 0; i < lists; i++) {
         for (size_t j = 0; j < list[i]->count; j++) {
             snprintf(text, sizeof text, "%a", list[i]->nearest[j]);
             hash = hash_text(hash, text);
@@ -153,13 +175,16 @@ uint64_t sweep_identity(const struct sweep *sweep)
     return hash_text(hash, text);
 }
 
+static const struct sweep_result no_result = {.collision = {NAN, NAN, NAN, NAN, NAN, 0, NAN},
+                                              .hard_wall = {NAN, NAN, NAN, NAN, NAN, 0}};
+
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
                    const struct cor_disk_modes *modes, struct sweep_room *room)
 {
     const double start = clock_seconds();
     const struct cor_disk_collision_options options = {row->alpha, sweep->tolerance, sweep->phi_points, 0};
     /* sized for this row alone: the angles chosen must not depend on earlier rows */
-    *result = (struct sweep_result){.collision = {NAN, NAN, NAN, NAN, NAN, 0, NAN}};
+    *result = no_result;
     const size_t needed = cor_disk_collision_workspace(modes, row->modes, &options);
     if (needed > room->size) {
         free(room->bytes);
@@ -168,6 +193,15 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
     }
     result->status =
         cor_disk_collision_in(room->bytes, needed, modes, row->modes, &options, row->speed, &result->collision, NULL);
+    result->seconds = clock_seconds() - start;
+}
+
+void sweep_collide_hard(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
+                        struct hard_wall_tables *tables, struct sweep_room *room)
+{
+    const double start = clock_seconds();
+    *result = no_result;
+    result->status = hard_wall_collide(&result->hard_wall, tables, sweep->tolerance, row->speed, room);
     result->seconds = clock_seconds() - start;
 }
 
@@ -190,8 +224,25 @@ static const char *status_word(char text[DECIMAL_TEXT], int status)
     }
 }
 
-void sweep_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct sweep_result *result)
+static void hard_wall_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct sweep_result *result)
 {
+    const struct cor_disk_hard_wall *h = &result->hard_wall;
+    const double number[] = {row->speed,         row->nu,          h->one_minus_eps2, h->eps, h->contact_time,
+                             h->max_compression, h->error_estimate};
+    int length = 0;
+    char text[DECIMAL_TEXT];
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
+        length += snprintf(line + length, SWEEP_LINE - (size_t)length, "%s,", decimal_text(text, number[i]));
+    snprintf(line + length, SWEEP_LINE - (size_t)length, "%s", status_word(text, result->status));
+}
+
+void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_row *row,
+                const struct sweep_result *result)
+{
+    if (sweep->hard_wall) {
+        hard_wall_line(line, row, result);
+        return;
+    }
     const struct cor_disk_collision *c = &result->collision;
     char text[8][DECIMAL_TEXT], word[DECIMAL_TEXT];
     snprintf(line, SWEEP_LINE, "%s,%s,%s,%zu,%s,%s,%s,%s,%s,%zu,%s", decimal_text(text[0], row->speed),
@@ -203,12 +254,41 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct
 
 /* ---- tables ---- */
 
-enum { COLUMN_MODES = 3, COLUMN_DRIFT = 8, COLUMN_STEPS = 9, DRIFT_DIGITS = 2, LEAST_DIGITS = 4 };
+/* How a column is printed for the eye */
+enum column_kind {
+    COLUMN_LIST,  /* a number of a list, as it is */
+    COLUMN_COUNT, /* of modes, a list too */
+    COLUMN_RESULT,
+    COLUMN_SMALL, /* a result of which two digits say enough */
+    COLUMN_STEPS,
+    COLUMN_STATUS
+};
+enum { SMALL_DIGITS = 2, LEAST_DIGITS = 4 };
+
+struct layout {
+    const char *header;
+    int columns;
+    enum column_kind kind[SWEEP_COLUMNS];
+};
+static const struct layout soft_layout = {SWEEP_HEADER,
+                                          SWEEP_COLUMNS,
+                                          {COLUMN_LIST, COLUMN_LIST, COLUMN_LIST, COLUMN_COUNT, COLUMN_RESULT,
+                                           COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT, COLUMN_SMALL, COLUMN_STEPS,
+                                           COLUMN_STATUS}};
+static const struct layout hard_layout = {SWEEP_HARD_WALL_HEADER,
+                                          8,
+                                          {COLUMN_LIST, COLUMN_LIST, COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT,
+                                           COLUMN_RESULT, COLUMN_SMALL, COLUMN_STATUS}};
+
+static const struct layout *layout_of(bool hard_wall)
+{
+    return hard_wall ? &hard_layout : &soft_layout;
+}
 
 /* Cuts a line at its commas; the cells point into `line`. */
-static void line_cut(char *cell[SWEEP_COLUMNS], char *line)
+static void line_cut(char *cell[SWEEP_COLUMNS], char *line, int columns)
 {
-    for (int j = 0; j < SWEEP_COLUMNS; j++) {
+    for (int j = 0; j < columns; j++) {
         cell[j] = line;
         line += strcspn(line, ",");
         if (*line)
@@ -230,26 +310,29 @@ static int column_width(const char *name, const struct values *values)
 /* Prints as many digits as the tolerance justifies. */
 static void print_text(const struct sweep_printer *p, char *const cell[SWEEP_COLUMNS])
 {
-    for (int j = 0; j + 1 < SWEEP_COLUMNS; j++) {
+    const struct layout *const layout = layout_of(p->hard_wall);
+    for (int j = 0; j + 1 < layout->columns; j++) {
+        const enum column_kind kind = layout->kind[j];
         char rounded[DECIMAL_TEXT];
         const char *text = cell[j];
         char *end;
         const double x = strtod(text, &end);
-        if (j > COLUMN_MODES && j < COLUMN_STEPS && end != text && *end == '\0' && !isnan(x)) {
-            snprintf(rounded, sizeof rounded, "%.*g", j == COLUMN_DRIFT ? DRIFT_DIGITS : p->digits, x);
+        if ((kind == COLUMN_RESULT || kind == COLUMN_SMALL) && end != text && *end == '\0' && !isnan(x)) {
+            snprintf(rounded, sizeof rounded, "%.*g", kind == COLUMN_SMALL ? SMALL_DIGITS : p->digits, x);
             text = rounded;
         }
-        fprintf(p->file, j == COLUMN_MODES || j == COLUMN_STEPS ? "%*s  " : "%-*s  ", p->width[j], text);
+        fprintf(p->file, kind == COLUMN_COUNT || kind == COLUMN_STEPS ? "%*s  " : "%-*s  ", p->width[j], text);
     }
-    fprintf(p->file, "%s\n", cell[SWEEP_COLUMNS - 1]);
+    fprintf(p->file, "%s\n", cell[layout->columns - 1]);
 }
 
 static void print_json(const struct sweep_printer *p, char *const name[SWEEP_COLUMNS], char *const cell[SWEEP_COLUMNS])
 {
+    const int columns = layout_of(p->hard_wall)->columns;
     fputs(p->rows ? ",\n  {" : "\n  {", p->file);
-    for (int j = 0; j < SWEEP_COLUMNS; j++) {
-        const char *quote = j + 1 == SWEEP_COLUMNS ? "\"" : "";
-        const bool finite = j + 1 == SWEEP_COLUMNS || (strcmp(cell[j], "nan") != 0 && !strstr(cell[j], "inf"));
+    for (int j = 0; j < columns; j++) {
+        const char *quote = j + 1 == columns ? "\"" : "";
+        const bool finite = j + 1 == columns || (strcmp(cell[j], "nan") != 0 && !strstr(cell[j], "inf"));
         fprintf(p->file, "%s\"%s\": %s%s%s", j ? ", " : "", name[j], quote, finite ? cell[j] : "null", quote);
     }
     fputs("}", p->file);
@@ -257,24 +340,28 @@ static void print_json(const struct sweep_printer *p, char *const name[SWEEP_COL
 
 void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum output_format format, FILE *file)
 {
-    *p = (struct sweep_printer){.file = file, .format = format};
-    char header[] = SWEEP_HEADER;
+    *p = (struct sweep_printer){.file = file, .format = format, .hard_wall = sweep->hard_wall};
+    const struct layout *const layout = layout_of(p->hard_wall);
+    char header[sizeof SWEEP_HEADER];
     char *name[SWEEP_COLUMNS];
-    line_cut(name, header);
-    const struct values *list[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
+    snprintf(header, sizeof header, "%s", layout->header);
+    line_cut(name, header, layout->columns);
+    const struct values *list[SWEEP_LISTS];
+    lists_of(sweep, list);
     p->digits = (int)fmin(fmax(ceil(-log10(sweep->tolerance)), LEAST_DIGITS), DBL_DIG);
-    for (int j = 0; j < SWEEP_COLUMNS; j++) {
-        const int number = (int)(sizeof "-0.e-100" - 1) + (j == COLUMN_DRIFT ? DRIFT_DIGITS : p->digits);
+    for (int j = 0; j < layout->columns; j++) {
+        const enum column_kind kind = layout->kind[j];
+        const int number = (int)(sizeof "-0.e-100" - 1) + (kind == COLUMN_SMALL ? SMALL_DIGITS : p->digits);
         const int named = (int)strlen(name[j]);
-        if (j <= COLUMN_MODES)
+        if (kind == COLUMN_LIST || kind == COLUMN_COUNT)
             p->width[j] = column_width(name[j], list[j]);
-        else if (j == COLUMN_STEPS)
+        else if (kind == COLUMN_STEPS)
             p->width[j] = (int)sizeof TEXT_OF(COR_DISK_COLLISION_MAX_STEPS) - 1;
         else
             p->width[j] = number > named ? number : named;
     }
     if (format == FORMAT_CSV)
-        fprintf(file, "%s\n", SWEEP_HEADER);
+        fprintf(file, "%s\n", layout->header);
     else if (format == FORMAT_JSON)
         fputs("[", file);
     else
@@ -283,19 +370,21 @@ void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum 
 
 void sweep_print(struct sweep_printer *p, const char *line)
 {
+    const struct layout *const layout = layout_of(p->hard_wall);
     if (p->format == FORMAT_CSV)
         fprintf(p->file, "%s\n", line);
-    char header[] = SWEEP_HEADER, copy[SWEEP_LINE];
+    char header[sizeof SWEEP_HEADER], copy[SWEEP_LINE];
     char *name[SWEEP_COLUMNS], *cell[SWEEP_COLUMNS];
+    snprintf(header, sizeof header, "%s", layout->header);
     snprintf(copy, sizeof copy, "%s", line);
-    line_cut(name, header);
-    line_cut(cell, copy);
+    line_cut(name, header, layout->columns);
+    line_cut(cell, copy, layout->columns);
     if (p->format == FORMAT_JSON)
         print_json(p, name, cell);
     else if (p->format == FORMAT_TEXT)
         print_text(p, cell);
     p->rows++;
-    const char *status = cell[SWEEP_COLUMNS - 1];
+    const char *status = cell[layout->columns - 1];
     p->tolerance_not_reached += strcmp(status, "tolerance_not_reached") == 0;
     p->failed += strcmp(status, "ok") != 0 && strcmp(status, "tolerance_not_reached") != 0;
 }

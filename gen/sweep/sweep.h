@@ -1,24 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions of elastic disks for every combination of four lists: the rows, their cost, and their lines of output. */
+/* Collisions of elastic disks for every combination of lists: the rows, their cost, and their lines of output. A sweep
+ * is of soft walls (cor_disk_collision), four lists, or of the rigid wall (cor_disk_hard_wall), which has no alpha and
+ * all modes: the lists of alpha and modes are then empty, count 0. */
 #ifndef COR_GEN_SWEEP_SWEEP_H
 #define COR_GEN_SWEEP_SWEEP_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 
 #include "cor/disk.h"
 #include "support/output.h"
+#include "sweep/hard_wall.h"
 #include "sweep/values.h"
 
 #define SWEEP_MAX_ROWS UINT64_C(1000000000)
 #define SWEEP_HEADER "speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,steps,status"
+#define SWEEP_HARD_WALL_HEADER "speed,nu,one_minus_eps2,eps,contact_time,max_compression,error_estimate,status"
 
 enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 11, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 
 /* Rows are numbered in the order of the lists: speed varies fastest, then modes, alpha and poisson. */
 struct sweep {
     struct values speed, poisson, alpha, modes;
-    double tolerance;
+    bool hard_wall;
+    double tolerance; /* on eps; of the hard wall on 1 - eps^2 */
     size_t phi_points;
     uint64_t rows;
     double cost; /* sum over all rows */
@@ -30,7 +36,8 @@ struct sweep_row {
 };
 
 struct sweep_result {
-    struct cor_disk_collision collision; /* NaN and 0 if the status says that there is no result */
+    struct cor_disk_collision collision; /* soft walls; NaN and 0 if the status says that there is no result */
+    struct cor_disk_hard_wall hard_wall; /* the rigid wall; likewise */
     int status;
     double seconds;
 };
@@ -50,21 +57,20 @@ uint64_t sweep_identity(const struct sweep *sweep);
 /* The cost of a row in an arbitrary unit of time; sweep->cost is the sum. */
 double sweep_cost(const struct sweep *sweep, uint64_t number);
 
-/* A workspace that grows when a row needs more. Initialise it with NULL and 0. */
-struct sweep_room {
-    void *bytes;
-    size_t size;
-};
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
                    const struct cor_disk_modes *modes, struct sweep_room *room);
+void sweep_collide_hard(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
+                        struct hard_wall_tables *tables, struct sweep_room *room);
 
 /* Formats a row as a line of csv, without its line end. */
-void sweep_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct sweep_result *result);
+void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_row *row,
+                const struct sweep_result *result);
 
 /* Prints lines of csv one by one as a table in any format. */
 struct sweep_printer {
     FILE *file;
     enum output_format format;
+    bool hard_wall;
     int width[SWEEP_COLUMNS], digits;             /* of the columns in text format */
     uint64_t rows, tolerance_not_reached, failed; /* failed: rows without eps */
 };

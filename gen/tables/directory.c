@@ -41,8 +41,7 @@ static const struct generated files[] = {
     {"wave_tables.h", wave_tables_write, NULL, false},
     {"disk_modes_nu033.h", disk_header_write, "0.33", false},
     {"disk_modes_nu090.h", disk_header_write, "0.90", false},
-    {DISK_LIMITS_ROWS_FILE, disk_limits_rows_write, NULL, true},
-    {DISK_LIMITS_HEADER_FILE, disk_limits_header_write, NULL, true},
+    {DISK_LIMITS_FILE, disk_limits_write, NULL, true},
 };
 enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 1 /* the manifest */ };
 
@@ -219,32 +218,34 @@ static int check_all(const struct content *c, int n, const char *directory)
     return status;
 }
 
-/* The collisions of the long table: those of the directory, or else of generated/, or made anew. *known: whether there
- * are any. */
+/* The table of collisions: that of the directory, or else of generated/, or made anew. *known: whether there is one. */
 static int know_limits(bool *known, const struct tables_request *request, const char *directory)
 {
-    static const char *const minutes = "some minutes of processor time";
+    char path[PATH_MAX_LENGTH];
+    size_t size = 0;
+    if (set_path(path, directory, DISK_LIMITS_FILE))
+        return STATUS_FAILED;
     if (request->all && !request->check) {
-        profile_step(DISK_LIMITS_ROWS_FILE);
-        const int status = disk_limits_collide();
+        if (mkdir(directory, 0777) && errno != EEXIST)
+            return fail("cannot make %s: %s", directory, strerror(errno));
+        profile_step(DISK_LIMITS_FILE);
+        const int status = disk_limits_collide(path);
         profile_step(NULL);
         *known = status == STATUS_OK;
         return status;
     }
-    char path[PATH_MAX_LENGTH];
-    size_t size = 0;
-    if (set_path(path, directory, DISK_LIMITS_ROWS_FILE))
-        return STATUS_FAILED;
     char *text = read_file(path, &size);
     if (!text && errno == ENOENT && !request->check && strcmp(directory, DEFAULT_DIRECTORY) != 0 &&
-        set_path(path, DEFAULT_DIRECTORY, DISK_LIMITS_ROWS_FILE) == STATUS_OK)
+        set_path(path, DEFAULT_DIRECTORY, DISK_LIMITS_FILE) == STATUS_OK)
         text = read_file(path, &size);
     *known = text != NULL;
     if (!text && errno != ENOENT)
         return fail("cannot read %s: %s", path, strerror(errno));
     if (!text) {
-        fprintf(stderr, "corgen: " DISK_LIMITS_HEADER_FILE " is left out, for there is no %s; --all makes it, in %s\n",
-                path, minutes);
+        fprintf(stderr,
+                "corgen: " DISK_LIMITS_FILE " is left out, for there is no %s; --all makes it, in hours of processor "
+                "time\n",
+                path);
         return STATUS_OK;
     }
     const int status = disk_limits_read(text, size, path);
@@ -287,7 +288,7 @@ static int make_material(struct content *c, int *n, const struct tables_request 
     return status;
 }
 
-/* Byte equality proves only that the header follows from the csv file; collisions computed again check the csv file. */
+/* Byte equality proves only that the table is well written; collisions computed again check its numbers. */
 static int check_limits(const struct tables_request *request)
 {
     if (request->all)
@@ -312,7 +313,7 @@ int tables_run(const struct tables_request *request)
     if (status == STATUS_OK && request->check && disk_limits_known())
         status = check_limits(request);
     if (status == STATUS_OK && !request->check && !request->all && disk_limits_known())
-        printf("kept the collisions of " DISK_LIMITS_ROWS_FILE "; --all makes them anew\n");
+        printf("kept the collisions of " DISK_LIMITS_FILE "; --all makes them anew\n");
     if (fflush(stdout) && status == STATUS_OK)
         status = fail("standard output: %s", strerror(errno));
     for (int i = 0; i < CONTENTS; i++)

@@ -16,8 +16,8 @@ struct tables_request {
     slong modes;                   /* of that material; 0: DISK_TABLE_MODES */
     const char *directory;         /* NULL: generated, or the current one for a material */
     bool check;                    /* compare, write nothing */
-    bool all;                      /* collide all rows of disk_limits.csv */
-    bool seeded; /* `seed` chooses the sample of rows that a check collides; otherwise the time does */
+    bool all;                      /* collide at all places of disk_limits.h */
+    bool seeded;                   /* `seed` chooses the places at which a check collides; otherwise the time does */
     uint64_t seed;
 };
 

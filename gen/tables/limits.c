@@ -7,353 +7,699 @@
 #include <string.h>
 
 #include "cor/status.h"
-#include "disk/limit_fit.h"
-#include "disk/modes_rounded.h"
+#include "runtime/core/disk_limit.h"
 #include "support/clock.h"
 #include "support/console.h"
-#include "support/decimal.h"
 #include "support/emit_c.h"
 #include "support/parallel.h"
 #include "sweep/crew.h"
+#include "sweep/hard_wall.h"
+#include "sweep/journal.h"
 
-#define PI 3.14159265358979323846
+/* The plane and how it is cut at first */
+#define FIRST_SPEED 1e-5
+#define LAST_SPEED 0.3
+#define FIRST_NU (-0.2)
+#define NU_STEP 0.1375
+enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
+#define LAST_NU (FIRST_NU + NU_ROOTS * NU_STEP)
+/* How often a cell is cut at most, for each row of NU_ROOTS. Once more costs about 3 times the collisions of all
+ * before. Places are counted in sixths of the side of a cell that is cut FINEST times, so that they do not depend on
+ * these. */
+enum { FINEST = 6, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
+static const int most_cuts[NU_ROOTS] = {1, 1, 1, 2, 2};
 
-/* Nodes of Chebyshev in log10(speed) and nu, rounded to few digits; halfway between nodes, points to see how well the
- * interpolation does: OFF_NUS materials with OFF_SPEEDS speeds each. */
-#define MIDDLE_SPEED 0.03
-#define MIDDLE_NU 0.35
-#define NU_RANGE 0.55
-enum {
-    SPEEDS = 13,
-    NUS = 17,
-    OFF_NUS = 3,
-    OFF_NU_STEP = 7,
-    OFF_SPEEDS = 4,
-    OFF_SPEED_STEP = 3,
-    MATERIALS = NUS + OFF_NUS,
-    SCENES = NUS * SPEEDS + OFF_NUS * OFF_SPEEDS, /* a scene: a material at a speed */
+/* What collisions are asked for up to a speed and beyond it, and by how much what the polynomial of a cell misses at
+ * the 9 places between its 16 is multiplied */
+#define CALM_SPEED COR_DISK_EPS_CALM_SPEED
+#define CALM_TOLERANCE 1.5e-5
+#define FAST_TOLERANCE 5e-5
+#define SAFETY 1.5
+/* The uncertainty at which a cell is not cut any more */
+#define CALM_WANTED 2e-5
+#define FAST_WANTED 1e-4
+
+enum { NODES_MAX = INT16_MAX, CELL_TEXT = 200, LINE = 64, SAMPLE_MISSES = 3 };
+
+/* A collision, at x and nu in sixths from the corner of the plane */
+struct scene {
+    int32_t x, nu, value, estimate; /* in COR_DISK_LIMIT_UNIT */
 };
 
-/* alpha v and N: within the regimes of disk_limit_fit.h, and walls not so hard that a rim of so few modes hits them in
- * many small blows, whose outcome is chaotic. */
-static const int hardness[] = {22, 30, 41, 56};
-static const int counts[] = {3000, 3800, 4800, 6000, 7500};
-enum {
-    HARDNESSES = sizeof hardness / sizeof *hardness,
-    COUNTS = sizeof counts / sizeof *counts,
-    EACH = HARDNESSES * COUNTS, /* rows of a scene */
-    ROWS = SCENES * EACH,
-    SAMPLE = 8,
-    TEXT = 24,
-    LINE = 128
-};
-
-struct row {
-    char nu[TEXT], speed[TEXT], alpha[TEXT]; /* the numbers are those that the texts name */
-    int material;
-    size_t modes;
-    double one_minus_eps2; /* NaN: the tolerance was not reached */
-};
-
-static struct {
+struct limits {
     bool known;
     long seconds; /* of processor time that made them */
-    struct row row[ROWS];
-} table;
+    long scenes;
+    int nodes, cells;
+    int16_t node[NODES_MAX];
+    struct cor_disk_limit_cell cell[NODES_MAX];
+};
+static struct limits *table;
 
 bool disk_limits_known(void)
 {
-    return table.known;
+    return table && table->known;
 }
 
 void disk_limits_clear(void)
 {
-    table.known = false;
+    free(table);
+    table = NULL;
 }
 
-/* ---- which collisions ---- */
-
-static void node_nu(char text[TEXT], double place)
+static void start_table(void)
 {
-    snprintf(text, TEXT, "%.3f", MIDDLE_NU - NU_RANGE * cos(PI * place / (NUS - 1)));
+    disk_limits_clear();
+    table = xmalloc(sizeof *table);
+    memset(table, 0, sizeof *table);
 }
 
-static void node_speed(char text[TEXT], double place)
+/* ---- the plane ---- */
+
+static double x_of_speed(double speed)
 {
-    snprintf(text, TEXT, "%.4g", MIDDLE_SPEED * pow(10, -cos(PI * place / (SPEEDS - 1))));
+    return sqrt(sqrt(sqrt(speed)));
 }
 
-static double number(const char *text)
+static double x_step(void)
 {
-    return strtod(text, NULL);
+    return (x_of_speed(LAST_SPEED) - x_of_speed(FIRST_SPEED)) / X_ROOTS;
 }
 
-/* Scenes by material, the grid first. */
-static void lay_out(struct row row[ROWS])
+static double speed_at(int32_t x)
 {
-    for (int i = 0; i < ROWS; i++) {
-        const int scene = i / EACH, off = scene - NUS * SPEEDS, off_nu = off / OFF_SPEEDS;
-        const int nu = off < 0 ? scene / SPEEDS : off_nu * OFF_NU_STEP;
-        const int speed = off < 0 ? scene % SPEEDS : off_nu + off % OFF_SPEEDS * OFF_SPEED_STEP;
-        const int wall = i % EACH / COUNTS;
-        row[i].material = off < 0 ? nu : NUS + off_nu;
-        node_nu(row[i].nu, off < 0 ? nu : nu + 0.5);
-        node_speed(row[i].speed, off < 0 ? speed : speed + 0.5);
-        snprintf(row[i].alpha, TEXT, "%.6g", hardness[wall] / number(row[i].speed));
-        row[i].modes = (size_t)counts[i % COUNTS];
-        row[i].one_minus_eps2 = NAN;
-    }
+    const double root = x_of_speed(FIRST_SPEED) + x_step() * ((double)x / ROOT_SIDE), square = root * root;
+    return square * square * (square * square);
+}
+
+static double nu_at(int32_t nu)
+{
+    return FIRST_NU + NU_STEP * ((double)nu / ROOT_SIDE);
+}
+
+static struct cor_disk_limit_table evaluable(const struct limits *limits)
+{
+    return (struct cor_disk_limit_table){
+        X_ROOTS, NU_ROOTS, x_of_speed(FIRST_SPEED), x_step(), FIRST_NU, NU_STEP, limits->node, limits->cell};
 }
 
 /* ---- collisions ---- */
 
-struct room {
-    void *bytes;
-    size_t size;
-};
+static int by_place(const void *a, const void *b)
+{
+    const struct scene *x = a, *y = b;
+    return x->nu != y->nu ? (x->nu < y->nu ? -1 : 1) : (x->x > y->x) - (x->x < y->x);
+}
 
 struct outcome {
     int status;
-    double one_minus_eps2;
+    struct cor_disk_hard_wall out;
 };
 
 struct collisions {
-    struct row *row;
-    const int *chosen; /* of row, `count` of them, by material */
-    int count, done;
-    struct cor_disk_modes modes; /* of the material at hand */
-    struct room *room;           /* of each thread */
+    struct scene *scene; /* in order of place */
+    struct hard_wall_tables tables;
+    struct sweep_room *room; /* of each thread */
+    struct journal *journal; /* NULL: none */
+    const char *name;        /* for the progress */
+    long done, count;
 };
 
 static void collide(void *context, int thread, uint64_t task, void *result)
 {
     struct collisions *const run = context;
-    const struct row *const row = &run->row[run->chosen[task]];
-    struct room *const room = &run->room[thread];
-    const struct cor_disk_collision_options options = {number(row->alpha), DISK_LIMITS_TOLERANCE, 0,
-                                                       COR_DISK_COLLISION_MAX_STEPS};
-    const size_t needed = cor_disk_collision_workspace(&run->modes, row->modes, &options);
-    struct cor_disk_collision collision = {NAN, NAN, NAN, NAN, NAN, 0, NAN};
-    if (needed > room->size) {
-        free(room->bytes);
-        room->bytes = xmalloc(needed);
-        room->size = needed;
-    }
-    struct outcome outcome = {cor_disk_collision_in(room->bytes, room->size, &run->modes, row->modes, &options,
-                                                    number(row->speed), &collision, NULL),
-                              collision.one_minus_eps2};
-    if (outcome.status == COR_TOLERANCE_NOT_REACHED)
-        outcome = (struct outcome){COR_OK, NAN};
+    const double speed = speed_at(run->scene[task].x);
+    struct outcome outcome;
+    outcome.status = hard_wall_collide(
+        &outcome.out, &run->tables, speed <= CALM_SPEED ? CALM_TOLERANCE : FAST_TOLERANCE, speed, &run->room[thread]);
     memcpy(result, &outcome, sizeof outcome);
 }
 
 static int finish(void *context, uint64_t task, const void *result)
 {
     struct collisions *const run = context;
-    struct row *const row = &run->row[run->chosen[task]];
+    struct scene *const scene = &run->scene[task];
     struct outcome outcome;
     memcpy(&outcome, result, sizeof outcome);
-    if (outcome.status != COR_OK)
-        return fail("nu = %s, v = %s, alpha = %s, N = %zu: %s", row->nu, row->speed, row->alpha, row->modes,
-                    cor_status_text(outcome.status));
-    /* as it will be written */
-    char text[TEXT];
-    snprintf(text, sizeof text, "%.8f", outcome.one_minus_eps2);
-    row->one_minus_eps2 = number(text);
-    progress("collisions", ++run->done, run->count);
+    if (outcome.status != COR_OK && outcome.status != COR_TOLERANCE_NOT_REACHED)
+        return fail("nu = %.17g, v = %.17g: %s", nu_at(scene->nu), speed_at(scene->x), cor_status_text(outcome.status));
+    scene->value = (int32_t)lround(outcome.out.one_minus_eps2 / COR_DISK_LIMIT_UNIT);
+    scene->estimate = (int32_t)ceil(outcome.out.error_estimate / COR_DISK_LIMIT_UNIT);
+    if (run->journal) {
+        char line[LINE];
+        snprintf(line, sizeof line, "%" PRId32 " %" PRId32 " %" PRId32 " %" PRId32, scene->x, scene->nu, scene->value,
+                 scene->estimate);
+        journal_add(run->journal, line);
+    }
+    run->done++;
     return STATUS_OK;
 }
 
-static int find_modes(struct cor_disk_modes *modes, const char *nu_text, size_t count)
+static int tick(void *context)
 {
-    struct decimal nu = {0};
-    decimal_set(&nu, nu_text);
-    const int status = disk_modes_rounded(modes, nu.value, (slong)count);
-    decimal_clear(&nu);
-    return status;
+    const struct collisions *const run = context;
+    progress(run->name, run->done, run->count);
+    return run->journal ? journal_flush(run->journal) : STATUS_OK;
 }
 
-/* The chosen rows, which are in order of material. */
-static int collide_all(struct row *row, const int *chosen, int count)
+/* All scenes, which are in order of place, so that those of one material are together */
+static int collide_all(struct scene *scene, long count, struct journal *journal, const char *name)
 {
-    const int threads = parallel_threads();
-    struct collisions run = {row, chosen, count, 0, {0, 0, NULL}, xmalloc((size_t)threads * sizeof(struct room))};
+    const int threads = parallel_processors();
+    struct collisions run = {.scene = scene, .journal = journal, .name = name, .count = count};
+    hard_wall_tables_init(&run.tables);
+    run.room = xmalloc((size_t)threads * sizeof *run.room);
     memset(run.room, 0, (size_t)threads * sizeof *run.room);
-    const struct crew_work work = {&run, sizeof(struct outcome), collide, NULL, finish, NULL, NULL};
+    const struct crew_work work = {&run, sizeof(struct outcome), collide, NULL, finish, tick, NULL};
     struct crew *const crew = crew_start(&work, threads);
     int status = crew ? STATUS_OK : STATUS_FAILED;
-    for (int first = 0, end; first < count && status == STATUS_OK; first = end) {
-        const struct row *const one = &row[chosen[first]];
-        size_t modes = 0;
-        for (end = first; end < count && row[chosen[end]].material == one->material; end++)
-            modes = row[chosen[end]].modes > modes ? row[chosen[end]].modes : modes;
-        status = find_modes(&run.modes, one->nu, modes);
-        if (status == STATUS_OK) {
-            status = crew_run(crew, (uint64_t)first, (uint64_t)end);
-            free((void *)run.modes.mode);
-        }
+    for (long first = 0, end; first < count && status == STATUS_OK; first = end) {
+        for (end = first; end < count && scene[end].nu == scene[first].nu;)
+            end++;
+        hard_wall_tables_set(&run.tables, nu_at(scene[first].nu));
+        status = crew_run(crew, (uint64_t)first, (uint64_t)end);
     }
+    if (status == STATUS_OK && journal)
+        status = journal_flush(journal);
     progress_end();
     crew_stop(crew);
     for (int i = 0; i < threads; i++)
         free(run.room[i].bytes);
     free(run.room);
+    hard_wall_tables_clear(&run.tables);
     return status;
 }
 
-static int *all_rows(void)
+/* ---- scenes that are known ---- */
+
+struct scenes {
+    struct scene *scene; /* in order of place */
+    long count, capacity;
+    struct scene *found; /* by an earlier run that did not end, in order of place; how many of them were needed */
+    long found_count, found_capacity, recalled;
+};
+
+static void add_scene(struct scene **list, long *count, long *capacity, struct scene scene)
 {
-    int *const chosen = xmalloc(ROWS * sizeof *chosen);
-    for (int i = 0; i < ROWS; i++)
-        chosen[i] = i;
-    return chosen;
+    if (*count == *capacity) {
+        *capacity = *capacity ? 2 * *capacity : 1024;
+        *list = xrealloc(*list, (size_t)*capacity * sizeof **list);
+    }
+    (*list)[(*count)++] = scene;
 }
 
-int disk_limits_collide(void)
+static const struct scene *known_scene(const struct scenes *scenes, int32_t x, int32_t nu)
+{
+    const struct scene key = {x, nu, 0, 0};
+    return scenes->count ? bsearch(&key, scenes->scene, (size_t)scenes->count, sizeof key, by_place) : NULL;
+}
+
+static void take_found(void *context, const char *line)
+{
+    struct scenes *const scenes = context;
+    struct scene scene;
+    if (sscanf(line, "%" SCNd32 " %" SCNd32 " %" SCNd32 " %" SCNd32, &scene.x, &scene.nu, &scene.value,
+               &scene.estimate) == 4)
+        add_scene(&scenes->found, &scenes->found_count, &scenes->found_capacity, scene);
+}
+
+/* Takes those of a list that an earlier run has found into the known scenes, out of the list; how many stay in it */
+static long recall(struct scenes *scenes, struct scene *needed, long count)
+{
+    long kept = 0;
+    for (long i = 0; i < count; i++) {
+        const struct scene *const found =
+            scenes->found_count
+                ? bsearch(&needed[i], scenes->found, (size_t)scenes->found_count, sizeof *needed, by_place)
+                : NULL;
+        if (found) {
+            add_scene(&scenes->scene, &scenes->count, &scenes->capacity, *found);
+            scenes->recalled++;
+        } else {
+            needed[kept++] = needed[i];
+        }
+    }
+    return kept;
+}
+
+/* ---- cells ---- */
+
+struct cell {
+    int32_t x, nu; /* of its first corner */
+    int depth, node;
+};
+
+static int32_t sixth_of(const struct cell *cell)
+{
+    return (ROOT_SIDE / SIXTHS) >> cell->depth;
+}
+
+/* The places of a cell: i and j both even, 16 values, or both odd, 9 to see how well their polynomial does */
+static void need_places(const struct cell *cell, const struct scenes *scenes, struct scene **needed, long *count,
+                        long *capacity)
+{
+    for (int j = 0; j <= SIXTHS; j++)
+        for (int i = j % 2; i <= SIXTHS; i += 2) {
+            const struct scene scene = {cell->x + i * sixth_of(cell), cell->nu + j * sixth_of(cell), 0, 0};
+            if (!known_scene(scenes, scene.x, scene.nu))
+                add_scene(needed, count, capacity, scene);
+        }
+}
+
+static long without_repetitions(struct scene *scene, long count)
+{
+    long kept = 0;
+    if (count)
+        qsort(scene, (size_t)count, sizeof *scene, by_place);
+    for (long i = 0; i < count; i++)
+        if (kept == 0 || by_place(&scene[kept - 1], &scene[i]) != 0)
+            scene[kept++] = scene[i];
+    return kept;
+}
+
+static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells, struct journal *journal)
+{
+    struct scene *needed = NULL;
+    long count = 0, capacity = 0;
+    for (int i = 0; i < cells; i++)
+        need_places(&cell[i], scenes, &needed, &count, &capacity);
+    count = without_repetitions(needed, count);
+    count = recall(scenes, needed, count);
+    char name[LINE];
+    snprintf(name, sizeof name, "collisions for %d cells", cells);
+    const int status = collide_all(needed, count, journal, name);
+    for (long i = 0; i < count; i++)
+        add_scene(&scenes->scene, &scenes->count, &scenes->capacity, needed[i]);
+    qsort(scenes->scene, (size_t)scenes->count, sizeof *scenes->scene, by_place);
+    free(needed);
+    return status;
+}
+
+/* The cell's values, and how uncertain its polynomial is */
+static void fill_cell(struct cor_disk_limit_cell *to, const struct cell *cell, const struct scenes *scenes)
+{
+    const int32_t sixth = sixth_of(cell);
+    int32_t estimate = 0;
+    double missed = 0;
+    for (int j = 0; j < COR_DISK_LIMIT_SIDE; j++)
+        for (int i = 0; i < COR_DISK_LIMIT_SIDE; i++) {
+            const struct scene *const s = known_scene(scenes, cell->x + 2 * i * sixth, cell->nu + 2 * j * sixth);
+            to->value[COR_DISK_LIMIT_SIDE * j + i] = s->value;
+            estimate = s->estimate > estimate ? s->estimate : estimate;
+        }
+    for (int j = 1; j < SIXTHS; j += 2)
+        for (int i = 1; i < SIXTHS; i += 2) {
+            const struct scene *const s = known_scene(scenes, cell->x + i * sixth, cell->nu + j * sixth);
+            const double value = cor_disk_limit_value(to, (double)i / SIXTHS, (double)j / SIXTHS);
+            missed = fmax(missed, fabs(value / COR_DISK_LIMIT_UNIT - s->value));
+            estimate = s->estimate > estimate ? s->estimate : estimate;
+        }
+    /* independent of each other; and each is several times what it stands for */
+    to->uncertainty = (int32_t)ceil(hypot(SAFETY * missed, estimate)) + 1;
+}
+
+static double wanted_at(int32_t x)
+{
+    return speed_at(x) < CALM_SPEED ? CALM_WANTED : FAST_WANTED;
+}
+
+/* Cuts a cell into four. */
+static void cut(const struct cell *cell, struct cell *quarter)
+{
+    const int32_t half = SIXTHS / 2 * sixth_of(cell);
+    for (int k = 0; k < 4; k++)
+        quarter[k] = (struct cell){cell->x + k % 2 * half, cell->nu + k / 2 * half, cell->depth + 1, table->nodes + k};
+    table->node[cell->node] = (int16_t)-table->nodes;
+    table->nodes += 4;
+}
+
+/* Cells of one depth become part of the table or are cut; *cell becomes the list of what they are cut into. */
+static int refine(struct scenes *scenes, struct cell **cell, int *cells, struct journal *journal)
+{
+    int status = find_scenes(scenes, *cell, *cells, journal), cut_cells = 0;
+    struct cell *const next = xmalloc(4 * (size_t)*cells * sizeof *next);
+    for (int i = 0; i < *cells && status == STATUS_OK; i++) {
+        const struct cell *const c = &(*cell)[i];
+        struct cor_disk_limit_cell filled;
+        fill_cell(&filled, c, scenes);
+        if (c->depth == most_cuts[c->nu / ROOT_SIDE] || filled.uncertainty * COR_DISK_LIMIT_UNIT <= wanted_at(c->x)) {
+            table->node[c->node] = (int16_t)table->cells;
+            table->cell[table->cells++] = filled;
+        } else if (table->nodes + 4 > NODES_MAX) {
+            status = fail("the table needs more than %d cells", NODES_MAX);
+        } else {
+            cut(c, next + 4 * cut_cells++);
+        }
+    }
+    free(*cell);
+    *cell = next;
+    *cells = 4 * cut_cells;
+    return status;
+}
+
+static int collide_cells(struct scenes *scenes, struct journal *journal)
+{
+    struct cell *cell = xmalloc(ROOTS * sizeof *cell);
+    int cells = ROOTS, status = STATUS_OK;
+    table->nodes = ROOTS;
+    for (int i = 0; i < ROOTS; i++)
+        cell[i] = (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, i};
+    while (cells > 0 && status == STATUS_OK)
+        status = refine(scenes, &cell, &cells, journal);
+    free(cell);
+    return status;
+}
+
+int disk_limits_collide(const char *path)
 {
     const double start = clock_processor_seconds();
-    disk_limits_clear();
-    lay_out(table.row);
-    int *const chosen = all_rows();
-    const int status = collide_all(table.row, chosen, ROWS);
-    free(chosen);
-    table.known = status == STATUS_OK;
-    table.seconds = lround(clock_processor_seconds() - start);
+    struct journal journal;
+    struct scenes scenes = {0};
+    char title[4 * LINE];
+    snprintf(title, sizeof title,
+             "corgen tables --all, unfinished: %d cells, v %g to %g, nu from %g by %g, to %g and %g", X_ROOTS,
+             FIRST_SPEED, LAST_SPEED, FIRST_NU, NU_STEP, CALM_TOLERANCE, FAST_TOLERANCE);
+    int status = journal_open(&journal, path, title, UINT64_MAX);
+    if (status != STATUS_OK)
+        return status;
+    status = journal_read(&journal, take_found, &scenes);
+    scenes.found_count = without_repetitions(scenes.found, scenes.found_count);
+    start_table();
+    if (status == STATUS_OK) {
+        journal_say_on_interrupt(&journal);
+        status = collide_cells(&scenes, &journal);
+        journal_silent_on_interrupt();
+    }
+    table->scenes = scenes.count;
+    /* of this run; of one that goes on with another's collisions, as many times more as it has more of them */
+    const long own = scenes.count - scenes.recalled;
+    table->seconds = lround((clock_processor_seconds() - start) * (own > 0 ? (double)scenes.count / (double)own : 1));
+    table->known = status == STATUS_OK;
+    journal_close(&journal, status == STATUS_OK);
+    free(scenes.scene);
+    free(scenes.found);
     return status;
 }
 
-/* ---- the file of collisions ---- */
+/* ---- the file ---- */
 
-#define SECONDS_START "# made-with "
-#define SECONDS_END " seconds of processor time\n"
+#define SECONDS_START " * Written by:  corgen tables --all, in "
 
-static const char rows_head[] =
-    "# SPDX-License-Identifier: MIT\n"
-    "# Collisions of elastic disks of N modes with walls of hardness alpha, (41) to (45) of Gerl and Zippelius "
-    "(1999),\n"
-    "# to an error of 1e-7 in eps (estimated); disk_limits.h is what they tend to.\n"
-    "# Written by:  corgen tables --all\n"
-    "# Checked by:  corgen tables --check, which collides a random sample again, and corgen tables --check --all\n";
-static const char rows_names[] = "nu,speed,alpha,modes,one_minus_eps2\n";
+/* The largest uncertainty of cells that begin below, or at and above, CALM_SPEED, and the median of all */
+struct summary {
+    int32_t calm, fast, median;
+    int depth[FINEST + 1], deepest;
+};
 
-static void row_text(char text[LINE], const struct row *row)
+static int by_size(const void *a, const void *b)
 {
-    snprintf(text, LINE, "%s,%s,%s,%zu,", row->nu, row->speed, row->alpha, row->modes);
+    const int32_t *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
 }
 
-int disk_limits_rows_write(FILE *file, const struct disk_table *unused)
+static void summarise_node(struct summary *summary, const struct limits *limits, int node, int32_t x, int depth)
 {
-    (void)unused;
-    fputs(rows_head, file);
-    fprintf(file, SECONDS_START "%ld" SECONDS_END, table.seconds);
-    fputs(rows_names, file);
-    for (int i = 0; i < ROWS; i++) {
-        char line[LINE];
-        row_text(line, &table.row[i]);
-        fprintf(file, isnan(table.row[i].one_minus_eps2) ? "%snan\n" : "%s%.8f\n", line, table.row[i].one_minus_eps2);
+    const int number = limits->node[node];
+    if (number < 0) {
+        for (int k = 0; k < 4; k++)
+            summarise_node(summary, limits, -number + k, x + k % 2 * (ROOT_SIDE >> (depth + 1)), depth + 1);
+        return;
     }
+    int32_t *const most = speed_at(x) < CALM_SPEED ? &summary->calm : &summary->fast;
+    const int32_t uncertainty = limits->cell[number].uncertainty;
+    *most = uncertainty > *most ? uncertainty : *most;
+    summary->depth[depth]++;
+    summary->deepest = depth > summary->deepest ? depth : summary->deepest;
+}
+
+static struct summary summary_of(const struct limits *limits)
+{
+    struct summary summary = {0};
+    int32_t *const uncertainty = xmalloc((size_t)limits->cells * sizeof *uncertainty);
+    for (int i = 0; i < ROOTS; i++)
+        summarise_node(&summary, limits, i, i % X_ROOTS * ROOT_SIDE, 0);
+    for (int i = 0; i < limits->cells; i++)
+        uncertainty[i] = limits->cell[i].uncertainty;
+    qsort(uncertainty, (size_t)limits->cells, sizeof *uncertainty, by_size);
+    summary.median = uncertainty[limits->cells / 2];
+    free(uncertainty);
+    return summary;
+}
+
+static void write_banner(FILE *file, const struct limits *limits)
+{
+    const struct summary summary = summary_of(limits);
+    fprintf(
+        file,
+        "/* SPDX-License-Identifier: MIT */\n"
+        "/* 1 - eps^2 of an elastic disk of all its modes at a rigid wall (cor_disk_hard_wall), E = rho = R = 1, for\n"
+        " * speeds from %g to %g and Poisson's ratios from %g to %g in plane stress. Evaluated by "
+        "runtime/disk/limits.c.\n"
+        " *\n"
+        " * %ld collisions, asked for an error of %g up to v = %g and %g beyond (estimated by "
+        "cor_disk_hard_wall).\n"
+        " * The plane of x = v^(1/8) and nu is cut into %d cells, of depths 0 to %d: ",
+        FIRST_SPEED, LAST_SPEED, FIRST_NU, LAST_NU, limits->scenes, CALM_TOLERANCE, CALM_SPEED, FAST_TOLERANCE,
+        limits->cells, summary.deepest);
+    for (int k = 0; k <= summary.deepest; k++)
+        fprintf(file, "%s%d", k ? ", " : "", summary.depth[k]);
+    fprintf(
+        file,
+        ". Each holds 4 x 4\n"
+        " * values, between which polynomials of degree 3 interpolate, runtime/core/disk_limit.h.\n"
+        " *\n"
+        " * Uncertainty of a cell: the root of the squares of two parts, %g times what its polynomial misses at most\n"
+        " * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.\n"
+        " * It is an estimate, no bound, and at most %.1e in cells that begin below v = %g, %.1e in the others,\n"
+        " * %.1e in half of all.\n"
+        " *\n" SECONDS_START "%ld seconds of processor time\n"
+        " * Checked by:  corgen tables --check, which collides at places of one cell again, and corgen tables\n"
+        " *              --check --all */\n",
+        SAFETY, summary.calm * COR_DISK_LIMIT_UNIT, CALM_SPEED, summary.fast * COR_DISK_LIMIT_UNIT,
+        summary.median * COR_DISK_LIMIT_UNIT, limits->seconds);
+}
+
+static void write_nodes(FILE *file, const struct limits *limits)
+{
+    enum { A_LINE = 16 };
+    fprintf(file, "static const int16_t cor_disk_limit_node[%d] = {", limits->nodes);
+    for (int i = 0; i < limits->nodes; i++)
+        fprintf(file, "%s%d%s", i % A_LINE ? " " : "\n    ", limits->node[i], i + 1 < limits->nodes ? "," : "");
+    fputs("\n};\n\n", file);
+}
+
+static void cell_text(char text[CELL_TEXT], const struct cor_disk_limit_cell *cell)
+{
+    int n = snprintf(text, CELL_TEXT, "    {%" PRId32 ", {", cell->uncertainty);
+    for (int k = 0; k < COR_DISK_LIMIT_POINTS; k++)
+        n += snprintf(text + n, CELL_TEXT - (size_t)n, "%s%" PRId32, k ? ", " : "", cell->value[k]);
+    snprintf(text + n, CELL_TEXT - (size_t)n, "}},\n");
+}
+
+int disk_limits_write(FILE *file, const struct disk_table *modes)
+{
+    (void)modes;
+    write_banner(file, table);
+    fprintf(file,
+            "#ifndef COR_DISK_LIMITS_H\n#define COR_DISK_LIMITS_H\n\n"
+            "#include \"runtime/core/disk_limit.h\"\n\n"
+            "enum { COR_DISK_LIMIT_X_ROOTS = %d, COR_DISK_LIMIT_NU_ROOTS = %d };\n",
+            X_ROOTS, NU_ROOTS);
+    const struct {
+        const char *name;
+        double value;
+    } number[] = {
+        {"X_FIRST", x_of_speed(FIRST_SPEED)}, {"X_STEP", x_step()}, {"NU_FIRST", FIRST_NU}, {"NU_STEP", NU_STEP}};
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
+        fprintf(file, "#define COR_DISK_LIMIT_%s (%a) /* %.17g */\n", number[i].name, number[i].value, number[i].value);
+    fputs("\n", file);
+    write_nodes(file, table);
+    fprintf(file, "static const struct cor_disk_limit_cell cor_disk_limit_cell[%d] = {\n", table->cells);
+    for (int i = 0; i < table->cells; i++) {
+        char text[CELL_TEXT];
+        cell_text(text, &table->cell[i]);
+        fputs(text, file);
+    }
+    fputs("};\n\n#endif\n", file);
     return STATUS_OK;
 }
 
-/* Passes over `word` at *at; false where it is not there. */
-static bool pass(const char **at, const char *word)
+/* ---- the file, read again ---- */
+
+/* Reads a whole number at *at after `word`, wherever that is; false where it is not. */
+static bool read_after(const char **at, const char *word, long *number)
 {
-    const size_t length = strlen(word);
-    if (strncmp(*at, word, length) != 0)
+    const char *const found = strstr(*at, word);
+    char *end;
+    if (!found)
         return false;
-    *at += length;
-    return true;
+    *number = strtol(found + strlen(word), &end, 10);
+    const bool good = end != found + strlen(word);
+    *at = end;
+    return good;
 }
 
-/* As it is written: 0.12345678 or nan, and the line's end. */
-static bool pass_value(const char **at, double *value)
+static bool read_number(const char **at, long low, long high, long *number)
 {
-    if (pass(at, "nan\n")) {
-        *value = NAN;
-        return true;
-    }
-    const char *const text = *at;
-    if (!pass(at, "0.") || strspn(*at, "0123456789") != 8)
-        return false;
-    *at += 8;
-    *value = number(text);
-    return pass(at, "\n");
+    *at += strspn(*at, " \n,{}");
+    char *end;
+    *number = strtol(*at, &end, 10);
+    const bool good = end != *at && *number >= low && *number <= high;
+    *at = end;
+    return good;
 }
 
-static int read_text(const char *text, const char *path)
+/* Does every path through the nodes end in a cell, and each cell and quarter belong to one node? */
+static bool is_tree(const struct limits *limits)
 {
-    const char *at = text;
-    disk_limits_clear();
-    lay_out(table.row);
-    if (!pass(&at, rows_head))
-        return fail("%s does not begin like the collisions that corgen tables --all writes", path);
-    bool good = pass(&at, SECONDS_START) && strspn(at, "0123456789") > 0 && strspn(at, "0123456789") < TEXT / 2;
-    if (good) {
-        char *end;
-        table.seconds = strtol(at, &end, 10);
-        at = end;
+    int next_quarter = ROOTS, next_cell = 0;
+    /* as they are written: quarters in the order of the nodes that are cut, cells in that of the others */
+    for (int i = 0; i < limits->nodes; i++) {
+        if (limits->node[i] < 0) {
+            if (-limits->node[i] != next_quarter)
+                return false;
+            next_quarter += 4;
+        } else if (limits->node[i] != next_cell++) {
+            return false;
+        }
     }
-    good = good && pass(&at, SECONDS_END) && pass(&at, rows_names);
-    for (int i = 0; i < ROWS && good; i++) {
-        char line[LINE];
-        row_text(line, &table.row[i]);
-        good = pass(&at, line) && pass_value(&at, &table.row[i].one_minus_eps2);
+    return next_quarter == limits->nodes && next_cell == limits->cells;
+}
+
+/* The numbers of the file; whether all of its text is as it should be is seen when it is written again. */
+static bool read_numbers(const char *at)
+{
+    long scenes, seconds, nodes, cells, number;
+    bool good = read_after(&at, "Evaluated by runtime/disk/limits.c.\n *\n * ", &scenes) &&
+                read_after(&at, SECONDS_START, &seconds) && read_after(&at, "cor_disk_limit_node[", &nodes) &&
+                nodes >= ROOTS && nodes <= NODES_MAX && (at = strchr(at, '=')) != NULL;
+    if (!good)
+        return false;
+    at++;
+    table->scenes = scenes;
+    table->seconds = seconds;
+    table->nodes = (int)nodes;
+    for (int i = 0; i < table->nodes && good; i++) {
+        good = read_number(&at, -NODES_MAX, NODES_MAX, &number);
+        table->node[i] = (int16_t)number;
     }
-    if (!good || *at) {
-        long line = 1;
-        for (const char *c = text; c < at; c++)
-            line += *c == '\n';
-        return fail("%s is not as corgen tables --all writes it in line %ld", path, line);
+    good = good && read_after(&at, "cor_disk_limit_cell[", &cells) && cells >= 1 && cells <= NODES_MAX &&
+           (at = strchr(at, '=')) != NULL;
+    if (!good)
+        return false;
+    at++;
+    table->cells = (int)cells;
+    for (int i = 0; i < table->cells && good; i++) {
+        good = read_number(&at, 0, INT32_MAX, &number);
+        table->cell[i].uncertainty = (int32_t)number;
+        for (int k = 0; k < COR_DISK_LIMIT_POINTS && good; k++) {
+            good = read_number(&at, INT32_MIN, INT32_MAX, &number);
+            table->cell[i].value[k] = (int32_t)number;
+        }
     }
-    table.known = true;
-    return STATUS_OK;
+    return good && is_tree(table);
+}
+
+static long line_of_difference(const char *x, const char *y)
+{
+    long line = 1;
+    for (; *x && *x == *y; x++, y++)
+        line += *x == '\n';
+    return *x == *y ? 0 : line;
 }
 
 int disk_limits_read(const char *bytes, size_t size, const char *path)
 {
-    char *const text = xmalloc(size + 1);
+    char *const text = xmalloc(size + 1), *written = NULL;
+    size_t written_size = 0;
     memcpy(text, bytes, size);
     text[size] = '\0';
-    const int status = strlen(text) == size ? read_text(text, path) : fail("%s is not a text", path);
+    start_table();
+    long line = 1;
+    FILE *const file = open_memstream(&written, &written_size);
+    if (file && strlen(text) == size && read_numbers(text)) {
+        disk_limits_write(file, NULL);
+        fflush(file);
+        line = line_of_difference(text, written);
+    }
+    if (file)
+        fclose(file);
+    table->known = line == 0;
+    free(written);
     free(text);
-    return status;
+    return line == 0 ? STATUS_OK : fail("%s is not as corgen tables --all writes it in line %ld", path, line);
 }
 
 /* ---- once more ---- */
 
-static int check(const int *chosen, int count, const char *of_what)
+/* Where each cell is */
+static void place_cells(struct cell *of_cell, int node, struct cell cell)
 {
-    struct row *const again = xmalloc(sizeof table.row);
-    memcpy(again, table.row, sizeof table.row);
-    int status = collide_all(again, chosen, count), different = 0, first = 0;
-    double most = 0;
-    for (int i = 0; i < count && status == STATUS_OK; i++) {
-        const double before = table.row[chosen[i]].one_minus_eps2, now = again[chosen[i]].one_minus_eps2;
-        const double difference = isnan(before) && isnan(now) ? 0 : fabs(now - before);
-        if (!(difference <= DISK_LIMITS_AGREE) && different++ == 0)
-            first = chosen[i];
-        most = fmax(most, difference);
+    const int number = table->node[node];
+    const int32_t half = SIXTHS / 2 * sixth_of(&cell);
+    if (number >= 0) {
+        of_cell[number] = cell;
+        return;
     }
-    if (status == STATUS_OK && different) {
-        char line[LINE];
-        row_text(line, &table.row[first]);
-        status = fail("%s: %d of %d collisions (%s) differ by more than %.0e, first %s%.8f, which is %.8f",
-                      DISK_LIMITS_ROWS_FILE, different, count, of_what, DISK_LIMITS_AGREE, line,
-                      table.row[first].one_minus_eps2, again[first].one_minus_eps2);
-    }
-    if (status == STATUS_OK)
-        printf("collided %d of %d rows of %s again (%s): 1 - eps^2 differs by %.1e at most\n", count, ROWS,
-               DISK_LIMITS_ROWS_FILE, of_what, most);
-    free(again);
-    return status;
+    for (int k = 0; k < 4; k++)
+        place_cells(of_cell, -number + k,
+                    (struct cell){cell.x + k % 2 * half, cell.nu + k / 2 * half, cell.depth + 1, 0});
 }
 
-int disk_limits_check_all(void)
+static struct cell *places_of_cells(void)
 {
-    int *const chosen = all_rows();
-    const int status = check(chosen, ROWS, "all");
-    free(chosen);
-    return status;
+    struct cell *const of_cell = xmalloc((size_t)table->cells * sizeof *of_cell);
+    for (int i = 0; i < ROOTS; i++)
+        place_cells(of_cell, i, (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, 0});
+    return of_cell;
+}
+
+/* What the table has at a place of the grid of a cell, and elsewhere; and how far that may be off there */
+static double value_at(const struct scene *scene, const struct cell *cell, bool *on_grid, double *uncertainty)
+{
+    const struct cor_disk_limit_table t = evaluable(table);
+    double x_in, nu_in;
+    const struct cor_disk_limit_cell *const found = cor_disk_limit_find(
+        &t, ((double)cell->x + 0.5) / ROOT_SIDE, ((double)cell->nu + 0.5) / ROOT_SIDE, &x_in, &nu_in);
+    const int32_t side = SIXTHS * sixth_of(cell), x = scene->x - cell->x, nu = scene->nu - cell->nu;
+    *on_grid = x % (2 * sixth_of(cell)) == 0 && nu % (2 * sixth_of(cell)) == 0;
+    *uncertainty = found->uncertainty * COR_DISK_LIMIT_UNIT;
+    return cor_disk_limit_value(found, (double)x / side, (double)nu / side);
+}
+
+struct check {
+    long places, between, wrong;
+    double worst, worst_between; /* on the grid, and between, of the uncertainty */
+};
+
+static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
+{
+    bool on_grid;
+    double uncertainty;
+    const double off = fabs(scene->value * COR_DISK_LIMIT_UNIT - value_at(scene, cell, &on_grid, &uncertainty));
+    const double allowed = on_grid ? DISK_LIMITS_AGREE : uncertainty;
+    check->places += on_grid;
+    check->between += !on_grid;
+    if (on_grid)
+        check->worst = fmax(check->worst, off);
+    else
+        check->worst_between = fmax(check->worst_between, off / uncertainty);
+    if (!(off <= allowed) && check->wrong++ < SAMPLE_MISSES)
+        fprintf(stderr, "corgen: " DISK_LIMITS_FILE ": v = %.9g, nu = %.9g: off by %.1e, where %.1e is allowed\n",
+                speed_at(scene->x), nu_at(scene->nu), off, allowed);
+}
+
+static int verdict(const struct check *check, const char *of_what)
+{
+    if (check->wrong)
+        return fail("%s: %ld of %ld collisions (%s) are not as the table says", DISK_LIMITS_FILE, check->wrong,
+                    check->places + check->between, of_what);
+    printf("collided again at %ld places of %s (%s): 1 - eps^2 differs by %.1e at most", check->places,
+           DISK_LIMITS_FILE, of_what, check->worst);
+    if (check->between)
+        printf("; at %ld between them, by %.2f of the uncertainty", check->between, check->worst_between);
+    printf("\n");
+    return STATUS_OK;
 }
 
 /* xorshift64* */
@@ -365,247 +711,46 @@ static uint64_t draw(uint64_t *state, uint64_t below)
     return (*state * UINT64_C(2685821657736338717) >> 33) % below;
 }
 
-/* Of one material, whose modes are what takes longest. */
+/* Of one row of one cell, and so of one material, whose modes take as long as a collision */
 int disk_limits_check_sample(uint64_t seed)
 {
     uint64_t state = 2 * seed + 1;
     for (int i = 0; i < 8; i++) /* seeds that differ in few bits soon differ in all */
         draw(&state, 2);
-    const int material = (int)draw(&state, MATERIALS);
-    int first = 0, count = 0, chosen[SAMPLE];
-    while (table.row[first].material != material)
-        first++;
-    while (first + count < ROWS && table.row[first + count].material == material)
-        count++;
-    for (int i = 0; i < SAMPLE; i++)
-        chosen[i] = first + (int)draw(&state, (uint64_t)count);
-    char of_what[LINE];
-    snprintf(of_what, sizeof of_what, "nu = %s, seed %" PRIu64, table.row[first].nu, seed);
-    return check(chosen, SAMPLE, of_what);
+    struct cell *const of_cell = places_of_cells();
+    const struct cell cell = of_cell[draw(&state, (uint64_t)table->cells)];
+    const int32_t sixth = sixth_of(&cell), row = cell.nu + 2 * (int32_t)draw(&state, COR_DISK_LIMIT_SIDE) * sixth;
+    struct scene scene[COR_DISK_LIMIT_SIDE + 1];
+    for (int32_t k = 0; k < COR_DISK_LIMIT_SIDE; k++)
+        scene[k] = (struct scene){cell.x + 2 * k * sixth, row, 0, 0};
+    scene[COR_DISK_LIMIT_SIDE] = (struct scene){cell.x + (1 + 2 * (int32_t)draw(&state, 3)) * sixth, row, 0, 0};
+    free(of_cell);
+    struct check check = {0};
+    const int status = collide_all(scene, COR_DISK_LIMIT_SIDE + 1, NULL, "collisions");
+    if (status != STATUS_OK)
+        return status;
+    for (int k = 0; k <= COR_DISK_LIMIT_SIDE; k++)
+        check_scene(&check, &scene[k], &cell);
+    char of_what[2 * LINE];
+    snprintf(of_what, sizeof of_what, "nu = %.6g, v = %.4g to %.4g, seed %" PRIu64, nu_at(row), speed_at(cell.x),
+             speed_at(cell.x + SIXTHS * sixth), seed);
+    return verdict(&check, of_what);
 }
 
-/* ---- limits ---- */
-
-struct limits {
-    struct disk_limit of[SCENES];
-    double coefficient[NUS][SPEEDS]; /* of T_j(nu) T_i(log10 speed), rounded as they will be written */
-    double interpolation;            /* largest error seen halfway between nodes */
-};
-
-/* Rounded to so many places, as a text and back. */
-static double rounded(char text[TEXT], double value, int places)
+int disk_limits_check_all(void)
 {
-    snprintf(text, TEXT, "%.*f", places, value);
-    return number(text);
-}
-
-enum { PLACES = 6, COEFFICIENT_PLACES = 8 };
-
-static double rounded_up(double value)
-{
-    return ceil(value * 1e6) / 1e6;
-}
-
-static int find_limits(struct limits *limits)
-{
-    for (int i = 0; i < SCENES; i++) {
-        const struct row *const row = &table.row[i * EACH];
-        struct disk_limit_row of_scene[EACH];
-        for (int k = 0; k < EACH; k++)
-            of_scene[k] = (struct disk_limit_row){number(row[k].alpha), row[k].modes, row[k].one_minus_eps2};
-        const enum disk_limit_status status = disk_limit_fit(&limits->of[i], number(row->speed), of_scene, EACH);
-        if (status != DISK_LIMIT_OK)
-            return fail("no limit for nu = %s, v = %s: %s", row->nu, row->speed, disk_limit_text(status));
-        char text[TEXT];
-        limits->of[i].one_minus_eps2 = rounded(text, limits->of[i].one_minus_eps2, PLACES);
-        limits->of[i].uncertainty = rounded_up(limits->of[i].uncertainty + 0.5e-6);
-    }
-    return STATUS_OK;
-}
-
-/* sum_k c_k T_k(x_i) = y_i by elimination, y becoming c; the nodes are good ones, and no pivot is small. */
-static void interpolate(double *y, const double *x, int n, size_t stride)
-{
-    double a[SPEEDS > NUS ? SPEEDS : NUS][SPEEDS > NUS ? SPEEDS : NUS] = {{0}};
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k < n; k++)
-            a[i][k] = k == 0 ? 1 : k == 1 ? x[i] : 2 * x[i] * a[i][k - 1] - a[i][k - 2];
-    for (int k = 0; k < n; k++) {
-        int pivot = k;
-        for (int i = k + 1; i < n; i++)
-            if (fabs(a[i][k]) > fabs(a[pivot][k]))
-                pivot = i;
-        for (int j = 0; j < n; j++) {
-            const double swapped = a[k][j];
-            a[k][j] = a[pivot][j];
-            a[pivot][j] = swapped;
-        }
-        const double swapped = y[(size_t)k * stride];
-        y[(size_t)k * stride] = y[(size_t)pivot * stride];
-        y[(size_t)pivot * stride] = swapped;
-        for (int i = k + 1; i < n; i++) {
-            const double factor = a[i][k] / a[k][k];
-            for (int j = k; j < n; j++)
-                a[i][j] -= factor * a[k][j];
-            y[(size_t)i * stride] -= factor * y[(size_t)k * stride];
-        }
-    }
-    for (int k = n - 1; k >= 0; k--) {
-        for (int j = k + 1; j < n; j++)
-            y[(size_t)k * stride] -= a[k][j] * y[(size_t)j * stride];
-        y[(size_t)k * stride] /= a[k][k];
-    }
-}
-
-static double scaled_speed(const struct row *row)
-{
-    return log10(number(row->speed) / MIDDLE_SPEED);
-}
-
-static double scaled_nu(const struct row *row)
-{
-    return (number(row->nu) - MIDDLE_NU) / NU_RANGE;
-}
-
-static double value_between(const struct limits *limits, double x, double y)
-{
-    double sum = 0, t_j = 1, t_j_next = y;
-    for (int j = 0; j < NUS; j++) {
-        double t_i = 1, t_i_next = x;
-        for (int i = 0; i < SPEEDS; i++) {
-            sum += limits->coefficient[j][i] * t_i * t_j;
-            const double t = 2 * x * t_i_next - t_i;
-            t_i = t_i_next;
-            t_i_next = t;
-        }
-        const double t = 2 * y * t_j_next - t_j;
-        t_j = t_j_next;
-        t_j_next = t;
-    }
-    return sum;
-}
-
-static void find_coefficients(struct limits *limits)
-{
-    double speed[SPEEDS], nu[NUS];
-    char text[TEXT];
-    for (int i = 0; i < SPEEDS; i++)
-        speed[i] = scaled_speed(&table.row[i * EACH]);
-    for (int j = 0; j < NUS; j++) {
-        nu[j] = scaled_nu(&table.row[j * SPEEDS * EACH]);
-        for (int i = 0; i < SPEEDS; i++)
-            limits->coefficient[j][i] = limits->of[j * SPEEDS + i].one_minus_eps2;
-        interpolate(limits->coefficient[j], speed, SPEEDS, 1);
-    }
-    for (int i = 0; i < SPEEDS; i++)
-        interpolate(&limits->coefficient[0][i], nu, NUS, SPEEDS);
-    for (int j = 0; j < NUS; j++)
-        for (int i = 0; i < SPEEDS; i++)
-            limits->coefficient[j][i] = rounded(text, limits->coefficient[j][i], COEFFICIENT_PLACES);
-    double most = 0;
-    for (int i = NUS * SPEEDS; i < SCENES; i++) {
-        const struct row *const row = &table.row[i * EACH];
-        const double between = value_between(limits, scaled_speed(row), scaled_nu(row));
-        most = fmax(most, fabs(between - limits->of[i].one_minus_eps2));
-    }
-    limits->interpolation = rounded_up(most);
-}
-
-/* ---- the header ---- */
-
-static const char banner_format[] =
-    "1 - eps^2 of an elastic disk that hits a hard wall, alpha -> infinity, with all its modes, N -> infinity: limits\n"
-    "of the collisions, (41) to (45) of Gerl and Zippelius (1999), in " DISK_LIMITS_ROWS_FILE
-    ". %d speeds from %.9s to %.9s,\n"
-    "%d Poisson's numbers from %.9s to %.9s in plane stress, E = rho = R = 1. Evaluated by runtime/disk/limits.c.\n"
-    "\n"
-    "Each limit is the L of least squares to %d collisions, alpha v = %d ... %d and N = %d ... %d,\n"
-    "\n"
-    "    1 - eps^2 = L + a u + c u^(5/3) + b w + d u w,     u = 1/(alpha v), w = 1/sqrt(N)\n"
-    "\n"
-    "and its uncertainty the largest difference of fits with 4/3 or 2 in place of 5/3 or with w^2 besides, plus two\n"
-    "standard errors of the jackknife, from fits without each alpha and each N. It is a spread of fits, no bound.\n"
-    "Uncertainties go from %s to %s; the fits miss the collisions by %s at most (root mean square). Straight\n"
-    "lines in u through the three hardest walls would end up to %s away.\n"
-    "\n"
-    "Written by:  corgen tables, from " DISK_LIMITS_ROWS_FILE
-    "; the collisions by corgen tables --all, in %ld seconds of\n"
-    "             processor time\n"
-    "Checked by:  corgen tables --check, which collides a random sample again, and corgen tables --check --all\n";
-
-static void write_banner(struct emit *e, FILE *file, const struct limits *limits)
-{
-    double least = 1, most = 0, residual = 0, straight = 0;
-    for (int i = 0; i < SCENES; i++) {
-        const struct disk_limit *const limit = &limits->of[i];
-        least = fmin(least, limit->uncertainty);
-        most = fmax(most, limit->uncertainty);
-        residual = fmax(residual, limit->residual);
-        straight = fmax(straight, fabs(limit->straight - limit->one_minus_eps2));
-    }
-    const struct row *const last = &table.row[(NUS * SPEEDS - 1) * EACH];
-    char banner[sizeof banner_format + 20 * TEXT];
-    snprintf(banner, sizeof banner, banner_format, SPEEDS, table.row[0].speed, last->speed, NUS, table.row[0].nu,
-             last->nu, EACH, hardness[0], hardness[HARDNESSES - 1], counts[0], counts[COUNTS - 1],
-             emit_bound(least).text, emit_bound(most).text, emit_bound(residual).text, emit_bound(straight).text,
-             table.seconds);
-    emit_open(e, file, "COR_DISK_LIMITS_H", banner);
-}
-
-int disk_limits_header_write(FILE *file, const struct disk_table *unused)
-{
-    (void)unused;
-    static const char *const size_names[] = {"COR_DISK_LIMIT_SPEEDS", "COR_DISK_LIMIT_NUS"};
-    static const slong sizes[] = {SPEEDS, NUS};
-    struct limits *const limits = xmalloc(sizeof *limits);
-    if (find_limits(limits)) {
-        free(limits);
-        return STATUS_FAILED;
-    }
-    find_coefficients(limits);
-    struct emit e;
-    char text[TEXT];
-    write_banner(&e, file, limits);
-    fprintf(file, "\n");
-    emit_include(&e, "\"runtime/core/disk_limit.h\"");
-    fprintf(file, "\n");
-    emit_constants(&e, size_names, sizes, 2);
-    emit_comment(&e, "x = log10(speed/%g) and y = (nu - %g)/%g go from -1 to 1.", MIDDLE_SPEED, MIDDLE_NU, NU_RANGE);
-    snprintf(text, sizeof text, "%g", MIDDLE_SPEED);
-    emit_define(&e, "COR_DISK_LIMIT_MIDDLE_SPEED", text);
-    snprintf(text, sizeof text, "%g", MIDDLE_NU);
-    emit_define(&e, "COR_DISK_LIMIT_MIDDLE_NU", text);
-    snprintf(text, sizeof text, "%g", NU_RANGE);
-    emit_define(&e, "COR_DISK_LIMIT_NU_RANGE", text);
-    emit_comment(&e,
-                 "Largest difference between the interpolation below and the limit found for itself, at %d places\n"
-                 "halfway between those of the table.",
-                 SCENES - NUS * SPEEDS);
-    snprintf(text, sizeof text, "%.6f", limits->interpolation);
-    emit_define(&e, "COR_DISK_LIMIT_INTERPOLATION", text);
-
-    emit_comment(&e, "{nu, speed, 1 - eps^2, its uncertainty}, the speed running fastest");
-    emit_structs_open(&e, "cor_disk_limit", "cor_disk_limits", NUS * SPEEDS);
-    for (int i = 0; i < NUS * SPEEDS; i++) {
-        char value[TEXT], uncertainty[TEXT];
-        rounded(value, limits->of[i].one_minus_eps2, PLACES);
-        rounded(uncertainty, limits->of[i].uncertainty, PLACES);
-        const char *const decimal[] = {table.row[i * EACH].nu, table.row[i * EACH].speed, value, uncertainty};
-        emit_struct_decimals(&e, decimal, 4, i + 1 == NUS * SPEEDS);
-    }
-    emit_structs_close(&e);
-    emit_comment(&e,
-                 "1 - eps^2 = sum c_ji T_i(x) T_j(y), the polynomial through the limits; c_ji in [%d j + i], to eight\n"
-                 "places.",
-                 SPEEDS);
-    char coefficient[NUS * SPEEDS][TEXT];
-    const char *decimal[NUS * SPEEDS];
-    for (int i = 0; i < NUS * SPEEDS; i++) {
-        rounded(coefficient[i], limits->coefficient[i / SPEEDS][i % SPEEDS], COEFFICIENT_PLACES);
-        decimal[i] = coefficient[i];
-    }
-    emit_decimals(&e, "cor_disk_limit_coefficients", decimal, NUS * SPEEDS);
-    emit_close(&e);
-    free(limits);
-    return STATUS_OK;
+    struct cell *const of_cell = places_of_cells();
+    struct scenes scenes = {0};
+    struct check check = {0};
+    const int status = find_scenes(&scenes, of_cell, table->cells, NULL);
+    for (int i = 0; i < table->cells && status == STATUS_OK; i++)
+        for (int j = 0; j <= SIXTHS; j++)
+            for (int k = j % 2; k <= SIXTHS; k += 2)
+                check_scene(&check,
+                            known_scene(&scenes, of_cell[i].x + k * sixth_of(&of_cell[i]),
+                                        of_cell[i].nu + j * sixth_of(&of_cell[i])),
+                            &of_cell[i]);
+    free(of_cell);
+    free(scenes.scene);
+    return status == STATUS_OK ? verdict(&check, "all") : status;
 }

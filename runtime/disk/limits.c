@@ -1,25 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution of a disk of infinitely many modes at a hard wall. Products of Chebyshev polynomials in ln v and nu
- * interpolate the limits of generated/disk_limits.h. */
+/* The restitution of a disk of all its modes at a rigid wall, from the table of generated/disk_limits.h. */
 #include <math.h>
-#include <stddef.h>
 
 #include "cor/disk.h"
 #include "generated/disk_limits.h"
 
-enum { SPEEDS = COR_DISK_LIMIT_SPEEDS, NUS = COR_DISK_LIMIT_NUS };
-
-/* sum c_k T_k(x), |x| <= 1, by Clenshaw's recurrence */
-static double chebyshev(const double *c, int n, double x)
-{
-    double b = 0, before = 0;
-    for (int k = n - 1; k > 0; k--) {
-        const double next = c[k] + (2 * x * b - before);
-        before = b;
-        b = next;
-    }
-    return c[0] + (x * b - before);
-}
+static const struct cor_disk_limit_table table = {
+    COR_DISK_LIMIT_X_ROOTS,  COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST, COR_DISK_LIMIT_X_STEP,
+    COR_DISK_LIMIT_NU_FIRST, COR_DISK_LIMIT_NU_STEP,  cor_disk_limit_node,    cor_disk_limit_cell};
 
 /* False if speed or nu is NaN */
 static int is_inside(double speed, double nu)
@@ -28,32 +16,24 @@ static int is_inside(double speed, double nu)
            nu <= COR_DISK_EPS_MAX_NU;
 }
 
+static const struct cor_disk_limit_cell *cell_at(double speed, double nu, double *x_in, double *nu_in)
+{
+    return cor_disk_limit_find(&table, cor_disk_limit_x(&table, speed), cor_disk_limit_nu(&table, nu), x_in, nu_in);
+}
+
 double cor_disk_one_minus_eps2(double speed, double nu)
 {
+    double x_in, nu_in;
     if (!is_inside(speed, nu))
         return NAN;
-    const double x = log10(speed / COR_DISK_LIMIT_MIDDLE_SPEED);
-    const double y = (nu - COR_DISK_LIMIT_MIDDLE_NU) / COR_DISK_LIMIT_NU_RANGE;
-    double of_nu[NUS];
-    for (int j = 0; j < NUS; j++)
-        of_nu[j] = chebyshev(cor_disk_limit_coefficients + j * SPEEDS, SPEEDS, x);
-    return chebyshev(of_nu, NUS, y);
+    const struct cor_disk_limit_cell *const cell = cell_at(speed, nu, &x_in, &nu_in);
+    return cor_disk_limit_value(cell, x_in, nu_in);
 }
 
 double cor_disk_one_minus_eps2_uncertainty(double speed, double nu)
 {
-    if (!is_inside(speed, nu))
-        return NAN;
-    /* the largest uncertainty at the corners of the cell that contains the point */
-    int i = 0, j = 0;
-    while (j < NUS - 2 && cor_disk_limits[(j + 1) * SPEEDS].nu < nu)
-        j++;
-    while (i < SPEEDS - 2 && cor_disk_limits[i + 1].speed < speed)
-        i++;
-    const struct cor_disk_limit *const corner = cor_disk_limits + j * SPEEDS + i;
-    return fmax(fmax(corner[0].uncertainty, corner[1].uncertainty),
-                fmax(corner[SPEEDS].uncertainty, corner[SPEEDS + 1].uncertainty)) +
-           COR_DISK_LIMIT_INTERPOLATION;
+    double x_in, nu_in;
+    return is_inside(speed, nu) ? COR_DISK_LIMIT_UNIT * cell_at(speed, nu, &x_in, &nu_in)->uncertainty : NAN;
 }
 
 double cor_disk_eps(double speed, double nu)

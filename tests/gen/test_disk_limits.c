@@ -1,24 +1,27 @@
 /* SPDX-License-Identifier: MIT */
-/* The file of disk collisions, whole and harmed, and its rows collided again. */
+/* The table of collisions with a rigid wall, whole and harmed, and some of them once more. */
 #include "support/flint.h"
 
 #include "check.h"
 #include "tables/limits.h"
 
+enum { MOST_BYTES = 1 << 22 };
+
 static char *file_text(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");
     assert_non_null(file);
-    char *text = malloc(1 << 20);
+    char *text = malloc(MOST_BYTES);
     assert_non_null(text);
-    *size = fread(text, 1, (1 << 20) - 1, file);
+    *size = fread(text, 1, MOST_BYTES - 1, file);
     text[*size] = '\0';
     fclose(file);
     return text;
 }
 
-static const char path[] = "generated/" DISK_LIMITS_ROWS_FILE;
+static const char path[] = "generated/" DISK_LIMITS_FILE;
 
+/* Read and written again: the same bytes. */
 static void test_file(void **state)
 {
     (void)state;
@@ -27,14 +30,14 @@ static void test_file(void **state)
     assert_int_equal(disk_limits_read(text, size, path), 0);
     assert_true(disk_limits_known());
     FILE *file = open_memstream(&written, &written_size);
-    assert_int_equal(disk_limits_rows_write(file, NULL), 0);
+    assert_int_equal(disk_limits_write(file, NULL), 0);
     fclose(file);
     assert_int_equal(written_size, size);
     assert_memory_equal(written, text, size);
     free(written);
-    /* bytes of the head, of the first rows, and of the last */
-    const size_t value = (size_t)(strstr(text, "\n-0.200,") - text);
-    for (size_t i = 0; i < size; i += i < value ? 40 : i < value + 60 ? 3 : i + 50 < size ? size - 45 - i : 3) {
+    /* bytes of the head, of the nodes, and of the last cells */
+    const size_t nodes = (size_t)(strstr(text, "cor_disk_limit_node[") - text);
+    for (size_t i = 0; i < size; i += i < nodes ? 40 : i < nodes + 60 ? 3 : i + 50 < size ? size - 45 - i : 3) {
         const char good = text[i];
         text[i] = good == 'x' ? 'y' : 'x';
         assert_int_equal(disk_limits_read(text, size, path), 1);
@@ -44,32 +47,44 @@ static void test_file(void **state)
     assert_int_equal(disk_limits_read(text, size - 1, path), 1);
     assert_int_equal(disk_limits_read(text, size / 2, path), 1);
     assert_int_equal(disk_limits_read("", 0, path), 1);
-    text[value] = '\0';
+    /* a node that is another's */
+    char *const first = strchr(text + nodes, '{') + 6;
+    const char good = *first;
+    *first = good == '1' ? '2' : '1';
+    assert_int_equal(disk_limits_read(text, size, path), 1);
+    *first = good;
+    text[nodes] = '\0';
     assert_int_equal(disk_limits_read(text, size, path), 1);
     free(text);
 }
 
-/* A header cannot be made of collisions that follow no law; and a sample tells numbers that are no collision's. */
-static void test_other_numbers(void **state)
+/* Adds to the second digit from the end of the values of every cell what is 1e-6 or more in 1 - eps^2. */
+static int shift_values(char *text)
+{
+    int cells = 0;
+    for (char *at = strstr(text, "cor_disk_limit_cell["); (at = strstr(at, "    {")) != NULL; cells++) {
+        char *const end = strstr(at, "}}");
+        for (char *value = strchr(at + 5, '{'); value < end; value++)
+            if (value[1] == ',' || value[1] == '}') /* its last digit */
+                value[-1] = value[-1] == '9' ? '8' : (char)(value[-1] + 1);
+        at = end;
+    }
+    return cells;
+}
+
+/* A sample tells numbers of a collision from others. */
+static void test_samples(void **state)
 {
     (void)state;
-    size_t size, header_size = 0;
-    char *text = file_text(path, &size), *header = NULL;
-    int rows = 0;
-    for (char *end = strstr(text, "\nnu,") + 1; (end = strchr(end + 1, '\n')) != NULL && end[1] != '\0'; rows++) {
-        char *const place = strchr(end + 1, '\n') - 3; /* the sixth of eight */
-        *place = *place == '9' ? '8' : (char)(*place + 1);
+    size_t size;
+    char *text = file_text(path, &size);
+    for (size_t seed = 0; seed < points(1); seed++) {
+        assert_int_equal(disk_limits_read(text, size, path), 0);
+        assert_int_equal(disk_limits_check_sample(seed), 0);
     }
-    assert_true(rows > 1000);
+    assert_true(shift_values(text) > 100);
     assert_int_equal(disk_limits_read(text, size, path), 0);
     assert_int_equal(disk_limits_check_sample(1), 1);
-    char *const first = strchr(strstr(text, "\n-0.200,") + 1, '\n') - 7; /* the second */
-    *first = *first == '9' ? '8' : (char)(*first + 1);
-    assert_int_equal(disk_limits_read(text, size, path), 0);
-    FILE *file = open_memstream(&header, &header_size);
-    assert_int_equal(disk_limits_header_write(file, NULL), 1);
-    fclose(file);
-    free(header);
     free(text);
     disk_limits_clear();
 }
@@ -78,7 +93,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_file),
-        cmocka_unit_test(test_other_numbers),
+        cmocka_unit_test(test_samples),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,8 +7,8 @@
 
 #include "check.h"
 #include "disk/equation.h"
-#include "disk/estimate.h"
 #include "disk/modes.h"
+#include "runtime/core/mode_source.h"
 #include "support/digits.h"
 #include "support/parallel.h"
 
@@ -146,8 +146,8 @@ static void test_near_pair(void **state)
 /* ---- Rayleigh-Ritz ---- */
 
 /* Negative eigenvalues of K - w M in the fields (u_r, u_phi) = r^p (1, sigma), all that are polynomials in x and y of
- * that n up to a degree; by LDL^T. No more than there are modes below omega, the rigid ones included, and as many if the
- * degree is high enough. */
+ * that n up to a degree; by LDL^T. No more than there are modes below omega, the rigid ones included, and as many if
+ * the degree is high enough. */
 enum { RITZ_MAX = 64 };
 static const slong RITZ_PREC = 500;
 
@@ -245,7 +245,8 @@ static void test_ritz(void **state)
                 const slong ritz = ritz_count(nu, n, w, PAIRS), count = disk_count(&disk, n, w);
                 check(count + (n == 1) == ritz, "nu = %s, n = %ld, omega = %a: %ld, and %ld by Ritz", materials[i],
                       (long)n, omega, (long)count, (long)ritz);
-                assert_true(disk_estimate_count(&disk, n, omega) == count);
+                const struct cor_mode_material material = {disk.e_double, disk.s_double};
+                assert_true(cor_mode_count(&material, n, omega) == count);
                 assert_true(ritz_count(nu, n, w, 3) <= ritz);
             }
         }
@@ -565,8 +566,8 @@ static void test_corners_of_nu(void **state)
     disk_modes_init(&other);
     static const ulong margins[] = {6, 30, 99};
     for (size_t i = 0; i < sizeof margins / sizeof *margins; i++) {
-        /* nu -> -1: conformal maps z^(n+1), which cost compression alone: omega^2 = (n+1)(n+2)/2, C = S = sqrt(n+2); the
-         * breathing mode has omega = C = sqrt(2) */
+        /* nu -> -1: conformal maps z^(n+1), which cost compression alone: omega^2 = (n+1)(n+2)/2, C = S = sqrt(n+2);
+         * the breathing mode has omega = C = sqrt(2) */
         near_end(nu, -1, margins[i]);
         assert_int_equal(disk_modes_solve(&modes, nu, 300, 20), 0);
         for (slong n = 0; n < modes.count && margins[i] > 14; n++) {
@@ -601,7 +602,7 @@ static void test_corners_of_nu(void **state)
     fmpq_clear(nu);
 }
 
-/* No mode of any n >= disk_orders(omega) is below omega, and not many n are looked at in vain. */
+/* No mode of any n >= cor_mode_orders(omega) is below omega, and not many n are looked at in vain. */
 static void test_orders(void **state)
 {
     (void)state;
@@ -617,7 +618,7 @@ static void test_orders(void **state)
         disk_init(&disk, nu, 128);
         for (int k = 0; k < 40; k++) {
             const double omega = random_log(&random, 0.5, 500);
-            const slong orders = disk_orders(omega);
+            const slong orders = cor_mode_orders(omega);
             assert_true((double)orders * (double)(orders - 1) >= 10 * omega * omega && (double)orders < 4 * omega + 4);
             arb_set_d(w, omega);
             arb_mul(w, w, w, 128);

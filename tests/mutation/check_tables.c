@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen tables --check over many directories, of which the costly files are computed once: check_tables DIRECTORY...
- * prints red or green for each. What depends on a directory's own disk_limits.csv is made for each. Exit status 1 if
+ * prints red or green for each. What depends on a directory's own disk_limits.h is made for each. Exit status 1 if
  * any is red. */
 #include "tables/directory.c"
 

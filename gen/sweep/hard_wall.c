@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+#include "sweep/hard_wall.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cor/status.h"
+#include "support/console.h"
+
+/* Levels of the ladder that each table has the modes for: Omega = 170, 339, 679, 960 */
+static const int levels[HARD_WALL_TABLES] = {8, 10, 12, COR_DISK_HARD_WALL_MAX_LEVELS};
+
+void hard_wall_tables_init(struct hard_wall_tables *tables)
+{
+    memset(tables, 0, sizeof *tables);
+    pthread_mutex_init(&tables->lock, NULL);
+}
+
+void hard_wall_tables_clear(struct hard_wall_tables *tables)
+{
+    hard_wall_tables_set(tables, (double)NAN);
+    pthread_mutex_destroy(&tables->lock);
+}
+
+void hard_wall_tables_set(struct hard_wall_tables *tables, double nu)
+{
+    for (int i = 0; i < HARD_WALL_TABLES; i++) {
+        free((void *)tables->table[i].mode);
+        tables->table[i] = (struct cor_disk_modes){0, 0, NULL};
+    }
+    tables->nu = nu;
+}
+
+static int make_table(struct cor_disk_modes *table, double nu, int level_count)
+{
+    const double omega = COR_DISK_HARD_WALL_FIRST_OMEGA * pow(2, 0.5 * (level_count - 1));
+    /* all modes below the last Omega, and the next one to show that it is above */
+    const size_t count = cor_disk_modes_below(nu, omega * (1 + 1e-9)) + 1;
+    struct cor_disk_mode *const mode = xmalloc(count * sizeof *mode);
+    const int status = cor_disk_modes_compute(nu, count, mode, table);
+    if (status != COR_OK)
+        free(mode);
+    return status;
+}
+
+static int find_table(struct cor_disk_modes *table, struct hard_wall_tables *tables, int i)
+{
+    pthread_mutex_lock(&tables->lock);
+    const int status = tables->table[i].mode ? COR_OK : make_table(&tables->table[i], tables->nu, levels[i]);
+    *table = tables->table[i];
+    pthread_mutex_unlock(&tables->lock);
+    return status;
+}
+
+int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *tables, double tolerance, double speed,
+                      struct sweep_room *room)
+{
+    const struct cor_disk_hard_wall_options options = {tolerance};
+    int status = COR_TOLERANCE_NOT_REACHED;
+    *out = (struct cor_disk_hard_wall){NAN, NAN, NAN, NAN, NAN, 0};
+    for (int i = 0; i < HARD_WALL_TABLES && status == COR_TOLERANCE_NOT_REACHED; i++) {
+        struct cor_disk_modes table;
+        status = find_table(&table, tables, i);
+        if (status != COR_OK)
+            break;
+        const size_t needed = cor_disk_hard_wall_workspace(&table, table.count, &options, speed);
+        if (needed > room->size) {
+            free(room->bytes);
+            room->bytes = xmalloc(needed);
+            room->size = needed;
+        }
+        status = cor_disk_hard_wall_in(room->bytes, room->size, &table, table.count, &options, speed, out, NULL);
+    }
+    return status;
+}

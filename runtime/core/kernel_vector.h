@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/* Vectors of VECTOR doubles for loops that are compiled once for every instruction set. The set that includes this file
+ * defines VECTOR. No set may fuse a multiplication with an addition, and sums must go into the same parts whatever the
+ * width of a vector: then all sets give the same bits. */
+#ifndef COR_RUNTIME_KERNEL_VECTOR_H
+#define COR_RUNTIME_KERNEL_VECTOR_H
+
+#include <string.h>
+
+#include "runtime/core/kernel_exp.h" /* KERNEL */
+
+/* Sums over a row are kept in so many parts, whatever the width of a vector is. */
+enum { COR_LANES = 8 };
+
+#ifdef __GNUC__
+typedef double vector __attribute__((vector_size(VECTOR * sizeof(double))));
+#define MINUS(x, y) ((x) - (y))
+#define PLUS(x, y) ((x) + (y))
+#define TIMES(x, y) ((x) * (y))
+#else
+typedef struct {
+    double of[VECTOR];
+} vector;
+#define VECTOR_OPERATION(name, op)                                                                                     \
+    KERNEL vector name(vector x, vector y)                                                                             \
+    {                                                                                                                  \
+        for (int i = 0; i < VECTOR; i++)                                                                               \
+            x.of[i] = x.of[i] op y.of[i];                                                                              \
+        return x;                                                                                                      \
+    }
+VECTOR_OPERATION(MINUS, -)
+VECTOR_OPERATION(PLUS, +)
+VECTOR_OPERATION(TIMES, *)
+#endif
+
+KERNEL vector load(const double *from)
+{
+    vector x;
+    memcpy(&x, from, sizeof x);
+    return x;
+}
+
+KERNEL void store(double *to, vector x)
+{
+    memcpy(to, &x, sizeof x);
+}
+
+KERNEL vector all(double x)
+{
+#if defined(__GNUC__) && VECTOR == 8 /* what gcc 12 makes one instruction of */
+    const vector result = {x, x, x, x, x, x, x, x};
+#elif defined(__GNUC__) && VECTOR == 4
+    const vector result = {x, x, x, x};
+#elif defined(__GNUC__) && VECTOR == 2
+    const vector result = {x, x};
+#else
+    vector result;
+    for (int i = 0; i < VECTOR; i++)
+        result.of[i] = x;
+#endif
+    return result;
+}
+
+KERNEL double sum_of_lanes(const double sum[COR_LANES])
+{
+    return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
+}
+
+#endif

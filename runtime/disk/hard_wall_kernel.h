@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT */
+/* The loops of a disk at a rigid wall over modes, angles and rows of the compliance. Compiled once for every
+ * instruction set, in hard_wall_<set>.c, and chosen in hard_wall.c; all sets give the same bits, see kernel_vector.h.
+ * */
+#ifndef COR_RUNTIME_DISK_HARD_WALL_KERNEL_H
+#define COR_RUNTIME_DISK_HARD_WALL_KERNEL_H
+
+#include "runtime/core/kernel_vector.h"
+#include "runtime/disk/hard_wall.h"
+
+/* The set that includes this file defines VECTOR, and COLUMNS, how many vectors of angles are summed at once, so that
+ * additions need not wait for each other and registers suffice. */
+
+/* One pass over the modes, `steps` a constant: from q at a kick and before it, with the forces of that kick and of the
+ * steps - 1 next ones, to the kick after these; then what the sums will be at `steps` kicks from that one on. */
+KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,
+                           const double *force_s, double *sum_c, double *sum_s)
+{
+    const size_t lanes = modes->blocks * COR_LANES;
+    for (size_t b = 0; b < modes->blocks; b++) {
+        const size_t first = modes->block[b].first * COR_LANES, end = first + modes->block[b].rows * COR_LANES;
+        for (size_t lane = 0; lane < COR_LANES; lane += VECTOR) {
+            const size_t n = b * COR_LANES + lane;
+            vector of_c[COR_HARD_WALL_BATCH], of_s[COR_HARD_WALL_BATCH];
+            for (size_t k = 0; k < steps; k++)
+                of_c[k] = of_s[k] = all(0);
+            for (size_t i = first + lane; i < end; i += COR_LANES) {
+                const vector turn = load(modes->turn + i), c = load(modes->c + i), s = load(modes->s + i);
+                vector q = load(modes->q + i), before = load(modes->before + i);
+                for (size_t k = 0; k < steps; k++) {
+                    const vector force =
+                        PLUS(TIMES(c, load(force_c + k * lanes + n)), TIMES(s, load(force_s + k * lanes + n)));
+                    const vector next = PLUS(MINUS(TIMES(turn, q), before), force);
+                    before = q;
+                    q = next;
+                }
+                store(modes->q + i, q);
+                store(modes->before + i, before);
+                of_c[0] = PLUS(of_c[0], TIMES(c, q));
+                of_s[0] = PLUS(of_s[0], TIMES(s, q));
+                for (size_t k = 1; k < steps; k++) {
+                    const vector next = MINUS(TIMES(turn, q), before);
+                    before = q;
+                    q = next;
+                    of_c[k] = PLUS(of_c[k], TIMES(c, q));
+                    of_s[k] = PLUS(of_s[k], TIMES(s, q));
+                }
+            }
+            for (size_t k = 0; k < steps; k++) {
+                store(sum_c + k * lanes + n, of_c[k]);
+                store(sum_s + k * lanes + n, of_s[k]);
+            }
+        }
+    }
+}
+
+/* Clenshaw's recurrence b_k = factor_k + 2 cos(phi) b_(k+1) - b_(k+2); the sum is factor_0 + cos(phi) b_1 - b_2. */
+KERNEL void kernel_cosines(size_t count, const double *factor, size_t points, const double *twice_cosine,
+                           double *result)
+{
+    for (size_t part = 0; part < points; part += COLUMNS * VECTOR) {
+        vector x[COLUMNS], one[COLUMNS], two[COLUMNS]; /* b_(k+1), b_(k+2) */
+        for (size_t i = 0; i < COLUMNS; i++) {
+            x[i] = load(twice_cosine + part + i * VECTOR);
+            one[i] = two[i] = all(0);
+        }
+        size_t k = count;
+        for (; k > 2; k -= 2) {
+            const vector f = all(factor[k - 1]), g = all(factor[k - 2]);
+            for (size_t i = 0; i < COLUMNS; i++)
+                two[i] = PLUS(MINUS(f, two[i]), TIMES(x[i], one[i]));
+            for (size_t i = 0; i < COLUMNS; i++)
+                one[i] = PLUS(MINUS(g, one[i]), TIMES(x[i], two[i]));
+        }
+        if (k == 2)
+            for (size_t i = 0; i < COLUMNS; i++) {
+                const vector b = PLUS(MINUS(all(factor[1]), two[i]), TIMES(x[i], one[i]));
+                two[i] = one[i];
+                one[i] = b;
+            }
+        for (size_t i = 0; i < COLUMNS; i++)
+            store(result + part + i * VECTOR,
+                  count == 0 ? all(0) : PLUS(MINUS(all(factor[0]), two[i]), TIMES(TIMES(all(0.5), x[i]), one[i])));
+    }
+}
+
+enum { DOT_PARTS = 4 * COR_LANES / VECTOR };
+
+KERNEL double kernel_dot(size_t n, const double *x, const double *y)
+{
+    vector sum[DOT_PARTS];
+    double part[4 * COR_LANES];
+    for (size_t i = 0; i < DOT_PARTS; i++)
+        sum[i] = all(0);
+    size_t at = 0;
+    for (; at + 4 * COR_LANES <= n; at += 4 * COR_LANES)
+        for (size_t i = 0; i < DOT_PARTS; i++)
+            sum[i] = PLUS(sum[i], TIMES(load(x + at + i * VECTOR), load(y + at + i * VECTOR)));
+    for (size_t i = 0; at < n; at += VECTOR, i++)
+        sum[i] = PLUS(sum[i], TIMES(load(x + at), load(y + at)));
+    for (size_t i = 0; i < DOT_PARTS; i++)
+        store(part + i * VECTOR, sum[i]);
+    for (size_t i = 0; i < COR_LANES; i++)
+        part[i] = (part[i] + part[i + 2 * COR_LANES]) + (part[i + COR_LANES] + part[i + 3 * COR_LANES]);
+    return sum_of_lanes(part);
+}
+
+KERNEL void kernel_subtract(size_t n, double factor, const double *x, double *y)
+{
+    const vector f = all(factor);
+    for (size_t i = 0; i < n; i += VECTOR)
+        store(y + i, MINUS(load(y + i), TIMES(f, load(x + i))));
+}
+
+#define HARD_WALL(set)                                                                                                 \
+    static void set##_advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,            \
+                              const double *force_s, double *sum_c, double *sum_s)                                     \
+    {                                                                                                                  \
+        if (steps == COR_HARD_WALL_BATCH)                                                                              \
+            kernel_advance(modes, COR_HARD_WALL_BATCH, force_c, force_s, sum_c, sum_s);                                \
+        else                                                                                                           \
+            kernel_advance(modes, 1, force_c, force_s, sum_c, sum_s);                                                  \
+    }                                                                                                                  \
+    static void set##_cosines(size_t count, const double *factor, size_t points, const double *twice_cosine,           \
+                              double *result)                                                                          \
+    {                                                                                                                  \
+        kernel_cosines(count, factor, points, twice_cosine, result);                                                   \
+    }                                                                                                                  \
+    static double set##_dot(size_t n, const double *x, const double *y)                                                \
+    {                                                                                                                  \
+        return kernel_dot(n, x, y);                                                                                    \
+    }                                                                                                                  \
+    static void set##_subtract(size_t n, double factor, const double *x, double *y)                                    \
+    {                                                                                                                  \
+        kernel_subtract(n, factor, x, y);                                                                              \
+    }                                                                                                                  \
+    const struct cor_hard_wall_loops cor_hard_wall_##set = {set##_advance, set##_cosines, set##_dot, set##_subtract};
+
+#endif

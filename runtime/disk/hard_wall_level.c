@@ -1,0 +1,547 @@
+/* SPDX-License-Identifier: MIT */
+/* One level of the ladder: the modes below Omega, with a fade, and a rigid wall. docs/derivation.md, 17.
+ *
+ * Lengths are in units of the speed v here, and forces and amplitudes too, so that nothing underflows however slow the
+ * disk is. The compliance at once replaces 1/omega^2 of a mode by the static compliance (h/(2 omega)) cot(omega h/2)
+ * that the mode has under kicks at intervals h, and 0 of the centre of mass by h^2/12: the error of the kicks then
+ * begins with h^4 in place of h^2. */
+#include <math.h>
+#include <string.h>
+
+#include "cor/status.h"
+#include "runtime/disk/hard_wall.h"
+
+#define PI 3.14159265358979323846
+#define MASS PI
+#define LN_2 0.69314718055994531
+
+/* The first kick comes this part of a step after the first touch, so that it stands for the step around it. */
+#define FIRST_KICK 0.5
+/* Reaches that are smaller, in units of the speed, are rounding errors. */
+#define NEGLIGIBLE_REACH 1e-12
+/* Batches of kicks without contact between two looks whether contact is over for good */
+enum { BATCHES_A_LOOK = 8 };
+enum { MAX_STEPS = 2000000, MAX_BLOCKS = COR_HARD_WALL_MAX_N / COR_HARD_WALL_LANES + 1 };
+
+struct sizes {
+    size_t modes, blocks, cells, lanes;
+    size_t terms;   /* of the rim's cosine series, whole panels */
+    size_t points;  /* angles, whole panels; 0 in a point contact */
+    size_t nyquist; /* d = pi/nyquist */
+};
+
+struct level {
+    struct sizes size;
+    const struct cor_hard_wall_loops *loops;
+    const struct cor_disk_mode *mode;
+    double speed, h, spacing;
+    struct cor_hard_wall_modes modes;
+    struct cor_hard_wall_block *block;
+    size_t *place;                       /* cell of each mode */
+    double *turn, *c, *s;                /* of each cell */
+    double *sine, *unit;                 /* of each mode: sin(omega h), sqrt(g): the amplitude of q = 1 */
+    double *force_c, *force_s;           /* [batch][lanes] */
+    double *sum_c, *sum_s;               /* likewise */
+    double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: what a force adds to sums so many kicks later */
+    double *twice_cosine, *shape, *reach, *force, *series, *filled;
+    double *t, *q; /* T_k and Q_n of the compliance at once, k up to nyquist */
+    struct cor_hard_wall_contact contact;
+    double point_constant; /* of the contact law, (57), without the modes that move */
+};
+
+/* ---- workspace ---- */
+
+static size_t panels(size_t n)
+{
+    return (n + COR_HARD_WALL_PANEL - 1) / COR_HARD_WALL_PANEL * COR_HARD_WALL_PANEL;
+}
+
+/* Rows of each block of modes, as many as the fullest of its n has modes; the number of blocks */
+static size_t count_rows(const struct cor_disk_mode *mode, size_t modes, size_t *rows)
+{
+    size_t count[COR_HARD_WALL_MAX_N + 1] = {0}, n_max = 1;
+    for (size_t i = 0; i < modes; i++) {
+        const size_t n = (size_t)mode[i].n;
+        count[n]++;
+        n_max = n > n_max ? n : n_max;
+    }
+    const size_t blocks = n_max / COR_HARD_WALL_LANES + 1;
+    for (size_t b = 0; b < blocks; b++) {
+        rows[b] = 0;
+        for (size_t n = b * COR_HARD_WALL_LANES; n < (b + 1) * COR_HARD_WALL_LANES && n <= n_max; n++)
+            rows[b] = count[n] > rows[b] ? count[n] : rows[b];
+    }
+    return blocks;
+}
+
+static struct sizes sizes_of(const struct cor_disk_mode *mode, size_t modes,
+                             const struct cor_hard_wall_settings *settings)
+{
+    struct sizes size;
+    size_t rows[MAX_BLOCKS];
+    memset(&size, 0, sizeof size);
+    size.modes = modes;
+    size.blocks = count_rows(mode, modes, rows);
+    size.lanes = size.blocks * COR_HARD_WALL_LANES;
+    for (size_t b = 0; b < size.blocks; b++)
+        size.cells += rows[b] * COR_HARD_WALL_LANES;
+    size.terms = panels(size.lanes + 2);
+    if (!settings->point) {
+        const double least = (double)size.lanes + 2;
+        size.nyquist = (size_t)fmax(ceil(PI / settings->spacing), least);
+        size.points = panels((size_t)(fmin(settings->range, PI / 2) * (double)size.nyquist / PI) + 1);
+    }
+    return size;
+}
+
+static void arrange(struct level *level, struct cor_hard_wall_store *store)
+{
+    const struct sizes *const size = &level->size;
+    const size_t batch = COR_HARD_WALL_BATCH, real = sizeof(double);
+    const size_t both = size->terms > 2 * size->points ? size->terms : 2 * size->points;
+    level->block = cor_hard_wall_take(store, size->blocks, sizeof *level->block);
+    level->place = cor_hard_wall_take(store, size->modes, sizeof *level->place);
+    double **const of_cells[] = {&level->turn, &level->c, &level->s, &level->modes.q, &level->modes.before};
+    for (size_t i = 0; i < sizeof of_cells / sizeof *of_cells; i++)
+        *of_cells[i] = cor_hard_wall_take(store, size->cells, real);
+    double **const of_modes[] = {&level->sine, &level->unit};
+    for (size_t i = 0; i < sizeof of_modes / sizeof *of_modes; i++)
+        *of_modes[i] = cor_hard_wall_take(store, size->modes, real);
+    double **const of_batches[] = {&level->force_c, &level->force_s, &level->sum_c,  &level->sum_s,
+                                   &level->echo_cc, &level->echo_cs, &level->echo_ss};
+    for (size_t i = 0; i < sizeof of_batches / sizeof *of_batches; i++)
+        *of_batches[i] = cor_hard_wall_take(store, batch * size->lanes, real);
+    level->filled = cor_hard_wall_take(store, size->lanes, real);
+    level->series = cor_hard_wall_take(store, size->terms, real);
+    level->twice_cosine = cor_hard_wall_take(store, both, real);
+    level->reach = cor_hard_wall_take(store, both, real); /* scratch for sums and differences of angles too */
+    double **const of_points[] = {&level->shape, &level->force};
+    for (size_t i = 0; i < sizeof of_points / sizeof *of_points; i++)
+        *of_points[i] = cor_hard_wall_take(store, size->points, real);
+    level->t = cor_hard_wall_take(store, size->nyquist + 1, real);
+    level->q = cor_hard_wall_take(store, size->lanes, real);
+    if (size->points > 0)
+        cor_hard_wall_contact_arrange(&level->contact, store, size->points);
+}
+
+size_t cor_hard_wall_level_bytes(const struct cor_disk_mode *mode, size_t modes,
+                                 const struct cor_hard_wall_settings *settings)
+{
+    struct level level;
+    struct cor_hard_wall_store store = {NULL, 0};
+    level.size = sizes_of(mode, modes, settings);
+    arrange(&level, &store);
+    return store.used;
+}
+
+/* ---- modes and compliance ---- */
+
+static double fade_of(enum cor_hard_wall_fade fade, double r)
+{
+    const double left = 1 - r * r;
+    return left * left * (fade == COR_HARD_WALL_FADE ? 1 + r * r : 1);
+}
+
+static void place_modes(struct level *level)
+{
+    const struct sizes *const size = &level->size;
+    size_t first = 0, rows[MAX_BLOCKS];
+    count_rows(level->mode, size->modes, rows);
+    for (size_t b = 0; b < size->blocks; b++) {
+        level->block[b].first = first;
+        level->block[b].rows = rows[b];
+        first += rows[b];
+    }
+    memset(level->filled, 0, size->lanes * sizeof *level->filled);
+    for (size_t i = 0; i < size->modes; i++) {
+        const size_t n = (size_t)level->mode[i].n, lanes = COR_HARD_WALL_LANES, row = (size_t)level->filled[n]++;
+        level->place[i] = (level->block[n / lanes].first + row) * lanes + n % lanes;
+    }
+    double *const cleared[] = {level->turn, level->c, level->s, level->modes.q, level->modes.before};
+    for (size_t i = 0; i < sizeof cleared / sizeof *cleared; i++)
+        memset(cleared[i], 0, size->cells * sizeof(double));
+    const struct cor_hard_wall_modes modes = {size->blocks, level->block,   level->turn,        level->c,
+                                              level->s,     level->modes.q, level->modes.before};
+    level->modes = modes;
+}
+
+/* Adds A, B, D of one n, or takes those of one mode away: (C + S)^2 belongs to cos((n + 1) phi) twice, (C - S)^2 to
+ * cos((n - 1) phi) twice, C^2 - S^2 to both at once. */
+static void add_compliance(struct level *level, size_t n, double sum_square, double difference_square, double across)
+{
+    if (n + 1 <= level->size.nyquist)
+        level->t[n + 1] += sum_square;
+    level->t[n > 0 ? n - 1 : 1] += difference_square;
+    if (n < level->size.lanes) /* 0 beyond */
+        level->q[n] += across;
+}
+
+/* The static compliance of all modes up to Nyquist's number, section 14 */
+static void add_static_compliance(struct level *level, double nu)
+{
+    memset(level->t, 0, (level->size.nyquist + 1) * sizeof *level->t);
+    memset(level->q, 0, level->size.lanes * sizeof *level->q);
+    const double one = 0.5 * (1 - nu); /* A_0 = A_1 = B_1 */
+    add_compliance(level, 0, one, one, one);
+    add_compliance(level, 1, 3 * one + 0.5 * (3 + nu), 0.5 * (3 + nu) - one, one - 0.5 * (3 + nu));
+    for (size_t k = 2; k <= level->size.nyquist; k++) {
+        const double n = (double)k, square = (n - 1) * (n + 1);
+        const double a = (2 * n - 1 + nu) / square, b = (n * (1 - nu) - 2) / square;
+        add_compliance(level, k, 2 * (a + b), 2 * (a - b), 0);
+    }
+}
+
+static void set_modes(struct level *level, const struct cor_hard_wall_settings *settings)
+{
+    const struct sizes *const size = &level->size;
+    const size_t lanes = size->lanes;
+    double *const echoes[] = {level->echo_cc, level->echo_cs, level->echo_ss};
+    for (size_t i = 0; i < sizeof echoes / sizeof *echoes; i++)
+        memset(echoes[i], 0, COR_HARD_WALL_BATCH * lanes * sizeof(double));
+    double moving = 0; /* sum of w C^2/omega^2 */
+    for (size_t i = 0; i < size->modes; i++) {
+        const struct cor_disk_mode *const mode = &level->mode[i];
+        const size_t n = (size_t)mode->n, cell = level->place[i];
+        const double half_sine = sin(0.5 * mode->omega * level->h), half_cosine = cos(0.5 * mode->omega * level->h);
+        const double w = fade_of(settings->fade, mode->omega / settings->omega);
+        level->sine[i] = 2 * half_sine * half_cosine;
+        level->unit[i] = sqrt(level->h * level->sine[i] / (MASS * mode->omega));
+        const double turn = 2 - 4 * half_sine * half_sine, c = sqrt(w) * level->unit[i] * mode->c,
+                     s = sqrt(w) * level->unit[i] * mode->s;
+        level->turn[cell] = turn;
+        level->c[cell] = c;
+        level->s[cell] = s;
+        double now = 1, next = turn; /* amplitude 1 and 2 kicks after a kick of 1 */
+        for (size_t k = 1; k < COR_HARD_WALL_BATCH; k++) {
+            level->echo_cc[k * lanes + n] += now * (c * c);
+            level->echo_cs[k * lanes + n] += now * (c * s);
+            level->echo_ss[k * lanes + n] += now * (s * s);
+            const double after = turn * next - now;
+            now = next;
+            next = after;
+        }
+        const double under_kicks = w * (0.5 * level->h / mode->omega) * (half_cosine / half_sine);
+        moving += under_kicks * mode->c * mode->c;
+        if (size->points > 0)
+            add_compliance(level, n, -under_kicks * (mode->c + mode->s) * (mode->c + mode->s),
+                           -under_kicks * (mode->c - mode->s) * (mode->c - mode->s),
+                           -under_kicks * (mode->c * mode->c - mode->s * mode->s));
+    }
+    level->point_constant = level->h * level->h / 12 - moving;
+}
+
+static void set_angles(struct level *level)
+{
+    const struct sizes *const size = &level->size;
+    const size_t both = size->terms > 2 * size->points ? size->terms : 2 * size->points;
+    level->spacing = PI / (double)size->nyquist;
+    for (size_t j = 0; j < both; j++)
+        level->twice_cosine[j] = 2 * cos((double)j * level->spacing);
+    for (size_t j = 0; j < size->points; j++) {
+        const double half_sine = sin(0.5 * (double)j * level->spacing);
+        level->shape[j] = -2 * half_sine * half_sine / level->speed;
+    }
+    memset(level->force, 0, size->points * sizeof *level->force);
+    cor_hard_wall_contact_begin(&level->contact, size->nyquist + 1, level->t, size->lanes, level->q,
+                                level->twice_cosine, level->h * level->h / (12 * MASS), level->reach);
+}
+
+/* ---- wall ---- */
+
+/* What happens at one kick */
+struct kick {
+    double load;
+    size_t end; /* 1 more than the last angle in contact */
+};
+
+/* The rim's cosine series from the sums over the modes of each n */
+static void gather(const struct level *level, const double *sum_c, const double *sum_s, double *series)
+{
+    const size_t lanes = level->size.lanes;
+    memset(series, 0, level->size.terms * sizeof *series);
+    series[0] = 0.5 * (sum_c[1] - sum_s[1]);
+    series[1] = sum_c[0] + 0.5 * (sum_c[2] - sum_s[2]);
+    for (size_t k = 2; k < lanes - 1; k++)
+        series[k] = 0.5 * ((sum_c[k - 1] + sum_s[k - 1]) + (sum_c[k + 1] - sum_s[k + 1]));
+    for (size_t k = lanes - 1; k < lanes + 1; k++)
+        series[k] = 0.5 * (sum_c[k - 1] + sum_s[k - 1]);
+}
+
+/* The other way: forces on c and s of each n. The wall pushes inwards. */
+static void spread(const struct level *level, const double *series, double *force_c, double *force_s)
+{
+    const size_t lanes = level->size.lanes;
+    force_c[0] = -series[1];
+    force_s[0] = 0;
+    for (size_t n = 1; n < lanes; n++) {
+        force_c[n] = -0.5 * (series[n + 1] + series[n - 1]);
+        force_s[n] = -0.5 * (series[n + 1] - series[n - 1]);
+    }
+}
+
+/* The load p of a point contact, which the point would enter by `depth` without it: depth = (p/pi)(a - ln(p)) */
+static double point_load(double depth, double a)
+{
+    if (!(depth > 0))
+        return 0;
+    double p = PI * depth / a;
+    p = PI * depth / (a - log(p));
+    for (int i = 0; i < 20; i++) {
+        const double step = (p * (a - log(p)) - PI * depth) / (a - 1 - log(p));
+        p -= step;
+        if (fabs(step) < 1e-15 * p)
+            break;
+    }
+    return p;
+}
+
+static struct kick push_at_point(const struct level *level, double depth, const double *sum_c, double *force_c,
+                                 double *force_s)
+{
+    const size_t lanes = level->size.lanes;
+    double reach = depth;
+    for (size_t n = 0; n < lanes; n++)
+        reach += sum_c[n];
+    const double a = log(4 * PI) - log(level->speed) + level->point_constant;
+    const struct kick kick = {point_load(reach, a), 0};
+    for (size_t n = 0; n < lanes; n++) {
+        force_c[n] = -kick.load;
+        force_s[n] = 0;
+    }
+    return kick;
+}
+
+static struct kick push_on_rim(struct level *level, double depth, const double *sum_c, const double *sum_s,
+                               double *force_c, double *force_s)
+{
+    const struct sizes *const size = &level->size;
+    struct kick kick = {0, 0};
+    gather(level, sum_c, sum_s, level->series);
+    level->loops->cosines(size->lanes + 2, level->series, size->points, level->twice_cosine, level->reach);
+    for (size_t j = 0; j < size->points; j++)
+        level->reach[j] += depth + level->shape[j];
+    kick.end = cor_hard_wall_contact_solve(&level->contact, level->reach, NEGLIGIBLE_REACH, level->force);
+    for (size_t j = 0; j < kick.end; j++)
+        kick.load += level->force[j];
+    level->loops->cosines(kick.end, level->force, size->terms, level->twice_cosine, level->series);
+    spread(level, level->series, force_c, force_s);
+    return kick;
+}
+
+/* ---- a collision ---- */
+
+struct motion {
+    double time, depth, velocity; /* velocity before the kick, positive towards the wall */
+    double last, last_but_one;    /* depths at the kicks before */
+    double load;                  /* at the kick before */
+    double max_depth, end;        /* end of the last contact */
+    size_t steps;
+};
+
+/* How far any part of the rim can swing out of its round shape while nothing pushes */
+static double greatest_swing(const struct level *level)
+{
+    double swing = 0;
+    for (size_t i = 0; i < level->size.modes; i++) {
+        const size_t cell = level->place[i];
+        const double q = level->modes.q[cell], before = level->modes.before[cell];
+        const double p = (0.5 * level->turn[cell] * q - before) / level->sine[i];
+        swing += fmax(fabs(level->c[cell]), fabs(level->s[cell])) * sqrt(q * q + p * p);
+    }
+    return swing;
+}
+
+/* Under kicks at intervals h the depth of the centre of mass is (h^2/12) load/m more than the true one. */
+static double true_depth(const struct level *level, const struct motion *motion, double load)
+{
+    return motion->depth - level->h * level->h / (12 * MASS) * load;
+}
+
+/* Notes the largest depth, on a parabola through three, and the end of the contact, at which the load goes on to fall
+ * as it fell. */
+static void follow(struct motion *motion, const struct level *level, double load)
+{
+    const double depth = true_depth(level, motion, load), last = motion->last, last_but_one = motion->last_but_one;
+    const double bend = depth - 2 * last + last_but_one, slope = 0.5 * (depth - last_but_one);
+    if (last >= depth && last >= last_but_one && bend < 0)
+        motion->max_depth = fmax(motion->max_depth, last - 0.5 * slope * slope / bend);
+    motion->last_but_one = last;
+    motion->last = depth;
+    if (load > 0) {
+        const double fall = motion->load - load;
+        motion->end = motion->time + level->h * (load < fall ? load / fall : 1);
+    }
+    motion->load = load;
+}
+
+/* Energy of a mode relative to (pi/2) v^2, at a kick between the amplitudes before and next */
+static double energy_of(const struct level *level, size_t i, double before, double q, double next)
+{
+    const double sine = level->sine[i], p = 0.5 * (next - before);
+    return level->mode[i].omega * level->h / (PI * sine) * (sine * sine * q * q + p * p);
+}
+
+/* Amplitude at the next kick, the forces of this one included */
+static double next_amplitude(const struct level *level, size_t i)
+{
+    const size_t cell = level->place[i], n = (size_t)level->mode[i].n;
+    return level->turn[cell] * level->modes.q[cell] - level->modes.before[cell] +
+           (level->c[cell] * level->force_c[n] + level->s[cell] * level->force_s[n]);
+}
+
+/* Tells of a kick whose forces are known. Under kicks an amplitude is (h^2/12) force/m less than the true one. */
+static void tell(const struct level *level, const struct motion *motion, const struct kick *kick, double contact_time,
+                 const struct cor_disk_hard_wall_detail *detail)
+{
+    const double v = level->speed, h = level->h;
+    for (size_t i = 0; i < level->size.modes; i++) {
+        const size_t cell = level->place[i], n = (size_t)level->mode[i].n;
+        const double q = level->modes.q[cell], next = next_amplitude(level, i), before = level->modes.before[cell];
+        const double force = (level->c[cell] * level->force_c[n] + level->s[cell] * level->force_s[n]) / level->unit[i];
+        if (detail->energy_average != NULL && motion->time <= contact_time)
+            detail->energy_average[i] += h / contact_time * energy_of(level, i, before, q, next);
+        if (detail->q != NULL)
+            detail->q[i] = v * (level->unit[i] * q + h * h / (12 * MASS) * force);
+        if (detail->q_dot != NULL)
+            detail->q_dot[i] = v * level->unit[i] * level->mode[i].omega * (next - before) / (2 * level->sine[i]);
+    }
+    if (detail->observe != NULL) {
+        const double angle = kick->end > 0 ? (double)(kick->end - 1) * level->spacing : 0;
+        const struct cor_disk_hard_wall_moment moment = {motion->time, v * true_depth(level, motion, kick->load) - 1,
+                                                         v * (motion->velocity - 0.5 * h * kick->load / MASS),
+                                                         v * kick->load, angle};
+        detail->observe(detail->context, &moment);
+    }
+}
+
+static void clear_detail(const struct cor_disk_modes *modes, const struct cor_disk_hard_wall_detail *detail)
+{
+    double *const cleared[] = {detail->energy_after, detail->energy_average, detail->q, detail->q_dot};
+    for (size_t i = 0; i < sizeof cleared / sizeof *cleared; i++)
+        if (cleared[i] != NULL)
+            memset(cleared[i], 0, modes->count * sizeof(double));
+}
+
+/* Adds to the sums of kick `at` of a batch what the forces of the kicks before it do. */
+static void add_echoes(struct level *level, size_t at)
+{
+    const size_t lanes = level->size.lanes;
+    double *const sum_c = level->sum_c + at * lanes, *const sum_s = level->sum_s + at * lanes;
+    for (size_t k = 0; k < at; k++) {
+        const double *const force_c = level->force_c + k * lanes, *const force_s = level->force_s + k * lanes;
+        const double *const cc = level->echo_cc + (at - k) * lanes, *const cs = level->echo_cs + (at - k) * lanes,
+                            *const ss = level->echo_ss + (at - k) * lanes;
+        for (size_t n = 0; n < lanes; n++) {
+            sum_c[n] += cc[n] * force_c[n] + cs[n] * force_s[n];
+            sum_s[n] += cs[n] * force_c[n] + ss[n] * force_s[n];
+        }
+    }
+}
+
+/* A kick, and the way of the centre of mass to the next one */
+static struct kick step(struct level *level, struct motion *motion, size_t at)
+{
+    const size_t lanes = level->size.lanes;
+    double *const force_c = level->force_c + at * lanes, *const force_s = level->force_s + at * lanes;
+    const double *const sum_c = level->sum_c + at * lanes, *const sum_s = level->sum_s + at * lanes;
+    add_echoes(level, at);
+    const struct kick kick = level->size.points > 0 ? push_on_rim(level, motion->depth, sum_c, sum_s, force_c, force_s)
+                                                    : push_at_point(level, motion->depth, sum_c, force_c, force_s);
+    follow(motion, level, kick.load);
+    return kick;
+}
+
+static void drift(const struct level *level, struct motion *motion, double load)
+{
+    motion->velocity -= level->h * load / MASS;
+    motion->depth += level->h * motion->velocity;
+    motion->time += level->h;
+    motion->steps++;
+}
+
+/* Kick after kick until no part of the rim can reach the wall any more */
+static int collide(struct level *level, struct motion *motion, double contact_time,
+                   const struct cor_disk_hard_wall_detail *detail)
+{
+    const size_t batch = detail == NULL ? COR_HARD_WALL_BATCH : 1;
+    size_t free_batches = 0;
+    do {
+        double load = 0;
+        for (size_t at = 0; at < batch; at++) {
+            const struct kick kick = step(level, motion, at);
+            if (level->size.points > 0 && kick.end == level->size.points)
+                return COR_ERROR_WORKSPACE;
+            if (level->contact.indefinite || !(kick.load < INFINITY))
+                return COR_ERROR_MODES;
+            if (detail != NULL)
+                tell(level, motion, &kick, contact_time, detail);
+            drift(level, motion, kick.load);
+            load += kick.load;
+        }
+        level->loops->advance(&level->modes, batch, level->force_c, level->force_s, level->sum_c, level->sum_s);
+        free_batches = load > 0 ? 0 : free_batches + 1;
+        if (motion->steps > MAX_STEPS)
+            return COR_CONTACT_NOT_ENDED;
+    } while (free_batches % BATCHES_A_LOOK != 1 || motion->velocity >= 0 || motion->depth + greatest_swing(level) >= 0);
+    return COR_OK;
+}
+
+/* Energy left in the modes, relative to (pi/2) v^2 */
+static double energy_after(const struct level *level, double *of_mode)
+{
+    double sum = 0;
+    for (size_t i = 0; i < level->size.modes; i++) {
+        const size_t cell = level->place[i];
+        const double q = level->modes.q[cell], before = level->modes.before[cell];
+        const double energy = energy_of(level, i, before, q, level->turn[cell] * q - before);
+        sum += energy;
+        if (of_mode != NULL)
+            of_mode[i] = energy;
+    }
+    return sum;
+}
+
+int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, double speed,
+                        const struct cor_hard_wall_settings *settings, struct cor_hard_wall_result *result,
+                        const struct cor_disk_hard_wall_detail *detail)
+{
+    struct level level;
+    struct cor_hard_wall_store store = {workspace, 0};
+    size_t count = 0;
+    while (count < modes->count && modes->mode[count].omega < settings->omega)
+        count++;
+    memset(&level, 0, sizeof level);
+    level.loops = level.contact.loops = cor_hard_wall_widest_loops();
+    level.mode = modes->mode;
+    level.size = sizes_of(modes->mode, count, settings);
+    level.speed = speed;
+    level.h = settings->turn / settings->omega;
+    arrange(&level, &store);
+    place_modes(&level);
+    if (level.size.points > 0)
+        add_static_compliance(&level, modes->nu);
+    set_modes(&level, settings);
+    if (level.size.points > 0)
+        set_angles(&level);
+    level.point_constant += -2 * LN_2 - 0.25 * (1 + modes->nu);
+    memset(level.sum_c, 0, COR_HARD_WALL_BATCH * level.size.lanes * sizeof *level.sum_c);
+    memset(level.sum_s, 0, COR_HARD_WALL_BATCH * level.size.lanes * sizeof *level.sum_s);
+    if (detail != NULL)
+        clear_detail(modes, detail);
+
+    struct motion motion;
+    memset(&motion, 0, sizeof motion);
+    motion.velocity = 1;
+    motion.time = motion.depth = FIRST_KICK * level.h;
+    const int status = collide(&level, &motion, result->contact_time, detail);
+    if (status != COR_OK)
+        return level.contact.indefinite ? COR_ERROR_MODES : status;
+    const double energy = energy_after(&level, detail == NULL ? NULL : detail->energy_after);
+    result->one_minus_eps2 = 1 - motion.velocity * motion.velocity;
+    result->contact_time = motion.end;
+    result->max_compression = speed * motion.max_depth;
+    result->energy_drift = energy - result->one_minus_eps2;
+    result->steps = motion.steps;
+    result->pivotings = level.size.points > 0 ? level.contact.pivotings : 0;
+    return level.contact.indefinite ? COR_ERROR_MODES : COR_OK;
+}

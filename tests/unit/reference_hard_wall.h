@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* A disk at a rigid or an exponential wall by the formulas of derivation 17 as they stand: every sum written out, every
+ * contact found from nothing, plain kicks whose error is h^2. Slow; what tests judge runtime/disk/hard_wall_*.c by. */
+#ifndef COR_TESTS_REFERENCE_HARD_WALL_H
+#define COR_TESTS_REFERENCE_HARD_WALL_H
+
+#include <cor/disk.h>
+
+struct reference_wall {
+    double omega;              /* modes below it move */
+    int fade_power, fade_next; /* w = (1 - r^2)^fade_power (1 + fade_next r^2) */
+    double h;
+    int nyquist;   /* angles are pi/nyquist apart; n goes up to nyquist */
+    int angles;    /* so many, from 0 on */
+    double offset; /* 0, or 0.5: angles at (j + offset) pi/nyquist */
+    double alpha;  /* 0: a rigid wall; otherwise potential exp(alpha x)/alpha */
+};
+
+struct reference_wall_result {
+    double one_minus_eps2, energy_drift, contact_time, max_compression, load;
+    int pieces; /* of the contact, at most */
+};
+
+/* 0, or 1 if memory is short, a contact is not found or reaches the last angle */
+int reference_hard_wall(const struct cor_disk_modes *modes, double speed, const struct reference_wall *wall,
+                        struct reference_wall_result *out);
+
+#endif

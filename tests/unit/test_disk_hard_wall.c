@@ -1,0 +1,358 @@
+/* SPDX-License-Identifier: MIT */
+/* The rigid wall as its callers see it (runtime/disk/hard_wall.c): values found by another program, the error against
+ * two more levels, every speed down to the smallest double, details, workspaces, and what is refused. */
+#include "check.h"
+
+#include <cor/disk.h>
+#include <cor/status.h>
+
+static const double pi = 3.14159265358979323846;
+
+static double first_omega(size_t level)
+{
+    return 15 * pow(2, 0.5 * (double)level);
+}
+
+/* The modes that so many levels need, malloc'ed */
+static struct cor_disk_modes modes_of(double nu, size_t levels)
+{
+    struct cor_disk_modes modes;
+    const size_t count = cor_disk_modes_below(nu, first_omega(levels - 1) * (1 + 1e-9)) + 1;
+    struct cor_disk_mode *const mode = malloc(count * sizeof *mode);
+    assert_non_null(mode);
+    assert_int_equal(cor_disk_modes_compute(nu, count, mode, &modes), COR_OK);
+    return modes;
+}
+
+static struct cor_disk_hard_wall collide(const struct cor_disk_modes *modes, double speed, double tolerance,
+                                         int expected)
+{
+    const struct cor_disk_hard_wall_options options = {tolerance};
+    struct cor_disk_hard_wall out;
+    const int status = cor_disk_hard_wall(modes, modes->count, &options, speed, &out);
+    check(status == expected, "nu = %g, v = %g, tolerance %g: %s", modes->nu, speed, tolerance,
+          cor_status_text(status));
+    return out;
+}
+
+static void same_results(const struct cor_disk_hard_wall *x, const struct cor_disk_hard_wall *y, const char *what)
+{
+    check(same_bits(x->one_minus_eps2, y->one_minus_eps2) && same_bits(x->eps, y->eps) &&
+              same_bits(x->contact_time, y->contact_time) && same_bits(x->max_compression, y->max_compression) &&
+              same_bits(x->error_estimate, y->error_estimate) && x->omega_levels == y->omega_levels,
+          "%s: 1 - eps^2 = %a and %a", what, x->one_minus_eps2, y->one_minus_eps2);
+}
+
+/* ---- values ---- */
+
+/* From the prototype of the method, another program by another hand, with the errors judged there */
+static void known_answers(void **state)
+{
+    (void)state;
+    static const struct {
+        double speed, one_minus_eps2, error;
+    } known[] = {{0.03, 0.0332486, 5e-7}, {0.1, 0.1030896, 5e-7}, {0.3, 0.293641, 3e-6}};
+    const struct cor_disk_modes modes = modes_of(0.33, 10);
+    for (size_t i = 0; i < 3; i++) {
+        const struct cor_disk_hard_wall out = collide(&modes, known[i].speed, 1e-5, COR_OK);
+        print_message("v = %g: 1 - eps^2 = %.8f +- %.0e, %zu levels, contact time %.5f\n", known[i].speed,
+                      out.one_minus_eps2, out.error_estimate, out.omega_levels, out.contact_time);
+        check(fabs(out.one_minus_eps2 - known[i].one_minus_eps2) < 1e-6 + known[i].error, "v = %g: %.8f, not %.7f",
+              known[i].speed, out.one_minus_eps2, known[i].one_minus_eps2);
+        check(out.error_estimate <= 1e-5, "%g", out.error_estimate);
+        check(fabs(out.eps * out.eps + out.one_minus_eps2 - 1) < 1e-15, "eps = %.17g", out.eps);
+    }
+    free((void *)modes.mode);
+}
+
+/* The proved table of 1800 modes and as many computed ones; and fewer, which the table's length must not matter to */
+static void proved_modes(void **state)
+{
+    (void)state;
+    const struct cor_disk_hard_wall_options options = {1e-3};
+    struct cor_disk_mode mode[2000];
+    struct cor_disk_modes computed;
+    struct cor_disk_hard_wall by_table, by_computed, by_part;
+    assert_int_equal(cor_disk_modes_compute(0.33, 2000, mode, &computed), COR_OK);
+    assert_int_equal(cor_disk_hard_wall(&cor_disk_modes_nu033, 1800, &options, 0.1, &by_table), COR_OK);
+    assert_int_equal(cor_disk_hard_wall(&computed, 2000, &options, 0.1, &by_computed), COR_OK);
+    assert_int_equal(cor_disk_hard_wall(&computed, 1700, &options, 0.1, &by_part), COR_OK);
+    print_message("1800 proved modes: %.10f +- %.0e, as many computed ones: %.10f\n", by_table.one_minus_eps2,
+                  by_table.error_estimate, by_computed.one_minus_eps2);
+    check(fabs(by_table.one_minus_eps2 - by_computed.one_minus_eps2) < 1e-10, "%.12f and %.12f",
+          by_table.one_minus_eps2, by_computed.one_minus_eps2);
+    assert_int_equal(by_table.omega_levels, 5);
+    same_results(&by_part, &by_computed, "1700 modes and 2000");
+    check(fabs(by_table.one_minus_eps2 - 0.1030893) <= by_table.error_estimate, "%.8f +- %.1e", by_table.one_minus_eps2,
+          by_table.error_estimate);
+}
+
+/* ---- the error ---- */
+
+/* At random scenes, the estimate is at least the error, judged by two more levels with finer steps and angles. */
+static void errors(void **state)
+{
+    (void)state;
+    static const double tolerances[] = {1e-3, 1e-4, 1e-5, 3e-6};
+    struct random_state random = random_start();
+    double worst = 0;
+    int judged = 0, reached = 0;
+    const size_t scenes = points(6);
+    for (size_t i = 0; i < scenes; i++) {
+        const double speed = random_log(&random, 1e-5, 0.5), nu = random_uniform(&random, -0.5, 0.95);
+        const double tolerance = tolerances[scenes < 20 ? i % 3 : i % 4];
+        const size_t most = scenes < 20 ? 9 : 11;
+        struct cor_disk_modes modes = modes_of(nu, most);
+        const struct cor_disk_hard_wall_options options = {tolerance};
+        struct cor_disk_hard_wall out;
+        const int status = cor_disk_hard_wall(&modes, modes.count, &options, speed, &out);
+        assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
+        assert_true((status == COR_OK) == (out.error_estimate <= tolerance));
+        reached += status == COR_OK;
+        if (out.omega_levels + 2 <= most) {
+            modes.count = cor_disk_modes_below(nu, first_omega(out.omega_levels + 1) * (1 + 1e-9)) + 1;
+            const struct cor_disk_hard_wall_options finest = {
+                fmax(COR_DISK_HARD_WALL_MIN_TOLERANCE, fmin(1e-6, 0.01 * tolerance))};
+            struct cor_disk_hard_wall judge;
+            const int judged_status = cor_disk_hard_wall(&modes, modes.count, &finest, speed, &judge);
+            assert_true(judged_status == COR_OK || judged_status == COR_TOLERANCE_NOT_REACHED);
+            const double off = fabs(out.one_minus_eps2 - judge.one_minus_eps2) / out.error_estimate;
+            check(off <= 1, "nu = %.17g, v = %.17g, tolerance %g: %.9f +- %.1e, two levels on %.9f", nu, speed,
+                  tolerance, out.one_minus_eps2, out.error_estimate, judge.one_minus_eps2);
+            worst = fmax(worst, off);
+            judged++;
+        }
+        free((void *)modes.mode);
+    }
+    print_message("%zu scenes, %d with the tolerance reached, %d judged: error at most %.2f of the estimate\n", scenes,
+                  reached, judged, worst);
+    assert_true(judged > 0);
+}
+
+/* ---- any speed ---- */
+
+/* Rayleigh's theory is approached slowly; the ratio to its fraction oscillates at first. */
+static void slower_and_slower(void **state)
+{
+    (void)state;
+    static const double exponents[] = {-3, -8, -30, -128, -300};
+    const struct cor_disk_modes modes = modes_of(0.33, 8);
+    double apart = INFINITY;
+    for (size_t i = 0; i < 5; i++) {
+        const double speed = pow(10, exponents[i]);
+        const struct cor_disk_hard_wall out = collide(&modes, speed, 1e-5, COR_OK);
+        struct cor_disk_rayleigh rayleigh;
+        assert_int_equal(
+            cor_disk_rayleigh(&cor_disk_modes_nu033, 1800, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &rayleigh, NULL),
+            COR_OK);
+        const double theory = rayleigh.fraction + rayleigh.tail;
+        print_message("v = 1e%g: %.7f, Rayleigh %.7f, contact time %.4f, law %.4f\n", exponents[i], out.one_minus_eps2,
+                      theory, out.contact_time, rayleigh.contact_time);
+        if (exponents[i] <= -30) {
+            check(fabs(out.contact_time / rayleigh.contact_time - 1) < 0.02, "contact time %g", out.contact_time);
+            check(fabs(out.max_compression / cor_disk_max_compression(speed, 0.33, COR_DISK_DATUM_CENTRE_OF_MASS) - 1) <
+                      0.02,
+                  "largest compression %g", out.max_compression);
+        }
+        if (exponents[i] <= -30) {
+            check(fabs(out.one_minus_eps2 / theory - 1) < apart, "v = 1e%g is farther from Rayleigh", exponents[i]);
+            apart = fabs(out.one_minus_eps2 / theory - 1);
+        }
+    }
+    check(apart < 0.1, "%g from Rayleigh at v = 1e-300", apart);
+    free((void *)modes.mode);
+}
+
+/* The point contact and the full method meet, and the smallest normal and the smallest double are speeds too. */
+static void joins(void **state)
+{
+    (void)state;
+    const struct cor_disk_modes modes = modes_of(0.33, 8);
+    const double speed = COR_DISK_HARD_WALL_POINT_SPEED;
+    const struct cor_disk_hard_wall full = collide(&modes, speed, 1e-5, COR_OK);
+    const struct cor_disk_hard_wall point = collide(&modes, nextafter(speed, 0), 1e-5, COR_OK);
+    check(fabs(full.one_minus_eps2 - point.one_minus_eps2) < 2e-6, "%.9f and %.9f", full.one_minus_eps2,
+          point.one_minus_eps2);
+    check(fabs(full.contact_time / point.contact_time - 1) < 1e-3, "%g and %g", full.contact_time, point.contact_time);
+    check(fabs(full.max_compression / point.max_compression - 1) < 1e-4, "%g and %g", full.max_compression,
+          point.max_compression);
+    const struct cor_disk_hard_wall slow = collide(&modes, DBL_MIN, 1e-5, COR_OK),
+                                    slowest = collide(&modes, ldexp(1, -1074), 1e-5, COR_OK);
+    print_message("v = %g: %.8f at %.9f and %.9f; smallest normal double %.3e, smallest %.3e\n", speed,
+                  full.one_minus_eps2, full.one_minus_eps2, point.one_minus_eps2, slow.one_minus_eps2,
+                  slowest.one_minus_eps2);
+    check(slow.one_minus_eps2 > 0 && slow.one_minus_eps2 < 1e-4 && fabs(slowest.one_minus_eps2) < 1e-4, "%g, %g",
+          slow.one_minus_eps2, slowest.one_minus_eps2);
+    free((void *)modes.mode);
+}
+
+/* Without a table: what a table of as many modes gives */
+static void without_a_table(void **state)
+{
+    (void)state;
+    const struct cor_disk_hard_wall_options options = {1e-5};
+    const struct cor_disk_modes modes = modes_of(0.25, 9);
+    struct cor_disk_hard_wall out;
+    const struct cor_disk_hard_wall by_table = collide(&modes, 0.02, 1e-5, COR_OK);
+    assert_int_equal(cor_disk_hard_wall_nu(0.25, &options, 0.02, &out), COR_OK);
+    check(fabs(out.one_minus_eps2 - by_table.one_minus_eps2) < 1e-10 && out.omega_levels == by_table.omega_levels,
+          "%.12f and %.12f, %zu and %zu levels", out.one_minus_eps2, by_table.one_minus_eps2, out.omega_levels,
+          by_table.omega_levels);
+    free((void *)modes.mode);
+}
+
+/* ---- details ---- */
+
+struct watched {
+    struct cor_disk_hard_wall_moment last;
+    double highest, most_load, widest, impulse, energy_at_widest;
+    size_t moments, n;
+    const struct cor_disk_mode *mode;
+    const double *q, *q_dot;
+    double largest_energy;
+};
+
+static void watch(void *context, const struct cor_disk_hard_wall_moment *moment)
+{
+    struct watched *const w = context;
+    double energy = 0;
+    for (size_t i = 0; i < w->n; i++)
+        energy += pi / 2 * (pow(w->mode[i].omega * w->q[i], 2) + w->q_dot[i] * w->q_dot[i]);
+    w->largest_energy = fmax(w->largest_energy, energy + pi / 2 * moment->velocity * moment->velocity);
+    if (w->moments > 0)
+        w->impulse += 0.5 * (moment->load + w->last.load) * (moment->time - w->last.time);
+    else
+        w->impulse += moment->load * moment->time;
+    w->highest = fmax(w->highest, moment->position + 1);
+    w->most_load = fmax(w->most_load, moment->load);
+    w->widest = fmax(w->widest, moment->contact_angle);
+    w->last = *moment;
+    w->moments++;
+}
+
+static void details(void **state)
+{
+    (void)state;
+    enum { N = 1800 };
+    static double after[N], average[N], q[N], q_dot[N];
+    static const double speeds[] = {0.1, 0.01, 1e-9};
+    for (size_t k = 0; k < 3; k++) {
+        const double speed = speeds[k], energy = pi / 2 * speed * speed;
+        const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
+        const struct cor_disk_hard_wall_options options = {1e-3};
+        struct watched w = {.n = N, .mode = modes->mode, .q = q, .q_dot = q_dot};
+        const struct cor_disk_hard_wall_detail detail = {after, average, watch, &w, q, q_dot};
+        struct cor_disk_hard_wall out, silent;
+        const size_t bytes = cor_disk_hard_wall_workspace(modes, N, &options, speed);
+        assert_true(bytes > 0);
+        char *const room = malloc(bytes + 1);
+        assert_non_null(room);
+        const int status = cor_disk_hard_wall_in(room + 1, bytes, modes, N, &options, speed, &out, &detail);
+        assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
+        assert_int_equal(cor_disk_hard_wall(modes, N, &options, speed, &silent), status);
+        same_results(&out, &silent, "observed and not");
+        double left = 0, mean = 0;
+        for (size_t i = 0; i < N; i++) {
+            assert_true(after[i] >= 0 && average[i] >= 0);
+            left += after[i];
+            mean += average[i];
+        }
+        print_message("v = %g: %zu moments, energy in the modes %.6f after, %.4f on average, largest load %.4f, widest "
+                      "contact %.4f\n",
+                      speed, w.moments, left, mean, w.most_load / speed, w.widest);
+        /* of the highest level, not extrapolated: within the estimate */
+        check(fabs(left - out.one_minus_eps2) < 3e-3 * out.one_minus_eps2 + 3e-4, "%g left, 1 - eps^2 = %g", left,
+              out.one_minus_eps2);
+        check(fabs(w.last.velocity / (speed * sqrt(1 - left)) + 1) < 1e-4, "velocity %g", w.last.velocity);
+        check(fabs(w.impulse / (pi * (speed - w.last.velocity)) - 1) < 1e-3, "impulse %g", w.impulse);
+        check(fabs(w.highest / out.max_compression - 1) < 1e-3, "largest compression %g, not %g", w.highest,
+              out.max_compression);
+        check(w.last.load <= 0 && w.last.time >= out.contact_time, "ends at %g", w.last.time);
+        check(w.largest_energy < energy * 1.01, "energy %g of %g", w.largest_energy, energy);
+        check(speed < 1e-7 ? w.widest <= 0 : fabs(w.widest / (1.42 * sqrt(speed)) - 1) < 0.1, "widest %g", w.widest);
+        check(after[N - 1] <= 0 && after[0] > 0, "modes above Omega do not move");
+        free(room);
+    }
+}
+
+/* ---- what is refused ---- */
+
+static void refusals(void **state)
+{
+    (void)state;
+    const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
+    const struct cor_disk_hard_wall_options good = {1e-3};
+    struct cor_disk_hard_wall out = {7, 7, 7, 7, 7, 7};
+    const struct cor_disk_hard_wall untouched = out;
+    static const double tolerances[] = {0, -1, 1, NAN, 0.99e-7, INFINITY};
+    for (size_t i = 0; i < sizeof tolerances / sizeof *tolerances; i++) {
+        const struct cor_disk_hard_wall_options options = {tolerances[i]};
+        assert_int_equal(cor_disk_hard_wall(modes, 1800, &options, 0.1, &out), COR_ERROR_TOLERANCE);
+        assert_int_equal(cor_disk_hard_wall_nu(0.3, &options, 0.1, &out), COR_ERROR_TOLERANCE);
+        assert_int_equal(cor_disk_hard_wall_workspace(modes, 1800, &options, 0.1), 0);
+    }
+    static const double speeds[] = {NAN, INFINITY, 0.5000000001};
+    for (size_t i = 0; i < 3; i++) {
+        assert_int_equal(cor_disk_hard_wall(modes, 1800, &good, speeds[i], &out), COR_ERROR_SPEED);
+        assert_int_equal(cor_disk_hard_wall_nu(0.3, &good, speeds[i], &out), COR_ERROR_SPEED);
+        assert_int_equal(cor_disk_hard_wall_workspace(modes, 1800, &good, speeds[i]), 0);
+    }
+    assert_int_equal(cor_disk_hard_wall(NULL, 1800, &good, 0.1, &out), COR_ERROR_NULL);
+    assert_int_equal(cor_disk_hard_wall(modes, 1800, NULL, 0.1, &out), COR_ERROR_NULL);
+    assert_int_equal(cor_disk_hard_wall(modes, 1800, &good, 0.1, NULL), COR_ERROR_NULL);
+    assert_int_equal(cor_disk_hard_wall_nu(0.3, NULL, 0.1, &out), COR_ERROR_NULL);
+    assert_int_equal(cor_disk_hard_wall_nu(0.3, &good, 0.1, NULL), COR_ERROR_NULL);
+    static const double nus[] = {-1, 1, NAN};
+    for (size_t i = 0; i < 3; i++)
+        assert_int_equal(cor_disk_hard_wall_nu(nus[i], &good, 0.1, &out), COR_ERROR_DISK_POISSON_RATIO);
+    assert_int_equal(cor_disk_hard_wall(modes, 0, &good, 0.1, &out), COR_ERROR_MODES);
+    assert_int_equal(cor_disk_hard_wall(modes, 1801, &good, 0.1, &out), COR_ERROR_MODES);
+    assert_int_equal(cor_disk_hard_wall(modes, 100, &good, 0.1, &out), COR_ERROR_MODES); /* one level */
+    /* tables that no disk has */
+    static struct cor_disk_mode mode[1800];
+    const struct cor_disk_modes wrong = {0.33, 1800, mode};
+    const struct cor_disk_modes other_nu = {1.5, 1800, mode};
+    memcpy(mode, modes->mode, sizeof mode);
+    assert_int_equal(cor_disk_hard_wall(&other_nu, 1800, &good, 0.1, &out), COR_ERROR_DISK_POISSON_RATIO);
+    mode[7].omega = mode[6].omega;
+    assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
+    mode[7] = modes->mode[7];
+    mode[9].s = NAN;
+    assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
+    mode[9] = modes->mode[9];
+    mode[9].n = -1;
+    assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
+    mode[9].n = INT32_MAX;
+    assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
+    same_results(&out, &untouched, "refused");
+    mode[9] = modes->mode[9];
+    for (size_t i = 0; i < 1800; i++)
+        mode[i].c *= 2;
+    assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
+    assert_true(isnan(out.one_minus_eps2) && isnan(out.error_estimate) && out.omega_levels == 0);
+    /* two levels are the least */
+    const size_t two = cor_disk_modes_below(0.33, first_omega(1) * (1 + 1e-12)) + 1;
+    assert_int_equal(cor_disk_hard_wall(modes, two, &good, 0.1, &out), COR_TOLERANCE_NOT_REACHED);
+    assert_true(out.omega_levels == 2 && fabs(out.one_minus_eps2 - 0.1030893) <= out.error_estimate);
+    /* a wall that is not touched */
+    static const double still[] = {0, -0.0, -1, -INFINITY};
+    for (size_t i = 0; i < 4; i++) {
+        assert_int_equal(cor_disk_hard_wall(modes, 1800, &good, still[i], &out), COR_WALL_NOT_TOUCHED);
+        assert_true(isnan(out.one_minus_eps2) && isnan(out.eps));
+        assert_int_equal(cor_disk_hard_wall_nu(0.3, &good, still[i], &out), COR_WALL_NOT_TOUCHED);
+    }
+    char small[64];
+    assert_int_equal(cor_disk_hard_wall_in(small, sizeof small, modes, 1800, &good, 0.1, &out, NULL),
+                     COR_ERROR_WORKSPACE);
+    assert_int_equal(cor_disk_hard_wall_in(NULL, 0, modes, 1800, &good, 0.1, &out, NULL), COR_ERROR_NULL);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(known_answers),     cmocka_unit_test(proved_modes), cmocka_unit_test(errors),
+        cmocka_unit_test(slower_and_slower), cmocka_unit_test(joins),        cmocka_unit_test(without_a_table),
+        cmocka_unit_test(details),           cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,312 @@
+/* SPDX-License-Identifier: MIT */
+/* One level of the rigid wall (runtime/disk/hard_wall_level.c, hard_wall_contact.c): against the formulas written out,
+ * which share no sum, no contact solver and no step with it; two fades, angles shifted by half a cell, walls of
+ * potential exp(alpha x)/alpha, a point contact, energy, contacts in pieces. */
+#include "check.h"
+
+#include <cor/status.h>
+
+#include "reference_hard_wall.h"
+#include "runtime/disk/hard_wall.h"
+
+static const double pi = 3.14159265358979323846;
+
+enum { MOST_MODES = 60000 };
+static struct cor_disk_mode mode[MOST_MODES];
+
+/* The modes below omega, and one more */
+static struct cor_disk_modes modes_of(double nu, double omega)
+{
+    struct cor_disk_modes modes;
+    const size_t count = cor_disk_modes_below(nu, omega) + 1;
+    assert_in_range(count, 2, MOST_MODES);
+    assert_int_equal(cor_disk_modes_compute(nu, count, mode, &modes), COR_OK);
+    return modes;
+}
+
+static struct cor_hard_wall_result level_of(const struct cor_disk_modes *modes, double speed,
+                                            const struct cor_hard_wall_settings *settings, int expected)
+{
+    struct cor_hard_wall_result result;
+    memset(&result, 0, sizeof result);
+    size_t below = 0;
+    while (below < modes->count && modes->mode[below].omega < settings->omega)
+        below++;
+    const size_t bytes = cor_hard_wall_level_bytes(modes->mode, below, settings);
+    char *const room = malloc(bytes + COR_HARD_WALL_ALIGNMENT);
+    assert_non_null(room);
+    char *const workspace = room + COR_HARD_WALL_ALIGNMENT - (uintptr_t)room % COR_HARD_WALL_ALIGNMENT;
+    const int status = cor_hard_wall_level(workspace, modes, speed, settings, &result, NULL);
+    check(status == expected, "nu = %g, v = %g, Omega = %g: %s", modes->nu, speed, settings->omega,
+          cor_status_text(status));
+    free(room);
+    return result;
+}
+
+/* Fine enough that steps and angles leave 1e-7 */
+static struct cor_hard_wall_settings fine_settings(double omega, double speed)
+{
+    const double half_width = 1.1 * sqrt(speed);
+    const struct cor_hard_wall_settings settings = {.omega = omega,
+                                                    .turn = 0.25,
+                                                    .spacing =
+                                                        fmin(fmax(0.2 / omega, half_width / 400), half_width / 150),
+                                                    .range = 2.6 * sqrt(speed)};
+    return settings;
+}
+
+/* ---- against the formulas written out ---- */
+
+/* The reference's error is h^2 and h^4: two steps give the limit */
+static double reference_limit(const struct cor_disk_modes *modes, double speed, struct reference_wall wall)
+{
+    double l[2];
+    for (int i = 0; i < 2; i++, wall.h /= 2) {
+        struct reference_wall_result result;
+        check(reference_hard_wall(modes, speed, &wall, &result) == 0, "reference at nu = %g, v = %g", modes->nu, speed);
+        l[i] = result.one_minus_eps2;
+    }
+    return l[1] + (l[1] - l[0]) / 3;
+}
+
+static struct reference_wall reference_settings(const struct cor_hard_wall_settings *settings, double speed,
+                                                int nyquist)
+{
+    const struct reference_wall wall = {.omega = settings->omega,
+                                        .fade_power = 2,
+                                        .fade_next = settings->fade == COR_HARD_WALL_FADE,
+                                        .h = 0.15 / settings->omega,
+                                        .nyquist = nyquist,
+                                        .angles = (int)(2.2 * sqrt(speed) * nyquist / pi) + 4};
+    return wall;
+}
+
+static void as_written_out(double nu, double speed, double omega, enum cor_hard_wall_fade fade)
+{
+    const struct cor_disk_modes modes = modes_of(nu, omega);
+    const int nyquist = (int)fmax(8 * omega, 45 / sqrt(speed));
+    struct cor_hard_wall_settings settings = fine_settings(omega, speed);
+    settings.fade = fade;
+    settings.spacing = pi / nyquist * (1 + 1e-12);
+    const struct cor_hard_wall_result level = level_of(&modes, speed, &settings, COR_OK);
+    const double reference = reference_limit(&modes, speed, reference_settings(&settings, speed, nyquist));
+    print_message("nu = %.4f, v = %.5f, Omega = %g: %.9f, written out %.9f (%+.1e), drift %.1e\n", nu, speed, omega,
+                  level.one_minus_eps2, reference, level.one_minus_eps2 - reference, level.energy_drift);
+    /* both have a noise of steps, falling like 1/Omega^2 */
+    check(fabs(level.one_minus_eps2 - reference) < 1.5e-3 / (omega * omega), "nu = %g, v = %g: %.9f, not %.9f", nu,
+          speed, level.one_minus_eps2, reference);
+}
+
+static void written_out(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    as_written_out(0.33, 0.1, 20, COR_HARD_WALL_FADE);
+    as_written_out(0.33, 0.1, 20, COR_HARD_WALL_PLAIN_FADE);
+    for (size_t i = 0; i < points(4); i++) {
+        const double speed = random_log(&random, 3e-3, 0.4), nu = random_uniform(&random, -0.5, 0.95);
+        as_written_out(nu, speed, random_uniform(&random, 12, 24),
+                       i % 2 == 0 ? COR_HARD_WALL_FADE : COR_HARD_WALL_PLAIN_FADE);
+    }
+}
+
+/* nu -> 1 and speeds at which the contact splits: pivoting, and not one piece only */
+static void in_pieces(void **state)
+{
+    (void)state;
+    const double nu = 0.9, speed = 0.25, omega = 60;
+    const struct cor_disk_modes modes = modes_of(nu, omega);
+    struct cor_hard_wall_settings settings = fine_settings(omega, speed);
+    const int nyquist = (int)(5 * omega);
+    settings.spacing = pi / nyquist * (1 + 1e-12);
+    const struct cor_hard_wall_result level = level_of(&modes, speed, &settings, COR_OK);
+    check(level.pivotings > 0, "the contact was one piece always");
+    struct reference_wall wall = reference_settings(&settings, speed, nyquist);
+    wall.h = 0.25 / omega;
+    struct reference_wall_result reference;
+    assert_int_equal(reference_hard_wall(&modes, speed, &wall, &reference), 0);
+    print_message("%zu contacts not one piece from 0 on; %.8f, written out, with steps of %.2f/Omega, %.8f\n",
+                  level.pivotings, level.one_minus_eps2, wall.h * omega, reference.one_minus_eps2);
+    check(fabs(level.one_minus_eps2 - reference.one_minus_eps2) < 2e-5, "%.9f, not %.9f", level.one_minus_eps2,
+          reference.one_minus_eps2);
+}
+
+/* ---- what must not matter ---- */
+
+/* R from two levels */
+static double extrapolated(const struct cor_disk_modes *modes, double speed, double omega, enum cor_hard_wall_fade fade)
+{
+    double l[2];
+    for (int i = 0; i < 2; i++) {
+        struct cor_hard_wall_settings settings = fine_settings(i == 0 ? omega / sqrt(2) : omega, speed);
+        settings.fade = fade;
+        l[i] = level_of(modes, speed, &settings, COR_OK).one_minus_eps2;
+    }
+    return 2 * l[1] - l[0];
+}
+
+/* Both fades tend to one limit; at Omega = 170 they are within 2e-5 of it at hard scenes, closer elsewhere. */
+static void two_fades(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    const double omega = 120 * sqrt(2);
+    double worst = 0;
+    for (size_t i = 0; i < points(2); i++) {
+        const double speed = i == 0 ? 0.1 : random_log(&random, 1e-3, 0.15);
+        const double nu = i == 0 ? 0.33 : random_uniform(&random, -0.2, 0.6);
+        const struct cor_disk_modes modes = modes_of(nu, omega);
+        const double one = extrapolated(&modes, speed, omega, COR_HARD_WALL_FADE);
+        const double other = extrapolated(&modes, speed, omega, COR_HARD_WALL_PLAIN_FADE);
+        print_message("nu = %.4f, v = %.5f: %.8f with one fade, %.8f with the other\n", nu, speed, one, other);
+        check(fabs(one - other) < (i == 0 ? 1e-6 : 4e-5), "nu = %g, v = %g: %.9f and %.9f", nu, speed, one, other);
+        worst = fmax(worst, fabs(one - other));
+    }
+    print_message("largest difference %.1e\n", worst);
+}
+
+static void shifted_by_half_a_cell(void **state)
+{
+    (void)state;
+    const double speed = 0.1, omega = 24;
+    const struct cor_disk_modes modes = modes_of(0.33, omega);
+    const struct cor_hard_wall_settings settings = fine_settings(omega, speed);
+    double l[2][2];
+    for (int fine = 0; fine < 2; fine++)
+        for (int shifted = 0; shifted < 2; shifted++) {
+            struct reference_wall wall = reference_settings(&settings, speed, fine ? 360 : 180);
+            wall.offset = 0.5 * shifted;
+            l[fine][shifted] = reference_limit(&modes, speed, wall);
+        }
+    print_message("angles at 0, d, ...: %.8f and %.8f; at d/2, 3d/2, ...: %.8f and %.8f\n", l[0][0], l[1][0], l[0][1],
+                  l[1][1]);
+    check(fabs(l[0][0] - l[0][1]) < 2e-5 && fabs(l[1][0] - l[1][1]) < 4e-6, "%.1e, %.1e apart", l[0][0] - l[0][1],
+          l[1][0] - l[1][1]);
+}
+
+/* The compliance under kicks takes away the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing happens, where
+ * plain kicks are off by 1e-4. And energy is what the centre of mass has lost. */
+static void steps_and_energy(void **state)
+{
+    (void)state;
+    const double speed = 0.1, omega = 120;
+    const struct cor_disk_modes modes = modes_of(0.33, omega);
+    double l[3];
+    for (int i = 0; i < 3; i++) {
+        struct cor_hard_wall_settings settings = fine_settings(omega, speed);
+        settings.turn = ldexp(0.8, -i);
+        const struct cor_hard_wall_result level = level_of(&modes, speed, &settings, COR_OK);
+        print_message("Omega h = %g: %.9f, energy drift %.1e, %zu steps\n", settings.turn, level.one_minus_eps2,
+                      level.energy_drift, level.steps);
+        check(fabs(level.energy_drift) < 2e-5 * settings.turn * settings.turn, "drift %g", level.energy_drift);
+        l[i] = level.one_minus_eps2;
+    }
+    check(fabs(l[0] - l[2]) < 1e-6 && fabs(l[1] - l[2]) < 2e-7, "%.9f %.9f %.9f", l[0], l[1], l[2]);
+}
+
+/* ---- other walls ---- */
+
+/* A wall of potential exp(alpha x)/alpha on the same compliance tends to the rigid wall like 1/alpha. */
+static void hard_limit(void **state)
+{
+    (void)state;
+    const double speed = 0.1, omega = 14;
+    const struct cor_disk_modes modes = modes_of(0.33, omega);
+    const struct cor_hard_wall_settings settings = fine_settings(omega, speed);
+    struct reference_wall wall = reference_settings(&settings, speed, 140);
+    wall.offset = 0.5;
+    const double rigid = reference_limit(&modes, speed, wall);
+    double l[2];
+    for (int i = 0; i < 2; i++) {
+        wall.alpha = i == 0 ? 2240 : 4480;
+        l[i] = reference_limit(&modes, speed, wall);
+    }
+    print_message("alpha v = 224: %.7f, 448: %.7f, infinite by 1/alpha: %.7f; rigid %.7f\n", l[0], l[1],
+                  2 * l[1] - l[0], rigid);
+    check(fabs(2 * l[1] - l[0] - rigid) < 4e-5, "%.8f, not %.8f", 2 * l[1] - l[0], rigid);
+}
+
+/* All modes, at equal alpha: the compliance at once, Omega -> infinity, against cor_disk_collision with ever more modes
+ * */
+static void soft_wall_of_all_modes(void **state)
+{
+    (void)state;
+    const double speed = 0.1, alpha = 280, nu = 0.33;
+    double l[2], w[2], at_once[2];
+    for (int i = 0; i < 2; i++) {
+        const size_t count = i == 0 ? 3600 : 7200;
+        struct cor_disk_modes modes;
+        struct cor_disk_collision out;
+        const struct cor_disk_collision_options options = {.alpha = alpha, .tolerance = 1e-7};
+        assert_int_equal(cor_disk_modes_compute(nu, count, mode, &modes), COR_OK);
+        assert_int_equal(cor_disk_collision(&modes, count, &options, speed, &out), COR_OK);
+        l[i] = out.one_minus_eps2;
+        w[i] = 1 / sqrt((double)count);
+    }
+    for (int i = 0; i < 2; i++) {
+        const double omega = i == 0 ? 20 : 20 * sqrt(2);
+        const struct cor_disk_modes modes = modes_of(nu, omega);
+        const struct cor_hard_wall_settings settings = fine_settings(omega, speed);
+        struct reference_wall wall = reference_settings(&settings, speed, (int)(6.3 * omega));
+        wall.offset = 0.5;
+        wall.h = 0.8 / omega;
+        wall.alpha = alpha;
+        at_once[i] = reference_limit(&modes, speed, wall);
+    }
+    const double by_modes = l[1] - (l[1] - l[0]) / (w[1] - w[0]) * w[1], by_omega = 2 * at_once[1] - at_once[0];
+    print_message("alpha v = 28: cor_disk_collision, 3600, 7200, all modes: %.6f %.6f %.6f; compliance at once: %.6f\n",
+                  l[0], l[1], by_modes, by_omega);
+    check(fabs(by_modes - by_omega) < 1e-4, "%.7f and %.7f", by_modes, by_omega);
+}
+
+/* Where both hold, a point contact and the full method have one L at each Omega. */
+static void point_contact(void **state)
+{
+    (void)state;
+    static const double speeds[] = {1e-4, 1e-5, 1e-6, 1e-7};
+    for (size_t i = 0; i < 4; i++) {
+        const double omega = 60;
+        const struct cor_disk_modes modes = modes_of(0.33, omega);
+        struct cor_hard_wall_settings settings = fine_settings(omega, speeds[i]);
+        settings.turn = 0.4;
+        settings.spacing = 1.1 * sqrt(speeds[i]) / 120;
+        const struct cor_hard_wall_result full = level_of(&modes, speeds[i], &settings, COR_OK);
+        settings.point = 1;
+        const struct cor_hard_wall_result point = level_of(&modes, speeds[i], &settings, COR_OK);
+        print_message("v = %g: %.9f, as a point %.9f; largest compression %.7g v, %.7g v\n", speeds[i],
+                      full.one_minus_eps2, point.one_minus_eps2, full.max_compression / speeds[i],
+                      point.max_compression / speeds[i]);
+        check(fabs(full.one_minus_eps2 - point.one_minus_eps2) < (i == 0 ? 3e-7 : 6e-8), "v = %g: %.9f and %.9f",
+              speeds[i], full.one_minus_eps2, point.one_minus_eps2);
+        check(fabs(full.max_compression / point.max_compression - 1) < 1e-4, "v = %g: %g and %g", speeds[i],
+              full.max_compression, point.max_compression);
+    }
+}
+
+/* ---- hard inputs ---- */
+
+/* A range that the contact outgrows is reported, and modes that no disk has. */
+static void refusals(void **state)
+{
+    (void)state;
+    struct cor_disk_modes modes = modes_of(0.33, 30);
+    struct cor_hard_wall_settings settings = fine_settings(30, 0.1);
+    settings.range = 0.3;
+    level_of(&modes, 0.1, &settings, COR_ERROR_WORKSPACE);
+    settings = fine_settings(30, 0.1);
+    for (size_t i = 0; i < modes.count; i++)
+        mode[i].c *= 1.5;
+    level_of(&modes, 0.1, &settings, COR_ERROR_MODES);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(written_out),      cmocka_unit_test(in_pieces),
+        cmocka_unit_test(two_fades),        cmocka_unit_test(shifted_by_half_a_cell),
+        cmocka_unit_test(steps_and_energy), cmocka_unit_test(hard_limit),
+        cmocka_unit_test(point_contact),    cmocka_unit_test(soft_wall_of_all_modes),
+        cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: MIT */
+/* Modes in double arithmetic (cor_disk_modes_compute): against the proved tables, by the sum rules, by the count,
+ * between nu = -1 and 1 and next to both, and what is refused. */
+#include "check.h"
+
+#include <cor/disk.h>
+#include <cor/status.h>
+
+enum { MOST = 60000 };
+static struct cor_disk_mode mode[MOST + 1], other[MOST];
+
+static struct cor_disk_modes compute(double nu, size_t count)
+{
+    struct cor_disk_modes modes = {0, 0, NULL};
+    const struct cor_disk_mode untouched = mode[count];
+    const int status = cor_disk_modes_compute(nu, count, mode, &modes);
+    check(status == COR_OK, "nu = %.17g, %zu modes: %s", nu, count, cor_status_text(status));
+    assert_true(same_bits(modes.nu, nu) && modes.count == count && modes.mode == mode);
+    check(memcmp(&untouched, &mode[count], sizeof untouched) == 0, "wrote beyond %zu modes", count);
+    return modes;
+}
+
+/* n, l, omega, c, s of every mode of a proved table */
+static void as_proved(void **state)
+{
+    (void)state;
+    const struct cor_disk_modes *const tables[] = {&cor_disk_modes_nu033, &cor_disk_modes_nu090};
+    for (int t = 0; t < 2; t++) {
+        const struct cor_disk_modes *const proved = tables[t];
+        double off_omega = 0, off_amplitude = 0;
+        compute(proved->nu, proved->count);
+        for (size_t i = 0; i < proved->count; i++) {
+            const struct cor_disk_mode *const exact = &proved->mode[i];
+            check(mode[i].n == exact->n && mode[i].l == exact->l, "mode %zu is (%d, %d), not (%d, %d)", i, mode[i].n,
+                  mode[i].l, exact->n, exact->l);
+            const double length = hypot(exact->c, exact->s);
+            off_omega = fmax(off_omega, fabs(mode[i].omega / exact->omega - 1));
+            off_amplitude = fmax(off_amplitude, fabs(mode[i].c - exact->c) / length);
+            off_amplitude = fmax(off_amplitude, fabs(mode[i].s - exact->s) / length);
+        }
+        print_message("nu = %g: omega off by %.1e, c and s by %.1e\n", proved->nu, off_omega, off_amplitude);
+        check(off_omega <= COR_DISK_MODES_OMEGA_MAX_ERROR, "%g", off_omega);
+        check(off_amplitude <= COR_DISK_MODES_AMPLITUDE_MAX_ERROR, "%g", off_amplitude);
+    }
+}
+
+/* A short table is the start of a long one, to rounding; its length is the count below the next frequency. */
+static void starts_alike(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(6); i++) {
+        const double nu = random_uniform(&random, -0.99, 0.99);
+        const size_t count = (size_t)random_log(&random, 1, 3000), more = count + (size_t)random_log(&random, 1, 20000);
+        compute(nu, more);
+        memcpy(other, mode, count * sizeof *other);
+        const double between = 0.5 * (mode[count - 1].omega + mode[count].omega);
+        check(cor_disk_modes_below(nu, between) == count, "nu = %.17g: %zu modes below %.17g, not %zu", nu,
+              cor_disk_modes_below(nu, between), between, count);
+        compute(nu, count);
+        for (size_t k = 0; k < count; k++)
+            check(mode[k].n == other[k].n && mode[k].l == other[k].l &&
+                      fabs(mode[k].omega / other[k].omega - 1) < 1e-13,
+                  "nu = %.17g: mode %zu of %zu is (%d, %d) at %.17g, of %zu (%d, %d) at %.17g", nu, k, count, mode[k].n,
+                  mode[k].l, mode[k].omega, more, other[k].n, other[k].l, other[k].omega);
+    }
+}
+
+/* l counts the modes of each n from 0, frequencies grow, and the sums over l of C^2/omega^2 and C S/omega^2 miss what
+ * (11.5) says by about what the modes beyond have: 2 sqrt(1 - nu^2)/(pi Omega), half of it for n = 0. */
+static void sum_rules(double nu, size_t count)
+{
+    enum { ORDERS = 2000, CHECKED = 12 };
+    static int next[ORDERS];
+    double cc[CHECKED] = {0}, cs[CHECKED] = {0};
+    memset(next, 0, sizeof next);
+    compute(nu, count);
+    for (size_t i = 0; i < count; i++) {
+        const struct cor_disk_mode *const m = &mode[i];
+        assert_in_range(m->n, 0, ORDERS - 1);
+        check(m->l == next[m->n]++, "nu = %.17g: (%d, %d) comes out of order", nu, m->n, m->l);
+        check(m->c > 0 && isfinite(m->s) && (i == 0 || m->omega > mode[i - 1].omega), "nu = %.17g: mode %zu", nu, i);
+        if (m->n < CHECKED) {
+            cc[m->n] += m->c * m->c / (m->omega * m->omega);
+            cs[m->n] += m->c * m->s / (m->omega * m->omega);
+        }
+    }
+    const double omega = mode[count - 1].omega, pi = 3.14159265358979323846;
+    for (int n = 0; n < CHECKED; n++) {
+        const double all = n < 2 ? (1 - nu) / 2 : (2 * n - 1 + nu) / (n * n - 1.0);
+        const double across = n == 0 ? 0 : n == 1 ? (1 - nu) / 2 : (n * (1 - nu) - 2) / (n * n - 1.0);
+        const double tail = (n == 0 ? 1 : 2) * sqrt(1 - nu * nu) / (pi * omega);
+        check(fabs(all - cc[n] - tail) < 0.25 * tail + 2 / (omega * omega), "nu = %g, n = %d: %g of %g, tail %g", nu, n,
+              cc[n], all, tail);
+        check(fabs(across - cs[n]) < 4 / (omega * omega) + 0.1 * tail, "nu = %g, n = %d: %g, not %g", nu, n, cs[n],
+              across);
+    }
+}
+
+static void all_materials(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    sum_rules(0.33, points(20000) < MOST ? points(20000) : MOST);
+    sum_rules(0, 5000);
+    for (size_t i = 0; i < points(4); i++)
+        sum_rules(random_uniform(&random, -0.9, 0.95), (size_t)random_log(&random, 2000, 6000));
+}
+
+/* Next to nu = -1, where the lowest modes are the conformal maps, omega^2 = (n + 1)(n + 2)/2, and next to 1 */
+static void ends(void **state)
+{
+    (void)state;
+    static const double nus[] = {-1 + 0x1p-53, -1 + 1e-12, -1 + 1e-6, -0.999, 0.999, 1 - 1e-6, 1 - 1e-12, 1 - 0x1p-53};
+    for (size_t i = 0; i < sizeof nus / sizeof *nus; i++) {
+        compute(nus[i], 300);
+        for (size_t k = 0; k < 300; k++)
+            check(isfinite(mode[k].omega) && isfinite(mode[k].c) && isfinite(mode[k].s) &&
+                      (k == 0 || mode[k].omega > mode[k - 1].omega),
+                  "nu = %.17g, mode %zu", nus[i], k);
+        if (nus[i] < -0.999999)
+            for (int n = 1; n < 20; n++)
+                check(mode[n].n == n && fabs(mode[n].omega / sqrt((n + 1) * (n + 2) / 2.0) - 1) < 1e-6,
+                      "nu = %.17g, n = %d: %.9f", nus[i], n, mode[n].omega);
+    }
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    struct cor_disk_modes modes = {7, 7, NULL};
+    assert_int_equal(cor_disk_modes_compute(0.3, 10, NULL, &modes), COR_ERROR_NULL);
+    assert_int_equal(cor_disk_modes_compute(0.3, 10, mode, NULL), COR_ERROR_NULL);
+    static const double wrong[] = {-1, 1, NAN, INFINITY, -INFINITY, 2};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_int_equal(cor_disk_modes_compute(wrong[i], 10, mode, &modes), COR_ERROR_DISK_POISSON_RATIO);
+        assert_int_equal(cor_disk_modes_below(wrong[i], 10), 0);
+    }
+    assert_int_equal(cor_disk_modes_compute(0.3, 0, mode, &modes), COR_ERROR_MODES);
+    assert_int_equal(cor_disk_modes_compute(0.3, COR_DISK_MODES_MAX_COUNT + 1, mode, &modes), COR_ERROR_MODES);
+    assert_true(modes.nu == 7 && modes.count == 7 && modes.mode == NULL);
+    static const double nowhere[] = {0, -1, NAN, INFINITY, 1.0001 * COR_DISK_MODES_MAX_OMEGA};
+    for (size_t i = 0; i < sizeof nowhere / sizeof *nowhere; i++)
+        assert_int_equal(cor_disk_modes_below(0.3, nowhere[i]), 0);
+    assert_int_equal(cor_disk_modes_below(0.33, 1.4385), 0);
+    assert_int_equal(cor_disk_modes_below(0.33, 1.4386), 1);
+    assert_int_equal(cor_disk_modes_compute(0.33, 1, mode, &modes), COR_OK);
+    assert_true(mode[0].n == 2 && mode[0].l == 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(as_proved), cmocka_unit_test(starts_alike), cmocka_unit_test(all_materials),
+        cmocka_unit_test(ends),      cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
