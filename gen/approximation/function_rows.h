@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Rows of short polynomials on a uniform grid, as in pieces.h, of any function of one variable that can be enclosed.
  *
- * Row i belongs to the cell of half a step to either side of its node y_i = first + i step and holds columns c_0, c_0', c_1,
- * ..., c_degree: f = c_0 + (c_0' + t (c_1 + ... + c_degree t^(degree-1))), t = y - y_i.
+ * Row i belongs to the cell of half a step to either side of its node y_i = first + i step and holds columns c_0, c_0',
+ * c_1, ..., c_degree: f = c_0 + (c_0' + t (c_1 + ... + c_degree t^(degree-1))), t = y - y_i.
  *
- * The function is computed at Chebyshev's points of blocks of cells and rounded there to SAMPLE_BITS; rows are cut from the
- * polynomials through these samples, so that everything after them is arithmetic, the same with every library. Between the
- * samples the polynomials are compared with enclosures, at two places of each block. */
+ * The function is computed at Chebyshev's points of blocks of cells and rounded there to SAMPLE_BITS; rows are cut from
+ * the polynomials through these samples, so that everything after them is arithmetic, the same with every library.
+ * Between the samples the polynomials are compared with enclosures, at two places of each block. */
 #ifndef COR_GEN_APPROXIMATION_FUNCTION_ROWS_H
 #define COR_GEN_APPROXIMATION_FUNCTION_ROWS_H
 
@@ -32,8 +32,8 @@ enum { FUNCTION_ROWS_DEGREE = 10, FUNCTION_ROWS_COLUMNS = FUNCTION_ROWS_DEGREE +
 int function_rows_make(struct function_rows *r);
 void function_rows_clear(struct function_rows *r);
 
-/* The geometry as macros, _FIRST, _STEP, _PER_UNIT, _ROWS and _END under NAME in capitals, and the function NAME(i) that
- * returns row i. */
+/* The geometry as macros, _FIRST, _STEP, _PER_UNIT, _ROWS and _END under NAME in capitals, and the function NAME(i)
+ * that returns row i. */
 int function_rows_emit(struct emit *e, const struct function_rows *r);
 
 #endif

@@ -40,8 +40,8 @@ double chebyshev_point(slong j, slong n);
 struct interpolant *interpolant_new(double beta_min, double beta_max);
 void interpolant_free(struct interpolant *f);
 
-/* The quantity at z = sqrt(beta), up to beta = 8.25 for those of zero overlap, 17 for the others; (1 - eps)/beta without
- * cancellation. */
+/* The quantity at z = sqrt(beta), up to beta = 8.25 for those of zero overlap, 17 for the others; (1 - eps)/beta
+ * without cancellation. */
 void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t z, slong prec);
 
 /* The quantity at beta = exp(u) divided by its power of beta, 2 <= u <= 10; not eps at zero overlap, which

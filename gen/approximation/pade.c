@@ -124,7 +124,8 @@ static void pade_of_reciprocal(struct pade *f, const arb_poly_t c, slong n, cons
 }
 
 /* The block that an exact zero in the series of eps (power 1) or of 1/eps (power -1) makes: with C_k = 0 the entry
- * [k/0] is [k-1/0], so [k-1/0], [k/0] and [k-1/1] are one fraction and [k/1] does not exist; likewise [0/k] of 1/eps. */
+ * [k/0] is [k-1/0], so [k-1/0], [k/0] and [k-1/1] are one fraction and [k/1] does not exist; likewise [0/k] of
+ * 1/eps. */
 static bool known_block(struct pade_block *b, const struct pade_request *r)
 {
     const struct ratio powers[2] = {{1, 1}, {-1, 1}};

@@ -8,9 +8,9 @@
 const char *const embed_operation_names[OPERATIONS] = {"mul+add", "mul",  "add",     "div",    "sqrt",
                                                        "bits",    "load", "convert", "compare"};
 
-/* ns each, of double and float, as bench/spheres/operation_costs.c measures them (docs/embed.md, "Costs"): in a loop that takes
- * one number after the other (-O2), and in one that the compiler has made vectors of (-O3 -mavx2 -mfma). A square root
- * may set errno, so that a loop with one stays scalar unless the user says -fno-math-errno. */
+/* ns each, of double and float, as bench/spheres/operation_costs.c measures them (docs/embed.md, "Costs"): in a loop
+ * that takes one number after the other (-O2), and in one that the compiler has made vectors of (-O3 -mavx2 -mfma). A
+ * square root may set errno, so that a loop with one stays scalar unless the user says -fno-math-errno. */
 static const double nanoseconds[2][USES][OPERATIONS] = {
     {{0.27, 0.14, 0.14, 1.11, 1.67, 0.10, 0, 0.51, 0.15}, {0.03, 0.03, 0.03, 0.56, 1.67, 0.07, 0.18, 0.11, 0.14}},
     {{0.27, 0.14, 0.14, 0.84, 0.90, 0.10, 0, 0.51, 0.15}, {0.02, 0.02, 0.01, 0.17, 0.90, 0.02, 0.23, 0.03, 0.02}},

@@ -52,8 +52,8 @@ double embed_number(const struct embed_request *request, enum embed_number which
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 
-/* Whether the range of speeds and the tolerance suit the type, and whether there is g* or what materials need, and nothing
- * that contradicts it. STATUS_OK, or STATUS_USAGE after a
+/* Whether the range of speeds and the tolerance suit the type, and whether there is g* or what materials need, and
+ * nothing that contradicts it. STATUS_OK, or STATUS_USAGE after a
  * sentence on stderr. */
 int embed_request_check(const struct embed_request *request);
 

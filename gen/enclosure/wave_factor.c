@@ -12,13 +12,15 @@
 
 /* ---- J ----
  *
- * With gamma = c_s/c_p, gamma^2 = (1 - 2 nu)/(2 (1 - nu)) = tau^2/(1 + tau^2), a^2 = |x^2 - gamma^2|, b^2 = |x^2 - 1| and D = (2 x^2 - 1)^2,
+ * With gamma = c_s/c_p, gamma^2 = (1 - 2 nu)/(2 (1 - nu)) = tau^2/(1 + tau^2), a^2 = |x^2 - gamma^2|, b^2 = |x^2 - 1|
+ * and D = (2 x^2 - 1)^2,
  *
- *     J = int_0^gamma x a/(D + 4 x^2 a b) dx + int_gamma^1 4 x^3 a^2 b/(D^2 + 16 x^4 a^2 b^2) dx - pi x_R a(x_R)/R'(x_R)
+ *     J = int_0^gamma x a/(D + 4 x^2 a b) dx + int_gamma^1 4 x^3 a^2 b/(D^2 + 16 x^4 a^2 b^2) dx - pi x_R
+ *     a(x_R)/R'(x_R)
  *
- * R = D - 4 x^2 a b, R(x_R) = 0. x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 leave no root at the ends of the integrals. At
- * gamma^2 = 1/2 both integrands are 0/0 at x = gamma; near it J is computed as the imaginary part of
- * int x a/R dx along a path from 0 to 2 above gamma, 1 and x_R, where nothing is singular. */
+ * R = D - 4 x^2 a b, R(x_R) = 0. x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 leave no root at the ends of the
+ * integrals. At gamma^2 = 1/2 both integrands are 0/0 at x = gamma; near it J is computed as the imaginary part of int
+ * x a/R dx along a path from 0 to 2 above gamma, 1 and x_R, where nothing is singular. */
 
 struct wave_parameters {
     acb_t gamma, gamma2;
@@ -159,7 +161,8 @@ static void rayleigh_cubic(acb_t f, acb_t df, const acb_t p, const acb_t gamma2,
     acb_clear(c);
 }
 
-/* (c_R/c_s)^2 for every gamma^2 of the ball: Newton's method, and its interval form as proof; infinite if that does not prove it. */
+/* (c_R/c_s)^2 for every gamma^2 of the ball: Newton's method, and its interval form as proof; infinite if that does not
+ * prove it. */
 static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
 {
     acb_t mid, f, df, try, middle2;
@@ -245,8 +248,8 @@ static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
 
 /* ---- the same along a path ---- */
 
-/* x a/R from `from` to `to` along a straight line; a = i sqrt(gamma^2 - x^2) or sqrt(x^2 - gamma^2), b likewise: equal in between,
- * the first without a cut where x is small, the second where it is large */
+/* x a/R from `from` to `to` along a straight line; a = i sqrt(gamma^2 - x^2) or sqrt(x^2 - gamma^2), b likewise: equal
+ * in between, the first without a cut where x is small, the second where it is large */
 struct path_parameters {
     acb_t from, step, gamma2;
     int far;

@@ -81,7 +81,8 @@ void host_reach(const struct host_model *model, double *least, double *most);
 
 /* ---- published formulas ---- */
 
-/* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent), fitted to zero force */
+/* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent), fitted to zero
+ * force */
 double host_thornton_gamma(double e);
 /* The polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), as LAMMPS has it */
 double host_tsuji_alpha(double e);

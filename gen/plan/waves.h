@@ -5,12 +5,12 @@
 
 #include "embed/request.h"
 
-/* 1 - eps^2 to first order at a speed in m/s, as cor_contact_wave_loss, for a wall that is a half-space with the density of the sphere.
- * NaN for a scene without a wall or without materials. */
+/* 1 - eps^2 to first order at a speed in m/s, as cor_contact_wave_loss, for a wall that is a half-space with the
+ * density of the sphere. NaN for a scene without a wall or without materials. */
 double plan_wave_loss(const struct embed_request *scene, double speed);
 
-/* A sentence about it at the scene's largest speed, malloc'ed, where eps is what the scene's dissipation time leaves; NULL where the
- * loss is NaN. */
+/* A sentence about it at the scene's largest speed, malloc'ed, where eps is what the scene's dissipation time leaves;
+ * NULL where the loss is NaN. */
 char *plan_wave_remark(const struct embed_request *scene, double speed, double eps);
 
 #endif

@@ -85,13 +85,13 @@ COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, si
                                 struct cor_disk_modes *modes, size_t *line);
 
 /* Computes the `count` lowest modes of a disk in double arithmetic into mode[0..count-1], for any nu, and sets *modes,
- * whose mode is then that array. 13,000 modes take 0.1 s; the time grows like omega^3, the number like omega^2.
- * Allocates, and frees, as much memory again as the modes take.
+ * whose mode is then that array. 13,000 modes take 0.1 s; the time grows like omega^3, the number of modes like
+ * omega^2. The function allocates as much memory as the modes take, and frees it.
  * Domain: -1 < nu < 1 and 1 <= count <= COR_DISK_MODES_MAX_COUNT.
- * Accuracy, sampled against proved tables: omega to COR_DISK_MODES_OMEGA_MAX_ERROR, relative; c and s to
- * COR_DISK_MODES_AMPLITUDE_MAX_ERROR, relative to the length of (c, s). Nothing proves that no mode is missing; `corgen
- * tables --poisson NU --modes N` proves a table.
- * COR_OK, or without touching anything COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_MODES (count), or
+ * Accuracy, sampled against proved tables: the relative error of omega is at most COR_DISK_MODES_OMEGA_MAX_ERROR, the
+ * error of c and s at most COR_DISK_MODES_AMPLITUDE_MAX_ERROR times the length of (c, s). The function does not prove
+ * that no mode is missing; `corgen tables --poisson NU --modes N` proves a table.
+ * Returns COR_OK, or, with nothing changed, COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_MODES (count), or
  * COR_ERROR_MEMORY. */
 #define COR_DISK_MODES_MAX_COUNT 1000000
 #define COR_DISK_MODES_OMEGA_MAX_ERROR 2e-14
@@ -99,7 +99,8 @@ COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, si
 COR_API int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes);
 
 /* Number of modes below omega, about ((1 - nu^2) + 2 (1 + nu)) omega^2/8. Domain: -1 < nu < 1, 0 < omega <=
- * COR_DISK_MODES_MAX_OMEGA; 0 outside. May be off by one where omega is the frequency of a mode to rounding. */
+ * COR_DISK_MODES_MAX_OMEGA; 0 outside. The number may be wrong by one if omega equals the frequency of a mode up to
+ * rounding. */
 #define COR_DISK_MODES_MAX_OMEGA 2000.0
 COR_API size_t cor_disk_modes_below(double nu, double omega);
 
@@ -167,9 +168,9 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
  *     fraction of a mode = C^2 (2 I(omega))^2,     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,
  *     s(theta) = int_theta^(pi/2) sqrt(-w/2) dtheta',     w as in the contact time above
  *
- * First order leaves out that the vibrations push back on the contact. At nu = 0.33 the energy that all modes keep
- * (cor_disk_hard_wall) is 3.3 times this at v = 1e-2, 0.75 times at 1e-3, 0.59 times at 1e-4, and still differs by a
- * tenth at 1e-30: docs/rigid-wall.md. */
+ * First order neglects the force of the vibrations on the contact. At nu = 0.33 the energy that all modes keep
+ * (cor_disk_hard_wall) is 3.3 times this energy at v = 1e-2, 0.75 times at 1e-3, 0.59 times at 1e-4, and still differs
+ * by a tenth at 1e-30: docs/rigid-wall.md. */
 struct cor_disk_rayleigh {
     double fraction;       /* sum over the n_modes modes */
     double tail;           /* sum over all higher modes */
@@ -320,9 +321,9 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 /* A collision of the disk of all its modes with a rigid wall: the limit of cor_disk_collision for alpha -> infinity and
  * n_modes -> infinity, computed directly. docs/derivation.md, 17.
  *
- * Modes below a frequency Omega move, under a weight that fades smoothly to 0 at Omega; all that is left of the static
- * compliance, which is known for all modes, acts at once; the wall is rigid. L = 1 - eps^2 then tends to its limit like
- * Omega^-2, and a ladder of levels Omega, each sqrt(2) times the one before, is extrapolated. Below
+ * Modes below a frequency Omega move, under a weight that fades smoothly to 0 at Omega. The rest of the static
+ * compliance, which is known for all modes, acts at once. The wall is rigid. L = 1 - eps^2 then tends to its limit like
+ * Omega^-2. The function extrapolates a ladder of levels Omega, each sqrt(2) times the one before. Below
  * COR_DISK_HARD_WALL_POINT_SPEED the contact is a point with one equation for the load, which allows any speed. */
 #define COR_DISK_HARD_WALL_MAX_SPEED 0.5
 #define COR_DISK_HARD_WALL_POINT_SPEED 1e-7
@@ -332,7 +333,7 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 #define COR_DISK_HARD_WALL_MAX_LEVELS 13
 
 struct cor_disk_hard_wall_options {
-    double tolerance; /* absolute error allowed in 1 - eps^2, from COR_DISK_HARD_WALL_MIN_TOLERANCE to below 1 */
+    double tolerance; /* allowed absolute error of 1 - eps^2, from COR_DISK_HARD_WALL_MIN_TOLERANCE to below 1 */
 };
 
 struct cor_disk_hard_wall {
@@ -341,29 +342,30 @@ struct cor_disk_hard_wall {
     double contact_time;    /* from the first to the last touch, at the highest level */
     double max_compression; /* largest x_0 + 1 */
     double error_estimate;  /* of one_minus_eps2, absolute */
-    size_t omega_levels;    /* levels of Omega that were computed */
+    size_t omega_levels;    /* number of computed levels of Omega */
 };
 
-/* Takes levels until error_estimate is below the tolerance, as far as the lowest n_modes modes go: all modes below the
- * Omega of a level must be among them, and cor_disk_modes_below tells how many these are. Two levels are the least, and
- * 1800 modes suffice for five (Omega = 60), which is good to 1e-4 or so.
- * 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, however small. Allocates its workspace, once, and frees it. The same arguments
- * give the same bits, on every instruction set.
- * COR_OK, or with the best numbers given nevertheless
+/* Computes levels until error_estimate is below the tolerance or the lowest n_modes modes do not suffice. A level needs
+ * all modes below its Omega, whose number cor_disk_modes_below returns. Two levels are the minimum. 1800 modes suffice
+ * for five levels (Omega = 60), with an error of about 1e-4.
+ * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. The function allocates its workspace once and
+ * frees it. The same arguments give the same bits on every instruction set.
+ * Returns COR_OK, or, with the best numbers,
  *     COR_TOLERANCE_NOT_REACHED  the modes end before error_estimate is below the tolerance
- * or with NaN for what is not known
- *     COR_WALL_NOT_TOUCHED       v <= 0: the disk does not come
- *     COR_CONTACT_NOT_ENDED      a disk that leaves its vibrations nearly all its energy
+ * or, with NaN for unknown results,
+ *     COR_WALL_NOT_TOUCHED       v <= 0: the disk does not reach the wall
+ *     COR_CONTACT_NOT_ENDED      the vibrations of the disk keep nearly all its energy
  *     COR_ERROR_MODES            the modes leave a compliance that no disk has: numbers in the table are wrong
- * or without touching anything
- *     COR_ERROR_NULL, COR_ERROR_MODES (no such number of modes; omega does not grow; a number that is none; too few for
- *     two levels), COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED (too high or NaN), COR_ERROR_TOLERANCE,
- *     COR_ERROR_MEMORY. */
+ * or, with nothing changed,
+ *     COR_ERROR_MODES            the table lacks that number of modes or has too few for two levels, omega does not grow,
+ *                                or an entry is not a number
+ *     COR_ERROR_SPEED            the speed is too high or NaN
+ *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_TOLERANCE, COR_ERROR_MEMORY */
 COR_API int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,
                                const struct cor_disk_hard_wall_options *options, double speed,
                                struct cor_disk_hard_wall *out);
 
-/* The same for any nu, -1 < nu < 1, without a table: computes as many modes as the tolerance needs, by
+/* The same for any nu, -1 < nu < 1, without a table. The function computes the modes that the tolerance needs by
  * cor_disk_modes_compute, up to COR_DISK_HARD_WALL_MAX_LEVELS. For many speeds a table is faster. */
 COR_API int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
                                   struct cor_disk_hard_wall *out);
@@ -374,43 +376,50 @@ struct cor_disk_hard_wall_moment {
     double position;      /* x_0; the compression is x_0 + 1 */
     double velocity;      /* of the centre of mass, positive towards the wall */
     double load;          /* force of the wall */
-    double contact_angle; /* largest angle in contact; 0 in a point contact too */
+    double contact_angle; /* largest angle in contact; also 0 in a point contact */
 };
 
-/* What else a collision can tell, all of the highest level. Every pointer may be NULL; arrays have n_modes elements in
- * the order of the table, 0 for modes above Omega. */
+/* Optional results, all of the highest level. Every pointer may be NULL. Arrays have n_modes elements in the order of
+ * the table, 0 for modes above Omega. */
 struct cor_disk_hard_wall_detail {
     double *energy_after;   /* energy left in each mode, as a fraction of (pi/2) v^2 */
-    double *energy_average; /* its mean over the contact time, likewise */
-    /* Told of every step, from the first touch till after the last; q and q_dot then hold the amplitudes Q and dQ/dt.
+    double *energy_average; /* its mean over the contact time, in the same unit */
+    /* The function calls observe at every step, from the first touch until after the last. q and q_dot then hold the
+     * amplitudes Q and dQ/dt.
      * */
     void (*observe)(void *context, const struct cor_disk_hard_wall_moment *moment);
     void *context;
     double *q, *q_dot;
 };
 
-/* The same with a workspace of the caller's, and with detail, which may be NULL. Bytes needed at these arguments,
- * anywhere in memory; 0 if an argument is not allowed. */
+/* cor_disk_hard_wall_in computes the same with a workspace of the caller, and with detail, which may be NULL.
+ * cor_disk_hard_wall_workspace returns the number of bytes that it needs, at any address, or 0 if an argument is
+ * outside its domain. */
 COR_API size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                             const struct cor_disk_hard_wall_options *options, double speed);
-/* Statuses as above, COR_ERROR_WORKSPACE for one that is too small; allocates nothing. */
+/* Returns a status as above, or COR_ERROR_WORKSPACE if the workspace is too small. It allocates nothing. */
 COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
                                   const struct cor_disk_hard_wall_options *options, double speed,
                                   struct cor_disk_hard_wall *out, const struct cor_disk_hard_wall_detail *detail);
 
-/* ---- all modes and a hard wall ---- */
+/* ---- restitution at a rigid wall from a table ---- */
 
-/* Restitution of a disk of infinitely many modes at a hard wall: the limit of cor_disk_collision as alpha -> infinity
- * and the number of modes -> infinity. The functions interpolate a table of such limits by a polynomial in ln v and nu.
+/* Restitution of a disk of all its modes at a rigid wall, as cor_disk_hard_wall computes it. The functions interpolate
+ * a table of collisions, generated/disk_limits.h, by polynomials of degree 3 in v^(1/8) and nu. A call takes fractions
+ * of a microsecond.
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
- *     one_minus_eps2_uncertainty   spread of equally good fits at the surrounding nodes plus the largest interpolation
- *                                  error seen: an estimate, not a bound; at most COR_DISK_EPS_MAX_UNCERTAINTY
+ *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial seen between the points of its cell,
+ *                                  combined with the error estimates of the collisions: an estimate, not a bound. It
+ *                                  was
+ *                                  not exceeded at 1000 random points off the grid (tests/unit/test_disk_eps.c). It is
+ *                                  at
+ *                                  most COR_DISK_EPS_MAX_UNCERTAINTY for v <= COR_DISK_EPS_CALM_SPEED, and at most
+ *                                  COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
  *     eps, eps_uncertainty         the same for eps
- * Domain: the speeds and Poisson's ratios below, ends included, where both limits were observed to follow their laws.
- * Outside the domain, and for NaN, the result is NaN. For faster disks and softer walls call cor_disk_collision, for
- * slower disks cor_disk_rayleigh. At this table's lowest speed, cor_disk_rayleigh has the size of the loss and its
- * oscillation in ln v, but not yet its phase: for nu = 0.33 the loss has a maximum of 0.0415 near v = 0.0031 here, and
- * of 0.0385 near 0.0012 there. */
+ * Between cells of the table the functions jump by no more than the uncertainty.
+ * Domain: the speeds and Poisson's ratios below, ends included. Outside the domain, and for NaN, the result is NaN.
+ * Beyond nu = COR_DISK_EPS_MAX_NU, 1 - eps^2 has so many kinks that no table of this size is accurate. For other speeds
+ * and nu, and for smaller errors, call cor_disk_hard_wall_nu; for softer walls call cor_disk_collision. */
 #define COR_DISK_EPS_MIN_SPEED 1e-5
 #define COR_DISK_EPS_MAX_SPEED 0.3
 #define COR_DISK_EPS_CALM_SPEED 0.15

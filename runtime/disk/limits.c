@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution of a disk of all its modes at a rigid wall, from the table of generated/disk_limits.h. */
+/* The restitution of a disk of infinitely many modes at a rigid wall, from the table of generated/disk_limits.h. */
 #include <math.h>
 
 #include "cor/disk.h"

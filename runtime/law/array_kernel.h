@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Whole arrays of the functions that COR_LAW_LOOPS lists: compiled once for every instruction set, in array_<set>.c, and chosen
- * in array.c. No set may fuse a multiplication with an addition, so all of them and the scalar functions give the same
- * bits. Blocks of numbers go through a loop that a compiler vectorises; numbers outside the kernel's interval are put right
- * one by one. */
+/* Whole arrays of the functions that COR_LAW_LOOPS lists: compiled once for every instruction set, in array_<set>.c,
+ * and chosen in array.c. No set may fuse a multiplication with an addition, so all of them and the scalar functions
+ * give the same bits. Blocks of numbers go through a loop that a compiler vectorises; numbers outside the kernel's
+ * interval are put right one by one. */
 #ifndef COR_RUNTIME_LAW_ARRAY_KERNEL_H
 #define COR_RUNTIME_LAW_ARRAY_KERNEL_H
 
@@ -13,8 +13,8 @@ enum { BLOCK = 128, LANES = 8 };
 
 typedef double law_function(double x);
 
-/* The next m numbers of `in`, which may be `out` too, filled up to whole vectors, with numbers outside the interval replaced
- * by its end; whether there were such numbers. */
+/* The next m numbers of `in`, which may be `out` too, filled up to whole vectors, with numbers outside the interval
+ * replaced by its end; whether there were such numbers. */
 static inline int next_block(double *from, double *inside, const double *in, size_t m, size_t count, double least,
                              double largest)
 {
@@ -52,8 +52,8 @@ static inline void put_block(double *out, const double *to, const double *from, 
         }                                                                                                              \
     }
 
-/* The places of a block's numbers, those of the first kernel from the front, those of the second after them, both filled up to whole
- * vectors with the last number of their kind */
+/* The places of a block's numbers, those of the first kernel from the front, those of the second after them, both
+ * filled up to whole vectors with the last number of their kind */
 struct parted {
     double x[BLOCK + 2 * LANES], y[BLOCK + 2 * LANES];
     size_t place[BLOCK + 2 * LANES], first, second; /* whole vectors */

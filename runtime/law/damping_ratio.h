@@ -3,7 +3,8 @@
  * every law (a, b) with b = (a-1)/2 (docs/laws.md). L is -ln(eps) at an end of contact; everything below is made of
  *
  *     A(zeta) = acos(zeta)/sqrt(1 - zeta^2), acosh(zeta)/sqrt(zeta^2 - 1) beyond 1, analytic in between, A(1) = 1
- *     L = 2 zeta A(zeta) at zero force, zeta A(zeta) with damping while approaching only, pi zeta/sqrt(1 - zeta^2) at zero
+ *     L = 2 zeta A(zeta) at zero force, zeta A(zeta) with damping while approaching only, pi zeta/sqrt(1 - zeta^2) at
+ *     zero
  *     overlap; L of the limited damper is below
  *
  * Kernels, cor_ratio_..._near, hold on an interval and have neither jumps nor calls: the array loops are made of them.
@@ -36,8 +37,8 @@
 
 /* ---- polynomials: see runtime/core/elementary.h ---- */
 
-/* (atan(sqrt(x))/sqrt(x) - 1)/x, atanh(sqrt(-x))/sqrt(-x) where x is negative, |x| <= 0.1717: the error times x is below
- * 2^-57. */
+/* (atan(sqrt(x))/sqrt(x) - 1)/x, atanh(sqrt(-x))/sqrt(-x) where x is negative, |x| <= 0.1717: the error times x is
+ * below 2^-57. */
 static const double cor_ratio_phase_polynomial[15] = {
     -0x1.5555555555555p-2, 0x1.99999999999afp-3,  -0x1.24924924924a7p-3, 0x1.c71c71c70f323p-4,  -0x1.745d1745c4f4ap-4,
     0x1.3b13b14dfe309p-4,  -0x1.11111122e99c3p-4, 0x1.e1e1ca19159f1p-5,  -0x1.af285559e06b4p-5, 0x1.86200a4ff267fp-5,
@@ -74,8 +75,8 @@ static const double cor_ratio_limited_polynomial[3][11] = {
 /* numerator h(u)/(c (1 + c)), which is A(zeta) where numerator = 2, for zeta <= COR_RATIO_FORCE_NEAR: relative error
  * 2^-55.
  *
- * c = sqrt((1 + zeta)/2) is the cosine of half the phase at the turning point, u = (1 - c)/(1 + c) = (c - c^2)/(c + c^2) is
- * between -0.172 and 0.172, and h(u) = atan(sqrt(u))/sqrt(u) is analytic at zeta = 1, where u = 0. */
+ * c = sqrt((1 + zeta)/2) is the cosine of half the phase at the turning point, u = (1 - c)/(1 + c) = (c - c^2)/(c +
+ * c^2) is between -0.172 and 0.172, and h(u) = atan(sqrt(u))/sqrt(u) is analytic at zeta = 1, where u = 0. */
 COR_KERNEL struct cor_inline_pair cor_ratio_phase_near(struct cor_inline_pair zeta, struct cor_inline_pair numerator)
 {
     const double *p = cor_ratio_phase_polynomial;
@@ -108,8 +109,8 @@ COR_KERNEL struct cor_inline_pair cor_ratio_approach_near(double zeta)
 
 /* ---- A(zeta) beyond 3 ---- */
 
-/* exp(-theta) = zeta - sqrt(zeta^2 - 1), zeta = cosh(theta), as a pair; theta itself; and theta (coth(theta) - 1), small
- * and rounded: L at zero force is 2 (theta + excess). */
+/* exp(-theta) = zeta - sqrt(zeta^2 - 1), zeta = cosh(theta), as a pair; theta itself; and theta (coth(theta) - 1),
+ * small and rounded: L at zero force is 2 (theta + excess). */
 struct cor_ratio_far {
     struct cor_inline_pair decay, theta, root; /* root: sqrt(zeta^2 - 1) */
     double excess;
@@ -245,7 +246,8 @@ COR_KERNEL struct cor_inline_pair cor_ratio_over_omega(double zeta, struct cor_i
     return cor_ratio_over_root(numerator, cor_ratio_omega_square(zeta));
 }
 
-/* L, cut off past 1400, where eps has long been 0. Up to there 1 - zeta^2 is above 2^-18, and its error of 2^-104 is nothing. */
+/* L, cut off past 1400, where eps has long been 0. Up to there 1 - zeta^2 is above 2^-18, and its error of 2^-104 is
+ * nothing. */
 COR_KERNEL struct cor_inline_pair cor_ratio_overlap_near(double zeta)
 {
     const struct cor_inline_pair square = cor_inline_product(zeta, zeta);
@@ -287,9 +289,9 @@ COR_INLINE double cor_ratio_loss_zero_overlap(double zeta)
 
 /* ---- the limited damper: the damping force is at most the elastic one ----
  *
- * Until beta v = u, u = x^((a+1)/2), the force is twice the elastic one; then the law holds as it is, and its force vanishes
- * at the phase psi later, cos(psi) = (4 zeta^2 - 1)/R, R = sqrt(1 + 8 zeta^2). L = zeta psi/sqrt(1 - zeta^2), and half the
- * angle makes of it
+ * Until beta v = u, u = x^((a+1)/2), the force is twice the elastic one; then the law holds as it is, and its force
+ * vanishes at the phase psi later, cos(psi) = (4 zeta^2 - 1)/R, R = sqrt(1 + 8 zeta^2). L = zeta psi/sqrt(1 - zeta^2),
+ * and half the angle makes of it
  *
  *     L = (R + 1)/(R + 3) 2 C A(C),     C = cos(psi/2) = zeta sqrt(2 (R + 3)/(R (R + 1)))
  */
@@ -376,8 +378,8 @@ COR_INLINE double cor_ratio_loss_limited(double zeta)
 
 /* ---- inverses ----
  *
- * Each solves for zeta where L, a pair, is given: a polynomial's start, then Newton's step (the limited damper: Halley's) with
- * the residual as a pair. */
+ * Each solves for zeta where L, a pair, is given: a polynomial's start, then Newton's step (the limited damper:
+ * Halley's) with the residual as a pair. */
 
 /* zeta with zeta A(zeta) = x, 0 <= x.hi <= 1.8697 */
 COR_KERNEL double cor_ratio_of_phase_near(struct cor_inline_pair x)
@@ -390,8 +392,8 @@ COR_KERNEL double cor_ratio_of_phase_near(struct cor_inline_pair x)
     return start + slope * ((x.hi - at_start.hi) + (x.lo - at_start.lo));
 }
 
-/* The same beyond, from exp(-x) as a pair besides: zeta = cosh(theta), theta = x - delta, where
- * delta = 2 x E/(1 + E), E = exp(-2 theta) = exp(-2 x) exp(2 delta), by Newton's method from delta = 2 x exp(-2 x) < 0.1. */
+/* The same beyond, from exp(-x) as a pair besides: zeta = cosh(theta), theta = x - delta, where delta = 2 x E/(1 + E),
+ * E = exp(-2 theta) = exp(-2 x) exp(2 delta), by Newton's method from delta = 2 x exp(-2 x) < 0.1. */
 COR_INLINE double cor_ratio_of_phase_far(double x, struct cor_inline_pair decay)
 {
     const double least = decay.hi * decay.hi;

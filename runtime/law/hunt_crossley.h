@@ -4,8 +4,8 @@
  *     f(beta) = f(-h),  f(z) = z - ln(1 + z),  h = beta eps
  *     beta = y + c, h = y - c, c = y coth(y) - 1;   eps = h/beta, 1 - eps = 2 c/beta
  *
- * As runtime/law/damping_ratio.h: kernels, cor_hc_..._near, or two of them, _first and _second, on an interval, and functions of
- * every double. */
+ * As runtime/law/damping_ratio.h: kernels, cor_hc_..._near, or two of them, _first and _second, on an interval, and
+ * functions of every double. */
 #ifndef COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 #define COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 
@@ -194,7 +194,8 @@ COR_INLINE double cor_hc_loss_tiny(double beta)
     return (p.hi + (p.lo + more)) * COR_INLINE_2_M200;
 }
 
-/* The pumped collision, beta = -b: y - c = b, and b eps is y + c. Up to b = 0.7, y = 1.1; Newton's method from y = b. */
+/* The pumped collision, beta = -b: y - c = b, and b eps is y + c. Up to b = 0.7, y = 1.1; Newton's method from y =
+ * b. */
 COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped_near(double b)
 {
     double y = b, step = 0;
@@ -357,7 +358,8 @@ COR_INLINE double cor_hc_beta_of_loss(double loss)
 
 /* ---- damping while approaching only ----
  *
- * eps = sqrt(2 f(beta))/beta. With s = beta/(2 + beta), 1 - eps^2 = s (1 + (1 - s)^2 K(s^2)), K(s^2) = (atanh(s)/s - 1)/s^2. */
+ * eps = sqrt(2 f(beta))/beta. With s = beta/(2 + beta), 1 - eps^2 = s (1 + (1 - s)^2 K(s^2)), K(s^2) = (atanh(s)/s -
+ * 1)/s^2. */
 
 /* s (1 + (1 - s)^2 K(s^2)), |s.hi| <= 1/2: relative error 2^-54 */
 COR_KERNEL struct cor_inline_pair cor_hc_square_loss(struct cor_inline_pair s)
@@ -438,7 +440,8 @@ COR_INLINE double cor_hc_loss_approach_only(double beta)
     return less.hi + (less.lo - eps.lo);
 }
 
-/* beta from x = 1 - eps^2 as a pair, 0 < x.hi <= 0.5494: Newton's step for s, dx/ds = 2 (2 s/(1 + s) - x)/(s (1 - s)) */
+/* beta from x = 1 - eps^2 as a pair, 0 < x.hi <= 0.5494: Newton's step for s, dx/ds = 2 (2 s/(1 + s) - x)/(s (1 -
+ * s)) */
 COR_INLINE double cor_hc_of_approach_near(struct cor_inline_pair x)
 {
     const double *p = cor_hc_approach_polynomial;
@@ -451,8 +454,8 @@ COR_INLINE double cor_hc_of_approach_near(struct cor_inline_pair x)
     return cor_pair_over(cor_pair(2 * s, 2 * step), cor_pair(below.hi, below.lo - step)).hi;
 }
 
-/* beta from eps < COR_HC_EPS_APPROACH_NEAR: Newton's method for eps^2 beta^2/2 = beta - ln(1 + beta), from 2/eps^2, which
- * is above the root of a convex function. */
+/* beta from eps < COR_HC_EPS_APPROACH_NEAR: Newton's method for eps^2 beta^2/2 = beta - ln(1 + beta), from 2/eps^2,
+ * which is above the root of a convex function. */
 COR_INLINE double cor_hc_of_approach_far(struct cor_inline_pair eps)
 {
     if (eps.hi < 1.05476866148630004e-154) /* 2^-511.5 */

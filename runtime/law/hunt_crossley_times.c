@@ -56,8 +56,8 @@ static struct cor_inline_pair crossley_row(struct cor_inline_grid grid, const do
     return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, t)));
 }
 
-/* beta^(2k - 1) ((1 - k)/(1 + beta))^k, given s = ln(1 + beta) and beta past 2^53: (1 + beta)^k is beta^k (1 + k/beta). With
- * both powers as one, beta^(k - 1) (1 - k)^k. */
+/* beta^(2k - 1) ((1 - k)/(1 + beta))^k, given s = ln(1 + beta) and beta past 2^53: (1 + beta)^k is beta^k (1 + k/beta).
+ * With both powers as one, beta^(k - 1) (1 - k)^k. */
 static struct cor_inline_pair crossley_far_unit(struct cor_inline_pair log_beta, struct cor_inline_pair k)
 {
     const struct cor_inline_pair rest = cor_pair_plus(cor_pair(1, 0), cor_pair(-k.hi, -k.lo));
@@ -161,7 +161,8 @@ static double crossley_b(const struct crossley_side *side, double w, double belo
     return (tau - near + side->rest) / (tau * side->speed);
 }
 
-/* The integral by w = 1/(1 + exp(-pi sinh(t))): the step's error is far below 1e-14, and the cut-off leaves out 2^-58. */
+/* The integral by w = 1/(1 + exp(-pi sinh(t))): the step's error is far below 1e-14, and the cut-off leaves out
+ * 2^-58. */
 static double crossley_quadrature(const struct crossley_side *side, double k)
 {
     const int steps = side->end > 40 ? 256 : 96;

@@ -46,8 +46,8 @@ COR_INLINE double cor_linear_inline_duration_zero_overlap(double zeta)
     return zeta < 1 ? cor_linear_inline_duration_zero_overlap_near(zeta) : (double)INFINITY;
 }
 
-/* The force is twice the elastic one for atan(2 sqrt(2) zeta)/sqrt(2) = (2 zeta/R) A(1/R), R = sqrt(1 + 8 zeta^2); then the
- * law holds for L/zeta. From 2^64 on, pi/(2 sqrt(2)) is all that is left. */
+/* The force is twice the elastic one for atan(2 sqrt(2) zeta)/sqrt(2) = (2 zeta/R) A(1/R), R = sqrt(1 + 8 zeta^2); then
+ * the law holds for L/zeta. From 2^64 on, pi/(2 sqrt(2)) is all that is left. */
 COR_INLINE double cor_linear_inline_duration_limited(double zeta)
 {
     if (!(zeta >= 0))
