@@ -4,15 +4,19 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Norms and remainders are wanted to a few digits. */
-#define NORM_BITS 40
-/* A step is about the radius of convergence times 2^-STEP_BITS: every term is worth that many bits. Cost goes
- * like 2^q/q^2, least near q = 3. */
-#define STEP_BITS 3
+enum {
+    /* Norms and remainders are needed to a few digits only. */
+    NORM_BITS = 40,
+    /* A step is about 2^-STEP_BITS of the radius of convergence, so every term gains STEP_BITS bits. N = prec/STEP_BITS
+     * terms cost about N^2 products, and there are about 2^STEP_BITS steps to a radius: 2^q/q^2 is least near q = 3. */
+    STEP_BITS = 3,
+    /* The Lipschitz constant holds in a tube of this relative width around the polynomials. */
+    TUBE_BITS = 10
+};
 
 struct taylor_power {
     slong exponent;
-    int left, right; /* nodes multiplied; -1: w itself */
+    int left, right; /* nodes of the two factors */
     arb_ptr c;       /* jets x (degree + 1) */
 };
 
@@ -26,11 +30,11 @@ static arb_ptr block_new(const struct taylor *y)
     return _arb_vec_init(y->jets * stride(y));
 }
 
-/* Node of w^exponent, made with its factors where it is not there yet: -1 for w. */
+/* Node of w^exponent, exponent > 0, made with its factors where it is not there yet. */
 static int power_node(struct taylor *y, slong exponent)
 {
     if (exponent == 1)
-        return -1;
+        return TAYLOR_NODE_W;
     for (int i = 0; i < y->powers; i++)
         if (y->power[i].exponent == exponent)
             return i;
@@ -40,17 +44,15 @@ static int power_node(struct taylor *y, slong exponent)
     return y->powers++;
 }
 
-/* Nodes are numbered from 0, w is -1 and the number 1 is ONE. */
-enum { NODE_ONE = -2 };
-
 static int node_of(struct taylor *y, slong exponent)
 {
-    return exponent == 0 ? NODE_ONE : power_node(y, exponent);
+    return exponent == 0 ? TAYLOR_NODE_ONE : power_node(y, exponent);
 }
 
+/* Of any node but TAYLOR_NODE_ONE. */
 static arb_ptr node_block(const struct taylor *y, int node)
 {
-    return node == -1 ? y->w : y->power[node].c;
+    return node == TAYLOR_NODE_W ? y->w : y->power[node].c;
 }
 
 void taylor_init(struct taylor *y, const struct law *law, slong jets, slong degree, slong prec)
@@ -143,18 +145,18 @@ static void add_scaled(arb_ptr out, arb_srcptr c, arb_srcptr f, slong n, const s
                 arb_addmul(out + l * size + n, c + p, f + (l - p) * size + n, y->prec);
 }
 
-static void make_force(struct taylor *y, slong n)
+static void force_coefficient(struct taylor *y, slong n)
 {
     const slong size = stride(y);
     for (slong l = 0; l < y->jets; l++)
         arb_zero(y->force + l * size + n);
-    if (y->node_damping == NODE_ONE) {
+    if (y->node_damping == TAYLOR_NODE_ONE) {
         add_scaled(y->force, y->c1, y->v, n, y);
     } else {
         convolve(y->damped, node_block(y, y->node_damping), y->v, n, y);
         add_scaled(y->force, y->c1, y->damped, n, y);
     }
-    if (y->node_elastic != NODE_ONE)
+    if (y->node_elastic != TAYLOR_NODE_ONE)
         add_scaled(y->force, y->c2, node_block(y, y->node_elastic), n, y);
     else if (n == 0)
         for (slong l = 0; l < y->jets; l++)
@@ -167,15 +169,15 @@ void taylor_expand(struct taylor *y)
     for (slong n = 0; n < y->degree; n++) {
         for (int i = 0; i < y->powers; i++)
             convolve(y->power[i].c, node_block(y, y->power[i].left), node_block(y, y->power[i].right), n, y);
-        make_force(y, n);
-        if (y->node_outer != NODE_ONE)
+        force_coefficient(y, n);
+        if (y->node_outer != TAYLOR_NODE_ONE)
             convolve(y->product, node_block(y, y->node_outer), y->force, n, y);
         for (slong l = 0; l < y->jets; l++) {
             const slong at = l * size + n;
-            arb_srcptr g = y->node_outer == NODE_ONE ? y->force : y->product;
+            arb_srcptr g = y->node_outer == TAYLOR_NODE_ONE ? y->force : y->product;
             arb_div_si(y->w + at + 1, y->v + at, y->law.d * (n + 1), y->prec);
             arb_div_si(y->v + at + 1, g + at, -(n + 1), y->prec);
-            if (y->node_t == NODE_ONE)
+            if (y->node_t == TAYLOR_NODE_ONE)
                 arb_set_si(y->t + at + 1, n == 0 && l == 0 ? 1 : 0);
             else
                 arb_div_si(y->t + at + 1, node_block(y, y->node_t) + at, n + 1, y->prec);
@@ -259,109 +261,202 @@ static void monomial(arb_t y, slong k, const arb_t c, const arb_t M, slong e)
     arb_mul_si(y, y, k, NORM_BITS);
 }
 
-/* The polynomials p of degree N solve the equations up to residuals whose norms on [0, h] are the tails of the
- * products from sigma^N on. By Gronwall's inequality the exact solution is within
- * max(kappa r_w, r_v) h exp(L h) of them, in the norm max(kappa |e_w|, |e_v|), as long as that stays inside the
- * tube on which L bounds the derivatives. */
+/* The proof of one step on [0, h] in the norm max(kappa |e_w|, |e_v|), e the distance of the exact solution from the
+ * polynomials: docs/derivation.md, 6, equations (6.2) to (6.5). */
+struct step_proof {
+    const struct taylor *y;
+    arb_srcptr h;
+    arb_poly_t w, v;                          /* |w_n| h^n and |v_n| h^n, in the norm over the jets */
+    arb_t c1, c2;                             /* |c1|, |c2| */
+    arb_t w_max, v_max;                       /* of |w| and |v| in the tube */
+    arb_t residual_w, residual_v, residual_t; /* of the three equations of motion */
+    arb_t kappa, lipschitz;                   /* weight of e_w; L */
+    arb_t error_w, error_v, error_t;          /* what is proved */
+};
+
+static void step_proof_init(struct step_proof *p, const struct taylor *y, const arb_t h)
+{
+    p->y = y;
+    p->h = h;
+    arb_poly_init(p->w);
+    arb_poly_init(p->v);
+    arb_init(p->c1);
+    arb_init(p->c2);
+    arb_init(p->w_max);
+    arb_init(p->v_max);
+    arb_init(p->residual_w);
+    arb_init(p->residual_v);
+    arb_init(p->residual_t);
+    arb_init(p->kappa);
+    arb_init(p->lipschitz);
+    arb_init(p->error_w);
+    arb_init(p->error_v);
+    arb_init(p->error_t);
+    parameter_norm(p->c1, y->c1, y);
+    parameter_norm(p->c2, y->c2, y);
+    norm_poly(p->w, y->w, y, h);
+    norm_poly(p->v, y->v, y, h);
+}
+
+static void step_proof_clear(struct step_proof *p)
+{
+    arb_poly_clear(p->w);
+    arb_poly_clear(p->v);
+    arb_clear(p->c1);
+    arb_clear(p->c2);
+    arb_clear(p->w_max);
+    arb_clear(p->v_max);
+    arb_clear(p->residual_w);
+    arb_clear(p->residual_v);
+    arb_clear(p->residual_t);
+    arb_clear(p->kappa);
+    arb_clear(p->lipschitz);
+    arb_clear(p->error_w);
+    arb_clear(p->error_v);
+    arb_clear(p->error_t);
+}
+
+/* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. */
+static void residuals(struct step_proof *p)
+{
+    const struct law *law = &p->y->law;
+    const slong N = p->y->degree;
+    arb_poly_t outer, damping, elastic;
+    arb_poly_init(outer);
+    arb_poly_init(damping);
+    arb_poly_init(elastic);
+
+    tail_sum(p->residual_w, p->v, N);
+    arb_div_si(p->residual_w, p->residual_w, law->d, NORM_BITS);
+
+    arb_poly_pow_ui(outer, p->w, (ulong)(law->d - 1), NORM_BITS);
+    tail_sum(p->residual_t, outer, N);
+
+    arb_poly_pow_ui(damping, p->w, (ulong)law->bd, NORM_BITS);
+    arb_poly_mul(damping, damping, p->v, NORM_BITS);
+    arb_poly_scalar_mul(damping, damping, p->c1, NORM_BITS);
+    arb_poly_pow_ui(elastic, p->w, (ulong)law->ad, NORM_BITS);
+    arb_poly_scalar_mul(elastic, elastic, p->c2, NORM_BITS);
+    arb_poly_add(damping, damping, elastic, NORM_BITS);
+    arb_poly_mul(damping, damping, outer, NORM_BITS);
+    tail_sum(p->residual_v, damping, N);
+
+    arb_poly_clear(outer);
+    arb_poly_clear(damping);
+    arb_poly_clear(elastic);
+}
+
+/* The tube around the polynomials: their norms times 1 + 2^-TUBE_BITS. */
+static void tube(struct step_proof *p)
+{
+    arb_t wider;
+    arb_init(wider);
+    arb_one(wider);
+    arb_mul_2exp_si(wider, wider, -TUBE_BITS);
+    arb_add_ui(wider, wider, 1, NORM_BITS);
+    tail_sum(p->w_max, p->w, 0);
+    tail_sum(p->v_max, p->v, 0);
+    arb_mul(p->w_max, p->w_max, wider, NORM_BITS);
+    arb_mul(p->v_max, p->v_max, wider, NORM_BITS);
+    arb_clear(wider);
+}
+
+/* (6.3): L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 is right;
+ * sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
+static void lipschitz(struct step_proof *p)
+{
+    const struct law *law = &p->y->law;
+    const slong d = law->d, ad = law->ad, bd = law->bd;
+    arb_t by_w, by_v, term;
+    arb_init(by_w);
+    arb_init(by_v);
+    arb_init(term);
+
+    monomial(by_w, d - 1 + bd, p->c1, p->w_max, d - 2 + bd);
+    arb_mul(by_w, by_w, p->v_max, NORM_BITS);
+    monomial(term, d - 1 + ad, p->c2, p->w_max, d - 2 + ad);
+    arb_add(by_w, by_w, term, NORM_BITS);
+    monomial(by_v, 1, p->c1, p->w_max, d - 1 + bd);
+
+    arb_mul_si(p->kappa, by_w, d, NORM_BITS);
+    arb_sqrt(p->kappa, p->kappa, NORM_BITS);
+    arb_get_mid_arb(p->kappa, p->kappa);
+    if (!arb_is_positive(p->kappa))
+        arb_one(p->kappa);
+    arb_div(p->lipschitz, by_w, p->kappa, NORM_BITS);
+    arb_add(p->lipschitz, p->lipschitz, by_v, NORM_BITS);
+    arb_div_si(term, p->kappa, d, NORM_BITS);
+    arb_max(p->lipschitz, p->lipschitz, term, NORM_BITS);
+
+    arb_clear(by_w);
+    arb_clear(by_v);
+    arb_clear(term);
+}
+
+/* (6.4): |e| <= h max(kappa r_w, r_v) exp(L h), true as long as that stays inside the tube, which is the result. */
+static bool gronwall(struct step_proof *p)
+{
+    const slong d = p->y->law.d;
+    arb_t term, room;
+    arb_init(term);
+    arb_init(room);
+
+    arb_mul(p->error_v, p->residual_w, p->kappa, NORM_BITS);
+    arb_max(p->error_v, p->error_v, p->residual_v, NORM_BITS);
+    arb_mul(p->error_v, p->error_v, p->h, NORM_BITS);
+    arb_mul(term, p->lipschitz, p->h, NORM_BITS);
+    arb_exp(term, term, NORM_BITS);
+    arb_mul(p->error_v, p->error_v, term, NORM_BITS);
+    arb_div(p->error_w, p->error_v, p->kappa, NORM_BITS);
+
+    /* t' = w^(d-1), which involves no t */
+    monomial(term, d - 1, p->error_w, p->w_max, d - 2);
+    arb_add(p->error_t, p->residual_t, term, NORM_BITS);
+    arb_mul(p->error_t, p->error_t, p->h, NORM_BITS);
+
+    /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w_max on each side, which is more than half of 2^-TUBE_BITS. */
+    arb_mul_2exp_si(room, p->w_max, -TUBE_BITS - 1);
+    bool inside = arb_lt(p->error_w, room);
+    arb_mul_2exp_si(room, p->v_max, -TUBE_BITS - 1);
+    inside = inside && arb_lt(p->error_v, room);
+    arb_clear(term);
+    arb_clear(room);
+    return inside;
+}
+
+/* (6.5): w has no two zeros inside the step that a look at its two ends would miss. Either (kappa w, v), which turns
+ * by an angle of 2 L h at most, turns by less than 3 < pi; or w cannot fall to 0 at the speed v_max/d. */
+static bool no_hidden_zero(const struct step_proof *p)
+{
+    arb_t x;
+    arb_init(x);
+    arb_mul(x, p->lipschitz, p->h, NORM_BITS);
+    arb_mul_2exp_si(x, x, 1);
+    arb_sub_si(x, x, 3, NORM_BITS);
+    bool none = arb_is_negative(x);
+    if (!none) {
+        arb_mul(x, p->v_max, p->h, NORM_BITS);
+        arb_div_si(x, x, p->y->law.d, NORM_BITS);
+        none = arb_gt(p->y->w, x);
+    }
+    arb_clear(x);
+    return none;
+}
+
+/* Sets the remainders on [0, h]; false where the proof does not close. */
 static bool prove_step(struct taylor *y, const arb_t h)
 {
-    enum { C1, C2, MW, MV, RW, RV, RT, LW, LV, KAPPA, L, E, X, COUNT };
-    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, N = y->degree;
-    arb_ptr a = _arb_vec_init(COUNT);
-    arb_poly_t W, V, P, Q;
-    bool inside = false;
-    arb_poly_init(W);
-    arb_poly_init(V);
-    arb_poly_init(P);
-    arb_poly_init(Q);
-
-    parameter_norm(a + C1, y->c1, y);
-    parameter_norm(a + C2, y->c2, y);
-    norm_poly(W, y->w, y, h);
-    norm_poly(V, y->v, y, h);
-
-    arb_poly_pow_ui(P, W, (ulong)(d - 1), NORM_BITS);
-    tail_sum(a + RT, P, N);
-    arb_poly_pow_ui(Q, W, (ulong)bd, NORM_BITS);
-    arb_poly_mul(Q, Q, V, NORM_BITS);
-    arb_poly_scalar_mul(Q, Q, a + C1, NORM_BITS);
-    {
-        arb_poly_t R;
-        arb_poly_init(R);
-        arb_poly_pow_ui(R, W, (ulong)ad, NORM_BITS);
-        arb_poly_scalar_mul(R, R, a + C2, NORM_BITS);
-        arb_poly_add(Q, Q, R, NORM_BITS);
-        arb_poly_clear(R);
-    }
-    arb_poly_mul(Q, Q, P, NORM_BITS);
-    tail_sum(a + RV, Q, N);
-    tail_sum(a + RW, V, N);
-    arb_div_si(a + RW, a + RW, d, NORM_BITS);
-
-    tail_sum(a + MW, W, 0);
-    tail_sum(a + MV, V, 0);
-    arb_set_d(a + X, 1.0 + 0x1p-10);
-    arb_mul(a + MW, a + MW, a + X, NORM_BITS);
-    arb_mul(a + MV, a + MV, a + X, NORM_BITS);
-
-    monomial(a + LW, d - 1 + bd, a + C1, a + MW, d - 2 + bd);
-    arb_mul(a + LW, a + LW, a + MV, NORM_BITS);
-    monomial(a + X, d - 1 + ad, a + C2, a + MW, d - 2 + ad);
-    arb_add(a + LW, a + LW, a + X, NORM_BITS);
-    monomial(a + LV, 1, a + C1, a + MW, d - 1 + bd);
-
-    /* kappa > 0 is free; this one balances the two rows. */
-    arb_mul_si(a + KAPPA, a + LW, d, NORM_BITS);
-    arb_sqrt(a + KAPPA, a + KAPPA, NORM_BITS);
-    arb_get_mid_arb(a + KAPPA, a + KAPPA);
-    if (!arb_is_positive(a + KAPPA))
-        arb_one(a + KAPPA);
-    arb_div(a + L, a + LW, a + KAPPA, NORM_BITS);
-    arb_add(a + L, a + L, a + LV, NORM_BITS);
-    arb_div_si(a + X, a + KAPPA, d, NORM_BITS);
-    arb_max(a + L, a + L, a + X, NORM_BITS);
-
-    arb_mul(a + E, a + RW, a + KAPPA, NORM_BITS);
-    arb_max(a + E, a + E, a + RV, NORM_BITS);
-    arb_mul(a + E, a + E, h, NORM_BITS);
-    arb_mul(a + X, a + L, h, NORM_BITS);
-    arb_exp(a + X, a + X, NORM_BITS);
-    arb_mul(a + E, a + E, a + X, NORM_BITS);
-    arb_get_mag(y->error_v, a + E);
-    arb_div(a + X, a + E, a + KAPPA, NORM_BITS);
-    arb_get_mag(y->error_w, a + X);
-
-    arb_mul_2exp_si(a + MW, a + MW, -11);
-    arb_mul_2exp_si(a + MV, a + MV, -11);
-    inside = arb_lt(a + X, a + MW) && arb_lt(a + E, a + MV);
-    arb_mul_2exp_si(a + MW, a + MW, 11);
-
-    /* A zero of w must not hide inside the step: either w cannot fall that far, or (kappa w, v), which turns
-     * at 2 L at most, turns by less than pi and cannot come back from w = 0. */
-    arb_mul(a + X, a + L, h, NORM_BITS);
-    arb_mul_2exp_si(a + X, a + X, 1);
-    arb_sub_si(a + X, a + X, 3, NORM_BITS);
-    if (!arb_is_negative(a + X)) {
-        arb_mul(a + X, a + MV, h, NORM_BITS);
-        arb_mul_2exp_si(a + X, a + X, 11);
-        arb_div_si(a + X, a + X, d, NORM_BITS);
-        inside = inside && arb_gt(y->w, a + X);
-    }
-    arf_set_mag(arb_midref(a + X), y->error_w);
-    mag_zero(arb_radref(a + X));
-
-    /* t' = w^(d-1) */
-    monomial(a + LW, d - 1, a + X, a + MW, d - 2);
-    arb_add(a + RT, a + RT, a + LW, NORM_BITS);
-    arb_mul(a + RT, a + RT, h, NORM_BITS);
-    arb_get_mag(y->error_t, a + RT);
-
-    _arb_vec_clear(a, COUNT);
-    arb_poly_clear(W);
-    arb_poly_clear(V);
-    arb_poly_clear(P);
-    arb_poly_clear(Q);
-    return inside;
+    struct step_proof p;
+    step_proof_init(&p, y, h);
+    residuals(&p);
+    tube(&p);
+    lipschitz(&p);
+    const bool proved = gronwall(&p) && no_hidden_zero(&p);
+    arb_get_mag(y->error_w, p.error_w);
+    arb_get_mag(y->error_v, p.error_v);
+    arb_get_mag(y->error_t, p.error_t);
+    step_proof_clear(&p);
+    return proved;
 }
 
 /* log2 of the radius of convergence, guessed from the last coefficients. */

@@ -13,6 +13,9 @@
 
 struct taylor_power; /* one product of the chain that makes the powers of w */
 
+/* The factors of the equations are nodes: index of a power, w itself, or the number 1. */
+enum { TAYLOR_NODE_W = -1, TAYLOR_NODE_ONE = -2 };
+
 struct taylor {
     struct law law;
     slong jets, degree, prec;
@@ -22,10 +25,10 @@ struct taylor {
     arb_ptr force, product; /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); and times w^(d-1+m) */
     struct taylor_power *power;
     int powers;
-    int node_t, node_outer, node_damping, node_elastic; /* which power each factor is; -1: the number 1 */
-    arb_ptr damped;                                     /* w^(bd-m) v where bd > m */
-    mag_t error_w, error_v, error_t;                    /* remainders on [0, step], in the norm */
-    arb_t step;                                         /* longest step that they are proved for */
+    int node_t, node_outer, node_damping, node_elastic;
+    arb_ptr damped;                  /* w^(bd-m) v where bd > m */
+    mag_t error_w, error_v, error_t; /* remainders on [0, step], in the norm */
+    arb_t step;                      /* longest step that they are proved for */
 };
 
 void taylor_init(struct taylor *y, const struct law *law, slong jets, slong degree, slong prec);
