@@ -10,11 +10,12 @@
 
 #include "approximation/published.h"
 #include "enclosure/collision.h"
+#include "series/restitution.h"
 #include "support/console.h"
 #include "support/digits.h"
 
 enum {
-    TAIL_POWER = 5,      /* eps -> h*^5 / beta^5 at zero overlap, SPHERES */
+    TAIL_POWER = 5,      /* eps -> h*^5/beta^5 at zero overlap, docs/derivation.md, 4 */
     GUARD_BITS = 64,     /* on top of what is asked */
     LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, first guess */
     ATTEMPTS = 4,        /* each with twice the precision: the last has eight times the first guess */
@@ -110,6 +111,33 @@ bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t li
     arb_mat_clear(b);
     arb_mat_clear(q);
     return regular;
+}
+
+/* [0/n]: 1 over the series of 1/eps, whose exact zero is known where the balls of a linear system cannot show it. */
+static void pade_of_reciprocal(struct pade *f, const arb_poly_t c, slong n, const struct law *law, slong prec)
+{
+    arb_poly_one(f->p);
+    restitution_power(f->q, c, (struct ratio){-1, 1}, law, n + 1, prec);
+    _arb_poly_normalise(f->q);
+    f->numerator = 0;
+    f->denominator = n;
+}
+
+/* The block that an exact zero in the series of eps (power 1) or of 1/eps (power -1) makes: with C_k = 0 the entry
+ * [k/0] is [k-1/0], so [k-1/0], [k/0] and [k-1/1] are one fraction and [k/1] does not exist; likewise [0/k] of 1/eps. */
+static bool known_block(struct pade_block *b, const struct pade_request *r)
+{
+    const struct ratio powers[2] = {{1, 1}, {-1, 1}};
+    if (r->kind != PADE_ORDINARY || r->end != END_ZERO_OVERLAP)
+        return false;
+    for (int i = 0; i < 2; i++) {
+        const slong k = restitution_exact_zero(powers[i], &r->law);
+        *b = (struct pade_block){.m = i == 0 ? k - 1 : 0, .n = i == 0 ? 0 : k - 1, .size = 2};
+        if (k > 0 && r->numerator >= b->m && r->numerator <= b->m + 1 && r->denominator >= b->n &&
+            r->denominator <= b->n + 1)
+            return true;
+    }
+    return false;
 }
 
 /* Whether det (c_{m+i-j}), i, j < n, cannot be told from 0: an inner entry of a block. */
@@ -412,8 +440,14 @@ static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pad
     switch (r->kind) {
     case PADE_ORDINARY:
         status = series_eps(c, &f->root, r->end, m + n, &r->law, prec);
-        if (status == 0)
+        if (status)
+            break;
+        if (m == 0 && r->end == END_ZERO_OVERLAP) {
+            pade_of_reciprocal(f, c, n, &r->law, prec);
+            *regular = true;
+        } else {
             *regular = pade_of_series(f, c, m, n, prec);
+        }
         break;
     case PADE_TWO_POINT: {
         arb_t limit;
@@ -448,24 +482,46 @@ static bool accurate(const arb_poly_t p, slong bits, slong *power)
     return true;
 }
 
+/* Says so, and how it is known. */
+static int fail_in_block(const struct pade_request *r, const struct pade_block *b, const char *known)
+{
+    return fail("[%ld/%ld] at %s is degenerate (%s): it lies in the block of [%ld/%ld]..[%ld/%ld]%s, which holds one "
+                "fraction; ask for [%ld/%ld]",
+                (long)r->numerator, (long)r->denominator, end_name(r->end), known, (long)b->m, (long)b->n,
+                (long)(b->m + b->size - 1), (long)(b->n + b->size - 1), b->open ? " or beyond" : "", (long)b->m,
+                (long)b->n);
+}
+
 static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slong prec)
 {
-    const slong m = r->numerator, n = r->denominator;
     struct pade_block b;
-    if (r->kind == PADE_TWO_POINT || !pade_block_of(&b, c, m, n, prec))
-        return fail("the equations of the [%ld/%ld] Padé at %s are singular, as far as %ld bits tell", (long)m, (long)n,
-                    end_name(r->end), (long)prec);
-    return fail("[%ld/%ld] at %s is degenerate (as far as %ld bits tell): it lies in the block of "
-                "[%ld/%ld]..[%ld/%ld]%s, which holds one fraction; ask for [%ld/%ld]",
-                (long)m, (long)n, end_name(r->end), (long)prec, (long)b.m, (long)b.n, (long)(b.m + b.size - 1),
-                (long)(b.n + b.size - 1), b.open ? " or beyond" : "", (long)b.m, (long)b.n);
+    char known[64];
+    if (r->kind == PADE_TWO_POINT || !pade_block_of(&b, c, r->numerator, r->denominator, prec))
+        return fail("the equations of the [%ld/%ld] Padé at %s are singular, as far as %ld bits tell",
+                    (long)r->numerator, (long)r->denominator, end_name(r->end), (long)prec);
+    snprintf(known, sizeof known, "as far as %ld bits tell", (long)prec);
+    return fail_in_block(r, &b, known);
 }
 
 int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_request *r, slong bits)
 {
     const char *why = pade_refusal(r);
+    struct pade_block block;
     if (why)
         return fail("%s", why);
+    if (known_block(&block, r)) {
+        struct pade_request corner = *r;
+        corner.numerator = block.m;
+        corner.denominator = block.n;
+        if (r->numerator > block.m && r->denominator > block.n)
+            return fail_in_block(r, &block, "proved: docs/derivation.md, 4");
+        if (r->numerator > block.m || r->denominator > block.n) {
+            const int status = pade_compute(f, a, &corner, bits);
+            f->numerator = r->numerator;
+            f->denominator = r->denominator;
+            return status;
+        }
+    }
 
     const slong degrees = r->numerator + r->denominator;
     slong prec = bits + LOSS_PER_DEGREE * degrees + GUARD_BITS, power = 0;

@@ -14,21 +14,27 @@ static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n
     arb_clear(exponent);
 }
 
-/* eps^power, from eps = sum C_k beta^k. -h is an involution sigma of beta, and residues before and after it give
+/* -h is an involution of beta, and residues before and after it give (docs/derivation.md, 4)
  *
  *     [beta^k] (h/beta)^p = (-1)^k p/(k+p) [beta^k] (h/beta)^(-k-p),      eps^power = (h/beta)^p, p = power/q,
  *
- * so the coefficient of an even k = -2 p is exactly 0: no ball of any precision could tell. */
-static void eps_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, const struct law *law, slong n,
-                      slong prec)
+ * so the coefficient of an even k = -2 p is its own negative. */
+slong restitution_exact_zero(struct ratio power, const struct law *law)
 {
     const struct ratio q = law_speed_exponent(law);
-    series_pow(z, eps, power, n, prec);
     if (q.num == 0)
-        return;
+        return 0;
     const struct ratio k = ratio_mul((struct ratio){-2, 1}, ratio_div(power, q));
-    if (k.den == 1 && k.num > 0 && k.num % 2 == 0 && k.num < z->length)
-        arb_zero(z->coeffs + k.num);
+    return k.den == 1 && k.num > 0 && k.num % 2 == 0 ? k.num : 0;
+}
+
+void restitution_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, const struct law *law, slong n,
+                       slong prec)
+{
+    series_pow(z, eps, power, n, prec);
+    const slong k = restitution_exact_zero(power, law);
+    if (k > 0 && k < z->length)
+        arb_zero(z->coeffs + k);
 }
 
 void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, const struct law *law, slong prec)
@@ -73,7 +79,7 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
         known = next;
     }
     series_pow(c, z, half_a1, n, prec);
-    eps_power(c, c, one, law, n, prec);
+    restitution_power(c, c, one, law, n, prec);
 
     arb_poly_clear(z);
     arb_poly_clear(v);
@@ -220,7 +226,7 @@ void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, con
         arb_set_fmpq(g, coefficient, prec);
         fmpq_clear(coefficient);
         const struct ratio power = ratio_add((struct ratio){1, 1}, ratio_mul(ratio_mul(q, e), (struct ratio){i, 1}));
-        eps_power(h, c, power, law, n, prec);
+        restitution_power(h, c, power, law, n, prec);
         arb_poly_scalar_mul(h, h, g, prec);
         for (slong k = 0; k < h->length && k * root + i * e.num <= order; k++) {
             arb_poly_get_coeff_arb(g, sum, k * root + i * e.num);

@@ -9,6 +9,15 @@
  * E^(2/(1+a)) Y(-beta E^q) = Y(beta), Y = sum y_k beta^k, which is (63) for any law. */
 void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, const struct law *law, slong prec);
 
+/* eps^power up to beta^(n-1) from eps = sum C_k beta^k at zero overlap, with the coefficient that is exactly 0 as an
+ * exact 0. */
+void restitution_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, const struct law *law, slong n,
+                       slong prec);
+
+/* The k > 0 whose coefficient of beta^k in eps^power is exactly 0 by the involution beta -> -h: -2 power/q where that
+ * is an even whole number. 0 if there is none. */
+slong restitution_exact_zero(struct ratio power, const struct law *law);
+
 /* eps_zero_force = eps_zero_overlap G(w); the force vanishes at backward time h^(1/(a-b)) T(w),
  * w = h^((a+1)/(a-b)), h = beta eps_zero_overlap^q. Exact, to w^order. For a <= b the force vanishes only
  * where the overlap does: G = 1, T = 0. */

@@ -1,14 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Padé approximants: exactly known ones, the defining conditions, the published one, the analysis.
  */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
+#include "ball.h"
 
-#include <cmocka.h>
+#include <string.h>
 
 #include "approximation/pade.h"
 #include "approximation/pade_rounded.h"
@@ -411,6 +406,68 @@ static void test_degenerate(void **state)
     pade_clear(&f);
 }
 
+/* p and q of one Padé are those of another to the last bit. */
+static void assert_same_fraction(const struct pade_request *r, const struct pade_request *other)
+{
+    struct pade f, g;
+    struct pade_analysis a;
+    pade_init(&f);
+    pade_init(&g);
+    pade_analysis_init(&a);
+    assert_int_equal(pade_compute(&f, &a, r, BITS), 0);
+    assert_int_equal(pade_compute(&g, NULL, other, BITS), 0);
+    assert_poly_overlap(f.p, g.p, r->numerator, "numerator");
+    assert_poly_overlap(f.q, g.q, r->denominator, "denominator");
+    assert_int_equal(f.numerator, r->numerator);
+    assert_int_equal(f.denominator, r->denominator);
+    assert_int_equal(a.poles, arb_poly_degree(g.q));
+    assert_int_equal(a.zeros, arb_poly_degree(g.p));
+    pade_clear(&f);
+    pade_clear(&g);
+    pade_analysis_clear(&a);
+}
+
+/* 1/eps of the sphere has no beta^10, eps of (3/2, 0) none, by the involution: exact zeros, which no ball shows. The
+ * true series of 1/eps, by another route, contains 0 there. */
+static void test_exact_zeros(void **state)
+{
+    (void)state;
+    struct series s;
+    arb_poly_t reciprocal;
+    series_init(&s);
+    arb_poly_init(reciprocal);
+    assert_int_equal(series_compute(&s, 12, &law_sphere, BITS), 0);
+    arb_poly_inv_series(reciprocal, s.c, 13, PREC);
+    for (slong k = 0; k <= 12; k++)
+        assert_true(arb_contains_zero(arb_poly_get_coeff_ptr(reciprocal, k)) == (k == 10));
+    series_clear(&s);
+    arb_poly_clear(reciprocal);
+
+    const struct pade_request corner = ordinary(0, 9, END_ZERO_OVERLAP), right = ordinary(0, 10, END_ZERO_OVERLAP),
+                              down = ordinary(1, 9, END_ZERO_OVERLAP), inner = ordinary(1, 10, END_ZERO_OVERLAP),
+                              next = ordinary(0, 11, END_ZERO_OVERLAP);
+    assert_same_fraction(&right, &corner);
+    assert_same_fraction(&down, &corner);
+    struct pade f;
+    pade_init(&f);
+    assert_int_equal(pade_compute(&f, NULL, &inner, BITS), 1);
+    assert_int_equal(pade_compute(&f, NULL, &next, BITS), 0);
+    assert_true(arb_is_zero(arb_poly_get_coeff_ptr(f.q, 10)));
+    assert_int_equal(arb_poly_degree(f.q), 11);
+
+    struct pade_request hertz = ordinary(9, 0, END_ZERO_OVERLAP), same = hertz;
+    assert_null(law_parse(&hertz.law, "3/2", "0"));
+    same.law = hertz.law;
+    same.numerator = 10;
+    assert_same_fraction(&same, &hertz);
+    same.numerator = 9;
+    same.denominator = 1;
+    assert_same_fraction(&same, &hertz);
+    same.numerator = 10;
+    assert_int_equal(pade_compute(&f, NULL, &same, BITS), 1);
+    pade_clear(&f);
+}
+
 static void test_refusals(void **state)
 {
     (void)state;
@@ -495,7 +552,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_exponential),   cmocka_unit_test(test_reexpansion), cmocka_unit_test(test_two_point),
         cmocka_unit_test(test_rounded),       cmocka_unit_test(test_published),   cmocka_unit_test(test_true_one_four),
-        cmocka_unit_test(test_spurious_pair), cmocka_unit_test(test_degenerate),  cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_spurious_pair), cmocka_unit_test(test_degenerate),  cmocka_unit_test(test_exact_zeros),
+        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

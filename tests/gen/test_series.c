@@ -282,7 +282,7 @@ static void test_vanishing_coefficient(void **state)
     static const struct {
         const char *a, *b;
         slong k;
-    } cases[] = {{"3/2", "0", 10}, {"3", "1/2", 8}, {"2", "0", 6}};
+    } cases[] = {{"3/2", "0", 10}, {"3", "1/2", 8}, {"2", "0", 6}, {"3", "0", 4}, {"2", "1/4", 12}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct law law;
         struct series s;
@@ -310,6 +310,27 @@ static void test_vanishing_coefficient(void **state)
         arb_poly_clear(c);
         arb_clear(x);
     }
+}
+
+/* -1/q = 3/2 is no whole number: no coefficient vanishes. The value: docs/derivation.md, 9. */
+static void test_no_vanishing_coefficient(void **state)
+{
+    (void)state;
+    struct law law;
+    struct series s;
+    arb_t x;
+    series_init(&s);
+    arb_init(x);
+    assert_null(law_parse(&law, "5", "0"));
+    assert_int_equal(series_compute(&s, 12, &law, 80), 0);
+    for (slong k = 0; k <= 12; k++) {
+        arb_poly_get_coeff_arb(x, s.c, k);
+        assert_false(arb_contains_zero(x));
+    }
+    arb_poly_get_coeff_arb(x, s.c, 3);
+    assert_truncates_to(x, "0.0237", 4);
+    series_clear(&s);
+    arb_clear(x);
 }
 
 /* |C_(k+1)/C_k| -> 1/h*. */
@@ -349,6 +370,7 @@ int main(void)
         cmocka_unit_test(test_two_routes),
         cmocka_unit_test(test_two_routes_other_law),
         cmocka_unit_test(test_vanishing_coefficient),
+        cmocka_unit_test(test_no_vanishing_coefficient),
         cmocka_unit_test(test_radius),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

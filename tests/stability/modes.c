@@ -184,10 +184,28 @@ static void amplitudes(arb_t c, arb_t s, const struct equation *q, const arb_t o
     arb_clear(x);
 }
 
+/* omega near a first guess, C and S, each to REFERENCE_BITS; false where so many bits do not give them. J_n needs 4 n
+ * bits where n >> kappa; half of the others go to the root. C and S lose bits where their row of the equation nearly
+ * vanishes and by the width of omega's ball, so the precision is doubled until they are narrow. */
+static bool mode_reference(arb_t root, arb_t c, arb_t s, const fmpq_t nu, slong n, const arb_t guess, slong prec)
+{
+    enum { REFERENCE_BITS = 100, DOUBLINGS = 4 };
+    bool good = false;
+    for (int i = 0; i < DOUBLINGS && !good; i++, prec *= 2) {
+        struct equation q;
+        equation_init(&q, nu, n, prec);
+        good = refine(root, &q, guess, (prec - 4 * n) / 2);
+        amplitudes(c, s, &q, root);
+        good = good && arb_rel_accuracy_bits(c) >= REFERENCE_BITS &&
+               (n == 0 || arb_rel_accuracy_bits(s) >= REFERENCE_BITS);
+        equation_clear(&q);
+    }
+    return good;
+}
+
 /* A mode of a table of doubles */
 static void take_table_mode(struct outcome *out, const struct cor_disk_modes *table, const struct cor_disk_mode *mode)
 {
-    struct equation q;
     fmpq_t nu;
     arb_t omega, root, c, s;
     char name[60];
@@ -197,16 +215,13 @@ static void take_table_mode(struct outcome *out, const struct cor_disk_modes *ta
     arb_init(c);
     arb_init(s);
     fmpq_set_si(nu, lround(100 * table->nu), 100);
-    equation_init(&q, nu, mode->n, 300 + 4 * mode->n);
     arb_set_d(omega, mode->omega);
-    const bool good = refine(root, &q, omega, 150);
+    const bool good = mode_reference(root, c, s, nu, mode->n, omega, 300 + 4 * mode->n);
     snprintf(name, sizeof name, "nu = %g, (%d,%d), omega", table->nu, mode->n, mode->l);
     take_number(out, good ? ball_ulp(mode->omega, root) : HUGE_VAL, name, mode->omega, root, mode->omega);
-    amplitudes(c, s, &q, root);
     take_number(out, ball_ulp(mode->c, c), name, mode->omega, c, mode->c);
     if (mode->n > 0)
         take_number(out, ball_ulp(mode->s, s), name, mode->omega, s, mode->s);
-    equation_clear(&q);
     fmpq_clear(nu);
     arb_clear(omega);
     arb_clear(root);
@@ -219,7 +234,6 @@ static void take_solved_mode(struct outcome *out, const char *nu_text, slong n, 
 {
     enum { PROMISED = 130 };
     struct disk_mode mode;
-    struct equation q;
     fmpq_t nu;
     arb_t root, c, s;
     char input[160];
@@ -233,9 +247,7 @@ static void take_solved_mode(struct outcome *out, const char *nu_text, slong n, 
     if (disk_mode_solve(&mode, nu, n, l, PROMISED) != 0) {
         take(out, HUGE_VAL, input, "a mode", "failed");
     } else {
-        equation_init(&q, nu, n, prec);
-        const bool good = refine(root, &q, mode.omega, 200);
-        amplitudes(c, s, &q, root);
+        const bool good = mode_reference(root, c, s, nu, n, mode.omega, prec);
         char *const exact = arb_get_str(root, 30, ARB_STR_NO_RADIUS);
         char *const value = arb_get_str(mode.omega, 30, ARB_STR_NO_RADIUS);
         double error =
@@ -246,7 +258,6 @@ static void take_solved_mode(struct outcome *out, const char *nu_text, slong n, 
         take(out, error, input, exact, value);
         flint_free(exact);
         flint_free(value);
-        equation_clear(&q);
     }
     disk_mode_clear(&mode);
     fmpq_clear(nu);
