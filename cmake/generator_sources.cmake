@@ -28,9 +28,13 @@ set(COR_GENERATOR_SOURCES
   gen/embed/header.c
   gen/embed/request.c
   gen/embed/scene.c
+  gen/enclosure/closed_form.c
   gen/enclosure/collision.c
+  gen/enclosure/collision_series.c
+  gen/enclosure/motion.c
   gen/enclosure/slow_manifold.c
   gen/enclosure/taylor.c
+  gen/enclosure/threshold.c
   gen/plan/disks.c
   gen/plan/plan.c
   gen/plan/spheres.c

@@ -570,7 +570,8 @@ void taylor_advance(struct taylor *y, const arb_t s)
     _arb_vec_clear(next, 3);
 }
 
-bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t end)
+bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
+                 const arb_t end)
 {
     /* A secant-bisection hybrid (Illinois) on midpoints finds it; signs on both sides prove it. */
     arb_t low, high, flow, fhigh, x, fx, width;
@@ -582,6 +583,7 @@ bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component compo
     arb_init(x);
     arb_init(fx);
     arb_init(width);
+    arb_get_mid_arb(low, begin);
     arb_get_mid_arb(high, end);
     taylor_value(flow, y, component, 0, low);
     taylor_value(fhigh, y, component, 0, high);
@@ -620,8 +622,8 @@ bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component compo
         arb_get_mid_arb(low, low);
         arb_add(high, x, width, y->prec);
         arb_get_mid_arb(high, high);
-        if (arb_is_negative(low))
-            arb_zero(low);
+        if (arb_lt(low, begin))
+            arb_get_mid_arb(low, begin);
         if (arb_gt(high, end))
             arb_get_mid_arb(high, end);
         taylor_value(flow, y, component, 0, low);

@@ -48,8 +48,9 @@ void taylor_value(arb_t value, const struct taylor *y, enum taylor_component com
 /* Replaces the state by the one at s. */
 void taylor_advance(struct taylor *y, const arb_t s);
 
-/* Encloses the zero of jet 0 of a component in [0, end], end <= step, where it goes from positive to negative and
+/* Encloses the zero of jet 0 of a component in [begin, end], end <= step, where it goes from positive to negative and
  * is known to have one zero only. */
-bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t end);
+bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
+                 const arb_t end);
 
 #endif
