@@ -185,52 +185,34 @@ void taylor_expand(struct taylor *y)
     }
 }
 
-/* Norms of the coefficients of a component times h^n, as a polynomial with upper bounds for coefficients. */
-static void norm_poly(arb_poly_t p, arb_srcptr f, const struct taylor *y, const arb_t h)
+/* sum_n |f_n| r^n over n = first..degree, |f_n| the norm over the jets: upper bound. */
+static void component_norm(mag_t norm, arb_srcptr f, slong first, const struct taylor *y, const mag_t r)
 {
     const slong size = stride(y);
-    mag_t norm, term, power, mh;
-    mag_init(norm);
+    mag_t jet_norm, term;
+    mag_init(jet_norm);
     mag_init(term);
-    mag_init(power);
-    mag_init(mh);
-    arb_get_mag(mh, h);
-    mag_one(power);
-    arb_poly_fit_length(p, size);
-    for (slong n = 0; n < size; n++) {
-        mag_zero(norm);
+    mag_zero(norm);
+    for (slong n = y->degree; n >= 0; n--) {
+        mag_mul(norm, norm, r);
+        if (n < first)
+            continue;
+        mag_zero(jet_norm);
         for (slong l = y->jets - 1; l >= 0; l--) {
-            mag_mul(norm, norm, y->weight);
+            mag_mul(jet_norm, jet_norm, y->weight);
             arb_get_mag(term, f + l * size + n);
-            mag_add(norm, norm, term);
+            mag_add(jet_norm, jet_norm, term);
         }
-        mag_mul(norm, norm, power);
-        arf_set_mag(arb_midref(p->coeffs + n), norm);
-        mag_zero(arb_radref(p->coeffs + n));
-        mag_mul(power, power, mh);
+        mag_add(norm, norm, jet_norm);
     }
-    _arb_poly_set_length(p, size);
-    _arb_poly_normalise(p);
-    mag_clear(norm);
+    mag_clear(jet_norm);
     mag_clear(term);
-    mag_clear(power);
-    mag_clear(mh);
 }
 
-/* Upper bound of the sum of coefficients from `first` on. */
-static void tail_sum(arb_t sum, const arb_poly_t p, slong first)
+static void arb_set_mag_upper(arb_t y, const mag_t m)
 {
-    mag_t m, term;
-    mag_init(m);
-    mag_init(term);
-    for (slong n = p->length - 1; n >= first; n--) {
-        arb_get_mag(term, p->coeffs + n);
-        mag_add(m, m, term);
-    }
-    arf_set_mag(arb_midref(sum), m);
-    mag_zero(arb_radref(sum));
-    mag_clear(m);
-    mag_clear(term);
+    arf_set_mag(arb_midref(y), m);
+    mag_zero(arb_radref(y));
 }
 
 static void parameter_norm(arb_t norm, arb_srcptr c, const struct taylor *y)
@@ -243,8 +225,7 @@ static void parameter_norm(arb_t norm, arb_srcptr c, const struct taylor *y)
         arb_get_mag(term, c + l);
         mag_add(m, m, term);
     }
-    arf_set_mag(arb_midref(norm), m);
-    mag_zero(arb_radref(norm));
+    arb_set_mag_upper(norm, m);
     mag_clear(m);
     mag_clear(term);
 }
@@ -265,8 +246,8 @@ static void monomial(arb_t y, slong k, const arb_t c, const arb_t M, slong e)
  * polynomials: docs/derivation.md, 6, equations (6.2) to (6.5). */
 struct step_proof {
     const struct taylor *y;
-    arb_srcptr h;
-    arb_poly_t w, v;                          /* |w_n| h^n and |v_n| h^n, in the norm over the jets */
+    mag_t h_mag;
+    arb_t h;
     arb_t c1, c2;                             /* |c1|, |c2| */
     arb_t w_max, v_max;                       /* of |w| and |v| in the tube */
     arb_t residual_w, residual_v, residual_t; /* of the three equations of motion */
@@ -277,9 +258,10 @@ struct step_proof {
 static void step_proof_init(struct step_proof *p, const struct taylor *y, const arb_t h)
 {
     p->y = y;
-    p->h = h;
-    arb_poly_init(p->w);
-    arb_poly_init(p->v);
+    mag_init(p->h_mag);
+    arb_get_mag(p->h_mag, h);
+    arb_init(p->h);
+    arb_set_mag_upper(p->h, p->h_mag);
     arb_init(p->c1);
     arb_init(p->c2);
     arb_init(p->w_max);
@@ -294,14 +276,12 @@ static void step_proof_init(struct step_proof *p, const struct taylor *y, const 
     arb_init(p->error_t);
     parameter_norm(p->c1, y->c1, y);
     parameter_norm(p->c2, y->c2, y);
-    norm_poly(p->w, y->w, y, h);
-    norm_poly(p->v, y->v, y, h);
 }
 
 static void step_proof_clear(struct step_proof *p)
 {
-    arb_poly_clear(p->w);
-    arb_poly_clear(p->v);
+    mag_clear(p->h_mag);
+    arb_clear(p->h);
     arb_clear(p->c1);
     arb_clear(p->c2);
     arb_clear(p->w_max);
@@ -316,48 +296,87 @@ static void step_proof_clear(struct step_proof *p)
     arb_clear(p->error_t);
 }
 
-/* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. */
-static void residuals(struct step_proof *p)
+/* (6.2) at one radius R > h: the products' terms from sigma^N on are below (h/R)^N times the products' norms at R. */
+static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_proof *p, double ratio)
 {
     const struct law *law = &p->y->law;
-    const slong N = p->y->degree;
-    arb_poly_t outer, damping, elastic;
-    arb_poly_init(outer);
-    arb_poly_init(damping);
-    arb_poly_init(elastic);
+    mag_t R, norm;
+    arb_t w, v, shrink, one, term;
+    mag_init(R);
+    mag_init(norm);
+    arb_init(w);
+    arb_init(v);
+    arb_init(shrink);
+    arb_init(one);
+    arb_init(term);
+    mag_set_d(R, ratio);
+    mag_mul(R, R, p->h_mag); /* above ratio h */
+    component_norm(norm, p->y->w, 0, p->y, R);
+    arb_set_mag_upper(w, norm);
+    component_norm(norm, p->y->v, 0, p->y, R);
+    arb_set_mag_upper(v, norm);
+    arb_set_d(shrink, ratio);
+    arb_pow_ui(shrink, shrink, (ulong)p->y->degree, NORM_BITS);
+    arb_one(one);
 
-    tail_sum(p->residual_w, p->v, N);
-    arb_div_si(p->residual_w, p->residual_w, law->d, NORM_BITS);
+    monomial(residual_t, 1, one, w, law->d - 1);
+    arb_div(residual_t, residual_t, shrink, NORM_BITS);
+    monomial(residual_v, 1, p->c1, w, law->d - 1 + law->bd);
+    arb_mul(residual_v, residual_v, v, NORM_BITS);
+    monomial(term, 1, p->c2, w, law->d - 1 + law->ad);
+    arb_add(residual_v, residual_v, term, NORM_BITS);
+    arb_div(residual_v, residual_v, shrink, NORM_BITS);
+    mag_clear(R);
+    mag_clear(norm);
+    arb_clear(w);
+    arb_clear(v);
+    arb_clear(shrink);
+    arb_clear(one);
+    arb_clear(term);
+}
 
-    arb_poly_pow_ui(outer, p->w, (ulong)(law->d - 1), NORM_BITS);
-    tail_sum(p->residual_t, outer, N);
-
-    arb_poly_pow_ui(damping, p->w, (ulong)law->bd, NORM_BITS);
-    arb_poly_mul(damping, damping, p->v, NORM_BITS);
-    arb_poly_scalar_mul(damping, damping, p->c1, NORM_BITS);
-    arb_poly_pow_ui(elastic, p->w, (ulong)law->ad, NORM_BITS);
-    arb_poly_scalar_mul(elastic, elastic, p->c2, NORM_BITS);
-    arb_poly_add(damping, damping, elastic, NORM_BITS);
-    arb_poly_mul(damping, damping, outer, NORM_BITS);
-    tail_sum(p->residual_v, damping, N);
-
-    arb_poly_clear(outer);
-    arb_poly_clear(damping);
-    arb_poly_clear(elastic);
+/* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
+ * radius is right; the best is a little inside the radius of convergence, 2^STEP_BITS h. */
+static void residuals(struct step_proof *p)
+{
+    enum { PER_OCTAVE = 4 };
+    mag_t norm;
+    arb_t residual_v, residual_t;
+    mag_init(norm);
+    arb_init(residual_v);
+    arb_init(residual_t);
+    component_norm(norm, p->y->v, p->y->degree, p->y, p->h_mag);
+    arb_set_mag_upper(p->residual_w, norm);
+    arb_div_si(p->residual_w, p->residual_w, p->y->law.d, NORM_BITS);
+    arb_pos_inf(p->residual_v);
+    arb_pos_inf(p->residual_t);
+    for (int i = PER_OCTAVE; i <= (STEP_BITS + 1) * PER_OCTAVE; i++) {
+        residuals_at(residual_v, residual_t, p, exp2((double)i / PER_OCTAVE));
+        arb_min(p->residual_v, p->residual_v, residual_v, NORM_BITS);
+        arb_min(p->residual_t, p->residual_t, residual_t, NORM_BITS);
+    }
+    mag_clear(norm);
+    arb_clear(residual_v);
+    arb_clear(residual_t);
 }
 
 /* The tube around the polynomials: their norms times 1 + 2^-TUBE_BITS. */
 static void tube(struct step_proof *p)
 {
+    mag_t norm;
     arb_t wider;
+    mag_init(norm);
     arb_init(wider);
     arb_one(wider);
     arb_mul_2exp_si(wider, wider, -TUBE_BITS);
     arb_add_ui(wider, wider, 1, NORM_BITS);
-    tail_sum(p->w_max, p->w, 0);
-    tail_sum(p->v_max, p->v, 0);
+    component_norm(norm, p->y->w, 0, p->y, p->h_mag);
+    arb_set_mag_upper(p->w_max, norm);
     arb_mul(p->w_max, p->w_max, wider, NORM_BITS);
+    component_norm(norm, p->y->v, 0, p->y, p->h_mag);
+    arb_set_mag_upper(p->v_max, norm);
     arb_mul(p->v_max, p->v_max, wider, NORM_BITS);
+    mag_clear(norm);
     arb_clear(wider);
 }
 
@@ -499,13 +518,15 @@ bool taylor_choose_step(struct taylor *y)
     arb_get_mag(scale, y->w);
     mag_max(goal, goal, scale);
     mag_mul_2exp_si(goal, goal, -y->prec);
+    /* A little shorter each time, and after FINE_TRIALS refusals ever more: a nearly elastic motion under a constant
+     * force is nearly a parabola, whose radius of convergence says nothing. */
+    enum { FINE_TRIALS = 40, TRIALS = 80, FINE = 8 };
     double exponent = radius_guess(y) - STEP_BITS;
-    for (int attempt = 0; attempt < 60 && !proved; attempt++) {
+    for (int trial = 0; trial < TRIALS && !proved; trial++) {
         arb_set_d(y->step, exp2(exponent - floor(exponent)));
         arb_mul_2exp_si(y->step, y->step, (slong)floor(exponent));
         proved = prove_step(y, y->step) && mag_cmp(y->error_v, goal) <= 0 && mag_cmp(y->error_w, goal) <= 0;
-        /* A little shorter, and after many refusals much shorter. */
-        exponent -= attempt < 20 ? 0.25 : 1.0;
+        exponent -= trial < FINE_TRIALS ? 1.0 / FINE : trial - FINE_TRIALS + 1;
     }
     mag_clear(goal);
     mag_clear(scale);
