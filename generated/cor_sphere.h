@@ -40,8 +40,11 @@
 
 #endif
 
-/* Arithmetic that keeps what rounding loses. Numbers are cut in two by masking bits, never by Veltkamp's trick, so
- * that the results stay right where a compiler fuses multiplications with additions. */
+/* Bits of doubles, and sums and products that keep their rounding errors.
+ *
+ * Arguments are classified by their bits, as whole numbers: comparisons of floating point raise FE_INVALID for a NaN,
+ * and -ffinite-math-only lets a compiler assume that there is none. Factors are split by masking bits, not by
+ * Veltkamp's multiplication, so that the results stay right where a compiler fuses multiplications with additions. */
 #ifndef COR_RUNTIME_EXACT_H
 #define COR_RUNTIME_EXACT_H
 
@@ -49,17 +52,32 @@
 /* Powers of two; hexadecimal constants would be C++17. */
 #define COR_INLINE_2_M900 1.18305218616677471e-271
 #define COR_INLINE_2_M500 3.05493636349960468e-151
+#define COR_INLINE_2_M300 4.90909346529772656e-91
 #define COR_INLINE_2_M200 6.22301527786114171e-61
-#define COR_INLINE_2_M52 2.22044604925031308e-16
-#define COR_INLINE_2_M56 1.38777878078144568e-17
+#define COR_INLINE_2_M60 8.67361737988403547e-19
 #define COR_INLINE_2_M40 9.09494701772928238e-13
 #define COR_INLINE_2_40 1.09951162777600000e+12
+#define COR_INLINE_2_60 1.15292150460684698e+18
 #define COR_INLINE_2_100 1.26765060022822940e+30
 #define COR_INLINE_2_200 1.60693804425899028e+60
 #define COR_INLINE_2_250 1.80925139433306555e+75
 #define COR_INLINE_2_300 2.03703597633448609e+90
 #define COR_INLINE_2_500 3.27339060789614187e+150
 #define COR_INLINE_2_900 8.45271249817064394e+270
+#define COR_INLINE_2_964 1.55925024182399985e+290
+#define COR_INLINE_2_1000 1.07150860718626732e+301
+
+/* A value that -ffast-math must not rearrange: without it (a + b) - a becomes b. */
+#if defined(__has_builtin) && !defined(__CUDACC__) && !defined(__HIPCC__)
+#if __has_builtin(__builtin_assoc_barrier)
+#define COR_INLINE_KEEP(x) __builtin_assoc_barrier(x)
+#elif __has_builtin(__arithmetic_fence) && defined(__FAST_MATH__)
+#define COR_INLINE_KEEP(x) __arithmetic_fence(x)
+#endif
+#endif
+#ifndef COR_INLINE_KEEP
+#define COR_INLINE_KEEP(x) (x)
+#endif
 
 COR_INLINE uint64_t cor_inline_bits(double x)
 {
@@ -75,6 +93,64 @@ COR_INLINE double cor_inline_from_bits(uint64_t bits)
     return x;
 }
 
+/* 0 <= x < end, not for -0 and NaN. Bits of nonnegative doubles have their order, those of negative ones are larger. */
+COR_INLINE int cor_inline_below(double x, double end)
+{
+    return cor_inline_bits(x) < cor_inline_bits(end);
+}
+
+#define COR_INLINE_INFINITY_BITS UINT64_C(0x7ff0000000000000)
+#define COR_INLINE_SIGN_BIT UINT64_C(0x8000000000000000)
+
+COR_INLINE double cor_inline_infinity(void)
+{
+    return cor_inline_from_bits(COR_INLINE_INFINITY_BITS);
+}
+
+COR_INLINE double cor_inline_nan(void)
+{
+    return cor_inline_from_bits(UINT64_C(0x7ff8000000000000));
+}
+
+COR_INLINE int cor_inline_is_finite(double x)
+{
+    return (cor_inline_bits(x) & ~COR_INLINE_SIGN_BIT) < COR_INLINE_INFINITY_BITS;
+}
+
+COR_INLINE int cor_inline_is_nan(double x)
+{
+    return (cor_inline_bits(x) & ~COR_INLINE_SIGN_BIT) > COR_INLINE_INFINITY_BITS;
+}
+
+/* Whether x is negative or NaN; -0 is neither. */
+COR_INLINE int cor_inline_is_refused(double x)
+{
+    return cor_inline_bits(x) > COR_INLINE_INFINITY_BITS && cor_inline_bits(x) != COR_INLINE_SIGN_BIT;
+}
+
+/* The number that `choice` chooses, by bits: a processor mispredicts half of the jumps where arguments scatter. */
+COR_INLINE double cor_inline_choose(int choice, double if_true, double if_false)
+{
+    const uint64_t mask = (uint64_t)0 - (uint64_t)(choice != 0);
+    return cor_inline_from_bits((cor_inline_bits(if_true) & mask) | (cor_inline_bits(if_false) & ~mask));
+}
+
+/* 2^k, -1022 <= k <= 1023 */
+COR_INLINE double cor_inline_power_of_two(int k)
+{
+    return cor_inline_from_bits((uint64_t)(1023 + k) << 52);
+}
+
+/* x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once: ldexp without its errno */
+COR_INLINE double cor_inline_scaled(double x, int k)
+{
+    if (k >= -960)
+        return x * cor_inline_power_of_two(k);
+    /* the first product is a normal number, and exact */
+    k += 900;
+    return x * COR_INLINE_2_M900 * cor_inline_power_of_two(k < -1022 ? -1022 : k);
+}
+
 /* The 26 leading bits: products of two such numbers are exact. */
 COR_INLINE double cor_inline_head(double x)
 {
@@ -86,11 +162,12 @@ struct cor_inline_pair {
     double hi, lo;
 };
 
+/* hi + lo, exactly where |hi| >= |lo| */
 COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
 {
     struct cor_inline_pair sum;
-    sum.hi = hi + lo;
-    sum.lo = lo - (sum.hi - hi);
+    sum.hi = COR_INLINE_KEEP(hi + lo);
+    sum.lo = lo - COR_INLINE_KEEP(sum.hi - hi);
     return sum;
 }
 
@@ -99,11 +176,12 @@ COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
 {
     const double xh = cor_inline_head(x), xl = x - xh, yh = cor_inline_head(y), yl = y - yh;
     struct cor_inline_pair product;
-    product.hi = x * y;
-    product.lo = ((xh * yh - product.hi) + xh * yl + xl * yh) + xl * yl;
+    product.hi = COR_INLINE_KEEP(x * y);
+    product.lo = COR_INLINE_KEEP(COR_INLINE_KEEP(xh * yh - product.hi) + xh * yl + xl * yh) + xl * yl;
     return product;
 }
 
+/* Relative error of the next two: a few 2^-104 */
 COR_INLINE struct cor_inline_pair cor_inline_pair_times(struct cor_inline_pair x, struct cor_inline_pair y)
 {
     const struct cor_inline_pair p = cor_inline_product(x.hi, y.hi);
@@ -114,7 +192,7 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_over(struct cor_inline_pair x,
 {
     const double q = x.hi / y.hi;
     const struct cor_inline_pair p = cor_inline_product(q, y.hi);
-    return cor_inline_sum(q, (((x.hi - p.hi) - p.lo) + (x.lo - q * y.lo)) / y.hi);
+    return cor_inline_sum(q, (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - p.hi) - p.lo) + (x.lo - q * y.lo)) / y.hi);
 }
 
 #endif
@@ -125,25 +203,25 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_over(struct cor_inline_pair x,
 
 
 /* x^(1/5) = head + tail for 2^-1000 <= x <= 2^1000; the head has 26 bits, |tail/head| < 2^-12. Relative error of the
- * sum, before it is rounded: 0.5 2^-53.
- *
- * 1. A fifth of the exponent and of the fraction, taken from the bits as one whole number: 3.4 %.
- * 2. Halley's step for r^5 = x: twice the cube of that, 8e-5.
- * 3. Cut to 26 bits, so that r^2 is exact and r^5 is off by two roundings only, of which a fifth reaches the root;
- *    then (1 + d)^(1/5), d = (x - r^5)/r^5, up to d^4; the next term is below 2^-59. */
+ * sum, before it is rounded: 0.5 2^-53, measured in tests/unit/test_fifth_root.c. */
 COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
 {
-    /* 2^52 + n as a double holds the whole number n in its low bits */
+    /* A fifth of the exponent and of the fraction, taken from the bits as one whole number: within 3.4 %.
+     * 2^52 + n as a double holds the whole number n in its low bits. */
     const double two52 = 4503599627370496.0;
     const uint64_t top = (cor_inline_bits(x) >> 32) | UINT64_C(0x4330000000000000);
     const double fifth = cor_inline_from_bits(top) * 0.2 + (0.8 * two52 + 858116000.0);
     const double seed = cor_inline_from_bits(cor_inline_bits(fifth) << 32);
 
+    /* Halley's step for r^5 = x: the relative error becomes twice its cube, 8e-5. */
     const double seed2 = seed * seed, seed5 = seed2 * seed2 * seed;
     const double halley = seed + seed * ((x - seed5) / (2 * x + 3 * seed5));
 
-    const double r = cor_inline_head(halley), r2 = r * r, r5 = r2 * r2 * r;
+    /* Cut to 26 bits, r^2 is exact, and r^5 is off by two roundings, of which a fifth reaches the root. x - r^5 is
+     * exact. */
+    const double r = cor_inline_head(halley), r2 = r * r, r5 = COR_INLINE_KEEP(r2 * r2 * r);
     const double d = (x - r5) / r5;
+    /* (1 + d)^(1/5) - 1 up to d^4; |d| < 4e-4, and the next term is below 2^-59. */
     struct cor_inline_pair root;
     root.hi = r;
     root.lo = r * (d * ((0.2 - 0.08 * d) + (d * d) * (0.048 - 0.0336 * d)));
@@ -160,7 +238,8 @@ COR_INLINE double cor_inline_fifth_root_normal(double x)
 /* Over the whole range: 0, +inf and NaN are returned as they are, and so are negative numbers. */
 COR_INLINE double cor_inline_fifth_root(double x)
 {
-    if (!(x > 0) || isinf(x))
+    /* the bits of a positive finite x are 1 to INFINITY_BITS - 1 */
+    if (cor_inline_bits(x) - 1 >= COR_INLINE_INFINITY_BITS - 1)
         return x;
     if (x < COR_INLINE_2_M900)
         return cor_inline_fifth_root_normal(x * COR_INLINE_2_200) * COR_INLINE_2_M40;
@@ -180,22 +259,62 @@ COR_INLINE double cor_inline_fifth_root(double x)
 #define COR_RUNTIME_ROW_H
 
 
-/* A row of degree 10 without its first coefficient c_0: c_0' + s (c_1 + c_2 t + ... + c_10 t^9), in columns c[1] to
- * c[11]. By Estrin's scheme: five products deep in t where Horner's rule has ten. An expression, because the array
- * functions put vectors in it.
+/* A row of degree 10 without its first coefficient c_0,
  *
- * Rounding error: |s (c_1 + ...)| is at most a few percent of c_0, so its relative rounding error, some 3 2^-53, is a
- * tenth of a unit of the last place of c_0 + row, whose own rounding is at most half a unit. */
-#define COR_INLINE_ROW(c, s, t, t2, t4)                                                                                \
-    ((c)[1] + (s) * (((((c)[2] + (c)[3] * (t)) + ((c)[4] + (c)[5] * (t)) * (t2)) +                                     \
-                      (((c)[6] + (c)[7] * (t)) + ((c)[8] + (c)[9] * (t)) * (t2)) * (t4)) +                             \
-                     ((c)[10] + (c)[11] * (t)) * ((t4) * (t4))))
+ *     c_0' + s (c_1 + c_2 t + ... + c_10 t^9),     columns c[1] to c[11]
+ *
+ * where s = t, and where s comes later than t. Each pair of terms is multiplied by its own power of t, which is ready
+ * before the coefficients are: once they have come, seven operations follow one another, and nine where s is another
+ * number; Horner's rule has twenty. Expressions, because the array functions put vectors in them; pN is t^N.
+ *
+ * Rounding error: the row is at most a few percent of c_0 + row (docs/accuracy.md), and its relative rounding error
+ * some 3 2^-53, so that it is a tenth of a unit of the last place of the sum, whose own rounding is half a unit. */
+#define COR_INLINE_ROW(c, t, p2, p4, p6, p8, p10)                                                                      \
+    ((((c)[1] + (t) * (c)[2]) + (p10) * (c)[11]) +                                                                     \
+     (((p2) * ((c)[3] + (c)[4] * (t)) + (p4) * ((c)[5] + (c)[6] * (t))) +                                              \
+      ((p6) * ((c)[7] + (c)[8] * (t)) + (p8) * ((c)[9] + (c)[10] * (t)))))
+#define COR_INLINE_ROW_TIMES_S(c, s, t, p2, p4, p6, p8)                                                                \
+    ((c)[1] +                                                                                                          \
+     (s) * ((((c)[2] + (c)[3] * (t)) + (p8) * ((c)[10] + (c)[11] * (t))) +                                             \
+            ((p2) * ((c)[4] + (c)[5] * (t)) + ((p4) * ((c)[6] + (c)[7] * (t)) + (p6) * ((c)[8] + (c)[9] * (t))))))
 #define COR_INLINE_COLUMNS 12
 
-COR_INLINE double cor_inline_row(const double *c, double s, double t)
+/* A place in a table: the row and its variables */
+struct cor_inline_place {
+    const double *row;
+    double s, t;
+    int has_s; /* else s = t; a constant where a compiler looks */
+};
+
+COR_INLINE double cor_inline_row(struct cor_inline_place place)
 {
-    const double t2 = t * t, t4 = t2 * t2;
-    return COR_INLINE_ROW(c, s, t, t2, t4);
+    const double *const c = place.row;
+    const double t = place.t, p2 = t * t, p4 = p2 * p2, p6 = p4 * p2, p8 = p4 * p4;
+    return place.has_s ? COR_INLINE_KEEP(COR_INLINE_ROW_TIMES_S(c, place.s, t, p2, p4, p6, p8))
+                       : COR_INLINE_KEEP(COR_INLINE_ROW(c, t, p2, p4, p6, p8, p6 * p4));
+}
+
+/* c_0 + row */
+COR_INLINE double cor_inline_row_value(struct cor_inline_place place)
+{
+    return place.row[0] + cor_inline_row(place);
+}
+
+/* m (c_0 + row) in rows whose c_0 has at most 26 bits, m >= 2^-900: both products of c_0 with a half of m are exact, and
+ * only the final addition rounds what counts. */
+COR_INLINE double cor_inline_row_product(struct cor_inline_place place, double m)
+{
+    const double head = cor_inline_head(m), tail = m - head;
+    return COR_INLINE_KEEP(head * place.row[0]) + (tail * place.row[0] + m * cor_inline_row(place));
+}
+
+COR_INLINE struct cor_inline_place cor_inline_place_of(const double *row, double t)
+{
+    struct cor_inline_place place;
+    place.row = row;
+    place.s = place.t = t;
+    place.has_s = 0;
+    return place;
 }
 
 /* ---- uniform grids: node i = first + i step ---- */
@@ -220,32 +339,66 @@ COR_INLINE int cor_inline_grid_row(struct cor_inline_grid grid, double y)
     return (int)((y - grid.first) * grid.per_unit + 0.5);
 }
 
+/* Adding a first node of 0 costs an addition, which no compiler may leave out, for 0 + -0 is 0. */
+COR_INLINE double cor_inline_grid_node(struct cor_inline_grid grid, int i)
+{
+    return grid.first == 0 ? i * grid.step : grid.first + i * grid.step;
+}
+
 /* y - node i. Exact: y and its node are multiples of the last place of y, or of the difference. */
 COR_INLINE double cor_inline_grid_t(struct cor_inline_grid grid, double y, int i)
 {
     return (y - grid.first) - i * grid.step;
 }
 
+/* The place of y */
+COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid grid, double y,
+                                                         const double *(*rows)(int))
+{
+    const int i = cor_inline_grid_row(grid, y);
+    return cor_inline_place_of(rows(i), cor_inline_grid_t(grid, y, i));
+}
+
+/* The place of z = sqrt(x) where the rows from `plain` on have s = x - node^2: that is exact, and t has the rounding
+ * error of the root, which c_1 would pass on. */
+COR_INLINE struct cor_inline_place cor_inline_grid_place_of_root(struct cor_inline_grid grid, int plain, double x,
+                                                                 const double *(*rows)(int))
+{
+    const double z = sqrt(x);
+    const int i = cor_inline_grid_row(grid, z);
+    const double node = cor_inline_grid_node(grid, i);
+    struct cor_inline_place place = cor_inline_place_of(rows(i), z - node);
+    place.s = cor_inline_choose(i < plain, place.t, x - node * node);
+    place.has_s = 1;
+    return place;
+}
+
 /* ---- grids by octaves: the same cells in every octave 2^k <= x < 2^(k+1), nodes in their middle ---- */
 
 struct cor_inline_octaves {
-    int first, bits; /* the first k; 2^bits cells to an octave */
+    double first; /* a power of two */
+    int bits;     /* 2^bits cells to an octave */
 };
 
-COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(int first, int bits)
+COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(double first, int bits)
 {
     struct cor_inline_octaves grid;
     grid.first = first;
     grid.bits = bits;
     return grid;
 }
-#define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST_OCTAVE, table##_OCTAVE_BITS)
+#define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST, table##_OCTAVE_BITS)
 
-/* The row of x: its exponent and the leading bits of its fraction are the index. x >= 2^first */
+/* Whether first <= x < end; not for NaN. Of negative numbers and of those below `first` the difference is huge. */
+COR_INLINE int cor_inline_octaves_hold(struct cor_inline_octaves grid, double x, double end)
+{
+    return cor_inline_bits(x) - cor_inline_bits(grid.first) < cor_inline_bits(end) - cor_inline_bits(grid.first);
+}
+
+/* The row of x: how many cells lie between first and x, for the bits of x rise by the same from cell to cell. */
 COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
 {
-    const int bias = 1023, fraction_bits = 52;
-    return (cor_inline_bits(x) >> (fraction_bits - grid.bits)) - ((uint64_t)(bias + grid.first) << grid.bits);
+    return (cor_inline_bits(x) - cor_inline_bits(grid.first)) >> (52 - grid.bits);
 }
 
 /* x 2^-k, 1 <= x 2^-k < 2, less the node of its cell. Exact. */
@@ -257,14 +410,21 @@ COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
     return cor_inline_from_bits(fraction | one) - cor_inline_from_bits(node | one);
 }
 
+/* The place of x */
+COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_octaves grid, double x,
+                                                            const double *(*rows)(int))
+{
+    return cor_inline_place_of(rows((int)cor_inline_octaves_row(grid, x)), cor_inline_octaves_t(grid, x));
+}
+
 #endif
 
 /* A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
- * c_0', c_1, ..., c_n. s = t; only in the rows of eps at zero force from node 1/4 on,
- * s = beta - node^2. c_0' is what the double c_0 lacks of the value at the node. */
+ * c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from
+ * node 1/4 on s = beta - node^2. c_0' is what c_0 lacks of the value at the node. */
 
 /* eps at zero overlap, beta < 7: 57 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 7.0625.
- * Relative error of the approximation: 2^-56.3 at most, sampled at 25 places of each row. */
+ * Relative error of the approximation: 2^-56.5 at most, sampled at 25 places of each row. */
 #define COR_ROWS_EPS_ZERO_OVERLAP_FIRST 0.0
 #define COR_ROWS_EPS_ZERO_OVERLAP_STEP 0.125
 #define COR_ROWS_EPS_ZERO_OVERLAP_PER_UNIT 8.0
@@ -285,19 +445,19 @@ COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
          -0.379607932127903, 0.23360715632682785, -0.1437403509971083, 0.088908735903795624,
          -0.055236320677244689, 0.034443179737066336, -0.021638566909531871, 0.013583908318224395
         },
-        /* [2] 0.1875 <= y <= 0.3125, degree 10, 56.9 bits */
+        /* [2] 0.1875 <= y <= 0.3125, degree 10, 58.1 bits */
         {
          0.75452677625261988, -4.8741574911719782e-17, -0.83434571976165361, 0.50787420844941344,
          -0.28221012412055985, 0.16134687125556058, -0.09198829516623476, 0.052699428348418689,
          -0.030322070461857916, 0.01749993037986464, -0.010169065960553678, 0.0059062012332149871
         },
-        /* [3] 0.3125 <= y <= 0.4375, degree 10, 56.3 bits */
+        /* [3] 0.3125 <= y <= 0.4375, degree 10, 57.3 bits */
         {
          0.65765467575306902, 5.4381997156597249e-17, -0.719448633594998, 0.41555030292633544,
          -0.21408342330727326, 0.11439713837300181, -0.060771010452977614, 0.032420583052912164,
          -0.017378189040037389, 0.0093344272293922944, -0.0050468218863353497, 0.0027274563634856388
         },
-        /* [4] 0.4375 <= y <= 0.5625, degree 10, 57.2 bits */
+        /* [4] 0.4375 <= y <= 0.5625, degree 10, 57.7 bits */
         {
          0.57382462866494899, -4.4569976336128697e-18, -0.6247711686155708, 0.3449153250329331,
          -0.16524790894731067, 0.082968007476952571, -0.04127306695466347, 0.020593980066099603,
@@ -678,37 +838,37 @@ COR_INLINE const double *cor_rows_eps_zero_force(int i)
          0.36916676172259494, -0.60518842319636346, -0.045557354486666292, 0.48749855191174335,
          -0.12234925834338307, -0.38394220794831974, 0.27960704623031213, 0.17143966585499085
         },
-        /* [8] 0.46875 <= y <= 0.53125, degree 10, 57.5 bits */
+        /* [8] 0.46875 <= y <= 0.53125, degree 10, 58.9 bits */
         {
          0.76003716054438142, -3.7143745433967621e-17, -0.78791783256381742, 0.59500004262011186,
          0.24183646134416725, -0.57871364161300831, 0.10131576246673257, 0.39450036817948197,
          -0.25058662384023511, -0.21434876815671366, 0.3177308855558304, 0.0066075088486488107
         },
-        /* [9] 0.53125 <= y <= 0.59375, degree 10, 61.6 bits */
+        /* [9] 0.53125 <= y <= 0.59375, degree 10, 62.8 bits */
         {
          0.71023745104195235, 2.6937382968466934e-17, -0.71341191038268981, 0.59418265825624295,
          0.12645320636659788, -0.51796988573967795, 0.20642041708639128, 0.27072674261426072,
          -0.29904179964377886, -0.053917282578341739, 0.27062138350346521, -0.11491493964616935
         },
-        /* [10] 0.59375 <= y <= 0.65625, degree 10, 59.0 bits */
+        /* [10] 0.59375 <= y <= 0.65625, degree 10, 60.1 bits */
         {
          0.66007265621760824, 1.9281274151071966e-17, -0.64003379970871932, 0.57750731192297822,
          0.028919646624988013, -0.43636139541368479, 0.26594970226313092, 0.14594843350302839,
          -0.28272012575723016, 0.062781468970094442, 0.17719296486683769, -0.16179681705220955
         },
-        /* [11] 0.65625 <= y <= 0.71875, degree 10, 61.2 bits */
+        /* [11] 0.65625 <= y <= 0.71875, degree 10, 61.7 bits */
         {
          0.61053160722392685, 3.8607374123486182e-17, -0.56954876123935905, 0.54850763027113503,
          -0.047981264603459771, -0.34669947858978489, 0.28483298428757925, 0.040817550831767059,
          -0.22693232147360398, 0.12460152298147557, 0.079680293988371051, -0.14680837424075813
         },
-        /* [12] 0.71875 <= y <= 0.78125, degree 10, 57.5 bits */
+        /* [12] 0.71875 <= y <= 0.78125, degree 10, 57.7 bits */
         {
          0.5624171586006832, 1.3480314507551217e-17, -0.50326722303599347, 0.51085083108574736,
          -0.10414458215962148, -0.25925021483992805, 0.27297686791005565, -0.034920458405314631,
          -0.15673095221700015, 0.13925117489496328, 0.0051320857387833702, -0.10077025267847954
         },
-        /* [13] 0.78125 <= y <= 0.84375, degree 10, 59.7 bits */
+        /* [13] 0.78125 <= y <= 0.84375, degree 10, 59.8 bits */
         {
          0.51634244852193756, 1.2567146039006337e-17, -0.4420539647496225, 0.46794684643197509,
          -0.14139305106949251, -0.18091990081132117, 0.24164248623713558, -0.08057056143605576,
@@ -6524,101 +6684,762 @@ COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
     return row[i];
 }
 
-/* (1 - eps)/beta at zero overlap, beta < 1/4: 3 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 0.3125.
- * Relative error of the approximation: 2^-59.0 at most, sampled at 25 places of each row. */
+/* (1 - eps)/beta at zero overlap, beta < 7: 57 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 7.0625.
+ * Relative error of the approximation: 2^-58.2 at most, sampled at 25 places of each row. */
 #define COR_ROWS_LOSS_ZERO_OVERLAP_FIRST 0.0
 #define COR_ROWS_LOSS_ZERO_OVERLAP_STEP 0.125
 #define COR_ROWS_LOSS_ZERO_OVERLAP_PER_UNIT 8.0
-#define COR_ROWS_LOSS_ZERO_OVERLAP_ROWS 3
-#define COR_ROWS_LOSS_ZERO_OVERLAP_END 0.25
+#define COR_ROWS_LOSS_ZERO_OVERLAP_ROWS 57
+#define COR_ROWS_LOSS_ZERO_OVERLAP_END 7.0
 COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
 {
-    static const double row[3][12] = {
+    static const double row[57][12] = {
         /* [0] 0 <= y <= 0.0625, degree 10, 60.1 bits */
         {
-         1.1534488580952889, -5.4545129843052069e-17, -0.79826656094479542, 0.52288256808841493,
+         1.1534488499164581, 8.1788306692477548e-09, -0.79826656094479542, 0.52288256808841493,
          -0.34874267526034775, 0.23309813201158869, -0.15668215158911236, 0.10581873812962693,
          -0.071763528280843064, 0.04881717366521926, -0.032818374653496858, 0.018511558063481599
         },
         /* [1] 0.0625 <= y <= 0.1875, degree 10, 59.0 bits */
         {
-         1.0612069393591179, 8.0991389710580302e-17, -0.68224578537466285, 0.41124304537870998,
+         1.0612069368362427, 2.5228753230416938e-09, -0.68224578537466285, 0.41124304537870998,
          -0.25308090600476713, 0.15578999742351413, -0.096397174869935265, 0.059907511729117124,
          -0.037367049226916735, 0.023390955918805863, -0.014744451667414081, 0.0092843467931797204
         },
         /* [2] 0.1875 <= y <= 0.3125, degree 10, 59.0 bits */
         {
-         0.9818928949895207, -2.7078305278152171e-17, -0.59018870091146813, 0.3292579698482187,
+         0.9818928986787796, -3.6892589254544297e-09, -0.59018870091146813, 0.3292579698482187,
          -0.1881913829102691, 0.1073780466188341, -0.061559006560583919, 0.035438312848660912,
          -0.020464431813466747, 0.011858005734409002, -0.0069130846254573854, 0.0040275335688963335
+        },
+        /* [3] 0.3125 <= y <= 0.4375, degree 10, 58.2 bits */
+        {
+         0.91292086243629456, 2.2221879181721591e-09, -0.51592594950262538, 0.26766839087010663,
+         -0.14289324683410987, 0.075989622562954856, -0.040582965857067915, 0.021766354144415353,
+         -0.011701608416556219, 0.0063124831657706392, -0.0034234281169273004, 0.0018559246758219252
+        },
+        /* [4] 0.4375 <= y <= 0.5625, degree 10, 60.2 bits */
+        {
+         0.85235074162483215, 1.0452698795726668e-09, -0.45515914810906238, 0.2204876461522586,
+         -0.11047947440985487, 0.055022933865804591, -0.027499733906196457, 0.013811507680193706,
+         -0.0069450360504935173, 0.0035054165253902009, -0.0017773232459486346, 0.0009010221338318973
+        },
+        /* [5] 0.5625 <= y <= 0.6875, degree 10, 58.7 bits */
+        {
+         0.798697829246521, 2.8373864041658147e-09, -0.40481730828082957, 0.18372561372710064,
+         -0.086779203880325256, 0.040651657472927857, -0.019084891880959739, 0.0090177244170441279,
+         -0.0042580637911918467, 0.0020197853256019695, -0.00096158294260994485, 0.00045778371917833621
+        },
+        /* [6] 0.6875 <= y <= 0.8125, degree 10, 59.4 bits */
+        {
+         0.75080627202987671, -6.6196578550510767e-09, -0.36265784123006523, 0.15465224880092357,
+         -0.069116351026151615, 0.030577213155084985, -0.013524213656006132, 0.0060388353771471401,
+         -0.0026862484220560191, 0.0012022027040575105, -0.00053953668435034513, 0.00024205718514294644
+        },
+        /* [7] 0.8125 <= y <= 0.9375, degree 10, 59.5 bits */
+        {
+         0.70776255428791046, 3.7199325034460898e-09, -0.32701119422902908, 0.13135659921313142,
+         -0.055726069806957906, 0.023374953844976232, -0.0097599036631044207, 0.0041369949606034073,
+         -0.0017380219914194344, 0.00073639837987569631, -0.00031276105987458689, 0.00013255794022146511
+        },
+        /* [8] 0.9375 <= y <= 1.0625, degree 10, 59.6 bits */
+        {
+         0.66883519291877747, -3.3854184011000332e-09, -0.29661278731880436, 0.11247421175195856,
+         -0.04541566223836286, 0.018137294244500002, -0.0071555803974986025, 0.0028932428016678301,
+         -0.0011502522548454378, 0.00046257168662788606, -0.00018680746289959473, 7.4840825670911547e-05
+        },
+        /* [9] 1.0625 <= y <= 1.1875, degree 10, 58.9 bits */
+        {
+         0.63343152403831482, -5.6325123968014108e-09, -0.2704896300530073, 0.097013856923204925,
+         -0.037361151320281207, 0.014271773217362277, -0.0053176932548121029, 0.0020619898556057331,
+         -0.00077725685553929938, 0.00029681807010168478, -0.00011483404337125492, 4.3353870425586544e-05
+        },
+        /* [10] 1.1875 <= y <= 1.3125, degree 10, 59.7 bits */
+        {
+         0.60106651484966278, -1.361021103594216e-10, -0.2478821050064299, 0.084244625677717885,
+         -0.030981776572506683, 0.011383024832065745, -0.0039969958748967962, 0.0014949376074677022,
+         -0.000536009693696967, 0.00019351884017559362, -7.273231415610679e-05, 2.5636586994745176e-05
+        },
+        /* [11] 1.3125 <= y <= 1.4375, degree 10, 60.9 bits */
+        {
+         0.57133972644805908, -1.3281318440336637e-09, -0.22818890850838727, 0.073620702316180994,
+         -0.025860670104374185, 0.0092016840954865838, -0.0030325581138109384, 0.0010998646673326027,
+         -0.00037804648820891177, 0.00012708488683071354, -4.7632485390336412e-05, 1.5436694252230211e-05
+        },
+        /* [12] 1.4375 <= y <= 1.5625, degree 10, 60.2 bits */
+        {
+         0.54391808807849884, -4.1885321694394451e-09, -0.21092757377999227, 0.064730177603195438,
+         -0.02169372940645066, 0.0075402734672742194, -0.0023191603630300368, 0.00081758640904007343,
+         -0.00027451355409830955, 8.283173410681171e-05, -3.2334329304927598e-05, 9.5982034760127963e-06
+        },
+        /* [13] 1.5625 <= y <= 1.6875, degree 10, 59.9 bits */
+        {
+         0.5185229480266571, 7.051842869009022e-10, -0.19570570289138972, 0.057259460093390828,
+         -0.018256238481132739, 0.0062649530689378391, -0.0017879106047793336, 0.00060877830423108567,
+         -0.00020782479805251565, 5.238485362331625e-05, -2.2459379511874207e-05, 6.5953181869695477e-06
+        },
+        /* [14] 1.6875 <= y <= 1.8125, degree 10, 61.3 bits */
+        {
+         0.49492023885250092, -3.4408837203057159e-09, -0.18219973049967189, 0.050967891335561608,
+         -0.015381035725401303, 0.005276798614378778, -0.0013944316127939161, 0.00044648975573656279,
+         -0.00016660573799545154, 3.1453533070932609e-05, -1.4936759787601345e-05, 5.7614072979993923e-06
+        },
+        /* [15] 1.8125 <= y <= 1.9375, degree 10, 58.9 bits */
+        {
+         0.47291284799575806, 6.7190146767851064e-10, -0.17013914349499595, 0.045668999256740846,
+         -0.01294444968612724, 0.0044990205732221037, -0.0011112063767838738, 0.00031231895760868404,
+         -0.00014218015707729206, 1.8816075922920485e-05, -7.3332449762212129e-06, 6.630984750660759e-06
+        },
+        /* [16] 1.9375 <= y <= 2.0625, degree 10, 59.0 bits */
+        {
+         0.45233481377363205, 3.5492921787482028e-09, -0.15929481915568264, 0.041215965082912552,
+         -0.010857550161145662, 0.0038682958117050156, -0.00092173494103124729, 0.00019529441137151871,
+         -0.00012584929261812576, 1.5585370009469974e-05, 1.9383417869937203e-06, 8.1613483237278124e-06
+        },
+        /* [17] 2.0625 <= y <= 2.1875, degree 10, 59.2 bits */
+        {
+         0.43304667621850967, -1.0233141904093544e-09, -0.14947064719241049, 0.037489670125880954,
+         -0.0090608422960761978, 0.0033296610483385955, -0.00081473043045878998, 9.273895222984278e-05,
+         -0.00010721971667308204, 2.3642617073221681e-05, 1.2340800166253822e-05, 7.9023589994358713e-06
+        },
+        /* [18] 2.1875 <= y <= 2.3125, degree 10, 60.0 bits */
+        {
+         0.41493171453475952, -2.754425088383241e-09, -0.14049792399529104, 0.034388370948579675,
+         -0.0075205621741134161, 0.002835318309019006, -0.00077733476895323569, 1.1664988035472506e-05,
+         -7.4975461169602905e-05, 4.2211404459672873e-05, 1.9429368554597546e-05, 2.2941461114823546e-06
+        },
+        /* [19] 2.3125 <= y <= 2.4375, degree 10, 59.3 bits */
+        {
+         0.39789277315139771, -3.6669801237011893e-09, -0.1322321552753124, 0.031818788420501211,
+         -0.0062244681282100298, 0.002347889821807057, -0.00078796610426125249, -3.2260363194500272e-05,
+         -2.1876049989803081e-05, 6.3209299633835739e-05, 1.5124202963616409e-05, -1.0092625093291196e-05
+        },
+        /* [20] 2.4375 <= y <= 2.5625, degree 10, 60.1 bits */
+        {
+         0.38184931129217148, -7.7356374316554232e-10, -0.12455185533992884, 0.029689212400824783,
+         -0.0051749778022881672, 0.0018474835641917092, -0.00081205390581850047, -2.1916253953493686e-05,
+         4.6686119293540168e-05, 6.9888810599136851e-05, -6.1946450789151524e-06, -2.3100384635698508e-05
+        },
+        /* [21] 2.5625 <= y <= 2.6875, degree 10, 63.7 bits */
+        {
+         0.36673454195261002, -5.7962155948447367e-10, -0.11735868964040398, 0.027905893836444092,
+         -0.0043784605223254058, 0.0013391561209038538, -0.00080590360214186562, 4.7251603335700782e-05,
+         0.00010735857583817198, 4.5565544027279424e-05, -3.7051891882822812e-05, -2.2976345067324322e-05
+        },
+        /* [22] 2.6875 <= y <= 2.8125, degree 10, 60.4 bits */
+        {
+         0.35249248892068863, -3.2602155887026993e-09, -0.11057796645903248, 0.026374022737263636,
+         -0.0038319770126066703, 0.00085449896110129315, -0.00073155570180317932, 0.00015399984811495472,
+         0.0001275225917116297, -8.6163419576159018e-06, -5.4560507257824144e-05, -2.0297550230575763e-06
+        },
+        /* [23] 2.8125 <= y <= 2.9375, degree 10, 61.0 bits */
+        {
+         0.33907503634691238, 2.2130030633752917e-10, -0.10415827039511, 0.025003496270627437,
+         -0.0035119599969695168, 0.00044173164580034848, -0.00057681752439222298, 0.00025302379963956963,
+         8.9339048873306179e-05, -6.4811175288893101e-05, -3.9070045220395473e-05, 2.5709091469873641e-05
+        },
+        /* [24] 2.9375 <= y <= 3.0625, degree 10, 59.7 bits */
+        {
+         0.32643916457891464, -2.3248497919957394e-10, -0.098069224097325186, 0.023717633981212443,
+         -0.0033706964856524569, 0.00014539475580135141, -0.00036580813428938172, 0.00029791373835732127,
+         9.5193044163210691e-06, -8.7080929634598955e-05, 1.459116623316406e-06, 3.4488614861213782e-05
+        },
+        /* [25] 3.0625 <= y <= 3.1875, degree 10, 60.5 bits */
+        {
+         0.31454454362392426, -2.1812469944623235e-09, -0.092297073171432237, 0.022461196775352771,
+         -0.0033435844545288023, -1.4216820989148354e-05, -0.00014847377105723042, 0.00027006164685236008,
+         -6.9247235302923586e-05, -6.3898358908405427e-05, 3.5869054099074482e-05, 1.7364403510177256e-05
+        },
+        /* [26] 3.1875 <= y <= 3.3125, degree 10, 61.0 bits */
+        {
+         0.30335182696580887, -9.1663948943120399e-10, -0.086838749432871329, 0.021204058348870108,
+         -0.0033640311633043448, -4.9393351519740094e-05, 2.5571644248863079e-05, 0.00018805910767370797,
+         -0.00011028129920613426, -1.7046322316901229e-05, 4.2020076658155187e-05, -6.5929007138748965e-06
+        },
+        /* [27] 3.3125 <= y <= 3.4375, degree 10, 59.5 bits */
+        {
+         0.29282171279191971, 2.0020294282282409e-09, -0.081695747029836951, 0.019939032378711204,
+         -0.0033783446905712726, 2.9899358787852989e-06, 0.00012978888288129827, 9.0507221878972978e-05,
+         -0.0001061291557607778, 2.2080846858230533e-05, 2.5059839401239484e-05, -1.7727395440924771e-05
+        },
+        /* [28] 3.4375 <= y <= 3.5625, degree 10, 59.9 bits */
+        {
+         0.28291469812393188, 2.3296759975707316e-09, -0.076869153215199326, 0.0186752345386807,
+         -0.0033538968908268679, 9.8525129807657973e-05, 0.00016589456449887167, 1.0503493637855796e-05,
+         -7.4105657945642504e-05, 3.7953943626046836e-05, 3.9540006451951906e-06, -1.4299474385124102e-05
+        },
+        /* [29] 3.5625 <= y <= 3.6875, degree 10, 60.2 bits */
+        {
+         0.27359133213758469, 3.2476223934439939e-09, -0.072356586171412246, 0.017429995121616727,
+         -0.0032788708826403811, 0.00020025826037591558, 0.00015362780564653702, -3.7744135609110987e-05,
+         -3.6828157821227523e-05, 3.4241652671520521e-05, -8.6198544978923931e-06, -5.7425038745876053e-06
+        },
+        /* [30] 3.6875 <= y <= 3.8125, degree 10, 61.6 bits */
+        {
+         0.26481275260448456, 2.5583322461771133e-09, -0.068151040181002639, 0.016222034965963958,
+         -0.0031564710143832434, 0.00028545993623780376, 0.00011667958203841457, -5.6627170761444588e-05,
+         -8.371101500368008e-06, 2.2163848167000939e-05, -1.1444791395717802e-05, 5.6173126274180939e-07
+        },
+        /* [31] 3.8125 <= y <= 3.9375, degree 10, 61.3 bits */
+        {
+         0.25654125213623047, 3.5222905145750288e-10, -0.064241128945238576, 0.015067188536136186,
+         -0.0029977591290655764, 0.00034487598975642696, 7.3542801916420686e-05, -5.6071404960282185e-05,
+         7.6756477338767893e-06, 1.0424432591745503e-05, -8.9020941526849793e-06, 2.9385743308352105e-06
+        },
+        /* [32] 3.9375 <= y <= 4.0625, degree 10, 62.4 bits */
+        {
+         0.24874076619744301, 1.2283501315475811e-09, -0.060612077679588296, 0.013976597917721434,
+         -0.0028159396392087722, 0.00037836953033607381, 3.4897275920332441e-05, -4.6100296993528589e-05,
+         1.3802286210239173e-05, 2.5413355290393995e-06, -5.1454328654361076e-06, 2.815393228135027e-06
+        },
+        /* [33] 4.0625 <= y <= 4.1875, degree 10, 63.2 bits */
+        {
+         0.24137723445892334, 9.8847028479349532e-10, -0.05724693482509155, 0.012956614495546914,
+         -0.0026229821768818987, 0.00039034491278835894, 4.9913459035653997e-06, -3.3619133227049704e-05,
+         1.4061377342056071e-05, -1.4703914170998085e-06, -2.2040173535153837e-06, 1.8509112592408663e-06
+        },
+        /* [34] 4.1875 <= y <= 4.3125, degree 10, 60.2 bits */
+        {
+         0.23441878706216812, 9.5124830934014264e-10, -0.054127683615189125, 0.012009574206457933,
+         -0.0024282260350164827, 0.00038651403680986572, -1.5824572157517148e-05, -2.2234468035698591e-05,
+         1.1731225670947849e-05, -2.8689636719272309e-06, -4.846312306565168e-07, 9.4510607310733185e-07
+        },
+        /* [35] 4.3125 <= y <= 4.4375, degree 10, 60.4 bits */
+        {
+         0.22783582657575607, 1.7552162370228213e-09, -0.051236116604290179, 0.011134841841369102,
+         -0.0022382149053811811, 0.00037216421522509732, -2.8973304499614161e-05, -1.3262237430810819e-05,
+         8.7736211769743826e-06, -2.9014737880489177e-06, 2.9670621898608749e-07, 3.5949763088199719e-07
+        },
+        /* [36] 4.4375 <= y <= 4.5625, degree 10, 59.8 bits */
+        {
+         0.22160101309418678, 9.8116435364430269e-10, -0.048554452507500782, 0.010329792513224609,
+         -0.0020571078077771627, 0.00035149913060062945, -3.6347010348058052e-05, -6.7910813948960018e-06,
+         6.1029205148621933e-06, -2.3965477975140816e-06, 5.3456746003192197e-07, 5.9555230109562435e-08
+        },
+        /* [37] 4.5625 <= y <= 4.6875, degree 10, 62.6 bits */
+        {
+         0.21568917855620384, -1.1420981644013493e-09, -0.046065730679005719, 0.0095905990210703364,
+         -0.0018872545123291857, 0.00032756891256093272, -3.9683202713476098e-05, -2.4102747268308953e-06,
+         4.0122099726437887e-06, -1.7882012129891486e-06, 5.2039719547220151e-07, -6.1025863190520447e-08
+        },
+        /* [38] 4.6875 <= y <= 4.8125, degree 10, 59.8 bits */
+        {
+         0.21007720753550529, -6.3608076142416049e-10, -0.043754035629027729, 0.0089128066643168295,
+         -0.0017297333168320567, 0.0003024476622103727, -4.035450389299453e-05, 3.9985864407557205e-07,
+         2.4997894416126067e-06, -1.2558467944033148e-06, 4.1957290546736683e-07, -9.0726104301856822e-08
+        },
+        /* [39] 4.8125 <= y <= 4.9375, degree 10, 61.9 bits */
+        {
+         0.20474391058087349, -1.3054468338094352e-09, -0.041604601465287501, 0.0082917259041167552,
+         -0.0015847799139512913, 0.00027747077655095829, -3.9359516171061568e-05, 2.1019276638983778e-06,
+         1.4587439506062311e-06, -8.4710978399941748e-07, 3.0884889374433155e-07, -8.3108546415929124e-08
+        },
+        /* [40] 4.9375 <= y <= 5.0625, degree 10, 66.2 bits */
+        {
+         0.19966986402869225, -4.4304690901119018e-10, -0.039603836432812158, 0.0077226861280903477,
+         -0.001452101232077642, 0.00025345008258834806, -3.7388193090881055e-05, 3.0542822180807051e-06,
+         7.6681927884202895e-07, -5.541518534142048e-07, 2.1607166858395192e-07, -6.4804509233096806e-08
+        },
+        /* [41] 5.0625 <= y <= 5.1875, degree 10, 59.7 bits */
+        {
+         0.19483727589249611, -2.7696998613969044e-10, -0.037739297129427828, 0.0072011904940530681,
+         -0.0013310931170555681, 0.00023084203883277482, -3.4900310546204123e-05, 3.515106649231718e-06,
+         3.2004768184328267e-07, -3.5239848301321621e-07, 1.466207103105546e-07, -4.6784218908341014e-08
+        },
+        /* [42] 5.1875 <= y <= 5.3125, degree 10, 61.9 bits */
+        {
+         0.19022983685135841, 7.3960296685571145e-10, -0.035999632994353922, 0.0067230034121754092,
+         -0.0012209857853831823, 0.0002098695814093692, -3.2193341010550813e-05, 3.662773877761062e-06,
+         4.0011071148224571e-08, -2.168555396492396e-07, 9.7542304899225164e-08, -3.2415332102808104e-08
+        },
+        /* [43] 5.3125 <= y <= 5.4375, degree 10, 64.6 bits */
+        {
+         0.18583259731531143, -1.3889839291900428e-09, -0.034374514871442059, 0.0062841936572697399,
+         -0.001120938126356473, 0.00019060658516594769, -2.9454086633562475e-05, 3.6173569809511685e-06,
+         -1.2894210908749201e-07, -1.2733384966996315e-07, 6.393198825384634e-08, -2.1957496479520104e-08
+        },
+        /* [44] 5.4375 <= y <= 5.5625, degree 10, 59.6 bits */
+        {
+         0.18163182958960533, -1.1789173408931045e-09, -0.032854556614084894, 0.0058811491040771571,
+         -0.0010300970319425662, 0.00017303483752764213, -2.6795498491336581e-05, 3.4582620640763156e-06,
+         -2.250168384572093e-07, -6.9042420119845043e-08, 4.1312580661022023e-08, -1.4685750175493308e-08
+        },
+        /* [45] 5.5625 <= y <= 5.6875, degree 10, 59.5 bits */
+        {
+         0.17761493101716042, 3.0343342322415475e-10, -0.031431235384142664, 0.0055105738971609397,
+         -0.00094763334977311338, 0.00015708176680439816, -2.4282023135183814e-05, 3.2372423291448653e-06,
+         -2.739601116112937e-07, -3.1659582166953641e-08, 2.62427594388162e-08, -9.7459373943998499e-09
+        },
+        /* [46] 5.6875 <= y <= 5.8125, degree 10, 62.4 bits */
+        {
+         0.17377031594514847, 4.4441335267727924e-10, -0.030096814077627557, 0.0051694752249759552,
+         -0.00087276246490977031, 0.000142645055658961, -2.1946710909752415e-05, 2.987516379018077e-06,
+         -2.9293854920294174e-07, -8.1601382211412816e-09, 1.6270604831068206e-08, -6.4284395918305087e-09
+        },
+        /* [47] 5.8125 <= y <= 5.9375, degree 10, 64.5 bits */
+        {
+         0.17008731886744499, -1.6344366511005143e-09, -0.028844267848662054, 0.0048551443801727852,
+         -0.00080475492302501468, 0.00012960845358225021, -1.9802632795419384e-05, 2.7299879290386809e-06,
+         -2.9331685388213384e-07, 6.1785411018982914e-09, 9.7124322369771406e-09, -4.2120888127270821e-09
+        },
+        /* [48] 5.9375 <= y <= 6.0625, degree 10, 60.4 bits */
+        {
+         0.16655610501766205, -3.731201781980079e-10, -0.027667215755655991, 0.0045651351167423204,
+         -0.00074294071038534309, 0.00011785173776362983, -1.7850442462915936e-05, 2.477431643985892e-06,
+         -2.8257140188877306e-07, 1.4512951200776934e-08, 5.432237184748236e-09, -2.7349012837204794e-09
+        },
+        /* [49] 6.0625 <= y <= 6.1875, degree 10, 62.4 bits */
+        {
+         0.16316761076450348, -6.7233302386382155e-10, -0.026559857949515455, 0.0042972412024794458,
+         -0.00068670958662290691, 0.00010725680968394897, -1.6083352831564145e-05, 2.2372923167027767e-06,
+         -2.6558330897318883e-07, 1.8947250256457596e-08, 2.6691852257637591e-09, -1.7519133908275735e-09
+        },
+        /* [50] 6.1875 <= y <= 6.3125, degree 10, 61.0 bits */
+        {
+         0.15991345793008804, -1.2141509757055938e-09, -0.025516918447299745, 0.0040494743304888064,
+         -0.00063550904767889222, 9.771125717491022e-05, -1.4490386319737746e-05, 2.0135512313901865e-06,
+         -2.455050419136065e-07, 2.0881732598249741e-08, 9.1480121118646268e-10, -1.0991761509486981e-09
+        },
+        /* [51] 6.3125 <= y <= 6.4375, degree 10, 61.3 bits */
+        {
+         0.15678589791059494, -7.7212402866476938e-10, -0.024533593308334059, 0.0038200430713630608,
+         -0.00058884094951096582, 8.9110268770903231e-05, -1.3058475076584742e-05, 1.8079683098560799e-06,
+         -2.2433971861036733e-07, 2.1246293354048656e-08, -1.7082408650966705e-10, -6.6732116122447228e-10
+        },
+        /* [52] 6.4375 <= y <= 6.5625, degree 10, 60.4 bits */
+        {
+         0.15377775579690933, 1.6347451772464479e-09, -0.023605503901408906, 0.0036073332341223664,
+         -0.00054625745884114441, 8.1357490631493224e-05, -1.1773796535668799e-05, 1.6209070374860123e-06,
+         -2.0332836609043941e-07, 2.0656227133626395e-08, -8.1514501724242165e-10, -3.8334823144356572e-10
+        },
+        /* [53] 6.5625 <= y <= 6.6875, degree 10, 61.0 bits */
+        {
+         0.15088238567113876, 9.5497189143537612e-10, -0.022728654886730336, 0.0034098898026633786,
+         -0.00050735675495880872, 7.4365218072991994e-05, -1.0622601895974873e-05, 1.451880366973168e-06,
+         -1.8320903800335006e-07, 1.9516222097696349e-08, -1.1704831913456508e-09, -1.9842287213620054e-10
+        },
+        /* [54] 6.6875 <= y <= 6.8125, degree 10, 60.3 bits */
+        {
+         0.14809361100196838, 1.9715257848067777e-10, -0.021899396511701488, 0.0032264004876505319,
+         -0.00047177874593142525, 6.8054181175561257e-05, -9.5917098830025076e-06, 1.2999098514608851e-06,
+         -1.6439032421882748e-07, 1.8089919379734425e-08, -1.3388364658296981e-09, -7.9788832287577483e-11
+        },
+        /* [55] 6.8125 <= y <= 6.9375, degree 10, 60.3 bits */
+        {
+         0.14540569484233856, -8.154678796396964e-10, -0.021114390820144994, 0.0030556808562962039,
+         -0.00043920095650450217, 6.2353095200015179e-05, -8.6687811891358321e-06, 1.1637597049042099e-06,
+         -1.4706752946006001e-07, 1.6546562256911213e-08, -1.388407546479541e-09, -5.4204196046638897e-12
+        },
+        /* [56] 6.9375 <= y <= 7.0625, degree 10, 61.9 bits */
+        {
+         0.1428132988512516, -1.5151439232727511e-09, -0.020370581390133112, 0.0028966609574572269,
+         -0.00040933467544948402, 5.7198087133158541e-05, -7.8424508571616891e-06, 1.0420871587492353e-06,
+         -1.3130035819002146e-07, 1.4992357790970858e-08, -1.3646538944619322e-09, 3.9520068864094462e-11
         }
     };
     return row[i];
 }
 
-/* (1 - eps)/beta at zero force, beta < 1/4: 9 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 0.53125.
- * Relative error of the approximation: 2^-60.5 at most, sampled at 25 places of each row. */
+/* (1 - eps)/beta at zero force, beta < 16: 65 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 4.03125.
+ * Relative error of the approximation: 2^-58.2 at most, sampled at 25 places of each row. */
 #define COR_ROWS_LOSS_ZERO_FORCE_FIRST 0.0
 #define COR_ROWS_LOSS_ZERO_FORCE_STEP 0.0625
 #define COR_ROWS_LOSS_ZERO_FORCE_PER_UNIT 16.0
-#define COR_ROWS_LOSS_ZERO_FORCE_ROWS 9
-#define COR_ROWS_LOSS_ZERO_FORCE_END 0.25
+#define COR_ROWS_LOSS_ZERO_FORCE_ROWS 65
+#define COR_ROWS_LOSS_ZERO_FORCE_PLAIN_ROWS 4
+#define COR_ROWS_LOSS_ZERO_FORCE_END 16.0
 COR_INLINE const double *cor_rows_loss_zero_force(int i)
 {
-    static const double row[9][12] = {
+    static const double row[65][12] = {
         /* [0] 0 <= y <= 0.03125, degree 10, 66.2 bits */
         {
-         1.1534488580952889, -5.4545129842224474e-17, 5.0958840974630116e-22, -0.79826656094479542,
+         1.1534488499164581, 8.1788306692477548e-09, 5.0958840974630116e-22, -0.79826656094479542,
          -0.26666666666666322, 0.52288256808699907, 0.46137954353235411, -0.34874271036297394,
          -0.45234850375808922, 0.14631719611892938, 0.3708176297850917, -0.0026778271748397159
         },
         /* [1] 0.03125 <= y <= 0.09375, degree 10, 62.2 bits */
         {
-         1.1502739213032085, -8.7662292513592404e-17, -0.10236467126377537, -0.83497367210604267,
+         1.1502739191055298, 2.1976786180220323e-09, -0.10236467126377537, -0.83497367210604267,
          -0.11985814334837726, 0.64296500272534252, 0.29620536369119421, -0.52308147022704732,
          -0.32766595483707067, 0.34866225945493096, 0.32775466297802947, -0.1735047732744604
         },
         /* [2] 0.09375 <= y <= 0.15625, degree 10, 64.4 bits */
         {
-         1.1405953122383745, -7.7161081415612289e-18, -0.20749359246649349, -0.84178008630519696,
+         1.1405953168869019, -4.6485273485497603e-09, -0.20749359246649349, -0.84178008630519696,
          0.049744703455313746, 0.70248931563754458, 0.078519016774135558, -0.62225759895739619,
          -0.11378616185705691, 0.49061094322099991, 0.15564367587462241, -0.36331481913582186
         },
         /* [3] 0.15625 <= y <= 0.21875, degree 10, 62.3 bits */
         {
-         1.1243616605707656, -6.1260530193901467e-17, -0.31144473543139534, -0.8159405307594727,
+         1.124361664056778, -3.4860124289199713e-09, -0.31144473543139534, -0.8159405307594727,
          0.22536185936447342, 0.69013182540393514, -0.15724604456080415, -0.61641568127394497,
          0.14201978403876317, 0.50859683393109301, -0.09812425608417974, -0.42038350261388785
         },
-        /* [4] 0.21875 <= y <= 0.28125, degree 10, 64.0 bits */
+        /* [4] 0.21875 <= y <= 0.28125, degree 10, 59.6 bits */
         {
-         1.1017744614120915, 5.2245154605020921e-17, -0.41013783555984795, -0.75803152976036992,
-         0.38884488151537638, 0.60661414112376, -0.37008614168614812, -0.50197833813711112,
-         0.37066617565934495, 0.38384404797030258, -0.3319975227291348, -0.30043815971650284
+         1.1017744541168213, 7.2952702179865397e-09, -0.82027567111969601, 0.12448828271865209,
+         0.52871319759622204, 0.15580188705507608, -1.0517760802018903, 1.0995954841295581,
+         -1.4577934757567621, 3.6832750474544067, -8.1067789370200174, 15.612681554465032
         },
-        /* [5] 0.28125 <= y <= 0.34375, degree 10, 62.7 bits */
+        /* [5] 0.28125 <= y <= 0.34375, degree 10, 62.4 bits */
         {
-         1.0732835936593228, -8.7854883723502183e-17, -0.49977354652164796, -0.67191600340259527,
-         0.52380752916647866, 0.46508337133160271, -0.5233772920314117, -0.3054772260901723,
-         0.50859426140311559, 0.15693402757628064, -0.44770834204826543, -0.058956939037759906
+         1.0732835829257965, 1.0733526202141691e-08, -0.79963767443463674, 0.20435467365126633,
+         0.51112456882472634, -0.073665915988997827, -0.71953820483457853, 0.66249756599105003,
+         -0.24623620773129362, 0.64507237649215743, -1.7590748868383912, 2.7201887164612182
         },
-        /* [6] 0.34375 <= y <= 0.40625, degree 10, 60.5 bits */
+        /* [6] 0.34375 <= y <= 0.40625, degree 10, 62.2 bits */
         {
-         1.0395575390053382, -6.3964237242055275e-17, -0.5772119570234463, -0.56413900780219062,
-         0.61842010078153642, 0.28808825987381681, -0.59493124918286178, -0.075024917922089512,
-         0.52414182797487385, -0.090738975856969481, -0.40589537521325669, 0.18209653637736292
+         1.039557546377182, -7.3718438660262542e-09, -0.76961594269792843, 0.27396924652765042,
+         0.45926780567194753, -0.22823939439750759, -0.48892247386258819, 0.55186340792066491,
+         -0.036959768538041053, -0.071705609758561287, -0.44832254788168363, 0.84055877900696552
         },
-        /* [7] 0.40625 <= y <= 0.46875, degree 10, 61.0 bits */
+        /* [7] 0.40625 <= y <= 0.46875, degree 10, 61.2 bits */
         {
-         1.0014329311232861, 6.4863669345679532e-17, -0.64024649003731704, -0.44289251777722494,
-         0.66710946373684532, 0.10211184630458119, -0.58204066496718743, 0.13672415021396306,
-         0.42822272630396641, -0.27752327670676902, -0.24345849249956641, 0.3143329404558356
+         1.0014329254627228, 5.6605634162476545e-09, -0.73171027432836233, 0.33007743605844275,
+         0.3851794602039269, -0.32350584445639513, -0.29546836661092418, 0.49393430494272828,
+         -0.07509804993810805, -0.2313431163070373, -0.014895981343114942, 0.3762616249111308
         },
         /* [8] 0.46875 <= y <= 0.53125, degree 10, 60.6 bits */
         {
-         0.95985135782247444, 3.7552679273354828e-17, -0.6877341010346284, -0.31679786737656224,
-         0.67078185778774113, -0.068427240569243347, -0.49982695306790514, 0.28975225107784203,
-         0.26464606420045456, -0.35784915309133813, -0.043330060915589275, 0.30439071284974012
+         0.95985135436058044, 3.461894031247466e-09, -0.6877341010346284, 0.37093623365806616,
+         0.29984562412968802, -0.36827286469893133, -0.13155408847585046, 0.42130633955369251,
+         -0.15665996891638395, -0.20118918417495288, 0.15750050458684714, 0.14689020826222501
+        },
+        /* [9] 0.53125 <= y <= 0.59375, degree 10, 61.0 bits */
+        {
+         0.91579274833202362, -1.007823725863812e-09, -0.63962338588921708, 0.39630585953699177,
+         0.21278368408816428, -0.37204580629016948, -0.002062441054638868, 0.32755139907886571,
+         -0.21298781744010167, -0.10752894046405367, 0.19867051075985098, -0.0033258657377875844
+        },
+        /* [10] 0.59375 <= y <= 0.65625, degree 10, 59.3 bits */
+        {
+         0.87021400034427643, -2.6135358372990768e-10, -0.58926131295796103, 0.40721748294265125,
+         0.13137872039594051, -0.34580348934118316, 0.089410403773443989, 0.22551565102926566,
+         -0.2267768764140026, -0.01235507744072948, 0.16609820699096797, -0.085153204938997445
+        },
+        /* [11] 0.65625 <= y <= 0.71875, degree 10, 61.2 bits */
+        {
+         0.82399924099445343, 3.2259987656213115e-09, -0.53834151771206484, 0.40560546186145668,
+         0.060541402459012753, -0.30074797837291661, 0.14419376353957664, 0.13046268350887236,
+         -0.20447782752696936, 0.055204141894945824, 0.10366658193389845, -0.10721441611636692
+        },
+        /* [12] 0.71875 <= y <= 0.78125, degree 10, 60.0 bits */
+        {
+         0.777925044298172, 7.0783911825403261e-09, -0.48828058371656846, 0.39390230131396498,
+         0.0027941580537496511, -0.24683257520830121, 0.16796059896313351, 0.05299935152874128,
+         -0.16129576771864473, 0.088342997182465299, 0.042449326085322245, -0.090711590732410766
+        },
+        /* [13] 0.78125 <= y <= 0.84375, degree 10, 59.6 bits */
+        {
+         0.73264102637767792, -1.6535123441258273e-09, -0.44017921510936703, 0.37467550768586422,
+         -0.041316633464696433, -0.19179713513947128, 0.16866384571865634, -0.0025918904417053645,
+         -0.11215106978488731, 0.093251262209516322, -0.0018156343640567786, -0.058937227934749134
+        },
+        /* [14] 0.84375 <= y <= 0.90625, degree 10, 58.9 bits */
+        {
+         0.68866397440433502, -6.4797506719216146e-09, -0.39482359869902378, 0.35035248296088878,
+         -0.072652764204742745, -0.14086461169076661, 0.15448122493037933, -0.037167204038264214,
+         -0.067453965364866392, 0.080802762500595912, -0.026001091264641479, -0.028342469409394621
+        },
+        /* [15] 0.90625 <= y <= 0.96875, degree 10, 58.6 bits */
+        {
+         0.64638260006904602, -2.427979611280315e-09, -0.35271480307911468, 0.32304698648999741,
+         -0.092913424128996544, -0.096956849746705501, 0.13242839865847611, -0.054565154926264015,
+         -0.032390714818778574, 0.061080288866875596, -0.034083263925512315, -0.0064536774296319833
+        },
+        /* [16] 0.96875 <= y <= 1.03125, degree 10, 58.2 bits */
+        {
+         0.60606940090656281, -4.1364359982269621e-09, -0.31411395606604869, 0.29447722416624378,
+         -0.1041589886979805, -0.061193185571431441, 0.10774170109857084, -0.05963632268912035,
+         -0.0080790150548138168, 0.041021537343800277, -0.032199383478648612, 0.005771568193118819
+        },
+        /* [17] 1.03125 <= y <= 1.09375, degree 10, 59.6 bits */
+        {
+         0.56789647042751312, 1.8615967287517619e-09, -0.27909305019824809, 0.26595359642313232,
+         -0.10846902837664181, -0.033462575114922642, 0.083846217593841213, -0.056932299451548485,
+         0.0067604705076090019, 0.024253770911517262, -0.025731109014814835, 0.010567757640726563
+        },
+        /* [18] 1.09375 <= y <= 1.15625, degree 10, 59.7 bits */
+        {
+         0.53195288777351379, 6.1781962472242123e-09, -0.24758421529440572, 0.23841152490726103,
+         -0.10773208888420889, -0.012935041592072162, 0.062651801683555136, -0.050071154064679858,
+         0.014383717367787539, 0.011946101450894489, -0.018267912661104037, 0.010863884442432742
+        },
+        /* [19] 1.15625 <= y <= 1.21875, degree 10, 60.6 bits */
+        {
+         0.4982617124915123, -2.8164163113781726e-09, -0.21942321273828999, 0.21246794255704715,
+         -0.10354229353552412, 0.0015475287430280304, 0.044963398552554164, -0.041591749761496419,
+         0.017109174826435754, 0.0038424964300749647, -0.011690938276454371, 0.0090475292010096624
+        },
+        /* [20] 1.21875 <= y <= 1.28125, degree 10, 58.8 bits */
+        {
+         0.46679550409317017, -3.6585746582775922e-10, -0.19438524543517352, 0.18848560884984122,
+         -0.097170994434748484, 0.011209083662753395, 0.030872686465596922, -0.033078931174622669,
+         0.016868441850966417, -0.00092488678926149349, -0.0066816005302300077, 0.0066411875700509975
+        },
+        /* [21] 1.28125 <= y <= 1.34375, degree 10, 58.6 bits */
+        {
+         0.43748990446329117, 1.7247438514992983e-09, -0.17221279372998677, 0.16663512219347842,
+         -0.089584306974313549, 0.017185825635552609, 0.020070121531042758, -0.025392357825617148,
+         0.015073573017064745, -0.0033346325929915709, -0.0032461933506861937, 0.0044270124225470192
+        },
+        /* [22] 1.34375 <= y <= 1.40625, degree 10, 58.9 bits */
+        {
+         0.41025485843420029, -3.1079083828313715e-09, -0.15263614699994715, 0.14694918856350653,
+         -0.081484025618985378, 0.02045230328098015, 0.012064262242266284, -0.018899322189268087,
+         0.012654948050865509, -0.0042326453021820799, -0.0010983196468474885, 0.0026984545932655741
+        },
+        /* [23] 1.40625 <= y <= 1.46875, degree 10, 58.3 bits */
+        {
+         0.38498367369174957, -2.6791369769953402e-09, -0.13538775897790209, 0.12936702635016875,
+         -0.073356670181485478, 0.021799411301250786, 0.0063198702085882612, -0.01366615197865524,
+         0.010166227987866315, -0.0042537929384753185, 0.00011629078140496914, 0.0014842309392362016
+        },
+        /* [24] 1.46875 <= y <= 1.53125, degree 10, 59.8 bits */
+        {
+         0.3615601435303688, 1.0332851584491323e-09, -0.1202116790616486, 0.11376885301157941,
+         -0.065521536156713273, 0.021842331763132838, 0.0023348812571804154, -0.0095966177222175531,
+         0.0078976072125211769, -0.0038293766599342997, 0.00071296827299696176, 0.000699650951908413
+        },
+        /* [25] 1.53125 <= y <= 1.59375, degree 10, 61.7 bits */
+        {
+         0.33986391872167587, 1.5406347294494538e-10, -0.10686924139908718, 0.10000150189200629,
+         -0.058173088983629009, 0.021043065046502538, -0.000323865188619919, -0.0065225889296550311,
+         0.0059711019859022179, -0.0032283346467002348, 0.00093263177174738178, 0.00023137643602121459
+        },
+        /* [26] 1.59375 <= y <= 1.65625, degree 10, 59.6 bits */
+        {
+         0.31977444887161255, 3.3597083646787375e-10, -0.095142028934442041, 0.087896669868554503,
+         -0.051415949339682174, 0.019737882518559412, -0.002010126401979256, -0.0042581000361314892,
+         0.0044107221502527041, -0.0026039524830621351, 0.00094209436555548062, -2.3468610511805243e-05
+        },
+        /* [27] 1.65625 <= y <= 1.71875, degree 10, 62.4 bits */
+        {
+         0.30117382109165192, -6.0616369700668032e-10, -0.084832935241010321, 0.07728335743332089,
+         -0.045292409228574235, 0.018164244186205363, -0.0030015860560966131, -0.0026281961801059403,
+         0.0031895300698832211, -0.0020337969644355866, 0.00084825974668835771, -0.00014431146360757078
+        },
+        /* [28] 1.71875 <= y <= 1.78125, degree 10, 58.3 bits */
+        {
+         0.28394866734743118, -8.8660383835374511e-10, -0.075765959377664449, 0.067995918637318895,
+         -0.039803272534689335, 0.016484534988261159, -0.0035096212722136146, -0.0014818216105375514,
+         0.0022587822242606755, -0.0015494599842960097, 0.0007148520808924494, -0.00018676793919669148
+        },
+        /* [29] 1.78125 <= y <= 1.84375, degree 10, 58.5 bits */
+        {
+         0.26799140125513077, -1.9756640727311121e-09, -0.067785205709606194, 0.059878909149862762,
+         -0.034923142807307531, 0.014805684817086322, -0.0036911131513975761, -0.0006954240224207181,
+         0.0015645544020359121, -0.0011567985918216044, 0.00057686936391538517, -0.00018707342754836173
+        },
+        /* [30] 1.84375 <= y <= 1.90625, degree 10, 59.2 bits */
+        {
+         0.25320091843605042, 2.5471943508075114e-09, -0.06075342745012477, 0.052789676401029315,
+         -0.030611313199194985, 0.013194680683184379, -0.0036599384814268005, -0.00017168188124883673,
+         0.0010562807207341086, -0.00084875888783812205, 0.0004514246291536205, -0.00016740736866457985
+        },
+        /* [31] 1.90625 <= y <= 1.96875, degree 10, 60.6 bits */
+        {
+         0.23948295414447784, 2.5559289396558512e-10, -0.054550348982344302, 0.046599412151889771,
+         -0.026819298596396007, 0.011690431033944447, -0.0034970511214738333, 0.00016394282070686327,
+         0.00069042088779303513, -0.00061297698982543212, 0.0003451927028162134, -0.00014050810430049735
+        },
+        /* [32] 1.96875 <= y <= 2.03125, degree 10, 59.7 bits */
+        {
+         0.22675010189414024, -6.3021184950785691e-10, -0.049070924142885351, 0.041193199558958983,
+         -0.023495878491173901, 0.010312603555610969, -0.0032587969356967939, 0.00036729024615222939,
+         0.0004314035963640821, -0.00043596059953035293, 0.00025919936940439742, -0.00011314301138886535
+        },
+        /* [33] 2.03125 <= y <= 2.09375, degree 10, 61.5 bits */
+        {
+         0.21492170915007591, 1.4805398320735745e-09, -0.044223630912675928, 0.036469436664155232,
+         -0.020590340843056644, 0.009068062830160855, -0.0029834937385548521, 0.00047943316399942025,
+         0.00025118980094687775, -0.00030516446925927566, 0.00019172961090175412, -8.8504178925672582e-05
+        },
+        /* [34] 2.09375 <= y <= 2.15625, degree 10, 58.7 bits */
+        {
+         0.20392362028360367, 2.2265993548290029e-10, -0.039928862752191478, 0.032338903116994389,
+         -0.018054456168059764, 0.0079554657262338613, -0.0026964844884027335, 0.0005301014279594558,
+         0.00012824609810028052, -0.00020984385118716435, 0.00013999343612577792, -6.7763616845950114e-05
+        },
+        /* [35] 2.15625 <= y <= 2.21875, degree 10, 58.8 bits */
+        {
+         0.19368781894445419, 6.2982807290715136e-10, -0.036117449095227447, 0.028723651307109004,
+         -0.015843576526918968, 0.0069684778757206269, -0.0024139296773681863, 0.0005404962170291631,
+         4.636191277399415e-05, -0.00014124642966120224, 0.00010101497631449135, -5.1032621425242118e-05
+        },
+        /* [36] 2.21875 <= y <= 2.28125, degree 10, 63.7 bits */
+        {
+         0.18415206298232079, 3.9290913552270036e-10, -0.032729318963925579, 0.025555840996330549,
+         -0.013917147046227825, 0.0060979790261230628, -0.002145601033400018, 0.00052551500753736683,
+         -6.4728589783780744e-06, -9.2479757911114341e-05, 7.205985055533635e-05, -3.7925503358958817e-05
+        },
+        /* [37] 2.28125 <= y <= 2.34375, degree 10, 59.6 bits */
+        {
+         0.17525947093963623, -1.2945426723450426e-09, -0.029712309694541784, 0.022776592536198879,
+         -0.012238835393014054, 0.0053335399960096896, -0.0018969072097932563, 0.00049546285830367976,
+         -3.9038079851284067e-05, -5.8246137361014481e-05, 5.0802374797404429e-05, -2.7873524999404917e-05
+        },
+        /* [38] 2.34375 <= y <= 2.40625, degree 10, 59.1 bits */
+        {
+         0.16695810854434967, 1.6419964996643529e-09, -0.027021115404001827, 0.020334903253955702,
+         -0.010776423123373494, 0.0046643833867840547, -0.0016703418403116628, 0.00045734165064292522,
+         -5.7677243603554792e-05, -3.4547308847694584e-05, 3.5355705580798543e-05, -2.0287923603124496e-05
+        },
+        /* [39] 2.40625 <= y <= 2.46875, degree 10, 61.9 bits */
+        {
+         0.15920061245560646, -1.3102519282719455e-09, -0.024616365631894056, 0.018186650933469061,
+         -0.0095015577855301851, 0.0040799842230540362, -0.0014665046956421771, 0.00041580571851067066,
+         -6.6923967889105339e-05, -1.8408555761934195e-05, 2.4236774718111006e-05, -1.4635674742165051e-05
+        },
+        /* [40] 2.46875 <= y <= 2.53125, degree 10, 59.3 bits */
+        {
+         0.15194376930594444, 1.8720490090947792e-10, -0.02246382251404469, 0.016293694699499022,
+         -0.0083894322606285938, 0.0035704236572473647, -0.001284811874642583, 0.00037386083498023746,
+         -6.9983940459209638e-05, -7.6422523108145438e-06, 1.6305919255917637e-05, -1.046727554210036e-05
+        },
+        /* [41] 2.53125 <= y <= 2.59375, degree 10, 59.3 bits */
+        {
+         0.14514819160103798, -1.0763990948743766e-09, -0.02053368414018596, 0.014623074935261526,
+         -0.0074184348974744999, 0.003126576547433587, -0.0011239823011020248, 0.00033336969240905823,
+         -6.9098723633902442e-05, -6.5533573007705036e-07, 1.0701977852746781e-05, -7.4198790794962935e-06
+        },
+        /* [42] 2.59375 <= y <= 2.65625, degree 10, 59.4 bits */
+        {
+         0.1387779489159584, 1.257451396124118e-10, -0.018799981903143661, 0.013146308588617889,
+         -0.0065697980245992341, 0.0027401898701595547, -0.00098236513588012726, 0.00029541372712905538,
+         -6.5816403781173775e-05, 3.7022595253399644e-06, 6.7826271705109e-06, -5.2090744195672074e-06
+        },
+        /* [43] 2.65625 <= y <= 2.71875, degree 10, 59.2 bits */
+        {
+         0.13280027359724045, 1.7653274385846825e-09, -0.017240060307825426, 0.011838773247799469,
+         -0.0058272614741786601, 0.0024038915955742501, -0.00085815529902575878, 0.00026054961554574925,
+         -6.1190608628520251e-05, 6.2541272011956179e-06, 4.0737023237440504e-06, -3.6165467571179685e-06
+        },
+        /* [44] 2.71875 <= y <= 2.78125, degree 10, 59.3 bits */
+        {
+         0.12718526646494865, -2.2084887940736461e-10, -0.015834128639213432, 0.010679171912861225,
+         -0.0051767603816126849, 0.0021111572093717164, -0.00074953118744036781, 0.00022898933957903733,
+         -5.5925447733946304e-05, 7.5854279647682712e-06, 2.2281424666508241e-06, -2.4772944130840311e-06
+        },
+        /* [45] 2.78125 <= y <= 2.84375, degree 10, 59.4 bits */
+        {
+         0.12190561927855015, 8.1453632144567711e-10, -0.01456487493566351, 0.0096490699103053586,
+         -0.0046061416688294061, 0.0018562522353513054, -0.00065473896140867867, 0.00020072528849069104,
+         -5.0480197784408322e-05, 8.1085284529253105e-06, 9.9375953059122885e-07, -1.6680792485183033e-06
+        },
+        /* [46] 2.84375 <= y <= 2.90625, degree 10, 60.5 bits */
+        {
+         0.11693639494478703, 4.3946398806644282e-10, -0.013417133779899589, 0.0087324955224653729,
+         -0.0041049105085862615, 0.001634162912431243, -0.00057214066780896769, 0.00017561615792885122,
+         -4.5144350604644973e-05, 8.1114322358354778e-06, 1.8848473188240315e-07, -1.097709780029597e-06
+        },
+        /* [47] 2.90625 <= y <= 2.96875, degree 10, 59.2 bits */
+        {
+         0.1122547909617424, -3.4945796200900014e-11, -0.012377600446593187, 0.0079155963785371517,
+         -0.0036640061505429679, 0.0014405228742734504, -0.0005002383231175212, 0.00015344510716353346,
+         -4.0091035797195055e-05, 7.7932138800980904e-06, -3.1833792281921703e-07, -6.992143630905434e-07
+        },
+        /* [48] 2.96875 <= y <= 3.03125, degree 10, 61.2 bits */
+        {
+         0.10783994570374489, 7.7146290361079892e-10, -0.011434584899588341, 0.0071863443139432992,
+         -0.0032756053783760549, 0.0012715407244136066, -0.00043768238738728398, 0.00013395844130155936,
+         -3.5414782330067485e-05, 7.2897619940341456e-06, -6.1991699115119676e-07, -4.2371524126231873e-07
+        },
+        /* [49] 3.03125 <= y <= 3.09375, degree 10, 59.4 bits */
+        {
+         0.10367276147007942, 6.5488755991903131e-10, -0.010577799997843841, 0.0065342821413506124,
+         -0.0029329512884242138, 0.0011239313984245836, -0.00038327043207784356, 0.00011689073872851648,
+         -3.1158012608434569e-05, 6.6923680025709615e-06, -7.8234109673186146e-07, -2.3573233019490539e-07
+        },
+        /* [50] 3.09375 <= y <= 3.15625, degree 10, 59.6 bits */
+        {
+         0.099735734984278679, -4.3218928934646492e-11, -0.0097981790419642712, 0.0059503065227979931,
+         -0.0026302048459345734, 0.00099485287111360145, -0.00033593994757352821, 0.00010198063556449109,
+         -2.732947834213701e-05, 6.0610752139265669e-06, -8.5215886828063742e-07, -1.096347357148494e-07
+        },
+        /* [51] 3.15625 <= y <= 3.21875, degree 10, 59.0 bits */
+        {
+         0.096012812107801437, -7.9214704027414001e-10, -0.0090877184743280368, 0.0054264818479060539,
+         -0.0023623166561083124, 0.0008818488965352168, -0.00029475793393765056, 8.8980244244944004e-05,
+         -2.3916966300038411e-05, 5.4342153085712962e-06, -8.6190810996029696e-07, -2.699029616159512e-08
+        },
+        /* [52] 3.21875 <= y <= 3.28125, degree 10, 58.8 bits */
+        {
+         0.092489253729581833, -1.0363344591476792e-10, -0.0084393421406532936, 0.0049558806859421349,
+         -0.0021249164968781004, 0.00078279791662496105, -0.00025890901237304132, 7.7660296744751545e-05,
+         -2.0895952865630653e-05, 4.8351858912136603e-06, -8.3412822850530047e-07, 2.5397286562935752e-08
+        },
+        /* [53] 3.28125 <= y <= 3.34375, degree 10, 58.7 bits */
+        {
+         0.089151520282030106, -4.2903960640485946e-10, -0.0078467840367051119, 0.0045324469792321891,
+         -0.0019142183409279734, 0.00069586793839635777, -0.00022768316994105725, 6.7812469953249622e-05,
+         -1.8235411866487026e-05, 4.277241149035425e-06, -7.8425890622225675e-07, 5.6932195235903774e-08
+        },
+        /* [54] 3.34375 <= y <= 3.40625, degree 10, 59.7 bits */
+        {
+         0.085987154394388199, 5.2523826969993288e-10, -0.0073044869088705455, 0.004150878679067555,
+         -0.0017269388082759333, 0.00061947698853281831, -0.00020046382346081829, 5.9249901169863234e-05,
+         -1.5901635641317592e-05, 3.7668578841777952e-06, -7.2272565145511627e-07, 7.4282617858422435e-08
+        },
+        /* [55] 3.40625 <= y <= 3.46875, degree 10, 62.6 bits */
+        {
+         0.082984693348407745, -7.4315852276193629e-10, -0.0068075144597109895, 0.0038065269943597579,
+         -0.0015602272139436744, 0.00055225865836063242, -0.00017671660085147878, 5.1806584130010609e-05,
+         -1.3860680489685994e-05, 3.3060843530081331e-06, -6.5643452844846739e-07, 8.214984581192028e-08
+        },
+        /* [56] 3.46875 <= y <= 3.53125, degree 10, 61.0 bits */
+        {
+         0.080133566632866859, 3.6029319231608369e-10, -0.0063514752371773954, 0.0034953098319114723,
+         -0.0014116055933106129, 0.00049303221758635, -0.00015597904727595059, 4.5336112869919629e-05,
+         -1.2079868771267007e-05, 2.8941658814936495e-06, -5.8983931996514424e-07, 8.3826231056765359e-08
+        },
+        /* [57] 3.53125 <= y <= 3.59375, degree 10, 60.4 bits */
+        {
+         0.077424032613635063, -1.1292036122238802e-10, -0.0059324565661787367, 0.0032136373606483676,
+         -0.0012789172923729957, 0.00044077677865657572, -0.0001378513394045022, 3.9710084934191242e-05,
+         -1.0528651854559549e-05, 2.5286585568122144e-06, -5.2570035808654933e-07, 8.1598627724653626e-08
+        },
+        /* [58] 3.59375 <= y <= 3.65625, degree 10, 60.0 bits */
+        {
+         0.074847090989351273, 6.4223903942806417e-10, -0.005546967120157187, 0.0029583479363337098,
+         -0.001160282897053058, 0.00039460901956479149, -0.00012198801288601215, 3.4816367361000676e-05,
+         -9.179046779225731e-06, 2.2061823436078666e-06, -4.6562172422553667e-07, 7.7039230971650108e-08
+        },
+        /* [59] 3.65625 <= y <= 3.71875, degree 10, 59.5 bits */
+        {
+         0.07239442877471447, 8.9794336658726726e-10, -0.0051918869340406701, 0.0027266528839977092,
+         -0.0010540624432818599, 0.0003537640110577488, -0.00010809066093920666, 3.0557354524513505e-05,
+         -8.0057946027179614e-06, 1.9229216654505304e-06, -4.1042963126808343e-07, 7.1214640780108818e-08
+        },
+        /* [60] 3.71875 <= y <= 3.78125, degree 10, 62.8 bits */
+        {
+         0.070058355107903481, 5.2681770083551088e-10, -0.0048644238334979656, 0.0025160888580947425,
+         -0.00095882299777952135, 0.00031757873777000394, -9.5901535575102431e-05, 2.6848296260433332e-05,
+         -6.9863424747645066e-06, 1.6749503119912754e-06, -3.6043735223762688e-07, 6.4835712774988877e-08
+        },
+        /* [61] 3.78125 <= y <= 3.84375, degree 10, 61.3 bits */
+        {
+         0.067831749096512794, -2.8977517942528141e-10, -0.0045620754032312943, 0.0023244766903442985,
+         -0.00087331082919562316, 0.00028547794759496302, -8.5197970216526319e-05, 2.361574062624204e-05,
+         -6.1007191158356589e-06, 1.4584351507181229e-06, -3.1562936795313172e-07, 5.8364643505313111e-08
+        },
+        /* [62] 3.84375 <= y <= 3.90625, degree 10, 59.8 bits */
+        {
+         0.065708009526133537, 8.3108476418887622e-10, -0.0042825957429194553, 0.0021498857968921272,
+         -0.00079642750198181489, 0.0002569620070078425, -7.5787538498475003e-05, 2.0796113103903954e-05,
+         -5.331350672429877e-06, 1.2697571009487641e-06, -2.757882053496181e-07, 5.209124180696146e-08
+        },
+        /* [63] 3.90625 <= y <= 3.96875, degree 10, 60.1 bits */
+        {
+         0.063681019470095634, 4.5129145952823182e-12, -0.00402396636664548, 0.0019906033538958784,
+         -0.00072720932271144582, 0.00023159648062589337, -6.7503865481832463e-05, 1.8334439473611366e-05,
+         -4.6628480853523703e-06, 1.1055763904401598e-06, -2.4058078691039021e-07, 4.6187047966124364e-08
+        },
+        /* [64] 3.96875 <= y <= 4.03125, degree 10, 61.7 bits */
+        {
+         0.061745093204081059, 3.8684744604454885e-10, -0.0037843706930064686, 0.0018451075674355949,
+         -0.00066480965225553846, 0.00020900319028900792, -6.0203012148408553e-05, 1.6183210463503857e-05,
+         -4.0817861337348341e-06, 9.6286097296254708e-07, -2.0961631509302089e-07, 4.0743563992402529e-08
         }
     };
     return row[i];
@@ -9348,6 +10169,1844 @@ COR_INLINE const double *cor_rows_tail_time_of_max_overlap(int i)
     return row[i];
 }
 
+/* beta/(1 - eps) at zero overlap, 1 - eps < 1/2: 9 rows of degree 10 in y = 1 - eps, nodes 0 + i 0.0625, 0 <= y <= 0.53125.
+ * Relative error of the approximation: 2^-57.6 at most, sampled at 25 places of each row. */
+#define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_FIRST 0.0
+#define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_STEP 0.0625
+#define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_PER_UNIT 16.0
+#define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_ROWS 9
+#define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_END 0.5
+COR_INLINE const double *cor_rows_near_beta_zero_overlap(int i)
+{
+    static const double row[9][12] = {
+        /* [0] 0 <= y <= 0.03125, degree 10, 59.8 bits */
+        {
+         0.86696518957614899, -6.870677073425355e-09, 0.52017910962328318, 0.3288147282840862,
+         0.2209318209422112, 0.15768619027803757, 0.11897069548578144, 0.0941674207914657,
+         0.077525778783228444, 0.06586967485939052, 0.056780173392195307, 0.058604244462708302
+        },
+        /* [1] 0.03125 <= y <= 0.09375, degree 10, 60.1 bits */
+        {
+         0.90081727504730225, -1.5477181223552097e-09, 0.56403363586657995, 0.37424889459260235,
+         0.26550569493630116, 0.20112252972538486, 0.16166713793196016, 0.13664839181233057,
+         0.12026577057601204, 0.10923429393957144, 0.1018726766490425, 0.096583759001709277
+        },
+        /* [2] 0.09375 <= y <= 0.15625, degree 10, 59.4 bits */
+        {
+         0.93759933114051819, 6.7554963386760357e-09, 0.61413572106809422, 0.42917359879113165,
+         0.3228392969935614, 0.26080813591152846, 0.22449072435718065, 0.20365203186990344,
+         0.19254507924320891, 0.1878905641557678, 0.18827719455131511, 0.1916631816028381
+        },
+        /* [3] 0.15625 <= y <= 0.21875, degree 10, 61.9 bits */
+        {
+         0.97774229943752289, 5.1931978412655592e-09, 0.67183876832245393, 0.49641754004677896,
+         0.39791879342632341, 0.34476542642277946, 0.31963691686519491, 0.31300493055003764,
+         0.3196740150085442, 0.33694766627644157, 0.36472127364887935, 0.40072552913667031
+        },
+        /* [4] 0.21875 <= y <= 0.28125, degree 10, 60.6 bits */
+        {
+         1.0217740833759308, 8.897676853560149e-09, 0.73891707831109077, 0.57996677607182712,
+         0.49831504939798227, 0.46613290006054076, 0.46865287971245756, 0.49868175272342846,
+         0.55367410159411889, 0.63426138516171637, 0.74618873735667368, 0.8901964458386642
+        },
+        /* [5] 0.28125 <= y <= 0.34375, degree 10, 59.2 bits */
+        {
+         1.0703511536121368, 1.7340854739658304e-09, 0.81774662318562252, 0.68559640600720384,
+         0.63592373066046159, 0.64731708642160757, 0.71142557592134015, 0.82893548080648682,
+         1.0079370399073386, 1.2639353716543384, 1.6279019718809049, 2.1236127439276298
+        },
+        /* [6] 0.34375 <= y <= 0.40625, degree 10, 60.0 bits */
+        {
+         1.1243042945861816, -2.8640509341963433e-10, 0.91159003336842559, 0.82195274454306544,
+         0.83020558399777677, 0.92839602935878296, 1.1259541866923408, 1.4496484993186771,
+         1.947312576846975, 2.6958466697641397, 3.834163634534375, 5.5153375171072048
+        },
+        /* [7] 0.40625 <= y <= 0.46875, degree 10, 58.7 bits */
+        {
+         1.1847074329853058, 1.256011842141841e-08, 1.0250648350260807, 1.0025003582101177,
+         1.1145714007235645, 1.3852547653522946, 1.8750852364774235, 2.6965773805581046,
+         4.0436861618956073, 6.2438913860440906, 9.9098379255917965, 15.879704964692641
+        },
+        /* [8] 0.46875 <= y <= 0.53125, degree 10, 57.6 bits */
+        {
+         1.2529852390289307, -9.1751688076707307e-09, 1.1649519353330366, 1.249237361391081,
+         1.5498480376822521, 2.1718620723850175, 3.3269584809643331, 5.4152688475577682,
+         9.1819097230662052, 16.01466359370826, 28.73779317692113, 51.949114525741543
+        }
+    };
+    return row[i];
+}
+
+/* beta/(1 - eps) at zero force, 1 - eps < 1/2: 24 rows of degree 10 in y = sqrt(1 - eps), nodes 0 + i 0.03125, 0 <= y <= 0.734375.
+ * Relative error of the approximation: 2^-56.7 at most, sampled at 25 places of each row. */
+#define COR_ROWS_NEAR_BETA_ZERO_FORCE_FIRST 0.0
+#define COR_ROWS_NEAR_BETA_ZERO_FORCE_STEP 0.03125
+#define COR_ROWS_NEAR_BETA_ZERO_FORCE_PER_UNIT 32.0
+#define COR_ROWS_NEAR_BETA_ZERO_FORCE_ROWS 24
+#define COR_ROWS_NEAR_BETA_ZERO_FORCE_END 0.5
+COR_INLINE const double *cor_rows_near_beta_zero_force(int i)
+{
+    static const double row[24][12] = {
+        /* [0] 0 <= y <= 0.015625, degree 10, 66.8 bits */
+        {
+         0.86696518957614899, -6.870677073425355e-09, 1.4080665842949803e-24, 0.52017910962328318,
+         0.16179851461843053, 0.32881472828409208, 0.19415821753965673, 0.29642147167573191,
+         0.14335183767531245, 0.30320010070210568, 0.1206663216764997, 0.27903031560051578
+        },
+        /* [1] 0.015625 <= y <= 0.046875, degree 10, 64.3 bits */
+        {
+         0.86747843027114868, -2.806082357709039e-09, 0.033026331782913129, 0.53733795965718778,
+         0.20498265462619519, 0.36366792617447569, 0.25321185009598246, 0.33643614896696283,
+         0.22443511992104265, 0.34981398189427843, 0.21399640486311078, 0.33249069100416334
+        },
+        /* [2] 0.046875 <= y <= 0.078125, degree 10, 63.5 bits */
+        {
+         0.86904186010360718, -5.4076711520572616e-09, 0.067256151553964, 0.55876818698784003,
+         0.25312735477563991, 0.40842448733352849, 0.32152243214561188, 0.39571490654878233,
+         0.32070711271613334, 0.42592950017268277, 0.33309802367230434, 0.43751528604913081
+        },
+        /* [3] 0.078125 <= y <= 0.109375, degree 10, 62.7 bits */
+        {
+         0.87169741094112396, -5.1533680972056679e-09, 0.1029722098832624, 0.58499598252352158,
+         0.3075732516355294, 0.46483129780496224, 0.40306734192370625, 0.47846258315744594,
+         0.44062321864885473, 0.54089313178754606, 0.49345066517413366, 0.60023555046377408
+        },
+        /* [4] 0.109375 <= y <= 0.140625, degree 10, 61.9 bits */
+        {
+         0.87549641728401184, -2.6385385710480448e-09, 0.14049430493673815, 0.61668473701361859,
+         0.36992104962129069, 0.53532801902773042, 0.50280369724740481, 0.59103175967863375,
+         0.59557835816800409, 0.70920566292986653, 0.71728748108951768, 0.84984203417416682
+        },
+        /* [5] 0.140625 <= y <= 0.171875, degree 10, 62.7 bits */
+        {
+         0.8805009126663208, -4.6268112155984087e-09, 0.18018870902727177, 0.65466381333857493,
+         0.44212910388271126, 0.623235146121777, 0.62714109783717742, 0.74272754067671232,
+         0.80149431569152352, 0.9531273234319344, 1.0385542967228776, 1.2335853211450289
+        },
+        /* [6] 0.171875 <= y <= 0.203125, degree 10, 63.6 bits */
+        {
+         0.88678523898124695, -7.1753964953863947e-09, 0.22247970468675982, 0.69996772594809176,
+         0.52663967601779094, 0.73302960897905545, 0.78460287363534287, 0.94704397261215734,
+         1.0812461211338498, 1.3069126802258975, 1.5102677450537136, 1.8288525133957503
+        },
+        /* [7] 0.203125 <= y <= 0.234375, degree 10, 62.0 bits */
+        {
+         0.89443807303905487, 6.9072886869196743e-09, 0.26786397637659953, 0.75388899274392618,
+         0.62654694075287654, 0.87074470951359562, 0.98677714122627835, 1.2235685765547626,
+         1.468456539857468, 1.8237565372939339, 2.2169443888909175, 2.76444375172784
+        },
+        /* [8] 0.234375 <= y <= 0.265625, degree 10, 63.8 bits */
+        {
+         0.90356503427028656, -3.6483693156140276e-09, 0.31692885137039467, 0.8180494010250583,
+         0.74582557417162487, 1.0445511276669557, 1.2497163145442094, 1.6009434577977095,
+         2.0135537288040766, 2.5873730039817437, 3.2960547808378262, 4.2587780619004105
+        },
+        /* [9] 0.265625 <= y <= 0.296875, degree 10, 60.8 bits */
+        {
+         0.91429172456264496, 4.7810918394391116e-09, 0.37037574261914452, 0.89449658148441102,
+         0.88964766544940732, 1.2656073084204271, 1.596038732366553, 2.1215316930887433,
+         2.7936399167266828, 3.7316668001294566, 4.9758799140116983, 6.6900437168793543
+        },
+        /* [10] 0.296875 <= y <= 0.328125, degree 10, 60.9 bits */
+        {
+         0.92676791548728943, -5.8731914698649588e-09, 0.42905067067558622, 0.9858359902680266,
+         1.0648296642607928, 1.5493185943713148, 2.0581463621862799, 2.848893200771982,
+         3.9289081069566438, 5.474863464488319, 7.64389133751998, 10.728213352241823
+        },
+        /* [11] 0.328125 <= y <= 0.359375, degree 10, 61.2 bits */
+        {
+         0.94117251038551331, 8.2459571397955904e-10, 0.4939845144117434, 1.0954132702338091,
+         1.2804733163239925, 1.9172287323290071, 2.6832485349970359, 3.8799901469797828,
+         5.6105623881498419, 8.1801126229560506, 11.973425630476672, 17.590254045142505
+        },
+        /* [12] 0.359375 <= y <= 0.390625, degree 10, 59.9 bits */
+        {
+         0.95772024989128113, 6.0238214016884188e-09, 0.56644679428757283, 1.2275695098838943,
+         1.5489005907110129, 2.39990952607896, 3.5413676859110899, 5.3655397837637553,
+         8.1494468350450084, 12.46586210404468, 19.164887067457631, 29.548199714502193
+        },
+        /* [13] 0.390625 <= y <= 0.421875, degree 10, 60.7 bits */
+        {
+         0.97667019069194794, -5.891882004072926e-09, 0.64801854324711994, 1.388003851186546,
+         1.8870422453365236, 3.0414598465598774, 4.738380368364151, 7.5447574283646599,
+         12.062964223863561, 19.412548657599118, 31.419037493487554, 50.973682498911977
+        },
+        /* [14] 0.421875 <= y <= 0.453125, degree 10, 60.0 bits */
+        {
+         0.99833686649799347, 7.421772391438069e-09, 0.74069252687795994, 1.5842971739333116,
+         2.3185406149172625, 3.9066598681473779, 6.4377739407733117, 10.806218412661858,
+         18.234904386715243, 30.961687295475144, 52.896879233850953, 90.562679793219871
+        },
+        /* [15] 0.453125 <= y <= 0.484375, degree 10, 63.1 bits */
+        {
+         1.0231053531169891, 1.1887303919809086e-08, 0.84701334344475399, 1.8266824576092802,
+         2.8770023776439873, 5.092617757916166, 8.8979087198828033, 15.797571896758448,
+         28.218681638106773, 50.71296919641906, 91.738758359628576, 166.26294650160855
+        },
+        /* [16] 0.484375 <= y <= 0.515625, degree 10, 60.0 bits */
+        {
+         1.0514513254165649, 1.2762604270717738e-08, 0.97027682232317491, 2.1292014863308615,
+         3.611149638707055, 6.7482314597682622, 12.537716839828366, 23.629712296710597,
+         44.83298186730719, 85.57726268189181, 164.4872636942201, 316.67214011190072
+        },
+        /* [17] 0.515625 <= y <= 0.546875, degree 10, 61.1 bits */
+        {
+         1.0839688181877136, 5.2193670759290928e-09, 1.1148195373564624, 2.5114818931741416,
+         4.5931929734122123, 9.1076723640560164, 18.056352448717732, 36.270477758509024,
+         73.378035585351242, 149.35156874887457, 306.22493601376669, 628.71693845930986
+        },
+        /* [18] 0.546875 <= y <= 0.578125, degree 10, 59.6 bits */
+        {
+         1.121408998966217, -1.2920369890010447e-08, 1.2864486530324928, 3.0015383831791973,
+         5.9328461447751497, 12.549913263521507, 26.659169565959289, 57.334756062621992,
+         124.2298192163787, 270.82461584078391, 595.02727370112029, 1308.6502624074956
+        },
+        /* [19] 0.578125 <= y <= 0.609375, degree 10, 60.2 bits */
+        {
+         1.1647355854511261, -1.276269796638737e-08, 1.4930964102871604, 3.6403187619676363,
+         7.8015731764670884, 17.708558594723918, 40.502454102853356, 93.743549046220949,
+         218.6534356435323, 513.16617729072141, 1214.461327985073, 2875.8349259238603
+        },
+        /* [20] 0.609375 <= y <= 0.640625, degree 10, 59.4 bits */
+        {
+         1.215206116437912, -7.5803766610002606e-09, 1.7458456427497624, 4.4893303365512098,
+         10.476151943405293, 25.683248108633709, 63.610799345785608, 159.39258890753777,
+         402.58732611558395, 1023.2394728977056, 2624.2744775152196, 6730.7015879689943
+        },
+        /* [21] 0.640625 <= y <= 0.671875, degree 10, 59.4 bits */
+        {
+         1.2744941413402557, 1.2673219008714358e-08, 2.060590510159086, 5.6439316538175195,
+         14.420419069959651, 38.466923062415688, 103.87487084289207, 283.76365980927113,
+         781.53088029692276, 2166.2249866998818, 6063.7465248937451, 16962.482522794242
+        },
+        /* [22] 0.671875 <= y <= 0.703125, degree 10, 57.9 bits */
+        {
+         1.3448794186115265, -1.3076045053819711e-08, 2.4608309383281042, 7.2575501450326181,
+         20.446624108487612, 59.859936045889022, 177.68614954464709, 533.5980968334145,
+         1615.8452131191759, 4924.9272936223679, 15175.784799467456, 46687.579642412362
+        },
+        /* [23] 0.703125 <= y <= 0.734375, degree 10, 56.7 bits */
+        {
+         1.4295547306537628, 5.7435412047280636e-09, 2.9825916700933317, 9.588179335688654,
+         30.053536697527353, 97.561825067443351, 321.52573630184327, 1072.1466686733374,
+         3605.7491010275362, 12206.790931455622, 41839.415229398248, 142989.27514012152
+        }
+    };
+    return row[i];
+}
+
+/* beta at zero overlap by eps, 2^-12 <= eps < 2^-1: 88 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -12 ... -2.
+ * Relative error of the approximation: 2^-57.5 at most, sampled at 25 places of each row. */
+#define COR_ROWS_BETA_ZERO_OVERLAP_FIRST 0.000244140625
+#define COR_ROWS_BETA_ZERO_OVERLAP_FIRST_OCTAVE (-12)
+#define COR_ROWS_BETA_ZERO_OVERLAP_OCTAVE_BITS 3
+#define COR_ROWS_BETA_ZERO_OVERLAP_ROWS 88
+#define COR_ROWS_BETA_ZERO_OVERLAP_END 0.5
+COR_INLINE const double *cor_rows_beta_zero_overlap(int i)
+{
+    static const double row[88][12] = {
+        /* [0] 1 <= y <= 1.125 2^-12, degree 10, 58.7 bits */
+        {
+         7.2395054090751003, 1.1552296366069447e-16, -1.3627304299435485, 0.76954188985047423,
+         -0.53113479456076251, 0.3999132570807003, -0.31616672172278953, 0.25789285571365222,
+         -0.21497898342211444, 0.18209972017296408, -0.15731455595355892, 0.13623048192276349
+        },
+        /* [1] 1.125 <= y <= 1.25 2^-12, degree 10, 59.7 bits */
+        {
+         7.0802397022210908, -3.3420712421855393e-16, -1.1924614235319735, 0.60250682452141668,
+         -0.37207438987912206, 0.25066064160267071, -0.17730942386122481, 0.12940477259151284,
+         -0.096517306757315097, 0.073149926779368213, -0.056457964494666356, 0.043743813373528104
+        },
+        /* [2] 1.25 <= y <= 1.375 2^-12, degree 10, 60.1 bits */
+        {
+         6.9399257226068709, 2.210787414537e-16, -1.0575124910639051, 0.48343428162920771,
+         -0.27010931291005769, 0.16463805739271184, -0.10536835724939304, 0.069576566082916458,
+         -0.046951978096708785, 0.032195632689376821, -0.022458179809563758, 0.015743218722401479
+        },
+        /* [3] 1.375 <= y <= 1.5 2^-12, degree 10, 61.4 bits */
+        {
+         6.8147999886645572, -7.7880722146004934e-18, -0.94814608537942047, 0.39574793128878055,
+         -0.2018887997299077, 0.1123555059364774, -0.065654695829957685, 0.039583120972525615,
+         -0.024388969194708551, 0.015269612389014867, -0.0097173102149521393, 0.0062194421251226834
+        },
+        /* [4] 1.5 <= y <= 1.625 2^-12, degree 10, 61.7 bits */
+        {
+         6.7020965424890493, 4.19295623151425e-16, -0.85786835743861123, 0.32942144925636374,
+         -0.1546084668511373, 0.079159535027408329, -0.042556166104634814, 0.023604486801983588,
+         -0.013380319348773524, 0.0077070628221835016, -0.004509462746686772, 0.0026553030401591815
+        },
+        /* [5] 1.625 <= y <= 1.75 2^-12, degree 10, 65.2 bits */
+        {
+         6.5997263497311716, 3.3991402748289878e-16, -0.7821897895978065, 0.27811192519016459,
+         -0.12085851563862127, 0.057295888894562587, -0.0285206202816841, 0.014647627206768227,
+         -0.007688044564125209, 0.0041002899952730775, -0.0022203150810247083, 0.0012105342338949257
+        },
+        /* [6] 1.75 <= y <= 1.875 2^-12, degree 10, 60.9 bits */
+        {
+         6.5060752433873157, 8.1023258344731881e-17, -0.71791175099456284, 0.23765354515642234,
+         -0.096154078041244748, 0.042440420651171255, -0.019668939793232362, 0.0094049183371226596,
+         -0.0045958910120454241, 0.0022820974223622934, -0.001150085950663141, 0.00058378922824005883
+        },
+        /* [7] 1.875 <= y <= 2 2^-12, degree 10, 60.8 bits */
+        {
+         6.419871605218213, 3.1046868935485134e-16, -0.66269642376470272, 0.20522211832625858,
+         -0.077675468443661647, 0.032072451483682596, -0.013904959620296893, 0.006219852903770585,
+         -0.0028433566063246294, 0.0013207849227298888, -0.00062248180420037549, 0.00029558796657934216
+        },
+        /* [8] 1 <= y <= 1.125 2^-11, degree 10, 58.6 bits */
+        {
+         6.3023555118555477, 4.0049626304401091e-17, -1.1863257434096754, 0.66992512568018459,
+         -0.46237969462262501, 0.34814471115022938, -0.27523911779758792, 0.22450877070763303,
+         -0.1871500751743056, 0.15852701396135044, -0.13695027529368609, 0.11859552277803209
+        },
+        /* [9] 1.125 <= y <= 1.25 2^-11, degree 10, 60.5 bits */
+        {
+         6.1637066610396154, -2.2412863045943496e-16, -1.03809796397067, 0.52451265544677628,
+         -0.32390956978559188, 0.21821276257737424, -0.15435681902487602, 0.11265339751307281,
+         -0.084023195832088851, 0.063680709959750323, -0.049149512785592958, 0.03808120137329836
+        },
+        /* [10] 1.25 <= y <= 1.375 2^-11, degree 10, 60.7 bits */
+        {
+         6.0415562470466941, -1.8169131413794982e-16, -0.92061809480762313, 0.42085398610557462,
+         -0.23514381471544565, 0.14332575326721622, -0.091728483103558037, 0.060569918577590739,
+         -0.040874071045381231, 0.028027926178916085, -0.019550981076616843, 0.013705267925796433
+        },
+        /* [11] 1.375 <= y <= 1.5 2^-11, degree 10, 60.7 bits */
+        {
+         5.9326279688761581, 1.613939309768086e-16, -0.82540910876710627, 0.34451858430545307,
+         -0.17575440876931925, 0.097811148374393711, -0.05715573296854666, 0.034459107987828801,
+         -0.021231830926834391, 0.013292969679228387, -0.0084594098759838976, 0.005414338843662444
+        },
+        /* [12] 1.5 <= y <= 1.625 2^-11, degree 10, 62.1 bits */
+        {
+         5.8345139203118537, 1.2700538133943793e-16, -0.7468177819315921, 0.28677802777680761,
+         -0.13459448874689436, 0.068912376801316136, -0.037047295125615762, 0.020548898967138851,
+         -0.011648244587073591, 0.0067093878986228582, -0.0039257153312277655, 0.0023115755554748586
+        },
+        /* [13] 1.625 <= y <= 1.75 2^-11, degree 10, 62.0 bits */
+        {
+         5.7453954913168559, 1.3918717137909949e-16, -0.68093576222530705, 0.24211049227352377,
+         -0.10521345034118057, 0.049878966798737254, -0.0248286430507016, 0.012751499773384328,
+         -0.0066928315481524937, 0.00356950978465569, -0.0019328965436119377, 0.0010538312575941009
+        },
+        /* [14] 1.75 <= y <= 1.875 2^-11, degree 10, 62.4 bits */
+        {
+         5.6638674678833718, 2.3211095172307172e-16, -0.62497847980917398, 0.20688942602641586,
+         -0.083706989220972805, 0.036946529845660381, -0.01712280787730629, 0.0081874566029204975,
+         -0.004000955511865893, 0.0019866812160708701, -0.0010012079731631328, 0.00050821803866116146
+        },
+        /* [15] 1.875 <= y <= 2 2^-11, degree 10, 62.9 bits */
+        {
+         5.588822842014106, -1.339383904166171e-16, -0.57691074611398507, 0.17865622798613801,
+         -0.067620426567034958, 0.027920687575996979, -0.012104971954557059, 0.0054146961019447323,
+         -0.002475285679011389, 0.0011498100762379632, -0.00054190188742491937, 0.0002573242700621846
+        },
+        /* [16] 1 <= y <= 1.125 2^-10, degree 10, 59.2 bits */
+        {
+         5.4865191404077418, 2.5770334573006199e-16, -1.0327565494210471, 0.58320367310691845,
+         -0.40252495710607117, 0.30307749861768712, -0.23960962973516517, 0.19544621699284873,
+         -0.16292359827925684, 0.13800578469324223, -0.11922214085341795, 0.10324339892843733
+        },
+        /* [17] 1.125 <= y <= 1.25 2^-10, degree 10, 60.6 bits */
+        {
+         5.3658183040989629, 1.4659159789235152e-16, -0.90371678131656752, 0.45661473681502951,
+         -0.28197976002966557, 0.1899651254189284, -0.13437548931433616, 0.098070464522003561,
+         -0.073146432882952528, 0.055437279529181968, -0.042787137570636277, 0.033151611517371983
+        },
+        /* [18] 1.25 <= y <= 1.375 2^-10, degree 10, 62.6 bits */
+        {
+         5.2594801896135026, 8.9276729563606661e-17, -0.80144463352680551, 0.36637457318865613,
+         -0.20470475291219736, 0.12477214852879023, -0.079854364188054847, 0.052729169690723929,
+         -0.035582937190271141, 0.024399727000815864, -0.017020118737753262, 0.011931129074011195
+        },
+        /* [19] 1.375 <= y <= 1.5 2^-10, degree 10, 60.7 bits */
+        {
+         5.1646526096634613, -2.0984756698050186e-16, -0.71856043196025043, 0.29992066420101943,
+         -0.15300336841469372, 0.085149331550039273, -0.049757039641189792, 0.029998396022682221,
+         -0.018483374473262801, 0.01157220128474796, -0.0073643447279892194, 0.0047134560766171852
+        },
+        /* [20] 1.5 <= y <= 1.625 2^-10, degree 10, 60.6 bits */
+        {
+         5.0792393575496684, -2.7018965714508544e-16, -0.65014276838570961, 0.24965446722155302,
+         -0.11717169930642368, 0.059991437667067937, -0.032251625166480419, 0.017888862120770954,
+         -0.010140379257931487, 0.0058408599020921739, -0.0034175340025351711, 0.0020123436675550921
+        },
+        /* [21] 1.625 <= y <= 1.75 2^-10, degree 10, 60.8 bits */
+        {
+         5.0016572374119521, 2.3369430536606762e-16, -0.59278923617573853, 0.21076894533696175,
+         -0.091594167588456621, 0.04342184287537023, -0.02161466380552558, 0.011100836960861744,
+         -0.0058264432748995299, 0.0031074370588612447, -0.0016826842098816742, 0.00091741356961594378
+        },
+        /* [22] 1.75 <= y <= 1.875 2^-10, degree 10, 61.4 bits */
+        {
+         4.9306829339525464, -2.2300828743539536e-16, -0.54407574032937989, 0.18010699271298089,
+         -0.072871876792896098, 0.032163459011986174, -0.01490633446173016, 0.0071276102433198768,
+         -0.0034830307533309413, 0.0017295048217752229, -0.0008716020315985549, 0.00044242959924539028
+        },
+        /* [23] 1.875 <= y <= 2 2^-10, degree 10, 61.0 bits */
+        {
+         4.8653527334157411, -3.1074010964180856e-16, -0.50223056230217, 0.15552826467486727,
+         -0.058867901734225868, 0.024305970460428275, -0.01053804219209388, 0.0047137842466253004,
+         -0.0021548595563093582, 0.0010009663846746895, -0.00047175277452050262, 0.00022401383046710073
+        },
+        /* [24] 1 <= y <= 1.125 2^-9, degree 10, 59.1 bits */
+        {
+         4.7762920360976162, 2.0400338009748866e-16, -0.89906894367031209, 0.50770184752751224,
+         -0.35042806495486145, 0.26383726161053367, -0.20859330667358456, 0.17014700312644421,
+         -0.14183323698263878, 0.12014075277808009, -0.10378877569935634, 0.089878592939871826
+        },
+        /* [25] 1.125 <= y <= 1.25 2^-9, degree 10, 60.8 bits */
+        {
+         4.6712154652186975, -9.3844283088812034e-17, -0.78673542282666165, 0.39749545241137169,
+         -0.24549100011260483, 0.16536686526285868, -0.11698080176977499, 0.085376387030321479,
+         -0.06367786821192184, 0.048260824539465778, -0.037248265861815448, 0.028860125597063569
+        },
+        /* [26] 1.25 <= y <= 1.375 2^-9, degree 10, 60.1 bits */
+        {
+         4.578642029944608, 1.7293078976445342e-16, -0.69770572189854518, 0.3189311256971642,
+         -0.17822287181846208, 0.10861323228380415, -0.069516665867742383, 0.045904280403016293,
+         -0.030977026387511639, 0.021241158555432699, -0.014816809506829206, 0.010386623445427397
+        },
+        /* [27] 1.375 <= y <= 1.5 2^-9, degree 10, 62.9 bits */
+        {
+         4.4960885789268135, 4.0896143888035367e-16, -0.62555580396087185, 0.26107258675461187,
+         -0.13321769364624844, 0.074120123854678754, -0.043314863335315874, 0.026115740051052709,
+         -0.016090999831035711, 0.010074203416283251, -0.0064110001438328857, 0.0041032816597654032
+        },
+        /* [28] 1.5 <= y <= 1.625 2^-9, degree 10, 60.1 bits */
+        {
+         4.421730038167718, 1.5435623641051024e-16, -0.56600166024212228, 0.21730502265563845,
+         -0.10202754893130216, 0.052219753314227367, -0.028075141931388905, 0.015573538825734826,
+         -0.0088279685748539581, 0.005084807142843894, -0.0029751222019767532, 0.0017518342842887905
+        },
+        /* [29] 1.625 <= y <= 1.75 2^-9, degree 10, 60.1 bits */
+        {
+         4.3541878967191341, 4.1409804540901927e-16, -0.51608161673123509, 0.1834438219861203,
+         -0.079763675994554251, 0.037796110889150046, -0.018814923185064423, 0.009664016589325055,
+         -0.0050724206788200958, 0.0027052325650114215, -0.0014648597644133523, 0.00079864793998647807
+        },
+        /* [30] 1.75 <= y <= 1.875 2^-9, degree 10, 62.4 bits */
+        {
+         4.2923969038944625, -8.4915008669588419e-18, -0.47368562518916479, 0.15674075568302279,
+         -0.06346709839217396, 0.027996230715474635, -0.012974913103582906, 0.0062049630505863311,
+         -0.0030323104227626616, 0.0015056710908058063, -0.00075877791984916979, 0.0003851540807468798
+        },
+        /* [31] 1.875 <= y <= 2 2^-9, degree 10, 61.3 bits */
+        {
+         4.2355177772397337, 3.3575075988278591e-16, -0.43727151391454655, 0.13533275286586088,
+         -0.051277491894628095, 0.02115701197307852, -0.0091721262725800654, 0.0041034898317008142,
+         -0.0018760235747236, 0.00087143500932658133, -0.00041069149374803191, 0.00019501430509521377
+        },
+        /* [32] 1 <= y <= 1.125 2^-8, degree 10, 58.4 bits */
+        {
+         4.1579733375921233, 3.3521115956824091e-16, -0.7828470977474894, 0.44166104615176588,
+         -0.30531594223896158, 0.22966806062301975, -0.18153993405618671, 0.14810859444433422,
+         -0.12347988527822966, 0.10459651635042705, -0.090357041892567394, 0.078244320617816054
+        },
+        /* [33] 1.125 <= y <= 1.25 2^-8, degree 10, 60.0 bits */
+        {
+         4.0664731269050343, -2.9894208908154005e-16, -0.68514666741247376, 0.34562631710250136,
+         -0.21396330034494049, 0.14397314098263445, -0.10179784772921251, 0.074308359588266051,
+         -0.055435677997607971, 0.042017772883845138, -0.032429195132184972, 0.025125105926894858
+        },
+        /* [34] 1.25 <= y <= 1.375 2^-8, degree 10, 61.2 bits */
+        {
+         3.9858446099963696, 1.8314293797215102e-16, -0.60775682199566483, 0.27713991462285403,
+         -0.15539093431210207, 0.094587373168228864, -0.060489888297327744, 0.039946608362881837,
+         -0.026964965386641695, 0.018493369542596148, -0.012900422421559594, 0.0090428225868937444
+        },
+        /* [35] 1.375 <= y <= 1.5 2^-8, degree 10, 60.2 bits */
+        {
+         3.9139232076504018, -2.1861826780495226e-16, -0.54508401106246651, 0.22668522178483927,
+         -0.11619084331921149, 0.064573369040497305, -0.037690586934751025, 0.022722106325031393,
+         -0.014004822709602767, 0.0087705876594995538, -0.0055819747094393657, 0.0035726006580142399
+        },
+        /* [36] 1.5 <= y <= 1.625 2^-8, degree 10, 61.4 bits */
+        {
+         3.8491174228586873, -1.9974765006467431e-16, -0.49339686367911822, 0.18850635020045245,
+         -0.089012010834147476, 0.045515919546107002, -0.024432281702044964, 0.013547483759884019,
+         -0.0076818929227296159, 0.0044263737315774964, -0.002590395015070373, 0.0015253444270315621
+        },
+        /* [37] 1.625 <= y <= 1.75 2^-8, degree 10, 61.6 bits */
+        {
+         3.79022478997044, 9.9866184690808784e-17, -0.45011465448390026, 0.15896189206569605,
+         -0.069601221596350904, 0.032962613316806284, -0.016377295199384499, 0.0084056898473890643,
+         -0.0044128737248905663, 0.0023545488927869838, -0.0012753697208791504, 0.00069541453124384014
+        },
+        /* [38] 1.75 <= y <= 1.875 2^-8, degree 10, 64.2 bits */
+        {
+         3.7363158756475863, 6.1267554350951247e-17, -0.41339778048989334, 0.13565999577188306,
+         -0.055384575155894053, 0.024431075612767379, -0.011297862315916297, 0.0053967372583272324,
+         -0.0026373931590046255, 0.0013102035755588966, -0.00066055493863721737, 0.00033536795877149659
+        },
+        /* [39] 1.875 <= y <= 2 2^-8, degree 10, 61.0 bits */
+        {
+         3.6866583067593952, -1.1704884334543659e-16, -0.38190093465112473, 0.11697873473528604,
+         -0.044744009068574564, 0.018474582127013518, -0.0079903693646657583, 0.0035691451169551978,
+         -0.0016313324822648273, 0.00075810751762494567, -0.00035746857542770895, 0.00016979770834812412
+        },
+        /* [40] 1 <= y <= 1.125 2^-7, degree 10, 58.2 bits */
+        {
+         3.618890596764218, 8.0089953637422111e-17, -0.68462149703981778, 0.38095824789285071,
+         -0.26630824412766124, 0.20073497466940501, -0.15829365579651214, 0.1288586653909328,
+         -0.1073483781405859, 0.090955157229733144, -0.078619844641274986, 0.068114635144067015
+        },
+        /* [41] 1.125 <= y <= 1.25 2^-7, degree 10, 59.8 bits */
+        {
+         3.5387898710564301, 5.0865506130309577e-17, -0.60046908380959407, 0.29723151984913926,
+         -0.18642409969424253, 0.12596483322866234, -0.08889375437209196, 0.06470263449179342,
+         -0.048192133228148672, 0.036518872728399196, -0.028199629906634275, 0.021862355354514706
+        },
+        /* [42] 1.25 <= y <= 1.375 2^-7, degree 10, 60.1 bits */
+        {
+         3.4680396346463866, 1.1437946133233501e-16, -0.53401355988753696, 0.23760501388981087,
+         -0.13516116425715968, 0.082807891896995597, -0.052906511228358939, 0.034826538378277011,
+         -0.023451206803572881, 0.016068333252497912, -0.011210823749816651, 0.0078637245231659991
+        },
+        /* [43] 1.375 <= y <= 1.5 2^-7, degree 10, 61.9 bits */
+        {
+         3.4047552560969665, 2.1218195212807865e-16, -0.4803598259247942, 0.19376353990639911,
+         -0.10083955439483895, 0.056537878789938219, -0.03301557782269067, 0.019841219326120867,
+         -0.012190606281189727, 0.0076209626082548096, -0.0048484941293940442, 0.003104612126621917
+        },
+        /* [44] 1.5 <= y <= 1.625 2^-7, degree 10, 61.2 bits */
+        {
+         3.3475537468465313, -1.3575385562918711e-16, -0.43624106089869125, 0.16066988439602406,
+         -0.077046783711560277, 0.039833952167035322, -0.021429034476393997, 0.011850666614323973,
+         -0.0066954745474990312, 0.0038480655669074185, -0.0022495171701432904, 0.0013247051169111275
+        },
+        /* [45] 1.625 <= y <= 1.75 2^-7, degree 10, 61.2 bits */
+        {
+         3.2953927125300386, -1.6531238498170657e-16, -0.39939810882388821, 0.13513272096999759,
+         -0.060066463652501269, 0.028818694754293783, -0.014377146443780952, 0.0073659140409151206,
+         -0.0038524741211268297, 0.002048823402923775, -0.0011077017638991919, 0.00060368339277488134
+        },
+        /* [46] 1.75 <= y <= 1.875 2^-7, degree 10, 61.8 bits */
+        {
+         3.2474687038149863, 9.454036498003202e-17, -0.36822169510834096, 0.11505345330473782,
+         -0.04764555460196971, 0.021327213144779977, -0.0099225842943929683, 0.0047369163331291769,
+         -0.002306658233970835, 0.0011415801272406146, -0.00057403143500069759, 0.00029109198327973627
+        },
+        /* [47] 1.875 <= y <= 2 2^-7, degree 10, 61.0 bits */
+        {
+         3.2031505654704344, 1.8652942578951578e-16, -0.3415364010024981, 0.099007977750880882,
+         -0.038365243545723828, 0.016095649739182635, -0.007017526568936153, 0.0031371219906671422,
+         -0.0014294510414257597, 0.00066160901951235469, -0.00031094085234149843, 0.00014741401955416992
+        },
+        /* [48] 1 <= y <= 1.125 2^-6, degree 10, 58.6 bits */
+        {
+         3.142358736552707, -1.3578587773624822e-16, -0.61613949420317393, 0.32164820083943163,
+         -0.22721019660275849, 0.17424998442787595, -0.13889037733166426, 0.11342417116190194,
+         -0.094317056263027207, 0.079598189178451795, -0.068526720976421387, 0.05919639603792843
+        },
+        /* [49] 1.125 <= y <= 1.25 2^-6, degree 10, 59.7 bits */
+        {
+         3.0699619778936316, -1.182164647193858e-16, -0.54516761680105119, 0.25043000974420981,
+         -0.15804498028761954, 0.10871864960319021, -0.077780932309285275, 0.056981561614446778,
+         -0.042462642461617545, 0.032080902545074723, -0.02466692387720882, 0.019048699163748895
+        },
+        /* [50] 1.25 <= y <= 1.375 2^-6, degree 10, 60.7 bits */
+        {
+         3.0054446809119972, 1.5309205197478589e-16, -0.48920464554500537, 0.20002086718975015,
+         -0.11392800415373087, 0.071024984407484601, -0.046100046027974594, 0.030635962173591283,
+         -0.02069595500361129, 0.014162254863395637, -0.0098442819667734129, 0.0068753670671561377
+        },
+        /* [51] 1.375 <= y <= 1.5 2^-6, degree 10, 60.8 bits */
+        {
+         2.947212951633182, 1.2275130434103242e-16, -0.44403608952097401, 0.16315635623522742,
+         -0.084577360464832912, 0.048187158660203025, -0.028621101346227001, 0.017408734401423615,
+         -0.010760076788698943, 0.0067325839458011435, -0.0042726581735515841, 0.002724816682987634
+        },
+        /* [52] 1.5 <= y <= 1.625 2^-6, degree 10, 61.2 bits */
+        {
+         2.8941035209985637, 6.1944800519384467e-17, -0.40686711603101028, 0.13545589584903359,
+         -0.064357461924058987, 0.03374421149170756, -0.018471575986957797, 0.010358951866419297,
+         -0.0059025856434667175, 0.0034033306517806334, -0.0019879589276478489, 0.0011669327398985377
+        },
+        /* [53] 1.625 <= y <= 1.75 2^-6, degree 10, 65.1 bits */
+        {
+         2.8452436432154142, -9.8060463397299575e-17, -0.37577706859053406, 0.1141590796688145,
+         -0.050012088894584958, 0.024275235888824086, -0.012319991498151123, 0.006409280250527458,
+         -0.0033880358978534385, 0.0018118265082393676, -0.00098070891900012107, 0.00053345415311352397
+        },
+        /* [54] 1.75 <= y <= 1.875 2^-6, degree 10, 63.4 bits */
+        {
+         2.799963138930349, 3.0812035681571279e-17, -0.34940591458442549, 0.097461203110440056,
+         -0.039575246831764367, 0.017873399982960669, -0.0084530137960794217, 0.0041006500889661911,
+         -0.0020216946551014879, 0.0010082412721974905, -0.00050860550325617043, 0.00025782990319698904
+        },
+        /* [55] 1.875 <= y <= 2 2^-6, degree 10, 62.7 bits */
+        {
+         2.757737055894721, -6.0065977305681735e-17, -0.32676568572686976, 0.084144839879070635,
+         -0.031814849825613077, 0.013428621293590631, -0.0059444561689524448, 0.0027010843461463363,
+         -0.0012476925045503177, 0.000582997580895416, -0.00027541377376845351, 0.00013075366294682366
+        },
+        /* [56] 1 <= y <= 1.125 2^-5, degree 10, 59.2 bits */
+        {
+         2.6992323175195021, -1.6623504900350732e-16, -0.59649218609138088, 0.27493752599254656,
+         -0.1881954313331326, 0.14457108112479175, -0.11673398210120815, 0.096859473584909164,
+         -0.081743517372581231, 0.069796103089251285, -0.06056021827633519, 0.052522758670412284
+        },
+        /* [57] 1.125 <= y <= 1.25 2^-5, degree 10, 59.2 bits */
+        {
+         2.6286311914022726, 6.50335506717456e-17, -0.53557671125262285, 0.21594668626277955,
+         -0.13096189397399746, 0.08972303926672566, -0.064793549933823621, 0.04815461018859802,
+         -0.036430737395534693, 0.027895223200952661, -0.021675802165713971, 0.016857584955659553
+        },
+        /* [58] 1.25 <= y <= 1.375 2^-5, degree 10, 60.0 bits */
+        {
+         2.5648225800559636, -1.0525613569773597e-16, -0.48709907037435018, 0.1741376615997737,
+         -0.094613015052781135, 0.058428399275199494, -0.038134206340637945, 0.025651521057055648,
+         -0.017579662095847274, 0.012199758810638298, -0.0085844921550049733, 0.0060524189502346518
+        },
+        /* [59] 1.375 <= y <= 1.5 2^-5, degree 10, 60.4 bits */
+        {
+         2.5064844972976981, 1.9148798420702188e-16, -0.44758544886297069, 0.14347447800856017,
+         -0.070487071549701102, 0.039584728769645722, -0.02355257180977597, 0.014462865625532636,
+         -0.0090561047831794559, 0.0057451705998583314, -0.0036938091810571508, 0.0023818020985884487
+        },
+        /* [60] 1.5 <= y <= 1.625 2^-5, degree 10, 63.9 bits */
+        {
+         2.4526494314902818, 2.8838683831255835e-17, -0.41473797933477757, 0.12034060040955633,
+         -0.053878463208623543, 0.02772075603539172, -0.015145891694856386, 0.0085517020212490455,
+         -0.0049276590218094241, 0.0028783184567446425, -0.0017034534463529402, 0.0010119010022743634
+        },
+        /* [61] 1.625 <= y <= 1.75 2^-5, degree 10, 61.0 bits */
+        {
+         2.4025886105603931, -7.4471159873847465e-17, -0.38697885800713744, 0.10246761943515882,
+         -0.042088259157359718, 0.019965411199420274, -0.01007959751325716, 0.0052650696542460929,
+         -0.0028089088762673462, 0.0015198947605662403, -0.00083316079573679492, 0.00045874899072311908
+        },
+        /* [62] 1.75 <= y <= 1.875 2^-5, degree 10, 60.3 bits */
+        {
+         2.3557396918251259, -2.3508271672243582e-17, -0.36319027027665335, 0.088377042739006123,
+         -0.033496470666587889, 0.014730758632260988, -0.0069086667054335483, 0.0033562567701784186,
+         -0.0016665275219672853, 0.00083972427487290636, -0.00042863594101519303, 0.00021991323158444514
+        },
+        /* [63] 1.875 <= y <= 2 2^-5, degree 10, 61.2 bits */
+        {
+         2.3116597741354115, 6.2689118092707954e-17, -0.34255893299661633, 0.077073245813909605,
+         -0.027092397511992609, 0.011098407917245565, -0.0048581038095346944, 0.0022051146399803072,
+         -0.0010237582077984077, 0.00048255348192889684, -0.0002304292728943815, 0.0001106602027217004
+        },
+        /* [64] 1 <= y <= 1.125 2^-4, degree 10, 59.0 bits */
+        {
+         2.2499736724461812, 2.1421539464994418e-16, -0.6324969443277787, 0.25556412853536342,
+         -0.16179658104004022, 0.12010418925298748, -0.095530362261279797, 0.078910391443009556,
+         -0.066733950207033807, 0.057339232895008148, -0.050202936972075729, 0.043990336197745297
+        },
+        /* [65] 1.125 <= y <= 1.25 2^-4, degree 10, 58.8 bits */
+        {
+         2.1746154142033736, 1.4570193944034298e-16, -0.57535556535188725, 0.2045359334356826,
+         -0.11407471920234313, 0.075148488219884776, -0.053227383051377294, 0.039223997702791814,
+         -0.029628224604914922, 0.022757126174648666, -0.01779598270042353, 0.013955307371661995
+        },
+        /* [66] 1.25 <= y <= 1.375 2^-4, degree 10, 61.2 bits */
+        {
+         2.1056858994725314, 1.6897987889309895e-17, -0.5290402425079892, 0.16789030201069374,
+         -0.083504317621108229, 0.049379622875613025, -0.03149611391445447, 0.020935860231359665,
+         -0.014279928255248308, 0.0099117258186527408, -0.0070006391518872037, 0.0049660305203883233
+        },
+        /* [67] 1.375 <= y <= 1.5 2^-4, degree 10, 61.7 bits */
+        {
+         2.0420272287423002, -8.0722017385605175e-17, -0.4906311144335872, 0.14065883290713913,
+         -0.063025030096464416, 0.033771293310259978, -0.019577428846805599, 0.011845580431620244,
+         -0.0073617285680511024, 0.00465897439021152, -0.0029993974897275883, 0.0019417676862541731
+        },
+        /* [68] 1.5 <= y <= 1.625 2^-4, degree 10, 60.1 bits */
+        {
+         1.9827807273633573, -3.2413628079759868e-17, -0.45817877577951194, 0.11984724666715581,
+         -0.048791439985901151, 0.023877970349859477, -0.012678209323102992, 0.0070361665738993863,
+         -0.0040144268051201188, 0.0023338377605434122, -0.0013800068528007315, 0.00082139199705927931
+        },
+        /* [69] 1.625 <= y <= 1.75 2^-4, degree 10, 64.6 bits */
+        {
+         1.9272911655694132, -2.5821930285386192e-17, -0.43033180316349745, 0.10356481728191476,
+         -0.038589287566225719, 0.01736394970070983, -0.0084998336192413752, 0.0043549248744647684,
+         -0.0022957161034572217, 0.0012338593919898554, -0.00067444808301225724, 0.00037141268363765338
+        },
+        /* [70] 1.75 <= y <= 1.875 2^-4, degree 10, 60.1 bits */
+        {
+         1.8750465161798147, -2.324929484134442e-17, -0.40612345113423243, 0.090570290470159007,
+         -0.031083001718109144, 0.012934073254093029, -0.0058701312403781894, 0.0027921051463250541,
+         -0.001367469928236538, 0.00068319585067409436, -0.00034714292472472306, 0.0001778313227986038
+        },
+        /* [71] 1.875 <= y <= 2 2^-4, degree 10, 60.7 bits */
+        {
+         1.8256385252167118, -9.9959309506721038e-17, -0.38484353529543425, 0.080021499286465445,
+         -0.025434725495143255, 0.0098366345736550873, -0.0041594620590773429, 0.0018456105126676138,
+         -0.00084384120094797691, 0.00039376610789202814, -0.00018688377769493842, 8.9476755011441586e-05
+        },
+        /* [72] 1 <= y <= 1.125 2^-3, degree 10, 58.3 bits */
+        {
+         1.7561372252917571, 2.2094480982845761e-17, -0.71456409830399836, 0.27018295137046622,
+         -0.15446591197356543, 0.10792096660104498, -0.082731534042773891, 0.066669367774543659,
+         -0.05541620404038651, 0.047044639322254708, -0.040854978863047418, 0.035621665959997169
+        },
+        /* [73] 1.125 <= y <= 1.25 2^-3, degree 10, 58.9 bits */
+        {
+         1.6707606839409495, -2.2586520743451321e-17, -0.6535059203868947, 0.22097302255986004,
+         -0.1112323315415263, 0.068723308145127615, -0.046789197102877753, 0.033563383068704787,
+         -0.024865503536183404, 0.018830034558826078, -0.014573696669022763, 0.01134708489252776
+        },
+        /* [74] 1.25 <= y <= 1.375 2^-3, degree 10, 59.5 bits */
+        {
+         1.5923233641821881, 7.7697163227956656e-17, -0.60299134869245519, 0.184898623539102,
+         -0.083054789200740289, 0.045920590243689274, -0.028088433228017136, 0.018141438776520791,
+         -0.012115741501321557, 0.0082771419453055439, -0.0057760788754547578, 0.0040610293750011611
+        },
+        /* [75] 1.375 <= y <= 1.5 2^-3, degree 10, 59.0 bits */
+        {
+         1.5196866879747293, 8.0456767197908312e-17, -0.56033239204347729, 0.1575689971897605,
+         -0.063865680886310033, 0.031911181578621495, -0.017702663648877789, 0.010391261602195447,
+         -0.0063143954141795149, 0.0039278555248460677, -0.0024949345803006837, 0.0015985949693172988
+        },
+        /* [76] 1.5 <= y <= 1.625 2^-3, degree 10, 61.4 bits */
+        {
+         1.4519897043113394, 8.0798079813462846e-17, -0.52370440228531523, 0.13629967296811948,
+         -0.050318180528682366, 0.022909521291842649, -0.011617314674638663, 0.0062460631412993703,
+         -0.0034803645975471052, 0.0019865328931775966, -0.0011576366534841616, 0.00068115883549954798
+        },
+        /* [77] 1.625 <= y <= 1.75 2^-3, degree 10, 62.4 bits */
+        {
+         1.3885633196096621, 1.0482621706978678e-16, -0.49182229165466501, 0.1193720595636094,
+         -0.040461317495766522, 0.016904704421317501, -0.007888387405972138, 0.0039104270548339874,
+         -0.0020111779710318889, 0.0010602557479772955, -0.00057062324484792116, 0.00031034278225753221
+        },
+        /* [78] 1.75 <= y <= 1.875 2^-3, degree 10, 60.6 bits */
+        {
+         1.3288755959807159, -3.6384212254426169e-17, -0.46375279632026573, 0.10564294722848037,
+         -0.033104314340488772, 0.012769640909037618, -0.0055149112428325006, 0.0025349200734245099,
+         -0.0012101645106666762, 0.00059255907424365928, -0.00029621385030231915, 0.00014973870776623314
+        },
+        /* [79] 1.875 <= y <= 2 2^-3, degree 10, 59.8 bits */
+        {
+         1.2724954690397081, -1.3594764918080465e-17, -0.43880035954252233, 0.094326836263529223,
+         -0.02749159338123593, 0.0098433163401641151, -0.0039540574986045816, 0.0016934990567898957,
+         -0.00075411622717987429, 0.00034464071763306561, -0.00016081072973413599, 7.5924286844400297e-05
+        },
+        /* [80] 1 <= y <= 1.125 2^-2, degree 10, 57.5 bits */
+        {
+         1.1933666780289074, -3.0577970519058924e-17, -0.81218009773974109, 0.32282639818049091,
+         -0.17043687726230058, 0.11009914880287894, -0.079986974722605589, 0.062113138002726054,
+         -0.050225572399816176, 0.041719928773601048, -0.035583922242361898, 0.030569182313901506
+        },
+        /* [81] 1.125 <= y <= 1.25 2^-2, degree 10, 60.2 bits */
+        {
+         1.0965800976654136, -3.0105024140315945e-17, -0.73869004327943211, 0.26787131703985584,
+         -0.12582666350530361, 0.071829521950200745, -0.046211852858392015, 0.03187376370188566,
+         -0.022938517989234221, 0.016978255421279322, -0.012894034420155562, 0.0098824476438492022
+        },
+        /* [82] 1.25 <= y <= 1.375 2^-2, degree 10, 58.3 bits */
+        {
+         1.0081998141881598, 8.0315958948698869e-17, -0.67711029940248602, 0.22662140211266626,
+         -0.096058041590266999, 0.04909713847015823, -0.028306575210425997, 0.017541260251752556,
+         -0.011363803567558178, 0.0075805012592199857, -0.0051866986063241957, 0.0035870642514833208
+        },
+        /* [83] 1.375 <= y <= 1.5 2^-2, degree 10, 60.5 bits */
+        {
+         0.92692555747863936, -2.1097813720236841e-17, -0.62460571726116965, 0.19470731542680297,
+         -0.075332789575107639, 0.034852147115172497, -0.018185448227838432, 0.010220558730999982,
+         -0.0060159545761474115, 0.0036505444555967517, -0.0022719500081296771, 0.0014310309508062653
+        },
+        /* [84] 1.5 <= y <= 1.625 2^-2, degree 10, 60.8 bits */
+        {
+         0.85175300044069269, 4.446913219698307e-17, -0.57920830594439776, 0.16940365149584591,
+         -0.060394770760540305, 0.025525136361482671, -0.012154804408486075, 0.0062444645395860711,
+         -0.0033655262931692959, 0.0018721424201812446, -0.0010682311702030084, 0.00061755163663656024
+        },
+        /* [85] 1.625 <= y <= 1.75 2^-2, degree 10, 57.8 bits */
+        {
+         0.78188681882329414, -4.2364644161150632e-17, -0.53950276009071063, 0.14893208971916103,
+         -0.049313334334211249, 0.019190206639594073, -0.0083995890881866635, 0.0039711399028852018,
+         -0.0019726298090216731, 0.0010125051686844353, -0.00053321405347706138, 0.00028477631605927287
+        },
+        /* [86] 1.75 <= y <= 1.875 2^-2, degree 10, 57.9 bits */
+        {
+         0.71668416564632975, -2.1718264404075511e-17, -0.50444095206383699, 0.13208799501338811,
+         -0.040890825322253667, 0.014751815898552376, -0.0059721767730725748, 0.0026134773462674868,
+         -0.0012032726337528339, 0.00057306830572771423, -0.00028012806053760215, 0.00013898927290636096
+        },
+        /* [87] 1.875 <= y <= 2 2^-2, degree 10, 59.3 bits */
+        {
+         0.65561648535646466, 3.9989052728109671e-17, -0.47322730398368107, 0.11802913063733102,
+         -0.034355365801204553, 0.011558304235803661, -0.004351854641111404, 0.001771719914683234,
+         -0.00075976325600754339, 0.00033737376527638796, -0.00015382879249476483, 7.1250184115847213e-05
+        }
+    };
+    return row[i];
+}
+
+/* beta at zero force by eps, 2^-23 <= eps < 2^-1: 176 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -23 ... -2.
+ * Relative error of the approximation: 2^-55.2 at most, sampled at 25 places of each row. */
+#define COR_ROWS_BETA_ZERO_FORCE_FIRST 1.1920928955078125e-07
+#define COR_ROWS_BETA_ZERO_FORCE_FIRST_OCTAVE (-23)
+#define COR_ROWS_BETA_ZERO_FORCE_OCTAVE_BITS 3
+#define COR_ROWS_BETA_ZERO_FORCE_ROWS 176
+#define COR_ROWS_BETA_ZERO_FORCE_END 0.5
+COR_INLINE const double *cor_rows_beta_zero_force(int i)
+{
+    static const double row[176][12] = {
+        /* [0] 1 <= y <= 1.125 2^-23, degree 10, 56.0 bits */
+        {
+         16175.302504696479, 7.4757720004421451e-13, -9134.3103859779258, 6877.59500939998,
+         -5609.9591198901917, 4751.9650841279063, -4114.6426625273807, 3614.4311213417159,
+         -3207.3567820196813, 2867.7531477840143, -2599.9105856112183, 2349.2263452913344
+        },
+        /* [1] 1.125 <= y <= 1.25 2^-23, degree 10, 57.6 bits */
+        {
+         15131.066168072521, -5.0022337452529042e-14, -7645.1906120152134, 5150.4413840390007,
+         -3758.9180813550715, 2848.8640386322954, -2207.119869983349, 1734.7187313914499,
+         -1377.321020717332, 1101.8565272537917, -892.35722130556815, 721.43247915416043
+        },
+        /* [2] 1.25 <= y <= 1.375 2^-23, degree 10, 58.3 bits */
+        {
+         14249.185539149559, 4.2970710539619744e-14, -6513.9324056213218, 3970.3945147760987,
+         -2621.7204071947772, 1797.7510037967793, -1260.137801012303, 896.09796688430731,
+         -643.72139353112686, 465.93159074836774, -341.00632168392616, 249.43085415583229
+        },
+        /* [3] 1.375 <= y <= 1.5 2^-23, degree 10, 58.8 bits */
+        {
+         13492.264439615556, 3.9033294584593945e-13, -5631.5717421574855, 3134.0900585862182,
+         -1889.5380286379723, 1183.0150186695657, -757.12957961657958, 491.58556717295528,
+         -322.42914591164134, 213.08358137504521, -142.2659550373771, 95.011801234903757
+        },
+        /* [4] 1.5 <= y <= 1.625 2^-23, degree 10, 59.0 bits */
+        {
+         12833.865074543837, 7.2203991646384361e-13, -4928.2211027254207, 2523.2474312166828,
+         -1399.5609814424172, 806.14705543825755, -474.65936345801646, 283.52985043234298,
+         -171.08920100085095, 104.02222377738433, -63.851649121677625, 39.231461380878436
+        },
+        /* [5] 1.625 <= y <= 1.75 2^-23, degree 10, 59.0 bits */
+        {
+         12254.712993824354, -7.89441561708765e-13, -4357.2473475792904, 2065.6564445540425,
+         -1060.8801349153089, 565.80268595694588, -308.46722589317977, 170.60902753698929,
+         -95.324076082385375, 53.663920042158388, -30.484182735094368, 17.342494864020804
+        },
+        /* [6] 1.75 <= y <= 1.875 2^-23, degree 10, 62.8 bits */
+        {
+         11740.39025591314, 4.2641422367540526e-13, -3886.4893225719525, 1715.4145966710616,
+         -820.24404592558119, 407.29355471441249, -206.7365787797134, 106.45745262664573,
+         -55.37870648341702, 29.02607873191474, -15.344836226951257, 8.1276270422552717
+        },
+        /* [7] 1.875 <= y <= 2 2^-23, degree 10, 62.3 bits */
+        {
+         11279.873913635169, 3.1291728994156983e-13, -3493.1368789016465, 1442.3262523863266,
+         -645.16944607972221, 299.69158196208349, -142.30515542048991, 68.551297912225408,
+         -33.359458149524109, 16.35689468808274, -8.0865174199974437, 4.0068058839817473
+        },
+        /* [8] 1 <= y <= 1.125 2^-22, degree 10, 55.8 bits */
+        {
+         10671.704864152689, -3.2759262550787145e-13, -6026.4020147876408, 4537.5220035773818,
+         -3701.1935041851293, 3135.1282540956963, -2714.6521129955336, 2384.635478866428,
+         -2116.066513893521, 1892.0116318623593, -1715.3014132086998, 1549.9114718768717
+        },
+        /* [9] 1.125 <= y <= 1.25 2^-22, degree 10, 57.9 bits */
+        {
+         9982.7652566167362, 5.4449325019653344e-13, -5043.9490140529888, 3398.0253136559859,
+         -2479.9616554170257, 1879.5496462060921, -1456.1562673069741, 1144.4876776382014,
+         -908.69308204876347, 726.95426585821815, -588.73625234403198, 475.96796522356004
+        },
+        /* [10] 1.25 <= y <= 1.375 2^-22, degree 10, 59.3 bits */
+        {
+         9400.940508282134, -2.9304901377944725e-13, -4297.596653184848, 2619.4845326452823,
+         -1729.6908548634938, 1186.0735629242097, -831.38102579189331, 591.20425354030976,
+         -424.6977821276775, 307.40023952056998, -224.98028883198126, 164.56300536487589
+        },
+        /* [11] 1.375 <= y <= 1.5 2^-22, degree 10, 59.9 bits */
+        {
+         8901.5583365578841, -4.1178785116070578e-13, -3715.4554729045035, 2067.7292114845172,
+         -1246.6305381480188, 780.49900063785606, -499.51931808236333, 324.32556741180838,
+         -212.723929738663, 140.58275036634612, -93.86053531347342, 62.684416956410509
+        },
+        /* [12] 1.5 <= y <= 1.625 2^-22, degree 10, 61.9 bits */
+        {
+         8467.1762970038326, 4.7791987343979638e-13, -3251.416897040629, 1664.7232545327743,
+         -923.36617325036389, 531.85882829036996, -313.15844885297383, 187.05996837494158,
+         -112.87679164423758, 68.629081354465711, -42.126382316047646, 25.883114179723023
+        },
+        /* [13] 1.625 <= y <= 1.75 2^-22, degree 10, 61.0 bits */
+        {
+         8085.0779912313119, 2.7359439161459716e-13, -2874.7145205687889, 1362.8256963845654,
+         -699.9200930397086, 373.29065035585171, -203.51251172098432, 112.55999889229955,
+         -62.890444952941692, 35.404987814986022, -20.112062316231601, 11.441780702805609
+        },
+        /* [14] 1.75 <= y <= 1.875 2^-22, degree 10, 62.1 bits */
+        {
+         7745.7511223027877, 4.2799110948815245e-13, -2564.1298899043013, 1131.7521742238296,
+         -541.15944186047034, 268.71360319620891, -136.39530373883528, 70.235737553154181,
+         -36.5363260566929, 19.150072741652721, -10.123817568411594, 5.3622346500865694
+        },
+        /* [15] 1.875 <= y <= 2 2^-22, degree 10, 60.1 bits */
+        {
+         7441.9232547818483, -1.0687864953690286e-13, -2304.6139154067328, 951.58099434875317,
+         -425.65325135996841, 197.72276096691942, -93.886409784724748, 45.226998235198622,
+         -22.009037930976977, 10.791527460593771, -5.335112510871201, 2.643506324748754
+        },
+        /* [16] 1 <= y <= 1.125 2^-21, degree 10, 55.7 bits */
+        {
+         7040.6807664721509, 5.9808775433004286e-14, -3975.9482739819705, 2993.6499538392495,
+         -2441.8780374468483, 2068.4138858142392, -1791.0028976378637, 1573.2730035457901,
+         -1396.0834920415364, 1248.2623458485589, -1131.6770439270101, 1022.56034802856
+        },
+        /* [17] 1.125 <= y <= 1.25 2^-21, degree 10, 57.8 bits */
+        {
+         6586.1494492294378, 2.2093213995759487e-13, -3327.7705964131578, 2241.8621874600403,
+         -1636.1652414747975, 1240.0407250711005, -960.70511185759904, 755.08043939761581,
+         -599.51396921232561, 479.61103241960348, -388.42112898823598, 314.02178992074198
+        },
+        /* [18] 1.25 <= y <= 1.375 2^-21, degree 10, 57.8 bits */
+        {
+         6202.2876325487669, -4.1578466422723116e-13, -2835.3613189413754, 1728.216588129384,
+         -1141.1709415205123, 782.51700944616232, -548.50707981959317, 390.04943946926306,
+         -280.19610011668658, 202.80856109560452, -148.43165969636811, 108.57110972619951
+        },
+        /* [19] 1.375 <= y <= 1.5 2^-21, degree 10, 58.8 bits */
+        {
+         5872.8176728514727, -6.1763452515541317e-14, -2451.2910701265964, 1364.1936470848223,
+         -822.46986609610155, 514.93750677307139, -329.55995022041947, 213.97513248322184,
+         -140.34548593825906, 92.750044116940771, -61.924870440666069, 41.356298672184401
+        },
+        /* [20] 1.5 <= y <= 1.625 2^-21, degree 10, 58.8 bits */
+        {
+         5586.2318425897365, -1.6729550588349359e-13, -2145.1395230028802, 1098.3087260928846,
+         -609.19483509145016, 350.89611574948003, -206.60759593666671, 123.41358926327064,
+         -74.470928038293238, 45.278317637426831, -27.79305270028005, 17.07648992242909
+        },
+        /* [21] 1.625 <= y <= 1.75 2^-21, degree 10, 59.6 bits */
+        {
+         5334.1404430128832, -3.280732166281937e-13, -1896.6084118642545, 899.13049953409734,
+         -461.77533462079077, 246.28009616342646, -134.2682338710006, 74.261927253265171,
+         -41.492230750899687, 23.358586158370187, -13.269015403068254, 7.5487614830522443
+        },
+        /* [22] 1.75 <= y <= 1.875 2^-21, degree 10, 59.3 bits */
+        {
+         5110.2676948718736, 1.141463588049117e-13, -1691.6987718626385, 746.6787322253266,
+         -357.03231740204927, 177.28494952042476, -89.987376427722893, 46.338320836165181,
+         -24.104992419740352, 12.634339362035867, -6.6792301576454802, 3.5377562251119157
+        },
+        /* [23] 1.875 <= y <= 2 2^-21, degree 10, 61.2 bits */
+        {
+         4909.8155770757303, 1.0345359547929945e-13, -1520.4819018943026, 627.8100029920746,
+         -280.8266128492665, 130.44844164832898, -61.941956046478893, 29.838701369642553,
+         -14.520554178883268, 7.1197547998888329, -3.5198624074361304, 1.7440641236005301
+        },
+        /* [24] 1 <= y <= 1.125 2^-20, degree 10, 56.0 bits */
+        {
+         4645.0935767974152, 1.7524358465969391e-13, -2623.154640913036, 1975.0747193277198,
+         -1611.0399217536501, 1364.6450174160004, -1181.6217824856997, 1037.9734807626892,
+         -921.0719064466133, 823.5462560422153, -746.62859661937182, 674.63838991151408
+        },
+        /* [25] 1.125 <= y <= 1.25 2^-20, degree 10, 57.1 bits */
+        {
+         4345.2138963519865, -3.5724696761064184e-14, -2195.5163261317834, 1479.079369791122,
+         -1079.4674009578425, 818.12228782463444, -633.82931646565464, 498.16751595553029,
+         -395.53185552359554, 316.42537619455538, -256.26244876786916, 207.17717098935887
+        },
+        /* [26] 1.25 <= y <= 1.375 2^-20, degree 10, 59.5 bits */
+        {
+         4091.9587588111581, -1.444814095232601e-13, -1870.646915652909, 1140.1993549557671,
+         -752.8927390870989, 516.26904819387585, -361.87991516688834, 257.33677913624371,
+         -184.86055865725416, 133.80379699106001, -97.928405015330341, 71.630239194688684
+        },
+        /* [27] 1.375 <= y <= 1.5 2^-20, degree 10, 59.1 bits */
+        {
+         3874.5889150173466, 9.6744237105667931e-14, -1617.2546736553547, 900.03354837942254,
+         -542.62829308627511, 339.73231160427343, -217.42861116371046, 141.17101079572095,
+         -92.593529411507873, 61.192231659893842, -40.855192019935352, 27.284989964246421
+        },
+        /* [28] 1.5 <= y <= 1.625 2^-20, degree 10, 59.3 bits */
+        {
+         3685.5120889231907, -8.4072210603984632e-14, -1415.2696547811574, 724.61473699264639,
+         -401.91913835518733, 231.50528769558463, -136.31026694887973, 81.422647752670287,
+         -49.13251222441508, 29.8725613823771, -18.336583146827014, 11.266285488474658
+        },
+        /* [29] 1.625 <= y <= 1.75 2^-20, degree 10, 59.2 bits */
+        {
+         3519.1931378389509, -1.4365729415970986e-13, -1251.2999875794317, 593.2059665719604,
+         -304.65845837247167, 162.48440873322559, -88.584059983523716, 48.994628717928983,
+         -27.374677047082603, 15.410926382895235, -8.7542888287487006, 4.9803270116535208
+        },
+        /* [30] 1.75 <= y <= 1.875 2^-20, degree 10, 58.7 bits */
+        {
+         3371.4915869460647, 4.1595517381065685e-14, -1116.1097919190572, 492.62518913954608,
+         -235.55377650475668, 116.96455517274742, -59.369571623898963, 30.571909435825532,
+         -15.903372589070367, 8.3355592807179679, -4.4066503612589019, 2.3340495463845952
+        },
+        /* [31] 1.875 <= y <= 2 2^-20, degree 10, 59.7 bits */
+        {
+         3239.2419190561868, 8.9252008800183132e-14, -1003.1485621233488, 414.20097439422017,
+         -185.2767134692786, 86.063960218552452, -40.866482773444346, 19.686214246359658,
+         -9.5799984958766782, 4.6972887355160573, -2.3222441802661913, 1.1506536673393297
+        },
+        /* [32] 1 <= y <= 1.125 2^-19, degree 10, 55.8 bits */
+        {
+         3064.5896953839028, -4.5832196375500405e-14, -1730.6452927174118, 1303.0662380384631,
+         -1062.8914890876772, 900.33091417336186, -779.58031479930821, 684.80760161587136,
+         -607.68120931975795, 543.33819521356497, -492.59140855805731, 445.09554121187455
+        },
+        /* [33] 1.125 <= y <= 1.25 2^-19, degree 10, 57.5 bits */
+        {
+         2866.7418519504099, -2.2728854790893977e-13, -1448.5085679541846, 975.83085025603691,
+         -712.18402104392203, 539.76005675692215, -418.17179660697508, 328.66825069427898,
+         -260.95388495462259, 208.76301925049356, -169.07025500534291, 136.68602440246895
+        },
+        /* [34] 1.25 <= y <= 1.375 2^-19, degree 10, 58.3 bits */
+        {
+         2699.6548099848019, -3.2452306855787825e-14, -1234.1741415470094, 752.25304819561222,
+         -496.72482877017001, 340.61099013337792, -238.75195449791028, 169.77910604308457,
+         -121.96257638625202, 88.277642603514664, -64.608690617126342, 47.258358806511232
+        },
+        /* [35] 1.375 <= y <= 1.5 2^-19, degree 10, 58.9 bits */
+        {
+         2556.2432956590319, -1.4250946282612122e-13, -1066.9971415822504, 593.8024197489965,
+         -358.00184089994349, 224.14005354106229, -143.4495489001124, 93.138221102520461,
+         -61.08899716286426, 40.37184586243486, -26.954391803173138, 18.001390480061787
+        },
+        /* [36] 1.5 <= y <= 1.625 2^-19, degree 10, 61.5 bits */
+        {
+         2431.4982657705186, 1.8117851931855252e-13, -933.7363243926078, 478.06893760405387,
+         -265.16828326134447, 152.73676250022206, -89.931347851218149, 53.718968916069123,
+         -32.415397857966184, 19.708555807082156, -12.097641629569015, 7.4329810637445775
+        },
+        /* [37] 1.625 <= y <= 1.75 2^-19, degree 10, 60.6 bits */
+        {
+         2321.7678808859841, 9.2682551214033278e-14, -825.5563369157378, 391.37129820376225,
+         -201.00006358479064, 107.19990697562959, -58.443760709771354, 32.32443560550221,
+         -18.060568548186364, 10.167428096283643, -5.775680970950666, 3.2857926517899627
+        },
+        /* [38] 1.75 <= y <= 1.875 2^-19, degree 10, 59.3 bits */
+        {
+         2224.3204406089553, -5.1151884777968222e-14, -736.36376111971867, 325.01258230579111,
+         -155.40789931210307, 77.167962856453286, -39.169364621418048, 20.169961834751533,
+         -10.492323570026917, 5.4994230914768281, -2.9073073118561652, 1.5398995248337635
+        },
+        /* [39] 1.875 <= y <= 2 2^-19, degree 10, 59.9 bits */
+        {
+         2137.0674777413992, 7.3514397339946194e-14, -661.83686769515396, 273.27177175421855,
+         -122.23734837743422, 56.781143687337924, -26.961863826948445, 12.988073910796391,
+         -6.3204486884166879, 3.0990577498312266, -1.5321110754038103, 0.75914888729698016
+        },
+        /* [40] 1 <= y <= 1.125 2^-18, degree 10, 56.1 bits */
+        {
+         2021.838960309326, -4.2778151395609516e-14, -1141.8106277788261, 859.70666287960603,
+         -701.24875955989853, 593.99808254939001, -514.33203007476982, 451.80513689790598,
+         -400.92055008519947, 358.46989191134287, -324.98942823385192, 293.65378742736624
+        },
+        /* [41] 1.125 <= y <= 1.25 2^-18, degree 10, 57.5 bits */
+        {
+         1891.3067963868477, 1.2759312465562001e-14, -955.66899849258095, 643.81120890529633,
+         -469.86762974925045, 356.10962899401386, -275.89099190660835, 216.84050412871485,
+         -172.16558058188144, 137.73238447348712, -111.54488279832016, 90.179228115296425
+        },
+        /* [42] 1.25 <= y <= 1.375 2^-18, degree 10, 59.2 bits */
+        {
+         1781.0692853470262, -5.1240445627115295e-14, -814.26033666131673, 496.30440889693733,
+         -327.71724342586572, 224.71999857627694, -157.51785599586702, 112.01262111892279,
+         -80.465406298635727, 58.24159654194375, -42.625886662328483, 31.17892056103965
+        },
+        /* [43] 1.375 <= y <= 1.5 2^-18, degree 10, 59.8 bits */
+        {
+         1686.4518752367796, -5.166043200631123e-14, -703.96407479837865, 391.76562388464168,
+         -236.19397022867673, 147.87768042624427, -94.641609414909723, 61.448419666161179,
+         -40.303769625136354, 26.635521109377326, -17.783288138310699, 11.876501580228791
+        },
+        /* [44] 1.5 <= y <= 1.625 2^-18, degree 10, 60.6 bits */
+        {
+         1604.1498187832124, 5.6268201276831561e-14, -616.04422788781471, 315.40971970950943,
+         -174.9464943782225, 100.76897245803285, -59.332699170137168, 35.441370614277766,
+         -21.386222521125706, 13.002816676338742, -7.9814773473093945, 4.9039444556007847
+        },
+        /* [45] 1.625 <= y <= 1.75 2^-18, degree 10, 60.0 bits */
+        {
+         1531.7537916258179, -1.0876607198657919e-13, -544.67162079407422, 258.21038237545645,
+         -132.6111319678343, 70.725780352188124, -38.558597584018976, 21.326218390761419,
+         -11.915552796019503, 6.708011434099503, -3.8105337095900276, 2.1678174492517281
+        },
+        /* [46] 1.75 <= y <= 1.875 2^-18, degree 10, 60.6 bits */
+        {
+         1467.4615364999333, -1.7116013165753654e-14, -485.82608498543283, 214.4297714161915,
+         -102.53142572992431, 50.912035931072488, -25.842211387885719, 13.307241498396044,
+         -6.9223651593994653, 3.6282722174716695, -1.9181103703540663, 1.0159561787301681
+        },
+        /* [47] 1.875 <= y <= 2 2^-18, degree 10, 61.2 bits */
+        {
+         1409.8951730839651, 2.668205622492621e-15, -436.65633343380472, 180.29341289669085,
+         -80.646949547737435, 37.46171483628374, -17.788246144133524, 8.5689532505603196,
+         -4.1699494610301882, 2.0446192500334863, -1.0108179507077475, 0.50085220234913463
+        },
+        /* [48] 1 <= y <= 1.125 2^-17, degree 10, 55.7 bits */
+        {
+         1333.871462727918, 2.7678821791707172e-14, -753.32687471334816, 567.19924734579831,
+         -462.65398386784585, 391.8940709658541, -339.33362514650355, 298.08098719353296,
+         -264.5095010262562, 236.5023873403988, -214.41343162860932, 193.73955106449483
+        },
+        /* [49] 1.125 <= y <= 1.25 2^-17, degree 10, 57.7 bits */
+        {
+         1247.7508158204455, -4.0637125558518448e-14, -630.51820377948252, 424.76061137083832,
+         -309.9987611346728, 234.94572177934546, -182.0207866329047, 143.06178440430878,
+         -113.58719947210373, 90.869680303029398, -73.592318566819458, 59.496205568591563
+        },
+        /* [50] 1.25 <= y <= 1.375 2^-17, degree 10, 58.6 bits */
+        {
+         1175.0197600277279, 1.2725044531488087e-14, -537.22244912594817, 327.44184813662525,
+         -216.21407088793922, 148.2605886600652, -103.92341203579886, 73.900998447072908,
+         -53.087511722402496, 38.425213948424613, -28.122656342595455, 20.570455237056692
+        },
+        /* [51] 1.375 <= y <= 1.5 2^-17, degree 10, 59.0 bits */
+        {
+         1112.5942232938312, -5.9193704685468819e-14, -464.45334841536578, 258.471532084731,
+         -155.83094107818627, 97.563370874874821, -62.440426349825088, 40.540974127119469,
+         -26.590648488232812, 17.572935247044164, -11.732621441116853, 7.8355850663635618
+        },
+        /* [52] 1.5 <= y <= 1.625 2^-17, degree 10, 59.2 bits */
+        {
+         1058.2938717148572, 6.1589260970506605e-14, -406.44727362145574, 208.09507532786998,
+         -115.42246784035326, 66.48308541771874, -39.145152097987349, 23.382669169223949,
+         -14.109689005202688, 8.5786833477552822, -5.2658242048024526, 3.2354039573319091
+        },
+        /* [53] 1.625 <= y <= 1.75 2^-17, degree 10, 59.8 bits */
+        {
+         1010.5291331082425, 3.4165975513754607e-14, -359.35838361834857, 170.3573069275746,
+         -87.491389866677125, 46.661882083751991, -25.439305103292359, 14.070111596645233,
+         -7.861359438959683, 4.4256501410518601, -2.514021321159118, 1.4302295535477156
+        },
+        /* [54] 1.75 <= y <= 1.875 2^-17, degree 10, 59.7 bits */
+        {
+         968.11095234190759, 8.3664838313899496e-15, -320.53434164245738, 141.47264712280756,
+         -67.646066806101871, 33.589623395096041, -17.049585414943458, 8.7795415992340509,
+         -4.567074127825431, 2.3937744867945341, -1.2654844674949339, 0.67028281642966747
+        },
+        /* [55] 1.875 <= y <= 2 2^-17, degree 10, 65.0 bits */
+        {
+         930.13026025065687, 1.9416171348283651e-14, -288.09398866400539, 118.95085996368371,
+         -53.207605795224787, 24.715675731906323, -11.735927332049332, 5.6534256867810084,
+         -2.751151102411113, 1.3489501515225832, -0.66689313663111749, 0.33044011680819885
+        },
+        /* [56] 1 <= y <= 1.125 2^-16, degree 10, 55.8 bits */
+        {
+         879.97182285717577, -1.8670974172306172e-14, -497.02579022476203, 374.21729991758252,
+         -305.24067354772592, 258.55549564486438, -223.87797809526288, 196.66105137836777,
+         -174.51191034175841, 156.03395326125619, -141.46056945972632, 127.82081141564738
+        },
+        /* [57] 1.125 <= y <= 1.25 2^-16, degree 10, 57.1 bits */
+        {
+         823.15153823436776, 9.9603454329955698e-16, -416.00106755522262, 280.2419171639595,
+         -204.52503846542515, 155.00758302288276, -120.0896909221461, 94.386077472868692,
+         -74.93994641486475, 59.951872267551209, -48.552997892852765, 39.252984819304949
+        },
+        /* [58] 1.25 <= y <= 1.375 2^-16, degree 10, 58.1 bits */
+        {
+         775.16522814827044, -1.1336402260649144e-14, -354.44780965711197, 216.03478021048261,
+         -142.64971256535659, 97.816347642936563, -68.564355048370444, 48.756758336767923,
+         -35.024870949470603, 25.351298578073358, -18.554106840046835, 13.571487624636855
+        },
+        /* [59] 1.375 <= y <= 1.5 2^-16, degree 10, 59.3 bits */
+        {
+         733.97814186429048, 1.3300781584221609e-15, -306.43724631082608, 170.53080260260904,
+         -102.81134910095156, 64.368417976977213, -41.195626591943991, 26.747236126606136,
+         -17.543380729469604, 11.593868992743554, -7.7406765137402012, 5.169578270767512
+        },
+        /* [60] 1.5 <= y <= 1.625 2^-16, degree 10, 59.3 bits */
+        {
+         698.15177851020951, 2.5213622821064402e-14, -268.166767466267, 137.29431060514347,
+         -76.151442319560715, 43.862917727547554, -25.82637725105285, 15.426912974480819,
+         -9.3089775972308555, 5.6598494598957902, -3.474164373921381, 2.134579478372006
+        },
+        /* [61] 1.625 <= y <= 1.75 2^-16, degree 10, 60.2 bits */
+        {
+         666.63739817953604, -5.5742796814731352e-14, -237.09903991390351, 112.39632635542323,
+         -57.723612457850898, 30.78569144060188, -16.78382721780137, 9.2828791657386382,
+         -5.1865955096465868, 2.9198563268722513, -1.6586437136389227, 0.94360383296125028
+        },
+        /* [62] 1.75 <= y <= 1.875 2^-16, degree 10, 59.7 bits */
+        {
+         638.6505062959518, -1.6848983696496769e-14, -211.48415595008055, 93.339277922985687,
+         -44.630437272738213, 22.161140224324051, -11.248635058095887, 5.7923821324530582,
+         -3.0131653710657638, 1.5793114974429154, -0.83491278758176024, 0.442223853133625
+        },
+        /* [63] 1.875 <= y <= 2 2^-16, degree 10, 59.3 bits */
+        {
+         613.59133209817378, -2.7177832092268882e-14, -190.08099978742877, 78.480207715795117,
+         -35.104493446754638, 16.306462651530815, -7.7429002075415401, 3.729900610366693,
+         -1.8150957105179455, 0.8899807702358109, -0.439987849999527, 0.21801028090068689
+        },
+        /* [64] 1 <= y <= 1.125 2^-15, degree 10, 55.8 bits */
+        {
+         580.49732108265005, -1.5784220061985516e-14, -327.9331126172338, 246.89785082272783,
+         -201.38725989611223, 170.58525797947559, -147.70595061817593, 129.74906485540342,
+         -115.13581143641831, 102.94471825476289, -93.329738025433045, 84.330750862623319
+        },
+        /* [65] 1.125 <= y <= 1.25 2^-15, degree 10, 56.9 bits */
+        {
+         543.00771116376245, 4.7269895492146688e-14, -274.47525367905604, 184.89608477878974,
+         -134.93880422809787, 102.2683532798164, -79.230578127568137, 62.272202106394907,
+         -49.442347575411262, 39.553782277812438, -32.033247872799834, 25.897469877766653
+        },
+        /* [66] 1.25 <= y <= 1.375 2^-15, degree 10, 59.2 bits */
+        {
+         511.34651947645284, 2.6208478675613472e-14, -233.8640167885919, 142.53432007134259,
+         -94.115693996232707, 64.53574805932611, -45.236184703868616, 32.167811125736947,
+         -23.108012637396858, 16.725757102139038, -12.241235487730638, 8.9539023866335388
+        },
+        /* [67] 1.375 <= y <= 1.5 2^-15, degree 10, 60.9 bits */
+        {
+         484.17128431864171, -2.5119200802522834e-14, -202.18781342634273, 112.51223362889849,
+         -67.83174196896671, 42.468050135439945, -27.179355653359629, 17.646801280461631,
+         -11.57443192166687, 7.6491691998681945, -5.1069827485685728, 3.4106744138365963
+        },
+        /* [68] 1.5 <= y <= 1.625 2^-15, degree 10, 59.2 bits */
+        {
+         460.5329283669754, -5.5127926787482952e-15, -176.93781536993154, 90.583808074840164,
+         -50.242449036917122, 28.939270358559906, -17.039309810804006, 10.178095124266777,
+         -6.1417017339394455, 3.7341439829120175, -2.2921134248032411, 1.408308248449305
+        },
+        /* [69] 1.625 <= y <= 1.75 2^-15, degree 10, 59.8 bits */
+        {
+         439.7395250212316, -5.5175052019513848e-15, -156.43997725984758, 74.156847604027305,
+         -38.084382341126435, 20.311385081994892, -11.073374025566395, 6.1244989113365671,
+         -3.4219168554115407, 1.926406610212267, -1.0943068477801909, 0.62255156941038314
+        },
+        /* [70] 1.75 <= y <= 1.875 2^-15, degree 10, 59.0 bits */
+        {
+         421.27348778863734, 1.3288173751550632e-14, -139.53976852711719, 61.583543886186156,
+         -29.445931368171149, 14.621209231130589, -7.4214583187928849, 3.8216019929211131,
+         -1.9879725110937438, 1.0419684519611561, -0.55084243295845747, 0.29176153890957962
+        },
+        /* [71] 1.875 <= y <= 2 2^-15, degree 10, 62.1 bits */
+        {
+         404.73910484607262, 1.7300039601388473e-14, -125.41834141687413, 51.779931308197071,
+         -23.161015459997351, 10.758494635003769, -5.1085016713469971, 2.460854241222648,
+         -1.1975323902011272, 0.58717517874335501, -0.29028675588369879, 0.14383450730543715
+        },
+        /* [72] 1 <= y <= 1.125 2^-14, degree 10, 55.8 bits */
+        {
+         382.90309255499147, -1.8632171380221145e-14, -216.3768734369913, 162.89968493783601,
+         -132.87031507856247, 112.54703839049911, -97.451502916951085, 85.603877092794548,
+         -75.962396279898698, 67.919044917157251, -61.575361558795215, 55.638118286811391
+        },
+        /* [73] 1.125 <= y <= 1.25 2^-14, degree 10, 57.9 bits */
+        {
+         358.16657590870551, -2.4662178142714614e-14, -181.10605777350563, 121.99239584394249,
+         -89.029566046609162, 67.473762076024016, -52.273822342571457, 41.085082980451958,
+         -32.620300784941278, 26.096129119141381, -21.134326548211643, 17.086152209431496
+        },
+        /* [74] 1.25 <= y <= 1.375 2^-14, degree 10, 59.1 bits */
+        {
+         337.27558440263118, 2.8419257240295064e-14, -154.31115051411373, 94.04302055163275,
+         -62.095603719779824, 42.578963286538375, -29.845459697820573, 21.223264721486157,
+         -15.24586653066449, 11.035053041721063, -8.0763140901245247, 5.907445883124093
+        },
+        /* [75] 1.375 <= y <= 1.5 2^-14, degree 10, 58.7 bits */
+        {
+         319.34439104540371, -9.8289850429659676e-15, -133.41139392852835, 74.235033990549326,
+         -44.754134328905458, 28.0193537243664, -17.932148251119298, 11.642799093646875,
+         -7.6364204739420298, 5.0466532528739796, -3.3694020923627508, 2.250236248002309
+        },
+        /* [76] 1.5 <= y <= 1.625 2^-14, degree 10, 61.0 bits */
+        {
+         303.7468132587635, 2.6832033986118425e-14, -116.75152855669191, 59.767040892072707,
+         -33.149147163837974, 19.093450286338559, -11.24206296934377, 6.7151950647150711,
+         -4.0520938407663287, 2.463660219322362, -1.5122550810591489, 0.92915042046008556
+        },
+        /* [77] 1.625 <= y <= 1.75 2^-14, degree 10, 61.0 bits */
+        {
+         290.02633000207277, 2.7669152429954842e-14, -103.22706020863492, 48.928784586483822,
+         -25.127531568731907, 13.40100628600602, -7.3059185189402722, 4.0407632003903942,
+         -2.2576719848328808, 1.270978659151849, -0.72198563481689815, 0.41073724368960218
+        },
+        /* [78] 1.75 <= y <= 1.875 2^-14, degree 10, 60.0 bits */
+        {
+         277.84144570466646, -2.8374324160834016e-14, -92.076256010335953, 40.633086117281756,
+         -19.428064774644071, 9.6467757980377016, -4.8964907666850541, 2.521384029323682,
+         -1.3116029287788951, 0.68745679751199484, -0.36342710536272615, 0.19249401732112936
+        },
+        /* [79] 1.875 <= y <= 2 2^-14, degree 10, 59.9 bits */
+        {
+         266.93107500711437, -1.8216490154705997e-14, -82.758857646091045, 34.164773171876355,
+         -15.281400783509492, 7.0982519900967418, -3.3704667821899958, 1.6236040703603871,
+         -0.79009602737748197, 0.38739950960166414, -0.19152154314815606, 0.09489705274223928
+        },
+        /* [80] 1 <= y <= 1.125 2^-13, degree 10, 56.2 bits */
+        {
+         252.52221935599934, 3.8773842970502731e-15, -142.78081148886881, 107.48310069049123,
+         -87.666868442670236, 74.256671235606092, -64.296343459638791, 56.479222645478622,
+         -50.117819282028442, 44.810908168779015, -40.625441066157009, 36.708168159558262
+        },
+        /* [81] 1.125 <= y <= 1.25 2^-13, degree 10, 57.8 bits */
+        {
+         236.19917787099399, 3.5224166853613199e-15, -119.50862220484716, 80.492693810016661,
+         -58.741408377569016, 44.518272258772136, -34.489237887515223, 27.106959392943736,
+         -21.522001343160269, 17.217469290040118, -13.943778546118098, 11.272893631520889
+        },
+        /* [82] 1.25 <= y <= 1.375 2^-13, degree 10, 59.5 bits */
+        {
+         222.41347938845493, 1.2446111824985902e-14, -101.8288066642626, 62.051739383184163,
+         -40.970708931495544, 28.093147385820327, -19.691517905446894, 14.002647904564487,
+         -10.058841683072517, 7.2806253543317947, -5.3285150302758435, 3.8975503771729052
+        },
+        /* [83] 1.375 <= y <= 1.5 2^-13, degree 10, 58.6 bits */
+        {
+         210.58072282569657, 1.3881514703882068e-14, -88.038613031635336, 48.982384929880702,
+         -29.52896828255528, 18.486953086879421, -11.831363635167806, 7.6816887022511731,
+         -5.0383327184594933, 3.3296512356541044, -2.2230373287586782, 1.4846392507154109
+        },
+        /* [84] 1.5 <= y <= 1.625 2^-13, degree 10, 60.4 bits */
+        {
+         200.28775163089324, 3.4379466366449166e-15, -77.045916813403124, 39.436315855520675,
+         -21.87207183002959, 12.597765639226516, -7.4173715631945427, 4.4305662904159897,
+         -2.6734843236961714, 1.6254630414315301, -0.99774572341320877, 0.61302710374805158
+        },
+        /* [85] 1.625 <= y <= 1.75 2^-13, degree 10, 60.8 bits */
+        {
+         191.23335055678226, -5.2107344103571632e-15, -68.121980000908835, 32.285128818351858,
+         -16.579438178275179, 8.8419566610860496, -4.8203699085548122, 2.6660316284080521,
+         -1.4895672507109436, 0.83856270659945586, -0.47634792485341992, 0.27099329822222273
+        },
+        /* [86] 1.75 <= y <= 1.875 2^-13, degree 10, 59.5 bits */
+        {
+         183.19219756057333, -8.8078860192768523e-15, -60.764214063208193, 26.811515850923183,
+         -12.818934051134006, 6.3649499809820131, -3.2306654409951969, 1.6635741805809581,
+         -0.86537184527771982, 0.45356933321660259, -0.23978053517324288, 0.1270025707742265
+        },
+        /* [87] 1.875 <= y <= 2 2^-13, degree 10, 60.9 bits */
+        {
+         175.99202506680916, 8.27652473027009e-15, -54.616157033492804, 22.543612963093928,
+         -10.082956561964606, 4.6834516520002136, -2.2238146404665278, 1.0712345432561055,
+         -0.52129236327342532, 0.25559850935190692, -0.12636160193521667, 0.062610734983904848
+        },
+        /* [88] 1 <= y <= 1.125 2^-12, degree 10, 56.0 bits */
+        {
+         166.48289558679636, -4.3080604656624128e-15, -94.229292528059233, 70.923508565673401,
+         -57.844718740044065, 48.99511681016407, -42.422573694654986, 37.264476130691143,
+         -33.067037093230489, 29.565446702943238, -26.803830862215534, 24.219209558825021
+        },
+        /* [89] 1.125 <= y <= 1.25 2^-12, degree 10, 57.9 bits */
+        {
+         155.71023090911655, 4.4536347633052267e-15, -78.872857156835863, 53.114497976638432,
+         -38.759408866322161, 29.373733514764158, -22.756068175211539, 17.885025857996588,
+         -14.1999859254238, 11.359832296954099, -9.1998548213988602, 7.4376241125451239
+        },
+        /* [90] 1.25 <= y <= 1.375 2^-12, degree 10, 58.1 bits */
+        {
+         146.61187475656635, 4.0026421909469631e-15, -67.206441476709358, 40.946523269254037,
+         -27.034027513275916, 18.536371001150897, -12.992587936690056, 9.2389231198787929,
+         -6.6367482114461795, 4.8036699545516699, -3.5156722686017639, 2.5715329565829976
+        },
+        /* [91] 1.375 <= y <= 1.5 2^-12, degree 10, 58.7 bits */
+        {
+         138.80221948342512, 1.2918006456971908e-15, -58.106544296122763, 32.32282609671325,
+         -19.484530712501208, 12.198124568120841, -7.8064587687346041, 5.0683928441725534,
+         -3.3242700012308624, 2.1968735996461901, -1.4667314702721777, 0.97954144146716571
+        },
+        /* [92] 1.5 <= y <= 1.625 2^-12, degree 10, 60.5 bits */
+        {
+         132.00864757380535, 2.6088276773106062e-15, -50.852559723600294, 26.023873890579438,
+         -14.432312794944071, 8.3123650438529602, -4.8940912179610931, 2.923311884292433,
+         -1.7639616477580986, 1.0724702310856344, -0.6583023036818515, 0.40446696103327695
+        },
+        /* [93] 1.625 <= y <= 1.75 2^-12, degree 10, 60.1 bits */
+        {
+         126.03240292696401, 7.5570436602734582e-16, -44.963647855423275, 21.305132392004296,
+         -10.940069616508341, 5.8342196340034835, -3.1805711193437993, 1.7590716433593325,
+         -0.98281920850208282, 0.55328066199751413, -0.31429060743180609, 0.17879830922310266
+        },
+        /* [94] 1.75 <= y <= 1.875 2^-12, degree 10, 58.8 bits */
+        {
+         120.72480589437014, 8.9901513315198767e-16, -40.108185406608939, 17.693310057522453,
+         -8.4587539970168812, 4.1998391107235005, -2.1316672630815052, 1.0976469892160883,
+         -0.57097656258507423, 0.29926464313098572, -0.15820589286958073, 0.083795140527393758
+        },
+        /* [95] 1.875 <= y <= 2 2^-12, degree 10, 60.6 bits */
+        {
+         115.97218391397811, -3.443246994556531e-15, -36.050966074491889, 14.877061344146364,
+         -6.6534443136128356, 3.090344706024009, -1.4673329423990629, 0.70681759211432782,
+         -0.343952808979545, 0.16864435283536172, -0.083373002669084997, 0.041310131062617383
+        },
+        /* [96] 1 <= y <= 1.125 2^-11, degree 10, 55.7 bits */
+        {
+         109.69529895993287, -1.5191658675269342e-15, -62.20098905597925, 46.805033348657055,
+         -38.170554444104084, 32.329459702023904, -27.99181243070591, 24.587883669303228,
+         -21.818038718836682, 19.507451598504375, -17.685181113951685, 15.979745471084383
+        },
+        /* [97] 1.125 <= y <= 1.25 2^-11, degree 10, 57.9 bits */
+        {
+         102.58407523881027, 5.993615218634738e-15, -52.06658563275677, 35.053127743316551,
+         -25.577017301758758, 19.382555346475485, -15.015381449186249, 11.801034705358992,
+         -9.3694085467115489, 7.4953415960753453, -6.0701120437337162, 4.907348924504908
+        },
+        /* [98] 1.25 <= y <= 1.375 2^-11, degree 10, 58.7 bits */
+        {
+         96.577816835471396, 6.3336101631130967e-15, -44.367193167705757, 27.023512382154468,
+         -17.839855330049634, 12.231584019771974, -8.5731386326206724, 6.0961574236313121,
+         -4.3790849746438276, 3.1695384831568099, -2.3196750632360805, 1.6967098433942571
+        },
+        /* [99] 1.375 <= y <= 1.5 2^-11, degree 10, 58.3 bits */
+        {
+         91.422062538211875, 4.4871273900293169e-15, -38.361454025895299, 21.332654875315388,
+         -12.858141314374393, 8.0492802373257835, -5.1511381968437666, 3.3443315147819286,
+         -2.1934514611026721, 1.4495434661671267, -0.96777047783712444, 0.64631022740945177
+        },
+        /* [100] 1.5 <= y <= 1.625 2^-11, degree 10, 61.6 bits */
+        {
+         86.936909707653584, -5.8395832620259947e-15, -33.573859839650609, 17.17584517428228,
+         -9.5242700652730203, 5.4852254359130512, -3.22943136752136, 1.9289384489565322,
+         -1.1639237403576526, 0.70764374843176725, -0.43436025477747858, 0.26687258099555555
+        },
+        /* [101] 1.625 <= y <= 1.75 2^-11, degree 10, 61.6 bits */
+        {
+         82.991195173012713, 5.0694244294470569e-15, -29.687112954138119, 14.061795818207399,
+         -7.2197680832875779, 3.8499797331869696, -2.0987654416844892, 1.1607290385761004,
+         -0.64850394475670115, 0.36507166755093029, -0.2073762473723347, 0.1179741794471076
+        },
+        /* [102] 1.75 <= y <= 1.875 2^-11, degree 10, 60.1 bits */
+        {
+         79.486800530007457, -1.046908733819068e-15, -26.482378122629946, 11.678197719083332,
+         -5.5823469829540491, 2.7714945516892775, -1.406639904665431, 0.72429261928022204,
+         -0.37675655584844969, 0.19746549422601117, -0.10438861428386464, 0.055289799092594002
+        },
+        /* [103] 1.875 <= y <= 2 2^-11, degree 10, 61.5 bits */
+        {
+         76.348708384104697, 2.9114246165583808e-15, -23.804442733541347, 9.8196022069815765,
+         -4.3910068765534671, 2.0393601316062595, -0.9682708246899453, 0.46640448056372374,
+         -0.22695768984381856, 0.11127836586558561, -0.055012166919401993, 0.027257457308728462
+        },
+        /* [104] 1 <= y <= 1.125 2^-10, degree 10, 55.7 bits */
+        {
+         72.203965890488931, 6.1427499529938469e-15, -41.073662796955055, 30.894700989600999,
+         -25.191649197416659, 21.335053749661068, -18.471666398081268, 16.224914368450619,
+         -14.396831783824686, 12.871942803467672, -11.669357802176165, 10.543927483853196
+        },
+        /* [105] 1.125 <= y <= 1.25 2^-10, degree 10, 57.6 bits */
+        {
+         67.507986064624106, 6.7648751000911849e-15, -34.38408440702684, 23.138610641538211,
+         -16.880750428306253, 12.79137243058933, -9.908785064927832, 7.7873386516265137,
+         -6.1825860907254953, 4.9458512122276925, -4.0053423417738205, 3.2380571728720788
+        },
+        /* [106] 1.25 <= y <= 1.375 2^-10, degree 10, 58.4 bits */
+        {
+         63.541393616960114, -2.2218644013215508e-15, -29.301602253597856, 17.839012881851065,
+         -11.774610663854029, 8.0723387779549025, -5.6576056162389374, 4.0228394099180722,
+         -2.8896683783704673, 2.0914697163231568, -1.5306485022651264, 1.1195669748553534
+        },
+        /* [107] 1.375 <= y <= 1.5 2^-10, degree 10, 59.6 bits */
+        {
+         60.13624283676873, 3.5030110177693013e-15, -25.33695834046393, 14.082895638187292,
+         -8.4868492252362042, 5.3123179993303919, -3.3994184896869855, 2.2069538244142817,
+         -1.4474353471506964, 0.95651684129206083, -0.63859567537301476, 0.42646988334423241
+        },
+        /* [108] 1.5 <= y <= 1.625 2^-10, degree 10, 59.9 bits */
+        {
+         57.173793403088126, 3.0293378133734485e-15, -22.17633389363667, 11.339208868795572,
+         -6.2865558051145971, 3.6201922214292908, -2.131257551637801, 1.2729447796905988,
+         -0.76807224549109476, 0.46696225902166766, -0.28662157701807384, 0.17609866170191263
+        },
+        /* [109] 1.625 <= y <= 1.75 2^-10, degree 10, 58.8 bits */
+        {
+         54.567471686333683, -3.4888378263855136e-15, -19.610318647318426, 9.2837321707510938,
+         -4.7655918235267425, 2.5410050973632563, -1.385103020869306, 0.76600074280637642,
+         -0.42795338252496729, 0.24090780731552661, -0.13684310858303261, 0.077847335679570112
+        },
+        /* [110] 1.75 <= y <= 1.875 2^-10, degree 10, 60.1 bits */
+        {
+         52.252513198046096, 3.0427196095776217e-15, -17.494482236143419, 7.7103561685138429,
+         -3.6848745171318664, 1.8292408440324783, -0.92834470314741235, 0.4779906859272805,
+         -0.24862847066973318, 0.13030753107197834, -0.068884592844838818, 0.036484333896917159
+        },
+        /* [111] 1.875 <= y <= 2 2^-10, degree 10, 59.7 bits */
+        {
+         50.179400186411954, -9.0757839341413965e-16, -15.72638262983574, 6.4834917660908236,
+         -2.8985583711241434, 1.346047513791705, -0.63904465418870338, 0.30780453621802506,
+         -0.14977559458262152, 0.073433548640111035, -0.036302178615301099, 0.017986692497440882
+        },
+        /* [112] 1 <= y <= 1.125 2^-9, degree 10, 55.7 bits */
+        {
+         47.441059819220392, 2.4463804274025028e-15, -27.137702930168214, 20.399670014044226,
+         -16.629999392565473, 14.082323956324089, -12.191362892418843, 10.707915208528906,
+         -9.5010606409878893, 8.4944635693903159, -7.700663386171744, 6.9578495212729941
+        },
+        /* [113] 1.125 <= y <= 1.25 2^-9, degree 10, 57.5 bits */
+        {
+         44.338214117939266, 2.7929436620667356e-15, -22.720444796492629, 15.279442493351445,
+         -11.144236648439859, 8.4433751168463687, -6.5400636409899331, 5.1395473360598256,
+         -4.0802528654461758, 3.2639496165397182, -2.6432024002391104, 2.1368101423870485
+        },
+        /* [114] 1.25 <= y <= 1.375 2^-9, degree 10, 57.8 bits */
+        {
+         41.717013341059975, -8.3698358888427407e-16, -19.364146566222058, 11.780699804351055,
+         -7.7736932641644403, 5.3286374811254094, -3.7343002160893803, 2.6551036608891616,
+         -1.9071128129582711, 1.3802707473152127, -1.0101261873370238, 0.73882250155941775
+        },
+        /* [115] 1.375 <= y <= 1.5 2^-9, degree 10, 58.2 bits */
+        {
+         39.466581729593202, 2.7564625469522989e-16, -16.74585196431433, 9.3008220553284637,
+         -5.6033660002334775, 3.5068586981677381, -2.2438603906718786, 1.4566483380662327,
+         -0.9552978003623126, 0.63127038203909058, -0.42143958049104396, 0.28144065998848333
+        },
+        /* [116] 1.5 <= y <= 1.625 2^-9, degree 10, 61.8 bits */
+        {
+         37.508524329828397, 3.2792965466419214e-15, -14.658402572495056, 7.4892854968562013,
+         -4.1508437524054234, 2.389917086250096, -1.4068294599359945, 0.84020150615124689,
+         -0.50693546477009244, 0.3081871075242838, -0.1891591013496077, 0.11621516683425005
+        },
+        /* [117] 1.625 <= y <= 1.75 2^-9, degree 10, 59.4 bits */
+        {
+         35.785680500727281, 3.4189503432173676e-15, -12.963556701763476, 6.1320786744337497,
+         -3.1467413959718993, 1.6775418615891105, -0.9143271568355783, 0.50560953871663705,
+         -0.28246058782120725, 0.15899858993597971, -0.090312974089730907, 0.051375805623598107
+        },
+        /* [118] 1.75 <= y <= 1.875 2^-9, degree 10, 60.7 bits */
+        {
+         34.255287118984029, -2.1385081836395502e-15, -11.56596526320245, 5.0931483885961795,
+         -2.4332517754175984, 1.2076886982529846, -0.61283358437181468, 0.31551314171582912,
+         -0.16410539320931899, 0.086004556359989923, -0.045462991796919934, 0.024078493821845251
+        },
+        /* [119] 1.875 <= y <= 2 2^-9, degree 10, 59.6 bits */
+        {
+         32.884646733603326, -2.803788770620002e-15, -10.397996167430275, 4.2829891232031443,
+         -1.914106501455799, 0.88871081318266798, -0.42186937275931735, 0.20318178745201296,
+         -0.098860651840176755, 0.048468083760427688, -0.023959467996518716, 0.011870857324642478
+        },
+        /* [120] 1 <= y <= 1.125 2^-8, degree 10, 55.6 bits */
+        {
+         31.073987625768492, -2.9269629057129132e-16, -17.945345254092739, 13.477185313138278,
+         -10.982598013678775, 9.2981766795032215, -8.0485724388860476, 7.0685760314569865,
+         -6.2714769761097715, 5.6067489374015187, -5.0825898732766319, 4.5921627868009365
+        },
+        /* [121] 1.125 <= y <= 1.25 2^-8, degree 10, 57.3 bits */
+        {
+         29.021998816890505, -5.3524915606461179e-16, -15.0268953094815, 10.095606113392801,
+         -7.3603815007508073, 5.5753199261931297, -4.317916468711382, 3.3929250201369445,
+         -2.6934239970276019, 2.1544506978900331, -1.7446317456697156, 1.4103383144499841
+        },
+        /* [122] 1.25 <= y <= 1.375 2^-8, degree 10, 59.3 bits */
+        {
+         27.288246168673542, -4.9372824709694223e-16, -12.809168648499268, 7.7847178038941394,
+         -5.1346784234252709, 3.5188371203851792, -2.4656213855503459, 1.7528817498351901,
+         -1.2589642353307966, 0.91111854829464001, -0.66675300253756831, 0.48765448904792197
+        },
+        /* [123] 1.375 <= y <= 1.5 2^-8, degree 10, 58.7 bits */
+        {
+         25.799497616968385, 5.5120701986634663e-16, -11.078905628690567, 6.1466472163777564,
+         -3.7014299042581658, 2.3159526134747175, -1.481621242673979, 0.96171641334624447,
+         -0.63065908949101546, 0.41671878776907739, -0.27818921408025327, 0.18576904764644434
+        },
+        /* [124] 1.5 <= y <= 1.625 2^-8, degree 10, 58.6 bits */
+        {
+         24.503970014350028, -1.7528596436703323e-15, -9.6993028825286078, 4.9499515890930192,
+         -2.7421459314441972, 1.5784174037626257, -0.92898006597443328, 0.55474885826549325,
+         -0.33467786061014093, 0.20345052225671043, -0.12486694250316967, 0.076712019071052226
+        },
+        /* [125] 1.625 <= y <= 1.75 2^-8, degree 10, 59.0 bits */
+        {
+         23.363903367308168, -5.5588299813608362e-16, -8.5790623434290545, 4.0533162025206604,
+         -2.0789685123159458, 1.1079988196162283, -0.60379506890420376, 0.33384770323285901,
+         -0.18648769714671432, 0.10496727744673395, -0.059619088225959294, 0.033913534281101852
+        },
+        /* [126] 1.75 <= y <= 1.875 2^-8, degree 10, 61.5 bits */
+        {
+         22.351046426275968, 5.6881368713264157e-16, -7.6552092351235137, 3.3668983744538612,
+         -1.6077025786435113, 0.79771392879760683, -0.40471842082638693, 0.20833887697551562,
+         -0.10835097474384685, 0.056780355646888742, -0.03001289256320111, 0.015894880339277113
+        },
+        /* [127] 1.875 <= y <= 2 2^-8, degree 10, 61.7 bits */
+        {
+         21.443796164497655, -1.1204494830700879e-15, -6.8830721445138083, 2.831590042755697,
+         -1.2647822059412113, 0.58705428991190334, -0.27861878366871162, 0.1341704772465766,
+         -0.065275578429755676, 0.03199986752333691, -0.015817629352945336, 0.0078365214086183257
+        },
+        /* [128] 1 <= y <= 1.125 2^-7, degree 10, 55.7 bits */
+        {
+         20.245097389159145, 2.8462345147765125e-16, -11.881390248664012, 8.9112815682611863,
+         -7.2577135565123667, 6.1426105450768498, -5.3159804315311039, 4.6680166608489921,
+         -4.1411639396422624, 3.7019149367479751, -3.3555994954810466, 3.0316411856343253
+        },
+        /* [129] 1.125 <= y <= 1.25 2^-7, degree 10, 57.9 bits */
+        {
+         18.886340621459116, -5.284370383205745e-16, -9.9515185770580796, 6.6764671230645609,
+         -4.8646637316934882, 3.6836048798796774, -2.8522011112303107, 2.240841954090393,
+         -1.7786482101311072, 1.4225961946165795, -1.1519037499867861, 0.93112750728934723
+        },
+        /* [130] 1.25 <= y <= 1.375 2^-7, degree 10, 58.6 bits */
+        {
+         17.738039354147539, 1.166936235907668e-15, -8.4847687467729589, 5.1490499520287765,
+         -3.3940725303654964, 2.325137517072561, -1.6288167090786638, 1.1577768288189463,
+         -0.83143904120445844, 0.60165676108242472, -0.44025463408228943, 0.3219753753060916
+        },
+        /* [131] 1.375 <= y <= 1.5 2^-7, degree 10, 59.4 bits */
+        {
+         16.751790124351682, 4.0209119980043685e-16, -7.3402346982694775, 4.066206144781658,
+         -2.4469812079399813, 1.5304662155103324, -0.97886234645147607, 0.63526280205714136,
+         -0.41652628760880728, 0.27519782198427728, -0.18369825418921792, 0.12266133262254239
+        },
+        /* [132] 1.5 <= y <= 1.625 2^-7, degree 10, 59.0 bits */
+        {
+         15.893362014243014, 7.3642533006813182e-16, -6.4275173816198743, 3.2750370075893733,
+         -1.813021626427419, 1.0431795458572666, -0.61380189746830072, 0.36646793082093537,
+         -0.22105717368285988, 0.13436555839980738, -0.082458859898552853, 0.050654851307665949
+        },
+        /* [133] 1.625 <= y <= 1.75 2^-7, degree 10, 59.1 bits */
+        {
+         15.137790987674824, -1.4220082888040524e-16, -5.6862812767995656, 2.6821771033558801,
+         -1.3747062564130454, 0.73234931899155575, -0.39897686068976951, 0.22055667059438816,
+         -0.12318473649337491, 0.06932815354546884, -0.039373104822919398, 0.022395121201648223
+        },
+        /* [134] 1.75 <= y <= 1.875 2^-7, degree 10, 59.3 bits */
+        {
+         14.466397279047657, 2.7943262622187421e-16, -5.0749045692869963, 2.228263032534076,
+         -1.0632017763945205, 0.52731085599666871, -0.26745235968908626, 0.13764914782566445,
+         -0.071576077256300968, 0.037504183861889154, -0.019821937364466056, 0.010496870663803743
+        },
+        /* [135] 1.875 <= y <= 2 2^-7, degree 10, 59.8 bits */
+        {
+         13.864895320861182, 5.5621880192829112e-16, -4.5638598320810209, 1.8742359879802253,
+         -0.8365121645364203, 0.3880942636400842, -0.18413580554462458, 0.088652461434010121,
+         -0.043123448668343299, 0.021137572492987443, -0.010447274921434926, 0.0051754444045372895
+        },
+        /* [136] 1 <= y <= 1.125 2^-6, degree 10, 55.8 bits */
+        {
+         13.0699891209269, -7.3870854295746477e-16, -7.8800816004527032, 5.8995214028211196,
+         -4.8009107968916513, 4.0613379236676037, -3.5136720857169177, 3.0846850532351939,
+         -2.7360595966186585, 2.4455149740300253, -2.2164884318121523, 2.0023202069328812
+        },
+        /* [137] 1.125 <= y <= 1.25 2^-6, degree 10, 57.2 bits */
+        {
+         12.168677066210456, 4.0976031568635481e-16, -6.6023038496687798, 4.4210749850841413,
+         -3.2185643656335827, 2.4359152424014643, -1.8854802761884182, 1.4809720446035888,
+         -1.1752900384542113, 0.93988146293422281, -0.7609490857998924, 0.61504362413374902
+        },
+        /* [138] 1.25 <= y <= 1.375 2^-6, degree 10, 58.1 bits */
+        {
+         11.406724428631547, -4.0175844094798429e-16, -5.6309333210639467, 3.410413750064818,
+         -2.2460108039450546, 1.5378269044692825, -1.0768999026401811, 0.76527122156502203,
+         -0.54945897775073249, 0.3975447541226349, -0.29086120867863652, 0.21269584698804173
+        },
+        /* [139] 1.375 <= y <= 1.5 2^-6, degree 10, 59.5 bits */
+        {
+         10.752103999130323, 5.159476539076333e-16, -4.8727851136595461, 2.6937861481693144,
+         -1.6195672456256549, 1.0123933822715583, -0.64726719195284976, 0.41994922931414935,
+         -0.2752931155569302, 0.18185549145956581, -0.12137463280596197, 0.081036810324133735
+        },
+        /* [140] 1.5 <= y <= 1.625 2^-6, degree 10, 58.5 bits */
+        {
+         10.182161945254276, -4.9908880622101736e-16, -4.2680664107995581, 2.1700973915599939,
+         -1.200177953940669, 0.69015830703234826, -0.40592599977817062, 0.24228711400477035,
+         -0.14611809691822381, 0.088799835361572876, -0.054487886803363375, 0.033468235463037899
+        },
+        /* [141] 1.625 <= y <= 1.75 2^-6, degree 10, 60.5 bits */
+        {
+         9.6803742853776065, -6.5090881238895262e-16, -3.7768632836446048, 1.7776070315667456,
+         -0.91017288334517688, 0.48458466344540158, -0.26388885407262896, 0.14583569311528097,
+         -0.08143315882561504, 0.045822132996746243, -0.026019614927910325, 0.014797939443177581
+        },
+        /* [142] 1.75 <= y <= 1.875 2^-6, degree 10, 59.9 bits */
+        {
+         9.2343745769706924, 4.3888557148316256e-16, -3.3716375012160844, 1.477054296910258,
+         -0.70404155378292421, 0.34896161343310622, -0.17691826281374115, 0.091025884960174983,
+         -0.047321218368150168, 0.024790521387693776, -0.013100406896023816, 0.0069365377337500559
+        },
+        /* [143] 1.875 <= y <= 2 2^-6, degree 10, 59.1 bits */
+        {
+         8.8347039041956332, -2.3831996956524411e-16, -3.0328500851315066, 1.2426038914560023,
+         -0.55401434110170522, 0.25686548101001649, -0.1218191929911721, 0.05863116354928874,
+         -0.028513065459125801, 0.013973339905004744, -0.0069052307661337823, 0.0034203041630508592
+        },
+        /* [144] 1 <= y <= 1.125 2^-5, degree 10, 55.7 bits */
+        {
+         8.306369436380292, 5.6380092071034365e-16, -5.2384222971644734, 3.9123469213526603,
+         -3.1802950581630491, 2.6885655996770481, -2.3249452687686301, 2.0404014022282717,
+         -1.8093286473787389, 1.6168596004059954, -1.4651867459268237, 1.3234262065174915
+        },
+        /* [145] 1.125 <= y <= 1.25 2^-5, degree 10, 57.4 bits */
+        {
+         7.7070779998665779, 3.8149171640676954e-16, -4.390914778314821, 2.9328436618944096,
+         -2.132680228171965, 1.6129418492419905, -1.2478646608832336, 0.97979902229072868,
+         -0.77734776372557568, 0.62150940150984102, -0.50309618899173003, 0.40657049728449535
+        },
+        /* [146] 1.25 <= y <= 1.375 2^-5, degree 10, 59.2 bits */
+        {
+         7.2002330471736293, -2.6423458887883249e-16, -3.746434633951834, 2.263078232339315,
+         -1.4886349624261082, 1.0185054682352295, -0.71286952817844074, 0.50639191393118654,
+         -0.36347985086779794, 0.26292388826945906, -0.19232963085522323, 0.1406209421969134
+        },
+        /* [147] 1.375 <= y <= 1.5 2^-5, degree 10, 58.7 bits */
+        {
+         6.7646105014341558, 1.800278627089486e-16, -3.2432740409212077, 1.7880484301261661,
+         -1.0736979582797648, 0.67065568907203466, -0.42855180031843071, 0.27793661515984425,
+         -0.18214278499541572, 0.12029206069388143, -0.08026952013130953, 0.053583613000707304
+        },
+        /* [148] 1.5 <= y <= 1.625 2^-5, degree 10, 61.1 bits */
+        {
+         6.3851940726624887, 2.8545304885895488e-16, -2.841828714540052, 1.440828224668401,
+         -0.79584813318463454, 0.45728718217769626, -0.26881151346473936, 0.16038126320921864,
+         -0.096691723949748551, 0.058747129374868264, -0.036039826649751923, 0.022132933686493689
+        },
+        /* [149] 1.625 <= y <= 1.75 2^-5, degree 10, 58.6 bits */
+        {
+         6.0510280413251181, -4.3266920137580461e-16, -2.5156556314762333, 1.180536702453153,
+         -0.60367764179801997, 0.32114119149903547, -0.17478330293865632, 0.096551392934378519,
+         -0.053895518009560953, 0.0303187575469957, -0.017212400933844275, 0.009787279170114566
+        },
+        /* [150] 1.75 <= y <= 1.875 2^-5, degree 10, 59.6 bits */
+        {
+         5.7539113294230431, -3.3918204792706627e-16, -2.2465069412429242, 0.98117284670401461,
+         -0.46705910815592699, 0.23130577656359141, -0.11719967504336652, 0.060273770239268575,
+         -0.031323551174349658, 0.016405189086453314, -0.0086672493661359273, 0.0045883471465722027
+        },
+        /* [151] 1.875 <= y <= 2 2^-5, degree 10, 59.7 bits */
+        {
+         5.4875696730707704, 3.0152040752067197e-17, -2.0214328566040769, 0.82562381158010889,
+         -0.36760637644264382, 0.17029182531866352, -0.080712634860749102, 0.038829183748750391,
+         -0.018876458852423134, 0.0092481173870364603, -0.0045690808269407968, 0.0022627126050580927
+        },
+        /* [152] 1 <= y <= 1.125 2^-4, degree 10, 55.6 bits */
+        {
+         5.1353469789929447, 2.8545828075076319e-16, -3.4931095794782454, 2.6003352178030199,
+         -2.1108415695491494, 1.782879813168204, -1.5407845912666966, 1.3515766286657835,
+         -1.198071409232573, 1.0703070742882865, -0.96966290896128049, 0.87566392787785152
+        },
+        /* [153] 1.125 <= y <= 1.25 2^-4, degree 10, 56.9 bits */
+        {
+         4.7356086761890275, 3.8654141956049015e-17, -2.929704452669414, 1.9501028177420003,
+         -1.4160270173800193, 1.069947038838883, -0.82723085704729071, 0.64920562492828493,
+         -0.51486410961563323, 0.41151802469457249, -0.33302598816943163, 0.26907146086339967
+        },
+        /* [154] 1.25 <= y <= 1.375 2^-4, degree 10, 58.4 bits */
+        {
+         4.3973385241235166, 3.7832698110426251e-16, -2.5010993219133222, 1.505329778548703,
+         -0.98873758264404343, 0.67583411850923858, -0.47270648047485236, 0.33561809540370796,
+         -0.24080387119410446, 0.17412883546231719, -0.12734076073855016, 0.093083152354079504
+        },
+        /* [155] 1.375 <= y <= 1.5 2^-4, degree 10, 57.9 bits */
+        {
+         4.1064425062605867, 1.4086432061527512e-16, -2.1663554058278698, 1.1897714781264188,
+         -0.71336679995916574, 0.4451452589908873, -0.28424988980530408, 0.18425177582842292,
+         -0.12069674061937392, 0.079684194811554435, -0.05315712894917899, 0.035476289703338409
+        },
+        /* [156] 1.5 <= y <= 1.625 2^-4, degree 10, 61.0 bits */
+        {
+         3.8529456184674999, 1.8739970682676449e-17, -1.899190099908882, 0.95904462801375001,
+         -0.5289211989434649, 0.30360555990739202, -0.17834228851409856, 0.10634609094929065,
+         -0.064086789782137429, 0.038923517239683604, -0.023871467301645952, 0.014656375156044506
+        },
+        /* [157] 1.625 <= y <= 1.75 2^-4, degree 10, 59.6 bits */
+        {
+         3.6295679362258522, 6.0306537665350812e-17, -1.6820500106900675, 0.78603111643583889,
+         -0.4013182222333172, 0.21326971804339975, -0.11598733488203385, 0.064035922369595918,
+         -0.035729193314208312, 0.020091997264479015, -0.011403018342280722, 0.0064822772890936447
+        },
+        /* [158] 1.75 <= y <= 1.875 2^-4, degree 10, 58.7 bits */
+        {
+         3.4308583529399117, -6.585318747668373e-17, -1.5028185974323016, 0.65347901714662349,
+         -0.31057925395856695, 0.15364793386368544, -0.077792264055671786, 0.039984017395302815,
+         -0.020769642584310664, 0.010873658537163522, -0.0057429935982206788, 0.0030394632619304657
+        },
+        /* [159] 1.875 <= y <= 2 2^-4, degree 10, 60.7 bits */
+        {
+         3.2526453187007687, 2.3290807759120933e-17, -1.3528950271519298, 0.55003109638275083,
+         -0.24450902137766953, 0.11314522445656014, -0.053585413480219161, 0.025763531720914074,
+         -0.012518794425984145, 0.0061309433391705959, -0.0030280397313404142, 0.0014991402325724445
+        },
+        /* [160] 1 <= y <= 1.125 2^-3, degree 10, 55.3 bits */
+        {
+         3.016831229242166, -6.4845964696304793e-17, -2.3394737517447668, 1.7330099344823957,
+         -1.4045110241399654, 1.1849761150030156, -1.0232513438724928, 0.89704634375914549,
+         -0.79477589615105004, 0.70973497066153879, -0.642777397727194, 0.58030024524074031
+        },
+        /* [161] 1.125 <= y <= 1.25 2^-3, degree 10, 56.7 bits */
+        {
+         2.7489932595717863, -5.5392561269363996e-17, -1.9639037481994051, 1.3002663764321745,
+         -0.94261945009100634, 0.71142635632721285, -0.54958605825198703, 0.43103763243056137,
+         -0.34166839322182208, 0.27297284597791299, -0.22082816295506177, 0.17836661183672434
+        },
+        /* [162] 1.25 <= y <= 1.375 2^-3, degree 10, 58.3 bits */
+        {
+         2.5221393117464808, -8.6147969630960256e-17, -1.6780645666315959, 1.0041315534555435,
+         -0.65845615597363383, 0.44954672941854029, -0.31416474069260641, 0.22290837782031672,
+         -0.15985129436772194, 0.11554073222580871, -0.084464054386996515, 0.061721977875800638
+        },
+        /* [163] 1.375 <= y <= 1.5 2^-3, degree 10, 58.3 bits */
+        {
+         2.3268856947505774, -1.6838534026473475e-16, -1.4547312815822624, 0.79394438783824084,
+         -0.47525594879850169, 0.29620494715918988, -0.18897878106212815, 0.12241415824946933,
+         -0.08014571952205822, 0.052888672567764028, -0.035268490091151267, 0.023530056107760638
+        },
+        /* [164] 1.5 <= y <= 1.625 2^-3, degree 10, 58.7 bits */
+        {
+         2.156588411491188, -2.0623527538334556e-16, -1.2764189339778207, 0.64020366317778243,
+         -0.35250411374373902, 0.20209069671440044, -0.118605594630281, 0.070676076120088097,
+         -0.042567488649353814, 0.025841741416772649, -0.015842325081378492, 0.00972347176492026
+        },
+        /* [165] 1.625 <= y <= 1.75 2^-3, degree 10, 57.9 bits */
+        {
+         2.0063967121185189, 5.4491533235122462e-17, -1.1314457018934823, 0.52487816403425946,
+         -0.26755423611675561, 0.14200486496362483, -0.077159928801854905, 0.042569487204247601,
+         -0.023738370972765654, 0.013342768787640423, -0.0075695208193393123, 0.0043015706367642847
+        },
+        /* [166] 1.75 <= y <= 1.875 2^-3, degree 10, 58.3 bits */
+        {
+         1.8726771200629189, 9.4765834845363253e-17, -1.0117453340933573, 0.43649323881551544,
+         -0.20712740693336099, 0.10233648697646441, -0.051765600165078834, 0.026587574373404085,
+         -0.013802860054610453, 0.0072228111661193153, -0.0038132085028422169, 0.0020174195572351503
+        },
+        /* [167] 1.875 <= y <= 2 2^-3, degree 10, 59.1 bits */
+        {
+         1.7526481144199721, -4.2523483259634558e-17, -0.91159028280898036, 0.36749269194124023,
+         -0.1631156753680818, 0.075381165780481763, -0.035667194119821263, 0.017136004294826604,
+         -0.0083216546596771353, 0.0040734341369377891, -0.0020110035743006066, 0.00099526132657148827
+        },
+        /* [168] 1 <= y <= 1.125 2^-2, degree 10, 55.2 bits */
+        {
+         1.5936549610659525, 7.4190910350727805e-17, -1.5783908412366405, 1.1582854100361868,
+         -0.93738792770718093, 0.78978496202495063, -0.68135104311204153, 0.59686677048603987,
+         -0.52849856752825231, 0.47171062527440399, -0.42702265691532598, 0.3853736804439189
+        },
+        /* [169] 1.125 <= y <= 1.25 2^-2, degree 10, 56.3 bits */
+        {
+         1.4127975551909608, -9.1344232533395747e-17, -1.3273243057787341, 0.86939073933604072,
+         -0.6294681770689472, 0.47439502406382961, -0.36612548513384374, 0.28692833086308339,
+         -0.22729626356466481, 0.18150151252694219, -0.1467642582664154, 0.11849843041982658
+        },
+        /* [170] 1.25 <= y <= 1.375 2^-2, degree 10, 58.3 bits */
+        {
+         1.2593424590635376, 1.4587601620139928e-18, -1.1361765704956297, 0.67158607621708777,
+         -0.4399425198326517, 0.29989980706396413, -0.20938341092440887, 0.14844485166084781,
+         -0.1063844606938531, 0.076853581715037492, -0.0561566043963155, 0.041020107957406654
+        },
+        /* [171] 1.375 <= y <= 1.5 2^-2, degree 10, 58.5 bits */
+        {
+         1.1270220050532973, 9.5283274553118476e-17, -0.9867903785625094, 0.53111650896541174,
+         -0.31770368749240413, 0.19768166796688341, -0.12600172238610177, 0.081552550143804567,
+         -0.053358705543432201, 0.035192368384243569, -0.023456769598433291, 0.015643274808781513
+        },
+        /* [172] 1.5 <= y <= 1.625 2^-2, degree 10, 61.1 bits */
+        {
+         1.0113960926212415, 2.8863342432234135e-17, -0.86749940367641998, 0.42831716554182225,
+         -0.23576746607812868, 0.1349195314472553, -0.079111263907056903, 0.04710133226618636,
+         -0.028350206294679259, 0.017201025999415528, -0.010540070903399885, 0.0064664345159736363
+        },
+        /* [173] 1.625 <= y <= 1.75 2^-2, degree 10, 61.7 bits */
+        {
+         0.90922133170708175, -1.4910040387931959e-17, -0.77050629688879257, 0.35116392414168646,
+         -0.17904482622373893, 0.094834541239812858, -0.051486010529804713, 0.028379315317101441,
+         -0.015815202341572809, 0.0088841504539630967, -0.0050376567555510286, 0.0028615499770961398
+        },
+        /* [174] 1.75 <= y <= 1.875 2^-2, degree 10, 60.1 bits */
+        {
+         0.81806696693209946, -4.2329253856912705e-17, -0.69042519087446264, 0.29200192881993398,
+         -0.13868509546395158, 0.068360639223799424, -0.034554290827426698, 0.017730117030353196,
+         -0.0091988538095558216, 0.0048106524015155989, -0.0025385188470651698, 0.0013424355831238687
+        },
+        /* [175] 1.875 <= y <= 2 2^-2, degree 10, 58.1 bits */
+        {
+         0.73607117749714945, -2.4388710754242217e-17, -0.62343066762516863, 0.24578844750538903,
+         -0.10928242444933477, 0.050364324011335643, -0.023817621880310214, 0.011430231383500068,
+         -0.0055477224562987303, 0.0027137792144695336, -0.0013391509356673664, 0.00066244275534241737
+        }
+    };
+    return row[i];
+}
+
 /* h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision from beta = 7
  * on. Proved. */
 COR_INLINE const double *cor_rows_h_star_5(int i)
@@ -9425,68 +12084,78 @@ COR_INLINE const double *cor_rows_far_time_of_max_overlap(int i)
     return row[i];
 }
 
+/* eps < 2^-23 at zero force: beta = (a/eps)^(3/5) (1 + e (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... +
+ * c_4 v^4)), e = eps/a, v = -(3/5) ln(e), from the coefficients of far_eps_zero_force by formal
+ * inversion. Columns a, a', b_0, ..., c_4. Terms in e^3 are left out: less than 2^-55 at eps = 2^-23,
+ * sampled in tests/table. */
+COR_INLINE const double *cor_rows_far_beta_zero_force(int i)
+{
+    static const double row[1][10] = {
+        /* beta at zero force */
+        {
+         1.3103706971044482, 1.025387009368333e-16, 0.99280827378344583, -1.7471609294770694,
+         1.698176085025842e-13, -1.1048465904886993, 4.7267557324891278, -4.8329331676058276,
+         -1.0537239708479985e-05, -5.7676040315073912e-26
+        }
+    };
+    return row[i];
+}
+
 /* The one evaluator of the sphere's tables: scalars, arrays and the header for embedding are made of it.
  *
  * Near beta = 0 to 8 (7 and 16 for eps at its two ends) a quantity is a row of a table, a short polynomial around
  * the nearest node of a uniform grid. Beyond, it is a power of beta times a function of ln(beta): rows again up to
  * beta = exp(10), and three orders in mu = beta^(-5/3), with their logarithms, from there to infinity. The first
  * coefficient of a row is a double-double and dominates, so the final addition causes nearly all of the rounding
- * error. */
+ * error.
+ *
+ * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error that a search
+ * has met, tests/accuracy/test_accuracy --points 1e9, and its argument; tests/unit/test_sphere.c holds these arguments.
+ *
+ * No function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its argument; FE_UNDERFLOW and
+ * FE_INEXACT may be raised. Comparisons of arguments that may be NaN are comparisons of bits (core/exact.h). */
 #ifndef COR_RUNTIME_SPHERE_EVAL_H
 #define COR_RUNTIME_SPHERE_EVAL_H
 
 
-/* ---- eps as c_0 + rest, both ends, inside the tables ---- */
-
-COR_INLINE struct cor_inline_pair cor_inline_eps_overlap_parts(double beta)
-{
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP);
-    const int i = cor_inline_grid_row(grid, beta);
-    const double *c = cor_rows_eps_zero_overlap(i);
-    const double t = cor_inline_grid_t(grid, beta, i);
-    struct cor_inline_pair eps;
-    eps.hi = c[0];
-    eps.lo = cor_inline_row(c, t, t);
-    return eps;
-}
-
-COR_INLINE struct cor_inline_pair cor_inline_eps_force_parts(double beta)
-{
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE);
-    const double z = sqrt(beta);
-    const int i = cor_inline_grid_row(grid, z);
-    const double *c = cor_rows_eps_zero_force(i);
-    const double node = grid.first + i * grid.step, t = z - node, square = beta - node * node;
-    /* Selected by bits: the processor would mispredict half of the jumps where beta scatters around 1/16. */
-    const uint64_t plain = (uint64_t)0 - (uint64_t)(i < COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS);
-    const double s = cor_inline_from_bits((cor_inline_bits(t) & plain) | (cor_inline_bits(square) & ~plain));
-    struct cor_inline_pair eps;
-    eps.hi = c[0];
-    eps.lo = cor_inline_row(c, s, t);
-    return eps;
-}
-
 /* ---- tails ---- */
 
-/* beta^(2/3) for 1 <= beta < 8 */
+/* What lies outside a table: beta = -0 is 0; negative numbers and NaN are refused. */
+
+/* beta^(2/3) for 1 <= beta < 8. Relative error below 2^-100. */
 COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
 {
+    /* r has 26 bits, so its square is exact, and |d| < 2^-24 whatever cbrt rounds */
     const double r = cor_inline_head(cbrt(beta)), square = r * r;
     const struct cor_inline_pair cube = cor_inline_product(square, r);
-    const double d = ((beta - cube.hi) - cube.lo) / beta; /* r^3 = beta (1 - d) */
+    const double d = (COR_INLINE_KEEP(beta - cube.hi) - cube.lo) / beta; /* r^3 = beta (1 - d) */
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
 }
 
-/* ln(beta) and what the double lacks, beta >= 8 and finite */
-COR_INLINE struct cor_inline_pair cor_inline_log(double beta)
+/* beta = m 2^e, 1 <= m < 2, of a normal beta */
+COR_INLINE int cor_inline_exponent(double beta)
 {
-    struct cor_inline_pair u;
-    u.hi = log(beta);
-    u.lo = beta * exp(-u.hi) - 1;
-    return u;
+    return (int)(cor_inline_bits(beta) >> 52) - 1023;
 }
 
-/* The logarithmic factor of a tail: rows in u = ln(beta) up to u = end; then three orders in mu. */
+COR_INLINE double cor_inline_significand(double beta)
+{
+    return cor_inline_from_bits((cor_inline_bits(beta) & UINT64_C(0xfffffffffffff)) | UINT64_C(0x3ff0000000000000));
+}
+
+/* ln(beta) for 7 <= beta < infinity, absolute error below 2^-53 where log has one of 1 ulp */
+COR_INLINE struct cor_inline_pair cor_inline_log(double beta)
+{
+    /* ln(2) in two parts, the first of 42 bits: its products with exponents are exact */
+    const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14;
+    /* fractions above sqrt(2) count as below 1, so that |ln(m)| < 0.35: error 2^-54 */
+    const double half = cor_inline_significand(beta);
+    const int up = half > 1.4142135623730951, e = cor_inline_exponent(beta) + up;
+    return cor_inline_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
+}
+
+/* The logarithmic factor of a tail: rows in u = ln(beta) up to u = end, whose errors are those of u times the slope; then
+ * three orders in mu = beta^(-5/3). */
 COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
                                                         const double *(*rows)(int), const double *(*far)(int))
 {
@@ -9494,10 +12163,10 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
     if (u.hi < end) {
         const int i = cor_inline_grid_row(grid, u.hi);
         const double *c = rows(i);
-        const double t = cor_inline_grid_t(grid, u.hi, i) + u.lo;
-        return cor_inline_sum(c[0], cor_inline_row(c, t, t));
+        return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, cor_inline_grid_t(grid, u.hi, i) + u.lo)));
     }
     const double *c = far(0);
+    /* mu < 6e-8: its rounding errors are nothing */
     const double root = cbrt(beta), mu = 1 / beta / (root * root), v = u.hi;
     const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
     const struct cor_inline_pair slope = cor_inline_product(c[2], v);
@@ -9506,35 +12175,37 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
         slope.hi > fabs(c[0]) ? cor_inline_sum(slope.hi, c[0]) : cor_inline_sum(c[0], slope.hi);
     return cor_inline_sum(sum.hi, sum.lo + more);
 }
-
 #define COR_INLINE_LOG_FACTOR(beta, quantity, table)                                                                   \
     cor_inline_log_factor(beta, COR_INLINE_GRID(table), table##_END, cor_rows_tail_##quantity, cor_rows_far_##quantity)
 
-/* factor beta^(-2/3), or with `fifths` factor beta^(-5/3), as a pair times 2^exponent: nothing over- or underflows. */
+/* factor beta^(-2/3), or with `fifths` factor beta^(-5/3), as a pair times 2^exponent: nothing over- or underflows.
+ * Relative error: that of the factor and 2^-100. */
 COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor_inline_pair factor, int fifths,
                                                          int *exponent)
 {
-    int e;
-    double m = frexp(beta, &e) * 2; /* beta = m 2^(e - 1), 1 <= m < 2 */
-    e--;
-    m = ldexp(m, e % 3);
-    struct cor_inline_pair power = cor_inline_two_thirds(m), whole;
-    whole.hi = m;
+    const int e = cor_inline_exponent(beta); /* beta = m 2^(e - e mod 3), 1 <= m < 8 */
+    struct cor_inline_pair whole, power;
+    whole.hi = cor_inline_significand(beta) * (1 << (e % 3));
     whole.lo = 0;
+    power = cor_inline_two_thirds(whole.hi);
     if (fifths)
         power = cor_inline_pair_times(power, whole);
     *exponent = (fifths ? -5 : -2) * (e / 3);
     return cor_inline_pair_over(factor, power);
 }
 
+/* The same rounded; 0 for an infinite beta */
 COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair factor, int fifths)
 {
     int exponent;
     const struct cor_inline_pair value = cor_inline_power_parts(beta, factor, fifths, &exponent);
-    return ldexp(value.hi, exponent);
+    return cor_inline_scaled(value.hi, exponent);
 }
 
-/* h*^5 beta^-5 for beta >= 7 */
+/* ---- eps ---- */
+
+/* h*^5 beta^-5 for beta >= 7, whose correction is below 2^-75. The power and the quotient are double-doubles, so the
+ * final rounding is all: 0.5 ulp. */
 COR_INLINE double cor_inline_eps_overlap_far(double beta)
 {
     const double *h = cor_rows_h_star_5(0);
@@ -9554,157 +12225,118 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
 
 COR_INLINE double cor_inline_eps_force_far(double beta)
 {
-    if (isinf(beta))
+    if (!cor_inline_is_finite(beta))
         return 0;
     return cor_inline_power_tail(beta, COR_INLINE_LOG_FACTOR(beta, eps_zero_force, COR_ROWS_TAIL_EPS_ZERO_FORCE), 1);
 }
 
-/* ---- eps and 1 - eps ---- */
-
 COR_INLINE double cor_inline_eps_zero_overlap(double beta)
 {
-    if (beta >= 0 && beta < COR_ROWS_EPS_ZERO_OVERLAP_END) {
-        const struct cor_inline_pair eps = cor_inline_eps_overlap_parts(beta);
-        return eps.hi + eps.lo;
-    }
-    return beta >= 0 ? cor_inline_eps_overlap_far(beta) : (double)NAN;
+    if (cor_inline_below(beta, COR_ROWS_EPS_ZERO_OVERLAP_END))
+        return cor_inline_row_value(
+            cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP), beta, cor_rows_eps_zero_overlap));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    return beta == 0 ? 1 : cor_inline_eps_overlap_far(beta);
 }
 
 COR_INLINE double cor_inline_eps_zero_force(double beta)
 {
-    if (beta >= 0 && beta < COR_ROWS_EPS_ZERO_FORCE_END) {
-        const struct cor_inline_pair eps = cor_inline_eps_force_parts(beta);
-        return eps.hi + eps.lo;
-    }
-    return beta >= 0 ? cor_inline_eps_force_far(beta) : (double)NAN;
+    if (cor_inline_below(beta, COR_ROWS_EPS_ZERO_FORCE_END))
+        return cor_inline_row_value(cor_inline_grid_place_of_root(COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE),
+                                                                  COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS, beta,
+                                                                  cor_rows_eps_zero_force));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    return beta == 0 ? 1 : cor_inline_eps_force_far(beta);
 }
 
 /* eps at beta = x^(1/5), x being the product of an impact speed g with beta_per_root^5. Between 2^-40 and 2^14 or
- * 2^20 (beta = 1/256 and 7 or 16) no root is taken: rows in x itself, which its exponent and leading bits choose, and only a
- * fifth of the product's rounding error reaches beta. */
+ * 2^20 (beta = 1/256 and 7 or 16) no root is taken: rows in x itself, and only a fifth of the product's rounding error
+ * reaches beta. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
-    if (x >= COR_ROWS_POWER_EPS_ZERO_OVERLAP_FIRST && x < COR_ROWS_POWER_EPS_ZERO_OVERLAP_END) {
-        const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
-        const double *c = cor_rows_power_eps_zero_overlap((int)cor_inline_octaves_row(grid, x));
-        const double t = cor_inline_octaves_t(grid, x);
-        return c[0] + cor_inline_row(c, t, t);
-    }
+    const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
+    if (cor_inline_octaves_hold(grid, x, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END))
+        return cor_inline_row_value(cor_inline_octaves_place(grid, x, cor_rows_power_eps_zero_overlap));
     return cor_inline_eps_zero_overlap(cor_inline_fifth_root(x));
 }
 
 COR_INLINE double cor_inline_eps_zero_force_root(double x)
 {
-    if (x >= COR_ROWS_POWER_EPS_ZERO_FORCE_FIRST && x < COR_ROWS_POWER_EPS_ZERO_FORCE_END) {
-        const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_FORCE);
-        const double *c = cor_rows_power_eps_zero_force((int)cor_inline_octaves_row(grid, x));
-        const double t = cor_inline_octaves_t(grid, x);
-        return c[0] + cor_inline_row(c, t, t);
-    }
+    const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_FORCE);
+    if (cor_inline_octaves_hold(grid, x, COR_ROWS_POWER_EPS_ZERO_FORCE_END))
+        return cor_inline_row_value(cor_inline_octaves_place(grid, x, cor_rows_power_eps_zero_force));
     return cor_inline_eps_zero_force(cor_inline_fifth_root(x));
 }
 
-/* beta (c_0 + rest), rounded once */
-COR_INLINE double cor_inline_small_loss(double beta, double c0, double rest)
-{
-    /* the product's lost half is itself lost where it is subnormal */
-    const int tiny = beta < COR_INLINE_2_M900;
-    const double b = tiny ? beta * COR_INLINE_2_200 : beta;
-    const struct cor_inline_pair p = cor_inline_product(b, c0);
-    const double loss = p.hi + (p.lo + b * rest);
-    return tiny ? loss * COR_INLINE_2_M200 : loss;
-}
+/* ---- 1 - eps = beta (c_0 + row) ---- */
 
-/* 1 - (hi + lo), rounded once */
-COR_INLINE double cor_inline_one_minus(struct cor_inline_pair eps)
+/* A tiny beta is scaled, for the products' halves would be subnormal. */
+COR_INLINE double cor_inline_loss_product(struct cor_inline_place place, double beta)
 {
-    const double d = 1 - eps.hi;
-    return d + (((1 - d) - eps.hi) - eps.lo);
-}
-
-COR_INLINE const double *cor_inline_loss_overlap_row(double beta, double *rest)
-{
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_OVERLAP);
-    const int i = cor_inline_grid_row(grid, beta);
-    const double *c = cor_rows_loss_zero_overlap(i);
-    const double t = cor_inline_grid_t(grid, beta, i);
-    *rest = cor_inline_row(c, t, t);
-    return c;
-}
-
-COR_INLINE const double *cor_inline_loss_force_row(double beta, double *rest)
-{
-    const double z = sqrt(beta);
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_FORCE);
-    const int i = cor_inline_grid_row(grid, z);
-    const double *c = cor_rows_loss_zero_force(i);
-    const double t = cor_inline_grid_t(grid, z, i);
-    *rest = cor_inline_row(c, t, t);
-    return c;
+    if (cor_inline_below(beta, COR_INLINE_2_M900))
+        return cor_inline_row_product(place, beta * COR_INLINE_2_200) * COR_INLINE_2_M200;
+    return cor_inline_row_product(place, beta);
 }
 
 COR_INLINE double cor_inline_loss_zero_overlap(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_LOSS_ZERO_OVERLAP_END) {
-        double rest;
-        const double *c = cor_inline_loss_overlap_row(beta, &rest);
-        return cor_inline_small_loss(beta, c[0], rest);
-    }
-    if (beta < COR_ROWS_EPS_ZERO_OVERLAP_END)
-        return cor_inline_one_minus(cor_inline_eps_overlap_parts(beta));
-    return 1 - cor_inline_eps_overlap_far(beta);
+    if (cor_inline_below(beta, COR_ROWS_LOSS_ZERO_OVERLAP_END))
+        return cor_inline_loss_product(
+            cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_OVERLAP), beta, cor_rows_loss_zero_overlap), beta);
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    return beta == 0 ? 0 : 1 - cor_inline_eps_overlap_far(beta);
 }
 
 COR_INLINE double cor_inline_loss_zero_force(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_LOSS_ZERO_FORCE_END) {
-        double rest;
-        const double *c = cor_inline_loss_force_row(beta, &rest);
-        return cor_inline_small_loss(beta, c[0], rest);
-    }
-    if (beta < COR_ROWS_EPS_ZERO_FORCE_END)
-        return cor_inline_one_minus(cor_inline_eps_force_parts(beta));
-    return 1 - cor_inline_eps_force_far(beta);
+    if (cor_inline_below(beta, COR_ROWS_LOSS_ZERO_FORCE_END))
+        return cor_inline_loss_product(cor_inline_grid_place_of_root(COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_FORCE),
+                                                                     COR_ROWS_LOSS_ZERO_FORCE_PLAIN_ROWS, beta,
+                                                                     cor_rows_loss_zero_force),
+                                       beta);
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    return beta == 0 ? 0 : 1 - cor_inline_eps_force_far(beta);
 }
 
 /* ---- times and the largest overlap ---- */
 
-/* A table at y, s = t in all of its rows */
-COR_INLINE double cor_inline_grid_value(struct cor_inline_grid grid, double y, const double *(*rows)(int))
+/* beta factor, or infinity where that is beyond the largest double */
+COR_INLINE double cor_inline_linear_tail(double beta, struct cor_inline_pair factor)
 {
-    const int i = cor_inline_grid_row(grid, y);
-    const double *c = rows(i);
-    const double t = cor_inline_grid_t(grid, y, i);
-    return c[0] + cor_inline_row(c, t, t);
+    const int huge = beta > COR_INLINE_2_1000;
+    const double b = huge ? beta * COR_INLINE_2_M60 : beta;
+    const struct cor_inline_pair product = cor_inline_product(b, factor.hi);
+    const double value = product.hi + (product.lo + b * factor.lo);
+    if (!huge)
+        return value;
+    return value >= COR_INLINE_2_964 ? cor_inline_infinity() : value * COR_INLINE_2_60;
 }
 
 COR_INLINE double cor_inline_duration_zero_overlap(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_DURATION_ZERO_OVERLAP_END)
-        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_OVERLAP), beta,
-                                     cor_rows_duration_zero_overlap);
-    if (isinf(beta))
+    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_OVERLAP_END) || beta == 0)
+        return cor_inline_row_value(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_OVERLAP), beta,
+                                                          cor_rows_duration_zero_overlap));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (!cor_inline_is_finite(beta))
         return beta;
-    const struct cor_inline_pair factor =
-        COR_INLINE_LOG_FACTOR(beta, duration_zero_overlap, COR_ROWS_TAIL_DURATION_ZERO_OVERLAP);
-    const struct cor_inline_pair duration = cor_inline_product(beta, factor.hi);
-    return isinf(duration.hi) ? duration.hi : duration.hi + (duration.lo + beta * factor.lo);
+    return cor_inline_linear_tail(
+        beta, COR_INLINE_LOG_FACTOR(beta, duration_zero_overlap, COR_ROWS_TAIL_DURATION_ZERO_OVERLAP));
 }
 
 COR_INLINE double cor_inline_duration_zero_force(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_DURATION_ZERO_FORCE_END)
-        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_FORCE), sqrt(beta),
-                                     cor_rows_duration_zero_force);
-    if (isinf(beta))
+    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_FORCE_END) || beta == 0)
+        return cor_inline_row_value(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_FORCE), sqrt(beta),
+                                                          cor_rows_duration_zero_force));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (!cor_inline_is_finite(beta))
         return 0;
     return cor_inline_power_tail(
         beta, COR_INLINE_LOG_FACTOR(beta, duration_zero_force, COR_ROWS_TAIL_DURATION_ZERO_FORCE), 0);
@@ -9712,22 +12344,24 @@ COR_INLINE double cor_inline_duration_zero_force(double beta)
 
 COR_INLINE double cor_inline_max_overlap(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_MAX_OVERLAP_END)
-        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_MAX_OVERLAP), beta, cor_rows_max_overlap);
-    if (isinf(beta))
+    if (cor_inline_below(beta, COR_ROWS_MAX_OVERLAP_END) || beta == 0)
+        return cor_inline_row_value(
+            cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_MAX_OVERLAP), beta, cor_rows_max_overlap));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (!cor_inline_is_finite(beta))
         return 0;
     return cor_inline_power_tail(beta, COR_INLINE_LOG_FACTOR(beta, max_overlap, COR_ROWS_TAIL_MAX_OVERLAP), 0);
 }
 
 COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_TIME_OF_MAX_OVERLAP_END)
-        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_TIME_OF_MAX_OVERLAP), beta, cor_rows_time_of_max_overlap);
-    if (isinf(beta))
+    if (cor_inline_below(beta, COR_ROWS_TIME_OF_MAX_OVERLAP_END) || beta == 0)
+        return cor_inline_row_value(
+            cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_TIME_OF_MAX_OVERLAP), beta, cor_rows_time_of_max_overlap));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (!cor_inline_is_finite(beta))
         return 0;
     return cor_inline_power_tail(
         beta, COR_INLINE_LOG_FACTOR(beta, time_of_max_overlap, COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP), 0);
@@ -9735,114 +12369,87 @@ COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 
 /* ---- the inverse ---- */
 
-/* The beta with beta Q(beta) = loss, Q the loss's rows: Newton's method with the slope of Q taken from the row, then
- * once more as a quotient, which keeps nothing of the last iterate but its place. */
-COR_INLINE double cor_inline_beta_of_loss(double loss, double end, const double *(*row)(double, double *))
+/* beta = m (c_0 + row): near eps = 1, m = 1 - eps = loss, which is exact from eps = 1/2 on, and rows of beta/loss in
+ * loss or its root; below eps = 1/2, m = 1 and rows of beta by octaves of eps. Both are computed and one is chosen
+ * by bits: eps of many collisions scatter around 1/2. Error: the row's, and one rounding. The error of a rounded root
+ * adds up to 0.6 ulp at zero force. */
+COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_grid, int root,
+                                     const double *(*near_rows)(int), struct cor_inline_octaves grid,
+                                     const double *(*rows)(int))
 {
-    double rest, beta = loss * 0.8669653265572703; /* loss/|C_1| */
-    const double *c = row(beta, &rest);
-    for (int k = 0; k < 30; k++) {
-        const double next = loss / (c[0] + rest);
-        const double step = next - beta;
-        beta = next;
-        c = row(beta < end ? beta : end, &rest);
-        if (fabs(step) < COR_INLINE_2_M56 * beta || step == 0)
-            break;
-    }
-    return loss / (c[0] + rest);
+    const int near = cor_inline_bits(eps) >= cor_inline_bits(0.5);
+    const double loss = cor_inline_choose(near, 1 - eps, 0), y = root ? sqrt(loss) : loss;
+    const int i = cor_inline_grid_row(near_grid, y);
+    const int j = near ? 0 : (int)cor_inline_octaves_row(grid, eps);
+    const double t = cor_inline_choose(near, cor_inline_grid_t(near_grid, y, i), cor_inline_octaves_t(grid, eps));
+    return cor_inline_row_product(cor_inline_place_of(near ? near_rows(i) : rows(j), t),
+                                  cor_inline_choose(near, loss, 1));
 }
 
-/* A beta whose eps, as hi + lo, equals eps to more than a double: the secant method from the two nodes around it. */
-COR_INLINE double cor_inline_beta_of_eps(double eps, double beta0, double beta1,
-                                         struct cor_inline_pair (*parts)(double))
+/* The root of a pair, (hi + lo)^(1/5), as head and tail: relative error 2^-54, before they are added up */
+COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inline_pair x)
 {
-    struct cor_inline_pair p = parts(beta0);
-    double f0 = (p.hi - eps) + p.lo;
-    p = parts(beta1);
-    double f1 = (p.hi - eps) + p.lo;
-    for (int k = 0; k < 12 && f1 != f0 && f1 != 0; k++) {
-        const double next = beta1 - f1 * ((beta1 - beta0) / (f1 - f0));
-        if (next == beta1)
-            break;
-        beta0 = beta1;
-        f0 = f1;
-        beta1 = next;
-        p = parts(beta1);
-        f1 = (p.hi - eps) + p.lo;
-    }
-    return beta1;
+    struct cor_inline_pair root = cor_inline_fifth_root_parts(x.hi);
+    root.lo += root.hi * (0.2 * (x.lo / x.hi));
+    return root;
 }
 
-/* The last row of lo..hi whose c_0 is not below eps; c_0 falls from row to row. */
-COR_INLINE int cor_inline_row_of_eps(double eps, int lo, int hi, const double *(*rows)(int))
+/* a/eps as a pair times 2^500 if eps is tiny, where it might overflow */
+COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double eps, int tiny)
 {
-    while (hi - lo > 1) {
-        const int middle = (lo + hi) / 2;
-        if (rows(middle)[0] >= eps)
-            lo = middle;
-        else
-            hi = middle;
-    }
-    return lo;
+    struct cor_inline_pair numerator, denominator;
+    numerator.hi = a[0];
+    numerator.lo = a[1];
+    denominator.hi = tiny ? eps * COR_INLINE_2_500 : eps;
+    denominator.lo = 0;
+    return cor_inline_pair_over(numerator, denominator);
+}
+
+/* beta = (h*^5/eps)^(1/5): eps below the table. Error 0.6 ulp. */
+COR_INLINE double cor_inline_beta_overlap_far(double eps)
+{
+    const int tiny = eps < COR_INLINE_2_M500;
+    const struct cor_inline_pair root =
+        cor_inline_fifth_root_of_pair(cor_inline_over_eps(cor_rows_h_star_5(0), eps, tiny));
+    return (root.hi + root.lo) * (tiny ? COR_INLINE_2_100 : 1);
+}
+
+/* beta = R (1 + e r_1(v) + e^2 r_2(v)), R = (a/eps)^(3/5), e = eps/a, v = ln(R), where eps is below the table: e < 1e-7. */
+COR_INLINE double cor_inline_beta_force_far(double eps)
+{
+    const double *c = cor_rows_far_beta_zero_force(0);
+    const int tiny = eps < COR_INLINE_2_M500;
+    const struct cor_inline_pair root = cor_inline_fifth_root_of_pair(cor_inline_over_eps(c, eps, tiny));
+    /* (hi + lo)^3; hi has 26 bits, and lo is below 2^-12 hi */
+    const struct cor_inline_pair cube = cor_inline_product(root.hi * root.hi, root.hi);
+    const double lo = cube.lo + root.lo * (3 * root.hi * root.hi + root.lo * (3 * root.hi + root.lo));
+    /* below 2^-500 nothing is left of the orders in e */
+    const double e = tiny ? 0 : eps / c[0], v = -0.6 * log(tiny ? 1 : e);
+    const double r1 = c[2] + v * (c[3] + v * c[4]);
+    const double r2 = c[5] + v * (c[6] + v * (c[7] + v * (c[8] + v * c[9])));
+    const double beta = cube.hi + (lo + (cube.hi + lo) * (e * (r1 + e * r2)));
+    return beta * (tiny ? COR_INLINE_2_300 : 1);
 }
 
 COR_INLINE double cor_inline_beta_zero_overlap(double eps)
 {
-    if (!(eps >= 0 && eps <= 1))
-        return (double)NAN;
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP);
-    const int last = cor_inline_grid_row(grid, COR_ROWS_EPS_ZERO_OVERLAP_END);
-    if (eps > cor_rows_eps_zero_overlap(cor_inline_grid_row(grid, COR_ROWS_LOSS_ZERO_OVERLAP_END))[0])
-        return cor_inline_beta_of_loss(1 - eps, COR_ROWS_LOSS_ZERO_OVERLAP_END, cor_inline_loss_overlap_row);
-    if (eps <= cor_rows_eps_zero_overlap(last)[0]) {
-        if (eps == 0)
-            return (double)INFINITY;
-        /* (h*^5/eps)^(1/5); a power of 32 keeps the quotient in range */
-        const int tiny = eps < COR_INLINE_2_M500;
-        const double h5 = cor_rows_h_star_5(0)[0];
-        return tiny ? cor_inline_fifth_root_normal(h5 / (eps * COR_INLINE_2_500)) * COR_INLINE_2_100
-                    : cor_inline_fifth_root_normal(h5 / eps);
-    }
-    const int i = cor_inline_row_of_eps(eps, 0, last, cor_rows_eps_zero_overlap);
-    return cor_inline_beta_of_eps(eps, i * grid.step, (i + 1) * grid.step, cor_inline_eps_overlap_parts);
-}
-
-/* eps = F(ln beta) beta^(-5/3): beta = (F/eps)^(3/5), where F changes little; then once Newton's step, against eps as a
- * pair. */
-COR_INLINE double cor_inline_beta_force_far(double eps)
-{
-    const int tiny = eps < COR_INLINE_2_M500;
-    const double scaled = tiny ? eps * COR_INLINE_2_500 : eps, unit = tiny ? COR_INLINE_2_300 : 1;
-    struct cor_inline_pair factor;
-    double beta = 0;
-    factor.hi = 1.3;
-    factor.lo = 0;
-    for (int k = 0; k < 40; k++) {
-        const double root = cor_inline_fifth_root_normal(factor.hi / scaled), next = root * root * root * unit;
-        if (fabs(next - beta) <= 4 * COR_INLINE_2_M52 * beta)
-            break;
-        beta = next < COR_ROWS_EPS_ZERO_FORCE_END ? COR_ROWS_EPS_ZERO_FORCE_END : next;
-        factor = COR_INLINE_LOG_FACTOR(beta, eps_zero_force, COR_ROWS_TAIL_EPS_ZERO_FORCE);
-    }
-    int exponent;
-    const struct cor_inline_pair value = cor_inline_power_parts(beta, factor, 1, &exponent);
-    const double same = ldexp(scaled, -exponent - (tiny ? 500 : 0));
-    return beta + beta * (0.6 * (((value.hi - same) + value.lo) / same));
+    if (cor_inline_octaves_hold(COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_OVERLAP), eps, 1) || eps == 1)
+        return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_OVERLAP), 0,
+                                  cor_rows_near_beta_zero_overlap, COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_OVERLAP),
+                                  cor_rows_beta_zero_overlap);
+    if (eps == 0)
+        return cor_inline_infinity();
+    return cor_inline_below(eps, 1) ? cor_inline_beta_overlap_far(eps) : cor_inline_nan();
 }
 
 COR_INLINE double cor_inline_beta_zero_force(double eps)
 {
-    if (!(eps >= 0 && eps <= 1))
-        return (double)NAN;
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE);
-    const int last = cor_inline_grid_row(grid, sqrt(COR_ROWS_EPS_ZERO_FORCE_END));
-    if (eps > cor_rows_eps_zero_force(cor_inline_grid_row(grid, sqrt(COR_ROWS_LOSS_ZERO_FORCE_END)))[0])
-        return cor_inline_beta_of_loss(1 - eps, COR_ROWS_LOSS_ZERO_FORCE_END, cor_inline_loss_force_row);
-    if (eps <= cor_rows_eps_zero_force(last)[0])
-        return eps == 0 ? (double)INFINITY : cor_inline_beta_force_far(eps);
-    const int i = cor_inline_row_of_eps(eps, 0, last, cor_rows_eps_zero_force);
-    const double z0 = i * grid.step, z1 = (i + 1) * grid.step;
-    return cor_inline_beta_of_eps(eps, z0 * z0, z1 * z1, cor_inline_eps_force_parts);
+    if (cor_inline_octaves_hold(COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_FORCE), eps, 1) || eps == 1)
+        return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_FORCE), 1, cor_rows_near_beta_zero_force,
+                                  COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_FORCE), cor_rows_beta_zero_force);
+    if (eps == 0)
+        return cor_inline_infinity();
+    return cor_inline_below(eps, 1) ? cor_inline_beta_force_far(eps) : cor_inline_nan();
 }
 
 #endif

@@ -41,19 +41,19 @@ static int shipped_target(void)
     }                                                                                                                  \
     static void set##_speed_overlap(const struct cor_sphere_contact *contact, const double *in, double *out, size_t n) \
     {                                                                                                                  \
-        cor_array_set(i)->speed_zero_overlap(contact, in, out, n);                                                     \
+        cor_array_set(i)->contact_eps_zero_overlap(contact, in, out, n);                                               \
     }                                                                                                                  \
     static void set##_speed_force(const struct cor_sphere_contact *contact, const double *in, double *out, size_t n)   \
     {                                                                                                                  \
-        cor_array_set(i)->speed_zero_force(contact, in, out, n);                                                       \
+        cor_array_set(i)->contact_eps_zero_force(contact, in, out, n);                                                 \
     }                                                                                                                  \
     static void set##_beta_overlap(const double *in, double *out, size_t n)                                            \
     {                                                                                                                  \
-        cor_array_set(i)->eps_zero_overlap(NULL, in, out, n);                                                          \
+        cor_array_set(i)->sphere_eps_zero_overlap(in, out, n);                                                         \
     }                                                                                                                  \
     static void set##_beta_force(const double *in, double *out, size_t n)                                              \
     {                                                                                                                  \
-        cor_array_set(i)->eps_zero_force(NULL, in, out, n);                                                            \
+        cor_array_set(i)->sphere_eps_zero_force(in, out, n);                                                           \
     }
 SET(0, portable)
 SET(1, avx2)

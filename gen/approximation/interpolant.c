@@ -218,7 +218,13 @@ void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quant
 {
     const int i = interval_of(z);
     if (quantity == LOSS_QUOTIENT_ZERO_OVERLAP || quantity == LOSS_QUOTIENT_ZERO_FORCE) {
-        evaluate(y, f, 0, quantity == LOSS_QUOTIENT_ZERO_OVERLAP ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE, z, prec);
+        evaluate(y, f, i, quantity == LOSS_QUOTIENT_ZERO_OVERLAP ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE, z, prec);
+        if (!intervals[i].quotient) {
+            arb_sub_ui(y, y, 1, prec);
+            arb_neg(y, y);
+            arb_div(y, y, z, prec);
+            arb_div(y, y, z, prec);
+        }
         return;
     }
     evaluate(y, f, i, quantity, z, prec);
@@ -233,6 +239,173 @@ void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quant
 void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec)
 {
     evaluate(y, f, TAIL, quantity, u, prec);
+}
+
+/* ---- the inverse ---- */
+
+/* Where an inverse is looked for: in z = sqrt(beta), or in u = ln(beta) */
+struct search {
+    const struct interpolant *f;
+    enum quantity eps, loss_quotient;
+    bool of_loss, logarithmic;
+    double lo, hi;
+};
+
+/* What shall become 0 at w: the root of the loss, which has a slope at beta = 0 too, or eps, less the value wanted */
+static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
+{
+    const slong prec = WORKING_BITS;
+    if (s->logarithmic) {
+        arb_t power;
+        arb_init(power);
+        interpolant_tail(y, s->f, s->eps, w, prec);
+        arb_mul_si(power, w, -5, prec);
+        arb_div_ui(power, power, 3, prec);
+        arb_exp(power, power, prec);
+        arb_mul(y, y, power, prec);
+        arb_clear(power);
+    } else if (s->of_loss) {
+        interpolant_value(y, s->f, s->loss_quotient, w, prec);
+        arb_sqrt(y, y, prec);
+        arb_mul(y, y, w, prec);
+    } else {
+        interpolant_value(y, s->f, s->eps, w, prec);
+    }
+    arb_sub(y, y, wanted, prec);
+    arb_get_mid_arb(y, y);
+}
+
+/* Whether w is beyond the place wanted: the loss rises with w, and eps falls. */
+static bool beyond(const struct search *s, double w, const arb_t wanted)
+{
+    arb_t x, y;
+    arb_init(x);
+    arb_init(y);
+    arb_set_d(x, w);
+    excess(y, s, x, wanted);
+    const int sign = arf_sgn(arb_midref(y));
+    arb_clear(x);
+    arb_clear(y);
+    return s->of_loss ? sign > 0 : sign < 0;
+}
+
+/* The secant method, from two places around the root that halving has brought together. */
+static int solve_search(arb_t w, struct search *s, const arb_t wanted)
+{
+    enum { HALVINGS = 5, STEPS = 18, ENOUGH_BITS = 110 };
+    for (int k = 0; k < HALVINGS; k++) {
+        const double middle = (s->lo + s->hi) / 2;
+        if (beyond(s, middle, wanted))
+            s->hi = middle;
+        else
+            s->lo = middle;
+    }
+    arb_t before, f0, f1, step;
+    arb_init(before);
+    arb_init(f0);
+    arb_init(f1);
+    arb_init(step);
+    arb_set_d(before, s->lo);
+    arb_set_d(w, s->hi);
+    excess(f0, s, before, wanted);
+    bool found = false;
+    for (int k = 0; k < STEPS && !found; k++) {
+        excess(f1, s, w, wanted);
+        arb_sub(f0, f1, f0, WORKING_BITS);
+        arb_sub(step, w, before, WORKING_BITS);
+        arb_set(before, w);
+        found = arb_is_zero(f1);
+        if (!found) {
+            arb_mul(step, step, f1, WORKING_BITS);
+            arb_div(step, step, f0, WORKING_BITS);
+            arb_sub(w, w, step, WORKING_BITS);
+            arb_get_mid_arb(w, w);
+            arb_set(f0, f1);
+            found = arf_cmpabs_2exp_si(arb_midref(step), -ENOUGH_BITS) < 0;
+        }
+    }
+    arb_clear(before);
+    arb_clear(f0);
+    arb_clear(f1);
+    arb_clear(step);
+    return found ? STATUS_OK : fail("an inverse of the collision was not found");
+}
+
+int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
+{
+    const bool force = quantity == BETA_ZERO_FORCE || quantity == BETA_QUOTIENT_ZERO_FORCE;
+    const double z_end = intervals[force ? TAIL - 1 : TAIL - 2].hi;
+    struct search s = {.f = f,
+                       .eps = force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP,
+                       .loss_quotient = force ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP,
+                       .of_loss = quantity == BETA_QUOTIENT_ZERO_OVERLAP || quantity == BETA_QUOTIENT_ZERO_FORCE,
+                       .lo = 0,
+                       .hi = z_end};
+    arb_t w, wanted;
+    arb_init(w);
+    arb_init(wanted);
+    if (s.of_loss)
+        arb_sqrt(wanted, x, WORKING_BITS);
+    else
+        arb_set(wanted, x);
+    if (force && !beyond(&s, z_end, wanted)) {
+        s.logarithmic = true;
+        s.lo = 2 * log(z_end);
+        s.hi = intervals[TAIL].hi;
+    }
+    const int status = solve_search(w, &s, wanted);
+    if (s.of_loss) { /* (1 - eps)/beta has a value at beta = 0 too */
+        interpolant_value(y, f, s.loss_quotient, w, prec);
+        arb_inv(y, y, prec);
+    } else if (s.logarithmic) {
+        arb_exp(y, w, prec);
+    } else {
+        arb_sqr(y, w, prec);
+    }
+    arb_clear(w);
+    arb_clear(wanted);
+    return status;
+}
+
+/* e = mu (1 + mu q_1(u) + mu^2 q_2(u)), u = -(3/5) ln(mu), solved for beta = mu^(-3/5) in powers of e: to first order
+ * (3/5) q_1(v), to second (9/25) (q_1 q_1' - 2 q_1^2) + (3/5) q_2. */
+void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f)
+{
+    const slong prec = WORKING_BITS;
+    arb_srcptr far = f->far[EPS_ZERO_FORCE]; /* 1, u; mu (1, u, u^2); mu^2 (1, ..., u^3) */
+    arb_poly_t q1, q2, second;
+    arb_t c, d;
+    arb_poly_init(q1);
+    arb_poly_init(q2);
+    arb_poly_init(second);
+    arb_init(c);
+    arb_init(d);
+    for (slong k = 0; k < 3; k++)
+        arb_poly_set_coeff_arb(q1, k, far + 2 + k);
+    for (slong k = 0; k < 4; k++)
+        arb_poly_set_coeff_arb(q2, k, far + 5 + k);
+    arb_poly_scalar_div(q1, q1, far, prec);
+    arb_poly_scalar_div(q2, q2, far, prec);
+    arb_poly_derivative(second, q1, prec);
+    arb_poly_sub(second, second, q1, prec);
+    arb_poly_sub(second, second, q1, prec);
+    arb_poly_mul(second, second, q1, prec);
+    arb_set(coefficient, far);
+    for (slong k = 0; k < INTERPOLANT_FAR_INVERSE - 1; k++) {
+        const slong power = k < 3 ? k : k - 3;
+        arb_poly_get_coeff_arb(c, k < 3 ? q1 : q2, power);
+        arb_mul_ui(c, c, 15, prec);
+        if (k >= 3) {
+            arb_poly_get_coeff_arb(d, second, power);
+            arb_addmul_ui(c, d, 9, prec);
+        }
+        arb_div_ui(coefficient + 1 + k, c, 25, prec);
+    }
+    arb_clear(c);
+    arb_clear(d);
+    arb_poly_clear(q1);
+    arb_poly_clear(q2);
+    arb_poly_clear(second);
 }
 
 void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity)

@@ -22,7 +22,12 @@ enum quantity {
     QUANTITIES,
     /* (1 - eps)/beta, made of the eps of that end */
     LOSS_QUOTIENT_ZERO_OVERLAP = QUANTITIES,
-    LOSS_QUOTIENT_ZERO_FORCE
+    LOSS_QUOTIENT_ZERO_FORCE,
+    /* the inverse functions: beta of eps, and beta/(1 - eps) of the loss 1 - eps */
+    BETA_ZERO_OVERLAP,
+    BETA_ZERO_FORCE,
+    BETA_QUOTIENT_ZERO_OVERLAP,
+    BETA_QUOTIENT_ZERO_FORCE
 };
 
 struct interpolant;
@@ -35,8 +40,8 @@ double chebyshev_point(slong j, slong n);
 struct interpolant *interpolant_new(double beta_min, double beta_max);
 void interpolant_free(struct interpolant *f);
 
-/* The quantity at z = sqrt(beta), up to beta = 8.25 for those of zero overlap, 17 for the others; (1 - eps)/beta up to
- * z = 0.625, without cancellation. */
+/* The quantity at z = sqrt(beta), up to beta = 8.25 for those of zero overlap, 17 for the others; (1 - eps)/beta without
+ * cancellation. */
 void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t z, slong prec);
 
 /* The quantity at beta = exp(u) divided by its power of beta, 2 <= u <= 10; not eps at zero overlap, which
@@ -44,10 +49,22 @@ void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quant
 void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec);
 struct ratio interpolant_tail_power(enum quantity quantity);
 
+/* An inverse function at an exact x: BETA_... at eps = x, from 2^-13 (zero overlap) or 2^-23.6 (zero force) to 1;
+ * BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after saying what failed. */
+int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec);
+
 /* Beyond: coefficients of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2 u^3, which the scaled quantity is up to terms in
  * mu^3. */
 enum { INTERPOLANT_FAR = 9 };
 void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity);
+
+/* The inverse of eps at zero force there: a; b_0, b_1, b_2; c_0, ..., c_4 of
+ *
+ *     beta = (a/eps)^(3/5) (1 + e (b_0 + ... + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)),     e = eps/a,     v = -(3/5) ln(e)
+ *
+ * up to terms in e^3, by formal inversion of the above, whose coefficient of u is 0. */
+enum { INTERPOLANT_FAR_INVERSE = 9 };
+void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f);
 
 /* Largest relative error found at `points` places of each interval against collisions enclosed there. */
 int interpolant_check(double *error, const struct interpolant *f, int points);

@@ -15,11 +15,22 @@ struct cell {
     bool plain;
 };
 
+static bool by_octaves(const struct pieces *p)
+{
+    return p->variable == VARIABLE_POWER || p->variable == VARIABLE_EPS;
+}
+
+/* Whether y is a root, and the end of the table that of its square */
+static bool by_root(const struct pieces *p)
+{
+    return p->variable == VARIABLE_SQRT_BETA || p->variable == VARIABLE_SQRT_LOSS;
+}
+
 static struct cell cell_of(const struct pieces *p, slong row)
 {
     struct cell cell = {.plain = row < p->plain};
     double step = p->step;
-    if (p->variable == VARIABLE_POWER) {
+    if (by_octaves(p)) {
         step = 1.0 / PIECES_PER_OCTAVE;
         cell.octave = (slong)p->first + row / PIECES_PER_OCTAVE;
         cell.node = 1 + step * ((double)(row % PIECES_PER_OCTAVE) + 0.5);
@@ -28,12 +39,12 @@ static struct cell cell_of(const struct pieces *p, slong row)
     }
     cell.lo = cell.node - step / 2;
     cell.hi = cell.node + step / 2;
-    if (p->variable == VARIABLE_BETA || p->variable == VARIABLE_SQRT_BETA)
+    if (!by_octaves(p) && p->variable != VARIABLE_LOG_BETA)
         cell.lo = fmax(cell.lo, 0);
     return cell;
 }
 
-/* sqrt(beta) at y, or ln(beta) where that is the variable */
+/* sqrt(beta) at y */
 static void place(arb_t z, const struct pieces *p, const struct cell *cell, const arb_t y)
 {
     if (p->variable == VARIABLE_BETA) {
@@ -46,17 +57,32 @@ static void place(arb_t z, const struct pieces *p, const struct cell *cell, cons
     }
 }
 
-static void function(arb_t value, const struct pieces *p, const struct interpolant *f, const struct cell *cell,
-                     const arb_t y)
+/* The quantity at a place of a cell. Returns 0, or 1 after saying what failed. */
+static int quantity_at(arb_t value, const struct pieces *p, const struct interpolant *f, const struct cell *cell,
+                       const arb_t y)
 {
     arb_t z;
+    int status = STATUS_OK;
     arb_init(z);
-    place(z, p, cell, y);
-    if (p->variable == VARIABLE_LOG_BETA)
-        interpolant_tail(value, f, p->quantity, z, WORKING_BITS);
-    else
+    switch (p->variable) {
+    case VARIABLE_LOG_BETA:
+        interpolant_tail(value, f, p->quantity, y, WORKING_BITS);
+        break;
+    case VARIABLE_LOSS:
+    case VARIABLE_SQRT_LOSS:
+    case VARIABLE_EPS:
+        if (p->variable == VARIABLE_SQRT_LOSS)
+            arb_sqr(z, y, WORKING_BITS);
+        else
+            arb_mul_2exp_si(z, y, cell->octave);
+        status = interpolant_inverse(value, f, p->quantity, z, WORKING_BITS);
+        break;
+    default:
+        place(z, p, cell, y);
         interpolant_value(value, f, p->quantity, z, WORKING_BITS);
+    }
     arb_clear(z);
+    return status;
 }
 
 /* s of the header at y */
@@ -80,7 +106,18 @@ static double between(const struct cell *cell, double fraction)
     return ldexp(nearbyint(ldexp(cell->lo + (cell->hi - cell->lo) * fraction, 40)), -40);
 }
 
-static void cut(arb_ptr c, const struct pieces *p, const struct interpolant *f, const struct cell *cell)
+/* c_0 to few bits, or to those of a double */
+static void round_head(arb_t head, const struct pieces *p, const arb_t value)
+{
+    if (p->head_bits > 0) {
+        arf_set_round(arb_midref(head), arb_midref(value), p->head_bits, ARF_RND_NEAR);
+        mag_zero(arb_radref(head));
+    } else {
+        arb_set_d(head, arf_get_d(arb_midref(value), ARF_RND_NEAR));
+    }
+}
+
+static int cut(arb_ptr c, const struct pieces *p, const struct interpolant *f, const struct cell *cell)
 {
     const slong n = p->degree;
     arb_ptr t = _arb_vec_init(n), quotient = _arb_vec_init(n);
@@ -91,11 +128,11 @@ static void cut(arb_ptr c, const struct pieces *p, const struct interpolant *f, 
     arb_init(y);
     arb_init(s);
     arb_set_d(node, cell->node);
-    function(c, p, f, cell, node);
-    for (slong j = 0; j < n; j++) {
+    int status = quantity_at(c, p, f, cell, node);
+    for (slong j = 0; j < n && status == STATUS_OK; j++) {
         /* never the node itself, where the quotient is 0/0 */
         arb_set_d(y, between(cell, (1 + chebyshev_point(j, n)) / 2) + ldexp(1, -41));
-        function(quotient + j, p, f, cell, y);
+        status = quantity_at(quotient + j, p, f, cell, y);
         arb_sub(quotient + j, quotient + j, c, WORKING_BITS);
         factor(s, cell, y);
         arb_div(quotient + j, quotient + j, s, WORKING_BITS);
@@ -104,15 +141,17 @@ static void cut(arb_ptr c, const struct pieces *p, const struct interpolant *f, 
     arb_poly_interpolate_barycentric(polynomial, t, quotient, n, WORKING_BITS);
     for (slong k = 0; k < n; k++)
         arb_poly_get_coeff_arb(c + 2 + k, polynomial, k);
-    /* what the double nearest to c_0 lacks */
-    arb_set_d(c + 1, arf_get_d(arb_midref(c), ARF_RND_NEAR));
-    arb_sub(c + 1, c, c + 1, WORKING_BITS);
+    round_head(node, p, c);
+    arb_sub(c + 1, c, node, WORKING_BITS);
+    if (p->head_bits > 0)
+        arb_set(c, node);
     arb_poly_clear(polynomial);
     arb_clear(node);
     arb_clear(y);
     arb_clear(s);
     _arb_vec_clear(t, n);
     _arb_vec_clear(quotient, n);
+    return status;
 }
 
 /* The row of doubles at y, exactly evaluated. */
@@ -142,30 +181,24 @@ static void row_value(arb_t value, const struct pieces *p, const struct cell *ce
     arb_clear(s);
 }
 
-/* -log2 of the largest relative error found in a cell */
+/* -log2 of the largest relative error found in a cell, or NaN after saying what failed */
 static double bits_reached(const struct pieces *p, const struct interpolant *f, const struct cell *cell,
                            const double *c)
 {
     arb_t y, exact, value;
     double worst = 0;
-    const bool eps = (p->quantity == EPS_ZERO_OVERLAP || p->quantity == EPS_ZERO_FORCE) &&
-                     (p->variable == VARIABLE_BETA || p->variable == VARIABLE_SQRT_BETA);
     arb_init(y);
     arb_init(exact);
     arb_init(value);
     for (int k = 0; k <= POINTS; k++) {
-        const double at = between(cell, k / (double)POINTS);
-        arb_set_d(y, at);
-        function(exact, p, f, cell, y);
+        arb_set_d(y, between(cell, k / (double)POINTS));
+        if (quantity_at(exact, p, f, cell, y))
+            worst = NAN;
         row_value(value, p, cell, c, y);
         arb_sub(value, value, exact, WORKING_BITS);
-        const double beta = p->variable == VARIABLE_BETA ? at : at * at;
-        if (eps && beta >= p->loss_from && arf_cmp_d(arb_midref(exact), 0.5) > 0) {
-            arb_sub_ui(exact, exact, 1, WORKING_BITS);
-            arb_neg(exact, exact);
-        }
         arb_div(value, value, exact, WORKING_BITS);
-        worst = fmax(worst, fabs(arf_get_d(arb_midref(value), ARF_RND_UP)));
+        if (!isnan(worst))
+            worst = fmax(worst, fabs(arf_get_d(arb_midref(value), ARF_RND_UP)));
     }
     arb_clear(y);
     arb_clear(exact);
@@ -177,9 +210,9 @@ static double bits_reached(const struct pieces *p, const struct interpolant *f, 
 static bool covers_end(const struct pieces *p)
 {
     const struct cell last = cell_of(p, p->rows - 1);
-    if (p->variable == VARIABLE_POWER)
+    if (by_octaves(p))
         return ldexp(last.hi, (int)last.octave) >= p->end;
-    return (p->variable == VARIABLE_SQRT_BETA ? last.hi * last.hi : last.hi) >= p->end;
+    return (by_root(p) ? last.hi * last.hi : last.hi) >= p->end;
 }
 
 int pieces_make(struct pieces *p, const struct interpolant *f)
@@ -194,7 +227,7 @@ int pieces_make(struct pieces *p, const struct interpolant *f)
     for (slong row = 0; row < p->rows && status == STATUS_OK; row++) {
         const struct cell cell = cell_of(p, row);
         arb_ptr exact = p->coefficient + row * columns;
-        cut(exact, p, f, &cell);
+        status = cut(exact, p, f, &cell);
         for (slong k = 0; k < columns && status == STATUS_OK; k++)
             if (!digits_to_double(&c[k], exact + k))
                 status = fail("%s, row %ld: coefficient %ld cannot be rounded", p->name, (long)row, (long)k);
@@ -219,18 +252,22 @@ void pieces_clear(struct pieces *p)
 static void domain_text(char text[64], const struct pieces *p)
 {
     if (p->variable == VARIABLE_POWER)
-        snprintf(text, 64, "by x = beta^5, 2^%g <= x < 2^%g", p->first, log2(p->end));
+        snprintf(text, 64, " by x = beta^5, 2^%g <= x < 2^%g", p->first, log2(p->end));
+    else if (p->variable == VARIABLE_EPS)
+        snprintf(text, 64, " by eps, 2^%g <= eps < 2^%g", p->first, log2(p->end));
+    else if (p->variable == VARIABLE_LOSS || p->variable == VARIABLE_SQRT_LOSS)
+        snprintf(text, 64, ", 1 - eps < 1/%g", 1 / p->end);
     else if (p->variable == VARIABLE_LOG_BETA)
-        snprintf(text, 64, "beta > exp(%g)", p->first - p->step / 2);
+        snprintf(text, 64, ", beta > exp(%g)", p->first - p->step / 2);
     else if (p->end < 1)
-        snprintf(text, 64, "beta < 1/%g", 1 / p->end);
+        snprintf(text, 64, ", beta < 1/%g", 1 / p->end);
     else
-        snprintf(text, 64, "beta < %g", p->end);
+        snprintf(text, 64, ", beta < %g", p->end);
 }
 
 static void emit_geometry(struct emit *e, const struct pieces *p)
 {
-    if (p->variable == VARIABLE_POWER) {
+    if (by_octaves(p)) {
         emit_geometry_real(e, p->name, "FIRST", ldexp(1, (int)p->first));
         emit_geometry_integer(e, p->name, "FIRST_OCTAVE", (slong)p->first);
         emit_geometry_integer(e, p->name, "OCTAVE_BITS", PIECES_OCTAVE_BITS);
@@ -247,13 +284,14 @@ static void emit_geometry(struct emit *e, const struct pieces *p)
 
 int pieces_emit(struct emit *e, const struct pieces *p)
 {
-    static const char *const variables[] = {"beta", "sqrt(beta)", "ln(beta)", "beta^5 2^-k"};
+    static const char *const variables[] = {"beta",    "sqrt(beta)",    "ln(beta)", "beta^5 2^-k",
+                                            "1 - eps", "sqrt(1 - eps)", "eps 2^-k"};
     double worst = INFINITY;
     for (slong row = 0; row < p->rows; row++)
         worst = fmin(worst, p->bits[row]);
     const struct cell first = cell_of(p, 0), last = cell_of(p, p->rows - 1);
     char grid[96];
-    if (p->variable == VARIABLE_POWER)
+    if (by_octaves(p))
         snprintf(grid, sizeof grid, "%d to each octave k = %ld ... %ld", PIECES_PER_OCTAVE, (long)first.octave,
                  (long)last.octave);
     else
@@ -261,17 +299,17 @@ int pieces_emit(struct emit *e, const struct pieces *p)
     char domain[64];
     domain_text(domain, p);
     emit_comment(e,
-                 "%s%s%s: %ld rows of degree %ld in y = %s, %s.\n"
+                 "%s%s: %ld rows of degree %ld in y = %s, %s.\n"
                  "Relative error of the approximation: 2^-%.1f at most, sampled at %d places of each row.",
-                 p->title, p->variable == VARIABLE_POWER ? " " : ", ", domain, (long)p->rows, (long)p->degree,
-                 variables[p->variable], grid, floor(worst * 10) / 10, POINTS + 1);
+                 p->title, domain, (long)p->rows, (long)p->degree, variables[p->variable], grid, floor(worst * 10) / 10,
+                 POINTS + 1);
     emit_geometry(e, p);
     emit_rows_open(e, p->name, p->rows, p->degree + 2);
     for (slong row = 0; row < p->rows; row++) {
         const struct cell cell = cell_of(p, row);
         char text[160];
         char octave[24] = "";
-        if (p->variable == VARIABLE_POWER)
+        if (by_octaves(p))
             snprintf(octave, sizeof octave, " 2^%ld", (long)cell.octave);
         snprintf(text, sizeof text, "[%ld] %g <= y <= %g%s, degree %ld, %.1f bits", (long)row, cell.lo, cell.hi, octave,
                  (long)p->degree, floor(p->bits[row] * 10) / 10);

@@ -7,27 +7,36 @@
  *     f = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_degree t^(degree-1))),     t = y - y_i
  *
  * with s = t in the first `plain` rows and s = beta - y_i^2 in the others, of y = sqrt(beta): that is exact in
- * floating point, where t is not, but has a zero at -y_i that the first rows are too near to. c_0 is the double
- * nearest to f(y_i) and c_0' what it lacks; the other coefficients interpolate (f - f(y_i))/s at Chebyshev's points
- * of the cell and are rounded once. */
+ * floating point, where t is not, but has a zero at -y_i that the first rows are too near to. c_0 is the number of
+ * `head_bits` bits, or the double, nearest to f(y_i), and c_0' what it lacks; the other coefficients interpolate
+ * (f - f(y_i))/s at Chebyshev's points of the cell and are rounded once. */
 #ifndef COR_GEN_APPROXIMATION_PIECES_H
 #define COR_GEN_APPROXIMATION_PIECES_H
 
 #include "approximation/interpolant.h"
 #include "support/emit_c.h"
 
-/* The variable y of a table. VARIABLE_POWER is x = beta^5, which an impact speed is proportional to, in octaves
- * 2^k <= x < 2^(k+1): y is x 2^-k, and rows 8 (k - first) + 0 ... 7 have their nodes at 1 + 1/16, 1 + 3/16, ... */
-enum variable { VARIABLE_BETA, VARIABLE_SQRT_BETA, VARIABLE_LOG_BETA, VARIABLE_POWER };
+/* The variable y of a table. VARIABLE_POWER is x = beta^5, which an impact speed is proportional to, and VARIABLE_EPS
+ * is x = eps, both in octaves 2^k <= x < 2^(k+1): y is x 2^-k, and rows 8 (k - first) + 0 ... 7 have their nodes at
+ * 1 + 1/16, 1 + 3/16, ... VARIABLE_LOSS is 1 - eps. */
+enum variable {
+    VARIABLE_BETA,
+    VARIABLE_SQRT_BETA,
+    VARIABLE_LOG_BETA,
+    VARIABLE_POWER,
+    VARIABLE_LOSS,
+    VARIABLE_SQRT_LOSS,
+    VARIABLE_EPS
+};
 enum { PIECES_OCTAVE_BITS = 3, PIECES_PER_OCTAVE = 1 << PIECES_OCTAVE_BITS };
 
 struct pieces {
     enum quantity quantity;
     enum variable variable;
-    double first, step; /* of the nodes; VARIABLE_POWER: first k */
-    double end;         /* first beta, or ln(beta) or beta^5 where that is y, that the table is not for */
-    double loss_from;   /* from this beta on the loss is 1 minus a row of eps, whose error counts relative to both */
+    double first, step; /* of the nodes; octaves: first k */
+    double end;         /* first beta, ln(beta), beta^5, loss or eps that the table is not for */
     slong rows, degree, plain;
+    slong head_bits;     /* of c_0, or 0: as many as a double has */
     const char *name;    /* of the function that returns a row, cor_rows_...; COR_ROWS_..._FIRST is of its geometry */
     const char *title;   /* of its comment */
     double least_bits;   /* every piece must reach so many */
@@ -46,7 +55,7 @@ void pieces_clear(struct pieces *p);
  *     _END                              as the field `end`
  *     _PLAIN_ROWS                       rows with s = t, where not all have it
  *
- * and of VARIABLE_POWER, where FIRST is the first x:
+ * and of octaves, where FIRST is the first x:
  *
  *     _FIRST, _FIRST_OCTAVE, _OCTAVE_BITS, _ROWS, _END   FIRST = 2^FIRST_OCTAVE; 2^OCTAVE_BITS rows to an octave */
 int pieces_emit(struct emit *e, const struct pieces *p);

@@ -11,19 +11,17 @@
 
 enum { H_STAR_BITS = 160 };
 
-/* Where the loss is no longer beta times a row of its own, but 1 minus a row of eps */
-#define LOSS_FROM_EPS 0.25
-
 /* The tables of the runtime, all of one layout. Their geometry stands here and nowhere else: the headers carry it to
  * the evaluators as macros (approximation/pieces.h). Where the promise is one unit of the last place, 57 bits leave the
- * approximation a sixteenth of it; the loss at beta < 1 is 1 minus a row of eps, so the row's error counts relative to
- * the smaller of the two. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply: there the rounding
- * of x alone changes eps by more. */
-enum { DEGREE = 10, FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */ };
+ * approximation a sixteenth of it. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply: there the
+ * rounding of x alone changes eps by more. c_0 of a row that is multiplied has HEAD_BITS bits, so that its products with
+ * halves of a double are exact. */
+enum { DEGREE = 10, FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26 };
 #define IN_BETA VARIABLE_BETA, 0, 0.125
 #define IN_ROOT VARIABLE_SQRT_BETA, 0, 0.0625
 #define IN_POWER VARIABLE_POWER, -40, 0
 #define IN_LOG(step) VARIABLE_LOG_BETA, 2 + (step) / 2, step
+#define BY_OCTAVES(first, last) (((last) - (first) + 1) * PIECES_PER_OCTAVE)
 static const struct {
     const char *name, *title;
     enum quantity quantity;
@@ -31,29 +29,38 @@ static const struct {
     double first, step, end;
     slong rows;
     double least_bits;
+    slong head_bits, plain;
 } layout[] = {
-    {"cor_rows_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_BETA, 7, 57, 55.5},
-    {"cor_rows_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_ROOT, 16, 65, 55.5},
-    {"cor_rows_power_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_POWER, 16384,
-     54 * PIECES_PER_OCTAVE, 53.5},
-    {"cor_rows_power_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_POWER, 1048576, 60 * PIECES_PER_OCTAVE,
-     57},
-    {"cor_rows_loss_zero_overlap", "(1 - eps)/beta at zero overlap", LOSS_QUOTIENT_ZERO_OVERLAP, IN_BETA, LOSS_FROM_EPS,
-     3, 57},
-    {"cor_rows_loss_zero_force", "(1 - eps)/beta at zero force", LOSS_QUOTIENT_ZERO_FORCE, IN_ROOT, LOSS_FROM_EPS, 9,
-     57},
-    {"cor_rows_duration_zero_overlap", "duration at zero overlap", DURATION_ZERO_OVERLAP, IN_BETA, 8, 65, 56},
-    {"cor_rows_duration_zero_force", "duration at zero force", DURATION_ZERO_FORCE, IN_ROOT, 8, 46, 56},
-    {"cor_rows_max_overlap", "largest overlap", MAX_OVERLAP, IN_BETA, 8, 65, 57},
-    {"cor_rows_time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, IN_BETA, 8, 65, 56},
-    {"cor_rows_tail_eps_zero_force", "eps beta^(5/3) at zero force", EPS_ZERO_FORCE, IN_LOG(0.25), 10, 32, 57},
+    {"cor_rows_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_BETA, 7, 57, 55.5, 0, 0},
+    {"cor_rows_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_ROOT, 16, 65, 55.5, 0, FORCE_PLAIN},
+    {"cor_rows_power_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_POWER, 16384, BY_OCTAVES(-40, 13),
+     53.5, 0, 0},
+    {"cor_rows_power_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_POWER, 1048576, BY_OCTAVES(-40, 19), 57,
+     0, 0},
+    {"cor_rows_loss_zero_overlap", "(1 - eps)/beta at zero overlap", LOSS_QUOTIENT_ZERO_OVERLAP, IN_BETA, 7, 57, 57,
+     HEAD_BITS, 0},
+    {"cor_rows_loss_zero_force", "(1 - eps)/beta at zero force", LOSS_QUOTIENT_ZERO_FORCE, IN_ROOT, 16, 65, 57,
+     HEAD_BITS, FORCE_PLAIN},
+    {"cor_rows_duration_zero_overlap", "duration at zero overlap", DURATION_ZERO_OVERLAP, IN_BETA, 8, 65, 56, 0, 0},
+    {"cor_rows_duration_zero_force", "duration at zero force", DURATION_ZERO_FORCE, IN_ROOT, 8, 46, 56, 0, 0},
+    {"cor_rows_max_overlap", "largest overlap", MAX_OVERLAP, IN_BETA, 8, 65, 57, 0, 0},
+    {"cor_rows_time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, IN_BETA, 8, 65, 56, 0, 0},
+    {"cor_rows_tail_eps_zero_force", "eps beta^(5/3) at zero force", EPS_ZERO_FORCE, IN_LOG(0.25), 10, 32, 57, 0, 0},
     {"cor_rows_tail_duration_zero_overlap", "duration/beta at zero overlap", DURATION_ZERO_OVERLAP, IN_LOG(0.125), 10,
-     64, 56},
+     64, 56, 0, 0},
     {"cor_rows_tail_duration_zero_force", "duration beta^(2/3) at zero force", DURATION_ZERO_FORCE, IN_LOG(0.25), 10,
-     32, 56},
-    {"cor_rows_tail_max_overlap", "largest overlap beta^(2/3)", MAX_OVERLAP, IN_LOG(0.25), 10, 32, 57},
+     32, 56, 0, 0},
+    {"cor_rows_tail_max_overlap", "largest overlap beta^(2/3)", MAX_OVERLAP, IN_LOG(0.25), 10, 32, 57, 0, 0},
     {"cor_rows_tail_time_of_max_overlap", "time of the largest overlap beta^(2/3)", TIME_OF_MAX_OVERLAP, IN_LOG(0.25),
-     10, 32, 56},
+     10, 32, 56, 0, 0},
+    {"cor_rows_near_beta_zero_overlap", "beta/(1 - eps) at zero overlap", BETA_QUOTIENT_ZERO_OVERLAP, VARIABLE_LOSS, 0,
+     0.0625, 0.5, 9, 56, HEAD_BITS, 0},
+    {"cor_rows_near_beta_zero_force", "beta/(1 - eps) at zero force", BETA_QUOTIENT_ZERO_FORCE, VARIABLE_SQRT_LOSS, 0,
+     0.03125, 0.5, 24, 56, HEAD_BITS, 0},
+    {"cor_rows_beta_zero_overlap", "beta at zero overlap", BETA_ZERO_OVERLAP, VARIABLE_EPS, -12, 0, 0.5,
+     BY_OCTAVES(-12, -2), 55, 0, 0},
+    {"cor_rows_beta_zero_force", "beta at zero force", BETA_ZERO_FORCE, VARIABLE_EPS, -23, 0, 0.5, BY_OCTAVES(-23, -2),
+     55, 0, 0},
 };
 enum { TABLES = sizeof layout / sizeof *layout };
 
@@ -67,7 +74,12 @@ static const struct {
     {MAX_OVERLAP, "cor_rows_far_max_overlap", "largest overlap beta^(2/3)"},
     {TIME_OF_MAX_OVERLAP, "cor_rows_far_time_of_max_overlap", "time of the largest overlap beta^(2/3)"},
 };
-enum { FAR_TABLES = sizeof far_tables / sizeof *far_tables, FAR_COLUMNS = INTERPOLANT_FAR + 2, CHECK_POINTS = 9 };
+enum {
+    FAR_TABLES = sizeof far_tables / sizeof *far_tables,
+    FAR_COLUMNS = INTERPOLANT_FAR + 2,
+    INVERSE_COLUMNS = INTERPOLANT_FAR_INVERSE + 1,
+    CHECK_POINTS = 9
+};
 
 /* Relative error of the interpolant, so that sampling against it means something. */
 #define INTERPOLANT_LIMIT 4e-18
@@ -78,6 +90,7 @@ static struct {
     double error; /* of the interpolant, sampled */
     arb_struct h_star_5[2];
     arb_ptr far[FAR_TABLES]; /* a_0 and a_1 with what their doubles lack, and the rest */
+    arb_ptr far_inverse;     /* a with what its double lacks, and the rest */
 } data;
 
 /* value, and what the double nearest to it lacks */
@@ -98,7 +111,6 @@ static int make(void)
     if (status == STATUS_OK && data.error > INTERPOLANT_LIMIT)
         status = fail("the interpolant of the collision is off by %.1e", data.error);
     for (int i = 0; i < TABLES && status == STATUS_OK; i++) {
-        const bool mixed = layout[i].quantity == EPS_ZERO_FORCE && layout[i].variable == VARIABLE_SQRT_BETA;
         data.tables[i] = (struct pieces){.name = layout[i].name,
                                          .title = layout[i].title,
                                          .quantity = layout[i].quantity,
@@ -106,10 +118,10 @@ static int make(void)
                                          .first = layout[i].first,
                                          .step = layout[i].step,
                                          .end = layout[i].end,
-                                         .loss_from = LOSS_FROM_EPS,
                                          .rows = layout[i].rows,
                                          .degree = DEGREE,
-                                         .plain = mixed ? FORCE_PLAIN : layout[i].rows,
+                                         .plain = layout[i].plain > 0 ? layout[i].plain : layout[i].rows,
+                                         .head_bits = layout[i].head_bits,
                                          .least_bits = layout[i].least_bits};
         status = pieces_make(&data.tables[i], f);
     }
@@ -121,6 +133,10 @@ static int make(void)
         split(data.far[i], data.far[i] + 1);
         split(data.far[i] + 2, data.far[i] + 3);
     }
+    data.far_inverse = _arb_vec_init(INVERSE_COLUMNS);
+    interpolant_far_inverse(data.far_inverse + 1, f);
+    arb_set(data.far_inverse, data.far_inverse + 1);
+    split(data.far_inverse, data.far_inverse + 1);
     interpolant_free(f);
     arb_init(&data.h_star_5[0]);
     arb_init(&data.h_star_5[1]);
@@ -140,6 +156,7 @@ void sphere_tables_clear(void)
         pieces_clear(&data.tables[i]);
     for (int i = 0; i < FAR_TABLES; i++)
         _arb_vec_clear(data.far[i], FAR_COLUMNS);
+    _arb_vec_clear(data.far_inverse, INVERSE_COLUMNS);
     arb_clear(&data.h_star_5[0]);
     arb_clear(&data.h_star_5[1]);
     data.made = false;
@@ -148,8 +165,8 @@ void sphere_tables_clear(void)
 static int emit_tables(struct emit *e)
 {
     emit_comment(e, "A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
-                    "c_0', c_1, ..., c_n. s = t; only in the rows of eps at zero force from node 1/4 on,\n"
-                    "s = beta - node^2. c_0' is what the double c_0 lacks of the value at the node.");
+                    "c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from\n"
+                    "node 1/4 on s = beta - node^2. c_0' is what c_0 lacks of the value at the node.");
     for (int i = 0; i < TABLES; i++)
         if (pieces_emit(e, &data.tables[i]))
             return STATUS_FAILED;
@@ -170,6 +187,15 @@ static int emit_tables(struct emit *e)
             return STATUS_FAILED;
         emit_rows_close(e);
     }
+    emit_comment(e,
+                 "eps < 2^-23 at zero force: beta = (a/eps)^(3/5) (1 + e (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... +\n"
+                 "c_4 v^4)), e = eps/a, v = -(3/5) ln(e), from the coefficients of far_eps_zero_force by formal\n"
+                 "inversion. Columns a, a', b_0, ..., c_4. Terms in e^3 are left out: less than 2^-55 at eps = 2^-23,\n"
+                 "sampled in tests/table.");
+    emit_rows_open(e, "cor_rows_far_beta_zero_force", 1, INVERSE_COLUMNS);
+    if (emit_row(e, "beta at zero force", data.far_inverse, INVERSE_COLUMNS, true))
+        return STATUS_FAILED;
+    emit_rows_close(e);
     return STATUS_OK;
 }
 

@@ -93,13 +93,6 @@ COR_API double cor_contact_beta(const struct cor_sphere_contact *contact, double
 COR_API double cor_contact_eps_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s);
 COR_API double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact, double speed_m_s);
 
-/* eps[i] = cor_contact_eps_...(contact, speed_m_s[i]) for i < n, the same to the last bit. n may be
- * 0, the array pointers then NULL. Both arrays may be the same, but must not overlap otherwise. */
-COR_API void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
-                                                double *eps, size_t n);
-COR_API void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact, const double *speed_m_s,
-                                              double *eps, size_t n);
-
 /* Duration of a contact at impact speed g > 0, s: scale g^(-1/5) cor_sphere_duration_...(beta).
  * Accuracy: COR_CONTACT_MAX_ULP in all. Special values: speed 0 -> +inf, +inf -> 0 (where it has a limit:
  * at zero overlap with dissipation it grows with ln(g), -> +inf); negative or NaN speed, or a contact whose
@@ -121,6 +114,26 @@ COR_API double cor_contact_dissipation_time_s_zero_overlap(const struct cor_sphe
                                                            double eps);
 COR_API double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s,
                                                          double eps);
+
+/* Arrays: y[i] = cor_contact_...(contact, speed_m_s[i]) for i < n, or of speed_m_s[i] and eps[i], the same to the last
+ * bit. n may be 0, the array pointers then NULL. The results may overwrite an array of arguments, but arrays must not
+ * overlap otherwise. */
+#define COR_CONTACT_DECLARE_(quantity)                                                                                 \
+    COR_API void cor_contact_##quantity##_array(const struct cor_sphere_contact *contact, const double *speed_m_s,     \
+                                                double *y, size_t n);
+COR_CONTACT_DECLARE_(beta)
+COR_CONTACT_DECLARE_(eps_zero_overlap)
+COR_CONTACT_DECLARE_(eps_zero_force)
+COR_CONTACT_DECLARE_(duration_s_zero_overlap)
+COR_CONTACT_DECLARE_(duration_s_zero_force)
+COR_CONTACT_DECLARE_(max_overlap_m)
+#undef COR_CONTACT_DECLARE_
+COR_API void cor_contact_dissipation_time_s_zero_overlap_array(const struct cor_sphere_contact *contact,
+                                                               const double *speed_m_s, const double *eps, double *y,
+                                                               size_t n);
+COR_API void cor_contact_dissipation_time_s_zero_force_array(const struct cor_sphere_contact *contact,
+                                                             const double *speed_m_s, const double *eps, double *y,
+                                                             size_t n);
 
 /* A of (4), s, from Young's modulus Y > 0 (Pa), Poisson's ratio -1 < nu <= 1/2 and the viscous
  * constants eta_1, eta_2 >= 0 of the material, Pa s, in the notation of (4):

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Arithmetic that keeps what rounding loses. Numbers are cut in two by masking bits, never by Veltkamp's trick, so
- * that the results stay right where a compiler fuses multiplications with additions. */
+/* Bits of doubles, and sums and products that keep their rounding errors.
+ *
+ * Arguments are classified by their bits, as whole numbers: comparisons of floating point raise FE_INVALID for a NaN,
+ * and -ffinite-math-only lets a compiler assume that there is none. Factors are split by masking bits, not by
+ * Veltkamp's multiplication, so that the results stay right where a compiler fuses multiplications with additions. */
 #ifndef COR_RUNTIME_EXACT_H
 #define COR_RUNTIME_EXACT_H
 
@@ -9,17 +12,32 @@
 /* Powers of two; hexadecimal constants would be C++17. */
 #define COR_INLINE_2_M900 1.18305218616677471e-271
 #define COR_INLINE_2_M500 3.05493636349960468e-151
+#define COR_INLINE_2_M300 4.90909346529772656e-91
 #define COR_INLINE_2_M200 6.22301527786114171e-61
-#define COR_INLINE_2_M52 2.22044604925031308e-16
-#define COR_INLINE_2_M56 1.38777878078144568e-17
+#define COR_INLINE_2_M60 8.67361737988403547e-19
 #define COR_INLINE_2_M40 9.09494701772928238e-13
 #define COR_INLINE_2_40 1.09951162777600000e+12
+#define COR_INLINE_2_60 1.15292150460684698e+18
 #define COR_INLINE_2_100 1.26765060022822940e+30
 #define COR_INLINE_2_200 1.60693804425899028e+60
 #define COR_INLINE_2_250 1.80925139433306555e+75
 #define COR_INLINE_2_300 2.03703597633448609e+90
 #define COR_INLINE_2_500 3.27339060789614187e+150
 #define COR_INLINE_2_900 8.45271249817064394e+270
+#define COR_INLINE_2_964 1.55925024182399985e+290
+#define COR_INLINE_2_1000 1.07150860718626732e+301
+
+/* A value that -ffast-math must not rearrange: without it (a + b) - a becomes b. */
+#if defined(__has_builtin) && !defined(__CUDACC__) && !defined(__HIPCC__)
+#if __has_builtin(__builtin_assoc_barrier)
+#define COR_INLINE_KEEP(x) __builtin_assoc_barrier(x)
+#elif __has_builtin(__arithmetic_fence) && defined(__FAST_MATH__)
+#define COR_INLINE_KEEP(x) __arithmetic_fence(x)
+#endif
+#endif
+#ifndef COR_INLINE_KEEP
+#define COR_INLINE_KEEP(x) (x)
+#endif
 
 COR_INLINE uint64_t cor_inline_bits(double x)
 {
@@ -35,6 +53,64 @@ COR_INLINE double cor_inline_from_bits(uint64_t bits)
     return x;
 }
 
+/* 0 <= x < end, not for -0 and NaN. Bits of nonnegative doubles have their order, those of negative ones are larger. */
+COR_INLINE int cor_inline_below(double x, double end)
+{
+    return cor_inline_bits(x) < cor_inline_bits(end);
+}
+
+#define COR_INLINE_INFINITY_BITS UINT64_C(0x7ff0000000000000)
+#define COR_INLINE_SIGN_BIT UINT64_C(0x8000000000000000)
+
+COR_INLINE double cor_inline_infinity(void)
+{
+    return cor_inline_from_bits(COR_INLINE_INFINITY_BITS);
+}
+
+COR_INLINE double cor_inline_nan(void)
+{
+    return cor_inline_from_bits(UINT64_C(0x7ff8000000000000));
+}
+
+COR_INLINE int cor_inline_is_finite(double x)
+{
+    return (cor_inline_bits(x) & ~COR_INLINE_SIGN_BIT) < COR_INLINE_INFINITY_BITS;
+}
+
+COR_INLINE int cor_inline_is_nan(double x)
+{
+    return (cor_inline_bits(x) & ~COR_INLINE_SIGN_BIT) > COR_INLINE_INFINITY_BITS;
+}
+
+/* Whether x is negative or NaN; -0 is neither. */
+COR_INLINE int cor_inline_is_refused(double x)
+{
+    return cor_inline_bits(x) > COR_INLINE_INFINITY_BITS && cor_inline_bits(x) != COR_INLINE_SIGN_BIT;
+}
+
+/* The number that `choice` chooses, by bits: a processor mispredicts half of the jumps where arguments scatter. */
+COR_INLINE double cor_inline_choose(int choice, double if_true, double if_false)
+{
+    const uint64_t mask = (uint64_t)0 - (uint64_t)(choice != 0);
+    return cor_inline_from_bits((cor_inline_bits(if_true) & mask) | (cor_inline_bits(if_false) & ~mask));
+}
+
+/* 2^k, -1022 <= k <= 1023 */
+COR_INLINE double cor_inline_power_of_two(int k)
+{
+    return cor_inline_from_bits((uint64_t)(1023 + k) << 52);
+}
+
+/* x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once: ldexp without its errno */
+COR_INLINE double cor_inline_scaled(double x, int k)
+{
+    if (k >= -960)
+        return x * cor_inline_power_of_two(k);
+    /* the first product is a normal number, and exact */
+    k += 900;
+    return x * COR_INLINE_2_M900 * cor_inline_power_of_two(k < -1022 ? -1022 : k);
+}
+
 /* The 26 leading bits: products of two such numbers are exact. */
 COR_INLINE double cor_inline_head(double x)
 {
@@ -46,11 +122,12 @@ struct cor_inline_pair {
     double hi, lo;
 };
 
+/* hi + lo, exactly where |hi| >= |lo| */
 COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
 {
     struct cor_inline_pair sum;
-    sum.hi = hi + lo;
-    sum.lo = lo - (sum.hi - hi);
+    sum.hi = COR_INLINE_KEEP(hi + lo);
+    sum.lo = lo - COR_INLINE_KEEP(sum.hi - hi);
     return sum;
 }
 
@@ -59,11 +136,12 @@ COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
 {
     const double xh = cor_inline_head(x), xl = x - xh, yh = cor_inline_head(y), yl = y - yh;
     struct cor_inline_pair product;
-    product.hi = x * y;
-    product.lo = ((xh * yh - product.hi) + xh * yl + xl * yh) + xl * yl;
+    product.hi = COR_INLINE_KEEP(x * y);
+    product.lo = COR_INLINE_KEEP(COR_INLINE_KEEP(xh * yh - product.hi) + xh * yl + xl * yh) + xl * yl;
     return product;
 }
 
+/* Relative error of the next two: a few 2^-104 */
 COR_INLINE struct cor_inline_pair cor_inline_pair_times(struct cor_inline_pair x, struct cor_inline_pair y)
 {
     const struct cor_inline_pair p = cor_inline_product(x.hi, y.hi);
@@ -74,7 +152,7 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_over(struct cor_inline_pair x,
 {
     const double q = x.hi / y.hi;
     const struct cor_inline_pair p = cor_inline_product(q, y.hi);
-    return cor_inline_sum(q, (((x.hi - p.hi) - p.lo) + (x.lo - q * y.lo)) / y.hi);
+    return cor_inline_sum(q, (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - p.hi) - p.lo) + (x.lo - q * y.lo)) / y.hi);
 }
 
 #endif

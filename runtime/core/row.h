@@ -9,22 +9,62 @@
 
 #include "runtime/core/exact.h"
 
-/* A row of degree 10 without its first coefficient c_0: c_0' + s (c_1 + c_2 t + ... + c_10 t^9), in columns c[1] to
- * c[11]. By Estrin's scheme: five products deep in t where Horner's rule has ten. An expression, because the array
- * functions put vectors in it.
+/* A row of degree 10 without its first coefficient c_0,
  *
- * Rounding error: |s (c_1 + ...)| is at most a few percent of c_0, so its relative rounding error, some 3 2^-53, is a
- * tenth of a unit of the last place of c_0 + row, whose own rounding is at most half a unit. */
-#define COR_INLINE_ROW(c, s, t, t2, t4)                                                                                \
-    ((c)[1] + (s) * (((((c)[2] + (c)[3] * (t)) + ((c)[4] + (c)[5] * (t)) * (t2)) +                                     \
-                      (((c)[6] + (c)[7] * (t)) + ((c)[8] + (c)[9] * (t)) * (t2)) * (t4)) +                             \
-                     ((c)[10] + (c)[11] * (t)) * ((t4) * (t4))))
+ *     c_0' + s (c_1 + c_2 t + ... + c_10 t^9),     columns c[1] to c[11]
+ *
+ * where s = t, and where s comes later than t. Each pair of terms is multiplied by its own power of t, which is ready
+ * before the coefficients are: once they have come, seven operations follow one another, and nine where s is another
+ * number; Horner's rule has twenty. Expressions, because the array functions put vectors in them; pN is t^N.
+ *
+ * Rounding error: the row is at most a few percent of c_0 + row (docs/accuracy.md), and its relative rounding error
+ * some 3 2^-53, so that it is a tenth of a unit of the last place of the sum, whose own rounding is half a unit. */
+#define COR_INLINE_ROW(c, t, p2, p4, p6, p8, p10)                                                                      \
+    ((((c)[1] + (t) * (c)[2]) + (p10) * (c)[11]) +                                                                     \
+     (((p2) * ((c)[3] + (c)[4] * (t)) + (p4) * ((c)[5] + (c)[6] * (t))) +                                              \
+      ((p6) * ((c)[7] + (c)[8] * (t)) + (p8) * ((c)[9] + (c)[10] * (t)))))
+#define COR_INLINE_ROW_TIMES_S(c, s, t, p2, p4, p6, p8)                                                                \
+    ((c)[1] +                                                                                                          \
+     (s) * ((((c)[2] + (c)[3] * (t)) + (p8) * ((c)[10] + (c)[11] * (t))) +                                             \
+            ((p2) * ((c)[4] + (c)[5] * (t)) + ((p4) * ((c)[6] + (c)[7] * (t)) + (p6) * ((c)[8] + (c)[9] * (t))))))
 #define COR_INLINE_COLUMNS 12
 
-COR_INLINE double cor_inline_row(const double *c, double s, double t)
+/* A place in a table: the row and its variables */
+struct cor_inline_place {
+    const double *row;
+    double s, t;
+    int has_s; /* else s = t; a constant where a compiler looks */
+};
+
+COR_INLINE double cor_inline_row(struct cor_inline_place place)
 {
-    const double t2 = t * t, t4 = t2 * t2;
-    return COR_INLINE_ROW(c, s, t, t2, t4);
+    const double *const c = place.row;
+    const double t = place.t, p2 = t * t, p4 = p2 * p2, p6 = p4 * p2, p8 = p4 * p4;
+    return place.has_s ? COR_INLINE_KEEP(COR_INLINE_ROW_TIMES_S(c, place.s, t, p2, p4, p6, p8))
+                       : COR_INLINE_KEEP(COR_INLINE_ROW(c, t, p2, p4, p6, p8, p6 * p4));
+}
+
+/* c_0 + row */
+COR_INLINE double cor_inline_row_value(struct cor_inline_place place)
+{
+    return place.row[0] + cor_inline_row(place);
+}
+
+/* m (c_0 + row) in rows whose c_0 has at most 26 bits, m >= 2^-900: both products of c_0 with a half of m are exact, and
+ * only the final addition rounds what counts. */
+COR_INLINE double cor_inline_row_product(struct cor_inline_place place, double m)
+{
+    const double head = cor_inline_head(m), tail = m - head;
+    return COR_INLINE_KEEP(head * place.row[0]) + (tail * place.row[0] + m * cor_inline_row(place));
+}
+
+COR_INLINE struct cor_inline_place cor_inline_place_of(const double *row, double t)
+{
+    struct cor_inline_place place;
+    place.row = row;
+    place.s = place.t = t;
+    place.has_s = 0;
+    return place;
 }
 
 /* ---- uniform grids: node i = first + i step ---- */
@@ -49,32 +89,66 @@ COR_INLINE int cor_inline_grid_row(struct cor_inline_grid grid, double y)
     return (int)((y - grid.first) * grid.per_unit + 0.5);
 }
 
+/* Adding a first node of 0 costs an addition, which no compiler may leave out, for 0 + -0 is 0. */
+COR_INLINE double cor_inline_grid_node(struct cor_inline_grid grid, int i)
+{
+    return grid.first == 0 ? i * grid.step : grid.first + i * grid.step;
+}
+
 /* y - node i. Exact: y and its node are multiples of the last place of y, or of the difference. */
 COR_INLINE double cor_inline_grid_t(struct cor_inline_grid grid, double y, int i)
 {
     return (y - grid.first) - i * grid.step;
 }
 
+/* The place of y */
+COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid grid, double y,
+                                                         const double *(*rows)(int))
+{
+    const int i = cor_inline_grid_row(grid, y);
+    return cor_inline_place_of(rows(i), cor_inline_grid_t(grid, y, i));
+}
+
+/* The place of z = sqrt(x) where the rows from `plain` on have s = x - node^2: that is exact, and t has the rounding
+ * error of the root, which c_1 would pass on. */
+COR_INLINE struct cor_inline_place cor_inline_grid_place_of_root(struct cor_inline_grid grid, int plain, double x,
+                                                                 const double *(*rows)(int))
+{
+    const double z = sqrt(x);
+    const int i = cor_inline_grid_row(grid, z);
+    const double node = cor_inline_grid_node(grid, i);
+    struct cor_inline_place place = cor_inline_place_of(rows(i), z - node);
+    place.s = cor_inline_choose(i < plain, place.t, x - node * node);
+    place.has_s = 1;
+    return place;
+}
+
 /* ---- grids by octaves: the same cells in every octave 2^k <= x < 2^(k+1), nodes in their middle ---- */
 
 struct cor_inline_octaves {
-    int first, bits; /* the first k; 2^bits cells to an octave */
+    double first; /* a power of two */
+    int bits;     /* 2^bits cells to an octave */
 };
 
-COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(int first, int bits)
+COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(double first, int bits)
 {
     struct cor_inline_octaves grid;
     grid.first = first;
     grid.bits = bits;
     return grid;
 }
-#define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST_OCTAVE, table##_OCTAVE_BITS)
+#define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST, table##_OCTAVE_BITS)
 
-/* The row of x: its exponent and the leading bits of its fraction are the index. x >= 2^first */
+/* Whether first <= x < end; not for NaN. Of negative numbers and of those below `first` the difference is huge. */
+COR_INLINE int cor_inline_octaves_hold(struct cor_inline_octaves grid, double x, double end)
+{
+    return cor_inline_bits(x) - cor_inline_bits(grid.first) < cor_inline_bits(end) - cor_inline_bits(grid.first);
+}
+
+/* The row of x: how many cells lie between first and x, for the bits of x rise by the same from cell to cell. */
 COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
 {
-    const int bias = 1023, fraction_bits = 52;
-    return (cor_inline_bits(x) >> (fraction_bits - grid.bits)) - ((uint64_t)(bias + grid.first) << grid.bits);
+    return (cor_inline_bits(x) - cor_inline_bits(grid.first)) >> (52 - grid.bits);
 }
 
 /* x 2^-k, 1 <= x 2^-k < 2, less the node of its cell. Exact. */
@@ -84,6 +158,13 @@ COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
     const uint64_t fraction = cor_inline_bits(x) & UINT64_C(0xfffffffffffff);
     const uint64_t node = (fraction & ~(2 * half_cell - 1)) | half_cell;
     return cor_inline_from_bits(fraction | one) - cor_inline_from_bits(node | one);
+}
+
+/* The place of x */
+COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_octaves grid, double x,
+                                                            const double *(*rows)(int))
+{
+    return cor_inline_place_of(rows((int)cor_inline_octaves_row(grid, x)), cor_inline_octaves_t(grid, x));
 }
 
 #endif

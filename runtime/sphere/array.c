@@ -2,16 +2,13 @@
 #include "runtime/sphere/array.h"
 
 #include "cor/sphere.h"
-#include "runtime/sphere/eval.h"
-
-#define ARRAY_ROW(set)                                                                                                 \
-    {#set, cor_array_eps_zero_overlap_##set, cor_array_eps_zero_force_##set, cor_array_speed_zero_overlap_##set,       \
-     cor_array_speed_zero_force_##set},
+#include "runtime/core/environment.h"
 
 const struct cor_array_set *cor_array_set(int i)
 {
-    static const struct cor_array_set sets[] = {COR_EACH_SET(ARRAY_ROW)};
-    return cor_processor_has(i) ? &sets[i] : NULL;
+#define ARRAY_ROW(set) &cor_array_##set,
+    static const struct cor_array_set *const sets[] = {COR_EACH_SET(ARRAY_ROW)};
+    return cor_processor_has(i) ? sets[i] : NULL;
 }
 
 const struct cor_array_set *cor_array_best_set(void)
@@ -19,71 +16,54 @@ const struct cor_array_set *cor_array_best_set(void)
     return cor_array_set(cor_widest_set());
 }
 
-void cor_sphere_eps_zero_overlap_array(const double *beta, double *eps, size_t n)
-{
-    cor_array_best_set()->eps_zero_overlap(NULL, beta, eps, n);
-}
-
-void cor_sphere_eps_zero_force_array(const double *beta, double *eps, size_t n)
-{
-    cor_array_best_set()->eps_zero_force(NULL, beta, eps, n);
-}
-
-void cor_contact_eps_zero_overlap_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *eps,
-                                        size_t n)
-{
-    cor_array_best_set()->speed_zero_overlap(contact, speed_m_s, eps, n);
-}
-
-void cor_contact_eps_zero_force_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *eps,
-                                      size_t n)
-{
-    cor_array_best_set()->speed_zero_force(contact, speed_m_s, eps, n);
-}
+/* Loops compute on both sides of a condition and take one: that may raise exceptions, which the environment hides. */
+#define SPHERE_ARRAY(quantity)                                                                                         \
+    void cor_sphere_##quantity##_array(const double *x, double *y, size_t n)                                           \
+    {                                                                                                                  \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        cor_array_best_set()->sphere_##quantity(x, y, n);                                                              \
+        cor_environment_leave(&caller);                                                                                \
+    }
+#define CONTACT_ARRAY(quantity)                                                                                        \
+    void cor_contact_##quantity##_array(const struct cor_sphere_contact *contact, const double *speed_m_s, double *y,  \
+                                        size_t n)                                                                      \
+    {                                                                                                                  \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        cor_array_best_set()->contact_##quantity(contact, speed_m_s, y, n);                                            \
+        cor_environment_leave(&caller);                                                                                \
+    }
+#define DISSIPATION_ARRAY(quantity)                                                                                    \
+    void cor_contact_##quantity##_array(const struct cor_sphere_contact *contact, const double *speed_m_s,             \
+                                        const double *eps, double *y, size_t n)                                        \
+    {                                                                                                                  \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        cor_array_best_set()->contact_##quantity(contact, speed_m_s, eps, y, n);                                       \
+        cor_environment_leave(&caller);                                                                                \
+    }
+COR_SPHERE_QUANTITIES(SPHERE_ARRAY)
+COR_CONTACT_QUANTITIES(CONTACT_ARRAY)
+COR_DISSIPATION_QUANTITIES(DISSIPATION_ARRAY)
 
 /* Floats go through the double arrays, so that they are rounded once. */
-static void eps_arrayf(cor_array_function *function, const float *beta, float *eps, size_t n)
+static void rounded_once(cor_sphere_array *function, const float *x, float *y, size_t n)
 {
     enum { CHUNK = 512 };
     double wide[CHUNK];
     for (size_t i = 0; i < n; i += CHUNK) {
         const size_t m = n - i < CHUNK ? n - i : CHUNK;
         for (size_t j = 0; j < m; j++)
-            wide[j] = (double)beta[i + j];
-        function(NULL, wide, wide, m);
+            wide[j] = (double)x[i + j];
+        function(wide, wide, m);
         for (size_t j = 0; j < m; j++)
-            eps[i + j] = (float)wide[j];
+            y[i + j] = (float)wide[j];
     }
 }
 
-void cor_sphere_eps_zero_overlap_arrayf(const float *beta, float *eps, size_t n)
-{
-    eps_arrayf(cor_array_best_set()->eps_zero_overlap, beta, eps, n);
-}
-
-void cor_sphere_eps_zero_force_arrayf(const float *beta, float *eps, size_t n)
-{
-    eps_arrayf(cor_array_best_set()->eps_zero_force, beta, eps, n);
-}
-
-/* The others: one number after the other. */
-#define ARRAY_FUNCTION(quantity)                                                                                       \
-    void cor_sphere_##quantity##_array(const double *x, double *y, size_t n)                                           \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = cor_inline_##quantity(x[i]);                                                                        \
-    }                                                                                                                  \
+#define SPHERE_ARRAYF(quantity)                                                                                        \
     void cor_sphere_##quantity##_arrayf(const float *x, float *y, size_t n)                                            \
     {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = (float)cor_inline_##quantity((double)x[i]);                                                         \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        rounded_once(cor_array_best_set()->sphere_##quantity, x, y, n);                                                \
+        cor_environment_leave(&caller);                                                                                \
     }
-
-ARRAY_FUNCTION(loss_zero_overlap)
-ARRAY_FUNCTION(loss_zero_force)
-ARRAY_FUNCTION(beta_zero_overlap)
-ARRAY_FUNCTION(beta_zero_force)
-ARRAY_FUNCTION(duration_zero_overlap)
-ARRAY_FUNCTION(duration_zero_force)
-ARRAY_FUNCTION(max_overlap)
-ARRAY_FUNCTION(time_of_max_overlap)
+COR_SPHERE_QUANTITIES(SPHERE_ARRAYF)

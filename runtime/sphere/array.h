@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The array functions by instruction set: sphere_array_<set>.c each compile sphere_array_kernel.h with other flags. */
+/* The array functions by instruction set: runtime/sphere/array_<set>.c each compile array_kernel.h with other flags. */
 #ifndef COR_RUNTIME_SPHERE_ARRAY_H
 #define COR_RUNTIME_SPHERE_ARRAY_H
 
@@ -8,20 +8,52 @@
 #include "cor/contact.h"
 #include "runtime/core/instruction_set.h"
 
-/* contact is not looked at where `in` is beta. */
-typedef void cor_array_function(const struct cor_sphere_contact *contact, const double *in, double *out, size_t n);
+/* X(quantity) for every function of sphere.h, of contact.h that takes speeds, and of contact.h that takes speeds and
+ * eps. */
+#define COR_SPHERE_QUANTITIES(X)                                                                                       \
+    X(eps_zero_overlap)                                                                                                \
+    X(eps_zero_force)                                                                                                  \
+    X(loss_zero_overlap)                                                                                               \
+    X(loss_zero_force)                                                                                                 \
+    X(beta_zero_overlap)                                                                                               \
+    X(beta_zero_force)                                                                                                 \
+    X(duration_zero_overlap)                                                                                           \
+    X(duration_zero_force)                                                                                             \
+    X(max_overlap)                                                                                                     \
+    X(time_of_max_overlap)
+#define COR_CONTACT_QUANTITIES(X)                                                                                      \
+    X(eps_zero_overlap)                                                                                                \
+    X(eps_zero_force)                                                                                                  \
+    X(beta)                                                                                                            \
+    X(duration_s_zero_overlap)                                                                                         \
+    X(duration_s_zero_force)                                                                                           \
+    X(max_overlap_m)
+#define COR_DISSIPATION_QUANTITIES(X)                                                                                  \
+    X(dissipation_time_s_zero_overlap)                                                                                 \
+    X(dissipation_time_s_zero_force)
 
-#define COR_ARRAY_SET(set)                                                                                             \
-    cor_array_function cor_array_eps_zero_overlap_##set, cor_array_eps_zero_force_##set,                               \
-        cor_array_speed_zero_overlap_##set, cor_array_speed_zero_force_##set;
+typedef void cor_sphere_array(const double *in, double *out, size_t n);
+typedef void cor_contact_array(const struct cor_sphere_contact *contact, const double *speed, double *out, size_t n);
+typedef void cor_dissipation_array(const struct cor_sphere_contact *contact, const double *speed, const double *eps,
+                                   double *out, size_t n);
 
-COR_EACH_SET(COR_ARRAY_SET)
-
-/* The widest set that this processor has: a row of four functions. */
+/* The functions of one set */
 struct cor_array_set {
     const char *name;
-    cor_array_function *eps_zero_overlap, *eps_zero_force, *speed_zero_overlap, *speed_zero_force;
+#define COR_ARRAY_FIELD(quantity) cor_sphere_array *sphere_##quantity;
+    COR_SPHERE_QUANTITIES(COR_ARRAY_FIELD)
+#undef COR_ARRAY_FIELD
+#define COR_ARRAY_FIELD(quantity) cor_contact_array *contact_##quantity;
+    COR_CONTACT_QUANTITIES(COR_ARRAY_FIELD)
+#undef COR_ARRAY_FIELD
+#define COR_ARRAY_FIELD(quantity) cor_dissipation_array *contact_##quantity;
+    COR_DISSIPATION_QUANTITIES(COR_ARRAY_FIELD)
+#undef COR_ARRAY_FIELD
 };
+
+#define COR_ARRAY_SET(set) extern const struct cor_array_set cor_array_##set;
+COR_EACH_SET(COR_ARRAY_SET)
+#undef COR_ARRAY_SET
 
 /* By enum cor_instruction_set; NULL where this processor, or this build, has it not. */
 const struct cor_array_set *cor_array_set(int i);

@@ -6,6 +6,8 @@
 
 #include "cor/sphere.h"
 #include "cor/status.h"
+#include "runtime/core/environment.h"
+#include "runtime/sphere/contact_parts.h"
 #include "runtime/sphere/eval.h"
 
 /* x^5, rounded once but for what is lost below 2^-100; NaN where that is no normal double. */
@@ -74,14 +76,22 @@ static int in_range(double x)
     return x >= DBL_MIN && x <= DBL_MAX;
 }
 
-int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor_body *body_1,
-                            const struct cor_body *body_2)
+/* A formula of a contact and one or two numbers */
+typedef double contact_formula(const struct cor_sphere_contact *contact, double x, double y);
+
+/* The formula where intermediate results may leave the range of doubles. Volatile operands: see environment.h. */
+static double in_environment(contact_formula *formula, const struct cor_sphere_contact *contact, double x, double y)
 {
-    if (contact == NULL)
-        return COR_ERROR_NULL;
-    contact_clear(contact);
-    if (body_1 == NULL || body_2 == NULL)
-        return COR_ERROR_NULL;
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile double first = x, second = y;
+    const volatile double value = formula(contact, first, second);
+    cor_environment_leave(&caller);
+    return value;
+}
+
+static int contact_fill(struct cor_sphere_contact *contact, const struct cor_body *body_1,
+                        const struct cor_body *body_2)
+{
     int status = body_status(body_1);
     if (status == COR_OK)
         status = body_status(body_2);
@@ -116,27 +126,56 @@ int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor
     return COR_OK;
 }
 
+/* Intermediate results may leave the range of doubles. The pointers are volatile: see environment.h. */
+int cor_sphere_contact_init(struct cor_sphere_contact *contact, const struct cor_body *body_1,
+                            const struct cor_body *body_2)
+{
+    if (contact == NULL)
+        return COR_ERROR_NULL;
+    contact_clear(contact);
+    if (body_1 == NULL || body_2 == NULL)
+        return COR_ERROR_NULL;
+    const struct cor_environment caller = cor_environment_enter();
+    const struct cor_body *volatile first = body_1, *volatile second = body_2;
+    volatile struct cor_sphere_contact result;
+    struct cor_sphere_contact filled;
+    contact_clear(&filled);
+    const volatile int status = contact_fill(&filled, first, second);
+    result = filled;
+    cor_environment_leave(&caller);
+    *contact = result;
+    return status;
+}
+
 int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, double g_star_m_s)
 {
     if (contact == NULL)
         return COR_ERROR_NULL;
     contact_clear(contact);
-    if (!(g_star_m_s > 0))
+    if (cor_inline_is_refused(g_star_m_s) || g_star_m_s == 0)
         return COR_ERROR_G_STAR;
     contact->beta_per_root = 1 / (-COR_SPHERE_C1 * cor_inline_fifth_root(g_star_m_s));
     contact->beta5_per_speed = fifth_power(contact->beta_per_root);
     return COR_OK;
 }
 
-double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact)
+static double g_star(const struct cor_sphere_contact *contact, double unused_1, double unused_2)
 {
+    (void)unused_1;
+    (void)unused_2;
     const double root = 1 / (-COR_SPHERE_C1 * contact->beta_per_root), square = root * root;
     return square * square * root;
 }
 
-double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m_s)
+double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact)
 {
-    double factor = contact->beta_per_root, g = speed_m_s, unit = 1;
+    return in_environment(g_star, contact, 0, 0);
+}
+
+static double beta_anywhere(const struct cor_sphere_contact *contact, double speed, double unused)
+{
+    double factor = contact->beta_per_root, g = speed, unit = 1;
+    (void)unused;
     if (!(g >= 0) || isnan(factor))
         return NAN;
     /* without dissipation an infinite speed is no 0 times inf */
@@ -157,75 +196,110 @@ double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m
         factor *= COR_INLINE_2_M500;
         unit *= COR_INLINE_2_500;
     }
-    const struct cor_inline_pair root = cor_inline_fifth_root_parts(g);
-    const double head = cor_inline_head(factor), tail = factor - head;
-    return (root.hi * head + (root.hi * tail + root.lo * factor)) * unit;
+    return cor_contact_beta_of_root(factor, cor_inline_fifth_root_parts(g)) * unit;
 }
 
-/* Where x = beta^5 is between 2^-900 and 2^900, or 0 because a speed of 0 or an underflow made it so (eps is 1), the
- * two roundings in it cost beta less than the root's own; elsewhere the long way. */
-static int power_is_good(double x, double speed)
+double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m_s)
 {
-    return speed >= 0 && x < COR_INLINE_2_900; /* -0 may be an underflow, NaN is not less */
+    if (cor_contact_is_ordinary_speed(speed_m_s) && cor_contact_is_ordinary(contact, 0))
+        return cor_contact_beta_of_root(contact->beta_per_root, cor_inline_fifth_root_parts(speed_m_s));
+    return in_environment(beta_anywhere, contact, speed_m_s, 0);
+}
+
+/* The two roundings in x = beta5_per_speed speed cost beta less than the root's own; where x might leave the range of
+ * doubles, or is not known, by way of beta. */
+static int power_is_good(const struct cor_sphere_contact *contact, double speed)
+{
+    return cor_inline_bits(speed) < cor_contact_speed_limit(contact->beta5_per_speed);
 }
 
 double cor_contact_eps_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s)
 {
-    const double x = contact->beta5_per_speed * speed_m_s;
-    return power_is_good(x, speed_m_s) ? cor_inline_eps_zero_overlap_root(x)
-                                       : cor_inline_eps_zero_overlap(cor_contact_beta(contact, speed_m_s));
+    if (power_is_good(contact, speed_m_s))
+        return cor_inline_eps_zero_overlap_root(contact->beta5_per_speed * speed_m_s);
+    return cor_inline_eps_zero_overlap(cor_contact_beta(contact, speed_m_s));
 }
 
 double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact, double speed_m_s)
 {
-    const double x = contact->beta5_per_speed * speed_m_s;
-    return power_is_good(x, speed_m_s) ? cor_inline_eps_zero_force_root(x)
-                                       : cor_inline_eps_zero_force(cor_contact_beta(contact, speed_m_s));
+    if (power_is_good(contact, speed_m_s))
+        return cor_inline_eps_zero_force_root(contact->beta5_per_speed * speed_m_s);
+    return cor_inline_eps_zero_force(cor_contact_beta(contact, speed_m_s));
 }
 
-double cor_contact_duration_s_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s)
+/* ---- times, overlaps and A ---- */
+
+static double contact_value(contact_formula *formula, const struct cor_sphere_contact *contact, double speed, double y)
 {
-    const double beta = cor_contact_beta(contact, speed_m_s);
+    if (cor_contact_is_ordinary_speed(speed) && cor_contact_is_ordinary(contact, 1))
+        return formula(contact, speed, y);
+    return in_environment(formula, contact, speed, y);
+}
+
+static double duration_zero_overlap(const struct cor_sphere_contact *contact, double speed, double unused)
+{
+    (void)unused;
+    const double beta = cor_contact_beta(contact, speed);
     if (isinf(beta) && !isnan(contact->scale))
-        return INFINITY;
-    return contact->scale / cor_inline_fifth_root(fabs(speed_m_s)) * cor_inline_duration_zero_overlap(beta);
+        return INFINITY; /* it grows like ln(g) */
+    return cor_contact_duration_of(contact->scale, cor_inline_fifth_root(fabs(speed)),
+                                   cor_inline_duration_zero_overlap(beta));
 }
 
-double cor_contact_duration_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s)
+static double duration_zero_force(const struct cor_sphere_contact *contact, double speed, double unused)
 {
-    const double beta = cor_contact_beta(contact, speed_m_s);
-    return contact->scale / cor_inline_fifth_root(fabs(speed_m_s)) * cor_inline_duration_zero_force(beta);
+    (void)unused;
+    const double beta = cor_contact_beta(contact, speed);
+    return cor_contact_duration_of(contact->scale, cor_inline_fifth_root(fabs(speed)),
+                                   cor_inline_duration_zero_force(beta));
 }
 
-double cor_contact_max_overlap_m(const struct cor_sphere_contact *contact, double speed_m_s)
+static double max_overlap(const struct cor_sphere_contact *contact, double speed, double unused)
 {
-    const double beta = cor_contact_beta(contact, speed_m_s), root = cor_inline_fifth_root(speed_m_s);
+    (void)unused;
+    const double beta = cor_contact_beta(contact, speed);
     if (isinf(beta) && !isnan(contact->scale))
         return INFINITY; /* it grows like g^(4/5 - 2/15) */
-    return contact->scale * cor_inline_max_overlap(beta) * root * root * root * root;
+    return cor_contact_overlap_of(contact->scale, cor_inline_fifth_root(speed), cor_inline_max_overlap(beta));
 }
 
 static double dissipation_time(const struct cor_sphere_contact *contact, double speed, double beta)
 {
     if (!(speed > 0) || isinf(speed))
         return NAN;
-    return beta * contact->scale / (1.5 * cor_inline_fifth_root(speed));
+    return cor_contact_dissipation_of(contact->scale, cor_inline_fifth_root(speed), beta);
+}
+
+double cor_contact_duration_s_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s)
+{
+    return contact_value(duration_zero_overlap, contact, speed_m_s, 0);
+}
+
+double cor_contact_duration_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s)
+{
+    return contact_value(duration_zero_force, contact, speed_m_s, 0);
+}
+
+double cor_contact_max_overlap_m(const struct cor_sphere_contact *contact, double speed_m_s)
+{
+    return contact_value(max_overlap, contact, speed_m_s, 0);
 }
 
 double cor_contact_dissipation_time_s_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s,
                                                    double eps)
 {
-    return dissipation_time(contact, speed_m_s, cor_inline_beta_zero_overlap(eps));
+    return contact_value(dissipation_time, contact, speed_m_s, cor_inline_beta_zero_overlap(eps));
 }
 
 double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s, double eps)
 {
-    return dissipation_time(contact, speed_m_s, cor_inline_beta_zero_force(eps));
+    return contact_value(dissipation_time, contact, speed_m_s, cor_inline_beta_zero_force(eps));
 }
 
-double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double poisson_ratio)
+/* ---- materials ---- */
+
+static double dissipation_time_of(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double nu)
 {
-    const double nu = poisson_ratio;
     if (!(eta1_pa_s >= 0 && eta1_pa_s <= DBL_MAX && eta2_pa_s >= 0 && eta2_pa_s <= DBL_MAX && young_modulus_pa > 0 &&
           young_modulus_pa <= DBL_MAX && nu > -1 && nu <= 0.5 && nu != 0))
         return NAN;
@@ -242,8 +316,18 @@ double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_m
     return ldexp(viscosity / (3 * young) * poisson_factor, eta_exponent - young_exponent - 2 * nu_exponent);
 }
 
-double cor_sphere_mass_kg(double radius_m, double density_kg_m3)
+double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double poisson_ratio)
 {
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile double eta1 = eta1_pa_s, eta2 = eta2_pa_s, young = young_modulus_pa, nu = poisson_ratio;
+    const volatile double time = dissipation_time_of(eta1, eta2, young, nu);
+    cor_environment_leave(&caller);
+    return time;
+}
+
+static double mass_of(const struct cor_sphere_contact *unused, double radius_m, double density_kg_m3)
+{
+    (void)unused;
     /* 4 pi/3, rounded to the nearest double; C99 has no pi */
     static const double volume_of_unit_sphere = 4.18879020478639098462;
     if (!(radius_m > 0 && density_kg_m3 > 0))
@@ -254,4 +338,9 @@ double cor_sphere_mass_kg(double radius_m, double density_kg_m3)
     int radius_exponent, density_exponent;
     const double radius = frexp(radius_m, &radius_exponent), density = frexp(density_kg_m3, &density_exponent);
     return ldexp(volume_of_unit_sphere * (radius * radius * radius) * density, 3 * radius_exponent + density_exponent);
+}
+
+double cor_sphere_mass_kg(double radius_m, double density_kg_m3)
+{
+    return in_environment(mass_of, NULL, radius_m, density_kg_m3);
 }

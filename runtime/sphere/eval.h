@@ -5,7 +5,13 @@
  * the nearest node of a uniform grid. Beyond, it is a power of beta times a function of ln(beta): rows again up to
  * beta = exp(10), and three orders in mu = beta^(-5/3), with their logarithms, from there to infinity. The first
  * coefficient of a row is a double-double and dominates, so the final addition causes nearly all of the rounding
- * error. */
+ * error.
+ *
+ * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error that a search
+ * has met, tests/accuracy/test_accuracy --points 1e9, and its argument; tests/unit/test_sphere.c holds these arguments.
+ *
+ * No function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its argument; FE_UNDERFLOW and
+ * FE_INEXACT may be raised. Comparisons of arguments that may be NaN are comparisons of bits (core/exact.h). */
 #ifndef COR_RUNTIME_SPHERE_EVAL_H
 #define COR_RUNTIME_SPHERE_EVAL_H
 
@@ -13,57 +19,44 @@
 #include "runtime/core/fifth_root.h"
 #include "runtime/core/row.h"
 
-/* ---- eps as c_0 + rest, both ends, inside the tables ---- */
-
-COR_INLINE struct cor_inline_pair cor_inline_eps_overlap_parts(double beta)
-{
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP);
-    const int i = cor_inline_grid_row(grid, beta);
-    const double *c = cor_rows_eps_zero_overlap(i);
-    const double t = cor_inline_grid_t(grid, beta, i);
-    struct cor_inline_pair eps;
-    eps.hi = c[0];
-    eps.lo = cor_inline_row(c, t, t);
-    return eps;
-}
-
-COR_INLINE struct cor_inline_pair cor_inline_eps_force_parts(double beta)
-{
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE);
-    const double z = sqrt(beta);
-    const int i = cor_inline_grid_row(grid, z);
-    const double *c = cor_rows_eps_zero_force(i);
-    const double node = grid.first + i * grid.step, t = z - node, square = beta - node * node;
-    /* Selected by bits: the processor would mispredict half of the jumps where beta scatters around 1/16. */
-    const uint64_t plain = (uint64_t)0 - (uint64_t)(i < COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS);
-    const double s = cor_inline_from_bits((cor_inline_bits(t) & plain) | (cor_inline_bits(square) & ~plain));
-    struct cor_inline_pair eps;
-    eps.hi = c[0];
-    eps.lo = cor_inline_row(c, s, t);
-    return eps;
-}
-
 /* ---- tails ---- */
 
-/* beta^(2/3) for 1 <= beta < 8 */
+/* What lies outside a table: beta = -0 is 0; negative numbers and NaN are refused. */
+
+/* beta^(2/3) for 1 <= beta < 8. Relative error below 2^-100. */
 COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
 {
+    /* r has 26 bits, so its square is exact, and |d| < 2^-24 whatever cbrt rounds */
     const double r = cor_inline_head(cbrt(beta)), square = r * r;
     const struct cor_inline_pair cube = cor_inline_product(square, r);
-    const double d = ((beta - cube.hi) - cube.lo) / beta; /* r^3 = beta (1 - d) */
+    const double d = (COR_INLINE_KEEP(beta - cube.hi) - cube.lo) / beta; /* r^3 = beta (1 - d) */
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
 }
 
-/* ln(beta) and what the double lacks, beta >= 8 and finite */
-COR_INLINE struct cor_inline_pair cor_inline_log(double beta)
+/* beta = m 2^e, 1 <= m < 2, of a normal beta */
+COR_INLINE int cor_inline_exponent(double beta)
 {
-    struct cor_inline_pair u;
-    u.hi = log(beta);
-    u.lo = beta * exp(-u.hi) - 1;
-    return u;
+    return (int)(cor_inline_bits(beta) >> 52) - 1023;
 }
 
-/* The logarithmic factor of a tail: rows in u = ln(beta) up to u = end; then three orders in mu. */
+COR_INLINE double cor_inline_significand(double beta)
+{
+    return cor_inline_from_bits((cor_inline_bits(beta) & UINT64_C(0xfffffffffffff)) | UINT64_C(0x3ff0000000000000));
+}
+
+/* ln(beta) for 7 <= beta < infinity, absolute error below 2^-53 where log has one of 1 ulp */
+COR_INLINE struct cor_inline_pair cor_inline_log(double beta)
+{
+    /* ln(2) in two parts, the first of 42 bits: its products with exponents are exact */
+    const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14;
+    /* fractions above sqrt(2) count as below 1, so that |ln(m)| < 0.35: error 2^-54 */
+    const double half = cor_inline_significand(beta);
+    const int up = half > 1.4142135623730951, e = cor_inline_exponent(beta) + up;
+    return cor_inline_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
+}
+
+/* The logarithmic factor of a tail: rows in u = ln(beta) up to u = end, whose errors are those of u times the slope; then
+ * three orders in mu = beta^(-5/3). */
 COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
                                                         const double *(*rows)(int), const double *(*far)(int))
 {
@@ -71,10 +64,10 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
     if (u.hi < end) {
         const int i = cor_inline_grid_row(grid, u.hi);
         const double *c = rows(i);
-        const double t = cor_inline_grid_t(grid, u.hi, i) + u.lo;
-        return cor_inline_sum(c[0], cor_inline_row(c, t, t));
+        return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, cor_inline_grid_t(grid, u.hi, i) + u.lo)));
     }
     const double *c = far(0);
+    /* mu < 6e-8: its rounding errors are nothing */
     const double root = cbrt(beta), mu = 1 / beta / (root * root), v = u.hi;
     const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
     const struct cor_inline_pair slope = cor_inline_product(c[2], v);
@@ -83,35 +76,37 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
         slope.hi > fabs(c[0]) ? cor_inline_sum(slope.hi, c[0]) : cor_inline_sum(c[0], slope.hi);
     return cor_inline_sum(sum.hi, sum.lo + more);
 }
-
 #define COR_INLINE_LOG_FACTOR(beta, quantity, table)                                                                   \
     cor_inline_log_factor(beta, COR_INLINE_GRID(table), table##_END, cor_rows_tail_##quantity, cor_rows_far_##quantity)
 
-/* factor beta^(-2/3), or with `fifths` factor beta^(-5/3), as a pair times 2^exponent: nothing over- or underflows. */
+/* factor beta^(-2/3), or with `fifths` factor beta^(-5/3), as a pair times 2^exponent: nothing over- or underflows.
+ * Relative error: that of the factor and 2^-100. */
 COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor_inline_pair factor, int fifths,
                                                          int *exponent)
 {
-    int e;
-    double m = frexp(beta, &e) * 2; /* beta = m 2^(e - 1), 1 <= m < 2 */
-    e--;
-    m = ldexp(m, e % 3);
-    struct cor_inline_pair power = cor_inline_two_thirds(m), whole;
-    whole.hi = m;
+    const int e = cor_inline_exponent(beta); /* beta = m 2^(e - e mod 3), 1 <= m < 8 */
+    struct cor_inline_pair whole, power;
+    whole.hi = cor_inline_significand(beta) * (1 << (e % 3));
     whole.lo = 0;
+    power = cor_inline_two_thirds(whole.hi);
     if (fifths)
         power = cor_inline_pair_times(power, whole);
     *exponent = (fifths ? -5 : -2) * (e / 3);
     return cor_inline_pair_over(factor, power);
 }
 
+/* The same rounded; 0 for an infinite beta */
 COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair factor, int fifths)
 {
     int exponent;
     const struct cor_inline_pair value = cor_inline_power_parts(beta, factor, fifths, &exponent);
-    return ldexp(value.hi, exponent);
+    return cor_inline_scaled(value.hi, exponent);
 }
 
-/* h*^5 beta^-5 for beta >= 7 */
+/* ---- eps ---- */
+
+/* h*^5 beta^-5 for beta >= 7, whose correction is below 2^-75. The power and the quotient are double-doubles, so the
+ * final rounding is all: 0.5 ulp. */
 COR_INLINE double cor_inline_eps_overlap_far(double beta)
 {
     const double *h = cor_rows_h_star_5(0);
@@ -131,157 +126,118 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
 
 COR_INLINE double cor_inline_eps_force_far(double beta)
 {
-    if (isinf(beta))
+    if (!cor_inline_is_finite(beta))
         return 0;
     return cor_inline_power_tail(beta, COR_INLINE_LOG_FACTOR(beta, eps_zero_force, COR_ROWS_TAIL_EPS_ZERO_FORCE), 1);
 }
 
-/* ---- eps and 1 - eps ---- */
-
 COR_INLINE double cor_inline_eps_zero_overlap(double beta)
 {
-    if (beta >= 0 && beta < COR_ROWS_EPS_ZERO_OVERLAP_END) {
-        const struct cor_inline_pair eps = cor_inline_eps_overlap_parts(beta);
-        return eps.hi + eps.lo;
-    }
-    return beta >= 0 ? cor_inline_eps_overlap_far(beta) : (double)NAN;
+    if (cor_inline_below(beta, COR_ROWS_EPS_ZERO_OVERLAP_END))
+        return cor_inline_row_value(
+            cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP), beta, cor_rows_eps_zero_overlap));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    return beta == 0 ? 1 : cor_inline_eps_overlap_far(beta);
 }
 
 COR_INLINE double cor_inline_eps_zero_force(double beta)
 {
-    if (beta >= 0 && beta < COR_ROWS_EPS_ZERO_FORCE_END) {
-        const struct cor_inline_pair eps = cor_inline_eps_force_parts(beta);
-        return eps.hi + eps.lo;
-    }
-    return beta >= 0 ? cor_inline_eps_force_far(beta) : (double)NAN;
+    if (cor_inline_below(beta, COR_ROWS_EPS_ZERO_FORCE_END))
+        return cor_inline_row_value(cor_inline_grid_place_of_root(COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE),
+                                                                  COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS, beta,
+                                                                  cor_rows_eps_zero_force));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    return beta == 0 ? 1 : cor_inline_eps_force_far(beta);
 }
 
 /* eps at beta = x^(1/5), x being the product of an impact speed g with beta_per_root^5. Between 2^-40 and 2^14 or
- * 2^20 (beta = 1/256 and 7 or 16) no root is taken: rows in x itself, which its exponent and leading bits choose, and only a
- * fifth of the product's rounding error reaches beta. */
+ * 2^20 (beta = 1/256 and 7 or 16) no root is taken: rows in x itself, and only a fifth of the product's rounding error
+ * reaches beta. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
-    if (x >= COR_ROWS_POWER_EPS_ZERO_OVERLAP_FIRST && x < COR_ROWS_POWER_EPS_ZERO_OVERLAP_END) {
-        const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
-        const double *c = cor_rows_power_eps_zero_overlap((int)cor_inline_octaves_row(grid, x));
-        const double t = cor_inline_octaves_t(grid, x);
-        return c[0] + cor_inline_row(c, t, t);
-    }
+    const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
+    if (cor_inline_octaves_hold(grid, x, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END))
+        return cor_inline_row_value(cor_inline_octaves_place(grid, x, cor_rows_power_eps_zero_overlap));
     return cor_inline_eps_zero_overlap(cor_inline_fifth_root(x));
 }
 
 COR_INLINE double cor_inline_eps_zero_force_root(double x)
 {
-    if (x >= COR_ROWS_POWER_EPS_ZERO_FORCE_FIRST && x < COR_ROWS_POWER_EPS_ZERO_FORCE_END) {
-        const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_FORCE);
-        const double *c = cor_rows_power_eps_zero_force((int)cor_inline_octaves_row(grid, x));
-        const double t = cor_inline_octaves_t(grid, x);
-        return c[0] + cor_inline_row(c, t, t);
-    }
+    const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_FORCE);
+    if (cor_inline_octaves_hold(grid, x, COR_ROWS_POWER_EPS_ZERO_FORCE_END))
+        return cor_inline_row_value(cor_inline_octaves_place(grid, x, cor_rows_power_eps_zero_force));
     return cor_inline_eps_zero_force(cor_inline_fifth_root(x));
 }
 
-/* beta (c_0 + rest), rounded once */
-COR_INLINE double cor_inline_small_loss(double beta, double c0, double rest)
-{
-    /* the product's lost half is itself lost where it is subnormal */
-    const int tiny = beta < COR_INLINE_2_M900;
-    const double b = tiny ? beta * COR_INLINE_2_200 : beta;
-    const struct cor_inline_pair p = cor_inline_product(b, c0);
-    const double loss = p.hi + (p.lo + b * rest);
-    return tiny ? loss * COR_INLINE_2_M200 : loss;
-}
+/* ---- 1 - eps = beta (c_0 + row) ---- */
 
-/* 1 - (hi + lo), rounded once */
-COR_INLINE double cor_inline_one_minus(struct cor_inline_pair eps)
+/* A tiny beta is scaled, for the products' halves would be subnormal. */
+COR_INLINE double cor_inline_loss_product(struct cor_inline_place place, double beta)
 {
-    const double d = 1 - eps.hi;
-    return d + (((1 - d) - eps.hi) - eps.lo);
-}
-
-COR_INLINE const double *cor_inline_loss_overlap_row(double beta, double *rest)
-{
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_OVERLAP);
-    const int i = cor_inline_grid_row(grid, beta);
-    const double *c = cor_rows_loss_zero_overlap(i);
-    const double t = cor_inline_grid_t(grid, beta, i);
-    *rest = cor_inline_row(c, t, t);
-    return c;
-}
-
-COR_INLINE const double *cor_inline_loss_force_row(double beta, double *rest)
-{
-    const double z = sqrt(beta);
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_FORCE);
-    const int i = cor_inline_grid_row(grid, z);
-    const double *c = cor_rows_loss_zero_force(i);
-    const double t = cor_inline_grid_t(grid, z, i);
-    *rest = cor_inline_row(c, t, t);
-    return c;
+    if (cor_inline_below(beta, COR_INLINE_2_M900))
+        return cor_inline_row_product(place, beta * COR_INLINE_2_200) * COR_INLINE_2_M200;
+    return cor_inline_row_product(place, beta);
 }
 
 COR_INLINE double cor_inline_loss_zero_overlap(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_LOSS_ZERO_OVERLAP_END) {
-        double rest;
-        const double *c = cor_inline_loss_overlap_row(beta, &rest);
-        return cor_inline_small_loss(beta, c[0], rest);
-    }
-    if (beta < COR_ROWS_EPS_ZERO_OVERLAP_END)
-        return cor_inline_one_minus(cor_inline_eps_overlap_parts(beta));
-    return 1 - cor_inline_eps_overlap_far(beta);
+    if (cor_inline_below(beta, COR_ROWS_LOSS_ZERO_OVERLAP_END))
+        return cor_inline_loss_product(
+            cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_OVERLAP), beta, cor_rows_loss_zero_overlap), beta);
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    return beta == 0 ? 0 : 1 - cor_inline_eps_overlap_far(beta);
 }
 
 COR_INLINE double cor_inline_loss_zero_force(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_LOSS_ZERO_FORCE_END) {
-        double rest;
-        const double *c = cor_inline_loss_force_row(beta, &rest);
-        return cor_inline_small_loss(beta, c[0], rest);
-    }
-    if (beta < COR_ROWS_EPS_ZERO_FORCE_END)
-        return cor_inline_one_minus(cor_inline_eps_force_parts(beta));
-    return 1 - cor_inline_eps_force_far(beta);
+    if (cor_inline_below(beta, COR_ROWS_LOSS_ZERO_FORCE_END))
+        return cor_inline_loss_product(cor_inline_grid_place_of_root(COR_INLINE_GRID(COR_ROWS_LOSS_ZERO_FORCE),
+                                                                     COR_ROWS_LOSS_ZERO_FORCE_PLAIN_ROWS, beta,
+                                                                     cor_rows_loss_zero_force),
+                                       beta);
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    return beta == 0 ? 0 : 1 - cor_inline_eps_force_far(beta);
 }
 
 /* ---- times and the largest overlap ---- */
 
-/* A table at y, s = t in all of its rows */
-COR_INLINE double cor_inline_grid_value(struct cor_inline_grid grid, double y, const double *(*rows)(int))
+/* beta factor, or infinity where that is beyond the largest double */
+COR_INLINE double cor_inline_linear_tail(double beta, struct cor_inline_pair factor)
 {
-    const int i = cor_inline_grid_row(grid, y);
-    const double *c = rows(i);
-    const double t = cor_inline_grid_t(grid, y, i);
-    return c[0] + cor_inline_row(c, t, t);
+    const int huge = beta > COR_INLINE_2_1000;
+    const double b = huge ? beta * COR_INLINE_2_M60 : beta;
+    const struct cor_inline_pair product = cor_inline_product(b, factor.hi);
+    const double value = product.hi + (product.lo + b * factor.lo);
+    if (!huge)
+        return value;
+    return value >= COR_INLINE_2_964 ? cor_inline_infinity() : value * COR_INLINE_2_60;
 }
 
 COR_INLINE double cor_inline_duration_zero_overlap(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_DURATION_ZERO_OVERLAP_END)
-        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_OVERLAP), beta,
-                                     cor_rows_duration_zero_overlap);
-    if (isinf(beta))
+    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_OVERLAP_END) || beta == 0)
+        return cor_inline_row_value(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_OVERLAP), beta,
+                                                          cor_rows_duration_zero_overlap));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (!cor_inline_is_finite(beta))
         return beta;
-    const struct cor_inline_pair factor =
-        COR_INLINE_LOG_FACTOR(beta, duration_zero_overlap, COR_ROWS_TAIL_DURATION_ZERO_OVERLAP);
-    const struct cor_inline_pair duration = cor_inline_product(beta, factor.hi);
-    return isinf(duration.hi) ? duration.hi : duration.hi + (duration.lo + beta * factor.lo);
+    return cor_inline_linear_tail(
+        beta, COR_INLINE_LOG_FACTOR(beta, duration_zero_overlap, COR_ROWS_TAIL_DURATION_ZERO_OVERLAP));
 }
 
 COR_INLINE double cor_inline_duration_zero_force(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_DURATION_ZERO_FORCE_END)
-        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_FORCE), sqrt(beta),
-                                     cor_rows_duration_zero_force);
-    if (isinf(beta))
+    if (cor_inline_below(beta, COR_ROWS_DURATION_ZERO_FORCE_END) || beta == 0)
+        return cor_inline_row_value(cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_DURATION_ZERO_FORCE), sqrt(beta),
+                                                          cor_rows_duration_zero_force));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (!cor_inline_is_finite(beta))
         return 0;
     return cor_inline_power_tail(
         beta, COR_INLINE_LOG_FACTOR(beta, duration_zero_force, COR_ROWS_TAIL_DURATION_ZERO_FORCE), 0);
@@ -289,22 +245,24 @@ COR_INLINE double cor_inline_duration_zero_force(double beta)
 
 COR_INLINE double cor_inline_max_overlap(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_MAX_OVERLAP_END)
-        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_MAX_OVERLAP), beta, cor_rows_max_overlap);
-    if (isinf(beta))
+    if (cor_inline_below(beta, COR_ROWS_MAX_OVERLAP_END) || beta == 0)
+        return cor_inline_row_value(
+            cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_MAX_OVERLAP), beta, cor_rows_max_overlap));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (!cor_inline_is_finite(beta))
         return 0;
     return cor_inline_power_tail(beta, COR_INLINE_LOG_FACTOR(beta, max_overlap, COR_ROWS_TAIL_MAX_OVERLAP), 0);
 }
 
 COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 {
-    if (!(beta >= 0))
-        return (double)NAN;
-    if (beta < COR_ROWS_TIME_OF_MAX_OVERLAP_END)
-        return cor_inline_grid_value(COR_INLINE_GRID(COR_ROWS_TIME_OF_MAX_OVERLAP), beta, cor_rows_time_of_max_overlap);
-    if (isinf(beta))
+    if (cor_inline_below(beta, COR_ROWS_TIME_OF_MAX_OVERLAP_END) || beta == 0)
+        return cor_inline_row_value(
+            cor_inline_grid_place(COR_INLINE_GRID(COR_ROWS_TIME_OF_MAX_OVERLAP), beta, cor_rows_time_of_max_overlap));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (!cor_inline_is_finite(beta))
         return 0;
     return cor_inline_power_tail(
         beta, COR_INLINE_LOG_FACTOR(beta, time_of_max_overlap, COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP), 0);
@@ -312,114 +270,87 @@ COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 
 /* ---- the inverse ---- */
 
-/* The beta with beta Q(beta) = loss, Q the loss's rows: Newton's method with the slope of Q taken from the row, then
- * once more as a quotient, which keeps nothing of the last iterate but its place. */
-COR_INLINE double cor_inline_beta_of_loss(double loss, double end, const double *(*row)(double, double *))
+/* beta = m (c_0 + row): near eps = 1, m = 1 - eps = loss, which is exact from eps = 1/2 on, and rows of beta/loss in
+ * loss or its root; below eps = 1/2, m = 1 and rows of beta by octaves of eps. Both are computed and one is chosen
+ * by bits: eps of many collisions scatter around 1/2. Error: the row's, and one rounding. The error of a rounded root
+ * adds up to 0.6 ulp at zero force. */
+COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_grid, int root,
+                                     const double *(*near_rows)(int), struct cor_inline_octaves grid,
+                                     const double *(*rows)(int))
 {
-    double rest, beta = loss * 0.8669653265572703; /* loss/|C_1| */
-    const double *c = row(beta, &rest);
-    for (int k = 0; k < 30; k++) {
-        const double next = loss / (c[0] + rest);
-        const double step = next - beta;
-        beta = next;
-        c = row(beta < end ? beta : end, &rest);
-        if (fabs(step) < COR_INLINE_2_M56 * beta || step == 0)
-            break;
-    }
-    return loss / (c[0] + rest);
+    const int near = cor_inline_bits(eps) >= cor_inline_bits(0.5);
+    const double loss = cor_inline_choose(near, 1 - eps, 0), y = root ? sqrt(loss) : loss;
+    const int i = cor_inline_grid_row(near_grid, y);
+    const int j = near ? 0 : (int)cor_inline_octaves_row(grid, eps);
+    const double t = cor_inline_choose(near, cor_inline_grid_t(near_grid, y, i), cor_inline_octaves_t(grid, eps));
+    return cor_inline_row_product(cor_inline_place_of(near ? near_rows(i) : rows(j), t),
+                                  cor_inline_choose(near, loss, 1));
 }
 
-/* A beta whose eps, as hi + lo, equals eps to more than a double: the secant method from the two nodes around it. */
-COR_INLINE double cor_inline_beta_of_eps(double eps, double beta0, double beta1,
-                                         struct cor_inline_pair (*parts)(double))
+/* The root of a pair, (hi + lo)^(1/5), as head and tail: relative error 2^-54, before they are added up */
+COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inline_pair x)
 {
-    struct cor_inline_pair p = parts(beta0);
-    double f0 = (p.hi - eps) + p.lo;
-    p = parts(beta1);
-    double f1 = (p.hi - eps) + p.lo;
-    for (int k = 0; k < 12 && f1 != f0 && f1 != 0; k++) {
-        const double next = beta1 - f1 * ((beta1 - beta0) / (f1 - f0));
-        if (next == beta1)
-            break;
-        beta0 = beta1;
-        f0 = f1;
-        beta1 = next;
-        p = parts(beta1);
-        f1 = (p.hi - eps) + p.lo;
-    }
-    return beta1;
+    struct cor_inline_pair root = cor_inline_fifth_root_parts(x.hi);
+    root.lo += root.hi * (0.2 * (x.lo / x.hi));
+    return root;
 }
 
-/* The last row of lo..hi whose c_0 is not below eps; c_0 falls from row to row. */
-COR_INLINE int cor_inline_row_of_eps(double eps, int lo, int hi, const double *(*rows)(int))
+/* a/eps as a pair times 2^500 if eps is tiny, where it might overflow */
+COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double eps, int tiny)
 {
-    while (hi - lo > 1) {
-        const int middle = (lo + hi) / 2;
-        if (rows(middle)[0] >= eps)
-            lo = middle;
-        else
-            hi = middle;
-    }
-    return lo;
+    struct cor_inline_pair numerator, denominator;
+    numerator.hi = a[0];
+    numerator.lo = a[1];
+    denominator.hi = tiny ? eps * COR_INLINE_2_500 : eps;
+    denominator.lo = 0;
+    return cor_inline_pair_over(numerator, denominator);
+}
+
+/* beta = (h*^5/eps)^(1/5): eps below the table. Error 0.6 ulp. */
+COR_INLINE double cor_inline_beta_overlap_far(double eps)
+{
+    const int tiny = eps < COR_INLINE_2_M500;
+    const struct cor_inline_pair root =
+        cor_inline_fifth_root_of_pair(cor_inline_over_eps(cor_rows_h_star_5(0), eps, tiny));
+    return (root.hi + root.lo) * (tiny ? COR_INLINE_2_100 : 1);
+}
+
+/* beta = R (1 + e r_1(v) + e^2 r_2(v)), R = (a/eps)^(3/5), e = eps/a, v = ln(R), where eps is below the table: e < 1e-7. */
+COR_INLINE double cor_inline_beta_force_far(double eps)
+{
+    const double *c = cor_rows_far_beta_zero_force(0);
+    const int tiny = eps < COR_INLINE_2_M500;
+    const struct cor_inline_pair root = cor_inline_fifth_root_of_pair(cor_inline_over_eps(c, eps, tiny));
+    /* (hi + lo)^3; hi has 26 bits, and lo is below 2^-12 hi */
+    const struct cor_inline_pair cube = cor_inline_product(root.hi * root.hi, root.hi);
+    const double lo = cube.lo + root.lo * (3 * root.hi * root.hi + root.lo * (3 * root.hi + root.lo));
+    /* below 2^-500 nothing is left of the orders in e */
+    const double e = tiny ? 0 : eps / c[0], v = -0.6 * log(tiny ? 1 : e);
+    const double r1 = c[2] + v * (c[3] + v * c[4]);
+    const double r2 = c[5] + v * (c[6] + v * (c[7] + v * (c[8] + v * c[9])));
+    const double beta = cube.hi + (lo + (cube.hi + lo) * (e * (r1 + e * r2)));
+    return beta * (tiny ? COR_INLINE_2_300 : 1);
 }
 
 COR_INLINE double cor_inline_beta_zero_overlap(double eps)
 {
-    if (!(eps >= 0 && eps <= 1))
-        return (double)NAN;
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_OVERLAP);
-    const int last = cor_inline_grid_row(grid, COR_ROWS_EPS_ZERO_OVERLAP_END);
-    if (eps > cor_rows_eps_zero_overlap(cor_inline_grid_row(grid, COR_ROWS_LOSS_ZERO_OVERLAP_END))[0])
-        return cor_inline_beta_of_loss(1 - eps, COR_ROWS_LOSS_ZERO_OVERLAP_END, cor_inline_loss_overlap_row);
-    if (eps <= cor_rows_eps_zero_overlap(last)[0]) {
-        if (eps == 0)
-            return (double)INFINITY;
-        /* (h*^5/eps)^(1/5); a power of 32 keeps the quotient in range */
-        const int tiny = eps < COR_INLINE_2_M500;
-        const double h5 = cor_rows_h_star_5(0)[0];
-        return tiny ? cor_inline_fifth_root_normal(h5 / (eps * COR_INLINE_2_500)) * COR_INLINE_2_100
-                    : cor_inline_fifth_root_normal(h5 / eps);
-    }
-    const int i = cor_inline_row_of_eps(eps, 0, last, cor_rows_eps_zero_overlap);
-    return cor_inline_beta_of_eps(eps, i * grid.step, (i + 1) * grid.step, cor_inline_eps_overlap_parts);
-}
-
-/* eps = F(ln beta) beta^(-5/3): beta = (F/eps)^(3/5), where F changes little; then once Newton's step, against eps as a
- * pair. */
-COR_INLINE double cor_inline_beta_force_far(double eps)
-{
-    const int tiny = eps < COR_INLINE_2_M500;
-    const double scaled = tiny ? eps * COR_INLINE_2_500 : eps, unit = tiny ? COR_INLINE_2_300 : 1;
-    struct cor_inline_pair factor;
-    double beta = 0;
-    factor.hi = 1.3;
-    factor.lo = 0;
-    for (int k = 0; k < 40; k++) {
-        const double root = cor_inline_fifth_root_normal(factor.hi / scaled), next = root * root * root * unit;
-        if (fabs(next - beta) <= 4 * COR_INLINE_2_M52 * beta)
-            break;
-        beta = next < COR_ROWS_EPS_ZERO_FORCE_END ? COR_ROWS_EPS_ZERO_FORCE_END : next;
-        factor = COR_INLINE_LOG_FACTOR(beta, eps_zero_force, COR_ROWS_TAIL_EPS_ZERO_FORCE);
-    }
-    int exponent;
-    const struct cor_inline_pair value = cor_inline_power_parts(beta, factor, 1, &exponent);
-    const double same = ldexp(scaled, -exponent - (tiny ? 500 : 0));
-    return beta + beta * (0.6 * (((value.hi - same) + value.lo) / same));
+    if (cor_inline_octaves_hold(COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_OVERLAP), eps, 1) || eps == 1)
+        return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_OVERLAP), 0,
+                                  cor_rows_near_beta_zero_overlap, COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_OVERLAP),
+                                  cor_rows_beta_zero_overlap);
+    if (eps == 0)
+        return cor_inline_infinity();
+    return cor_inline_below(eps, 1) ? cor_inline_beta_overlap_far(eps) : cor_inline_nan();
 }
 
 COR_INLINE double cor_inline_beta_zero_force(double eps)
 {
-    if (!(eps >= 0 && eps <= 1))
-        return (double)NAN;
-    const struct cor_inline_grid grid = COR_INLINE_GRID(COR_ROWS_EPS_ZERO_FORCE);
-    const int last = cor_inline_grid_row(grid, sqrt(COR_ROWS_EPS_ZERO_FORCE_END));
-    if (eps > cor_rows_eps_zero_force(cor_inline_grid_row(grid, sqrt(COR_ROWS_LOSS_ZERO_FORCE_END)))[0])
-        return cor_inline_beta_of_loss(1 - eps, COR_ROWS_LOSS_ZERO_FORCE_END, cor_inline_loss_force_row);
-    if (eps <= cor_rows_eps_zero_force(last)[0])
-        return eps == 0 ? (double)INFINITY : cor_inline_beta_force_far(eps);
-    const int i = cor_inline_row_of_eps(eps, 0, last, cor_rows_eps_zero_force);
-    const double z0 = i * grid.step, z1 = (i + 1) * grid.step;
-    return cor_inline_beta_of_eps(eps, z0 * z0, z1 * z1, cor_inline_eps_force_parts);
+    if (cor_inline_octaves_hold(COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_FORCE), eps, 1) || eps == 1)
+        return cor_inline_inverse(eps, COR_INLINE_GRID(COR_ROWS_NEAR_BETA_ZERO_FORCE), 1, cor_rows_near_beta_zero_force,
+                                  COR_INLINE_OCTAVES(COR_ROWS_BETA_ZERO_FORCE), cor_rows_beta_zero_force);
+    if (eps == 0)
+        return cor_inline_infinity();
+    return cor_inline_below(eps, 1) ? cor_inline_beta_force_far(eps) : cor_inline_nan();
 }
 
 #endif

@@ -34,7 +34,6 @@ static struct pieces table(int kind)
                        .step = 0.125,
                        .rows = 3,
                        .end = 0.25,
-                       .loss_from = 0.25,
                        .degree = 10,
                        .plain = 3,
                        .name = "rows",

@@ -104,23 +104,109 @@ static void lengths_and_places(void **state)
     }
 }
 
-static double (*const eps_at_beta[2])(double) = {cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_force};
-static double (*const eps_at_speed[2])(const struct cor_sphere_contact *, double) = {cor_contact_eps_zero_overlap,
-                                                                                     cor_contact_eps_zero_force};
+/* ---- every set, whichever would have been chosen here ---- */
 
-/* Every set, whichever would have been chosen here. */
+enum { MANY = 20000, CONTACTS = 6 };
+
+struct arguments {
+    double x[MANY], eps[MANY];
+    struct cor_sphere_contact contact[CONTACTS];
+};
+
+static void fill_contacts(struct cor_sphere_contact contact[CONTACTS])
+{
+    const struct cor_body ice = {7e9, 0.25, 1.2e-4, 0.05, 0.5}, wall = {7e9, 0.25, 1.2e-4, INFINITY, INFINITY};
+    assert_int_equal(cor_sphere_contact_init(&contact[0], &ice, &wall), COR_OK);
+    contact[1] = contact[0]; /* beta near speed^(1/5) */
+    assert_int_equal(cor_sphere_contact_init_g_star(&contact[1], 0.49), COR_OK);
+    contact[1].scale = 0.3;
+    assert_int_equal(cor_sphere_contact_init_g_star(&contact[2], INFINITY), COR_OK); /* no dissipation, no scale */
+    assert_int_equal(cor_sphere_contact_init_g_star(&contact[3], 1e-304), COR_OK);
+    contact[3].beta5_per_speed = NAN;
+    contact[3].scale = 1e-200;
+    contact[4] = contact[1];
+    contact[4].beta_per_root = 1e200;
+    contact[4].beta5_per_speed = NAN;
+    contact[4].scale = 1e160;
+    assert_int_equal(cor_sphere_contact_init(&contact[5], NULL, NULL), COR_ERROR_NULL); /* all NaN */
+}
+
+static void check_sphere(const char *set, const char *name, cor_sphere_array *array, double (*value)(double),
+                         const struct arguments *a)
+{
+    static double y[MANY + 1];
+    for (size_t n = MANY; n > MANY - 140; n -= 67) {
+        y[n] = 7;
+        array(a->x, y, n);
+        for (size_t i = 0; i < n; i++)
+            check(same(y[i], value(a->x[i])), "%s, %s(%a)", set, name, a->x[i]);
+        check(y[n] == 7, "%s, %s wrote past the end", set, name);
+    }
+    for (size_t n = 1; n < 20; n++) { /* short ones, in place */
+        memcpy(y, a->x, sizeof a->x);
+        array(y + n, y + n, n);
+        for (size_t i = 0; i < n; i++)
+            check(same(y[n + i], value(a->x[n + i])), "%s, %s, %zu", set, name, n);
+        check(same(y[2 * n], a->x[2 * n]), "%s, %s wrote past %zu", set, name, n);
+    }
+}
+
+static void check_contact(const char *set, const char *name, cor_contact_array *array,
+                          double (*value)(const struct cor_sphere_contact *, double), const struct arguments *a)
+{
+    static double y[MANY + 1];
+    for (int k = 0; k < CONTACTS; k++) {
+        const size_t n = MANY - 67 * (size_t)k;
+        y[n] = 7;
+        array(&a->contact[k], a->x, y, n);
+        for (size_t i = 0; i < n; i++)
+            check(same(y[i], value(&a->contact[k], a->x[i])), "%s, %s, contact %d, speed %a: %a", set, name, k, a->x[i],
+                  y[i]);
+        check(y[n] == 7, "%s, %s wrote past the end", set, name);
+    }
+    for (size_t n = 1; n < 20; n++) {
+        memcpy(y, a->x, sizeof a->x);
+        array(&a->contact[1], y + n, y + n, n);
+        for (size_t i = 0; i < n; i++)
+            check(same(y[n + i], value(&a->contact[1], a->x[n + i])), "%s, %s, %zu", set, name, n);
+        check(same(y[2 * n], a->x[2 * n]), "%s, %s wrote past %zu", set, name, n);
+    }
+}
+
+static void check_dissipation(const char *set, const char *name, cor_dissipation_array *array,
+                              double (*value)(const struct cor_sphere_contact *, double, double),
+                              const struct arguments *a)
+{
+    static double y[MANY + 1];
+    for (int k = 0; k < CONTACTS; k++) {
+        const size_t n = MANY - 67 * (size_t)k;
+        y[n] = 7;
+        array(&a->contact[k], a->x, a->eps, y, n);
+        for (size_t i = 0; i < n; i++)
+            check(same(y[i], value(&a->contact[k], a->x[i], a->eps[i])), "%s, %s, contact %d, speed %a, eps %a", set,
+                  name, k, a->x[i], a->eps[i]);
+        check(y[n] == 7, "%s, %s wrote past the end", set, name);
+    }
+    /* in place of the speeds, and of eps */
+    memcpy(y, a->x, sizeof a->x);
+    array(&a->contact[0], y, a->eps, y, 300);
+    for (size_t i = 0; i < 300; i++)
+        check(same(y[i], value(&a->contact[0], a->x[i], a->eps[i])), "%s, %s in place of speeds", set, name);
+    memcpy(y, a->eps, sizeof a->eps);
+    array(&a->contact[0], a->x, y, y, 300);
+    for (size_t i = 0; i < 300; i++)
+        check(same(y[i], value(&a->contact[0], a->x[i], a->eps[i])), "%s, %s in place of eps", set, name);
+}
+
 static void every_set(void **state)
 {
     (void)state;
-    enum { MANY = 60000 };
-    static double x[MANY], y[MANY + 1];
-    fill(x, MANY);
-    struct cor_sphere_contact contact[3];
-    assert_int_equal(cor_sphere_contact_init_g_star(&contact[0], 0.49), COR_OK); /* beta near speed^(1/5) */
-    assert_int_equal(cor_sphere_contact_init_g_star(&contact[1], INFINITY), COR_OK);
-    assert_int_equal(cor_sphere_contact_init_g_star(&contact[2], 1e-304), COR_OK);
-    contact[2].beta5_per_speed = NAN;
+    static struct arguments a;
     int sets = 0;
+    fill(a.x, MANY);
+    for (int i = 0; i < MANY; i++)
+        a.eps[i] = fabs(a.x[MANY - 1 - i]) < 2 ? fabs(a.x[MANY - 1 - i]) : 1 / (1 + fabs(a.x[i]));
+    fill_contacts(a.contact);
     for (int s = 0; s < COR_INSTRUCTION_SETS; s++) {
         const struct cor_array_set *set = cor_array_set(s);
         if (set == NULL) {
@@ -129,36 +215,36 @@ static void every_set(void **state)
         }
         sets++;
         print_message("set %s\n", set->name);
-        cor_array_function *const by_beta[2] = {set->eps_zero_overlap, set->eps_zero_force};
-        cor_array_function *const by_speed[2] = {set->speed_zero_overlap, set->speed_zero_force};
-        for (int end = 0; end < 2; end++) {
-            for (size_t n = MANY; n > MANY - 140; n -= 67) {
-                y[n] = 7;
-                by_beta[end](NULL, x, y, n);
-                for (size_t i = 0; i < n; i++)
-                    check(same(y[i], eps_at_beta[end](x[i])), "%s, end %d, beta = %a", set->name, end, x[i]);
-                check(y[n] == 7, "%s wrote past the end", set->name);
-            }
-            for (int k = 0; k < 3; k++) {
-                by_speed[end](&contact[k], x, y, MANY);
-                for (size_t i = 0; i < MANY; i++)
-                    check(same(y[i], eps_at_speed[end](&contact[k], x[i])), "%s, end %d, contact %d, speed %a",
-                          set->name, end, k, x[i]);
-            }
-            /* short ones, in place */
-            for (size_t n = 1; n < 20; n++) {
-                memcpy(y, x, sizeof x);
-                by_speed[end](&contact[0], y + n, y + n, n);
-                for (size_t i = 0; i < n; i++)
-                    check(same(y[n + i], eps_at_speed[end](&contact[0], x[n + i])), "%s, %zu", set->name, n);
-                check(same(y[2 * n], x[2 * n]), "%s wrote past %zu", set->name, n);
-            }
-        }
+#define CHECK(quantity) check_sphere(set->name, #quantity, set->sphere_##quantity, cor_sphere_##quantity, &a);
+        COR_SPHERE_QUANTITIES(CHECK)
+#undef CHECK
+#define CHECK(quantity) check_contact(set->name, #quantity, set->contact_##quantity, cor_contact_##quantity, &a);
+        COR_CONTACT_QUANTITIES(CHECK)
+#undef CHECK
+#define CHECK(quantity) check_dissipation(set->name, #quantity, set->contact_##quantity, cor_contact_##quantity, &a);
+        COR_DISSIPATION_QUANTITIES(CHECK)
+#undef CHECK
     }
     assert_true(sets >= 1);
     assert_null(cor_array_set(COR_INSTRUCTION_SETS));
     assert_null(cor_array_set(-1));
     assert_non_null(cor_array_best_set());
+    /* the public names */
+    static double y[100], z[100];
+#define CHECK(quantity)                                                                                                \
+    cor_contact_##quantity##_array(&a.contact[0], a.x, y, 100);                                                        \
+    cor_array_best_set()->contact_##quantity(&a.contact[0], a.x, z, 100);                                              \
+    assert_memory_equal(y, z, sizeof y);                                                                               \
+    cor_contact_##quantity##_array(&a.contact[0], NULL, NULL, 0);
+    COR_CONTACT_QUANTITIES(CHECK)
+#undef CHECK
+#define CHECK(quantity)                                                                                                \
+    cor_contact_##quantity##_array(&a.contact[0], a.x, a.eps, y, 100);                                                 \
+    cor_array_best_set()->contact_##quantity(&a.contact[0], a.x, a.eps, z, 100);                                       \
+    assert_memory_equal(y, z, sizeof y);                                                                               \
+    cor_contact_##quantity##_array(&a.contact[0], NULL, NULL, NULL, 0);
+    COR_DISSIPATION_QUANTITIES(CHECK)
+#undef CHECK
 }
 
 int main(void)

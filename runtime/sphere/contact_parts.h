@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* The arithmetic of contact.c that its array functions share: nothing here over- or underflows for an ordinary contact
+ * and an ordinary speed. */
+#ifndef COR_RUNTIME_SPHERE_CONTACT_PARTS_H
+#define COR_RUNTIME_SPHERE_CONTACT_PARTS_H
+
+#include "cor/contact.h"
+#include "runtime/core/fifth_root.h"
+
+#define COR_CONTACT_LEAST_SPEED COR_INLINE_2_M300
+#define COR_CONTACT_MOST_SPEED COR_INLINE_2_300
+
+/* least <= x < most; not for NaN */
+static inline int cor_contact_is_between(double x, double least, double most)
+{
+    return cor_inline_bits(x) - cor_inline_bits(least) < cor_inline_bits(most) - cor_inline_bits(least);
+}
+
+static inline int cor_contact_is_ordinary(const struct cor_sphere_contact *contact, int needs_scale)
+{
+    return cor_inline_below(contact->beta_per_root, COR_INLINE_2_500) &&
+           (!needs_scale || cor_contact_is_between(contact->scale, COR_INLINE_2_M500, COR_INLINE_2_500));
+}
+
+static inline int cor_contact_is_ordinary_speed(double speed)
+{
+    return cor_contact_is_between(speed, COR_CONTACT_LEAST_SPEED, COR_CONTACT_MOST_SPEED);
+}
+
+/* Bits of speeds below this are of speeds >= 0 whose product with `scale` is below 2^902: the bits of two factors add
+ * up like their logarithms, to one part in 16. No speed is below, where scale is NaN. */
+static inline uint64_t cor_contact_speed_limit(double scale)
+{
+    const uint64_t bits = cor_inline_bits(scale), most = (uint64_t)(2 * 1023 + 900) << 52;
+    const uint64_t limit = most - bits;
+    return bits >= COR_INLINE_INFINITY_BITS ? 0 : limit < COR_INLINE_INFINITY_BITS ? limit : COR_INLINE_INFINITY_BITS;
+}
+
+/* factor g^(1/5): the factor in halves, so that the first product is exact */
+static inline double cor_contact_beta_of_root(double factor, struct cor_inline_pair root)
+{
+    const double head = cor_inline_head(factor), tail = factor - head;
+    return root.hi * head + (root.hi * tail + root.lo * factor);
+}
+
+static inline double cor_contact_duration_of(double scale, double root, double duration)
+{
+    return scale / root * duration;
+}
+
+static inline double cor_contact_overlap_of(double scale, double root, double overlap)
+{
+    return scale * overlap * root * root * root * root;
+}
+
+static inline double cor_contact_dissipation_of(double scale, double root, double beta)
+{
+    return beta * scale / (1.5 * root);
+}
+
+#endif
