@@ -275,7 +275,7 @@ static int prepare(struct embed_scene *s)
         return STATUS_FAILED;
     arb_pow_ui(s->h_star_5, s->h_star_5, 5, EMBED_BITS);
     if (!overlap || s->beta_min < OVERLAP_FAR) {
-        s->interpolant = interpolant_new(s->beta_min * (1 - 1e-9),
+        s->interpolant = interpolant_new(&interpolant_sphere, s->beta_min * (1 - 1e-9),
                                          overlap ? fmin(s->beta_max, OVERLAP_FAR) : s->beta_max * (1 + 1e-9));
         if (!s->interpolant)
             return STATUS_FAILED;
