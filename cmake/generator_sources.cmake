@@ -2,6 +2,7 @@
 # The sources of corgen but for main.c, in alphabetical order: add a file to gen/, add a line here.
 set(COR_GENERATOR_SOURCES
   gen/approximation/interpolant.c
+  gen/approximation/law_layout.c
   gen/approximation/pade.c
   gen/approximation/pade_rounded.c
   gen/approximation/pieces.c

@@ -565,7 +565,8 @@ static bool has_far(const struct interpolant *f, enum quantity quantity)
 {
     const struct interpolant_layout *layout = f->layout;
     for (int i = 0; i < layout->intervals; i++)
-        if (layout->interval[i].form == FORM_POWER && holds(&layout->interval[i], quantity))
+        if (layout->interval[i].variable == INTERVAL_LOG && layout->interval[i].form == FORM_POWER &&
+            holds(&layout->interval[i], quantity))
             return quantity != EPS_ZERO_OVERLAP;
     return false;
 }
