@@ -11,6 +11,7 @@ set(COR_GENERATOR_SOURCES
   gen/cli/disk_collide.c
   gen/cli/disk_modes.c
   gen/cli/embed.c
+  gen/cli/law.c
   gen/cli/options.c
   gen/cli/pade.c
   gen/cli/plan.c
@@ -58,6 +59,7 @@ set(COR_GENERATOR_SOURCES
   gen/sweep/values.c
   gen/tables/directory.c
   gen/tables/disk.c
+  gen/tables/law.c
   gen/tables/limits.c
   gen/tables/pade.c
   gen/tables/sphere.c)

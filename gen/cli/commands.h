@@ -41,6 +41,12 @@ struct collide_arguments {
     struct option_law law;
 };
 
+struct law_arguments {
+    struct option_common common;
+    struct option_law law;
+    const char *name;
+};
+
 struct disk_modes_arguments {
     struct option_common common;
     struct decimal poisson;
@@ -75,6 +81,6 @@ struct tables_arguments {
 };
 
 extern const struct subcommand command_trajectory, command_series, command_pade, command_collide, command_disk_modes,
-    command_disk_collide, command_embed, command_plan, command_tables;
+    command_disk_collide, command_embed, command_law, command_plan, command_tables;
 
 #endif

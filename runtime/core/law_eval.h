@@ -50,7 +50,7 @@ struct cor_inline_law_quantity {
     double infinite;                  /* at beta = infinity */
     int linear;                       /* q = 0: eps at zero overlap is exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
     struct cor_inline_pair critical;  /* beta_c^2 = 2 (a + 1) there */
-    double fading;                    /* (a - 1)/(a + 1) there: `below` is the duration times eps^fading */
+    struct cor_inline_law_power fading; /* (a - 1)/(a + 1) there: `below` is the duration times eps^fading */
 };
 
 /* The inverse of an eps: rows of beta/(1 - eps) next to eps = 1, and of beta by octaves of eps. */
@@ -102,8 +102,17 @@ COR_INLINE struct cor_inline_law_quantity cor_inline_law_quantity_of(void)
     q.far_kind = q.has_fall = q.linear = 0;
     q.power.num = q.far_power.num = q.mu.num = q.fall_power.num = 0;
     q.power.den = q.far_power.den = q.mu.den = q.fall_power.den = 1;
-    q.threshold.hi = q.threshold.lo = q.critical.hi = q.critical.lo = q.beyond = q.infinite = q.fading = 0;
+    q.threshold.hi = q.threshold.lo = q.critical.hi = q.critical.lo = q.beyond = q.infinite = 0;
+    q.fading.num = 0;
+    q.fading.den = 1;
     return q;
+}
+
+COR_INLINE struct cor_inline_law_inverse cor_inline_law_inverse_of(void)
+{
+    struct cor_inline_law_inverse inverse;
+    inverse.near = inverse.rows = cor_inline_law_none();
+    return inverse;
 }
 
 /* ---- pairs ---- */
@@ -277,7 +286,8 @@ COR_INLINE struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quan
 /* beta_c - beta for 0 < beta < beta_c, or a number that is not above 0 */
 COR_INLINE struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
 {
-    return cor_inline_two_sum(q.threshold.hi - beta, q.threshold.lo);
+    return cor_inline_is_finite(beta) ? cor_inline_two_sum(q.threshold.hi - beta, q.threshold.lo)
+                                      : cor_inline_pair_of(-1, 0);
 }
 
 /* q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c; relative error 2^-90. `far` beyond
@@ -313,8 +323,10 @@ COR_INLINE double cor_inline_law_value(struct cor_inline_law_quantity q, double 
         const struct cor_inline_pair row = cor_inline_law_octave_row(q.below, d);
         if (!q.linear)
             return row.hi + row.lo;
-        const double fading = q.fading * cor_inline_law_linear(q, beta).hi;
-        return fading < 700 ? (row.hi + row.lo) * exp(fading) : q.beyond;
+        const struct cor_inline_pair faded = cor_inline_pair_over(
+            cor_inline_pair_times(cor_inline_law_linear(q, beta), cor_inline_pair_of(q.fading.num, 0)),
+            cor_inline_pair_of(q.fading.den, 0));
+        return faded.hi < 700 ? (row.hi + (row.lo + row.hi * faded.lo)) * exp(faded.hi) : q.beyond;
     }
     if (!cor_inline_is_finite(beta))
         return q.infinite;
@@ -444,20 +456,10 @@ COR_INLINE double cor_inline_law_beta_far(struct cor_inline_law_quantity q, doub
     return cor_inline_pair_scaled(cor_inline_sum(root.hi, root.lo + root.hi * more), exponent);
 }
 
-COR_INLINE double cor_inline_law_beta(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse, double eps)
+/* The least beta with this eps <= 1/2, below the rows next to eps = 1 */
+COR_INLINE double cor_inline_law_beta_low(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
+                                          double eps)
 {
-    if (!cor_inline_below(eps, 1) && eps != 1 && eps != 0)
-        return cor_inline_nan();
-    if (q.linear) {
-        if (eps == 0)
-            return q.threshold.hi;
-        const double loss = 1 - eps, l = loss < 0.5 ? -log1p(-loss) : -log(eps), pi = 3.141592653589793;
-        return l / sqrt(pi * pi + l * l) * q.threshold.hi;
-    }
-    if (cor_inline_bits(eps) >= cor_inline_bits(0.5) && eps != 0) {
-        const double loss = 1 - eps;
-        return cor_inline_row_product(cor_inline_law_near(inverse.near, loss), loss);
-    }
     if (cor_inline_octaves_hold(inverse.rows.octaves, eps, inverse.rows.end))
         return cor_inline_row_value(cor_inline_octaves_place(inverse.rows.octaves, eps, inverse.rows.rows));
     if (q.threshold.hi > 0)
@@ -465,6 +467,44 @@ COR_INLINE double cor_inline_law_beta(struct cor_inline_law_quantity q, struct c
     if (eps == 0)
         return cor_inline_infinity();
     return q.far_kind == 2 ? cor_inline_law_beta_fallen(q, eps) : cor_inline_law_beta_far(q, eps);
+}
+
+/* The same next to eps = 1, of the loss 0 <= loss <= 1/2. A tiny loss is scaled, for the products' halves would be
+ * subnormal. */
+COR_INLINE double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
+{
+    const struct cor_inline_place place = cor_inline_law_near(inverse.near, loss);
+    if (cor_inline_below(loss, COR_INLINE_2_M900))
+        return cor_inline_row_product(place, loss * COR_INLINE_2_200) * COR_INLINE_2_M200;
+    return cor_inline_row_product(place, loss);
+}
+
+/* q = 0 at zero overlap: beta_c L/sqrt(pi^2 + L^2), L = -ln(eps) */
+COR_INLINE double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, double eps, double loss)
+{
+    const double pi = 3.141592653589793, l = loss < 0.5 ? -log1p(-loss) : eps == 0 ? 1e9 : -log(eps);
+    return l / sqrt(pi * pi + l * l) * q.threshold.hi;
+}
+
+COR_INLINE double cor_inline_law_beta(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse, double eps)
+{
+    const double positive = eps == 0 ? 0 : eps; /* not -0 */
+    if (cor_inline_bits(positive) > cor_inline_bits(1))
+        return cor_inline_nan();
+    if (q.linear)
+        return cor_inline_law_beta_linear(q, positive, 1 - positive);
+    return positive < 0.5 ? cor_inline_law_beta_low(q, inverse, positive) : cor_inline_law_beta_near(inverse, 1 - positive);
+}
+
+COR_INLINE double cor_inline_law_beta_of_loss(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
+                                              double loss)
+{
+    const double positive = loss == 0 ? 0 : loss; /* not -0 */
+    if (cor_inline_bits(positive) > cor_inline_bits(1))
+        return cor_inline_nan();
+    if (q.linear)
+        return cor_inline_law_beta_linear(q, 1 - positive, positive);
+    return positive > 0.5 ? cor_inline_law_beta_low(q, inverse, 1 - positive) : cor_inline_law_beta_near(inverse, positive);
 }
 
 #endif
