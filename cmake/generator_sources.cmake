@@ -59,7 +59,7 @@ set(COR_GENERATOR_SOURCES
   gen/sweep/values.c
   gen/tables/directory.c
   gen/tables/disk.c
-  gen/tables/law.c
+  gen/tables/law_header.c
   gen/tables/limits.c
   gen/tables/pade.c
   gen/tables/sphere.c)

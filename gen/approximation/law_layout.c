@@ -19,16 +19,21 @@ enum {
 };
 
 /* Points of an interval and bits of its samples; ln(beta) is cut into intervals of ln(2) up to beta = 8, and from 2 on
- * into those from 2 to 3, 3 to 4, 4 to 6, 6 to 8, ...; ln(beta_c - beta) into two octaves, and four where eps is almost linear. */
+ * into those from 2 to 3, 3 to 4, 4 to 6, 6 to 8, ...; ln(beta_c - beta) into two octaves, and
+ * more where eps is almost linear. */
 enum {
     NEAR_POINTS = 18,
-    MIDDLE_POINTS = 32,
-    TAIL_POINTS = 28,
-    BELOW_POINTS = 24,
+    MIDDLE_POINTS = 36,
+    TAIL_POINTS = 22,
+    MIDDLE_POINTS_BELOW = 26, /* where there is a threshold, and eps does not fall by many powers of ten */
+    BELOW_POINTS = 19,
+    BELOW_LAST_POINTS = 26,
     NEAR_BITS = 84,
     MIDDLE_BITS = 80,
     TAIL_BITS = 80,
-    BELOW_WIDE_FROM = -10 /* octave of beta_c - beta */
+    /* octaves of beta_c - beta below which eps is almost linear */
+    BELOW_WIDEST_TO = -24,
+    BELOW_WIDE_TO = -10
 };
 
 /* What the rows promise: 57 bits leave the approximation a sixteenth of the last place. */
@@ -66,12 +71,12 @@ static void add_interval(struct interval_list *list, enum interval_variable vari
 }
 
 /* Equal intervals of ln(beta) no longer than ln(2) */
-static void add_middle(struct interval_list *list, double beta_lo, double beta_hi, unsigned set)
+static void add_middle(struct interval_list *list, double beta_lo, double beta_hi, slong points, unsigned set)
 {
     const double lo = log(beta_lo), hi = log(beta_hi);
     const int count = (int)ceil((hi - lo) / log(2) - 1e-9);
     for (int i = 0; i < count; i++)
-        add_interval(list, INTERVAL_LOG, lo + (hi - lo) * i / count, lo + (hi - lo) * (i + 1) / count, MIDDLE_POINTS,
+        add_interval(list, INTERVAL_LOG, lo + (hi - lo) * i / count, lo + (hi - lo) * (i + 1) / count, points,
                      MIDDLE_BITS, FORM_LOG, set);
 }
 
@@ -86,11 +91,13 @@ static void add_tail(struct interval_list *list, double end, unsigned set)
 static void add_below(struct interval_list *list, const struct law_layout *layout, unsigned set)
 {
     const bool linear = law_is_linear(&layout->interpolant.law);
-    const double end = log(layout->threshold - layout->overlap_end) + 0.15, wide_end = BELOW_WIDE_FROM * log(2);
+    const double end = log(layout->threshold - layout->overlap_end) + 0.15;
     double lo = log(layout->below_first) - 0.05;
     while (lo < end) {
-        const double width = (lo < wide_end ? 4 : 2) * log(2), hi = fmin(lo + width, end);
-        add_interval(list, INTERVAL_BELOW, lo, hi, BELOW_POINTS, MIDDLE_BITS, linear ? FORM_POWER : FORM_LOG, set);
+        const int octaves = lo < BELOW_WIDEST_TO * log(2) ? 10 : lo < BELOW_WIDE_TO * log(2) ? 5 : 2;
+        const double hi = fmin(lo + octaves * log(2), end);
+        add_interval(list, INTERVAL_BELOW, lo, hi, hi < end ? BELOW_POINTS : BELOW_LAST_POINTS, MIDDLE_BITS,
+                     linear ? FORM_POWER : FORM_LOG, set);
         lo = hi;
     }
 }
@@ -105,13 +112,14 @@ static void make_intervals(struct law_layout *layout)
     add_interval(&list, INTERVAL_ROOT, 0, layout->near_end, NEAR_POINTS, NEAR_BITS, FORM_QUOTIENT,
                  SET_LENGTHS | SET_ZERO_OVERLAP);
     if (fall > 0) {
-        add_middle(&list, layout->near_end, LAW_MIDDLE_END * 1.01, SET_LENGTHS | SET_ZERO_OVERLAP | force);
+        add_middle(&list, layout->near_end, LAW_MIDDLE_END * 1.01, MIDDLE_POINTS,
+                   SET_LENGTHS | SET_ZERO_OVERLAP | force);
         add_tail(&list, layout->last_log, SET_LENGTHS | SET_ZERO_OVERLAP | force);
     } else {
         /* q = 0: eps at zero overlap is a closed form */
         const unsigned overlap = fall == 0 ? 1 << DURATION_ZERO_OVERLAP : SET_ZERO_OVERLAP;
-        add_middle(&list, layout->near_end, LAW_MIDDLE_END * 1.01, SET_LENGTHS | force);
-        add_middle(&list, layout->near_end, layout->overlap_end * 1.13, overlap);
+        add_middle(&list, layout->near_end, LAW_MIDDLE_END * 1.01, MIDDLE_POINTS_BELOW, SET_LENGTHS | force);
+        add_middle(&list, layout->near_end, layout->overlap_end * 1.13, MIDDLE_POINTS_BELOW, overlap);
         add_below(&list, layout, overlap);
         add_tail(&list, layout->last_log, SET_LENGTHS | force);
     }
@@ -228,7 +236,16 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
         status = find_radius(&radius, layout);
     layout->near_end = exp2(floor(log2(fmin(radius, 1))) - NEAR_OCTAVES);
     make_intervals(layout);
+    for (int i = 0; i < 2 && law_is_linear(law); i++) /* eps falls faster there, and collisions cost nothing */
+        law_layout_refine(layout);
     return status;
+}
+
+void law_layout_refine(struct law_layout *layout)
+{
+    struct interval *const interval = (struct interval *)layout->interpolant.interval;
+    for (int i = 0; i < layout->interpolant.intervals; i++)
+        interval[i].count += interval[i].count / 4;
 }
 
 void law_layout_clear(struct law_layout *layout)
@@ -272,7 +289,10 @@ static double inverse_octave(const struct law_layout *layout, const struct inter
     arb_set_d(x, u);
     arb_exp(x, x, 64);
     interpolant_at_beta(y, f, force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP, x, 64);
-    const double octave = octave_of(arf_get_d(arb_midref(y), ARF_RND_NEAR)) + 1;
+    /* the octave of that eps, if beta is sampled as far as it reaches, or the one above it */
+    const double q = ratio_double(law_speed_exponent(&layout->interpolant.law));
+    const bool sampled = !force && u + q * log(2) <= layout->last_log;
+    const double octave = octave_of(arf_get_d(arb_midref(y), ARF_RND_NEAR)) + (sampled ? 0 : 1);
     arb_clear(x);
     arb_clear(y);
     return octave;

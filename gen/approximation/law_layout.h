@@ -35,6 +35,8 @@ struct law_layout {
 
 /* Returns 0, or 1 after saying what failed or why such a law has no tables. */
 int law_layout_init(struct law_layout *layout, const struct law *law);
+/* More points in every interval, where the interpolant was not good enough */
+void law_layout_refine(struct law_layout *layout);
 void law_layout_clear(struct law_layout *layout);
 
 /* The widest rows of a quantity in a part, named NAME and with TITLE, which must live as long; false if the part has

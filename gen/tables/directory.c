@@ -14,6 +14,7 @@
 #include "support/console.h"
 #include "support/output.h"
 #include "tables/disk.h"
+#include "tables/law_header.h"
 #include "tables/limits.h"
 #include "tables/sphere.h"
 
@@ -34,6 +35,7 @@ struct generated {
 static const struct generated files[] = {
     {"sphere_tables.h", sphere_tables_write, NULL, false},
     {"cor_sphere.h", sphere_header_write, NULL, false},
+    {"hertz_dashpot_tables.h", hertz_dashpot_tables_write, NULL, false},
     {"disk_modes_nu033.h", disk_header_write, "0.33", false},
     {"disk_modes_nu090.h", disk_header_write, "0.90", false},
     {DISK_LIMITS_ROWS_FILE, disk_limits_rows_write, NULL, true},

@@ -171,6 +171,14 @@ COR_INLINE double cor_inline_root_of(double x, int root)
     return root == 1 ? x : root == 2 ? sqrt(x) : root == 3 ? cbrt(x) : pow(x, 1.0 / root);
 }
 
+/* sqrt(x) of a normal x > 0 */
+COR_INLINE struct cor_inline_pair cor_inline_pair_root(struct cor_inline_pair x)
+{
+    const double r = cor_inline_head(sqrt(x.hi)), rest = COR_INLINE_KEEP(x.hi - r * r) + x.lo;
+    const double d = rest / (r * r); /* x = r^2 (1 + d) */
+    return cor_inline_sum(r, r * (d * (0.5 - d * (0.125 - d * 0.0625))));
+}
+
 /* (x 2^e)^(num/den) as a pair times 2^*exponent, 1 <= x.hi < 2. The root r of 26 bits is corrected by the first terms of
  * (1 - d)^(-1/den), d = (m - r^den)/m < 2^-22; its power and the quotient are double-doubles: relative error below
  * 2^-90 for exponents to a few hundred. */
@@ -217,6 +225,21 @@ COR_INLINE struct cor_inline_pair cor_inline_law_log(double x)
     const double half = cor_inline_from_bits(fraction | UINT64_C(0x3ff0000000000000));
     const int up = half > 1.4142135623730951, e = cor_inline_exponent_of(x) + up;
     return cor_inline_two_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
+}
+
+/* exp(-x) of 0 <= x < 2000 as a pair times 2^*exponent: relative error below 2^-56 */
+COR_INLINE struct cor_inline_pair cor_inline_law_exp(struct cor_inline_pair x, int *exponent)
+{
+    const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14; /* as above */
+    const int k = (int)(x.hi * 1.4426950408889634 + 0.5);
+    const struct cor_inline_pair r = cor_inline_two_sum(k * ln2_hi - x.hi, k * ln2_lo - x.lo);
+    const double t = r.hi; /* |t| < 0.35: what follows t^13 is below 2^-56 */
+    const double high = 1.0 / 362880 + t * (1.0 / 3628800 + t * (1.0 / 39916800 + t * (1.0 / 479001600)));
+    const double middle = 1.0 / 120 + t * (1.0 / 720 + t * (1.0 / 5040 + t * (1.0 / 40320 + t * high)));
+    const double rest = t * t * (0.5 + t * (1.0 / 6 + t * (1.0 / 24 + t * middle)));
+    const struct cor_inline_pair sum = cor_inline_two_sum(1, t);
+    *exponent = -k;
+    return cor_inline_sum(sum.hi, sum.lo + (r.lo * (1 + t) + rest));
 }
 
 /* ---- rows ---- */
@@ -290,19 +313,22 @@ COR_INLINE struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_qua
                                       : cor_inline_pair_of(-1, 0);
 }
 
-/* q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c; relative error 2^-90. `far` beyond
- * 2000, where eps is nothing. */
+/* q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c; relative error 2^-90 where eps is not 0, and
+ * 1e9 next to beta_c. */
 COR_INLINE struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
 {
     const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
     const struct cor_inline_pair square = cor_inline_product(beta, beta);
     const struct cor_inline_pair difference = cor_inline_two_sum(q.critical.hi, -square.hi);
     const struct cor_inline_pair om2 = cor_inline_sum(difference.hi, difference.lo + (q.critical.lo - square.lo));
-    if (!(om2.hi > 2e-6))
-        return cor_inline_pair_of(2000, 0);
-    const double r = cor_inline_head(sqrt(om2.hi)), rest = (COR_INLINE_KEEP(om2.hi - r * r) + om2.lo) / r;
-    const double d = rest / r; /* om2 = r^2 (1 + d) */
-    const struct cor_inline_pair om = cor_inline_sum(r, r * (d * (0.5 - d * (0.125 - d * 0.0625))));
+    if (!(om2.hi > 1e-18))
+        return cor_inline_pair_of(1e9, 0);
+    const struct cor_inline_pair om = cor_inline_pair_root(om2);
+    if (beta < COR_INLINE_2_M300) { /* halves of a product would be subnormal */
+        const struct cor_inline_pair slope = cor_inline_pair_over(pi, om);
+        const struct cor_inline_pair l = cor_inline_pair_times(slope, cor_inline_pair_of(beta * COR_INLINE_2_500, 0));
+        return cor_inline_pair_of((l.hi + l.lo) / COR_INLINE_2_500, 0);
+    }
     return cor_inline_pair_over(cor_inline_pair_times(pi, cor_inline_pair_of(beta, 0)), om);
 }
 
@@ -316,6 +342,7 @@ COR_INLINE double cor_inline_law_value(struct cor_inline_law_quantity q, double 
         return cor_inline_row_value(cor_inline_octaves_place(q.middle.octaves, beta, q.middle.rows));
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
+    int exponent;
     if (q.below.kind) {
         const struct cor_inline_pair d = cor_inline_law_below(q, beta);
         if (!(d.hi > 0))
@@ -326,11 +353,15 @@ COR_INLINE double cor_inline_law_value(struct cor_inline_law_quantity q, double 
         const struct cor_inline_pair faded = cor_inline_pair_over(
             cor_inline_pair_times(cor_inline_law_linear(q, beta), cor_inline_pair_of(q.fading.num, 0)),
             cor_inline_pair_of(q.fading.den, 0));
-        return faded.hi < 700 ? (row.hi + (row.lo + row.hi * faded.lo)) * exp(faded.hi) : q.beyond;
+        if (!(faded.hi < 1500))
+            return q.beyond;
+        /* exp(faded) = 1/exp(-faded) */
+        const struct cor_inline_pair power =
+            cor_inline_pair_over(cor_inline_sum(row.hi, row.lo), cor_inline_law_exp(faded, &exponent));
+        return cor_inline_pair_scaled(power, -exponent);
     }
     if (!cor_inline_is_finite(beta))
         return q.infinite;
-    int exponent;
     const struct cor_inline_pair value = cor_inline_law_tail(q, beta, &exponent);
     return cor_inline_pair_scaled(value, exponent);
 }
@@ -373,19 +404,37 @@ COR_INLINE double cor_inline_law_eps(struct cor_inline_law_quantity q, double be
         if (beta == 0 || !(beta < q.threshold.hi))
             return beta == 0;
         const struct cor_inline_pair l = cor_inline_law_linear(q, beta);
-        if (l.hi > 745.2)
+        if (l.hi > 800)
             return 0;
-        if (l.hi < 700)
-            return exp(-l.hi) * (1 - l.lo);
-        /* 100 ln(2) less, for a subnormal number loses digits: the difference is exact */
-        const double rest = l.hi - 69.314718055994533, lost = l.lo + 1.677756075e-15;
-        return exp(-rest) * (1 - lost) * 7.88860905221011805e-31;
+        int exponent;
+        const struct cor_inline_pair eps = cor_inline_law_exp(l, &exponent);
+        return cor_inline_pair_scaled(eps, exponent);
     }
     if (cor_inline_below(beta, q.near.end) || beta == 0)
         return 1 - cor_inline_law_near_loss(q, beta == 0 ? 0 : beta);
     int exponent;
     const struct cor_inline_pair eps = cor_inline_law_eps_parts(q, beta, &exponent);
     return exponent == 0 ? eps.hi + eps.lo : cor_inline_pair_scaled(eps, exponent);
+}
+
+/* 1 - exp(-l), l > 0 */
+COR_INLINE double cor_inline_law_linear_loss(struct cor_inline_pair l)
+{
+    if (l.hi > 60)
+        return 1;
+    if (l.hi < 0.7) {
+        /* l - l^2/2 as a pair, and what follows: 9 % of the sum at most */
+        const double x = l.hi, more = 1.0 / 362880 - x * (1.0 / 3628800 - x * (1.0 / 39916800 - x * (1.0 / 479001600)));
+        const double rest = 1.0 / 120 - x * (1.0 / 720 - x * (1.0 / 5040 - x * (1.0 / 40320 - x * more)));
+        const struct cor_inline_pair square = x < 1e-100 ? cor_inline_pair_of(0, 0) : cor_inline_product(x, x);
+        const struct cor_inline_pair sum = cor_inline_two_sum(x, -0.5 * square.hi);
+        return sum.hi + (sum.lo + (l.lo * (1 - x) - 0.5 * square.lo + x * square.hi * (1.0 / 6 - x * (1.0 / 24 - x * rest))));
+    }
+    int exponent;
+    const struct cor_inline_pair eps = cor_inline_law_exp(l, &exponent);
+    const double unit = cor_inline_power_of_two(exponent);
+    const struct cor_inline_pair loss = cor_inline_two_sum(1, -eps.hi * unit);
+    return loss.hi + (loss.lo - eps.lo * unit);
 }
 
 COR_INLINE double cor_inline_law_loss(struct cor_inline_law_quantity q, double beta)
@@ -396,7 +445,7 @@ COR_INLINE double cor_inline_law_loss(struct cor_inline_law_quantity q, double b
         if (beta == 0 || !(beta < q.threshold.hi))
             return beta != 0;
         const struct cor_inline_pair l = cor_inline_law_linear(q, beta);
-        return l.hi > 60 ? 1 : l.lo * exp(-l.hi) - expm1(-l.hi);
+        return cor_inline_law_linear_loss(l);
     }
     if (cor_inline_below(beta, q.near.end) || beta == 0)
         return cor_inline_law_near_loss(q, beta == 0 ? 0 : beta);
@@ -479,11 +528,27 @@ COR_INLINE double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse
     return cor_inline_row_product(place, loss);
 }
 
+/* beta_c loss/pi, of a loss that may be subnormal */
+COR_INLINE double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, double loss)
+{
+    const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
+    const struct cor_inline_pair slope = cor_inline_pair_over(q.threshold, pi);
+    const struct cor_inline_pair beta = cor_inline_pair_times(slope, cor_inline_pair_of(loss * COR_INLINE_2_200, 0));
+    return (beta.hi + beta.lo) * COR_INLINE_2_M200;
+}
+
 /* q = 0 at zero overlap: beta_c L/sqrt(pi^2 + L^2), L = -ln(eps) */
 COR_INLINE double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, double eps, double loss)
 {
-    const double pi = 3.141592653589793, l = loss < 0.5 ? -log1p(-loss) : eps == 0 ? 1e9 : -log(eps);
-    return l / sqrt(pi * pi + l * l) * q.threshold.hi;
+    const struct cor_inline_pair pi2 = cor_inline_pair_of(9.869604401089358, -6.170283145063829e-16);
+    const double l = loss < 0.5 ? -log1p(-loss) : eps == 0 ? 1e9 : -log(eps);
+    if (loss < 1e-100) /* l is loss, and its square underflows */
+        return cor_inline_law_linear_slope(q, loss);
+    const struct cor_inline_pair square = cor_inline_product(l, l), sum = cor_inline_two_sum(pi2.hi, square.hi);
+    const struct cor_inline_pair root = cor_inline_pair_root(cor_inline_sum(sum.hi, sum.lo + (pi2.lo + square.lo)));
+    const struct cor_inline_pair ratio = cor_inline_pair_over(cor_inline_pair_of(l, 0), root);
+    const struct cor_inline_pair beta = cor_inline_pair_times(ratio, q.threshold);
+    return eps == 0 ? q.threshold.hi : beta.hi + beta.lo;
 }
 
 COR_INLINE double cor_inline_law_beta(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse, double eps)

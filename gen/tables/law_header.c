@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "tables/law.h"
+#include "tables/law_header.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "support/console.h"
 #include "support/evaluator_text.h"
 
-enum { FAR_COLUMNS = INTERPOLANT_FAR + 2, CHECK_POINTS = 5, TEXT_MAX = 192 };
+enum { FAR_COLUMNS = INTERPOLANT_FAR + 2, CHECK_POINTS = 5, ATTEMPTS = 3, TEXT_MAX = 192 };
 
 /* Relative error of the interpolant, so that sampling against it means something. */
 #define INTERPOLANT_LIMIT 4e-18
@@ -60,13 +60,18 @@ struct law_tables {
 static int law_tables_init(struct law_tables *t, const struct law *law, const char *name)
 {
     t->f = NULL;
+    t->error = 0;
     for (int i = 0; i < TABLES; i++)
         t->table[i].has = false;
     int status = law_layout_init(&t->layout, law);
-    if (status == STATUS_OK && !(t->f = interpolant_new(&t->layout.interpolant, 0, INFINITY)))
-        status = STATUS_FAILED;
-    if (status == STATUS_OK)
-        status = interpolant_check(&t->error, t->f, CHECK_POINTS);
+    for (int attempt = 0; status == STATUS_OK && attempt < ATTEMPTS; attempt++) {
+        interpolant_free(t->f);
+        t->f = interpolant_new(&t->layout.interpolant, 0, INFINITY);
+        status = t->f ? interpolant_check(&t->error, t->f, CHECK_POINTS) : STATUS_FAILED;
+        if (t->error <= INTERPOLANT_LIMIT)
+            break;
+        law_layout_refine(&t->layout);
+    }
     if (status == STATUS_OK && t->error > INTERPOLANT_LIMIT)
         status = fail("the interpolant of the collision is off by %.1e", t->error);
     for (int i = 0; i < TABLES && status == STATUS_OK; i++) {
@@ -139,6 +144,8 @@ static int emit_far(struct emit *e, const struct law_tables *t, const char *name
         snprintf(text, sizeof text, "cor_rows_%s_far_%s", name, quantity_stem[q]);
         if (q == EPS_ZERO_OVERLAP) {
             arb_set(row, interpolant_final_speed(t->f));
+            if (law_is_hunt_crossley(&t->layout.interpolant.law)) /* a ball around 1 cannot be split in two */
+                arb_one(row);
             split(row, row + 1);
             status = emit_one_row(e, text, quantity_stem[q], row, 2);
             continue;
@@ -313,7 +320,7 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
 
 /* ---- files ---- */
 
-/* x, or x/y */
+/* "3", or "3/2" */
 static const char *ratio_text(char text[32], struct ratio r)
 {
     if (r.den == 1)
@@ -323,11 +330,24 @@ static const char *ratio_text(char text[32], struct ratio r)
     return text;
 }
 
+/* "x^(3/2)", "x", or "" for x^0 where another factor follows */
+static const char *power_text(char text[48], struct ratio r, const char *zero)
+{
+    char exponent[32];
+    if (r.num == 0)
+        snprintf(text, 48, "%s", zero);
+    else if (r.num == 1 && r.den == 1)
+        snprintf(text, 48, "x");
+    else
+        snprintf(text, 48, r.den == 1 ? "x^%s" : "x^(%s)", ratio_text(exponent, r));
+    return text;
+}
+
 static const char *equation_text(char text[128], const struct law *law)
 {
-    char a[32], b[32];
-    snprintf(text, 128, "x'' + beta x^(%s) x' + x^(%s) = 0, x(0) = 0, x'(0) = 1", ratio_text(b, law->b),
-             ratio_text(a, law->a));
+    char a[48], b[48];
+    power_text(b, law->b, "");
+    snprintf(text, 128, "x'' + beta %s%sx' + %s = 0, x(0) = 0, x'(0) = 1", b, *b ? " " : "", power_text(a, law->a, "1"));
     return text;
 }
 
