@@ -175,7 +175,8 @@ static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, doubl
     return status;
 }
 
-/* q > 0: the first half octave of beta up to 8, or the first eighth of an octave of ln(beta), from which eps is a power */
+/* q > 0: the first half octave of beta up to 8, or the first eighth of an octave of ln(beta), from which eps is a
+ * power */
 static int find_fall(struct law_layout *layout)
 {
     const struct law *law = &layout->interpolant.law;

@@ -64,12 +64,13 @@ static int law_tables_init(struct law_tables *t, const struct law *law, const ch
     for (int i = 0; i < TABLES; i++)
         t->table[i].has = false;
     int status = law_layout_init(&t->layout, law);
-    for (int attempt = 0; status == STATUS_OK && attempt < ATTEMPTS; attempt++) {
-        interpolant_free(t->f);
+    for (int attempt = 0; status == STATUS_OK; attempt++) {
         t->f = interpolant_new(&t->layout.interpolant, 0, INFINITY);
         status = t->f ? interpolant_check(&t->error, t->f, CHECK_POINTS) : STATUS_FAILED;
-        if (t->error <= INTERPOLANT_LIMIT)
+        if (t->error <= INTERPOLANT_LIMIT || attempt == ATTEMPTS - 1)
             break;
+        interpolant_free(t->f); /* while the layout is as it was */
+        t->f = NULL;
         law_layout_refine(&t->layout);
     }
     if (status == STATUS_OK && t->error > INTERPOLANT_LIMIT)
@@ -135,9 +136,10 @@ static int emit_far(struct emit *e, const struct law_tables *t, const char *name
     arb_ptr row = _arb_vec_init(FAR_COLUMNS);
     int status = STATUS_OK;
     char text[TEXT_MAX];
-    emit_comment(e, "Beyond the rows in ln(beta): a_0, a_0', a_1, a_1', a_2, ..., a_8 of a power of beta times\n"
-                    "a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3), u = ln(beta),\n"
-                    "through enclosed collisions; of eps at zero overlap v_f as two doubles: proved.");
+    emit_comment(
+        e, "Beyond the rows in ln(beta): a_0, a_0', a_1, a_1', a_2, ..., a_8 of a power of beta times\n"
+           "a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3), u = ln(beta),\n"
+           "through enclosed collisions; of eps at zero overlap v_f as two doubles: proved.");
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
         if (!has_far(t, (enum quantity)q))
             continue;
@@ -279,9 +281,8 @@ static void emit_functions(struct emit *e, const struct law_tables *t, const cha
         snprintf(text, sizeof text, "%s_loss_%s", prefix, ends[end]);
         emit_inline_double(e, text, "beta", "cor_inline_law_loss(cor_law_%s_eps_%s(), beta)", name, source);
         snprintf(text, sizeof text, "%s_beta_%s", prefix, ends[end]);
-        emit_inline_double(e, text, "eps",
-                           "cor_inline_law_beta(cor_law_%s_eps_%s(), cor_law_%s_inverse_eps_%s(), eps)", name, source,
-                           name, source);
+        emit_inline_double(e, text, "eps", "cor_inline_law_beta(cor_law_%s_eps_%s(), cor_law_%s_inverse_eps_%s(), eps)",
+                           name, source, name, source);
         snprintf(text, sizeof text, "%s_beta_of_loss_%s", prefix, ends[end]);
         emit_inline_double(e, text, "loss",
                            "cor_inline_law_beta_of_loss(cor_law_%s_eps_%s(), cor_law_%s_inverse_eps_%s(), loss)", name,
@@ -347,7 +348,8 @@ static const char *equation_text(char text[128], const struct law *law)
 {
     char a[48], b[48];
     power_text(b, law->b, "");
-    snprintf(text, 128, "x'' + beta %s%sx' + %s = 0, x(0) = 0, x'(0) = 1", b, *b ? " " : "", power_text(a, law->a, "1"));
+    snprintf(text, 128, "x'' + beta %s%sx' + %s = 0, x(0) = 0, x'(0) = 1", b, *b ? " " : "",
+             power_text(a, law->a, "1"));
     return text;
 }
 
@@ -381,7 +383,8 @@ int law_header_write(FILE *file, const struct law *law, const char *name)
                  "%s: restitution coefficient, duration and largest overlap of collisions\n"
                  "%s,\n"
                  "both ends of contact, for every beta, as one header to embed.\n"
-                 "C99, C++11, CUDA and HIP. Needs sqrt, cbrt, pow, exp, expm1, log and log1p of math.h, memcpy, IEEE doubles.\n"
+                 "C99, C++11, CUDA and HIP. Needs sqrt, cbrt, pow, exp, expm1, log and log1p of math.h, memcpy, IEEE "
+                 "doubles.\n"
                  "\n"
                  "    double %s_eps_zero_overlap(double beta);      also _zero_force; restitution coefficient\n"
                  "    double %s_loss_zero_overlap(double beta);     also _zero_force; 1 - eps, relative accuracy\n"
@@ -428,7 +431,8 @@ int hertz_dashpot_tables_write(FILE *file, const struct disk_table *none)
         snprintf(accuracy, sizeof accuracy, accuracy_text, t->error);
         snprintf(banner, sizeof banner,
                  "Hertz's contact with a constant dashpot, %s,\n"
-                 "both ends of contact, for every beta. Evaluated by runtime/core/law_eval.h. Source: docs/derivation.md, 9;\n"
+                 "both ends of contact, for every beta. Evaluated by runtime/core/law_eval.h. Source: "
+                 "docs/derivation.md, 9;\n"
                  "form: docs/header-format.md.\n"
                  "\n"
                  "Written by:  corgen tables\n"

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Hertz's contact with a constant dashpot: force K x^(3/2) + C x' between two bodies with overlap x and effective mass m that
- * meet with speed g. In units of time T = (m/K)^(2/5) g^(-1/5) and of length g T,
+/* Hertz's contact with a constant dashpot: force K x^(3/2) + C x' between two bodies with overlap x and effective
+ * mass m that meet with speed g. In units of time T = (m/K)^(2/5) g^(-1/5) and of length g T,
  *
  *     x'' + beta x' + x^(3/2) = 0,     x(0) = 0,     x'(0) = 1,     beta = C m^(-3/5) K^(-2/5) g^(-1/5)
  *
  * Slow impacts are the strongly damped ones. eps = -x' when the contact ends, at one of two ends:
  *
- *     zero_overlap    x = 0 again; the force is attractive just before. From beta = COR_HERTZ_DASHPOT_BETA_C on the bodies never
- *                     part: eps is exactly 0 and the duration infinite, as for every impact slower than
+ *     zero_overlap    x = 0 again; the force is attractive just before. From beta = COR_HERTZ_DASHPOT_BETA_C on
+ *                     the bodies never part: eps is exactly 0 and the duration infinite, as for every impact slower than
  *                     C^5/(COR_HERTZ_DASHPOT_BETA_C^5 m^3 K^2)
  *     zero_force      x'' = 0; no attraction
  *
  * Every function comes as double, as float (with an f at its end: the double function rounded once), and for arrays of
- * either: y[i] = function(x[i]) for i < n, the same to the last bit. n may be 0, the pointers then NULL. x and y may be the
- * same array, but must not overlap otherwise. Source: docs/derivation.md, 9. */
+ * either: y[i] = function(x[i]) for i < n, the same to the last bit. n may be 0, the pointers then NULL. x and y may
+ * be the same array, but must not overlap otherwise. Source: docs/derivation.md, 9. */
 #ifndef COR_HERTZ_DASHPOT_H
 #define COR_HERTZ_DASHPOT_H
 
@@ -52,7 +52,8 @@ extern "C" {
 COR_HERTZ_DASHPOT_DECLARE_(eps_zero_overlap)
 COR_HERTZ_DASHPOT_DECLARE_(eps_zero_force)
 
-/* double cor_hertz_dashpot_loss_<end>(double beta): 1 - eps with relative accuracy. It tends to 1.78781... beta as beta -> 0.
+/* double cor_hertz_dashpot_loss_<end>(double beta): 1 - eps with relative accuracy. It tends to 1.78781... beta as
+ * beta -> 0.
  * Domain: 0 <= beta <= inf. Accuracy: COR_HERTZ_DASHPOT_LOSS_MAX_ULP.
  * Special values: +-0 -> 0, +inf -> 1; at zero overlap 1 above beta_c; negative and NaN -> NaN. */
 COR_HERTZ_DASHPOT_DECLARE_(loss_zero_overlap)
@@ -65,14 +66,15 @@ COR_HERTZ_DASHPOT_DECLARE_(beta_zero_overlap)
 COR_HERTZ_DASHPOT_DECLARE_(beta_zero_force)
 
 /* double cor_hertz_dashpot_beta_of_loss_<end>(double loss): the same from 1 - eps.
- * Domain: 0 <= loss <= 1. Accuracy: COR_HERTZ_DASHPOT_BETA_MAX_ULP. Special values: 0 -> 0; 1 -> as beta of eps = 0; outside
- * [0, 1] and NaN -> NaN. */
+ * Domain: 0 <= loss <= 1. Accuracy: COR_HERTZ_DASHPOT_BETA_MAX_ULP. Special values: 0 -> 0; 1 -> as beta of eps = 0;
+ * outside [0, 1] and NaN -> NaN. */
 COR_HERTZ_DASHPOT_DECLARE_(beta_of_loss_zero_overlap)
 COR_HERTZ_DASHPOT_DECLARE_(beta_of_loss_zero_force)
 
 /* double cor_hertz_dashpot_duration_<end>(double beta): duration of the contact in units of T.
  * Domain: 0 <= beta <= inf. Accuracy: COR_HERTZ_DASHPOT_TIME_MAX_ULP.
- * Special values: +-0 -> 3.2180...; +inf -> 0 at zero force; at zero overlap +inf above beta_c; negative and NaN -> NaN. */
+ * Special values: +-0 -> 3.2180...; +inf -> 0 at zero force; at zero overlap +inf above beta_c; negative and
+ * NaN -> NaN. */
 COR_HERTZ_DASHPOT_DECLARE_(duration_zero_overlap)
 COR_HERTZ_DASHPOT_DECLARE_(duration_zero_force)
 

@@ -38,18 +38,18 @@ struct cor_inline_law_power {
 /* One quantity of one law. For eps, `near` is (1 - eps)/beta. */
 struct cor_inline_law_quantity {
     struct cor_inline_law_table near, middle, below, tail;
-    const double *(*far)(int);      /* a_0, a_0', a_1, a_1', a_2, ..., a_8; or, with far_kind 2, v_f and its rest */
-    int far_kind;                   /* 0: nothing beyond, 1, 2 */
+    const double *(*far)(int); /* a_0, a_0', a_1, a_1', a_2, ..., a_8; or, with far_kind 2, v_f and its rest */
+    int far_kind;              /* 0: nothing beyond, 1, 2 */
     struct cor_inline_law_power power, far_power; /* of the tail's rows and of the far sum */
     struct cor_inline_law_power mu;               /* mu = beta^(-num/den) */
     const double *(*fall)(int);                   /* a further term of the duration at zero overlap */
     int has_fall;
     struct cor_inline_law_power fall_power;
-    struct cor_inline_pair threshold; /* beta_c, hi = 0: none */
-    double beyond;                    /* from the threshold on */
-    double infinite;                  /* at beta = infinity */
-    int linear;                       /* q = 0: eps at zero overlap is exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
-    struct cor_inline_pair critical;  /* beta_c^2 = 2 (a + 1) there */
+    struct cor_inline_pair threshold;   /* beta_c, hi = 0: none */
+    double beyond;                      /* from the threshold on */
+    double infinite;                    /* at beta = infinity */
+    int linear;                         /* q = 0: eps at zero overlap is exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
+    struct cor_inline_pair critical;    /* beta_c^2 = 2 (a + 1) there */
     struct cor_inline_law_power fading; /* (a - 1)/(a + 1) there: `below` is the duration times eps^fading */
 };
 
@@ -179,8 +179,8 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_root(struct cor_inline_pair x)
     return cor_inline_sum(r, r * (d * (0.5 - d * (0.125 - d * 0.0625))));
 }
 
-/* (x 2^e)^(num/den) as a pair times 2^*exponent, 1 <= x.hi < 2. The root r of 26 bits is corrected by the first terms of
- * (1 - d)^(-1/den), d = (m - r^den)/m < 2^-22; its power and the quotient are double-doubles: relative error below
+/* (x 2^e)^(num/den) as a pair times 2^*exponent, 1 <= x.hi < 2. The root r of 26 bits is corrected by the first terms
+ * of (1 - d)^(-1/den), d = (m - r^den)/m < 2^-22; its power and the quotient are double-doubles: relative error below
  * 2^-90 for exponents to a few hundred. */
 COR_INLINE struct cor_inline_pair cor_inline_rational_power(struct cor_inline_pair x, int e,
                                                             struct cor_inline_law_power power, int *exponent)
@@ -233,10 +233,13 @@ COR_INLINE struct cor_inline_pair cor_inline_law_exp(struct cor_inline_pair x, i
     const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14; /* as above */
     const int k = (int)(x.hi * 1.4426950408889634 + 0.5);
     const struct cor_inline_pair r = cor_inline_two_sum(k * ln2_hi - x.hi, k * ln2_lo - x.lo);
-    const double t = r.hi; /* |t| < 0.35: what follows t^13 is below 2^-56 */
-    const double high = 1.0 / 362880 + t * (1.0 / 3628800 + t * (1.0 / 39916800 + t * (1.0 / 479001600)));
-    const double middle = 1.0 / 120 + t * (1.0 / 720 + t * (1.0 / 5040 + t * (1.0 / 40320 + t * high)));
-    const double rest = t * t * (0.5 + t * (1.0 / 6 + t * (1.0 / 24 + t * middle)));
+    const double t = r.hi; /* |t| < 0.35: t^16/16! is below 2^-68 */
+    const double c11 =
+        1.0 / 39916800 +
+        t * (1.0 / 479001600 + t * (1.0 / 6227020800.0 + t * (1.0 / 87178291200.0 + t * (1.0 / 1307674368000.0))));
+    const double c7 = 1.0 / 5040 + t * (1.0 / 40320 + t * (1.0 / 362880 + t * (1.0 / 3628800 + t * c11)));
+    const double c3 = 1.0 / 6 + t * (1.0 / 24 + t * (1.0 / 120 + t * (1.0 / 720 + t * c7)));
+    const double rest = t * t * (0.5 + t * c3);
     const struct cor_inline_pair sum = cor_inline_two_sum(1, t);
     *exponent = -k;
     return cor_inline_sum(sum.hi, sum.lo + (r.lo * (1 + t) + rest));
@@ -272,8 +275,8 @@ COR_INLINE struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quant
 }
 
 /* The sum of two pairs times powers of two, as one: the first two's exponent is *exponent. */
-COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x, int *exponent, struct cor_inline_pair y,
-                                                       int y_exponent)
+COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x, int *exponent,
+                                                       struct cor_inline_pair y, int y_exponent)
 {
     const int less = y_exponent - *exponent;
     if (less <= -200)
@@ -313,8 +316,8 @@ COR_INLINE struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_qua
                                       : cor_inline_pair_of(-1, 0);
 }
 
-/* q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c; relative error 2^-90 where eps is not 0, and
- * 1e9 next to beta_c. */
+/* q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c; relative error 2^-90 where
+ * eps is not 0, and 1e9 next to beta_c. */
 COR_INLINE struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
 {
     const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
@@ -424,11 +427,18 @@ COR_INLINE double cor_inline_law_linear_loss(struct cor_inline_pair l)
         return 1;
     if (l.hi < 0.7) {
         /* l - l^2/2 as a pair, and what follows: 9 % of the sum at most */
-        const double x = l.hi, more = 1.0 / 362880 - x * (1.0 / 3628800 - x * (1.0 / 39916800 - x * (1.0 / 479001600)));
-        const double rest = 1.0 / 120 - x * (1.0 / 720 - x * (1.0 / 5040 - x * (1.0 / 40320 - x * more)));
+        const double x = l.hi; /* x^20/20! is below 2^-71 */
+        const double c15 =
+            1.0 / 1307674368000.0 -
+            x * (1.0 / 20922789888000.0 -
+                 x * (1.0 / 355687428096000.0 - x * (1.0 / 6402373705728000.0 - x * (1.0 / 121645100408832000.0))));
+        const double c11 =
+            1.0 / 39916800 - x * (1.0 / 479001600 - x * (1.0 / 6227020800.0 - x * (1.0 / 87178291200.0 - x * c15)));
+        const double c7 = 1.0 / 5040 - x * (1.0 / 40320 - x * (1.0 / 362880 - x * (1.0 / 3628800 - x * c11)));
+        const double c3 = 1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * (1.0 / 720 - x * c7)));
         const struct cor_inline_pair square = x < 1e-100 ? cor_inline_pair_of(0, 0) : cor_inline_product(x, x);
         const struct cor_inline_pair sum = cor_inline_two_sum(x, -0.5 * square.hi);
-        return sum.hi + (sum.lo + (l.lo * (1 - x) - 0.5 * square.lo + x * square.hi * (1.0 / 6 - x * (1.0 / 24 - x * rest))));
+        return sum.hi + (sum.lo + (l.lo * (1 - x) - 0.5 * square.lo + x * square.hi * c3));
     }
     int exponent;
     const struct cor_inline_pair eps = cor_inline_law_exp(l, &exponent);
@@ -478,8 +488,8 @@ COR_INLINE double cor_inline_law_beta_fallen(struct cor_inline_law_quantity q, d
     return cor_inline_pair_scaled(beta, exponent);
 }
 
-/* beta below the rows of eps at zero force, eps = beta^power (a_0 + ...): R (1 + x)^s, R = (a_0/eps)^s, s = -1/power, x the
- * orders in mu over a_0, below 1e-5; ln(beta) = ln(R) + s x, iterated twice. */
+/* beta below the rows of eps at zero force, eps = beta^power (a_0 + ...): R (1 + x)^s, R = (a_0/eps)^s, s = -1/power,
+ * x the orders in mu over a_0, below 1e-5; ln(beta) = ln(R) + s x, iterated twice. */
 COR_INLINE double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
 {
     const double *c = q.far(0);
@@ -540,7 +550,7 @@ COR_INLINE double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, 
 /* q = 0 at zero overlap: beta_c L/sqrt(pi^2 + L^2), L = -ln(eps) */
 COR_INLINE double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, double eps, double loss)
 {
-    const struct cor_inline_pair pi2 = cor_inline_pair_of(9.869604401089358, -6.170283145063829e-16);
+    const struct cor_inline_pair pi2 = cor_inline_pair_of(9.869604401089358, 6.265295508739711e-16);
     const double l = loss < 0.5 ? -log1p(-loss) : eps == 0 ? 1e9 : -log(eps);
     if (loss < 1e-100) /* l is loss, and its square underflows */
         return cor_inline_law_linear_slope(q, loss);
@@ -551,14 +561,16 @@ COR_INLINE double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, d
     return eps == 0 ? q.threshold.hi : beta.hi + beta.lo;
 }
 
-COR_INLINE double cor_inline_law_beta(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse, double eps)
+COR_INLINE double cor_inline_law_beta(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
+                                      double eps)
 {
     const double positive = eps == 0 ? 0 : eps; /* not -0 */
     if (cor_inline_bits(positive) > cor_inline_bits(1))
         return cor_inline_nan();
     if (q.linear)
         return cor_inline_law_beta_linear(q, positive, 1 - positive);
-    return positive < 0.5 ? cor_inline_law_beta_low(q, inverse, positive) : cor_inline_law_beta_near(inverse, 1 - positive);
+    return positive < 0.5 ? cor_inline_law_beta_low(q, inverse, positive)
+                          : cor_inline_law_beta_near(inverse, 1 - positive);
 }
 
 COR_INLINE double cor_inline_law_beta_of_loss(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
@@ -569,7 +581,8 @@ COR_INLINE double cor_inline_law_beta_of_loss(struct cor_inline_law_quantity q, 
         return cor_inline_nan();
     if (q.linear)
         return cor_inline_law_beta_linear(q, 1 - positive, positive);
-    return positive > 0.5 ? cor_inline_law_beta_low(q, inverse, 1 - positive) : cor_inline_law_beta_near(inverse, positive);
+    return positive > 0.5 ? cor_inline_law_beta_low(q, inverse, 1 - positive)
+                          : cor_inline_law_beta_near(inverse, positive);
 }
 
 #endif

@@ -171,8 +171,8 @@ static void check_inverse(struct law_case *c, int end, double beta, const arb_t 
         /* the slope has 20 bits: a shift of more than 2^-30 says nothing about the last place */
         arb_div(x, x, exact, PREC);
         if (fabs(arf_get_d(arb_midref(x), ARF_RND_UP)) < 0x1p-38 && given > 0 && given < 1)
-            note(c, end, of_loss ? CHECK_BETA_OF_LOSS : CHECK_BETA, (of_loss ? c->f->beta_of_loss : c->f->beta)[end](given),
-                 exact, given);
+            note(c, end, of_loss ? CHECK_BETA_OF_LOSS : CHECK_BETA,
+                 (of_loss ? c->f->beta_of_loss : c->f->beta)[end](given), exact, given);
     }
     collision_clear(&s);
     arb_clear(x);
@@ -219,7 +219,10 @@ static void print_worst(const struct law_case *c, const char *what)
     for (int end = 0; end < 2; end++)
         for (int k = 0; k < CHECKS; k++)
             if (c->worst.ulp[end][k] > 0)
-                print_message(" %s%s %.3f (%.6g);", check_name[k], k >= CHECK_MAX_OVERLAP ? "" : end ? " force" : " overlap",
+                print_message(" %s%s %.3f (%.6g);", check_name[k],
+                              k >= CHECK_MAX_OVERLAP ? ""
+                              : end                  ? " force"
+                                                     : " overlap",
                               c->worst.ulp[end][k], c->worst.at[end][k]);
     print_message("\n");
 }
@@ -250,8 +253,8 @@ void law_check_random(const struct law_functions *f, size_t count)
     print_worst(&c, "random");
 }
 
-/* Every border between tables is one of these, and one place of each list, at random, is looked at: a power of two (near
- * eps = 1), 8 (middle), beta_c - 2^k, beta_c (zero overlap), exp(u) for whole eighths of octaves of u (tails). */
+/* Every border between tables is one of these, and one place of each list, at random, is looked at: a power of two
+ * (near eps = 1), 8 (middle), beta_c - 2^k, beta_c (zero overlap), exp(u) for whole eighths of octaves of u (tails). */
 static double border(struct law_case *c, struct random_state *r, size_t i)
 {
     switch (i % 4) {
@@ -264,8 +267,9 @@ static double border(struct law_case *c, struct random_state *r, size_t i)
         return exp(fmin(u, LARGEST_LOG10 * log(10)));
     }
     default:
-        return c->threshold < HUGE_VAL ? c->threshold - exp2(floor(log2(c->threshold / 2)) - floor(random_uniform(r, 0, 3)))
-                                       : ldexp(1, -(int)random_uniform(r, 0, 4));
+        return c->threshold < HUGE_VAL
+                   ? c->threshold - exp2(floor(log2(c->threshold / 2)) - floor(random_uniform(r, 0, 3)))
+                   : ldexp(1, -(int)random_uniform(r, 0, 4));
     }
 }
 
@@ -302,19 +306,22 @@ void law_check_special(const struct law_functions *f)
             for (int j = 0; j < 5; j++)
                 check(isnan(of_beta[j](refused[k])), "%s, function %d of %g", f->name, j, refused[k]);
             for (int j = 0; j < 2; j++)
-                check(isnan(of_eps[j](refused[k])) && isnan(of_eps[j](1.0000000000000002)) && isnan(of_eps[j](HUGE_VAL)),
+                check(isnan(of_eps[j](refused[k])) && isnan(of_eps[j](1.0000000000000002)) &&
+                          isnan(of_eps[j](HUGE_VAL)),
                       "%s, inverse %d of %g", f->name, j, refused[k]);
         }
         for (double zero = 0, k = 0; k < 2; k++, zero = -0.0) {
             check(f->eps[end](zero) == 1 && f->loss[end](zero) == 0, "%s: elastic", f->name);
             check(same_bits(f->duration[end](zero), f->duration[0](0)), "%s: durations differ", f->name);
-            check(relative_error(2 * f->time_of_max_overlap(zero), f->duration[0](0)) < 3e-16, "%s: half time", f->name);
+            check(relative_error(2 * f->time_of_max_overlap(zero), f->duration[0](0)) < 3e-16, "%s: half time",
+                  f->name);
         }
         check(f->eps[end](HUGE_VAL) == 0 && f->loss[end](HUGE_VAL) == 1, "%s: infinite damping", f->name);
         check(f->beta[end](1) == 0 && f->beta_of_loss[end](0) == 0, "%s: beta of 1", f->name);
         const bool ends = end == 0 && c.threshold < HUGE_VAL;
         const double last = ends ? c.threshold : HUGE_VAL;
-        check(f->beta[end](0) == last && f->beta_of_loss[end](1) == last, "%s: beta of 0 is %g", f->name, f->beta[end](0));
+        check(f->beta[end](0) == last && f->beta_of_loss[end](1) == last, "%s: beta of 0 is %g", f->name,
+              f->beta[end](0));
         const double tiny = 5e-324, slope = f->loss[end](1e-200) * 1e200;
         check(fabs(f->loss[end](tiny) - slope * tiny) <= tiny && f->eps[end](tiny) == 1, "%s: tiny", f->name);
         check(isfinite(f->beta_of_loss[end](tiny)), "%s: tiny loss", f->name);
@@ -340,7 +347,8 @@ void law_check_round_trip(const struct law_functions *f, size_t count)
             const double loss = pow(10, random_uniform(&r, -300, -0.5));
             const double eps = falls ? pow(10, random_uniform(&r, -200, -0.01)) : random_uniform(&r, 1e-3, 1);
             const double loss_back = f->loss[end](f->beta_of_loss[end](loss));
-            check(relative_error(loss_back, loss) < 8e-16, "%s: loss %.17g comes back as %.17g", f->name, loss, loss_back);
+            check(relative_error(loss_back, loss) < 8e-16, "%s: loss %.17g comes back as %.17g", f->name, loss,
+                  loss_back);
             const double beta = f->beta[end](eps), back = f->eps[end](beta);
             /* as ill-conditioned as eps is in beta; beyond the largest double there is no beta */
             const double step = 0x1p-20, slope = fabs((f->eps[end](beta * (1 - step)) / back - 1) / step);

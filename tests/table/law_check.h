@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The functions of one law, x'' + beta x^b x' + x^a = 0, against collisions enclosed for this test: eps, loss, times, largest
- * overlap at any beta, and the inverse at the eps of those. */
+/* The functions of one law, x'' + beta x^b x' + x^a = 0, against collisions enclosed for this test: eps, loss, times,
+ * largest overlap at any beta, and the inverse at the eps of those. */
 #ifndef COR_TESTS_TABLE_LAW_CHECK_H
 #define COR_TESTS_TABLE_LAW_CHECK_H
 

@@ -5,9 +5,8 @@
 #include "../unit/check.h"
 #include "cor/hertz_dashpot.h"
 
-static const struct law_functions functions =
-    LAW_FUNCTIONS("hertz_dashpot", "3/2", "0", cor_hertz_dashpot, COR_HERTZ_DASHPOT_EPS_MAX_ULP,
-                  COR_HERTZ_DASHPOT_TIME_MAX_ULP);
+static const struct law_functions functions = LAW_FUNCTIONS(
+    "hertz_dashpot", "3/2", "0", cor_hertz_dashpot, COR_HERTZ_DASHPOT_EPS_MAX_ULP, COR_HERTZ_DASHPOT_TIME_MAX_ULP);
 
 static void test_bounds(void **state)
 {
@@ -76,7 +75,8 @@ static void test_threshold(void **state)
         const double eps = cor_hertz_dashpot_eps_zero_overlap(beta_c - d);
         check(fabs(eps / first - 1) < 20 * d * k + 1e-6, "d = 2^-%d: %.17g and %.17g", k, eps, first);
         /* beta t + ln(eps) -> 3.06410 */
-        check(fabs(beta_c * cor_hertz_dashpot_duration_zero_overlap(beta_c - d) + log(eps) - 3.06410) < 2 * sqrt(d) + 1e-5,
+        check(fabs(beta_c * cor_hertz_dashpot_duration_zero_overlap(beta_c - d) + log(eps) - 3.06410) <
+                  2 * sqrt(d) + 1e-5,
               "d = 2^-%d: duration %.17g", k, cor_hertz_dashpot_duration_zero_overlap(beta_c - d));
     }
 }
@@ -143,9 +143,9 @@ static void test_monotone(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bounds),       cmocka_unit_test(test_special),    cmocka_unit_test(test_random),
-        cmocka_unit_test(test_borders),      cmocka_unit_test(test_round_trip), cmocka_unit_test(test_known_values),
-        cmocka_unit_test(test_threshold),    cmocka_unit_test(test_monotone),   cmocka_unit_test(test_arrays_and_floats),
+        cmocka_unit_test(test_bounds),    cmocka_unit_test(test_special),    cmocka_unit_test(test_random),
+        cmocka_unit_test(test_borders),   cmocka_unit_test(test_round_trip), cmocka_unit_test(test_known_values),
+        cmocka_unit_test(test_threshold), cmocka_unit_test(test_monotone),   cmocka_unit_test(test_arrays_and_floats),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
