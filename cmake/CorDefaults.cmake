@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: MIT
-# Build type and compiler flags of everything in this project; none of it reaches a user's project.
+# Build type and compiler flags of everything in this project. Nothing here reaches a user's project: where cor is a part
+# of another project (add_subdirectory, FetchContent), variables are set for this directory alone and no cache entry of
+# the other project is made or changed.
 
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+if(COR_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
-if(CMAKE_C_FLAGS_RELEASE STREQUAL "-O3 -DNDEBUG")
-  set(CMAKE_C_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "Flags of the Release build" FORCE)
+if(CMAKE_C_FLAGS_RELEASE STREQUAL "-O3 -DNDEBUG") # CMake's own; any other is the user's choice
+  set(CMAKE_C_FLAGS_RELEASE "-O2 -DNDEBUG")
 endif()
 set(CMAKE_C_EXTENSIONS OFF)
 set(CMAKE_C_STANDARD_REQUIRED ON)
 
-# No -ffast-math, no -march=native, no contraction: results are the same bits on every IEEE machine.
+# No -ffast-math, no -march=native, no contraction: results are the same bits on every IEEE machine. A project without a
+# build type gets an optimized library too.
 add_library(cor_defaults INTERFACE)
 target_compile_options(cor_defaults INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off $<$<BOOL:${COR_WERROR}>:-Werror>)
+  $<$<CONFIG:>:-O2> -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off $<$<BOOL:${COR_WERROR}>:-Werror>)

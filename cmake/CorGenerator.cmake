@@ -33,7 +33,11 @@ if(FLINT_FOUND)
   # the processes of one mpirun share the rows of a sweep, or there is but one process
   set(ranks gen/sweep/ranks_alone.c)
   if(COR_WITH_MPI)
-    find_package(MPI REQUIRED COMPONENTS C)
+    include(CorMPI)
+    if(NOT COR_HAVE_MPI)
+      message(FATAL_ERROR "COR_WITH_MPI=ON, but no MPI can be compiled with: mpi.h or its library is missing. "
+        "On Debian: apt-get install libopenmpi-dev openmpi-bin")
+    endif()
     set(ranks gen/sweep/ranks_mpi.c)
   endif()
   set(THREADS_PREFER_PTHREAD_FLAG ON)

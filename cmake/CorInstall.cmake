@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Library, headers, corgen, pkg-config file and CMake package. The installed tree can be moved: the
-# pkg-config file finds its prefix from its own place.
+# Library, headers, corgen, pkg-config file, CMake package, licence and examples. The installed tree can be moved: the
+# pkg-config file finds its prefix from its own place. Documents go where Debian has them, share/doc/cor.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS cor EXPORT cor-targets
@@ -8,6 +8,10 @@ install(TARGETS cor EXPORT cor-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/cor DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(FILES ${PROJECT_SOURCE_DIR}/generated/cor_sphere.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CITATION.cff
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(COR_HAVE_GENERATOR)
   install(TARGETS corgen RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

@@ -15,6 +15,7 @@ set(COR_GENERATOR_SOURCES
   gen/cli/options.c
   gen/cli/pade.c
   gen/cli/plan.c
+  gen/cli/proved_table.c
   gen/cli/series.c
   gen/cli/subcommand.c
   gen/cli/tables.c
@@ -25,6 +26,7 @@ set(COR_GENERATOR_SOURCES
   gen/disk/modes.c
   gen/disk/modes_rounded.c
   gen/embed/choose.c
+  gen/embed/contact.c
   gen/embed/fit.c
   gen/embed/form.c
   gen/embed/header.c
@@ -47,11 +49,14 @@ set(COR_GENERATOR_SOURCES
   gen/series/trajectory.c
   gen/series/trajectory_tail.c
   gen/series/turning_point.c
+  gen/support/clock.c
   gen/support/console.c
   gen/support/decimal.c
   gen/support/digits.c
   gen/support/emit_c.c
   gen/support/output.c
+  gen/support/parallel.c
+  gen/support/precision.c
   gen/sweep/crew.c
   gen/sweep/journal.c
   gen/sweep/run.c

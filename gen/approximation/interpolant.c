@@ -2,11 +2,13 @@
 #include "approximation/interpolant.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "enclosure/collision.h"
 #include "series/restitution.h"
 #include "support/console.h"
+#include "support/parallel.h"
 
 enum {
     WORKING_BITS = 320,
@@ -571,6 +573,30 @@ static bool has_far(const struct interpolant *f, enum quantity quantity)
     return false;
 }
 
+struct far_sampling {
+    const struct interpolant *f;
+    const struct interval *interval;
+    arb_mat_struct *value; /* a row for each place */
+    atomic_bool failed;
+};
+
+static void sample_far(void *context, slong k)
+{
+    struct far_sampling *const work = context;
+    arb_ptr value = _arb_vec_init(QUANTITIES);
+    arb_t beta, u;
+    arb_init(beta);
+    arb_init(u);
+    place(beta, u, work->f, work->interval, far_place(&work->f->layout->law, k));
+    if (solve_rounded(value, work->f, work->interval, beta, FAR_BITS) != STATUS_OK)
+        atomic_store(&work->failed, true);
+    for (int q = 0; q < QUANTITIES; q++)
+        arb_set(arb_mat_entry(work->value, k, q), value + q);
+    arb_clear(beta);
+    arb_clear(u);
+    _arb_vec_clear(value, QUANTITIES);
+}
+
 /* Through as many samples as there are coefficients. */
 static int make_far(struct interpolant *f)
 {
@@ -579,7 +605,6 @@ static int make_far(struct interpolant *f)
     const slong columns = INTERPOLANT_FAR + (falls_apart(law) && has_far(f, DURATION_ZERO_OVERLAP));
     arb_mat_t a, b, own;
     arb_t beta, u, excess;
-    arb_ptr value = _arb_vec_init(QUANTITIES);
     int status = STATUS_OK;
     for (int q = 0; q < QUANTITIES; q++)
         if (has_far(f, (enum quantity)q))
@@ -590,7 +615,11 @@ static int make_far(struct interpolant *f)
     arb_init(beta);
     arb_init(u);
     arb_init(excess);
-    for (slong k = 0; k < columns && status == STATUS_OK; k++) {
+    struct far_sampling work = {.f = f, .interval = &interval, .value = b};
+    parallel_for(sample_far, &work, columns, "collisions at large beta");
+    if (atomic_load(&work.failed))
+        status = STATUS_FAILED;
+    for (slong k = 0; k < columns; k++) {
         place(beta, u, f, &interval, far_place(law, k));
         far_basis(own, k, u, law);
         for (slong j = 0; j < INTERPOLANT_FAR && k < INTERPOLANT_FAR; j++)
@@ -601,9 +630,6 @@ static int make_far(struct interpolant *f)
                 arb_mul(arb_mat_entry(own, k, j), arb_mat_entry(own, k, j), excess, WORKING_BITS);
             power_of(arb_mat_entry(own, k, INTERPOLANT_FAR), u, far_excess(law, true), WORKING_BITS);
         }
-        status = solve_rounded(value, f, &interval, beta, FAR_BITS);
-        for (int q = 0; q < QUANTITIES; q++)
-            arb_set(arb_mat_entry(b, k, q), value + q);
     }
     arb_mat_t x, y;
     arb_mat_init(x, INTERPOLANT_FAR, QUANTITIES);
@@ -628,7 +654,6 @@ static int make_far(struct interpolant *f)
     arb_clear(beta);
     arb_clear(u);
     arb_clear(excess);
-    _arb_vec_clear(value, QUANTITIES);
     return status;
 }
 
@@ -969,28 +994,54 @@ static void samples_clear(struct samples *s, slong count)
         _arb_vec_clear(s->value[q], count);
 }
 
-/* Collisions at the points of interval i. */
-static int make_samples(struct interpolant *f, int i)
+/* The samples of all intervals that are needed, as tasks */
+struct sampling {
+    struct interpolant *f;
+    struct {
+        int interval;
+        slong sample;
+    } * task;
+    slong tasks;
+    atomic_bool failed;
+};
+
+static void sample(void *context, slong i)
 {
-    const struct interval *interval = &f->layout->interval[i];
-    struct samples *s = &f->samples[i];
+    struct sampling *const work = context;
+    const struct interval *const interval = &work->f->layout->interval[work->task[i].interval];
+    struct samples *const s = &work->f->samples[work->task[i].interval];
+    const slong j = work->task[i].sample;
+    if (atomic_load(&work->failed))
+        return;
     arb_ptr value = _arb_vec_init(QUANTITIES);
-    int status = STATUS_OK;
-    long before = 0, total = 0;
-    for (int k = 0; k < f->layout->intervals; k++) {
-        before += k < i ? (long)f->layout->interval[k].count : 0;
-        total += (long)f->layout->interval[k].count;
-    }
-    s->known = true;
-    place_nodes(s, f, interval);
-    for (slong j = 0; j < interval->count && status == STATUS_OK; j++) {
-        progress("collisions", before + (long)j, total);
-        status = solve_rounded(value, f, interval, s->beta + j, interval->bits);
-        for (int q = 0; q < QUANTITIES; q++)
-            arb_set(s->value[q] + j, value + q);
-    }
+    if (solve_rounded(value, work->f, interval, s->beta + j, interval->bits) != STATUS_OK)
+        atomic_store(&work->failed, true);
+    for (int q = 0; q < QUANTITIES; q++)
+        arb_set(s->value[q] + j, value + q);
     _arb_vec_clear(value, QUANTITIES);
-    return status;
+}
+
+static int make_samples(struct interpolant *f, double beta_min, double beta_max)
+{
+    const struct interpolant_layout *const layout = f->layout;
+    struct sampling work = {.f = f};
+    slong most = 0;
+    for (int i = 0; i < layout->intervals; i++)
+        most += layout->interval[i].count;
+    work.task = xmalloc((size_t)most * sizeof *work.task);
+    for (int i = layout->intervals - 1; i >= 0; i--) { /* the longest collisions first */
+        f->samples[i].known = needed(f, &layout->interval[i], beta_min, beta_max);
+        if (!f->samples[i].known)
+            continue;
+        place_nodes(&f->samples[i], f, &layout->interval[i]);
+        for (slong j = layout->interval[i].count - 1; j >= 0; j--) {
+            work.task[work.tasks].interval = i;
+            work.task[work.tasks++].sample = j;
+        }
+    }
+    parallel_for(sample, &work, work.tasks, "collisions");
+    free(work.task);
+    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
 }
 
 struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max)
@@ -1011,13 +1062,11 @@ struct interpolant *interpolant_new(const struct interpolant_layout *layout, dou
 
     int status = make_constants(f, beta_max);
     make_backward(f);
-    for (int i = 0; i < layout->intervals && status == STATUS_OK; i++)
-        if (needed(f, &layout->interval[i], beta_min, beta_max))
-            status = make_samples(f, i);
+    if (status == STATUS_OK)
+        status = make_samples(f, beta_min, beta_max);
     const struct interval *last = &layout->interval[layout->intervals - 1];
     if (status == STATUS_OK && layout->far && beta_max > exp(last->hi))
         status = make_far(f);
-    progress_end();
     if (status == STATUS_OK)
         return f;
     interpolant_free(f);
@@ -1072,21 +1121,36 @@ static int check_place(double *error, const struct interpolant *f, int i, double
     return status;
 }
 
+struct checking {
+    const struct interpolant *f;
+    int points;
+    double *error; /* of each task */
+    atomic_bool failed;
+};
+
+/* Point i % points of interval i / points: the ends, where interpolation is worst, and between. */
+static void check_point(void *context, slong i)
+{
+    struct checking *const work = context;
+    const int index = (int)(i / work->points), k = (int)(i % work->points);
+    const struct interval *const interval = &work->f->layout->interval[index];
+    const double s = work->points > 1 ? k / (double)(work->points - 1) : 0;
+    const bool at_zero = k == 0 && interval->variable == INTERVAL_ROOT && interval->lo == 0;
+    work->error[i] = 0;
+    if (work->f->samples[index].known &&
+        check_place(&work->error[i], work->f, index,
+                    interval->lo + (interval->hi - interval->lo) * (at_zero ? 1e-6 : s)))
+        atomic_store(&work->failed, true);
+}
+
 int interpolant_check(double *error, const struct interpolant *f, int points)
 {
-    int status = STATUS_OK;
+    const slong tasks = (slong)f->layout->intervals * points;
+    struct checking work = {.f = f, .points = points, .error = xmalloc((size_t)tasks * sizeof *work.error)};
+    parallel_for(check_point, &work, tasks, "collisions to check with");
     *error = 0;
-    for (int i = 0; i < f->layout->intervals; i++) {
-        const struct interval *interval = &f->layout->interval[i];
-        for (int k = 0; k < points && f->samples[i].known && status == STATUS_OK; k++) {
-            /* the ends, where interpolation is worst, and between */
-            const double s = points > 1 ? k / (double)(points - 1) : 0;
-            status = check_place(
-                error, f, i,
-                interval->lo + (interval->hi - interval->lo) *
-                                   (k == 0 && interval->variable == INTERVAL_ROOT && interval->lo == 0 ? 1e-6 : s));
-        }
-    }
-    progress_end();
-    return status;
+    for (slong i = 0; i < tasks; i++)
+        *error = fmax(*error, work.error[i]);
+    free(work.error);
+    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
 }

@@ -2,11 +2,14 @@
 #include "approximation/pade_rounded.h"
 
 #include <math.h>
+#include <stdatomic.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/parallel.h"
 
 enum {
     BITS = 192,                /* of references and of everything computed here */
@@ -71,12 +74,49 @@ int pade_round(struct pade_rounded *r, const struct pade *f)
            round_polynomial(r->l_double, r->l, "loss");
 }
 
-int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small)
+struct collecting {
+    struct references *references;
+    const struct law *law;
+    slong beta_max;
+    atomic_bool failed;
+};
+
+/* beta_max (i + 1)/even, or beta_max 2^(-SMALL_STEP (i - even + 1)). */
+static void reference_place(fmpq_t beta, const struct collecting *work, slong i)
 {
+    const slong even = work->references->even;
+    if (i < even) {
+        fmpq_set_si(beta, work->beta_max * (i + 1), (ulong)even);
+        return;
+    }
+    fmpz_t scale;
+    fmpz_init(scale);
+    fmpz_one_2exp(scale, (ulong)(SMALL_STEP * (i - even + 1)));
+    fmpq_set_si(beta, work->beta_max, 1);
+    fmpq_div_fmpz(beta, beta, scale);
+    fmpz_clear(scale);
+}
+
+static void reference_collide(void *context, slong i)
+{
+    struct collecting *const work = context;
+    struct references *const s = work->references;
     struct collision c;
     arb_t beta;
-    fmpz_t scale;
-    int status = 0;
+    collision_init(&c);
+    arb_init(beta);
+    reference_place(s->beta + i, work, i);
+    arb_set_fmpq(beta, s->beta + i, 2 * BITS);
+    if (collision_solve(&c, beta, work->law, BITS) != STATUS_OK)
+        atomic_store(&work->failed, true);
+    arb_set(s->eps[END_ZERO_OVERLAP] + i, c.eps_zero_overlap);
+    arb_set(s->eps[END_ZERO_FORCE] + i, c.eps_zero_force);
+    collision_clear(&c);
+    arb_clear(beta);
+}
+
+int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small)
+{
     s->count = even + small;
     s->even = even;
     s->beta = xmalloc((size_t)s->count * sizeof *s->beta);
@@ -84,32 +124,12 @@ int references_init(struct references *s, const struct law *law, slong beta_max,
         fmpq_init(s->beta + i);
     for (int end = 0; end < 2; end++)
         s->eps[end] = _arb_vec_init(s->count);
-    collision_init(&c);
-    arb_init(beta);
-    fmpz_init(scale);
-    for (slong i = 0; i < s->count && status == 0; i++) {
-        progress("collisions to compare with", i, s->count);
-        fmpq *x = s->beta + i;
-        if (i < even) {
-            fmpq_set_si(x, beta_max * (i + 1), (ulong)even);
-        } else {
-            fmpz_one(scale);
-            fmpz_mul_2exp(scale, scale, (ulong)(SMALL_STEP * (i - even + 1)));
-            fmpq_set_si(x, beta_max, 1);
-            fmpq_div_fmpz(x, x, scale);
-        }
-        arb_set_fmpq(beta, x, 2 * BITS);
-        status = collision_solve(&c, beta, law, BITS);
-        arb_set(s->eps[END_ZERO_OVERLAP] + i, c.eps_zero_overlap);
-        arb_set(s->eps[END_ZERO_FORCE] + i, c.eps_zero_force);
-    }
-    progress_end();
-    collision_clear(&c);
-    arb_clear(beta);
-    fmpz_clear(scale);
-    if (status)
-        references_clear(s);
-    return status;
+    struct collecting work = {.references = s, .law = law, .beta_max = beta_max};
+    parallel_for(reference_collide, &work, s->count, "collisions to compare with");
+    if (!atomic_load(&work.failed))
+        return STATUS_OK;
+    references_clear(s);
+    return STATUS_FAILED;
 }
 
 void references_clear(struct references *s)

@@ -2,10 +2,12 @@
 #include "approximation/pieces.h"
 
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/parallel.h"
 
 enum { WORKING_BITS = 320, POINTS = 24 /* where a row's error is sampled */ };
 
@@ -238,28 +240,57 @@ static bool covers_end(const struct pieces *p)
     return (by_root(p) ? pow(last.hi, (double)p->root) : last.hi) >= p->end;
 }
 
-/* Cuts row after row up to the first that misses a bound: STATUS_OK with *good false there, or STATUS_FAILED. */
+struct cutting {
+    struct pieces *p;
+    const struct interpolant *f;
+    struct quality *quality; /* of each row */
+    atomic_bool failed, missed;
+};
+
+static bool is_good(const struct pieces *p, struct quality quality)
+{
+    return quality.bits >= p->least_bits && (p->most_rest == 0 || quality.rest <= p->most_rest);
+}
+
+/* Nothing after another row has missed a bound: then the grid is too wide. */
+static void cut_row(void *context, slong row)
+{
+    struct cutting *const work = context;
+    struct pieces *const p = work->p;
+    const slong columns = p->degree + 2;
+    const struct cell cell = cell_of(p, row);
+    arb_ptr exact = p->coefficient + row * columns;
+    double *const c = p->value + row * columns;
+    work->quality[row] = (struct quality){INFINITY, 0};
+    if (atomic_load(&work->failed) || atomic_load(&work->missed))
+        return;
+    int status = cut(exact, p, work->f, &cell);
+    for (slong k = 0; k < columns && status == STATUS_OK; k++)
+        if (!digits_to_double(&c[k], exact + k))
+            status = fail("%s, row %ld: coefficient %ld cannot be rounded", p->name, (long)row, (long)k);
+    if (status == STATUS_OK) {
+        work->quality[row] = quality_of(p, work->f, &cell, c);
+        p->bits[row] = work->quality[row].bits;
+        if (!is_good(p, work->quality[row]))
+            atomic_store(&work->missed, true);
+    } else {
+        atomic_store(&work->failed, true);
+    }
+}
+
+/* Cuts all rows: STATUS_OK with *good false where one misses a bound, with its number and quality, or STATUS_FAILED. */
 static int cut_rows(struct pieces *p, const struct interpolant *f, bool *good, slong *missed, struct quality *quality)
 {
-    const slong columns = p->degree + 2;
-    int status = STATUS_OK;
-    *good = true;
-    for (slong row = 0; row < p->rows && status == STATUS_OK && *good; row++) {
-        const struct cell cell = cell_of(p, row);
-        arb_ptr exact = p->coefficient + row * columns;
-        double *const c = p->value + row * columns;
-        status = cut(exact, p, f, &cell);
-        for (slong k = 0; k < columns && status == STATUS_OK; k++)
-            if (!digits_to_double(&c[k], exact + k))
-                status = fail("%s, row %ld: coefficient %ld cannot be rounded", p->name, (long)row, (long)k);
-        if (status)
-            break;
-        *quality = quality_of(p, f, &cell, c);
-        *missed = row;
-        p->bits[row] = quality->bits;
-        *good = quality->bits >= p->least_bits && (p->most_rest == 0 || quality->rest <= p->most_rest);
-    }
-    return status;
+    struct cutting work = {.p = p, .f = f, .quality = xmalloc((size_t)p->rows * sizeof *work.quality)};
+    parallel_for(cut_row, &work, p->rows, p->name);
+    *good = !atomic_load(&work.missed);
+    for (slong row = p->rows - 1; row >= 0; row--)
+        if (!is_good(p, work.quality[row])) {
+            *missed = row;
+            *quality = work.quality[row];
+        }
+    free(work.quality);
+    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
 }
 
 static void pieces_allocate(struct pieces *p)

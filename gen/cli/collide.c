@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "cli/commands.h"
+#include "cli/proved_table.h"
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/digits.h"
@@ -17,19 +18,25 @@ static const char *const meaning[COLUMNS] = {
     "duration of that contact",    "coefficient of restitution, contact ends at zero force",
     "duration of that contact"};
 
-/* Fills the one row; *undecided is -1, or the column whose digits are not proved yet. */
-static int fill(struct table *table, slong *undecided, const struct collide_arguments *o, const struct law *law,
-                slong bits)
+struct problem {
+    const struct decimal *beta;
+    struct law law;
+    slong digits;
+};
+
+/* The one row. */
+static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
+    const struct problem *const problem = arguments;
+    profile_step("collision");
     table_init(table, column, COLUMNS);
-    *undecided = -1;
     arb_t beta;
     arb_init(beta);
     /* beta is rounded with bits to spare, so that this never costs the result its own. */
-    arb_set_fmpq(beta, o->beta.value, 3 * bits + 256);
+    arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
     struct collision collision;
     collision_init(&collision);
-    int status = collision_solve(&collision, beta, law, bits);
+    const int status = collision_solve(&collision, beta, &problem->law, bits);
     profile_step("digits");
     const arb_struct *const value[COLUMNS] = {NULL,
                                               collision.x_max,
@@ -38,13 +45,13 @@ static int fill(struct table *table, slong *undecided, const struct collide_argu
                                               collision.t_zero_overlap,
                                               collision.eps_zero_force,
                                               collision.t_zero_force};
-    table_add(table, xstrdup(o->beta.text));
-    for (int i = 1; i < COLUMNS && status == STATUS_OK && *undecided < 0; i++) {
-        char *text = digits_of_ball(value[i], o->digits);
+    table_add(table, xstrdup(problem->beta->text));
+    for (int i = 1; i < COLUMNS && status == STATUS_OK && !*undecided; i++) {
+        char *text = digits_of_ball(value[i], problem->digits);
         if (text)
             table_add(table, text);
         else
-            *undecided = i;
+            snprintf(undecided, PROVED_TABLE_NAME, "%s", column[i]);
     }
     collision_clear(&collision);
     arb_clear(beta);
@@ -60,37 +67,12 @@ static void print_text(FILE *file, const struct table *table)
 static int run_collide(const void *arguments)
 {
     const struct collide_arguments *const o = arguments;
-    struct law law;
-    const int wrong = options_law(&law, &o->law);
+    struct problem problem = {.beta = &o->beta, .digits = o->digits};
+    const int wrong = options_law(&problem.law, &o->law);
     if (wrong)
         return wrong;
-    struct output out;
-    if (output_open(&out, o->common.output) != STATUS_OK)
-        return STATUS_FAILED;
-
-    struct precision precision = precision_start(o->digits);
-    for (;;) {
-        struct table table = {0};
-        slong undecided = -1;
-        profile_step("collision");
-        int status = fill(&table, &undecided, o, &law, precision.bits);
-        if (status == STATUS_OK && undecided < 0) {
-            profile_step("printing");
-            if (o->common.format == FORMAT_TEXT)
-                print_text(out.file, &table);
-            else
-                table_print(&table, (enum output_format)o->common.format, out.file);
-            table_clear(&table);
-            return output_commit(&out);
-        }
-        table_clear(&table);
-        if (status == STATUS_OK && !precision_raise(&precision))
-            status = precision_spent(&precision, column[undecided], o->digits);
-        if (status != STATUS_OK) {
-            output_discard(&out);
-            return STATUS_FAILED;
-        }
-    }
+    const struct proved_table table = {o->digits, &problem, fill_table, print_text};
+    return proved_table_write(&table, &o->common);
 }
 
 static const char help[] = "Usage: corgen collide --beta B [OPTION]...\n\n"
@@ -116,5 +98,10 @@ static const struct option_rule options[] = {
 
 static const struct collide_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_collide = {
-    "collide", "one collision to any number of digits", help, options, sizeof defaults, &defaults, run_collide};
+const struct subcommand command_collide = {.name = "collide",
+                                           .summary = "one collision to any number of digits",
+                                           .help = help,
+                                           .options = options,
+                                           .size = sizeof defaults,
+                                           .defaults = &defaults,
+                                           .run = run_collide};

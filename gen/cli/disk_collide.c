@@ -3,7 +3,7 @@
 #include "cli/commands.h"
 #include "cor/disk.h"
 #include "support/console.h"
-#include "sweep/crew.h"
+#include "support/parallel.h"
 
 #define DEFAULT_TOLERANCE "1e-8"
 #define TEXT_OF_(x) #x
@@ -37,7 +37,7 @@ static const char help[] =
     "every combination of the four lists. Units: E = rho = R = 1.\n\n"
     "  --speed LIST     impact speeds, above 0 and up to 0.5\n"
     "  --poisson LIST   Poisson's ratios in plane stress, between -1 and 1\n"
-    "  --alpha LIST     hardnesses of the wall, above 0\n"
+    "  --alpha LIST     hardnesses of the wall, 40 to 1e5\n"
     "  --modes LIST     numbers of modes, 1 to 10000000\n"
     "  --tolerance T    error allowed in eps, 1e-13 to below 1 (default " DEFAULT_TOLERANCE ")\n"
     "  --phi-points M   angles on the quadrant for the wall's force, 1 to 16384\n"
@@ -45,7 +45,7 @@ static const char help[] =
     "  --threads K      1 to 1024 (default: as many as processors; under mpirun 1 for each rank)\n"
     "  --format F       text (default), csv or json\n"
     "  --output FILE    instead of standard output. Rows are kept in FILE.part till all are\n"
-    "                   there; the same command goes on where an interrupted one ended\n"
+    "                   there; the same command continues an interrupted one\n"
     "  --profile        seconds per step and peak memory on standard error\n"
     "\nLIST: values and ranges with commas between. 0.1, 1.5e-3 or 1/3 is a value;\n"
     "  A:B:+S     A, A + S, A + 2 S, ... up to B      (-S: down to B)\n"
@@ -71,7 +71,7 @@ static const struct option_rule options[] = {
     {.name = "threads",
      .kind = OPTION_WHOLE,
      .offset = AT(threads),
-     .range.whole = {1, CREW_MAX_THREADS},
+     .range.whole = {1, PARALLEL_MAX_THREADS},
      .why = "no machine has use for more"},
     OPTION_FORMAT(struct disk_collide_arguments, option_formats),
     OPTION_COMMON(struct disk_collide_arguments),
@@ -80,6 +80,11 @@ static const struct option_rule options[] = {
 
 static const struct disk_collide_arguments defaults = {0};
 
-const struct subcommand command_disk_collide = {
-    "disk-collide",  "collisions of elastic disks, over lists of parameters", help, options, sizeof defaults, &defaults,
-    run_disk_collide};
+const struct subcommand command_disk_collide = {.name = "disk-collide",
+                                                .summary = "collisions of elastic disks, over lists of parameters",
+                                                .help = help,
+                                                .options = options,
+                                                .size = sizeof defaults,
+                                                .defaults = &defaults,
+                                                .run = run_disk_collide,
+                                                .on_all_ranks = true};

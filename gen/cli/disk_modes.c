@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen disk-modes: the lowest free modes of an elastic disk in proved digits. */
+#include <stdlib.h>
+
 #include "cli/commands.h"
 #include "disk/modes.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/parallel.h"
 
 /* What one mode takes: three numbers, their texts, and its place in the table. */
 static double bytes_needed(double digits)
@@ -11,41 +14,70 @@ static double bytes_needed(double digits)
     return 600 + 3 * (digits + digits * 3.33 / 8);
 }
 
+enum { NUMBERS = 3 }; /* of a mode: omega, C, S */
+
+struct spelling {
+    const struct disk_modes *modes;
+    slong digits;
+    char **text; /* NUMBERS of each mode */
+};
+
+static void spell_mode(void *context, slong i)
+{
+    const struct spelling *const work = context;
+    const struct disk_mode *const mode = &work->modes->mode[i];
+    char **const text = work->text + NUMBERS * i;
+    text[0] = digits_of_ball(mode->omega, work->digits);
+    text[1] = digits_of_ball(mode->c, work->digits);
+    text[2] = digits_of_ball(mode->s, work->digits);
+}
+
+static void fill_table(struct table *table, const struct disk_modes *modes, slong digits)
+{
+    static const char *const column[] = {"n", "l", "omega", "C", "S"};
+    struct spelling work = {modes, digits, xmalloc((size_t)(NUMBERS * modes->count) * sizeof *work.text)};
+    parallel_for(spell_mode, &work, modes->count, "digits of modes");
+    table_init(table, column, sizeof column / sizeof *column);
+    for (slong i = 0; i < modes->count; i++) {
+        table_add_integer(table, modes->mode[i].n);
+        table_add_integer(table, modes->mode[i].l);
+        for (int k = 0; k < NUMBERS; k++)
+            table_add(table, work.text[NUMBERS * i + k]);
+    }
+    free(work.text);
+}
+
+static int check_memory(const struct disk_modes_arguments *o)
+{
+    const double needed = (double)o->count * bytes_needed((double)o->digits), memory = console_memory();
+    return memory > 0 && needed > memory
+               ? fail("%ld modes to %ld digits need about %.3g GB of memory, and this machine has %.3g GB",
+                      (long)o->count, (long)o->digits, needed / 1e9, memory / 1e9)
+               : STATUS_OK;
+}
+
 static int run_disk_modes(const void *arguments)
 {
     const struct disk_modes_arguments *const o = arguments;
-    const int wrong = options_disk_poisson(&o->poisson);
-    if (wrong)
-        return wrong;
-    static const char *const column[] = {"n", "l", "omega", "C", "S"};
-    const double needed = (double)o->count * bytes_needed((double)o->digits), memory = console_memory();
-    if (memory > 0 && needed > memory)
-        return fail("%ld modes to %ld digits need about %.3g GB of memory, and this machine has %.3g GB",
-                    (long)o->count, (long)o->digits, needed / 1e9, memory / 1e9);
     struct output out;
-    if (output_open(&out, o->common.output) != STATUS_OK)
-        return STATUS_FAILED;
+    int status = options_disk_poisson(&o->poisson);
+    if (status == STATUS_OK)
+        status = check_memory(o);
+    if (status == STATUS_OK)
+        status = output_open(&out, o->common.output);
+    if (status != STATUS_OK)
+        return status;
 
-    disk_modes_use_all_processors();
     struct disk_modes modes;
     disk_modes_init(&modes);
-    const int status = disk_modes_solve(&modes, o->poisson.value, o->count, o->digits);
+    status = disk_modes_solve(&modes, o->poisson.value, o->count, o->digits);
     if (status != STATUS_OK) {
         output_discard(&out);
         return status;
     }
-
     profile_step("printing");
     struct table table;
-    table_init(&table, column, sizeof column / sizeof *column);
-    for (slong i = 0; i < modes.count; i++) {
-        const struct disk_mode *mode = &modes.mode[i];
-        table_add_integer(&table, mode->n);
-        table_add_integer(&table, mode->l);
-        table_add(&table, digits_of_ball(mode->omega, o->digits));
-        table_add(&table, digits_of_ball(mode->c, o->digits));
-        table_add(&table, digits_of_ball(mode->s, o->digits));
-    }
+    fill_table(&table, &modes, o->digits);
     disk_modes_clear(&modes);
     table_print(&table, (enum output_format)o->common.format, out.file);
     table_clear(&table);
@@ -83,5 +115,10 @@ static const struct option_rule options[] = {
 
 static const struct disk_modes_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_disk_modes = {
-    "disk-modes", "the free modes of an elastic disk", help, options, sizeof defaults, &defaults, run_disk_modes};
+const struct subcommand command_disk_modes = {.name = "disk-modes",
+                                              .summary = "the free modes of an elastic disk",
+                                              .help = help,
+                                              .options = options,
+                                              .size = sizeof defaults,
+                                              .defaults = &defaults,
+                                              .run = run_disk_modes};

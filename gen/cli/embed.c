@@ -29,16 +29,25 @@ static int run_embed(const void *arguments)
     const struct embed_arguments *const o = arguments;
     struct embed_scene scene;
     struct embed_form form[FAMILIES] = {{0}};
-    profile_step("collisions");
-    int status = embed_scene_init(&scene, &o->scene);
+    struct embed_series series;
+    int status = embed_request_check(&o->scene);
+    if (status != STATUS_OK)
+        return status;
+    profile_step("collisions, series");
+    embed_series_begin(&series, o->scene.end);
+    status = embed_scene_init(&scene, &o->scene);
+    const int series_status = embed_series_end(&series);
     if (status == STATUS_OK)
-        status = embed_search(form, &scene);
-    if (status == STATUS_OK)
+        status = series_status;
+    if (status == STATUS_OK) {
+        embed_search(form, &scene, &series);
         status = write_header(o, &scene, form);
+    }
     profile_step(NULL);
     for (int i = 0; i < FAMILIES; i++)
         embed_form_clear(&form[i]);
     embed_scene_clear(&scene);
+    embed_series_clear(&series);
     return status;
 }
 
@@ -74,6 +83,10 @@ static const struct option_rule options[] = {
 
 static const struct embed_arguments defaults = {0};
 
-const struct subcommand command_embed = {
-    "embed",  "a C header with eps of the impact speed for one scene", help, options, sizeof defaults, &defaults,
-    run_embed};
+const struct subcommand command_embed = {.name = "embed",
+                                         .summary = "a C header with eps of the impact speed for one scene",
+                                         .help = help,
+                                         .options = options,
+                                         .size = sizeof defaults,
+                                         .defaults = &defaults,
+                                         .run = run_embed};

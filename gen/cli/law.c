@@ -50,5 +50,10 @@ static const struct option_rule options[] = {
 
 static const struct law_arguments defaults = {0};
 
-const struct subcommand command_law = {
-    "law", "a C header with every quantity of one contact law", help, options, sizeof defaults, &defaults, run_law};
+const struct subcommand command_law = {.name = "law",
+                                       .summary = "a C header with every quantity of one contact law",
+                                       .help = help,
+                                       .options = options,
+                                       .size = sizeof defaults,
+                                       .defaults = &defaults,
+                                       .run = run_law};

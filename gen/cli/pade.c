@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/precision.h"
 #include "tables/pade.h"
 
 enum {
@@ -45,11 +46,12 @@ static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p
 }
 
 /* f, its analysis, and the table of its coefficients to so many digits. */
-static int compute(struct pade *f, struct pade_analysis *a, struct table *t, const struct pade_request *request,
-                   slong digits, slong bits)
+static int compute_coefficients(struct pade *f, struct pade_analysis *a, struct table *t,
+                                const struct pade_request *request, slong digits, slong bits)
 {
-    for (int i = 0; i < PRINT_ATTEMPTS; i++, bits *= 2) {
-        const int status = pade_compute(f, a, request, bits);
+    struct precision precision = precision_doubling(bits, PRINT_ATTEMPTS);
+    do {
+        const int status = pade_compute(f, a, request, precision.bits);
         if (status)
             return status;
         table_init(t, columns, 3);
@@ -57,7 +59,7 @@ static int compute(struct pade *f, struct pade_analysis *a, struct table *t, con
             add_polynomial(t, "denominator", f->q, f->denominator, digits))
             return STATUS_OK;
         table_clear(t);
-    }
+    } while (precision_raise(&precision));
     return fail("a coefficient lies too near the middle of two numbers of %ld digits", (long)digits);
 }
 
@@ -207,6 +209,8 @@ static int read_request(struct pade_request *r, const struct pade_arguments *o, 
                                .denominator = o->denominator,
                                .end = o->end,
                                .law = *law};
+    if (o->header && o->common.output && strcmp(o->header, o->common.output) == 0)
+        return usage_error("--header and --output name the same file, '%s'", o->header);
     if (o->as_published && !law_is_sphere(law))
         return usage_error("--as-published is the sphere's");
     if (o->as_published && o->end != END_ZERO_OVERLAP)
@@ -241,7 +245,7 @@ static int run_pade(const void *arguments)
     pade_init(&f);
     pade_analysis_init(&a);
     profile_step("Padé");
-    status = compute(&f, &a, &t, &request, o->digits, bits);
+    status = compute_coefficients(&f, &a, &t, &request, o->digits, bits);
     if (status == STATUS_OK) {
         char *defects = pade_defects(&a);
         if (o->header && defects && !o->force)
@@ -300,5 +304,10 @@ static const struct option_rule options[] = {
 static const struct pade_arguments defaults = {
     .numerator = OPTIONS_NOT_GIVEN, .denominator = OPTIONS_NOT_GIVEN, .digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_pade = {
-    "pade", "Pade approximants of eps(beta)", help, options, sizeof defaults, &defaults, run_pade};
+const struct subcommand command_pade = {.name = "pade",
+                                        .summary = "Pade approximants of eps(beta)",
+                                        .help = help,
+                                        .options = options,
+                                        .size = sizeof defaults,
+                                        .defaults = &defaults,
+                                        .run = run_pade};

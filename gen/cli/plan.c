@@ -98,6 +98,10 @@ static const struct option_rule options[] = {
 
 static const struct plan_arguments defaults = {0};
 
-const struct subcommand command_plan = {
-    "plan",  "which model a scene needs, what it costs and leaves out", help, options, sizeof defaults, &defaults,
-    run_plan};
+const struct subcommand command_plan = {.name = "plan",
+                                        .summary = "which model a scene needs, what it costs and leaves out",
+                                        .help = help,
+                                        .options = options,
+                                        .size = sizeof defaults,
+                                        .defaults = &defaults,
+                                        .run = run_plan};

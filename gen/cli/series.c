@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "cli/commands.h"
+#include "cli/proved_table.h"
 #include "series/restitution.h"
 #include "support/console.h"
 #include "support/digits.h"
@@ -22,38 +23,43 @@ static bool add_coefficient(struct table *table, const arb_poly_t poly, slong k,
     return text != NULL;
 }
 
-/* Each fills the table; *undecided is -1, or the lowest row whose digits are not proved yet. */
+struct problem {
+    const struct series_arguments *arguments;
+    struct law law;
+};
 
-static int fill_zero_overlap(struct table *table, slong *undecided, const struct series_arguments *o,
-                             const struct law *law, slong bits)
+static int fill_zero_overlap(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     static const char *const column[] = {"k", "y_k", "tau_k", "C_k"};
+    const struct problem *const problem = arguments;
+    const slong order = problem->arguments->order, digits = problem->arguments->digits;
+    profile_step("series");
     table_init(table, column, sizeof column / sizeof *column);
-    *undecided = -1;
     struct series series;
     series_init(&series);
-    int status = series_compute(&series, o->order, law, bits);
+    const int status = series_compute(&series, order, &problem->law, bits);
     profile_step("digits");
-    for (slong k = 0; k <= o->order && status == STATUS_OK && *undecided < 0; k++) {
+    for (slong k = 0; k <= order && status == STATUS_OK && !*undecided; k++) {
         table_add_integer(table, k);
-        if (!add_coefficient(table, series.y, k, o->digits) || !add_coefficient(table, series.tau, k, o->digits) ||
-            !add_coefficient(table, series.c, k, o->digits))
-            *undecided = k;
+        if (!add_coefficient(table, series.y, k, digits) || !add_coefficient(table, series.tau, k, digits) ||
+            !add_coefficient(table, series.c, k, digits))
+            snprintf(undecided, PROVED_TABLE_NAME, "coefficient %ld", (long)k);
     }
     series_clear(&series);
     return status;
 }
 
-static int fill_zero_force(struct table *table, slong *undecided, const struct series_arguments *o,
-                           const struct law *law, slong bits)
+static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     static char power[64];
     static const char *column[] = {power, "coefficient"};
-    *undecided = -1;
+    const struct problem *const problem = arguments;
+    const slong order = problem->arguments->order;
+    profile_step("series");
     slong root = 1;
     arb_poly_t eps;
     arb_poly_init(eps);
-    int status = series_eps(eps, &root, END_ZERO_FORCE, o->order, law, bits);
+    const int status = series_eps(eps, &root, END_ZERO_FORCE, order, &problem->law, bits);
     if (root == 1)
         snprintf(power, sizeof power, "power_of_beta");
     else if (root == 2)
@@ -62,10 +68,10 @@ static int fill_zero_force(struct table *table, slong *undecided, const struct s
         snprintf(power, sizeof power, "power_of_beta_root_%ld", (long)root);
     table_init(table, column, sizeof column / sizeof *column);
     profile_step("digits");
-    for (slong k = 0; k <= o->order && status == STATUS_OK && *undecided < 0; k++) {
+    for (slong k = 0; k <= order && status == STATUS_OK && !*undecided; k++) {
         table_add_integer(table, k);
-        if (!add_coefficient(table, eps, k, o->digits))
-            *undecided = k;
+        if (!add_coefficient(table, eps, k, problem->arguments->digits))
+            snprintf(undecided, PROVED_TABLE_NAME, "coefficient %ld", (long)k);
     }
     arb_poly_clear(eps);
     return status;
@@ -97,50 +103,33 @@ static void fill_exact(struct table *table, slong order, const struct law *law)
     fmpq_poly_clear(f[1]);
 }
 
+static int write_exact(const struct problem *problem)
+{
+    const struct option_common *const common = &problem->arguments->common;
+    struct output out;
+    if (output_open(&out, common->output) != STATUS_OK)
+        return STATUS_FAILED;
+    struct table table;
+    fill_exact(&table, problem->arguments->order, &problem->law);
+    table_print(&table, (enum output_format)common->format, out.file);
+    table_clear(&table);
+    return output_commit(&out);
+}
+
 static int run_series(const void *arguments)
 {
     const struct series_arguments *const o = arguments;
-    struct law law;
-    const int wrong = options_law(&law, &o->law);
+    struct problem problem = {.arguments = o};
+    const int wrong = options_law(&problem.law, &o->law);
     if (wrong)
         return wrong;
     if (o->exact && o->end != END_ZERO_FORCE)
         return usage_error("--exact needs --end zero-force: the coefficients at zero overlap are irrational");
-    struct output out;
-    if (output_open(&out, o->common.output) != STATUS_OK)
-        return STATUS_FAILED;
-
-    if (o->exact) {
-        struct table table;
-        fill_exact(&table, o->order, &law);
-        table_print(&table, (enum output_format)o->common.format, out.file);
-        table_clear(&table);
-        return output_commit(&out);
-    }
-    struct precision precision = precision_start(o->digits);
-    for (;;) {
-        struct table table = {0};
-        slong undecided = -1;
-        profile_step("series");
-        int status = (o->end == END_ZERO_FORCE ? fill_zero_force : fill_zero_overlap)(&table, &undecided, o, &law,
-                                                                                      precision.bits);
-        if (status == STATUS_OK && undecided < 0) {
-            profile_step("printing");
-            table_print(&table, (enum output_format)o->common.format, out.file);
-            table_clear(&table);
-            return output_commit(&out);
-        }
-        table_clear(&table);
-        if (status == STATUS_OK && !precision_raise(&precision)) {
-            char what[64];
-            snprintf(what, sizeof what, "coefficient %ld", (long)undecided);
-            status = precision_spent(&precision, what, o->digits);
-        }
-        if (status != STATUS_OK) {
-            output_discard(&out);
-            return STATUS_FAILED;
-        }
-    }
+    if (o->exact)
+        return write_exact(&problem);
+    const struct proved_table table = {o->digits, &problem,
+                                       o->end == END_ZERO_FORCE ? fill_zero_force : fill_zero_overlap, NULL};
+    return proved_table_write(&table, &o->common);
 }
 
 static const char help[] =
@@ -167,7 +156,7 @@ static const struct option_rule options[] = {
      .required = true},
     OPTION_DIGITS(struct series_arguments),
     OPTION_END(struct series_arguments, end),
-    {.name = "exact", .kind = OPTION_FLAG, .offset = AT(exact)},
+    {.name = "exact", .kind = OPTION_FLAG, .offset = AT(exact), .excludes = "digits"},
     OPTION_FORMAT(struct series_arguments, option_formats),
     OPTION_LAW(struct series_arguments),
     OPTION_COMMON(struct series_arguments),
@@ -176,6 +165,10 @@ static const struct option_rule options[] = {
 
 static const struct series_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
 
-const struct subcommand command_series = {
-    "series",  "coefficients of x_max, t_max and eps in powers of beta", help, options, sizeof defaults, &defaults,
-    run_series};
+const struct subcommand command_series = {.name = "series",
+                                          .summary = "coefficients of x_max, t_max and eps in powers of beta",
+                                          .help = help,
+                                          .options = options,
+                                          .size = sizeof defaults,
+                                          .defaults = &defaults,
+                                          .run = run_series};

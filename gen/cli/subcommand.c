@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "support/console.h"
+#include "sweep/ranks.h"
 
 static int print_whole(const char *text)
 {
@@ -22,13 +23,12 @@ static int print_overview(const struct subcommand *const *table)
     struct output out;
     if (output_open(&out, NULL) != STATUS_OK)
         return STATUS_FAILED;
-    fputs("corgen computes restitution of viscoelastic spheres, and free modes of elastic disks, exactly or to any "
-          "number of "
-          "proved digits.\n\nUsage: corgen SUBCOMMAND [OPTION]...\n\n",
+    fputs("corgen computes the restitution of viscoelastic spheres and the free modes of elastic disks, exactly or to\n"
+          "any number of proved digits.\n\nUsage: corgen SUBCOMMAND [OPTION]...\n\n",
           out.file);
     for (; *table; table++)
         fprintf(out.file, "  %-12s %s\n", (*table)->name, (*table)->summary);
-    fputs("\ncorgen SUBCOMMAND --help explains one; corgen --version names the versions.\n"
+    fputs("\ncorgen help SUBCOMMAND (or corgen SUBCOMMAND --help) explains one; corgen --version names the versions.\n"
           "Exit status: 0 done, 1 failed, 2 the command line is wrong.\n"
           "Try: corgen collide --beta 0.1 --digits 30\n",
           out.file);
@@ -46,7 +46,7 @@ static int print_version(const char *version)
 }
 
 /* NULL after a sentence, if `name` is none; of a NULL name, too. */
-static const struct subcommand *find(const struct subcommand *const *table, const char *name)
+static const struct subcommand *subcommand_named(const struct subcommand *const *table, const char *name)
 {
     for (const struct subcommand *const *row = table; name && *row; row++)
         if (strcmp((*row)->name, name) == 0)
@@ -66,7 +66,7 @@ static const struct subcommand *find(const struct subcommand *const *table, cons
     return NULL;
 }
 
-static int run(const struct subcommand *cmd, const void *arguments)
+static int subcommand_start(const struct subcommand *cmd, const void *arguments)
 {
     const struct option_common *const common = arguments;
     if (common->profile)
@@ -80,24 +80,72 @@ static int run(const struct subcommand *cmd, const void *arguments)
     return status;
 }
 
-int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)
+static bool word_is(const char *text, const char *word)
 {
-    const char *const name = argc < 2 ? NULL : argv[1];
-    if (name && strcmp(name, "--help") == 0)
-        return print_overview(table);
-    if (name && strcmp(name, "--version") == 0)
-        return print_version(version);
-    const struct subcommand *const cmd = find(table, name);
-    if (!cmd)
-        return STATUS_USAGE;
+    return text && strcmp(text, word) == 0;
+}
 
+/* corgen help [SUBCOMMAND] */
+static int print_help(const struct subcommand *const *table, int argc, char **argv)
+{
+    if (argc > 1)
+        return usage_error("corgen help takes one subcommand, not '%s' too", argv[1]);
+    if (argc == 0)
+        return print_overview(table);
+    const struct subcommand *const cmd = subcommand_named(table, argv[0]);
+    return cmd ? print_whole(cmd->help) : STATUS_USAGE;
+}
+
+static int subcommand_parse_and_start(const struct subcommand *cmd, int argc, char **argv)
+{
     void *arguments = xmalloc(cmd->size);
     memcpy(arguments, cmd->defaults, cmd->size);
     bool help;
-    int status = options_parse(arguments, cmd->options, argc - 1, argv + 1, &help);
+    int status = options_parse(arguments, cmd->options, argc, argv, &help);
     if (status == STATUS_OK)
-        status = help ? print_whole(cmd->help) : run(cmd, arguments);
+        status = help ? print_whole(cmd->help) : subcommand_start(cmd, arguments);
     options_clear(arguments, cmd->options);
     free(arguments);
+    return status;
+}
+
+/* What the command line says, by one process. */
+static int run_alone(const struct subcommand *const *table, const char *version, int argc, char **argv)
+{
+    const char *const name = argc < 2 ? NULL : argv[1];
+    if (word_is(name, "--help") || word_is(name, "-h"))
+        return print_overview(table);
+    if (word_is(name, "help"))
+        return print_help(table, argc - 2, argv + 2);
+    if (word_is(name, "--version"))
+        return print_version(version);
+    const struct subcommand *const cmd = subcommand_named(table, name);
+    return cmd ? subcommand_parse_and_start(cmd, argc - 1, argv + 1) : STATUS_USAGE;
+}
+
+static const struct subcommand *command_on_all_ranks(const struct subcommand *const *table, const char *name)
+{
+    for (; name && *table; table++)
+        if ((*table)->on_all_ranks && strcmp((*table)->name, name) == 0)
+            return *table;
+    return NULL;
+}
+
+int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv)
+{
+    if (ranks_start() != STATUS_OK)
+        return STATUS_FAILED;
+    const struct subcommand *const shared = command_on_all_ranks(table, argc < 2 ? NULL : argv[1]);
+    int status = STATUS_OK;
+    if (shared) {
+        console_show_usage_errors(ranks_mine() == 0);
+        status = subcommand_parse_and_start(shared, argc - 1, argv + 1);
+    } else if (ranks_mine() > 0) {
+        ranks_wait();
+    } else {
+        status = run_alone(table, version, argc, argv);
+        ranks_release();
+    }
+    ranks_stop();
     return status;
 }

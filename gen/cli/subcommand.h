@@ -13,6 +13,7 @@ struct subcommand {
     size_t size;                       /* of its struct of arguments, which begins with struct option_common, */
     const void *defaults;              /* and what that holds where no option is given */
     int (*run)(const void *arguments); /* exit status */
+    bool on_all_ranks;                 /* every process of an mpirun runs it; otherwise one does, and the others wait */
 };
 
 /* Chooses and runs one out of a table that ends with NULL; returns the exit status. */

@@ -78,5 +78,10 @@ static const struct option_rule options[] = {
 
 static const struct tables_arguments defaults = {.modes = OPTIONS_NOT_GIVEN, .seed = OPTIONS_NOT_GIVEN};
 
-const struct subcommand command_tables = {
-    "tables", "write or check the generated C tables", help, options, sizeof defaults, &defaults, run_tables};
+const struct subcommand command_tables = {.name = "tables",
+                                          .summary = "write or check the generated C tables",
+                                          .help = help,
+                                          .options = options,
+                                          .size = sizeof defaults,
+                                          .defaults = &defaults,
+                                          .run = run_tables};

@@ -10,7 +10,7 @@
 enum { MAX_ORDER = 100000, MAX_TERMS = 100000 };
 
 /* Exponent of t in the term j of row k: 1 + k (b+1) + j (a+1). */
-static struct ratio exponent(const struct law *law, slong k, slong j)
+static struct ratio term_exponent(const struct law *law, slong k, slong j)
 {
     struct ratio one = {1, 1};
     struct ratio u = ratio_mul(ratio_make(k, 1), ratio_add(law->b, one));
@@ -78,7 +78,7 @@ static void print_row(FILE *file, const fmpq_poly_t row, slong k, const struct t
         fmpq_abs(c, c);
         if (!fmpq_is_one(c))
             (latex ? print_size_latex : print_size_text)(file, c);
-        (latex ? print_power_latex : print_power_text)(file, exponent(law, k, j));
+        (latex ? print_power_latex : print_power_text)(file, term_exponent(law, k, j));
     }
     fmpq_clear(c);
     fprintf(file, "%s%s", first ? "" : " + ", latex ? "\\cdots" : "...");
@@ -181,6 +181,10 @@ static const struct option_rule options[] = {
 
 static const struct trajectory_arguments defaults = {0};
 
-const struct subcommand command_trajectory = {
-    "trajectory",  "exact rational coefficients of x(t), any order", help, options, sizeof defaults, &defaults,
-    run_trajectory};
+const struct subcommand command_trajectory = {.name = "trajectory",
+                                              .summary = "exact rational coefficients of x(t), any order",
+                                              .help = help,
+                                              .options = options,
+                                              .size = sizeof defaults,
+                                              .defaults = &defaults,
+                                              .run = run_trajectory};

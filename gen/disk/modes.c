@@ -5,12 +5,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "disk/equation.h"
 #include "disk/estimate.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/parallel.h"
+#include "support/precision.h"
 
 /* Bits of omega lost on the way to C and S, and by the ladders; a mode that loses more is computed again. */
 enum {
@@ -19,7 +20,6 @@ enum {
     NEWTON_FIRST_BITS = 100,
     NEWTON_SLACK = 16,
     WIDENINGS = 3,
-    BATCH = 16,
     WIDE = 2,
     EXPONENT_MAX = 1000
 };
@@ -245,26 +245,15 @@ struct work {
     bool *failed;
     slong *below;
     const arb_struct *w;
-    slong digits, first;
+    slong digits;
 };
-
-/* f(i, work) for i = 0..total-1 on all threads, in batches so that this one can tell how far it is. */
-static void in_parallel(do_func_t f, struct work *work, slong total, const char *name)
-{
-    const slong batch = BATCH * flint_get_num_threads();
-    for (work->first = 0; work->first < total; work->first += batch) {
-        progress(name, work->first, total);
-        flint_parallel_do(f, work, total - work->first < batch ? total - work->first : batch, -1,
-                          FLINT_PARALLEL_DYNAMIC);
-    }
-}
 
 /* ---- where the roots are, in doubles ---- */
 
-static void estimate_order(slong i, void *pointer)
+static void estimate_order(void *pointer, slong i)
 {
     const struct work *work = pointer;
-    const slong n = work->first + i;
+    const slong n = i;
     work->order[n].omega = disk_estimate_roots(&work->order[n].count, work->disk, n, work->omega);
 }
 
@@ -306,7 +295,7 @@ static struct candidate *candidates(slong *found, const struct disk *disk, slong
     struct work work = {.disk = disk, .omega = upper_end(disk, count)};
     const slong orders = disk_orders(work.omega);
     work.order = xmalloc((size_t)orders * sizeof *work.order);
-    in_parallel(estimate_order, &work, orders, "finding modes, n");
+    parallel_for(estimate_order, &work, orders, "finding modes, n");
 
     slong all = 0;
     for (slong n = 0; n < orders; n++)
@@ -339,10 +328,10 @@ static bool number_is_decided(const arb_t x, slong digits)
     return text != NULL;
 }
 
-static void enclose_one(slong i, void *pointer)
+static void enclose_one(void *pointer, slong i)
 {
     const struct work *work = pointer;
-    const slong index = work->which[work->first + i];
+    const slong index = work->which[i];
     struct disk_mode *mode = &work->mode[index];
     struct precision *p = &work->precision[index];
     arb_t start;
@@ -363,10 +352,10 @@ static int by_omega(const void *a, const void *b)
     return arf_cmp(arb_midref(x->omega), arb_midref(y->omega));
 }
 
-static void count_order(slong i, void *pointer)
+static void count_order(void *pointer, slong i)
 {
     const struct work *work = pointer;
-    const slong n = work->first + i;
+    const slong n = i;
     const struct precision start = precision_start(work->digits);
     slong prec = 64;
     do {
@@ -396,7 +385,7 @@ static slong count_all(const struct disk_modes *modes, slong count, const struct
     arb_mul(w, w, w, ARF_PREC_EXACT);
 
     struct work work = {.disk = wide, .w = w, .digits = digits, .below = xmalloc((size_t)orders * sizeof *work.below)};
-    in_parallel(count_order, &work, orders, "counting modes, n");
+    parallel_for(count_order, &work, orders, "counting modes, n");
     slong total = 0;
     for (slong n = 0; n < orders && total >= 0; n++)
         total = work.below[n] == DISK_UNDECIDED ? DISK_UNDECIDED : total + work.below[n];
@@ -424,7 +413,7 @@ static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong 
     int status = STATUS_OK;
     slong todo = modes->count;
     while (todo > 0 && status == STATUS_OK) {
-        in_parallel(enclose_one, &work, todo, "enclosing modes");
+        parallel_for(enclose_one, &work, todo, "enclosing modes");
         for (slong i = 0; i < todo && status == STATUS_OK; i++) {
             const struct disk_mode *mode = &modes->mode[work.which[i]];
             if (work.failed[work.which[i]]) {
@@ -455,12 +444,6 @@ static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong 
     free(work.which);
     free(work.failed);
     return status;
-}
-
-void disk_modes_use_all_processors(void)
-{
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    flint_set_num_threads(processors > 1 ? (int)processors : 1);
 }
 
 int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits)

@@ -22,12 +22,9 @@ void disk_modes_init(struct disk_modes *modes);
 void disk_modes_clear(struct disk_modes *modes);
 
 /* The `count` lowest modes for -1 < nu < 1, no nearer to the ends than DISK_MARGIN, proved to be these. omega, c and s of each are so narrow that
- * digits_of_ball gives `digits` decimal digits and digits_to_double its double; s of n = 0 is exactly 0. Works on as
- * many threads as flint_set_num_threads said, with the same result. Returns 0, or 1 after saying what failed. */
+ * digits_of_ball gives `digits` decimal digits and digits_to_double its double; s of n = 0 is exactly 0. Works on all
+ * threads of parallel_threads(), with the same result. Returns 0, or 1 after saying what failed. */
 int disk_modes_solve(struct disk_modes *modes, const fmpq_t nu, slong count, slong digits);
-
-/* Tells FLINT to use as many threads as there are processors. */
-void disk_modes_use_all_processors(void);
 
 /* One mode by its numbers, to about `bits` relative bits, by the count alone: slower. Returns 0 or 1 likewise. */
 int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, slong bits);

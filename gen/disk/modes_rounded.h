@@ -7,7 +7,7 @@
 #include "support/flint.h"
 
 /* Sets *modes to the `count` lowest for nu, every double the one nearest to the exact value; modes->mode is malloc'ed.
- * Works on as many threads as flint_set_num_threads said. STATUS_OK, or STATUS_FAILED after saying what failed. */
+ * Works on all threads of parallel_threads(). STATUS_OK, or STATUS_FAILED after saying what failed. */
 int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count);
 
 #endif

@@ -26,7 +26,7 @@ enum {
 /* Between the samples the error may be a little larger. */
 static const double margin = 0.97;
 
-static struct embed_form blank(const struct embed_scene *s, enum embed_family family, enum embed_variable variable)
+static struct embed_form form_blank(const struct embed_scene *s, enum embed_family family, enum embed_variable variable)
 {
     struct embed_form f = {.family = family,
                            .variable = variable,
@@ -42,7 +42,7 @@ static struct embed_form blank(const struct embed_scene *s, enum embed_family fa
 }
 
 /* Whether f, its numbers filled, meets the tolerance. */
-static bool meets(struct embed_form *f, const struct embed_scene *s)
+static bool form_meets(struct embed_form *f, const struct embed_scene *s)
 {
     embed_form_assess(f, &s->samples, COARSE);
     if (!(f->error <= s->tolerance))
@@ -52,17 +52,17 @@ static bool meets(struct embed_form *f, const struct embed_scene *s)
 }
 
 /* A call of its own counts as much as four numbers of an array. */
-static double balanced(const struct embed_form *f)
+static double form_balanced_cost(const struct embed_form *f)
 {
     return f->cost[USE_SCALAR] + 4 * f->cost[USE_ARRAY];
 }
 
 /* Keeps the cheaper of both in *best and clears the other. */
-static void keep(struct embed_form *best, struct embed_form *f)
+static void form_keep_cheaper(struct embed_form *best, struct embed_form *f)
 {
     embed_form_price(f);
     f->found = true;
-    if (best->found && balanced(best) <= balanced(f)) {
+    if (best->found && form_balanced_cost(best) <= form_balanced_cost(f)) {
         embed_form_clear(f);
     } else {
         embed_form_clear(best);
@@ -73,12 +73,12 @@ static void keep(struct embed_form *best, struct embed_form *f)
 static bool try_rational(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable, slong m,
                          slong n)
 {
-    struct embed_form f = blank(s, best->family, variable);
+    struct embed_form f = form_blank(s, best->family, variable);
     f.numerator = m;
     f.denominator = n;
-    const bool good = embed_fit_rational(&f, s) && meets(&f, s);
+    const bool good = embed_fit_rational(&f, s) && form_meets(&f, s);
     if (good)
-        keep(best, &f);
+        form_keep_cheaper(best, &f);
     else
         embed_form_clear(&f);
     return good;
@@ -108,12 +108,12 @@ static void search_polynomial(struct embed_form *best, const struct embed_scene 
 static bool try_quotient(struct embed_form *best, const struct embed_scene *s, const arb_poly_t p, const arb_poly_t q,
                          slong root, slong m, slong n)
 {
-    struct embed_form f = blank(s, best->family, root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED);
+    struct embed_form f = form_blank(s, best->family, root == 1 ? FIFTH_ROOT_OF_SPEED : TENTH_ROOT_OF_SPEED);
     f.numerator = m;
     f.denominator = n;
-    const bool good = embed_fit_quotient(&f, s, p, q, root) && meets(&f, s);
+    const bool good = embed_fit_quotient(&f, s, p, q, root) && form_meets(&f, s);
     if (good)
-        keep(best, &f);
+        form_keep_cheaper(best, &f);
     else
         embed_form_clear(&f);
     return good;
@@ -171,11 +171,11 @@ static void search_pieces_beta(struct embed_form *best, const struct embed_scene
         for (slong rows = 4; rows <= ROWS_MAX && !best->found; rows *= 2) {
             if (rows * (degree + 1) * (s->single ? 4 : 8) > EMBED_TABLE_BYTES)
                 break;
-            struct embed_form f = blank(s, FAMILY_PIECES_BETA, FIFTH_ROOT_OF_SPEED);
+            struct embed_form f = form_blank(s, FAMILY_PIECES_BETA, FIFTH_ROOT_OF_SPEED);
             f.numerator = degree;
             f.rows = rows;
-            if (embed_fit_pieces_beta(&f, s) && meets(&f, s))
-                keep(best, &f);
+            if (embed_fit_pieces_beta(&f, s) && form_meets(&f, s))
+                form_keep_cheaper(best, &f);
             else
                 embed_form_clear(&f);
         }
@@ -187,10 +187,10 @@ static void search_pieces_speed(struct embed_form *best, const struct embed_scen
         for (slong degree = 1; degree <= (least == 0 ? PIECE_DEGREE_MAX : LARGE_PIECE_DEGREE_MAX) && !best->found;
              degree++)
             for (int bits = 0; bits <= FRACTION_BITS_MAX && !best->found; bits++) {
-                struct embed_form f = blank(s, FAMILY_PIECES_SPEED, SPEED);
+                struct embed_form f = form_blank(s, FAMILY_PIECES_SPEED, SPEED);
                 f.numerator = degree;
-                if (embed_fit_pieces_speed(&f, s, bits, least, most) && meets(&f, s))
-                    keep(best, &f);
+                if (embed_fit_pieces_speed(&f, s, bits, least, most) && form_meets(&f, s))
+                    form_keep_cheaper(best, &f);
                 else
                     embed_form_clear(&f);
             }
@@ -199,49 +199,94 @@ static void search_pieces_speed(struct embed_form *best, const struct embed_scen
                  EMBED_TABLE_BYTES_MOST);
 }
 
-int embed_series(arb_poly_t series, slong *root, const struct embed_scene *s)
+/* ---- all families ---- */
+
+static void compute_series(void *context)
 {
-    profile_step("series");
-    return series_eps(series, root, s->end, SERIES_MAX, &law_sphere, SERIES_BITS) ? STATUS_FAILED : STATUS_OK;
+    struct embed_series *const series = context;
+    series->status = series_eps(series->eps, &series->root, series->end, SERIES_MAX, &law_sphere, SERIES_BITS);
 }
 
-void embed_search_series(struct embed_form *form, const struct embed_scene *s, const arb_poly_t series, slong root)
+void embed_series_begin(struct embed_series *series, enum contact_end end)
 {
-    for (int i = 0; i < FAMILIES; i++)
-        form[i] = blank(s, (enum embed_family)i, SPEED);
-    profile_step("series, Pade");
-    search_series(&form[FAMILY_SERIES], s, series, root);
-    search_pade(&form[FAMILY_PADE], s, series, root);
-    search_two_point(&form[FAMILY_TWO_POINT], s, series);
-    profile_step("polynomials");
-    const bool tenth = s->end == END_ZERO_FORCE;
-    search_polynomial(&form[FAMILY_POLYNOMIAL_BETA], s, FIFTH_ROOT_OF_SPEED);
-    search_rational(&form[FAMILY_RATIONAL_BETA], s, FIFTH_ROOT_OF_SPEED);
-    if (tenth) { /* sqrt(beta), in which eps is analytic at 0 */
-        search_polynomial(&form[FAMILY_POLYNOMIAL_BETA], s, TENTH_ROOT_OF_SPEED);
-        search_rational(&form[FAMILY_RATIONAL_BETA], s, TENTH_ROOT_OF_SPEED);
+    series->end = end;
+    series->root = 1;
+    series->status = STATUS_FAILED;
+    arb_poly_init(series->eps);
+    parallel_begin(&series->task, compute_series, series);
+}
+
+int embed_series_end(struct embed_series *series)
+{
+    parallel_end(&series->task);
+    return series->status == 0 ? STATUS_OK : STATUS_FAILED;
+}
+
+void embed_series_clear(struct embed_series *series)
+{
+    arb_poly_clear(series->eps);
+}
+
+struct search {
+    struct embed_form *form;
+    const struct embed_scene *scene;
+    const struct embed_series *series;
+};
+
+static void search_family(void *context, slong family)
+{
+    const struct search *const search = context;
+    const struct embed_scene *const s = search->scene;
+    const struct embed_series *const series = search->series;
+    struct embed_form *const form = &search->form[family];
+    const bool tenth = s->end == END_ZERO_FORCE; /* sqrt(beta), in which eps is analytic at 0 */
+    *form = form_blank(s, (enum embed_family)family, SPEED);
+    switch (form->family) {
+    case FAMILY_SERIES:
+        search_series(form, s, series->eps, series->root);
+        break;
+    case FAMILY_PADE:
+        search_pade(form, s, series->eps, series->root);
+        break;
+    case FAMILY_TWO_POINT:
+        search_two_point(form, s, series->eps);
+        break;
+    case FAMILY_POLYNOMIAL_BETA:
+        search_polynomial(form, s, FIFTH_ROOT_OF_SPEED);
+        if (tenth)
+            search_polynomial(form, s, TENTH_ROOT_OF_SPEED);
+        break;
+    case FAMILY_RATIONAL_BETA:
+        search_rational(form, s, FIFTH_ROOT_OF_SPEED);
+        if (tenth)
+            search_rational(form, s, TENTH_ROOT_OF_SPEED);
+        break;
+    case FAMILY_PIECES_BETA:
+        search_pieces_beta(form, s);
+        break;
+    case FAMILY_PIECES_SPEED:
+        search_pieces_speed(form, s);
+        break;
+    case FAMILY_RATIONAL_SPEED:
+        search_rational(form, s, SPEED);
+        break;
+    case FAMILY_RATIONAL_SQRT:
+        search_rational(form, s, SQRT_OF_SPEED);
+        break;
+    case FAMILY_RATIONAL_FOURTH:
+        search_rational(form, s, FOURTH_ROOT_OF_SPEED);
+        break;
+    case FAMILIES:
+        break;
     }
-    profile_step("rational in speed");
-    search_rational(&form[FAMILY_RATIONAL_SPEED], s, SPEED);
-    search_rational(&form[FAMILY_RATIONAL_SQRT], s, SQRT_OF_SPEED);
-    search_rational(&form[FAMILY_RATIONAL_FOURTH], s, FOURTH_ROOT_OF_SPEED);
-    profile_step("pieces");
-    search_pieces_beta(&form[FAMILY_PIECES_BETA], s);
-    search_pieces_speed(&form[FAMILY_PIECES_SPEED], s);
-    profile_step(NULL);
 }
 
-int embed_search(struct embed_form *form, const struct embed_scene *s)
+void embed_search(struct embed_form *form, const struct embed_scene *s, const struct embed_series *series)
 {
-    arb_poly_t series;
-    slong root;
-    arb_poly_init(series);
-    const int status = embed_series(series, &root, s);
-    if (status == STATUS_OK)
-        embed_search_series(form, s, series, root);
+    struct search search = {form, s, series};
+    profile_step("forms");
+    parallel_for(search_family, &search, FAMILIES, "forms");
     profile_step(NULL);
-    arb_poly_clear(series);
-    return status;
 }
 
 enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose purpose)
@@ -251,7 +296,7 @@ enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose
     for (int i = 0; i < FAMILIES; i++) {
         if (!form[i].found)
             continue;
-        const double cost = purpose == PURPOSE_BALANCED ? balanced(&form[i])
+        const double cost = purpose == PURPOSE_BALANCED ? form_balanced_cost(&form[i])
                             : purpose == PURPOSE_SCALAR ? form[i].cost[USE_SCALAR]
                                                         : form[i].cost[USE_ARRAY];
         if (cost < least) {

@@ -4,12 +4,22 @@
 #define COR_GEN_EMBED_CHOOSE_H
 
 #include "embed/form.h"
+#include "support/parallel.h"
 
-/* form[FAMILIES], by family; found or not. STATUS_OK, or STATUS_FAILED after saying what failed. */
-int embed_search(struct embed_form *form, const struct embed_scene *s);
-/* Its two halves, for who has a use for the series himself: eps in powers of beta^(1/root), and the search with it. */
-int embed_series(arb_poly_t series, slong *root, const struct embed_scene *s);
-void embed_search_series(struct embed_form *form, const struct embed_scene *s, const arb_poly_t series, slong root);
+/* eps of one end in powers of beta^(1/root): computed beside what its owner does between begin and end. */
+struct embed_series {
+    enum contact_end end;
+    arb_poly_t eps;
+    slong root;
+    int status;
+    struct parallel_task task;
+};
+void embed_series_begin(struct embed_series *series, enum contact_end end);
+int embed_series_end(struct embed_series *series); /* STATUS_OK, or STATUS_FAILED after a sentence */
+void embed_series_clear(struct embed_series *series);
+
+/* form[FAMILIES], by family; found or not. */
+void embed_search(struct embed_form *form, const struct embed_scene *s, const struct embed_series *series);
 
 /* The family for a use, or FAMILIES if none was found. balanced: a call of its own counts as much as four numbers of an
  * array. */

@@ -13,8 +13,8 @@ enum { LANDEN_STEPS = 12, CHECK_CELLS = 2048, NODE_BITS = 40 };
 
 /* ---- where to interpolate ---- */
 
-/* dn(u K, k') for the complementary modulus k, by descending Landen transformations. */
-static double dn(double u, double k)
+/* jacobi_dn(u K, k') for the complementary modulus k, by descending Landen transformations. */
+static double jacobi_dn(double u, double k)
 {
     double a[LANDEN_STEPS + 1], c[LANDEN_STEPS + 1], b = k;
     a[0] = 1;
@@ -43,12 +43,12 @@ static double root_degree(enum embed_variable variable)
 /* Point j of n between lo and hi. A function with a cut along the negative axis is best interpolated by a rational
  * one where the Green function of the plane between the cut and [lo, hi] says, at hi dn^2; by a polynomial, and where
  * the cut is far, at Chebyshev's points. */
-static double node(const struct embed_form *f, double lo, double hi, slong j, slong n)
+static double fit_node(const struct embed_form *f, double lo, double hi, slong j, slong n)
 {
     const bool elliptic = f->denominator > 0 && f->variable <= FOURTH_ROOT_OF_SPEED;
     double x;
     if (elliptic) {
-        const double d = dn((2 * (double)j + 1) / (2 * (double)n), sqrt(lo / hi));
+        const double d = jacobi_dn((2 * (double)j + 1) / (2 * (double)n), sqrt(lo / hi));
         x = hi * d * d;
     } else {
         x = (lo + hi) / 2 + (hi - lo) / 2 * chebyshev_point(j, n);
@@ -70,7 +70,7 @@ static void eps_at(arb_t eps, const struct embed_form *f, const struct embed_sce
 
 /* ---- rounding ---- */
 
-static bool representable(const struct embed_form *f, double x)
+static bool number_is_representable(const struct embed_form *f, double x)
 {
     const double least = f->single ? 1e3 * (double)FLT_MIN : 1e3 * DBL_MIN;
     const double most = f->single ? 1e-3 * (double)FLT_MAX : 1e-3 * DBL_MAX;
@@ -83,14 +83,14 @@ static bool round_numbers(struct embed_form *f, arb_srcptr exact, slong count)
     for (slong k = 0; k < count; k++) {
         const double x = arf_get_d(arb_midref(exact + k), ARF_RND_NEAR);
         f->number[k] = f->single ? (double)(float)x : x;
-        if (!arb_is_finite(exact + k) || !isfinite(f->number[k]) || !representable(f, f->number[k]))
+        if (!arb_is_finite(exact + k) || !isfinite(f->number[k]) || !number_is_representable(f, f->number[k]))
             return false;
     }
     return true;
 }
 
 /* q > 0 on [lo, hi]: on each of many cells, by its rising terms at one end and its falling ones at the other. */
-static bool positive(const double *q, slong degree, double lo, double hi)
+static bool quotient_is_positive(const double *q, slong degree, double lo, double hi)
 {
     bool all = true;
     for (slong k = 0; k <= degree; k++)
@@ -132,8 +132,8 @@ static bool finish_quotient(struct embed_form *f, arb_ptr c, slong scale)
     if (!round_numbers(f, c, count))
         return false;
     const double power = 1 / root_degree(f->variable);
-    return n == 0 ||
-           positive(f->number + m + 1, n, pow(f->speed_min, power) * (1 - 1e-5), pow(f->speed_max, power) * (1 + 1e-5));
+    return n == 0 || quotient_is_positive(f->number + m + 1, n, pow(f->speed_min, power) * (1 - 1e-5),
+                                          pow(f->speed_max, power) * (1 + 1e-5));
 }
 
 /* ---- interpolation ---- */
@@ -153,7 +153,7 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
     arb_init(eps);
     arb_init(term);
     for (slong j = 0; j < count; j++) { /* p(x) - eps (q_0 + ... + q_(n-1) x^(n-1)) = eps x^n */
-        arb_set_d(x, node(f, lo, hi, j, count));
+        arb_set_d(x, fit_node(f, lo, hi, j, count));
         eps_at(eps, f, s, x);
         arb_mul_2exp_si(x, x, -scale);
         arb_one(term);

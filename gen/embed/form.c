@@ -50,21 +50,21 @@ double embed_root_error(int refinement, bool single)
 /* ---- the arithmetic of the header ---- */
 
 /* For +, -, *, / and sqrt of floats, rounding to double first changes nothing. */
-static double rounded(const struct embed_form *f, double x)
+static double form_rounded(const struct embed_form *f, double x)
 {
     return f->single ? (double)(float)x : x;
 }
 
-static double product(const struct embed_form *f, double x, double y)
+static double form_product(const struct embed_form *f, double x, double y)
 {
-    return rounded(f, x * y);
+    return form_rounded(f, x * y);
 }
 
 /* x y + z */
 static double mul_add(const struct embed_form *f, double x, double y, double z, bool fused)
 {
     if (!fused)
-        return rounded(f, rounded(f, x * y) + z);
+        return form_rounded(f, form_rounded(f, x * y) + z);
     return f->single ? (double)fmaf((float)x, (float)y, (float)z) : fma(x, y, z);
 }
 
@@ -94,7 +94,7 @@ double embed_from_bits(const struct embed_form *f, uint64_t bits)
     return x;
 }
 
-static double horner(const struct embed_form *f, const double *c, slong degree, double x, bool fused)
+static double form_horner(const struct embed_form *f, const double *c, slong degree, double x, bool fused)
 {
     double y = c[degree];
     for (slong k = degree - 1; k >= 0; k--)
@@ -103,11 +103,11 @@ static double horner(const struct embed_form *f, const double *c, slong degree, 
 }
 
 /* c_0 + c_2 x^2 + ... + x (c_1 + c_3 x^2 + ...) */
-static double split(const struct embed_form *f, const double *c, slong degree, double x, bool fused)
+static double form_split_polynomial(const struct embed_form *f, const double *c, slong degree, double x, bool fused)
 {
     if (degree < EMBED_SPLIT)
-        return horner(f, c, degree, x, fused);
-    const double square = product(f, x, x);
+        return form_horner(f, c, degree, x, fused);
+    const double square = form_product(f, x, x);
     double part[2];
     for (int odd = 0; odd < 2; odd++) {
         slong k = degree - (degree - odd) % 2;
@@ -132,20 +132,20 @@ static double fifth_root(const struct embed_form *f, double g, bool fused)
         r = embed_from_bits(f, embed_bits_of(f, mul_add(f, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT, fused)) << 32);
     }
     for (int k = 0; k < (f->refinement > 0 ? 2 : 1); k++) {
-        const double square = product(f, r, r), fourth = product(f, square, square);
-        const double e = mul_add(f, -product(f, g, r), fourth, 1, fused);
+        const double square = form_product(f, r, r), fourth = form_product(f, square, square);
+        const double e = mul_add(f, -form_product(f, g, r), fourth, 1, fused);
         double c[4];
         for (int i = 0; i < 4; i++)
-            c[i] = rounded(f, k == 0 ? embed_root_seed[i] : embed_root_step[i]);
-        r = product(f, r, horner(f, c, k == 0 ? 3 : f->refinement, e, fused));
+            c[i] = form_rounded(f, k == 0 ? embed_root_seed[i] : embed_root_step[i]);
+        r = form_product(f, r, form_horner(f, c, k == 0 ? 3 : f->refinement, e, fused));
     }
-    const double square = product(f, r, r);
-    return product(f, g, product(f, square, square));
+    const double square = form_product(f, r, r);
+    return form_product(f, g, form_product(f, square, square));
 }
 
-static double root(const struct embed_form *f, double x)
+static double form_fifth_root(const struct embed_form *f, double x)
 {
-    return rounded(f, sqrt(x));
+    return form_rounded(f, sqrt(x));
 }
 
 double embed_form_value(const struct embed_form *f, double speed, bool fused)
@@ -157,16 +157,16 @@ double embed_form_value(const struct embed_form *f, double speed, bool fused)
     case SPEED:
         break;
     case SQRT_OF_SPEED:
-        x = root(f, g);
+        x = form_fifth_root(f, g);
         break;
     case FOURTH_ROOT_OF_SPEED:
-        x = root(f, root(f, g));
+        x = form_fifth_root(f, form_fifth_root(f, g));
         break;
     case FIFTH_ROOT_OF_SPEED:
         x = fifth_root(f, g, fused);
         break;
     case TENTH_ROOT_OF_SPEED:
-        x = root(f, fifth_root(f, g, fused));
+        x = form_fifth_root(f, fifth_root(f, g, fused));
         break;
     }
     double value;
@@ -174,19 +174,19 @@ double embed_form_value(const struct embed_form *f, double speed, bool fused)
     if (f->family == FAMILY_PIECES_SPEED) {
         const uint64_t row = embed_bits_of(f, g) >> f->low_bits;
         number += (slong)(row - f->first) * (f->numerator + 1);
-        x = rounded(f, g - embed_from_bits(f, row << f->low_bits));
+        x = form_rounded(f, g - embed_from_bits(f, row << f->low_bits));
     } else if (f->family == FAMILY_PIECES_BETA) {
         const double place = mul_add(f, x, f->slope, f->shift, fused);
         const int row = (int)place;
         number += row * (f->numerator + 1);
-        x = rounded(f, place - row);
+        x = form_rounded(f, place - row);
     }
     if (f->rows > 0)
-        value = horner(f, number, f->numerator, x, fused);
+        value = form_horner(f, number, f->numerator, x, fused);
     else
-        value = split(f, number, f->numerator, x, fused);
+        value = form_split_polynomial(f, number, f->numerator, x, fused);
     if (f->denominator > 0)
-        value = rounded(f, value / split(f, number + f->numerator + 1, f->denominator, x, fused));
+        value = form_rounded(f, value / form_split_polynomial(f, number + f->numerator + 1, f->denominator, x, fused));
     return speed >= 0 ? value : (double)NAN;
 }
 

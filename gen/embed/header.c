@@ -19,8 +19,8 @@ struct text {
     size_t length;
 };
 
-static void append(struct text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static void append(struct text *t, const char *format, ...)
+static void text_append(struct text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static void text_append(struct text *t, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -32,24 +32,24 @@ static void append(struct text *t, const char *format, ...)
 static void append_command(struct text *t, const struct embed_request *request)
 {
     int column = 15;
-    append(t, "Written by:  corgen embed");
+    text_append(t, "Written by:  corgen embed");
     for (int i = 0; i < EMBED_NUMBERS; i++) {
         if (!request->number[i].text)
             continue;
         const char *name = embed_number_names[i];
         const int width = (int)(strlen(name) + strlen(request->number[i].text)) + 4;
         if ((column += width) > 85) {
-            append(t, " \\\n                ");
+            text_append(t, " \\\n                ");
             column = width;
         }
-        append(t, " --%s %s", name, request->number[i].text);
+        text_append(t, " --%s %s", name, request->number[i].text);
     }
-    append(t, "%s \\\n                 --end %s --type %s --for %s", request->wall ? " --wall" : "",
-           request->end == END_ZERO_FORCE ? "zero-force" : "zero-overlap", embed_type_names[request->type],
-           embed_purpose_names[request->purpose]);
+    text_append(t, "%s \\\n                 --end %s --type %s --for %s", request->wall ? " --wall" : "",
+                request->end == END_ZERO_FORCE ? "zero-force" : "zero-overlap", embed_type_names[request->type],
+                embed_purpose_names[request->purpose]);
     if (request->name)
-        append(t, " --name %s", request->name);
-    append(t, "\nChecked by:  the same command, whose output is the same to the byte\n");
+        text_append(t, " --name %s", request->name);
+    text_append(t, "\nChecked by:  the same command, whose output is the same to the byte\n");
 }
 
 static void append_operations(struct text *t, const struct embed_form *f)
@@ -57,27 +57,27 @@ static void append_operations(struct text *t, const struct embed_form *f)
     const char *before = "";
     for (int op = 0; op < OPERATIONS; op++)
         if (f->operations[op] > 0) {
-            append(t, "%s%d %s", before, f->operations[op], embed_operation_names[op]);
+            text_append(t, "%s%d %s", before, f->operations[op], embed_operation_names[op]);
             before = ", ";
         }
 }
 
 static void append_alternatives(struct text *t, const struct embed_form *form, enum embed_family chosen)
 {
-    append(t, "                                                            ns each\n"
-              "  form                    size                   error    scalar vector  operations\n");
+    text_append(t, "                                                            ns each\n"
+                   "  form                    size                   error    scalar vector  operations\n");
     for (int i = 0; i < FAMILIES; i++) {
         const struct embed_form *f = &form[i];
-        append(t, "%c %-23s ", i == (int)chosen ? '>' : ' ', embed_family_name((enum embed_family)i));
+        text_append(t, "%c %-23s ", i == (int)chosen ? '>' : ' ', embed_family_name((enum embed_family)i));
         if (f->found) {
             char size[64];
             embed_form_size(size, sizeof size, f);
-            append(t, "%-22s %s  %6.2f %6.2f  ", size, emit_bound(f->error).text, f->cost[USE_SCALAR],
-                   f->cost[USE_ARRAY]);
+            text_append(t, "%-22s %s  %6.2f %6.2f  ", size, emit_bound(f->error).text, f->cost[USE_SCALAR],
+                        f->cost[USE_ARRAY]);
             append_operations(t, f);
-            append(t, "\n");
+            text_append(t, "\n");
         } else {
-            append(t, "%s\n", f->why);
+            text_append(t, "%s\n", f->why);
         }
     }
 }
@@ -99,14 +99,14 @@ static const char *rule_of_purpose(enum embed_purpose purpose)
 static void append_scene(struct text *t, const struct embed_request *request, const struct embed_scene *s)
 {
     char *beta = arb_get_str(s->beta_per_root, 20, ARB_STR_NO_RADIUS);
-    append(t,
-           "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n"
-           "beta = %s (speed/(m/s))^(1/5), from %.4g to %.4g.\n"
-           "Accuracy: relative error of eps at most %s, approximation and rounding together (sampled, below).\n"
-           "Outside: the value at the nearer end, of speed 0 and +inf too; negative or NaN -> NaN.\n\n",
-           request->number[EMBED_SPEED_MIN].text, request->number[EMBED_SPEED_MAX].text,
-           request->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)", beta, s->beta_min,
-           s->beta_max, request->number[EMBED_TOLERANCE].text);
+    text_append(t,
+                "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n"
+                "beta = %s (speed/(m/s))^(1/5), from %.4g to %.4g.\n"
+                "Accuracy: relative error of eps at most %s, approximation and rounding together (sampled, below).\n"
+                "Outside: the value at the nearer end, of speed 0 and +inf too; negative or NaN -> NaN.\n\n",
+                request->number[EMBED_SPEED_MIN].text, request->number[EMBED_SPEED_MAX].text,
+                request->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)", beta, s->beta_min,
+                s->beta_max, request->number[EMBED_TOLERANCE].text);
     flint_free(beta);
 }
 
@@ -116,23 +116,25 @@ static void append_choice(struct text *t, const struct embed_request *request, c
     const struct embed_form *f = &form[chosen];
     char size[64];
     embed_form_size(size, sizeof size, f);
-    append(t,
-           "Chosen: %s, %s. Of what meets the tolerance it takes\n%s (--for %s).\n"
-           "Largest error found %s, at %.6g m/s, of %d speeds even in their logarithm, sums of products rounded\n"
-           "once and twice: sampled. %s\n\n"
-           "The cheapest of each kind. ns are made from the operations and what they cost in a loop where that was\n"
-           "measured (docs/embed.md): right as ratios. Division and square root run beside the others.\n\n",
-           embed_family_name(chosen), size, rule_of_purpose(request->purpose), embed_purpose_names[request->purpose],
-           emit_bound(f->error).text, f->error_at, EMBED_SAMPLES,
-           f->rows > 0 ? "No branch; one table." : "No branch, no table.");
+    text_append(
+        t,
+        "Chosen: %s, %s. Of what meets the tolerance it takes\n%s (--for %s).\n"
+        "Largest error found %s, at %.6g m/s, of %d speeds even in their logarithm, sums of products rounded\n"
+        "once and twice: sampled. %s\n\n"
+        "The cheapest of each kind. ns are made from the operations and what they cost in a loop where that was\n"
+        "measured (docs/embed.md): right as ratios. Division and square root run beside the others.\n\n",
+        embed_family_name(chosen), size, rule_of_purpose(request->purpose), embed_purpose_names[request->purpose],
+        emit_bound(f->error).text, f->error_at, EMBED_SAMPLES,
+        f->rows > 0 ? "No branch; one table." : "No branch, no table.");
     append_alternatives(t, form, chosen);
 }
 
 static void append_provenance(struct text *t)
 {
-    append(t, "\nFitted to and sampled against collisions x'' + beta sqrt(x) x' + x^(3/2) = 0 enclosed to 76 bits or\n"
-              "more (proved), which are interpolated to 1e-17 (sampled); coefficients rounded once to the type.\n"
-              "C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n");
+    text_append(
+        t, "\nFitted to and sampled against collisions x'' + beta sqrt(x) x' + x^(3/2) = 0 enclosed to 76 bits or\n"
+           "more (proved), which are interpolated to 1e-17 (sampled); coefficients rounded once to the type.\n"
+           "C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n");
 }
 
 /* ---- the function ---- */
@@ -237,10 +239,10 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
     upper_case(guard);
     struct text *banner = xmalloc(sizeof *banner);
     banner->length = 0;
-    append(banner,
-           "Restitution coefficient of viscoelastic spheres that collide at an impact speed, for one scene:\n"
-           "    %s %s(%s speed);\n\n",
-           s->single ? "float" : "double", name, s->single ? "float" : "double");
+    text_append(banner,
+                "Restitution coefficient of viscoelastic spheres that collide at an impact speed, for one scene:\n"
+                "    %s %s(%s speed);\n\n",
+                s->single ? "float" : "double", name, s->single ? "float" : "double");
     append_scene(banner, request, s);
     append_choice(banner, request, form, chosen);
     append_provenance(banner);
@@ -263,7 +265,7 @@ char *embed_failures(const struct embed_form *form)
     t->length = 0;
     t->text[0] = '\0';
     for (int i = 0; i < FAMILIES; i++)
-        append(t, "%s%s: %s", i ? "; " : "", embed_family_name((enum embed_family)i), form[i].why);
+        text_append(t, "%s%s: %s", i ? "; " : "", embed_family_name((enum embed_family)i), form[i].why);
     char *copy = xstrdup(t->text);
     free(t);
     return copy;

@@ -3,6 +3,7 @@
 #ifndef COR_GEN_EMBED_REQUEST_H
 #define COR_GEN_EMBED_REQUEST_H
 
+#include "series/law.h"
 #include "series/series.h"
 #include "support/decimal.h"
 
@@ -49,7 +50,10 @@ struct embed_request {
 bool embed_given(const struct embed_request *request, enum embed_number which);
 double embed_number(const struct embed_request *request, enum embed_number which); /* the nearest double; it is given */
 
-/* Whether there is g* or what materials need, and nothing that contradicts it. STATUS_OK, or STATUS_USAGE after a
+#define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
+
+/* Whether the range of speeds and the tolerance suit the type, and whether there is g* or what materials need, and nothing
+ * that contradicts it. STATUS_OK, or STATUS_USAGE after a
  * sentence on stderr. */
 int embed_request_check(const struct embed_request *request);
 

@@ -165,6 +165,7 @@ int collision_final_speed(arb_t v_f, const struct law *law, slong bits)
     for (int i = 0; i < ATTEMPTS; i++) {
         struct slow_manifold m;
         const bool closed = slow_manifold_init(&m, law, manifold_bits, prec);
+        progress_end();
         arb_set(v_f, m.final_speed);
         slow_manifold_clear(&m);
         if (closed && arb_rel_accuracy_bits(v_f) >= bits)

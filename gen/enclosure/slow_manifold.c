@@ -6,6 +6,8 @@
 
 #include <math.h>
 
+#include "support/console.h"
+
 /* Degree of the formal sum. Cut there and taken at y = 1/(2 degree n), half way to the smallest term, it leaves a defect
  * of exp(-(1 + ln 2) degree), of which GUARD_BITS are room for constants. A law with a small n needs more for
  * (a-b) y to be small. */
@@ -203,6 +205,7 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
     arb_mul(y.v, y.v, p, m->prec);
     arb_neg(y.v, y.v);
     for (slong step = 0; step < MOTION_MAX_STEPS && sound && !fallen; step++) {
+        progress("fall along the slow manifold", step, 0);
         taylor_expand(&y);
         sound = taylor_choose_step(&y);
         if (!sound)

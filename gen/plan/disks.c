@@ -12,6 +12,7 @@
 #include "disk/modes_rounded.h"
 #include "plan/plan.h"
 #include "support/console.h"
+#include "support/parallel.h"
 
 /* Every number of modes with every hardness alpha v. Limits are fitted to the last ones. */
 static const size_t counts[] = {10, 30, 100, 300, 940, 1800, 2500, 3600};
@@ -48,11 +49,9 @@ struct disks {
     struct cor_disk_modes modes;
     struct outcome *grid; /* [point][count][wall] */
     struct outcome *paper;
-    void *room;
-    size_t bytes;
 };
 
-static struct outcome *at(const struct disks *d, slong point, int count, int wall)
+static struct outcome *outcome_at(const struct disks *d, slong point, int count, int wall)
 {
     return &d->grid[(point * COUNTS + count) * WALLS + wall];
 }
@@ -62,17 +61,14 @@ static double alpha_of(double hard, double speed)
     return fmax(COR_DISK_COLLISION_MIN_ALPHA, hard / speed);
 }
 
-static void collide(struct disks *d, struct outcome *out, size_t modes, double alpha, double speed)
+static void disks_collide_one(const struct disks *d, struct outcome *out, size_t modes, double alpha, double speed)
 {
     const struct cor_disk_collision_options options = {alpha, COLLISION_TOLERANCE, 0};
-    const size_t needed = cor_disk_collision_workspace(&d->modes, modes, &options);
-    if (needed > d->bytes) {
-        free(d->room);
-        d->room = xmalloc(needed);
-        d->bytes = needed;
-    }
+    const size_t bytes = cor_disk_collision_workspace(&d->modes, modes, &options);
+    void *const room = xmalloc(bytes);
     struct cor_disk_collision c = {(double)NAN, (double)NAN, (double)NAN, (double)NAN, (double)NAN, 0};
-    const int status = cor_disk_collision_in(d->room, d->bytes, &d->modes, modes, &options, speed, &c, NULL);
+    const int status = cor_disk_collision_in(room, bytes, &d->modes, modes, &options, speed, &c, NULL);
+    free(room);
     out->value[PLAN_EPS] = c.eps;
     out->value[PLAN_CONTACT_TIME] = c.contact_time;
     out->value[PLAN_COMPRESSION] = c.max_compression;
@@ -80,18 +76,33 @@ static void collide(struct disks *d, struct outcome *out, size_t modes, double a
     out->steps = (double)c.steps;
 }
 
-static void collide_all(struct plan *plan, struct disks *d)
+struct collisions {
+    const struct plan *plan;
+    struct disks *disks;
+};
+
+/* Task i: of a point the collisions of one row of the grid, the most modes first, or the paper's. */
+static void disks_collide_row(void *context, slong i)
+{
+    const struct collisions *const work = context;
+    struct disks *const d = work->disks;
+    const slong points = work->plan->points, point = i % points;
+    const double speed = work->plan->speed[point];
+    const int count = COUNTS - 1 - (int)(i / points);
+    if (count < 0) {
+        disks_collide_one(d, &d->paper[point], PAPER_MODES, PAPER_ALPHA, speed);
+        return;
+    }
+    for (int k = 0; k < WALLS; k++)
+        disks_collide_one(d, outcome_at(d, point, count, k), counts[count], alpha_of(hardness[k], speed), speed);
+}
+
+static void disks_collide_all(struct plan *plan, struct disks *d)
 {
     d->grid = xmalloc((size_t)plan->points * COUNTS * WALLS * sizeof *d->grid);
     d->paper = xmalloc((size_t)plan->points * sizeof *d->paper);
-    for (slong i = 0; i < plan->points; i++) {
-        for (int n = 0; n < COUNTS; n++)
-            for (int k = 0; k < WALLS; k++)
-                collide(d, at(d, i, n, k), counts[n], alpha_of(hardness[k], plan->speed[i]), plan->speed[i]);
-        collide(d, &d->paper[i], PAPER_MODES, PAPER_ALPHA, plan->speed[i]);
-        progress("collisions", (long)i + 1, (long)plan->points);
-    }
-    progress_end();
+    struct collisions work = {plan, d};
+    parallel_for(disks_collide_row, &work, plan->points * (COUNTS + 1), "collisions");
 }
 
 /* ---- what they tend to ---- */
@@ -102,7 +113,7 @@ static int limit_of_eps(struct plan *plan, const struct disks *d, slong i)
     struct disk_limit_row row[FIT];
     for (int k = 0; k < FIT; k++) {
         const int n = COUNTS - FIT_COUNTS + k / FIT_WALLS, wall = WALLS - FIT_WALLS + k % FIT_WALLS;
-        const struct outcome *out = at(d, i, n, wall);
+        const struct outcome *out = outcome_at(d, i, n, wall);
         const double eps = out->value[PLAN_EPS];
         row[k] = (struct disk_limit_row){alpha_of(hardness[wall], plan->speed[i]), counts[n],
                                          out->reached ? 1 - eps * eps : (double)NAN};
@@ -119,7 +130,8 @@ static int limit_of_eps(struct plan *plan, const struct disks *d, slong i)
 /* At a hard wall, linear in 1/alpha through two walls. */
 static double hard_wall(const struct disks *d, slong i, int count, int softer, int harder, enum plan_quantity quantity)
 {
-    const double x = at(d, i, count, softer)->value[quantity], y = at(d, i, count, harder)->value[quantity];
+    const double x = outcome_at(d, i, count, softer)->value[quantity],
+                 y = outcome_at(d, i, count, harder)->value[quantity];
     return y + (y - x) * hardness[softer] / (hardness[harder] - hardness[softer]);
 }
 
@@ -152,7 +164,7 @@ static char *modes_text(const struct disks *d, size_t count)
                      poisson, count);
 }
 
-static const char *field(enum plan_quantity quantity)
+static const char *quantity_field(enum plan_quantity quantity)
 {
     static const char *const fields[QUANTITIES] = {"eps", "contact_time", "max_compression"};
     return fields[quantity];
@@ -175,7 +187,7 @@ static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes,
                                     : plan_add(plan, "dynamics: %zu modes; alpha = %g", modes, PAPER_ALPHA);
     double steps = 0;
     for (slong i = 0; i < plan->points; i++) {
-        const struct outcome *out = hard > 0 ? at(d, i, n, k) : &d->paper[i];
+        const struct outcome *out = hard > 0 ? outcome_at(d, i, n, k) : &d->paper[i];
         m->value[i] = out->value[d->request->quantity];
         steps += out->steps / (double)plan->points;
     }
@@ -190,7 +202,7 @@ static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes,
     m->use = plan_text("%sstruct cor_disk_collision_options options = {.alpha = %s, .tolerance = %g};\n"
                        "struct cor_disk_collision out;\n"
                        "int status = cor_disk_collision(modes, %zu, &options, v, &out); /* out.%s */\n",
-                       table, alpha, COLLISION_TOLERANCE, modes, field(d->request->quantity));
+                       table, alpha, COLLISION_TOLERANCE, modes, quantity_field(d->request->quantity));
     free(table);
 }
 
@@ -284,7 +296,8 @@ static void add_laws(struct plan *plan, const struct disks *d)
     plan_compare(plan, m, true);
     m->cost = ns_leading_log[d->request->quantity];
     m->leaves_out = "all beside ln(4/v); vibrations";
-    m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", field(d->request->quantity), called);
+    m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s_leading_log(v);\n", quantity_field(d->request->quantity),
+                       called);
     for (int k = 0; k < 3; k++) {
         m = plan_add(plan, "quasistatic law: %s", name[k]);
         for (slong i = 0; i < plan->points; i++)
@@ -293,7 +306,7 @@ static void add_laws(struct plan *plan, const struct disks *d)
         m->cost = ns_law[d->request->quantity];
         m->leaves_out = "vibrations";
         m->use = plan_text("#include \"cor/cor.h\"\ndouble %s = %s(v, %s, COR_DISK_DATUM_%s);\n",
-                           field(d->request->quantity), called, d->request->poisson.text, datum[k]);
+                           quantity_field(d->request->quantity), called, d->request->poisson.text, datum[k]);
     }
 }
 
@@ -318,7 +331,7 @@ static int read_range(double range[2], double *tolerance, const struct plan_disk
     return STATUS_OK;
 }
 
-static char *title(const struct plan *plan, const struct disks *d)
+static char *disks_title(const struct plan *plan, const struct disks *d)
 {
     const slong last = plan->points - 1;
     double uncertainty = 0;
@@ -330,10 +343,10 @@ static char *title(const struct plan *plan, const struct disks *d)
                      plan->truth[0], plan->truth[last], uncertainty, is_relative(d) ? ", relative" : "");
 }
 
-static int fill(struct plan *plan, struct disks *d)
+static int disks_fill(struct plan *plan, struct disks *d)
 {
     static const char *const quantity[] = {"eps", "contact time", "largest compression"};
-    collide_all(plan, d);
+    disks_collide_all(plan, d);
     int status = STATUS_OK;
     for (slong i = 0; i < plan->points && status == STATUS_OK; i++) {
         plan->at[i] = plan->speed[i];
@@ -350,7 +363,7 @@ static int fill(struct plan *plan, struct disks *d)
         "0.97 of the tolerance. Of cor_disk_eps: what the library promises. More modes and harder walls tend to the\n"
         "truth from two sides, so that few modes at a soft wall may be right by accident.\n"
         "Cost: of a collision, from its steps and modes; all as measured once, docs/plan.md.\n";
-    plan->title = title(plan, d);
+    plan->title = disks_title(plan, d);
     if (d->request->quantity == PLAN_EPS)
         add_models_of_eps(plan, d);
     else
@@ -370,17 +383,15 @@ int plan_disks(struct plan *plan, const struct plan_disks_request *request)
     plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS_DISKS, range[0], range[1]);
     plan->tolerance = tolerance;
     struct disks d = {.request = request};
-    disk_modes_use_all_processors();
     profile_step("modes");
     status = disk_modes_rounded(&d.modes, request->poisson.value, (slong)counts[COUNTS - 1]);
     profile_step("collisions");
     if (status == STATUS_OK) {
-        status = fill(plan, &d);
+        status = disks_fill(plan, &d);
         free((void *)d.modes.mode);
     }
     profile_step(NULL);
     free(d.grid);
     free(d.paper);
-    free(d.room);
     return status;
 }

@@ -14,7 +14,7 @@ const char *const plan_quantity_names[] = {
 
 static const char *const verdicts[] = {"chosen", "meets", "misses", "outside", "shown"};
 
-static double *numbers(slong n)
+static double *plan_numbers(slong n)
 {
     double *x = xmalloc((size_t)n * sizeof *x);
     for (slong i = 0; i < n; i++)
@@ -25,10 +25,10 @@ static double *numbers(slong n)
 void plan_init(struct plan *plan, slong points, double speed_min, double speed_max)
 {
     *plan = (struct plan){.points = points, .chosen = -1};
-    plan->speed = numbers(points);
-    plan->at = numbers(points);
-    plan->truth = numbers(points);
-    plan->uncertainty = numbers(points);
+    plan->speed = plan_numbers(points);
+    plan->at = plan_numbers(points);
+    plan->truth = plan_numbers(points);
+    plan->uncertainty = plan_numbers(points);
     for (slong i = 0; i < points; i++) {
         const double speed = speed_min * pow(speed_max / speed_min, (double)i / (double)(points - 1));
         plan->speed[i] = i == 0 ? speed_min : i + 1 == points ? speed_max : fmin(fmax(speed, speed_min), speed_max);
@@ -56,7 +56,7 @@ struct plan_model *plan_add(struct plan *plan, const char *format, ...)
 {
     plan->model = xrealloc(plan->model, (size_t)(plan->models + 1) * sizeof *plan->model);
     struct plan_model *model = &plan->model[plan->models++];
-    *model = (struct plan_model){.value = numbers(plan->points), .error = numbers(plan->points)};
+    *model = (struct plan_model){.value = plan_numbers(plan->points), .error = plan_numbers(plan->points)};
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(model->name, sizeof model->name, format, arguments);
@@ -86,7 +86,7 @@ void plan_compare(const struct plan *plan, struct plan_model *model, bool relati
     }
 }
 
-static void judge(const struct plan *plan, struct plan_model *model)
+static void model_judge(const struct plan *plan, struct plan_model *model)
 {
     double worst = 0, with = 0;
     model->worst_at = 0;
@@ -111,7 +111,7 @@ void plan_choose(struct plan *plan)
     plan->chosen = -1;
     for (int i = 0; plan->model && i < plan->models; i++) {
         struct plan_model *model = &plan->model[i];
-        judge(plan, model);
+        model_judge(plan, model);
         const struct plan_model *best = plan->chosen < 0 ? NULL : &plan->model[plan->chosen];
         if (model->verdict == PLAN_MEETS &&
             (!best || model->cost < best->cost || (!(model->cost > best->cost) && model->worst < best->worst)))
@@ -159,7 +159,7 @@ static void print_lines(FILE *file, const char *indent, const char *text)
     }
 }
 
-static const char *heading(const struct plan *plan)
+static const char *argument_heading(const struct plan *plan)
 {
     return strcmp(plan->argument, "beta") == 0 ? "at beta" : "at speed";
 }
@@ -170,7 +170,8 @@ static void print_text(const struct plan *plan, FILE *file)
     fprintf(file, "%s", plan->title);
     fprintf(file, "Wanted: %s, %s at most %s.\n\n", plan->quantity, plan->unit,
             decimal_text(tolerance, plan->tolerance));
-    fprintf(file, "  %-39s  %-8s  %-8s  %-8s  %-8s  %s\n", "model", "error", heading(plan), "cost", "", "leaves out");
+    fprintf(file, "  %-39s  %-8s  %-8s  %-8s  %-8s  %s\n", "model", "error", argument_heading(plan), "cost", "",
+            "leaves out");
     for (int i = 0; i < plan->models; i++) {
         const struct plan_model *m = &plan->model[i];
         print_error(error, sizeof error, m->worst);

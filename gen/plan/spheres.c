@@ -2,6 +2,7 @@
 /* Viscoelastic spheres: models of eps from what simulations paste to corgen's headers, against collisions. */
 #include <float.h>
 #include <math.h>
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,12 +14,14 @@
 #include "plan/plan.h"
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/parallel.h"
 
 /* At zero overlap eps is h*^5 beta^-5 from here on, to 2^-60. */
 #define OVERLAP_FAR 7.0
 #define BETA_LIMIT 1e6
 #define LEAST_TOLERANCE 1e-15
-#define EMBED_COARSEST "0.1" /* the coarsest that corgen embed takes */
+#define TEXT_OF_(x) #x
+#define TEXT_OF(x) TEXT_OF_(x)
 enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, PADE_COEFFICIENTS = 64, ROOT_REFINEMENT = 2, TEXT = 1024 };
 
 /* ns of a call and in a loop, not made of operations: README.md's table has the published ways and the library,
@@ -46,7 +49,7 @@ static const char *end_name(enum contact_end end)
     return end == END_ZERO_FORCE ? "zero_force" : "zero_overlap";
 }
 
-static double priced(const struct embed_request *scene, struct cost cost)
+static double cost_for_purpose(const struct embed_request *scene, struct cost cost)
 {
     return scene->purpose == PURPOSE_SCALAR  ? cost.call
            : scene->purpose == PURPOSE_ARRAY ? cost.loop
@@ -60,79 +63,93 @@ static struct cost of_form(const struct embed_form *f)
 
 /* ---- the collisions ---- */
 
-static double middle(const arb_t x)
+static double ball_middle(const arb_t x)
 {
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
 /* eps at both ends */
-static int solve(double eps[2], const arb_t beta, const arb_t h_star)
+static int collide_both_ends(double eps[2], const arb_t beta, const arb_t h_star)
 {
     struct collision c;
     collision_init(&c);
     int status;
-    if (middle(beta) < OVERLAP_FAR) {
+    if (ball_middle(beta) < OVERLAP_FAR) {
         status = collision_solve(&c, beta, &law_sphere, TRUTH_BITS);
     } else {
         status = collision_solve_force(&c, beta, &law_sphere, TRUTH_BITS);
         arb_div(c.eps_zero_overlap, h_star, beta, EMBED_BITS);
         arb_pow_ui(c.eps_zero_overlap, c.eps_zero_overlap, 5, EMBED_BITS);
     }
-    eps[END_ZERO_OVERLAP] = middle(c.eps_zero_overlap);
-    eps[END_ZERO_FORCE] = middle(c.eps_zero_force);
+    eps[END_ZERO_OVERLAP] = ball_middle(c.eps_zero_overlap);
+    eps[END_ZERO_FORCE] = ball_middle(c.eps_zero_force);
     collision_clear(&c);
     return status ? STATUS_FAILED : STATUS_OK;
 }
 
+struct truth {
+    struct plan *plan;
+    struct spheres *spheres;
+    enum contact_end end;
+    arb_t h_star;
+    atomic_bool failed;
+};
+
+static void find_truth_at(void *context, slong i)
+{
+    struct truth *const truth = context;
+    struct plan *const plan = truth->plan;
+    arb_t beta;
+    arb_init(beta);
+    arb_set_d(beta, plan->speed[i]);
+    arb_root_ui(beta, beta, 5, EMBED_BITS);
+    arb_mul(beta, beta, truth->spheres->scene.beta_per_root, EMBED_BITS);
+    double eps[2];
+    if (collide_both_ends(eps, beta, truth->h_star) != STATUS_OK)
+        atomic_store(&truth->failed, true);
+    plan->at[i] = ball_middle(beta);
+    plan->truth[i] = eps[truth->end];
+    truth->spheres->other[i] = eps[truth->end == END_ZERO_OVERLAP ? END_ZERO_FORCE : END_ZERO_OVERLAP];
+    arb_clear(beta);
+}
+
 static int find_truth(struct plan *plan, struct spheres *s, enum contact_end end)
 {
-    arb_t beta, h_star;
-    arb_init(beta);
-    arb_init(h_star);
+    struct truth truth = {.plan = plan, .spheres = s, .end = end};
+    arb_init(truth.h_star);
     s->other = xmalloc((size_t)plan->points * sizeof *s->other);
     int status = STATUS_OK;
-    if (s->scene.beta_max >= OVERLAP_FAR && collision_h_star(h_star, TRUTH_BITS))
-        status = STATUS_FAILED;
-    for (slong i = 0; i < plan->points && status == STATUS_OK; i++) {
-        progress("collisions", (long)i, (long)plan->points);
-        arb_set_d(beta, plan->speed[i]);
-        arb_root_ui(beta, beta, 5, EMBED_BITS);
-        arb_mul(beta, beta, s->scene.beta_per_root, EMBED_BITS);
-        double eps[2];
-        status = solve(eps, beta, h_star);
-        plan->at[i] = middle(beta);
-        plan->truth[i] = eps[end];
-        s->other[i] = eps[end == END_ZERO_OVERLAP ? END_ZERO_FORCE : END_ZERO_OVERLAP];
-    }
-    progress_end();
-    arb_clear(beta);
-    arb_clear(h_star);
-    return status;
+    if (s->scene.beta_max >= OVERLAP_FAR)
+        status = collision_h_star(truth.h_star, TRUTH_BITS);
+    if (status == STATUS_OK)
+        parallel_for(find_truth_at, &truth, plan->points, "collisions at the points");
+    arb_clear(truth.h_star);
+    return status == STATUS_OK && !atomic_load(&truth.failed) ? STATUS_OK : STATUS_FAILED;
 }
 
 /* ---- models ---- */
 
-static double constant(const struct plan_model *m, double speed, double beta)
+static double eps_constant(const struct plan_model *m, double speed, double beta)
 {
     (void)speed;
     (void)beta;
     return m->number[0];
 }
 
-static double power_law(const struct plan_model *m, double speed, double beta)
+static double eps_power_law(const struct plan_model *m, double speed, double beta)
 {
     (void)beta;
     return fmin(1, m->number[0] * pow(speed, -m->number[1]));
 }
 
-static double simple_theory(const struct plan_model *m, double speed, double beta)
+static double eps_simple_theory(const struct plan_model *m, double speed, double beta)
 {
     (void)m;
     (void)speed;
     return cor_sphere_eps_simple(beta);
 }
 
-static double table_1(const struct plan_model *m, double speed, double beta)
+static double eps_table_1(const struct plan_model *m, double speed, double beta)
 {
     (void)m;
     (void)speed;
@@ -142,7 +159,7 @@ static double table_1(const struct plan_model *m, double speed, double beta)
 /* [1/4] of Mueller and Poeschel 2011, v = sqrt(beta); zero force */
 static const double mueller_poeschel[] = {1, 0.501086, 1, 0.501086, 1.15345, 0.577977, 0.532178};
 
-static double horner(const double *c, slong degree, double z)
+static double eps_horner(const double *c, slong degree, double z)
 {
     double y = c[degree];
     while (degree > 0)
@@ -150,21 +167,21 @@ static double horner(const double *c, slong degree, double z)
     return y;
 }
 
-static double pade(const struct plan_model *m, double speed, double beta)
+static double eps_pade(const struct plan_model *m, double speed, double beta)
 {
     (void)speed;
     const double z = m->root == 2 ? sqrt(beta) : beta;
-    return horner(m->coefficient, m->m, z) / horner(m->coefficient + m->m + 1, m->n, z);
+    return eps_horner(m->coefficient, m->m, z) / eps_horner(m->coefficient + m->m + 1, m->n, z);
 }
 
-static double header(const struct plan_model *m, double speed, double beta)
+static double eps_header(const struct plan_model *m, double speed, double beta)
 {
     (void)beta;
     return embed_form_value(m->form, speed, false);
 }
 
 /* Values and errors of a model that is a function. */
-static void evaluate(const struct plan *plan, struct plan_model *m)
+static void model_evaluate(const struct plan *plan, struct plan_model *m)
 {
     for (slong i = 0; i < plan->points; i++)
         m->value[i] = m->eps(m, plan->speed[i], plan->at[i]);
@@ -187,11 +204,11 @@ static void add_constants(struct plan *plan, const struct embed_request *scene)
         /* eps falls, so that its ends decide: of all constants 2 a b/(a + b) has the least relative error */
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
         m->number[0] = ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
-        m->eps = constant;
-        m->cost = priced(scene, cost_constant);
+        m->eps = eps_constant;
+        m->cost = cost_for_purpose(scene, cost_constant);
         m->leaves_out = "that eps falls with the speed";
         m->use = plan_text("double eps = %.10g;\n", m->number[0]);
-        evaluate(plan, m);
+        model_evaluate(plan, m);
     }
 }
 
@@ -209,11 +226,11 @@ static void add_power_law(struct plan *plan, const struct embed_request *scene)
     }
     m->number[0] = ten_digits(exp((low + high) / 2));
     m->number[1] = ten_digits(b);
-    m->eps = power_law;
-    m->cost = priced(scene, cost_power);
+    m->eps = eps_power_law;
+    m->cost = cost_for_purpose(scene, cost_power);
     m->leaves_out = "how ln(eps) bends; eps = 1 at rest";
     m->use = plan_text("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]);
-    evaluate(plan, m);
+    model_evaluate(plan, m);
 }
 
 /* C statements that make `contact`. */
@@ -253,30 +270,30 @@ static char *call_of_beta(const struct embed_request *scene, const char *call)
 static void add_published(struct plan *plan, const struct embed_request *scene)
 {
     struct plan_model *m = plan_add(plan, "simple theory (27)");
-    m->eps = simple_theory;
-    m->cost = priced(scene, cost_simple);
+    m->eps = eps_simple_theory;
+    m->cost = cost_for_purpose(scene, cost_simple);
     m->leaves_out = "C_3 and all after it";
     m->use = call_of_beta(scene, "cor_sphere_eps_simple(cor_contact_beta(&contact, speed))");
-    evaluate(plan, m);
+    model_evaluate(plan, m);
     m = plan_add(plan, "Pade [1/4] as printed in 1999 (35)");
-    m->eps = table_1;
-    m->cost = priced(scene, cost_published);
+    m->eps = eps_table_1;
+    m->cost = cost_for_purpose(scene, cost_published);
     m->leaves_out = "a_3 and all after it; zero force";
     m->use = call_of_beta(scene, "cor_sphere_eps_published_pade(cor_contact_beta(&contact, speed))");
-    evaluate(plan, m);
+    model_evaluate(plan, m);
     m = plan_add(plan, "Pade [1/4] as printed in 2011");
-    m->eps = pade;
+    m->eps = eps_pade;
     m->coefficient = mueller_poeschel;
     m->m = 1;
     m->n = 4;
     m->root = 2;
-    m->cost = priced(scene, cost_mueller);
+    m->cost = cost_for_purpose(scene, cost_mueller);
     m->leaves_out = "what follows beta^(5/2); zero overlap";
     m->use = call_of_beta(scene, "(1 + 0.501086*v)/(1 + v*(0.501086 + v*(1.15345 + v*(0.577977 + v*0.532178))))");
     char *text = m->use;
     m->use = plan_text("%s/* v = sqrt(cor_contact_beta(&contact, speed)) */\n", text);
     free(text);
-    evaluate(plan, m);
+    model_evaluate(plan, m);
 }
 
 /* f in doubles; whether its denominator keeps its sign over the range is looked at closely. */
@@ -291,11 +308,11 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct embed_re
     arb_init(x);
     for (slong k = 0; k <= m + n + 1; k++) {
         arb_poly_get_coeff_arb(x, k <= m ? f->p : f->q, k <= m ? k : k - m - 1);
-        c[k] = middle(x);
+        c[k] = ball_middle(x);
     }
     arb_clear(x);
     struct plan_model *model = plan_add(plan, "%s [%ld/%ld]", two_point ? "two-point Pade" : "Pade", (long)m, (long)n);
-    model->eps = pade;
+    model->eps = eps_pade;
     model->coefficient = c;
     model->m = m;
     model->n = n;
@@ -305,7 +322,7 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct embed_re
                               .denominator = n,
                               .refinement = ROOT_REFINEMENT};
     embed_form_price(&form);
-    model->cost = priced(scene, of_form(&form));
+    model->cost = cost_for_purpose(scene, of_form(&form));
     model->leaves_out = two_point ? "terms between series and limit"
                                   : (root == 2 ? "all after sqrt(beta)^(m+n)" : "C_(m+n+1) and all after it");
     model->use = plan_text("corgen pade --numerator %ld --denominator %ld%s --end %s --force --header pade.h\n"
@@ -316,9 +333,9 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct embed_re
     const double low = plan->at[0], high = plan->at[plan->points - 1];
     for (int k = 0; k <= PADE_POINTS; k++) {
         const double beta = low + (high - low) * k / PADE_POINTS;
-        model->outside = model->outside || !(horner(c + m + 1, n, root == 2 ? sqrt(beta) : beta) > 0);
+        model->outside = model->outside || !(eps_horner(c + m + 1, n, root == 2 ? sqrt(beta) : beta) > 0);
     }
-    evaluate(plan, model);
+    model_evaluate(plan, model);
 }
 
 static void add_pades(struct plan *plan, struct spheres *s, const struct embed_request *scene, const arb_poly_t series,
@@ -363,13 +380,13 @@ static void add_header(struct plan *plan, struct spheres *s, const struct embed_
     struct plan_model *m = plan_add(plan, "header: %s %s", embed_family_name(chosen), size);
     for (char *c = m->name; *c; c++)
         *c = (char)(*c == ',' ? ';' : *c);
-    m->eps = header;
+    m->eps = eps_header;
     m->form = f;
     m->elsewhere = f->error;
-    m->cost = priced(scene, of_form(f));
+    m->cost = cost_for_purpose(scene, of_form(f));
     m->leaves_out = "speeds outside the range";
     m->use = embed_command(scene, tolerance);
-    evaluate(plan, m);
+    model_evaluate(plan, m);
 }
 
 /* What the library promises; it is made of tables that corgen makes, and so cannot be asked here. */
@@ -383,7 +400,7 @@ static void add_library(struct plan *plan, struct spheres *s, const struct embed
         m->error[i] = promise;
     }
     m->promised = true;
-    m->cost = priced(scene, cost_library);
+    m->cost = cost_for_purpose(scene, cost_library);
     m->leaves_out = "nothing; good at every speed";
     char call[TEXT];
     snprintf(call, sizeof call, "cor_contact_eps_%s(&contact, speed)", end_name(scene->end));
@@ -396,14 +413,14 @@ static void add_other_end(struct plan *plan, const struct spheres *s, const stru
     struct plan_model *m = plan_add(plan, "the other end: %s", end_option(other));
     memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
     plan_compare(plan, m, true);
-    m->cost = priced(scene, cost_library);
+    m->cost = cost_for_purpose(scene, cost_library);
     m->leaves_out = "which end the contact has";
     m->shown = true;
 }
 
 /* ---- the plan ---- */
 
-static char *title(const struct plan *plan, const struct embed_request *scene)
+static char *spheres_title(const struct plan *plan, const struct embed_request *scene)
 {
     const slong last = plan->points - 1;
     return plan_text("Spheres at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
@@ -412,7 +429,7 @@ static char *title(const struct plan *plan, const struct embed_request *scene)
                      plan->truth[0], plan->truth[last]);
 }
 
-static const char *note(const struct embed_request *scene)
+static const char *spheres_note(const struct embed_request *scene)
 {
     static const char *const notes[] = {
         "Error: the largest of the points, against enclosed collisions; taken below 0.97 of the tolerance. Of the "
@@ -430,24 +447,32 @@ static const char *note(const struct embed_request *scene)
     return notes[scene->purpose];
 }
 
-int plan_spheres(struct plan *plan, const struct plan_spheres_request *request)
+/* All models, once the truth and the series are known. `header`: the tolerance of the header. */
+static void add_models(struct plan *plan, struct spheres *s, const struct embed_request *scene,
+                       const struct embed_series *series, const char *header)
 {
-    *plan = (struct plan){.chosen = -1};
-    const double tolerance = embed_number(&request->scene, EMBED_TOLERANCE);
-    if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
-        return usage_error("--tolerance %s is not from %g to below 1, a relative error that a double can hold",
-                           request->scene.number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
-    /* the request for a header; what corgen embed takes at the coarsest is not the request's own, and is freed here */
-    struct embed_request embed = request->scene;
-    struct decimal coarsest = {0};
-    decimal_set(&coarsest, EMBED_COARSEST);
-    if (tolerance > decimal_value(&coarsest))
-        embed.number[EMBED_TOLERANCE] = coarsest;
+    plan->title = spheres_title(plan, scene);
+    add_constants(plan, scene);
+    add_power_law(plan, scene);
+    add_published(plan, scene);
+    add_pades(plan, s, scene, series->eps, series->root);
+    embed_search(s->form, &s->scene, series);
+    add_header(plan, s, scene, header);
+    add_library(plan, s, scene);
+    add_other_end(plan, s, scene);
+    plan_choose(plan);
+}
+
+/* The plan of a scene that has been checked. `embed`: the scene with the tolerance of a header. */
+static int plan_scene(struct plan *plan, const struct plan_spheres_request *request, const struct embed_request *embed)
+{
     const struct embed_request *const scene = &request->scene;
     struct spheres *s = xmalloc(sizeof *s);
     memset(s, 0, sizeof *s);
-    profile_step("scene");
-    int status = embed_scene_init(&s->scene, &embed);
+    struct embed_series series;
+    embed_series_begin(&series, scene->end);
+    profile_step("scene, series");
+    int status = embed_scene_init(&s->scene, embed);
     if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
         status = fail("beta up to %.3g: no model is compared beyond %g", s->scene.beta_max, BETA_LIMIT);
     plan_init(plan, request->points ? request->points : PLAN_DEFAULT_POINTS, s->scene.speed_min, s->scene.speed_max);
@@ -455,30 +480,36 @@ int plan_spheres(struct plan *plan, const struct plan_spheres_request *request)
     plan->argument = "beta";
     plan->quantity = "eps";
     plan->unit = "relative error";
-    plan->tolerance = tolerance;
-    plan->note = note(scene);
+    plan->tolerance = embed_number(scene, EMBED_TOLERANCE);
+    plan->note = spheres_note(scene);
     profile_step("collisions");
     if (status == STATUS_OK)
         status = find_truth(plan, s, scene->end);
-    arb_poly_t series;
-    slong root;
-    arb_poly_init(series);
+    const int series_status = embed_series_end(&series);
     if (status == STATUS_OK)
-        status = embed_series(series, &root, &s->scene);
-    if (status == STATUS_OK) {
-        plan->title = title(plan, scene);
-        add_constants(plan, scene);
-        add_power_law(plan, scene);
-        add_published(plan, scene);
-        add_pades(plan, s, scene, series, root);
-        embed_search_series(s->form, &s->scene, series, root);
-        add_header(plan, s, scene, embed.number[EMBED_TOLERANCE].text);
-        add_library(plan, s, scene);
-        add_other_end(plan, s, scene);
-        plan_choose(plan);
-    }
+        status = series_status;
+    if (status == STATUS_OK)
+        add_models(plan, s, scene, &series, embed->number[EMBED_TOLERANCE].text);
     profile_step(NULL);
-    arb_poly_clear(series);
+    embed_series_clear(&series);
+    return status;
+}
+
+int plan_spheres(struct plan *plan, const struct plan_spheres_request *request)
+{
+    *plan = (struct plan){.chosen = -1};
+    const double tolerance = embed_number(&request->scene, EMBED_TOLERANCE);
+    if (!(tolerance >= LEAST_TOLERANCE && tolerance < 1))
+        return usage_error("--tolerance %s is not from %g to below 1, a relative error that a double can hold",
+                           request->scene.number[EMBED_TOLERANCE].text, LEAST_TOLERANCE);
+    struct embed_request embed = request->scene;
+    struct decimal coarsest = {0};
+    decimal_set(&coarsest, TEXT_OF(EMBED_COARSEST));
+    if (tolerance > EMBED_COARSEST)
+        embed.number[EMBED_TOLERANCE] = coarsest;
+    int status = embed_request_check(&embed);
+    if (status == STATUS_OK)
+        status = plan_scene(plan, request, &embed);
     decimal_clear(&coarsest);
     return status;
 }

@@ -8,23 +8,70 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "support/clock.h"
 #include "support/flint.h"
 
+static _Thread_local bool console_thread; /* the one that shows progress and measures steps */
 static bool progress_shown;
 
-static double seconds_now(void)
+static void progress_erase(void);
+
+/* Of a word longer than WORD_SHOWN bytes, such as an over-long name, a message shows the head and the tail. */
+enum { WORD_SHOWN = 300, WORD_HEAD = 200, WORD_TAIL = 97 };
+
+static bool utf8_continues(char byte)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+    return ((unsigned char)byte & 0xc0) == 0x80;
 }
 
-static void say(const char *format, va_list arguments)
+static void shorten_words(char *text)
 {
-    progress_end();
+    static const char gap[3] = {'.', '.', '.'};
+    char *end = text;
+    for (const char *word = text; *word;) {
+        const size_t n = strcspn(word, " \n");
+        size_t head = n, tail = n;
+        if (n > WORD_SHOWN) {
+            head = WORD_HEAD;
+            tail = n - WORD_TAIL;
+            while (head > 0 && utf8_continues(word[head]))
+                head--;
+            while (tail < n && utf8_continues(word[tail]))
+                tail++;
+        }
+        memmove(end, word, head);
+        end += head;
+        if (head < n) {
+            memcpy(end, gap, sizeof gap);
+            end += sizeof gap;
+            memmove(end, word + tail, n - tail);
+            end += n - tail;
+        }
+        word += n;
+        if (*word)
+            *end++ = *word++;
+    }
+    *end = '\0';
+}
+
+static void print_message(const char *format, va_list arguments)
+{
+    if (console_thread)
+        progress_erase();
+    va_list again;
+    va_copy(again, arguments);
+    const int size = vsnprintf(NULL, 0, format, again);
+    va_end(again);
+    char *text = size < 0 ? NULL : malloc((size_t)size + 1);
+    if (text) { /* without memory the message appears as it is */
+        vsnprintf(text, (size_t)size + 1, format, arguments);
+        shorten_words(text);
+        fprintf(stderr, "corgen: %s\n", text);
+        free(text);
+        return;
+    }
     fputs("corgen: ", stderr);
     vfprintf(stderr, format, arguments);
     fputc('\n', stderr);
@@ -34,16 +81,25 @@ int fail(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    say(format, arguments);
+    print_message(format, arguments);
     va_end(arguments);
     return STATUS_FAILED;
 }
 
+static bool usage_errors_hidden;
+
+void console_show_usage_errors(bool show)
+{
+    usage_errors_hidden = !show;
+}
+
 int usage_error(const char *format, ...)
 {
+    if (usage_errors_hidden)
+        return STATUS_USAGE;
     va_list arguments;
     va_start(arguments, format);
-    say(format, arguments);
+    print_message(format, arguments);
     va_end(arguments);
     return STATUS_USAGE;
 }
@@ -146,6 +202,7 @@ void console_start(void)
         if (fcntl(fd, F_GETFD) == -1 && errno == EBADF && open("/dev/null", fd == 1 ? O_RDONLY : O_WRONLY) != fd)
             exit(STATUS_FAILED);
     }
+    console_thread = true;
     limit_memory_to_physical();
     mp_set_memory_functions(xmalloc, gmp_realloc, gmp_free);
     __flint_set_memory_functions(xmalloc, xcalloc, xrealloc, free);
@@ -158,6 +215,11 @@ enum { UPDATES_PER_SECOND = 10 };
 
 static double progress_started = -1;
 static double progress_updated;
+static struct {
+    const char *step;
+    long total;
+    int depth; /* steps entered and not left */
+} outer;
 
 /* Whether the line should be written now; *elapsed: seconds since the first call of the step. */
 static bool progress_due(double *elapsed)
@@ -167,7 +229,7 @@ static bool progress_due(double *elapsed)
         terminal = isatty(STDERR_FILENO);
     if (!terminal)
         return false;
-    const double now = seconds_now();
+    const double now = clock_seconds();
     if (progress_started < 0)
         progress_started = now;
     *elapsed = now - progress_started;
@@ -178,7 +240,15 @@ static bool progress_due(double *elapsed)
     return true;
 }
 
-void progress(const char *step, long done, long total)
+static void progress_erase(void)
+{
+    if (progress_shown)
+        fputs("\r\033[K", stderr);
+    progress_shown = false;
+    progress_started = -1;
+}
+
+static void progress_show(const char *step, long done, long total, double left)
 {
     double elapsed;
     if (!progress_due(&elapsed))
@@ -187,15 +257,6 @@ void progress(const char *step, long done, long total)
         fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total, elapsed);
     else
         fprintf(stderr, "\r\033[K%s: %ld, %.0f s", step, done, elapsed);
-    fflush(stderr);
-}
-
-void progress_left(const char *step, long done, long total, double left)
-{
-    double elapsed;
-    if (!progress_due(&elapsed))
-        return;
-    fprintf(stderr, "\r\033[K%s: %ld of %ld, %.0f s", step, done, total, elapsed);
     if (left >= 36000)
         fprintf(stderr, ", %.0f h left", left / 3600);
     else if (left >= 600)
@@ -205,12 +266,43 @@ void progress_left(const char *step, long done, long total, double left)
     fflush(stderr);
 }
 
+void progress_left(const char *step, long done, long total, double left)
+{
+    if (console_thread && outer.depth == 0)
+        progress_show(step, done, total, left);
+}
+
+void progress(const char *step, long done, long total)
+{
+    progress_left(step, done, total, -1);
+}
+
 void progress_end(void)
 {
-    if (progress_shown)
-        fputs("\r\033[K", stderr);
-    progress_shown = false;
-    progress_started = -1;
+    if (console_thread && outer.depth == 0)
+        progress_erase();
+}
+
+void progress_enter(const char *step, long total)
+{
+    if (!console_thread || outer.depth++ > 0)
+        return;
+    outer.step = step;
+    outer.total = total;
+    progress_erase();
+    progress_show(step, 0, total, -1);
+}
+
+void progress_at(long done)
+{
+    if (console_thread && outer.depth == 1)
+        progress_show(outer.step, done, outer.total, -1);
+}
+
+void progress_leave(void)
+{
+    if (console_thread && --outer.depth == 0)
+        progress_erase();
 }
 
 /* Profile */
@@ -230,14 +322,14 @@ static double profile_started;
 void profile_enable(void)
 {
     profile_enabled = true;
-    profile_started = seconds_now();
+    profile_started = clock_seconds();
 }
 
 void profile_step(const char *name)
 {
-    if (!profile_enabled)
+    if (!profile_enabled || !console_thread)
         return;
-    double now = seconds_now();
+    double now = clock_seconds();
     if (step_now >= 0)
         steps[step_now].seconds += now - step_started;
     step_now = -1;
@@ -260,7 +352,7 @@ void profile_report(void)
     if (!profile_enabled)
         return;
     profile_step(NULL);
-    double total = seconds_now() - profile_started;
+    double total = clock_seconds() - profile_started;
     struct rusage usage;
     getrusage(RUSAGE_SELF, &usage);
     progress_end();

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/digits.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -74,8 +75,7 @@ char *digits_of_ball(const arb_t x, slong digits)
     if (arf_is_pos_inf(arb_midref(x)))
         return xstrdup("inf");
 
-    slong prec = arb_bits(x) > digits_to_bits(digits) ? arb_bits(x) : digits_to_bits(digits);
-    prec += GUARD_BITS;
+    const slong prec = FLINT_MAX(arb_bits(x), digits_to_bits(digits)) + GUARD_BITS;
     mpfr_t lower, upper;
     mpfr_init2(lower, prec);
     mpfr_init2(upper, prec);
@@ -100,7 +100,7 @@ int digits_to_double(double *y, const arb_t x)
         *y = 0;
         return 1;
     }
-    slong prec = arb_bits(x) + GUARD_BITS;
+    const slong prec = FLINT_MAX(arb_bits(x), DBL_MANT_DIG) + GUARD_BITS;
     mpfr_t lower, upper;
     mpfr_init2(lower, prec);
     mpfr_init2(upper, prec);
@@ -115,26 +115,4 @@ int digits_to_double(double *y, const arb_t x)
     mpfr_clear(lower);
     mpfr_clear(upper);
     return same;
-}
-
-struct precision precision_start(slong digits)
-{
-    slong bits = digits_to_bits(digits);
-    return (struct precision){.bits = bits, .step = GUARD_BITS, .limit = 3 * bits + 512};
-}
-
-bool precision_raise(struct precision *p)
-{
-    if (p->bits >= p->limit)
-        return false;
-    p->bits += p->step;
-    p->step *= 2;
-    return true;
-}
-
-int precision_spent(const struct precision *p, const char *what, slong digits)
-{
-    return fail("%s: %ld bits do not decide its %ld digits: it is zero, or halfway between two numbers "
-                "of that many digits; then another --digits helps",
-                what, (long)p->bits, (long)digits);
 }

@@ -20,21 +20,4 @@ slong digits_to_bits(slong digits);
  * ball straddles a rounding boundary or zero, or the double would not be finite. */
 int digits_to_double(double *y, const arb_t x);
 
-/* The loop that ends when every number asked for is decided:
- *
- *   struct precision p = precision_start(digits);
- *   do compute with p.bits; while (some number is undecided && precision_raise(&p)); */
-struct precision {
-    slong bits, step, limit;
-};
-
-struct precision precision_start(slong digits);
-
-/* More bits, or false: so many have not decided it that it must be zero or a tie, which no ball
- * excludes. */
-bool precision_raise(struct precision *p);
-
-/* Says so of `what` on stderr; STATUS_FAILED. */
-int precision_spent(const struct precision *p, const char *what, slong digits);
-
 #endif

@@ -4,6 +4,7 @@
 #include "support/output.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -102,12 +103,12 @@ static const char *name_of(const struct output *out)
     return out->path ? out->path : "standard output";
 }
 
-static int cannot(const char *verb, const struct output *out)
+static int output_failure(const char *verb, const struct output *out)
 {
     return fail("cannot %s %s: %s", verb, name_of(out), errno ? strerror(errno) : "write error");
 }
 
-static void forget(struct output *out)
+static void output_release(struct output *out)
 {
     free(out->target);
     free(out->temporary);
@@ -124,16 +125,98 @@ void output_discard(struct output *out)
         unlink(out->temporary);
         registry_remove(out->temporary);
     }
-    forget(out);
+    output_release(out);
 }
 
-/* The file that `path` names after its symbolic links; a new file has a directory that exists. */
-static char *resolve(const char *path)
+/* ---- what a path names ---- */
+
+enum { LINKS_MAX = 40, NOT_A_DESCRIPTOR = -1 };
+
+/* The descriptor of this process that a path names, as /dev/fd/3 and /proc/self/fd/3 do, or NOT_A_DESCRIPTOR. */
+static int descriptor_named(const char *path)
 {
-    char *real = realpath(path, NULL);
-    if (!real && errno == ENOENT)
-        real = xstrdup(path);
-    return real;
+    const char *const slash = strrchr(path, '/');
+    const char *const digits = slash ? slash + 1 : path;
+    if (!slash || !*digits || strspn(digits, "0123456789") != strlen(digits) || strlen(digits) > 6)
+        return NOT_A_DESCRIPTOR;
+    char own[64], *directory = xstrdup(path);
+    directory[slash - path] = '\0';
+    snprintf(own, sizeof own, "/proc/%ld/fd", (long)getpid());
+    char *const real = realpath(directory, NULL);
+    const bool is = strcmp(directory, "/dev/fd") == 0 || (real && strcmp(real, own) == 0);
+    free(real);
+    free(directory);
+    return is ? (int)strtol(digits, NULL, 10) : NOT_A_DESCRIPTOR;
+}
+
+/* `link` with its last part replaced by what the link holds, unless that is a whole path; malloc'ed. */
+static char *link_target(const char *link)
+{
+    char text[4096];
+    const ssize_t n = readlink(link, text, sizeof text - 1);
+    if (n < 0)
+        return NULL;
+    text[n] = '\0';
+    const char *const slash = strrchr(link, '/');
+    const size_t directory = slash && text[0] != '/' ? (size_t)(slash - link) + 1 : 0;
+    char *const target = xmalloc(directory + (size_t)n + 1);
+    memcpy(target, link, directory);
+    memcpy(target + directory, text, (size_t)n + 1);
+    return target;
+}
+
+/* The name behind all symbolic links, whether that file exists or not, malloc'ed; or NULL with *descriptor set, or with
+ * errno set. */
+static char *follow_links(const char *path, int *descriptor)
+{
+    char *name = xstrdup(path);
+    *descriptor = NOT_A_DESCRIPTOR;
+    for (int links = 0; name && (*descriptor = descriptor_named(name)) == NOT_A_DESCRIPTOR; links++) {
+        struct stat status;
+        if (lstat(name, &status) != 0 || !S_ISLNK(status.st_mode))
+            return name;
+        char *const next = links < LINKS_MAX ? link_target(name) : NULL;
+        if (links == LINKS_MAX)
+            errno = ELOOP;
+        free(name);
+        name = next;
+    }
+    free(name);
+    return NULL;
+}
+
+bool output_is_direct(const char *path)
+{
+    struct stat status;
+    int descriptor = NOT_A_DESCRIPTOR;
+    if (!path || (stat(path, &status) == 0 && !S_ISREG(status.st_mode)))
+        return true;
+    free(follow_links(path, &descriptor));
+    return descriptor != NOT_A_DESCRIPTOR;
+}
+
+/* ---- the temporary file ---- */
+
+/* Mode, owner and group of the file to be replaced. False if they cannot be had: then the file is written in place. */
+static bool take_over(int fd, const struct stat *old)
+{
+    struct stat mine;
+    if (fstat(fd, &mine) != 0)
+        return false;
+    const bool same_owner = mine.st_uid == old->st_uid && mine.st_gid == old->st_gid;
+    return (same_owner || fchown(fd, old->st_uid, old->st_gid) == 0) && fchmod(fd, old->st_mode & 07777) == 0;
+}
+
+static int set_mode(struct output *out, int fd)
+{
+    struct stat old;
+    if (stat(out->target, &old) == 0) {
+        out->in_place = old.st_nlink > 1 || !take_over(fd, &old);
+        return out->in_place ? fchmod(fd, 0600) : 0;
+    }
+    const mode_t mask = umask(0);
+    umask(mask);
+    return fchmod(fd, 0666 & ~mask);
 }
 
 static int make_temporary(struct output *out)
@@ -161,9 +244,7 @@ static int make_temporary(struct output *out)
         return -1;
     }
 
-    mode_t mask = umask(0);
-    umask(mask);
-    if (fchmod(fd, 0666 & ~mask) != 0 || !(out->file = fdopen(fd, "w"))) {
+    if (set_mode(out, fd) != 0 || !(out->file = fdopen(fd, "w+"))) {
         int reason = errno;
         close(fd);
         errno = reason;
@@ -183,10 +264,17 @@ int output_open(struct output *out, const char *path)
         return STATUS_OK;
     }
 
+    int descriptor;
     struct stat status;
-    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+    out->target = follow_links(path, &descriptor);
+    if (descriptor != NOT_A_DESCRIPTOR) {
+        const int copy = dup(descriptor);
+        out->file = copy < 0 ? NULL : fdopen(copy, "w");
+    } else if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+        free(out->target);
+        out->target = NULL;
         out->file = fopen(path, "w");
-    } else if ((out->target = resolve(path))) {
+    } else if (out->target) {
         /* rename() would not ask, but a file that its owner made read-only is to be kept. */
         if (access(out->target, F_OK) != 0 || access(out->target, W_OK) == 0)
             make_temporary(out);
@@ -201,38 +289,94 @@ int output_open(struct output *out, const char *path)
 }
 
 /* Everything but the rename. */
-static int complete(struct output *out)
+static int output_complete(struct output *out)
 {
     errno = 0;
-    bool written = fflush(out->file) == 0 && !ferror(out->file);
+    const bool written = fflush(out->file) == 0 && !ferror(out->file);
     if (!written)
-        return cannot("write", out);
+        return output_failure("write", out);
     if (!out->path)
         return STATUS_OK;
-
     if (out->temporary && fsync(fileno(out->file)) != 0)
-        return cannot("write", out);
-    int closed = fclose(out->file) == 0;
+        return output_failure("write", out);
+    if (out->in_place)
+        return STATUS_OK; /* still to be read */
+    const bool closed = fclose(out->file) == 0;
     out->file = NULL;
-    return closed ? STATUS_OK : cannot("write", out);
+    return closed ? STATUS_OK : output_failure("write", out);
+}
+
+/* Copies `size` bytes of the stream to the descriptor. */
+static bool copy_bytes(FILE *from, int to, off_t size)
+{
+    char block[1 << 16];
+    rewind(from);
+    while (size > 0) {
+        const size_t n = fread(block, 1, sizeof block, from);
+        if (n == 0)
+            return false;
+        for (size_t done = 0; done < n;) {
+            const ssize_t written = write(to, block + done, n - done);
+            if (written < 0 && errno != EINTR)
+                return false;
+            done += written > 0 ? (size_t)written : 0;
+        }
+        size -= (off_t)n;
+    }
+    return true;
+}
+
+/* The complete temporary file over the target's bytes. Space is reserved first, so that a full disk leaves the old text. */
+static bool output_overwrite(struct output *out)
+{
+    const int fd = open(out->target, O_WRONLY | O_CLOEXEC);
+    struct stat old, now;
+    if (fd < 0)
+        return false;
+    bool good = fstat(fd, &old) == 0 && fstat(fileno(out->file), &now) == 0;
+    if (good && now.st_size > old.st_size) {
+        const int reason = posix_fallocate(fd, old.st_size, now.st_size - old.st_size);
+        if (reason != 0 && reason != EINVAL && reason != EOPNOTSUPP) {
+            good = false;
+            errno = ftruncate(fd, old.st_size) == 0 ? reason : errno;
+        }
+    }
+    good = good && copy_bytes(out->file, fd, now.st_size) && ftruncate(fd, now.st_size) == 0 && fsync(fd) == 0;
+    const int reason = errno;
+    if (close(fd) != 0 && good)
+        return false;
+    errno = reason;
+    return good;
+}
+
+/* Puts a complete temporary file in the place of the target. */
+static bool output_replace(struct output *out)
+{
+    if (!out->in_place)
+        return rename(out->temporary, out->target) == 0;
+    if (!output_overwrite(out))
+        return false;
+    fclose(out->file);
+    out->file = NULL;
+    return unlink(out->temporary) == 0;
 }
 
 int output_commit_all(struct output *out, int n)
 {
     int result = STATUS_OK;
     for (int i = 0; i < n && result == STATUS_OK; i++)
-        result = complete(&out[i]);
+        result = output_complete(&out[i]);
 
     sigset_t before;
     block_signals(&before);
     for (int i = 0; i < n && result == STATUS_OK; i++) {
         if (!out[i].temporary)
             continue;
-        if (rename(out[i].temporary, out[i].target) != 0) {
-            result = cannot("replace", &out[i]);
+        if (!output_replace(&out[i])) {
+            result = output_failure("replace", &out[i]);
         } else {
             registry_remove(out[i].temporary);
-            forget(&out[i]);
+            output_release(&out[i]);
         }
     }
     restore_signals(&before);
@@ -309,6 +453,18 @@ static bool is_json_number(const char *text)
     return *text == '\0';
 }
 
+/* A number that a reader of JSON holds exactly, as most hold doubles: a fraction as well as any, a whole number of at
+ * most 2^53 = 9007199254740992. */
+static bool is_safe_json_number(const char *text)
+{
+    static const char largest[] = "9007199254740992";
+    if (!is_json_number(text))
+        return false;
+    const char *const digits = text + (*text == '-');
+    const size_t n = span_digits(digits), most = sizeof largest - 1;
+    return digits[n] != '\0' || n < most || (n == most && strcmp(digits, largest) <= 0);
+}
+
 static bool is_integer(const char *text)
 {
     if (*text == '-')
@@ -316,12 +472,21 @@ static bool is_integer(const char *text)
     return *text && text[span_digits(text)] == '\0';
 }
 
+/* Once in a thousand cells, and only on a terminal. */
+static void print_progress(const struct table *t, long cell)
+{
+    if (cell >= 0 && cell % 1024 == 0)
+        progress("printing rows", cell / t->columns, t->cells / t->columns);
+}
+
 static void print_csv(const struct table *t, FILE *file)
 {
     for (int j = 0; j < t->columns; j++)
         fprintf(file, "%s%c", t->column[j], j + 1 < t->columns ? ',' : '\n');
-    for (long i = 0; i < t->cells; i++)
+    for (long i = 0; i < t->cells; i++) {
+        print_progress(t, i);
         fprintf(file, "%s%c", t->cell[i], (i + 1) % t->columns ? ',' : '\n');
+    }
 }
 
 static bool column_all(const struct table *t, int column, bool (*is)(const char *))
@@ -336,9 +501,10 @@ static void print_json(const struct table *t, FILE *file)
 {
     bool *number = xmalloc((size_t)t->columns * sizeof *number);
     for (int j = 0; j < t->columns; j++)
-        number[j] = column_all(t, j, is_json_number);
+        number[j] = column_all(t, j, is_safe_json_number);
     fputs("[", file);
     for (long i = 0; i < t->cells; i++) {
+        print_progress(t, i);
         int j = (int)(i % t->columns);
         const char *quote = number[j] ? "" : "\"";
         fputs(j ? ", " : i ? ",\n  {" : "\n  {", file);
@@ -368,6 +534,7 @@ static void print_text(const struct table *t, FILE *file)
         }
     }
     for (long i = -t->columns; i < t->cells; i++) {
+        print_progress(t, i);
         int j = (int)((i + t->columns) % t->columns);
         const char *text = i < 0 ? t->column[j] : t->cell[i];
         const char *space = sign[j] && *text != '-' ? " " : "";
@@ -398,4 +565,5 @@ void table_print(const struct table *t, enum output_format format, FILE *file)
         print_text(t, file);
         break;
     }
+    progress_end();
 }

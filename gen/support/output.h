@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Where corgen's results go: tables in three formats, and files that are replaced whole or not at
- * all. */
+/* Where corgen's results go: tables in three formats, and files that are replaced whole or not at all. */
 #ifndef COR_GEN_SUPPORT_OUTPUT_H
 #define COR_GEN_SUPPORT_OUTPUT_H
 
@@ -9,19 +8,26 @@
 
 enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
 
-/* Opens a temporary file beside `path` (NULL: standard output). On commit it is flushed, synced and
- * renamed over path; any failure, exit() at any place, and SIGINT, SIGTERM, SIGHUP or SIGPIPE at
- * any time, removes it. A path that is no regular file (a terminal, /dev/null) is written directly;
- * a symbolic link stays, and what it points to is replaced. */
+/* A path that names a regular file, or none yet: a temporary file is opened beside it. A commit flushes and syncs it and
+ * renames it over the path. Any failure, exit() at any place, and SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT or
+ * SIGXCPU at any time removes it. The new file has the mode, owner and group of the one it replaces. A file with several
+ * names, or with an owner that cannot be given away, is overwritten in place from the complete temporary file, so that
+ * every name shows the new text. A symbolic link stays: what it points to is written, even if that does not exist yet.
+ *
+ * Everything else is written directly: standard output (path NULL), a terminal, a pipe, /dev/null, and an open
+ * descriptor by its name, as /dev/stdout or /dev/fd/3, which keeps its position and appends where it was opened to. */
 struct output {
     FILE *file;
     const char *path; /* as given, for messages; NULL = standard output */
     char *target;     /* the file to be replaced, links resolved; NULL = written directly */
     char *temporary;
+    bool in_place; /* overwrite the target instead of renaming */
 };
 
-/* Each returns STATUS_OK, or STATUS_FAILED after saying why on stderr; then nothing is left behind.
- */
+/* Whether the path, or NULL, is written directly: nothing can be kept beside it. */
+bool output_is_direct(const char *path);
+
+/* Each returns STATUS_OK, or STATUS_FAILED after saying why on stderr; then nothing is left behind. */
 int output_open(struct output *out, const char *path);
 int output_commit(struct output *out); /* also reports a full disk behind standard output */
 
@@ -31,8 +37,8 @@ int output_commit_all(struct output *out, int n);
 
 void output_discard(struct output *out);
 
-/* A table of strings: the header row names the columns exactly as the contract does. In json it is
- * an array of objects; a column is unquoted if every cell in it is a JSON number. */
+/* A table of strings: the header row names the columns exactly as the contract does. In json it is an array of objects; a
+ * column is unquoted if every cell in it is a JSON number that a double holds: no whole number beyond 2^53. */
 struct table {
     const char *const *column;
     int columns;

@@ -8,48 +8,43 @@
 #include <string.h>
 #include <time.h>
 
+#include "support/clock.h"
 #include "support/console.h"
+#include "support/parallel.h"
 #include "sweep/ranks.h"
 
-/* QUEUE: tasks that wait for a thread, at most, each. */
-enum { QUEUE = 64, TAG_TASKS = 1, TAG_RESULTS, TAG_TOLD, TAG_STOP };
+/* QUEUE: the most tasks that wait for each thread. */
+enum { QUEUE = 64, TAG_TASKS = 1, TAG_RESULTS, TAG_BROADCAST, TAG_STOP };
 
-#define QUEUE_SECONDS 0.05 /* work that should wait for a thread, so that it need not wait */
+#define QUEUE_SECONDS 0.05 /* seconds of work queued for each thread, so that no thread runs dry between two looks */
 #define TICK_SECONDS 0.2
-#define POLL_SECONDS 0.0005 /* between looks for messages: MPI can wait only by being busy */
+#define POLL_SECONDS 0.0005 /* between two polls for messages: an MPI that waits keeps its processor busy */
 
 struct crew {
     struct crew_work work;
     int threads;
     pthread_t *thread;
 
-    pthread_mutex_t mutex; /* of what follows */
+    pthread_mutex_t mutex; /* guards the fields down to `started` */
     pthread_cond_t has_task, has_result;
     bool stopping;
-    uint64_t *task; /* a ring */
+    uint64_t *task; /* a ring buffer of task numbers */
     size_t task_first, tasks, tasks_max;
-    unsigned char *result; /* numbers and results */
+    unsigned char *result; /* records of finished tasks */
     size_t results;
     int started;
 
-    double seconds;         /* of a task, lately; 0: not known. Of the coordinator, as what follows */
-    size_t at_work;         /* given to own threads and not seen again */
-    size_t *at_rank;        /* likewise to the other ranks */
-    unsigned char *waiting; /* results in order: a ring of CREW_AHEAD */
+    double seconds;         /* average time of recent tasks; 0: not known. From here on for the coordinator only */
+    size_t at_work;         /* tasks with threads of this rank whose results are not collected yet */
+    size_t *at_rank;        /* the same for each other rank */
+    unsigned char *waiting; /* ring buffer of CREW_AHEAD results that wait for earlier ones */
     bool *waits;
-    unsigned char *taken; /* what was taken from `result` */
+    unsigned char *taken; /* records swapped out of `result` */
 };
 
 struct interval {
     uint64_t first, count;
 };
-
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /* A record: the number of the task, the seconds it took, the result. */
 enum { RECORD_HEAD = sizeof(uint64_t) + sizeof(double) };
@@ -61,7 +56,7 @@ static size_t record_size(const struct crew *crew)
 
 /* ---- threads ---- */
 
-static void *thread_main(void *argument)
+static void *crew_thread(void *argument)
 {
     struct crew *crew = argument;
     unsigned char *record = xmalloc(record_size(crew));
@@ -77,9 +72,9 @@ static void *thread_main(void *argument)
         crew->tasks--;
         pthread_mutex_unlock(&crew->mutex);
 
-        const double start = seconds_now();
+        const double start = clock_seconds();
         crew->work.work(crew->work.context, number, task, record + RECORD_HEAD);
-        const double seconds = seconds_now() - start;
+        const double seconds = clock_seconds() - start;
         memcpy(record, &task, sizeof task);
         memcpy(record + sizeof task, &seconds, sizeof seconds);
 
@@ -92,7 +87,7 @@ static void *thread_main(void *argument)
     return NULL;
 }
 
-static void give(struct crew *crew, uint64_t task)
+static void crew_queue_task(struct crew *crew, uint64_t task)
 {
     pthread_mutex_lock(&crew->mutex);
     crew->task[(crew->task_first + crew->tasks++) % crew->tasks_max] = task;
@@ -101,8 +96,8 @@ static void give(struct crew *crew, uint64_t task)
     crew->at_work++;
 }
 
-/* Waits a while for own results and moves them to crew->taken; how many there are. */
-static size_t take(struct crew *crew, double wait)
+/* Waits up to `wait` seconds for results of this rank's threads, moves them to crew->taken and returns their number. */
+static size_t crew_take_results(struct crew *crew, double wait)
 {
     struct timespec until;
     clock_gettime(CLOCK_MONOTONIC, &until);
@@ -128,7 +123,7 @@ struct crew *crew_start(const struct crew_work *work, int threads)
     struct crew *crew = xmalloc(sizeof *crew);
     *crew = (struct crew){.work = *work};
     const size_t most = (size_t)threads * (QUEUE + 1);
-    /* another rank's tasks come in two messages */
+    /* tasks of another rank can come in two messages before the first are done */
     crew->tasks_max = 2 * most;
     crew->task = xmalloc(crew->tasks_max * sizeof *crew->task);
     crew->result = xmalloc(2 * most * record_size(crew));
@@ -147,7 +142,7 @@ struct crew *crew_start(const struct crew_work *work, int threads)
     pthread_condattr_destroy(&attributes);
     int reason = 0;
     while (crew->threads < threads && reason == 0) {
-        reason = pthread_create(&crew->thread[crew->threads], NULL, thread_main, crew);
+        reason = parallel_start_thread(&crew->thread[crew->threads], crew_thread, crew);
         crew->threads += reason == 0;
     }
     if (crew->threads == 0) {
@@ -185,8 +180,8 @@ void crew_stop(struct crew *crew)
 
 /* ---- rank 0 ---- */
 
-/* Tasks that a rank should have: one a thread, and what fills the time till the next are given. */
-static size_t tasks_wanted(const struct crew *crew)
+/* The number of tasks that a rank should hold: one for each thread, and enough to fill QUEUE_SECONDS. */
+static size_t crew_tasks_wanted(const struct crew *crew)
 {
     size_t each = 1;
     if (crew->seconds > 0) {
@@ -196,7 +191,7 @@ static size_t tasks_wanted(const struct crew *crew)
     return each * (size_t)crew->threads;
 }
 
-static void collect(struct crew *crew, const unsigned char *record)
+static void crew_note_result(struct crew *crew, const unsigned char *record)
 {
     uint64_t task;
     double seconds;
@@ -209,13 +204,13 @@ static void collect(struct crew *crew, const unsigned char *record)
         crew->work.ready(crew->work.context, task, record + RECORD_HEAD);
 }
 
-static void collect_all(struct crew *crew, const unsigned char *record, size_t n)
+static void crew_note_results(struct crew *crew, const unsigned char *record, size_t n)
 {
     for (size_t i = 0; i < n; i++)
-        collect(crew, record + i * record_size(crew));
+        crew_note_result(crew, record + i * record_size(crew));
 }
 
-static size_t tasks_away(const struct crew *crew)
+static size_t crew_tasks_away(const struct crew *crew)
 {
     size_t away = crew->at_work;
     for (int rank = 1; rank < ranks_count(); rank++)
@@ -223,10 +218,11 @@ static size_t tasks_away(const struct crew *crew)
     return away;
 }
 
-/* To other ranks no fewer at once than half of what they should have: a message each would be many. */
-static uint64_t give_out(struct crew *crew, uint64_t next, uint64_t end)
+/* Gives tasks to every rank that holds less than it should. Another rank gets new ones only below half of that number,
+ * which keeps the number of messages low. Returns the next task to give out. */
+static uint64_t crew_give_out(struct crew *crew, uint64_t next, uint64_t end)
 {
-    const size_t wanted = tasks_wanted(crew);
+    const size_t wanted = crew_tasks_wanted(crew);
     for (int rank = 1; rank < ranks_count() && next < end; rank++) {
         if (2 * crew->at_rank[rank] > wanted && wanted > (size_t)crew->threads)
             continue;
@@ -240,12 +236,12 @@ static uint64_t give_out(struct crew *crew, uint64_t next, uint64_t end)
         next += tasks.count;
     }
     for (; crew->at_work < wanted && next < end; next++)
-        give(crew, next);
+        crew_queue_task(crew, next);
     return next;
 }
 
-/* What no thread has begun is not begun. */
-static void forget(struct crew *crew)
+/* Removes the tasks that no thread has begun. */
+static void crew_drop_queue(struct crew *crew)
 {
     pthread_mutex_lock(&crew->mutex);
     crew->at_work -= crew->tasks;
@@ -255,25 +251,25 @@ static void forget(struct crew *crew)
 
 int crew_run(struct crew *crew, uint64_t first, uint64_t end)
 {
-    uint64_t next = first; /* to be given out */
+    uint64_t next = first; /* first task not given out yet */
     uint64_t finished = first;
     int status = 0;
-    double ticked = seconds_now();
+    double ticked = clock_seconds();
     memset(crew->waits, 0, CREW_AHEAD * sizeof *crew->waits);
-    while (status == 0 ? finished < end : tasks_away(crew) > 0) {
+    while (status == 0 ? finished < end : crew_tasks_away(crew) > 0) {
         if (status != 0)
-            forget(crew);
+            crew_drop_queue(crew);
         if (status == 0)
-            next = give_out(crew, next, end - finished < CREW_AHEAD ? end : finished + CREW_AHEAD);
-        const size_t n = take(crew, ranks_count() > 1 ? POLL_SECONDS : TICK_SECONDS);
-        collect_all(crew, crew->taken, n);
+            next = crew_give_out(crew, next, end - finished < CREW_AHEAD ? end : finished + CREW_AHEAD);
+        const size_t n = crew_take_results(crew, ranks_count() > 1 ? POLL_SECONDS : TICK_SECONDS);
+        crew_note_results(crew, crew->taken, n);
         int rank, tag;
         void *bytes;
         size_t size;
         while (ranks_receive(&rank, &tag, &bytes, &size)) {
             const size_t count = size / record_size(crew);
             crew->at_rank[rank] -= count;
-            collect_all(crew, bytes, count);
+            crew_note_results(crew, bytes, count);
             free(bytes);
         }
         for (; status == 0 && finished < end && crew->waits[finished % CREW_AHEAD]; finished++) {
@@ -281,7 +277,7 @@ int crew_run(struct crew *crew, uint64_t first, uint64_t end)
             status = crew->work.finish(crew->work.context, finished,
                                        crew->waiting + finished % CREW_AHEAD * crew->work.result_size);
         }
-        const double now = seconds_now();
+        const double now = clock_seconds();
         if (status == 0 && crew->work.tick && (now - ticked > TICK_SECONDS || finished == end)) {
             ticked = now;
             status = crew->work.tick(crew->work.context);
@@ -290,11 +286,11 @@ int crew_run(struct crew *crew, uint64_t first, uint64_t end)
     return status;
 }
 
-void crew_tell(struct crew *crew, const void *bytes, size_t n)
+void crew_broadcast(struct crew *crew, const void *bytes, size_t n)
 {
     (void)crew;
     for (int rank = 1; rank < ranks_count(); rank++)
-        ranks_send(rank, TAG_TOLD, bytes, n);
+        ranks_send(rank, TAG_BROADCAST, bytes, n);
 }
 
 /* ---- the other ranks ---- */
@@ -302,7 +298,7 @@ void crew_tell(struct crew *crew, const void *bytes, size_t n)
 void crew_serve(struct crew *crew)
 {
     for (bool stop = false; !stop || crew->at_work > 0;) {
-        const size_t n = take(crew, POLL_SECONDS);
+        const size_t n = crew_take_results(crew, POLL_SECONDS);
         if (n > 0)
             ranks_send(0, TAG_RESULTS, crew->taken, n * record_size(crew));
         int rank, tag;
@@ -313,9 +309,9 @@ void crew_serve(struct crew *crew)
                 struct interval tasks;
                 memcpy(&tasks, bytes, sizeof tasks);
                 for (uint64_t i = 0; i < tasks.count; i++)
-                    give(crew, tasks.first + i);
-            } else if (tag == TAG_TOLD) {
-                crew->work.told(crew->work.context, bytes, size);
+                    crew_queue_task(crew, tasks.first + i);
+            } else if (tag == TAG_BROADCAST) {
+                crew->work.received(crew->work.context, bytes, size);
             }
             stop = tag == TAG_STOP;
             free(bytes);

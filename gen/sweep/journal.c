@@ -8,41 +8,35 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "runtime/core/mode_file.h"
+#include "support/clock.h"
 #include "support/console.h"
 
-/* A line ends with a space and the check of all that stands before that, as in a mode file: what is not as it was
- * written, for whatever reason, is found, and all behind it is in doubt. */
+/* A line ends with a space and a check sum of everything before the sum, as in a mode file. A changed byte therefore
+ * shows in its own line and in every later one. */
 enum { CHECK_LENGTH = 9, PENDING_MAX = 1 << 20, SYNC_SECONDS = 30 };
 
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static int cannot(const char *verb, const struct journal *journal)
+static int journal_failure(const char *verb, const struct journal *journal)
 {
     return fail("cannot %s %s: %s", verb, journal->path, errno ? strerror(errno) : "write error");
 }
 
-static uint32_t check_of(uint32_t check, const char *line, size_t n)
+static uint32_t line_check(uint32_t check, const char *line, size_t n)
 {
     return cor_mode_file_check(cor_mode_file_check(check, line, n), " ", 1);
 }
 
-/* Takes the check off a line that was read, with its end, if it is right; otherwise leaves both alone. */
-static bool accept(uint32_t *check, char *line, size_t n)
+/* If the check sum at the end of the line is right, cuts it off, updates *check and returns true. Otherwise neither
+ * changes. */
+static bool line_accept(uint32_t *check, char *line, size_t n)
 {
     if (n < CHECK_LENGTH + 1 || line[n - 1] != '\n' || memchr(line, '\0', n))
         return false;
     char expected[CHECK_LENGTH + 2];
     const size_t length = n - CHECK_LENGTH - 1;
-    const uint32_t so_far = check_of(*check, line, length);
+    const uint32_t so_far = line_check(*check, line, length);
     snprintf(expected, sizeof expected, " %08" PRIx32 "\n", so_far);
     if (memcmp(line + length, expected, CHECK_LENGTH + 1) != 0)
         return false;
@@ -54,7 +48,7 @@ static bool accept(uint32_t *check, char *line, size_t n)
 void journal_add(struct journal *journal, const char *line)
 {
     const size_t n = strlen(line), size = n + CHECK_LENGTH + 1;
-    const uint32_t check = check_of(journal->check, line, n);
+    const uint32_t check = line_check(journal->check, line, n);
     if (journal->pending_size + size + 1 > journal->pending_capacity) {
         journal->pending_capacity = 2 * (journal->pending_size + size + 1);
         journal->pending = xrealloc(journal->pending, journal->pending_capacity);
@@ -65,7 +59,7 @@ void journal_add(struct journal *journal, const char *line)
     journal->pending_size += size;
     journal->lines++;
     if (journal->pending_size > PENDING_MAX)
-        journal_flush(journal); /* an error is met again by the caller's own */
+        journal_flush(journal); /* the caller's next journal_flush reports an error again */
 }
 
 int journal_flush(struct journal *journal)
@@ -76,32 +70,32 @@ int journal_flush(struct journal *journal)
         if (n < 0 && errno == EINTR)
             continue;
         if (n <= 0) {
-            /* what is there stays a beginning */
+            /* keep what is not written, so that the file stays a prefix of the journal */
             memmove(journal->pending, journal->pending + done, journal->pending_size - done);
             journal->pending_size -= done;
-            return cannot("write", journal);
+            return journal_failure("write", journal);
         }
         done += (size_t)n;
     }
     journal->pending_size = 0;
-    if (done > 0 && seconds_now() - journal->synced > SYNC_SECONDS) {
+    if (done > 0 && clock_seconds() - journal->synced > SYNC_SECONDS) {
         if (fsync(journal->fd) != 0 && errno != EINVAL)
-            return cannot("write", journal);
-        journal->synced = seconds_now();
+            return journal_failure("write", journal);
+        journal->synced = clock_seconds();
     }
     return STATUS_OK;
 }
 
 /* ---- opening ---- */
 
-static int lock(struct journal *journal)
+static int journal_lock(struct journal *journal)
 {
     struct flock region = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
     if (fcntl(journal->fd, F_SETLK, &region) == 0)
         return STATUS_OK;
-    if (errno != EACCES && errno != EAGAIN) { /* a file system without locks */
-        cannot("lock", journal);
-        fail("going on; see to it that no other corgen has the same --output");
+    if (errno != EACCES && errno != EAGAIN) { /* the file system has no locks */
+        journal_failure("lock", journal);
+        fail("continuing without a lock; make sure that no other corgen writes to the same --output");
         return STATUS_OK;
     }
     if (fcntl(journal->fd, F_GETLK, &region) == 0 && region.l_type != F_UNLCK)
@@ -110,17 +104,21 @@ static int lock(struct journal *journal)
     return fail("%s is in use by another process; wait for it or choose another --output", journal->path);
 }
 
-/* The file of that name, locked: not one that another process finished and removed in between. */
-static int open_locked(struct journal *journal)
+/* Opens and locks the file. Another process may finish the journal and remove it between open and lock; then the name
+ * belongs to another file or to none, and the file is opened again. */
+static int journal_open_locked(struct journal *journal)
 {
     for (;;) {
         struct stat opened, named;
-        journal->fd = open(journal->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        /* a symbolic link could lead anywhere, so it is not followed */
+        journal->fd = open(journal->path, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (journal->fd < 0 && errno == ELOOP)
+            return fail("cannot write %s: it is a symbolic link; remove it or choose another --output", journal->path);
         if (journal->fd < 0 || fstat(journal->fd, &opened) != 0)
-            return cannot("write", journal);
+            return journal_failure("write", journal);
         if (!S_ISREG(opened.st_mode))
-            return fail("cannot write %s: it is no regular file", journal->path);
-        if (lock(journal) != STATUS_OK)
+            return fail("cannot write %s: it is not a regular file", journal->path);
+        if (journal_lock(journal) != STATUS_OK)
             return STATUS_FAILED;
         if (stat(journal->path, &named) == 0 && named.st_ino == opened.st_ino && named.st_dev == opened.st_dev)
             return STATUS_OK;
@@ -129,12 +127,12 @@ static int open_locked(struct journal *journal)
     }
 }
 
-static int foreign(const struct journal *journal, const char *title)
+static int journal_refuse_foreign(const struct journal *journal, const char *title)
 {
     enum { SHOWN = 300 };
     static const char start[] = "corgen ";
     if (strncmp(title, start, sizeof start - 1) != 0)
-        return fail("%s is no unfinished sweep of corgen; remove it or choose another --output", journal->path);
+        return fail("%s is not an unfinished sweep of corgen; remove it or choose another --output", journal->path);
     const char *command = strstr(title, ": ");
     return fail("%s holds rows of another sweep, '%.*s%s'; finish it by that command, remove it or choose another "
                 "--output",
@@ -142,18 +140,18 @@ static int foreign(const struct journal *journal, const char *title)
                 command && strlen(command + 2) > SHOWN ? "..." : "");
 }
 
-/* A title says what the sweep is, and behind a colon how the command was written, which does not matter. */
+/* A title identifies the sweep before its first colon. The command after the colon may be written in another way. */
 static bool same_sweep(const char *title, const char *other)
 {
     const char *colon = strchr(title, ':');
     return colon ? strncmp(title, other, (size_t)(colon - title) + 1) == 0 : strcmp(title, other) == 0;
 }
 
-/* Where the good lines end, or -1 after a sentence. */
-static off_t recover(struct journal *journal, const char *title, uint64_t most)
+/* Returns the size of the good lines in bytes, or -1 after a message. */
+static off_t journal_recover(struct journal *journal, const char *title, uint64_t most)
 {
     enum { BLOCK = 1 << 16, LINE = 1 << 12 };
-    const size_t longest = strlen(title) + LINE; /* what is longer is no line of ours */
+    const size_t longest = strlen(title) + LINE; /* no line of a journal is longer */
     size_t capacity = BLOCK, size = 0, start = 0;
     char *buffer = xmalloc(capacity);
     off_t good = 0;
@@ -173,7 +171,7 @@ static off_t recover(struct journal *journal, const char *title, uint64_t most)
             const ssize_t n = read(journal->fd, buffer + size, capacity - size);
             if (n < 0 && errno != EINTR) {
                 free(buffer);
-                cannot("read", journal);
+                journal_failure("read", journal);
                 return -1;
             }
             ended = n == 0;
@@ -183,11 +181,11 @@ static off_t recover(struct journal *journal, const char *title, uint64_t most)
         if (!end)
             break;
         const size_t n = (size_t)(end - (buffer + start)) + 1;
-        if (!accept(&check, buffer + start, n))
+        if (!line_accept(&check, buffer + start, n))
             break;
         if (!titled) {
             if (!same_sweep(title, buffer + start)) {
-                foreign(journal, buffer + start);
+                journal_refuse_foreign(journal, buffer + start);
                 free(buffer);
                 return -1;
             }
@@ -204,12 +202,12 @@ static off_t recover(struct journal *journal, const char *title, uint64_t most)
         start += n;
     }
     if (!titled) {
-        /* a first line half written is the beginning of the right one; anything else is somebody's file */
+        /* a prefix of the title was cut off while it was written; any other first line is from another program */
         const size_t n = strlen(title);
         const size_t same = size < n ? size : n;
         const bool beginning = size <= n + CHECK_LENGTH && memcmp(buffer, title, same) == 0;
         if (!beginning) {
-            foreign(journal, "");
+            journal_refuse_foreign(journal, "");
             free(buffer);
             return -1;
         }
@@ -218,7 +216,7 @@ static off_t recover(struct journal *journal, const char *title, uint64_t most)
     return good;
 }
 
-/* The name of a new file is on the disk only when its directory is. */
+/* A power cut can lose the name of a new file until its directory is synced. */
 static void sync_directory(const char *path)
 {
     char *directory = xstrdup(path);
@@ -235,17 +233,18 @@ static void sync_directory(const char *path)
 
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most)
 {
-    *journal = (struct journal){.fd = -1, .check = COR_MODE_FILE_CHECK_START, .synced = seconds_now()};
+    *journal = (struct journal){.fd = -1, .check = COR_MODE_FILE_CHECK_START, .synced = clock_seconds()};
     static const char extension[] = ".part";
     const size_t size = strlen(file) + sizeof extension;
     journal->path = xmalloc(size);
     snprintf(journal->path, size, "%s%s", file, extension);
-    signal(SIGXFSZ, SIG_IGN); /* a file at its size limit is a failed write, which is reported */
+    /* a write beyond a size limit must fail, which is reported, and not end the program */
+    signal(SIGXFSZ, SIG_IGN);
     off_t good = -1;
-    if (open_locked(journal) == STATUS_OK)
-        good = recover(journal, title, most);
+    if (journal_open_locked(journal) == STATUS_OK)
+        good = journal_recover(journal, title, most);
     if (good >= 0 && (ftruncate(journal->fd, good) != 0 || lseek(journal->fd, good, SEEK_SET) != good)) {
-        cannot("write", journal);
+        journal_failure("write", journal);
         good = -1;
     }
     int status = good >= 0 ? STATUS_OK : STATUS_FAILED;
@@ -254,7 +253,7 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
         journal->lines = 0;
         status = journal_flush(journal);
         if (status == STATUS_OK && fsync(journal->fd) != 0 && errno != EINVAL)
-            status = cannot("write", journal);
+            status = journal_failure("write", journal);
         sync_directory(journal->path);
     }
     if (status != STATUS_OK)
@@ -262,15 +261,15 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
     return status;
 }
 
-int journal_read(struct journal *journal, void (*tell)(void *context, const char *line), void *context)
+int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context)
 {
     if (journal_flush(journal) != STATUS_OK)
         return STATUS_FAILED;
-    /* not by a second descriptor: whichever of the two is closed first takes the lock away */
+    /* not by a second descriptor: closing either one releases the lock */
     errno = 0;
     FILE *file = lseek(journal->fd, 0, SEEK_SET) == 0 ? fdopen(journal->fd, "r") : NULL;
     if (!file)
-        return cannot("read", journal);
+        return journal_failure("read", journal);
     journal->stream = file;
     char *line = NULL;
     size_t capacity = 0;
@@ -278,15 +277,14 @@ int journal_read(struct journal *journal, void (*tell)(void *context, const char
     uint32_t check = COR_MODE_FILE_CHECK_START;
     bool good = true;
     for (ssize_t n; good && number <= journal->lines && (n = getline(&line, &capacity, file)) > 0; number++) {
-        good = accept(&check, line, (size_t)n);
+        good = line_accept(&check, line, (size_t)n);
         if (good && number > 0)
-            tell(context, line);
+            visit(context, line);
     }
     free(line);
     good = good && number == journal->lines + 1;
     if (!good) {
-        fail("%s has been changed by another program; the rows from line %" PRIu64 " on are lost", journal->path,
-             number);
+        fail("another program has changed %s; its rows from line %" PRIu64 " on are lost", journal->path, number);
     }
     return good ? STATUS_OK : STATUS_FAILED;
 }
@@ -294,7 +292,7 @@ int journal_read(struct journal *journal, void (*tell)(void *context, const char
 void journal_close(struct journal *journal, bool done)
 {
     if (done && unlink(journal->path) != 0)
-        cannot("remove", journal);
+        journal_failure("remove", journal);
     if (journal->stream)
         fclose(journal->stream);
     else if (journal->fd >= 0)

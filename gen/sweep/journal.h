@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The rows of an unfinished sweep in a file beside the one they are for: FILE.part for FILE. At any moment, whatever
- * ends the program, it is a beginning of what it will be, but for a line half written. docs/disk-collide.md. */
+/* The rows of an unfinished sweep, kept in FILE.part until FILE can be written. Whenever the program ends, FILE.part
+ * holds the first rows of the sweep; only its last line may be incomplete. docs/disk-collide.md. */
 #ifndef COR_GEN_SWEEP_JOURNAL_H
 #define COR_GEN_SWEEP_JOURNAL_H
 
@@ -10,30 +10,30 @@
 
 struct journal {
     int fd;       /* locked against other processes */
-    FILE *stream; /* of fd, once it has been read */
+    FILE *stream; /* opened on fd by journal_read */
     char *path;
     uint32_t check;
-    uint64_t lines; /* good ones, behind the first */
-    char *last;     /* of those found, without check; NULL if none were */
-    char *pending;  /* not yet given to the system */
+    uint64_t lines; /* rows, without the title */
+    char *last;     /* the last row that journal_open found, without its check sum; NULL if it found none */
+    char *pending;  /* bytes that are not written yet */
     size_t pending_size, pending_capacity;
     double synced;
 };
 
-/* Opens or makes FILE.part. title: its first line, without end. A file whose first line differs before the first colon
- * is refused; of the right one, the lines that are as they were written are kept, up to `most` of them, and what follows is cut off. STATUS_OK, or
- * STATUS_FAILED after saying why. */
+/* Opens or creates FILE.part, whose first line is `title` (given without its line end). A file whose title differs
+ * before the first colon is refused. Of the right file, up to `most` rows with correct check sums are kept, and
+ * everything after them is cut off. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most);
 
-/* Adds a line, without its end. It survives this process once journal_flush has returned, and the machine's end within
- * half a minute. */
+/* Adds a row, given without its line end. A row is safe from the end of this process once journal_flush has returned,
+ * and from a power cut half a minute later. */
 void journal_add(struct journal *journal, const char *line);
 int journal_flush(struct journal *journal);
 
-/* Every line again, without its check. */
-int journal_read(struct journal *journal, void (*tell)(void *context, const char *line), void *context);
+/* Calls visit() for every row, without check sums. */
+int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context);
 
-/* Closes it; `done` removes it. */
+/* Closes the journal, and removes the file if `done`. */
 void journal_close(struct journal *journal, bool done);
 
 #endif

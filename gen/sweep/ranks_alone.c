@@ -5,12 +5,16 @@
 
 #include "support/console.h"
 
-/* As many processes that know nothing of each other would do the same work. */
 int ranks_start(void)
 {
-    static const char *const told[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS"};
-    for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
-        const char *size = getenv(told[i]);
+    return STATUS_OK;
+}
+
+int ranks_check(void)
+{
+    static const char *const variable[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS"};
+    for (size_t i = 0; i < sizeof variable / sizeof *variable; i++) {
+        const char *size = getenv(variable[i]);
         if (size && strtol(size, NULL, 10) > 1)
             return fail("this corgen is built without MPI, and mpirun has started several; build it with "
                         "-DCOR_WITH_MPI=ON or run it alone");
@@ -19,6 +23,14 @@ int ranks_start(void)
 }
 
 void ranks_stop(void)
+{
+}
+
+void ranks_wait(void)
+{
+}
+
+void ranks_release(void)
 {
 }
 

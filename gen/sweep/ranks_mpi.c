@@ -3,20 +3,24 @@
 
 #include <limits.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include <mpi.h>
 
 #include "support/console.h"
 
+enum { TAG_RELEASE = 0, PAUSE_NANOSECONDS = 20000000 };
+
 static int count = 1, mine;
 static bool joined;
 
-/* Without a launcher MPI is not asked: alone it would start helpers of its own, and fail where these cannot be. */
-static bool launched(void)
+/* MPI is initialised only under a launcher. Without one it would start daemons of its own, and fail where it cannot. */
+static bool ranks_launched(void)
 {
-    static const char *const told[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMI_RANK", "PMIX_RANK", "MPI_LOCALNRANKS"};
-    for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
-        if (getenv(told[i]))
+    static const char *const variable[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMI_RANK", "PMIX_RANK",
+                                           "MPI_LOCALNRANKS"};
+    for (size_t i = 0; i < sizeof variable / sizeof *variable; i++) {
+        if (getenv(variable[i]))
             return true;
     }
     return false;
@@ -24,7 +28,7 @@ static bool launched(void)
 
 int ranks_start(void)
 {
-    if (joined || !launched())
+    if (joined || !ranks_launched())
         return STATUS_OK;
     int given;
     if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &given) != MPI_SUCCESS)
@@ -47,6 +51,29 @@ void ranks_stop(void)
     count = 1;
 }
 
+int ranks_check(void)
+{
+    return STATUS_OK;
+}
+
+/* Polls, because a waiting MPI keeps its processor busy. */
+void ranks_wait(void)
+{
+    const struct timespec pause = {0, PAUSE_NANOSECONDS};
+    int rank, tag;
+    void *bytes;
+    size_t n;
+    while (!ranks_receive(&rank, &tag, &bytes, &n))
+        nanosleep(&pause, NULL);
+    free(bytes);
+}
+
+void ranks_release(void)
+{
+    for (int rank = 1; rank < count; rank++)
+        ranks_send(rank, TAG_RELEASE, NULL, 0);
+}
+
 int ranks_count(void)
 {
     return count;
@@ -59,7 +86,7 @@ int ranks_mine(void)
 
 void ranks_send(int rank, int tag, const void *bytes, size_t n)
 {
-    if (n > INT_MAX) { /* no table of modes that a sweep allows is as long */
+    if (n > INT_MAX) { /* the largest table of modes that a sweep allows is shorter */
         fail("a message of %zu bytes is more than MPI sends", n);
         MPI_Abort(MPI_COMM_WORLD, STATUS_FAILED);
     }

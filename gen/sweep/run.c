@@ -6,46 +6,39 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "cor/status.h"
 #include "disk/modes_rounded.h"
+#include "support/clock.h"
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/parallel.h"
 #include "sweep/crew.h"
 #include "sweep/journal.h"
 #include "sweep/ranks.h"
 
-/* What a mode takes on the way, all together */
+/* Memory for each mode while the modes are found, measured. */
 enum { MODE_BYTES = 900 };
 
 struct collide {
     struct sweep sweep;
     int threads;
-    struct sweep_room *room; /* of each thread */
+    struct sweep_room *room; /* one workspace for each thread */
     struct cor_disk_mode *mode;
-    struct cor_disk_modes modes; /* of the material at hand */
+    struct cor_disk_modes modes; /* modes of the present material */
 
-    /* Rank 0. Lines go either to a journal or to a printer. */
+    /* Rank 0: lines go to the journal if there is one, otherwise to the printer. */
     struct journal journal;
     struct sweep_printer printer;
-    const char *again; /* the last line of an earlier run, which is computed again */
+    const char *again; /* last line of an earlier run, computed again as a check; NULL if there is none */
     uint64_t again_row;
 
-    double started, modes_seconds, rows_seconds, rows_started; /* of this run; modes_seconds of one material */
-    double cost_done, cost_found;                              /* in this run and before it */
+    double started, modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */
+    double cost_done, cost_found; /* of rows finished in this run, and of rows found in the journal */
     uint64_t ready;
     size_t materials_left;
 };
-
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /* ---- what a sweep may be ---- */
 
@@ -62,8 +55,8 @@ static int refuse_memory(const struct sweep *sweep)
 
 static int find_modes(struct collide *run, size_t material)
 {
-    const double start = seconds_now();
-    flint_set_num_threads(run->threads);
+    const double start = clock_seconds();
+    parallel_use(run->threads);
     free(run->mode);
     run->mode = NULL;
     const int status =
@@ -71,12 +64,12 @@ static int find_modes(struct collide *run, size_t material)
     if (status == STATUS_OK)
         run->mode = (struct cor_disk_mode *)run->modes.mode;
     profile_step(NULL);
-    run->modes_seconds = seconds_now() - start;
+    run->modes_seconds = clock_seconds() - start;
     return status;
 }
 
-/* Modes as they go to the other ranks. */
-static void tell_modes(struct crew *crew, const struct collide *run)
+/* Sends the modes to the other ranks. */
+static void send_modes(struct crew *crew, const struct collide *run)
 {
     if (ranks_count() < 2)
         return;
@@ -84,11 +77,11 @@ static void tell_modes(struct crew *crew, const struct collide *run)
     unsigned char *message = xmalloc(sizeof run->modes.nu + bytes);
     memcpy(message, &run->modes.nu, sizeof run->modes.nu);
     memcpy(message + sizeof run->modes.nu, run->mode, bytes);
-    crew_tell(crew, message, sizeof run->modes.nu + bytes);
+    crew_broadcast(crew, message, sizeof run->modes.nu + bytes);
     free(message);
 }
 
-static void hear_modes(void *context, const void *bytes, size_t n)
+static void receive_modes(void *context, const void *bytes, size_t n)
 {
     struct collide *run = context;
     const size_t size = n - sizeof run->modes.nu;
@@ -99,7 +92,7 @@ static void hear_modes(void *context, const void *bytes, size_t n)
     run->modes.mode = run->mode;
 }
 
-/* What the integrator would refuse, at the corners of the sweep. */
+/* Asks the integrator at every corner of the sweep whether it refuses the parameters or needs too much memory. */
 static int refuse_corners(const struct collide *run, const struct cor_disk_modes *modes)
 {
     const struct sweep *s = &run->sweep;
@@ -126,7 +119,7 @@ static int refuse_corners(const struct collide *run, const struct cor_disk_modes
     return STATUS_OK;
 }
 
-/* Before any mode is found: what does not depend on them, with one that any disk might have. */
+/* The same before the modes are found. One plausible mode stands for them, since no refusal depends on the modes. */
 static int refuse_early(const struct collide *run)
 {
     static const struct cor_disk_mode mode = {2, 0, 1.4, 1, 0};
@@ -168,14 +161,14 @@ static int row_finished(void *context, uint64_t number, const void *bytes)
     if (run->again && number == run->again_row) {
         if (strcmp(line, run->again) != 0)
             return fail("%s was begun by another corgen or on another machine: its row %" PRIu64
-                        " has other digits here; go on there, remove it or choose another --output",
+                        " has other digits here; continue there, remove it or choose another --output",
                         run->journal.path, number + 1);
     } else if (run->journal.path) {
         journal_add(&run->journal, line);
     } else {
         sweep_print(&run->printer, line);
         if (ferror(run->printer.file))
-            return STATUS_FAILED; /* output_commit says why */
+            return STATUS_FAILED; /* output_commit reports the reason */
     }
     return STATUS_OK;
 }
@@ -184,24 +177,24 @@ static double seconds_left(const struct collide *run)
 {
     if (run->cost_done <= 0)
         return -1;
-    const double seconds = run->rows_seconds + seconds_now() - run->rows_started;
+    const double seconds = run->rows_seconds + clock_seconds() - run->rows_started;
     const double rows = seconds * (run->sweep.cost - run->cost_found - run->cost_done) / run->cost_done;
     return fmax(rows, 0) + run->modes_seconds * (double)run->materials_left;
 }
 
-static int tick(void *context)
+static int sweep_tick(void *context)
 {
     struct collide *run = context;
     progress_left("collisions", (long)run->ready, (long)run->sweep.rows, seconds_left(run));
     return run->journal.path ? journal_flush(&run->journal) : STATUS_OK;
 }
 
-/* All rows from `first` on. */
+/* Collides all rows from `first` on. */
 static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
 {
     const uint64_t each = sweep_rows_of_material(&run->sweep);
     bool checked = false;
-    run->started = seconds_now();
+    run->started = clock_seconds();
     run->ready = first;
     if (first > 0 && first < run->sweep.rows && run->journal.last) {
         run->again = run->journal.last;
@@ -217,11 +210,11 @@ static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
         if (status != STATUS_OK)
             return status;
         checked = true;
-        tell_modes(crew, run);
+        send_modes(crew, run);
         profile_step("collisions");
-        run->rows_started = seconds_now();
+        run->rows_started = clock_seconds();
         status = crew_run(crew, first, (first / each + 1) * each);
-        run->rows_seconds += seconds_now() - run->rows_started;
+        run->rows_seconds += clock_seconds() - run->rows_started;
         profile_step(NULL);
         if (run->journal.path && journal_flush(&run->journal) != STATUS_OK)
             return STATUS_FAILED;
@@ -237,7 +230,7 @@ static char *interrupted_text;
 static struct sigaction before_interrupt[3];
 static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
 
-/* The rows are safe at any moment; the signal goes on to end the program as its sender expects. */
+/* Rows are safe at any moment, so the handler only prints a message and passes the signal on to its default action. */
 static void on_interrupt(int number)
 {
     const char *text = interrupted_text;
@@ -249,13 +242,13 @@ static void on_interrupt(int number)
 
 static void interrupts_say(const char *path)
 {
-    static const char format[] = "\ncorgen: interrupted; the same command goes on where %s ends\n";
+    static const char format[] = "\ncorgen: interrupted; the same command continues after the last row of %s\n";
     interrupted_text = xmalloc(sizeof format + strlen(path));
     snprintf(interrupted_text, sizeof format + strlen(path), format, path);
     for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++) {
         sigaction(interrupts[i], NULL, &before_interrupt[i]);
         if (before_interrupt[i].sa_handler == SIG_IGN)
-            continue; /* by the parent: nohup */
+            continue; /* the parent, such as nohup, ignores it */
         struct sigaction action;
         memset(&action, 0, sizeof action);
         action.sa_handler = on_interrupt;
@@ -272,8 +265,8 @@ static void interrupts_as_before(void)
     interrupted_text = NULL;
 }
 
-/* What is wrong with the rows that were printed, if anything is. */
-static int verdict(const struct sweep_printer *printer)
+/* Reports rows whose status is not ok. */
+static int report_rows(const struct sweep_printer *printer)
 {
     if (printer->tolerance_not_reached + printer->failed == 0)
         return STATUS_OK;
@@ -287,8 +280,8 @@ static void print_line(void *context, const char *line)
     sweep_print(context, line);
 }
 
-/* The finished journal becomes the file. */
-static int publish(struct collide *run, const struct sweep_request *request)
+/* Writes the file from the finished journal. */
+static int publish_journal(struct collide *run, const struct sweep_request *request)
 {
     struct output out;
     if (output_open(&out, request->output) != STATUS_OK)
@@ -320,7 +313,7 @@ static char *title_of(const struct sweep *sweep)
 
 static int collide_to_file(struct collide *run, struct crew *crew, const struct sweep_request *request)
 {
-    /* whether it could be written at the end is better known now; and output.c's handlers are in place */
+    /* fail now rather than after hours if the file cannot be written; this also installs output.c's signal handlers */
     struct output probe;
     if (output_open(&probe, request->output) != STATUS_OK)
         return STATUS_FAILED;
@@ -336,9 +329,9 @@ static int collide_to_file(struct collide *run, struct crew *crew, const struct 
     status = collide_all(run, crew, run->journal.lines);
     interrupts_as_before();
     if (status == STATUS_OK)
-        status = publish(run, request);
+        status = publish_journal(run, request);
     journal_close(&run->journal, status == STATUS_OK);
-    return status == STATUS_OK ? verdict(&run->printer) : status;
+    return status == STATUS_OK ? report_rows(&run->printer) : status;
 }
 
 static int collide_to_stream(struct collide *run, struct crew *crew, const struct sweep_request *request)
@@ -355,44 +348,37 @@ static int collide_to_stream(struct collide *run, struct crew *crew, const struc
         return status;
     }
     status = output_commit(&out);
-    return status == STATUS_OK ? verdict(&run->printer) : status;
+    return status == STATUS_OK ? report_rows(&run->printer) : status;
 }
 
 int sweep_run(const struct sweep_request *request)
 {
     struct collide run = {.sweep = request->sweep, .journal = {.fd = -1}};
-    int status = ranks_start();
+    int status = ranks_check();
     if (status == STATUS_OK)
         status = sweep_count(&run.sweep);
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    run.threads = request->threads > 0            ? request->threads
-                  : ranks_count() > 1             ? 1
-                  : processors < 1                ? 1
-                  : processors < CREW_MAX_THREADS ? (int)processors
-                                                  : CREW_MAX_THREADS;
+    run.threads = request->threads > 0 ? request->threads : ranks_count() > 1 ? 1 : parallel_processors();
     run.room = xmalloc((size_t)run.threads * sizeof *run.room);
     memset(run.room, 0, (size_t)run.threads * sizeof *run.room);
     struct crew *crew = NULL;
-    const struct crew_work work = {&run,      sizeof(struct sweep_result), collide_row, row_ready, row_finished, tick,
-                                   hear_modes};
+    const struct crew_work work = {
+        &run, sizeof(struct sweep_result), collide_row, row_ready, row_finished, sweep_tick, receive_modes};
     if (status == STATUS_OK && !(crew = crew_start(&work, run.threads)))
         status = STATUS_FAILED;
-    /* only now, when crew_stop ends the other ranks */
+    /* not before the crew exists: crew_stop ends the other ranks */
     if (status == STATUS_OK && ranks_mine() == 0)
         status = refuse_memory(&run.sweep);
     if (status == STATUS_OK && ranks_mine() == 0)
         status = refuse_early(&run);
     if (status == STATUS_OK) {
-        struct stat file;
         if (ranks_mine() > 0)
             crew_serve(crew);
-        else if (request->output && !(stat(request->output, &file) == 0 && !S_ISREG(file.st_mode)))
+        else if (!output_is_direct(request->output))
             status = collide_to_file(&run, crew, request);
         else
             status = collide_to_stream(&run, crew, request);
     }
     crew_stop(crew);
-    ranks_stop();
     for (int i = 0; i < run.threads; i++)
         free(run.room[i].bytes);
     free(run.room);

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* A sweep from its first row to its file, on threads and ranks. docs/disk-collide.md. */
+/* Runs a sweep on threads and ranks and writes its file. docs/disk-collide.md. */
 #ifndef COR_GEN_SWEEP_RUN_H
 #define COR_GEN_SWEEP_RUN_H
 
 #include "sweep/sweep.h"
 
 struct sweep_request {
-    struct sweep sweep; /* lists, tolerance and angles; sweep_run counts the rest */
-    int threads;        /* 0: as many as processors; 1 where there are several ranks */
+    struct sweep sweep; /* its lists, tolerance and angles; sweep_run computes the other fields */
+    int threads;        /* 0: one for each processor, or one for each rank if there are several ranks */
     enum output_format format;
     const char *output; /* file; NULL: standard output */
 };
 
-/* STATUS_OK, or another status after a sentence. */
+/* Returns STATUS_OK, or another status after a message. */
 int sweep_run(const struct sweep_request *request);
 
 #endif

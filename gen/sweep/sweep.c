@@ -6,10 +6,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "cor/status.h"
 #include "disk/modes.h"
+#include "support/clock.h"
 #include "support/console.h"
 
 #define TEXT_OF_(x) #x
@@ -33,11 +33,10 @@ const struct values_rule sweep_modes = {
 
 /* ---- cost ---- */
 
-/* What a row takes, fitted to 13 rows at the tolerance 1e-8, within a factor of 1.8 there and of 2.5 at six others
- * (sampled): passages from rim to modes and back,
- * in proportion to modes and angles together; as many steps as the contact lasts, more where the pressure rises and
- * moves fast, alpha v large, which is where collisions become chaotic, and more where the disk is slow. Each part is a
- * product of factors of one parameter, so that the sum over all rows is a product of sums. */
+/* The cost of a row, fitted to 13 rows at tolerance 1e-8: within a factor of 1.8 of their times, and of 2.5 at six
+ * other rows (sampled). A step costs in proportion to modes and angles together. The number of steps grows with the
+ * duration of the contact, with alpha v, where collisions become chaotic, and for slow disks. Each of the three parts
+ * is a product of functions of one parameter, so that the sum over all rows is a product of sums. */
 enum { COST_PARTS = 3 };
 
 static double cost_of_modes(double modes)
@@ -87,8 +86,7 @@ int sweep_count(struct sweep *sweep)
     }
     if (product > (double)SWEEP_MAX_ROWS)
         return usage_error("the lists make %.4g rows; up to %" PRIu64
-                           " are allowed, for more take weeks and longer; cut "
-                           "the sweep into several",
+                           " are allowed, because more take weeks; split the sweep",
                            product, SWEEP_MAX_ROWS);
     double of_modes = 0;
     for (size_t i = 0; i < sweep->modes.count; i++)
@@ -126,7 +124,7 @@ void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number
 }
 
 /* FNV-1a, 64 bits */
-static uint64_t hashed(uint64_t hash, const char *text)
+static uint64_t hash_text(uint64_t hash, const char *text)
 {
     do
         hash = (hash ^ (unsigned char)*text) * UINT64_C(1099511628211);
@@ -142,32 +140,25 @@ uint64_t sweep_identity(const struct sweep *sweep)
     for (size_t i = 0; i < SWEEP_LISTS; i++) {
         for (size_t j = 0; j < list[i]->count; j++) {
             snprintf(text, sizeof text, "%a", list[i]->nearest[j]);
-            hash = hashed(hash, text);
-            if (list[i] == &sweep->poisson) { /* the modes are those of the exact number */
+            hash = hash_text(hash, text);
+            if (list[i] == &sweep->poisson) { /* two exact ratios with one double have different modes */
                 char *exact = fmpq_get_str(NULL, 10, list[i]->exact + j);
-                hash = hashed(hash, exact);
+                hash = hash_text(hash, exact);
                 flint_free(exact);
             }
         }
-        hash = hashed(hash, ";");
+        hash = hash_text(hash, ";");
     }
     snprintf(text, sizeof text, "%a %zu", sweep->tolerance, sweep->phi_points);
-    return hashed(hash, text);
-}
-
-static double seconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+    return hash_text(hash, text);
 }
 
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
                    const struct cor_disk_modes *modes, struct sweep_room *room)
 {
-    const double start = seconds_now();
+    const double start = clock_seconds();
     const struct cor_disk_collision_options options = {row->alpha, sweep->tolerance, sweep->phi_points};
-    /* of nothing but this row, so that nothing else can decide its numbers */
+    /* sized for this row alone: the angles chosen must not depend on earlier rows */
     *result = (struct sweep_result){.collision = {NAN, NAN, NAN, NAN, NAN, 0}};
     const size_t needed = cor_disk_collision_workspace(modes, row->modes, &options);
     if (needed > room->size) {
@@ -177,7 +168,7 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
     }
     result->status =
         cor_disk_collision_in(room->bytes, needed, modes, row->modes, &options, row->speed, &result->collision, NULL);
-    result->seconds = seconds_now() - start;
+    result->seconds = clock_seconds() - start;
 }
 
 /* ---- lines ---- */
@@ -214,8 +205,8 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct
 
 enum { COLUMN_MODES = 3, COLUMN_DRIFT = 8, COLUMN_STEPS = 9, DRIFT_DIGITS = 2, LEAST_DIGITS = 4 };
 
-/* Cuts a line at its commas; the cells remain in `line`. */
-static void cut(char *cell[SWEEP_COLUMNS], char *line)
+/* Cuts a line at its commas; the cells point into `line`. */
+static void line_cut(char *cell[SWEEP_COLUMNS], char *line)
 {
     for (int j = 0; j < SWEEP_COLUMNS; j++) {
         cell[j] = line;
@@ -225,7 +216,7 @@ static void cut(char *cell[SWEEP_COLUMNS], char *line)
     }
 }
 
-static int widest(const char *name, const struct values *values)
+static int column_width(const char *name, const struct values *values)
 {
     size_t width = strlen(name);
     char text[DECIMAL_TEXT];
@@ -236,7 +227,7 @@ static int widest(const char *name, const struct values *values)
     return (int)width;
 }
 
-/* For the eye: as many digits as the tolerance stands for. */
+/* Prints as many digits as the tolerance justifies. */
 static void print_text(const struct sweep_printer *p, char *const cell[SWEEP_COLUMNS])
 {
     for (int j = 0; j + 1 < SWEEP_COLUMNS; j++) {
@@ -269,14 +260,14 @@ void sweep_print_start(struct sweep_printer *p, const struct sweep *sweep, enum 
     *p = (struct sweep_printer){.file = file, .format = format};
     char header[] = SWEEP_HEADER;
     char *name[SWEEP_COLUMNS];
-    cut(name, header);
+    line_cut(name, header);
     const struct values *list[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
     p->digits = (int)fmin(fmax(ceil(-log10(sweep->tolerance)), LEAST_DIGITS), DBL_DIG);
     for (int j = 0; j < SWEEP_COLUMNS; j++) {
         const int number = (int)(sizeof "-0.e-100" - 1) + (j == COLUMN_DRIFT ? DRIFT_DIGITS : p->digits);
         const int named = (int)strlen(name[j]);
         if (j <= COLUMN_MODES)
-            p->width[j] = widest(name[j], list[j]);
+            p->width[j] = column_width(name[j], list[j]);
         else if (j == COLUMN_STEPS)
             p->width[j] = (int)sizeof TEXT_OF(COR_DISK_COLLISION_MAX_STEPS) - 1;
         else
@@ -297,8 +288,8 @@ void sweep_print(struct sweep_printer *p, const char *line)
     char header[] = SWEEP_HEADER, copy[SWEEP_LINE];
     char *name[SWEEP_COLUMNS], *cell[SWEEP_COLUMNS];
     snprintf(copy, sizeof copy, "%s", line);
-    cut(name, header);
-    cut(cell, copy);
+    line_cut(name, header);
+    line_cut(cell, copy);
     if (p->format == FORMAT_JSON)
         print_json(p, name, cell);
     else if (p->format == FORMAT_TEXT)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions of elastic disks over the product of four lists: what a row is, what it costs, and how it is written. */
+/* Collisions of elastic disks for every combination of four lists: the rows, their cost, and their lines of output. */
 #ifndef COR_GEN_SWEEP_SWEEP_H
 #define COR_GEN_SWEEP_SWEEP_H
 
@@ -15,42 +15,42 @@
 
 enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 11, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 
-/* Rows are numbered in the order of the lists as written, speed running fastest, then modes, alpha and poisson. */
+/* Rows are numbered in the order of the lists: speed varies fastest, then modes, alpha and poisson. */
 struct sweep {
     struct values speed, poisson, alpha, modes;
     double tolerance;
     size_t phi_points;
     uint64_t rows;
-    double cost; /* of all rows */
+    double cost; /* sum over all rows */
 };
 
 struct sweep_row {
     double speed, nu, alpha;
-    size_t modes, material; /* material: which of poisson */
+    size_t modes, material; /* material: index into the list of Poisson's ratios */
 };
 
 struct sweep_result {
-    struct cor_disk_collision collision; /* NaN and 0 where status says that there are none */
+    struct cor_disk_collision collision; /* NaN and 0 if the status says that there is no result */
     int status;
     double seconds;
 };
 
 extern const struct values_rule sweep_speed, sweep_poisson, sweep_alpha, sweep_modes;
 
-/* The lists have been parsed; STATUS_OK, or STATUS_USAGE after a sentence if there are too many rows. */
+/* Computes rows and cost from the lists. STATUS_OK, or STATUS_USAGE after a message if there are too many rows. */
 int sweep_count(struct sweep *sweep);
 void sweep_clear(struct sweep *sweep);
 
 void sweep_row(struct sweep_row *row, const struct sweep *sweep, uint64_t number);
 uint64_t sweep_rows_of_material(const struct sweep *sweep);
 
-/* A number that is the same for two sweeps only if all their rows are, at any phrasing of the lists. */
+/* A hash of all rows, tolerance and angles. Two spellings of the same lists have the same hash. */
 uint64_t sweep_identity(const struct sweep *sweep);
 
-/* How long a row takes, in a unit that time shows; sweep->cost is the sum. */
+/* The cost of a row in an arbitrary unit of time; sweep->cost is the sum. */
 double sweep_cost(const struct sweep *sweep, uint64_t number);
 
-/* A workspace that grows when a row needs more; NULL and 0 to begin with. */
+/* A workspace that grows when a row needs more. Initialise it with NULL and 0. */
 struct sweep_room {
     void *bytes;
     size_t size;
@@ -58,15 +58,15 @@ struct sweep_room {
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
                    const struct cor_disk_modes *modes, struct sweep_room *room);
 
-/* One line of csv, without its end. */
+/* Formats a row as a line of csv, without its line end. */
 void sweep_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct sweep_result *result);
 
-/* Lines of csv become a table in any format, one by one. */
+/* Prints lines of csv one by one as a table in any format. */
 struct sweep_printer {
     FILE *file;
     enum output_format format;
-    int width[SWEEP_COLUMNS], digits;             /* of text */
-    uint64_t rows, tolerance_not_reached, failed; /* failed: no eps at all */
+    int width[SWEEP_COLUMNS], digits;             /* of the columns in text format */
+    uint64_t rows, tolerance_not_reached, failed; /* failed: rows without eps */
 };
 void sweep_print_start(struct sweep_printer *printer, const struct sweep *sweep, enum output_format format, FILE *file);
 void sweep_print(struct sweep_printer *printer, const char *line);

@@ -14,7 +14,7 @@ enum { TOKEN_MAX = 200, BITS = 256, PARTS = 4 };
 static const char ranges_are[] = "ranges are FIRST:LAST:+STEP, FIRST:LAST:-STEP, FIRST:LAST:lin:COUNT and "
                                  "FIRST:LAST:log:COUNT";
 
-static bool read_number(fmpq_t x, const char *text)
+static bool value_read_number(fmpq_t x, const char *text)
 {
     struct decimal number = {0};
     if (strlen(text) > TOKEN_MAX || !decimal_parse(&number, text, DECIMAL_EXPONENT_DIGITS_IN_LIST))
@@ -24,15 +24,15 @@ static bool read_number(fmpq_t x, const char *text)
     return true;
 }
 
-static bool inside(const struct values_rule *rule, const fmpq_t x)
+static bool value_inside(const struct values_rule *rule, const fmpq_t x)
 {
     return decimal_inside(&rule->range, x) && (!rule->whole || fmpz_is_one(fmpq_denref(x)));
 }
 
-static int add(struct values *values, const struct values_rule *rule, const fmpq_t x, size_t *capacity)
+static int values_add(struct values *values, const struct values_rule *rule, const fmpq_t x, size_t *capacity)
 {
     if (values->count == VALUES_MAX)
-        return usage_error("--%s: more than %d values; cut the sweep into several", rule->option, VALUES_MAX);
+        return usage_error("--%s: more than %d values; split the sweep", rule->option, VALUES_MAX);
     if (values->count == *capacity) {
         *capacity = *capacity ? 2 * *capacity : 16;
         values->exact = xrealloc(values->exact, *capacity * sizeof *values->exact);
@@ -44,17 +44,17 @@ static int add(struct values *values, const struct values_rule *rule, const fmpq
     return STATUS_OK;
 }
 
-static int read_value(fmpq_t x, const struct values_rule *rule, const char *text)
+static int value_read(fmpq_t x, const struct values_rule *rule, const char *text)
 {
-    if (!read_number(x, text) || !inside(rule, x))
+    if (!value_read_number(x, text) || !value_inside(rule, x))
         return usage_error("--%s: '%s' is not %s, written as %s", rule->option, text, rule->range.allowed,
                            rule->whole ? "940" : "0.1, 1.5e-3 (exponent of at most 3 digits) or 1/3");
     return STATUS_OK;
 }
 
-/* A + i (B - A)/n, or A (B/A)^(i/n), rounded to a whole number where the list is of such. */
-static void between(fmpq_t x, const struct values_rule *rule, bool geometric, const fmpq_t a, const fmpq_t b, slong i,
-                    slong n)
+/* x = A + i (B - A)/n, or A (B/A)^(i/n); rounded to a whole number if the list consists of whole numbers. */
+static void value_between(fmpq_t x, const struct values_rule *rule, bool geometric, const fmpq_t a, const fmpq_t b,
+                          slong i, slong n)
 {
     if (i == 0 || i == n) {
         fmpq_set(x, i == 0 ? a : b);
@@ -93,14 +93,14 @@ static void between(fmpq_t x, const struct values_rule *rule, bool geometric, co
     }
 }
 
-static int add_stepped(struct values *values, const struct values_rule *rule, const char *text, const fmpq_t a,
-                       const fmpq_t b, const char *step_text, size_t *capacity)
+static int values_add_stepped(struct values *values, const struct values_rule *rule, const char *text, const fmpq_t a,
+                              const fmpq_t b, const char *step_text, size_t *capacity)
 {
     fmpq_t step, x;
     fmpq_init(step);
     fmpq_init(x);
     int status = STATUS_OK;
-    if (step_text[1] == '-' || !read_number(step, step_text + 1) || fmpq_is_zero(step) ||
+    if (step_text[1] == '-' || !value_read_number(step, step_text + 1) || fmpq_is_zero(step) ||
         (rule->whole && !fmpz_is_one(fmpq_denref(step)))) {
         status = usage_error("--%s: the step of '%s' is not + or - and a %snumber above 0; %s", rule->option, text,
                              rule->whole ? "whole " : "", ranges_are);
@@ -112,15 +112,15 @@ static int add_stepped(struct values *values, const struct values_rule *rule, co
             status = usage_error("--%s: the step of '%s' leads away from its last value; %s", rule->option, text,
                                  ranges_are);
         for (fmpq_set(x, a); status == STATUS_OK && fmpq_cmp(x, b) * fmpq_sgn(step) <= 0; fmpq_add(x, x, step))
-            status = add(values, rule, x, capacity);
+            status = values_add(values, rule, x, capacity);
     }
     fmpq_clear(step);
     fmpq_clear(x);
     return status;
 }
 
-static int add_spread(struct values *values, const struct values_rule *rule, const char *text, const fmpq_t a,
-                      const fmpq_t b, const char *kind, const char *count, size_t *capacity)
+static int values_add_spread(struct values *values, const struct values_rule *rule, const char *text, const fmpq_t a,
+                             const fmpq_t b, const char *kind, const char *count, size_t *capacity)
 {
     const bool geometric = strcmp(kind, "log") == 0;
     errno = 0;
@@ -129,20 +129,20 @@ static int add_spread(struct values *values, const struct values_rule *rule, con
         return usage_error("--%s: the count of '%s' is not a whole number from 2 to %d; %s", rule->option, text,
                            VALUES_MAX, ranges_are);
     if (geometric && (fmpq_sgn(a) <= 0 || fmpq_sgn(b) <= 0))
-        return usage_error("--%s: '%s': both ends of a log range are above 0", rule->option, text);
+        return usage_error("--%s: '%s': both ends of a log range must be above 0", rule->option, text);
     fmpq_t x;
     fmpq_init(x);
     int status = STATUS_OK;
     for (slong i = 0; i < n && status == STATUS_OK; i++) {
-        between(x, rule, geometric, a, b, i, n - 1);
-        status = add(values, rule, x, capacity);
+        value_between(x, rule, geometric, a, b, i, n - 1);
+        status = values_add(values, rule, x, capacity);
     }
     fmpq_clear(x);
     return status;
 }
 
-/* `text`, one member of the list, is cut up. */
-static int add_member(struct values *values, const struct values_rule *rule, char *text, size_t *capacity)
+/* Adds one member of the list, and modifies its text. */
+static int values_add_member(struct values *values, const struct values_rule *rule, char *text, size_t *capacity)
 {
     char whole[TOKEN_MAX];
     snprintf(whole, sizeof whole, "%s", text);
@@ -159,23 +159,23 @@ static int add_member(struct values *values, const struct values_rule *rule, cha
     fmpq_init(b);
     int status;
     if (parts == 1) {
-        status = read_value(a, rule, part[0]);
+        status = value_read(a, rule, part[0]);
         if (status == STATUS_OK)
-            status = add(values, rule, a, capacity);
+            status = values_add(values, rule, a, capacity);
     } else if (parts == 3 && (*part[2] == '+' || *part[2] == '-')) {
-        status = read_value(a, rule, part[0]);
+        status = value_read(a, rule, part[0]);
         if (status == STATUS_OK)
-            status = read_value(b, rule, part[1]);
+            status = value_read(b, rule, part[1]);
         if (status == STATUS_OK)
-            status = add_stepped(values, rule, whole, a, b, part[2], capacity);
+            status = values_add_stepped(values, rule, whole, a, b, part[2], capacity);
     } else if (parts == 4 && (strcmp(part[2], "lin") == 0 || strcmp(part[2], "log") == 0)) {
-        status = read_value(a, rule, part[0]);
+        status = value_read(a, rule, part[0]);
         if (status == STATUS_OK)
-            status = read_value(b, rule, part[1]);
+            status = value_read(b, rule, part[1]);
         if (status == STATUS_OK)
-            status = add_spread(values, rule, whole, a, b, part[2], part[3], capacity);
+            status = values_add_spread(values, rule, whole, a, b, part[2], part[3], capacity);
     } else {
-        status = usage_error("--%s: '%s' is no range; %s", rule->option, whole, ranges_are);
+        status = usage_error("--%s: '%s' is not a range; %s", rule->option, whole, ranges_are);
     }
     fmpq_clear(a);
     fmpq_clear(b);
@@ -195,12 +195,13 @@ static int compare_places(const void *a, const void *b)
     return x->index < y->index ? -1 : x->index > y->index;
 }
 
-static void leave_out_repeated(struct values *values)
+static void values_drop_repeated(struct values *values)
 {
     struct place *place = xmalloc(values->count * sizeof *place);
     bool *repeated = xmalloc(values->count * sizeof *repeated);
+    /* in reverse, so that a stable sort would not hide a comparison that ignores the index */
     for (size_t i = 0; i < values->count; i++)
-        place[i] = (struct place){values->nearest[i], i};
+        place[values->count - 1 - i] = (struct place){values->nearest[i], i};
     qsort(place, values->count, sizeof *place, compare_places);
     for (size_t i = 0; i < values->count; i++)
         repeated[place[i].index] = i > 0 && place[i].value == place[i - 1].value;
@@ -233,11 +234,11 @@ int values_parse(struct values *values, const struct values_rule *rule, const ch
                                  "as 0.1,0.2 or 0.1:0.5:+0.1",
                                  rule->option, text);
         else
-            status = add_member(values, rule, member, &capacity);
+            status = values_add_member(values, rule, member, &capacity);
     }
     free(copy);
     if (status == STATUS_OK)
-        leave_out_repeated(values);
+        values_drop_repeated(values);
     else
         values_clear(values);
     return status;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Lists of numbers on a command line: values and ranges, separated by commas, every one of them exact.
+/* Lists of exact numbers on a command line: values and ranges, separated by commas.
  *
  *     0.1, 1.5e-3, 1/3       a value
- *     A:B:+S, A:B:-S         A, A + S, A + 2 S, ... as far as B, or downwards
+ *     A:B:+S, A:B:-S         A, A + S, A + 2 S, ... up to B, or A, A - S, ... down to B
  *     A:B:lin:N              N values from A to B, equally far apart
  *     A:B:log:N              N values from A to B, each the same multiple of the one before
  *
- * A value that has occurred is left out where it occurs again. */
+ * A value that occurs again is left out. Values count as equal if their nearest doubles are. */
 #ifndef COR_GEN_SWEEP_VALUES_H
 #define COR_GEN_SWEEP_VALUES_H
 
@@ -15,22 +15,22 @@
 
 #include "support/decimal.h"
 
-#define VALUES_MAX 1000000 /* of one list */
+#define VALUES_MAX 1000000 /* in one list */
 
 struct values_rule {
     const char *option; /* without its dashes */
     struct decimal_range range;
-    bool whole; /* values of a range are rounded to whole numbers, others refused */
+    bool whole; /* values of a range are rounded to whole numbers; other fractions are refused */
 };
 
 struct values {
     const char *text; /* as the user wrote the list; not copied */
     size_t count;
-    fmpq *exact;     /* between powers of a log range, the double of it */
+    fmpq *exact;     /* inside a log range: the nearest double */
     double *nearest; /* the double nearest to each */
 };
 
-/* STATUS_OK, or STATUS_USAGE after a sentence about the first thing that is wrong. */
+/* Returns STATUS_OK, or STATUS_USAGE after a message about the first error. */
 int values_parse(struct values *values, const struct values_rule *rule, const char *text);
 void values_clear(struct values *values);
 

@@ -19,6 +19,7 @@ enum {
     NU_NAME = 128,
     LEAST_NU_DIGITS = 3,
     VALUES = 3,
+    PROGRESS_ROWS = 256,
     CHECK_LENGTH = 9 /* with the line's end */
 };
 
@@ -78,7 +79,6 @@ static int find_modes(const struct disk_table *table)
     disk_tables_clear();
     snprintf(last.poisson, sizeof last.poisson, "%s", table->poisson.text);
     last.nu = decimal_value(&table->poisson);
-    disk_modes_use_all_processors();
     disk_modes_init(&last.modes);
     last.made = true;
     const int status = disk_modes_solve(&last.modes, table->poisson.value, table->count, TABLE_DIGITS);
@@ -133,11 +133,14 @@ int disk_header_write(FILE *file, const struct disk_table *table)
     arb_ptr value = _arb_vec_init(VALUES);
     int status = STATUS_OK;
     for (slong i = 0; i < table->count && status == STATUS_OK; i++) {
+        if (i % PROGRESS_ROWS == 0)
+            progress("rows of the header", i, table->count);
         const slong whole[] = {last.modes.mode[i].n, last.modes.mode[i].l};
         numbers_of(value, i);
         status = emit_struct(&e, whole, 2, value, VALUES, i + 1 == table->count);
     }
     _arb_vec_clear(value, VALUES);
+    progress_end();
     emit_structs_close(&e);
     char macro[NU_NAME + 32], text[LINE_LENGTH];
     snprintf(macro, sizeof macro, "COR_DISK_MODES_NU%s", upper);
@@ -186,6 +189,8 @@ int disk_file_write(FILE *file, const struct disk_table *table)
     int status = STATUS_OK;
     for (slong i = 0; i < table->count && status == STATUS_OK; i++) {
         double x[VALUES];
+        if (i % PROGRESS_ROWS == 0)
+            progress("rows of the mode file", i, table->count);
         numbers_of(value, i);
         for (int k = 0; k < VALUES; k++)
             if (!digits_to_double(&x[k], value + k))
@@ -194,6 +199,7 @@ int disk_file_write(FILE *file, const struct disk_table *table)
                  x[2]);
     }
     _arb_vec_clear(value, VALUES);
+    progress_end();
     put_line(&out, "end");
     return status;
 }

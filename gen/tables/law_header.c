@@ -354,10 +354,11 @@ static const char *equation_text(char text[128], const struct law *law)
 }
 
 static const char accuracy_text[] =
-    "eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled for nine\n"
-    "laws (tests/table/test_law_header.c). The interpolants behind the rows go through collisions enclosed to 80 bits\n"
-    "(proved); between them they are off by %.1e at most (sampled). Errors of the rows stand above each table and\n"
-    "beside each row (sampled).\n";
+    "eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against\n"
+    "enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions "
+    "enclosed\n"
+    "to 80 bits (proved); between them they are off by %.1e at most (sampled). Errors of the rows stand above each\n"
+    "table and beside each row (sampled).\n";
 
 /* What happens at zero overlap as beta grows */
 static void threshold_text(char text[TEXT_MAX], const struct law_tables *t)

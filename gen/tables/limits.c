@@ -5,15 +5,15 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-#include <unistd.h>
 
 #include "cor/status.h"
 #include "disk/limit_fit.h"
 #include "disk/modes_rounded.h"
+#include "support/clock.h"
 #include "support/console.h"
 #include "support/decimal.h"
 #include "support/emit_c.h"
+#include "support/parallel.h"
 #include "sweep/crew.h"
 
 #define PI 3.14159265358979323846
@@ -175,14 +175,12 @@ static int find_modes(struct cor_disk_modes *modes, const char *nu_text, size_t 
 /* The chosen rows, which are in order of material. */
 static int collide_all(struct row *row, const int *chosen, int count)
 {
-    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    const int threads = processors < 1 ? 1 : processors < CREW_MAX_THREADS ? (int)processors : CREW_MAX_THREADS;
+    const int threads = parallel_threads();
     struct collisions run = {row, chosen, count, 0, {0, 0, NULL}, xmalloc((size_t)threads * sizeof(struct room))};
     memset(run.room, 0, (size_t)threads * sizeof *run.room);
     const struct crew_work work = {&run, sizeof(struct outcome), collide, NULL, finish, NULL, NULL};
     struct crew *const crew = crew_start(&work, threads);
     int status = crew ? STATUS_OK : STATUS_FAILED;
-    flint_set_num_threads(threads);
     for (int first = 0, end; first < count && status == STATUS_OK; first = end) {
         const struct row *const one = &row[chosen[first]];
         size_t modes = 0;
@@ -202,13 +200,6 @@ static int collide_all(struct row *row, const int *chosen, int count)
     return status;
 }
 
-static double processor_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 static int *all_rows(void)
 {
     int *const chosen = xmalloc(ROWS * sizeof *chosen);
@@ -219,14 +210,14 @@ static int *all_rows(void)
 
 int disk_limits_collide(void)
 {
-    const double start = processor_seconds();
+    const double start = clock_processor_seconds();
     disk_limits_clear();
     lay_out(table.row);
     int *const chosen = all_rows();
     const int status = collide_all(table.row, chosen, ROWS);
     free(chosen);
     table.known = status == STATUS_OK;
-    table.seconds = lround(processor_seconds() - start);
+    table.seconds = lround(clock_processor_seconds() - start);
     return status;
 }
 

@@ -55,8 +55,8 @@ static void print_error(FILE *text, const char *what, double error, const fmpq_t
 }
 
 /* The comment above the arrays. */
-static char *describe(const struct pade_header *h, const struct pade *f, const struct pade_analysis *a,
-                      const struct pade_error *approximation, double eps, double loss)
+static char *pade_comment(const struct pade_header *h, const struct pade *f, const struct pade_analysis *a,
+                          const struct pade_error *approximation, double eps, double loss)
 {
     char *text;
     size_t size;
@@ -105,7 +105,7 @@ int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f,
             status = fail("%s: relative error %.1e, above %.1e", h->name, worst, h->limit);
     }
     if (status == 0) {
-        char *text = describe(h, f, a, h->references ? &approximation : NULL, eps, loss);
+        char *text = pade_comment(h, f, a, h->references ? &approximation : NULL, eps, loss);
         emit_comment(e, "%s", text ? text : h->title);
         free(text);
         emit_lengths(e, h->name, &r);

@@ -8,6 +8,7 @@
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/evaluator_text.h"
+#include "support/parallel.h"
 
 enum { H_STAR_BITS = 160 };
 
@@ -94,22 +95,15 @@ static struct {
 } data;
 
 /* value, and what the double nearest to it lacks */
-static void split(arb_t value, arb_t rest)
+static void split_constant(arb_t value, arb_t rest)
 {
     arb_set_d(rest, arf_get_d(arb_midref(value), ARF_RND_NEAR));
     arb_sub(rest, value, rest, H_STAR_BITS);
 }
 
-static int make(void)
+static int make_pieces(const struct interpolant *f)
 {
-    if (data.made)
-        return STATUS_OK;
-    struct interpolant *f = interpolant_new(&interpolant_sphere, 0, INFINITY);
-    if (!f)
-        return STATUS_FAILED;
-    int status = interpolant_check(&data.error, f, CHECK_POINTS);
-    if (status == STATUS_OK && data.error > INTERPOLANT_LIMIT)
-        status = fail("the interpolant of the collision is off by %.1e", data.error);
+    int status = STATUS_OK;
     for (int i = 0; i < TABLES && status == STATUS_OK; i++) {
         data.tables[i] = (struct pieces){.name = layout[i].name,
                                          .title = layout[i].title,
@@ -127,27 +121,63 @@ static int make(void)
                                          .least_bits = layout[i].least_bits};
         status = pieces_make(&data.tables[i], f);
     }
+    return status;
+}
+
+static void make_far_tables(const struct interpolant *f)
+{
     for (int i = 0; i < FAR_TABLES; i++) {
         data.far[i] = _arb_vec_init(FAR_COLUMNS);
         interpolant_far(data.far[i] + 2, f, far_tables[i].quantity);
         arb_set(data.far[i], data.far[i] + 2);
         arb_set(data.far[i] + 2, data.far[i] + 3);
-        split(data.far[i], data.far[i] + 1);
-        split(data.far[i] + 2, data.far[i] + 3);
+        split_constant(data.far[i], data.far[i] + 1);
+        split_constant(data.far[i] + 2, data.far[i] + 3);
     }
     data.far_inverse = _arb_vec_init(INVERSE_COLUMNS);
     interpolant_far_inverse(data.far_inverse + 1, f);
     arb_set(data.far_inverse, data.far_inverse + 1);
-    split(data.far_inverse, data.far_inverse + 1);
+    split_constant(data.far_inverse, data.far_inverse + 1);
+}
+
+/* All that is made of collisions at single values of beta. */
+static int make_tables(void)
+{
+    struct interpolant *f = interpolant_new(&interpolant_sphere, 0, INFINITY);
+    if (!f)
+        return STATUS_FAILED;
+    int status = interpolant_check(&data.error, f, CHECK_POINTS);
+    if (status == STATUS_OK && data.error > INTERPOLANT_LIMIT)
+        status = fail("the interpolant of the collision is off by %.1e", data.error);
+    if (status == STATUS_OK)
+        status = make_pieces(f);
+    make_far_tables(f);
     interpolant_free(f);
+    return status;
+}
+
+static void make_h_star(void *context)
+{
+    int *const status = context;
+    *status = collision_h_star(&data.h_star_5[0], H_STAR_BITS);
+    arb_pow_ui(&data.h_star_5[0], &data.h_star_5[0], 5, H_STAR_BITS);
+    split_constant(&data.h_star_5[0], &data.h_star_5[1]);
+}
+
+/* h*, which is one computation, beside the others. */
+static int sphere_data_make(void)
+{
+    if (data.made)
+        return STATUS_OK;
     arb_init(&data.h_star_5[0]);
     arb_init(&data.h_star_5[1]);
-    if (status == STATUS_OK)
-        status = collision_h_star(&data.h_star_5[0], H_STAR_BITS);
-    arb_pow_ui(&data.h_star_5[0], &data.h_star_5[0], 5, H_STAR_BITS);
-    split(&data.h_star_5[0], &data.h_star_5[1]);
-    data.made = status == STATUS_OK;
-    return status;
+    int h_star_status = STATUS_FAILED;
+    struct parallel_task task;
+    parallel_begin(&task, make_h_star, &h_star_status);
+    const int status = make_tables();
+    parallel_end(&task);
+    data.made = status == STATUS_OK && h_star_status == STATUS_OK;
+    return data.made ? STATUS_OK : STATUS_FAILED;
 }
 
 void sphere_tables_clear(void)
@@ -218,7 +248,7 @@ static const char tables_banner[] =
 int sphere_tables_write(FILE *file, const struct disk_table *none)
 {
     (void)none;
-    if (make())
+    if (sphere_data_make())
         return STATUS_FAILED;
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_SPHERE_TABLES_H", tables_banner);
@@ -256,7 +286,7 @@ static const char header_banner[] =
 int sphere_header_write(FILE *file, const struct disk_table *none)
 {
     (void)none;
-    if (make())
+    if (sphere_data_make())
         return STATUS_FAILED;
     struct emit e;
     emit_open(&e, file, "COR_SPHERE_EMBEDDED_H", header_banner);

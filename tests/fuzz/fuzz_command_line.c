@@ -20,6 +20,7 @@
 #include "embed/choose.h"
 #include "fuzz.h"
 #include "support/console.h"
+#include "support/parallel.h"
 #include "sweep/sweep.h"
 #include "sweep/values.h"
 
@@ -240,18 +241,11 @@ struct interpolant *__wrap_interpolant_new(const struct interpolant_layout *layo
     return NULL;
 }
 
-int __wrap_embed_search(struct embed_form form[FAMILIES], const struct embed_scene *s);
-int __wrap_embed_search(struct embed_form form[FAMILIES], const struct embed_scene *s)
+int __wrap_embed_series_end(struct embed_series *series);
+int __wrap_embed_series_end(struct embed_series *series)
 {
-    (void)form;
-    REQUIRE(s->speed_min < s->speed_max, "%a to %a", s->speed_min, s->speed_max);
-    return fail("the fuzzer makes no form");
-}
-
-void __wrap_disk_modes_use_all_processors(void);
-void __wrap_disk_modes_use_all_processors(void)
-{
-    /* one core is what a fuzzer has */
+    (void)series;
+    return fail("the fuzzer computes no series");
 }
 
 /* The number of files here; temporary ones must not be left. */
@@ -296,6 +290,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
     static const int number[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT, SIGXCPU};
     struct output out;
     output_open(&out, NULL);
+    parallel_use(1); /* a fuzzer has one processor */
     for (size_t i = 0; i < sizeof number / sizeof *number; i++)
         signal(number[i], SIG_DFL);
     REQUIRE(mkdtemp(home) && chdir(home) == 0 && mkdir("inside", 0700) == 0 && chdir("inside") == 0, "%s", home);

@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "support/digits.h"
+#include "support/precision.h"
 
 /* The ball of prec bits around the number `text` to so many digits. */
 static char *spelled(const char *text, slong prec, slong digits)
@@ -121,6 +122,29 @@ static void test_doubles(void **state)
     check_double(DBL_MAX, 960, 1, DBL_MAX);
 }
 
+/* A midpoint of a few bits, 1 above all, and a radius that leaves no doubt: both ends must not be rounded to so few. */
+static void test_short_midpoints(void **state)
+{
+    (void)state;
+    static const double midpoint[] = {1, -1, 2, 0.5, -0.75, 5, 0x1p-1000, 0x1p900};
+    arb_t x;
+    arb_init(x);
+    for (size_t i = 0; i < sizeof midpoint / sizeof *midpoint; i++) {
+        for (int bits = 56; bits < 400; bits += bits / 8) {
+            double y = 7;
+            arb_set_d(x, midpoint[i]);
+            arb_add_error_2exp_si(x, ilogb(midpoint[i]) - bits);
+            assert_true(digits_to_double(&y, x));
+            assert_true(y == midpoint[i]);
+            char *text = digits_of_ball(x, 16);
+            assert_non_null(text);
+            assert_true(strtod(text, NULL) == midpoint[i] || fabs(midpoint[i]) < 0.1 || fabs(midpoint[i]) > 10);
+            free(text);
+        }
+    }
+    arb_clear(x);
+}
+
 static void test_doubles_undecided(void **state)
 {
     (void)state;
@@ -153,14 +177,24 @@ static void test_precision_ends(void **state)
         raised++;
     }
     assert_in_range(raised, 3, 20);
+    assert_true(before >= p.limit);
+
+    p = precision_doubling(100, 4);
+    for (slong bits = 100; bits <= 800; bits *= 2) {
+        assert_int_equal(p.bits, bits);
+        assert_int_equal(precision_raise(&p), bits < 800);
+    }
+    p = precision_doubling(100, 1);
+    assert_false(precision_raise(&p));
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spelling),          cmocka_unit_test(test_wide_balls),
-        cmocka_unit_test(test_exact_ties),        cmocka_unit_test(test_doubles),
-        cmocka_unit_test(test_doubles_undecided), cmocka_unit_test(test_precision_ends),
+        cmocka_unit_test(test_spelling),        cmocka_unit_test(test_wide_balls),
+        cmocka_unit_test(test_exact_ties),      cmocka_unit_test(test_doubles),
+        cmocka_unit_test(test_short_midpoints), cmocka_unit_test(test_doubles_undecided),
+        cmocka_unit_test(test_precision_ends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

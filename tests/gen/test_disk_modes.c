@@ -10,6 +10,7 @@
 #include "disk/estimate.h"
 #include "disk/modes.h"
 #include "support/digits.h"
+#include "support/parallel.h"
 
 static void set_nu(fmpq_t nu, const char *text)
 {
@@ -636,7 +637,7 @@ static void test_threads_and_digits(void **state)
     struct disk_modes modes, other;
     solve(&modes, "1/3", 150, 20);
     for (int threads = 2; threads <= 4; threads++) {
-        flint_set_num_threads(threads);
+        parallel_use(threads);
         solve(&other, "1/3", 150, 20);
         for (slong k = 0; k < modes.count; k++) {
             assert_same_mode(&modes.mode[k], &other.mode[k]);
@@ -646,7 +647,7 @@ static void test_threads_and_digits(void **state)
         }
         disk_modes_clear(&other);
     }
-    flint_set_num_threads(1);
+    parallel_use(0);
     static const slong digits[] = {1, 15, 100, 700};
     for (size_t i = 0; i < sizeof digits / sizeof *digits; i++) {
         solve(&other, "1/3", i < 3 ? 150 : 20, digits[i]);

@@ -97,9 +97,13 @@ static void test_scenes(void **state)
         struct embed_request request = scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
         request.type = scenes[i].single ? EMBED_FLOAT : EMBED_DOUBLE;
         struct embed_scene s;
+        struct embed_series series;
         struct embed_form form[FAMILIES];
         assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
-        assert_int_equal(embed_search(form, &s), STATUS_OK);
+        embed_series_begin(&series, request.end);
+        assert_int_equal(embed_series_end(&series), STATUS_OK);
+        embed_search(form, &s, &series);
+        embed_series_clear(&series);
         int found = 0;
         for (int k = 0; k < FAMILIES; k++) {
             if (form[k].found)

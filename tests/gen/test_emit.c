@@ -2,7 +2,9 @@
 /* What emit_c writes: a compiler reads every double back to the bit, and finds nothing to warn of.
  */
 #define _XOPEN_SOURCE 700
+#include "support/console.h" /* before cmocka, which has a macro fail */
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,8 +16,10 @@
 
 #include <cmocka.h>
 
+#include "enclosure/collision.h"
 #include "support/digits.h"
 #include "support/emit_c.h"
+#include "support/output.h"
 #include "tables/pade.h"
 
 enum { PREC = 256, BITS = 192, PATH = 512 };
@@ -308,11 +312,120 @@ static void test_pade_header(void **state)
     pade_clear(&f);
 }
 
+/* A whole number in json is one up to 2^53, of either sign, and a string beyond; a fraction is a number. */
+static void test_json_numbers(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *cell;
+        bool number;
+    } cells[] = {{"0", true},
+                 {"-1", true},
+                 {"9007199254740992", true},
+                 {"-9007199254740992", true},
+                 {"9007199254740993", false},
+                 {"-9007199254740993", false},
+                 {"10000000000000000", false},
+                 {"90071992547409920", false},
+                 {"9007199254740993.5", true},
+                 {"1e300", true},
+                 {"inf", false},
+                 {"1/3", false},
+                 {".5", false}};
+    static const char *const column[] = {"x"};
+    for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
+        struct table table;
+        char *text = NULL, expected[64];
+        size_t size;
+        FILE *file = open_memstream(&text, &size);
+        table_init(&table, column, 1);
+        table_add(&table, xstrdup(cells[i].cell));
+        table_print(&table, FORMAT_JSON, file);
+        table_clear(&table);
+        assert_int_equal(fclose(file), 0);
+        const char *const quote = cells[i].number ? "" : "\"";
+        snprintf(expected, sizeof expected, "[\n  {\"x\": %s%s%s}\n]\n", quote, cells[i].cell, quote);
+        assert_string_equal(text, expected);
+        free(text);
+    }
+}
+
+/* Every two-point Pade of up to 20 degrees in the numerator: none has a coefficient that cannot be rounded, and the
+ * headers, all in one unit, compute eps(1/2). The approximants of 15 degrees and more have a pole far beyond 1/2. */
+/* eps(1/2) at zero overlap: corgen collide --beta 0.5, by enclosure of the motion instead of series */
+#define EPS_AT_HALF 0.57382462866494898355
+
+enum { TWO_POINT_MAX = 20, TWO_POINT_PREC = 300 };
+
+static void test_two_point_headers(void **state)
+{
+    (void)state;
+    arb_poly_t series;
+    arb_t limit;
+    struct pade f;
+    struct pade_analysis a;
+    slong root;
+    arb_poly_init(series);
+    arb_init(limit);
+    pade_init(&f);
+    pade_analysis_init(&a);
+    assert_int_equal(series_eps(series, &root, END_ZERO_OVERLAP, TWO_POINT_MAX + 4, &law_sphere, TWO_POINT_PREC), 0);
+    assert_int_equal(collision_h_star(limit, TWO_POINT_PREC), 0);
+    arb_pow_ui(limit, limit, 5, TWO_POINT_PREC);
+    struct emit e;
+    FILE *file = create("header.h");
+    emit_open(&e, file, "HEADER_H", "Pade");
+    for (slong m = 0; m <= TWO_POINT_MAX; m++) {
+        char name[32];
+        snprintf(name, sizeof name, "cor_two_point_%ld", (long)m);
+        const struct pade_header h = {
+            .name = name, .title = "test", .end = END_ZERO_OVERLAP, .beta_max = 2, .limit = (double)INFINITY};
+        assert_true(pade_two_point_of_series(&f, series, limit, m, TWO_POINT_PREC));
+        assert_int_equal(pade_emit(&e, &h, &f, &a), 0);
+    }
+    emit_close(&e);
+    assert_int_equal(fclose(file), 0);
+    file = create("main.c");
+    fprintf(file, "#include <stdio.h>\n#include \"header.h\"\n"
+                  "static double horner(const double *c, int n, double z)\n{\n    double y = 0;\n"
+                  "    while (n-- > 0)\n        y = y * z + c[n];\n    return y;\n}\n"
+                  "int main(void)\n{\n    const double z = 0.5;\n");
+    for (int m = 0; m <= TWO_POINT_MAX; m++)
+        fprintf(file,
+                "    printf(\"%%.17g %%.17g\\n\", horner(cor_two_point_%d_p, COR_TWO_POINT_%d_P, z) /\n"
+                "        horner(cor_two_point_%d_q, COR_TWO_POINT_%d_Q, z), z * horner(cor_two_point_%d_l, "
+                "COR_TWO_POINT_%d_L, z) /\n        horner(cor_two_point_%d_q, COR_TWO_POINT_%d_Q, z));\n",
+                m, m, m, m, m, m, m, m);
+    fprintf(file, "    return 0;\n}\n");
+    assert_int_equal(fclose(file), 0);
+    FILE *output = compile_and_run();
+    double before = 1;
+    for (int m = 0; m <= TWO_POINT_MAX; m++) {
+        double eps, loss;
+        assert_int_equal(fscanf(output, "%lf %lf", &eps, &loss), 2);
+        const double error = fabs(eps / EPS_AT_HALF - 1);
+        assert_true(fabs(eps + loss - 1) < 1e-14);
+        assert_true(error < 1e-13 || error < before); /* each is better than the one before */
+        before = error;
+    }
+    assert_int_equal(pclose(output), 0);
+    pade_analysis_clear(&a);
+    pade_clear(&f);
+    arb_clear(limit);
+    arb_poly_clear(series);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_doubles),  cmocka_unit_test(test_rows),  cmocka_unit_test(test_geometry),
-        cmocka_unit_test(test_too_wide), cmocka_unit_test(test_bound), cmocka_unit_test(test_pade_header),
+        cmocka_unit_test(test_doubles),
+        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_geometry),
+        cmocka_unit_test(test_too_wide),
+        cmocka_unit_test(test_bound),
+        cmocka_unit_test(test_pade_header),
+        cmocka_unit_test(test_two_point_headers),
+        cmocka_unit_test(test_json_numbers),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

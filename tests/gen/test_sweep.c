@@ -1,8 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Sweeps: lists, rows, the crew that computes them, and the journal that survives whatever ends it. */
+/* Sweeps: lists, rows, the crew that computes them, on one rank and on several, and the journal that survives whatever
+ * ends it. */
 #define _DEFAULT_SOURCE /* mkdtemp, truncate */
+#include <fcntl.h>
+#include <pthread.h>
+#include <stdarg.h>
 #include <stdatomic.h>
 #include <stdbool.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -14,6 +19,7 @@
 #include "cor/status.h"
 #include "sweep/crew.h"
 #include "sweep/journal.h"
+#include "sweep/ranks.h"
 #include "sweep/sweep.h"
 
 /* ---- lists ---- */
@@ -65,42 +71,40 @@ static void test_lists(void **state)
     flint_free(exact);
     assert_true(values_least(&values) == 1.0 / 7 && values_largest(&values) == 1000);
     values_clear(&values);
+    /* of two exact numbers with one double, the first stays */
+    assert_int_equal(values_parse(&values, &any, "1/3,0.33333333333333333,2,33333333333333333e-17"), STATUS_OK);
+    assert_int_equal(values.count, 2);
+    exact = fmpq_get_str(NULL, 10, values.exact);
+    assert_string_equal(exact, "1/3");
+    flint_free(exact);
+    values_clear(&values);
+}
+
+/* As many values as a list may have, and one more. */
+static void test_longest_list(void **state)
+{
+    (void)state;
+    static const struct values_rule many = {"many", {"1", "1e7", true, true, true, "a number from 1 to 1e7"}, true};
+    struct values values;
+    char text[64];
+    snprintf(text, sizeof text, "1:%d:+1", VALUES_MAX);
+    assert_int_equal(values_parse(&values, &many, text), STATUS_OK);
+    assert_int_equal(values.count, VALUES_MAX);
+    assert_true(values_largest(&values) == VALUES_MAX);
+    values_clear(&values);
+    snprintf(text, sizeof text, "1:%d:+1", VALUES_MAX + 1);
+    assert_int_equal(values_parse(&values, &many, text), STATUS_USAGE);
 }
 
 static void test_wrong_lists(void **state)
 {
     (void)state;
-    static const char *const wrong[] = {"",
-                                        ",",
-                                        "1,",
-                                        ",1",
-                                        "1,,2",
-                                        "1001",
-                                        "-1000.1",
-                                        "x",
-                                        "1 ",
-                                        "+1",
-                                        "1:2",
-                                        "1:2:3",
-                                        "1:2:+0",
-                                        "1:2:-1",
-                                        "2:1:+1",
-                                        "1:2:+-1",
-                                        "1:2:lin:1",
-                                        "1:2:lin:",
-                                        "1:2:lin:x",
-                                        "1:2:lin:1.5",
-                                        "1:2:log:-3",
-                                        "0:1:log:3",
-                                        "-1:1:log:3",
-                                        "1:2:geo:3",
-                                        "1:2:lin:3:",
-                                        ":::",
-                                        "1:1001:lin:3",
-                                        "1:2:+1e-9",
-                                        "1e1000",
-                                        "1/0",
-                                        "1:2:lin:9999999"};
+    static const char *const wrong[] = {
+        "",           ",",           "1,",           ",1",        "1,,2",       "1001",
+        "-1000.1",    "x",           "1 ",           "+1",        "1:2",        "1:2:3",
+        "1:2:+0",     "1:2:-1",      "2:1:+1",       "1:2:+-1",   "1:2:lin:1",  "1:2:lin:",
+        "1:2:lin:x",  "1:2:lin:1.5", "1:2:log:-3",   "0:1:log:3", "-1:1:log:3", "1:2:geo:3",
+        "1:2:lin:3:", ":::",         "1:1001:lin:3", "1e1000",    "1/0",        "1:2:lin:9999999"};
     struct values values;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         check(values_parse(&values, &any, wrong[i]) == STATUS_USAGE, "%s", wrong[i]);
@@ -242,7 +246,179 @@ static void test_crew(void **state)
     }
 }
 
+/* ---- the crew on two ranks: threads that send each other messages ---- */
+
+struct message {
+    struct message *next;
+    int from, tag;
+    size_t size;
+    unsigned char bytes[];
+};
+
+static _Thread_local int rank_of_thread;
+static int rank_count = 1;
+static struct message *inbox[2];
+static pthread_mutex_t inbox_mutex = PTHREAD_MUTEX_INITIALIZER;
+
+int ranks_start(void)
+{
+    return STATUS_OK;
+}
+
+void ranks_stop(void)
+{
+}
+
+int ranks_count(void)
+{
+    return rank_count;
+}
+
+int ranks_mine(void)
+{
+    return rank_of_thread;
+}
+
+void ranks_send(int rank, int tag, const void *bytes, size_t n)
+{
+    struct message *message = xmalloc(sizeof *message + n);
+    *message = (struct message){.from = rank_of_thread, .tag = tag, .size = n};
+    if (n > 0)
+        memcpy(message->bytes, bytes, n);
+    pthread_mutex_lock(&inbox_mutex);
+    struct message **end = &inbox[rank];
+    while (*end)
+        end = &(*end)->next;
+    *end = message;
+    pthread_mutex_unlock(&inbox_mutex);
+}
+
+bool ranks_receive(int *rank, int *tag, void **bytes, size_t *n)
+{
+    pthread_mutex_lock(&inbox_mutex);
+    struct message *const message = inbox[rank_of_thread];
+    if (message)
+        inbox[rank_of_thread] = message->next;
+    pthread_mutex_unlock(&inbox_mutex);
+    if (!message)
+        return false;
+    *rank = message->from;
+    *tag = message->tag;
+    *n = message->size;
+    *bytes = message->size > 0 ? memcpy(xmalloc(message->size), message->bytes, message->size) : NULL;
+    free(message);
+    return true;
+}
+
+enum { SHARED_TASKS = 600, OTHERS_TASKS = 450, WAIT_MILLISECONDS = 8000 };
+
+struct party {
+    struct crowd crowd; /* what finish and ready count */
+    atomic_int by_other;
+    atomic_bool waited_in_vain;
+    int received;
+};
+
+static void nap(long milliseconds)
+{
+    const struct timespec time = {milliseconds / 1000, milliseconds % 1000 * 1000000};
+    nanosleep(&time, NULL);
+}
+
+/* Rank 0's thread is held up until the other rank has done most of the work. */
+static void party_work(void *context, int thread, uint64_t task, void *result)
+{
+    (void)thread;
+    struct party *const party = context;
+    const uint64_t value = task * task;
+    memcpy(result, &value, sizeof value);
+    for (int i = 0; i < WAIT_MILLISECONDS && party->by_other < OTHERS_TASKS && !party->waited_in_vain; i++)
+        nap(1);
+    if (party->by_other < OTHERS_TASKS)
+        party->waited_in_vain = true;
+}
+
+static void other_work(void *context, int thread, uint64_t task, void *result)
+{
+    (void)thread;
+    struct party *const party = context;
+    const uint64_t value = task * task;
+    memcpy(result, &value, sizeof value);
+    nap(1);
+    party->by_other++;
+}
+
+static void other_received(void *context, const void *bytes, size_t n)
+{
+    struct party *const party = context;
+    assert_true(n == 5 && memcmp(bytes, "hello", n) == 0);
+    party->received++;
+}
+
+static void *other_rank(void *context)
+{
+    const struct crew_work work = {context, sizeof(uint64_t), other_work, NULL, NULL, NULL, other_received};
+    rank_of_thread = 1;
+    struct crew *const crew = crew_start(&work, 1);
+    crew_serve(crew);
+    crew_stop(crew);
+    return NULL;
+}
+
+/* The other rank is given tasks as long as there are any, whatever the size of the messages that its results come in;
+ * and a run that is ended waits for what is away, and no longer. */
+static void test_ranks(void **state)
+{
+    (void)state;
+    static struct party party;
+    party.crowd.stop_at = UINT64_MAX;
+    const struct crew_work work = {&party, sizeof(uint64_t), party_work, crowd_ready, crowd_finish, NULL, NULL};
+    pthread_t other;
+    rank_count = 2;
+    struct crew *const crew = crew_start(&work, 1);
+    assert_int_equal(pthread_create(&other, NULL, other_rank, &party), 0);
+    crew_broadcast(crew, "hello", 5);
+    assert_int_equal(crew_run(crew, 0, SHARED_TASKS), 0);
+    assert_int_equal(party.crowd.next, SHARED_TASKS);
+    assert_int_equal(party.crowd.ready, SHARED_TASKS);
+    check(!party.waited_in_vain, "the other rank was left with %d tasks", party.by_other);
+
+    alarm(60); /* a run that waits for tasks that are not away does not end */
+    party.crowd.next = 10;
+    party.crowd.stop_at = 77;
+    assert_int_equal(crew_run(crew, 10, SHARED_TASKS), 7);
+    assert_int_equal(party.crowd.next, 78);
+    alarm(0);
+    crew_stop(crew);
+    assert_int_equal(pthread_join(other, NULL), 0);
+    assert_int_equal(party.received, 1);
+    assert_null(inbox[0]);
+    assert_null(inbox[1]);
+    rank_count = 1;
+}
+
 /* ---- the journal ---- */
+
+/* What another process does to FILE.part between its opening here and its locking: journal.c's fcntl comes by here. */
+static const char *removed_before_lock;
+static bool made_anew;
+
+int __real_fcntl(int fd, int command, ...);
+int __wrap_fcntl(int fd, int command, ...);
+int __wrap_fcntl(int fd, int command, ...)
+{
+    va_list arguments;
+    va_start(arguments, command);
+    void *const argument = command == F_SETLK || command == F_GETLK ? va_arg(arguments, void *) : NULL;
+    va_end(arguments);
+    if (command == F_SETLK && removed_before_lock) {
+        assert_int_equal(unlink(removed_before_lock), 0);
+        if (made_anew)
+            assert_int_equal(close(open(removed_before_lock, O_WRONLY | O_CREAT, 0666)), 0);
+        removed_before_lock = NULL;
+    }
+    return __real_fcntl(fd, command, argument);
+}
 
 static const char title[] = "corgen disk-collide, unfinished, sweep 1: --speed 0.1";
 static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at its end 12345678", "4,5"};
@@ -363,6 +539,28 @@ static void test_journal(void **state)
     journal_close(&journal, false);
     assert_int_equal(journal_open(&journal, "/nonexistent/x", title, LINES), STATUS_FAILED);
 
+    /* finished and removed by another process just before it is locked here: a new file, not the removed one */
+    for (int again_made = 0; again_made < 2; again_made++) {
+        struct stat opened, named;
+        removed_before_lock = part;
+        made_anew = again_made == 1; /* and begun by a third one */
+        assert_int_equal(journal_open(&journal, file, title, LINES), STATUS_OK);
+        assert_null(removed_before_lock);
+        assert_int_equal(journal.lines, 0);
+        assert_true(fstat(journal.fd, &opened) == 0 && stat(part, &named) == 0 && opened.st_ino == named.st_ino);
+        if (again_made == 0)
+            journal_close(&journal, false);
+    }
+    for (int i = 0; i < LINES; i++)
+        journal_add(&journal, line[i]);
+    journal_add(&journal, "one line more, and a good one");
+    assert_int_equal(journal_flush(&journal), STATUS_OK);
+    journal_close(&journal, false);
+    assert_int_equal(go_on(file), LINES);
+    char *without = slurp(part, &again);
+    assert_true(again == size && memcmp(without, whole_file, size) == 0);
+    free(without);
+
     /* held by another process */
     assert_int_equal(journal_open(&journal, file, title, LINES), STATUS_OK);
     fflush(NULL);
@@ -383,8 +581,9 @@ int main(void)
 {
     console_start();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists), cmocka_unit_test(test_wrong_lists), cmocka_unit_test(test_product),
-        cmocka_unit_test(test_crew),  cmocka_unit_test(test_journal),
+        cmocka_unit_test(test_lists),        cmocka_unit_test(test_wrong_lists), cmocka_unit_test(test_product),
+        cmocka_unit_test(test_crew),         cmocka_unit_test(test_journal),     cmocka_unit_test(test_ranks),
+        cmocka_unit_test(test_longest_list),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

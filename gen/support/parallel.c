@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT */
+#ifdef __linux__
+#define _GNU_SOURCE /* sched_getaffinity */
+#endif
+#include "support/parallel.h"
+
+#include <sched.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "support/console.h"
+
+static int threads_wanted;
+static _Thread_local bool within_task;
+
+int parallel_processors(void)
+{
+    long processors = sysconf(_SC_NPROCESSORS_ONLN);
+#ifdef __linux__
+    cpu_set_t set;
+    if (sched_getaffinity(0, sizeof set, &set) == 0)
+        processors = CPU_COUNT(&set);
+#endif
+    return processors < 1 ? 1 : processors < PARALLEL_MAX_THREADS ? (int)processors : PARALLEL_MAX_THREADS;
+}
+
+int parallel_threads(void)
+{
+    return threads_wanted > 0 ? threads_wanted : parallel_processors();
+}
+
+void parallel_use(int threads)
+{
+    threads_wanted = threads;
+}
+
+int parallel_start_thread(pthread_t *thread, void *(*start)(void *), void *argument)
+{
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+    const int reason = pthread_create(thread, NULL, start, argument);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return reason;
+}
+
+/* ---- slots: of all threads that have work, as many run as parallel_threads() says ---- */
+
+enum { PROGRESS_NANOSECONDS = 200000000 };
+
+static pthread_mutex_t slots_mutex = PTHREAD_MUTEX_INITIALIZER;
+static pthread_cond_t slot_is_free = PTHREAD_COND_INITIALIZER;
+static int slots_taken;
+
+static void slot_take(void)
+{
+    pthread_mutex_lock(&slots_mutex);
+    while (slots_taken >= parallel_threads())
+        pthread_cond_wait(&slot_is_free, &slots_mutex);
+    slots_taken++;
+    pthread_mutex_unlock(&slots_mutex);
+    within_task = true;
+}
+
+static void slot_give(void)
+{
+    within_task = false;
+    pthread_mutex_lock(&slots_mutex);
+    slots_taken--;
+    pthread_cond_signal(&slot_is_free);
+    pthread_mutex_unlock(&slots_mutex);
+}
+
+/* ---- many tasks ---- */
+
+struct loop {
+    void (*task)(void *context, slong i);
+    void *context;
+    slong count;
+    atomic_long next;
+    pthread_mutex_t mutex; /* of done */
+    pthread_cond_t is_done;
+    slong done;
+};
+
+/* One task, if any is left. */
+static bool loop_step(struct loop *loop)
+{
+    const slong i = atomic_fetch_add(&loop->next, 1);
+    if (i >= loop->count)
+        return false;
+    slot_take();
+    loop->task(loop->context, i);
+    slot_give();
+    pthread_mutex_lock(&loop->mutex);
+    if (++loop->done == loop->count)
+        pthread_cond_signal(&loop->is_done);
+    pthread_mutex_unlock(&loop->mutex);
+    return true;
+}
+
+static void *loop_thread(void *argument)
+{
+    while (loop_step(argument))
+        continue;
+    flint_cleanup(); /* constants that FLINT keeps for each thread */
+    return NULL;
+}
+
+/* While others work: a task may take minutes, and the progress line goes on meanwhile. */
+static void loop_watch(struct loop *loop)
+{
+    pthread_mutex_lock(&loop->mutex);
+    while (loop->done < loop->count) {
+        struct timespec until;
+        clock_gettime(CLOCK_REALTIME, &until);
+        until.tv_nsec += PROGRESS_NANOSECONDS;
+        until.tv_sec += until.tv_nsec / 1000000000;
+        until.tv_nsec %= 1000000000;
+        pthread_cond_timedwait(&loop->is_done, &loop->mutex, &until);
+        progress_at(loop->done);
+    }
+    pthread_mutex_unlock(&loop->mutex);
+}
+
+static void loop_run(struct loop *loop)
+{
+    const slong wanted = FLINT_MIN((slong)parallel_threads(), loop->count);
+    pthread_t *thread = xmalloc((size_t)FLINT_MAX(wanted, 1) * sizeof *thread);
+    slong started = 0;
+    while (wanted > 1 && started < wanted && parallel_start_thread(&thread[started], loop_thread, loop) == 0)
+        started++;
+    if (started > 0)
+        loop_watch(loop);
+    else
+        while (loop_step(loop))
+            progress_at(loop->done);
+    while (started > 0)
+        pthread_join(thread[--started], NULL);
+    free(thread);
+}
+
+void parallel_for(void (*task)(void *context, slong i), void *context, slong count, const char *step)
+{
+    if (within_task) {
+        for (slong i = 0; i < count; i++)
+            task(context, i);
+        return;
+    }
+    struct loop loop = {.task = task, .context = context, .count = count};
+    pthread_mutex_init(&loop.mutex, NULL);
+    pthread_cond_init(&loop.is_done, NULL);
+    progress_enter(step, count);
+    loop_run(&loop);
+    progress_leave();
+    pthread_cond_destroy(&loop.is_done);
+    pthread_mutex_destroy(&loop.mutex);
+}
+
+/* ---- one task beside others ---- */
+
+static void *task_thread(void *argument)
+{
+    const struct parallel_task *const task = argument;
+    slot_take();
+    task->task(task->context);
+    slot_give();
+    flint_cleanup();
+    return NULL;
+}
+
+void parallel_begin(struct parallel_task *task, void (*work)(void *context), void *context)
+{
+    *task = (struct parallel_task){.task = work, .context = context};
+    task->started =
+        !within_task && parallel_threads() > 1 && parallel_start_thread(&task->thread, task_thread, task) == 0;
+}
+
+void parallel_end(struct parallel_task *task)
+{
+    if (task->started)
+        pthread_join(task->thread, NULL);
+    else
+        task->task(task->context);
+}

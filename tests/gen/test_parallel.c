@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/* Tasks on several threads: each once, never more at a time than there are threads, tasks within tasks, and one task
+ * beside others. */
+#include "support/console.h" /* before cmocka, which has a macro fail */
+
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <time.h>
+
+#include "check.h"
+#include "support/parallel.h"
+
+enum { TASKS = 400, INNER = 7 };
+
+struct party {
+    atomic_int runs[TASKS], inner;
+    atomic_int at_once, most_at_once;
+    atomic_bool other_done;
+};
+
+static void enter(struct party *party)
+{
+    const int now = atomic_fetch_add(&party->at_once, 1) + 1;
+    int most = atomic_load(&party->most_at_once);
+    while (now > most && !atomic_compare_exchange_weak(&party->most_at_once, &most, now))
+        continue;
+    const struct timespec nap = {0, 100000};
+    nanosleep(&nap, NULL);
+}
+
+static void inner_task(void *context, slong i)
+{
+    struct party *const party = context;
+    check(i >= 0 && i < INNER, "%ld", (long)i);
+    atomic_fetch_add(&party->inner, 1);
+}
+
+static void outer_task(void *context, slong i)
+{
+    struct party *const party = context;
+    enter(party);
+    atomic_fetch_add(&party->runs[i], 1);
+    if (i % 10 == 0) /* done by this thread itself, or the threads would wait for one another */
+        parallel_for(inner_task, party, INNER, "inner");
+    atomic_fetch_sub(&party->at_once, 1);
+}
+
+static void beside(void *context)
+{
+    struct party *const party = context;
+    enter(party);
+    parallel_for(inner_task, party, INNER, "inner");
+    atomic_fetch_sub(&party->at_once, 1);
+    atomic_store(&party->other_done, true);
+}
+
+static void test_tasks(void **state)
+{
+    (void)state;
+    for (int threads = 1; threads <= 5; threads++) {
+        static struct party party;
+        struct parallel_task task;
+        memset(&party, 0, sizeof party);
+        parallel_use(threads);
+        assert_int_equal(parallel_threads(), threads);
+        parallel_begin(&task, beside, &party);
+        parallel_for(outer_task, &party, TASKS, "outer");
+        parallel_for(outer_task, &party, 0, "none");
+        parallel_end(&task);
+        assert_true(party.other_done);
+        for (int i = 0; i < TASKS; i++)
+            assert_int_equal(party.runs[i], 1);
+        assert_int_equal(party.inner, (TASKS / 10 + 1) * INNER);
+        check(party.most_at_once <= threads && (threads == 1 || party.most_at_once > 1), "%d at once of %d threads",
+              party.most_at_once, threads);
+    }
+    parallel_use(0);
+    assert_in_range(parallel_threads(), 1, PARALLEL_MAX_THREADS);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_tasks)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
