@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Hertz's contact with a constant dashpot, x'' + beta x^(0) x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1,
+/* Hertz's contact with a constant dashpot, x'' + beta x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1,
  * both ends of contact, for every beta. Evaluated by runtime/core/law_eval.h. Source: docs/derivation.md, 9;
  * form: docs/header-format.md.
  *
@@ -7,10 +7,10 @@
  * Checked by:  corgen tables --check
  *
  * Each double is the one nearest to the coefficient beside it: proved. In the functions
- * eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled for nine
- * laws (tests/table/test_law_header.c). The interpolants behind the rows go through collisions enclosed to 80 bits
- * (proved); between them they are off by 8.0e-20 at most (sampled). Errors of the rows stand above each table and
- * beside each row (sampled). */
+ * eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against
+ * enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions enclosed
+ * to 80 bits (proved); between them they are off by 8.0e-20 at most (sampled). Errors of the rows stand above each
+ * table and beside each row (sampled). */
 #ifndef COR_GENERATED_HERTZ_DASHPOT_TABLES_H
 #define COR_GENERATED_HERTZ_DASHPOT_TABLES_H
 

@@ -37,6 +37,7 @@ struct pade_arguments {
 struct collide_arguments {
     struct option_common common;
     struct decimal beta;
+    int end; /* enum contact_end; OPTIONS_NOT_GIVEN: both */
     slong digits;
     struct option_law law;
 };
