@@ -46,7 +46,7 @@ static void compare(law_function *one, law_function *other, double from, double 
     for (size_t i = 0; i < n; i++) {
         const double x = i % 2 == 0 ? random_log(&r, from, to) : random_uniform(&r, 0, to < 20 ? to : 20);
         const double y = one(x), z = other(x);
-        same += same_bits(y, z);
+        same += (size_t)same_bits(y, z);
         check(ulp_error(y, (long double)z) <= most, "%s of %.17g: %.17g and %.17g", name, x, y, z);
     }
     print_message("%s: the same bits at %zu of %zu places\n", name, same, n);

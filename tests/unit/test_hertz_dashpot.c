@@ -135,7 +135,7 @@ static void test_round_trip(void **state)
 static void no_step(dashpot_function *function, double x, const char *name)
 {
     const double below = function(nextafter(x, 0)), at = function(x);
-    check(fabs(at - below) <= 3 * DBL_EPSILON * fabs(at), "%s has a step at %.17g: %.17g and %.17g", name, x, below,
+    check(fabs(at - below) <= 5 * DBL_EPSILON * fabs(at), "%s has a step at %.17g: %.17g and %.17g", name, x, below,
           at);
 }
 
@@ -155,18 +155,22 @@ static void test_no_steps(void **state)
                 no_step(duration[end], beta, "duration");
             }
         }
-        if (beta < 1) {
-            if (beta < 0.75)
-                no_step(beta_of_eps[1], beta, "beta at zero force");
+        if (beta < 0.75)
+            no_step(beta_of_eps[1], beta, "beta at zero force");
+        if (beta < 0.6) { /* from there on the last place of the loss is more than that of beta */
             no_step(beta_of_loss[0], beta, "beta of loss at zero overlap");
             no_step(beta_of_loss[1], beta, "beta of loss at zero force");
         }
     }
-    for (double u = 2; u < 9; u += 1.0 / 64)
-        for (int end = 0; end < 2; end++) {
-            no_step(lengths[end], exp(u), "a length");
-            no_step(end ? duration[1] : eps[1], exp(u), "the end of force");
-        }
+    /* beta^(5/2) eps, with the logarithm's rounding: the place of a border is known to a few doubles only */
+    for (double u = 2; u < 9; u += 1.0 / 64) {
+        const double below = exp(u) * (1 - 8e-15), above = exp(u) * (1 + 8e-15);
+        const double ratio = eps[1](above) / eps[1](below), power = 2.5 * 16e-15;
+        check(fabs(ratio - 1 + power) < 0.2 * power, "eps has a step at exp(%g): %.17g", u, ratio - 1);
+        for (int end = 0; end < 2; end++)
+            check(fabs(lengths[end](above) / lengths[end](below) - 1) < 2e-14, "a length has a step at exp(%g)", u);
+        check(fabs(duration[1](above) / duration[1](below) - 1) < 2e-14, "duration has a step at exp(%g)", u);
+    }
 }
 
 int main(void)
