@@ -35,6 +35,7 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/closed_form.c
   gen/enclosure/collision.c
   gen/enclosure/collision_series.c
+  gen/enclosure/events.c
   gen/enclosure/motion.c
   gen/enclosure/slow_manifold.c
   gen/enclosure/taylor.c

@@ -6,28 +6,9 @@
 #include "enclosure/closed_form.h"
 #include "enclosure/motion.h"
 #include "enclosure/slow_manifold.h"
+#include "enclosure/taylor.h"
 #include "series/turning_point.h"
 #include "support/console.h"
-
-void collision_init(struct collision *c)
-{
-    arb_init(c->x_max);
-    arb_init(c->t_max);
-    arb_init(c->eps_zero_overlap);
-    arb_init(c->t_zero_overlap);
-    arb_init(c->eps_zero_force);
-    arb_init(c->t_zero_force);
-}
-
-void collision_clear(struct collision *c)
-{
-    arb_clear(c->x_max);
-    arb_clear(c->t_max);
-    arb_clear(c->eps_zero_overlap);
-    arb_clear(c->t_zero_overlap);
-    arb_clear(c->eps_zero_force);
-    arb_clear(c->t_zero_force);
-}
 
 /* Which fields are asked for, besides x_max and t_max. */
 enum ends { ENDS_BOTH, ENDS_ZERO_OVERLAP, ENDS_ZERO_FORCE };
@@ -124,7 +105,7 @@ static int solve(struct collision *c, const arb_t beta, const struct law *law, e
         progress_end();
         if (outcome == MOTION_ENDLESS)
             return fail("no end of contact within %d steps: this law at this beta is too stiff to be integrated",
-                        MOTION_MAX_STEPS);
+                        TAYLOR_MAX_STEPS);
         const slong reached = outcome == MOTION_DONE ? accuracy(c, ends) : -1;
         if (reached >= bits)
             return STATUS_OK;

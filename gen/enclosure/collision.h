@@ -3,16 +3,7 @@
 #ifndef COR_GEN_ENCLOSURE_COLLISION_H
 #define COR_GEN_ENCLOSURE_COLLISION_H
 
-#include "series/law.h"
-
-struct collision {
-    arb_t x_max, t_max;
-    arb_t eps_zero_overlap, t_zero_overlap;
-    arb_t eps_zero_force, t_zero_force;
-};
-
-void collision_init(struct collision *c);
-void collision_clear(struct collision *c);
+#include "enclosure/events.h"
 
 /* Encloses every field to at least `bits` relative bits for an exact or ball beta >= 0 (a wide ball
  * beta limits what can be reached). An overdamped law that never parts has eps_zero_overlap exactly 0 and

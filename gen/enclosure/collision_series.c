@@ -30,14 +30,14 @@ int collision_series(arb_poly_t y_series, arb_poly_t tau, arb_poly_t c, slong or
     arb_init(root);
     arb_init(begin);
 
-    taylor_init(&y, law, count, FLINT_MAX(motion_degree(prec), count), prec);
+    taylor_init(&y, law, count, FLINT_MAX(taylor_degree(prec), count), prec);
     /* beta itself is the parameter; series are measured at |beta| = 1/2, well inside |h*| for the sphere. */
     mag_set_ui_2exp_si(y.weight, 1, -1);
     if (count > 1)
         arb_one(y.c1 + 1);
     arb_one(y.c2);
     arb_one(y.v);
-    for (slong step = 0; step < MOTION_MAX_STEPS && !done; step++) {
+    for (slong step = 0; step < TAYLOR_MAX_STEPS && !done; step++) {
         progress("series by the equation of motion", step, 0);
         taylor_expand(&y);
         if (!taylor_choose_step(&y))

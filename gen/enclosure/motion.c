@@ -57,7 +57,7 @@ static void motion_init(struct motion *m, struct collision *c, const arb_t beta,
 {
     m->c = c;
     scales_init(&m->s, beta, law, strong, prec);
-    taylor_init(&m->y, law, 1, motion_degree(prec), prec);
+    taylor_init(&m->y, law, 1, taylor_degree(prec), prec);
     arb_set(m->y.c1, m->s.c1);
     arb_set(m->y.c2, m->s.c2);
     arb_one(m->y.v);
@@ -283,18 +283,12 @@ static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal
                                          slong bits)
 {
     enum motion_outcome outcome;
-    for (slong step = 0; step < MOTION_MAX_STEPS; step++) {
+    for (slong step = 0; step < TAYLOR_MAX_STEPS; step++) {
         progress("collision", step, 0);
         if (!motion_step(&outcome, m, goal) || !motion_goes_on(&outcome, m, manifold, bits))
             return outcome;
     }
     return MOTION_ENDLESS;
-}
-
-/* A step is an eighth of the radius of convergence: 3 bits a term. */
-slong motion_degree(slong prec)
-{
-    return prec / 3 + 10;
 }
 
 enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct law *law, enum motion_goal goal,

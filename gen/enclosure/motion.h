@@ -3,7 +3,7 @@
 #ifndef COR_GEN_ENCLOSURE_MOTION_H
 #define COR_GEN_ENCLOSURE_MOTION_H
 
-#include "enclosure/collision.h"
+#include "enclosure/events.h"
 
 /* How far the motion is followed. Events on the way are recorded too. */
 enum motion_goal { MOTION_TURNING_POINT, MOTION_ZERO_FORCE, MOTION_ZERO_OVERLAP };
@@ -11,10 +11,8 @@ enum motion_goal { MOTION_TURNING_POINT, MOTION_ZERO_FORCE, MOTION_ZERO_OVERLAP 
 enum motion_outcome {
     MOTION_DONE,
     MOTION_IMPRECISE, /* more bits are needed */
-    MOTION_ENDLESS    /* no event within MOTION_MAX_STEPS */
+    MOTION_ENDLESS    /* no event within TAYLOR_MAX_STEPS */
 };
-
-enum { MOTION_MAX_STEPS = 200000 };
 
 /* Follows the motion with prec bits and sets what the goal and the events before it determine. An overdamped law that
  * creeps to zero overlap for ever has eps_zero_overlap exactly 0 and t_zero_overlap = +inf: proved. */
@@ -25,8 +23,5 @@ enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const st
  * point and zero force are followed, then the manifold takes over (slow_manifold.h). */
 enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct law *law, slong bits,
                                       slong prec);
-
-/* Degree of the Taylor polynomials for so many bits. */
-slong motion_degree(slong prec);
 
 #endif

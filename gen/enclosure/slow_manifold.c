@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/slow_manifold.h"
 
-#include "enclosure/motion.h"
 #include "enclosure/taylor.h"
 
 #include <math.h>
@@ -195,7 +194,7 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
     arb_t value, zero;
     arb_init(value);
     arb_init(zero);
-    taylor_init(&y, law, 1, motion_degree(m->prec), m->prec);
+    taylor_init(&y, law, 1, taylor_degree(m->prec), m->prec);
     arb_one(y.c1);
     arb_one(y.c2);
     arb_pow_ratio(y.w, m->last, to_w, m->prec); /* w = z^(1/d), z = y^(-1/n) */
@@ -204,7 +203,7 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
         arb_inv(y.v, y.v, m->prec);
     arb_mul(y.v, y.v, p, m->prec);
     arb_neg(y.v, y.v);
-    for (slong step = 0; step < MOTION_MAX_STEPS && sound && !fallen; step++) {
+    for (slong step = 0; step < TAYLOR_MAX_STEPS && sound && !fallen; step++) {
         progress("fall along the slow manifold", step, 0);
         taylor_expand(&y);
         sound = taylor_choose_step(&y);

@@ -663,3 +663,9 @@ bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component compo
     arb_clear(width);
     return proved;
 }
+
+/* A step is an eighth of the radius of convergence: 3 bits a term. */
+slong taylor_degree(slong prec)
+{
+    return prec / 3 + 10;
+}

@@ -53,4 +53,10 @@ void taylor_advance(struct taylor *y, const arb_t s);
 bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
                  const arb_t end);
 
+/* Degree of the Taylor polynomials for so many bits. */
+slong taylor_degree(slong prec);
+
+/* A motion that needs more steps is given up. */
+enum { TAYLOR_MAX_STEPS = 200000 };
+
 #endif

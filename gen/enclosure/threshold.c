@@ -77,13 +77,13 @@ static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
     arb_init(z);
     arb_init(zero);
     unstable_series(g, z, law, prec);
-    taylor_init(&y, law, 1, motion_degree(prec), prec);
+    taylor_init(&y, law, 1, taylor_degree(prec), prec);
     arb_set_si(y.c1, -1);
     arb_one(y.c2);
     arb_pow_ratio(y.w, z, ratio_div((struct ratio){1, law->d}, m), prec);
     arb_pow_ui(y.v, y.w, (ulong)(law->bd + law->d), prec);
     arb_mul(y.v, y.v, g, prec);
-    for (slong step = 0; step < MOTION_MAX_STEPS && sound && !turned; step++) {
+    for (slong step = 0; step < TAYLOR_MAX_STEPS && sound && !turned; step++) {
         taylor_expand(&y);
         sound = taylor_choose_step(&y);
         if (!sound)

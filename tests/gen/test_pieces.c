@@ -76,8 +76,11 @@ static double evaluate(const struct pieces *p, slong r, double fraction, double 
         const slong octaves = r / PIECES_PER_OCTAVE;
         octave = p->first + (double)octaves;
     }
-    const double y = fmax(node - half + 2 * half * fraction, p->variable == VARIABLE_POWER_OCTAVES ? 1 : 0), t = y - node;
-    *beta = p->variable == VARIABLE_BETA ? y : p->variable == VARIABLE_POWER_OCTAVES ? pow(ldexp(y, (int)octave), 0.2) : y * y;
+    const double y = fmax(node - half + 2 * half * fraction, p->variable == VARIABLE_POWER_OCTAVES ? 1 : 0),
+                 t = y - node;
+    *beta = p->variable == VARIABLE_BETA            ? y
+            : p->variable == VARIABLE_POWER_OCTAVES ? pow(ldexp(y, (int)octave), 0.2)
+                                                    : y * y;
     double sum = 0;
     for (slong k = p->degree + 1; k >= 2; k--)
         sum = sum * t + c[k];
