@@ -174,7 +174,7 @@ static int emit_far(struct emit *e, const struct law_tables *t, const char *name
 static const char *capitals(char text[TEXT_MAX], const char *name)
 {
     size_t i = 0;
-    for (; name[i] && i < TEXT_MAX - 1; i++)
+    for (; i < TEXT_MAX - 1 && name[i]; i++)
         text[i] = (char)toupper((unsigned char)name[i]);
     text[i] = '\0';
     return text;

@@ -19,6 +19,14 @@
 
 #include "runtime/core/row.h"
 
+/* The structs below are constants of each caller only where the functions that take them are a part of it: otherwise
+ * copies of them cost several times the evaluation. */
+#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
+#define COR_INLINE_LAW COR_INLINE __attribute__((always_inline))
+#else
+#define COR_INLINE_LAW COR_INLINE
+#endif
+
 /* ---- what a law is made of ---- */
 
 /* Rows on a grid (kind 1), by octaves (kind 2), or none (kind 0), used up to `end` of their variable */
@@ -58,7 +66,7 @@ struct cor_inline_law_inverse {
     struct cor_inline_law_table near, rows;
 };
 
-COR_INLINE struct cor_inline_law_table cor_inline_law_none(void)
+COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_none(void)
 {
     struct cor_inline_law_table table;
     table.kind = 0;
@@ -70,8 +78,8 @@ COR_INLINE struct cor_inline_law_table cor_inline_law_none(void)
     return table;
 }
 
-COR_INLINE struct cor_inline_law_table cor_inline_law_grid(const double *(*rows)(int), struct cor_inline_grid grid,
-                                                           int root, double end)
+COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_grid(const double *(*rows)(int), struct cor_inline_grid grid,
+                                                               int root, double end)
 {
     struct cor_inline_law_table table = cor_inline_law_none();
     table.kind = 1;
@@ -82,8 +90,8 @@ COR_INLINE struct cor_inline_law_table cor_inline_law_grid(const double *(*rows)
     return table;
 }
 
-COR_INLINE struct cor_inline_law_table cor_inline_law_octaves(const double *(*rows)(int),
-                                                              struct cor_inline_octaves octaves, double end)
+COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_octaves(const double *(*rows)(int),
+                                                                  struct cor_inline_octaves octaves, double end)
 {
     struct cor_inline_law_table table = cor_inline_law_none();
     table.kind = 2;
@@ -94,7 +102,7 @@ COR_INLINE struct cor_inline_law_table cor_inline_law_octaves(const double *(*ro
 }
 
 /* A quantity without any table */
-COR_INLINE struct cor_inline_law_quantity cor_inline_law_quantity_of(void)
+COR_INLINE_LAW struct cor_inline_law_quantity cor_inline_law_quantity_of(void)
 {
     struct cor_inline_law_quantity q;
     q.near = q.middle = q.below = q.tail = cor_inline_law_none();
@@ -108,7 +116,7 @@ COR_INLINE struct cor_inline_law_quantity cor_inline_law_quantity_of(void)
     return q;
 }
 
-COR_INLINE struct cor_inline_law_inverse cor_inline_law_inverse_of(void)
+COR_INLINE_LAW struct cor_inline_law_inverse cor_inline_law_inverse_of(void)
 {
     struct cor_inline_law_inverse inverse;
     inverse.near = inverse.rows = cor_inline_law_none();
@@ -248,13 +256,14 @@ COR_INLINE struct cor_inline_pair cor_inline_law_exp(struct cor_inline_pair x, i
 /* ---- rows ---- */
 
 /* The row on the grid of a table near 0 */
-COR_INLINE struct cor_inline_place cor_inline_law_near(struct cor_inline_law_table table, double x)
+COR_INLINE_LAW struct cor_inline_place cor_inline_law_near(struct cor_inline_law_table table, double x)
 {
     return cor_inline_grid_place(table.grid, cor_inline_root_of(x, table.root), table.rows);
 }
 
 /* c_0 and the rest of the row of x = hi + lo by octaves */
-COR_INLINE struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_law_table table, struct cor_inline_pair x)
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_law_table table,
+                                                                struct cor_inline_pair x)
 {
     struct cor_inline_place place = cor_inline_octaves_place(table.octaves, x.hi, table.rows);
     place.t += x.lo * cor_inline_power_of_two(-cor_inline_exponent_of(x.hi));
@@ -262,7 +271,7 @@ COR_INLINE struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_la
 }
 
 /* Three orders in mu at u = ln(beta), a_0 + a_1 u + ... */
-COR_INLINE struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quantity q, struct cor_inline_pair u)
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quantity q, struct cor_inline_pair u)
 {
     const double *c = q.far(0);
     if (q.far_kind == 2)
@@ -291,7 +300,7 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x,
 }
 
 /* The quantity for beta beyond the middle rows, as a pair times 2^*exponent */
-COR_INLINE struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quantity q, double beta, int *exponent)
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quantity q, double beta, int *exponent)
 {
     const struct cor_inline_pair u = cor_inline_law_log(beta);
     if (q.tail.kind && u.hi < q.tail.end) {
@@ -310,7 +319,7 @@ COR_INLINE struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quan
 }
 
 /* beta_c - beta for 0 < beta < beta_c, or a number that is not above 0 */
-COR_INLINE struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
 {
     return cor_inline_is_finite(beta) ? cor_inline_two_sum(q.threshold.hi - beta, q.threshold.lo)
                                       : cor_inline_pair_of(-1, 0);
@@ -318,7 +327,7 @@ COR_INLINE struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_qua
 
 /* q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c; relative error 2^-90 where
  * eps is not 0, and 1e9 next to beta_c. */
-COR_INLINE struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
 {
     const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
     const struct cor_inline_pair square = cor_inline_product(beta, beta);
@@ -337,7 +346,7 @@ COR_INLINE struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_qu
 
 /* ---- times and the largest overlap ---- */
 
-COR_INLINE double cor_inline_law_value(struct cor_inline_law_quantity q, double beta)
+COR_INLINE_LAW double cor_inline_law_value(struct cor_inline_law_quantity q, double beta)
 {
     if (cor_inline_below(beta, q.near.end) || beta == 0)
         return cor_inline_row_value(cor_inline_law_near(q.near, beta == 0 ? 0 : beta));
@@ -372,7 +381,7 @@ COR_INLINE double cor_inline_law_value(struct cor_inline_law_quantity q, double 
 /* ---- eps and 1 - eps ---- */
 
 /* 1 - eps near beta = 0. A tiny beta is scaled, for the products' halves would be subnormal. */
-COR_INLINE double cor_inline_law_near_loss(struct cor_inline_law_quantity q, double beta)
+COR_INLINE_LAW double cor_inline_law_near_loss(struct cor_inline_law_quantity q, double beta)
 {
     const struct cor_inline_place place = cor_inline_law_near(q.near, beta);
     if (cor_inline_below(beta, COR_INLINE_2_M900))
@@ -381,7 +390,8 @@ COR_INLINE double cor_inline_law_near_loss(struct cor_inline_law_quantity q, dou
 }
 
 /* eps between the near rows and infinity as a pair times 2^*exponent, hi = 0 where it is 0 */
-COR_INLINE struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline_law_quantity q, double beta, int *exponent)
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline_law_quantity q, double beta,
+                                                               int *exponent)
 {
     *exponent = 0;
     if (cor_inline_below(beta, q.middle.end)) {
@@ -399,7 +409,7 @@ COR_INLINE struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline_law
     return cor_inline_law_tail(q, beta, exponent);
 }
 
-COR_INLINE double cor_inline_law_eps(struct cor_inline_law_quantity q, double beta)
+COR_INLINE_LAW double cor_inline_law_eps(struct cor_inline_law_quantity q, double beta)
 {
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
@@ -421,7 +431,7 @@ COR_INLINE double cor_inline_law_eps(struct cor_inline_law_quantity q, double be
 }
 
 /* 1 - exp(-l), l > 0 */
-COR_INLINE double cor_inline_law_linear_loss(struct cor_inline_pair l)
+COR_INLINE_LAW double cor_inline_law_linear_loss(struct cor_inline_pair l)
 {
     if (l.hi > 60)
         return 1;
@@ -447,7 +457,7 @@ COR_INLINE double cor_inline_law_linear_loss(struct cor_inline_pair l)
     return loss.hi + (loss.lo - eps.lo * unit);
 }
 
-COR_INLINE double cor_inline_law_loss(struct cor_inline_law_quantity q, double beta)
+COR_INLINE_LAW double cor_inline_law_loss(struct cor_inline_law_quantity q, double beta)
 {
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
@@ -470,7 +480,7 @@ COR_INLINE double cor_inline_law_loss(struct cor_inline_law_quantity q, double b
 /* ---- the inverse ---- */
 
 /* beta below the rows of eps at zero overlap, eps = v_f beta^(-1/q): (v_f/eps)^q */
-COR_INLINE double cor_inline_law_beta_fallen(struct cor_inline_law_quantity q, double eps)
+COR_INLINE_LAW double cor_inline_law_beta_fallen(struct cor_inline_law_quantity q, double eps)
 {
     const double *c = q.far(0);
     const int tiny = eps < COR_INLINE_2_M900;
@@ -490,7 +500,7 @@ COR_INLINE double cor_inline_law_beta_fallen(struct cor_inline_law_quantity q, d
 
 /* beta below the rows of eps at zero force, eps = beta^power (a_0 + ...): R (1 + x)^s, R = (a_0/eps)^s, s = -1/power,
  * x the orders in mu over a_0, below 1e-5; ln(beta) = ln(R) + s x, iterated twice. */
-COR_INLINE double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
+COR_INLINE_LAW double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
 {
     const double *c = q.far(0);
     const int tiny = eps < COR_INLINE_2_M900;
@@ -516,8 +526,8 @@ COR_INLINE double cor_inline_law_beta_far(struct cor_inline_law_quantity q, doub
 }
 
 /* The least beta with this eps <= 1/2, below the rows next to eps = 1 */
-COR_INLINE double cor_inline_law_beta_low(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
-                                          double eps)
+COR_INLINE_LAW double cor_inline_law_beta_low(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
+                                              double eps)
 {
     if (cor_inline_octaves_hold(inverse.rows.octaves, eps, inverse.rows.end))
         return cor_inline_row_value(cor_inline_octaves_place(inverse.rows.octaves, eps, inverse.rows.rows));
@@ -530,7 +540,7 @@ COR_INLINE double cor_inline_law_beta_low(struct cor_inline_law_quantity q, stru
 
 /* The same next to eps = 1, of the loss 0 <= loss <= 1/2. A tiny loss is scaled, for the products' halves would be
  * subnormal. */
-COR_INLINE double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
+COR_INLINE_LAW double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
 {
     const struct cor_inline_place place = cor_inline_law_near(inverse.near, loss);
     if (cor_inline_below(loss, COR_INLINE_2_M900))
@@ -539,7 +549,7 @@ COR_INLINE double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse
 }
 
 /* beta_c loss/pi, of a loss that may be subnormal */
-COR_INLINE double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, double loss)
+COR_INLINE_LAW double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, double loss)
 {
     const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
     const struct cor_inline_pair slope = cor_inline_pair_over(q.threshold, pi);
@@ -548,7 +558,7 @@ COR_INLINE double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, 
 }
 
 /* q = 0 at zero overlap: beta_c L/sqrt(pi^2 + L^2), L = -ln(eps) */
-COR_INLINE double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, double eps, double loss)
+COR_INLINE_LAW double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, double eps, double loss)
 {
     const struct cor_inline_pair pi2 = cor_inline_pair_of(9.869604401089358, 6.265295508739711e-16);
     const double l = loss < 0.5 ? -log1p(-loss) : eps == 0 ? 1e9 : -log(eps);
@@ -561,8 +571,8 @@ COR_INLINE double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, d
     return eps == 0 ? q.threshold.hi : beta.hi + beta.lo;
 }
 
-COR_INLINE double cor_inline_law_beta(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
-                                      double eps)
+COR_INLINE_LAW double cor_inline_law_beta(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
+                                          double eps)
 {
     const double positive = eps == 0 ? 0 : eps; /* not -0 */
     if (cor_inline_bits(positive) > cor_inline_bits(1))
@@ -573,8 +583,8 @@ COR_INLINE double cor_inline_law_beta(struct cor_inline_law_quantity q, struct c
                           : cor_inline_law_beta_near(inverse, 1 - positive);
 }
 
-COR_INLINE double cor_inline_law_beta_of_loss(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
-                                              double loss)
+COR_INLINE_LAW double cor_inline_law_beta_of_loss(struct cor_inline_law_quantity q,
+                                                  struct cor_inline_law_inverse inverse, double loss)
 {
     const double positive = loss == 0 ? 0 : loss; /* not -0 */
     if (cor_inline_bits(positive) > cor_inline_bits(1))
