@@ -32738,7 +32738,7 @@ COR_INLINE const double *cor_rows_hertz_dashpot_far_time_of_max_overlap(int i)
 
 /* What runtime/core/law_eval.h needs of each quantity */
 
-COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_overlap(void)
+COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_overlap(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_loss_zero_overlap, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_OVERLAP), 1, COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_OVERLAP_END);
@@ -32749,7 +32749,7 @@ COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_overlap
     return x;
 }
 
-COR_INLINE struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_zero_overlap(void)
+COR_INLINE_LAW struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_zero_overlap(void)
 {
     struct cor_inline_law_inverse x = cor_inline_law_inverse_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_beta_zero_overlap, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_OVERLAP), 1, COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_OVERLAP_END);
@@ -32757,7 +32757,7 @@ COR_INLINE struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_zero_
     return x;
 }
 
-COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_force(void)
+COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_force(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_loss_zero_force, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_FORCE), 3, COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_FORCE_END);
@@ -32774,7 +32774,7 @@ COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_force(v
     return x;
 }
 
-COR_INLINE struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_zero_force(void)
+COR_INLINE_LAW struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_zero_force(void)
 {
     struct cor_inline_law_inverse x = cor_inline_law_inverse_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_beta_zero_force, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_FORCE), 3, COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_FORCE_END);
@@ -32782,7 +32782,7 @@ COR_INLINE struct cor_inline_law_inverse cor_law_hertz_dashpot_inverse_eps_zero_
     return x;
 }
 
-COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zero_overlap(void)
+COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zero_overlap(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_duration_zero_overlap, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_OVERLAP), 1, COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_OVERLAP_END);
@@ -32794,7 +32794,7 @@ COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zero_ov
     return x;
 }
 
-COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zero_force(void)
+COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zero_force(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_duration_zero_force, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_FORCE), 3, COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_FORCE_END);
@@ -32811,7 +32811,7 @@ COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_duration_zero_fo
     return x;
 }
 
-COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_max_overlap(void)
+COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_max_overlap(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_max_overlap, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_MAX_OVERLAP), 1, COR_ROWS_HERTZ_DASHPOT_NEAR_MAX_OVERLAP_END);
@@ -32828,7 +32828,7 @@ COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_max_overlap(void
     return x;
 }
 
-COR_INLINE struct cor_inline_law_quantity cor_law_hertz_dashpot_time_of_max_overlap(void)
+COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_time_of_max_overlap(void)
 {
     struct cor_inline_law_quantity x = cor_inline_law_quantity_of();
     x.near = cor_inline_law_grid(cor_rows_hertz_dashpot_near_time_of_max_overlap, COR_INLINE_GRID(COR_ROWS_HERTZ_DASHPOT_NEAR_TIME_OF_MAX_OVERLAP), 1, COR_ROWS_HERTZ_DASHPOT_NEAR_TIME_OF_MAX_OVERLAP_END);

@@ -186,7 +186,7 @@ void emit_constants(struct emit *e, const char *const *name, const slong *value,
 
 void emit_builder_open(struct emit *e, const char *type, const char *name, const char *start)
 {
-    fprintf(e->file, "\nCOR_INLINE struct %s %s(void)\n{\n    struct %s x = %s;\n", type, name, type, start);
+    fprintf(e->file, "\nCOR_INLINE_LAW struct %s %s(void)\n{\n    struct %s x = %s;\n", type, name, type, start);
 }
 
 void emit_builder_set(struct emit *e, const char *field, const char *format, ...)

@@ -255,17 +255,26 @@ COR_INLINE struct cor_inline_pair cor_inline_law_exp(struct cor_inline_pair x, i
 
 /* ---- rows ---- */
 
+/* The place of x in a table by octaves */
+COR_INLINE_LAW struct cor_inline_place cor_inline_law_octave(struct cor_inline_law_table table, double x)
+{
+    return cor_inline_place_of(table.rows((int)cor_inline_octaves_row(table.octaves, x)),
+                               cor_inline_octaves_t(table.octaves, x));
+}
+
 /* The row on the grid of a table near 0 */
 COR_INLINE_LAW struct cor_inline_place cor_inline_law_near(struct cor_inline_law_table table, double x)
 {
-    return cor_inline_grid_place(table.grid, cor_inline_root_of(x, table.root), table.rows);
+    const double y = cor_inline_root_of(x, table.root);
+    const int i = cor_inline_grid_row(table.grid, y);
+    return cor_inline_place_of(table.rows(i), cor_inline_grid_t(table.grid, y, i));
 }
 
 /* c_0 and the rest of the row of x = hi + lo by octaves */
 COR_INLINE_LAW struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_law_table table,
                                                                 struct cor_inline_pair x)
 {
-    struct cor_inline_place place = cor_inline_octaves_place(table.octaves, x.hi, table.rows);
+    struct cor_inline_place place = cor_inline_law_octave(table, x.hi);
     place.t += x.lo * cor_inline_power_of_two(-cor_inline_exponent_of(x.hi));
     return cor_inline_pair_of(place.row[0], cor_inline_row(place));
 }
@@ -351,7 +360,7 @@ COR_INLINE_LAW double cor_inline_law_value(struct cor_inline_law_quantity q, dou
     if (cor_inline_below(beta, q.near.end) || beta == 0)
         return cor_inline_row_value(cor_inline_law_near(q.near, beta == 0 ? 0 : beta));
     if (cor_inline_below(beta, q.middle.end))
-        return cor_inline_row_value(cor_inline_octaves_place(q.middle.octaves, beta, q.middle.rows));
+        return cor_inline_row_value(cor_inline_law_octave(q.middle, beta));
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
     int exponent;
@@ -395,7 +404,7 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline
 {
     *exponent = 0;
     if (cor_inline_below(beta, q.middle.end)) {
-        const struct cor_inline_place place = cor_inline_octaves_place(q.middle.octaves, beta, q.middle.rows);
+        const struct cor_inline_place place = cor_inline_law_octave(q.middle, beta);
         return cor_inline_pair_of(place.row[0], cor_inline_row(place));
     }
     if (q.below.kind) {
@@ -530,7 +539,7 @@ COR_INLINE_LAW double cor_inline_law_beta_low(struct cor_inline_law_quantity q, 
                                               double eps)
 {
     if (cor_inline_octaves_hold(inverse.rows.octaves, eps, inverse.rows.end))
-        return cor_inline_row_value(cor_inline_octaves_place(inverse.rows.octaves, eps, inverse.rows.rows));
+        return cor_inline_row_value(cor_inline_law_octave(inverse.rows, eps));
     if (q.threshold.hi > 0)
         return q.threshold.hi;
     if (eps == 0)

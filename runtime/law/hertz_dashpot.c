@@ -1,6 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "cor/hertz_dashpot.h"
 
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+/* Where one function of the evaluator stays a call, a law's constants are copied: five times the time. */
+#ifdef __GNUC__
+#define COR_INLINE static inline __attribute__((always_inline))
+#endif
+
 #include "generated/hertz_dashpot_tables.h"
 
 /* A function of hertz_dashpot.h and its arrays, one number after the other */
