@@ -27,7 +27,7 @@ if(FLINT_FOUND)
       -P ${PROJECT_SOURCE_DIR}/cmake/EvaluatorText.cmake
     DEPENDS ${PROJECT_SOURCE_DIR}/cmake/EvaluatorText.cmake ${PROJECT_SOURCE_DIR}/runtime/core/inline.h
       ${PROJECT_SOURCE_DIR}/runtime/core/exact.h ${PROJECT_SOURCE_DIR}/runtime/core/fifth_root.h
-      ${PROJECT_SOURCE_DIR}/runtime/core/row.h
+      ${PROJECT_SOURCE_DIR}/runtime/core/row.h ${PROJECT_SOURCE_DIR}/runtime/core/law_eval.h
       ${PROJECT_SOURCE_DIR}/runtime/sphere/eval.h
     VERBATIM)
   # the processes of one mpirun share the rows of a sweep, or there is but one process

@@ -3,6 +3,7 @@
 set(COR_GENERATOR_SOURCES
   gen/approximation/function_rows.c
   gen/approximation/interpolant.c
+  gen/approximation/law_layout.c
   gen/approximation/pade.c
   gen/approximation/pade_rounded.c
   gen/approximation/pieces.c
@@ -11,6 +12,7 @@ set(COR_GENERATOR_SOURCES
   gen/cli/disk_collide.c
   gen/cli/disk_modes.c
   gen/cli/embed.c
+  gen/cli/law.c
   gen/cli/options.c
   gen/cli/pade.c
   gen/cli/plan.c
@@ -29,9 +31,14 @@ set(COR_GENERATOR_SOURCES
   gen/embed/header.c
   gen/embed/request.c
   gen/embed/scene.c
+  gen/enclosure/closed_form.c
   gen/enclosure/collision.c
+  gen/enclosure/collision_series.c
+  gen/enclosure/events.c
+  gen/enclosure/motion.c
   gen/enclosure/slow_manifold.c
   gen/enclosure/taylor.c
+  gen/enclosure/threshold.c
   gen/enclosure/wave_factor.c
   gen/hosts/hosts.c
   gen/plan/disks.c
@@ -63,6 +70,7 @@ set(COR_GENERATOR_SOURCES
   gen/tables/disk.c
   gen/tables/law_times.c
   gen/tables/laws.c
+  gen/tables/law_header.c
   gen/tables/limits.c
   gen/tables/pade.c
   gen/tables/sphere.c

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Not in the paper, drawn by paper/run from approach.csv.
-stem = "approach"
-set terminal svg size 960,440 fixed font "DejaVu Sans,13" background "white"
-load "paper/style.gp"
+stem = "approach"; home = "docs/paper"; width = 960; height = 440
+load "docs/style.gp"
 
 # Columns: 1 -log10 of the speed, 2 1 - eps^2 of all modes at a rigid wall, 3 Rayleigh's, 4 2 over 3
 set multiplot layout 1,2 margins 0.08,0.985,0.135,0.91 spacing 0.09
@@ -15,7 +14,7 @@ set title "energy left in the modes, ν = 0.33"
 set logscale y
 set format y "10^{%L}"
 set yrange [3e-6:1e-1]
-set ylabel "of m v^2/2" offset 0.5
+set ylabel "energy (m v^2/2)" offset 0.5
 set key top right
 plot csv using 1:3 skip 1 with lines lw 2.2 lc rgb blue title "Rayleigh, centre of mass", \
      csv using 1:2 skip 1 with points pt 7 ps 0.6 lc rgb black title "all modes, rigid wall"

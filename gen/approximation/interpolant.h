@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Every quantity of the sphere's collision as a function that costs microseconds: polynomials of high degree
- * through enclosed collisions (collision.h). What is cut into pieces, sampled and searched is this.
+/* Every quantity of a law's collision as a function that costs microseconds: polynomials of high degree through
+ * enclosed collisions (collision.h). What is cut into pieces, sampled and searched is this.
  *
- * The samples are enclosed, rounded to 90 bits, 76 in u (proved) and from there on exact, so everything made
- * of them is a matter of arithmetic, the same with every library. Between them the error is sampled:
- * interpolant_check. Variables: z = sqrt(beta) up to beta = 17, in which both ends of contact are analytic, and
- * u = ln(beta) from u = 2 on, where the quantities are powers of beta times functions of mu = beta^(-5/3)
- * and mu ln(beta). */
+ * The samples are enclosed, rounded to the bits of their interval (proved) and from there on exact, so everything made
+ * of them is a matter of arithmetic, the same with every library. Between them the error is sampled: interpolant_check.
+ * A layout says in which variables and intervals: the sphere's, z = sqrt(beta) up to beta = 17, in which both ends of
+ * contact are analytic, and u = ln(beta) from u = 2 on, where the quantities are powers of beta times functions of mu =
+ * beta^(-5/3) and mu ln(beta); or one of any law (law_layout.h). */
 #ifndef COR_GEN_APPROXIMATION_INTERPOLANT_H
 #define COR_GEN_APPROXIMATION_INTERPOLANT_H
+
+#include <stdbool.h>
 
 #include "series/law.h"
 
@@ -30,35 +32,92 @@ enum quantity {
     BETA_QUOTIENT_ZERO_FORCE
 };
 
+/* Sets of the sampled quantities: bit `quantity`. */
+enum {
+    SET_LENGTHS = 1 << MAX_OVERLAP | 1 << TIME_OF_MAX_OVERLAP,
+    SET_ZERO_OVERLAP = 1 << EPS_ZERO_OVERLAP | 1 << DURATION_ZERO_OVERLAP,
+    SET_ZERO_FORCE = 1 << EPS_ZERO_FORCE | 1 << DURATION_ZERO_FORCE,
+    SET_ALL = SET_LENGTHS | SET_ZERO_OVERLAP | SET_ZERO_FORCE
+};
+
+enum interval_variable {
+    INTERVAL_ROOT, /* z = beta^(1/root) */
+    INTERVAL_LOG,  /* u = ln(beta) */
+    INTERVAL_BELOW /* v = ln(beta_c - beta), laws with a threshold beta_c of zero overlap */
+};
+
+/* What is sampled in place of a quantity */
+enum interval_form {
+    FORM_VALUE,
+    FORM_QUOTIENT, /* (1 - eps)/beta for eps */
+    FORM_LOG,      /* ln(eps) for eps, which may fall by many powers of ten */
+    FORM_POWER     /* divided by its power of beta, interpolant_tail_power */
+};
+
+struct interval {
+    enum interval_variable variable;
+    double lo, hi;
+    slong count, bits;
+    enum interval_form form;
+    unsigned set; /* of quantities */
+};
+
+struct interpolant_layout {
+    struct law law;
+    slong root;
+    const struct interval *interval;
+    int intervals;
+    bool far; /* the coefficients beyond the last u are made too */
+};
+
+extern const struct interpolant_layout interpolant_sphere;
+
 struct interpolant;
 
 /* Point j of Chebyshev's n on [-1, 1], ascending, to the accuracy of a double: where to interpolate. */
 double chebyshev_point(slong j, slong n);
 
-/* For arguments between beta_min and beta_max only, INFINITY included: the rest is not computed. NULL after saying on
- * stderr what failed. */
-struct interpolant *interpolant_new(double beta_min, double beta_max);
+/* For arguments between beta_min and beta_max only, INFINITY included: the rest is not computed. The layout must live
+ * as long. NULL after saying on stderr what failed. */
+struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max);
 void interpolant_free(struct interpolant *f);
 
-/* The quantity at z = sqrt(beta), up to beta = 8.25 for those of zero overlap, 17 for the others; (1 - eps)/beta
- * without cancellation. */
+const struct law *interpolant_law(const struct interpolant *f);
+slong interpolant_root(const struct interpolant *f);
+const arb_struct *interpolant_final_speed(const struct interpolant *f); /* v_f where q > 0 */
+const arb_struct *interpolant_threshold(const struct interpolant *f);   /* beta_c, infinite where there is none */
+
+/* The quantity at a place of that variable: one of an interval that samples it. (1 - eps)/beta without cancellation
+ * where eps is near 1. For spheres in z up to beta = 8.25 for those of zero overlap, 17 for the others. */
+void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
+                    const arb_t x, slong prec);
 void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t z, slong prec);
 
-/* The quantity at beta = exp(u) divided by its power of beta, 2 <= u <= 10; not eps at zero overlap, which
- * is h*^5 beta^-5 there. The powers: */
-void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec);
-struct ratio interpolant_tail_power(enum quantity quantity);
+/* The quantity at beta, in whatever variable there is an interval for it. */
+void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t beta, slong prec);
 
-/* An inverse function at an exact x: BETA_... at eps = x, from 2^-13 (zero overlap) or 2^-23.6 (zero force) to 1;
- * BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after saying what failed. */
+/* The quantity at beta = exp(u) divided by its power of beta, where an interval has FORM_POWER; for spheres 2 <= u <=
+ * 10 and not eps at zero overlap, which is h*^5 beta^-5 there. The powers: */
+void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec);
+struct ratio interpolant_tail_power(const struct law *law, enum quantity quantity);
+
+/* The quantity at beta_c - exp(v); for q = 0 the duration times eps^((a-1)/(a+1)), both of zero overlap, which is
+ * regular at beta_c. */
+void interpolant_below(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t v, slong prec);
+
+/* An inverse function at an exact x: BETA_... at eps = x, for spheres from 2^-13 (zero overlap) or 2^-23.6 (zero force)
+ * to 1; BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after saying what failed. */
 int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec);
 
-/* Beyond: coefficients of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2 u^3, which the scaled quantity is up to terms in
- * mu^3. */
+/* Beyond the last u: coefficients of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2 u^3, which the scaled quantity is up to
+ * terms in mu^3, mu = beta^(-(a+1)/(b+1)). The duration at zero overlap of another law than the sphere's is these times
+ * beta^(a/(b+1)) and one more, times beta^((a-1)/n): interpolant_far_fall, 0 where a - b = 1 or n = 1 - a holds it with
+ * the others (docs/derivation.md, 9). */
 enum { INTERPOLANT_FAR = 9 };
 void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity);
+void interpolant_far_fall(arb_t coefficient, const struct interpolant *f);
 
-/* The inverse of eps at zero force there: a; b_0, b_1, b_2; c_0, ..., c_4 of
+/* The inverse of eps at zero force there, spheres: a; b_0, b_1, b_2; c_0, ..., c_4 of
  *
  *     beta = (a/eps)^(3/5) (1 + e (b_0 + ... + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)),     e = eps/a,     v = -(3/5) ln(e)
  *

@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdatomic.h>
-#include <stdbool.h>
 #include <stdlib.h>
 
 #include "support/console.h"
@@ -14,19 +13,19 @@ enum { WORKING_BITS = 320, POINTS = 24 /* where a row's error is sampled */ };
 
 struct cell {
     double node, lo, hi;
-    slong octave; /* of x = beta^5 */
+    slong octave; /* of octaves */
     bool plain;
 };
 
 static bool by_octaves(const struct pieces *p)
 {
-    return p->variable == VARIABLE_POWER || p->variable == VARIABLE_EPS;
+    return p->variable >= VARIABLE_POWER_OCTAVES;
 }
 
-/* Whether y is a root, and the end of the table that of its square */
+/* Whether y is a root, and the end of the table that of its power */
 static bool by_root(const struct pieces *p)
 {
-    return p->variable == VARIABLE_SQRT_BETA || p->variable == VARIABLE_SQRT_LOSS;
+    return p->variable == VARIABLE_ROOT_BETA || p->variable == VARIABLE_ROOT_LOSS;
 }
 
 static struct cell cell_of(const struct pieces *p, slong row)
@@ -34,9 +33,10 @@ static struct cell cell_of(const struct pieces *p, slong row)
     struct cell cell = {.plain = row < p->plain};
     double step = p->step;
     if (by_octaves(p)) {
-        step = 1.0 / PIECES_PER_OCTAVE;
-        cell.octave = (slong)p->first + row / PIECES_PER_OCTAVE;
-        cell.node = 1 + step * ((double)(row % PIECES_PER_OCTAVE) + 0.5);
+        const slong cells = WORD(1) << p->octave_bits;
+        step = 1.0 / (double)cells;
+        cell.octave = (slong)p->first + row / cells;
+        cell.node = 1 + step * ((double)(row % cells) + 0.5);
     } else {
         cell.node = p->first + (double)row * step;
     }
@@ -47,44 +47,60 @@ static struct cell cell_of(const struct pieces *p, slong row)
     return cell;
 }
 
-/* sqrt(beta) at y */
-static void place(arb_t z, const struct pieces *p, const struct cell *cell, const arb_t y)
+/* The root of beta at y, which the interpolant is asked for near beta = 0 */
+static void root_of_beta(arb_t z, const struct pieces *p, const struct interpolant *f, const arb_t y)
 {
-    if (p->variable == VARIABLE_BETA) {
-        arb_sqrt(z, y, WORKING_BITS);
-    } else if (p->variable == VARIABLE_POWER) {
-        arb_mul_2exp_si(z, y, cell->octave);
-        arb_root_ui(z, z, 10, WORKING_BITS);
-    } else {
+    if (p->variable == VARIABLE_ROOT_BETA && p->root == interpolant_root(f)) {
         arb_set(z, y);
+        return;
     }
+    if (p->variable == VARIABLE_ROOT_BETA)
+        arb_pow_ui(z, y, (ulong)p->root, WORKING_BITS);
+    else
+        arb_set(z, y);
+    arb_root_ui(z, z, (ulong)interpolant_root(f), WORKING_BITS);
 }
 
 /* The quantity at a place of a cell. Returns 0, or 1 after saying what failed. */
 static int quantity_at(arb_t value, const struct pieces *p, const struct interpolant *f, const struct cell *cell,
                        const arb_t y)
 {
-    arb_t z;
+    arb_t x;
     int status = STATUS_OK;
-    arb_init(z);
+    arb_init(x);
+    arb_mul_2exp_si(x, y, cell->octave);
     switch (p->variable) {
+    case VARIABLE_BETA:
+    case VARIABLE_ROOT_BETA:
+        root_of_beta(x, p, f, y);
+        interpolant_value(value, f, p->quantity, x, WORKING_BITS);
+        break;
+    case VARIABLE_POWER_OCTAVES: /* beta^5 = z^10 */
+        arb_root_ui(x, x, 10, WORKING_BITS);
+        interpolant_value(value, f, p->quantity, x, WORKING_BITS);
+        break;
     case VARIABLE_LOG_BETA:
-        interpolant_tail(value, f, p->quantity, y, WORKING_BITS);
+    case VARIABLE_LOG_OCTAVES:
+        interpolant_tail(value, f, p->quantity, x, WORKING_BITS);
+        break;
+    case VARIABLE_BETA_OCTAVES:
+        arb_log(x, x, WORKING_BITS);
+        interpolant_at(value, f, p->quantity, INTERVAL_LOG, x, WORKING_BITS);
+        break;
+    case VARIABLE_BELOW_OCTAVES:
+        arb_log(x, x, WORKING_BITS);
+        interpolant_below(value, f, p->quantity, x, WORKING_BITS);
+        break;
+    case VARIABLE_ROOT_LOSS:
+        arb_pow_ui(x, y, (ulong)p->root, WORKING_BITS);
+        status = interpolant_inverse(value, f, p->quantity, x, WORKING_BITS);
         break;
     case VARIABLE_LOSS:
-    case VARIABLE_SQRT_LOSS:
-    case VARIABLE_EPS:
-        if (p->variable == VARIABLE_SQRT_LOSS)
-            arb_sqr(z, y, WORKING_BITS);
-        else
-            arb_mul_2exp_si(z, y, cell->octave);
-        status = interpolant_inverse(value, f, p->quantity, z, WORKING_BITS);
+    case VARIABLE_EPS_OCTAVES:
+        status = interpolant_inverse(value, f, p->quantity, x, WORKING_BITS);
         break;
-    default:
-        place(z, p, cell, y);
-        interpolant_value(value, f, p->quantity, z, WORKING_BITS);
     }
-    arb_clear(z);
+    arb_clear(x);
     return status;
 }
 
@@ -184,12 +200,17 @@ static void row_value(arb_t value, const struct pieces *p, const struct cell *ce
     arb_clear(s);
 }
 
-/* -log2 of the largest relative error found in a cell, or NaN after saying what failed */
-static double bits_reached(const struct pieces *p, const struct interpolant *f, const struct cell *cell,
-                           const double *c)
+/* What samples of a cell show: -log2 of the largest relative error, NaN after saying what failed, and the largest
+ * |row/c_0 - 1|. */
+struct quality {
+    double bits, rest;
+};
+
+static struct quality quality_of(const struct pieces *p, const struct interpolant *f, const struct cell *cell,
+                                 const double *c)
 {
     arb_t y, exact, value;
-    double worst = 0;
+    double worst = 0, rest = 0;
     arb_init(y);
     arb_init(exact);
     arb_init(value);
@@ -198,6 +219,7 @@ static double bits_reached(const struct pieces *p, const struct interpolant *f, 
         if (quantity_at(exact, p, f, cell, y))
             worst = NAN;
         row_value(value, p, cell, c, y);
+        rest = fmax(rest, fabs(arf_get_d(arb_midref(value), ARF_RND_NEAR) / c[0] - 1));
         arb_sub(value, value, exact, WORKING_BITS);
         arb_div(value, value, exact, WORKING_BITS);
         if (!isnan(worst))
@@ -206,7 +228,7 @@ static double bits_reached(const struct pieces *p, const struct interpolant *f, 
     arb_clear(y);
     arb_clear(exact);
     arb_clear(value);
-    return -log2(worst);
+    return (struct quality){-log2(worst), rest};
 }
 
 /* Whether the rows reach as far as the table is used. */
@@ -215,15 +237,22 @@ static bool covers_end(const struct pieces *p)
     const struct cell last = cell_of(p, p->rows - 1);
     if (by_octaves(p))
         return ldexp(last.hi, (int)last.octave) >= p->end;
-    return (by_root(p) ? last.hi * last.hi : last.hi) >= p->end;
+    return (by_root(p) ? pow(last.hi, (double)p->root) : last.hi) >= p->end;
 }
 
 struct cutting {
     struct pieces *p;
     const struct interpolant *f;
-    atomic_bool failed;
+    struct quality *quality; /* of each row */
+    atomic_bool failed, missed;
 };
 
+static bool is_good(const struct pieces *p, struct quality quality)
+{
+    return quality.bits >= p->least_bits && (p->most_rest == 0 || quality.rest <= p->most_rest);
+}
+
+/* Nothing after another row has missed a bound: then the grid is too wide. */
 static void cut_row(void *context, slong row)
 {
     struct cutting *const work = context;
@@ -231,54 +260,147 @@ static void cut_row(void *context, slong row)
     const slong columns = p->degree + 2;
     const struct cell cell = cell_of(p, row);
     arb_ptr exact = p->coefficient + row * columns;
-    double *c = xmalloc((size_t)columns * sizeof *c);
+    double *const c = p->value + row * columns;
+    work->quality[row] = (struct quality){INFINITY, 0};
+    if (atomic_load(&work->failed) || atomic_load(&work->missed))
+        return;
     int status = cut(exact, p, work->f, &cell);
     for (slong k = 0; k < columns && status == STATUS_OK; k++)
         if (!digits_to_double(&c[k], exact + k))
             status = fail("%s, row %ld: coefficient %ld cannot be rounded", p->name, (long)row, (long)k);
     if (status == STATUS_OK) {
-        p->bits[row] = bits_reached(p, work->f, &cell, c);
-        if (!(p->bits[row] >= p->least_bits))
-            status = fail("%s, row %ld reaches %.1f bits, not the %.1f it must", p->name, (long)row, p->bits[row],
-                          p->least_bits);
-    }
-    if (status != STATUS_OK)
+        work->quality[row] = quality_of(p, work->f, &cell, c);
+        p->bits[row] = work->quality[row].bits;
+        if (!is_good(p, work->quality[row]))
+            atomic_store(&work->missed, true);
+    } else {
         atomic_store(&work->failed, true);
-    free(c);
+    }
+}
+
+/* Cuts all rows: STATUS_OK with *good false where one misses a bound, with its number and quality, or STATUS_FAILED. */
+static int cut_rows(struct pieces *p, const struct interpolant *f, bool *good, slong *missed, struct quality *quality)
+{
+    struct cutting work = {.p = p, .f = f, .quality = xmalloc((size_t)p->rows * sizeof *work.quality)};
+    parallel_for(cut_row, &work, p->rows, p->name);
+    *good = !atomic_load(&work.missed);
+    for (slong row = p->rows - 1; row >= 0; row--)
+        if (!is_good(p, work.quality[row])) {
+            *missed = row;
+            *quality = work.quality[row];
+        }
+    free(work.quality);
+    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
+}
+
+static void pieces_allocate(struct pieces *p)
+{
+    const slong numbers = p->rows * (p->degree + 2);
+    p->coefficient = _arb_vec_init(numbers);
+    p->value = xmalloc((size_t)numbers * sizeof *p->value);
+    p->bits = xmalloc((size_t)p->rows * sizeof *p->bits);
 }
 
 int pieces_make(struct pieces *p, const struct interpolant *f)
 {
-    p->coefficient = _arb_vec_init(p->rows * (p->degree + 2));
-    p->bits = xmalloc((size_t)p->rows * sizeof *p->bits);
+    bool good = false;
+    slong row = 0;
+    struct quality quality = {0, 0};
+    pieces_allocate(p);
     if (!covers_end(p))
         return fail("%s: %ld rows do not reach %g", p->name, (long)p->rows, p->end);
-    struct cutting work = {.p = p, .f = f};
-    parallel_for(cut_row, &work, p->rows, p->name);
-    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
+    const int status = cut_rows(p, f, &good, &row, &quality);
+    return status == STATUS_OK && !good ? fail("%s, row %ld reaches %.1f bits, not the %.1f it must", p->name,
+                                               (long)row, quality.bits, p->least_bits)
+                                        : status;
+}
+
+/* As many rows as reach `end` */
+static slong rows_to_end(const struct pieces *p)
+{
+    if (by_octaves(p)) {
+        const int octave = (int)floor(log2(p->end)) - (ldexp(1, (int)floor(log2(p->end))) == p->end);
+        const double part = ldexp(p->end, -octave) - 1; /* 0 < part <= 1 */
+        return (octave - (slong)p->first) * (WORD(1) << p->octave_bits) +
+               (slong)ceil(ldexp(part, (int)p->octave_bits) - 1e-9);
+    }
+    const double y = by_root(p) ? pow(p->end, 1 / (double)p->root) : p->end;
+    return (slong)ceil((y * (1 + 1e-12) - p->first) / p->step - 0.5) + 1;
+}
+
+int pieces_fit(struct pieces *p, const struct interpolant *f)
+{
+    enum { HALVINGS = 8 };
+    for (int i = 0; i < HALVINGS; i++) {
+        bool good = false;
+        slong row = 0;
+        struct quality quality = {0, 0};
+        p->plain = p->rows = rows_to_end(p);
+        pieces_allocate(p);
+        const int status = cut_rows(p, f, &good, &row, &quality);
+        if (status || good)
+            return status;
+        if (i + 1 == HALVINGS)
+            return fail("%s, row %ld of %ld reaches %.1f bits, not the %.1f it must, or varies by %.2g", p->name,
+                        (long)row, (long)p->rows, quality.bits, p->least_bits, quality.rest);
+        pieces_clear(p);
+        p->octave_bits++;
+        p->step /= 2;
+    }
+    return STATUS_FAILED;
 }
 
 void pieces_clear(struct pieces *p)
 {
     _arb_vec_clear(p->coefficient, p->rows * (p->degree + 2));
+    free(p->value);
     free(p->bits);
 }
 
 /* Where the table is used, as its title says it */
 static void domain_text(char text[64], const struct pieces *p)
 {
-    if (p->variable == VARIABLE_POWER)
+    switch (p->variable) {
+    case VARIABLE_POWER_OCTAVES:
         snprintf(text, 64, " by x = beta^5, 2^%g <= x < 2^%g", p->first, log2(p->end));
-    else if (p->variable == VARIABLE_EPS)
+        break;
+    case VARIABLE_EPS_OCTAVES:
         snprintf(text, 64, " by eps, 2^%g <= eps < 2^%g", p->first, log2(p->end));
-    else if (p->variable == VARIABLE_LOSS || p->variable == VARIABLE_SQRT_LOSS)
+        break;
+    case VARIABLE_BETA_OCTAVES:
+        snprintf(text, 64, ", 2^%g <= beta < %g", p->first, p->end);
+        break;
+    case VARIABLE_LOG_OCTAVES:
+        snprintf(text, 64, ", 2^%g <= ln(beta) < %g", p->first, p->end);
+        break;
+    case VARIABLE_BELOW_OCTAVES:
+        snprintf(text, 64, ", 2^%g <= beta_c - beta < 2^%g", p->first, log2(p->end));
+        break;
+    case VARIABLE_LOSS:
+    case VARIABLE_ROOT_LOSS:
         snprintf(text, 64, ", 1 - eps < 1/%g", 1 / p->end);
-    else if (p->variable == VARIABLE_LOG_BETA)
+        break;
+    case VARIABLE_LOG_BETA:
         snprintf(text, 64, ", beta > exp(%g)", p->first - p->step / 2);
-    else if (p->end < 1)
-        snprintf(text, 64, ", beta < 1/%g", 1 / p->end);
+        break;
+    default:
+        snprintf(text, 64, p->end < 1 ? ", beta < 1/%g" : ", beta < %g", p->end < 1 ? 1 / p->end : p->end);
+    }
+}
+
+/* The variable y of the table */
+static void variable_text(char text[64], const struct pieces *p)
+{
+    static const char *const names[] = {
+        "beta",        "beta",     "ln(beta)",  "1 - eps",       "1 - eps",
+        "beta^5 2^-k", "eps 2^-k", "beta 2^-k", "ln(beta) 2^-k", "(beta_c - beta) 2^-k"};
+    const char *const name = names[p->variable];
+    if (!by_root(p) || p->root == 1)
+        snprintf(text, 64, "%s", name);
+    else if (p->root == 2)
+        snprintf(text, 64, "sqrt(%s)", name);
     else
-        snprintf(text, 64, ", beta < %g", p->end);
+        snprintf(text, 64, "(%s)^(1/%ld)", name, (long)p->root);
 }
 
 static void emit_geometry(struct emit *e, const struct pieces *p)
@@ -286,7 +408,7 @@ static void emit_geometry(struct emit *e, const struct pieces *p)
     if (by_octaves(p)) {
         emit_geometry_real(e, p->name, "FIRST", ldexp(1, (int)p->first));
         emit_geometry_integer(e, p->name, "FIRST_OCTAVE", (slong)p->first);
-        emit_geometry_integer(e, p->name, "OCTAVE_BITS", PIECES_OCTAVE_BITS);
+        emit_geometry_integer(e, p->name, "OCTAVE_BITS", p->octave_bits);
     } else {
         emit_geometry_real(e, p->name, "FIRST", p->first);
         emit_geometry_real(e, p->name, "STEP", p->step);
@@ -300,25 +422,23 @@ static void emit_geometry(struct emit *e, const struct pieces *p)
 
 int pieces_emit(struct emit *e, const struct pieces *p)
 {
-    static const char *const variables[] = {"beta",    "sqrt(beta)",    "ln(beta)", "beta^5 2^-k",
-                                            "1 - eps", "sqrt(1 - eps)", "eps 2^-k"};
     double worst = INFINITY;
     for (slong row = 0; row < p->rows; row++)
         worst = fmin(worst, p->bits[row]);
     const struct cell first = cell_of(p, 0), last = cell_of(p, p->rows - 1);
     char grid[96];
     if (by_octaves(p))
-        snprintf(grid, sizeof grid, "%d to each octave k = %ld ... %ld", PIECES_PER_OCTAVE, (long)first.octave,
+        snprintf(grid, sizeof grid, "%ld to each octave k = %ld ... %ld", WORD(1) << p->octave_bits, (long)first.octave,
                  (long)last.octave);
     else
         snprintf(grid, sizeof grid, "nodes %g + i %g, %g <= y <= %g", p->first, p->step, first.lo, last.hi);
-    char domain[64];
+    char domain[64], variable[64];
     domain_text(domain, p);
+    variable_text(variable, p);
     emit_comment(e,
                  "%s%s: %ld rows of degree %ld in y = %s, %s.\n"
                  "Relative error of the approximation: 2^-%.1f at most, sampled at %d places of each row.",
-                 p->title, domain, (long)p->rows, (long)p->degree, variables[p->variable], grid, floor(worst * 10) / 10,
-                 POINTS + 1);
+                 p->title, domain, (long)p->rows, (long)p->degree, variable, grid, floor(worst * 10) / 10, POINTS + 1);
     emit_geometry(e, p);
     emit_rows_open(e, p->name, p->rows, p->degree + 2);
     for (slong row = 0; row < p->rows; row++) {

@@ -10,7 +10,7 @@
 
 static const char *const column[] = {"beta",           "x_max",          "t_max",       "eps_zero_overlap",
                                      "t_zero_overlap", "eps_zero_force", "t_zero_force"};
-enum { COLUMNS = sizeof column / sizeof *column };
+enum { T_MAX = 2, EPS_ZERO_FORCE_COLUMN = 5, COLUMNS = sizeof column / sizeof *column };
 
 static const char *const meaning[COLUMNS] = {
     "damping, the one parameter",  "largest overlap",
@@ -22,21 +22,41 @@ struct problem {
     const struct decimal *beta;
     struct law law;
     slong digits;
+    int end; /* OPTIONS_NOT_GIVEN: both */
 };
+
+/* Whether column i is printed: those of an end that is not asked for are not even computed. */
+static bool is_printed(int i, int end)
+{
+    return i <= T_MAX || end == OPTIONS_NOT_GIVEN || (i >= EPS_ZERO_FORCE_COLUMN) == (end == END_ZERO_FORCE);
+}
+
+static int solve(struct collision *c, const arb_t beta, const struct problem *problem, slong bits)
+{
+    if (problem->end == OPTIONS_NOT_GIVEN || arb_is_zero(beta))
+        return collision_solve(c, beta, &problem->law, bits);
+    return (problem->end == END_ZERO_FORCE ? collision_solve_force : collision_solve_overlap)(c, beta, &problem->law,
+                                                                                              bits);
+}
 
 /* Fills the table, which has one row. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     const struct problem *const problem = arguments;
     profile_step("collision");
-    table_init(table, column, COLUMNS);
+    static const char *printed[COLUMNS];
+    int columns = 0;
+    for (int i = 0; i < COLUMNS; i++)
+        if (is_printed(i, problem->end))
+            printed[columns++] = column[i];
+    table_init(table, printed, columns);
     arb_t beta;
     arb_init(beta);
     /* beta is rounded with extra bits, so that this rounding never decides the accuracy of the result */
     arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
     struct collision collision;
     collision_init(&collision);
-    const int status = collision_solve(&collision, beta, &problem->law, bits);
+    const int status = solve(&collision, beta, problem, bits);
     profile_step("digits");
     const arb_struct *const value[COLUMNS] = {NULL,
                                               collision.x_max,
@@ -47,6 +67,8 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
                                               collision.t_zero_force};
     table_add(table, xstrdup(problem->beta->text));
     for (int i = 1; i < COLUMNS && status == STATUS_OK && !*undecided; i++) {
+        if (!is_printed(i, problem->end))
+            continue;
         char *text = digits_of_ball(value[i], problem->digits);
         if (text)
             table_add(table, text);
@@ -60,14 +82,16 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
 
 static void print_text(FILE *file, const struct table *table)
 {
-    for (int i = 0; i < COLUMNS; i++)
-        fprintf(file, "%-16s  %s  (%s)\n", column[i], table->cell[i], meaning[i]);
+    for (int k = 0; k < table->columns; k++)
+        for (int i = 0; i < COLUMNS; i++)
+            if (table->column[k] == column[i])
+                fprintf(file, "%-16s  %s  (%s)\n", column[i], table->cell[k], meaning[i]);
 }
 
 static int run_collide(const void *arguments)
 {
     const struct collide_arguments *const o = arguments;
-    struct problem problem = {.beta = &o->beta, .digits = o->digits};
+    struct problem problem = {.beta = &o->beta, .digits = o->digits, .end = o->end};
     const int wrong = options_law(&problem.law, &o->law);
     if (wrong)
         return wrong;
@@ -78,9 +102,12 @@ static int run_collide(const void *arguments)
 static const char help[] = "Usage: corgen collide --beta B [OPTION]...\n\n"
                            "Solves x'' + beta sqrt(x) x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1 and prints the largest\n"
                            "overlap, its time, and restitution and duration at both ends of contact.\n\n"
-                           "  --beta B         0 to 1e6, as 0.1, 1.5e-3 or 2/3\n" HELP_DIGITS
+                           "  --beta B         0 to 1e6, as 0.1, 1.5e-3 or 2/3\n"
+                           "  --end E          zero-overlap or zero-force alone: does not wait for the other end\n"
+                           "                   (default: both)\n" HELP_DIGITS
                            "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
-                           "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force.\n"
+                           "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
+                           "with --end those of the other end are missing.\n"
                            "Example: corgen collide --beta 0.1 --digits 30\n";
 
 static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, true, false, "a number from 0 to 1e6"},
@@ -90,13 +117,14 @@ static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, t
 static const struct option_rule options[] = {
     {.name = "beta", .kind = OPTION_REAL, .offset = AT(beta), .range.number = &beta_numbers, .required = true},
     OPTION_DIGITS(struct collide_arguments),
+    OPTION_END(struct collide_arguments, end),
     OPTION_FORMAT(struct collide_arguments, option_formats),
     OPTION_LAW(struct collide_arguments),
     OPTION_COMMON(struct collide_arguments),
     {.name = NULL},
 };
 
-static const struct collide_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS};
+static const struct collide_arguments defaults = {.digits = OPTIONS_DEFAULT_DIGITS, .end = OPTIONS_NOT_GIVEN};
 
 const struct subcommand command_collide = {.name = "collide",
                                            .summary = "one collision to any number of digits",

@@ -37,8 +37,15 @@ struct pade_arguments {
 struct collide_arguments {
     struct option_common common;
     struct decimal beta;
+    int end; /* enum contact_end; OPTIONS_NOT_GIVEN: both */
     slong digits;
     struct option_law law;
+};
+
+struct law_arguments {
+    struct option_common common;
+    struct option_law law;
+    const char *name;
 };
 
 struct disk_modes_arguments {
@@ -76,6 +83,6 @@ struct tables_arguments {
 };
 
 extern const struct subcommand command_trajectory, command_series, command_pade, command_collide, command_disk_modes,
-    command_disk_collide, command_embed, command_plan, command_tables;
+    command_disk_collide, command_embed, command_law, command_plan, command_tables;
 
 #endif

@@ -152,7 +152,7 @@ static int scene_collide(struct embed_scene *s)
     if (overlap)
         parallel_begin(&task, find_limit, &limit);
     if (!overlap || s->beta_min < OVERLAP_FAR) {
-        s->interpolant = interpolant_new(s->beta_min * (1 - 1e-9),
+        s->interpolant = interpolant_new(&interpolant_sphere, s->beta_min * (1 - 1e-9),
                                          overlap ? fmin(s->beta_max, OVERLAP_FAR) : s->beta_max * (1 + 1e-9));
         status = s->interpolant ? STATUS_OK : STATUS_FAILED;
     }

@@ -2,23 +2,41 @@
 #include "enclosure/slow_manifold.h"
 
 #include "enclosure/taylor.h"
+
+#include <math.h>
+
 #include "support/console.h"
 
-/* Upper bound of sum_{n >= first} |p_n| r^n / n^(divide ? 1 : 0). */
-static void abs_tail(arb_t sum, const arb_poly_t p, slong first, const arb_t r, bool divide, slong prec)
+/* Degree of the formal sum. Cut there and taken at y = 1/(2 degree n), half way to the smallest term, it leaves a
+ * defect of exp(-(1 + ln 2) degree), of which GUARD_BITS are room for constants. A law with a small n needs more for
+ * (a-b) y to be small. */
+enum { GUARD_BITS = 24, CLOSING = 4 };
+
+static slong formal_degree(const struct law *law, slong bits)
+{
+    const struct ratio n = law_fall_power(law), slope = ratio_div(ratio_sub(law->a, law->b), n);
+    const double by_bits = (double)(bits + GUARD_BITS) * log(2) / (1 + log(2));
+    const double by_slope = CLOSING * fabs((double)slope.num / (double)slope.den);
+    return (slong)fmax(by_bits, by_slope) + CLOSING;
+}
+
+double slow_manifold_depth(const struct law *law, slong bits)
+{
+    return 2.0 * (double)formal_degree(law, bits);
+}
+
+/* Upper bound of sum_{m >= first} |f_m| y^m. */
+static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, slong prec)
 {
     arb_t term, power;
     arb_init(term);
     arb_init(power);
     arb_zero(sum);
-    arb_pow_ui(power, r, (ulong)first, prec);
-    for (slong n = first; n < p->length; n++) {
-        arb_abs(term, p->coeffs + n);
-        arb_mul(term, term, power, prec);
-        if (divide)
-            arb_div_si(term, term, n, prec);
-        arb_add(sum, sum, term, prec);
-        arb_mul(power, power, r, prec);
+    arb_pow_ui(power, y, (ulong)first, prec);
+    for (slong m = first; m < f->length; m++) {
+        arb_abs(term, f->coeffs + m);
+        arb_addmul(sum, term, power, prec);
+        arb_mul(power, power, y, prec);
     }
     arb_get_ubound_arf(arb_midref(sum), sum, prec);
     mag_zero(arb_radref(sum));
@@ -26,24 +44,56 @@ static void abs_tail(arb_t sum, const arb_poly_t p, slong first, const arb_t r, 
     arb_clear(power);
 }
 
-/* p_0 = 1, p_n = (p^2)_(n-1) (5 - n)/4: order r^n of N(p) = 0, since p p' = (p^2)'/2. */
-static void formal_sum(arb_poly_t p, slong degree, slong prec)
+/* p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2): order y^m of N(p) = 0, since p p' = (p^2)'/2. */
+static void formal_sum(struct slow_manifold *m, slong degree)
 {
-    arb_t c;
+    const struct ratio half_n = ratio_div(m->n, (struct ratio){2, 1});
+    arb_t c, factor;
     arb_init(c);
-    arb_poly_one(p);
-    arb_poly_fit_length(p, degree + 1);
-    for (slong n = 1; n <= degree; n++) {
-        arb_dot(c, NULL, 0, p->coeffs, 1, p->coeffs + n - 1, -1, n, prec);
-        arb_mul_si(c, c, 5 - n, prec);
-        arb_mul_2exp_si(c, c, -2);
-        arb_set(p->coeffs + n, c);
-        _arb_poly_set_length(p, n + 1);
+    arb_init(factor);
+    arb_poly_one(m->p);
+    arb_poly_fit_length(m->p, degree + 1);
+    for (slong k = 1; k <= degree; k++) {
+        arb_dot(c, NULL, 0, m->p->coeffs, 1, m->p->coeffs + k - 1, -1, k, m->prec);
+        arb_set_ratio(factor, ratio_sub(ratio_sub(m->law.a, m->law.b), ratio_mul(half_n, (struct ratio){k - 1, 1})),
+                      m->prec);
+        arb_mul(m->p->coeffs + k, c, factor, m->prec);
+        _arb_poly_set_length(m->p, k + 1);
     }
+    /* Hunt and Crossley's is 1: zeros may stand at its end */
+    _arb_poly_normalise(m->p);
     arb_clear(c);
+    arb_clear(factor);
 }
 
-/* eta at a given radius: what is promised plus four times the defect. */
+/* N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)', which starts at y^(degree+1). */
+static void bound_defect(struct slow_manifold *m, slong degree)
+{
+    const slong prec = m->prec;
+    arb_poly_t square, defect, term;
+    arb_t factor;
+    arb_poly_init(square);
+    arb_poly_init(defect);
+    arb_poly_init(term);
+    arb_init(factor);
+    arb_poly_mul(square, m->p, m->p, prec);
+    arb_set_ratio(factor, ratio_sub(m->law.a, m->law.b), prec);
+    arb_poly_shift_left(defect, square, 1);
+    arb_poly_scalar_mul(defect, defect, factor, prec);
+    arb_poly_sub(defect, defect, m->p, prec);
+    arb_poly_derivative(term, square, prec);
+    arb_poly_shift_left(term, term, 2);
+    arb_set_ratio(factor, ratio_div(m->n, (struct ratio){2, 1}), prec);
+    arb_poly_scalar_mul(term, term, factor, prec);
+    arb_poly_sub(defect, defect, term, prec);
+    abs_tail(m->nu, defect, degree + 1, m->last, prec);
+    arb_poly_clear(square);
+    arb_poly_clear(defect);
+    arb_poly_clear(term);
+    arb_clear(factor);
+}
+
+/* eta: what is promised plus four times the defect. */
 static void eta_of(arb_t eta, const struct slow_manifold *m, slong bits)
 {
     arb_one(eta);
@@ -51,22 +101,109 @@ static void eta_of(arb_t eta, const struct slow_manifold *m, slong bits)
     arb_addmul_si(eta, m->nu, 4, m->prec);
 }
 
-/* One thin trajectory from r1 with slope p down to z = 0, in w = sqrt(z): its end speed and time. */
-static bool fall(arb_t speed, arb_t time, const arb_t r1, const arb_t p, slong prec)
+/* At p = P +- eta the field points inwards if |N(P)| < eta |1 - 2 (a-b) y P - (a-b) y eta + n y^2 P'|. Holds where that
+ * factor is above 1/2, |P| and |P'| by their sums of absolute values; and P > 3/4. */
+static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
 {
-    const struct law *law = &law_sphere;
+    const slong prec = m->prec;
+    arb_poly_t slope;
+    arb_t change, x, factor;
+    arb_poly_init(slope);
+    arb_init(change);
+    arb_init(x);
+    arb_init(factor);
+    abs_tail(change, m->p, 1, m->last, prec); /* |P - 1| */
+    arb_poly_derivative(slope, m->p, prec);
+    abs_tail(x, slope, 0, m->last, prec);
+    arb_mul(x, x, m->last, prec);
+    arb_set_ratio(factor, m->n, prec);
+    arb_mul(x, x, factor, prec); /* n y |P'| */
+
+    arb_add_ui(factor, change, 1, prec);
+    arb_mul_2exp_si(factor, factor, 1);
+    arb_add(factor, factor, eta, prec);
+    arb_t difference;
+    arb_init(difference);
+    arb_set_ratio(difference, ratio_sub(m->law.a, m->law.b), prec);
+    arb_abs(difference, difference);
+    arb_addmul(x, factor, difference, prec);
+    arb_mul(x, x, m->last, prec);
+    arb_mul_2exp_si(x, x, 1);
+    arb_sub_si(x, x, 1, prec);
+    bool closed = arb_is_negative(x);
+    arb_mul_2exp_si(change, change, 2);
+    arb_sub_si(change, change, 1, prec);
+    closed = closed && arb_is_negative(change);
+    arb_poly_clear(slope);
+    arb_clear(change);
+    arb_clear(x);
+    arb_clear(factor);
+    arb_clear(difference);
+    return closed;
+}
+
+/* y^(m - kappa)/(m - kappa), or ln(y) where m = kappa: the integral of y^(m-1-kappa). */
+static void time_power(arb_t x, const struct slow_manifold *m, slong power, const arb_t y)
+{
+    const struct ratio e = ratio_sub((struct ratio){power, 1}, m->kappa);
+    if (e.num == 0) {
+        arb_log(x, y, m->prec);
+        return;
+    }
+    arb_t exponent;
+    arb_init(exponent);
+    arb_set_ratio(exponent, e, m->prec);
+    arb_pow_ratio(x, y, e, m->prec);
+    arb_div(x, x, exponent, m->prec);
+    arb_clear(exponent);
+}
+
+/* 1/P - inverse = (1 - P inverse)/P with |1/P| < 4/3, from y^(degree+1) on, integrated. */
+static void bound_time_error(struct slow_manifold *m, slong degree)
+{
+    arb_poly_t product;
+    arb_t x, n;
+    arb_poly_init(product);
+    arb_init(x);
+    arb_init(n);
+    arb_poly_inv_series(m->inverse, m->p, degree + 1, m->prec);
+    arb_poly_mul(product, m->p, m->inverse, m->prec);
+    arb_zero(m->time_error);
+    for (slong k = degree + 1; k < product->length; k++) {
+        time_power(x, m, k, m->last); /* k > kappa, which is 1 at most */
+        arb_mul(x, x, product->coeffs + k, m->prec);
+        arb_abs(x, x);
+        arb_add(m->time_error, m->time_error, x, m->prec);
+    }
+    arb_set_ratio(n, m->n, m->prec);
+    arb_div(m->time_error, m->time_error, n, m->prec);
+    arb_mul_si(m->time_error, m->time_error, 4, m->prec);
+    arb_div_si(m->time_error, m->time_error, 3, m->prec);
+    arb_poly_clear(product);
+    arb_clear(x);
+    arb_clear(n);
+}
+
+/* One thin trajectory from `last` with slope p down to z = 0: its end speed and time. */
+static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const arb_t p)
+{
+    const struct law *law = &m->law;
+    const struct ratio to_w = ratio_div((struct ratio){-1, law->d}, m->n);
     struct taylor y;
     bool fallen = false, sound = true;
-    arb_t value;
+    arb_t value, zero;
     arb_init(value);
-    taylor_init(&y, law, 1, prec / 3 + 10, prec);
+    arb_init(zero);
+    taylor_init(&y, law, 1, taylor_degree(m->prec), m->prec);
     arb_one(y.c1);
     arb_one(y.c2);
-    arb_inv(y.w, r1, prec);
-    arb_sqr(y.v, y.w, prec);
-    arb_mul(y.v, y.v, p, prec);
+    arb_pow_ratio(y.w, m->last, to_w, m->prec); /* w = z^(1/d), z = y^(-1/n) */
+    arb_pow_ui(y.v, y.w, (ulong)FLINT_ABS(law->ad - law->bd), m->prec);
+    if (law->ad < law->bd)
+        arb_inv(y.v, y.v, m->prec);
+    arb_mul(y.v, y.v, p, m->prec);
     arb_neg(y.v, y.v);
-    for (slong step = 0; sound && !fallen; step++) {
+    for (slong step = 0; step < TAYLOR_MAX_STEPS && sound && !fallen; step++) {
         progress("fall along the slow manifold", step, 0);
         taylor_expand(&y);
         sound = taylor_choose_step(&y);
@@ -76,7 +213,7 @@ static bool fall(arb_t speed, arb_t time, const arb_t r1, const arb_t p, slong p
         if (arb_is_positive(value)) {
             taylor_advance(&y, y.step);
         } else if (arb_is_negative(value)) {
-            fallen = taylor_root(value, &y, TAYLOR_W, y.step);
+            fallen = taylor_root(value, &y, TAYLOR_W, zero, y.step);
             sound = fallen;
         } else {
             sound = false;
@@ -89,92 +226,62 @@ static bool fall(arb_t speed, arb_t time, const arb_t r1, const arb_t p, slong p
     }
     taylor_clear(&y);
     arb_clear(value);
+    arb_clear(zero);
     return fallen;
 }
 
-bool slow_manifold_init(struct slow_manifold *m, slong bits, slong prec)
+/* -z' as a function of z obeys a scalar equation, so trajectories keep their order: the two edges enclose all between,
+ * and the fall draws them together. A faster one takes less time. */
+static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
 {
-    arb_poly_t square, defect, term;
-    arb_t x, eta, low, high, t_low, t_high;
+    arb_t middle, edge, speed, time;
+    arb_init(middle);
+    arb_init(edge);
+    arb_init(speed);
+    arb_init(time);
+    arb_poly_evaluate(middle, m->p, m->last, m->prec);
+    arb_sub(edge, middle, eta, m->prec);
+    bool closed = fall(m->final_speed, m->t_fall, m, edge);
+    arb_add(edge, middle, eta, m->prec);
+    closed = closed && fall(speed, time, m, edge);
+    arb_union(m->final_speed, m->final_speed, speed, m->prec);
+    arb_union(m->t_fall, m->t_fall, time, m->prec);
+    arb_clear(middle);
+    arb_clear(edge);
+    arb_clear(speed);
+    arb_clear(time);
+    return closed;
+}
+
+bool slow_manifold_init(struct slow_manifold *m, const struct law *law, slong bits, slong prec)
+{
+    const slong degree = formal_degree(law, bits);
+    arb_t eta;
+    m->law = *law;
+    m->n = law_fall_power(law);
+    m->kappa = ratio_div(ratio_add(ratio_sub(law->b, law->a), (struct ratio){1, 1}), m->n);
+    m->prec = prec;
     arb_poly_init(m->p);
     arb_poly_init(m->inverse);
-    arb_init(m->r1);
+    arb_init(m->last);
     arb_init(m->nu);
-    arb_init(m->inverse_error);
-    arb_init(m->h_star_5);
+    arb_init(m->time_error);
+    arb_init(m->final_speed);
     arb_init(m->t_fall);
-    m->prec = prec;
-    arb_poly_init(square);
-    arb_poly_init(defect);
-    arb_poly_init(term);
-    arb_init(x);
     arb_init(eta);
-    arb_init(low);
-    arb_init(high);
-    arb_init(t_low);
-    arb_init(t_high);
 
-    /* Cut at n = 1/r1, half way to the smallest term: the defect is about exp(-(1 + ln 2)/r1). */
-    const slong degree = (slong)(0.415 * (double)(bits + 24)) + 4;
-    formal_sum(m->p, degree, prec);
-    arb_set_si(m->r1, degree);
-    arb_inv(m->r1, m->r1, prec);
-    arb_get_mid_arb(m->r1, m->r1);
-
-    /* N(P) = 1 - P + r P^2 - r^2 (P^2)'/4 starts at r^(degree+1). */
-    arb_poly_mul(square, m->p, m->p, prec);
-    arb_poly_shift_left(defect, square, 1);
-    arb_poly_sub(defect, defect, m->p, prec);
-    arb_poly_derivative(term, square, prec);
-    arb_poly_shift_left(term, term, 2);
-    arb_poly_scalar_mul_2exp_si(term, term, -2);
-    arb_poly_sub(defect, defect, term, prec);
-    abs_tail(m->nu, defect, degree + 1, m->r1, false, prec);
-
-    /* At p = P +- eta the field points inwards if |N(P)| < eta |1 - 2 r P - r eta + r^2 P'/2|; |P|, |P'| r by
-     * their sums of absolute values. That factor is above 1/2 and P above 3/4 for the r1 in use. */
+    formal_sum(m, degree);
+    arb_set_ratio(m->last, ratio_mul(m->n, (struct ratio){2 * degree, 1}), prec);
+    arb_inv(m->last, m->last, prec);
+    arb_get_mid_arb(m->last, m->last);
+    bound_defect(m, degree);
     eta_of(eta, m, bits);
-    abs_tail(low, m->p, 1, m->r1, false, prec);
-    arb_poly_derivative(term, m->p, prec);
-    abs_tail(high, term, 0, m->r1, false, prec);
-    arb_mul(high, high, m->r1, prec);
-    arb_mul_2exp_si(x, low, 1);
-    arb_add(x, x, high, prec);
-    arb_add(x, x, eta, prec);
-    arb_add_si(x, x, 2, prec);
-    arb_mul(x, x, m->r1, prec);
-    arb_mul_2exp_si(x, x, 1);
-    arb_sub_si(x, x, 1, prec);
-    bool closed = arb_is_negative(x);
-    arb_mul_2exp_si(x, low, 2);
-    arb_sub_si(x, x, 1, prec);
-    closed = closed && arb_is_negative(x);
-
+    bool closed = tube_is_closed(m, eta);
     if (closed) {
-        arb_poly_inv_series(m->inverse, m->p, degree + 1, prec);
-        /* 1/P - inverse = (1 - P inverse)/P, |1/P| < 4/3, times 2/r and integrated */
-        arb_poly_mul(term, m->p, m->inverse, prec);
-        abs_tail(m->inverse_error, term, degree + 1, m->r1, true, prec);
-        arb_mul_si(m->inverse_error, m->inverse_error, 3, prec);
-
-        /* -z' as a function of z obeys a scalar equation, so trajectories keep their order: the two edges
-         * enclose all between, and the fall draws them together. A faster one takes less time. */
-        arb_poly_evaluate(x, m->p, m->r1, prec);
-        arb_sub(low, x, eta, prec);
-        arb_add(high, x, eta, prec);
-        closed = fall(m->h_star_5, t_low, m->r1, low, prec) && fall(x, t_high, m->r1, high, prec);
-        arb_union(m->h_star_5, m->h_star_5, x, prec);
-        arb_union(m->t_fall, t_low, t_high, prec);
+        bound_time_error(m, degree);
+        closed = enclose_fall(m, eta);
     }
-    arb_poly_clear(square);
-    arb_poly_clear(defect);
-    arb_poly_clear(term);
-    arb_clear(x);
     arb_clear(eta);
-    arb_clear(low);
-    arb_clear(high);
-    arb_clear(t_low);
-    arb_clear(t_high);
     return closed;
 }
 
@@ -182,56 +289,64 @@ void slow_manifold_clear(struct slow_manifold *m)
 {
     arb_poly_clear(m->p);
     arb_poly_clear(m->inverse);
-    arb_clear(m->r1);
+    arb_clear(m->last);
     arb_clear(m->nu);
-    arb_clear(m->inverse_error);
-    arb_clear(m->h_star_5);
+    arb_clear(m->time_error);
+    arb_clear(m->final_speed);
     arb_clear(m->t_fall);
 }
 
-bool slow_manifold_reached(const struct slow_manifold *m, const arb_t r, const arb_t p, slong bits)
+bool slow_manifold_reached(const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits)
 {
     arb_t x, bound;
+    if (!arb_lt(y, m->last))
+        return false;
     arb_init(x);
     arb_init(bound);
-    arb_poly_evaluate(x, m->p, r, m->prec);
+    arb_poly_evaluate(x, m->p, y, m->prec);
     arb_sub(x, x, p, m->prec);
     arb_abs(x, x);
     arb_one(bound);
     arb_mul_2exp_si(bound, bound, -bits);
-    const bool reached = arb_lt(r, m->r1) && arb_lt(x, bound);
+    const bool reached = arb_lt(x, bound);
     arb_clear(x);
     arb_clear(bound);
     return reached;
 }
 
-bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t r, const arb_t p, slong bits)
+bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits)
 {
-    arb_poly_t rest;
-    arb_t x, eta;
-    if (!slow_manifold_reached(m, r, p, bits))
+    arb_t x, n, eta;
+    if (!slow_manifold_reached(m, y, p, bits))
         return false;
-    arb_poly_init(rest);
     arb_init(x);
+    arb_init(n);
     arb_init(eta);
-    /* int_r^r1 2 (inverse - 1)/r dr + 2 ln(r1/r) */
-    arb_poly_shift_right(rest, m->inverse, 1);
-    arb_poly_integral(rest, rest, m->prec);
-    arb_poly_evaluate(time, rest, m->r1, m->prec);
-    arb_poly_evaluate(x, rest, r, m->prec);
-    arb_sub(time, time, x, m->prec);
-    arb_div(x, m->r1, r, m->prec);
-    arb_log(x, x, m->prec);
-    arb_add(time, time, x, m->prec);
-    arb_mul_2exp_si(time, time, 1);
-    arb_add_error(time, m->inverse_error);
-    /* |1/p - 1/P| <= eta/(3/4 - eta)^2 < 2 eta, times 2 ln(r1/r) */
+    arb_set_ratio(n, m->n, m->prec);
+    /* sum_k inverse_k [y^(k-kappa)/(k-kappa)]/n from y to `last` */
+    arb_zero(time);
+    for (slong k = 0; k < m->inverse->length; k++) {
+        time_power(x, m, k, m->last);
+        arb_addmul(time, x, m->inverse->coeffs + k, m->prec);
+        time_power(x, m, k, y);
+        arb_submul(time, x, m->inverse->coeffs + k, m->prec);
+    }
+    arb_div(time, time, n, m->prec);
+    arb_add_error(time, m->time_error);
+    /* |1/p - 1/P| <= eta/(3/4 - eta)^2 < 2 eta, integrated like the term of degree 0 */
     eta_of(eta, m, bits);
-    arb_mul(x, x, eta, m->prec);
-    arb_mul_2exp_si(x, x, 2);
-    arb_add_error(time, x);
-    arb_poly_clear(rest);
+    time_power(x, m, 0, m->last);
+    arb_mul(eta, eta, x, m->prec);
+    eta_of(n, m, bits);
+    time_power(x, m, 0, y);
+    arb_submul(eta, n, x, m->prec);
+    arb_set_ratio(n, m->n, m->prec);
+    arb_div(eta, eta, n, m->prec);
+    arb_mul_2exp_si(eta, eta, 1);
+    arb_abs(eta, eta);
+    arb_add_error(time, eta);
     arb_clear(x);
+    arb_clear(n);
     arb_clear(eta);
     return true;
 }

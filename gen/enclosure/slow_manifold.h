@@ -1,40 +1,45 @@
 /* SPDX-License-Identifier: MIT */
-/* Unloading at strong damping, spheres only: z'' + sqrt(z) z' + z^(3/2) = 0 falls onto a slow manifold.
+/* Unloading at strong damping, laws with n = 2b - a + 1 > 0: z'' + z^b z' + z^a = 0 falls onto a slow manifold.
  *
- * With x = beta^-4 z, t = beta t', p = -z'/z and r = z^(-1/2), the fall is
+ * With x = beta^(-2/n) z, time in beta^((a-1)/n), p = -z'/z^(a-b) and y = z^-n the fall is (docs/derivation.md, 9)
  *
- *   N(p) = 1 - p + r p^2 - r^2 p p'/2 = 0,   dt' = 2 dr/(r p),   p = 1 + r + 3/2 r^2 + ...,
+ *   N(p) = 1 - p + (a-b) y p^2 - n y^2 p dp/dy = 0,    dt' = dy/(n y^(1+kappa) p),   kappa = (b-a+1)/n,
  *
- * a divergent series with terms about n! (-r/2)^n. Where a formal sum P leaves |N(P)| <= nu, every trajectory
- * that is within eta >= 4 nu of P stays there, so times and end speeds are enclosed without integrating the
- * stiff part. */
+ * a divergent series p = 1 + (a-b) y + ... with terms about m! (-n y)^m. Where a formal sum P leaves |N(P)| <= nu,
+ * every trajectory that is within eta >= 4 nu of P stays there, so times and end speeds are enclosed without
+ * integrating the stiff part. */
 #ifndef COR_GEN_ENCLOSURE_SLOW_MANIFOLD_H
 #define COR_GEN_ENCLOSURE_SLOW_MANIFOLD_H
 
-#include "support/flint.h"
-
 #include <stdbool.h>
 
+#include "series/law.h"
+
 struct slow_manifold {
-    arb_poly_t p;        /* the formal sum, degree about 1/r1 */
-    arb_poly_t inverse;  /* the formal sum of 1/p */
-    arb_t r1;            /* everything below holds for 0 < r <= r1 */
-    arb_t nu;            /* bound of |N(P)| */
-    arb_t inverse_error; /* bound of the integral of |1/P - inverse| 2/r over (0, r1] */
+    struct law law;
+    struct ratio n, kappa;
     slong prec;
-    arb_t h_star_5; /* end speed of every trajectory within eta at r1: beta^5 eps */
-    arb_t t_fall;   /* its time t' from r1 to z = 0 */
+    arb_poly_t p;       /* the formal sum */
+    arb_poly_t inverse; /* the formal sum of 1/p */
+    arb_t last;         /* everything below holds for 0 < y <= last */
+    arb_t nu;           /* bound of |N(P)| */
+    arb_t time_error;   /* bound of the integral of |1/P - inverse|/(n y^(1+kappa)) over (0, last] */
+    arb_t final_speed;  /* of every trajectory within eta at `last`, where z = 0: v_f = lim beta^(1/q) eps */
+    arb_t t_fall;       /* its time t' from `last` to z = 0 */
 };
 
-/* Chooses r1 so that eta is below 2^-bits. False where the enclosure did not close at this precision. */
-bool slow_manifold_init(struct slow_manifold *m, slong bits, slong prec);
+/* Chooses `last` so that eta is below 2^(1-bits). False where the enclosure did not close at this precision. */
+bool slow_manifold_init(struct slow_manifold *m, const struct law *law, slong bits, slong prec);
 void slow_manifold_clear(struct slow_manifold *m);
 
-/* Time t' from r to r1 for a trajectory that passes r < r1 with the given p; false where p is not within
- * 2^-bits of the formal sum. */
-bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t r, const arb_t p, slong bits);
+/* 1/(n last), which the fall from `last` forgets its past by: exp(-depth). */
+double slow_manifold_depth(const struct law *law, slong bits);
 
-/* |p - P(r)| < 2^-bits, certainly. */
-bool slow_manifold_reached(const struct slow_manifold *m, const arb_t r, const arb_t p, slong bits);
+/* Time t' from y to `last` for a trajectory that passes y < last with the given p; false where p is not within
+ * 2^-bits of the formal sum. */
+bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits);
+
+/* |p - P(y)| < 2^-bits, certainly. */
+bool slow_manifold_reached(const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits);
 
 #endif

@@ -4,15 +4,19 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Norms and remainders are wanted to a few digits. */
-#define NORM_BITS 40
-/* A step is about the radius of convergence times 2^-STEP_BITS: every term is worth that many bits. Cost goes
- * like 2^q/q^2, least near q = 3. */
-#define STEP_BITS 3
+enum {
+    /* Norms and remainders are needed to a few digits only. */
+    NORM_BITS = 40,
+    /* A step is about 2^-STEP_BITS of the radius of convergence, so every term gains STEP_BITS bits. N = prec/STEP_BITS
+     * terms cost about N^2 products, and there are about 2^STEP_BITS steps to a radius: 2^q/q^2 is least near q = 3. */
+    STEP_BITS = 3,
+    /* The Lipschitz constant holds in a tube of this relative width around the polynomials. */
+    TUBE_BITS = 10
+};
 
 struct taylor_power {
     slong exponent;
-    int left, right; /* nodes multiplied; -1: w itself */
+    int left, right; /* nodes of the two factors */
     arb_ptr c;       /* jets x (degree + 1) */
 };
 
@@ -26,11 +30,11 @@ static arb_ptr block_new(const struct taylor *y)
     return _arb_vec_init(y->jets * stride(y));
 }
 
-/* Node of w^exponent, made with its factors where it is not there yet: -1 for w. */
+/* Node of w^exponent, exponent > 0, made with its factors where it is not there yet. */
 static int power_node(struct taylor *y, slong exponent)
 {
     if (exponent == 1)
-        return -1;
+        return TAYLOR_NODE_W;
     for (int i = 0; i < y->powers; i++)
         if (y->power[i].exponent == exponent)
             return i;
@@ -40,17 +44,15 @@ static int power_node(struct taylor *y, slong exponent)
     return y->powers++;
 }
 
-/* Nodes are numbered from 0, w is -1 and the number 1 is ONE. */
-enum { NODE_ONE = -2 };
-
 static int node_of(struct taylor *y, slong exponent)
 {
-    return exponent == 0 ? NODE_ONE : power_node(y, exponent);
+    return exponent == 0 ? TAYLOR_NODE_ONE : power_node(y, exponent);
 }
 
+/* Of any node but TAYLOR_NODE_ONE. */
 static arb_ptr node_block(const struct taylor *y, int node)
 {
-    return node == -1 ? y->w : y->power[node].c;
+    return node == TAYLOR_NODE_W ? y->w : y->power[node].c;
 }
 
 void taylor_init(struct taylor *y, const struct law *law, slong jets, slong degree, slong prec)
@@ -143,18 +145,18 @@ static void add_scaled(arb_ptr out, arb_srcptr c, arb_srcptr f, slong n, const s
                 arb_addmul(out + l * size + n, c + p, f + (l - p) * size + n, y->prec);
 }
 
-static void make_force(struct taylor *y, slong n)
+static void force_coefficient(struct taylor *y, slong n)
 {
     const slong size = stride(y);
     for (slong l = 0; l < y->jets; l++)
         arb_zero(y->force + l * size + n);
-    if (y->node_damping == NODE_ONE) {
+    if (y->node_damping == TAYLOR_NODE_ONE) {
         add_scaled(y->force, y->c1, y->v, n, y);
     } else {
         convolve(y->damped, node_block(y, y->node_damping), y->v, n, y);
         add_scaled(y->force, y->c1, y->damped, n, y);
     }
-    if (y->node_elastic != NODE_ONE)
+    if (y->node_elastic != TAYLOR_NODE_ONE)
         add_scaled(y->force, y->c2, node_block(y, y->node_elastic), n, y);
     else if (n == 0)
         for (slong l = 0; l < y->jets; l++)
@@ -167,15 +169,15 @@ void taylor_expand(struct taylor *y)
     for (slong n = 0; n < y->degree; n++) {
         for (int i = 0; i < y->powers; i++)
             convolve(y->power[i].c, node_block(y, y->power[i].left), node_block(y, y->power[i].right), n, y);
-        make_force(y, n);
-        if (y->node_outer != NODE_ONE)
+        force_coefficient(y, n);
+        if (y->node_outer != TAYLOR_NODE_ONE)
             convolve(y->product, node_block(y, y->node_outer), y->force, n, y);
         for (slong l = 0; l < y->jets; l++) {
             const slong at = l * size + n;
-            arb_srcptr g = y->node_outer == NODE_ONE ? y->force : y->product;
+            arb_srcptr g = y->node_outer == TAYLOR_NODE_ONE ? y->force : y->product;
             arb_div_si(y->w + at + 1, y->v + at, y->law.d * (n + 1), y->prec);
             arb_div_si(y->v + at + 1, g + at, -(n + 1), y->prec);
-            if (y->node_t == NODE_ONE)
+            if (y->node_t == TAYLOR_NODE_ONE)
                 arb_set_si(y->t + at + 1, n == 0 && l == 0 ? 1 : 0);
             else
                 arb_div_si(y->t + at + 1, node_block(y, y->node_t) + at, n + 1, y->prec);
@@ -183,52 +185,34 @@ void taylor_expand(struct taylor *y)
     }
 }
 
-/* Norms of the coefficients of a component times h^n, as a polynomial with upper bounds for coefficients. */
-static void norm_poly(arb_poly_t p, arb_srcptr f, const struct taylor *y, const arb_t h)
+/* sum_n |f_n| r^n over n = first..degree, |f_n| the norm over the jets: upper bound. */
+static void component_norm(mag_t norm, arb_srcptr f, slong first, const struct taylor *y, const mag_t r)
 {
     const slong size = stride(y);
-    mag_t norm, term, power, mh;
-    mag_init(norm);
+    mag_t jet_norm, term;
+    mag_init(jet_norm);
     mag_init(term);
-    mag_init(power);
-    mag_init(mh);
-    arb_get_mag(mh, h);
-    mag_one(power);
-    arb_poly_fit_length(p, size);
-    for (slong n = 0; n < size; n++) {
-        mag_zero(norm);
+    mag_zero(norm);
+    for (slong n = y->degree; n >= 0; n--) {
+        mag_mul(norm, norm, r);
+        if (n < first)
+            continue;
+        mag_zero(jet_norm);
         for (slong l = y->jets - 1; l >= 0; l--) {
-            mag_mul(norm, norm, y->weight);
+            mag_mul(jet_norm, jet_norm, y->weight);
             arb_get_mag(term, f + l * size + n);
-            mag_add(norm, norm, term);
+            mag_add(jet_norm, jet_norm, term);
         }
-        mag_mul(norm, norm, power);
-        arf_set_mag(arb_midref(p->coeffs + n), norm);
-        mag_zero(arb_radref(p->coeffs + n));
-        mag_mul(power, power, mh);
+        mag_add(norm, norm, jet_norm);
     }
-    _arb_poly_set_length(p, size);
-    _arb_poly_normalise(p);
-    mag_clear(norm);
+    mag_clear(jet_norm);
     mag_clear(term);
-    mag_clear(power);
-    mag_clear(mh);
 }
 
-/* Upper bound of the sum of coefficients from `first` on. */
-static void tail_sum(arb_t sum, const arb_poly_t p, slong first)
+static void arb_set_mag_upper(arb_t y, const mag_t m)
 {
-    mag_t m, term;
-    mag_init(m);
-    mag_init(term);
-    for (slong n = p->length - 1; n >= first; n--) {
-        arb_get_mag(term, p->coeffs + n);
-        mag_add(m, m, term);
-    }
-    arf_set_mag(arb_midref(sum), m);
-    mag_zero(arb_radref(sum));
-    mag_clear(m);
-    mag_clear(term);
+    arf_set_mag(arb_midref(y), m);
+    mag_zero(arb_radref(y));
 }
 
 static void parameter_norm(arb_t norm, arb_srcptr c, const struct taylor *y)
@@ -241,8 +225,7 @@ static void parameter_norm(arb_t norm, arb_srcptr c, const struct taylor *y)
         arb_get_mag(term, c + l);
         mag_add(m, m, term);
     }
-    arf_set_mag(arb_midref(norm), m);
-    mag_zero(arb_radref(norm));
+    arb_set_mag_upper(norm, m);
     mag_clear(m);
     mag_clear(term);
 }
@@ -259,109 +242,240 @@ static void monomial(arb_t y, slong k, const arb_t c, const arb_t M, slong e)
     arb_mul_si(y, y, k, NORM_BITS);
 }
 
-/* The polynomials p of degree N solve the equations up to residuals whose norms on [0, h] are the tails of the
- * products from sigma^N on. By Gronwall's inequality the exact solution is within
- * max(kappa r_w, r_v) h exp(L h) of them, in the norm max(kappa |e_w|, |e_v|), as long as that stays inside the
- * tube on which L bounds the derivatives. */
+/* The proof of one step on [0, h] in the norm max(kappa |e_w|, |e_v|), e the distance of the exact solution from the
+ * polynomials: docs/derivation.md, 6, equations (6.2) to (6.5). */
+struct step_proof {
+    const struct taylor *y;
+    mag_t h_mag;
+    arb_t h;
+    arb_t c1, c2;                             /* |c1|, |c2| */
+    arb_t w_max, v_max;                       /* of |w| and |v| in the tube */
+    arb_t residual_w, residual_v, residual_t; /* of the three equations of motion */
+    arb_t kappa, lipschitz;                   /* weight of e_w; L */
+    arb_t error_w, error_v, error_t;          /* what is proved */
+};
+
+static void step_proof_init(struct step_proof *p, const struct taylor *y, const arb_t h)
+{
+    p->y = y;
+    mag_init(p->h_mag);
+    arb_get_mag(p->h_mag, h);
+    arb_init(p->h);
+    arb_set_mag_upper(p->h, p->h_mag);
+    arb_init(p->c1);
+    arb_init(p->c2);
+    arb_init(p->w_max);
+    arb_init(p->v_max);
+    arb_init(p->residual_w);
+    arb_init(p->residual_v);
+    arb_init(p->residual_t);
+    arb_init(p->kappa);
+    arb_init(p->lipschitz);
+    arb_init(p->error_w);
+    arb_init(p->error_v);
+    arb_init(p->error_t);
+    parameter_norm(p->c1, y->c1, y);
+    parameter_norm(p->c2, y->c2, y);
+}
+
+static void step_proof_clear(struct step_proof *p)
+{
+    mag_clear(p->h_mag);
+    arb_clear(p->h);
+    arb_clear(p->c1);
+    arb_clear(p->c2);
+    arb_clear(p->w_max);
+    arb_clear(p->v_max);
+    arb_clear(p->residual_w);
+    arb_clear(p->residual_v);
+    arb_clear(p->residual_t);
+    arb_clear(p->kappa);
+    arb_clear(p->lipschitz);
+    arb_clear(p->error_w);
+    arb_clear(p->error_v);
+    arb_clear(p->error_t);
+}
+
+/* (6.2) at one radius R > h: the products' terms from sigma^N on are below (h/R)^N times the products' norms at R. */
+static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_proof *p, double ratio)
+{
+    const struct law *law = &p->y->law;
+    mag_t R, norm;
+    arb_t w, v, shrink, one, term;
+    mag_init(R);
+    mag_init(norm);
+    arb_init(w);
+    arb_init(v);
+    arb_init(shrink);
+    arb_init(one);
+    arb_init(term);
+    mag_set_d(R, ratio);
+    mag_mul(R, R, p->h_mag); /* above ratio h */
+    component_norm(norm, p->y->w, 0, p->y, R);
+    arb_set_mag_upper(w, norm);
+    component_norm(norm, p->y->v, 0, p->y, R);
+    arb_set_mag_upper(v, norm);
+    arb_set_d(shrink, ratio);
+    arb_pow_ui(shrink, shrink, (ulong)p->y->degree, NORM_BITS);
+    arb_one(one);
+
+    monomial(residual_t, 1, one, w, law->d - 1);
+    arb_div(residual_t, residual_t, shrink, NORM_BITS);
+    monomial(residual_v, 1, p->c1, w, law->d - 1 + law->bd);
+    arb_mul(residual_v, residual_v, v, NORM_BITS);
+    monomial(term, 1, p->c2, w, law->d - 1 + law->ad);
+    arb_add(residual_v, residual_v, term, NORM_BITS);
+    arb_div(residual_v, residual_v, shrink, NORM_BITS);
+    mag_clear(R);
+    mag_clear(norm);
+    arb_clear(w);
+    arb_clear(v);
+    arb_clear(shrink);
+    arb_clear(one);
+    arb_clear(term);
+}
+
+/* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
+ * radius is right; the best is a little inside the radius of convergence, 2^STEP_BITS h. */
+static void residuals(struct step_proof *p)
+{
+    enum { PER_OCTAVE = 4 };
+    mag_t norm;
+    arb_t residual_v, residual_t;
+    mag_init(norm);
+    arb_init(residual_v);
+    arb_init(residual_t);
+    component_norm(norm, p->y->v, p->y->degree, p->y, p->h_mag);
+    arb_set_mag_upper(p->residual_w, norm);
+    arb_div_si(p->residual_w, p->residual_w, p->y->law.d, NORM_BITS);
+    arb_pos_inf(p->residual_v);
+    arb_pos_inf(p->residual_t);
+    for (int i = PER_OCTAVE; i <= (STEP_BITS + 1) * PER_OCTAVE; i++) {
+        residuals_at(residual_v, residual_t, p, exp2((double)i / PER_OCTAVE));
+        arb_min(p->residual_v, p->residual_v, residual_v, NORM_BITS);
+        arb_min(p->residual_t, p->residual_t, residual_t, NORM_BITS);
+    }
+    mag_clear(norm);
+    arb_clear(residual_v);
+    arb_clear(residual_t);
+}
+
+/* The tube around the polynomials: their norms times 1 + 2^-TUBE_BITS. */
+static void tube(struct step_proof *p)
+{
+    mag_t norm;
+    arb_t wider;
+    mag_init(norm);
+    arb_init(wider);
+    arb_one(wider);
+    arb_mul_2exp_si(wider, wider, -TUBE_BITS);
+    arb_add_ui(wider, wider, 1, NORM_BITS);
+    component_norm(norm, p->y->w, 0, p->y, p->h_mag);
+    arb_set_mag_upper(p->w_max, norm);
+    arb_mul(p->w_max, p->w_max, wider, NORM_BITS);
+    component_norm(norm, p->y->v, 0, p->y, p->h_mag);
+    arb_set_mag_upper(p->v_max, norm);
+    arb_mul(p->v_max, p->v_max, wider, NORM_BITS);
+    mag_clear(norm);
+    arb_clear(wider);
+}
+
+/* (6.3): L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 is right;
+ * sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
+static void lipschitz(struct step_proof *p)
+{
+    const struct law *law = &p->y->law;
+    const slong d = law->d, ad = law->ad, bd = law->bd;
+    arb_t by_w, by_v, term;
+    arb_init(by_w);
+    arb_init(by_v);
+    arb_init(term);
+
+    monomial(by_w, d - 1 + bd, p->c1, p->w_max, d - 2 + bd);
+    arb_mul(by_w, by_w, p->v_max, NORM_BITS);
+    monomial(term, d - 1 + ad, p->c2, p->w_max, d - 2 + ad);
+    arb_add(by_w, by_w, term, NORM_BITS);
+    monomial(by_v, 1, p->c1, p->w_max, d - 1 + bd);
+
+    arb_mul_si(p->kappa, by_w, d, NORM_BITS);
+    arb_sqrt(p->kappa, p->kappa, NORM_BITS);
+    arb_get_mid_arb(p->kappa, p->kappa);
+    if (!arb_is_positive(p->kappa))
+        arb_one(p->kappa);
+    arb_div(p->lipschitz, by_w, p->kappa, NORM_BITS);
+    arb_add(p->lipschitz, p->lipschitz, by_v, NORM_BITS);
+    arb_div_si(term, p->kappa, d, NORM_BITS);
+    arb_max(p->lipschitz, p->lipschitz, term, NORM_BITS);
+
+    arb_clear(by_w);
+    arb_clear(by_v);
+    arb_clear(term);
+}
+
+/* (6.4): |e| <= h max(kappa r_w, r_v) exp(L h), true as long as that stays inside the tube, which is the result. */
+static bool gronwall(struct step_proof *p)
+{
+    const slong d = p->y->law.d;
+    arb_t term, room;
+    arb_init(term);
+    arb_init(room);
+
+    arb_mul(p->error_v, p->residual_w, p->kappa, NORM_BITS);
+    arb_max(p->error_v, p->error_v, p->residual_v, NORM_BITS);
+    arb_mul(p->error_v, p->error_v, p->h, NORM_BITS);
+    arb_mul(term, p->lipschitz, p->h, NORM_BITS);
+    arb_exp(term, term, NORM_BITS);
+    arb_mul(p->error_v, p->error_v, term, NORM_BITS);
+    arb_div(p->error_w, p->error_v, p->kappa, NORM_BITS);
+
+    /* t' = w^(d-1), which involves no t */
+    monomial(term, d - 1, p->error_w, p->w_max, d - 2);
+    arb_add(p->error_t, p->residual_t, term, NORM_BITS);
+    arb_mul(p->error_t, p->error_t, p->h, NORM_BITS);
+
+    /* The tube has 2^-TUBE_BITS/(1 + 2^-TUBE_BITS) of w_max on each side, which is more than half of 2^-TUBE_BITS. */
+    arb_mul_2exp_si(room, p->w_max, -TUBE_BITS - 1);
+    bool inside = arb_lt(p->error_w, room);
+    arb_mul_2exp_si(room, p->v_max, -TUBE_BITS - 1);
+    inside = inside && arb_lt(p->error_v, room);
+    arb_clear(term);
+    arb_clear(room);
+    return inside;
+}
+
+/* (6.5): w has no two zeros inside the step that a look at its two ends would miss. Either (kappa w, v), which turns
+ * by an angle of 2 L h at most, turns by less than 3 < pi; or w cannot fall to 0 at the speed v_max/d. */
+static bool no_hidden_zero(const struct step_proof *p)
+{
+    arb_t x;
+    arb_init(x);
+    arb_mul(x, p->lipschitz, p->h, NORM_BITS);
+    arb_mul_2exp_si(x, x, 1);
+    arb_sub_si(x, x, 3, NORM_BITS);
+    bool none = arb_is_negative(x);
+    if (!none) {
+        arb_mul(x, p->v_max, p->h, NORM_BITS);
+        arb_div_si(x, x, p->y->law.d, NORM_BITS);
+        none = arb_gt(p->y->w, x);
+    }
+    arb_clear(x);
+    return none;
+}
+
+/* Sets the remainders on [0, h]; false where the proof does not close. */
 static bool prove_step(struct taylor *y, const arb_t h)
 {
-    enum { C1, C2, MW, MV, RW, RV, RT, LW, LV, KAPPA, L, E, X, COUNT };
-    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, N = y->degree;
-    arb_ptr a = _arb_vec_init(COUNT);
-    arb_poly_t W, V, P, Q;
-    bool inside = false;
-    arb_poly_init(W);
-    arb_poly_init(V);
-    arb_poly_init(P);
-    arb_poly_init(Q);
-
-    parameter_norm(a + C1, y->c1, y);
-    parameter_norm(a + C2, y->c2, y);
-    norm_poly(W, y->w, y, h);
-    norm_poly(V, y->v, y, h);
-
-    arb_poly_pow_ui(P, W, (ulong)(d - 1), NORM_BITS);
-    tail_sum(a + RT, P, N);
-    arb_poly_pow_ui(Q, W, (ulong)bd, NORM_BITS);
-    arb_poly_mul(Q, Q, V, NORM_BITS);
-    arb_poly_scalar_mul(Q, Q, a + C1, NORM_BITS);
-    {
-        arb_poly_t R;
-        arb_poly_init(R);
-        arb_poly_pow_ui(R, W, (ulong)ad, NORM_BITS);
-        arb_poly_scalar_mul(R, R, a + C2, NORM_BITS);
-        arb_poly_add(Q, Q, R, NORM_BITS);
-        arb_poly_clear(R);
-    }
-    arb_poly_mul(Q, Q, P, NORM_BITS);
-    tail_sum(a + RV, Q, N);
-    tail_sum(a + RW, V, N);
-    arb_div_si(a + RW, a + RW, d, NORM_BITS);
-
-    tail_sum(a + MW, W, 0);
-    tail_sum(a + MV, V, 0);
-    arb_set_d(a + X, 1.0 + 0x1p-10);
-    arb_mul(a + MW, a + MW, a + X, NORM_BITS);
-    arb_mul(a + MV, a + MV, a + X, NORM_BITS);
-
-    monomial(a + LW, d - 1 + bd, a + C1, a + MW, d - 2 + bd);
-    arb_mul(a + LW, a + LW, a + MV, NORM_BITS);
-    monomial(a + X, d - 1 + ad, a + C2, a + MW, d - 2 + ad);
-    arb_add(a + LW, a + LW, a + X, NORM_BITS);
-    monomial(a + LV, 1, a + C1, a + MW, d - 1 + bd);
-
-    /* kappa > 0 is free; this one balances the two rows. */
-    arb_mul_si(a + KAPPA, a + LW, d, NORM_BITS);
-    arb_sqrt(a + KAPPA, a + KAPPA, NORM_BITS);
-    arb_get_mid_arb(a + KAPPA, a + KAPPA);
-    if (!arb_is_positive(a + KAPPA))
-        arb_one(a + KAPPA);
-    arb_div(a + L, a + LW, a + KAPPA, NORM_BITS);
-    arb_add(a + L, a + L, a + LV, NORM_BITS);
-    arb_div_si(a + X, a + KAPPA, d, NORM_BITS);
-    arb_max(a + L, a + L, a + X, NORM_BITS);
-
-    arb_mul(a + E, a + RW, a + KAPPA, NORM_BITS);
-    arb_max(a + E, a + E, a + RV, NORM_BITS);
-    arb_mul(a + E, a + E, h, NORM_BITS);
-    arb_mul(a + X, a + L, h, NORM_BITS);
-    arb_exp(a + X, a + X, NORM_BITS);
-    arb_mul(a + E, a + E, a + X, NORM_BITS);
-    arb_get_mag(y->error_v, a + E);
-    arb_div(a + X, a + E, a + KAPPA, NORM_BITS);
-    arb_get_mag(y->error_w, a + X);
-
-    arb_mul_2exp_si(a + MW, a + MW, -11);
-    arb_mul_2exp_si(a + MV, a + MV, -11);
-    inside = arb_lt(a + X, a + MW) && arb_lt(a + E, a + MV);
-    arb_mul_2exp_si(a + MW, a + MW, 11);
-
-    /* A zero of w must not hide inside the step: either w cannot fall that far, or (kappa w, v), which turns
-     * at 2 L at most, turns by less than pi and cannot come back from w = 0. */
-    arb_mul(a + X, a + L, h, NORM_BITS);
-    arb_mul_2exp_si(a + X, a + X, 1);
-    arb_sub_si(a + X, a + X, 3, NORM_BITS);
-    if (!arb_is_negative(a + X)) {
-        arb_mul(a + X, a + MV, h, NORM_BITS);
-        arb_mul_2exp_si(a + X, a + X, 11);
-        arb_div_si(a + X, a + X, d, NORM_BITS);
-        inside = inside && arb_gt(y->w, a + X);
-    }
-    arf_set_mag(arb_midref(a + X), y->error_w);
-    mag_zero(arb_radref(a + X));
-
-    /* t' = w^(d-1) */
-    monomial(a + LW, d - 1, a + X, a + MW, d - 2);
-    arb_add(a + RT, a + RT, a + LW, NORM_BITS);
-    arb_mul(a + RT, a + RT, h, NORM_BITS);
-    arb_get_mag(y->error_t, a + RT);
-
-    _arb_vec_clear(a, COUNT);
-    arb_poly_clear(W);
-    arb_poly_clear(V);
-    arb_poly_clear(P);
-    arb_poly_clear(Q);
-    return inside;
+    struct step_proof p;
+    step_proof_init(&p, y, h);
+    residuals(&p);
+    tube(&p);
+    lipschitz(&p);
+    const bool proved = gronwall(&p) && no_hidden_zero(&p);
+    arb_get_mag(y->error_w, p.error_w);
+    arb_get_mag(y->error_v, p.error_v);
+    arb_get_mag(y->error_t, p.error_t);
+    step_proof_clear(&p);
+    return proved;
 }
 
 /* log2 of the radius of convergence, guessed from the last coefficients. */
@@ -404,13 +518,15 @@ bool taylor_choose_step(struct taylor *y)
     arb_get_mag(scale, y->w);
     mag_max(goal, goal, scale);
     mag_mul_2exp_si(goal, goal, -y->prec);
+    /* A little shorter each time, and after FINE_TRIALS refusals ever more: a nearly elastic motion under a constant
+     * force is nearly a parabola, whose radius of convergence says nothing. */
+    enum { FINE_TRIALS = 40, TRIALS = 80, FINE = 8 };
     double exponent = radius_guess(y) - STEP_BITS;
-    for (int attempt = 0; attempt < 60 && !proved; attempt++) {
+    for (int trial = 0; trial < TRIALS && !proved; trial++) {
         arb_set_d(y->step, exp2(exponent - floor(exponent)));
         arb_mul_2exp_si(y->step, y->step, (slong)floor(exponent));
         proved = prove_step(y, y->step) && mag_cmp(y->error_v, goal) <= 0 && mag_cmp(y->error_w, goal) <= 0;
-        /* A little shorter, and after many refusals much shorter. */
-        exponent -= attempt < 20 ? 0.25 : 1.0;
+        exponent -= trial < FINE_TRIALS ? 1.0 / FINE : trial - FINE_TRIALS + 1;
     }
     mag_clear(goal);
     mag_clear(scale);
@@ -475,7 +591,8 @@ void taylor_advance(struct taylor *y, const arb_t s)
     _arb_vec_clear(next, 3);
 }
 
-bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t end)
+bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
+                 const arb_t end)
 {
     /* A secant-bisection hybrid (Illinois) on midpoints finds it; signs on both sides prove it. */
     arb_t low, high, flow, fhigh, x, fx, width;
@@ -487,6 +604,7 @@ bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component compo
     arb_init(x);
     arb_init(fx);
     arb_init(width);
+    arb_get_mid_arb(low, begin);
     arb_get_mid_arb(high, end);
     taylor_value(flow, y, component, 0, low);
     taylor_value(fhigh, y, component, 0, high);
@@ -525,8 +643,8 @@ bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component compo
         arb_get_mid_arb(low, low);
         arb_add(high, x, width, y->prec);
         arb_get_mid_arb(high, high);
-        if (arb_is_negative(low))
-            arb_zero(low);
+        if (arb_lt(low, begin))
+            arb_get_mid_arb(low, begin);
         if (arb_gt(high, end))
             arb_get_mid_arb(high, end);
         taylor_value(flow, y, component, 0, low);
@@ -544,4 +662,10 @@ bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component compo
     arb_clear(fx);
     arb_clear(width);
     return proved;
+}
+
+/* A step is an eighth of the radius of convergence: 3 bits a term. */
+slong taylor_degree(slong prec)
+{
+    return prec / 3 + 10;
 }

@@ -13,6 +13,9 @@
 
 struct taylor_power; /* one product of the chain that makes the powers of w */
 
+/* The factors of the equations are nodes: index of a power, w itself, or the number 1. */
+enum { TAYLOR_NODE_W = -1, TAYLOR_NODE_ONE = -2 };
+
 struct taylor {
     struct law law;
     slong jets, degree, prec;
@@ -22,10 +25,10 @@ struct taylor {
     arb_ptr force, product; /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); and times w^(d-1+m) */
     struct taylor_power *power;
     int powers;
-    int node_t, node_outer, node_damping, node_elastic; /* which power each factor is; -1: the number 1 */
-    arb_ptr damped;                                     /* w^(bd-m) v where bd > m */
-    mag_t error_w, error_v, error_t;                    /* remainders on [0, step], in the norm */
-    arb_t step;                                         /* longest step that they are proved for */
+    int node_t, node_outer, node_damping, node_elastic;
+    arb_ptr damped;                  /* w^(bd-m) v where bd > m */
+    mag_t error_w, error_v, error_t; /* remainders on [0, step], in the norm */
+    arb_t step;                      /* longest step that they are proved for */
 };
 
 void taylor_init(struct taylor *y, const struct law *law, slong jets, slong degree, slong prec);
@@ -45,8 +48,15 @@ void taylor_value(arb_t value, const struct taylor *y, enum taylor_component com
 /* Replaces the state by the one at s. */
 void taylor_advance(struct taylor *y, const arb_t s);
 
-/* Encloses the zero of jet 0 of a component in [0, end], end <= step, where it goes from positive to negative and
+/* Encloses the zero of jet 0 of a component in [begin, end], end <= step, where it goes from positive to negative and
  * is known to have one zero only. */
-bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t end);
+bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
+                 const arb_t end);
+
+/* Degree of the Taylor polynomials for so many bits. */
+slong taylor_degree(slong prec);
+
+/* A motion that needs more steps is given up. */
+enum { TAYLOR_MAX_STEPS = 200000 };
 
 #endif

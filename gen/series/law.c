@@ -113,8 +113,39 @@ bool law_is_sphere(const struct law *law)
 
 struct ratio law_speed_exponent(const struct law *law)
 {
-    struct ratio one = {1, 1}, two = {2, 1};
-    return ratio_div(ratio_add(ratio_sub(ratio_mul(two, law->b), law->a), one), ratio_add(one, law->a));
+    return ratio_div(law_fall_power(law), ratio_add(law->a, (struct ratio){1, 1}));
+}
+
+struct ratio law_fall_power(const struct law *law)
+{
+    return ratio_add(ratio_sub(ratio_mul((struct ratio){2, 1}, law->b), law->a), (struct ratio){1, 1});
+}
+
+struct ratio law_mu_power(const struct law *law)
+{
+    return ratio_make(law->ad + law->d, law->bd + law->d);
+}
+
+bool law_force_ends(const struct law *law)
+{
+    return law->ad > law->bd;
+}
+
+bool law_is_linear(const struct law *law)
+{
+    return law_fall_power(law).num == 0;
+}
+
+bool law_is_hunt_crossley(const struct law *law)
+{
+    return law->ad == law->bd;
+}
+
+double law_forgetting(const struct law *law)
+{
+    const struct ratio n = law_fall_power(law);
+    const double power = (double)n.num / (double)n.den, b1 = (double)(law->bd + law->d) / (double)law->d;
+    return pow(b1, power / b1) / power;
 }
 
 double law_elastic_time(const struct law *law)

@@ -42,6 +42,25 @@ struct ratio ratio_div(struct ratio x, struct ratio y); /* y != 0 */
 /* beta is proportional to g^q; q = (2 b - a + 1)/(1 + a). eps is independent of g iff q = 0, (12). */
 struct ratio law_speed_exponent(const struct law *law);
 
+/* n = q (a + 1) = 2 b - a + 1. With x = beta^(-2/n) z the law is z'' + z^b z' + z^a = 0 (docs/derivation.md, 9). */
+struct ratio law_fall_power(const struct law *law);
+
+/* mu = beta^(-(a+1)/(b+1)): with x = beta^(-1/(b+1)) X the law is X'' + X^b X' + mu X^a = 0. This is (a+1)/(b+1). */
+struct ratio law_mu_power(const struct law *law);
+
+/* a > b: the force ends before the overlap does. Otherwise the two ends of contact coincide. */
+bool law_force_ends(const struct law *law);
+
+/* q = 0, b = (a-1)/2: u = x^((a+1)/2) obeys a linear equation, with the linear dashpot (1, 0) and Tsuji's (3/2,
+ * 1/4). */
+bool law_is_linear(const struct law *law);
+
+/* a = b, Hunt and Crossley's. */
+bool law_is_hunt_crossley(const struct law *law);
+
+/* k, n > 0: the unloading of a strongly damped collision forgets its loading by exp(-k/mu), k = (b+1)^(n/(b+1))/n. */
+double law_forgetting(const struct law *law);
+
 /* Scales with an accuracy of a few digits. The first is tau_0 of (51). The second is the radius of convergence of the
  * elastic trajectory in units of tau_0: its end of contact at 2, or the singularity of x'' = x^a on the circle |t| =
  * 1/cos(pi/(a+1)). */

@@ -25,8 +25,15 @@
 
 #include <math.h>
 
-/* Norms are needed to a few digits only. The products below use midpoints rounded to this number of bits. */
-static const slong NORM_BITS = 64;
+enum {
+    /* Norms are needed to a few digits only; the products below are of midpoints cut to this. */
+    NORM_BITS = 64,
+    /* Row k of the trajectory is about 2^(-ROW_BITS k) at small s. Without this factor, coefficients have similar size
+     * and multiply faster. */
+    ROW_BITS = 2,
+    /* circles on which trajectory_tail_jet takes Cauchy's estimate */
+    CIRCLES = 16
+};
 
 /* Magnitudes of the coefficients of a family of row polynomials, which are summed with many weights */
 struct magnitudes {
@@ -84,10 +91,6 @@ struct evidence {
     struct ratio exponent[2];
     int powers; /* 1 if both powers are the same */
 };
-
-/* Row k of the trajectory is about 2^(-ROW_BITS k) at small s. Without this factor, coefficients have similar size and
- * multiply faster. */
-static const slong ROW_BITS = 2;
 
 /* Rows 0..rows-1 of f g, complete in s if both have at most `length` coefficients. One long product of the concatenated
  * rows computes them (Kronecker substitution). */
@@ -254,110 +257,208 @@ static void power_growth(arb_t y, const arb_t eta, struct ratio p)
     arb_clear(q);
 }
 
-/* The proof for one choice of weights: delta with G(ball) inside ball, or false. */
-static bool prove_at(arb_t delta, const struct evidence *e, const struct trajectory *t, const arb_t U, const arb_t rho)
+/* The proof for one choice of the weights U and rho: docs/derivation.md, 3, equations (3.1) to (3.4). All numbers are
+ * upper bounds. */
+struct tail_proof {
+    const struct evidence *e;
+    const struct law *law;
+    slong shift;
+    arb_t U, rho;
+    mag_t U_mag, rho_mag;
+    arb_t inverse;                      /* nu of (3.1): |1/Z| */
+    arb_t error[2], size[2];            /* |E| and |Z^p| of (3.2), p = a and b + 1 */
+    arb_t last_column;                  /* |part of X^a that s^J begins| */
+    arb_t first_exponent, last_divisor; /* e and e + 1 of the tail's first coefficient */
+    arb_t delta, image;                 /* radius of the ball, and of its image by G */
+};
+
+static void tail_proof_init(struct tail_proof *p, const struct evidence *e, const struct trajectory *t, const arb_t U,
+                            const arb_t rho)
 {
-    enum { NU, THETA, DEFECT, INVERSE, GROWTH, IMAGE, TERM, ETA, LAST, FIRST, COUNT };
-    const struct ratio one = {1, 1};
-    const struct ratio a1 = ratio_add(t->law.a, one);
-    arb_ptr v = _arb_vec_init(COUNT);
-    arb_t error[2], size[2];
-    mag_t norm, mU, mrho;
-    bool proved = false;
-
+    p->e = e;
+    p->law = &t->law;
+    p->shift = t->shift;
+    arb_init(p->U);
+    arb_init(p->rho);
+    arb_set(p->U, U);
+    arb_set(p->rho, rho);
+    mag_init(p->U_mag);
+    mag_init(p->rho_mag);
+    arb_get_mag(p->U_mag, U);
+    arb_get_mag(p->rho_mag, rho);
+    arb_init(p->inverse);
     for (int i = 0; i < 2; i++) {
-        arb_init(error[i]);
-        arb_init(size[i]);
+        arb_init(p->error[i]);
+        arb_init(p->size[i]);
     }
+    arb_init(p->last_column);
+    arb_init(p->first_exponent);
+    arb_init(p->last_divisor);
+    arb_init(p->delta);
+    arb_init(p->image);
+    arb_set_ratio(p->first_exponent, ratio_add(t->law.a, (struct ratio){1, 1}), NORM_BITS);
+    arb_mul_si(p->first_exponent, p->first_exponent, e->J + 1, NORM_BITS);
+    arb_add_si(p->last_divisor, p->first_exponent, 1, NORM_BITS);
+}
+
+static void tail_proof_clear(struct tail_proof *p)
+{
+    arb_clear(p->U);
+    arb_clear(p->rho);
+    mag_clear(p->U_mag);
+    mag_clear(p->rho_mag);
+    arb_clear(p->inverse);
+    for (int i = 0; i < 2; i++) {
+        arb_clear(p->error[i]);
+        arb_clear(p->size[i]);
+    }
+    arb_clear(p->last_column);
+    arb_clear(p->first_exponent);
+    arb_clear(p->last_divisor);
+    arb_clear(p->delta);
+    arb_clear(p->image);
+}
+
+/* |f| or, with theta = 1, |th(f)| in the weights of the proof. */
+static void tail_norm(arb_t y, const struct tail_proof *p, const struct magnitudes *f, int theta)
+{
+    mag_t norm;
     mag_init(norm);
-    mag_init(mU);
-    mag_init(mrho);
-    arb_get_mag(mU, U);
-    arb_get_mag(mrho, rho);
+    magnitudes_norm(norm, f, p->U_mag, p->rho_mag, theta);
+    arb_set_upper(y, norm);
+    mag_clear(norm);
+}
 
-    magnitudes_norm(norm, &e->defect, mU, mrho, 0);
-    if (mag_cmp_2exp_si(norm, -1) >= 0)
-        goto done;
-    arb_set_upper(v + DEFECT, norm);
-    magnitudes_norm(norm, &e->inverse, mU, mrho, 0);
-    arb_set_upper(v + INVERSE, norm);
-    arb_sub_si(v + NU, v + DEFECT, 1, NORM_BITS);
-    arb_neg(v + NU, v + NU);
-    arb_div(v + NU, v + INVERSE, v + NU, NORM_BITS);
-    magnitudes_norm(norm, &e->z, mU, mrho, 1);
-    arb_set_upper(v + THETA, norm);
+/* (3.1): nu = |V|/(1 - |1 - Z V|), which needs |1 - Z V| < 1; above 1/2 the bound would be of no use. */
+static bool bound_inverse(struct tail_proof *p)
+{
+    arb_t rest;
+    arb_init(rest);
+    tail_norm(rest, p, &p->e->defect, 0);
+    arb_sub_si(rest, rest, 1, NORM_BITS);
+    arb_neg(rest, rest); /* 1 - |1 - Z V| */
+    tail_norm(p->inverse, p, &p->e->inverse, 0);
+    arb_div(p->inverse, p->inverse, rest, NORM_BITS);
+    arb_mul_2exp_si(rest, rest, 1);
+    arb_sub_si(rest, rest, 1, NORM_BITS);
+    const bool useful = arb_is_positive(rest);
+    arb_clear(rest);
+    return useful;
+}
 
-    for (int i = 0; i < e->powers; i++) {
-        /* |E| <= nu |N| / (J + 1 - p nu |th(Z)|) */
-        arb_set_ratio(v + TERM, e->exponent[i], NORM_BITS);
-        arb_mul(v + TERM, v + TERM, v + NU, NORM_BITS);
-        arb_mul(v + TERM, v + TERM, v + THETA, NORM_BITS);
-        arb_sub_si(v + TERM, v + TERM, e->J + 1, NORM_BITS);
-        arb_neg(v + TERM, v + TERM);
-        if (!arb_is_positive(v + TERM))
-            goto done;
-        magnitudes_norm(norm, &e->n[i], mU, mrho, 0);
-        arb_set_upper(error[i], norm);
-        arb_mul(error[i], error[i], v + NU, NORM_BITS);
-        arb_div(error[i], error[i], v + TERM, NORM_BITS);
-        magnitudes_norm(norm, &e->p[i], mU, mrho, 0);
-        arb_set_upper(size[i], norm);
-        arb_add(size[i], size[i], error[i], NORM_BITS);
+/* (3.2): |E| <= nu |N|/(J + 1 - p nu |th(Z)|) and |Z^p| <= |P| + |E| for both powers p. */
+static bool bound_powers(struct tail_proof *p)
+{
+    bool bounded = true;
+    arb_t slope, divisor;
+    arb_init(slope);
+    arb_init(divisor);
+    tail_norm(slope, p, &p->e->z, 1);
+    arb_mul(slope, slope, p->inverse, NORM_BITS);
+    for (int i = 0; i < p->e->powers && bounded; i++) {
+        arb_set_ratio(divisor, p->e->exponent[i], NORM_BITS);
+        arb_mul(divisor, divisor, slope, NORM_BITS);
+        arb_sub_si(divisor, divisor, p->e->J + 1, NORM_BITS);
+        arb_neg(divisor, divisor);
+        bounded = arb_is_positive(divisor);
+        tail_norm(p->error[i], p, &p->e->n[i], 0);
+        arb_mul(p->error[i], p->error[i], p->inverse, NORM_BITS);
+        arb_div(p->error[i], p->error[i], divisor, NORM_BITS);
+        tail_norm(p->size[i], p, &p->e->p[i], 0);
+        arb_add(p->size[i], p->size[i], p->error[i], NORM_BITS);
     }
-    const int damping = e->powers - 1;
+    arb_clear(slope);
+    arb_clear(divisor);
+    return bounded;
+}
 
-    /* Smallest e of the tail; the part of X^a from s^J on is |P's last column| rho^J + |E|. */
-    arb_set_ratio(v + FIRST, a1, NORM_BITS);
-    arb_mul_si(v + FIRST, v + FIRST, e->J + 1, NORM_BITS);
-    struct magnitudes last = {e->p[0].rows, 1, NULL};
-    last.m = _mag_vec_init(last.rows);
+/* What X^a has from s^J on: the last column of P times rho^J, and E. */
+static void bound_last_column(struct tail_proof *p)
+{
+    const struct magnitudes *power = &p->e->p[0];
+    struct magnitudes last;
+    arb_t rho_J;
+    arb_init(rho_J);
+    magnitudes_init(&last, power->rows, 1);
     for (slong k = 0; k < last.rows; k++)
-        mag_set(last.m + k, e->p[0].m + k * e->p[0].length + e->J);
-    magnitudes_norm(norm, &last, mU, mrho, 0);
+        mag_set(last.m + k, power->m + k * power->length + p->e->J);
+    tail_norm(p->last_column, p, &last, 0);
     magnitudes_clear(&last);
-    arb_set_upper(v + LAST, norm);
-    arb_pow_ui(v + TERM, rho, (ulong)e->J, NORM_BITS);
-    arb_mul(v + LAST, v + LAST, v + TERM, NORM_BITS);
-    arb_add(v + LAST, v + LAST, error[0], NORM_BITS);
+    arb_pow_ui(rho_J, p->rho, (ulong)p->e->J, NORM_BITS);
+    arb_mul(p->last_column, p->last_column, rho_J, NORM_BITS);
+    arb_add(p->last_column, p->last_column, p->error[0], NORM_BITS);
+    arb_clear(rho_J);
+}
 
-    arb_zero(delta);
-    for (int attempt = 0; attempt < 3 && !proved; attempt++) {
-        arb_mul(v + ETA, v + NU, delta, NORM_BITS);
-        arb_sub_si(v + TERM, v + ETA, 1, NORM_BITS);
-        if (!arb_is_negative(v + TERM))
-            break;
-        /* U/((b+1)(e+1)) |[X^(b+1)] beyond J| + 2^shift rho/(e (e+1)) |[X^a] from J on| */
-        power_growth(v + GROWTH, v + ETA, e->exponent[1]);
-        arb_mul(v + GROWTH, v + GROWTH, size[damping], NORM_BITS);
-        arb_add(v + IMAGE, error[damping], v + GROWTH, NORM_BITS);
-        arb_mul(v + IMAGE, v + IMAGE, U, NORM_BITS);
-        arb_set_ratio(v + TERM, e->exponent[1], NORM_BITS);
-        arb_div(v + IMAGE, v + IMAGE, v + TERM, NORM_BITS);
-        power_growth(v + GROWTH, v + ETA, e->exponent[0]);
-        arb_mul(v + GROWTH, v + GROWTH, size[0], NORM_BITS);
-        arb_add(v + GROWTH, v + GROWTH, v + LAST, NORM_BITS);
-        arb_mul(v + GROWTH, v + GROWTH, rho, NORM_BITS);
-        arb_mul_2exp_si(v + GROWTH, v + GROWTH, t->shift);
-        arb_div(v + GROWTH, v + GROWTH, v + FIRST, NORM_BITS);
-        arb_add(v + IMAGE, v + IMAGE, v + GROWTH, NORM_BITS);
-        arb_add_si(v + TERM, v + FIRST, 1, NORM_BITS);
-        arb_div(v + IMAGE, v + IMAGE, v + TERM, NORM_BITS);
-        proved = arb_le(v + IMAGE, delta);
+/* (3.3): the radius of G's image of the ball |R| <= delta,
+ *
+ *   (U/(b+1) |[X^(b+1)] beyond s^J| + 2^shift rho/e |[X^a] from s^J on|)/(e + 1),
+ *
+ * with |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1). False where nu delta is not below 1. */
+static bool image_of_ball(struct tail_proof *p)
+{
+    const int damping = p->e->powers - 1;
+    arb_t eta, term;
+    arb_init(eta);
+    arb_init(term);
+    arb_mul(eta, p->inverse, p->delta, NORM_BITS);
+    arb_sub_si(term, eta, 1, NORM_BITS);
+    const bool converges = arb_is_negative(term);
+    if (converges) {
+        power_growth(p->image, eta, p->e->exponent[1]);
+        arb_mul(p->image, p->image, p->size[damping], NORM_BITS);
+        arb_add(p->image, p->image, p->error[damping], NORM_BITS);
+        arb_mul(p->image, p->image, p->U, NORM_BITS);
+        arb_set_ratio(term, p->e->exponent[1], NORM_BITS);
+        arb_div(p->image, p->image, term, NORM_BITS);
+
+        power_growth(term, eta, p->e->exponent[0]);
+        arb_mul(term, term, p->size[0], NORM_BITS);
+        arb_add(term, term, p->last_column, NORM_BITS);
+        arb_mul(term, term, p->rho, NORM_BITS);
+        arb_mul_2exp_si(term, term, p->shift);
+        arb_div(term, term, p->first_exponent, NORM_BITS);
+        arb_add(p->image, p->image, term, NORM_BITS);
+        arb_div(p->image, p->image, p->last_divisor, NORM_BITS);
+    }
+    arb_clear(eta);
+    arb_clear(term);
+    return converges;
+}
+
+/* (3.4): a delta with G(ball) inside the ball. The image of the point 0 says how large it must be; twice that leaves
+ * room for what R adds, and twice the image of that ball once more. */
+static bool fixed_point(struct tail_proof *p)
+{
+    enum { BALLS = 3 };
+    mag_t radius;
+    bool proved = false;
+    mag_init(radius);
+    arb_zero(p->delta);
+    for (int ball = 0; ball < BALLS && !proved && image_of_ball(p); ball++) {
+        proved = arb_le(p->image, p->delta);
         if (!proved) {
-            arb_get_mag(norm, v + IMAGE);
-            arb_set_upper(delta, norm);
-            arb_mul_2exp_si(delta, delta, 1);
+            arb_get_mag(radius, p->image);
+            arb_set_upper(p->delta, radius);
+            arb_mul_2exp_si(p->delta, p->delta, 1);
         }
     }
-done:
-    for (int i = 0; i < 2; i++) {
-        arb_clear(error[i]);
-        arb_clear(size[i]);
+    mag_clear(radius);
+    return proved;
+}
+
+/* Sets delta; false where the proof does not close in these weights. */
+static bool prove_at(arb_t delta, const struct evidence *e, const struct trajectory *t, const arb_t U, const arb_t rho)
+{
+    struct tail_proof p;
+    tail_proof_init(&p, e, t, U, rho);
+    bool proved = bound_inverse(&p) && bound_powers(&p);
+    if (proved) {
+        bound_last_column(&p);
+        proved = fixed_point(&p);
     }
-    _arb_vec_clear(v, COUNT);
-    mag_clear(norm);
-    mag_clear(mU);
-    mag_clear(mrho);
+    arb_set(delta, p.delta);
+    tail_proof_clear(&p);
     return proved;
 }
 
@@ -393,47 +494,42 @@ static double tail_quality(const struct trajectory_tail *tail, const struct traj
     return worst;
 }
 
+/* Radii that are tried for rho, as parts of the way from t0 to the nearest singularity; and the weights U = 2^k. */
+static const double trial_part[] = {0.9, 0.8, 0.7, 0.5, 0.25};
+enum { TRIAL_PARTS = sizeof trial_part / sizeof *trial_part, TRIAL_U_MAX = 3, TRIAL_U_MIN = -7 };
+
 bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory *t, const arb_t t0)
 {
-    const struct ratio one = {1, 1};
-    const struct ratio a1 = ratio_add(t->law.a, one);
+    const struct ratio a1 = ratio_add(t->law.a, (struct ratio){1, 1});
     struct evidence e;
     struct trajectory_tail trial;
     double best = HUGE_VAL;
-    arb_t s0, U, rho;
-    bool proved = false;
+    arb_t s0;
     trajectory_tail_init(&trial);
     arb_init(s0);
-    arb_init(U);
-    arb_init(rho);
 
     evidence_init(&e, t);
     arb_pow_ratio(s0, t0, a1, NORM_BITS);
     arb_mul_2exp_si(s0, s0, -t->shift);
-    /* Radii between t0 and the nearest singularity, and a few weights of u. The best pair causes the smallest errors in
-     * two coefficients of x at t0: in the last row, and in the last derivative of the first row (which itself grows
-     * like t0^-m). */
-    for (int i = 0; i < 5; i++) {
-        static const double part[5] = {0.9, 0.8, 0.7, 0.5, 0.25};
+    /* The best pair of weights leaves the smallest errors in the coefficients of x at t0: of the last row, and of the
+     * last derivative of the first row (which by itself grows like t0^-m). */
+    for (int i = 0; i < TRIAL_PARTS; i++) {
         double best_here = HUGE_VAL;
-        arb_set_d(rho, 1 + part[i] * (law_elastic_radius(&t->law) - 1));
-        arb_pow_ratio(rho, rho, a1, NORM_BITS);
-        arb_mul(rho, rho, s0, NORM_BITS);
-        arb_get_mid_arb(rho, rho);
-        for (int half_powers = 6; half_powers >= -14; half_powers -= 2) {
-            arb_set_si(U, 1);
-            arb_mul_2exp_si(U, U, half_powers / 2);
-            if (!prove_at(trial.delta, &e, t, U, rho))
+        arb_set_d(trial.rho, 1 + trial_part[i] * (law_elastic_radius(&t->law) - 1));
+        arb_pow_ratio(trial.rho, trial.rho, a1, NORM_BITS);
+        arb_mul(trial.rho, trial.rho, s0, NORM_BITS);
+        arb_get_mid_arb(trial.rho, trial.rho);
+        for (int k = TRIAL_U_MAX; k >= TRIAL_U_MIN; k--) {
+            arb_one(trial.U);
+            arb_mul_2exp_si(trial.U, trial.U, k);
+            if (!prove_at(trial.delta, &e, t, trial.U, trial.rho))
                 continue;
-            arb_set(trial.U, U);
-            arb_set(trial.rho, rho);
             const double quality = tail_quality(&trial, t, t0);
             if (quality < best) {
                 arb_set(tail->delta, trial.delta);
-                arb_set(tail->U, U);
-                arb_set(tail->rho, rho);
+                arb_set(tail->U, trial.U);
+                arb_set(tail->rho, trial.rho);
                 best = quality;
-                proved = true;
             }
             if (quality >= best_here)
                 break; /* a smaller U only makes the bound worse */
@@ -443,9 +539,7 @@ bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory
     evidence_clear(&e);
     trajectory_tail_clear(&trial);
     arb_clear(s0);
-    arb_clear(U);
-    arb_clear(rho);
-    return proved;
+    return best < HUGE_VAL;
 }
 
 void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const struct trajectory *t, slong k, slong m,
@@ -464,13 +558,13 @@ void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const 
     arb_init(factor);
     mag_init(candidate);
     mag_inf(bound);
-    /* Sixteen circles between t0 and the radius that corresponds to rho. */
+    /* Circles between t0 and the radius that belongs to rho. */
     arb_mul_2exp_si(room, tail->rho, t->shift);
     arb_pow_ratio(room, room, ratio_div(one, a1), NORM_BITS);
     arb_sub(room, room, t0, NORM_BITS);
-    for (int i = 1; i <= 16; i++) {
+    for (int i = 1; i <= CIRCLES; i++) {
         arb_mul_si(r, room, i, NORM_BITS);
-        arb_div_si(r, r, 17, NORM_BITS);
+        arb_div_si(r, r, CIRCLES + 1, NORM_BITS);
         arb_add(reach, t0, r, NORM_BITS);
         arb_pow_ratio(value, reach, a1, NORM_BITS);
         arb_mul_2exp_si(value, value, -t->shift);

@@ -184,6 +184,54 @@ void emit_constants(struct emit *e, const char *const *name, const slong *value,
     fprintf(e->file, "};\n");
 }
 
+void emit_builder_open(struct emit *e, const char *type, const char *name, const char *start)
+{
+    fprintf(e->file, "\nCOR_INLINE_LAW struct %s %s(void)\n{\n    struct %s x = %s;\n", type, name, type, start);
+}
+
+void emit_builder_set(struct emit *e, const char *field, const char *format, ...)
+{
+    va_list arguments;
+    fprintf(e->file, "    x.%s = ", field);
+    va_start(arguments, format);
+    vfprintf(e->file, format, arguments);
+    va_end(arguments);
+    fputs(";\n", e->file);
+}
+
+int emit_builder_pair(struct emit *e, const char *field, const arb_t value)
+{
+    double hi, lo;
+    arb_t rest;
+    arb_init(rest);
+    int status = !digits_to_double(&hi, value);
+    arb_set_d(rest, hi);
+    arb_sub(rest, value, rest, 2 * FLINT_BITS + 64);
+    status = status || (!arb_is_zero(rest) && !digits_to_double(&lo, rest));
+    if (arb_is_zero(rest))
+        lo = 0;
+    arb_clear(rest);
+    if (status)
+        return fail("%s: a number cannot be rounded to two doubles", field);
+    fprintf(e->file, "    x.%s.hi = %.17g;\n    x.%s.lo = %.17g;\n", field, hi, field, lo);
+    return STATUS_OK;
+}
+
+void emit_builder_close(struct emit *e)
+{
+    fputs("    return x;\n}\n", e->file);
+}
+
+void emit_inline_double(struct emit *e, const char *name, const char *argument, const char *format, ...)
+{
+    va_list arguments;
+    fprintf(e->file, "\nCOR_INLINE double %s(double %s)\n{\n    return ", name, argument);
+    va_start(arguments, format);
+    vfprintf(e->file, format, arguments);
+    va_end(arguments);
+    fputs(";\n}\n", e->file);
+}
+
 void emit_include(struct emit *e, const char *name)
 {
     fprintf(e->file, "#include %s\n", name);

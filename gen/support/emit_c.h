@@ -55,6 +55,17 @@ void emit_decimals(struct emit *e, const char *name, const char *const *decimal,
 /* enum { NAME = value, ... }; */
 void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count);
 
+/* COR_INLINE_LAW struct TYPE NAME(void): a struct that starts as the value of `start` and whose fields are set, one
+ * line each. A pair is a field with hi and lo, from a ball. */
+void emit_builder_open(struct emit *e, const char *type, const char *name, const char *start);
+void emit_builder_set(struct emit *e, const char *field, const char *format, ...) __attribute__((format(printf, 3, 4)));
+int emit_builder_pair(struct emit *e, const char *field, const arb_t value);
+void emit_builder_close(struct emit *e);
+
+/* COR_INLINE double NAME(double ARGUMENT) { return VALUE; } */
+void emit_inline_double(struct emit *e, const char *name, const char *argument, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
 /* #include of a name with its quotes or angle brackets */
 void emit_include(struct emit *e, const char *name);
 

@@ -14,6 +14,7 @@
 #include "support/console.h"
 #include "support/output.h"
 #include "tables/disk.h"
+#include "tables/law_header.h"
 #include "tables/laws.h"
 #include "tables/limits.h"
 #include "tables/sphere.h"
@@ -36,6 +37,7 @@ struct generated {
 static const struct generated files[] = {
     {"sphere_tables.h", sphere_tables_write, NULL, false},
     {"cor_sphere.h", sphere_header_write, NULL, false},
+    {"hertz_dashpot_tables.h", hertz_dashpot_tables_write, NULL, false},
     {"tsuji_tables.h", tsuji_tables_write, NULL, false},
     {"hunt_crossley_tables.h", hunt_crossley_tables_write, NULL, false},
     {"wave_tables.h", wave_tables_write, NULL, false},

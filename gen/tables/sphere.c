@@ -19,8 +19,8 @@ enum { H_STAR_BITS = 160 };
  * with halves of a double are exact. */
 enum { DEGREE = 10, FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26 };
 #define IN_BETA VARIABLE_BETA, 0, 0.125
-#define IN_ROOT VARIABLE_SQRT_BETA, 0, 0.0625
-#define IN_POWER VARIABLE_POWER, -40, 0
+#define IN_ROOT VARIABLE_ROOT_BETA, 0, 0.0625
+#define IN_POWER VARIABLE_POWER_OCTAVES, -40, 0
 #define IN_LOG(step) VARIABLE_LOG_BETA, 2 + (step) / 2, step
 #define BY_OCTAVES(first, last) (((last) - (first) + 1) * PIECES_PER_OCTAVE)
 static const struct {
@@ -56,12 +56,12 @@ static const struct {
      10, 32, 56, 0, 0},
     {"cor_rows_near_beta_zero_overlap", "beta/(1 - eps) at zero overlap", BETA_QUOTIENT_ZERO_OVERLAP, VARIABLE_LOSS, 0,
      0.0625, 0.5, 9, 56, HEAD_BITS, 0},
-    {"cor_rows_near_beta_zero_force", "beta/(1 - eps) at zero force", BETA_QUOTIENT_ZERO_FORCE, VARIABLE_SQRT_LOSS, 0,
+    {"cor_rows_near_beta_zero_force", "beta/(1 - eps) at zero force", BETA_QUOTIENT_ZERO_FORCE, VARIABLE_ROOT_LOSS, 0,
      0.03125, 0.5, 24, 56, HEAD_BITS, 0},
-    {"cor_rows_beta_zero_overlap", "beta at zero overlap", BETA_ZERO_OVERLAP, VARIABLE_EPS, -12, 0, 0.5,
+    {"cor_rows_beta_zero_overlap", "beta at zero overlap", BETA_ZERO_OVERLAP, VARIABLE_EPS_OCTAVES, -12, 0, 0.5,
      BY_OCTAVES(-12, -2), 55, 0, 0},
-    {"cor_rows_beta_zero_force", "beta at zero force", BETA_ZERO_FORCE, VARIABLE_EPS, -23, 0, 0.5, BY_OCTAVES(-23, -2),
-     55, 0, 0},
+    {"cor_rows_beta_zero_force", "beta at zero force", BETA_ZERO_FORCE, VARIABLE_EPS_OCTAVES, -23, 0, 0.5,
+     BY_OCTAVES(-23, -2), 55, 0, 0},
 };
 enum { TABLES = sizeof layout / sizeof *layout };
 
@@ -112,6 +112,8 @@ static int make_pieces(const struct interpolant *f)
                                          .first = layout[i].first,
                                          .step = layout[i].step,
                                          .end = layout[i].end,
+                                         .root = interpolant_sphere.root,
+                                         .octave_bits = PIECES_OCTAVE_BITS,
                                          .rows = layout[i].rows,
                                          .degree = DEGREE,
                                          .plain = layout[i].plain > 0 ? layout[i].plain : layout[i].rows,
@@ -141,7 +143,7 @@ static void make_far_tables(const struct interpolant *f)
 /* Computes all tables that are made of collisions at single values of beta. */
 static int make_tables(void)
 {
-    struct interpolant *f = interpolant_new(0, INFINITY);
+    struct interpolant *f = interpolant_new(&interpolant_sphere, 0, INFINITY);
     if (!f)
         return STATUS_FAILED;
     int status = interpolant_check(&data.error, f, CHECK_POINTS);

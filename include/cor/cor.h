@@ -10,6 +10,7 @@
 
 #include "contact.h"
 #include "disk.h"
+#include "hertz_dashpot.h"
 #include "law.h"
 #include "sphere.h"
 #include "status.h"

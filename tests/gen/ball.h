@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -52,6 +53,28 @@ static inline void assert_truncates_to(const arb_t x, const char *text, int deci
     }
     arb_clear(low);
     arb_clear(ulp);
+}
+
+/* x and the decimal text differ by one unit of the text's last digit at most; all of x is meant. */
+static inline void assert_digits(const arb_t x, const char *text)
+{
+    arb_t difference, unit;
+    const char *point = strchr(text, '.');
+    arb_init(difference);
+    arb_init(unit);
+    assert_int_equal(arb_set_str(difference, text, 1000), 0);
+    arb_set_si(unit, 10);
+    arb_pow_ui(unit, unit, point ? strlen(point + 1) : 0, 1000);
+    arb_sub(difference, difference, x, 1000);
+    arb_mul(difference, difference, unit, 1000);
+    arb_abs(difference, difference);
+    arb_sub_si(difference, difference, 1, 1000);
+    if (!arb_is_nonpositive(difference)) {
+        arb_fprintn(stderr, x, 50, 0);
+        fail_msg(" is not %s", text);
+    }
+    arb_clear(difference);
+    arb_clear(unit);
 }
 
 static inline void assert_poly_overlap(const arb_poly_t f, const arb_poly_t g, slong order, const char *what)

@@ -15,7 +15,7 @@ static struct interpolant *f;
 static int setup(void **state)
 {
     (void)state;
-    f = interpolant_new(0, 0.375);
+    f = interpolant_new(&interpolant_sphere, 0, 0.375);
     return f ? 0 : -1;
 }
 
@@ -31,6 +31,8 @@ static struct pieces table(int kind)
 {
     struct pieces p = {.quantity = EPS_ZERO_OVERLAP,
                        .variable = VARIABLE_BETA,
+                       .root = 2,
+                       .octave_bits = PIECES_OCTAVE_BITS,
                        .step = 0.125,
                        .rows = 3,
                        .end = 0.25,
@@ -42,7 +44,7 @@ static struct pieces table(int kind)
     switch (kind) {
     case 1: /* s = beta - node^2 from row 2 on */
         p.quantity = EPS_ZERO_FORCE;
-        p.variable = VARIABLE_SQRT_BETA;
+        p.variable = VARIABLE_ROOT_BETA;
         p.rows = 5;
         p.plain = 2;
         p.end = 0.25;
@@ -51,7 +53,7 @@ static struct pieces table(int kind)
         p.quantity = LOSS_QUOTIENT_ZERO_OVERLAP;
         break;
     case 3:
-        p.variable = VARIABLE_POWER;
+        p.variable = VARIABLE_POWER_OCTAVES;
         p.first = -10;
         p.end = 0x1p-8;
         p.rows = p.plain = 2L * PIECES_PER_OCTAVE;
@@ -68,14 +70,17 @@ static double evaluate(const struct pieces *p, slong r, double fraction, double 
     double c[32] = {0}, node = p->first + (double)r * p->step, half = p->step / 2, octave = 0;
     for (slong k = 0; k < p->degree + 2; k++)
         assert_true(digits_to_double(&c[k], p->coefficient + r * (p->degree + 2) + k));
-    if (p->variable == VARIABLE_POWER) {
+    if (p->variable == VARIABLE_POWER_OCTAVES) {
         half = 0.5 / PIECES_PER_OCTAVE;
         node = 1 + half * (2 * (double)(r % PIECES_PER_OCTAVE) + 1);
         const slong octaves = r / PIECES_PER_OCTAVE;
         octave = p->first + (double)octaves;
     }
-    const double y = fmax(node - half + 2 * half * fraction, p->variable == VARIABLE_POWER ? 1 : 0), t = y - node;
-    *beta = p->variable == VARIABLE_BETA ? y : p->variable == VARIABLE_POWER ? pow(ldexp(y, (int)octave), 0.2) : y * y;
+    const double y = fmax(node - half + 2 * half * fraction, p->variable == VARIABLE_POWER_OCTAVES ? 1 : 0),
+                 t = y - node;
+    *beta = p->variable == VARIABLE_BETA            ? y
+            : p->variable == VARIABLE_POWER_OCTAVES ? pow(ldexp(y, (int)octave), 0.2)
+                                                    : y * y;
     double sum = 0;
     for (slong k = p->degree + 1; k >= 2; k--)
         sum = sum * t + c[k];

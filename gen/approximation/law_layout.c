@@ -1,0 +1,380 @@
+/* SPDX-License-Identifier: MIT */
+#include "approximation/law_layout.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "enclosure/collision.h"
+#include "series/restitution.h"
+#include "support/console.h"
+
+enum {
+    CONSTANT_BITS = 200,
+    DEGREE = 10,
+    HEAD_BITS = 26,       /* of c_0 in rows that are multiplied, runtime/core/row.h */
+    NEAR_OCTAVES = 3,     /* from near_end to the radius of convergence */
+    MOST_POWER = 200,     /* of 1/q: beyond, eps falls out of the doubles where it is tabulated */
+    DEVIATION_BITS = 60,  /* 1 - beta^(1/q) eps/v_f below 2^-60 is nothing */
+    TINY_EPS_OCTAVE = -60 /* beta_c - beta is nothing against beta_c where eps is smaller */
+};
+
+/* Points of an interval and bits of its samples; ln(beta) is cut into intervals of ln(2) up to beta = 8, and from 2 on
+ * into those from 2 to 3, 3 to 4, 4 to 6, 6 to 8, ...; ln(beta_c - beta) into two octaves, and
+ * more where eps is almost linear. */
+enum {
+    NEAR_POINTS = 18,
+    MIDDLE_POINTS = 36,
+    TAIL_POINTS = 22,
+    MIDDLE_POINTS_BELOW = 26, /* where there is a threshold, and eps does not fall by many powers of ten */
+    BELOW_POINTS = 19,
+    BELOW_LAST_POINTS = 26,
+    NEAR_BITS = 84,
+    MIDDLE_BITS = 80,
+    TAIL_BITS = 80,
+    /* octaves of beta_c - beta below which eps is almost linear */
+    BELOW_WIDEST_TO = -24,
+    BELOW_WIDE_TO = -10
+};
+
+/* What the rows promise: 57 bits leave the approximation a sixteenth of the last place. */
+#define LEAST_BITS 57.0
+#define LEAST_BITS_OF_TIMES 56.0
+#define MOST_REST 0.1
+
+static double ratio_double(struct ratio x)
+{
+    return (double)x.num / (double)x.den;
+}
+
+/* u where mu is as small as it is for spheres at u = 10 */
+static double last_log(const struct law *law)
+{
+    const double u = 10 * (5.0 / 3) / ratio_double(law_mu_power(law));
+    const double octave = exp2(floor(log2(u)));
+    return octave * ceil(8 * u / octave) / 8;
+}
+
+/* ---- intervals ---- */
+
+struct interval_list {
+    struct interval *interval;
+    int count;
+};
+
+static void add_interval(struct interval_list *list, enum interval_variable variable, double lo, double hi,
+                         slong points, slong bits, enum interval_form form, unsigned set)
+{
+    if (set == 0 || !(lo < hi))
+        return;
+    list->interval = xrealloc(list->interval, (size_t)(list->count + 1) * sizeof *list->interval);
+    list->interval[list->count++] = (struct interval){variable, lo, hi, points, bits, form, set};
+}
+
+/* Equal intervals of ln(beta) no longer than ln(2) */
+static void add_middle(struct interval_list *list, double beta_lo, double beta_hi, slong points, unsigned set)
+{
+    const double lo = log(beta_lo), hi = log(beta_hi);
+    const int count = (int)ceil((hi - lo) / log(2) - 1e-9);
+    for (int i = 0; i < count; i++)
+        add_interval(list, INTERVAL_LOG, lo + (hi - lo) * i / count, lo + (hi - lo) * (i + 1) / count, points,
+                     MIDDLE_BITS, FORM_LOG, set);
+}
+
+static void add_tail(struct interval_list *list, double end, unsigned set)
+{
+    for (double lo = LAW_TAIL_FIRST, hi; lo < end; lo = hi) {
+        hi = fmin(lo + exp2(floor(log2(lo)) - 1), end);
+        add_interval(list, INTERVAL_LOG, lo, hi, TAIL_POINTS, TAIL_BITS, FORM_POWER, set);
+    }
+}
+
+static void add_below(struct interval_list *list, const struct law_layout *layout, unsigned set)
+{
+    const bool linear = law_is_linear(&layout->interpolant.law);
+    const double end = log(layout->threshold - layout->overlap_end) + 0.15;
+    double lo = log(layout->below_first) - 0.05;
+    while (lo < end) {
+        const int octaves = lo < BELOW_WIDEST_TO * log(2) ? 10 : lo < BELOW_WIDE_TO * log(2) ? 5 : 2;
+        const double hi = fmin(lo + octaves * log(2), end);
+        add_interval(list, INTERVAL_BELOW, lo, hi, hi < end ? BELOW_POINTS : BELOW_LAST_POINTS, MIDDLE_BITS,
+                     linear ? FORM_POWER : FORM_LOG, set);
+        lo = hi;
+    }
+}
+
+static void make_intervals(struct law_layout *layout)
+{
+    const struct law *law = &layout->interpolant.law;
+    const slong fall = law_fall_power(law).num;
+    const unsigned force = law_force_ends(law) ? SET_ZERO_FORCE : 0;
+    struct interval_list list = {NULL, 0};
+    /* zero force near beta = 0 follows from zero overlap */
+    add_interval(&list, INTERVAL_ROOT, 0, layout->near_end, NEAR_POINTS, NEAR_BITS, FORM_QUOTIENT,
+                 SET_LENGTHS | SET_ZERO_OVERLAP);
+    if (fall > 0) {
+        add_middle(&list, layout->near_end, LAW_MIDDLE_END * 1.01, MIDDLE_POINTS,
+                   SET_LENGTHS | SET_ZERO_OVERLAP | force);
+        add_tail(&list, layout->last_log, SET_LENGTHS | SET_ZERO_OVERLAP | force);
+    } else {
+        /* q = 0: eps at zero overlap is a closed form */
+        const unsigned overlap = fall == 0 ? 1 << DURATION_ZERO_OVERLAP : SET_ZERO_OVERLAP;
+        add_middle(&list, layout->near_end, LAW_MIDDLE_END * 1.01, MIDDLE_POINTS_BELOW, SET_LENGTHS | force);
+        add_middle(&list, layout->near_end, layout->overlap_end * 1.13, MIDDLE_POINTS_BELOW, overlap);
+        add_below(&list, layout, overlap);
+        add_tail(&list, layout->last_log, SET_LENGTHS | force);
+    }
+    layout->interpolant.interval = list.interval;
+    layout->interpolant.intervals = list.count;
+}
+
+/* ---- borders ---- */
+
+/* beta_c, the distance from it to the double below, and where rows in it begin: at half of it or less */
+static int find_threshold(struct law_layout *layout)
+{
+    const struct law *law = &layout->interpolant.law;
+    arb_t beta_c, x;
+    int status = STATUS_OK;
+    arb_init(beta_c);
+    arb_init(x);
+    if (law_is_linear(law)) {
+        arb_set_ratio(beta_c, ratio_mul((struct ratio){2, 1}, ratio_add(law->a, (struct ratio){1, 1})), CONSTANT_BITS);
+        arb_sqrt(beta_c, beta_c, CONSTANT_BITS);
+    } else {
+        status = collision_threshold(beta_c, x, law, CONSTANT_BITS);
+    }
+    layout->threshold = arf_get_d(arb_midref(beta_c), ARF_RND_NEAR);
+    const double below = arf_get_d(arb_midref(beta_c), ARF_RND_DOWN);
+    arb_set_d(x, arf_cmp_d(arb_midref(beta_c), below) > 0 ? below : nextafter(below, 0));
+    arb_sub(x, beta_c, x, CONSTANT_BITS);
+    layout->below_first = arf_get_d(arb_midref(x), ARF_RND_DOWN);
+    layout->overlap_end = layout->threshold - exp2(floor(log2(layout->threshold / 2)));
+    arb_clear(beta_c);
+    arb_clear(x);
+    return status;
+}
+
+/* Whether beta^(1/q) eps is v_f as far as a double shows */
+static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, double beta)
+{
+    struct collision c;
+    arb_t x, power;
+    collision_init(&c);
+    arb_init(x);
+    arb_init(power);
+    arb_set_d(x, beta);
+    const int status = collision_solve_overlap(&c, x, law, DEVIATION_BITS + 16);
+    arb_pow_ratio(power, x, interpolant_tail_power(law, EPS_ZERO_OVERLAP), CONSTANT_BITS);
+    arb_mul(power, power, v_f, CONSTANT_BITS);
+    arb_div(x, c.eps_zero_overlap, power, CONSTANT_BITS);
+    arb_sub_ui(x, x, 1, CONSTANT_BITS);
+    *fallen = arf_cmpabs_2exp_si(arb_midref(x), -DEVIATION_BITS) < 0;
+    collision_clear(&c);
+    arb_clear(x);
+    arb_clear(power);
+    return status;
+}
+
+/* q > 0: the first half octave of beta up to 8, or the first eighth of an octave of ln(beta), from which eps is a
+ * power */
+static int find_fall(struct law_layout *layout)
+{
+    const struct law *law = &layout->interpolant.law;
+    bool fallen = false;
+    arb_t v_f;
+    arb_init(v_f);
+    int status = collision_final_speed(v_f, law, CONSTANT_BITS);
+    layout->overlap_end = LAW_MIDDLE_END;
+    layout->overlap_log = 0;
+    if (status == STATUS_OK)
+        status = is_fallen(&fallen, law, v_f, LAW_MIDDLE_END);
+    for (double u = LAW_TAIL_FIRST; status == STATUS_OK && !fallen; u += exp2(floor(log2(u))) / 8) {
+        layout->overlap_log = u + exp2(floor(log2(u))) / 8;
+        if (layout->overlap_log > layout->last_log) {
+            layout->overlap_log = layout->last_log;
+            break;
+        }
+        status = is_fallen(&fallen, law, v_f, exp(layout->overlap_log));
+    }
+    arb_clear(v_f);
+    return status;
+}
+
+/* The radius of convergence of eps in beta: h* = v_f^q, or the threshold */
+static int find_radius(double *radius, struct law_layout *layout)
+{
+    const struct law *law = &layout->interpolant.law;
+    arb_t v_f;
+    if (law_fall_power(law).num <= 0) {
+        *radius = layout->threshold;
+        return STATUS_OK;
+    }
+    arb_init(v_f);
+    const int status = collision_final_speed(v_f, law, 64);
+    *radius = pow(arf_get_d(arb_midref(v_f), ARF_RND_NEAR), ratio_double(law_speed_exponent(law)));
+    arb_clear(v_f);
+    return status;
+}
+
+int law_layout_init(struct law_layout *layout, const struct law *law)
+{
+    const struct ratio n = law_fall_power(law);
+    *layout = (struct law_layout){.interpolant = {.law = *law, .root = 1, .far = true},
+                                  .root = restitution_zero_force_root(law),
+                                  .root_of_time = restitution_zero_force_root(law),
+                                  .last_log = last_log(law),
+                                  .threshold = HUGE_VAL};
+    if (law_force_ends(law)) {
+        const slong other = ratio_sub(law->a, law->b).num; /* 1/(a-b) is so many parts of a whole number */
+        layout->root_of_time = layout->root / (slong)n_gcd((ulong)layout->root, (ulong)other) * other;
+    }
+    if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > MOST_POWER)
+        return fail("eps falls like beta^(-%.0f) in this law: no table holds that",
+                    -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)));
+    double radius = 1;
+    int status = n.num > 0 ? find_fall(layout) : find_threshold(layout);
+    if (status == STATUS_OK)
+        status = find_radius(&radius, layout);
+    layout->near_end = exp2(floor(log2(fmin(radius, 1))) - NEAR_OCTAVES);
+    make_intervals(layout);
+    for (int i = 0; i < 2 && law_is_linear(law); i++) /* eps falls faster there, and collisions cost nothing */
+        law_layout_refine(layout);
+    return status;
+}
+
+void law_layout_refine(struct law_layout *layout)
+{
+    struct interval *const interval = (struct interval *)layout->interpolant.interval;
+    for (int i = 0; i < layout->interpolant.intervals; i++)
+        interval[i].count += interval[i].count / 4;
+}
+
+void law_layout_clear(struct law_layout *layout)
+{
+    free((struct interval *)layout->interpolant.interval);
+    layout->interpolant.interval = NULL;
+}
+
+/* ---- tables ---- */
+
+static bool of_force(enum quantity quantity)
+{
+    return quantity == EPS_ZERO_FORCE || quantity == DURATION_ZERO_FORCE || quantity == LOSS_QUOTIENT_ZERO_FORCE ||
+           quantity == BETA_ZERO_FORCE || quantity == BETA_QUOTIENT_ZERO_FORCE;
+}
+
+static bool of_overlap(enum quantity quantity)
+{
+    return quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP ||
+           quantity == LOSS_QUOTIENT_ZERO_OVERLAP || quantity == BETA_ZERO_OVERLAP ||
+           quantity == BETA_QUOTIENT_ZERO_OVERLAP;
+}
+
+/* Octave of x, or of the number below it where x is a power of two and ends a table */
+static double octave_of(double x)
+{
+    return floor(log2(x));
+}
+
+/* The octave of eps where the rows of the inverse begin */
+static double inverse_octave(const struct law_layout *layout, const struct interpolant *f, bool force)
+{
+    if (!force && layout->threshold < HUGE_VAL)
+        return TINY_EPS_OCTAVE;
+    const double u = force                     ? layout->last_log
+                     : layout->overlap_log > 0 ? layout->overlap_log
+                                               : log(layout->overlap_end);
+    arb_t x, y;
+    arb_init(x);
+    arb_init(y);
+    arb_set_d(x, u);
+    arb_exp(x, x, 64);
+    interpolant_at_beta(y, f, force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP, x, 64);
+    /* the octave of that eps, if beta is sampled as far as it reaches, or the one above it */
+    const double q = ratio_double(law_speed_exponent(&layout->interpolant.law));
+    const bool sampled = !force && u + q * log(2) <= layout->last_log;
+    const double octave = octave_of(arf_get_d(arb_midref(y), ARF_RND_NEAR)) + (sampled ? 0 : 1);
+    arb_clear(x);
+    arb_clear(y);
+    return octave;
+}
+
+static void place_near(struct pieces *p, const struct law_layout *layout)
+{
+    const slong root = p->quantity == DURATION_ZERO_FORCE ? layout->root_of_time : layout->root;
+    p->root = of_force(p->quantity) ? root : 1;
+    p->variable = p->root > 1 ? VARIABLE_ROOT_BETA : VARIABLE_BETA;
+    p->end = layout->near_end;
+    p->step = exp2(octave_of(pow(p->end, 1 / (double)p->root)) - 1);
+}
+
+static void place_inverse_near(struct pieces *p, const struct law_layout *layout)
+{
+    const bool force = of_force(p->quantity);
+    p->variable = force && layout->root > 1 ? VARIABLE_ROOT_LOSS : VARIABLE_LOSS;
+    p->root = force ? layout->root : 1;
+    p->end = 0.5;
+    p->step = 0.125;
+}
+
+bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layout, const struct interpolant *f,
+                    enum law_part part, enum quantity quantity, const char *name, const char *title)
+{
+    const struct law *law = &layout->interpolant.law;
+    const bool eps = quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
+    const bool loss = quantity == LOSS_QUOTIENT_ZERO_OVERLAP || quantity == LOSS_QUOTIENT_ZERO_FORCE;
+    const bool time =
+        quantity == DURATION_ZERO_OVERLAP || quantity == DURATION_ZERO_FORCE || quantity == TIME_OF_MAX_OVERLAP;
+    const bool overlap = of_overlap(quantity), threshold = layout->threshold < HUGE_VAL;
+    if ((of_force(quantity) && !law_force_ends(law)) || (overlap && law_is_linear(law) && !time))
+        return false;
+    *p = (struct pieces){.quantity = quantity,
+                         .root = 1,
+                         .degree = DEGREE,
+                         .octave_bits = PIECES_OCTAVE_BITS,
+                         .name = name,
+                         .title = title,
+                         .least_bits = time ? LEAST_BITS_OF_TIMES : LEAST_BITS,
+                         .most_rest = MOST_REST};
+    switch (part) {
+    case PART_NEAR:
+        if (eps) /* made of the loss */
+            return false;
+        place_near(p, layout);
+        p->head_bits = loss ? HEAD_BITS : 0;
+        break;
+    case PART_MIDDLE:
+        if (loss)
+            return false;
+        p->variable = VARIABLE_BETA_OCTAVES;
+        p->first = octave_of(layout->near_end);
+        p->end = overlap && threshold ? layout->overlap_end : LAW_MIDDLE_END;
+        break;
+    case PART_TAIL:
+        if (loss || (overlap && threshold) || (quantity == EPS_ZERO_OVERLAP && layout->overlap_log == 0))
+            return false;
+        p->variable = VARIABLE_LOG_OCTAVES;
+        p->first = octave_of(LAW_TAIL_FIRST);
+        p->end = quantity == EPS_ZERO_OVERLAP ? layout->overlap_log : layout->last_log;
+        break;
+    case PART_BELOW:
+        if (loss || !overlap || !threshold)
+            return false;
+        p->variable = VARIABLE_BELOW_OCTAVES;
+        p->first = octave_of(layout->below_first);
+        p->end = exp2(octave_of(layout->threshold / 2)) * (1 + 0x1p-40); /* beta_c - overlap_end, rounded, is in it */
+        break;
+    case PART_INVERSE_NEAR:
+        place_inverse_near(p, layout);
+        p->least_bits = LEAST_BITS_OF_TIMES;
+        p->head_bits = HEAD_BITS;
+        break;
+    default:
+        p->variable = VARIABLE_EPS_OCTAVES;
+        p->first = inverse_octave(layout, f, of_force(quantity));
+        p->end = 0.5;
+        p->least_bits = LEAST_BITS_OF_TIMES;
+    }
+    *status = pieces_fit(p, f);
+    return true;
+}

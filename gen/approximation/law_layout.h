@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT */
+/* Where the collisions of any law are sampled and into which tables they are cut (docs/derivation.md, 9; form:
+ * docs/header-format.md).
+ *
+ *   near    beta < near_end, a power of two, an eighth of the radius of convergence of the series in beta or less: rows
+ *           in beta and, at zero force, in beta^(1/root); for eps those of (1 - eps)/beta
+ *   middle  up to beta = 8, or to the place from which zero overlap has rows in beta_c - beta: octaves of beta
+ *   tail    powers of beta times rows by octaves of ln(beta), up to last_log
+ *   far     the same powers times the far coefficients
+ *   below   octaves of beta_c - beta, zero overlap where there is a threshold beta_c
+ *
+ * and for the inverse rows of beta/(1 - eps) in 1 - eps or its root, and of beta by octaves of eps. */
+#ifndef COR_GEN_APPROXIMATION_LAW_LAYOUT_H
+#define COR_GEN_APPROXIMATION_LAW_LAYOUT_H
+
+#include "approximation/interpolant.h"
+#include "approximation/pieces.h"
+
+enum { LAW_MIDDLE_END = 8, LAW_TAIL_FIRST = 2 /* ln(beta) */ };
+
+/* Which part of beta or eps a table is for */
+enum law_part { PART_NEAR, PART_MIDDLE, PART_TAIL, PART_BELOW, PART_INVERSE_NEAR, PART_INVERSE, LAW_PARTS };
+
+struct law_layout {
+    struct interpolant_layout interpolant; /* owns its intervals */
+    slong root;                            /* of beta and of 1 - eps in the near rows of eps at zero force */
+    slong root_of_time;                    /* of beta in those of the duration, which has powers beta^(1/(a-b)) too */
+    double near_end, last_log;
+    double overlap_end; /* of the middle and, below a threshold, first beta of the rows in beta_c - beta */
+    double overlap_log; /* q > 0: last ln(beta) of the tail of eps at zero overlap, or 0: eps = v_f beta^(-1/q) from
+                           * overlap_end on */
+    double below_first; /* the least beta_c - beta of a double beta */
+    double threshold;   /* beta_c, or infinity */
+};
+
+/* Returns 0, or 1 after saying what failed or why such a law has no tables. */
+int law_layout_init(struct law_layout *layout, const struct law *law);
+/* More points in every interval, where the interpolant was not good enough */
+void law_layout_refine(struct law_layout *layout);
+void law_layout_clear(struct law_layout *layout);
+
+/* The widest rows of a quantity in a part, named NAME and with TITLE, which must live as long; false if the part has
+ * none for it. *status as pieces_fit. */
+bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layout, const struct interpolant *f,
+                    enum law_part part, enum quantity quantity, const char *name, const char *title);
+
+#endif

@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen law: one header with every quantity of one law. */
+#include <string.h>
+
+#include "cli/commands.h"
+#include "support/console.h"
+#include "tables/law_header.h"
+
+static int run_law(const void *arguments)
+{
+    const struct law_arguments *const o = arguments;
+    struct law law;
+    const int wrong = options_law(&law, &o->law);
+    if (wrong)
+        return wrong;
+    if (!o->law.elastic || !o->law.damping)
+        return usage_error("corgen law needs --elastic and --damping, as --elastic 3/2 --damping 0");
+    if (strlen(o->name) > LAW_NAME_MAX)
+        return usage_error("--name: at most %d characters", LAW_NAME_MAX);
+    struct output out;
+    if (output_open(&out, o->common.output) != STATUS_OK)
+        return STATUS_FAILED;
+    profile_step("tables");
+    const int status = law_header_write(out.file, &law, o->name);
+    profile_step(NULL);
+    if (status == STATUS_OK)
+        return output_commit(&out);
+    output_discard(&out);
+    return status;
+}
+
+static const char help[] =
+    "Usage: corgen law --elastic A --damping B --name NAME [--output FILE]\n\n"
+    "Writes a self-contained header, C99, C++11, CUDA and HIP, for the contact law\n"
+    "x'' + beta x^B x' + x^A = 0, x(0) = 0, x'(0) = 1, with functions of beta from 0 to infinity:\n"
+    "NAME_eps_zero_overlap, _loss_, _beta_ (the inverse), _beta_of_loss_ and _duration_, each of both\n"
+    "ends of contact, NAME_max_overlap and NAME_time_of_max_overlap. Takes minutes.\n\n"
+    "  --elastic A      elastic exponent, as 3/2 or 1.5\n"
+    "  --damping B      damping exponent, as 0 or 1/4\n"
+    "  --name NAME      an identifier of C, what the functions' names begin with\n" HELP_COMMON
+    "\nExample: corgen law --elastic 1 --damping 1/2 --name hooke --output hooke.h\n";
+
+#define AT(FIELD) offsetof(struct law_arguments, FIELD)
+static const struct option_rule options[] = {
+    OPTION_LAW(struct law_arguments),
+    {.name = "name", .kind = OPTION_C_NAME, .offset = AT(name), .required = true},
+    OPTION_COMMON(struct law_arguments),
+    {.name = NULL},
+};
+
+static const struct law_arguments defaults = {0};
+
+const struct subcommand command_law = {.name = "law",
+                                       .summary = "a C header with every quantity of one contact law",
+                                       .help = help,
+                                       .options = options,
+                                       .size = sizeof defaults,
+                                       .defaults = &defaults,
+                                       .run = run_law};

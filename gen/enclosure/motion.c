@@ -1,0 +1,354 @@
+/* SPDX-License-Identifier: MIT */
+#include "enclosure/motion.h"
+
+#include "enclosure/slow_manifold.h"
+#include "enclosure/taylor.h"
+#include "support/console.h"
+
+/* A state whose w or t is known to fewer bits can be followed no further. */
+enum { LEAST_BITS = 8 };
+
+/* The scales in which the equation of motion is integrated: x = length X, t = length s,
+ * X'' + c1 X^b X' + c2 X^a = 0. Weak: 1, beta, 1. Strong: length = beta^(-1/(b+1)), c1 = 1 and c2 = mu, regular however
+ * large beta is. */
+struct scales {
+    arb_t length, c1, c2;
+};
+
+static void scales_init(struct scales *s, const arb_t beta, const struct law *law, bool strong, slong prec)
+{
+    arb_init(s->length);
+    arb_init(s->c1);
+    arb_init(s->c2);
+    if (strong) {
+        const struct ratio one = {1, 1};
+        arb_t inverse;
+        arb_init(inverse);
+        arb_inv(inverse, beta, prec);
+        arb_pow_ratio(s->c2, inverse, law_mu_power(law), prec);
+        arb_pow_ratio(s->length, inverse, ratio_div(one, ratio_add(law->b, one)), prec);
+        arb_one(s->c1);
+        arb_clear(inverse);
+    } else {
+        arb_one(s->length);
+        arb_set(s->c1, beta);
+        arb_one(s->c2);
+    }
+}
+
+static void scales_clear(struct scales *s)
+{
+    arb_clear(s->length);
+    arb_clear(s->c1);
+    arb_clear(s->c2);
+}
+
+struct motion {
+    struct collision *c;
+    struct scales s;
+    struct taylor y;
+    bool force_ends; /* before the overlap does: never without damping, nor where a <= b */
+    bool turned, released, parted;
+    arb_t begin; /* of what the step in hand has behind the turning point */
+};
+
+static void motion_init(struct motion *m, struct collision *c, const arb_t beta, const struct law *law, bool strong,
+                        slong prec)
+{
+    m->c = c;
+    scales_init(&m->s, beta, law, strong, prec);
+    taylor_init(&m->y, law, 1, taylor_degree(prec), prec);
+    arb_set(m->y.c1, m->s.c1);
+    arb_set(m->y.c2, m->s.c2);
+    arb_one(m->y.v);
+    m->force_ends = law_force_ends(law) && !arb_is_zero(beta);
+    m->turned = m->released = m->parted = false;
+    arb_init(m->begin);
+}
+
+static void motion_clear(struct motion *m)
+{
+    taylor_clear(&m->y);
+    scales_clear(&m->s);
+    arb_clear(m->begin);
+}
+
+static void motion_record(arb_t eps, arb_t time, const struct motion *m, const arb_t root)
+{
+    taylor_value(eps, &m->y, TAYLOR_V, 0, root);
+    arb_neg(eps, eps);
+    taylor_value(time, &m->y, TAYLOR_T, 0, root);
+    arb_mul(time, time, m->s.length, m->y.prec);
+}
+
+/* The three events. Each is looked for inside the step in hand and recorded where it is found; false where the balls do
+ * not decide. */
+
+static bool find_turning_point(struct motion *m)
+{
+    struct taylor *y = &m->y;
+    arb_t value, root;
+    arb_init(value);
+    arb_init(root);
+    taylor_value(value, y, TAYLOR_V, 0, y->step);
+    arb_zero(m->begin);
+    bool decided = arb_is_positive(value);
+    if (arb_is_negative(value) && taylor_root(root, y, TAYLOR_V, m->begin, y->step)) {
+        decided = true;
+        m->turned = true;
+        arb_get_ubound_arf(arb_midref(m->begin), root, y->prec);
+        taylor_value(value, y, TAYLOR_W, 0, root);
+        arb_pow_ui(value, value, (ulong)y->law.d, y->prec);
+        arb_mul(m->c->x_max, value, m->s.length, y->prec);
+        taylor_value(value, y, TAYLOR_T, 0, root);
+        arb_mul(m->c->t_max, value, m->s.length, y->prec);
+    }
+    arb_clear(value);
+    arb_clear(root);
+    return decided;
+}
+
+/* end: where the overlap vanishes, or the end of the step. */
+static bool find_zero_overlap(struct motion *m, arb_t end)
+{
+    struct taylor *y = &m->y;
+    arb_t value;
+    arb_init(value);
+    arb_set(end, y->step);
+    taylor_value(value, y, TAYLOR_W, 0, y->step);
+    bool decided = arb_is_positive(value);
+    if (arb_is_negative(value) && taylor_root(end, y, TAYLOR_W, m->begin, y->step)) {
+        decided = true;
+        m->parted = true;
+        motion_record(m->c->eps_zero_overlap, m->c->t_zero_overlap, m, end);
+    }
+    arb_clear(value);
+    return decided;
+}
+
+/* Before `end`. Where the overlap vanishes in the same step, the two may be too close to be told apart. */
+static bool find_zero_force(struct motion *m, const arb_t end)
+{
+    struct taylor *y = &m->y;
+    arb_t value, root;
+    arb_init(value);
+    arb_init(root);
+    taylor_value(value, y, TAYLOR_FORCE, 0, end);
+    bool decided = arb_is_positive(value) || m->parted;
+    if (arb_is_negative(value) && taylor_root(root, y, TAYLOR_FORCE, m->begin, end)) {
+        decided = true;
+        m->released = true;
+        motion_record(m->c->eps_zero_force, m->c->t_zero_force, m, root);
+    }
+    arb_clear(value);
+    arb_clear(root);
+    return decided;
+}
+
+/* The zero-force end where it is too close to zero overlap to be told apart by signs. While the force is
+ * attractive the speed u falls, from u_f <= 1 at x_f = (c1 u_f)^(1/(a-b)) to eps, so
+ *
+ *   0 <= u_f^2 - eps^2 <= 2 c1 x_f^(b+1)/(b+1),   0 <= t_zero_overlap - t_zero_force <= x_f/eps. */
+static void release_at_end(struct motion *m)
+{
+    struct collision *c = m->c;
+    const struct law *law = &m->y.law;
+    const slong prec = m->y.prec;
+    const struct ratio one = {1, 1}, b1 = ratio_add(law->b, one);
+    arb_t x, y;
+    arb_set(c->eps_zero_force, c->eps_zero_overlap);
+    arb_set(c->t_zero_force, c->t_zero_overlap);
+    if (!m->force_ends)
+        return;
+    arb_init(x);
+    arb_init(y);
+    arb_pow_ratio(x, m->s.c1, ratio_div(one, ratio_sub(law->a, law->b)), prec);
+    arb_mul(y, x, m->s.length, prec);
+    arb_div(y, y, c->eps_zero_overlap, prec);
+    arb_sub(y, c->t_zero_overlap, y, prec);
+    arb_union(c->t_zero_force, c->t_zero_force, y, prec);
+    arb_pow_ratio(x, x, b1, prec);
+    arb_mul(x, x, m->s.c1, prec);
+    arb_mul_2exp_si(x, x, 1);
+    arb_set_ratio(y, b1, prec);
+    arb_div(x, x, y, prec);
+    arb_addmul(x, c->eps_zero_overlap, c->eps_zero_overlap, prec);
+    arb_sqrt(x, x, prec);
+    arb_union(c->eps_zero_force, c->eps_zero_force, x, prec);
+    arb_clear(x);
+    arb_clear(y);
+}
+
+/* Overdamped: the overlap creeps to zero and never gets there, eps = 0. While u = -x' >= 0, k = u/x^(b+1) obeys
+ * k'/x^b = (b+1) k^2 - c1 k + c2 x^(a-2b-1). Where a >= 2b+1 (q <= 0) the last term cannot grow again; once the
+ * right side is not positive at K = c1/(2(b+1)) and k < K, k never exceeds K, and x^(b+1) reaches 0 too slowly. */
+static bool creeps(const struct taylor *y)
+{
+    const slong d = y->law.d, b1 = y->law.bd + d, excess = y->law.ad - y->law.bd - b1;
+    if (excess < 0)
+        return false;
+    arb_t k, x;
+    arb_init(k);
+    arb_init(x);
+    arb_pow_ui(x, y->w, (ulong)b1, y->prec);
+    arb_div(k, y->v, x, y->prec);
+    arb_mul_si(k, k, 2 * b1, y->prec);
+    arb_div_si(k, k, d, y->prec);
+    arb_add(k, k, y->c1, y->prec);
+    bool never = arb_is_positive(k);
+    if (never) {
+        /* c1^2/(4(b+1)) >= c2 x^(a-2b-1); the k above is 2(b+1)(K - k) */
+        arb_sqr(k, y->c1, y->prec);
+        arb_mul_si(k, k, d, y->prec);
+        arb_div_si(k, k, 4 * b1, y->prec);
+        arb_pow_ui(x, y->w, (ulong)excess, y->prec);
+        arb_mul(x, x, y->c2, y->prec);
+        never = arb_ge(k, x);
+    }
+    arb_clear(k);
+    arb_clear(x);
+    return never;
+}
+
+/* The place y = mu X^-n and slope p = -X'/(mu X^(a-b)) of slow_manifold.h, of a state in strong scales, w^d = X. */
+static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
+{
+    const slong difference = y->law.ad - y->law.bd, n = y->law.bd - difference + y->law.d;
+    arb_pow_ui(place, y->w, (ulong)n, y->prec);
+    arb_div(place, y->c2, place, y->prec);
+    arb_pow_ui(slope, y->w, (ulong)FLINT_ABS(difference), y->prec);
+    if (difference < 0)
+        arb_inv(slope, slope, y->prec);
+    arb_mul(slope, slope, y->c2, y->prec);
+    arb_div(slope, y->v, slope, y->prec);
+    arb_neg(slope, slope);
+}
+
+/* What follows the state in hand: more motion, or the end of it with its outcome. */
+static bool motion_goes_on(enum motion_outcome *outcome, const struct motion *m, const struct slow_manifold *manifold,
+                           slong bits)
+{
+    bool ends = false;
+    *outcome = MOTION_DONE;
+    if (manifold && m->turned && (m->released || !m->force_ends)) {
+        arb_t place, slope;
+        arb_init(place);
+        arb_init(slope);
+        manifold_state(place, slope, &m->y);
+        ends = slow_manifold_reached(manifold, place, slope, bits);
+        if (!ends && arb_gt(place, manifold->last)) { /* its domain is left, and it was not reached */
+            *outcome = MOTION_IMPRECISE;
+            ends = true;
+        }
+        arb_clear(place);
+        arb_clear(slope);
+    } else if (m->released && creeps(&m->y)) {
+        arb_zero(m->c->eps_zero_overlap);
+        arb_pos_inf(m->c->t_zero_overlap);
+        ends = true;
+    }
+    return !ends;
+}
+
+/* One step: its events, then the state behind it. True while the motion goes on. */
+static bool motion_step(enum motion_outcome *outcome, struct motion *m, enum motion_goal goal)
+{
+    struct taylor *y = &m->y;
+    arb_t end;
+    arb_init(end);
+    *outcome = MOTION_IMPRECISE;
+    taylor_expand(y);
+    bool decided = taylor_choose_step(y) && (m->turned || find_turning_point(m));
+    bool reached = m->turned && goal == MOTION_TURNING_POINT;
+    if (decided && m->turned && !reached) {
+        decided = find_zero_overlap(m, end);
+        if (decided && m->force_ends && !m->released)
+            decided = find_zero_force(m, end);
+        if (decided && m->parted && !m->released)
+            release_at_end(m);
+        reached = m->parted || (m->released && goal == MOTION_ZERO_FORCE);
+    }
+    if (decided && reached)
+        *outcome = MOTION_DONE;
+    if (decided && !reached) {
+        taylor_advance(y, y->step);
+        arb_zero(m->begin);
+        decided = arb_rel_accuracy_bits(y->w) >= LEAST_BITS && arb_rel_accuracy_bits(y->t) >= LEAST_BITS;
+    }
+    arb_clear(end);
+    return decided && !reached;
+}
+
+static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal, const struct slow_manifold *manifold,
+                                         slong bits)
+{
+    enum motion_outcome outcome;
+    for (slong step = 0; step < TAYLOR_MAX_STEPS; step++) {
+        progress("collision", step, 0);
+        if (!motion_step(&outcome, m, goal) || !motion_goes_on(&outcome, m, manifold, bits))
+            return outcome;
+    }
+    return MOTION_ENDLESS;
+}
+
+enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct law *law, enum motion_goal goal,
+                                 slong prec)
+{
+    struct motion m;
+    motion_init(&m, c, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec);
+    const enum motion_outcome outcome = motion_follow(&m, goal, NULL, 0);
+    motion_clear(&m);
+    return outcome;
+}
+
+/* In units of the slow manifold, x = beta^(-2/n) z: a speed is beta^(-1/q), a time beta^((a-1)/n). */
+static bool add_fall(struct collision *c, const struct motion *m, const struct slow_manifold *manifold,
+                     const arb_t beta, slong bits)
+{
+    const struct law *law = &m->y.law;
+    const slong prec = m->y.prec;
+    const struct ratio one = {1, 1};
+    const struct ratio to_speed = ratio_div((struct ratio){-1, 1}, law_speed_exponent(law));
+    const struct ratio to_time = ratio_div(ratio_sub(law->a, one), law_fall_power(law));
+    arb_t place, slope, time, unit;
+    arb_init(place);
+    arb_init(slope);
+    arb_init(time);
+    arb_init(unit);
+    manifold_state(place, slope, &m->y);
+    const bool reached = slow_manifold_time(time, manifold, place, slope, bits);
+    if (reached) {
+        arb_add(time, time, manifold->t_fall, prec);
+        arb_pow_ratio(unit, beta, to_time, prec);
+        arb_mul(c->t_zero_overlap, m->y.t, m->s.length, prec);
+        arb_addmul(c->t_zero_overlap, time, unit, prec);
+        arb_pow_ratio(unit, beta, to_speed, prec);
+        arb_mul(c->eps_zero_overlap, manifold->final_speed, unit, prec);
+        if (!m->released) { /* the two ends coincide */
+            arb_set(c->eps_zero_force, c->eps_zero_overlap);
+            arb_set(c->t_zero_force, c->t_zero_overlap);
+        }
+    }
+    arb_clear(place);
+    arb_clear(slope);
+    arb_clear(time);
+    arb_clear(unit);
+    return reached;
+}
+
+enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct law *law, slong bits,
+                                      slong prec)
+{
+    struct motion m;
+    struct slow_manifold manifold;
+    enum motion_outcome outcome = MOTION_IMPRECISE;
+    motion_init(&m, c, beta, law, true, prec);
+    if (slow_manifold_init(&manifold, law, bits, prec)) {
+        outcome = motion_follow(&m, MOTION_ZERO_OVERLAP, &manifold, bits);
+        if (outcome == MOTION_DONE && !m.parted && !add_fall(c, &m, &manifold, beta, bits))
+            outcome = MOTION_IMPRECISE;
+    }
+    slow_manifold_clear(&manifold);
+    motion_clear(&m);
+    return outcome;
+}

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: MIT */
+/* Laws with q < 0 part below a threshold beta_c only (docs/derivation.md, 9).
+ *
+ * Backwards from an end with eps = 0, and with x = beta^(2/m) X, m = -n > 0, the motion is the unstable manifold of the
+ * pumped law X'' - X^b X' + X^a = 0,
+ *
+ *   X' = X^(b+1) g(z),   z = X^m,   g ((b+1) g + m z g') = g - z,   g(0) = 1/(b+1),
+ *
+ * which turns at a height C*. A collision turns at C(beta) = beta^(-2/m) x_max(beta), falling with beta, and parts
+ * where that is above C*; so beta_c is the root of C(beta) = C*. */
+#include "enclosure/collision.h"
+
+#include <math.h>
+
+#include "enclosure/motion.h"
+#include "enclosure/taylor.h"
+#include "support/console.h"
+
+enum { GUARD_BITS = 60, ATTEMPTS = 8, SEARCH_STEPS = 400 };
+
+/* g at z to prec bits. Order z^k of the equation, with R_k = sum_{0<i<k} g_i g_(k-i):
+ *
+ *   g_k = -((b+1 + m k/2) R_k + [k = 1])/(1 + m k/(b+1)).
+ *
+ * The factor of R_k is below b+1, so M = |g_1| z + (b+1) M^2 is a majorant of g - g_0: it converges to z* = 1/(4 (b+1)
+ * |g_1|), where it is 1/(2 (b+1)), and what is beyond z^K at z = z* 2^-s is below 2^(-s (K+1))/(2 (b+1)). z is set. */
+static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
+{
+    enum { SHRINK = 3 };
+    const slong terms = prec / SHRINK + 2;
+    const struct ratio one = {1, 1}, two = {2, 1};
+    const struct ratio b1 = ratio_add(law->b, one), m = ratio_mul((struct ratio){-1, 1}, law_fall_power(law));
+    arb_ptr c = _arb_vec_init(terms + 1);
+    arb_t x, factor;
+    arb_init(x);
+    arb_init(factor);
+    arb_set_ratio(c, ratio_div(one, b1), prec);
+    for (slong k = 1; k <= terms; k++) {
+        const struct ratio mk = ratio_mul(m, (struct ratio){k, 1});
+        if (k > 1)
+            arb_dot(x, NULL, 0, c + 1, 1, c + k - 1, -1, k - 1, prec);
+        else
+            arb_zero(x);
+        arb_set_ratio(factor, ratio_add(b1, ratio_div(mk, two)), prec);
+        arb_mul(x, x, factor, prec);
+        if (k == 1)
+            arb_add_ui(x, x, 1, prec);
+        arb_set_ratio(factor, ratio_add(one, ratio_div(mk, b1)), prec);
+        arb_div(x, x, factor, prec);
+        arb_neg(c + k, x);
+    }
+    arb_set_ratio(z, b1, prec);
+    arb_mul(z, z, c + 1, prec);
+    arb_abs(z, z);
+    arb_inv(z, z, prec);
+    arb_mul_2exp_si(z, z, -2 - SHRINK);
+    arb_get_lbound_arf(arb_midref(z), z, prec);
+    mag_zero(arb_radref(z));
+    _arb_poly_evaluate(g, c, terms + 1, z, prec);
+    arb_set_ratio(x, b1, prec);
+    arb_inv(x, x, prec);
+    arb_mul_2exp_si(x, x, -1 - SHRINK * (terms + 1));
+    arb_add_error(g, x);
+    _arb_vec_clear(c, terms + 1);
+    arb_clear(x);
+    arb_clear(factor);
+}
+
+/* C*: from the series on by steps to the turning point. */
+static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
+{
+    const struct ratio m = ratio_mul((struct ratio){-1, 1}, law_fall_power(law));
+    struct taylor y;
+    arb_t g, z, zero;
+    bool sound = true, turned = false;
+    arb_init(g);
+    arb_init(z);
+    arb_init(zero);
+    unstable_series(g, z, law, prec);
+    taylor_init(&y, law, 1, taylor_degree(prec), prec);
+    arb_set_si(y.c1, -1);
+    arb_one(y.c2);
+    arb_pow_ratio(y.w, z, ratio_div((struct ratio){1, law->d}, m), prec);
+    arb_pow_ui(y.v, y.w, (ulong)(law->bd + law->d), prec);
+    arb_mul(y.v, y.v, g, prec);
+    for (slong step = 0; step < TAYLOR_MAX_STEPS && sound && !turned; step++) {
+        taylor_expand(&y);
+        sound = taylor_choose_step(&y);
+        if (!sound)
+            break;
+        taylor_value(z, &y, TAYLOR_V, 0, y.step);
+        if (arb_is_positive(z)) {
+            taylor_advance(&y, y.step);
+        } else {
+            turned = arb_is_negative(z) && taylor_root(g, &y, TAYLOR_V, zero, y.step);
+            sound = turned;
+        }
+    }
+    if (turned) {
+        taylor_value(z, &y, TAYLOR_W, 0, g);
+        arb_pow_ui(c_star, z, (ulong)law->d, prec);
+    }
+    taylor_clear(&y);
+    arb_clear(g);
+    arb_clear(z);
+    arb_clear(zero);
+    return turned;
+}
+
+/* C(beta) - C*. */
+static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const struct law *law, slong prec)
+{
+    const struct ratio power = ratio_div((struct ratio){2, 1}, law_fall_power(law));
+    struct collision c;
+    collision_init(&c);
+    const bool solved = motion_solve(&c, beta, law, MOTION_TURNING_POINT, prec) == MOTION_DONE;
+    if (solved) {
+        arb_pow_ratio(f, beta, power, prec);
+        arb_mul(f, f, c.x_max, prec);
+        arb_sub(f, f, c_star, prec);
+    }
+    collision_clear(&c);
+    return solved;
+}
+
+/* Brackets the root by doubling, halves the bracket by the Illinois method, and proves signs at both ends of a ball of
+ * 2^-bits: C(beta) falls, so they enclose the one root. */
+static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *law, slong bits, slong prec)
+{
+    arb_t low, high, flow, fhigh, x, fx, width;
+    bool sound, enclosed = false;
+    arb_init(low);
+    arb_init(high);
+    arb_init(flow);
+    arb_init(fhigh);
+    arb_init(x);
+    arb_init(fx);
+    arb_init(width);
+    arb_one(low);
+    sound = height_above(flow, low, c_star, law, prec);
+    while (sound && arb_is_negative(flow)) {
+        arb_mul_2exp_si(low, low, -1);
+        sound = height_above(flow, low, c_star, law, prec);
+    }
+    arb_mul_2exp_si(high, low, 1);
+    sound = sound && height_above(fhigh, high, c_star, law, prec);
+    while (sound && arb_is_positive(fhigh)) {
+        arb_swap(low, high);
+        arb_swap(flow, fhigh);
+        arb_mul_2exp_si(high, low, 1);
+        sound = height_above(fhigh, high, c_star, law, prec);
+    }
+    int side = 0;
+    for (int i = 0; i < SEARCH_STEPS && sound && !enclosed; i++) {
+        arb_sub(width, fhigh, flow, prec);
+        arb_sub(x, high, low, prec);
+        arb_mul(x, x, flow, prec);
+        arb_div(x, x, width, prec);
+        arb_sub(x, low, x, prec);
+        arb_get_mid_arb(x, x);
+        sound = height_above(fx, x, c_star, law, prec);
+        enclosed = arf_cmpabs_2exp_si(arb_midref(fx), -bits - GUARD_BITS / 4) < 0;
+        arb_get_mid_arb(fx, fx);
+        const bool above = arb_is_positive(fx);
+        arb_set(above ? low : high, x);
+        arb_set(above ? flow : fhigh, fx);
+        if (side == (above ? 1 : -1))
+            arb_mul_2exp_si(above ? fhigh : flow, above ? fhigh : flow, -1);
+        side = above ? 1 : -1;
+    }
+    if (sound && enclosed) {
+        arb_mul_2exp_si(width, x, -bits - 2);
+        arb_sub(low, x, width, prec);
+        arb_get_mid_arb(low, low);
+        arb_add(high, x, width, prec);
+        arb_get_mid_arb(high, high);
+        sound = height_above(flow, low, c_star, law, prec) && height_above(fhigh, high, c_star, law, prec) &&
+                arb_is_positive(flow) && arb_is_negative(fhigh);
+        arb_union(beta_c, low, high, prec);
+    }
+    arb_clear(low);
+    arb_clear(high);
+    arb_clear(flow);
+    arb_clear(fhigh);
+    arb_clear(x);
+    arb_clear(fx);
+    arb_clear(width);
+    return sound && enclosed;
+}
+
+int collision_threshold(arb_t beta_c, arb_t c_star, const struct law *law, slong bits)
+{
+    if (law_fall_power(law).num >= 0)
+        return fail("a threshold of damping exists for q < 0 only");
+    slong prec = bits + GUARD_BITS;
+    for (int i = 0; i < ATTEMPTS; i++, prec += prec / 2) {
+        const bool found = unstable_height(c_star, law, prec) && find_threshold(beta_c, c_star, law, bits, prec);
+        progress_end();
+        if (found && arb_rel_accuracy_bits(beta_c) >= bits && arb_rel_accuracy_bits(c_star) >= bits)
+            return STATUS_OK;
+    }
+    return fail("the threshold of damping could not be enclosed to %ld bits", (long)bits);
+}

@@ -1,0 +1,453 @@
+/* SPDX-License-Identifier: MIT */
+#include "tables/law_header.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "approximation/law_layout.h"
+#include "support/console.h"
+#include "support/evaluator_text.h"
+
+enum { FAR_COLUMNS = INTERPOLANT_FAR + 2, CHECK_POINTS = 5, ATTEMPTS = 3, TEXT_MAX = 192 };
+
+/* Relative error of the interpolant, so that sampling against it means something. */
+#define INTERPOLANT_LIMIT 4e-18
+
+/* Every table, by the quantity that it serves; near eps = 1 rows hold the loss. */
+static const struct {
+    enum law_part part;
+    enum quantity serves, quantity;
+    const char *stem, *title;
+} table_list[] = {
+#define OF_QUANTITY(QUANTITY, stem, title)                                                                             \
+    {PART_MIDDLE, QUANTITY, QUANTITY, "middle_" stem, title}, {PART_TAIL, QUANTITY, QUANTITY, "tail_" stem, title},    \
+    {                                                                                                                  \
+        PART_BELOW, QUANTITY, QUANTITY, "below_" stem, title                                                           \
+    }
+#define OF_EPS(end, END, words)                                                                                        \
+    {PART_NEAR, EPS_##END, LOSS_QUOTIENT_##END, "near_loss_" end, "(1 - eps)/beta at " words},                         \
+        OF_QUANTITY(EPS_##END, "eps_" end, "eps at " words),                                                           \
+        {PART_INVERSE_NEAR, EPS_##END, BETA_QUOTIENT_##END, "near_beta_" end, "beta/(1 - eps) at " words},             \
+    {                                                                                                                  \
+        PART_INVERSE, EPS_##END, BETA_##END, "beta_" end, "beta at " words                                             \
+    }
+#define OF_LENGTH(QUANTITY, stem, title)                                                                               \
+    {PART_NEAR, QUANTITY, QUANTITY, "near_" stem, title}, OF_QUANTITY(QUANTITY, stem, title)
+    OF_EPS("zero_overlap", ZERO_OVERLAP, "zero overlap"),
+    OF_EPS("zero_force", ZERO_FORCE, "zero force"),
+    OF_LENGTH(DURATION_ZERO_OVERLAP, "duration_zero_overlap", "duration at zero overlap"),
+    OF_LENGTH(DURATION_ZERO_FORCE, "duration_zero_force", "duration at zero force"),
+    OF_LENGTH(MAX_OVERLAP, "max_overlap", "largest overlap"),
+    OF_LENGTH(TIME_OF_MAX_OVERLAP, "time_of_max_overlap", "time of the largest overlap"),
+};
+enum { TABLES = sizeof table_list / sizeof *table_list };
+
+static const char *const quantity_stem[QUANTITIES] = {"eps_zero_overlap",    "eps_zero_force", "duration_zero_overlap",
+                                                      "duration_zero_force", "max_overlap",    "time_of_max_overlap"};
+
+struct law_tables {
+    struct law_layout layout;
+    struct interpolant *f;
+    double error; /* of the interpolant, sampled */
+    struct {
+        bool has;
+        char name[TEXT_MAX];
+        struct pieces pieces;
+    } table[TABLES];
+};
+
+static int law_tables_init(struct law_tables *t, const struct law *law, const char *name)
+{
+    t->f = NULL;
+    t->error = 0;
+    for (int i = 0; i < TABLES; i++)
+        t->table[i].has = false;
+    int status = law_layout_init(&t->layout, law);
+    for (int attempt = 0; status == STATUS_OK; attempt++) {
+        t->f = interpolant_new(&t->layout.interpolant, 0, INFINITY);
+        status = t->f ? interpolant_check(&t->error, t->f, CHECK_POINTS) : STATUS_FAILED;
+        if (t->error <= INTERPOLANT_LIMIT || attempt == ATTEMPTS - 1)
+            break;
+        interpolant_free(t->f); /* while the layout is as it was */
+        t->f = NULL;
+        law_layout_refine(&t->layout);
+    }
+    if (status == STATUS_OK && t->error > INTERPOLANT_LIMIT)
+        status = fail("the interpolant of the collision is off by %.1e", t->error);
+    for (int i = 0; i < TABLES && status == STATUS_OK; i++) {
+        progress("tables", i, TABLES);
+        snprintf(t->table[i].name, TEXT_MAX, "cor_rows_%s_%s", name, table_list[i].stem);
+        t->table[i].has = law_layout_cut(&t->table[i].pieces, &status, &t->layout, t->f, table_list[i].part,
+                                         table_list[i].quantity, t->table[i].name, table_list[i].title);
+    }
+    progress_end();
+    return status;
+}
+
+static void law_tables_clear(struct law_tables *t)
+{
+    for (int i = 0; i < TABLES; i++)
+        if (t->table[i].has)
+            pieces_clear(&t->table[i].pieces);
+    interpolant_free(t->f);
+    law_layout_clear(&t->layout);
+}
+
+/* ---- rows ---- */
+
+/* value, and what the double nearest to it lacks */
+static void split(arb_t value, arb_t rest)
+{
+    arb_set_d(rest, arf_get_d(arb_midref(value), ARF_RND_NEAR));
+    arb_sub(rest, value, rest, 2 * FLINT_BITS + 64);
+}
+
+static int emit_one_row(struct emit *e, const char *name, const char *title, arb_srcptr row, slong columns)
+{
+    emit_rows_open(e, name, 1, columns);
+    if (emit_row(e, title, row, columns, true))
+        return STATUS_FAILED;
+    emit_rows_close(e);
+    return STATUS_OK;
+}
+
+/* Whether there is anything beyond the tail's rows */
+static bool has_far(const struct law_tables *t, enum quantity quantity)
+{
+    const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
+    const bool force = quantity == EPS_ZERO_FORCE || quantity == DURATION_ZERO_FORCE;
+    const struct law *law = &t->layout.interpolant.law;
+    return !(overlap && t->layout.threshold < HUGE_VAL) && !(force && !law_force_ends(law));
+}
+
+static bool has_fall(const struct law_tables *t, enum quantity quantity)
+{
+    arb_t fall;
+    arb_init(fall);
+    interpolant_far_fall(fall, t->f);
+    const bool has = quantity == DURATION_ZERO_OVERLAP && has_far(t, quantity) && !arb_is_zero(fall);
+    arb_clear(fall);
+    return has;
+}
+
+static int emit_far(struct emit *e, const struct law_tables *t, const char *name)
+{
+    arb_ptr row = _arb_vec_init(FAR_COLUMNS);
+    int status = STATUS_OK;
+    char text[TEXT_MAX];
+    emit_comment(
+        e, "Beyond the rows in ln(beta): a_0, a_0', a_1, a_1', a_2, ..., a_8 of a power of beta times\n"
+           "a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3), u = ln(beta),\n"
+           "through enclosed collisions; of eps at zero overlap v_f as two doubles: proved.");
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
+        if (!has_far(t, (enum quantity)q))
+            continue;
+        snprintf(text, sizeof text, "cor_rows_%s_far_%s", name, quantity_stem[q]);
+        if (q == EPS_ZERO_OVERLAP) {
+            arb_set(row, interpolant_final_speed(t->f));
+            if (law_is_hunt_crossley(&t->layout.interpolant.law)) /* a ball around 1 cannot be split in two */
+                arb_one(row);
+            split(row, row + 1);
+            status = emit_one_row(e, text, quantity_stem[q], row, 2);
+            continue;
+        }
+        interpolant_far(row + 2, t->f, (enum quantity)q);
+        arb_set(row, row + 2);
+        arb_set(row + 2, row + 3);
+        split(row, row + 1);
+        split(row + 2, row + 3);
+        status = emit_one_row(e, text, quantity_stem[q], row, FAR_COLUMNS);
+        if (status == STATUS_OK && has_fall(t, (enum quantity)q)) {
+            interpolant_far_fall(row, t->f);
+            split(row, row + 1);
+            snprintf(text, sizeof text, "cor_rows_%s_fall_%s", name, quantity_stem[q]);
+            status = emit_one_row(e, text, "the further term", row, 2);
+        }
+    }
+    _arb_vec_clear(row, FAR_COLUMNS);
+    return status;
+}
+
+/* ---- what evaluates them ---- */
+
+static const char *capitals(char text[TEXT_MAX], const char *name)
+{
+    size_t i = 0;
+    for (; i < TEXT_MAX - 1 && name[i]; i++)
+        text[i] = (char)toupper((unsigned char)name[i]);
+    text[i] = '\0';
+    return text;
+}
+
+static void emit_table_field(struct emit *e, const char *field, const struct pieces *p)
+{
+    char macro[TEXT_MAX];
+    capitals(macro, p->name);
+    if (p->variable >= VARIABLE_POWER_OCTAVES)
+        emit_builder_set(e, field, "cor_inline_law_octaves(%s, COR_INLINE_OCTAVES(%s), %s_END)", p->name, macro, macro);
+    else
+        emit_builder_set(e, field, "cor_inline_law_grid(%s, COR_INLINE_GRID(%s), %ld, %s_END)", p->name, macro,
+                         (long)p->root, macro);
+}
+
+static void emit_power_field(struct emit *e, const char *field, struct ratio power)
+{
+    char text[64];
+    snprintf(text, sizeof text, "%s.num", field);
+    emit_builder_set(e, text, "%ld", (long)power.num);
+    snprintf(text, sizeof text, "%s.den", field);
+    emit_builder_set(e, text, "%ld", (long)power.den);
+}
+
+static void emit_far_fields(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity)
+{
+    const struct law *law = &t->layout.interpolant.law;
+    const struct ratio one = {1, 1}, power = interpolant_tail_power(law, quantity);
+    const bool fall = has_fall(t, quantity);
+    emit_builder_set(e, "far", "cor_rows_%s_far_%s", name, quantity_stem[quantity]);
+    emit_builder_set(e, "far_kind", "%d", quantity == EPS_ZERO_OVERLAP ? 2 : 1);
+    emit_power_field(e, "power", power);
+    emit_power_field(e, "far_power", fall ? ratio_div(law->a, ratio_add(law->b, one)) : power);
+    emit_power_field(e, "mu", law_mu_power(law));
+    if (fall) {
+        emit_builder_set(e, "fall", "cor_rows_%s_fall_%s", name, quantity_stem[quantity]);
+        emit_builder_set(e, "has_fall", "1");
+        emit_power_field(e, "fall_power", ratio_div(ratio_sub(law->a, one), law_fall_power(law)));
+    }
+    if (quantity == DURATION_ZERO_OVERLAP)
+        emit_builder_set(e, "infinite", "cor_inline_infinity()");
+}
+
+static int emit_threshold_fields(struct emit *e, const struct law_tables *t, enum quantity quantity)
+{
+    const struct law *law = &t->layout.interpolant.law;
+    const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one);
+    int status = emit_builder_pair(e, "threshold", interpolant_threshold(t->f));
+    if (quantity == DURATION_ZERO_OVERLAP)
+        emit_builder_set(e, "beyond", "cor_inline_infinity()");
+    if (law_is_linear(law) && status == STATUS_OK) {
+        arb_t critical;
+        arb_init(critical);
+        arb_set_ratio(critical, ratio_mul((struct ratio){2, 1}, a1), 128);
+        status = emit_builder_pair(e, "critical", critical);
+        arb_clear(critical);
+        emit_builder_set(e, "linear", "1");
+        emit_power_field(e, "fading", ratio_div(ratio_sub(law->a, one), a1));
+    }
+    return status;
+}
+
+static int emit_quantity(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity)
+{
+    static const char *const field[] = {"near", "middle", "tail", "below"};
+    const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
+    char text[TEXT_MAX];
+    int status = STATUS_OK;
+    snprintf(text, sizeof text, "cor_law_%s_%s", name, quantity_stem[quantity]);
+    emit_builder_open(e, "cor_inline_law_quantity", text, "cor_inline_law_quantity_of()");
+    for (int i = 0; i < TABLES; i++)
+        if (table_list[i].serves == quantity && t->table[i].has && table_list[i].part <= PART_BELOW)
+            emit_table_field(e, field[table_list[i].part], &t->table[i].pieces);
+    if (has_far(t, quantity))
+        emit_far_fields(e, t, name, quantity);
+    if (overlap && t->layout.threshold < HUGE_VAL)
+        status = emit_threshold_fields(e, t, quantity);
+    emit_builder_close(e);
+    return status;
+}
+
+static void emit_inverse(struct emit *e, const struct law_tables *t, const char *name, enum quantity quantity)
+{
+    char text[TEXT_MAX];
+    snprintf(text, sizeof text, "cor_law_%s_inverse_%s", name, quantity_stem[quantity]);
+    emit_builder_open(e, "cor_inline_law_inverse", text, "cor_inline_law_inverse_of()");
+    for (int i = 0; i < TABLES; i++)
+        if (table_list[i].serves == quantity && t->table[i].has && table_list[i].part > PART_BELOW)
+            emit_table_field(e, table_list[i].part == PART_INVERSE ? "rows" : "near", &t->table[i].pieces);
+    emit_builder_close(e);
+}
+
+/* The functions that callers use: PREFIX_eps_zero_overlap, ... */
+static void emit_functions(struct emit *e, const struct law_tables *t, const char *name, const char *prefix)
+{
+    static const char *const ends[] = {"zero_overlap", "zero_force"};
+    const bool both = law_force_ends(&t->layout.interpolant.law);
+    char text[TEXT_MAX];
+    for (int end = 0; end < 2; end++) {
+        const char *const source = both ? ends[end] : ends[0]; /* the ends coincide where damping never pulls */
+        snprintf(text, sizeof text, "%s_eps_%s", prefix, ends[end]);
+        emit_inline_double(e, text, "beta", "cor_inline_law_eps(cor_law_%s_eps_%s(), beta)", name, source);
+        snprintf(text, sizeof text, "%s_loss_%s", prefix, ends[end]);
+        emit_inline_double(e, text, "beta", "cor_inline_law_loss(cor_law_%s_eps_%s(), beta)", name, source);
+        snprintf(text, sizeof text, "%s_beta_%s", prefix, ends[end]);
+        emit_inline_double(e, text, "eps", "cor_inline_law_beta(cor_law_%s_eps_%s(), cor_law_%s_inverse_eps_%s(), eps)",
+                           name, source, name, source);
+        snprintf(text, sizeof text, "%s_beta_of_loss_%s", prefix, ends[end]);
+        emit_inline_double(e, text, "loss",
+                           "cor_inline_law_beta_of_loss(cor_law_%s_eps_%s(), cor_law_%s_inverse_eps_%s(), loss)", name,
+                           source, name, source);
+        snprintf(text, sizeof text, "%s_duration_%s", prefix, ends[end]);
+        emit_inline_double(e, text, "beta", "cor_inline_law_value(cor_law_%s_duration_%s(), beta)", name, source);
+    }
+    snprintf(text, sizeof text, "%s_max_overlap", prefix);
+    emit_inline_double(e, text, "beta", "cor_inline_law_value(cor_law_%s_max_overlap(), beta)", name);
+    snprintf(text, sizeof text, "%s_time_of_max_overlap", prefix);
+    emit_inline_double(e, text, "beta", "cor_inline_law_value(cor_law_%s_time_of_max_overlap(), beta)", name);
+}
+
+static int emit_law(struct emit *e, const struct law_tables *t, const char *name, const char *prefix)
+{
+    const bool both = law_force_ends(&t->layout.interpolant.law);
+    emit_comment(e, "A row: value = c_0 + (c_0' + t (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
+                    "c_0', c_1, ..., c_n. c_0' is what c_0 lacks of the value at the node.");
+    int status = STATUS_OK;
+    for (int i = 0; i < TABLES && status == STATUS_OK; i++)
+        if (t->table[i].has)
+            status = pieces_emit(e, &t->table[i].pieces);
+    if (status == STATUS_OK)
+        status = emit_far(e, t, name);
+    emit_comment(e, "What runtime/core/law_eval.h needs of each quantity");
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
+        if (!both && (q == EPS_ZERO_FORCE || q == DURATION_ZERO_FORCE))
+            continue;
+        status = emit_quantity(e, t, name, (enum quantity)q);
+        if (q == EPS_ZERO_OVERLAP || q == EPS_ZERO_FORCE)
+            emit_inverse(e, t, name, (enum quantity)q);
+    }
+    emit_functions(e, t, name, prefix);
+    return status;
+}
+
+/* ---- files ---- */
+
+/* "3", or "3/2" */
+static const char *ratio_text(char text[32], struct ratio r)
+{
+    if (r.den == 1)
+        snprintf(text, 32, "%ld", (long)r.num);
+    else
+        snprintf(text, 32, "%ld/%ld", (long)r.num, (long)r.den);
+    return text;
+}
+
+/* "x^(3/2)", "x", or "" for x^0 where another factor follows */
+static const char *power_text(char text[48], struct ratio r, const char *zero)
+{
+    char exponent[32];
+    if (r.num == 0)
+        snprintf(text, 48, "%s", zero);
+    else if (r.num == 1 && r.den == 1)
+        snprintf(text, 48, "x");
+    else
+        snprintf(text, 48, r.den == 1 ? "x^%s" : "x^(%s)", ratio_text(exponent, r));
+    return text;
+}
+
+static const char *equation_text(char text[128], const struct law *law)
+{
+    char a[48], b[48];
+    power_text(b, law->b, "");
+    snprintf(text, 128, "x'' + beta %s%sx' + %s = 0, x(0) = 0, x'(0) = 1", b, *b ? " " : "",
+             power_text(a, law->a, "1"));
+    return text;
+}
+
+static const char accuracy_text[] =
+    "eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against\n"
+    "enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions "
+    "enclosed\n"
+    "to 80 bits (proved); between them they are off by %.1e at most (sampled). Errors of the rows stand above each\n"
+    "table and beside each row (sampled).\n";
+
+/* What happens at zero overlap as beta grows */
+static void threshold_text(char text[TEXT_MAX], const struct law_tables *t)
+{
+    if (t->layout.threshold < HUGE_VAL)
+        snprintf(text, TEXT_MAX,
+                 "At zero overlap eps is 0 and the duration infinite from beta_c = %.17g on;\n"
+                 "beta of eps = 0, and of every eps below the smallest that a double beta has, is beta_c.\n",
+                 t->layout.threshold);
+    else
+        snprintf(text, TEXT_MAX, "beta = +inf -> eps 0; eps = 0 -> beta +inf.\n");
+}
+
+int law_header_write(FILE *file, const struct law *law, const char *name)
+{
+    struct law_tables *t = xmalloc(sizeof *t);
+    char banner[4096], equation[128], guard[TEXT_MAX], text[TEXT_MAX], threshold[TEXT_MAX], a[32], b[32], accuracy[512];
+    int status = law_tables_init(t, law, name);
+    if (status == STATUS_OK) {
+        threshold_text(threshold, t);
+        snprintf(accuracy, sizeof accuracy, accuracy_text, t->error);
+        snprintf(banner, sizeof banner,
+                 "%s: restitution coefficient, duration and largest overlap of collisions\n"
+                 "%s,\n"
+                 "both ends of contact, for every beta, as one header to embed.\n"
+                 "C99, C++11, CUDA and HIP. Needs sqrt, cbrt, pow, exp, expm1, log and log1p of math.h, memcpy, IEEE "
+                 "doubles.\n"
+                 "\n"
+                 "    double %s_eps_zero_overlap(double beta);      also _zero_force; restitution coefficient\n"
+                 "    double %s_loss_zero_overlap(double beta);     also _zero_force; 1 - eps, relative accuracy\n"
+                 "    double %s_beta_zero_overlap(double eps);      also _zero_force; the inverse\n"
+                 "    double %s_beta_of_loss_zero_overlap(double loss);   the same from 1 - eps\n"
+                 "    double %s_duration_zero_overlap(double beta); also _zero_force\n"
+                 "    double %s_max_overlap(double beta);\n"
+                 "    double %s_time_of_max_overlap(double beta);\n"
+                 "\n"
+                 "Force K x^a + C x^b x', effective mass m, impact speed g: times are in units of\n"
+                 "T = (m/K)^(1/(a+1)) g^((1-a)/(a+1)), lengths in units of g T, and beta = (C/m) g^b T^(b+1).\n"
+                 "Zero overlap ends the contact when x = 0 again, zero force when x'' = 0%s.\n"
+                 "%s"
+                 "Negative or NaN -> NaN.\n"
+                 "\n%s"
+                 "\n"
+                 "Written by:  corgen law --elastic %s --damping %s --name %s\n"
+                 "Checked by:  the same command, whose output is the same to the byte\n",
+                 name, equation_text(equation, law), name, name, name, name, name, name, name,
+                 law_force_ends(law) ? "" : "; they coincide in this law", threshold, accuracy, ratio_text(a, law->a),
+                 ratio_text(b, law->b), name);
+        snprintf(text, sizeof text, "COR_LAW_%s_EMBEDDED_H", name);
+        struct emit e;
+        emit_open(&e, file, capitals(guard, text), banner);
+        e.decimal = true;
+        fprintf(file, "\n%s\n%s\n%s\n%s", evaluator_inline, evaluator_exact, evaluator_row, evaluator_law);
+        status = emit_law(&e, t, name, name);
+        emit_close(&e);
+    }
+    law_tables_clear(t);
+    free(t);
+    return status;
+}
+
+int hertz_dashpot_tables_write(FILE *file, const struct disk_table *none)
+{
+    (void)none;
+    struct law law;
+    struct law_tables *t = xmalloc(sizeof *t);
+    char banner[2048], equation[128], accuracy[512];
+    const char *const wrong = law_parse(&law, "3/2", "0");
+    int status = wrong ? fail("%s", wrong) : law_tables_init(t, &law, "hertz_dashpot");
+    if (status == STATUS_OK) {
+        snprintf(accuracy, sizeof accuracy, accuracy_text, t->error);
+        snprintf(banner, sizeof banner,
+                 "Hertz's contact with a constant dashpot, %s,\n"
+                 "both ends of contact, for every beta. Evaluated by runtime/core/law_eval.h. Source: "
+                 "docs/derivation.md, 9;\n"
+                 "form: docs/header-format.md.\n"
+                 "\n"
+                 "Written by:  corgen tables\n"
+                 "Checked by:  corgen tables --check\n"
+                 "\n"
+                 "Each double is the one nearest to the coefficient beside it: proved. In the functions\n%s",
+                 equation_text(equation, &law), accuracy);
+        struct emit e;
+        emit_open(&e, file, "COR_GENERATED_HERTZ_DASHPOT_TABLES_H", banner);
+        fprintf(file, "\n#include \"runtime/core/law_eval.h\"\n");
+        status = emit_law(&e, t, "hertz_dashpot", "cor_inline_hertz_dashpot");
+        emit_close(&e);
+    }
+    law_tables_clear(t);
+    free(t);
+    return status;
+}

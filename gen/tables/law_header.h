@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: MIT */
+/* Headers of one law x'' + beta x^b x' + x^a = 0: its tables (approximation/law_layout.h) with the functions that
+ * evaluate them by runtime/core/law_eval.h (docs/header-format.md). */
+#ifndef COR_GEN_TABLES_LAW_HEADER_H
+#define COR_GEN_TABLES_LAW_HEADER_H
+
+#include <stdio.h>
+
+#include "series/law.h"
+#include "tables/disk.h"
+
+enum { LAW_NAME_MAX = 48 };
+
+/* What `corgen law` writes: one header that needs no other file, with functions NAME_eps_zero_overlap, ... The name
+ * is an identifier of C of at most LAW_NAME_MAX characters. Returns STATUS_OK, or another status after saying what
+ * failed. */
+int law_header_write(FILE *file, const struct law *law, const char *name);
+
+/* generated/hertz_dashpot_tables.h, the law (3/2, 0) */
+int hertz_dashpot_tables_write(FILE *file, const struct disk_table *none);
+
+#endif

@@ -1,0 +1,607 @@
+/* SPDX-License-Identifier: MIT */
+/* The evaluator of any law's tables, x'' + beta x^b x' + x^a = 0: eps, 1 - eps, times, the largest overlap and beta of
+ * eps, for every beta. What it needs of a law stands in structs that functions of the generated header fill with
+ * constants, so a compiler leaves of each function what the law has.
+ *
+ * From beta = 0 on a quantity is, in this order (docs/derivation.md, 9; form: docs/header-format.md):
+ *
+ *   near     a row on a grid in beta or a root of it; eps is 1 minus that of the loss
+ *   middle   a row by octaves of beta
+ *   below    where there is a threshold beta_c of zero overlap, a row by octaves of beta_c - beta
+ *   tail     a power of beta times a row by octaves of ln(beta)
+ *   far      the same power times three orders in mu = beta^(-(a+1)/(b+1)) with their logarithms; eps at zero overlap
+ *            is v_f beta^(-1/q)
+ *
+ * The first coefficient of a row is a double-double and dominates, so the final addition causes nearly all of the
+ * rounding error. No function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its argument. */
+#ifndef COR_RUNTIME_LAW_EVAL_H
+#define COR_RUNTIME_LAW_EVAL_H
+
+#include "runtime/core/row.h"
+
+/* The structs below are constants of each caller only where the functions that take them are a part of it: otherwise
+ * copies of them cost several times the evaluation. */
+#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
+#define COR_INLINE_LAW COR_INLINE __attribute__((always_inline))
+#else
+#define COR_INLINE_LAW COR_INLINE
+#endif
+
+/* ---- what a law is made of ---- */
+
+/* Rows on a grid (kind 1), by octaves (kind 2), or none (kind 0), used up to `end` of their variable */
+struct cor_inline_law_table {
+    int kind;
+    const double *(*rows)(int);
+    struct cor_inline_grid grid;
+    struct cor_inline_octaves octaves;
+    double end;
+    int root; /* a grid is one in the root-th root of its variable */
+};
+
+struct cor_inline_law_power {
+    int num, den; /* den > 0, lowest terms */
+};
+
+/* One quantity of one law. For eps, `near` is (1 - eps)/beta. */
+struct cor_inline_law_quantity {
+    struct cor_inline_law_table near, middle, below, tail;
+    const double *(*far)(int); /* a_0, a_0', a_1, a_1', a_2, ..., a_8; or, with far_kind 2, v_f and its rest */
+    int far_kind;              /* 0: nothing beyond, 1, 2 */
+    struct cor_inline_law_power power, far_power; /* of the tail's rows and of the far sum */
+    struct cor_inline_law_power mu;               /* mu = beta^(-num/den) */
+    const double *(*fall)(int);                   /* a further term of the duration at zero overlap */
+    int has_fall;
+    struct cor_inline_law_power fall_power;
+    struct cor_inline_pair threshold;   /* beta_c, hi = 0: none */
+    double beyond;                      /* from the threshold on */
+    double infinite;                    /* at beta = infinity */
+    int linear;                         /* q = 0: eps at zero overlap is exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
+    struct cor_inline_pair critical;    /* beta_c^2 = 2 (a + 1) there */
+    struct cor_inline_law_power fading; /* (a - 1)/(a + 1) there: `below` is the duration times eps^fading */
+};
+
+/* The inverse of an eps: rows of beta/(1 - eps) next to eps = 1, and of beta by octaves of eps. */
+struct cor_inline_law_inverse {
+    struct cor_inline_law_table near, rows;
+};
+
+COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_none(void)
+{
+    struct cor_inline_law_table table;
+    table.kind = 0;
+    table.rows = 0;
+    table.grid = cor_inline_grid_of(0, 1, 1);
+    table.octaves = cor_inline_octaves_of(1, 0);
+    table.end = 0;
+    table.root = 1;
+    return table;
+}
+
+COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_grid(const double *(*rows)(int), struct cor_inline_grid grid,
+                                                               int root, double end)
+{
+    struct cor_inline_law_table table = cor_inline_law_none();
+    table.kind = 1;
+    table.rows = rows;
+    table.grid = grid;
+    table.root = root;
+    table.end = end;
+    return table;
+}
+
+COR_INLINE_LAW struct cor_inline_law_table cor_inline_law_octaves(const double *(*rows)(int),
+                                                                  struct cor_inline_octaves octaves, double end)
+{
+    struct cor_inline_law_table table = cor_inline_law_none();
+    table.kind = 2;
+    table.rows = rows;
+    table.octaves = octaves;
+    table.end = end;
+    return table;
+}
+
+/* A quantity without any table */
+COR_INLINE_LAW struct cor_inline_law_quantity cor_inline_law_quantity_of(void)
+{
+    struct cor_inline_law_quantity q;
+    q.near = q.middle = q.below = q.tail = cor_inline_law_none();
+    q.far = q.fall = 0;
+    q.far_kind = q.has_fall = q.linear = 0;
+    q.power.num = q.far_power.num = q.mu.num = q.fall_power.num = 0;
+    q.power.den = q.far_power.den = q.mu.den = q.fall_power.den = 1;
+    q.threshold.hi = q.threshold.lo = q.critical.hi = q.critical.lo = q.beyond = q.infinite = 0;
+    q.fading.num = 0;
+    q.fading.den = 1;
+    return q;
+}
+
+COR_INLINE_LAW struct cor_inline_law_inverse cor_inline_law_inverse_of(void)
+{
+    struct cor_inline_law_inverse inverse;
+    inverse.near = inverse.rows = cor_inline_law_none();
+    return inverse;
+}
+
+/* ---- pairs ---- */
+
+COR_INLINE struct cor_inline_pair cor_inline_pair_of(double hi, double lo)
+{
+    struct cor_inline_pair x;
+    x.hi = hi;
+    x.lo = lo;
+    return x;
+}
+
+/* x + y exactly, whichever is larger */
+COR_INLINE struct cor_inline_pair cor_inline_two_sum(double x, double y)
+{
+    const double hi = COR_INLINE_KEEP(x + y), part = COR_INLINE_KEEP(hi - x);
+    return cor_inline_pair_of(hi, COR_INLINE_KEEP(x - COR_INLINE_KEEP(hi - part)) + COR_INLINE_KEEP(y - part));
+}
+
+/* x^n, n > 0. Relative error n 2^-102. */
+COR_INLINE struct cor_inline_pair cor_inline_pair_power(struct cor_inline_pair x, int n)
+{
+    struct cor_inline_pair power = cor_inline_pair_of(1, 0);
+    while (n > 1) {
+        if (n & 1)
+            power = cor_inline_pair_times(power, x);
+        x = cor_inline_pair_times(x, x);
+        n >>= 1;
+    }
+    return cor_inline_pair_times(power, x);
+}
+
+/* hi's exponent e, 2^e <= |hi| < 2^(e+1), of a normal number */
+COR_INLINE int cor_inline_exponent_of(double x)
+{
+    return (int)((cor_inline_bits(x) >> 52) & 2047) - 1023;
+}
+
+/* (hi + lo) 2^k rounded once, for hi > 0 and any k */
+COR_INLINE double cor_inline_pair_scaled(struct cor_inline_pair x, int k)
+{
+    const int e = cor_inline_exponent_of(x.hi), total = e + k;
+    const double unit = cor_inline_power_of_two(-e), y = x.hi * unit + x.lo * unit; /* about 1 to 2 */
+    if (total < -1100)
+        return 0;
+    if (total < -960)
+        return cor_inline_scaled(y, total);
+    if (total > 1023 || (total == 1023 && y >= 2))
+        return cor_inline_infinity();
+    return y * 0.5 * cor_inline_power_of_two(total) * 2;
+}
+
+/* The root-th root of x >= 0, within a few units of the last place */
+COR_INLINE double cor_inline_root_of(double x, int root)
+{
+    return root == 1 ? x : root == 2 ? sqrt(x) : root == 3 ? cbrt(x) : pow(x, 1.0 / root);
+}
+
+/* sqrt(x) of a normal x > 0 */
+COR_INLINE struct cor_inline_pair cor_inline_pair_root(struct cor_inline_pair x)
+{
+    const double r = cor_inline_head(sqrt(x.hi)), rest = COR_INLINE_KEEP(x.hi - r * r) + x.lo;
+    const double d = rest / (r * r); /* x = r^2 (1 + d) */
+    return cor_inline_sum(r, r * (d * (0.5 - d * (0.125 - d * 0.0625))));
+}
+
+/* (x 2^e)^(num/den) as a pair times 2^*exponent, 1 <= x.hi < 2. The root r of 26 bits is corrected by the first terms
+ * of (1 - d)^(-1/den), d = (m - r^den)/m < 2^-22; its power and the quotient are double-doubles: relative error below
+ * 2^-90 for exponents to a few hundred. */
+COR_INLINE struct cor_inline_pair cor_inline_rational_power(struct cor_inline_pair x, int e,
+                                                            struct cor_inline_law_power power, int *exponent)
+{
+    const int n = power.num < 0 ? -power.num : power.num, den = power.den;
+    const int whole = e >= 0 ? e / den : -((-e + den - 1) / den), rest = e - whole * den; /* 0 <= rest < den */
+    const double unit = cor_inline_power_of_two(rest);
+    struct cor_inline_pair y = cor_inline_pair_of(x.hi * unit, x.lo * unit), result = cor_inline_pair_of(1, 0);
+    *exponent = whole * power.num;
+    if (n == 0)
+        return result;
+    if (den > 1) {
+        const struct cor_inline_pair r = cor_inline_pair_of(cor_inline_head(cor_inline_root_of(y.hi, den)), 0);
+        const struct cor_inline_pair back = cor_inline_pair_power(r, den);
+        const double d = (COR_INLINE_KEEP(COR_INLINE_KEEP(y.hi - back.hi) - back.lo) + y.lo) / back.hi;
+        /* y = r^den (1 + d) */
+        const double c = 1.0 / den;
+        y = cor_inline_sum(r.hi, r.hi * (d * (c + d * (c * (c - 1) / 2 + d * (c * (c - 1) * (c - 2) / 6)))));
+    }
+    result = cor_inline_pair_power(y, n);
+    if (power.num < 0)
+        result = cor_inline_pair_over(cor_inline_pair_of(1, 0), result);
+    return result;
+}
+
+/* beta^(num/den) of a normal, finite beta > 0 */
+COR_INLINE struct cor_inline_pair cor_inline_beta_power(double beta, struct cor_inline_law_power power, int *exponent)
+{
+    const int e = cor_inline_exponent_of(beta);
+    const uint64_t fraction = cor_inline_bits(beta) & UINT64_C(0xfffffffffffff);
+    const double m = cor_inline_from_bits(fraction | UINT64_C(0x3ff0000000000000));
+    return cor_inline_rational_power(cor_inline_pair_of(m, 0), e, power, exponent);
+}
+
+/* ln(x) of a normal, finite x >= 1: absolute error below 2^-53, and ln(x) 2^-53 beyond */
+COR_INLINE struct cor_inline_pair cor_inline_law_log(double x)
+{
+    /* ln(2) in two parts, the first of 42 bits: its products with exponents are exact */
+    const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14;
+    const uint64_t fraction = cor_inline_bits(x) & UINT64_C(0xfffffffffffff);
+    /* fractions above sqrt(2) count as below 1, so that |ln(m)| < 0.35: error 2^-54 */
+    const double half = cor_inline_from_bits(fraction | UINT64_C(0x3ff0000000000000));
+    const int up = half > 1.4142135623730951, e = cor_inline_exponent_of(x) + up;
+    return cor_inline_two_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
+}
+
+/* exp(-x) of 0 <= x < 2000 as a pair times 2^*exponent: relative error below 2^-56 */
+COR_INLINE struct cor_inline_pair cor_inline_law_exp(struct cor_inline_pair x, int *exponent)
+{
+    const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14; /* as above */
+    const int k = (int)(x.hi * 1.4426950408889634 + 0.5);
+    const struct cor_inline_pair r = cor_inline_two_sum(k * ln2_hi - x.hi, k * ln2_lo - x.lo);
+    const double t = r.hi; /* |t| < 0.35: t^16/16! is below 2^-68 */
+    const double c11 =
+        1.0 / 39916800 +
+        t * (1.0 / 479001600 + t * (1.0 / 6227020800.0 + t * (1.0 / 87178291200.0 + t * (1.0 / 1307674368000.0))));
+    const double c7 = 1.0 / 5040 + t * (1.0 / 40320 + t * (1.0 / 362880 + t * (1.0 / 3628800 + t * c11)));
+    const double c3 = 1.0 / 6 + t * (1.0 / 24 + t * (1.0 / 120 + t * (1.0 / 720 + t * c7)));
+    const double rest = t * t * (0.5 + t * c3);
+    const struct cor_inline_pair sum = cor_inline_two_sum(1, t);
+    *exponent = -k;
+    return cor_inline_sum(sum.hi, sum.lo + (r.lo * (1 + t) + rest));
+}
+
+/* ---- rows ---- */
+
+/* The place of x in a table by octaves */
+COR_INLINE_LAW struct cor_inline_place cor_inline_law_octave(struct cor_inline_law_table table, double x)
+{
+    return cor_inline_place_of(table.rows((int)cor_inline_octaves_row(table.octaves, x)),
+                               cor_inline_octaves_t(table.octaves, x));
+}
+
+/* The row on the grid of a table near 0 */
+COR_INLINE_LAW struct cor_inline_place cor_inline_law_near(struct cor_inline_law_table table, double x)
+{
+    const double y = cor_inline_root_of(x, table.root);
+    const int i = cor_inline_grid_row(table.grid, y);
+    return cor_inline_place_of(table.rows(i), cor_inline_grid_t(table.grid, y, i));
+}
+
+/* c_0 and the rest of the row of x = hi + lo by octaves */
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_law_table table,
+                                                                struct cor_inline_pair x)
+{
+    struct cor_inline_place place = cor_inline_law_octave(table, x.hi);
+    place.t += x.lo * cor_inline_power_of_two(-cor_inline_exponent_of(x.hi));
+    return cor_inline_pair_of(place.row[0], cor_inline_row(place));
+}
+
+/* Three orders in mu at u = ln(beta), a_0 + a_1 u + ... */
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_quantity q, struct cor_inline_pair u)
+{
+    const double *c = q.far(0);
+    if (q.far_kind == 2)
+        return cor_inline_pair_of(c[0], c[1]);
+    /* mu < 6e-8: its rounding errors are nothing, and below exp(-60) so is mu */
+    const double v = u.hi, decay = v * q.mu.num / q.mu.den, mu = decay < 60 ? exp(-decay) : 0;
+    const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
+    const struct cor_inline_pair slope = cor_inline_product(c[2], v), sum = cor_inline_two_sum(slope.hi, c[0]);
+    return cor_inline_sum(sum.hi, sum.lo + (((slope.lo + c[2] * u.lo) + c[3] * v) + (c[1] + orders)));
+}
+
+/* The sum of two pairs times powers of two, as one: the first two's exponent is *exponent. */
+COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x, int *exponent,
+                                                       struct cor_inline_pair y, int y_exponent)
+{
+    const int less = y_exponent - *exponent;
+    if (less <= -200)
+        return x;
+    if (less >= 200) {
+        *exponent = y_exponent;
+        return y;
+    }
+    const double unit = cor_inline_power_of_two(less);
+    const struct cor_inline_pair sum = cor_inline_two_sum(x.hi, y.hi * unit);
+    return cor_inline_sum(sum.hi, sum.lo + (x.lo + y.lo * unit));
+}
+
+/* The quantity for beta beyond the middle rows, as a pair times 2^*exponent */
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quantity q, double beta, int *exponent)
+{
+    const struct cor_inline_pair u = cor_inline_law_log(beta);
+    if (q.tail.kind && u.hi < q.tail.end) {
+        const struct cor_inline_pair row = cor_inline_law_octave_row(q.tail, u);
+        return cor_inline_pair_times(cor_inline_sum(row.hi, row.lo), cor_inline_beta_power(beta, q.power, exponent));
+    }
+    const struct cor_inline_pair power = cor_inline_beta_power(beta, q.far_power, exponent);
+    const struct cor_inline_pair value = cor_inline_pair_times(cor_inline_law_far(q, u), power);
+    if (!q.has_fall)
+        return value;
+    int other;
+    const double *c = q.fall(0);
+    const struct cor_inline_pair fall_power = cor_inline_beta_power(beta, q.fall_power, &other);
+    return cor_inline_pair_plus(value, exponent, cor_inline_pair_times(fall_power, cor_inline_pair_of(c[0], c[1])),
+                                other);
+}
+
+/* beta_c - beta for 0 < beta < beta_c, or a number that is not above 0 */
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
+{
+    return cor_inline_is_finite(beta) ? cor_inline_two_sum(q.threshold.hi - beta, q.threshold.lo)
+                                      : cor_inline_pair_of(-1, 0);
+}
+
+/* q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c; relative error 2^-90 where
+ * eps is not 0, and 1e9 next to beta_c. */
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
+{
+    const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
+    const struct cor_inline_pair square = cor_inline_product(beta, beta);
+    const struct cor_inline_pair difference = cor_inline_two_sum(q.critical.hi, -square.hi);
+    const struct cor_inline_pair om2 = cor_inline_sum(difference.hi, difference.lo + (q.critical.lo - square.lo));
+    if (!(om2.hi > 1e-18))
+        return cor_inline_pair_of(1e9, 0);
+    const struct cor_inline_pair om = cor_inline_pair_root(om2);
+    if (beta < COR_INLINE_2_M300) { /* halves of a product would be subnormal */
+        const struct cor_inline_pair slope = cor_inline_pair_over(pi, om);
+        const struct cor_inline_pair l = cor_inline_pair_times(slope, cor_inline_pair_of(beta * COR_INLINE_2_500, 0));
+        return cor_inline_pair_of((l.hi + l.lo) / COR_INLINE_2_500, 0);
+    }
+    return cor_inline_pair_over(cor_inline_pair_times(pi, cor_inline_pair_of(beta, 0)), om);
+}
+
+/* ---- times and the largest overlap ---- */
+
+COR_INLINE_LAW double cor_inline_law_value(struct cor_inline_law_quantity q, double beta)
+{
+    if (cor_inline_below(beta, q.near.end) || beta == 0)
+        return cor_inline_row_value(cor_inline_law_near(q.near, beta == 0 ? 0 : beta));
+    if (cor_inline_below(beta, q.middle.end))
+        return cor_inline_row_value(cor_inline_law_octave(q.middle, beta));
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    int exponent;
+    if (q.below.kind) {
+        const struct cor_inline_pair d = cor_inline_law_below(q, beta);
+        if (!(d.hi > 0))
+            return q.beyond;
+        const struct cor_inline_pair row = cor_inline_law_octave_row(q.below, d);
+        if (!q.linear)
+            return row.hi + row.lo;
+        const struct cor_inline_pair faded = cor_inline_pair_over(
+            cor_inline_pair_times(cor_inline_law_linear(q, beta), cor_inline_pair_of(q.fading.num, 0)),
+            cor_inline_pair_of(q.fading.den, 0));
+        if (!(faded.hi < 1500))
+            return q.beyond;
+        /* exp(faded) = 1/exp(-faded) */
+        const struct cor_inline_pair power =
+            cor_inline_pair_over(cor_inline_sum(row.hi, row.lo), cor_inline_law_exp(faded, &exponent));
+        return cor_inline_pair_scaled(power, -exponent);
+    }
+    if (!cor_inline_is_finite(beta))
+        return q.infinite;
+    const struct cor_inline_pair value = cor_inline_law_tail(q, beta, &exponent);
+    return cor_inline_pair_scaled(value, exponent);
+}
+
+/* ---- eps and 1 - eps ---- */
+
+/* 1 - eps near beta = 0. A tiny beta is scaled, for the products' halves would be subnormal. */
+COR_INLINE_LAW double cor_inline_law_near_loss(struct cor_inline_law_quantity q, double beta)
+{
+    const struct cor_inline_place place = cor_inline_law_near(q.near, beta);
+    if (cor_inline_below(beta, COR_INLINE_2_M900))
+        return cor_inline_row_product(place, beta * COR_INLINE_2_200) * COR_INLINE_2_M200;
+    return cor_inline_row_product(place, beta);
+}
+
+/* eps between the near rows and infinity as a pair times 2^*exponent, hi = 0 where it is 0 */
+COR_INLINE_LAW struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline_law_quantity q, double beta,
+                                                               int *exponent)
+{
+    *exponent = 0;
+    if (cor_inline_below(beta, q.middle.end)) {
+        const struct cor_inline_place place = cor_inline_law_octave(q.middle, beta);
+        return cor_inline_pair_of(place.row[0], cor_inline_row(place));
+    }
+    if (q.below.kind) {
+        const struct cor_inline_pair d = cor_inline_law_below(q, beta);
+        if (!(d.hi > 0))
+            return cor_inline_pair_of(0, 0);
+        return cor_inline_law_octave_row(q.below, d);
+    }
+    if (!cor_inline_is_finite(beta))
+        return cor_inline_pair_of(0, 0);
+    return cor_inline_law_tail(q, beta, exponent);
+}
+
+COR_INLINE_LAW double cor_inline_law_eps(struct cor_inline_law_quantity q, double beta)
+{
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (q.linear) {
+        if (beta == 0 || !(beta < q.threshold.hi))
+            return beta == 0;
+        const struct cor_inline_pair l = cor_inline_law_linear(q, beta);
+        if (l.hi > 800)
+            return 0;
+        int exponent;
+        const struct cor_inline_pair eps = cor_inline_law_exp(l, &exponent);
+        return cor_inline_pair_scaled(eps, exponent);
+    }
+    if (cor_inline_below(beta, q.near.end) || beta == 0)
+        return 1 - cor_inline_law_near_loss(q, beta == 0 ? 0 : beta);
+    int exponent;
+    const struct cor_inline_pair eps = cor_inline_law_eps_parts(q, beta, &exponent);
+    return exponent == 0 ? eps.hi + eps.lo : cor_inline_pair_scaled(eps, exponent);
+}
+
+/* 1 - exp(-l), l > 0 */
+COR_INLINE_LAW double cor_inline_law_linear_loss(struct cor_inline_pair l)
+{
+    if (l.hi > 60)
+        return 1;
+    if (l.hi < 0.7) {
+        /* l - l^2/2 as a pair, and what follows: 9 % of the sum at most */
+        const double x = l.hi; /* x^20/20! is below 2^-71 */
+        const double c15 =
+            1.0 / 1307674368000.0 -
+            x * (1.0 / 20922789888000.0 -
+                 x * (1.0 / 355687428096000.0 - x * (1.0 / 6402373705728000.0 - x * (1.0 / 121645100408832000.0))));
+        const double c11 =
+            1.0 / 39916800 - x * (1.0 / 479001600 - x * (1.0 / 6227020800.0 - x * (1.0 / 87178291200.0 - x * c15)));
+        const double c7 = 1.0 / 5040 - x * (1.0 / 40320 - x * (1.0 / 362880 - x * (1.0 / 3628800 - x * c11)));
+        const double c3 = 1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * (1.0 / 720 - x * c7)));
+        const struct cor_inline_pair square = x < 1e-100 ? cor_inline_pair_of(0, 0) : cor_inline_product(x, x);
+        const struct cor_inline_pair sum = cor_inline_two_sum(x, -0.5 * square.hi);
+        return sum.hi + (sum.lo + (l.lo * (1 - x) - 0.5 * square.lo + x * square.hi * c3));
+    }
+    int exponent;
+    const struct cor_inline_pair eps = cor_inline_law_exp(l, &exponent);
+    const double unit = cor_inline_power_of_two(exponent);
+    const struct cor_inline_pair loss = cor_inline_two_sum(1, -eps.hi * unit);
+    return loss.hi + (loss.lo - eps.lo * unit);
+}
+
+COR_INLINE_LAW double cor_inline_law_loss(struct cor_inline_law_quantity q, double beta)
+{
+    if (cor_inline_is_refused(beta))
+        return cor_inline_nan();
+    if (q.linear) {
+        if (beta == 0 || !(beta < q.threshold.hi))
+            return beta != 0;
+        const struct cor_inline_pair l = cor_inline_law_linear(q, beta);
+        return cor_inline_law_linear_loss(l);
+    }
+    if (cor_inline_below(beta, q.near.end) || beta == 0)
+        return cor_inline_law_near_loss(q, beta == 0 ? 0 : beta);
+    int exponent;
+    const struct cor_inline_pair eps = cor_inline_law_eps_parts(q, beta, &exponent);
+    if (exponent != 0)
+        return 1 - cor_inline_pair_scaled(eps, exponent);
+    const struct cor_inline_pair loss = cor_inline_two_sum(1, -eps.hi);
+    return loss.hi + (loss.lo - eps.lo);
+}
+
+/* ---- the inverse ---- */
+
+/* beta below the rows of eps at zero overlap, eps = v_f beta^(-1/q): (v_f/eps)^q */
+COR_INLINE_LAW double cor_inline_law_beta_fallen(struct cor_inline_law_quantity q, double eps)
+{
+    const double *c = q.far(0);
+    const int tiny = eps < COR_INLINE_2_M900;
+    const double scaled = tiny ? eps * COR_INLINE_2_200 : eps;
+    const struct cor_inline_pair ratio =
+        cor_inline_pair_over(cor_inline_pair_of(c[0], c[1]), cor_inline_pair_of(scaled, 0));
+    const int e = cor_inline_exponent_of(ratio.hi);
+    const double unit = cor_inline_power_of_two(-e);
+    struct cor_inline_law_power inverse;
+    int exponent;
+    inverse.num = q.power.den;
+    inverse.den = -q.power.num;
+    const struct cor_inline_pair m = cor_inline_pair_of(ratio.hi * unit, ratio.lo * unit);
+    const struct cor_inline_pair beta = cor_inline_rational_power(m, e + (tiny ? 200 : 0), inverse, &exponent);
+    return cor_inline_pair_scaled(beta, exponent);
+}
+
+/* beta below the rows of eps at zero force, eps = beta^power (a_0 + ...): R (1 + x)^s, R = (a_0/eps)^s, s = -1/power,
+ * x the orders in mu over a_0, below 1e-5; ln(beta) = ln(R) + s x, iterated twice. */
+COR_INLINE_LAW double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
+{
+    const double *c = q.far(0);
+    const int tiny = eps < COR_INLINE_2_M900;
+    const double scaled = tiny ? eps * COR_INLINE_2_200 : eps;
+    const struct cor_inline_pair ratio =
+        cor_inline_pair_over(cor_inline_pair_of(c[0], c[1]), cor_inline_pair_of(scaled, 0));
+    const int e = cor_inline_exponent_of(ratio.hi);
+    const double unit = cor_inline_power_of_two(-e), s = (double)q.power.den / -q.power.num;
+    struct cor_inline_law_power inverse;
+    int exponent;
+    inverse.num = q.power.den;
+    inverse.den = -q.power.num;
+    const struct cor_inline_pair m = cor_inline_pair_of(ratio.hi * unit, ratio.lo * unit);
+    const struct cor_inline_pair root = cor_inline_rational_power(m, e + (tiny ? 200 : 0), inverse, &exponent);
+    const double log_root = log(root.hi) + exponent * 0.6931471805599453;
+    double x = 0;
+    for (int k = 0; k < 3; k++) {
+        const double v = log_root + s * x, decay = v * q.mu.num / q.mu.den, mu = decay < 60 ? exp(-decay) : 0;
+        x = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10])))) / c[0];
+    }
+    const double more = s * x * (1 + (s - 1) * x / 2);
+    return cor_inline_pair_scaled(cor_inline_sum(root.hi, root.lo + root.hi * more), exponent);
+}
+
+/* The least beta with this eps <= 1/2, below the rows next to eps = 1 */
+COR_INLINE_LAW double cor_inline_law_beta_low(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
+                                              double eps)
+{
+    if (cor_inline_between(eps, inverse.rows.octaves.first, inverse.rows.end))
+        return cor_inline_row_value(cor_inline_law_octave(inverse.rows, eps));
+    if (q.threshold.hi > 0)
+        return q.threshold.hi;
+    if (eps == 0)
+        return cor_inline_infinity();
+    return q.far_kind == 2 ? cor_inline_law_beta_fallen(q, eps) : cor_inline_law_beta_far(q, eps);
+}
+
+/* The same next to eps = 1, of the loss 0 <= loss <= 1/2. A tiny loss is scaled, for the products' halves would be
+ * subnormal. */
+COR_INLINE_LAW double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
+{
+    const struct cor_inline_place place = cor_inline_law_near(inverse.near, loss);
+    if (cor_inline_below(loss, COR_INLINE_2_M900))
+        return cor_inline_row_product(place, loss * COR_INLINE_2_200) * COR_INLINE_2_M200;
+    return cor_inline_row_product(place, loss);
+}
+
+/* beta_c loss/pi, of a loss that may be subnormal */
+COR_INLINE_LAW double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, double loss)
+{
+    const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
+    const struct cor_inline_pair slope = cor_inline_pair_over(q.threshold, pi);
+    const struct cor_inline_pair beta = cor_inline_pair_times(slope, cor_inline_pair_of(loss * COR_INLINE_2_200, 0));
+    return (beta.hi + beta.lo) * COR_INLINE_2_M200;
+}
+
+/* q = 0 at zero overlap: beta_c L/sqrt(pi^2 + L^2), L = -ln(eps) */
+COR_INLINE_LAW double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, double eps, double loss)
+{
+    const struct cor_inline_pair pi2 = cor_inline_pair_of(9.869604401089358, 6.265295508739711e-16);
+    const double l = loss < 0.5 ? -log1p(-loss) : eps == 0 ? 1e9 : -log(eps);
+    if (loss < 1e-100) /* l is loss, and its square underflows */
+        return cor_inline_law_linear_slope(q, loss);
+    const struct cor_inline_pair square = cor_inline_product(l, l), sum = cor_inline_two_sum(pi2.hi, square.hi);
+    const struct cor_inline_pair root = cor_inline_pair_root(cor_inline_sum(sum.hi, sum.lo + (pi2.lo + square.lo)));
+    const struct cor_inline_pair ratio = cor_inline_pair_over(cor_inline_pair_of(l, 0), root);
+    const struct cor_inline_pair beta = cor_inline_pair_times(ratio, q.threshold);
+    return eps == 0 ? q.threshold.hi : beta.hi + beta.lo;
+}
+
+COR_INLINE_LAW double cor_inline_law_beta(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
+                                          double eps)
+{
+    const double positive = eps == 0 ? 0 : eps; /* not -0 */
+    if (cor_inline_bits(positive) > cor_inline_bits(1))
+        return cor_inline_nan();
+    if (q.linear)
+        return cor_inline_law_beta_linear(q, positive, 1 - positive);
+    return positive < 0.5 ? cor_inline_law_beta_low(q, inverse, positive)
+                          : cor_inline_law_beta_near(inverse, 1 - positive);
+}
+
+COR_INLINE_LAW double cor_inline_law_beta_of_loss(struct cor_inline_law_quantity q,
+                                                  struct cor_inline_law_inverse inverse, double loss)
+{
+    const double positive = loss == 0 ? 0 : loss; /* not -0 */
+    if (cor_inline_bits(positive) > cor_inline_bits(1))
+        return cor_inline_nan();
+    if (q.linear)
+        return cor_inline_law_beta_linear(q, 1 - positive, positive);
+    return positive > 0.5 ? cor_inline_law_beta_low(q, inverse, 1 - positive)
+                          : cor_inline_law_beta_near(inverse, positive);
+}
+
+#endif

@@ -1,0 +1,361 @@
+/* SPDX-License-Identifier: MIT */
+#include "law_check.h"
+
+#include "../unit/check.h"
+#include "enclosure/collision.h"
+
+enum { BITS = 72, PREC = 600, LARGEST_LOG10 = 7, STEP_BITS = 24 };
+
+enum { CHECK_EPS, CHECK_LOSS, CHECK_BETA, CHECK_BETA_OF_LOSS, CHECK_DURATION, CHECK_MAX_OVERLAP, CHECK_TIME, CHECKS };
+
+static const char *const check_name[CHECKS] = {"eps",      "loss",        "beta",           "beta of loss",
+                                               "duration", "max overlap", "time of largest"};
+
+struct law_worst {
+    double ulp[2][CHECKS], at[2][CHECKS];
+};
+
+struct law_case {
+    const struct law_functions *f;
+    struct law law;
+    double threshold; /* of zero overlap, or infinity */
+    struct law_worst worst;
+};
+
+static void case_init(struct law_case *c, const struct law_functions *f)
+{
+    *c = (struct law_case){.f = f, .threshold = HUGE_VAL};
+    assert_null(law_parse(&c->law, f->elastic, f->damping));
+    arb_t beta_c, height;
+    arb_init(beta_c);
+    arb_init(height);
+    if (law_is_linear(&c->law)) {
+        c->threshold = sqrt(2 * ((double)c->law.a.num / (double)c->law.a.den + 1));
+    } else if (law_fall_power(&c->law).num < 0) {
+        assert_int_equal(collision_threshold(beta_c, height, &c->law, PREC / 2), 0);
+        c->threshold = arf_get_d(arb_midref(beta_c), ARF_RND_NEAR);
+    }
+    arb_clear(beta_c);
+    arb_clear(height);
+}
+
+static double error_in_ulp(double computed, const arb_t exact)
+{
+    if (!arb_is_finite(exact))
+        return isinf(computed) ? 0 : HUGE_VAL;
+    if (arb_is_zero(exact))
+        return computed == 0 ? 0 : HUGE_VAL;
+    arb_t difference;
+    arb_init(difference);
+    const double size = arf_get_d(arb_midref(exact), ARF_RND_DOWN);
+    if (isinf(arf_get_d(arb_midref(exact), ARF_RND_NEAR))) /* a duration next to a threshold */
+        return isinf(computed) ? 0 : HUGE_VAL;
+    int exponent;
+    frexp(size, &exponent);
+    exponent = size == 0 || exponent < DBL_MIN_EXP ? DBL_MIN_EXP : exponent;
+    if (!isfinite(computed))
+        return HUGE_VAL;
+    arb_set_d(difference, computed);
+    arb_sub(difference, difference, exact, PREC);
+    arb_mul_2exp_si(difference, difference, DBL_MANT_DIG - exponent);
+    const double error = fabs(arf_get_d(arb_midref(difference), ARF_RND_UP));
+    arb_clear(difference);
+    return error;
+}
+
+static void note(struct law_case *c, int end, int what, double computed, const arb_t exact, double at)
+{
+    const double error = error_in_ulp(computed, exact);
+    const bool first = what == CHECK_EPS || what == CHECK_LOSS || what == CHECK_MAX_OVERLAP;
+    if (!(error <= c->worst.ulp[end][what])) {
+        c->worst.ulp[end][what] = error;
+        c->worst.at[end][what] = at;
+    }
+    check(error <= (first ? c->f->one_ulp : c->f->two_ulp), "%s, %s at %s: %.3f ulp at %.17g (%a): %.17g", c->f->name,
+          check_name[what], end ? "zero force" : "zero overlap", error, at, at, computed);
+}
+
+/* beta < 1e-100, where 1 - eps = -C_1 beta and, at zero force, (a-b)/((a+1)(b+1)) beta^((a+1)/(a-b)) less
+ * (docs/derivation.md, 2 and 5); C_1 = -(2/(a+1)) X^(b+1) B((b+1)/(a+1), 3/2), X = ((a+1)/2)^(1/(a+1)). */
+static void first_order_loss(arb_t loss, const struct law *law, int end, const arb_t beta)
+{
+    const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one), b1 = ratio_add(law->b, one);
+    const struct ratio ab = ratio_sub(law->a, law->b);
+    arb_t x, y, z;
+    arb_init(x);
+    arb_init(y);
+    arb_init(z);
+    arb_set_ratio(x, ratio_div(b1, a1), PREC);
+    arb_set_ratio(y, (struct ratio){3, 2}, PREC);
+    arb_add(z, x, y, PREC);
+    arb_gamma(loss, x, PREC);
+    arb_gamma(y, y, PREC);
+    arb_gamma(z, z, PREC);
+    arb_mul(loss, loss, y, PREC);
+    arb_div(loss, loss, z, PREC);
+    arb_set_ratio(y, ratio_div(a1, (struct ratio){2, 1}), PREC);
+    arb_div(loss, loss, y, PREC);
+    arb_pow(y, y, x, PREC);
+    arb_mul(loss, loss, y, PREC);
+    arb_mul(loss, loss, beta, PREC);
+    if (end == 1 && law_force_ends(law)) {
+        arb_set_ratio(x, ratio_div(a1, ab), PREC);
+        arb_pow(y, beta, x, PREC);
+        arb_set_ratio(x, ratio_div(ab, ratio_mul(a1, b1)), PREC);
+        arb_submul(loss, x, y, PREC);
+    }
+    arb_clear(x);
+    arb_clear(y);
+    arb_clear(z);
+}
+
+static void check_first_order(struct law_case *c, double beta)
+{
+    arb_t x, loss;
+    arb_init(x);
+    arb_init(loss);
+    arb_set_d(x, beta);
+    for (int end = 0; end < 2; end++) {
+        first_order_loss(loss, &c->law, end, x);
+        note(c, end, CHECK_LOSS, c->f->loss[end](beta), loss, beta);
+        check(c->f->eps[end](beta) == 1, "%s: eps of %g", c->f->name, beta);
+        const double given = arf_get_d(arb_midref(loss), ARF_RND_NEAR), back = c->f->beta_of_loss[end](given);
+        check(fabs(back / beta - 1) < 2.5 * DBL_EPSILON, "%s: beta %g of loss %g", c->f->name, back, given);
+    }
+    arb_clear(x);
+    arb_clear(loss);
+}
+
+static int solve(struct collision *s, const struct law_case *c, const arb_t beta)
+{
+    /* beyond the threshold, and far above it, zero force is all there is */
+    if (law_force_ends(&c->law) && arf_cmp_d(arb_midref(beta), 2 * c->threshold) > 0) {
+        const int status = collision_solve_force(s, beta, &c->law, BITS);
+        arb_zero(s->eps_zero_overlap);
+        arb_pos_inf(s->t_zero_overlap);
+        return status;
+    }
+    const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
+    return collision_solve(s, beta, &c->law, BITS + (b < 1 ? (slong)-log2(b) : 0)); /* 1 - eps has BITS bits */
+}
+
+/* The inverse at the double x near eps or the loss: beta + (x - eps)/(d eps/d beta), the slope by a difference. */
+static void check_inverse(struct law_case *c, int end, double beta, const arb_t eps)
+{
+    const double room = fmin(beta, c->threshold - beta), step = ldexp(room, -STEP_BITS);
+    if (arb_is_zero(eps) || !(step > 0) || beta - step == beta)
+        return;
+    struct collision s;
+    arb_t x, slope, wanted, exact;
+    collision_init(&s);
+    arb_init(x);
+    arb_init(slope);
+    arb_init(wanted);
+    arb_init(exact);
+    arb_set_d(x, beta - step);
+    assert_int_equal(solve(&s, c, x), 0);
+    arb_sub(slope, eps, end ? s.eps_zero_force : s.eps_zero_overlap, PREC);
+    arb_set_d(exact, beta);
+    arb_sub(x, exact, x, PREC);
+    arb_div(slope, slope, x, PREC);
+    for (int of_loss = 0; of_loss < 2; of_loss++) {
+        arb_set(wanted, eps);
+        if (of_loss)
+            arb_sub_ui(wanted, wanted, 1, PREC), arb_neg(wanted, wanted);
+        const double given = arf_get_d(arb_midref(wanted), ARF_RND_NEAR);
+        arb_set_d(x, given);
+        arb_sub(x, x, wanted, PREC);
+        arb_div(x, x, slope, PREC);
+        if (of_loss)
+            arb_neg(x, x);
+        arb_set_d(exact, beta);
+        arb_add(exact, exact, x, PREC);
+        /* the slope has 20 bits: a shift of more than 2^-30 says nothing about the last place */
+        arb_div(x, x, exact, PREC);
+        if (fabs(arf_get_d(arb_midref(x), ARF_RND_UP)) < 0x1p-38 && given > 0 && given < 1)
+            note(c, end, of_loss ? CHECK_BETA_OF_LOSS : CHECK_BETA,
+                 (of_loss ? c->f->beta_of_loss : c->f->beta)[end](given), exact, given);
+    }
+    collision_clear(&s);
+    arb_clear(x);
+    arb_clear(slope);
+    arb_clear(wanted);
+    arb_clear(exact);
+}
+
+static void check_beta(struct law_case *c, double beta, bool inverse)
+{
+    const struct law_functions *f = c->f;
+    struct collision s;
+    arb_t x, loss;
+    if (beta < 1e-100) {
+        check_first_order(c, beta);
+        return;
+    }
+    collision_init(&s);
+    arb_init(x);
+    arb_init(loss);
+    arb_set_d(x, beta);
+    if (solve(&s, c, x))
+        fail_msg("%s: no collision at beta = %.17g", f->name, beta);
+    for (int end = 0; end < 2; end++) {
+        arb_srcptr eps = end ? s.eps_zero_force : s.eps_zero_overlap;
+        note(c, end, CHECK_EPS, f->eps[end](beta), eps, beta);
+        arb_sub_ui(loss, eps, 1, PREC);
+        arb_neg(loss, loss);
+        note(c, end, CHECK_LOSS, f->loss[end](beta), loss, beta);
+        note(c, end, CHECK_DURATION, f->duration[end](beta), end ? s.t_zero_force : s.t_zero_overlap, beta);
+        if (inverse)
+            check_inverse(c, end, beta, eps);
+    }
+    note(c, 0, CHECK_MAX_OVERLAP, f->max_overlap(beta), s.x_max, beta);
+    note(c, 0, CHECK_TIME, f->time_of_max_overlap(beta), s.t_max, beta);
+    arb_clear(x);
+    arb_clear(loss);
+    collision_clear(&s);
+}
+
+static void print_worst(const struct law_case *c, const char *what)
+{
+    print_message("%s, %s, ulp (where):", c->f->name, what);
+    for (int end = 0; end < 2; end++)
+        for (int k = 0; k < CHECKS; k++)
+            if (c->worst.ulp[end][k] > 0)
+                print_message(" %s%s %.3f (%.6g);", check_name[k],
+                              k >= CHECK_MAX_OVERLAP ? ""
+                              : end                  ? " force"
+                                                     : " overlap",
+                              c->worst.ulp[end][k], c->worst.at[end][k]);
+    print_message("\n");
+}
+
+void law_check_random(const struct law_functions *f, size_t count)
+{
+    struct law_case c;
+    struct random_state r = random_start();
+    case_init(&c, f);
+    for (size_t i = 0; i < count; i++) {
+        double beta;
+        switch (i % 4) {
+        case 0: /* near 0 */
+            beta = pow(10, i % 16 == 0 ? random_uniform(&r, -300, -100) : random_uniform(&r, -12, -1));
+            break;
+        case 1:
+            beta = random_uniform(&r, 0.02, 8);
+            break;
+        case 2:
+            beta = pow(10, random_uniform(&r, 0, LARGEST_LOG10));
+            break;
+        default: /* below the threshold, or anywhere up to 8 */
+            beta = c.threshold < HUGE_VAL ? c.threshold * (1 - pow(2, random_uniform(&r, -45, -0.2)))
+                                          : random_log(&r, 0.02, 8);
+        }
+        check_beta(&c, beta, true);
+    }
+    print_worst(&c, "random");
+}
+
+/* Every border between tables is one of these, and one place of each list, at random, is looked at: a power of two
+ * (near eps = 1), 8 (middle), beta_c - 2^k, beta_c (zero overlap), exp(u) for whole eighths of octaves of u (tails). */
+static double border(struct law_case *c, struct random_state *r, size_t i)
+{
+    switch (i % 4) {
+    case 0:
+        return ldexp(1, -(int)random_uniform(r, 1, 9));
+    case 1:
+        return i % 8 == 1 ? 8 : c->threshold < HUGE_VAL ? c->threshold : 4;
+    case 2: {
+        const double u = ldexp(8 + floor(random_uniform(r, 0, 8)), (int)random_uniform(r, -2, 2));
+        return exp(fmin(u, LARGEST_LOG10 * log(10)));
+    }
+    default:
+        return c->threshold < HUGE_VAL
+                   ? c->threshold - exp2(floor(log2(c->threshold / 2)) - floor(random_uniform(r, 0, 3)))
+                   : ldexp(1, -(int)random_uniform(r, 0, 4));
+    }
+}
+
+void law_check_borders(const struct law_functions *f, size_t count)
+{
+    struct law_case c;
+    struct random_state r = random_start();
+    case_init(&c, f);
+    for (size_t i = 0; i < count; i++) {
+        const double at = border(&c, &r, i);
+        double beta = nextafter(nextafter(at, 0), 0), before[2] = {2, 2};
+        for (int k = 0; k < 5; k++, beta = nextafter(beta, HUGE_VAL)) {
+            check_beta(&c, beta, k == 2);
+            for (int end = 0; end < 2; end++) {
+                const double eps = f->eps[end](beta);
+                check(eps <= before[end] * (1 + 2 * DBL_EPSILON), "%s: eps rises at beta = %.17g", f->name, beta);
+                before[end] = eps;
+            }
+        }
+    }
+    print_worst(&c, "borders");
+}
+
+void law_check_special(const struct law_functions *f)
+{
+    struct law_case c;
+    case_init(&c, f);
+    static const double refused[] = {-1, -5e-324, -HUGE_VAL, NAN};
+    for (int end = 0; end < 2; end++) {
+        law_function *const of_beta[] = {f->eps[end], f->loss[end], f->duration[end], f->max_overlap,
+                                         f->time_of_max_overlap};
+        law_function *const of_eps[] = {f->beta[end], f->beta_of_loss[end]};
+        for (int k = 0; k < 4; k++) {
+            for (int j = 0; j < 5; j++)
+                check(isnan(of_beta[j](refused[k])), "%s, function %d of %g", f->name, j, refused[k]);
+            for (int j = 0; j < 2; j++)
+                check(isnan(of_eps[j](refused[k])) && isnan(of_eps[j](1.0000000000000002)) &&
+                          isnan(of_eps[j](HUGE_VAL)),
+                      "%s, inverse %d of %g", f->name, j, refused[k]);
+        }
+        for (double zero = 0, k = 0; k < 2; k++, zero = -0.0) {
+            check(f->eps[end](zero) == 1 && f->loss[end](zero) == 0, "%s: elastic", f->name);
+            check(same_bits(f->duration[end](zero), f->duration[0](0)), "%s: durations differ", f->name);
+            check(relative_error(2 * f->time_of_max_overlap(zero), f->duration[0](0)) < 3e-16, "%s: half time",
+                  f->name);
+        }
+        check(f->eps[end](HUGE_VAL) == 0 && f->loss[end](HUGE_VAL) == 1, "%s: infinite damping", f->name);
+        check(f->beta[end](1) == 0 && f->beta_of_loss[end](0) == 0, "%s: beta of 1", f->name);
+        const bool ends = end == 0 && c.threshold < HUGE_VAL;
+        const double last = ends ? c.threshold : HUGE_VAL;
+        check(f->beta[end](0) == last && f->beta_of_loss[end](1) == last, "%s: beta of 0 is %g", f->name,
+              f->beta[end](0));
+        const double tiny = 5e-324, slope = f->loss[end](1e-200) * 1e200;
+        check(fabs(f->loss[end](tiny) - slope * tiny) <= tiny && f->eps[end](tiny) == 1, "%s: tiny", f->name);
+        check(isfinite(f->beta_of_loss[end](tiny)), "%s: tiny loss", f->name);
+    }
+    check(f->max_overlap(HUGE_VAL) == 0 && f->time_of_max_overlap(HUGE_VAL) == 0, "%s: overlap", f->name);
+    check(isinf(f->duration[0](HUGE_VAL)), "%s: duration", f->name);
+    check(f->duration[1](HUGE_VAL) == (law_force_ends(&c.law) ? 0 : HUGE_VAL), "%s: duration", f->name);
+    check(f->duration[0](0.0) * f->duration[0](0.0) > 0, "%s", f->name);
+    if (c.threshold < HUGE_VAL) {
+        const double above = nextafter(c.threshold, HUGE_VAL);
+        check(f->eps[0](above) == 0 && f->loss[0](above) == 1 && isinf(f->duration[0](above)), "%s: beta_c", f->name);
+    }
+}
+
+void law_check_round_trip(const struct law_functions *f, size_t count)
+{
+    struct law_case c;
+    struct random_state r = random_start();
+    case_init(&c, f);
+    for (size_t i = 0; i < count; i++)
+        for (int end = 0; end < 2; end++) {
+            const bool falls = !(end == 0 && c.threshold < HUGE_VAL);
+            const double loss = pow(10, random_uniform(&r, -300, -0.5));
+            const double eps = falls ? pow(10, random_uniform(&r, -200, -0.01)) : random_uniform(&r, 1e-3, 1);
+            const double loss_back = f->loss[end](f->beta_of_loss[end](loss));
+            check(relative_error(loss_back, loss) < 8e-16, "%s: loss %.17g comes back as %.17g", f->name, loss,
+                  loss_back);
+            const double beta = f->beta[end](eps), back = f->eps[end](beta);
+            /* as ill-conditioned as eps is in beta; beyond the largest double there is no beta */
+            const double step = 0x1p-20, slope = fabs((f->eps[end](beta * (1 - step)) / back - 1) / step);
+            if (beta < 0x1p1000)
+                check(fabs(back / eps - 1) <= (2.5 * slope + 2) * DBL_EPSILON, "%s: eps %.17g comes back as %.17g, %g",
+                      f->name, eps, back, slope);
+        }
+}

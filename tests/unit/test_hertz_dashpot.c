@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT */
+/* hertz_dashpot.h without a reference: known values, the asymptote at the threshold, the inverse of the function, no
+ * steps between rows, order, arrays and floats. Against enclosed collisions: tests/table/test_hertz_dashpot.c. */
+#include "check.h"
+#include "cor/hertz_dashpot.h"
+
+typedef double dashpot_function(double x);
+
+static dashpot_function *const eps[] = {cor_hertz_dashpot_eps_zero_overlap, cor_hertz_dashpot_eps_zero_force},
+                               *const loss[] = {cor_hertz_dashpot_loss_zero_overlap, cor_hertz_dashpot_loss_zero_force},
+                               *const beta_of_eps[] = {cor_hertz_dashpot_beta_zero_overlap,
+                                                       cor_hertz_dashpot_beta_zero_force},
+                               *const beta_of_loss[] = {cor_hertz_dashpot_beta_of_loss_zero_overlap,
+                                                        cor_hertz_dashpot_beta_of_loss_zero_force},
+                               *const duration[] = {cor_hertz_dashpot_duration_zero_overlap,
+                                                    cor_hertz_dashpot_duration_zero_force};
+
+/* Integrations of another program, 18 digits */
+static void test_known_values(void **state)
+{
+    (void)state;
+    const struct {
+        dashpot_function *function;
+        double beta;
+        long double value;
+    } known[] = {
+        {cor_hertz_dashpot_eps_zero_overlap, 0.5, 0.356912974176213893L},
+        {cor_hertz_dashpot_eps_zero_force, 0.5, 0.468038544824803370L},
+        {cor_hertz_dashpot_duration_zero_overlap, 0.5, 3.674312264397680617L},
+        {cor_hertz_dashpot_duration_zero_force, 0.5, 2.782528143330340519L},
+        {cor_hertz_dashpot_max_overlap, 0.5, 0.791261564952323956L},
+        {cor_hertz_dashpot_eps_zero_overlap, 1, 0.041320343494337112L},
+        {cor_hertz_dashpot_eps_zero_force, 1, 0.251843353467950750L},
+        {cor_hertz_dashpot_eps_zero_force, 5, 0.015357698164110697L},
+        {cor_hertz_dashpot_eps_zero_force, COR_HERTZ_DASHPOT_BETA_C, 0.218449655319366605L},
+        {cor_hertz_dashpot_max_overlap, COR_HERTZ_DASHPOT_BETA_C, 0.570733527712282338L},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        check(relative_error(known[i].function(known[i].beta), known[i].value) < 3e-16, "known value %zu", i);
+}
+
+/* Just below beta_c: eps = s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)), s = 0.206987698804278902 */
+static void test_threshold(void **state)
+{
+    (void)state;
+    const double s = 0.206987698804278902, beta_c = COR_HERTZ_DASHPOT_BETA_C, pi = 3.141592653589793;
+    for (int k = 16; k <= 30; k++) {
+        const double d = ldexp(1, -k), first = s * d * (1 + pi * sqrt(s * d / pow(beta_c, 5)));
+        const double eps = cor_hertz_dashpot_eps_zero_overlap(beta_c - d);
+        check(fabs(eps / first - 1) < 20 * d * k + 1e-6, "d = 2^-%d: %.17g and %.17g", k, eps, first);
+        /* beta t + ln(eps) -> 3.06410 */
+        check(fabs(beta_c * cor_hertz_dashpot_duration_zero_overlap(beta_c - d) + log(eps) - 3.06410) <
+                  2 * sqrt(d) + 1e-5,
+              "d = 2^-%d: duration %.17g", k, cor_hertz_dashpot_duration_zero_overlap(beta_c - d));
+    }
+}
+
+#define EACH(FUNCTION)                                                                                                 \
+    FUNCTION(eps_zero_overlap)                                                                                         \
+    FUNCTION(eps_zero_force)                                                                                           \
+    FUNCTION(loss_zero_overlap)                                                                                        \
+    FUNCTION(loss_zero_force)                                                                                          \
+    FUNCTION(beta_zero_overlap)                                                                                        \
+    FUNCTION(beta_zero_force)                                                                                          \
+    FUNCTION(beta_of_loss_zero_overlap)                                                                                \
+    FUNCTION(beta_of_loss_zero_force)                                                                                  \
+    FUNCTION(duration_zero_overlap)                                                                                    \
+    FUNCTION(duration_zero_force)                                                                                      \
+    FUNCTION(max_overlap)                                                                                              \
+    FUNCTION(time_of_max_overlap)
+
+/* Arrays have the scalar's bits, in place too, and floats are doubles rounded once. */
+static void test_arrays_and_floats(void **state)
+{
+    (void)state;
+    enum { N = 203 };
+    struct random_state r = random_start();
+    double x[N], y[N];
+    float f[N], g[N];
+    for (int i = 0; i < N; i++) {
+        x[i] = i == 0 ? NAN : i == 1 ? HUGE_VAL : i == 2 ? -1 : random_log(&r, 1e-12, 1e6);
+        f[i] = (float)x[i];
+    }
+#define COMPARE(quantity)                                                                                              \
+    cor_hertz_dashpot_##quantity##_array(x, y, N);                                                                     \
+    cor_hertz_dashpot_##quantity##_arrayf(f, g, N);                                                                    \
+    cor_hertz_dashpot_##quantity##_array(NULL, NULL, 0);                                                               \
+    for (int i = 0; i < N; i++) {                                                                                      \
+        const float one = (float)cor_hertz_dashpot_##quantity((double)f[i]);                                           \
+        check(same_bits(y[i], cor_hertz_dashpot_##quantity(x[i])), #quantity " of %g", x[i]);                          \
+        check(memcmp(&one, &g[i], sizeof one) == 0, #quantity "f of %g", x[i]);                                        \
+    }
+    EACH(COMPARE)
+    memcpy(y, x, sizeof x);
+    cor_hertz_dashpot_eps_zero_force_array(y, y, N);
+    for (int i = 0; i < N; i++)
+        check(same_bits(y[i], cor_hertz_dashpot_eps_zero_force(x[i])), "in place, %g", x[i]);
+}
+
+/* eps falls and the loss rises, from one double to another */
+static void test_monotone(void **state)
+{
+    (void)state;
+    struct random_state r = random_start();
+    for (size_t i = 0; i < points(20000); i++) {
+        const double beta = random_log(&r, 1e-9, 1e9), more = beta * (1 + random_uniform(&r, 0, 1e-12));
+        for (int end = 0; end < 2; end++) {
+            check(eps[end](more) <= eps[end](beta) * (1 + DBL_EPSILON), "eps of %.17g", beta);
+            check(loss[end](more) >= loss[end](beta) * (1 - DBL_EPSILON), "loss of %.17g", beta);
+        }
+        check(cor_hertz_dashpot_max_overlap(more) <= cor_hertz_dashpot_max_overlap(beta) * (1 + DBL_EPSILON),
+              "overlap of %.17g", beta);
+        check(eps[1](beta) >= eps[0](beta), "the ends at %.17g", beta);
+        check(duration[1](beta) <= duration[0](beta), "the durations at %.17g", beta);
+    }
+}
+
+/* The inverse has rows of its own: eps and loss come back as near as beta's last place lets them. */
+static void test_round_trip(void **state)
+{
+    (void)state;
+    struct random_state r = random_start();
+    for (size_t i = 0; i < points(20000); i++)
+        for (int end = 0; end < 2; end++) {
+            const double given = end == 0 ? random_log(&r, 1e-9, 1) : random_log(&r, 1e-200, 1);
+            const double beta = beta_of_eps[end](given), back = eps[end](beta);
+            const double slope = fabs((eps[end](beta * (1 - 0x1p-30)) / back - 1) * 0x1p30);
+            check(fabs(back / given - 1) <= (2 * slope + 2) * DBL_EPSILON, "eps %.17g comes back as %.17g", given,
+                  back);
+            const double lost = random_log(&r, 1e-300, 0.9), again = loss[end](beta_of_loss[end](lost));
+            check(fabs(again / lost - 1) <= 4 * DBL_EPSILON, "loss %.17g comes back as %.17g", lost, again);
+        }
+}
+
+static void no_step(dashpot_function *function, double x, const char *name)
+{
+    const double below = function(nextafter(x, 0)), at = function(x);
+    check(fabs(at - below) <= 5 * DBL_EPSILON * fabs(at), "%s has a step at %.17g: %.17g and %.17g", name, x, below,
+          at);
+}
+
+/* From a double to the next no function changes by more than its rounding, at the borders of rows and tables too. */
+static void test_no_steps(void **state)
+{
+    (void)state;
+    static dashpot_function *const lengths[] = {cor_hertz_dashpot_max_overlap, cor_hertz_dashpot_time_of_max_overlap};
+    for (int k = -12 * 64; k < 6 * 64; k++) {
+        const int octave = (k + 64 * 64) / 64 - 64;
+        const double part = (k + 64 * 64) % 64, beta = ldexp(64 + part, octave - 6);
+        for (int end = 0; end < 2; end++) {
+            no_step(lengths[end], beta, "a length");
+            if (end == 1 || beta < 1) {
+                no_step(eps[end], beta, "eps");
+                no_step(loss[end], beta, "loss");
+                no_step(duration[end], beta, "duration");
+            }
+        }
+        if (beta < 0.75)
+            no_step(beta_of_eps[1], beta, "beta at zero force");
+        if (beta < 0.6) { /* from there on the last place of the loss is more than that of beta */
+            no_step(beta_of_loss[0], beta, "beta of loss at zero overlap");
+            no_step(beta_of_loss[1], beta, "beta of loss at zero force");
+        }
+    }
+    /* beta^(5/2) eps, with the logarithm's rounding: the place of a border is known to a few doubles only */
+    for (double u = 2; u < 9; u += 1.0 / 64) {
+        const double below = exp(u) * (1 - 8e-15), above = exp(u) * (1 + 8e-15);
+        const double ratio = eps[1](above) / eps[1](below), power = 2.5 * 16e-15;
+        check(fabs(ratio - 1 + power) < 0.2 * power, "eps has a step at exp(%g): %.17g", u, ratio - 1);
+        for (int end = 0; end < 2; end++)
+            check(fabs(lengths[end](above) / lengths[end](below) - 1) < 2e-14, "a length has a step at exp(%g)", u);
+        check(fabs(duration[1](above) / duration[1](below) - 1) < 2e-14, "duration has a step at exp(%g)", u);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_known_values), cmocka_unit_test(test_threshold), cmocka_unit_test(test_monotone),
+        cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_no_steps),  cmocka_unit_test(test_arrays_and_floats),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
