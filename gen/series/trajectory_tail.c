@@ -26,12 +26,12 @@
 #include <math.h>
 
 enum {
-    /* Norms are needed to a few digits only; the products below are of midpoints cut to this. */
+    /* Norms are needed to a few digits only. The products below use midpoints rounded to this number of bits. */
     NORM_BITS = 64,
     /* Row k of the trajectory is about 2^(-ROW_BITS k) at small s. Without this factor, coefficients have similar size
      * and multiply faster. */
     ROW_BITS = 2,
-    /* circles on which trajectory_tail_jet takes Cauchy's estimate */
+    /* number of circles for Cauchy's estimate in trajectory_tail_jet */
     CIRCLES = 16
 };
 
@@ -267,7 +267,7 @@ struct tail_proof {
     mag_t U_mag, rho_mag;
     arb_t inverse;                      /* nu of (3.1): |1/Z| */
     arb_t error[2], size[2];            /* |E| and |Z^p| of (3.2), p = a and b + 1 */
-    arb_t last_column;                  /* |part of X^a that s^J begins| */
+    arb_t last_column;                  /* norm of the part of X^a from s^J on */
     arb_t first_exponent, last_divisor; /* e and e + 1 of the tail's first coefficient */
     arb_t delta, image;                 /* radius of the ball, and of its image by G */
 };
@@ -329,7 +329,7 @@ static void tail_norm(arb_t y, const struct tail_proof *p, const struct magnitud
     mag_clear(norm);
 }
 
-/* (3.1): nu = |V|/(1 - |1 - Z V|), which needs |1 - Z V| < 1; above 1/2 the bound would be of no use. */
+/* (3.1): nu = |V|/(1 - |1 - Z V|) needs |1 - Z V| < 1. Above 1/2 the bound would be useless. */
 static bool bound_inverse(struct tail_proof *p)
 {
     arb_t rest;
@@ -372,7 +372,7 @@ static bool bound_powers(struct tail_proof *p)
     return bounded;
 }
 
-/* What X^a has from s^J on: the last column of P times rho^J, and E. */
+/* The part of X^a from s^J on: the last column of P times rho^J, and E. */
 static void bound_last_column(struct tail_proof *p)
 {
     const struct magnitudes *power = &p->e->p[0];
@@ -394,7 +394,7 @@ static void bound_last_column(struct tail_proof *p)
  *
  *   (U/(b+1) |[X^(b+1)] beyond s^J| + 2^shift rho/e |[X^a] from s^J on|)/(e + 1),
  *
- * with |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1). False where nu delta is not below 1. */
+ * with |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1). Returns false if nu delta is not below 1. */
 static bool image_of_ball(struct tail_proof *p)
 {
     const int damping = p->e->powers - 1;
@@ -426,8 +426,8 @@ static bool image_of_ball(struct tail_proof *p)
     return converges;
 }
 
-/* (3.4): a delta with G(ball) inside the ball. The image of the point 0 says how large it must be; twice that leaves
- * room for what R adds, and twice the image of that ball once more. */
+/* (3.4): finds a delta such that G maps the ball |R| <= delta into itself. The image of the point 0 is a lower bound on
+ * delta. The first trial is twice that bound, and the second twice the image of the first ball. */
 static bool fixed_point(struct tail_proof *p)
 {
     enum { BALLS = 3 };
@@ -447,7 +447,7 @@ static bool fixed_point(struct tail_proof *p)
     return proved;
 }
 
-/* Sets delta; false where the proof does not close in these weights. */
+/* Sets delta. Returns false if the proof does not succeed with these weights. */
 static bool prove_at(arb_t delta, const struct evidence *e, const struct trajectory *t, const arb_t U, const arb_t rho)
 {
     struct tail_proof p;
@@ -494,7 +494,7 @@ static double tail_quality(const struct trajectory_tail *tail, const struct traj
     return worst;
 }
 
-/* Radii that are tried for rho, as parts of the way from t0 to the nearest singularity; and the weights U = 2^k. */
+/* Trial radii for rho, as parts of the way from t0 to the nearest singularity, and trial weights U = 2^k */
 static const double trial_part[] = {0.9, 0.8, 0.7, 0.5, 0.25};
 enum { TRIAL_PARTS = sizeof trial_part / sizeof *trial_part, TRIAL_U_MAX = 3, TRIAL_U_MIN = -7 };
 
@@ -511,8 +511,8 @@ bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory
     evidence_init(&e, t);
     arb_pow_ratio(s0, t0, a1, NORM_BITS);
     arb_mul_2exp_si(s0, s0, -t->shift);
-    /* The best pair of weights leaves the smallest errors in the coefficients of x at t0: of the last row, and of the
-     * last derivative of the first row (which by itself grows like t0^-m). */
+    /* The best pair of weights causes the smallest errors in two coefficients of x at t0: in the last row, and in the
+     * last derivative of the first row (which itself grows like t0^-m). */
     for (int i = 0; i < TRIAL_PARTS; i++) {
         double best_here = HUGE_VAL;
         arb_set_d(trial.rho, 1 + trial_part[i] * (law_elastic_radius(&t->law) - 1));
@@ -558,7 +558,7 @@ void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const 
     arb_init(factor);
     mag_init(candidate);
     mag_inf(bound);
-    /* Circles between t0 and the radius that belongs to rho. */
+    /* Circles between t0 and the radius that corresponds to rho */
     arb_mul_2exp_si(room, tail->rho, t->shift);
     arb_pow_ratio(room, room, ratio_div(one, a1), NORM_BITS);
     arb_sub(room, room, t0, NORM_BITS);

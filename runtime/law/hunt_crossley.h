@@ -269,8 +269,8 @@ COR_INLINE double cor_hc_loss(double beta)
 
 /* ---- the inverse ---- */
 
-/* beta from eps and loss = 1 - eps, both as pairs, eps >= COR_HC_EPS_NEAR: coth(y) - 1/y = loss/(1 + eps) = t, of which
- * c = t y is solved, and beta = 2 y/(1 + eps). */
+/* beta from eps and loss = 1 - eps, both as pairs, eps >= COR_HC_EPS_NEAR: coth(y) - 1/y = loss/(1 + eps) = t. The
+ * function solves c = t y, and beta = 2 y/(1 + eps). */
 COR_KERNEL struct cor_inline_pair cor_hc_of_langevin(struct cor_inline_pair eps, struct cor_inline_pair loss)
 {
     const double *p = cor_hc_langevin_polynomial;
