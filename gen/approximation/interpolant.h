@@ -118,9 +118,9 @@ enum { INTERPOLANT_FAR = 9 };
 void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity);
 void interpolant_far_fall(arb_t coefficient, const struct interpolant *f);
 
-/* The inverse of eps at zero force there, spheres: a; b_0, b_1, b_2; c_0, ..., c_4 of
+/* Coefficients a; b_0, b_1, b_2; c_0, ..., c_4 of the inverse of eps at zero force beyond the last u, for spheres:
  *
- *     beta = (a/eps)^(3/5) (1 + e (b_0 + ... + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)),     e = eps/a,     v = -(3/5) ln(e)
+ *     beta = (a/eps)^(3/5) (1 + e (b_0 + ... + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)),   e = eps/a,   v = -(3/5) ln(e)
  *
  * up to terms in e^3. The coefficients follow by formal inversion of the sum above, whose coefficient of u is 0. */
 enum { INTERPOLANT_FAR_INVERSE = 9 };

@@ -226,7 +226,7 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
                                   .last_log = last_log(law),
                                   .threshold = HUGE_VAL};
     if (law_force_ends(law)) {
-        const slong other = ratio_sub(law->a, law->b).num; /* 1/(a-b) is so many parts of a whole number */
+        const slong other = ratio_sub(law->a, law->b).num; /* 1/(a-b) is an integer divided by this number */
         layout->root_of_time = layout->root / (slong)n_gcd((ulong)layout->root, (ulong)other) * other;
     }
     if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > MOST_POWER)

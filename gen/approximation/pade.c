@@ -498,8 +498,8 @@ static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slo
     struct pade_block b;
     char known[64];
     if (r->kind == PADE_TWO_POINT || !pade_block_of(&b, c, r->numerator, r->denominator, prec))
-        return fail("the equations of the [%ld/%ld] Padé at %s are singular, as far as %ld bits tell",
-                    (long)r->numerator, (long)r->denominator, end_name(r->end), (long)prec);
+        return fail("the equations of the [%ld/%ld] Padé at %s are singular to %ld bits", (long)r->numerator,
+                    (long)r->denominator, end_name(r->end), (long)prec);
     snprintf(known, sizeof known, "as far as %ld bits tell", (long)prec);
     return fail_in_block(r, &b, known);
 }

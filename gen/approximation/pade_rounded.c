@@ -51,7 +51,7 @@ static int round_polynomial(arb_poly_t rounded, const arb_poly_t exact, const ch
             arb_set_d(x, y);
             arb_poly_set_coeff_arb(rounded, i, x);
         } else {
-            status = fail("coefficient %ld of the %s is no certain double", (long)i, name);
+            status = fail("coefficient %ld of the %s does not round to a certain double", (long)i, name);
         }
     }
     arb_clear(x);

@@ -68,7 +68,7 @@ struct option_common {
 #define OPTION_DIGITS(TYPE)                                                                                            \
     {                                                                                                                  \
         .name = "digits", .kind = OPTION_WHOLE, .offset = offsetof(TYPE, digits),                                      \
-        .range.whole = {1, OPTIONS_MAX_DIGITS}, .why = "more digits than that take longer than anyone waits"           \
+        .range.whole = {1, OPTIONS_MAX_DIGITS}, .why = "more digits would take too long"                               \
     }
 #define OPTION_END(TYPE, FIELD)                                                                                        \
     {                                                                                                                  \

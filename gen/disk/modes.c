@@ -222,7 +222,7 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, s
     disk_clear(&wide);
     arb_clear(none);
     return done ? STATUS_OK
-                : fail("mode n = %ld, l = %ld: %ld bits do not tell it from its neighbour", (long)n, (long)l,
+                : fail("mode n = %ld, l = %ld: %ld bits do not separate it from its neighbour", (long)n, (long)l,
                        (long)(4 * bits + 1024));
 }
 
@@ -430,7 +430,7 @@ static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong 
         for (slong i = 0; i < todo && status == STATUS_OK; i++) {
             struct precision *p = &work.precision[work.which[i]];
             if (!precision_raise(p))
-                status = fail("modes n = %ld and n = %ld near omega = %.17g: %ld bits do not tell which is lower",
+                status = fail("modes n = %ld and n = %ld near omega = %.17g: %ld bits do not decide which is lower",
                               (long)modes->mode[work.which[i > 0 ? i - 1 : 0]].n, (long)modes->mode[work.which[i]].n,
                               arf_get_d(arb_midref(modes->mode[work.which[i]].omega), ARF_RND_NEAR), (long)p->bits);
         }

@@ -84,7 +84,7 @@ void host_reach(const struct host_model *model, double *least, double *most);
 /* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent), fitted to zero
  * force */
 double host_thornton_gamma(double e);
-/* The polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), as LAMMPS has it */
+/* The polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), in the form of LAMMPS */
 double host_tsuji_alpha(double e);
 /* d g as a function of e: Hunt and Crossley (1975); Lankarani and Nikravesh (1990); Gonthier et al. (2004); Herbert and
  * McWhannell (1977); Hu and Guo (2015); Flores et al. (2011) */

@@ -42,7 +42,7 @@ enum {
 enum plan_verdict {
     PLAN_CHOSEN,
     PLAN_MEETS,   /* meets the tolerance at a higher cost */
-    PLAN_MISSES,  /* it */
+    PLAN_MISSES,  /* misses the tolerance */
     PLAN_OUTSIDE, /* has no value or no reliable value somewhere in the range */
     PLAN_SHOWN    /* not for use: shows the cost of a mistake */
 };

@@ -55,8 +55,8 @@ void emit_decimals(struct emit *e, const char *name, const char *const *decimal,
 /* enum { NAME = value, ... }; */
 void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count);
 
-/* COR_INLINE_LAW struct TYPE NAME(void): a struct that starts as the value of `start` and whose fields are set, one
- * line each. A pair is a field with hi and lo, from a ball. */
+/* COR_INLINE_LAW struct TYPE NAME(void): writes a function that returns a struct. The struct starts as the value of
+ * `start`, and one line sets each field. A pair is a field with hi and lo, from an interval. */
 void emit_builder_open(struct emit *e, const char *type, const char *name, const char *start);
 void emit_builder_set(struct emit *e, const char *field, const char *format, ...) __attribute__((format(printf, 3, 4)));
 int emit_builder_pair(struct emit *e, const char *field, const arb_t value);

@@ -40,7 +40,7 @@ struct collide {
     size_t materials_left;
 };
 
-/* ---- what a sweep may be ---- */
+/* ---- limits of a sweep ---- */
 
 static int refuse_memory(const struct sweep *sweep)
 {

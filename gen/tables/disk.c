@@ -97,8 +97,8 @@ static void numbers_of(arb_ptr value, slong i)
 }
 
 static const char banner_format[] =
-    "The %ld lowest free modes of an elastic disk, Poisson's number nu = %s in plane stress, E = rho = R = 1:\n"
-    "{n, l, omega, C, S} by increasing omega, as struct cor_disk_mode of cor/disk.h, none missing (proved).\n"
+    "The %ld lowest free modes of an elastic disk, Poisson's ratio nu = %s in plane stress, E = rho = R = 1:\n"
+    "{n, l, omega, C, S} by increasing omega, as struct cor_disk_mode of cor/disk.h, without gaps (proved).\n"
     "\n"
     "    static const struct cor_disk_modes modes = COR_DISK_MODES_NU%s;\n"
     "\n"

@@ -300,7 +300,7 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
 {
     const bool both = law_force_ends(&t->layout.interpolant.law);
     emit_comment(e, "A row: value = c_0 + (c_0' + t (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
-                    "c_0', c_1, ..., c_n. c_0' is what c_0 lacks of the value at the node.");
+                    "c_0', c_1, ..., c_n. c_0' is the remainder of c_0 at the node.");
     int status = STATUS_OK;
     for (int i = 0; i < TABLES && status == STATUS_OK; i++)
         if (t->table[i].has)

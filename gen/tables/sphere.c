@@ -198,7 +198,7 @@ static int emit_tables(struct emit *e)
 {
     emit_comment(e, "A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
                     "c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from\n"
-                    "node 1/4 on s = beta - node^2. c_0' is what c_0 lacks of the value at the node.");
+                    "node 1/4 on s = beta - node^2. c_0' is the remainder of c_0 at the node.");
     for (int i = 0; i < TABLES; i++)
         if (pieces_emit(e, &data.tables[i]))
             return STATUS_FAILED;

@@ -357,8 +357,8 @@ struct cor_disk_hard_wall {
  *     COR_CONTACT_NOT_ENDED      the vibrations of the disk keep nearly all its energy
  *     COR_ERROR_MODES            the modes leave a compliance that no disk has: numbers in the table are wrong
  * or, with nothing changed,
- *     COR_ERROR_MODES            the table lacks that number of modes or has too few for two levels, omega does not grow,
- *                                or an entry is not a number
+ *     COR_ERROR_MODES            the table lacks that number of modes or has too few for two levels; omega
+ *                                does not grow; or an entry is not a number
  *     COR_ERROR_SPEED            the speed is too high or NaN
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_TOLERANCE, COR_ERROR_MEMORY */
 COR_API int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,

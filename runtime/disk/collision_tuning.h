@@ -4,7 +4,7 @@
  *   fitted   it is the cheapest value with which no promise is broken in 10^4 random scenes, as
  *                COR_TEST_MULTIPLIER=500 build/gcc/tests/test_disk_collision_random
  *            shows, or by the command that stands there;
- *   chosen   it costs time or memory, never accuracy: the error is estimated from what was done. */
+ *   chosen it costs time or memory, never accuracy: the error estimate follows from the actual runs. */
 #ifndef COR_RUNTIME_DISK_COLLISION_TUNING_H
 #define COR_RUNTIME_DISK_COLLISION_TUNING_H
 

@@ -249,7 +249,7 @@ static void set_angles(struct level *level)
 
 /* ---- wall ---- */
 
-/* What happens at one kick */
+/* The results of one kick */
 struct kick {
     double load;
     size_t end; /* 1 more than the last angle in contact */
