@@ -11,7 +11,6 @@
 
 #include "contact.h"
 #include "disk.h"
-#include "hertz_dashpot.h"
 #include "law.h"
 #include "sphere.h"
 #include "status.h"
