@@ -10,7 +10,6 @@
 
 #include "contact.h"
 #include "disk.h"
-#include "hertz_dashpot.h"
 #include "law.h"
 #include "sphere.h"
 #include "status.h"

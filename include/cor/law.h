@@ -25,6 +25,7 @@
 #include <stddef.h>
 
 #include "export.h"
+#include "hertz_dashpot.h" /* Hertz with a constant dashpot */
 
 #ifdef __cplusplus
 extern "C" {
