@@ -6,10 +6,10 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "cor/status.h"
+#include "gen/support/clock.h"
 
 const double wall[WALLS] = {25, 50, 100};
 const double other_wall[OTHER_WALLS] = {10, 15, 200};
@@ -138,15 +138,8 @@ struct work {
     pthread_mutex_t lock;
     struct collision **job;
     int jobs, next, done, failed, terminal;
-    struct timespec start;
+    double start; /* clock_seconds */
 };
-
-static double seconds_since(const struct timespec *start)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - start->tv_sec) + 1e-9 * (double)(now.tv_nsec - start->tv_nsec);
-}
 
 static int compute(struct collision *c)
 {
@@ -172,7 +165,7 @@ static void *labour(void *argument)
         pthread_mutex_lock(&work->lock);
         work->done++;
         work->failed |= !computed;
-        const double spent = seconds_since(&work->start);
+        const double spent = clock_seconds() - work->start;
         if (work->terminal)
             fprintf(stderr, "\rcollisions: %d of %d, %.0f s left   ", work->done, work->jobs,
                     spent / work->done * (work->jobs - work->done));
@@ -184,9 +177,8 @@ static void *labour(void *argument)
 static int compute_jobs(struct collision **job, int jobs)
 {
     enum { MOST_THREADS = 64 };
-    struct work work = {.job = job, .jobs = jobs, .terminal = isatty(STDERR_FILENO)};
+    struct work work = {.job = job, .jobs = jobs, .terminal = isatty(STDERR_FILENO), .start = clock_seconds()};
     pthread_mutex_init(&work.lock, NULL);
-    clock_gettime(CLOCK_MONOTONIC, &work.start);
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
     pthread_t thread[MOST_THREADS];
     int threads = 0;

@@ -6,6 +6,7 @@
 #include "cor/sphere.h"
 
 #include "boundaries.h"
+#include "random.h"
 #include "reference.h"
 #include "ulp.h"
 
@@ -115,49 +116,26 @@ static void merge(struct worst *into, const struct worst *from)
 
 /* ---- random points ---- */
 
-struct random {
-    uint64_t state;
-};
-
-static uint64_t random_bits(struct random *r)
-{
-    r->state ^= r->state >> 12;
-    r->state ^= r->state << 25;
-    r->state ^= r->state >> 27;
-    return r->state * UINT64_C(2685821657736338717);
-}
-
-static double random_uniform(struct random *r)
-{
-    return (double)(random_bits(r) >> 11) * 0x1p-53;
-}
-
-/* Any nonnegative double below limit, every bit pattern as likely. */
-static double random_pattern(struct random *r, double limit)
-{
-    return double_of(random_bits(r) % bits_of(limit));
-}
-
 /* Most of [1e-3, 100] by its logarithm, a part of everything. */
-static double random_beta(struct random *r)
+static double random_beta(struct random_state *r)
 {
-    const double kind = random_uniform(r);
+    const double kind = random_uniform(r, 0, 1);
     if (kind < 0.75)
-        return exp(log(1e-3) + random_uniform(r) * log(1e5));
+        return exp(log(1e-3) + random_uniform(r, 0, 1) * log(1e5));
     if (kind < 0.85)
-        return exp(log(1e-308) + random_uniform(r) * log(1e308) * 2);
+        return exp(log(1e-308) + random_uniform(r, 0, 1) * log(1e308) * 2);
     return random_pattern(r, HUGE_VAL);
 }
 
 /* Uniform; near 0 down to the smallest double; near 1. */
-static double random_eps(struct random *r)
+static double random_eps(struct random_state *r)
 {
-    const double kind = random_uniform(r);
+    const double kind = random_uniform(r, 0, 1);
     if (kind < 0.5)
-        return random_uniform(r);
+        return random_uniform(r, 0, 1);
     if (kind < 0.75)
         return random_pattern(r, 1);
-    return 1 - exp2(-54 * random_uniform(r));
+    return 1 - exp2(-54 * random_uniform(r, 0, 1));
 }
 
 /* Functions with damping while approaching only are short formulas of the largest overlap, which is searched itself: a tenth. */
@@ -198,7 +176,7 @@ static void search_random(struct job *job)
 {
     const struct options *o = job->options;
     const uint64_t threads = (uint64_t)o->threads, part = (uint64_t)job->thread;
-    struct random r = {(o->seed * MAX_THREADS + part) * 2 + 1};
+    struct random_state r = random_seeded(o->seed * MAX_THREADS + part);
     for (uint64_t i = part; i < o->points / share_of(job->f); i += threads) {
         const double x = job->f->shape == INVERSE ? random_eps(&r) : random_beta(&r);
         const double y = job->f->value(x);
@@ -315,17 +293,17 @@ static uint64_t check_arrays(const struct function *f, uint64_t seed)
     enum { LONGEST = 67, BLOCKS = 3000 };
     double x[LONGEST + 4], y[LONGEST + 4];
     float xf[LONGEST + 4], yf[LONGEST + 4];
-    struct random r = {seed * 2 + 1};
+    struct random_state r = random_seeded(seed);
     uint64_t wrong = 0;
     f->array(NULL, NULL, 0);
     f->arrayf(NULL, NULL, 0);
     for (int block = 0; block < BLOCKS; block++) {
-        const size_t n = random_bits(&r) % (LONGEST + 1), from = random_bits(&r) % 4, to = random_bits(&r) % 4;
+        const size_t n = random_below(&r, LONGEST + 1), from = random_below(&r, 4), to = random_below(&r, 4);
         const bool mixed = block % 2 == 0, in_place = block % 3 == 0;
         for (size_t i = 0; i < n; i++) {
             x[from + i] = f->shape == INVERSE ? random_eps(&r) : random_beta(&r);
-            if (mixed && random_bits(&r) % 16 == 0)
-                x[from + i] = specials[random_bits(&r) % SPECIALS];
+            if (mixed && random_below(&r, 16) == 0)
+                x[from + i] = specials[random_below(&r, SPECIALS)];
             xf[from + i] = (float)x[from + i];
         }
         memcpy(y + to, x + from, n * sizeof *y);
@@ -392,16 +370,16 @@ static void search_contacts(struct worst *worst, const struct contact_function *
         0.0, -0.0, HUGE_VAL, -1.0, -HUGE_VAL, NAN, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp+1023};
     double speed[BLOCK], eps[BLOCK];
     struct cor_sphere_contact contact;
-    struct random r = {o->seed * 2 + 1};
+    struct random_state r = random_seeded(o->seed);
     const uint64_t enough = UINT64_C(100000000), points = o->points < enough ? o->points : enough;
     while (worst->points < points) {
         const double g_star =
-            random_uniform(&r) < 0.8 ? exp((random_uniform(&r) - 0.5) * 70) : random_pattern(&r, 1e308);
+            random_uniform(&r, 0, 1) < 0.8 ? exp((random_uniform(&r, 0, 1) - 0.5) * 70) : random_pattern(&r, 1e308);
         cor_sphere_contact_init_g_star(&contact, g_star);
         for (size_t i = 0; i < BLOCK; i++) {
-            const double kind = random_uniform(&r);
-            speed[i] = kind < 0.05  ? fixed[random_bits(&r) % (sizeof fixed / sizeof *fixed)]
-                       : kind < 0.5 ? g_star * exp((random_uniform(&r) - 0.5) * 40)
+            const double kind = random_uniform(&r, 0, 1);
+            speed[i] = kind < 0.05  ? fixed[random_below(&r, sizeof fixed / sizeof *fixed)]
+                       : kind < 0.5 ? g_star * exp((random_uniform(&r, 0, 1) - 0.5) * 40)
                                     : random_pattern(&r, HUGE_VAL);
         }
         f->array(&contact, speed, eps, BLOCK);

@@ -6,6 +6,7 @@
  * function; these lines are what the documentation quotes. --help lists the options. */
 #include "cor/disk.h"
 
+#include "random.h"
 #include "runtime/core/lambert_w.h"
 #include "support/flint.h"
 #include "ulp.h"
@@ -15,19 +16,11 @@
 
 /* ---- random numbers ---- */
 
-static uint64_t random_state;
-
-static double uniform(double low, double high)
-{
-    random_state ^= random_state >> 12;
-    random_state ^= random_state << 25;
-    random_state ^= random_state >> 27;
-    return low + (high - low) * ((double)((random_state * UINT64_C(2685821657736338717)) >> 11) * 0x1p-53);
-}
+static struct random_state random_state;
 
 static int choice(int count)
 {
-    return (int)uniform(0, count);
+    return (int)random_uniform(&random_state, 0, count);
 }
 
 static double random_nu(void)
@@ -37,11 +30,11 @@ static double random_nu(void)
     case 0:
         return sign * (1 - ldexp(1, -1 - choice(53)));
     case 1:
-        return sign * exp(uniform(-700, 0));
+        return sign * exp(random_uniform(&random_state, -700, 0));
     case 2:
         return choice(2) ? 0.33 : 0.9;
     default:
-        return sign * uniform(0, 1);
+        return sign * random_uniform(&random_state, 0, 1);
     }
 }
 
@@ -252,14 +245,14 @@ static double random_argument(const struct law *f, double nu, int datum)
     case 2:
         return moved(unit_boundary[choice(3)], choice(7) - 3);
     case 3:
-        return double_of(1 + (uint64_t)uniform(0, 0x1p52)); /* subnormal */
+        return double_of(1 + (uint64_t)random_uniform(&random_state, 0, 0x1p52)); /* subnormal */
     case 4:
-        return limit * exp(-uniform(0, 700));
+        return limit * exp(-random_uniform(&random_state, 0, 700));
     case 5:
     case 6:
-        return fmin(limit, limit * (1 - exp(uniform(-37, 0))));
+        return fmin(limit, limit * (1 - exp(random_uniform(&random_state, -37, 0))));
     default:
-        return limit * exp(-uniform(0, 7));
+        return limit * exp(-random_uniform(&random_state, 0, 7));
     }
 }
 
@@ -399,13 +392,13 @@ static int search_leading(unsigned long points)
                 argument = moved(unit_boundary[choice(3)], choice(7) - 3);
                 break;
             case 3:
-                argument = fmin(f->end, f->end * (1 - exp(uniform(-37, 0))));
+                argument = fmin(f->end, f->end * (1 - exp(random_uniform(&random_state, -37, 0))));
                 break;
             case 4:
-                argument = f->end * exp(-uniform(0, 744));
+                argument = f->end * exp(-random_uniform(&random_state, 0, 744));
                 break;
             default:
-                argument = f->end * exp(-uniform(0, 7));
+                argument = f->end * exp(-random_uniform(&random_state, 0, 7));
             }
             arb_set_d(x, argument);
             arb_set_ui(log, 4);
@@ -452,9 +445,9 @@ static int search_lambert(unsigned long points)
         static const double boundary[] = {0x1p-500, 0.1, 3};
         const int kind = choice(4);
         const double q = kind == 0   ? moved(boundary[choice(3)], choice(7) - 3)
-                         : kind == 1 ? exp(uniform(-700, 8))
-                         : kind == 2 ? exp(uniform(-4, 2))
-                                     : uniform(0, 10);
+                         : kind == 1 ? exp(random_uniform(&random_state, -700, 8))
+                         : kind == 2 ? exp(random_uniform(&random_state, -4, 2))
+                                     : random_uniform(&random_state, 0, 10);
         /* near the branch point of W half of the digits are lost: as many more as q needs */
         const slong prec = 128 + (q < 1 ? (slong)(-1.5 * log2(q)) : 0);
         arb_set_d(x, q);
@@ -476,9 +469,9 @@ static int search_lambert(unsigned long points)
         take(&worst_t, error < 0 ? HUGE_VAL : error, q, 0, 0);
 
         const double end = -0x1.78b56362cef37p-2; /* the last double above -1/e */
-        const double part = i % 5 == 4 ? 1 - exp(uniform(-37, 0)) : exp(-fmin(q, 744));
+        const double part = i % 5 == 4 ? 1 - exp(random_uniform(&random_state, -37, 0)) : exp(-fmin(q, 744));
         const double z = i % 5 == 0   ? moved(end, -choice(4))
-                         : i % 5 == 1 ? -double_of(1 + (uint64_t)uniform(0, 0x1p52))
+                         : i % 5 == 1 ? -double_of(1 + (uint64_t)random_uniform(&random_state, 0, 0x1p52))
                          : i % 5 == 2 ? moved(-0x1p-900, choice(7) - 3)
                                       : fmax(end, end * part);
         arb_set_d(x, z);
@@ -626,7 +619,7 @@ int main(int argc, char **argv)
         *value = (unsigned long)number;
     }
     printf("--points %lu --times %lu --seed %lu\n", points, times, seed);
-    random_state = (uint64_t)seed * 2 + 1;
+    random_state = random_seeded(seed);
     int good = search_laws(points);
     good &= search_limits(points);
     good &= search_leading(points);

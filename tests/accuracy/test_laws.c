@@ -12,6 +12,7 @@
 
 #include <mpfr.h>
 
+#include "random.h"
 #include "reference_law.h"
 #include "ulp.h"
 
@@ -410,32 +411,10 @@ static void take(struct worst *worst, const struct function *f, double x)
     }
 }
 
-struct random {
-    uint64_t state;
-};
-
-static uint64_t random_bits(struct random *r)
-{
-    r->state ^= r->state >> 12;
-    r->state ^= r->state << 25;
-    r->state ^= r->state >> 27;
-    return r->state * UINT64_C(2685821657736338717);
-}
-
-static double random_uniform(struct random *r)
-{
-    return (double)(random_bits(r) >> 11) * 0x1p-53;
-}
-
-static double random_pattern(struct random *r, double limit)
-{
-    return double_of(random_bits(r) % bits_of(limit));
-}
-
 /* zeta or beta: where kernels are, near 1, every size, every bit pattern; a part of beta is negative */
-static double random_damping(struct random *r, const struct function *f)
+static double random_damping(struct random_state *r, const struct function *f)
 {
-    const double kind = random_uniform(r), u = random_uniform(r);
+    const double kind = random_uniform(r, 0, 1), u = random_uniform(r, 0, 1);
     if (f->law != RATIO && kind < 0.15)
         return kind < 0.08 ? -u : -exp(-30 * u);
     if (kind < 0.55)
@@ -449,9 +428,9 @@ static double random_damping(struct random *r, const struct function *f)
     return random_pattern(r, HUGE_VAL);
 }
 
-static double random_eps(struct random *r)
+static double random_eps(struct random_state *r)
 {
-    const double kind = random_uniform(r), u = random_uniform(r);
+    const double kind = random_uniform(r, 0, 1), u = random_uniform(r, 0, 1);
     if (kind < 0.6)
         return u;
     if (kind < 0.75)
@@ -461,7 +440,7 @@ static double random_eps(struct random *r)
     return exp(-30 * u);
 }
 
-static double random_argument(struct random *r, const struct function *f)
+static double random_argument(struct random_state *r, const struct function *f)
 {
     return is_inverse(f) ? random_eps(r) : random_damping(r, f);
 }
@@ -496,7 +475,7 @@ static void *search_random(void *argument)
 {
     struct job *job = argument;
     const struct options *o = job->options;
-    struct random r = {(o->seed * MAX_THREADS + (uint64_t)job->thread) * 2 + 1};
+    struct random_state r = random_seeded(o->seed * MAX_THREADS + (uint64_t)job->thread);
     const uint64_t points = o->points / (job->f->shape == SLOW_TIME ? SLOW_SHARE : 1);
     for (uint64_t i = (uint64_t)job->thread; i < points; i += (uint64_t)o->threads) {
         const double x = random_argument(&r, job->f);
@@ -647,15 +626,15 @@ static uint64_t check_arrays(const struct function *f, uint64_t seed)
     enum { LONGEST = 300, BLOCKS = 60 };
     double x[LONGEST + 4], y[LONGEST + 4];
     float xf[LONGEST + 4], yf[LONGEST + 4];
-    struct random r = {seed * 2 + 1};
+    struct random_state r = random_seeded(seed);
     uint64_t wrong = 0;
     f->array(NULL, NULL, 0);
     f->arrayf(NULL, NULL, 0);
     for (int block = 0; block < BLOCKS; block++) {
-        const size_t n = random_bits(&r) % (LONGEST + 1), from = random_bits(&r) % 4, to = random_bits(&r) % 4;
+        const size_t n = random_below(&r, LONGEST + 1), from = random_below(&r, 4), to = random_below(&r, 4);
         for (size_t i = from; i < from + n; i++) {
             x[i] =
-                block % 2 && random_bits(&r) % 16 == 0 ? specials[random_bits(&r) % SPECIALS] : random_argument(&r, f);
+                block % 2 && random_below(&r, 16) == 0 ? specials[random_below(&r, SPECIALS)] : random_argument(&r, f);
             xf[i] = (float)x[i];
         }
         memcpy(y + to, x + from, n * sizeof *y);

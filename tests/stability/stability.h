@@ -48,7 +48,7 @@ double upper(const arb_t x); /* of |x| */
 
 /* The double so many representable numbers further from zero */
 double moved(double x, long steps);
-/* Uniform in [low, high): xorshift64*, started anew for each case */
+/* Uniform in [low, high), started anew for each case */
 double drawn(double low, double high);
 
 #endif
