@@ -236,7 +236,7 @@ static void add_panel(struct integrals *sum, const struct cor_spectrum *spectrum
     }
 }
 
-static struct integrals integrate(const struct cor_spectrum *spectrum, double from, double to)
+static struct integrals tail_integrate(const struct cor_spectrum *spectrum, double from, double to)
 {
     struct integrals sum = {0, 0, 0};
     add_panel(&sum, spectrum, from, to, from, to);
@@ -276,7 +276,7 @@ void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleig
 {
     const struct cor_fading *const fading = &table->fading;
     const double *const low = fading->low, *const high = fading->high;
-    const struct integrals integrals = integrate(spectrum, fading->mean_from, fading->to);
+    const struct integrals integrals = tail_integrate(spectrum, fading->mean_from, fading->to);
     const double more = table->low_strength - bump_density(low) + table->high_strength - bump_density(high);
     const double curvature = surface->known ? more / (bump_integral(low) + bump_integral(high)) : 0;
     if (surface->known)

@@ -92,7 +92,7 @@ struct worst {
     double rise_at;
 };
 
-static void take(struct worst *worst, double error, double at)
+static void worst_take(struct worst *worst, double error, double at)
 {
     worst->points++;
     if (error > worst->error) {
@@ -180,7 +180,7 @@ static void search_random(struct job *job)
     for (uint64_t i = part; i < o->points / share_of(job->f); i += threads) {
         const double x = job->f->shape == INVERSE ? random_eps(&r) : random_beta(&r);
         const double y = job->f->value(x);
-        take(&job->worst, error_of(job->f, y, x, format_double), x);
+        worst_take(&job->worst, error_of(job->f, y, x, format_double), x);
         if (job->f->shape == FALLS) {
             const double next = nextafter(x, HUGE_VAL);
             take_order(&job->worst, y, job->f->value(next), next);
@@ -195,7 +195,7 @@ static void search_floats(struct job *job)
     const uint64_t step = stride * (uint64_t)job->options->threads;
     for (uint64_t bits = stride * (uint64_t)job->thread; bits <= end; bits += step) {
         const float x = float_of((uint32_t)bits);
-        take(&job->worstf, error_of(job->f, (double)job->f->valuef(x), (double)x, format_float), (double)x);
+        worst_take(&job->worstf, error_of(job->f, (double)job->f->valuef(x), (double)x, format_float), (double)x);
     }
 }
 
@@ -208,14 +208,14 @@ static void *run_job(void *argument)
 }
 
 /* Every double from `radius` before x to as many after it: error, order, range. */
-static void walk(struct worst *worst, const struct function *f, double x, uint64_t radius)
+static void worst_walk(struct worst *worst, const struct function *f, double x, uint64_t radius)
 {
     const uint64_t middle = bits_of(x), last = bits_of(f->shape == INVERSE ? 1 : HUGE_VAL);
     const uint64_t low = middle > radius ? middle - radius : 0, high = middle < last - radius ? middle + radius : last;
     double before = HUGE_VAL;
     for (uint64_t bits = low; bits <= high; bits++) {
         const double at = double_of(bits), y = f->value(at);
-        take(worst, error_of(f, y, at, format_double), at);
+        worst_take(worst, error_of(f, y, at, format_double), at);
         if (f->shape == FALLS)
             take_order(worst, before, y, at);
         before = y;
@@ -227,29 +227,29 @@ static void search_boundaries(struct worst *worst, const struct function *f)
     const uint64_t radius = 256 / share_of(f);
     if (f->shape == INVERSE) {
         for (int i = 0; i <= 256; i++)
-            walk(worst, f, i / 256.0, radius);
+            worst_walk(worst, f, i / 256.0, radius);
         for (int exponent = -1074; exponent < 0; exponent++)
-            walk(worst, f, ldexp(1, exponent), 16);
+            worst_walk(worst, f, ldexp(1, exponent), 16);
         for (int exponent = -53; exponent < 0; exponent++)
-            walk(worst, f, 1 - ldexp(1, exponent), radius);
+            worst_walk(worst, f, 1 - ldexp(1, exponent), radius);
         return;
     }
     for (int i = 1; i <= 2 * CELLS_IN_BETA; i++)
-        walk(worst, f, i / 32.0, radius);
+        worst_walk(worst, f, i / 32.0, radius);
     for (int i = 1; i <= 2 * CELLS_IN_ROOT; i++)
-        walk(worst, f, (i / 32.0) * (i / 32.0), radius);
+        worst_walk(worst, f, (i / 32.0) * (i / 32.0), radius);
     for (size_t i = 0; i < sizeof region_boundaries / sizeof *region_boundaries; i++)
-        walk(worst, f, region_boundaries[i], radius);
+        worst_walk(worst, f, region_boundaries[i], radius);
     for (int exponent = -1074; exponent < 1024; exponent++)
-        walk(worst, f, ldexp(1, exponent), exponent > -70 && exponent < 70 ? radius : 16);
+        worst_walk(worst, f, ldexp(1, exponent), exponent > -70 && exponent < 70 ? radius : 16);
 }
 
 /* Uphill from the worst point so far, while there is a worse one within reach. */
-static void climb(struct worst *worst, const struct function *f)
+static void worst_climb(struct worst *worst, const struct function *f)
 {
     for (int turn = 0; turn < 16; turn++) {
         const double error = worst->error;
-        walk(worst, f, worst->at, 4096);
+        worst_walk(worst, f, worst->at, 4096);
         if (!(worst->error > error))
             break;
     }
@@ -386,7 +386,8 @@ static void search_contacts(struct worst *worst, const struct contact_function *
         for (size_t i = 0; i < BLOCK; i++) {
             const double one = f->value(&contact, speed[i]);
             const bool same = same_bits(&one, &eps[i], sizeof one) || (isnan(one) && isnan(eps[i]));
-            take(worst, same ? contact_error(f->quantity, one, contact.beta_per_root, speed[i]) : HUGE_VAL, speed[i]);
+            worst_take(worst, same ? contact_error(f->quantity, one, contact.beta_per_root, speed[i]) : HUGE_VAL,
+                       speed[i]);
         }
     }
 }
@@ -394,7 +395,7 @@ static void search_contacts(struct worst *worst, const struct contact_function *
 /* ---- running and reporting ---- */
 
 /* One line of the table; true where it is good. */
-static bool report(const char *name, const char *suffix, const struct worst *worst, double bound)
+static bool worst_report(const char *name, const char *suffix, const struct worst *worst, double bound)
 {
     const bool good = worst->error <= bound && worst->rises == 0;
     printf("%-4s  %s%-*s  %12llu  %10.6f  %6.2f  %a\n", good ? "ok" : "FAIL", name, 24 - (int)strlen(name), suffix,
@@ -425,12 +426,12 @@ static void run_threads(struct worst *worst, struct worst *worstf, const struct 
     }
 }
 
-static bool wanted(const struct options *o, const char *name)
+static bool function_is_wanted(const struct options *o, const char *name)
 {
     return o->only == NULL || strstr(name, o->only) != NULL;
 }
 
-static int run(const struct options *o)
+static int functions_run(const struct options *o)
 {
     struct worst worst, worstf;
     bool good = true;
@@ -438,24 +439,24 @@ static int run(const struct options *o)
     printf("      %-24s  %12s  %10s  %6s  %s\n", "function", "points", "worst ulp", "bound", "argument");
     for (int i = 0; i < FUNCTIONS; i++) {
         const struct function *f = &functions[i];
-        if (!wanted(o, f->name))
+        if (!function_is_wanted(o, f->name))
             continue;
         worst = (struct worst){0};
         worstf = (struct worst){0};
         run_threads(&worst, &worstf, f, o);
         search_boundaries(&worst, f);
-        climb(&worst, f);
-        good = report(f->name, "", &worst, f->max_ulp) && good;
-        good = report(f->name, "f", &worstf, COR_SPHERE_FLOAT_MAX_ULP) && good;
+        worst_climb(&worst, f);
+        good = worst_report(f->name, "", &worst, f->max_ulp) && good;
+        good = worst_report(f->name, "f", &worstf, COR_SPHERE_FLOAT_MAX_ULP) && good;
         good = check_specials(f) == 0 && good;
         good = check_arrays(f, o->seed) == 0 && good;
     }
     for (size_t i = 0; i < sizeof contact_functions / sizeof *contact_functions; i++) {
-        if (!wanted(o, contact_functions[i].name))
+        if (!function_is_wanted(o, contact_functions[i].name))
             continue;
         worst = (struct worst){0};
         search_contacts(&worst, &contact_functions[i], o);
-        good = report(contact_functions[i].name, "", &worst, 1) && good;
+        good = worst_report(contact_functions[i].name, "", &worst, 1) && good;
     }
     printf("contact: error as a part of (2 + 2 |d ln eps/d ln beta|) 2^-53, argument the speed\n");
     return good ? 0 : 1;
@@ -497,5 +498,5 @@ int main(int argc, char **argv)
         printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
         return 77;
     }
-    return reference_build() != 0 ? 1 : run(&o);
+    return reference_build() != 0 ? 1 : functions_run(&o);
 }

@@ -262,14 +262,14 @@ struct worst {
     unsigned long points;
 };
 
-static void take(struct worst *worst, double error, double at, double nu, int datum)
+static void worst_take(struct worst *worst, double error, double at, double nu, int datum)
 {
     worst->points++;
     if (error > worst->error)
         *worst = (struct worst){error, at, nu, datum, worst->points};
 }
 
-static int report(const char *name, const struct worst *worst, double bound, const char *unit)
+static int worst_report(const char *name, const struct worst *worst, double bound, const char *unit)
 {
     const int good = worst->error <= bound;
     printf("%-30s %9lu points, %9.3g %s at %a, nu = %a, datum %d%s\n", name, worst->points, worst->error, unit,
@@ -299,9 +299,9 @@ static int search_laws(unsigned long points)
                 if (error == HUGE_VAL && !arb_is_finite(exact))
                     error = -1; /* too wide to be inside the domain */
             }
-            take(&worst, error < 0 ? HUGE_VAL : error, x, nu, datum);
+            worst_take(&worst, error < 0 ? HUGE_VAL : error, x, nu, datum);
         }
-        good &= report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
+        good &= worst_report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
     }
     arb_clear(exact);
     return good;
@@ -421,9 +421,9 @@ static int search_leading(unsigned long points)
                 arb_div(y, y, log, prec);
             if (f->halved)
                 arb_mul_2exp_si(y, y, -1);
-            take(&worst, ball_error(f->value(argument), y), argument, 0, 0);
+            worst_take(&worst, ball_error(f->value(argument), y), argument, 0, 0);
         }
-        good &= report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
+        good &= worst_report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
     }
     arb_clear(y);
     arb_clear(log);
@@ -466,7 +466,7 @@ static int search_lambert(unsigned long points)
             arb_sub_ui(y, y, 1, 3000);
             error = ball_error(cor_lambert_t(q), y);
         }
-        take(&worst_t, error < 0 ? HUGE_VAL : error, q, 0, 0);
+        worst_take(&worst_t, error < 0 ? HUGE_VAL : error, q, 0, 0);
 
         const double end = -0x1.78b56362cef37p-2; /* the last double above -1/e */
         const double part = i % 5 == 4 ? 1 - exp(random_uniform(&random_state, -37, 0)) : exp(-fmin(q, 744));
@@ -477,11 +477,11 @@ static int search_lambert(unsigned long points)
         arb_set_d(x, z);
         arb_lambertw(y, x, 1, 192);
         error = z == 0 ? 0 : ball_error(cor_lambert_w_minus1(z), y);
-        take(&worst_w, error < 0 ? HUGE_VAL : error, z, 0, 0);
+        worst_take(&worst_w, error < 0 ? HUGE_VAL : error, z, 0, 0);
     }
     arb_clear(x);
     arb_clear(y);
-    return report("t of q", &worst_t, 2, "ulp") & report("W_-1", &worst_w, 2, "ulp");
+    return worst_report("t of q", &worst_t, 2, "ulp") & worst_report("W_-1", &worst_w, 2, "ulp");
 }
 
 /* ---- contact time ---- */
@@ -583,7 +583,7 @@ static int search_contact_time(unsigned long points)
         arb_div(off, off, tau, 128);
         arb_sub_ui(off, off, 1, 64);
         const double error = arb_is_finite(off) ? fabs(arf_get_d(arb_midref(off), ARF_RND_UP)) : HUGE_VAL;
-        take(&worst, error, v, nu, datum);
+        worst_take(&worst, error, v, nu, datum);
     }
     arb_clear(tau);
     arb_clear(halved);
@@ -591,7 +591,7 @@ static int search_contact_time(unsigned long points)
     /* halving the step squares the error of the rule, or nearly */
     printf("%-30s halving the step of the reference changes it by %.2g\n", "", largest_step);
     good &= largest_step < 1e-11;
-    return report("contact_time", &worst, COR_DISK_CONTACT_TIME_MAX_ERROR, "relative") & good;
+    return worst_report("contact_time", &worst, COR_DISK_CONTACT_TIME_MAX_ERROR, "relative") & good;
 }
 
 /* ---- */

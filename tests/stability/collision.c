@@ -15,8 +15,8 @@
 /* The error where something is missing that the errors of other points could be compared with */
 static const double none = 1e9;
 
-static int collide(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
-                   size_t max_steps, struct cor_disk_collision *out)
+static int disk_collide(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
+                        size_t max_steps, struct cor_disk_collision *out)
 {
     const struct cor_disk_collision_options options = {alpha, tolerance, 0, max_steps};
     return cor_disk_collision(modes, n, &options, v, out);
@@ -28,7 +28,7 @@ static void take_collision(struct outcome *out, const struct cor_disk_modes *mod
 {
     struct cor_disk_collision c;
     char input[160], x[40], y[40];
-    const int status = collide(modes, n, alpha, v, tolerance, max_steps, &c);
+    const int status = disk_collide(modes, n, alpha, v, tolerance, max_steps, &c);
     const double error = status == COR_OK                      ? fabs(c.eps - eps) / tolerance
                          : status == COR_TOLERANCE_NOT_REACHED ? fabs(c.eps - eps) / c.error_estimate
                                                                : none;
@@ -90,7 +90,7 @@ static void slow_collision(struct outcome *out, bool full)
         for (size_t j = 0; j < 3; j++)
             for (size_t n = 1; n <= 10; n += 9) {
                 struct cor_disk_collision c = {0};
-                const int status = collide(&cor_disk_modes_nu033, n, alpha[i], speed[j], 1e-8, 0, &c);
+                const int status = disk_collide(&cor_disk_modes_nu033, n, alpha[i], speed[j], 1e-8, 0, &c);
                 char input[160];
                 snprintf(input, sizeof input, "alpha = %g, v = %g, %zu modes", alpha[i], speed[j], n);
                 take(out, status == COR_CONTACT_NOT_ENDED && isnan(c.eps) && isnan(c.one_minus_eps2) ? 0 : 1, input,
