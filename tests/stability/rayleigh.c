@@ -9,7 +9,7 @@
 #include <cor/disk.h>
 #include <cor/status.h>
 
-#include "indefinite.h"
+#include "disk_reference.h"
 
 enum { BITS = 192 };
 

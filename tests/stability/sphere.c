@@ -12,13 +12,11 @@
 #include <cor/sphere.h>
 #include <cor/status.h>
 
-#include "boundaries.h"
 #include "enclosure/collision.h"
 #include "pumped.h"
 #include "reference.h"
 #include "series/series.h"
 #include "series/turning_point.h"
-#include "ulp.h"
 
 enum { BITS = 160, ORDER = 28, LEFT_OUT = 80 };
 
@@ -166,23 +164,6 @@ static void take_quantities(struct outcome *out, double beta, arb_srcptr value)
         }
 }
 
-static void take_dense(struct outcome *out, double beta)
-{
-    static bool built;
-    char input[160], exact[80], value[40];
-    if (!built && reference_build() != 0)
-        abort();
-    built = true;
-    for (int q = 0; q < QUANTITIES; q++) {
-        const double y = function[q].value(beta);
-        const long double x = reference_value((enum quantity)q, beta);
-        snprintf(input, sizeof input, "%s = %.17g (%a)", function[q].name, beta, beta);
-        snprintf(exact, sizeof exact, "%.20Lg", x);
-        snprintf(value, sizeof value, "%.17g", y);
-        take(out, ulp_error(y, x, format_double) / function[q].bound, input, exact, value);
-    }
-}
-
 /* ---- beta ---- */
 
 static void small_beta(struct outcome *out, bool full)
@@ -281,8 +262,6 @@ static void huge_beta(struct outcome *out, bool full)
             power_law(value, moved(last[i], j));
             take_quantities(out, moved(last[i], j), value);
         }
-    for (int i = 0; full && i < 200000; i++)
-        take_dense(out, exp(drawn(1.9, 709.7)));
     _arb_vec_clear(value, QUANTITIES);
 }
 
@@ -391,19 +370,10 @@ static void negative_beta(struct outcome *out, bool full)
 
 /* ---- borders ---- */
 
+/* tests/accuracy has every edge and node, and 256 doubles to each side, by another reference. */
 static void borders(struct outcome *out, bool full)
 {
     arb_ptr value = _arb_vec_init(QUANTITIES);
-    if (full) {
-        for (int i = 1; i <= 2 * CELLS_IN_BETA; i++) /* edges and nodes */
-            for (int j = -3; j <= 3; j++) {
-                take_dense(out, moved(i / 32.0, j));
-                take_dense(out, moved(i / 32.0 * (i / 32.0), j));
-            }
-        for (size_t i = 0; i < sizeof region_boundaries / sizeof *region_boundaries; i++)
-            for (int j = -3; j <= 0; j++)
-                take_dense(out, moved(region_boundaries[i], j));
-    }
     /* edges of the first cells, of the last ones, and between */
     static const double edge[] = {1.0 / 32, 3.0 / 32, 17.0 / 32, 33.0 / 32, 65.0 / 32, 127.0 / 32, 223.0 / 32};
     for (size_t i = 0; i < 2 * sizeof edge / sizeof *edge; i++)
@@ -574,8 +544,8 @@ static const struct hard_case sphere_cases[] = {
     {"beta negative", "a number outside the domain: collisions with negative damping end at -h*",
      "the smallest to -inf, -h* too; eps outside [0, 1]", "NaN", "wrong answers", 0, negative_beta},
     {"beta at a border of pieces", "the wrong row, or a jump",
-     "edges of cells in beta and sqrt(beta), one ulp to each side (full: every edge and node, 3 ulp)",
-     "enclosed collisions (full: `tests/accuracy`)", "of the public bounds", 1, borders},
+     "edges of cells in beta and sqrt(beta), one ulp to each side; every edge and node: `tests/accuracy`",
+     "enclosed collisions", "of the public bounds", 1, borders},
     {"eps near 0 in the inverse", "beta overflows or eps is subnormal",
      "every size of eps down to the smallest subnormal", "the closed tails in interval arithmetic; enclosed collisions",
      "ulp", COR_SPHERE_BETA_MAX_ULP, inverse_near_zero},
