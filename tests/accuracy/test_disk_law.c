@@ -9,7 +9,7 @@
 #include "disk_reference.h"
 #include "random.h"
 #include "runtime/core/lambert_w.h"
-#include "support/flint.h"
+#include "support/precision.h"
 #include "ulp.h"
 
 #include <stdio.h>
@@ -157,15 +157,16 @@ static int search_laws(unsigned long points)
             const int datum = choice(3);
             const double x = random_argument(kind, nu, datum), y = f->value(x, nu, (enum cor_disk_datum)datum);
             double error = -1;
-            for (slong prec = 128; error < 0 && prec < 5000; prec *= 2) {
-                if (!disk_value(exact, kind, x, nu, (enum cor_disk_datum)datum, prec)) {
+            struct precision p = precision_doubling_to(128, 5000);
+            do {
+                if (!disk_value(exact, kind, x, nu, (enum cor_disk_datum)datum, p.bits)) {
                     printf("the reference contradicts (57) at %a\n", x);
                     good = 0;
                 }
                 error = ball_error(y, exact);
                 if (error == HUGE_VAL && !arb_is_finite(exact))
                     error = -1; /* too wide to be inside the domain */
-            }
+            } while (error < 0 && precision_raise(&p));
             worst_take(&worst, error < 0 ? HUGE_VAL : error, x, nu, datum);
         }
         good &= worst_report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
@@ -366,10 +367,11 @@ static int search_contact_time(unsigned long points)
         const int datum = choice(3);
         const double v = random_argument(DISK_MAX_LOAD, nu, datum);
         double radius = 1;
-        for (slong prec = 160; !(radius < 1e-18) && prec < 5000; prec *= 2) {
-            disk_contact_time(tau, halved, v, nu, (enum cor_disk_datum)datum, 5, prec);
+        struct precision p = precision_doubling_to(160, 5000);
+        do {
+            disk_contact_time(tau, halved, v, nu, (enum cor_disk_datum)datum, 5, p.bits);
             radius = arb_is_finite(tau) ? mag_get_d(arb_radref(tau)) : 1;
-        }
+        } while (!(radius < 1e-18) && precision_raise(&p));
         good &= radius < 1e-18;
         arb_div(halved, halved, tau, 64);
         arb_sub_ui(halved, halved, 1, 64);

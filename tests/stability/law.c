@@ -10,6 +10,7 @@
 
 #include "disk_reference.h"
 #include "runtime/core/lambert_w.h"
+#include "support/precision.h"
 
 enum { BITS = 256 };
 
@@ -22,11 +23,10 @@ static void take_law(struct outcome *out, enum disk_kind kind, double argument, 
     arb_init(exact);
     const double y = disk_functions[kind].value(argument, nu, datum);
     double error = HUGE_VAL;
-    for (slong prec = BITS; prec < 5000 && !(error < 100); prec *= 4) {
-        if (!disk_value(exact, kind, argument, nu, datum, prec))
-            break;
-        error = ball_ulp(y, exact);
-    }
+    struct precision p = precision_doubling_to(BITS, 5000);
+    do
+        error = disk_value(exact, kind, argument, nu, datum, p.bits) ? ball_ulp(y, exact) : HUGE_VAL;
+    while (!(error < 100) && precision_raise(&p));
     take_number(out, error, disk_functions[kind].name, argument, exact, y);
     arb_clear(exact);
 }
@@ -69,7 +69,7 @@ static void w_branch(struct outcome *out, bool full)
     for (int i = 0; i < (full ? 100000 : 3000); i++)
         take_w(out, moved(branch, -(i < 1000 ? i : (long)exp(drawn(0, 36)))));
     if (!isnan(cor_lambert_w_minus1(moved(branch, 1))) || !isnan(cor_lambert_w_minus1(-1)))
-        take(out, HUGE_VAL, "beyond the branch point", "nan", "a number");
+        outcome_take(out, HUGE_VAL, "beyond the branch point", "nan", "a number");
 }
 
 /* ---- edges ---- */
@@ -84,7 +84,7 @@ static void edge_of_law(struct outcome *out, bool full)
                 for (int j = 0; j < (full ? 60 : 6); j++)
                     take_law(out, kind, moved(limit, j < 3 ? -j : -(long)exp(drawn(0, 36))), nus[i], datums[d]);
                 if (!isnan(disk_functions[kind].value(moved(limit, 1), nus[i], datums[d])))
-                    take(out, HUGE_VAL, disk_functions[kind].name, "nan beyond the limit", "a number");
+                    outcome_take(out, HUGE_VAL, disk_functions[kind].name, "nan beyond the limit", "a number");
             }
 }
 
@@ -148,7 +148,7 @@ static void nu_to_one(struct outcome *out, bool full)
     for (enum disk_kind kind = 0; kind < DISK_KINDS; kind++)
         if (!isnan(disk_functions[kind].value(1e-3, 1, COR_DISK_DATUM_DIAMETER)) ||
             !isnan(disk_functions[kind].value(1e-3, 2, COR_DISK_DATUM_PRINTED)))
-            take(out, HUGE_VAL, "nu = 1", "nan", "a number");
+            outcome_take(out, HUGE_VAL, "nu = 1", "nan", "a number");
 }
 
 static void nu_to_minus_one(struct outcome *out, bool full)
@@ -158,7 +158,7 @@ static void nu_to_minus_one(struct outcome *out, bool full)
     for (enum disk_kind kind = 0; kind < DISK_KINDS; kind++)
         if (!isnan(disk_functions[kind].value(1e-3, -1, COR_DISK_DATUM_DIAMETER)) ||
             !isnan(disk_functions[kind].value(1e-3, -HUGE_VAL, COR_DISK_DATUM_PRINTED)))
-            take(out, HUGE_VAL, "nu = -1", "nan", "a number");
+            outcome_take(out, HUGE_VAL, "nu = -1", "nan", "a number");
 }
 
 static const struct hard_case law_cases[] = {

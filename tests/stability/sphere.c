@@ -303,7 +303,7 @@ static void take_special(struct outcome *out, const char *name, double x, double
     snprintf(input, sizeof input, "%s(%g)", name, x);
     snprintf(exact, sizeof exact, "%g", expected);
     snprintf(value, sizeof value, "%g", y);
-    take(out, right ? 0 : 1, input, exact, value);
+    outcome_take(out, right ? 0 : 1, input, exact, value);
 }
 
 /* As double, float and in the middle of an array */
@@ -514,7 +514,7 @@ static void involution(struct outcome *out, bool full)
     static const double beta[] = {1, 3, 0.125, 0.5, 1.5, 2, 2.5, 3.5, 4, 5, 6, 7, 8, 10};
     for (size_t i = 0; i < (full ? sizeof beta / sizeof *beta : 2); i++) {
         if (pumped_eps(eps, h, beta[i]) != 0)
-            take(out, HUGE_VAL, "no bracket", "", "");
+            outcome_take(out, HUGE_VAL, "no bracket", "", "");
         const double y = cor_sphere_eps_zero_overlap(beta[i]);
         take_number(out, ball_ulp(y, eps), "beta", beta[i], eps, y);
     }

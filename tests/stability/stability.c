@@ -131,7 +131,7 @@ double ball_ulp(double computed, const arb_t exact)
     return error;
 }
 
-void take(struct outcome *out, double error, const char *input, const char *reference, const char *value)
+void outcome_take(struct outcome *out, double error, const char *input, const char *reference, const char *value)
 {
     const bool first = out->points++ == 0;
     if (first || isnan(error) || error > out->error) {
@@ -152,7 +152,7 @@ void take_number(struct outcome *out, double error, const char *name, double x, 
     char *const exact = arb_get_str(reference, 30, ARB_STR_NO_RADIUS);
     snprintf(input, sizeof input, "%s = %.17g (%a)", name, x, x);
     snprintf(computed, sizeof computed, "%.17g", value);
-    take(out, error, input, exact, computed);
+    outcome_take(out, error, input, exact, computed);
     flint_free(exact);
 }
 
