@@ -90,7 +90,7 @@ static void loss_small(arb_t loss, arb_t slope, double beta, int end)
 }
 
 /* Every quantity of an enclosed collision, at a beta between 2^-20 and 1e6 */
-static void solve(arb_ptr value, double beta, bool unloading)
+static void collision_values(arb_ptr value, double beta, bool unloading)
 {
     struct collision c;
     arb_t x;
@@ -247,7 +247,7 @@ static void huge_beta(struct outcome *out, bool full)
     arb_ptr value = _arb_vec_init(QUANTITIES);
     static const double first[] = {7, 7.03125, 8, 16, 256};
     for (size_t i = 0; i < sizeof first / sizeof *first; i++) {
-        solve(value, first[i], full);
+        collision_values(value, first[i], full);
         take_quantities(out, first[i], value);
     }
     for (int i = 48; i < 1024; i += full ? 1 : 16)
@@ -379,7 +379,7 @@ static void borders(struct outcome *out, bool full)
     for (size_t i = 0; i < 2 * sizeof edge / sizeof *edge; i++)
         for (int j = -1; j <= 1; j++) {
             const double beta = moved(i % 2 == 0 ? edge[i / 2] : edge[i / 2] * edge[i / 2], j);
-            solve(value, beta, full || beta < 2);
+            collision_values(value, beta, full || beta < 2);
             take_quantities(out, beta, value);
         }
     _arb_vec_clear(value, QUANTITIES);
@@ -484,9 +484,9 @@ static void inverse_near_zero(struct outcome *out, bool full)
         const double beta = cor_sphere_beta_zero_force(eps);
         arb_t near;
         arb_init(near);
-        solve(value, beta * (1 + 0x1p-30), false);
+        collision_values(value, beta * (1 + 0x1p-30), false);
         arb_set(near, value + EPS_ZERO_FORCE);
-        solve(value, beta, false);
+        collision_values(value, beta, false);
         arb_sub(slope, near, value + EPS_ZERO_FORCE, BITS);
         arb_set_d(off, beta);
         arb_set_d(near, beta * (1 + 0x1p-30));

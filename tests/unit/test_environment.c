@@ -327,7 +327,7 @@ static struct cor_body random_body(struct random_state *random)
     return body;
 }
 
-static void draw(struct arguments *a, struct random_state *random)
+static void arguments_draw(struct arguments *a, struct random_state *random)
 {
     a->beta = positive(random);
     a->speed = positive(random);
@@ -377,7 +377,7 @@ static int setup(void **state)
     (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < DRAWS; i++) {
-        draw(&arguments[i], &random);
+        arguments_draw(&arguments[i], &random);
         arguments[i].has_subnormal = has_subnormal(&arguments[i]);
     }
     for (size_t k = 0; k < CALLS; k++)
