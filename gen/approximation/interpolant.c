@@ -205,8 +205,8 @@ static void place(arb_t beta, arb_t variable, const struct interpolant *f, const
 }
 
 /* Computes all numbers that an interval stores for the collision at an exact beta, each to at least `bits` bits. */
-static int solve(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
-                 slong bits)
+static int interval_solve(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
+                          slong bits)
 {
     struct collision c;
     collision_init(&c);
@@ -232,7 +232,7 @@ static int solve_rounded(arb_ptr value, const struct interpolant *f, const struc
 {
     for (slong extra = 0; extra < 200; extra += 40) {
         bool decided = true;
-        if (solve(value, f, interval, beta, bits + extra))
+        if (interval_solve(value, f, interval, beta, bits + extra))
             return STATUS_FAILED;
         for (int q = 0; q < QUANTITIES; q++)
             if (holds(interval, (enum quantity)q))
@@ -1102,7 +1102,7 @@ static int check_place(double *error, const struct interpolant *f, int i, double
     arb_init(variable);
     arb_init(y);
     place(beta, variable, f, interval, x);
-    const int status = solve(value, f, interval, beta, interval->bits);
+    const int status = interval_solve(value, f, interval, beta, interval->bits);
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
         if (!holds(interval, (enum quantity)q))
             continue;

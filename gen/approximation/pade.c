@@ -13,12 +13,13 @@
 #include "series/restitution.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/precision.h"
 
 enum {
     TAIL_POWER = 5,      /* eps -> h*^5/beta^5 at zero overlap, docs/derivation.md, 4 */
     GUARD_BITS = 64,     /* more bits than requested */
     LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, start value */
-    ATTEMPTS = 4,        /* attempts, each with twice the precision of the one before */
+    ATTEMPTS = 4,        /* the last has eight times the bits of the first */
     ROOT_BITS = 40,      /* relative bits of a printed root */
     PLACE_DIGITS = 8
 };
@@ -504,6 +505,16 @@ static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slo
     return fail_in_block(r, &b, known);
 }
 
+/* What so many bits leave open, or NULL; *power: of the coefficient that is not accurate */
+static const char *pade_open(const struct pade *f, struct pade_analysis *a, slong bits, slong *power, slong prec)
+{
+    if (!accurate(f->p, bits, power))
+        return "numerator";
+    if (!accurate(f->q, bits, power))
+        return "denominator";
+    return a && !pade_analyse(a, f, prec) ? "roots" : NULL;
+}
+
 int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_request *r, slong bits)
 {
     const char *why = pade_refusal(r);
@@ -525,39 +536,28 @@ int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_requ
     }
 
     const slong degrees = r->numerator + r->denominator;
-    slong prec = bits + LOSS_PER_DEGREE * degrees + GUARD_BITS, power = 0;
+    /* A truly degenerate entry never becomes regular, so the block is reported after a few doublings. */
+    struct precision p = precision_doubling(bits + LOSS_PER_DEGREE * degrees + GUARD_BITS, ATTEMPTS);
+    slong power = 0;
     const char *open = NULL;
     int status = 1;
     bool regular = false;
     arb_poly_t c;
     arb_poly_init(c);
-    /* A truly degenerate entry never becomes regular, so the block is reported after a few doublings. */
-    for (int i = 0; i < ATTEMPTS; i++, prec *= 2) {
-        status = attempt(f, c, &regular, r, prec);
-        if (status)
-            break;
-        if (!regular)
-            continue;
-        if (!accurate(f->p, bits, &power))
-            open = "numerator";
-        else if (!accurate(f->q, bits, &power))
-            open = "denominator";
-        else if (a && !pade_analyse(a, f, prec))
-            open = "roots";
-        else
-            open = NULL;
-        if (!open)
-            break;
-    }
+    do {
+        status = attempt(f, c, &regular, r, p.bits);
+        if (status == 0 && regular)
+            open = pade_open(f, a, bits, &power, p.bits);
+    } while (status == 0 && (!regular || open) && precision_raise(&p));
     if (status == 0 && !regular)
-        status = fail_degenerate(c, r, prec / 2);
+        status = fail_degenerate(c, r, p.bits);
     else if (status == 0 && open && *open == 'r')
         status = fail("the poles and zeros of [%ld/%ld] could not be isolated with %ld bits", (long)r->numerator,
-                      (long)r->denominator, (long)(prec / 2));
+                      (long)r->denominator, (long)p.bits);
     else if (status == 0 && open)
         status = fail("the coefficient of z^%ld in the %s of [%ld/%ld] cannot be certified with %ld "
                       "bits (it may vanish)",
-                      (long)power, open, (long)r->numerator, (long)r->denominator, (long)(prec / 2));
+                      (long)power, open, (long)r->numerator, (long)r->denominator, (long)p.bits);
     arb_poly_clear(c);
     return status;
 }

@@ -31,7 +31,7 @@ static bool is_printed(int i, int end)
     return i <= T_MAX || end == OPTIONS_NOT_GIVEN || (i >= EPS_ZERO_FORCE_COLUMN) == (end == END_ZERO_FORCE);
 }
 
-static int solve(struct collision *c, const arb_t beta, const struct problem *problem, slong bits)
+static int problem_solve(struct collision *c, const arb_t beta, const struct problem *problem, slong bits)
 {
     if (problem->end == OPTIONS_NOT_GIVEN || arb_is_zero(beta))
         return collision_solve(c, beta, &problem->law, bits);
@@ -56,7 +56,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
     struct collision collision;
     collision_init(&collision);
-    const int status = solve(&collision, beta, problem, bits);
+    const int status = problem_solve(&collision, beta, problem, bits);
     profile_step("digits");
     const arb_struct *const value[COLUMNS] = {NULL,
                                               collision.x_max,

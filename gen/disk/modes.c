@@ -143,29 +143,29 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
     arf_init(high);
     arf_init(middle);
     arb_init(x);
-    slong prec = bits < limit / 4 ? 64 : bits;
-    disk_init_round(&disk, wide, prec);
-    bool found = false, enclosed = false;
+    struct precision p = precision_doubling_to(bits < limit / 4 ? 64 : bits, limit);
+    disk_init_round(&disk, wide, p.bits);
+    bool found = false, enclosed = false, enough = p.bits <= limit;
 
     /* w >= n (n - 1)/10; from there upwards by factors of four */
     arf_set_si(low, n * (n - 1));
     arf_div_ui(low, low, 11, 30, ARF_RND_DOWN);
     arf_set_si(high, n * (n - 1) + 1);
     slong steps = 0;
-    while (!found && prec <= limit && arf_cmpabs_2exp_si(high, EXPONENT_MAX) < 0) {
+    while (!found && enough && arf_cmpabs_2exp_si(high, EXPONENT_MAX) < 0) {
         if (enclosed) {
             arf_add(middle, low, high, ARF_PREC_EXACT, ARF_RND_DOWN);
             arf_mul_2exp_si(middle, middle, -1);
-            arf_set_round(middle, middle, prec, ARF_RND_DOWN);
+            arf_set_round(middle, middle, p.bits, ARF_RND_DOWN);
         } else {
             arf_set(middle, high);
         }
         arb_set_arf(x, middle);
         slong count = arf_cmp(middle, low) > 0 ? disk_count(&disk, n, x) : DISK_UNDECIDED;
         if (count == DISK_UNDECIDED) {
-            prec *= 2;
+            enough = precision_raise(&p);
             disk_clear(&disk);
-            disk_init_round(&disk, wide, prec);
+            disk_init_round(&disk, wide, p.bits);
         } else if (count <= l) {
             arf_set(low, middle);
             if (!enclosed)
@@ -176,7 +176,7 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
         }
         /* A failure of Newton's method is expensive, so it is tried rarely. */
         if (enclosed && ++steps % 8 == 0) {
-            arb_set_interval_arf(w, low, high, prec);
+            arb_set_interval_arf(w, low, high, p.bits);
             found = newton(w, wide, n, l, bits);
         }
     }
@@ -349,15 +349,13 @@ static void count_order(void *pointer, slong i)
 {
     const struct work *work = pointer;
     const slong n = i;
-    const struct precision start = precision_start(work->digits);
-    slong prec = 64;
+    struct precision p = precision_doubling_to(64, 2 * precision_start(work->digits).limit);
     do {
         struct disk disk;
-        disk_init_round(&disk, work->disk, prec);
+        disk_init_round(&disk, work->disk, p.bits);
         work->below[n] = disk_count(&disk, n, work->w);
         disk_clear(&disk);
-        prec *= 2;
-    } while (work->below[n] == DISK_UNDECIDED && prec <= 2 * start.limit);
+    } while (work->below[n] == DISK_UNDECIDED && precision_raise(&p));
 }
 
 /* Number of modes of all n below an omega between mode[count - 1] and mode[count], or DISK_UNDECIDED. */

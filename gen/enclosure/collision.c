@@ -83,7 +83,7 @@ static enum motion_outcome attempt(struct collision *c, const arb_t beta, const 
 }
 
 /* Solves the collision without damping by (51). */
-static void solve_elastic(struct collision *c, const struct law *law, slong prec)
+static void elastic_solve(struct collision *c, const struct law *law, slong prec)
 {
     turning_point_elastic(c->x_max, c->t_max, law, prec);
     arb_one(c->eps_zero_overlap);
@@ -92,10 +92,10 @@ static void solve_elastic(struct collision *c, const struct law *law, slong prec
     arb_set(c->t_zero_force, c->t_zero_overlap);
 }
 
-static int solve(struct collision *c, const arb_t beta, const struct law *law, enum ends ends, slong bits)
+static int ends_solve(struct collision *c, const arb_t beta, const struct law *law, enum ends ends, slong bits)
 {
     if (arb_is_zero(beta)) {
-        solve_elastic(c, law, bits + GUARD_BITS);
+        elastic_solve(c, law, bits + GUARD_BITS);
         return STATUS_OK;
     }
     struct route r = route_of(beta, law, ends, bits);
@@ -120,21 +120,21 @@ int collision_solve(struct collision *c, const arb_t beta, const struct law *law
 {
     if (!arb_is_finite(beta) || !arb_is_nonnegative(beta))
         return fail("the damping beta of a collision must be a number >= 0");
-    return solve(c, beta, law, ENDS_BOTH, bits);
+    return ends_solve(c, beta, law, ENDS_BOTH, bits);
 }
 
 int collision_solve_overlap(struct collision *c, const arb_t beta, const struct law *law, slong bits)
 {
     if (!arb_is_finite(beta) || !arb_is_nonnegative(beta))
         return fail("the damping beta of a collision must be a number >= 0");
-    return solve(c, beta, law, ENDS_ZERO_OVERLAP, bits);
+    return ends_solve(c, beta, law, ENDS_ZERO_OVERLAP, bits);
 }
 
 int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits)
 {
     if (!arb_is_finite(beta) || !arb_is_positive(beta))
         return fail("the damping beta of a collision that ends without force must be a number > 0");
-    return solve(c, beta, law, ENDS_ZERO_FORCE, bits);
+    return ends_solve(c, beta, law, ENDS_ZERO_FORCE, bits);
 }
 
 int collision_final_speed(arb_t v_f, const struct law *law, slong bits)

@@ -38,7 +38,7 @@ static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong prec)
 }
 
 /* The shortest spelling that shows every digit of "-12345" with the point after the first `point` digits */
-static char *spell(const char *mantissa, long point)
+static char *digits_spell(const char *mantissa, long point)
 {
     size_t size = strlen(mantissa) + 48;
     char *text = xmalloc(size);
@@ -86,7 +86,7 @@ char *digits_of_ball(const arb_t x, slong digits)
         char *a = mpfr_get_str(NULL, &lower_point, 10, (size_t)digits, lower, MPFR_RNDN);
         char *b = mpfr_get_str(NULL, &upper_point, 10, (size_t)digits, upper, MPFR_RNDN);
         if (lower_point == upper_point && strcmp(a, b) == 0)
-            text = spell(a, (long)lower_point);
+            text = digits_spell(a, (long)lower_point);
         mpfr_free_str(a);
         mpfr_free_str(b);
     }

@@ -8,9 +8,9 @@
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "support/clock.h"
 #include "support/console.h"
 
 static int threads_wanted;
@@ -49,7 +49,7 @@ int parallel_start_thread(pthread_t *thread, void *(*start)(void *), void *argum
 
 /* ---- slots: at most parallel_threads() threads run at once ---- */
 
-enum { PROGRESS_NANOSECONDS = 200000000 };
+static const double PROGRESS_SECONDS = 0.2;
 
 static pthread_mutex_t slots_mutex = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t slot_is_free = PTHREAD_COND_INITIALIZER;
@@ -72,6 +72,15 @@ static void slot_give(void)
     slots_taken--;
     pthread_cond_signal(&slot_is_free);
     pthread_mutex_unlock(&slots_mutex);
+}
+
+void parallel_condition_init(pthread_cond_t *condition)
+{
+    pthread_condattr_t attributes;
+    pthread_condattr_init(&attributes);
+    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+    pthread_cond_init(condition, &attributes);
+    pthread_condattr_destroy(&attributes);
 }
 
 /* ---- many tasks ---- */
@@ -115,11 +124,7 @@ static void loop_watch(struct loop *loop)
 {
     pthread_mutex_lock(&loop->mutex);
     while (loop->done < loop->count) {
-        struct timespec until;
-        clock_gettime(CLOCK_REALTIME, &until);
-        until.tv_nsec += PROGRESS_NANOSECONDS;
-        until.tv_sec += until.tv_nsec / 1000000000;
-        until.tv_nsec %= 1000000000;
+        const struct timespec until = clock_deadline(PROGRESS_SECONDS);
         pthread_cond_timedwait(&loop->is_done, &loop->mutex, &until);
         progress_at(loop->done);
     }
@@ -152,7 +157,7 @@ void parallel_for(void (*task)(void *context, slong i), void *context, slong cou
     }
     struct loop loop = {.task = task, .context = context, .count = count};
     pthread_mutex_init(&loop.mutex, NULL);
-    pthread_cond_init(&loop.is_done, NULL);
+    parallel_condition_init(&loop.is_done);
     progress_enter(step, count);
     loop_run(&loop);
     progress_leave();

@@ -34,6 +34,9 @@ struct parallel_task {
 void parallel_begin(struct parallel_task *task, void (*work)(void *context), void *context);
 void parallel_end(struct parallel_task *task);
 
+/* A condition whose pthread_cond_timedwait ends at a clock_deadline. */
+void parallel_condition_init(pthread_cond_t *condition);
+
 /* Starts a thread with all signals blocked, so that the thread that cleans up receives them. Returns 0 or an error
  * number. */
 int parallel_start_thread(pthread_t *thread, void *(*start)(void *), void *argument);

@@ -18,6 +18,14 @@ struct precision precision_doubling(slong bits, int attempts)
     return (struct precision){.bits = bits, .step = bits, .limit = bits << (attempts - 1)};
 }
 
+struct precision precision_doubling_to(slong bits, slong limit)
+{
+    int attempts = 1;
+    while (bits << attempts <= limit)
+        attempts++;
+    return precision_doubling(bits, attempts);
+}
+
 bool precision_raise(struct precision *p)
 {
     if (p->bits >= p->limit)

@@ -21,6 +21,9 @@ struct precision precision_start(slong digits);
 /* Start from `bits` bits, which double with each attempt, for `attempts` attempts in all. */
 struct precision precision_doubling(slong bits, int attempts);
 
+/* From so many bits, doubled as long as that is no more than `limit`. */
+struct precision precision_doubling_to(slong bits, slong limit);
+
 /* Raises the number of bits. Returns false at the limit. */
 bool precision_raise(struct precision *p);
 

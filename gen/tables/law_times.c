@@ -82,7 +82,7 @@ static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong 
 }
 
 /* The integral of a real function f from 0 to 1, with a relative accuracy of at best `prec` bits */
-static void integrate(arb_t y, enum quadrature how, acb_calc_func_t f, void *parameters, slong prec)
+static void quadrature_integrate(arb_t y, enum quadrature how, acb_calc_func_t f, void *parameters, slong prec)
 {
     if (how == QUADRATURE_GAUSS) {
         integrate_gauss(y, f, parameters, prec);
@@ -155,7 +155,7 @@ static void tsuji_integral(arb_t g, enum quadrature how, const arb_t zeta, const
     arb_sub_ui(acb_realref(p.om), acb_realref(p.om), 1, prec + GUARD_BITS);
     arb_neg(acb_realref(p.om), acb_realref(p.om));
     acb_sqrt(p.om, p.om, prec + GUARD_BITS);
-    integrate(g, how, tsuji_integrand, &p, prec);
+    quadrature_integrate(g, how, tsuji_integrand, &p, prec);
     pow_ratio(factor, end, 4, 5, prec);
     arb_mul_ui(factor, factor, 5, prec);
     arb_mul(g, g, factor, prec);
@@ -475,7 +475,7 @@ static void crossley_part(arb_t t, enum quadrature how, enum crossley_exponent a
     const int hertz = a == CROSSLEY_HERTZ;
     arb_t x;
     arb_init(x);
-    integrate(t, how, crossley_integrand, &integrand, prec);
+    quadrature_integrate(t, how, crossley_integrand, &integrand, prec);
     arb_mul_ui(t, t, hertz ? 5 : 2, prec);
     pow_ratio(x, end, hertz ? 2 : 1, hertz ? 5 : 2, prec);
     arb_mul(t, t, x, prec);

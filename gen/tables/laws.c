@@ -134,7 +134,7 @@ static int emit_rows_of(struct emit *e, struct function_rows *rows, int n)
 /* ---- beyond the rows ---- */
 
 /* Solves sum_k c_k basis_k(u_i) = value_i for n unknowns in interval (ball) arithmetic. */
-static int solve(arb_ptr c, const arb_mat_t a, const arb_mat_t b)
+static int far_solve(arb_ptr c, const arb_mat_t a, const arb_mat_t b)
 {
     const slong n = arb_mat_nrows(a);
     arb_mat_t x;
@@ -186,7 +186,7 @@ static int far_make(arb_ptr c, const struct far_form *f)
             arb_mul(arb_mat_entry(a, i, k), t, power, FAR_BITS);
         }
     }
-    const int status = solve(c, a, b);
+    const int status = far_solve(c, a, b);
     arb_mat_clear(a);
     arb_mat_clear(b);
     arb_clear(u);
@@ -202,7 +202,7 @@ static void exact_double(arb_t x)
     arb_set_d(x, arf_get_d(arb_midref(x), ARF_RND_NEAR));
 }
 
-static void split(arb_t value, arb_t rest)
+static void exact_split(arb_t value, arb_t rest)
 {
     arb_set(rest, value);
     exact_double(value);
@@ -216,9 +216,9 @@ static int far_emit(struct emit *e, const struct far_form *f)
     int status = far_make(c, f);
     if (status == STATUS_OK) {
         arb_set(row, c);
-        split(row, row + 1);
+        exact_split(row, row + 1);
         arb_set(row + 2, c + 1);
-        split(row + 2, row + 3);
+        exact_split(row + 2, row + 3);
         for (slong k = 2; k < f->terms; k++) {
             arb_set(row + k + 2, c + k);
             exact_double(row + k + 2);
@@ -308,10 +308,10 @@ static int overlap_far_emit(struct emit *e)
         for (slong k = 0; k < TERMS; k++)
             arb_pow_ui(arb_mat_entry(a, i, k), v, 2 * (ulong)k, FAR_BITS);
     }
-    int status = solve(c, a, b);
+    int status = far_solve(c, a, b);
     if (status == STATUS_OK) {
         arb_set(row, c);
-        split(row, row + 1);
+        exact_split(row, row + 1);
         for (slong k = 1; k < TERMS; k++) {
             arb_set(row + k + 1, c + k);
             exact_double(row + k + 1);
@@ -485,9 +485,9 @@ static int loading_emit(struct emit *e, const char *name, const char *title, enu
         for (slong j = 0; j < TERMS; j++)
             arb_pow_ui(arb_mat_entry(m, i, j), s, (ulong)j, FAR_BITS);
     }
-    int status = solve(c, m, b);
+    int status = far_solve(c, m, b);
     if (status == STATUS_OK) {
-        split(row, row + 1);
+        exact_split(row, row + 1);
         for (slong j = 0; j < TERMS; j++) {
             arb_set(row + 2 + j, c + j);
             exact_double(row + 2 + j);

@@ -125,7 +125,7 @@ struct collisions {
     long done, count;
 };
 
-static void collide(void *context, int thread, uint64_t task, void *result)
+static void scene_collide(void *context, int thread, uint64_t task, void *result)
 {
     struct collisions *const run = context;
     const double speed = speed_at(run->scene[task].x);
@@ -135,7 +135,7 @@ static void collide(void *context, int thread, uint64_t task, void *result)
     memcpy(result, &outcome, sizeof outcome);
 }
 
-static int finish(void *context, uint64_t task, const void *result)
+static int scene_finish(void *context, uint64_t task, const void *result)
 {
     struct collisions *const run = context;
     struct scene *const scene = &run->scene[task];
@@ -155,7 +155,7 @@ static int finish(void *context, uint64_t task, const void *result)
     return STATUS_OK;
 }
 
-static int tick(void *context)
+static int sweep_tick(void *context)
 {
     const struct collisions *const run = context;
     progress(run->name, run->done, run->count);
@@ -170,7 +170,7 @@ static int collide_all(struct scene *scene, long count, struct journal *journal,
     hard_wall_tables_init(&run.tables);
     run.room = xmalloc((size_t)threads * sizeof *run.room);
     memset(run.room, 0, (size_t)threads * sizeof *run.room);
-    const struct crew_work work = {&run, sizeof(struct outcome), collide, NULL, finish, tick, NULL};
+    const struct crew_work work = {&run, sizeof(struct outcome), scene_collide, NULL, scene_finish, sweep_tick, NULL};
     struct crew *const crew = crew_start(&work, threads);
     int status = crew ? STATUS_OK : STATUS_FAILED;
     for (long first = 0, end; first < count && status == STATUS_OK; first = end) {
@@ -225,7 +225,7 @@ static void take_found(void *context, const char *line)
 
 /* Moves scenes that an earlier run has computed from a list to the known scenes. Returns the number of scenes that
  * remain in the list. */
-static long recall(struct scenes *scenes, struct scene *needed, long count)
+static long scenes_recall(struct scenes *scenes, struct scene *needed, long count)
 {
     long kept = 0;
     for (long i = 0; i < count; i++) {
@@ -285,7 +285,7 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
     for (int i = 0; i < cells; i++)
         need_places(&cell[i], scenes, &needed, &count, &capacity);
     count = without_repetitions(needed, count);
-    count = recall(scenes, needed, count);
+    count = scenes_recall(scenes, needed, count);
     char name[LINE];
     snprintf(name, sizeof name, "collisions for %d cells", cells);
     const int status = collide_all(needed, count, journal, name);
@@ -325,7 +325,7 @@ static double wanted_at(int32_t x)
 }
 
 /* Divides a cell into four. */
-static void cut(const struct cell *cell, struct cell *quarter)
+static void cell_cut(const struct cell *cell, struct cell *quarter)
 {
     const int32_t half = SIXTHS / 2 * sixth_of(cell);
     for (int k = 0; k < 4; k++)
@@ -335,7 +335,7 @@ static void cut(const struct cell *cell, struct cell *quarter)
 }
 
 /* Cells of one depth become part of the table or are divided; *cell becomes the list of their quarters. */
-static int refine(struct scenes *scenes, struct cell **cell, int *cells, struct journal *journal)
+static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells, struct journal *journal)
 {
     int status = find_scenes(scenes, *cell, *cells, journal), cut_cells = 0;
     struct cell *const next = xmalloc(4 * (size_t)*cells * sizeof *next);
@@ -349,7 +349,7 @@ static int refine(struct scenes *scenes, struct cell **cell, int *cells, struct 
         } else if (table->nodes + 4 > NODES_MAX) {
             status = fail("the table needs more than %d cells", NODES_MAX);
         } else {
-            cut(c, next + 4 * cut_cells++);
+            cell_cut(c, next + 4 * cut_cells++);
         }
     }
     free(*cell);
@@ -366,7 +366,7 @@ static int collide_cells(struct scenes *scenes, struct journal *journal)
     for (int i = 0; i < ROOTS; i++)
         cell[i] = (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, i};
     while (cells > 0 && status == STATUS_OK)
-        status = refine(scenes, &cell, &cells, journal);
+        status = cell_refine(scenes, &cell, &cells, journal);
     free(cell);
     return status;
 }
@@ -691,7 +691,7 @@ static void check_scene(struct check *check, const struct scene *scene, const st
                 speed_at(scene->x), nu_at(scene->nu), off, allowed);
 }
 
-static int verdict(const struct check *check, const char *of_what)
+static int check_verdict(const struct check *check, const char *of_what)
 {
     if (check->wrong)
         return fail("%s: %ld of %ld collisions (%s) are not as the table says", DISK_LIMITS_FILE, check->wrong,
@@ -705,7 +705,7 @@ static int verdict(const struct check *check, const char *of_what)
 }
 
 /* xorshift64* */
-static uint64_t draw(uint64_t *state, uint64_t below)
+static uint64_t sample_draw(uint64_t *state, uint64_t below)
 {
     *state ^= *state >> 12;
     *state ^= *state << 25;
@@ -718,14 +718,15 @@ int disk_limits_check_sample(uint64_t seed)
 {
     uint64_t state = 2 * seed + 1;
     for (int i = 0; i < 8; i++) /* after a few draws, seeds that differ in few bits differ in all bits */
-        draw(&state, 2);
+        sample_draw(&state, 2);
     struct cell *const of_cell = places_of_cells();
-    const struct cell cell = of_cell[draw(&state, (uint64_t)table->cells)];
-    const int32_t sixth = sixth_of(&cell), row = cell.nu + 2 * (int32_t)draw(&state, COR_DISK_LIMIT_SIDE) * sixth;
+    const struct cell cell = of_cell[sample_draw(&state, (uint64_t)table->cells)];
+    const int32_t sixth = sixth_of(&cell),
+                  row = cell.nu + 2 * (int32_t)sample_draw(&state, COR_DISK_LIMIT_SIDE) * sixth;
     struct scene scene[COR_DISK_LIMIT_SIDE + 1];
     for (int32_t k = 0; k < COR_DISK_LIMIT_SIDE; k++)
         scene[k] = (struct scene){cell.x + 2 * k * sixth, row, 0, 0};
-    scene[COR_DISK_LIMIT_SIDE] = (struct scene){cell.x + (1 + 2 * (int32_t)draw(&state, 3)) * sixth, row, 0, 0};
+    scene[COR_DISK_LIMIT_SIDE] = (struct scene){cell.x + (1 + 2 * (int32_t)sample_draw(&state, 3)) * sixth, row, 0, 0};
     free(of_cell);
     struct check check = {0};
     const int status = collide_all(scene, COR_DISK_LIMIT_SIDE + 1, NULL, "collisions");
@@ -736,7 +737,7 @@ int disk_limits_check_sample(uint64_t seed)
     char of_what[2 * LINE];
     snprintf(of_what, sizeof of_what, "nu = %.6g, v = %.4g to %.4g, seed %" PRIu64, nu_at(row), speed_at(cell.x),
              speed_at(cell.x + SIXTHS * sixth), seed);
-    return verdict(&check, of_what);
+    return check_verdict(&check, of_what);
 }
 
 int disk_limits_check_all(void)
@@ -754,5 +755,5 @@ int disk_limits_check_all(void)
                             &of_cell[i]);
     free(of_cell);
     free(scenes.scene);
-    return status == STATUS_OK ? verdict(&check, "all") : status;
+    return status == STATUS_OK ? check_verdict(&check, "all") : status;
 }

@@ -28,7 +28,8 @@ static const struct cor_collision_loops *widest_loops(void)
 }
 
 /* COR_OK, or the status of the first error in the table and the options */
-static int check(const struct cor_disk_modes *modes, size_t n_modes, const struct cor_disk_collision_options *options)
+static int collision_check(const struct cor_disk_modes *modes, size_t n_modes,
+                           const struct cor_disk_collision_options *options)
 {
     if (modes == NULL || modes->mode == NULL || options == NULL)
         return COR_ERROR_NULL;
@@ -54,7 +55,7 @@ static int check(const struct cor_disk_modes *modes, size_t n_modes, const struc
 size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                     const struct cor_disk_collision_options *options)
 {
-    if (check(modes, n_modes, options) != COR_OK)
+    if (collision_check(modes, n_modes, options) != COR_OK)
         return 0;
     struct cor_motion m;
     m.size = cor_motion_sizes(modes->mode, n_modes, options);
@@ -72,7 +73,7 @@ int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_m
                           const struct cor_disk_collision_options *options, double speed,
                           struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
 {
-    const int status = check(modes, n_modes, options);
+    const int status = collision_check(modes, n_modes, options);
     if (status != COR_OK)
         return status;
     if (workspace == NULL || out == NULL)
@@ -106,7 +107,7 @@ int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_m
 int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_modes,
                        const struct cor_disk_collision_options *options, double speed, struct cor_disk_collision *out)
 {
-    const int status = check(modes, n_modes, options);
+    const int status = collision_check(modes, n_modes, options);
     if (status != COR_OK)
         return status;
     const size_t bytes = cor_disk_collision_workspace(modes, n_modes, options);

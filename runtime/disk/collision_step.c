@@ -65,7 +65,7 @@ static int window_missed(const struct cor_motion *m, size_t window, double load)
 
 /* Replaces the pressure in the window by that of the modified potential, pressure (1 - (h^2/12) alpha a) with the rim's
  * acceleration a, (15.1), and sets its moments e; returns its force. */
-static double soften(struct cor_motion *m, double h, double load, size_t window, double *stiffness)
+static double rim_soften(struct cor_motion *m, double h, double load, size_t window, double *stiffness)
 {
     double fastest, *const sum_c = m->force_c, *const sum_s = m->force_s;
     m->loops->transform(&m->rim, window, m->pressure, m->e);
@@ -112,7 +112,7 @@ enum cor_collision_kick cor_collision_kick(struct cor_motion *m, double h, enum 
             return COR_KICK_TOO_NARROW;
     }
     if (now->load > cor_tuning.no_load * negligible) {
-        now->force = soften(m, h, now->load, now->window, &now->stiffness);
+        now->force = rim_soften(m, h, now->load, now->window, &now->stiffness);
         if (!(now->stiffness < cor_tuning.max_stiffness))
             return COR_KICK_TOO_STIFF;
         m->loops->split(&m->rim, -h, m->e, m->force_c, m->force_s);

@@ -123,7 +123,7 @@ static int is_settled(const struct ladder *ladder)
     return ladder->levels >= ENOUGH_LEVELS && ladder->error_estimate <= ladder->tolerance;
 }
 
-static void conclude(const struct ladder *ladder, struct cor_disk_hard_wall *out)
+static void ladder_conclude(const struct ladder *ladder, struct cor_disk_hard_wall *out)
 {
     const size_t last = ladder->levels - 1;
     out->one_minus_eps2 = fmax(ladder->extrapolated[last], 0);
@@ -149,7 +149,7 @@ static int compute_level(void *workspace, const struct cor_disk_modes *modes, do
 }
 
 /* Adds levels to the ladder until the error is small enough or the modes do not suffice */
-static int climb(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t levels)
+static int ladder_climb(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t levels)
 {
     while (ladder->levels < levels && !is_settled(ladder)) {
         struct cor_hard_wall_result result;
@@ -170,8 +170,8 @@ static int climb(struct ladder *ladder, void *workspace, const struct cor_disk_m
 }
 
 /* Repeats the highest level for the optional results */
-static int tell(const struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes,
-                const struct cor_disk_hard_wall_detail *detail)
+static int ladder_tell(const struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes,
+                       const struct cor_disk_hard_wall_detail *detail)
 {
     struct cor_hard_wall_result result;
     memset(&result, 0, sizeof result);
@@ -190,7 +190,8 @@ static int check_options(const struct cor_disk_hard_wall_options *options)
 }
 
 /* COR_OK, or the status of the first error in the table and the options */
-static int check(const struct cor_disk_modes *modes, size_t n_modes, const struct cor_disk_hard_wall_options *options)
+static int hard_wall_check(const struct cor_disk_modes *modes, size_t n_modes,
+                           const struct cor_disk_hard_wall_options *options)
 {
     if (modes == NULL || modes->mode == NULL || options == NULL)
         return COR_ERROR_NULL;
@@ -237,7 +238,7 @@ static void *aligned(void *workspace)
 size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                     const struct cor_disk_hard_wall_options *options, double speed)
 {
-    if (check(modes, n_modes, options) != COR_OK || check_speed(speed) != COR_OK)
+    if (hard_wall_check(modes, n_modes, options) != COR_OK || check_speed(speed) != COR_OK)
         return 0;
     size_t most = COR_HARD_WALL_ALIGNMENT;
     for (size_t level = 0, levels = levels_of(modes, n_modes); level < levels && speed > 0; level++) {
@@ -251,7 +252,7 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
                           const struct cor_disk_hard_wall_options *options, double speed,
                           struct cor_disk_hard_wall *out, const struct cor_disk_hard_wall_detail *detail)
 {
-    int status = check(modes, n_modes, options);
+    int status = hard_wall_check(modes, n_modes, options);
     if (status == COR_OK)
         status = check_speed(speed);
     if (status != COR_OK)
@@ -268,11 +269,11 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
     ladder.speed = speed;
     ladder.tolerance = options->tolerance;
     const struct cor_disk_modes lowest = {modes->nu, n_modes, modes->mode};
-    status = climb(&ladder, aligned(workspace), &lowest, levels_of(modes, n_modes));
+    status = ladder_climb(&ladder, aligned(workspace), &lowest, levels_of(modes, n_modes));
     if (ladder.levels >= LEAST_LEVELS)
-        conclude(&ladder, out);
+        ladder_conclude(&ladder, out);
     if (detail != NULL && (status == COR_OK || status == COR_TOLERANCE_NOT_REACHED) && ladder.levels > 0) {
-        const int told = tell(&ladder, aligned(workspace), &lowest, detail);
+        const int told = ladder_tell(&ladder, aligned(workspace), &lowest, detail);
         status = told == COR_OK ? status : told;
     }
     return status;
@@ -281,7 +282,7 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
 int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,
                        const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out)
 {
-    int status = check(modes, n_modes, options);
+    int status = hard_wall_check(modes, n_modes, options);
     if (status == COR_OK)
         status = out == NULL ? COR_ERROR_NULL : check_speed(speed);
     if (status != COR_OK)
@@ -326,7 +327,7 @@ static int climb_alone(struct ladder *ladder, double nu, size_t levels)
         bytes = needed > bytes ? needed : bytes;
     }
     void *const workspace = malloc(bytes);
-    status = workspace == NULL ? COR_ERROR_MEMORY : climb(ladder, aligned(workspace), &modes, levels);
+    status = workspace == NULL ? COR_ERROR_MEMORY : ladder_climb(ladder, aligned(workspace), &modes, levels);
     free(workspace);
     free((void *)modes.mode);
     return status;
@@ -357,6 +358,6 @@ int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *op
         levels = levels + NEXT_TABLE < MAX_LEVELS ? levels + NEXT_TABLE : MAX_LEVELS;
     } while (status == COR_TOLERANCE_NOT_REACHED && ladder.levels < MAX_LEVELS);
     if (ladder.levels >= LEAST_LEVELS)
-        conclude(&ladder, out);
+        ladder_conclude(&ladder, out);
     return status;
 }

@@ -273,7 +273,7 @@ static size_t find_faults(struct cor_hard_wall_contact *contact, const double *r
     return faults;
 }
 
-static void pivot(struct cor_hard_wall_contact *contact, const double *reach, double negligible, double *y)
+static void contact_pivot(struct cor_hard_wall_contact *contact, const double *reach, double negligible, double *y)
 {
     size_t fewest = contact->points + 1, last = 0;
     int patience = PATIENCE;
@@ -303,7 +303,7 @@ size_t cor_hard_wall_contact_solve(struct cor_hard_wall_contact *contact, const 
     size_t m;
     if (!solve_whole(contact, reach, negligible, y, &m)) {
         contact->pivotings++;
-        pivot(contact, reach, negligible, y);
+        contact_pivot(contact, reach, negligible, y);
         for (m = points; m > 0 && !(y[m - 1] > 0); m--)
             ;
     }

@@ -392,8 +392,8 @@ static double next_amplitude(const struct level *level, size_t i)
 }
 
 /* Reports a kick whose forces are known. Under kicks an amplitude is smaller than the true one by (h^2/12) force/m. */
-static void tell(const struct level *level, const struct motion *motion, const struct kick *kick, double contact_time,
-                 const struct cor_disk_hard_wall_detail *detail)
+static void level_tell(const struct level *level, const struct motion *motion, const struct kick *kick,
+                       double contact_time, const struct cor_disk_hard_wall_detail *detail)
 {
     const double v = level->speed, h = level->h;
     for (size_t i = 0; i < level->size.modes; i++) {
@@ -462,8 +462,8 @@ static void drift(const struct level *level, struct motion *motion, double load)
 }
 
 /* Makes kicks until no part of the rim can reach the wall any more. */
-static int collide(struct level *level, struct motion *motion, double contact_time,
-                   const struct cor_disk_hard_wall_detail *detail)
+static int level_collide(struct level *level, struct motion *motion, double contact_time,
+                         const struct cor_disk_hard_wall_detail *detail)
 {
     const size_t batch = detail == NULL ? COR_HARD_WALL_BATCH : 1;
     size_t free_batches = 0;
@@ -476,7 +476,7 @@ static int collide(struct level *level, struct motion *motion, double contact_ti
             if (level->contact.indefinite || !(kick.load < INFINITY))
                 return COR_ERROR_MODES;
             if (detail != NULL)
-                tell(level, motion, &kick, contact_time, detail);
+                level_tell(level, motion, &kick, contact_time, detail);
             drift(level, motion, kick.load);
             load += kick.load;
         }
@@ -535,7 +535,7 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
     memset(&motion, 0, sizeof motion);
     motion.velocity = 1;
     motion.time = motion.depth = FIRST_KICK * level.h;
-    const int status = collide(&level, &motion, result->contact_time, detail);
+    const int status = level_collide(&level, &motion, result->contact_time, detail);
     if (status != COR_OK)
         return level.contact.indefinite ? COR_ERROR_MODES : status;
     const double energy = energy_after(&level, detail == NULL ? NULL : detail->energy_after);

@@ -101,8 +101,8 @@ static void add_modes(struct cor_mode_sums *sums, struct cor_rayleigh_table *tab
 }
 
 /* Sets the tail from sums over all modes of the table. */
-static void finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
-                   const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums)
+static void rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
+                            const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums)
 {
     struct cor_surface_modes surface;
     struct cor_mode_chunk chunk;
@@ -141,7 +141,7 @@ static int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes,
     add_modes(&sums, &table, n_modes, all, &spectrum, NULL);
     struct cor_disk_rayleigh whole = *out;
     whole.fraction = sums.fraction;
-    finish(&whole, &table, &spectrum, &sums);
+    rayleigh_finish(&whole, &table, &spectrum, &sums);
     out->tail = whole.fraction - out->fraction + whole.tail;
     out->error_estimate = whole.error_estimate;
     return result_status(out, speed);
@@ -182,7 +182,7 @@ static struct cor_disk_rayleigh trial_of(const struct cor_disk_modes *modes, siz
         sums.low[k] += below.low[k];
         sums.high[k] += below.high[k];
     }
-    finish(&trial, &table, spectrum, &sums);
+    rayleigh_finish(&trial, &table, spectrum, &sums);
     return trial;
 }
 

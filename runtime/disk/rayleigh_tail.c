@@ -22,10 +22,31 @@
 
 #include "runtime/disk/rayleigh_kernel.h"
 
-/* The weight begins to fade at this fraction of the highest frequency of the table. */
+/* Places in units of the highest frequency taken. Chosen: where the weight begins to fade, where the other weight
+ * begins (docs/derivation.md, 13), and two windows that the strength of echoes is measured under. */
 #define FADE_FROM 0.65
-/* The echoes' weight begins at this fraction. */
 #define ECHO_FROM 0.15
+static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};
+
+/* Factors of the error estimate. Fitted: the smallest, rounded up, that bound the error against sums over 20,000 modes
+ * (tests/unit/test_disk_rayleigh.c). */
+static const struct {
+    double echo_low, half_echo_low; /* the strength under the low window beside the one under the high window */
+    double of_echo, of_half_echo;   /* of echoes in step with the response, as strong as under the windows */
+    double of_density, of_fifth;    /* what the density has beyond 2 omega + a, omega_max^-2 and omega_max^-5 */
+    /* the density itself, an echo of T = 0, of which the kink of the echoes' weight at 1 leaves (omega_max tau)^-2 */
+    double of_turn;
+    /* chosen: without modes l = 0 the tail cannot be estimated, and the error is the whole */
+    double unknown;
+} factors = {.echo_low = 0.7,
+             .half_echo_low = 0.4,
+             .of_echo = 1.6,
+             .of_half_echo = 2,
+             .of_density = 0.6,
+             .of_fifth = 2000,
+             .of_turn = 60,
+             .unknown = 1};
+
 /* Relative error of the sums themselves */
 #define ROUNDING 1e-11
 /* The power series in 1/n are fitted to modes l = 0. These are bounds on the largest n of the fit; a table with a
@@ -57,10 +78,10 @@ void cor_rayleigh_table_init(struct cor_rayleigh_table *table, const struct cor_
     table->fading.to = to;
     table->fading.mean_from = fmax(FADE_FROM * to, COR_RAYLEIGH_LEAST_OMEGA - 0.1);
     table->fading.echo_from = fmax(ECHO_FROM * to, COR_RAYLEIGH_LEAST_OMEGA - 0.1);
-    table->fading.low[0] = 0.35 * to;
-    table->fading.low[1] = 0.75 * to;
-    table->fading.high[0] = 0.6 * to;
-    table->fading.high[1] = to;
+    for (int end = 0; end < 2; end++) {
+        table->fading.low[end] = low_window[end] * to;
+        table->fading.high[end] = high_window[end] * to;
+    }
     table->low_strength = table->high_strength = 0;
 }
 
@@ -236,7 +257,7 @@ static void add_panel(struct integrals *sum, const struct cor_spectrum *spectrum
     }
 }
 
-static struct integrals integrate(const struct cor_spectrum *spectrum, double from, double to)
+static struct integrals tail_integrate(const struct cor_spectrum *spectrum, double from, double to)
 {
     struct integrals sum = {0, 0, 0};
     add_panel(&sum, spectrum, from, to, from, to);
@@ -276,26 +297,20 @@ void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleig
 {
     const struct cor_fading *const fading = &table->fading;
     const double *const low = fading->low, *const high = fading->high;
-    const struct integrals integrals = integrate(spectrum, fading->mean_from, fading->to);
+    const struct integrals integrals = tail_integrate(spectrum, fading->mean_from, fading->to);
     const double more = table->low_strength - bump_density(low) + table->high_strength - bump_density(high);
     const double curvature = surface->known ? more / (bump_integral(low) + bump_integral(high)) : 0;
     if (surface->known)
         surface_sum += surface_rest(spectrum, surface, last, n);
     out->tail = integrals.mean + curvature * integrals.curvature - sums->faded + surface_sum;
 
-    /* The estimate has three parts: echoes in phase with the response, as strong as under the windows; the density
-     * beyond 2 omega + a; and the density itself, an echo of T = 0, of which the kink of the echoes' weight at 1 leaves
-     * a part of order (omega_max tau)^-2. Without modes l = 0 the tail cannot be estimated. The factors are empirical:
-     * the smallest, rounded up, that bound the error against sums over 20,000 modes
-     * (tests/unit/test_disk_rayleigh.c). */
-    const double echo_low = 0.7, half_echo_low = 0.4, of_density = 0.6, of_fifth = 2000, of_turn = 60;
-    const double of_echo = 1.6, of_half_echo = 2, unknown = 1;
-    const double echo = echo_of(sums->high, high) + echo_low * echo_of(sums->low, low);
-    const double half_echo = echo_of(sums->high + 2, high) + half_echo_low * echo_of(sums->low + 2, low);
+    const double echo = echo_of(sums->high, high) + factors.echo_low * echo_of(sums->low, low);
+    const double half_echo = echo_of(sums->high + 2, high) + factors.half_echo_low * echo_of(sums->low + 2, low);
     const double square = fading->to * fading->to, turned = 2 * spectrum->half_time * fading->to;
-    const double known = of_density / square + of_fifth / (square * square * fading->to) + of_turn / (turned * turned);
-    const double rest = surface->known ? known : unknown;
-    out->error_estimate = (of_echo * echo + rest) * integrals.mean +
-                          (of_half_echo * half_echo + rest) * integrals.half +
+    const double known = factors.of_density / square + factors.of_fifth / (square * square * fading->to) +
+                         factors.of_turn / (turned * turned);
+    const double rest = surface->known ? known : factors.unknown;
+    out->error_estimate = (factors.of_echo * echo + rest) * integrals.mean +
+                          (factors.of_half_echo * half_echo + rest) * integrals.half +
                           ROUNDING * (out->fraction + fabs(out->tail));
 }

@@ -8,17 +8,11 @@
 
 #include "approximation/interpolant.h"
 #include "enclosure/collision.h"
+#include "random.h"
 
 static const slong PREC = 320;
 
-static double uniform(void)
-{
-    static uint64_t state = 19990101;
-    state ^= state >> 12;
-    state ^= state << 25;
-    state ^= state >> 27;
-    return (double)((state * UINT64_C(2685821657736338717)) >> 11) * 0x1p-53;
-}
+static struct random_state random_state = {19990101};
 
 static arb_srcptr field(const struct collision *c, enum quantity quantity)
 {
@@ -137,7 +131,7 @@ static void test_small_beta(void **state)
     arb_init(y);
     arb_init(exact);
     for (int k = 0; k < 60; k++) {
-        arb_set_d(z, k == 0 ? 0x1p-10 : k == 1 ? 0.612 : 0.612 * uniform());
+        arb_set_d(z, k == 0 ? 0x1p-10 : k == 1 ? 0.612 : random_uniform(&random_state, 0, 0.612));
         arb_sqr(beta, z, PREC);
         assert_int_equal(collision_solve(&c, beta, &law_sphere, 110), 0);
         for (int q = 0; q < QUANTITIES; q++) {
@@ -183,10 +177,10 @@ static void test_large_beta(void **state)
     for (int k = 0; k < 40; k++) {
         const bool tail = k >= 20;
         if (tail) {
-            arb_set_d(beta, exp(2.1 + 7.9 * uniform()));
+            arb_set_d(beta, exp(random_uniform(&random_state, 2.1, 10)));
             arb_log(x, beta, PREC);
         } else {
-            arb_set_d(x, 2.875 + 1.25 * uniform());
+            arb_set_d(x, random_uniform(&random_state, 2.875, 4.125));
             arb_sqr(beta, x, PREC);
         }
         const bool whole = tail && k % 8 == 0; /* these cost the most */
