@@ -505,7 +505,7 @@ static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slo
     return fail_in_block(r, &b, known);
 }
 
-/* What so many bits leave open, or NULL; *power: of the coefficient that is not accurate */
+/* The part that `bits` bits do not decide, or NULL; sets *power to that of the inaccurate coefficient. */
 static const char *pade_open(const struct pade *f, struct pade_analysis *a, slong bits, slong *power, slong prec)
 {
     if (!accurate(f->p, bits, power))

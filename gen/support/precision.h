@@ -21,7 +21,7 @@ struct precision precision_start(slong digits);
 /* Start from `bits` bits, which double with each attempt, for `attempts` attempts in all. */
 struct precision precision_doubling(slong bits, int attempts);
 
-/* From so many bits, doubled as long as that is no more than `limit`. */
+/* Start from `bits` bits, which double as long as they do not exceed `limit`. */
 struct precision precision_doubling_to(slong bits, slong limit);
 
 /* Raises the number of bits. Returns false at the limit. */

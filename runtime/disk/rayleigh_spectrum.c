@@ -10,17 +10,17 @@
 #define PI 3.14159265358979323846
 #define LN2 0.69314718055994531
 
-/* Exponents x at which exp(-x) ends something. Derived: exp(-40) is 2^-57, and b is left out; exp(300)^2 is a double,
- * and where q0 is above 600 the rest of Theta is below 2^-53. */
+/* Exponents x beyond which exp(-x) is negligible. Derived: exp(-40) is 2^-57, and b is neglected. exp(300)^2 is a
+ * double, and for q0 above 600 the remainder of Theta is below 2^-53. */
 #define LEFT_OUT 40.0
 #define LARGEST_HALF_DEPTH 300.0
 
-/* How legs lie and where they end. Chosen; tests/unit/test_disk_rayleigh_spectrum.c and
- * tests/accuracy/test_disk_rayleigh.c assert the error that they leave.
- *   LEG_ENOUGH    exp(-omega p) is 2^-86, whatever the sine has grown to
- *   LEG_FARTHEST  distance from the base at which a leg ends at the latest
+/* Shape and ends of the legs. Chosen; tests/unit/test_disk_rayleigh_spectrum.c and
+ * tests/accuracy/test_disk_rayleigh.c assert the resulting error.
+ *   LEG_ENOUGH    the largest Re(p) times the lowest frequency: exp(-omega p) is then 2^-86, at any growth of the sine
+ *   LEG_FARTHEST  the largest distance from the base to the end of a leg
  *   LEG_NEAREST   distance of the first node, times the largest omega and the root of q0/2 + LEG_DEPTH
- *   LEG_TILT      the ray turns by 1/(1 + LEG_TILT q0): far from the limit exp(-omega p) hardly turns */
+ *   LEG_TILT      the ray turns by 1/(1 + LEG_TILT q0): far from the limit exp(-omega p) hardly oscillates */
 #define LEG_ENOUGH 60.0
 #define LEG_FARTHEST 20.0
 #define LEG_NEAREST 1e-7
@@ -88,8 +88,9 @@ static void rule_init(struct cor_leg_rule *rule)
 /* Panels that end farther than this from the base are short. */
 #define SHORT_FROM 0.4
 
-/* From rho = nearest outwards, until rho = LEG_FARTHEST or until Re(p) > enough. Trapezoidal rule in u: the integrand
- * falls off like a power on one side and faster than exponentially on the other, where exp(-omega p) does. */
+/* Computes the leg from rho = nearest outwards, until rho = LEG_FARTHEST or Re(p) > enough. The trapezoidal rule in u
+ * suits the integrand, which falls off like a power on one side, and faster than exponentially on the other because of
+ * exp(-omega p). */
 static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, const struct cor_leg_rule *rule,
                      const struct cor_leg_path *path, double nearest, double enough)
 {
@@ -193,7 +194,7 @@ static int octaves_between(double first, double high)
     return (int)fmin(ceil(log2(high / first) + 1e-9) + 1, COR_SPECTRUM_OCTAVES);
 }
 
-/* b is left out where exp(-omega Y) is below exp(-LEFT_OUT). */
+/* Number of octaves of b, which is neglected where exp(-omega Y) is below exp(-LEFT_OUT). */
 static int count_edges(double decay, double first, int octaves)
 {
     int edges = 0;

@@ -22,8 +22,8 @@
 
 #include "runtime/disk/rayleigh_kernel.h"
 
-/* Places in units of the highest frequency taken. Chosen: where the weight begins to fade, where the other weight
- * begins (docs/derivation.md, 13), and two windows that the strength of echoes is measured under. */
+/* Frequencies in units of the highest frequency of the table. Chosen: the begin of the fading weight, the begin of the
+ * echoes' weight (docs/derivation.md, 13), and the two windows that measure the strength of echoes. */
 #define FADE_FROM 0.65
 #define ECHO_FROM 0.15
 static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};
@@ -32,11 +32,11 @@ static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};
  * (tests/unit/test_disk_rayleigh.c). */
 static const struct {
     double echo_low, half_echo_low; /* the strength under the low window beside the one under the high window */
-    double of_echo, of_half_echo;   /* of echoes in step with the response, as strong as under the windows */
-    double of_density, of_fifth;    /* what the density has beyond 2 omega + a, omega_max^-2 and omega_max^-5 */
-    /* the density itself, an echo of T = 0, of which the kink of the echoes' weight at 1 leaves (omega_max tau)^-2 */
+    double of_echo, of_half_echo;   /* of echoes in phase with the response, as strong as under the windows */
+    double of_density, of_fifth;    /* of the density beyond 2 omega + a: omega_max^-2 and omega_max^-5 */
+    /* of the density itself, an echo of T = 0: the kink of the echoes' weight at 1 leaves (omega_max tau)^-2 */
     double of_turn;
-    /* chosen: without modes l = 0 the tail cannot be estimated, and the error is the whole */
+    /* chosen: without modes l = 0 the tail cannot be estimated, and its error is as large as the tail */
     double unknown;
 } factors = {.echo_low = 0.7,
              .half_echo_low = 0.4,
