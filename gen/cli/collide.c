@@ -39,7 +39,7 @@ static int problem_solve(struct collision *c, const arb_t beta, const struct pro
                                                                                               bits);
 }
 
-/* The one row. */
+/* Fills the table, which has one row. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     const struct problem *const problem = arguments;
@@ -52,7 +52,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     table_init(table, printed, columns);
     arb_t beta;
     arb_init(beta);
-    /* beta is rounded with bits to spare, so that this never costs the result its own. */
+    /* beta is rounded with extra bits, so that this rounding never decides the accuracy of the result */
     arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
     struct collision collision;
     collision_init(&collision);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* beta of a contact as a function of the impact speed, from materials or from g*. */
+/* beta of a contact as a function of the impact speed, from materials or from g* */
 #ifndef COR_GEN_EMBED_CONTACT_H
 #define COR_GEN_EMBED_CONTACT_H
 

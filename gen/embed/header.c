@@ -82,7 +82,7 @@ static void append_alternatives(struct text *t, const struct embed_form *form, e
     }
 }
 
-/* What the choice means in words. */
+/* The meaning of a purpose, as text */
 static const char *rule_of_purpose(enum embed_purpose purpose)
 {
     switch (purpose) {

@@ -5,13 +5,13 @@
 
 #include <time.h>
 
-/* Seconds of a clock that only goes forward; differences count. */
+/* Seconds of a monotonic clock; only differences have a meaning. */
 double clock_seconds(void);
 
 /* Seconds of processor time that this process has used, all threads together. */
 double clock_processor_seconds(void);
 
-/* So many seconds from now, for a condition of parallel_condition_init. */
+/* The time `seconds` from now, for a condition of parallel_condition_init */
 struct timespec clock_deadline(double seconds);
 
 #endif

@@ -47,7 +47,7 @@ int parallel_start_thread(pthread_t *thread, void *(*start)(void *), void *argum
     return reason;
 }
 
-/* ---- slots: of all threads that have work, as many run as parallel_threads() says ---- */
+/* ---- slots: at most parallel_threads() threads run at once ---- */
 
 static const double PROGRESS_SECONDS = 0.2;
 
@@ -90,12 +90,12 @@ struct loop {
     void *context;
     slong count;
     atomic_long next;
-    pthread_mutex_t mutex; /* of done */
+    pthread_mutex_t mutex; /* protects done */
     pthread_cond_t is_done;
     slong done;
 };
 
-/* One task, if any is left. */
+/* Does one task, if any remains. */
 static bool loop_step(struct loop *loop)
 {
     const slong i = atomic_fetch_add(&loop->next, 1);
@@ -115,11 +115,11 @@ static void *loop_thread(void *argument)
 {
     while (loop_step(argument))
         continue;
-    flint_cleanup(); /* constants that FLINT keeps for each thread */
+    flint_cleanup(); /* frees the constants that FLINT keeps for each thread */
     return NULL;
 }
 
-/* While others work: a task may take minutes, and the progress line goes on meanwhile. */
+/* Updates the progress line while other threads work, because a task may take minutes. */
 static void loop_watch(struct loop *loop)
 {
     pthread_mutex_lock(&loop->mutex);

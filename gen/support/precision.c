@@ -14,7 +14,7 @@ struct precision precision_start(slong digits)
 
 struct precision precision_doubling(slong bits, int attempts)
 {
-    /* the step doubles too: bits + bits, + 2 bits, + 4 bits, ... */
+    /* the step doubles, too: bits + bits, + 2 bits, + 4 bits, ... */
     return (struct precision){.bits = bits, .step = bits, .limit = bits << (attempts - 1)};
 }
 

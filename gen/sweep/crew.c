@@ -15,7 +15,9 @@
 /* QUEUE: the most tasks that wait for each thread. */
 enum { QUEUE = 64, TAG_TASKS = 1, TAG_RESULTS, TAG_BROADCAST, TAG_STOP };
 
-#define QUEUE_SECONDS 0.05 /* seconds of work queued for each thread, so that no thread runs dry between two looks */
+#define QUEUE_SECONDS                                                                                                  \
+    0.05 /* seconds of work queued for each thread, so that no thread runs out of tasks between two
+                            * polls */
 #define TICK_SECONDS 0.2
 #define POLL_SECONDS 0.0005 /* between two polls for messages: an MPI that waits keeps its processor busy */
 
