@@ -37,8 +37,8 @@ extern "C" {
 #define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* relative, of a mode's fraction, or */
 #define COR_DISK_RAYLEIGH_MAX_ABSOLUTE 1e-14  /* relative to the sum, where a zero of (68) makes the fraction small */
 /* Relative error of sum plus tail, for any number of modes of the two tables below: the first bound holds for v >=
- * 1e-9, the second for all v. For tables of 1800 modes of other nu, 1e-5 holds too, except that it is barely exceeded
- * at nu = 0.2; docs/accuracy.md. */
+ * 1e-9, the second for all v. For tables of 1800 modes of other nu the first bound is 1e-5, too; the worst case found,
+ * at nu = 0.2, reaches 1.0e-5 (docs/accuracy.md). */
 #define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR 1e-5
 #define COR_DISK_RAYLEIGH_TAIL_MAX_ERROR_ANY_SPEED 4e-5
 /* Beyond this speed a collision is too violent for perturbation theory, and cor_disk_rayleigh returns
