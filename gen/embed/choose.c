@@ -119,6 +119,11 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
     return good;
 }
 
+/* The radius of convergence of eps in powers of beta: h*, rounded (docs/derivation.md, 3). And how near to it, chosen,
+ * a search that fails is said to fail for it. */
+#define CONVERGENCE 1.388
+#define NEAR_CONVERGENCE 0.97
+
 static void search_series(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series, slong root)
 {
     arb_poly_t p, one;
@@ -132,8 +137,8 @@ static void search_series(struct embed_form *best, const struct embed_scene *s, 
     }
     arb_poly_clear(p);
     arb_poly_clear(one);
-    if (!best->found && s->beta_max > 1.35)
-        snprintf(best->why, sizeof best->why, "beta leaves the circle of convergence, 1.388");
+    if (!best->found && s->beta_max > NEAR_CONVERGENCE * CONVERGENCE)
+        snprintf(best->why, sizeof best->why, "beta leaves the circle of convergence, %g", CONVERGENCE);
 }
 
 static void search_pade(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series, slong root)
