@@ -49,7 +49,7 @@ static pair pair_sqrt(pair x)
     return cor_inline_sum(root, (((x.hi - square.hi) - square.lo) + x.lo) / (2 * root));
 }
 
-/* exp(x), |x| < 2, to 2^-102: the power series of exp(x/2^9) - 1, doubled nine times by s -> 2 s + s^2 */
+/* exp(x), |x| < 2, to 2^-101: the power series of exp(x/2^9) - 1, doubled nine times by s -> 2 s + s^2 */
 static pair pair_exp(double x)
 {
     static const pair one_over_factorial[] = {{1, 0},
