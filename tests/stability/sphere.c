@@ -170,7 +170,7 @@ static void take_dense(struct outcome *out, double beta)
 {
     static bool built;
     char input[160], exact[80], value[40];
-    if (!built && reference_build() != 0)
+    if (!built && reference_open() != 0)
         abort();
     built = true;
     for (int q = 0; q < QUANTITIES; q++) {
