@@ -49,7 +49,7 @@ static pair pair_sqrt(pair x)
     return cor_inline_sum(root, (((x.hi - square.hi) - square.lo) + x.lo) / (2 * root));
 }
 
-/* exp(x), |x| < 2, with relative error 2^-102. s -> 2 s + s^2, applied nine times to the power series of exp(x/2^9) -
+/* exp(x), |x| < 2, with relative error 2^-101. s -> 2 s + s^2, applied nine times to the power series of exp(x/2^9) -
  * 1, gives exp(x) - 1. */
 static pair pair_exp(double x)
 {

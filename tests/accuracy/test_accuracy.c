@@ -498,5 +498,5 @@ int main(int argc, char **argv)
         printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
         return 77;
     }
-    return reference_build() != 0 ? 1 : functions_run(&o);
+    return reference_open() != 0 ? 1 : functions_run(&o);
 }

@@ -691,7 +691,7 @@ static int functions_run(const struct options *o)
 int main(int argc, char **argv)
 {
     struct options o = {.points = 20000, .seed = 19990101, .threads = 1};
-    for (int i = 1; i < argc; i++) {
+    for (int i = 1; i < argc; i += 2) {
         const double number = i + 1 < argc ? strtod(argv[i + 1], NULL) : 0;
         if (strcmp(argv[i], "--points") == 0 && number >= 1 && number <= 1e15) {
             o.points = (uint64_t)number;
@@ -705,7 +705,6 @@ int main(int argc, char **argv)
             fputs("test_laws [--points N] [--threads N] [--only TEXT] [--seed N]\n", stderr);
             return 2;
         }
-        i++;
     }
     if (LDBL_MANT_DIG < 64) {
         printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);

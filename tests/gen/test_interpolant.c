@@ -2,6 +2,7 @@
 /* The interpolant of the collision against collisions at places of its own, and what it is made of: collisions without
  * their unloading, and one that once found no end. */
 #include "ball.h"
+#include "check.h"
 
 #include <math.h>
 #include <unistd.h>
@@ -130,7 +131,7 @@ static void test_small_beta(void **state)
     arb_init(beta);
     arb_init(y);
     arb_init(exact);
-    for (int k = 0; k < 60; k++) {
+    for (int k = 0; k < (int)few_or_all(20, 60); k++) {
         arb_set_d(z, k == 0 ? 0x1p-10 : k == 1 ? 0.612 : random_uniform(&random_state, 0, 0.612));
         arb_sqr(beta, z, PREC);
         assert_int_equal(collision_solve(&c, beta, &law_sphere, 110), 0);
@@ -163,6 +164,8 @@ static void test_small_beta(void **state)
 static void test_large_beta(void **state)
 {
     (void)state;
+    if (!few_or_all(0, 1)) /* building takes 10 s; table.sphere_tables tests what is made of it */
+        skip();
     struct interpolant *f = interpolant_new(&interpolant_sphere, 8.5, 9);
     struct collision c;
     arb_t x, beta, y, exact, power;
