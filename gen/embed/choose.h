@@ -6,15 +6,16 @@
 #include "embed/form.h"
 #include "support/parallel.h"
 
-/* eps of one end in powers of beta^(1/root): computed beside what its owner does between begin and end. */
+/* eps of one end in powers of beta^(1/root), of spheres alone: computed beside what its owner does between begin and end. */
 struct embed_series {
     enum contact_end end;
+    bool sphere; /* nothing is computed for another law */
     arb_poly_t eps;
     slong root;
     int status;
     struct parallel_task task;
 };
-void embed_series_begin(struct embed_series *series, enum contact_end end);
+void embed_series_begin(struct embed_series *series, const struct law *law, enum contact_end end);
 int embed_series_end(struct embed_series *series); /* STATUS_OK, or STATUS_FAILED after a sentence */
 void embed_series_clear(struct embed_series *series);
 

@@ -9,6 +9,6 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
                         const struct embed_form *form, enum embed_family chosen);
 
 /* "neither a series ..., nor ...": what was tried and how it failed, for a person. Malloc'ed. */
-char *embed_failures(const struct embed_form *form);
+char *embed_failures(const struct embed_scene *s, const struct embed_form *form);
 
 #endif

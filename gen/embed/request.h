@@ -26,6 +26,11 @@ enum embed_number {
     EMBED_DENSITY_2,
     EMBED_MASS_2,
     EMBED_DISSIPATION_TIME_2,
+    EMBED_BETA, /* at the speed EMBED_AT */
+    EMBED_AT,
+    EMBED_STIFFNESS, /* K, C and m of m x'' + C x^b x' + K x^a = 0, SI units */
+    EMBED_DAMPING_COEFFICIENT,
+    EMBED_EFFECTIVE_MASS,
     EMBED_NUMBERS,
     EMBED_BODY = EMBED_YOUNG_2 - EMBED_YOUNG /* numbers of a body */
 };
@@ -38,13 +43,19 @@ extern const char *const embed_purpose_names[]; /* ends with NULL, as the next *
 enum embed_type { EMBED_DOUBLE, EMBED_FLOAT };
 extern const char *const embed_type_names[];
 
+/* Laws with a name, --law. The exponents of the first are the default of --elastic and --damping. */
+enum embed_law { EMBED_VISCOELASTIC, EMBED_LINEAR, EMBED_TSUJI, EMBED_HUNT_CROSSLEY, EMBED_HERTZ_DASHPOT, EMBED_LAWS };
+extern const char *const embed_law_names[];
+
 struct embed_request {
     struct decimal number[EMBED_NUMBERS]; /* text NULL: not given */
     enum contact_end end;
     enum embed_purpose purpose;
     enum embed_type type;
-    bool wall;        /* body 2 is flat and held fast */
-    const char *name; /* of the function; NULL: cor_scene_eps */
+    enum embed_law law;            /* by name */
+    const char *elastic, *damping; /* the exponents as they are written; NULL: those of the name */
+    bool wall;                     /* body 2 is flat and held fast */
+    const char *name;              /* of the function; NULL: cor_scene_eps */
 };
 
 bool embed_given(const struct embed_request *request, enum embed_number which);
@@ -52,10 +63,16 @@ double embed_number(const struct embed_request *request, enum embed_number which
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 
-/* Whether the range of speeds and the tolerance suit the type, and whether there is g* or what materials need, and nothing
- * that contradicts it. STATUS_OK, or STATUS_USAGE after a
- * sentence on stderr. */
+/* Whether eps of the law depends on the speed, the range of speeds and the tolerance suit the type, and the contact has
+ * all that it needs and nothing that contradicts it. STATUS_OK, or STATUS_USAGE after a sentence on stderr. */
 int embed_request_check(const struct embed_request *request);
+
+/* The law of a request. STATUS_OK, or STATUS_USAGE after a sentence. */
+int embed_request_law(struct law *law, const struct embed_request *request);
+
+/* " --law tsuji", " --elastic 2 --damping 1/2", or nothing for viscoelastic spheres by default */
+enum { EMBED_LAW_OPTIONS = 192 };
+const char *embed_law_options(char text[EMBED_LAW_OPTIONS], const struct embed_request *request);
 
 /* The option that names body 2's number if it has one of its own, else body 1's. A mass of body 2 replaces the density
  * that body 2 would have from body 1, and a density the mass. */

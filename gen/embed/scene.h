@@ -3,9 +3,8 @@
 #ifndef COR_GEN_EMBED_SCENE_H
 #define COR_GEN_EMBED_SCENE_H
 
+#include "approximation/law_layout.h"
 #include "embed/request.h"
-
-struct interpolant;
 
 /* Speeds, even in their logarithm, and eps there as a sum of two doubles. */
 struct embed_samples {
@@ -17,12 +16,14 @@ struct embed_scene {
     enum contact_end end;
     bool single; /* float */
     double speed_min, speed_max, tolerance;
-    arb_t beta_per_root; /* beta = beta_per_root speed^(1/5) */
+    struct law law;
+    arb_t beta_per_root; /* beta = beta_per_root speed^q, q = 1/5 for spheres */
     double beta_min, beta_max;
-    double slope; /* the largest |d ln(eps)/d ln(beta)| */
+    double slope; /* the largest |d ln(eps)/d ln(speed^(1/5))|, for spheres |d ln(eps)/d ln(beta)| */
     struct embed_samples samples;
     struct interpolant *interpolant;
-    arb_t h_star_5;
+    arb_t h_star_5;           /* spheres */
+    struct law_layout layout; /* of another law's interpolant */
 };
 
 enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320 };
@@ -30,6 +31,9 @@ enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320 };
 /* STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a sentence on stderr. */
 int embed_scene_init(struct embed_scene *s, const struct embed_request *request);
 void embed_scene_clear(struct embed_scene *s);
+
+/* beta at a speed */
+void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed);
 
 /* eps at a speed in [speed_min, speed_max], certified as interpolant.h says. */
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed);
