@@ -52,7 +52,8 @@ int main(void)
     const volatile REAL ends[] = {(REAL)low, (REAL)high};
     const double first = (double)FUNCTION(ends[0]), last = (double)FUNCTION(ends[1]);
     const REAL infinity = (REAL)INFINITY, nan = (REAL)NAN; /* casts, for NAN is a float */
-    const volatile REAL below[] = {0, -(REAL)0.0, (REAL)(low / 2), (REAL)(low / 1e30)}, above[] = {(REAL)(high * 2), infinity};
+    const volatile REAL below[] = {0, -(REAL)0.0, (REAL)(low / 2), (REAL)(low / 1e30)},
+                        above[] = {(REAL)(high * 2), infinity};
     for (int i = 0; i < 4; i++)
         if ((double)FUNCTION(below[i]) != first)
             return wrong("below", (double)below[i], (double)FUNCTION(below[i]), first);
