@@ -201,8 +201,11 @@ static void test_approach_only(void **state)
     for (int i = 0; i < 2; i++)
         assert_true(isnan(inverse[i](-1e-300)) && isnan(inverse[i](1.5)) && isnan(inverse[i](NAN)));
     check(relative_error(cor_hertz_dashpot_duration_approach_only(0), 3.21806545971904308454L) < 3e-16, "elastic");
-    check(relative_error(cor_hertz_dashpot_loss_approach_only(1e-300), 8.93907072144178638e-301L) < 3e-16,
-          "tiny beta");
+    check(relative_error(cor_hertz_dashpot_loss_approach_only(1e-300), 8.93907072144178638e-301L) < 3e-16, "tiny beta");
+    /* the series meets the rows */
+    check(relative_error(cor_hertz_dashpot_loss_approach_only(nextafter(0.0625, 0)),
+                         (long double)cor_hertz_dashpot_loss_approach_only(0.0625)) < 1e-15,
+          "beta = 1/16");
     /* sqrt(4/5) beta^(-5/4), (1 + (5/4) ln(beta) beta^-5/2...) is nothing there; a subnormal eps */
     check(relative_error(cor_hertz_dashpot_eps_approach_only(1e200), 8.94427190999915878564e-251L) < 3e-16,
           "large beta");
