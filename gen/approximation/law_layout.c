@@ -189,7 +189,9 @@ static int find_fall(struct law_layout *layout)
     layout->overlap_log = 0;
     if (status == STATUS_OK)
         status = is_fallen(&fallen, law, v_f, LAW_MIDDLE_END);
+    int tried = 0;
     for (double u = LAW_TAIL_FIRST; status == STATUS_OK && !fallen; u += exp2(floor(log2(u))) / 8) {
+        progress("beta from which eps is a power of it", tried++, 0);
         layout->overlap_log = u + exp2(floor(log2(u))) / 8;
         if (layout->overlap_log > layout->last_log) {
             layout->overlap_log = layout->last_log;
@@ -197,6 +199,7 @@ static int find_fall(struct law_layout *layout)
         }
         status = is_fallen(&fallen, law, v_f, exp(layout->overlap_log));
     }
+    progress_end();
     arb_clear(v_f);
     return status;
 }
@@ -249,6 +252,20 @@ void law_layout_refine(struct law_layout *layout)
     struct interval *const interval = (struct interval *)layout->interpolant.interval;
     for (int i = 0; i < layout->interpolant.intervals; i++)
         interval[i].count += interval[i].count / 4;
+}
+
+void law_layout_restrict(struct law_layout *layout, enum quantity eps)
+{
+    const bool force = eps == EPS_ZERO_FORCE && law_force_ends(&layout->interpolant.law);
+    struct interval *const interval = (struct interval *)layout->interpolant.interval;
+    int count = 1; /* the first, next to beta = 0, serves both ends */
+    for (int i = 1; i < layout->interpolant.intervals; i++) {
+        interval[i].set &= 1u << (force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP);
+        if (interval[i].set)
+            interval[count++] = interval[i];
+    }
+    layout->interpolant.intervals = count;
+    layout->interpolant.far = force;
 }
 
 void law_layout_clear(struct law_layout *layout)

@@ -37,6 +37,8 @@ struct law_layout {
 int law_layout_init(struct law_layout *layout, const struct law *law);
 /* Adds points to every interval, for an interpolant that was not accurate enough. */
 void law_layout_refine(struct law_layout *layout);
+/* Only what one eps needs: fewer collisions. Of the other quantities the interpolant then knows nothing. */
+void law_layout_restrict(struct law_layout *layout, enum quantity eps);
 void law_layout_clear(struct law_layout *layout);
 
 /* Computes the widest rows of a quantity in a part, with the name NAME and the TITLE, which must live as long as p.

@@ -12,7 +12,7 @@ static int write_header(const struct embed_arguments *o, const struct embed_scen
 {
     const enum embed_family chosen = embed_choose(form, o->scene.purpose);
     if (chosen == FAMILIES) {
-        char *why = embed_failures(form);
+        char *why = embed_failures(s, form);
         const int status = fail("no form meets the tolerance %s (%s)", o->scene.number[EMBED_TOLERANCE].text, why);
         free(why);
         return status;
@@ -30,11 +30,14 @@ static int run_embed(const void *arguments)
     struct embed_scene scene;
     struct embed_form form[FAMILIES] = {{0}};
     struct embed_series series;
+    struct law law;
     int status = embed_request_check(&o->scene);
+    if (status == STATUS_OK)
+        status = embed_request_law(&law, &o->scene);
     if (status != STATUS_OK)
         return status;
     profile_step("collisions, series");
-    embed_series_begin(&series, o->scene.end);
+    embed_series_begin(&series, &law, o->scene.end);
     status = embed_scene_init(&scene, &o->scene);
     const int series_status = embed_series_end(&series);
     if (status == STATUS_OK)
@@ -60,10 +63,14 @@ static const char help[] =
     "  --type T         double (default) or float\n"
     "  --for USE        scalar: calls one at a time; array: loops that become vectors; balanced\n"
     "                   (default): both\n"
-    "  --name NAME      of the function (default cor_scene_eps); the include guard follows it\n"
+    "  --name NAME      of the function (default cor_scene_eps); the include guard follows it\n" HELP_SCENE_LAW
     "\nCONTACT is the characteristic speed\n"
-    "  --g-star G       m/s, from eps = 1 - (speed/g*)^(1/5) + ...\n"
-    "or the materials of two spheres, the second like the first but for what is said of it:\n"
+    "  --g-star G       m/s, from eps = 1 - (speed/g*)^q + ..., beta ~ speed^q, q = 1/5 for spheres\n"
+    "or beta at one speed\n"
+    "  --beta BETA --at G\n"
+    "or the force K x^a + C x^b x', SI units, with the effective mass m_1 m_2/(m_1 + m_2):\n"
+    "  --stiffness K --damping-coefficient C --effective-mass M\n"
+    "or the materials of two viscoelastic spheres, the second like the first where not given:\n"
     "  --young Y, --poisson NU      Pa, -\n"
     "  --radius R                   m\n"
     "  --density D or --mass M      kg/m^3, kg\n"
@@ -74,7 +81,7 @@ static const char help[] =
 
 #define AT(FIELD) offsetof(struct embed_arguments, FIELD)
 static const struct option_rule options[] = {
-    SCENE_OPTIONS(struct embed_arguments, &option_sphere_poisson, NULL),
+    SCENE_OPTIONS(struct embed_arguments, &option_sphere_poisson, ""),
     {.name = "type", .kind = OPTION_WORD, .offset = AT(scene.type), .range.words = embed_type_names, .why = "a type"},
     {.name = "name", .kind = OPTION_C_NAME, .offset = AT(scene.name)},
     OPTION_COMMON(struct embed_arguments),

@@ -60,7 +60,8 @@ static const char help[] =
     "that meets the tolerance, with the command or call to use.\n\n"
     "Spheres: speeds in m/s, T the relative error of eps, 1e-15 to below 1; CONTACT is --g-star, or\n"
     "--young --poisson --radius --density (or --mass) --dissipation-time, -2 of the second sphere, or\n"
-    "--wall, as corgen embed --help explains.\n" HELP_END
+    "--wall, as corgen embed --help explains; --beta --at, or --stiffness --damping-coefficient\n"
+    "--effective-mass, of this or another law.\n" HELP_END HELP_SCENE_LAW
     "  --for USE        what time means: scalar: calls one at a time; array: loops; balanced\n"
     "                   (default): both\n\n"
     "Disks: speeds in sqrt(E/rho), 0.001 to 0.5; against a rigid wall, all modes counted.\n"

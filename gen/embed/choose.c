@@ -209,12 +209,14 @@ static void search_pieces_speed(struct embed_form *best, const struct embed_scen
 static void compute_series(void *context)
 {
     struct embed_series *const series = context;
-    series->status = series_eps(series->eps, &series->root, series->end, SERIES_MAX, &law_sphere, SERIES_BITS);
+    series->status =
+        series->sphere ? series_eps(series->eps, &series->root, series->end, SERIES_MAX, &law_sphere, SERIES_BITS) : 0;
 }
 
-void embed_series_begin(struct embed_series *series, enum contact_end end)
+void embed_series_begin(struct embed_series *series, const struct law *law, enum contact_end end)
 {
     series->end = end;
+    series->sphere = law_is_sphere(law);
     series->root = 1;
     series->status = STATUS_FAILED;
     arb_poly_init(series->eps);
@@ -246,6 +248,10 @@ static void search_family(void *context, slong family)
     struct embed_form *const form = &search->form[family];
     const bool tenth = s->end == END_ZERO_FORCE; /* sqrt(beta), in which eps is analytic at 0 */
     *form = form_blank(s, (enum embed_family)family, SPEED);
+    if (family <= FAMILY_TWO_POINT && !law_is_sphere(&s->law)) {
+        snprintf(form->why, sizeof form->why, "tried for viscoelastic spheres only");
+        return;
+    }
     switch (form->family) {
     case FAMILY_SERIES:
         search_series(form, s, series->eps, series->root);

@@ -6,15 +6,16 @@
 #include "embed/form.h"
 #include "support/parallel.h"
 
-/* eps of one end in powers of beta^(1/root). A thread computes it between embed_series_begin and embed_series_end. */
+/* eps of spheres at one end in powers of beta^(1/root). A thread computes it between embed_series_begin and embed_series_end. */
 struct embed_series {
     enum contact_end end;
+    bool sphere; /* nothing is computed for another law */
     arb_poly_t eps;
     slong root;
     int status;
     struct parallel_task task;
 };
-void embed_series_begin(struct embed_series *series, enum contact_end end);
+void embed_series_begin(struct embed_series *series, const struct law *law, enum contact_end end);
 int embed_series_end(struct embed_series *series); /* returns STATUS_OK, or STATUS_FAILED after a message */
 void embed_series_clear(struct embed_series *series);
 

@@ -145,45 +145,85 @@ static void beta_of_materials(arb_t beta, const struct embed_request *request, s
 
 /* ---- the characteristic speed ---- */
 
-/* |C_1| = sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10)), (30) of Ramirez et al. (1999) */
-static void first_coefficient(arb_t c, slong prec)
+/* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/derivation.md, 9. For spheres this is
+ * sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10)), (30) of Ramirez et al. (1999). */
+static void first_coefficient(arb_t c, const struct law *law, slong prec)
 {
+    const struct ratio one = {1, 1}, half = {1, 2}, two = {2, 1};
+    const struct ratio a1 = ratio_add(law->a, one), b1 = ratio_add(law->b, one), s = ratio_div(b1, a1);
     arb_t factor;
-    fmpq_t argument;
     arb_init(factor);
-    fmpq_init(argument);
-    fmpq_set_si(argument, 3, 5);
-    arb_gamma_fmpq(c, argument, prec);
-    fmpq_set_si(argument, 21, 10);
-    arb_gamma_fmpq(factor, argument, prec);
+    arb_set_ratio(factor, ratio_div(a1, two), prec);
+    arb_pow_ratio(c, factor, s, prec);
     arb_div(c, c, factor, prec);
-    arb_const_pi(factor, prec);
+    arb_set_ratio(factor, s, prec);
+    arb_gamma(factor, factor, prec);
+    arb_mul(c, c, factor, prec);
+    arb_set_ratio(factor, ratio_add(s, ratio_add(one, half)), prec);
+    arb_gamma(factor, factor, prec);
+    arb_div(c, c, factor, prec);
+    arb_const_pi(factor, prec); /* Gamma(3/2) = sqrt(pi)/2 */
     arb_sqrt(factor, factor, prec);
     arb_mul(c, c, factor, prec);
-    arb_set_ui(factor, 50); /* 2 5^2, whose fifth root is 2^(1/5) 5^(2/5) */
-    arb_root_ui(factor, factor, 5, prec);
-    arb_div(c, c, factor, prec);
-    fmpq_clear(argument);
+    arb_mul_2exp_si(c, c, -1);
     arb_clear(factor);
 }
 
-/* beta g^(-1/5) = g*^(-1/5)/|C_1|, from eps = 1 - (g/g*)^(1/5) + ... = 1 - |C_1| beta + ..., (29) to (31) */
-static void beta_of_g_star(arb_t beta, const struct decimal *g_star, slong prec)
+/* beta g^-q = g*^-q/|C_1|, from eps = 1 - (g/g*)^q + ... = 1 - |C_1| beta + ..., (29) to (31) */
+static void beta_of_g_star(arb_t beta, const struct decimal *g_star, const struct law *law, slong prec)
 {
     arb_t c;
     arb_init(c);
-    first_coefficient(c, prec);
+    first_coefficient(c, law, prec);
     arb_set_fmpq(beta, g_star->value, prec);
-    arb_root_ui(beta, beta, 5, prec);
+    arb_pow_ratio(beta, beta, law_speed_exponent(law), prec);
     arb_mul(beta, beta, c, prec);
     arb_inv(beta, beta, prec);
     arb_clear(c);
 }
 
-void embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request *request, slong prec)
+/* ---- beta at a speed ---- */
+
+static void beta_of_beta(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
+{
+    arb_t power;
+    arb_init(power);
+    arb_set_fmpq(power, request->number[EMBED_AT].value, prec);
+    arb_pow_ratio(power, power, law_speed_exponent(law), prec);
+    arb_set_fmpq(beta, request->number[EMBED_BETA].value, prec);
+    arb_div(beta, beta, power, prec);
+    arb_clear(power);
+}
+
+/* ---- the force K x^a + C x^b x' ---- */
+
+/* beta g^-q = (C/m) (m/K)^((b+1)/(a+1)): docs/derivation.md, 9 */
+static void beta_of_force(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
+{
+    const struct ratio one = {1, 1};
+    arb_t mass, factor;
+    arb_init(mass);
+    arb_init(factor);
+    arb_set_fmpq(mass, request->number[EMBED_EFFECTIVE_MASS].value, prec);
+    arb_set_fmpq(factor, request->number[EMBED_STIFFNESS].value, prec);
+    arb_div(factor, mass, factor, prec);
+    arb_pow_ratio(beta, factor, ratio_div(ratio_add(law->b, one), ratio_add(law->a, one)), prec);
+    arb_set_fmpq(factor, request->number[EMBED_DAMPING_COEFFICIENT].value, prec);
+    arb_mul(beta, beta, factor, prec);
+    arb_div(beta, beta, mass, prec);
+    arb_clear(mass);
+    arb_clear(factor);
+}
+
+void embed_contact_beta_per_root(arb_t beta_per_root, const struct embed_request *request, const struct law *law,
+                                 slong prec)
 {
     if (embed_given(request, EMBED_G_STAR))
-        beta_of_g_star(beta_per_root, &request->number[EMBED_G_STAR], prec);
+        beta_of_g_star(beta_per_root, &request->number[EMBED_G_STAR], law, prec);
+    else if (embed_given(request, EMBED_BETA))
+        beta_of_beta(beta_per_root, request, law, prec);
+    else if (embed_given(request, EMBED_STIFFNESS))
+        beta_of_force(beta_per_root, request, law, prec);
     else
         beta_of_materials(beta_per_root, request, prec);
 }

@@ -22,13 +22,16 @@ void embed_form_clear(struct embed_form *f)
     f->number = NULL;
 }
 
-const char *embed_family_name(enum embed_family family)
+const char *embed_family_name(enum embed_family family, const struct law *law)
 {
     static const char *const names[FAMILIES] = {
         "series in beta",          "Pade in beta",           "two-point Pade in beta", "polynomial in beta",
         "rational in beta",        "pieces in beta",         "pieces in speed",        "rational in speed",
         "rational in sqrt(speed)", "rational in speed^(1/4)"};
-    return names[family];
+    static const char *const of_other_laws[FAMILIES] = {[FAMILY_POLYNOMIAL_BETA] = "polyn. in speed^(1/5)",
+                                                        [FAMILY_RATIONAL_BETA] = "rational in speed^(1/5)",
+                                                        [FAMILY_PIECES_BETA] = "pieces in speed^(1/5)"};
+    return law_is_sphere(law) || !of_other_laws[family] ? names[family] : of_other_laws[family];
 }
 
 void embed_form_size(char *text, size_t size, const struct embed_form *f)

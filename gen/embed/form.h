@@ -96,7 +96,8 @@ void embed_form_assess(struct embed_form *f, const struct embed_samples *samples
 /* Fills operations and cost. */
 void embed_form_price(struct embed_form *f);
 
-const char *embed_family_name(enum embed_family family);
+/* For spheres the text calls speed^(1/5) beta. */
+const char *embed_family_name(enum embed_family family, const struct law *law);
 /* The size as text: "[5/6]", "degree 7", "54 rows of degree 3" */
 void embed_form_size(char *text, size_t size, const struct embed_form *f);
 

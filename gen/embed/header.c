@@ -44,9 +44,10 @@ static void append_command(struct text *t, const struct embed_request *request)
         }
         text_append(t, " --%s %s", name, request->number[i].text);
     }
-    text_append(t, "%s \\\n                 --end %s --type %s --for %s", request->wall ? " --wall" : "",
-                request->end == END_ZERO_FORCE ? "zero-force" : "zero-overlap", embed_type_names[request->type],
-                embed_purpose_names[request->purpose]);
+    char law[EMBED_LAW_OPTIONS];
+    text_append(t, "%s%s \\\n                 --end %s --type %s --for %s", request->wall ? " --wall" : "",
+                embed_law_options(law, request), request->end == END_ZERO_FORCE ? "zero-force" : "zero-overlap",
+                embed_type_names[request->type], embed_purpose_names[request->purpose]);
     if (request->name)
         text_append(t, " --name %s", request->name);
     text_append(t, "\nChecked by:  the same command, whose output is the same to the byte\n");
@@ -62,13 +63,14 @@ static void append_operations(struct text *t, const struct embed_form *f)
         }
 }
 
-static void append_alternatives(struct text *t, const struct embed_form *form, enum embed_family chosen)
+static void append_alternatives(struct text *t, const struct embed_scene *s, const struct embed_form *form,
+                                enum embed_family chosen)
 {
     text_append(t, "                                                            ns each\n"
                    "  form                    size                   error    scalar vector  operations\n");
     for (int i = 0; i < FAMILIES; i++) {
         const struct embed_form *f = &form[i];
-        text_append(t, "%c %-23s ", i == (int)chosen ? '>' : ' ', embed_family_name((enum embed_family)i));
+        text_append(t, "%c %-23s ", i == (int)chosen ? '>' : ' ', embed_family_name((enum embed_family)i, &s->law));
         if (f->found) {
             char size[64];
             embed_form_size(size, sizeof size, f);
@@ -96,22 +98,37 @@ static const char *rule_of_purpose(enum embed_purpose purpose)
     }
 }
 
+static void append_title(struct text *t, const struct embed_scene *s, const char *name)
+{
+    const char *type = s->single ? "float" : "double";
+    if (law_is_sphere(&s->law))
+        text_append(
+            t, "Restitution coefficient of viscoelastic spheres that collide at an impact speed, for one scene:\n");
+    else
+        text_append(t,
+                    "Restitution coefficient of bodies that collide at an impact speed by the contact law\n"
+                    "%s, x(0) = 0, x'(0) = 1, for one scene:\n",
+                    law_equation(&s->law).text);
+    text_append(t, "    %s %s(%s speed);\n\n", type, name, type);
+}
+
 static void append_scene(struct text *t, const struct embed_request *request, const struct embed_scene *s)
 {
     char *beta = arb_get_str(s->beta_per_root, 20, ARB_STR_NO_RADIUS);
     text_append(t,
                 "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n"
-                "beta = %s (speed/(m/s))^(1/5), from %.4g to %.4g.\n"
+                "beta = %s (speed/(m/s))^%s, from %.4g to %.4g.\n"
                 "Accuracy: relative error of eps at most %s, approximation and rounding together (sampled, below).\n"
                 "Outside: the value at the nearer end, of speed 0 and +inf too; negative or NaN -> NaN.\n\n",
                 request->number[EMBED_SPEED_MIN].text, request->number[EMBED_SPEED_MAX].text,
-                request->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)", beta, s->beta_min,
-                s->beta_max, request->number[EMBED_TOLERANCE].text);
+                request->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)", beta,
+                ratio_power(law_speed_exponent(&s->law)).text, s->beta_min, s->beta_max,
+                request->number[EMBED_TOLERANCE].text);
     flint_free(beta);
 }
 
-static void append_choice(struct text *t, const struct embed_request *request, const struct embed_form *form,
-                          enum embed_family chosen)
+static void append_choice(struct text *t, const struct embed_request *request, const struct embed_scene *s,
+                          const struct embed_form *form, enum embed_family chosen)
 {
     const struct embed_form *f = &form[chosen];
     char size[64];
@@ -123,18 +140,19 @@ static void append_choice(struct text *t, const struct embed_request *request, c
         "once and twice: sampled. %s\n\n"
         "The cheapest of each kind. ns are made from the operations and what they cost in a loop where that was\n"
         "measured (docs/embed.md): right as ratios. Division and square root run beside the others.\n\n",
-        embed_family_name(chosen), size, rule_of_purpose(request->purpose), embed_purpose_names[request->purpose],
-        emit_bound(f->error).text, f->error_at, EMBED_SAMPLES,
+        embed_family_name(chosen, &s->law), size, rule_of_purpose(request->purpose),
+        embed_purpose_names[request->purpose], emit_bound(f->error).text, f->error_at, EMBED_SAMPLES,
         f->rows > 0 ? "No branch; one table." : "No branch, no table.");
-    append_alternatives(t, form, chosen);
+    append_alternatives(t, s, form, chosen);
 }
 
-static void append_provenance(struct text *t)
+static void append_provenance(struct text *t, const struct embed_scene *s)
 {
-    text_append(
-        t, "\nFitted to and sampled against collisions x'' + beta sqrt(x) x' + x^(3/2) = 0 enclosed to 76 bits or\n"
-           "more (proved), which are interpolated to 1e-17 (sampled); coefficients rounded once to the type.\n"
-           "C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n");
+    text_append(t,
+                "\nFitted to and sampled against collisions %s enclosed to 76 bits or\n"
+                "more (proved), which are interpolated to 1e-17 (sampled); coefficients rounded once to the type.\n"
+                "C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n",
+                law_equation(&s->law).text);
 }
 
 /* ---- the function ---- */
@@ -239,13 +257,10 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
     upper_case(guard);
     struct text *banner = xmalloc(sizeof *banner);
     banner->length = 0;
-    text_append(banner,
-                "Restitution coefficient of viscoelastic spheres that collide at an impact speed, for one scene:\n"
-                "    %s %s(%s speed);\n\n",
-                s->single ? "float" : "double", name, s->single ? "float" : "double");
+    append_title(banner, s, name);
     append_scene(banner, request, s);
-    append_choice(banner, request, form, chosen);
-    append_provenance(banner);
+    append_choice(banner, request, s, form, chosen);
+    append_provenance(banner, s);
     append_command(banner, request);
 
     struct emit e;
@@ -259,13 +274,13 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
     free(banner);
 }
 
-char *embed_failures(const struct embed_form *form)
+char *embed_failures(const struct embed_scene *s, const struct embed_form *form)
 {
     struct text *t = xmalloc(sizeof *t);
     t->length = 0;
     t->text[0] = '\0';
     for (int i = 0; i < FAMILIES; i++)
-        text_append(t, "%s%s: %s", i ? "; " : "", embed_family_name((enum embed_family)i), form[i].why);
+        text_append(t, "%s%s: %s", i ? "; " : "", embed_family_name((enum embed_family)i, &s->law), form[i].why);
     char *copy = xstrdup(t->text);
     free(t);
     return copy;

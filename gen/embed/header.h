@@ -9,6 +9,6 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
                         const struct embed_form *form, enum embed_family chosen);
 
 /* A malloc'ed text about the failed families: "neither a series ..., nor ..." */
-char *embed_failures(const struct embed_form *form);
+char *embed_failures(const struct embed_scene *s, const struct embed_form *form);
 
 #endif

@@ -3,21 +3,41 @@
 
 #include <float.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include "support/console.h"
 
-const char *const embed_number_names[EMBED_NUMBERS] = {
-    [EMBED_SPEED_MIN] = "speed-min", [EMBED_SPEED_MAX] = "speed-max",
-    [EMBED_TOLERANCE] = "tolerance", [EMBED_G_STAR] = "g-star",
-    [EMBED_YOUNG] = "young",         [EMBED_POISSON] = "poisson",
-    [EMBED_RADIUS] = "radius",       [EMBED_DENSITY] = "density",
-    [EMBED_MASS] = "mass",           [EMBED_DISSIPATION_TIME] = "dissipation-time",
-    [EMBED_YOUNG_2] = "young-2",     [EMBED_POISSON_2] = "poisson-2",
-    [EMBED_RADIUS_2] = "radius-2",   [EMBED_DENSITY_2] = "density-2",
-    [EMBED_MASS_2] = "mass-2",       [EMBED_DISSIPATION_TIME_2] = "dissipation-time-2"};
+const char *const embed_number_names[EMBED_NUMBERS] = {[EMBED_SPEED_MIN] = "speed-min",
+                                                       [EMBED_SPEED_MAX] = "speed-max",
+                                                       [EMBED_TOLERANCE] = "tolerance",
+                                                       [EMBED_G_STAR] = "g-star",
+                                                       [EMBED_YOUNG] = "young",
+                                                       [EMBED_POISSON] = "poisson",
+                                                       [EMBED_RADIUS] = "radius",
+                                                       [EMBED_DENSITY] = "density",
+                                                       [EMBED_MASS] = "mass",
+                                                       [EMBED_DISSIPATION_TIME] = "dissipation-time",
+                                                       [EMBED_YOUNG_2] = "young-2",
+                                                       [EMBED_POISSON_2] = "poisson-2",
+                                                       [EMBED_RADIUS_2] = "radius-2",
+                                                       [EMBED_DENSITY_2] = "density-2",
+                                                       [EMBED_MASS_2] = "mass-2",
+                                                       [EMBED_DISSIPATION_TIME_2] = "dissipation-time-2",
+                                                       [EMBED_BETA] = "beta",
+                                                       [EMBED_AT] = "at",
+                                                       [EMBED_STIFFNESS] = "stiffness",
+                                                       [EMBED_DAMPING_COEFFICIENT] = "damping-coefficient",
+                                                       [EMBED_EFFECTIVE_MASS] = "effective-mass"};
 const char *const embed_purpose_names[] = {
     [PURPOSE_BALANCED] = "balanced", [PURPOSE_SCALAR] = "scalar", [PURPOSE_ARRAY] = "array", NULL};
 const char *const embed_type_names[] = {[EMBED_DOUBLE] = "double", [EMBED_FLOAT] = "float", NULL};
+
+const char *const embed_law_names[] = {[EMBED_VISCOELASTIC] = "viscoelastic",
+                                       [EMBED_LINEAR] = "linear",
+                                       [EMBED_TSUJI] = "tsuji",
+                                       [EMBED_HUNT_CROSSLEY] = "hunt-crossley",
+                                       [EMBED_HERTZ_DASHPOT] = "hertz-dashpot",
+                                       [EMBED_LAWS] = NULL};
 
 bool embed_given(const struct embed_request *request, enum embed_number which)
 {
@@ -76,18 +96,66 @@ static int check_range(const struct embed_request *request)
     return STATUS_OK;
 }
 
-static int check_contact(const struct embed_request *request)
+/* ---- the law ---- */
+
+/* eps of Hunt and Crossley's law is that of beta for every elastic exponent; it has 3/2 here. */
+static const struct {
+    const char *elastic, *damping;
+} exponents[EMBED_LAWS] = {[EMBED_VISCOELASTIC] = {"3/2", "1/2"},
+                           [EMBED_LINEAR] = {"1", "0"},
+                           [EMBED_TSUJI] = {"3/2", "1/4"},
+                           [EMBED_HUNT_CROSSLEY] = {"3/2", "3/2"},
+                           [EMBED_HERTZ_DASHPOT] = {"3/2", "0"}};
+
+int embed_request_law(struct law *law, const struct embed_request *request)
+{
+    const char *const elastic = request->elastic ? request->elastic : exponents[request->law].elastic;
+    const char *const damping = request->damping ? request->damping : exponents[request->law].damping;
+    const char *const wrong = law_parse(law, elastic, damping);
+    return wrong ? usage_error("--elastic %s --damping %s: %s", elastic, damping, wrong) : STATUS_OK;
+}
+
+const char *embed_law_options(char text[EMBED_LAW_OPTIONS], const struct embed_request *request)
+{
+    text[0] = '\0';
+    if (request->elastic || request->damping)
+        snprintf(text, EMBED_LAW_OPTIONS, "%s%s%s%s", request->elastic ? " --elastic " : "",
+                 request->elastic ? request->elastic : "", request->damping ? " --damping " : "",
+                 request->damping ? request->damping : "");
+    else if (request->law != EMBED_VISCOELASTIC)
+        snprintf(text, EMBED_LAW_OPTIONS, " --law %s", embed_law_names[request->law]);
+    return text;
+}
+
+/* Where q = 0 eps is that of the damping ratio alone. */
+static int check_law(const struct law *law)
+{
+    if (!law_is_linear(law))
+        return STATUS_OK;
+    const char *const name = law->b.num == 0 ? "linear" : "tsuji";
+    return usage_error("in the law %s eps is the same at every speed, that of the damping ratio zeta alone: "
+                       "cor_%s_eps_zero_overlap(zeta) and cor_%s_eps_zero_force(zeta) of cor/law.h",
+                       law_equation(law).text, name, name);
+}
+
+/* ---- the contact ---- */
+
+/* The numbers of one way to say how strong the damping is */
+struct contact_way {
+    enum embed_number first, last;
+};
+
+static int given_among(const struct embed_request *request, struct contact_way way)
+{
+    int count = 0;
+    for (enum embed_number number = way.first; number <= way.last; number++)
+        count += embed_given(request, number);
+    return count;
+}
+
+static int check_materials(const struct embed_request *request, const char *rule)
 {
     static const enum embed_number body[] = {EMBED_YOUNG, EMBED_POISSON, EMBED_RADIUS, EMBED_DISSIPATION_TIME};
-    static const char rule[] =
-        "a scene has --g-star, or --young, --poisson, --radius, --dissipation-time and --density or --mass";
-    bool any = request->wall;
-    for (enum embed_number number = EMBED_YOUNG; number < EMBED_NUMBERS; number++)
-        any = any || embed_given(request, number);
-    if (embed_given(request, EMBED_G_STAR))
-        return any ? usage_error("--g-star and materials exclude each other: %s", rule) : STATUS_OK;
-    if (!any)
-        return usage_error("a scene needs a contact: %s", rule);
     for (size_t i = 0; i < sizeof body / sizeof *body; i++)
         if (!embed_given(request, body[i]))
             return usage_error("--%s is missing: %s", embed_number_names[body[i]], rule);
@@ -104,8 +172,46 @@ static int check_contact(const struct embed_request *request)
     return STATUS_OK;
 }
 
+static int check_contact(const struct embed_request *request, const struct law *law)
+{
+    enum { G_STAR, MATERIALS, BETA, FORCE, WAYS };
+    static const struct contact_way way[WAYS] = {[G_STAR] = {EMBED_G_STAR, EMBED_G_STAR},
+                                                 [MATERIALS] = {EMBED_YOUNG, EMBED_DISSIPATION_TIME_2},
+                                                 [BETA] = {EMBED_BETA, EMBED_AT},
+                                                 [FORCE] = {EMBED_STIFFNESS, EMBED_EFFECTIVE_MASS}};
+    static const char *const name[WAYS] = {"--g-star", "materials", "--beta", "--stiffness with --damping-coefficient"};
+    const char *const rule =
+        law_is_sphere(law)
+            ? "a scene has --g-star, or --young, --poisson, --radius, --dissipation-time and --density or --mass, or "
+              "--beta and --at, or --stiffness, --damping-coefficient and --effective-mass"
+            : "a scene of this law has --g-star, or --beta and --at, or --stiffness, --damping-coefficient and "
+              "--effective-mass";
+    int used = WAYS;
+    for (int i = 0; i < WAYS; i++) {
+        if (given_among(request, way[i]) == 0 && !(i == MATERIALS && request->wall))
+            continue;
+        if (used < WAYS)
+            return usage_error("%s and %s exclude each other: %s", name[used], name[i], rule);
+        used = i;
+    }
+    if (used == WAYS)
+        return usage_error("a scene needs a contact: %s", rule);
+    if (used == MATERIALS)
+        return law_is_sphere(law) ? check_materials(request, rule)
+                                  : usage_error("materials make a contact of viscoelastic spheres only: %s", rule);
+    for (enum embed_number number = way[used].first; number <= way[used].last; number++)
+        if (!embed_given(request, number))
+            return usage_error("--%s is missing: %s", embed_number_names[number], rule);
+    return STATUS_OK;
+}
+
 int embed_request_check(const struct embed_request *request)
 {
-    const int status = check_range(request);
-    return status == STATUS_OK ? check_contact(request) : status;
+    struct law law;
+    int status = embed_request_law(&law, request);
+    if (status == STATUS_OK)
+        status = check_law(&law);
+    if (status == STATUS_OK)
+        status = check_range(request);
+    return status == STATUS_OK ? check_contact(request, &law) : status;
 }

@@ -26,6 +26,11 @@ enum embed_number {
     EMBED_DENSITY_2,
     EMBED_MASS_2,
     EMBED_DISSIPATION_TIME_2,
+    EMBED_BETA, /* at the speed EMBED_AT */
+    EMBED_AT,
+    EMBED_STIFFNESS, /* K, C and m of m x'' + C x^b x' + K x^a = 0, SI units */
+    EMBED_DAMPING_COEFFICIENT,
+    EMBED_EFFECTIVE_MASS,
     EMBED_NUMBERS,
     EMBED_BODY = EMBED_YOUNG_2 - EMBED_YOUNG /* number of indices of a body */
 };
@@ -38,13 +43,19 @@ extern const char *const embed_purpose_names[]; /* these two end with NULL */
 enum embed_type { EMBED_DOUBLE, EMBED_FLOAT };
 extern const char *const embed_type_names[];
 
+/* Laws with a name, --law. The exponents of the first are the default of --elastic and --damping. */
+enum embed_law { EMBED_VISCOELASTIC, EMBED_LINEAR, EMBED_TSUJI, EMBED_HUNT_CROSSLEY, EMBED_HERTZ_DASHPOT, EMBED_LAWS };
+extern const char *const embed_law_names[];
+
 struct embed_request {
     struct decimal number[EMBED_NUMBERS]; /* text NULL: not given */
     enum contact_end end;
     enum embed_purpose purpose;
     enum embed_type type;
-    bool wall;        /* body 2 is flat and held fast */
-    const char *name; /* name of the function; NULL: cor_scene_eps */
+    enum embed_law law;            /* by name */
+    const char *elastic, *damping; /* the exponents as written; NULL: those of the name */
+    bool wall;                     /* body 2 is flat and held fast */
+    const char *name;              /* name of the function; NULL: cor_scene_eps */
 };
 
 bool embed_given(const struct embed_request *request, enum embed_number which);
@@ -53,9 +64,17 @@ double embed_number(const struct embed_request *request, enum embed_number which
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 
-/* Checks that the range of speeds and the tolerance suit the type, and that the request gives either g* or complete
- * materials. Returns STATUS_OK, or STATUS_USAGE after a message on stderr. */
+/* Checks that eps of the law depends on the speed, that the range of speeds and the tolerance suit the type, and that the
+ * request gives all numbers of the contact and no contradiction. Returns STATUS_OK, or STATUS_USAGE after a message on
+ * stderr. */
 int embed_request_check(const struct embed_request *request);
+
+/* Sets the law of a request. Returns STATUS_OK, or STATUS_USAGE after a message. */
+int embed_request_law(struct law *law, const struct embed_request *request);
+
+/* " --law tsuji", " --elastic 2 --damping 1/2", or nothing for viscoelastic spheres by default */
+enum { EMBED_LAW_OPTIONS = 192 };
+const char *embed_law_options(char text[EMBED_LAW_OPTIONS], const struct embed_request *request);
 
 /* The number of body 2 if it is given, otherwise that of body 1. A mass of body 2 replaces the density of body 1, and a
  * density the mass. */

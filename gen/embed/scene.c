@@ -79,13 +79,29 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
     /* The interpolant's samples are exact, so the radius covers the rounding errors of this evaluation only. */
 }
 
+void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed)
+{
+    if (law_is_sphere(&s->law))
+        arb_root_ui(beta, speed, 5, EMBED_BITS);
+    else
+        arb_pow_ratio(beta, speed, law_speed_exponent(&s->law), EMBED_BITS);
+    arb_mul(beta, beta, s->beta_per_root, EMBED_BITS);
+}
+
+static enum quantity quantity_of(const struct embed_scene *s)
+{
+    return s->end == END_ZERO_OVERLAP ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE;
+}
+
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
 {
     arb_t beta;
     arb_init(beta);
-    arb_root_ui(beta, speed, 5, EMBED_BITS);
-    arb_mul(beta, beta, s->beta_per_root, EMBED_BITS);
-    eps_of_beta(eps, s, beta);
+    embed_scene_beta(beta, s, speed);
+    if (law_is_sphere(&s->law))
+        eps_of_beta(eps, s, beta);
+    else
+        interpolant_at_beta(eps, s->interpolant, quantity_of(s), beta, EMBED_BITS);
     arb_clear(beta);
 }
 
@@ -126,8 +142,8 @@ static void take_samples(struct embed_scene *s)
     s->slope = 0;
     const slong step = EMBED_SAMPLES / 64;
     for (slong i = step; i < EMBED_SAMPLES; i += step)
-        s->slope = fmax(s->slope, 5 * log(samples->eps[i - step] / samples->eps[i]) /
-                                      log(samples->speed[i] / samples->speed[i - step]));
+        s->slope = fmax(s->slope, fabs(5 * log(samples->eps[i - step] / samples->eps[i]) /
+                                       log(samples->speed[i] / samples->speed[i - step])));
 }
 
 struct limit {
@@ -161,21 +177,54 @@ static int scene_collide(struct embed_scene *s)
     return status == STATUS_OK ? limit.status : status;
 }
 
+/* ---- another law ---- */
+
+/* Relative error of the interpolant at places between its samples */
+#define INTERPOLANT_LIMIT 1e-17
+enum { CHECK_POINTS = 4, ATTEMPTS = 3 };
+
+static int scene_collide_law(struct embed_scene *s)
+{
+    double error = INFINITY;
+    int status = law_layout_init(&s->layout, &s->law);
+    if (status == STATUS_OK && s->end == END_ZERO_OVERLAP && s->beta_max >= s->layout.threshold) {
+        const double q = 1 / (double)law_speed_exponent(&s->law).num * (double)law_speed_exponent(&s->law).den;
+        return usage_error("at zero overlap the bodies part only above %.6g m/s (beta below %.6g); --speed-min is not",
+                           s->speed_min * pow(s->layout.threshold / s->beta_max, q), s->layout.threshold);
+    }
+    if (status == STATUS_OK)
+        law_layout_restrict(&s->layout, quantity_of(s));
+    for (int attempt = 0; status == STATUS_OK && error > INTERPOLANT_LIMIT && attempt < ATTEMPTS; attempt++) {
+        if (attempt > 0) {
+            interpolant_free(s->interpolant); /* while the layout is as it was */
+            law_layout_refine(&s->layout);
+        }
+        s->interpolant = interpolant_new(&s->layout.interpolant, s->beta_min * (1 - 1e-9), s->beta_max * (1 + 1e-9));
+        status = s->interpolant ? interpolant_check(&error, s->interpolant, CHECK_POINTS) : STATUS_FAILED;
+    }
+    if (status == STATUS_OK && error > INTERPOLANT_LIMIT)
+        return fail("the interpolant of the collision is off by %.1e", error);
+    return status == STATUS_OK ? STATUS_OK : STATUS_FAILED;
+}
+
 static int scene_prepare(struct embed_scene *s)
 {
     const double per_root = arf_get_d(arb_midref(s->beta_per_root), ARF_RND_NEAR);
-    s->beta_min = per_root * pow(s->speed_min, 0.2);
-    s->beta_max = per_root * pow(s->speed_max, 0.2);
+    const double q = (double)law_speed_exponent(&s->law).num / (double)law_speed_exponent(&s->law).den;
+    const double slow = per_root * pow(s->speed_min, q), fast = per_root * pow(s->speed_max, q);
+    s->beta_min = fmin(slow, fast);
+    s->beta_max = fmax(slow, fast);
     if (!(s->beta_min > 1e-60 && s->beta_max < 1e60))
         return fail("beta from %.3g to %.3g: no material is like that", s->beta_min, s->beta_max);
-    const int status = scene_collide(s);
+    const int status = law_is_sphere(&s->law) ? scene_collide(s) : scene_collide_law(s);
     if (status != STATUS_OK)
         return status;
     take_samples(s);
-    const double least = s->samples.eps[EMBED_SAMPLES - 1];
+    const bool falls = s->samples.eps[0] > s->samples.eps[EMBED_SAMPLES - 1];
+    const double least = s->samples.eps[falls ? EMBED_SAMPLES - 1 : 0];
     if (!(least > (s->single ? EPS_LEAST_FLOAT : EPS_LEAST)))
-        return fail("eps falls to %.3g at --speed-max, beta = %.3g: too small for a %s", least, s->beta_max,
-                    s->single ? "float" : "double");
+        return fail("eps falls to %.3g at --speed-%s, beta = %.3g: too small for a %s", least, falls ? "max" : "min",
+                    s->beta_max, s->single ? "float" : "double");
     return STATUS_OK;
 }
 
@@ -184,13 +233,15 @@ int embed_scene_init(struct embed_scene *s, const struct embed_request *request)
     *s = (struct embed_scene){.end = request->end, .single = request->type == EMBED_FLOAT};
     arb_init(s->beta_per_root);
     arb_init(s->h_star_5);
-    const int status = embed_request_check(request);
+    int status = embed_request_check(request);
+    if (status == STATUS_OK)
+        status = embed_request_law(&s->law, request);
     if (status != STATUS_OK)
         return status;
     s->speed_min = embed_rounded(s, embed_number(request, EMBED_SPEED_MIN));
     s->speed_max = embed_rounded(s, embed_number(request, EMBED_SPEED_MAX));
     s->tolerance = embed_number(request, EMBED_TOLERANCE);
-    embed_contact_beta_per_root(s->beta_per_root, request, EMBED_BITS);
+    embed_contact_beta_per_root(s->beta_per_root, request, &s->law, EMBED_BITS);
     return scene_prepare(s);
 }
 
@@ -200,4 +251,5 @@ void embed_scene_clear(struct embed_scene *s)
     arb_clear(s->h_star_5);
     free(s->samples.speed);
     interpolant_free(s->interpolant);
+    law_layout_clear(&s->layout);
 }

@@ -3,6 +3,7 @@
 #ifndef COR_GEN_EMBED_SCENE_H
 #define COR_GEN_EMBED_SCENE_H
 
+#include "approximation/law_layout.h"
 #include "embed/request.h"
 
 struct interpolant;
@@ -17,12 +18,14 @@ struct embed_scene {
     enum contact_end end;
     bool single; /* float */
     double speed_min, speed_max, tolerance;
-    arb_t beta_per_root; /* beta = beta_per_root speed^(1/5) */
+    struct law law;
+    arb_t beta_per_root; /* beta = beta_per_root speed^q, q = 1/5 for spheres */
     double beta_min, beta_max;
-    double slope; /* largest |d ln(eps)/d ln(beta)| */
+    double slope; /* largest |d ln(eps)/d ln(speed^(1/5))|; for spheres |d ln(eps)/d ln(beta)| */
     struct embed_samples samples;
     struct interpolant *interpolant;
-    arb_t h_star_5;
+    arb_t h_star_5;           /* spheres */
+    struct law_layout layout; /* of another law's interpolant */
 };
 
 enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320 };
@@ -30,6 +33,9 @@ enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320 };
 /* Returns STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a message on stderr. */
 int embed_scene_init(struct embed_scene *s, const struct embed_request *request);
 void embed_scene_clear(struct embed_scene *s);
+
+/* beta at a speed */
+void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed);
 
 /* eps at a speed in [speed_min, speed_max], as accurate as interpolant.h states */
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed);

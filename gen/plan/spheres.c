@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Viscoelastic spheres: models of eps, from formulas that simulations use to corgen's headers, compared with
- * collisions */
+/* Viscoelastic spheres, or bodies of another law: models of eps, from formulas that simulations use to corgen's
+ * headers, compared with collisions */
 #include <float.h>
 #include <math.h>
 #include <stdatomic.h>
@@ -9,6 +9,8 @@
 
 #include "approximation/pade.h"
 #include "cor/contact.h"
+#include "cor/hertz_dashpot.h"
+#include "cor/law.h"
 #include "cor/sphere.h"
 #include "embed/choose.h"
 #include "enclosure/collision.h"
@@ -25,13 +27,15 @@
 #define TEXT_OF_(x) #x
 #define TEXT_OF(x) TEXT_OF_(x)
 enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, PADE_COEFFICIENTS = 64, ROOT_REFINEMENT = 2, TEXT = 1024 };
+/* half ulps of beta where a caller writes factor * pow(speed, q) */
+#define ROUNDINGS_OF_BETA 2.0
 
 /* Nanoseconds of a call and of a number in a loop, measured once: published formulas and the library by bench/run
  * spheres, the others as in docs/plan.md. */
 static const struct cost {
     double call, loop;
 } cost_published = {14.6, 14.6}, cost_mueller = {12.3, 12.3}, cost_power = {11, 11}, cost_simple = {66, 66},
-  cost_library = {4.4, 2.2}, cost_constant = {0, 0};
+  cost_library = {4.4, 2.2}, cost_constant = {0, 0}, cost_crossley = {32, 19}, cost_function = {17, 17};
 
 struct spheres {
     struct embed_scene scene;
@@ -70,14 +74,14 @@ static double ball_middle(const arb_t x)
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-/* Computes eps for both ends of contact. */
-static int collide_both_ends(double eps[2], const arb_t beta, const arb_t h_star)
+/* Computes eps for both ends of contact. h_star is that of spheres. */
+static int collide_both_ends(double eps[2], const arb_t beta, const struct law *law, const arb_t h_star)
 {
     struct collision c;
     collision_init(&c);
     int status;
-    if (ball_middle(beta) < OVERLAP_FAR) {
-        status = collision_solve(&c, beta, &law_sphere, TRUTH_BITS);
+    if (ball_middle(beta) < OVERLAP_FAR || !law_is_sphere(law)) {
+        status = collision_solve(&c, beta, law, TRUTH_BITS);
     } else {
         status = collision_solve_force(&c, beta, &law_sphere, TRUTH_BITS);
         arb_div(c.eps_zero_overlap, h_star, beta, EMBED_BITS);
@@ -104,10 +108,9 @@ static void find_truth_at(void *context, slong i)
     arb_t beta;
     arb_init(beta);
     arb_set_d(beta, plan->speed[i]);
-    arb_root_ui(beta, beta, 5, EMBED_BITS);
-    arb_mul(beta, beta, truth->spheres->scene.beta_per_root, EMBED_BITS);
+    embed_scene_beta(beta, &truth->spheres->scene, beta);
     double eps[2];
-    if (collide_both_ends(eps, beta, truth->h_star) != STATUS_OK)
+    if (collide_both_ends(eps, beta, &truth->spheres->scene.law, truth->h_star) != STATUS_OK)
         atomic_store(&truth->failed, true);
     plan->at[i] = ball_middle(beta);
     plan->truth[i] = eps[truth->end];
@@ -121,7 +124,7 @@ static int find_truth(struct plan *plan, struct spheres *s, enum contact_end end
     arb_init(truth.h_star);
     s->other = xmalloc((size_t)plan->points * sizeof *s->other);
     int status = STATUS_OK;
-    if (s->scene.beta_max >= OVERLAP_FAR)
+    if (s->scene.beta_max >= OVERLAP_FAR && law_is_sphere(&s->scene.law))
         status = collision_h_star(truth.h_star, TRUTH_BITS);
     if (status == STATUS_OK)
         parallel_for(find_truth_at, &truth, plan->points, "collisions at the points");
@@ -182,6 +185,12 @@ static double eps_header(const struct plan_model *m, double speed, double beta)
     return embed_form_value(m->form, speed, false);
 }
 
+static double speed_exponent(const struct law *law)
+{
+    const struct ratio q = law_speed_exponent(law);
+    return (double)q.num / (double)q.den;
+}
+
 /* Sets values and errors of a model that is a function. */
 static void model_evaluate(const struct plan *plan, struct plan_model *m)
 {
@@ -198,18 +207,19 @@ static double ten_digits(double x)
     return strtod(text, NULL);
 }
 
-static void add_constants(struct plan *plan, const struct embed_request *scene)
+static void add_constants(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
 {
     const slong last = plan->points - 1;
     for (int measured = 0; measured < 2; measured++) {
         const double first = plan->truth[0], end = plan->truth[last];
-        /* eps falls with the speed, so its ends a and b determine the best constant: 2 a b/(a + b) has the smallest
-         * relative error */
+        /* eps falls or rises with the speed, so its ends a and b determine the best constant: 2 a b/(a + b) has the
+         * smallest relative error */
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
         m->number[0] = ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
         m->eps = eps_constant;
         m->cost = cost_for_purpose(scene, cost_constant);
-        m->leaves_out = "that eps falls with the speed";
+        m->leaves_out =
+            speed_exponent(&s->scene.law) < 0 ? "that eps rises with the speed" : "that eps falls with the speed";
         m->use = plan_text("double eps = %.10g;\n", m->number[0]);
         model_evaluate(plan, m);
     }
@@ -217,7 +227,7 @@ static void add_constants(struct plan *plan, const struct embed_request *scene)
 
 /* eps = a g^-b, where b is the slope of ln eps between the ends. a is the best factor, because ln eps is a concave
  * function of ln g. */
-static void add_power_law(struct plan *plan, const struct embed_request *scene)
+static void add_power_law(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
 {
     const slong last = plan->points - 1;
     struct plan_model *m = plan_add(plan, "power law min(1; a speed^-b)");
@@ -232,7 +242,7 @@ static void add_power_law(struct plan *plan, const struct embed_request *scene)
     m->number[1] = ten_digits(b);
     m->eps = eps_power_law;
     m->cost = cost_for_purpose(scene, cost_power);
-    m->leaves_out = "how ln(eps) bends; eps = 1 at rest";
+    m->leaves_out = speed_exponent(&s->scene.law) < 0 ? "how ln(eps) bends" : "how ln(eps) bends; eps = 1 at rest";
     m->use = plan_text("double eps = fmin(1, %.10g * pow(speed, %.10g));\n", m->number[0], -m->number[1]);
     model_evaluate(plan, m);
 }
@@ -362,15 +372,16 @@ static void add_pades(struct plan *plan, struct spheres *s, const struct embed_r
 /* The command line with the options of the scene and a tolerance */
 static char *embed_command(const struct embed_request *scene, const char *tolerance)
 {
-    char line[TEXT] = "";
+    char line[TEXT] = "", law[EMBED_LAW_OPTIONS];
     size_t length = 0;
     for (int i = 0; i < EMBED_NUMBERS; i++)
         if (scene->number[i].text && length < sizeof line)
             length += (size_t)snprintf(line + length, sizeof line - length, " --%s %s", embed_number_names[i],
                                        i == EMBED_TOLERANCE ? tolerance : scene->number[i].text);
-    return plan_text("corgen embed%s%s --end %s --for %s --output cor_scene_eps.h\n"
+    return plan_text("corgen embed%s%s%s --end %s --for %s --output cor_scene_eps.h\n"
                      "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
-                     line, scene->wall ? " --wall" : "", end_option(scene->end), embed_purpose_names[scene->purpose]);
+                     line, scene->wall ? " --wall" : "", embed_law_options(law, scene), end_option(scene->end),
+                     embed_purpose_names[scene->purpose]);
 }
 
 static void add_header(struct plan *plan, struct spheres *s, const struct embed_request *scene, const char *tolerance)
@@ -381,7 +392,7 @@ static void add_header(struct plan *plan, struct spheres *s, const struct embed_
     const struct embed_form *f = &s->form[chosen];
     char size[PLAN_NAME];
     embed_form_size(size, sizeof size, f);
-    struct plan_model *m = plan_add(plan, "header: %s %s", embed_family_name(chosen), size);
+    struct plan_model *m = plan_add(plan, "header: %s %s", embed_family_name(chosen, &s->scene.law), size);
     for (char *c = m->name; *c; c++)
         *c = (char)(*c == ',' ? ';' : *c);
     m->eps = eps_header;
@@ -411,6 +422,39 @@ static void add_library(struct plan *plan, struct spheres *s, const struct embed
     m->use = call_of_beta(scene, call);
 }
 
+/* A function of beta, which the caller makes of the speed: its promise, and what roundings of beta make of eps.
+ * cor_hertz_dashpot_eps_* and cor_hunt_crossley_eps, for other laws the header of corgen law. */
+static void add_function_of_beta(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
+{
+    const struct law *law = &s->scene.law;
+    const bool dashpot = law->a.num == 3 && law->a.den == 2 && law->b.num == 0, crossley = law_is_hunt_crossley(law);
+    const double q = speed_exponent(law), per_beta = s->scene.slope / (5 * fabs(q));
+    const double ulp = dashpot ? COR_HERTZ_DASHPOT_EPS_MAX_ULP : crossley ? COR_LAW_EPS_MAX_ULP : 1;
+    char call[TEXT];
+    if (dashpot)
+        snprintf(call, sizeof call, "cor_hertz_dashpot_eps_%s", end_name(scene->end));
+    else if (crossley)
+        snprintf(call, sizeof call, "cor_hunt_crossley_eps");
+    else
+        snprintf(call, sizeof call, "law_eps_%s", end_name(scene->end));
+    struct plan_model *m = plan_add(plan, dashpot || crossley ? "library: %s" : "corgen law: %s", call);
+    for (slong i = 0; i < plan->points; i++) {
+        m->value[i] = plan->truth[i];
+        m->error[i] = (ulp + per_beta * ROUNDINGS_OF_BETA) * DBL_EPSILON;
+    }
+    m->promised = true;
+    m->cost = cost_for_purpose(scene, crossley ? cost_crossley : cost_function);
+    m->leaves_out = "nothing; good at every speed";
+    char *beta = arb_get_str(s->scene.beta_per_root, 17, ARB_STR_NO_RADIUS);
+    if (dashpot || crossley)
+        m->use = plan_text("#include \"cor/cor.h\"\ndouble eps = %s(%s * pow(speed, %.17g));\n", call, beta, q);
+    else
+        m->use = plan_text("corgen law --elastic %s --damping %s --name law --output law.h\n"
+                           "#include \"law.h\"\ndouble eps = %s(%s * pow(speed, %.17g));\n",
+                           ratio_text(law->a).text, ratio_text(law->b).text, call, beta, q);
+    flint_free(beta);
+}
+
 static void add_other_end(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
 {
     const enum contact_end other = scene->end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
@@ -424,9 +468,15 @@ static void add_other_end(struct plan *plan, const struct spheres *s, const stru
 
 /* ---- the plan ---- */
 
-static char *spheres_title(const struct plan *plan, const struct embed_request *scene)
+static char *spheres_title(const struct plan *plan, const struct embed_request *scene, const struct law *law)
 {
     const slong last = plan->points - 1;
+    if (!law_is_sphere(law))
+        return plan_text("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
+                         law_equation(law).text, scene->number[EMBED_SPEED_MIN].text,
+                         scene->number[EMBED_SPEED_MAX].text,
+                         scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
+                         plan->truth[0], plan->truth[last]);
     return plan_text("Spheres at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
                      scene->number[EMBED_SPEED_MIN].text, scene->number[EMBED_SPEED_MAX].text,
                      scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
@@ -455,16 +505,23 @@ static const char *spheres_note(const struct embed_request *scene)
 static void add_models(struct plan *plan, struct spheres *s, const struct embed_request *scene,
                        const struct embed_series *series, const char *header)
 {
-    plan->title = spheres_title(plan, scene);
+    const struct law *const law = &s->scene.law;
+    plan->title = spheres_title(plan, scene, law);
     plan->remark = plan_wave_remark(scene, plan->speed[plan->points - 1], plan->truth[plan->points - 1]);
-    add_constants(plan, scene);
-    add_power_law(plan, scene);
-    add_published(plan, scene);
-    add_pades(plan, s, scene, series->eps, series->root);
+    add_constants(plan, s, scene);
+    add_power_law(plan, s, scene);
+    if (law_is_sphere(law)) {
+        add_published(plan, scene);
+        add_pades(plan, s, scene, series->eps, series->root);
+    }
     embed_search(s->form, &s->scene, series);
     add_header(plan, s, scene, header);
-    add_library(plan, s, scene);
-    add_other_end(plan, s, scene);
+    if (law_is_sphere(law))
+        add_library(plan, s, scene);
+    else
+        add_function_of_beta(plan, s, scene);
+    if (law_force_ends(law))
+        add_other_end(plan, s, scene);
     plan_choose(plan);
 }
 
@@ -475,7 +532,9 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     struct spheres *s = xmalloc(sizeof *s);
     memset(s, 0, sizeof *s);
     struct embed_series series;
-    embed_series_begin(&series, scene->end);
+    struct law law;
+    embed_request_law(&law, scene); /* has been checked */
+    embed_series_begin(&series, &law, scene->end);
     profile_step("scene, series");
     int status = embed_scene_init(&s->scene, embed);
     if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)

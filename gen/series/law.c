@@ -2,6 +2,7 @@
 #include "series/law.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -178,4 +179,44 @@ void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec)
 void fmpq_set_ratio(fmpq_t y, struct ratio x)
 {
     fmpq_set_si(y, x.num, (ulong)x.den);
+}
+
+struct ratio_text ratio_text(struct ratio x)
+{
+    struct ratio_text t;
+    if (x.den == 1)
+        snprintf(t.text, sizeof t.text, "%ld", (long)x.num);
+    else
+        snprintf(t.text, sizeof t.text, "%ld/%ld", (long)x.num, (long)x.den);
+    return t;
+}
+
+struct ratio_text ratio_power(struct ratio x)
+{
+    const struct ratio_text bare = ratio_text(x);
+    struct ratio_text t;
+    snprintf(t.text, sizeof t.text, x.den == 1 && x.num >= 0 ? "%.40s" : "(%.40s)", bare.text);
+    return t;
+}
+
+/* "x^(3/2)", "sqrt(x)", "x" or "1" */
+static struct ratio_text power_of_overlap(struct ratio e)
+{
+    struct ratio_text t;
+    if (e.num == 0)
+        snprintf(t.text, sizeof t.text, "1");
+    else if (e.num == 1 && e.den <= 2)
+        snprintf(t.text, sizeof t.text, e.den == 1 ? "x" : "sqrt(x)");
+    else
+        snprintf(t.text, sizeof t.text, "x^%.40s", ratio_power(e).text);
+    return t;
+}
+
+struct law_text law_equation(const struct law *law)
+{
+    struct law_text t;
+    const struct ratio_text damping = power_of_overlap(law->b), elastic = power_of_overlap(law->a);
+    snprintf(t.text, sizeof t.text, "x'' + beta %s%sx' + %s = 0", law->b.num == 0 ? "" : damping.text,
+             law->b.num == 0 ? "" : " ", elastic.text);
+    return t;
 }

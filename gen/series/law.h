@@ -67,6 +67,19 @@ double law_forgetting(const struct law *law);
 double law_elastic_time(const struct law *law);
 double law_elastic_radius(const struct law *law);
 
+/* "3/2" or "2"; "(3/2)", "(-1)" or "2" as an exponent */
+struct ratio_text {
+    char text[48];
+};
+struct ratio_text ratio_text(struct ratio x);
+struct ratio_text ratio_power(struct ratio x);
+
+/* "x'' + beta sqrt(x) x' + x^(3/2) = 0" */
+struct law_text {
+    char text[160];
+};
+struct law_text law_equation(const struct law *law);
+
 void arb_set_ratio(arb_t y, struct ratio x, slong prec);
 void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec); /* x > 0 */
 void fmpq_set_ratio(fmpq_t y, struct ratio x);

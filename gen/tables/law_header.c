@@ -321,38 +321,6 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
 
 /* ---- files ---- */
 
-/* "3", or "3/2" */
-static const char *ratio_text(char text[32], struct ratio r)
-{
-    if (r.den == 1)
-        snprintf(text, 32, "%ld", (long)r.num);
-    else
-        snprintf(text, 32, "%ld/%ld", (long)r.num, (long)r.den);
-    return text;
-}
-
-/* "x^(3/2)", "x", or "" for x^0 if another factor follows */
-static const char *power_text(char text[48], struct ratio r, const char *zero)
-{
-    char exponent[32];
-    if (r.num == 0)
-        snprintf(text, 48, "%s", zero);
-    else if (r.num == 1 && r.den == 1)
-        snprintf(text, 48, "x");
-    else
-        snprintf(text, 48, r.den == 1 ? "x^%s" : "x^(%s)", ratio_text(exponent, r));
-    return text;
-}
-
-static const char *equation_text(char text[128], const struct law *law)
-{
-    char a[48], b[48];
-    power_text(b, law->b, "");
-    snprintf(text, 128, "x'' + beta %s%sx' + %s = 0, x(0) = 0, x'(0) = 1", b, *b ? " " : "",
-             power_text(a, law->a, "1"));
-    return text;
-}
-
 static const char accuracy_text[] =
     "eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against\n"
     "enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions "
@@ -372,17 +340,27 @@ static void threshold_text(char text[TEXT_MAX], const struct law_tables *t)
         snprintf(text, TEXT_MAX, "beta = +inf -> eps 0; eps = 0 -> beta +inf.\n");
 }
 
+/* gcc 12 at -O2 leaves a call, and with it a copy of the law's constants in every function: five times the time. */
+static const char always_inline[] =
+    "/* Where a compiler leaves a call between these functions, it copies the law's constants for each result. */\n"
+    "#if !defined(COR_INLINE) && defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)\n"
+    "#include <math.h>\n"
+    "#include <stdint.h>\n"
+    "#include <string.h>\n"
+    "#define COR_INLINE static inline __attribute__((always_inline))\n"
+    "#endif\n";
+
 int law_header_write(FILE *file, const struct law *law, const char *name)
 {
     struct law_tables *t = xmalloc(sizeof *t);
-    char banner[4096], equation[128], guard[TEXT_MAX], text[TEXT_MAX], threshold[TEXT_MAX], a[32], b[32], accuracy[512];
+    char banner[4096], guard[TEXT_MAX], text[TEXT_MAX], threshold[TEXT_MAX], accuracy[512];
     int status = law_tables_init(t, law, name);
     if (status == STATUS_OK) {
         threshold_text(threshold, t);
         snprintf(accuracy, sizeof accuracy, accuracy_text, t->error);
         snprintf(banner, sizeof banner,
                  "%s: restitution coefficient, duration and largest overlap of collisions\n"
-                 "%s,\n"
+                 "%s, x(0) = 0, x'(0) = 1,\n"
                  "both ends of contact, for every beta, as one header to embed.\n"
                  "C99, C++11, CUDA and HIP. Needs sqrt, cbrt, pow, exp, expm1, log and log1p of math.h, memcpy, IEEE "
                  "doubles.\n"
@@ -404,14 +382,15 @@ int law_header_write(FILE *file, const struct law *law, const char *name)
                  "\n"
                  "Written by:  corgen law --elastic %s --damping %s --name %s\n"
                  "Checked by:  the same command, whose output is the same to the byte\n",
-                 name, equation_text(equation, law), name, name, name, name, name, name, name,
-                 law_force_ends(law) ? "" : "; they coincide in this law", threshold, accuracy, ratio_text(a, law->a),
-                 ratio_text(b, law->b), name);
+                 name, law_equation(law).text, name, name, name, name, name, name, name,
+                 law_force_ends(law) ? "" : "; they coincide in this law", threshold, accuracy, ratio_text(law->a).text,
+                 ratio_text(law->b).text, name);
         snprintf(text, sizeof text, "COR_LAW_%s_EMBEDDED_H", name);
         struct emit e;
         emit_open(&e, file, capitals(guard, text), banner);
         e.decimal = true;
-        fprintf(file, "\n%s\n%s\n%s\n%s", evaluator_inline, evaluator_exact, evaluator_row, evaluator_law);
+        fprintf(file, "\n%s\n%s\n%s\n%s\n%s", always_inline, evaluator_inline, evaluator_exact, evaluator_row,
+                evaluator_law);
         status = emit_law(&e, t, name, name);
         emit_close(&e);
     }
@@ -425,13 +404,13 @@ int hertz_dashpot_tables_write(FILE *file, const struct disk_table *none)
     (void)none;
     struct law law;
     struct law_tables *t = xmalloc(sizeof *t);
-    char banner[2048], equation[128], accuracy[512];
+    char banner[2048], accuracy[512];
     const char *const wrong = law_parse(&law, "3/2", "0");
     int status = wrong ? fail("%s", wrong) : law_tables_init(t, &law, "hertz_dashpot");
     if (status == STATUS_OK) {
         snprintf(accuracy, sizeof accuracy, accuracy_text, t->error);
         snprintf(banner, sizeof banner,
-                 "Hertz's contact with a constant dashpot, %s,\n"
+                 "Hertz's contact with a constant dashpot, %s, x(0) = 0, x'(0) = 1,\n"
                  "both ends of contact, for every beta. Evaluated by runtime/core/law_eval.h. Source: "
                  "docs/derivation.md, 9;\n"
                  "form: docs/header-format.md.\n"
@@ -440,7 +419,7 @@ int hertz_dashpot_tables_write(FILE *file, const struct disk_table *none)
                  "Checked by:  corgen tables --check\n"
                  "\n"
                  "Each double is the one nearest to the coefficient beside it: proved. In the functions\n%s",
-                 equation_text(equation, &law), accuracy);
+                 law_equation(&law).text, accuracy);
         struct emit e;
         emit_open(&e, file, "COR_GENERATED_HERTZ_DASHPOT_TABLES_H", banner);
         fprintf(file, "\n#include \"runtime/core/law_eval.h\"\n");

@@ -86,6 +86,25 @@ COR_HERTZ_DASHPOT_DECLARE_(duration_zero_force)
 COR_HERTZ_DASHPOT_DECLARE_(max_overlap)
 COR_HERTZ_DASHPOT_DECLARE_(time_of_max_overlap)
 
+/* ---- Damping while approaching only ----
+ *
+ * The approach is that of the full law and the rebound is elastic, so that with the largest overlap Y
+ *
+ *     eps = sqrt((4/5) Y^(5/2)),     duration = time of the largest overlap + tau_0 eps^(-1/5),     tau_0 = 1.6090...
+ *
+ * The bodies part at every beta. double cor_hertz_dashpot_eps_approach_only(double beta), _loss_, _beta_ (the inverse),
+ * _beta_of_loss_ and _duration_, with the domains of the functions above.
+ * Accuracy: COR_HERTZ_DASHPOT_APPROACH_MAX_ULP. Sampled: tests/table/test_hertz_dashpot.c, against enclosed collisions.
+ * Small beta: 1 - eps tends to 0.89390... beta. Large beta: sqrt(4/5) beta^(-5/4).
+ * Special values: +-0 -> eps 1, loss 0, duration 2 tau_0; +inf -> 0, 1, +inf. eps 1, loss 0 -> beta 0; eps 0,
+ * loss 1 -> +inf; outside the domain and NaN -> NaN. */
+#define COR_HERTZ_DASHPOT_APPROACH_MAX_ULP 2.0
+COR_HERTZ_DASHPOT_DECLARE_(eps_approach_only)
+COR_HERTZ_DASHPOT_DECLARE_(loss_approach_only)
+COR_HERTZ_DASHPOT_DECLARE_(beta_approach_only)
+COR_HERTZ_DASHPOT_DECLARE_(beta_of_loss_approach_only)
+COR_HERTZ_DASHPOT_DECLARE_(duration_approach_only)
+
 #undef COR_HERTZ_DASHPOT_DECLARE_
 
 #ifdef __cplusplus

@@ -547,11 +547,23 @@ COR_INLINE_LAW double cor_inline_law_beta_low(struct cor_inline_law_quantity q, 
     return q.far_kind == 2 ? cor_inline_law_beta_fallen(q, eps) : cor_inline_law_beta_far(q, eps);
 }
 
+/* The round-off of the root of a loss: without this correction beta/loss, which grows with the root, is off by two units
+ * of the last place next to loss = 1/2. A small loss needs none. */
+COR_INLINE_LAW double cor_inline_law_root_rest(double loss, int root)
+{
+    if (root == 1 || loss < 0.00390625)
+        return 0;
+    const double y = cor_inline_root_of(loss, root);
+    const struct cor_inline_pair back = cor_inline_pair_power(cor_inline_pair_of(y, 0), root);
+    return y * (COR_INLINE_KEEP(COR_INLINE_KEEP(loss - back.hi) - back.lo) / (root * back.hi));
+}
+
 /* The same near eps = 1, from the loss 0 <= loss <= 1/2. A tiny loss is scaled, because the halves of the products
  * would be subnormal. */
 COR_INLINE_LAW double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
 {
-    const struct cor_inline_place place = cor_inline_law_near(inverse.near, loss);
+    struct cor_inline_place place = cor_inline_law_near(inverse.near, loss);
+    place.t += cor_inline_law_root_rest(loss, inverse.near.root);
     if (cor_inline_below(loss, COR_INLINE_2_M900))
         return cor_inline_row_product(place, loss * COR_INLINE_2_200) * COR_INLINE_2_M200;
     return cor_inline_row_product(place, loss);

@@ -11,13 +11,13 @@
 #define COR_INLINE static inline __attribute__((always_inline))
 #endif
 
-#include "generated/hertz_dashpot_tables.h"
+#include "runtime/law/hertz_dashpot_approach_only.h"
 
 /* A function of hertz_dashpot.h and its array forms, which compute one number after the other */
-#define HERTZ_DASHPOT_FUNCTION(quantity)                                                                               \
+#define HERTZ_DASHPOT_FUNCTION_OF(quantity, inline_function)                                                           \
     double cor_hertz_dashpot_##quantity(double x)                                                                      \
     {                                                                                                                  \
-        return cor_inline_hertz_dashpot_##quantity(x);                                                                 \
+        return inline_function(x);                                                                                     \
     }                                                                                                                  \
     float cor_hertz_dashpot_##quantity##f(float x)                                                                     \
     {                                                                                                                  \
@@ -34,6 +34,10 @@
             y[i] = cor_hertz_dashpot_##quantity##f(x[i]);                                                              \
     }
 
+#define HERTZ_DASHPOT_FUNCTION(quantity) HERTZ_DASHPOT_FUNCTION_OF(quantity, cor_inline_hertz_dashpot_##quantity)
+#define HERTZ_DASHPOT_APPROACH_ONLY(quantity)                                                                          \
+    HERTZ_DASHPOT_FUNCTION_OF(quantity##_approach_only, dashpot_##quantity##_approach_only)
+
 HERTZ_DASHPOT_FUNCTION(eps_zero_overlap)
 HERTZ_DASHPOT_FUNCTION(eps_zero_force)
 HERTZ_DASHPOT_FUNCTION(loss_zero_overlap)
@@ -46,3 +50,8 @@ HERTZ_DASHPOT_FUNCTION(duration_zero_overlap)
 HERTZ_DASHPOT_FUNCTION(duration_zero_force)
 HERTZ_DASHPOT_FUNCTION(max_overlap)
 HERTZ_DASHPOT_FUNCTION(time_of_max_overlap)
+HERTZ_DASHPOT_APPROACH_ONLY(eps)
+HERTZ_DASHPOT_APPROACH_ONLY(loss)
+HERTZ_DASHPOT_APPROACH_ONLY(beta)
+HERTZ_DASHPOT_APPROACH_ONLY(beta_of_loss)
+HERTZ_DASHPOT_APPROACH_ONLY(duration)

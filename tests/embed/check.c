@@ -48,9 +48,12 @@ int main(void)
     if (!(worst <= TOLERANCE))
         return 1;
 
-    const double first = (double)FUNCTION((REAL)low), last = (double)FUNCTION((REAL)high);
+    /* volatile, for a compiler may fuse products where it computes constants and not in the program */
+    const volatile REAL ends[] = {(REAL)low, (REAL)high};
+    const double first = (double)FUNCTION(ends[0]), last = (double)FUNCTION(ends[1]);
     const REAL infinity = (REAL)INFINITY, nan = (REAL)NAN; /* casts, for NAN is a float */
-    const REAL below[] = {0, -(REAL)0.0, (REAL)(low / 2), (REAL)(low / 1e30)}, above[] = {(REAL)(high * 2), infinity};
+    const volatile REAL below[] = {0, -(REAL)0.0, (REAL)(low / 2), (REAL)(low / 1e30)},
+                        above[] = {(REAL)(high * 2), infinity};
     for (int i = 0; i < 4; i++)
         if ((double)FUNCTION(below[i]) != first)
             return wrong("below", (double)below[i], (double)FUNCTION(below[i]), first);

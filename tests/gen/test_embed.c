@@ -14,6 +14,7 @@
 
 #include "check.h"
 #include "embed/choose.h"
+#include "embed/contact.h"
 #include "embed/fit.h"
 #include "enclosure/collision.h"
 
@@ -52,9 +53,9 @@ static double solved(const struct embed_scene *s, double speed)
     collision_init(&c);
     arb_init(beta);
     arb_set_d(beta, speed);
-    arb_root_ui(beta, beta, 5, EMBED_BITS);
+    arb_pow_ratio(beta, beta, law_speed_exponent(&s->law), EMBED_BITS);
     arb_mul(beta, beta, s->beta_per_root, EMBED_BITS);
-    assert_int_equal(collision_solve(&c, beta, &law_sphere, 64), 0);
+    assert_int_equal(collision_solve(&c, beta, &s->law, 64), 0);
     const double eps = middle(s->end == END_ZERO_OVERLAP ? c.eps_zero_overlap : c.eps_zero_force);
     arb_clear(beta);
     collision_clear(&c);
@@ -78,6 +79,33 @@ static void check_form(const struct embed_form *f, const struct embed_scene *s)
     assert_true(isnan(embed_form_value(f, -1, false)) && isnan(embed_form_value(f, NAN, false)));
 }
 
+/* All forms of a scene; returns how many families have a member. */
+static int check_scene(const struct embed_request *request)
+{
+    struct embed_scene s;
+    struct embed_series series;
+    struct embed_form form[FAMILIES];
+    assert_int_equal(embed_scene_init(&s, request), STATUS_OK);
+    embed_series_begin(&series, &s.law, request->end);
+    assert_int_equal(embed_series_end(&series), STATUS_OK);
+    embed_search(form, &s, &series);
+    embed_series_clear(&series);
+    int found = 0;
+    for (int k = 0; k < FAMILIES; k++) {
+        if (form[k].found)
+            check_form(&form[k], &s);
+        else
+            assert_true(form[k].why[0] != '\0');
+        found += form[k].found;
+    }
+    for (int purpose = PURPOSE_BALANCED; purpose <= PURPOSE_ARRAY; purpose++)
+        assert_true(form[embed_choose(form, (enum embed_purpose)purpose)].found);
+    for (int k = 0; k < FAMILIES; k++)
+        embed_form_clear(&form[k]);
+    embed_scene_clear(&s);
+    return found;
+}
+
 /* Every family over scenes of both ends, several tolerances and both types. */
 static void test_scenes(void **state)
 {
@@ -97,28 +125,75 @@ static void test_scenes(void **state)
             continue;
         struct embed_request request = scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
         request.type = scenes[i].single ? EMBED_FLOAT : EMBED_DOUBLE;
-        struct embed_scene s;
-        struct embed_series series;
-        struct embed_form form[FAMILIES];
-        assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
-        embed_series_begin(&series, request.end);
-        assert_int_equal(embed_series_end(&series), STATUS_OK);
-        embed_search(form, &s, &series);
-        embed_series_clear(&series);
-        int found = 0;
-        for (int k = 0; k < FAMILIES; k++) {
-            if (form[k].found)
-                check_form(&form[k], &s);
-            else
-                assert_true(form[k].why[0] != '\0');
-            found += form[k].found;
-        }
-        assert_true(found >= scenes[i].least);
-        for (int purpose = PURPOSE_BALANCED; purpose <= PURPOSE_ARRAY; purpose++)
-            assert_true(form[embed_choose(form, (enum embed_purpose)purpose)].found);
-        for (int k = 0; k < FAMILIES; k++)
-            embed_form_clear(&form[k]);
-        embed_scene_clear(&s);
+        assert_true(check_scene(&request) >= scenes[i].least);
+        request_clear(&request);
+    }
+}
+
+/* Scenes of other laws: q of both signs, the rows below the threshold, beyond all rows, ends that coincide. The families
+ * of a series are of spheres. */
+static void test_laws(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *elastic, *damping, *min, *max, *tolerance, *beta;
+        enum contact_end end;
+    } scenes[] = {
+        {"3/2", "0", "0.02", "10", "1e-6", "0.5", END_ZERO_OVERLAP},    /* beta up to 1.093; beta_c = 1.128 */
+        {"3/2", "0", "1e-50", "1e-46", "1e-12", "0.5", END_ZERO_FORCE}, /* beta from 7.9e8 */
+        {"1", "2", "0.1", "2", "1e-3", "1", END_ZERO_FORCE},
+        /* in long runs only */
+        {"3/2", "0", "1e-3", "10", "1e-9", "0.5", END_ZERO_FORCE},
+        {"3/2", "3/2", "1e-3", "1e2", "1e-6", "1", END_ZERO_FORCE},
+        {"1", "1/2", "1e2", "1e4", "1e-10", "1", END_ZERO_OVERLAP}, /* beta from 10: a power of the speed */
+    };
+    const size_t count = getenv("COR_TEST_MULTIPLIER") ? sizeof scenes / sizeof *scenes : 3;
+    for (size_t i = 0; i < count; i++) {
+        struct embed_request request = scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
+        decimal_clear(&request.number[EMBED_G_STAR]);
+        decimal_set(&request.number[EMBED_BETA], scenes[i].beta);
+        decimal_set(&request.number[EMBED_AT], "1");
+        request.elastic = scenes[i].elastic;
+        request.damping = scenes[i].damping;
+        const int found = check_scene(&request);
+        assert_true(found >= 4 && found <= FAMILIES - 3);
+        request_clear(&request);
+    }
+}
+
+/* Three ways to the same beta of a law: beta at a speed, the coefficients of the force, g* by C_1 of the law. */
+static void test_ways(void **state)
+{
+    (void)state;
+    static const struct {
+        enum embed_law law;
+        double a, b, c_1;
+    } laws[] = {{EMBED_VISCOELASTIC, 1.5, 0.5, 1.153449},
+                {EMBED_HERTZ_DASHPOT, 1.5, 0, 1.787814144288357},
+                {EMBED_HUNT_CROSSLEY, 1.5, 1.5, 2 / 3.0}};
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
+        struct embed_request request = scene_request("1", "2", "1e-3", END_ZERO_OVERLAP);
+        const double a = laws[i].a, b = laws[i].b, q = (2 * b - a + 1) / (a + 1);
+        request.law = laws[i].law;
+        struct law law;
+        arb_t beta;
+        arb_init(beta);
+        assert_int_equal(embed_request_law(&law, &request), STATUS_OK);
+        embed_contact_beta_per_root(beta, &request, &law, 128); /* g* = 0.2: |C_1| beta(0.2) = 1 */
+        assert_near(middle(beta) * pow(0.2, q) * laws[i].c_1, 1, 1e-6);
+        decimal_clear(&request.number[EMBED_G_STAR]);
+        decimal_set(&request.number[EMBED_STIFFNESS], "2000");
+        decimal_set(&request.number[EMBED_DAMPING_COEFFICIENT], "3");
+        decimal_set(&request.number[EMBED_EFFECTIVE_MASS], "0.5");
+        embed_contact_beta_per_root(beta, &request, &law, 128);
+        assert_near(middle(beta), 6 * pow(0.5 / 2000, (b + 1) / (a + 1)), 1e-14);
+        for (int k = EMBED_STIFFNESS; k <= EMBED_EFFECTIVE_MASS; k++)
+            decimal_clear(&request.number[k]);
+        decimal_set(&request.number[EMBED_BETA], "0.3");
+        decimal_set(&request.number[EMBED_AT], "32");
+        embed_contact_beta_per_root(beta, &request, &law, 128);
+        assert_near(middle(beta), 0.3 * pow(32, -q), 1e-14);
+        arb_clear(beta);
         request_clear(&request);
     }
 }
@@ -252,8 +327,9 @@ static void test_fit(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_choice), cmocka_unit_test(test_counts), cmocka_unit_test(test_root),
-        cmocka_unit_test(test_fit),    cmocka_unit_test(test_scenes), cmocka_unit_test(test_materials),
+        cmocka_unit_test(test_choice), cmocka_unit_test(test_counts),    cmocka_unit_test(test_root),
+        cmocka_unit_test(test_fit),    cmocka_unit_test(test_scenes),    cmocka_unit_test(test_laws),
+        cmocka_unit_test(test_ways),   cmocka_unit_test(test_materials),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

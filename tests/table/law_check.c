@@ -39,7 +39,7 @@ static void case_init(struct law_case *c, const struct law_functions *f)
     arb_clear(height);
 }
 
-static double error_in_ulp(double computed, const arb_t exact)
+double law_error_in_ulp(double computed, const arb_t exact)
 {
     if (!arb_is_finite(exact))
         return isinf(computed) ? 0 : HUGE_VAL;
@@ -65,7 +65,7 @@ static double error_in_ulp(double computed, const arb_t exact)
 
 static void note(struct law_case *c, int end, int what, double computed, const arb_t exact, double at)
 {
-    const double error = error_in_ulp(computed, exact);
+    const double error = law_error_in_ulp(computed, exact);
     const bool first = what == CHECK_EPS || what == CHECK_LOSS || what == CHECK_MAX_OVERLAP;
     if (!(error <= c->worst.ulp[end][what])) {
         c->worst.ulp[end][what] = error;

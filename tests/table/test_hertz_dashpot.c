@@ -4,6 +4,7 @@
 
 #include "../unit/check.h"
 #include "cor/hertz_dashpot.h"
+#include "enclosure/collision.h"
 
 static const struct law_functions functions = LAW_FUNCTIONS(
     "hertz_dashpot", "3/2", "0", cor_hertz_dashpot, COR_HERTZ_DASHPOT_EPS_MAX_ULP, COR_HERTZ_DASHPOT_TIME_MAX_ULP);
@@ -41,11 +42,123 @@ static void test_round_trip(void **state)
     law_check_round_trip(&functions, points(20000));
 }
 
+/* eps, 1 - eps and the duration with damping while approaching only, by an enclosed largest overlap */
+struct approach {
+    arb_t eps, loss, duration;
+};
+
+static void approach_init(struct approach *a)
+{
+    arb_init(a->eps);
+    arb_init(a->loss);
+    arb_init(a->duration);
+}
+
+static void approach_clear(struct approach *a)
+{
+    arb_clear(a->eps);
+    arb_clear(a->loss);
+    arb_clear(a->duration);
+}
+
+enum { APPROACH_BITS = 160 };
+
+static void approach_set(struct approach *a, double beta)
+{
+    struct law law;
+    struct collision c, elastic;
+    arb_t x;
+    assert_null(law_parse(&law, "3/2", "0"));
+    collision_init(&c);
+    collision_init(&elastic);
+    arb_init(x);
+    arb_set_d(x, beta);
+    assert_int_equal(collision_solve_force(&c, x, &law, APPROACH_BITS), 0);
+    arb_zero(x);
+    assert_int_equal(collision_solve(&elastic, x, &law, APPROACH_BITS), 0);
+    arb_pow_ratio(a->eps, c.x_max, ratio_make(5, 4), APPROACH_BITS);
+    arb_set_ratio(x, ratio_make(4, 5), APPROACH_BITS);
+    arb_sqrt(x, x, APPROACH_BITS);
+    arb_mul(a->eps, a->eps, x, APPROACH_BITS);
+    arb_sub_ui(a->loss, a->eps, 1, APPROACH_BITS);
+    arb_neg(a->loss, a->loss);
+    arb_pow_ratio(x, a->eps, ratio_make(-1, 5), APPROACH_BITS);
+    arb_mul(x, x, elastic.t_max, APPROACH_BITS);
+    arb_add(a->duration, c.t_max, x, APPROACH_BITS);
+    collision_clear(&c);
+    collision_clear(&elastic);
+    arb_clear(x);
+}
+
+static double moved(double x, int ulp)
+{
+    for (; ulp > 0; ulp--)
+        x = nextafter(x, INFINITY);
+    for (; ulp < 0; ulp++)
+        x = nextafter(x, 0);
+    return x;
+}
+
+/* The beta of this eps lies within the bound of `beta`, for eps falls: eps as an exact number. */
+static void check_approach_inverse(double beta, const arb_t eps, const char *what)
+{
+    struct approach at;
+    approach_init(&at);
+    approach_set(&at, moved(beta, -(int)COR_HERTZ_DASHPOT_APPROACH_MAX_ULP));
+    check(arb_ge(at.eps, eps), "%s: %.17g is too large", what, beta);
+    approach_set(&at, moved(beta, (int)COR_HERTZ_DASHPOT_APPROACH_MAX_ULP));
+    check(arb_le(at.eps, eps), "%s: %.17g is too small", what, beta);
+    approach_clear(&at);
+}
+
+static void check_approach(double worst[3], double beta, bool inverse)
+{
+    struct approach a;
+    arb_t x;
+    approach_init(&a);
+    arb_init(x);
+    approach_set(&a, beta);
+    const double eps = cor_hertz_dashpot_eps_approach_only(beta), loss = cor_hertz_dashpot_loss_approach_only(beta);
+    const double error[] = {law_error_in_ulp(eps, a.eps), law_error_in_ulp(loss, a.loss),
+                            law_error_in_ulp(cor_hertz_dashpot_duration_approach_only(beta), a.duration)};
+    for (int k = 0; k < 3; k++) {
+        check(error[k] <= COR_HERTZ_DASHPOT_APPROACH_MAX_ULP, "quantity %d at %.17g: %.3f ulp", k, beta, error[k]);
+        worst[k] = fmax(worst[k], error[k]);
+    }
+    if (inverse) {
+        arb_set_d(x, loss);
+        arb_sub_ui(x, x, 1, APPROACH_BITS);
+        arb_neg(x, x);
+        check_approach_inverse(cor_hertz_dashpot_beta_of_loss_approach_only(loss), x, "of loss");
+        arb_set_d(x, eps);
+        if (eps < 1)
+            check_approach_inverse(cor_hertz_dashpot_beta_approach_only(eps), x, "of eps");
+    }
+    approach_clear(&a);
+    arb_clear(x);
+}
+
+/* Random beta, and the places where the series, the near rows, the octaves and the tail meet */
+static void test_approach_only(void **state)
+{
+    (void)state;
+    static const double borders[] = {0.0625, 0.125, 8};
+    struct random_state r = random_start();
+    double worst[3] = {0};
+    const size_t n = points(16);
+    for (size_t i = 0; i < n; i++)
+        check_approach(worst, i % 2 ? random_uniform(&r, 0, 3) : random_log(&r, 1e-12, 1e15), i % 4 < 2);
+    for (size_t i = 0; i < sizeof borders / sizeof *borders; i++)
+        for (int ulp = -1; ulp <= 1; ulp += 2)
+            check_approach(worst, moved(borders[i], ulp), false);
+    print_message("approach only: eps %.3f, loss %.3f, duration %.3f ulp at the worst\n", worst[0], worst[1], worst[2]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bounds),  cmocka_unit_test(test_special),    cmocka_unit_test(test_random),
-        cmocka_unit_test(test_borders), cmocka_unit_test(test_round_trip),
+        cmocka_unit_test(test_borders), cmocka_unit_test(test_round_trip), cmocka_unit_test(test_approach_only),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -29,6 +29,8 @@ static void test_known_values(void **state)
         {cor_hertz_dashpot_duration_zero_overlap, 0.5, 3.674312264397680617L},
         {cor_hertz_dashpot_duration_zero_force, 0.5, 2.782528143330340519L},
         {cor_hertz_dashpot_max_overlap, 0.5, 0.791261564952323956L},
+        {cor_hertz_dashpot_eps_approach_only, 0.5, 0.667490488913183823L},
+        {cor_hertz_dashpot_beta_approach_only, 0.667490488913183823, 0.5},
         {cor_hertz_dashpot_eps_zero_overlap, 1, 0.041320343494337112L},
         {cor_hertz_dashpot_eps_zero_force, 1, 0.251843353467950750L},
         {cor_hertz_dashpot_eps_zero_force, 5, 0.015357698164110697L},
@@ -67,7 +69,12 @@ static void test_threshold(void **state)
     FUNCTION(duration_zero_overlap)                                                                                    \
     FUNCTION(duration_zero_force)                                                                                      \
     FUNCTION(max_overlap)                                                                                              \
-    FUNCTION(time_of_max_overlap)
+    FUNCTION(time_of_max_overlap)                                                                                      \
+    FUNCTION(eps_approach_only)                                                                                        \
+    FUNCTION(loss_approach_only)                                                                                       \
+    FUNCTION(beta_approach_only)                                                                                       \
+    FUNCTION(beta_of_loss_approach_only)                                                                               \
+    FUNCTION(duration_approach_only)
 
 /* Arrays have the scalar's bits, in place too, and floats are doubles rounded once. */
 static void test_arrays_and_floats(void **state)
@@ -173,11 +180,57 @@ static void test_no_steps(void **state)
     }
 }
 
+/* Special values, the ends of the doubles, and eps -> beta -> eps over all sizes of eps and of 1 - eps */
+static void test_approach_only(void **state)
+{
+    (void)state;
+    assert_true(cor_hertz_dashpot_eps_approach_only(0) == 1 && cor_hertz_dashpot_eps_approach_only(-0.0) == 1);
+    assert_true(cor_hertz_dashpot_eps_approach_only(INFINITY) == 0 &&
+                cor_hertz_dashpot_loss_approach_only(INFINITY) == 1);
+    assert_true(cor_hertz_dashpot_loss_approach_only(0) == 0 &&
+                isinf(cor_hertz_dashpot_duration_approach_only(INFINITY)));
+    assert_true(cor_hertz_dashpot_beta_approach_only(1) == 0 && isinf(cor_hertz_dashpot_beta_approach_only(0)));
+    assert_true(cor_hertz_dashpot_beta_of_loss_approach_only(0) == 0 &&
+                isinf(cor_hertz_dashpot_beta_of_loss_approach_only(1)));
+    dashpot_function *const of_beta[] = {cor_hertz_dashpot_eps_approach_only, cor_hertz_dashpot_loss_approach_only,
+                                         cor_hertz_dashpot_duration_approach_only},
+                            *const inverse[] = {cor_hertz_dashpot_beta_approach_only,
+                                                cor_hertz_dashpot_beta_of_loss_approach_only};
+    for (int i = 0; i < 3; i++)
+        assert_true(isnan(of_beta[i](-1e-300)) && isnan(of_beta[i](NAN)) && isnan(of_beta[i](-INFINITY)));
+    for (int i = 0; i < 2; i++)
+        assert_true(isnan(inverse[i](-1e-300)) && isnan(inverse[i](1.5)) && isnan(inverse[i](NAN)));
+    check(relative_error(cor_hertz_dashpot_duration_approach_only(0), 3.21806545971904308454L) < 3e-16, "elastic");
+    check(relative_error(cor_hertz_dashpot_loss_approach_only(1e-300), 8.93907072144178638e-301L) < 3e-16, "tiny beta");
+    /* the series meets the rows */
+    check(relative_error(cor_hertz_dashpot_loss_approach_only(nextafter(0.0625, 0)),
+                         (long double)cor_hertz_dashpot_loss_approach_only(0.0625)) < 1e-15,
+          "beta = 1/16");
+    /* sqrt(4/5) beta^(-5/4), (1 + (5/4) ln(beta) beta^-5/2...) is nothing there; a subnormal eps */
+    check(relative_error(cor_hertz_dashpot_eps_approach_only(1e200), 8.94427190999915878564e-251L) < 3e-16,
+          "large beta");
+    check(fabs(cor_hertz_dashpot_eps_approach_only(1e256) - 8.9442719099991588e-321) <= 1e-323, "a subnormal eps");
+    assert_true(cor_hertz_dashpot_eps_approach_only(DBL_MAX) == 0);
+    check(relative_error(cor_hertz_dashpot_duration_approach_only(1e200),
+                         1.60903272985952150442L * powl(0.8L, -0.1L) * 1e50L) < 4e-16,
+          "a long rebound");
+    struct random_state r = random_start();
+    for (size_t i = 0; i < points(20000); i++) {
+        const double e = random_log(&r, 1e-300, 1), loss = random_log(&r, 1e-300, 1);
+        const double back = cor_hertz_dashpot_eps_approach_only(cor_hertz_dashpot_beta_approach_only(e));
+        check(relative_error(back, (long double)e) < 1e-15, "eps %.17g comes back as %.17g", e, back);
+        const double again = cor_hertz_dashpot_loss_approach_only(cor_hertz_dashpot_beta_of_loss_approach_only(loss));
+        check(relative_error(again, (long double)loss) < 1e-15, "loss %.17g comes back as %.17g", loss, again);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known_values), cmocka_unit_test(test_threshold), cmocka_unit_test(test_monotone),
-        cmocka_unit_test(test_round_trip),   cmocka_unit_test(test_no_steps),  cmocka_unit_test(test_arrays_and_floats),
+        cmocka_unit_test(test_known_values),      cmocka_unit_test(test_approach_only),
+        cmocka_unit_test(test_threshold),         cmocka_unit_test(test_monotone),
+        cmocka_unit_test(test_round_trip),        cmocka_unit_test(test_no_steps),
+        cmocka_unit_test(test_arrays_and_floats),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
