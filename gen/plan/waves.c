@@ -27,7 +27,7 @@ static double number_of(const struct embed_request *scene, enum embed_number whi
 
 double plan_wave_loss(const struct embed_request *scene, double speed)
 {
-    if (!scene->wall || !embed_given(scene, EMBED_YOUNG))
+    if (!scene->wall || embed_given(scene, EMBED_G_STAR) || !embed_given(scene, EMBED_YOUNG))
         return (double)NAN;
     const double pi = acos(-1), radius = number_of(scene, EMBED_RADIUS, 1), volume = 4 * pi / 3 * pow(radius, 3);
     const double mass =
