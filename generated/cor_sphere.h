@@ -26,7 +26,7 @@
 #ifndef COR_SPHERE_EMBEDDED_H
 #define COR_SPHERE_EMBEDDED_H
 
-/* What a function needs to be compiled into its caller by C99, C++11, CUDA and HIP. */
+/* The includes and the attribute with which C99, C++11, CUDA and HIP compile a function into its caller. */
 #ifndef COR_INLINE
 
 #if defined(__CUDACC__) || defined(__HIPCC__)
@@ -41,16 +41,16 @@
 
 #endif
 
-/* Bits of doubles, and sums and products that keep their rounding errors.
+/* Bits of doubles, and sums and products with their rounding errors.
  *
- * Arguments are classified by their bits, as whole numbers: comparisons of floating point raise FE_INVALID for a NaN,
- * and -ffinite-math-only lets a compiler assume that there is none. Factors are split by masking bits, not by
- * Veltkamp's multiplication, so that the results stay right where a compiler fuses multiplications with additions. */
+ * The functions classify arguments by their bits, as integers. Floating-point comparisons raise FE_INVALID for a NaN,
+ * and -ffinite-math-only lets a compiler assume that no NaN occurs. A bit mask splits a factor. Veltkamp's
+ * multiplication would give wrong results where a compiler fuses multiplications with additions. */
 #ifndef COR_RUNTIME_EXACT_H
 #define COR_RUNTIME_EXACT_H
 
 
-/* Powers of two; hexadecimal constants would be C++17. */
+/* Powers of two, in decimal because hexadecimal constants need C++17. */
 #define COR_INLINE_2_M900 1.18305218616677471e-271
 #define COR_INLINE_2_M500 3.05493636349960468e-151
 #define COR_INLINE_2_M300 4.90909346529772656e-91
@@ -69,7 +69,7 @@
 #define COR_INLINE_2_964 1.55925024182399985e+290
 #define COR_INLINE_2_1000 1.07150860718626732e+301
 
-/* A value that -ffast-math must not rearrange: without it (a + b) - a becomes b. */
+/* Keeps -ffast-math from rearranging a value: otherwise (a + b) - a becomes b. */
 #if defined(__has_builtin) && !defined(__CUDACC__) && !defined(__HIPCC__)
 #if __has_builtin(__builtin_assoc_barrier)
 #define COR_INLINE_KEEP(x) __builtin_assoc_barrier(x)
@@ -95,13 +95,15 @@ COR_INLINE double cor_inline_from_bits(uint64_t bits)
     return x;
 }
 
-/* 0 <= x < end, not for -0 and NaN. Bits of nonnegative doubles have their order, those of negative ones are larger. */
+/* Whether 0 <= x < end; false for -0 and NaN. The bits of nonnegative doubles, read as integers, have the order of the
+ * doubles. The bits of negative doubles are larger. */
 COR_INLINE int cor_inline_below(double x, double end)
 {
     return cor_inline_bits(x) < cor_inline_bits(end);
 }
 
-/* least <= x < end; not for NaN. Of negative numbers and of those below `least` the difference is huge. */
+/* Whether least <= x < end; false for NaN. The unsigned difference is huge for negative numbers and for numbers below
+ * `least`. */
 COR_INLINE int cor_inline_between(double x, double least, double end)
 {
     return cor_inline_bits(x) - cor_inline_bits(least) < cor_inline_bits(end) - cor_inline_bits(least);
@@ -150,7 +152,7 @@ COR_INLINE int cor_inline_is_refused(double x)
     return cor_inline_bits(x) > COR_INLINE_INFINITY_BITS && cor_inline_bits(x) != COR_INLINE_SIGN_BIT;
 }
 
-/* The number that `choice` chooses, by bits: a processor mispredicts half of the jumps where arguments scatter. */
+/* if_true or if_false, selected by bits. A processor would mispredict half of the jumps for scattered arguments. */
 COR_INLINE double cor_inline_choose(int choice, double if_true, double if_false)
 {
     const uint64_t mask = (uint64_t)0 - (uint64_t)(choice != 0);
@@ -163,7 +165,7 @@ COR_INLINE double cor_inline_power_of_two(int k)
     return cor_inline_from_bits((uint64_t)(1023 + k) << 52);
 }
 
-/* x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once: ldexp without its errno */
+/* x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once. Unlike ldexp, this function does not set errno. */
 COR_INLINE double cor_inline_scaled(double x, int k)
 {
     if (k >= -960)
@@ -179,12 +181,12 @@ COR_INLINE double cor_inline_head(double x)
     return cor_inline_from_bits(cor_inline_bits(x) & UINT64_C(0xfffffffff8000000));
 }
 
-/* hi + lo, not added up; |lo| is of the order of hi's last place */
+/* The unevaluated sum hi + lo; |lo| is of the order of hi's last place. */
 struct cor_inline_pair {
     double hi, lo;
 };
 
-/* hi + lo, exactly where |hi| >= |lo| */
+/* hi + lo as a pair, exact where |hi| >= |lo| */
 COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
 {
     struct cor_inline_pair sum;
@@ -193,7 +195,7 @@ COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
     return sum;
 }
 
-/* x y to 2^-104, where nothing underflows */
+/* x y with relative error 2^-104, if nothing underflows */
 COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
 {
     const double xh = cor_inline_head(x), xl = x - xh, yh = cor_inline_head(y), yl = y - yh;
@@ -203,7 +205,7 @@ COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
     return product;
 }
 
-/* Relative error of the next two: a few 2^-104 */
+/* The relative error of the next two functions is a few 2^-104. */
 COR_INLINE struct cor_inline_pair cor_inline_pair_times(struct cor_inline_pair x, struct cor_inline_pair y)
 {
     const struct cor_inline_pair p = cor_inline_product(x.hi, y.hi);
@@ -219,12 +221,12 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_over(struct cor_inline_pair x,
 
 #endif
 
-/* x^(1/5) without pow, branches or table, so that a loop over it vectorises. */
+/* x^(1/5) without pow, branches or a table, so that compilers vectorise loops over it. */
 #ifndef COR_RUNTIME_FIFTH_ROOT_H
 #define COR_RUNTIME_FIFTH_ROOT_H
 
 
-/* (1 + d)^(1/5) - 1 up to d^4, |d| < 4e-4: the next term is below 2^-59. */
+/* (1 + d)^(1/5) - 1 up to d^4 for |d| < 4e-4; the next term is below 2^-59. */
 COR_INLINE double cor_inline_fifth_root_rest(double d)
 {
     return d * ((0.2 - 0.08 * d) + (d * d) * (0.048 - 0.0336 * d));
@@ -234,19 +236,19 @@ COR_INLINE double cor_inline_fifth_root_rest(double d)
  * sum, before it is rounded: 0.5 2^-53, measured in tests/unit/test_fifth_root.c. */
 COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
 {
-    /* A fifth of the exponent and of the fraction, taken from the bits as one whole number: within 3.4 %.
-     * 2^52 + n as a double holds the whole number n in its low bits. */
+    /* The bits as one integer, divided by five, give a fifth of the exponent and of the fraction: the seed is within
+     * 3.4 %. The double 2^52 + n holds the integer n in its low bits. */
     const double two52 = 4503599627370496.0;
     const uint64_t top = (cor_inline_bits(x) >> 32) | UINT64_C(0x4330000000000000);
     const double fifth = cor_inline_from_bits(top) * 0.2 + (0.8 * two52 + 858116000.0);
     const double seed = cor_inline_from_bits(cor_inline_bits(fifth) << 32);
 
-    /* Halley's step for r^5 = x: the relative error becomes twice its cube, 8e-5. */
+    /* A step of Halley's method for r^5 = x turns the relative error e into 2 e^3, 8e-5 here. */
     const double seed2 = seed * seed, seed5 = seed2 * seed2 * seed;
     const double halley = seed + seed * COR_INLINE_KEEP((x - seed5) / (2 * x + 3 * seed5));
 
-    /* Cut to 26 bits, r^2 is exact, and r^5 is off by two roundings, of which a fifth reaches the root. x - r^5 is
-     * exact. */
+    /* With r cut to 26 bits, r^2 is exact, and r^5 has two rounding errors, of which a fifth reaches the root. x - r^5
+     * is exact. */
     const double r = cor_inline_head(halley), r2 = r * r, r5 = COR_INLINE_KEEP(r2 * r2 * r);
     struct cor_inline_pair root;
     root.hi = r;
@@ -254,7 +256,7 @@ COR_INLINE struct cor_inline_pair cor_inline_fifth_root_parts(double x)
     return root;
 }
 
-/* The same of a pair; relative error below 2^-58: r^5 and the difference are pairs too. */
+/* The fifth root of a pair; relative error below 2^-58, because r^5 and the difference are pairs too. */
 COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inline_pair x)
 {
     struct cor_inline_pair root = cor_inline_fifth_root_parts(x.hi), r, r5;
@@ -266,14 +268,14 @@ COR_INLINE struct cor_inline_pair cor_inline_fifth_root_of_pair(struct cor_inlin
     return root;
 }
 
-/* The same rounded: relative error 1.5 2^-53 */
+/* The rounded fifth root; relative error 1.5 2^-53 */
 COR_INLINE double cor_inline_fifth_root_normal(double x)
 {
     const struct cor_inline_pair root = cor_inline_fifth_root_parts(x);
     return root.hi + root.lo;
 }
 
-/* Over the whole range: 0, +inf and NaN are returned as they are, and so are negative numbers. */
+/* The fifth root of any double. 0, +inf, NaN and negative numbers are returned unchanged. */
 COR_INLINE double cor_inline_fifth_root(double x)
 {
     /* the bits of a positive finite x are 1 to INFINITY_BITS - 1 */
@@ -288,11 +290,11 @@ COR_INLINE double cor_inline_fifth_root(double x)
 
 #endif
 
-/* Rows of short polynomials on a grid, whatever function they hold: where a number falls, and the row's value there.
+/* Tables of short polynomials on a grid, for any function: these functions find the row of a number and evaluate it.
  *
- * A generated table cor_rows_NAME(i) comes with its geometry in macros COR_ROWS_NAME_FIRST, _STEP, ... (form:
- * docs/header-format.md). The functions below take it as a struct, COR_INLINE_GRID(COR_ROWS_NAME); a compiler makes
- * constants of it. */
+ * Macros COR_ROWS_NAME_FIRST, _STEP, ... give the geometry of a generated table cor_rows_NAME(i); docs/header-format.md
+ * describes the form. The functions below take the geometry as a struct, COR_INLINE_GRID(COR_ROWS_NAME), whose fields a
+ * compiler turns into constants. */
 #ifndef COR_RUNTIME_ROW_H
 #define COR_RUNTIME_ROW_H
 
@@ -301,12 +303,13 @@ COR_INLINE double cor_inline_fifth_root(double x)
  *
  *     c_0' + s (c_1 + c_2 t + ... + c_10 t^9),     columns c[1] to c[11]
  *
- * where s = t, and where s comes later than t. Each pair of terms is multiplied by its own power of t, which is ready
- * before the coefficients are: once they have come, seven operations follow one another, and nine where s is another
- * number; Horner's rule has twenty. Expressions, because the array functions put vectors in them; pN is t^N.
+ * The first macro is for s = t, the second for an s that is known later than t. Each pair of terms has its own power of
+ * t, which is ready before the coefficients are loaded. Seven dependent operations follow the load, nine in the second
+ * macro; Horner's rule has twenty. They are macros because the array functions evaluate them with vectors. pN is t^N.
  *
- * Rounding error: the row is at most a few percent of c_0 + row (docs/accuracy.md), and its relative rounding error
- * some 3 2^-53, so that it is a tenth of a unit of the last place of the sum, whose own rounding is half a unit. */
+ * Rounding error: the row is at most a few percent of c_0 + row (docs/accuracy.md) and has a relative rounding error of
+ * about 3 2^-53. The row therefore contributes a tenth of a unit of the last place of the sum, and the final addition
+ * half a unit. */
 #define COR_INLINE_ROW(c, t, p2, p4, p6, p8, p10)                                                                      \
     ((((c)[1] + (t) * (c)[2]) + (p10) * (c)[11]) +                                                                     \
      (((p2) * ((c)[3] + (c)[4] * (t)) + (p4) * ((c)[5] + (c)[6] * (t))) +                                              \
@@ -317,11 +320,11 @@ COR_INLINE double cor_inline_fifth_root(double x)
             ((p2) * ((c)[4] + (c)[5] * (t)) + ((p4) * ((c)[6] + (c)[7] * (t)) + (p6) * ((c)[8] + (c)[9] * (t))))))
 #define COR_INLINE_COLUMNS 12
 
-/* A place in a table: the row and its variables */
+/* The place of a number in a table: its row and the row's variables */
 struct cor_inline_place {
     const double *row;
     double s, t;
-    int has_s; /* else s = t; a constant where a compiler looks */
+    int has_s; /* 0 if s = t; callers pass a constant, which compilers propagate */
 };
 
 COR_INLINE double cor_inline_row(struct cor_inline_place place)
@@ -338,8 +341,8 @@ COR_INLINE double cor_inline_row_value(struct cor_inline_place place)
     return place.row[0] + cor_inline_row(place);
 }
 
-/* m (c_0 + row) in rows whose c_0 has at most 26 bits, m >= 2^-900: both products of c_0 with a half of m are exact, and
- * only the final addition rounds what counts. */
+/* m (c_0 + row) for m >= 2^-900 and rows whose c_0 has at most 26 bits. Both products of c_0 with a half of m are
+ * exact, so the final addition causes nearly all of the rounding error. */
 COR_INLINE double cor_inline_row_product(struct cor_inline_place place, double m)
 {
     const double head = cor_inline_head(m), tail = m - head;
@@ -358,7 +361,7 @@ COR_INLINE struct cor_inline_place cor_inline_place_of(const double *row, double
 /* ---- uniform grids: node i = first + i step ---- */
 
 struct cor_inline_grid {
-    double first, step, per_unit; /* per_unit = 1/step; all three short, so that products with i are exact */
+    double first, step, per_unit; /* per_unit = 1/step; all three have few bits, so that products with i are exact */
 };
 
 COR_INLINE struct cor_inline_grid cor_inline_grid_of(double first, double step, double per_unit)
@@ -377,13 +380,13 @@ COR_INLINE int cor_inline_grid_row(struct cor_inline_grid grid, double y)
     return (int)((y - grid.first) * grid.per_unit + 0.5);
 }
 
-/* Adding a first node of 0 costs an addition, which no compiler may leave out, for 0 + -0 is 0. */
+/* A compiler may not omit the addition of a first node of 0, because 0 + -0 is 0; the branch saves it. */
 COR_INLINE double cor_inline_grid_node(struct cor_inline_grid grid, int i)
 {
     return grid.first == 0 ? i * grid.step : grid.first + i * grid.step;
 }
 
-/* y - node i. Exact: y and its node are multiples of the last place of y, or of the difference. */
+/* y - node i. The result is exact: y and its node are multiples of the last place of y, or of the difference. */
 COR_INLINE double cor_inline_grid_t(struct cor_inline_grid grid, double y, int i)
 {
     return (y - grid.first) - i * grid.step;
@@ -397,8 +400,8 @@ COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid 
     return cor_inline_place_of(rows(i), cor_inline_grid_t(grid, y, i));
 }
 
-/* The place of z = sqrt(x) where the rows from `plain` on have s = x - node^2: that is exact, and t has the rounding
- * error of the root, which c_1 would pass on. */
+/* The place of z = sqrt(x). Rows from `plain` on have s = x - node^2, which is exact. t has the rounding error of the
+ * root, and c_1 t would pass that error on. */
 COR_INLINE struct cor_inline_place cor_inline_grid_place_of_root(struct cor_inline_grid grid, int plain, double x,
                                                                  const double *(*rows)(int))
 {
@@ -411,7 +414,7 @@ COR_INLINE struct cor_inline_place cor_inline_grid_place_of_root(struct cor_inli
     return place;
 }
 
-/* ---- grids by octaves: the same cells in every octave 2^k <= x < 2^(k+1), nodes in their middle ---- */
+/* ---- grids by octaves: every octave 2^k <= x < 2^(k+1) has the same cells, with the nodes in their middle ---- */
 
 struct cor_inline_octaves {
     double first; /* a power of two */
@@ -427,13 +430,14 @@ COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(double first, int bit
 }
 #define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST, table##_OCTAVE_BITS)
 
-/* The row of x: how many cells lie between first and x, for the bits of x rise by the same from cell to cell. */
+/* The row of x: the number of cells between first and x. The bits of x, read as an integer, grow by the same amount
+ * from cell to cell. */
 COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
 {
     return (cor_inline_bits(x) - cor_inline_bits(grid.first)) >> (52 - grid.bits);
 }
 
-/* x 2^-k, 1 <= x 2^-k < 2, less the node of its cell. Exact. */
+/* x 2^-k minus the node of its cell, where 1 <= x 2^-k < 2. The result is exact. */
 COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
 {
     const uint64_t one = UINT64_C(0x3ff0000000000000), half_cell = UINT64_C(1) << (51 - grid.bits);
@@ -453,7 +457,7 @@ COR_INLINE struct cor_inline_place cor_inline_octaves_place(struct cor_inline_oc
 
 /* A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
  * c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from
- * node 1/4 on s = beta - node^2. c_0' is what c_0 lacks of the value at the node. */
+ * node 1/4 on s = beta - node^2. c_0' is the remainder of c_0 at the node. */
 
 /* eps at zero overlap, beta < 7: 57 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 7.0625.
  * Relative error of the approximation: 2^-56.5 at most, sampled at 25 places of each row. */
@@ -12133,38 +12137,39 @@ COR_INLINE const double *cor_rows_far_beta_zero_force(int i)
     return row[i];
 }
 
-/* The one evaluator of the sphere's tables: scalars, arrays and the header for embedding are made of it.
+/* The only evaluator of the sphere's tables. The scalar functions, the array functions and the header for embedding use
+ * it.
  *
- * Near beta = 0 to 8 (7 and 16 for eps at its two ends) a quantity is a row of a table, a short polynomial around
- * the nearest node of a uniform grid. Beyond, it is a power of beta times a function of ln(beta): rows again up to
- * beta = exp(10), and three orders in mu = beta^(-5/3), with their logarithms, from there to infinity. The first
- * coefficient of a row is a double-double and dominates, so the final addition causes nearly all of the rounding
- * error.
+ * For beta from 0 to 8 (eps: to 7 at zero overlap, to 16 at zero force) a row of a table gives a quantity: a short
+ * polynomial around the nearest node of a uniform grid. For larger beta a quantity is a power of beta times a function
+ * of ln(beta). Up to beta = exp(10) rows give this function; from there to infinity three orders in mu = beta^(-5/3),
+ * with their logarithms, do. The first coefficient of a row is a double-double and dominates, so the final addition
+ * causes nearly all of the rounding error.
  *
- * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error that a search
- * has met, tests/accuracy/test_accuracy --points 1e9, and its argument; tests/unit/test_sphere.c holds these arguments.
+ * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error, and its argument,
+ * that tests/accuracy/test_accuracy --points 1e9 found. tests/unit/test_sphere.c tests these arguments.
  *
  * No function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its argument; FE_UNDERFLOW and
- * FE_INEXACT may be raised. Comparisons of arguments that may be NaN are comparisons of bits (core/exact.h). */
+ * FE_INEXACT may be raised. Arguments that may be NaN are compared by their bits (core/exact.h). */
 #ifndef COR_RUNTIME_SPHERE_EVAL_H
 #define COR_RUNTIME_SPHERE_EVAL_H
 
 
 /* ---- tails ---- */
 
-/* What lies outside a table: beta = -0 is 0; negative numbers and NaN are refused. */
+/* Arguments outside a table: beta = -0 counts as 0; negative numbers and NaN give NaN. */
 
 /* beta^(2/3) for 1 <= beta < 8. Relative error below 2^-100. */
 COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
 {
-    /* r has 26 bits, so its square is exact, and |d| < 2^-24 whatever cbrt rounds */
+    /* r has 26 bits, so its square is exact; |d| < 2^-24 whatever the error of cbrt */
     const double r = cor_inline_head(cbrt(beta)), square = r * r;
     const struct cor_inline_pair cube = cor_inline_product(square, r);
     const double d = (COR_INLINE_KEEP(beta - cube.hi) - cube.lo) / beta; /* r^3 = beta (1 - d) */
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
 }
 
-/* beta = m 2^e, 1 <= m < 2, of a normal beta */
+/* The exponent e of a normal beta = m 2^e, 1 <= m < 2 */
 COR_INLINE int cor_inline_exponent(double beta)
 {
     return (int)(cor_inline_bits(beta) >> 52) - 1023;
@@ -12175,19 +12180,19 @@ COR_INLINE double cor_inline_significand(double beta)
     return cor_inline_from_bits((cor_inline_bits(beta) & UINT64_C(0xfffffffffffff)) | UINT64_C(0x3ff0000000000000));
 }
 
-/* ln(beta) for 7 <= beta < infinity, absolute error below 2^-53 where log has one of 1 ulp */
+/* ln(beta) for 7 <= beta < infinity. The absolute error is below 2^-53 if that of log is below 1 ulp. */
 COR_INLINE struct cor_inline_pair cor_inline_log(double beta)
 {
-    /* ln(2) in two parts, the first of 42 bits: its products with exponents are exact */
+    /* ln(2) in two parts; the first has 42 bits, so that its products with exponents are exact */
     const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14;
-    /* fractions above sqrt(2) count as below 1, so that |ln(m)| < 0.35: error 2^-54 */
+    /* significands above sqrt(2) are halved, so that |ln(m)| < 0.35: error 2^-54 */
     const double half = cor_inline_significand(beta);
     const int up = half > 1.4142135623730951, e = cor_inline_exponent(beta) + up;
     return cor_inline_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
 }
 
-/* The logarithmic factor of a tail: rows in u = ln(beta) up to u = end, whose errors are those of u times the slope; then
- * three orders in mu = beta^(-5/3). */
+/* The logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it, with the error of u times the slope.
+ * Beyond, three orders in mu = beta^(-5/3) give it. */
 COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
                                                         const double *(*rows)(int), const double *(*far)(int))
 {
@@ -12198,7 +12203,7 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
         return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, cor_inline_grid_t(grid, u.hi, i) + u.lo)));
     }
     const double *c = far(0);
-    /* mu < 6e-8: its rounding errors are nothing */
+    /* mu < 6e-8, so its rounding errors are negligible */
     const double root = cbrt(beta), mu = 1 / beta / (root * root), v = u.hi;
     const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
     const struct cor_inline_pair slope = cor_inline_product(c[2], v);
@@ -12210,8 +12215,8 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
 #define COR_INLINE_LOG_FACTOR(beta, quantity, table)                                                                   \
     cor_inline_log_factor(beta, COR_INLINE_GRID(table), table##_END, cor_rows_tail_##quantity, cor_rows_far_##quantity)
 
-/* factor beta^(-2/3), or with `fifths` factor beta^(-5/3), as a pair times 2^exponent: nothing over- or underflows.
- * Relative error: that of the factor and 2^-100. */
+/* factor beta^(-2/3), or factor beta^(-5/3) with `fifths`, as a pair times 2^exponent, which neither overflows nor
+ * underflows. The relative error is that of the factor plus 2^-100. */
 COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor_inline_pair factor, int fifths,
                                                          int *exponent)
 {
@@ -12226,7 +12231,7 @@ COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor
     return cor_inline_pair_over(factor, power);
 }
 
-/* The same rounded; 0 for an infinite beta */
+/* The same, rounded to a double; 0 for an infinite beta */
 COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair factor, int fifths)
 {
     int exponent;
@@ -12236,11 +12241,12 @@ COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair fact
 
 /* ---- eps ---- */
 
-/* Below, eps is 1 to the last bit; rounded upward, products that underflow would carry a row beyond it. */
+/* Below this beta, eps is 1 to the last bit. The branch is necessary: if underflowing products are rounded upward, a
+ * row exceeds 1. */
 #define COR_INLINE_EPS_LEAST COR_INLINE_2_M60
 
-/* h*^5 beta^-5 for beta >= 7, whose correction is below 2^-75. The power and the quotient are double-doubles, so the
- * final rounding is all: 0.5 ulp. */
+/* h*^5 beta^-5 for beta >= 7; the next order is below 2^-75. The power and the quotient are double-doubles, so only the
+ * final rounding counts: 0.5 ulp. */
 COR_INLINE double cor_inline_eps_overlap_far(double beta)
 {
     const double *h = cor_rows_h_star_5(0);
@@ -12258,7 +12264,7 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
     return huge ? eps * COR_INLINE_2_M500 * COR_INLINE_2_M500 : eps;
 }
 
-/* The same at beta = x^(1/5), x >= 2^14: 0.75 ulp, for the second half of h*^5 is left out. */
+/* The same at beta = x^(1/5), x >= 2^14. Error 0.75 ulp, because the formula omits the second half of h*^5. */
 COR_INLINE double cor_inline_eps_overlap_far_root(double x)
 {
     return cor_rows_h_star_5(0)[0] / x;
@@ -12292,9 +12298,9 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
     return beta < COR_INLINE_EPS_LEAST ? 1 : cor_inline_eps_force_far(beta);
 }
 
-/* eps at beta = x^(1/5), x being the product of an impact speed g with beta_per_root^5. Between 2^-40 and 2^14 or
- * 2^20 (beta = 1/256 and 7 or 16) no root is taken: rows in x itself, and only a fifth of the product's rounding error
- * reaches beta. Beyond, eps at zero overlap is h*^5/x. */
+/* eps at beta = x^(1/5), where x is the product of an impact speed g and beta_per_root^5. For x from 2^-40 to 2^14 or
+ * 2^20 (beta from 1/256 to 7 or 16) rows in x itself give eps without a root, and only a fifth of the product's
+ * rounding error reaches beta. For larger x, eps at zero overlap is h*^5/x. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
@@ -12315,7 +12321,7 @@ COR_INLINE double cor_inline_eps_zero_force_root(double x)
 
 /* ---- 1 - eps = beta (c_0 + row) ---- */
 
-/* A tiny beta is scaled, for the products' halves would be subnormal. */
+/* A tiny beta is scaled, because the halves of the products would be subnormal. */
 COR_INLINE double cor_inline_loss_product(struct cor_inline_place place, double beta)
 {
     if (cor_inline_below(beta, COR_INLINE_2_M900))
@@ -12347,7 +12353,7 @@ COR_INLINE double cor_inline_loss_zero_force(double beta)
 
 /* ---- times and the largest overlap ---- */
 
-/* beta factor, or infinity where that is beyond the largest double */
+/* The product of beta and factor, or infinity if it exceeds the largest double */
 COR_INLINE double cor_inline_linear_tail(double beta, struct cor_inline_pair factor)
 {
     const int huge = beta > COR_INLINE_2_1000;
@@ -12412,10 +12418,10 @@ COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 
 /* ---- the inverse ---- */
 
-/* beta = m (c_0 + row): near eps = 1, m = 1 - eps = loss, which is exact from eps = 1/2 on, and rows of beta/loss in
- * loss or its root; below eps = 1/2, m = 1 and rows of beta by octaves of eps. Both are computed and one is chosen
- * by bits: eps of many collisions scatter around 1/2. Error: the row's, and one rounding. The error of a rounded root
- * adds up to 0.6 ulp at zero force. */
+/* beta = m (c_0 + row). From eps = 1/2 on, m = loss = 1 - eps, which is exact, and the rows hold beta/loss as a
+ * function of loss or its root. Below eps = 1/2, m = 1, and the rows hold beta by octaves of eps. The function computes
+ * both and selects one by bits, because eps of many collisions scatter around 1/2. The error is that of the row plus
+ * one rounding; at zero force the rounded root adds up to 0.6 ulp. */
 COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_grid, int root,
                                      const double *(*near_rows)(int), struct cor_inline_octaves grid,
                                      const double *(*rows)(int))
@@ -12429,7 +12435,7 @@ COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_gri
                                   cor_inline_choose(near, loss, 1));
 }
 
-/* a/eps as a pair times 2^500 if eps is tiny, where it might overflow */
+/* a/eps as a pair; if eps is tiny and the quotient might overflow, a/(2^500 eps) */
 COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double eps, int tiny)
 {
     struct cor_inline_pair numerator, denominator;
@@ -12440,7 +12446,7 @@ COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double ep
     return cor_inline_pair_over(numerator, denominator);
 }
 
-/* beta = (h*^5/eps)^(1/5): eps below the table. Error 0.6 ulp. */
+/* beta = (h*^5/eps)^(1/5) for eps below the table. Error 0.6 ulp. */
 COR_INLINE double cor_inline_beta_overlap_far(double eps)
 {
     const int tiny = eps < COR_INLINE_2_M500;
@@ -12449,7 +12455,8 @@ COR_INLINE double cor_inline_beta_overlap_far(double eps)
     return (root.hi + root.lo) * (tiny ? COR_INLINE_2_100 : 1);
 }
 
-/* beta = R (1 + e r_1(v) + e^2 r_2(v)), R = (a/eps)^(3/5), e = eps/a, v = ln(R), where eps is below the table: e < 1e-7. */
+/* beta = R (1 + e r_1(v) + e^2 r_2(v)), R = (a/eps)^(3/5), e = eps/a, v = ln(R), where eps is below the table: e <
+ * 1e-7. */
 COR_INLINE double cor_inline_beta_force_far(double eps)
 {
     const double *c = cor_rows_far_beta_zero_force(0);
@@ -12458,7 +12465,7 @@ COR_INLINE double cor_inline_beta_force_far(double eps)
     /* (hi + lo)^3; hi has 26 bits, and lo is below 2^-12 hi */
     const struct cor_inline_pair cube = cor_inline_product(root.hi * root.hi, root.hi);
     const double lo = cube.lo + root.lo * (3 * root.hi * root.hi + root.lo * (3 * root.hi + root.lo));
-    /* below 2^-500 nothing is left of the orders in e */
+    /* below 2^-500 the orders in e are negligible */
     const double e = tiny ? 0 : eps / c[0], v = -0.6 * log(tiny ? 1 : e);
     const double r1 = c[2] + v * (c[3] + v * c[4]);
     const double r2 = c[5] + v * (c[6] + v * (c[7] + v * (c[8] + v * c[9])));

@@ -17,7 +17,7 @@
 #include "runtime/core/law_eval.h"
 
 /* A row: value = c_0 + (c_0' + t (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
- * c_0', c_1, ..., c_n. c_0' is what c_0 lacks of the value at the node. */
+ * c_0', c_1, ..., c_n. c_0' is the remainder of c_0 at the node. */
 
 /* (1 - eps)/beta at zero overlap, beta < 1/8: 3 rows of degree 10 in y = beta, nodes 0 + i 0.0625, 0 <= y <= 0.15625.
  * Relative error of the approximation: 2^-59.8 at most, sampled at 25 places of each row. */

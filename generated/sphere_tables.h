@@ -18,7 +18,7 @@
 
 /* A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
  * c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from
- * node 1/4 on s = beta - node^2. c_0' is what c_0 lacks of the value at the node. */
+ * node 1/4 on s = beta - node^2. c_0' is the remainder of c_0 at the node. */
 
 /* eps at zero overlap, beta < 7: 57 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 7.0625.
  * Relative error of the approximation: 2^-56.5 at most, sampled at 25 places of each row. */

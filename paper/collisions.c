@@ -6,10 +6,10 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "cor/status.h"
+#include "gen/support/clock.h"
 
 const double wall[WALLS] = {25, 50, 100};
 const double other_wall[OTHER_WALLS] = {10, 15, 200};
@@ -95,8 +95,9 @@ static void pass_on(void *context, const struct cor_disk_moment *moment)
     watcher->visit(watcher->context, moment, watcher->q, watcher->q_dot);
 }
 
-static int collide(const struct cor_disk_modes *modes, size_t n_modes, double alpha, double speed, double tolerance,
-                   struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
+static int collision_of(const struct cor_disk_modes *modes, size_t n_modes, double alpha, double speed,
+                        double tolerance, struct cor_disk_collision *out,
+                        const struct cor_disk_collision_detail *detail)
 {
     const struct cor_disk_collision_options options = {.alpha = alpha, .tolerance = tolerance};
     const size_t bytes = cor_disk_collision_workspace(modes, n_modes, &options);
@@ -125,9 +126,10 @@ int collision_watch(size_t n_modes, double alpha, double speed, collision_visit 
                                                .context = &watcher,
                                                .q = watcher.q,
                                                .q_dot = watcher.q_dot};
-    const int status = watcher.q == NULL || watcher.q_dot == NULL
-                           ? COR_ERROR_MEMORY
-                           : collide(&cor_disk_modes_nu033, n_modes, alpha, speed, WATCHED_TOLERANCE, out, &detail);
+    const int status =
+        watcher.q == NULL || watcher.q_dot == NULL
+            ? COR_ERROR_MEMORY
+            : collision_of(&cor_disk_modes_nu033, n_modes, alpha, speed, WATCHED_TOLERANCE, out, &detail);
     free(watcher.q);
     free(watcher.q_dot);
     return status == COR_OK || complain(status, cor_disk_modes_nu033.nu, n_modes, alpha, speed);
@@ -138,20 +140,14 @@ struct work {
     pthread_mutex_t lock;
     struct collision **job;
     int jobs, next, done, failed, terminal;
-    struct timespec start;
+    double start; /* clock_seconds */
 };
 
-static double seconds_since(const struct timespec *start)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - start->tv_sec) + 1e-9 * (double)(now.tv_nsec - start->tv_nsec);
-}
-
-static int compute(struct collision *c)
+static int collision_compute(struct collision *c)
 {
     struct cor_disk_collision out;
-    const int status = collide(modes_of(c->nu), (size_t)c->modes, c->alpha, c->speed, COLLISION_TOLERANCE, &out, NULL);
+    const int status =
+        collision_of(modes_of(c->nu), (size_t)c->modes, c->alpha, c->speed, COLLISION_TOLERANCE, &out, NULL);
     if (status != COR_OK && status != COR_TOLERANCE_NOT_REACHED)
         return complain(status, c->nu, (size_t)c->modes, c->alpha, c->speed);
     c->converged = status == COR_OK;
@@ -161,18 +157,18 @@ static int compute(struct collision *c)
     return 1;
 }
 
-static void *labour(void *argument)
+static void *work_labour(void *argument)
 {
     struct work *work = argument;
     pthread_mutex_lock(&work->lock);
     while (work->next < work->jobs && !work->failed) {
         struct collision *job = work->job[work->next++];
         pthread_mutex_unlock(&work->lock);
-        const int computed = compute(job);
+        const int computed = collision_compute(job);
         pthread_mutex_lock(&work->lock);
         work->done++;
         work->failed |= !computed;
-        const double spent = seconds_since(&work->start);
+        const double spent = clock_seconds() - work->start;
         if (work->terminal)
             fprintf(stderr, "\rcollisions: %d of %d, %.0f s left   ", work->done, work->jobs,
                     spent / work->done * (work->jobs - work->done));
@@ -184,15 +180,15 @@ static void *labour(void *argument)
 static int compute_jobs(struct collision **job, int jobs)
 {
     enum { MOST_THREADS = 64 };
-    struct work work = {.job = job, .jobs = jobs, .terminal = isatty(STDERR_FILENO)};
+    struct work work = {.job = job, .jobs = jobs, .terminal = isatty(STDERR_FILENO), .start = clock_seconds()};
     pthread_mutex_init(&work.lock, NULL);
-    clock_gettime(CLOCK_MONOTONIC, &work.start);
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
     pthread_t thread[MOST_THREADS];
     int threads = 0;
-    while (threads < MOST_THREADS && threads < cores - 1 && pthread_create(&thread[threads], NULL, labour, &work) == 0)
+    while (threads < MOST_THREADS && threads < cores - 1 &&
+           pthread_create(&thread[threads], NULL, work_labour, &work) == 0)
         threads++;
-    labour(&work);
+    work_labour(&work);
     for (int i = 0; i < threads; i++)
         pthread_join(thread[i], NULL);
     pthread_mutex_destroy(&work.lock);
@@ -298,7 +294,7 @@ static int read_table(const char *path)
 
 /* A collision that did not converge, chaotic, has but its size to be compared; the others the digits printed. The
  * contact time ends where a load that trembles falls below its threshold, and knows fewer. */
-static int agree(const struct collision *old, const struct collision *new)
+static int collisions_agree(const struct collision *old, const struct collision *new)
 {
     const double off = fabs(old->one_minus_eps2 - new->one_minus_eps2);
     if (!old->converged && !new->converged)
@@ -319,7 +315,7 @@ static int check_rows(const char *path, const int *row, int rows)
         return 0;
     int good = 1;
     for (int i = 0; i < rows; i++)
-        if (!agree(&table[row[i]], &again[i])) {
+        if (!collisions_agree(&table[row[i]], &again[i])) {
             char line[200];
             write_row(line, sizeof line, &again[i]);
             fprintf(stderr, "cor_paper: %s:%d should be %s", path, row[i] + 2, line);

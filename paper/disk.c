@@ -13,7 +13,7 @@
 enum { SAMPLE = 60 };
 
 /* Written beside the target and renamed over it, so that no reader sees half a file. */
-static int make(const struct figure *figure, const char *directory, char verdict[VERDICT_SIZE])
+static int figure_make(const struct figure *figure, const char *directory, char verdict[VERDICT_SIZE])
 {
     char path[FILENAME_MAX], temporary[FILENAME_MAX];
     const int length = snprintf(path, sizeof path, "%s/%s.csv", directory, figure->stem);
@@ -60,7 +60,7 @@ static int help(void)
     return 0;
 }
 
-static unsigned long long seed(void)
+static unsigned long long sample_seed(void)
 {
     const char *const text = getenv("COR_SEED");
     return text != NULL ? strtoull(text, NULL, 10) : 19990101;
@@ -86,10 +86,10 @@ int main(int argc, char **argv)
         return 2;
     }
     static char verdict[FIGURES][VERDICT_SIZE];
-    if (!(file != NULL ? collisions_read(file, sample, seed()) : collisions_compute()))
+    if (!(file != NULL ? collisions_read(file, sample, sample_seed()) : collisions_compute()))
         return 1;
     for (size_t i = 0; i < FIGURES; i++)
-        if (!make(figure[i], directory, verdict[i]))
+        if (!figure_make(figure[i], directory, verdict[i]))
             return 1;
     rigid_wall_clear();
     printf("%-16s %-13s %s\n", "paper", "file", "shows");

@@ -16,7 +16,7 @@ struct trace {
     double largest_load;
 };
 
-static void record(void *context, const struct cor_disk_moment *moment, const double *q, const double *q_dot)
+static void trace_record(void *context, const struct cor_disk_moment *moment, const double *q, const double *q_dot)
 {
     struct trace *trace = context;
     (void)q;
@@ -58,7 +58,7 @@ static int write_load_dynamic(FILE *csv, char verdict[VERDICT_SIZE])
         struct cor_disk_collision out;
         trace->count = 0;
         trace->largest_load = 0;
-        made = collision_watch(MODES, alpha, speed[i], record, trace, &out, NULL, NULL);
+        made = collision_watch(MODES, alpha, speed[i], trace_record, trace, &out, NULL, NULL);
         int first = 0, last = trace->count - 1;
         while (first < last && trace->moment[first].load < 1e-3 * trace->largest_load)
             first++;

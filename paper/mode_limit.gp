@@ -15,8 +15,8 @@ stats csv using (v[int($0) + 1] = $1, few[int($0) + 1] = $8, few_slope[int($0) +
                  many_slope[int($0) + 1] = $11) skip 1 nooutput
 array modes[6] = [300, 400, 600, 940, 1300, 1800]
 
-set multiplot layout 1,2 title "a disk and a rigid wall (α → ∞), ν = 0.33, N modes; lines through N = 300 to 940, dashed, and 940 to 1800, full" \
-    margins 0.07,0.985,0.12,0.86 spacing 0.09
+set multiplot layout 1,2 title "a disk and a rigid wall (α → ∞), ν = 0.33, N modes; lines through N = 300 to 940, dashed, and 940 to 1800, full; black: all modes" \
+    margins 0.085,0.985,0.12,0.86 spacing 0.09
 set title "each line one speed v (√(E/ρ))"
 set xrange [0:0.07]
 set yrange [0:0.32]

@@ -27,7 +27,7 @@ struct quadrupole {
     int count;
 };
 
-static void record(void *context, const struct cor_disk_moment *moment, const double *q, const double *q_dot)
+static void ranking_record(void *context, const struct cor_disk_moment *moment, const double *q, const double *q_dot)
 {
     struct quadrupole *const steps = context;
     const double omega_q = cor_disk_modes_nu033.mode[0].omega * q[0];
@@ -79,7 +79,7 @@ static int write_ranking(FILE *csv, char verdict[VERDICT_SIZE])
     static struct entry entry[MODES];
     struct cor_disk_collision out;
     static struct quadrupole steps;
-    if (!collision_watch(MODES, alpha, speed, record, &steps, &out, average, after))
+    if (!collision_watch(MODES, alpha, speed, ranking_record, &steps, &out, average, after))
         return 0;
     if (!(fabs(average_of(&steps) / average[0] - 1) < 0.01)) {
         fprintf(stderr, "cor_paper: the quadrupole's average energy is %g, but that of its steps %g\n", average[0],

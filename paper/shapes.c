@@ -61,7 +61,7 @@ static void write_shape(FILE *csv, const struct mode_shape *shape)
     fputs("\n", csv);
 }
 
-static const struct cor_disk_mode *find(int n, int l)
+static const struct cor_disk_mode *mode_find(int n, int l)
 {
     const struct cor_disk_mode *mode = cor_disk_modes_nu033.mode;
     while (mode->n != n || mode->l != l)
@@ -75,7 +75,7 @@ static int write_shapes(FILE *csv, char verdict[VERDICT_SIZE])
     double worst = 0, omega[3];
     fputs("n,l,omega,line,x,y\n", csv);
     for (int i = 0; i < 3; i++) {
-        const struct cor_disk_mode *mode = find(drawn[i], 0);
+        const struct cor_disk_mode *mode = mode_find(drawn[i], 0);
         const struct mode_shape shape = mode_shape_of(mode, nu);
         double u_r, u_phi;
         mode_displacement(&shape, 1, &u_r, &u_phi);

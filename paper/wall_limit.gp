@@ -14,8 +14,8 @@ array slope[rows]
 stats csv using (v[int($0) + 1] = $1, limit[int($0) + 1] = $3, slope[int($0) + 1] = $4) skip 1 nooutput
 is(nu, modes, speed, i) = nu == 0.33 && modes == 940 && abs(speed/v[i] - 1) < 1e-6
 
-set multiplot layout 1,2 title "a disk of 940 modes and a wall exp(α x), ν = 0.33; lines through α v ≥ 25 √(E/ρ)/R" \
-    margins 0.07,0.985,0.12,0.86 spacing 0.09
+set multiplot layout 1,2 title "a disk of 940 modes and a wall exp(α x), ν = 0.33; lines through α v ≥ 25 √(E/ρ)/R; black: rigid wall, all modes" \
+    margins 0.085,0.985,0.12,0.86 spacing 0.09
 unset key
 set title "each line one speed v (√(E/ρ))"
 set xrange [0:0.0048]

@@ -19,7 +19,7 @@ struct state {
     size_t window;
 };
 
-static void touch(struct state *state, double x0, int look)
+static void wall_touch(struct state *state, double x0, int look)
 {
     struct stage *const st = state->stage;
     const size_t angles = st->rim.points;
@@ -41,7 +41,7 @@ static void touch(struct state *state, double x0, int look)
     state->loops->transform(&st->rim, state->window, st->pressure, st->e);
 }
 
-static int gone(const struct state *state, const struct rival_disk *disk, double x0, double velocity)
+static int disk_is_gone(const struct state *state, const struct rival_disk *disk, double x0, double velocity)
 {
     const struct stage *const st = state->stage;
     if (!(velocity < 0 && state->load < rival_negligible_load(disk)))
@@ -69,7 +69,7 @@ static double splitting(const struct rival_disk *disk, const struct rival_splitt
     memset(st->sum_c, 0, st->lanes * sizeof *st->sum_c);
     memset(st->sum_s, 0, st->lanes * sizeof *st->sum_s);
     double x0 = rival_first_position(disk), v = disk->speed, pending = 0, eps = RIVAL_NO_RESULT;
-    touch(&state, x0, 1);
+    wall_touch(&state, x0, 1);
     const long most = (long)(patience / (disk->speed * h));
     for (*steps = 0; *steps < most && fabs(v) < 10 * disk->speed;) {
         for (int k = 0; k < of->stages; k++) {
@@ -82,11 +82,11 @@ static double splitting(const struct rival_disk *disk, const struct rival_splitt
             x0 += of->a[k] * h * v;
             if (k + 1 == of->stages && of->b[k + 1] == 0)
                 break;
-            touch(&state, x0, k == 0 && (of->stages > 1 || *steps % 8 == 0));
+            wall_touch(&state, x0, k == 0 && (of->stages > 1 || *steps % 8 == 0));
         }
         pending = of->b[of->stages] * h;
         ++*steps;
-        if (*steps % 8 == 0 && gone(&state, disk, x0, v)) {
+        if (*steps % 8 == 0 && disk_is_gone(&state, disk, x0, v)) {
             eps = -(v - pending * state.load / STAGE_MASS) / disk->speed;
             break;
         }

@@ -16,7 +16,7 @@ struct model {
     double eps;
 };
 
-static void collide(void *closure)
+static void model_collide(void *closure)
 {
     struct model *const m = closure;
     struct cor_disk_collision out;
@@ -50,7 +50,7 @@ void collision_models(struct disk_bench *bench)
         for (int i = 2; i < MODELS; i++) {
             const int size = (i - 2) / WALLS, wall = (i - 2) % WALLS;
             model[i] = (struct model){.speed = speeds[k], .alpha = ldexp(softest[k], wall), .n = (size_t)1800 >> size};
-            job[i] = (struct job){collide, &model[i], 1, NAN};
+            job[i] = (struct job){model_collide, &model[i], 1, NAN};
         }
         timing_measure(job, MODELS, collision_timing(bench));
         const double exact = model[0].eps;

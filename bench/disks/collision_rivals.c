@@ -43,7 +43,7 @@ static void wall_free(struct wall *wall)
 }
 
 /* Reach becomes pressure; their sum */
-static double press(const struct rival_disk *disk, double *restrict x)
+static double wall_press(const struct rival_disk *disk, double *restrict x)
 {
     double load = 0;
     for (size_t j = 0; j < disk->angles; j++)
@@ -54,7 +54,7 @@ static double press(const struct rival_disk *disk, double *restrict x)
 }
 
 /* Forces from sums: to the rim and back, four rows of a table at a time. */
-static void touch(const struct rival_disk *disk, struct wall *wall, double x0)
+static void wall_touch(const struct rival_disk *disk, struct wall *wall, double x0)
 {
     const size_t angles = disk->angles, width = disk->width;
     double *restrict const x = wall->pressure;
@@ -69,7 +69,7 @@ static void touch(const struct rival_disk *disk, struct wall *wall, double x0)
                 ((a0 * c[j] - b0 * s[j]) + (a1 * c[angles + j] - b1 * s[angles + j])) +
                 ((a2 * c[2 * angles + j] - b2 * s[2 * angles + j]) + (a3 * c[3 * angles + j] - b3 * s[3 * angles + j]));
     }
-    wall->load = press(disk, x);
+    wall->load = wall_press(disk, x);
     double *restrict const force_c = wall->force_c, *restrict const force_s = wall->force_s;
     memset(force_c, 0, width * sizeof *force_c);
     memset(force_s, 0, width * sizeof *force_s);
@@ -100,7 +100,7 @@ static void touch_ungrouped(const struct rival_disk *disk, struct wall *wall, do
                 x[j] += a * c[j] - b * s[j];
         }
     }
-    wall->load = press(disk, x);
+    wall->load = wall_press(disk, x);
     for (size_t n = 0; n < disk->ns; n++) {
         const double *restrict const c = disk->cos_by_n + n * angles, *restrict const s = disk->sin_by_n + n * angles;
         for (size_t i = disk->first[n]; i < disk->first[n + 1]; i++) {
@@ -116,8 +116,8 @@ static void touch_ungrouped(const struct rival_disk *disk, struct wall *wall, do
 }
 
 /* Whether the wall pushes no more, and no part of the rim can come back to it; amplitudes are hypot(u, v). */
-static int gone(const struct rival_disk *disk, double x0, double velocity, double load, const double *u,
-                const double *v)
+static int disk_is_gone(const struct rival_disk *disk, double x0, double velocity, double load, const double *u,
+                        const double *v)
 {
     if (!(velocity < 0 && load < rival_negligible_load(disk)))
         return 0;
@@ -179,7 +179,7 @@ static double splitting(const struct rival_disk *disk, const struct rival_splitt
     struct wall wall;
     wall_init(&wall, disk);
     double x0 = rival_first_position(disk), v = disk->speed, pending = 0, eps = RIVAL_NO_RESULT;
-    touch(disk, &wall, x0);
+    wall_touch(disk, &wall, x0);
     const long most = (long)(patience / (disk->speed * h));
     for (*steps = 0; *steps < most && fabs(v) < 10 * disk->speed;) {
         for (int k = 0; k < of->stages; k++) {
@@ -190,11 +190,11 @@ static double splitting(const struct rival_disk *disk, const struct rival_splitt
             x0 += of->a[k] * h * v;
             if (k + 1 == of->stages && of->b[k + 1] == 0)
                 break; /* the next step begins with free motion too */
-            touch(disk, &wall, x0);
+            wall_touch(disk, &wall, x0);
         }
         pending = of->b[of->stages] * h;
         ++*steps;
-        if (*steps % STEPS_A_LOOK == 0 && gone(disk, x0, v, wall.load, q, p)) {
+        if (*steps % STEPS_A_LOOK == 0 && disk_is_gone(disk, x0, v, wall.load, q, p)) {
             eps = -(v - pending * wall.load / MASS) / disk->speed;
             break;
         }
@@ -279,7 +279,7 @@ static void rk4_touch(struct rk4 *rk4, double x0, const double *re, const double
         rk4->wall.sum_c[n] = a;
         rk4->wall.sum_s[n] = b;
     }
-    touch(disk, &rk4->wall, x0);
+    wall_touch(disk, &rk4->wall, x0);
 }
 
 /* dq/dt = -(i/(m omega)) exp(i omega t) F: adds it to the sum of slopes with its weight, and goes along it from the
@@ -337,7 +337,7 @@ static double runge_kutta(const struct rival_disk *disk, enum rival_rk4 form, do
             rk4.im[i] += h * rk4.slope_im[i];
         }
         ++*steps;
-        if (*steps % STEPS_A_LOOK == 0 && gone(disk, x0, v, rk4.wall.load, rk4.re, rk4.im)) {
+        if (*steps % STEPS_A_LOOK == 0 && disk_is_gone(disk, x0, v, rk4.wall.load, rk4.re, rk4.im)) {
             eps = -v / disk->speed;
             break;
         }

@@ -12,14 +12,14 @@
 enum { WIDTH = 8 };
 typedef double vector __attribute__((vector_size(WIDTH * sizeof(double))));
 
-static vector load(const double *from)
+static vector vector_load(const double *from)
 {
     vector x;
     memcpy(&x, from, sizeof x);
     return x;
 }
 
-static void store(double *to, vector x)
+static void vector_store(double *to, vector x)
 {
     memcpy(to, &x, sizeof x);
 }
@@ -80,7 +80,7 @@ void phi_sums_reach_recurrence(const struct phi_sums *sums, size_t window, const
     for (size_t j = 0; j < window; j += 4 * WIDTH) {
         vector x[4], b[4], next[4];
         for (size_t i = 0; i < 4; i++) {
-            x[i] = load(sums->two_cos + j + i * WIDTH);
+            x[i] = vector_load(sums->two_cos + j + i * WIDTH);
             b[i] = next[i] = x[i] - x[i];
         }
         for (size_t k = sums->terms - 1; k > 0; k--)
@@ -90,7 +90,7 @@ void phi_sums_reach_recurrence(const struct phi_sums *sums, size_t window, const
                 b[i] = now;
             }
         for (size_t i = 0; i < 4; i++)
-            store(reach + j + i * WIDTH, 0.5 * x[i] * b[i] + (d[0] - next[i]));
+            vector_store(reach + j + i * WIDTH, 0.5 * x[i] * b[i] + (d[0] - next[i]));
     }
 }
 
@@ -103,19 +103,19 @@ void phi_sums_transform_recurrence(const struct phi_sums *sums, size_t window, c
         vector now[ANGLES], before[ANGLES];
         double x[ANGLES];
         for (size_t i = 0; i < ANGLES; i++) {
-            before[i] = pressure[j + i] * load(sums->first + (j + i) * 2 * WIDTH);
-            now[i] = pressure[j + i] * load(sums->first + (j + i) * 2 * WIDTH + WIDTH);
+            before[i] = pressure[j + i] * vector_load(sums->first + (j + i) * 2 * WIDTH);
+            now[i] = pressure[j + i] * vector_load(sums->first + (j + i) * 2 * WIDTH + WIDTH);
             x[i] = sums->two_cos8[j + i];
         }
         for (size_t k = 0; k < sums->terms; k += WIDTH) {
-            vector sum = load(e + k);
+            vector sum = vector_load(e + k);
             for (size_t i = 0; i < ANGLES; i++) {
                 const vector next = x[i] * now[i] - before[i];
                 sum += now[i];
                 before[i] = now[i];
                 now[i] = next;
             }
-            store(e + k, sum);
+            vector_store(e + k, sum);
         }
     }
 }

@@ -34,7 +34,7 @@ static struct state weighted(struct state s, double h, const double *weight, con
 }
 
 /* From start and k[0]; returns the error as a multiple of what is allowed. */
-static double take(struct step *step, double beta, double tolerance)
+static double step_take(struct step *step, double beta, double tolerance)
 {
     for (int stage = 1; stage < STAGES; stage++) {
         step->end = weighted(step->start, step->h, dormand_prince[stage], step->k, stage);
@@ -47,7 +47,7 @@ static double take(struct step *step, double beta, double tolerance)
 }
 
 /* Positive before the end of contact. */
-static double event(struct state s, double beta, enum end end)
+static double event_value(struct state s, double beta, enum end end)
 {
     return end == ZERO_OVERLAP ? s.x : beta * s.v + s.x;
 }
@@ -55,12 +55,13 @@ static double event(struct state s, double beta, enum end end)
 /* -v at the event, which the step passes: its length by the secant that keeps both signs (Illinois). */
 static double speed_at_event(struct step *step, double beta, enum end end, double tolerance)
 {
-    double low = 0, high = step->h, value_low = event(step->start, beta, end), value_high = event(step->end, beta, end);
+    double low = 0, high = step->h, value_low = event_value(step->start, beta, end),
+           value_high = event_value(step->end, beta, end);
     int side = 0;
     for (int i = 0; i < 60 && high - low > 1e-15 * high; i++) {
         step->h = (low * value_high - high * value_low) / (value_high - value_low);
-        take(step, beta, tolerance);
-        const double value = event(step->end, beta, end);
+        step_take(step, beta, tolerance);
+        const double value = event_value(step->end, beta, end);
         if (fabs(value) <= 1e-3 * tolerance)
             break;
         if (value > 0) {
@@ -83,10 +84,10 @@ double ode_runge_kutta(double beta, enum end end, double tolerance)
     struct step step = {.h = 0.1 * pow(tolerance, 0.2), .start = {0, 1}};
     step.k[0] = slope(step.start, beta);
     for (int steps = 0; steps < 1000000; steps++) {
-        const double error = take(&step, beta, tolerance);
+        const double error = step_take(&step, beta, tolerance);
         const double change = fmin(5, fmax(0.2, 0.9 * pow(error, -0.2)));
         if (error <= 1) {
-            if (step.end.v < 0 && event(step.end, beta, end) <= 0)
+            if (step.end.v < 0 && event_value(step.end, beta, end) <= 0)
                 return speed_at_event(&step, beta, end, tolerance);
             step.start = step.end;
             step.k[0] = step.k[STAGES - 1];

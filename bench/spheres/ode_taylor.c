@@ -10,7 +10,7 @@ struct jet {
 };
 
 /* The coefficients of w and v from their values w[0] and v[0]. */
-static void expand(struct jet *jet, double beta)
+static void jet_expand(struct jet *jet, double beta)
 {
     double square[ODE_TAYLOR_ORDER_MAX], force[ODE_TAYLOR_ORDER_MAX]; /* w^2 and beta v + w^2 */
     for (int k = 0; k < jet->order; k++) {
@@ -31,7 +31,7 @@ struct state {
     double w, v;
 };
 
-static struct state at(const struct jet *jet, double h)
+static struct state jet_at(const struct jet *jet, double h)
 {
     struct state s = {jet->w[jet->order], jet->v[jet->order]};
     for (int i = jet->order - 1; i >= 0; i--) {
@@ -53,7 +53,7 @@ static double step_length(const struct jet *jet, double tolerance)
 }
 
 /* Positive before the end of contact. */
-static double event(struct state s, double beta, enum end end)
+static double event_value(struct state s, double beta, enum end end)
 {
     return end == ZERO_OVERLAP ? s.w : beta * s.v + s.w * s.w;
 }
@@ -68,9 +68,9 @@ static double event_slope(struct state s, double beta, enum end end)
 static double speed_at_event(const struct jet *jet, double beta, enum end end, double high)
 {
     double low = 0, h = high;
-    struct state s = at(jet, h);
+    struct state s = jet_at(jet, h);
     for (int i = 0; i < 60; i++) {
-        const double value = event(s, beta, end);
+        const double value = event_value(s, beta, end);
         if (value > 0)
             low = h;
         else
@@ -80,7 +80,7 @@ static double speed_at_event(const struct jet *jet, double beta, enum end end, d
             next = low + (high - low) / 2;
         const int done = fabs(next - h) <= 2 * DBL_EPSILON * fabs(next);
         h = next;
-        s = at(jet, h);
+        s = jet_at(jet, h);
         if (done)
             break;
     }
@@ -91,10 +91,10 @@ double ode_taylor(double beta, enum end end, int order, double tolerance)
 {
     struct jet jet = {.order = order, .w = {0}, .v = {1}};
     for (int steps = 0; steps < 100000; steps++) {
-        expand(&jet, beta);
+        jet_expand(&jet, beta);
         const double h = step_length(&jet, tolerance);
-        const struct state s = at(&jet, h);
-        if (s.v < 0 && (s.w <= 0 || event(s, beta, end) <= 0))
+        const struct state s = jet_at(&jet, h);
+        if (s.v < 0 && (s.w <= 0 || event_value(s, beta, end) <= 0))
             return speed_at_event(&jet, beta, end, h);
         jet.w[0] = s.w;
         jet.v[0] = s.v;

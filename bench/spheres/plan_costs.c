@@ -60,7 +60,7 @@ struct collision {
     double speed, steps;
 };
 
-static void collide(void *closure)
+static void disk_collide(void *closure)
 {
     struct collision *const c = closure;
     const struct cor_disk_collision_options options = {56 / c->speed, 1e-6, 0, 0};
@@ -100,7 +100,7 @@ int main(void)
     enum { COLLISIONS = sizeof collision / sizeof *collision };
     struct job run[COLLISIONS];
     for (int i = 0; i < COLLISIONS; i++)
-        run[i] = (struct job){collide, &collision[i], 1, 0};
+        run[i] = (struct job){disk_collide, &collision[i], 1, 0};
     timing_measure(run, COLLISIONS, (struct timing){SAMPLE_NS, ROUNDS, 1});
     printf("\n  modes  speed  steps   ns for each step   1000 + 4 modes\n");
     for (int i = 0; i < COLLISIONS; i++)

@@ -1,14 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "isa.h"
 
+#include "runtime/core/instruction_set.h"
+
 #ifndef COR_BENCH_SHARED
 #include "runtime/sphere/array.h"
-#endif
-
-#if defined __GNUC__ && (defined __x86_64__ || defined __i386__)
-#define SUPPORTS(FEATURE) (__builtin_cpu_supports(FEATURE) != 0)
-#else
-#define SUPPORTS(FEATURE) 0
 #endif
 
 int isa_always(void)
@@ -18,12 +14,16 @@ int isa_always(void)
 
 int isa_has_avx2(void)
 {
-    return SUPPORTS("avx2") && SUPPORTS("fma");
+#ifdef COR_X86_SETS
+    return cor_processor_has(COR_AVX2) && __builtin_cpu_supports("fma");
+#else
+    return 0;
+#endif
 }
 
 int isa_has_avx512(void)
 {
-    return SUPPORTS("avx512f") && SUPPORTS("avx512dq") && SUPPORTS("avx512vl");
+    return cor_processor_has(COR_AVX512);
 }
 
 /* One set of sphere_array.h; a shared libcor shows none of them. */
@@ -49,9 +49,9 @@ int isa_has_avx512(void)
     {                                                                                                                  \
         cor_array_set(i)->sphere_eps_zero_force(in, out, n);                                                           \
     }
-SET(0, portable)
-SET(1, avx2)
-SET(2, avx512)
+SET(COR_PORTABLE, portable)
+SET(COR_AVX2, avx2)
+SET(COR_AVX512, avx512)
 #define SET_ROW(name, set)                                                                                             \
     {                                                                                                                  \
         name, set##_available, set##_speed_overlap, set##_speed_force, set##_beta_overlap, set##_beta_force            \

@@ -3,24 +3,18 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
+
+#include "gen/support/clock.h"
 
 enum { SLOW_SAMPLES = 4 };
-
-static double now_ns(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
-}
 
 /* Time of `repeats` runs, per run. */
 static double sample(const struct job *job, long repeats)
 {
-    const double start = now_ns();
+    const double start = clock_seconds();
     for (long i = 0; i < repeats; i++)
         job->run(job->closure);
-    return (now_ns() - start) / (double)repeats;
+    return 1e9 * (clock_seconds() - start) / (double)repeats;
 }
 
 void timing_once(struct job *job)

@@ -9,7 +9,7 @@
 #include "support/digits.h"
 
 enum {
-    ENCLOSURE_BITS = 144, /* of work */
+    ENCLOSURE_BITS = 144, /* working precision */
     SAMPLE_BITS = 100,
     WORKING_BITS = 320,
     BLOCK_ROWS = 6,
@@ -17,7 +17,7 @@ enum {
     POINTS = 24 /* where a row's error is sampled */
 };
 
-/* A block's polynomial may be off by so much, relative to the function. */
+/* Allowed error of a block's polynomial relative to the function */
 #define BLOCK_LIMIT 1e-20
 
 /* The function in [lo, hi] as a polynomial through BLOCK_POINTS samples, in barycentric form */
@@ -31,7 +31,7 @@ static double block_point(double lo, double hi, slong j)
     return ldexp(nearbyint(ldexp(x, 44)), -44);
 }
 
-/* f(x) rounded to SAMPLE_BITS, exact from there on */
+/* f(x) rounded to SAMPLE_BITS; the rounded number then counts as exact */
 static int sample(arb_t value, const struct function_rows *r, const arb_t x)
 {
     arf_t low, high;
@@ -103,7 +103,7 @@ static void block_value(arb_t y, const struct block *b, const arb_t x)
     arb_clear(term);
 }
 
-/* The polynomial against enclosures at two places between samples */
+/* Compares the polynomial with enclosures at two places between samples. */
 static int block_check(const struct block *b, const struct function_rows *r, double lo, double hi)
 {
     double worst = 0;
@@ -131,7 +131,7 @@ static double node_of(const struct function_rows *r, slong row)
     return r->first + (double)row * r->step;
 }
 
-/* Where the cell is sampled: a short double between its ends. */
+/* A sample point of a cell: a double with few bits between its ends */
 static double between(const struct function_rows *r, slong row, double fraction)
 {
     return ldexp(nearbyint(ldexp(node_of(r, row) + r->step * (fraction - 0.5), 40)), -40);
@@ -159,7 +159,7 @@ static void row_cut(arb_ptr c, const struct function_rows *r, const struct block
     arb_poly_interpolate_barycentric(polynomial, t, quotient, N, WORKING_BITS);
     for (slong k = 0; k < N; k++)
         arb_poly_get_coeff_arb(c + 2 + k, polynomial, k);
-    /* what the double nearest to c_0 lacks */
+    /* the remainder of the double nearest to c_0 */
     arb_set_d(c + 1, arf_get_d(arb_midref(c), ARF_RND_NEAR));
     arb_sub(c + 1, c, c + 1, WORKING_BITS);
     arb_poly_clear(polynomial);

@@ -15,10 +15,10 @@ enum {
     FAR_BITS = 112,
     GUARD_BITS = 16,
     CONSTANT_BITS = 200, /* of beta_c and v_f */
-    BACKWARD_ORDER = 24  /* of G and T, whose w is below 1/8 where they serve */
+    BACKWARD_ORDER = 24  /* of order of G and T, which are used for w below 1/8 */
 };
 
-/* Zero overlap is expensive where damping is strong, and has a closed form there but for the duration. */
+/* At strong damping zero overlap is expensive, but has a closed form except for the duration. */
 static const struct interval sphere_intervals[] = {
     {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},
     {INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL},
@@ -46,7 +46,7 @@ struct interpolant {
     arb_struct far[QUANTITIES][INTERPOLANT_FAR];
     arb_t fall;                         /* interpolant_far_fall */
     arb_t threshold, final_speed;       /* beta_c for q < 0 and q = 0, v_f for q > 0; else infinite, 0 */
-    arb_poly_t backward, backward_time; /* G and T, where an interval leaves zero force to them */
+    arb_poly_t backward, backward_time; /* G and T, if an interval computes zero force from them */
 };
 
 const struct law *interpolant_law(const struct interpolant *f)
@@ -69,7 +69,7 @@ const arb_struct *interpolant_threshold(const struct interpolant *f)
     return f->threshold;
 }
 
-/* ---- what is sampled ---- */
+/* ---- the sampled quantities ---- */
 
 static bool is_eps(enum quantity quantity)
 {
@@ -81,8 +81,8 @@ static bool holds(const struct interval *interval, enum quantity quantity)
     return interval->set & 1u << quantity;
 }
 
-/* Powers of beta that the quantities follow for large beta. A duration at zero overlap is mostly the creep along the slow
- * manifold or, where a - b > 1, its end. */
+/* Powers of beta that the quantities follow for large beta. A duration at zero overlap is mainly the creep along the
+ * slow manifold or, if a - b > 1, the end of the creep. */
 struct ratio interpolant_tail_power(const struct law *law, enum quantity quantity)
 {
     const struct ratio one = {1, 1}, minus = {-1, 1}, b1 = ratio_add(law->b, one);
@@ -131,7 +131,7 @@ static arb_srcptr field(const struct collision *c, enum quantity quantity)
     return fields[quantity];
 }
 
-/* x rounded to `bits` bits, if the ball proves how. */
+/* Rounds x to `bits` bits. Returns false if the interval does not determine the result. */
 static bool rounded(arb_t y, const arb_t x, slong bits)
 {
     arf_t lower, upper;
@@ -149,7 +149,7 @@ static bool rounded(arb_t y, const arb_t x, slong bits)
     return decided;
 }
 
-/* What an interval stores of a collision. */
+/* The number that an interval stores for a collision */
 static void scaled(arb_t y, const struct law *law, const struct interval *interval, enum quantity quantity,
                    const struct collision *c, const arb_t beta, slong prec)
 {
@@ -178,8 +178,8 @@ static void scaled(arb_t y, const struct law *law, const struct interval *interv
     }
 }
 
-/* An exact beta near the place x of an interval, since a ball would grow a thousandfold on its way through a strongly
- * damped collision; and the variable that belongs to it. */
+/* An exact beta near the place x of an interval, and the value of the variable there. The width of an inexact beta
+ * would grow a thousandfold in a strongly damped collision. */
 static void place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval, double x)
 {
     const int bits = interval->variable == INTERVAL_LOG && x >= 2 ? 20 : 40;
@@ -204,9 +204,9 @@ static void place(arb_t beta, arb_t variable, const struct interpolant *f, const
     }
 }
 
-/* All that an interval stores of the collision at an exact beta, each to `bits` bits at least. */
-static int solve(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
-                 slong bits)
+/* Computes all numbers that an interval stores for the collision at an exact beta, each to at least `bits` bits. */
+static int interval_solve(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
+                          slong bits)
 {
     struct collision c;
     collision_init(&c);
@@ -226,13 +226,13 @@ static int solve(arb_ptr value, const struct interpolant *f, const struct interv
     return status;
 }
 
-/* The same rounded to `bits` bits: exact numbers. */
+/* The same, rounded to `bits` bits, as exact numbers */
 static int solve_rounded(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
                          slong bits)
 {
     for (slong extra = 0; extra < 200; extra += 40) {
         bool decided = true;
-        if (solve(value, f, interval, beta, bits + extra))
+        if (interval_solve(value, f, interval, beta, bits + extra))
             return STATUS_FAILED;
         for (int q = 0; q < QUANTITIES; q++)
             if (holds(interval, (enum quantity)q))
@@ -248,7 +248,7 @@ double chebyshev_point(slong j, slong n)
     return -cos((2.0 * (double)j + 1) * acos(-1.0) / (2.0 * (double)n));
 }
 
-/* Chebyshev's points; barycentric weights. */
+/* Sets the Chebyshev points and the barycentric weights. */
 static void place_nodes(struct samples *s, const struct interpolant *f, const struct interval *interval)
 {
     const slong n = interval->count;
@@ -301,8 +301,8 @@ static void evaluate(arb_t y, const struct interpolant *f, int i, enum quantity 
     arb_clear(total);
 }
 
-/* The first interval of a variable that samples the quantity and whose end is not before x, or the last one of them;
- * `scaled`: of FORM_POWER only. -1 if there is none. */
+/* The first interval of a variable that samples the quantity and does not end before x, or the last such interval, or
+ * -1. If `scaled`, only intervals of FORM_POWER count. */
 static int interval_at(const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                        const arb_t x, bool scaled_only)
 {
@@ -332,7 +332,7 @@ static void beta_at(arb_t beta, const struct interpolant *f, enum interval_varia
     }
 }
 
-/* The quantity from what its interval stores of it */
+/* The quantity from the number that its interval stores */
 static void unscaled(arb_t y, const struct interpolant *f, const struct interval *interval, enum quantity quantity,
                      const arb_t x, slong prec)
 {
@@ -354,7 +354,7 @@ static void unscaled(arb_t y, const struct interpolant *f, const struct interval
     arb_clear(scale);
 }
 
-/* (1 - eps)/beta from what the interval stores of eps */
+/* (1 - eps)/beta from the number that the interval stores for eps */
 static void loss_quotient(arb_t y, const struct interpolant *f, const struct interval *interval, enum quantity eps,
                           const arb_t x, slong prec)
 {
@@ -379,8 +379,8 @@ static void loss_quotient(arb_t y, const struct interpolant *f, const struct int
     }
 }
 
-/* Zero force from zero overlap, near beta = 0: eps G(w), and the duration less eps^((1-a)/(1+a)) h^(1/(a-b)) T(w),
- * h = beta eps^q, w = h^((a+1)/(a-b)) (docs/derivation.md, 5 and 9). Of the loss quotient, G - 1 is all that comes in. */
+/* Zero force from zero overlap, near beta = 0: eps G(w), and the duration less eps^((1-a)/(1+a)) h^(1/(a-b)) T(w), h =
+ * beta eps^q, w = h^((a+1)/(a-b)) (docs/derivation.md, 5 and 9). The loss quotient needs only G - 1. */
 static void backward(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
 {
     const struct law *law = &f->layout->law;
@@ -431,7 +431,7 @@ static void backward(arb_t y, const struct interpolant *f, enum quantity quantit
     arb_clear(part);
 }
 
-/* Where a <= b the two ends are one. */
+/* For a <= b the two ends of contact coincide. */
 static enum quantity one_end(const struct interpolant *f, enum quantity quantity)
 {
     if (law_force_ends(&f->layout->law))
@@ -500,7 +500,7 @@ void interpolant_below(arb_t y, const struct interpolant *f, enum quantity quant
         unscaled(y, f, &f->layout->interval[i], quantity, v, prec);
 }
 
-/* ---- beyond ---- */
+/* ---- beyond the last interval ---- */
 
 void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity)
 {
@@ -535,8 +535,8 @@ static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *l
     arb_clear(term);
 }
 
-/* Whether the duration at zero overlap has a term beta^((a-1)/n) that is not among beta^(a/(b+1)) mu^i: kappa = (b-a+1)/n
- * is neither 0 nor 1. The sphere's is 0. */
+/* Whether the duration at zero overlap has a term beta^((a-1)/n) that is not among beta^(a/(b+1)) mu^i: kappa =
+ * (b-a+1)/n is neither 0 nor 1. The sphere's is 0. */
 static bool falls_apart(const struct law *law)
 {
     const struct ratio n = law_fall_power(law);
@@ -546,7 +546,7 @@ static bool falls_apart(const struct law *law)
     return kappa.num != 0 && !(kappa.num == 1 && kappa.den == 1);
 }
 
-/* The exponent of beta by which the sum over mu^i u^j, or the fall's constant, is more than the leading power. */
+/* The exponent of beta of the sum over mu^i u^j, or of the fall's constant, minus that of the leading power */
 static struct ratio far_excess(const struct law *law, bool fall)
 {
     const struct ratio one = {1, 1};
@@ -555,7 +555,7 @@ static struct ratio far_excess(const struct law *law, bool fall)
     return ratio_sub(own, interpolant_tail_power(law, DURATION_ZERO_OVERLAP));
 }
 
-/* u of sample k: 9.5, 10, ... for spheres, farther where mu falls more slowly */
+/* u of sample k: 9.5, 10, ... for spheres, larger if mu falls more slowly */
 static double far_place(const struct law *law, slong k)
 {
     const struct ratio power = law_mu_power(law);
@@ -597,7 +597,7 @@ static void sample_far(void *context, slong k)
     _arb_vec_clear(value, QUANTITIES);
 }
 
-/* Through as many samples as there are coefficients. */
+/* Fits the coefficients to the same number of samples. */
 static int make_far(struct interpolant *f)
 {
     const struct law *law = &f->layout->law;
@@ -683,9 +683,9 @@ static void far_value(arb_t y, const struct interpolant *f, enum quantity quanti
     arb_mat_clear(basis);
 }
 
-/* ---- anywhere ---- */
+/* ---- the quantity at any beta ---- */
 
-/* The last place of a variable where the quantity is sampled; below all of them if it is not. */
+/* The last place of a variable at which the quantity is sampled; if it is not sampled, a number below all places */
 static double last_place(const struct interpolant *f, enum quantity quantity, enum interval_variable variable)
 {
     double last = -HUGE_VAL;
@@ -734,7 +734,7 @@ void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity qua
 
 /* ---- the inverse ---- */
 
-/* Where an inverse is looked for */
+/* The search range of an inverse */
 struct search {
     const struct interpolant *f;
     enum quantity eps, loss_quotient;
@@ -743,7 +743,8 @@ struct search {
     double lo, hi;
 };
 
-/* What shall become 0 at w: the root of the loss, which has a slope at beta = 0 too, or eps, less the value wanted */
+/* The function of w whose zero is the inverse: the root of the loss, which has a slope also at beta = 0, or eps, minus
+ * the given value */
 static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
 {
     const slong prec = WORKING_BITS, root = s->f->layout->root;
@@ -765,7 +766,7 @@ static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t w
     arb_get_mid_arb(y, y);
 }
 
-/* Whether w is beyond the place wanted: the loss rises with beta, and eps falls; v falls with beta. */
+/* Whether w is beyond the zero. The loss rises with beta, eps falls, and v falls with beta. */
 static bool beyond(const struct search *s, double w, const arb_t wanted)
 {
     arb_t x, y;
@@ -779,7 +780,7 @@ static bool beyond(const struct search *s, double w, const arb_t wanted)
     return (s->of_loss ? sign > 0 : sign < 0) != (s->variable == INTERVAL_BELOW);
 }
 
-/* The secant method, from two places around the root that halving has brought together. */
+/* Bisects to a short bracket and then applies the secant method. */
 static int solve_search(arb_t w, struct search *s, const arb_t wanted)
 {
     enum { HALVINGS = 5, STEPS = 18, ENOUGH_BITS = 110 };
@@ -821,7 +822,7 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
     return found ? STATUS_OK : fail("an inverse of the collision was not found");
 }
 
-/* The stretch of one variable in which the place wanted lies: the first whose end is not before it. */
+/* Chooses the first variable whose range reaches the zero. */
 static void choose_stretch(struct search *s, const arb_t wanted)
 {
     const struct interpolant *f = s->f;
@@ -861,7 +862,7 @@ int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quan
         arb_set(wanted, x);
     choose_stretch(&s, wanted);
     const int status = solve_search(w, &s, wanted);
-    if (s.of_loss) { /* (1 - eps)/beta has a value at beta = 0 too */
+    if (s.of_loss) { /* (1 - eps)/beta has a limit at beta = 0 */
         interpolant_at(y, f, s.loss_quotient, s.variable, w, prec);
         arb_inv(y, y, prec);
     } else {
@@ -913,7 +914,7 @@ void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f)
     arb_poly_clear(second);
 }
 
-/* ---- making it ---- */
+/* ---- construction ---- */
 
 /* beta at a place of an interval, as a double */
 static double beta_near(const struct interpolant *f, const struct interval *interval, double x)
@@ -959,7 +960,7 @@ static int make_constants(struct interpolant *f, double beta_max)
     return beyond_samples ? collision_final_speed(f->final_speed, law, CONSTANT_BITS) : STATUS_OK;
 }
 
-/* G and T, where the intervals next to beta = 0 have no zero force of their own */
+/* Computes G and T if the intervals near beta = 0 do not sample zero force. */
 static void make_backward(struct interpolant *f)
 {
     const struct interpolant_layout *layout = f->layout;
@@ -1101,13 +1102,13 @@ static int check_place(double *error, const struct interpolant *f, int i, double
     arb_init(variable);
     arb_init(y);
     place(beta, variable, f, interval, x);
-    const int status = solve(value, f, interval, beta, interval->bits);
+    const int status = interval_solve(value, f, interval, beta, interval->bits);
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
         if (!holds(interval, (enum quantity)q))
             continue;
         evaluate(y, f, i, (enum quantity)q, variable, WORKING_BITS);
         if (interval->form == FORM_LOG && is_eps((enum quantity)q)) {
-            arb_sub(y, y, value + q, WORKING_BITS); /* of the logarithm the absolute error counts */
+            arb_sub(y, y, value + q, WORKING_BITS); /* for a logarithm the absolute error counts */
         } else {
             arb_div(y, y, value + q, WORKING_BITS);
             arb_sub_ui(y, y, 1, WORKING_BITS);
@@ -1128,7 +1129,7 @@ struct checking {
     atomic_bool failed;
 };
 
-/* Point i % points of interval i / points: the ends, where interpolation is worst, and between. */
+/* Checks point i % points of interval i / points. The points include the ends, where interpolation is worst. */
 static void check_point(void *context, slong i)
 {
     struct checking *const work = context;

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Every quantity of a law's collision as a function that costs microseconds: polynomials of high degree through
- * enclosed collisions (collision.h). What is cut into pieces, sampled and searched is this.
+/* Every quantity of a law's collision as a function that takes microseconds: polynomials of high degree through
+ * enclosed collisions (collision.h). The tables are cut from these functions, sampled against them, and inverted with
+ * them.
  *
- * The samples are enclosed, rounded to the bits of their interval (proved) and from there on exact, so everything made
- * of them is a matter of arithmetic, the same with every library. Between them the error is sampled:
- * interpolant_check. A layout says in which variables and intervals: the sphere's, z = sqrt(beta) up to beta = 17, in
- * which both ends of contact are analytic, and u = ln(beta) from u = 2 on, where the quantities are powers of beta times
- * functions of mu = beta^(-5/3) and mu ln(beta); or one of any law (law_layout.h). */
+ * The samples are enclosed and rounded to the bits of their interval (proved). The rounded samples count as exact, so
+ * that all later steps are arithmetic with the same result for every library. interpolant_check samples the error
+ * between them. A layout defines the variables and intervals. The sphere's layout has z = sqrt(beta) up to beta = 17,
+ * in which both ends of contact are analytic, and u = ln(beta) from u = 2 on, where the quantities are powers of beta
+ * times functions of mu = beta^(-5/3) and mu ln(beta). law_layout.h has the layout of any law. */
 #ifndef COR_GEN_APPROXIMATION_INTERPOLANT_H
 #define COR_GEN_APPROXIMATION_INTERPOLANT_H
 
@@ -22,7 +23,7 @@ enum quantity {
     MAX_OVERLAP,
     TIME_OF_MAX_OVERLAP,
     QUANTITIES,
-    /* (1 - eps)/beta, made of the eps of that end */
+    /* (1 - eps)/beta, computed from the eps of that end */
     LOSS_QUOTIENT_ZERO_OVERLAP = QUANTITIES,
     LOSS_QUOTIENT_ZERO_FORCE,
     /* the inverse functions: beta of eps, and beta/(1 - eps) of the loss 1 - eps */
@@ -32,7 +33,7 @@ enum quantity {
     BETA_QUOTIENT_ZERO_FORCE
 };
 
-/* Sets of the sampled quantities: bit `quantity`. */
+/* Sets of the sampled quantities, with one bit for each quantity */
 enum {
     SET_LENGTHS = 1 << MAX_OVERLAP | 1 << TIME_OF_MAX_OVERLAP,
     SET_ZERO_OVERLAP = 1 << EPS_ZERO_OVERLAP | 1 << DURATION_ZERO_OVERLAP,
@@ -46,7 +47,7 @@ enum interval_variable {
     INTERVAL_BELOW /* v = ln(beta_c - beta), laws with a threshold beta_c of zero overlap */
 };
 
-/* What is sampled in place of a quantity */
+/* The form in which a quantity is sampled */
 enum interval_form {
     FORM_VALUE,
     FORM_QUOTIENT, /* (1 - eps)/beta for eps */
@@ -67,65 +68,65 @@ struct interpolant_layout {
     slong root;
     const struct interval *interval;
     int intervals;
-    bool far; /* the coefficients beyond the last u are made too */
+    bool far; /* whether to compute the coefficients beyond the last u */
 };
 
 extern const struct interpolant_layout interpolant_sphere;
 
 struct interpolant;
 
-/* Point j of Chebyshev's n on [-1, 1], ascending, to the accuracy of a double: where to interpolate. */
+/* Point j of the n Chebyshev points on [-1, 1] in ascending order, with the accuracy of a double */
 double chebyshev_point(slong j, slong n);
 
-/* For arguments between beta_min and beta_max only, INFINITY included: the rest is not computed. The layout must live as
- * long. NULL after saying on stderr what failed. */
+/* Computes the interpolant for arguments between beta_min and beta_max, which may be INFINITY. The layout must live as
+ * long as the interpolant. Returns NULL after reporting the failure on stderr. */
 struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max);
 void interpolant_free(struct interpolant *f);
 
 const struct law *interpolant_law(const struct interpolant *f);
 slong interpolant_root(const struct interpolant *f);
-const arb_struct *interpolant_final_speed(const struct interpolant *f); /* v_f where q > 0 */
-const arb_struct *interpolant_threshold(const struct interpolant *f);   /* beta_c, infinite where there is none */
+const arb_struct *interpolant_final_speed(const struct interpolant *f); /* v_f, if q > 0 */
+const arb_struct *interpolant_threshold(const struct interpolant *f);   /* beta_c; infinite without a threshold */
 
-/* The quantity at a place of that variable: one of an interval that samples it. (1 - eps)/beta without cancellation where
- * eps is near 1. For spheres in z up to beta = 8.25 for those of zero overlap, 17 for the others. */
+/* The quantity at a place of a variable with an interval that samples it. (1 - eps)/beta does not cancel where eps is
+ * near 1. For spheres z reaches beta = 8.25 for quantities of zero overlap, and 17 for the others. */
 void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
                     const arb_t x, slong prec);
 void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t z, slong prec);
 
-/* The quantity at beta, in whatever variable there is an interval for it. */
+/* The quantity at beta, in any variable that has an interval for it */
 void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t beta, slong prec);
 
-/* The quantity at beta = exp(u) divided by its power of beta, where an interval has FORM_POWER; for spheres 2 <= u <= 10
- * and not eps at zero overlap, which is h*^5 beta^-5 there. The powers: */
+/* The quantity at beta = exp(u) divided by its power of beta, if an interval has FORM_POWER. For spheres 2 <= u <= 10,
+ * except for eps at zero overlap, which is h*^5 beta^-5 there. The second function returns the power. */
 void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec);
 struct ratio interpolant_tail_power(const struct law *law, enum quantity quantity);
 
-/* The quantity at beta_c - exp(v); for q = 0 the duration times eps^((a-1)/(a+1)), both of zero overlap, which is regular
- * at beta_c. */
+/* The quantity at beta_c - exp(v); for q = 0 the duration times eps^((a-1)/(a+1)), both of zero overlap, which is
+ * regular at beta_c. */
 void interpolant_below(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t v, slong prec);
 
-/* An inverse function at an exact x: BETA_... at eps = x, for spheres from 2^-13 (zero overlap) or 2^-23.6 (zero force) to
- * 1; BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after saying what failed. */
+/* An inverse function at an exact x: BETA_... at eps = x, for spheres from 2^-13 (zero overlap) or 2^-23.6 (zero force)
+ * to 1; BETA_QUOTIENT_... at the loss x, 0 to 3/4. Returns 0, or 1 after reporting the failure. */
 int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec);
 
-/* Beyond the last u: coefficients of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2 u^3, which the scaled quantity is up to terms
- * in mu^3, mu = beta^(-(a+1)/(b+1)). The duration at zero overlap of another law than the sphere's is these times
- * beta^(a/(b+1)) and one more, times beta^((a-1)/n): interpolant_far_fall, 0 where a - b = 1 or n = 1 - a holds it with
- * the others (docs/derivation.md, 9). */
+/* Coefficients for u beyond the last interval. The scaled quantity is a sum of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2
+ * u^3 up to terms in mu^3, mu = beta^(-(a+1)/(b+1)). For laws other than the sphere's, the duration at zero overlap is
+ * this sum times beta^(a/(b+1)) plus interpolant_far_fall times beta^((a-1)/n). interpolant_far_fall is 0 if a - b = 1
+ * or n = 1 - a, where the sum contains that term (docs/derivation.md, 9). */
 enum { INTERPOLANT_FAR = 9 };
 void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity);
 void interpolant_far_fall(arb_t coefficient, const struct interpolant *f);
 
-/* The inverse of eps at zero force there, spheres: a; b_0, b_1, b_2; c_0, ..., c_4 of
+/* Coefficients a; b_0, b_1, b_2; c_0, ..., c_4 of the inverse of eps at zero force beyond the last u, for spheres:
  *
- *     beta = (a/eps)^(3/5) (1 + e (b_0 + ... + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)),     e = eps/a,     v = -(3/5) ln(e)
+ *     beta = (a/eps)^(3/5) (1 + e (b_0 + ... + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)),   e = eps/a,   v = -(3/5) ln(e)
  *
- * up to terms in e^3, by formal inversion of the above, whose coefficient of u is 0. */
+ * up to terms in e^3. The coefficients follow by formal inversion of the sum above, whose coefficient of u is 0. */
 enum { INTERPOLANT_FAR_INVERSE = 9 };
 void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f);
 
-/* Largest relative error found at `points` places of each interval against collisions enclosed there. */
+/* Sets the largest relative error at `points` places of each interval, compared with enclosed collisions. */
 int interpolant_check(double *error, const struct interpolant *f, int points);
 
 #endif

@@ -11,21 +11,21 @@
 enum {
     CONSTANT_BITS = 200,
     DEGREE = 10,
-    HEAD_BITS = 26,       /* of c_0 in rows that are multiplied, runtime/core/row.h */
+    HEAD_BITS = 26,       /* bits of c_0 in rows that are multiplied, runtime/core/row.h */
     NEAR_OCTAVES = 3,     /* from near_end to the radius of convergence */
-    MOST_POWER = 200,     /* of 1/q: beyond, eps falls out of the doubles where it is tabulated */
-    DEVIATION_BITS = 60,  /* 1 - beta^(1/q) eps/v_f below 2^-60 is nothing */
-    TINY_EPS_OCTAVE = -60 /* beta_c - beta is nothing against beta_c where eps is smaller */
+    MOST_POWER = 200,     /* largest 1/q; beyond it eps underflows inside the tables */
+    DEVIATION_BITS = 60,  /* 1 - beta^(1/q) eps/v_f is negligible below 2^-60 */
+    TINY_EPS_OCTAVE = -60 /* for smaller eps, beta_c - beta is negligible against beta_c */
 };
 
-/* Points of an interval and bits of its samples; ln(beta) is cut into intervals of ln(2) up to beta = 8, and from 2 on
- * into those from 2 to 3, 3 to 4, 4 to 6, 6 to 8, ...; ln(beta_c - beta) into two octaves, and
- * more where eps is almost linear. */
+/* Points of an interval, and bits of its samples. Intervals of ln(beta) have the length ln(2) up to beta = 8; from 2 on
+ * they are 2 to 3, 3 to 4, 4 to 6, 6 to 8, .... Intervals of ln(beta_c - beta) have two octaves, and more where eps is
+ * almost linear. */
 enum {
     NEAR_POINTS = 18,
     MIDDLE_POINTS = 36,
     TAIL_POINTS = 22,
-    MIDDLE_POINTS_BELOW = 26, /* where there is a threshold, and eps does not fall by many powers of ten */
+    MIDDLE_POINTS_BELOW = 26, /* for laws with a threshold, whose eps does not fall by many powers of ten */
     BELOW_POINTS = 19,
     BELOW_LAST_POINTS = 26,
     NEAR_BITS = 84,
@@ -36,7 +36,7 @@ enum {
     BELOW_WIDE_TO = -10
 };
 
-/* What the rows promise: 57 bits leave the approximation a sixteenth of the last place. */
+/* Accuracy of the rows: 57 bits limit the approximation error to a sixteenth of the last place. */
 #define LEAST_BITS 57.0
 #define LEAST_BITS_OF_TIMES 56.0
 #define MOST_REST 0.1
@@ -46,7 +46,7 @@ static double ratio_double(struct ratio x)
     return (double)x.num / (double)x.den;
 }
 
-/* u where mu is as small as it is for spheres at u = 10 */
+/* u at which mu equals that of spheres at u = 10 */
 static double last_log(const struct law *law)
 {
     const double u = 10 * (5.0 / 3) / ratio_double(law_mu_power(law));
@@ -108,7 +108,7 @@ static void make_intervals(struct law_layout *layout)
     const slong fall = law_fall_power(law).num;
     const unsigned force = law_force_ends(law) ? SET_ZERO_FORCE : 0;
     struct interval_list list = {NULL, 0};
-    /* zero force near beta = 0 follows from zero overlap */
+    /* near beta = 0, zero force follows from zero overlap */
     add_interval(&list, INTERVAL_ROOT, 0, layout->near_end, NEAR_POINTS, NEAR_BITS, FORM_QUOTIENT,
                  SET_LENGTHS | SET_ZERO_OVERLAP);
     if (fall > 0) {
@@ -129,7 +129,8 @@ static void make_intervals(struct law_layout *layout)
 
 /* ---- borders ---- */
 
-/* beta_c, the distance from it to the double below, and where rows in it begin: at half of it or less */
+/* Sets beta_c, its distance from the double below, and the first beta of the rows in beta_c - beta, at most
+ * beta_c/2. */
 static int find_threshold(struct law_layout *layout)
 {
     const struct law *law = &layout->interpolant.law;
@@ -154,7 +155,7 @@ static int find_threshold(struct law_layout *layout)
     return status;
 }
 
-/* Whether beta^(1/q) eps is v_f as far as a double shows */
+/* Whether beta^(1/q) eps equals v_f to double precision */
 static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, double beta)
 {
     struct collision c;
@@ -175,8 +176,8 @@ static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, doubl
     return status;
 }
 
-/* q > 0: the first half octave of beta up to 8, or the first eighth of an octave of ln(beta), from which eps is a
- * power */
+/* For q > 0: finds the first half octave of beta up to 8, or the first eighth of an octave of ln(beta), from which eps
+ * is a power. */
 static int find_fall(struct law_layout *layout)
 {
     const struct law *law = &layout->interpolant.law;
@@ -228,7 +229,7 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
                                   .last_log = last_log(law),
                                   .threshold = HUGE_VAL};
     if (law_force_ends(law)) {
-        const slong other = ratio_sub(law->a, law->b).num; /* 1/(a-b) is so many parts of a whole number */
+        const slong other = ratio_sub(law->a, law->b).num; /* 1/(a-b) is an integer divided by this number */
         layout->root_of_time = layout->root / (slong)n_gcd((ulong)layout->root, (ulong)other) * other;
     }
     if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > MOST_POWER)
@@ -240,7 +241,8 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
         status = find_radius(&radius, layout);
     layout->near_end = exp2(floor(log2(fmin(radius, 1))) - NEAR_OCTAVES);
     make_intervals(layout);
-    for (int i = 0; i < 2 && law_is_linear(law); i++) /* eps falls faster there, and collisions cost nothing */
+    for (int i = 0; i < 2 && law_is_linear(law); i++) /* eps falls faster for linear laws, and their collisions are
+                                                       * cheap */
         law_layout_refine(layout);
     return status;
 }
@@ -287,13 +289,13 @@ static bool of_overlap(enum quantity quantity)
            quantity == BETA_QUOTIENT_ZERO_OVERLAP;
 }
 
-/* Octave of x, or of the number below it where x is a power of two and ends a table */
+/* Octave of x, or the octave below if x is a power of two, which then ends a table */
 static double octave_of(double x)
 {
     return floor(log2(x));
 }
 
-/* The octave of eps where the rows of the inverse begin */
+/* The octave of eps at which the rows of the inverse begin */
 static double inverse_octave(const struct law_layout *layout, const struct interpolant *f, bool force)
 {
     if (!force && layout->threshold < HUGE_VAL)
@@ -307,7 +309,7 @@ static double inverse_octave(const struct law_layout *layout, const struct inter
     arb_set_d(x, u);
     arb_exp(x, x, 64);
     interpolant_at_beta(y, f, force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP, x, 64);
-    /* the octave of that eps, if beta is sampled as far as it reaches, or the one above it */
+    /* the octave of that eps if the samples of beta cover the octave, otherwise the octave above */
     const double q = ratio_double(law_speed_exponent(&layout->interpolant.law));
     const bool sampled = !force && u + q * log(2) <= layout->last_log;
     const double octave = octave_of(arf_get_d(arb_midref(y), ARF_RND_NEAR)) + (sampled ? 0 : 1);
@@ -355,7 +357,7 @@ bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layo
                          .most_rest = MOST_REST};
     switch (part) {
     case PART_NEAR:
-        if (eps) /* made of the loss */
+        if (eps) /* these rows hold the loss */
             return false;
         place_near(p, layout);
         p->head_bits = loss ? HEAD_BITS : 0;
@@ -379,7 +381,8 @@ bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layo
             return false;
         p->variable = VARIABLE_BELOW_OCTAVES;
         p->first = octave_of(layout->below_first);
-        p->end = exp2(octave_of(layout->threshold / 2)) * (1 + 0x1p-40); /* beta_c - overlap_end, rounded, is in it */
+        p->end = exp2(octave_of(layout->threshold / 2)) * (1 + 0x1p-40); /* the rows contain the rounded beta_c -
+                                                                          * overlap_end */
         break;
     case PART_INVERSE_NEAR:
         place_inverse_near(p, layout);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the collisions of any law are sampled and into which tables they are cut (docs/derivation.md, 9; form:
- * docs/header-format.md).
+/* The sample intervals and the tables of any law (docs/derivation.md, 9; form: docs/header-format.md).
  *
  *   near    beta < near_end, a power of two, an eighth of the radius of convergence of the series in beta or less: rows
  *           in beta and, at zero force, in beta^(1/root); for eps those of (1 - eps)/beta
@@ -18,31 +17,32 @@
 
 enum { LAW_MIDDLE_END = 8, LAW_TAIL_FIRST = 2 /* ln(beta) */ };
 
-/* Which part of beta or eps a table is for */
+/* The part of the range of beta or eps that a table covers */
 enum law_part { PART_NEAR, PART_MIDDLE, PART_TAIL, PART_BELOW, PART_INVERSE_NEAR, PART_INVERSE, LAW_PARTS };
 
 struct law_layout {
     struct interpolant_layout interpolant; /* owns its intervals */
-    slong root;                            /* of beta and of 1 - eps in the near rows of eps at zero force */
-    slong root_of_time;                    /* of beta in those of the duration, which has powers beta^(1/(a-b)) too */
+    slong root;                            /* root of beta and of 1 - eps in the near rows of eps at zero force */
+    slong root_of_time;                    /* root of beta in the near rows of the duration, which also has powers
+                                            * beta^(1/(a-b)) */
     double near_end, last_log;
-    double overlap_end; /* of the middle and, below a threshold, first beta of the rows in beta_c - beta */
+    double overlap_end; /* end of the middle rows; below a threshold, first beta of the rows in beta_c - beta */
     double overlap_log; /* q > 0: last ln(beta) of the tail of eps at zero overlap, or 0: eps = v_f beta^(-1/q) from
                            * overlap_end on */
-    double below_first; /* the least beta_c - beta of a double beta */
+    double below_first; /* the smallest beta_c - beta of a double beta */
     double threshold;   /* beta_c, or infinity */
 };
 
-/* Returns 0, or 1 after saying what failed or why such a law has no tables. */
+/* Returns 0, or 1 after reporting the failure or the reason why the law has no tables. */
 int law_layout_init(struct law_layout *layout, const struct law *law);
-/* More points in every interval, where the interpolant was not good enough */
+/* Adds points to every interval, for an interpolant that was not accurate enough. */
 void law_layout_refine(struct law_layout *layout);
 /* Only what one eps needs: fewer collisions. Of the other quantities the interpolant then knows nothing. */
 void law_layout_restrict(struct law_layout *layout, enum quantity eps);
 void law_layout_clear(struct law_layout *layout);
 
-/* The widest rows of a quantity in a part, named NAME and with TITLE, which must live as long; false if the part has
- * none for it. *status as pieces_fit. */
+/* Computes the widest rows of a quantity in a part, with the name NAME and the TITLE, which must live as long as p.
+ * Returns false if the part has no rows of the quantity. *status is that of pieces_fit. */
 bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layout, const struct interpolant *f,
                     enum law_part part, enum quantity quantity, const char *name, const char *title);
 

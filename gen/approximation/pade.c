@@ -13,13 +13,14 @@
 #include "series/restitution.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/precision.h"
 
 enum {
     TAIL_POWER = 5,      /* eps -> h*^5/beta^5 at zero overlap, docs/derivation.md, 4 */
-    GUARD_BITS = 64,     /* on top of what is asked */
-    LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, first guess */
-    ATTEMPTS = 4,        /* each with twice the precision: the last has eight times the first guess */
-    ROOT_BITS = 40,      /* relative bits of a root, so that its place can be printed */
+    GUARD_BITS = 64,     /* more bits than requested */
+    LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, start value */
+    ATTEMPTS = 4,        /* the last has eight times the bits of the first */
+    ROOT_BITS = 40,      /* relative bits of a printed root */
     PLACE_DIGITS = 8
 };
 
@@ -38,7 +39,7 @@ void pade_clear(struct pade *f)
     arb_poly_clear(f->q);
 }
 
-/* The coefficient c_k, 0 for k < 0: the system's matrix reaches before the series where n > m. */
+/* The coefficient c_k, or 0 for k < 0, which the system's matrix contains if n > m */
 static void coefficient(arb_t x, const arb_poly_t c, slong k)
 {
     if (k < 0)
@@ -80,8 +81,8 @@ bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong 
     return regular;
 }
 
-/* The conditions at infinity are p_i = limit q_{i+5} for every i, which leaves the q_j alone:
- * sum_j q_j c_{i-j} - limit q_{i+5} [i <= m] = 0 for i = 0..m+4. */
+/* The conditions at infinity, p_i = limit q_{i+5} for every i, eliminate the p_i: sum_j q_j c_{i-j} - limit q_{i+5} [i
+ * <= m] = 0 for i = 0..m+4. */
 bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec)
 {
     const slong n = m + TAIL_POWER;
@@ -113,7 +114,8 @@ bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t li
     return regular;
 }
 
-/* [0/n]: 1 over the series of 1/eps, whose exact zero is known where the balls of a linear system cannot show it. */
+/* [0/n] is 1 over the series of 1/eps. The exact zero of that series is known, but interval (ball) arithmetic in a
+ * linear system cannot show it. */
 static void pade_of_reciprocal(struct pade *f, const arb_poly_t c, slong n, const struct law *law, slong prec)
 {
     arb_poly_one(f->p);
@@ -123,8 +125,8 @@ static void pade_of_reciprocal(struct pade *f, const arb_poly_t c, slong n, cons
     f->denominator = n;
 }
 
-/* The block that an exact zero in the series of eps (power 1) or of 1/eps (power -1) makes: with C_k = 0 the entry
- * [k/0] is [k-1/0], so [k-1/0], [k/0] and [k-1/1] are one fraction and [k/1] does not exist; likewise [0/k] of 1/eps. */
+/* The block due to an exact zero in the series of eps (power 1) or of 1/eps (power -1). With C_k = 0 the entry [k/0] is
+ * [k-1/0], so [k-1/0], [k/0] and [k-1/1] are one fraction and [k/1] does not exist; likewise [0/k] of 1/eps. */
 static bool known_block(struct pade_block *b, const struct pade_request *r)
 {
     const struct ratio powers[2] = {{1, 1}, {-1, 1}};
@@ -140,7 +142,7 @@ static bool known_block(struct pade_block *b, const struct pade_request *r)
     return false;
 }
 
-/* Whether det (c_{m+i-j}), i, j < n, cannot be told from 0: an inner entry of a block. */
+/* Whether the interval of det (c_{m+i-j}), i, j < n, contains 0, as for an inner entry of a block */
 static bool vanishes(const arb_poly_t c, slong m, slong n, slong prec)
 {
     if (n <= 0)
@@ -159,8 +161,8 @@ static bool vanishes(const arb_poly_t c, slong m, slong n, slong prec)
     return zero;
 }
 
-/* Vanishing determinants fill squares whose upper left corner is the entry after the fraction's own
- * degrees (Gragg 1972), so one walk along the row and one along the column find the square. */
+/* Vanishing determinants fill squares whose upper left corner is the entry after the fraction's own degrees (Gragg
+ * 1972), so one search along the row and one along the column find the square. */
 bool pade_block_of(struct pade_block *b, const arb_poly_t c, slong m, slong n, slong prec)
 {
     if (!vanishes(c, m, n, prec))
@@ -293,7 +295,7 @@ bool pade_analyse(struct pade_analysis *a, const struct pade *f, slong prec)
     return true;
 }
 
-/* Where z lies, in the variable that the reader knows: "2.9", or "2.9 + 0.1 i". */
+/* Prints z in the reader's variable: "2.9", or "2.9 + 0.1 i". */
 static void print_place(FILE *file, const struct pade_analysis *a, const acb_t z)
 {
     acb_t place;
@@ -469,7 +471,7 @@ static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pad
     return status;
 }
 
-/* Whether every coefficient has so many relative bits; if not, which has not. */
+/* Whether every coefficient has `bits` relative bits. If not, sets *power to one that has not. */
 static bool accurate(const arb_poly_t p, slong bits, slong *power)
 {
     for (slong i = 0; i < arb_poly_length(p); i++) {
@@ -482,7 +484,7 @@ static bool accurate(const arb_poly_t p, slong bits, slong *power)
     return true;
 }
 
-/* Says so, and how it is known. */
+/* Reports the degenerate entry and the reason. */
 static int fail_in_block(const struct pade_request *r, const struct pade_block *b, const char *known)
 {
     return fail("[%ld/%ld] at %s is degenerate (%s): it lies in the block of [%ld/%ld]..[%ld/%ld]%s, which holds one "
@@ -497,10 +499,20 @@ static int fail_degenerate(const arb_poly_t c, const struct pade_request *r, slo
     struct pade_block b;
     char known[64];
     if (r->kind == PADE_TWO_POINT || !pade_block_of(&b, c, r->numerator, r->denominator, prec))
-        return fail("the equations of the [%ld/%ld] Padé at %s are singular, as far as %ld bits tell",
-                    (long)r->numerator, (long)r->denominator, end_name(r->end), (long)prec);
+        return fail("the equations of the [%ld/%ld] Padé at %s are singular to %ld bits", (long)r->numerator,
+                    (long)r->denominator, end_name(r->end), (long)prec);
     snprintf(known, sizeof known, "as far as %ld bits tell", (long)prec);
     return fail_in_block(r, &b, known);
+}
+
+/* The part that `bits` bits do not decide, or NULL; sets *power to that of the inaccurate coefficient. */
+static const char *pade_open(const struct pade *f, struct pade_analysis *a, slong bits, slong *power, slong prec)
+{
+    if (!accurate(f->p, bits, power))
+        return "numerator";
+    if (!accurate(f->q, bits, power))
+        return "denominator";
+    return a && !pade_analyse(a, f, prec) ? "roots" : NULL;
 }
 
 int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_request *r, slong bits)
@@ -524,39 +536,28 @@ int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_requ
     }
 
     const slong degrees = r->numerator + r->denominator;
-    slong prec = bits + LOSS_PER_DEGREE * degrees + GUARD_BITS, power = 0;
+    /* A truly degenerate entry never becomes regular, so the block is reported after a few doublings. */
+    struct precision p = precision_doubling(bits + LOSS_PER_DEGREE * degrees + GUARD_BITS, ATTEMPTS);
+    slong power = 0;
     const char *open = NULL;
     int status = 1;
     bool regular = false;
     arb_poly_t c;
     arb_poly_init(c);
-    /* An entry that is truly degenerate would never be regular: a few doublings, then the block. */
-    for (int i = 0; i < ATTEMPTS; i++, prec *= 2) {
-        status = attempt(f, c, &regular, r, prec);
-        if (status)
-            break;
-        if (!regular)
-            continue;
-        if (!accurate(f->p, bits, &power))
-            open = "numerator";
-        else if (!accurate(f->q, bits, &power))
-            open = "denominator";
-        else if (a && !pade_analyse(a, f, prec))
-            open = "roots";
-        else
-            open = NULL;
-        if (!open)
-            break;
-    }
+    do {
+        status = attempt(f, c, &regular, r, p.bits);
+        if (status == 0 && regular)
+            open = pade_open(f, a, bits, &power, p.bits);
+    } while (status == 0 && (!regular || open) && precision_raise(&p));
     if (status == 0 && !regular)
-        status = fail_degenerate(c, r, prec / 2);
+        status = fail_degenerate(c, r, p.bits);
     else if (status == 0 && open && *open == 'r')
         status = fail("the poles and zeros of [%ld/%ld] could not be isolated with %ld bits", (long)r->numerator,
-                      (long)r->denominator, (long)(prec / 2));
+                      (long)r->denominator, (long)p.bits);
     else if (status == 0 && open)
         status = fail("the coefficient of z^%ld in the %s of [%ld/%ld] cannot be certified with %ld "
                       "bits (it may vanish)",
-                      (long)power, open, (long)r->numerator, (long)r->denominator, (long)(prec / 2));
+                      (long)power, open, (long)r->numerator, (long)r->denominator, (long)p.bits);
     arb_poly_clear(c);
     return status;
 }

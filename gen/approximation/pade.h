@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Padé approximants P(z)/Q(z) of eps at either end of contact, q_0 = 1 (docs/derivation.md, 7).
  *
- * z = beta at zero overlap, z = beta^(1/root) at zero force (root = 2 for the sphere). Coefficients
- * are balls; the precision of the series is raised until they are as narrow as was asked. */
+ * z = beta at zero overlap, z = beta^(1/root) at zero force (root = 2 for the sphere). Coefficients are intervals (Arb
+ * balls). The precision of the series is raised until they are as narrow as requested. */
 #ifndef COR_GEN_APPROXIMATION_PADE_H
 #define COR_GEN_APPROXIMATION_PADE_H
 
@@ -25,38 +25,37 @@ struct pade_request {
 
 struct pade {
     arb_poly_t p, q;
-    slong numerator, denominator; /* degrees asked for; a top coefficient may vanish */
+    slong numerator, denominator; /* requested degrees; a top coefficient may vanish */
     slong root;                   /* z = beta^(1/root) */
-    const char *variable;         /* what z^root is called: "beta", or "x" as published */
+    const char *variable;         /* name of z^root: "beta", or "x" as published */
 };
 
 void pade_init(struct pade *f);
 void pade_clear(struct pade *f);
 
-/* The [m/n] of any series c_0 + c_1 z + ..., known to z^(m+n). Returns false where the linear
- * system cannot be proved regular from these balls: too little precision, or a degenerate entry. */
+/* The [m/n] of any series c_0 + c_1 z + ..., known to z^(m+n). Returns false if the linear system cannot be proved
+ * regular from these intervals, because the precision is too low or the entry is degenerate. */
 bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong prec);
 
 /* The [m/m+5] that agrees with c_0..c_{m+4} at 0 and with limit/z^5 (1 + 0/z + ... + 0/z^m) at
  * infinity. Returns as above. */
 bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec);
 
-/* The square block of a degenerate table entry. Every entry of its first row and column is the one
- * fraction [m/n], which agrees with the series to z^(m+n+size-1); the entries inside are the same
- * fraction, or do not exist. `open`: the series given is too short to see where the block ends. */
+/* The square block of a degenerate table entry. Every entry of its first row and column is the one fraction [m/n],
+ * which agrees with the series to z^(m+n+size-1); the entries inside are the same fraction, or do not exist. `open`:
+ * the given series is too short to find the end of the block. */
 struct pade_block {
     slong m, n, size;
     bool open;
 };
 
-/* Whether the entry [m/n] is degenerate as far as the balls of c can tell; if so, its block. */
+/* Whether the intervals of c show that the entry [m/n] is degenerate; if so, sets its block. */
 bool pade_block_of(struct pade_block *b, const arb_poly_t c, slong m, slong n, slong prec);
 
-/* A pole and a zero closer to each other than |pole|/PADE_PAIR_DISTANCE are a pair. It is spurious,
- * a defect, if the pole lies near the positive axis: Re z > 0, |Im z| < Re z/PADE_PAIR_SLOPE. Pairs
- * elsewhere are reported and harmless: they stand where a cut of eps is imitated, and a pair with
- * relative distance d moves the value on the axis by about d PADE_PAIR_SLOPE at most. A comparison
- * that the balls leave open counts as yes. */
+/* A pole and a zero closer to each other than |pole|/PADE_PAIR_DISTANCE are a pair. It is spurious, a defect, if the
+ * pole lies near the positive axis: Re z > 0, |Im z| < Re z/PADE_PAIR_SLOPE. Other pairs are reported and harmless:
+ * they imitate a branch cut of eps, and a pair with relative distance d changes the value on the axis by at most about
+ * d PADE_PAIR_SLOPE. An undecided comparison counts as true. */
 enum { PADE_PAIR_DISTANCE = 100, PADE_PAIR_SLOPE = 4 };
 
 struct pade_pair {
@@ -66,7 +65,7 @@ struct pade_pair {
 };
 
 struct pade_analysis {
-    acb_ptr pole, zero; /* in z, each in a ball of its own; realness decided, then Im = 0 exactly */
+    acb_ptr pole, zero; /* in z, isolated in disjoint balls; real ones have Im = 0 exactly */
     slong poles, zeros;
     slong positive_poles, positive_zeros; /* on z > 0 */
     struct pade_pair *pair;
@@ -78,21 +77,21 @@ struct pade_analysis {
 void pade_analysis_init(struct pade_analysis *a);
 void pade_analysis_clear(struct pade_analysis *a);
 
-/* All poles and zeros, isolated. Returns false where the coefficients are too wide to isolate them
- * and decide which are real. */
+/* Isolates all poles and zeros. Returns false if the coefficients are too wide to isolate them or to decide which are
+ * real. */
 bool pade_analyse(struct pade_analysis *a, const struct pade *f, slong prec);
 
-/* What is wrong with it on z > 0 or near, with places, as a malloc'ed sentence; NULL if nothing. */
+/* A malloc'ed sentence about the defects on or near z > 0, with their places, or NULL without defects */
 char *pade_defects(const struct pade_analysis *a);
 
-/* The whole analysis for a reader, one line each, every line starting with `prefix`. */
+/* Prints the whole analysis. Every line starts with `prefix`. */
 void pade_print_analysis(FILE *file, const struct pade_analysis *a, const char *prefix);
 
-/* Why no precision could meet the request, or NULL. */
+/* The reason why no precision meets the request, or NULL */
 const char *pade_refusal(const struct pade_request *request);
 
-/* The Padé asked for with `bits` relative bits in every coefficient, and its analysis unless a is
- * NULL. Returns 0, or 1 after saying on stderr what failed. */
+/* Computes the requested Padé approximant with `bits` relative bits in every coefficient, and its analysis unless a is
+ * NULL. Returns 0, or 1 after reporting the failure on stderr. */
 int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_request *request, slong bits);
 
 #endif

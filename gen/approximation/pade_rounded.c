@@ -12,9 +12,9 @@
 #include "support/parallel.h"
 
 enum {
-    BITS = 192,                /* of references and of everything computed here */
-    SMALL_STEP = 6,            /* the small sample points are this many powers of 2 apart */
-    PIECES = 512,              /* that cover the interval where the condition is bounded */
+    BITS = 192,                /* precision of references and of all computations in this file */
+    SMALL_STEP = 6,            /* ratio of small sample points, as a power of 2 */
+    PIECES = 512,              /* number of pieces of the interval, on each of which the condition is bounded */
     OPERATIONS_PER_DEGREE = 3, /* z rounded, one product, one sum */
 };
 
@@ -51,7 +51,7 @@ static int round_polynomial(arb_poly_t rounded, const arb_poly_t exact, const ch
             arb_set_d(x, y);
             arb_poly_set_coeff_arb(rounded, i, x);
         } else {
-            status = fail("coefficient %ld of the %s is no certain double", (long)i, name);
+            status = fail("coefficient %ld of the %s does not round to a certain double", (long)i, name);
         }
     }
     arb_clear(x);
@@ -63,7 +63,7 @@ int pade_round(struct pade_rounded *r, const struct pade *f)
     r->root = f->root;
     arb_poly_set(r->p, f->p);
     arb_poly_set(r->q, f->q);
-    /* eps = 1 + O(beta), so below z^root the difference is exactly 0, if only in a ball around it.
+    /* eps = 1 + O(beta), so below z^root the difference is exactly 0; its interval contains 0.
      */
     arb_poly_sub(r->l, f->q, f->p, ARF_PREC_EXACT);
     for (slong i = 0; i < r->root; i++)
@@ -236,9 +236,9 @@ static void gamma_bound(arb_t g, slong k)
     arb_clear(d);
 }
 
-/* Relative error of P(z) by Horner's rule for every z of the ball: each coefficient carries at most
- * OPERATIONS_PER_DEGREE deg P + 1 factors (1 + delta), |delta| <= u (Higham 2002, 5.1), times the
- * condition sum |p_i| z^i / |P(z)|. */
+/* Relative error of P(z) by Horner's rule for every z of the interval: each coefficient carries at most
+ * OPERATIONS_PER_DEGREE deg P + 1 factors (1 + delta), |delta| <= u (Higham 2002, 5.1), times the condition sum |p_i|
+ * z^i / |P(z)|. */
 static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magnitude, const arb_poly_t slope,
                          const arb_t z)
 {
@@ -246,7 +246,7 @@ static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magni
     arb_init(value);
     arb_init(centre);
     arb_init(radius);
-    /* mean value form: P at the middle, P' over the ball */
+    /* mean value form: P at the midpoint, P' over the interval */
     arb_get_mid_arb(centre, z);
     arb_sub(radius, z, centre, BITS);
     arb_poly_evaluate(value, slope, z, BITS);

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* A Padé as a program will evaluate it: coefficients rounded to double, and the two errors that
- * remain. With z = beta^(1/root), eps = P(z)/Q(z) and 1 - eps = beta L(z)/Q(z), each polynomial by
- * Horner's rule; L = (Q - P)/beta is formed in balls, so nothing cancels in double. */
+/* A Padé approximant for evaluation in doubles: its rounded coefficients and its two errors. With z = beta^(1/root),
+ * eps = P(z)/Q(z) and 1 - eps = beta L(z)/Q(z), each polynomial by Horner's rule. L = (Q - P)/beta is computed in
+ * interval (ball) arithmetic, so that nothing cancels in doubles. */
 #ifndef COR_GEN_APPROXIMATION_PADE_ROUNDED_H
 #define COR_GEN_APPROXIMATION_PADE_ROUNDED_H
 
 #include "approximation/pade.h"
 
 struct pade_rounded {
-    arb_poly_t p, q, l;                      /* balls, before rounding */
+    arb_poly_t p, q, l;                      /* intervals, before rounding */
     arb_poly_t p_double, q_double, l_double; /* the doubles, exact */
     slong root;
 };
@@ -16,10 +16,10 @@ struct pade_rounded {
 void pade_rounded_init(struct pade_rounded *r);
 void pade_rounded_clear(struct pade_rounded *r);
 
-/* Returns 0, or 1 after saying on stderr which coefficient could not be rounded. */
+/* Returns 0, or 1 after reporting on stderr the coefficient that could not be rounded. */
 int pade_round(struct pade_rounded *r, const struct pade *f);
 
-/* eps at both ends for exact rational beta: where an approximation error is sampled. */
+/* eps for both ends of contact at exact rational beta, the sample points of the approximation error */
 struct references {
     fmpq *beta;
     arb_ptr eps[2]; /* by enum contact_end */
@@ -27,7 +27,7 @@ struct references {
 };
 
 /* `even` points beta_max i/even, i = 1..even, and `small` points beta_max/2^(6 j), j = 1..small.
- * Returns 0, or 1 after saying what failed. */
+ * Returns 0, or 1 after reporting the failure. */
 int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small);
 void references_clear(struct references *s);
 
@@ -39,13 +39,14 @@ struct pade_error {
 void pade_error_init(struct pade_error *e);
 void pade_error_clear(struct pade_error *e);
 
-/* Of the exact functions of the rounded coefficients, so rounding is in it: sampled. */
+/* Error of the exact functions of the rounded coefficients, which includes the rounding of the coefficients.
+ * Sampled. */
 void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum contact_end end,
                               const struct references *s);
 
-/* Of their evaluation in double (round to nearest, with or without fused multiply-add) over
- * 0 <= beta <= beta_max, z itself rounded: proved, by sum |p_i| z^i / |P(z)| in balls over pieces
- * that cover the interval. Infinity where P or Q may vanish there. */
+/* Error of their evaluation in double (round to nearest, with or without fused multiply-add) for 0 <= beta <= beta_max,
+ * with a rounded z. Proved by interval (ball) arithmetic of sum |p_i| z^i / |P(z)| over pieces that cover the range.
+ * Infinite if P or Q may vanish in the range. */
 void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded *r, slong beta_max);
 
 #endif

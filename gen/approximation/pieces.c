@@ -22,7 +22,7 @@ static bool by_octaves(const struct pieces *p)
     return p->variable >= VARIABLE_POWER_OCTAVES;
 }
 
-/* Whether y is a root, and the end of the table that of its power */
+/* Whether y is a root, while the end of the table is that of its power */
 static bool by_root(const struct pieces *p)
 {
     return p->variable == VARIABLE_ROOT_BETA || p->variable == VARIABLE_ROOT_LOSS;
@@ -47,7 +47,7 @@ static struct cell cell_of(const struct pieces *p, slong row)
     return cell;
 }
 
-/* The root of beta at y, which the interpolant is asked for near beta = 0 */
+/* The root of beta at y, the interpolant's variable near beta = 0 */
 static void root_of_beta(arb_t z, const struct pieces *p, const struct interpolant *f, const arb_t y)
 {
     if (p->variable == VARIABLE_ROOT_BETA && p->root == interpolant_root(f)) {
@@ -61,7 +61,7 @@ static void root_of_beta(arb_t z, const struct pieces *p, const struct interpola
     arb_root_ui(z, z, (ulong)interpolant_root(f), WORKING_BITS);
 }
 
-/* The quantity at a place of a cell. Returns 0, or 1 after saying what failed. */
+/* The quantity at a place of a cell. Returns 0, or 1 after reporting the failure. */
 static int quantity_at(arb_t value, const struct pieces *p, const struct interpolant *f, const struct cell *cell,
                        const arb_t y)
 {
@@ -119,13 +119,13 @@ static void factor(arb_t s, const struct cell *cell, const arb_t y)
     arb_clear(node);
 }
 
-/* Where the cell is sampled: a double between its ends. */
+/* A sample point of the cell: a double between its ends */
 static double between(const struct cell *cell, double fraction)
 {
     return ldexp(nearbyint(ldexp(cell->lo + (cell->hi - cell->lo) * fraction, 40)), -40);
 }
 
-/* c_0 to few bits, or to those of a double */
+/* c_0 rounded to few bits, or to those of a double */
 static void round_head(arb_t head, const struct pieces *p, const arb_t value)
 {
     if (p->head_bits > 0) {
@@ -200,8 +200,8 @@ static void row_value(arb_t value, const struct pieces *p, const struct cell *ce
     arb_clear(s);
 }
 
-/* What samples of a cell show: -log2 of the largest relative error, NaN after saying what failed, and the largest
- * |row/c_0 - 1|. */
+/* Quality of a cell from samples: -log2 of the largest relative error, NaN after a reported failure, and the largest
+ * |row/c_0 - 1| */
 struct quality {
     double bits, rest;
 };
@@ -231,7 +231,7 @@ static struct quality quality_of(const struct pieces *p, const struct interpolan
     return (struct quality){-log2(worst), rest};
 }
 
-/* Whether the rows reach as far as the table is used. */
+/* Whether the rows cover the range of the table */
 static bool covers_end(const struct pieces *p)
 {
     const struct cell last = cell_of(p, p->rows - 1);
@@ -252,7 +252,7 @@ static bool is_good(const struct pieces *p, struct quality quality)
     return quality.bits >= p->least_bits && (p->most_rest == 0 || quality.rest <= p->most_rest);
 }
 
-/* Nothing after another row has missed a bound: then the grid is too wide. */
+/* Computes a row, except after another row has missed a bound, because the grid is then too wide. */
 static void cut_row(void *context, slong row)
 {
     struct cutting *const work = context;
@@ -278,7 +278,8 @@ static void cut_row(void *context, slong row)
     }
 }
 
-/* Cuts all rows: STATUS_OK with *good false where one misses a bound, with its number and quality, or STATUS_FAILED. */
+/* Computes all rows. Returns STATUS_OK, and sets *good to false if a row misses a bound, with its number and quality,
+ * or returns STATUS_FAILED. */
 static int cut_rows(struct pieces *p, const struct interpolant *f, bool *good, slong *missed, struct quality *quality)
 {
     struct cutting work = {.p = p, .f = f, .quality = xmalloc((size_t)p->rows * sizeof *work.quality)};
@@ -315,7 +316,7 @@ int pieces_make(struct pieces *p, const struct interpolant *f)
                                         : status;
 }
 
-/* As many rows as reach `end` */
+/* The number of rows up to `end` */
 static slong rows_to_end(const struct pieces *p)
 {
     if (by_octaves(p)) {
@@ -357,7 +358,7 @@ void pieces_clear(struct pieces *p)
     free(p->bits);
 }
 
-/* Where the table is used, as its title says it */
+/* The range of the table, for its title */
 static void domain_text(char text[64], const struct pieces *p)
 {
     switch (p->variable) {

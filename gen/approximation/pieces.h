@@ -6,20 +6,20 @@
  *
  *     f = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_degree t^(degree-1))),     t = y - y_i
  *
- * with s = t in the first `plain` rows and s = beta - y_i^2 in the others, of y = sqrt(beta): that is exact in
- * floating point, where t is not, but has a zero at -y_i that the first rows are too near to. c_0 is the number of
- * `head_bits` bits, or the double, nearest to f(y_i), and c_0' what it lacks; the other coefficients interpolate
- * (f - f(y_i))/s at Chebyshev's points of the cell and are rounded once. */
+ * In the first `plain` rows s = t. In the other rows of y = sqrt(beta), s = beta - y_i^2, which is exact in floating
+ * point, while t is not. This s has a zero at -y_i, which is too near to the first rows. c_0 is the number of
+ * `head_bits` bits, or the double, nearest to f(y_i), and c_0' is its remainder. The other coefficients interpolate (f
+ * - f(y_i))/s at the Chebyshev points of the cell and are rounded once. */
 #ifndef COR_GEN_APPROXIMATION_PIECES_H
 #define COR_GEN_APPROXIMATION_PIECES_H
 
 #include "approximation/interpolant.h"
 #include "support/emit_c.h"
 
-/* The variable y of a table. By octaves 2^k <= x < 2^(k+1) of some x, y is x 2^-k, and the 2^octave_bits rows of an octave
- * have their nodes in the middle of as many equal cells: of x = beta^5, which an impact speed on spheres is proportional
- * to, of eps, of beta, of ln(beta), and of beta_c - beta. VARIABLE_LOSS is 1 - eps, and roots are those of the
- * interpolant's layout, square roots for spheres. */
+/* The variable y of a table. In tables by octaves 2^k <= x < 2^(k+1), y is x 2^-k. The 2^octave_bits rows of an octave
+ * have their nodes in the middle of equal cells. x is eps, beta, ln(beta), beta_c - beta, or beta^5, which is
+ * proportional to the impact speed of spheres. VARIABLE_LOSS is 1 - eps. Roots are those of the interpolant's layout,
+ * square roots for spheres. */
 enum variable {
     VARIABLE_BETA,
     VARIABLE_ROOT_BETA,
@@ -39,33 +39,35 @@ struct pieces {
     enum variable variable;
     slong root;         /* of VARIABLE_ROOT_... */
     double first, step; /* of the nodes; octaves: first k */
-    double end;         /* first beta, ln(beta), beta^5, loss, eps or beta_c - beta that the table is not for */
+    double end;         /* first beta, ln(beta), beta^5, loss, eps or beta_c - beta beyond the table */
     slong octave_bits;  /* of octaves */
     slong rows, degree, plain;
-    slong head_bits;     /* of c_0, or 0: as many as a double has */
-    const char *name;    /* of the function that returns a row, cor_rows_...; COR_ROWS_..._FIRST is of its geometry */
-    const char *title;   /* of its comment */
-    double least_bits;   /* every piece must reach so many */
-    double most_rest;    /* |row/c_0 - 1| must not be more, or 0: it may */
-    arb_ptr coefficient; /* rows x (degree + 2), balls that round to the doubles of the table */
+    slong head_bits;     /* bits of c_0; 0: those of a double */
+    const char *name;    /* name of the function that returns a row, cor_rows_...; the macros COR_ROWS_..._FIRST, ...
+                          * give its geometry */
+    const char *title;   /* first line of its comment */
+    double least_bits;   /* accuracy that every piece must reach */
+    double most_rest;    /* upper limit of |row/c_0 - 1|; 0: no limit */
+    arb_ptr coefficient; /* rows x (degree + 2) intervals that round to the doubles of the table */
     double *value;       /* the same as doubles */
-    double *bits;        /* reached by the rounded row, sampled */
+    double *bits;        /* accuracy of the rounded row, sampled */
 };
 
-/* Cuts p, whose fields up to most_rest are set. Fails where a piece misses its bound. */
+/* Computes p, whose fields up to most_rest are set. Fails if a piece misses its bound. */
 int pieces_make(struct pieces *p, const struct interpolant *f);
 void pieces_clear(struct pieces *p);
 
-/* The same with the widest cells that meet the bounds: from p's own, halved as long as a piece misses one. `first`, `end`
- * and the first step or octave_bits are set, `rows` and `plain` follow. */
+/* The same with the widest cells that meet the bounds. Cells start with p's own width, which is halved until no piece
+ * misses a bound. The caller sets `first`, `end` and the first step or octave_bits; the function sets `rows` and
+ * `plain`. */
 int pieces_fit(struct pieces *p, const struct interpolant *f);
 
-/* The geometry of the table as macros, under NAME in capitals, and the function NAME(i) that returns row i, with the
- * intervals and bits beside the numbers:
+/* The geometry of the table as macros, under NAME in capitals, and the function NAME(i) that returns row i. Comments
+ * beside the numbers show the intervals and bits.
  *
  *     _FIRST, _STEP, _PER_UNIT, _ROWS   nodes FIRST + i STEP, 0 <= i < ROWS, PER_UNIT = 1/STEP
  *     _END                              as the field `end`
- *     _PLAIN_ROWS                       rows with s = t, where not all have it
+ *     _PLAIN_ROWS                       number of rows with s = t, if not all have it
  *
  * and of octaves, where FIRST is the first x:
  *

@@ -3,8 +3,8 @@
 
 #include <stddef.h>
 
-/* y_2 and y_3 went wrong in the numbers, not in (61); (62) also has lost a factor 1/6, which does
- * not matter since x_0''' vanishes at the turning point. C_3, C_4, a_3, a_4 and Table I inherit it.
+/* The printed numbers y_2 and y_3 are wrong, while (61) is right. (62) also lacks a factor 1/6, which has no effect
+ * because x_0''' vanishes at the turning point. C_3, C_4, a_3, a_4 and Table I inherit the error of y_2 and y_3.
  *
  * Table I prints 2.5839, 3.5839 and 2.9839 where the printed a_k give 2.58401, 3.58401 and 2.98401:
  * d_0 is near zero, so the last printed digit of a_3 is worth 2.4e-4 there. */

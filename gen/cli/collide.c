@@ -31,7 +31,7 @@ static bool is_printed(int i, int end)
     return i <= T_MAX || end == OPTIONS_NOT_GIVEN || (i >= EPS_ZERO_FORCE_COLUMN) == (end == END_ZERO_FORCE);
 }
 
-static int solve(struct collision *c, const arb_t beta, const struct problem *problem, slong bits)
+static int problem_solve(struct collision *c, const arb_t beta, const struct problem *problem, slong bits)
 {
     if (problem->end == OPTIONS_NOT_GIVEN || arb_is_zero(beta))
         return collision_solve(c, beta, &problem->law, bits);
@@ -39,7 +39,7 @@ static int solve(struct collision *c, const arb_t beta, const struct problem *pr
                                                                                               bits);
 }
 
-/* The one row. */
+/* Fills the table, which has one row. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
     const struct problem *const problem = arguments;
@@ -52,11 +52,11 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     table_init(table, printed, columns);
     arb_t beta;
     arb_init(beta);
-    /* beta is rounded with bits to spare, so that this never costs the result its own. */
+    /* beta is rounded with extra bits, so that this rounding never decides the accuracy of the result */
     arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
     struct collision collision;
     collision_init(&collision);
-    const int status = solve(&collision, beta, problem, bits);
+    const int status = problem_solve(&collision, beta, problem, bits);
     profile_step("digits");
     const arb_struct *const value[COLUMNS] = {NULL,
                                               collision.x_max,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The subcommands of corgen, one file each, and what each takes. */
+/* The subcommands of corgen, one file each, and the arguments of each. */
 #ifndef COR_GEN_CLI_COMMANDS_H
 #define COR_GEN_CLI_COMMANDS_H
 
@@ -30,7 +30,7 @@ struct pade_arguments {
     slong digits;
     enum contact_end end;
     bool two_point, as_published, force;
-    const char *header; /* the C header is written here; NULL: none */
+    const char *header; /* file of the C header, or NULL */
     struct option_law law;
 };
 
@@ -69,7 +69,7 @@ struct embed_arguments {
 
 struct plan_arguments {
     struct option_common common;
-    struct embed_request scene; /* of disks: both speeds, tolerance and Poisson's ratio */
+    struct embed_request scene; /* for disks only both speeds, tolerance and Poisson's ratio */
     slong points;               /* 0 if not given */
     bool disks;
     enum plan_quantity quantity;

@@ -8,7 +8,7 @@
 #include "support/digits.h"
 #include "support/parallel.h"
 
-/* What one mode takes: three numbers, their texts, and its place in the table. */
+/* Memory of one mode: three numbers, their texts, and its place in the table */
 static double bytes_needed(double digits)
 {
     return 600 + 3 * (digits + digits * 3.33 / 8);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen embed: one header for one scene. */
+/* corgen embed writes one header for one scene. */
 #include <stdlib.h>
 
 #include "cli/commands.h"

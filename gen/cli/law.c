@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen law: one header with every quantity of one law. */
+/* corgen law writes one header with every quantity of one law. */
 #include <string.h>
 
 #include "cli/commands.h"

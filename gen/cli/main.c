@@ -2,7 +2,7 @@
 #include "cli/commands.h"
 #include "support/console.h"
 
-/* In the order of corgen --help. A new subcommand is a file beside this one and a line here. */
+/* The subcommands in the order of corgen --help. A new subcommand needs a file beside this one and a line here. */
 static const struct subcommand *const subcommands[] = {&command_trajectory,
                                                        &command_series,
                                                        &command_pade,

@@ -85,7 +85,7 @@ static int parse_real(struct decimal *value, const struct option_rule *rule, con
                : refuse_real(rule->name, rule->range.number, text);
 }
 
-/* "a, b, c" of words, each behind a prefix; malloc'ed */
+/* The text "a, b, c" of words, each with a prefix; malloc'ed */
 static char *joined(const char *const *words, const char *prefix)
 {
     char *text = NULL;
@@ -110,7 +110,7 @@ static int parse_word(int *place, const struct option_rule *rule, const char *te
     return status;
 }
 
-/* Not a name that C reserves: two underscores, or one and a capital letter. */
+/* Reads a C identifier. Names that C reserves are refused: two underscores, or an underscore and a capital letter. */
 static int parse_c_name(const char **name, const struct option_rule *rule, const char *text)
 {
 #define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_"
@@ -167,7 +167,7 @@ static int refuse_unknown(const char *command, const struct option_rule *rules, 
     return status;
 }
 
-/* What getopt has found to be wrong. */
+/* Reports the error that getopt has found. */
 static int refuse_option(const struct option_rule *rules, int key, char **argv)
 {
     if (key == ':')
@@ -180,7 +180,7 @@ static int refuse_option(const struct option_rule *rules, int key, char **argv)
     return refuse_unknown(argv[0], rules, optopt ? short_option : argv[optind - 1]);
 }
 
-/* What is missing, contradicts or means nothing in what was given. */
+/* Reports a missing option, a contradiction, or an option without its counterpart. */
 static int check_given(const struct option_rule *rules, const bool *given, const char *command)
 {
     for (size_t i = 0; rules[i].name; i++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Command-line options as data. A subcommand lists the options that it takes, each with the field of its struct of
- * arguments that the option fills; options_parse() does the rest. */
+/* Command-line options as data. A subcommand lists its options, each with the field of its struct of arguments that the
+ * option fills. options_parse() reads them. */
 #ifndef COR_GEN_CLI_OPTIONS_H
 #define COR_GEN_CLI_OPTIONS_H
 
@@ -13,20 +13,20 @@
 #define OPTIONS_MAX_NAME 63
 #define OPTIONS_NOT_GIVEN (-1)
 
-/* What an option's value is, and the type of the field that it fills. */
+/* The kind of an option's value, and the type of the field that it fills */
 enum option_kind {
     OPTION_FLAG,  /* no value; bool */
-    OPTION_WHOLE, /* a whole number in `whole`; slong */
-    OPTION_REAL,  /* a number in `number`; struct decimal */
-    OPTION_WORD,  /* one of `words`; the place among them as an int, or an enum of that size */
-    OPTION_LIST,  /* a list by `values`; struct values */
-    OPTION_TEXT,  /* any text but the empty one; const char * */
+    OPTION_WHOLE, /* an integer in the range `whole`; slong */
+    OPTION_REAL,  /* a number in the range `number`; struct decimal */
+    OPTION_WORD,  /* one of `words`; the field is the index as an int, or an enum of that size */
+    OPTION_LIST,  /* a list according to `values`; struct values */
+    OPTION_TEXT,  /* any nonempty text; const char * */
     OPTION_C_NAME /* an identifier of C; const char * */
 };
 
 struct option_numbers {
     struct decimal_range range;
-    enum decimal_forms forms; /* that the text may have */
+    enum decimal_forms forms; /* allowed forms of the text */
 };
 
 struct option_rule {
@@ -41,20 +41,20 @@ struct option_rule {
         const char *const *words; /* ends with NULL */
         const struct values_rule *values;
     } range;
-    const char *why; /* there is an upper limit; of words: what they are, "an end of contact" */
+    const char *why; /* reason for the upper limit; for words: their meaning, "an end of contact" */
     bool required;
     const char *excludes; /* options that contradict this one, space separated, or NULL */
-    const char *needs;    /* the option without which this one means nothing, or NULL */
+    const char *needs;    /* the option that this one requires, or NULL */
 };
 
-/* What every subcommand has; the first member of its struct of arguments. */
+/* Arguments of every subcommand; the first member of its struct of arguments */
 struct option_common {
     int format;         /* enum output_format */
     const char *output; /* file, or directory for `tables`; NULL: standard output */
     bool profile;
 };
 
-/* Rules that several subcommands share. TYPE: their struct of arguments, whose first member is `common`. */
+/* Rules that several subcommands share. TYPE is their struct of arguments, whose first member is `common`. */
 #define OPTION_COMMON(TYPE)                                                                                            \
     {.name = "output", .kind = OPTION_TEXT, .offset = offsetof(TYPE, common.output)},                                  \
     {                                                                                                                  \
@@ -68,7 +68,7 @@ struct option_common {
 #define OPTION_DIGITS(TYPE)                                                                                            \
     {                                                                                                                  \
         .name = "digits", .kind = OPTION_WHOLE, .offset = offsetof(TYPE, digits),                                      \
-        .range.whole = {1, OPTIONS_MAX_DIGITS}, .why = "more digits than that take longer than anyone waits"           \
+        .range.whole = {1, OPTIONS_MAX_DIGITS}, .why = "more digits would take too long"                               \
     }
 #define OPTION_END(TYPE, FIELD)                                                                                        \
     {                                                                                                                  \
@@ -87,20 +87,20 @@ struct option_common {
 
 extern const char *const option_ends[];          /* in the order of enum contact_end */
 extern const char *const option_formats[];       /* text, csv, json */
-extern const char *const option_formats_latex[]; /* and latex */
+extern const char *const option_formats_latex[]; /* text, csv, json, latex */
 extern const struct option_numbers option_positive, option_not_negative, option_sphere_poisson, option_disk_poisson;
 
-/* The two exponents of a law as they are written; NULL: the sphere's. */
+/* The texts of the two exponents of a law; NULL: those of the sphere */
 struct option_law {
     const char *elastic, *damping;
 };
 
-/* Fills *arguments from argv[1], ..., and *help. STATUS_OK, or STATUS_USAGE after a sentence on stderr that names the
- * command, argv[0]. options_clear() frees what the fields own, in any case. */
+/* Fills *arguments from argv[1], ..., and *help. Returns STATUS_OK, or STATUS_USAGE after a message on stderr that
+ * names the command, argv[0]. In both cases options_clear() frees the memory that the fields own. */
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help);
 void options_clear(void *arguments, const struct option_rule *rules);
 
-/* STATUS_OK, or STATUS_USAGE after a sentence. */
+/* These return STATUS_OK, or STATUS_USAGE after a message. */
 struct law;
 int options_law(struct law *law, const struct option_law *text);
 int options_check_real(const char *name, const struct option_numbers *numbers, const struct decimal *value);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen pade: the coefficients, the analysis, and on request a C header. */
+/* corgen pade prints the coefficients and the analysis, and writes a C header on request. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,9 +13,9 @@
 #include "tables/pade.h"
 
 enum {
-    HEADER_BITS = 256,   /* of every coefficient that is rounded to double */
-    HEADER_BETA_MAX = 2, /* bounds in the header hold up to here */
-    HEADER_EVEN = 64,    /* sample points, see references_init */
+    HEADER_BITS = 256,   /* precision of every coefficient that is rounded to double */
+    HEADER_BETA_MAX = 2, /* the bounds in the header hold up to this beta */
+    HEADER_EVEN = 64,    /* number of sample points, see references_init */
     HEADER_SMALL = 4,
     PRINT_ATTEMPTS = 3, /* a coefficient half-way between two decimals needs more bits */
     TEXT_MAX = 1024,
@@ -45,7 +45,7 @@ static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p
     return certain;
 }
 
-/* f, its analysis, and the table of its coefficients to so many digits. */
+/* Computes f, its analysis, and the table of its coefficients with `digits` digits. */
 static int compute_coefficients(struct pade *f, struct pade_analysis *a, struct table *t,
                                 const struct pade_request *request, slong digits, slong bits)
 {
@@ -68,7 +68,7 @@ static const char *end_option(enum contact_end end)
     return end == END_ZERO_FORCE ? "zero-force" : "zero-overlap";
 }
 
-/* The literal command that makes the header again. */
+/* The command line that writes the header again */
 static void command_line(char text[TEXT_MAX], const struct pade_request *r, bool force)
 {
     const struct law *law = &r->law;
@@ -113,7 +113,7 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
 {
     char name[TEXT_MAX], guard[TEXT_MAX + 8], command[TEXT_MAX], banner[3 * TEXT_MAX];
     struct references references;
-    /* Table I is a function of another variable and of other numbers: nothing to compare it with.
+    /* Table I has another variable and other numbers, so that no comparison is possible.
      */
     const bool assessed = law_is_sphere(&r->law) && r->kind != PADE_AS_PUBLISHED;
     if (assessed && references_init(&references, &r->law, HEADER_BETA_MAX, HEADER_EVEN, HEADER_SMALL))
@@ -163,7 +163,7 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
     return status;
 }
 
-/* Which printed numbers the coefficients stand for, and how near they are. */
+/* Prints the published numbers beside the coefficients, and their differences. */
 static void print_published(FILE *file, const struct pade *f)
 {
     fprintf(file, "\nTable I prints     from the printed a_k\n");
@@ -199,7 +199,7 @@ static int print_result(const struct pade_arguments *o, const struct pade_reques
     return output_commit(&out);
 }
 
-/* The request that the options make, or a usage error. */
+/* Converts the options to a request, or reports a usage error. */
 static int read_request(struct pade_request *r, const struct pade_arguments *o, const struct law *law)
 {
     *r = (struct pade_request){.kind = o->as_published ? PADE_AS_PUBLISHED

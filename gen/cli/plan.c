@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen plan: which model of a collision a scene needs, what it costs and leaves out. */
+/* corgen plan recommends a model of collisions for a scene, with its cost and its neglected effects. */
 #include "plan/plan.h"
 #include "cli/commands.h"
 #include "cli/scene_options.h"

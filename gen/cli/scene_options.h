@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The options of a scene of spheres, as corgen embed and corgen plan take them: rows of a table of options. POISSON: the
- * numbers that --poisson may be. APART: options that contradict all but the range and --poisson, a literal. */
+/* The options of a scene of spheres for corgen embed and corgen plan, as rows of a table of options. POISSON is the
+ * range of --poisson. APART, a literal, lists the options that contradict all others except the range and --poisson. */
 #ifndef COR_GEN_CLI_SCENE_OPTIONS_H
 #define COR_GEN_CLI_SCENE_OPTIONS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen series: the coefficients of x_max, t_max and eps in proved digits. */
+/* corgen series prints the coefficients of x_max, t_max and eps in proved digits. */
 #include <stdlib.h>
 
 #include "cli/commands.h"
@@ -10,7 +10,7 @@
 
 enum { MAX_ORDER = 100000 };
 
-/* Adds the coefficient to the table, or returns false where its digits are not proved. */
+/* Adds the coefficient to the table, or returns false if its digits are not proved. */
 static bool add_coefficient(struct table *table, const arb_poly_t poly, slong k, slong digits)
 {
     arb_t c;
@@ -77,7 +77,7 @@ static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME
     return status;
 }
 
-/* G and T of docs/derivation.md, 5: nothing to prove, so no digits and no loop. */
+/* G and T of docs/derivation.md, 5. They are exact rationals, so that the precision loop is not needed. */
 static void fill_exact(struct table *table, slong order, const struct law *law)
 {
     static const char *const column[] = {"power_of_w", "G", "T"};

@@ -45,7 +45,7 @@ static int print_version(const char *version)
     return output_commit(&out);
 }
 
-/* NULL after a sentence, if `name` is none; of a NULL name, too. */
+/* The subcommand of that name. Returns NULL after a message if `name` is NULL or not a subcommand. */
 static const struct subcommand *subcommand_named(const struct subcommand *const *table, const char *name)
 {
     for (const struct subcommand *const *row = table; name && *row; row++)
@@ -74,7 +74,7 @@ static int subcommand_start(const struct subcommand *cmd, const void *arguments)
     int status = cmd->run(arguments);
     progress_end();
     profile_report();
-    /* For what was printed past output.c: a remark that did not arrive is a failure too. */
+    /* remarks are printed without output.c; an error of stdout is a failure, too */
     if (status == STATUS_OK && (fflush(stdout) != 0 || ferror(stdout)))
         status = fail("cannot write standard output: %s", strerror(errno));
     return status;
@@ -109,7 +109,7 @@ static int subcommand_parse_and_start(const struct subcommand *cmd, int argc, ch
     return status;
 }
 
-/* What the command line says, by one process. */
+/* Runs the command line in one process. */
 static int run_alone(const struct subcommand *const *table, const char *version, int argc, char **argv)
 {
     const char *const name = argc < 2 ? NULL : argv[1];

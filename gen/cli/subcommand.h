@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A subcommand of corgen, and the way from a command line to the one that it names. */
+/* A subcommand of corgen, and the dispatch from a command line to the subcommand. */
 #ifndef COR_GEN_CLI_SUBCOMMAND_H
 #define COR_GEN_CLI_SUBCOMMAND_H
 
@@ -10,13 +10,14 @@ struct subcommand {
     const char *summary;
     const char *help; /* full text of --help: usage, options, output columns, example */
     const struct option_rule *options;
-    size_t size;                       /* of its struct of arguments, which begins with struct option_common, */
-    const void *defaults;              /* and what that holds where no option is given */
+    size_t size;                       /* size of its struct of arguments, which begins with struct option_common */
+    const void *defaults;              /* values of that struct for options that are not given */
     int (*run)(const void *arguments); /* exit status */
-    bool on_all_ranks;                 /* every process of an mpirun runs it; otherwise one does, and the others wait */
+    bool on_all_ranks;                 /* every process of an mpirun runs it; otherwise one process runs it and the
+                                        * others wait */
 };
 
-/* Chooses and runs one out of a table that ends with NULL; returns the exit status. */
+/* Chooses a subcommand from a table that ends with NULL, and runs it. Returns the exit status. */
 int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv);
 
 /* Parts of help texts */

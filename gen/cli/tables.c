@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen tables: everything in generated/, or the mode tables of another material. */
+/* corgen tables writes all files of generated/, or the mode tables of another material. */
 #include <string.h>
 
 #include "cli/commands.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen trajectory: the exact x_k(t) of (48), (49). */
+/* corgen trajectory prints the exact x_k(t) of (48), (49). */
 #include <stdlib.h>
 
 #include "cli/commands.h"
@@ -57,7 +57,7 @@ static void print_size_latex(FILE *file, const fmpq_t size)
     flint_free(denominator);
 }
 
-/* Terms that vanish are left out; the row goes on beyond the last one asked for. */
+/* Prints a row without its vanishing terms; dots stand for the terms beyond the requested ones. */
 static void print_row(FILE *file, const fmpq_poly_t row, slong k, const struct trajectory_arguments *o,
                       const struct law *law)
 {

@@ -5,22 +5,22 @@
 
 #include "runtime/core/mode_source.h"
 
-/* With N = n + 1 and u = a_{n+1}/(2N), x = n - a_n has a_n = (z/(2N)) A, A = 1/(1 - u). A is carried as h/d, and
- * A - 1 as k/d, because 1 - A cancels for n > kappa: d = 1 unless |A| > 1, then h = 1, so that nothing overflows where
- * J_n vanishes. In these, and with capitals for kappa', b_n = (g/N) B, y = n - b_n,
+/* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A is stored as h/d, and A
+ * - 1 as k/d, because 1 - A cancels for n > kappa. d = 1 unless |A| > 1; then h = 1, so that nothing overflows where
+ * J_n vanishes. In these variables, with capital letters for kappa', b_n = (g/N) B and y = n - b_n,
  *
  *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
  *     e d - s k = 0                                              n = 0
  *     T0 = e d D - s k D - 2 K d,   T1 = d D,   T2 = h H
  *
- * is the frequency equation (25) divided by g, in which nothing cancels where nu is next to -1 or 1. */
+ * is the frequency equation (25) divided by g. Nothing cancels in it where nu is close to -1 or 1. */
 
 /* ---- Bessel functions ---- */
 
 struct wave {
     arb_t z, h, d, k;
     int tall;    /* |A| > 1: h = 1 */
-    slong zeros; /* of J_n below kappa */
+    slong zeros; /* number of zeros of J_n below kappa */
 };
 
 static void wave_init(struct wave *a)
@@ -39,8 +39,9 @@ static void wave_clear(struct wave *a)
     arb_clear(a->k);
 }
 
-/* From a->z. The zeros of J_m and J_{m+1} interlace, j_{m,k} < j_{m+1,k} < j_{m,k+1}: J_m has one more below kappa than
- * J_{m+1} has where J_{m+1}/J_m < 0, and the same number otherwise. Returns 0 where a sign is undecided. */
+/* Computes the wave from a->z. The zeros of J_m and J_{m+1} interlace, j_{m,k} < j_{m+1,k} < j_{m,k+1}: below kappa,
+ * J_m has one zero more than J_{m+1} if J_{m+1}/J_m < 0, and otherwise the same number. Returns 0 if a sign is
+ * undecided. */
 static int wave_set(struct wave *a, slong n, slong prec)
 {
     int decided = 1;
@@ -88,7 +89,7 @@ static int wave_set(struct wave *a, slong n, slong prec)
     return decided;
 }
 
-/* z d/dz of h, d and k: that of A is N (1 - A) + z A^2/(4N), Riccati's equation for a_n. */
+/* z d/dz of h, d and k. z dA/dz is N (1 - A) + z A^2/(4N), Riccati's equation for a_n. */
 static void wave_derivative(arb_t h, arb_t d, arb_t k, const struct wave *a, slong n, slong prec)
 {
     arb_mul(h, a->z, a->h, prec);
@@ -96,7 +97,7 @@ static void wave_derivative(arb_t h, arb_t d, arb_t k, const struct wave *a, slo
     arb_div_si(h, h, 4 * (n + 1), prec);
     arb_mul(d, a->d, a->k, prec);
     arb_mul_si(d, d, n + 1, prec);
-    arb_sub(h, h, d, prec); /* d^2 times that of A */
+    arb_sub(h, h, d, prec); /* d^2 times z dA/dz */
     if (a->tall) {
         arb_neg(d, h);
         arb_set(k, h);
@@ -107,7 +108,7 @@ static void wave_derivative(arb_t h, arb_t d, arb_t k, const struct wave *a, slo
     }
 }
 
-/* ---- the equation in balls ---- */
+/* ---- the equation in interval (ball) arithmetic ---- */
 
 void disk_init(struct disk *d, const fmpq_t nu, slong prec)
 {
@@ -170,7 +171,7 @@ static int waves_set(struct waves *v, const struct disk *d, slong n, const arb_t
     return wave_set(&v->a, n, d->prec) && (n == 0 || wave_set(&v->b, n, d->prec));
 }
 
-/* T0, T1, T2 are bilinear: with derivatives in place of one wave's numbers they are half of the product rule. */
+/* T0, T1, T2 are bilinear. With the derivatives of one wave they are one half of the product rule. */
 static void products(arb_struct t[3], const struct disk *disk, const arb_t h, const arb_t d, const arb_t k,
                      const struct wave *b)
 {
@@ -185,7 +186,7 @@ static void products(arb_struct t[3], const struct disk *disk, const arb_t h, co
     arb_mul(t + 2, h, b->h, prec);
 }
 
-/* f = rest - n(n-1)/2 T0, the left side of the equation; rest is what g multiplies in it */
+/* f = rest - n(n-1)/2 T0 is the left side of the equation; rest contains the terms with the factor g */
 static void combine(arb_t f, arb_t rest, const arb_struct t[3], const struct disk *disk, const arb_t g, slong n)
 {
     const slong prec = disk->prec;
@@ -208,9 +209,9 @@ static int sign_of(const arb_t x)
 
 enum { UNDECIDED_SIGN = 3 };
 
-/* Negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. The 2 x 2 matrices have, but for
- * positive factors, det(clamped) = D = x y - n^2, det(free) = F/D, F the left side of the equation, diagonals -y/D and
- * -P/D, P = y + D/g. UNDECIDED_SIGN if a sign is not decided. */
+/* Negative eigenvalues of the stiffness at the rim, free minus clamped, n >= 1. Up to positive factors, the 2 x 2
+ * matrices have det(clamped) = D = x y - n^2, det(free) = F/D, where F is the left side of the equation, and diagonals
+ * -y/D and -P/D, where P = y + D/g. Returns UNDECIDED_SIGN if a sign is undecided. */
 static int eigenvalues(const arb_struct t[3], const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;
@@ -325,7 +326,7 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
             arb_t part;
             arb_init(part);
             products(t, disk, v.a.h, v.a.d, v.a.k, &v.b);
-            combine(f, df, t, disk, v.g, n); /* rest is proportional to g: its own derivative */
+            combine(f, df, t, disk, v.g, n); /* rest is proportional to g, so it equals g times its derivative by g */
             products(t, disk, derivative.h, derivative.d, derivative.k, &v.b);
             combine(part, rest, t, disk, v.g, n);
             arb_add(df, df, part, prec);
@@ -374,8 +375,8 @@ int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const ar
     arb_init(stiff);
     int done = waves_set(&v, disk, n, w);
     if (done) {
-        /* (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S; either row alone degenerates for some
-         * modes, so the one that is known better. */
+        /* (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S. Each row degenerates for some modes, so
+         * the code uses the row with the smaller relative error. */
         arb_sub_si(stiff, v.g, n * (n - 1), prec);
         arb_mul(a, v.a.z, v.a.h, prec);
         arb_div_si(a, a, 2 * (n + 1), prec);

@@ -14,7 +14,7 @@
 #include "support/parallel.h"
 #include "support/precision.h"
 
-/* Bits of omega lost on the way to C and S, and by the ladders; a mode that loses more is computed again. */
+/* Bits of omega that C and S, and the ladders, usually lose. A mode that loses more is computed again. */
 enum {
     GUARD_BITS = 24,
     NEWTON_MAX = 12,
@@ -53,9 +53,10 @@ void disk_modes_clear(struct disk_modes *modes)
     disk_modes_init(modes);
 }
 
-/* ---- one mode, in balls ---- */
+/* ---- one mode, in interval (ball) arithmetic ---- */
 
-/* w becomes the ball from low to high if root (n, l), and no other of this n, is proved to be there. */
+/* Sets w to the interval from low to high if the interval is proved to contain root (n, l) and no other root of this
+ * n. */
 static bool proved_between(arb_t w, const struct disk *disk, slong n, slong l, const arf_t low, const arf_t high)
 {
     arb_set_arf(w, low);
@@ -66,7 +67,8 @@ static bool proved_between(arb_t w, const struct disk *disk, slong n, slong l, c
     return proved;
 }
 
-/* Newton's method from the middle of w, then proof. Returns false where it does not lead to root (n, l). */
+/* Applies Newton's method from the middle of w, then proves the result. Returns false if the method does not lead to
+ * root (n, l). */
 static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bits)
 {
     struct disk disk;
@@ -95,7 +97,7 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
         if (gained < NEWTON_SLACK || !arb_is_positive(w))
             break;
         if (prec == full && 2 * gained >= full + NEWTON_SLACK) {
-            /* the next step would be below what the balls can see: a bracket of twice what they see is enough */
+            /* the next step would be below the width of the interval, so a bracket of twice that width suffices */
             mag_set(width, arb_radref(step));
             mag_mul_2exp_si(width, width, 1);
             mag_set_ui_2exp_si(arb_radref(step), 1, 2 - bits - GUARD_BITS / 2);
@@ -130,8 +132,8 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
     return proved;
 }
 
-/* Bisection by the count alone, which cannot go astray, until Newton's method does. Undecided counts ask for more bits;
- * false means that `limit` bits did not tell root (n, l) from its neighbour. */
+/* Bisects by the count alone, which always converges, until Newton's method converges. Undecided counts raise the
+ * number of bits. Returns false if `limit` bits do not separate root (n, l) from its neighbour. */
 static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong bits, slong limit)
 {
     struct disk disk;
@@ -141,29 +143,29 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
     arf_init(high);
     arf_init(middle);
     arb_init(x);
-    slong prec = bits < limit / 4 ? 64 : bits;
-    disk_init_round(&disk, wide, prec);
-    bool found = false, enclosed = false;
+    struct precision p = precision_doubling_to(bits < limit / 4 ? 64 : bits, limit);
+    disk_init_round(&disk, wide, p.bits);
+    bool found = false, enclosed = false, enough = p.bits <= limit;
 
     /* w >= n (n - 1)/10; from there upwards by factors of four */
     arf_set_si(low, n * (n - 1));
     arf_div_ui(low, low, 11, 30, ARF_RND_DOWN);
     arf_set_si(high, n * (n - 1) + 1);
     slong steps = 0;
-    while (!found && prec <= limit && arf_cmpabs_2exp_si(high, EXPONENT_MAX) < 0) {
+    while (!found && enough && arf_cmpabs_2exp_si(high, EXPONENT_MAX) < 0) {
         if (enclosed) {
             arf_add(middle, low, high, ARF_PREC_EXACT, ARF_RND_DOWN);
             arf_mul_2exp_si(middle, middle, -1);
-            arf_set_round(middle, middle, prec, ARF_RND_DOWN);
+            arf_set_round(middle, middle, p.bits, ARF_RND_DOWN);
         } else {
             arf_set(middle, high);
         }
         arb_set_arf(x, middle);
         slong count = arf_cmp(middle, low) > 0 ? disk_count(&disk, n, x) : DISK_UNDECIDED;
         if (count == DISK_UNDECIDED) {
-            prec *= 2;
+            enough = precision_raise(&p);
             disk_clear(&disk);
-            disk_init_round(&disk, wide, prec);
+            disk_init_round(&disk, wide, p.bits);
         } else if (count <= l) {
             arf_set(low, middle);
             if (!enclosed)
@@ -172,9 +174,9 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
             arf_set(high, middle);
             enclosed = true;
         }
-        /* Newton's method is dear where it fails, so it is tried rarely. */
+        /* A failure of Newton's method is expensive, so it is tried rarely. */
         if (enclosed && ++steps % 8 == 0) {
-            arb_set_interval_arf(w, low, high, prec);
+            arb_set_interval_arf(w, low, high, p.bits);
             found = newton(w, wide, n, l, bits);
         }
     }
@@ -186,7 +188,7 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
     return found;
 }
 
-/* Everything of the mode from an approximation to its omega, or none where that is not positive. */
+/* Encloses the mode from an approximation to its omega; an approximation that is not positive is ignored. */
 static bool enclose(struct disk_mode *mode, const struct disk *wide, const arb_t omega, slong bits, slong limit)
 {
     arb_t w;
@@ -220,24 +222,24 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, s
     disk_clear(&wide);
     arb_clear(none);
     return done ? STATUS_OK
-                : fail("mode n = %ld, l = %ld: %ld bits do not tell it from its neighbour", (long)n, (long)l,
+                : fail("mode n = %ld, l = %ld: %ld bits do not separate it from its neighbour", (long)n, (long)l,
                        (long)(4 * bits + 1024));
 }
 
-/* ---- all of them ---- */
+/* ---- all modes ---- */
 
 struct candidate {
     slong n, l;
     double omega;
 };
 
-struct order_roots { /* of one n, in doubles */
+struct order_roots { /* roots of one n, in doubles */
     struct cor_disk_mode *mode;
     slong count;
 };
 
 struct work {
-    const struct disk *disk; /* to more bits than any step asks for */
+    const struct disk *disk; /* with more bits than any step needs */
     double omega;            /* upper end */
     struct order_roots *order;
     struct disk_mode *mode;
@@ -249,7 +251,7 @@ struct work {
     slong digits;
 };
 
-/* ---- where the roots are, in doubles ---- */
+/* ---- estimates of the roots in doubles ---- */
 
 static struct cor_mode_material material_of(const struct disk *disk)
 {
@@ -279,7 +281,7 @@ static int by_omega_double(const void *a, const void *b)
     return (x->l > y->l) - (x->l < y->l);
 }
 
-/* The lowest modes by doubles: `count`, the next one, and what doubles do not tell from it. */
+/* The lowest modes in doubles: the first `count`, the next one, and those that doubles do not separate from it. */
 static struct candidate *candidates(slong *found, const struct disk *disk, slong count)
 {
     const struct cor_mode_material material = material_of(disk);
@@ -307,7 +309,7 @@ static struct candidate *candidates(slong *found, const struct disk *disk, slong
     return list;
 }
 
-/* ---- what they are, in balls ---- */
+/* ---- the proved modes in interval (ball) arithmetic ---- */
 
 static bool number_is_decided(const arb_t x, slong digits)
 {
@@ -347,18 +349,16 @@ static void count_order(void *pointer, slong i)
 {
     const struct work *work = pointer;
     const slong n = i;
-    const struct precision start = precision_start(work->digits);
-    slong prec = 64;
+    struct precision p = precision_doubling_to(64, 2 * precision_start(work->digits).limit);
     do {
         struct disk disk;
-        disk_init_round(&disk, work->disk, prec);
+        disk_init_round(&disk, work->disk, p.bits);
         work->below[n] = disk_count(&disk, n, work->w);
         disk_clear(&disk);
-        prec *= 2;
-    } while (work->below[n] == DISK_UNDECIDED && prec <= 2 * start.limit);
+    } while (work->below[n] == DISK_UNDECIDED && precision_raise(&p));
 }
 
-/* Modes below an omega between mode[count - 1] and mode[count], over all n, or DISK_UNDECIDED. */
+/* Number of modes of all n below an omega between mode[count - 1] and mode[count], or DISK_UNDECIDED. */
 static slong count_all(const struct disk_modes *modes, slong count, const struct disk *wide, slong digits)
 {
     arf_t low, high;
@@ -387,7 +387,8 @@ static slong count_all(const struct disk_modes *modes, slong count, const struct
     return total;
 }
 
-/* Encloses every mode, and again with more bits those that overlap, until omega increases from each to the next. */
+/* Encloses every mode. Modes that overlap are enclosed again with more bits, until omega increases from each mode to
+ * the next. */
 static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong digits)
 {
     const size_t count = (size_t)modes->count;
@@ -413,7 +414,8 @@ static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong 
                 status = precision_spent(&work.precision[work.which[i]], what, digits);
             }
         }
-        /* A mode computed twice may change places, its precision with it: all of one pair get the same. */
+        /* A mode that is computed twice may change its place, and its precision moves with it. Both modes of a pair
+         * therefore get the same precision. */
         qsort(modes->mode, count, sizeof *modes->mode, by_omega);
         todo = 0;
         for (slong i = 1; i < modes->count && status == STATUS_OK; i++) {
@@ -426,7 +428,7 @@ static int enclose_all(struct disk_modes *modes, const struct disk *wide, slong 
         for (slong i = 0; i < todo && status == STATUS_OK; i++) {
             struct precision *p = &work.precision[work.which[i]];
             if (!precision_raise(p))
-                status = fail("modes n = %ld and n = %ld near omega = %.17g: %ld bits do not tell which is lower",
+                status = fail("modes n = %ld and n = %ld near omega = %.17g: %ld bits do not decide which is lower",
                               (long)modes->mode[work.which[i > 0 ? i - 1 : 0]].n, (long)modes->mode[work.which[i]].n,
                               arf_get_d(arb_midref(modes->mode[work.which[i]].omega), ARF_RND_NEAR), (long)p->bits);
         }

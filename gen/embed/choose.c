@@ -10,20 +10,20 @@
 #include "support/console.h"
 
 enum {
-    COARSE = 64, /* a first look takes every so many samples */
+    COARSE = 64, /* a first assessment uses every COARSE-th sample */
     POLYNOMIAL_MAX = 24,
-    RATIONAL_MAX = 40, /* sum of degrees */
+    RATIONAL_MAX = 40, /* largest sum of degrees */
     PADE_MAX = 40,
-    PADE_SKEW = 6, /* denominator's degree less numerator's */
+    PADE_SKEW = 6, /* largest degree of the denominator minus that of the numerator */
     SERIES_MAX = 40,
     PIECE_DEGREE_MAX = 9,
-    LARGE_PIECE_DEGREE_MAX = 11, /* of tables that are large anyway */
+    LARGE_PIECE_DEGREE_MAX = 11, /* largest degree of pieces in large tables */
     FRACTION_BITS_MAX = 8,
     ROWS_MAX = 256,
     SERIES_BITS = 320
 };
 
-/* Between the samples the error may be a little larger. */
+/* The error between the samples may be a little larger. */
 static const double margin = 0.97;
 
 static struct embed_form form_blank(const struct embed_scene *s, enum embed_family family, enum embed_variable variable)
@@ -33,7 +33,7 @@ static struct embed_form form_blank(const struct embed_scene *s, enum embed_fami
                            .single = s->single,
                            .speed_min = s->speed_min,
                            .speed_max = s->speed_max};
-    if (variable >= FIFTH_ROOT_OF_SPEED) /* as good as the tolerance needs */
+    if (variable >= FIFTH_ROOT_OF_SPEED) /* the refinement that the tolerance needs */
         while (f.refinement < EMBED_REFINEMENTS - 1 &&
                8 * s->slope * embed_root_error(f.refinement, s->single) > s->tolerance)
             f.refinement++;
@@ -41,7 +41,7 @@ static struct embed_form form_blank(const struct embed_scene *s, enum embed_fami
     return f;
 }
 
-/* Whether f, its numbers filled, meets the tolerance. */
+/* Whether f, with its numbers filled in, meets the tolerance */
 static bool form_meets(struct embed_form *f, const struct embed_scene *s)
 {
     embed_form_assess(f, &s->samples, COARSE);
@@ -51,7 +51,7 @@ static bool form_meets(struct embed_form *f, const struct embed_scene *s)
     return f->error <= margin * s->tolerance;
 }
 
-/* A call of its own counts as much as four numbers of an array. */
+/* The balanced cost: a single call counts as much as four numbers of an array. */
 static double form_balanced_cost(const struct embed_form *f)
 {
     return f->cost[USE_SCALAR] + 4 * f->cost[USE_ARRAY];
@@ -84,7 +84,7 @@ static bool try_rational(struct embed_form *best, const struct embed_scene *s, e
     return good;
 }
 
-/* The degrees nearest to the diagonal. */
+/* Searches the degrees nearest to the diagonal. */
 static void search_rational(struct embed_form *best, const struct embed_scene *s, enum embed_variable variable)
 {
     for (slong total = 1; total <= RATIONAL_MAX; total++) {
@@ -119,6 +119,11 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
     return good;
 }
 
+/* The radius of convergence of eps in powers of beta: h*, rounded (docs/derivation.md, 3). And how near to it, chosen,
+ * a search that fails is said to fail for it. */
+#define CONVERGENCE 1.388
+#define NEAR_CONVERGENCE 0.97
+
 static void search_series(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series, slong root)
 {
     arb_poly_t p, one;
@@ -132,8 +137,8 @@ static void search_series(struct embed_form *best, const struct embed_scene *s, 
     }
     arb_poly_clear(p);
     arb_poly_clear(one);
-    if (!best->found && s->beta_max > 1.35)
-        snprintf(best->why, sizeof best->why, "beta leaves the circle of convergence, 1.388");
+    if (!best->found && s->beta_max > NEAR_CONVERGENCE * CONVERGENCE)
+        snprintf(best->why, sizeof best->why, "beta leaves the circle of convergence, %g", CONVERGENCE);
 }
 
 static void search_pade(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series, slong root)

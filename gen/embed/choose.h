@@ -6,7 +6,8 @@
 #include "embed/form.h"
 #include "support/parallel.h"
 
-/* eps of one end in powers of beta^(1/root), of spheres alone: computed beside what its owner does between begin and end. */
+/* eps of one end in powers of beta^(1/root), for spheres. A thread computes it between embed_series_begin and
+ * embed_series_end. */
 struct embed_series {
     enum contact_end end;
     bool sphere; /* nothing is computed for another law */
@@ -16,14 +17,14 @@ struct embed_series {
     struct parallel_task task;
 };
 void embed_series_begin(struct embed_series *series, const struct law *law, enum contact_end end);
-int embed_series_end(struct embed_series *series); /* STATUS_OK, or STATUS_FAILED after a sentence */
+int embed_series_end(struct embed_series *series); /* returns STATUS_OK, or STATUS_FAILED after a message */
 void embed_series_clear(struct embed_series *series);
 
-/* form[FAMILIES], by family; found or not. */
+/* Fills form[FAMILIES], one for each family, found or not. */
 void embed_search(struct embed_form *form, const struct embed_scene *s, const struct embed_series *series);
 
-/* The family for a use, or FAMILIES if none was found. balanced: a call of its own counts as much as four numbers of an
- * array. */
+/* The family for a purpose, or FAMILIES if none was found. For the balanced purpose a single call counts as much as
+ * four numbers of an array. */
 enum embed_family embed_choose(const struct embed_form *form, enum embed_purpose purpose);
 
 #endif

@@ -50,7 +50,7 @@ static void pair_clear(struct pair *pair)
     arb_clear(pair->dissipation_time);
 }
 
-/* The number of body 2 is that of body 1 unless it has one of its own. */
+/* Sets a number of a body. The number of body 2 is that of body 1 unless the request gives its own. */
 static void set_number(arb_t x, const struct embed_request *request, enum embed_number which, int body, slong prec)
 {
     arb_set_fmpq(x, embed_number_of_body(request, which, body)->value, prec);
@@ -70,7 +70,7 @@ static void body_set_compliance(struct body *body, const struct embed_request *r
     arb_clear(young);
 }
 
-/* m_i = (4/3) pi R_i^3 density_i where the mass is not given */
+/* m_i = (4/3) pi R_i^3 density_i if the mass is not given */
 static void body_set_mass(arb_t mass, const struct embed_request *request, int which, slong prec)
 {
     if (embed_mass_is_given(request, which)) {

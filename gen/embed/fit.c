@@ -11,7 +11,7 @@
 
 enum { LANDEN_STEPS = 12, CHECK_CELLS = 2048, NODE_BITS = 40 };
 
-/* ---- where to interpolate ---- */
+/* ---- interpolation points ---- */
 
 /* jacobi_dn(u K, k') for the complementary modulus k, by descending Landen transformations. */
 static double jacobi_dn(double u, double k)
@@ -40,9 +40,9 @@ static double root_degree(enum embed_variable variable)
     return degree[variable];
 }
 
-/* Point j of n between lo and hi. A function with a cut along the negative axis is best interpolated by a rational
- * one where the Green function of the plane between the cut and [lo, hi] says, at hi dn^2; by a polynomial, and where
- * the cut is far, at Chebyshev's points. */
+/* Point j of n between lo and hi. For a rational interpolant of a function with a cut along the negative axis, the best
+ * points hi dn^2 follow from the Green function of the plane between the cut and [lo, hi]. Chebyshev points are best
+ * for a polynomial, or if the cut is far. */
 static double fit_node(const struct embed_form *f, double lo, double hi, slong j, slong n)
 {
     const bool elliptic = f->denominator > 0 && f->variable <= FOURTH_ROOT_OF_SPEED;
@@ -58,7 +58,7 @@ static double fit_node(const struct embed_form *f, double lo, double hi, slong j
     return ldexp(nearbyint(ldexp(x, NODE_BITS)), exponent - NODE_BITS);
 }
 
-/* eps where the variable is x, pushed into the range if rounding left it. */
+/* eps at the variable x; an x that rounding moved out of the range is moved back. */
 static void eps_at(arb_t eps, const struct embed_form *f, const struct embed_scene *s, const arb_t x)
 {
     arb_t g;
@@ -89,7 +89,8 @@ static bool round_numbers(struct embed_form *f, arb_srcptr exact, slong count)
     return true;
 }
 
-/* q > 0 on [lo, hi]: on each of many cells, by its rising terms at one end and its falling ones at the other. */
+/* Whether q > 0 on [lo, hi]. On each of many cells, the rising terms at one end and the falling terms at the other end
+ * bound q from below. */
 static bool quotient_is_positive(const double *q, slong degree, double lo, double hi)
 {
     bool all = true;
@@ -113,7 +114,8 @@ static bool quotient_is_positive(const double *q, slong degree, double lo, doubl
     return true;
 }
 
-/* p_0, ..., p_m, q_0, ..., q_n in the unit 2^scale of the variable: in the variable itself, with q_n = 1. */
+/* p_0, ..., p_m, q_0, ..., q_n in the unit 2^scale of the variable become coefficients in the variable itself, with q_n
+ * = 1. */
 static bool finish_quotient(struct embed_form *f, arb_ptr c, slong scale)
 {
     const slong m = f->numerator, n = f->denominator;
@@ -142,7 +144,7 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
 {
     const slong m = f->numerator, n = f->denominator, count = m + n + 1;
     const double power = 1 / root_degree(f->variable);
-    /* a little inside, for x^5 must not leave the range */
+    /* a little inside the range, because x^5 must not leave it */
     const double lo = pow(s->speed_min, power) * (1 + 1e-13), hi = pow(s->speed_max, power) * (1 - 1e-13);
     const slong scale = lround(log2(lo * hi) / 2);
     arb_mat_t a, b;
@@ -208,7 +210,7 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
     return good;
 }
 
-/* A row: eps at `count` Chebyshev points t of [lo, hi], as a polynomial in t. */
+/* Fits a row: the polynomial in t through eps at `count` Chebyshev points t of [lo, hi]. */
 static void fit_row(arb_ptr row, arb_ptr t, arb_ptr eps, slong count)
 {
     arb_poly_t polynomial;

@@ -8,9 +8,9 @@
 const char *const embed_operation_names[OPERATIONS] = {"mul+add", "mul",  "add",     "div",    "sqrt",
                                                        "bits",    "load", "convert", "compare"};
 
-/* ns each, of double and float, as bench/spheres/operation_costs.c measures them (docs/embed.md, "Costs"): in a loop that takes
- * one number after the other (-O2), and in one that the compiler has made vectors of (-O3 -mavx2 -mfma). A square root
- * may set errno, so that a loop with one stays scalar unless the user says -fno-math-errno. */
+/* Nanoseconds of an operation, for double and float, measured by bench/spheres/operation_costs.c (docs/embed.md,
+ * "Costs"): in a scalar loop (-O2), and in a vectorised loop (-O3 -mavx2 -mfma). A square root may set errno, so that a
+ * loop with a square root stays scalar without -fno-math-errno. */
 static const double nanoseconds[2][USES][OPERATIONS] = {
     {{0.27, 0.14, 0.14, 1.11, 1.67, 0.10, 0, 0.51, 0.15}, {0.03, 0.03, 0.03, 0.56, 1.67, 0.07, 0.18, 0.11, 0.14}},
     {{0.27, 0.14, 0.14, 0.84, 0.90, 0.10, 0, 0.51, 0.15}, {0.02, 0.02, 0.01, 0.17, 0.90, 0.02, 0.23, 0.03, 0.02}},
@@ -52,7 +52,7 @@ double embed_root_error(int refinement, bool single)
 
 /* ---- the arithmetic of the header ---- */
 
-/* For +, -, *, / and sqrt of floats, rounding to double first changes nothing. */
+/* For +, -, *, / and sqrt of floats, an intermediate rounding to double does not change the result. */
 static double form_rounded(const struct embed_form *f, double x)
 {
     return f->single ? (double)(float)x : x;
@@ -130,7 +130,7 @@ static double fifth_root(const struct embed_form *f, double g, bool fused)
     if (f->single) {
         r = embed_from_bits(f, EMBED_ROOT_SINGLE - (uint32_t)embed_bits_of(f, g) / 5);
     } else {
-        /* 2^52 + n holds the whole number n in its low bits */
+        /* 2^52 + n holds the integer n in its low bits */
         const double top = embed_from_bits(f, (embed_bits_of(f, g) >> 32) | UINT64_C(0x4330000000000000));
         r = embed_from_bits(f, embed_bits_of(f, mul_add(f, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT, fused)) << 32);
     }
@@ -201,7 +201,7 @@ void embed_form_assess(struct embed_form *f, const struct embed_samples *samples
         for (int fused = 0; fused < 2; fused++) {
             const double value = embed_form_value(f, samples->speed[i], fused);
             const double error = fabs(((value - samples->eps[i]) - samples->rest[i]) / samples->eps[i]);
-            if (!(error <= f->error)) { /* a NaN too */
+            if (!(error <= f->error)) { /* true for NaN, too */
                 f->error = isnan(error) ? INFINITY : error;
                 f->error_at = samples->speed[i];
             }
@@ -216,7 +216,7 @@ static void count_root(int *n, const struct embed_form *f)
     const int steps = f->refinement > 0 ? 2 : 1;
     n[OP_BITS] += f->single ? 4 : 3; /* a division by 5 is a product and a shift */
     n[OP_MUL_ADD] += f->single ? 0 : 1;
-    n[OP_MUL] += 4 * steps + 3; /* r^2, r^4, g r and the last, a step; r^2, r^4, g r^4 in the end */
+    n[OP_MUL] += 4 * steps + 3; /* each step has r^2, r^4, g r and a last product; the end has r^2, r^4, g r^4 */
     n[OP_MUL_ADD] += steps + 3 + f->refinement;
 }
 
@@ -244,7 +244,8 @@ void embed_form_price(struct embed_form *f)
     }
     if (f->rows > 0) {
         n[OP_LOAD] += (int)f->numerator + 1;
-        n[OP_BITS] += f->family == FAMILY_PIECES_SPEED ? 3 : 0; /* shift, first row, and back again */
+        n[OP_BITS] += f->family == FAMILY_PIECES_SPEED ? 3 : 0; /* shift, subtraction of the first row, and shift
+                                                                 * back */
         n[OP_CONVERT] += f->family == FAMILY_PIECES_BETA ? 2 : 0;
         n[OP_MUL_ADD] += f->family == FAMILY_PIECES_BETA ? 1 : 0;
         n[OP_ADD] += 1;
@@ -252,7 +253,7 @@ void embed_form_price(struct embed_form *f)
     n[OP_MUL_ADD] += (int)(f->numerator + f->denominator);
     if (f->rows == 0 && FLINT_MAX(f->numerator, f->denominator) >= EMBED_SPLIT)
         n[OP_MUL]++;
-    /* a leading coefficient 1 need not be multiplied with */
+    /* a leading coefficient of 1 needs no product */
     if (f->denominator > 0 && f->number && f->number[f->numerator + f->denominator + 1] == 1) {
         n[OP_MUL_ADD]--;
         n[OP_ADD]++;
@@ -260,10 +261,10 @@ void embed_form_price(struct embed_form *f)
     if (f->denominator > 0)
         n[OP_DIV] += 1;
     for (int use = 0; use < USES; use++) {
-        /* what keeps a loop from becoming vectors is paid for by all the rest */
+        /* an operation that prevents vectorisation makes all other operations scalar */
         const int as = use == USE_ARRAY && n[OP_SQRT] > 0 ? USE_SCALAR : use;
         const double *ns = nanoseconds[f->single][as];
-        /* division and square root have a unit of their own, which works beside the others */
+        /* division and square root have a separate unit, which works in parallel to the others */
         const double beside = n[OP_DIV] * ns[OP_DIV] + n[OP_SQRT] * ns[OP_SQRT];
         double sum = 0;
         for (int op = 0; op < OPERATIONS; op++)

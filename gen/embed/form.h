@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A form: a way to compute eps from the speed in the arithmetic of the header, what it costs and how far it is off. */
+/* A form computes eps from the speed in the arithmetic of the header. The struct holds its cost and its error. */
 #ifndef COR_GEN_EMBED_FORM_H
 #define COR_GEN_EMBED_FORM_H
 
@@ -21,11 +21,11 @@ enum embed_family {
     FAMILIES
 };
 
-/* What the polynomials are in. */
+/* The variable of the polynomials */
 enum embed_variable { SPEED, SQRT_OF_SPEED, FOURTH_ROOT_OF_SPEED, FIFTH_ROOT_OF_SPEED, TENTH_ROOT_OF_SPEED };
 
-/* Operations by kind. A product that is added to something is one mul_add: one instruction where the target has
- * fused multiplication, two elsewhere. */
+/* Operations by kind. A product that is added is one mul_add, which is one instruction on targets with fused
+ * multiplication and two on others. */
 enum embed_operation {
     OP_MUL_ADD,
     OP_MUL,
@@ -33,33 +33,34 @@ enum embed_operation {
     OP_DIV,
     OP_SQRT,
     OP_BITS,    /* shift, mask or sum of integers */
-    OP_LOAD,    /* a number out of a table, at a place that depends on the speed */
+    OP_LOAD,    /* a load from a table at a place that depends on the speed */
     OP_CONVERT, /* between integers and floating point */
-    OP_COMPARE, /* with the choice that follows */
+    OP_COMPARE, /* with the selection that follows */
     OPERATIONS
 };
 extern const char *const embed_operation_names[OPERATIONS];
 
 enum embed_use { USE_SCALAR, USE_ARRAY, USES };
 
-/* Fifth roots from bits: how many times they are refined, and the relative error left. */
+/* Fifth roots from bits: the largest number of refinements, and the relative error after each */
 enum { EMBED_REFINEMENTS = 4 };
 double embed_root_error(int refinement, bool single);
 
-/* g^(-1/5) from g, both as whole numbers made of their bits: constant - fifth n. Then r (1 - e)^(-1/5), e = 1 - g r^5:
- * embed_root_seed up to e^3 for the guess, whose |e| < 0.155 (through Chebyshev's points), embed_root_step afterwards,
- * up to the power `refinement`. */
+/* constant - fifth n gives g^(-1/5) from g, where both are integers made of their bits. Then r (1 - e)^(-1/5), e = 1 -
+ * g r^5, improves r. embed_root_seed has terms up to e^3, interpolated at Chebyshev points, for the start value with
+ * |e| < 0.155. embed_root_step follows, up to the power `refinement`. */
 #define EMBED_ROOT_FIFTH 0.2
 #define EMBED_ROOT_CONSTANT 5404320840011480.0 /* 1.2 2^52 + 1287166885, of the upper half of a double's bits */
 #define EMBED_ROOT_SINGLE 1277903765u
 extern const double embed_root_seed[4], embed_root_step[4];
 
-/* From this degree on a polynomial is two, in x^2, of the even and of the odd powers: as quick in a loop as Horner's
- * rule, a little quicker in calls, and a result waits a fifth less for its argument. Not the rows of tables, which are
- * short. */
+/* From this degree on a polynomial is split into two in x^2, one of the even and one of the odd powers. In a loop this
+ * is as fast as Horner's rule, in calls a little faster, and the latency is a fifth smaller. The rows of tables, which
+ * are short, are not split. */
 enum { EMBED_SPLIT = 4 };
 
-/* What a table may take of the memory next to the processor, and of speeds, where so little does not suffice. */
+/* Largest size of a table in the processor's cache, and the larger limit for tables in speed where the first does not
+ * suffice */
 enum { EMBED_TABLE_BYTES = 4096, EMBED_TABLE_BYTES_MOST = 16384 };
 
 struct embed_form {
@@ -67,26 +68,26 @@ struct embed_form {
     enum embed_variable variable;
     double speed_min, speed_max;
     slong numerator, denominator;
-    slong rows;     /* of a table of polynomials of degree `numerator`; 0 for none */
+    slong rows;     /* rows of a table of polynomials of degree `numerator`; 0: no table */
     double *number; /* p_0, ..., p_m, q_0, ..., q_n; or the rows. Malloc'ed */
-    /* pieces in beta: the row is the whole part of y slope + shift, y the fifth root of the speed */
+    /* pieces in beta: the row is the integer part of y slope + shift, where y is the fifth root of the speed */
     double slope, shift;
-    /* pieces in speed: the bits of the speed, shifted down by low_bits, less the first */
+    /* pieces in speed: the row is the bits of the speed, shifted down by low_bits, minus `first` */
     uint64_t first;
-    double error, error_at; /* worst of the samples, relative; the speed there */
+    double error, error_at; /* worst relative error of the samples, and its speed */
     double cost[USES];      /* ns */
     int operations[OPERATIONS];
-    int refinement; /* where the variable is made from a fifth root */
+    int refinement; /* for variables computed from a fifth root */
     int low_bits;
     bool single;
-    bool found; /* else why says what is in the way */
+    bool found; /* if false, `why` holds the reason */
     char why[94];
 };
 
 void embed_form_clear(struct embed_form *f);
 
-/* The header's function, in its arithmetic: operation by operation what emit_form writes. fused: products that are
- * added are rounded once, as compilers may do. */
+/* The header's function in its arithmetic, with the same operations that emit_form writes. `fused`: a product and its
+ * addition are rounded once, as compilers may do. */
 double embed_form_value(const struct embed_form *f, double speed, bool fused);
 
 /* Fills error and error_at from every stride-th sample. */
@@ -97,7 +98,7 @@ void embed_form_price(struct embed_form *f);
 
 /* For spheres speed^(1/5) is called beta. */
 const char *embed_family_name(enum embed_family family, const struct law *law);
-/* "[5/6]", "degree 7", "54 rows of degree 3": size as a reader wants it */
+/* The size as text: "[5/6]", "degree 7", "54 rows of degree 3" */
 void embed_form_size(char *text, size_t size, const struct embed_form *f);
 
 /* The bits of a number of the header's type, and the number that has them. */

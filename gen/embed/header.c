@@ -84,7 +84,7 @@ static void append_alternatives(struct text *t, const struct embed_scene *s, con
     }
 }
 
-/* What the choice means in words. */
+/* The meaning of a purpose, as text */
 static const char *rule_of_purpose(enum embed_purpose purpose)
 {
     switch (purpose) {

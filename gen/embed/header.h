@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The header for a scene: a banner that says what was chosen and why, and one function. */
+/* The header for a scene: one function, and a banner that states the choice and its reasons */
 #ifndef COR_GEN_EMBED_HEADER_H
 #define COR_GEN_EMBED_HEADER_H
 
@@ -8,7 +8,7 @@
 void embed_header_write(FILE *file, const struct embed_request *request, const struct embed_scene *s,
                         const struct embed_form *form, enum embed_family chosen);
 
-/* "neither a series ..., nor ...": what was tried and how it failed, for a person. Malloc'ed. */
+/* A malloc'ed text about the failed families: "neither a series ..., nor ..." */
 char *embed_failures(const struct embed_scene *s, const struct embed_form *form);
 
 #endif

@@ -61,7 +61,7 @@ bool embed_mass_is_given(const struct embed_request *request, int body)
     return embed_given(request, own ? EMBED_MASS_2 : EMBED_MASS);
 }
 
-/* What a number of the header's type can hold, and what eps can be known to there. */
+/* The range of the header's type, and the attainable accuracy of eps */
 struct type_limits {
     const char *name;
     double speed_least, speed_most, tolerance_least;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What corgen embed, and corgen plan for spheres, are asked for: numbers that have been parsed, with their texts. */
+/* The request of corgen embed, and of corgen plan for spheres: parsed numbers with their texts */
 #ifndef COR_GEN_EMBED_REQUEST_H
 #define COR_GEN_EMBED_REQUEST_H
 
@@ -7,8 +7,8 @@
 #include "series/series.h"
 #include "support/decimal.h"
 
-/* Speeds in m/s, tolerance as a relative error of eps, the rest in SI units. The numbers of body 2 stand at a fixed
- * distance behind those of body 1. */
+/* Speeds are in m/s, the tolerance is a relative error of eps, and the other numbers are in SI units. The index of a
+ * number of body 2 is that of body 1 plus a constant. */
 enum embed_number {
     EMBED_SPEED_MIN,
     EMBED_SPEED_MAX,
@@ -32,13 +32,13 @@ enum embed_number {
     EMBED_DAMPING_COEFFICIENT,
     EMBED_EFFECTIVE_MASS,
     EMBED_NUMBERS,
-    EMBED_BODY = EMBED_YOUNG_2 - EMBED_YOUNG /* numbers of a body */
+    EMBED_BODY = EMBED_YOUNG_2 - EMBED_YOUNG /* number of indices of a body */
 };
-extern const char *const embed_number_names[EMBED_NUMBERS]; /* of the options that give them: "speed-min", ... */
+extern const char *const embed_number_names[EMBED_NUMBERS]; /* names of the options: "speed-min", ... */
 
-/* What the time of a form counts: calls one at a time, loops that become vectors, or both. */
+/* The purpose of a form: single calls, vectorised loops, or both */
 enum embed_purpose { PURPOSE_BALANCED, PURPOSE_SCALAR, PURPOSE_ARRAY };
-extern const char *const embed_purpose_names[]; /* ends with NULL, as the next */
+extern const char *const embed_purpose_names[]; /* these two end with NULL */
 
 enum embed_type { EMBED_DOUBLE, EMBED_FLOAT };
 extern const char *const embed_type_names[];
@@ -55,28 +55,29 @@ struct embed_request {
     enum embed_law law;            /* by name */
     const char *elastic, *damping; /* the exponents as they are written; NULL: those of the name */
     bool wall;                     /* body 2 is flat and held fast */
-    const char *name;              /* of the function; NULL: cor_scene_eps */
+    const char *name;              /* name of the function; NULL: cor_scene_eps */
 };
 
 bool embed_given(const struct embed_request *request, enum embed_number which);
-double embed_number(const struct embed_request *request, enum embed_number which); /* the nearest double; it is given */
+double embed_number(const struct embed_request *request, enum embed_number which); /* the nearest double; whether the
+                                                                                    * number is given */
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 
-/* Whether eps of the law depends on the speed, the range of speeds and the tolerance suit the type, and the contact has
- * all that it needs and nothing that contradicts it. STATUS_OK, or STATUS_USAGE after a sentence on stderr. */
+/* Checks that eps of the law depends on the speed, that the range of speeds and the tolerance suit the type, and that the
+ * request gives the contact in one way and completely. Returns STATUS_OK, or STATUS_USAGE after a message on stderr. */
 int embed_request_check(const struct embed_request *request);
 
-/* The law of a request. STATUS_OK, or STATUS_USAGE after a sentence. */
+/* Sets the law of a request. Returns STATUS_OK, or STATUS_USAGE after a message. */
 int embed_request_law(struct law *law, const struct embed_request *request);
 
 /* " --law tsuji", " --elastic 2 --damping 1/2", or nothing for viscoelastic spheres by default */
 enum { EMBED_LAW_OPTIONS = 192 };
 const char *embed_law_options(char text[EMBED_LAW_OPTIONS], const struct embed_request *request);
 
-/* The option that names body 2's number if it has one of its own, else body 1's. A mass of body 2 replaces the density
- * that body 2 would have from body 1, and a density the mass. */
+/* The number of body 2 if it is given, otherwise that of body 1. A mass of body 2 replaces the density of body 1, and a
+ * density the mass. */
 const struct decimal *embed_number_of_body(const struct embed_request *request, enum embed_number which, int body);
-bool embed_mass_is_given(const struct embed_request *request, int body); /* otherwise the density is */
+bool embed_mass_is_given(const struct embed_request *request, int body); /* otherwise the density is given */
 
 #endif

@@ -12,12 +12,12 @@
 #include "support/console.h"
 #include "support/parallel.h"
 
-/* At zero overlap eps is h*^5 beta^-5 from here on, to 2^-60; the interpolant ends at 8.25. */
+/* From this beta on, eps at zero overlap is h*^5 beta^-5 with relative error 2^-60. The interpolant ends at 8.25. */
 #define OVERLAP_FAR 7.0
-/* At zero force the interpolant ends at 17; from exp(10) on there are three orders in beta^(-5/3). */
+/* At zero force the interpolant ends at 17. From exp(10) on three orders in beta^(-5/3) suffice. */
 #define FORCE_FAR 16.9
 #define LOG_FAR 9.99
-/* eps below this is of no use in a double, in a float */
+/* smallest useful eps of a double and of a float */
 #define EPS_LEAST 1e-250
 #define EPS_LEAST_FLOAT 1e-30
 
@@ -76,7 +76,7 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
         arb_mul(eps, eps, z, EMBED_BITS);
     }
     arb_clear(z);
-    /* The interpolant's exact samples make exact arithmetic of this: the radius is that of the rounding here. */
+    /* The interpolant's samples are exact, so the radius covers the rounding errors of this evaluation only. */
 }
 
 void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed)
@@ -107,7 +107,7 @@ void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
 
 /* ---- the scene ---- */
 
-/* Sample i: eps there as a double and what that double lacks. */
+/* Sample i: eps as a double and the remainder of that double */
 static void take_sample(void *context, slong i)
 {
     struct embed_scene *const s = context;
@@ -158,7 +158,7 @@ static void find_limit(void *context)
     arb_pow_ui(limit->h_star_5, limit->h_star_5, 5, EMBED_BITS);
 }
 
-/* h*^5, which only zero overlap has a use for, beside the interpolant. */
+/* Computes the interpolant and, beside it, h*^5, which only zero overlap needs. */
 static int scene_collide(struct embed_scene *s)
 {
     const bool overlap = s->end == END_ZERO_OVERLAP;

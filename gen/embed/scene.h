@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene: eps as a function of the impact speed over a range of speeds, to a tolerance. */
+/* A scene: eps as a function of the impact speed over a range of speeds, with a tolerance */
 #ifndef COR_GEN_EMBED_SCENE_H
 #define COR_GEN_EMBED_SCENE_H
 
 #include "approximation/law_layout.h"
 #include "embed/request.h"
 
-/* Speeds, even in their logarithm, and eps there as a sum of two doubles. */
+/* Speeds at equal distances of their logarithms, and eps as sums of two doubles */
 struct embed_samples {
     slong count;
     double *speed, *eps, *rest;
@@ -28,17 +28,17 @@ struct embed_scene {
 
 enum { EMBED_SAMPLES = 4096, EMBED_BITS = 320 };
 
-/* STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a sentence on stderr. */
+/* Returns STATUS_OK, or STATUS_USAGE or STATUS_FAILED after a message on stderr. */
 int embed_scene_init(struct embed_scene *s, const struct embed_request *request);
 void embed_scene_clear(struct embed_scene *s);
 
 /* beta at a speed */
 void embed_scene_beta(arb_t beta, const struct embed_scene *s, const arb_t speed);
 
-/* eps at a speed in [speed_min, speed_max], certified as interpolant.h says. */
+/* eps at a speed in [speed_min, speed_max], as accurate as interpolant.h states */
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed);
 
-/* x as the scene's type holds it */
+/* x rounded to the scene's type */
 double embed_rounded(const struct embed_scene *s, double x);
 
 #endif

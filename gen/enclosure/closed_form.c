@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/closed_form.h"
 
-/* acos(zeta)/sqrt(1-zeta^2) = 2F1(1, 1; 3/2; (1-zeta)/2), which serves where the quotient cancels. */
+/* acos(zeta)/sqrt(1-zeta^2) = 2F1(1, 1; 3/2; (1-zeta)/2), used where the quotient cancels. */
 static void angle_near_one(arb_t angle, const arb_t zeta, slong prec)
 {
     arb_t one, c, x;
@@ -94,7 +94,7 @@ void closed_form_linear(struct collision *c, const arb_t beta, const struct law 
     arb_init(zeta);
     arb_init(om);
     arb_init(x);
-    arb_set_ratio(critical, ratio_mul(two, a1), prec); /* beta^2 where zeta = 1 */
+    arb_set_ratio(critical, ratio_mul(two, a1), prec); /* beta^2 at zeta = 1 */
     arb_sqrt(zeta, critical, prec);
     arb_div(zeta, beta, zeta, prec);
     closed_form_angle(x, zeta, prec);
@@ -111,7 +111,7 @@ void closed_form_linear(struct collision *c, const arb_t beta, const struct law 
     arb_pow_ratio(c->x_max, x, ratio_div(one, a1), prec); /* ((a+1)/2 eps)^(1/(a+1)) */
 
     arb_sqr(om, beta, prec);
-    arb_sub(om, critical, om, prec); /* exact where beta is */
+    arb_sub(om, critical, om, prec); /* exact if beta is exact */
     if (arb_is_nonpositive(om)) {
         arb_zero(c->eps_zero_overlap);
         arb_pos_inf(c->t_zero_overlap);
@@ -144,7 +144,7 @@ static void speed_sum_defect(arb_t f, const arb_t y, const arb_t beta, slong pre
     arb_sub_ui(f, f, 1, prec);
 }
 
-/* F'(y) = 2/(1 - e) - 4 y e/(1 - e)^2, e = exp(-2y): between 1 and 2. */
+/* F'(y) = 2/(1 - e) - 4 y e/(1 - e)^2, e = exp(-2y), which is between 1 and 2. */
 static void speed_sum_slope(arb_t slope, const arb_t y, slong prec)
 {
     arb_t x;
@@ -163,9 +163,9 @@ static void speed_sum_slope(arb_t slope, const arb_t y, slong prec)
     arb_clear(x);
 }
 
-/* The y > 0 with F(y) = 0: Newton's method from min(beta, (1 + beta)/2), which is above the root, until its steps are
- * below half of the bits; then a radius for the rounding errors of F and for the ball of beta (dy/dbeta <= 1), which
- * the signs of F on both sides prove. Not finite where they do not. */
+/* Encloses the y > 0 with F(y) = 0. Newton's method starts from min(beta, (1 + beta)/2), which is above the root, and
+ * ends when its steps are below half of the bits. The radius covers the rounding errors of F and the interval of beta
+ * (dy/dbeta <= 1). The signs of F on both sides prove the enclosure. The result is not finite if the proof fails. */
 static void half_speed_sum(arb_t y, const arb_t beta, slong prec)
 {
     enum { MOST_STEPS = 64, ROUNDING = 8 };

@@ -10,7 +10,7 @@
 #include "series/turning_point.h"
 #include "support/console.h"
 
-/* Which fields are asked for, besides x_max and t_max. */
+/* The requested fields besides x_max and t_max */
 enum ends { ENDS_BOTH, ENDS_ZERO_OVERLAP, ENDS_ZERO_FORCE };
 
 static slong accuracy(const struct collision *c, enum ends ends)
@@ -27,23 +27,23 @@ static slong accuracy(const struct collision *c, enum ends ends)
     return bits;
 }
 
-/* How a collision is solved, and with how many bits. */
+/* The method of a solution, and its number of bits */
 struct route {
     enum motion_goal goal;
-    bool slow;           /* by the slow manifold */
-    slong manifold_bits; /* to which it is reached */
+    bool slow;           /* whether to use the slow manifold */
+    slong manifold_bits; /* bits to which the motion reaches the manifold */
     slong prec;
 };
 
 enum {
     GUARD_BITS = 60,
-    MANIFOLD_BITS = 12, /* more than what is asked of the result */
+    MANIFOLD_BITS = 12, /* more bits than the result needs */
     ATTEMPTS = 12
 };
 
-/* Balls grow where the motion contracts, by as many bits as it forgets: ln(1/mu) twice while it loads and is released
- * (docs/derivation.md, 8), and k/mu in unloading to zero overlap (9). The slow manifold replaces the latter where
- * k/mu suffices to reach it: down to its last place, and by the bits that are asked before that. */
+/* Where the motion contracts, intervals grow by the same number of bits: by ln(1/mu) twice during loading and release
+ * (docs/derivation.md, 8), and by k/mu in unloading to zero overlap (9). The slow manifold replaces this unloading if
+ * k/mu suffices to reach its last place with the requested bits. */
 static struct route route_of(const arb_t beta, const struct law *law, enum ends ends, slong bits)
 {
     const double ln_beta = fmax(arf_get_d(arb_midref(beta), ARF_RND_NEAR), 0x1p-1000);
@@ -64,7 +64,8 @@ static struct route route_of(const arb_t beta, const struct law *law, enum ends 
     return r;
 }
 
-/* One attempt. Closed forms replace what the motion encloses less narrowly, or not at all near zeta = 1. */
+/* Makes one attempt. Closed forms replace results that the motion encloses less narrowly, or not at all near zeta =
+ * 1. */
 static enum motion_outcome attempt(struct collision *c, const arb_t beta, const struct law *law, const struct route *r)
 {
     if (law_is_linear(law)) {
@@ -81,8 +82,8 @@ static enum motion_outcome attempt(struct collision *c, const arb_t beta, const 
     return outcome;
 }
 
-/* Without damping: (51). */
-static void solve_elastic(struct collision *c, const struct law *law, slong prec)
+/* Solves the collision without damping by (51). */
+static void elastic_solve(struct collision *c, const struct law *law, slong prec)
 {
     turning_point_elastic(c->x_max, c->t_max, law, prec);
     arb_one(c->eps_zero_overlap);
@@ -91,10 +92,10 @@ static void solve_elastic(struct collision *c, const struct law *law, slong prec
     arb_set(c->t_zero_force, c->t_zero_overlap);
 }
 
-static int solve(struct collision *c, const arb_t beta, const struct law *law, enum ends ends, slong bits)
+static int ends_solve(struct collision *c, const arb_t beta, const struct law *law, enum ends ends, slong bits)
 {
     if (arb_is_zero(beta)) {
-        solve_elastic(c, law, bits + GUARD_BITS);
+        elastic_solve(c, law, bits + GUARD_BITS);
         return STATUS_OK;
     }
     struct route r = route_of(beta, law, ends, bits);
@@ -119,28 +120,28 @@ int collision_solve(struct collision *c, const arb_t beta, const struct law *law
 {
     if (!arb_is_finite(beta) || !arb_is_nonnegative(beta))
         return fail("the damping beta of a collision must be a number >= 0");
-    return solve(c, beta, law, ENDS_BOTH, bits);
+    return ends_solve(c, beta, law, ENDS_BOTH, bits);
 }
 
 int collision_solve_overlap(struct collision *c, const arb_t beta, const struct law *law, slong bits)
 {
     if (!arb_is_finite(beta) || !arb_is_nonnegative(beta))
         return fail("the damping beta of a collision must be a number >= 0");
-    return solve(c, beta, law, ENDS_ZERO_OVERLAP, bits);
+    return ends_solve(c, beta, law, ENDS_ZERO_OVERLAP, bits);
 }
 
 int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits)
 {
     if (!arb_is_finite(beta) || !arb_is_positive(beta))
         return fail("the damping beta of a collision that ends without force must be a number > 0");
-    return solve(c, beta, law, ENDS_ZERO_FORCE, bits);
+    return ends_solve(c, beta, law, ENDS_ZERO_FORCE, bits);
 }
 
 int collision_final_speed(arb_t v_f, const struct law *law, slong bits)
 {
     if (law_fall_power(law).num <= 0)
         return fail("beta^(1/q) eps has a limit for q > 0 only");
-    /* the fall from the manifold's last place forgets by exp(-depth), and the balls grow by as much */
+    /* the fall from the manifold's last place contracts by exp(-depth), and the intervals grow by the same factor */
     const slong manifold_bits = bits + MANIFOLD_BITS;
     slong prec = bits + GUARD_BITS + (slong)(slow_manifold_depth(law, manifold_bits) / log(2));
     for (int i = 0; i < ATTEMPTS; i++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The series in beta from the equation of motion: the second route to every y_k, tau_k and C_k. */
+/* The series in beta from the equation of motion, the second route to every y_k, tau_k and C_k */
 #include "enclosure/collision.h"
 
 #include "enclosure/motion.h"
@@ -7,7 +7,7 @@
 #include "series/jet.h"
 #include "support/console.h"
 
-/* A component's Taylor coefficients at the state in hand, as power series in beta. */
+/* Taylor coefficients of a component at the current state, as power series in beta */
 static void component_jets(arb_poly_struct *jet, slong count, arb_srcptr f, const struct taylor *y)
 {
     for (slong n = 0; n < count; n++) {
@@ -31,7 +31,7 @@ int collision_series(arb_poly_t y_series, arb_poly_t tau, arb_poly_t c, slong or
     arb_init(begin);
 
     taylor_init(&y, law, count, FLINT_MAX(taylor_degree(prec), count), prec);
-    /* beta itself is the parameter; series are measured at |beta| = 1/2, well inside |h*| for the sphere. */
+    /* The parameter is beta. Norms of series are taken at |beta| = 1/2, well inside |h*| for the sphere. */
     mag_set_ui_2exp_si(y.weight, 1, -1);
     if (count > 1)
         arb_one(y.c1 + 1);
@@ -50,7 +50,7 @@ int collision_series(arb_poly_t y_series, arb_poly_t tau, arb_poly_t c, slong or
         }
         if (!arb_is_negative(value) || !taylor_root(root, &y, event, begin, y.step))
             break;
-        /* At the elastic event the rest is formal: nothing but power series in beta. */
+        /* After the elastic event all steps are formal operations on power series in beta. */
         taylor_advance(&y, root);
         arb_zero(turned ? y.w : y.v);
         taylor_expand(&y);
@@ -63,7 +63,7 @@ int collision_series(arb_poly_t y_series, arb_poly_t tau, arb_poly_t c, slong or
             arb_poly_pow_ui_trunc_binexp(y_series, y_series, (ulong)law->d, count, prec);
             jet_compose(tau, t, count, delta, count, prec);
             turned = true;
-            /* Past the turning point by an exact step, so that the same event is not met again. */
+            /* An exact step leads past the turning point, so that the same event does not occur again. */
             if (!taylor_choose_step(&y))
                 break;
             arb_get_mid_arb(root, y.step);

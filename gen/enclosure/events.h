@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The events of one collision: what the equation of motion determines. */
+/* The events of one collision, which the equation of motion determines */
 #ifndef COR_GEN_ENCLOSURE_EVENTS_H
 #define COR_GEN_ENCLOSURE_EVENTS_H
 

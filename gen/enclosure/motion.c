@@ -5,12 +5,12 @@
 #include "enclosure/taylor.h"
 #include "support/console.h"
 
-/* A state whose w or t is known to fewer bits can be followed no further. */
+/* The motion ends as imprecise if w or t has fewer bits. */
 enum { LEAST_BITS = 8 };
 
 /* The scales in which the equation of motion is integrated: x = length X, t = length s,
- * X'' + c1 X^b X' + c2 X^a = 0. Weak: 1, beta, 1. Strong: length = beta^(-1/(b+1)), c1 = 1 and c2 = mu, regular however
- * large beta is. */
+ * X'' + c1 X^b X' + c2 X^a = 0. Weak scales are 1, beta, 1. Strong scales have length = beta^(-1/(b+1)), c1 = 1 and c2
+ * = mu, which is regular for any large beta. */
 struct scales {
     arb_t length, c1, c2;
 };
@@ -47,9 +47,9 @@ struct motion {
     struct collision *c;
     struct scales s;
     struct taylor y;
-    bool force_ends; /* before the overlap does: never without damping, nor where a <= b */
+    bool force_ends; /* whether the force vanishes before the overlap; never without damping or for a <= b */
     bool turned, released, parted;
-    arb_t begin; /* of what the step in hand has behind the turning point */
+    arb_t begin; /* begin of the part of the current step after the turning point */
 };
 
 static void motion_init(struct motion *m, struct collision *c, const arb_t beta, const struct law *law, bool strong,
@@ -81,8 +81,8 @@ static void motion_record(arb_t eps, arb_t time, const struct motion *m, const a
     arb_mul(time, time, m->s.length, m->y.prec);
 }
 
-/* The three events. Each is looked for inside the step in hand and recorded where it is found; false where the balls do
- * not decide. */
+/* The three events. Each function searches the current step for an event and records it. It returns false if the
+ * intervals do not decide. */
 
 static bool find_turning_point(struct motion *m)
 {
@@ -108,7 +108,7 @@ static bool find_turning_point(struct motion *m)
     return decided;
 }
 
-/* end: where the overlap vanishes, or the end of the step. */
+/* Sets `end` to the place where the overlap vanishes, or to the end of the step. */
 static bool find_zero_overlap(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;
@@ -126,7 +126,7 @@ static bool find_zero_overlap(struct motion *m, arb_t end)
     return decided;
 }
 
-/* Before `end`. Where the overlap vanishes in the same step, the two may be too close to be told apart. */
+/* Searches before `end`. If the overlap vanishes in the same step, the two events may be too close to be separated. */
 static bool find_zero_force(struct motion *m, const arb_t end)
 {
     struct taylor *y = &m->y;
@@ -145,8 +145,8 @@ static bool find_zero_force(struct motion *m, const arb_t end)
     return decided;
 }
 
-/* The zero-force end where it is too close to zero overlap to be told apart by signs. While the force is
- * attractive the speed u falls, from u_f <= 1 at x_f = (c1 u_f)^(1/(a-b)) to eps, so
+/* The zero-force end if it is too close to zero overlap to be separated by signs. While the force is attractive the
+ * speed u falls, from u_f <= 1 at x_f = (c1 u_f)^(1/(a-b)) to eps, so
  *
  *   0 <= u_f^2 - eps^2 <= 2 c1 x_f^(b+1)/(b+1),   0 <= t_zero_overlap - t_zero_force <= x_f/eps. */
 static void release_at_end(struct motion *m)
@@ -179,9 +179,9 @@ static void release_at_end(struct motion *m)
     arb_clear(y);
 }
 
-/* Overdamped: the overlap creeps to zero and never gets there, eps = 0. While u = -x' >= 0, k = u/x^(b+1) obeys
- * k'/x^b = (b+1) k^2 - c1 k + c2 x^(a-2b-1). Where a >= 2b+1 (q <= 0) the last term cannot grow again; once the
- * right side is not positive at K = c1/(2(b+1)) and k < K, k never exceeds K, and x^(b+1) reaches 0 too slowly. */
+/* Whether the overlap creeps to zero and never reaches it, so that eps = 0. While u = -x' >= 0, k = u/x^(b+1) obeys
+ * k'/x^b = (b+1) k^2 - c1 k + c2 x^(a-2b-1). If a >= 2b+1 (q <= 0) the last term cannot grow again. Once the right side
+ * is not positive at K = c1/(2(b+1)) and k < K, k never exceeds K, and x^(b+1) does not reach 0. */
 static bool creeps(const struct taylor *y)
 {
     const slong d = y->law.d, b1 = y->law.bd + d, excess = y->law.ad - y->law.bd - b1;
@@ -224,7 +224,7 @@ static void manifold_state(arb_t place, arb_t slope, const struct taylor *y)
     arb_neg(slope, slope);
 }
 
-/* What follows the state in hand: more motion, or the end of it with its outcome. */
+/* Whether the motion goes on after the current state. If not, sets the outcome. */
 static bool motion_goes_on(enum motion_outcome *outcome, const struct motion *m, const struct slow_manifold *manifold,
                            slong bits)
 {
@@ -236,7 +236,8 @@ static bool motion_goes_on(enum motion_outcome *outcome, const struct motion *m,
         arb_init(slope);
         manifold_state(place, slope, &m->y);
         ends = slow_manifold_reached(manifold, place, slope, bits);
-        if (!ends && arb_gt(place, manifold->last)) { /* its domain is left, and it was not reached */
+        if (!ends && arb_gt(place, manifold->last)) { /* the state left the domain of the manifold without reaching
+                                                       * it */
             *outcome = MOTION_IMPRECISE;
             ends = true;
         }
@@ -250,7 +251,7 @@ static bool motion_goes_on(enum motion_outcome *outcome, const struct motion *m,
     return !ends;
 }
 
-/* One step: its events, then the state behind it. True while the motion goes on. */
+/* Makes one step: records its events and advances the state. Returns true while the motion goes on. */
 static bool motion_step(enum motion_outcome *outcome, struct motion *m, enum motion_goal goal)
 {
     struct taylor *y = &m->y;

@@ -5,7 +5,7 @@
 
 #include "enclosure/events.h"
 
-/* How far the motion is followed. Events on the way are recorded too. */
+/* The event at which the motion ends. Earlier events are recorded, too. */
 enum motion_goal { MOTION_TURNING_POINT, MOTION_ZERO_FORCE, MOTION_ZERO_OVERLAP };
 
 enum motion_outcome {
@@ -14,13 +14,14 @@ enum motion_outcome {
     MOTION_ENDLESS    /* no event within TAYLOR_MAX_STEPS */
 };
 
-/* Follows the motion with prec bits and sets what the goal and the events before it determine. An overdamped law that
- * creeps to zero overlap for ever has eps_zero_overlap exactly 0 and t_zero_overlap = +inf: proved. */
+/* Integrates the motion with prec bits, and sets the fields that the goal and earlier events determine. For an
+ * overdamped collision that creeps to zero overlap for ever, eps_zero_overlap is exactly 0 and t_zero_overlap = +inf,
+ * both proved. */
 enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct law *law, enum motion_goal goal,
                                  slong prec);
 
-/* To zero overlap at strong damping, n > 0, where the motion reaches the slow manifold to 2^-bits: loading, turning
- * point and zero force are followed, then the manifold takes over (slow_manifold.h). */
+/* Solves to zero overlap at strong damping, n > 0, if the motion reaches the slow manifold to 2^-bits. The function
+ * integrates loading, turning point and zero force; the manifold gives the rest (slow_manifold.h). */
 enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct law *law, slong bits,
                                       slong prec);
 

@@ -7,9 +7,9 @@
 
 #include "support/console.h"
 
-/* Degree of the formal sum. Cut there and taken at y = 1/(2 degree n), half way to the smallest term, it leaves a defect
- * of exp(-(1 + ln 2) degree), of which GUARD_BITS are room for constants. A law with a small n needs more for
- * (a-b) y to be small. */
+/* Degree of the formal sum. At y = 1/(2 degree n), half way to the smallest term, the truncated sum has a defect of
+ * exp(-(1 + ln 2) degree). GUARD_BITS bits allow for constants. A law with a small n needs a higher degree, so that
+ * (a-b) y is small. */
 enum { GUARD_BITS = 24, CLOSING = 4 };
 
 static slong formal_degree(const struct law *law, slong bits)
@@ -44,7 +44,7 @@ static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, 
     arb_clear(power);
 }
 
-/* p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2): order y^m of N(p) = 0, since p p' = (p^2)'/2. */
+/* p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2): order y^m of N(p) = 0, because p p' = (p^2)'/2. */
 static void formal_sum(struct slow_manifold *m, slong degree)
 {
     const struct ratio half_n = ratio_div(m->n, (struct ratio){2, 1});
@@ -60,7 +60,7 @@ static void formal_sum(struct slow_manifold *m, slong degree)
         arb_mul(m->p->coeffs + k, c, factor, m->prec);
         _arb_poly_set_length(m->p, k + 1);
     }
-    /* Hunt and Crossley's is 1: zeros may stand at its end */
+    /* the sum of Hunt and Crossley's law is 1 and may end with zeros */
     _arb_poly_normalise(m->p);
     arb_clear(c);
     arb_clear(factor);
@@ -93,7 +93,7 @@ static void bound_defect(struct slow_manifold *m, slong degree)
     arb_clear(factor);
 }
 
-/* eta: what is promised plus four times the defect. */
+/* eta: 2^-bits plus four times the defect */
 static void eta_of(arb_t eta, const struct slow_manifold *m, slong bits)
 {
     arb_one(eta);
@@ -101,8 +101,8 @@ static void eta_of(arb_t eta, const struct slow_manifold *m, slong bits)
     arb_addmul_si(eta, m->nu, 4, m->prec);
 }
 
-/* At p = P +- eta the field points inwards if |N(P)| < eta |1 - 2 (a-b) y P - (a-b) y eta + n y^2 P'|. Holds where that
- * factor is above 1/2, |P| and |P'| by their sums of absolute values; and P > 3/4. */
+/* At p = P +- eta the field points inwards if |N(P)| < eta |1 - 2 (a-b) y P - (a-b) y eta + n y^2 P'|. The function
+ * proves that this factor is above 1/2, with sums of absolute values for |P| and |P'|, and that P > 3/4. */
 static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
 {
     const slong prec = m->prec;
@@ -142,7 +142,7 @@ static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
     return closed;
 }
 
-/* y^(m - kappa)/(m - kappa), or ln(y) where m = kappa: the integral of y^(m-1-kappa). */
+/* The integral of y^(m-1-kappa): y^(m - kappa)/(m - kappa), or ln(y) if m = kappa */
 static void time_power(arb_t x, const struct slow_manifold *m, slong power, const arb_t y)
 {
     const struct ratio e = ratio_sub((struct ratio){power, 1}, m->kappa);
@@ -158,7 +158,7 @@ static void time_power(arb_t x, const struct slow_manifold *m, slong power, cons
     arb_clear(exponent);
 }
 
-/* 1/P - inverse = (1 - P inverse)/P with |1/P| < 4/3, from y^(degree+1) on, integrated. */
+/* The integral of 1/P - inverse = (1 - P inverse)/P, which starts at y^(degree+1), with |1/P| < 4/3 */
 static void bound_time_error(struct slow_manifold *m, slong degree)
 {
     arb_poly_t product;
@@ -170,7 +170,7 @@ static void bound_time_error(struct slow_manifold *m, slong degree)
     arb_poly_mul(product, m->p, m->inverse, m->prec);
     arb_zero(m->time_error);
     for (slong k = degree + 1; k < product->length; k++) {
-        time_power(x, m, k, m->last); /* k > kappa, which is 1 at most */
+        time_power(x, m, k, m->last); /* k > kappa, because kappa is at most 1 */
         arb_mul(x, x, product->coeffs + k, m->prec);
         arb_abs(x, x);
         arb_add(m->time_error, m->time_error, x, m->prec);
@@ -184,7 +184,7 @@ static void bound_time_error(struct slow_manifold *m, slong degree)
     arb_clear(n);
 }
 
-/* One thin trajectory from `last` with slope p down to z = 0: its end speed and time. */
+/* Integrates one trajectory from `last` with slope p down to z = 0. Sets its end speed and time. */
 static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const arb_t p)
 {
     const struct law *law = &m->law;
@@ -230,8 +230,8 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
     return fallen;
 }
 
-/* -z' as a function of z obeys a scalar equation, so trajectories keep their order: the two edges enclose all between,
- * and the fall draws them together. A faster one takes less time. */
+/* -z' as a function of z obeys a scalar equation, so trajectories keep their order. The two edges enclose all
+ * trajectories between them, and the fall draws them together. A faster trajectory takes less time. */
 static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
 {
     arb_t middle, edge, speed, time;

@@ -5,9 +5,9 @@
  *
  *   N(p) = 1 - p + (a-b) y p^2 - n y^2 p dp/dy = 0,    dt' = dy/(n y^(1+kappa) p),   kappa = (b-a+1)/n,
  *
- * a divergent series p = 1 + (a-b) y + ... with terms about m! (-n y)^m. Where a formal sum P leaves |N(P)| <= nu, every
- * trajectory that is within eta >= 4 nu of P stays there, so times and end speeds are enclosed without integrating the
- * stiff part. */
+ * Its solution is a divergent series p = 1 + (a-b) y + ... with terms of about m! (-n y)^m. If a formal sum P has
+ * |N(P)| <= nu, every trajectory within eta >= 4 nu of P stays within eta of P. Times and end speeds are therefore
+ * enclosed without integrating the stiff part. */
 #ifndef COR_GEN_ENCLOSURE_SLOW_MANIFOLD_H
 #define COR_GEN_ENCLOSURE_SLOW_MANIFOLD_H
 
@@ -21,25 +21,26 @@ struct slow_manifold {
     slong prec;
     arb_poly_t p;       /* the formal sum */
     arb_poly_t inverse; /* the formal sum of 1/p */
-    arb_t last;         /* everything below holds for 0 < y <= last */
+    arb_t last;         /* all fields below hold for 0 < y <= last */
     arb_t nu;           /* bound of |N(P)| */
     arb_t time_error;   /* bound of the integral of |1/P - inverse|/(n y^(1+kappa)) over (0, last] */
-    arb_t final_speed;  /* of every trajectory within eta at `last`, where z = 0: v_f = lim beta^(1/q) eps */
+    arb_t final_speed;  /* speed at z = 0 of every trajectory within eta at `last`: v_f = lim beta^(1/q) eps */
     arb_t t_fall;       /* its time t' from `last` to z = 0 */
 };
 
-/* Chooses `last` so that eta is below 2^(1-bits). False where the enclosure did not close at this precision. */
+/* Chooses `last` so that eta is below 2^(1-bits). Returns false if this precision does not suffice for the
+ * enclosure. */
 bool slow_manifold_init(struct slow_manifold *m, const struct law *law, slong bits, slong prec);
 void slow_manifold_clear(struct slow_manifold *m);
 
-/* 1/(n last), which the fall from `last` forgets its past by: exp(-depth). */
+/* The depth 1/(n last): the fall from `last` contracts by exp(-depth). */
 double slow_manifold_depth(const struct law *law, slong bits);
 
-/* Time t' from y to `last` for a trajectory that passes y < last with the given p; false where p is not within
- * 2^-bits of the formal sum. */
+/* Time t' from y to `last` for a trajectory that passes y < last with the given p; false if p is not within 2^-bits of
+ * the formal sum. */
 bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits);
 
-/* |p - P(y)| < 2^-bits, certainly. */
+/* Whether |p - P(y)| < 2^-bits is proved */
 bool slow_manifold_reached(const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits);
 
 #endif

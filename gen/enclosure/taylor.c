@@ -30,7 +30,7 @@ static arb_ptr block_new(const struct taylor *y)
     return _arb_vec_init(y->jets * stride(y));
 }
 
-/* Node of w^exponent, exponent > 0, made with its factors where it is not there yet. */
+/* The node of w^exponent, exponent > 0. The function creates the node and its factors if they do not exist yet. */
 static int power_node(struct taylor *y, slong exponent)
 {
     if (exponent == 1)
@@ -49,7 +49,7 @@ static int node_of(struct taylor *y, slong exponent)
     return exponent == 0 ? TAYLOR_NODE_ONE : power_node(y, exponent);
 }
 
-/* Of any node but TAYLOR_NODE_ONE. */
+/* The coefficients of any node except TAYLOR_NODE_ONE */
 static arb_ptr node_block(const struct taylor *y, int node)
 {
     return node == TAYLOR_NODE_W ? y->w : y->power[node].c;
@@ -119,7 +119,7 @@ static void convolve(arb_ptr out, arb_srcptr f, arb_srcptr g, slong n, const str
                 arb_dot(sum, sum, 0, f + p * size, 1, g + (l - p) * size + n, -1, n + 1, y->prec);
             continue;
         }
-        /* A square: each pair of unlike factors once, twice its value. */
+        /* a square: each pair of different factors counts once with twice its value */
         for (slong p = 0; 2 * p < l; p++)
             arb_dot(sum, sum, 0, f + p * size, 1, f + (l - p) * size + n, -1, n + 1, y->prec);
         if (l % 2 == 0) {
@@ -249,10 +249,10 @@ struct step_proof {
     mag_t h_mag;
     arb_t h;
     arb_t c1, c2;                             /* |c1|, |c2| */
-    arb_t w_max, v_max;                       /* of |w| and |v| in the tube */
-    arb_t residual_w, residual_v, residual_t; /* of the three equations of motion */
+    arb_t w_max, v_max;                       /* largest |w| and |v| in the tube */
+    arb_t residual_w, residual_v, residual_t; /* residuals of the three equations of motion */
     arb_t kappa, lipschitz;                   /* weight of e_w; L */
-    arb_t error_w, error_v, error_t;          /* what is proved */
+    arb_t error_w, error_v, error_t;          /* proved remainders */
 };
 
 static void step_proof_init(struct step_proof *p, const struct taylor *y, const arb_t h)
@@ -336,7 +336,7 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_p
 }
 
 /* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
- * radius is right; the best is a little inside the radius of convergence, 2^STEP_BITS h. */
+ * radius gives a valid bound; the best is a little inside the radius of convergence, 2^STEP_BITS h. */
 static void residuals(struct step_proof *p)
 {
     enum { PER_OCTAVE = 4 };
@@ -380,8 +380,8 @@ static void tube(struct step_proof *p)
     arb_clear(wider);
 }
 
-/* (6.3): L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 is right;
- * sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
+/* (6.3): L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives a
+ * valid bound; sqrt(d L_w) makes L_w/kappa equal to kappa/d. */
 static void lipschitz(struct step_proof *p)
 {
     const struct law *law = &p->y->law;
@@ -412,7 +412,8 @@ static void lipschitz(struct step_proof *p)
     arb_clear(term);
 }
 
-/* (6.4): |e| <= h max(kappa r_w, r_v) exp(L h), true as long as that stays inside the tube, which is the result. */
+/* (6.4): |e| <= h max(kappa r_w, r_v) exp(L h), which holds if the right side stays inside the tube. Returns whether it
+ * does. */
 static bool gronwall(struct step_proof *p)
 {
     const slong d = p->y->law.d;
@@ -443,8 +444,9 @@ static bool gronwall(struct step_proof *p)
     return inside;
 }
 
-/* (6.5): w has no two zeros inside the step that a look at its two ends would miss. Either (kappa w, v), which turns
- * by an angle of 2 L h at most, turns by less than 3 < pi; or w cannot fall to 0 at the speed v_max/d. */
+/* (6.5): whether w has no pair of zeros inside the step, which its signs at both ends would not show. One of two
+ * conditions suffices: (kappa w, v) turns by an angle of at most 2 L h < 3 < pi, or w cannot fall to 0 at the speed
+ * v_max/d. */
 static bool no_hidden_zero(const struct step_proof *p)
 {
     arb_t x;
@@ -462,7 +464,7 @@ static bool no_hidden_zero(const struct step_proof *p)
     return none;
 }
 
-/* Sets the remainders on [0, h]; false where the proof does not close. */
+/* Sets the remainders on [0, h]. Returns false if the proof does not succeed. */
 static bool prove_step(struct taylor *y, const arb_t h)
 {
     struct step_proof p;
@@ -478,7 +480,7 @@ static bool prove_step(struct taylor *y, const arb_t h)
     return proved;
 }
 
-/* log2 of the radius of convergence, guessed from the last coefficients. */
+/* log2 of the radius of convergence, estimated from the last coefficients */
 static double radius_guess(const struct taylor *y)
 {
     arb_srcptr component[2] = {y->w, y->v};
@@ -513,13 +515,13 @@ bool taylor_choose_step(struct taylor *y)
     bool proved = false;
     mag_init(goal);
     mag_init(scale);
-    /* As good as the rounding errors, relative to the velocity in hand. */
+    /* The goal is the size of the rounding errors, relative to the current velocity. */
     arb_get_mag(goal, y->v);
     arb_get_mag(scale, y->w);
     mag_max(goal, goal, scale);
     mag_mul_2exp_si(goal, goal, -y->prec);
-    /* A little shorter each time, and after FINE_TRIALS refusals ever more: a nearly elastic motion under a constant
-     * force is nearly a parabola, whose radius of convergence says nothing. */
+    /* The step is a little shorter each time, and much shorter after FINE_TRIALS refusals. A nearly elastic motion
+     * under a constant force is nearly a parabola, whose coefficients give no estimate of the radius. */
     enum { FINE_TRIALS = 40, TRIALS = 80, FINE = 8 };
     double exponent = radius_guess(y) - STEP_BITS;
     for (int trial = 0; trial < TRIALS && !proved; trial++) {
@@ -553,7 +555,7 @@ static void add_remainder(arb_t value, const struct taylor *y, const mag_t error
 void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, slong l, const arb_t s)
 {
     if (component == TAYLOR_FORCE) {
-        /* c1 w^(bd-m) v + c2 w^(ad-m) from the enclosed w and v: used for numbers only. */
+        /* c1 w^(bd-m) v + c2 w^(ad-m) from the enclosed w and v, for numbers only (jets = 1) */
         const slong m = FLINT_MIN(y->law.ad, y->law.bd);
         arb_t w, v, x;
         arb_init(w);
@@ -594,7 +596,7 @@ void taylor_advance(struct taylor *y, const arb_t s)
 bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
                  const arb_t end)
 {
-    /* A secant-bisection hybrid (Illinois) on midpoints finds it; signs on both sides prove it. */
+    /* The Illinois method on midpoints finds the zero; signs on both sides prove it. */
     arb_t low, high, flow, fhigh, x, fx, width;
     bool proved = false;
     arb_init(low);

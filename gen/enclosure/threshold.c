@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Laws with q < 0 part below a threshold beta_c only (docs/derivation.md, 9).
+/* With q < 0 the bodies part only below a threshold beta_c (docs/derivation.md, 9).
  *
- * Backwards from an end with eps = 0, and with x = beta^(2/m) X, m = -n > 0, the motion is the unstable manifold of the
- * pumped law X'' - X^b X' + X^a = 0,
+ * In backward time from an end with eps = 0, and with x = beta^(2/m) X, m = -n > 0, the motion is the unstable manifold
+ * of the law with negative damping X'' - X^b X' + X^a = 0,
  *
  *   X' = X^(b+1) g(z),   z = X^m,   g ((b+1) g + m z g') = g - z,   g(0) = 1/(b+1),
  *
- * which turns at a height C*. A collision turns at C(beta) = beta^(-2/m) x_max(beta), falling with beta, and parts where
- * that is above C*; so beta_c is the root of C(beta) = C*. */
+ * which turns at a height C*. A collision turns at C(beta) = beta^(-2/m) x_max(beta), which falls with beta. The bodies
+ * part if C(beta) is above C*, so beta_c is the root of C(beta) = C*. */
 #include "enclosure/collision.h"
 
 #include <math.h>
@@ -22,8 +22,9 @@ enum { GUARD_BITS = 60, ATTEMPTS = 8, SEARCH_STEPS = 400 };
  *
  *   g_k = -((b+1 + m k/2) R_k + [k = 1])/(1 + m k/(b+1)).
  *
- * The factor of R_k is below b+1, so M = |g_1| z + (b+1) M^2 is a majorant of g - g_0: it converges to z* = 1/(4 (b+1)
- * |g_1|), where it is 1/(2 (b+1)), and what is beyond z^K at z = z* 2^-s is below 2^(-s (K+1))/(2 (b+1)). z is set. */
+ * The factor of R_k is below b+1, so M = |g_1| z + (b+1) M^2 is a majorant of g - g_0. M converges up to z* = 1/(4
+ * (b+1) |g_1|), where it is 1/(2 (b+1)). The terms beyond z^K at z = z* 2^-s are below 2^(-s (K+1))/(2 (b+1)). The
+ * function sets z. */
 static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
 {
     enum { SHRINK = 3 };
@@ -66,7 +67,7 @@ static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
     arb_clear(factor);
 }
 
-/* C*: from the series on by steps to the turning point. */
+/* Computes C* by steps from the end of the series to the turning point. */
 static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
 {
     const struct ratio m = ratio_mul((struct ratio){-1, 1}, law_fall_power(law));
@@ -123,8 +124,8 @@ static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const st
     return solved;
 }
 
-/* Brackets the root by doubling, halves the bracket by the Illinois method, and proves signs at both ends of a ball of
- * 2^-bits: C(beta) falls, so they enclose the one root. */
+/* Brackets the root by doubling, shrinks the bracket by the Illinois method, and proves the signs at both ends of an
+ * interval of relative width 2^-bits. C(beta) falls, so the interval contains the only root. */
 static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *law, slong bits, slong prec)
 {
     arb_t low, high, flow, fhigh, x, fx, width;

@@ -12,13 +12,15 @@
 
 /* ---- J ----
  *
- * With gamma = c_s/c_p, gamma^2 = (1 - 2 nu)/(2 (1 - nu)) = tau^2/(1 + tau^2), a^2 = |x^2 - gamma^2|, b^2 = |x^2 - 1| and D = (2 x^2 - 1)^2,
+ * With gamma = c_s/c_p, gamma^2 = (1 - 2 nu)/(2 (1 - nu)) = tau^2/(1 + tau^2), a^2 = |x^2 - gamma^2|, b^2 = |x^2 - 1|
+ * and D = (2 x^2 - 1)^2,
  *
- *     J = int_0^gamma x a/(D + 4 x^2 a b) dx + int_gamma^1 4 x^3 a^2 b/(D^2 + 16 x^4 a^2 b^2) dx - pi x_R a(x_R)/R'(x_R)
+ *     J = int_0^gamma x a/(D + 4 x^2 a b) dx + int_gamma^1 4 x^3 a^2 b/(D^2 + 16 x^4 a^2 b^2) dx - pi x_R
+ *     a(x_R)/R'(x_R)
  *
- * R = D - 4 x^2 a b, R(x_R) = 0. x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 leave no root at the ends of the integrals. At
- * gamma^2 = 1/2 both integrands are 0/0 at x = gamma; near it J is computed as the imaginary part of
- * int x a/R dx along a path from 0 to 2 above gamma, 1 and x_R, where nothing is singular. */
+ * R = D - 4 x^2 a b, R(x_R) = 0. x = gamma (1 - u^2) and x = 1 - (1 - gamma) u^2 leave no root at the ends of the
+ * integrals. At gamma^2 = 1/2 both integrands are 0/0 at x = gamma; near it J is computed as the imaginary part of int
+ * x a/R dx along a path from 0 to 2 above gamma, 1 and x_R, on which nothing is singular. */
 
 struct wave_parameters {
     acb_t gamma, gamma2;
@@ -159,7 +161,8 @@ static void rayleigh_cubic(acb_t f, acb_t df, const acb_t p, const acb_t gamma2,
     acb_clear(c);
 }
 
-/* (c_R/c_s)^2 for every gamma^2 of the ball: Newton's method, and its interval form as proof; infinite if that does not prove it. */
+/* (c_R/c_s)^2 for every gamma^2 of the interval. Newton's method finds it, and the interval Newton method proves it.
+ * The result is infinite if the proof fails. */
 static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
 {
     acb_t mid, f, df, try, middle2;
@@ -168,7 +171,7 @@ static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
     acb_init(df);
     acb_init(try);
     acb_init(middle2);
-    /* through the roots at gamma^2 = 0, 1/4, 1/2, 3/4 and 1 */
+    /* polynomial through the roots at gamma^2 = 0, 1/4, 1/2, 3/4 and 1 */
     static const double start[] = {0.91262, -0.32764, 1.34339, -3.20310, 1.27473};
     acb_get_mid(middle2, gamma2);
     acb_zero(p);
@@ -186,7 +189,7 @@ static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
     acb_get_mid(mid, p);
     rayleigh_cubic(f, df, mid, gamma2, prec);
     acb_div(f, f, df, prec);
-    /* a ball of thrice the first step's size must be mapped into itself */
+    /* an interval of three times the first step's size must be mapped into itself */
     mag_t size;
     mag_init(size);
     acb_get_mag(size, f);
@@ -243,10 +246,10 @@ static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
     acb_clear(d);
 }
 
-/* ---- the same along a path ---- */
+/* ---- J along a path ---- */
 
-/* x a/R from `from` to `to` along a straight line; a = i sqrt(gamma^2 - x^2) or sqrt(x^2 - gamma^2), b likewise: equal in between,
- * the first without a cut where x is small, the second where it is large */
+/* x a/R from `from` to `to` along a straight line; a = i sqrt(gamma^2 - x^2) or sqrt(x^2 - gamma^2), and b likewise.
+ * Both forms are equal on the path. The first has no cut where x is small, the second none where x is large. */
 struct path_parameters {
     acb_t from, step, gamma2;
     int far;
@@ -321,7 +324,7 @@ static void path_integral(acb_t y, const acb_t gamma2, slong prec)
     acb_clear(corner);
 }
 
-/* (I(gamma) - conj(I(conj(gamma))))/(2 i), which is Im(I) where gamma is real */
+/* (I(gamma) - conj(I(conj(gamma))))/(2 i), which is Im(I) for real gamma */
 static void wave_factor_by_path(acb_t j, const acb_t gamma2, slong prec)
 {
     acb_t other;
@@ -362,7 +365,7 @@ void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
     acb_clear(part);
 }
 
-/* The integrals along the axis are quick but for gamma^2 within 0.02 of 1/2, that is tau = 1. */
+/* The integrals along the axis are fast except for gamma^2 within 0.02 of 1/2, which is tau = 1. */
 void wave_factor(acb_t j, const acb_t tau, slong prec)
 {
     const double x = arf_get_d(arb_midref(acb_realref(tau)), ARF_RND_NEAR) - 1;

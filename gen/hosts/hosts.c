@@ -5,9 +5,9 @@
 
 #include "cor/law.h"
 
-/* ---- what hosts make of e ---- */
+/* ---- the damping that hosts compute from e ---- */
 
-/* Exact at zero overlap; LIGGGHTS, Chrono, MercuryDPM and others use it at any end. */
+/* This formula is exact at zero overlap. LIGGGHTS, Chrono, MercuryDPM and others use it for every end of contact. */
 static double exact_at_zero_overlap(double e)
 {
     return cor_linear_zeta_zero_overlap(e);
@@ -23,7 +23,7 @@ double host_thornton_gamma(double e)
     return sqrt(1 / (1 - (1 + e) * (1 + e) * exp(sum)) - 1);
 }
 
-/* 2 gamma sqrt(m k), k = (3/2) K sqrt(x) the tangent stiffness: zeta = sqrt(6/5) gamma */
+/* The damping is 2 gamma sqrt(m k), where k = (3/2) K sqrt(x) is the tangent stiffness; zeta = sqrt(6/5) gamma. */
 static double thornton(double e)
 {
     return sqrt(1.2) * host_thornton_gamma(e);
@@ -35,7 +35,7 @@ static double thornton_yade(double e)
     return e == 1 ? 0 : thornton(e);
 }
 
-/* Kratos: e kept at 0.001 or more, no damping above 0.999 */
+/* Kratos raises e to at least 0.001, and has no damping above 0.999 */
 static double thornton_kratos(double e)
 {
     return e > 0.999 ? 0 : thornton(e < 0.001 ? 0.001 : e);
@@ -62,20 +62,20 @@ static double tsuji_on_hooke(double e)
     return host_tsuji_alpha(e) / 2;
 }
 
-/* the linear formula on Hertz's force */
+/* the formula of the linear dashpot, with Hertz's force */
 static double mfix_hertz(double e)
 {
     return 2 / sqrt(5) * cor_linear_zeta_zero_overlap(e);
 }
 
-/* pi cut after 8 digits */
+/* this host has pi with 8 digits */
 static double esys(double e)
 {
     const double l = log(e), pi = 3.1415927;
     return e == 0 ? 1 : -l / sqrt(pi * pi + l * l);
 }
 
-/* Kratos: the root of the zero-force formula between 0 and 16, bisected until the interval is below 0.0001 */
+/* Kratos bisects for the root of the zero-force formula between 0 and 16, until the bracket is below 0.0001 */
 static double kratos_linear(double e)
 {
     const double wanted = e < 0.001 ? 0.001 : e;
@@ -313,7 +313,7 @@ const char *host_end_name(enum host_end end)
     return name[end];
 }
 
-/* ---- what the table gives ---- */
+/* ---- results from the table ---- */
 
 double host_eps(enum host_law law, enum host_end end, double damping)
 {
@@ -344,7 +344,8 @@ double host_realised(const struct host_model *model, double e)
     return host_eps(model->law, model->end, model->damping_of_e(e));
 }
 
-/* The fits turn around near e = 1, and some hosts do without damping from some e on: the least damping that is one, and where */
+/* The smallest positive damping and its e. Near e = 1 the fits are not monotonic, and some hosts have no damping from
+ * some e on. */
 static double weakest(const struct host_model *model, double *at)
 {
     const double most = nextafter(model->most, 0);

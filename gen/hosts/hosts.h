@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact models of simulators (hosts): which damping law each one is, when it ends a contact, what it makes of a restitution
- * coefficient that a user asks for, and which number makes it realise the wished one. One table; docs/laws.md explains it.
+/* One table of the contact models of simulators (hosts); docs/laws.md explains it. For each model it holds the damping
+ * law, the end of contact, the restitution that the model realises for the e that a user sets, and the number to set
+ * for a desired restitution.
  *
- * A model's damping is the parameter of its law in law.h and sphere.h: zeta of the linear dashpot and of Tsuji's damping, beta of
- * the others. Nothing here needs a table of the runtime. */
+ * A model's damping is the parameter of its law in law.h and sphere.h: zeta of the linear dashpot and of Tsuji's
+ * damping, beta of the others. These functions need no table of the runtime. */
 #ifndef COR_GEN_HOSTS_HOSTS_H
 #define COR_GEN_HOSTS_HOSTS_H
 
@@ -35,19 +36,19 @@ typedef double host_scene_map(double x, const struct host_scene *scene);
 
 struct host_model {
     const char *host;      /* "lammps" */
-    const char *model;     /* as the host's input or documentation calls it */
-    const char *parameter; /* what the user sets, with its unit; "e" where that is a restitution coefficient */
+    const char *model;     /* its name in the host's input or documentation */
+    const char *parameter; /* the number that the user sets, with its unit; "e" for a restitution coefficient */
     enum host_law law;
     enum host_end end;
 
-    /* Where the user sets e: the damping that the host makes of it, for least <= e <= most; NULL where the user sets no e. */
+    /* The damping that the host computes from e, for least <= e <= most; NULL if the user does not set e. */
     host_map *damping_of_e;
     double least, most;
 
-    /* Where the user sets another number: that number from the damping, and back; NULL where the user sets e. */
+    /* The number that the user sets from the damping, and back; NULL if the user sets e. */
     host_scene_map *number_of_damping, *damping_of_number;
 
-    const char *file;   /* where the host computes it */
+    const char *file;   /* the host's file that computes it */
     const char *known;  /* "run", "source" or "documentation" */
     const char *advice; /* a sentence for the user */
 };
@@ -58,31 +59,32 @@ extern const size_t host_model_count;
 const char *host_law_name(enum host_law law);
 const char *host_end_name(enum host_end end);
 
-/* The restitution of a law at an end and its inverse, for the laws that have closed forms: linear, Tsuji, Hunt and Crossley. NaN
- * for the others. */
+/* The restitution of a law for an end of contact, and its inverse, for the laws with closed forms: linear, Tsuji, Hunt
+ * and Crossley. NaN for the other laws. */
 double host_eps(enum host_law law, enum host_end end, double damping);
 double host_damping(enum host_law law, enum host_end end, double eps);
 
-/* What the model realises where a user asks for e: NaN where it takes no e, or refuses this one. */
+/* The restitution that the model realises if a user sets e; NaN if the model has no e or refuses this one. */
 double host_realised(const struct host_model *model, double e);
 
-/* The e' to hand to the model so that it realises `wished`. */
+/* The e' that a user must set so that the model realises `wished` */
 enum host_cure_status {
     HOST_CURE_OK,
-    HOST_CURE_NOT_ASKED, /* the model takes no e, or its law has no closed form */
-    HOST_CURE_TOO_SMALL, /* the model's least e realises more */
-    HOST_CURE_TOO_LARGE  /* the model's largest e realises less */
+    HOST_CURE_NOT_ASKED, /* the model has no e, or its law has no closed form */
+    HOST_CURE_TOO_SMALL, /* the model's smallest e realises more than `wished` */
+    HOST_CURE_TOO_LARGE  /* the model's largest e realises less than `wished` */
 };
 double host_cure(const struct host_model *model, double wished, enum host_cure_status *status);
 
-/* The least and the largest restitution that the model can realise through its e. */
+/* The smallest and the largest restitution that the model can realise by its e */
 void host_reach(const struct host_model *model, double *least, double *most);
 
-/* ---- formulas in use, by themselves ---- */
+/* ---- published formulas ---- */
 
-/* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent), fitted to zero force */
+/* Thornton, Cummins and Cleary, Powder Technol. 233, 30 (2013): damping 2 gamma sqrt(m k_tangent), fitted to zero
+ * force */
 double host_thornton_gamma(double e);
-/* The polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), as LAMMPS has it */
+/* The polynomial of Tsuji, Tanaka and Ishida, Powder Technol. 71, 239 (1992), in the form of LAMMPS */
 double host_tsuji_alpha(double e);
 /* d g as a function of e: Hunt and Crossley (1975); Lankarani and Nikravesh (1990); Gonthier et al. (2004); Herbert and
  * McWhannell (1977); Hu and Guo (2015); Flores et al. (2011) */

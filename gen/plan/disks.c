@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Elastic disks: from leaving the vibrations out to collisions of many modes, against a rigid wall and all modes. */
+/* Elastic disks: models from rigid disks without vibrations to collisions of many modes, compared with a rigid wall and
+ * all modes */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,11 +14,11 @@
 #include "support/parallel.h"
 #include "sweep/hard_wall.h"
 
-/* Every number of modes with every hardness alpha v. */
+/* Every number of modes is combined with every hardness alpha v. */
 static const size_t counts[] = {10, 30, 100, 300, 940, 1800, 3600};
 static const double hardness[] = {11, 22, 56};
-/* What the rigid wall is asked for, on 1 - eps^2, and ns for it: the median of 30 speeds from 0.001 to 0.3, the modes
- * at hand, measured once: docs/plan.md. */
+/* Tolerances of the rigid wall on 1 - eps^2, and nanoseconds of a collision with given modes: the median of 30 speeds
+ * from 0.001 to 0.3, measured once (docs/plan.md). */
 static const struct {
     double tolerance, cost;
 } rigid[] = {{1e-3, 4e6}, {1e-4, 7e6}, {1e-5, 5e7}, {1e-6, 5e8}};
@@ -27,22 +28,22 @@ enum {
     RIGID = sizeof rigid / sizeof *rigid,
     QUANTITIES = 3 /* enum plan_quantity */
 };
-/* The truth: a rigid wall to this part of the tolerance asked for, but within these bounds */
+/* The reference is a rigid wall with this part of the requested tolerance, limited by these bounds. */
 #define TRUTH_SHARE 0.02
 #define FINEST_TRUTH 1e-6
 #define COARSEST_TRUTH 1e-4
-#define COARSEST_TRUTH_OF_OTHERS 1e-5 /* of levels beyond those of COARSE_TOLERANCE */
-/* Of the contact time and the largest compression, twice the change from a rigid wall to this tolerance is their
- * uncertainty: the contact time converges like 1/Omega. */
+#define COARSEST_TRUTH_OF_OTHERS 1e-5 /* for quantities whose levels go beyond those of COARSE_TOLERANCE */
+/* The uncertainty of the contact time and of the largest compression is twice their change from a rigid wall with this
+ * tolerance, because the contact time converges like 1/Omega. */
 #define COARSE_TOLERANCE 1e-3
 #define LEAST_TOLERANCE 1e-6
-#define MIN_SPEED 1e-3 /* alpha v = 56 is beyond COR_DISK_COLLISION_MAX_ALPHA soon below it */
+#define MIN_SPEED 1e-3 /* a little below this speed, alpha v = 56 needs an alpha beyond COR_DISK_COLLISION_MAX_ALPHA */
 #define COLLISION_TOLERANCE 1e-6
 /* The paper's wall and number of modes. */
 #define PAPER_ALPHA 500.0
 #define PAPER_MODES ((size_t)940)
 
-/* ns, measured once: docs/plan.md. A step of a collision: so much, and so much for each mode. */
+/* Nanoseconds of a step of a collision, and of each mode in a step, measured once (docs/plan.md). */
 #define NS_STEP 1000.0
 #define NS_STEP_MODE 4.0
 #define NS_EPS_TABLE 170.0
@@ -51,8 +52,8 @@ enum {
 static const double ns_law[QUANTITIES] = {0, 770, 130}, ns_leading_log[QUANTITIES] = {0, 40, 40};
 
 struct outcome {
-    double value[QUANTITIES]; /* NaN: not known */
-    bool reached;             /* the tolerance */
+    double value[QUANTITIES]; /* NaN if unknown */
+    bool reached;             /* whether the tolerance was reached */
     double steps;
 };
 
@@ -96,7 +97,7 @@ struct collisions {
     struct disks *disks;
 };
 
-/* Task i: of a point the collisions of one row of the grid, the most modes first, or the paper's. */
+/* Task i: the collisions of one row of a point's grid, with the most modes first, or the paper's collision */
 static void disks_collide_row(void *context, slong i)
 {
     const struct collisions *const work = context;
@@ -158,7 +159,7 @@ static int find_truth(struct plan *plan, struct disks *d, slong i)
 
 /* ---- models ---- */
 
-/* C that makes `modes` and `v` known */
+/* C statements that define `modes` and `v` */
 static char *modes_text(const struct disks *d, size_t count)
 {
     const char *poisson = d->request->poisson.text;
@@ -182,7 +183,8 @@ static bool is_relative(const struct disks *d)
     return d->request->quantity != PLAN_EPS;
 }
 
-/* What corgen promises of eps, and how the other quantities differ from the truth */
+/* Adds a rigid wall: the error of eps is its promised bound, that of the other quantities the difference from the
+ * reference. */
 static int add_rigid(struct plan *plan, struct disks *d, int k)
 {
     const enum plan_quantity quantity = d->request->quantity;
@@ -208,7 +210,7 @@ static int add_rigid(struct plan *plan, struct disks *d, int k)
     return status;
 }
 
-/* hard = 0: the paper's wall */
+/* hard = 0 stands for the paper's wall */
 static void add_dynamics(struct plan *plan, const struct disks *d, size_t modes, double hard, const char *leaves_out)
 {
     int n = 0, k = 0;
@@ -260,7 +262,7 @@ static void add_rayleigh(struct plan *plan, const struct disks *d)
             struct cor_disk_rayleigh out;
             const int status =
                 cor_disk_rayleigh(&cut, taken[k], COR_DISK_DATUM_CENTRE_OF_MASS, plan->speed[i], &out, NULL);
-            /* beyond the law it gives nothing, beyond the theory more energy than there is */
+            /* beyond the contact law there is no result, beyond the theory more energy than before the collision */
             if (status == COR_OK || status == COR_BEYOND_THEORY)
                 m->value[i] = sqrt(1 - (out.fraction + out.tail));
             m->outside = m->outside || status != COR_OK;
@@ -301,7 +303,7 @@ static void add_models_of_eps(struct plan *plan, const struct disks *d)
     m->use = plan_text("double eps = %s;\n", text);
     add_rayleigh(plan, d);
 
-    /* What the library promises of its table, which corgen makes and cannot ask here. */
+    /* The promised uncertainty of the library's table. corgen computes that table and cannot call it. */
     m = plan_add(plan, "table: cor_disk_eps");
     m->outside = !(d->modes.nu >= COR_DISK_EPS_MIN_NU && d->modes.nu <= COR_DISK_EPS_MAX_NU);
     for (slong i = 0; i < plan->points; i++) {

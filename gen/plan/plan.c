@@ -139,7 +139,7 @@ static void print_cost(char *text, size_t size, double ns)
         snprintf(text, size, "%.2g %s", ns, unit[k]);
 }
 
-/* Two digits, rounded up, as a bound should be. */
+/* Prints an error bound with two digits, rounded up. */
 static void print_error(char *text, size_t size, double error)
 {
     if (!(error > 0) || isinf(error)) {
@@ -150,7 +150,7 @@ static void print_error(char *text, size_t size, double error)
     snprintf(text, size, "%.2g", ceil(error / unit * (1 - 1e-12)) * unit);
 }
 
-/* `text`, a few lines, each moved to the right. */
+/* Prints the lines of `text` with an indentation. */
 static void print_lines(FILE *file, const char *indent, const char *text)
 {
     while (text && *text) {

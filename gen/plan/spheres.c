@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Viscoelastic spheres, or bodies of another law: models of eps from what simulations paste to corgen's headers, against
- * collisions. */
+/* Viscoelastic spheres, or bodies of another law: models of eps, from formulas that simulations use to corgen's headers,
+ * compared with collisions */
 #include <float.h>
 #include <math.h>
 #include <stdatomic.h>
@@ -20,7 +20,7 @@
 #include "support/decimal.h"
 #include "support/parallel.h"
 
-/* At zero overlap eps is h*^5 beta^-5 from here on, to 2^-60. */
+/* From this beta on, eps at zero overlap is h*^5 beta^-5 with relative error 2^-60. */
 #define OVERLAP_FAR 7.0
 #define BETA_LIMIT 1e6
 #define LEAST_TOLERANCE 1e-15
@@ -30,8 +30,8 @@ enum { TRUTH_BITS = 64, PADE_BITS = 320, PADE_POINTS = 4096, PADE_COEFFICIENTS =
 /* half ulps of beta where a caller writes factor * pow(speed, q) */
 #define ROUNDINGS_OF_BETA 2.0
 
-/* ns of a call and in a loop, measured once: published formulas and the library by bench/run spheres, the others as
- * docs/plan.md says. */
+/* Nanoseconds of a call and of a number in a loop, measured once: published formulas and the library by bench/run
+ * spheres, the others as in docs/plan.md. */
 static const struct cost {
     double call, loop;
 } cost_published = {14.6, 14.6}, cost_mueller = {12.3, 12.3}, cost_power = {11, 11}, cost_simple = {66, 66},
@@ -74,7 +74,7 @@ static double ball_middle(const arb_t x)
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-/* eps at both ends; h_star: of spheres */
+/* Computes eps for both ends of contact. h_star is needed for spheres. */
 static int collide_both_ends(double eps[2], const arb_t beta, const struct law *law, const arb_t h_star)
 {
     struct collision c;
@@ -191,7 +191,7 @@ static double speed_exponent(const struct law *law)
     return (double)q.num / (double)q.den;
 }
 
-/* Values and errors of a model that is a function. */
+/* Sets values and errors of a model that is a function. */
 static void model_evaluate(const struct plan *plan, struct plan_model *m)
 {
     for (slong i = 0; i < plan->points; i++)
@@ -199,7 +199,7 @@ static void model_evaluate(const struct plan *plan, struct plan_model *m)
     plan_compare(plan, m, true);
 }
 
-/* The number that ten digits leave of it: what is evaluated is what is printed. */
+/* x rounded to ten digits, so that the evaluated number is the printed one */
 static double ten_digits(double x)
 {
     char text[DECIMAL_TEXT];
@@ -212,7 +212,8 @@ static void add_constants(struct plan *plan, const struct spheres *s, const stru
     const slong last = plan->points - 1;
     for (int measured = 0; measured < 2; measured++) {
         const double first = plan->truth[0], end = plan->truth[last];
-        /* eps falls, or rises, so that its ends decide: of all constants 2 a b/(a + b) has the least relative error */
+        /* eps is monotone, so its ends a and b determine the best constant: 2 a b/(a + b) has the smallest
+         * relative error */
         struct plan_model *m = plan_add(plan, measured ? "constant eps of the middle speed" : "constant eps");
         m->number[0] = ten_digits(measured ? plan->truth[last / 2] : 2 * first * end / (first + end));
         m->eps = eps_constant;
@@ -224,7 +225,8 @@ static void add_constants(struct plan *plan, const struct spheres *s, const stru
     }
 }
 
-/* eps = a g^-b: of the slope of ln eps between the ends, the best a, for ln eps is a concave function of ln g. */
+/* eps = a g^-b, where b is the slope of ln eps between the ends. a is the best factor, because ln eps is a concave
+ * function of ln g. */
 static void add_power_law(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
 {
     const slong last = plan->points - 1;
@@ -245,7 +247,7 @@ static void add_power_law(struct plan *plan, const struct spheres *s, const stru
     model_evaluate(plan, m);
 }
 
-/* C statements that make `contact`. */
+/* C statements that define `contact` */
 static char *contact_text(const struct embed_request *scene)
 {
     if (scene->number[EMBED_G_STAR].text)
@@ -308,7 +310,7 @@ static void add_published(struct plan *plan, const struct embed_request *scene)
     model_evaluate(plan, m);
 }
 
-/* f in doubles; whether its denominator keeps its sign over the range is looked at closely. */
+/* Adds f in doubles, if its denominator is shown to keep its sign over the range. */
 static void add_pade(struct plan *plan, struct spheres *s, const struct embed_request *scene, const struct pade *f,
                      slong root, bool two_point)
 {
@@ -367,7 +369,7 @@ static void add_pades(struct plan *plan, struct spheres *s, const struct embed_r
     pade_clear(&f);
 }
 
-/* The command with the scene's own options, and a tolerance. */
+/* The command line with the options of the scene and a tolerance */
 static char *embed_command(const struct embed_request *scene, const char *tolerance)
 {
     char line[TEXT] = "", law[EMBED_LAW_OPTIONS];
@@ -386,7 +388,7 @@ static void add_header(struct plan *plan, struct spheres *s, const struct embed_
 {
     const enum embed_family chosen = embed_choose(s->form, scene->purpose);
     if (chosen == FAMILIES)
-        return; /* the library is left */
+        return; /* the library remains */
     const struct embed_form *f = &s->form[chosen];
     char size[PLAN_NAME];
     embed_form_size(size, sizeof size, f);
@@ -402,7 +404,7 @@ static void add_header(struct plan *plan, struct spheres *s, const struct embed_
     model_evaluate(plan, m);
 }
 
-/* What the library promises; it is made of tables that corgen makes, and so cannot be asked here. */
+/* Adds the library with its promised bound. corgen computes the library's tables and cannot call it. */
 static void add_library(struct plan *plan, struct spheres *s, const struct embed_request *scene)
 {
     struct plan_model *m = plan_add(plan, "library: cor_contact_eps_%s", end_name(scene->end));
@@ -499,7 +501,7 @@ static const char *spheres_note(const struct embed_request *scene)
     return notes[scene->purpose];
 }
 
-/* All models, once the truth and the series are known. `header`: the tolerance of the header. */
+/* Adds all models after the reference and the series are known. `header` is the tolerance of the header. */
 static void add_models(struct plan *plan, struct spheres *s, const struct embed_request *scene,
                        const struct embed_series *series, const char *header)
 {
@@ -523,7 +525,7 @@ static void add_models(struct plan *plan, struct spheres *s, const struct embed_
     plan_choose(plan);
 }
 
-/* The plan of a scene that has been checked. `embed`: the scene with the tolerance of a header. */
+/* Computes the plan of a checked scene. `embed` is the scene with the tolerance of a header. */
 static int plan_scene(struct plan *plan, const struct plan_spheres_request *request, const struct embed_request *embed)
 {
     const struct embed_request *const scene = &request->scene;

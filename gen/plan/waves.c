@@ -6,7 +6,7 @@
 #include "enclosure/wave_factor.h"
 #include "plan/plan.h"
 
-/* J(nu), nearly to the last place */
+/* J(nu) with an error of about one unit of the last place */
 static double wave_factor_of(double nu)
 {
     acb_t tau, j;

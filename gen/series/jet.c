@@ -32,7 +32,7 @@ void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_
     arb_poly_t sum;
     arb_poly_init(sum);
     for (slong m = FLINT_MIN(count, n) - 1; m >= 0; m--) {
-        /* delta^m = O(beta^m): what is multiplied m more times matters only to beta^(n-1-m). */
+        /* delta^m = O(beta^m), so a factor of delta^m is needed only up to beta^(n-1-m). */
         arb_poly_mullow(sum, sum, delta, n - m, prec);
         arb_poly_add_series(sum, sum, f + m, n - m, prec);
     }
@@ -49,8 +49,8 @@ void jet_solve(arb_poly_t delta, const arb_poly_struct *f, slong count, slong n,
     jet_derivative(slope, f, count, prec);
 
     arb_poly_zero(delta);
-    /* Newton: right below beta^known, twice as far after each turn. The coefficients that are right are kept,
-     * so that their balls do not grow. */
+    /* Newton's method: coefficients below beta^known are right, and each pass doubles `known`. Right coefficients are
+     * kept, so that their intervals do not grow. */
     for (slong known = 1; known < n;) {
         const slong next = FLINT_MIN(2 * known, n);
         jet_compose(value, f, count, delta, next, prec);

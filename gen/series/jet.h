@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* Formal power series in beta at a point of a trajectory: f(delta; beta) = sum_m f_m(beta) delta^m with
- * delta = O(beta). No analysis, so no remainder: a coefficient of the result uses finitely many of f's. */
+/* Formal power series in beta at a point of a trajectory: f(delta; beta) = sum_m f_m(beta) delta^m with delta =
+ * O(beta). The series are formal and need no remainder: a coefficient of the result depends on finitely many
+ * coefficients of f. */
 #ifndef COR_GEN_SERIES_JET_H
 #define COR_GEN_SERIES_JET_H
 
 #include "support/flint.h"
 
-/* An array of `count` power series: rows of a trajectory, Taylor coefficients of a jet. */
+/* Allocates an array of `count` power series: rows of a trajectory or Taylor coefficients of a jet. */
 arb_poly_struct *jet_new(slong count);
 void jet_free(arb_poly_struct *f, slong count);
 
-/* df/ddelta: slope[m] = (m + 1) f[m + 1], count - 1 of them. */
+/* df/ddelta: slope[m] = (m + 1) f[m + 1] for m < count - 1. */
 void jet_derivative(arb_poly_struct *slope, const arb_poly_struct *f, slong count, slong prec);
 
 /* y = f(delta(beta); beta) up to beta^(n-1), from f[0..count-1], count >= n; delta(0) = 0. */
 void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_poly_t delta, slong n, slong prec);
 
-/* The delta(beta) with delta(0) = 0 and f(delta; beta) = 0 up to beta^(n-1). f_0(0) is taken as exactly 0,
- * f_1(0) must not be. */
+/* The delta(beta) with delta(0) = 0 and f(delta; beta) = 0 up to beta^(n-1). f_0(0) is treated as exactly 0; f_1(0)
+ * must not contain 0. */
 void jet_solve(arb_poly_t delta, const arb_poly_struct *f, slong count, slong n, slong prec);
 
 #endif

@@ -49,7 +49,7 @@ struct ratio ratio_div(struct ratio x, struct ratio y)
     return ratio_make(x.num * y.den, x.den * y.num);
 }
 
-/* Digits only, no sign: at most max; returns the end of the number, or NULL. */
+/* Reads digits without a sign into a value of at most max. Returns the end of the number, or NULL. */
 static const char *parse_whole(const char *text, slong max, slong *value)
 {
     slong v = 0;
@@ -65,7 +65,7 @@ static const char *parse_whole(const char *text, slong max, slong *value)
 
 static bool parse_ratio(struct ratio *r, const char *text)
 {
-    /* A decimal such as 1.0625 has a numerator beyond the bound before it is reduced. */
+    /* before it is reduced, a decimal such as 1.0625 has a numerator beyond the bound */
     const slong largest = 100000000;
     slong num, den = 1;
     const char *p = parse_whole(text, largest, &num);

@@ -16,7 +16,7 @@ struct ratio {
 struct law {
     struct ratio a; /* elastic exponent, 3/2 for spheres */
     struct ratio b; /* damping exponent, 1/2 for spheres */
-    slong d;        /* common denominator of a and b: x = w^d makes the law polynomial */
+    slong d;        /* common denominator of a and b; with x = w^d the law is polynomial */
     slong ad, bd;   /* a d and b d, whole numbers */
 };
 
@@ -28,7 +28,7 @@ extern const struct law law_sphere;
 #define LAW_MAX_NUMERATOR 64
 #define LAW_MAX_DENOMINATOR 16
 
-/* Reads "3/2", "1.5" or "2" for each exponent. Returns NULL, or a sentence saying what was wrong. */
+/* Reads "3/2", "1.5" or "2" for each exponent. Returns NULL, or a sentence that describes the error. */
 const char *law_parse(struct law *law, const char *elastic, const char *damping);
 
 bool law_is_sphere(const struct law *law);
@@ -51,7 +51,8 @@ struct ratio law_mu_power(const struct law *law);
 /* a > b: the force ends before the overlap does. Otherwise the two ends of contact coincide. */
 bool law_force_ends(const struct law *law);
 
-/* q = 0, b = (a-1)/2: u = x^((a+1)/2) obeys a linear equation, with the linear dashpot (1, 0) and Tsuji's (3/2, 1/4). */
+/* q = 0, b = (a-1)/2: u = x^((a+1)/2) obeys a linear equation, with the linear dashpot (1, 0) and Tsuji's (3/2,
+ * 1/4). */
 bool law_is_linear(const struct law *law);
 
 /* a = b, Hunt and Crossley's. */
@@ -60,8 +61,9 @@ bool law_is_hunt_crossley(const struct law *law);
 /* k, n > 0: the unloading of a strongly damped collision forgets its loading by exp(-k/mu), k = (b+1)^(n/(b+1))/n. */
 double law_forgetting(const struct law *law);
 
-/* Scales, good to a few digits. tau_0 of (51), and the radius of convergence of the elastic trajectory in units of
- * tau_0: its end of contact at 2, or where x'' = x^a blows up, at 1/cos(pi/(a+1)) on the circle |t|. */
+/* Scales with an accuracy of a few digits. The first is tau_0 of (51). The second is the radius of convergence of the
+ * elastic trajectory in units of tau_0: its end of contact at 2, or the singularity of x'' = x^a on the circle |t| =
+ * 1/cos(pi/(a+1)). */
 double law_elastic_time(const struct law *law);
 double law_elastic_radius(const struct law *law);
 

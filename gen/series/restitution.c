@@ -18,7 +18,7 @@ static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n
  *
  *     [beta^k] (h/beta)^p = (-1)^k p/(k+p) [beta^k] (h/beta)^(-k-p),      eps^power = (h/beta)^p, p = power/q,
  *
- * so the coefficient of an even k = -2 p is its own negative. */
+ * so the coefficient of an even k = -2 p is its own negative and vanishes. */
 slong restitution_exact_zero(struct ratio power, const struct law *law)
 {
     const struct ratio q = law_speed_exponent(law);
@@ -90,9 +90,9 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
     arb_clear(scale);
 }
 
-/* sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1): X seen backwards, and with the
- * weights e + 1, e = k (b+1) + j (a+1), the velocity V = X + D X. Horner's rule in B for each row, in A over the
- * rows; both are O(w), so what is multiplied more often is needed to fewer terms. */
+/* sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1): The sum is X in backward time. With the
+ * weights e + 1, e = k (b+1) + j (a+1), it is the velocity V = X + D X. The function applies Horner's rule in B to each
+ * row, and in A to the rows. A and B are O(w), so a factor that is multiplied more often needs fewer terms. */
 static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool velocity, const fmpq_poly_t T, slong n,
                          const struct law *law)
 {
@@ -140,9 +140,8 @@ static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool veloci
 
 void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, const struct law *law)
 {
-    /* Backwards, with beta -> -h, x = t X and x' = V: the force vanishes where x^(a-b) = h x', that is
-     * T = (V / X^(a-b))^(1/(a-b)). Each pass makes one more coefficient right, since T enters V and X with a
-     * factor w. */
+    /* In backward time, with beta -> -h, x = t X and x' = V, the force vanishes where x^(a-b) = h x', which is T = (V /
+     * X^(a-b))^(1/(a-b)). Each pass makes one more coefficient right, because T enters V and X with a factor w. */
     const slong n = order + 1;
     const struct ratio m = ratio_sub(law->a, law->b);
     fmpq_poly_one(G);
@@ -218,7 +217,7 @@ void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, con
     arb_init(g);
 
     restitution_zero_force_exact(G, T, terms, law);
-    /* w^i = beta^(i e) (eps^q)^(i e); beta^(i e) = z^(i e.num), the rest is a series in beta = z^root. */
+    /* w^i = beta^(i e) (eps^q)^(i e); beta^(i e) = z^(i e.num), and the other factor is a series in beta = z^root. */
     for (slong i = 0; i <= terms; i++) {
         fmpq_t coefficient;
         fmpq_init(coefficient);

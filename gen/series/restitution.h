@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Restitution at both ends of contact from the turning point (docs/derivation.md, 4 and 5). */
+/* Restitution for both ends of contact from the turning point (docs/derivation.md, 4 and 5). */
 #ifndef COR_GEN_SERIES_RESTITUTION_H
 #define COR_GEN_SERIES_RESTITUTION_H
 
@@ -9,18 +9,18 @@
  * E^(2/(1+a)) Y(-beta E^q) = Y(beta), Y = sum y_k beta^k, which is (63) for any law. */
 void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, const struct law *law, slong prec);
 
-/* eps^power up to beta^(n-1) from eps = sum C_k beta^k at zero overlap, with the coefficient that is exactly 0 as an
+/* eps^power up to beta^(n-1) from eps = sum C_k beta^k at zero overlap. The coefficient that vanishes is set to an
  * exact 0. */
 void restitution_power(arb_poly_t z, const arb_poly_t eps, struct ratio power, const struct law *law, slong n,
                        slong prec);
 
-/* The k > 0 whose coefficient of beta^k in eps^power is exactly 0 by the involution beta -> -h: -2 power/q where that
- * is an even whole number. 0 if there is none. */
+/* The k > 0 whose coefficient of beta^k in eps^power is exactly 0 by the involution beta -> -h: -2 power/q if that is
+ * an even integer, otherwise 0. */
 slong restitution_exact_zero(struct ratio power, const struct law *law);
 
-/* eps_zero_force = eps_zero_overlap G(w); the force vanishes at backward time h^(1/(a-b)) T(w),
- * w = h^((a+1)/(a-b)), h = beta eps_zero_overlap^q. Exact, to w^order. For a <= b the force vanishes only
- * where the overlap does: G = 1, T = 0. */
+/* eps_zero_force = eps_zero_overlap G(w); the force vanishes at backward time h^(1/(a-b)) T(w), w = h^((a+1)/(a-b)), h
+ * = beta eps_zero_overlap^q. The coefficients are exact, up to w^order. For a <= b the force vanishes only together
+ * with the overlap: G = 1, T = 0. */
 void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, const struct law *law);
 
 /* Smallest root with eps_zero_force a power series in beta^(1/root): w is beta^(p/root) times a series. */

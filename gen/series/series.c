@@ -22,7 +22,7 @@ void series_clear(struct series *s)
     arb_poly_clear(s->c);
 }
 
-/* Smallest relative accuracy in bits; a coefficient whose ball contains zero counts by its radius. */
+/* Smallest relative accuracy in bits; a coefficient whose interval contains zero counts by its radius. */
 static slong reached_bits(const arb_poly_t f, slong order)
 {
     slong reached = WORD_MAX;
@@ -47,13 +47,13 @@ static slong reached_bits(const arb_poly_t f, slong order)
 
 int series_compute(struct series *s, slong order, const struct law *law, slong bits)
 {
-    /* First guesses, fitted to what the sphere needed for orders up to 100 and 300 bits, with a margin; a term of
-     * another law is worth (a+1) log2 R bits where one of the sphere is worth 5/2. The proof, not the guess,
+    /* Start values, fitted with a margin to the needs of the sphere for orders up to 100 and 300 bits. A term of
+     * another law is worth (a+1) log2 R bits, a term of the sphere 5/2 bits. The proof, not the start value,
      * decides. */
     slong prec = bits + 21 * order / 10 + 50;
     const double worth = (double)(law->ad + law->d) / (double)law->d * log2(law_elastic_radius(law)) / 2.5;
     slong terms = (slong)((0.45 * (double)bits + 1.25 * (double)order + 24) / worth);
-    /* Measured at orders 140 and 200; said before the hours of computing, not after them. */
+    /* Measured at orders 140 and 200. The check precedes hours of computing. */
     const double bytes = 3.0 * (double)(order + 1) * (double)(terms + 1) * ((double)prec / 4 + 1628);
     if (console_memory() > 0 && bytes > console_memory())
         return fail("order %ld to %ld bits needs about %.3g GB of memory, and this machine has %.3g GB", (long)order,
@@ -76,7 +76,7 @@ int series_compute(struct series *s, slong order, const struct law *law, slong b
             s->order = order;
             return STATUS_OK;
         }
-        /* The balls of y limit those of C. */
+        /* the intervals of y limit those of C */
         prec += prec / 4 + 32;
         terms += terms / 4 + 8;
     }

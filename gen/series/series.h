@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution series at either end with a promised accuracy: what the rest of corgen asks for. */
+/* The restitution series for either end with a promised accuracy, for the other parts of corgen. */
 #ifndef COR_GEN_SERIES_SERIES_H
 #define COR_GEN_SERIES_SERIES_H
 
@@ -17,8 +17,8 @@ struct series {
 void series_init(struct series *s);
 void series_clear(struct series *s);
 
-/* All coefficients 0..order to at least `bits` relative bits each (absolute for those that vanish).
- * Returns 0, or 1 after saying on stderr what failed. */
+/* Computes all coefficients 0..order to at least `bits` relative bits each (absolute bits for those that vanish).
+ * Returns 0, or 1 after reporting the failure on stderr. */
 int series_compute(struct series *s, slong order, const struct law *law, slong bits);
 
 /* eps at an end as a power series in z = beta^(1/root): root = 1 at zero overlap, 2 at zero force

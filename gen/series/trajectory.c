@@ -8,7 +8,7 @@
 
 #define TRAJECTORY_PROGRESS progress
 
-/* Exact rationals. */
+/* The recurrence in exact rationals */
 #define ROWS exact_rows
 #define POWER exact_power
 #define POWER_INIT exact_power_init
@@ -59,7 +59,7 @@ static void exact_div_si(fmpq_t y, const fmpq_t x, slong n)
     fmpz_clear(z);
 }
 
-/* sum_i p_i q_(n-i), on whole numbers over the two common denominators. */
+/* sum_i p_i q_(n-i), computed with integers over the two common denominators */
 static void exact_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly_struct *q, slong n)
 {
     fmpz_t num, den;
@@ -110,7 +110,7 @@ static void exact_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly_str
 #undef number_mul_si
 #undef number_div_si
 
-/* Balls. */
+/* The recurrence in interval (ball) arithmetic */
 #define ROWS ball_rows
 #define POWER ball_power
 #define POWER_INIT ball_power_init
@@ -168,7 +168,7 @@ static void ball_dot(arb_t sum, const arb_poly_struct *p, const arb_poly_struct 
         arb_dot(sum, NULL, 0, p->coeffs + first, 1, q->coeffs + n - first, -1, last - first + 1, prec);
 }
 
-/* Rounding errors grow from row to row; digits below them are not worth multiplying. */
+/* Rounding errors grow from row to row. Digits below them are dropped, which makes products cheaper. */
 static void ball_trim(arb_poly_struct *p)
 {
     for (slong i = 0; i < p->length; i++)

@@ -8,10 +8,11 @@
 /* row[k], k = 0..order, initialised by the caller, becomes sum_j c[k][j] s^j, j = 0..terms. */
 void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const struct law *law);
 
-/* The same rows in balls, with those of the two powers of X that the recurrence makes on its way.
+/* The same rows in interval (ball) arithmetic, with the rows of two powers of X, which the recurrence computes too.
  *
- * The law is solved with the elastic constant 2^shift about R^(a+1), R the radius of convergence, so row k is
- * sum_j c[k][j] 2^(shift j) s^j with s = t^(a+1)/2^shift: coefficients of one size, which multiply fast. */
+ * The elastic constant of the solved law is 2^shift, about R^(a+1), where R is the radius of convergence. Row k is
+ * therefore sum_j c[k][j] 2^(shift j) s^j with s = t^(a+1)/2^shift. Its coefficients have similar size and multiply
+ * fast. */
 struct trajectory {
     struct law law;
     slong order, terms, prec, shift;
@@ -23,7 +24,7 @@ struct trajectory {
 void trajectory_init(struct trajectory *t, slong order, slong terms, const struct law *law, slong prec);
 void trajectory_clear(struct trajectory *t);
 
-/* What the truncation at s^terms leaves out, proved (trajectory_tail.c):
+/* A proved bound on the terms beyond s^terms (trajectory_tail.c):
  *
  *   sum_k U^k sum_{j > terms} |row[k]_j| rho^j <= delta       over the rows k = 0..order. */
 struct trajectory_tail {
@@ -33,12 +34,12 @@ struct trajectory_tail {
 void trajectory_tail_init(struct trajectory_tail *tail);
 void trajectory_tail_clear(struct trajectory_tail *tail);
 
-/* Finds delta, U and rho that make the bound useful at t0 (a ball). Returns false where the number of terms
- * is too small for the proof to close: the caller takes more. */
+/* Finds delta, U and rho that make the bound useful at the interval t0. Returns false if the number of terms is too
+ * small for the proof; the caller then takes more terms. */
 bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory *t, const arb_t t0);
 
-/* Upper bound of sum_{j > terms} |c[k][j]| binomial(e+1, m) t0^(e+1-m), e = k (b+1) + j (a+1): what
- * is missing from the m-th Taylor coefficient of x_k(t) at t0. */
+/* Upper bound of sum_{j > terms} |c[k][j]| binomial(e+1, m) t0^(e+1-m), e = k (b+1) + j (a+1): the missing part of the
+ * m-th Taylor coefficient of x_k(t) at t0. */
 void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const struct trajectory *t, slong k, slong m,
                          const arb_t t0);
 

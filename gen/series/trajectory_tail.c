@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The proof that a truncated trajectory misses no more than it says.
+/* The proof of the truncation error of a trajectory.
  *
  * Work in the Banach algebra A of power series in s whose coefficients are polynomials in u cut after
  * u^order, with the norm |f| = sum |f_kj| U^k rho^j. Let Z be the truncated X (s-degree J), and X = Z + R.
@@ -8,8 +8,8 @@
  *   G(R)_kj = -([X^(b+1)]_(k-1),j / (b+1) + 2^shift [X^a]_k,(j-1) / e) / (e + 1),
  *                                                              e = k(b+1) + j(a+1), j > J,
  *
- * and iterating G from 0 makes it right one coefficient after the other. So if G maps the ball |R| <= delta
- * into itself, delta bounds R. With nu >= |1/Z| and, for p = a and b+1, E = Z^p - P (P the truncated row
+ * and the iteration of G from 0 makes one coefficient after the other right. If G maps the ball |R| <= delta of A into
+ * itself, delta therefore bounds R. With nu >= |1/Z| and, for p = a and b+1, E = Z^p - P (P the truncated row
  * polynomial of X^p, which agrees with Z^p up to s^J):
  *
  *   |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu |R|)^(-p) - 1),
@@ -17,8 +17,8 @@
  *   so |E| <= nu |N| / (J + 1 - p nu |th(Z)|),
  *   nu = |V|/(1 - |1 - Z V|) for any V; here the truncated series of 1/X.
  *
- * The radius rho may come close to the nearest singularity, for spheres the pole of 1/X at s = 2^(a+1) s_0: the bound
- * is about as good as the series itself. */
+ * The radius rho may come close to the nearest singularity, for spheres the pole of 1/X at s = 2^(a+1) s_0. The bound
+ * is therefore about as small as the remainder of the series. */
 #include "series/trajectory.h"
 
 #include "series/jet.h"
@@ -26,16 +26,16 @@
 #include <math.h>
 
 enum {
-    /* Norms are needed to a few digits only; the products below are of midpoints cut to this. */
+    /* Norms are needed to a few digits only. The products below use midpoints rounded to this number of bits. */
     NORM_BITS = 64,
-    /* Row k of the trajectory is about 2^(-ROW_BITS k) at small s. Undone, products have coefficients of one size,
-     * which multiply faster. */
+    /* Row k of the trajectory is about 2^(-ROW_BITS k) at small s. Without this factor, coefficients have similar size
+     * and multiply faster. */
     ROW_BITS = 2,
-    /* circles on which trajectory_tail_jet takes Cauchy's estimate */
+    /* number of circles for Cauchy's estimate in trajectory_tail_jet */
     CIRCLES = 16
 };
 
-/* Magnitudes of the coefficients of a row polynomial family, to be summed with many weights. */
+/* Magnitudes of the coefficients of a family of row polynomials, which are summed with many weights */
 struct magnitudes {
     slong rows, length;
     mag_ptr m; /* rows * length */
@@ -83,17 +83,17 @@ static void magnitudes_of_rows(struct magnitudes *g, const arb_poly_struct *row)
             arb_get_mag(g->m + k * g->length + j, row[k].coeffs + j);
 }
 
-/* Everything about one trajectory that the bound needs, weights aside. */
+/* All data of one trajectory that the bound needs, except the weights */
 struct evidence {
     slong J;
     struct magnitudes z, inverse, defect; /* Z, V, 1 - Z V */
     struct magnitudes p[2], n[2];         /* P and N for p = a, b + 1 */
     struct ratio exponent[2];
-    int powers; /* 1 where both are one */
+    int powers; /* 1 if both powers are the same */
 };
 
-/* Rows 0..rows-1 of f g, whole in s where both have at most `length` coefficients: one long product, the rows
- * laid end to end (Kronecker). */
+/* Rows 0..rows-1 of f g, complete in s if both have at most `length` coefficients. One long product of the concatenated
+ * rows computes them (Kronecker substitution). */
 static void rows_mul(arb_poly_struct *product, const arb_poly_struct *f, const arb_poly_struct *g, slong rows,
                      slong length)
 {
@@ -125,7 +125,8 @@ static void row_drop_error(arb_poly_struct *row)
         mag_zero(arb_radref(row->coeffs + j));
 }
 
-/* V, the truncated series of 1/X, by Newton's iteration in u. Any V will do, so its errors are dropped. */
+/* V, the truncated series of 1/X, by Newton's iteration in u. The proof allows any V, so the errors of V are
+ * dropped. */
 static arb_poly_struct *inverse_rows(const arb_poly_struct *x, slong rows, slong length)
 {
     arb_poly_struct *v = jet_new(rows), *defect = jet_new(rows);
@@ -134,7 +135,7 @@ static arb_poly_struct *inverse_rows(const arb_poly_struct *x, slong rows, slong
     row_drop_error(v);
     for (slong known = 1; known < rows;) {
         const slong next = FLINT_MIN(2 * known, rows);
-        /* V <- V - V (X V - 1), of which only the rows from `known` on are new */
+        /* V <- V - V (X V - 1); only the rows from `known` on are new */
         rows_mul(defect, x, v, next, length);
         for (slong k = 0; k < next; k++) {
             arb_poly_truncate(defect + k, length);
@@ -209,7 +210,7 @@ static void evidence_init(struct evidence *e, const struct trajectory *t)
         for (slong k = 0; k < rows; k++) {
             arb_poly_scalar_mul(other + k, other + k, scale, NORM_BITS);
             arb_poly_sub(product + k, product + k, other + k, NORM_BITS);
-            /* Up to s^J the two agree exactly; what the balls show there is rounding. */
+            /* Up to s^J the two agree exactly; nonzero intervals there are rounding errors. */
             for (slong j = 0; j < FLINT_MIN(length, product[k].length); j++)
                 arb_zero(product[k].coeffs + j);
         }
@@ -242,7 +243,7 @@ static void arb_set_upper(arb_t y, const mag_t m)
     mag_zero(arb_radref(y));
 }
 
-/* y = (1 - eta)^(-p) - 1, by expm1 so that a tiny eta keeps its size. */
+/* y = (1 - eta)^(-p) - 1, computed by expm1 so that a tiny eta does not cancel */
 static void power_growth(arb_t y, const arb_t eta, struct ratio p)
 {
     arb_t q;
@@ -266,7 +267,7 @@ struct tail_proof {
     mag_t U_mag, rho_mag;
     arb_t inverse;                      /* nu of (3.1): |1/Z| */
     arb_t error[2], size[2];            /* |E| and |Z^p| of (3.2), p = a and b + 1 */
-    arb_t last_column;                  /* |part of X^a that s^J begins| */
+    arb_t last_column;                  /* norm of the part of X^a from s^J on */
     arb_t first_exponent, last_divisor; /* e and e + 1 of the tail's first coefficient */
     arb_t delta, image;                 /* radius of the ball, and of its image by G */
 };
@@ -328,7 +329,7 @@ static void tail_norm(arb_t y, const struct tail_proof *p, const struct magnitud
     mag_clear(norm);
 }
 
-/* (3.1): nu = |V|/(1 - |1 - Z V|), which needs |1 - Z V| < 1; above 1/2 the bound would be of no use. */
+/* (3.1): nu = |V|/(1 - |1 - Z V|) needs |1 - Z V| < 1. Above 1/2 the bound would be useless. */
 static bool bound_inverse(struct tail_proof *p)
 {
     arb_t rest;
@@ -371,7 +372,7 @@ static bool bound_powers(struct tail_proof *p)
     return bounded;
 }
 
-/* What X^a has from s^J on: the last column of P times rho^J, and E. */
+/* The part of X^a from s^J on: the last column of P times rho^J, and E. */
 static void bound_last_column(struct tail_proof *p)
 {
     const struct magnitudes *power = &p->e->p[0];
@@ -393,7 +394,7 @@ static void bound_last_column(struct tail_proof *p)
  *
  *   (U/(b+1) |[X^(b+1)] beyond s^J| + 2^shift rho/e |[X^a] from s^J on|)/(e + 1),
  *
- * with |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1). False where nu delta is not below 1. */
+ * with |(Z+R)^p - Z^p| <= |Z^p| ((1 - nu delta)^(-p) - 1). Returns false if nu delta is not below 1. */
 static bool image_of_ball(struct tail_proof *p)
 {
     const int damping = p->e->powers - 1;
@@ -425,8 +426,8 @@ static bool image_of_ball(struct tail_proof *p)
     return converges;
 }
 
-/* (3.4): a delta with G(ball) inside the ball. The image of the point 0 says how large it must be; twice that leaves
- * room for what R adds, and twice the image of that ball once more. */
+/* (3.4): finds a delta such that G maps the ball |R| <= delta into itself. The image of the point 0 is a lower bound on
+ * delta. The first trial is twice that bound, and the second twice the image of the first ball. */
 static bool fixed_point(struct tail_proof *p)
 {
     enum { BALLS = 3 };
@@ -446,7 +447,7 @@ static bool fixed_point(struct tail_proof *p)
     return proved;
 }
 
-/* Sets delta; false where the proof does not close in these weights. */
+/* Sets delta. Returns false if the proof does not succeed with these weights. */
 static bool prove_at(arb_t delta, const struct evidence *e, const struct trajectory *t, const arb_t U, const arb_t rho)
 {
     struct tail_proof p;
@@ -475,7 +476,7 @@ void trajectory_tail_clear(struct trajectory_tail *tail)
     arb_clear(tail->rho);
 }
 
-/* log2 of the largest error that the tail leaves in x_k^(m)(t0) t0^m/m!, k + m = order. */
+/* log2 of the largest error that the tail causes in x_k^(m)(t0) t0^m/m!, k + m = order. */
 static double tail_quality(const struct trajectory_tail *tail, const struct trajectory *t, const arb_t t0)
 {
     double worst = -HUGE_VAL;
@@ -493,7 +494,7 @@ static double tail_quality(const struct trajectory_tail *tail, const struct traj
     return worst;
 }
 
-/* Radii that are tried for rho, as parts of the way from t0 to the nearest singularity; and the weights U = 2^k. */
+/* Trial radii for rho, as parts of the way from t0 to the nearest singularity, and trial weights U = 2^k */
 static const double trial_part[] = {0.9, 0.8, 0.7, 0.5, 0.25};
 enum { TRIAL_PARTS = sizeof trial_part / sizeof *trial_part, TRIAL_U_MAX = 3, TRIAL_U_MIN = -7 };
 
@@ -510,8 +511,8 @@ bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory
     evidence_init(&e, t);
     arb_pow_ratio(s0, t0, a1, NORM_BITS);
     arb_mul_2exp_si(s0, s0, -t->shift);
-    /* The best pair of weights leaves the smallest errors in the coefficients of x at t0: of the last row, and of the
-     * last derivative of the first row (which by itself grows like t0^-m). */
+    /* The best pair of weights causes the smallest errors in two coefficients of x at t0: in the last row, and in the
+     * last derivative of the first row (which itself grows like t0^-m). */
     for (int i = 0; i < TRIAL_PARTS; i++) {
         double best_here = HUGE_VAL;
         arb_set_d(trial.rho, 1 + trial_part[i] * (law_elastic_radius(&t->law) - 1));
@@ -531,7 +532,7 @@ bool trajectory_tail_prove(struct trajectory_tail *tail, const struct trajectory
                 best = quality;
             }
             if (quality >= best_here)
-                break; /* a smaller U only loses from here */
+                break; /* a smaller U only makes the bound worse */
             best_here = quality;
         }
     }
@@ -557,7 +558,7 @@ void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const 
     arb_init(factor);
     mag_init(candidate);
     mag_inf(bound);
-    /* Circles between t0 and the radius that belongs to rho. */
+    /* Circles between t0 and the radius that corresponds to rho */
     arb_mul_2exp_si(room, tail->rho, t->shift);
     arb_pow_ratio(room, room, ratio_div(one, a1), NORM_BITS);
     arb_sub(room, room, t0, NORM_BITS);

@@ -32,8 +32,8 @@ void turning_point_elastic(arb_t y0, arb_t tau0, const struct law *law, slong pr
     arb_clear(y);
 }
 
-/* Taylor coefficients of x at t0 to order m, as polynomials in beta: jet[m] = sum_k x_k^(m)(t0)/m! beta^k,
- * k + m <= order + 1. Returns true where the truncation is what limits them. */
+/* Taylor coefficients of x at t0 to order m, as polynomials in beta: jet[m] = sum_k x_k^(m)(t0)/m! beta^k, k + m <=
+ * order + 1. Returns true if the truncation limits their accuracy. */
 static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *t, const struct trajectory_tail *tail,
                     const arb_t t0, slong prec)
 {
@@ -58,7 +58,7 @@ static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *
 
     for (slong k = 0; k <= t->order; k++) {
         progress("turning point", k, t->order);
-        /* term_j = c_kj t0^(e+1) (e+1) e (e-1) ... d^m, one more factor for each m */
+        /* term_j = c_kj t0^(e+1) (e+1) e (e-1) ... d^m, with one more factor for each m */
         arb_pow_ui(power, u0, (ulong)k, prec);
         arb_mul(power, power, t0, prec);
         for (slong j = 0; j <= t->terms; j++) {

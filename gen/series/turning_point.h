@@ -11,11 +11,11 @@ void turning_point_elastic(arb_t y0, arb_t tau0, const struct law *law, slong pr
 enum turning_point_verdict {
     TURNING_POINT_OK,
     TURNING_POINT_FEW_TERMS, /* the truncation of the t-series dominates the error */
-    TURNING_POINT_FEW_BITS   /* rounding does */
+    TURNING_POINT_FEW_BITS   /* rounding dominates the error */
 };
 
-/* Encloses y_k and tau_k, k = 0..order, from the t-series cut after s^terms and computed with prec bits,
- * truncation included. The verdict says what to raise when the balls are wider than `bits` relative bits. */
+/* Encloses y_k and tau_k, k = 0..order, from the t-series up to s^terms with prec bits; the intervals include the
+ * truncation error. If the intervals are wider than `bits` relative bits, the verdict names the number to raise. */
 enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, slong order, slong terms,
                                                 const struct law *law, slong bits, slong prec);
 

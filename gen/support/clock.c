@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/clock.h"
 
-#include <time.h>
-
 static double seconds_of(clockid_t clock)
 {
     struct timespec now;
@@ -18,4 +16,16 @@ double clock_seconds(void)
 double clock_processor_seconds(void)
 {
     return seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+struct timespec clock_deadline(double seconds)
+{
+    struct timespec until;
+    clock_gettime(CLOCK_MONOTONIC, &until);
+    const long second = 1000000000;
+    until.tv_sec += (time_t)seconds;
+    until.tv_nsec += (long)((double)second * (seconds - (double)(time_t)seconds));
+    until.tv_sec += until.tv_nsec / second;
+    until.tv_nsec %= second;
+    return until;
 }

@@ -1,12 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* The clocks of corgen. */
+/* The clocks of corgen, of the benchmarks and of the figures of the papers. */
 #ifndef COR_GEN_SUPPORT_CLOCK_H
 #define COR_GEN_SUPPORT_CLOCK_H
 
-/* Seconds of a clock that only goes forward; differences count. */
+#include <time.h>
+
+/* Seconds of a monotonic clock; only differences have a meaning. */
 double clock_seconds(void);
 
 /* Seconds of processor time that this process has used, all threads together. */
 double clock_processor_seconds(void);
+
+/* The time `seconds` from now, for a condition of parallel_condition_init */
+struct timespec clock_deadline(double seconds);
 
 #endif

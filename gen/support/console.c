@@ -18,7 +18,7 @@ static bool progress_shown;
 
 static void progress_erase(void);
 
-/* Of a word longer than WORD_SHOWN bytes, such as an over-long name, a message shows the head and the tail. */
+/* A message shows only the head and the tail of a word longer than WORD_SHOWN bytes, such as a very long name. */
 enum { WORD_SHOWN = 300, WORD_HEAD = 200, WORD_TAIL = 97 };
 
 static bool utf8_continues(char byte)
@@ -65,7 +65,7 @@ static void print_message(const char *format, va_list arguments)
     const int size = vsnprintf(NULL, 0, format, again);
     va_end(again);
     char *text = size < 0 ? NULL : malloc((size_t)size + 1);
-    if (text) { /* without memory the message appears as it is */
+    if (text) { /* without memory the message appears unshortened */
         vsnprintf(text, (size_t)size + 1, format, arguments);
         shorten_words(text);
         fprintf(stderr, "corgen: %s\n", text);
@@ -104,7 +104,7 @@ int usage_error(const char *format, ...)
     return STATUS_USAGE;
 }
 
-/* Memory. GMP and FLINT would abort; exit() instead runs the clean-up of unfinished files. */
+/* Memory. GMP and FLINT would abort; exit() runs the clean-up of unfinished files. */
 
 static FLINT_NORETURN void out_of_memory(size_t size)
 {
@@ -166,7 +166,7 @@ double console_memory(void)
     return pages > 0 && page > 0 ? (double)pages * (double)page : 0.0;
 }
 
-/* Past the physical memory a machine swaps or kills; a refused block can still be reported. */
+/* Beyond the physical memory a machine swaps or kills the process. A refused allocation can be reported. */
 static void limit_memory_to_physical(void)
 {
     const long page = sysconf(_SC_PAGESIZE);
@@ -175,7 +175,7 @@ static void limit_memory_to_physical(void)
     if (physical == 0 || getrlimit(RLIMIT_DATA, &limit) != 0)
         return;
 
-    /* A sanitizer's shadow memory alone is larger than any machine: then there is no sense in it.
+    /* The shadow memory of a sanitizer exceeds the physical memory, so that no limit is set.
      */
     unsigned long data_pages = 0;
     FILE *statm = fopen("/proc/self/statm", "r");
@@ -196,8 +196,8 @@ static void limit_memory_to_physical(void)
 
 void console_start(void)
 {
-    /* A missing descriptor would be reused by the first file opened, and messages would go there.
-     * The stand-in has the wrong direction, so that using it is an error that output.c reports. */
+    /* The first opened file would reuse a missing descriptor, and messages would go into it. The stand-in has the wrong
+     * direction, so that output.c reports its use as an error. */
     for (int fd = 0; fd <= 2; fd++) {
         if (fcntl(fd, F_GETFD) == -1 && errno == EBADF && open("/dev/null", fd == 1 ? O_RDONLY : O_WRONLY) != fd)
             exit(STATUS_FAILED);
@@ -218,10 +218,10 @@ static double progress_updated;
 static struct {
     const char *step;
     long total;
-    int depth; /* steps entered and not left */
+    int depth; /* number of entered steps that are not left yet */
 } outer;
 
-/* Whether the line should be written now; *elapsed: seconds since the first call of the step. */
+/* Whether to write the line now. Sets *elapsed to the seconds since the first call of the step. */
 static bool progress_due(double *elapsed)
 {
     static int terminal = -1;

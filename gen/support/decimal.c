@@ -17,7 +17,8 @@ static const char *skip_digits(const char *text)
     return text + strspn(text, "0123456789");
 }
 
-/* Digits with an optional point and an optional exponent; NULL if the text does not begin with such a number. */
+/* Skips digits with an optional point and an optional exponent. Returns NULL if the text does not begin with such a
+ * number. */
 static const char *skip_decimal(const char *text, int exponent_digits)
 {
     const char *const whole = text;
@@ -53,7 +54,7 @@ static bool is_ratio(const char *text)
 
 /* ---- their values ---- */
 
-/* Digits times a power of ten. */
+/* Sets x to digits times a power of ten. */
 static void set_value(fmpq_t x, const char *text)
 {
     char *digits = xmalloc(strlen(text) + 1);
@@ -116,7 +117,7 @@ void decimal_clear(struct decimal *x)
     x->text = NULL;
 }
 
-/* A limit, whose nearest double goes to *nearest; the sign of x - limit. */
+/* Returns the sign of x - limit, and sets *nearest to the double nearest to the limit. */
 static int compare_with(double *nearest, const char *limit, const fmpq_t x)
 {
     struct decimal y = {0};
@@ -149,7 +150,7 @@ double decimal_nearest(const fmpq_t x)
     fmpz_t exponent;
     arf_init(y);
     fmpz_init(exponent);
-    /* rounded down to a few bits, so that the exponent is that of x: 2^(e-1) <= |x| < 2^e */
+    /* rounded towards 0 to a few bits, so that the exponent is that of x: 2^(e-1) <= |x| < 2^e */
     arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), 2, ARF_RND_DOWN);
     arf_abs_bound_lt_2exp_fmpz(exponent, y);
     /* a subnormal double has as many bits as lie above 2^-1074 */
@@ -162,7 +163,7 @@ double decimal_nearest(const fmpq_t x)
         arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), bits, ARF_RND_NEAR);
         nearest = arf_get_d(y, ARF_RND_NEAR);
     } else if (bits == 0 && fmpz_cmp_si(exponent, DBL_MIN_EXP - DBL_MANT_DIG) == 0) {
-        /* from 2^-1075, which is a tie and goes to 0, to 2^-1074 */
+        /* 2^-1075 is a tie and becomes 0; larger numbers become 2^-1074 */
         const bool tie = arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), 1, ARF_RND_DOWN) == 0;
         nearest = tie ? 0 : fmpq_sgn(x) * DBL_TRUE_MIN;
     }

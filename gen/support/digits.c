@@ -16,8 +16,8 @@ slong digits_to_bits(slong digits)
     return (digits * 3322 + 999) / 1000 + GUARD_BITS; /* log2(10) < 3.322 */
 }
 
-/* Ends lower <= x <= upper, rounded outwards, and exact where the ball is. Returns 0 if x has no
- * finite ends that MPFR can hold. */
+/* Sets lower <= x <= upper to the ends of the interval x, rounded outwards, and exactly if x is exact. Returns 0 if x
+ * has no finite ends that MPFR can hold. */
 static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong prec)
 {
     if (!arb_is_finite(x))
@@ -37,8 +37,8 @@ static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong prec)
     return held;
 }
 
-/* "-12345", point after the first `point` digits -> the shortest spelling that shows every digit. */
-static char *spell(const char *mantissa, long point)
+/* The shortest spelling that shows every digit of "-12345" with the point after the first `point` digits */
+static char *digits_spell(const char *mantissa, long point)
 {
     size_t size = strlen(mantissa) + 48;
     char *text = xmalloc(size);
@@ -71,7 +71,8 @@ char *digits_of_ball(const arb_t x, slong digits)
 {
     if (arb_is_zero(x))
         return xstrdup("0");
-    /* The duration of a contact that never ends: [+/- inf] is how balls say so. */
+    /* An interval with infinite midpoint represents the duration of a contact that never ends; [+/- inf] is
+     * undecided. */
     if (arf_is_pos_inf(arb_midref(x)))
         return xstrdup("inf");
 
@@ -85,7 +86,7 @@ char *digits_of_ball(const arb_t x, slong digits)
         char *a = mpfr_get_str(NULL, &lower_point, 10, (size_t)digits, lower, MPFR_RNDN);
         char *b = mpfr_get_str(NULL, &upper_point, 10, (size_t)digits, upper, MPFR_RNDN);
         if (lower_point == upper_point && strcmp(a, b) == 0)
-            text = spell(a, (long)lower_point);
+            text = digits_spell(a, (long)lower_point);
         mpfr_free_str(a);
         mpfr_free_str(b);
     }

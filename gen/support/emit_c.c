@@ -13,7 +13,7 @@
 
 enum { COMMENT_DIGITS = 25, BITS_OF_SMALL = 40, COMMENT_MAX = 4096 };
 
-/* A comment; a star and a slash in the text are kept apart, and no line ends in a space. */
+/* Writes a comment. A star and a slash in the text are separated, and no line ends in a space. */
 static void put_comment(FILE *file, const char *text)
 {
     size_t length = strlen(text);
@@ -58,7 +58,7 @@ void emit_comment(struct emit *e, const char *format, ...)
     put_comment(e->file, text);
 }
 
-/* The fraction if the ball is one exactly and it has a binary denominator of few bits, else digits.
+/* The fraction if x is exact and has a binary denominator of few bits, otherwise its digits
  */
 static char *number_text(const arb_t x)
 {
@@ -263,10 +263,10 @@ static const char *real_type(const struct emit *e)
     return e->single ? "float" : "double";
 }
 
-/* A number of the type that reads back to the bit, as C and C++ write it. */
+/* The text of a number of the type in C and C++, which reads back to the same bits */
 static const char *real(char text[NUMBER_MAX], const struct emit *e, double x)
 {
-    /* the shortest that does */
+    /* the shortest such text */
     const int most = e->single ? 9 : 17;
     for (int digits = 1; digits <= most; digits++) {
         snprintf(text, NUMBER_MAX, "%.*g", digits, x);
@@ -320,7 +320,7 @@ void emit_function_open(struct emit *e, const char *name, const char *argument)
     fprintf(e->file, "COR_INLINE %s %s(%s %s)\n{\n", real_type(e), name, real_type(e), argument);
 }
 
-/* The bits of a number of the type, as a whole number. */
+/* The bits of a number of the type, as an integer */
 static unsigned long long bits_of(const struct emit *e, double x)
 {
     const float y = (float)x;
@@ -430,7 +430,8 @@ static void let_from_bits(struct emit *e, const char *name, const char *bits)
     fprintf(e->file, "    %s %s;\n    memcpy(&%s, &%s, sizeof %s);\n", real_type(e), name, name, bits, name);
 }
 
-/* From r, a guess of g^(-1/5), to a better one, `out`; numbered, for all names are in one block. */
+/* Writes a step from an approximation r of g^(-1/5) to a better one, `out`. Names are numbered because all are in one
+ * block. */
 static void put_root_step(struct emit *e, int step, const char *g, const char *r, const char *out, const double *c,
                           slong degree)
 {
@@ -455,7 +456,7 @@ void emit_let_fifth_root(struct emit *e, const char *name, const char *x, const 
         let(e, "uint32_t", "fifth", "%uu - bits / 5u", root->single_constant);
         let_from_bits(e, "guess", "fifth");
     } else {
-        /* 2^52 + n as a double has the whole number n in its low bits */
+        /* the double 2^52 + n holds the integer n in its low bits */
         let(e, "uint64_t", "upper", "(bits >> 32) | UINT64_C(0x4330000000000000)");
         let_from_bits(e, "number", "upper");
         let(e, "double", "fifth", "%s - %s * number", real(constant, e, root->constant), real(fifth, e, root->fifth));

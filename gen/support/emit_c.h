@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The only file that knows C syntax: what corgen emits is written through these few calls. */
+/* Only this file knows C syntax. These functions write all C text that corgen emits. */
 #ifndef COR_GEN_SUPPORT_EMIT_C_H
 #define COR_GEN_SUPPORT_EMIT_C_H
 
@@ -12,48 +12,51 @@ struct emit {
     FILE *file;
     const char *guard;
     bool single;  /* the scalar functions below compute in float */
-    bool decimal; /* rows and structs as 17 decimal digits, which every C and C++ reads, instead of hexadecimal */
+    bool decimal; /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
+                   * hexadecimal */
 };
 
-/* Licence line, banner, include guard. The banner is plain text; its line breaks are kept, and no
+/* Writes the licence line, the banner and the include guard. The banner is plain text. Its line breaks are kept, and no
  * text can end the comment early. */
 void emit_open(struct emit *e, FILE *file, const char *guard, const char *banner);
 void emit_close(struct emit *e);
 
-/* A comment on lines of its own, after an empty line. */
+/* Writes a comment on lines of its own, after an empty line. */
 void emit_comment(struct emit *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* static const double name[]: the doubles nearest to the balls, hexadecimal, with the number itself
- * in decimal beside each (exact if it is a fraction of small whole numbers). Returns 0, or 1 after
- * saying on stderr which ball is too wide to be rounded. */
+/* Writes static const double name[]: the doubles nearest to the values, in hexadecimal, each with its value in decimal
+ * in a comment (exact if the value is a fraction of small integers). Returns 0, or 1 after reporting on stderr the
+ * interval that is too wide to be rounded. */
 int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong length);
 
-/* COR_INLINE const double *name(int i) { return row i; }: the table is local to the function, so that the same text
- * is right on a GPU. open, emit_row for each, close. emit_row returns 0, or 1 after saying what is too wide. */
+/* COR_INLINE const double *name(int i) { return row i; }. The table is local to the function, so that the same text
+ * works on a GPU. Call open, emit_row for each row, and close. emit_row returns 0, or 1 after reporting the interval
+ * that is too wide. */
 void emit_rows_open(struct emit *e, const char *name, slong rows, slong columns);
 int emit_row(struct emit *e, const char *comment, arb_srcptr value, slong columns, bool last);
 void emit_rows_close(struct emit *e);
 
-/* static const struct TYPE name[count], of whole numbers and then doubles: open, emit_struct for each, close. emit_struct
- * returns as emit_row; `decimal` is as there, and without the numbers beside. */
+/* Writes static const struct TYPE name[count], whose fields are integers and then doubles. Call open, emit_struct for
+ * each element, and close. emit_struct returns as emit_row; with `decimal` the numbers are decimal, and no comment
+ * repeats them. */
 void emit_structs_open(struct emit *e, const char *type, const char *name, slong count);
 int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values, bool last);
 void emit_structs_close(struct emit *e);
 
 /* #define TABLE_WHAT: a number of a table's geometry, under the table's name in capitals. Reals are written in decimal
- * and read back to the bit. */
+ * and read back to the same bits. */
 void emit_geometry_real(struct emit *e, const char *table, const char *what, double x);
 void emit_geometry_integer(struct emit *e, const char *table, const char *what, slong n);
 
-/* The same of short decimal numbers, "-0.5", which stand in the comment as they are. */
+/* The same for short decimal numbers, such as "-0.5", which the comment shows unchanged. */
 void emit_struct_decimals(struct emit *e, const char *const *decimal, slong count, bool last);
 void emit_decimals(struct emit *e, const char *name, const char *const *decimal, slong count);
 
 /* enum { NAME = value, ... }; */
 void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count);
 
-/* COR_INLINE_LAW struct TYPE NAME(void): a struct that starts as the value of `start` and whose fields are set, one line each.
- * A pair is a field with hi and lo, from a ball. */
+/* COR_INLINE_LAW struct TYPE NAME(void): writes a function that returns a struct. The struct starts as the value of
+ * `start`, and one line sets each field. A pair is a field with hi and lo, from an interval. */
 void emit_builder_open(struct emit *e, const char *type, const char *name, const char *start);
 void emit_builder_set(struct emit *e, const char *field, const char *format, ...) __attribute__((format(printf, 3, 4)));
 int emit_builder_pair(struct emit *e, const char *field, const arb_t value);
@@ -63,45 +66,48 @@ void emit_builder_close(struct emit *e);
 void emit_inline_double(struct emit *e, const char *name, const char *argument, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* #include, of a name with its quotes or angle brackets */
+/* #include of a name with its quotes or angle brackets */
 void emit_include(struct emit *e, const char *name);
 
 /* #define NAME text */
 void emit_define(struct emit *e, const char *name, const char *text);
 
-/* A function NAME(speed) of one real number, as straight lines of constants: open, lets in any order that defines a
- * name before its use, return, close. Names are the caller's; so are coefficients, which the type must hold exactly.
- * What may round is written so that every compiler rounds alike but for fused products. */
+/* Writes a function NAME(speed) of one real number as a sequence of definitions without branches. Call open, lets in
+ * any order that defines a name before its use, and close. The caller chooses the names and the coefficients, which the
+ * type must hold exactly. Operations that round are written so that every compiler rounds alike, except for fused
+ * products. */
 void emit_function_open(struct emit *e, const char *name, const char *argument);
-/* x, or what is nearest to it between two positive numbers: by comparing real numbers, which is quickest for one of
- * them, or as whole numbers made of their bits, which compilers make vectors of (of the others they make branches
- * where a comparison might trap). A NaN becomes something in between. */
+/* Defines x limited to the range between two positive numbers. Comparing real numbers is fastest for a single x.
+ * Comparing the bits as integers lets compilers vectorise; comparisons of real numbers that might trap become branches.
+ * A NaN becomes a number in the range. */
 void emit_let_clamped(struct emit *e, const char *name, const char *x, double low, double high, bool vector);
 void emit_let_sqrt(struct emit *e, const char *name, const char *x);
 void emit_let_polynomial(struct emit *e, const char *name, const char *x, const double *c, slong degree);
-/* The same as two polynomials in x^2, of the even and of the odd powers; square is the name of x^2. */
+/* Evaluates a polynomial as two polynomials in x^2, one of the even and one of the odd powers; square is the name of
+ * x^2. */
 void emit_let_product(struct emit *e, const char *name, const char *x, const char *y);
 void emit_let_split_polynomial(struct emit *e, const char *name, const char *x, const char *square, const double *c,
                                slong degree);
-/* x^(1/5): from its bits; polynomials of degree 3 and, unless 0, `degree` correct it (gen/embed/form.c) */
+/* x^(1/5) from the bits of x. Polynomials of degree 3 and, unless 0, `degree` correct it (gen/embed/form.c). */
 struct emit_fifth_root {
-    double fifth, constant; /* double: of the bits' upper half */
+    double fifth, constant; /* for double: of the upper half of the bits */
     unsigned single_constant;
     const double *seed, *step;
     slong degree;
 };
 void emit_let_fifth_root(struct emit *e, const char *name, const char *x, const struct emit_fifth_root *root);
-/* `row` and its variable `t`: by the upper bits of x, counted from `first`; by the whole part of x slope + shift. */
+/* Defines `row` and its variable `t`, from the upper bits of x, counted from `first`, or from the integer part of x
+ * slope + shift. */
 void emit_let_row_of_bits(struct emit *e, const char *row, const char *t, const char *x, int low_bits,
                           unsigned long long first);
 void emit_let_row_of_grid(struct emit *e, const char *row, const char *t, const char *x, double slope, double shift);
 void emit_table(struct emit *e, const char *name, const double *value, slong rows, slong columns);
 void emit_let_row_polynomial(struct emit *e, const char *name, const char *table, const char *row, const char *t,
                              slong degree);
-/* numerator, or numerator/denominator, if x >= 0, else NaN; ends the function. `vector` as above. */
+/* Returns numerator, or numerator/denominator, if x >= 0, otherwise NaN. Ends the function. `vector` as above. */
 void emit_function_close(struct emit *e, const char *x, const char *numerator, const char *denominator, bool vector);
 
-/* A bound as text: x >= 0 rounded up to two significant digits, "5.3e-11". */
+/* The text of a bound: x >= 0 rounded up to two significant digits, such as "5.3e-11" */
 struct bound_text {
     char text[32];
 };

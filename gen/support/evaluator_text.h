@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The text of the runtime's evaluator, runtime/core/{inline,exact,fifth_root,row}.h and runtime/sphere/eval.h or
- * runtime/core/law_eval.h, in this order: one source for the library and for headers to embed. The build puts it into
- * corgen (cmake/EvaluatorText.cmake) without the lines that include one another and without licence lines. */
+ * runtime/core/law_eval.h, in this order. The library and the headers to embed thus share one source. The build copies
+ * the text into corgen (cmake/EvaluatorText.cmake), without the lines that include one another and without licence
+ * lines. */
 #ifndef COR_GEN_SUPPORT_EVALUATOR_TEXT_H
 #define COR_GEN_SUPPORT_EVALUATOR_TEXT_H
 

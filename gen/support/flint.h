@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The one place that knows how FLINT is installed: FLINT 3 keeps Arb in flint/, FLINT 2.9 has it as
- * a library of its own with headers at the top. COR_FLINT_HAS_ARB is set by CMake. */
+/* Only this file knows how FLINT is installed. FLINT 3 has Arb in flint/. With FLINT 2.9, Arb is a separate library
+ * with headers at the top level. CMake sets COR_FLINT_HAS_ARB. */
 #ifndef COR_GEN_SUPPORT_FLINT_H
 #define COR_GEN_SUPPORT_FLINT_H
 

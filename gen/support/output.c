@@ -13,8 +13,8 @@
 
 #include "support/console.h"
 
-/* Unfinished files, for the signal handler: it may run between any two instructions, so a name
- * enters only when its string is whole and leaves before the string is freed. */
+/* Unfinished files, for the signal handler. The handler may run between any two instructions. A name therefore enters
+ * the list only when its string is complete, and leaves the list before the string is freed. */
 enum { OUTPUTS_MAX = 64 };
 static char *volatile unfinished[OUTPUTS_MAX];
 
@@ -30,9 +30,9 @@ static void remove_unfinished(void)
     }
 }
 
-/* The signal goes on to its default action, so the parent sees the death it asked for. Not by
- * SA_RESETHAND: a second signal between the reset and the first line here would end the process at
- * once, and a terminal or timeout(1) sends two. */
+/* The handler raises the signal again with its default action, so that the parent sees the expected exit status.
+ * SA_RESETHAND would not do: a terminal or timeout(1) sends two signals, and the second could end the process before
+ * the first line of the handler. */
 static void on_fatal_signal(int number)
 {
     remove_unfinished();
@@ -67,7 +67,7 @@ static void install_handlers(void)
     installed = true;
     for (int i = 0; i < FATAL_SIGNALS; i++) {
         struct sigaction action;
-        /* Ignored by the parent (nohup) stays ignored. */
+        /* a signal that the parent ignores (nohup) stays ignored */
         if (sigaction(fatal_signal[i], NULL, &action) != 0 || action.sa_handler == SIG_IGN)
             continue;
         memset(&action, 0, sizeof action);
@@ -75,7 +75,7 @@ static void install_handlers(void)
         fatal_signals(&action.sa_mask);
         sigaction(fatal_signal[i], &action, NULL);
     }
-    signal(SIGXFSZ, SIG_IGN); /* a file at its size limit is a failed write, which is reported */
+    signal(SIGXFSZ, SIG_IGN); /* a write beyond the file size limit then fails and is reported */
     atexit(remove_unfinished);
 }
 
@@ -128,7 +128,7 @@ void output_discard(struct output *out)
     output_release(out);
 }
 
-/* ---- what a path names ---- */
+/* ---- the file of a path ---- */
 
 enum { LINKS_MAX = 40, NOT_A_DESCRIPTOR = -1 };
 
@@ -149,7 +149,7 @@ static int descriptor_named(const char *path)
     return is ? (int)strtol(digits, NULL, 10) : NOT_A_DESCRIPTOR;
 }
 
-/* `link` with its last part replaced by what the link holds, unless that is a whole path; malloc'ed. */
+/* The target of a link, malloc'ed. A relative target replaces the last part of `link`. */
 static char *link_target(const char *link)
 {
     char text[4096];
@@ -165,8 +165,8 @@ static char *link_target(const char *link)
     return target;
 }
 
-/* The name behind all symbolic links, whether that file exists or not, malloc'ed; or NULL with *descriptor set, or with
- * errno set. */
+/* The name behind all symbolic links, whether that file exists or not, malloc'ed. Returns NULL and sets *descriptor or
+ * errno if no such name exists. */
 static char *follow_links(const char *path, int *descriptor)
 {
     char *name = xstrdup(path);
@@ -197,7 +197,8 @@ bool output_is_direct(const char *path)
 
 /* ---- the temporary file ---- */
 
-/* Mode, owner and group of the file to be replaced. False if they cannot be had: then the file is written in place. */
+/* Sets mode, owner and group to those of the file to be replaced. Returns false if that is not permitted; the file is
+ * then written in place. */
 static bool take_over(int fd, const struct stat *old)
 {
     struct stat mine;
@@ -275,7 +276,7 @@ int output_open(struct output *out, const char *path)
         out->target = NULL;
         out->file = fopen(path, "w");
     } else if (out->target) {
-        /* rename() would not ask, but a file that its owner made read-only is to be kept. */
+        /* rename() would replace a read-only file without asking, but such a file must be kept. */
         if (access(out->target, F_OK) != 0 || access(out->target, W_OK) == 0)
             make_temporary(out);
     }
@@ -288,7 +289,7 @@ int output_open(struct output *out, const char *path)
     return STATUS_OK;
 }
 
-/* Everything but the rename. */
+/* Completes the file except for the rename. */
 static int output_complete(struct output *out)
 {
     errno = 0;
@@ -326,7 +327,8 @@ static bool copy_bytes(FILE *from, int to, off_t size)
     return true;
 }
 
-/* The complete temporary file over the target's bytes. Space is reserved first, so that a full disk leaves the old text. */
+/* Writes the complete temporary file over the target. Space is reserved first, so that a full disk leaves the old
+ * text. */
 static bool output_overwrite(struct output *out)
 {
     const int fd = open(out->target, O_WRONLY | O_CLOEXEC);
@@ -453,8 +455,8 @@ static bool is_json_number(const char *text)
     return *text == '\0';
 }
 
-/* A number that a reader of JSON holds exactly, as most hold doubles: a fraction as well as any, a whole number of at
- * most 2^53 = 9007199254740992. */
+/* Whether a JSON reader with doubles, as most have, can hold the number: any fraction, and an integer of at most 2^53 =
+ * 9007199254740992. */
 static bool is_safe_json_number(const char *text)
 {
     static const char largest[] = "9007199254740992";
@@ -472,7 +474,7 @@ static bool is_integer(const char *text)
     return *text && text[span_digits(text)] == '\0';
 }
 
-/* Once in a thousand cells, and only on a terminal. */
+/* Prints once in a thousand cells, and only on a terminal. */
 static void print_progress(const struct table *t, long cell)
 {
     if (cell >= 0 && cell % 1024 == 0)
@@ -515,7 +517,7 @@ static void print_json(const struct table *t, FILE *file)
     free(number);
 }
 
-/* Whole numbers stand right; other numbers left, with their signs in a column of their own. */
+/* Integers are aligned right, other numbers left, with their signs in a separate column. */
 static void print_text(const struct table *t, FILE *file)
 {
     size_t columns = (size_t)t->columns;

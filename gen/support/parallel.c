@@ -8,9 +8,9 @@
 #include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "support/clock.h"
 #include "support/console.h"
 
 static int threads_wanted;
@@ -47,9 +47,9 @@ int parallel_start_thread(pthread_t *thread, void *(*start)(void *), void *argum
     return reason;
 }
 
-/* ---- slots: of all threads that have work, as many run as parallel_threads() says ---- */
+/* ---- slots: at most parallel_threads() threads run at once ---- */
 
-enum { PROGRESS_NANOSECONDS = 200000000 };
+static const double PROGRESS_SECONDS = 0.2;
 
 static pthread_mutex_t slots_mutex = PTHREAD_MUTEX_INITIALIZER;
 static pthread_cond_t slot_is_free = PTHREAD_COND_INITIALIZER;
@@ -74,6 +74,15 @@ static void slot_give(void)
     pthread_mutex_unlock(&slots_mutex);
 }
 
+void parallel_condition_init(pthread_cond_t *condition)
+{
+    pthread_condattr_t attributes;
+    pthread_condattr_init(&attributes);
+    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
+    pthread_cond_init(condition, &attributes);
+    pthread_condattr_destroy(&attributes);
+}
+
 /* ---- many tasks ---- */
 
 struct loop {
@@ -81,12 +90,12 @@ struct loop {
     void *context;
     slong count;
     atomic_long next;
-    pthread_mutex_t mutex; /* of done */
+    pthread_mutex_t mutex; /* protects done */
     pthread_cond_t is_done;
     slong done;
 };
 
-/* One task, if any is left. */
+/* Does one task, if any remains. */
 static bool loop_step(struct loop *loop)
 {
     const slong i = atomic_fetch_add(&loop->next, 1);
@@ -106,20 +115,16 @@ static void *loop_thread(void *argument)
 {
     while (loop_step(argument))
         continue;
-    flint_cleanup(); /* constants that FLINT keeps for each thread */
+    flint_cleanup(); /* frees the constants that FLINT keeps for each thread */
     return NULL;
 }
 
-/* While others work: a task may take minutes, and the progress line goes on meanwhile. */
+/* Updates the progress line while other threads work, because a task may take minutes. */
 static void loop_watch(struct loop *loop)
 {
     pthread_mutex_lock(&loop->mutex);
     while (loop->done < loop->count) {
-        struct timespec until;
-        clock_gettime(CLOCK_REALTIME, &until);
-        until.tv_nsec += PROGRESS_NANOSECONDS;
-        until.tv_sec += until.tv_nsec / 1000000000;
-        until.tv_nsec %= 1000000000;
+        const struct timespec until = clock_deadline(PROGRESS_SECONDS);
         pthread_cond_timedwait(&loop->is_done, &loop->mutex, &until);
         progress_at(loop->done);
     }
@@ -152,7 +157,7 @@ void parallel_for(void (*task)(void *context, slong i), void *context, slong cou
     }
     struct loop loop = {.task = task, .context = context, .count = count};
     pthread_mutex_init(&loop.mutex, NULL);
-    pthread_cond_init(&loop.is_done, NULL);
+    parallel_condition_init(&loop.is_done);
     progress_enter(step, count);
     loop_run(&loop);
     progress_leave();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Independent tasks on all processors. What a task computes may not depend on another one, so that the results are the
- * same for any number of threads. */
+/* Independent tasks on all processors. The result of a task must not depend on another task, so that the results are
+ * the same for any number of threads. */
 #ifndef COR_GEN_SUPPORT_PARALLEL_H
 #define COR_GEN_SUPPORT_PARALLEL_H
 
@@ -11,20 +11,20 @@
 
 enum { PARALLEL_MAX_THREADS = 1024 };
 
-/* Processors that this process may use: as many as taskset or a container allows. */
+/* Number of processors that taskset or a container allows this process. */
 int parallel_processors(void);
 
-/* Threads that parallel_for works on: as many as processors, or as many as the last parallel_use() said; 0: the former
- * again. */
+/* Number of threads of parallel_for: the number of processors, or the argument of the last parallel_use().
+ * parallel_use(0) restores the number of processors. */
 int parallel_threads(void);
 void parallel_use(int threads);
 
-/* task(context, 0), ..., task(context, count - 1), in any order; returns when all are done. `step` names them in the
- * progress line. A task that calls parallel_for does its tasks itself, one after the other. */
+/* Calls task(context, 0), ..., task(context, count - 1) in any order, and returns when all are done. `step` is the name
+ * in the progress line. If a task calls parallel_for, its own thread does the inner tasks in sequence. */
 void parallel_for(void (*task)(void *context, slong i), void *context, slong count, const char *step);
 
-/* A task beside what its owner does from parallel_begin to parallel_end; done within parallel_end where there is one thread
- * only. Its own parallel_for does its tasks itself. */
+/* A task that runs beside its owner's work from parallel_begin to parallel_end. With one thread only, parallel_end does
+ * the task. If the task calls parallel_for, its own thread does the inner tasks. */
 struct parallel_task {
     void (*task)(void *context);
     void *context;
@@ -34,7 +34,11 @@ struct parallel_task {
 void parallel_begin(struct parallel_task *task, void (*work)(void *context), void *context);
 void parallel_end(struct parallel_task *task);
 
-/* Starts a thread that no signal interrupts: signals are for the thread that cleans up. 0, or an error number. */
+/* A condition whose pthread_cond_timedwait ends at a clock_deadline. */
+void parallel_condition_init(pthread_cond_t *condition);
+
+/* Starts a thread with all signals blocked, so that the thread that cleans up receives them. Returns 0 or an error
+ * number. */
 int parallel_start_thread(pthread_t *thread, void *(*start)(void *), void *argument);
 
 #endif

@@ -14,8 +14,16 @@ struct precision precision_start(slong digits)
 
 struct precision precision_doubling(slong bits, int attempts)
 {
-    /* the step doubles too: bits + bits, + 2 bits, + 4 bits, ... */
+    /* the step doubles, too: bits + bits, + 2 bits, + 4 bits, ... */
     return (struct precision){.bits = bits, .step = bits, .limit = bits << (attempts - 1)};
+}
+
+struct precision precision_doubling_to(slong bits, slong limit)
+{
+    int attempts = 1;
+    while (bits << attempts <= limit)
+        attempts++;
+    return precision_doubling(bits, attempts);
 }
 
 bool precision_raise(struct precision *p)

@@ -14,17 +14,20 @@ struct precision {
     slong bits, step, limit;
 };
 
-/* For decimal digits: steps of 32, 64, 128, ... bits. Where three times the bits of the digits and 512 more have not
- * decided a number, it must be zero or a tie, which no interval (ball) arithmetic excludes. */
+/* Start for decimal digits, with steps of 32, 64, 128, ... bits up to three times the bits of the digits plus 512. A
+ * number that is undecided there must be zero or a tie, which interval (ball) arithmetic cannot exclude. */
 struct precision precision_start(slong digits);
 
-/* From so many bits, doubled each time: so many attempts in all. */
+/* Start from `bits` bits, which double with each attempt, for `attempts` attempts in all. */
 struct precision precision_doubling(slong bits, int attempts);
 
-/* More bits, or false at the limit. */
+/* Start from `bits` bits, which double as long as they do not exceed `limit`. */
+struct precision precision_doubling_to(slong bits, slong limit);
+
+/* Raises the number of bits. Returns false at the limit. */
 bool precision_raise(struct precision *p);
 
-/* Says on stderr that the digits of `what` were not decided; STATUS_FAILED. */
+/* Reports on stderr that the digits of `what` were not decided. Returns STATUS_FAILED. */
 int precision_spent(const struct precision *p, const char *what, slong digits);
 
 #endif

@@ -6,7 +6,6 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "support/clock.h"
 #include "support/console.h"
@@ -16,7 +15,9 @@
 /* QUEUE: the most tasks that wait for each thread. */
 enum { QUEUE = 64, TAG_TASKS = 1, TAG_RESULTS, TAG_BROADCAST, TAG_STOP };
 
-#define QUEUE_SECONDS 0.05 /* seconds of work queued for each thread, so that no thread runs dry between two looks */
+#define QUEUE_SECONDS                                                                                                  \
+    0.05 /* seconds of work queued for each thread, so that no thread runs out of tasks between two
+                            * polls */
 #define TICK_SECONDS 0.2
 #define POLL_SECONDS 0.0005 /* between two polls for messages: an MPI that waits keeps its processor busy */
 
@@ -99,11 +100,7 @@ static void crew_queue_task(struct crew *crew, uint64_t task)
 /* Waits up to `wait` seconds for results of this rank's threads, moves them to crew->taken and returns their number. */
 static size_t crew_take_results(struct crew *crew, double wait)
 {
-    struct timespec until;
-    clock_gettime(CLOCK_MONOTONIC, &until);
-    until.tv_nsec += (long)(1e9 * wait);
-    until.tv_sec += until.tv_nsec / 1000000000;
-    until.tv_nsec %= 1000000000;
+    const struct timespec until = clock_deadline(wait);
     pthread_mutex_lock(&crew->mutex);
     int status = 0;
     while (crew->results == 0 && status == 0)
@@ -133,13 +130,9 @@ struct crew *crew_start(const struct crew_work *work, int threads)
     crew->at_rank = xmalloc((size_t)ranks_count() * sizeof *crew->at_rank);
     memset(crew->at_rank, 0, (size_t)ranks_count() * sizeof *crew->at_rank);
     crew->thread = xmalloc((size_t)threads * sizeof *crew->thread);
-    pthread_condattr_t attributes;
-    pthread_condattr_init(&attributes);
-    pthread_condattr_setclock(&attributes, CLOCK_MONOTONIC);
     pthread_mutex_init(&crew->mutex, NULL);
     pthread_cond_init(&crew->has_task, NULL);
-    pthread_cond_init(&crew->has_result, &attributes);
-    pthread_condattr_destroy(&attributes);
+    parallel_condition_init(&crew->has_result);
     int reason = 0;
     while (crew->threads < threads && reason == 0) {
         reason = parallel_start_thread(&crew->thread[crew->threads], crew_thread, crew);

@@ -9,8 +9,8 @@
 
 enum { CREW_AHEAD = 1 << 14 };
 
-/* What the tasks are. work() runs on a thread, which is numbered from 0. The thread that calls crew_run calls the other
- * functions. */
+/* The functions of the tasks. work() runs on a thread, which is numbered from 0. The thread that calls crew_run calls
+ * the other functions. */
 struct crew_work {
     void *context;
     size_t result_size;

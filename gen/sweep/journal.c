@@ -309,7 +309,8 @@ static char *interrupted_text;
 static struct sigaction before_interrupt[3];
 static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
 
-/* What has been added is safe at any moment; the signal goes on to end the program as its sender expects. */
+/* Added rows are safe at any moment, so the handler only prints a message and passes the signal on to its default
+ * action. */
 static void on_interrupt(int number)
 {
     const char *text = interrupted_text;
@@ -328,7 +329,7 @@ void journal_say_on_interrupt(const struct journal *journal)
     for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++) {
         sigaction(interrupts[i], NULL, &before_interrupt[i]);
         if (before_interrupt[i].sa_handler == SIG_IGN)
-            continue; /* by the parent: nohup */
+            continue; /* the parent, such as nohup, ignores it */
         struct sigaction action;
         memset(&action, 0, sizeof action);
         action.sa_handler = on_interrupt;

@@ -33,7 +33,7 @@ int journal_flush(struct journal *journal);
 /* Calls visit() for every row, without check sums. */
 int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context);
 
-/* From now on, and not any more: SIGINT, SIGTERM and SIGHUP say where the journal is before they end the program. */
+/* Starts and stops a message about the journal, which SIGINT, SIGTERM and SIGHUP print before they end the program. */
 void journal_say_on_interrupt(const struct journal *journal);
 void journal_silent_on_interrupt(void);
 

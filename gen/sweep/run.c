@@ -26,7 +26,7 @@ struct collide {
     struct sweep_room *room; /* one workspace for each thread */
     struct cor_disk_mode *mode;
     struct cor_disk_modes modes;    /* soft walls: modes of the present material */
-    struct hard_wall_tables tables; /* the hard wall: the same, as many as the rows need */
+    struct hard_wall_tables tables; /* the hard wall: modes of the present material, as many as the rows need */
 
     /* Rank 0: lines go to the journal if there is one, otherwise to the printer. */
     struct journal journal;
@@ -40,7 +40,7 @@ struct collide {
     size_t materials_left;
 };
 
-/* ---- what a sweep may be ---- */
+/* ---- limits of a sweep ---- */
 
 static int refuse_memory(const struct sweep *sweep)
 {
@@ -56,7 +56,7 @@ static int refuse_memory(const struct sweep *sweep)
 static int find_modes(struct collide *run, size_t material)
 {
     const double start = clock_seconds();
-    if (run->sweep.hard_wall) { /* the rows compute their modes, as many as they need */
+    if (run->sweep.hard_wall) { /* each row computes the modes that it needs */
         hard_wall_tables_set(&run->tables, run->sweep.poisson.nearest[material]);
         return STATUS_OK;
     }

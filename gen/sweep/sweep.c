@@ -62,8 +62,8 @@ static double sum_of(double (*cost)(int part, double value), int part, const str
     return sum;
 }
 
-/* Of the hard wall a row takes about as long at any speed and nu, but up to ten times as long where waves come back
- * while the contact ends or splits. */
+/* At the hard wall a row takes about the same time at any speed and nu. Rows in which waves return while the contact
+ * ends or splits take up to ten times as long. */
 double sweep_cost(const struct sweep *sweep, uint64_t number)
 {
     struct sweep_row row;
@@ -78,7 +78,7 @@ double sweep_cost(const struct sweep *sweep, uint64_t number)
 
 /* ---- rows ---- */
 
-/* The lists that a sweep has; their number */
+/* Sets the lists of a sweep; returns their number. */
 static size_t lists_of(const struct sweep *sweep, const struct values *list[SWEEP_LISTS])
 {
     const struct values *const all[SWEEP_LISTS] = {&sweep->speed, &sweep->poisson, &sweep->alpha, &sweep->modes};
@@ -254,12 +254,12 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct s
 
 /* ---- tables ---- */
 
-/* How a column is printed for the eye */
+/* The kinds of columns in text format */
 enum column_kind {
-    COLUMN_LIST,  /* a number of a list, as it is */
-    COLUMN_COUNT, /* of modes, a list too */
+    COLUMN_LIST,  /* a number of a list, unchanged */
+    COLUMN_COUNT, /* number of modes, also from a list */
     COLUMN_RESULT,
-    COLUMN_SMALL, /* a result of which two digits say enough */
+    COLUMN_SMALL, /* a result of which two digits suffice */
     COLUMN_STEPS,
     COLUMN_STATUS
 };

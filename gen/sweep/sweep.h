@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Collisions of elastic disks for every combination of lists: the rows, their cost, and their lines of output. A sweep
- * is of soft walls (cor_disk_collision), four lists, or of the rigid wall (cor_disk_hard_wall), which has no alpha and
+ * of soft walls (cor_disk_collision) has four lists. A sweep of the rigid wall (cor_disk_hard_wall) has no alpha and
  * all modes: the lists of alpha and modes are then empty, count 0. */
 #ifndef COR_GEN_SWEEP_SWEEP_H
 #define COR_GEN_SWEEP_SWEEP_H
@@ -24,7 +24,7 @@ enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 11, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL
 struct sweep {
     struct values speed, poisson, alpha, modes;
     bool hard_wall;
-    double tolerance; /* on eps; of the hard wall on 1 - eps^2 */
+    double tolerance; /* of eps; for the hard wall of 1 - eps^2 */
     size_t phi_points;
     uint64_t rows;
     double cost; /* sum over all rows */

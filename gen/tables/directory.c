@@ -25,13 +25,13 @@ enum { PATH_MAX_LENGTH = 4096 };
 #define DEFAULT_DIRECTORY "generated"
 #define DEFAULT_DIRECTORY_OF_MATERIAL "."
 #define MANIFEST "MANIFEST.txt"
-#define MANIFEST_VERSION_WORD "made-with" /* --check ignores lines that start with it */
+#define MANIFEST_VERSION_WORD "made-with" /* --check ignores lines that start with this word */
 
 struct generated {
     const char *name;
     int (*write)(FILE *file, const struct disk_table *disk);
-    const char *poisson; /* of a table of modes; otherwise NULL */
-    bool limits;         /* of collisions, which are kept */
+    const char *poisson; /* Poisson's ratio of a table of modes; otherwise NULL */
+    bool limits;         /* whether the file holds collisions, which are kept */
 };
 
 static const struct generated files[] = {
@@ -47,14 +47,14 @@ static const struct generated files[] = {
 };
 enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 1 /* the manifest */ };
 
-/* One file, complete, in memory; the manifest comes after files[]. */
+/* One complete file in memory; the manifest follows files[]. */
 struct content {
     const char *name;
     char *text;
     size_t size;
 };
 
-/* One file. disk: the modes that it holds, if it is a table of modes. */
+/* Writes one file to memory. `disk` describes the modes of a table of modes. */
 static int content_make(struct content *c, const char *name, int (*write)(FILE *, const struct disk_table *),
                         const struct disk_table *disk)
 {
@@ -112,7 +112,7 @@ static int set_path(char path[PATH_MAX_LENGTH], const char *directory, const cha
     return n < PATH_MAX_LENGTH ? STATUS_OK : fail("the path %.60s... is too long", directory);
 }
 
-/* Asked before the minutes of computing, not after them; leaves no trace. */
+/* Checks, before minutes of computing, that the directory can be written. The check leaves no files. */
 static int probe_directory(const char *directory)
 {
     if (mkdir(directory, 0777) == 0) {
@@ -135,7 +135,7 @@ static int write_all(const struct content *c, int n, const char *directory)
         if (status == STATUS_OK)
             status = output_open(&out[i], path[i]);
         if (status == STATUS_OK) {
-            fwrite(c[i].text, 1, c[i].size, out[i].file); /* a failure shows at the commit */
+            fwrite(c[i].text, 1, c[i].size, out[i].file); /* the commit reports a failure */
             continue;
         }
         while (i-- > 0)
@@ -145,7 +145,7 @@ static int write_all(const struct content *c, int n, const char *directory)
     return output_commit_all(out, n);
 }
 
-/* The next line that counts, or NULL; *number is its own. */
+/* The next line that is not ignored, or NULL. Sets *number to its line number. */
 static const char *next_line(const char **at, const char *end, bool manifest, size_t *length, long *number)
 {
     while (*at < end) {
@@ -160,7 +160,7 @@ static const char *next_line(const char **at, const char *end, bool manifest, si
     return NULL;
 }
 
-/* Line in which the file first differs from what it should be, 0 if nowhere. */
+/* Number of the first line in which the file differs from the expected text, or 0. */
 static long first_difference(const struct content *c, const char *text, size_t size)
 {
     const bool manifest = strcmp(c->name, MANIFEST) == 0;
@@ -177,7 +177,7 @@ static long first_difference(const struct content *c, const char *text, size_t s
     }
 }
 
-/* The whole file, or NULL with errno set. */
+/* The text of the file, or NULL with errno set. */
 static char *read_file(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");
@@ -220,7 +220,8 @@ static int check_all(const struct content *c, int n, const char *directory)
     return status;
 }
 
-/* The table of collisions: that of the directory, or else of generated/, or made anew. *known: whether there is one. */
+/* Reads the table of collisions from the directory or from generated/, or computes it. Sets *known to whether a table
+ * exists. */
 static int know_limits(bool *known, const struct tables_request *request, const char *directory)
 {
     char path[PATH_MAX_LENGTH];
@@ -255,7 +256,7 @@ static int know_limits(bool *known, const struct tables_request *request, const 
     return status;
 }
 
-/* The files of generated/ and their manifest. */
+/* Writes the files of generated/ and their manifest to memory. */
 static int make_generated(struct content *c, int *n, const struct tables_request *request, const char *directory)
 {
     bool asked = false, known = false;
@@ -274,7 +275,7 @@ static int make_generated(struct content *c, int *n, const struct tables_request
     return status;
 }
 
-/* The two files of one material. */
+/* Writes the two files of one material to memory. */
 static int make_material(struct content *c, int *n, const struct tables_request *request)
 {
     static const struct {
@@ -290,7 +291,8 @@ static int make_material(struct content *c, int *n, const struct tables_request 
     return status;
 }
 
-/* Byte equality proves only that the table is well written; collisions computed again check its numbers. */
+/* Byte equality proves only that the text follows from the numbers; a sample of collisions is recomputed to check the
+ * numbers. */
 static int check_limits(const struct tables_request *request)
 {
     if (request->all)

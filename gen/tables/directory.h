@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A directory of tables: everything in generated/, or the mode tables of one material; written, or proved to be what
- * corgen would write. A new file is a new row of files[] and one function that writes it to a stream. */
+/* A directory of tables: all files of generated/, or the mode tables of one material. corgen writes the files, or
+ * checks that it would write the same bytes. A new file needs a new row of files[] and a function that writes it to a
+ * stream. */
 #ifndef COR_GEN_TABLES_DIRECTORY_H
 #define COR_GEN_TABLES_DIRECTORY_H
 
@@ -12,16 +13,17 @@
 #define TABLES_MAX_SEED 1000000000
 
 struct tables_request {
-    const struct decimal *poisson; /* of the one material; NULL: generated/ */
-    slong modes;                   /* of that material; 0: DISK_TABLE_MODES */
-    const char *directory;         /* NULL: generated, or the current one for a material */
-    bool check;                    /* compare, write nothing */
-    bool all;                      /* collide at all places of disk_limits.h */
-    bool seeded;                   /* `seed` chooses the places at which a check collides; otherwise the time does */
+    const struct decimal *poisson; /* Poisson's ratio of the material; NULL: generated/ */
+    slong modes;                   /* number of modes of that material; 0: DISK_TABLE_MODES */
+    const char *directory;         /* NULL: generated, or the current directory for a material */
+    bool check;                    /* compare without writing */
+    bool all;                      /* compute the collisions at all points of disk_limits.h */
+    bool seeded;                   /* `seed` chooses the points at which a check recomputes collisions; otherwise the
+                                    * time does */
     uint64_t seed;
 };
 
-/* STATUS_OK, or another status after a sentence. */
+/* Returns STATUS_OK, or another status after a message. */
 int tables_run(const struct tables_request *request);
 
 #endif

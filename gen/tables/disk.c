@@ -14,13 +14,13 @@
 #include "support/emit_c.h"
 
 enum {
-    TABLE_DIGITS = 25 /* of the comments */,
+    TABLE_DIGITS = 25 /* digits in the comments */,
     LINE_LENGTH = 512,
     NU_NAME = 128,
     LEAST_NU_DIGITS = 3,
     VALUES = 3,
     PROGRESS_ROWS = 256,
-    CHECK_LENGTH = 9 /* with the line's end */
+    CHECK_LENGTH = 9 /* including the end of the line */
 };
 
 /* 0.33 is 033, 0.9 is 090, -0.5 is m050, 1/3 is 1_3. */
@@ -48,7 +48,7 @@ const char *disk_table_name(char name[DISK_TABLE_NAME], const struct disk_table 
     return name;
 }
 
-/* The command that makes it again. */
+/* The command that writes the file again */
 static void command_text(char text[LINE_LENGTH], const struct disk_table *table)
 {
     if (table->embed)
@@ -87,7 +87,7 @@ static int find_modes(const struct disk_table *table)
     return status;
 }
 
-/* omega, C, S of mode i, one after the other. */
+/* Sets value[0..2] to omega, C, S of mode i. */
 static void numbers_of(arb_ptr value, slong i)
 {
     const struct disk_mode *const m = &last.modes.mode[i];
@@ -97,8 +97,8 @@ static void numbers_of(arb_ptr value, slong i)
 }
 
 static const char banner_format[] =
-    "The %ld lowest free modes of an elastic disk, Poisson's number nu = %s in plane stress, E = rho = R = 1:\n"
-    "{n, l, omega, C, S} by increasing omega, as struct cor_disk_mode of cor/disk.h, none missing (proved).\n"
+    "The %ld lowest free modes of an elastic disk, Poisson's ratio nu = %s in plane stress, E = rho = R = 1:\n"
+    "{n, l, omega, C, S} by increasing omega, as struct cor_disk_mode of cor/disk.h, without gaps (proved).\n"
     "\n"
     "    static const struct cor_disk_modes modes = COR_DISK_MODES_NU%s;\n"
     "\n"

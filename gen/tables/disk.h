@@ -11,16 +11,16 @@
 enum { DISK_TABLE_MODES = 1800, DISK_TABLE_POISSON = 60 /* characters */, DISK_TABLE_NAME = 160 };
 
 struct disk_table {
-    struct decimal poisson; /* file names and comments have it as it is written */
+    struct decimal poisson; /* file names and comments contain its text unchanged */
     slong count;
-    bool embed; /* for C++ too: decimal doubles */
+    bool embed; /* also for C++, with decimal doubles */
 };
 
-/* disk_modes_nu033.h: what nu is called in names of files and of C. */
+/* The table's name in C and in file names, as in disk_modes_nu033.h */
 const char *disk_table_name(char name[DISK_TABLE_NAME], const struct disk_table *table, const char *extension);
 
-/* Each returns STATUS_OK, or STATUS_FAILED after saying why. The modes of the last table are kept, so that both forms cost
- * one computation, until disk_tables_clear. */
+/* Each returns STATUS_OK, or STATUS_FAILED after reporting the reason. Both keep the modes of the last table until
+ * disk_tables_clear, so that both forms need one computation. */
 int disk_header_write(FILE *file, const struct disk_table *table);
 int disk_file_write(FILE *file, const struct disk_table *table);
 void disk_tables_clear(void);

@@ -11,10 +11,10 @@
 
 enum { FAR_COLUMNS = INTERPOLANT_FAR + 2, CHECK_POINTS = 5, ATTEMPTS = 3, TEXT_MAX = 192 };
 
-/* Relative error of the interpolant, so that sampling against it means something. */
+/* Allowed relative error of the interpolant, small enough to sample rows against the interpolant */
 #define INTERPOLANT_LIMIT 4e-18
 
-/* Every table, by the quantity that it serves; near eps = 1 rows hold the loss. */
+/* Every table by its quantity; near eps = 1 rows hold the loss. */
 static const struct {
     enum law_part part;
     enum quantity serves, quantity;
@@ -49,7 +49,7 @@ static const char *const quantity_stem[QUANTITIES] = {"eps_zero_overlap",    "ep
 struct law_tables {
     struct law_layout layout;
     struct interpolant *f;
-    double error; /* of the interpolant, sampled */
+    double error; /* error of the interpolant, sampled */
     struct {
         bool has;
         char name[TEXT_MAX];
@@ -69,7 +69,7 @@ static int law_tables_init(struct law_tables *t, const struct law *law, const ch
         status = t->f ? interpolant_check(&t->error, t->f, CHECK_POINTS) : STATUS_FAILED;
         if (t->error <= INTERPOLANT_LIMIT || attempt == ATTEMPTS - 1)
             break;
-        interpolant_free(t->f); /* while the layout is as it was */
+        interpolant_free(t->f); /* the interpolant belongs to the old layout */
         t->f = NULL;
         law_layout_refine(&t->layout);
     }
@@ -96,7 +96,7 @@ static void law_tables_clear(struct law_tables *t)
 
 /* ---- rows ---- */
 
-/* value, and what the double nearest to it lacks */
+/* Splits a value into its nearest double and the remainder. */
 static void split(arb_t value, arb_t rest)
 {
     arb_set_d(rest, arf_get_d(arb_midref(value), ARF_RND_NEAR));
@@ -112,7 +112,7 @@ static int emit_one_row(struct emit *e, const char *name, const char *title, arb
     return STATUS_OK;
 }
 
-/* Whether there is anything beyond the tail's rows */
+/* Whether the quantity has a far part beyond the tail's rows */
 static bool has_far(const struct law_tables *t, enum quantity quantity)
 {
     const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
@@ -146,7 +146,7 @@ static int emit_far(struct emit *e, const struct law_tables *t, const char *name
         snprintf(text, sizeof text, "cor_rows_%s_far_%s", name, quantity_stem[q]);
         if (q == EPS_ZERO_OVERLAP) {
             arb_set(row, interpolant_final_speed(t->f));
-            if (law_is_hunt_crossley(&t->layout.interpolant.law)) /* a ball around 1 cannot be split in two */
+            if (law_is_hunt_crossley(&t->layout.interpolant.law)) /* an interval that contains 1 cannot be split */
                 arb_one(row);
             split(row, row + 1);
             status = emit_one_row(e, text, quantity_stem[q], row, 2);
@@ -169,7 +169,7 @@ static int emit_far(struct emit *e, const struct law_tables *t, const char *name
     return status;
 }
 
-/* ---- what evaluates them ---- */
+/* ---- the evaluators ---- */
 
 static const char *capitals(char text[TEXT_MAX], const char *name)
 {
@@ -268,14 +268,14 @@ static void emit_inverse(struct emit *e, const struct law_tables *t, const char 
     emit_builder_close(e);
 }
 
-/* The functions that callers use: PREFIX_eps_zero_overlap, ... */
+/* Writes the public functions PREFIX_eps_zero_overlap, ... */
 static void emit_functions(struct emit *e, const struct law_tables *t, const char *name, const char *prefix)
 {
     static const char *const ends[] = {"zero_overlap", "zero_force"};
     const bool both = law_force_ends(&t->layout.interpolant.law);
     char text[TEXT_MAX];
     for (int end = 0; end < 2; end++) {
-        const char *const source = both ? ends[end] : ends[0]; /* the ends coincide where damping never pulls */
+        const char *const source = both ? ends[end] : ends[0]; /* both ends coincide if the force is never attractive */
         snprintf(text, sizeof text, "%s_eps_%s", prefix, ends[end]);
         emit_inline_double(e, text, "beta", "cor_inline_law_eps(cor_law_%s_eps_%s(), beta)", name, source);
         snprintf(text, sizeof text, "%s_loss_%s", prefix, ends[end]);
@@ -300,7 +300,7 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
 {
     const bool both = law_force_ends(&t->layout.interpolant.law);
     emit_comment(e, "A row: value = c_0 + (c_0' + t (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
-                    "c_0', c_1, ..., c_n. c_0' is what c_0 lacks of the value at the node.");
+                    "c_0', c_1, ..., c_n. c_0' is the remainder of c_0 at the node.");
     int status = STATUS_OK;
     for (int i = 0; i < TABLES && status == STATUS_OK; i++)
         if (t->table[i].has)
@@ -328,7 +328,7 @@ static const char accuracy_text[] =
     "to 80 bits (proved); between them they are off by %.1e at most (sampled). Errors of the rows stand above each\n"
     "table and beside each row (sampled).\n";
 
-/* What happens at zero overlap as beta grows */
+/* A text about zero overlap at large beta */
 static void threshold_text(char text[TEXT_MAX], const struct law_tables *t)
 {
     if (t->layout.threshold < HUGE_VAL)

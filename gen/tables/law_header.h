@@ -11,9 +11,8 @@
 
 enum { LAW_NAME_MAX = 48 };
 
-/* What `corgen law` writes: one header that needs no other file, with functions NAME_eps_zero_overlap, ... The name
- * is an identifier of C of at most LAW_NAME_MAX characters. Returns STATUS_OK, or another status after saying what
- * failed. */
+/* Writes the header of `corgen law`, which needs no other file, with functions NAME_eps_zero_overlap, ... The name is a
+ * C identifier of at most LAW_NAME_MAX characters. Returns STATUS_OK, or another status after reporting the failure. */
 int law_header_write(FILE *file, const struct law *law, const char *name);
 
 /* generated/hertz_dashpot_tables.h, the law (3/2, 0) */

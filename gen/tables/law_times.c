@@ -27,7 +27,7 @@ static void pow_ratio(arb_t y, const arb_t x, slong p, ulong q, slong prec)
     arb_clear(e);
 }
 
-/* Nodes of a rule by Gauss and Legendre on [0, 1] and its weights, to GAUSS_BITS; made once */
+/* Nodes and weights of the Gauss-Legendre rule on [0, 1] with GAUSS_BITS bits, computed once */
 enum { GAUSS_POINTS = 56, GAUSS_BITS = 320 };
 static arb_ptr gauss_node, gauss_weight;
 
@@ -54,7 +54,7 @@ void law_times_clear(void)
     gauss_node = gauss_weight = NULL;
 }
 
-/* From 0 to 1 in two parts, since what is singular lies near 1 or around the middle */
+/* Integrates from 0 to 1 in two parts, because singularities lie near 1 or around the middle. */
 static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong prec)
 {
     static const double from[] = {0, 0.75}, length[] = {0.75, 0.25};
@@ -81,8 +81,8 @@ static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong 
     arb_clear(part);
 }
 
-/* The integral of f from 0 to 1, of a real function, relative accuracy `prec` bits at best */
-static void integrate(arb_t y, enum quadrature how, acb_calc_func_t f, void *parameters, slong prec)
+/* The integral of a real function f from 0 to 1, with a relative accuracy of at best `prec` bits */
+static void quadrature_integrate(arb_t y, enum quadrature how, acb_calc_func_t f, void *parameters, slong prec)
 {
     if (how == QUADRATURE_GAUSS) {
         integrate_gauss(y, f, parameters, prec);
@@ -104,14 +104,15 @@ static void integrate(arb_t y, enum quadrature how, acb_calc_func_t f, void *par
     mag_clear(tolerance);
 }
 
-/* ---- Tsuji: G(end) = integral from 0 to end of exp(zeta s/5) (sin(om s)/om)^(-1/5) ds, om^2 = 1 - zeta^2 of any sign ---- */
+/* ---- Tsuji: G(end) = integral from 0 to end of exp(zeta s/5) (sin(om s)/om)^(-1/5) ds, om^2 = 1 - zeta^2 of any sign
+ * ---- */
 
 struct tsuji_integrand {
     arb_srcptr zeta, end;
     acb_t om;
 };
 
-/* s = end x^5, and the factor s^(-1/5) taken together with ds: 5 x^3 end^(4/5) exp(zeta s/5) sinc(om s)^(-1/5) */
+/* With s = end x^5, the integrand s^(-1/5) ... ds becomes 5 x^3 end^(4/5) exp(zeta s/5) sinc(om s)^(-1/5) dx. */
 static int tsuji_integrand(acb_ptr y, const acb_t x, void *parameters, slong order, slong prec)
 {
     const struct tsuji_integrand *const p = parameters;
@@ -154,7 +155,7 @@ static void tsuji_integral(arb_t g, enum quadrature how, const arb_t zeta, const
     arb_sub_ui(acb_realref(p.om), acb_realref(p.om), 1, prec + GUARD_BITS);
     arb_neg(acb_realref(p.om), acb_realref(p.om));
     acb_sqrt(p.om, p.om, prec + GUARD_BITS);
-    integrate(g, how, tsuji_integrand, &p, prec);
+    quadrature_integrate(g, how, tsuji_integrand, &p, prec);
     pow_ratio(factor, end, 4, 5, prec);
     arb_mul_ui(factor, factor, 5, prec);
     arb_mul(g, g, factor, prec);
@@ -169,7 +170,7 @@ static void tsuji_unit(arb_t x, slong prec)
     pow_ratio(x, x, -3, 5, prec);
 }
 
-/* acos(zeta)/sqrt(1 - zeta^2) = 2F1(1, 1; 3/2; (1 - zeta)/2), at zeta = 1 too */
+/* acos(zeta)/sqrt(1 - zeta^2) = 2F1(1, 1; 3/2; (1 - zeta)/2), also at zeta = 1 */
 static void phase_time(arb_t a, const arb_t zeta, slong prec)
 {
     arb_t one, half_3, z;
@@ -257,8 +258,8 @@ static void tsuji_duration_zero_overlap(arb_t t, const arb_t zeta, slong prec)
     arb_clear(x);
 }
 
-/* For zeta < 0.7 from the other end, since the integrand is singular at om s = pi, which is near:
- * t_0 - exp(pi zeta/(5 om)) times the integral with -zeta up to 2 asin(zeta)/om */
+/* For zeta < 0.7 the integrand has a singularity at om s = pi, which is near. The integral therefore starts from the
+ * other end: t_0 - exp(pi zeta/(5 om)) times the integral with -zeta up to 2 asin(zeta)/om. */
 static void tsuji_duration_zero_force_weak(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
     arb_t om, end, minus, part;
@@ -335,7 +336,8 @@ static void limited_phase(arb_t phase, const arb_t zeta, slong prec)
     arb_clear(half_3);
 }
 
-/* While the force is twice the elastic one: (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8 zeta^2) */
+/* The time during which the force is twice the elastic force: (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8
+ * zeta^2) */
 static void limited_first_part(arb_t t, const arb_t zeta, slong prec)
 {
     arb_t m, a, b;
@@ -358,7 +360,7 @@ static void limited_first_part(arb_t t, const arb_t zeta, slong prec)
     arb_clear(b);
 }
 
-/* Then the law from phase phi on: exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5) G(phi/om)) */
+/* From phase phi on the law without limit holds: exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5) G(phi/om)). */
 void tsuji_duration_limited(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
     const slong more = prec + 2 * GUARD_BITS;
@@ -383,7 +385,8 @@ void tsuji_duration_limited(arb_t t, enum quadrature how, const arb_t zeta, slon
 
 /* ---- Hunt and Crossley ----
  *
- * With tau = ln((1 + beta)/(1 + beta v)) while loading and ln((1 + beta v)/(1 - h)) from the end backwards, k = a/(a + 1),
+ * With tau = ln((1 + beta)/(1 + beta v)) during loading, tau = ln((1 + beta v)/(1 - h)) from the end backwards, and k =
+ * a/(a + 1),
  *
  *     t = beta^(2k - 1) int ((a + 1) tau B(tau))^-k d tau,   B = sign (p E(-sign tau) - 1), E(x) = (exp(x) - 1)/x
  *
@@ -409,7 +412,7 @@ static void mean_exponential(acb_t y, const acb_t x, slong prec)
         acb_div(y, term, x, prec);
         acb_clear(term);
     } else {
-        /* the series; what follows the last term is below twice the next one */
+        /* the series; the omitted terms are below twice the first of them */
         const slong terms = prec / 5 + 8;
         acb_init(term);
         acb_one(y);
@@ -423,7 +426,7 @@ static void mean_exponential(acb_t y, const acb_t x, slong prec)
         mag_t factorial;
         mag_init(factorial);
         mag_fac_ui(factorial, (ulong)terms + 1);
-        mag_div(tail, tail, factorial); /* (terms + 2)! is larger still */
+        mag_div(tail, tail, factorial); /* (terms + 2)! is even larger */
         mag_clear(factorial);
         acb_add_error_mag(y, tail);
         acb_clear(term);
@@ -432,7 +435,8 @@ static void mean_exponential(acb_t y, const acb_t x, slong prec)
     mag_clear(tail);
 }
 
-/* tau = end x^m, m = 2 or 5, with tau^-k taken together with d tau: x^(m - 1 - m k) ((a + 1) B)^-k, times m end^(1 - k) */
+/* With tau = end x^m, m = 2 or 5, the integrand tau^-k ... d tau becomes x^(m - 1 - m k) ((a + 1) B)^-k dx, times m
+ * end^(1 - k). */
 static int crossley_integrand(acb_ptr y, const acb_t x, void *parameters, slong order, slong prec)
 {
     const struct crossley_integrand *const p = parameters;
@@ -471,7 +475,7 @@ static void crossley_part(arb_t t, enum quadrature how, enum crossley_exponent a
     const int hertz = a == CROSSLEY_HERTZ;
     arb_t x;
     arb_init(x);
-    integrate(t, how, crossley_integrand, &integrand, prec);
+    quadrature_integrate(t, how, crossley_integrand, &integrand, prec);
     arb_mul_ui(t, t, hertz ? 5 : 2, prec);
     pow_ratio(x, end, hertz ? 2 : 1, hertz ? 5 : 2, prec);
     arb_mul(t, t, x, prec);
@@ -517,7 +521,7 @@ void crossley_duration(arb_t t, enum quadrature how, enum crossley_exponent a, c
     arb_init(p);
     arb_init(end);
     arb_init(loading);
-    /* near beta = 0, W's branch point takes half of the bits, and logarithms some more */
+    /* near beta = 0 the branch point of W costs half of the bits, and logarithms some more */
     crossley_rest(p, beta, 3 * prec);
     arb_log(end, p, 2 * prec);
     arb_neg(end, end);

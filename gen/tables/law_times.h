@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Times of Tsuji's damping and of Hunt and Crossley's law, enclosed: quadrature in balls of the integrals of docs/laws.md.
- * Times are in units of (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
+/* Enclosed times of Tsuji's damping and of Hunt and Crossley's law: quadrature of the integrals of docs/laws.md in
+ * interval (ball) arithmetic. Times are in units of (m/K)^(1/(a+1)) g^((1-a)/(a+1)). */
 #ifndef COR_GEN_TABLES_LAW_TIMES_H
 #define COR_GEN_TABLES_LAW_TIMES_H
 
 #include "support/flint.h"
 
-/* ENCLOSED: adaptive, a proved enclosure, 5 to 10 ms. GAUSS: two rules of 56 points, whose error is not in the ball, 20
- * times as quick: for samples that enclosures are compared with. */
+/* ENCLOSED is adaptive, proves its enclosure and takes 5 to 10 ms. GAUSS is a pair of Gauss-Legendre rules of 56
+ * points. It is 20 times faster, but its interval omits the quadrature error. It serves for samples, which are compared
+ * with enclosures. */
 enum quadrature { QUADRATURE_ENCLOSED, QUADRATURE_GAUSS };
 
-/* Lets go of the rule. */
+/* Frees the Gauss-Legendre rule. */
 void law_times_clear(void);
 
 /* ---- Tsuji's damping, (a, b) = (3/2, 1/4), by the damping ratio zeta > 0 ---- */

@@ -71,13 +71,13 @@ TIME_FUNCTIONS(hertz_max_by_log, of_log, hertz_max)
 TIME_FUNCTIONS(linear_duration_by_log, of_log, linear_duration)
 TIME_FUNCTIONS(hertz_duration_by_log, of_log, hertz_duration)
 
-/* ---- tables: the geometry stands here and nowhere else ---- */
+/* ---- tables: only this file defines their geometry ---- */
 
-/* Where the rows by s = ln(1 + zeta) or ln(1 + beta) end */
+/* Ends of the rows in s = ln(1 + zeta) or ln(1 + beta) */
 #define TSUJI_END 12.25
 #define CROSSLEY_MAX_END 26.25
 #define CROSSLEY_DURATION_END 4.5
-/* Rows by r = zeta^(1/5), in which the end by zero force is analytic at zeta = 0, up to zeta = 3.9 */
+/* End of the rows in r = zeta^(1/5), at zeta = 3.9; the duration at zero force is analytic in r at zeta = 0 */
 #define ROOT_END 1.3125
 #define TIME_BITS 56
 
@@ -133,8 +133,8 @@ static int emit_rows_of(struct emit *e, struct function_rows *rows, int n)
 
 /* ---- beyond the rows ---- */
 
-/* Solves sum_k c_k basis_k(u_i) = value_i for n unknowns in balls */
-static int solve(arb_ptr c, const arb_mat_t a, const arb_mat_t b)
+/* Solves sum_k c_k basis_k(u_i) = value_i for n unknowns in interval (ball) arithmetic. */
+static int far_solve(arb_ptr c, const arb_mat_t a, const arb_mat_t b)
 {
     const slong n = arb_mat_nrows(a);
     arb_mat_t x;
@@ -158,8 +158,8 @@ struct far_form {
     } term[12];
 };
 
-/* The first `terms` coefficients through as many enclosed values with u = ln(zeta) from 13 on, each rounded to a double and,
- * for c_0 and c_1, what these doubles lack. */
+/* Fits the first `terms` coefficients to as many enclosed values with u = ln(zeta) from 13 on. Each coefficient is
+ * rounded to a double; c_0 and c_1 also get the remainders of their doubles. */
 static int far_make(arb_ptr c, const struct far_form *f)
 {
     const slong n = f->terms;
@@ -186,7 +186,7 @@ static int far_make(arb_ptr c, const struct far_form *f)
             arb_mul(arb_mat_entry(a, i, k), t, power, FAR_BITS);
         }
     }
-    const int status = solve(c, a, b);
+    const int status = far_solve(c, a, b);
     arb_mat_clear(a);
     arb_mat_clear(b);
     arb_clear(u);
@@ -196,13 +196,13 @@ static int far_make(arb_ptr c, const struct far_form *f)
     return status;
 }
 
-/* balls that round to the doubles of a row: what is known of c to a double, its rest, and so on */
+/* Intervals that round to the doubles of a row: a coefficient to double precision, its remainder, and so on */
 static void exact_double(arb_t x)
 {
     arb_set_d(x, arf_get_d(arb_midref(x), ARF_RND_NEAR));
 }
 
-static void split(arb_t value, arb_t rest)
+static void exact_split(arb_t value, arb_t rest)
 {
     arb_set(rest, value);
     exact_double(value);
@@ -216,9 +216,9 @@ static int far_emit(struct emit *e, const struct far_form *f)
     int status = far_make(c, f);
     if (status == STATUS_OK) {
         arb_set(row, c);
-        split(row, row + 1);
+        exact_split(row, row + 1);
         arb_set(row + 2, c + 1);
-        split(row + 2, row + 3);
+        exact_split(row + 2, row + 3);
         for (slong k = 2; k < f->terms; k++) {
             arb_set(row + k + 2, c + k);
             exact_double(row + k + 2);
@@ -253,7 +253,7 @@ static const struct far_form tsuji_far[] = {
 };
 enum { TSUJI_FAR = sizeof tsuji_far / sizeof *tsuji_far };
 
-/* y^(4/5) V(y) as the row gives it, relative error, is below 2^-57: sampled from y = OVERLAP_END to 115 */
+/* Checks that the relative error of y^(4/5) V(y) from the row is below 2^-57, sampled from y = OVERLAP_END to 115. */
 static int overlap_far_check(arb_srcptr row, slong terms)
 {
     arb_t y, v, sum;
@@ -286,8 +286,8 @@ static int overlap_far_check(arb_srcptr row, slong terms)
     return worst < 0x1p-57 ? STATUS_OK : fail("Tsuji's duration at zero overlap is off by %.3g far out", worst);
 }
 
-/* y^(4/5) V(y) = v_0 (1 + v_1/y^2 + ...): Stirling's series of |Gamma(9/10 + i y)|^2, whose terms at y = 10 are below 2^-57 from the
- * eighth on. v_0 and what its double lacks, v_1, ...: through values, as above */
+/* y^(4/5) V(y) = v_0 (1 + v_1/y^2 + ...): Stirling's series of |Gamma(9/10 + i y)|^2, whose terms at y = 10 are below
+ * 2^-57 from the eighth on. The row is v_0, the remainder of its double, v_1, ..., fitted to values as above. */
 static int overlap_far_emit(struct emit *e)
 {
     enum { TERMS = 8 };
@@ -308,10 +308,10 @@ static int overlap_far_emit(struct emit *e)
         for (slong k = 0; k < TERMS; k++)
             arb_pow_ui(arb_mat_entry(a, i, k), v, 2 * (ulong)k, FAR_BITS);
     }
-    int status = solve(c, a, b);
+    int status = far_solve(c, a, b);
     if (status == STATUS_OK) {
         arb_set(row, c);
-        split(row, row + 1);
+        exact_split(row, row + 1);
         for (slong k = 1; k < TERMS; k++) {
             arb_set(row + k + 1, c + k);
             exact_double(row + k + 1);
@@ -434,8 +434,8 @@ static int rebound_emit(struct emit *e, const char *name, const char *title, slo
     return status;
 }
 
-/* The time of the largest overlap, s = ln(1 + beta) >= 26.25, in units of beta^(2k - 1) ((a + 1)(1 + beta))^-k:
- * s + K + (k_0 + k_1 s + k_2 s^2)/(1 + beta), K = -psi(1 - k) - gamma; k_j through enclosed values */
+/* The time of the largest overlap, s = ln(1 + beta) >= 26.25, in units of beta^(2k - 1) ((a + 1)(1 + beta))^-k: s + K +
+ * (k_0 + k_1 s + k_2 s^2)/(1 + beta), K = -psi(1 - k) - gamma; k_j are fitted to enclosed values. */
 static int loading_emit(struct emit *e, const char *name, const char *title, enum crossley_exponent a, slong numerator,
                         ulong denominator)
 {
@@ -485,9 +485,9 @@ static int loading_emit(struct emit *e, const char *name, const char *title, enu
         for (slong j = 0; j < TERMS; j++)
             arb_pow_ui(arb_mat_entry(m, i, j), s, (ulong)j, FAR_BITS);
     }
-    int status = solve(c, m, b);
+    int status = far_solve(c, m, b);
     if (status == STATUS_OK) {
-        split(row, row + 1);
+        exact_split(row, row + 1);
         for (slong j = 0; j < TERMS; j++) {
             arb_set(row + 2 + j, c + j);
             exact_double(row + 2 + j);

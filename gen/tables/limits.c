@@ -16,26 +16,26 @@
 #include "sweep/hard_wall.h"
 #include "sweep/journal.h"
 
-/* The plane and how it is cut at first */
+/* The plane and its first division */
 #define FIRST_SPEED 1e-5
 #define LAST_SPEED 0.3
 #define FIRST_NU (-0.2)
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 #define LAST_NU (FIRST_NU + NU_ROOTS * NU_STEP)
-/* How often a cell is cut at most, for each row of NU_ROOTS. Once more costs about 3 times the collisions of all
- * before. Places are counted in sixths of the side of a cell that is cut FINEST times, so that they do not depend on
- * these. */
+/* Largest number of divisions of a cell, for each row of NU_ROOTS. One more division costs about 3 times the collisions
+ * of all before. Coordinates are in sixths of the side of a cell that is divided FINEST times, so that they do not
+ * depend on these numbers. */
 enum { FINEST = 6, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
 static const int most_cuts[NU_ROOTS] = {1, 1, 1, 2, 2};
 
-/* What collisions are asked for up to a speed and beyond it, and by how much what the polynomial of a cell misses at
- * the 9 places between its 16 is multiplied */
+/* Tolerances of the collisions up to a speed and beyond it, and the factor on the error of a cell's polynomial at the 9
+ * points between its 16 */
 #define CALM_SPEED COR_DISK_EPS_CALM_SPEED
 #define CALM_TOLERANCE 1.5e-5
 #define FAST_TOLERANCE 5e-5
 #define SAFETY 1.5
-/* The uncertainty at which a cell is not cut any more */
+/* A cell with this or a smaller uncertainty is not divided any more. */
 #define CALM_WANTED 2e-5
 #define FAST_WANTED 1e-4
 
@@ -48,7 +48,7 @@ struct scene {
 
 struct limits {
     bool known;
-    long seconds; /* of processor time that made them */
+    long seconds; /* processor time of their computation */
     long scenes;
     int nodes, cells;
     int16_t node[NODES_MAX];
@@ -125,7 +125,7 @@ struct collisions {
     long done, count;
 };
 
-static void collide(void *context, int thread, uint64_t task, void *result)
+static void scene_collide(void *context, int thread, uint64_t task, void *result)
 {
     struct collisions *const run = context;
     const double speed = speed_at(run->scene[task].x);
@@ -135,7 +135,7 @@ static void collide(void *context, int thread, uint64_t task, void *result)
     memcpy(result, &outcome, sizeof outcome);
 }
 
-static int finish(void *context, uint64_t task, const void *result)
+static int scene_finish(void *context, uint64_t task, const void *result)
 {
     struct collisions *const run = context;
     struct scene *const scene = &run->scene[task];
@@ -155,14 +155,14 @@ static int finish(void *context, uint64_t task, const void *result)
     return STATUS_OK;
 }
 
-static int tick(void *context)
+static int sweep_tick(void *context)
 {
     const struct collisions *const run = context;
     progress(run->name, run->done, run->count);
     return run->journal ? journal_flush(run->journal) : STATUS_OK;
 }
 
-/* All scenes, which are in order of place, so that those of one material are together */
+/* Computes all scenes. They are in order of place, so that those of one material are together. */
 static int collide_all(struct scene *scene, long count, struct journal *journal, const char *name)
 {
     const int threads = parallel_processors();
@@ -170,7 +170,7 @@ static int collide_all(struct scene *scene, long count, struct journal *journal,
     hard_wall_tables_init(&run.tables);
     run.room = xmalloc((size_t)threads * sizeof *run.room);
     memset(run.room, 0, (size_t)threads * sizeof *run.room);
-    const struct crew_work work = {&run, sizeof(struct outcome), collide, NULL, finish, tick, NULL};
+    const struct crew_work work = {&run, sizeof(struct outcome), scene_collide, NULL, scene_finish, sweep_tick, NULL};
     struct crew *const crew = crew_start(&work, threads);
     int status = crew ? STATUS_OK : STATUS_FAILED;
     for (long first = 0, end; first < count && status == STATUS_OK; first = end) {
@@ -195,7 +195,7 @@ static int collide_all(struct scene *scene, long count, struct journal *journal,
 struct scenes {
     struct scene *scene; /* in order of place */
     long count, capacity;
-    struct scene *found; /* by an earlier run that did not end, in order of place; how many of them were needed */
+    struct scene *found; /* scenes of an earlier, unfinished run, in order of place; number of those needed */
     long found_count, found_capacity, recalled;
 };
 
@@ -223,8 +223,9 @@ static void take_found(void *context, const char *line)
         add_scene(&scenes->found, &scenes->found_count, &scenes->found_capacity, scene);
 }
 
-/* Takes those of a list that an earlier run has found into the known scenes, out of the list; how many stay in it */
-static long recall(struct scenes *scenes, struct scene *needed, long count)
+/* Moves scenes that an earlier run has computed from a list to the known scenes. Returns the number of scenes that
+ * remain in the list. */
+static long scenes_recall(struct scenes *scenes, struct scene *needed, long count)
 {
     long kept = 0;
     for (long i = 0; i < count; i++) {
@@ -254,7 +255,7 @@ static int32_t sixth_of(const struct cell *cell)
     return (ROOT_SIDE / SIXTHS) >> cell->depth;
 }
 
-/* The places of a cell: i and j both even, 16 values, or both odd, 9 to see how well their polynomial does */
+/* The points of a cell: i and j both even for its 16 values, or both odd for 9 points that test the polynomial */
 static void need_places(const struct cell *cell, const struct scenes *scenes, struct scene **needed, long *count,
                         long *capacity)
 {
@@ -284,7 +285,7 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
     for (int i = 0; i < cells; i++)
         need_places(&cell[i], scenes, &needed, &count, &capacity);
     count = without_repetitions(needed, count);
-    count = recall(scenes, needed, count);
+    count = scenes_recall(scenes, needed, count);
     char name[LINE];
     snprintf(name, sizeof name, "collisions for %d cells", cells);
     const int status = collide_all(needed, count, journal, name);
@@ -295,7 +296,7 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
     return status;
 }
 
-/* The cell's values, and how uncertain its polynomial is */
+/* Sets the cell's values and the uncertainty of its polynomial. */
 static void fill_cell(struct cor_disk_limit_cell *to, const struct cell *cell, const struct scenes *scenes)
 {
     const int32_t sixth = sixth_of(cell);
@@ -314,7 +315,7 @@ static void fill_cell(struct cor_disk_limit_cell *to, const struct cell *cell, c
             missed = fmax(missed, fabs(value / COR_DISK_LIMIT_UNIT - s->value));
             estimate = s->estimate > estimate ? s->estimate : estimate;
         }
-    /* independent of each other; and each is several times what it stands for */
+    /* the two parts are independent, and each is several times the actual error */
     to->uncertainty = (int32_t)ceil(hypot(SAFETY * missed, estimate)) + 1;
 }
 
@@ -323,8 +324,8 @@ static double wanted_at(int32_t x)
     return speed_at(x) < CALM_SPEED ? CALM_WANTED : FAST_WANTED;
 }
 
-/* Cuts a cell into four. */
-static void cut(const struct cell *cell, struct cell *quarter)
+/* Divides a cell into four. */
+static void cell_cut(const struct cell *cell, struct cell *quarter)
 {
     const int32_t half = SIXTHS / 2 * sixth_of(cell);
     for (int k = 0; k < 4; k++)
@@ -333,8 +334,8 @@ static void cut(const struct cell *cell, struct cell *quarter)
     table->nodes += 4;
 }
 
-/* Cells of one depth become part of the table or are cut; *cell becomes the list of what they are cut into. */
-static int refine(struct scenes *scenes, struct cell **cell, int *cells, struct journal *journal)
+/* Cells of one depth become part of the table or are divided; *cell becomes the list of their quarters. */
+static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells, struct journal *journal)
 {
     int status = find_scenes(scenes, *cell, *cells, journal), cut_cells = 0;
     struct cell *const next = xmalloc(4 * (size_t)*cells * sizeof *next);
@@ -348,7 +349,7 @@ static int refine(struct scenes *scenes, struct cell **cell, int *cells, struct 
         } else if (table->nodes + 4 > NODES_MAX) {
             status = fail("the table needs more than %d cells", NODES_MAX);
         } else {
-            cut(c, next + 4 * cut_cells++);
+            cell_cut(c, next + 4 * cut_cells++);
         }
     }
     free(*cell);
@@ -365,7 +366,7 @@ static int collide_cells(struct scenes *scenes, struct journal *journal)
     for (int i = 0; i < ROOTS; i++)
         cell[i] = (struct cell){i % X_ROOTS * ROOT_SIDE, i / X_ROOTS * ROOT_SIDE, 0, i};
     while (cells > 0 && status == STATUS_OK)
-        status = refine(scenes, &cell, &cells, journal);
+        status = cell_refine(scenes, &cell, &cells, journal);
     free(cell);
     return status;
 }
@@ -391,7 +392,7 @@ int disk_limits_collide(const char *path)
         journal_silent_on_interrupt();
     }
     table->scenes = scenes.count;
-    /* of this run; of one that goes on with another's collisions, as many times more as it has more of them */
+    /* seconds of this run, scaled up by the number of all collisions over that of this run */
     const long own = scenes.count - scenes.recalled;
     table->seconds = lround((clock_processor_seconds() - start) * (own > 0 ? (double)scenes.count / (double)own : 1));
     table->known = status == STATUS_OK;
@@ -526,7 +527,7 @@ int disk_limits_write(FILE *file, const struct disk_table *modes)
 
 /* ---- the file, read again ---- */
 
-/* Reads a whole number at *at after `word`, wherever that is; false where it is not. */
+/* Reads an integer after the next occurrence of `word`. Returns false if there is none. */
 static bool read_after(const char **at, const char *word, long *number)
 {
     const char *const found = strstr(*at, word);
@@ -549,11 +550,11 @@ static bool read_number(const char **at, long low, long high, long *number)
     return good;
 }
 
-/* Does every path through the nodes end in a cell, and each cell and quarter belong to one node? */
+/* Whether every path through the nodes ends in a cell, and each cell and quarter belongs to one node */
 static bool is_tree(const struct limits *limits)
 {
     int next_quarter = ROOTS, next_cell = 0;
-    /* as they are written: quarters in the order of the nodes that are cut, cells in that of the others */
+    /* in the written order: quarters in the order of the divided nodes, cells in that of the others */
     for (int i = 0; i < limits->nodes; i++) {
         if (limits->node[i] < 0) {
             if (-limits->node[i] != next_quarter)
@@ -566,7 +567,7 @@ static bool is_tree(const struct limits *limits)
     return next_quarter == limits->nodes && next_cell == limits->cells;
 }
 
-/* The numbers of the file; whether all of its text is as it should be is seen when it is written again. */
+/* Reads the numbers of the file. Writing the file again checks the rest of its text. */
 static bool read_numbers(const char *at)
 {
     long scenes, seconds, nodes, cells, number;
@@ -630,9 +631,9 @@ int disk_limits_read(const char *bytes, size_t size, const char *path)
     return line == 0 ? STATUS_OK : fail("%s is not as corgen tables --all writes it in line %ld", path, line);
 }
 
-/* ---- once more ---- */
+/* ---- check of the table ---- */
 
-/* Where each cell is */
+/* Sets the place of each cell. */
 static void place_cells(struct cell *of_cell, int node, struct cell cell)
 {
     const int number = table->node[node];
@@ -654,7 +655,7 @@ static struct cell *places_of_cells(void)
     return of_cell;
 }
 
-/* What the table has at a place of the grid of a cell, and elsewhere; and how far that may be off there */
+/* The table's value at a grid point of a cell, and at other points, and its error bound there */
 static double value_at(const struct scene *scene, const struct cell *cell, bool *on_grid, double *uncertainty)
 {
     const struct cor_disk_limit_table t = evaluable(table);
@@ -669,7 +670,8 @@ static double value_at(const struct scene *scene, const struct cell *cell, bool 
 
 struct check {
     long places, between, wrong;
-    double worst, worst_between; /* on the grid, and between, of the uncertainty */
+    double worst, worst_between; /* largest difference on the grid, and between the points relative to the
+                                  * uncertainty */
 };
 
 static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
@@ -689,7 +691,7 @@ static void check_scene(struct check *check, const struct scene *scene, const st
                 speed_at(scene->x), nu_at(scene->nu), off, allowed);
 }
 
-static int verdict(const struct check *check, const char *of_what)
+static int check_verdict(const struct check *check, const char *of_what)
 {
     if (check->wrong)
         return fail("%s: %ld of %ld collisions (%s) are not as the table says", DISK_LIMITS_FILE, check->wrong,
@@ -703,7 +705,7 @@ static int verdict(const struct check *check, const char *of_what)
 }
 
 /* xorshift64* */
-static uint64_t draw(uint64_t *state, uint64_t below)
+static uint64_t sample_draw(uint64_t *state, uint64_t below)
 {
     *state ^= *state >> 12;
     *state ^= *state << 25;
@@ -711,19 +713,20 @@ static uint64_t draw(uint64_t *state, uint64_t below)
     return (*state * UINT64_C(2685821657736338717) >> 33) % below;
 }
 
-/* Of one row of one cell, and so of one material, whose modes take as long as a collision */
+/* Samples one row of one cell, and thus one material, because its modes take as long as a collision. */
 int disk_limits_check_sample(uint64_t seed)
 {
     uint64_t state = 2 * seed + 1;
-    for (int i = 0; i < 8; i++) /* seeds that differ in few bits soon differ in all */
-        draw(&state, 2);
+    for (int i = 0; i < 8; i++) /* after a few draws, seeds that differ in few bits differ in all bits */
+        sample_draw(&state, 2);
     struct cell *const of_cell = places_of_cells();
-    const struct cell cell = of_cell[draw(&state, (uint64_t)table->cells)];
-    const int32_t sixth = sixth_of(&cell), row = cell.nu + 2 * (int32_t)draw(&state, COR_DISK_LIMIT_SIDE) * sixth;
+    const struct cell cell = of_cell[sample_draw(&state, (uint64_t)table->cells)];
+    const int32_t sixth = sixth_of(&cell),
+                  row = cell.nu + 2 * (int32_t)sample_draw(&state, COR_DISK_LIMIT_SIDE) * sixth;
     struct scene scene[COR_DISK_LIMIT_SIDE + 1];
     for (int32_t k = 0; k < COR_DISK_LIMIT_SIDE; k++)
         scene[k] = (struct scene){cell.x + 2 * k * sixth, row, 0, 0};
-    scene[COR_DISK_LIMIT_SIDE] = (struct scene){cell.x + (1 + 2 * (int32_t)draw(&state, 3)) * sixth, row, 0, 0};
+    scene[COR_DISK_LIMIT_SIDE] = (struct scene){cell.x + (1 + 2 * (int32_t)sample_draw(&state, 3)) * sixth, row, 0, 0};
     free(of_cell);
     struct check check = {0};
     const int status = collide_all(scene, COR_DISK_LIMIT_SIDE + 1, NULL, "collisions");
@@ -734,7 +737,7 @@ int disk_limits_check_sample(uint64_t seed)
     char of_what[2 * LINE];
     snprintf(of_what, sizeof of_what, "nu = %.6g, v = %.4g to %.4g, seed %" PRIu64, nu_at(row), speed_at(cell.x),
              speed_at(cell.x + SIXTHS * sixth), seed);
-    return verdict(&check, of_what);
+    return check_verdict(&check, of_what);
 }
 
 int disk_limits_check_all(void)
@@ -752,5 +755,5 @@ int disk_limits_check_all(void)
                             &of_cell[i]);
     free(of_cell);
     free(scenes.scene);
-    return status == STATUS_OK ? verdict(&check, "all") : status;
+    return status == STATUS_OK ? check_verdict(&check, "all") : status;
 }

@@ -13,7 +13,7 @@
 
 enum { NAME_MAX_LENGTH = 128 };
 
-/* prefix in capitals + suffix */
+/* Writes the prefix in capitals and the suffix. */
 static void macro_name(char name[NAME_MAX_LENGTH], const char *prefix, const char *suffix)
 {
     int n = snprintf(name, NAME_MAX_LENGTH, "%s%s", prefix, suffix);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A Padé in a C header: arrays, their lengths, its bounds, and what the bounds rest on. */
+/* A Padé approximant in a C header: arrays, their lengths, the bounds, and the origin of the bounds. */
 #ifndef COR_GEN_TABLES_PADE_H
 #define COR_GEN_TABLES_PADE_H
 
@@ -8,15 +8,15 @@
 
 struct pade_header {
     const char *name;  /* prefix of the arrays; in capitals, of the macros */
-    const char *title; /* what it is, first line of its comment */
+    const char *title; /* first line of its comment, which describes it */
     enum contact_end end;
-    slong beta_max;                      /* its bounds hold up to here */
+    slong beta_max;                      /* its bounds hold up to this beta */
     const struct references *references; /* NULL: no approximation error is stated */
-    double limit;                        /* refused if a whole relative error is above this */
+    double limit;                        /* refused if the total relative error exceeds this */
 };
 
-/* Emits name_p, name_q, name_l (ascending powers of z) and NAME_P, NAME_Q, NAME_L; with references
- * also NAME_{EPS,LOSS}_{APPROXIMATION,EVALUATION,MAX}_REL. Returns 0, or 1 after saying why not. */
+/* Emits name_p, name_q, name_l (ascending powers of z) and NAME_P, NAME_Q, NAME_L; with references also
+ * NAME_{EPS,LOSS}_{APPROXIMATION,EVALUATION,MAX}_REL. Returns 0, or 1 after reporting the reason. */
 int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f, const struct pade_analysis *a);
 
 #endif

@@ -12,11 +12,11 @@
 
 enum { H_STAR_BITS = 160 };
 
-/* The tables of the runtime, all of one layout. Their geometry stands here and nowhere else: the headers carry it to
- * the evaluators as macros (approximation/pieces.h). Where the promise is one unit of the last place, 57 bits leave the
- * approximation a sixteenth of it. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply: there the
- * rounding of x alone changes eps by more. c_0 of a row that is multiplied has HEAD_BITS bits, so that its products with
- * halves of a double are exact. */
+/* The tables of the runtime, all with the same layout. Only this file defines their geometry; macros of the headers
+ * pass it to the evaluators (approximation/pieces.h). If the bound is one unit of the last place, 57 bits limit the
+ * approximation to a sixteenth of it. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply,
+ * because the rounding of x changes eps more. c_0 of a row that is multiplied has HEAD_BITS bits, so that its products
+ * with halves of a double are exact. */
 enum { DEGREE = 10, FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26 };
 #define IN_BETA VARIABLE_BETA, 0, 0.125
 #define IN_ROOT VARIABLE_ROOT_BETA, 0, 0.0625
@@ -82,19 +82,19 @@ enum {
     CHECK_POINTS = 9
 };
 
-/* Relative error of the interpolant, so that sampling against it means something. */
+/* Allowed relative error of the interpolant, small enough to sample rows against the interpolant */
 #define INTERPOLANT_LIMIT 4e-18
 
 static struct {
     bool made;
     struct pieces tables[TABLES];
-    double error; /* of the interpolant, sampled */
+    double error; /* error of the interpolant, sampled */
     arb_struct h_star_5[2];
-    arb_ptr far[FAR_TABLES]; /* a_0 and a_1 with what their doubles lack, and the rest */
-    arb_ptr far_inverse;     /* a with what its double lacks, and the rest */
+    arb_ptr far[FAR_TABLES]; /* a_0 and a_1 with the remainders of their doubles, and the other coefficients */
+    arb_ptr far_inverse;     /* a with the remainder of its double, and the other coefficients */
 } data;
 
-/* value, and what the double nearest to it lacks */
+/* Splits a value into its nearest double and the remainder. */
 static void split_constant(arb_t value, arb_t rest)
 {
     arb_set_d(rest, arf_get_d(arb_midref(value), ARF_RND_NEAR));
@@ -140,7 +140,7 @@ static void make_far_tables(const struct interpolant *f)
     split_constant(data.far_inverse, data.far_inverse + 1);
 }
 
-/* All that is made of collisions at single values of beta. */
+/* Computes all tables that are made of collisions at single values of beta. */
 static int make_tables(void)
 {
     struct interpolant *f = interpolant_new(&interpolant_sphere, 0, INFINITY);
@@ -164,7 +164,7 @@ static void make_h_star(void *context)
     split_constant(&data.h_star_5[0], &data.h_star_5[1]);
 }
 
-/* h*, which is one computation, beside the others. */
+/* h* is one long computation, which runs beside the others. */
 static int sphere_data_make(void)
 {
     if (data.made)
@@ -198,7 +198,7 @@ static int emit_tables(struct emit *e)
 {
     emit_comment(e, "A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
                     "c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from\n"
-                    "node 1/4 on s = beta - node^2. c_0' is what c_0 lacks of the value at the node.");
+                    "node 1/4 on s = beta - node^2. c_0' is the remainder of c_0 at the node.");
     for (int i = 0; i < TABLES; i++)
         if (pieces_emit(e, &data.tables[i]))
             return STATUS_FAILED;

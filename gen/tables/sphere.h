@@ -11,7 +11,7 @@
 int sphere_tables_write(FILE *file, const struct disk_table *none);
 int sphere_header_write(FILE *file, const struct disk_table *none);
 
-/* What both are made of is computed once and kept; this lets go of it. */
+/* Both files share data that are computed once and kept. This function frees them. */
 void sphere_tables_clear(void);
 
 #endif

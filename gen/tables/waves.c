@@ -8,9 +8,10 @@
 #include "support/console.h"
 #include "support/emit_c.h"
 
-/* ---- Chebyshev's series on 0 <= tau <= 7/4 ---- */
+/* ---- the Chebyshev series on 0 <= tau <= 7/4 ---- */
 
-/* J goes through SAMPLES points; of its series the first TERMS are kept, for the others are below 1e-17. */
+/* J is interpolated at SAMPLES points. The first TERMS terms of the series are kept, because the others are below
+ * 1e-17. */
 enum { SAMPLES = 110, TERMS = 40, SAMPLE_BITS = 80 };
 
 /* c_k of J = sum c_k T_k(8 tau/7 - 1), through SAMPLES points, enclosed */
@@ -50,7 +51,7 @@ static void chebyshev_series(arb_ptr c)
     acb_clear(j);
 }
 
-/* |x| at most */
+/* an upper bound on |x| */
 static double largest(const arb_t x)
 {
     mag_t m;
@@ -61,7 +62,8 @@ static double largest(const arb_t x)
     return size;
 }
 
-/* What the terms that are left out, the samples' enclosures and the rounding to doubles add, proved; c becomes the doubles. */
+/* Rounds c to doubles. Returns a proved bound on the error from omitted terms, the enclosures of the samples and this
+ * rounding. */
 static double round_series(arb_ptr c)
 {
     double error = 0;

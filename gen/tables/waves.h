@@ -9,8 +9,8 @@
 
 int wave_tables_write(FILE *file, const struct disk_table *none);
 
-/* |J| is below WAVE_ELLIPSE_BOUND on the ellipse with foci 0 and WAVE_TAU_END whose half axes add up to WAVE_ELLIPSE times half of
- * WAVE_TAU_END, and J is analytic inside: tests/gen/test_waves.c proves both, arc by arc. */
+/* |J| is below WAVE_ELLIPSE_BOUND on the ellipse with foci 0 and WAVE_TAU_END whose half axes add up to WAVE_ELLIPSE
+ * times half of WAVE_TAU_END, and J is analytic inside: tests/gen/test_waves.c proves both, arc by arc. */
 #define WAVE_TAU_END 1.75
 #define WAVE_ELLIPSE 1.5
 #define WAVE_ELLIPSE_BOUND 40.0

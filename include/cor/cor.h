@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* cor: coefficient of restitution of colliding viscoelastic bodies. This header includes all
- * others. */
+/* cor computes coefficients of restitution of colliding viscoelastic bodies. This header includes all others. */
 #ifndef COR_COR_H
 #define COR_COR_H
 

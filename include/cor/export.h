@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* COR_API marks what the library shows; everything else is hidden in the shared build. */
+/* COR_API marks the symbols that the shared library exports. All others are hidden. */
 #ifndef COR_EXPORT_H
 #define COR_EXPORT_H
 

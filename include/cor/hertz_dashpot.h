@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Hertz's contact with a constant dashpot: force K x^(3/2) + C x' between two bodies with overlap x and effective
- * mass m that meet with speed g. In units of time T = (m/K)^(2/5) g^(-1/5) and of length g T,
+/* Hertz's contact with a constant dashpot. Two bodies of effective mass m meet with speed g. At the overlap x the force
+ * K x^(3/2) + C x' acts between them. In units of time T = (m/K)^(2/5) g^(-1/5) and of length g T,
  *
  *     x'' + beta x' + x^(3/2) = 0,     x(0) = 0,     x'(0) = 1,     beta = C m^(-3/5) K^(-2/5) g^(-1/5)
  *
- * Slow impacts are the strongly damped ones. eps = -x' when the contact ends, at one of two ends:
+ * Slow impacts are the strongly damped ones. eps = -x' when the contact ends, by one of two definitions:
  *
  *     zero_overlap    x = 0 again; the force is attractive just before. From beta = COR_HERTZ_DASHPOT_BETA_C on
- *                     the bodies never part: eps is exactly 0 and the duration infinite, as for every impact slower than
+ *                     the bodies never part: eps is exactly 0 and the duration infinite, as for every impact slower
+ *                     than
  *                     C^5/(COR_HERTZ_DASHPOT_BETA_C^5 m^3 K^2)
  *     zero_force      x'' = 0; no attraction
  *
- * Every function comes as double, as float (with an f at its end: the double function rounded once), and for arrays of
- * either: y[i] = function(x[i]) for i < n, the same to the last bit. n may be 0, the pointers then NULL. x and y may
- * be the same array, but must not overlap otherwise. Source: docs/derivation.md, 9. */
+ * Every function has four forms: double, float (its name ends in f; it rounds the double result once), and arrays of
+ * either. An array function sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the pointers may be NULL. x
+ * and y may be the same array, but must not overlap otherwise. Source: docs/derivation.md, 9. */
 #ifndef COR_HERTZ_DASHPOT_H
 #define COR_HERTZ_DASHPOT_H
 
@@ -27,13 +28,13 @@ extern "C" {
 
 /* Bounds on the error of the functions below, in units of the last place of the exact value, over every double in their
  * domains. Sampled: tests/table/test_hertz_dashpot.c asserts them against enclosed collisions at random arguments and
- * around every boundary; docs/accuracy.md records the worst found. */
+ * around every boundary; docs/accuracy.md records the worst cases found. */
 #define COR_HERTZ_DASHPOT_EPS_MAX_ULP 1.0
 #define COR_HERTZ_DASHPOT_LOSS_MAX_ULP 1.0
 #define COR_HERTZ_DASHPOT_MAX_OVERLAP_MAX_ULP 1.0
 #define COR_HERTZ_DASHPOT_TIME_MAX_ULP 2.0
 #define COR_HERTZ_DASHPOT_BETA_MAX_ULP 2.0
-/* The float variants, in units of the last place of a float. */
+/* Bound on the error of the float variants, in units of the last place of a float. */
 #define COR_HERTZ_DASHPOT_FLOAT_MAX_ULP 1.0
 
 /* beta_c = 1.127988135520169216213..., rounded to the nearest double, which is below it */
@@ -52,20 +53,20 @@ extern "C" {
 COR_HERTZ_DASHPOT_DECLARE_(eps_zero_overlap)
 COR_HERTZ_DASHPOT_DECLARE_(eps_zero_force)
 
-/* double cor_hertz_dashpot_loss_<end>(double beta): 1 - eps with relative accuracy. It tends to 1.78781... beta as
- * beta -> 0.
+/* double cor_hertz_dashpot_loss_<end>(double beta): 1 - eps with relative accuracy, also where a subtraction would
+ * cancel. As beta -> 0 the loss tends to 1.78781... beta.
  * Domain: 0 <= beta <= inf. Accuracy: COR_HERTZ_DASHPOT_LOSS_MAX_ULP.
  * Special values: +-0 -> 0, +inf -> 1; at zero overlap 1 above beta_c; negative and NaN -> NaN. */
 COR_HERTZ_DASHPOT_DECLARE_(loss_zero_overlap)
 COR_HERTZ_DASHPOT_DECLARE_(loss_zero_force)
 
-/* double cor_hertz_dashpot_beta_<end>(double eps): the inverse, the least beta that has this eps.
- * Domain: 0 <= eps <= 1. Accuracy: COR_HERTZ_DASHPOT_BETA_MAX_ULP for the double eps as it is given.
+/* double cor_hertz_dashpot_beta_<end>(double eps): the inverse, the smallest beta that has this eps.
+ * Domain: 0 <= eps <= 1. Accuracy: COR_HERTZ_DASHPOT_BETA_MAX_ULP with the given double eps taken as exact.
  * Special values: 1 -> 0; 0 -> +inf, at zero overlap COR_HERTZ_DASHPOT_BETA_C; outside [0, 1] and NaN -> NaN. */
 COR_HERTZ_DASHPOT_DECLARE_(beta_zero_overlap)
 COR_HERTZ_DASHPOT_DECLARE_(beta_zero_force)
 
-/* double cor_hertz_dashpot_beta_of_loss_<end>(double loss): the same from 1 - eps.
+/* double cor_hertz_dashpot_beta_of_loss_<end>(double loss): the inverse as a function of 1 - eps.
  * Domain: 0 <= loss <= 1. Accuracy: COR_HERTZ_DASHPOT_BETA_MAX_ULP. Special values: 0 -> 0; 1 -> as beta of eps = 0;
  * outside [0, 1] and NaN -> NaN. */
 COR_HERTZ_DASHPOT_DECLARE_(beta_of_loss_zero_overlap)
@@ -79,7 +80,7 @@ COR_HERTZ_DASHPOT_DECLARE_(duration_zero_overlap)
 COR_HERTZ_DASHPOT_DECLARE_(duration_zero_force)
 
 /* double cor_hertz_dashpot_max_overlap(double beta): largest overlap in units of g T.
- * double cor_hertz_dashpot_time_of_max_overlap(double beta): when it is reached, in units of T.
+ * double cor_hertz_dashpot_time_of_max_overlap(double beta): the time of the largest overlap, in units of T.
  * Domain: 0 <= beta <= inf. Accuracy: COR_HERTZ_DASHPOT_MAX_OVERLAP_MAX_ULP, COR_HERTZ_DASHPOT_TIME_MAX_ULP.
  * Special values: +-0 -> (5/4)^(2/5) and 1.6090..., +inf -> 0; negative and NaN -> NaN. */
 COR_HERTZ_DASHPOT_DECLARE_(max_overlap)

@@ -5,20 +5,19 @@
  *
  *     x'' + beta sqrt(x) x' + x^(3/2) = 0,     x(0) = 0,     x'(0) = 1
  *
- * depends on one number, beta = (3/2) A (rho/m)^(2/5) g^(1/5), with the dissipation time A, the
- * elastic constant rho, the effective mass m and the impact speed g; contact.h computes it from
- * materials in SI units. eps = -x' when the contact ends. Two conditions can end it; both are
- * offered and neither is the default:
+ * depends on one number, beta = (3/2) A (rho/m)^(2/5) g^(1/5), with the dissipation time A, the elastic constant rho,
+ * the effective mass m and the impact speed g. contact.h computes beta from materials in SI units. eps = -x' when the
+ * contact ends. The library offers both common definitions of the end and has no default:
  *
  *     zero overlap     x = 0 again; the force is attractive just before
  *     zero force       x'' = 0, that is x = -beta x'; no attraction
  *
  * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
- * argument, so that programs may trap these; FE_UNDERFLOW and FE_INEXACT may be raised. The bounds below hold for
- * rounding to nearest. In the other rounding modes, and where subnormal numbers are flushed to zero, results of scalar
- * functions change by less than 1e-9 of themselves (1.2e-7, floats) and eps and loss stay in [0, 1]; array functions,
- * and what contact.h computes from a speed out of the ordinary, round to nearest whatever the mode. Held by
- * tests/unit/test_environment.c.
+ * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. The bounds below
+ * hold for rounding to nearest. In the other rounding modes, and where subnormal numbers are flushed to zero, results
+ * of scalar functions change by a relative 1e-9 at most (floats: 1.2e-7), and eps and loss stay in [0, 1]. Array
+ * functions round to nearest in every mode, as do the functions of contact.h at subnormal or extreme speeds.
+ * tests/unit/test_environment.c asserts this.
  *
  * Equation numbers (n) are those of Ramirez, Poeschel, Brilliantov and Schwager, Phys. Rev. E 60,
  * 4465 (1999); docs/derivation.md derives them again and lists where the print is wrong. */
@@ -41,34 +40,35 @@ extern "C" {
 #define COR_SPHERE_MAX_OVERLAP_MAX_ULP 1.0
 #define COR_SPHERE_TIME_MAX_ULP 2.0
 #define COR_SPHERE_BETA_MAX_ULP 2.0
-/* Largest difference of a function of generated/cor_sphere.h from the library's, in units of the last place, when its
- * user compiles it with -ffast-math, or for a machine with fused multiplication and addition (-march=native). Special
- * values stay what they are. Elsewhere, -ffinite-math-only included, the bits are the library's. Sampled:
- * tests/header/run. */
+/* Largest difference between a function of generated/cor_sphere.h and the library's, in units of the last place, when a
+ * user compiles the header with -ffast-math, or for a machine with fused multiplication and addition (-march=native).
+ * Special values do not change. With all other flags, -ffinite-math-only included, the bits are the library's. Sampled
+ * in tests/header/run. */
 #define COR_SPHERE_INLINE_FAST_MATH_ULP 4
 #define COR_SPHERE_INLINE_NATIVE_ULP 4
-/* The float variants, in units of the last place of a float. */
+/* Bound on the error of the float variants, in units of the last place of a float. */
 #define COR_SPHERE_FLOAT_MAX_ULP 1.0
 
 /* C_1 of eps = 1 + C_1 beta + C_2 beta^2 + ..., (65) with its sign (minus that of (6)):
  *
  *     C_1 = -sqrt(pi) Gamma(3/5) / (2^(1/5) 5^(2/5) Gamma(21/10)),     (g/g*)^(1/5) = |C_1| beta
  *
- * by (30). Rounded to the nearest double. */
+ * by (30). The constant is rounded to the nearest double. */
 #define COR_SPHERE_C1 (-1.15344885809528879913)
 
-/* Every function here comes as double, as float (with an f at its end: the double function rounded once), and for
- * arrays of either: y[i] = function(x[i]) for i < n, the same to the last bit. n may be 0, the pointers then NULL. x
+/* Every function has four forms: double, float (its name ends in f; it rounds the double result once), and arrays of
+ * either. An array function sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the pointers may be NULL. x
  * and y may be the same array, but must not overlap otherwise. The same input gives the same bits on every processor:
- * instruction sets are chosen at run time, and none of them changes a result. (Beyond beta = 8, or 16 for eps at zero
- * force, cbrt and log of the C library take part.) */
+ * the library chooses an instruction set at run time, and none changes a result. (Beyond beta = 8, or 16 for eps at
+ * zero force, the functions call cbrt and log of the C library.) */
 #define COR_SPHERE_DECLARE_(quantity)                                                                                  \
     COR_API double cor_sphere_##quantity(double x);                                                                    \
     COR_API float cor_sphere_##quantity##f(float x);                                                                   \
     COR_API void cor_sphere_##quantity##_array(const double *x, double *y, size_t n);                                  \
     COR_API void cor_sphere_##quantity##_arrayf(const float *x, float *y, size_t n);
 
-/* double cor_sphere_eps_zero_overlap(double beta), cor_sphere_eps_zero_force: restitution coefficient at an end.
+/* double cor_sphere_eps_zero_overlap(double beta), cor_sphere_eps_zero_force: restitution coefficient for the end of
+ * contact that the name says.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_EPS_MAX_ULP. 0 <= eps <= 1, and from one double beta to the next eps
  * never rises by more than one unit of its last place.
  * Large beta: h*^5 beta^-5, h*^5 = 5.1583817..., exact in double precision from beta = 7 on (zero overlap);
@@ -78,23 +78,24 @@ extern "C" {
 COR_SPHERE_DECLARE_(eps_zero_overlap)
 COR_SPHERE_DECLARE_(eps_zero_force)
 
-/* double cor_sphere_loss_zero_overlap(double beta), cor_sphere_loss_zero_force: 1 - eps, with relative accuracy where
- * the subtraction would have none: it tends to |C_1| beta as beta -> 0, down to the smallest subnormal.
+/* double cor_sphere_loss_zero_overlap(double beta), cor_sphere_loss_zero_force: 1 - eps. The relative accuracy holds
+ * where a subtraction would cancel: the loss tends to |C_1| beta as beta -> 0, down to the smallest subnormal.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_LOSS_MAX_ULP.
  * Special values: +-0 -> 0, +inf -> 1; negative and NaN -> NaN. Source: as eps. */
 COR_SPHERE_DECLARE_(loss_zero_overlap)
 COR_SPHERE_DECLARE_(loss_zero_force)
 
-/* double cor_sphere_beta_zero_overlap(double eps), cor_sphere_beta_zero_force: the inverse, the beta that has this
- * eps at an end.
- * Domain: 0 <= eps <= 1. Accuracy: COR_SPHERE_BETA_MAX_ULP for the double eps as it is given. (Near eps = 1 a change of
- * its last place is a large change of beta = (1 - eps)/|C_1|: the condition number is eps/(1 - eps).)
+/* double cor_sphere_beta_zero_overlap(double eps), cor_sphere_beta_zero_force: the inverse functions, which return the
+ * beta that has this eps.
+ * Domain: 0 <= eps <= 1. Accuracy: COR_SPHERE_BETA_MAX_ULP with the given double eps taken as exact. (Near eps = 1,
+ * where beta is (1 - eps)/|C_1|, one unit of the last place of eps changes beta much: the condition number is eps/(1 -
+ * eps).)
  * Special values: 1 -> 0, +-0 -> +inf; outside [0, 1] and NaN -> NaN. Source: as eps. */
 COR_SPHERE_DECLARE_(beta_zero_overlap)
 COR_SPHERE_DECLARE_(beta_zero_force)
 
 /* double cor_sphere_duration_zero_overlap(double beta), cor_sphere_duration_zero_force: duration of the contact, in
- * units of (rho/m)^(-2/5) g^(-1/5) of contact.h.
+ * units of (rho/m)^(-2/5) g^(-1/5), s.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_TIME_MAX_ULP.
  * Large beta: (10/3) beta ln(beta) (zero overlap); beta^(-2/3) (2.9119... ln(beta) + 0.5292...) (zero force).
  * Special values: +-0 -> 2 tau_0 of (51), 3.2180...; +inf -> +inf (zero overlap), 0 (zero force); negative and
@@ -108,32 +109,35 @@ COR_SPHERE_DECLARE_(duration_zero_force)
  * Special values: +-0 -> y_0 of (51), 1.0933...; +inf -> 0; negative and NaN -> NaN. Source: (57) to (62). */
 COR_SPHERE_DECLARE_(max_overlap)
 
-/* double cor_sphere_time_of_max_overlap(double beta): when it is reached, in units of (rho/m)^(-2/5) g^(-1/5).
+/* double cor_sphere_time_of_max_overlap(double beta): the time at which the overlap is largest, in units of
+ * (rho/m)^(-2/5) g^(-1/5).
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_TIME_MAX_ULP.
  * Large beta: beta^(-2/3) (1.4559... ln(beta) + 0.4112...).
  * Special values: +-0 -> tau_0 of (51), 1.6090...; +inf -> 0; negative and NaN -> NaN. Source: (51) to (56). */
 COR_SPHERE_DECLARE_(time_of_max_overlap)
 
-/* ---- Damping while approaching only ----
+/* ---- Damping during the approach only ----
  *
- * Some simulators damp the force while the bodies approach and let it be elastic from the turning point on (law.h,
- * approach_only). The approach is that of the full law, so that with its largest overlap
+ * Some simulators damp the force while the bodies approach, and use the elastic force alone from the turning point on
+ * (law.h, approach_only). The approach and its largest overlap x_max are those of the full law, so that
  *
  *     eps = sqrt((4/5) x_max^(5/2)),     duration = time of the largest overlap + tau_0 eps^(-1/5)
  *
- * double cor_sphere_eps_approach_only(double beta), cor_sphere_loss_approach_only: eps, and 1 - eps with relative accuracy.
+ * double cor_sphere_eps_approach_only(double beta), cor_sphere_loss_approach_only: eps, and 1 - eps with relative
+ * accuracy.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_APPROACH_MAX_ULP, sampled in tests/accuracy.
  * Small beta: 1 - eps tends to |C_1| beta/2. Large beta: sqrt(4/5) (3/2)^(5/6) beta^(-5/6).
  * Special values: +-0 -> 1 (loss 0), +inf -> 0 (loss 1); negative and NaN -> NaN.
  *
- * double cor_sphere_beta_approach_only(double eps), cor_sphere_beta_of_loss_approach_only(double loss): the inverse, from eps
- * or from 1 - eps. Domain: 0 to 1. Accuracy: COR_SPHERE_APPROACH_MAX_ULP for the double as it is given.
+ * double cor_sphere_beta_approach_only(double eps), cor_sphere_beta_of_loss_approach_only(double loss): the inverse
+ * functions, from eps or from 1 - eps.
+ * Domain: 0 to 1. Accuracy: COR_SPHERE_APPROACH_MAX_ULP with the given double taken as exact.
  * Special values: eps 1, loss 0 -> 0; eps 0, loss 1 -> +inf, and +inf where beta is beyond the largest double; outside
  * [0, 1] and NaN -> NaN.
  *
  * double cor_sphere_duration_approach_only(double beta): in the unit of the other durations.
- * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_TIME_MAX_ULP. Special values: +-0 -> 2 tau_0, +inf -> +inf; negative and
- * NaN -> NaN. */
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_TIME_MAX_ULP. Special values: +-0 -> 2 tau_0, +inf -> +inf; negative
+ * and NaN -> NaN. */
 #define COR_SPHERE_APPROACH_MAX_ULP 2.0
 COR_SPHERE_DECLARE_(eps_approach_only)
 COR_SPHERE_DECLARE_(loss_approach_only)
@@ -143,7 +147,7 @@ COR_SPHERE_DECLARE_(duration_approach_only)
 
 #undef COR_SPHERE_DECLARE_
 
-/* ---- Approximations of 1999, kept as what they are. None of them is the answer. ---- */
+/* ---- Approximations published in 1999, as they were published. Call them only to reproduce old results. ---- */
 
 /* The constant d of (22), rounded to the nearest double:
  *
@@ -152,14 +156,14 @@ COR_SPHERE_DECLARE_(duration_approach_only)
  * 2 delta d = |C_1| beta, where delta = (5/4)^(3/5) beta is (14). */
 #define COR_SPHERE_SIMPLE_D 0.504454894269828315974
 
-/* Bound on the rounding error of the three functions below, each as the formula it is, in units of
- * the last place of its value. */
+/* Bound on the rounding error of the three functions below, against the exact value of each formula, in units of the
+ * last place. */
 #define COR_SPHERE_EPS_SIMPLE_MAX_ULP 12.0
 
 /* The simple theory: the root in [0, 1] of eps + 2 delta d eps^(3/5) = 1, (27).
- * It shares C_1 and C_2 with eps at zero overlap and no more: it is 1.6 % too large at beta = 0.5,
- * 11 % at 1, 88 % at 2, and falls like beta^(-5/3) instead of beta^(-5). Against eps at zero force
- * it is 2 %, 7 % and 16 % too small there.
+ * Only its C_1 and C_2 agree with eps at zero overlap. Against that eps the root is 1.6 % too large at beta = 0.5, 11 %
+ * at 1, 88 % at 2, and falls like beta^(-5/3) instead of beta^(-5). Against eps at zero force it is 2 %, 7 % and 16 %
+ * too small at the same beta.
  * Domain: 0 <= beta <= inf.
  * Accuracy as the solution of (27): COR_SPHERE_EPS_SIMPLE_MAX_ULP, sampled.
  * Special values: +-0 -> 1, +inf -> 0, negative or NaN -> NaN. */
@@ -181,10 +185,10 @@ COR_API double cor_sphere_eps_simple_fraction(double beta, int depth);
  *     (1 + d_1 s)/(1 + d_2 s + d_3 s^2 + d_4 s^3 + d_5 s^4),     s = (g/g*)^(1/5) = |C_1| beta,
  *     d_1 ... d_5 = 2.5839, 3.5839, 2.9839, 1.1487, 0.3265
  *
- * Wrong: its a_3 and a_4 are (docs/derivation.md), and it follows from the series cut after a_4.
- * Against eps at zero overlap it is 0.6 % too large at beta = 0.5, 5 % at 1, 51 % at 2, a factor
- * 3.3 at 3, and falls like beta^(-3) instead of beta^(-5). Here to reproduce old simulations and
- * figures; for the answer call cor_sphere_eps_zero_overlap.
+ * It is inaccurate for two reasons: the published a_3 and a_4 are wrong (docs/derivation.md), and the series behind it
+ * ends after a_4. Against eps at zero overlap it is 0.6 % too large at beta = 0.5, 5 % at 1, 51 % at 2, a factor 3.3 at
+ * 3, and falls like beta^(-3) instead of beta^(-5). Call it to reproduce old simulations and figures only, and
+ * cor_sphere_eps_zero_overlap for the restitution itself.
  * Domain: 0 <= beta <= inf. Accuracy as (35): COR_SPHERE_EPS_SIMPLE_MAX_ULP, sampled.
  * Special values: +-0 -> 1, +inf -> 0, negative or NaN -> NaN. */
 COR_API double cor_sphere_eps_published_pade(double beta);

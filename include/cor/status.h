@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What functions that can fail return: COR_OK = 0 or a positive status. */
+/* Functions that can fail return COR_OK = 0 or a positive status. */
 #ifndef COR_STATUS_H
 #define COR_STATUS_H
 
@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/* Numbers are part of the interface: a new status gets the next number, none is used again. */
+/* The numbers are part of the interface: a new status gets the next number, and no number is used again. */
 enum cor_status {
     COR_OK = 0,
     COR_ERROR_NULL = 1,             /* a pointer is NULL */
@@ -25,31 +25,31 @@ enum cor_status {
     COR_ERROR_RANGE = 11,           /* a result overflows or underflows a double */
     /* disk.h */
     COR_ERROR_DISK_POISSON_RATIO = 12, /* outside (-1, 1), or NaN */
-    COR_ERROR_DATUM = 13,              /* no enum cor_disk_datum */
+    COR_ERROR_DATUM = 13,              /* not a value of enum cor_disk_datum */
     COR_ERROR_SPEED = 14,              /* negative, NaN, or beyond the domain of the contact law */
-    COR_ERROR_MODES = 15,              /* no modes, more than the table has, or a table out of order */
+    COR_ERROR_MODES = 15,              /* zero modes, more than the table has, or a table out of order */
     COR_ERROR_TOLERANCE = 16,          /* not between 0 and 1, or NaN */
     COR_ERROR_FILE = 17,               /* cannot be opened or read */
-    COR_ERROR_FILE_VERSION = 18,       /* no mode file, or one of another version */
-    COR_ERROR_FILE_DAMAGED = 19,       /* a mode file that is not as it was written */
-    COR_ERROR_CAPACITY = 20,           /* an array is too small for what it should hold */
-    /* results are given, and not what they should be */
+    COR_ERROR_FILE_VERSION = 18,       /* not a mode file, or a mode file of another version */
+    COR_ERROR_FILE_DAMAGED = 19,       /* the checks of a mode file fail */
+    COR_ERROR_CAPACITY = 20,           /* an array is too small for its results */
+    /* The functions return these together with results, which are less than was asked for. */
     COR_BEYOND_THEORY = 21,         /* a collision too violent for perturbation theory */
-    COR_TOLERANCE_NOT_REACHED = 22, /* too few modes in the table, or steps that do not agree */
+    COR_TOLERANCE_NOT_REACHED = 22, /* the table has too few modes, or the extrapolated steps disagree */
     COR_WALL_NOT_TOUCHED = 23,      /* a disk that does not move towards the wall */
     COR_CONTACT_NOT_ENDED = 24,     /* a contact longer than the steps allowed */
     /* disk.h, full dynamics */
     COR_ERROR_ALPHA = 25,      /* hardness of the wall not positive, infinite or NaN */
     COR_ERROR_PHI_POINTS = 26, /* more angles than COR_DISK_COLLISION_MAX_PHI_POINTS */
-    COR_ERROR_WORKSPACE = 27,  /* a workspace smaller than what the function asks for */
-    COR_ERROR_MEMORY = 28,     /* no memory for a workspace */
+    COR_ERROR_WORKSPACE = 27,  /* a workspace is smaller than the size function says */
+    COR_ERROR_MEMORY = 28,     /* the allocation of a workspace failed */
     /* contact.h, plates */
     COR_ERROR_DENSITY = 29,  /* not positive, infinite or NaN */
     COR_ERROR_THICKNESS = 30 /* not positive, infinite or NaN */
 };
 
-/* One English sentence for a status, without a newline; never NULL: a number that is no status gets
- * a sentence that says so. The string is constant and lives as long as the program. */
+/* One English sentence for a status, without a newline. The result is never NULL: a number that is no status gets a
+ * sentence that says so. The string is constant and lives as long as the program. */
 COR_API const char *cor_status_text(int status);
 
 #ifdef __cplusplus

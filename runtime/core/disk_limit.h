@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The table of generated/disk_limits.h and its evaluation, which corgen shares: 1 - eps^2 over the plane of x = v^(1/8)
- * and nu. The plane is cut into cells, and cells in which a polynomial is not good enough into four, and so on. A cell
- * holds the values on a grid of 4 x 4 points, its corners included, and is evaluated by the polynomial of degree 3 in x
- * and in nu through them. x makes speeds denser the faster they are: 0.002 and 0.2 are as far apart as 2e-7 and 0.002.
+ * and nu. The plane is divided into cells. A cell in which a polynomial is not accurate enough is divided into four,
+ * repeatedly. A cell holds the values on a grid of 4 x 4 points, its corners included. The polynomial of degree 3 in x
+ * and in nu through these values is evaluated. The grid in x is denser for faster disks: 0.002 and 0.2 are as far apart
+ * as 2e-7 and 0.002.
  * */
 #ifndef COR_RUNTIME_CORE_DISK_LIMIT_H
 #define COR_RUNTIME_CORE_DISK_LIMIT_H
@@ -19,15 +20,15 @@ struct cor_disk_limit_cell {
 };
 
 struct cor_disk_limit_table {
-    int x_roots, nu_roots; /* cells before any is cut */
+    int x_roots, nu_roots; /* number of cells before any division */
     double x_first, x_step, nu_first, nu_step;
-    /* of the roots, x fastest, and of the quarters of a cell: the cell's number, or, negative, less the place of the
-     * first of its four quarters */
+    /* nodes of the undivided plane, x fastest, and of the quarters of cells. A node is the number of a cell, or minus
+     * the place of the first of its four quarters. */
     const int16_t *node;
     const struct cor_disk_limit_cell *cell;
 };
 
-/* Place in the plane: 0 to x_roots and 0 to nu_roots */
+/* Coordinates in the plane: 0 to x_roots and 0 to nu_roots */
 static inline double cor_disk_limit_x(const struct cor_disk_limit_table *table, double speed)
 {
     return (sqrt(sqrt(sqrt(speed))) - table->x_first) / table->x_step;
@@ -38,7 +39,8 @@ static inline double cor_disk_limit_nu(const struct cor_disk_limit_table *table,
     return (nu - table->nu_first) / table->nu_step;
 }
 
-/* The cell that holds a place, and the place in it, 0 to 1; places beyond the plane are taken to its edge. */
+/* The cell that contains a point, and the coordinates in the cell, 0 to 1. Points outside the plane are moved to its
+ * edge. */
 static inline const struct cor_disk_limit_cell *cor_disk_limit_find(const struct cor_disk_limit_table *table, double x,
                                                                     double nu, double *x_in, double *nu_in)
 {
@@ -57,7 +59,7 @@ static inline const struct cor_disk_limit_cell *cor_disk_limit_find(const struct
     return &table->cell[number];
 }
 
-/* Lagrange's weights of the places 0, 1/3, 2/3, 1 at t */
+/* Weights of Lagrange's interpolation at t from the points 0, 1/3, 2/3, 1 */
 static inline void cor_disk_limit_weights(double t, double weight[COR_DISK_LIMIT_SIDE])
 {
     const double a = 3 * t, b = a - 1, c = a - 2, d = a - 3;

@@ -11,7 +11,7 @@ double cor_dissipation_time_viscous_s(double eta1_pa_s, double eta2_pa_s, double
     if (!(eta1_pa_s >= 0 && eta1_pa_s <= DBL_MAX && eta2_pa_s >= 0 && eta2_pa_s <= DBL_MAX && young_modulus_pa > 0 &&
           young_modulus_pa <= DBL_MAX && nu > -1 && nu <= 0.5))
         return NAN;
-    /* powers of two apart, so that only the result can overflow or underflow */
+    /* powers of two are kept apart, so that only the result can overflow or underflow */
     int eta_exponent = 0, young_exponent;
     const double most = eta1_pa_s > eta2_pa_s ? eta1_pa_s : eta2_pa_s, young = frexp(young_modulus_pa, &young_exponent);
     if (most == 0)

@@ -1,31 +1,33 @@
 /* SPDX-License-Identifier: MIT */
-/* Roots, exponentials and logarithms of pairs hi + lo without a call, a jump or a table. A loop over them vectorises,
- * and every processor, compiler and C library gives the same bits. */
+/* Roots, exponentials and logarithms of pairs hi + lo without a call, a jump or a table. Compilers vectorise loops over
+ * them, and every processor, compiler and C library gives the same bits. */
 #ifndef COR_RUNTIME_ELEMENTARY_H
 #define COR_RUNTIME_ELEMENTARY_H
 
 #include "runtime/core/exact.h"
 
-/* A call left in a loop would keep the loop from being vectorised. */
+/* A function call in a loop would prevent the vectorisation of the loop. */
 #ifdef __GNUC__
 #define COR_KERNEL static inline __attribute__((always_inline))
 #else
 #define COR_KERNEL static inline
 #endif
 
-/* x + 1.5 2^52 - 1.5 2^52 is x rounded to a whole number k, |x| < 2^51; the last bits of k + 1.5 2^52 are k. */
+/* For |x| < 2^51, x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer k. The last bits of k + 1.5 2^52 are k. */
 #define COR_KERNEL_INTEGER 6755399441055744.0
 
-/* ln(2) in two parts: 32 bits, so that its product with an integer below 2^20 is exact, and the rest to 2^-87 */
+/* ln(2) in two parts. The head has 32 bits, so that its product with an integer below 2^20 is exact. The tail completes
+ * it to 2^-87. */
 #define COR_KERNEL_LN2_HEAD 6.93147180369123816490e-01
 #define COR_KERNEL_LN2_TAIL 1.90821492927058770002e-10
 
-/* Polynomials with coefficients c[0], c[1], ... in x, whose powers are x2, x4, ...: short chains of operations. */
+/* Polynomials in x with coefficients c[0], c[1], ...; x2, x4, ... are powers of x. The chains of dependent operations
+ * are short. */
 #define COR_POLYNOMIAL_4(c, x, x2) (((c)[0] + (c)[1] * (x)) + ((c)[2] + (c)[3] * (x)) * (x2))
 #define COR_POLYNOMIAL_8(c, x, x2, x4) (COR_POLYNOMIAL_4(c, x, x2) + COR_POLYNOMIAL_4((c) + 4, x, x2) * (x4))
 
-/* Every polynomial of the kernels interpolates its function at Chebyshev's points of its interval, and its coefficients
- * are rounded once. tests/accuracy/test_polynomials.c proves the errors stated. */
+/* Every polynomial of the kernels interpolates its function at the Chebyshev points of its interval, with coefficients
+ * rounded once. tests/accuracy/test_polynomials.c proves the stated errors. */
 
 /* (e^x - 1 - x)/x^2 for |x| <= 0.3467: the error times x^2 is below 2^-60. */
 static const double cor_kernel_exp_polynomial[11] = {
@@ -58,7 +60,7 @@ COR_KERNEL struct cor_inline_pair cor_pair(double hi, double lo)
     return x;
 }
 
-/* The sum of any two numbers, exact */
+/* The exact sum of any two numbers */
 COR_KERNEL struct cor_inline_pair cor_pair_two_sum(double x, double y)
 {
     const double hi = x + y, part = hi - x;
@@ -77,7 +79,7 @@ COR_KERNEL struct cor_inline_pair cor_pair_scaled(struct cor_inline_pair x, doub
     return cor_pair(x.hi * power_of_two, x.lo * power_of_two);
 }
 
-/* sqrt(x) from the double `root` and from 1/root, of which a few bits are enough: relative error 2^-100 */
+/* sqrt(x) from the double `root` and a rough 1/root: relative error 2^-100 */
 COR_KERNEL struct cor_inline_pair cor_pair_root_with(struct cor_inline_pair x, double root, double about_inverse)
 {
     const struct cor_inline_pair square = cor_inline_product(root, root);
@@ -91,7 +93,7 @@ COR_KERNEL struct cor_inline_pair cor_pair_root(struct cor_inline_pair x)
     return cor_pair_root_with(x, root, 1 / root);
 }
 
-/* x/d from `inverse`, 1/d within a few units of the last place: relative error 2^-100 */
+/* x/d from `inverse`, which is 1/d within a few units of the last place: relative error 2^-100 */
 COR_KERNEL struct cor_inline_pair cor_pair_over_with(struct cor_inline_pair x, struct cor_inline_pair d, double inverse)
 {
     const double q = x.hi * inverse;
@@ -104,7 +106,7 @@ COR_KERNEL struct cor_inline_pair cor_pair_over(struct cor_inline_pair x, struct
     return cor_pair_over_with(x, d, 1 / d.hi);
 }
 
-/* The smaller and the larger of two numbers, neither of them NaN, as selections that vectorise */
+/* The smaller and the larger of two numbers, neither of them NaN. Compilers vectorise these selections. */
 COR_KERNEL double cor_kernel_min(double x, double y)
 {
     return x < y ? x : y;
@@ -123,7 +125,8 @@ COR_KERNEL double cor_kernel_power_of_two(double k)
 
 /* ---- exp ---- */
 
-/* exp(-x) = 2^-k (1 + (r + q)), |r| <= ln(2)/2, |q| < |r|/4; r is exact but for the lower half of x, q is rounded. */
+/* exp(-x) = 2^-k (1 + (r + q)), |r| <= ln(2)/2, |q| < |r|/4. r is exact except for the lower half of x; q is
+ * rounded. */
 struct cor_kernel_decay {
     double k, r, q;
 };
@@ -133,7 +136,8 @@ COR_KERNEL struct cor_kernel_decay cor_kernel_decay(struct cor_inline_pair x)
 {
     const double *c = cor_kernel_exp_polynomial;
     const double nearest = (x.hi * 1.4426950408889634 + COR_KERNEL_INTEGER) - COR_KERNEL_INTEGER;
-    const double k = fabs(x.hi) < 0.34 ? 0 : nearest; /* in every rounding mode, so that 1 - exp(-x) keeps its digits */
+    const double k = fabs(x.hi) < 0.34 ? 0 : nearest;   /* 0 in every rounding mode, so that 1 - exp(-x) does not
+                                                       * cancel */
     const double head = k * COR_KERNEL_LN2_HEAD - x.hi; /* exact */
     const struct cor_inline_pair r = cor_inline_sum(head, k * COR_KERNEL_LN2_TAIL - x.lo);
     const double s = r.hi, s2 = s * s, s4 = s2 * s2;
@@ -162,7 +166,7 @@ COR_KERNEL struct cor_inline_pair cor_kernel_exp_minus_pair(struct cor_inline_pa
     return cor_pair_scaled(cor_inline_sum(one, (d.r - (one - 1)) + d.q), cor_kernel_power_of_two(-d.k));
 }
 
-/* 1 - exp(-x), 0 <= x.hi <= 1400, with relative accuracy: 0.9 ulp */
+/* 1 - exp(-x), 0 <= x.hi <= 1400: 0.9 ulp, also where a subtraction would cancel */
 COR_KERNEL double cor_kernel_one_minus_exp_minus(struct cor_inline_pair x)
 {
     const struct cor_kernel_decay d = cor_kernel_decay(x);
@@ -190,7 +194,7 @@ COR_KERNEL struct cor_kernel_split cor_kernel_split(struct cor_inline_pair x)
     return s;
 }
 
-/* -ln of it: relative error 2^-56, near 1 too.
+/* -ln of the number: relative error 2^-56, also near 1.
  * ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)), s = f/(2 + f). */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_of(struct cor_kernel_split x)
 {
@@ -209,7 +213,7 @@ COR_KERNEL struct cor_inline_pair cor_kernel_minus_log(struct cor_inline_pair x)
     return cor_kernel_minus_log_of(cor_kernel_split(x));
 }
 
-/* -ln(1 - loss), 0 <= loss < 1. A small loss is -f itself, in every rounding mode. */
+/* -ln(1 - loss), 0 <= loss < 1. For a small loss f = -loss exactly, in every rounding mode. */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_one_minus(double loss)
 {
     const double eps = 1 - loss;

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The floating-point environment of the caller, put aside: rounding to nearest, no traps, subnormal numbers kept. What
- * runs in between gives the same bits in whatever mode the caller is, and leaves no exception and no errno behind.
+/* Saves the caller's floating-point environment and sets the default: rounding to nearest, no traps, no flushing of
+ * subnormal numbers. Code between the two calls gives the same bits in every mode of the caller, and changes neither
+ * the caller's exceptions nor errno.
  *
  *     const struct cor_environment caller = cor_environment_enter();
  *     ... a call that a compiler cannot look into, or operands and results in volatile variables ...
  *     cor_environment_leave(&caller);
  *
- * Compilers move arithmetic across the two calls, for they do not know that it depends on them. */
+ * Compilers move arithmetic across the two calls, because they do not know that it depends on the environment. */
 #ifndef COR_RUNTIME_ENVIRONMENT_H
 #define COR_RUNTIME_ENVIRONMENT_H
 
@@ -22,7 +23,7 @@ struct cor_environment {
 
 static inline struct cor_environment cor_environment_enter(void)
 {
-    /* exceptions masked, nearest, no flushing to zero; the low six bits are exceptions raised so far */
+    /* all exceptions masked, rounding to nearest, no flushing to zero; the low six bits record the raised exceptions */
     const unsigned ordinary = 0x1f80, raised = 0x3f;
     const struct cor_environment caller = {_mm_getcsr(), errno};
     if ((caller.control & ~raised) != ordinary)

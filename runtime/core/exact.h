@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* Bits of doubles, and sums and products that keep their rounding errors.
+/* Bits of doubles, and sums and products with their rounding errors.
  *
- * Arguments are classified by their bits, as whole numbers: comparisons of floating point raise FE_INVALID for a NaN,
- * and -ffinite-math-only lets a compiler assume that there is none. Factors are split by masking bits, not by
- * Veltkamp's multiplication, so that the results stay right where a compiler fuses multiplications with additions. */
+ * The functions classify arguments by their bits, as integers. Floating-point comparisons raise FE_INVALID for a NaN,
+ * and -ffinite-math-only lets a compiler assume that no NaN occurs. A bit mask splits a factor. Veltkamp's
+ * multiplication would give wrong results where a compiler fuses multiplications with additions. */
 #ifndef COR_RUNTIME_EXACT_H
 #define COR_RUNTIME_EXACT_H
 
 #include "runtime/core/inline.h"
 
-/* Powers of two; hexadecimal constants would be C++17. */
+/* Powers of two, in decimal because hexadecimal constants need C++17. */
 #define COR_INLINE_2_M900 1.18305218616677471e-271
 #define COR_INLINE_2_M500 3.05493636349960468e-151
 #define COR_INLINE_2_M300 4.90909346529772656e-91
@@ -28,7 +28,7 @@
 #define COR_INLINE_2_964 1.55925024182399985e+290
 #define COR_INLINE_2_1000 1.07150860718626732e+301
 
-/* A value that -ffast-math must not rearrange: without it (a + b) - a becomes b. */
+/* Keeps -ffast-math from rearranging a value: otherwise (a + b) - a becomes b. */
 #if defined(__has_builtin) && !defined(__CUDACC__) && !defined(__HIPCC__)
 #if __has_builtin(__builtin_assoc_barrier)
 #define COR_INLINE_KEEP(x) __builtin_assoc_barrier(x)
@@ -54,13 +54,15 @@ COR_INLINE double cor_inline_from_bits(uint64_t bits)
     return x;
 }
 
-/* 0 <= x < end, not for -0 and NaN. Bits of nonnegative doubles have their order, those of negative ones are larger. */
+/* Whether 0 <= x < end; false for -0 and NaN. The bits of nonnegative doubles, read as integers, have the order of the
+ * doubles. The bits of negative doubles are larger. */
 COR_INLINE int cor_inline_below(double x, double end)
 {
     return cor_inline_bits(x) < cor_inline_bits(end);
 }
 
-/* least <= x < end; not for NaN. Of negative numbers and of those below `least` the difference is huge. */
+/* Whether least <= x < end; false for NaN. The unsigned difference is huge for negative numbers and for numbers below
+ * `least`. */
 COR_INLINE int cor_inline_between(double x, double least, double end)
 {
     return cor_inline_bits(x) - cor_inline_bits(least) < cor_inline_bits(end) - cor_inline_bits(least);
@@ -109,7 +111,7 @@ COR_INLINE int cor_inline_is_refused(double x)
     return cor_inline_bits(x) > COR_INLINE_INFINITY_BITS && cor_inline_bits(x) != COR_INLINE_SIGN_BIT;
 }
 
-/* The number that `choice` chooses, by bits: a processor mispredicts half of the jumps where arguments scatter. */
+/* if_true or if_false, selected by bits. A processor would mispredict half of the jumps for scattered arguments. */
 COR_INLINE double cor_inline_choose(int choice, double if_true, double if_false)
 {
     const uint64_t mask = (uint64_t)0 - (uint64_t)(choice != 0);
@@ -122,7 +124,7 @@ COR_INLINE double cor_inline_power_of_two(int k)
     return cor_inline_from_bits((uint64_t)(1023 + k) << 52);
 }
 
-/* x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once: ldexp without its errno */
+/* x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once. Unlike ldexp, this function does not set errno. */
 COR_INLINE double cor_inline_scaled(double x, int k)
 {
     if (k >= -960)
@@ -138,12 +140,12 @@ COR_INLINE double cor_inline_head(double x)
     return cor_inline_from_bits(cor_inline_bits(x) & UINT64_C(0xfffffffff8000000));
 }
 
-/* hi + lo, not added up; |lo| is of the order of hi's last place */
+/* The unevaluated sum hi + lo; |lo| is of the order of hi's last place. */
 struct cor_inline_pair {
     double hi, lo;
 };
 
-/* hi + lo, exactly where |hi| >= |lo| */
+/* hi + lo as a pair, exact where |hi| >= |lo| */
 COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
 {
     struct cor_inline_pair sum;
@@ -152,7 +154,7 @@ COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
     return sum;
 }
 
-/* x y to 2^-104, where nothing underflows */
+/* x y with relative error 2^-104, if nothing underflows */
 COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
 {
     const double xh = cor_inline_head(x), xl = x - xh, yh = cor_inline_head(y), yl = y - yh;
@@ -162,7 +164,7 @@ COR_INLINE struct cor_inline_pair cor_inline_product(double x, double y)
     return product;
 }
 
-/* Relative error of the next two: a few 2^-104 */
+/* The relative error of the next two functions is a few 2^-104. */
 COR_INLINE struct cor_inline_pair cor_inline_pair_times(struct cor_inline_pair x, struct cor_inline_pair y)
 {
     const struct cor_inline_pair p = cor_inline_product(x.hi, y.hi);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Damping while approaching only, for any law on Hertz's elastic force: the approach is the full law's, the rebound elastic,
- * so that eps^2/2 = (2/5) Y^(5/2) with the largest overlap Y of the full law. */
+/* Damping during the approach only, for any law with Hertz's elastic force. The approach is that of the full law and
+ * the rebound is elastic, so that eps^2/2 = (2/5) Y^(5/2) with the largest overlap Y of the full law. */
 #ifndef COR_RUNTIME_HERTZ_APPROACH_ONLY_H
 #define COR_RUNTIME_HERTZ_APPROACH_ONLY_H
 
@@ -23,15 +23,15 @@ COR_INLINE struct cor_inline_pair cor_hertz_eps_approach_only(struct cor_inline_
     return cor_inline_pair_times(power, cor_pair(COR_HERTZ_SPEED, COR_HERTZ_SPEED_TAIL));
 }
 
-/* Y of the same eps: (5/4)^(2/5) eps^(4/5), rounded a few times */
+/* The overlap Y that belongs to eps: (5/4)^(2/5) eps^(4/5), with a few rounding errors */
 COR_INLINE double cor_hertz_overlap_of_eps(double eps)
 {
     const struct cor_inline_pair l = cor_kernel_minus_log(cor_pair(eps, 0));
     return 1.09336207394327805637 * cor_kernel_exp_minus_pair(cor_pair(0.8 * l.hi, 0)).hi;
 }
 
-/* Duration: the time of the largest overlap and, for the elastic rebound of speed eps, half of the elastic duration times
- * eps^(-1/5) = (4/5)^(-1/10) Y^(-1/4) */
+/* Duration: the time of the largest overlap plus that of the elastic rebound. The rebound to the speed eps takes half
+ * of the elastic duration times eps^(-1/5) = (4/5)^(-1/10) Y^(-1/4). */
 COR_INLINE double cor_hertz_duration_approach_only(struct cor_inline_pair overlap, double time_of_max_overlap)
 {
     const struct cor_inline_pair fourth_root = cor_pair_root(cor_pair_root(overlap));

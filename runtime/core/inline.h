@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a function needs to be compiled into its caller by C99, C++11, CUDA and HIP. */
+/* The includes and the attribute with which C99, C++11, CUDA and HIP compile a function into its caller. */
 #ifndef COR_INLINE
 
 #if defined(__CUDACC__) || defined(__HIPCC__)

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The one dispatch by instruction set. A loop is written once, as a kernel, and compiled once for every set that this
- * build has, in <stem>_<set>.c; the functions of one set stand in one row of a table, in the order of the enum. */
+/* The only dispatch by instruction set. A loop is written once, as a kernel. <stem>_<set>.c compiles the kernel for
+ * each set of this build. A table has one row of functions for each set, in the order of the enum. */
 #ifndef COR_RUNTIME_INSTRUCTION_SET_H
 #define COR_RUNTIME_INSTRUCTION_SET_H
 
 /* By increasing width */
 enum cor_instruction_set { COR_PORTABLE, COR_AVX2, COR_AVX512, COR_INSTRUCTION_SETS };
 
-/* X(set) for every set of this build, in that order: to declare its functions, or to write its row. */
+/* X(set) for every set of this build, in the order of the enum. X declares the functions of a set or writes its row. */
 #ifdef COR_X86_SETS
 #define COR_EACH_SET(X) X(portable) X(avx2) X(avx512)
 #else
@@ -27,7 +27,7 @@ static inline int cor_processor_has(int set)
     return set == COR_PORTABLE;
 }
 
-/* The row to take here */
+/* The row for the processor at hand */
 static inline int cor_widest_set(void)
 {
     int set = COR_INSTRUCTION_SETS - 1;

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* exp without a call, a jump or a table, for the loops of disk_rayleigh_kernel.h and disk_collision_kernel.h. */
+/* exp without a call, a jump or a table, for the loops of disk/rayleigh_kernel.h and disk/collision_kernel.h. */
 #ifndef COR_RUNTIME_KERNEL_EXP_H
 #define COR_RUNTIME_KERNEL_EXP_H
 
 #include <stdint.h>
 #include <string.h>
 
-/* A call left in a loop would keep it from being vectorised. */
+/* A function call in a loop would prevent the vectorisation of the loop. */
 #ifdef __GNUC__
 #define KERNEL static inline __attribute__((always_inline))
 #else
@@ -16,7 +16,7 @@
 /* x + 1.5 2^52 - 1.5 2^52 is x rounded to an integer, |x| < 2^51. */
 #define ROUND_TO_INTEGER 6755399441055744.0
 
-/* exp(x), |x| <= 700, and some number beyond. Taylor's series on |r| <= ln(2)/2 as far as 2^-55. */
+/* exp(x) for |x| <= 700; the result is undefined beyond. Taylor's series on |r| <= ln(2)/2 with terms down to 2^-55. */
 KERNEL double kernel_exp(double x)
 {
     const double shifted = x * 1.4426950408889634 + ROUND_TO_INTEGER, k = shifted - ROUND_TO_INTEGER;
@@ -31,7 +31,7 @@ KERNEL double kernel_exp(double x)
     uint64_t bits;
     double scale;
     memcpy(&bits, &shifted, sizeof bits);
-    bits = (bits + 1023) << 52; /* the integer is in the last bits */
+    bits = (bits + 1023) << 52; /* the last bits hold the integer */
     memcpy(&scale, &bits, sizeof scale);
     return e * scale;
 }

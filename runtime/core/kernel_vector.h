@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Vectors of VECTOR doubles for loops that are compiled once for every instruction set. The set that includes this file
- * defines VECTOR. No set may fuse a multiplication with an addition, and sums must go into the same parts whatever the
- * width of a vector: then all sets give the same bits. */
+ * defines VECTOR. No set may fuse a multiplication with an addition, and sums must have the same parts for every width
+ * of a vector. All sets then give the same bits. */
 #ifndef COR_RUNTIME_KERNEL_VECTOR_H
 #define COR_RUNTIME_KERNEL_VECTOR_H
 
@@ -9,7 +9,7 @@
 
 #include "runtime/core/kernel_exp.h" /* KERNEL */
 
-/* Sums over a row are kept in so many parts, whatever the width of a vector is. */
+/* Sums over a row have this number of parts for every width of a vector. */
 enum { COR_LANES = 8 };
 
 #ifdef __GNUC__
@@ -47,7 +47,7 @@ KERNEL void store(double *to, vector x)
 
 KERNEL vector all(double x)
 {
-#if defined(__GNUC__) && VECTOR == 8 /* what gcc 12 makes one instruction of */
+#if defined(__GNUC__) && VECTOR == 8 /* gcc 12 compiles this to one instruction */
     const vector result = {x, x, x, x, x, x, x, x};
 #elif defined(__GNUC__) && VECTOR == 4
     const vector result = {x, x, x, x};

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "runtime/core/lambert_w.h"
 
-/* Below, the series; above, where the subtraction in t - ln(1 + t) loses two bits at most, iteration. */
+/* Below this t the series applies. Above it the iteration does, where the subtraction in t - ln(1 + t) loses two bits
+ * at most. */
 #define SERIES_END 0.1
 /* t - p for p = sqrt(2 q) <= sqrt(0.2): sum of a_n p^n from n = 2, where t dt/dp = p (1 + t) gives
  *     a_1 = 1,     (n + 1) a_n = a_(n-1) - sum_(i=2)^(n-1) (n + 1 - i) a_i a_(n+1-i).
- * It converges for p < sqrt(4 pi); what is left out is below 2^-57 p. */
+ * The series converges for p < sqrt(4 pi). The omitted terms are below 2^-57 p. */
 static double series_rest(double p)
 {
     static const double a[] = {1.0 / 3,
@@ -29,7 +30,7 @@ static double series_rest(double p)
     return p2 * (low + high * (p4 * p4));
 }
 
-/* ln(x) to 0.03, from the bits */
+/* ln(x) from the bits, with absolute error 0.03 */
 static double rough_log(double x)
 {
     const double two52 = 4503599627370496.0;
@@ -51,9 +52,10 @@ struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q)
         t.lo = (((2 * q.hi - square.hi) - square.lo) + 2 * q.lo) / (2 * p) + series_rest(p);
         return t;
     }
-    /* y = 1 + t, y (1 + e) the next. With r = q - (t - ln(1 + t)) the change e obeys t e + e - ln(1 + e) = r: the
-     * fourth-order step of Fritsch, Shafer and Crowley (1973) brings e from 0.6 % to 5e-12, Newton's to 2^-78. y - 1 is
-     * exact, and so is q - t in two parts; what is lost is half an ulp of ln(y), and (1 + t)/t times that is in t. */
+    /* y = 1 + t, and the next y is y (1 + e). With r = q - (t - ln(1 + t)), e solves t e + e - ln(1 + e) = r. The
+     * fourth-order step of Fritsch, Shafer and Crowley (1973) reduces e from 0.6 % to 5e-12, and a step of Newton's
+     * method then reduces it to 2^-78. y - 1 and, in two parts, q - t are exact. The rounding error is half an ulp of
+     * ln(y), which t receives times (1 + t)/t. */
     double y =
         q.hi < 3 ? 1 + p * (1 + p * (1.0 / 3 + p * (1.0 / 36 - p * (1.0 / 270)))) : 1 + q.hi + rough_log(3 + q.hi);
     double u = y - 1;
@@ -107,7 +109,7 @@ struct cor_inline_pair cor_log_ratio_near(struct cor_inline_pair a, double x)
     const double d = difference / x;
     q.hi = log1p(d);
     q.lo = 0;
-    if (d > COR_INLINE_2_M500) { /* what the quotient lacks */
+    if (d > COR_INLINE_2_M500) { /* remainder of the quotient */
         const struct cor_inline_pair back = cor_inline_product(d, x);
         q.lo = ((difference - back.hi) - back.lo) / (x + difference);
     }

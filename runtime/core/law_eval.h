@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The evaluator of any law's tables, x'' + beta x^b x' + x^a = 0: eps, 1 - eps, times, the largest overlap and beta of
- * eps, for every beta. What it needs of a law stands in structs that functions of the generated header fill with
- * constants, so a compiler leaves of each function what the law has.
+ * eps, for every beta. Functions of the generated header fill structs with the constants of a law. A compiler therefore
+ * drops the parts of each function that the law does not need.
  *
- * From beta = 0 on a quantity is, in this order (docs/derivation.md, 9; form: docs/header-format.md):
+ * With increasing beta a quantity is given by (docs/derivation.md, 9; form: docs/header-format.md):
  *
  *   near     a row on a grid in beta or a root of it; eps is 1 minus that of the loss
  *   middle   a row by octaves of beta
@@ -19,15 +19,15 @@
 
 #include "runtime/core/row.h"
 
-/* The structs below are constants of each caller only where the functions that take them are a part of it: otherwise
- * copies of them cost several times the evaluation. */
+/* Functions with the structs below as arguments must be inlined, so that the structs are constants of each caller.
+ * Otherwise their copies cost several times the evaluation. */
 #if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
 #define COR_INLINE_LAW COR_INLINE __attribute__((always_inline))
 #else
 #define COR_INLINE_LAW COR_INLINE
 #endif
 
-/* ---- what a law is made of ---- */
+/* ---- the data of a law ---- */
 
 /* Rows on a grid (kind 1), by octaves (kind 2), or none (kind 0), used up to `end` of their variable */
 struct cor_inline_law_table {
@@ -36,7 +36,7 @@ struct cor_inline_law_table {
     struct cor_inline_grid grid;
     struct cor_inline_octaves octaves;
     double end;
-    int root; /* a grid is one in the root-th root of its variable */
+    int root; /* the variable of a grid is the root-th root of beta */
 };
 
 struct cor_inline_law_power {
@@ -46,22 +46,22 @@ struct cor_inline_law_power {
 /* One quantity of one law. For eps, `near` is (1 - eps)/beta. */
 struct cor_inline_law_quantity {
     struct cor_inline_law_table near, middle, below, tail;
-    const double *(*far)(int); /* a_0, a_0', a_1, a_1', a_2, ..., a_8; or, with far_kind 2, v_f and its rest */
-    int far_kind;              /* 0: nothing beyond, 1, 2 */
+    const double *(*far)(int); /* a_0, a_0', a_1, a_1', a_2, ..., a_8; or, with far_kind 2, v_f and its remainder */
+    int far_kind;              /* 0: no far part; 1: sum; 2: power */
     struct cor_inline_law_power power, far_power; /* of the tail's rows and of the far sum */
     struct cor_inline_law_power mu;               /* mu = beta^(-num/den) */
     const double *(*fall)(int);                   /* a further term of the duration at zero overlap */
     int has_fall;
     struct cor_inline_law_power fall_power;
-    struct cor_inline_pair threshold;   /* beta_c, hi = 0: none */
-    double beyond;                      /* from the threshold on */
-    double infinite;                    /* at beta = infinity */
+    struct cor_inline_pair threshold;   /* beta_c; hi = 0 without a threshold */
+    double beyond;                      /* value from the threshold on */
+    double infinite;                    /* value at beta = infinity */
     int linear;                         /* q = 0: eps at zero overlap is exp(-pi beta/sqrt(beta_c^2 - beta^2)) */
-    struct cor_inline_pair critical;    /* beta_c^2 = 2 (a + 1) there */
-    struct cor_inline_law_power fading; /* (a - 1)/(a + 1) there: `below` is the duration times eps^fading */
+    struct cor_inline_pair critical;    /* beta_c^2 = 2 (a + 1) for q = 0 */
+    struct cor_inline_law_power fading; /* (a - 1)/(a + 1) for q = 0: `below` is the duration times eps^fading */
 };
 
-/* The inverse of an eps: rows of beta/(1 - eps) next to eps = 1, and of beta by octaves of eps. */
+/* The inverse of an eps: rows of beta/(1 - eps) near eps = 1, and rows of beta by octaves of eps */
 struct cor_inline_law_inverse {
     struct cor_inline_law_table near, rows;
 };
@@ -133,7 +133,7 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_of(double hi, double lo)
     return x;
 }
 
-/* x + y exactly, whichever is larger */
+/* x + y exactly, for x and y in any order */
 COR_INLINE struct cor_inline_pair cor_inline_two_sum(double x, double y)
 {
     const double hi = COR_INLINE_KEEP(x + y), part = COR_INLINE_KEEP(hi - x);
@@ -153,17 +153,17 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_power(struct cor_inline_pair x
     return cor_inline_pair_times(power, x);
 }
 
-/* hi's exponent e, 2^e <= |hi| < 2^(e+1), of a normal number */
+/* the exponent e of a normal number x, 2^e <= |x| < 2^(e+1) */
 COR_INLINE int cor_inline_exponent_of(double x)
 {
     return (int)((cor_inline_bits(x) >> 52) & 2047) - 1023;
 }
 
-/* (hi + lo) 2^k rounded once, for hi > 0 and any k */
+/* (hi + lo) 2^k, rounded once, for hi > 0 and any k */
 COR_INLINE double cor_inline_pair_scaled(struct cor_inline_pair x, int k)
 {
     const int e = cor_inline_exponent_of(x.hi), total = e + k;
-    const double unit = cor_inline_power_of_two(-e), y = x.hi * unit + x.lo * unit; /* about 1 to 2 */
+    const double unit = cor_inline_power_of_two(-e), y = x.hi * unit + x.lo * unit; /* about between 1 and 2 */
     if (total < -1100)
         return 0;
     if (total < -960)
@@ -187,9 +187,9 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_root(struct cor_inline_pair x)
     return cor_inline_sum(r, r * (d * (0.5 - d * (0.125 - d * 0.0625))));
 }
 
-/* (x 2^e)^(num/den) as a pair times 2^*exponent, 1 <= x.hi < 2. The root r of 26 bits is corrected by the first terms
- * of (1 - d)^(-1/den), d = (m - r^den)/m < 2^-22; its power and the quotient are double-doubles: relative error below
- * 2^-90 for exponents to a few hundred. */
+/* (x 2^e)^(num/den) as a pair times 2^*exponent, 1 <= x.hi < 2. The first terms of (1 - d)^(-1/den), d = (m - r^den)/m
+ * < 2^-22, correct the root r of 26 bits. The power of r and the quotient are double-doubles, so the relative error is
+ * below 2^-90 for exponents up to a few hundred. */
 COR_INLINE struct cor_inline_pair cor_inline_rational_power(struct cor_inline_pair x, int e,
                                                             struct cor_inline_law_power power, int *exponent)
 {
@@ -223,13 +223,13 @@ COR_INLINE struct cor_inline_pair cor_inline_beta_power(double beta, struct cor_
     return cor_inline_rational_power(cor_inline_pair_of(m, 0), e, power, exponent);
 }
 
-/* ln(x) of a normal, finite x >= 1: absolute error below 2^-53, and ln(x) 2^-53 beyond */
+/* ln(x) of a normal, finite x >= 1: absolute error below 2^-53, or below 2^-53 ln(x) for large x */
 COR_INLINE struct cor_inline_pair cor_inline_law_log(double x)
 {
-    /* ln(2) in two parts, the first of 42 bits: its products with exponents are exact */
+    /* ln(2) in two parts; the first has 42 bits, so that its products with exponents are exact */
     const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14;
     const uint64_t fraction = cor_inline_bits(x) & UINT64_C(0xfffffffffffff);
-    /* fractions above sqrt(2) count as below 1, so that |ln(m)| < 0.35: error 2^-54 */
+    /* significands above sqrt(2) are halved, so that |ln(m)| < 0.35: error 2^-54 */
     const double half = cor_inline_from_bits(fraction | UINT64_C(0x3ff0000000000000));
     const int up = half > 1.4142135623730951, e = cor_inline_exponent_of(x) + up;
     return cor_inline_two_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
@@ -270,7 +270,7 @@ COR_INLINE_LAW struct cor_inline_place cor_inline_law_near(struct cor_inline_law
     return cor_inline_place_of(table.rows(i), cor_inline_grid_t(table.grid, y, i));
 }
 
-/* c_0 and the rest of the row of x = hi + lo by octaves */
+/* c_0 and the remainder of the row of x = hi + lo, by octaves */
 COR_INLINE_LAW struct cor_inline_pair cor_inline_law_octave_row(struct cor_inline_law_table table,
                                                                 struct cor_inline_pair x)
 {
@@ -285,14 +285,14 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_q
     const double *c = q.far(0);
     if (q.far_kind == 2)
         return cor_inline_pair_of(c[0], c[1]);
-    /* mu < 6e-8: its rounding errors are nothing, and below exp(-60) so is mu */
+    /* mu < 6e-8, so its rounding errors are negligible; below exp(-60) mu itself is */
     const double v = u.hi, decay = v * q.mu.num / q.mu.den, mu = decay < 60 ? exp(-decay) : 0;
     const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
     const struct cor_inline_pair slope = cor_inline_product(c[2], v), sum = cor_inline_two_sum(slope.hi, c[0]);
     return cor_inline_sum(sum.hi, sum.lo + (((slope.lo + c[2] * u.lo) + c[3] * v) + (c[1] + orders)));
 }
 
-/* The sum of two pairs times powers of two, as one: the first two's exponent is *exponent. */
+/* The sum of two pairs times powers of two. *exponent is the exponent of the first pair, and then of the sum. */
 COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x, int *exponent,
                                                        struct cor_inline_pair y, int y_exponent)
 {
@@ -334,8 +334,8 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_below(struct cor_inline_law
                                       : cor_inline_pair_of(-1, 0);
 }
 
-/* q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c; relative error 2^-90 where
- * eps is not 0, and 1e9 next to beta_c. */
+/* For q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c, with relative error 2^-90
+ * where eps is not 0. Next to beta_c the result is 1e9. */
 COR_INLINE_LAW struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
 {
     const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
@@ -345,7 +345,7 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_linear(struct cor_inline_la
     if (!(om2.hi > 1e-18))
         return cor_inline_pair_of(1e9, 0);
     const struct cor_inline_pair om = cor_inline_pair_root(om2);
-    if (beta < COR_INLINE_2_M300) { /* halves of a product would be subnormal */
+    if (beta < COR_INLINE_2_M300) { /* the halves of a product would be subnormal */
         const struct cor_inline_pair slope = cor_inline_pair_over(pi, om);
         const struct cor_inline_pair l = cor_inline_pair_times(slope, cor_inline_pair_of(beta * COR_INLINE_2_500, 0));
         return cor_inline_pair_of((l.hi + l.lo) / COR_INLINE_2_500, 0);
@@ -389,7 +389,7 @@ COR_INLINE_LAW double cor_inline_law_value(struct cor_inline_law_quantity q, dou
 
 /* ---- eps and 1 - eps ---- */
 
-/* 1 - eps near beta = 0. A tiny beta is scaled, for the products' halves would be subnormal. */
+/* 1 - eps near beta = 0. A tiny beta is scaled, because the halves of the products would be subnormal. */
 COR_INLINE_LAW double cor_inline_law_near_loss(struct cor_inline_law_quantity q, double beta)
 {
     const struct cor_inline_place place = cor_inline_law_near(q.near, beta);
@@ -398,7 +398,7 @@ COR_INLINE_LAW double cor_inline_law_near_loss(struct cor_inline_law_quantity q,
     return cor_inline_row_product(place, beta);
 }
 
-/* eps between the near rows and infinity as a pair times 2^*exponent, hi = 0 where it is 0 */
+/* eps between the near rows and infinity as a pair times 2^*exponent; hi = 0 if eps is 0 */
 COR_INLINE_LAW struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline_law_quantity q, double beta,
                                                                int *exponent)
 {
@@ -445,7 +445,7 @@ COR_INLINE_LAW double cor_inline_law_linear_loss(struct cor_inline_pair l)
     if (l.hi > 60)
         return 1;
     if (l.hi < 0.7) {
-        /* l - l^2/2 as a pair, and what follows: 9 % of the sum at most */
+        /* l - l^2/2 as a pair, and the other terms, at most 9 % of the sum */
         const double x = l.hi; /* x^20/20! is below 2^-71 */
         const double c15 =
             1.0 / 1307674368000.0 -
@@ -507,8 +507,8 @@ COR_INLINE_LAW double cor_inline_law_beta_fallen(struct cor_inline_law_quantity 
     return cor_inline_pair_scaled(beta, exponent);
 }
 
-/* beta below the rows of eps at zero force, eps = beta^power (a_0 + ...): R (1 + x)^s, R = (a_0/eps)^s, s = -1/power,
- * x the orders in mu over a_0, below 1e-5; ln(beta) = ln(R) + s x, iterated twice. */
+/* beta below the rows of eps at zero force, eps = beta^power (a_0 + ...): R (1 + x)^s, R = (a_0/eps)^s, s = -1/power, x
+ * the orders in mu over a_0, below 1e-5; ln(beta) = ln(R) + s x, The code iterates twice. */
 COR_INLINE_LAW double cor_inline_law_beta_far(struct cor_inline_law_quantity q, double eps)
 {
     const double *c = q.far(0);
@@ -534,7 +534,7 @@ COR_INLINE_LAW double cor_inline_law_beta_far(struct cor_inline_law_quantity q, 
     return cor_inline_pair_scaled(cor_inline_sum(root.hi, root.lo + root.hi * more), exponent);
 }
 
-/* The least beta with this eps <= 1/2, below the rows next to eps = 1 */
+/* The smallest beta with this eps <= 1/2, below the rows near eps = 1 */
 COR_INLINE_LAW double cor_inline_law_beta_low(struct cor_inline_law_quantity q, struct cor_inline_law_inverse inverse,
                                               double eps)
 {
@@ -547,8 +547,8 @@ COR_INLINE_LAW double cor_inline_law_beta_low(struct cor_inline_law_quantity q, 
     return q.far_kind == 2 ? cor_inline_law_beta_fallen(q, eps) : cor_inline_law_beta_far(q, eps);
 }
 
-/* What the rounded root of a loss lacks: without it beta/loss, which grows with the root, is off by two units of the last
- * place next to loss = 1/2. Nothing to a small loss. */
+/* The root of a loss less its rounded value. Without it beta/loss, which grows with the root, has an error of two units
+ * of the last place near loss = 1/2. It is nothing for a small loss. */
 COR_INLINE_LAW double cor_inline_law_root_rest(double loss, int root)
 {
     if (root == 1 || loss < 0.00390625)
@@ -558,8 +558,8 @@ COR_INLINE_LAW double cor_inline_law_root_rest(double loss, int root)
     return y * (COR_INLINE_KEEP(COR_INLINE_KEEP(loss - back.hi) - back.lo) / (root * back.hi));
 }
 
-/* The same next to eps = 1, of the loss 0 <= loss <= 1/2. A tiny loss is scaled, for the products' halves would be
- * subnormal. */
+/* The same near eps = 1, from the loss 0 <= loss <= 1/2. A tiny loss is scaled, because the halves of the products
+ * would be subnormal. */
 COR_INLINE_LAW double cor_inline_law_beta_near(struct cor_inline_law_inverse inverse, double loss)
 {
     struct cor_inline_place place = cor_inline_law_near(inverse.near, loss);
@@ -569,7 +569,7 @@ COR_INLINE_LAW double cor_inline_law_beta_near(struct cor_inline_law_inverse inv
     return cor_inline_row_product(place, loss);
 }
 
-/* beta_c loss/pi, of a loss that may be subnormal */
+/* beta_c loss/pi for a loss that may be subnormal */
 COR_INLINE_LAW double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, double loss)
 {
     const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
@@ -583,7 +583,7 @@ COR_INLINE_LAW double cor_inline_law_beta_linear(struct cor_inline_law_quantity 
 {
     const struct cor_inline_pair pi2 = cor_inline_pair_of(9.869604401089358, 6.265295508739711e-16);
     const double l = loss < 0.5 ? -log1p(-loss) : eps == 0 ? 1e9 : -log(eps);
-    if (loss < 1e-100) /* l is loss, and its square underflows */
+    if (loss < 1e-100) /* L equals the loss, and its square underflows */
         return cor_inline_law_linear_slope(q, loss);
     const struct cor_inline_pair square = cor_inline_product(l, l), sum = cor_inline_two_sum(pi2.hi, square.hi);
     const struct cor_inline_pair root = cor_inline_pair_root(cor_inline_sum(sum.hi, sum.lo + (pi2.lo + square.lo)));

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What writer (gen/tables/disk.c) and reader (disk_modes.c) of mode files share; docs/mode-file.md. */
+/* Definitions that the writer (gen/tables/disk.c) and the reader (runtime/disk/modes.c) of mode files share;
+ * docs/mode-file.md. */
 #ifndef COR_RUNTIME_MODE_FILE_H
 #define COR_RUNTIME_MODE_FILE_H
 
@@ -10,8 +11,8 @@
 #define COR_MODE_FILE_VERSION "1"
 #define COR_MODE_FILE_CHECK_START UINT32_C(2166136261)
 
-/* The check that ends each line: FNV-1a, 32 bits, of every byte of the file before it. One wrong byte always changes it,
- * for every step is a bijection. */
+/* The check at the end of each line: FNV-1a, 32 bits, of every byte of the file before the check. One wrong byte always
+ * changes the check, because every step is a bijection. */
 static inline uint32_t cor_mode_file_check(uint32_t check, const char *bytes, size_t n)
 {
     for (size_t i = 0; i < n; i++)

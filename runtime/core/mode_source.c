@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* Free modes of an elastic disk in double arithmetic, COR_MODE_LANES frequencies of one n at a time.
  *
- * Only the quotients a_m = kappa J_(m+1)(kappa)/J_m(kappa) are needed. The ladder a_(m-1) = z/(2m - a_m), z = kappa^2,
- * goes down from any m > kappa without overflow, and the signs of 2m - a_m count the zeros of J_n below kappa, (11.3).
- * With N = n + 1 and u = a_N/(2N), kappa J_n'/J_n = n - a_n has a_n = (z/(2N)) A, A = 1/(1 - u). A is carried as h/d,
- * and A - 1 as k/d, because 1 - A cancels for n > kappa: d = 1 unless |A| > 1, then h = 1, so that nothing overflows
- * where J_n vanishes. In these, and with capitals for kappa', the frequency equation (25) divided by g is
+ * The equation needs only the quotients a_m = kappa J_(m+1)(kappa)/J_m(kappa). The ladder a_(m-1) = z/(2m - a_m), z =
+ * kappa^2, goes down from any m > kappa without overflow, and the signs of 2m - a_m count the zeros of J_n below kappa,
+ * (11.3). Let N = n + 1, u = a_N/(2N) and A = 1/(1 - u). Then kappa J_n'/J_n = n - a_n with a_n = (z/(2N)) A. A is
+ * stored as h/d, and A - 1 as k/d, because 1 - A cancels for n > kappa. d = 1 unless |A| > 1; then h = 1, so that
+ * nothing overflows where J_n vanishes. In these variables, with capital letters for kappa', the frequency equation
+ * (25) divided by g is
  *
  *     -n(n-1)/2 T0 + (g/N) ((n-1)(T1 - s T2/2) + T0/2) = 0        n >= 1
  *     e d - s k = 0                                              n = 0
  *     T0 = e d D - s k D - 2 K d,   T1 = d D,   T2 = h H
  *
- * in which nothing cancels where nu is next to -1 or 1. */
+ * Nothing cancels in it where nu is close to -1 or 1. */
 #include "runtime/core/mode_source.h"
 
 #include <math.h>
@@ -20,7 +21,7 @@
 
 #include "cor/status.h"
 
-/* Bits to which a_n is known, more than a double holds */
+/* Accuracy of a_n in bits, more than a double holds */
 enum { DOUBLE_BITS = 56, START_BITS = 8 };
 enum { LANES = COR_MODE_LANES };
 
@@ -91,7 +92,7 @@ static void wave_set(struct wave *a, long n)
         wave_end(a, i, kappa[i] * quotient[i], n);
 }
 
-/* z d/dz of h, d and k: that of A is N (1 - A) + z A^2/(4N), Riccati's equation for a_n. */
+/* z d/dz of h, d and k. z dA/dz is N (1 - A) + z A^2/(4N), Riccati's equation for a_n. */
 static void wave_derivative(struct wave *to, const struct wave *a, long n)
 {
     const double N = (double)(n + 1);
@@ -108,7 +109,7 @@ struct products {
     double t[3];
 };
 
-/* T0, T1, T2 are bilinear: with derivatives in place of one wave's numbers they are half of the product rule. */
+/* T0, T1, T2 are bilinear. With the derivatives of one wave they are one half of the product rule. */
 static struct products products_of(const struct cor_mode_material *m, const struct wave *a, const struct wave *b, int i)
 {
     const struct products p = {
@@ -116,13 +117,13 @@ static struct products products_of(const struct cor_mode_material *m, const stru
     return p;
 }
 
-/* What g/N multiplies in the equation, times it */
+/* The terms of the equation with the factor g/N, including that factor */
 static double rest_of(struct products p, double s, double g, double n)
 {
     return g / (n + 1) * ((n - 1) * (p.t[1] - s * p.t[2] / 2) + p.t[0] / 2);
 }
 
-/* Both waves of one n, the kinds of one n at LANES frequencies */
+/* Both waves of one n, longitudinal and transverse, at LANES frequencies */
 struct point {
     double w[LANES]; /* omega^2 */
     struct wave a, b;
@@ -140,9 +141,9 @@ static void point_set(struct point *p, const struct cor_mode_material *m, long n
         wave_set(&p->b, n);
 }
 
-/* Negative eigenvalues of the rim's stiffness, free minus clamped, and zeros of both Bessel functions, (11.3). The 2 x
- * 2 matrices have, but for positive factors, det(clamped) = D = x y - n^2, det(free) = F/D, F the left side of the
- * equation, diagonals -y/D and -P/D, P = y + D/g. */
+/* Negative eigenvalues of the rim's stiffness, free minus clamped, and zeros of both Bessel functions, (11.3). Up to
+ * positive factors, the 2 x 2 matrices have det(clamped) = D = x y - n^2, det(free) = F/D, where F is the left side of
+ * the equation, and diagonals -y/D and -P/D, where P = y + D/g. */
 static double count_of(const struct cor_mode_material *m, const struct wave *a, const struct wave *b, int i, long order)
 {
     if (order == 0)
@@ -181,11 +182,11 @@ static void newton_steps(double step[LANES], const struct point *p, const struct
     }
 }
 
-/* C > 0 and S at a root, by the better known row of
+/* C > 0 and S at a root, from the more accurate row of
  *
  *     (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S,      x = n - a_n, y = n - b_n
  *
- * and (11.2): either row alone degenerates for some modes. */
+ * and (11.2). Each row degenerates for some modes. */
 static void set_amplitudes(struct cor_disk_mode *mode, const struct point *p, const struct cor_mode_material *m, int i)
 {
     const double n = mode->n, w = p->w[i], g = m->e * w;
@@ -198,7 +199,7 @@ static void set_amplitudes(struct cor_disk_mode *mode, const struct point *p, co
     const double a = p->a.z[i] * p->a.h[i] / (2 * (n + 1)), b = g * p->b.h[i] / (n + 1);
     double c = n * ((n - 1) * ad - a), s = stiff * ad - a;
     const double c_other = stiff * bd - b, s_other = n * ((n - 1) * bd - b);
-    /* what is left of a row, of the largest of its terms */
+    /* the sum of a row relative to the largest of its terms */
     const double known = (fabs(c) + fabs(s)) / (fabs(stiff * ad) + n * (n * fabs(ad) + fabs(a)));
     const double known_other = (fabs(c_other) + fabs(s_other)) / (fabs(stiff * bd) + n * (n * fabs(bd) + fabs(b)));
     if (known_other > known) {
@@ -223,8 +224,8 @@ long cor_mode_count(const struct cor_mode_material *material, long n, double ome
 
 /* ---- all n at one frequency ---- */
 
-/* With t = g/N^2 < 1/5, a_n <= (s g/(2N))(1 + s t) and b_n <= (g/N)(1 + 2 t), and the equation times n >= 2 keeps the
- * sign it has at omega = 0, being at most -(1 + nu)(n(n-1)/2 - 5 omega^2) there. */
+/* With t = g/N^2 < 1/5, a_n <= (s g/(2N))(1 + s t) and b_n <= (g/N)(1 + 2 t), and for n >= 2 the equation times n keeps
+ * its sign at omega = 0, because it is at most -(1 + nu)(n(n-1)/2 - 5 omega^2). */
 long cor_mode_orders(double omega)
 {
     long n = (long)(omega * sqrt(10.0)) + 2;
@@ -284,19 +285,19 @@ double cor_mode_upper_end(const struct cor_mode_material *material, size_t count
 
 /* ---- the roots of one n ---- */
 
-/* What is known of the root with one more root than `below_low` at or below it */
+/* A bracket of the root with the index `below_low` */
 struct bracket {
     double low, high;
-    long below_low, below_high; /* roots below both ends */
-    double guess;               /* of Newton's method from inside the bracket, NaN if there is none */
+    long below_low, below_high; /* numbers of roots below either end */
+    double guess;               /* result of Newton's method inside the bracket, or NaN */
 };
 
-/* Roots closer than this, relative, are given equal; doubles may not part them. */
+/* Roots with a smaller relative difference are set equal, because doubles may not separate them. */
 #define INSEPARABLE 0x1p-46
-/* A step of Newton's method that is relatively smaller is the last but one. */
+/* After a smaller relative step, Newton's method makes one more step. */
 #define NEARLY_DONE 0x1p-30
 
-/* Takes notice of `below` roots below x, for roots first..end-1. */
+/* Updates the brackets of roots first..end-1 with the number `below` of roots below x. */
 static void tell_brackets(struct bracket *bracket, long first, long end, double x, long below, double guess)
 {
     for (long l = first; l < end; l++) {
@@ -313,7 +314,7 @@ static void tell_brackets(struct bracket *bracket, long first, long end, double 
     }
 }
 
-/* Halves the bracket, or follows Newton's method where only one root is in it. */
+/* Bisects the bracket, or follows Newton's method if the bracket contains one root only. */
 static double next_place(const struct bracket *b)
 {
     const int alone = b->below_high - b->below_low == 1;
@@ -325,7 +326,7 @@ static long clamp_count(double count, long most)
     return count < 0 ? 0 : count > (double)most ? most : (long)count;
 }
 
-/* LANES frequencies spread over the range at a time, so that most brackets begin with one root. */
+/* Evaluates LANES frequencies at a time, spread over the range, so that most brackets begin with one root. */
 static void sweep_range(struct bracket *bracket, const struct cor_mode_material *m, long n, double low, double high,
                         long count)
 {
@@ -345,12 +346,13 @@ static void sweep_range(struct bracket *bracket, const struct cor_mode_material 
     }
 }
 
-/* The modes l[0..LANES-1] of one n, some of which may be the same */
+/* Computes the modes l[0..LANES-1] of one n, some of which may be the same. */
 static void refine_modes(struct cor_disk_mode *mode, struct bracket *bracket, const struct cor_mode_material *m, long n,
                          const long l[LANES], long count)
 {
     struct point p;
-    double omega[LANES], step[LANES], before[LANES]; /* before: length of the step to omega, if it was Newton's */
+    double omega[LANES], step[LANES], before[LANES]; /* before: length of the step to omega, if Newton's method made
+                                                      * it */
     int done[LANES] = {0}, last[LANES] = {0}, left = LANES;
     for (int i = 0; i < LANES; i++) {
         omega[i] = next_place(&bracket[l[i]]);
@@ -375,7 +377,7 @@ static void refine_modes(struct cor_disk_mode *mode, struct bracket *bracket, co
                 left--;
                 continue;
             }
-            /* steps that do not become shorter go round in circles */
+            /* steps that do not become shorter do not converge */
             const int useful = fabs(guess - omega[i]) < 0.5 * before[i];
             tell_brackets(bracket, l[i], l[i] + 1, omega[i], clamp_count(count_of(m, &p.a, &p.b, i, n), count),
                           useful ? guess : NAN);
@@ -463,7 +465,7 @@ int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, 
         status = COR_ERROR_MODES;
     if (status == COR_OK) {
         qsort(all, found, sizeof *all, by_frequency);
-        for (size_t i = 1; i < count; i++) /* doubles may not part two frequencies */
+        for (size_t i = 1; i < count; i++) /* doubles may not separate two frequencies */
             if (!(all[i].omega > all[i - 1].omega))
                 all[i].omega = nextafter(all[i - 1].omega, INFINITY);
         memcpy(mode, all, count * sizeof *mode);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Free modes of an elastic disk in double arithmetic. Nothing here is proved; gen/disk/modes.c encloses and proves what
- * this file finds, and the tests compare both. docs/derivation.md, 11.
+/* Free modes of an elastic disk in double arithmetic. These modes are not proved; gen/disk/modes.c encloses and proves
+ * them, and the tests compare both. docs/derivation.md, 11.
  *
  * With e = 1 + nu, s = 1 - nu and g = e omega^2, the squared arguments of the Bessel functions are z = s g
  * (longitudinal waves, kappa^2) and z = 2 g (transverse waves, kappa'^2). */
@@ -27,28 +27,30 @@ extern const struct cor_mode_loops cor_mode_portable;
 extern const struct cor_mode_loops cor_mode_avx2, cor_mode_avx512;
 #endif
 
-/* e and s are given apart, so that nu next to 1 or -1 keeps its digits. */
+/* e and s are separate, so that nu close to 1 or -1 loses no digits. */
 struct cor_mode_material {
     double e, s;
 };
 
-/* The lowest n from which on no mode is below omega: omega_nl^2 >= n (n - 1)/10 for every n >= 2, l and nu, (11.4). */
+/* The smallest n such that no mode of this or a larger n is below omega: omega_nl^2 >= n (n - 1)/10 for every n >= 2, l
+ * and nu, (11.4). */
 long cor_mode_orders(double omega);
 
-/* Number of modes of one n below omega, and of all n together; off by one where rounding errors reach a root. The
- * translation n = 1, omega = 0 is not counted. */
+/* Number of modes below omega, of one n and of all n. The number is wrong by one if omega is within rounding errors of
+ * a root. The translation n = 1, omega = 0 is not counted. */
 long cor_mode_count(const struct cor_mode_material *material, long n, double omega);
 double cor_mode_total(const struct cor_mode_material *material, double omega);
 
-/* A frequency that has more than `count` modes below it, and few more. */
+/* A frequency with slightly more than `count` modes below it */
 double cor_mode_upper_end(const struct cor_mode_material *material, size_t count);
 
-/* The modes of one n below omega by increasing frequency, as many as cor_mode_count says: mode[0..count-1]. Two modes
- * closer together than doubles can part get the same frequency. COR_OK or COR_ERROR_MEMORY. */
+/* Computes the modes of one n below omega by increasing frequency, mode[0..count-1] with count from cor_mode_count. Two
+ * modes that doubles cannot separate get the same frequency. Returns COR_OK or COR_ERROR_MEMORY. */
 int cor_mode_find(const struct cor_mode_material *material, long n, double omega, struct cor_disk_mode *mode,
                   long count);
 
-/* A rung m > n from which a_m in [z/(2(m+1)), z/(m+1)], true for kappa <= m + 1, gives a_n to `bits` bits. */
+/* A rung m > n such that the ladder from a_m in [z/(2(m+1)), z/(m+1)], which holds for kappa <= m + 1, gives a_n to
+ * `bits` bits. */
 long cor_mode_ladder_start(long n, double kappa, long bits);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Ladders of Bessel functions. Compiled once for every instruction set, in mode_source_<set>.c, and chosen in
- * mode_source.c; all sets give the same bits, see kernel_vector.h. */
+/* Ladders of Bessel functions. mode_source_<set>.c compiles them for its instruction set, and mode_source.c chooses a
+ * set. All sets give the same bits (kernel_vector.h). */
 #ifndef COR_RUNTIME_CORE_MODE_SOURCE_KERNEL_H
 #define COR_RUNTIME_CORE_MODE_SOURCE_KERNEL_H
 
@@ -10,7 +10,7 @@
 #include "runtime/core/mode_source.h"
 
 #ifdef __GNUC__
-typedef __typeof__(all(0) < all(0)) changes; /* -1 where it is so */
+typedef __typeof__(all(0) < all(0)) changes; /* -1 for true */
 #define NO_CHANGES(count) memset(&(count), 0, sizeof(count))
 #define COUNT_CHANGE(count, x, y) ((count) = (count) - ((x) * (y) < all(0)))
 #else
@@ -25,8 +25,8 @@ typedef struct {
     } while (0)
 #endif
 
-/* J_m(kappa) but for a factor, by J_(m-1) = (2m/kappa) J_m - J_(m+1) from `start` down to `end`, and the changes of its
- * sign on the way. Numbers grow by 2^64 at most until they oscillate. */
+/* Computes J_m(kappa) up to a factor by J_(m-1) = (2m/kappa) J_m - J_(m+1), from `start` down to `end`, and counts the
+ * changes of sign. Numbers grow by 2^64 at most until they oscillate. */
 KERNEL void kernel_ladder(const double *two_over_kappa, const double *first_quotient, long start, long end,
                           double *quotient, double *zeros)
 {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of short polynomials on a grid, whatever function they hold: where a number falls, and the row's value there.
+/* Tables of short polynomials on a grid, for any function: these functions find the row of a number and evaluate it.
  *
- * A generated table cor_rows_NAME(i) comes with its geometry in macros COR_ROWS_NAME_FIRST, _STEP, ... (form:
- * docs/header-format.md). The functions below take it as a struct, COR_INLINE_GRID(COR_ROWS_NAME); a compiler makes
- * constants of it. */
+ * Macros COR_ROWS_NAME_FIRST, _STEP, ... give the geometry of a generated table cor_rows_NAME(i); docs/header-format.md
+ * describes the form. The functions below take the geometry as a struct, COR_INLINE_GRID(COR_ROWS_NAME), whose fields a
+ * compiler turns into constants. */
 #ifndef COR_RUNTIME_ROW_H
 #define COR_RUNTIME_ROW_H
 
@@ -13,12 +13,13 @@
  *
  *     c_0' + s (c_1 + c_2 t + ... + c_10 t^9),     columns c[1] to c[11]
  *
- * where s = t, and where s comes later than t. Each pair of terms is multiplied by its own power of t, which is ready
- * before the coefficients are: once they have come, seven operations follow one another, and nine where s is another
- * number; Horner's rule has twenty. Expressions, because the array functions put vectors in them; pN is t^N.
+ * The first macro is for s = t, the second for an s that is known later than t. Each pair of terms has its own power of
+ * t, which is ready before the coefficients are loaded. Seven dependent operations follow the load, nine in the second
+ * macro; Horner's rule has twenty. They are macros because the array functions evaluate them with vectors. pN is t^N.
  *
- * Rounding error: the row is at most a few percent of c_0 + row (docs/accuracy.md), and its relative rounding error
- * some 3 2^-53, so that it is a tenth of a unit of the last place of the sum, whose own rounding is half a unit. */
+ * Rounding error: the row is at most a few percent of c_0 + row (docs/accuracy.md) and has a relative rounding error of
+ * about 3 2^-53. The row therefore contributes a tenth of a unit of the last place of the sum, and the final addition
+ * half a unit. */
 #define COR_INLINE_ROW(c, t, p2, p4, p6, p8, p10)                                                                      \
     ((((c)[1] + (t) * (c)[2]) + (p10) * (c)[11]) +                                                                     \
      (((p2) * ((c)[3] + (c)[4] * (t)) + (p4) * ((c)[5] + (c)[6] * (t))) +                                              \
@@ -29,11 +30,11 @@
             ((p2) * ((c)[4] + (c)[5] * (t)) + ((p4) * ((c)[6] + (c)[7] * (t)) + (p6) * ((c)[8] + (c)[9] * (t))))))
 #define COR_INLINE_COLUMNS 12
 
-/* A place in a table: the row and its variables */
+/* The place of a number in a table: its row and the row's variables */
 struct cor_inline_place {
     const double *row;
     double s, t;
-    int has_s; /* else s = t; a constant where a compiler looks */
+    int has_s; /* 0 if s = t; callers pass a constant, which compilers propagate */
 };
 
 COR_INLINE double cor_inline_row(struct cor_inline_place place)
@@ -50,8 +51,8 @@ COR_INLINE double cor_inline_row_value(struct cor_inline_place place)
     return place.row[0] + cor_inline_row(place);
 }
 
-/* m (c_0 + row) in rows whose c_0 has at most 26 bits, m >= 2^-900: both products of c_0 with a half of m are exact, and
- * only the final addition rounds what counts. */
+/* m (c_0 + row) for m >= 2^-900 and rows whose c_0 has at most 26 bits. Both products of c_0 with a half of m are
+ * exact, so the final addition causes nearly all of the rounding error. */
 COR_INLINE double cor_inline_row_product(struct cor_inline_place place, double m)
 {
     const double head = cor_inline_head(m), tail = m - head;
@@ -70,7 +71,7 @@ COR_INLINE struct cor_inline_place cor_inline_place_of(const double *row, double
 /* ---- uniform grids: node i = first + i step ---- */
 
 struct cor_inline_grid {
-    double first, step, per_unit; /* per_unit = 1/step; all three short, so that products with i are exact */
+    double first, step, per_unit; /* per_unit = 1/step; all three have few bits, so that products with i are exact */
 };
 
 COR_INLINE struct cor_inline_grid cor_inline_grid_of(double first, double step, double per_unit)
@@ -89,13 +90,13 @@ COR_INLINE int cor_inline_grid_row(struct cor_inline_grid grid, double y)
     return (int)((y - grid.first) * grid.per_unit + 0.5);
 }
 
-/* Adding a first node of 0 costs an addition, which no compiler may leave out, for 0 + -0 is 0. */
+/* A compiler may not omit the addition of a first node of 0, because 0 + -0 is 0; the branch saves it. */
 COR_INLINE double cor_inline_grid_node(struct cor_inline_grid grid, int i)
 {
     return grid.first == 0 ? i * grid.step : grid.first + i * grid.step;
 }
 
-/* y - node i. Exact: y and its node are multiples of the last place of y, or of the difference. */
+/* y - node i. The result is exact: y and its node are multiples of the last place of y, or of the difference. */
 COR_INLINE double cor_inline_grid_t(struct cor_inline_grid grid, double y, int i)
 {
     return (y - grid.first) - i * grid.step;
@@ -109,8 +110,8 @@ COR_INLINE struct cor_inline_place cor_inline_grid_place(struct cor_inline_grid 
     return cor_inline_place_of(rows(i), cor_inline_grid_t(grid, y, i));
 }
 
-/* The place of z = sqrt(x) where the rows from `plain` on have s = x - node^2: that is exact, and t has the rounding
- * error of the root, which c_1 would pass on. */
+/* The place of z = sqrt(x). Rows from `plain` on have s = x - node^2, which is exact. t has the rounding error of the
+ * root, and c_1 t would pass that error on. */
 COR_INLINE struct cor_inline_place cor_inline_grid_place_of_root(struct cor_inline_grid grid, int plain, double x,
                                                                  const double *(*rows)(int))
 {
@@ -123,7 +124,7 @@ COR_INLINE struct cor_inline_place cor_inline_grid_place_of_root(struct cor_inli
     return place;
 }
 
-/* ---- grids by octaves: the same cells in every octave 2^k <= x < 2^(k+1), nodes in their middle ---- */
+/* ---- grids by octaves: every octave 2^k <= x < 2^(k+1) has the same cells, with the nodes in their middle ---- */
 
 struct cor_inline_octaves {
     double first; /* a power of two */
@@ -139,13 +140,14 @@ COR_INLINE struct cor_inline_octaves cor_inline_octaves_of(double first, int bit
 }
 #define COR_INLINE_OCTAVES(table) cor_inline_octaves_of(table##_FIRST, table##_OCTAVE_BITS)
 
-/* The row of x: how many cells lie between first and x, for the bits of x rise by the same from cell to cell. */
+/* The row of x: the number of cells between first and x. The bits of x, read as an integer, grow by the same amount
+ * from cell to cell. */
 COR_INLINE uint64_t cor_inline_octaves_row(struct cor_inline_octaves grid, double x)
 {
     return (cor_inline_bits(x) - cor_inline_bits(grid.first)) >> (52 - grid.bits);
 }
 
-/* x 2^-k, 1 <= x 2^-k < 2, less the node of its cell. Exact. */
+/* x 2^-k minus the node of its cell, where 1 <= x 2^-k < 2. The result is exact. */
 COR_INLINE double cor_inline_octaves_t(struct cor_inline_octaves grid, double x)
 {
     const uint64_t one = UINT64_C(0x3ff0000000000000), half_cell = UINT64_C(1) << (51 - grid.bits);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The approximations of 1999, kept as what they are. */
+/* The approximations of 1999, as they were published. */
 #include <math.h>
 
 #include "cor/sphere.h"
@@ -12,16 +12,15 @@ double cor_sphere_eps_simple(double beta)
     if (beta > COR_INLINE_2_900) /* eps falls like beta^(-5/3) */
         return 0;
     const double c = -COR_SPHERE_C1 * beta;
-    /* With y = eps^(1/5), (27) is f(y) = y^3 (y^2 + c) - 1 = 0, increasing and convex for y > 0.
-     * Both 1 and c^(-1/3) lie above the root, and from above Newton's method falls to it, at the
-     * slowest (c near 1) in five steps; the sixth cleans up after cbrt. */
+    /* With y = eps^(1/5), (27) is f(y) = y^3 (y^2 + c) - 1 = 0, increasing and convex for y > 0. Both 1 and c^(-1/3)
+     * lie above the root, and from above Newton's method falls to the root. In the worst case (c near 1) it takes five
+     * steps. The sixth step removes the error of cbrt. */
     double y = c > 1 ? 1 / cbrt(c) : 1;
     for (int i = 0; i < 6; i++) {
         const double y2 = y * y, y3 = y2 * y;
         y -= (y3 * (y2 + c) - 1) / (5 * y2 * y2 + 3 * c * y2);
     }
-    /* The difference is the better form while it loses no digits; the power has five times y's
-     * error. */
+    /* While the difference loses no digits it is more accurate than the power, which has five times the error of y. */
     const double y2 = y * y, gone = c * (y2 * y);
     return gone < 0.5 ? 1 - gone : y2 * y2 * y;
 }
@@ -30,8 +29,8 @@ double cor_sphere_eps_simple_fraction(double beta, int depth)
 {
     if (cor_inline_is_refused(beta) || depth < 0)
         return cor_inline_nan();
-    /* Far out 1 is nothing beside c = |C_1| beta, and t overflows where 1/t is still a double: t in units of 2^500,
-     * (2^100)^5. */
+    /* For large beta, 1 is negligible beside c = |C_1| beta, and t would overflow where 1/t is still a double. t is
+     * therefore in units of 2^500 = (2^100)^5. */
     const int far = beta > COR_INLINE_2_500 && depth > 0;
     const double one = far ? 0 : 1, factor = -COR_SPHERE_C1 * (far ? beta * COR_INLINE_2_M300 : beta);
     double t = far ? COR_INLINE_2_M500 : 1;
@@ -40,7 +39,7 @@ double cor_sphere_eps_simple_fraction(double beta, int depth)
         if (next == t) /* a fixed point: any depth gives the same */
             break;
         t = next;
-        if (far && t > COR_INLINE_2_600) /* each level raises t: the quotient is and stays below 2^-1100 */
+        if (far && t > COR_INLINE_2_600) /* each level raises t, so the quotient stays below 2^-1100 */
             return 0;
     }
     return far ? COR_INLINE_2_M500 / t : 1 / t;
@@ -51,7 +50,7 @@ double cor_sphere_eps_published_pade(double beta)
     static const double d1 = 2.5839, d2 = 3.5839, d3 = 2.9839, d4 = 1.1487, d5 = 0.3265;
     if (cor_inline_is_refused(beta))
         return cor_inline_nan();
-    if (beta > COR_INLINE_2_900) /* beta^(-3) */
+    if (beta > COR_INLINE_2_900) /* eps falls like beta^(-3) */
         return 0;
     const double s = -COR_SPHERE_C1 * beta;
     if (s <= 1)

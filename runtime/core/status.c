@@ -35,13 +35,13 @@ const char *cor_status_text(int status)
     case COR_ERROR_RANGE:
         return "A property of the contact is too large or too small for a double.";
     case COR_ERROR_DISK_POISSON_RATIO:
-        return "Poisson's number of a disk must be between -1 and 1.";
+        return "Poisson's ratio of a disk must be between -1 and 1.";
     case COR_ERROR_DATUM:
         return "The datum must be one of enum cor_disk_datum.";
     case COR_ERROR_SPEED:
         return "The impact speed must be zero or positive, and at most cor_disk_speed_limit().";
     case COR_ERROR_MODES:
-        return "The table must hold at least as many modes as are asked for, one or more, by increasing frequency.";
+        return "The table must hold at least the requested number of modes, one or more, by increasing frequency.";
     case COR_ERROR_TOLERANCE:
         return "The tolerance must be between 0 and 1.";
     case COR_ERROR_FILE:

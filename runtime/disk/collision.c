@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Full dynamics of a disk at a wall, (41) to (45): the calls. What they do, in this order:
+/* Full dynamics of a disk at a wall, (41) to (45): the public functions. The parts of the integrator:
  *     collision_workspace.c      sizes and places of arrays, tables of modes and angles
  *     collision_step.c           a step: drift and kick
  *     collision_run.c            one collision with steps of one size
- *     collision_extrapolation.c  runs with smaller and smaller steps, extrapolated to none
- *     collision_error.c          what the error is made of
- *     collision_runs.c           which runs a call makes, and when it ends
+ *     collision_extrapolation.c  runs with smaller and smaller steps, extrapolated to h = 0
+ *     collision_error.c          the parts of the error
+ *     collision_runs.c           the runs of a call, and the decision when to stop
  *     collision_kernel.h         the loops over modes and angles
  *     collision_tuning.h         every constant */
 #include <math.h>
@@ -17,7 +17,7 @@
 #include "cor/status.h"
 #include "runtime/disk/collision_runs.h"
 
-/* Largest n of a mode; a table with a larger one, by frequency, would have 10^9 modes. */
+/* Largest n of a mode. A table with a larger n would have 10^9 modes. */
 enum { MAX_N = 100000 };
 
 static const struct cor_collision_loops *widest_loops(void)
@@ -27,8 +27,9 @@ static const struct cor_collision_loops *widest_loops(void)
     return loops[cor_widest_set()];
 }
 
-/* COR_OK, or what is wrong with the table and the options */
-static int check(const struct cor_disk_modes *modes, size_t n_modes, const struct cor_disk_collision_options *options)
+/* COR_OK, or the status of the first error in the table and the options */
+static int collision_check(const struct cor_disk_modes *modes, size_t n_modes,
+                           const struct cor_disk_collision_options *options)
 {
     if (modes == NULL || modes->mode == NULL || options == NULL)
         return COR_ERROR_NULL;
@@ -54,14 +55,14 @@ static int check(const struct cor_disk_modes *modes, size_t n_modes, const struc
 size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                     const struct cor_disk_collision_options *options)
 {
-    if (check(modes, n_modes, options) != COR_OK)
+    if (collision_check(modes, n_modes, options) != COR_OK)
         return 0;
     struct cor_motion m;
     m.size = cor_motion_sizes(modes->mode, n_modes, options);
-    return cor_motion_arrange(&m, NULL) + COR_COLLISION_ALIGNMENT; /* the workspace may begin anywhere */
+    return cor_motion_arrange(&m, NULL) + COR_COLLISION_ALIGNMENT; /* the workspace may begin at any address */
 }
 
-/* Bytes to the next aligned address */
+/* Number of bytes to the next aligned address */
 static size_t misfit(const void *workspace)
 {
     const size_t beyond = (size_t)((uintptr_t)workspace % COR_COLLISION_ALIGNMENT);
@@ -72,7 +73,7 @@ int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_m
                           const struct cor_disk_collision_options *options, double speed,
                           struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
 {
-    const int status = check(modes, n_modes, options);
+    const int status = collision_check(modes, n_modes, options);
     if (status != COR_OK)
         return status;
     if (workspace == NULL || out == NULL)
@@ -106,7 +107,7 @@ int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_m
 int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_modes,
                        const struct cor_disk_collision_options *options, double speed, struct cor_disk_collision *out)
 {
-    const int status = check(modes, n_modes, options);
+    const int status = collision_check(modes, n_modes, options);
     if (status != COR_OK)
         return status;
     const size_t bytes = cor_disk_collision_workspace(modes, n_modes, options);

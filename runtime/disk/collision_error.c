@@ -3,14 +3,15 @@
 
 #include <math.h>
 
-/* The next run would move the result by the last movement times about the ratio of the last two, and the ones after it by
- * less: a geometric series. Movements are those of all energies, for that of eps alone may be small by chance. */
+/* The next run would move the result by about the last movement times the ratio of the last two. The runs after it
+ * would move the result by less and less: the sum is a geometric series. Movements are those of all energies, because
+ * that of eps alone may be small by chance. */
 double cor_collision_step_error(const struct cor_collision_evidence *evidence)
 {
     const int runs = evidence->runs;
     const double *const movement = evidence->movement + runs - 1; /* the last one */
     if (runs < 2)
-        return 1; /* nothing is known of an eps between 0 and 1 */
+        return 1; /* eps lies between 0 and 1, and one run shows no error */
     if (runs == 2)
         return cor_tuning.two_runs * movement[0];
     double ratio = runs == 3 ? cor_tuning.third_ratio : cor_tuning.later_ratio;
@@ -23,8 +24,9 @@ double cor_collision_step_error(const struct cor_collision_evidence *evidence)
                                              : cor_tuning.scatter * fmax(movement[0], movement[-1]);
 }
 
-/* The pressure's harmonics fall off exponentially. With phi angles the harmonic 4 phi - k stands in for k, which is worst
- * for the largest k; with half the angles, 2 phi stands in for the load, and that shows how fast they fall off. */
+/* The pressure's harmonics fall off exponentially. With phi angles the harmonic 4 phi - k aliases k; the worst case is
+ * the largest k. With half the angles the harmonic 2 phi aliases the load. The change of the load therefore measures
+ * the decay of the harmonics. */
 double cor_collision_angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
                                   const struct cor_collision_evidence *evidence)
 {

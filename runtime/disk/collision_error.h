@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the error of eps is made of, and estimates of its parts, docs/derivation.md, 15. */
+/* The parts of the error of eps, and their estimates; docs/derivation.md, 15. */
 #ifndef COR_RUNTIME_DISK_COLLISION_ERROR_H
 #define COR_RUNTIME_DISK_COLLISION_ERROR_H
 
@@ -12,7 +12,7 @@ struct cor_collision_error {
     double wall;      /* of the wall's force before the first and after the last moment */
 };
 
-/* What the runs of a call have shown about their errors */
+/* Evidence of errors from the runs of a call */
 struct cor_collision_evidence {
     int runs;                            /* with the same angles */
     double movement[COR_COLLISION_RUNS]; /* of the extrapolated result by each of them but the first */
@@ -21,12 +21,12 @@ struct cor_collision_evidence {
     int measured;
 };
 
-/* Error by the step after the last run */
+/* Error due to the step, after the last run */
 double cor_collision_step_error(const struct cor_collision_evidence *evidence);
 /* Error of the quadrature relative to the peak load */
 double cor_collision_angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
                                   const struct cor_collision_evidence *evidence);
-/* Sets the parts but for the step, for the last run, which leaves the fraction `left` of the energy in the modes. */
+/* Sets all parts except the step for the last run, which leaves the fraction `left` of the energy in the modes. */
 void cor_collision_other_errors(const struct cor_motion *m, const struct cor_collision_run *run, double left,
                                 const struct cor_collision_evidence *evidence, struct cor_collision_error *error);
 double cor_collision_total_error(const struct cor_collision_error *error);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* As an integrator the step is of order 2; but it is conjugate, by a change of variables, to one of order 4, and that change
- * does nothing where the wall does nothing. So what is measured long before and long after the contact, eps among it, has an
- * error c_4 h^4 + c_6 h^6 + ...: even powers, for the step is symmetric. */
+/* The step is of order 2, but a change of variables makes it conjugate to a step of order 4. The change is the identity
+ * where the wall exerts no force. Quantities measured long before and long after the contact, such as eps, therefore
+ * have an error c_4 h^4 + c_6 h^6 + .... The powers are even because the step is symmetric. */
 #include "runtime/disk/collision_extrapolation.h"
 
 #include <math.h>
@@ -9,11 +9,11 @@
 
 enum { LEVELS = COR_COLLISION_LEVELS };
 
-/* First powers of h in the error of what is measured after the contact and in its midst */
+/* First powers of h in the errors of quantities measured after the contact and during it */
 enum { AFTER = 4, AMIDST = 2 };
 
-/* What the last `levels` runs count in the extrapolation of a series in h^first, h^(first + 2), ...: Neville's scheme, where
- * h^2 halves from run to run */
+/* Weights of the last `levels` runs in the extrapolation of a series in h^first, h^(first + 2), ... by Neville's
+ * scheme; h^2 halves from run to run. */
 static void extrapolation_weights(int levels, int first, double weight[LEVELS])
 {
     double row[LEVELS][LEVELS];
@@ -32,7 +32,7 @@ static void extrapolation_weights(int levels, int first, double weight[LEVELS])
     memcpy(weight, row[levels - 1], LEVELS * sizeof *weight);
 }
 
-/* What each run counts in the change that the last run brings to the result */
+/* Weights of the runs in the change of the result by the last run */
 static void movement_weights(int levels, double weight[LEVELS])
 {
     double before[LEVELS];
@@ -78,7 +78,7 @@ double cor_collision_results(const struct cor_motion *m, const struct cor_collis
             energy_after[i] = fmax(after, 0);
     }
     out->energy_drift = out->eps * out->eps + out->one_minus_eps2 - 1;
-    /* the first run does not know what a contact is */
+    /* the first run does not know the load that defines the contact */
     const int first = run[0].number < 1;
     if (levels == first)
         out->contact_time = NAN;
@@ -92,8 +92,8 @@ void cor_collision_averages(const struct cor_motion *m, const struct cor_collisi
                             double *energy_average)
 {
     double weight[LEVELS];
-    /* The first run that averages is number 2: it averages over the contact of the run before, which needs the largest load
-     * of the one before that. */
+    /* Run number 2 is the first that averages. It averages over the contact of run 1, and the contact of run 1 is
+     * defined by the largest load of run 0. */
     const int first = run[0].number < 2 ? 2 - run[0].number : 0;
     extrapolation_weights(levels - first, AMIDST, weight);
     for (size_t i = 0; i < m->size.modes; i++) {

@@ -5,21 +5,21 @@
 
 #include "runtime/disk/collision_run.h"
 
-/* Steps of a run over those of the next one */
+/* Ratio of the step of a run to that of the next one */
 #define COR_COLLISION_RATIO 1.4142135623730951
 
-/* Sets all of *out but error_estimate, and energy_after unless it is NULL, from runs whose mode energies are in m->after.
- * Returns by how much the extrapolation leaves modes with less energy than none; such an energy counts as none. */
+/* Sets all fields of *out except error_estimate, and energy_after unless it is NULL, from runs whose mode energies are
+ * in m->after. Returns the sum of negative extrapolated mode energies, which are set to 0. */
 double cor_collision_results(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
                              struct cor_disk_collision *out, double *energy_after);
-/* Sets the mean energies from m->average; NaN without a run that has them. */
+/* Sets the mean energies from m->average, or NaN if no run has them. */
 void cor_collision_averages(const struct cor_motion *m, const struct cor_collision_run *run, int levels,
                             double *energy_average);
-/* By how much the last run moves the extrapolated result, and by how much it differs from the run before: the larger of
- * the change of eps and half the norm of the changes of the modes' energies, as a fraction of (pi/2) v^2 */
+/* The movement of the extrapolated result by the last run, and the difference between the last two runs. Each is the
+ * larger of the change of eps and half the norm of the changes of the modes' energies, as a fraction of (pi/2) v^2. */
 double cor_collision_movement(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 double cor_collision_difference(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
-/* By how much the last run moves the extrapolated eps */
+/* The movement of the extrapolated eps by the last run */
 double cor_collision_eps_movement(const struct cor_collision_run *run, int levels);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of a collision over modes and over the rim. Compiled once for every instruction set, in
- * disk_collision_<set>.c, and chosen in disk_collision.c. No set may fuse a multiplication with an addition, and sums go
- * into the same parts whatever the width of a vector: so all sets give the same bits. */
+/* The loops of a collision over modes and over the rim. collision_<set>.c compiles them for its instruction set, and
+ * the dispatch of instruction_set.h chooses a set. No set may fuse a multiplication with an addition, and sums have the
+ * same parts for every width of a vector. All sets therefore give the same bits. */
 #ifndef COR_RUNTIME_DISK_COLLISION_KERNEL_H
 #define COR_RUNTIME_DISK_COLLISION_KERNEL_H
 
@@ -11,8 +11,9 @@
 #include "runtime/core/kernel_exp.h"
 #include "runtime/disk/collision_loops.h"
 
-/* The set that includes this file defines VECTOR, the doubles in one of its vectors, and ACCUMULATORS, how many vectors
- * a sum over terms or angles keeps at once, so that additions need not wait for each other and registers suffice. */
+/* The file that includes this one defines VECTOR, the number of doubles in a vector, and ACCUMULATORS, the number of
+ * vectors in which a sum over terms or angles is accumulated. With this number additions do not wait for each other and
+ * registers suffice. */
 
 #ifdef __GNUC__
 typedef double vector __attribute__((vector_size(VECTOR * sizeof(double))));
@@ -49,7 +50,7 @@ KERNEL void store(double *to, vector x)
 
 KERNEL vector all(double x)
 {
-#if defined(__GNUC__) && VECTOR == 8 /* what gcc 12 makes one instruction of */
+#if defined(__GNUC__) && VECTOR == 8 /* gcc 12 compiles this to one instruction */
     const vector result = {x, x, x, x, x, x, x, x};
 #elif defined(__GNUC__) && VECTOR == 4
     const vector result = {x, x, x, x};

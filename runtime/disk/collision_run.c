@@ -6,15 +6,15 @@
 
 #include "runtime/disk/collision_step.h"
 
-/* ---- between steps: a polynomial through five moments, h apart ---- */
+/* ---- between steps: a polynomial through five moments at intervals of h ---- */
 
 enum { MOMENTS = 5 };
 
-/* ln of no load */
+/* stands for the logarithm of a zero load */
 #define LOG_NO_LOAD (-1e3)
 
 struct course {
-    double depth[MOMENTS], log_load[MOMENTS]; /* the latest last */
+    double depth[MOMENTS], log_load[MOMENTS]; /* in order of time */
 };
 
 /* The polynomial through five values at -2 ... 2 */
@@ -47,7 +47,7 @@ static double course_maximum(const double f[MOMENTS])
     return c[0] + low * (c[1] + low * (c[2] + low * (c[3] + low * c[4])));
 }
 
-/* Where the polynomial passes `level` between the middle value, 0, and the next one, 1 */
+/* The point between the middle value, 0, and the next one, 1, at which the polynomial passes `level` */
 static double course_crossing(const double f[MOMENTS], double level)
 {
     double c[MOMENTS], low = 0, high = 1;
@@ -63,10 +63,10 @@ static double course_crossing(const double f[MOMENTS], double level)
     return 0.5 * (low + high);
 }
 
-/* Adds a moment to the course, and what it shows to the run: maxima of depth and load, the ends of the contact.
+/* Adds a moment to the course, and updates the run: maxima of depth and load, start and end of the contact.
  *
- * With the wall's force F the integrator's x is y - (h^2/12) F(y)/m, y the true position to order 4 (Numerov's method), and
- * the force of the modified potential at x is that of the true one at y. */
+ * With the wall's force F, the integrator's x is y - (h^2/12) F(y)/m, where y is the true position to order 4
+ * (Numerov's method). The force of the modified potential at x is that of the true potential at y. */
 static void course_follow(struct course *course, struct cor_collision_run *run, const struct cor_collision_state *now,
                           double log_threshold)
 {
@@ -93,8 +93,9 @@ static void course_follow(struct course *course, struct cor_collision_run *run, 
 
 /* ---- averages and observers ---- */
 
-/* What a value at `time` counts in an integral from start to end over straight pieces: the part of the interval from `time`
- * to `time` + h, h < 0 too, between start and end, under a weight that falls from 1 at `time` to 0. */
+/* Weight of a value at `time` in the integral of a piecewise linear function from start to end: the integral, over the
+ * part of the interval from `time` to `time` + h between start and end, of a weight that falls from 1 at `time` to 0. h
+ * may be negative. */
 static double piece_weight(double time, double h, double start, double end)
 {
     const double a = fmin(fmax((start - time) / h, 0), 1), b = fmin(fmax((end - time) / h, 0), 1);
@@ -113,7 +114,7 @@ static void add_to_average(const struct cor_motion *m, double time, double h, co
             average[i] += weight / (contact * energy) * cor_collision_mode_energy(m, i);
 }
 
-/* Reports positions to order 4, see course_follow, and velocities to order 2, halfway through the kick. */
+/* Reports positions to order 4 (see course_follow) and velocities to order 2, halfway through the kick. */
 static void report_moment(const struct cor_motion *m, const struct cor_disk_collision_detail *detail,
                           const struct cor_collision_state *now, double h)
 {
@@ -163,7 +164,7 @@ enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_co
     if (!cor_collision_in_sight(m, h))
         return COR_RUN_TOO_LONG;
     cor_collision_approach(m, h, &now);
-    /* the farthest that a rim with the negligible load can reach */
+    /* the largest reach of a rim with a negligible load */
     const double negligible = cor_collision_negligible_load(m), clear = log(negligible / COR_PI) / m->alpha;
     for (;;) {
         if (!run_may_step(m, run))

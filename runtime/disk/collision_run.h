@@ -7,27 +7,27 @@
 
 struct cor_collision_run {
     double h;
-    int number;     /* 0 for the first one with the same angles */
+    int number;     /* 0 for the first run with the same angles */
     int all_angles; /* evaluate all angles at every step */
     size_t steps;
-    double work; /* what it took of the call's budget */
+    double work; /* its share of the call's budget */
     double eps, max_compression, contact_time;
     double max_load;
-    double ripple;     /* largest of what half the angles change of the load */
+    double ripple;     /* largest change of the load with half the angles */
     double stiffness;  /* largest h^2 alpha (acceleration of the rim) */
-    double start, end; /* of the contact, NaN if that is not known */
+    double start, end; /* of the contact; NaN if unknown */
 };
 
 enum cor_collision_outcome {
     COR_RUN_ENDED,
     COR_RUN_TOO_STIFF,  /* the step is too large */
-    COR_RUN_TOO_NARROW, /* the window left out a pressure that counts */
-    COR_RUN_TOO_LONG    /* COR_DISK_COLLISION_MAX_STEPS or the call's budget */
+    COR_RUN_TOO_NARROW, /* the window omitted a significant pressure */
+    COR_RUN_TOO_LONG    /* more than COR_DISK_COLLISION_MAX_STEPS or the call's budget */
 };
 
-/* Runs with steps run->h. `before` is a run with larger steps, or NULL: its largest load says what a contact is, and
- * `average`, if not NULL, gets the mean energy of each mode over its contact. detail->observe, if there is one, is called
- * at every step. The modes are left as they are at the end. */
+/* Computes a collision with steps run->h. `before` is a run with larger steps, or NULL. Its largest load defines the
+ * contact, over which `average`, if not NULL, receives the mean energy of each mode. The function calls
+ * detail->observe, if not NULL, at every step. On return the modes are in their final state. */
 enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_collision_run *run,
                                              const struct cor_collision_run *before, double *average,
                                              const struct cor_disk_collision_detail *detail);

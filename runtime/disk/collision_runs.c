@@ -9,9 +9,10 @@
 #include "runtime/disk/collision_extrapolation.h"
 #include "runtime/disk/collision_step.h"
 
-/* The runs that count: all with the same angles, each with the step of the one before over COR_COLLISION_RATIO */
+/* The runs kept for the extrapolation. All have the same angles; each step is that of the run before over
+ * COR_COLLISION_RATIO. */
 struct runs {
-    struct cor_collision_run run[COR_COLLISION_LEVELS + 1]; /* the last place is for the run being made */
+    struct cor_collision_run run[COR_COLLISION_LEVELS + 1]; /* the last place is for the current run */
     int levels;
     double h; /* of the next run */
     int cuts;
@@ -22,8 +23,8 @@ struct runs {
 
 /* ---- steps and angles ---- */
 
-/* As large as is safe and, for small tolerances, so that few runs suffice. The comparison avoids the quotient by a speed
- * that may be next to nothing. */
+/* The largest safe step; for small tolerances a smaller one, so that few runs suffice. The comparison avoids a division
+ * by a speed that may be tiny. */
 static double first_step(const struct cor_motion *m)
 {
     const double sigma = m->alpha * m->speed;
@@ -37,14 +38,15 @@ static int too_few_angles(const struct cor_motion *m, const struct runs *runs, c
     return cor_collision_angles_error(m, run, &runs->evidence) > cor_tuning.angles_allowed * m->tolerance;
 }
 
-/* Starts again with the step h: what was done so far has other angles or too large a step. */
+/* Discards all runs, which have other angles or too large a step, and starts again with the step h. */
 static void runs_restart(struct runs *runs, double h)
 {
     runs->levels = runs->evidence.runs = 0;
     runs->h = h;
 }
 
-/* Starts again with more angles, if there may be more; h is the step of a run that was good enough but for them. */
+/* Starts again with more angles, if the limit allows more. h is the step of a run in which only the angles were too
+ * few. */
 static int runs_restart_finer(struct cor_motion *m, struct runs *runs, double h)
 {
     if (m->phi >= m->phi_limit)
@@ -68,7 +70,7 @@ static void runs_forget_first(struct cor_motion *m, struct runs *runs)
     runs->levels--;
 }
 
-/* Runs again with all angles where the window proves too narrow. */
+/* Repeats the run with all angles if the window was too narrow. */
 static enum cor_collision_outcome run_widely(struct cor_motion *m, struct cor_collision_run *run,
                                              const struct cor_collision_run *before, double *average,
                                              const struct cor_disk_collision_detail *detail)
@@ -94,7 +96,7 @@ static enum cor_collision_outcome runs_make(struct cor_motion *m, struct runs *r
     return run_widely(m, run, before, averages && run->number >= 2 ? m->average[runs->levels] : NULL, NULL);
 }
 
-/* Keeps the run just made, and the energies that it left in the modes. */
+/* Keeps the last run and the energies that it left in the modes. */
 static void runs_keep(struct cor_motion *m, struct runs *runs)
 {
     for (size_t i = 0; i < m->size.modes; i++)
@@ -104,7 +106,7 @@ static void runs_keep(struct cor_motion *m, struct runs *runs)
     runs->h /= COR_COLLISION_RATIO;
 }
 
-/* Whether the budget is enough for a run that takes so many times as much as the last one */
+/* Whether the budget suffices for a run that takes `times` the work of the last one */
 static int runs_affordable(const struct cor_motion *m, const struct runs *runs, double times)
 {
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
@@ -113,7 +115,7 @@ static int runs_affordable(const struct cor_motion *m, const struct runs *runs, 
 
 /* ---- error ---- */
 
-/* The last two runs differ by the step's error, which the collision has amplified: a bound on how much it amplifies. */
+/* The last two runs differ by the amplified error of the step, which bounds the amplification. */
 static void bound_amplification(const struct cor_motion *m, struct runs *runs)
 {
     struct cor_collision_evidence *const evidence = &runs->evidence;
@@ -125,8 +127,8 @@ static void bound_amplification(const struct cor_motion *m, struct runs *runs)
     evidence->amplification = fmax(evidence->amplification, bound);
 }
 
-/* Repeats one of the runs with v a little larger: amplification is the change of the result over that of v. An early run
- * shows it as well as a later one, and costs less. */
+/* Repeats one of the runs with v a little larger. The amplification is the change of the result over that of v. An
+ * early run measures the amplification as well as a later one, and costs less. */
 static void measure_amplification(struct cor_motion *m, struct runs *runs)
 {
     const int level = runs->levels < 4 ? runs->levels - 2 : 2;
@@ -154,7 +156,7 @@ static double other_errors(const struct runs *runs)
     return runs->error.angles + runs->error.round_off + runs->error.wall;
 }
 
-/* Sets the results of the kept runs, two or more, with the estimate of their error. */
+/* Sets the results of two or more kept runs, and their error estimate. */
 static void runs_conclude(struct cor_motion *m, struct runs *runs, struct cor_disk_collision *out, double *energy_after)
 {
     struct cor_collision_evidence *const evidence = &runs->evidence;
@@ -164,7 +166,7 @@ static void runs_conclude(struct cor_motion *m, struct runs *runs, struct cor_di
     evidence->movement[evidence->runs - 1] = cor_collision_movement(m, runs->run, runs->levels);
     evidence->largest_movement = fmax(evidence->largest_movement, cor_collision_eps_movement(runs->run, runs->levels));
     bound_amplification(m, runs);
-    /* modes with less energy than none: the steps are still too large to extrapolate */
+    /* negative mode energies show that the steps are still too large to extrapolate */
     runs->error.step = fmax(cor_collision_step_error(evidence), 0.5 * less_than_none);
     cor_collision_other_errors(m, last, left, evidence, &runs->error);
     if (cor_collision_total_error(&runs->error) > m->tolerance &&
@@ -194,7 +196,7 @@ static enum verdict runs_judge(const struct cor_motion *m, const struct runs *ru
     return converging && evidence->runs < COR_COLLISION_RUNS ? GO_ON : GIVEN_UP;
 }
 
-/* Makes one more run, and keeps it or starts again. 0 if there can be none. */
+/* Makes one more run, and keeps it or starts again. Returns 0 if no further run is possible. */
 static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
 {
     if (runs->levels > 0 && !runs_affordable(m, runs, COR_COLLISION_RATIO))
@@ -211,7 +213,7 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
     return 1;
 }
 
-/* Runs until the error is small enough or cannot become it. */
+/* Makes runs until the error is small enough or cannot become small enough. */
 static enum verdict runs_settle(struct cor_motion *m, struct runs *runs, struct cor_disk_collision *out,
                                 const struct cor_disk_collision_detail *detail)
 {
@@ -224,7 +226,7 @@ static enum verdict runs_settle(struct cor_motion *m, struct runs *runs, struct 
         const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
         runs_conclude(m, runs, out, detail->energy_after);
         verdict = runs_judge(m, runs);
-        /* this run may have shown that the angles are too few */
+        /* the last run may show that the angles are too few */
         if (verdict != GO_ON && too_few_angles(m, runs, last) && runs_restart_finer(m, runs, last->h))
             verdict = GO_ON;
     }
@@ -234,7 +236,7 @@ static enum verdict runs_settle(struct cor_motion *m, struct runs *runs, struct 
 static void runs_add_details(struct cor_motion *m, struct runs *runs, const struct cor_disk_collision_detail *detail)
 {
     if (detail->energy_average != NULL) {
-        /* a run that only averages need */
+        /* a further run, which only averages need */
         if (runs->evidence.runs == 2 && runs_affordable(m, runs, COR_COLLISION_RATIO) &&
             runs_make(m, runs, 1) == COR_RUN_ENDED)
             runs_keep(m, runs);

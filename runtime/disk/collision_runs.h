@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The runs of a call: steps, angles and the end of it all chosen by the estimated error. */
+/* The runs of a call. The estimated error determines the steps, the angles and the number of runs. */
 #ifndef COR_RUNTIME_DISK_COLLISION_RUNS_H
 #define COR_RUNTIME_DISK_COLLISION_RUNS_H
 

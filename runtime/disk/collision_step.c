@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The Hamiltonian is free motion, which is exact (every mode turns, the centre drifts), plus the wall. A step is a kick of
- * the wall between two halves of free motion, with the potential V of the wall replaced by
+/* The Hamiltonian is that of free motion plus the wall. Free motion is solved exactly: every mode turns and the centre
+ * drifts. A step is a kick of the wall between two halves of free motion. In the kick,
  *
  *     V - (h^2/24) |grad V|^2/m                                                       (Takahashi and Imada, 1984)
  *
- * which costs one more passage from the rim to the modes and back, and no second exponential. Halves of free motion that
- * follow each other are one drift. */
+ * replaces the potential V of the wall. This costs one more passage from the rim to the modes and back, but no second
+ * exponential. Two successive halves of free motion are one drift. */
 #include "runtime/disk/collision_step.h"
 
 #include <math.h>
@@ -17,12 +17,12 @@ double cor_collision_negligible_load(const struct cor_motion *m)
            m->speed * m->alpha;
 }
 
-/* Loads below this one lose digits to underflow. */
+/* Loads below this value lose digits to underflow. */
 #define LEAST_LOAD 1e-290
 
 /* ---- the wall's force ---- */
 
-/* Reach and pressure at the first `points` angles; returns the load. Needs sum_c and sum_s. */
+/* Computes reach and pressure at the first `points` angles from sum_c and sum_s; returns the load. */
 static double rim_load(struct cor_motion *m, double depth, size_t points)
 {
     m->loops->gather(&m->rim, m->sum_c, m->sum_s, m->d);
@@ -30,7 +30,7 @@ static double rim_load(struct cor_motion *m, double depth, size_t points)
     return m->loops->press(points, m->alpha, m->weight, m->reach, m->pressure);
 }
 
-/* The angles, in whole panels, that have a pressure above window_edge times the peak */
+/* Number of angles, in whole panels, up to the last one whose pressure exceeds window_edge times the peak */
 static size_t window_of(const struct cor_motion *m)
 {
     double peak = 0;
@@ -43,7 +43,7 @@ static size_t window_of(const struct cor_motion *m)
     return (last / COR_PANEL + 1) * COR_PANEL;
 }
 
-/* What half the angles change of the load */
+/* Change of the load with half the angles */
 static double ripple_of(const struct cor_motion *m)
 {
     double even = 0, odd = 0;
@@ -54,7 +54,7 @@ static double ripple_of(const struct cor_motion *m)
     return fabs(even - odd);
 }
 
-/* After a scan: whether a window that ended at `window` has left out a pressure that counts */
+/* Whether, after a scan, a window that ended at `window` has omitted a significant pressure */
 static int window_missed(const struct cor_motion *m, size_t window, double load)
 {
     for (size_t j = window; j < m->rim.points; j++)
@@ -65,7 +65,7 @@ static int window_missed(const struct cor_motion *m, size_t window, double load)
 
 /* Replaces the pressure in the window by that of the modified potential, pressure (1 - (h^2/12) alpha a) with the rim's
  * acceleration a, (15.1), and sets its moments e; returns its force. */
-static double soften(struct cor_motion *m, double h, double load, size_t window, double *stiffness)
+static double rim_soften(struct cor_motion *m, double h, double load, size_t window, double *stiffness)
 {
     double fastest, *const sum_c = m->force_c, *const sum_s = m->force_s;
     m->loops->transform(&m->rim, window, m->pressure, m->e);
@@ -99,7 +99,7 @@ enum cor_collision_kick cor_collision_kick(struct cor_motion *m, double h, enum 
     const size_t reached = angles == COR_WINDOW ? now->window : m->rim.points;
     now->force = now->stiffness = 0;
     now->load = rim_load(m, now->depth, reached);
-    /* the largest acceleration of the rim is at least that of the centre */
+    /* the rim accelerates at least as much as the centre */
     if (!(h * h * m->alpha / COR_DISK_MASS * now->load < cor_tuning.max_stiffness))
         return COR_KICK_TOO_STIFF;
     memset(m->force_c, 0, m->size.blocks * COR_LANES * sizeof *m->force_c);
@@ -112,7 +112,7 @@ enum cor_collision_kick cor_collision_kick(struct cor_motion *m, double h, enum 
             return COR_KICK_TOO_NARROW;
     }
     if (now->load > cor_tuning.no_load * negligible) {
-        now->force = soften(m, h, now->load, now->window, &now->stiffness);
+        now->force = rim_soften(m, h, now->load, now->window, &now->stiffness);
         if (!(now->stiffness < cor_tuning.max_stiffness))
             return COR_KICK_TOO_STIFF;
         m->loops->split(&m->rim, -h, m->e, m->force_c, m->force_s);
@@ -124,8 +124,8 @@ enum cor_collision_kick cor_collision_kick(struct cor_motion *m, double h, enum 
 
 /* ---- the first moment ---- */
 
-/* alpha (x_0 + 1) at the first moment: the load sqrt(2 pi/alpha) exp(alpha (x_0 + 1)) of a disk that keeps its shape is
- * negligible. */
+/* alpha (x_0 + 1) at the first moment, at which the load sqrt(2 pi/alpha) exp(alpha (x_0 + 1)) of a disk that keeps its
+ * shape is negligible */
 static double first_exponent(const struct cor_motion *m)
 {
     return log(cor_collision_negligible_load(m) * sqrt(m->alpha / (2 * COR_PI)));
@@ -133,7 +133,7 @@ static double first_exponent(const struct cor_motion *m)
 
 int cor_collision_in_sight(const struct cor_motion *m, double h)
 {
-    /* there and back takes twice as long at least */
+    /* the way to the wall and back takes at least twice as long */
     return cor_collision_negligible_load(m) > LEAST_LOAD &&
            -2 * first_exponent(m) <= h * COR_DISK_COLLISION_MAX_STEPS * (m->alpha * m->speed);
 }
@@ -156,8 +156,8 @@ static void modes_at_rest(struct cor_motion *m, double h)
     memset(m->sum_s, 0, lanes * sizeof *m->sum_s);
 }
 
-/* The wall's force grows like exp(sigma t), sigma = alpha v: Q'' + omega^2 Q = F/m gives Q = F/(m (omega^2 + sigma^2)), and
- * the centre has lost the wall's energy. Half of the kick of that moment is done before it. */
+/* The wall's force grows like exp(sigma t), sigma = alpha v: Q'' + omega^2 Q = F/m gives Q = F/(m (omega^2 + sigma^2)),
+ * and the centre has lost the wall's energy. The first half of the kick at this moment precedes it. */
 void cor_collision_approach(struct cor_motion *m, double h, struct cor_collision_state *now)
 {
     const double sigma = m->alpha * m->speed, energy = 0.5 * COR_DISK_MASS * m->speed * m->speed;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Every constant of the integrator of collisions that could have another value, and where its value comes from:
+/* All constants of the collision integrator whose values are not fixed, and the origin of each value:
  *   derived  it follows from a formula;
  *   fitted   it is the cheapest value with which no promise is broken in 10^4 random scenes, as
  *                COR_TEST_MULTIPLIER=500 build/gcc/tests/test_disk_collision_random
  *            shows, or by the command that stands there;
- *   chosen   it costs time or memory, never accuracy: the error is estimated from what was done. */
+ *   chosen it costs time or memory, never accuracy: the error estimate follows from the actual runs. */
 #ifndef COR_RUNTIME_DISK_COLLISION_TUNING_H
 #define COR_RUNTIME_DISK_COLLISION_TUNING_H
 
@@ -25,11 +25,11 @@ struct cor_collision_tuning {
     double window_edge, window_missed;
     /* the wall where there is no contact */
     double wall_left, wall_tolerance, no_load, contact_load;
-    /* error by the step */
+    /* error due to the step */
     double two_runs, third_ratio, later_ratio, least_movement, no_convergence, scatter;
-    /* error by the angles */
+    /* error due to the angles */
     double angles_allowed, angles_in_eps, calm;
-    /* error by round-off and by the wall's energy */
+    /* error due to round-off and to the wall's energy */
     double perturbation, least_sensitivity, random_walk, steady_drift, wall_in_eps;
     /* when to give up */
     int patience, runs_before;
@@ -37,91 +37,92 @@ struct cor_collision_tuning {
 };
 
 static const struct cor_collision_tuning cor_tuning = {
-    /* omega_max h, at most. Derived: below pi/2, no two frequencies add up to one that resonates with the kicks. */
+    /* Largest omega_max h. Derived: below pi/2, no sum of two frequencies resonates with the kicks. */
     .max_turn = 1,
-    /* alpha v h, at most: the pressure's exponent rises by this in a step at first contact. Chosen. */
+    /* Largest alpha v h, by which the pressure's exponent rises in a step at first contact. Chosen. */
     .max_rise = 0.8,
-    /* h^2 alpha a, a the rim's acceleration, at most: else the run is repeated with a smaller step. Derived: above 12 the
-     * softened pressure of (15.1) is negative. Chosen: 4 times below. */
+    /* Largest h^2 alpha a, where a is the rim's acceleration. Beyond it the run is repeated with a smaller step.
+     * Derived: above 12 the softened pressure of (15.1) is negative. Chosen: a quarter of that. */
     .max_stiffness = 3,
-    /* Larger tolerances start with the largest step allowed, smaller ones with less, so that four or five runs suffice.
-     * Chosen. */
+    /* Runs with a larger tolerance start with the largest allowed step, runs with a smaller one with a smaller step, so
+     * that four or five runs suffice. Chosen. */
     .easy_tolerance = 1e-8,
-    /* times that the first step may be cut. Chosen: 2^6 */
+    /* Largest number of cuts of the first step, 2^6 in all. Chosen. */
     .max_cuts = 12,
 
-    /* Angles of the quadrant, at least. Chosen. */
+    /* Smallest number of angles of the quadrant. Chosen. */
     .least_phi = 16,
-    /* Angles for each digit of the tolerance, over alpha^(2/3): the pressure falls off over alpha^(-2/3) at the contact's
-     * edge. Fitted, so that mostly the first choice serves; as the offset and the powers of v/0.1 below and above 1. */
+    /* Angles for each digit of the tolerance, over alpha^(2/3): the pressure falls off over alpha^(-2/3) at the
+     * contact's edge. Fitted so that the first choice mostly suffices, as are the offset and the powers of v/0.1 below
+     * and above 1. */
     .phi_per_digit = 0.2,
     .phi_offset = 0.05,
     .phi_slow = 0.25,
     .phi_fast = 0.6,
-    /* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles; half is for the
-     * pressure, see angles_error. */
+    /* Angles for each wave of a mode. Derived: products of two waves of n_max need n_max/2 angles, and the angles for
+     * the pressure count as half of them; see cor_collision_angles_error. */
     .phi_per_n = 0.25,
-    /* Angles that are tried at most, over the first choice. Chosen. */
+    /* Largest number of angles over the first choice. Chosen. */
     .phi_limit = 2.5,
 
-    /* Steps between two scans of all angles; in between, the window is evaluated. Chosen. */
+    /* Steps between two scans of all angles. Steps between scans evaluate the window only. Chosen. */
     .scan_interval = 8,
-    /* The window ends where the pressure is below this part of the peak. Chosen: between two scans no pressure grows by
-     * 10^12 relative to the peak while there is a load. */
+    /* Between full scans, only angles whose pressure exceeds this times the peak are evaluated. Chosen: between two
+     * scans no pressure grows by 10^12 relative to the peak during the contact. */
     .window_edge = 1e-26,
-    /* If a scan finds more than this part of the load at an angle outside the window, the run is repeated with scans at
-     * every step. Derived: 100 such angles are the round-off of a load. */
+    /* If a scan finds more than this part of the load at an angle outside the window, the run is repeated with full
+     * scans. Derived: 100 such angles equal the round-off of a load. */
     .window_missed = 1e-14,
 
-    /* Energy of the wall at the first and the last moment, over that of the disk and over the tolerance or
-     * wall_tolerance, whichever is smaller. Chosen: see wall_in_eps. */
+    /* Energy of the wall at the first and the last moment, relative to that of the disk, over the smaller of the
+     * tolerance and wall_tolerance. Chosen: see wall_in_eps. */
     .wall_left = 1e-6,
     .wall_tolerance = 1e-4,
-    /* The wall's force is left out below this part of the load at those moments. Chosen. */
+    /* The wall's force is neglected below this part of the load at those moments. Chosen. */
     .no_load = 1e-3,
-    /* Load that begins and ends a contact, over the largest. Derived: cor/disk.h defines it so. */
+    /* Load that begins and ends a contact, relative to the largest load. Derived: from the definition in cor/disk.h. */
     .contact_load = 1e-3,
 
-    /* Error over movement after two runs, which show no ratio of movements. Fitted. */
+    /* Error over movement after two runs, which give no ratio of movements. Fitted. */
     .two_runs = 2,
-    /* Ratio of successive movements that is believed at least, after three runs and later. Fitted. */
+    /* Lower bounds on the assumed ratio of successive movements, after three runs and later. Fitted. */
     .third_ratio = 0.4,
     .later_ratio = 0.25,
-    /* A movement counts as this part of the one before it at least. Fitted. */
+    /* Lower bound on a movement, relative to the one before it. Fitted. */
     .least_movement = 0.01,
-    /* Ratio from which on the runs do not converge, and the error over the larger of the last two movements then.
-     * Derived: the sum of a geometric series doubles its first term; fitted. */
+    /* Above this ratio the runs do not converge. Derived: the geometric series then doubles its first term. The second
+     * number is the error of such runs over the larger of the last two movements. Fitted. */
     .no_convergence = 0.5,
     .scatter = 4,
 
-    /* Error of the quadrature relative to the peak load, over the tolerance, at most. Fitted. */
+    /* Allowed angular quadrature error relative to the peak load, in units of the tolerance. Fitted. */
     .angles_allowed = 1,
     /* Error of eps over that of the quadrature. Fitted: the largest of 10^4 scenes is 0.02. */
     .angles_in_eps = 0.1,
-    /* A run that moves eps by more amplifies the quadrature's error. Fitted: the first runs of a calm collision move it by
-     * 1e-5 to 1e-4. */
+    /* A run that moves eps by more than this amplifies the quadrature's error. Fitted: the first runs of a calm
+     * collision move eps by 1e-5 to 1e-4. */
     .calm = 1e-4,
 
-    /* Relative change of v that measures the amplification of errors. Derived: 2^13 ulp, so round-off is nothing beside
-     * it, and a collision that amplifies by 10^9 still responds in proportion. */
+    /* Relative change of v that measures the amplification of errors. Derived: the change is 2^13 ulp, so round-off is
+     * negligible beside it, and a collision that amplifies by 10^9 still responds linearly. */
     .perturbation = 0x1p-40,
-    /* Two runs differ by this at least, over the amplification and the square of max_stiffness of the first of them.
+    /* Lower bound on the difference of two runs over the amplification and the square of the first run's stiffness.
      * Fitted: 1e-3 in calm collisions, 1e-6 near chaos. */
     .least_sensitivity = 1e-7,
-    /* Error of eps by round-off, in 2^-53: over amplification and sqrt(steps), and over amplification, amplitudes and steps,
-     * for a rotation that is rounded turns all steps by the same error. Fitted. */
+    /* Error of eps due to round-off, in 2^-53. random_walk: over amplification and sqrt(steps). steady_drift: over
+     * amplification, amplitudes and steps, because a rounded rotation repeats the same error in every step. Fitted. */
     .random_walk = 3,
     .steady_drift = 0.5,
-    /* Error of eps over the wall's energy left out and the amplification. Fitted. */
+    /* Error of eps over the neglected energy of the wall and the amplification. Fitted. */
     .wall_in_eps = 4,
 
-    /* Give up after so many runs if the last movement exceeds that part of the one so many runs before: each run would do
-     * better by 4 at least. Chosen. */
+    /* Give up after `patience` runs if the last movement exceeds `hopeless` times the movement `runs_before` runs
+     * earlier. Chosen: each run of a converging sequence reduces the movement at least fourfold. */
     .patience = 9,
     .runs_before = 4,
     .hopeless = 0.25,
-    /* Multiplications of a call, at most, unless the options give a number of steps, counted by cor_motion_work. Chosen: at
-     * 0.05 to 0.06 ns with AVX-512 and 0.1 ns without, this is 5 to 10 s. */
+    /* Largest number of multiplications of a call, counted by cor_motion_work, unless the options give a number of
+     * steps. Chosen: at 0.05 to 0.06 ns each with AVX-512 and 0.1 ns without, the call takes 5 to 10 s. */
     .work = 1e11,
 };
 

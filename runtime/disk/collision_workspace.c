@@ -11,7 +11,7 @@ static size_t whole_panels(size_t n)
     return (n + COR_PANEL - 1) / COR_PANEL * COR_PANEL;
 }
 
-/* Rows of a block: as many as modes share the most frequent n of the block */
+/* Rows of a block: the largest number of modes with the same n in the block */
 static size_t rows_of_block(const struct cor_disk_mode *mode, size_t modes, size_t block)
 {
     size_t count[COR_LANES] = {0}, most = 0;
@@ -64,7 +64,7 @@ struct cor_motion_sizes cor_motion_sizes(const struct cor_disk_mode *mode, size_
 
 /* ---- memory ---- */
 
-/* The place of n elements of so many bytes, the next ones from *at on; NULL while base is NULL. */
+/* The place of n elements of `bytes` bytes, aligned, from *at on; advances *at. NULL if base is NULL. */
 static void *workspace_take(char *base, size_t *at, size_t n, size_t bytes)
 {
     void *const here = base == NULL ? NULL : base + *at;
@@ -103,7 +103,7 @@ size_t cor_motion_arrange(struct cor_motion *m, char *base)
 
 /* ---- tables ---- */
 
-/* Reach of the places beyond the last angle: they never have a pressure. */
+/* Reach of the places beyond the last angle, so low that they never have a pressure. */
 #define NOWHERE (-1e6)
 
 void cor_motion_set_modes(struct cor_motion *m)
@@ -121,7 +121,7 @@ void cor_motion_set_modes(struct cor_motion *m)
     memset(m->cc, 0, lanes * sizeof *m->cc);
     memset(m->cs, 0, lanes * sizeof *m->cs);
     memset(m->ss, 0, lanes * sizeof *m->ss);
-    double *const filled = m->sum_c; /* rows of each lane so far */
+    double *const filled = m->sum_c; /* number of filled rows of each lane */
     memset(filled, 0, lanes * sizeof *filled);
     for (size_t i = 0; i < size->modes; i++) {
         const struct cor_disk_mode *mode = &m->mode[i];
@@ -141,7 +141,7 @@ void cor_motion_set_angles(struct cor_motion *m, size_t phi)
 {
     const size_t terms = m->size.terms, points = whole_panels(phi);
     m->phi = phi;
-    for (size_t i = 0; i < phi; i++) { /* a quarter of a turn each */
+    for (size_t i = 0; i < phi; i++) { /* each covers a quarter of a turn */
         m->table[i] = cos((double)i * (COR_PI / (2 * (double)phi)));
         m->table[phi + i] = -sin((double)i * (COR_PI / (2 * (double)phi)));
         m->table[2 * phi + i] = -m->table[i];
@@ -166,7 +166,8 @@ void cor_motion_set_angles(struct cor_motion *m, size_t phi)
 double cor_motion_work(const struct cor_motion *m, size_t reached, size_t pressed)
 {
     const double used = (double)(m->size.n_max + 2), terms = (double)m->size.terms;
-    /* reach, exponential and search; two transforms and the response; the modes; what every step takes */
+    /* In this order: reach, exponential and search; two transforms and the response; the modes; a constant for each
+     * step. */
     return (double)reached * (used + 90) + (double)pressed * (2 * terms + used + 10) + 20 * (double)m->size.cells +
            2000;
 }

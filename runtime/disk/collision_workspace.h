@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a collision holds in memory, and the tables that do not change in it. */
+/* The workspace of a collision, and its constant tables. */
 #ifndef COR_RUNTIME_DISK_COLLISION_WORKSPACE_H
 #define COR_RUNTIME_DISK_COLLISION_WORKSPACE_H
 
@@ -12,7 +12,7 @@
 
 struct cor_motion_sizes {
     size_t modes, n_max, blocks, cells; /* cells: places for modes */
-    size_t terms, points;               /* points: places for angles, at most */
+    size_t terms, points;               /* points: largest number of places for angles */
     double omega_max;
 };
 
@@ -23,8 +23,8 @@ struct cor_motion {
     const struct cor_collision_loops *loops;
     const struct cor_disk_mode *mode;
     double alpha, tolerance, speed;
-    double work_left, work_per_step; /* the budget; work_per_step 0: as much as a step takes */
-    size_t phi, phi_limit;           /* angles in use, and at most */
+    double work_left, work_per_step; /* the budget; work_per_step 0: count the work of each step */
+    size_t phi, phi_limit;           /* angles in use, and their largest number */
     size_t *place;                   /* cell of each mode */
     struct cor_mode_block *block;
     double *c, *s, *q, *p, *cosine, *sine;
@@ -34,22 +34,23 @@ struct cor_motion {
     double *after[COR_COLLISION_LEVELS], *average[COR_COLLISION_LEVELS]; /* of each mode, of each run */
 };
 
-/* Angles that a call with these options may use at most */
+/* Largest number of angles that a call with these options may use */
 size_t cor_motion_phi_limit(const struct cor_disk_collision_options *options, size_t n_max);
-/* Angles that the tolerance is expected to need */
+/* Number of angles that the tolerance is expected to need */
 size_t cor_motion_first_phi(const struct cor_motion *m, const struct cor_disk_collision_options *options);
 
 struct cor_motion_sizes cor_motion_sizes(const struct cor_disk_mode *mode, size_t modes,
                                          const struct cor_disk_collision_options *options);
-/* Sets the pointers of *m, whose size is known, to places in memory that begins at an aligned base; returns the bytes
- * taken. With base NULL it counts only. */
+/* Sets the pointers of *m, whose size is set, to places in memory from an aligned base on. Returns the number of bytes
+ * used. If base is NULL, the function only counts them. */
 size_t cor_motion_arrange(struct cor_motion *m, char *base);
 /* Fills the arrays of modes from m->mode. */
 void cor_motion_set_modes(struct cor_motion *m);
-/* Sets the angles phi_j = j pi/(2 phi), j < phi, of the trapezoidal rule, and the tables of cos(k phi_j). The rule's last
- * angle, pi/2, adds nothing: the wall does not reach it. */
+/* Sets the angles phi_j = j pi/(2 phi), j < phi, of the trapezoidal rule, and the tables of cos(k phi_j). The rule's
+ * last angle, pi/2, adds nothing, because the wall does not reach it. */
 void cor_motion_set_angles(struct cor_motion *m, size_t phi);
-/* Multiplications of a step that reaches so many angles and finds a pressure at so many. Fitted to times. */
+/* Multiplications of a step that computes the reach at `reached` angles and a pressure at `pressed` of them. Fitted to
+ * times. */
 double cor_motion_work(const struct cor_motion *m, size_t reached, size_t pressed);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Restitution of a disk of all its modes at a rigid wall: the ladder of levels Omega, its extrapolation to Omega ->
- * infinity and the estimate of the error. docs/derivation.md, 17. */
+/* Restitution of a disk of infinitely many modes at a rigid wall: the ladder of levels Omega, its extrapolation to
+ * Omega -> infinity and the error estimate. docs/derivation.md, 17. */
 #include "runtime/disk/hard_wall.h"
 
 #include <math.h>
@@ -10,37 +10,39 @@
 
 #include "cor/status.h"
 
-/* ---- what was chosen, and how ---- */
+/* ---- constants, and the origin of their values ---- */
 
 enum { MAX_LEVELS = COR_DISK_HARD_WALL_MAX_LEVELS, LEAST_LEVELS = 2 };
 
-/* Steps and angles are finer by `fineness` than what suffices for COARSE_TOLERANCE, and FINEST at most. Fitted: at
- * fineness 1 they leave a noise of 5e-7 in L of nine levels of ten, at 200 random scenes. */
+/* Steps and angles are finer by the factor `fineness`, at most FINEST, than those that suffice for COARSE_TOLERANCE.
+ * Fitted: at fineness 1 they cause a noise of 5e-7 in L in nine of ten levels, sampled at 200 random scenes. */
 #define COARSE_TOLERANCE 4e-6
 #define FINEST 0.4
-#define TURN 0.8             /* Omega h */
-#define WAVE_SPACING 0.4     /* Omega d, unless more than MOST_ANGLES fit the contact's half-width a */
-#define COARSEST_SPACING 0.8 /* Omega d, at most: the rim's waves reach n = 1.75 Omega, Nyquist's number must be more */
+#define TURN 0.8         /* Omega h */
+#define WAVE_SPACING 0.4 /* Omega d, unless more than MOST_ANGLES fit in the contact's half-width a */
+#define COARSEST_SPACING                                                                                               \
+    0.8 /* largest Omega d: the rim's waves reach n = 1.75 Omega, and the Nyquist number must be
+                              * larger */
 #define LEAST_ANGLES 60
 #define MOST_ANGLES 120
-#define HALF_WIDTH 1.1 /* a = HALF_WIDTH sqrt(v), about; the contact reaches 1.45 sqrt(v) */
-#define RANGE 2.6      /* of the angles, over sqrt(v); wider, once the contact is seen to reach the end */
+#define HALF_WIDTH 1.1 /* a is about HALF_WIDTH sqrt(v); the contact reaches 1.45 sqrt(v) */
+#define RANGE 2.6      /* range of the angles over sqrt(v); widened if the contact reaches the end of the range */
 #define WIDENING 1.5
 enum { MAX_WIDENINGS = 4 };
 
-/* The estimate of the error is the sum of three parts. First the largest of the last changes of the extrapolated value,
- * by these factors, and a quarter of what the extrapolation itself changes. Then what waves that come back while
- * contact ends or splits may still change, unseen so far. Then the noise of steps and angles. Fitted: with these
- * factors the estimate is at least the error at every one of 200 random scenes and six tolerances, judged by two more
+/* The error estimate is the sum of three parts. The first is the largest of the last changes of the extrapolated value,
+ * times these factors, and of a quarter of the change by the extrapolation itself. The second bounds the effect, unseen
+ * so far, of waves that return while contact ends or splits. The third is the noise of steps and angles. Fitted: with
+ * these factors the estimate is at least the error at each of 200 random scenes and six tolerances, judged by two more
  * levels. */
 static const double change_weight[] = {3, 1, 0.3, 0.1};
 #define EXTRAPOLATED 0.25
 #define UNSEEN 0.07 /* over Omega^2 */
 #define NOISE 8e-7  /* times fineness^NOISE_POWER */
 #define NOISE_POWER 2.5
-/* Levels that must agree before an estimate is taken to be good */
+/* Number of levels that must agree before an estimate counts */
 enum { ENOUGH_LEVELS = 5 };
-#define POINT_ERROR 3e-8 /* of L in a point contact: measured against the full method at v = 1e-7 to 1e-5 */
+#define POINT_ERROR 3e-8 /* error of L in a point contact, measured against the full method at v = 1e-7 to 1e-5 */
 
 const struct cor_hard_wall_loops *cor_hard_wall_widest_loops(void)
 {
@@ -79,7 +81,7 @@ static struct cor_hard_wall_settings settings_of(size_t level, double speed, dou
     return settings;
 }
 
-/* Levels for which the lowest n_modes modes suffice */
+/* Number of levels for which the lowest n_modes modes suffice */
 static size_t levels_of(const struct cor_disk_modes *modes, size_t n_modes)
 {
     size_t levels = 0;
@@ -97,7 +99,7 @@ struct ladder {
     double max_compression[MAX_LEVELS], contact_time, error_estimate;
 };
 
-/* The limit that two levels point to, each with twice the Omega^2 of the one before */
+/* The limit extrapolated from two levels, of which the second has twice the Omega^2 of the first */
 static double limit_of(double before, double last)
 {
     return last + (last - before);
@@ -107,7 +109,7 @@ static double estimate_of(const struct ladder *ladder)
 {
     const size_t last = ladder->levels - 1, changes = sizeof change_weight / sizeof *change_weight;
     const double *const value = ladder->extrapolated, omega = omega_of(last);
-    /* with one extrapolated value only there is nothing to compare it with */
+    /* a single extrapolated value has no other to compare with */
     double seen = (last < 2 ? 1 : EXTRAPOLATED) * fabs(value[last] - ladder->l[last]);
     for (size_t i = 0; i < changes && i + 2 <= last; i++)
         seen = fmax(seen, change_weight[i] * fabs(value[last - i] - value[last - i - 1]));
@@ -121,7 +123,7 @@ static int is_settled(const struct ladder *ladder)
     return ladder->levels >= ENOUGH_LEVELS && ladder->error_estimate <= ladder->tolerance;
 }
 
-static void conclude(const struct ladder *ladder, struct cor_disk_hard_wall *out)
+static void ladder_conclude(const struct ladder *ladder, struct cor_disk_hard_wall *out)
 {
     const size_t last = ladder->levels - 1;
     out->one_minus_eps2 = fmax(ladder->extrapolated[last], 0);
@@ -132,7 +134,7 @@ static void conclude(const struct ladder *ladder, struct cor_disk_hard_wall *out
     out->omega_levels = ladder->levels;
 }
 
-/* One level, with more room for the contact where it needs more */
+/* Computes one level, and widens the range of angles if the contact needs more */
 static int compute_level(void *workspace, const struct cor_disk_modes *modes, double speed, double tolerance,
                          size_t level, struct cor_hard_wall_result *result,
                          const struct cor_disk_hard_wall_detail *detail)
@@ -146,8 +148,8 @@ static int compute_level(void *workspace, const struct cor_disk_modes *modes, do
     return status == COR_ERROR_WORKSPACE ? COR_TOLERANCE_NOT_REACHED : status;
 }
 
-/* Levels after those that the ladder has, until it is settled or the modes end */
-static int climb(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t levels)
+/* Adds levels to the ladder until the error is small enough or the modes do not suffice */
+static int ladder_climb(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t levels)
 {
     while (ladder->levels < levels && !is_settled(ladder)) {
         struct cor_hard_wall_result result;
@@ -167,9 +169,9 @@ static int climb(struct ladder *ladder, void *workspace, const struct cor_disk_m
     return is_settled(ladder) ? COR_OK : COR_TOLERANCE_NOT_REACHED;
 }
 
-/* The highest level once more, for what it can tell */
-static int tell(const struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes,
-                const struct cor_disk_hard_wall_detail *detail)
+/* Repeats the highest level for the optional results */
+static int ladder_tell(const struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes,
+                       const struct cor_disk_hard_wall_detail *detail)
 {
     struct cor_hard_wall_result result;
     memset(&result, 0, sizeof result);
@@ -187,8 +189,9 @@ static int check_options(const struct cor_disk_hard_wall_options *options)
                                                                                             : COR_ERROR_TOLERANCE;
 }
 
-/* COR_OK, or what is wrong with the table and the options */
-static int check(const struct cor_disk_modes *modes, size_t n_modes, const struct cor_disk_hard_wall_options *options)
+/* COR_OK, or the status of the first error in the table and the options */
+static int hard_wall_check(const struct cor_disk_modes *modes, size_t n_modes,
+                           const struct cor_disk_hard_wall_options *options)
 {
     if (modes == NULL || modes->mode == NULL || options == NULL)
         return COR_ERROR_NULL;
@@ -216,7 +219,7 @@ static void set_unknown(struct cor_disk_hard_wall *out)
     *out = unknown;
 }
 
-/* Bytes for a level, and to move the start of a workspace to where it must be */
+/* Bytes for a level, and for the alignment of a workspace */
 static size_t bytes_of_level(const struct cor_disk_modes *modes, size_t level, double speed, double tolerance)
 {
     const struct cor_hard_wall_settings settings = settings_of(level, speed, tolerance, 1);
@@ -235,7 +238,7 @@ static void *aligned(void *workspace)
 size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
                                     const struct cor_disk_hard_wall_options *options, double speed)
 {
-    if (check(modes, n_modes, options) != COR_OK || check_speed(speed) != COR_OK)
+    if (hard_wall_check(modes, n_modes, options) != COR_OK || check_speed(speed) != COR_OK)
         return 0;
     size_t most = COR_HARD_WALL_ALIGNMENT;
     for (size_t level = 0, levels = levels_of(modes, n_modes); level < levels && speed > 0; level++) {
@@ -249,7 +252,7 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
                           const struct cor_disk_hard_wall_options *options, double speed,
                           struct cor_disk_hard_wall *out, const struct cor_disk_hard_wall_detail *detail)
 {
-    int status = check(modes, n_modes, options);
+    int status = hard_wall_check(modes, n_modes, options);
     if (status == COR_OK)
         status = check_speed(speed);
     if (status != COR_OK)
@@ -266,11 +269,11 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
     ladder.speed = speed;
     ladder.tolerance = options->tolerance;
     const struct cor_disk_modes lowest = {modes->nu, n_modes, modes->mode};
-    status = climb(&ladder, aligned(workspace), &lowest, levels_of(modes, n_modes));
+    status = ladder_climb(&ladder, aligned(workspace), &lowest, levels_of(modes, n_modes));
     if (ladder.levels >= LEAST_LEVELS)
-        conclude(&ladder, out);
+        ladder_conclude(&ladder, out);
     if (detail != NULL && (status == COR_OK || status == COR_TOLERANCE_NOT_REACHED) && ladder.levels > 0) {
-        const int told = tell(&ladder, aligned(workspace), &lowest, detail);
+        const int told = ladder_tell(&ladder, aligned(workspace), &lowest, detail);
         status = told == COR_OK ? status : told;
     }
     return status;
@@ -279,7 +282,7 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
 int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,
                        const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out)
 {
-    int status = check(modes, n_modes, options);
+    int status = hard_wall_check(modes, n_modes, options);
     if (status == COR_OK)
         status = out == NULL ? COR_ERROR_NULL : check_speed(speed);
     if (status != COR_OK)
@@ -295,10 +298,10 @@ int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,
 
 /* ---- without a table ---- */
 
-/* Levels of the first table, and by how many each next one has more */
+/* Number of levels of the first table, and the increase for each further table */
 enum { FIRST_TABLE = 7, NEXT_TABLE = 2 };
 
-/* The modes that `levels` levels need, malloc'ed */
+/* Computes the modes that `levels` levels need; malloc'ed */
 static int compute_modes(double nu, size_t levels, struct cor_disk_modes *modes)
 {
     const size_t count = cor_disk_modes_below(nu, omega_of(levels - 1)) + 1;
@@ -311,7 +314,7 @@ static int compute_modes(double nu, size_t levels, struct cor_disk_modes *modes)
     return status;
 }
 
-/* The ladder as far as `levels`, with modes and workspace of its own */
+/* Computes the ladder up to `levels` levels, with its own modes and workspace. */
 static int climb_alone(struct ladder *ladder, double nu, size_t levels)
 {
     struct cor_disk_modes modes;
@@ -324,7 +327,7 @@ static int climb_alone(struct ladder *ladder, double nu, size_t levels)
         bytes = needed > bytes ? needed : bytes;
     }
     void *const workspace = malloc(bytes);
-    status = workspace == NULL ? COR_ERROR_MEMORY : climb(ladder, aligned(workspace), &modes, levels);
+    status = workspace == NULL ? COR_ERROR_MEMORY : ladder_climb(ladder, aligned(workspace), &modes, levels);
     free(workspace);
     free((void *)modes.mode);
     return status;
@@ -355,6 +358,6 @@ int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *op
         levels = levels + NEXT_TABLE < MAX_LEVELS ? levels + NEXT_TABLE : MAX_LEVELS;
     } while (status == COR_TOLERANCE_NOT_REACHED && ladder.levels < MAX_LEVELS);
     if (ladder.levels >= LEAST_LEVELS)
-        conclude(&ladder, out);
+        ladder_conclude(&ladder, out);
     return status;
 }

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Contact of the rim with a rigid wall: y >= 0, reach - K y <= 0, y (reach - K y) = 0, where K is the compliance that
- * acts at once, a positive definite matrix. docs/derivation.md, 17.
+/* Contact of the rim with a rigid wall: y >= 0, reach - K y <= 0, y (reach - K y) = 0, where the positive definite
+ * matrix K is the compliance that acts at once. docs/derivation.md, 17.
  *
- * Nearly always the contact is one piece, angles 0 to m - 1. The leading block of Cholesky's factor, K = L L', is the
- * factor of the leading block, so one factor serves every m. And z = L^-1 reach tells m: z_j <= 0 says that angle j is
- * out of contact if angles 0 to j - 1 are in contact. What remains to be checked is that no force pulls and no other
- * angle reaches into the wall. Where one does, block principal pivoting (Judice and Pires, 1994) finds the contact,
+ * Nearly always the contact is one piece, angles 0 to m - 1. The leading block of the Cholesky factor, K = L L', is the
+ * factor of the leading block, so one factor serves every m. z = L^-1 reach determines m: z_j <= 0 means that angle j
+ * is out of contact if angles 0 to j - 1 are in contact. The solver then checks that no force pulls and that no other
+ * angle reaches into the wall. If a check fails, block principal pivoting (Judice and Pires, 1994) finds the contact,
  * starting from that of the step before. */
 #include <math.h>
 #include <string.h>
@@ -14,10 +14,10 @@
 
 #define PI 3.14159265358979323846
 
-/* Rounds of pivoting in which all angles at fault change sides though there are not fewer of them than before; then one
- * angle at a time changes, which ends (Murty). */
+/* Number of rounds of pivoting without progress in which all wrong angles change sides. After these rounds one angle
+ * changes at a time, which terminates (Murty). */
 enum { PATIENCE = 10, MAX_ROUNDS = 10000 };
-/* Forces that pull by less than this part of the greatest one are rounding errors. */
+/* Pulling forces below this part of the largest force are rounding errors. */
 #define FORCE_ROUNDING 1e-12
 
 void *cor_hard_wall_take(struct cor_hard_wall_store *store, size_t n, size_t bytes)
@@ -33,7 +33,7 @@ static size_t padded(size_t n)
     return (n + COR_HARD_WALL_LANES - 1) / COR_HARD_WALL_LANES * COR_HARD_WALL_LANES;
 }
 
-/* Where row i starts: row r has padded(r) elements. */
+/* First element of row i; row r has padded(r) elements. */
 static size_t row_start(size_t i)
 {
     const size_t lanes = COR_HARD_WALL_LANES, above = i > 0 ? i - 1 : 0, whole = above / lanes;
@@ -111,7 +111,7 @@ static void compliance_row(const struct cor_hard_wall_contact *contact, size_t i
                  (across_plus[j] * cosine_minus[j] + across_minus[j] * cosine_plus[j]) + contact->constant;
 }
 
-/* Adds a row to the factor, for an angle beyond those that it has. */
+/* Adds a row to the factor, for a further angle. */
 static void append_row(struct cor_hard_wall_contact *contact, struct cor_hard_wall_factor *factor, size_t angle)
 {
     const size_t i = factor->rows++;
@@ -129,7 +129,7 @@ static void append_row(struct cor_hard_wall_contact *contact, struct cor_hard_wa
     factor->pivot[i] = 1 / sqrt(rest);
 }
 
-/* Element i of L^-1 right, those before it being in z */
+/* Element i of L^-1 right; z holds the elements before it */
 static double solve_forward(const struct cor_hard_wall_contact *contact, const struct cor_hard_wall_factor *factor,
                             size_t i, double right, const double *z)
 {
@@ -146,9 +146,9 @@ static void solve_backward(const struct cor_hard_wall_contact *contact, const st
     }
 }
 
-/* ---- which angles touch ---- */
+/* ---- the angles in contact ---- */
 
-/* How far angle j reaches into the wall under the forces y on angles 0 to m - 1 */
+/* Reach of angle j into the wall under the forces y on angles 0 to m - 1 */
 static double reach_under(const struct cor_hard_wall_contact *contact, size_t j, double reach, const double *y,
                           size_t m)
 {
@@ -165,7 +165,7 @@ static double sum_of(const double *y, size_t m)
     return sum;
 }
 
-/* Does no angle from m on reach into the wall? Most are too far away for forces to matter. */
+/* Whether no angle from m on reaches into the wall. Most angles are too far away to feel the forces. */
 static int is_clear_beyond(const struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                            const double *y, size_t m)
 {
@@ -177,7 +177,8 @@ static int is_clear_beyond(const struct cor_hard_wall_contact *contact, const do
     return 1;
 }
 
-/* Contact in one piece from 0 on. Returns 0 if that is not the contact; otherwise 1, and the number m of angles. */
+/* Solves for a contact of one piece from angle 0 on. Returns 0 if the contact is not of this form, otherwise 1, and
+ * sets the number m of angles. */
 static int solve_whole(struct cor_hard_wall_contact *contact, const double *reach, double negligible, double *y,
                        size_t *pieces_end)
 {
@@ -206,7 +207,8 @@ static int solve_whole(struct cor_hard_wall_contact *contact, const double *reac
     return is_clear_beyond(contact, reach, negligible, y, m);
 }
 
-/* The factor of the angles that touch, keeping rows that it or the whole factor has already; their number */
+/* Computes the factor of the angles in contact, reusing rows of the last or of the whole factor. Returns the number of
+ * angles. */
 static size_t factor_part(struct cor_hard_wall_contact *contact)
 {
     struct cor_hard_wall_factor *const part = &contact->part;
@@ -231,7 +233,7 @@ static size_t factor_part(struct cor_hard_wall_contact *contact)
     return n;
 }
 
-/* The forces on the angles that touch, whatever their sign */
+/* Computes the forces on the angles in contact, of either sign. */
 static void solve_part(struct cor_hard_wall_contact *contact, const double *reach, double *y)
 {
     const size_t n = factor_part(contact);
@@ -245,7 +247,7 @@ static void solve_part(struct cor_hard_wall_contact *contact, const double *reac
         y[contact->wanted[i]] = z[i];
 }
 
-/* Marks the angles whose force pulls or that reach into the wall; their number, and the last of them. */
+/* Marks the angles whose force pulls or that reach into the wall. Returns their number, and sets the last of them. */
 static size_t find_faults(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                           const double *y, size_t *last)
 {
@@ -271,7 +273,7 @@ static size_t find_faults(struct cor_hard_wall_contact *contact, const double *r
     return faults;
 }
 
-static void pivot(struct cor_hard_wall_contact *contact, const double *reach, double negligible, double *y)
+static void contact_pivot(struct cor_hard_wall_contact *contact, const double *reach, double negligible, double *y)
 {
     size_t fewest = contact->points + 1, last = 0;
     int patience = PATIENCE;
@@ -301,7 +303,7 @@ size_t cor_hard_wall_contact_solve(struct cor_hard_wall_contact *contact, const 
     size_t m;
     if (!solve_whole(contact, reach, negligible, y, &m)) {
         contact->pivotings++;
-        pivot(contact, reach, negligible, y);
+        contact_pivot(contact, reach, negligible, y);
         for (m = points; m > 0 && !(y[m - 1] > 0); m--)
             ;
     }

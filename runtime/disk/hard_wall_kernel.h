@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of a disk at a rigid wall over modes, angles and rows of the compliance. Compiled once for every
- * instruction set, in hard_wall_<set>.c, and chosen in hard_wall.c; all sets give the same bits, see kernel_vector.h.
+/* The loops of a disk at a rigid wall over modes, angles and rows of the compliance. hard_wall_<set>.c compiles them
+ * for its instruction set, and hard_wall.c chooses a set. All sets give the same bits (kernel_vector.h).
  * */
 #ifndef COR_RUNTIME_DISK_HARD_WALL_KERNEL_H
 #define COR_RUNTIME_DISK_HARD_WALL_KERNEL_H
@@ -8,11 +8,12 @@
 #include "runtime/core/kernel_vector.h"
 #include "runtime/disk/hard_wall.h"
 
-/* The set that includes this file defines VECTOR, and COLUMNS, how many vectors of angles are summed at once, so that
- * additions need not wait for each other and registers suffice. */
+/* The file that includes this one defines VECTOR, and COLUMNS, the number of vectors of angles that are summed at once.
+ * With this number additions do not wait for each other and registers suffice. */
 
-/* One pass over the modes, `steps` a constant: from q at a kick and before it, with the forces of that kick and of the
- * steps - 1 next ones, to the kick after these; then what the sums will be at `steps` kicks from that one on. */
+/* One pass over the modes; `steps` is a constant. It starts from q at a kick and at the kick before. With the forces of
+ * this kick and of the next steps - 1 kicks, it computes q at the kick after them. It then predicts the sums at `steps`
+ * kicks from that one on. */
 KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,
                            const double *force_s, double *sum_c, double *sum_s)
 {

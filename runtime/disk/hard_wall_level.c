@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* One level of the ladder: the modes below Omega, with a fade, and a rigid wall. docs/derivation.md, 17.
  *
- * Lengths are in units of the speed v here, and forces and amplitudes too, so that nothing underflows however slow the
- * disk is. The compliance at once replaces 1/omega^2 of a mode by the static compliance (h/(2 omega)) cot(omega h/2)
- * that the mode has under kicks at intervals h, and 0 of the centre of mass by h^2/12: the error of the kicks then
- * begins with h^4 in place of h^2. */
+ * Lengths, forces and amplitudes are in units of the speed v, so that nothing underflows for slow disks. In the
+ * compliance that acts at once, (h/(2 omega)) cot(omega h/2), the static compliance of a mode under kicks at intervals
+ * h, replaces 1/omega^2. For the centre of mass, h^2/12 replaces 0. The error of the kicks is then of order h^4 instead
+ * of h^2. */
 #include <math.h>
 #include <string.h>
 
@@ -15,18 +15,18 @@
 #define MASS PI
 #define LN_2 0.69314718055994531
 
-/* The first kick comes this part of a step after the first touch, so that it stands for the step around it. */
+/* The first kick follows the first touch after this part of a step, so that the kick represents the step around it. */
 #define FIRST_KICK 0.5
-/* Reaches that are smaller, in units of the speed, are rounding errors. */
+/* Smaller reaches, in units of the speed, are rounding errors. */
 #define NEGLIGIBLE_REACH 1e-12
-/* Batches of kicks without contact between two looks whether contact is over for good */
+/* Batches of kicks without contact between two checks whether contact has ended finally */
 enum { BATCHES_A_LOOK = 8 };
 enum { MAX_STEPS = 2000000, MAX_BLOCKS = COR_HARD_WALL_MAX_N / COR_HARD_WALL_LANES + 1 };
 
 struct sizes {
     size_t modes, blocks, cells, lanes;
-    size_t terms;   /* of the rim's cosine series, whole panels */
-    size_t points;  /* angles, whole panels; 0 in a point contact */
+    size_t terms;   /* terms of the rim's cosine series, in whole panels */
+    size_t points;  /* number of angles, in whole panels; 0 in a point contact */
     size_t nyquist; /* d = pi/nyquist */
 };
 
@@ -42,11 +42,12 @@ struct level {
     double *sine, *unit;                 /* of each mode: sin(omega h), sqrt(g): the amplitude of q = 1 */
     double *force_c, *force_s;           /* [batch][lanes] */
     double *sum_c, *sum_s;               /* likewise */
-    double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: what a force adds to sums so many kicks later */
+    double *echo_cc, *echo_cs, *echo_ss; /* [1 to batch - 1][lanes]: effect of a force on the sums 1 to batch - 1 kicks
+                                          * later */
     double *twice_cosine, *shape, *reach, *force, *series, *filled;
     double *t, *q; /* T_k and Q_n of the compliance at once, k up to nyquist */
     struct cor_hard_wall_contact contact;
-    double point_constant; /* of the contact law, (57), without the modes that move */
+    double point_constant; /* constant of the contact law, (57), without the moving modes */
 };
 
 /* ---- workspace ---- */
@@ -56,7 +57,7 @@ static size_t panels(size_t n)
     return (n + COR_HARD_WALL_PANEL - 1) / COR_HARD_WALL_PANEL * COR_HARD_WALL_PANEL;
 }
 
-/* Rows of each block of modes, as many as the fullest of its n has modes; the number of blocks */
+/* Sets the rows of each block of modes, the largest number of modes with the same n. Returns the number of blocks. */
 static size_t count_rows(const struct cor_disk_mode *mode, size_t modes, size_t *rows)
 {
     size_t count[COR_HARD_WALL_MAX_N + 1] = {0}, n_max = 1;
@@ -114,7 +115,7 @@ static void arrange(struct level *level, struct cor_hard_wall_store *store)
     level->filled = cor_hard_wall_take(store, size->lanes, real);
     level->series = cor_hard_wall_take(store, size->terms, real);
     level->twice_cosine = cor_hard_wall_take(store, both, real);
-    level->reach = cor_hard_wall_take(store, both, real); /* scratch for sums and differences of angles too */
+    level->reach = cor_hard_wall_take(store, both, real); /* also scratch for sums and differences of angles */
     double **const of_points[] = {&level->shape, &level->force};
     for (size_t i = 0; i < sizeof of_points / sizeof *of_points; i++)
         *of_points[i] = cor_hard_wall_take(store, size->points, real);
@@ -165,8 +166,8 @@ static void place_modes(struct level *level)
     level->modes = modes;
 }
 
-/* Adds A, B, D of one n, or takes those of one mode away: (C + S)^2 belongs to cos((n + 1) phi) twice, (C - S)^2 to
- * cos((n - 1) phi) twice, C^2 - S^2 to both at once. */
+/* Adds A, B, D of one n, or subtracts those of one mode. (C + S)^2 belongs to cos((n + 1) phi) twice, (C - S)^2 to
+ * cos((n - 1) phi) twice, C^2 - S^2 to the product of both. */
 static void add_compliance(struct level *level, size_t n, double sum_square, double difference_square, double across)
 {
     if (n + 1 <= level->size.nyquist)
@@ -176,7 +177,7 @@ static void add_compliance(struct level *level, size_t n, double sum_square, dou
         level->q[n] += across;
 }
 
-/* The static compliance of all modes up to Nyquist's number, section 14 */
+/* Adds the static compliance of all modes up to the Nyquist number, section 14. */
 static void add_static_compliance(struct level *level, double nu)
 {
     memset(level->t, 0, (level->size.nyquist + 1) * sizeof *level->t);
@@ -248,7 +249,7 @@ static void set_angles(struct level *level)
 
 /* ---- wall ---- */
 
-/* What happens at one kick */
+/* The results of one kick */
 struct kick {
     double load;
     size_t end; /* 1 more than the last angle in contact */
@@ -267,7 +268,7 @@ static void gather(const struct level *level, const double *sum_c, const double 
         series[k] = 0.5 * (sum_c[k - 1] + sum_s[k - 1]);
 }
 
-/* The other way: forces on c and s of each n. The wall pushes inwards. */
+/* The transpose of gather: the forces on c and s of each n. The wall pushes inwards. */
 static void spread(const struct level *level, const double *series, double *force_c, double *force_s)
 {
     const size_t lanes = level->size.lanes;
@@ -279,7 +280,8 @@ static void spread(const struct level *level, const double *series, double *forc
     }
 }
 
-/* The load p of a point contact, which the point would enter by `depth` without it: depth = (p/pi)(a - ln(p)) */
+/* The load p of a point contact, whose point would be at `depth` in the wall without the load: depth = (p/pi)(a -
+ * ln(p)) */
 static double point_load(double depth, double a)
 {
     if (!(depth > 0))
@@ -338,7 +340,7 @@ struct motion {
     size_t steps;
 };
 
-/* How far any part of the rim can swing out of its round shape while nothing pushes */
+/* Largest displacement of any part of the rim out of its round shape in free motion */
 static double greatest_swing(const struct level *level)
 {
     double swing = 0;
@@ -351,14 +353,14 @@ static double greatest_swing(const struct level *level)
     return swing;
 }
 
-/* Under kicks at intervals h the depth of the centre of mass is (h^2/12) load/m more than the true one. */
+/* Under kicks at intervals h the depth of the centre of mass exceeds the true depth by (h^2/12) load/m. */
 static double true_depth(const struct level *level, const struct motion *motion, double load)
 {
     return motion->depth - level->h * level->h / (12 * MASS) * load;
 }
 
-/* Notes the largest depth, on a parabola through three, and the end of the contact, at which the load goes on to fall
- * as it fell. */
+/* Updates the largest depth, from a parabola through three depths, and the end of the contact, from a linear
+ * extrapolation of the falling load. */
 static void follow(struct motion *motion, const struct level *level, double load)
 {
     const double depth = true_depth(level, motion, load), last = motion->last, last_but_one = motion->last_but_one;
@@ -389,9 +391,9 @@ static double next_amplitude(const struct level *level, size_t i)
            (level->c[cell] * level->force_c[n] + level->s[cell] * level->force_s[n]);
 }
 
-/* Tells of a kick whose forces are known. Under kicks an amplitude is (h^2/12) force/m less than the true one. */
-static void tell(const struct level *level, const struct motion *motion, const struct kick *kick, double contact_time,
-                 const struct cor_disk_hard_wall_detail *detail)
+/* Reports a kick whose forces are known. Under kicks an amplitude is smaller than the true one by (h^2/12) force/m. */
+static void level_tell(const struct level *level, const struct motion *motion, const struct kick *kick,
+                       double contact_time, const struct cor_disk_hard_wall_detail *detail)
 {
     const double v = level->speed, h = level->h;
     for (size_t i = 0; i < level->size.modes; i++) {
@@ -422,7 +424,7 @@ static void clear_detail(const struct cor_disk_modes *modes, const struct cor_di
             memset(cleared[i], 0, modes->count * sizeof(double));
 }
 
-/* Adds to the sums of kick `at` of a batch what the forces of the kicks before it do. */
+/* Adds the effect of the forces of earlier kicks to the sums of kick `at` of a batch. */
 static void add_echoes(struct level *level, size_t at)
 {
     const size_t lanes = level->size.lanes;
@@ -438,7 +440,7 @@ static void add_echoes(struct level *level, size_t at)
     }
 }
 
-/* A kick, and the way of the centre of mass to the next one */
+/* Makes a kick, and moves the centre of mass to the next one. */
 static struct kick step(struct level *level, struct motion *motion, size_t at)
 {
     const size_t lanes = level->size.lanes;
@@ -459,9 +461,9 @@ static void drift(const struct level *level, struct motion *motion, double load)
     motion->steps++;
 }
 
-/* Kick after kick until no part of the rim can reach the wall any more */
-static int collide(struct level *level, struct motion *motion, double contact_time,
-                   const struct cor_disk_hard_wall_detail *detail)
+/* Makes kicks until no part of the rim can reach the wall any more. */
+static int level_collide(struct level *level, struct motion *motion, double contact_time,
+                         const struct cor_disk_hard_wall_detail *detail)
 {
     const size_t batch = detail == NULL ? COR_HARD_WALL_BATCH : 1;
     size_t free_batches = 0;
@@ -474,7 +476,7 @@ static int collide(struct level *level, struct motion *motion, double contact_ti
             if (level->contact.indefinite || !(kick.load < INFINITY))
                 return COR_ERROR_MODES;
             if (detail != NULL)
-                tell(level, motion, &kick, contact_time, detail);
+                level_tell(level, motion, &kick, contact_time, detail);
             drift(level, motion, kick.load);
             load += kick.load;
         }
@@ -533,7 +535,7 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
     memset(&motion, 0, sizeof motion);
     motion.velocity = 1;
     motion.time = motion.depth = FIRST_KICK * level.h;
-    const int status = collide(&level, &motion, result->contact_time, detail);
+    const int status = level_collide(&level, &motion, result->contact_time, detail);
     if (status != COR_OK)
         return level.contact.indefinite ? COR_ERROR_MODES : status;
     const double energy = energy_after(&level, detail == NULL ? NULL : detail->energy_after);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The restitution of a disk of all its modes at a rigid wall, from the table of generated/disk_limits.h. */
+/* The restitution of a disk of infinitely many modes at a rigid wall, from the table of generated/disk_limits.h. */
 #include <math.h>
 
 #include "cor/disk.h"
@@ -9,7 +9,7 @@ static const struct cor_disk_limit_table table = {
     COR_DISK_LIMIT_X_ROOTS,  COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST, COR_DISK_LIMIT_X_STEP,
     COR_DISK_LIMIT_NU_FIRST, COR_DISK_LIMIT_NU_STEP,  cor_disk_limit_node,    cor_disk_limit_cell};
 
-/* Not where either is NaN. */
+/* False if speed or nu is NaN */
 static int is_inside(double speed, double nu)
 {
     return speed >= COR_DISK_EPS_MIN_SPEED && speed <= COR_DISK_EPS_MAX_SPEED && nu >= COR_DISK_EPS_MIN_NU &&

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The mode tables that the library shows, and mode files read at run time. */
+/* The mode tables of the library, and the reader of mode files. */
 #include <float.h>
 #include <limits.h>
 #include <math.h>
@@ -23,15 +23,15 @@ enum {
     HIGHEST_EXPONENT = 1023
 };
 
-/* Of the numbers of a row as written, each within half an ulp. */
+/* Bound on the residual of (26) for the numbers of a row, each rounded within half an ulp */
 static const double normalisation_error = 1e-12;
 
 struct lines {
     FILE *file;
-    size_t number; /* of the line in text, from 1 */
+    size_t number; /* number of the line in the file, from 1 */
     uint32_t check;
     char text[LINE_MAX_LENGTH];
-    const char *at; /* what is not read yet; the check has been cut off */
+    const char *at; /* the unread rest of the line, without its check */
 };
 
 static int hex_digit(char c)
@@ -41,7 +41,7 @@ static int hex_digit(char c)
     return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
 }
 
-/* The next line, if its check is right. */
+/* Reads the next line. Returns 0 if its check is wrong. */
 static int next_line(struct lines *in)
 {
     in->number++;
@@ -67,7 +67,7 @@ static int next_line(struct lines *in)
     return COR_OK;
 }
 
-/* The same beginning with this word, which is passed over. */
+/* Reads the next line, which must begin with `word`, and skips the word. */
 static int next_line_of(struct lines *in, const char *word)
 {
     const int status = next_line(in);
@@ -80,7 +80,7 @@ static int next_line_of(struct lines *in, const char *word)
     return COR_OK;
 }
 
-/* Each number is preceded by one space. Read here and not by strtod, whose decimal point is the locale's. */
+/* Reads a number after one space. These functions do not call strtod, whose decimal point depends on the locale. */
 
 static int read_whole(struct lines *in, size_t most, size_t *value)
 {
@@ -98,7 +98,7 @@ static int read_whole(struct lines *in, size_t most, size_t *value)
     return 1;
 }
 
-/* As C writes a double with %a: 0x0p+0, or a normal one, [-]0x1[.h...]p(+|-)d... */
+/* Reads a double in the form of C's %a: 0x0p+0, or a normal number [-]0x1[.h...]p(+|-)d... */
 static int read_double(struct lines *in, double *value)
 {
     const char *c = in->at;
@@ -139,7 +139,7 @@ static int read_double(struct lines *in, double *value)
     return 1;
 }
 
-/* What every mode obeys, so that numbers that are no mode's do not get in: (26) in closed form. */
+/* Whether the numbers obey (26) in closed form, as those of every mode do */
 static int is_mode(const struct cor_disk_mode *m)
 {
     const double square = m->omega * m->omega;
@@ -170,7 +170,7 @@ static int read_mode(struct lines *in, struct cor_disk_mode *mode)
 static int read_header(struct lines *in, struct cor_disk_modes *found)
 {
     int status = next_line(in);
-    /* the first line tells a file that is none, or another version's, from a damaged one */
+    /* the first line distinguishes a file of another kind or version from a damaged file */
     const size_t name = sizeof COR_MODE_FILE_NAME - 1, version = sizeof COR_MODE_FILE_VERSION - 1;
     if (status == COR_ERROR_FILE)
         return status;

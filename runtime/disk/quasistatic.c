@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The quasistatic contact law of the disk. With q = ln(limit/argument) and t - ln(1 + t) = q (lambert_w.h) it is
+/* The quasistatic contact law of the disk. With q = ln(limit/argument) and t - ln(1 + t) = q (lambert_w.h) the law is
  *
  *     P = pi delta/(1 + t)               q = ln(delta_limit/delta)
  *     delta = (P/pi) (1 + t)             t = ln(P_limit/P)
@@ -7,8 +7,8 @@
  *     P = sqrt(4 pi V/(1 + t))           q = ln(V_limit/V)
  *     P = sqrt(2) pi v/sqrt(1 + t)       q = 2 ln(v_limit/v),     delta = sqrt(2) v (1 + t/2)/sqrt(1 + t)
  *
- * where nothing cancels. t begins like sqrt(2 q), so close to the limit q must be known better than a double tells:
- * the limits are pairs there. Far from it their logarithms, linear in nu, are all that is needed. */
+ * In these forms nothing cancels. t begins like sqrt(2 q), so that close to the limit q must be known better than to
+ * double precision: the limits are pairs. Far from the limit their logarithms, which are linear in nu, suffice. */
 #include "runtime/disk/quasistatic.h"
 
 #include "runtime/core/environment.h"
@@ -49,7 +49,8 @@ static pair pair_sqrt(pair x)
     return cor_inline_sum(root, (((x.hi - square.hi) - square.lo) + x.lo) / (2 * root));
 }
 
-/* exp(x), |x| < 2, to 2^-102: the power series of exp(x/2^9) - 1, doubled nine times by s -> 2 s + s^2 */
+/* exp(x), |x| < 2, with relative error 2^-101. s -> 2 s + s^2, applied nine times to the power series of exp(x/2^9) -
+ * 1, gives exp(x) - 1. */
 static pair pair_exp(double x)
 {
     static const pair one_over_factorial[] = {{1, 0},
@@ -70,7 +71,7 @@ static pair pair_exp(double x)
     return pair_plus(pair_of(1), s);
 }
 
-/* x f, rounded once, also where it is subnormal */
+/* x f, rounded once, also where the product is subnormal */
 static double times(double x, pair f)
 {
     const double unit = x < COR_INLINE_2_M900 ? COR_INLINE_2_M200 : 1;
@@ -96,14 +97,14 @@ static double square_times(double x, pair f)
 
 enum quantity { COMPRESSION, LOAD, SPEED, ENERGY };
 
-/* A limit is number exp(slope nu), its logarithm log + slope nu. */
+/* A limit is number exp(slope nu), and its logarithm is log + slope nu. */
 struct limit {
     struct cor_logarithm at_zero;
     double exponent; /* slope nu */
 };
 
-/* Returns 0 for what is no nu or no datum. At nu = 0 the data are two: exp(b - 1) is exp(-5/4)/4 for the centre of
- * mass and exp(-2) for the others. */
+/* Returns 0 if nu is outside its domain or the datum does not exist. At nu = 0 two cases remain: exp(b - 1) is
+ * exp(-5/4)/4 for the centre of mass and exp(-2) for the other data. */
 static int find_limit(enum quantity quantity, double nu, enum cor_disk_datum datum, struct limit *limit)
 {
     static const struct cor_logarithm at_zero[4][2] = {
@@ -143,7 +144,7 @@ static pair limit_number(const struct limit *limit)
     return cor_inline_pair_times(limit->at_zero.number, pair_exp(limit->exponent));
 }
 
-/* The largest double inside, of a positive number */
+/* The largest double that does not exceed a positive number */
 static double largest(pair x)
 {
     return x.lo >= 0 ? x.hi : cor_inline_from_bits(cor_inline_bits(x.hi) - 1);
@@ -167,7 +168,7 @@ static pair depth(enum quantity quantity, double x, double nu, enum cor_disk_dat
 
 /* ---- the law ---- */
 
-/* What an argument of 0, a negative one or NaN gives, if nu and datum are fit */
+/* The result for an argument that is 0, negative or NaN; at_zero for 0 if nu and datum are valid */
 static double not_positive(double x, double at_zero, double nu, enum cor_disk_datum datum)
 {
     struct limit limit;
@@ -245,7 +246,8 @@ static double law_max_compression(double speed, double nu, enum cor_disk_datum d
     return times(speed, cor_inline_pair_over(numerator, pair_sqrt(one_plus(t))));
 }
 
-/* exp(u) - 1 - u, 0 <= u < 100, to 3 ulp; to u/3 where u is tiny and so is its part of the integral below */
+/* exp(u) - 1 - u, 0 <= u < 100, with an error of 3 ulp. For tiny u the relative error is u/3, and the part of such u in
+ * the integral below is tiny too. */
 static double exp_less_two_terms(double u)
 {
     if (u >= 1)
@@ -278,25 +280,26 @@ static double exp_less_two_terms(double u)
     return square / 2 * (even + u * odd);
 }
 
-/* tau = sqrt(2) int sqrt(1 + T) dtheta, where T - ln(1 + T) = q - 2 ln(sin(theta)) and T = t at theta = pi/2. In
- * u = T - t there is nothing to invert,
+/* tau = sqrt(2) int sqrt(1 + T) dtheta, where T - ln(1 + T) = q - 2 ln(sin(theta)) and T = t at theta = pi/2. The
+ * variable u = T - t avoids the inversion,
  *
  *     tau = (1/sqrt(2)) int_0^inf (t + u) du/sqrt((1 + t) (exp(u) - 1 - u) + t u)
  *
- * and the root has zeros at u = 0 and near u = -c, c = t + t/(1 + t), close together near the edge of the domain. Both
- * go in u = c sinh^2(x/2): the integrand becomes
+ * and the root has zeros at u = 0 and near u = -c, c = t + t/(1 + t), close together near the edge of the domain. The
+ * substitution u = c sinh^2(x/2) removes both: the integrand becomes
  *
  *     f(x) = (t + u) sqrt(u (u + c)/((1 + t) (exp(u) - 1 - u) + t u)),
  *
- * even, falling like exp(-u/2), its first singularities at x = +-i a + ..., 0.99 < a/(1.29/sqrt(1 + c/7.6)) < 1.19,
- * where the root vanishes near u = 2 +- 7 i. The trapezoidal rule with the step 2 pi 1.29/(38.5 sqrt(1 + c/7.6)) is off
- * by exp(-38), and so is the cut at u = 88. It takes 27 to 60 points, 115 at t = 1e-8 and at most 200. */
+ * which is even and falls like exp(-u/2). Its first singularities, where the root vanishes near u = 2 +- 7 i, are at x
+ * = +-i a + ... with 0.99 < a/(1.29/sqrt(1 + c/7.6)) < 1.19. The trapezoidal rule with the step 2 pi 1.29/(38.5 sqrt(1
+ * + c/7.6)) has a relative error of exp(-38), and so has the cut at u = 88. The rule takes 27 to 60 points, 115 at t =
+ * 1e-8 and at most 200. */
 static double time_of_t(double t)
 {
-    /* Below it, a kink of its size at x = 0 that the rule sees times step^2/12. */
+    /* A t below this value causes a kink of size t at x = 0, of which the rule receives step^2/12. */
     const double least = 1e-15, end = 88;
     const double y = 1 + t, between = t + t / y, c = between < least ? least : between;
-    /* head: k step is exact */
+    /* the head has few bits, so that k step is exact */
     const double step = cor_inline_head(0.2105 / sqrt(1 + c / 7.6));
     pair sum = pair_of(sqrt(t * c) / 2);
     for (int k = 1;; k++) {
@@ -375,7 +378,7 @@ static double leading_contact_time(double speed, double nu, enum cor_disk_datum 
 
 /* ---- the public functions ---- */
 
-/* Pairs need rounding to nearest. Volatile operands: see environment.h. */
+/* Pairs need rounding to nearest. environment.h explains the volatile operands. */
 static double in_environment(double (*law)(double x, double nu, enum cor_disk_datum datum), double x, double nu,
                              enum cor_disk_datum datum)
 {

@@ -11,7 +11,7 @@
 #include "runtime/disk/quasistatic.h"
 #include "runtime/disk/rayleigh_tail.h"
 
-/* Modes that tails are computed from where the table has them, more than were asked for or not */
+/* The tail uses this number of modes if the table has them, even if the caller asked for fewer. */
 enum { TAIL_MODES = 1800 };
 
 /* ---- statuses ---- */
@@ -62,7 +62,7 @@ static int at_rest(struct cor_disk_rayleigh *out)
     return COR_OK;
 }
 
-/* The modes that the sums and the tail of n_modes modes take */
+/* Number of modes in the sums and the tail of n_modes modes */
 static size_t modes_taken(const struct cor_disk_modes *modes, size_t n_modes)
 {
     const size_t least = modes->count < TAIL_MODES ? modes->count : TAIL_MODES;
@@ -100,9 +100,9 @@ static void add_modes(struct cor_mode_sums *sums, struct cor_rayleigh_table *tab
     }
 }
 
-/* The tail, of sums over all modes of the table */
-static void finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
-                   const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums)
+/* Sets the tail from sums over all modes of the table. */
+static void rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
+                            const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums)
 {
     struct cor_surface_modes surface;
     struct cor_mode_chunk chunk;
@@ -141,13 +141,14 @@ static int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes,
     add_modes(&sums, &table, n_modes, all, &spectrum, NULL);
     struct cor_disk_rayleigh whole = *out;
     whole.fraction = sums.fraction;
-    finish(&whole, &table, &spectrum, &sums);
+    rayleigh_finish(&whole, &table, &spectrum, &sums);
     out->tail = whole.fraction - out->fraction + whole.tail;
     out->error_estimate = whole.error_estimate;
     return result_status(out, speed);
 }
 
-/* The sums and loops need rounding to nearest, and compute on both sides of a condition: see environment.h. */
+/* The sums and loops need rounding to nearest. The loops compute both sides of a condition, which may raise exceptions
+ * (environment.h). */
 int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum, double speed,
                       struct cor_disk_rayleigh *out, double *mode_fraction)
 {
@@ -181,7 +182,7 @@ static struct cor_disk_rayleigh trial_of(const struct cor_disk_modes *modes, siz
         sums.low[k] += below.low[k];
         sums.high[k] += below.high[k];
     }
-    finish(&trial, &table, spectrum, &sums);
+    rayleigh_finish(&trial, &table, spectrum, &sums);
     return trial;
 }
 
@@ -205,7 +206,7 @@ static int rayleigh_to_tolerance(const struct cor_disk_modes *modes, enum cor_di
     const double contact_time = cor_disk_contact_time(speed, modes->nu, datum);
     cor_spectrum_init(&spectrum, cor_disk_depth(speed, modes->nu, datum), contact_time, first_omega(),
                       last_omega(modes, modes->count));
-    /* a quarter more modes at a time until they are enough, then halving between that and the number before */
+    /* adds a quarter more modes at a time until they suffice, then bisects between the last two numbers */
     size_t few = 0, enough = 0, n = 1;
     double sum_few = 0;
     struct cor_disk_rayleigh best = {0, 0, 0, contact_time};
@@ -248,22 +249,24 @@ int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum cor_dis
 
 /* ---- many speeds ---- */
 
-/* A piece of q0 with fewer speeds than this is not worth its nodes. */
+/* With fewer speeds than this, computing the nodes of a piece of q0 costs more than it saves. */
 enum { WORTH_A_PIECE = COR_PIECE_NODES + 4 };
-/* Pieces begin at q0 = 4^FIRST_PIECE; below, near the limit of the contact law, spectra are computed one by one. */
+/* Pieces begin at q0 = 4^FIRST_PIECE; For smaller q0, near the limit of the contact law, spectra are computed one by
+ * one. */
 enum { FIRST_PIECE = -5, LAST_PIECE = 5 };
 
-/* What all speeds share: the modes, weighed, and the surface modes beyond them */
+/* Data that all speeds share: the modes with their weights, and the surface modes beyond them */
 struct list {
     struct cor_rayleigh_table table;
     struct cor_surface_modes surface;
-    struct cor_mode_chunk *chunk;      /* of the n_modes modes asked for, of the others taken, of the surface */
+    struct cor_mode_chunk *chunk;      /* chunks of the n_modes modes, then of the other modes of the table, then of the
+                                        * surface modes */
     size_t asked, taken, with_surface; /* chunks up to there */
     int last_n;                        /* of the last surface mode */
     enum cor_disk_datum datum;
     size_t n_modes;
     double *room; /* of a piece */
-    double *q0;   /* of every speed; NaN where there is nothing (more) to compute */
+    double *q0;   /* q0 of every speed; NaN if the speed is finished or invalid */
 };
 
 static size_t chunks_of(size_t modes)
@@ -271,7 +274,7 @@ static size_t chunks_of(size_t modes)
     return (modes + COR_LINES - 1) / COR_LINES;
 }
 
-/* How many chunks of surface modes there are */
+/* Number of chunks of surface modes */
 static size_t count_surface(const struct list *list)
 {
     struct cor_mode_chunk chunk;
@@ -294,7 +297,7 @@ static void list_weigh(struct list *list)
         cor_surface_modes_next(&list->surface, list->table.set, &list->last_n, &list->chunk[k]);
 }
 
-/* Returns 0 where memory is short; list_free is for then, too. */
+/* Returns 0 if memory is short. The caller calls list_free in either case. */
 static int list_init(struct list *list, const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                      size_t speeds)
 {
@@ -342,7 +345,7 @@ static void list_evaluate(const struct list *list, const struct cor_spectrum *sp
     out->error_estimate = whole.error_estimate;
 }
 
-/* The piece of a q0, or FIRST_PIECE - 1 */
+/* The piece that contains q0, or FIRST_PIECE - 1 */
 static int piece_of(double q0)
 {
     int exponent;
@@ -351,7 +354,8 @@ static int piece_of(double q0)
     return q0 > 0 && exponent - 1 >= 2 * FIRST_PIECE && piece <= LAST_PIECE ? piece : FIRST_PIECE - 1;
 }
 
-/* All speeds of one piece, or of none: by interpolated spectra where there are enough of them */
+/* Computes all speeds of one piece, or those outside all pieces. Enough speeds of a piece share interpolated
+ * spectra. */
 static void list_of_piece(struct list *list, int number, const double *speed, size_t n, struct cor_disk_rayleigh *out,
                           double *mode_fraction)
 {

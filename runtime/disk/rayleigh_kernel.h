@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops of Rayleigh's energy over nodes and over modes, free of calls; gcc 12 vectorises all of them, in the
- * portable set too (-fopt-info-vec). Compiled once for every instruction set, in rayleigh_<set>.c, and chosen in
- * rayleigh_spectrum.c. No set may fuse a multiplication with an addition, and sums go into sixteen parts, whatever
- * the width of a vector: so all sets give the same bits. */
+ * portable set too (-fopt-info-vec). rayleigh_<set>.c compiles the loops for its instruction set, and
+ * rayleigh_spectrum.c chooses a set. No set may fuse a multiplication with an addition, and sums have sixteen parts for
+ * every width of a vector. All sets therefore give the same bits. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_KERNEL_H
 #define COR_RUNTIME_DISK_RAYLEIGH_KERNEL_H
 
@@ -17,8 +17,8 @@ struct pair_of_numbers {
     double sine, cosine;
 };
 
-/* |x| < 2^20: pi/2 in three parts of 33 bits, so that k times the first two is exact; then Taylor's series as far as
- * 2^-55 at pi/4. Error below 2^-52 + 2^-53 |x|, absolute. */
+/* sin(x) and cos(x) for |x| < 2^20. pi/2 has three parts of 33 bits, so that k times the first two is exact. Taylor's
+ * series has terms down to 2^-55 at pi/4. The absolute error is below 2^-52 + 2^-53 |x|. */
 KERNEL struct pair_of_numbers kernel_sincos(double x)
 {
     const double k = (x * 0.63661977236758134 + ROUND_TO_INTEGER) - ROUND_TO_INTEGER;
@@ -95,7 +95,7 @@ KERNEL struct number divided(struct number x, struct number y)
     return scaled(1 / square_modulus(y), times(x, number(y.re, -y.im)));
 }
 
-/* The root with Re >= 0 of x != 0 */
+/* The square root of x != 0 that has Re >= 0 */
 KERNEL struct number root(struct number x)
 {
     const double half = sqrt(0.5 * (sqrt(square_modulus(x)) + fabs(x.re))), other = 0.5 * x.im / half;
@@ -103,7 +103,8 @@ KERNEL struct number root(struct number x)
     return number(re, im);
 }
 
-/* ln(x) and arg(x) to 1e-5, x normal, enough to begin with: atanh's series; Abramowitz and Stegun 4.4.49 */
+/* ln(x) for a normal x, and arg(x), with an absolute error of 1e-5, as start values: the series of atanh; Abramowitz
+ * and Stegun 4.4.49 */
 KERNEL double rough_log(double x)
 {
     uint64_t bits, exponent;
@@ -152,10 +153,11 @@ KERNEL struct pair_of_complex kernel_complex_sincos(struct number x)
     return result;
 }
 
-/* h(rho) = -i rho exp(-i tilt rho/(1 + rho)): straight down, then more and more to the left, where exp(-omega p) falls
- * off without turning; its derivative; and sin(theta), without the factor cosh(Theta) at the base pi/2 - i Theta. */
+/* h(rho) = -i rho exp(-i tilt rho/(1 + rho)): the path starts straight down and then turns to the left, where
+ * exp(-omega p) decays without oscillation. The struct holds h, its derivative, and sin(theta), divided by cosh(Theta)
+ * at the base pi/2 - i Theta. */
 struct path_point {
-    struct number h, slope, sine, beyond_one; /* the last: sine - 1 */
+    struct number h, slope, sine, beyond_one; /* beyond_one = sine - 1 */
     struct pair_of_numbers turn;              /* sin and cos of Re(h) */
 };
 
@@ -185,7 +187,7 @@ KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int from_z
     return point;
 }
 
-/* A step of Halley's method on (1 + t) exp(q - t) = 1, exp(q - q0) = power; none where move = 0, not 1. */
+/* A step of Halley's method on (1 + t) exp(q - t) = 1, exp(q - q0) = power; no step if move is 0 instead of 1. */
 KERNEL struct number kernel_halley(double q0, struct number power, double move, struct number t)
 {
     const struct number one = number(1, 0), six = number(6, 0), y = plus(one, t);
@@ -198,20 +200,21 @@ KERNEL struct number kernel_halley(double q0, struct number power, double move, 
     return plus(t, scaled(move, step));
 }
 
-/* t, t - ln(1 + t) = q = q0 - 2 ln(sin(theta)), on the sheet where Im(t) > 0 for Im(q) > 0: near enough for Halley's
- * method, or t itself and *move = 0 */
+/* The solution t of t - ln(1 + t) = q = q0 - 2 ln(sin(theta)) on the sheet where Im(t) > 0 for Im(q) > 0. Returns a
+ * start value for Halley's method, or t itself with *move = 0. */
 KERNEL struct number kernel_guess(const struct cor_leg_path *path, int from_zero, const struct path_point *point,
                                   double *move)
 {
     const double pi = 3.14159265358979323846;
-    /* sin(theta) = exp(i theta)/(2 i) (1 - exp(-2 i theta)), Im(theta) < 0: its argument without a jump, however far */
+    /* sin(theta) = exp(i theta)/(2 i) (1 - exp(-2 i theta)), Im(theta) < 0: this form gives its argument without a jump
+     * at any distance */
     const struct number back =
         from_zero ? number(point->turn.sine, point->turn.cosine) : number(point->turn.cosine, -point->turn.sine);
     const double turned = rough_argument(times(point->sine, back));
     const double q0 = from_zero ? path->q0 : 0, q_im = (from_zero ? pi : 0) - 2 * (point->h.re + turned);
     const struct number one = number(1, 0);
     const struct number rough = number(q0 - rough_log(square_modulus(point->sine)), q_im > 0 ? q_im : 0);
-    /* near the branch point */
+    /* for theta near the branch point */
     const struct number m = point->beyond_one;
     struct number log_series = plus(scaled(-1.0 / 6, m), number(1.0 / 5, 0));
     log_series = plus(times(log_series, m), number(-1.0 / 4, 0));
@@ -221,7 +224,7 @@ KERNEL struct number kernel_guess(const struct cor_leg_path *path, int from_zero
     const int near = !from_zero && square_modulus(m) < 6e-6;
     const struct number exact = scaled(-2, times(log_series, m));
     const struct number q = number(near ? exact.re : rough.re, near ? exact.im : rough.im);
-    /* the series at the branch point, DLMF 5.11.3's; below |s| = 0.1 its next term is 2^-60 */
+    /* the series at the branch point, with the coefficients of DLMF 5.11.3; below |s| = 0.1 its next term is 2^-60 */
     const struct number s = root(scaled(2, q)), up = number(s.im < 0 ? -s.re : s.re, fabs(s.im));
     struct number series = number(-139.0 / 5443200, 0);
     series = plus(times(series, up), number(1.0 / 17010, 0));
@@ -230,14 +233,15 @@ KERNEL struct number kernel_guess(const struct cor_leg_path *path, int from_zero
     series = plus(times(series, up), number(1.0 / 36, 0));
     series = plus(times(series, up), number(1.0 / 3, 0));
     series = times(plus(times(series, up), one), up);
-    /* far from it */
+    /* for theta far from the branch point */
     const struct number far = plus(q, rough_complex_log(plus(plus(one, q), rough_complex_log(plus(one, q)))));
     const int outside = square_modulus(s) > 5;
     *move = near ? 0 : 1;
     return number(outside ? far.re : series.re, outside ? far.im : series.im);
 }
 
-/* How many steps make a guess y to 2^-48, sampled at q0 = 0 to 1400, at the second base to 30 */
+/* Number of steps from a start value to y with relative error 2^-48, sampled at q0 = 0 to 1400, for the second base to
+ * 30 */
 enum { STEPS_FROM_ZERO = 2, STEPS_FROM_OTHER = 3 };
 
 KERNEL struct number kernel_solve(const struct cor_leg_path *path, double rho)
@@ -251,7 +255,7 @@ KERNEL struct number kernel_solve(const struct cor_leg_path *path, double rho)
     return t;
 }
 
-/* A panel of a leg: p and weights at `steps` nodes, p at its end */
+/* Computes a panel of a leg: p and weights at `steps` nodes, and p at the end. */
 KERNEL void kernel_panel(const struct cor_leg_path *path, int from_zero, const struct cor_leg_rule *rule, int steps,
                          double top, struct cor_leg *restrict leg)
 {
@@ -334,7 +338,7 @@ KERNEL void kernel_exponentials(int n, const double *restrict p_re, const double
     }
 }
 
-/* sum of w e, and e squared in place; n is a multiple of COR_LEG_PART */
+/* Returns the sum of w e, and squares e in place. n is a multiple of COR_LEG_PART. */
 KERNEL void kernel_sum_and_square(int n, const double *restrict w_re, const double *restrict w_im,
                                   double *restrict e_re, double *restrict e_im, double *restrict sum_re,
                                   double *restrict sum_im)
@@ -352,7 +356,7 @@ KERNEL void kernel_sum_and_square(int n, const double *restrict w_re, const doub
     *sum_im = kernel_total(im);
 }
 
-/* Twice the frequency is the square of the exponential. */
+/* Doubling the frequency squares the exponential. */
 KERNEL void kernel_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
                            double im[][COR_SPECTRUM_TERMS])
 {
@@ -445,21 +449,21 @@ KERNEL void kernel_lines(const struct cor_spectrum *spectrum, int octave, double
 
 /* ---- sums over modes ---- */
 
-/* 0 to 1 with three derivatives 0 at both ends */
+/* A smooth step from 0 to 1, whose first three derivatives vanish at both ends */
 KERNEL double kernel_fade(double x)
 {
     const double y = x < 0 ? 0 : x > 1 ? 1 : x, square = y * y;
     return square * square * (35 + y * (-84 + y * (70 - 20 * y)));
 }
 
-/* r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. With r = 1 beyond the modes taken, an echo that misses tau
- * by dT leaves in the sum
+/* r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. With r = 1 beyond omega_max, an echo at T = tau + dT
+ * contributes to the sum
  *
  *     F(u) = int r z^(-3 - 1/2) exp(i u z) dz,     z = omega/omega_max, u = omega_max dT,
  *
- * times what is the same for all r. max |F| = |F(0)| = 0.290, and |F| < 0.09 from u = 15 on, 0.03 from 30. A fade
- * without the negative part, from 0.65, has 0.66 in place of 0.29; nothing can have less than about 0.18, the norm of
- * the Hankel operator (1 + x + y)^(-7/2), and what comes near falls off more slowly. */
+ * times a factor that is the same for all r. max |F| = |F(0)| = 0.290, and |F| < 0.09 from u = 15 on, 0.03 from 30. A
+ * fade from 0.65 without a negative part has 0.66 instead of 0.29. No weight has less than about 0.18, the norm of the
+ * Hankel operator (1 + x + y)^(-7/2); weights near this bound fall off more slowly. */
 KERNEL double kernel_echo_weight(double x)
 {
     const double y = x < 0 ? 0 : x, square = y * y;
@@ -517,7 +521,7 @@ KERNEL void kernel_sum(const struct cor_lines *restrict lines, const struct cor_
         cosine[i] = c * c - s * s;
         sine[i] = 2 * c * s;
     }
-    for (int i = 0; i < COR_LINES; i++) /* one after the other, as a caller would add them up */
+    for (int i = 0; i < COR_LINES; i++) /* in sequence, as a caller would add them */
         sums->fraction += fraction[i];
     sums->faded += kernel_dot(weights->mean, mean) + kernel_dot(weights->echo, more);
     sums->low[0] += kernel_dot(weights->low, cosine);

@@ -7,6 +7,26 @@
 #include "runtime/core/lambert_w.h"
 #include "runtime/disk/rayleigh_kernel.h"
 
+#define PI 3.14159265358979323846
+#define LN2 0.69314718055994531
+
+/* Exponents x beyond which exp(-x) is negligible. Derived: exp(-40) is 2^-57, and b is neglected. exp(300)^2 is a
+ * double, and for q0 above 600 the remainder of Theta is below 2^-53. */
+#define LEFT_OUT 40.0
+#define LARGEST_HALF_DEPTH 300.0
+
+/* Shape and ends of the legs. Chosen; tests/unit/test_disk_rayleigh_spectrum.c and
+ * tests/accuracy/test_disk_rayleigh.c assert the resulting error.
+ *   LEG_ENOUGH    the largest Re(p) times the lowest frequency: exp(-omega p) is then 2^-86, at any growth of the sine
+ *   LEG_FARTHEST  the largest distance from the base to the end of a leg
+ *   LEG_NEAREST   distance of the first node, times the largest omega and the root of q0/2 + LEG_DEPTH
+ *   LEG_TILT      the ray turns by 1/(1 + LEG_TILT q0): far from the limit exp(-omega p) hardly oscillates */
+#define LEG_ENOUGH 60.0
+#define LEG_FARTHEST 20.0
+#define LEG_NEAREST 1e-7
+#define LEG_DEPTH 25.0
+#define LEG_TILT 0.03
+
 /* ---- quadrature ---- */
 
 static void legendre(double p[COR_LEG_GAUSS + 2], double x)
@@ -18,7 +38,8 @@ static void legendre(double p[COR_LEG_GAUSS + 2], double x)
 }
 
 /* Integrals from x to 1: the polynomial's Legendre coefficients are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j, and that of P_k
- * is (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1). From -x on it is what the whole has beyond the mirror image's from x on. */
+ * is (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1). The integral from -x is the whole integral minus that of the mirror image
+ * from x. */
 static void integrals(double row[][COR_LEG_STEPS], int steps, double p[][COR_LEG_GAUSS + 2], const double *w)
 {
     for (int k = 0; k <= steps / 2; k++) {
@@ -44,12 +65,11 @@ static void integrals(double row[][COR_LEG_STEPS], int steps, double p[][COR_LEG
 
 static void rule_init(struct cor_leg_rule *rule)
 {
-    const double pi = 3.14159265358979323846;
     double p[COR_LEG_GAUSS / 2][COR_LEG_GAUSS + 2];
     memset(rule, 0, sizeof *rule);
     for (int i = 0; i < COR_LEG_GAUSS / 2; i++) {
-        double x = cos(pi * (i + 0.75) / (COR_LEG_GAUSS + 0.5)), slope = 1;
-        for (int k = 0; k < 4; k++) { /* Newton's method from a guess good to 1e-3: quadratic */
+        double x = cos(PI * (i + 0.75) / (COR_LEG_GAUSS + 0.5)), slope = 1;
+        for (int k = 0; k < 4; k++) { /* Newton's method from a start value with error 1e-3; convergence is quadratic */
             legendre(p[i], x);
             slope = COR_LEG_GAUSS * (x * p[i][COR_LEG_GAUSS] - p[i][COR_LEG_GAUSS - 1]) / (x * x - 1);
             x -= p[i][COR_LEG_GAUSS] / slope;
@@ -68,12 +88,13 @@ static void rule_init(struct cor_leg_rule *rule)
 /* Panels that end farther than this from the base are short. */
 #define SHORT_FROM 0.4
 
-/* From rho = nearest outwards, until rho = farthest or until Re(p) > enough. Trapezoidal rule in u: the integrand falls
- * off like a power on one side and faster than exponentially on the other, where exp(-omega p) does. */
+/* Computes the leg from rho = nearest outwards, until rho = LEG_FARTHEST or Re(p) > enough. The trapezoidal rule in u
+ * suits the integrand, which falls off like a power on one side, and faster than exponentially on the other because of
+ * exp(-omega p). */
 static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, const struct cor_leg_rule *rule,
-                     const struct cor_leg_path *path, double nearest, double farthest, double enough)
+                     const struct cor_leg_path *path, double nearest, double enough)
 {
-    const double last = -log(farthest);
+    const double last = -log(LEG_FARTHEST);
     const struct number t = kernel_solve(path, nearest), y = plus(number(1, 0), t);
     /* int_0^rho sqrt(y/2) drho by parts, y' = 2 y/(y - 1) in u; at the other base y is 1; the ray starts straight
      * down */
@@ -86,25 +107,25 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
     }
     leg->end_re = p.re;
     leg->end_im = p.im;
-    leg->n = 1; /* 0 is kept for what lies nearer to the base */
+    leg->n = 1; /* node 0 represents the part nearer to the base */
     double top = -log(nearest);
     do {
         const int steps = exp(-top + COR_LEG_STEPS * COR_LEG_STEP) < SHORT_FROM ? COR_LEG_STEPS : COR_LEG_SHORT;
         set->panel(path, rule, steps, top, leg);
         top -= steps * COR_LEG_STEP;
     } while (top > last && leg->end_re < enough && leg->n + 3 * COR_LEG_STEPS < COR_LEG_NODES);
-    /* nearer to the base: a geometric series, exp(-omega p) being 1 */
+    /* nearer to the base, exp(-omega p) is 1 and the sum is a geometric series */
     const double rest = 1 / (exp(path->from_zero ? 2 * COR_LEG_STEP : COR_LEG_STEP) - 1);
     leg->p_re[0] = leg->p_im[0] = 0;
     leg->w_re[0] = rest * leg->w_re[1];
     leg->w_im[0] = rest * leg->w_im[1];
-    for (; leg->n % COR_LEG_PART != 0; leg->n++) { /* up to whole parts */
+    for (; leg->n % COR_LEG_PART != 0; leg->n++) { /* fills the last part */
         leg->p_re[leg->n] = leg->end_re;
         leg->p_im[leg->n] = leg->w_re[leg->n] = leg->w_im[leg->n] = 0;
     }
 }
 
-/* ---- all of it ---- */
+/* ---- the spectrum ---- */
 
 /* q = -2 ln(cosh(Theta - rho)/cosh(Theta)); the quotient is 1 + 2 sinh(rho/2)^2 - tanh(Theta) sinh(rho), which cancels
  * where rho is large. */
@@ -116,7 +137,7 @@ static double depth_beyond(double theta, double tanh_theta, double rho)
     return -2 * log1p(2 * half * half - tanh_theta * sinh(rho));
 }
 
-/* Y: eta = Theta - rho. y is a power series in the root of rho. */
+/* Y, with eta = Theta - rho. y is a power series in the square root of rho. */
 static double decay_of(const struct cor_leg_rule *rule, double theta, double tanh_theta)
 {
     double sum = 0;
@@ -161,9 +182,9 @@ struct branch_point {
 static struct branch_point branch_point_of(double q0)
 {
     struct branch_point point;
-    point.x = expm1(fmin(0.5 * q0, 300));
+    point.x = expm1(fmin(0.5 * q0, LARGEST_HALF_DEPTH));
     const double root_x = sqrt(point.x * (point.x + 2));
-    point.theta = q0 > 600 ? 0.5 * q0 + 0.69314718055994531 : log1p(point.x + root_x);
+    point.theta = q0 > 2 * LARGEST_HALF_DEPTH ? 0.5 * q0 + LN2 : log1p(point.x + root_x);
     point.tanh_theta = root_x / (1 + point.x);
     return point;
 }
@@ -173,26 +194,31 @@ static int octaves_between(double first, double high)
     return (int)fmin(ceil(log2(high / first) + 1e-9) + 1, COR_SPECTRUM_OCTAVES);
 }
 
-/* b is left out where exp(-omega Y) is below exp(-40). */
+/* Number of octaves of b, which is neglected where exp(-omega Y) is below exp(-LEFT_OUT). */
 static int count_edges(double decay, double first, int octaves)
 {
     int edges = 0;
-    while (edges < octaves && decay * ldexp(first, edges) < 40)
+    while (edges < octaves && decay * ldexp(first, edges) < LEFT_OUT)
         edges++;
     return edges;
 }
 
-/* b, where it counts; in `edges` octaves if that is not negative. The caller's leg is overwritten: two would take
- * 34 kB of stack. */
+/* Y > (2/3) (Theta - 1)^(3/2): whether `first` Y may be below LEFT_OUT */
+static int may_have_edges(const struct branch_point *point, double first)
+{
+    return point->theta < 1 || first * pow(point->theta - 1, 1.5) < 1.5 * LEFT_OUT;
+}
+
+/* Computes b where it is not negligible, or in `edges` octaves if edges >= 0. The function overwrites the caller's leg,
+ * because two legs would take 34 kB of stack. */
 static void init_edges(struct cor_spectrum *spectrum, struct cor_leg *leg, const struct cor_leg_rule *rule,
-                       struct cor_leg_path path, const struct branch_point *point, double nearest, double farthest,
-                       double enough, int edges)
+                       struct cor_leg_path path, const struct branch_point *point, double nearest, double enough,
+                       int edges)
 {
     double unused[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS];
     spectrum->edges = 0;
     spectrum->decay = INFINITY;
-    /* Y > (2/3) (Theta - 1)^(3/2) */
-    if (edges < 0 && !(point->theta < 1 || spectrum->first * pow(point->theta - 1, 1.5) < 60))
+    if (edges < 0 && !may_have_edges(point, spectrum->first))
         return;
     spectrum->decay = decay_of(rule, point->theta, point->tanh_theta);
     spectrum->edges = edges < 0 ? count_edges(spectrum->decay, spectrum->first, spectrum->octaves) : edges;
@@ -200,12 +226,12 @@ static void init_edges(struct cor_spectrum *spectrum, struct cor_leg *leg, const
         return;
     path.from_zero = 0;
     path.scale = 1 + point->x;
-    /* b counts times exp(-omega Y), unless it is to be interpolated */
-    leg_init(leg, spectrum->set, rule, &path, nearest, farthest, edges < 0 ? enough - spectrum->decay : enough);
+    /* b has the factor exp(-omega Y), except where it is interpolated */
+    leg_init(leg, spectrum->set, rule, &path, nearest, edges < 0 ? enough - spectrum->decay : enough);
     spectrum->set->octaves(leg, spectrum->first, spectrum->edges, spectrum->b, unused);
     for (int k = 0; k < spectrum->edges; k++)
         for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
-            spectrum->b[k][j] = -spectrum->b[k][j]; /* upwards */
+            spectrum->b[k][j] = -spectrum->b[k][j]; /* the direction is upwards */
 }
 
 static void spectrum_init(struct cor_spectrum *spectrum, const struct cor_rayleigh_set *set,
@@ -214,18 +240,17 @@ static void spectrum_init(struct cor_spectrum *spectrum, const struct cor_raylei
 {
     struct cor_leg leg;
     const struct branch_point point = branch_point_of(q0);
-    /* far from the limit exp(-omega p) hardly turns. At `enough` it is 2^-86, and the growth of the sine no matter. */
-    const double tilt = 1 / (1 + 0.03 * q0), farthest = 20;
+    const double tilt = 1 / (1 + LEG_TILT * q0);
     const struct cor_leg_path path = {1, tilt, q0, point.tanh_theta, 1};
-    const double enough = 60 / first, nearest = 1e-7 / (high * sqrt(0.5 * q0 + 25));
+    const double enough = LEG_ENOUGH / first, nearest = LEG_NEAREST / (high * sqrt(0.5 * q0 + LEG_DEPTH));
 
     spectrum->set = set;
     spectrum->half_time = 0.5 * contact_time;
     spectrum->first = first;
     spectrum->octaves = octaves_between(first, high);
-    leg_init(&leg, set, rule, &path, nearest, farthest, enough);
+    leg_init(&leg, set, rule, &path, nearest, enough);
     set->octaves(&leg, first, spectrum->octaves, spectrum->a_re, spectrum->a_im);
-    init_edges(spectrum, &leg, rule, path, &point, nearest, farthest, enough, edges);
+    init_edges(spectrum, &leg, rule, path, &point, nearest, enough, edges);
 }
 
 void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
@@ -246,7 +271,7 @@ size_t cor_spectrum_piece_size(double first, double high)
 /* Node k of a piece in ln(q0), -1 to 1 */
 static double piece_place(int k)
 {
-    return -cos(3.14159265358979323846 * (k + 0.5) / COR_PIECE_NODES);
+    return -cos(PI * (k + 0.5) / COR_PIECE_NODES);
 }
 
 static double piece_q0(const struct cor_spectrum_piece *piece, double x)
@@ -264,10 +289,10 @@ void cor_spectrum_piece_init(struct cor_spectrum_piece *piece, const struct cor_
     piece->low = low;
     piece->first = first;
     piece->octaves = octaves_between(first, high);
-    /* Y rises with q0: no octave of the piece has a b that the first q0 has not. */
+    /* Y rises with q0, so the smallest q0 has the most octaves of b. */
     const struct branch_point point = branch_point_of(low);
     piece->edges = 0;
-    if (point.theta < 1 || first * pow(point.theta - 1, 1.5) < 60)
+    if (may_have_edges(&point, first))
         piece->edges = count_edges(decay_of(&rule, point.theta, point.tanh_theta), first, piece->octaves);
     const size_t of_a = (size_t)piece->octaves * COR_SPECTRUM_TERMS, of_b = (size_t)piece->edges * COR_SPECTRUM_TERMS;
     for (int k = 0; k < COR_PIECE_NODES; k++) {
@@ -290,9 +315,9 @@ void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spect
     const size_t of_a = (size_t)piece->octaves * COR_SPECTRUM_TERMS, of_b = (size_t)piece->edges * COR_SPECTRUM_TERMS;
     const double *im[COR_PIECE_NODES], *b[COR_PIECE_NODES];
     double weight[COR_PIECE_NODES], sum = 0, decay = 0;
-    /* barycentric weights; at a node its own is 1 */
+    /* barycentric weights; at a node its own weight is 1 */
     for (int k = 0; k < COR_PIECE_NODES; k++) {
-        const double distance = x - piece_place(k), angle = 3.14159265358979323846 * (k + 0.5) / COR_PIECE_NODES;
+        const double distance = x - piece_place(k), angle = PI * (k + 0.5) / COR_PIECE_NODES;
         weight[k] = (k % 2 ? -1 : 1) * sin(angle) / (distance == 0 ? 1e-30 : distance);
         sum += weight[k];
         im[k] = piece->node[k] + of_a;
@@ -352,7 +377,7 @@ void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double
         }
         from = to;
     }
-    /* too far round for the short reduction */
+    /* arguments too large for the short reduction */
     for (int i = n; i-- > 0 && omega[i] * spectrum->half_time > 1e6;) {
         lines->cosine[i] = cos(omega[i] * spectrum->half_time);
         lines->sine[i] = sin(omega[i] * spectrum->half_time);

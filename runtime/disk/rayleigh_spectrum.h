@@ -4,14 +4,15 @@
  *     I(omega) = int_0^(pi/2) sin(theta) cos(omega s(theta)) dtheta,     s(theta) = int_theta^(pi/2) sqrt(y/2) dtheta',
  *     y = 1 + t,     t - ln(1 + t) = q,     q = q0 - 2 ln(sin(theta)),
  *
- * q0 = 2 ln(v_limit/v). y is analytic in 0 < Re(theta) < pi but for branch points at pi/2 +- i Theta, where q = 0:
- * cosh(Theta) = exp(q0/2). On the line between them s is imaginary. So the path from 0 to pi/2 may go from 0 to below,
- * come up again to pi/2 - i Theta, and end along that line, which adds nothing to the real part:
+ * q0 = 2 ln(v_limit/v). y is analytic in 0 < Re(theta) < pi except for branch points at pi/2 +- i Theta, where q = 0
+ * and cosh(Theta) = exp(q0/2). On the line between the branch points s is imaginary. The path from 0 to pi/2 may
+ * therefore go from 0 downwards, come up to pi/2 - i Theta, and end along that line, which adds nothing to the real
+ * part:
  *
  *     I = Re[exp(i omega tau/2) a(omega)] + b(omega) exp(-omega Y),     Y = int_0^Theta sqrt(y(pi/2 - i eta)/2) deta.
  *
- * a omega^2 and b omega^2 vary slowly, without oscillation, and are interpolated. What lies between the far ends of the
- * two legs, left out, is below 1e-12 of a at omega = 1.17, and no disk has a lower frequency: the lowest mode has
+ * a omega^2 and b omega^2 vary slowly, without oscillation, and are interpolated. The neglected integral between the
+ * far ends of the two legs is below 1e-12 of a at omega = 1.17. No disk has a lower frequency: the lowest mode has
  * omega > 1.1769 at any nu. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
 #define COR_RUNTIME_DISK_RAYLEIGH_SPECTRUM_H
@@ -21,8 +22,9 @@
 #include "runtime/core/instruction_set.h"
 
 enum {
-    COR_SPECTRUM_TERMS = 16,  /* of a polynomial in (omega - m)/(omega + m), m the geometric middle of an octave */
-    COR_SPECTRUM_OCTAVES = 48 /* most */
+    COR_SPECTRUM_TERMS = 16,  /* terms of a polynomial in (omega - m)/(omega + m), where m is the geometric mean of an
+                               * octave */
+    COR_SPECTRUM_OCTAVES = 48 /* largest number */
 };
 
 /* One leg of the path, theta = base + h(rho): int sin(theta) exp(i omega s) dtheta =
@@ -31,70 +33,72 @@ enum { COR_LEG_PART = 16, COR_LEG_NODES = 528 };
 
 struct cor_leg {
     int n;
-    double end_re, end_im; /* p where it ends so far */
+    double end_re, end_im; /* p at the current end */
     double p_re[COR_LEG_NODES], p_im[COR_LEG_NODES], w_re[COR_LEG_NODES], w_im[COR_LEG_NODES];
 };
 
 struct cor_leg_path {
-    int from_zero;                      /* the base is 0, else pi/2 - i Theta */
-    double tilt, q0, tanh_theta, scale; /* the last: cosh(Theta) at the second base, else 1 */
+    int from_zero;                      /* whether the base is 0 or pi/2 - i Theta */
+    double tilt, q0, tanh_theta, scale; /* scale: cosh(Theta) at the second base, 1 at the first */
 };
 
-/* Equal steps in u = -ln|theta - base|: their size, and how many make a panel; where zeros of the sine are about as
- * near as the base, only COR_LEG_SHORT */
+/* Equal steps in u = -ln|theta - base|: their size, and their number in a panel. Where zeros of the sine are about as
+ * near as the base, a panel has only COR_LEG_SHORT steps. */
 #define COR_LEG_STEP 0.14
 enum { COR_LEG_STEPS = 16, COR_LEG_SHORT = 4, COR_LEG_GAUSS = 14 };
 
-/* Gauss and Legendre's rule on [-1, 1], filled up; and for its points the integrals from x to 1 of the polynomial that
- * is 1 there and 0 at the others, x = 1 - 2 k/COR_LEG_STEPS and 1 - 2 k/COR_LEG_SHORT. */
+/* The Gauss-Legendre rule on [-1, 1], padded with zeros. For each of its points, the struct holds the integrals from x
+ * to 1 of the polynomial that is 1 at this point and 0 at the others, for x = 1 - 2 k/COR_LEG_STEPS and 1 - 2
+ * k/COR_LEG_SHORT. */
 struct cor_leg_rule {
     double x[COR_LEG_STEPS], w[COR_LEG_STEPS];
     double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
 };
 
-/* The loops over nodes and over modes by instruction set: rayleigh_<set>.c each compile rayleigh_kernel.h
- * with other flags. */
+/* The loops over nodes and over modes by instruction set: each rayleigh_<set>.c compiles rayleigh_kernel.h with the
+ * flags of its set. */
 struct cor_spectrum;
 struct cor_lines;
 
-/* The leg's next panel, from u = top on */
+/* Computes the leg's next panel, which begins at u = top. */
 typedef void cor_rayleigh_panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
                                 struct cor_leg *leg);
-/* omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev's coefficients */
+/* omega^2 sum w exp(-omega p) in octaves from `first` upwards, as Chebyshev coefficients */
 typedef void cor_rayleigh_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
                                   double im[][COR_SPECTRUM_TERMS]);
-/* Lines of one octave, which begins at `start` */
+/* Computes lines of one octave, which begins at `start`. */
 typedef void cor_rayleigh_lines(const struct cor_spectrum *spectrum, int octave, double start, int n,
                                 const double *omega, struct cor_lines *lines);
 
-/* Lines that go through the loops together */
+/* Number of lines that the loops process together */
 enum { COR_LINES = 64 };
 
-/* Weights of modes in the sums below: C^2; C^2 under the two weights of the tail (rayleigh_tail.c); C^2 of modes l > 0
- * under two windows. 0 where a chunk has no mode. */
+/* Weights of modes in the sums below: C^2; C^2 times the two weights of the tail (rayleigh_tail.c); C^2 of modes l > 0
+ * times two windows. Places without a mode have weight 0. */
 struct cor_mode_weights {
     double strength[COR_LINES], mean[COR_LINES], echo[COR_LINES], low[COR_LINES], high[COR_LINES];
 };
 
-/* Sums of strength (2 I)^2; of mean times the mean of (2 I)^2 over its phase and echo times what (2 I)^2 has beyond that;
- * and of the windows times cos and sin of omega tau, cos and sin of omega tau/2. */
+/* Sums over modes: of strength times (2 I)^2; of mean times the phase average of (2 I)^2 plus echo times the deviation
+ * of (2 I)^2 from that average; of the windows times cos and sin of omega tau, and of omega tau/2. */
 struct cor_mode_sums {
     double fraction, faded, low[4], high[4];
 };
 
-/* Frequencies between which the weights fade, and the windows, from and to */
+/* First and last frequencies of the fading weights and of the windows */
 struct cor_fading {
     double mean_from, echo_from, to, low[2], high[2];
 };
 
-/* omega - speed n and C^2/omega of the modes l = 0: Newton's divided differences in 1/n */
+/* Newton's divided differences in 1/n of omega - speed n and of C^2/omega, for the modes l = 0 */
 enum { COR_SURFACE_FITTED = 5 };
 struct cor_surface_fit {
     double speed, node[COR_SURFACE_FITTED], omega[COR_SURFACE_FITTED], strength[COR_SURFACE_FITTED];
 };
 
-/* From weights->strength the others; `beyond` is 1 for modes that the echoes' weight is for, `through` for those with
- * l > 0. Adds the strengths of all modes under the two windows to *low and *high. All arrays have COR_LINES numbers. */
+/* Computes the other weights from weights->strength. `beyond` is 1 for modes with the echoes' weight, `through` is 1
+ * for modes with l > 0. Adds the strengths of all modes times the two windows to *low and *high. All arrays have
+ * COR_LINES numbers. */
 typedef void cor_rayleigh_weigh(const struct cor_fading *fading, const double *omega, const double *beyond,
                                 const double *through, struct cor_mode_weights *weights, double *low, double *high);
 /* Adds to *sums; fraction[i] = strength (2 I)^2 */
@@ -127,7 +131,7 @@ struct cor_rayleigh_set {
 
 COR_EACH_SET(COR_RAYLEIGH_SET)
 
-/* By enum cor_instruction_set; NULL where this processor, or this build, has it not. */
+/* The functions of an enum cor_instruction_set; NULL if this processor or this build lacks the set. */
 const struct cor_rayleigh_set *cor_rayleigh_set(int i);
 
 struct cor_spectrum {
@@ -135,18 +139,18 @@ struct cor_spectrum {
     double half_time;   /* tau/2 */
     double decay;       /* Y */
     double first;       /* where the first octave begins */
-    int octaves, edges; /* how many have a, and how many of them b */
+    int octaves, edges; /* number of octaves of a, and of b */
     double a_re[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS], a_im[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS];
     double b[COR_SPECTRUM_OCTAVES][COR_SPECTRUM_TERMS]; /* each times omega^2 */
 };
 
-/* For frequencies from `first` to `high`; contact_time is tau. By the widest set that this processor has, or by `set`:
- * the same bits. */
+/* Computes the spectrum for frequencies from `first` to `high`; contact_time is tau. The first function uses the widest
+ * set of this processor, the second `set`; both give the same bits. */
 void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high);
 void cor_spectrum_init_by(const struct cor_rayleigh_set *set, struct cor_spectrum *spectrum, double q0,
                           double contact_time, double first, double high);
 
-/* What makes I at frequencies that go together */
+/* The terms of I at frequencies that are processed together */
 struct cor_lines {
     double re[COR_LINES], im[COR_LINES];       /* a */
     double cosine[COR_LINES], sine[COR_LINES]; /* of omega tau/2 */
@@ -155,13 +159,13 @@ struct cor_lines {
 
 /* n <= COR_LINES frequencies, increasing */
 void cor_spectrum_lines(const struct cor_spectrum *spectrum, int n, const double *omega, struct cor_lines *lines);
-/* Makes the lines from n on 0, for loops over all of them. */
+/* Sets the lines from n on to 0, for loops over all lines. */
 void cor_lines_fill(struct cor_lines *lines, int n);
 
 /* ---- many speeds ---- */
 
-/* Spectra as a function of q0, in pieces [4^k, 4^(k+1)): the coefficients of a, and those of b over cosh(Theta), which is
- * what makes them grow, interpolated at Chebyshev's points in ln(q0). Error of a and b, relative to a: below 1e-13,
+/* Spectra as a function of q0, in pieces [4^k, 4^(k+1)): the coefficients of a, and those of b over cosh(Theta), which
+ * contains their growth, are interpolated at Chebyshev points in ln(q0). Error of a and b, relative to a: below 1e-13,
  * measured from q0 = 1e-3 to 1500 (tests/unit/test_disk_rayleigh_spectrum.c). */
 enum { COR_PIECE_NODES = 24 };
 
@@ -173,9 +177,9 @@ struct cor_spectrum_piece {
     double *node[COR_PIECE_NODES]; /* octaves of a_re, a_im, and edges of b, COR_SPECTRUM_TERMS each */
 };
 
-/* Doubles that the nodes of a piece need */
+/* Number of doubles that the nodes of a piece need */
 size_t cor_spectrum_piece_size(double first, double high);
-/* `room` has that many. */
+/* `room` is an array of cor_spectrum_piece_size doubles. */
 void cor_spectrum_piece_init(struct cor_spectrum_piece *piece, const struct cor_rayleigh_set *set, double low,
                              double first, double high, double *room);
 void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spectrum_piece *piece, double q0,

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* The tail of Rayleigh's energy.
  *
- * The strengths C^2 of the modes have a density 2 omega + a + O(1/omega); a comes from the rim's curvature. About it
- * they fluctuate: what leaves the point of contact comes back to it as an echo, after times T, and an echo of relative
- * strength e is a term e cos(omega T + ...) in the density. So
+ * The strengths C^2 of the modes have a mean density 2 omega + a + O(1/omega), where a comes from the rim's curvature.
+ * Waves that leave the point of contact return to it as echoes after times T. An echo of relative strength e adds e
+ * cos(omega T + ...) to the density.
  *
- *   - against the mean of (2 I)^2 over its phase, the density takes the place of modes not at a sharp cut but under a
- *     weight that fades over the upper third of the frequencies taken; that leaves nothing of any echo.
- *   - What of (2 I)^2 oscillates, like cos(omega tau + ...)/omega^4, is in step with an echo where T is about tau. The
- *     strongest echo, with half of the whole strength, is the surface wave that has gone round the rim: those are the
- *     modes l = 0, whose omega and C^2 go on smoothly as power series in 1/n. They are summed one by one, far beyond the
- *     modes taken.
- *   - The others, of waves through the disk, are weak, e of some percent that falls about like omega^(-1/2), and many.
- *     The modes taken have them too: the oscillation over these modes, under another weight, that is negative before
- *     it rises to 1, foretells some of the oscillation beyond. See kernel_echo_weight. What it misses is estimated from the
- *     strength at T = tau, measured on the modes taken. */
+ *   - For the average of (2 I)^2 over its phase, the density replaces the modes gradually, under a weight that fades
+ *   over the upper third of the summed frequencies. This smooth cutoff removes all echoes.
+ *   - The oscillating part of (2 I)^2, like cos(omega tau + ...)/omega^4, is in phase with an echo if T is about tau.
+ *   The strongest echo, with half of the whole strength, is the surface wave round the rim. It consists of the modes l
+ *   = 0, whose omega and C^2 continue smoothly as power series in 1/n. The modes l = 0 are summed one by one, far
+ *   beyond the table.
+ *   - The echoes of waves through the disk are many and weak: e is some percent and falls about like omega^(-1/2). The
+ *   modes of the table contain these echoes. Their oscillation, under a weight that is negative before it rises to 1
+ *   (kernel_echo_weight), predicts part of the oscillation beyond the table. The rest is estimated from the echo
+ *   strength at T = tau, measured on the modes of the table. */
 #include "runtime/disk/rayleigh_tail.h"
 
 #include <math.h>
@@ -22,14 +22,35 @@
 
 #include "runtime/disk/rayleigh_kernel.h"
 
-/* The weight begins to fade at this times the highest frequency taken. */
+/* Frequencies in units of the highest frequency of the table. Chosen: the begin of the fading weight, the begin of the
+ * echoes' weight (docs/derivation.md, 13), and the two windows that measure the strength of echoes. */
 #define FADE_FROM 0.65
-/* and the other weight here */
 #define ECHO_FROM 0.15
+static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};
+
+/* Factors of the error estimate. Fitted: the smallest, rounded up, that bound the error against sums over 20,000 modes
+ * (tests/unit/test_disk_rayleigh.c). */
+static const struct {
+    double echo_low, half_echo_low; /* the strength under the low window beside the one under the high window */
+    double of_echo, of_half_echo;   /* of echoes in phase with the response, as strong as under the windows */
+    double of_density, of_fifth;    /* of the density beyond 2 omega + a: omega_max^-2 and omega_max^-5 */
+    /* of the density itself, an echo of T = 0: the kink of the echoes' weight at 1 leaves (omega_max tau)^-2 */
+    double of_turn;
+    /* chosen: without modes l = 0 the tail cannot be estimated, and its error is as large as the tail */
+    double unknown;
+} factors = {.echo_low = 0.7,
+             .half_echo_low = 0.4,
+             .of_echo = 1.6,
+             .of_half_echo = 2,
+             .of_density = 0.6,
+             .of_fifth = 2000,
+             .of_turn = 60,
+             .unknown = 1};
+
 /* Relative error of the sums themselves */
 #define ROUNDING 1e-11
-/* Modes l = 0 that the power series in 1/n are fitted to: least and largest n of the last one; a table with a larger one
- * would have 10^12 modes */
+/* The power series in 1/n are fitted to modes l = 0. These are bounds on the largest n of the fit; a table with a
+ * larger n would have 10^12 modes. */
 enum { FIT_FROM = 12, FIT_TO = 1000000 };
 
 /* The mean of (2 I)^2 at line i over its phase */
@@ -38,7 +59,7 @@ static double mean_response(const struct cor_lines *line, int i)
     return 2 * (line->re[i] * line->re[i] + line->im[i] * line->im[i]) + 4 * line->other[i] * line->other[i];
 }
 
-/* Gauss and Legendre's rule with 12 points on [0, 1], the half of it; DLMF 3.5(v) */
+/* One half of the symmetric Gauss-Legendre rule with 12 points on [0, 1]; DLMF 3.5(v) */
 enum { HALF_POINTS = 6 };
 static const double gauss_x[HALF_POINTS] = {0.125233408511468916, 0.367831498998180194, 0.587317954286617448,
                                             0.769902674194304687, 0.904117256370474857, 0.981560634246719251};
@@ -57,10 +78,10 @@ void cor_rayleigh_table_init(struct cor_rayleigh_table *table, const struct cor_
     table->fading.to = to;
     table->fading.mean_from = fmax(FADE_FROM * to, COR_RAYLEIGH_LEAST_OMEGA - 0.1);
     table->fading.echo_from = fmax(ECHO_FROM * to, COR_RAYLEIGH_LEAST_OMEGA - 0.1);
-    table->fading.low[0] = 0.35 * to;
-    table->fading.low[1] = 0.75 * to;
-    table->fading.high[0] = 0.6 * to;
-    table->fading.high[1] = to;
+    for (int end = 0; end < 2; end++) {
+        table->fading.low[end] = low_window[end] * to;
+        table->fading.high[end] = high_window[end] * to;
+    }
     table->low_strength = table->high_strength = 0;
 }
 
@@ -80,7 +101,7 @@ void cor_rayleigh_weigh_modes(struct cor_rayleigh_table *table, size_t i, size_t
     for (int j = 0; j < chunk->count; j++) {
         chunk->omega[j] = mode[j].omega;
         chunk->weights.strength[j] = mode[j].c * mode[j].c;
-        /* the surface waves l = 0 are continued one by one; n <= 1 are none */
+        /* surface waves l = 0 are continued one by one; modes of n <= 1 are not surface waves */
         beyond[j] = mode[j].l != 0 || mode[j].n <= 1;
         through[j] = mode[j].l != 0;
     }
@@ -100,7 +121,7 @@ void cor_rayleigh_add(const struct cor_spectrum *spectrum, const struct cor_mode
         memcpy(mode_fraction, fraction, (size_t)chunk->count * sizeof *mode_fraction);
 }
 
-/* ---- the modes l = 0 beyond it ---- */
+/* ---- the modes l = 0 beyond the table ---- */
 
 /* Speed of surface waves: xi = (c/c_S)^2, xi^3 - 8 xi^2 + (24 - 16 k) xi - 16 (1 - k) = 0, k = (c_S/c_P)^2, rises in
  * (0, 1) through its one root there. */
@@ -141,7 +162,7 @@ void cor_surface_modes_init(struct cor_surface_modes *surface, const struct cor_
         return;
     fit->speed = surface_speed(modes->nu);
     for (int k = 0; k < COR_SURFACE_FITTED; k++)
-        wanted[k] = last - (last * k) / 8; /* down to half of it */
+        wanted[k] = last - (last * k) / 8; /* from the last n down to half of it */
     for (size_t i = 0; i < table->n_modes; i++)
         for (int k = 0; k < COR_SURFACE_FITTED && modes->mode[i].l == 0; k++)
             if (modes->mode[i].n == wanted[k]) {
@@ -155,7 +176,7 @@ void cor_surface_modes_init(struct cor_surface_modes *surface, const struct cor_
         return;
     divide_differences(fit->node, fit->omega);
     divide_differences(fit->node, fit->strength);
-    /* In a table of a disk with none missing the next mode l = 0 comes soon, is not in it, and travels at about that
+    /* In a complete table the next mode l = 0 follows closely, is not in the table, and travels at about the surface
      * speed. */
     double omega[COR_LINES], strength[COR_LINES];
     table->set->surface(fit, last + 1, omega, strength);
@@ -170,7 +191,7 @@ int cor_surface_modes_next(const struct cor_surface_modes *surface, const struct
     double omega[COR_LINES], strength[COR_LINES];
     if (surface->known == 0)
         return 0;
-    /* the frequency of the mode before tells whether the last chunk has reached the end */
+    /* the frequency of the previous mode shows whether the last chunk has reached the end */
     set->surface(&surface->fit, *n, omega, strength);
     if (*n > surface->known && !(omega[0] < end))
         return 0;
@@ -178,7 +199,7 @@ int cor_surface_modes_next(const struct cor_surface_modes *surface, const struct
     chunk_clear(chunk);
     chunk->count = 0;
     while (chunk->count < COR_LINES && (chunk->count == 0 || chunk->omega[chunk->count - 1] < end)) {
-        if (!(omega[chunk->count] > surface->highest)) /* no table of a disk */
+        if (!(omega[chunk->count] > surface->highest)) /* not the table of a disk */
             return 0;
         chunk->omega[chunk->count] = omega[chunk->count];
         chunk->weights.echo[chunk->count] = strength[chunk->count];
@@ -188,9 +209,9 @@ int cor_surface_modes_next(const struct cor_surface_modes *surface, const struct
     return 1;
 }
 
-/* The surface modes beyond the last one, n: its term (n/k)^3 turning by the same angle every time. The sum is
- * n/(2 - i n z) - 1/2, z the angle's 2 tan of the half: right for small and for large n z, and to some percent
- * between. */
+/* The surface modes beyond the last one, n. Mode k has the term (n/k)^3, and the phase advances by the same angle from
+ * mode to mode. The sum is about n/(2 - i n z) - 1/2, where z is 2 tan of half the angle. The formula is right for
+ * small and for large n z, and within some percent between. */
 static double surface_rest(const struct cor_spectrum *spectrum, const struct cor_surface_modes *surface,
                            const struct cor_mode_chunk *last, int n)
 {
@@ -207,10 +228,10 @@ static double surface_rest(const struct cor_spectrum *spectrum, const struct cor
     return term * (2 * n / size - 0.5) - quadrature * (n * (n * z) / size);
 }
 
-/* ---- the modes left out ---- */
+/* ---- the modes beyond the table ---- */
 
-/* Integrals under the weight, of the density 2 omega times the mean response, and of the mean response alone; and of
- * 2 omega times what of the response turns with omega tau/2 */
+/* Weighted integrals: of the density 2 omega times the mean response, of the mean response, and of 2 omega times the
+ * part of the response that oscillates with omega tau/2 */
 struct integrals {
     double mean, curvature, half;
 };
@@ -236,14 +257,14 @@ static void add_panel(struct integrals *sum, const struct cor_spectrum *spectrum
     }
 }
 
-static struct integrals integrate(const struct cor_spectrum *spectrum, double from, double to)
+static struct integrals tail_integrate(const struct cor_spectrum *spectrum, double from, double to)
 {
     struct integrals sum = {0, 0, 0};
     add_panel(&sum, spectrum, from, to, from, to);
     for (double omega = to; omega < 0.99 * COR_RAYLEIGH_FAR * to; omega *= 2)
         add_panel(&sum, spectrum, omega, 2 * omega, from, to);
-    /* beyond: mean response = g/omega^4, where 1/sqrt(g) goes like ln(omega); with r = dln(g)/dln(omega)/2
-     * int 2 g omega^-3 = g (1 + r + 3/2 r^2 + ...)/omega^2 */
+    /* beyond: mean response = g/omega^4, where 1/sqrt(g) varies like ln(omega); with r = dln(g)/dln(omega)/2 int 2 g
+     * omega^-3 = g (1 + r + 3/2 r^2 + ...)/omega^2 */
     const double ends[2] = {0.5 * COR_RAYLEIGH_FAR * to, COR_RAYLEIGH_FAR * to}, end = ends[1];
     struct cor_lines lines;
     cor_spectrum_lines(spectrum, 2, ends, &lines);
@@ -252,7 +273,7 @@ static struct integrals integrate(const struct cor_spectrum *spectrum, double fr
     return sum;
 }
 
-/* int bump = 4^4 4! 4!/9! of its width */
+/* The integral of the bump is 4^4 4! 4!/9! times its width. */
 static double bump_integral(const double window[2])
 {
     return (window[1] - window[0]) * (256 * 576 / 362880.0);
@@ -263,7 +284,7 @@ static double bump_density(const double window[2])
     return bump_integral(window) * (window[1] + window[0]);
 }
 
-/* An echo's strength, of its two components under a window */
+/* Strength of an echo, from its two components under a window */
 static double echo_of(const double sums[2], const double window[2])
 {
     return sqrt(sums[0] * sums[0] + sums[1] * sums[1]) / bump_density(window);
@@ -276,25 +297,20 @@ void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleig
 {
     const struct cor_fading *const fading = &table->fading;
     const double *const low = fading->low, *const high = fading->high;
-    const struct integrals integrals = integrate(spectrum, fading->mean_from, fading->to);
+    const struct integrals integrals = tail_integrate(spectrum, fading->mean_from, fading->to);
     const double more = table->low_strength - bump_density(low) + table->high_strength - bump_density(high);
     const double curvature = surface->known ? more / (bump_integral(low) + bump_integral(high)) : 0;
     if (surface->known)
         surface_sum += surface_rest(spectrum, surface, last, n);
     out->tail = integrals.mean + curvature * integrals.curvature - sums->faded + surface_sum;
 
-    /* Echoes in step with the response, as strong as under the windows; what the density has beyond 2 omega + a; the
-     * density itself, an echo of T = 0, of which the kink of the echoes' weight at 1 leaves some part in
-     * (omega_max tau)^2. Without modes l = 0 the tail cannot be estimated. The factors are empirical: the smallest,
-     * rounded up, that bound the error against sums over 20,000 modes (tests/unit/test_disk_rayleigh.c). */
-    const double echo_low = 0.7, half_echo_low = 0.4, of_density = 0.6, of_fifth = 2000, of_turn = 60;
-    const double of_echo = 1.6, of_half_echo = 2, unknown = 1;
-    const double echo = echo_of(sums->high, high) + echo_low * echo_of(sums->low, low);
-    const double half_echo = echo_of(sums->high + 2, high) + half_echo_low * echo_of(sums->low + 2, low);
+    const double echo = echo_of(sums->high, high) + factors.echo_low * echo_of(sums->low, low);
+    const double half_echo = echo_of(sums->high + 2, high) + factors.half_echo_low * echo_of(sums->low + 2, low);
     const double square = fading->to * fading->to, turned = 2 * spectrum->half_time * fading->to;
-    const double known = of_density / square + of_fifth / (square * square * fading->to) + of_turn / (turned * turned);
-    const double rest = surface->known ? known : unknown;
-    out->error_estimate = (of_echo * echo + rest) * integrals.mean +
-                          (of_half_echo * half_echo + rest) * integrals.half +
+    const double known = factors.of_density / square + factors.of_fifth / (square * square * fading->to) +
+                         factors.of_turn / (turned * turned);
+    const double rest = surface->known ? known : factors.unknown;
+    out->error_estimate = (factors.of_echo * echo + rest) * integrals.mean +
+                          (factors.of_half_echo * half_echo + rest) * integrals.half +
                           ROUNDING * (out->fraction + fabs(out->tail));
 }

@@ -1,36 +1,38 @@
 /* SPDX-License-Identifier: MIT */
-/* The sums over modes of Rayleigh's energy, and its tail: what the modes left out add, and how well that is known. */
+/* The sums over modes of Rayleigh's energy, and its tail: the sum over all other modes, and its error estimate. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_TAIL_H
 #define COR_RUNTIME_DISK_RAYLEIGH_TAIL_H
 
 #include "cor/disk.h"
 #include "runtime/disk/rayleigh_spectrum.h"
 
-/* Below the lowest frequency of any disk, 1.1769 for nu -> 1 */
+/* A lower bound on the frequencies of any disk; the lowest is 1.1769, for nu -> 1 */
 #define COR_RAYLEIGH_LEAST_OMEGA 1.17
-/* Frequencies up to this times the highest one taken are treated one by one. */
+/* Surface modes up to this times the highest frequency of the table are summed one by one. */
 #define COR_RAYLEIGH_FAR 8.0
 
-/* Modes that go through the loops together, with their weights in the sums */
+/* Modes that the loops process together, with their weights in the sums */
 struct cor_mode_chunk {
     int count;
     double omega[COR_LINES];
     struct cor_mode_weights weights;
 };
 
-/* What the tail of a table needs whatever the speed; the highest mode taken is number n_modes. */
+/* Data for the tail of a table at every speed; the highest mode is number n_modes. */
 struct cor_rayleigh_table {
     const struct cor_rayleigh_set *set;
     const struct cor_disk_modes *modes;
     size_t n_modes;
     struct cor_fading fading;
-    double low_strength, high_strength; /* sums of C^2 under the windows, when every mode has been weighed once */
+    double low_strength, high_strength; /* sums of C^2 times the windows, complete after every mode has been weighted
+                                         * once */
 };
 
 void cor_rayleigh_table_init(struct cor_rayleigh_table *table, const struct cor_rayleigh_set *set,
                              const struct cor_disk_modes *modes, size_t n_modes);
 
-/* The modes from number i on, up to number `to`, weighed; adds to the table's sums of C^2. */
+/* Computes the weights of a chunk of modes, from number i to at most number `to`, and adds to the table's sums of
+ * C^2. */
 void cor_rayleigh_weigh_modes(struct cor_rayleigh_table *table, size_t i, size_t to, struct cor_mode_chunk *chunk);
 
 /* Adds a chunk to the sums at a speed; mode_fraction is NULL or gets the fractions of the chunk's modes. */
@@ -39,18 +41,19 @@ void cor_rayleigh_add(const struct cor_spectrum *spectrum, const struct cor_mode
 
 /* The modes l = 0 beyond the table, as chunks */
 struct cor_surface_modes {
-    int known; /* the largest n of the table; 0: none that can be continued */
+    int known; /* the largest n of the table; 0 if the modes cannot be continued */
     double highest;
     struct cor_surface_fit fit;
 };
 
 void cor_surface_modes_init(struct cor_surface_modes *surface, const struct cor_rayleigh_table *table);
-/* The next chunk after the modes up to *n. Returns 0 where there is none. */
+/* Computes the chunk after the modes up to *n. Returns 0 if no further chunk exists. */
 int cor_surface_modes_next(const struct cor_surface_modes *surface, const struct cor_rayleigh_set *set, int *n,
                            struct cor_mode_chunk *chunk);
 
-/* Tail and error estimate. sums: of all modes of the table, out->fraction their fraction; surface_sum: what the surface
- * modes' chunks added to `faded` of sums of their own, `last` the last of them, which ends with mode n. */
+/* Sets the tail and the error estimate. `sums` are those of all modes of the table, and out->fraction is their
+ * fraction. surface_sum is the sum `faded` of the surface modes' chunks, of which `last` is the last and ends with mode
+ * n. */
 void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
                          const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums,
                          const struct cor_surface_modes *surface, double surface_sum, const struct cor_mode_chunk *last,

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Whole arrays of the functions that COR_LAW_LOOPS lists: compiled once for every instruction set, in array_<set>.c, and chosen
- * in array.c. No set may fuse a multiplication with an addition, so all of them and the scalar functions give the same
- * bits. Blocks of numbers go through a loop that a compiler vectorises; numbers outside the kernel's interval are put right
+/* Array functions for the list COR_LAW_LOOPS. array_<set>.c compiles them for its instruction set, and array.c chooses
+ * a set. No set may fuse a multiplication with an addition, so all sets and the scalar functions give the same bits. A
+ * loop that a compiler vectorises processes blocks of numbers. Numbers outside the kernel's interval are then computed
  * one by one. */
 #ifndef COR_RUNTIME_LAW_ARRAY_KERNEL_H
 #define COR_RUNTIME_LAW_ARRAY_KERNEL_H
 
 #include "runtime/law/array.h"
 
-/* LANES: whole vectors of every set */
+/* LANES: a multiple of the vector length of every set */
 enum { BLOCK = 128, LANES = 8 };
 
 typedef double law_function(double x);
 
-/* The next m numbers of `in`, which may be `out` too, filled up to whole vectors, with numbers outside the interval replaced
- * by its end; whether there were such numbers. */
+/* Copies the next m numbers of `in`, which may be the same array as `out`, and fills the block up to whole vectors. An
+ * end of the interval replaces numbers outside it. Returns whether there were such numbers. */
 static inline int next_block(double *from, double *inside, const double *in, size_t m, size_t count, double least,
                              double largest)
 {
@@ -52,8 +52,8 @@ static inline void put_block(double *out, const double *to, const double *from, 
         }                                                                                                              \
     }
 
-/* The places of a block's numbers, those of the first kernel from the front, those of the second after them, both filled up to whole
- * vectors with the last number of their kind */
+/* The places of a block's numbers: first those of the first kernel, then those of the second. Both parts are filled up
+ * to whole vectors with their last number. */
 struct parted {
     double x[BLOCK + 2 * LANES], y[BLOCK + 2 * LANES];
     size_t place[BLOCK + 2 * LANES], first, second; /* whole vectors */

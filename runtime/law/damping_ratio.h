@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The laws whose restitution is a function of the damping ratio zeta alone: the linear dashpot, Tsuji's damping, and
- * every law (a, b) with b = (a-1)/2 (docs/laws.md). L is -ln(eps) at an end of contact; everything below is made of
+ * every law (a, b) with b = (a-1)/2 (docs/laws.md). L is -ln(eps) for an end of contact. All functions below use
  *
  *     A(zeta) = acos(zeta)/sqrt(1 - zeta^2), acosh(zeta)/sqrt(zeta^2 - 1) beyond 1, analytic in between, A(1) = 1
- *     L = 2 zeta A(zeta) at zero force, zeta A(zeta) with damping while approaching only, pi zeta/sqrt(1 - zeta^2) at zero
- *     overlap; L of the limited damper is below
+ *     L = 2 zeta A(zeta) at zero force, zeta A(zeta) with damping during the approach only, pi zeta/sqrt(1 - zeta^2) at
+ *     zero overlap; L of the limited damper is below
  *
- * Kernels, cor_ratio_..._near, hold on an interval and have neither jumps nor calls: the array loops are made of them.
- * The functions beside them take every double and give the same bits. */
+ * Kernels, cor_ratio_..._near, hold on an interval and have neither jumps nor calls; the array loops consist of them.
+ * The other functions take every double and give the same bits. */
 #ifndef COR_RUNTIME_LAW_DAMPING_RATIO_H
 #define COR_RUNTIME_LAW_DAMPING_RATIO_H
 
@@ -22,10 +22,10 @@
 #define COR_RATIO_FAR_LIMITED 3.53553390593273786369e-01
 #define COR_RATIO_FAR_LIMITED_TAIL -2.41682332836322825930e-17
 
-/* Below, products lose bits to underflow, and eps is 1 - L to the last bit. */
+/* Below this zeta, products lose bits to underflow, and eps is 1 - L to the last bit. */
 #define COR_RATIO_TINY 1.18305218616677471e-271 /* 2^-900 */
-/* Ends of the kernels' intervals. Where zeta is 3, the polynomial ends, 2 zeta A(zeta) is 3.7394 and eps 0.0238, 0.1541
- * with damping while approaching only; the limited damper's C is 2.87 at zeta = 11, and its eps 0.0319. */
+/* Ends of the kernels' intervals. The polynomial ends at zeta = 3, where 2 zeta A(zeta) is 3.7394 and eps is 0.0238, or
+ * 0.1541 with damping during the approach only. At zeta = 11 the limited damper's C is 2.87 and its eps 0.0319. */
 #define COR_RATIO_FORCE_NEAR 3.0
 #define COR_RATIO_LIMITED_NEAR 11.0
 #define COR_RATIO_EPS_FORCE_NEAR 0.02385
@@ -36,8 +36,8 @@
 
 /* ---- polynomials: see runtime/core/elementary.h ---- */
 
-/* (atan(sqrt(x))/sqrt(x) - 1)/x, atanh(sqrt(-x))/sqrt(-x) where x is negative, |x| <= 0.1717: the error times x is below
- * 2^-57. */
+/* (atan(sqrt(x))/sqrt(x) - 1)/x, atanh(sqrt(-x))/sqrt(-x) where x is negative, |x| <= 0.1717: the error times x is
+ * below 2^-57. */
 static const double cor_ratio_phase_polynomial[15] = {
     -0x1.5555555555555p-2, 0x1.99999999999afp-3,  -0x1.24924924924a7p-3, 0x1.c71c71c70f323p-4,  -0x1.745d1745c4f4ap-4,
     0x1.3b13b14dfe309p-4,  -0x1.11111122e99c3p-4, 0x1.e1e1ca19159f1p-5,  -0x1.af285559e06b4p-5, 0x1.86200a4ff267fp-5,
@@ -74,12 +74,12 @@ static const double cor_ratio_limited_polynomial[3][11] = {
 /* numerator h(u)/(c (1 + c)), which is A(zeta) where numerator = 2, for zeta <= COR_RATIO_FORCE_NEAR: relative error
  * 2^-55.
  *
- * c = sqrt((1 + zeta)/2) is the cosine of half the phase at the turning point, u = (1 - c)/(1 + c) = (c - c^2)/(c + c^2) is
- * between -0.172 and 0.172, and h(u) = atan(sqrt(u))/sqrt(u) is analytic at zeta = 1, where u = 0. */
+ * c = sqrt((1 + zeta)/2) is the cosine of half the phase at the turning point, u = (1 - c)/(1 + c) = (c - c^2)/(c +
+ * c^2) is between -0.172 and 0.172, and h(u) = atan(sqrt(u))/sqrt(u) is analytic at zeta = 1, where u = 0. */
 COR_KERNEL struct cor_inline_pair cor_ratio_phase_near(struct cor_inline_pair zeta, struct cor_inline_pair numerator)
 {
     const double *p = cor_ratio_phase_polynomial;
-    const double sum = 1 + zeta.hi; /* and its error, a double for every zeta.hi below 2^53 */
+    const double sum = 1 + zeta.hi; /* its rounding error, which is a double for every zeta.hi below 2^53 */
     const struct cor_inline_pair square = cor_pair(0.5 * sum, 0.5 * ((zeta.hi - (sum - 1)) + zeta.lo));
     const double c = sqrt(square.hi);
     struct cor_inline_pair d = cor_pair_two_sum(c, square.hi); /* c + c^2 */
@@ -100,7 +100,7 @@ COR_KERNEL struct cor_inline_pair cor_ratio_force_near(double zeta)
     return cor_ratio_phase_near(cor_pair(zeta, 0), cor_pair(4 * zeta, 0));
 }
 
-/* L with damping while approaching only */
+/* L with damping during the approach only */
 COR_KERNEL struct cor_inline_pair cor_ratio_approach_near(double zeta)
 {
     return cor_ratio_phase_near(cor_pair(zeta, 0), cor_pair(2 * zeta, 0));
@@ -108,8 +108,8 @@ COR_KERNEL struct cor_inline_pair cor_ratio_approach_near(double zeta)
 
 /* ---- A(zeta) beyond 3 ---- */
 
-/* exp(-theta) = zeta - sqrt(zeta^2 - 1), zeta = cosh(theta), as a pair; theta itself; and theta (coth(theta) - 1), small
- * and rounded: L at zero force is 2 (theta + excess). */
+/* exp(-theta) = zeta - sqrt(zeta^2 - 1), zeta = cosh(theta), as a pair; theta; and excess = theta (coth(theta) - 1),
+ * which is small and rounded. L at zero force is 2 (theta + excess). */
 struct cor_ratio_far {
     struct cor_inline_pair decay, theta, root; /* root: sqrt(zeta^2 - 1) */
     double excess;
@@ -137,7 +137,7 @@ COR_INLINE struct cor_ratio_far cor_ratio_far(struct cor_inline_pair zeta)
 /* eps at zero force, zeta > 3. Beyond 2^540 it is below half the smallest double. */
 COR_INLINE double cor_ratio_eps_force_far(double zeta)
 {
-    if (zeta > COR_INLINE_2_100) { /* 1/(4 zeta^2) to the last bit, in units of 2^-800 */
+    if (zeta > COR_INLINE_2_100) { /* eps is 1/(4 zeta^2) to the last bit, computed in units of 2^-800 */
         if (zeta > COR_INLINE_2_500 * COR_INLINE_2_40)
             return 0;
         const double scaled = zeta * (COR_INLINE_2_M200 * COR_INLINE_2_M200);
@@ -150,7 +150,7 @@ COR_INLINE double cor_ratio_eps_force_far(double zeta)
     return cor_inline_pair_times(cor_inline_pair_times(far.decay, far.decay), correction).hi;
 }
 
-/* eps with damping while approaching only, zeta > 3 */
+/* eps with damping during the approach only, zeta > 3 */
 COR_INLINE double cor_ratio_eps_approach_far(double zeta)
 {
     if (zeta > COR_INLINE_2_100)
@@ -195,7 +195,7 @@ COR_INLINE double cor_ratio_loss_zero_force(double zeta)
     return zeta > 0 ? 1 - cor_ratio_eps_force_far(zeta) : (double)NAN;
 }
 
-/* ---- damping while approaching only ---- */
+/* ---- damping during the approach only ---- */
 
 COR_KERNEL double cor_ratio_eps_approach_only_near(double zeta)
 {
@@ -225,7 +225,7 @@ COR_INLINE double cor_ratio_loss_approach_only(double zeta)
 
 /* ---- zero overlap ---- */
 
-/* 1 - zeta^2 as (1 - zeta)(1 + zeta), both factors exact: relative error 2^-104 however near to 1 */
+/* 1 - zeta^2 as (1 - zeta)(1 + zeta) with both factors exact: relative error 2^-104 arbitrarily near to zeta = 1 */
 COR_KERNEL struct cor_inline_pair cor_ratio_omega_square(double zeta)
 {
     const double minus = 1 - zeta, plus = 1 + zeta;
@@ -245,7 +245,8 @@ COR_KERNEL struct cor_inline_pair cor_ratio_over_omega(double zeta, struct cor_i
     return cor_ratio_over_root(numerator, cor_ratio_omega_square(zeta));
 }
 
-/* L, cut off past 1400, where eps has long been 0. Up to there 1 - zeta^2 is above 2^-18, and its error of 2^-104 is nothing. */
+/* L, limited to 1400, where eps is 0. Up to this limit 1 - zeta^2 is above 2^-18, so that its error of 2^-104 is
+ * negligible. */
 COR_KERNEL struct cor_inline_pair cor_ratio_overlap_near(double zeta)
 {
     const struct cor_inline_pair square = cor_inline_product(zeta, zeta);
@@ -287,9 +288,9 @@ COR_INLINE double cor_ratio_loss_zero_overlap(double zeta)
 
 /* ---- the limited damper: the damping force is at most the elastic one ----
  *
- * Until beta v = u, u = x^((a+1)/2), the force is twice the elastic one; then the law holds as it is, and its force vanishes
- * at the phase psi later, cos(psi) = (4 zeta^2 - 1)/R, R = sqrt(1 + 8 zeta^2). L = zeta psi/sqrt(1 - zeta^2), and half the
- * angle makes of it
+ * Until beta v = u, u = x^((a+1)/2), the force is twice the elastic force. Then the law holds unchanged, and its force
+ * vanishes at the phase psi later, cos(psi) = (4 zeta^2 - 1)/R, R = sqrt(1 + 8 zeta^2). L = zeta psi/sqrt(1 - zeta^2),
+ * and with half the angle
  *
  *     L = (R + 1)/(R + 3) 2 C A(C),     C = cos(psi/2) = zeta sqrt(2 (R + 3)/(R (R + 1)))
  */
@@ -328,12 +329,12 @@ COR_KERNEL struct cor_inline_pair cor_ratio_limited_near(double zeta)
     return cor_inline_pair_times(parts.share, cor_ratio_phase_near(parts.c, cor_pair_scaled(parts.c, 4)));
 }
 
-/* eps for zeta > COR_RATIO_LIMITED_NEAR as a pair; past 2^64 it is 1/(2 sqrt(2) zeta). 2 C A(C) (2/(R + 3)) is what is
- * left of L beside 2 C A(C). */
+/* eps for zeta > COR_RATIO_LIMITED_NEAR as a pair; past 2^64 it is 1/(2 sqrt(2) zeta). L is 2 C A(C) minus 2 C A(C)
+ * (2/(R + 3)). */
 COR_INLINE struct cor_inline_pair cor_ratio_eps_limited_far(double zeta)
 {
     if (zeta > COR_INLINE_2_40 * 16777216.0) {
-        const int huge = zeta > COR_INLINE_2_900; /* keeps the pair's lower half from underflow */
+        const int huge = zeta > COR_INLINE_2_900; /* scaling keeps the pair's lower half from underflow */
         const double z = huge ? zeta * COR_INLINE_2_M200 : zeta;
         return cor_pair_scaled(
             cor_pair_over(cor_pair(COR_RATIO_FAR_LIMITED, COR_RATIO_FAR_LIMITED_TAIL), cor_pair(z, 0)),
@@ -376,8 +377,8 @@ COR_INLINE double cor_ratio_loss_limited(double zeta)
 
 /* ---- inverses ----
  *
- * Each solves for zeta where L, a pair, is given: a polynomial's start, then Newton's step (the limited damper: Halley's) with
- * the residual as a pair. */
+ * Each function solves for zeta from L, a pair. A polynomial gives the start value, and a step of Newton's method
+ * (Halley's method for the limited damper) with the residual as a pair follows. */
 
 /* zeta with zeta A(zeta) = x, 0 <= x.hi <= 1.8697 */
 COR_KERNEL double cor_ratio_of_phase_near(struct cor_inline_pair x)
@@ -390,8 +391,8 @@ COR_KERNEL double cor_ratio_of_phase_near(struct cor_inline_pair x)
     return start + slope * ((x.hi - at_start.hi) + (x.lo - at_start.lo));
 }
 
-/* The same beyond, from exp(-x) as a pair besides: zeta = cosh(theta), theta = x - delta, where
- * delta = 2 x E/(1 + E), E = exp(-2 theta) = exp(-2 x) exp(2 delta), by Newton's method from delta = 2 x exp(-2 x) < 0.1. */
+/* The same for larger x, also from exp(-x) as a pair: zeta = cosh(theta), theta = x - delta, where delta = 2 x E/(1 +
+ * E), E = exp(-2 theta) = exp(-2 x) exp(2 delta), by Newton's method from delta = 2 x exp(-2 x) < 0.1. */
 COR_INLINE double cor_ratio_of_phase_far(double x, struct cor_inline_pair decay)
 {
     const double least = decay.hi * decay.hi;
@@ -438,7 +439,7 @@ COR_KERNEL double cor_ratio_zeta_of_loss_zero_force_near(double loss)
     return cor_ratio_of_phase_near(cor_pair_scaled(cor_kernel_minus_log_one_minus(loss), 0.5));
 }
 
-/* loss/pi, or twice that, of a tiny loss */
+/* loss/pi, or twice that, for a tiny loss */
 COR_INLINE double cor_ratio_of_tiny_loss(double loss, double share)
 {
     const struct cor_inline_pair scaled = cor_pair(loss * (share * COR_INLINE_2_200), 0);
@@ -527,8 +528,8 @@ COR_INLINE double cor_ratio_zeta_of_loss_zero_overlap(double loss)
     return loss == 1 ? 1 : cor_ratio_of_tiny_loss(loss, 1);
 }
 
-/* dL/dzeta and d^2L/dzeta^2 of the limited damper where L is known: with W = 1 - zeta^2 and
- * N = 4 zeta (1 + 2 zeta^2)/(1 + 8 zeta^2), W L' = L/zeta - N. Near zeta = 1 Taylor's series, 2^-32. */
+/* dL/dzeta and d^2L/dzeta^2 of the limited damper for known L. With W = 1 - zeta^2 and N = 4 zeta (1 + 2 zeta^2)/(1 + 8
+ * zeta^2), W L' = L/zeta - N. Near zeta = 1 the code uses Taylor's series, with relative error 2^-32. */
 struct cor_ratio_slopes {
     double first, second;
 };
@@ -547,7 +548,7 @@ COR_KERNEL struct cor_ratio_slopes cor_ratio_limited_slopes(double zeta, double 
     return slopes;
 }
 
-/* Halley's step for residual = L - (L wanted) */
+/* A step of Halley's method for residual = L minus the given L */
 COR_KERNEL double cor_ratio_limited_step(double zeta, double exponent, double residual)
 {
     const struct cor_ratio_slopes s = cor_ratio_limited_slopes(zeta, exponent);
@@ -563,7 +564,7 @@ COR_KERNEL double cor_ratio_of_limited_with(struct cor_inline_pair exponent, con
     return cor_ratio_limited_step(start, at_start.hi, (at_start.hi - exponent.hi) + (at_start.lo - exponent.lo));
 }
 
-/* The row by selections, which vectorise, */
+/* Selects the row without branches, so that loops vectorise. */
 COR_KERNEL double cor_ratio_of_limited_near(struct cor_inline_pair exponent)
 {
     double p[11];
@@ -574,17 +575,17 @@ COR_KERNEL double cor_ratio_of_limited_near(struct cor_inline_pair exponent)
     return cor_ratio_of_limited_with(exponent, p);
 }
 
-/* and by its place. */
+/* Selects the row by its index. */
 COR_INLINE double cor_ratio_of_limited(struct cor_inline_pair exponent)
 {
     return cor_ratio_of_limited_with(exponent, cor_ratio_limited_polynomial[(exponent.hi > 0.9) + (exponent.hi > 1.9)]);
 }
 
-/* The same for eps < COR_RATIO_EPS_LIMITED_NEAR: zeta eps 2 sqrt(2) tends to 1, and Newton's method in ln(zeta) ends
- * quickly. */
+/* The same for eps < COR_RATIO_EPS_LIMITED_NEAR. zeta eps 2 sqrt(2) tends to 1, so that Newton's method in ln(zeta)
+ * converges quickly. */
 COR_INLINE double cor_ratio_of_limited_far(double eps)
 {
-    if (eps < COR_INLINE_2_M200) { /* 1/(2 sqrt(2) eps), in units of 2^200: it may overflow */
+    if (eps < COR_INLINE_2_M200) { /* 1/(2 sqrt(2) eps) may overflow and is computed in units of 2^200 */
         if (eps < 1.96670601748920e-309)
             return (double)INFINITY;
         const struct cor_inline_pair scaled = cor_pair(eps * (COR_INLINE_2_500), 0);
@@ -633,7 +634,7 @@ COR_INLINE double cor_ratio_zeta_of_loss_limited(double loss)
 
 /* ---- times and the largest overlap ---- */
 
-/* theta for zeta > 3, to the largest double: ln(2 zeta) from 2^100 on */
+/* theta for zeta > 3 up to the largest double; from 2^100 on it is ln(2 zeta) */
 COR_INLINE struct cor_inline_pair cor_ratio_theta(double zeta)
 {
     if (zeta < COR_INLINE_2_100)
@@ -653,7 +654,7 @@ COR_INLINE struct cor_inline_pair cor_ratio_phase_time(double zeta)
     return cor_pair_over(cor_ratio_theta(zeta), zeta < COR_INLINE_2_100 ? cor_ratio_far(z).root : z);
 }
 
-/* L at zero force for every zeta but infinity, where it is below 1421; relative accuracy is lost below 2^-900. */
+/* L at zero force, below 1421, for every finite zeta. Below 2^-900 the relative accuracy is lost. */
 COR_INLINE struct cor_inline_pair cor_ratio_force_exponent(double zeta)
 {
     if (zeta <= COR_RATIO_FORCE_NEAR)
@@ -664,7 +665,7 @@ COR_INLINE struct cor_inline_pair cor_ratio_force_exponent(double zeta)
     return cor_pair_scaled(half, 2);
 }
 
-/* L of the limited damper over zeta, zeta < 2^64: the time that its second part takes where the law is linear */
+/* L of the limited damper over zeta, zeta < 2^64, which is the time of its second part for the linear law */
 COR_INLINE struct cor_inline_pair cor_ratio_limited_time(double zeta)
 {
     const struct cor_ratio_limited parts = cor_ratio_limited_parts(zeta);

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The four public functions that a function of law.h is, from the inline one. */
+/* Macros that define the four public forms of a function of law.h from the inline function. */
 #ifndef COR_RUNTIME_LAW_DEFINE_H
 #define COR_RUNTIME_LAW_DEFINE_H
 
 #include "runtime/law/array.h"
 
-/* Floats go through the double loop, so that they are rounded once. */
+/* Float arrays call the double loop, so that each result is rounded once. */
 static inline void law_arrayf(cor_law_array_function *loop, const float *x, float *y, size_t n)
 {
     enum { CHUNK = 512 };
@@ -20,7 +20,7 @@ static inline void law_arrayf(cor_law_array_function *loop, const float *x, floa
     }
 }
 
-/* cor_<function>, of which `name` is the inline one and a row of COR_LAW_LOOPS */
+/* Defines cor_<function> from the inline function `name`, which is a row of COR_LAW_LOOPS. */
 #define LAW_DEFINE(function, name)                                                                                     \
     double cor_##function(double x)                                                                                    \
     {                                                                                                                  \
@@ -39,7 +39,7 @@ static inline void law_arrayf(cor_law_array_function *loop, const float *x, floa
         law_arrayf(cor_law_best_loops()[COR_LAW_##name], x, y, n);                                                     \
     }
 
-/* The same without a loop of its own: arrays are taken one number after the other. */
+/* The same without a loop of its own: array functions compute one number after the other. */
 #define LAW_DEFINE_ONE_BY_ONE(function, name)                                                                          \
     double cor_##function(double x)                                                                                    \
     {                                                                                                                  \

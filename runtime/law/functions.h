@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The list of functions whose arrays are loops of kernels: LOOP(name, least, largest). cor_<name>_near and
- * cor_<name> give the same bits on least <= x <= largest; the latter takes every double. PARTED(name, least, largest) has two
- * kernels, cor_<name>_first where cor_<name>_is_first and cor_<name>_second elsewhere. */
+/* The list of functions whose array forms are loops of kernels: LOOP(name, least, largest). cor_<name>_near and
+ * cor_<name> give the same bits on least <= x <= largest; cor_<name> takes every double. PARTED(name, least, largest)
+ * has two kernels, cor_<name>_first where cor_<name>_is_first holds, and cor_<name>_second elsewhere. */
 #ifndef COR_RUNTIME_LAW_FUNCTIONS_H
 #define COR_RUNTIME_LAW_FUNCTIONS_H
 

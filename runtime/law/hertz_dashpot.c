@@ -5,14 +5,15 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Where one function of the evaluator stays a call, a law's constants are copied: five times the time. */
+/* If one function of the evaluator stays a call, the constants of the law are copied, which takes five times as
+ * long. */
 #ifdef __GNUC__
 #define COR_INLINE static inline __attribute__((always_inline))
 #endif
 
 #include "runtime/law/hertz_dashpot_approach_only.h"
 
-/* A function of hertz_dashpot.h and its arrays, one number after the other */
+/* A function of hertz_dashpot.h and its array forms, which compute one number after the other */
 #define HERTZ_DASHPOT_FUNCTION_OF(quantity, inline_function)                                                           \
     double cor_hertz_dashpot_##quantity(double x)                                                                      \
     {                                                                                                                  \

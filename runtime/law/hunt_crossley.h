@@ -4,8 +4,8 @@
  *     f(beta) = f(-h),  f(z) = z - ln(1 + z),  h = beta eps
  *     beta = y + c, h = y - c, c = y coth(y) - 1;   eps = h/beta, 1 - eps = 2 c/beta
  *
- * As runtime/law/damping_ratio.h: kernels, cor_hc_..._near, or two of them, _first and _second, on an interval, and functions of
- * every double. */
+ * As in runtime/law/damping_ratio.h, kernels, cor_hc_..._near or a pair _first and _second, hold on an interval, and
+ * the other functions take every double. */
 #ifndef COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 #define COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 
@@ -13,15 +13,15 @@
 
 /* Below this beta, three terms of the series are exact to the last bit. */
 #define COR_HC_TINY 9.5367431640625e-07 /* 2^-20 */
-/* y = 1.5 and its beta, its eps */
+/* y = 1.5, and its beta and eps */
 #define COR_HC_ROOT_NEAR 1.5
 #define COR_HC_BETA_NEAR 2.157
 #define COR_HC_EPS_NEAR 0.3908
 /* Largest beta of the kernels */
 #define COR_HC_LARGEST 1e300
-/* Damping while approaching only: the largest s = beta/(2 + beta) of the polynomial, its beta and its eps */
+/* Damping during the approach only: the largest beta of the polynomial in s = beta/(2 + beta), and its eps */
 #define COR_HC_APPROACH_NEAR 2.0
-#define COR_HC_APPROACH_LEAST 8.67361737988403547206e-19 /* 2^-60: below, eps is 1 and its loss beta/3 */
+#define COR_HC_APPROACH_LEAST 8.67361737988403547206e-19 /* 2^-60: below it eps is 1 and the loss is beta/3 */
 #define COR_HC_EPS_APPROACH_NEAR 0.6714
 
 /* 1/3 and 2/3 as pairs */
@@ -70,7 +70,7 @@ static const double cor_hc_atanh_polynomial[13] = {
     0x1.b6598f3bb947cp-4, -0x1.a952459125d8ap-4, 0x1.7bc13387f454dp-3,
 };
 
-/* s/x where 1 - eps^2 = x with damping while approaching only, 0 <= x <= 0.5494: relative error 2^-30 */
+/* s/x where 1 - eps^2 = x with damping during the approach only, 0 <= x <= 0.5494: relative error 2^-30 */
 static const double cor_hc_approach_polynomial[9] = {
     0x1.7ffffffdad735p-1,  0x1.2000055608434p-2,  0x1.59919eabe74e3p-5, -0x1.83aa877d3790bp-6, -0x1.974af9a62df42p-6,
     -0x1.470a43c3b667dp-7, -0x1.c6293a827e49dp-7, 0x1.6160b738dccdfp-7, -0x1.39955dc23700cp-7,
@@ -98,12 +98,13 @@ COR_KERNEL struct cor_hc_coth cor_hc_coth_near(double y)
     return coth;
 }
 
-/* y as head + step, the head a double within 2^-28 beta^2 of y */
+/* y as head + step, where the head is a double within 2^-28 beta^2 of y */
 struct cor_hc_root {
     double head, step;
 };
 
-/* 2^-30 <= beta <= 2.157. The start is beta less c, whose relative error is 2^-29, so that beta - y keeps its own. */
+/* 2^-30 <= beta <= 2.157. The start value is beta - c with a relative error of 2^-29 in c, so that beta - y has the
+ * same relative error. */
 COR_KERNEL struct cor_hc_root cor_hc_root_near(double beta)
 {
     const double *p = cor_hc_start_polynomial;
@@ -153,7 +154,7 @@ COR_KERNEL struct cor_hc_speeds cor_hc_speeds_strong(double beta)
     return speeds;
 }
 
-/* Which of the two holds: array loops part their numbers by it. */
+/* Whether the first of the two functions holds. Array loops divide their numbers accordingly. */
 COR_KERNEL int cor_hc_is_weak(double beta)
 {
     return beta < COR_HC_BETA_NEAR;
@@ -194,7 +195,8 @@ COR_INLINE double cor_hc_loss_tiny(double beta)
     return (p.hi + (p.lo + more)) * COR_INLINE_2_M200;
 }
 
-/* The pumped collision, beta = -b: y - c = b, and b eps is y + c. Up to b = 0.7, y = 1.1; Newton's method from y = b. */
+/* A collision with negative damping, beta = -b: y - c = b, and b eps is y + c. The function holds up to b = 0.7, y =
+ * 1.1, and applies Newton's method from y = b. */
 COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped_near(double b)
 {
     double y = b, step = 0;
@@ -217,7 +219,8 @@ COR_INLINE struct cor_inline_pair cor_hc_energy(double z)
     return cor_pair_plus(cor_pair(z, 0), cor_kernel_minus_log(cor_pair_two_sum(1, z)));
 }
 
-/* Beyond: t = b eps has the energy that -b has. Newton's method from above, where the function is convex. */
+/* For larger b, t = b eps has the same energy as -b. Newton's method starts from above, where the function is
+ * convex. */
 COR_INLINE struct cor_hc_speeds cor_hc_speeds_pumped_far(double b)
 {
     const struct cor_inline_pair wanted = cor_hc_energy(-b);
@@ -266,8 +269,8 @@ COR_INLINE double cor_hc_loss(double beta)
 
 /* ---- the inverse ---- */
 
-/* beta from eps and loss = 1 - eps, both as pairs, eps >= COR_HC_EPS_NEAR: coth(y) - 1/y = loss/(1 + eps) = t, of which
- * c = t y is solved, and beta = 2 y/(1 + eps). */
+/* beta from eps and loss = 1 - eps, both as pairs, eps >= COR_HC_EPS_NEAR: coth(y) - 1/y = loss/(1 + eps) = t. The
+ * function solves c = t y, and beta = 2 y/(1 + eps). */
 COR_KERNEL struct cor_inline_pair cor_hc_of_langevin(struct cor_inline_pair eps, struct cor_inline_pair loss)
 {
     const double *p = cor_hc_langevin_polynomial;
@@ -283,7 +286,7 @@ COR_KERNEL struct cor_inline_pair cor_hc_of_langevin(struct cor_inline_pair eps,
     return cor_pair_over_with(cor_pair(2 * y, 2 * (off / (at.slope - t.hi))), plus, inverse);
 }
 
-/* One of Newton's steps for beta eps + w = 1, w = -W_0(-x), w' = -w/(1-w) beta/(1+beta) */
+/* A step of Newton's method for beta eps + w = 1, w = -W_0(-x), w' = -w/(1-w) beta/(1+beta) */
 COR_KERNEL double cor_hc_limit_step(double beta, struct cor_inline_pair eps)
 {
     const double w = cor_hc_rest(beta), slope = eps.hi - (w / (1 - w)) * (beta / (1 + beta));
@@ -301,7 +304,7 @@ COR_KERNEL double cor_hc_of_limit(struct cor_inline_pair eps)
     return next - cor_hc_limit_step(next, eps);
 }
 
-/* By eps, 2^-900 <= eps < 1, and by the loss, 2^-200 <= loss < 1 */
+/* From eps, 2^-900 <= eps < 1, and from the loss, 2^-200 <= loss < 1 */
 COR_KERNEL int cor_hc_beta_is_first(double eps)
 {
     return eps >= COR_HC_EPS_NEAR;
@@ -355,9 +358,10 @@ COR_INLINE double cor_hc_beta_of_loss(double loss)
     return loss == 1 ? (double)INFINITY : 1.5 * loss;
 }
 
-/* ---- damping while approaching only ----
+/* ---- damping during the approach only ----
  *
- * eps = sqrt(2 f(beta))/beta. With s = beta/(2 + beta), 1 - eps^2 = s (1 + (1 - s)^2 K(s^2)), K(s^2) = (atanh(s)/s - 1)/s^2. */
+ * eps = sqrt(2 f(beta))/beta. With s = beta/(2 + beta), 1 - eps^2 = s (1 + (1 - s)^2 K(s^2)), K(s^2) = (atanh(s)/s -
+ * 1)/s^2. */
 
 /* s (1 + (1 - s)^2 K(s^2)), |s.hi| <= 1/2: relative error 2^-54 */
 COR_KERNEL struct cor_inline_pair cor_hc_square_loss(struct cor_inline_pair s)
@@ -400,7 +404,7 @@ COR_KERNEL double cor_hc_loss_approach_only_near(double beta)
     return cor_pair_over(lost, cor_pair_plus(cor_pair(1, 0), eps)).hi;
 }
 
-/* eps as a pair, -1 < beta < inf: sqrt(2 f)/|beta| away from 0. Beyond 2^500 the logarithm in f is lost. */
+/* eps as a pair, -1 < beta < inf: sqrt(2 f)/|beta| away from 0. Beyond 2^500 the logarithm in f is negligible. */
 COR_INLINE struct cor_inline_pair cor_hc_eps_approach_pair(double beta)
 {
     if (fabs(beta) < COR_HC_APPROACH_LEAST)
@@ -438,7 +442,8 @@ COR_INLINE double cor_hc_loss_approach_only(double beta)
     return less.hi + (less.lo - eps.lo);
 }
 
-/* beta from x = 1 - eps^2 as a pair, 0 < x.hi <= 0.5494: Newton's step for s, dx/ds = 2 (2 s/(1 + s) - x)/(s (1 - s)) */
+/* beta from x = 1 - eps^2 as a pair, 0 < x.hi <= 0.5494: a step of Newton's method for s, dx/ds = 2 (2 s/(1 + s) -
+ * x)/(s (1 - s)) */
 COR_INLINE double cor_hc_of_approach_near(struct cor_inline_pair x)
 {
     const double *p = cor_hc_approach_polynomial;
@@ -451,13 +456,13 @@ COR_INLINE double cor_hc_of_approach_near(struct cor_inline_pair x)
     return cor_pair_over(cor_pair(2 * s, 2 * step), cor_pair(below.hi, below.lo - step)).hi;
 }
 
-/* beta from eps < COR_HC_EPS_APPROACH_NEAR: Newton's method for eps^2 beta^2/2 = beta - ln(1 + beta), from 2/eps^2, which
- * is above the root of a convex function. */
+/* beta from eps < COR_HC_EPS_APPROACH_NEAR: Newton's method for eps^2 beta^2/2 = beta - ln(1 + beta), from 2/eps^2,
+ * which is above the root of a convex function. */
 COR_INLINE double cor_hc_of_approach_far(struct cor_inline_pair eps)
 {
     if (eps.hi < 1.05476866148630004e-154) /* 2^-511.5 */
         return (double)INFINITY;
-    if (eps.hi < COR_HC_APPROACH_LEAST) { /* 2/eps^2 to the last bit */
+    if (eps.hi < COR_HC_APPROACH_LEAST) { /* beta is 2/eps^2 to the last bit */
         const struct cor_inline_pair over = cor_pair_over(cor_pair(1, 0), eps);
         return 2 * cor_inline_pair_times(over, over).hi;
     }
@@ -505,7 +510,7 @@ COR_INLINE double cor_hc_beta_of_loss_approach_only(double loss)
 
 /* ---- the largest overlap ---- */
 
-/* ((a + 1)/2 eps^2)^(1/(a + 1)) with eps of damping while approaching only, 0 <= a < inf */
+/* ((a + 1)/2 eps^2)^(1/(a + 1)) with eps of damping during the approach only, 0 <= a < inf */
 COR_INLINE double cor_hc_max_overlap(double beta, double elastic_exponent)
 {
     const double a = elastic_exponent;

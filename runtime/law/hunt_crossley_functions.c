@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What Hunt and Crossley's law has in closed form; its times are in hunt_crossley_times.c. */
+/* The closed forms of Hunt and Crossley's law; hunt_crossley_times.c computes its times. */
 #include "cor/law.h"
 #include "runtime/law/define.h"
 

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* Durations of Hunt and Crossley's law and the time of its largest overlap: tables for a = 1 and a = 3/2
- * (generated/hunt_crossley_tables.h), quadrature for every other exponent and for pumped collisions. */
+ * (generated/hunt_crossley_tables.h), quadrature for every other exponent and for negative damping. */
 #include "cor/law.h"
 #include "generated/hunt_crossley_tables.h"
+#include "runtime/core/environment.h"
 #include "runtime/core/row.h"
 #include "runtime/law/define.h"
 #include "runtime/law/hunt_crossley.h"
 
 /* ---- a = 1 and a = 3/2 by tables ---- */
 
-/* What one exponent has */
+/* Tables and constants of one exponent */
 struct crossley_tables {
     const double *(*max_rows)(int), *(*duration_rows)(int), *(*far_max)(int), *(*far_rebound)(int);
     struct cor_inline_pair exponent; /* k = a/(a + 1) */
@@ -46,7 +47,7 @@ static struct cor_inline_pair crossley_log_plus_1(double beta)
     return cor_pair(-minus.hi, -minus.lo);
 }
 
-/* A row's value at s = head + tail, as a pair */
+/* The value of a row at s = head + tail, as a pair */
 static struct cor_inline_pair crossley_row(struct cor_inline_grid grid, const double *(*rows)(int),
                                            struct cor_inline_pair s)
 {
@@ -56,8 +57,8 @@ static struct cor_inline_pair crossley_row(struct cor_inline_grid grid, const do
     return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, t)));
 }
 
-/* beta^(2k - 1) ((1 - k)/(1 + beta))^k, given s = ln(1 + beta) and beta past 2^53: (1 + beta)^k is beta^k (1 + k/beta). With
- * both powers as one, beta^(k - 1) (1 - k)^k. */
+/* beta^(2k - 1) ((1 - k)/(1 + beta))^k, given s = ln(1 + beta) and beta past 2^53, where (1 + beta)^k is beta^k (1 +
+ * k/beta). The two powers combine to beta^(k - 1) (1 - k)^k. */
 static struct cor_inline_pair crossley_far_unit(struct cor_inline_pair log_beta, struct cor_inline_pair k)
 {
     const struct cor_inline_pair rest = cor_pair_plus(cor_pair(1, 0), cor_pair(-k.hi, -k.lo));
@@ -73,7 +74,7 @@ static struct cor_inline_pair crossley_max(const struct crossley_tables *tables,
     if (s.hi < COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1_END)
         return crossley_row(COR_INLINE_GRID(COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1), tables->max_rows, s);
     const double *c = tables->far_max(0), inverse = 1 / beta, v = s.hi;
-    /* (1 + beta)^-k is beta^-k (1 - k/beta), so that ln(beta) is all that is needed */
+    /* (1 + beta)^-k is beta^-k (1 - k/beta), so that ln(beta) suffices */
     const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair(beta, 0)), u = cor_pair(-minus.hi, -minus.lo);
     struct cor_inline_pair sum = cor_pair_plus(s, cor_pair(c[0], c[1]));
     sum.lo += inverse * (c[2] + v * (c[3] + v * c[4]) - tables->exponent.hi * (v + c[0]));
@@ -105,6 +106,11 @@ static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables 
     return cor_inline_pair_times(cor_kernel_exp_minus_pair(exponent), factor);
 }
 
+static double crossley_far_duration(const struct crossley_tables *tables, double beta, struct cor_inline_pair s)
+{
+    return cor_pair_plus(crossley_far_rebound(tables, beta, s), crossley_max(tables, beta)).hi;
+}
+
 static double crossley_table_duration(const struct crossley_tables *tables, double beta)
 {
     if (isinf(beta))
@@ -115,16 +121,24 @@ static double crossley_table_duration(const struct crossley_tables *tables, doub
             crossley_row(COR_INLINE_GRID(COR_ROWS_CROSSLEY_DURATION_1), tables->duration_rows, s);
         return t.hi;
     }
-    return cor_pair_plus(crossley_far_rebound(tables, beta, s), crossley_max(tables, beta)).hi;
+    if (beta < COR_INLINE_2_1000)
+        return crossley_far_duration(tables, beta, s);
+    /* Compilers fill unused lanes of vectors with doubles whose sum may overflow. */
+    const struct cor_environment caller = cor_environment_enter();
+    const volatile double huge = beta;
+    const volatile double duration = crossley_far_duration(tables, huge, s);
+    cor_environment_leave(&caller);
+    return duration;
 }
 
 /* ---- every exponent: double exponential quadrature ----
  *
- * Loading, tau = ln((1 + beta)/(1 + beta v)), and rebound, tau = ln((1 + beta v)/(1 - h)) from the end backwards, take
+ * Loading, with tau = ln((1 + beta)/(1 + beta v)), and rebound, with tau = ln((1 + beta v)/(1 - h)) from the end
+ * backwards, take the time
  *
  *     beta^(2k - 1) int_0^end (tau B(tau)/(1 - k))^-k d tau,   B = (1 + beta) E(-tau) - 1 or 1 - (1 - h) E(tau)
  *
- * with end = ln(1 + beta) or -ln(1 - h) and E(x) = (exp(x) - 1)/x. With tau = end w^(a+1) that is, for both,
+ * with end = ln(1 + beta) or -ln(1 - h) and E(x) = (exp(x) - 1)/x. With tau = end w^(a+1) both times are
  *
  *     (end/beta)^(1-k) r^-k (a + 1) int_0^1 (b(w)/(1 - k))^-k dw,   b = B/(beta r), r = 1 or eps
  *
@@ -146,7 +160,7 @@ static double crossley_mean_exponential(double x)
     return sum;
 }
 
-/* b at w = 1 - below: near w = 1 the rebound needs end - tau, which only `below` knows */
+/* b at w = 1 - below. Near w = 1 the rebound needs end - tau, which follows from `below` without cancellation. */
 static double crossley_b(const struct crossley_side *side, double w, double below)
 {
     const double share = below < 0.5 ? side->power * log1p(-below) : side->power * log(w);
@@ -161,7 +175,8 @@ static double crossley_b(const struct crossley_side *side, double w, double belo
     return (tau - near + side->rest) / (tau * side->speed);
 }
 
-/* The integral by w = 1/(1 + exp(-pi sinh(t))): the step's error is far below 1e-14, and the cut-off leaves out 2^-58. */
+/* The integral with w = 1/(1 + exp(-pi sinh(t))). The error of the step is far below 1e-14, and the cut-off neglects
+ * 2^-58. */
 static double crossley_quadrature(const struct crossley_side *side, double k)
 {
     const int steps = side->end > 40 ? 256 : 96;
@@ -199,7 +214,8 @@ static double crossley_rebound(double beta, double a)
     return crossley_side_time(&side);
 }
 
-/* A pumped collision backwards is the damped one that starts with speed eps: its loading is the other's rebound. */
+/* A collision with negative damping, in backward time, is the damped collision that starts with the speed eps. The
+ * loading of one is the rebound of the other. */
 struct crossley_times {
     double loading, rebound;
 };
@@ -239,7 +255,8 @@ static double cor_crossley_inline_duration(double beta, double elastic_exponent)
         return NAN;
     if (isinf(beta))
         return a > 0 ? INFINITY
-                     : 1; /* a constant force: the approach takes no time, the rebound (1 - h) e^tau = 1 all of it */
+                     : 1; /* a constant force: the approach takes no time, and the rebound, (1 - h) e^tau = 1, the whole
+                           * time */
     if (crossley_has_table(beta, a)) {
         const struct crossley_tables tables = crossley_tables_of(a);
         return crossley_table_duration(&tables, beta);
@@ -262,7 +279,7 @@ static double cor_crossley_inline_time_of_max_overlap(double beta, double elasti
     return crossley_times(beta, a).loading;
 }
 
-/* The elastic rebound of speed eps takes the elastic half times eps^((1 - a)/(1 + a)). */
+/* The elastic rebound to the speed eps takes half of the elastic duration times eps^((1 - a)/(1 + a)). */
 static struct cor_inline_pair crossley_elastic_rebound(double beta, double a)
 {
     const struct cor_inline_pair plus = cor_pair_two_sum(1, a), minus = cor_pair_two_sum(1, -a);

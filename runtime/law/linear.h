@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The linear dashpot x'' + 2 zeta x' + x = 0 in time: what it has beside the functions of damping_ratio.h. */
+/* Times and overlaps of the linear dashpot x'' + 2 zeta x' + x = 0, in addition to the functions of damping_ratio.h. */
 #ifndef COR_RUNTIME_LAW_LINEAR_H
 #define COR_RUNTIME_LAW_LINEAR_H
 
@@ -25,7 +25,7 @@ COR_INLINE double cor_linear_inline_duration_zero_force(double zeta)
     return 2 * cor_linear_inline_time_of_max_overlap(zeta);
 }
 
-/* The rebound of an undamped spring takes pi/2 whatever its speed. */
+/* The rebound of an undamped spring takes pi/2 at every speed. */
 COR_INLINE double cor_linear_inline_duration_approach_only(double zeta)
 {
     if (!(zeta >= 0))
@@ -46,8 +46,8 @@ COR_INLINE double cor_linear_inline_duration_zero_overlap(double zeta)
     return zeta < 1 ? cor_linear_inline_duration_zero_overlap_near(zeta) : (double)INFINITY;
 }
 
-/* The force is twice the elastic one for atan(2 sqrt(2) zeta)/sqrt(2) = (2 zeta/R) A(1/R), R = sqrt(1 + 8 zeta^2); then the
- * law holds for L/zeta. From 2^64 on, pi/(2 sqrt(2)) is all that is left. */
+/* The force is twice the elastic force for the time atan(2 sqrt(2) zeta)/sqrt(2) = (2 zeta/R) A(1/R), R = sqrt(1 + 8
+ * zeta^2). Then the law holds for the time L/zeta. From 2^64 on, the sum is pi/(2 sqrt(2)). */
 COR_INLINE double cor_linear_inline_duration_limited(double zeta)
 {
     if (!(zeta >= 0))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the linear dashpot and Tsuji's damping have in closed form; Tsuji's times are in tsuji.c. */
+/* The closed forms of the linear dashpot and of Tsuji's damping; tsuji.c computes Tsuji's times. */
 #include "cor/law.h"
 #include "runtime/law/define.h"
 

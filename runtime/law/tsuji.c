@@ -7,18 +7,19 @@
 #include "runtime/law/define.h"
 #include "runtime/law/linear.h"
 
-/* zeta from which the rows by ln(1 + zeta) end: exp(12.25) - 1 */
+/* End of the rows in ln(1 + zeta): zeta = exp(12.25) - 1 */
 #define TSUJI_FAR 208980.0
-/* ... and those by zeta^(1/5) end: 1.3125^5 is 3.895 */
+/* End of the rows in zeta^(1/5): 1.3125^5 is 3.895 */
 #define TSUJI_STRONG 3.89
-/* Below, every duration is the sphere's elastic one to the last bit, but for terms in zeta^(4/5). */
+/* Below this zeta every duration equals the sphere's elastic duration to the last bit, except for terms in
+ * zeta^(4/5). */
 #define TSUJI_LEAST COR_INLINE_2_M200
 
 /* Half of the elastic collision's duration, X_0 sqrt(pi) Gamma(7/5)/Gamma(9/10), as a pair */
 #define TSUJI_HALF 1.60903272985952150442
 #define TSUJI_HALF_TAIL 3.78449505742605387477e-17
 
-/* A row's value at y = head + tail */
+/* The value of a row at y = head + tail */
 static double tsuji_row(struct cor_inline_grid grid, const double *(*rows)(int), struct cor_inline_pair y)
 {
     const int i = (int)((y.hi - grid.first) * grid.per_unit + 0.5);
@@ -57,7 +58,7 @@ static double cor_tsuji_inline_time_of_max_overlap(double zeta)
     return isinf(zeta) ? 0 : tsuji_far(zeta, cor_rows_tsuji_far_time_of_max_overlap(0));
 }
 
-/* The row by zeta^(1/5); its first row is for 0 too. */
+/* The value from the rows in zeta^(1/5); the first row is also for 0. */
 static double tsuji_weak(struct cor_inline_grid grid, const double *(*rows)(int), double zeta)
 {
     return tsuji_row(grid, rows, zeta < TSUJI_LEAST ? cor_pair(0, 0) : cor_inline_fifth_root_parts(zeta));
@@ -121,7 +122,7 @@ static double cor_tsuji_inline_duration_zero_overlap(double zeta)
         const struct cor_inline_pair tenth = cor_kernel_minus_log(cor_pair_over(cor_pair(zeta, 0), ten));
         exponent = cor_pair_scaled(cor_inline_pair_times(two_fifths, tenth), 2);
     }
-    /* In units of 2^8, so that only the result can overflow; half of the power at a time */
+    /* units of 2^8, so that only the result can overflow; the power is applied in two halves */
     const struct cor_inline_pair half = cor_pair_scaled(cor_pair_plus(growth, exponent), -0.5);
     const struct cor_inline_pair root = cor_kernel_exp_minus_pair(half);
     const double scaled =
@@ -129,7 +130,7 @@ static double cor_tsuji_inline_duration_zero_overlap(double zeta)
     return scaled < 7.02223880805592105e+305 ? scaled * 256 : INFINITY; /* 2^1016 */
 }
 
-/* The elastic rebound of speed eps takes half the elastic duration times eps^(-1/5). */
+/* The elastic rebound to the speed eps takes half the elastic duration times eps^(-1/5). */
 static double cor_tsuji_inline_duration_approach_only(double zeta)
 {
     if (!(zeta >= 0))
@@ -137,7 +138,7 @@ static double cor_tsuji_inline_duration_approach_only(double zeta)
     if (isinf(zeta))
         return INFINITY;
     const struct cor_inline_pair fifth = cor_pair(0.2, -1.11022302462515654042e-17);
-    /* ln(eps)/5, where L at zero force is twice that at this end */
+    /* ln(eps)/5; L at zero force is twice that of this end */
     const struct cor_inline_pair part = cor_inline_pair_times(fifth, cor_ratio_force_exponent(zeta));
     const struct cor_inline_pair growth = cor_kernel_exp_minus_pair(cor_pair_scaled(part, -0.5));
     const struct cor_inline_pair rebound = cor_inline_pair_times(growth, cor_pair(TSUJI_HALF, TSUJI_HALF_TAIL));

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The sphere with damping while approaching only, from its largest overlap Y (runtime/core/hertz_approach_only.h). */
+/* The sphere with damping during the approach only, from its largest overlap Y (runtime/core/hertz_approach_only.h). */
 #include "cor/sphere.h"
 #include "runtime/core/hertz_approach_only.h"
 #include "runtime/sphere/eval.h"
 
-/* 1 - eps = a_1 beta + a_2 beta^2 + ..., beta < 1/16: from (Y/Y_0)^(5/4) with Y = sum y_k beta^k as `corgen series` prints it;
- * a_1 = |C_1|/2. What follows is below 2^-63 of the first term. */
+/* 1 - eps = a_1 beta + a_2 beta^2 + ..., beta < 1/16: from (Y/Y_0)^(5/4) with Y = sum y_k beta^k as `corgen series`
+ * prints it; a_1 = |C_1|/2. The omitted terms are below 2^-63 of the first one. */
 #define SPHERE_LOSS_END 0.0625
 #define SPHERE_LOSS_FIRST 5.76724429047644399565e-01
 #define SPHERE_LOSS_FIRST_TAIL -2.72725649217512272651e-17
@@ -26,7 +26,7 @@ static struct cor_inline_pair loss_per_beta(double beta)
     return cor_inline_sum(SPHERE_LOSS_FIRST, SPHERE_LOSS_FIRST_TAIL + beta * sum);
 }
 
-/* Row i of the table of Y and what is left of beta */
+/* Row i of the table of Y, and beta minus its node */
 struct overlap_place {
     const double *row;
     double t;
@@ -49,7 +49,7 @@ static double overlap_curvature(struct overlap_place place)
     return sum;
 }
 
-/* Y, beta below the end of the table: c_1 t is exact, so that 1 - eps keeps what the table has. */
+/* Y for beta below the end of the table. c_1 t is exact, so that 1 - eps has the accuracy of the table. */
 static struct cor_inline_pair overlap_near(double beta)
 {
     const struct overlap_place place = overlap_place(beta);
@@ -59,7 +59,7 @@ static struct cor_inline_pair overlap_near(double beta)
     return cor_inline_sum(sum.hi, sum.lo + (place.row[1] + slope.lo + rest));
 }
 
-/* Y beyond, beta finite */
+/* Y for finite beta beyond the table */
 static struct cor_inline_pair overlap_far(double beta)
 {
     int exponent;
@@ -84,7 +84,7 @@ static double loss_approach_only(double beta)
 {
     if (!(beta >= 0))
         return NAN;
-    if (beta < SPHERE_LOSS_END) { /* a tiny beta in units of 2^-200, so that the product loses no bits */
+    if (beta < SPHERE_LOSS_END) { /* units of 2^-200 for a tiny beta, so that the product loses no bits */
         const double unit = beta < COR_INLINE_2_M500 ? COR_INLINE_2_M200 : 1, scale = unit < 1 ? COR_INLINE_2_200 : 1;
         const struct cor_inline_pair scaled = cor_pair(beta * scale, 0);
         return cor_inline_pair_times(loss_per_beta(beta), scaled).hi * unit;
@@ -108,8 +108,8 @@ static double beta_of_small_loss(struct cor_inline_pair loss)
     return cor_pair_over(loss, loss_per_beta(beta)).hi;
 }
 
-/* beta from eps as a pair, by Newton's method from the row of Y in which it lies; beyond the rows eps beta^(5/6) changes
- * little. The residual is a pair's. */
+/* beta from eps by Newton's method. The start is the row of Y that contains beta; beyond the rows the method uses that
+ * eps beta^(5/6) changes little. The residual is computed with pairs. */
 static double beta_of_eps(struct cor_inline_pair eps)
 {
     const double wanted = cor_hertz_overlap_of_eps(eps.hi);
@@ -140,7 +140,7 @@ static double beta_of_eps(struct cor_inline_pair eps)
             slope = -0.8 * y.hi / (derivative * beta);
         }
         beta += beta * (off * slope);
-        if (fabs(off) < (beta < COR_ROWS_MAX_OVERLAP_END ? 1e-9 : 1e-15)) /* 1.2 is off by some percent */
+        if (fabs(off) < (beta < COR_ROWS_MAX_OVERLAP_END ? 1e-9 : 1e-15)) /* the slope 1.2 is wrong by some percent */
             break;
     }
     return beta;
@@ -152,7 +152,7 @@ static double beta_of_pairs(struct cor_inline_pair eps, struct cor_inline_pair l
     return loss.hi < 0.03 ? beta_of_small_loss(loss) : beta_of_eps(eps);
 }
 
-/* Past this eps, beta is beyond the largest double. */
+/* Below this eps, beta is beyond the largest double. */
 #define SPHERE_LEAST_EPS 1.65713570994383150e-257
 
 static double beta_approach_only(double eps)

@@ -16,7 +16,8 @@ const struct cor_array_set *cor_array_best_set(void)
     return cor_array_set(cor_widest_set());
 }
 
-/* Loops compute on both sides of a condition and take one: that may raise exceptions, which the environment hides. */
+/* The loops compute both sides of a condition and select one. The unused side may raise exceptions, which the
+ * environment hides. */
 #define SPHERE_ARRAY(quantity)                                                                                         \
     void cor_sphere_##quantity##_array(const double *x, double *y, size_t n)                                           \
     {                                                                                                                  \
@@ -44,7 +45,7 @@ COR_SPHERE_QUANTITIES(SPHERE_ARRAY)
 COR_CONTACT_QUANTITIES(CONTACT_ARRAY)
 COR_DISSIPATION_QUANTITIES(DISSIPATION_ARRAY)
 
-/* Floats go through the double arrays, so that they are rounded once. */
+/* Float arrays call the double functions, so that each result is rounded once. */
 static void rounded_once(cor_sphere_array *function, const float *x, float *y, size_t n)
 {
     enum { CHUNK = 512 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The array functions by instruction set: runtime/sphere/array_<set>.c each compile array_kernel.h with other flags. */
+/* The array functions by instruction set: each runtime/sphere/array_<set>.c compiles array_kernel.h with the flags of
+ * its set. */
 #ifndef COR_RUNTIME_SPHERE_ARRAY_H
 #define COR_RUNTIME_SPHERE_ARRAY_H
 
@@ -55,7 +56,7 @@ struct cor_array_set {
 COR_EACH_SET(COR_ARRAY_SET)
 #undef COR_ARRAY_SET
 
-/* By enum cor_instruction_set; NULL where this processor, or this build, has it not. */
+/* The functions of an enum cor_instruction_set; NULL if this processor or this build lacks the set. */
 const struct cor_array_set *cor_array_set(int i);
 const struct cor_array_set *cor_array_best_set(void);
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The sphere's functions of whole arrays, from beta, eps or an impact speed: compiled once for every instruction set, in
- * array_<set>.c, and chosen in array.c. No set may fuse a multiplication with an addition, so all of them and the
- * scalar functions give the same bits.
+/* Array functions of the sphere, of beta, eps or an impact speed. array_<set>.c compiles them for its instruction set,
+ * and array.c chooses a set. No set may fuse a multiplication with an addition, so all sets and the scalar functions
+ * give the same bits.
  *
- * Blocks of numbers go through loops that a compiler vectorises: a first one finds the row and the variables of every
- * number; a second one brings the rows' columns side by side and evaluates; a third one computes what lies outside the
- * tables, one by one. */
+ * Three loops process each block of numbers. The first finds the row and the variables of every number. The second
+ * loads the columns of several rows into vectors and evaluates them. The third computes numbers outside the tables one
+ * by one. A compiler vectorises the first two. */
 #ifndef COR_RUNTIME_SPHERE_ARRAY_KERNEL_H
 #define COR_RUNTIME_SPHERE_ARRAY_KERNEL_H
 
@@ -16,15 +16,16 @@
 #include "runtime/sphere/contact_parts.h"
 #include "runtime/sphere/eval.h"
 
-/* Calls with constant tables become loops of their own. */
+/* A compiler makes a separate loop of each call with a constant table. */
 #ifdef __GNUC__
 #define KERNEL static inline __attribute__((always_inline))
 #else
 #define KERNEL static inline
 #endif
 
-/* Vectors of four also where AVX-512 has eight: of the 12 columns and the powers of t more stay in registers, and
- * shuffles across 512 bits cost twice as much. Measured, an eps on a Zen 4: 1.37 ns against 1.46. */
+/* Vectors have four elements even where AVX-512 offers eight: more of the 12 columns and the powers of t stay in
+ * registers, and shuffles across 512 bits cost twice as much. Measured on a Zen 4, an eps takes 1.37 ns instead of
+ * 1.46. */
 #if defined(__AVX2__)
 #include <immintrin.h>
 enum { LANES = 4 };
@@ -33,7 +34,7 @@ typedef __m256d lanes;
 #define LANES_STORE(p, v) _mm256_storeu_pd(p, v)
 #define LANES_STREAM(p, v) _mm256_stream_pd(p, v)
 
-/* Columns k to k + 3 of four rows, transposed: faster than gathers by 2. */
+/* Columns k to k + 3 of four rows, transposed. Gathers take twice as long. */
 KERNEL void lanes_columns(lanes c[4], const double *const row[], int k)
 {
 #define TWO(i, j, k)                                                                                                   \
@@ -68,16 +69,16 @@ KERNEL lanes lanes_head(lanes x)
 }
 #endif
 
-/* Numbers that go through the loops together; the last ones of an array are filled up to whole vectors. */
+/* The loops process this many numbers together. The last block of an array is filled up to whole vectors. */
 enum { BLOCK = 256 };
 
-/* What the first loop leaves for the second: the value is m (c_0 + row(s, t)). */
+/* Results of the first loop for the second one, which computes m (c_0 + row(s, t)). */
 struct reduced {
     double s[BLOCK], t[BLOCK], m[BLOCK];
     uint64_t row[BLOCK]; /* its address */
 };
 
-/* Which of the fields differ from t and 1 */
+/* Whether s differs from t, and m from 1 */
 struct form {
     int has_s, has_m;
 };
@@ -89,8 +90,8 @@ KERNEL uint64_t address_of(const double *rows, uint64_t i)
     return (uint64_t)(uintptr_t)rows + i * (COR_INLINE_COLUMNS * sizeof *rows);
 }
 
-/* The operations of COR_INLINE_ROW and COR_INLINE_ROW_TIMES_S, the last columns first: fewer vectors are alive at a
- * time, and what follows is under way while the first columns are fetched. */
+/* The operations of COR_INLINE_ROW and COR_INLINE_ROW_TIMES_S, with the last columns first. Fewer vectors are alive at
+ * a time, and the processor computes with the last columns while it loads the first. */
 KERNEL lanes evaluate_lanes(const struct reduced *r, struct form form, int j)
 {
     const double *row[LANES];
@@ -124,8 +125,8 @@ KERNEL void evaluate(double *out, const struct reduced *r, struct form form, int
         LANES_STORE(out + j, evaluate_lanes(r, form, j));
 }
 
-/* The same past the caches, into an array too large for them that begins on a line of theirs: the lines to be
- * overwritten are not read first. */
+/* Stores past the caches, for an array that is too large for them and begins at a cache line. The processor then does
+ * not read the lines that it overwrites. */
 #ifdef LANES_STREAM
 KERNEL void evaluate_streaming(double *out, const struct reduced *r, struct form form)
 {
@@ -137,7 +138,8 @@ enum { STREAM_FROM = 1 << 22 /* numbers: 32 MiB */, CACHE_LINE = 64 };
 
 /* ---- blocks ---- */
 
-/* The next m numbers of `in`, which may be `out` too; how many numbers the block is, whole vectors. */
+/* Copies the next m numbers of `in`, which may be the same array as `out`. Returns the length of the block, a multiple
+ * of the vector length. */
 KERNEL int block_read(double *block, const double *in, size_t m)
 {
     const int count = ((int)m + LANES - 1) / LANES * LANES;
@@ -147,13 +149,14 @@ KERNEL int block_read(double *block, const double *in, size_t m)
     return count;
 }
 
-/* Whether results go past the caches; a double at an odd address cannot. */
+/* Whether results are stored past the caches; doubles at unaligned addresses cannot be. */
 KERNEL int streams(const double *out, size_t n)
 {
     return n >= STREAM_FROM && (uintptr_t)out % sizeof *out == 0;
 }
 
-/* How many numbers the block that begins at i has: where results are streamed, the first one only leads to a line. */
+/* Length of the block that begins at i. If results are stored past the caches, the first block only reaches to the next
+ * cache line. */
 KERNEL size_t block_length(const double *out, size_t i, size_t n, int stream)
 {
     const size_t aside = (size_t)((uintptr_t)out % CACHE_LINE) / sizeof *out;
@@ -161,7 +164,7 @@ KERNEL size_t block_length(const double *out, size_t i, size_t n, int stream)
     return n - i < length ? n - i : length;
 }
 
-/* Writes a block's results: to `out` where `final` says that none of them is left to compute, else to `value`. */
+/* Writes the results of a block: to `out` if `final` says that all of them are computed, otherwise to `value`. */
 KERNEL void block_evaluate(double *out, double *value, const struct reduced *r, struct form form, size_t m, int count,
                            int final, int stream)
 {
@@ -177,7 +180,7 @@ KERNEL void block_evaluate(double *out, double *value, const struct reduced *r, 
         memcpy(out, value, m * sizeof *out);
 }
 
-/* Asks for the numbers four blocks ahead, which memory takes as long to bring as those blocks take to compute. */
+/* Prefetches the numbers four blocks ahead. Memory delivers them in about the time that four blocks take to compute. */
 KERNEL void look_ahead(const double *in, size_t i, size_t n, int stream)
 {
 #ifdef LANES_STREAM
@@ -200,7 +203,7 @@ KERNEL void end_streaming(int stream)
     (void)stream;
 }
 
-/* Conditions are masks, all bits 1 or none, and choices are made by them: compilers make vectors of these, and of
+/* Conditions are masks with all bits 1 or all bits 0, and selections use them. Compilers always vectorise masks, but
  * conditional expressions only sometimes. */
 typedef int64_t mask;
 
@@ -209,7 +212,8 @@ KERNEL mask mask_of(int condition)
     return -(mask)condition;
 }
 
-/* first <= x < end by bits, which have the order of nonnegative doubles and are negative as signed numbers for others */
+/* Whether first <= x < end. The bits as integers have the order of nonnegative doubles, and are negative for other
+ * doubles. */
 KERNEL mask holds(double x, double first, double end)
 {
     const int64_t bits = (int64_t)cor_inline_bits(x);
@@ -236,8 +240,8 @@ KERNEL double choose(mask choice, double if_true, double if_false)
 struct table {
     const double *rows;
     struct cor_inline_grid grid;
-    double least, end; /* the table is for 0 and for least <= beta < end */
-    int root, plain;   /* whether it is in sqrt(beta); rows with s = t */
+    double least, end; /* the table covers 0 and least <= beta < end */
+    int root, plain;   /* whether the variable is sqrt(beta); number of rows with s = t */
     struct form form;
 };
 
@@ -246,7 +250,7 @@ KERNEL mask table_has(const struct table *table, double beta)
     return holds(beta, table->least, table->end) | is_same(beta, 0);
 }
 
-/* Returns whether a number lies outside; it then has the row of 0. */
+/* Returns whether a number lies outside the table; such a number gets the row of 0. */
 KERNEL mask table_reduce(struct reduced *r, const struct table *table, const double *in, int count)
 {
     const struct cor_inline_grid grid = table->grid;
@@ -414,17 +418,18 @@ KERNEL struct inverse_table table_beta_zero_force(void)
 
 /* ---- eps of impact speeds ---- */
 
-/* What the array function needs to know of an end of contact */
+/* Tables and functions of one end of contact */
 struct end {
     const double *power_rows;
     struct cor_inline_octaves power_grid;
     double power_end;
     struct table table;               /* in beta */
-    double (*eps_far_root)(double x); /* from there on; or NULL */
+    double (*eps_far_root)(double x); /* beyond the table; or NULL */
     double (*contact_eps)(const struct cor_sphere_contact *contact, double speed);
 };
 
-/* The rows in x = scale speed = beta^5; where x is beyond them, the rows in its root; beyond those, one by one. */
+/* Uses the rows in x = scale speed = beta^5. Beyond them it uses the rows in the fifth root of x; numbers beyond these
+ * it computes one by one. */
 KERNEL void eps_from_speed(const struct cor_sphere_contact *contact, const double *in, double *out, size_t n,
                            const struct end *end)
 {
@@ -439,7 +444,7 @@ KERNEL void eps_from_speed(const struct cor_sphere_contact *contact, const doubl
         look_ahead(in, i, n, stream);
         const int count = block_read(from, in + i, m);
         for (int j = 0; j < count; j++) {
-            /* -1 is outside of everything; the product with it cannot overflow where others could */
+            /* -1 is outside every table, and its product cannot overflow as that of a large speed could */
             x[j] = scale * choose(mask_of((int64_t)cor_inline_bits(from[j]) < (int64_t)limit), from[j], -1);
             const mask inside = holds(x[j], end->power_grid.first, end->power_end);
             beyond |= ~inside;
@@ -453,10 +458,10 @@ KERNEL void eps_from_speed(const struct cor_sphere_contact *contact, const doubl
         if (!beyond)
             continue;
         for (int j = 0; j < count; j++) {
-            /* below 2^-180 different beta have the same eps: 1 to the last bit */
+            /* below 2^-180 eps is 1 to the last bit */
             const mask small = holds(x[j], 0, least), normal = holds(x[j], least, COR_INLINE_2_900);
             const double root = cor_inline_fifth_root_normal(choose(normal, x[j], least));
-            /* the table ends at a beta that NaN is not below; a negative speed may leave x = -0 */
+            /* NaN is not below the end of the table; a negative speed may give x = -0 */
             beta[j] = choose((small | normal) & holds(from[j], 0, cor_inline_infinity()), root, -1);
         }
         table_reduce(&r, &end->table, beta, count);
@@ -487,7 +492,7 @@ enum contact_quantity { CONTACT_BETA, CONTACT_DURATION, CONTACT_OVERLAP };
 
 typedef double contact_scalar(const struct cor_sphere_contact *contact, double speed);
 
-/* By the operations of contact.c, where nothing can overflow (contact_parts.h) */
+/* The operations of contact.c, for speeds at which nothing can overflow (contact_parts.h) */
 KERNEL void from_speed(const struct cor_sphere_contact *contact, const double *in, double *out, size_t n,
                        enum contact_quantity quantity, const struct table *table, contact_scalar *one)
 {

@@ -10,7 +10,7 @@
 #include "runtime/sphere/contact_parts.h"
 #include "runtime/sphere/eval.h"
 
-/* x^5, rounded once but for what is lost below 2^-100; NaN where that is no normal double. */
+/* x^5, rounded once except for errors below 2^-100; NaN if the result is not a normal double. */
 static double fifth_power(double x)
 {
     if (!(x > 1e-60 && x < 1e60))
@@ -58,7 +58,7 @@ static int pair_status(const struct cor_body *body_1, const struct cor_body *bod
     return COR_OK;
 }
 
-/* x y/(x + y), also where the product would overflow and where one of them is infinite */
+/* x y/(x + y), also where the product would overflow and where x or y is infinite */
 static double half_harmonic_mean(double x, double y)
 {
     const double small = x < y ? x : y, large = x < y ? y : x;
@@ -76,7 +76,7 @@ static int in_range(double x)
     return x >= DBL_MIN && x <= DBL_MAX;
 }
 
-/* A formula of a contact and one or two numbers */
+/* A function of a contact and of one or two numbers */
 typedef double contact_formula(const struct cor_sphere_contact *contact, double x, double y);
 
 /* The formula where intermediate results may leave the range of doubles. Volatile operands: see environment.h. */
@@ -106,10 +106,10 @@ static int contact_fill(struct cor_sphere_contact *contact, const struct cor_bod
     const double rho = 4 * sqrt(radius) / (3 * c);
     if (!in_range(c) || !in_range(mass) || !in_range(radius) || !in_range(rho))
         return COR_ERROR_RANGE;
-    /* weights first: they are exactly 1/2 for equal materials, and nothing can overflow */
+    /* the weights come first: they are exactly 1/2 for equal materials, and nothing can overflow */
     const double a1 = body_1->dissipation_time_s, a2 = body_2->dissipation_time_s;
-    const double a = 0.0 + a1 * (c1 / c) + a2 * (c2 / c); /* 0.0: two times of -0 are no dissipation either */
-    /* roots first: rho/m may overflow, their quotient cannot */
+    const double a = 0.0 + a1 * (c1 / c) + a2 * (c2 / c); /* adding 0.0 turns two times of -0 into 0 */
+    /* the roots come first: rho/m may overflow, the quotient of the roots cannot */
     const double root = cor_inline_fifth_root(rho) / cor_inline_fifth_root(mass);
     const double beta_per_root = 1.5 * a * (root * root), scale = 1 / (root * root);
     const int dissipates = (a1 > 0 && c1 > 0) || (a2 > 0 && c2 > 0);
@@ -192,12 +192,12 @@ static double beta_anywhere(const struct cor_sphere_contact *contact, double spe
     (void)unused;
     if (!(g >= 0) || isnan(factor))
         return NAN;
-    /* without dissipation an infinite speed is no 0 times inf */
+    /* without dissipation, an infinite speed must not give 0 times inf */
     if (factor == 0 || g == 0)
         return 0;
     if (isinf(g))
         return g;
-    /* powers of 32, to where the parts of the root are */
+    /* powers of 32 bring g into the range of cor_inline_fifth_root_parts */
     if (g < COR_INLINE_2_M900) {
         g *= COR_INLINE_2_200;
         unit = COR_INLINE_2_M40;
@@ -205,7 +205,7 @@ static double beta_anywhere(const struct cor_sphere_contact *contact, double spe
         g *= COR_INLINE_2_M200;
         unit = COR_INLINE_2_40;
     }
-    /* and of 2, so that nothing overflows before the result does */
+    /* powers of 2 keep the factor from overflowing before the result does */
     if (factor > COR_INLINE_2_500) {
         factor *= COR_INLINE_2_M500;
         unit *= COR_INLINE_2_500;
@@ -220,8 +220,8 @@ double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m
     return in_environment(beta_anywhere, contact, speed_m_s, 0);
 }
 
-/* The two roundings in x = beta5_per_speed speed cost beta less than the root's own; where x might leave the range of
- * doubles, or is not known, by way of beta. */
+/* Whether to use x = beta5_per_speed speed. Its two rounding errors change beta less than the root's own. Where x might
+ * leave the range of doubles or is unknown, eps is computed from beta. */
 static int power_is_good(const struct cor_sphere_contact *contact, double speed)
 {
     return cor_inline_bits(speed) < cor_contact_speed_limit(contact->beta5_per_speed);
@@ -257,7 +257,7 @@ static double duration_zero_overlap(const struct cor_sphere_contact *contact, do
     (void)unused;
     const double beta = cor_contact_beta(contact, speed);
     if (isinf(beta) && !isnan(contact->scale))
-        return INFINITY; /* it grows like ln(g) */
+        return INFINITY; /* the duration grows like ln(g) */
     return cor_contact_duration_of(contact->scale, cor_inline_fifth_root(fabs(speed)),
                                    cor_inline_duration_zero_overlap(beta));
 }
@@ -275,7 +275,7 @@ static double max_overlap(const struct cor_sphere_contact *contact, double speed
     (void)unused;
     const double beta = cor_contact_beta(contact, speed);
     if (isinf(beta) && !isnan(contact->scale))
-        return INFINITY; /* it grows like g^(4/5 - 2/15) */
+        return INFINITY; /* the overlap grows like g^(4/5 - 2/15) */
     return cor_contact_overlap_of(contact->scale, cor_inline_fifth_root(speed), cor_inline_max_overlap(beta));
 }
 
@@ -319,9 +319,9 @@ static double dissipation_time_of(double eta1_pa_s, double eta2_pa_s, double you
     if (!(eta1_pa_s >= 0 && eta1_pa_s <= DBL_MAX && eta2_pa_s >= 0 && eta2_pa_s <= DBL_MAX && young_modulus_pa > 0 &&
           young_modulus_pa <= DBL_MAX && nu > -1 && nu <= 0.5 && nu != 0))
         return NAN;
-    if (eta1_pa_s == 0 && eta2_pa_s == 0) /* the limit of 0/0 from every direction */
+    if (eta1_pa_s == 0 && eta2_pa_s == 0) /* 0/0 has this limit from every direction */
         return 0;
-    /* powers of two apart, so that only the result can overflow or underflow */
+    /* powers of two are kept apart, so that only the result can overflow or underflow */
     int eta_exponent, young_exponent, nu_exponent;
     frexp(eta1_pa_s > eta2_pa_s ? eta1_pa_s : eta2_pa_s, &eta_exponent);
     const double eta1 = ldexp(eta1_pa_s, -eta_exponent), eta2 = ldexp(eta2_pa_s, -eta_exponent);
@@ -350,7 +350,7 @@ static double mass_of(const struct cor_sphere_contact *unused, double radius_m, 
         return NAN;
     if (isinf(radius_m) || isinf(density_kg_m3))
         return INFINITY;
-    /* powers of two apart: the cube may be out of range where the mass is not */
+    /* powers of two are kept apart: the cube may be out of range where the mass is not */
     int radius_exponent, density_exponent;
     const double radius = frexp(radius_m, &radius_exponent), density = frexp(density_kg_m3, &density_exponent);
     return ldexp(volume_of_unit_sphere * (radius * radius * radius) * density, 3 * radius_exponent + density_exponent);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The arithmetic of contact.c that its array functions share: nothing here over- or underflows for an ordinary contact
- * and an ordinary speed. */
+/* Arithmetic shared by contact.c and the array functions. For an ordinary contact and an ordinary speed it neither
+ * overflows nor underflows. */
 #ifndef COR_RUNTIME_SPHERE_CONTACT_PARTS_H
 #define COR_RUNTIME_SPHERE_CONTACT_PARTS_H
 
@@ -21,8 +21,8 @@ static inline int cor_contact_is_ordinary_speed(double speed)
     return cor_inline_between(speed, COR_CONTACT_LEAST_SPEED, COR_CONTACT_MOST_SPEED);
 }
 
-/* Bits of speeds below this are of speeds >= 0 whose product with `scale` is below 2^902: the bits of two factors add
- * up like their logarithms, to one part in 16. No speed is below, where scale is NaN. */
+/* Speeds whose bits are below this limit are >= 0, and their product with `scale` is below 2^902: the bits of two
+ * factors add up like their logarithms, within one part in 16. If scale is NaN, no speed is below the limit. */
 static inline uint64_t cor_contact_speed_limit(double scale)
 {
     const uint64_t bits = cor_inline_bits(scale), most = (uint64_t)(2 * 1023 + 900) << 52;
@@ -30,7 +30,7 @@ static inline uint64_t cor_contact_speed_limit(double scale)
     return bits >= COR_INLINE_INFINITY_BITS ? 0 : limit < COR_INLINE_INFINITY_BITS ? limit : COR_INLINE_INFINITY_BITS;
 }
 
-/* factor g^(1/5): the factor in halves, so that the first product is exact */
+/* factor g^(1/5). The factor is split in halves, so that the first product is exact. */
 static inline double cor_contact_beta_of_root(double factor, struct cor_inline_pair root)
 {
     const double head = cor_inline_head(factor), tail = factor - head;

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* The one evaluator of the sphere's tables: scalars, arrays and the header for embedding are made of it.
+/* The only evaluator of the sphere's tables. The scalar functions, the array functions and the header for embedding use
+ * it.
  *
- * Near beta = 0 to 8 (7 and 16 for eps at its two ends) a quantity is a row of a table, a short polynomial around
- * the nearest node of a uniform grid. Beyond, it is a power of beta times a function of ln(beta): rows again up to
- * beta = exp(10), and three orders in mu = beta^(-5/3), with their logarithms, from there to infinity. The first
- * coefficient of a row is a double-double and dominates, so the final addition causes nearly all of the rounding
- * error.
+ * For beta from 0 to 8 (eps: to 7 at zero overlap, to 16 at zero force) a row of a table gives a quantity: a short
+ * polynomial around the nearest node of a uniform grid. For larger beta a quantity is a power of beta times a function
+ * of ln(beta). Up to beta = exp(10) rows give this function; from there to infinity three orders in mu = beta^(-5/3),
+ * with their logarithms, do. The first coefficient of a row is a double-double and dominates, so the final addition
+ * causes nearly all of the rounding error.
  *
- * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error that a search
- * has met, tests/accuracy/test_accuracy --points 1e9, and its argument; tests/unit/test_sphere.c holds these arguments.
+ * Errors are in units of the last place (ulp) of the exact value. "Worst known" is the largest error, and its argument,
+ * that tests/accuracy/test_accuracy --points 1e9 found. tests/unit/test_sphere.c tests these arguments.
  *
  * No function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its argument; FE_UNDERFLOW and
- * FE_INEXACT may be raised. Comparisons of arguments that may be NaN are comparisons of bits (core/exact.h). */
+ * FE_INEXACT may be raised. Arguments that may be NaN are compared by their bits (core/exact.h). */
 #ifndef COR_RUNTIME_SPHERE_EVAL_H
 #define COR_RUNTIME_SPHERE_EVAL_H
 
@@ -21,19 +22,19 @@
 
 /* ---- tails ---- */
 
-/* What lies outside a table: beta = -0 is 0; negative numbers and NaN are refused. */
+/* Arguments outside a table: beta = -0 counts as 0; negative numbers and NaN give NaN. */
 
 /* beta^(2/3) for 1 <= beta < 8. Relative error below 2^-100. */
 COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
 {
-    /* r has 26 bits, so its square is exact, and |d| < 2^-24 whatever cbrt rounds */
+    /* r has 26 bits, so its square is exact; |d| < 2^-24 whatever the error of cbrt */
     const double r = cor_inline_head(cbrt(beta)), square = r * r;
     const struct cor_inline_pair cube = cor_inline_product(square, r);
     const double d = (COR_INLINE_KEEP(beta - cube.hi) - cube.lo) / beta; /* r^3 = beta (1 - d) */
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
 }
 
-/* beta = m 2^e, 1 <= m < 2, of a normal beta */
+/* The exponent e of a normal beta = m 2^e, 1 <= m < 2 */
 COR_INLINE int cor_inline_exponent(double beta)
 {
     return (int)(cor_inline_bits(beta) >> 52) - 1023;
@@ -44,19 +45,19 @@ COR_INLINE double cor_inline_significand(double beta)
     return cor_inline_from_bits((cor_inline_bits(beta) & UINT64_C(0xfffffffffffff)) | UINT64_C(0x3ff0000000000000));
 }
 
-/* ln(beta) for 7 <= beta < infinity, absolute error below 2^-53 where log has one of 1 ulp */
+/* ln(beta) for 7 <= beta < infinity. The absolute error is below 2^-53 if that of log is below 1 ulp. */
 COR_INLINE struct cor_inline_pair cor_inline_log(double beta)
 {
-    /* ln(2) in two parts, the first of 42 bits: its products with exponents are exact */
+    /* ln(2) in two parts; the first has 42 bits, so that its products with exponents are exact */
     const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14;
-    /* fractions above sqrt(2) count as below 1, so that |ln(m)| < 0.35: error 2^-54 */
+    /* significands above sqrt(2) are halved, so that |ln(m)| < 0.35: error 2^-54 */
     const double half = cor_inline_significand(beta);
     const int up = half > 1.4142135623730951, e = cor_inline_exponent(beta) + up;
     return cor_inline_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
 }
 
-/* The logarithmic factor of a tail: rows in u = ln(beta) up to u = end, whose errors are those of u times the slope; then
- * three orders in mu = beta^(-5/3). */
+/* The logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it, with the error of u times the slope.
+ * Beyond, three orders in mu = beta^(-5/3) give it. */
 COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_inline_grid grid, double end,
                                                         const double *(*rows)(int), const double *(*far)(int))
 {
@@ -67,7 +68,7 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
         return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, cor_inline_grid_t(grid, u.hi, i) + u.lo)));
     }
     const double *c = far(0);
-    /* mu < 6e-8: its rounding errors are nothing */
+    /* mu < 6e-8, so its rounding errors are negligible */
     const double root = cbrt(beta), mu = 1 / beta / (root * root), v = u.hi;
     const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
     const struct cor_inline_pair slope = cor_inline_product(c[2], v);
@@ -79,8 +80,8 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
 #define COR_INLINE_LOG_FACTOR(beta, quantity, table)                                                                   \
     cor_inline_log_factor(beta, COR_INLINE_GRID(table), table##_END, cor_rows_tail_##quantity, cor_rows_far_##quantity)
 
-/* factor beta^(-2/3), or with `fifths` factor beta^(-5/3), as a pair times 2^exponent: nothing over- or underflows.
- * Relative error: that of the factor and 2^-100. */
+/* factor beta^(-2/3), or factor beta^(-5/3) with `fifths`, as a pair times 2^exponent, which neither overflows nor
+ * underflows. The relative error is that of the factor plus 2^-100. */
 COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor_inline_pair factor, int fifths,
                                                          int *exponent)
 {
@@ -95,7 +96,7 @@ COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor
     return cor_inline_pair_over(factor, power);
 }
 
-/* The same rounded; 0 for an infinite beta */
+/* The same, rounded to a double; 0 for an infinite beta */
 COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair factor, int fifths)
 {
     int exponent;
@@ -105,11 +106,12 @@ COR_INLINE double cor_inline_power_tail(double beta, struct cor_inline_pair fact
 
 /* ---- eps ---- */
 
-/* Below, eps is 1 to the last bit; rounded upward, products that underflow would carry a row beyond it. */
+/* Below this beta, eps is 1 to the last bit. The branch is necessary: if underflowing products are rounded upward, a
+ * row exceeds 1. */
 #define COR_INLINE_EPS_LEAST COR_INLINE_2_M60
 
-/* h*^5 beta^-5 for beta >= 7, whose correction is below 2^-75. The power and the quotient are double-doubles, so the
- * final rounding is all: 0.5 ulp. */
+/* h*^5 beta^-5 for beta >= 7; the next order is below 2^-75. The power and the quotient are double-doubles, so only the
+ * final rounding counts: 0.5 ulp. */
 COR_INLINE double cor_inline_eps_overlap_far(double beta)
 {
     const double *h = cor_rows_h_star_5(0);
@@ -127,7 +129,7 @@ COR_INLINE double cor_inline_eps_overlap_far(double beta)
     return huge ? eps * COR_INLINE_2_M500 * COR_INLINE_2_M500 : eps;
 }
 
-/* The same at beta = x^(1/5), x >= 2^14: 0.75 ulp, for the second half of h*^5 is left out. */
+/* The same at beta = x^(1/5), x >= 2^14. Error 0.75 ulp, because the formula omits the second half of h*^5. */
 COR_INLINE double cor_inline_eps_overlap_far_root(double x)
 {
     return cor_rows_h_star_5(0)[0] / x;
@@ -161,9 +163,9 @@ COR_INLINE double cor_inline_eps_zero_force(double beta)
     return beta < COR_INLINE_EPS_LEAST ? 1 : cor_inline_eps_force_far(beta);
 }
 
-/* eps at beta = x^(1/5), x being the product of an impact speed g with beta_per_root^5. Between 2^-40 and 2^14 or
- * 2^20 (beta = 1/256 and 7 or 16) no root is taken: rows in x itself, and only a fifth of the product's rounding error
- * reaches beta. Beyond, eps at zero overlap is h*^5/x. */
+/* eps at beta = x^(1/5), where x is the product of an impact speed g and beta_per_root^5. For x from 2^-40 to 2^14 or
+ * 2^20 (beta from 1/256 to 7 or 16) rows in x itself give eps without a root, and only a fifth of the product's
+ * rounding error reaches beta. For larger x, eps at zero overlap is h*^5/x. */
 COR_INLINE double cor_inline_eps_zero_overlap_root(double x)
 {
     const struct cor_inline_octaves grid = COR_INLINE_OCTAVES(COR_ROWS_POWER_EPS_ZERO_OVERLAP);
@@ -184,7 +186,7 @@ COR_INLINE double cor_inline_eps_zero_force_root(double x)
 
 /* ---- 1 - eps = beta (c_0 + row) ---- */
 
-/* A tiny beta is scaled, for the products' halves would be subnormal. */
+/* A tiny beta is scaled, because the halves of the products would be subnormal. */
 COR_INLINE double cor_inline_loss_product(struct cor_inline_place place, double beta)
 {
     if (cor_inline_below(beta, COR_INLINE_2_M900))
@@ -216,7 +218,7 @@ COR_INLINE double cor_inline_loss_zero_force(double beta)
 
 /* ---- times and the largest overlap ---- */
 
-/* beta factor, or infinity where that is beyond the largest double */
+/* The product of beta and factor, or infinity if it exceeds the largest double */
 COR_INLINE double cor_inline_linear_tail(double beta, struct cor_inline_pair factor)
 {
     const int huge = beta > COR_INLINE_2_1000;
@@ -281,10 +283,10 @@ COR_INLINE double cor_inline_time_of_max_overlap(double beta)
 
 /* ---- the inverse ---- */
 
-/* beta = m (c_0 + row): near eps = 1, m = 1 - eps = loss, which is exact from eps = 1/2 on, and rows of beta/loss in
- * loss or its root; below eps = 1/2, m = 1 and rows of beta by octaves of eps. Both are computed and one is chosen
- * by bits: eps of many collisions scatter around 1/2. Error: the row's, and one rounding. The error of a rounded root
- * adds up to 0.6 ulp at zero force. */
+/* beta = m (c_0 + row). From eps = 1/2 on, m = loss = 1 - eps, which is exact, and the rows hold beta/loss as a
+ * function of loss or its root. Below eps = 1/2, m = 1, and the rows hold beta by octaves of eps. The function computes
+ * both and selects one by bits, because eps of many collisions scatter around 1/2. The error is that of the row plus
+ * one rounding; at zero force the rounded root adds up to 0.6 ulp. */
 COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_grid, int root,
                                      const double *(*near_rows)(int), struct cor_inline_octaves grid,
                                      const double *(*rows)(int))
@@ -298,7 +300,7 @@ COR_INLINE double cor_inline_inverse(double eps, struct cor_inline_grid near_gri
                                   cor_inline_choose(near, loss, 1));
 }
 
-/* a/eps as a pair times 2^500 if eps is tiny, where it might overflow */
+/* a/eps as a pair; if eps is tiny and the quotient might overflow, a/(2^500 eps) */
 COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double eps, int tiny)
 {
     struct cor_inline_pair numerator, denominator;
@@ -309,7 +311,7 @@ COR_INLINE struct cor_inline_pair cor_inline_over_eps(const double *a, double ep
     return cor_inline_pair_over(numerator, denominator);
 }
 
-/* beta = (h*^5/eps)^(1/5): eps below the table. Error 0.6 ulp. */
+/* beta = (h*^5/eps)^(1/5) for eps below the table. Error 0.6 ulp. */
 COR_INLINE double cor_inline_beta_overlap_far(double eps)
 {
     const int tiny = eps < COR_INLINE_2_M500;
@@ -318,7 +320,8 @@ COR_INLINE double cor_inline_beta_overlap_far(double eps)
     return (root.hi + root.lo) * (tiny ? COR_INLINE_2_100 : 1);
 }
 
-/* beta = R (1 + e r_1(v) + e^2 r_2(v)), R = (a/eps)^(3/5), e = eps/a, v = ln(R), where eps is below the table: e < 1e-7. */
+/* beta = R (1 + e r_1(v) + e^2 r_2(v)), R = (a/eps)^(3/5), e = eps/a, v = ln(R), where eps is below the table: e <
+ * 1e-7. */
 COR_INLINE double cor_inline_beta_force_far(double eps)
 {
     const double *c = cor_rows_far_beta_zero_force(0);
@@ -327,7 +330,7 @@ COR_INLINE double cor_inline_beta_force_far(double eps)
     /* (hi + lo)^3; hi has 26 bits, and lo is below 2^-12 hi */
     const struct cor_inline_pair cube = cor_inline_product(root.hi * root.hi, root.hi);
     const double lo = cube.lo + root.lo * (3 * root.hi * root.hi + root.lo * (3 * root.hi + root.lo));
-    /* below 2^-500 nothing is left of the orders in e */
+    /* below 2^-500 the orders in e are negligible */
     const double e = tiny ? 0 : eps / c[0], v = -0.6 * log(tiny ? 1 : e);
     const double r1 = c[2] + v * (c[3] + v * c[4]);
     const double r2 = c[5] + v * (c[6] + v * (c[7] + v * (c[8] + v * c[9])));

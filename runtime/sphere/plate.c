@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A sphere on a thin plate, and what the theory of its bending waves takes for granted. */
+/* A sphere on a thin plate, and the assumptions of the theory of bending waves. */
 #include <float.h>
 #include <math.h>
 
@@ -34,7 +34,7 @@ static double plane_modulus(double young_modulus, double nu)
     return young_modulus / ((1 - nu) * (1 + nu));
 }
 
-/* Z = 8 sqrt(B rho h) = 4 h^2 sqrt(E/(3 (1 - nu^2))) sqrt(rho): no product that overflows before Z does */
+/* Z = 8 sqrt(B rho h) = 4 h^2 sqrt(E/(3 (1 - nu^2))) sqrt(rho). No product overflows before Z does. */
 static double plate_impedance(const struct cor_plate *plate)
 {
     const double modulus = plane_modulus(plate->young_modulus_pa, plate->poisson_ratio);
@@ -46,7 +46,8 @@ int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_
 {
     if (contact == NULL)
         return COR_ERROR_NULL;
-    /* the pair of a sphere and a wall of the plate's material has the elastic constant and all fields that failed are NaN */
+    /* A sphere and a wall of the plate's material have the elastic constant of the sphere and the plate. The contact of
+     * two bodies of NaN has NaN in all fields. */
     const struct cor_body none = {NAN, NAN, NAN, NAN, NAN};
     struct cor_body wall = {0, 0, 0, INFINITY, INFINITY}, body = none;
     int status = sphere == NULL || plate == NULL ? COR_ERROR_NULL : COR_OK;
@@ -67,10 +68,10 @@ int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_
             status = COR_ERROR_RANGE;
     }
     if (status != COR_OK) {
-        cor_sphere_contact_init(contact, &none, &none); /* which fails */
+        cor_sphere_contact_init(contact, &none, &none); /* fails and sets all fields to NaN */
         return status;
     }
-    /* the wall's contact with this time and its powers: only A and what follows from it differ */
+    /* the wall's contact with this time; only A and the fields that depend on A change */
     struct cor_sphere_contact plain;
     body.dissipation_time_s = time;
     wall.dissipation_time_s = time;
@@ -87,9 +88,9 @@ double cor_plate_lambda(const struct cor_sphere_contact *contact, double speed_m
     return cor_contact_beta(contact, speed_m_s) / 1.5;
 }
 
-/* ---- what is taken for granted ---- */
+/* ---- assumptions ---- */
 
-/* NaN where the question makes no sense */
+/* NaN if the speed is not positive and finite */
 static double plate_duration(const struct cor_sphere_contact *contact, double speed)
 {
     return is_positive(speed) ? cor_contact_duration_s_zero_overlap(contact, speed) : (double)NAN;

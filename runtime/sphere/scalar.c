@@ -2,7 +2,7 @@
 #include "cor/sphere.h"
 #include "runtime/sphere/eval.h"
 
-/* A function of sphere.h, double and float. */
+/* A function of sphere.h, for double and for float */
 #define SPHERE_FUNCTION(quantity)                                                                                      \
     double cor_sphere_##quantity(double x)                                                                             \
     {                                                                                                                  \

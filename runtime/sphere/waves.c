@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What elastic waves take from a collision with a massive block, to first order. */
+/* The energy that elastic waves take from a collision with a massive block, to first order. */
 #include <float.h>
 #include <math.h>
 
@@ -61,9 +61,10 @@ double cor_contact_wave_loss(const struct cor_sphere_contact *contact, const str
         return NAN;
     if (isinf(speed_m_s))
         return 1;
-    /* K^(6/5) m^(-1/5) (g/c_s)^(3/5)/(rho c_s^(12/5)); with c_s^2 = mu/rho the last factors are K^(6/5) (rho/m)^(1/5) mu^(-6/5) */
+    /* K^(6/5) m^(-1/5) (g/c_s)^(3/5)/(rho c_s^(12/5)); with c_s^2 = mu/rho the last factors are K^(6/5) (rho/m)^(1/5)
+     * mu^(-6/5) */
     const double mu = young / (2 * (1 + nu)), shear_speed = sqrt(mu / density);
-    const double ratio = three_fifths(contact->elastic_constant_n_m15 / mu); /* and again: (K/mu)^(6/5) */
+    const double ratio = three_fifths(contact->elastic_constant_n_m15 / mu); /* its square is (K/mu)^(6/5) */
     const double mass = cor_inline_fifth_root(density / contact->effective_mass_kg);
     const double loss = WAVES_FIRST_ORDER * cor_half_space_wave_factor(nu) * (ratio * ratio) * mass *
                         three_fifths(speed_m_s / shear_speed);

@@ -6,7 +6,9 @@
 #include "series/series.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 enum {
     BITS = MOTION_BITS,
@@ -72,7 +74,7 @@ static long double rounded(const arb_t x)
     return value;
 }
 
-static void split(long double *high, long double *low, const arb_t x)
+static void cell_split(long double *high, long double *low, const arb_t x)
 {
     arb_t rest;
     mpfr_t y;
@@ -97,7 +99,7 @@ static void small_set(struct small *s, const arb_poly_t f, int power)
         arb_poly_get_coeff_arb(c, f, 2 * (k + power));
         s->even[k] = rounded(c);
         if (k == 0)
-            split(&s->even[0], &s->low, c);
+            cell_split(&s->even[0], &s->low, c);
         arb_poly_get_coeff_arb(c, f, 2 * (k + power) + 1);
         s->odd[k] = rounded(c);
     }
@@ -227,7 +229,7 @@ static bool negative_at(const arb_t sigma, arb_srcptr component)
 }
 
 /* All quantities at one beta >= 1/8; those of zero overlap that have a closed form there stay 0. */
-static void solve(arb_ptr value, const arb_t beta, const struct fall *fall)
+static void fall_solve(arb_ptr value, const arb_t beta, const struct fall *fall)
 {
     enum { NOTHING, TURNED, RELEASED } seen = NOTHING;
     struct motion m;
@@ -354,7 +356,7 @@ static void build_cell(struct place place, const struct interpolation *in, const
         arb_set_d(c, (double)place.middle);
         arb_add(beta, beta, c, BITS);
         arb_get_mid_arb(beta, beta);
-        solve(value, beta, fall);
+        fall_solve(value, beta, fall);
         for (int q = 0; q < QUANTITIES; q++)
             arb_swap(values + q * POINTS + j, value + q);
     }
@@ -364,7 +366,7 @@ static void build_cell(struct place place, const struct interpolation *in, const
             arb_dot(c, NULL, 0, arb_mat_entry(in->to_power, k, 0), 1, values + q * POINTS, 1, POINTS, 2 * BITS);
             cell->c[k] = rounded(c);
             if (k == 0)
-                split(&cell->c[0], &cell->low, c);
+                cell_split(&cell->c[0], &cell->low, c);
         }
     _arb_vec_clear(values, QUANTITIES * POINTS);
     _arb_vec_clear(value, QUANTITIES);
@@ -394,6 +396,40 @@ int reference_build(void)
     interpolation_clear(&in);
     fall_clear(&fall);
     return 0;
+}
+
+static const struct {
+    void *at;
+    size_t size;
+} built[] = {{cells, sizeof cells}, {series, sizeof series}, {&h_star_5, sizeof h_star_5}, {&ln2, sizeof ln2}};
+
+int reference_save(void)
+{
+    const char *path = getenv("COR_REFERENCE_FILE");
+    if (!path)
+        return 0;
+    FILE *file = fopen(path, "wb");
+    bool good = file != NULL;
+    for (size_t i = 0; i < sizeof built / sizeof *built; i++)
+        good = good && fwrite(built[i].at, built[i].size, 1, file) == 1;
+    if ((file && fclose(file) != 0) || !good) {
+        fprintf(stderr, "cannot write %s\n", path);
+        return 1;
+    }
+    return 0;
+}
+
+int reference_open(void)
+{
+    const char *path = getenv("COR_REFERENCE_FILE");
+    FILE *file = path ? fopen(path, "rb") : NULL;
+    bool good = file != NULL;
+    for (size_t i = 0; i < sizeof built / sizeof *built; i++)
+        good = good && fread(built[i].at, built[i].size, 1, file) == 1;
+    good = good && getc(file) == EOF;
+    if (file)
+        fclose(file);
+    return good ? 0 : reference_build();
 }
 
 /* ---- evaluation ---- */

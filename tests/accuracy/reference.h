@@ -32,6 +32,12 @@ enum quantity {
  * what failed. */
 int reference_build(void);
 
+/* The tables by way of a file, for programs that follow each other: reference_save writes the file that the variable
+ * COR_REFERENCE_FILE names, if it is set; reference_open reads it, or builds the tables where there is none. Both return
+ * 0, or 1 after saying what failed. */
+int reference_save(void);
+int reference_open(void);
+
 long double reference_value(enum quantity quantity, long double beta);
 
 /* d value/d beta to a few digits. */

@@ -6,6 +6,7 @@
 #include "cor/sphere.h"
 
 #include "boundaries.h"
+#include "random.h"
 #include "reference.h"
 #include "ulp.h"
 
@@ -91,7 +92,7 @@ struct worst {
     double rise_at;
 };
 
-static void take(struct worst *worst, double error, double at)
+static void worst_take(struct worst *worst, double error, double at)
 {
     worst->points++;
     if (error > worst->error) {
@@ -115,49 +116,26 @@ static void merge(struct worst *into, const struct worst *from)
 
 /* ---- random points ---- */
 
-struct random {
-    uint64_t state;
-};
-
-static uint64_t random_bits(struct random *r)
-{
-    r->state ^= r->state >> 12;
-    r->state ^= r->state << 25;
-    r->state ^= r->state >> 27;
-    return r->state * UINT64_C(2685821657736338717);
-}
-
-static double random_uniform(struct random *r)
-{
-    return (double)(random_bits(r) >> 11) * 0x1p-53;
-}
-
-/* Any nonnegative double below limit, every bit pattern as likely. */
-static double random_pattern(struct random *r, double limit)
-{
-    return double_of(random_bits(r) % bits_of(limit));
-}
-
 /* Most of [1e-3, 100] by its logarithm, a part of everything. */
-static double random_beta(struct random *r)
+static double random_beta(struct random_state *r)
 {
-    const double kind = random_uniform(r);
+    const double kind = random_uniform(r, 0, 1);
     if (kind < 0.75)
-        return exp(log(1e-3) + random_uniform(r) * log(1e5));
+        return exp(log(1e-3) + random_uniform(r, 0, 1) * log(1e5));
     if (kind < 0.85)
-        return exp(log(1e-308) + random_uniform(r) * log(1e308) * 2);
+        return exp(log(1e-308) + random_uniform(r, 0, 1) * log(1e308) * 2);
     return random_pattern(r, HUGE_VAL);
 }
 
 /* Uniform; near 0 down to the smallest double; near 1. */
-static double random_eps(struct random *r)
+static double random_eps(struct random_state *r)
 {
-    const double kind = random_uniform(r);
+    const double kind = random_uniform(r, 0, 1);
     if (kind < 0.5)
-        return random_uniform(r);
+        return random_uniform(r, 0, 1);
     if (kind < 0.75)
         return random_pattern(r, 1);
-    return 1 - exp2(-54 * random_uniform(r));
+    return 1 - exp2(-54 * random_uniform(r, 0, 1));
 }
 
 /* Functions with damping while approaching only are short formulas of the largest overlap, which is searched itself: a tenth. */
@@ -198,11 +176,11 @@ static void search_random(struct job *job)
 {
     const struct options *o = job->options;
     const uint64_t threads = (uint64_t)o->threads, part = (uint64_t)job->thread;
-    struct random r = {(o->seed * MAX_THREADS + part) * 2 + 1};
+    struct random_state r = random_seeded(o->seed * MAX_THREADS + part);
     for (uint64_t i = part; i < o->points / share_of(job->f); i += threads) {
         const double x = job->f->shape == INVERSE ? random_eps(&r) : random_beta(&r);
         const double y = job->f->value(x);
-        take(&job->worst, error_of(job->f, y, x, format_double), x);
+        worst_take(&job->worst, error_of(job->f, y, x, format_double), x);
         if (job->f->shape == FALLS) {
             const double next = nextafter(x, HUGE_VAL);
             take_order(&job->worst, y, job->f->value(next), next);
@@ -217,7 +195,7 @@ static void search_floats(struct job *job)
     const uint64_t step = stride * (uint64_t)job->options->threads;
     for (uint64_t bits = stride * (uint64_t)job->thread; bits <= end; bits += step) {
         const float x = float_of((uint32_t)bits);
-        take(&job->worstf, error_of(job->f, (double)job->f->valuef(x), (double)x, format_float), (double)x);
+        worst_take(&job->worstf, error_of(job->f, (double)job->f->valuef(x), (double)x, format_float), (double)x);
     }
 }
 
@@ -230,14 +208,14 @@ static void *run_job(void *argument)
 }
 
 /* Every double from `radius` before x to as many after it: error, order, range. */
-static void walk(struct worst *worst, const struct function *f, double x, uint64_t radius)
+static void worst_walk(struct worst *worst, const struct function *f, double x, uint64_t radius)
 {
     const uint64_t middle = bits_of(x), last = bits_of(f->shape == INVERSE ? 1 : HUGE_VAL);
     const uint64_t low = middle > radius ? middle - radius : 0, high = middle < last - radius ? middle + radius : last;
     double before = HUGE_VAL;
     for (uint64_t bits = low; bits <= high; bits++) {
         const double at = double_of(bits), y = f->value(at);
-        take(worst, error_of(f, y, at, format_double), at);
+        worst_take(worst, error_of(f, y, at, format_double), at);
         if (f->shape == FALLS)
             take_order(worst, before, y, at);
         before = y;
@@ -249,29 +227,29 @@ static void search_boundaries(struct worst *worst, const struct function *f)
     const uint64_t radius = 256 / share_of(f);
     if (f->shape == INVERSE) {
         for (int i = 0; i <= 256; i++)
-            walk(worst, f, i / 256.0, radius);
+            worst_walk(worst, f, i / 256.0, radius);
         for (int exponent = -1074; exponent < 0; exponent++)
-            walk(worst, f, ldexp(1, exponent), 16);
+            worst_walk(worst, f, ldexp(1, exponent), 16);
         for (int exponent = -53; exponent < 0; exponent++)
-            walk(worst, f, 1 - ldexp(1, exponent), radius);
+            worst_walk(worst, f, 1 - ldexp(1, exponent), radius);
         return;
     }
     for (int i = 1; i <= 2 * CELLS_IN_BETA; i++)
-        walk(worst, f, i / 32.0, radius);
+        worst_walk(worst, f, i / 32.0, radius);
     for (int i = 1; i <= 2 * CELLS_IN_ROOT; i++)
-        walk(worst, f, (i / 32.0) * (i / 32.0), radius);
+        worst_walk(worst, f, (i / 32.0) * (i / 32.0), radius);
     for (size_t i = 0; i < sizeof region_boundaries / sizeof *region_boundaries; i++)
-        walk(worst, f, region_boundaries[i], radius);
+        worst_walk(worst, f, region_boundaries[i], radius);
     for (int exponent = -1074; exponent < 1024; exponent++)
-        walk(worst, f, ldexp(1, exponent), exponent > -70 && exponent < 70 ? radius : 16);
+        worst_walk(worst, f, ldexp(1, exponent), exponent > -70 && exponent < 70 ? radius : 16);
 }
 
 /* Uphill from the worst point so far, while there is a worse one within reach. */
-static void climb(struct worst *worst, const struct function *f)
+static void worst_climb(struct worst *worst, const struct function *f)
 {
     for (int turn = 0; turn < 16; turn++) {
         const double error = worst->error;
-        walk(worst, f, worst->at, 4096);
+        worst_walk(worst, f, worst->at, 4096);
         if (!(worst->error > error))
             break;
     }
@@ -315,17 +293,17 @@ static uint64_t check_arrays(const struct function *f, uint64_t seed)
     enum { LONGEST = 67, BLOCKS = 3000 };
     double x[LONGEST + 4], y[LONGEST + 4];
     float xf[LONGEST + 4], yf[LONGEST + 4];
-    struct random r = {seed * 2 + 1};
+    struct random_state r = random_seeded(seed);
     uint64_t wrong = 0;
     f->array(NULL, NULL, 0);
     f->arrayf(NULL, NULL, 0);
     for (int block = 0; block < BLOCKS; block++) {
-        const size_t n = random_bits(&r) % (LONGEST + 1), from = random_bits(&r) % 4, to = random_bits(&r) % 4;
+        const size_t n = random_below(&r, LONGEST + 1), from = random_below(&r, 4), to = random_below(&r, 4);
         const bool mixed = block % 2 == 0, in_place = block % 3 == 0;
         for (size_t i = 0; i < n; i++) {
             x[from + i] = f->shape == INVERSE ? random_eps(&r) : random_beta(&r);
-            if (mixed && random_bits(&r) % 16 == 0)
-                x[from + i] = specials[random_bits(&r) % SPECIALS];
+            if (mixed && random_below(&r, 16) == 0)
+                x[from + i] = specials[random_below(&r, SPECIALS)];
             xf[from + i] = (float)x[from + i];
         }
         memcpy(y + to, x + from, n * sizeof *y);
@@ -392,23 +370,24 @@ static void search_contacts(struct worst *worst, const struct contact_function *
         0.0, -0.0, HUGE_VAL, -1.0, -HUGE_VAL, NAN, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp+1023};
     double speed[BLOCK], eps[BLOCK];
     struct cor_sphere_contact contact;
-    struct random r = {o->seed * 2 + 1};
+    struct random_state r = random_seeded(o->seed);
     const uint64_t enough = UINT64_C(100000000), points = o->points < enough ? o->points : enough;
     while (worst->points < points) {
         const double g_star =
-            random_uniform(&r) < 0.8 ? exp((random_uniform(&r) - 0.5) * 70) : random_pattern(&r, 1e308);
+            random_uniform(&r, 0, 1) < 0.8 ? exp((random_uniform(&r, 0, 1) - 0.5) * 70) : random_pattern(&r, 1e308);
         cor_sphere_contact_init_g_star(&contact, g_star);
         for (size_t i = 0; i < BLOCK; i++) {
-            const double kind = random_uniform(&r);
-            speed[i] = kind < 0.05  ? fixed[random_bits(&r) % (sizeof fixed / sizeof *fixed)]
-                       : kind < 0.5 ? g_star * exp((random_uniform(&r) - 0.5) * 40)
+            const double kind = random_uniform(&r, 0, 1);
+            speed[i] = kind < 0.05  ? fixed[random_below(&r, sizeof fixed / sizeof *fixed)]
+                       : kind < 0.5 ? g_star * exp((random_uniform(&r, 0, 1) - 0.5) * 40)
                                     : random_pattern(&r, HUGE_VAL);
         }
         f->array(&contact, speed, eps, BLOCK);
         for (size_t i = 0; i < BLOCK; i++) {
             const double one = f->value(&contact, speed[i]);
             const bool same = same_bits(&one, &eps[i], sizeof one) || (isnan(one) && isnan(eps[i]));
-            take(worst, same ? contact_error(f->quantity, one, contact.beta_per_root, speed[i]) : HUGE_VAL, speed[i]);
+            worst_take(worst, same ? contact_error(f->quantity, one, contact.beta_per_root, speed[i]) : HUGE_VAL,
+                       speed[i]);
         }
     }
 }
@@ -416,7 +395,7 @@ static void search_contacts(struct worst *worst, const struct contact_function *
 /* ---- running and reporting ---- */
 
 /* One line of the table; true where it is good. */
-static bool report(const char *name, const char *suffix, const struct worst *worst, double bound)
+static bool worst_report(const char *name, const char *suffix, const struct worst *worst, double bound)
 {
     const bool good = worst->error <= bound && worst->rises == 0;
     printf("%-4s  %s%-*s  %12llu  %10.6f  %6.2f  %a\n", good ? "ok" : "FAIL", name, 24 - (int)strlen(name), suffix,
@@ -447,12 +426,12 @@ static void run_threads(struct worst *worst, struct worst *worstf, const struct 
     }
 }
 
-static bool wanted(const struct options *o, const char *name)
+static bool function_is_wanted(const struct options *o, const char *name)
 {
     return o->only == NULL || strstr(name, o->only) != NULL;
 }
 
-static int run(const struct options *o)
+static int functions_run(const struct options *o)
 {
     struct worst worst, worstf;
     bool good = true;
@@ -460,24 +439,24 @@ static int run(const struct options *o)
     printf("      %-24s  %12s  %10s  %6s  %s\n", "function", "points", "worst ulp", "bound", "argument");
     for (int i = 0; i < FUNCTIONS; i++) {
         const struct function *f = &functions[i];
-        if (!wanted(o, f->name))
+        if (!function_is_wanted(o, f->name))
             continue;
         worst = (struct worst){0};
         worstf = (struct worst){0};
         run_threads(&worst, &worstf, f, o);
         search_boundaries(&worst, f);
-        climb(&worst, f);
-        good = report(f->name, "", &worst, f->max_ulp) && good;
-        good = report(f->name, "f", &worstf, COR_SPHERE_FLOAT_MAX_ULP) && good;
+        worst_climb(&worst, f);
+        good = worst_report(f->name, "", &worst, f->max_ulp) && good;
+        good = worst_report(f->name, "f", &worstf, COR_SPHERE_FLOAT_MAX_ULP) && good;
         good = check_specials(f) == 0 && good;
         good = check_arrays(f, o->seed) == 0 && good;
     }
     for (size_t i = 0; i < sizeof contact_functions / sizeof *contact_functions; i++) {
-        if (!wanted(o, contact_functions[i].name))
+        if (!function_is_wanted(o, contact_functions[i].name))
             continue;
         worst = (struct worst){0};
         search_contacts(&worst, &contact_functions[i], o);
-        good = report(contact_functions[i].name, "", &worst, 1) && good;
+        good = worst_report(contact_functions[i].name, "", &worst, 1) && good;
     }
     printf("contact: error as a part of (2 + 2 |d ln eps/d ln beta|) 2^-53, argument the speed\n");
     return good ? 0 : 1;
@@ -519,5 +498,5 @@ int main(int argc, char **argv)
         printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
         return 77;
     }
-    return reference_build() != 0 ? 1 : run(&o);
+    return reference_open() != 0 ? 1 : functions_run(&o);
 }

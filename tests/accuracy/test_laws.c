@@ -12,6 +12,7 @@
 
 #include <mpfr.h>
 
+#include "random.h"
 #include "reference_law.h"
 #include "ulp.h"
 
@@ -400,7 +401,7 @@ struct worst {
     uint64_t points, rises;
 };
 
-static void take(struct worst *worst, const struct function *f, double x)
+static void worst_take(struct worst *worst, const struct function *f, double x)
 {
     const double error = error_of(f, f->value(x), x);
     worst->points++;
@@ -410,32 +411,10 @@ static void take(struct worst *worst, const struct function *f, double x)
     }
 }
 
-struct random {
-    uint64_t state;
-};
-
-static uint64_t random_bits(struct random *r)
-{
-    r->state ^= r->state >> 12;
-    r->state ^= r->state << 25;
-    r->state ^= r->state >> 27;
-    return r->state * UINT64_C(2685821657736338717);
-}
-
-static double random_uniform(struct random *r)
-{
-    return (double)(random_bits(r) >> 11) * 0x1p-53;
-}
-
-static double random_pattern(struct random *r, double limit)
-{
-    return double_of(random_bits(r) % bits_of(limit));
-}
-
 /* zeta or beta: where kernels are, near 1, every size, every bit pattern; a part of beta is negative */
-static double random_damping(struct random *r, const struct function *f)
+static double random_damping(struct random_state *r, const struct function *f)
 {
-    const double kind = random_uniform(r), u = random_uniform(r);
+    const double kind = random_uniform(r, 0, 1), u = random_uniform(r, 0, 1);
     if (f->law != RATIO && kind < 0.15)
         return kind < 0.08 ? -u : -exp(-30 * u);
     if (kind < 0.55)
@@ -449,9 +428,9 @@ static double random_damping(struct random *r, const struct function *f)
     return random_pattern(r, HUGE_VAL);
 }
 
-static double random_eps(struct random *r)
+static double random_eps(struct random_state *r)
 {
-    const double kind = random_uniform(r), u = random_uniform(r);
+    const double kind = random_uniform(r, 0, 1), u = random_uniform(r, 0, 1);
     if (kind < 0.6)
         return u;
     if (kind < 0.75)
@@ -461,7 +440,7 @@ static double random_eps(struct random *r)
     return exp(-30 * u);
 }
 
-static double random_argument(struct random *r, const struct function *f)
+static double random_argument(struct random_state *r, const struct function *f)
 {
     return is_inverse(f) ? random_eps(r) : random_damping(r, f);
 }
@@ -496,11 +475,11 @@ static void *search_random(void *argument)
 {
     struct job *job = argument;
     const struct options *o = job->options;
-    struct random r = {(o->seed * MAX_THREADS + (uint64_t)job->thread) * 2 + 1};
+    struct random_state r = random_seeded(o->seed * MAX_THREADS + (uint64_t)job->thread);
     const uint64_t points = o->points / (job->f->shape == SLOW_TIME ? SLOW_SHARE : 1);
     for (uint64_t i = (uint64_t)job->thread; i < points; i += (uint64_t)o->threads) {
         const double x = random_argument(&r, job->f);
-        take(&job->worst, job->f, x);
+        worst_take(&job->worst, job->f, x);
         take_order(&job->worst, job->f, x);
     }
     mpfr_free_cache();
@@ -533,13 +512,13 @@ static void search_threads(struct worst *worst, const struct function *f, const 
 }
 
 /* Every double from `radius` before |x| to as many after it */
-static void walk(struct worst *worst, const struct function *f, double x, uint64_t radius)
+static void worst_walk(struct worst *worst, const struct function *f, double x, uint64_t radius)
 {
     const uint64_t middle = bits_of(fabs(x)), last = bits_of(is_inverse(f) ? 1 : HUGE_VAL);
     const uint64_t low = middle > radius ? middle - radius : 0, high = middle + radius < last ? middle + radius : last;
     for (uint64_t bits = low; bits <= high; bits++) {
         const double at = copysign(double_of(bits), x);
-        take(worst, f, at);
+        worst_take(worst, f, at);
         take_order(worst, f, at);
     }
 }
@@ -574,30 +553,30 @@ static void search_boundaries(struct worst *worst, const struct function *f)
     const uint64_t radius = f->shape == SLOW_TIME ? 0 : 32;
     if (is_inverse(f)) {
         for (size_t i = 0; i < sizeof eps_boundaries / sizeof *eps_boundaries; i++) {
-            walk(worst, f, eps_boundaries[i], radius);
-            walk(worst, f, 1 - eps_boundaries[i], radius);
+            worst_walk(worst, f, eps_boundaries[i], radius);
+            worst_walk(worst, f, 1 - eps_boundaries[i], radius);
         }
         for (int k = -1074; k <= 0; k++)
-            walk(worst, f, ldexp(1, k), 1);
+            worst_walk(worst, f, ldexp(1, k), 1);
         for (int k = -53; k < 0; k++)
-            walk(worst, f, 1 - ldexp(1, k), 3);
+            worst_walk(worst, f, 1 - ldexp(1, k), 3);
         return;
     }
     for (size_t i = 0; i < sizeof damping_boundaries / sizeof *damping_boundaries; i++) {
-        walk(worst, f, damping_boundaries[i], radius);
+        worst_walk(worst, f, damping_boundaries[i], radius);
         if (f->law != RATIO && damping_boundaries[i] <= 1)
-            walk(worst, f, -damping_boundaries[i], radius);
+            worst_walk(worst, f, -damping_boundaries[i], radius);
     }
     for (int k = -1074; k < 1024; k += f->shape == SLOW_TIME ? 91 : 1)
-        walk(worst, f, ldexp(1, k), radius > 0);
+        worst_walk(worst, f, ldexp(1, k), radius > 0);
 }
 
 /* Uphill from the worst point */
-static void climb(struct worst *worst, const struct function *f)
+static void worst_climb(struct worst *worst, const struct function *f)
 {
     for (int turn = 0; turn < 8; turn++) {
         const double error = worst->error;
-        walk(worst, f, worst->at, f->shape == SLOW_TIME ? 2 : 200);
+        worst_walk(worst, f, worst->at, f->shape == SLOW_TIME ? 2 : 200);
         if (!(worst->error > error))
             break;
     }
@@ -636,7 +615,7 @@ static uint64_t check_specials(const struct function *f)
     return wrong;
 }
 
-static bool same(const void *x, const void *y, size_t size, bool both_nan)
+static bool same_or_nan(const void *x, const void *y, size_t size, bool both_nan)
 {
     return same_bits(x, y, size) || both_nan;
 }
@@ -647,15 +626,15 @@ static uint64_t check_arrays(const struct function *f, uint64_t seed)
     enum { LONGEST = 300, BLOCKS = 60 };
     double x[LONGEST + 4], y[LONGEST + 4];
     float xf[LONGEST + 4], yf[LONGEST + 4];
-    struct random r = {seed * 2 + 1};
+    struct random_state r = random_seeded(seed);
     uint64_t wrong = 0;
     f->array(NULL, NULL, 0);
     f->arrayf(NULL, NULL, 0);
     for (int block = 0; block < BLOCKS; block++) {
-        const size_t n = random_bits(&r) % (LONGEST + 1), from = random_bits(&r) % 4, to = random_bits(&r) % 4;
+        const size_t n = random_below(&r, LONGEST + 1), from = random_below(&r, 4), to = random_below(&r, 4);
         for (size_t i = from; i < from + n; i++) {
             x[i] =
-                block % 2 && random_bits(&r) % 16 == 0 ? specials[random_bits(&r) % SPECIALS] : random_argument(&r, f);
+                block % 2 && random_below(&r, 16) == 0 ? specials[random_below(&r, SPECIALS)] : random_argument(&r, f);
             xf[i] = (float)x[i];
         }
         memcpy(y + to, x + from, n * sizeof *y);
@@ -665,9 +644,9 @@ static uint64_t check_arrays(const struct function *f, uint64_t seed)
         for (size_t i = 0; i < n; i++) {
             const double one = f->value(x[from + i]);
             const float onef = (float)f->value((double)xf[from + i]), scalarf = f->valuef(xf[from + i]);
-            if (same(&one, &y[to + i], sizeof one, isnan(one) && isnan(y[to + i])) &&
-                same(&onef, &yf[to + i], sizeof onef, isnan(onef) && isnan(yf[to + i])) &&
-                same(&onef, &scalarf, sizeof onef, isnan(onef) && isnan(scalarf)))
+            if (same_or_nan(&one, &y[to + i], sizeof one, isnan(one) && isnan(y[to + i])) &&
+                same_or_nan(&onef, &yf[to + i], sizeof onef, isnan(onef) && isnan(yf[to + i])) &&
+                same_or_nan(&onef, &scalarf, sizeof onef, isnan(onef) && isnan(scalarf)))
                 continue;
             if (wrong++ == 0)
                 printf("FAIL  %s: arrays at %a\n", f->name, x[from + i]);
@@ -678,7 +657,7 @@ static uint64_t check_arrays(const struct function *f, uint64_t seed)
 
 /* ---- the run ---- */
 
-static bool report(const struct function *f, const struct worst *worst)
+static bool worst_report(const struct function *f, const struct worst *worst)
 {
     const bool good = worst->error <= f->max_ulp && worst->rises == 0;
     printf("%s  %-42s  %10llu  %8.3f  %4.1f  %a\n", good ? "ok  " : "FAIL", f->name, (unsigned long long)worst->points,
@@ -688,7 +667,7 @@ static bool report(const struct function *f, const struct worst *worst)
     return good;
 }
 
-static int run(const struct options *o)
+static int functions_run(const struct options *o)
 {
     bool good = true;
     printf("seed: %llu\n", (unsigned long long)o->seed);
@@ -700,8 +679,8 @@ static int run(const struct options *o)
         struct worst worst = {0};
         search_threads(&worst, f, o);
         search_boundaries(&worst, f);
-        climb(&worst, f);
-        good = report(f, &worst) && good;
+        worst_climb(&worst, f);
+        good = worst_report(f, &worst) && good;
         good = check_specials(f) == 0 && good;
         good = check_arrays(f, o->seed) == 0 && good;
     }
@@ -712,7 +691,7 @@ static int run(const struct options *o)
 int main(int argc, char **argv)
 {
     struct options o = {.points = 20000, .seed = 19990101, .threads = 1};
-    for (int i = 1; i < argc; i++) {
+    for (int i = 1; i < argc; i += 2) {
         const double number = i + 1 < argc ? strtod(argv[i + 1], NULL) : 0;
         if (strcmp(argv[i], "--points") == 0 && number >= 1 && number <= 1e15) {
             o.points = (uint64_t)number;
@@ -726,11 +705,10 @@ int main(int argc, char **argv)
             fputs("test_laws [--points N] [--threads N] [--only TEXT] [--seed N]\n", stderr);
             return 2;
         }
-        i++;
     }
     if (LDBL_MANT_DIG < 64) {
         printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
         return 77;
     }
-    return run(&o);
+    return functions_run(&o);
 }

@@ -32,7 +32,7 @@ struct input {
 };
 
 /* Zeros where there is nothing left */
-static inline void take(struct input *in, void *to, size_t size)
+static inline void input_take(struct input *in, void *to, size_t size)
 {
     const size_t n = size < in->left ? size : in->left;
     memset(to, 0, size);
@@ -46,7 +46,7 @@ static inline void take(struct input *in, void *to, size_t size)
 static inline uint8_t take_byte(struct input *in)
 {
     uint8_t x;
-    take(in, &x, sizeof x);
+    input_take(in, &x, sizeof x);
     return x;
 }
 
@@ -54,14 +54,14 @@ static inline uint8_t take_byte(struct input *in)
 static inline size_t take_up_to(struct input *in, size_t most)
 {
     uint16_t x;
-    take(in, &x, sizeof x);
+    input_take(in, &x, sizeof x);
     return x % (most + 1);
 }
 
 static inline int take_int(struct input *in)
 {
     int x;
-    take(in, &x, sizeof x);
+    input_take(in, &x, sizeof x);
     return x;
 }
 
@@ -116,7 +116,7 @@ static inline double take_double(struct input *in)
     const uint8_t how = take_byte(in);
     if (how >= 0xc0)
         return special[how % SPECIALS];
-    take(in, &bits, sizeof bits);
+    input_take(in, &bits, sizeof bits);
     if (how >= 0x40) { /* from 2^-63 to 2^8, one of four of them negative */
         const uint64_t exponent = 1023 - 63 + (bits >> 52) % 72, sign = (how & 3) == 3;
         bits = sign << 63 | exponent << 52 | (bits & (UINT64_C(0xfffffffffffff)));
@@ -129,7 +129,7 @@ static inline float take_float(struct input *in)
     float x;
     if (take_byte(in) >= 0x40)
         return (float)take_double(in);
-    take(in, &x, sizeof x);
+    input_take(in, &x, sizeof x);
     return x;
 }
 

@@ -53,8 +53,8 @@ static void check_numbers(const struct fuzz_table *table, const struct cor_disk_
                 "eps %a, time %a, %zu steps", out->eps, out->contact_time, out->steps);
 }
 
-static void collide(const struct fuzz_table *table, size_t n, const struct cor_disk_collision_options *options,
-                    double speed, size_t bytes, struct input *in)
+static void fuzz_collide(const struct fuzz_table *table, size_t n, const struct cor_disk_collision_options *options,
+                         double speed, size_t bytes, struct input *in)
 {
     const uint8_t how = take_byte(in);
     const size_t offset = how % ALIGNMENT_MAX;
@@ -112,7 +112,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     options.phi_points = how & 8 ? take_up_to(&in, 200) : 0;
     if (how & 16 && how & 32)
-        take(&in, &options.phi_points, sizeof options.phi_points);
+        input_take(&in, &options.phi_points, sizeof options.phi_points);
     struct fuzz_table table;
     fuzz_table_take(&table, &in, MODES_MAX);
     const size_t n = how & 64 ? take_up_to(&in, MODES_MAX + 2) : table.modes.count;
@@ -129,7 +129,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         REQUIRE(cor_disk_collision(&table.modes, n, &options, speed, &out) == refused, "status was %d", refused);
         REQUIRE(is_untouched(&out, sizeof out), "status %d", refused);
     } else if (bytes <= BYTES_MAX) {
-        collide(&table, n, &options, speed, bytes, &in);
+        fuzz_collide(&table, n, &options, speed, bytes, &in);
     }
     REQUIRE(cor_disk_collision(NULL, n, &options, speed, &out) == COR_ERROR_NULL, "no table");
     REQUIRE(cor_disk_collision(&table.modes, n, NULL, speed, &out) == COR_ERROR_NULL, "no options");

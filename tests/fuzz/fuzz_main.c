@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "../unit/random.h"
 #include "fuzz.h"
 
 enum { LINE_MAX_LENGTH = 1 << 16, INPUT_MAX = 4096, CHANGES_MAX = 4, SECONDS_MAX = 20 };
@@ -19,15 +20,11 @@ size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);
 __attribute__((weak)) size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed);
 __attribute__((weak)) int LLVMFuzzerInitialize(int *argc, char ***argv);
 
-static uint64_t state;
+static struct random_state state;
 
-/* xorshift */
 static size_t any_below(size_t n)
 {
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return (size_t)(state >> 11) % n;
+    return random_below(&state, n);
 }
 
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size)
@@ -105,8 +102,7 @@ int main(int argc, char **argv)
         return 2;
     }
     const char *const seed = getenv("COR_SEED");
-    state = seed ? strtoull(seed, NULL, 0) : UINT64_C(0x9e3779b97f4a7c15);
-    state += state == 0;
+    state = random_seeded(seed ? strtoull(seed, NULL, 0) : 19990101);
     const unsigned long copies = strtoul(argv[2], NULL, 10);
     FILE *const corpus = fopen(argv[1], "r");
     file = open(argv[3], O_RDWR | O_CREAT | O_TRUNC, 0666);

@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "../unit/random.h"
 #include "cor/disk.h"
 #include "cor/status.h"
 #include "fuzz.h"
@@ -53,15 +54,15 @@ static void mend_checks(uint8_t *file, size_t size)
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed)
 {
     static const char letters[] = "0123456789abcdef.p+-x ";
-    if (seed % 3 == 0 && size > 1) {
-        for (unsigned i = seed / 3 % 4 + 1; i > 0; i--) {
-            seed = seed * 1664525 + 1013904223;
-            data[1 + (seed >> 8) % (size - 1)] = (uint8_t)letters[(seed >> 4) % (sizeof letters - 1)];
-        }
+    struct random_state random = random_seeded(seed);
+    const int mends = random_below(&random, 4) != 0;
+    if (random_below(&random, 3) == 0 && size > 1) {
+        for (size_t changes = random_below(&random, 4) + 1; changes > 0; changes--)
+            data[1 + random_below(&random, size - 1)] = (uint8_t)letters[random_below(&random, sizeof letters - 1)];
     } else {
         size = LLVMFuzzerMutate(data, size, max_size);
     }
-    if (seed % 4 != 0 && size > 1)
+    if (mends && size > 1)
         mend_checks(data + 1, size - 1);
     return size;
 }

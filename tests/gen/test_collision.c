@@ -11,7 +11,7 @@
 
 static const slong PREC = 400;
 
-static void solve(struct collision *c, const char *beta, const char *a, const char *b, slong bits)
+static void collision_of(struct collision *c, const char *beta, const char *a, const char *b, slong bits)
 {
     struct law law;
     arb_t x;
@@ -40,7 +40,7 @@ static void test_reference_values(void **state)
     struct collision c;
     collision_init(&c);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        solve(&c, known[i].beta, "3/2", "1/2", 100);
+        collision_of(&c, known[i].beta, "3/2", "1/2", 100);
         assert_bits(c.eps_zero_overlap, 100);
         assert_bits(c.eps_zero_force, 100);
         if (known[i].overlap)
@@ -139,7 +139,7 @@ static void test_closed_forms(void **state)
     arb_init(time);
     arb_init(x);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
-        solve(&c, betas[i], "1", "0", 150);
+        collision_of(&c, betas[i], "1", "0", 150);
         arb_set_str(zeta, betas[i], PREC);
         arb_mul_2exp_si(zeta, zeta, -1);
         for (int both = 0; both <= 1; both++) {
@@ -148,7 +148,7 @@ static void test_closed_forms(void **state)
             assert_overlap(time, both ? c.t_zero_force : c.t_zero_overlap, "dashpot time", (slong)i);
         }
         /* Tsuji: the same function with zeta = beta/sqrt(5); times differ. */
-        solve(&c, betas[i], "3/2", "1/4", 150);
+        collision_of(&c, betas[i], "3/2", "1/4", 150);
         arb_mul_2exp_si(zeta, zeta, 1);
         arb_set_si(x, 5);
         arb_sqrt(x, x, PREC);
@@ -159,7 +159,7 @@ static void test_closed_forms(void **state)
         }
         /* Hunt-Crossley, a = 3/2 and 2: beta - ln(1+beta) + beta eps + ln(1 - beta eps) = 0. */
         for (int two = 0; two <= 1; two++) {
-            solve(&c, betas[i], two ? "2" : "3/2", two ? "2" : "3/2", 150);
+            collision_of(&c, betas[i], two ? "2" : "3/2", two ? "2" : "3/2", 150);
             arb_set_str(zeta, betas[i], PREC);
             arb_mul(x, zeta, c.eps_zero_overlap, PREC);
             arb_neg(eps, x);
@@ -188,7 +188,7 @@ static void test_overdamped(void **state)
     struct collision c;
     collision_init(&c);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        solve(&c, cases[i][0], cases[i][1], cases[i][2], 80);
+        collision_of(&c, cases[i][0], cases[i][1], cases[i][2], 80);
         assert_true(arb_is_zero(c.eps_zero_overlap));
         assert_false(arb_is_finite(c.t_zero_overlap));
         assert_true(arb_is_positive(c.eps_zero_force));
@@ -197,7 +197,7 @@ static void test_overdamped(void **state)
     /* Critical damping, beta = 2: x = t exp(-t), force zero at t = 2 with speed exp(-2). */
     arb_t x;
     arb_init(x);
-    solve(&c, "2", "1", "0", 80);
+    collision_of(&c, "2", "1", "0", 80);
     arb_set_si(x, -2);
     arb_exp(x, x, PREC);
     assert_overlap(x, c.eps_zero_force, "critical eps", 0);
@@ -220,8 +220,8 @@ static void test_slow_manifold(void **state)
     arb_init(h);
     arb_init(x);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
-        solve(&slow, betas[i], "3/2", "1/2", 30);
-        solve(&direct, betas[i], "3/2", "1/2", 330);
+        collision_of(&slow, betas[i], "3/2", "1/2", 30);
+        collision_of(&direct, betas[i], "3/2", "1/2", 330);
         assert_overlap(direct.eps_zero_overlap, slow.eps_zero_overlap, "eps", (slong)i);
         assert_overlap(direct.t_zero_overlap, slow.t_zero_overlap, "time", (slong)i);
         assert_overlap(direct.eps_zero_force, slow.eps_zero_force, "eps at zero force", (slong)i);
@@ -235,7 +235,7 @@ static void test_slow_manifold(void **state)
     for (int beta = 2; beta <= 6; beta += 2) {
         char text[8];
         snprintf(text, sizeof text, "%d", beta);
-        solve(&direct, text, "3/2", "1/2", 150);
+        collision_of(&direct, text, "3/2", "1/2", 150);
         arb_set_si(x, beta);
         arb_pow_ui(x, x, 5, PREC);
         arb_mul(x, x, direct.eps_zero_overlap, PREC);
@@ -270,7 +270,7 @@ static void test_strong_damping(void **state)
     for (int i = 0; i < 3; i++) {
         const double beta = strtod(betas[i], NULL);
         collision_init(&c[i]);
-        solve(&c[i], betas[i], "3/2", "1/2", 60);
+        collision_of(&c[i], betas[i], "3/2", "1/2", 60);
         t[i] = arf_get_d(arb_midref(c[i].t_zero_overlap), ARF_RND_NEAR) / beta - 10.0 / 3.0 * log(beta);
         e[i] = arf_get_d(arb_midref(c[i].eps_zero_force), ARF_RND_NEAR) * pow(beta, 5.0 / 3.0) / pow(1.5, 2.0 / 3.0);
         collision_clear(&c[i]);
@@ -294,7 +294,7 @@ static void test_involution(void **state)
     arb_init(y);
     arb_init(z);
     assert_int_equal(series_compute(&s, ORDER, &law_sphere, 100), 0);
-    solve(&c, "0.5", "3/2", "1/2", 100);
+    collision_of(&c, "0.5", "3/2", "1/2", 100);
     arb_root_ui(z, c.eps_zero_overlap, 5, PREC);
     arb_mul_2exp_si(h, z, -1);
     arb_neg(h, h);
@@ -335,7 +335,7 @@ static void test_backward_series(void **state)
     arb_init(beta);
     restitution_zero_force_exact(G, T, ORDER, &law_sphere);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
-        solve(&c, betas[i], "3/2", "1/2", 90);
+        collision_of(&c, betas[i], "3/2", "1/2", 90);
         arb_set_str(beta, betas[i], PREC);
         arb_pow_ratio(w, beta, (struct ratio){5, 2}, PREC);
         arb_sqrt(x, c.eps_zero_overlap, PREC);
@@ -371,14 +371,14 @@ static void test_edges(void **state)
     arb_init(y0);
     arb_init(t0);
     turning_point_elastic(y0, t0, &law_sphere, PREC);
-    solve(&c, "0", "3/2", "1/2", 200);
+    collision_of(&c, "0", "3/2", "1/2", 200);
     assert_true(arb_is_one(c.eps_zero_overlap) && arb_is_one(c.eps_zero_force));
     assert_overlap(c.x_max, y0, "x_max", 0);
     arb_mul_2exp_si(t0, t0, 1);
     assert_overlap(c.t_zero_overlap, t0, "duration", 0);
     assert_overlap(c.t_zero_force, t0, "duration", 1);
     /* 1 - eps = |C_1| beta however small beta is, given the digits. */
-    solve(&c, "1e-30", "3/2", "1/2", 200);
+    collision_of(&c, "1e-30", "3/2", "1/2", 200);
     arb_sub_si(x, c.eps_zero_overlap, 1, PREC);
     arb_set_str(y0, "1e30", PREC);
     arb_mul(x, x, y0, PREC);

@@ -18,7 +18,7 @@ static void set_nu(fmpq_t nu, const char *text)
     fmpq_canonicalise(nu);
 }
 
-static void solve(struct disk_modes *modes, const char *text, slong count, slong digits)
+static void modes_solve(struct disk_modes *modes, const char *text, slong count, slong digits)
 {
     fmpq_t nu;
     fmpq_init(nu);
@@ -51,8 +51,8 @@ static void test_known(void **state)
         {"9/10", 3, 0, "1.86897856327933", 14},
     };
     struct disk_modes modes[2];
-    solve(&modes[0], "33/100", 1800, 17);
-    solve(&modes[1], "9/10", 1800, 17);
+    modes_solve(&modes[0], "33/100", 1800, 17);
+    modes_solve(&modes[1], "9/10", 1800, 17);
     slong place[2] = {0, 0};
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         const int which = known[i].nu[0] == '9';
@@ -111,7 +111,7 @@ static void test_single_modes(void **state)
         fmpq_t nu;
         fmpq_init(nu);
         set_nu(nu, materials[i]);
-        solve(&modes, materials[i], 100, 30);
+        modes_solve(&modes, materials[i], 100, 30);
         disk_mode_init(&mode);
         for (slong k = 0; k < modes.count; k += 3) {
             assert_int_equal(disk_mode_solve(&mode, nu, modes.mode[k].n, modes.mode[k].l, 120), 0);
@@ -353,7 +353,7 @@ static void test_printed_equation(void **state)
         fmpq_t nu;
         fmpq_init(nu);
         set_nu(nu, materials[i]);
-        solve(&modes, materials[i], 900, 30);
+        modes_solve(&modes, materials[i], 900, 30);
         for (slong k = 0; k < modes.count; k += 13)
             assert_root(&modes.mode[k], nu, 95, 400);
         disk_modes_clear(&modes);
@@ -504,7 +504,7 @@ static void test_sums(void **state)
         set_nu(exact, materials[i]);
         disk_init(&disk, exact, 64);
         const double nu = disk.e_double - 1;
-        solve(&modes, materials[i], 4000, 15);
+        modes_solve(&modes, materials[i], 4000, 15);
         const double end = middle(modes.mode[modes.count - 1].omega);
         double all = 0, rim_low = HUGE_VAL, rim_high = -HUGE_VAL, cc[ORDERS] = {0}, cs[ORDERS] = {0};
         for (slong k = 0; k < modes.count; k++) {
@@ -636,10 +636,10 @@ static void test_threads_and_digits(void **state)
 {
     (void)state;
     struct disk_modes modes, other;
-    solve(&modes, "1/3", 150, 20);
+    modes_solve(&modes, "1/3", 150, 20);
     for (int threads = 2; threads <= 4; threads++) {
         parallel_use(threads);
-        solve(&other, "1/3", 150, 20);
+        modes_solve(&other, "1/3", 150, 20);
         for (slong k = 0; k < modes.count; k++) {
             assert_same_mode(&modes.mode[k], &other.mode[k]);
             assert_true(arb_equal(modes.mode[k].omega, other.mode[k].omega));
@@ -651,7 +651,7 @@ static void test_threads_and_digits(void **state)
     parallel_use(0);
     static const slong digits[] = {1, 15, 100, 700};
     for (size_t i = 0; i < sizeof digits / sizeof *digits; i++) {
-        solve(&other, "1/3", i < 3 ? 150 : 20, digits[i]);
+        modes_solve(&other, "1/3", i < 3 ? 150 : 20, digits[i]);
         for (slong k = 0; k < other.count; k++) {
             assert_same_mode(&modes.mode[k], &other.mode[k]);
             assert_bits(other.mode[k].omega, digits[i] * 3);
@@ -661,7 +661,7 @@ static void test_threads_and_digits(void **state)
     }
     /* the lowest are the lowest, however many are asked for */
     for (slong count = 1; count < modes.count; count += count / 8 + 1) {
-        solve(&other, "1/3", count, 20);
+        modes_solve(&other, "1/3", count, 20);
         for (slong k = 0; k < count; k++)
             assert_same_mode(&modes.mode[k], &other.mode[k]);
         disk_modes_clear(&other);

@@ -2,23 +2,18 @@
 /* The interpolant of the collision against collisions at places of its own, and what it is made of: collisions without
  * their unloading, and one that once found no end. */
 #include "ball.h"
+#include "check.h"
 
 #include <math.h>
 #include <unistd.h>
 
 #include "approximation/interpolant.h"
 #include "enclosure/collision.h"
+#include "random.h"
 
 static const slong PREC = 320;
 
-static double uniform(void)
-{
-    static uint64_t state = 19990101;
-    state ^= state >> 12;
-    state ^= state << 25;
-    state ^= state >> 27;
-    return (double)((state * UINT64_C(2685821657736338717)) >> 11) * 0x1p-53;
-}
+static struct random_state random_state = {19990101};
 
 static arb_srcptr field(const struct collision *c, enum quantity quantity)
 {
@@ -136,8 +131,8 @@ static void test_small_beta(void **state)
     arb_init(beta);
     arb_init(y);
     arb_init(exact);
-    for (int k = 0; k < 60; k++) {
-        arb_set_d(z, k == 0 ? 0x1p-10 : k == 1 ? 0.612 : 0.612 * uniform());
+    for (int k = 0; k < (int)few_or_all(20, 60); k++) {
+        arb_set_d(z, k == 0 ? 0x1p-10 : k == 1 ? 0.612 : random_uniform(&random_state, 0, 0.612));
         arb_sqr(beta, z, PREC);
         assert_int_equal(collision_solve(&c, beta, &law_sphere, 110), 0);
         for (int q = 0; q < QUANTITIES; q++) {
@@ -169,6 +164,8 @@ static void test_small_beta(void **state)
 static void test_large_beta(void **state)
 {
     (void)state;
+    if (!few_or_all(0, 1)) /* building takes 10 s; table.sphere_tables tests what is made of it */
+        skip();
     struct interpolant *f = interpolant_new(&interpolant_sphere, 8.5, 9);
     struct collision c;
     arb_t x, beta, y, exact, power;
@@ -183,10 +180,10 @@ static void test_large_beta(void **state)
     for (int k = 0; k < 40; k++) {
         const bool tail = k >= 20;
         if (tail) {
-            arb_set_d(beta, exp(2.1 + 7.9 * uniform()));
+            arb_set_d(beta, exp(random_uniform(&random_state, 2.1, 10)));
             arb_log(x, beta, PREC);
         } else {
-            arb_set_d(x, 2.875 + 1.25 * uniform());
+            arb_set_d(x, random_uniform(&random_state, 2.875, 4.125));
             arb_sqr(beta, x, PREC);
         }
         const bool whole = tail && k % 8 == 0; /* these cost the most */

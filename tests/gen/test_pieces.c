@@ -112,7 +112,7 @@ static void test_rows_are_the_function(void **state)
             /* in plain doubles, so a few units for the sum and for beta */
             if (!(fabs(value / exact - 1) < 2e-15))
                 fail_msg("kind %d, row %ld, beta = %g: %.17g, not %.17g", kind, (long)r, beta, value, exact);
-            /* c_0' is what c_0 lacks */
+            /* c_0' is the remainder of c_0 */
             double c0, c1;
             assert_true(digits_to_double(&c0, p.coefficient + r * (p.degree + 2)));
             assert_true(digits_to_double(&c1, p.coefficient + r * (p.degree + 2) + 1));

@@ -25,7 +25,7 @@ static double beta_of(double speed)
 }
 
 /* eps at both ends of contact */
-static void solve(double *overlap, double *force, double beta_wanted)
+static void eps_solve(double *overlap, double *force, double beta_wanted)
 {
     struct collision c;
     arb_t beta;
@@ -131,7 +131,7 @@ static void check_chosen(const struct plan *plan, struct random_state *r)
     for (size_t i = 0; i < points(6); i++) {
         const double speed = random_log(r, plan->speed[0], plan->speed[plan->points - 1]), beta = beta_of(speed);
         double overlap, force;
-        solve(&overlap, &force, beta);
+        eps_solve(&overlap, &force, beta);
         const double error = fabs(m->eps(m, speed, beta) / force - 1);
         check(error <= plan->tolerance, "%s at speed %.17g is off by %.3g, more than %.3g", m->name, speed, error,
               plan->tolerance);
@@ -235,7 +235,7 @@ static void test_spheres(void **state)
     for (slong i = 0; i <= last; i++) {
         const double beta = beta_of(plan.speed[i]);
         double overlap, force;
-        solve(&overlap, &force, beta);
+        eps_solve(&overlap, &force, beta);
         assert_true(fabs(plan.speed[i] / (0.01 * pow(100, (double)i / 8)) - 1) < 1e-14);
         assert_true(fabs(plan.at[i] / beta - 1) < 1e-14 && fabs(plan.truth[i] / force - 1) < 1e-14);
         check_values(&plan, "simple theory (27)", i, simple(beta), 1e-14);

@@ -33,7 +33,7 @@ static void set_number(arb_t x, const char *text)
     fmpq_clear(q);
 }
 
-static void solve(struct collision *c, const char *beta, const struct law *law, slong bits)
+static void collision_of(struct collision *c, const char *beta, const struct law *law, slong bits)
 {
     arb_t x;
     arb_init(x);
@@ -130,7 +130,7 @@ static void test_collisions(void **state)
                                      c.t_zero_overlap, c.eps_zero_force, c.t_zero_force};
         const struct law law = law_of(collisions[i].a, collisions[i].b);
         if (collisions[i].eps_overlap) {
-            solve(&c, collisions[i].beta, &law, 90);
+            collision_of(&c, collisions[i].beta, &law, 90);
         } else {
             arb_t beta;
             arb_init(beta);
@@ -171,7 +171,7 @@ static void test_tsuji(void **state)
     assert_digits(c.eps_zero_force, "0.047768732505620189");
     assert_digits(c.t_zero_force, "1.903214870431890414");
     /* within 1e-3 of zeta = 1: eps = exp(-pi zeta/sqrt(1 - zeta^2)) is 3e-61 */
-    solve(&c, "2.2355", &law, 90);
+    collision_of(&c, "2.2355", &law, 90);
     assert_true(arb_is_positive(c.eps_zero_overlap));
     assert_bits(c.eps_zero_overlap, 90);
     assert_bits(c.t_zero_overlap, 90);
@@ -655,11 +655,11 @@ static void test_critical(void **state)
         arb_add_error_2exp_si(x, -50);
         assert_overlap(x, c.eps_zero_force, "exp(-2)", side);
     }
-    solve(&c, "1e300", &law, 60);
+    collision_of(&c, "1e300", &law, 60);
     arb_set_str(x, "1e600", PREC); /* 1/(4 zeta^2) = beta^-2 */
     arb_mul(x, x, c.eps_zero_force, PREC);
     assert_digits(x, "1.00000000000");
-    solve(&c, "1e-300", &law, 1100);
+    collision_of(&c, "1e-300", &law, 1100);
     arb_sub_ui(x, c.eps_zero_overlap, 1, 1200);
     arb_neg(x, x);
     arb_set_str(beta, "1e300", 1200);

@@ -424,7 +424,7 @@ static const char title[] = "corgen disk-collide, unfinished, sweep 1: --speed 0
 static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at its end 12345678", "4,5"};
 enum { LINES = sizeof line / sizeof *line };
 
-static char *slurp(const char *path, size_t *size)
+static char *file_read(const char *path, size_t *size)
 {
     FILE *file = fopen(path, "rb");
     assert_non_null(file);
@@ -435,7 +435,7 @@ static char *slurp(const char *path, size_t *size)
     return bytes;
 }
 
-static void spill(const char *path, const char *bytes, size_t size)
+static void file_write(const char *path, const char *bytes, size_t size)
 {
     FILE *file = fopen(path, "wb");
     assert_non_null(file);
@@ -480,28 +480,28 @@ static void test_journal(void **state)
     snprintf(part, sizeof part, "%s/x.part", directory);
     assert_int_equal(go_on(file), 0);
     size_t size, again;
-    char *whole_file = slurp(part, &size);
+    char *whole_file = file_read(part, &size);
     assert_int_equal(go_on(file), LINES);
 
     /* cut off at every byte: the same bytes in the end, and all lines before the cut are taken over */
     int last = 0;
     for (size_t cut = 0; cut <= size; cut++) {
-        spill(part, whole_file, cut);
+        file_write(part, whole_file, cut);
         const int found = go_on(file);
         check(found >= last && found <= last + 1, "%d after %d at %zu", found, last, cut);
         last = found;
-        char *bytes = slurp(part, &again);
+        char *bytes = file_read(part, &again);
         check(again == size && memcmp(bytes, whole_file, size) == 0, "cut at %zu", cut);
         free(bytes);
     }
     assert_int_equal(last, LINES);
-    spill(part, whole_file, size); /* more than there should be */
+    file_write(part, whole_file, size); /* more than there should be */
     FILE *more = fopen(part, "ab");
     assert_non_null(more);
     fputs("4,5 0123abcd\nand more", more);
     fclose(more);
     assert_int_equal(go_on(file), LINES);
-    char *cut_off = slurp(part, &again);
+    char *cut_off = file_read(part, &again);
     assert_true(again == size && memcmp(cut_off, whole_file, size) == 0);
     free(cut_off);
     const size_t first = strlen(title) + 10;
@@ -511,10 +511,10 @@ static void test_journal(void **state)
         assert_non_null(damaged);
         memcpy(damaged, whole_file, size);
         memset(damaged + at, at % 2 ? 0 : damaged[at] ^ 1, at % 2 ? size - at : 1);
-        spill(part, damaged, size);
+        file_write(part, damaged, size);
         const int found = go_on(file);
         check(found >= 0 && found < LINES, "%zu: %d", at, found);
-        char *bytes = slurp(part, &again);
+        char *bytes = file_read(part, &again);
         check(again == size && memcmp(bytes, whole_file, size) == 0, "damaged at %zu", at);
         free(bytes);
         free(damaged);
@@ -523,13 +523,13 @@ static void test_journal(void **state)
     /* somebody else's: refused, and as it was */
     static const char *const foreign[] = {"speed,nu\n0.1,0.33\n", "x", "\n", "corgen disk-collide of another day\n"};
     for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
-        spill(part, foreign[i], strlen(foreign[i]));
+        file_write(part, foreign[i], strlen(foreign[i]));
         assert_int_equal(go_on(file), -1);
-        char *bytes = slurp(part, &again);
+        char *bytes = file_read(part, &again);
         assert_true(again == strlen(foreign[i]) && memcmp(bytes, foreign[i], again) == 0);
         free(bytes);
     }
-    spill(part, whole_file, size);
+    file_write(part, whole_file, size);
     struct journal journal;
     assert_int_equal(journal_open(&journal, file, "corgen disk-collide, unfinished, sweep 2: --speed 0.1", LINES),
                      STATUS_FAILED);
@@ -557,7 +557,7 @@ static void test_journal(void **state)
     assert_int_equal(journal_flush(&journal), STATUS_OK);
     journal_close(&journal, false);
     assert_int_equal(go_on(file), LINES);
-    char *without = slurp(part, &again);
+    char *without = file_read(part, &again);
     assert_true(again == size && memcmp(without, whole_file, size) == 0);
     free(without);
 

@@ -4,7 +4,7 @@
 
 #include "enclosure/taylor.h"
 
-static void start(struct taylor *y, const struct law *law, slong degree, slong prec, const char *beta)
+static void taylor_start(struct taylor *y, const struct law *law, slong degree, slong prec, const char *beta)
 {
     taylor_init(y, law, 1, degree, prec);
     arb_set_str(y->c1, beta, 600);
@@ -34,10 +34,10 @@ static void test_remainder(void **state)
             struct taylor low, high;
             assert_null(law_parse(&law, laws[i][0], laws[i][1]));
             /* 40 bits decide the step, 600 the arithmetic: what is missed is truncation alone. */
-            start(&low, &law, 12, 40, betas[k]);
+            taylor_start(&low, &law, 12, 40, betas[k]);
             low.prec = prec;
             taylor_expand(&low);
-            start(&high, &law, 220, prec, betas[k]);
+            taylor_start(&high, &law, 220, prec, betas[k]);
             assert_true(arb_le(low.step, high.step));
             for (int component = TAYLOR_W; component <= TAYLOR_V; component++) {
                 mag_set(claimed, component == TAYLOR_W ? low.error_w : low.error_v);
@@ -97,7 +97,7 @@ static void test_step_is_short(void **state)
     arb_t half_period;
     arb_init(half_period);
     assert_null(law_parse(&law, "1", "0"));
-    start(&y, &law, 400, 60, "0.01");
+    taylor_start(&y, &law, 400, 60, "0.01");
     arb_const_pi(half_period, 60);
     assert_true(arb_lt(y.step, half_period));
     taylor_clear(&y);

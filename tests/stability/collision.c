@@ -15,8 +15,8 @@
 /* The error where something is missing that the errors of other points could be compared with */
 static const double none = 1e9;
 
-static int collide(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
-                   size_t max_steps, struct cor_disk_collision *out)
+static int disk_collide(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
+                        size_t max_steps, struct cor_disk_collision *out)
 {
     const struct cor_disk_collision_options options = {alpha, tolerance, 0, max_steps};
     return cor_disk_collision(modes, n, &options, v, out);
@@ -28,7 +28,7 @@ static void take_collision(struct outcome *out, const struct cor_disk_modes *mod
 {
     struct cor_disk_collision c;
     char input[160], x[40], y[40];
-    const int status = collide(modes, n, alpha, v, tolerance, max_steps, &c);
+    const int status = disk_collide(modes, n, alpha, v, tolerance, max_steps, &c);
     const double error = status == COR_OK                      ? fabs(c.eps - eps) / tolerance
                          : status == COR_TOLERANCE_NOT_REACHED ? fabs(c.eps - eps) / c.error_estimate
                                                                : none;
@@ -37,7 +37,7 @@ static void take_collision(struct outcome *out, const struct cor_disk_modes *mod
              status == COR_OK ? "COR_OK" : "COR_TOLERANCE_NOT_REACHED");
     snprintf(x, sizeof x, "%.12f", eps);
     snprintf(y, sizeof y, "%.12f", c.eps);
-    take(out, isnan(error) ? none : error, input, x, y);
+    outcome_take(out, isnan(error) ? none : error, input, x, y);
 }
 
 /* eps by the reference to `needed`; NaN, and a point of the case, where it fails */
@@ -47,7 +47,7 @@ static double reference_eps(struct outcome *out, const struct cor_disk_modes *mo
     struct reference_collision r;
     if (reference_disk_collision(modes->mode, n, alpha, v, needed, &r, NULL, NULL) == 0)
         return r.eps;
-    take(out, none, "reference", "a number", "none");
+    outcome_take(out, none, "reference", "a number", "none");
     return (double)NAN;
 }
 
@@ -90,11 +90,11 @@ static void slow_collision(struct outcome *out, bool full)
         for (size_t j = 0; j < 3; j++)
             for (size_t n = 1; n <= 10; n += 9) {
                 struct cor_disk_collision c = {0};
-                const int status = collide(&cor_disk_modes_nu033, n, alpha[i], speed[j], 1e-8, 0, &c);
+                const int status = disk_collide(&cor_disk_modes_nu033, n, alpha[i], speed[j], 1e-8, 0, &c);
                 char input[160];
                 snprintf(input, sizeof input, "alpha = %g, v = %g, %zu modes", alpha[i], speed[j], n);
-                take(out, status == COR_CONTACT_NOT_ENDED && isnan(c.eps) && isnan(c.one_minus_eps2) ? 0 : 1, input,
-                     cor_status_text(COR_CONTACT_NOT_ENDED), cor_status_text(status));
+                outcome_take(out, status == COR_CONTACT_NOT_ENDED && isnan(c.eps) && isnan(c.one_minus_eps2) ? 0 : 1,
+                             input, cor_status_text(COR_CONTACT_NOT_ENDED), cor_status_text(status));
             }
 }
 
@@ -124,7 +124,8 @@ static void bounces(struct outcome *out, bool full)
         const size_t n = scene[i].n;
         if (full) {
             const double eps = reference_eps(out, modes, n, scene[i].alpha, scene[i].v, 1e-11);
-            take(out, fabs(eps - scene[i].eps) <= 1e-10 ? 0 : none, "the number that stands for the reference", "", "");
+            outcome_take(out, fabs(eps - scene[i].eps) <= 1e-10 ? 0 : none, "the number that stands for the reference",
+                         "", "");
         }
         for (size_t k = 0; k < (full ? sizeof tolerance / sizeof *tolerance : 3); k++)
             take_collision(out, modes, n, scene[i].alpha, scene[i].v, tolerance[k], 0, scene[i].eps);

@@ -22,7 +22,7 @@ static double bits_to_relative(slong bits)
 static void take_ball(struct outcome *out, double error, const char *input, const arb_t exact, const arb_t value)
 {
     char *const x = arb_get_str(exact, 30, ARB_STR_NO_RADIUS), *const y = arb_get_str(value, 30, ARB_STR_NO_RADIUS);
-    take(out, error, input, x, y);
+    outcome_take(out, error, input, x, y);
     flint_free(x);
     flint_free(y);
 }
@@ -169,7 +169,7 @@ static void turning_verdicts(struct outcome *out, bool full)
         }
         char input[160];
         snprintf(input, sizeof input, "%ld terms, %ld bits for %ld", tried[i][0], tried[i][2], tried[i][1]);
-        take(out, error, input, "-", verdict == TURNING_POINT_OK ? "good" : "refused");
+        outcome_take(out, error, input, "-", verdict == TURNING_POINT_OK ? "good" : "refused");
     }
     out->condition = ldexp(1, (int)lost);
     arb_poly_clear(y);
@@ -218,7 +218,7 @@ static void exponential_pade(struct outcome *out, bool full)
             arb_poly_set_coeff_arb(c, k, x);
         }
         if (!pade_of_series(&f, c, m, m, prec))
-            take(out, HUGE_VAL, "exp", "regular", "refused");
+            outcome_take(out, HUGE_VAL, "exp", "regular", "refused");
         for (slong j = 0; j <= m; j++)
             for (int side = 0; side < 2; side++) {
                 char input[160];
@@ -305,7 +305,7 @@ static void sphere_pade(struct outcome *out, bool full)
             out->condition = fmax(out->condition, ball_relative(x, z) / 0x1p-52);
         }
         if (!regular)
-            take(out, HUGE_VAL, "regular system", "regular", "refused");
+            outcome_take(out, HUGE_VAL, "regular system", "regular", "refused");
         pade_clear(&middle);
         pade_clear(&changed);
         arb_poly_clear(exact);
@@ -353,10 +353,10 @@ static void near_defect(struct outcome *out, bool full)
         if (degenerate) {
             struct pade_block block = {0};
             const bool found = pade_block_of(&block, c, 1, 2, prec);
-            take(out, !regular && found && block.m == 0 && block.n == 1 && block.open ? 0 : HUGE_VAL, "d = 0",
-                 "degenerate", regular ? "regular" : "degenerate");
+            outcome_take(out, !regular && found && block.m == 0 && block.n == 1 && block.open ? 0 : HUGE_VAL, "d = 0",
+                         "degenerate", regular ? "regular" : "degenerate");
         } else if (!regular || !pade_analyse(&a, &f, prec)) {
-            take(out, HUGE_VAL, "d > 0", "regular", "refused");
+            outcome_take(out, HUGE_VAL, "d > 0", "regular", "refused");
         } else {
             snprintf(input, sizeof input, "d = 2^-%d", power[i]);
             arb_mul_ui(distance, d, 3, prec);
@@ -373,7 +373,7 @@ static void near_defect(struct outcome *out, bool full)
                                                                    : HUGE_VAL,
                           input, distance, a.pair->distance);
             } else {
-                take(out, HUGE_VAL, input, "a spurious pair", "none told");
+                outcome_take(out, HUGE_VAL, input, "a spurious pair", "none told");
             }
             out->condition = fmax(out->condition, ldexp(1, power[i])); /* 1/d: of the place of the pair in the series */
         }
@@ -428,16 +428,16 @@ static void poles_of_eps(struct outcome *out, bool full)
             snprintf(input, sizeof input, "[%ld/%ld]", m, n);
             const bool made = pade_compute(&f, &a, &request, BITS) == 0;
             if (made == does_not_exist(m, n)) {
-                take(out, HUGE_VAL, input, made ? "degenerate" : "regular", made ? "served" : "refused");
+                outcome_take(out, HUGE_VAL, input, made ? "degenerate" : "regular", made ? "served" : "refused");
             } else if (made) {
                 const slong poles = sign_changes(f.q, PREC), zeros = sign_changes(f.p, PREC);
                 char *const defects = pade_defects(&a);
                 const bool right = a.positive_poles == poles && a.positive_zeros == zeros &&
                                    (defects != NULL || (poles == 0 && zeros == 0));
-                take(out, right ? 0 : 1, input, poles ? "a pole" : "no pole", defects ? "refused" : "accepted");
+                outcome_take(out, right ? 0 : 1, input, poles ? "a pole" : "no pole", defects ? "refused" : "accepted");
                 free(defects);
             } else {
-                take(out, 0, input, "degenerate", "refused");
+                outcome_take(out, 0, input, "degenerate", "refused");
             }
             pade_clear(&f);
             pade_analysis_clear(&a);

@@ -8,110 +8,26 @@
 
 #include <cor/disk.h>
 
-#include "indefinite.h"
+#include "disk_reference.h"
 #include "runtime/core/lambert_w.h"
+#include "support/precision.h"
 
 enum { BITS = 256 };
 
 static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
                                               COR_DISK_DATUM_PRINTED};
 
-/* ---- references ---- */
-
-/* -W_-1(-z) */
-static void minus_w(arb_t w, const arb_t z, slong prec)
-{
-    arb_neg(w, z);
-    arb_lambertw(w, w, 1, prec);
-    arb_neg(w, w);
-}
-
-enum law { LOAD, COMPRESSION, ENERGY, MAX_LOAD, MAX_COMPRESSION, LAWS };
-
-static const struct {
-    const char *name;
-    double (*value)(double, double, enum cor_disk_datum);
-    double (*limit)(double, enum cor_disk_datum);
-} laws[LAWS] = {
-    {"load", cor_disk_load, cor_disk_compression_limit},
-    {"compression", cor_disk_compression, cor_disk_load_limit},
-    {"energy", cor_disk_energy, cor_disk_load_limit},
-    {"max_load", cor_disk_max_load, cor_disk_speed_limit},
-    {"max_compression", cor_disk_max_compression, cor_disk_speed_limit},
-};
-
-/* (57) and its inverse by W; prec grows until the ball is narrow, which the edge needs */
-static void law_exact(arb_t y, enum law law, double argument, double nu, enum cor_disk_datum datum, slong prec)
-{
-    arb_t b, x, pi, load;
-    arb_init(b);
-    arb_init(x);
-    arb_init(pi);
-    arb_init(load);
-    disk_constant(b, nu, datum, prec);
-    arb_const_pi(pi, prec);
-    arb_set_d(x, argument);
-    if (law == LOAD) { /* P = pi delta/-W(-(delta/4) exp(-b)) */
-        arb_neg(y, b);
-        arb_exp(y, y, prec);
-        arb_mul(y, y, x, prec);
-        arb_mul_2exp_si(y, y, -2);
-        minus_w(y, y, prec);
-        arb_div(y, x, y, prec);
-        arb_mul(y, y, pi, prec);
-    } else {
-        if (law == MAX_LOAD || law == MAX_COMPRESSION) {
-            /* P = sqrt2 pi v/sqrt(-w), w = W(-(v^2/8) exp(1 - 2 b)) */
-            arb_mul_2exp_si(load, b, 1);
-            arb_sub_ui(load, load, 1, prec);
-            arb_neg(load, load);
-            arb_exp(load, load, prec);
-            arb_mul(load, load, x, prec);
-            arb_mul(load, load, x, prec);
-            arb_mul_2exp_si(load, load, -3);
-            minus_w(load, load, prec);
-            arb_mul_2exp_si(load, load, -1);
-            arb_rsqrt(load, load, prec);
-            arb_mul(load, load, x, prec);
-            arb_mul(load, load, pi, prec);
-        } else {
-            arb_set(load, x);
-        }
-        /* ln(4 pi/P) + b */
-        arb_mul_2exp_si(y, pi, 2);
-        arb_div(y, y, load, prec);
-        arb_log(y, y, prec);
-        arb_add(y, y, b, prec);
-        if (law == MAX_LOAD) {
-            arb_set(y, load);
-        } else {
-            if (law == ENERGY) {
-                arb_set_d(x, 0.5);
-                arb_sub(y, y, x, prec);
-                arb_mul(y, y, load, prec);
-                arb_mul_2exp_si(y, y, -1);
-            }
-            arb_mul(y, y, load, prec);
-            arb_div(y, y, pi, prec);
-        }
-    }
-    arb_clear(b);
-    arb_clear(x);
-    arb_clear(pi);
-    arb_clear(load);
-}
-
-static void take_law(struct outcome *out, enum law law, double argument, double nu, enum cor_disk_datum datum)
+static void take_law(struct outcome *out, enum disk_kind kind, double argument, double nu, enum cor_disk_datum datum)
 {
     arb_t exact;
     arb_init(exact);
-    const double y = laws[law].value(argument, nu, datum);
+    const double y = disk_functions[kind].value(argument, nu, datum);
     double error = HUGE_VAL;
-    for (slong prec = BITS; prec < 5000 && !(error < 100); prec *= 4) {
-        law_exact(exact, law, argument, nu, datum, prec);
-        error = ball_ulp(y, exact);
-    }
-    take_number(out, error, laws[law].name, argument, exact, y);
+    struct precision p = precision_doubling_to(BITS, 5000);
+    do
+        error = disk_value(exact, kind, argument, nu, datum, p.bits) ? ball_ulp(y, exact) : HUGE_VAL;
+    while (!(error < 100) && precision_raise(&p));
+    take_number(out, error, disk_functions[kind].name, argument, exact, y);
     arb_clear(exact);
 }
 
@@ -153,7 +69,7 @@ static void w_branch(struct outcome *out, bool full)
     for (int i = 0; i < (full ? 100000 : 3000); i++)
         take_w(out, moved(branch, -(i < 1000 ? i : (long)exp(drawn(0, 36)))));
     if (!isnan(cor_lambert_w_minus1(moved(branch, 1))) || !isnan(cor_lambert_w_minus1(-1)))
-        take(out, HUGE_VAL, "beyond the branch point", "nan", "a number");
+        outcome_take(out, HUGE_VAL, "beyond the branch point", "nan", "a number");
 }
 
 /* ---- edges ---- */
@@ -163,38 +79,38 @@ static void edge_of_law(struct outcome *out, bool full)
     static const double nus[] = {0.33, 0.9, 0, 0.5, -0.9, 1 - 0x1p-53, -1 + 0x1p-53};
     for (size_t i = 0; i < sizeof nus / sizeof *nus; i++)
         for (int d = 0; d < 3; d++)
-            for (int law = 0; law < LAWS; law++) {
-                const double limit = laws[law].limit(nus[i], datums[d]);
+            for (enum disk_kind kind = 0; kind < DISK_KINDS; kind++) {
+                const double limit = disk_functions[kind].limit(nus[i], datums[d]);
                 for (int j = 0; j < (full ? 60 : 6); j++)
-                    take_law(out, (enum law)law, moved(limit, j < 3 ? -j : -(long)exp(drawn(0, 36))), nus[i],
-                             datums[d]);
-                if (!isnan(laws[law].value(moved(limit, 1), nus[i], datums[d])))
-                    take(out, HUGE_VAL, laws[law].name, "nan beyond the limit", "a number");
+                    take_law(out, kind, moved(limit, j < 3 ? -j : -(long)exp(drawn(0, 36))), nus[i], datums[d]);
+                if (!isnan(disk_functions[kind].value(moved(limit, 1), nus[i], datums[d])))
+                    outcome_take(out, HUGE_VAL, disk_functions[kind].name, "nan beyond the limit", "a number");
             }
 }
 
-/* How much a relative change of v matters: d ln tau/d ln v, and that of P as sqrt(1 - v/limit) is its distance from the
- * edge */
+static void take_time(struct outcome *out, double v, double nu, enum cor_disk_datum datum, int level)
+{
+    arb_t tau, value, halved;
+    arb_init(tau);
+    arb_init(value);
+    arb_init(halved);
+    const double y = cor_disk_contact_time(v, nu, datum);
+    disk_contact_time(tau, halved, v, nu, datum, level, 200);
+    arb_set_d(value, y);
+    take_number(out, ball_relative(value, tau) / COR_DISK_CONTACT_TIME_MAX_ERROR, "v", v, tau, y);
+    arb_clear(tau);
+    arb_clear(value);
+    arb_clear(halved);
+}
+
 static void edge_of_time(struct outcome *out, bool full)
 {
     static const double from_edge[] = {0, 0x1p-53, 0x1p-40, 1e-8, 1e-4, 1e-2, 0.1};
-    arb_t tau;
-    arb_init(tau);
     for (size_t i = 0; i < sizeof from_edge / sizeof *from_edge; i++)
         for (int d = 0; d < (full ? 3 : 1); d++) {
             const double nu = i % 2 ? 0.33 : 0.9, limit = cor_disk_speed_limit(nu, datums[d]);
-            const double v = limit - limit * from_edge[i], y = cor_disk_contact_time(v, nu, datums[d]);
-            struct indefinite s;
-            indefinite_init(&s, v, nu, datums[d], full ? 7 : 6, 200);
-            arb_mul_2exp_si(tau, s.half_time, 1);
-            arb_t value;
-            arb_init(value);
-            arb_set_d(value, y);
-            take_number(out, ball_relative(value, tau) / COR_DISK_CONTACT_TIME_MAX_ERROR, "v", v, tau, y);
-            arb_clear(value);
-            indefinite_clear(&s);
+            take_time(out, limit - limit * from_edge[i], nu, datums[d], full ? 7 : 6);
         }
-    arb_clear(tau);
 }
 
 static void slow_law(struct outcome *out, bool full)
@@ -202,38 +118,26 @@ static void slow_law(struct outcome *out, bool full)
     static const double v[] = {1e-12, 1e-300, DBL_MIN, 0x1p-1074, 1e-8};
     for (size_t i = 0; i < sizeof v / sizeof *v; i++)
         for (int d = 0; d < 3; d++)
-            for (int law = 0; law < LAWS; law++)
+            for (enum disk_kind kind = 0; kind < DISK_KINDS; kind++)
                 for (int j = -1; j <= (full ? 20 : 1); j++)
                     if (moved(v[i], j) > 0)
-                        take_law(out, (enum law)law, moved(v[i], j), 0.33, datums[d]);
+                        take_law(out, kind, moved(v[i], j), 0.33, datums[d]);
 }
 
 static void slow_time(struct outcome *out, bool full)
 {
     static const double v[] = {1e-12, 1e-300, 0x1p-1074, 1e-8, 1e-4};
-    arb_t tau, value;
-    arb_init(tau);
-    arb_init(value);
-    for (size_t i = 0; i < (full ? 5 : 3); i++) {
-        struct indefinite s;
-        const double y = cor_disk_contact_time(v[i], 0.33, COR_DISK_DATUM_CENTRE_OF_MASS);
-        indefinite_init(&s, v[i], 0.33, COR_DISK_DATUM_CENTRE_OF_MASS, 6, 200);
-        arb_mul_2exp_si(tau, s.half_time, 1);
-        arb_set_d(value, y);
-        take_number(out, ball_relative(value, tau) / COR_DISK_CONTACT_TIME_MAX_ERROR, "v", v[i], tau, y);
-        indefinite_clear(&s);
-    }
-    arb_clear(tau);
-    arb_clear(value);
+    for (size_t i = 0; i < (full ? 5 : 3); i++)
+        take_time(out, v[i], 0.33, COR_DISK_DATUM_CENTRE_OF_MASS, 6);
 }
 
 static void take_nu(struct outcome *out, double nu, bool full)
 {
     for (int d = 0; d < 3; d++)
-        for (int law = 0; law < LAWS; law++) {
-            const double limit = laws[law].limit(nu, datums[d]);
+        for (enum disk_kind kind = 0; kind < DISK_KINDS; kind++) {
+            const double limit = disk_functions[kind].limit(nu, datums[d]);
             for (int i = 0; i < (full ? 200 : 12); i++)
-                take_law(out, (enum law)law, limit * exp(-drawn(0, i % 2 ? 2 : 60)), nu, datums[d]);
+                take_law(out, kind, limit * exp(-drawn(0, i % 2 ? 2 : 60)), nu, datums[d]);
         }
 }
 
@@ -241,20 +145,20 @@ static void nu_to_one(struct outcome *out, bool full)
 {
     for (int i = 1; i <= 5; i++)
         take_nu(out, 1 - i * 0x1p-53, full);
-    for (int law = 0; law < LAWS; law++)
-        if (!isnan(laws[law].value(1e-3, 1, COR_DISK_DATUM_DIAMETER)) ||
-            !isnan(laws[law].value(1e-3, 2, COR_DISK_DATUM_PRINTED)))
-            take(out, HUGE_VAL, "nu = 1", "nan", "a number");
+    for (enum disk_kind kind = 0; kind < DISK_KINDS; kind++)
+        if (!isnan(disk_functions[kind].value(1e-3, 1, COR_DISK_DATUM_DIAMETER)) ||
+            !isnan(disk_functions[kind].value(1e-3, 2, COR_DISK_DATUM_PRINTED)))
+            outcome_take(out, HUGE_VAL, "nu = 1", "nan", "a number");
 }
 
 static void nu_to_minus_one(struct outcome *out, bool full)
 {
     for (int i = 1; i <= 5; i++)
         take_nu(out, -1 + i * 0x1p-53, full);
-    for (int law = 0; law < LAWS; law++)
-        if (!isnan(laws[law].value(1e-3, -1, COR_DISK_DATUM_DIAMETER)) ||
-            !isnan(laws[law].value(1e-3, -HUGE_VAL, COR_DISK_DATUM_PRINTED)))
-            take(out, HUGE_VAL, "nu = -1", "nan", "a number");
+    for (enum disk_kind kind = 0; kind < DISK_KINDS; kind++)
+        if (!isnan(disk_functions[kind].value(1e-3, -1, COR_DISK_DATUM_DIAMETER)) ||
+            !isnan(disk_functions[kind].value(1e-3, -HUGE_VAL, COR_DISK_DATUM_PRINTED)))
+            outcome_take(out, HUGE_VAL, "nu = -1", "nan", "a number");
 }
 
 static const struct hard_case law_cases[] = {
@@ -263,19 +167,19 @@ static const struct hard_case law_cases[] = {
     {"W_-1 at the branch point", "half of the digits are lost: d ln W/d ln z = 1/(1 + W) has no bound",
      "the last 1000 doubles and 2000 to 2^-1 from it", "Arb", "ulp, not divided by the condition", 2, w_branch},
     {"v at the edge of the domain", "the root of 0, or of less; the domain ends a double too early or late",
-     "arguments of five laws at their limits and 1 to 2^52 ulp inside, seven nu, three datums",
+     "arguments of six laws at their limits and 1 to 2^52 ulp inside, seven nu, three datums",
      "(57) in interval arithmetic, W by Arb", "ulp", COR_DISK_LAW_MAX_ULP, edge_of_law},
     {"v at the edge of the domain", "the integrand of the time is a root with a branch point at mid-collision",
      "v at the limit and 1e-16 to 0.1 before it", "tanh-sinh rule in interval arithmetic",
      "of COR_DISK_CONTACT_TIME_MAX_ERROR", 1, edge_of_time},
     {"v = 1e-12", "v^2 exp(1 - 2 b) underflows",
-     "five laws at 1e-12, 1e-300, the smallest normal and subnormal and next to them",
+     "six laws at 1e-12, 1e-300, the smallest normal and subnormal and next to them",
      "(57) in interval arithmetic, W by Arb", "ulp", COR_DISK_LAW_MAX_ULP, slow_law},
     {"v = 1e-12", "the same in the time", "1e-12, 1e-300 and the smallest double",
      "tanh-sinh rule in interval arithmetic", "of COR_DISK_CONTACT_TIME_MAX_ERROR", 1, slow_time},
-    {"nu -> 1", "b loses digits; limits", "five laws for the last five doubles below 1; nu = 1 and beyond",
+    {"nu -> 1", "b loses digits; limits", "six laws for the last five doubles below 1; nu = 1 and beyond",
      "(57) in interval arithmetic, W by Arb", "ulp", COR_DISK_LAW_MAX_ULP, nu_to_one},
-    {"nu -> -1", "1 + nu cancels in b", "five laws for the first five doubles above -1; nu = -1 and beyond",
+    {"nu -> -1", "1 + nu cancels in b", "six laws for the first five doubles above -1; nu = -1 and beyond",
      "(57) in interval arithmetic, W by Arb", "ulp", COR_DISK_LAW_MAX_ULP, nu_to_minus_one},
 };
 

@@ -12,6 +12,7 @@
 #include "disk/equation.h"
 #include "disk/modes.h"
 #include "support/digits.h"
+#include "support/precision.h"
 
 /* One n of one disk: e = 1 + nu, s = 1 - nu */
 struct equation {
@@ -189,17 +190,18 @@ static void amplitudes(arb_t c, arb_t s, const struct equation *q, const arb_t o
  * vanishes and by the width of omega's ball, so the precision is doubled until they are narrow. */
 static bool mode_reference(arb_t root, arb_t c, arb_t s, const fmpq_t nu, slong n, const arb_t guess, slong prec)
 {
-    enum { REFERENCE_BITS = 100, DOUBLINGS = 4 };
+    enum { REFERENCE_BITS = 100, ATTEMPTS = 4 };
     bool good = false;
-    for (int i = 0; i < DOUBLINGS && !good; i++, prec *= 2) {
+    struct precision p = precision_doubling(prec, ATTEMPTS);
+    do {
         struct equation q;
-        equation_init(&q, nu, n, prec);
-        good = refine(root, &q, guess, (prec - 4 * n) / 2);
+        equation_init(&q, nu, n, p.bits);
+        good = refine(root, &q, guess, (p.bits - 4 * n) / 2);
         amplitudes(c, s, &q, root);
         good = good && arb_rel_accuracy_bits(c) >= REFERENCE_BITS &&
                (n == 0 || arb_rel_accuracy_bits(s) >= REFERENCE_BITS);
         equation_clear(&q);
-    }
+    } while (!good && precision_raise(&p));
     return good;
 }
 
@@ -245,7 +247,7 @@ static void take_solved_mode(struct outcome *out, const char *nu_text, slong n, 
     disk_mode_init(&mode);
     snprintf(input, sizeof input, "nu = %.40s, (%ld,%ld)", nu_text, n, l);
     if (disk_mode_solve(&mode, nu, n, l, PROMISED) != 0) {
-        take(out, HUGE_VAL, input, "a mode", "failed");
+        outcome_take(out, HUGE_VAL, input, "a mode", "failed");
     } else {
         const bool good = mode_reference(root, c, s, nu, n, mode.omega, prec);
         char *const exact = arb_get_str(root, 30, ARB_STR_NO_RADIUS);
@@ -255,7 +257,7 @@ static void take_solved_mode(struct outcome *out, const char *nu_text, slong n, 
         error = fmax(error, ball_relative(mode.omega, root));
         /* what C loses against omega */
         out->condition = fmax(out->condition, ball_relative(mode.c, c) / ldexp(1, -PROMISED));
-        take(out, error, input, exact, value);
+        outcome_take(out, error, input, exact, value);
         flint_free(exact);
         flint_free(value);
     }
@@ -340,7 +342,7 @@ static void near_pair_count(struct outcome *out, bool full)
                 snprintf(input, sizeof input, "nu = %g, (%d,%d), gap %.2g", t->nu, m->n, m->l, distance);
                 snprintf(expected, sizeof expected, "%d", m->l + more[j]);
                 snprintf(found, sizeof found, "%ld", number);
-                take(out, number == m->l + more[j] ? 0 : 1, input, expected, found);
+                outcome_take(out, number == m->l + more[j] ? 0 : 1, input, expected, found);
             }
         }
         disk_clear(&d);
@@ -390,7 +392,7 @@ static void take_lowest(struct outcome *out, const char *nu_text, slong count)
     fmpq_set_str(nu, nu_text, 10);
     disk_modes_init(&modes);
     if (disk_modes_solve(&modes, nu, count, DIGITS) != 0)
-        take(out, HUGE_VAL, nu_text, "modes", "failed");
+        outcome_take(out, HUGE_VAL, nu_text, "modes", "failed");
     for (slong i = 0; i < modes.count; i++) {
         const struct disk_mode *const mode = &modes.mode[i];
         char input[160];
@@ -414,7 +416,7 @@ static void take_lowest(struct outcome *out, const char *nu_text, slong count)
                      : k == 1 ? "C"
                               : "S",
                      mode->n, mode->l, nu_text);
-            take(out, error, input, truth, value != NULL ? value : "none");
+            outcome_take(out, error, input, truth, value != NULL ? value : "none");
             free(value);
             flint_free(truth);
         }

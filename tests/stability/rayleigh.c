@@ -9,7 +9,7 @@
 #include <cor/disk.h>
 #include <cor/status.h>
 
-#include "indefinite.h"
+#include "disk_reference.h"
 
 enum { BITS = 192 };
 
@@ -40,7 +40,7 @@ static void take_modes(struct outcome *out, const struct cor_disk_modes *table, 
     arb_init(value);
     const int status = cor_disk_rayleigh(table, table->count, datum, v, &r, fractions);
     if (status != COR_OK && status != COR_BEYOND_THEORY)
-        take(out, HUGE_VAL, "cor_disk_rayleigh", "COR_OK", cor_status_text(status));
+        outcome_take(out, HUGE_VAL, "cor_disk_rayleigh", "COR_OK", cor_status_text(status));
     indefinite_init(&f, v, table->nu, datum, level, BITS);
     for (size_t i = 0; i < count; i++) {
         const size_t k = which[i];
@@ -83,7 +83,7 @@ static void zero_of_quadrupole(struct outcome *out, bool full)
         if (i == 0)
             sign = value;
         else if (i == 1 && !(sign * value < 0))
-            take(out, HUGE_VAL, "the zero of I", "between 0.008 and 0.02", "no change of sign");
+            outcome_take(out, HUGE_VAL, "the zero of I", "between 0.008 and 0.02", "no change of sign");
         else if (i > 1 && value * sign > 0)
             low = v;
         else if (i > 1)
@@ -146,7 +146,7 @@ static void fraction_at_edge(struct outcome *out, bool full)
             struct cor_disk_rayleigh r;
             take_modes(out, table, COR_DISK_DATUM_CENTRE_OF_MASS, v, 7, some, 5);
             if (cor_disk_rayleigh(table, 10, COR_DISK_DATUM_CENTRE_OF_MASS, v, &r, NULL) != COR_BEYOND_THEORY)
-                take(out, HUGE_VAL, "v at the limit", "COR_BEYOND_THEORY", "no warning");
+                outcome_take(out, HUGE_VAL, "v at the limit", "COR_BEYOND_THEORY", "no warning");
         }
     }
 }

@@ -12,13 +12,11 @@
 #include <cor/sphere.h>
 #include <cor/status.h>
 
-#include "boundaries.h"
 #include "enclosure/collision.h"
 #include "pumped.h"
 #include "reference.h"
 #include "series/series.h"
 #include "series/turning_point.h"
-#include "ulp.h"
 
 enum { BITS = 160, ORDER = 28, LEFT_OUT = 80 };
 
@@ -92,7 +90,7 @@ static void loss_small(arb_t loss, arb_t slope, double beta, int end)
 }
 
 /* Every quantity of an enclosed collision, at a beta between 2^-20 and 1e6 */
-static void solve(arb_ptr value, double beta, bool unloading)
+static void collision_values(arb_ptr value, double beta, bool unloading)
 {
     struct collision c;
     arb_t x;
@@ -164,23 +162,6 @@ static void take_quantities(struct outcome *out, double beta, arb_srcptr value)
             const double y = function[q].value(beta);
             take_number(out, ball_ulp(y, value + q) / function[q].bound, function[q].name, beta, value + q, y);
         }
-}
-
-static void take_dense(struct outcome *out, double beta)
-{
-    static bool built;
-    char input[160], exact[80], value[40];
-    if (!built && reference_build() != 0)
-        abort();
-    built = true;
-    for (int q = 0; q < QUANTITIES; q++) {
-        const double y = function[q].value(beta);
-        const long double x = reference_value((enum quantity)q, beta);
-        snprintf(input, sizeof input, "%s = %.17g (%a)", function[q].name, beta, beta);
-        snprintf(exact, sizeof exact, "%.20Lg", x);
-        snprintf(value, sizeof value, "%.17g", y);
-        take(out, ulp_error(y, x, format_double) / function[q].bound, input, exact, value);
-    }
 }
 
 /* ---- beta ---- */
@@ -266,7 +247,7 @@ static void huge_beta(struct outcome *out, bool full)
     arb_ptr value = _arb_vec_init(QUANTITIES);
     static const double first[] = {7, 7.03125, 8, 16, 256};
     for (size_t i = 0; i < sizeof first / sizeof *first; i++) {
-        solve(value, first[i], full);
+        collision_values(value, first[i], full);
         take_quantities(out, first[i], value);
     }
     for (int i = 48; i < 1024; i += full ? 1 : 16)
@@ -281,8 +262,6 @@ static void huge_beta(struct outcome *out, bool full)
             power_law(value, moved(last[i], j));
             take_quantities(out, moved(last[i], j), value);
         }
-    for (int i = 0; full && i < 200000; i++)
-        take_dense(out, exp(drawn(1.9, 709.7)));
     _arb_vec_clear(value, QUANTITIES);
 }
 
@@ -324,7 +303,7 @@ static void take_special(struct outcome *out, const char *name, double x, double
     snprintf(input, sizeof input, "%s(%g)", name, x);
     snprintf(exact, sizeof exact, "%g", expected);
     snprintf(value, sizeof value, "%g", y);
-    take(out, right ? 0 : 1, input, exact, value);
+    outcome_take(out, right ? 0 : 1, input, exact, value);
 }
 
 /* As double, float and in the middle of an array */
@@ -391,25 +370,16 @@ static void negative_beta(struct outcome *out, bool full)
 
 /* ---- borders ---- */
 
+/* tests/accuracy has every edge and node, and 256 doubles to each side, by another reference. */
 static void borders(struct outcome *out, bool full)
 {
     arb_ptr value = _arb_vec_init(QUANTITIES);
-    if (full) {
-        for (int i = 1; i <= 2 * CELLS_IN_BETA; i++) /* edges and nodes */
-            for (int j = -3; j <= 3; j++) {
-                take_dense(out, moved(i / 32.0, j));
-                take_dense(out, moved(i / 32.0 * (i / 32.0), j));
-            }
-        for (size_t i = 0; i < sizeof region_boundaries / sizeof *region_boundaries; i++)
-            for (int j = -3; j <= 0; j++)
-                take_dense(out, moved(region_boundaries[i], j));
-    }
     /* edges of the first cells, of the last ones, and between */
     static const double edge[] = {1.0 / 32, 3.0 / 32, 17.0 / 32, 33.0 / 32, 65.0 / 32, 127.0 / 32, 223.0 / 32};
     for (size_t i = 0; i < 2 * sizeof edge / sizeof *edge; i++)
         for (int j = -1; j <= 1; j++) {
             const double beta = moved(i % 2 == 0 ? edge[i / 2] : edge[i / 2] * edge[i / 2], j);
-            solve(value, beta, full || beta < 2);
+            collision_values(value, beta, full || beta < 2);
             take_quantities(out, beta, value);
         }
     _arb_vec_clear(value, QUANTITIES);
@@ -514,9 +484,9 @@ static void inverse_near_zero(struct outcome *out, bool full)
         const double beta = cor_sphere_beta_zero_force(eps);
         arb_t near;
         arb_init(near);
-        solve(value, beta * (1 + 0x1p-30), false);
+        collision_values(value, beta * (1 + 0x1p-30), false);
         arb_set(near, value + EPS_ZERO_FORCE);
-        solve(value, beta, false);
+        collision_values(value, beta, false);
         arb_sub(slope, near, value + EPS_ZERO_FORCE, BITS);
         arb_set_d(off, beta);
         arb_set_d(near, beta * (1 + 0x1p-30));
@@ -544,7 +514,7 @@ static void involution(struct outcome *out, bool full)
     static const double beta[] = {1, 3, 0.125, 0.5, 1.5, 2, 2.5, 3.5, 4, 5, 6, 7, 8, 10};
     for (size_t i = 0; i < (full ? sizeof beta / sizeof *beta : 2); i++) {
         if (pumped_eps(eps, h, beta[i]) != 0)
-            take(out, HUGE_VAL, "no bracket", "", "");
+            outcome_take(out, HUGE_VAL, "no bracket", "", "");
         const double y = cor_sphere_eps_zero_overlap(beta[i]);
         take_number(out, ball_ulp(y, eps), "beta", beta[i], eps, y);
     }
@@ -574,8 +544,8 @@ static const struct hard_case sphere_cases[] = {
     {"beta negative", "a number outside the domain: collisions with negative damping end at -h*",
      "the smallest to -inf, -h* too; eps outside [0, 1]", "NaN", "wrong answers", 0, negative_beta},
     {"beta at a border of pieces", "the wrong row, or a jump",
-     "edges of cells in beta and sqrt(beta), one ulp to each side (full: every edge and node, 3 ulp)",
-     "enclosed collisions (full: `tests/accuracy`)", "of the public bounds", 1, borders},
+     "edges of cells in beta and sqrt(beta), one ulp to each side; every edge and node: `tests/accuracy`",
+     "enclosed collisions", "of the public bounds", 1, borders},
     {"eps near 0 in the inverse", "beta overflows or eps is subnormal",
      "every size of eps down to the smallest subnormal", "the closed tails in interval arithmetic; enclosed collisions",
      "ulp", COR_SPHERE_BETA_MAX_ULP, inverse_near_zero},

@@ -13,9 +13,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include <cmocka.h>
+
+#include "random.h"
+#include "support/clock.h"
 
 /* The hard cases of the spheres and of the disks, as their theory lists them, none left out; then those that the suite
  * found by itself. A name without a case fails, and so does a case without a name. */
@@ -65,14 +67,11 @@ static const char *docs = "docs/stability.md";
 
 /* ---- what the cases call ---- */
 
-static uint64_t random_state;
+static struct random_state random_state;
 
 double drawn(double low, double high)
 {
-    random_state ^= random_state >> 12;
-    random_state ^= random_state << 25;
-    random_state ^= random_state >> 27;
-    return low + (high - low) * ((double)((random_state * UINT64_C(2685821657736338717)) >> 11) * 0x1p-53);
+    return random_uniform(&random_state, low, high);
 }
 
 double moved(double x, long steps)
@@ -132,7 +131,7 @@ double ball_ulp(double computed, const arb_t exact)
     return error;
 }
 
-void take(struct outcome *out, double error, const char *input, const char *reference, const char *value)
+void outcome_take(struct outcome *out, double error, const char *input, const char *reference, const char *value)
 {
     const bool first = out->points++ == 0;
     if (first || isnan(error) || error > out->error) {
@@ -153,7 +152,7 @@ void take_number(struct outcome *out, double error, const char *name, double x, 
     char *const exact = arb_get_str(reference, 30, ARB_STR_NO_RADIUS);
     snprintf(input, sizeof input, "%s = %.17g (%a)", name, x, x);
     snprintf(computed, sizeof computed, "%.17g", value);
-    take(out, error, input, exact, computed);
+    outcome_take(out, error, input, exact, computed);
     flint_free(exact);
 }
 
@@ -210,13 +209,13 @@ static void print_csv(void)
 
 static void run_case(size_t i)
 {
-    const clock_t start = clock();
-    random_state = UINT64_C(19990101) * 2 + 1;
+    const double start = clock_processor_seconds();
+    random_state = random_seeded(19990101);
     outcomes[i] = (struct outcome){0};
     cases[i]->run(&outcomes[i], false);
     if (full)
         cases[i]->run(&outcomes[i], true);
-    seconds[i] = (double)(clock() - start) / CLOCKS_PER_SEC;
+    seconds[i] = clock_processor_seconds() - start;
 }
 
 /* ---- tests ---- */

@@ -35,7 +35,7 @@ extern const struct case_list stability_sphere, stability_generator, stability_l
     stability_collision;
 
 /* A point: kept if its error is the largest so far, a NaN included. */
-void take(struct outcome *out, double error, const char *input, const char *reference, const char *value);
+void outcome_take(struct outcome *out, double error, const char *input, const char *reference, const char *value);
 /* The same with numbers; input is `name` = x in decimal and hexadecimal. */
 void take_number(struct outcome *out, double error, const char *name, double x, const arb_t reference, double value);
 
@@ -48,7 +48,7 @@ double upper(const arb_t x); /* of |x| */
 
 /* The double so many representable numbers further from zero */
 double moved(double x, long steps);
-/* Uniform in [low, high): xorshift64*, started anew for each case */
+/* Uniform in [low, high), started anew for each case */
 double drawn(double low, double high);
 
 #endif

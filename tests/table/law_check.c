@@ -126,7 +126,7 @@ static void check_first_order(struct law_case *c, double beta)
     arb_clear(loss);
 }
 
-static int solve(struct collision *s, const struct law_case *c, const arb_t beta)
+static int case_solve(struct collision *s, const struct law_case *c, const arb_t beta)
 {
     /* beyond the threshold, and far above it, zero force is all there is */
     if (law_force_ends(&c->law) && arf_cmp_d(arb_midref(beta), 2 * c->threshold) > 0) {
@@ -153,7 +153,7 @@ static void check_inverse(struct law_case *c, int end, double beta, const arb_t 
     arb_init(wanted);
     arb_init(exact);
     arb_set_d(x, beta - step);
-    assert_int_equal(solve(&s, c, x), 0);
+    assert_int_equal(case_solve(&s, c, x), 0);
     arb_sub(slope, eps, end ? s.eps_zero_force : s.eps_zero_overlap, PREC);
     arb_set_d(exact, beta);
     arb_sub(x, exact, x, PREC);
@@ -196,7 +196,7 @@ static void check_beta(struct law_case *c, double beta, bool inverse)
     arb_init(x);
     arb_init(loss);
     arb_set_d(x, beta);
-    if (solve(&s, c, x))
+    if (case_solve(&s, c, x))
         fail_msg("%s: no collision at beta = %.17g", f->name, beta);
     for (int end = 0; end < 2; end++) {
         arb_srcptr eps = end ? s.eps_zero_force : s.eps_zero_overlap;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What the unit tests share: errors in units of the last place, and a seeded random state.
  * COR_SEED=<number> repeats a run; COR_TEST_MULTIPLIER=<number> draws that many times more points, COR_TEST_DIVISOR that
- * many times fewer, where only the use of memory is looked at. */
+ * many times fewer, where only the use of memory is looked at. COR_TEST_LONG=1, which tests/run --long sets, takes all
+ * cases where an ordinary run takes few. */
 #ifndef COR_TESTS_CHECK_H
 #define COR_TESTS_CHECK_H
 
@@ -14,8 +15,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include <cmocka.h>
+
+#include "random.h"
 
 #define check(condition, ...)                                                                                          \
     do {                                                                                                               \
@@ -56,6 +60,12 @@ static inline uint64_t check_number(const char *variable, uint64_t otherwise)
     return text != NULL && *text != '\0' ? (uint64_t)strtoull(text, NULL, 0) : otherwise;
 }
 
+/* Of processor time that this process has used */
+static inline double processor_seconds(void)
+{
+    return (double)clock() / CLOCKS_PER_SEC;
+}
+
 static inline size_t points(size_t count)
 {
     const size_t n =
@@ -63,31 +73,22 @@ static inline size_t points(size_t count)
     return n > 0 ? n : 1;
 }
 
-/* xorshift64*: enough to scatter points, the same on every machine */
-struct random_state {
-    uint64_t state;
-};
+static inline size_t few_or_all(size_t few, size_t all)
+{
+    return check_number("COR_TEST_LONG", 0) ? all : few;
+}
+
+/* Every n-th case in an ordinary run, others after each commit: tests/run sets COR_TEST_TURN to the number of commits. */
+static inline int in_turn(size_t i, size_t n)
+{
+    return (i + (size_t)check_number("COR_TEST_TURN", 0)) % few_or_all(n, 1) == 0;
+}
 
 static inline struct random_state random_start(void)
 {
     const uint64_t seed = check_number("COR_SEED", 19990101);
     print_message("seed: COR_SEED=%llu\n", (unsigned long long)seed);
-    return (struct random_state){seed * 2 + 1};
-}
-
-static inline double random_uniform(struct random_state *r, double low, double high)
-{
-    r->state ^= r->state >> 12;
-    r->state ^= r->state << 25;
-    r->state ^= r->state >> 27;
-    const uint64_t bits = r->state * UINT64_C(2685821657736338717);
-    return low + (high - low) * ((double)(bits >> 11) * 0x1p-53);
-}
-
-/* log-uniform, so that every size is as likely */
-static inline double random_log(struct random_state *r, double low, double high)
-{
-    return exp(random_uniform(r, log(low), log(high)));
+    return random_seeded(seed);
 }
 
 #endif

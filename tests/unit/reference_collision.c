@@ -263,7 +263,7 @@ static quad quad_exp(quad x)
 
 /* ---- runs until they agree ---- */
 
-static int collide(struct disk *disk, const struct effort *effort, struct course *course)
+static int disk_collide(struct disk *disk, const struct effort *effort, struct course *course)
 {
 #ifdef HAVE_QUAD
     if (effort->wide)
@@ -324,7 +324,7 @@ int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double 
         course.max_load = 0;
         course.start = course.end = NAN;
         memset(course.integral, 0, n * sizeof(double));
-        if (collide(&disk, &efforts[i], &course) != 0)
+        if (disk_collide(&disk, &efforts[i], &course) != 0)
             status = 2;
         out->error = i == 0 ? HUGE_VAL : 4 * (double)fabsl(course.eps - before);
         out->bits = efforts[i].wide ? 113 : LDBL_MANT_DIG;

@@ -247,7 +247,7 @@ static double swing_of(const struct disk *disk)
     return swing;
 }
 
-static int collide(struct disk *disk, double speed, struct reference_wall_result *out)
+static int disk_collide(struct disk *disk, double speed, struct reference_wall_result *out)
 {
     const double h = disk->wall->h, alpha = disk->wall->alpha;
     /* an exponential wall begins where its load is nothing yet */
@@ -309,7 +309,7 @@ int reference_hard_wall(const struct cor_disk_modes *modes, double speed, const 
         disk.reach = rest + 3 * n;
         disk.force = rest + 3 * n + m;
         fill(&disk, modes);
-        status = collide(&disk, speed, out);
+        status = disk_collide(&disk, speed, out);
     }
     free(disk.rim);
     free(disk.compliance);

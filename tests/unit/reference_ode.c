@@ -82,7 +82,7 @@ static long double crossing(long double (*f)(const struct jet *, long double), c
     return low + (high - low) / 2;
 }
 
-static struct reference solve(long double beta, int unloads)
+static struct reference reference_solve(long double beta, int unloads)
 {
     struct reference result = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     struct jet jet = {beta, 1, {0}, {1}, {0}};
@@ -132,10 +132,10 @@ static struct reference solve(long double beta, int unloads)
 
 struct reference reference_collision(long double beta)
 {
-    return solve(beta, 1);
+    return reference_solve(beta, 1);
 }
 
 struct reference reference_loading(long double beta)
 {
-    return solve(beta, 0);
+    return reference_solve(beta, 0);
 }

@@ -8,7 +8,6 @@
 #include <errno.h>
 #include <fenv.h>
 #include <limits.h>
-#include <time.h>
 
 #include <cor/disk.h>
 #include <cor/status.h>
@@ -38,8 +37,8 @@ static const struct cor_disk_modes *material(double nu)
     return nu < 0.5 ? &cor_disk_modes_nu033 : &cor_disk_modes_nu090;
 }
 
-static int collide(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
-                   struct cor_disk_collision *out)
+static int disk_collide(const struct cor_disk_modes *modes, size_t n, double alpha, double v, double tolerance,
+                        struct cor_disk_collision *out)
 {
     const struct cor_disk_collision_options options = {alpha, tolerance, 0, 0};
     return cor_disk_collision(modes, n, &options, v, out);
@@ -80,11 +79,11 @@ static void known_answers(void **state)
     } known[] = {{10, 0.942107627106, 1e-12}, {940, 0.9504656552925, 1e-13}, {1600, 0.9510872406816, 1e-13}};
     for (size_t i = 0; i < listed(3); i++) {
         struct cor_disk_collision out;
-        assert_int_equal(collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-12, &out), COR_OK);
+        assert_int_equal(disk_collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-12, &out), COR_OK);
         assert_true(out.error_estimate <= 1e-12);
         check(fabs(out.eps - known[i].eps) <= 0.5 * known[i].unit + 1e-12, "N = %zu: %.15f", known[i].n, out.eps);
         /* round-off allows no more, and the estimate says so; the number is as good as it can be */
-        const int status = collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-13, &out);
+        const int status = disk_collide(&cor_disk_modes_nu033, known[i].n, 500, 0.1, 1e-13, &out);
         assert_true(status == (out.error_estimate <= 1e-13 ? COR_OK : COR_TOLERANCE_NOT_REACHED));
         assert_true(out.error_estimate < 4e-13);
         print_message("N = %zu: eps = %.15f, drift %.1g, %zu steps\n", known[i].n, out.eps, out.energy_drift,
@@ -186,8 +185,8 @@ static struct cor_disk_modes radial_modes(double nu, size_t count)
 }
 
 /* Those of the lowest modes that `kept` keeps, `count` of them */
-static struct cor_disk_modes cut(const struct cor_disk_modes *modes, int (*kept)(const struct cor_disk_mode *),
-                                 size_t count)
+static struct cor_disk_modes modes_cut(const struct cor_disk_modes *modes, int (*kept)(const struct cor_disk_mode *),
+                                       size_t count)
 {
     size_t n = 0;
     for (size_t i = 0; i < modes->count && n < count; i++)
@@ -235,14 +234,14 @@ static void subsets(void **state)
         size_t count;
     } subset[] = {{of_zero, 4}, {of_five, 6}, {with_gaps, 12}, {of_one, 5}, {of_109, 1}};
     for (size_t i = 0; i < listed(sizeof subset / sizeof *subset); i++) {
-        const struct cor_disk_modes modes = cut(&cor_disk_modes_nu033, subset[i].kept, subset[i].count);
+        const struct cor_disk_modes modes = modes_cut(&cor_disk_modes_nu033, subset[i].kept, subset[i].count);
         as_reference(&modes, modes.count, 300, 0.1, 1e-11);
     }
     if (points(2) < 2)
         return;
     /* tangential modes only, then radial ones only */
     for (int k = 0; k < 2; k++) {
-        const struct cor_disk_modes modes = cut(&cor_disk_modes_nu090, any, 12);
+        const struct cor_disk_modes modes = modes_cut(&cor_disk_modes_nu090, any, 12);
         for (size_t i = 0; i < modes.count; i++)
             *(k == 0 ? &some[i].c : &some[i].s) = 0;
         as_reference(&modes, modes.count, 300, 0.1, 1e-11);
@@ -258,9 +257,9 @@ static void second_contact(void **state)
     as_reference(&modes, 1, 800, 0.1, 1e-11);
     /* the larger the tolerance, the nearer is the disk when nothing is left of the first contact */
     struct cor_disk_collision fine, coarse;
-    assert_int_equal(collide(&modes, 1, 800, 0.1, 1e-11, &fine), COR_OK);
+    assert_int_equal(disk_collide(&modes, 1, 800, 0.1, 1e-11, &fine), COR_OK);
     for (double tolerance = 1e-8; tolerance < 1e-3; tolerance *= 10) {
-        assert_int_equal(collide(&modes, 1, 800, 0.1, tolerance, &coarse), COR_OK);
+        assert_int_equal(disk_collide(&modes, 1, 800, 0.1, tolerance, &coarse), COR_OK);
         check(fabs(coarse.eps - fine.eps) <= tolerance, "second contact, tolerance %g: eps %.12f", tolerance,
               coarse.eps);
     }
@@ -304,8 +303,8 @@ static void radial(void **state)
     for (size_t i = 0; i < 2; i++) { /* the stiffness of the wall limits the step, or the fastest mode */
         const size_t n = i == 0 ? listed(N_0) : listed(N_0 / 4);
         const double alpha = i == 0 ? 500 : 100, v = i == 0 ? 0.1 : 0.02, tolerance = i == 0 ? 1e-10 : 1e-8;
-        assert_int_equal(collide(&modes, n, alpha, v, tolerance, &fine), COR_OK);
-        assert_int_equal(collide(&modes, n, alpha, v, 1e-5, &coarse), COR_OK);
+        assert_int_equal(disk_collide(&modes, n, alpha, v, tolerance, &fine), COR_OK);
+        assert_int_equal(disk_collide(&modes, n, alpha, v, 1e-5, &coarse), COR_OK);
         no_resonance(&modes, n, alpha, v, 1e-5);
         print_message("%zu modes of n = 0, alpha = %g, v = %g: eps %.13f, %zu steps, drift %.1g; at 1e-5 off %.1g, "
                       "%zu steps\n",
@@ -382,7 +381,7 @@ static void tolerances(void **state)
         size_t most = 0, least = SIZE_MAX;
         for (double tolerance = 0.1; tolerance > 2e-12; tolerance /= listed(2) == 2 ? 10 : 100) {
             kept(modes, scene[i].n, scene[i].alpha, scene[i].v, tolerance, &truth, slack, &worst);
-            collide(modes, scene[i].n, scene[i].alpha, scene[i].v, tolerance, &out);
+            disk_collide(modes, scene[i].n, scene[i].alpha, scene[i].v, tolerance, &out);
             most = out.steps > most ? out.steps : most;
             least = out.steps < least ? out.steps : least;
         }
@@ -403,7 +402,7 @@ static void random_tolerances(void **state)
         const size_t n = (size_t)random_log(&random, 1, 300);
         const double v = random_log(&random, 0.003, 0.3), alpha = random_log(&random, 50, fmin(8000, 50 / v));
         struct cor_disk_collision fine;
-        if (collide(modes, n, alpha, v, 1e-11, &fine) != COR_OK) {
+        if (disk_collide(modes, n, alpha, v, 1e-11, &fine) != COR_OK) {
             print_message("chaotic: nu = %g, N = %zu, alpha = %g, v = %g\n", modes->nu, n, alpha, v);
             chaotic++;
             continue;
@@ -421,9 +420,9 @@ static void extreme_tolerances(void **state)
 {
     (void)state;
     struct cor_disk_collision finest, coarsest;
-    collide(&cor_disk_modes_nu033, 3, 500, 0.1, COR_DISK_COLLISION_MIN_TOLERANCE, &finest);
+    disk_collide(&cor_disk_modes_nu033, 3, 500, 0.1, COR_DISK_COLLISION_MIN_TOLERANCE, &finest);
     assert_true(finest.error_estimate < 1e-12);
-    assert_int_equal(collide(&cor_disk_modes_nu033, 3, 500, 0.1, nextafter(1, 0), &coarsest), COR_OK);
+    assert_int_equal(disk_collide(&cor_disk_modes_nu033, 3, 500, 0.1, nextafter(1, 0), &coarsest), COR_OK);
     assert_true(finest.eps > 0 && finest.eps < 1 && coarsest.steps < finest.steps);
     assert_true(fabs(coarsest.eps - finest.eps) < 1);
     assert_true(fabs(finest.energy_drift) < 1e-12);
@@ -434,7 +433,7 @@ static void phi_points(void **state)
 {
     (void)state;
     struct cor_disk_collision truth, out;
-    assert_int_equal(collide(&cor_disk_modes_nu033, 10, 500, 0.1, 1e-12, &truth), COR_OK);
+    assert_int_equal(disk_collide(&cor_disk_modes_nu033, 10, 500, 0.1, 1e-12, &truth), COR_OK);
     size_t kept_from = 0;
     const size_t finer = listed(4); /* fewer angles to try for few points */
     for (size_t n = 1; n <= 512; n = n * (finer + 1) / finer + 1) {
@@ -603,7 +602,7 @@ static void corners(void **state)
         for (double tolerance = 1e-2; tolerance > 1e-5; tolerance /= 100) {
             struct cor_disk_collision out;
             const int status =
-                collide(material(corner[i].nu), corner[i].n, corner[i].alpha, corner[i].v, tolerance, &out);
+                disk_collide(material(corner[i].nu), corner[i].n, corner[i].alpha, corner[i].v, tolerance, &out);
             check(status == COR_OK && fabs(out.eps - corner[i].eps) <= tolerance,
                   "nu = %g, N = %zu, alpha = %g, v = %g: %.12f, not %.12f; %s", corner[i].nu, corner[i].n,
                   corner[i].alpha, corner[i].v, out.eps, corner[i].eps, cor_status_text(status));
@@ -637,7 +636,7 @@ static void never_touched(void **state)
     for (size_t i = 0; i < sizeof speed / sizeof *speed; i++) {
         struct cor_disk_collision out;
         memset(&out, 0, sizeof out);
-        check(collide(&cor_disk_modes_nu033, 10, 500, speed[i], 1e-8, &out) == COR_WALL_NOT_TOUCHED, "v = %g",
+        check(disk_collide(&cor_disk_modes_nu033, 10, 500, speed[i], 1e-8, &out) == COR_WALL_NOT_TOUCHED, "v = %g",
               speed[i]);
         assert_true(isnan(out.eps) && isnan(out.one_minus_eps2));
     }
@@ -658,9 +657,9 @@ static void never_ended(void **state)
     for (size_t i = 0; i < listed(sizeof scene / sizeof *scene); i++) {
         struct cor_disk_collision out;
         memset(&out, 0, sizeof out);
-        const clock_t start = clock();
-        const int status = collide(&cor_disk_modes_nu033, scene[i].n, scene[i].alpha, scene[i].v, 1e-8, &out);
-        const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+        const double start = processor_seconds();
+        const int status = disk_collide(&cor_disk_modes_nu033, scene[i].n, scene[i].alpha, scene[i].v, 1e-8, &out);
+        const double seconds = processor_seconds() - start;
         print_message("alpha = %g, v = %g, N = %zu: %s %.2f s\n", scene[i].alpha, scene[i].v, scene[i].n,
                       cor_status_text(status), seconds);
         check(status == COR_CONTACT_NOT_ENDED, "alpha = %g, v = %g: %s", scene[i].alpha, scene[i].v,

@@ -35,7 +35,7 @@ struct output {
     double softened[MOST], softened_load, greatest;
 };
 
-static void draw(struct random_state *random, double *x, size_t n, double size)
+static void numbers_draw(struct random_state *random, double *x, size_t n, double size)
 {
     for (size_t i = 0; i < n; i++)
         x[i] = random_uniform(random, -size, size);
@@ -56,23 +56,23 @@ static void draw_input(struct random_state *random, struct input *in, struct out
     in->points = COR_PANEL * (1 + (size_t)random_uniform(random, 0, (double)points / COR_PANEL));
     const size_t used = blocks * COR_LANES + 1;
     in->rim = (struct cor_rim){blocks, in->block, in->c, in->s, used, terms, points, in->by_point, in->by_term};
-    draw(random, in->shape, MOST, 0.01);
-    draw(random, in->c, CELLS, 1);
-    draw(random, in->s, CELLS, 1);
-    draw(random, in->cosine, CELLS, 1);
-    draw(random, in->sine, CELLS, 1);
-    draw(random, in->force_c, LANES, 0.01);
-    draw(random, in->force_s, LANES, 0.01);
-    draw(random, in->by_point, MOST * MOST, 0.003); /* alpha x stays below 700 */
-    draw(random, in->by_term, MOST * MOST, 1);
+    numbers_draw(random, in->shape, MOST, 0.01);
+    numbers_draw(random, in->c, CELLS, 1);
+    numbers_draw(random, in->s, CELLS, 1);
+    numbers_draw(random, in->cosine, CELLS, 1);
+    numbers_draw(random, in->sine, CELLS, 1);
+    numbers_draw(random, in->force_c, LANES, 0.01);
+    numbers_draw(random, in->force_s, LANES, 0.01);
+    numbers_draw(random, in->by_point, MOST * MOST, 0.003); /* alpha x stays below 700 */
+    numbers_draw(random, in->by_term, MOST * MOST, 1);
     in->offset = random_uniform(random, -1.1, 0);
     in->alpha = random_log(random, 1, 8000);
     in->factor = random_log(random, 1e-3, 1);
     for (size_t j = 0; j < MOST; j++)
         in->weight[j] = random_log(random, 1e-4, 1);
     memset(start, 0, sizeof *start);
-    draw(random, start->q, CELLS, 0.1);
-    draw(random, start->p, CELLS, 0.1);
+    numbers_draw(random, start->q, CELLS, 0.1);
+    numbers_draw(random, start->p, CELLS, 0.1);
 }
 
 static void pass_through(const struct cor_collision_loops *loops, const struct input *in, struct output *out)

@@ -24,8 +24,8 @@ static struct cor_disk_modes modes_of(double nu, size_t levels)
     return modes;
 }
 
-static struct cor_disk_hard_wall collide(const struct cor_disk_modes *modes, double speed, double tolerance,
-                                         int expected)
+static struct cor_disk_hard_wall wall_collide(const struct cor_disk_modes *modes, double speed, double tolerance,
+                                              int expected)
 {
     const struct cor_disk_hard_wall_options options = {tolerance};
     struct cor_disk_hard_wall out;
@@ -54,7 +54,7 @@ static void known_answers(void **state)
     } known[] = {{0.03, 0.0332486, 5e-7}, {0.1, 0.1030896, 5e-7}, {0.3, 0.293641, 3e-6}};
     const struct cor_disk_modes modes = modes_of(0.33, 10);
     for (size_t i = 0; i < 3; i++) {
-        const struct cor_disk_hard_wall out = collide(&modes, known[i].speed, 1e-5, COR_OK);
+        const struct cor_disk_hard_wall out = wall_collide(&modes, known[i].speed, 1e-5, COR_OK);
         print_message("v = %g: 1 - eps^2 = %.8f +- %.0e, %zu levels, contact time %.5f\n", known[i].speed,
                       out.one_minus_eps2, out.error_estimate, out.omega_levels, out.contact_time);
         check(fabs(out.one_minus_eps2 - known[i].one_minus_eps2) < 1e-6 + known[i].error, "v = %g: %.8f, not %.7f",
@@ -140,7 +140,7 @@ static void slower_and_slower(void **state)
     double apart = INFINITY;
     for (size_t i = 0; i < 5; i++) {
         const double speed = pow(10, exponents[i]);
-        const struct cor_disk_hard_wall out = collide(&modes, speed, 1e-5, COR_OK);
+        const struct cor_disk_hard_wall out = wall_collide(&modes, speed, 1e-5, COR_OK);
         struct cor_disk_rayleigh rayleigh;
         assert_int_equal(
             cor_disk_rayleigh(&cor_disk_modes_nu033, 1800, COR_DISK_DATUM_CENTRE_OF_MASS, speed, &rayleigh, NULL),
@@ -169,15 +169,15 @@ static void joins(void **state)
     (void)state;
     const struct cor_disk_modes modes = modes_of(0.33, 8);
     const double speed = COR_DISK_HARD_WALL_POINT_SPEED;
-    const struct cor_disk_hard_wall full = collide(&modes, speed, 1e-5, COR_OK);
-    const struct cor_disk_hard_wall point = collide(&modes, nextafter(speed, 0), 1e-5, COR_OK);
+    const struct cor_disk_hard_wall full = wall_collide(&modes, speed, 1e-5, COR_OK);
+    const struct cor_disk_hard_wall point = wall_collide(&modes, nextafter(speed, 0), 1e-5, COR_OK);
     check(fabs(full.one_minus_eps2 - point.one_minus_eps2) < 2e-6, "%.9f and %.9f", full.one_minus_eps2,
           point.one_minus_eps2);
     check(fabs(full.contact_time / point.contact_time - 1) < 1e-3, "%g and %g", full.contact_time, point.contact_time);
     check(fabs(full.max_compression / point.max_compression - 1) < 1e-4, "%g and %g", full.max_compression,
           point.max_compression);
-    const struct cor_disk_hard_wall slow = collide(&modes, DBL_MIN, 1e-5, COR_OK),
-                                    slowest = collide(&modes, ldexp(1, -1074), 1e-5, COR_OK);
+    const struct cor_disk_hard_wall slow = wall_collide(&modes, DBL_MIN, 1e-5, COR_OK),
+                                    slowest = wall_collide(&modes, ldexp(1, -1074), 1e-5, COR_OK);
     print_message("v = %g: %.8f at %.9f and %.9f; smallest normal double %.3e, smallest %.3e\n", speed,
                   full.one_minus_eps2, full.one_minus_eps2, point.one_minus_eps2, slow.one_minus_eps2,
                   slowest.one_minus_eps2);
@@ -193,7 +193,7 @@ static void without_a_table(void **state)
     const struct cor_disk_hard_wall_options options = {1e-5};
     const struct cor_disk_modes modes = modes_of(0.25, 9);
     struct cor_disk_hard_wall out;
-    const struct cor_disk_hard_wall by_table = collide(&modes, 0.02, 1e-5, COR_OK);
+    const struct cor_disk_hard_wall by_table = wall_collide(&modes, 0.02, 1e-5, COR_OK);
     assert_int_equal(cor_disk_hard_wall_nu(0.25, &options, 0.02, &out), COR_OK);
     check(fabs(out.one_minus_eps2 - by_table.one_minus_eps2) < 1e-10 && out.omega_levels == by_table.omega_levels,
           "%.12f and %.12f, %zu and %zu levels", out.one_minus_eps2, by_table.one_minus_eps2, out.omega_levels,

@@ -31,7 +31,7 @@ enum {
     TERMS = 301
 };
 
-static void draw(struct random_state *random, double *x, size_t n, double size)
+static void numbers_draw(struct random_state *random, double *x, size_t n, double size)
 {
     for (size_t i = 0; i < n; i++)
         x[i] = random_uniform(random, -size, size);
@@ -63,20 +63,20 @@ static void draw_input(struct random_state *random, struct input *in, struct out
     in->terms = (size_t)random_uniform(random, 0, TERMS + 1);
     in->points = COR_HARD_WALL_PANEL * (1 + (size_t)random_uniform(random, 0, 8));
     in->length = COR_HARD_WALL_LANES * (size_t)random_uniform(random, 0, MOST / COR_HARD_WALL_LANES + 1);
-    draw(random, in->turn, CELLS, 2);
-    draw(random, in->c, CELLS, 1);
-    draw(random, in->s, CELLS, 1);
-    draw(random, in->force_c, BATCH * LANES, 1);
-    draw(random, in->force_s, BATCH * LANES, 1);
-    draw(random, in->factor, TERMS, 1);
-    draw(random, in->x, MOST, 1);
-    draw(random, in->y, MOST, 1);
+    numbers_draw(random, in->turn, CELLS, 2);
+    numbers_draw(random, in->c, CELLS, 1);
+    numbers_draw(random, in->s, CELLS, 1);
+    numbers_draw(random, in->force_c, BATCH * LANES, 1);
+    numbers_draw(random, in->force_s, BATCH * LANES, 1);
+    numbers_draw(random, in->factor, TERMS, 1);
+    numbers_draw(random, in->x, MOST, 1);
+    numbers_draw(random, in->y, MOST, 1);
     in->by = random_uniform(random, -2, 2);
     in->angle = random_log(random, 1e-3, 0.1);
     for (int i = 0; i < MOST; i++)
         in->twice_cosine[i] = 2 * cos(i * in->angle);
-    draw(random, start->q, CELLS, 1);
-    draw(random, start->before, CELLS, 1);
+    numbers_draw(random, start->q, CELLS, 1);
+    numbers_draw(random, start->before, CELLS, 1);
 }
 
 static void pass_through(const struct cor_hard_wall_loops *loops, const struct input *in, struct output *out)

@@ -126,7 +126,7 @@ static void add_mode(struct text *t, const struct cor_disk_mode *m)
     add_line(t, "mode %d %d %a %a %a", m->n, m->l, m->omega, m->c, m->s);
 }
 
-static struct text start(void)
+static struct text text_start(void)
 {
     const size_t room = (CAPACITY + 10) * LINE_MAX_LENGTH;
     return (struct text){test_malloc(room), 0, 2166136261u};
@@ -134,7 +134,7 @@ static struct text start(void)
 
 static struct text with_header(size_t count)
 {
-    struct text t = start();
+    struct text t = text_start();
     add_line(&t, "cor-disk-modes 1");
     add_line(&t, "source a test");
     add_line(&t, "poisson %a 0.33", 0.33);
@@ -248,7 +248,7 @@ static void first_line(void **state)
                                          "n,l,omega,C,S\n"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         refused(others[i], strlen(others[i]), COR_ERROR_FILE_VERSION, 1, others[i]);
-    struct text t = start();
+    struct text t = text_start();
     add_line(&t, "cor-disk-modes 2");
     refused(t.bytes, t.length, COR_ERROR_FILE_VERSION, 1, "version 2 in good order");
     test_free(t.bytes);
@@ -265,7 +265,7 @@ static void harmed_lines(void **state)
     static const char *const poisson[] = {"0x1p+0 1",    "-0x1p+0 -1", "0x1.8p+1 3", "0.33 0.33", "0x1.5p-2",   "nan 0",
                                           "0x1p+1024 0", " 0x1p-2 0",  "0x2p-3 0",   "0x1.p-2",   "0x1p-1023 0"};
     for (size_t i = 0; i < sizeof poisson / sizeof *poisson; i++) {
-        t = start();
+        t = text_start();
         add_line(&t, "cor-disk-modes 1");
         add_line(&t, "source a test");
         add_line(&t, "poisson %s", poisson[i]);
@@ -273,7 +273,7 @@ static void harmed_lines(void **state)
     }
     static const char *const count[] = {"0", "-1", "18446744073709551616", "1 ", "1x", "0x1", ""};
     for (size_t i = 0; i < sizeof count / sizeof *count; i++) {
-        t = start();
+        t = text_start();
         add_line(&t, "cor-disk-modes 1");
         add_line(&t, "source a test");
         add_line(&t, "poisson 0x1p-2 0.25");

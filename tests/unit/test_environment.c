@@ -37,7 +37,7 @@ struct results {
     int count;
 };
 
-static void put(struct results *r, double value)
+static void results_put(struct results *r, double value)
 {
     assert_in_range(r->count, 0, MOST_RESULTS - 1);
     r->tolerance[r->count] = 1e-9;
@@ -48,7 +48,7 @@ static void put(struct results *r, double value)
 /* A float may become its neighbour. */
 static void put_float(struct results *r, float value)
 {
-    put(r, (double)value);
+    results_put(r, (double)value);
     r->tolerance[r->count - 1] = (double)FLT_EPSILON;
     r->least[r->count - 1] = (double)FLT_MIN;
 }
@@ -65,7 +65,7 @@ typedef void call(const struct arguments *a, struct results *r);
 #define SPHERE_CALL(name, argument)                                                                                    \
     static void call_##name(const struct arguments *a, struct results *r)                                              \
     {                                                                                                                  \
-        put(r, cor_sphere_##name(a->argument));                                                                        \
+        results_put(r, cor_sphere_##name(a->argument));                                                                \
         put_float(r, cor_sphere_##name##f(a->argument##f));                                                            \
     }                                                                                                                  \
     static void call_##name##_array(const struct arguments *a, struct results *r)                                      \
@@ -79,7 +79,7 @@ typedef void call(const struct arguments *a, struct results *r);
         cor_sphere_##name##_array(x, y, ARRAY);                                                                        \
         cor_sphere_##name##_arrayf(xf, yf, ARRAY);                                                                     \
         for (int i = 0; i < 5; i++) {                                                                                  \
-            put(r, y[i]);                                                                                              \
+            results_put(r, y[i]);                                                                                      \
             put_float(r, yf[i]);                                                                                       \
         }                                                                                                              \
     }
@@ -97,61 +97,61 @@ SPHERE_CALL(time_of_max_overlap, beta)
 /* generated/cor_sphere.h */
 static void call_inline(const struct arguments *a, struct results *r)
 {
-    put(r, cor_inline_eps_zero_overlap(a->beta));
-    put(r, cor_inline_eps_zero_force(a->beta));
-    put(r, cor_inline_loss_zero_overlap(a->beta));
-    put(r, cor_inline_loss_zero_force(a->beta));
-    put(r, cor_inline_eps_zero_overlap_root(a->beta));
-    put(r, cor_inline_eps_zero_force_root(a->beta));
+    results_put(r, cor_inline_eps_zero_overlap(a->beta));
+    results_put(r, cor_inline_eps_zero_force(a->beta));
+    results_put(r, cor_inline_loss_zero_overlap(a->beta));
+    results_put(r, cor_inline_loss_zero_force(a->beta));
+    results_put(r, cor_inline_eps_zero_overlap_root(a->beta));
+    results_put(r, cor_inline_eps_zero_force_root(a->beta));
 }
 
 static void call_inline_times(const struct arguments *a, struct results *r)
 {
-    put(r, cor_inline_duration_zero_overlap(a->beta));
-    put(r, cor_inline_duration_zero_force(a->beta));
-    put(r, cor_inline_max_overlap(a->beta));
-    put(r, cor_inline_time_of_max_overlap(a->beta));
-    put(r, cor_inline_beta_zero_overlap(a->eps));
-    put(r, cor_inline_beta_zero_force(a->eps));
+    results_put(r, cor_inline_duration_zero_overlap(a->beta));
+    results_put(r, cor_inline_duration_zero_force(a->beta));
+    results_put(r, cor_inline_max_overlap(a->beta));
+    results_put(r, cor_inline_time_of_max_overlap(a->beta));
+    results_put(r, cor_inline_beta_zero_overlap(a->eps));
+    results_put(r, cor_inline_beta_zero_force(a->eps));
 }
 
 static void call_formulas_of_1999(const struct arguments *a, struct results *r)
 {
-    put(r, cor_sphere_eps_simple(a->beta));
-    put(r, cor_sphere_eps_simple_fraction(a->beta, 5));
-    put(r, cor_sphere_eps_published_pade(a->beta));
+    results_put(r, cor_sphere_eps_simple(a->beta));
+    results_put(r, cor_sphere_eps_simple_fraction(a->beta, 5));
+    results_put(r, cor_sphere_eps_published_pade(a->beta));
 }
 
 static void call_contact_init(const struct arguments *a, struct results *r)
 {
     struct cor_sphere_contact contact;
-    put(r, cor_sphere_contact_init(&contact, &a->body[0], &a->body[1]));
-    put(r, contact.beta_per_root);
-    put(r, contact.scale);
-    put(r, contact.beta5_per_speed);
-    put(r, cor_sphere_contact_init_g_star(&contact, a->speed > 0 ? a->speed : 1));
-    put(r, contact.beta_per_root);
-    put(r, contact.beta5_per_speed);
-    put(r, cor_contact_g_star_m_s(&contact));
-    put(r, cor_contact_g_star_m_s(&a->contact));
-    put(r, cor_dissipation_time_s(a->body[0].radius_m, a->body[1].mass_kg, a->body[0].young_modulus_pa, 0.25));
-    put(r, cor_sphere_mass_kg(a->body[0].radius_m, a->body[1].mass_kg));
+    results_put(r, cor_sphere_contact_init(&contact, &a->body[0], &a->body[1]));
+    results_put(r, contact.beta_per_root);
+    results_put(r, contact.scale);
+    results_put(r, contact.beta5_per_speed);
+    results_put(r, cor_sphere_contact_init_g_star(&contact, a->speed > 0 ? a->speed : 1));
+    results_put(r, contact.beta_per_root);
+    results_put(r, contact.beta5_per_speed);
+    results_put(r, cor_contact_g_star_m_s(&contact));
+    results_put(r, cor_contact_g_star_m_s(&a->contact));
+    results_put(r, cor_dissipation_time_s(a->body[0].radius_m, a->body[1].mass_kg, a->body[0].young_modulus_pa, 0.25));
+    results_put(r, cor_sphere_mass_kg(a->body[0].radius_m, a->body[1].mass_kg));
 }
 
 static void call_contact_eps(const struct arguments *a, struct results *r)
 {
-    put(r, cor_contact_eps_zero_overlap(&a->contact, a->speed));
-    put(r, cor_contact_eps_zero_force(&a->contact, a->speed));
+    results_put(r, cor_contact_eps_zero_overlap(&a->contact, a->speed));
+    results_put(r, cor_contact_eps_zero_force(&a->contact, a->speed));
 }
 
 static void call_contact(const struct arguments *a, struct results *r)
 {
-    put(r, cor_contact_beta(&a->contact, a->speed));
-    put(r, cor_contact_duration_s_zero_overlap(&a->contact, a->speed));
-    put(r, cor_contact_duration_s_zero_force(&a->contact, a->speed));
-    put(r, cor_contact_max_overlap_m(&a->contact, a->speed));
-    put(r, cor_contact_dissipation_time_s_zero_overlap(&a->contact, a->speed, a->eps));
-    put(r, cor_contact_dissipation_time_s_zero_force(&a->contact, a->speed, a->eps));
+    results_put(r, cor_contact_beta(&a->contact, a->speed));
+    results_put(r, cor_contact_duration_s_zero_overlap(&a->contact, a->speed));
+    results_put(r, cor_contact_duration_s_zero_force(&a->contact, a->speed));
+    results_put(r, cor_contact_max_overlap_m(&a->contact, a->speed));
+    results_put(r, cor_contact_dissipation_time_s_zero_overlap(&a->contact, a->speed, a->eps));
+    results_put(r, cor_contact_dissipation_time_s_zero_force(&a->contact, a->speed, a->eps));
 }
 
 static void call_contact_arrays(const struct arguments *a, struct results *r)
@@ -163,8 +163,8 @@ static void call_contact_arrays(const struct arguments *a, struct results *r)
     }
 #define CONTACT_ARRAY(name)                                                                                            \
     cor_contact_##name##_array(&a->contact, g, y, ARRAY);                                                              \
-    put(r, y[3]);                                                                                                      \
-    put(r, y[4]);
+    results_put(r, y[3]);                                                                                              \
+    results_put(r, y[4]);
     CONTACT_ARRAY(beta)
     CONTACT_ARRAY(eps_zero_overlap)
     CONTACT_ARRAY(eps_zero_force)
@@ -172,46 +172,46 @@ static void call_contact_arrays(const struct arguments *a, struct results *r)
     CONTACT_ARRAY(duration_s_zero_force)
     CONTACT_ARRAY(max_overlap_m)
     cor_contact_dissipation_time_s_zero_overlap_array(&a->contact, g, eps, y, ARRAY);
-    put(r, y[17]);
+    results_put(r, y[17]);
     cor_contact_dissipation_time_s_zero_force_array(&a->contact, g, eps, y, ARRAY);
-    put(r, y[17]);
+    results_put(r, y[17]);
 }
 
 static void call_disk_limits(const struct arguments *a, struct results *r)
 {
-    put(r, cor_disk_load_limit(a->nu, a->datum));
-    put(r, cor_disk_compression_limit(a->nu, a->datum));
-    put(r, cor_disk_energy_limit(a->nu, a->datum));
-    put(r, cor_disk_speed_limit(a->nu, a->datum));
+    results_put(r, cor_disk_load_limit(a->nu, a->datum));
+    results_put(r, cor_disk_compression_limit(a->nu, a->datum));
+    results_put(r, cor_disk_energy_limit(a->nu, a->datum));
+    results_put(r, cor_disk_speed_limit(a->nu, a->datum));
 }
 
 static void call_disk_law(const struct arguments *a, struct results *r)
 {
-    put(r, cor_disk_load(a->compression, a->nu, a->datum));
-    put(r, cor_disk_compression(a->load, a->nu, a->datum));
-    put(r, cor_disk_energy(a->load, a->nu, a->datum));
-    put(r, cor_disk_load_of_energy(a->energy, a->nu, a->datum));
-    put(r, cor_disk_max_load(a->disk_speed, a->nu, a->datum));
-    put(r, cor_disk_max_compression(a->disk_speed, a->nu, a->datum));
-    put(r, cor_disk_contact_time(a->disk_speed, a->nu, a->datum));
+    results_put(r, cor_disk_load(a->compression, a->nu, a->datum));
+    results_put(r, cor_disk_compression(a->load, a->nu, a->datum));
+    results_put(r, cor_disk_energy(a->load, a->nu, a->datum));
+    results_put(r, cor_disk_load_of_energy(a->energy, a->nu, a->datum));
+    results_put(r, cor_disk_max_load(a->disk_speed, a->nu, a->datum));
+    results_put(r, cor_disk_max_compression(a->disk_speed, a->nu, a->datum));
+    results_put(r, cor_disk_contact_time(a->disk_speed, a->nu, a->datum));
 }
 
 static void call_leading_logarithm(const struct arguments *a, struct results *r)
 {
-    put(r, cor_disk_compression_leading_log(4 * a->part[1]));
-    put(r, cor_disk_load_leading_log(2 * a->part[3]));
-    put(r, cor_disk_energy_leading_log(2 * a->part[3]));
-    put(r, cor_disk_max_compression_leading_log(4 * a->part[0]));
-    put(r, cor_disk_contact_time_leading_log(4 * a->part[0]));
+    results_put(r, cor_disk_compression_leading_log(4 * a->part[1]));
+    results_put(r, cor_disk_load_leading_log(2 * a->part[3]));
+    results_put(r, cor_disk_energy_leading_log(2 * a->part[3]));
+    results_put(r, cor_disk_max_compression_leading_log(4 * a->part[0]));
+    results_put(r, cor_disk_contact_time_leading_log(4 * a->part[0]));
 }
 
 static void call_disk_eps(const struct arguments *a, struct results *r)
 {
     const double v = fmax(0.25 * a->part[0], COR_DISK_EPS_MIN_SPEED), nu = fmax(0.75 * a->nu, COR_DISK_EPS_MIN_NU);
-    put(r, cor_disk_eps(v, nu));
-    put(r, cor_disk_eps_uncertainty(v, nu));
-    put(r, cor_disk_one_minus_eps2(v, nu));
-    put(r, cor_disk_one_minus_eps2_uncertainty(v, nu));
+    results_put(r, cor_disk_eps(v, nu));
+    results_put(r, cor_disk_eps_uncertainty(v, nu));
+    results_put(r, cor_disk_one_minus_eps2(v, nu));
+    results_put(r, cor_disk_one_minus_eps2_uncertainty(v, nu));
 }
 
 static void call_rayleigh(const struct arguments *a, struct results *r)
@@ -221,15 +221,15 @@ static void call_rayleigh(const struct arguments *a, struct results *r)
     size_t modes = 0;
     const struct cor_disk_modes *const table = a->nu < 0.5 ? &cor_disk_modes_nu033 : &cor_disk_modes_nu090;
     const double v = fmin(a->part[0], cor_disk_speed_limit(table->nu, a->datum));
-    put(r, cor_disk_rayleigh(table, a->modes, a->datum, v, &out, fraction));
-    put(r, out.fraction);
-    put(r, out.tail);
-    put(r, out.error_estimate);
-    put(r, out.contact_time);
-    put(r, fraction[a->modes - 1]);
-    put(r, cor_disk_rayleigh_tolerance(table, a->datum, v, 0.05, &out, &modes));
-    put(r, out.fraction);
-    put(r, (double)modes);
+    results_put(r, cor_disk_rayleigh(table, a->modes, a->datum, v, &out, fraction));
+    results_put(r, out.fraction);
+    results_put(r, out.tail);
+    results_put(r, out.error_estimate);
+    results_put(r, out.contact_time);
+    results_put(r, fraction[a->modes - 1]);
+    results_put(r, cor_disk_rayleigh_tolerance(table, a->datum, v, 0.05, &out, &modes));
+    results_put(r, out.fraction);
+    results_put(r, (double)modes);
 }
 
 static void call_rayleigh_array(const struct arguments *a, struct results *r)
@@ -238,15 +238,15 @@ static void call_rayleigh_array(const struct arguments *a, struct results *r)
     double v[28];
     for (int i = 0; i < 28; i++)
         v[i] = i == 0 ? fmin(a->part[0], cor_disk_speed_limit(0.33, a->datum)) : ldexp(1 + i, -15);
-    put(r, cor_disk_rayleigh_array(&cor_disk_modes_nu033, a->modes, a->datum, v, 28, out, NULL, NULL));
-    put(r, out[0].fraction);
-    put(r, out[27].fraction);
-    put(r, out[27].tail);
+    results_put(r, cor_disk_rayleigh_array(&cor_disk_modes_nu033, a->modes, a->datum, v, 28, out, NULL, NULL));
+    results_put(r, out[0].fraction);
+    results_put(r, out[27].fraction);
+    results_put(r, out[27].tail);
 }
 
 static void call_statuses(const struct arguments *a, struct results *r)
 {
-    put(r, cor_status_text((int)a->modes)[0]);
+    results_put(r, cor_status_text((int)a->modes)[0]);
 }
 
 /* share: of the arguments, for what takes long. unit: every result is in [0, 1]. exact: no mode changes a bit. */
@@ -327,7 +327,7 @@ static struct cor_body random_body(struct random_state *random)
     return body;
 }
 
-static void draw(struct arguments *a, struct random_state *random)
+static void arguments_draw(struct arguments *a, struct random_state *random)
 {
     a->beta = positive(random);
     a->speed = positive(random);
@@ -377,7 +377,7 @@ static int setup(void **state)
     (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < DRAWS; i++) {
-        draw(&arguments[i], &random);
+        arguments_draw(&arguments[i], &random);
         arguments[i].has_subnormal = has_subnormal(&arguments[i]);
     }
     for (size_t k = 0; k < CALLS; k++)

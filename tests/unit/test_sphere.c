@@ -152,7 +152,7 @@ struct worst {
     double at[FUNCTIONS];
 };
 
-static void take(struct worst *worst, int k, double beta, long double exact)
+static void worst_take(struct worst *worst, int k, double beta, long double exact)
 {
     const long double error = ulp_error(functions[k].value(beta), exact);
     if (!(error <= worst->error[k])) {
@@ -161,7 +161,7 @@ static void take(struct worst *worst, int k, double beta, long double exact)
     }
 }
 
-static void report(const struct worst *worst)
+static void worst_report(const struct worst *worst)
 {
     for (int k = 0; k < FUNCTIONS; k++) {
         if (worst->at[k] == 0)
@@ -184,10 +184,10 @@ static void against_the_equation_of_motion(void **state)
             /* 1 - eps has lost its digits where it is small: other tests look there */
             const long double exact = field(&r, &functions[k]);
             if (exact > 0.02L || functions[k].at_zero != 0)
-                take(&worst, k, beta, exact);
+                worst_take(&worst, k, beta, exact);
         }
     }
-    report(&worst);
+    worst_report(&worst);
 }
 
 /* Beyond the tables' uniform part: loading alone, h*^5 beta^-5, and no digit more than the reference has. */
@@ -205,10 +205,10 @@ static void strong_damping(void **state)
         for (int k = 0; k < FUNCTIONS; k++) {
             const long double exact = field(&r, &functions[k]);
             if (!isnan(exact) && !(functions[k].value == cor_sphere_duration_zero_force && beta > 60))
-                take(&worst, k, beta, exact);
+                worst_take(&worst, k, beta, exact);
         }
     }
-    report(&worst);
+    worst_report(&worst);
 }
 
 /* Where mu = beta^(-5/3) is below the last bit, everything but the duration at zero overlap is in closed form
@@ -225,15 +225,15 @@ static void infinitely_strong_damping(void **state)
         const double beta = i == 0 ? DBL_MAX : random_log(&random, 1e14, DBL_MAX);
         const long double u = logl(beta), root = cbrtl(beta), scale = 1 / (root * root);
         const long double square = (long double)beta * beta;
-        take(&worst, 0, beta, h_star_5 / square / square / beta);
-        take(&worst, 1, beta, x * scale / beta);
-        take(&worst, 2, beta, 1);
-        take(&worst, 3, beta, 1 - x * scale / beta);
-        take(&worst, 5, beta, scale * x * 2 / 3 * (10 * u / 3 + logl(3 / sqrtl(x)) + constant));
-        take(&worst, 6, beta, x * scale);
-        take(&worst, 7, beta, scale * x * 2 / 3 * (5 * u / 3 + logl(3 / x) + constant));
+        worst_take(&worst, 0, beta, h_star_5 / square / square / beta);
+        worst_take(&worst, 1, beta, x * scale / beta);
+        worst_take(&worst, 2, beta, 1);
+        worst_take(&worst, 3, beta, 1 - x * scale / beta);
+        worst_take(&worst, 5, beta, scale * x * 2 / 3 * (10 * u / 3 + logl(3 / sqrtl(x)) + constant));
+        worst_take(&worst, 6, beta, x * scale);
+        worst_take(&worst, 7, beta, scale * x * 2 / 3 * (5 * u / 3 + logl(3 / x) + constant));
     }
-    report(&worst);
+    worst_report(&worst);
     /* (10/3) beta ln(beta) + constant beta, the constant from beta = 1e6: corrections are below mu ln(beta)^2 */
     const long double offset = 44460573.4621438107589L / 1e6L - 10 * logl(1e6L) / 3;
     for (double beta = 1e8; beta < 1e300; beta *= 1e7)
@@ -530,10 +530,10 @@ static void right_at_boundaries(void **state)
             const struct reference r = reference_collision(beta[side]);
             for (int k = 0; k < FUNCTIONS; k++)
                 if (field(&r, &functions[k]) > 0.02L || functions[k].at_zero != 0)
-                    take(&worst, k, beta[side], field(&r, &functions[k]));
+                    worst_take(&worst, k, beta[side], field(&r, &functions[k]));
         }
     }
-    report(&worst);
+    worst_report(&worst);
 }
 
 /* The inverse near the eps of every boundary. */

@@ -109,7 +109,7 @@ static void lengths_and_places(void **state)
 enum { MANY = 20000, CONTACTS = 6 };
 
 struct arguments {
-    double x[MANY], eps[MANY];
+    double x[MANY], eps[MANY], inside[MANY]; /* inside: 0.01 to 0.99, where every function has a table */
     struct cor_sphere_contact contact[CONTACTS];
 };
 
@@ -142,6 +142,9 @@ static void check_sphere(const char *set, const char *name, cor_sphere_array *ar
             check(same(y[i], value(a->x[i])), "%s, %s(%a)", set, name, a->x[i]);
         check(y[n] == 7, "%s, %s wrote past the end", set, name);
     }
+    array(a->inside, y, MANY); /* blocks without a number to compute alone */
+    for (size_t i = 0; i < MANY; i++)
+        check(same(y[i], value(a->inside[i])), "%s, %s(%a)", set, name, a->inside[i]);
     for (size_t n = 1; n < 20; n++) { /* short ones, in place */
         memcpy(y, a->x, sizeof a->x);
         array(y + n, y + n, n);
@@ -206,6 +209,9 @@ static void every_set(void **state)
     fill(a.x, MANY);
     for (int i = 0; i < MANY; i++)
         a.eps[i] = fabs(a.x[MANY - 1 - i]) < 2 ? fabs(a.x[MANY - 1 - i]) : 1 / (1 + fabs(a.x[i]));
+    struct random_state random = random_start();
+    for (int i = 0; i < MANY; i++)
+        a.inside[i] = random_uniform(&random, 0.01, 0.99);
     fill_contacts(a.contact);
     for (int s = 0; s < COR_INSTRUCTION_SETS; s++) {
         const struct cor_array_set *set = cor_array_set(s);

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT */
+/* The random numbers of all tests: xorshift64* (Vigna, ACM Trans. Math. Softw. 42, 30, 2016), which scatters points well
+ * enough and gives the same ones on every machine. */
+#ifndef COR_TESTS_RANDOM_H
+#define COR_TESTS_RANDOM_H
+
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+struct random_state {
+    uint64_t state; /* not 0 */
+};
+
+static inline struct random_state random_seeded(uint64_t seed)
+{
+    return (struct random_state){seed * 2 + 1};
+}
+
+static inline uint64_t random_bits(struct random_state *r)
+{
+    r->state ^= r->state >> 12;
+    r->state ^= r->state << 25;
+    r->state ^= r->state >> 27;
+    return r->state * UINT64_C(2685821657736338717);
+}
+
+/* 0, 1, ... or n - 1 */
+static inline size_t random_below(struct random_state *r, size_t n)
+{
+    return (size_t)(random_bits(r) % n);
+}
+
+static inline double random_uniform(struct random_state *r, double low, double high)
+{
+    return low + (high - low) * ((double)(random_bits(r) >> 11) * 0x1p-53);
+}
+
+/* log-uniform, so that every size is as likely */
+static inline double random_log(struct random_state *r, double low, double high)
+{
+    return exp(random_uniform(r, log(low), log(high)));
+}
+
+/* Any nonnegative double below limit, every bit pattern as likely */
+static inline double random_pattern(struct random_state *r, double limit)
+{
+    uint64_t bits;
+    double x;
+    memcpy(&bits, &limit, sizeof bits);
+    bits = random_bits(r) % bits;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+#endif
