@@ -3,7 +3,6 @@
  * (generated/hunt_crossley_tables.h), quadrature for every other exponent and for negative damping. */
 #include "cor/law.h"
 #include "generated/hunt_crossley_tables.h"
-#include "runtime/core/environment.h"
 #include "runtime/core/row.h"
 #include "runtime/law/define.h"
 #include "runtime/law/hunt_crossley.h"
@@ -106,11 +105,6 @@ static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables 
     return cor_inline_pair_times(cor_kernel_exp_minus_pair(exponent), factor);
 }
 
-static double crossley_far_duration(const struct crossley_tables *tables, double beta, struct cor_inline_pair s)
-{
-    return cor_pair_plus(crossley_far_rebound(tables, beta, s), crossley_max(tables, beta)).hi;
-}
-
 static double crossley_table_duration(const struct crossley_tables *tables, double beta)
 {
     if (isinf(beta))
@@ -121,14 +115,7 @@ static double crossley_table_duration(const struct crossley_tables *tables, doub
             crossley_row(COR_INLINE_GRID(COR_ROWS_CROSSLEY_DURATION_1), tables->duration_rows, s);
         return t.hi;
     }
-    if (beta < COR_INLINE_2_1000)
-        return crossley_far_duration(tables, beta, s);
-    /* Compilers fill unused lanes of vectors with doubles whose sum may overflow. */
-    const struct cor_environment caller = cor_environment_enter();
-    const volatile double huge = beta;
-    const volatile double duration = crossley_far_duration(tables, huge, s);
-    cor_environment_leave(&caller);
-    return duration;
+    return cor_pair_plus(crossley_far_rebound(tables, beta, s), crossley_max(tables, beta)).hi;
 }
 
 /* ---- every exponent: double exponential quadrature ----
