@@ -33,6 +33,7 @@ static inline int next_block(double *from, double *inside, const double *in, siz
 static inline void put_block(double *out, const double *to, const double *from, size_t m, int outside, double least,
                              double largest, law_function *function)
 {
+    /* cppcheck-suppress uninitvar ; the loop before has filled `to` */
     memcpy(out, to, m * sizeof *out);
     for (size_t j = 0; outside && j < m; j++)
         if (!(from[j] >= least && from[j] <= largest))

@@ -20,7 +20,7 @@
 #define COR_RATIO_HALF_PI_TAIL 6.12323399573676588613e-17
 /* 1/(2 sqrt(2)) as a pair */
 #define COR_RATIO_FAR_LIMITED 3.53553390593273786369e-01
-#define COR_RATIO_FAR_LIMITED_TAIL -2.41682332836322825930e-17
+#define COR_RATIO_FAR_LIMITED_TAIL (-2.41682332836322825930e-17)
 
 /* Below this zeta, products lose bits to underflow, and eps is 1 - L to the last bit. */
 #define COR_RATIO_TINY 1.18305218616677471e-271 /* 2^-900 */

@@ -166,12 +166,12 @@ static double crossley_b(const struct crossley_side *side, double w, double belo
  * 2^-58. */
 static double crossley_quadrature(const struct crossley_side *side, double k)
 {
-    const int steps = side->end > 40 ? 256 : 96;
+    const int steps = side->end > 40 ? 256 : 96, half = steps / 2;
     const double pi = 3.14159265358979311600, end = 3.2512; /* pi sinh(end) = 40.5 */
     const double step = 2 * end / steps;
     double sum = 0;
     for (int j = 0; j <= steps; j++) {
-        const double t = step * (j - steps / 2), q = exp(-pi * sinh(t)), w = 1 / (1 + q), below = q / (1 + q);
+        const double t = step * (j - half), q = exp(-pi * sinh(t)), w = 1 / (1 + q), below = q / (1 + q);
         const double weight = pi * cosh(t) * w * below;
         sum += weight * pow(crossley_b(side, w, below) * side->power, -k);
     }
