@@ -10,7 +10,7 @@
 #include "runtime/core/mode_source.h"
 
 #ifdef __GNUC__
-typedef __typeof__(all(0) < all(0)) changes; /* -1 for true */
+typedef __typeof__(all(0) < all(1)) changes; /* -1 for true */
 #define NO_CHANGES(count) memset(&(count), 0, sizeof(count))
 #define COUNT_CHANGE(count, x, y) ((count) = (count) - ((x) * (y) < all(0)))
 #else

@@ -179,7 +179,7 @@ enum cor_collision_outcome cor_collision_run(struct cor_motion *m, struct cor_co
         run->ripple = fmax(run->ripple, now.ripple);
         run->stiffness = fmax(run->stiffness, now.stiffness);
         course_follow(&course, run, &now, log_threshold);
-        if (average != NULL)
+        if (average != NULL && before != NULL)
             add_to_average(m, now.time, h, before, average);
         if (detail != NULL && detail->observe != NULL)
             report_moment(m, detail, &now, h);

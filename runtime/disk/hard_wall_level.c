@@ -146,7 +146,7 @@ static double fade_of(enum cor_hard_wall_fade fade, double r)
 static void place_modes(struct level *level)
 {
     const struct sizes *const size = &level->size;
-    size_t first = 0, rows[MAX_BLOCKS];
+    size_t first = 0, rows[MAX_BLOCKS] = {0};
     count_rows(level->mode, size->modes, rows);
     for (size_t b = 0; b < size->blocks; b++) {
         level->block[b].first = first;
