@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What each simulator realises where a user asks for a restitution coefficient e, and the number to give it instead, from the table of
- * gen/hosts.
+/* What each simulator realises where a user asks for a restitution coefficient e, and the number to give it instead,
+ * from the table of gen/hosts.
  *     cor_realised table      csv, at the values of e that docs/laws.md lists
  *     cor_realised curve      csv, at 0.01 to 0.99, for the picture
  *     cor_realised markdown   two tables of docs/laws.md; models with the same end and the same numbers share a row

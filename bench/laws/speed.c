@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Each function of law.h against what simulators and textbooks do in its place: time and error in one table.
  *     cor_bench_laws > speed.csv
- * Arguments are uniform in the interval of the row. Times are the least of many turns. The error of an eps or a loss is relative; of
- * a damping it is what it does to eps, relative, too: |eps(damping) - e|/e. Exact values in long double. */
+ * Arguments are uniform in the interval of the row. Times are the least of many turns. The error of an eps or a loss is
+ * relative. That of a damping is the relative change of eps that it causes, |eps(damping) - e|/e. Exact values are in
+ * long double. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
