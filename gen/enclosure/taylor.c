@@ -11,7 +11,9 @@ enum {
      * terms cost about N^2 products, and there are about 2^STEP_BITS steps to a radius: 2^q/q^2 is least near q = 3. */
     STEP_BITS = 3,
     /* The Lipschitz constant holds in a tube of this relative width around the polynomials. */
-    TUBE_BITS = 10
+    TUBE_BITS = 10,
+    /* From this number of coefficients on, products of polynomials cost less than sums of products. */
+    ONLINE_FROM = 48
 };
 
 struct taylor_power {
@@ -105,34 +107,44 @@ void taylor_clear(struct taylor *y)
     arb_clear(y->step);
 }
 
-/* Coefficient n of f g, all jets: sum over i + j = n and p + q = l. */
-static void convolve(arb_ptr out, arb_srcptr f, arb_srcptr g, slong n, const struct taylor *y)
+/* Coefficients 0 to n of f and g are known, and give coefficient n of the product f g, all jets: the sum over i + j = n
+ * and p + q = l. If `first` > 0, add_known_products has added the terms with i < first and j < first before. */
+static void convolve(arb_ptr out, arb_srcptr f, arb_srcptr g, slong n, slong first, const struct taylor *y)
 {
-    const slong size = stride(y);
-    arb_t half;
-    arb_init(half);
+    const slong size = stride(y), terms = n - first + 1;
+    arb_t sum, own;
+    arb_init(sum);
+    arb_init(own);
     for (slong l = 0; l < y->jets; l++) {
-        arb_ptr sum = out + l * size + n;
         arb_zero(sum);
-        if (f != g) {
-            for (slong p = 0; p <= l; p++)
-                arb_dot(sum, sum, 0, f + p * size, 1, g + (l - p) * size + n, -1, n + 1, y->prec);
-            continue;
+        arb_zero(own);
+        if (f == g) {
+            /* a square: each pair of different factors counts once with twice its value */
+            for (slong p = 0; first > 0 ? p <= l : 2 * p < l; p++)
+                arb_dot(sum, sum, 0, f + p * size + first, 1, f + (l - p) * size + n - first, -1, terms, y->prec);
+            if (first == 0 && l % 2 == 0) {
+                arb_srcptr middle = f + l / 2 * size;
+                arb_dot(sum, sum, 0, middle, 1, middle + n, -1, (n + 1) / 2, y->prec);
+                if (n % 2 == 0)
+                    arb_sqr(own, middle + n / 2, y->prec);
+            }
+            arb_mul_2exp_si(sum, sum, 1);
+            arb_add(sum, sum, own, y->prec);
+        } else {
+            for (slong p = 0; p <= l; p++) {
+                arb_dot(sum, sum, 0, f + p * size + first, 1, g + (l - p) * size + n - first, -1, terms, y->prec);
+                if (first > 0)
+                    arb_dot(sum, sum, 0, g + p * size + first, 1, f + (l - p) * size + n - first, -1, terms, y->prec);
+            }
         }
-        /* a square: each pair of different factors counts once with twice its value */
-        for (slong p = 0; 2 * p < l; p++)
-            arb_dot(sum, sum, 0, f + p * size, 1, f + (l - p) * size + n, -1, n + 1, y->prec);
-        if (l % 2 == 0) {
-            arb_srcptr own = f + l / 2 * size;
-            arb_dot(sum, sum, 0, own, 1, own + n, -1, (n + 1) / 2, y->prec);
-        }
-        arb_mul_2exp_si(sum, sum, 1);
-        if (l % 2 == 0 && n % 2 == 0) {
-            arb_sqr(half, f + l / 2 * size + n / 2, y->prec);
-            arb_add(sum, sum, half, y->prec);
-        }
+        arb_ptr to = out + l * size + n;
+        if (first > 0)
+            arb_add(to, to, sum, y->prec);
+        else
+            arb_swap(to, sum);
     }
-    arb_clear(half);
+    arb_clear(sum);
+    arb_clear(own);
 }
 
 /* out_l += sum_p c_p f_(l-p), at coefficient n. */
@@ -145,7 +157,8 @@ static void add_scaled(arb_ptr out, arb_srcptr c, arb_srcptr f, slong n, const s
                 arb_addmul(out + l * size + n, c + p, f + (l - p) * size + n, y->prec);
 }
 
-static void force_coefficient(struct taylor *y, slong n)
+/* Coefficient n of the force; `first` as for convolve. */
+static void force_coefficient(struct taylor *y, slong n, slong first)
 {
     const slong size = stride(y);
     for (slong l = 0; l < y->jets; l++)
@@ -153,7 +166,7 @@ static void force_coefficient(struct taylor *y, slong n)
     if (y->node_damping == TAYLOR_NODE_ONE) {
         add_scaled(y->force, y->c1, y->v, n, y);
     } else {
-        convolve(y->damped, node_block(y, y->node_damping), y->v, n, y);
+        convolve(y->damped, node_block(y, y->node_damping), y->v, n, first, y);
         add_scaled(y->force, y->c1, y->damped, n, y);
     }
     if (y->node_elastic != TAYLOR_NODE_ONE)
@@ -163,15 +176,16 @@ static void force_coefficient(struct taylor *y, slong n)
             arb_add(y->force + l * size, y->force + l * size, y->c2 + l, y->prec);
 }
 
-void taylor_expand(struct taylor *y)
+/* Coefficients first to end - 1 of all products, then first + 1 to end of w, v and t */
+static void expand_block(struct taylor *y, slong first, slong end)
 {
     const slong size = stride(y);
-    for (slong n = 0; n < y->degree; n++) {
+    for (slong n = first; n < end; n++) {
         for (int i = 0; i < y->powers; i++)
-            convolve(y->power[i].c, node_block(y, y->power[i].left), node_block(y, y->power[i].right), n, y);
-        force_coefficient(y, n);
+            convolve(y->power[i].c, node_block(y, y->power[i].left), node_block(y, y->power[i].right), n, first, y);
+        force_coefficient(y, n, first);
         if (y->node_outer != TAYLOR_NODE_ONE)
-            convolve(y->product, node_block(y, y->node_outer), y->force, n, y);
+            convolve(y->product, node_block(y, y->node_outer), y->force, n, first, y);
         for (slong l = 0; l < y->jets; l++) {
             const slong at = l * size + n;
             arb_srcptr g = y->node_outer == TAYLOR_NODE_ONE ? y->force : y->product;
@@ -183,6 +197,72 @@ void taylor_expand(struct taylor *y)
                 arb_div_si(y->t + at + 1, node_block(y, y->node_t) + at, n + 1, y->prec);
         }
     }
+}
+
+/* ---- online multiplication ---- */
+
+/* The terms of the product that a block of known coefficients first to middle - 1 contributes to its coefficients
+ * middle to end - 1. If first = 0, both factors are in the block; otherwise one is, and the other is among coefficients
+ * 0 to end - first - 1, which are known. */
+static void add_known_terms(arb_ptr out, arb_srcptr f, arb_srcptr g, slong first, slong middle, slong end,
+                            const struct taylor *y)
+{
+    const slong size = stride(y), length = end - first, known = middle - first;
+    arb_ptr product = _arb_vec_init(length);
+    for (slong l = 0; l < y->jets; l++)
+        for (slong p = 0; p <= l; p++) {
+            arb_srcptr one = f + p * size, other = g + (l - p) * size;
+            arb_ptr to = out + l * size + middle;
+            if (first == 0) {
+                _arb_poly_mullow(product, one, known, other, known, FLINT_MIN(length, 2 * known - 1), y->prec);
+            } else {
+                _arb_poly_mullow(product, other, length, one + first, known, length, y->prec);
+                _arb_vec_add(to, to, product + known, end - middle, y->prec);
+                if (f == g) { /* the jets p and l - p change places in the other term */
+                    _arb_vec_add(to, to, product + known, end - middle, y->prec);
+                    continue;
+                }
+                _arb_poly_mullow(product, one, length, other + first, known, length, y->prec);
+            }
+            _arb_vec_add(to, to, product + known, end - middle, y->prec);
+        }
+    _arb_vec_clear(product, length);
+}
+
+static void add_known_products(struct taylor *y, slong first, slong middle, slong end)
+{
+    for (int i = 0; i < y->powers; i++)
+        add_known_terms(y->power[i].c, node_block(y, y->power[i].left), node_block(y, y->power[i].right), first, middle,
+                        end, y);
+    if (y->node_damping != TAYLOR_NODE_ONE)
+        add_known_terms(y->damped, node_block(y, y->node_damping), y->v, first, middle, end, y);
+    if (y->node_outer != TAYLOR_NODE_ONE)
+        add_known_terms(y->product, node_block(y, y->node_outer), y->force, first, middle, end, y);
+}
+
+/* Each product needs coefficients that it determines itself. Once the first half of a range is known, its contribution
+ * to the second half is a product of polynomials, which FLINT multiplies fast (Fischer and Stockmeyer's online
+ * multiplication). */
+static void expand_range(struct taylor *y, slong first, slong end)
+{
+    if (end - first <= ONLINE_FROM) {
+        expand_block(y, first, end);
+        return;
+    }
+    const slong middle = first + (end - first + 1) / 2;
+    expand_range(y, first, middle);
+    add_known_products(y, first, middle, end);
+    expand_range(y, middle, end);
+}
+
+void taylor_expand(struct taylor *y)
+{
+    const slong size = y->jets * stride(y);
+    for (int i = 0; i < y->powers; i++)
+        _arb_vec_zero(y->power[i].c, size);
+    _arb_vec_zero(y->damped, size);
+    _arb_vec_zero(y->product, size);
+    expand_range(y, 0, y->degree);
 }
 
 /* sum_n |f_n| r^n over n = first..degree, |f_n| the norm over the jets: upper bound. */

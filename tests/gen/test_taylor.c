@@ -104,11 +104,74 @@ static void test_step_is_short(void **state)
     arb_clear(half_period);
 }
 
+enum { ONLINE_DEGREE = 301, ONLINE_JETS = 3, ONLINE_PREC = 300, ONLINE_SIZE = ONLINE_JETS * (ONLINE_DEGREE + 1) };
+
+/* product *= f, term by term, for all jets */
+static void multiply(arb_ptr product, arb_srcptr f)
+{
+    enum { ROW = ONLINE_DEGREE + 1 };
+    arb_ptr sum = _arb_vec_init(ONLINE_SIZE);
+    for (slong l = 0; l < ONLINE_JETS; l++)
+        for (slong p = 0; p <= l; p++)
+            for (slong n = 0; n < ROW; n++)
+                arb_dot(sum + l * ROW + n, sum + l * ROW + n, 0, product + p * ROW, 1, f + (l - p) * ROW + n, -1, n + 1,
+                        ONLINE_PREC);
+    _arb_vec_swap(product, sum, ONLINE_SIZE);
+    _arb_vec_clear(sum, ONLINE_SIZE);
+}
+
+/* Long series are multiplied in blocks. They satisfy v' = -w^(d-1) (c1 w^bd v + c2 w^ad), with products term by term,
+ * c1 = 0.7 + h as a series in h, and laws that have every kind of product. */
+static void test_online_products(void **state)
+{
+    (void)state;
+    static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "3/4"}, {"1", "0"}};
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
+        struct law law;
+        struct taylor y;
+        assert_null(law_parse(&law, laws[i][0], laws[i][1]));
+        taylor_init(&y, &law, ONLINE_JETS, ONLINE_DEGREE, ONLINE_PREC);
+        arb_set_str(y.c1, "0.7", ONLINE_PREC);
+        arb_one(y.c1 + 1);
+        arb_one(y.c2);
+        arb_one(y.v);
+        taylor_expand(&y);
+        arb_ptr elastic = _arb_vec_init(ONLINE_SIZE), damping = _arb_vec_init(ONLINE_SIZE);
+        arb_ptr c1 = _arb_vec_init(ONLINE_SIZE);
+        arb_set(c1, y.c1);
+        arb_one(c1 + ONLINE_DEGREE + 1);
+        arb_one(elastic);
+        _arb_vec_set(damping, y.v, ONLINE_SIZE);
+        multiply(damping, c1);
+        for (slong k = 0; k < law.d - 1 + law.ad; k++)
+            multiply(elastic, y.w);
+        for (slong k = 0; k < law.d - 1 + law.bd; k++)
+            multiply(damping, y.w);
+        for (slong l = 0; l < ONLINE_JETS; l++)
+            for (slong n = 0; n < ONLINE_DEGREE; n++) {
+                const slong at = l * (ONLINE_DEGREE + 1) + n;
+                arb_t derivative;
+                arb_init(derivative);
+                arb_add(elastic + at, elastic + at, damping + at, ONLINE_PREC);
+                arb_mul_si(derivative, y.v + at + 1, -(n + 1), ONLINE_PREC);
+                assert_overlap(derivative, elastic + at, "coefficient", at);
+                /* and the intervals are narrow */
+                assert_true(mag_cmp_2exp_si(arb_radref(y.v + at + 1), -2 * ONLINE_PREC / 3) < 0);
+                arb_clear(derivative);
+            }
+        _arb_vec_clear(elastic, ONLINE_SIZE);
+        _arb_vec_clear(damping, ONLINE_SIZE);
+        _arb_vec_clear(c1, ONLINE_SIZE);
+        taylor_clear(&y);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_remainder),
         cmocka_unit_test(test_jets),
+        cmocka_unit_test(test_online_products),
         cmocka_unit_test(test_step_is_short),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
