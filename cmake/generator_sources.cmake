@@ -12,6 +12,7 @@ set(COR_GENERATOR_SOURCES
   gen/cli/disk_collide.c
   gen/cli/disk_modes.c
   gen/cli/embed.c
+  gen/cli/fit.c
   gen/cli/law.c
   gen/cli/options.c
   gen/cli/pade.c
@@ -40,6 +41,14 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/taylor.c
   gen/enclosure/threshold.c
   gen/enclosure/wave_factor.c
+  gen/fit/compare.c
+  gen/fit/data.c
+  gen/fit/distribution.c
+  gen/fit/least_squares.c
+  gen/fit/likelihood.c
+  gen/fit/models.c
+  gen/fit/plot.c
+  gen/fit/report.c
   gen/hosts/hosts.c
   gen/plan/disks.c
   gen/plan/plan.c
@@ -57,6 +66,7 @@ set(COR_GENERATOR_SOURCES
   gen/support/decimal.c
   gen/support/digits.c
   gen/support/emit_c.c
+  gen/support/gnuplot.c
   gen/support/output.c
   gen/support/parallel.c
   gen/support/precision.c

@@ -6,6 +6,7 @@
 #include "approximation/pade.h"
 #include "cli/subcommand.h"
 #include "embed/request.h"
+#include "fit/data.h"
 #include "plan/plan.h"
 #include "sweep/run.h"
 #include "tables/directory.h"
@@ -67,6 +68,18 @@ struct embed_arguments {
     struct embed_request scene;
 };
 
+struct fit_arguments {
+    struct option_common common;
+    const char *data; /* file */
+    const char *law;  /* names of models */
+    const char *plot; /* file, or NULL */
+    int unit;         /* enum fit_unit */
+    int end;          /* enum contact_end, or OPTIONS_NOT_GIVEN: both */
+    struct decimal gravity;
+    struct embed_request scene; /* of its numbers only those of the bodies */
+    bool robust;
+};
+
 struct plan_arguments {
     struct option_common common;
     struct embed_request scene; /* for disks only both speeds, tolerance and Poisson's ratio */
@@ -83,6 +96,6 @@ struct tables_arguments {
 };
 
 extern const struct subcommand command_trajectory, command_series, command_pade, command_collide, command_disk_modes,
-    command_disk_collide, command_embed, command_law, command_plan, command_tables;
+    command_disk_collide, command_embed, command_fit, command_law, command_plan, command_tables;
 
 #endif

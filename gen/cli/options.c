@@ -185,7 +185,8 @@ static int check_given(const struct option_rule *rules, const bool *given, const
 {
     for (size_t i = 0; rules[i].name; i++)
         if (rules[i].required && !given[i])
-            return usage_error("corgen %s needs --%s; see corgen %s --help", command, rules[i].name, command);
+            return usage_error("corgen %s needs %s%s; see corgen %s --help", command, rules[i].operand ? "" : "--",
+                               rules[i].operand ? rules[i].operand : rules[i].name, command);
     for (size_t i = 0; rules[i].name; i++) {
         if (!given[i])
             continue;
@@ -198,6 +199,27 @@ static int check_given(const struct option_rule *rules, const bool *given, const
         }
         if (!met)
             return usage_error("--%s needs --%s; see corgen %s --help", rules[i].name, rules[i].needs, command);
+    }
+    return STATUS_OK;
+}
+
+/* Reads the arguments that are no options. A subcommand accepts at most one. */
+static int parse_operands(void *arguments, const struct option_rule *rules, bool *given, int argc, char **argv)
+{
+    size_t i = 0;
+    while (rules[i].name && !rules[i].operand)
+        i++;
+    if (optind < argc && !rules[i].name)
+        return usage_error("corgen %s takes options only, not '%s'; see corgen %s --help", argv[0], argv[optind],
+                           argv[0]);
+    for (; optind < argc; optind++) {
+        if (given[i])
+            return usage_error("corgen %s takes one %s, not '%s' too; see corgen %s --help", argv[0], rules[i].operand,
+                               argv[optind], argv[0]);
+        given[i] = true;
+        const int status = parse_value((char *)arguments + rules[i].offset, &rules[i], argv[optind]);
+        if (status != STATUS_OK)
+            return status;
     }
     return STATUS_OK;
 }
@@ -222,10 +244,8 @@ static int parse_all(void *arguments, const struct option_rule *rules, const str
         if (status != STATUS_OK)
             return status;
     }
-    if (optind < argc)
-        return usage_error("corgen %s takes options only, not '%s'; see corgen %s --help", argv[0], argv[optind],
-                           argv[0]);
-    return check_given(rules, given, argv[0]);
+    const int status = parse_operands(arguments, rules, given, argc, argv);
+    return status == STATUS_OK ? check_given(rules, given, argv[0]) : status;
 }
 
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help)

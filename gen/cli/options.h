@@ -45,6 +45,7 @@ struct option_rule {
     bool required;
     const char *excludes; /* options that contradict this one, space separated, or NULL */
     const char *needs;    /* the option that this one requires, or NULL */
+    const char *operand;  /* the value may stand alone, without the option's name: its name in messages, "DATA.csv" */
 };
 
 /* Arguments of every subcommand; the first member of its struct of arguments */

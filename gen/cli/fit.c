@@ -1,0 +1,208 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen fit fits models of restitution to measured points, and ranks them. */
+#include <math.h>
+#include <string.h>
+
+#include <cor/status.h>
+
+#include "cli/commands.h"
+#include "cli/scene_options.h"
+#include "fit/plot.h"
+#include "fit/report.h"
+#include "support/console.h"
+
+/* ---- bodies ---- */
+
+static const double pi = 3.14159265358979323846;
+
+static double number_of(const struct embed_request *scene, enum embed_number which, int body)
+{
+    return decimal_value(embed_number_of_body(scene, which, body));
+}
+
+static struct cor_body sphere_of(const struct embed_request *scene, int body)
+{
+    struct cor_body sphere = {.young_modulus_pa = number_of(scene, EMBED_YOUNG, body),
+                              .poisson_ratio = number_of(scene, EMBED_POISSON, body),
+                              .radius_m = number_of(scene, EMBED_RADIUS, body)};
+    sphere.mass_kg = embed_mass_is_given(scene, body)
+                         ? number_of(scene, EMBED_MASS, body)
+                         : 4 * pi / 3 * pow(sphere.radius_m, 3) * number_of(scene, EMBED_DENSITY, body);
+    return sphere;
+}
+
+static bool bodies_given(const struct embed_request *scene)
+{
+    for (enum embed_number number = EMBED_YOUNG; number <= EMBED_DISSIPATION_TIME_2; number++)
+        if (embed_given(scene, number))
+            return true;
+    return scene->wall;
+}
+
+static int check_bodies(const struct embed_request *scene)
+{
+    static const enum embed_number needed[] = {EMBED_YOUNG, EMBED_POISSON, EMBED_RADIUS};
+    static const char rule[] = "bodies have --young, --poisson, --radius and --density or --mass, as --young 7e10 "
+                               "--poisson 0.24 --radius 0.01 --density 2500";
+    for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
+        if (!embed_given(scene, needed[i]))
+            return usage_error("--%s is missing: %s", embed_number_names[needed[i]], rule);
+    if (embed_given(scene, EMBED_DENSITY) == embed_given(scene, EMBED_MASS))
+        return usage_error("--density and --mass: give one of them; %s", rule);
+    if (embed_given(scene, EMBED_DENSITY_2) && embed_given(scene, EMBED_MASS_2))
+        return usage_error("--density-2 and --mass-2 exclude each other");
+    if (scene->wall && (embed_given(scene, EMBED_RADIUS_2) || embed_given(scene, EMBED_MASS_2)))
+        return usage_error("--wall is flat and held fast: no --radius-2 or --mass-2");
+    return STATUS_OK;
+}
+
+/* Fills the bodies. A wall may be a plate, if its density is known. */
+static int read_bodies(struct fit_bodies *bodies, const struct embed_request *scene)
+{
+    const int status = check_bodies(scene);
+    if (status != STATUS_OK)
+        return status;
+    bodies->body_1 = sphere_of(scene, 1);
+    bodies->body_2 = sphere_of(scene, 2);
+    bodies->density_2_kg_m3 = NAN;
+    if (scene->wall) {
+        bodies->body_2.radius_m = bodies->body_2.mass_kg = INFINITY;
+        if (!embed_mass_is_given(scene, 2))
+            bodies->density_2_kg_m3 = number_of(scene, EMBED_DENSITY, 2);
+    }
+    const int wrong = fit_bodies_check(bodies);
+    return wrong == COR_OK ? STATUS_OK : usage_error("the bodies make no contact: %s", cor_status_text(wrong));
+}
+
+/* ---- output ---- */
+
+static const char *file_name(const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+/* Writes the table and the picture: both or neither. */
+static int write_results(const struct fit_arguments *o, const struct fit_comparison *comparison,
+                         const struct fit_data *data, const struct fit_request *request)
+{
+    const enum output_format format = (enum output_format)o->common.format;
+    const char *const path[] = {o->common.output, o->plot};
+    const int outputs = o->plot ? 2 : 1;
+    struct output out[2];
+    int opened = 0, status = STATUS_OK;
+    while (opened < outputs && status == STATUS_OK) {
+        status = output_open(&out[opened], path[opened]);
+        opened += status == STATUS_OK;
+    }
+    if (status == STATUS_OK && o->plot)
+        status = fit_plot(comparison, data, file_name(o->data), out[1].file);
+    if (status != STATUS_OK) {
+        for (int i = 0; i < opened; i++)
+            output_discard(&out[i]);
+        return status;
+    }
+    fit_report_print(comparison, data, request, format, out[0].file);
+    status = output_commit_all(out, outputs);
+    if (status == STATUS_OK && format != FORMAT_TEXT)
+        fit_report_remarks(comparison, data, request, stderr);
+    return status;
+}
+
+static int run_fit(const void *arguments)
+{
+    const struct fit_arguments *const o = arguments;
+    const double gravity = o->gravity.text ? decimal_value(&o->gravity) : FIT_GRAVITY_M_S2;
+    struct fit_request request = {.robust = o->robust};
+    struct fit_bodies bodies;
+    struct fit_data data;
+    int status = fit_request_models(&request, o->law, o->end == OPTIONS_NOT_GIVEN ? NULL : option_ends[o->end]);
+    if (status == STATUS_OK && bodies_given(&o->scene)) {
+        status = read_bodies(&bodies, &o->scene);
+        request.bodies = &bodies;
+    }
+    if (status == STATUS_OK)
+        status = fit_data_read(&data, o->data, (enum fit_unit)o->unit, gravity);
+    if (status != STATUS_OK)
+        return status;
+    struct fit_comparison comparison;
+    profile_step("fits");
+    fit_compare(&comparison, &data, &request);
+    profile_step(NULL);
+    status = comparison.models > 0
+                 ? write_results(o, &comparison, &data, &request)
+                 : usage_error("%s has %zu points; allowed: at least one more than the parameters of the model",
+                               o->data, data.points);
+    fit_data_clear(&data);
+    return status;
+}
+
+/* ---- the command line ---- */
+
+static const char help[] =
+    "Usage: corgen fit DATA.csv [BODIES] [OPTION]...\n\n"
+    "Fits models of restitution to measured points, eps over the impact speed, by weighted least squares,\n"
+    "and ranks them by Akaike's information criterion (AIC; the least is best). Says which models fit.\n\n"
+    "DATA.csv names its columns in the first row, in any order; # begins a comment, - is standard input:\n"
+    "  speed_m_s,eps[,eps_sigma]   points; eps_sigma is the standard deviation of eps. speed_cm_s or\n"
+    "                   speed_mm_s, or speed with --unit, in other units\n"
+    "  [run,]t_s        or the times at which a ball bounces: a flight of T seconds lands at the speed\n"
+    "                   g T/2, and eps is the ratio of successive flights, without air drag; another\n"
+    "                   text in the column run begins another drop\n"
+    "  --unit U         m/s, cm/s or mm/s: the unit of the speeds\n"
+    "  --gravity G      m/s^2, for bounces (default 9.80665)\n\n"
+    "  --law NAMES      all (default), or several of viscoelastic, plate, constant, linear, tsuji,\n"
+    "                   hunt-crossley, hertz-dashpot, power-law, as viscoelastic,power-law\n"
+    "  --end E          zero-overlap or zero-force: only this end of contact (default: both)\n"
+    "  --robust         Huber's function, k = 1.345, instead of squares: outliers have little weight\n"
+    "  --plot FILE.svg  a picture of data, fits and residuals (needs gnuplot)\n"
+    "  --format F       text (default), csv or json\n" HELP_COMMON
+    "\nParameters: g_star_m_s, from eps = 1 - (speed/g*)^(1/5) + ...; zener_lambda_at_1_m_s of a thin plate;\n"
+    "eps, zeta (damping ratio); dissipation_s_m, d of the force F(x) (1 + d x'); beta_at_1_m_s of a Hertzian\n"
+    "contact with a dashpot; eps_at_1_m_s and exponent of min(1, eps_at_1_m_s (speed/(1 m/s))^exponent).\n"
+    "With BODIES instead dissipation_time_s, A; plate_thickness_m (with --wall); damping_coefficient_n_s_m:\n"
+    "  --young Y, --poisson NU, --radius R, --density D or --mass M     SI units\n"
+    "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2        where the second body differs\n"
+    "  --wall           the second is flat and held fast\n\n"
+    "Columns of csv and json: model,end,parameter,value,low_68,high_68,low_95,high_95,rms,chi2,aic.\n"
+    "The intervals are those of the profile likelihood, 68 means 68.27 %; rms of the residuals; chi2 only with\n"
+    "eps_sigma. p below 0.01 means that a model does not fit: p of chi2 or, without eps_sigma and with\n"
+    "--robust, of the means of neighbouring residuals. As csv and json, these remarks go to standard error.\n"
+    "Example: corgen fit measured.csv --law viscoelastic,constant --plot measured.svg\n";
+
+#define AT(FIELD) offsetof(struct fit_arguments, FIELD)
+#define FIT_BODY(SUFFIX, NUMBER_SUFFIX)                                                                                \
+    SCENE_NUMBER(struct fit_arguments, "young" SUFFIX, EMBED_YOUNG##NUMBER_SUFFIX, &option_positive, false, NULL),     \
+        SCENE_NUMBER(struct fit_arguments, "poisson" SUFFIX, EMBED_POISSON##NUMBER_SUFFIX, &option_sphere_poisson,     \
+                     false, NULL),                                                                                     \
+        SCENE_NUMBER(struct fit_arguments, "radius" SUFFIX, EMBED_RADIUS##NUMBER_SUFFIX, &option_positive, false,      \
+                     NULL),                                                                                            \
+        SCENE_NUMBER(struct fit_arguments, "density" SUFFIX, EMBED_DENSITY##NUMBER_SUFFIX, &option_positive, false,    \
+                     NULL),                                                                                            \
+        SCENE_NUMBER(struct fit_arguments, "mass" SUFFIX, EMBED_MASS##NUMBER_SUFFIX, &option_positive, false, NULL)
+
+static const struct option_rule options[] = {
+    {.name = "data", .kind = OPTION_TEXT, .offset = AT(data), .required = true, .operand = "DATA.csv"},
+    {.name = "unit", .kind = OPTION_WORD, .offset = AT(unit), .range.words = fit_unit_names, .why = "a unit"},
+    {.name = "gravity", .kind = OPTION_REAL, .offset = AT(gravity), .range.number = &option_positive},
+    {.name = "law", .kind = OPTION_TEXT, .offset = AT(law)},
+    OPTION_END(struct fit_arguments, end),
+    {.name = "robust", .kind = OPTION_FLAG, .offset = AT(robust)},
+    {.name = "plot", .kind = OPTION_TEXT, .offset = AT(plot)},
+    FIT_BODY("", ),
+    FIT_BODY("-2", _2),
+    {.name = "wall", .kind = OPTION_FLAG, .offset = AT(scene.wall)},
+    OPTION_FORMAT(struct fit_arguments, option_formats),
+    OPTION_COMMON(struct fit_arguments),
+    {.name = NULL},
+};
+
+static const struct fit_arguments defaults = {.law = "all", .end = OPTIONS_NOT_GIVEN, .unit = FIT_UNIT_OF_COLUMN};
+
+const struct subcommand command_fit = {.name = "fit",
+                                       .summary = "models of restitution fitted to measured points",
+                                       .help = help,
+                                       .options = options,
+                                       .size = sizeof defaults,
+                                       .defaults = &defaults,
+                                       .run = run_fit};

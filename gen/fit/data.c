@@ -1,0 +1,434 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit/data.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/console.h"
+#include "support/decimal.h"
+
+enum { LINE_LENGTH = 65536, MAX_COLUMNS = 256, CELL_SHOWN = 40, EXPONENT_DIGITS = 3 };
+
+const char *const fit_unit_names[] = {[FIT_M_S] = "m/s", [FIT_CM_S] = "cm/s", [FIT_MM_S] = "mm/s", NULL};
+static const double unit_m_s[] = {[FIT_M_S] = 1, [FIT_CM_S] = 0.01, [FIT_MM_S] = 0.001};
+
+/* The columns that are read. FIT_M_S, FIT_CM_S and FIT_MM_S index the first three. */
+enum column { SPEED_M_S, SPEED_CM_S, SPEED_MM_S, SPEED, EPS, EPS_SIGMA, TIME, RUN, COLUMNS };
+static const char *const column_names[COLUMNS] = {[SPEED_M_S] = "speed_m_s",
+                                                  [SPEED_CM_S] = "speed_cm_s",
+                                                  [SPEED_MM_S] = "speed_mm_s",
+                                                  [SPEED] = "speed",
+                                                  [EPS] = "eps",
+                                                  [EPS_SIGMA] = "eps_sigma",
+                                                  [TIME] = "t_s",
+                                                  [RUN] = "run"};
+static const struct decimal_range speed_range = {"0", "1e30", false, true, true, "a speed above 0, as 0.25"};
+static const struct decimal_range eps_range = {"0", "1", true, true, true, "a number from 0 to 1, as 0.85"};
+static const struct decimal_range sigma_range = {"0", "1e30", false, true, true, "a number above 0, as 0.01"};
+static const struct decimal_range time_range = {"0", "1e30", true, true, true, "a time of 0 s or more, as 0.731"};
+
+struct reader {
+    const char *name;
+    FILE *file;
+    long number; /* of the line */
+    char line[LINE_LENGTH + 2];
+    char *cell[MAX_COLUMNS];
+    int cells;
+    int place[COLUMNS]; /* of a column among the cells; -1: the file does not have it */
+    int header_cells;
+    enum fit_unit unit;
+    size_t capacity;
+};
+
+/* ---- messages ---- */
+
+__attribute__((format(printf, 3, 4))) static int refuse(const struct reader *r, enum column column, const char *format,
+                                                        ...)
+{
+    char why[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(why, sizeof why, format, arguments);
+    va_end(arguments);
+    return column == COLUMNS
+               ? usage_error("%s: line %ld: %s", r->name, r->number, why)
+               : usage_error("%s: line %ld, column %s: %s", r->name, r->number, column_names[column], why);
+}
+
+static int refuse_cell(const struct reader *r, enum column column, const char *text, const char *allowed)
+{
+    if (*text == '\0')
+        return refuse(r, column, "the cell is empty; allowed: %s", allowed);
+    if (strchr(text, ','))
+        return refuse(r, column, "'%.*s' has a decimal comma; numbers take a point; allowed: %s", CELL_SHOWN, text,
+                      allowed);
+    return refuse(r, column, "'%.*s' is not allowed; allowed: %s", CELL_SHOWN, text, allowed);
+}
+
+/* ---- lines and cells ---- */
+
+enum line_status { LINE_READ, LINE_END, LINE_REFUSED, LINE_FAILED };
+
+/* Reads a line without its end, which is LF or CR LF. A UTF-8 byte-order mark before the first line is skipped. */
+static enum line_status read_line(struct reader *r)
+{
+    size_t length = 0;
+    int c;
+    bool null = false;
+    r->number++;
+    while ((c = getc(r->file)) != EOF && c != '\n') {
+        if (length == LINE_LENGTH) {
+            refuse(r, COLUMNS, "longer than %d characters; allowed: a csv file, as speed_m_s,eps", LINE_LENGTH);
+            return LINE_REFUSED;
+        }
+        null = null || c == '\0';
+        r->line[length++] = (char)c;
+    }
+    if (c == EOF && ferror(r->file))
+        return LINE_FAILED;
+    if (c == EOF && length == 0)
+        return LINE_END;
+    if (length > 0 && r->line[length - 1] == '\r')
+        length--;
+    r->line[length] = '\0';
+    if (r->number == 1 && strncmp(r->line, "\xef\xbb\xbf", 3) == 0)
+        memmove(r->line, r->line + 3, length - 3 + 1);
+    if (r->number == 1 && (strncmp(r->line, "\xff\xfe", 2) == 0 || strncmp(r->line, "\xfe\xff", 2) == 0)) {
+        refuse(r, COLUMNS, "the text is UTF-16; allowed: UTF-8 or ASCII, as speed_m_s,eps");
+        return LINE_REFUSED;
+    }
+    if (null || strchr(r->line, '\r')) {
+        refuse(r, COLUMNS, "has a control character; allowed: text with lines that end in LF or CR LF");
+        return LINE_REFUSED;
+    }
+    return LINE_READ;
+}
+
+static char *trimmed(char *text)
+{
+    while (*text == ' ' || *text == '\t')
+        text++;
+    size_t n = strlen(text);
+    while (n > 0 && (text[n - 1] == ' ' || text[n - 1] == '\t'))
+        text[--n] = '\0';
+    if (n >= 2 && text[0] == '"' && text[n - 1] == '"') {
+        text[n - 1] = '\0';
+        text++;
+    }
+    return text;
+}
+
+/* Splits the line at the commas outside quotation marks. Returns false if it has too many cells. */
+static bool split_line(struct reader *r)
+{
+    bool quoted = false;
+    char *start = r->line;
+    r->cells = 0;
+    for (char *at = r->line;; at++) {
+        if (*at == '"')
+            quoted = !quoted;
+        if (*at != '\0' && (*at != ',' || quoted))
+            continue;
+        const bool last = *at == '\0';
+        *at = '\0';
+        if (r->cells == MAX_COLUMNS)
+            return false;
+        r->cell[r->cells++] = trimmed(start);
+        if (last)
+            return true;
+        start = at + 1;
+    }
+}
+
+/* The next line that is neither empty nor a comment, split into its cells */
+static enum line_status next_row(struct reader *r)
+{
+    for (;;) {
+        const enum line_status status = read_line(r);
+        if (status != LINE_READ)
+            return status;
+        const char *const text = r->line + strspn(r->line, " \t");
+        if (*text == '\0' || *text == '#')
+            continue;
+        if (split_line(r))
+            return LINE_READ;
+        refuse(r, COLUMNS, "more than %d cells; allowed: a csv file, as speed_m_s,eps", MAX_COLUMNS);
+        return LINE_REFUSED;
+    }
+}
+
+static int read_number(double *x, const struct reader *r, enum column column, const struct decimal_range *range)
+{
+    const char *const text = r->cell[r->place[column]];
+    struct decimal number = {0};
+    if (!decimal_parse(&number, text, EXPONENT_DIGITS))
+        return refuse_cell(r, column, text, range->allowed);
+    const bool inside = (number.forms & DECIMAL_RATIO) == 0 && decimal_inside(range, number.value);
+    *x = decimal_value(&number);
+    decimal_clear(&number);
+    return inside ? STATUS_OK : refuse_cell(r, column, text, range->allowed);
+}
+
+/* ---- the first row ---- */
+
+static bool has(const struct reader *r, enum column column)
+{
+    return r->place[column] >= 0;
+}
+
+static int find_columns(struct reader *r)
+{
+    for (int column = 0; column < COLUMNS; column++) {
+        r->place[column] = -1;
+        for (int i = 0; i < r->cells; i++) {
+            if (strcmp(r->cell[i], column_names[column]) != 0)
+                continue;
+            if (r->place[column] >= 0)
+                return refuse(r, (enum column)column, "the file has two columns of this name; allowed: one");
+            r->place[column] = i;
+        }
+    }
+    r->header_cells = r->cells;
+    return STATUS_OK;
+}
+
+/* Chooses the column of the speed, and checks it against --unit. Its place becomes that of SPEED. */
+static int choose_speed(struct reader *r)
+{
+    for (int unit = FIT_M_S; unit <= FIT_MM_S; unit++) {
+        if (!has(r, (enum column)unit))
+            continue;
+        if (has(r, SPEED))
+            return refuse(r, (enum column)unit, "the file has two columns of speeds; allowed: one");
+        if (r->unit != FIT_UNIT_OF_COLUMN && r->unit != (enum fit_unit)unit)
+            return refuse(r, (enum column)unit, "--unit %s contradicts the name; allowed: --unit %s, or none",
+                          fit_unit_names[r->unit], fit_unit_names[unit]);
+        r->place[SPEED] = r->place[unit];
+        r->unit = (enum fit_unit)unit;
+    }
+    if (!has(r, SPEED))
+        return refuse(r, COLUMNS,
+                      "no column speed_m_s; allowed: a first line with the names of the columns, as speed_m_s,eps or "
+                      "speed_cm_s,eps,eps_sigma, or t_s for times of bounces");
+    if (r->unit == FIT_UNIT_OF_COLUMN)
+        return refuse(r, SPEED,
+                      "the name has no unit; allowed: speed_m_s, speed_cm_s or speed_mm_s, or --unit, as "
+                      "--unit cm/s");
+    return STATUS_OK;
+}
+
+static int read_header(struct reader *r)
+{
+    if (r->cells == 1 && strpbrk(r->cell[0], ";\t"))
+        return refuse(r, COLUMNS, "the columns are separated by %s; allowed: commas, as speed_m_s,eps",
+                      strchr(r->cell[0], ';') ? "semicolons" : "tabs");
+    int status = find_columns(r);
+    if (status != STATUS_OK)
+        return status;
+    if (!has(r, TIME)) {
+        status = choose_speed(r);
+        return status != STATUS_OK || has(r, EPS)
+                   ? status
+                   : refuse(r, COLUMNS, "no column eps; allowed: the columns of a point, as speed_m_s,eps");
+    }
+    for (int column = SPEED_M_S; column <= EPS_SIGMA; column++)
+        if (has(r, (enum column)column))
+            return refuse(r, (enum column)column,
+                          "not with t_s, whose flights give speed and eps; allowed: t_s and "
+                          "run, or speed_m_s and eps");
+    return STATUS_OK;
+}
+
+/* ---- the points ---- */
+
+static int add_point(struct fit_data *data, struct reader *r, double speed_m_s, double eps, const double *sigma)
+{
+    if (data->points == FIT_MAX_POINTS)
+        return refuse(r, COLUMNS, "more than %d points; allowed: at most that many, as every tenth", FIT_MAX_POINTS);
+    if (data->points == r->capacity) {
+        r->capacity = r->capacity ? 2 * r->capacity : 64;
+        data->speed_m_s = xrealloc(data->speed_m_s, r->capacity * sizeof(double));
+        data->eps = xrealloc(data->eps, r->capacity * sizeof(double));
+        if (sigma)
+            data->sigma = xrealloc(data->sigma, r->capacity * sizeof(double));
+    }
+    data->speed_m_s[data->points] = speed_m_s;
+    data->eps[data->points] = eps;
+    if (sigma)
+        data->sigma[data->points] = *sigma;
+    data->points++;
+    return STATUS_OK;
+}
+
+static int read_point(struct fit_data *data, struct reader *r)
+{
+    double speed, eps, sigma = 0;
+    int status = read_number(&speed, r, SPEED, &speed_range);
+    if (status == STATUS_OK)
+        status = read_number(&eps, r, EPS, &eps_range);
+    if (status == STATUS_OK && has(r, EPS_SIGMA))
+        status = read_number(&sigma, r, EPS_SIGMA, &sigma_range);
+    if (status != STATUS_OK)
+        return status;
+    if (speed * unit_m_s[r->unit] < 1e-30)
+        return refuse_cell(r, SPEED, r->cell[r->place[SPEED]], "a speed of 1e-30 m/s or more, as 0.25");
+    return add_point(data, r, speed * unit_m_s[r->unit], eps, has(r, EPS_SIGMA) ? &sigma : NULL);
+}
+
+/* One drop of a ball */
+struct drop {
+    char run[CELL_SHOWN + 1];
+    long bounces;
+    double time_s, flight_s; /* of the last bounce, and of the flight before it */
+};
+
+static int end_drop(const struct reader *r, const struct drop *drop)
+{
+    return drop->bounces == 0 || drop->bounces >= 3
+               ? STATUS_OK
+               : refuse(r, TIME, "the drop before this line has %ld bounce%s; allowed: 3 or more, which give one eps",
+                        drop->bounces, drop->bounces == 1 ? "" : "s");
+}
+
+static int read_bounce(struct fit_data *data, struct reader *r, struct drop *drop, double gravity_m_s2)
+{
+    double time;
+    int status = read_number(&time, r, TIME, &time_range);
+    if (status != STATUS_OK)
+        return status;
+    const char *const run = has(r, RUN) ? r->cell[r->place[RUN]] : "";
+    if (drop->bounces > 0 && strncmp(run, drop->run, CELL_SHOWN) != 0) {
+        status = end_drop(r, drop);
+        drop->bounces = 0;
+    }
+    if (drop->bounces == 0)
+        snprintf(drop->run, sizeof drop->run, "%s", run);
+    const double flight = time - drop->time_s;
+    if (status == STATUS_OK && drop->bounces > 0 && !(flight > 0))
+        return refuse(r, TIME,
+                      "%.*s s is not after the bounce before; allowed: ascending times, and another text in "
+                      "the column run for another drop",
+                      CELL_SHOWN, r->cell[r->place[TIME]]);
+    if (status == STATUS_OK && drop->bounces > 1 && flight > drop->flight_s)
+        return refuse(r, TIME,
+                      "a flight of %g s after one of %g s makes eps = %g; allowed: eps from 0 to 1, flights "
+                      "that become shorter",
+                      flight, drop->flight_s, flight / drop->flight_s);
+    if (status == STATUS_OK && drop->bounces > 1)
+        status = add_point(data, r, gravity_m_s2 * drop->flight_s / 2, flight / drop->flight_s, NULL);
+    drop->bounces++;
+    drop->time_s = time;
+    drop->flight_s = flight;
+    return status;
+}
+
+static int read_rows(struct fit_data *data, struct reader *r, double gravity_m_s2)
+{
+    struct drop drop = {.bounces = 0};
+    enum line_status line;
+    while ((line = next_row(r)) == LINE_READ) {
+        if (r->cells != r->header_cells)
+            return refuse(r, COLUMNS,
+                          "%d cells, but the first row names %d columns; allowed: as many, separated by commas, and "
+                          "numbers with a decimal point, as 0.5,0.85",
+                          r->cells, r->header_cells);
+        const int status = data->from_bounces ? read_bounce(data, r, &drop, gravity_m_s2) : read_point(data, r);
+        if (status != STATUS_OK)
+            return status;
+        if (r->number % 1024 == 0)
+            progress("reading", r->number, 0);
+    }
+    progress_end();
+    if (line == LINE_REFUSED)
+        return STATUS_USAGE;
+    if (line == LINE_FAILED)
+        return fail("cannot read %s: %s", r->name, strerror(errno));
+    return end_drop(r, &drop);
+}
+
+/* ---- the whole file ---- */
+
+struct point {
+    double speed, eps, sigma;
+    size_t row;
+};
+
+static int compare_points(const void *a, const void *b)
+{
+    const struct point *const p = a, *const q = b;
+    if (p->speed != q->speed)
+        return p->speed < q->speed ? -1 : 1;
+    return p->row < q->row ? -1 : p->row > q->row;
+}
+
+/* Sorts by speed; equal speeds stay in the order of the file. */
+static void sort_points(struct fit_data *data)
+{
+    struct point *const point = xmalloc(data->points * sizeof *point);
+    for (size_t i = 0; i < data->points; i++)
+        point[i] = (struct point){data->speed_m_s[i], data->eps[i], data->sigma ? data->sigma[i] : 0, i};
+    qsort(point, data->points, sizeof *point, compare_points);
+    for (size_t i = 0; i < data->points; i++) {
+        data->speed_m_s[i] = point[i].speed;
+        data->eps[i] = point[i].eps;
+        if (data->sigma)
+            data->sigma[i] = point[i].sigma;
+    }
+    free(point);
+}
+
+static int read_file(struct fit_data *data, struct reader *r, double gravity_m_s2)
+{
+    errno = 0;
+    const enum line_status line = next_row(r);
+    if (line == LINE_REFUSED)
+        return STATUS_USAGE;
+    if (line == LINE_FAILED)
+        return fail("cannot read %s: %s", r->name, strerror(errno));
+    if (line == LINE_END)
+        return refuse(r, COLUMNS, "the file is empty; allowed: names of columns and points, as speed_m_s,eps");
+    int status = read_header(r);
+    if (status != STATUS_OK)
+        return status;
+    data->from_bounces = has(r, TIME);
+    status = read_rows(data, r, gravity_m_s2);
+    if (status == STATUS_OK && data->points < FIT_MIN_POINTS)
+        status = refuse(r, COLUMNS, "the file ends after %zu point%s; allowed: %d or more%s", data->points,
+                        data->points == 1 ? "" : "s", FIT_MIN_POINTS,
+                        data->from_bounces ? ", from 4 bounces" : ", as 0.1,0.93 and 1,0.89");
+    return status;
+}
+
+int fit_data_read(struct fit_data *data, const char *path, enum fit_unit unit, double gravity_m_s2)
+{
+    const bool standard_input = strcmp(path, "-") == 0;
+    *data = (struct fit_data){0};
+    struct reader *const r = xmalloc(sizeof *r);
+    r->name = standard_input ? "standard input" : path;
+    r->number = 0;
+    r->unit = unit;
+    r->capacity = 0;
+    r->file = standard_input ? stdin : fopen(path, "r");
+    int status = r->file ? read_file(data, r, gravity_m_s2) : fail("cannot read %s: %s", path, strerror(errno));
+    if (r->file && !standard_input)
+        fclose(r->file);
+    free(r);
+    progress_end();
+    if (status == STATUS_OK)
+        sort_points(data);
+    else
+        fit_data_clear(data);
+    return status;
+}
+
+void fit_data_clear(struct fit_data *data)
+{
+    free(data->speed_m_s);
+    free(data->eps);
+    free(data->sigma);
+    *data = (struct fit_data){0};
+}

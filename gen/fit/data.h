@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/* Measured restitution as a csv file: points (speed, eps, and perhaps the standard deviation of eps), or the times at
+ * which a ball bounces. */
+#ifndef COR_GEN_FIT_DATA_H
+#define COR_GEN_FIT_DATA_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Unit of the speeds. FIT_UNIT_OF_COLUMN: the name of the column, speed_m_s or speed_cm_s, says which. */
+enum fit_unit { FIT_M_S, FIT_CM_S, FIT_MM_S, FIT_UNIT_OF_COLUMN };
+extern const char *const fit_unit_names[]; /* "m/s", "cm/s", "mm/s", NULL */
+
+#define FIT_GRAVITY_M_S2 9.80665 /* standard gravity */
+
+enum { FIT_MAX_POINTS = 1000000, FIT_MIN_POINTS = 2 };
+
+struct fit_data {
+    size_t points;
+    double *speed_m_s; /* ascending */
+    double *eps;       /* 0 to 1 */
+    double *sigma;     /* standard deviation of each eps, or NULL if the file has none */
+    bool from_bounces;
+};
+
+/* Reads the file, or standard input if the path is "-". The first line that is neither empty nor a comment (# ...)
+ * names the columns, in any order; other columns are ignored:
+ *
+ *     speed_m_s (or speed_cm_s, speed_mm_s; or `speed` with a unit), eps, eps_sigma (optional)
+ *     t_s, run (optional): the times of the bounces of one ball, in order; a new text in `run` begins another drop
+ *
+ * Flight k of a ball lasts T_k = t_(k+1) - t_k, so that it lands at the speed g T_k/2 without air drag, and
+ * eps = T_(k+1)/T_k at the bounce between two flights.
+ *
+ * Returns STATUS_OK, STATUS_USAGE after a message with line and column, or STATUS_FAILED if the file cannot be read. */
+int fit_data_read(struct fit_data *data, const char *path, enum fit_unit unit, double gravity_m_s2);
+void fit_data_clear(struct fit_data *data);
+
+#endif

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit/distribution.h"
+
+#include <math.h>
+
+#include "support/flint.h"
+
+enum { PRECISION = 256, SERIES_FROM = 1000, MANY = 10000 };
+
+double normal_quantile(enum distribution_level level)
+{
+    return level == LEVEL_68 ? 1 : 1.9599639845400542;
+}
+
+static double level_probability(enum distribution_level level)
+{
+    return level == LEVEL_68 ? 0.68268949213708590 : 0.95;
+}
+
+/* The regularised incomplete beta function I_x(a, b), x = part/(part + rest) */
+static double incomplete_beta(double a, double b, double part, double rest)
+{
+    arb_t x, first, second;
+    arb_init(x);
+    arb_init(first);
+    arb_init(second);
+    arb_set_d(x, part);
+    arb_set_d(second, rest);
+    arb_add(second, second, x, PRECISION);
+    arb_div(x, x, second, PRECISION);
+    arb_set_d(first, a);
+    arb_set_d(second, b);
+    arb_hypgeom_beta_lower(x, first, second, x, 1, PRECISION);
+    const double value = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    arb_clear(x);
+    arb_clear(first);
+    arb_clear(second);
+    return value;
+}
+
+/* P(|T| < t) = I_x(1/2, nu/2), x = t^2/(nu + t^2) */
+static double student_probability(double t, double freedom)
+{
+    return incomplete_beta(0.5, freedom / 2, t * t, freedom);
+}
+
+double student_quantile(enum distribution_level level, size_t degrees_of_freedom)
+{
+    const double z = normal_quantile(level), n = (double)degrees_of_freedom, z2 = z * z;
+    if (degrees_of_freedom >= SERIES_FROM) /* Cornish and Fisher's expansion; the next term is below 1e-9 */
+        return z * (1 + (z2 + 1) / (4 * n) + ((5 * z2 + 16) * z2 + 3) / (96 * n * n));
+    double low = z, high = 20; /* t of 95 % and one degree of freedom is 12.7 */
+    for (int i = 0; i < 48; i++) {
+        const double t = (low + high) / 2;
+        if (student_probability(t, n) < level_probability(level))
+            low = t;
+        else
+            high = t;
+    }
+    return (low + high) / 2;
+}
+
+/* The regularised incomplete gamma function Q(nu/2, chi2/2) */
+double chi_squared_tail(double chi2, size_t degrees_of_freedom)
+{
+    if (!(chi2 > 0))
+        return 1;
+    arb_t shape, x;
+    arb_init(shape);
+    arb_init(x);
+    arb_set_d(shape, (double)degrees_of_freedom / 2);
+    arb_set_d(x, chi2 / 2);
+    arb_hypgeom_gamma_upper(x, shape, x, 1, PRECISION);
+    const double probability = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    const int known = arb_rel_accuracy_bits(x) > 10;
+    arb_clear(shape);
+    arb_clear(x);
+    if (known)
+        return probability;
+    /* Wilson and Hilferty: chi2/nu to the power 1/3 is nearly normal, for very many degrees of freedom */
+    const double n = (double)degrees_of_freedom;
+    const double z = (cbrt(chi2 / n) - 1 + 2 / (9 * n)) / sqrt(2 / (9 * n));
+    return erfc(z / sqrt(2)) / 2;
+}
+
+/* I_x(d2/2, d1/2), x = d2/(d2 + d1 f) */
+double fisher_tail(double f, size_t numerator, size_t denominator)
+{
+    if (!(f > 0))
+        return 1;
+    if (denominator > MANY)
+        return chi_squared_tail(f * (double)numerator, numerator);
+    const double d1 = (double)numerator, d2 = (double)denominator;
+    return incomplete_beta(d2 / 2, d1 / 2, d2, d1 * f);
+}

@@ -1,0 +1,219 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit/models.h"
+
+#include <math.h>
+#include <string.h>
+
+#include <cor/law.h>
+#include <cor/sphere.h>
+#include <cor/status.h>
+
+/* ---- curves ---- */
+
+typedef void curve_array(const double *beta, double *eps, size_t n);
+
+/* array: eps of n values of beta; NULL: not a function of one beta */
+static const struct {
+    int parameters;
+    double exponent; /* q */
+    curve_array *array;
+} curves[FIT_CURVES] = {
+    [FIT_SPHERE_ZERO_OVERLAP] = {1, 0.2, cor_sphere_eps_zero_overlap_array},
+    [FIT_SPHERE_ZERO_FORCE] = {1, 0.2, cor_sphere_eps_zero_force_array},
+    [FIT_CONSTANT] = {1, 0, NULL},
+    [FIT_HUNT_CROSSLEY] = {1, 1, cor_hunt_crossley_eps_array},
+    [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {1, -0.2, cor_hertz_dashpot_eps_zero_overlap_array},
+    [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {1, -0.2, cor_hertz_dashpot_eps_zero_force_array},
+    [FIT_POWER_LAW] = {2, 0, NULL},
+};
+
+int fit_curve_parameters(enum fit_curve curve)
+{
+    return curves[curve].parameters;
+}
+
+void fit_curve_eps(enum fit_curve curve, const double *theta, const double *log_speed, double *eps, size_t n)
+{
+    enum { BLOCK = 256 };
+    if (curve == FIT_CONSTANT) {
+        for (size_t i = 0; i < n; i++)
+            eps[i] = theta[0];
+        return;
+    }
+    if (curve == FIT_POWER_LAW) {
+        for (size_t i = 0; i < n; i++)
+            eps[i] = exp(fmin(theta[0] + theta[1] * log_speed[i], 0));
+        return;
+    }
+    double beta[BLOCK];
+    for (size_t first = 0; first < n; first += BLOCK) {
+        const size_t count = n - first < BLOCK ? n - first : BLOCK;
+        for (size_t i = 0; i < count; i++)
+            beta[i] = exp(theta[0] + curves[curve].exponent * log_speed[first + i]);
+        curves[curve].array(beta, eps + first, count);
+    }
+}
+
+void fit_curve_range(enum fit_curve curve, int parameter, double least_log_speed, double most_log_speed, double *low,
+                     double *high)
+{
+    const double weakest = log(1e-9), strongest = log(1e9); /* beta */
+    const double a = curves[curve].exponent * least_log_speed, b = curves[curve].exponent * most_log_speed;
+    if (curve == FIT_CONSTANT) {
+        *low = 0;
+        *high = 1;
+    } else if (curve == FIT_POWER_LAW) {
+        *high = parameter == 0 ? 1e4 : 100;
+        *low = -*high;
+    } else {
+        *low = weakest - fmax(a, b);
+        *high = strongest - fmin(a, b);
+    }
+}
+
+/* ---- parameters ---- */
+
+static double identity(double theta)
+{
+    return theta;
+}
+
+/* g* from beta at 1 m/s: a contact of the characteristic speed 1 m/s has the beta 1/|C_1| there */
+static double g_star_m_s(double theta)
+{
+    struct cor_sphere_contact contact;
+    cor_sphere_contact_init_g_star(&contact, 1);
+    return pow(contact.beta_per_root / exp(theta), 5);
+}
+
+/* Zener's lambda = (2/3) beta at 1 m/s */
+static double zener_lambda(double theta)
+{
+    return exp(theta) * 2 / 3;
+}
+
+/* The contact of two bodies with the dissipation time 1 s */
+static struct cor_sphere_contact contact_of_unit_time(const struct fit_bodies *bodies)
+{
+    struct fit_bodies unit = *bodies;
+    struct cor_sphere_contact contact;
+    unit.body_1.dissipation_time_s = unit.body_2.dissipation_time_s = 1;
+    cor_sphere_contact_init(&contact, &unit.body_1, &unit.body_2);
+    return contact;
+}
+
+static double dissipation_time_s(double theta, const struct fit_bodies *bodies)
+{
+    return exp(theta) / contact_of_unit_time(bodies).beta_per_root;
+}
+
+/* Thickness h of the plate: beta = (3/2) (m/Z) (rho/m)^(2/5) is proportional to h^-2 */
+static double plate_thickness_m(double theta, const struct fit_bodies *bodies)
+{
+    const struct cor_plate plate = {bodies->body_2.young_modulus_pa, bodies->body_2.poisson_ratio,
+                                    bodies->density_2_kg_m3, 1};
+    struct cor_body sphere = bodies->body_1;
+    struct cor_sphere_contact contact;
+    sphere.dissipation_time_s = 0;
+    cor_plate_contact_init(&contact, &sphere, &plate);
+    return sqrt(contact.beta_per_root / exp(theta));
+}
+
+/* C of the force K x^(3/2) + C x', N s/m: beta at 1 m/s is C/(m (K/m)^(2/5)) */
+static double damping_coefficient_kg_s(double theta, const struct fit_bodies *bodies)
+{
+    const struct cor_sphere_contact contact = contact_of_unit_time(bodies);
+    return exp(theta) * contact.effective_mass_kg / contact.scale;
+}
+
+static double zeta_zero_overlap(double eps)
+{
+    return cor_linear_zeta_zero_overlap(eps);
+}
+
+static double zeta_zero_force(double eps)
+{
+    return cor_linear_zeta_zero_force(eps);
+}
+
+/* ---- models ---- */
+
+#define ZERO_OVERLAP "zero-overlap"
+#define ZERO_FORCE "zero-force"
+#define BOTH_ENDS "both"
+#define NO_BODIES NULL, true
+const struct fit_model fit_models[] = {
+    {"viscoelastic",
+     ZERO_OVERLAP,
+     FIT_SPHERE_ZERO_OVERLAP,
+     {"g_star_m_s"},
+     "dissipation_time_s",
+     true,
+     g_star_m_s,
+     dissipation_time_s},
+    {"viscoelastic",
+     ZERO_FORCE,
+     FIT_SPHERE_ZERO_FORCE,
+     {"g_star_m_s"},
+     "dissipation_time_s",
+     true,
+     g_star_m_s,
+     dissipation_time_s},
+    {"plate",
+     ZERO_OVERLAP,
+     FIT_SPHERE_ZERO_OVERLAP,
+     {"zener_lambda_at_1_m_s"},
+     "plate_thickness_m",
+     true,
+     zener_lambda,
+     plate_thickness_m},
+    {"constant", BOTH_ENDS, FIT_CONSTANT, {"eps"}, NO_BODIES, identity, NULL},
+    {"linear", ZERO_OVERLAP, FIT_CONSTANT, {"zeta"}, NO_BODIES, zeta_zero_overlap, NULL},
+    {"linear", ZERO_FORCE, FIT_CONSTANT, {"zeta"}, NO_BODIES, zeta_zero_force, NULL},
+    {"tsuji", ZERO_OVERLAP, FIT_CONSTANT, {"zeta"}, NO_BODIES, zeta_zero_overlap, NULL},
+    {"tsuji", ZERO_FORCE, FIT_CONSTANT, {"zeta"}, NO_BODIES, zeta_zero_force, NULL},
+    {"hunt-crossley", BOTH_ENDS, FIT_HUNT_CROSSLEY, {"dissipation_s_m"}, NO_BODIES, exp, NULL},
+    {"hertz-dashpot",
+     ZERO_OVERLAP,
+     FIT_HERTZ_DASHPOT_ZERO_OVERLAP,
+     {"beta_at_1_m_s"},
+     "damping_coefficient_n_s_m",
+     true,
+     exp,
+     damping_coefficient_kg_s},
+    {"hertz-dashpot",
+     ZERO_FORCE,
+     FIT_HERTZ_DASHPOT_ZERO_FORCE,
+     {"beta_at_1_m_s"},
+     "damping_coefficient_n_s_m",
+     true,
+     exp,
+     damping_coefficient_kg_s},
+    {"power-law", BOTH_ENDS, FIT_POWER_LAW, {"eps_at_1_m_s", "exponent"}, NULL, false, exp, NULL},
+};
+const size_t fit_model_count = sizeof fit_models / sizeof *fit_models;
+
+/* Whether the bodies determine another parameter. The thickness of a plate needs its density. */
+static bool bodies_matter(const struct fit_model *model, const struct fit_bodies *bodies)
+{
+    return bodies && model->parameter_with_bodies &&
+           !(strcmp(model->name, "plate") == 0 && isnan(bodies->density_2_kg_m3));
+}
+
+const char *fit_parameter_name(const struct fit_model *model, int parameter, const struct fit_bodies *bodies)
+{
+    return parameter == 0 && bodies_matter(model, bodies) ? model->parameter_with_bodies : model->parameter[parameter];
+}
+
+double fit_parameter_value(const struct fit_model *model, int parameter, double theta, const struct fit_bodies *bodies)
+{
+    if (parameter > 0)
+        return theta;
+    return bodies_matter(model, bodies) ? model->value_with_bodies(theta, bodies) : model->value(theta);
+}
+
+int fit_bodies_check(const struct fit_bodies *bodies)
+{
+    struct cor_sphere_contact contact;
+    return cor_sphere_contact_init(&contact, &bodies->body_1, &bodies->body_2);
+}

@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: MIT */
+/* The models that corgen fit compares. Several models are one curve eps(g) with different parameters: on a thin plate
+ * eps is that of the viscoelastic sphere at zero overlap, and in the linear and Tsuji's law eps is constant. A curve is
+ * fitted once, in internal coordinates theta; a model converts them to its parameter. */
+#ifndef COR_GEN_FIT_MODELS_H
+#define COR_GEN_FIT_MODELS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include <cor/contact.h>
+
+/* eps is a function of beta = exp(theta_0) (g/(m/s))^q, or constant, theta_0, or min(1, exp(theta_0) (g/(m/s))^theta_1).
+ */
+enum fit_curve {
+    FIT_SPHERE_ZERO_OVERLAP, /* q = 1/5 */
+    FIT_SPHERE_ZERO_FORCE,   /* q = 1/5 */
+    FIT_CONSTANT,
+    FIT_HUNT_CROSSLEY,              /* q = 1 */
+    FIT_HERTZ_DASHPOT_ZERO_OVERLAP, /* q = -1/5 */
+    FIT_HERTZ_DASHPOT_ZERO_FORCE,   /* q = -1/5 */
+    FIT_POWER_LAW,
+    FIT_CURVES
+};
+
+enum { FIT_MAX_PARAMETERS = 2 };
+
+int fit_curve_parameters(enum fit_curve curve);
+
+/* eps[i] at the speeds exp(log_speed[i]), for i < n */
+void fit_curve_eps(enum fit_curve curve, const double *theta, const double *log_speed, double *eps, size_t n);
+
+/* The range of theta that is searched, for speeds between the two given. At the ends of the range of a beta, eps is 1
+ * or 0 within 1e-8 at all of these speeds. */
+void fit_curve_range(enum fit_curve curve, int parameter, double least_log_speed, double most_log_speed, double *low,
+                     double *high);
+
+/* The bodies of the contact, if the user gives them */
+struct fit_bodies {
+    struct cor_body body_1, body_2;
+    double density_2_kg_m3; /* of the plate; NAN: not known */
+};
+
+struct fit_model {
+    const char *name, *end; /* "viscoelastic", "zero-overlap" */
+    enum fit_curve curve;
+    const char *parameter[FIT_MAX_PARAMETERS];
+    const char *parameter_with_bodies; /* replaces the first; NULL: bodies do not matter */
+    bool is_contact;                   /* derived from a law of force; the power law is not */
+    /* The parameter as a monotonic function of theta; with bodies where they matter */
+    double (*value)(double theta);
+    double (*value_with_bodies)(double theta, const struct fit_bodies *bodies);
+};
+
+extern const struct fit_model fit_models[];
+extern const size_t fit_model_count;
+
+/* The model's parameter with that index, for one coordinate theta. bodies may be NULL. */
+const char *fit_parameter_name(const struct fit_model *model, int parameter, const struct fit_bodies *bodies);
+double fit_parameter_value(const struct fit_model *model, int parameter, double theta, const struct fit_bodies *bodies);
+
+/* Returns COR_OK, or the status of the first wrong number of the bodies. */
+int fit_bodies_check(const struct fit_bodies *bodies);
+
+#endif

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+/* A picture of the data, their error bars, the fitted curves and the residuals, drawn by gnuplot. */
+#ifndef COR_GEN_FIT_PLOT_H
+#define COR_GEN_FIT_PLOT_H
+
+#include <stdio.h>
+
+#include "fit/compare.h"
+
+/* Writes an svg picture. The title is that of the data. Returns STATUS_OK, or STATUS_FAILED after a message. */
+int fit_plot(const struct fit_comparison *comparison, const struct fit_data *data, const char *title, FILE *svg);
+
+#endif

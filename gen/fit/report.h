@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* Tables and sentences about the fits of corgen fit. */
+#ifndef COR_GEN_FIT_REPORT_H
+#define COR_GEN_FIT_REPORT_H
+
+#include <stdio.h>
+
+#include "fit/compare.h"
+#include "support/output.h"
+
+/* The table, the models with the least AIC first: a row for each parameter. As text, the remarks follow. */
+void fit_report_print(const struct fit_comparison *comparison, const struct fit_data *data,
+                      const struct fit_request *request, enum output_format format, FILE *file);
+
+/* What the data are, which models fit and which do not. The lines are for a person; every line ends with LF. */
+void fit_report_remarks(const struct fit_comparison *comparison, const struct fit_data *data,
+                        const struct fit_request *request, FILE *file);
+
+#endif
