@@ -5,7 +5,7 @@
 
 #include "support/flint.h"
 
-enum { PRECISION = 256, SERIES_FROM = 1000, MANY = 10000 };
+enum { PRECISION = 256, SERIES_FROM = 1000, MANY = 10000, MAX_STEPS = 60 };
 
 double normal_quantile(enum distribution_level level)
 {
@@ -44,20 +44,28 @@ static double student_probability(double t, double freedom)
     return incomplete_beta(0.5, freedom / 2, t * t, freedom);
 }
 
+static double student_density(double t, double freedom)
+{
+    const double pi = 3.14159265358979323846;
+    return exp(lgamma((freedom + 1) / 2) - lgamma(freedom / 2) - (freedom + 1) / 2 * log1p(t * t / freedom)) /
+           sqrt(freedom * pi);
+}
+
+/* Newton's method from the normal quantile, which is smaller. P(|T| < t) is concave in t > 0, so that the steps ascend.
+ */
 double student_quantile(enum distribution_level level, size_t degrees_of_freedom)
 {
     const double z = normal_quantile(level), n = (double)degrees_of_freedom, z2 = z * z;
     if (degrees_of_freedom >= SERIES_FROM) /* Cornish and Fisher's expansion; the next term is below 1e-9 */
         return z * (1 + (z2 + 1) / (4 * n) + ((5 * z2 + 16) * z2 + 3) / (96 * n * n));
-    double low = z, high = 20; /* t of 95 % and one degree of freedom is 12.7 */
-    for (int i = 0; i < 48; i++) {
-        const double t = (low + high) / 2;
-        if (student_probability(t, n) < level_probability(level))
-            low = t;
-        else
-            high = t;
+    double t = z;
+    for (int i = 0; i < MAX_STEPS; i++) {
+        const double missing = level_probability(level) - student_probability(t, n);
+        t += missing / (2 * student_density(t, n));
+        if (fabs(missing) < 1e-13)
+            break;
     }
-    return (low + high) / 2;
+    return t;
 }
 
 /* The regularised incomplete gamma function Q(nu/2, chi2/2) */

@@ -12,15 +12,15 @@
 enum { CURVE_POINTS = 201, WIDTH = 960, HEIGHT = 640, WIDE_RANGE = 10, MAX_POINTS = 4000 };
 
 static const struct {
-    const char *name, *colour;
+    const char *name, *colour, *dash;
 } styles[FIT_CURVES] = {
-    [FIT_SPHERE_ZERO_OVERLAP] = {"viscoelastic, zero overlap", "blue"},
-    [FIT_SPHERE_ZERO_FORCE] = {"viscoelastic, zero force", "red"},
-    [FIT_CONSTANT] = {"constant", "grey"},
-    [FIT_HUNT_CROSSLEY] = {"Hunt-Crossley", "green"},
-    [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {"Hertz, dashpot, zero overlap", "amber"},
-    [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {"Hertz, dashpot, zero force", "'#d9a441'"},
-    [FIT_POWER_LAW] = {"power law", "violet"},
+    [FIT_SPHERE_ZERO_OVERLAP] = {"viscoelastic, zero overlap", "blue", "1"},
+    [FIT_SPHERE_ZERO_FORCE] = {"viscoelastic, zero force", "red", "(8,5)"},
+    [FIT_CONSTANT] = {"constant", "grey", "1"},
+    [FIT_HUNT_CROSSLEY] = {"Hunt-Crossley", "green", "1"},
+    [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {"Hertz, dashpot, zero overlap", "amber", "1"},
+    [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {"Hertz, dashpot, zero force", "'#d9a441'", "(8,5)"},
+    [FIT_POWER_LAW] = {"power law", "violet", "1"},
 };
 
 /* Of very many points only every so many-th is drawn. */
@@ -66,9 +66,9 @@ static void plot_upper(FILE *script, const struct fit_comparison *c, const struc
           script);
     for (int curve = 0; curve < FIT_CURVES; curve++)
         if (c->used[curve])
-            fprintf(script, "$curve%d using 1:2 with lines lw 2 lc rgb %s title '%s', ", curve, styles[curve].colour,
-                    styles[curve].name);
-    fprintf(script, "$data using 1:2%s pt 7 ps 0.45 lc rgb black title 'measured'\n",
+            fprintf(script, "$curve%d using 1:2 with lines lw 2 dt %s lc rgb %s title '%s', ", curve,
+                    styles[curve].dash, styles[curve].colour, styles[curve].name);
+    fprintf(script, "$data using 1:2%s pt 7 ps 0.45 lc rgb black title 'data'\n",
             data->sigma ? ":3 with yerrorbars" : " with points");
 }
 

@@ -1,0 +1,559 @@
+/* SPDX-License-Identifier: MIT */
+/* gen/fit: csv files, fits, intervals, ranks. The references take other routes: closed forms, the equations that a
+ * minimum of least squares satisfies, sums of squares by the scalar functions of the library, and synthetic data whose
+ * truth is known. */
+#define _XOPEN_SOURCE 700    /* mkstemp */
+#include "support/console.h" /* before cmocka.h makes a macro of fail */
+
+#include "check.h"
+
+#include <unistd.h>
+
+#include <cor/cor.h>
+
+#include "fit/compare.h"
+#include "fit/least_squares.h"
+
+enum { POINTS_MAX = 400, MODELS = 12 };
+
+/* ---- distributions ---- */
+
+#define check_close(computed, expected, tolerance)                                                                     \
+    check(fabs((computed) - (expected)) <= (tolerance)*fabs(expected), "%.17g, expected %.17g", (double)(computed),    \
+          (double)(expected))
+
+static void quantiles_have_closed_forms(void **state)
+{
+    (void)state;
+    const double pi = acos(-1), level[LEVELS] = {0.68268949213708590, 0.95};
+    for (int i = 0; i < LEVELS; i++) {
+        const enum distribution_level l = (enum distribution_level)i;
+        check_close(erf(normal_quantile(l) / sqrt(2)), level[i], 1e-14);
+        check_close(student_quantile(l, 1), tan(pi * level[i] / 2), 1e-8);
+        check_close(student_quantile(l, 2), level[i] * sqrt(2 / (1 - level[i] * level[i])), 1e-8);
+    }
+    check_close(student_quantile(LEVEL_95, 10), 2.2281388519649385, 1e-8); /* tables */
+    /* The expansion continues the quantiles by FLINT: three successive values have nearly equal steps. */
+    for (int i = 0; i < LEVELS; i++) {
+        const enum distribution_level l = (enum distribution_level)i;
+        const double below = student_quantile(l, 998) - student_quantile(l, 999);
+        check_close(student_quantile(l, 999) - student_quantile(l, 1000), below, 0.01);
+    }
+}
+
+static void tails_have_closed_forms(void **state)
+{
+    (void)state;
+    for (double x = 0.01; x < 200; x *= 1.7) {
+        check_close(chi_squared_tail(x, 2), exp(-x / 2), 1e-12);
+        check_close(chi_squared_tail(x, 1), erfc(sqrt(x / 2)), 1e-12);
+        check_close(chi_squared_tail(x, 4), exp(-x / 2) * (1 + x / 2), 1e-12);
+        check_close(fisher_tail(x, 2, 7), pow(1 + 2 * x / 7, -3.5), 1e-12);
+        check_close(fisher_tail(x, 2, 10000), pow(1 + 2 * x / 10000, -5000), 1e-10);
+    }
+    check_close(fisher_tail(3, 2, 10001), pow(1 + 6. / 10001, -5000.5), 0.01);
+    check_close(fisher_tail(1, 5, 5), 0.5, 1e-12); /* F and 1/F are alike */
+    assert_true(chi_squared_tail(0, 3) == 1 && fisher_tail(0, 3, 3) == 1);
+}
+
+/* ---- synthetic data ---- */
+
+/* The truth of each curve: eps is between 0.4 and 0.95 from 0.1 to 10 m/s. */
+static const double truth[FIT_CURVES][FIT_MAX_PARAMETERS] = {[FIT_SPHERE_ZERO_OVERLAP] = {-1.2},
+                                                             [FIT_SPHERE_ZERO_FORCE] = {-1},
+                                                             [FIT_CONSTANT] = {0.7},
+                                                             [FIT_HUNT_CROSSLEY] = {-2.3},
+                                                             [FIT_HERTZ_DASHPOT_ZERO_OVERLAP] = {-1.5},
+                                                             [FIT_HERTZ_DASHPOT_ZERO_FORCE] = {-1.3},
+                                                             [FIT_POWER_LAW] = {-0.4, -0.1}};
+
+struct sample {
+    double speed[POINTS_MAX], eps[POINTS_MAX], sigma[POINTS_MAX];
+    struct fit_data data;
+};
+
+static double normal_deviate(struct random_state *r)
+{
+    const double radius = sqrt(-2 * log(1 - random_uniform(r, 0, 1)));
+    return radius * cos(2 * acos(-1) * random_uniform(r, 0, 1));
+}
+
+/* n points with equal steps in ln g from 0.1 to 10 m/s, and normal errors */
+static void draw_sample(struct sample *s, enum fit_curve curve, size_t n, double noise, bool with_sigma,
+                        struct random_state *r)
+{
+    for (size_t i = 0; i < n; i++) {
+        const double x = log(0.1) + log(100) * (double)i / (double)(n - 1);
+        s->speed[i] = exp(x);
+        s->sigma[i] = with_sigma ? noise * random_uniform(r, 0.5, 2) : noise;
+        fit_curve_eps(curve, truth[curve], &x, &s->eps[i], 1);
+        s->eps[i] += s->sigma[i] * normal_deviate(r);
+    }
+    s->data = (struct fit_data){n, s->speed, s->eps, with_sigma ? s->sigma : NULL, false};
+}
+
+static double weight(const struct sample *s, size_t i)
+{
+    return s->data.sigma ? 1 / (s->sigma[i] * s->sigma[i]) : 1;
+}
+
+/* ---- fits by other routes ---- */
+
+static void the_constant_is_the_weighted_mean(void **state)
+{
+    struct random_state *const r = *state;
+    for (int with_sigma = 0; with_sigma < 2; with_sigma++) {
+        struct sample s;
+        struct fit_estimate e;
+        double w = 0, mean = 0, squares = 0;
+        draw_sample(&s, FIT_CONSTANT, 11, 0.02, with_sigma, r);
+        for (size_t i = 0; i < 11; i++) {
+            w += weight(&s, i);
+            mean += weight(&s, i) * s.eps[i];
+        }
+        mean /= w;
+        for (size_t i = 0; i < 11; i++)
+            squares += weight(&s, i) * (s.eps[i] - mean) * (s.eps[i] - mean);
+        fit_estimate_curve(&e, FIT_CONSTANT, &s.data, false);
+        check_close(e.theta[0], mean, 1e-9);
+        for (int level = 0; level < LEVELS; level++) {
+            const enum distribution_level l = (enum distribution_level)level;
+            const double half =
+                with_sigma ? normal_quantile(l) / sqrt(w) : student_quantile(l, 10) * sqrt(squares / 10 / w);
+            check_close(e.interval[0][level].high - mean, half, 1e-6);
+            check_close(mean - e.interval[0][level].low, half, 1e-6);
+        }
+        if (with_sigma)
+            check_close(e.chi2, squares, 1e-9);
+        else
+            check_close(e.rms, sqrt(squares / 11), 1e-9);
+    }
+}
+
+/* At the minimum the residuals are orthogonal to both derivatives of the power law. */
+static void the_power_law_satisfies_the_normal_equations(void **state)
+{
+    struct random_state *const r = *state;
+    struct sample s;
+    struct fit_estimate e;
+    draw_sample(&s, FIT_POWER_LAW, 30, 0.02, true, r);
+    fit_estimate_curve(&e, FIT_POWER_LAW, &s.data, false);
+    double normal[2] = {0}, size[2] = {0};
+    for (size_t i = 0; i < 30; i++) {
+        const double x = log(s.speed[i]), eps = exp(e.theta[0]) * pow(s.speed[i], e.theta[1]);
+        const double part = weight(&s, i) * (s.eps[i] - eps) * eps;
+        normal[0] += part;
+        normal[1] += part * x;
+        size[0] += fabs(part);
+        size[1] += fabs(part * x);
+    }
+    check(fabs(normal[0]) < 1e-6 * size[0] && fabs(normal[1]) < 1e-6 * size[1], "%g of %g, %g of %g", normal[0],
+          size[0], normal[1], size[1]);
+    for (int j = 0; j < 2; j++)
+        check(fabs(e.theta[j] - truth[FIT_POWER_LAW][j]) < 0.1, "theta_%d = %g", j, e.theta[j]);
+}
+
+static const struct fit_bodies glass = {{7e10, 0.24, 0, 0.005, 1.3e-3}, {7e10, 0.24, 0, INFINITY, INFINITY}, 2500};
+
+/* eps of a model's parameter at a speed, by the scalar functions of the library */
+static double eps_of_parameter(const struct fit_model *model, const char *name, double value, double speed)
+{
+    struct cor_sphere_contact contact;
+    struct cor_body body = glass.body_1, wall = glass.body_2;
+    const bool zero_force = strcmp(model->end, "zero-force") == 0;
+    if (strcmp(name, "g_star_m_s") == 0) {
+        cor_sphere_contact_init_g_star(&contact, value);
+    } else if (strcmp(name, "plate_thickness_m") == 0) {
+        const struct cor_plate plate = {wall.young_modulus_pa, wall.poisson_ratio, glass.density_2_kg_m3, value};
+        cor_plate_contact_init(&contact, &body, &plate);
+    } else if (strcmp(name, "dissipation_time_s") == 0) {
+        body.dissipation_time_s = wall.dissipation_time_s = value;
+        cor_sphere_contact_init(&contact, &body, &wall);
+    } else if (strcmp(name, "damping_coefficient_n_s_m") == 0) {
+        cor_sphere_contact_init(&contact, &body, &wall);
+        const double k = contact.elastic_constant_n_m15, m = contact.effective_mass_kg;
+        const double beta = value * pow(m, -0.6) * pow(k, -0.4) * pow(speed, -0.2);
+        return zero_force ? cor_hertz_dashpot_eps_zero_force(beta) : cor_hertz_dashpot_eps_zero_overlap(beta);
+    } else if (strcmp(name, "beta_at_1_m_s") == 0) {
+        const double beta = value * pow(speed, -0.2);
+        return zero_force ? cor_hertz_dashpot_eps_zero_force(beta) : cor_hertz_dashpot_eps_zero_overlap(beta);
+    } else if (strcmp(name, "zener_lambda_at_1_m_s") == 0) {
+        return cor_sphere_eps_zero_overlap(1.5 * value * pow(speed, 0.2));
+    } else if (strcmp(name, "dissipation_s_m") == 0) {
+        return cor_hunt_crossley_eps(value * speed);
+    } else if (strcmp(name, "zeta") == 0) {
+        return zero_force ? cor_tsuji_eps_zero_force(value) : cor_linear_eps_zero_overlap(value);
+    } else {
+        return value;
+    }
+    return zero_force ? cor_contact_eps_zero_force(&contact, speed) : cor_contact_eps_zero_overlap(&contact, speed);
+}
+
+static double squares_of_parameter(const struct sample *s, const struct fit_model *model, const char *name,
+                                   double value)
+{
+    double sum = 0;
+    for (size_t i = 0; i < s->data.points; i++) {
+        const double residual = s->eps[i] - eps_of_parameter(model, name, value, s->speed[i]);
+        sum += weight(s, i) * residual * residual;
+    }
+    return sum;
+}
+
+/* A scan of the sum of squares over the model's parameter finds no lower value than the fit's, and the sum has the
+ * threshold's value at both ends of the intervals. */
+static void check_parameter(const struct sample *s, const struct fit_model *model, const struct fit_estimate *e,
+                            const struct fit_bodies *bodies)
+{
+    const char *const name = fit_parameter_name(model, 0, bodies);
+    const double value = fit_parameter_value(model, 0, e->theta[0], bodies);
+    const double least = squares_of_parameter(s, model, name, value);
+    for (int i = -300; i <= 300; i++) {
+        const double at = value * exp(0.02 * i), sum = squares_of_parameter(s, model, name, at);
+        check(!(sum < least * (1 - 1e-9)), "%s %s: %g is lower at %s = %g than %g at %g", model->name, model->end, sum,
+              name, at, least, value);
+    }
+    const size_t freedom = s->data.points - 1;
+    for (int level = 0; level < LEVELS; level++) {
+        const enum distribution_level l = (enum distribution_level)level;
+        const double quantile = s->data.sigma ? normal_quantile(l) : student_quantile(l, freedom);
+        const double expected = quantile * quantile * (s->data.sigma ? 1 : least / (double)freedom);
+        const double end[] = {e->interval[0][level].low, e->interval[0][level].high};
+        for (int side = 0; side < 2; side++) {
+            const double at = fit_parameter_value(model, 0, end[side], bodies);
+            check_close(squares_of_parameter(s, model, name, at) - least, expected, 1e-5);
+        }
+        assert_true(end[0] < e->theta[0] && e->theta[0] < end[1]);
+    }
+}
+
+static void a_scan_finds_the_same_minimum_and_intervals(void **state)
+{
+    struct random_state *const r = *state;
+    for (int with_sigma = 0; with_sigma < 2; with_sigma++) {
+        for (size_t i = 0; i < fit_model_count; i++) {
+            const struct fit_model *const model = &fit_models[i];
+            struct sample s;
+            struct fit_estimate e;
+            if (model->curve == FIT_POWER_LAW)
+                continue;
+            draw_sample(&s, model->curve, 15, 0.02, with_sigma, r);
+            fit_estimate_curve(&e, model->curve, &s.data, false);
+            check_parameter(&s, model, &e, NULL);
+            check_parameter(&s, model, &e, &glass);
+        }
+    }
+}
+
+/* g* of ice, cm/s: least squares of eps at 400 speeds with equal steps in ln g, by golden section in ln g* with the
+ * functions of contact.h; the program that found them preceded corgen fit. */
+static void ice_has_the_g_star_of_a_golden_section(void **state)
+{
+    (void)state;
+    static const struct {
+        enum fit_curve curve;
+        double g_star_cm_s;
+    } expected[] = {{FIT_SPHERE_ZERO_OVERLAP, 0.8561}, {FIT_SPHERE_ZERO_FORCE, 0.4560}};
+    struct sample s;
+    for (size_t i = 0; i < 400; i++) {
+        const double speed_cm_s = 0.015 * pow(5.1 / 0.015, (double)i / 399);
+        s.speed[i] = speed_cm_s / 100;
+        s.eps[i] = 0.32 * pow(speed_cm_s, -0.234);
+    }
+    s.data = (struct fit_data){400, s.speed, s.eps, NULL, false};
+    for (int i = 0; i < 2; i++) {
+        struct fit_estimate e;
+        fit_estimate_curve(&e, expected[i].curve, &s.data, false);
+        const double found = 100 * fit_parameter_value(&fit_models[i], 0, e.theta[0], NULL);
+        check(fabs(found - expected[i].g_star_cm_s) < 0.6e-4, "g* = %.6f cm/s, expected %.4f", found,
+              expected[i].g_star_cm_s);
+        assert_false(fit_is_accepted(&e));
+    }
+}
+
+/* ---- ranks ---- */
+
+static void compare_all(struct fit_comparison *c, const struct sample *s, bool robust)
+{
+    struct fit_request request = {.robust = robust};
+    assert_int_equal(fit_request_models(&request, "all", NULL), STATUS_OK);
+    fit_compare(c, &s->data, &request);
+}
+
+/* Precise data of a curve: that curve has the least AIC and fits, and the constant does not. */
+static void the_true_curve_ranks_first(void **state)
+{
+    struct random_state *const r = *state;
+    for (int curve = 0; curve < FIT_CURVES; curve++) {
+        for (int way = 0; way < 4; way++) {
+            struct sample s;
+            struct fit_comparison c;
+            draw_sample(&s, (enum fit_curve)curve, 60, 1e-3, way & 1, r);
+            compare_all(&c, &s, way & 2);
+            assert_int_equal(c.models, MODELS);
+            const enum fit_curve first = fit_models[c.ranked[0]].curve;
+            /* The constant is a power law of exponent 0. */
+            check(first == (enum fit_curve)curve || (curve == FIT_CONSTANT && first == FIT_POWER_LAW),
+                  "data of curve %d, the first is curve %d", curve, (int)first);
+            assert_true(fit_is_accepted(&c.estimate[curve]));
+            assert_true(curve == FIT_CONSTANT || !fit_is_accepted(&c.estimate[FIT_CONSTANT]));
+            for (int i = 1; i < c.models; i++)
+                assert_true(c.estimate[fit_models[c.ranked[i - 1]].curve].aic <=
+                            c.estimate[fit_models[c.ranked[i]].curve].aic);
+        }
+    }
+}
+
+static void aic_is_that_of_the_likelihood(void **state)
+{
+    struct random_state *const r = *state;
+    struct sample s;
+    struct fit_comparison c;
+    draw_sample(&s, FIT_SPHERE_ZERO_FORCE, 20, 0.02, true, r);
+    compare_all(&c, &s, false);
+    for (int curve = 0; curve < FIT_CURVES; curve++)
+        check_close(c.estimate[curve].aic, c.estimate[curve].chi2 + 2 * fit_curve_parameters((enum fit_curve)curve),
+                    1e-9);
+    s.data.sigma = NULL;
+    compare_all(&c, &s, false);
+    for (int curve = 0; curve < FIT_CURVES; curve++)
+        check_close(c.estimate[curve].aic,
+                    40 * log(c.estimate[curve].rms) + 2 * (fit_curve_parameters((enum fit_curve)curve) + 1), 1e-9);
+}
+
+/* ---- intervals against the truth ---- */
+
+static double binomial_probability(int n, int k, double p)
+{
+    return exp(lgamma(n + 1.) - lgamma(k + 1.) - lgamma(n - k + 1.) + k * log(p) + (n - k) * log1p(-p));
+}
+
+/* P(X <= k), P(X >= k) of n draws with probability p */
+static double lower_tail(int n, int k, double p)
+{
+    double sum = 0;
+    for (int i = 0; i <= k; i++)
+        sum += binomial_probability(n, i, p);
+    return sum;
+}
+
+struct coverage {
+    enum fit_curve curve;
+    size_t points;
+    bool with_sigma, robust;
+};
+
+static const struct coverage coverages[] = {
+    {FIT_SPHERE_ZERO_OVERLAP, 12, false, false},
+    {FIT_SPHERE_ZERO_FORCE, 12, true, false},
+    {FIT_CONSTANT, 8, false, false},
+    {FIT_HUNT_CROSSLEY, 12, false, false},
+    {FIT_HERTZ_DASHPOT_ZERO_OVERLAP, 12, true, false},
+    {FIT_HERTZ_DASHPOT_ZERO_FORCE, 12, false, false},
+    {FIT_POWER_LAW, 12, false, false},
+    {FIT_POWER_LAW, 12, true, false},
+    {FIT_SPHERE_ZERO_FORCE, 40, false, true},
+    {FIT_POWER_LAW, 40, true, true},
+};
+
+/* Of `draws` intervals of 95 %, 93 to 97 of 100 hold the truth; fewer draws than 1000 have the exact binomial limits of
+ * probability 1e-6 instead. The same holds for 68 % and for p values below FIT_SIGNIFICANCE. */
+static void intervals_hold_the_truth(void **state)
+{
+    struct random_state *const r = *state;
+    const bool whole = few_or_all(0, 1) != 0;
+    const int draws = whole ? 1000 : 40;
+    for (size_t k = 0; k < sizeof coverages / sizeof *coverages; k++) {
+        const struct coverage *const c = &coverages[k];
+        const int parameters = fit_curve_parameters(c->curve);
+        int held[FIT_MAX_PARAMETERS][LEVELS] = {{0}}, rejected = 0;
+        for (int draw = 0; draw < draws; draw++) {
+            struct sample s;
+            struct fit_estimate e;
+            draw_sample(&s, c->curve, c->points, 0.015, c->with_sigma, r);
+            fit_estimate_curve(&e, c->curve, &s.data, c->robust);
+            rejected += !fit_is_accepted(&e);
+            for (int j = 0; j < parameters; j++)
+                for (int level = 0; level < LEVELS; level++)
+                    held[j][level] += e.interval[j][level].low <= truth[c->curve][j] &&
+                                      truth[c->curve][j] <= e.interval[j][level].high;
+        }
+        static const double level[LEVELS] = {0.68268949213708590, 0.95};
+        for (int j = 0; j < parameters; j++) {
+            if (whole)
+                print_message(
+                    "curve %d, %zu points, %s%s, parameter %d: 68 %%: %.1f, 95 %%: %.1f of 100; rejected %d\n",
+                    (int)c->curve, c->points, c->with_sigma ? "sigma given" : "sigma unknown",
+                    c->robust ? ", robust" : "", j, 100. * held[j][LEVEL_68] / draws, 100. * held[j][LEVEL_95] / draws,
+                    rejected);
+            if (whole)
+                check(held[j][LEVEL_95] >= 930 && held[j][LEVEL_95] <= 970, "curve %d, parameter %d: %d of 1000 hold",
+                      (int)c->curve, j, held[j][LEVEL_95]);
+            for (int l = 0; l < LEVELS; l++)
+                check(lower_tail(draws, held[j][l], level[l]) > 1e-6 &&
+                          1 - lower_tail(draws, held[j][l] - 1, level[l]) > 1e-6,
+                      "curve %d, parameter %d: %d of %d hold", (int)c->curve, j, held[j][l], draws);
+        }
+        check(1 - lower_tail(draws, rejected - 1, FIT_SIGNIFICANCE) > 1e-6, "curve %d: %d of %d rejected",
+              (int)c->curve, rejected, draws);
+    }
+}
+
+static void outliers_move_the_robust_fit_little(void **state)
+{
+    struct random_state *const r = *state;
+    for (int with_sigma = 0; with_sigma < 2; with_sigma++) {
+        struct sample s;
+        struct fit_estimate plain, robust, clean;
+        draw_sample(&s, FIT_SPHERE_ZERO_FORCE, 40, 0.005, with_sigma, r);
+        fit_estimate_curve(&clean, FIT_SPHERE_ZERO_FORCE, &s.data, false);
+        for (size_t i = 3; i < 40; i += 12)
+            s.eps[i] -= 0.3;
+        fit_estimate_curve(&plain, FIT_SPHERE_ZERO_FORCE, &s.data, false);
+        fit_estimate_curve(&robust, FIT_SPHERE_ZERO_FORCE, &s.data, true);
+        const double moved = fabs(robust.theta[0] - clean.theta[0]), plainly = fabs(plain.theta[0] - clean.theta[0]);
+        check(moved < plainly / 5, "%g against %g", moved, plainly);
+        assert_true(robust.interval[0][LEVEL_95].low < truth[FIT_SPHERE_ZERO_FORCE][0] &&
+                    truth[FIT_SPHERE_ZERO_FORCE][0] < robust.interval[0][LEVEL_95].high);
+    }
+}
+
+/* ---- extreme data ---- */
+
+static void elastic_data_have_no_upper_end(void **state)
+{
+    (void)state;
+    double speed[] = {0.1, 1, 10}, eps[] = {1, 1, 1}, sigma[] = {0.01, 0.01, 0.01};
+    const struct fit_data data = {3, speed, eps, sigma, false};
+    struct fit_estimate e;
+    fit_estimate_curve(&e, FIT_SPHERE_ZERO_OVERLAP, &data, false);
+    const struct fit_model *const model = &fit_models[0];
+    assert_true(fit_parameter_value(model, 0, e.theta[0], NULL) == INFINITY);                  /* g* */
+    assert_true(fit_parameter_value(model, 0, e.interval[0][LEVEL_95].low, NULL) == INFINITY); /* theta: weak damping */
+    const double g_star = fit_parameter_value(model, 0, e.interval[0][LEVEL_95].high, NULL);
+    check(g_star > 1e3 && g_star < 1e12, "g* above %g", g_star);
+    fit_estimate_curve(&e, FIT_CONSTANT, &data, false);
+    assert_true(e.theta[0] == 1 && e.interval[0][LEVEL_95].high == 1 && e.interval[0][LEVEL_95].low < 1);
+}
+
+static void few_points_are_not_judged(void **state)
+{
+    (void)state;
+    double speed[] = {0.1, 1}, eps[] = {0.9, 0.8};
+    const struct fit_data data = {2, speed, eps, NULL, false};
+    struct fit_estimate e;
+    fit_estimate_curve(&e, FIT_CONSTANT, &data, false);
+    assert_true(e.fitted && isnan(e.p_value) && fit_is_accepted(&e));
+    fit_estimate_curve(&e, FIT_POWER_LAW, &data, false);
+    assert_false(e.fitted);
+}
+
+/* ---- csv files ---- */
+
+static char path[] = "/tmp/cor_test_fit_XXXXXX";
+
+static int read_text(struct fit_data *data, const char *text, enum fit_unit unit)
+{
+    FILE *const file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+    return fit_data_read(data, path, unit, FIT_GRAVITY_M_S2);
+}
+
+static void check_points(const char *text, enum fit_unit unit)
+{
+    struct fit_data data;
+    assert_int_equal(read_text(&data, text, unit), STATUS_OK);
+    assert_int_equal(data.points, 2);
+    assert_true(data.speed_m_s[0] == 0.25 && data.eps[0] == 0.9);
+    assert_true(data.speed_m_s[1] == 1.5 && data.eps[1] == 0.75);
+    fit_data_clear(&data);
+}
+
+static void csv_forms_agree(void **state)
+{
+    (void)state;
+    check_points("speed_m_s,eps\n0.25,0.9\n1.5,0.75\n", FIT_UNIT_OF_COLUMN);
+    check_points("speed_m_s,eps\r\n0.25,0.9\r\n1.5,0.75", FIT_M_S);
+    check_points("\xef\xbb\xbf# a note\n\neps,\"speed_cm_s\",note\n0.75,150,\"a, b\"\n 0.9 ,25,\n", FIT_UNIT_OF_COLUMN);
+    check_points("speed,eps\n1500,7.5e-1\n250,.9\n", FIT_MM_S);
+    struct fit_data data;
+    assert_int_equal(read_text(&data, "speed_m_s,eps,eps_sigma\n2,0.5,0.1\n1,0.6,0.2\n", FIT_UNIT_OF_COLUMN),
+                     STATUS_OK);
+    assert_true(data.sigma && data.sigma[0] == 0.2 && data.sigma[1] == 0.1 && data.eps[0] == 0.6);
+    fit_data_clear(&data);
+}
+
+/* By hand: flights of 1, 0.8 and 0.64 s, and of 0.5 and 0.45 s. */
+static void flights_give_speeds_and_eps(void **state)
+{
+    (void)state;
+    struct fit_data data;
+    assert_int_equal(read_text(&data, "run,t_s\na,0\na,1\na,1.8\na,2.44\nb,5\nb,5.5\nb,5.95\n", FIT_UNIT_OF_COLUMN),
+                     STATUS_OK);
+    assert_int_equal(data.points, 3);
+    const double expected_speed[] = {0.25, 0.4, 0.5}, expected_eps[] = {0.9, 0.8, 0.8};
+    for (int i = 0; i < 3; i++) {
+        check_close(data.speed_m_s[i], expected_speed[i] * FIT_GRAVITY_M_S2, 1e-14);
+        check_close(data.eps[i], expected_eps[i], 1e-14);
+    }
+    assert_true(data.from_bounces && !data.sigma);
+    fit_data_clear(&data);
+}
+
+/* No text is read beyond its end, whatever it holds: the sanitizers watch. */
+static void damaged_files_are_refused(void **state)
+{
+    struct random_state *const r = *state;
+    static const char whole[] = "speed_m_s,eps,eps_sigma\n0.1,0.95,0.01\n1,0.9,0.02\n\"3\",0.8,1e-2\n";
+    const size_t files = points(200);
+    fflush(stderr);
+    const int messages = dup(2);
+    assert_non_null(freopen("/dev/null", "w", stderr));
+    for (size_t i = 0; i < files; i++) {
+        char text[sizeof whole];
+        memcpy(text, whole, sizeof whole);
+        for (size_t changes = 1 + random_below(r, 3); changes > 0; changes--)
+            text[random_below(r, sizeof whole - 1)] = ",;.\"\r\n#x-0\t9e"[random_below(r, 13)];
+        struct fit_data data;
+        if (read_text(&data, text, FIT_UNIT_OF_COLUMN) != STATUS_OK)
+            continue;
+        for (size_t k = 0; k < data.points; k++)
+            assert_true(data.speed_m_s[k] > 0 && data.eps[k] >= 0 && data.eps[k] <= 1 &&
+                        (!data.sigma || data.sigma[k] > 0));
+        fit_data_clear(&data);
+    }
+    fflush(stderr);
+    dup2(messages, 2);
+    close(messages);
+}
+
+int main(void)
+{
+    struct random_state random = random_start();
+    const int file = mkstemp(path);
+    if (file < 0)
+        return 1;
+    close(file);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(quantiles_have_closed_forms),
+        cmocka_unit_test(tails_have_closed_forms),
+        cmocka_unit_test_prestate(the_constant_is_the_weighted_mean, &random),
+        cmocka_unit_test_prestate(the_power_law_satisfies_the_normal_equations, &random),
+        cmocka_unit_test_prestate(a_scan_finds_the_same_minimum_and_intervals, &random),
+        cmocka_unit_test(ice_has_the_g_star_of_a_golden_section),
+        cmocka_unit_test_prestate(the_true_curve_ranks_first, &random),
+        cmocka_unit_test_prestate(aic_is_that_of_the_likelihood, &random),
+        cmocka_unit_test_prestate(intervals_hold_the_truth, &random),
+        cmocka_unit_test_prestate(outliers_move_the_robust_fit_little, &random),
+        cmocka_unit_test(elastic_data_have_no_upper_end),
+        cmocka_unit_test(few_points_are_not_judged),
+        cmocka_unit_test(csv_forms_agree),
+        cmocka_unit_test(flights_give_speeds_and_eps),
+        cmocka_unit_test_prestate(damaged_files_are_refused, &random),
+    };
+    const int status = cmocka_run_group_tests(tests, NULL, NULL);
+    unlink(path);
+    return status;
+}
