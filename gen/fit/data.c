@@ -46,6 +46,13 @@ struct reader {
 
 /* ---- messages ---- */
 
+/* The name of a column in the file: that of the speed may have a unit. */
+static const char *name_in_file(const struct reader *r, enum column column)
+{
+    const bool has_unit = column == SPEED && r->unit != FIT_UNIT_OF_COLUMN && r->place[r->unit] >= 0;
+    return column_names[has_unit ? (enum column)r->unit : column];
+}
+
 __attribute__((format(printf, 3, 4))) static int refuse(const struct reader *r, enum column column, const char *format,
                                                         ...)
 {
@@ -56,7 +63,7 @@ __attribute__((format(printf, 3, 4))) static int refuse(const struct reader *r, 
     va_end(arguments);
     return column == COLUMNS
                ? usage_error("%s: line %ld: %s", r->name, r->number, why)
-               : usage_error("%s: line %ld, column %s: %s", r->name, r->number, column_names[column], why);
+               : usage_error("%s: line %ld, column %s: %s", r->name, r->number, name_in_file(r, column), why);
 }
 
 static int refuse_cell(const struct reader *r, enum column column, const char *text, const char *allowed)
