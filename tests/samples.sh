@@ -16,6 +16,7 @@ sample_output() {
 samples_prepare() {
     mkdir -p "$work/bin" "$work/samples"
     ln -sf "$corgen" "$work/bin/corgen"
+    ln -sf "$PWD"/docs/data/*.csv "$work/samples"
     printf '#!/bin/sh\necho "-I%s %s -lm"\n' "$PWD/include" "${library-}" >"$work/bin/pkg-config"
     chmod +x "$work/bin/pkg-config"
 }
