@@ -388,7 +388,7 @@ static void sort_points(struct fit_data *data)
     free(point);
 }
 
-static int read_file(struct fit_data *data, struct reader *r, double gravity_m_s2)
+static int read_table(struct fit_data *data, struct reader *r, double gravity_m_s2)
 {
     errno = 0;
     const enum line_status line = next_row(r);
@@ -410,25 +410,34 @@ static int read_file(struct fit_data *data, struct reader *r, double gravity_m_s
     return status;
 }
 
-int fit_data_read(struct fit_data *data, const char *path, enum fit_unit unit, double gravity_m_s2)
+int fit_data_read_file(struct fit_data *data, FILE *file, const char *name, enum fit_unit unit, double gravity_m_s2)
 {
-    const bool standard_input = strcmp(path, "-") == 0;
-    *data = (struct fit_data){0};
     struct reader *const r = xmalloc(sizeof *r);
-    r->name = standard_input ? "standard input" : path;
+    *data = (struct fit_data){0};
+    r->name = name;
+    r->file = file;
     r->number = 0;
     r->unit = unit;
     r->capacity = 0;
-    r->file = standard_input ? stdin : fopen(path, "r");
-    int status = r->file ? read_file(data, r, gravity_m_s2) : fail("cannot read %s: %s", path, strerror(errno));
-    if (r->file && !standard_input)
-        fclose(r->file);
+    const int status = read_table(data, r, gravity_m_s2);
     free(r);
     progress_end();
     if (status == STATUS_OK)
         sort_points(data);
     else
         fit_data_clear(data);
+    return status;
+}
+
+int fit_data_read(struct fit_data *data, const char *path, enum fit_unit unit, double gravity_m_s2)
+{
+    if (strcmp(path, "-") == 0)
+        return fit_data_read_file(data, stdin, "standard input", unit, gravity_m_s2);
+    FILE *const file = fopen(path, "r");
+    if (!file)
+        return fail("cannot read %s: %s", path, strerror(errno));
+    const int status = fit_data_read_file(data, file, path, unit, gravity_m_s2);
+    fclose(file);
     return status;
 }
 

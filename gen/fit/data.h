@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 /* Unit of the speeds. FIT_UNIT_OF_COLUMN: the name of the column, speed_m_s or speed_cm_s, says which. */
 enum fit_unit { FIT_M_S, FIT_CM_S, FIT_MM_S, FIT_UNIT_OF_COLUMN };
@@ -34,6 +35,9 @@ struct fit_data {
  *
  * Returns STATUS_OK, STATUS_USAGE after a message with line and column, or STATUS_FAILED if the file cannot be read. */
 int fit_data_read(struct fit_data *data, const char *path, enum fit_unit unit, double gravity_m_s2);
+/* The same from an open file, which stays open. `name` names it in messages. */
+int fit_data_read_file(struct fit_data *data, FILE *file, const char *name, enum fit_unit unit, double gravity_m_s2);
+
 void fit_data_clear(struct fit_data *data);
 
 #endif

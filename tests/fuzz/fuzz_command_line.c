@@ -161,6 +161,17 @@ static int fuzz_embed(const void *arguments)
     return run_if(true, &command_embed, &o->common);
 }
 
+/* Neither standard input nor gnuplot */
+static int fuzz_fit(const void *arguments)
+{
+    const struct fit_arguments *const o = arguments;
+    require_number(&o->gravity);
+    for (int i = 0; i < EMBED_NUMBERS; i++)
+        require_number(&o->scene.number[i]);
+    require_name(o->data);
+    return run_if(strcmp(o->data, "-") != 0 && !o->plot, &command_fit, &o->common);
+}
+
 /* plan goes on to where its modes or collisions begin, */
 static bool planning;
 
@@ -195,6 +206,7 @@ static int corgen_main(int argc, char **argv)
                {&command_disk_modes, fuzz_disk_modes},
                {&command_disk_collide, fuzz_disk_collide},
                {&command_embed, fuzz_embed},
+               {&command_fit, fuzz_fit},
                {&command_plan, fuzz_plan},
                {&command_tables, fuzz_tables}};
     enum { ROWS = sizeof row / sizeof *row };

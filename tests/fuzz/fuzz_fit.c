@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen fit: the input is a csv file. What the reader accepts is fitted, by a curve that the length of the input chooses. */
+#define _XOPEN_SOURCE 700 /* fmemopen */
+#include "fuzz.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "fit/likelihood.h"
+#include "support/console.h"
+
+enum { FEW = 40 };
+
+static void require_point(const struct fit_data *data, size_t i)
+{
+    REQUIRE(data->speed_m_s[i] > 0 && isfinite(data->speed_m_s[i]), "speed %a", data->speed_m_s[i]);
+    REQUIRE(data->eps[i] >= 0 && data->eps[i] <= 1, "eps %a", data->eps[i]);
+    REQUIRE(!data->sigma || (data->sigma[i] > 0 && isfinite(data->sigma[i])), "sigma %a", data->sigma[i]);
+    REQUIRE(i == 0 || data->speed_m_s[i - 1] <= data->speed_m_s[i], "speed %a is not sorted", data->speed_m_s[i]);
+}
+
+static void require_estimate(const struct fit_estimate *e)
+{
+    REQUIRE(e->rms >= 0 && isfinite(e->rms), "rms %a", e->rms);
+    REQUIRE(isnan(e->p_value) || (e->p_value >= 0 && e->p_value <= 1), "p %a", e->p_value);
+    for (int j = 0; j < e->parameters; j++)
+        for (int level = 0; level < LEVELS; level++)
+            REQUIRE(e->interval[j][level].low <= e->theta[j] && e->theta[j] <= e->interval[j][level].high,
+                    "curve %d: %a, %a, %a", (int)e->curve, e->interval[j][level].low, e->theta[j],
+                    e->interval[j][level].high);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
+{
+    if (size == 0)
+        return 0;
+    FILE *const file = fmemopen((void *)(uintptr_t)input, size, "r");
+    REQUIRE(file, "no stream of %zu bytes", size);
+    console_show_usage_errors(false);
+    struct fit_data data;
+    const int status = fit_data_read_file(&data, file, "input", FIT_UNIT_OF_COLUMN, FIT_GRAVITY_M_S2);
+    fclose(file);
+    REQUIRE(status == STATUS_OK || status == STATUS_USAGE, "status %d", status);
+    if (status != STATUS_OK)
+        return 0;
+    for (size_t i = 0; i < data.points; i++)
+        require_point(&data, i);
+    if (data.points <= FEW) {
+        struct fit_estimate e;
+        fit_estimate_curve(&e, (enum fit_curve)(size % FIT_CURVES), &data, size & 1);
+        if (e.fitted)
+            require_estimate(&e);
+    }
+    fit_data_clear(&data);
+    return 0;
+}
