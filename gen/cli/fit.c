@@ -116,6 +116,8 @@ static int run_fit(const void *arguments)
     struct fit_request request = {.robust = o->robust};
     struct fit_bodies bodies;
     struct fit_data data;
+    if (o->plot && o->common.output && strcmp(o->plot, o->common.output) == 0)
+        return usage_error("--plot and --output name the same file, %s; allowed: two files", o->plot);
     int status = fit_request_models(&request, o->law, o->end == OPTIONS_NOT_GIVEN ? NULL : option_ends[o->end]);
     if (status == STATUS_OK && bodies_given(&o->scene)) {
         status = read_bodies(&bodies, &o->scene);

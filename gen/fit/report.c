@@ -107,11 +107,16 @@ static void remark_curves(const struct fit_comparison *c, FILE *file)
         if (named[curve])
             continue;
         named[curve] = true;
-        fprintf(file, "  %-12s p = %-9.2g ",
+        char p_value[32] = "p < 1e-300"; /* the tail functions underflow */
+        if (isnan(e->p_value))
+            snprintf(p_value, sizeof p_value, "p unknown");
+        else if (e->p_value >= 1e-300)
+            snprintf(p_value, sizeof p_value, "p = %.2g", e->p_value);
+        fprintf(file, "  %-12s %-13s ",
                 isnan(e->p_value)    ? "too few"
                 : fit_is_accepted(e) ? "fits"
                                      : "does not fit",
-                e->p_value);
+                p_value);
         print_models_of(c, curve, file);
         fputs("\n", file);
     }
