@@ -32,6 +32,7 @@ struct option_numbers {
 struct option_rule {
     const char *name; /* without its dashes; NULL ends a list */
     enum option_kind kind;
+    bool required;
     size_t offset; /* of the field in the struct of arguments */
     union {
         struct {
@@ -41,8 +42,7 @@ struct option_rule {
         const char *const *words; /* ends with NULL */
         const struct values_rule *values;
     } range;
-    const char *why; /* reason for the upper limit; for words: their meaning, "an end of contact" */
-    bool required;
+    const char *why;      /* reason for the upper limit; for words: their meaning, "an end of contact" */
     const char *excludes; /* options that contradict this one, space separated, or NULL */
     const char *needs;    /* the option that this one requires, or NULL */
     const char *operand;  /* the value may stand alone, without the option's name: its name in messages, "DATA.csv" */

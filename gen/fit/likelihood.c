@@ -69,11 +69,11 @@ static void keep_better(double *best, double *best_theta, const struct problem *
 {
     double theta[FIT_MAX_PARAMETERS];
     memcpy(theta, start, sizeof theta);
-    double sum = least_squares_minimise(residuals, p, p->points, p->parameters, theta);
+    least_squares_minimise(residuals, p, p->points, p->parameters, theta);
     for (int j = 0; j < p->parameters; j++)
         theta[j] = fmin(fmax(theta[j], p->low[j]), p->high[j]);
     const double at_start = objective(p, start);
-    sum = objective(p, theta);
+    double sum = objective(p, theta);
     if (!(sum <= at_start)) {
         memcpy(theta, start, sizeof theta);
         sum = at_start;
@@ -194,13 +194,13 @@ static double minimise_with_scale(double *theta, struct problem *p)
 {
     const bool robust = p->robust;
     p->robust = false;
-    double best = minimise(theta, p);
+    const double best = minimise(theta, p);
     p->robust = robust;
     if (!robust || p->sigma)
         return robust ? minimise(theta, p) : best;
     p->scale = residual_scale(p, theta);
     for (int round = 0; round < SCALE_ROUNDS; round++) {
-        best = minimise(theta, p);
+        minimise(theta, p);
         const double scale = residual_scale(p, theta);
         if (fabs(scale - p->scale) <= 1e-9 * scale)
             break;

@@ -44,9 +44,9 @@ struct fit_bodies {
 struct fit_model {
     const char *name, *end; /* "viscoelastic", "zero-overlap" */
     enum fit_curve curve;
+    bool is_contact; /* derived from a law of force; the power law is not */
     const char *parameter[FIT_MAX_PARAMETERS];
     const char *parameter_with_bodies; /* replaces the first; NULL: bodies do not matter */
-    bool is_contact;                   /* derived from a law of force; the power law is not */
     /* The parameter as a monotonic function of theta; with bodies where they matter */
     double (*value)(double theta);
     double (*value_with_bodies)(double theta, const struct fit_bodies *bodies);

@@ -338,22 +338,22 @@ static double lower_tail(int n, int k, double p)
 }
 
 struct coverage {
-    enum fit_curve curve;
     size_t points;
+    enum fit_curve curve;
     bool with_sigma, robust;
 };
 
 static const struct coverage coverages[] = {
-    {FIT_SPHERE_ZERO_OVERLAP, 12, false, false},
-    {FIT_SPHERE_ZERO_FORCE, 12, true, false},
-    {FIT_CONSTANT, 8, false, false},
-    {FIT_HUNT_CROSSLEY, 12, false, false},
-    {FIT_HERTZ_DASHPOT_ZERO_OVERLAP, 12, true, false},
-    {FIT_HERTZ_DASHPOT_ZERO_FORCE, 12, false, false},
-    {FIT_POWER_LAW, 12, false, false},
-    {FIT_POWER_LAW, 12, true, false},
-    {FIT_SPHERE_ZERO_FORCE, 40, false, true},
-    {FIT_POWER_LAW, 40, true, true},
+    {12, FIT_SPHERE_ZERO_OVERLAP, false, false},
+    {12, FIT_SPHERE_ZERO_FORCE, true, false},
+    {8, FIT_CONSTANT, false, false},
+    {12, FIT_HUNT_CROSSLEY, false, false},
+    {12, FIT_HERTZ_DASHPOT_ZERO_OVERLAP, true, false},
+    {12, FIT_HERTZ_DASHPOT_ZERO_FORCE, false, false},
+    {12, FIT_POWER_LAW, false, false},
+    {12, FIT_POWER_LAW, true, false},
+    {40, FIT_SPHERE_ZERO_FORCE, false, true},
+    {40, FIT_POWER_LAW, true, true},
 };
 
 /* Of `draws` intervals of 95 %, 93 to 97 of 100 hold the truth; fewer draws than 1000 have the exact binomial limits of
