@@ -156,7 +156,7 @@ static const char help[] =
     "  --law NAMES      all (default), or several of viscoelastic, plate, constant, linear, tsuji,\n"
     "                   hunt-crossley, hertz-dashpot, power-law, as viscoelastic,power-law\n"
     "  --end E          zero-overlap or zero-force: only this end of contact (default: both)\n"
-    "  --robust         Huber's function, k = 1.345, instead of squares: outliers have little weight\n"
+    "  --robust         Huber's function, linear beyond 1.345 sigma, not squares: outliers have little weight\n"
     "  --plot FILE.svg  a picture of data, fits and residuals (needs gnuplot)\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nParameters: g_star_m_s, from eps = 1 - (speed/g*)^(1/5) + ...; zener_lambda_at_1_m_s of a thin plate;\n"

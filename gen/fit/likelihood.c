@@ -177,7 +177,7 @@ static int compare_doubles(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* The median of |r| over 0.6745, times sqrt(n/(n - p)) */
+/* The median of |r| over 0.6745, times sqrt(n/(n - k)) */
 static double residual_scale(const struct problem *p, const double *theta)
 {
     const double normal_median = 0.67448975019608171, n = (double)p->points;
@@ -260,13 +260,13 @@ static double interval_end(struct problem *p, const double *theta, int j, int si
     return (near + far) / 2;
 }
 
-/* Huber's factor [sum psi^2/(n - p)]/[sum psi'/n], which is 1 - p/n or so for residuals that are all small */
+/* Huber's factor [sum psi^2/(n - k)]/[sum psi'/n] */
 static double huber_factor(const struct problem *p, const double *theta)
 {
     double psi2 = 0, slope = 0;
     residuals(p, theta, p->buffer);
     for (size_t i = 0; i < p->points; i++) {
-        const double root = fabs(p->buffer[i]); /* of rho; psi is z, or k beyond z = k, where the root is k as well */
+        const double root = fabs(p->buffer[i]); /* of rho; psi is z up to FIT_HUBER and then constant; both are FIT_HUBER there */
         psi2 += root <= FIT_HUBER ? root * root : FIT_HUBER * FIT_HUBER;
         slope += root <= FIT_HUBER;
     }
@@ -274,7 +274,7 @@ static double huber_factor(const struct problem *p, const double *theta)
     return psi2 / (n - p->parameters) / (fmax(slope, 1) / n);
 }
 
-/* What the profile may exceed the minimum by */
+/* The excess of the profile over its minimum at the ends of the interval */
 static double profile_threshold(const struct problem *p, const double *theta, double minimum,
                                 enum distribution_level level)
 {

@@ -2,23 +2,23 @@
 /* The fit of one curve to measured restitution, and profile-likelihood intervals of its coordinates.
  *
  * The objective is Q(theta) = sum of rho(r_i/s_i), r_i = eps_i - eps(g_i). In least squares rho(z) = z^2. The robust fit
- * takes Huber's rho, which is z^2 for |z| <= k and 2k|z| - k^2 beyond, with k = FIT_HUBER (95 % efficiency for normal
+ * takes Huber's rho, which is z^2 for |z| <= c and 2c|z| - c^2 beyond, with c = FIT_HUBER (95 % efficiency for normal
  * errors). s_i is the given standard deviation. If the file has none, s is a common unknown scale: in least squares
- * s^2 = Q/(n - p) for n points and p parameters; in the robust fit s is the median of |r_i| over its normal value
- * 0.6745, times sqrt(n/(n - p)).
+ * s^2 = Q/(n - k) for n points and k parameters; in the robust fit s is the median of |r_i| over its normal value
+ * 0.6745, times sqrt(n/(n - k)).
  *
  * The interval of a coordinate holds the values at which the least Q over the other coordinates exceeds the minimum by
- * at most z^2 (s_i given), or t^2 s^2 with Student's t of n - p degrees of freedom (s unknown). In the robust fit that
- * threshold is multiplied by Huber's factor [sum psi^2/(n - p)]/[sum psi'/n], psi = rho'/2.
+ * at most z^2 (s_i given), or t^2 s^2 with Student's t of n - k degrees of freedom (s unknown). In the robust fit that
+ * threshold is multiplied by Huber's factor [sum psi^2/(n - k)]/[sum psi'/n], psi = rho'/2.
  *
- * A curve is judged by p_value. With given s_i, p_value is the tail of chi^2 with n - p degrees of freedom. Without
+ * A curve is judged by p_value. With given s_i, p_value is the tail of chi^2 with n - k degrees of freedom. Without
  * them, and in the robust fit, the points in order of speed are divided into m groups of neighbours, m = n/3, at least
- * p + 1 and at most FIT_MAX_GROUPS. If the curve is right, the means of the residuals of the groups scatter as much as
+ * k + 1 and at most FIT_MAX_GROUPS. If the curve is right, the means of the residuals of the groups scatter as much as
  * the residuals within the groups do: p_value is the tail of Fisher's F of
  *
- *     [sum over groups n_j mean_j^2/(m - p)]/[sum (r_i - mean_j)^2/(n - m)]
+ *     [sum over groups n_j mean_j^2/(m - k)]/[sum (r_i - mean_j)^2/(n - m)]
  *
- * In the robust fit psi(r_i/s_i) takes the place of r_i. Fewer than 2 (p + 1) points are not judged. */
+ * In the robust fit psi(r_i/s_i) takes the place of r_i. Fewer than 2 (k + 1) points are not judged. */
 #ifndef COR_GEN_FIT_LIKELIHOOD_H
 #define COR_GEN_FIT_LIKELIHOOD_H
 
@@ -51,8 +51,8 @@ struct fit_estimate {
 /* Fits one curve; everything but `aic`, which depends on the other curves. */
 void fit_estimate_curve(struct fit_estimate *estimate, enum fit_curve curve, const struct fit_data *data, bool robust);
 
-/* AIC up to a constant that all curves share. With given s_i: Q + 2p. Without: n ln(sum r_i^2/n) + 2(p + 1); in the
- * robust fit Q + 2p at the scale `common_scale`, the least of the curves that are compared. */
+/* AIC up to a constant that all curves share. With given s_i: Q + 2k. Without: n ln(sum r_i^2/n) + 2(k + 1); in the
+ * robust fit Q + 2k at the scale `common_scale`, the least of the curves that are compared. */
 double fit_aic(const struct fit_estimate *estimate, const struct fit_data *data, bool robust, double common_scale);
 
 #endif

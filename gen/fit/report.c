@@ -80,7 +80,7 @@ static void remark_data(const struct fit_data *data, FILE *file)
 
 static void remark_robust(FILE *file)
 {
-    fprintf(file, "Robust: Huber's function, k = %g.\n", FIT_HUBER);
+    fprintf(file, "Robust: Huber's function, linear beyond %g sigma.\n", FIT_HUBER);
 }
 
 /* "viscoelastic zero-overlap, plate zero-overlap": the models of one curve */
