@@ -266,7 +266,7 @@ static double huber_factor(const struct problem *p, const double *theta)
     double psi2 = 0, slope = 0;
     residuals(p, theta, p->buffer);
     for (size_t i = 0; i < p->points; i++) {
-        const double root = fabs(p->buffer[i]); /* of rho; psi is z up to FIT_HUBER and then constant; both are FIT_HUBER there */
+        const double root = fabs(p->buffer[i]); /* of rho; equals psi up to FIT_HUBER, where psi stays */
         psi2 += root <= FIT_HUBER ? root * root : FIT_HUBER * FIT_HUBER;
         slope += root <= FIT_HUBER;
     }
