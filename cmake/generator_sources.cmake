@@ -4,6 +4,7 @@ set(COR_GENERATOR_SOURCES
   gen/approximation/function_rows.c
   gen/approximation/interpolant.c
   gen/approximation/law_layout.c
+  gen/approximation/law_tables.c
   gen/approximation/pade.c
   gen/approximation/pade_rounded.c
   gen/approximation/pieces.c

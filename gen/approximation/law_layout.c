@@ -10,6 +10,7 @@
 
 enum {
     CONSTANT_BITS = 200,
+    CHECK_POINTS = 5,
     DEGREE = 10,
     HEAD_BITS = 26,       /* bits of c_0 in rows that are multiplied, runtime/core/row.h */
     NEAR_OCTAVES = 3,     /* from near_end to the radius of convergence */
@@ -40,6 +41,32 @@ enum {
 #define LEAST_BITS 57.0
 #define LEAST_BITS_OF_TIMES 56.0
 #define MOST_REST 0.1
+
+/* The tables of a derived layout by quantity; near eps = 1 rows hold the loss. */
+static const struct law_table any_law[] = {
+#define ROWS(part, serves, quantity, stem, title)                                                                      \
+    {                                                                                                                  \
+        part, serves, quantity, stem, title, VARIABLE_BETA, 0, 0, 0, 0, 0, 0, 0                                        \
+    }
+#define OF_QUANTITY(QUANTITY, stem, title)                                                                             \
+    ROWS(PART_MIDDLE, QUANTITY, QUANTITY, "middle_" stem, title),                                                      \
+        ROWS(PART_TAIL, QUANTITY, QUANTITY, "tail_" stem, title),                                                      \
+        ROWS(PART_BELOW, QUANTITY, QUANTITY, "below_" stem, title)
+#define OF_EPS(end, END, words)                                                                                        \
+    ROWS(PART_NEAR, EPS_##END, LOSS_QUOTIENT_##END, "near_loss_" end, "(1 - eps)/beta at " words),                     \
+        OF_QUANTITY(EPS_##END, "eps_" end, "eps at " words),                                                           \
+        ROWS(PART_INVERSE_NEAR, EPS_##END, BETA_QUOTIENT_##END, "near_beta_" end, "beta/(1 - eps) at " words),         \
+        ROWS(PART_INVERSE, EPS_##END, BETA_##END, "beta_" end, "beta at " words)
+#define OF_LENGTH(QUANTITY, stem, title)                                                                               \
+    ROWS(PART_NEAR, QUANTITY, QUANTITY, "near_" stem, title), OF_QUANTITY(QUANTITY, stem, title)
+    OF_EPS("zero_overlap", ZERO_OVERLAP, "zero overlap"),
+    OF_EPS("zero_force", ZERO_FORCE, "zero force"),
+    OF_LENGTH(DURATION_ZERO_OVERLAP, "duration_zero_overlap", "duration at zero overlap"),
+    OF_LENGTH(DURATION_ZERO_FORCE, "duration_zero_force", "duration at zero force"),
+    OF_LENGTH(MAX_OVERLAP, "max_overlap", "largest overlap"),
+    OF_LENGTH(TIME_OF_MAX_OVERLAP, "time_of_max_overlap", "time of the largest overlap"),
+};
+enum { TABLES = sizeof any_law / sizeof *any_law };
 
 static double ratio_double(struct ratio x)
 {
@@ -227,7 +254,10 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
                                   .root = restitution_zero_force_root(law),
                                   .root_of_time = restitution_zero_force_root(law),
                                   .last_log = last_log(law),
-                                  .threshold = HUGE_VAL};
+                                  .threshold = HUGE_VAL,
+                                  .table = any_law,
+                                  .tables = TABLES,
+                                  .check_points = CHECK_POINTS};
     if (law_force_ends(law)) {
         const slong other = ratio_sub(law->a, law->b).num; /* 1/(a-b) is an integer divided by this number */
         layout->root_of_time = layout->root / (slong)n_gcd((ulong)layout->root, (ulong)other) * other;
@@ -245,6 +275,20 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
                                                        * cheap */
         law_layout_refine(layout);
     return status;
+}
+
+void law_layout_init_given(struct law_layout *layout, const struct interpolant_layout *interpolant,
+                           const struct law_table *table, int tables, int check_points)
+{
+    struct interval_list list = {NULL, 0};
+    for (const struct interval *i = interpolant->interval; i < interpolant->interval + interpolant->intervals; i++)
+        add_interval(&list, i->variable, i->lo, i->hi, i->count, i->bits, i->form, i->set);
+    *layout = (struct law_layout){.interpolant = *interpolant,
+                                  .threshold = HUGE_VAL,
+                                  .table = table,
+                                  .tables = tables,
+                                  .check_points = check_points};
+    layout->interpolant.interval = list.interval;
 }
 
 void law_layout_refine(struct law_layout *layout)
@@ -336,10 +380,35 @@ static void place_inverse_near(struct pieces *p, const struct law_layout *layout
     p->step = 0.125;
 }
 
-bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layout, const struct interpolant *f,
-                    enum law_part part, enum quantity quantity, const char *name, const char *title)
+static void place_given(struct pieces *p, const struct law_layout *layout, const struct law_table *table,
+                        const char *name)
 {
+    *p = (struct pieces){.quantity = table->quantity,
+                         .variable = table->variable,
+                         .root = layout->interpolant.root,
+                         .first = table->first,
+                         .step = table->step,
+                         .end = table->end,
+                         .octave_bits = PIECES_OCTAVE_BITS,
+                         .rows = table->rows,
+                         .degree = DEGREE,
+                         .plain = table->plain > 0 ? table->plain : table->rows,
+                         .head_bits = table->head_bits,
+                         .name = name,
+                         .title = table->title,
+                         .least_bits = table->least_bits};
+}
+
+bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layout, const struct interpolant *f,
+                    const struct law_table *table, const char *name)
+{
+    if (table->part == PART_GIVEN) {
+        place_given(p, layout, table, name);
+        *status = pieces_make(p, f);
+        return true;
+    }
     const struct law *law = &layout->interpolant.law;
+    const enum quantity quantity = table->quantity;
     const bool eps = quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
     const bool loss = quantity == LOSS_QUOTIENT_ZERO_OVERLAP || quantity == LOSS_QUOTIENT_ZERO_FORCE;
     const bool time =
@@ -352,10 +421,10 @@ bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layo
                          .degree = DEGREE,
                          .octave_bits = PIECES_OCTAVE_BITS,
                          .name = name,
-                         .title = title,
+                         .title = table->title,
                          .least_bits = time ? LEAST_BITS_OF_TIMES : LEAST_BITS,
                          .most_rest = MOST_REST};
-    switch (part) {
+    switch (table->part) {
     case PART_NEAR:
         if (eps) /* these rows hold the loss */
             return false;

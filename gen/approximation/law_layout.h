@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The sample intervals and the tables of any law (docs/derivation.md, 9; form: docs/header-format.md).
+/* The sample intervals and the tables of any law (docs/derivation.md, 9; form: docs/header-format.md). The layout of
+ * spheres is given as data (tables/sphere.c); that of another law is derived from its exponents:
  *
  *   near    beta < near_end, a power of two, an eighth of the radius of convergence of the series in beta or less: rows
  *           in beta and, at zero force, in beta^(1/root); for eps those of (1 - eps)/beta
@@ -17,8 +18,21 @@
 
 enum { LAW_MIDDLE_END = 8, LAW_TAIL_FIRST = 2 /* ln(beta) */ };
 
-/* The part of the range of beta or eps that a table covers */
-enum law_part { PART_NEAR, PART_MIDDLE, PART_TAIL, PART_BELOW, PART_INVERSE_NEAR, PART_INVERSE, LAW_PARTS };
+/* The part of the range of beta or eps that a table covers; PART_GIVEN is the range that the table's own geometry
+ * gives. */
+enum law_part { PART_NEAR, PART_MIDDLE, PART_TAIL, PART_BELOW, PART_INVERSE_NEAR, PART_INVERSE, PART_GIVEN };
+
+struct law_table {
+    enum law_part part;
+    enum quantity serves, quantity; /* the function that uses the rows of a derived layout; what the rows hold */
+    const char *stem, *title;       /* end of the name; first line of the comment */
+    /* PART_GIVEN: as in struct pieces */
+    enum variable variable;
+    double first, step, end;
+    slong rows;
+    double least_bits;
+    slong head_bits, plain; /* plain = 0: all rows */
+};
 
 struct law_layout {
     struct interpolant_layout interpolant; /* owns its intervals */
@@ -31,19 +45,25 @@ struct law_layout {
                            * overlap_end on */
     double below_first; /* the smallest beta_c - beta of a double beta */
     double threshold;   /* beta_c, or infinity */
+    const struct law_table *table;
+    int tables;
+    int check_points; /* of each interval, for interpolant_check */
 };
 
 /* Returns 0, or 1 after reporting the failure or the reason why the law has no tables. */
 int law_layout_init(struct law_layout *layout, const struct law *law);
+/* A layout whose samples and tables, all of PART_GIVEN, are data; the tables must live as long as the layout. */
+void law_layout_init_given(struct law_layout *layout, const struct interpolant_layout *interpolant,
+                           const struct law_table *table, int tables, int check_points);
 /* Adds points to every interval, for an interpolant that was not accurate enough. */
 void law_layout_refine(struct law_layout *layout);
 /* Only what one eps needs: fewer collisions. Of the other quantities the interpolant then knows nothing. */
 void law_layout_restrict(struct law_layout *layout, enum quantity eps);
 void law_layout_clear(struct law_layout *layout);
 
-/* Computes the widest rows of a quantity in a part, with the name NAME and the TITLE, which must live as long as p.
- * Returns false if the part has no rows of the quantity. *status is that of pieces_fit. */
+/* Computes the rows of a table with the name NAME, which must live as long as p: those of its own geometry, or the
+ * widest rows of the part. Returns false if the law has no such rows. *status is that of pieces_make. */
 bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layout, const struct interpolant *f,
-                    enum law_part part, enum quantity quantity, const char *name, const char *title);
+                    const struct law_table *table, const char *name);
 
 #endif

@@ -33,6 +33,7 @@ struct route {
     bool slow;           /* whether to use the slow manifold */
     slong manifold_bits; /* bits to which the motion reaches the manifold */
     slong prec;
+    slong direct_prec; /* without the slow manifold */
 };
 
 enum {
@@ -43,7 +44,8 @@ enum {
 
 /* Where the motion contracts, intervals grow by the same number of bits: by ln(1/mu) twice during loading and release
  * (docs/derivation.md, 8), and by k/mu in unloading to zero overlap (9). The slow manifold replaces this unloading if
- * k/mu suffices to reach its last place with the requested bits. */
+ * k/mu suffices to reach its last place with the requested bits. This estimate neglects a power of beta, so that a
+ * motion just above the limit may miss the manifold; no precision helps then, and the unloading is integrated. */
 static struct route route_of(const arb_t beta, const struct law *law, enum ends ends, slong bits)
 {
     const double ln_beta = fmax(arf_get_d(arb_midref(beta), ARF_RND_NEAR), 0x1p-1000);
@@ -51,16 +53,18 @@ static struct route route_of(const arb_t beta, const struct law *law, enum ends 
     const double ln_mu = -log(ln_beta) * (double)power.num / (double)power.den, nat = 1 / log(2);
     const double loading = 2 * nat * fmax(-ln_mu, 0);
     struct route r = {.goal = MOTION_ZERO_OVERLAP, .manifold_bits = bits + MANIFOLD_BITS};
-    double lost = loading;
+    double lost = loading, lost_directly = loading;
     if (ends == ENDS_ZERO_FORCE && law_force_ends(law)) {
         r.goal = MOTION_ZERO_FORCE;
     } else if (law_fall_power(law).num > 0) {
         const double forgets = law_forgetting(law) * exp(-ln_mu), depth = slow_manifold_depth(law, r.manifold_bits);
         const double entry = (double)r.manifold_bits / nat + loading / nat;
         r.slow = forgets > depth + entry;
-        lost += nat * (r.slow ? fmax(entry, depth) : forgets);
+        lost_directly += nat * forgets;
+        lost = r.slow ? loading + nat * fmax(entry, depth) : lost_directly;
     }
     r.prec = bits + GUARD_BITS + (slong)fmin(lost, 1e9);
+    r.direct_prec = bits + GUARD_BITS + (slong)fmin(lost_directly, 1e9);
     return r;
 }
 
@@ -107,6 +111,11 @@ static int ends_solve(struct collision *c, const arb_t beta, const struct law *l
         if (outcome == MOTION_ENDLESS)
             return fail("no end of contact within %d steps: this law at this beta is too stiff to be integrated",
                         TAYLOR_MAX_STEPS);
+        if (outcome == MOTION_MISSED) {
+            r.slow = false;
+            r.prec = r.direct_prec;
+            continue;
+        }
         const slong reached = outcome == MOTION_DONE ? accuracy(c, ends) : -1;
         if (reached >= bits)
             return STATUS_OK;
@@ -145,12 +154,11 @@ int collision_final_speed(arb_t v_f, const struct law *law, slong bits)
     const slong manifold_bits = bits + MANIFOLD_BITS;
     slong prec = bits + GUARD_BITS + (slong)(slow_manifold_depth(law, manifold_bits) / log(2));
     for (int i = 0; i < ATTEMPTS; i++) {
-        struct slow_manifold m;
-        const bool closed = slow_manifold_init(&m, law, manifold_bits, prec);
+        const struct slow_manifold *const m = slow_manifold_of(law, manifold_bits, prec);
         progress_end();
-        arb_set(v_f, m.final_speed);
-        slow_manifold_clear(&m);
-        if (closed && arb_rel_accuracy_bits(v_f) >= bits)
+        if (m)
+            arb_set(v_f, m->final_speed);
+        if (m && arb_rel_accuracy_bits(v_f) >= bits)
             return STATUS_OK;
         prec += prec / 2;
     }

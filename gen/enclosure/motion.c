@@ -238,7 +238,7 @@ static bool motion_goes_on(enum motion_outcome *outcome, const struct motion *m,
         ends = slow_manifold_reached(manifold, place, slope, bits);
         if (!ends && arb_gt(place, manifold->last)) { /* the state left the domain of the manifold without reaching
                                                        * it */
-            *outcome = MOTION_IMPRECISE;
+            *outcome = arb_rel_accuracy_bits(slope) > bits ? MOTION_MISSED : MOTION_IMPRECISE;
             ends = true;
         }
         arb_clear(place);
@@ -340,16 +340,14 @@ static bool add_fall(struct collision *c, const struct motion *m, const struct s
 enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct law *law, slong bits,
                                       slong prec)
 {
+    const struct slow_manifold *const manifold = slow_manifold_of(law, bits, prec);
+    if (!manifold)
+        return MOTION_IMPRECISE;
     struct motion m;
-    struct slow_manifold manifold;
-    enum motion_outcome outcome = MOTION_IMPRECISE;
     motion_init(&m, c, beta, law, true, prec);
-    if (slow_manifold_init(&manifold, law, bits, prec)) {
-        outcome = motion_follow(&m, MOTION_ZERO_OVERLAP, &manifold, bits);
-        if (outcome == MOTION_DONE && !m.parted && !add_fall(c, &m, &manifold, beta, bits))
-            outcome = MOTION_IMPRECISE;
-    }
-    slow_manifold_clear(&manifold);
+    enum motion_outcome outcome = motion_follow(&m, MOTION_ZERO_OVERLAP, manifold, bits);
+    if (outcome == MOTION_DONE && !m.parted && !add_fall(c, &m, manifold, beta, bits))
+        outcome = MOTION_IMPRECISE;
     motion_clear(&m);
     return outcome;
 }

@@ -11,6 +11,7 @@ enum motion_goal { MOTION_TURNING_POINT, MOTION_ZERO_FORCE, MOTION_ZERO_OVERLAP 
 enum motion_outcome {
     MOTION_DONE,
     MOTION_IMPRECISE, /* more bits are needed */
+    MOTION_MISSED,    /* the motion does not come so close to the slow manifold, whatever the number of bits */
     MOTION_ENDLESS    /* no event within TAYLOR_MAX_STEPS */
 };
 

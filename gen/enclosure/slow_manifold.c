@@ -4,6 +4,7 @@
 #include "enclosure/taylor.h"
 
 #include <math.h>
+#include <pthread.h>
 
 #include "support/console.h"
 
@@ -253,7 +254,8 @@ static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
     return closed;
 }
 
-bool slow_manifold_init(struct slow_manifold *m, const struct law *law, slong bits, slong prec)
+/* Chooses `last` so that eta is below 2^(1-bits). Returns false if the precision does not suffice. */
+static bool manifold_make(struct slow_manifold *m, const struct law *law, slong bits, slong prec)
 {
     const slong degree = formal_degree(law, bits);
     arb_t eta;
@@ -285,15 +287,34 @@ bool slow_manifold_init(struct slow_manifold *m, const struct law *law, slong bi
     return closed;
 }
 
-void slow_manifold_clear(struct slow_manifold *m)
+/* All manifolds so far, the last one first. Threads that need a manifold wait while another computes one. */
+static struct kept {
+    struct slow_manifold manifold;
+    slong bits;
+    bool closed;
+    struct kept *next;
+} * kept_manifolds;
+static pthread_mutex_t kept_lock = PTHREAD_MUTEX_INITIALIZER;
+
+const struct slow_manifold *slow_manifold_of(const struct law *law, slong bits, slong prec)
 {
-    arb_poly_clear(m->p);
-    arb_poly_clear(m->inverse);
-    arb_clear(m->last);
-    arb_clear(m->nu);
-    arb_clear(m->time_error);
-    arb_clear(m->final_speed);
-    arb_clear(m->t_fall);
+    enum {
+        PREC_STEP = 128
+    }; /* collisions at different beta need different precisions; this makes most of them equal */
+    prec = (prec + PREC_STEP - 1) / PREC_STEP * PREC_STEP;
+    pthread_mutex_lock(&kept_lock);
+    struct kept *k = kept_manifolds;
+    while (k && !(k->bits == bits && k->manifold.prec == prec && law_equal(&k->manifold.law, law)))
+        k = k->next;
+    if (!k) {
+        k = xmalloc(sizeof *k);
+        k->bits = bits;
+        k->closed = manifold_make(&k->manifold, law, bits, prec);
+        k->next = kept_manifolds;
+        kept_manifolds = k;
+    }
+    pthread_mutex_unlock(&kept_lock);
+    return k->closed ? &k->manifold : NULL;
 }
 
 bool slow_manifold_reached(const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits)

@@ -107,9 +107,14 @@ const char *law_parse(struct law *law, const char *elastic, const char *damping)
     return NULL;
 }
 
+bool law_equal(const struct law *law, const struct law *other)
+{
+    return law->d == other->d && law->ad == other->ad && law->bd == other->bd;
+}
+
 bool law_is_sphere(const struct law *law)
 {
-    return law->d == 2 && law->ad == 3 && law->bd == 1;
+    return law_equal(law, &law_sphere);
 }
 
 struct ratio law_speed_exponent(const struct law *law)

@@ -32,6 +32,7 @@ extern const struct law law_sphere;
 const char *law_parse(struct law *law, const char *elastic, const char *damping);
 
 bool law_is_sphere(const struct law *law);
+bool law_equal(const struct law *law, const struct law *other);
 
 struct ratio ratio_make(slong num, slong den);
 struct ratio ratio_add(struct ratio x, struct ratio y);

@@ -5,167 +5,35 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "approximation/law_layout.h"
+#include "approximation/law_tables.h"
 #include "support/console.h"
 #include "support/evaluator_text.h"
 
-enum { FAR_COLUMNS = INTERPOLANT_FAR + 2, CHECK_POINTS = 5, ATTEMPTS = 3, TEXT_MAX = 192 };
-
-/* Allowed relative error of the interpolant, small enough to sample rows against the interpolant */
-#define INTERPOLANT_LIMIT 4e-18
-
-/* Every table by its quantity; near eps = 1 rows hold the loss. */
-static const struct {
-    enum law_part part;
-    enum quantity serves, quantity;
-    const char *stem, *title;
-} table_list[] = {
-#define OF_QUANTITY(QUANTITY, stem, title)                                                                             \
-    {PART_MIDDLE, QUANTITY, QUANTITY, "middle_" stem, title}, {PART_TAIL, QUANTITY, QUANTITY, "tail_" stem, title},    \
-    {                                                                                                                  \
-        PART_BELOW, QUANTITY, QUANTITY, "below_" stem, title                                                           \
-    }
-#define OF_EPS(end, END, words)                                                                                        \
-    {PART_NEAR, EPS_##END, LOSS_QUOTIENT_##END, "near_loss_" end, "(1 - eps)/beta at " words},                         \
-        OF_QUANTITY(EPS_##END, "eps_" end, "eps at " words),                                                           \
-        {PART_INVERSE_NEAR, EPS_##END, BETA_QUOTIENT_##END, "near_beta_" end, "beta/(1 - eps) at " words},             \
-    {                                                                                                                  \
-        PART_INVERSE, EPS_##END, BETA_##END, "beta_" end, "beta at " words                                             \
-    }
-#define OF_LENGTH(QUANTITY, stem, title)                                                                               \
-    {PART_NEAR, QUANTITY, QUANTITY, "near_" stem, title}, OF_QUANTITY(QUANTITY, stem, title)
-    OF_EPS("zero_overlap", ZERO_OVERLAP, "zero overlap"),
-    OF_EPS("zero_force", ZERO_FORCE, "zero force"),
-    OF_LENGTH(DURATION_ZERO_OVERLAP, "duration_zero_overlap", "duration at zero overlap"),
-    OF_LENGTH(DURATION_ZERO_FORCE, "duration_zero_force", "duration at zero force"),
-    OF_LENGTH(MAX_OVERLAP, "max_overlap", "largest overlap"),
-    OF_LENGTH(TIME_OF_MAX_OVERLAP, "time_of_max_overlap", "time of the largest overlap"),
-};
-enum { TABLES = sizeof table_list / sizeof *table_list };
+enum { TEXT_MAX = LAW_TABLE_NAME_MAX };
 
 static const char *const quantity_stem[QUANTITIES] = {"eps_zero_overlap",    "eps_zero_force", "duration_zero_overlap",
                                                       "duration_zero_force", "max_overlap",    "time_of_max_overlap"};
 
-struct law_tables {
-    struct law_layout layout;
-    struct interpolant *f;
-    double error; /* error of the interpolant, sampled */
-    struct {
-        bool has;
-        char name[TEXT_MAX];
-        struct pieces pieces;
-    } table[TABLES];
-};
-
-static int law_tables_init(struct law_tables *t, const struct law *law, const char *name)
-{
-    t->f = NULL;
-    t->error = 0;
-    for (int i = 0; i < TABLES; i++)
-        t->table[i].has = false;
-    int status = law_layout_init(&t->layout, law);
-    for (int attempt = 0; status == STATUS_OK; attempt++) {
-        t->f = interpolant_new(&t->layout.interpolant, 0, INFINITY);
-        status = t->f ? interpolant_check(&t->error, t->f, CHECK_POINTS) : STATUS_FAILED;
-        if (t->error <= INTERPOLANT_LIMIT || attempt == ATTEMPTS - 1)
-            break;
-        interpolant_free(t->f); /* the interpolant belongs to the old layout */
-        t->f = NULL;
-        law_layout_refine(&t->layout);
-    }
-    if (status == STATUS_OK && t->error > INTERPOLANT_LIMIT)
-        status = fail("the interpolant of the collision is off by %.1e", t->error);
-    for (int i = 0; i < TABLES && status == STATUS_OK; i++) {
-        progress("tables", i, TABLES);
-        snprintf(t->table[i].name, TEXT_MAX, "cor_rows_%s_%s", name, table_list[i].stem);
-        t->table[i].has = law_layout_cut(&t->table[i].pieces, &status, &t->layout, t->f, table_list[i].part,
-                                         table_list[i].quantity, t->table[i].name, table_list[i].title);
-    }
-    progress_end();
-    return status;
-}
-
-static void law_tables_clear(struct law_tables *t)
-{
-    for (int i = 0; i < TABLES; i++)
-        if (t->table[i].has)
-            pieces_clear(&t->table[i].pieces);
-    interpolant_free(t->f);
-    law_layout_clear(&t->layout);
-}
-
-/* ---- rows ---- */
-
-/* Splits a value into its nearest double and the remainder. */
-static void split(arb_t value, arb_t rest)
-{
-    arb_set_d(rest, arf_get_d(arb_midref(value), ARF_RND_NEAR));
-    arb_sub(rest, value, rest, 2 * FLINT_BITS + 64);
-}
-
-static int emit_one_row(struct emit *e, const char *name, const char *title, arb_srcptr row, slong columns)
-{
-    emit_rows_open(e, name, 1, columns);
-    if (emit_row(e, title, row, columns, true))
-        return STATUS_FAILED;
-    emit_rows_close(e);
-    return STATUS_OK;
-}
-
-/* Whether the quantity has a far part beyond the tail's rows */
-static bool has_far(const struct law_tables *t, enum quantity quantity)
-{
-    const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
-    const bool force = quantity == EPS_ZERO_FORCE || quantity == DURATION_ZERO_FORCE;
-    const struct law *law = &t->layout.interpolant.law;
-    return !(overlap && t->layout.threshold < HUGE_VAL) && !(force && !law_force_ends(law));
-}
-
-static bool has_fall(const struct law_tables *t, enum quantity quantity)
-{
-    arb_t fall;
-    arb_init(fall);
-    interpolant_far_fall(fall, t->f);
-    const bool has = quantity == DURATION_ZERO_OVERLAP && has_far(t, quantity) && !arb_is_zero(fall);
-    arb_clear(fall);
-    return has;
-}
-
 static int emit_far(struct emit *e, const struct law_tables *t, const char *name)
 {
-    arb_ptr row = _arb_vec_init(FAR_COLUMNS);
     int status = STATUS_OK;
     char text[TEXT_MAX];
     emit_comment(
         e, "Beyond the rows in ln(beta): a_0, a_0', a_1, a_1', a_2, ..., a_8 of a power of beta times\n"
            "a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3), u = ln(beta),\n"
            "through enclosed collisions; of eps at zero overlap v_f as two doubles: proved.");
-    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
-        if (!has_far(t, (enum quantity)q))
+    for (int i = 0; i < QUANTITIES && status == STATUS_OK; i++) {
+        const enum quantity q = (enum quantity)i;
+        if (!law_tables_have_far(t, q))
             continue;
         snprintf(text, sizeof text, "cor_rows_%s_far_%s", name, quantity_stem[q]);
-        if (q == EPS_ZERO_OVERLAP) {
-            arb_set(row, interpolant_final_speed(t->f));
-            if (law_is_hunt_crossley(&t->layout.interpolant.law)) /* an interval that contains 1 cannot be split */
-                arb_one(row);
-            split(row, row + 1);
-            status = emit_one_row(e, text, quantity_stem[q], row, 2);
-            continue;
-        }
-        interpolant_far(row + 2, t->f, (enum quantity)q);
-        arb_set(row, row + 2);
-        arb_set(row + 2, row + 3);
-        split(row, row + 1);
-        split(row + 2, row + 3);
-        status = emit_one_row(e, text, quantity_stem[q], row, FAR_COLUMNS);
-        if (status == STATUS_OK && has_fall(t, (enum quantity)q)) {
-            interpolant_far_fall(row, t->f);
-            split(row, row + 1);
+        status = q == EPS_ZERO_OVERLAP ? law_tables_emit_final_speed(e, t, text, quantity_stem[q])
+                                       : law_tables_emit_far(e, t, q, text, quantity_stem[q]);
+        if (status == STATUS_OK && law_tables_have_fall(t, q)) {
             snprintf(text, sizeof text, "cor_rows_%s_fall_%s", name, quantity_stem[q]);
-            status = emit_one_row(e, text, "the further term", row, 2);
+            status = law_tables_emit_fall(e, t, text, "the further term");
         }
     }
-    _arb_vec_clear(row, FAR_COLUMNS);
     return status;
 }
 
@@ -204,7 +72,7 @@ static void emit_far_fields(struct emit *e, const struct law_tables *t, const ch
 {
     const struct law *law = &t->layout.interpolant.law;
     const struct ratio one = {1, 1}, power = interpolant_tail_power(law, quantity);
-    const bool fall = has_fall(t, quantity);
+    const bool fall = law_tables_have_fall(t, quantity);
     emit_builder_set(e, "far", "cor_rows_%s_far_%s", name, quantity_stem[quantity]);
     emit_builder_set(e, "far_kind", "%d", quantity == EPS_ZERO_OVERLAP ? 2 : 1);
     emit_power_field(e, "power", power);
@@ -246,10 +114,12 @@ static int emit_quantity(struct emit *e, const struct law_tables *t, const char 
     int status = STATUS_OK;
     snprintf(text, sizeof text, "cor_law_%s_%s", name, quantity_stem[quantity]);
     emit_builder_open(e, "cor_inline_law_quantity", text, "cor_inline_law_quantity_of()");
-    for (int i = 0; i < TABLES; i++)
-        if (table_list[i].serves == quantity && t->table[i].has && table_list[i].part <= PART_BELOW)
-            emit_table_field(e, field[table_list[i].part], &t->table[i].pieces);
-    if (has_far(t, quantity))
+    for (int i = 0; i < t->layout.tables; i++) {
+        const struct law_table *const table = &t->layout.table[i];
+        if (table->serves == quantity && t->rows[i].has && table->part <= PART_BELOW)
+            emit_table_field(e, field[table->part], &t->rows[i].pieces);
+    }
+    if (law_tables_have_far(t, quantity))
         emit_far_fields(e, t, name, quantity);
     if (overlap && t->layout.threshold < HUGE_VAL)
         status = emit_threshold_fields(e, t, quantity);
@@ -262,9 +132,11 @@ static void emit_inverse(struct emit *e, const struct law_tables *t, const char 
     char text[TEXT_MAX];
     snprintf(text, sizeof text, "cor_law_%s_inverse_%s", name, quantity_stem[quantity]);
     emit_builder_open(e, "cor_inline_law_inverse", text, "cor_inline_law_inverse_of()");
-    for (int i = 0; i < TABLES; i++)
-        if (table_list[i].serves == quantity && t->table[i].has && table_list[i].part > PART_BELOW)
-            emit_table_field(e, table_list[i].part == PART_INVERSE ? "rows" : "near", &t->table[i].pieces);
+    for (int i = 0; i < t->layout.tables; i++) {
+        const struct law_table *const table = &t->layout.table[i];
+        if (table->serves == quantity && t->rows[i].has && table->part > PART_BELOW)
+            emit_table_field(e, table->part == PART_INVERSE ? "rows" : "near", &t->rows[i].pieces);
+    }
     emit_builder_close(e);
 }
 
@@ -301,10 +173,7 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
     const bool both = law_force_ends(&t->layout.interpolant.law);
     emit_comment(e, "A row: value = c_0 + (c_0' + t (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
                     "c_0', c_1, ..., c_n. c_0' is the remainder of c_0 at the node.");
-    int status = STATUS_OK;
-    for (int i = 0; i < TABLES && status == STATUS_OK; i++)
-        if (t->table[i].has)
-            status = pieces_emit(e, &t->table[i].pieces);
+    int status = law_tables_emit(e, t);
     if (status == STATUS_OK)
         status = emit_far(e, t, name);
     emit_comment(e, "What runtime/core/law_eval.h needs of each quantity");
@@ -320,6 +189,16 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
 }
 
 /* ---- files ---- */
+
+/* Computes the tables of a law. law_tables_clear(t) in either case. */
+static int tables_of_law(struct law_tables *t, const struct law *law, const char *name)
+{
+    char prefix[TEXT_MAX];
+    *t = (struct law_tables){.f = NULL};
+    snprintf(prefix, sizeof prefix, "cor_rows_%s", name);
+    const int status = law_layout_init(&t->layout, law);
+    return status == STATUS_OK ? law_tables_make(t, prefix) : status;
+}
 
 static const char accuracy_text[] =
     "eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against\n"
@@ -354,7 +233,7 @@ int law_header_write(FILE *file, const struct law *law, const char *name)
 {
     struct law_tables *t = xmalloc(sizeof *t);
     char banner[4096], guard[TEXT_MAX], text[TEXT_MAX], threshold[TEXT_MAX], accuracy[512];
-    int status = law_tables_init(t, law, name);
+    int status = tables_of_law(t, law, name);
     if (status == STATUS_OK) {
         threshold_text(threshold, t);
         snprintf(accuracy, sizeof accuracy, accuracy_text, t->error);
@@ -406,7 +285,7 @@ int hertz_dashpot_tables_write(FILE *file, const struct disk_table *none)
     struct law_tables *t = xmalloc(sizeof *t);
     char banner[2048], accuracy[512];
     const char *const wrong = law_parse(&law, "3/2", "0");
-    int status = wrong ? fail("%s", wrong) : law_tables_init(t, &law, "hertz_dashpot");
+    int status = wrong ? fail("%s", wrong) : tables_of_law(t, &law, "hertz_dashpot");
     if (status == STATUS_OK) {
         snprintf(accuracy, sizeof accuracy, accuracy_text, t->error);
         snprintf(banner, sizeof banner,

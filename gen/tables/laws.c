@@ -335,17 +335,22 @@ static int overlap_far_emit(struct emit *e)
     return status;
 }
 
+/* How both files are made and known: the end of their banners */
+#define SOURCE_OF_ROWS                                                                                                 \
+    "Written by:  corgen tables\n"                                                                                     \
+    "Checked by:  corgen tables --check\n"                                                                             \
+    "\n"                                                                                                               \
+    "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures "   \
+    "by\n"                                                                                                             \
+    "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table "     \
+    "and\n"                                                                                                            \
+    "beside each row (sampled); errors of evaluation: include/cor/law.h (sampled).\n"
+
 static const char tsuji_banner[] =
     "Times of Tsuji's damping, x'' + sqrt(5) zeta x^(1/4) x' + x^(3/2) = 0, for every damping ratio zeta, in the\n"
     "sphere's unit: rows of short polynomials around the nodes of uniform grids, and what follows at large\n"
     "zeta. Evaluated by runtime/law/tsuji.c. Source: docs/laws.md; form: docs/header-format.md.\n"
-    "\n"
-    "Written by:  corgen tables\n"
-    "Checked by:  corgen tables --check\n"
-    "\n"
-    "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by\n"
-    "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table and\n"
-    "beside each row (sampled); errors of evaluation: include/cor/law.h (sampled).\n";
+    "\n" SOURCE_OF_ROWS;
 
 int tsuji_tables_write(FILE *file, const struct disk_table *none)
 {
@@ -514,13 +519,7 @@ static const char crossley_banner[] =
     "and\n"
     "what follows at large beta. Evaluated by runtime/law/hunt_crossley_times.c. Source: docs/laws.md; form:\n"
     "docs/header-format.md.\n"
-    "\n"
-    "Written by:  corgen tables\n"
-    "Checked by:  corgen tables --check\n"
-    "\n"
-    "The rows interpolate polynomials through samples by two Gauss rules of 56 points, which agree with enclosures by\n"
-    "adaptive quadrature to 1e-20 at two places of each block of rows. Errors of the rows stand above each table and\n"
-    "beside each row (sampled); errors of evaluation: include/cor/law.h (sampled).\n";
+    "\n" SOURCE_OF_ROWS;
 
 int hunt_crossley_tables_write(FILE *file, const struct disk_table *none)
 {

@@ -1,69 +1,58 @@
 /* SPDX-License-Identifier: MIT */
 #include "tables/sphere.h"
 
-#include <math.h>
-#include <stdlib.h>
-
-#include "approximation/pieces.h"
-#include "enclosure/collision.h"
+#include "approximation/law_tables.h"
 #include "support/console.h"
 #include "support/evaluator_text.h"
-#include "support/parallel.h"
 
-enum { H_STAR_BITS = 160 };
-
-/* The tables of the runtime, all with the same layout. Only this file defines their geometry; macros of the headers
- * pass it to the evaluators (approximation/pieces.h). If the bound is one unit of the last place, 57 bits limit the
+/* The sphere's layout, one instance of law_layout.h. Only this file defines its geometry; macros of the headers pass it
+ * to the evaluators (approximation/pieces.h). If the bound is one unit of the last place, 57 bits limit the
  * approximation to a sixteenth of it. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply,
  * because the rounding of x changes eps more. c_0 of a row that is multiplied has HEAD_BITS bits, so that its products
  * with halves of a double are exact. */
-enum { DEGREE = 10, FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26 };
+enum { FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26, CHECK_POINTS = 9 };
 #define IN_BETA VARIABLE_BETA, 0, 0.125
 #define IN_ROOT VARIABLE_ROOT_BETA, 0, 0.0625
 #define IN_POWER VARIABLE_POWER_OCTAVES, -40, 0
 #define IN_LOG(step) VARIABLE_LOG_BETA, 2 + (step) / 2, step
 #define BY_OCTAVES(first, last) (((last) - (first) + 1) * PIECES_PER_OCTAVE)
-static const struct {
-    const char *name, *title;
-    enum quantity quantity;
-    enum variable variable;
-    double first, step, end;
-    slong rows;
-    double least_bits;
-    slong head_bits, plain;
-} layout[] = {
-    {"cor_rows_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_BETA, 7, 57, 55.5, 0, 0},
-    {"cor_rows_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_ROOT, 16, 65, 55.5, 0, FORCE_PLAIN},
-    {"cor_rows_power_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_POWER, 16384, BY_OCTAVES(-40, 13),
-     53.5, 0, 0},
-    {"cor_rows_power_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_POWER, 1048576, BY_OCTAVES(-40, 19), 57,
-     0, 0},
-    {"cor_rows_loss_zero_overlap", "(1 - eps)/beta at zero overlap", LOSS_QUOTIENT_ZERO_OVERLAP, IN_BETA, 7, 57, 57,
-     HEAD_BITS, 0},
-    {"cor_rows_loss_zero_force", "(1 - eps)/beta at zero force", LOSS_QUOTIENT_ZERO_FORCE, IN_ROOT, 16, 65, 57,
-     HEAD_BITS, FORCE_PLAIN},
-    {"cor_rows_duration_zero_overlap", "duration at zero overlap", DURATION_ZERO_OVERLAP, IN_BETA, 8, 65, 56, 0, 0},
-    {"cor_rows_duration_zero_force", "duration at zero force", DURATION_ZERO_FORCE, IN_ROOT, 8, 46, 56, 0, 0},
-    {"cor_rows_max_overlap", "largest overlap", MAX_OVERLAP, IN_BETA, 8, 65, 57, 0, 0},
-    {"cor_rows_time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, IN_BETA, 8, 65, 56, 0, 0},
-    {"cor_rows_tail_eps_zero_force", "eps beta^(5/3) at zero force", EPS_ZERO_FORCE, IN_LOG(0.25), 10, 32, 57, 0, 0},
-    {"cor_rows_tail_duration_zero_overlap", "duration/beta at zero overlap", DURATION_ZERO_OVERLAP, IN_LOG(0.125), 10,
-     64, 56, 0, 0},
-    {"cor_rows_tail_duration_zero_force", "duration beta^(2/3) at zero force", DURATION_ZERO_FORCE, IN_LOG(0.25), 10,
-     32, 56, 0, 0},
-    {"cor_rows_tail_max_overlap", "largest overlap beta^(2/3)", MAX_OVERLAP, IN_LOG(0.25), 10, 32, 57, 0, 0},
-    {"cor_rows_tail_time_of_max_overlap", "time of the largest overlap beta^(2/3)", TIME_OF_MAX_OVERLAP, IN_LOG(0.25),
-     10, 32, 56, 0, 0},
-    {"cor_rows_near_beta_zero_overlap", "beta/(1 - eps) at zero overlap", BETA_QUOTIENT_ZERO_OVERLAP, VARIABLE_LOSS, 0,
-     0.0625, 0.5, 9, 56, HEAD_BITS, 0},
-    {"cor_rows_near_beta_zero_force", "beta/(1 - eps) at zero force", BETA_QUOTIENT_ZERO_FORCE, VARIABLE_ROOT_LOSS, 0,
-     0.03125, 0.5, 24, 56, HEAD_BITS, 0},
-    {"cor_rows_beta_zero_overlap", "beta at zero overlap", BETA_ZERO_OVERLAP, VARIABLE_EPS_OCTAVES, -12, 0, 0.5,
-     BY_OCTAVES(-12, -2), 55, 0, 0},
-    {"cor_rows_beta_zero_force", "beta at zero force", BETA_ZERO_FORCE, VARIABLE_EPS_OCTAVES, -23, 0, 0.5,
-     BY_OCTAVES(-23, -2), 55, 0, 0},
+#define GIVEN(stem, title, quantity, ...)                                                                              \
+    {                                                                                                                  \
+        PART_GIVEN, quantity, quantity, stem, title, __VA_ARGS__                                                       \
+    }
+static const struct law_table layout_tables[] = {
+    GIVEN("eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_BETA, 7, 57, 55.5, 0, 0),
+    GIVEN("eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_ROOT, 16, 65, 55.5, 0, FORCE_PLAIN),
+    GIVEN("power_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_POWER, 16384, BY_OCTAVES(-40, 13), 53.5,
+          0, 0),
+    GIVEN("power_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_POWER, 1048576, BY_OCTAVES(-40, 19), 57, 0,
+          0),
+    GIVEN("loss_zero_overlap", "(1 - eps)/beta at zero overlap", LOSS_QUOTIENT_ZERO_OVERLAP, IN_BETA, 7, 57, 57,
+          HEAD_BITS, 0),
+    GIVEN("loss_zero_force", "(1 - eps)/beta at zero force", LOSS_QUOTIENT_ZERO_FORCE, IN_ROOT, 16, 65, 57, HEAD_BITS,
+          FORCE_PLAIN),
+    GIVEN("duration_zero_overlap", "duration at zero overlap", DURATION_ZERO_OVERLAP, IN_BETA, 8, 65, 56, 0, 0),
+    GIVEN("duration_zero_force", "duration at zero force", DURATION_ZERO_FORCE, IN_ROOT, 8, 46, 56, 0, 0),
+    GIVEN("max_overlap", "largest overlap", MAX_OVERLAP, IN_BETA, 8, 65, 57, 0, 0),
+    GIVEN("time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, IN_BETA, 8, 65, 56, 0, 0),
+    GIVEN("tail_eps_zero_force", "eps beta^(5/3) at zero force", EPS_ZERO_FORCE, IN_LOG(0.25), 10, 32, 57, 0, 0),
+    GIVEN("tail_duration_zero_overlap", "duration/beta at zero overlap", DURATION_ZERO_OVERLAP, IN_LOG(0.125), 10, 64,
+          56, 0, 0),
+    GIVEN("tail_duration_zero_force", "duration beta^(2/3) at zero force", DURATION_ZERO_FORCE, IN_LOG(0.25), 10, 32,
+          56, 0, 0),
+    GIVEN("tail_max_overlap", "largest overlap beta^(2/3)", MAX_OVERLAP, IN_LOG(0.25), 10, 32, 57, 0, 0),
+    GIVEN("tail_time_of_max_overlap", "time of the largest overlap beta^(2/3)", TIME_OF_MAX_OVERLAP, IN_LOG(0.25), 10,
+          32, 56, 0, 0),
+    GIVEN("near_beta_zero_overlap", "beta/(1 - eps) at zero overlap", BETA_QUOTIENT_ZERO_OVERLAP, VARIABLE_LOSS, 0,
+          0.0625, 0.5, 9, 56, HEAD_BITS, 0),
+    GIVEN("near_beta_zero_force", "beta/(1 - eps) at zero force", BETA_QUOTIENT_ZERO_FORCE, VARIABLE_ROOT_LOSS, 0,
+          0.03125, 0.5, 24, 56, HEAD_BITS, 0),
+    GIVEN("beta_zero_overlap", "beta at zero overlap", BETA_ZERO_OVERLAP, VARIABLE_EPS_OCTAVES, -12, 0, 0.5,
+          BY_OCTAVES(-12, -2), 55, 0, 0),
+    GIVEN("beta_zero_force", "beta at zero force", BETA_ZERO_FORCE, VARIABLE_EPS_OCTAVES, -23, 0, 0.5,
+          BY_OCTAVES(-23, -2), 55, 0, 0),
 };
-enum { TABLES = sizeof layout / sizeof *layout };
+enum { TABLES = sizeof layout_tables / sizeof *layout_tables };
 
 static const struct {
     enum quantity quantity;
@@ -75,122 +64,29 @@ static const struct {
     {MAX_OVERLAP, "cor_rows_far_max_overlap", "largest overlap beta^(2/3)"},
     {TIME_OF_MAX_OVERLAP, "cor_rows_far_time_of_max_overlap", "time of the largest overlap beta^(2/3)"},
 };
-enum {
-    FAR_TABLES = sizeof far_tables / sizeof *far_tables,
-    FAR_COLUMNS = INTERPOLANT_FAR + 2,
-    INVERSE_COLUMNS = INTERPOLANT_FAR_INVERSE + 1,
-    CHECK_POINTS = 9
-};
-
-/* Allowed relative error of the interpolant, small enough to sample rows against the interpolant */
-#define INTERPOLANT_LIMIT 4e-18
+enum { FAR_TABLES = sizeof far_tables / sizeof *far_tables };
 
 static struct {
     bool made;
-    struct pieces tables[TABLES];
-    double error; /* error of the interpolant, sampled */
-    arb_struct h_star_5[2];
-    arb_ptr far[FAR_TABLES]; /* a_0 and a_1 with the remainders of their doubles, and the other coefficients */
-    arb_ptr far_inverse;     /* a with the remainder of its double, and the other coefficients */
+    struct law_tables tables;
 } data;
 
-/* Splits a value into its nearest double and the remainder. */
-static void split_constant(arb_t value, arb_t rest)
-{
-    arb_set_d(rest, arf_get_d(arb_midref(value), ARF_RND_NEAR));
-    arb_sub(rest, value, rest, H_STAR_BITS);
-}
-
-static int make_pieces(const struct interpolant *f)
-{
-    int status = STATUS_OK;
-    for (int i = 0; i < TABLES && status == STATUS_OK; i++) {
-        data.tables[i] = (struct pieces){.name = layout[i].name,
-                                         .title = layout[i].title,
-                                         .quantity = layout[i].quantity,
-                                         .variable = layout[i].variable,
-                                         .first = layout[i].first,
-                                         .step = layout[i].step,
-                                         .end = layout[i].end,
-                                         .root = interpolant_sphere.root,
-                                         .octave_bits = PIECES_OCTAVE_BITS,
-                                         .rows = layout[i].rows,
-                                         .degree = DEGREE,
-                                         .plain = layout[i].plain > 0 ? layout[i].plain : layout[i].rows,
-                                         .head_bits = layout[i].head_bits,
-                                         .least_bits = layout[i].least_bits};
-        status = pieces_make(&data.tables[i], f);
-    }
-    return status;
-}
-
-static void make_far_tables(const struct interpolant *f)
-{
-    for (int i = 0; i < FAR_TABLES; i++) {
-        data.far[i] = _arb_vec_init(FAR_COLUMNS);
-        interpolant_far(data.far[i] + 2, f, far_tables[i].quantity);
-        arb_set(data.far[i], data.far[i] + 2);
-        arb_set(data.far[i] + 2, data.far[i] + 3);
-        split_constant(data.far[i], data.far[i] + 1);
-        split_constant(data.far[i] + 2, data.far[i] + 3);
-    }
-    data.far_inverse = _arb_vec_init(INVERSE_COLUMNS);
-    interpolant_far_inverse(data.far_inverse + 1, f);
-    arb_set(data.far_inverse, data.far_inverse + 1);
-    split_constant(data.far_inverse, data.far_inverse + 1);
-}
-
-/* Computes all tables that are made of collisions at single values of beta. */
-static int make_tables(void)
-{
-    struct interpolant *f = interpolant_new(&interpolant_sphere, 0, INFINITY);
-    if (!f)
-        return STATUS_FAILED;
-    int status = interpolant_check(&data.error, f, CHECK_POINTS);
-    if (status == STATUS_OK && data.error > INTERPOLANT_LIMIT)
-        status = fail("the interpolant of the collision is off by %.1e", data.error);
-    if (status == STATUS_OK)
-        status = make_pieces(f);
-    make_far_tables(f);
-    interpolant_free(f);
-    return status;
-}
-
-static void make_h_star(void *context)
-{
-    int *const status = context;
-    *status = collision_h_star(&data.h_star_5[0], H_STAR_BITS);
-    arb_pow_ui(&data.h_star_5[0], &data.h_star_5[0], 5, H_STAR_BITS);
-    split_constant(&data.h_star_5[0], &data.h_star_5[1]);
-}
-
-/* h* is one long computation, which runs beside the others. */
 static int sphere_data_make(void)
 {
     if (data.made)
         return STATUS_OK;
-    arb_init(&data.h_star_5[0]);
-    arb_init(&data.h_star_5[1]);
-    int h_star_status = STATUS_FAILED;
-    struct parallel_task task;
-    parallel_begin(&task, make_h_star, &h_star_status);
-    const int status = make_tables();
-    parallel_end(&task);
-    data.made = status == STATUS_OK && h_star_status == STATUS_OK;
-    return data.made ? STATUS_OK : STATUS_FAILED;
+    law_layout_init_given(&data.tables.layout, &interpolant_sphere, layout_tables, TABLES, CHECK_POINTS);
+    const int status = law_tables_make(&data.tables, "cor_rows");
+    data.made = status == STATUS_OK;
+    if (!data.made)
+        law_tables_clear(&data.tables);
+    return status;
 }
 
 void sphere_tables_clear(void)
 {
-    if (!data.made)
-        return;
-    for (int i = 0; i < TABLES; i++)
-        pieces_clear(&data.tables[i]);
-    for (int i = 0; i < FAR_TABLES; i++)
-        _arb_vec_clear(data.far[i], FAR_COLUMNS);
-    _arb_vec_clear(data.far_inverse, INVERSE_COLUMNS);
-    arb_clear(&data.h_star_5[0]);
-    arb_clear(&data.h_star_5[1]);
+    if (data.made)
+        law_tables_clear(&data.tables);
     data.made = false;
 }
 
@@ -199,36 +95,26 @@ static int emit_tables(struct emit *e)
     emit_comment(e, "A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
                     "c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from\n"
                     "node 1/4 on s = beta - node^2. c_0' is the remainder of c_0 at the node.");
-    for (int i = 0; i < TABLES; i++)
-        if (pieces_emit(e, &data.tables[i]))
-            return STATUS_FAILED;
+    if (law_tables_emit(e, &data.tables))
+        return STATUS_FAILED;
     emit_comment(e, "h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision from beta = 7\n"
                     "on. Proved.");
-    emit_rows_open(e, "cor_rows_h_star_5", 1, 2);
-    if (emit_row(e, "h*^5, and what that double lacks", data.h_star_5, 2, true))
+    if (law_tables_emit_final_speed(e, &data.tables, "cor_rows_h_star_5", "h*^5, and what that double lacks"))
         return STATUS_FAILED;
-    emit_rows_close(e);
     emit_comment(
         e,
         "u = ln(beta) >= 10: a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3),\n"
         "mu = beta^(-5/3), through nine enclosed collisions with u = 9.5 ... 13.5. Terms in mu^3 are left\n"
         "out: less than 2^-57 at u = 10, sampled in tests/accuracy.");
-    for (int i = 0; i < FAR_TABLES; i++) {
-        emit_rows_open(e, far_tables[i].name, 1, FAR_COLUMNS);
-        if (emit_row(e, far_tables[i].title, data.far[i], FAR_COLUMNS, true))
+    for (int i = 0; i < FAR_TABLES; i++)
+        if (law_tables_emit_far(e, &data.tables, far_tables[i].quantity, far_tables[i].name, far_tables[i].title))
             return STATUS_FAILED;
-        emit_rows_close(e);
-    }
     emit_comment(e,
                  "eps < 2^-23 at zero force: beta = (a/eps)^(3/5) (1 + e (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... +\n"
                  "c_4 v^4)), e = eps/a, v = -(3/5) ln(e), from the coefficients of far_eps_zero_force by formal\n"
                  "inversion. Columns a, a', b_0, ..., c_4. Terms in e^3 are left out: less than 2^-55 at eps = 2^-23,\n"
                  "sampled in tests/table.");
-    emit_rows_open(e, "cor_rows_far_beta_zero_force", 1, INVERSE_COLUMNS);
-    if (emit_row(e, "beta at zero force", data.far_inverse, INVERSE_COLUMNS, true))
-        return STATUS_FAILED;
-    emit_rows_close(e);
-    return STATUS_OK;
+    return law_tables_emit_far_inverse(e, &data.tables, "cor_rows_far_beta_zero_force", "beta at zero force");
 }
 
 static const char tables_banner[] =

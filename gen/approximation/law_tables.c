@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT */
+#include "approximation/law_tables.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "support/console.h"
+
+enum {
+    ATTEMPTS = 3,
+    FAR_COLUMNS = INTERPOLANT_FAR + 2,
+    INVERSE_COLUMNS = INTERPOLANT_FAR_INVERSE + 1,
+    SPLIT_BITS = 192
+};
+
+/* Allowed relative error of the interpolant, small enough to sample rows against the interpolant */
+#define INTERPOLANT_LIMIT 4e-18
+
+/* The interpolant of the layout, with more samples if it was not accurate enough */
+static int interpolant_make(struct law_tables *t)
+{
+    for (int attempt = 0; attempt < ATTEMPTS; attempt++) {
+        if (attempt > 0) {
+            interpolant_free(t->f); /* the interpolant belongs to the old layout */
+            law_layout_refine(&t->layout);
+        }
+        t->f = interpolant_new(&t->layout.interpolant, 0, INFINITY);
+        if (!t->f || interpolant_check(&t->error, t->f, t->layout.check_points))
+            return STATUS_FAILED;
+        if (t->error <= INTERPOLANT_LIMIT)
+            return STATUS_OK;
+    }
+    return fail("the interpolant of the collision is off by %.1e", t->error);
+}
+
+int law_tables_make(struct law_tables *t, const char *prefix)
+{
+    const struct law_layout *const layout = &t->layout;
+    t->f = NULL;
+    t->error = 0;
+    t->rows = xmalloc((size_t)layout->tables * sizeof *t->rows);
+    for (int i = 0; i < layout->tables; i++)
+        t->rows[i].has = false;
+    int status = interpolant_make(t);
+    for (int i = 0; i < layout->tables && status == STATUS_OK; i++) {
+        struct law_table_rows *const rows = &t->rows[i];
+        progress("tables", i, layout->tables);
+        snprintf(rows->name, sizeof rows->name, "%s_%s", prefix, layout->table[i].stem);
+        rows->has = law_layout_cut(&rows->pieces, &status, layout, t->f, &layout->table[i], rows->name);
+    }
+    progress_end();
+    return status;
+}
+
+void law_tables_clear(struct law_tables *t)
+{
+    for (int i = 0; t->rows && i < t->layout.tables; i++)
+        if (t->rows[i].has)
+            pieces_clear(&t->rows[i].pieces);
+    free(t->rows);
+    interpolant_free(t->f);
+    law_layout_clear(&t->layout);
+}
+
+int law_tables_emit(struct emit *e, const struct law_tables *t)
+{
+    for (int i = 0; i < t->layout.tables; i++)
+        if (t->rows[i].has && pieces_emit(e, &t->rows[i].pieces))
+            return STATUS_FAILED;
+    return STATUS_OK;
+}
+
+/* ---- beyond the rows ---- */
+
+bool law_tables_have_far(const struct law_tables *t, enum quantity quantity)
+{
+    const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
+    const bool force = quantity == EPS_ZERO_FORCE || quantity == DURATION_ZERO_FORCE;
+    const struct law *law = &t->layout.interpolant.law;
+    return !(overlap && t->layout.threshold < HUGE_VAL) && !(force && !law_force_ends(law));
+}
+
+bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity)
+{
+    arb_t fall;
+    arb_init(fall);
+    interpolant_far_fall(fall, t->f);
+    const bool has = quantity == DURATION_ZERO_OVERLAP && law_tables_have_far(t, quantity) && !arb_is_zero(fall);
+    arb_clear(fall);
+    return has;
+}
+
+/* Splits a value into its nearest double and the remainder. */
+static void split(arb_t value, arb_t rest)
+{
+    arb_set_d(rest, arf_get_d(arb_midref(value), ARF_RND_NEAR));
+    arb_sub(rest, value, rest, SPLIT_BITS);
+}
+
+static int emit_one_row(struct emit *e, const char *name, const char *title, arb_srcptr row, slong columns)
+{
+    emit_rows_open(e, name, 1, columns);
+    if (emit_row(e, title, row, columns, true))
+        return STATUS_FAILED;
+    emit_rows_close(e);
+    return STATUS_OK;
+}
+
+/* Writes a value as two doubles. */
+static int emit_pair(struct emit *e, const char *name, const char *title, const arb_t value)
+{
+    arb_ptr row = _arb_vec_init(2);
+    arb_set(row, value);
+    split(row, row + 1);
+    const int status = emit_one_row(e, name, title, row, 2);
+    _arb_vec_clear(row, 2);
+    return status;
+}
+
+int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name, const char *title)
+{
+    arb_t speed;
+    arb_init(speed);
+    arb_set(speed, interpolant_final_speed(t->f));
+    if (law_is_hunt_crossley(&t->layout.interpolant.law)) /* an interval that contains 1 cannot be split */
+        arb_one(speed);
+    const int status = emit_pair(e, name, title, speed);
+    arb_clear(speed);
+    return status;
+}
+
+int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name,
+                        const char *title)
+{
+    arb_ptr row = _arb_vec_init(FAR_COLUMNS);
+    interpolant_far(row + 2, t->f, quantity);
+    arb_set(row, row + 2);
+    arb_set(row + 2, row + 3);
+    split(row, row + 1);
+    split(row + 2, row + 3);
+    const int status = emit_one_row(e, name, title, row, FAR_COLUMNS);
+    _arb_vec_clear(row, FAR_COLUMNS);
+    return status;
+}
+
+int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name, const char *title)
+{
+    arb_t fall;
+    arb_init(fall);
+    interpolant_far_fall(fall, t->f);
+    const int status = emit_pair(e, name, title, fall);
+    arb_clear(fall);
+    return status;
+}
+
+int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name, const char *title)
+{
+    arb_ptr row = _arb_vec_init(INVERSE_COLUMNS);
+    interpolant_far_inverse(row + 1, t->f);
+    arb_set(row, row + 1);
+    split(row, row + 1);
+    const int status = emit_one_row(e, name, title, row, INVERSE_COLUMNS);
+    _arb_vec_clear(row, INVERSE_COLUMNS);
+    return status;
+}

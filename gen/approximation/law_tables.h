@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* All numbers of a law's tables, cut from one interpolant: the rows of a layout (law_layout.h) and the coefficients
+ * beyond the rows (form: docs/header-format.md). */
+#ifndef COR_GEN_APPROXIMATION_LAW_TABLES_H
+#define COR_GEN_APPROXIMATION_LAW_TABLES_H
+
+#include "approximation/law_layout.h"
+
+enum { LAW_TABLE_NAME_MAX = 192 };
+
+struct law_tables {
+    struct law_layout layout; /* owned */
+    struct interpolant *f;
+    double error; /* error of the interpolant, sampled */
+    struct law_table_rows {
+        bool has; /* whether the law has the table */
+        char name[LAW_TABLE_NAME_MAX];
+        struct pieces pieces;
+    } * rows; /* of each table of the layout */
+};
+
+/* Computes the tables of t->layout, which the caller has initialised; a table's name is PREFIX_STEM. Adds samples if
+ * the interpolant is off by more than 4e-18. Returns 0, or 1 after reporting the failure; call law_tables_clear in
+ * either case. */
+int law_tables_make(struct law_tables *t, const char *prefix);
+void law_tables_clear(struct law_tables *t);
+
+/* Writes all rows. This function and those below return 0, or 1 after reporting an interval that is too wide. */
+int law_tables_emit(struct emit *e, const struct law_tables *t);
+
+/* Whether the quantity has coefficients beyond the rows, and whether it has a further term there
+ * (interpolant_far_fall) */
+bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);
+bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
+
+/* Write one row with the name and the title: v_f of eps at zero overlap as two doubles; the coefficients a_0, a_0',
+ * a_1, a_1', a_2, ... of another quantity, where a dash marks the remainder of a double; the further term as two
+ * doubles; the inverse of eps at zero force beyond the rows, a, a', b_0, ... (interpolant_far_inverse). */
+int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name, const char *title);
+int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name,
+                        const char *title);
+int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name, const char *title);
+int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name, const char *title);
+
+#endif
