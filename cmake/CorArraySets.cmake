@@ -3,7 +3,7 @@
 # set errno and comparisons may be evaluated ahead.
 # -Wno-psabi: vectors are arguments of functions that are all inlined.
 set(cor_array_options $<$<NOT:$<CONFIG:Debug>>:-O3> -fno-math-errno -fno-trapping-math -Wno-psabi)
-set(cor_array_kernels sphere/array disk/rayleigh disk/collision disk/hard_wall law/array core/mode_source)
+set(cor_array_kernels sphere/array disk/rayleigh disk/collision disk/hard_wall law/array law/dashpot_array core/mode_source)
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")
   foreach(kernel ${cor_array_kernels})
     set_source_files_properties(runtime/${kernel}_portable.c PROPERTIES COMPILE_OPTIONS "${cor_array_options}")
@@ -14,7 +14,7 @@ if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")
     set(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 -fno-tree-slp-vectorize)
     foreach(set avx2 avx512)
       foreach(kernel ${cor_array_kernels})
-        if(kernel MATCHES "^(core|disk|law)/")
+        if(kernel MATCHES "^(core|disk)/|^law/array")
           target_sources(cor_without_tables PRIVATE runtime/${kernel}_${set}.c)
         else()
           target_sources(cor_with_tables PRIVATE runtime/${kernel}_${set}.c)

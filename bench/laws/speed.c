@@ -16,6 +16,7 @@
 #include "support/timing.h"
 
 #include "runtime/law/array.h"
+#include "runtime/law/dashpot_array.h"
 
 enum { COUNT = 2048 };
 
@@ -186,14 +187,15 @@ static double formula_crossley(double beta)
 typedef double scalar_function(double x);
 typedef long double exact_function(long double x);
 
-enum { NO_LOOP = -1, MAX_JOBS = 128 };
+enum { NO_LOOP = -1, FIRST_DASHPOT = COR_LAW_LOOP_COUNT, MAX_JOBS = 128 };
+#define DASHPOT_LOOP(function) (FIRST_DASHPOT + COR_DASHPOT_##function)
 
-/* Rows of cor name a loop, which is timed in every instruction set. */
+/* Rows of cor name a loop, which is timed in every instruction set: one of law.h, or DASHPOT_LOOP of hertz_dashpot.h. */
 static const struct method {
     const char *quantity, *method;
     scalar_function *scalar;
     int loop;
-    exact_function *exact; /* of the value, or of eps for an inverse */
+    exact_function *exact; /* of the value, or of eps for an inverse; NULL: none is at hand */
     int inverse;
     double low, high; /* of the argument */
 } methods[] = {
@@ -237,6 +239,20 @@ static const struct method {
     {"beta of eps; Hunt-Crossley", "Flores: 8(1-e)/(5e)", host_crossley_flores, NO_LOOP, exact_crossley, 1, 0.1, 0.99},
     {"beta of eps; Hunt-Crossley", "Lankarani and Nikravesh: 3(1-e^2)/4", host_crossley_lankarani, NO_LOOP,
      exact_crossley, 1, 0.1, 0.99},
+    {"eps of beta; Hertz and constant dashpot; zero overlap", "cor", cor_hertz_dashpot_eps_zero_overlap,
+     DASHPOT_LOOP(eps_zero_overlap), NULL, 0, 0.01, 1.1},
+    {"eps of beta; Hertz and constant dashpot; zero force", "cor", cor_hertz_dashpot_eps_zero_force,
+     DASHPOT_LOOP(eps_zero_force), NULL, 0, 0.2, 5},
+    {"1-eps of beta; Hertz and constant dashpot; zero overlap", "cor", cor_hertz_dashpot_loss_zero_overlap,
+     DASHPOT_LOOP(loss_zero_overlap), NULL, 0, 0.01, 1.1},
+    {"duration; Hertz and constant dashpot; zero force", "cor", cor_hertz_dashpot_duration_zero_force,
+     DASHPOT_LOOP(duration_zero_force), NULL, 0, 0.2, 5},
+    {"beta of eps; Hertz and constant dashpot; zero force", "cor", cor_hertz_dashpot_beta_zero_force,
+     DASHPOT_LOOP(beta_zero_force), NULL, 1, 0.1, 0.49},
+    {"beta of eps; Hertz and constant dashpot; zero overlap", "cor", cor_hertz_dashpot_beta_zero_overlap,
+     DASHPOT_LOOP(beta_zero_overlap), NULL, 1, 0.1, 0.99},
+    {"beta of eps; Hertz and constant dashpot; approach only", "cor", cor_hertz_dashpot_beta_approach_only, NO_LOOP,
+     NULL, 1, 0.1, 0.99},
     {"beta of eps; sphere; zero force", "cor", cor_sphere_beta_zero_force, NO_LOOP, exact_sphere_force, 1, 0.1, 0.99},
     {"beta of eps; sphere; zero force", "Newton's method on a Pade", formula_sphere_newton, NO_LOOP, exact_sphere_force,
      1, 0.1, 0.99},
@@ -246,16 +262,21 @@ enum { METHODS = sizeof methods / sizeof *methods };
 /* One line of the result */
 struct line {
     const struct method *method;
-    cor_law_array_function *loop; /* NULL: the scalar */
-    const char *set;
+    int set; /* NO_LOOP: the scalar */
+    const char *set_name;
     double x[COUNT], y[COUNT], error;
 };
 
 static void run_line(void *closure)
 {
     struct line *line = closure;
-    if (line->loop) {
-        line->loop(line->x, line->y, COUNT);
+    const int loop = line->method->loop;
+    if (line->set >= 0 && loop < FIRST_DASHPOT) {
+        cor_law_loops(line->set)[loop](line->x, line->y, COUNT);
+        return;
+    }
+    if (line->set >= 0) {
+        cor_dashpot_array_of_set(line->set, (enum cor_dashpot_number)(loop - FIRST_DASHPOT), line->x, line->y, COUNT);
         return;
     }
     scalar_function *const f = line->method->scalar;
@@ -280,8 +301,8 @@ static int add_line(struct line *line, const struct method *method, int set)
     if (set >= 0 && !cor_processor_has(set))
         return 0;
     line->method = method;
-    line->loop = set >= 0 ? cor_law_loops(set)[method->loop] : NULL;
-    line->set = set >= 0 ? name[set] : "";
+    line->set = set;
+    line->set_name = set >= 0 ? name[set] : "scalar";
     /* scattered, the same every time: multiples of the golden ratio */
     for (int i = 0; i < COUNT; i++)
         line->x[i] = method->low + (method->high - method->low) * fmod(0.61803398874989485 * (i + 1), 1);
@@ -294,7 +315,7 @@ int main(int argc, char **argv)
     struct job jobs[MAX_JOBS];
     int n = 0;
     for (int i = 0; i < METHODS; i++) {
-        n += add_line(&lines[n], &methods[i], -1);
+        n += add_line(&lines[n], &methods[i], NO_LOOP);
         for (int set = 0; methods[i].loop >= 0 && set < COR_INSTRUCTION_SETS; set++)
             n += add_line(&lines[n], &methods[i], set);
     }
@@ -303,9 +324,12 @@ int main(int argc, char **argv)
     const int quick = argc > 1 && strcmp(argv[1], "--quick") == 0;
     timing_measure(jobs, (size_t)n, (struct timing){2e5, quick ? 20 : 400, 4});
     printf("quantity,method,instructions,ns,relative_error\n");
-    for (int i = 0; i < n; i++)
-        printf("%s,%s%s,%s,%.3g,%.2g\n", lines[i].method->quantity, lines[i].method->method,
-               lines[i].loop ? " array" : "", lines[i].loop ? lines[i].set : "scalar", jobs[i].best_ns,
-               worst_error(&lines[i]));
+    for (int i = 0; i < n; i++) {
+        char error[32] = "";
+        if (lines[i].method->exact)
+            snprintf(error, sizeof error, "%.2g", worst_error(&lines[i]));
+        printf("%s,%s%s,%s,%.3g,%s\n", lines[i].method->quantity, lines[i].method->method,
+               lines[i].set >= 0 ? " array" : "", lines[i].set_name, jobs[i].best_ns, error);
+    }
     return 0;
 }

@@ -11,10 +11,54 @@
 #define COR_INLINE static inline __attribute__((always_inline))
 #endif
 
+#include "runtime/law/dashpot_array.h"
+#include "runtime/law/define.h"
 #include "runtime/law/hertz_dashpot_approach_only.h"
 
-/* A function of hertz_dashpot.h and its array forms, which compute one number after the other */
-#define HERTZ_DASHPOT_FUNCTION_OF(quantity, inline_function)                                                           \
+/* ---- arrays by loops ---- */
+
+static const double *first_row(struct cor_inline_law_table table)
+{
+    return table.kind ? table.rows(0) : NULL;
+}
+
+#define ROWS_OF_QUANTITY(function, tables)                                                                             \
+    case COR_DASHPOT_##function: {                                                                                     \
+        const struct cor_inline_law_quantity q = cor_law_hertz_dashpot_##tables();                                     \
+        const struct cor_dashpot_rows rows = {first_row(q.near), first_row(q.middle), first_row(q.below)};             \
+        return rows;                                                                                                   \
+    }
+#define ROWS_OF_INVERSE(function, tables)                                                                              \
+    case COR_DASHPOT_##function: {                                                                                     \
+        const struct cor_inline_law_inverse inverse = cor_law_hertz_dashpot_##tables();                                \
+        const struct cor_dashpot_rows rows = {first_row(inverse.near), first_row(inverse.rows), NULL};                 \
+        return rows;                                                                                                   \
+    }
+
+static struct cor_dashpot_rows dashpot_rows(enum cor_dashpot_number function)
+{
+    const struct cor_dashpot_rows none = {NULL, NULL, NULL};
+    switch (function) {
+        COR_DASHPOT_LOOPS(ROWS_OF_QUANTITY, ROWS_OF_QUANTITY, ROWS_OF_QUANTITY, ROWS_OF_INVERSE)
+    default:
+        return none;
+    }
+}
+
+int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const double *in, double *out, size_t n)
+{
+#define SET_ROW(set) cor_dashpot_loops_##set,
+    static cor_dashpot_loop *const *const sets[] = {COR_EACH_SET(SET_ROW)};
+    if (!cor_processor_has(set))
+        return 0;
+    const struct cor_dashpot_rows rows = dashpot_rows(function);
+    sets[set][function](&rows, in, out, n);
+    return 1;
+}
+
+/* ---- the functions of hertz_dashpot.h ---- */
+
+#define SCALARS(quantity, inline_function)                                                                             \
     double cor_hertz_dashpot_##quantity(double x)                                                                      \
     {                                                                                                                  \
         return inline_function(x);                                                                                     \
@@ -22,7 +66,23 @@
     float cor_hertz_dashpot_##quantity##f(float x)                                                                     \
     {                                                                                                                  \
         return (float)cor_hertz_dashpot_##quantity((double)x);                                                         \
+    }
+
+#define WITH_LOOP(quantity, tables)                                                                                    \
+    SCALARS(quantity, cor_inline_hertz_dashpot_##quantity)                                                             \
+    void cor_hertz_dashpot_##quantity##_array(const double *x, double *y, size_t n)                                    \
+    {                                                                                                                  \
+        cor_dashpot_array_of_set(cor_widest_set(), COR_DASHPOT_##quantity, x, y, n);                                   \
     }                                                                                                                  \
+    void cor_hertz_dashpot_##quantity##_arrayf(const float *x, float *y, size_t n)                                     \
+    {                                                                                                                  \
+        law_arrayf(cor_hertz_dashpot_##quantity##_array, x, y, n);                                                     \
+    }
+COR_DASHPOT_LOOPS(WITH_LOOP, WITH_LOOP, WITH_LOOP, WITH_LOOP)
+
+/* Arrays of these are computed one number after the other. */
+#define ONE_BY_ONE(quantity, inline_function)                                                                          \
+    SCALARS(quantity, inline_function)                                                                                 \
     void cor_hertz_dashpot_##quantity##_array(const double *x, double *y, size_t n)                                    \
     {                                                                                                                  \
         for (size_t i = 0; i < n; i++)                                                                                 \
@@ -33,25 +93,10 @@
         for (size_t i = 0; i < n; i++)                                                                                 \
             y[i] = cor_hertz_dashpot_##quantity##f(x[i]);                                                              \
     }
-
-#define HERTZ_DASHPOT_FUNCTION(quantity) HERTZ_DASHPOT_FUNCTION_OF(quantity, cor_inline_hertz_dashpot_##quantity)
-#define HERTZ_DASHPOT_APPROACH_ONLY(quantity)                                                                          \
-    HERTZ_DASHPOT_FUNCTION_OF(quantity##_approach_only, dashpot_##quantity##_approach_only)
-
-HERTZ_DASHPOT_FUNCTION(eps_zero_overlap)
-HERTZ_DASHPOT_FUNCTION(eps_zero_force)
-HERTZ_DASHPOT_FUNCTION(loss_zero_overlap)
-HERTZ_DASHPOT_FUNCTION(loss_zero_force)
-HERTZ_DASHPOT_FUNCTION(beta_zero_overlap)
-HERTZ_DASHPOT_FUNCTION(beta_zero_force)
-HERTZ_DASHPOT_FUNCTION(beta_of_loss_zero_overlap)
-HERTZ_DASHPOT_FUNCTION(beta_of_loss_zero_force)
-HERTZ_DASHPOT_FUNCTION(duration_zero_overlap)
-HERTZ_DASHPOT_FUNCTION(duration_zero_force)
-HERTZ_DASHPOT_FUNCTION(max_overlap)
-HERTZ_DASHPOT_FUNCTION(time_of_max_overlap)
-HERTZ_DASHPOT_APPROACH_ONLY(eps)
-HERTZ_DASHPOT_APPROACH_ONLY(loss)
-HERTZ_DASHPOT_APPROACH_ONLY(beta)
-HERTZ_DASHPOT_APPROACH_ONLY(beta_of_loss)
-HERTZ_DASHPOT_APPROACH_ONLY(duration)
+ONE_BY_ONE(beta_of_loss_zero_overlap, cor_inline_hertz_dashpot_beta_of_loss_zero_overlap)
+ONE_BY_ONE(beta_of_loss_zero_force, cor_inline_hertz_dashpot_beta_of_loss_zero_force)
+ONE_BY_ONE(eps_approach_only, dashpot_eps_approach_only)
+ONE_BY_ONE(loss_approach_only, dashpot_loss_approach_only)
+ONE_BY_ONE(beta_approach_only, dashpot_beta_approach_only)
+ONE_BY_ONE(beta_of_loss_approach_only, dashpot_beta_of_loss_approach_only)
+ONE_BY_ONE(duration_approach_only, dashpot_duration_approach_only)

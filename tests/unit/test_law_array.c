@@ -6,6 +6,7 @@
 #include <cor/cor.h>
 
 #include "runtime/law/array.h"
+#include "runtime/law/dashpot_array.h"
 
 enum { COUNT = 700 };
 
@@ -77,6 +78,64 @@ static void every_set(void **state)
     }
 }
 
+/* ---- Hertz with a constant dashpot: loops over rows ---- */
+
+static const struct {
+    const char *name;
+    double (*value)(double);
+    double seam[4]; /* where the rows change */
+} dashpots[] = {
+#define OF_BETA(function, tables)                                                                                      \
+    {#function, cor_hertz_dashpot_##function, {0.125, COR_HERTZ_DASHPOT_BETA_C, 0.628, 8}},
+#define OF_EPS(function, tables) {#function, cor_hertz_dashpot_##function, {0.5, 0x1p-60, 1, 0x1p-24}},
+    COR_DASHPOT_LOOPS(OF_BETA, OF_BETA, OF_BETA, OF_EPS)};
+
+/* Numbers of every kind of row: near 0, by octaves, next to the threshold or eps = 1, at the seams, and beyond */
+static double dashpot_argument(struct random_state *r, const double seam[4])
+{
+    static const double specials[] = {0.0, -0.0, INFINITY, -INFINITY, NAN, -1, 5e-324, 1e300, 0x1p-900, 2.2e-308};
+    const double kind = random_uniform(r, 0, 1);
+    if (kind < 0.3)
+        return random_uniform(r, 0, 1.3);
+    if (kind < 0.5)
+        return random_log(r, 1e-6, 9);
+    if (kind < 0.7)
+        return seam[1] * (1 - random_log(r, 1e-16, 0.5));
+    if (kind < 0.9) {
+        double x = seam[(size_t)random_uniform(r, 0, 4)];
+        for (int k = (int)random_uniform(r, 0, 4); k > 0; k--)
+            x = nextafter(x, random_uniform(r, 0, 1) < 0.5 ? 0 : 9);
+        return x;
+    }
+    return specials[(size_t)random_uniform(r, 0, (double)(sizeof specials / sizeof *specials))];
+}
+
+static void dashpot_every_set(void **state)
+{
+    (void)state;
+    struct random_state r = random_start();
+    for (int set = 0; set < COR_INSTRUCTION_SETS; set++)
+        for (int k = 0; k < COR_DASHPOT_LOOP_COUNT; k++)
+            for (size_t n = 0; n <= COUNT; n += n < 20 ? 1 : 97) {
+                double x[COUNT], y[COUNT + 1];
+                /* some blocks are within the rows near 0 alone, or above them alone */
+                const double from = n % 3 == 0 ? 0 : 0.2, to = n % 3 == 0 ? 0.1 : 1.1;
+                for (size_t i = 0; i < n; i++)
+                    x[i] = n % 3 == 2 ? dashpot_argument(&r, dashpots[k].seam) : random_uniform(&r, from, to);
+                y[n] = -7; /* a guard */
+                if (!cor_dashpot_array_of_set(set, (enum cor_dashpot_number)k, x, y, n))
+                    continue;
+                assert_true(y[n] == -7);
+                for (size_t i = 0; i < n; i++) {
+                    const double one = dashpots[k].value(x[i]);
+                    check(same_bits(one, y[i]) || (isnan(one) && isnan(y[i])), "%s, %s at %a: %a, not %a",
+                          set_name[set], dashpots[k].name, x[i], y[i], one);
+                }
+                assert_true(cor_dashpot_array_of_set(set, (enum cor_dashpot_number)k, x, x, n)); /* in place */
+                check(n == 0 || memcmp(x, y, n * sizeof *x) == 0, "%s, %s in place", set_name[set], dashpots[k].name);
+            }
+}
+
 static void widest_set(void **state)
 {
     (void)state;
@@ -86,6 +145,7 @@ static void widest_set(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_set), cmocka_unit_test(widest_set)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_set), cmocka_unit_test(dashpot_every_set),
+                                       cmocka_unit_test(widest_set)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
