@@ -743,8 +743,8 @@ struct search {
     double lo, hi;
 };
 
-/* The function of w whose zero is the inverse: the root of the loss, which has a slope also at beta = 0, or eps, minus
- * the given value */
+/* The function of w whose zero is the inverse, minus its value for the given number: the root of the loss, which has a
+ * slope also at beta = 0; or ln(eps), because eps may fall by many powers of ten within an interval */
 static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
 {
     const slong prec = WORKING_BITS, root = s->f->layout->root;
@@ -761,6 +761,8 @@ static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t w
             arb_root_ui(y, y, (ulong)root, prec);
             arb_clear(beta);
         }
+    } else {
+        arb_log(y, y, prec);
     }
     arb_sub(y, y, wanted, prec);
     arb_get_mid_arb(y, y);
@@ -859,7 +861,7 @@ int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quan
     if (s.of_loss)
         arb_root_ui(wanted, x, (ulong)f->layout->root, WORKING_BITS);
     else
-        arb_set(wanted, x);
+        arb_log(wanted, x, WORKING_BITS);
     choose_stretch(&s, wanted);
     const int status = solve_search(w, &s, wanted);
     if (s.of_loss) { /* (1 - eps)/beta has a limit at beta = 0 */
