@@ -13,6 +13,7 @@
 enum {
     WORKING_BITS = 320,
     FAR_BITS = 112,
+    SOLVING_BITS = 960, /* for the linear equations of the far coefficients, which may be ill-conditioned */
     GUARD_BITS = 16,
     CONSTANT_BITS = 200, /* of beta_c and v_f */
     BACKWARD_ORDER = 24  /* of order of G and T, which are used for w below 1/8 */
@@ -514,21 +515,21 @@ void interpolant_far_fall(arb_t coefficient, const struct interpolant *f)
 }
 
 /* 1, u; mu, mu u, mu u^2; mu^2, mu^2 u, mu^2 u^2, mu^2 u^3 */
-static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *law)
+static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *law, slong prec)
 {
     const struct ratio power = law_mu_power(law);
     arb_t mu, term;
     arb_init(mu);
     arb_init(term);
-    arb_mul_si(mu, u, -power.num, WORKING_BITS);
-    arb_div_ui(mu, mu, (ulong)power.den, WORKING_BITS);
-    arb_exp(mu, mu, WORKING_BITS);
+    arb_mul_si(mu, u, -power.num, prec);
+    arb_div_ui(mu, mu, (ulong)power.den, prec);
+    arb_exp(mu, mu, prec);
     slong column = 0;
     for (slong order = 0; order < 3; order++) {
-        arb_pow_ui(term, mu, (ulong)order, WORKING_BITS);
+        arb_pow_ui(term, mu, (ulong)order, prec);
         for (slong exponent = 0; exponent <= order + 1; exponent++) {
             arb_set(arb_mat_entry(a, row, column++), term);
-            arb_mul(term, term, u, WORKING_BITS);
+            arb_mul(term, term, u, prec);
         }
     }
     arb_clear(mu);
@@ -621,14 +622,15 @@ static int make_far(struct interpolant *f)
         status = STATUS_FAILED;
     for (slong k = 0; k < columns; k++) {
         place(beta, u, f, &interval, far_place(law, k));
-        far_basis(own, k, u, law);
+        arb_log(u, beta, SOLVING_BITS);
+        far_basis(own, k, u, law, SOLVING_BITS);
         for (slong j = 0; j < INTERPOLANT_FAR && k < INTERPOLANT_FAR; j++)
             arb_set(arb_mat_entry(a, k, j), arb_mat_entry(own, k, j));
         if (columns > INTERPOLANT_FAR) {
-            power_of(excess, u, far_excess(law, false), WORKING_BITS);
+            power_of(excess, u, far_excess(law, false), SOLVING_BITS);
             for (slong j = 0; j < INTERPOLANT_FAR; j++)
-                arb_mul(arb_mat_entry(own, k, j), arb_mat_entry(own, k, j), excess, WORKING_BITS);
-            power_of(arb_mat_entry(own, k, INTERPOLANT_FAR), u, far_excess(law, true), WORKING_BITS);
+                arb_mul(arb_mat_entry(own, k, j), arb_mat_entry(own, k, j), excess, SOLVING_BITS);
+            power_of(arb_mat_entry(own, k, INTERPOLANT_FAR), u, far_excess(law, true), SOLVING_BITS);
         }
     }
     arb_mat_t x, y;
@@ -637,8 +639,8 @@ static int make_far(struct interpolant *f)
     for (slong k = 0; k < INTERPOLANT_FAR; k++)
         for (int q = 0; q < QUANTITIES; q++)
             arb_set(arb_mat_entry(x, k, q), arb_mat_entry(b, k, q));
-    if (status == STATUS_OK && (!arb_mat_solve(x, a, x, WORKING_BITS) ||
-                                (columns > INTERPOLANT_FAR && !arb_mat_solve(y, own, b, WORKING_BITS))))
+    if (status == STATUS_OK && (!arb_mat_solve(x, a, x, SOLVING_BITS) ||
+                                (columns > INTERPOLANT_FAR && !arb_mat_solve(y, own, b, SOLVING_BITS))))
         status = fail("the far coefficients could not be solved for");
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
         for (int k = 0; k < INTERPOLANT_FAR; k++)
@@ -666,7 +668,7 @@ static void far_value(arb_t y, const struct interpolant *f, enum quantity quanti
     arb_init(term);
     arb_init(power);
     arb_mat_init(basis, 1, INTERPOLANT_FAR);
-    far_basis(basis, 0, u, law);
+    far_basis(basis, 0, u, law, WORKING_BITS);
     arb_zero(y);
     for (slong k = 0; k < INTERPOLANT_FAR; k++)
         arb_addmul(y, arb_mat_entry(basis, 0, k), &f->far[quantity][k], prec);

@@ -176,7 +176,13 @@ static int find_threshold(struct law_layout *layout)
     arb_set_d(x, arf_cmp_d(arb_midref(beta_c), below) > 0 ? below : nextafter(below, 0));
     arb_sub(x, beta_c, x, CONSTANT_BITS);
     layout->below_first = arf_get_d(arb_midref(x), ARF_RND_DOWN);
-    layout->overlap_end = layout->threshold - exp2(floor(log2(layout->threshold / 2)));
+    /* the least double whose distance from beta_c is below a power of two, also as a double: there the last row ends */
+    const double distance = exp2(floor(log2(layout->threshold / 2)));
+    layout->overlap_end = layout->threshold - distance;
+    arb_set_d(x, layout->overlap_end);
+    arb_sub(x, beta_c, x, CONSTANT_BITS);
+    if (arf_cmp_d(arb_midref(x), nextafter(distance, 0)) > 0)
+        layout->overlap_end = nextafter(layout->overlap_end, layout->threshold);
     arb_clear(beta_c);
     arb_clear(x);
     return status;

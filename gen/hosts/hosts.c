@@ -122,6 +122,12 @@ double host_crossley_flores(double e)
     return 1.6 * (1 - e) / e;
 }
 
+double host_drake_pair_dissipation(double k1, double d1, double k2, double d2)
+{
+    const double share = isinf(k1) ? 0 : 1 / (1 + k1 / k2); /* k2/(k1 + k2) */
+    return share * d1 + (1 - share) * d2;
+}
+
 /* ---- numbers from the damping, and back ---- */
 
 #define SCALED(name, factor)                                                                                           \

@@ -95,4 +95,8 @@ double host_crossley_herbert(double e);
 double host_crossley_hu(double e);
 double host_crossley_flores(double e);
 
+/* Drake's hunt_crossley_dissipation of a pair of bodies with stiffnesses k1, k2 and dissipations d1, d2:
+ * (k2 d1 + k1 d2)/(k1 + k2), that of the softer body if the other is rigid */
+double host_drake_pair_dissipation(double k1, double d1, double k2, double d2);
+
 #endif

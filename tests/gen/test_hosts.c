@@ -363,6 +363,25 @@ static void mass_of_one_particle(void **state)
     }
 }
 
+/* Drake's pair: two equal bodies keep their d, a rigid one has no say, and a pair with the d of the law realises e. */
+static void pair_of_drake(void **state)
+{
+    (void)state;
+    assert_true(fabs(host_drake_pair_dissipation(1e5, 2, 3e5, 6) - 3) < 1e-15); /* (3 2 + 1 6)/4 */
+    assert_true(host_drake_pair_dissipation(3e5, 6, 1e5, 2) == host_drake_pair_dissipation(1e5, 2, 3e5, 6));
+    assert_true(host_drake_pair_dissipation(1e5, 2, INFINITY, 6) == 2);
+    assert_true(host_drake_pair_dissipation(INFINITY, 6, 1e5, 2) == 2);
+    const struct host_model *m = model_named("drake", "point contact");
+    const struct host_scene pair = {0.2, 4e5, 1, 0.7};
+    const double e = 0.5, beta = host_damping(HOST_HUNT_CROSSLEY, HOST_ZERO_FORCE, e);
+    const double d = m->number_of_damping(beta, &pair);
+    /* body 1 given, body 2 by the rule */
+    const double k1 = 2e6, k2 = 5e5, d1 = 0.5 * d, d2 = ((k1 + k2) * d - k2 * d1) / k1;
+    const double of_pair = host_drake_pair_dissipation(k1, d1, k2, d2);
+    const double time = pow(pair.mass_kg / pair.stiffness, 0.4) * pow(pair.speed_m_s, -0.2);
+    check(fabs(integrated_eps(crossley_d, m->end, of_pair, &pair, time) - e) < 2e-5, "the pair does not realise e");
+}
+
 /* Every row says what a reader needs. */
 static void rows_are_whole(void **state)
 {
@@ -392,6 +411,7 @@ int main(void)
         cmocka_unit_test(units),
         cmocka_unit_test(rows_are_whole),
         cmocka_unit_test(mass_of_one_particle),
+        cmocka_unit_test(pair_of_drake),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -57,6 +57,30 @@ static void test_threshold(void **state)
     }
 }
 
+/* Impacts at and around the slowest speed that parts, g_c = C^5/(beta_c^5 m^3 K^2), in SI units */
+static void test_slowest_speed(void **state)
+{
+    (void)state;
+    static const double scene[][3] = {{0.01, 3e6, 2.5}, {1e-9, 40, 1e-7}, {7, 1e9, 4e4}}; /* m, K, C */
+    for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
+        const double m = scene[i][0], K = scene[i][1], C = scene[i][2];
+        const double slowest = pow(C / COR_HERTZ_DASHPOT_BETA_C, 5) / (m * m * m * K * K);
+        for (int k = -3; k <= 3; k++) {
+            const double g = slowest * (1 + k * 1e-12);
+            const double beta = C * pow(m, -0.6) * pow(K, -0.4) * pow(g, -0.2);
+            const double eps = cor_hertz_dashpot_eps_zero_overlap(beta);
+            if (k != 0)
+                check((eps > 0) == (k > 0) && isinf(cor_hertz_dashpot_duration_zero_overlap(beta)) == (k < 0),
+                      "at g_c (1 + %d 1e-12): eps %g", k, eps);
+            check(cor_hertz_dashpot_eps_zero_force(beta) > 0.2, "zero force parts at every speed");
+        }
+    }
+    /* eps = 1e-6: beta_c - beta = d with s d (1 + pi sqrt(s d/beta_c^5)) = 1e-6 to a relative d ln(d) */
+    const double d = COR_HERTZ_DASHPOT_BETA_C - cor_hertz_dashpot_beta_zero_overlap(1e-6), x = 0.206987698804278902 * d;
+    const double eps = x * (1 + 3.141592653589793 * sqrt(x / pow(COR_HERTZ_DASHPOT_BETA_C, 5)));
+    check(fabs(eps / 1e-6 - 1) < 5e-5, "beta of 1e-6: %.9g", eps);
+}
+
 #define EACH(FUNCTION)                                                                                                 \
     FUNCTION(eps_zero_overlap)                                                                                         \
     FUNCTION(eps_zero_force)                                                                                           \
@@ -137,6 +161,24 @@ static void test_round_trip(void **state)
             const double lost = random_log(&r, 1e-300, 0.9), again = loss[end](beta_of_loss[end](lost));
             check(fabs(again / lost - 1) <= 4 * DBL_EPSILON, "loss %.17g comes back as %.17g", lost, again);
         }
+}
+
+/* Every size of eps and of 1 - eps, subnormal numbers included. At zero force eps falls like beta^(-5/2); at zero overlap
+ * a rounding of beta next to beta_c moves eps by up to s 2^-53 in all, whatever its size. */
+static void test_every_size(void **state)
+{
+    (void)state;
+    for (int k = -1074; k < 0; k++) {
+        const double x = ldexp(k > -1050 ? 1.375 : 1, k);
+        for (int end = 0; end < 2; end++) {
+            const double back = eps[end](beta_of_eps[end](x)), again = loss[end](beta_of_loss[end](x));
+            const double room = end == 0 ? 0x1p-51 : 0;
+            check(fabs(back - x) <= room + 8 * DBL_EPSILON * x + 0x1p-1074, "end %d: %a comes back as %a", end, x,
+                  back);
+            check(fabs(again - x) <= 8 * DBL_EPSILON * x + 0x1p-1074, "end %d: loss %a comes back as %a", end, x,
+                  again);
+        }
+    }
 }
 
 static void no_step(dashpot_function *function, double x, const char *name)
@@ -229,7 +271,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_known_values),      cmocka_unit_test(test_approach_only),
         cmocka_unit_test(test_threshold),         cmocka_unit_test(test_monotone),
-        cmocka_unit_test(test_round_trip),        cmocka_unit_test(test_no_steps),
+        cmocka_unit_test(test_round_trip),        cmocka_unit_test(test_every_size),
+        cmocka_unit_test(test_slowest_speed),     cmocka_unit_test(test_no_steps),
         cmocka_unit_test(test_arrays_and_floats),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
