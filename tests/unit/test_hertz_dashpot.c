@@ -104,12 +104,16 @@ static void test_slowest_speed(void **state)
 static void test_arrays_and_floats(void **state)
 {
     (void)state;
-    enum { N = 203 };
+    enum { N = 603 };
     struct random_state r = random_start();
     double x[N], y[N];
     float f[N], g[N];
     for (int i = 0; i < N; i++) {
-        x[i] = i == 0 ? NAN : i == 1 ? HUGE_VAL : i == 2 ? -1 : random_log(&r, 1e-12, 1e6);
+        x[i] = i == 0       ? NAN
+               : i == 1     ? HUGE_VAL
+               : i == 2     ? -1
+               : i % 3 == 0 ? COR_HERTZ_DASHPOT_BETA_C - random_log(&r, 1e-16, 0.6) /* below the threshold */
+                            : random_log(&r, 1e-12, 1e6);
         f[i] = (float)x[i];
     }
 #define COMPARE(quantity)                                                                                              \
