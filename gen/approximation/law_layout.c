@@ -176,13 +176,13 @@ static int find_threshold(struct law_layout *layout)
     arb_set_d(x, arf_cmp_d(arb_midref(beta_c), below) > 0 ? below : nextafter(below, 0));
     arb_sub(x, beta_c, x, CONSTANT_BITS);
     layout->below_first = arf_get_d(arb_midref(x), ARF_RND_DOWN);
-    /* the least double whose distance from beta_c is below a power of two, also as a double: there the last row ends */
+    /* beta_c - overlap_end, which is a power of two up to rounding, may begin another octave, which then needs a row */
     const double distance = exp2(floor(log2(layout->threshold / 2)));
     layout->overlap_end = layout->threshold - distance;
     arb_set_d(x, layout->overlap_end);
     arb_sub(x, beta_c, x, CONSTANT_BITS);
-    if (arf_cmp_d(arb_midref(x), nextafter(distance, 0)) > 0)
-        layout->overlap_end = nextafter(layout->overlap_end, layout->threshold);
+    const bool another_octave = arf_cmp_d(arb_midref(x), nextafter(distance, 0)) > 0;
+    layout->below_end = distance * (another_octave ? 1 + 0x1p-20 : 1 + 0x1p-40);
     arb_clear(beta_c);
     arb_clear(x);
     return status;
@@ -456,8 +456,7 @@ bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layo
             return false;
         p->variable = VARIABLE_BELOW_OCTAVES;
         p->first = octave_of(layout->below_first);
-        p->end = exp2(octave_of(layout->threshold / 2)) * (1 + 0x1p-40); /* the rows contain the rounded beta_c -
-                                                                          * overlap_end */
+        p->end = layout->below_end;
         break;
     case PART_INVERSE_NEAR:
         place_inverse_near(p, layout);

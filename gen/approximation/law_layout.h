@@ -43,8 +43,8 @@ struct law_layout {
     double overlap_end; /* end of the middle rows; below a threshold, first beta of the rows in beta_c - beta */
     double overlap_log; /* q > 0: last ln(beta) of the tail of eps at zero overlap, or 0: eps = v_f beta^(-1/q) from
                            * overlap_end on */
-    double below_first; /* the smallest beta_c - beta of a double beta */
-    double threshold;   /* beta_c, or infinity */
+    double below_first, below_end; /* the smallest beta_c - beta of a double beta; the end of these rows */
+    double threshold;              /* beta_c, or infinity */
     const struct law_table *table;
     int tables;
     int check_points; /* of each interval, for interpolant_check */

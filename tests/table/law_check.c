@@ -259,19 +259,18 @@ void law_check_random(const struct law_functions *f, size_t count)
  * (near eps = 1), 8 (middle), beta_c - 2^k, beta_c (zero overlap), exp(u) for whole eighths of octaves of u (tails). */
 static double border(struct law_case *c, struct random_state *r, size_t i)
 {
-    switch (i % 4) {
+    switch ((i + 3) % 4) { /* the border to the rows in beta_c - beta first, which a short run looks at, too */
     case 0:
         return ldexp(1, -(int)random_uniform(r, 1, 9));
     case 1:
-        return i % 8 == 1 ? 8 : c->threshold < HUGE_VAL ? c->threshold : 4;
+        return i % 8 == 2 ? 8 : c->threshold < HUGE_VAL ? c->threshold : 4;
     case 2: {
         const double u = ldexp(8 + floor(random_uniform(r, 0, 8)), (int)random_uniform(r, -2, 2));
         return exp(fmin(u, LARGEST_LOG10 * log(10)));
     }
     default:
-        return c->threshold < HUGE_VAL
-                   ? c->threshold - exp2(floor(log2(c->threshold / 2)) - floor(random_uniform(r, 0, 3)))
-                   : ldexp(1, -(int)random_uniform(r, 0, 4));
+        return c->threshold < HUGE_VAL ? c->threshold - exp2(floor(log2(c->threshold / 2)) - (double)(i / 4 % 3))
+                                       : ldexp(1, -(int)random_uniform(r, 0, 4));
     }
 }
 
