@@ -298,9 +298,8 @@ static pthread_mutex_t kept_lock = PTHREAD_MUTEX_INITIALIZER;
 
 const struct slow_manifold *slow_manifold_of(const struct law *law, slong bits, slong prec)
 {
-    enum {
-        PREC_STEP = 128
-    }; /* collisions at different beta need different precisions; this makes most of them equal */
+    /* collisions at different beta need different precisions; this makes many of them equal */
+    enum { PREC_STEP = 32 };
     prec = (prec + PREC_STEP - 1) / PREC_STEP * PREC_STEP;
     pthread_mutex_lock(&kept_lock);
     struct kept *k = kept_manifolds;

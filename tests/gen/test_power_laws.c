@@ -2,6 +2,7 @@
 /* Collisions of any power law: values from direct integrations by other programs, closed forms against the motion,
  * the slow manifold against the motion, thresholds, and the asymptotics of docs/derivation.md, 9. */
 #include "ball.h"
+#include "check.h"
 
 #include <math.h>
 
@@ -337,7 +338,9 @@ static void test_forgetting(void **state)
     arb_init(beta);
     arb_init(x);
     collision_init(&c);
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    /* P = 41 of the last case takes a second: a long run alone looks at it */
+    const size_t count = sizeof cases / sizeof *cases - (points(1) > 1 ? 0 : 1);
+    for (size_t i = 0; i < count; i++) {
         const struct law law = law_of(cases[i].a, cases[i].b);
         const struct ratio n_ratio = law_fall_power(&law);
         const double a = (double)law.a.num / (double)law.a.den, b1 = (double)law.b.num / (double)law.b.den + 1;
