@@ -7,6 +7,10 @@
 /* By increasing width */
 enum cor_instruction_set { COR_PORTABLE, COR_AVX2, COR_AVX512, COR_INSTRUCTION_SETS };
 
+/* Rows of numbers and sums have this number of parts for every width of a vector, so that every set gives the same
+ * bits. */
+enum { COR_LANES = 8 };
+
 /* X(set) for every set of this build, in the order of the enum. X declares the functions of a set or writes its row. */
 #ifdef COR_X86_SETS
 #define COR_EACH_SET(X) X(portable) X(avx2) X(avx512)

@@ -7,10 +7,8 @@
 
 #include <string.h>
 
-#include "runtime/core/kernel_exp.h" /* KERNEL */
-
-/* Sums over a row have this number of parts for every width of a vector. */
-enum { COR_LANES = 8 };
+#include "runtime/core/instruction_set.h" /* COR_LANES */
+#include "runtime/core/kernel_exp.h"      /* KERNEL */
 
 #ifdef __GNUC__
 typedef double vector __attribute__((vector_size(VECTOR * sizeof(double))));

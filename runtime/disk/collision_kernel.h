@@ -1,68 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops of a collision over modes and over the rim. collision_<set>.c compiles them for its instruction set, and
- * the dispatch of instruction_set.h chooses a set. No set may fuse a multiplication with an addition, and sums have the
- * same parts for every width of a vector. All sets therefore give the same bits. */
+ * the dispatch of instruction_set.h chooses a set. All sets give the same bits (kernel_vector.h). */
 #ifndef COR_RUNTIME_DISK_COLLISION_KERNEL_H
 #define COR_RUNTIME_DISK_COLLISION_KERNEL_H
 
 #include <math.h>
-#include <string.h>
 
-#include "runtime/core/kernel_exp.h"
+#include "runtime/core/kernel_vector.h"
 #include "runtime/disk/collision_loops.h"
 
 /* The file that includes this one defines VECTOR, the number of doubles in a vector, and ACCUMULATORS, the number of
  * vectors in which a sum over terms or angles is accumulated. With this number additions do not wait for each other and
  * registers suffice. */
-
-#ifdef __GNUC__
-typedef double vector __attribute__((vector_size(VECTOR * sizeof(double))));
-#define MINUS(x, y) ((x) - (y))
-#define PLUS(x, y) ((x) + (y))
-#define TIMES(x, y) ((x) * (y))
-#else
-typedef struct {
-    double of[VECTOR];
-} vector;
-#define VECTOR_OPERATION(name, op)                                                                                     \
-    KERNEL vector name(vector x, vector y)                                                                             \
-    {                                                                                                                  \
-        for (int i = 0; i < VECTOR; i++)                                                                               \
-            x.of[i] = x.of[i] op y.of[i];                                                                              \
-        return x;                                                                                                      \
-    }
-VECTOR_OPERATION(MINUS, -)
-VECTOR_OPERATION(PLUS, +)
-VECTOR_OPERATION(TIMES, *)
-#endif
-
-KERNEL vector load(const double *from)
-{
-    vector x;
-    memcpy(&x, from, sizeof x);
-    return x;
-}
-
-KERNEL void store(double *to, vector x)
-{
-    memcpy(to, &x, sizeof x);
-}
-
-KERNEL vector all(double x)
-{
-#if defined(__GNUC__) && VECTOR == 8 /* gcc 12 compiles this to one instruction */
-    const vector result = {x, x, x, x, x, x, x, x};
-#elif defined(__GNUC__) && VECTOR == 4
-    const vector result = {x, x, x, x};
-#elif defined(__GNUC__) && VECTOR == 2
-    const vector result = {x, x};
-#else
-    vector result;
-    for (int i = 0; i < VECTOR; i++)
-        result.of[i] = x;
-#endif
-    return result;
-}
 
 KERNEL void kernel_turn(const struct cor_rim *rim, double *q, double *p, const double *cosine, const double *sine,
                         const double *force_c, const double *force_s, double *sum_c, double *sum_s)
@@ -127,11 +76,6 @@ KERNEL double kernel_push(double x)
 {
     const double e = kernel_exp(x > -700 ? x < 700 ? x : 700 : -700);
     return x < 700 ? x > -700 ? e : 0 : (double)INFINITY;
-}
-
-KERNEL double sum_of_lanes(const double sum[COR_LANES])
-{
-    return ((sum[0] + sum[4]) + (sum[2] + sum[6])) + ((sum[1] + sum[5]) + (sum[3] + sum[7]));
 }
 
 KERNEL double kernel_press(size_t points, double alpha, const double *weight, const double *reach, double *pressure)

@@ -15,9 +15,6 @@
 
 #include "runtime/core/instruction_set.h"
 
-/* The number of lanes does not depend on the width of a vector, so that every set gives the same bits. */
-enum { COR_LANES = 8 };
-
 /* Rows of one block of modes */
 struct cor_mode_block {
     size_t first, rows; /* in LANES doubles */
