@@ -97,6 +97,33 @@ build() {
     cmake --build "$1" --parallel "$jobs" "${@:2}"
 }
 
+# turn_of N: the number of the commit modulo N; an ordinary test run takes another part of a long test after each commit.
+turn_of() {
+    echo $((${COR_TEST_TURN:-$(git rev-list --count HEAD 2>/dev/null || echo 0)} % $1))
+}
+
+# builds_whole CC [--long]: whether a test run builds everything with this compiler: with gcc always, with others after
+# every third commit and in long runs. build_tested then builds the library and its tests, and has the rest parsed.
+builds_whole() {
+    [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 3)" -eq 0 ]
+}
+
+# parse_rest DIR: the compiler reads, with all warnings, the sources that the target unit_tests does not need.
+parse_rest() {
+    sed -n 's/^ *"command": "\(.*\)",\{0,1\}$/\1/p' "$1/compile_commands.json" | sed 's/\\"/"/g; s/\\\\/\\/g' |
+        grep -vE ' [^ ]*/(runtime|tests/unit)/[^ ]*$' | sed 's/ -o [^ ]* -c / -fsyntax-only /' |
+        (cd "$1" && xargs -P "$jobs" -d '\n' -n 1 sh -c)
+}
+
+# build_tested CC DIR [--long]
+build_tested() {
+    if builds_whole "$1" "${3-}"; then
+        build "$2"
+    else
+        build "$2" --target unit_tests && parse_rest "$2"
+    fi
+}
+
 # quietly COMMAND...: its output is shown only if it fails.
 quietly() {
     local log status=0

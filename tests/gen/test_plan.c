@@ -306,8 +306,8 @@ static void test_strong_damping(void **state)
 {
     (void)state;
     struct plan_spheres_request request = {.scene = {.end = END_ZERO_OVERLAP}, .points = 3};
-    decimal_set(&request.scene.number[EMBED_SPEED_MIN], "0.1");
-    decimal_set(&request.scene.number[EMBED_SPEED_MAX], "10");
+    decimal_set(&request.scene.number[EMBED_SPEED_MIN], "0.2");
+    decimal_set(&request.scene.number[EMBED_SPEED_MAX], "0.8");
     decimal_set(&request.scene.number[EMBED_TOLERANCE], "1e-6");
     decimal_set(&request.scene.number[EMBED_G_STAR], "1e-5");
     struct plan plan;
@@ -453,6 +453,10 @@ static void test_contact_time(void **state)
         check_values(&plan, "leading logarithm", i, acos(-1) * sqrt(log(4 / speed)), 1e-14);
         check_values(&plan, "dynamics: 1800 modes; alpha = 22/v", i,
                      collided(1800, 22 / speed, speed, PLAN_CONTACT_TIME), 1e-4);
+        for (int k = 0; k < plan.models; k++)
+            assert_true(fabs(plan.model[k].error[i] - fabs(plan.model[k].value[i] / plan.truth[i] - 1)) < 1e-15);
+        if (!in_turn((size_t)i, 2)) /* seconds */
+            continue;
         const double hard = collided(1800, 60 / speed, speed, PLAN_CONTACT_TIME);
         const double harder = collided(1800, 100 / speed, speed, PLAN_CONTACT_TIME);
         const double limit = harder + (harder - hard) * 60 / (100 - 60);
@@ -461,8 +465,6 @@ static void test_contact_time(void **state)
         check(fabs(at_rigid_wall(3e-6, speed).contact_time / plan.truth[i] - 1) <= plan.uncertainty[i] &&
                   plan.uncertainty[i] < 0.01,
               "tau(%g) = %g, uncertain by %.2g", speed, plan.truth[i], plan.uncertainty[i]);
-        for (int k = 0; k < plan.models; k++)
-            assert_true(fabs(plan.model[k].error[i] - fabs(plan.model[k].value[i] / plan.truth[i] - 1)) < 1e-15);
     }
     plan.tolerance = 0.1; /* what a law is good for */
     plan_choose(&plan);

@@ -260,7 +260,7 @@ static void compare_routes(const struct law *law, slong order, slong bits, slong
 static void test_two_routes(void **state)
 {
     (void)state;
-    compare_routes(&law_sphere, points(32) > 32 ? 60 : (slong)few_or_all(20, 32), 100, 260); /* 60: half a minute */
+    compare_routes(&law_sphere, points(32) > 32 ? 60 : (slong)few_or_all(16, 32), 100, 260); /* 60: half a minute */
 }
 
 /* Other laws by both routes: nothing in them is special to the sphere. */
@@ -269,6 +269,8 @@ static void test_two_routes_other_law(void **state)
     (void)state;
     static const char *const law_text[][2] = {{"2", "1/3"}, {"5/4", "1"}, {"3/2", "0"}, {"4", "3"}};
     for (size_t i = 0; i < sizeof law_text / sizeof *law_text; i++) {
+        if (!in_turn(i, 2))
+            continue;
         struct law law;
         assert_null(law_parse(&law, law_text[i][0], law_text[i][1]));
         compare_routes(&law, (slong)few_or_all(8, 12), 80, 200);
@@ -283,7 +285,9 @@ static void test_vanishing_coefficient(void **state)
         const char *a, *b;
         slong k;
     } cases[] = {{"3", "0", 4}, {"2", "0", 6}, {"3", "1/2", 8}, {"3/2", "0", 10}, {"2", "1/4", 12}};
-    for (size_t i = 0; i < few_or_all(3, sizeof cases / sizeof *cases); i++) {
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (!in_turn(i, 3))
+            continue;
         struct law law;
         struct series s;
         arb_poly_t y, tau, c;

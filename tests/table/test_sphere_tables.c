@@ -483,7 +483,7 @@ static void test_rows(void **state)
             if ((t->variable == POWER && r % 4 != 1) || (holds.loss && r >= 3 && r % 8 != 1) ||
                 (is_inverse(t) && r % 12 != 1))
                 continue;
-            if (!in_turn((size_t)seen++, 3))
+            if (!in_turn((size_t)seen++, 6))
                 continue;
             for (int k = 0; k < places; k++) {
                 /* everywhere in turn, the ends included */

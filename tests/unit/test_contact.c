@@ -463,7 +463,7 @@ static void eps_at_a_speed(void **state)
     (void)state;
     struct random_state random = random_start();
     long double worst[2] = {0};
-    for (size_t i = 0; i < points(3000); i++) {
+    for (size_t i = 0; i < points(few_or_all(1000, 3000)); i++) {
         struct cor_sphere_contact c;
         assert_int_equal(cor_sphere_contact_init_g_star(&c, random_log(&random, 1e-30, 1e30)), COR_OK);
         const double beta = i % 3 == 0   ? random_uniform(&random, 0, 7.5)

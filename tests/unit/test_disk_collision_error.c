@@ -108,7 +108,7 @@ static void random_scenes(void **state)
     struct random_state random = random_start();
     struct tally t;
     memset(&t, 0, sizeof t);
-    for (size_t i = 0; i < points(few_or_all(4, 12)); i++) {
+    for (size_t i = 0; i < points(few_or_all(2, 12)); i++) {
         const struct scene s = random_scene(&random);
         scene_judge(&s, &t);
     }
