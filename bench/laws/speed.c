@@ -152,7 +152,8 @@ static double formula_tsuji_2026(double e)
     return sqrt(0.4) * host_tsuji_alpha(e);
 }
 
-/* Newton's method on the [1/4] Pade approximant of Mueller and Poeschel in v* = sqrt(beta), as simulators solve for A */
+/* Newton's method on the [1/4] Pade approximant of Mueller and Poeschel in v* = sqrt(beta), as simulators solve for A.
+ */
 static double formula_sphere_newton(double e)
 {
     static const double a1 = 0.501086, b1 = 0.501086, b2 = 1.15345, b3 = 0.577977, b4 = 0.532178;

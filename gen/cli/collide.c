@@ -99,16 +99,17 @@ static int run_collide(const void *arguments)
     return proved_table_write(&table, &o->common);
 }
 
-static const char help[] = "Usage: corgen collide --beta B [OPTION]...\n\n"
-                           "Solves x'' + beta sqrt(x) x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1 and prints the largest\n"
-                           "overlap, its time, and restitution and duration at both ends of contact.\n\n"
-                           "  --beta B         0 to 1e6, as 0.1, 1.5e-3 or 2/3\n"
-                           "  --end E          zero-overlap or zero-force alone: does not wait for the other end\n"
-                           "                   (default: both)\n" HELP_DIGITS
-                           "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
-                           "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
-                           "with --end those of the other end are missing.\n"
-                           "Example: corgen collide --beta 0.1 --digits 30\n";
+static const char help[] =
+    "Usage: corgen collide --beta B [OPTION]...\n\n"
+    "Solves x'' + beta sqrt(x) x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1 and prints the largest\n"
+    "overlap, its time, and restitution and duration at both ends of contact.\n\n"
+    "  --beta B         dissipation parameter, from 0 to 1e6, such as 0.1, 1.5e-3 or 2/3\n"
+    "  --end E          compute only zero-overlap or zero-force, without waiting for the other end\n"
+    "                   (default: both)\n" HELP_DIGITS
+    "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
+    "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
+    "with --end, without the columns of the other end.\n"
+    "Example: corgen collide --beta 0.1 --digits 30\n";
 
 static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, true, false, "a number from 0 to 1e6"},
                                                    .forms = DECIMAL_RATIO};

@@ -86,7 +86,7 @@ static int run_disk_modes(const void *arguments)
 
 static const char help[] =
     "Usage: corgen disk-modes --poisson NU --count N [OPTION]...\n\n"
-    "Prints the N lowest free modes of an elastic disk, by increasing frequency, none missing: n\n"
+    "Prints the N lowest free modes of an elastic disk by increasing frequency; none is missing: n\n"
     "nodal diameters, l = 0, 1, ... among the modes of that n, frequency omega in sqrt(E/rho)/R, and\n"
     "the displacements C (radial, positive) and S (tangential) at the rim, normalised to the area.\n\n"
     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"

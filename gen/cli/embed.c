@@ -58,25 +58,25 @@ static const char help[] =
     "Usage: corgen embed --speed-min G --speed-max G --tolerance T CONTACT [OPTION]...\n\n"
     "Writes a self-contained header, C99, C++11, CUDA and HIP, with one function from the impact\n"
     "speed in m/s to eps: the cheapest form that meets the tolerance between the two speeds.\n\n"
-    "  --speed-min G, --speed-max G   the range of speeds, m/s; outside, the nearer end's value\n"
-    "  --tolerance T    relative error of eps allowed, 1e-15 (float: 4e-7) to 0.1\n" HELP_END
+    "  --speed-min G, --speed-max G   the range of speeds in m/s; speeds outside give the value of the nearer end\n"
+    "  --tolerance T    allowed relative error of eps, 1e-15 (float: 4e-7) to 0.1\n" HELP_END
     "  --type T         double (default) or float\n"
-    "  --for USE        scalar: calls one at a time; array: loops that become vectors; balanced\n"
-    "                   (default): both\n"
-    "  --name NAME      of the function (default cor_scene_eps); the include guard follows it\n" HELP_SCENE_LAW
-    "\nCONTACT is the characteristic speed\n"
+    "  --for USE        optimize for scalar (single calls), array (loops that become vectors) or balanced\n"
+    "                   (default, both)\n"
+    "  --name NAME      name of the function and of the include guard (default cor_scene_eps)\n" HELP_SCENE_LAW
+    "\nCONTACT is one of these. The characteristic speed:\n"
     "  --g-star G       m/s, from eps = 1 - (speed/g*)^q + ..., beta ~ speed^q, q = 1/5 for spheres\n"
-    "or beta at one speed\n"
+    "beta at one speed:\n"
     "  --beta BETA --at G\n"
-    "or the force K x^a + C x^b x', SI units, with the effective mass m_1 m_2/(m_1 + m_2):\n"
+    "the force K x^A + C x^B x' in SI units, and the effective mass m_1 m_2/(m_1 + m_2):\n"
     "  --stiffness K --damping-coefficient C --effective-mass M\n"
-    "or the materials of two viscoelastic spheres, the second like the first where not given:\n"
+    "the materials of two viscoelastic spheres; each quantity of the second defaults to that of the first:\n"
     "  --young Y, --poisson NU      Pa, -\n"
     "  --radius R                   m\n"
     "  --density D or --mass M      kg/m^3, kg\n"
     "  --dissipation-time A         s\n"
     "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2, --dissipation-time-2\n"
-    "  --wall           the second is flat and held fast\n\n" HELP_COMMON
+    "  --wall           the second body is a fixed plane\n\n" HELP_COMMON
     "\nExample: corgen embed --speed-min 0.1 --speed-max 10 --g-star 0.2 --tolerance 1e-6\n";
 
 #define AT(FIELD) offsetof(struct embed_arguments, FIELD)

@@ -33,11 +33,11 @@ static const char help[] =
     "Usage: corgen law --elastic A --damping B --name NAME [--output FILE]\n\n"
     "Writes a self-contained header, C99, C++11, CUDA and HIP, for the contact law\n"
     "x'' + beta x^B x' + x^A = 0, x(0) = 0, x'(0) = 1, with functions of beta from 0 to infinity:\n"
-    "NAME_eps_zero_overlap, _loss_, _beta_ (the inverse), _beta_of_loss_ and _duration_, each of both\n"
-    "ends of contact, NAME_max_overlap and NAME_time_of_max_overlap. Takes minutes.\n\n"
-    "  --elastic A      elastic exponent, as 3/2 or 1.5\n"
-    "  --damping B      damping exponent, as 0 or 1/4\n"
-    "  --name NAME      an identifier of C, what the functions' names begin with\n" HELP_COMMON
+    "NAME_eps_zero_overlap, _loss_, _beta_ (the inverse), _beta_of_loss_ and _duration_, each for both\n"
+    "ends of contact, NAME_max_overlap and NAME_time_of_max_overlap. It takes minutes.\n\n"
+    "  --elastic A      elastic exponent, such as 3/2 or 1.5\n"
+    "  --damping B      damping exponent, such as 0 or 1/4\n"
+    "  --name NAME      the beginning of the functions' names, an identifier of C\n" HELP_COMMON
     "\nExample: corgen law --elastic 1 --damping 1/2 --name hooke --output hooke.h\n";
 
 #define AT(FIELD) offsetof(struct law_arguments, FIELD)

@@ -269,11 +269,11 @@ static const char help[] =
     "overlap and of sqrt(beta) at zero force.\n\n"
     "  --numerator M    degree, 0 to 2000\n"
     "  --denominator N  degree, 0 to 2000\n"
-    "  --two-point      match also the limit of large beta (zero overlap; N = M + 5)\n"
+    "  --two-point      also match the limit of large beta (zero overlap; needs N = M + 5)\n"
     "  --as-published   reproduce the published [1/4] from its printed coefficients\n" HELP_DIGITS HELP_END
-    "  --header FILE    write the approximant as a C header; refused if it has a pole or a zero\n"
+    "  --header FILE    also write the approximant as a C header, unless it has a pole or a zero\n"
     "                   on beta > 0\n"
-    "  --force          write it all the same\n"
+    "  --force          write the header even then\n"
     "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
     "\nExample: corgen pade --numerator 12 --denominator 20 --digits 20\n";
 

@@ -62,18 +62,18 @@ static const char help[] =
     "--young --poisson --radius --density (or --mass) --dissipation-time, -2 of the second sphere, or\n"
     "--wall, as corgen embed --help explains; --beta --at, or --stiffness --damping-coefficient\n"
     "--effective-mass, of this or another law.\n" HELP_END HELP_SCENE_LAW
-    "  --for USE        what time means: scalar: calls one at a time; array: loops; balanced\n"
-    "                   (default): both\n\n"
+    "  --for USE        compare the time of scalar (single calls), array (loops) or balanced\n"
+    "                   (default, both)\n\n"
     "Disks: speeds in sqrt(E/rho), 0.001 to 0.5; against a rigid wall, all modes counted.\n"
-    "  --disks          elastic disks, which lose energy to their vibrations\n"
+    "  --disks          disks instead of spheres; they lose energy to their vibrations\n"
     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
     "  --quantity Q     eps (default; T is its error), contact-time or compression (the largest; T is\n"
     "                   the relative error)\n\n"
-    "  --points N       speeds compared at, 2 to 1000 (default 33, of disks 9)\n"
+    "  --points N       number of speeds at which models are compared, 2 to 1000 (default 33; disks 9)\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nColumns of csv and json: model,beta (speed of disks),value,error,cost,uncertainty,verdict;\n"
-    "a row for each model at each point; cost in ns; uncertainty of what it is compared with;\n"
-    "verdict: chosen, meets, misses, outside (no value somewhere), shown (not to choose).\n"
+    "a row for each model at each point; cost in ns; uncertainty of the exact value;\n"
+    "verdict: chosen, meets, misses, outside (no value at some speed), shown (never chosen).\n"
     "Exit status 1 if no model meets the tolerance.\n"
     "Example: corgen plan --speed-min 0.1 --speed-max 10 --g-star 0.2 --tolerance 1e-6\n";
 

@@ -10,8 +10,8 @@
 #define HELP_SCENE_LAW                                                                                                 \
     "\nThe law of the contact, x'' + beta x^B x' + x^A = 0:\n"                                                         \
     "  --law NAME       viscoelastic (default; 3/2, 1/2), hunt-crossley (3/2, 3/2), hertz-dashpot (3/2, 0);\n"         \
-    "                   linear (1, 0) and tsuji (3/2, 1/4) have one eps at every speed: cor/law.h\n"                   \
-    "  --elastic A --damping B   instead, as 1 and 1/2\n"
+    "                   linear (1, 0) and tsuji (3/2, 1/4) have the same eps at every speed (cor/law.h)\n"             \
+    "  --elastic A --damping B   any other exponents, such as 1 and 1/2\n"
 
 #define SCENE_NUMBER(TYPE, NAME, NUMBER, NUMBERS, REQUIRED, APART)                                                     \
     {                                                                                                                  \

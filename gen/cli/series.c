@@ -134,15 +134,15 @@ static int run_series(const void *arguments)
 
 static const char help[] =
     "Usage: corgen series --order K [OPTION]...\n\n"
-    "Prints x_max = sum y_k beta^k, t_max = sum tau_k beta^k and eps = sum C_k beta^k; with\n"
-    "--end zero-force, eps in powers of sqrt(beta), K being the highest of them.\n\n"
+    "Prints x_max = sum y_k beta^k, t_max = sum tau_k beta^k and eps = sum C_k beta^k. With\n"
+    "--end zero-force, prints eps in powers of sqrt(beta) up to the power K.\n\n"
     "  --order K        highest power, 0 to 100000\n" HELP_DIGITS HELP_END
-    "  --exact          with --end zero-force: the rational coefficients of G and T in powers of w,\n"
+    "  --exact          with --end zero-force: print the rational coefficients of G and T in powers of w,\n"
     "                   eps_zero_force = eps_zero_overlap G(w), w = h^(5/2), h = beta eps^(1/5);\n"
-    "                   the force vanishes the time h T(w) before the overlap, in its units\n"
+    "                   the force vanishes before the overlap, by the time h T(w) in the same units\n"
     "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
     "\nColumns: k,y_k,tau_k,C_k; with --end zero-force power_of_sqrt_beta,coefficient\n"
-    "(power_of_beta_root_R, or power_of_beta, where another law has another root);\n"
+    "(or power_of_beta, or power_of_beta_root_R for powers of beta^(1/R), by the law);\n"
     "with --exact power_of_w,G,T.\n"
     "Example: corgen series --order 5 --digits 30\n";
 

@@ -28,10 +28,11 @@ static int print_overview(const struct subcommand *const *table)
           out.file);
     for (; *table; table++)
         fprintf(out.file, "  %-12s %s\n", (*table)->name, (*table)->summary);
-    fputs("\ncorgen help SUBCOMMAND (or corgen SUBCOMMAND --help) explains one; corgen --version names the versions.\n"
-          "Exit status: 0 done, 1 failed, 2 the command line is wrong.\n"
-          "Try: corgen collide --beta 0.1 --digits 30\n",
-          out.file);
+    fputs(
+        "\ncorgen help SUBCOMMAND, or corgen SUBCOMMAND --help, lists its options. corgen --version prints versions.\n"
+        "Exit status: 0 success, 1 failure, 2 wrong command line.\n"
+        "Try: corgen collide --beta 0.1 --digits 30\n",
+        out.file);
     return output_commit(&out);
 }
 

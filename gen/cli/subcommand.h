@@ -22,12 +22,12 @@ int subcommand_run(const struct subcommand *const *table, const char *version, i
 
 /* Parts of help texts */
 #define HELP_LAW                                                                                                       \
-    "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, 0 to 24, as 3/2\n"                         \
+    "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, from 0 to 24, such as 3/2\n"               \
     "                             (default 3/2 and 1/2: viscoelastic spheres)\n"
-#define HELP_DIGITS "  --digits D       significant digits, each one proved; 1 to 10000000 (default 20)\n"
-#define HELP_END "  --end E          zero-overlap (default) or zero-force: what ends the contact\n"
+#define HELP_DIGITS "  --digits D       significant digits, all of them proved; 1 to 10000000 (default 20)\n"
+#define HELP_END "  --end E          the contact ends at zero-overlap (default) or zero-force\n"
 #define HELP_COMMON                                                                                                    \
-    "  --output FILE    instead of standard output; replaced whole or not at all\n"                                    \
-    "  --profile        seconds per step and peak memory on standard error\n"
+    "  --output FILE    write to FILE, which changes only if everything succeeds (default: standard output)\n"         \
+    "  --profile        print the seconds of each step and the peak memory on standard error\n"
 
 #endif
