@@ -97,7 +97,8 @@ build() {
     cmake --build "$1" --parallel "$jobs" "${@:2}"
 }
 
-# turn_of N: the number of the commit modulo N; an ordinary test run takes another part of a long test after each commit.
+# turn_of N: the number of the commit modulo N. An ordinary test run takes another part of a long test after each
+# commit.
 turn_of() {
     echo $((${COR_TEST_TURN:-$(git rev-list --count HEAD 2>/dev/null || echo 0)} % $1))
 }
@@ -108,10 +109,11 @@ builds_whole() {
     [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 3)" -eq 0 ]
 }
 
-# parse_rest DIR: the compiler reads, with all warnings, the sources that the target unit_tests does not need.
+# parse_rest DIR: the compiler reads, with all warnings, the sources that the target unit_tests does not need, but for
+# those that a build writes.
 parse_rest() {
     sed -n 's/^ *"command": "\(.*\)",\{0,1\}$/\1/p' "$1/compile_commands.json" | sed 's/\\"/"/g; s/\\\\/\\/g' |
-        grep -vE ' [^ ]*/(runtime|tests/unit)/[^ ]*$' | sed 's/ -o [^ ]* -c / -fsyntax-only /' |
+        grep -vE " [^ ]*/(runtime|tests/unit|$1)/[^ ]*\$" | sed 's/ -o [^ ]* -c / -fsyntax-only /' |
         (cd "$1" && xargs -P "$jobs" -d '\n' -n 1 sh -c)
 }
 

@@ -6,14 +6,11 @@
 #include "cor/sphere.h"
 
 #include "boundaries.h"
-#include "random.h"
 #include "reference.h"
+#include "search.h"
 #include "ulp.h"
 
-#include <pthread.h>
-#include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 /* ---- what is tested ---- */
 
@@ -53,7 +50,7 @@ static const struct function functions[] = {
     ROW(beta_approach_only, EPS_APPROACH_ONLY, INVERSE, COR_SPHERE_APPROACH_MAX_ULP),
 };
 
-enum { FUNCTIONS = sizeof functions / sizeof *functions, MAX_THREADS = 64 };
+enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
 /* ---- errors ---- */
 
@@ -85,33 +82,9 @@ static double error_of(const struct function *f, double computed, double x, stru
     return ulp_error(computed, reference_value(f->quantity, x), format);
 }
 
-struct worst {
-    double error, at;
-    uint64_t points;
-    uint64_t rises; /* eps rose by more than a unit of the last place, or left [0, 1] */
-    double rise_at;
-};
-
-static void worst_take(struct worst *worst, double error, double at)
+static double error_of_double(const void *row, double computed, double x)
 {
-    worst->points++;
-    if (error > worst->error) {
-        worst->error = error;
-        worst->at = at;
-    }
-}
-
-static void merge(struct worst *into, const struct worst *from)
-{
-    const uint64_t points = into->points + from->points;
-    if (from->error > into->error) {
-        into->error = from->error;
-        into->at = from->at;
-    }
-    if (from->rises > 0)
-        into->rise_at = from->rise_at;
-    into->rises += from->rises;
-    into->points = points;
+    return error_of(row, computed, x, format_double);
 }
 
 /* ---- random points ---- */
@@ -138,6 +111,11 @@ static double random_eps(struct random_state *r)
     return 1 - exp2(-54 * random_uniform(r, 0, 1));
 }
 
+static double random_argument(struct random_state *r, const void *row)
+{
+    return ((const struct function *)row)->shape == INVERSE ? random_eps(r) : random_beta(r);
+}
+
 /* Functions with damping while approaching only are short formulas of the largest overlap, which is searched itself: a tenth. */
 static uint64_t share_of(const struct function *f)
 {
@@ -149,113 +127,83 @@ static uint64_t share_of(const struct function *f)
 
 /* ---- the searches ---- */
 
-struct options {
-    uint64_t points, seed, float_stride;
-    int threads;
-    const char *only; /* part of the names of the functions wanted; NULL for all */
-};
+/* eps may rise by a unit of the last place. */
+static struct search_function search_of(const struct function *f)
+{
+    return (struct search_function){.name = f->name,
+                                    .value = f->value,
+                                    .array = f->array,
+                                    .valuef = f->valuef,
+                                    .arrayf = f->arrayf,
+                                    .last = f->shape == INVERSE ? 1 : HUGE_VAL,
+                                    .largest_rise = 1,
+                                    .falls = f->shape == FALLS,
+                                    .float_is_rounded = false,
+                                    .error = error_of_double,
+                                    .random_argument = random_argument,
+                                    .row = f};
+}
 
 /* Part `thread` of the work on one function. */
 struct job {
-    const struct function *f;
-    const struct options *options;
+    const struct search_function *f;
+    const struct search_options *options;
     int thread;
     struct worst worst, worstf;
 };
 
-/* eps at x, after its value at the double before x: order and range. */
-static void take_order(struct worst *worst, double before, double y, double x)
-{
-    if (!(y >= 0 && y <= 1) || (y > before && bits_of(y) - bits_of(before) > 1)) {
-        worst->rises++;
-        worst->rise_at = x;
-    }
-}
-
 static void search_random(struct job *job)
 {
-    const struct options *o = job->options;
+    const struct search_options *o = job->options;
     const uint64_t threads = (uint64_t)o->threads, part = (uint64_t)job->thread;
-    struct random_state r = random_seeded(o->seed * MAX_THREADS + part);
-    for (uint64_t i = part; i < o->points / share_of(job->f); i += threads) {
-        const double x = job->f->shape == INVERSE ? random_eps(&r) : random_beta(&r);
-        const double y = job->f->value(x);
-        worst_take(&job->worst, error_of(job->f, y, x, format_double), x);
-        if (job->f->shape == FALLS) {
-            const double next = nextafter(x, HUGE_VAL);
-            take_order(&job->worst, y, job->f->value(next), next);
-        }
-    }
+    struct random_state r = random_seeded(o->seed * SEARCH_MAX_THREADS + part);
+    for (uint64_t i = part; i < o->points / share_of(job->f->row); i += threads)
+        worst_random(&job->worst, job->f, &r);
 }
 
 static void search_floats(struct job *job)
 {
-    const uint32_t end = job->f->shape == INVERSE ? UINT32_C(0x3f800000) : UINT32_C(0x7f800000);
-    const uint64_t stride = job->options->float_stride == 1 ? 1 : job->options->float_stride * share_of(job->f);
+    const struct function *f = job->f->row;
+    const uint32_t end = f->shape == INVERSE ? UINT32_C(0x3f800000) : UINT32_C(0x7f800000);
+    const uint64_t stride = job->options->float_stride == 1 ? 1 : job->options->float_stride * share_of(f);
     const uint64_t step = stride * (uint64_t)job->options->threads;
     for (uint64_t bits = stride * (uint64_t)job->thread; bits <= end; bits += step) {
         const float x = float_of((uint32_t)bits);
-        worst_take(&job->worstf, error_of(job->f, (double)job->f->valuef(x), (double)x, format_float), (double)x);
+        worst_take(&job->worstf, error_of(f, (double)f->valuef(x), (double)x, format_float), (double)x);
     }
 }
 
 static void *run_job(void *argument)
 {
-    struct job *job = argument;
-    search_random(job);
-    search_floats(job);
+    search_random(argument);
+    search_floats(argument);
     return NULL;
 }
 
-/* Every double from `radius` before x to as many after it: error, order, range. */
-static void worst_walk(struct worst *worst, const struct function *f, double x, uint64_t radius)
+static void search_boundaries(struct worst *worst, const struct search_function *search)
 {
-    const uint64_t middle = bits_of(x), last = bits_of(f->shape == INVERSE ? 1 : HUGE_VAL);
-    const uint64_t low = middle > radius ? middle - radius : 0, high = middle < last - radius ? middle + radius : last;
-    double before = HUGE_VAL;
-    for (uint64_t bits = low; bits <= high; bits++) {
-        const double at = double_of(bits), y = f->value(at);
-        worst_take(worst, error_of(f, y, at, format_double), at);
-        if (f->shape == FALLS)
-            take_order(worst, before, y, at);
-        before = y;
-    }
-}
-
-static void search_boundaries(struct worst *worst, const struct function *f)
-{
+    const struct function *f = search->row;
     const uint64_t radius = 256 / share_of(f);
     if (f->shape == INVERSE) {
         for (int i = 0; i <= 256; i++)
-            worst_walk(worst, f, i / 256.0, radius);
+            worst_walk(worst, search, i / 256.0, radius);
         for (int exponent = -1074; exponent < 0; exponent++)
-            worst_walk(worst, f, ldexp(1, exponent), 16);
+            worst_walk(worst, search, ldexp(1, exponent), 16);
         for (int exponent = -53; exponent < 0; exponent++)
-            worst_walk(worst, f, 1 - ldexp(1, exponent), radius);
+            worst_walk(worst, search, 1 - ldexp(1, exponent), radius);
         return;
     }
     for (int i = 1; i <= 2 * CELLS_IN_BETA; i++)
-        worst_walk(worst, f, i / 32.0, radius);
+        worst_walk(worst, search, i / 32.0, radius);
     for (int i = 1; i <= 2 * CELLS_IN_ROOT; i++)
-        worst_walk(worst, f, (i / 32.0) * (i / 32.0), radius);
+        worst_walk(worst, search, (i / 32.0) * (i / 32.0), radius);
     for (size_t i = 0; i < sizeof region_boundaries / sizeof *region_boundaries; i++)
-        worst_walk(worst, f, region_boundaries[i], radius);
+        worst_walk(worst, search, region_boundaries[i], radius);
     for (int exponent = -1074; exponent < 1024; exponent++)
-        worst_walk(worst, f, ldexp(1, exponent), exponent > -70 && exponent < 70 ? radius : 16);
+        worst_walk(worst, search, ldexp(1, exponent), exponent > -70 && exponent < 70 ? radius : 16);
 }
 
-/* Uphill from the worst point so far, while there is a worse one within reach. */
-static void worst_climb(struct worst *worst, const struct function *f)
-{
-    for (int turn = 0; turn < 16; turn++) {
-        const double error = worst->error;
-        worst_walk(worst, f, worst->at, 4096);
-        if (!(worst->error > error))
-            break;
-    }
-}
-
-/* ---- special values and arrays ---- */
+/* ---- special values ---- */
 
 static const double specials[] = {0.0,        -0.0, HUGE_VAL,  -HUGE_VAL, NAN,      -1.0,
                                   -0x1p-1074, 1.0,  0x1p-1074, 1.5,       0x1p-1022};
@@ -283,43 +231,6 @@ static uint64_t check_specials(const struct function *f)
         if (!is_right(f, (double)xf, (double)yf, COR_SPHERE_FLOAT_MAX_ULP, format_float)) {
             printf("FAIL  %sf(%a) = %a\n", f->name, (double)xf, (double)yf);
             wrong++;
-        }
-    }
-    return wrong;
-}
-
-static uint64_t check_arrays(const struct function *f, uint64_t seed)
-{
-    enum { LONGEST = 67, BLOCKS = 3000 };
-    double x[LONGEST + 4], y[LONGEST + 4];
-    float xf[LONGEST + 4], yf[LONGEST + 4];
-    struct random_state r = random_seeded(seed);
-    uint64_t wrong = 0;
-    f->array(NULL, NULL, 0);
-    f->arrayf(NULL, NULL, 0);
-    for (int block = 0; block < BLOCKS; block++) {
-        const size_t n = random_below(&r, LONGEST + 1), from = random_below(&r, 4), to = random_below(&r, 4);
-        const bool mixed = block % 2 == 0, in_place = block % 3 == 0;
-        for (size_t i = 0; i < n; i++) {
-            x[from + i] = f->shape == INVERSE ? random_eps(&r) : random_beta(&r);
-            if (mixed && random_below(&r, 16) == 0)
-                x[from + i] = specials[random_below(&r, SPECIALS)];
-            xf[from + i] = (float)x[from + i];
-        }
-        memcpy(y + to, x + from, n * sizeof *y);
-        memcpy(yf + to, xf + from, n * sizeof *yf);
-        f->array(in_place ? y + to : x + from, y + to, n);
-        f->arrayf(in_place ? yf + to : xf + from, yf + to, n);
-        for (size_t i = 0; i < n; i++) {
-            const double one = f->value(x[from + i]);
-            const float onef = f->valuef(xf[from + i]);
-            const bool same = same_bits(&one, &y[to + i], sizeof one) || (isnan(one) && isnan(y[to + i]));
-            const bool samef = same_bits(&onef, &yf[to + i], sizeof onef) || (isnan(onef) && isnan(yf[to + i]));
-            if (!same || !samef) {
-                if (wrong++ == 0)
-                    printf("FAIL  %s_array%s: element %zu of %zu, argument %a\n", f->name, same ? "f" : "", i, n,
-                           x[from + i]);
-            }
         }
     }
     return wrong;
@@ -363,7 +274,7 @@ static const struct contact_function contact_functions[] = {
 
 /* Random contacts, each with a block of speeds, one by one and as an array. An array that differs is infinitely
  * wrong. */
-static void search_contacts(struct worst *worst, const struct contact_function *f, const struct options *o)
+static void search_contacts(struct worst *worst, const struct contact_function *f, const struct search_options *o)
 {
     enum { BLOCK = 33 };
     static const double fixed[] = {
@@ -394,67 +305,37 @@ static void search_contacts(struct worst *worst, const struct contact_function *
 
 /* ---- running and reporting ---- */
 
-/* One line of the table; true where it is good. */
-static bool worst_report(const char *name, const char *suffix, const struct worst *worst, double bound)
+static bool function_is_good(const struct function *f, const struct search_options *o)
 {
-    const bool good = worst->error <= bound && worst->rises == 0;
-    printf("%-4s  %s%-*s  %12llu  %10.6f  %6.2f  %a\n", good ? "ok" : "FAIL", name, 24 - (int)strlen(name), suffix,
-           (unsigned long long)worst->points, worst->error, bound, worst->at);
-    if (worst->rises > 0)
-        printf("      %s rises by more than a unit or leaves [0, 1] %llu times, at %a\n", name,
-               (unsigned long long)worst->rises, worst->rise_at);
-    fflush(stdout);
-    return good;
-}
-
-static void run_threads(struct worst *worst, struct worst *worstf, const struct function *f, const struct options *o)
-{
-    struct job job[MAX_THREADS];
-    pthread_t thread[MAX_THREADS];
-    bool started[MAX_THREADS];
+    const struct search_function search = search_of(f);
+    struct worst worst = {0}, worstf = {0};
+    struct job job[SEARCH_MAX_THREADS];
+    for (int i = 0; i < o->threads; i++)
+        job[i] = (struct job){.f = &search, .options = o, .thread = i};
+    search_on_threads(run_job, job, sizeof *job, o->threads);
     for (int i = 0; i < o->threads; i++) {
-        job[i] = (struct job){.f = f, .options = o, .thread = i};
-        started[i] = i + 1 < o->threads && pthread_create(&thread[i], NULL, run_job, &job[i]) == 0;
-        if (!started[i])
-            run_job(&job[i]);
+        worst_merge(&worst, &job[i].worst);
+        worst_merge(&worstf, &job[i].worstf);
     }
-    for (int i = 0; i < o->threads; i++) {
-        if (started[i])
-            pthread_join(thread[i], NULL);
-        merge(worst, &job[i].worst);
-        merge(worstf, &job[i].worstf);
-    }
+    search_boundaries(&worst, &search);
+    worst_climb(&worst, &search, 4096, 16);
+    bool good = worst_report(f->name, "", &worst, f->max_ulp);
+    good = worst_report(f->name, "f", &worstf, COR_SPHERE_FLOAT_MAX_ULP) && good;
+    good = check_specials(f) == 0 && good;
+    return search_arrays(&search, specials, SPECIALS, 2400, o->seed) && good;
 }
 
-static bool function_is_wanted(const struct options *o, const char *name)
+static int functions_run(const struct search_options *o)
 {
-    return o->only == NULL || strstr(name, o->only) != NULL;
-}
-
-static int functions_run(const struct options *o)
-{
-    struct worst worst, worstf;
     bool good = true;
-    printf("seed: %llu\n", (unsigned long long)o->seed);
-    printf("      %-24s  %12s  %10s  %6s  %s\n", "function", "points", "worst ulp", "bound", "argument");
-    for (int i = 0; i < FUNCTIONS; i++) {
-        const struct function *f = &functions[i];
-        if (!function_is_wanted(o, f->name))
-            continue;
-        worst = (struct worst){0};
-        worstf = (struct worst){0};
-        run_threads(&worst, &worstf, f, o);
-        search_boundaries(&worst, f);
-        worst_climb(&worst, f);
-        good = worst_report(f->name, "", &worst, f->max_ulp) && good;
-        good = worst_report(f->name, "f", &worstf, COR_SPHERE_FLOAT_MAX_ULP) && good;
-        good = check_specials(f) == 0 && good;
-        good = check_arrays(f, o->seed) == 0 && good;
-    }
+    worst_heading(o->seed);
+    for (int i = 0; i < FUNCTIONS; i++)
+        if (search_wants(o, functions[i].name))
+            good = function_is_good(&functions[i], o) && good;
     for (size_t i = 0; i < sizeof contact_functions / sizeof *contact_functions; i++) {
-        if (!function_is_wanted(o, contact_functions[i].name))
+        if (!search_wants(o, contact_functions[i].name))
             continue;
-        worst = (struct worst){0};
+        struct worst worst = {0};
         search_contacts(&worst, &contact_functions[i], o);
         good = worst_report(contact_functions[i].name, "", &worst, 1) && good;
     }
@@ -473,30 +354,9 @@ static const char help[] =
 int main(int argc, char **argv)
 {
     /* a prime, so that every last bit occurs; 0x7f800000/2141 is near 10^6 */
-    struct options o = {.points = 1000000, .seed = 19990101, .float_stride = 2141, .threads = 1};
-    for (int i = 1; i < argc; i++) {
-        const double number = i + 1 < argc ? strtod(argv[i + 1], NULL) : 0;
-        if (strcmp(argv[i], "--float-exhaustive") == 0) {
-            o.float_stride = 1;
-        } else if (strcmp(argv[i], "--points") == 0 && number >= 1 && number <= 1e15) {
-            o.points = (uint64_t)number;
-            i++;
-        } else if (strcmp(argv[i], "--threads") == 0 && number >= 1 && number <= MAX_THREADS) {
-            o.threads = (int)number;
-            i++;
-        } else if (strcmp(argv[i], "--only") == 0 && i + 1 < argc) {
-            o.only = argv[++i];
-        } else if (strcmp(argv[i], "--seed") == 0 && number >= 0 && number <= 1e15) {
-            o.seed = (uint64_t)number;
-            i++;
-        } else {
-            fputs(help, stderr);
-            return 2;
-        }
-    }
-    if (LDBL_MANT_DIG < 64) {
-        printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
-        return 77;
-    }
+    struct search_options o = {.points = 1000000, .seed = 19990101, .float_stride = 2141, .threads = 1};
+    const int status = search_options_read(&o, argc, argv, help);
+    if (status != 0)
+        return status;
     return reference_open() != 0 ? 1 : functions_run(&o);
 }

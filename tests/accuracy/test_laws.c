@@ -5,20 +5,17 @@
  *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points of each function, 20000 if not said) */
 #include "cor/law.h"
 
-#include <pthread.h>
-#include <stdbool.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 #include <mpfr.h>
 
-#include "random.h"
 #include "reference_law.h"
+#include "search.h"
 #include "ulp.h"
 
 /* ---- the exact values ---- */
 
-enum { MPFR_BITS = 256, MAX_THREADS = 64 };
+enum { MPFR_BITS = 256 };
 
 /* exp(x), -exp(x) expm1 and so on of a long double keep what the double needs up to this L. */
 static const long double far_exponent = 16;
@@ -384,8 +381,9 @@ static long double exact_value(const struct function *f, double x)
     return crossley(f->law, f->shape == LOSS, x);
 }
 
-static double error_of(const struct function *f, double computed, double x)
+static double error_of(const void *row, double computed, double x)
 {
+    const struct function *f = row;
     if (is_inverse(f))
         return inverse_error(f, computed, x);
     if (f->law == CROSSLEY_TIMES && x < 0) /* by quadrature: tests/unit/test_law.c */
@@ -395,21 +393,6 @@ static double error_of(const struct function *f, double computed, double x)
 }
 
 /* ---- searches ---- */
-
-struct worst {
-    double error, at, rise_at;
-    uint64_t points, rises;
-};
-
-static void worst_take(struct worst *worst, const struct function *f, double x)
-{
-    const double error = error_of(f, f->value(x), x);
-    worst->points++;
-    if (!(error <= worst->error)) {
-        worst->error = error;
-        worst->at = x;
-    }
-}
 
 /* zeta or beta: where kernels are, near 1, every size, every bit pattern; a part of beta is negative */
 static double random_damping(struct random_state *r, const struct function *f)
@@ -440,33 +423,33 @@ static double random_eps(struct random_state *r)
     return exp(-30 * u);
 }
 
-static double random_argument(struct random_state *r, const struct function *f)
+static double random_argument(struct random_state *r, const void *row)
 {
+    const struct function *f = row;
     return is_inverse(f) ? random_eps(r) : random_damping(r, f);
 }
 
 /* eps never rises by more than two units of the last place from one double to the next, and stays in [0, 1] but for a
  * pumped collision. */
-static void take_order(struct worst *worst, const struct function *f, double x)
+static struct search_function search_of(const struct function *f)
 {
-    if (f->shape != EPS || !(x >= 0))
-        return;
-    const double y = f->value(x), next = f->value(nextafter(x, HUGE_VAL));
-    if (!(y >= 0 && y <= 1) || (next > y && bits_of(next) - bits_of(y) > 2)) {
-        worst->rises++;
-        worst->rise_at = x;
-    }
+    return (struct search_function){.name = f->name,
+                                    .value = f->value,
+                                    .array = f->array,
+                                    .valuef = f->valuef,
+                                    .arrayf = f->arrayf,
+                                    .last = is_inverse(f) ? 1 : HUGE_VAL,
+                                    .largest_rise = 2,
+                                    .falls = f->shape == EPS,
+                                    .float_is_rounded = true,
+                                    .error = error_of,
+                                    .random_argument = random_argument,
+                                    .row = f};
 }
 
-struct options {
-    uint64_t points, seed;
-    int threads;
-    const char *only;
-};
-
 struct job {
-    const struct function *f;
-    const struct options *options;
+    const struct search_function *f;
+    const struct search_options *options;
     int thread;
     struct worst worst;
 };
@@ -474,53 +457,14 @@ struct job {
 static void *search_random(void *argument)
 {
     struct job *job = argument;
-    const struct options *o = job->options;
-    struct random_state r = random_seeded(o->seed * MAX_THREADS + (uint64_t)job->thread);
-    const uint64_t points = o->points / (job->f->shape == SLOW_TIME ? SLOW_SHARE : 1);
-    for (uint64_t i = (uint64_t)job->thread; i < points; i += (uint64_t)o->threads) {
-        const double x = random_argument(&r, job->f);
-        worst_take(&job->worst, job->f, x);
-        take_order(&job->worst, job->f, x);
-    }
+    const struct search_options *o = job->options;
+    const struct function *f = job->f->row;
+    struct random_state r = random_seeded(o->seed * SEARCH_MAX_THREADS + (uint64_t)job->thread);
+    const uint64_t points = o->points / (f->shape == SLOW_TIME ? SLOW_SHARE : 1);
+    for (uint64_t i = (uint64_t)job->thread; i < points; i += (uint64_t)o->threads)
+        worst_random(&job->worst, job->f, &r);
     mpfr_free_cache();
     return NULL;
-}
-
-static void search_threads(struct worst *worst, const struct function *f, const struct options *o)
-{
-    struct job job[MAX_THREADS];
-    pthread_t thread[MAX_THREADS];
-    bool started[MAX_THREADS];
-    for (int i = 0; i < o->threads; i++) {
-        job[i] = (struct job){.f = f, .options = o, .thread = i};
-        started[i] = i + 1 < o->threads && pthread_create(&thread[i], NULL, search_random, &job[i]) == 0;
-        if (!started[i])
-            search_random(&job[i]);
-    }
-    for (int i = 0; i < o->threads; i++) {
-        if (started[i])
-            pthread_join(thread[i], NULL);
-        worst->points += job[i].worst.points;
-        worst->rises += job[i].worst.rises;
-        if (job[i].worst.rises > 0)
-            worst->rise_at = job[i].worst.rise_at;
-        if (!(job[i].worst.error <= worst->error)) {
-            worst->error = job[i].worst.error;
-            worst->at = job[i].worst.at;
-        }
-    }
-}
-
-/* Every double from `radius` before |x| to as many after it */
-static void worst_walk(struct worst *worst, const struct function *f, double x, uint64_t radius)
-{
-    const uint64_t middle = bits_of(fabs(x)), last = bits_of(is_inverse(f) ? 1 : HUGE_VAL);
-    const uint64_t low = middle > radius ? middle - radius : 0, high = middle + radius < last ? middle + radius : last;
-    for (uint64_t bits = low; bits <= high; bits++) {
-        const double at = copysign(double_of(bits), x);
-        worst_take(worst, f, at);
-        take_order(worst, f, at);
-    }
 }
 
 /* Where kernels and series meet (runtime/law/damping_ratio.h, hunt_crossley.h), and the ends of the number format */
@@ -548,41 +492,31 @@ static const double eps_boundaries[] = {
     0x1p-30,
 };
 
-static void search_boundaries(struct worst *worst, const struct function *f)
+static void search_boundaries(struct worst *worst, const struct search_function *search)
 {
+    const struct function *f = search->row;
     const uint64_t radius = f->shape == SLOW_TIME ? 0 : 32;
     if (is_inverse(f)) {
         for (size_t i = 0; i < sizeof eps_boundaries / sizeof *eps_boundaries; i++) {
-            worst_walk(worst, f, eps_boundaries[i], radius);
-            worst_walk(worst, f, 1 - eps_boundaries[i], radius);
+            worst_walk(worst, search, eps_boundaries[i], radius);
+            worst_walk(worst, search, 1 - eps_boundaries[i], radius);
         }
         for (int k = -1074; k <= 0; k++)
-            worst_walk(worst, f, ldexp(1, k), 1);
+            worst_walk(worst, search, ldexp(1, k), 1);
         for (int k = -53; k < 0; k++)
-            worst_walk(worst, f, 1 - ldexp(1, k), 3);
+            worst_walk(worst, search, 1 - ldexp(1, k), 3);
         return;
     }
     for (size_t i = 0; i < sizeof damping_boundaries / sizeof *damping_boundaries; i++) {
-        worst_walk(worst, f, damping_boundaries[i], radius);
+        worst_walk(worst, search, damping_boundaries[i], radius);
         if (f->law != RATIO && damping_boundaries[i] <= 1)
-            worst_walk(worst, f, -damping_boundaries[i], radius);
+            worst_walk(worst, search, -damping_boundaries[i], radius);
     }
     for (int k = -1074; k < 1024; k += f->shape == SLOW_TIME ? 91 : 1)
-        worst_walk(worst, f, ldexp(1, k), radius > 0);
+        worst_walk(worst, search, ldexp(1, k), radius > 0);
 }
 
-/* Uphill from the worst point */
-static void worst_climb(struct worst *worst, const struct function *f)
-{
-    for (int turn = 0; turn < 8; turn++) {
-        const double error = worst->error;
-        worst_walk(worst, f, worst->at, f->shape == SLOW_TIME ? 2 : 200);
-        if (!(worst->error > error))
-            break;
-    }
-}
-
-/* ---- special values, floats, arrays ---- */
+/* ---- special values ---- */
 
 static const double specials[] = {0.0,
                                   -0.0,
@@ -615,100 +549,38 @@ static uint64_t check_specials(const struct function *f)
     return wrong;
 }
 
-static bool same_or_nan(const void *x, const void *y, size_t size, bool both_nan)
-{
-    return same_bits(x, y, size) || both_nan;
-}
-
-/* The float is the double rounded once, and arrays are their scalars, at any place and length. */
-static uint64_t check_arrays(const struct function *f, uint64_t seed)
-{
-    enum { LONGEST = 300, BLOCKS = 60 };
-    double x[LONGEST + 4], y[LONGEST + 4];
-    float xf[LONGEST + 4], yf[LONGEST + 4];
-    struct random_state r = random_seeded(seed);
-    uint64_t wrong = 0;
-    f->array(NULL, NULL, 0);
-    f->arrayf(NULL, NULL, 0);
-    for (int block = 0; block < BLOCKS; block++) {
-        const size_t n = random_below(&r, LONGEST + 1), from = random_below(&r, 4), to = random_below(&r, 4);
-        for (size_t i = from; i < from + n; i++) {
-            x[i] =
-                block % 2 && random_below(&r, 16) == 0 ? specials[random_below(&r, SPECIALS)] : random_argument(&r, f);
-            xf[i] = (float)x[i];
-        }
-        memcpy(y + to, x + from, n * sizeof *y);
-        memcpy(yf + to, xf + from, n * sizeof *yf);
-        f->array(block % 3 ? x + from : y + to, y + to, n);
-        f->arrayf(block % 3 ? xf + from : yf + to, yf + to, n);
-        for (size_t i = 0; i < n; i++) {
-            const double one = f->value(x[from + i]);
-            const float onef = (float)f->value((double)xf[from + i]), scalarf = f->valuef(xf[from + i]);
-            if (same_or_nan(&one, &y[to + i], sizeof one, isnan(one) && isnan(y[to + i])) &&
-                same_or_nan(&onef, &yf[to + i], sizeof onef, isnan(onef) && isnan(yf[to + i])) &&
-                same_or_nan(&onef, &scalarf, sizeof onef, isnan(onef) && isnan(scalarf)))
-                continue;
-            if (wrong++ == 0)
-                printf("FAIL  %s: arrays at %a\n", f->name, x[from + i]);
-        }
-    }
-    return wrong;
-}
-
 /* ---- the run ---- */
 
-static bool worst_report(const struct function *f, const struct worst *worst)
+static bool function_is_good(const struct function *f, const struct search_options *o)
 {
-    const bool good = worst->error <= f->max_ulp && worst->rises == 0;
-    printf("%s  %-42s  %10llu  %8.3f  %4.1f  %a\n", good ? "ok  " : "FAIL", f->name, (unsigned long long)worst->points,
-           worst->error, f->max_ulp, worst->at);
-    if (worst->rises > 0)
-        printf("      rises or leaves [0, 1] %llu times, at %a\n", (unsigned long long)worst->rises, worst->rise_at);
-    return good;
+    const struct search_function search = search_of(f);
+    struct worst worst = {0};
+    struct job job[SEARCH_MAX_THREADS];
+    for (int i = 0; i < o->threads; i++)
+        job[i] = (struct job){.f = &search, .options = o, .thread = i};
+    search_on_threads(search_random, job, sizeof *job, o->threads);
+    for (int i = 0; i < o->threads; i++)
+        worst_merge(&worst, &job[i].worst);
+    search_boundaries(&worst, &search);
+    worst_climb(&worst, &search, f->shape == SLOW_TIME ? 2 : 200, 8);
+    bool good = worst_report(f->name, "", &worst, f->max_ulp);
+    good = check_specials(f) == 0 && good;
+    return search_arrays(&search, specials, SPECIALS, 200, o->seed) && good;
 }
 
-static int functions_run(const struct options *o)
-{
-    bool good = true;
-    printf("seed: %llu\n", (unsigned long long)o->seed);
-    printf("      %-42s  %10s  %8s  %s  %s\n", "function", "points", "worst ulp", "bound", "argument");
-    for (int i = 0; i < FUNCTIONS; i++) {
-        const struct function *f = &functions[i];
-        if (o->only != NULL && strstr(f->name, o->only) == NULL)
-            continue;
-        struct worst worst = {0};
-        search_threads(&worst, f, o);
-        search_boundaries(&worst, f);
-        worst_climb(&worst, f);
-        good = worst_report(f, &worst) && good;
-        good = check_specials(f) == 0 && good;
-        good = check_arrays(f, o->seed) == 0 && good;
-    }
-    mpfr_free_cache();
-    return good ? 0 : 1;
-}
+static const char help[] = "test_laws [--points N] [--threads N] [--only TEXT] [--seed N]\n";
 
 int main(int argc, char **argv)
 {
-    struct options o = {.points = 20000, .seed = 19990101, .threads = 1};
-    for (int i = 1; i < argc; i += 2) {
-        const double number = i + 1 < argc ? strtod(argv[i + 1], NULL) : 0;
-        if (strcmp(argv[i], "--points") == 0 && number >= 1 && number <= 1e15) {
-            o.points = (uint64_t)number;
-        } else if (strcmp(argv[i], "--threads") == 0 && number >= 1 && number <= MAX_THREADS) {
-            o.threads = (int)number;
-        } else if (strcmp(argv[i], "--only") == 0 && i + 1 < argc) {
-            o.only = argv[i + 1];
-        } else if (strcmp(argv[i], "--seed") == 0 && number >= 0 && number <= 1e15) {
-            o.seed = (uint64_t)number;
-        } else {
-            fputs("test_laws [--points N] [--threads N] [--only TEXT] [--seed N]\n", stderr);
-            return 2;
-        }
-    }
-    if (LDBL_MANT_DIG < 64) {
-        printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
-        return 77;
-    }
-    return functions_run(&o);
+    struct search_options o = {.points = 20000, .seed = 19990101, .threads = 1};
+    const int status = search_options_read(&o, argc, argv, help);
+    if (status != 0)
+        return status;
+    bool good = true;
+    worst_heading(o.seed);
+    for (int i = 0; i < FUNCTIONS; i++)
+        if (search_wants(&o, functions[i].name))
+            good = function_is_good(&functions[i], &o) && good;
+    mpfr_free_cache();
+    return good ? 0 : 1;
 }

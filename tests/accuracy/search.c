@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+#include "search.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "ulp.h"
+
+/* ---- the worst point ---- */
+
+void worst_take(struct worst *worst, double error, double at)
+{
+    worst->points++;
+    if (!(error <= worst->error)) {
+        worst->error = isnan(error) ? HUGE_VAL : error;
+        worst->at = at;
+    }
+}
+
+void worst_merge(struct worst *into, const struct worst *from)
+{
+    into->points += from->points;
+    into->rises += from->rises;
+    if (from->rises > 0)
+        into->rise_at = from->rise_at;
+    if (from->error > into->error) {
+        into->error = from->error;
+        into->at = from->at;
+    }
+}
+
+/* The value at x, after the value at the double before x. */
+static void take_order(struct worst *worst, const struct search_function *f, double before, double y, double x)
+{
+    if (!f->falls || !(x >= 0))
+        return;
+    if (!(y >= 0 && y <= 1) || (y > before && bits_of(y) - bits_of(before) > f->largest_rise)) {
+        worst->rises++;
+        worst->rise_at = x;
+    }
+}
+
+void worst_random(struct worst *worst, const struct search_function *f, struct random_state *r)
+{
+    const double x = f->random_argument(r, f->row), y = f->value(x), next = nextafter(x, HUGE_VAL);
+    worst_take(worst, f->error(f->row, y, x), x);
+    if (f->falls) {
+        take_order(worst, f, HUGE_VAL, y, x);
+        take_order(worst, f, y, f->value(next), next);
+    }
+}
+
+void worst_walk(struct worst *worst, const struct search_function *f, double x, uint64_t radius)
+{
+    const uint64_t middle = bits_of(fabs(x)), last = bits_of(f->last);
+    const uint64_t low = middle > radius ? middle - radius : 0, high = middle < last - radius ? middle + radius : last;
+    double before = low > 0 ? f->value(copysign(double_of(low - 1), x)) : HUGE_VAL;
+    for (uint64_t bits = low; bits <= high; bits++) {
+        const double at = copysign(double_of(bits), x), y = f->value(at);
+        worst_take(worst, f->error(f->row, y, at), at);
+        take_order(worst, f, before, y, at);
+        before = y;
+    }
+}
+
+void worst_climb(struct worst *worst, const struct search_function *f, uint64_t radius, int turns)
+{
+    for (int turn = 0; turn < turns; turn++) {
+        const double error = worst->error;
+        worst_walk(worst, f, worst->at, radius);
+        if (!(worst->error > error))
+            break;
+    }
+}
+
+void worst_heading(uint64_t seed)
+{
+    printf("seed: %llu\n", (unsigned long long)seed);
+    printf("      %-42s  %12s  %10s  %6s  %s\n", "function", "points", "worst ulp", "bound", "argument");
+}
+
+bool worst_report(const char *name, const char *suffix, const struct worst *worst, double bound)
+{
+    const bool good = worst->error <= bound && worst->rises == 0;
+    printf("%-4s  %s%-*s  %12llu  %10.6f  %6.2f  %a\n", good ? "ok" : "FAIL", name, 42 - (int)strlen(name), suffix,
+           (unsigned long long)worst->points, worst->error, bound, worst->at);
+    if (worst->rises > 0)
+        printf("      %s rises or leaves [0, 1] %llu times, at %a\n", name, (unsigned long long)worst->rises,
+               worst->rise_at);
+    fflush(stdout);
+    return good;
+}
+
+/* ---- arrays ---- */
+
+static bool same_double(double x, double y)
+{
+    return same_bits(&x, &y, sizeof x) || (isnan(x) && isnan(y));
+}
+
+static bool same_float(float x, float y)
+{
+    return same_bits(&x, &y, sizeof x) || (isnan(x) && isnan(y));
+}
+
+bool search_arrays(const struct search_function *f, const double *special, size_t specials, int blocks, uint64_t seed)
+{
+    enum { LONGEST = 300, SHORT = 68 };
+    double x[LONGEST + 4], y[LONGEST + 4];
+    float xf[LONGEST + 4], yf[LONGEST + 4];
+    struct random_state r = random_seeded(seed);
+    uint64_t wrong = 0;
+    f->array(NULL, NULL, 0);
+    f->arrayf(NULL, NULL, 0);
+    for (int block = 0; block < blocks; block++) {
+        const size_t n = random_below(&r, block % 8 ? SHORT : LONGEST + 1);
+        const size_t from = random_below(&r, 4), to = random_below(&r, 4);
+        const bool mixed = block % 2 == 0, in_place = block % 3 == 0;
+        for (size_t i = from; i < from + n; i++) {
+            x[i] = mixed && random_below(&r, 16) == 0 ? special[random_below(&r, specials)]
+                                                      : f->random_argument(&r, f->row);
+            xf[i] = (float)x[i];
+        }
+        memcpy(y + to, x + from, n * sizeof *y);
+        memcpy(yf + to, xf + from, n * sizeof *yf);
+        f->array(in_place ? y + to : x + from, y + to, n);
+        f->arrayf(in_place ? yf + to : xf + from, yf + to, n);
+        for (size_t i = 0; i < n; i++) {
+            const double at = x[from + i];
+            const float atf = xf[from + i], onef = f->valuef(atf);
+            const bool good = same_double(f->value(at), y[to + i]) && same_float(onef, yf[to + i]) &&
+                              (!f->float_is_rounded || same_float((float)f->value((double)atf), onef));
+            if (!good && wrong++ == 0)
+                printf("FAIL  %s: array element %zu of %zu, argument %a\n", f->name, i, n, at);
+        }
+    }
+    return wrong == 0;
+}
+
+/* ---- options and threads ---- */
+
+int search_options_read(struct search_options *o, int argc, char **argv, const char *help)
+{
+    for (int i = 1; i < argc; i++) {
+        const double number = i + 1 < argc ? strtod(argv[i + 1], NULL) : 0;
+        if (strcmp(argv[i], "--float-exhaustive") == 0 && o->float_stride > 0) {
+            o->float_stride = 1;
+            continue;
+        }
+        if (strcmp(argv[i], "--points") == 0 && number >= 1 && number <= 1e15) {
+            o->points = (uint64_t)number;
+        } else if (strcmp(argv[i], "--threads") == 0 && number >= 1 && number <= SEARCH_MAX_THREADS) {
+            o->threads = (int)number;
+        } else if (strcmp(argv[i], "--seed") == 0 && number >= 0 && number <= 1e15) {
+            o->seed = (uint64_t)number;
+        } else if (strcmp(argv[i], "--only") == 0 && i + 1 < argc) {
+            o->only = argv[i + 1];
+        } else {
+            fputs(help, stderr);
+            return 2;
+        }
+        i++;
+    }
+    if (LDBL_MANT_DIG < 64) {
+        printf("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
+        return 77;
+    }
+    return 0;
+}
+
+bool search_wants(const struct search_options *o, const char *name)
+{
+    return o->only == NULL || strstr(name, o->only) != NULL;
+}
+
+void search_on_threads(void *(*part)(void *), void *jobs, size_t size, int threads)
+{
+    pthread_t thread[SEARCH_MAX_THREADS];
+    bool started[SEARCH_MAX_THREADS];
+    for (int i = 0; i < threads; i++) {
+        void *const job = (char *)jobs + (size_t)i * size;
+        started[i] = i + 1 < threads && pthread_create(&thread[i], NULL, part, job) == 0;
+        if (!started[i])
+            part(job);
+    }
+    for (int i = 0; i < threads; i++)
+        if (started[i])
+            pthread_join(thread[i], NULL);
+}
