@@ -23,6 +23,8 @@ set(COR_GENERATOR_SOURCES
   gen/cli/subcommand.c
   gen/cli/tables.c
   gen/cli/trajectory.c
+  gen/contact/contact_force.c
+  gen/contact/contact_model.c
   gen/disk/equation.c
   gen/disk/modes.c
   gen/disk/modes_rounded.c
