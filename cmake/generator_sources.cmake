@@ -10,6 +10,7 @@ set(COR_GENERATOR_SOURCES
   gen/approximation/pieces.c
   gen/approximation/published.c
   gen/cli/collide.c
+  gen/cli/contact.c
   gen/cli/disk_collide.c
   gen/cli/disk_modes.c
   gen/cli/embed.c
@@ -19,12 +20,20 @@ set(COR_GENERATOR_SOURCES
   gen/cli/pade.c
   gen/cli/plan.c
   gen/cli/proved_table.c
+  gen/cli/sample.c
   gen/cli/series.c
   gen/cli/subcommand.c
   gen/cli/tables.c
   gen/cli/trajectory.c
   gen/contact/contact_force.c
+  gen/contact/contact_host.c
   gen/contact/contact_model.c
+  gen/contact/contact_plot.c
+  gen/contact/contact_request.c
+  gen/contact/contact_rows.c
+  gen/contact/sample.c
+  gen/contact/sample_function.c
+  gen/contact/sample_table.c
   gen/disk/equation.c
   gen/disk/modes.c
   gen/disk/modes_rounded.c

@@ -5,6 +5,7 @@
 
 #include "approximation/pade.h"
 #include "cli/subcommand.h"
+#include "contact/contact_request.h"
 #include "embed/request.h"
 #include "fit/data.h"
 #include "plan/plan.h"
@@ -88,6 +89,26 @@ struct plan_arguments {
     enum plan_quantity quantity;
 };
 
+struct contact_arguments {
+    struct option_common common;
+    union { /* the scene is the first member of the request */
+        struct embed_request scene;
+        struct contact_request request;
+    };
+    struct values speed;
+    struct decimal steps;
+    const char *host, *plot; /* NULL: not given */
+};
+
+struct sample_arguments {
+    struct option_common common;
+    union {
+        struct embed_request scene;
+        struct contact_request request;
+    };
+    bool log, cubic, duration;
+};
+
 struct tables_arguments {
     struct option_common common;
     struct decimal poisson;
@@ -96,6 +117,7 @@ struct tables_arguments {
 };
 
 extern const struct subcommand command_trajectory, command_series, command_pade, command_collide, command_disk_modes,
-    command_disk_collide, command_embed, command_fit, command_law, command_plan, command_tables;
+    command_disk_collide, command_embed, command_fit, command_law, command_plan, command_tables, command_contact,
+    command_sample;
 
 #endif

@@ -26,6 +26,8 @@ const struct option_numbers option_positive = {{"0", NULL, false, false, true, "
                                                DECIMAL_PLAIN};
 const struct option_numbers option_not_negative = {{"0", NULL, true, false, true, "a finite number, 0 or more"},
                                                    DECIMAL_PLAIN};
+const struct option_numbers option_restitution = {{"0", "1", false, true, true, "a number above 0 and up to 1"},
+                                                  DECIMAL_PLAIN};
 const struct option_numbers option_sphere_poisson = {
     {"-1", "0.5", false, true, true, "a number above -1 and up to 0.5"}, DECIMAL_SIGN};
 const struct option_numbers option_disk_poisson = {{"-1", "1", false, false, false, "a number between -1 and 1"},

@@ -25,23 +25,27 @@
         SCENE_NUMBER(TYPE, "mass" SUFFIX, EMBED_MASS##NUMBER_SUFFIX, &option_positive, false, APART),                  \
         SCENE_NUMBER(TYPE, "dissipation-time" SUFFIX, EMBED_DISSIPATION_TIME##NUMBER_SUFFIX, &option_not_negative,     \
                      false, APART)
-/* beta at a speed, the coefficients of the force, and the law */
-#define SCENE_LAW(TYPE, APART)                                                                                         \
+/* beta at a speed, and the coefficients of the force */
+#define SCENE_FORCE(TYPE, APART)                                                                                       \
     SCENE_NUMBER(TYPE, "beta", EMBED_BETA, &option_positive, false, APART),                                            \
         SCENE_NUMBER(TYPE, "at", EMBED_AT, &option_positive, false, APART),                                            \
         SCENE_NUMBER(TYPE, "stiffness", EMBED_STIFFNESS, &option_positive, false, APART),                              \
         SCENE_NUMBER(TYPE, "damping-coefficient", EMBED_DAMPING_COEFFICIENT, &option_positive, false, APART),          \
-        SCENE_NUMBER(TYPE, "effective-mass", EMBED_EFFECTIVE_MASS, &option_positive, false, APART),                    \
+        SCENE_NUMBER(TYPE, "effective-mass", EMBED_EFFECTIVE_MASS, &option_positive, false, APART)
+#define SCENE_EXPONENTS(TYPE, APART)                                                                                   \
+    {.name = "elastic", .kind = OPTION_TEXT, .offset = offsetof(TYPE, scene.elastic), .excludes = "law " APART},       \
+    {                                                                                                                  \
+        .name = "damping", .kind = OPTION_TEXT, .offset = offsetof(TYPE, scene.damping), .excludes = "law " APART      \
+    }
+#define SCENE_LAW(TYPE, APART)                                                                                         \
+    SCENE_FORCE(TYPE, APART),                                                                                          \
         {.name = "law",                                                                                                \
          .kind = OPTION_WORD,                                                                                          \
          .offset = offsetof(TYPE, scene.law),                                                                          \
          .range.words = embed_law_names,                                                                               \
          .why = "a law",                                                                                               \
          .excludes = (APART)},                                                                                         \
-        {.name = "elastic", .kind = OPTION_TEXT, .offset = offsetof(TYPE, scene.elastic), .excludes = "law " APART},   \
-    {                                                                                                                  \
-        .name = "damping", .kind = OPTION_TEXT, .offset = offsetof(TYPE, scene.damping), .excludes = "law " APART      \
-    }
+        SCENE_EXPONENTS(TYPE, APART)
 #define SCENE_OPTIONS(TYPE, POISSON, APART)                                                                            \
     SCENE_NUMBER(TYPE, "speed-min", EMBED_SPEED_MIN, &option_positive, true, NULL),                                    \
         SCENE_NUMBER(TYPE, "speed-max", EMBED_SPEED_MAX, &option_positive, true, NULL),                                \

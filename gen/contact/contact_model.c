@@ -219,6 +219,12 @@ static const struct library_law *library_law_of(const struct law *law)
     return law_is_hunt_crossley(law) ? &hunt_crossley : NULL;
 }
 
+bool contact_model_is_enclosed(const struct contact_model *model)
+{
+    const struct library_law *const f = library_law_of(&model->law);
+    return !f || f == &constant;
+}
+
 /* The parameter of the library's functions: zeta where q = 0, beta elsewhere */
 static double damping_parameter(const struct contact_model *model, double speed_m_s)
 {

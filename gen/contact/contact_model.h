@@ -41,6 +41,9 @@ bool contact_model_has_scales(const struct contact_model *model);
 bool contact_model_has_end(const struct contact_model *model, enum contact_end end);
 bool contact_model_ends_differ(const struct contact_model *model);
 
+/* Whether an impact takes an enclosed collision: milliseconds instead of a fraction of a microsecond. */
+bool contact_model_is_enclosed(const struct contact_model *model);
+
 double contact_model_beta(const struct contact_model *model, double speed_m_s);
 
 /* ---- ways to give the damping, and back ----

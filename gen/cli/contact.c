@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen contact: one contact in SI units, its impacts, and the lines that a simulator needs for it. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/commands.h"
+#include "cli/contact_options.h"
+#include "contact/contact_host.h"
+#include "contact/contact_plot.h"
+#include "contact/contact_rows.h"
+#include "support/console.h"
+
+_Static_assert(OPTIONS_NOT_GIVEN == CONTACT_BOTH_ENDS, "--end that is not given stands for both ends");
+
+#define DEFAULT_STEPS "50"
+
+static double steps_of(const struct contact_arguments *o)
+{
+    return o->steps.text ? decimal_value(&o->steps) : atof(DEFAULT_STEPS);
+}
+
+/* ---- the tables ---- */
+
+static void print_summary(FILE *file, const struct contact_models *models, enum output_format format)
+{
+    struct table table;
+    contact_summary(&table, models, format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
+    if (format == FORMAT_TEXT) {
+        const struct contact_model *const model = &models->model[0];
+        fprintf(file, "%s%s\n\n", law_equation(&model->law).text, model->plate ? ", a plate" : "");
+    }
+    table_print(&table, format, file);
+    table_clear(&table);
+}
+
+static int print_tables(const struct contact_arguments *o, const struct contact_models *models)
+{
+    const enum output_format format = (enum output_format)o->common.format;
+    struct table rows;
+    struct output out;
+    int status = o->speed.count == 0 ? STATUS_OK
+                                     : contact_rows(&rows, models, o->speed.nearest, o->speed.count, steps_of(o),
+                                                    format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
+    if (status == STATUS_OK)
+        status = output_open(&out, o->common.output);
+    if (status == STATUS_OK) {
+        if (o->speed.count == 0 || format == FORMAT_TEXT)
+            print_summary(out.file, models, format);
+        if (o->speed.count > 0) {
+            if (format == FORMAT_TEXT)
+                fputs("\n", out.file);
+            table_print(&rows, format, out.file);
+        }
+        status = output_commit(&out);
+    }
+    if (o->speed.count > 0)
+        table_clear(&rows);
+    return status;
+}
+
+/* ---- the picture ---- */
+
+enum { CURVE_POINTS = 201 };
+
+/* eps at one end, at speeds whose logarithms are equally far apart */
+static int fill_curve(double *speed_m_s, double *eps, const struct contact_arguments *o,
+                      const struct contact_model *model, enum contact_end end)
+{
+    /* a single speed lies in the middle of two decades */
+    const double margin = o->speed.count > 1 && values_least(&o->speed) < values_largest(&o->speed) ? 1 : 10;
+    const double low = values_least(&o->speed) / margin, high = values_largest(&o->speed) * margin;
+    for (int i = 0; i < CURVE_POINTS; i++) {
+        progress("picture", i, CURVE_POINTS);
+        speed_m_s[i] = low * pow(high / low, (double)i / (CURVE_POINTS - 1));
+        if (contact_model_eps(&eps[i], model, speed_m_s[i], end) != STATUS_OK)
+            return STATUS_FAILED;
+    }
+    progress_end();
+    return STATUS_OK;
+}
+
+static int draw(const struct contact_arguments *o, const struct contact_models *models)
+{
+    static const char *const title[CONTACT_ENDS] = {"contact ends at zero overlap", "contact ends at zero force"};
+    static double speed_m_s[CONTACT_ENDS][CURVE_POINTS], eps[CONTACT_ENDS][CURVE_POINTS];
+    struct contact_curve curve[CONTACT_ENDS];
+    size_t curves = 0;
+    for (int end = 0; end < CONTACT_ENDS; end++) {
+        const struct contact_model *const model = &models->model[models->count > 1 ? end : 0];
+        const bool wanted = o->request.end == OPTIONS_NOT_GIVEN || o->request.end == end;
+        if (!wanted || !contact_model_has_end(model, (enum contact_end)end) ||
+            (curves > 0 && !contact_model_ends_differ(model)))
+            continue;
+        if (fill_curve(speed_m_s[curves], eps[curves], o, model, (enum contact_end)end) != STATUS_OK)
+            return STATUS_FAILED;
+        curve[curves] = (struct contact_curve){title[end], speed_m_s[curves], eps[curves], CURVE_POINTS};
+        curves++;
+    }
+    return contact_plot(o->plot, law_equation(&models->model[0].law).text, curve, curves);
+}
+
+/* ---- the command ---- */
+
+static int print_for_host(const struct contact_arguments *o, const struct contact_models *models)
+{
+    struct output out;
+    char *const text = contact_host_text(o->host, &o->request, models, o->speed.nearest, o->speed.count);
+    if (!text)
+        return STATUS_USAGE;
+    int status = output_open(&out, o->common.output);
+    if (status == STATUS_OK) {
+        fputs(text, out.file);
+        status = output_commit(&out);
+    }
+    free(text);
+    return status;
+}
+
+static int list_hosts(const struct contact_arguments *o)
+{
+    struct output out;
+    if (output_open(&out, o->common.output) != STATUS_OK)
+        return STATUS_FAILED;
+    contact_host_list(out.file);
+    return output_commit(&out);
+}
+
+static int run_contact(const void *arguments)
+{
+    const struct contact_arguments *const o = arguments;
+    struct contact_models models;
+    if (o->host && strcmp(o->host, "list") == 0)
+        return list_hosts(o);
+    if (o->host && contact_host_check(o->host) != STATUS_OK)
+        return STATUS_USAGE;
+    int status = contact_request_models(&models, &o->request);
+    if (status != STATUS_OK)
+        return status;
+    status = o->host ? print_for_host(o, &models) : print_tables(o, &models);
+    return status == STATUS_OK && o->plot ? draw(o, &models) : status;
+}
+
+static const char help[] =
+    "Usage: corgen contact BODIES DISSIPATION [--law L] [--speed LIST] [OPTION]...\n\n"
+    "One contact of two bodies in SI units, from what is known of it: dissipation time A, g*, beta\n"
+    "or zeta, and for each impact speed eps, durations, largest overlap and force, and a time step.\n"
+    "eps is the rebound speed over the impact speed. A contact ends at zero overlap, or at zero\n"
+    "force, where the force would become attractive.\n" HELP_CONTACT "\nOutput:\n"
+    "  --speed LIST     impact speeds, m/s: values and ranges such as 0.1,1,10 or 0.01:10:log:7\n"
+    "  --end E          zero-overlap or zero-force: where eps was measured, and what --plot shows\n"
+    "                   (default: both)\n"
+    "  --steps N        time_step_s is the shortest duration over N (default " DEFAULT_STEPS ")\n"
+    "  --for HOST       lines for the input of a simulator; --for list names the simulators\n"
+    "  --plot FILE      eps over the speed as SVG, by gnuplot\n"
+    "  --format F       text (default), csv or json\n" HELP_COMMON
+    "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
+    "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s; measured_end where eps was measured\n"
+    "and --end is not given. Without --speed csv and json have quantity,value,unit.\n"
+    "Example: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 --at 1\n"
+    "             --end zero-force --speed 0.1,1,10\n";
+
+static const struct values_rule speed_rule = {
+    "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
+static const struct option_numbers steps_numbers = {{"1", "1e9", true, true, true, "a number from 1 to 1e9"},
+                                                    DECIMAL_PLAIN};
+
+#define AT(FIELD) offsetof(struct contact_arguments, FIELD)
+static const struct option_rule options[] = {
+    CONTACT_OPTIONS(struct contact_arguments),
+    {.name = "speed", .kind = OPTION_LIST, .offset = AT(speed), .range.values = &speed_rule},
+    {.name = "steps", .kind = OPTION_REAL, .offset = AT(steps), .range.number = &steps_numbers, .needs = "speed"},
+    {.name = "for", .kind = OPTION_TEXT, .offset = AT(host), .excludes = "format steps plot"},
+    {.name = "plot", .kind = OPTION_TEXT, .offset = AT(plot), .needs = "speed"},
+    OPTION_FORMAT(struct contact_arguments, option_formats),
+    OPTION_COMMON(struct contact_arguments),
+    {.name = NULL},
+};
+
+static const struct contact_arguments defaults = {.request.end = OPTIONS_NOT_GIVEN};
+
+const struct subcommand command_contact = {.name = "contact",
+                                           .summary =
+                                               "one contact in SI units: eps, durations, forces; input of simulators",
+                                           .help = help,
+                                           .options = options,
+                                           .size = sizeof defaults,
+                                           .defaults = &defaults,
+                                           .run = run_contact};

@@ -1,0 +1,101 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen sample: eps of a contact over a range of speeds as the fewest points. */
+#include "cli/commands.h"
+#include "cli/contact_options.h"
+#include "contact/sample_table.h"
+#include "support/console.h"
+
+static int check_request(const struct sample_arguments *o, const struct sample_request *request)
+{
+    const struct decimal *const number = o->scene.number;
+    const enum sample_format format = (enum sample_format)o->common.format;
+    if (!(request->speed_min < request->speed_max))
+        return usage_error("--speed-min %s is not below --speed-max %s, as --speed-min 0.01 --speed-max 10",
+                           number[EMBED_SPEED_MIN].text, number[EMBED_SPEED_MAX].text);
+    if (!(request->tolerance >= SAMPLE_FINEST && request->tolerance <= SAMPLE_COARSEST))
+        return usage_error("--tolerance %s is not from %g to %g, as 1e-3", number[EMBED_TOLERANCE].text, SAMPLE_FINEST,
+                           SAMPLE_COARSEST);
+    if ((o->log || o->cubic) && (format == SAMPLE_MODELICA || format == SAMPLE_OPENFOAM))
+        return usage_error("--format %s: its reader interpolates linearly in the speed; no --log or --cubic",
+                           sample_format_names[format]);
+    return STATUS_OK;
+}
+
+static int write_sample(const struct sample_arguments *o, const struct sample_request *request)
+{
+    struct sample sample;
+    struct output out;
+    int status = sample_choose(&sample, request);
+    if (status == STATUS_OK)
+        status = output_open(&out, o->common.output);
+    if (status == STATUS_OK) {
+        sample_print(out.file, &sample, request, (enum sample_format)o->common.format);
+        status = output_commit(&out);
+    }
+    sample_clear(&sample);
+    return status;
+}
+
+static int run_sample(const void *arguments)
+{
+    const struct sample_arguments *const o = arguments;
+    struct contact_request contact = o->request;
+    struct contact_models models;
+    if (contact.end == OPTIONS_NOT_GIVEN)
+        contact.end = END_ZERO_OVERLAP;
+    const struct sample_request request = {.model = &models.model[0],
+                                           .end = (enum contact_end)contact.end,
+                                           .speed_min = embed_number(&o->scene, EMBED_SPEED_MIN),
+                                           .speed_max = embed_number(&o->scene, EMBED_SPEED_MAX),
+                                           .tolerance = embed_number(&o->scene, EMBED_TOLERANCE),
+                                           .log = o->log,
+                                           .cubic = o->cubic,
+                                           .duration = o->duration};
+    int status = check_request(o, &request);
+    if (status == STATUS_OK)
+        status = contact_request_models(&models, &contact);
+    if (status == STATUS_OK && o->duration && !contact_model_has_scales(&models.model[0]))
+        status =
+            usage_error("--duration needs bodies, or --stiffness and --effective-mass, which set the unit of time");
+    return status == STATUS_OK ? write_sample(o, &request) : status;
+}
+
+static const char help[] =
+    "Usage: corgen sample BODIES DISSIPATION --speed-min G --speed-max G --tolerance T [OPTION]...\n\n"
+    "eps of a contact over a range of impact speeds as the fewest points, on the curve, from which\n"
+    "interpolation gives eps within a tolerance.\n\n"
+    "  --speed-min G, --speed-max G   the range, m/s; both ends are points\n"
+    "  --tolerance T    relative error of the interpolated eps, 1e-10 to 0.1\n"
+    "  --log            interpolation in the logarithm of the speed\n"
+    "  --cubic          cubic Hermite interpolation, with a column of slopes; otherwise linear\n"
+    "  --duration       the duration of contact in s, too, within the same tolerance\n"
+    "  --end E          zero-overlap (default) or zero-force: what ends the contact\n"
+    "  --format F       text (default; with the evenly spaced table beside it), csv, json, c, python,\n"
+    "                   modelica (CombiTable1Ds), openfoam (Function1 table)\n" HELP_CONTACT "\n" HELP_COMMON
+    "\nColumns: speed_m_s,eps; then eps_slope_s_m, or eps_slope_per_log with --log, where --cubic is\n"
+    "given; then duration_s with --duration, and its slope.\n"
+    "Example: corgen sample --g-star 0.2 --speed-min 0.01 --speed-max 10 --tolerance 1e-3 --log\n";
+
+#define AT(FIELD) offsetof(struct sample_arguments, FIELD)
+static const struct option_rule options[] = {
+    SCENE_NUMBER(struct sample_arguments, "speed-min", EMBED_SPEED_MIN, &option_positive, true, NULL),
+    SCENE_NUMBER(struct sample_arguments, "speed-max", EMBED_SPEED_MAX, &option_positive, true, NULL),
+    SCENE_NUMBER(struct sample_arguments, "tolerance", EMBED_TOLERANCE, &option_positive, true, NULL),
+    {.name = "log", .kind = OPTION_FLAG, .offset = AT(log)},
+    {.name = "cubic", .kind = OPTION_FLAG, .offset = AT(cubic)},
+    {.name = "duration", .kind = OPTION_FLAG, .offset = AT(duration)},
+    CONTACT_OPTIONS(struct sample_arguments),
+    OPTION_FORMAT(struct sample_arguments, sample_format_names),
+    OPTION_COMMON(struct sample_arguments),
+    {.name = NULL},
+};
+
+static const struct sample_arguments defaults = {.request.end = OPTIONS_NOT_GIVEN};
+
+const struct subcommand command_sample = {.name = "sample",
+                                          .summary = "eps over speeds as the fewest points of a table",
+                                          .help = help,
+                                          .options = options,
+                                          .size = sizeof defaults,
+                                          .defaults = &defaults,
+                                          .run = run_sample};

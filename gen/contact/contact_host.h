@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/* Lines for the input of a simulator (a host) that realise a contact */
+#ifndef COR_GEN_CONTACT_CONTACT_HOST_H
+#define COR_GEN_CONTACT_CONTACT_HOST_H
+
+#include <stdio.h>
+
+#include "contact/contact_request.h"
+
+/* The hosts, and the contact models of each for which there are lines */
+void contact_host_list(FILE *file);
+
+/* Returns STATUS_OK, or STATUS_USAGE after a message that lists the hosts. */
+int contact_host_check(const char *host);
+
+/* The text of corgen contact --for HOST, malloc'ed; NULL after a message if the host cannot realise this contact. Where
+ * the host has the contact's law, the lines hold at every speed. Otherwise they need one impact speed and hold there. */
+char *contact_host_text(const char *host, const struct contact_request *request, const struct contact_models *models,
+                        const double *speed_m_s, size_t speeds);
+
+#endif

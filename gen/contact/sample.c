@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: MIT */
+#include "contact/sample.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "contact/sample_function.h"
+#include "support/console.h"
+#include "support/decimal.h"
+
+enum { CHECK_PLACES = 64, SEARCH_PLACES = 16, SCAN_PLACES = 64, MANY_SEGMENTS = 1000 };
+
+/* Values and slopes at both ends of a segment of one quantity */
+struct segment {
+    double x[2], value[2], slope[2];
+};
+
+struct chooser {
+    struct sample_function f;
+    bool cubic;
+    double low, high; /* of x */
+};
+
+static struct segment segment_of(const struct chooser *c, int quantity, double left, double right)
+{
+    struct segment s = {{left, right},
+                        {sample_function_value(&c->f, quantity, left), sample_function_value(&c->f, quantity, right)},
+                        {0, 0}};
+    for (int i = 0; c->cubic && i < 2; i++)
+        s.slope[i] = sample_function_slope(&c->f, quantity, s.x[i]);
+    return s;
+}
+
+/* The interpolant between the ends of the segment, at the fraction t of its length */
+static double segment_value(const struct chooser *c, const struct segment *s, double t)
+{
+    if (!c->cubic)
+        return s->value[0] + t * (s->value[1] - s->value[0]);
+    const double width = s->x[1] - s->x[0], rest = 1 - t;
+    return rest * rest * ((1 + 2 * t) * s->value[0] + t * width * s->slope[0]) +
+           t * t * ((3 - 2 * t) * s->value[1] - rest * width * s->slope[1]);
+}
+
+static double error_at(const struct chooser *c, const struct segment *s, int quantity, double t)
+{
+    const double exact = sample_function_value(&c->f, quantity, s->x[0] + t * (s->x[1] - s->x[0]));
+    return fabs(segment_value(c, s, t) / exact - 1);
+}
+
+/* The largest error of one quantity in a segment: the largest of evenly spaced places, and the vertex of the parabola
+ * through it and its neighbours */
+static double quantity_error(const struct chooser *c, int quantity, double left, double right, int places)
+{
+    const struct segment s = segment_of(c, quantity, left, right);
+    double error[CHECK_PLACES + 1] = {0};
+    int at = 1;
+    for (int i = 1; i < places; i++) {
+        error[i] = error_at(c, &s, quantity, (double)i / places);
+        if (error[i] > error[at])
+            at = i;
+    }
+    const double curvature = error[at - 1] - 2 * error[at] + error[at + 1];
+    if (!(curvature < 0))
+        return error[at];
+    const double vertex = at + (error[at - 1] - error[at + 1]) / (2 * curvature);
+    return fmax(error[at], error_at(c, &s, quantity, vertex / places));
+}
+
+static double segment_error(const struct chooser *c, double left, double right, int places)
+{
+    double most = 0;
+    for (int quantity = 0; quantity < c->f.quantities; quantity++)
+        most = fmax(most, quantity_error(c, quantity, left, right, places));
+    return most;
+}
+
+/* ---- the farthest next point ---- */
+
+/* The place in (good, bad) where the error of the segment from `left` becomes `error`: the error grows like the second
+ * power of the length, or the fourth. */
+static double refine_reach(const struct chooser *c, double left, double good, double bad, double error)
+{
+    const double power = c->cubic ? 4 : 2;
+    double guess = (good + bad) / 2;
+    for (int k = 0; k < 60 && bad - good > 1e-10 * (bad - left); k++) {
+        const double got = segment_error(c, left, guess, SEARCH_PLACES);
+        if (got <= error)
+            good = guess;
+        else
+            bad = guess;
+        if (got <= error && got > error * (1 - 1e-7))
+            break;
+        /* a little short of the root, so that both sides of the bracket move */
+        guess = left + (guess - left) * pow(error / fmax(got, 1e-30), 1 / power) * (got > error ? 1 - 1e-8 : 1 - 2e-8);
+        if (!(guess > good && guess < bad))
+            guess = (good + bad) / 2;
+    }
+    return good;
+}
+
+/* The farthest place to which a segment from `left` has at most this error. `length` is a first guess of its length. */
+static double reach(const struct chooser *c, double left, double error, double length)
+{
+    if (segment_error(c, left, c->high, SEARCH_PLACES) <= error)
+        return c->high;
+    double good = left, bad = c->high;
+    /* Near an inflection point a longer segment may have a smaller error: of a few long segments, the farthest counts. */
+    if (length > (c->high - c->low) / SCAN_PLACES)
+        for (int i = 1; i < SCAN_PLACES && good == left; i++) {
+            const double place = c->high - (c->high - left) * i / SCAN_PLACES;
+            if (segment_error(c, left, place, SEARCH_PLACES) <= error)
+                good = place;
+            else
+                bad = place;
+        }
+    for (double step = length; good == left && step > 1e-15 * fabs(left); step /= 4)
+        if (left + step < bad) {
+            if (segment_error(c, left, left + step, SEARCH_PLACES) <= error)
+                good = left + step;
+            else
+                bad = left + step;
+        }
+    return refine_reach(c, left, good, bad, error);
+}
+
+/* ---- all points ---- */
+
+/* Places points with at most this error until the end of the range or `most` segments are reached, which `x` can hold.
+ * Returns the number of segments, and in *last_error the error of the last one if it has to reach the end. */
+static size_t place_points(const struct chooser *c, double *x, size_t most, double error, double *last_error)
+{
+    double length = (c->high - c->low) / 2;
+    size_t n = 0;
+    x[0] = c->low;
+    while (x[n] < c->high && n + 1 < most) {
+        x[n + 1] = reach(c, x[n], error, 2 * length);
+        length = x[n + 1] - x[n];
+        n++;
+        if (n % 256 == 0)
+            progress("points", (long)n, 0);
+        if (!(length > 0))
+            return most + 1;
+    }
+    *last_error = 0;
+    if (x[n] < c->high) {
+        *last_error = segment_error(c, x[n], c->high, SEARCH_PLACES);
+        x[++n] = c->high;
+    }
+    return n;
+}
+
+/* Moves the points of `segments` segments until all have the same error; returns it. The error of the last segment falls
+ * while that of the others rises, so that both meet once. */
+static double equalise(const struct chooser *c, double *x, size_t segments, double upper)
+{
+    double low = 0, high = upper, last;
+    if (segments == 1)
+        return x[0] = c->low, x[1] = c->high, segment_error(c, c->low, c->high, SEARCH_PLACES);
+    double guess = upper / 2;
+    for (int k = 0; k < 100 && high - low > (segments > MANY_SEGMENTS ? 1e-3 : 1e-6) * high; k++) {
+        const size_t used = place_points(c, x, segments, guess, &last);
+        const bool enough = used < segments || (used == segments && last <= guess);
+        if (enough)
+            high = guess;
+        else
+            low = guess;
+        /* the length of the last segment is that of its power of the error */
+        const double mean = used == segments && last > 0 ? guess * pow(last / guess, 1.0 / (double)segments) : 0;
+        guess = mean > low && mean < high && k % 3 != 2 ? mean : (low + high) / 2;
+    }
+    place_points(c, x, segments, high, &last);
+    return high;
+}
+
+/* ---- tables ---- */
+
+static void points_alloc(struct sample_points *p, const struct chooser *c, size_t count)
+{
+    p->count = count;
+    p->speed_m_s = xmalloc(count * sizeof(double));
+    for (int q = 0; q < c->f.quantities; q++) {
+        p->value[q] = xmalloc(count * sizeof(double));
+        p->slope[q] = c->cubic ? xmalloc(count * sizeof(double)) : NULL;
+    }
+}
+
+static void points_clear(struct sample_points *p)
+{
+    free(p->speed_m_s);
+    for (int q = 0; q < SAMPLE_QUANTITIES; q++) {
+        free(p->value[q]);
+        free(p->slope[q]);
+    }
+}
+
+/* Speeds inside the range are rounded to 12 digits, as they are printed; their values are those of the rounded speeds. */
+static double printed_speed(double speed_m_s)
+{
+    char text[DECIMAL_TEXT];
+    snprintf(text, sizeof text, "%.12g", speed_m_s);
+    return strtod(text, NULL);
+}
+
+static void points_fill(struct sample_points *p, const struct chooser *c, const struct sample_request *request,
+                        const double *x)
+{
+    for (size_t i = 0; i < p->count; i++) {
+        p->speed_m_s[i] = i == 0              ? request->speed_min
+                          : i + 1 == p->count ? request->speed_max
+                                              : printed_speed(sample_function_speed(&c->f, x[i]));
+        const double place = sample_function_place(&c->f, p->speed_m_s[i]);
+        for (int q = 0; q < c->f.quantities; q++) {
+            p->value[q][i] = sample_function_value(&c->f, q, place);
+            if (c->cubic)
+                p->slope[q][i] = sample_function_slope(&c->f, q, place);
+        }
+    }
+    p->error = 0;
+    for (size_t i = 0; i + 1 < p->count; i++)
+        p->error = fmax(p->error, segment_error(c, sample_function_place(&c->f, p->speed_m_s[i]),
+                                                sample_function_place(&c->f, p->speed_m_s[i + 1]), CHECK_PLACES));
+}
+
+static int choose_points(struct sample *sample, const struct chooser *c, const struct sample_request *request,
+                         double *x)
+{
+    double last;
+    /* rounded speeds and measured errors must not exceed the tolerance */
+    const double allowed = request->tolerance * (1 - 1e-6);
+    const size_t segments = place_points(c, x, SAMPLE_MOST_POINTS, allowed, &last);
+    if (segments >= SAMPLE_MOST_POINTS)
+        return usage_error("--tolerance %g needs more than %d points: use --cubic, or corgen embed for a formula",
+                           request->tolerance, SAMPLE_MOST_POINTS);
+    sample->error_of_fewer =
+        segments == 1 || segments > MANY_SEGMENTS ? INFINITY : equalise(c, x, segments - 1, 16 * allowed);
+    equalise(c, x, segments, allowed);
+    points_alloc(&sample->best, c, segments + 1);
+    points_fill(&sample->best, c, request, x);
+    for (size_t i = 0; i <= segments; i++)
+        x[i] = c->low + (c->high - c->low) * (double)i / (double)segments;
+    points_alloc(&sample->even, c, segments + 1);
+    points_fill(&sample->even, c, request, x);
+    return STATUS_OK;
+}
+
+/* eps and duration are monotonic, so that their values at both ends of the range bound them. */
+static int check_values(const struct chooser *c, const struct sample_request *request)
+{
+    for (int q = 0; q < c->f.quantities; q++) {
+        const double low = sample_function_value(&c->f, q, c->low), high = sample_function_value(&c->f, q, c->high);
+        if (!(fmin(low, high) > 1e-280 && fmax(low, high) < 1e280))
+            return usage_error("%s is %g at %g m/s and %g at %g m/s: a relative tolerance needs a number above 0; give "
+                               "a narrower range of speeds, or --end zero-force",
+                               q == 0 ? "eps" : "the duration", low, request->speed_min, high, request->speed_max);
+    }
+    return STATUS_OK;
+}
+
+int sample_choose(struct sample *sample, const struct sample_request *request)
+{
+    struct chooser c = {.cubic = request->cubic};
+    *sample = (struct sample){.error_of_fewer = INFINITY};
+    sample_function_direct(&c.f, request);
+    c.low = sample_function_place(&c.f, request->speed_min);
+    c.high = sample_function_place(&c.f, request->speed_max);
+    int status = check_values(&c, request);
+    if (status == STATUS_OK)
+        status = sample_function_init(&c.f, request);
+    if (status == STATUS_OK) {
+        double *const x = xmalloc((SAMPLE_MOST_POINTS + 2) * sizeof *x);
+        status = choose_points(sample, &c, request, x);
+        free(x);
+    }
+    sample_function_clear(&c.f);
+    progress_end();
+    return status;
+}
+
+void sample_clear(struct sample *sample)
+{
+    points_clear(&sample->best);
+    points_clear(&sample->even);
+}

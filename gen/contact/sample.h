@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/* eps of a contact over a range of impact speeds as the fewest points from which interpolation gives it to a relative
+ * tolerance.
+ *
+ * The points lie on the curve, and both ends of the range are points. From each point the next is placed as far away as
+ * the tolerance allows; that gives the least number of points where a longer segment never has a smaller error, as on
+ * every convex or concave part of the curve. All points are then moved until every segment has the same error, the
+ * least that this number of points can reach. tests/gen/test_sample.c compares with an exhaustive search, and shows that
+ * one point fewer fails. */
+#ifndef COR_GEN_CONTACT_SAMPLE_H
+#define COR_GEN_CONTACT_SAMPLE_H
+
+#include <stddef.h>
+
+#include "contact/contact_model.h"
+
+#define SAMPLE_FINEST 1e-10
+#define SAMPLE_COARSEST 0.1
+enum { SAMPLE_MOST_POINTS = 100000, SAMPLE_QUANTITIES = 2 };
+
+struct sample_request {
+    const struct contact_model *model;
+    enum contact_end end;
+    double speed_min, speed_max; /* m/s */
+    double tolerance;            /* relative error, SAMPLE_FINEST to SAMPLE_COARSEST */
+    bool log;                    /* interpolation in the logarithm of the speed */
+    bool cubic;                  /* cubic Hermite interpolation of values and slopes; otherwise linear */
+    bool duration;               /* the duration, too, within the same tolerance */
+};
+
+/* Points of a table. value[0] is eps, value[1] the duration in s if asked for. slope is d value/d speed, or d value/d
+ * ln(speed) with `log`; only with `cubic`. error is the largest relative error of the interpolation, measured at 64
+ * places between each two points. */
+struct sample_points {
+    size_t count;
+    double *speed_m_s, *value[SAMPLE_QUANTITIES], *slope[SAMPLE_QUANTITIES];
+    double error;
+};
+
+struct sample {
+    struct sample_points best;
+    struct sample_points even; /* as many points, equally far apart in speed or, with `log`, in its logarithm */
+    double
+        error_of_fewer; /* the least error with one point fewer; infinite for two points, and not computed for more than a
+                                 * thousand */
+};
+
+/* Returns STATUS_OK; STATUS_USAGE after a message if the tolerance needs too many points or if eps vanishes in the
+ * range; STATUS_FAILED. In every case sample_clear frees the memory. */
+int sample_choose(struct sample *sample, const struct sample_request *request);
+void sample_clear(struct sample *sample);
+
+#endif

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/* eps and duration of a contact as functions of x = speed or x = ln(speed), quick for every law: laws that take an
+ * enclosed collision for each speed are interpolated between Chebyshev points. */
+#ifndef COR_GEN_CONTACT_SAMPLE_FUNCTION_H
+#define COR_GEN_CONTACT_SAMPLE_FUNCTION_H
+
+#include "contact/sample.h"
+
+struct sample_piece; /* of the interpolation in ln(speed) */
+
+struct sample_function {
+    const struct contact_model *model;
+    enum contact_end end;
+    bool log;
+    int quantities; /* 1: eps; 2: eps and duration */
+    struct sample_piece *piece;
+    size_t pieces;
+};
+
+/* The function without the interpolation: slow for some laws, and NaN where a collision fails */
+void sample_function_direct(struct sample_function *f, const struct sample_request *request);
+
+/* Returns STATUS_OK, or STATUS_FAILED after a message. In both cases sample_function_clear frees the memory. */
+int sample_function_init(struct sample_function *f, const struct sample_request *request);
+void sample_function_clear(struct sample_function *f);
+
+double sample_function_place(const struct sample_function *f, double speed_m_s); /* x */
+double sample_function_speed(const struct sample_function *f, double x);
+double sample_function_value(const struct sample_function *f, int quantity, double x);
+/* d value/dx by a central difference of order 6 in ln(speed); relative error below 1e-12 */
+double sample_function_slope(const struct sample_function *f, int quantity, double x);
+
+#endif

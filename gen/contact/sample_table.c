@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: MIT */
+#include "contact/sample_table.h"
+
+#include <math.h>
+
+#include "contact/contact_rows.h"
+#include "support/console.h"
+#include "support/output.h"
+
+const char *const sample_format_names[] = {
+    [SAMPLE_TEXT] = "text",     [SAMPLE_CSV] = "csv",           [SAMPLE_JSON] = "json",         [SAMPLE_C] = "c",
+    [SAMPLE_PYTHON] = "python", [SAMPLE_MODELICA] = "modelica", [SAMPLE_OPENFOAM] = "openfoam", NULL};
+
+enum { SPEED_DIGITS = 12, VALUE_DIGITS = 14, TEXT_DIGITS = 7, MOST_COLUMNS = 7 };
+
+/* A column: its name and its numbers */
+struct column {
+    const char *name;
+    const double *number;
+};
+
+static int columns_of(struct column column[MOST_COLUMNS], const struct sample_points *p,
+                      const struct sample_request *request)
+{
+    static const char *const value[] = {"eps", "duration_s"};
+    static const char *const slope[2][2] = {{"eps_slope_s_m", "duration_slope_s2_m"},
+                                            {"eps_slope_per_log", "duration_slope_s_per_log"}};
+    int n = 0;
+    column[n++] = (struct column){"speed_m_s", p->speed_m_s};
+    for (int q = 0; q < (request->duration ? 2 : 1); q++) {
+        column[n++] = (struct column){value[q], p->value[q]};
+        if (request->cubic)
+            column[n++] = (struct column){slope[request->log][q], p->slope[q]};
+    }
+    return n;
+}
+
+static const char *interpolation_name(const struct sample_request *request)
+{
+    if (request->cubic)
+        return request->log ? "cubic Hermite interpolation in ln(speed)" : "cubic Hermite interpolation in the speed";
+    return request->log ? "linear interpolation in ln(speed)" : "linear interpolation in the speed";
+}
+
+/* One sentence about the table, for every format that has comments */
+static void print_promise(FILE *file, const char *before, const struct sample *sample,
+                          const struct sample_request *request, const char *after)
+{
+    fprintf(file, "%s%zu points; %s gives %s with a relative error of %.4g at most.%s\n", before, sample->best.count,
+            interpolation_name(request), request->duration ? "eps and duration" : "eps", sample->best.error, after);
+    fprintf(file, "%s%s, contact ends at %s.%s\n", before, law_equation(&request->model->law).text,
+            request->end == END_ZERO_FORCE ? "zero force" : "zero overlap", after);
+}
+
+/* ---- text, csv, json ---- */
+
+static void print_table(FILE *file, const struct column *column, int columns, size_t rows, enum output_format format)
+{
+    const char *name[MOST_COLUMNS] = {NULL};
+    struct table table;
+    for (int k = 0; k < columns; k++)
+        name[k] = column[k].name;
+    table_init(&table, name, columns);
+    for (size_t i = 0; i < rows; i++)
+        for (int k = 0; k < columns; k++)
+            table_add(&table, contact_number_text(column[k].number[i], format == FORMAT_TEXT ? TEXT_DIGITS
+                                                                       : k == 0              ? SPEED_DIGITS
+                                                                                             : VALUE_DIGITS));
+    table_print(&table, format, file);
+    table_clear(&table);
+}
+
+/* The table, and beside it the evenly spaced one */
+static void print_beside(FILE *file, const struct sample *sample, const struct sample_request *request)
+{
+    struct column column[2 * MOST_COLUMNS];
+    int n = columns_of(column, &sample->best, request);
+    column[n++] = (struct column){"even_speed_m_s", sample->even.speed_m_s};
+    column[n++] = (struct column){"even_eps", sample->even.value[0]};
+    print_promise(file, "", sample, request, "");
+    fprintf(file, "As many evenly spaced points: %.4g.", sample->even.error);
+    if (isfinite(sample->error_of_fewer))
+        fprintf(file, " One point fewer, placed as well as possible: %.4g.", sample->error_of_fewer);
+    fputs("\n\n", file);
+    print_table(file, column, n, sample->best.count, FORMAT_TEXT);
+}
+
+/* ---- C and Python ---- */
+
+/* "before NAME after" and the numbers of each column, four a line */
+static void print_lists(FILE *file, const struct column *column, int columns, size_t rows, const char *before,
+                        const char *open, const char *close)
+{
+    for (int k = 0; k < columns; k++) {
+        fprintf(file, "%s%s%s", before, column[k].name, open);
+        for (size_t i = 0; i < rows; i++)
+            fprintf(file, "%s%.*g%s", i % 4 == 0 ? "\n    " : " ", k == 0 ? SPEED_DIGITS : VALUE_DIGITS,
+                    column[k].number[i], i + 1 < rows ? "," : "");
+        fprintf(file, "\n%s\n", close);
+    }
+}
+
+static void print_c(FILE *file, const struct sample *sample, const struct sample_request *request,
+                    const struct column *column, int columns)
+{
+    print_promise(file, "/* ", sample, request, " */");
+    fprintf(file, "enum { cor_sample_points = %zu };\n", sample->best.count);
+    print_lists(file, column, columns, sample->best.count, "static const double cor_sample_", "[cor_sample_points] = {",
+                "};");
+}
+
+static void print_python(FILE *file, const struct sample *sample, const struct sample_request *request,
+                         const struct column *column, int columns)
+{
+    const char *const log = request->log ? "numpy.log(" : "", *const end = request->log ? ")" : "";
+    print_promise(file, "# ", sample, request, "");
+    if (request->cubic)
+        fprintf(file, "# scipy.interpolate.CubicHermiteSpline(%sspeed_m_s%s, eps, %s)(%sspeed%s)\n", log, end,
+                column[2].name, log, end);
+    else
+        fprintf(file, "# numpy.interp(%sspeed%s, %sspeed_m_s%s, eps)\n", log, end, log, end);
+    print_lists(file, column, columns, sample->best.count, "", " = [", "]");
+}
+
+/* ---- simulators ---- */
+
+static void print_modelica(FILE *file, const struct sample *sample, const struct sample_request *request,
+                           const struct column *column, int columns)
+{
+    fputs("#1\n", file);
+    print_promise(file, "# ", sample, request, "");
+    fprintf(file, "double eps(%zu,%d)  # speed_m_s, eps%s\n", sample->best.count, columns,
+            request->duration ? ", duration_s" : "");
+    for (size_t i = 0; i < sample->best.count; i++)
+        for (int k = 0; k < columns; k++)
+            fprintf(file, "%.*g%c", k == 0 ? SPEED_DIGITS : VALUE_DIGITS, column[k].number[i],
+                    k + 1 < columns ? ' ' : '\n');
+}
+
+static void print_openfoam(FILE *file, const struct sample *sample, const struct sample_request *request,
+                           const struct column *column, int columns)
+{
+    print_promise(file, "// ", sample, request, "");
+    for (int k = 1; k < columns; k++) {
+        fprintf(file, "%s table\n(\n", column[k].name);
+        for (size_t i = 0; i < sample->best.count; i++)
+            fprintf(file, "    (%.*g %.*g)\n", SPEED_DIGITS, column[0].number[i], VALUE_DIGITS, column[k].number[i]);
+        fputs(");\n", file);
+    }
+}
+
+void sample_print(FILE *file, const struct sample *sample, const struct sample_request *request,
+                  enum sample_format format)
+{
+    struct column column[MOST_COLUMNS];
+    const int columns = columns_of(column, &sample->best, request);
+    switch (format) {
+    case SAMPLE_TEXT:
+        print_beside(file, sample, request);
+        break;
+    case SAMPLE_CSV:
+    case SAMPLE_JSON:
+        print_table(file, column, columns, sample->best.count, format == SAMPLE_CSV ? FORMAT_CSV : FORMAT_JSON);
+        break;
+    case SAMPLE_C:
+        print_c(file, sample, request, column, columns);
+        break;
+    case SAMPLE_PYTHON:
+        print_python(file, sample, request, column, columns);
+        break;
+    case SAMPLE_MODELICA:
+        print_modelica(file, sample, request, column, columns);
+        break;
+    case SAMPLE_OPENFOAM:
+        print_openfoam(file, sample, request, column, columns);
+        break;
+    }
+}
