@@ -23,24 +23,10 @@ static const char style[] = "set terminal svg size 720,470 fixed font 'DejaVu Sa
 static const char *const colour[] = {"#0060ad", "#c8421a", "#3a7d34", "#7b3f99"};
 enum { COLOURS = sizeof colour / sizeof *colour };
 
-/* In a string between single quotes gnuplot reads two of them as one. */
-static void write_quoted(FILE *file, const char *text)
-{
-    fputc('\'', file);
-    for (; *text; text++) {
-        if (*text == '\'')
-            fputc('\'', file);
-        fputc(*text, file);
-    }
-    fputc('\'', file);
-}
-
 static void write_script(FILE *file, const char *title, const struct contact_curve *curve, size_t curves)
 {
     fputs(style, file);
-    fputs("set title ", file);
-    write_quoted(file, title);
-    fputs(" noenhanced\n", file);
+    fprintf(file, "set title \"%s\" noenhanced\n", title);
     for (size_t i = 0; i < curves; i++) {
         fprintf(file, "$curve%zu << end_of_curve\n", i);
         for (size_t k = 0; k < curve[i].count; k++)

@@ -18,10 +18,11 @@ enum host_law {
     HOST_HERTZ_DASHPOT,
     HOST_SPHERE,
     HOST_HUNT_CROSSLEY,
+    HOST_IMPULSE, /* no force: the host sets the rebound speed to e times the impact speed */
     HOST_LAWS
 };
 
-enum host_end { HOST_ZERO_OVERLAP, HOST_ZERO_FORCE, HOST_LIMITED, HOST_APPROACH_ONLY, HOST_ENDS };
+enum host_end { HOST_ZERO_OVERLAP, HOST_ZERO_FORCE, HOST_LIMITED, HOST_APPROACH_ONLY, HOST_INSTANT, HOST_ENDS };
 
 /* Two bodies in contact, in SI units */
 struct host_scene {
@@ -51,6 +52,10 @@ struct host_model {
     const char *file;   /* the host's file that computes it */
     const char *known;  /* "run", "source" or "documentation" */
     const char *advice; /* a sentence for the user */
+
+    /* The version of the host for which `paste` was made, and lines for its input; NULL: none. `paste` begins with the
+     * opening of a comment in the host's language and a bar. Words in braces stand for numbers (contact_host.c). */
+    const char *version, *paste;
 };
 
 extern const struct host_model host_models[];
@@ -60,7 +65,7 @@ const char *host_law_name(enum host_law law);
 const char *host_end_name(enum host_end end);
 
 /* The restitution of a law for an end of contact, and its inverse, for the laws with closed forms: linear, Tsuji, Hunt
- * and Crossley. NaN for the other laws. */
+ * and Crossley, an impulse. NaN for the other laws. */
 double host_eps(enum host_law law, enum host_end end, double damping);
 double host_damping(enum host_law law, enum host_end end, double eps);
 
