@@ -27,7 +27,7 @@ static struct segment segment_of(const struct chooser *c, int quantity, double l
                         {sample_function_value(&c->f, quantity, left), sample_function_value(&c->f, quantity, right)},
                         {0, 0}};
     for (int i = 0; c->cubic && i < 2; i++)
-        s.slope[i] = sample_function_slope(&c->f, quantity, s.x[i]);
+        s.slope[i] = sample_function_slope(&c->f, quantity, sample_function_speed(&c->f, s.x[i]));
     return s;
 }
 
@@ -208,11 +208,10 @@ static void points_fill(struct sample_points *p, const struct chooser *c, const 
         p->speed_m_s[i] = i == 0              ? request->speed_min
                           : i + 1 == p->count ? request->speed_max
                                               : printed_speed(sample_function_speed(&c->f, x[i]));
-        const double place = sample_function_place(&c->f, p->speed_m_s[i]);
         for (int q = 0; q < c->f.quantities; q++) {
-            p->value[q][i] = sample_function_value(&c->f, q, place);
+            p->value[q][i] = sample_function_at_speed(&c->f, q, p->speed_m_s[i]);
             if (c->cubic)
-                p->slope[q][i] = sample_function_slope(&c->f, q, place);
+                p->slope[q][i] = sample_function_slope(&c->f, q, p->speed_m_s[i]);
         }
     }
     p->error = 0;

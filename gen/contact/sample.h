@@ -4,8 +4,8 @@
  *
  * The points lie on the curve, and both ends of the range are points. From each point the next is placed as far away as
  * the tolerance allows; that gives the least number of points where a longer segment never has a smaller error, as on
- * every convex or concave part of the curve. All points are then moved until every segment has the same error, the
- * least that this number of points can reach. tests/gen/test_sample.c compares with an exhaustive search, and shows that
+ * every convex or concave part of the curve. All points are then moved until the segments have the same error, the
+ * least that this number of points can reach; a segment in which the curvature changes its sign may have less. tests/gen/test_sample.c compares with an exhaustive search, and shows that
  * one point fewer fails. */
 #ifndef COR_GEN_CONTACT_SAMPLE_H
 #define COR_GEN_CONTACT_SAMPLE_H

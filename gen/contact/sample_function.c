@@ -169,7 +169,7 @@ double sample_function_speed(const struct sample_function *f, double x)
     return f->log ? exp(x) : x;
 }
 
-static double value_at_speed(const struct sample_function *f, int quantity, double speed_m_s)
+double sample_function_at_speed(const struct sample_function *f, int quantity, double speed_m_s)
 {
     double value[SAMPLE_QUANTITIES] = {(double)NAN, (double)NAN};
     if (!f->piece) {
@@ -186,18 +186,17 @@ static double value_at_speed(const struct sample_function *f, int quantity, doub
 
 double sample_function_value(const struct sample_function *f, int quantity, double x)
 {
-    return value_at_speed(f, quantity, sample_function_speed(f, x));
+    return sample_function_at_speed(f, quantity, sample_function_speed(f, x));
 }
 
-double sample_function_slope(const struct sample_function *f, int quantity, double x)
+double sample_function_slope(const struct sample_function *f, int quantity, double speed_m_s)
 {
     static const double weight[SLOPE_REACH] = {3.0 / 4, -3.0 / 20, 1.0 / 60};
-    const double speed_m_s = sample_function_speed(f, x);
     double sum = 0;
     for (int k = 1; k <= SLOPE_REACH; k++) {
         const double factor = exp(k * SLOPE_STEP);
-        sum += weight[k - 1] *
-               (value_at_speed(f, quantity, speed_m_s * factor) - value_at_speed(f, quantity, speed_m_s / factor));
+        sum += weight[k - 1] * (sample_function_at_speed(f, quantity, speed_m_s * factor) -
+                                sample_function_at_speed(f, quantity, speed_m_s / factor));
     }
     return sum / SLOPE_STEP / (f->log ? 1 : speed_m_s);
 }

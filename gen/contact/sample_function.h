@@ -26,8 +26,9 @@ void sample_function_clear(struct sample_function *f);
 
 double sample_function_place(const struct sample_function *f, double speed_m_s); /* x */
 double sample_function_speed(const struct sample_function *f, double x);
+double sample_function_at_speed(const struct sample_function *f, int quantity, double speed_m_s);
 double sample_function_value(const struct sample_function *f, int quantity, double x);
-/* d value/dx by a central difference of order 6 in ln(speed); relative error below 1e-12 */
-double sample_function_slope(const struct sample_function *f, int quantity, double x);
+/* d value/dx at a speed, by a central difference of order 6 in ln(speed); relative error below 1e-12 */
+double sample_function_slope(const struct sample_function *f, int quantity, double speed_m_s);
 
 #endif

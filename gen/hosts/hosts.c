@@ -453,7 +453,8 @@ const struct host_model host_models[] = {
      ASKED(loss_of_impulse, 0, 1), "src/collision.c", "source",
      "Any law: eps of each impact is computed from its speed.", "4",
      "//|// cor_eps.h: {embed}\n#include \"cor_eps.h\"\nstatic double cor_restitution(const struct reb_simulation "
-     "*const r, double v)\n{\n    return cor_eps(v < 0 ? -v : v); // v in m/s: multiply by the unit of speed of the "
+     "*const r, double v)\n{\n    return cor_eps(v < 0 ? -v : v); // cor_eps takes m/s: convert v from the units of "
+     "the "
      "simulation\n}\n// once: r->coefficient_of_restitution = cor_restitution;\n"},
 };
 const size_t host_model_count = sizeof host_models / sizeof *host_models;

@@ -1,0 +1,196 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen sample: the tolerance holds, the errors are equal, one point fewer fails, and an exhaustive search over a grid
+ * finds no smaller table. */
+#include "check.h"
+
+#include "contact/sample.h"
+
+static struct contact_model sphere_of(double g_star)
+{
+    struct contact_model model = contact_model_of_law(&law_sphere);
+    contact_model_set_g_star(&model, g_star);
+    return model;
+}
+
+static double eps_at(const struct sample_request *r, double speed)
+{
+    double eps;
+    assert_int_equal(contact_model_eps(&eps, r->model, speed, r->end), 0);
+    return eps;
+}
+
+static double place(const struct sample_request *r, double speed)
+{
+    return r->log ? log(speed) : speed;
+}
+
+/* d eps/d place by a difference of order 4 */
+static double slope_at(const struct sample_request *r, double speed)
+{
+    const double h = 1e-3;
+    const double d = 8 * (eps_at(r, speed * exp(h)) - eps_at(r, speed * exp(-h))) -
+                     (eps_at(r, speed * exp(2 * h)) - eps_at(r, speed * exp(-2 * h)));
+    return d / (12 * h) / (r->log ? 1 : speed);
+}
+
+/* The largest relative error between two speeds, at evenly spaced places */
+static double error_between(const struct sample_request *r, double low, double high, int places)
+{
+    const double x0 = place(r, low), x1 = place(r, high), y0 = eps_at(r, low), y1 = eps_at(r, high), w = x1 - x0;
+    const double s0 = r->cubic ? slope_at(r, low) : 0, s1 = r->cubic ? slope_at(r, high) : 0;
+    double most = 0;
+    for (int i = 1; i < places; i++) {
+        const double t = (double)i / places, x = x0 + t * w, u = 1 - t;
+        const double y =
+            r->cubic ? (1 + 2 * t) * u * u * y0 + t * u * u * w * s0 + t * t * (3 - 2 * t) * y1 - t * t * u * w * s1
+                     : y0 + t * (y1 - y0);
+        most = fmax(most, fabs(y / eps_at(r, r->log ? exp(x) : x) - 1));
+    }
+    return most;
+}
+
+static void check_sample(const struct sample_request *r)
+{
+    struct sample s;
+    assert_int_equal(sample_choose(&s, r), 0);
+    double errors[2000], most = 0;
+    int unequal = 0;
+    assert_true(s.best.count < 2000);
+    assert_true(s.best.speed_m_s[0] == r->speed_min && s.best.speed_m_s[s.best.count - 1] == r->speed_max);
+    for (size_t i = 0; i + 1 < s.best.count; i++) {
+        errors[i] = error_between(r, s.best.speed_m_s[i], s.best.speed_m_s[i + 1], 100);
+        assert_true(s.best.value[0][i] == eps_at(r, s.best.speed_m_s[i]));
+        most = fmax(most, errors[i]);
+    }
+    check(most <= r->tolerance, "error %g beyond %g with %zu points", most, r->tolerance, s.best.count);
+    check(fabs(most / s.best.error - 1) < 1e-3, "error %g, said to be %g", most, s.best.error);
+    /* where the curvature changes its sign, a segment may have a smaller error than its neighbours */
+    for (size_t i = 0; i + 1 < s.best.count; i++)
+        unequal += errors[i] < 0.98 * most;
+    check(unequal <= 2, "%d of %zu errors are not the largest", unequal, s.best.count - 1);
+    check(s.error_of_fewer > r->tolerance, "one point fewer has %g", s.error_of_fewer);
+    check(s.even.count == s.best.count && s.even.error > s.best.error, "evenly spaced: %g", s.even.error);
+    sample_clear(&s);
+}
+
+static void tolerances_hold(void **state)
+{
+    (void)state;
+    const struct contact_model model = sphere_of(0.2);
+    for (int end = 0; end < CONTACT_ENDS; end++)
+        for (int kind = 0; kind < 4; kind++)
+            for (double tolerance = 1e-2; tolerance > (kind / 2 ? 1e-7 : (double)few_or_all(100, 1) * 1e-6);
+                 tolerance /= 50)
+                check_sample(&(struct sample_request){.model = &model,
+                                                      .end = (enum contact_end)end,
+                                                      .speed_min = 0.01,
+                                                      .speed_max = 10,
+                                                      .tolerance = tolerance,
+                                                      .log = kind % 2,
+                                                      .cubic = kind / 2});
+}
+
+/* ---- an exhaustive search ---- */
+
+enum { GRID = 60 };
+
+/* The least number of segments between the ends of the range with points on a grid */
+static int fewest_on_grid(const struct sample_request *r, double tolerance)
+{
+    int best[GRID];
+    double speed[GRID];
+    for (int i = 0; i < GRID; i++)
+        speed[i] = r->speed_min * pow(r->speed_max / r->speed_min, (double)i / (GRID - 1));
+    best[0] = 0;
+    for (int k = 1; k < GRID; k++) {
+        best[k] = GRID;
+        for (int i = 0; i < k; i++)
+            if (best[i] + 1 < best[k] && error_between(r, speed[i], speed[k], 24) <= tolerance)
+                best[k] = best[i] + 1;
+    }
+    return best[GRID - 1];
+}
+
+static void no_smaller_table(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (int turn = 0; turn < (int)few_or_all(3, 40); turn++) {
+        const struct contact_model model = sphere_of(random_log(&random, 0.01, 1e4));
+        struct sample_request r = {.model = &model,
+                                   .end = (enum contact_end)(turn % 2),
+                                   .speed_min = 1e-3,
+                                   .speed_max = random_log(&random, 0.1, 100),
+                                   .tolerance = random_log(&random, 1e-3, 3e-2),
+                                   .log = turn % 3 != 0};
+        struct sample s;
+        assert_int_equal(sample_choose(&s, &r), 0);
+        const int grid = fewest_on_grid(&r, r.tolerance);
+        check((int)s.best.count - 1 <= grid, "%zu segments, the grid needs %d", s.best.count - 1, grid);
+        /* what the grid finds within the error of one point fewer, the free points find, too */
+        if (isfinite(s.error_of_fewer))
+            check(fewest_on_grid(&r, s.error_of_fewer * 0.999) > (int)s.best.count - 2,
+                  "the grid needs fewer than %zu segments for %g", s.best.count - 1, s.error_of_fewer);
+        sample_clear(&s);
+    }
+}
+
+/* A law whose collisions are enclosed, with durations; and constant eps, for which two points are enough */
+static void other_laws(void **state)
+{
+    (void)state;
+    struct law law;
+    assert_null(law_parse(&law, "2", "1"));
+    struct contact_model model = contact_model_of_law(&law);
+    contact_model_set_g_star(&model, 0.3);
+    model.mass_kg = 1e-3;
+    model.stiffness = 1e6;
+    const struct sample_request r = {
+        .model = &model, .speed_min = 0.1, .speed_max = 1, .tolerance = 1e-3, .duration = true};
+    struct sample s;
+    struct contact_impact impact;
+    assert_int_equal(sample_choose(&s, &r), 0);
+    for (size_t i = 0; i < s.best.count; i += 5) {
+        assert_int_equal(contact_model_impact(&impact, &model, s.best.speed_m_s[i]), 0);
+        assert_true(fabs(s.best.value[0][i] / impact.eps[0] - 1) < 1e-12);
+        assert_true(fabs(s.best.value[1][i] / impact.duration_s[0] - 1) < 1e-12);
+    }
+    assert_true(s.best.error <= 1e-3 && s.error_of_fewer > 1e-3);
+    sample_clear(&s);
+
+    assert_null(law_parse(&law, "1", "0"));
+    model = contact_model_of_law(&law);
+    model.damping = 0.3;
+    const struct sample_request constant = {.model = &model, .speed_min = 0.1, .speed_max = 1, .tolerance = 1e-3};
+    assert_int_equal(sample_choose(&s, &constant), 0);
+    assert_true(s.best.count == 2 && s.best.error < 1e-15);
+    sample_clear(&s);
+}
+
+static void refusals(void **state)
+{
+    (void)state;
+    struct sample s;
+    const struct contact_model model = sphere_of(0.2);
+    const struct sample_request fine = {.model = &model, .speed_min = 1e-6, .speed_max = 1e6, .tolerance = 1e-10};
+    assert_int_equal(sample_choose(&s, &fine), 2);
+    sample_clear(&s);
+    struct law law;
+    assert_null(law_parse(&law, "3/2", "0"));
+    struct contact_model dashpot = contact_model_of_law(&law);
+    contact_model_set_beta(&dashpot, 1, 1); /* never parts below 0.55 m/s */
+    const struct sample_request sticks = {.model = &dashpot, .speed_min = 0.1, .speed_max = 10, .tolerance = 1e-3};
+    assert_int_equal(sample_choose(&s, &sticks), 2);
+    sample_clear(&s);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tolerances_hold),
+        cmocka_unit_test(no_smaller_table),
+        cmocka_unit_test(other_laws),
+        cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
