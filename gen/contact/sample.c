@@ -239,6 +239,9 @@ static int choose_points(struct sample *sample, const struct chooser *c, const s
         x[i] = c->low + (c->high - c->low) * (double)i / (double)segments;
     points_alloc(&sample->even, c, segments + 1);
     points_fill(&sample->even, c, request, x);
+    /* a few long segments over an inflection point may do better where they lie evenly */
+    if (sample->even.error < sample->best.error)
+        points_fill(&sample->best, c, request, x);
     return STATUS_OK;
 }
 

@@ -16,7 +16,7 @@
 
 #define SAMPLE_FINEST 1e-10
 #define SAMPLE_COARSEST 0.1
-enum { SAMPLE_MOST_POINTS = 100000, SAMPLE_QUANTITIES = 2 };
+enum { SAMPLE_MOST_POINTS = 20000, SAMPLE_QUANTITIES = 2 };
 
 struct sample_request {
     const struct contact_model *model;
