@@ -137,8 +137,11 @@ static int run_contact(const void *arguments)
     int status = contact_request_models(&models, &o->request);
     if (status != STATUS_OK)
         return status;
-    status = o->host ? print_for_host(o, &models) : print_tables(o, &models);
-    return status == STATUS_OK && o->plot ? draw(o, &models) : status;
+    if (o->host)
+        return print_for_host(o, &models);
+    if (o->plot)
+        status = draw(o, &models);
+    return status == STATUS_OK ? print_tables(o, &models) : status;
 }
 
 static const char help[] =

@@ -278,15 +278,31 @@ int contact_model_eps(double *eps, const struct contact_model *model, double spe
                : STATUS_OK;
 }
 
+/* The unit of time at a speed */
+static double time_unit(const struct contact_model *model, double speed_m_s)
+{
+    const double a = ratio_value(model->law.a);
+    return time_factor(model) * pow(speed_m_s, (1 - a) / (1 + a));
+}
+
+int contact_model_eps_duration(double *eps, double *duration_s, const struct contact_model *model, double speed_m_s,
+                               enum contact_end end)
+{
+    struct scaled_impact scaled;
+    const int status = scaled_impact(&scaled, model, damping_parameter(model, speed_m_s));
+    const bool defined = status == STATUS_OK && contact_model_has_end(model, end);
+    *eps = defined ? scaled.eps[end] : (double)NAN;
+    *duration_s = defined ? scaled.duration[end] * time_unit(model, speed_m_s) : (double)NAN;
+    return status;
+}
+
 int contact_model_impact(struct contact_impact *impact, const struct contact_model *model, double speed_m_s)
 {
     struct scaled_impact scaled;
-    const double parameter = damping_parameter(model, speed_m_s);
+    const double parameter = damping_parameter(model, speed_m_s), time = time_unit(model, speed_m_s);
     const int status = scaled_impact(&scaled, model, parameter);
     if (status != STATUS_OK)
         return status;
-    const double a = ratio_value(model->law.a);
-    const double time = time_factor(model) * pow(speed_m_s, (1 - a) / (1 + a));
     impact->beta = contact_model_beta(model, speed_m_s);
     for (int end = 0; end < CONTACT_ENDS; end++) {
         const bool has = contact_model_has_end(model, (enum contact_end)end);
@@ -295,7 +311,8 @@ int contact_model_impact(struct contact_impact *impact, const struct contact_mod
     }
     impact->max_overlap_m = scaled.max_overlap * speed_m_s * time;
     /* The plate takes up K x^a; the other term of the equation of motion is its own motion. */
-    const double force = model->plate ? pow(scaled.max_overlap, a) : contact_force_max(&model->law, parameter);
+    const double force =
+        model->plate ? pow(scaled.max_overlap, ratio_value(model->law.a)) : contact_force_max(&model->law, parameter);
     impact->max_force_n = model->mass_kg * speed_m_s / time * force;
     return STATUS_OK;
 }

@@ -74,8 +74,11 @@ struct contact_impact {
     double max_force_n; /* the largest force between the bodies, damping included (contact_force.h) */
 };
 
-/* Solves the impact at a speed above 0. Both return STATUS_OK, or STATUS_FAILED after a message. */
+/* Solves the impact at a speed above 0. All return STATUS_OK, or STATUS_FAILED after a
+ * message. The third computes neither overlap nor force, which takes a fraction of the time. */
 int contact_model_impact(struct contact_impact *impact, const struct contact_model *model, double speed_m_s);
 int contact_model_eps(double *eps, const struct contact_model *model, double speed_m_s, enum contact_end end);
+int contact_model_eps_duration(double *eps, double *duration_s, const struct contact_model *model, double speed_m_s,
+                               enum contact_end end);
 
 #endif

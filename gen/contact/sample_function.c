@@ -31,11 +31,7 @@ static int value_direct(double value[SAMPLE_QUANTITIES], const struct sample_fun
 {
     if (f->quantities == 1)
         return contact_model_eps(&value[0], f->model, speed_m_s, f->end);
-    struct contact_impact impact;
-    const int status = contact_model_impact(&impact, f->model, speed_m_s);
-    value[0] = impact.eps[f->end];
-    value[1] = impact.duration_s[f->end];
-    return status;
+    return contact_model_eps_duration(&value[0], &value[1], f->model, speed_m_s, f->end);
 }
 
 /* ---- pieces ---- */

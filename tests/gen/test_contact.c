@@ -164,7 +164,7 @@ static void impacts_against_integration(void **state)
             close_to("duration, zero force", got.duration_s[END_ZERO_FORCE], want.duration_s[END_ZERO_FORCE], 1e-9);
         }
         if (want.duration_s[END_ZERO_OVERLAP] > 0) {
-            close_to("eps, zero overlap", got.eps[END_ZERO_OVERLAP], want.eps[END_ZERO_OVERLAP], 1e-5);
+            close_to("eps, zero overlap", got.eps[END_ZERO_OVERLAP], want.eps[END_ZERO_OVERLAP], 1e-4);
             close_to("duration, zero overlap", got.duration_s[END_ZERO_OVERLAP], want.duration_s[END_ZERO_OVERLAP],
                      1e-6);
         }
