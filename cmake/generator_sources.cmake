@@ -10,30 +10,18 @@ set(COR_GENERATOR_SOURCES
   gen/approximation/pieces.c
   gen/approximation/published.c
   gen/cli/collide.c
-  gen/cli/contact.c
   gen/cli/disk_collide.c
   gen/cli/disk_modes.c
   gen/cli/embed.c
-  gen/cli/fit.c
   gen/cli/law.c
   gen/cli/options.c
   gen/cli/pade.c
   gen/cli/plan.c
   gen/cli/proved_table.c
-  gen/cli/sample.c
   gen/cli/series.c
   gen/cli/subcommand.c
   gen/cli/tables.c
   gen/cli/trajectory.c
-  gen/contact/contact_force.c
-  gen/contact/contact_host.c
-  gen/contact/contact_model.c
-  gen/contact/contact_plot.c
-  gen/contact/contact_request.c
-  gen/contact/contact_rows.c
-  gen/contact/sample.c
-  gen/contact/sample_function.c
-  gen/contact/sample_table.c
   gen/disk/equation.c
   gen/disk/modes.c
   gen/disk/modes_rounded.c
@@ -53,14 +41,6 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/taylor.c
   gen/enclosure/threshold.c
   gen/enclosure/wave_factor.c
-  gen/fit/compare.c
-  gen/fit/data.c
-  gen/fit/distribution.c
-  gen/fit/least_squares.c
-  gen/fit/likelihood.c
-  gen/fit/models.c
-  gen/fit/plot.c
-  gen/fit/report.c
   gen/hosts/hosts.c
   gen/plan/disks.c
   gen/plan/plan.c
@@ -97,3 +77,25 @@ set(COR_GENERATOR_SOURCES
   gen/tables/pade.c
   gen/tables/sphere.c
   gen/tables/waves.c)
+# Sources that call the library with its tables. COR_BOOTSTRAP=ON leaves them out.
+set(COR_GENERATOR_CALLERS
+  gen/cli/contact.c
+  gen/cli/fit.c
+  gen/cli/sample.c
+  gen/contact/contact_force.c
+  gen/contact/contact_host.c
+  gen/contact/contact_model.c
+  gen/contact/contact_plot.c
+  gen/contact/contact_request.c
+  gen/contact/contact_rows.c
+  gen/contact/sample.c
+  gen/contact/sample_function.c
+  gen/contact/sample_table.c
+  gen/fit/compare.c
+  gen/fit/data.c
+  gen/fit/distribution.c
+  gen/fit/least_squares.c
+  gen/fit/likelihood.c
+  gen/fit/models.c
+  gen/fit/plot.c
+  gen/fit/report.c)
