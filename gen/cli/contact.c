@@ -17,7 +17,7 @@ _Static_assert(OPTIONS_NOT_GIVEN == CONTACT_BOTH_ENDS, "--end that is not given 
 
 static double steps_of(const struct contact_arguments *o)
 {
-    return o->steps.text ? decimal_value(&o->steps) : atof(DEFAULT_STEPS);
+    return o->steps.text ? decimal_value(&o->steps) : strtod(DEFAULT_STEPS, NULL);
 }
 
 /* ---- the tables ---- */

@@ -9,7 +9,7 @@
 #include "hosts/hosts.h"
 #include "support/console.h"
 
-enum { TEXT_DIGITS = 12, REASON = 400 };
+enum { TEXT_DIGITS = 12, REASON = 600 };
 
 /* ---- the hosts ---- */
 
@@ -416,7 +416,7 @@ static int print_rows(FILE *file, char refusal[REASON], const char *host, const 
         free(lines);
     }
     if (comment && *refusal) {
-        char text[REASON + 16];
+        char text[2 * REASON];
         snprintf(text, sizeof text, "left out: %s", refusal);
         print_comment(file, comment, text);
     }
