@@ -12,21 +12,11 @@
 
 #include <stddef.h>
 
-#include "contact/contact_model.h"
+#include "contact/sample_function.h"
 
 #define SAMPLE_FINEST 1e-10
 #define SAMPLE_COARSEST 0.1
-enum { SAMPLE_MOST_POINTS = 20000, SAMPLE_QUANTITIES = 2 };
-
-struct sample_request {
-    const struct contact_model *model;
-    enum contact_end end;
-    double speed_min, speed_max; /* m/s */
-    double tolerance;            /* relative error, SAMPLE_FINEST to SAMPLE_COARSEST */
-    bool log;                    /* interpolation in the logarithm of the speed */
-    bool cubic;                  /* cubic Hermite interpolation of values and slopes; otherwise linear */
-    bool duration;               /* the duration, too, within the same tolerance */
-};
+enum { SAMPLE_MOST_POINTS = 20000 };
 
 /* Points of a table. value[0] is eps, value[1] the duration in s if asked for. slope is d value/d speed, or d value/d
  * ln(speed) with `log`; only with `cubic`. error is the largest relative error of the interpolation, measured at 64

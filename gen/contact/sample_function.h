@@ -4,7 +4,22 @@
 #ifndef COR_GEN_CONTACT_SAMPLE_FUNCTION_H
 #define COR_GEN_CONTACT_SAMPLE_FUNCTION_H
 
-#include "contact/sample.h"
+#include <stddef.h>
+
+#include "contact/contact_model.h"
+
+enum { SAMPLE_QUANTITIES = 2 }; /* eps and duration */
+
+/* The request of corgen sample */
+struct sample_request {
+    const struct contact_model *model;
+    enum contact_end end;
+    double speed_min, speed_max; /* m/s */
+    double tolerance;            /* relative error, SAMPLE_FINEST to SAMPLE_COARSEST */
+    bool log;                    /* interpolation in the logarithm of the speed */
+    bool cubic;                  /* cubic Hermite interpolation of values and slopes; otherwise linear */
+    bool duration;               /* the duration, too, within the same tolerance */
+};
 
 struct sample_piece; /* of the interpolation in ln(speed) */
 
