@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: MIT
+"""The C module of the Python package: declarations for cffi, and one loop over arrays for each function.
+
+A loop takes the address and the step of each number, 0 for a number that is the same for all elements, or else 1. It
+calls the array function of the library where there is one for these steps, and the scalar function otherwise; both
+give the same bits.
+"""
+
+from typing import List, Optional
+
+from .calls import Call, calls, is_value
+from .declarations import Constant, Declarations, Function, Parameter
+
+C_OF_KIND = {"d": "double", "i": "int", "n": "size_t"}
+
+
+def kind_of(p: Parameter) -> str:
+    """d, i or n: how a number is passed to a loop."""
+    return {"double": "d", "float": "d", "size_t": "n"}.get(p.type, "i")
+
+
+def constant_type(constant: Constant) -> str:
+    if constant.text.startswith('"'):
+        return "str"
+    return "int" if constant.text.lstrip("-").isdigit() else "float"
+
+
+def declarations(declared: Declarations) -> str:
+    """What cffi is given to read."""
+    lines = list(declared.types)
+    lines += [f"{_prototype(call.function)};" for call in calls(declared).values() if call.kind == "other"]
+    lines += [f"extern {o.type} {o.name};" for o in declared.objects.values()]
+    for constant in declared.constants.values():
+        c_type = {"str": "char *const", "int": "const int", "float": "const double"}[constant_type(constant)]
+        if not constant.parameters:
+            lines.append(f"static {c_type} {constant.name};")
+    lines += [f"{head};" for head, _ in _loops(declared)]
+    lines += [f'extern "Python" {head};' for head in _observers(declared)]
+    return "\n".join(lines)
+
+
+def source(declared: Declarations) -> str:
+    """The text of the C module that cffi puts before its own."""
+    parts = [
+        "#include <cor/cor.h>",
+        "/* A loop has a step for every number, also where the form that it calls needs none. */",
+    ]
+    parts += [f"{head}\n{{\n{body}}}" for head, body in _loops(declared)]
+    return "\n\n".join(parts) + "\n"
+
+
+def _prototype(function: Function) -> str:
+    parameters = ", ".join(f"{p.type} {p.name}" for p in function.parameters)
+    return f"{function.result} {function.name}({parameters or 'void'})"
+
+
+def _observers(declared: Declarations) -> List[str]:
+    """The functions of Python that C calls: one for each field of a struct that is a pointer to a function."""
+    return [
+        field.type.replace("(*)", f"cor_python_{field.name}_{struct.name[len('cor_'):]}")
+        for struct in declared.structs.values()
+        for field in struct.fields
+        if "(*)" in field.type
+    ]
+
+
+def _loops(declared: Declarations) -> "list[tuple[str, str]]":
+    found = []
+    for call in calls(declared).values():
+        if call.kind == "elementwise":
+            found.append(_loop(call, call.function, call.array, "double"))
+            if call.float_function:
+                found.append(_loop(call, call.float_function, call.float_array, "float"))
+        elif call.kind in ("record", "init"):
+            found.append(_record_loop(call))
+    for constant in declared.constants.values():
+        if constant.parameters:
+            found.append(_macro_loop(constant))
+    return found
+
+
+def _number(p: Parameter, real: str) -> str:
+    return C_OF_KIND[kind_of(p)].replace("double", real)
+
+
+def _head(name: str, call: Call, real: str, results: str) -> str:
+    parameters = [f"{p.type} {p.name}" for p in call.structs]
+    for p in call.values:
+        parameters += [f"const {_number(p, real)} *{p.name}", f"size_t {p.name}_step"]
+    return f"static void {name}({', '.join(parameters + [results, 'size_t count'])})"
+
+
+def _element(p: Parameter) -> str:
+    if not is_value(p):
+        return p.name
+    cast = f"({p.type})" if p.type.startswith("enum") else ""
+    return f"{cast}{p.name}[i * {p.name}_step]"
+
+
+def _loop(call: Call, scalar: Function, array: Optional[Function], real: str) -> "tuple[str, str]":
+    result = real if scalar.result in ("double", "float") else scalar.result
+    head = _head(call.loop + ("f" if real == "float" else ""), call, real, f"{result} *result")
+    body = ""
+    if array:
+        tests, arguments = [], []
+        for p, form in zip(scalar.parameters, array.parameters):
+            pointer = is_value(p) and "*" in form.type
+            if is_value(p):
+                tests.append(f"{p.name}_step == {int(pointer)}")
+            arguments.append(f"*{p.name}" if is_value(p) and not pointer else p.name)
+        body += f"    if (count && (count == 1 || ({' && '.join(tests)}))) {{\n"
+        body += f"        {array.name}({', '.join(arguments)}, result, count);\n        return;\n    }}\n"
+    arguments = [_element(p) for p in scalar.parameters]
+    body += "    for (size_t i = 0; i < count; i++)\n"
+    body += f"        result[i] = {scalar.name}({', '.join(arguments)});\n"
+    return head, body
+
+
+def _record_loop(call: Call) -> "tuple[str, str]":
+    out = call.out
+    head = _head(call.loop, call, "double", "char *result, size_t stride")
+    arguments = [
+        f"(struct {out} *)(void *)(result + i * stride)" if p.type == f"struct {out} *" else _element(p)
+        for p in call.function.parameters
+    ]
+    body = "    for (size_t i = 0; i < count; i++) {\n"
+    body += f"        int *status = (int *)(void *)(result + i * stride + sizeof(struct {out}));\n"
+    body += f"        *status = {call.function.name}({', '.join(arguments)});\n    }}\n"
+    return head, body
+
+
+def _macro_loop(constant: Constant) -> "tuple[str, str]":
+    names = constant.parameters
+    values = ", ".join(f"const double *{name}, size_t {name}_step" for name in names)
+    arguments = ", ".join(f"{name}[i * {name}_step]" for name in names)
+    head = f"static void cor_loop_{constant.name[len('COR_'):]}({values}, double *result, size_t count)"
+    body = f"    for (size_t i = 0; i < count; i++)\n        result[i] = {constant.name}({arguments});\n"
+    return head, body

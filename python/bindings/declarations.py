@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: MIT
+"""Reads the declarations of cor's public headers, with the comment that documents each.
+
+The parser reads the subset of C in which the headers are written: comments, #define, #include "...", functions and
+objects marked COR_API, structs, enums, and macros whose names end in _ and which expand to declarations. It stops with
+SyntaxError at any other text, so that no declaration is skipped in silence.
+"""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Dict, Iterator, List, Optional, Tuple
+
+NOT_READ = ("export.h",)  # defines COR_API alone
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter, a field or a result. type is the C type without the name, pointers included."""
+
+    type: str
+    name: str
+    doc: str = ""
+
+
+@dataclass(frozen=True)
+class Function:
+    name: str
+    result: str
+    parameters: Tuple[Parameter, ...]
+    header: str
+    doc: str
+
+
+@dataclass(frozen=True)
+class Struct:
+    name: str
+    fields: Tuple[Parameter, ...]
+    header: str
+    doc: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Enum:
+    name: str
+    members: Tuple[Tuple[str, int, str], ...]  # name, value, comment
+    header: str
+    doc: str
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A macro with a value, or with parameters and an expression."""
+
+    name: str
+    parameters: Tuple[str, ...]
+    text: str
+    header: str
+    doc: str
+
+
+@dataclass(frozen=True)
+class Object:
+    name: str
+    type: str
+    header: str
+    doc: str
+
+
+class Declarations:
+    """Every public declaration that cor.h includes, in the order of the headers."""
+
+    def __init__(self, include: Path) -> None:
+        self.functions: Dict[str, Function] = {}
+        self.structs: Dict[str, Struct] = {}
+        self.enums: Dict[str, Enum] = {}
+        self.constants: Dict[str, Constant] = {}
+        self.objects: Dict[str, Object] = {}
+        self.types: List[str] = []  # structs and enums as C text, in order
+        self._include = include
+        self._module: Dict[str, str] = {}
+        self._read("cor.h", "version")
+
+    def module(self, header: str) -> str:
+        """The subject of a header: its name, or that of the header that includes it; version for cor.h."""
+        return self._module[header]
+
+    def short_name(self, name: str, header: str) -> str:
+        """A C name without the prefix cor_<module>_, or else without cor_; macros likewise."""
+        prefix = "cor_" + self.module(header) + "_"
+        for start in (prefix, "cor_"):
+            if name.lower().startswith(start) and not name[len(start)].isdigit():
+                return name[len(start) :]
+        raise SyntaxError(f"{header}: {name} does not begin with cor_")
+
+    def _read(self, header: str, module: str) -> None:
+        if header in self._module or header in NOT_READ:
+            return
+        self._module[header] = module
+        _Reader(self, header, (self._include / header).read_text(encoding="utf-8")).run()
+
+    def include(self, header: str, of: str) -> None:
+        self._read(header, Path(header).stem if of == "cor.h" else self._module[of])
+
+
+_SPACE = re.compile(r"\s+")
+_COMMENT = re.compile(r"/\*.*?\*/", re.S)
+_MACRO_CALL = re.compile(r"(COR_\w+_)\(([^()]*)\)\s*(?!\w*;)")
+_FUNCTION = re.compile(r"COR_API\s+(?!extern)(.*?)(cor_\w+)\(([^()]*)\);", re.S)
+_OBJECT = re.compile(r"COR_API\s+extern\s+(.*?)(cor_\w+);", re.S)
+_STRUCT = re.compile(r"struct\s+(cor_\w+)\s*\{(.*?)\n?\};", re.S)
+_ENUM = re.compile(r"enum\s+(cor_\w+)\s*\{(.*?)\};", re.S)
+_DEFINE = re.compile(r"#\s*define\s+(\w+)(\([^)]*\))?[ \t]*(.*)", re.S)
+
+
+def comment_text(comment: str) -> str:
+    """The words of a comment, without its marks. Indented lines keep their indentation."""
+    lines = [re.sub(r"^[ \t]*\*?[ ]?", "", line).rstrip() for line in comment[2:-2].split("\n")[1:]]
+    first = comment[2:-2].split("\n")[0].strip()
+    return "\n".join([first] + lines).strip()
+
+
+def squeeze(text: str) -> str:
+    return _SPACE.sub(" ", text).strip()
+
+
+def parameter(text: str) -> Parameter:
+    """double *y -> Parameter("double *", "y"); a function pointer keeps its whole text as its type."""
+    text = squeeze(text)
+    pointer = re.fullmatch(r"(.*\(\*)(\w+)(\)\(.*\))", text)
+    if pointer:
+        return Parameter(pointer[1] + pointer[3], pointer[2])
+    split = re.fullmatch(r"(.*?[\s*])(\w+)", text)
+    if not split:
+        raise SyntaxError(f"no parameter: {text}")
+    return Parameter(split[1].strip(), split[2])
+
+
+class _Reader:
+    """One header, read from top to bottom."""
+
+    def __init__(self, into: Declarations, header: str, text: str) -> None:
+        self.into = into
+        self.header = header
+        self.text = text
+        self.at = 0
+        self.doc = ""
+        self.previous_doc = ""
+        self.macros: Dict[str, Tuple[List[str], str]] = {}
+
+    def run(self) -> None:
+        while self._step():
+            pass
+
+    def _step(self) -> bool:
+        self.at += len(self.text[self.at :]) - len(self.text[self.at :].lstrip())
+        if self.at == len(self.text):
+            return False
+        if self.text.startswith("/*", self.at):
+            self._comment()
+        elif self.text[self.at] == "#":
+            self._directive()
+        else:
+            self.at += self._declaration(self.text[self.at :])
+        return True
+
+    def _comment(self) -> None:
+        end = self.text.index("*/", self.at) + 2
+        self.previous_doc, self.doc = self.doc, comment_text(self.text[self.at : end])
+        self.at = end
+
+    def _directive(self) -> None:
+        line, comment = self._directive_text()
+        include = re.fullmatch(r'#\s*include\s*"([^"]+)"', line)
+        define = _DEFINE.fullmatch(line)
+        if include:
+            self.into.include(include[1], self.header)
+        elif define:
+            self._define(define[1], define[2], squeeze(define[3]), comment)
+        elif re.match(r"#\s*ifdef\s+__cplusplus", line):
+            self._skip_conditional()
+        elif not re.match(r"#\s*(ifndef\s+COR_\w+_H$|endif$|undef\s|include\s*<)", line):
+            raise SyntaxError(f"{self.header}: {line}")
+
+    def _directive_text(self) -> Tuple[str, str]:
+        """A directive without its comment and continued lines, and the comment."""
+        end = self.at
+        comment = ""
+        line = ""
+        while end < len(self.text) and self.text[end] != "\n":
+            if self.text.startswith("\\\n", end):
+                end += 2
+            elif self.text.startswith("/*", end):
+                found = _COMMENT.match(self.text, end)
+                assert found
+                comment = comment_text(found[0])
+                end = found.end()
+            else:
+                line += self.text[end]
+                end += 1
+        self.at = end
+        return line.strip(), comment
+
+    def _skip_conditional(self) -> None:
+        depth = 1
+        while depth:
+            found = re.compile(r"^[ \t]*#[ \t]*(if|endif)", re.M).search(self.text, self.at)
+            if not found:
+                raise SyntaxError(f"{self.header}: #ifdef without #endif")
+            depth += 1 if found[1] == "if" else -1
+            self.at = found.end()
+        self.at = self.text.index("\n", self.at)
+
+    def _define(self, name: str, parameters: Optional[str], value: str, comment: str) -> None:
+        names = [word.strip() for word in parameters[1:-1].split(",")] if parameters else []
+        if name.endswith("_"):
+            self.macros[name] = (names, value)
+        elif value:
+            doc = comment or self.doc
+            self.into.constants[name] = Constant(name, tuple(names), value, self.header, doc)
+
+    def _declaration(self, text: str) -> int:
+        """Reads the declaration at the start of the text; returns how many characters it has."""
+        for pattern, read in (
+            (_FUNCTION, self._function),
+            (_OBJECT, self._object),
+            (_STRUCT, self._struct),
+            (_ENUM, self._enum),
+            (_MACRO_CALL, self._expand),
+        ):
+            found = pattern.match(text)
+            if found:
+                read(found)
+                return found.end()
+        raise SyntaxError(f"{self.header}: what is this? {text[:80]!r}")
+
+    def _function(self, found: "re.Match[str]") -> None:
+        name = found[2]
+        words = squeeze(found[3])
+        parameters = () if words == "void" else tuple(parameter(word) for word in words.split(","))
+        doc = self.doc
+        if re.search(rf"\b{name}\b", self.previous_doc.split(".")[0]):
+            doc = self.previous_doc + "\n\n" + doc
+        self.into.functions[name] = Function(name, squeeze(found[1]), parameters, self.header, doc)
+
+    def _object(self, found: "re.Match[str]") -> None:
+        self.into.objects[found[2]] = Object(found[2], squeeze(found[1]), self.header, self.doc)
+
+    def _struct(self, found: "re.Match[str]") -> None:
+        fields: List[Parameter] = []
+        for text, comment in _with_comments(found[2], ";"):
+            kind, *names = _fields(text)
+            fields += [Parameter(kind.type, name, comment) for name in [kind.name] + [n.name for n in names]]
+        body = "".join(f"    {_declare(field)};\n" for field in fields)
+        text = f"struct {found[1]} {{\n{body}}};"
+        self.into.structs[found[1]] = Struct(found[1], tuple(fields), self.header, self.doc, text)
+        self.into.types.append(text)
+
+    def _enum(self, found: "re.Match[str]") -> None:
+        members: List[Tuple[str, int, str]] = []
+        for text, comment in _with_comments(found[2], ","):
+            name, _, value = (word.strip() for word in text.partition("="))
+            members.append((name, int(value, 0) if value else (members[-1][1] + 1 if members else 0), comment))
+        self.into.enums[found[1]] = Enum(found[1], tuple(members), self.header, self.doc)
+        body = "".join(f"    {name} = {value},\n" for name, value, _ in members)
+        self.into.types.append(f"enum {found[1]} {{\n{body}}};")
+
+    def _expand(self, found: "re.Match[str]") -> None:
+        if found[1] not in self.macros:
+            raise SyntaxError(f"{self.header}: macro {found[1]} is not defined before its use")
+        names, body = self.macros[found[1]]
+        for name, value in zip(names, found[2].split(",")):
+            body = re.sub(rf"(##)?\b{name}\b(##)?", value.strip(), body)
+        rest = body.strip()
+        while rest:
+            rest = rest[self._declaration(rest) :].strip()
+
+
+def _fields(text: str) -> List[Parameter]:
+    """int n, l -> two fields; double *q, *q_dot -> two; a function pointer -> one."""
+    if "(" in text:
+        return [parameter(text)]
+    first, *others = text.split(",")
+    kind = parameter(first)
+    base = kind.type.rstrip("* ")
+    return [kind] + [parameter(f"{base} {word}") for word in others]
+
+
+def _declare(field: Parameter) -> str:
+    return field.type.replace("(*)", f"(*{field.name})") if "(*)" in field.type else f"{field.type} {field.name}"
+
+
+def _with_comments(body: str, separator: str) -> Iterator[Tuple[str, str]]:
+    """The parts of a body of a struct or an enum, each with the comment behind it on its line, or else before it."""
+    before = ""
+    at = 0
+    depth = 0
+    text = ""
+    while at < len(body):
+        comment = _COMMENT.match(body, at)
+        if comment:
+            before = comment_text(comment[0])
+            at = comment.end()
+            continue
+        char = body[at]
+        at += 1
+        depth += {"(": 1, ")": -1}.get(char, 0)
+        if char == separator and depth == 0:
+            behind = re.compile(r"[ \t]*(/\*.*?\*/)", re.S).match(body, at)
+            if behind:
+                before = comment_text(behind[1])
+                at = behind.end()
+            yield squeeze(text), before
+            text = before = ""
+        else:
+            text += char
+    if text.strip():
+        yield squeeze(text), before

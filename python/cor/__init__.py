@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: MIT
+"""Coefficient of restitution of viscoelastic spheres and of elastic disks.
+
+The modules sphere, contact, law and disk have the functions of the C headers of these names, without their prefix:
+cor.sphere.eps_zero_force is cor_sphere_eps_zero_force. Every argument that is a number may be an array. Arrays are
+broadcast against each other, as by a ufunc of NumPy, and evaluated in C. Results are float32 where all real arguments
+are (or are float16), and float64 otherwise.
+
+A status that is an error raises CorError, and one that comes with results warns by CorWarning; both have the text
+of cor_status_text.
+"""
+
+from . import contact, disk, law, sphere, status, version
+from ._evaluate import CorError, CorWarning
+from .contact import Body, Contact
+from .disk import DiskModes
+
+__version__ = version.STRING
+
+__all__ = [
+    "Body",
+    "Contact",
+    "CorError",
+    "CorWarning",
+    "DiskModes",
+    "contact",
+    "disk",
+    "law",
+    "sphere",
+    "status",
+    "version",
+]

@@ -1,0 +1,329 @@
+# SPDX-License-Identifier: MIT
+"""Functions of disk.h that fill arrays of the caller or call it back, and the class of tables of modes."""
+
+import os
+from typing import Any, Callable, Optional, Tuple, TypeVar, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._cor import ffi, lib
+from ._docs import DOCS
+from ._evaluate import Array, CorError, address, judge, plain_dtype, pointer, record_dtype
+
+F = TypeVar("F", bound=Callable[..., Any])
+CENTRE_OF_MASS = int(lib.COR_DISK_DATUM_CENTRE_OF_MASS)
+_RAYLEIGH = record_dtype("cor_disk_rayleigh")
+_MODE = plain_dtype("cor_disk_mode")
+
+
+def _documented(name: str) -> Callable[[F], F]:
+    """Puts the comment of the header behind the docstring."""
+
+    def add(function: F) -> F:
+        function.__doc__ = f"{function.__doc__}\n\n{DOCS[name]}\n\nC: {name}"
+        return function
+
+    return add
+
+
+class DiskModes:
+    """Free modes of an elastic disk: a table for functions of cor.disk, and their short forms as methods.
+
+    DiskModes(nu, count) computes the lowest count modes for Poisson's ratio nu by cor_disk_modes_compute;
+    DiskModes.read(path) reads a file of corgen. cor.disk.modes_nu033 and modes_nu090 are the tables of the library. mode
+    is a structured array with the fields n, l, omega, c, s.
+    """
+
+    _struct = "cor_disk_modes"
+    __slots__ = ("_c", "mode")
+    _c: Any
+    mode: Array
+
+    def __init__(self, nu: float, count: int) -> None:
+        made = modes_compute(nu, count)
+        self._c, self.mode = made._c, made.mode
+
+    @classmethod
+    def _of(cls, mode: Array, c: Any) -> "DiskModes":
+        made = cls.__new__(cls)
+        mode.flags.writeable = False
+        made._c, made.mode = c, mode
+        return made
+
+    @classmethod
+    def from_table(cls, nu: float, mode: Array) -> "DiskModes":
+        """Modes from a structured array with the fields of struct cor_disk_mode, by increasing omega."""
+        copy = np.array(mode, _MODE, order="C", ndmin=1)
+        c = ffi.new("struct cor_disk_modes *", (nu, copy.size, _modes_address(copy)))
+        return cls._of(copy, c)
+
+    @classmethod
+    def read(cls, path: Union[str, "os.PathLike[str]"]) -> "DiskModes":
+        """Modes of a file that corgen wrote (cor_disk_modes_read)."""
+        return modes_read(path)
+
+    @property
+    def nu(self) -> float:
+        """Poisson's ratio"""
+        return float(self._c.nu)
+
+    @property
+    def count(self) -> int:
+        """Number of modes"""
+        return int(self._c.count)
+
+    def __len__(self) -> int:
+        return self.count
+
+    def __repr__(self) -> str:
+        return f"<DiskModes nu={self.nu!r} count={self.count}>"
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return DiskModes.from_table, (self.nu, np.array(self.mode))
+
+    def _modes(self, n_modes: Optional[ArrayLike]) -> ArrayLike:
+        return self.count if n_modes is None else n_modes
+
+    def rayleigh(self, speed: ArrayLike, n_modes: Optional[int] = None, datum: int = CENTRE_OF_MASS) -> Any:
+        """rayleigh of one speed, rayleigh_array of several; all modes unless n_modes says otherwise."""
+        n = self.count if n_modes is None else n_modes
+        speeds = np.asarray(speed, np.float64)
+        return rayleigh_array(self, n, datum, speeds) if speeds.ndim else rayleigh(self, n, datum, float(speeds))
+
+    def collision(self, speed: ArrayLike, alpha: float, tolerance: float, n_modes: Optional[ArrayLike] = None) -> Any:
+        """cor.disk.collision of one speed, or of several; all modes unless n_modes says otherwise."""
+        from . import disk
+
+        return disk.collision(self, self._modes(n_modes), disk.CollisionOptions(alpha, tolerance), speed)
+
+    def hard_wall(self, speed: ArrayLike, tolerance: float, n_modes: Optional[ArrayLike] = None) -> Any:
+        """cor.disk.hard_wall of one speed, or of several; all modes unless n_modes says otherwise."""
+        from . import disk
+
+        return disk.hard_wall(self, self._modes(n_modes), disk.HardWallOptions(tolerance), speed)
+
+
+def _modes_address(mode: Array) -> Any:
+    return ffi.from_buffer("struct cor_disk_mode[]", mode)
+
+
+def _constant(c: Any) -> DiskModes:
+    """A table of the library, which lives as long as the program."""
+    table = np.frombuffer(ffi.buffer(c.mode, c.count * _MODE.itemsize), _MODE)
+    return DiskModes._of(table, ffi.addressof(c))
+
+
+modes_nu033 = _constant(lib.cor_disk_modes_nu033)
+modes_nu090 = _constant(lib.cor_disk_modes_nu090)
+
+
+def _check(status: int) -> None:
+    judge(np.asarray(status))
+
+
+@_documented("cor_disk_modes_read")
+def modes_read(path: Union[str, "os.PathLike[str]"]) -> DiskModes:
+    """The modes of a file. CorError names the line of the file that is wrong, if one is, by its attribute line."""
+    name = os.fsencode(path)
+    c = ffi.new("struct cor_disk_modes *")
+    line = ffi.new("size_t *")
+    status = lib.cor_disk_modes_read(name, ffi.NULL, 0, c, line)
+    mode = np.zeros(c.count if status == lib.COR_ERROR_CAPACITY else 0, _MODE)
+    if status == lib.COR_ERROR_CAPACITY:
+        status = lib.cor_disk_modes_read(name, _modes_address(mode), mode.size, c, line)
+    if status:
+        error = CorError(status)
+        error.line = int(line[0])  # type: ignore[attr-defined]
+        error.args = (f"{os.fspath(path)}: {error.args[0]}" + (f" (line {line[0]})" if line[0] else ""),)
+        raise error
+    return DiskModes._of(mode, c)
+
+
+@_documented("cor_disk_modes_compute")
+def modes_compute(nu: float, count: int) -> DiskModes:
+    """The lowest count modes of a disk."""
+    if count > lib.COR_DISK_MODES_MAX_COUNT or count < 1:
+        raise CorError(lib.COR_ERROR_MODES)
+    mode = np.zeros(count, _MODE)
+    c = ffi.new("struct cor_disk_modes *")
+    _check(lib.cor_disk_modes_compute(nu, count, _modes_address(mode), c))
+    return DiskModes._of(mode, c)
+
+
+def _table(modes: DiskModes) -> Any:
+    return pointer(modes, "cor_disk_modes")
+
+
+def _room_for_fractions(
+    modes: DiskModes, n_modes: int, shape: Tuple[int, ...], wanted: bool
+) -> Tuple[Optional[Array], Any]:
+    """An array for the fractions of the modes and its address; none, where n_modes is an error that C reports."""
+    if not wanted or not 0 < n_modes <= modes.count:
+        return None, ffi.NULL
+    fractions = np.zeros(shape + (n_modes,))
+    return fractions, address(fractions, True)
+
+
+def _one(out: Array) -> Any:
+    return ffi.cast("struct cor_disk_rayleigh *", ffi.from_buffer("char[]", out, True))
+
+
+@_documented("cor_disk_rayleigh")
+def rayleigh(modes: DiskModes, n_modes: int, datum: int, speed: float, mode_fraction: bool = False) -> Any:
+    """A record of the results and the status; with mode_fraction also the array of the fractions."""
+    out = np.zeros((), _RAYLEIGH)
+    table = _table(modes)
+    fractions, room = _room_for_fractions(modes, n_modes, (), mode_fraction)
+    out["status"] = lib.cor_disk_rayleigh(table, n_modes, datum, speed, _one(out), room)
+    judge(np.asarray(out["status"]))
+    result = out.view(np.recarray)[()]
+    return (result, fractions) if mode_fraction else result
+
+
+@_documented("cor_disk_rayleigh_array")
+def rayleigh_array(modes: DiskModes, n_modes: int, datum: int, speed: ArrayLike, mode_fraction: bool = False) -> Any:
+    """An array of records of the results and the status, of the shape of speed; with mode_fraction also the fractions,
+    an array with one more axis."""
+    speeds = np.array(speed, np.float64, order="C")
+    table = _table(modes)
+    out = np.zeros(speeds.size, plain_dtype("cor_disk_rayleigh"))
+    status = np.zeros(speeds.size, np.intc)
+    fractions, room = _room_for_fractions(modes, n_modes, speeds.shape, mode_fraction)
+    pointer_out = ffi.from_buffer("struct cor_disk_rayleigh[]", out, True)
+    whole = lib.cor_disk_rayleigh_array(
+        table, n_modes, datum, address(speeds), speeds.size, pointer_out, room, address(status, True)
+    )
+    if whole and not status.any():
+        raise CorError(whole)
+    judge(status.reshape(speeds.shape))
+    result = np.zeros(speeds.size, _RAYLEIGH)
+    for name in out.dtype.names or ():
+        result[name] = out[name]
+    result["status"] = status
+    records = result.reshape(speeds.shape).view(np.recarray)[()]
+    return (records, fractions) if mode_fraction else records
+
+
+@_documented("cor_disk_rayleigh_tolerance")
+def rayleigh_tolerance(modes: DiskModes, datum: int, speed: float, tolerance: float) -> Tuple[Any, int]:
+    """A record of the results and the status, and the number of modes."""
+    out = np.zeros((), _RAYLEIGH)
+    n_modes = ffi.new("size_t *")
+    out["status"] = lib.cor_disk_rayleigh_tolerance(_table(modes), datum, speed, tolerance, _one(out), n_modes)
+    judge(np.asarray(out["status"]))
+    return out.view(np.recarray)[()], int(n_modes[0])
+
+
+class _Detail:
+    """Optional results of one collision, filled by the function that takes this object.
+
+    energy_after, energy_average   arrays with one element for each mode
+    observe                        is called at every step with the moment, a record, and the arrays q and q_dot of
+                                   the amplitudes, which it has to copy if it keeps them. If it raises an exception, the
+                                   function raises it at its end.
+    """
+
+    _struct: str
+    _moment: str
+
+    def __init__(self, n_modes: int, observe: Optional[Callable[[Any, Array, Array], None]] = None) -> None:
+        self.energy_after = np.full(n_modes, np.nan)
+        self.energy_average = np.full(n_modes, np.nan)
+        self.observe = observe
+        self._q = np.zeros(n_modes)
+        self._q_dot = np.zeros(n_modes)
+        self._dtype = plain_dtype(self._moment)
+        self._error: Optional[BaseException] = None
+        self._handle = ffi.new_handle(self)
+        self._c = ffi.new(f"struct {self._struct} *")
+        for name in ("energy_after", "energy_average"):
+            setattr(self._c, name, address(getattr(self, name), True))
+        if observe is not None:
+            self._c.observe = getattr(lib, f"cor_python_observe_{self._struct[len('cor_'):]}")
+            self._c.context = self._handle
+            self._c.q = address(self._q, True)
+            self._c.q_dot = address(self._q_dot, True)
+
+    def _seen(self, moment: Any) -> None:
+        if self._error is None and self.observe is not None:
+            record = np.frombuffer(ffi.buffer(moment), np.dtype((np.record, self._dtype))).copy()[0]
+            try:
+                self.observe(record, self._q, self._q_dot)
+            except BaseException as error:  # KeyboardInterrupt, too: C cannot be left by an exception
+                self._error = error
+
+    def _raise(self) -> None:
+        if self._error is not None:
+            error, self._error = self._error, None
+            raise error
+
+
+class CollisionDetail(_Detail):
+    __doc__ = _Detail.__doc__
+    _struct = "cor_disk_collision_detail"
+    _moment = "cor_disk_moment"
+
+
+class HardWallDetail(_Detail):
+    __doc__ = _Detail.__doc__
+    _struct = "cor_disk_hard_wall_detail"
+    _moment = "cor_disk_hard_wall_moment"
+
+
+@ffi.def_extern()  # type: ignore[misc]
+def cor_python_observe_disk_collision_detail(context: Any, moment: Any) -> None:
+    ffi.from_handle(context)._seen(moment)
+
+
+@ffi.def_extern()  # type: ignore[misc]
+def cor_python_observe_disk_hard_wall_detail(context: Any, moment: Any) -> None:
+    ffi.from_handle(context)._seen(moment)
+
+
+def _in(what: str, workspace: Any, modes: DiskModes, n_modes: int, options: Any, speed: float, detail: Any) -> Any:
+    """cor_disk_<what>_in"""
+    out = np.zeros((), record_dtype(f"cor_disk_{what}"))
+    room = ffi.from_buffer("char[]", workspace, True)
+    if detail is not None and detail.energy_after.size < n_modes <= modes.count:
+        raise ValueError(f"the detail has room for {detail.energy_after.size} modes, not for {n_modes}")
+    out["status"] = getattr(lib, f"cor_disk_{what}_in")(
+        room,
+        len(room),
+        _table(modes),
+        n_modes,
+        pointer(options, f"cor_disk_{what}_options"),
+        speed,
+        ffi.cast(f"struct cor_disk_{what} *", ffi.from_buffer("char[]", out, True)),
+        ffi.NULL if detail is None else pointer(detail, f"cor_disk_{what}_detail"),
+    )
+    if detail is not None:
+        detail._raise()
+    judge(np.asarray(out["status"]), 5)
+    return out.view(np.recarray)[()]
+
+
+@_documented("cor_disk_collision_in")
+def collision_in(
+    workspace: Any,
+    modes: DiskModes,
+    n_modes: int,
+    options: Any,
+    speed: float,
+    detail: Optional[CollisionDetail] = None,
+) -> Any:
+    """A record of the results and the status. workspace is a writable buffer, such as np.empty(bytes, np.uint8)."""
+    return _in("collision", workspace, modes, n_modes, options, speed, detail)
+
+
+@_documented("cor_disk_hard_wall_in")
+def hard_wall_in(
+    workspace: Any,
+    modes: DiskModes,
+    n_modes: int,
+    options: Any,
+    speed: float,
+    detail: Optional[HardWallDetail] = None,
+) -> Any:
+    """A record of the results and the status. workspace is a writable buffer, such as np.empty(bytes, np.uint8)."""
+    return _in("hard_wall", workspace, modes, n_modes, options, speed, detail)

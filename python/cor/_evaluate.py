@@ -1,0 +1,282 @@
+# SPDX-License-Identifier: MIT
+"""Broadcasting, dtypes, structs and errors: how the generated modules call the loops of the C module."""
+
+import warnings
+from typing import Any, ClassVar, List, Optional, Sequence, Tuple, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._cor import ffi, lib
+
+Array = NDArray[Any]
+S = TypeVar("S", bound="Struct")
+
+_POINTER = {
+    np.dtype(np.float64): "double[]",
+    np.dtype(np.float32): "float[]",
+    np.dtype(np.intc): "int[]",
+    np.dtype(np.uintp): "size_t[]",
+}
+_INTEGER = {"i": np.dtype(np.intc), "n": np.dtype(np.uintp)}
+_FLOAT64: "np.dtype[Any]" = np.dtype(np.float64)
+_FLOAT32: "np.dtype[Any]" = np.dtype(np.float32)
+
+
+class CorError(ValueError):
+    """A status of cor that is an error. status is its number, a cor.status.Status; index is the place of the first
+    element that has it, () for a single result."""
+
+    def __init__(self, status: int, index: Tuple[int, ...] = ()) -> None:
+        from .status import Status
+
+        text = string(lib.cor_status_text(status))
+        super().__init__(f"{text} (at index {', '.join(map(str, index))})" if index else text)
+        self.status = Status(status)
+        self.index = index
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return CorError, (int(self.status), self.index)
+
+
+class CorWarning(UserWarning):
+    """A status of cor that comes with results, which are less than was asked for."""
+
+
+def string(text: Any) -> str:
+    """A string of C."""
+    return str(ffi.string(text).decode())
+
+
+def judge(status: Array, stacklevel: int = 4) -> None:
+    """Raises for the lowest status that is an error; otherwise warns of the first that is not COR_OK."""
+    from .status import Status
+
+    if not status.any():
+        return
+    for number in np.unique(status[status != 0]):
+        if Status(int(number)).name.startswith("ERROR_"):
+            raise CorError(int(number), tuple(int(i) for i in np.argwhere(status == number)[0]))
+    first = status[status != 0].flat[0]
+    warnings.warn(string(lib.cor_status_text(int(first))), CorWarning, stacklevel)
+
+
+class Struct:
+    """A struct of C that functions take. It cannot be changed."""
+
+    _struct: ClassVar[str]
+    _fields: ClassVar[Tuple[str, ...]]
+    __slots__ = ("_c",)
+
+    def __init__(self, *fields: float) -> None:
+        self._c = ffi.new(f"struct {self._struct} *", fields)
+
+    @classmethod
+    def _of(cls: "type[S]", c: Any) -> S:
+        made = cls.__new__(cls)
+        made._c = c
+        return made
+
+    @classmethod
+    def _of_fields(cls: "type[S]", *fields: float) -> S:
+        return cls._of(ffi.new(f"struct {cls._struct} *", fields))
+
+    def _values(self) -> Tuple[Any, ...]:
+        return tuple(getattr(self._c, field) for field in self._fields)
+
+    def __repr__(self) -> str:
+        fields = ", ".join(f"{name}={value!r}" for name, value in zip(self._fields, self._values()))
+        return f"{type(self).__name__}({fields})"
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and self._values() == other._values()  # type: ignore[attr-defined]
+
+    def __hash__(self) -> int:
+        return hash((type(self), self._values()))
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self)._of_fields, self._values()
+
+
+def pointer(struct: Any, name: str) -> Any:
+    """The address of a struct, which has to be the one named."""
+    if getattr(struct, "_struct", None) != name:
+        raise TypeError(f"{type(struct).__name__} is not a struct {name}")
+    return struct._c
+
+
+def address(array: Array, writable: bool = False) -> Any:
+    """The address of the first element of a contiguous array, for C; it keeps the array alive."""
+    return ffi.from_buffer(_POINTER[array.dtype], array, writable)
+
+
+def _is_narrow(value: Any, array: Array) -> Optional[bool]:
+    """Whether a real number is no wider than float32; None for a number of Python, which takes the type of others."""
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"a real number is needed, not {array.dtype}")
+    if type(value) in (int, float):
+        return None
+    return bool(np.can_cast(array.dtype, _FLOAT32))
+
+
+def _integers(array: Array, kind: str) -> Array:
+    dtype = _INTEGER[kind]
+    if array.dtype.kind not in "biu":
+        raise TypeError(f"an integer is needed, not {array.dtype}")
+    if array.dtype != dtype:
+        limits = np.iinfo(dtype)
+        if array.size and (int(array.min()) < limits.min or int(array.max()) > limits.max):
+            raise OverflowError(f"an integer is outside {limits.min} to {limits.max}")
+    return array.astype(dtype, order="C", copy=False)
+
+
+def _prepared(array: Array, dtype: "np.dtype[Any]") -> Array:
+    """As C reads it: of this dtype, contiguous and aligned; copied only where it has to be."""
+    array = array.astype(dtype, order="C", copy=False)
+    return array if array.flags.aligned else array.copy()
+
+
+class _Loop:
+    """The numbers of one call: kinds has one letter for each, d for a real number, i for int, n for size_t."""
+
+    def __init__(self, kinds: str) -> None:
+        self._kinds = kinds
+
+    def _arrays(self, values: Sequence[ArrayLike], has_float: bool) -> Tuple[List[Array], bool]:
+        """The numbers as arrays of the types that C takes; and whether the result is to be float32."""
+        arrays = [np.asarray(value) for value in values]
+        reals = [_is_narrow(v, a) for v, a, kind in zip(values, arrays, self._kinds) if kind == "d"]
+        narrow = True in reals and False not in reals
+        real = _FLOAT32 if narrow and has_float else _FLOAT64
+        prepared = [_prepared(a, real) if kind == "d" else _integers(a, kind) for a, kind in zip(arrays, self._kinds)]
+        return prepared, narrow
+
+    @staticmethod
+    def _arguments(arrays: List[Array], shape: Tuple[int, ...], size: int) -> List[Any]:
+        """Address and step of each array, repeated where broadcasting needs it."""
+        arguments = []
+        for array in arrays:
+            if array.size == size:
+                step = 1
+            elif array.size == 1:
+                step = 0
+            else:
+                array = np.ascontiguousarray(np.broadcast_to(array, shape))
+                step = 1
+            arguments += [address(array), step]
+        return arguments
+
+
+def _shape(arrays: List[Array]) -> Tuple[int, ...]:
+    return arrays[0].shape if len(arrays) == 1 else np.broadcast_shapes(*[a.shape for a in arrays])
+
+
+class Elementwise(_Loop):
+    """A function that returns a number. result is d for a real number or n for size_t; has_float says whether C has
+    the function in float, too. Otherwise the double result is rounded once for arguments of float32."""
+
+    def __init__(self, name: str, kinds: str, result: str, has_float: bool) -> None:
+        super().__init__(kinds)
+        loop = "cor_loop_" + name[len("cor_") :]
+        self._loop = getattr(lib, loop)
+        self._float_loop = getattr(lib, loop + "f") if has_float else None
+        self._result = _FLOAT64 if result == "d" else _INTEGER[result]
+
+    def __call__(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...], out: Optional[Array] = None) -> Any:
+        arrays, narrow = self._arrays(values, self._float_loop is not None)
+        shape = _shape(arrays) if arrays else ()
+        in_float = narrow and self._float_loop is not None
+        loop = self._float_loop if in_float else self._loop
+        dtype = _FLOAT32 if in_float else self._result
+        final = _FLOAT32 if narrow and self._result is _FLOAT64 else self._result
+        result = np.empty(shape, dtype) if not _fits(out, arrays, shape, dtype) else out
+        assert result is not None and loop is not None
+        arguments = self._arguments(arrays, shape, result.size)
+        if out is not None:
+            _check_out(out, shape, final)
+        loop(*structs, *arguments, address(result, True), result.size)
+        if out is not None:
+            if result is not out:
+                np.copyto(out, result, casting="same_kind")
+            return out
+        return result.astype(final, copy=False)[()] if shape == () else result.astype(final, copy=False)
+
+
+def _fits(out: Optional[Array], arrays: List[Array], shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> bool:
+    """Whether C may write to out: it has to be as C wants it, and may be an argument, but not overlap one by a part."""
+    if not isinstance(out, np.ndarray) or out.dtype != dtype or out.shape != shape:
+        return False
+    if not (out.flags.c_contiguous and out.flags.aligned and out.flags.writeable):
+        return False
+    return not any(
+        np.may_share_memory(out, a) and (a.ctypes.data, a.nbytes) != (out.ctypes.data, out.nbytes) for a in arrays
+    )
+
+
+def _check_out(out: Any, shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> None:
+    if not isinstance(out, np.ndarray):
+        raise TypeError(f"out is to be an array, not {type(out).__name__}")
+    if out.shape != shape:
+        raise ValueError(f"out has the shape {out.shape}, the result {shape}")
+    if not np.can_cast(dtype, out.dtype, "same_kind"):
+        raise TypeError(f"{dtype} cannot be stored in {out.dtype}")
+    if not out.flags.writeable:
+        raise ValueError("out is read-only")
+
+
+def record_dtype(struct: str) -> "np.dtype[Any]":
+    """The fields of a struct of results, and behind them the status."""
+    c_type = ffi.typeof(f"struct {struct}")
+    kinds = {"double": np.float64, "int": np.intc, "size_t": np.uintp, "unsigned long": np.uintp}
+    fields = [(name, kinds[field.type.cname], field.offset) for name, field in c_type.fields]
+    size = ffi.sizeof(c_type)
+    fields.append(("status", np.intc, size))
+    names, formats, offsets = zip(*fields)
+    plain = np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": size + 8})
+    return np.dtype((np.record, plain))
+
+
+def plain_dtype(struct: str) -> "np.dtype[Any]":
+    """The fields of a struct."""
+    with_status = record_dtype(struct)
+    fields = [(n, *with_status.fields[n]) for n in with_status.names if n != "status"]  # type: ignore
+    names, formats, offsets = zip(*fields)
+    size = ffi.sizeof(f"struct {struct}")
+    return np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": size})
+
+
+class _Records(_Loop):
+    def __init__(self, name: str, out: str, kinds: str) -> None:
+        super().__init__(kinds)
+        self._loop = getattr(lib, "cor_loop_" + name[len("cor_") :])
+        self._out = out
+        self._dtype = record_dtype(out)
+
+    def _run(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...]) -> Array:
+        arrays, _ = self._arrays(values, False)
+        shape = _shape(arrays) if arrays else ()
+        result = np.zeros(shape, self._dtype)
+        arguments = self._arguments(arrays, shape, result.size)
+        self._loop(*structs, *arguments, ffi.from_buffer("char[]", result, True), self._dtype.itemsize, result.size)
+        judge(np.asarray(result["status"]), 5)
+        return result
+
+
+class Record(_Records):
+    """A function that returns a status and a struct of results: a record with these fields and the status, or an array
+    of records."""
+
+    def __call__(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...]) -> Any:
+        return self._run(structs, values).view(np.recarray)[()]
+
+
+class Init(_Records):
+    """A function that fills a struct which other functions take."""
+
+    def __call__(self, structs: Tuple[Any, ...], values: Tuple[ArrayLike, ...]) -> Any:
+        if any(np.ndim(value) for value in values):
+            raise TypeError("a number is needed, not an array")
+        result = self._run(structs, values)
+        made = ffi.new(f"struct {self._out} *")
+        ffi.memmove(made, ffi.from_buffer("char[]", result), ffi.sizeof(f"struct {self._out}"))
+        return made

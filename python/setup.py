@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""Builds the package cor: Python modules and a C module, both written from the headers of cor.
+
+The library is compiled into the package from ../runtime, with the flags of cmake/CorArraySets.cmake. With
+COR_PYTHON_LIBRARY=installed in the environment, the package is linked with the installed library that pkg-config
+finds, and written from its headers.
+"""
+
+import os
+import platform
+import re
+import shlex
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any, Dict, List, Tuple
+
+from cffi import FFI
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+from setuptools.command.build_py import build_py
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
+sys.path.insert(0, str(HERE))
+
+from bindings import cffi_source, python_source  # noqa: E402
+from bindings.declarations import Declarations  # noqa: E402
+
+PLAIN_FLAGS = ["-O2", "-DNDEBUG", "-std=c99", "-fvisibility=hidden", "-ffp-contract=off"]  # cmake/CorDefaults.cmake
+
+
+def pkg_config(*arguments: str) -> List[str]:
+    command = [os.environ.get("PKG_CONFIG", "pkg-config"), *arguments, "cor"]
+    return shlex.split(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)
+
+
+def choose_library() -> Tuple[bool, Path]:
+    """Whether the library is compiled in, and the folder that has cor/cor.h."""
+    choice = os.environ.get("COR_PYTHON_LIBRARY", "bundled")
+    if choice == "bundled":
+        return True, ROOT / "include"
+    if choice == "installed":
+        return False, Path(pkg_config("--variable=includedir")[0])
+    sys.exit(f"COR_PYTHON_LIBRARY={choice}: allowed are bundled and installed")
+
+
+BUNDLED, INCLUDE = choose_library()
+DECLARED = Declarations(INCLUDE / "cor")
+
+
+def version() -> str:
+    return DECLARED.constants["COR_VERSION_STRING"].text.strip('"')
+
+
+def cmake_list(name: str) -> List[str]:
+    """The words of set(<name> ...) in cmake/CorArraySets.cmake, without generator expressions."""
+    text = (ROOT / "cmake" / "CorArraySets.cmake").read_text(encoding="utf-8")
+    found = re.search(rf"^\s*set\({name} (.*)\)$", text, re.M)
+    if not found:
+        sys.exit(f"cmake/CorArraySets.cmake: no set({name} ...)")
+    return re.sub(r"\$<.*?>:(-\S+)>", r"\1", found[1]).split()
+
+
+def library_parts() -> List[Tuple[str, List[str]]]:
+    """The sources of the library, each with its flags: those of plain code or of a kernel of an instruction set."""
+    x86 = platform.machine() in ("x86_64", "AMD64", "amd64")
+    plain = PLAIN_FLAGS + (["-DCOR_X86_SETS"] if x86 else [])
+    kernel = cmake_list("cor_array_options")
+    flags = {"portable": kernel, "avx2": kernel + cmake_list("avx2"), "avx512": kernel + cmake_list("avx512")}
+    parts = []
+    for path in sorted((ROOT / "runtime").glob("*/*.c")):
+        instruction_set = path.stem.rpartition("_")[2]
+        if x86 or instruction_set not in ("avx2", "avx512"):
+            parts.append((str(path), plain + flags.get(instruction_set, [])))
+    return parts
+
+
+class BuildModules(build_py):
+    """Writes the generated modules beside the others."""
+
+    def run(self) -> None:
+        super().run()
+        folder = Path(self.build_lib) / "cor"
+        folder.mkdir(parents=True, exist_ok=True)
+        texts: Dict[str, str] = python_source.modules(DECLARED)
+        texts["_docs"] = python_source.docs(DECLARED)
+        for name, text in texts.items():
+            (folder / f"{name}.py").write_text(text, encoding="utf-8")
+
+
+class BuildLibrary(build_ext):
+    """Compiles the library in groups of flags, and links its objects into the C module."""
+
+    def build_extension(self, ext: Extension) -> None:
+        temp = Path(self.build_temp)
+        temp.mkdir(parents=True, exist_ok=True)
+        ffi = FFI()
+        ffi.cdef(cffi_source.declarations(DECLARED))
+        ffi.set_source("cor._cor", cffi_source.source(DECLARED))
+        ffi.emit_c_code(str(temp / "_cor.c"))
+        ext.sources = [str(temp / "_cor.c")]
+        if BUNDLED:
+            with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+                for objects in pool.map(self.compile_source, *zip(*library_parts())):
+                    ext.extra_objects += objects
+        super().build_extension(ext)
+
+    def compile_source(self, source: str, flags: List[str]) -> List[str]:
+        objects: List[str] = self.compiler.compile(
+            [source],
+            output_dir=self.build_temp,
+            include_dirs=[str(INCLUDE), str(ROOT)],
+            extra_postargs=flags,
+        )
+        return objects
+
+
+def extension() -> Extension:
+    options: Dict[str, Any] = {"include_dirs": [str(INCLUDE)], "libraries": ["m"]}
+    if not BUNDLED:
+        options["extra_compile_args"] = pkg_config("--cflags")
+        options["extra_link_args"] = pkg_config("--libs")
+    # A file of its own name is needed before the C module is written.
+    return Extension("cor._cor", [], **options)
+
+
+# What is built goes where git ignores it.
+BUILD = ROOT / "build" / "python" if (ROOT / "runtime").is_dir() else HERE / "build"
+BUILD.mkdir(parents=True, exist_ok=True)
+
+setup(
+    version=version(),
+    packages=["cor"],
+    package_data={"cor": ["py.typed", "*.pyi"]},
+    ext_modules=[extension()],
+    cmdclass={"build_py": BuildModules, "build_ext": BuildLibrary},
+    options={"build": {"build_base": str(BUILD)}, "egg_info": {"egg_base": str(BUILD)}},
+)
