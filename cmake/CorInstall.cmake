@@ -12,6 +12,8 @@ install(FILES ${PROJECT_SOURCE_DIR}/generated/cor_sphere.h DESTINATION ${CMAKE_I
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CITATION.cff
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
+# A Fortran compiler reads module files of its own alone, so that users compile the module with their program.
+install(FILES ${PROJECT_SOURCE_DIR}/fortran/cor.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/cor)
 if(COR_HAVE_GENERATOR)
   install(TARGETS corgen RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

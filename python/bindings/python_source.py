@@ -17,6 +17,8 @@ HEAD = '''# SPDX-License-Identifier: MIT
 """{summary}"""
 
 # flake8: noqa
+from __future__ import annotations
+
 from enum import IntEnum
 from typing import Any, Final, Optional
 

@@ -31,8 +31,8 @@ class DiskModes:
     """Free modes of an elastic disk: a table for functions of cor.disk, and their short forms as methods.
 
     DiskModes(nu, count) computes the lowest count modes for Poisson's ratio nu by cor_disk_modes_compute;
-    DiskModes.read(path) reads a file of corgen. cor.disk.modes_nu033 and modes_nu090 are the tables of the library. mode
-    is a structured array with the fields n, l, omega, c, s.
+    DiskModes.read(path) reads a file of corgen. cor.disk.modes_nu033 and modes_nu090 are the tables of the library.
+    mode is a structured array with the fields n, l, omega, c, s.
     """
 
     _struct = "cor_disk_modes"
@@ -299,7 +299,7 @@ def _in(what: str, workspace: Any, modes: DiskModes, n_modes: int, options: Any,
     )
     if detail is not None:
         detail._raise()
-    judge(np.asarray(out["status"]), 5)
+    judge(np.asarray(out["status"]))
     return out.view(np.recarray)[()]
 
 

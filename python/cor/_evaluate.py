@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Broadcasting, dtypes, structs and errors: how the generated modules call the loops of the C module."""
 
+import sys
 import warnings
 from typing import Any, ClassVar, List, Optional, Sequence, Tuple, TypeVar
 
@@ -48,7 +49,7 @@ def string(text: Any) -> str:
     return str(ffi.string(text).decode())
 
 
-def judge(status: Array, stacklevel: int = 4) -> None:
+def judge(status: Array) -> None:
     """Raises for the lowest status that is an error; otherwise warns of the first that is not COR_OK."""
     from .status import Status
 
@@ -58,7 +59,17 @@ def judge(status: Array, stacklevel: int = 4) -> None:
         if Status(int(number)).name.startswith("ERROR_"):
             raise CorError(int(number), tuple(int(i) for i in np.argwhere(status == number)[0]))
     first = status[status != 0].flat[0]
-    warnings.warn(string(lib.cor_status_text(int(first))), CorWarning, stacklevel)
+    warnings.warn(string(lib.cor_status_text(int(first))), CorWarning, _caller())
+
+
+def _caller() -> int:
+    """The stacklevel, seen from judge, of the first caller outside this package."""
+    level = 2
+    frame = sys._getframe(2)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == __package__:
+        frame = frame.f_back
+        level += 1
+    return level
 
 
 class Struct:
@@ -258,7 +269,7 @@ class _Records(_Loop):
         result = np.zeros(shape, self._dtype)
         arguments = self._arguments(arrays, shape, result.size)
         self._loop(*structs, *arguments, ffi.from_buffer("char[]", result, True), self._dtype.itemsize, result.size)
-        judge(np.asarray(result["status"]), 5)
+        judge(np.asarray(result["status"]))
         return result
 
 

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+# cpack -G TGZ and cpack -G DEB in the build directory make one package of what `cmake --install` installs. debian/ makes
+# the packages of a distribution.
+set(CPACK_GENERATOR TGZ)
+if(UNIX AND NOT APPLE)
+  list(APPEND CPACK_GENERATOR DEB)
+endif()
+set(CPACK_PACKAGE_NAME cor)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_VENDOR "the cor developers")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_PACKAGE_CHECKSUM SHA256)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_SOURCE_GENERATOR TGZ)
+set(CPACK_SOURCE_IGNORE_FILES "/build;/\\.git;__pycache__")
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The cor developers <cor@example.org>")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_CONFLICTS "libcor0, libcor-dev, corgen")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ${BUILD_SHARED_LIBS})
+include(CPack)

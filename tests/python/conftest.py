@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+"""The compiler of C, by which tests see the headers and the library without the package.
+
+COR_TEST_PREFIX names an installed cor, static.
+"""
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+PREFIX = Path(os.environ["COR_TEST_PREFIX"])
+
+
+class Compiler:
+    def __init__(self, folder):
+        self.folder = folder
+        self.count = 0
+
+    def preprocessed(self):
+        """All public headers, macros expanded."""
+        command = ["cc", "-E", "-P", f"-I{PREFIX}/include", "-x", "c", "-"]
+        run = subprocess.run(command, input="#include <cor/cor.h>\n", stdout=subprocess.PIPE, text=True, check=True)
+        return " ".join(run.stdout.split())
+
+    def program(self, text):
+        """The path of a compiled program."""
+        self.count += 1
+        path = self.folder / f"program_{self.count}"
+        library = next(PREFIX.glob("lib*/**/libcor.a"))
+        command = [
+            "cc",
+            "-std=c99",
+            f"-I{PREFIX}/include",
+            "-x",
+            "c",
+            "-",
+            "-x",
+            "none",
+            str(library),
+            "-lm",
+            "-o",
+            str(path),
+        ]
+        subprocess.run(command, input=text, text=True, check=True)
+        return path
+
+
+@pytest.fixture(scope="session")
+def compiler(tmp_path_factory):
+    return Compiler(tmp_path_factory.mktemp("programs"))

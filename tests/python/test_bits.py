@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""Every function of one or two real numbers against a program in C, bit for bit, in double, in float and in arrays."""
+
+import re
+import subprocess
+
+import numpy as np
+import pytest
+
+import cor
+
+VALUES = [0.0, -0.0, 5e-324, 1e-300, 1e-9, 0.3, 0.5, 0.9, 1.0, 1.5, 7.0, 17.25, 1e30, np.inf, -0.5, np.nan]
+SECOND = [0.33, 1.5]
+# The second argument of these is no real number.
+MODULES = (cor.sphere, cor.contact, cor.law, cor.disk)
+
+
+def python_name(c_name):
+    """The function of the package that has the bits of a function of C; found by names alone."""
+    for module in MODULES:
+        prefix = "cor_" + module.__name__.split(".")[1] + "_"
+        for start in (prefix, "cor_"):
+            short = c_name[len(start) :]
+            if c_name.startswith(start) and short in module.__all__:
+                return getattr(module, short)
+    raise AssertionError(f"{c_name} is not in the package")
+
+
+@pytest.fixture(scope="session")
+def prototypes(compiler):
+    text = compiler.preprocessed()
+    unary = re.findall(r"double (cor_\w+)\(double \w+\);", text)
+    binary = re.findall(r"double (cor_\w+)\(double \w+, double \w+\);", text)
+    narrow = set(re.findall(r"float (cor_\w+)f\(float \w+\);", text))
+    assert len(unary) > 80 and len(binary) > 8 and len(narrow) > 80
+    return unary, binary, narrow
+
+
+@pytest.fixture(scope="session")
+def c_values(prototypes, compiler):
+    """What a program in C prints: name -> bits."""
+    unary, binary, narrow = prototypes
+    lines = [f'row("{name}", {name}(x[i]));' for name in unary]
+    lines += [f'row("{name}f", {name}f((float)x[i]));' for name in sorted(narrow)]
+    lines += [f'for (int k = 0; k < 2; k++) row("{name}", {name}(x[i], y[k]));' for name in binary]
+    hexes = ", ".join("NAN" if v != v else "INFINITY" if v == np.inf else float(v).hex() for v in VALUES)
+    program = f"""
+#include <cor/cor.h>
+#include <math.h>
+#include <stdio.h>
+static const double x[] = {{{hexes}}}, y[] = {{{', '.join(map(str, SECOND))}}};
+static void row(const char *name, double value) {{ printf("%s %a\\n", name, value); }}
+int main(void)
+{{
+    for (int i = 0; i < {len(VALUES)}; i++) {{
+        {' '.join(lines)}
+    }}
+}}
+"""
+    found = {}
+    for line in subprocess.run([compiler.program(program)], stdout=subprocess.PIPE, text=True).stdout.splitlines():
+        name, value = line.split()
+        found.setdefault(name, []).append(float.fromhex(value))
+    return found
+
+
+def same_bits(seen, wanted):
+    seen = np.asarray(seen)
+    np.testing.assert_array_equal(np.isnan(seen), np.isnan(wanted))
+    np.testing.assert_array_equal(seen.astype(float), wanted)
+    np.testing.assert_array_equal(np.signbit(seen[~np.isnan(wanted)]), np.signbit(wanted[~np.isnan(wanted)]))
+
+
+def test_unary_functions_have_the_bits_of_c(prototypes, c_values):
+    for name in prototypes[0]:
+        function = python_name(name)
+        same_bits(function(VALUES), np.array(c_values[name]))
+        same_bits([function(v) for v in VALUES], np.array(c_values[name]))
+
+
+def test_float_functions_have_the_bits_of_c(prototypes, c_values):
+    for name in prototypes[2]:
+        with np.errstate(over="ignore"):
+            seen = python_name(name)(np.array(VALUES, np.float32))
+        assert seen.dtype == np.float32
+        same_bits(seen, np.array(c_values[name + "f"]))
+
+
+def test_binary_functions_have_the_bits_of_c(prototypes, c_values):
+    for name in prototypes[1]:
+        function = python_name(name)
+        wanted = np.array(c_values[name]).reshape(len(VALUES), len(SECOND))
+        same_bits(function(np.array(VALUES)[:, np.newaxis], SECOND), wanted)
+        for k, second in enumerate(SECOND):
+            same_bits(function(VALUES, second), wanted[:, k])
+
+
+def test_contact_has_the_bits_of_c(compiler):
+    program = compiler.program(
+        """
+#include <cor/cor.h>
+#include <stdio.h>
+int main(void)
+{
+    const struct cor_body a = {70e9, 0.22, 4e-7, 5e-3, 1e-3}, b = {5e9, 0.4, 1e-6, 1e-2, 2e-3};
+    struct cor_sphere_contact contact;
+    if (cor_sphere_contact_init(&contact, &a, &b) != COR_OK)
+        return 1;
+    printf("%a %a %a %a %a %a\\n", contact.beta_per_root, contact.scale, cor_contact_eps_zero_force(&contact, 0.3),
+           cor_contact_eps_zero_overlap(&contact, 0.3), cor_contact_dissipation_time_s_zero_force(&contact, 0.5, 0.9),
+           cor_contact_g_star_m_s(&contact));
+}
+"""
+    )
+    wanted = [float.fromhex(v) for v in subprocess.run([program], stdout=subprocess.PIPE, text=True).stdout.split()]
+    contact = cor.Contact(cor.Body(70e9, 0.22, 4e-7, 5e-3, 1e-3), cor.Body(5e9, 0.4, 1e-6, 1e-2, 2e-3))
+    assert wanted == [
+        contact.beta_per_root,
+        contact.scale,
+        contact.eps_zero_force(0.3),
+        contact.eps_zero_overlap(0.3),
+        contact.dissipation_time_s_zero_force(0.5, 0.9),
+        contact.g_star_m_s(),
+    ]
