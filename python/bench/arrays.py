@@ -3,8 +3,8 @@
 
     python3 arrays.py [ELEMENTS]        10^5 elements unless another number is given
 
-C is called through a pointer to the function and two pointers to the arrays; the loop over calls is in Python for both,
-and its own time is subtracted. Each figure is the least of many runs.
+C is called with the addresses of two arrays that exist already. The loop over calls is in Python for both, and its own
+time is subtracted. Each figure is the least of many runs; without out= the package also makes the array of results.
 """
 
 import sys

@@ -28,6 +28,8 @@ class CorError(ValueError):
     """A status of cor that is an error. status is its number, a cor.status.Status; index is the place of the first
     element that has it, () for a single result."""
 
+    __module__ = "cor"
+
     def __init__(self, status: int, index: Tuple[int, ...] = ()) -> None:
         from .status import Status
 
@@ -42,6 +44,8 @@ class CorError(ValueError):
 
 class CorWarning(UserWarning):
     """A status of cor that comes with results, which are less than was asked for."""
+
+    __module__ = "cor"
 
 
 def string(text: Any) -> str:

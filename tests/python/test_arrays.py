@@ -149,7 +149,11 @@ def test_special_values():
         cor.sphere.eps_zero_force([np.nan, np.inf, -1.0])
 
 
-@pytest.mark.parametrize("wrong", [1j, "0.5", None, [[1, 2], [3]], 10**400, object()])
+@pytest.mark.parametrize(
+    "wrong",
+    [1j, "0.5", None, [[1, 2], [3]], 10**400, object()],
+    ids=["complex", "text", "None", "ragged", "huge", "object"],
+)
 def test_no_real_number(wrong):
     with pytest.raises((TypeError, ValueError)):
         cor.sphere.eps_zero_force(wrong)

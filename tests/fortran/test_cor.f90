@@ -1,0 +1,109 @@
+! SPDX-License-Identifier: MIT
+! The Fortran module: values of each kind of function, against numbers known otherwise and against the loops of C.
+program test_cor
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_float, c_int, c_loc, c_null_char, c_ptr, c_size_t
+  use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_positive_inf, ieee_value
+  use cor
+  implicit none
+  integer, parameter :: n = 1000
+  integer :: failed = 0
+
+  call elemental_functions()
+  call arrays()
+  call contacts()
+  call disks()
+  call statuses()
+  if (failed > 0) stop 1
+  print '(a)', 'all agree'
+
+contains
+
+  subroutine expect(name, is_true)
+    character(len=*), intent(in) :: name
+    logical, intent(in) :: is_true
+    if (is_true) return
+    failed = failed + 1
+    print '(2a)', 'wrong: ', name
+  end subroutine
+
+  subroutine elemental_functions()
+    real(c_double) :: beta(2, 2), eps(2, 2), infinity
+    beta = reshape([0.0_c_double, 0.5_c_double, 1.0_c_double, -1.0_c_double], [2, 2])
+    eps = cor_sphere_eps_zero_force(beta)
+    infinity = ieee_value(infinity, ieee_positive_inf)
+    call expect('eps(0) = 1', eps(1, 1) >= 1 .and. eps(1, 1) <= 1)
+    call expect('eps(1), 20 digits by corgen', abs(eps(1, 2) - 0.3939306032298731930511811_c_double) < 1e-16_c_double)
+    call expect('eps(-1)', ieee_is_nan(eps(2, 2)))
+    call expect('eps(inf)', abs(cor_sphere_eps_zero_force(infinity)) <= 0)
+    call expect('float', abs(cor_sphere_eps_zero_force(1.0_c_float) - 0.39393060_c_float) < 1e-7_c_float)
+    call expect('exponent', abs(cor_hunt_crossley_duration(0.0_c_double, 1.0_c_double) - acos(-1.0_c_double)) < 1e-15_c_double)
+    call expect('depth', abs(cor_sphere_eps_simple_fraction(0.5_c_double, 0_c_int) - 1) <= 0)
+    call expect('constant', COR_SPHERE_C1 > -1.1534488581_c_double .and. COR_SPHERE_C1 < -1.1534488580_c_double)
+  end subroutine
+
+  subroutine arrays()
+    real(c_double) :: x(n), y(n)
+    real(c_float) :: xf(n), yf(n)
+    integer :: i
+    x = [(0.01_c_double * i, i = 0, n - 1)]
+    xf = real(x, c_float)
+    call cor_sphere_eps_zero_force_array(x, y, int(n, c_size_t))
+    call expect('array', all(abs(y - cor_sphere_eps_zero_force(x)) <= 0))
+    call cor_sphere_eps_zero_force_array(xf, yf, int(n, c_size_t))
+    call expect('array of float', all(abs(yf - cor_sphere_eps_zero_force(xf)) <= 0))
+    call cor_hunt_crossley_max_overlap_array(x, 1.5_c_double, y, int(n, c_size_t))
+    call expect('array with an exponent', all(abs(y - cor_hunt_crossley_max_overlap(x, 1.5_c_double)) <= 0))
+    y = -1
+    call cor_sphere_eps_zero_force_array(x, y, 0_c_size_t)
+    call expect('no element', all(y < 0))
+  end subroutine
+
+  subroutine contacts()
+    type(cor_body_t) :: body
+    type(cor_sphere_contact_t) :: contact
+    real(c_double) :: speed(3), eps(3)
+    body = cor_body_t(70e9_c_double, 0.22_c_double, 4e-7_c_double, 5e-3_c_double, 1e-3_c_double)
+    call expect('init', cor_sphere_contact_init(contact, body, body) == COR_OK)
+    call expect('mass', abs(contact%effective_mass_kg - 5e-4_c_double) < 1e-18_c_double)
+    speed = [0.01_c_double, 0.1_c_double, 1.0_c_double]
+    call cor_contact_eps_zero_overlap_array(contact, speed, eps, 3_c_size_t)
+    call expect('contact array', all(abs(eps - cor_contact_eps_zero_overlap(contact, speed)) <= 0))
+    call expect('contact', all(abs(eps - cor_sphere_eps_zero_overlap(cor_contact_beta(contact, speed))) < 1e-15_c_double))
+    body%radius_m = -1
+    call expect('radius', cor_sphere_contact_init(contact, body, body) == COR_ERROR_RADIUS)
+    call expect('eps after an error', ieee_is_nan(cor_contact_eps_zero_force(contact, 1.0_c_double)))
+  end subroutine
+
+  subroutine disks()
+    type(cor_disk_modes_t) :: modes
+    type(cor_disk_mode_t), target :: mode(50)
+    type(cor_disk_rayleigh_t) :: energy, others(2)
+    type(cor_disk_hard_wall_t) :: wall
+    real(c_double) :: fraction(50)
+    call expect('modes of the library', cor_disk_modes_nu033%count == 1800 .and. cor_disk_modes_nu033%nu > 0.3299_c_double)
+    call expect('compute', cor_disk_modes_compute(0.33_c_double, 50_c_size_t, mode, modes) == COR_OK)
+    call expect('omega', abs(mode(1)%omega - 1.43853033_c_double) < 1e-8_c_double .and. modes%count == 50)
+    call expect('rayleigh', cor_disk_rayleigh(cor_disk_modes_nu033, 50_c_size_t, COR_DISK_DATUM_CENTRE_OF_MASS, &
+      1e-3_c_double, energy, fraction) == COR_OK)
+    call expect('fractions', abs(sum(fraction) - energy%fraction) < 1e-15_c_double .and. energy%fraction > 0.03_c_double)
+    call expect('optional', cor_disk_rayleigh(modes, 50_c_size_t, COR_DISK_DATUM_CENTRE_OF_MASS, 1e-3_c_double, &
+      energy) == COR_OK)
+    call expect('rayleigh_array', cor_disk_rayleigh_array(modes, 50_c_size_t, COR_DISK_DATUM_CENTRE_OF_MASS, &
+      [1e-3_c_double, 2e-3_c_double], 2_c_size_t, others) == COR_OK)
+    call expect('its first', abs(others(1)%fraction - energy%fraction) < 1e-9_c_double)
+    call expect('hard wall', cor_disk_hard_wall_nu(0.3_c_double, cor_disk_hard_wall_options_t(0.02_c_double), &
+      0.1_c_double, wall) == COR_OK)
+    call expect('its eps', abs(wall%eps - cor_disk_eps(0.1_c_double, 0.3_c_double)) < 0.02_c_double)
+    call expect('datum', all(cor_disk_load(0.1_c_double, 0.33_c_double, [0_c_int, 1_c_int, 2_c_int]) > 0.07_c_double))
+  end subroutine
+
+  subroutine statuses()
+    type(cor_disk_modes_t) :: modes
+    type(cor_disk_mode_t) :: mode(1)
+    integer(c_size_t) :: line
+    character(kind=c_char, len=*), parameter :: path = 'no such file' // c_null_char
+    call expect('file', cor_disk_modes_read(path, mode, 1_c_size_t, modes, line) == COR_ERROR_FILE)
+    call expect('text', index(cor_status_text(COR_ERROR_RADIUS), 'radius') > 0)
+    call expect('text ends', len(cor_status_text(COR_OK)) < 100 .and. index(cor_status_text(COR_OK), c_null_char) == 0)
+  end subroutine
+end program
