@@ -30,8 +30,11 @@ void eps_zero_force(const cor_sphere_contact &contact, std::span<const double> s
 int main()
 {
     const double mass_kg = cor_sphere_mass_kg(5e-3, 2500);
-    const cor_body glass{
-        .young_modulus_pa = 70e9, .poisson_ratio = 0.22, .dissipation_time_s = 4e-7, .radius_m = 5e-3, .mass_kg = mass_kg};
+    const cor_body glass{.young_modulus_pa = 70e9,
+                         .poisson_ratio = 0.22,
+                         .dissipation_time_s = 4e-7,
+                         .radius_m = 5e-3,
+                         .mass_kg = mass_kg};
     const auto contact = contact_of(glass, glass);
 
     const std::vector<double> speed_m_s{0.01, 0.1, 1.0};
@@ -43,8 +46,7 @@ int main()
     // a scalar function is a function as any other for algorithms
     std::vector<double> loss;
     const std::span all(speed_m_s);
-    std::transform(all.begin(), all.end(), std::back_inserter(loss), [&](double speed) {
-        return cor_sphere_loss_zero_force(cor_contact_beta(&contact, speed));
-    });
+    std::transform(all.begin(), all.end(), std::back_inserter(loss),
+                   [&](double speed) { return cor_sphere_loss_zero_force(cor_contact_beta(&contact, speed)); });
     std::printf("1 - eps = %.3e at the lowest speed\n", loss.front());
 }
