@@ -36,7 +36,8 @@ contains
     call expect('eps(-1)', ieee_is_nan(eps(2, 2)))
     call expect('eps(inf)', abs(cor_sphere_eps_zero_force(infinity)) <= 0)
     call expect('float', abs(cor_sphere_eps_zero_force(1.0_c_float) - 0.39393060_c_float) < 1e-7_c_float)
-    call expect('exponent', abs(cor_hunt_crossley_duration(0.0_c_double, 1.0_c_double) - acos(-1.0_c_double)) < 1e-15_c_double)
+    call expect('exponent', &
+      abs(cor_hunt_crossley_duration(0.0_c_double, 1.0_c_double) - acos(-1.0_c_double)) < 1e-15_c_double)
     call expect('depth', abs(cor_sphere_eps_simple_fraction(0.5_c_double, 0_c_int) - 1) <= 0)
     call expect('constant', COR_SPHERE_C1 > -1.1534488581_c_double .and. COR_SPHERE_C1 < -1.1534488580_c_double)
   end subroutine
@@ -68,7 +69,8 @@ contains
     speed = [0.01_c_double, 0.1_c_double, 1.0_c_double]
     call cor_contact_eps_zero_overlap_array(contact, speed, eps, 3_c_size_t)
     call expect('contact array', all(abs(eps - cor_contact_eps_zero_overlap(contact, speed)) <= 0))
-    call expect('contact', all(abs(eps - cor_sphere_eps_zero_overlap(cor_contact_beta(contact, speed))) < 1e-15_c_double))
+    call expect('contact', &
+      all(abs(eps - cor_sphere_eps_zero_overlap(cor_contact_beta(contact, speed))) < 1e-15_c_double))
     body%radius_m = -1
     call expect('radius', cor_sphere_contact_init(contact, body, body) == COR_ERROR_RADIUS)
     call expect('eps after an error', ieee_is_nan(cor_contact_eps_zero_force(contact, 1.0_c_double)))
@@ -80,12 +82,14 @@ contains
     type(cor_disk_rayleigh_t) :: energy, others(2)
     type(cor_disk_hard_wall_t) :: wall
     real(c_double) :: fraction(50)
-    call expect('modes of the library', cor_disk_modes_nu033%count == 1800 .and. cor_disk_modes_nu033%nu > 0.3299_c_double)
+    call expect('modes of the library', &
+      cor_disk_modes_nu033%count == 1800 .and. cor_disk_modes_nu033%nu > 0.3299_c_double)
     call expect('compute', cor_disk_modes_compute(0.33_c_double, 50_c_size_t, mode, modes) == COR_OK)
     call expect('omega', abs(mode(1)%omega - 1.43853033_c_double) < 1e-8_c_double .and. modes%count == 50)
     call expect('rayleigh', cor_disk_rayleigh(cor_disk_modes_nu033, 50_c_size_t, COR_DISK_DATUM_CENTRE_OF_MASS, &
       1e-3_c_double, energy, fraction) == COR_OK)
-    call expect('fractions', abs(sum(fraction) - energy%fraction) < 1e-15_c_double .and. energy%fraction > 0.03_c_double)
+    call expect('fractions', &
+      abs(sum(fraction) - energy%fraction) < 1e-15_c_double .and. energy%fraction > 0.03_c_double)
     call expect('optional', cor_disk_rayleigh(modes, 50_c_size_t, COR_DISK_DATUM_CENTRE_OF_MASS, 1e-3_c_double, &
       energy) == COR_OK)
     call expect('rayleigh_array', cor_disk_rayleigh_array(modes, 50_c_size_t, COR_DISK_DATUM_CENTRE_OF_MASS, &
