@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The list of symbols of the Debian package, debian/libcor0.symbols.
 
-    python3 python/bindings/debian_symbols.py [--check]        adds new symbols with the version of the headers, or fails
-                                                               if some are missing
+    python3 python/bindings/debian_symbols.py [--check]        adds new symbols with the version of the headers, or
+                                                               fails if some are missing
 
 A symbol that is in the list and not in the headers is an error: COR_ABI of CMakeLists.txt has to grow.
 """
