@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: MIT */
+/* Every float function of sphere.h at every float from 0 to infinity (inverse: to 1): how many results are not the
+ * floats nearest to the exact values. The function of doubles, whose error its bound limits, decides all arguments but
+ * those where its result lies within AMBIGUOUS_ULP units of its last place of the middle of two floats. The reference
+ * decides these. A hash of all results stands in float_hashes.txt: correctly rounded results are the same with every
+ * compiler, processor and C library. The array functions compute, because they are several times as fast;
+ * tests/unit/test_sphere_array.c holds their bits to those of the scalar functions.
+ *
+ *     test_floats [--only TEXT] [--threads N] [--stride N] [--hashes FILE]
+ *
+ * --stride N takes every Nth float, and no hash. --hashes FILE compares with a file of lines "hash function"; lines that
+ * the file lacks are printed. The exit status is 1 if a result is wrong, if the reference cannot decide, or if a hash
+ * differs. Negative numbers and NaN give NaN, and -0 counts as 0: tests/unit tests that. */
+#include "cor/sphere.h"
+
+#include "reference.h"
+#include "ulp.h"
+
+#include <inttypes.h>
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+struct function {
+    const char *name;
+    void (*array)(const double *, double *, size_t);
+    void (*arrayf)(const float *, float *, size_t);
+    enum quantity quantity, loss; /* of an inverse: the eps and the loss that it inverts */
+    bool inverse;
+};
+
+#define DIRECT(name, quantity)                                                                                         \
+    {                                                                                                                  \
+#name, cor_sphere_##name##_array, cor_sphere_##name##_arrayf, quantity, quantity, false                        \
+    }
+#define INVERSE(name, eps, loss)                                                                                       \
+    {                                                                                                                  \
+#name, cor_sphere_##name##_array, cor_sphere_##name##_arrayf, eps, loss, true                                  \
+    }
+
+static const struct function functions[] = {
+    DIRECT(eps_zero_overlap, EPS_ZERO_OVERLAP),
+    DIRECT(eps_zero_force, EPS_ZERO_FORCE),
+    DIRECT(loss_zero_overlap, LOSS_ZERO_OVERLAP),
+    DIRECT(loss_zero_force, LOSS_ZERO_FORCE),
+    DIRECT(duration_zero_overlap, DURATION_ZERO_OVERLAP),
+    DIRECT(duration_zero_force, DURATION_ZERO_FORCE),
+    DIRECT(max_overlap, MAX_OVERLAP),
+    DIRECT(time_of_max_overlap, TIME_OF_MAX_OVERLAP),
+    INVERSE(beta_zero_overlap, EPS_ZERO_OVERLAP, LOSS_ZERO_OVERLAP),
+    INVERSE(beta_zero_force, EPS_ZERO_FORCE, LOSS_ZERO_FORCE),
+    DIRECT(eps_approach_only, EPS_APPROACH_ONLY),
+    DIRECT(loss_approach_only, LOSS_APPROACH_ONLY),
+    DIRECT(duration_approach_only, DURATION_APPROACH_ONLY),
+    INVERSE(beta_approach_only, EPS_APPROACH_ONLY, LOSS_APPROACH_ONLY),
+};
+
+enum {
+    FUNCTIONS = sizeof functions / sizeof *functions,
+    MAX_THREADS = 64,
+    CHUNK_BITS = 24,
+    MAX_CHUNKS = 128,
+    BLOCK = 4096,
+    AMBIGUOUS_ULP = 4 /* the largest bound of a sphere function is COR_SPHERE_TIME_MAX_ULP = 2 */
+};
+
+/* The reference is good to a few 2^-64. It decides where the exact value is farther from the middle than 2^-60. */
+static const double undecided_ulp = 0x1p-7;
+
+/* ---- one argument ---- */
+
+struct count {
+    uint64_t ambiguous, wrong, undecided;
+    double least_distance; /* of an ambiguous exact value from the middle of two floats, in ulp of a double */
+};
+
+/* exact value minus middle, in units of the last place of the middle */
+static double distance_from(const struct function *f, double x, double middle)
+{
+    long double off;
+    if (!f->inverse) {
+        off = reference_value(f->quantity, x) - middle;
+    } else {
+        const enum quantity quantity = x < 0.5 ? f->quantity : f->loss;
+        const long double wanted = x < 0.5 ? (long double)x : 1 - (long double)x;
+        off = (wanted - reference_value(quantity, middle)) / reference_slope(quantity, middle);
+    }
+    return (double)(off / ulp_size(middle, format_double));
+}
+
+static void judge(struct count *count, const struct function *f, float x, float result, float below, float above)
+{
+    const double top = isinf(above) ? 0x1p128 : (double)above, middle = ((double)below + top) / 2;
+    const double distance = distance_from(f, (double)x, middle);
+    count->ambiguous++;
+    if (fabs(distance) < count->least_distance)
+        count->least_distance = fabs(distance);
+    if (!(fabs(distance) >= undecided_ulp)) {
+        count->undecided++;
+        printf("%s(%a): the reference is within %.3g ulp of the middle of two floats\n", f->name, (double)x, distance);
+    } else if (result != (distance > 0 ? above : below)) {
+        count->wrong++;
+        printf("%s(%a) = %a is not the nearest float: off the middle by %.4f ulp of a double\n", f->name, (double)x,
+               (double)result, distance);
+    }
+}
+
+/* result: of the float function at x; y: of the double function */
+static void judge_at(const struct function *f, float x, float result, double y, struct count *count)
+{
+    const uint64_t y_bits = bits_of(y);
+    if (y == 0 || isinf(y)) {
+        count->wrong += (double)result != y;
+        return;
+    }
+    const float below = (float)double_of(y_bits > AMBIGUOUS_ULP ? y_bits - AMBIGUOUS_ULP : 0);
+    const float above = (float)double_of(y_bits + AMBIGUOUS_ULP);
+    if (below != above) {
+        judge(count, f, x, result, below, above);
+    } else if (result != below) {
+        count->wrong++;
+        printf("%s(%a) = %a is not the double function rounded\n", f->name, (double)x, (double)result);
+    }
+}
+
+/* ---- all arguments ---- */
+
+struct job {
+    const struct function *f;
+    int thread, threads;
+    uint32_t stride;
+    struct count count;
+    uint64_t *hash; /* of each chunk */
+};
+
+static uint64_t hash_with(uint64_t hash, uint64_t word)
+{
+    hash = (hash ^ word) * UINT64_C(0x9e3779b97f4a7c15);
+    return hash ^ hash >> 32;
+}
+
+static uint32_t last_bits(const struct function *f)
+{
+    return f->inverse ? UINT32_C(0x3f800000) : UINT32_C(0x7f800000);
+}
+
+static void scan_chunk(struct job *job, uint32_t chunk)
+{
+    const uint64_t first = (uint64_t)chunk << CHUNK_BITS, end = first + (UINT64_C(1) << CHUNK_BITS);
+    uint64_t hash = 0;
+    uint64_t bits = first;
+    while (bits < end && bits <= last_bits(job->f)) {
+        float xf[BLOCK], yf[BLOCK];
+        double x[BLOCK], y[BLOCK];
+        size_t n = 0;
+        for (; n < BLOCK && bits < end && bits <= last_bits(job->f); n++, bits += job->stride)
+            x[n] = (double)(xf[n] = float_of((uint32_t)bits));
+        job->f->array(x, y, n);
+        job->f->arrayf(xf, yf, n);
+        for (size_t i = 0; i < n; i++) {
+            uint32_t word;
+            memcpy(&word, &yf[i], sizeof word);
+            hash = hash_with(hash, word);
+            judge_at(job->f, xf[i], yf[i], y[i], &job->count);
+        }
+    }
+    job->hash[chunk] = hash;
+}
+
+static void *run_job(void *argument)
+{
+    struct job *const job = argument;
+    const uint32_t chunks = (last_bits(job->f) >> CHUNK_BITS) + 1;
+    for (uint32_t chunk = (uint32_t)job->thread; chunk < chunks; chunk += (uint32_t)job->threads)
+        scan_chunk(job, chunk);
+    return NULL;
+}
+
+static struct count scan(const struct function *f, uint32_t stride, int threads, uint64_t *hash)
+{
+    uint64_t hashes[MAX_CHUNKS] = {0};
+    struct job jobs[MAX_THREADS];
+    pthread_t started[MAX_THREADS];
+    for (int i = 0; i < threads; i++) {
+        jobs[i] = (struct job){f, i, threads, stride, {0, 0, 0, HUGE_VAL}, hashes};
+        if (pthread_create(&started[i], NULL, run_job, &jobs[i]) != 0)
+            abort();
+    }
+    struct count all = {0, 0, 0, HUGE_VAL};
+    for (int i = 0; i < threads; i++) {
+        pthread_join(started[i], NULL);
+        all.ambiguous += jobs[i].count.ambiguous;
+        all.wrong += jobs[i].count.wrong;
+        all.undecided += jobs[i].count.undecided;
+        all.least_distance = fmin(all.least_distance, jobs[i].count.least_distance);
+    }
+    *hash = 0;
+    for (int i = 0; i < MAX_CHUNKS; i++)
+        *hash = hash_with(*hash, hashes[i]);
+    return all;
+}
+
+/* ---- the stored hashes ---- */
+
+/* The line "hash function" of FILE: 1 if it has this hash, 0 if it has another one, -1 if it has none */
+static int stored_hash_agrees(const char *file, const char *function, uint64_t hash)
+{
+    FILE *const in = fopen(file, "r");
+    char line[256], name[128];
+    uint64_t stored;
+    int agrees = -1;
+    while (in != NULL && agrees < 0 && fgets(line, sizeof line, in) != NULL)
+        if (sscanf(line, "%16" SCNx64 " %127s", &stored, name) == 2 && strcmp(name, function) == 0)
+            agrees = stored == hash;
+    if (in != NULL)
+        fclose(in);
+    return agrees;
+}
+
+struct options {
+    const char *only, *hashes;
+    int threads;
+    uint32_t stride;
+};
+
+static int report(const struct function *f, const struct options *o)
+{
+    uint64_t hash;
+    const struct count count = scan(f, o->stride, o->threads, &hash);
+    int status = count.wrong > 0 || count.undecided > 0;
+    char share[32] = "every float";
+    if (o->stride > 1)
+        snprintf(share, sizeof share, "1 in %" PRIu32 " floats", o->stride);
+    printf("# %s, %s: %" PRIu64 " ambiguous, %" PRIu64 " wrong, %" PRIu64
+           " undecided; nearest to the middle of two floats %.3f ulp of a double\n",
+           f->name, share, count.ambiguous, count.wrong, count.undecided, count.least_distance);
+    if (o->stride == 1) {
+        const int agrees = o->hashes == NULL ? -1 : stored_hash_agrees(o->hashes, f->name, hash);
+        if (agrees < 0)
+            printf("%016" PRIx64 " %s\n", hash, f->name);
+        if (agrees == 0) {
+            printf("%s: the hash of all results is %016" PRIx64 ", another one than in %s\n", f->name, hash, o->hashes);
+            status = 1;
+        }
+    }
+    fflush(stdout);
+    return status;
+}
+
+static int usage(void)
+{
+    fputs("usage: test_floats [--only TEXT] [--threads 1..64] [--stride N] [--hashes FILE]\n", stderr);
+    return 2;
+}
+
+int main(int argc, char **argv)
+{
+    struct options o = {NULL, NULL, 1, 1};
+    for (int i = 1; i < argc; i += 2) {
+        if (i + 1 == argc)
+            return usage();
+        if (strcmp(argv[i], "--only") == 0)
+            o.only = argv[i + 1];
+        else if (strcmp(argv[i], "--hashes") == 0)
+            o.hashes = argv[i + 1];
+        else if (strcmp(argv[i], "--threads") == 0)
+            o.threads = atoi(argv[i + 1]);
+        else if (strcmp(argv[i], "--stride") == 0)
+            o.stride = (uint32_t)strtoul(argv[i + 1], NULL, 10);
+        else
+            return usage();
+    }
+    if (o.threads < 1 || o.threads > MAX_THREADS || o.stride < 1)
+        return usage();
+    if (reference_open())
+        return 1;
+    int status = 0;
+    for (int i = 0; i < FUNCTIONS; i++)
+        if (o.only == NULL || strstr(functions[i].name, o.only) != NULL)
+            status |= report(&functions[i], &o);
+    return status;
+}

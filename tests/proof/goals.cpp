@@ -1,0 +1,1308 @@
+/* SPDX-License-Identifier: MIT */
+/* Writes one Gappa file for every piece of the sphere functions: an interval of arguments for which the evaluator
+ * carries out the same list of operations. docs/derivation.md, "Rounding errors, proved", says why this is a proof.
+ *
+ *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
+ *
+ * writes every goal, or those whose number is PART modulo PARTS and whose name fits a pattern of the shell.
+ * TABLES.h is generated/sphere_tables.h, read as text: its comments say which interval each row is for and which real
+ * number each coefficient stands for. The exit status is 1 if the evaluator does not compute the formula of a row. */
+#include "trace.h"
+
+#include <fnmatch.h>
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <sstream>
+
+/* The evaluator's source, with numbers that record their operations */
+namespace trace
+{
+#define double Real
+#define uint64_t Bits
+#define memcpy(to, from, size) copy(to, from)
+#define __builtin_assoc_barrier(x) (x)
+#include "runtime/sphere/eval.h"
+#undef double
+#undef uint64_t
+#undef memcpy
+#undef __builtin_assoc_barrier
+} // namespace trace
+
+using namespace trace;
+
+static const char *const program = "goals";
+
+[[noreturn]] static void die(const std::string &what)
+{
+    fprintf(stderr, "%s: %s\n", program, what.c_str());
+    exit(1);
+}
+
+static std::string hex(number x)
+{
+    char text[64];
+    snprintf(text, sizeof text, "%a", x);
+    return text;
+}
+
+/* ---- what the tables say ---- */
+
+struct row {
+    number low, high; /* of y, or of y 2^-octave */
+    int octave;
+    bool by_octaves;
+    std::vector<std::string> value, decimal;
+    number node() const
+    {
+        return low == 0 ? 0 : (low + high) / 2;
+    }
+};
+typedef std::vector<row> table;
+
+static std::map<std::string, table> tables_of(const char *file)
+{
+    std::map<std::string, table> all;
+    std::ifstream in(file);
+    std::string line, name;
+    while (std::getline(in, line)) {
+        char text[128], word[64], number_text[64];
+        row r = {};
+        int index;
+        if (sscanf(line.c_str(), "COR_INLINE const double *cor_rows_%127[a-z0-9_](int i)", text) == 1)
+            name = text;
+        else if (sscanf(line.c_str(), " /* [%d] %lf <= y <= %lf 2^%d", &index, &r.low, &r.high, &r.octave) == 4) {
+            r.by_octaves = true;
+            all[name].push_back(r);
+        } else if (sscanf(line.c_str(), " /* [%d] %lf <= y <= %lf,", &index, &r.low, &r.high) == 3)
+            all[name].push_back(r);
+        else if (sscanf(line.c_str(), " /* %127[^*]*/", text) == 1 && line.find("/*") == 8)
+            all[name].push_back(r); /* a table of one row */
+        else if (sscanf(line.c_str(), " %63[-+0-9a-fxp.], /* %63[-+0-9e./]", word, number_text) == 2 ||
+                 sscanf(line.c_str(), " %63[-+0-9a-fxp.] /* %63[-+0-9e./]", word, number_text) == 2) {
+            if (all[name].empty())
+                die(std::string(file) + ": a number before any row: " + line);
+            all[name].back().value.push_back(word);
+            all[name].back().decimal.push_back(number_text);
+        }
+    }
+    return all;
+}
+
+static std::map<std::string, table> tables;
+
+/* ---- exact arithmetic with a list of operations ---- */
+
+typedef std::map<int, mpq_class> assignment;
+
+static mpq_class exact_value(int id, assignment &known)
+{
+    const auto found = known.find(id);
+    if (found != known.end())
+        return found->second;
+    const node &n = nodes()[(std::size_t)id];
+    mpq_class value;
+    switch (n.what) {
+    case CONSTANT:
+        value = mpq_class(n.value);
+        break;
+    case ADD:
+        value = exact_value(n.a, known) + exact_value(n.b, known);
+        break;
+    case SUBTRACT:
+        value = exact_value(n.a, known) - exact_value(n.b, known);
+        break;
+    case MULTIPLY:
+        value = exact_value(n.a, known) * exact_value(n.b, known);
+        break;
+    case DIVIDE:
+        value = exact_value(n.a, known) / exact_value(n.b, known);
+        break;
+    case NEGATE:
+        value = -exact_value(n.a, known);
+        break;
+    default:
+        die("an operation that exact arithmetic does not know: " + std::to_string(n.what));
+    }
+    known[id] = value;
+    return value;
+}
+
+/* ---- intervals, widened: only to know which binades a result can reach ---- */
+
+struct interval {
+    number low, high;
+};
+
+static interval widened(number a, number b, number c, number d)
+{
+    const number low = std::min({a, b, c, d}), high = std::max({a, b, c, d});
+    return {low - std::fabs(low) * 0x1p-45, high + std::fabs(high) * 0x1p-45};
+}
+
+typedef std::map<int, interval> ranges;
+
+static interval range_of(int id, ranges &known)
+{
+    const auto found = known.find(id);
+    if (found != known.end())
+        return found->second;
+    const node n = nodes()[(std::size_t)id];
+    const interval x = n.a < 0 ? interval{0, 0} : range_of(n.a, known), y = n.b < 0 ? x : range_of(n.b, known);
+    interval z;
+    switch (n.what) {
+    case CONSTANT:
+        z = {n.value, n.value};
+        break;
+    case ADD:
+        z = widened(x.low + y.low, x.low + y.low, x.high + y.high, x.high + y.high);
+        break;
+    case SUBTRACT:
+        if (nodes()[(std::size_t)n.b].what == HEAD && nodes()[(std::size_t)n.b].a == n.a)
+            z = {0, x.high * 0x1p-25};
+        else
+            z = widened(x.low - y.high, x.low - y.high, x.high - y.low, x.high - y.low);
+        break;
+    case MULTIPLY:
+        z = n.a == n.b && x.low < 0 && x.high > 0
+                ? widened(0, 0, x.low * x.low, x.high * x.high)
+                : widened(x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high);
+        break;
+    case DIVIDE:
+        z = widened(x.low / y.low, x.low / y.high, x.high / y.low, x.high / y.high);
+        break;
+    case NEGATE:
+        z = {-x.high, -x.low};
+        break;
+    case SQRT:
+        z = widened(std::sqrt(x.low), 0 + std::sqrt(x.low), std::sqrt(x.high), std::sqrt(x.high));
+        break;
+    case HEAD:
+        z = {x.low * (1 - 0x1p-25), x.high};
+        break;
+    default:
+        die("an operation without an interval: " + std::to_string(n.what));
+    }
+    known[id] = z;
+    return z;
+}
+
+/* ---- pieces ---- */
+
+typedef std::function<Real(Real)> function;
+
+struct piece {
+    number low, high;
+};
+
+static word path_at(const function &f, number x)
+{
+    start();
+    recording() = false;
+    f(variable("x", x));
+    recording() = true;
+    return path();
+}
+
+/* The pieces of [first, end). Every decision of the evaluator is a monotone function of the argument, so the arguments
+ * of a piece are neighbours, and bisection finds the last one. */
+static std::vector<piece> pieces_of(const function &f, number first, number end)
+{
+    std::vector<piece> all;
+    word low = bits_of(first);
+    const word stop = bits_of(end);
+    while (low < stop) {
+        const word path = path_at(f, number_of(low));
+        word in = low, out = stop;
+        for (word step = 1; out - in > 1 && in + step < out; step *= 2) {
+            if (path_at(f, number_of(in + step)) != path) {
+                out = in + step;
+                break;
+            }
+            in += step;
+        }
+        while (out - in > 1) {
+            const word middle = in + (out - in) / 2;
+            (path_at(f, number_of(middle)) == path ? in : out) = middle;
+        }
+        all.push_back({number_of(low), number_of(in)});
+        low = out;
+    }
+    return all;
+}
+
+/* ---- Gappa ---- */
+
+static const char *output_directory;
+
+/* Of all files, those are written whose number is `part` modulo `parts`. */
+static unsigned long part, parts = 1, files, written;
+
+/* Patterns of the names wanted, all if there are none */
+static std::vector<std::string> patterns;
+
+static bool is_wanted(const std::string &name)
+{
+    const auto fits = [&](const std::string &pattern) { return fnmatch(pattern.c_str(), name.c_str(), 0) == 0; };
+    return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), fits);
+}
+
+/* Whether a pattern begins with the name of a table */
+static bool is_wanted_in_part(const std::string &table_name)
+{
+    const auto begins = [&](const std::string &pattern) {
+        return pattern.compare(0, table_name.size(), table_name) == 0;
+    };
+    return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), begins);
+}
+
+/* The number of a constant, or NaN */
+static number constant_of(int id)
+{
+    return nodes()[(std::size_t)id].what == CONSTANT ? nodes()[(std::size_t)id].value : NAN;
+}
+
+/* The text of a Gappa file that is being written: rounded (n..) and exact (e..) versions of every operation */
+struct gappa {
+    std::ostringstream text;
+    std::map<int, bool> done;
+    std::vector<std::string> hypotheses, hints;
+
+    gappa()
+    {
+        text << "@rnd = float<ieee_64, ne>;\n@head = float<26, -2000, zr>;\n";
+    }
+
+    static std::string rounded(int id)
+    {
+        return name_of(id, 'n');
+    }
+    static std::string exact(int id)
+    {
+        return name_of(id, 'e');
+    }
+    static std::string name_of(int id, char kind)
+    {
+        const node &n = nodes()[(std::size_t)id];
+        return n.what == CONSTANT ? "(" + hex(n.value) + ")" : kind + std::to_string(id);
+    }
+
+    /* A double in an interval; exact and rounded version are the same. */
+    void variable_in(int id, interval x)
+    {
+        text << rounded(id) << " = rnd(v" << id << ");\n" << exact(id) << " = " << rounded(id) << ";\n";
+        hypotheses.push_back(rounded(id) + " in [" + hex(x.low) + ", " + hex(x.high) + "]");
+        done[id] = true;
+    }
+
+    /* A real number in an interval, and the double next to it */
+    void rounded_in(int id, interval x)
+    {
+        text << exact(id) << " = v" << id << ";\n" << rounded(id) << " = rnd(v" << id << ");\n";
+        hypotheses.push_back("v" + std::to_string(id) + " in [" + hex(x.low) + ", " + hex(x.high) + "]");
+        done[id] = true;
+    }
+
+    void define(int id)
+    {
+        const node n = nodes()[(std::size_t)id];
+        if (n.what == CONSTANT || done[id])
+            return;
+        done[id] = true;
+        if (n.a >= 0)
+            define(n.a);
+        if (n.b >= 0)
+            define(n.b);
+        static const std::map<operation, const char *> sign = {
+            {ADD, " + "}, {SUBTRACT, " - "}, {MULTIPLY, " * "}, {DIVIDE, " / "}};
+        const auto two = sign.find(n.what);
+        if (n.what == SUBTRACT && constant_of(n.b) == 0) {
+            text << rounded(id) << " = " << rounded(n.a) << ";\n" << exact(id) << " = " << exact(n.a) << ";\n";
+        } else if (two != sign.end()) {
+            text << rounded(id) << " rnd= " << rounded(n.a) << two->second << rounded(n.b) << ";\n"
+                 << exact(id) << " = " << exact(n.a) << two->second << exact(n.b) << ";\n";
+        } else if (n.what == NEGATE) {
+            text << rounded(id) << " = -" << rounded(n.a) << ";\n" << exact(id) << " = -" << exact(n.a) << ";\n";
+        } else if (n.what == SQRT) {
+            text << rounded(id) << " = rnd(sqrt(" << rounded(n.a) << "));\n"
+                 << exact(id) << " = sqrt(" << exact(n.a) << ");\n";
+        } else if (n.what == HEAD) {
+            text << rounded(id) << " = head(" << rounded(n.a) << ");\n" << exact(id) << " = " << rounded(id) << ";\n";
+        } else {
+            die("an operation that no goal can state: " + std::to_string(n.what) + " at " + hex(n.value));
+        }
+    }
+
+    void write(const std::string &name, const std::vector<std::string> &more, const std::string &conclusion) const
+    {
+        if (!is_wanted(name) || files++ % parts != part)
+            return;
+        written++;
+        std::ofstream out(std::string(output_directory) + "/" + name + ".g");
+        out << text.str() << "{ ";
+        std::vector<std::string> all = hypotheses;
+        all.insert(all.end(), more.begin(), more.end());
+        for (std::size_t i = 0; i < all.size(); i++)
+            out << (i ? " /\\ " : "") << all[i];
+        out << " -> " << conclusion << " }\n";
+        for (const std::string &hint : hints)
+            out << hint << "\n";
+    }
+};
+
+static std::string power_of_two(int k)
+{
+    return "1b" + std::to_string(k);
+}
+
+/* Goals: the last operation's result is within `ulp` units of the last place of the exact value, or of any number
+ * within 2^-55 of it. A file for each binade that the exact value may reach, and for each side of the binade's borders
+ * on which the sum may lie that is rounded last: a sum beside a power of two can round to another spacing than that of
+ * the exact value. */
+static void write_goals(const std::string &name, gappa &g, int result, ranges &known, number ulp)
+{
+    const node n = nodes()[(std::size_t)result];
+    g.define(n.a);
+    g.define(n.b);
+    g.text << "sum = " << g.rounded(n.a) << (n.what == SUBTRACT ? " - " : " + ") << g.rounded(n.b) << ";\n";
+    g.define(result);
+    const std::string exact = g.exact(result), error = "|" + g.rounded(result) + " - " + exact + "|";
+    const interval range = range_of(result, known);
+    if (!(range.low > 0))
+        die(name + ": the exact value is not known to be positive");
+    int first, last;
+    std::frexp(range.low, &first);
+    std::frexp(range.high, &last);
+    const bool whole = first == last;
+    for (int k = first - 1; k <= last - 1; k++) {
+        const std::string bound = " in [0, " + hex(std::ldexp(ulp, k - 52)) + "]";
+        const std::string low = power_of_two(k), high = power_of_two(k + 1);
+        /* wider by one part in 2^55 */
+        const std::string binade = exact + " in [" + std::to_string((1L << 55) - 1) + "b" + std::to_string(k - 55) +
+                                   ", " + std::to_string((1L << 55) + 1) + "b" + std::to_string(k + 1 - 55) + "]";
+        if (whole) {
+            g.write(name, {}, error + bound + " /\\ " + exact + " in [" + low + ", " + high + "]");
+            return;
+        }
+        const std::string prefix = name + "_2_" + std::to_string(k) + "_";
+        g.write(prefix + "below", {binade, "sum <= " + low}, error + bound);
+        g.write(prefix + "in", {binade, "sum in [" + low + ", " + high + "]"}, error + bound);
+        g.write(prefix + "above", {binade, "sum >= " + high}, error + bound);
+    }
+    g.write(name + "_range", {}, exact + " in [" + power_of_two(first - 1) + ", " + power_of_two(last) + "]");
+}
+
+/* ---- tables of rows ---- */
+
+enum shape { IN_BETA, IN_ROOT, BY_OCTAVES, NEAR, NEAR_ROOT };
+
+struct evaluator {
+    const char *name; /* of the table, too */
+    function value;
+    number first, end;
+    shape kind;
+    bool product; /* value = m (c_0 + row) */
+    number ulp;
+};
+
+/* The row for a number of a piece, according to the comments of the table */
+static const row &row_for(const evaluator &f, number x)
+{
+    for (const row &r : tables[f.name]) {
+        number y = f.kind == IN_ROOT     ? std::sqrt(x)
+                   : f.kind == NEAR      ? 1 - x
+                   : f.kind == NEAR_ROOT ? std::sqrt(1 - x)
+                                         : x;
+        if (r.by_octaves)
+            y = std::ldexp(y, -r.octave);
+        if (y >= r.low && y <= r.high)
+            return r;
+    }
+    die(std::string(f.name) + ": no row for " + hex(x));
+}
+
+static void mark_operands(int id, std::vector<bool> &needed)
+{
+    if (id < 0 || needed[(std::size_t)id])
+        return;
+    needed[(std::size_t)id] = true;
+    mark_operands(nodes()[(std::size_t)id].a, needed);
+    mark_operands(nodes()[(std::size_t)id].b, needed);
+}
+
+/* The nodes that the result depends on */
+static std::vector<bool> needed_for(int result)
+{
+    std::vector<bool> needed(nodes().size(), false);
+    mark_operands(result, needed);
+    return needed;
+}
+
+static bool is_constant(int id, number value)
+{
+    return id >= 0 && nodes()[(std::size_t)id].what == CONSTANT && nodes()[(std::size_t)id].value == value;
+}
+
+/* The nodes of a piece that the goals need by name; -1 where there is none */
+struct landmarks {
+    int x, root, significand, head, loss, place;
+};
+
+/* place: t of row 0, y - 0 - 0 step or y - 0 */
+static landmarks landmarks_of(int result)
+{
+    const std::vector<bool> needed = needed_for(result);
+    const auto find_node = [&](const std::function<bool(const node &)> &wanted) {
+        for (std::size_t i = 0; i < nodes().size(); i++)
+            if (needed[i] && wanted(nodes()[i]))
+                return (int)i;
+        return -1;
+    };
+    landmarks l;
+    l.x = find_node([](const node &n) { return n.what == VARIABLE; });
+    l.root = find_node([](const node &n) { return n.what == SQRT; });
+    l.significand = find_node([](const node &n) { return n.what == SIGNIFICAND; });
+    l.head = find_node([](const node &n) { return n.what == HEAD; });
+    l.loss = find_node([&](const node &n) { return n.what == SUBTRACT && is_constant(n.a, 1) && n.b == l.x; });
+    l.place = -1;
+    for (std::size_t i = 0; i < nodes().size(); i++) {
+        const node &n = nodes()[i];
+        const int y = l.root >= 0 ? l.root : l.loss >= 0 ? l.loss : l.x;
+        if (needed[i] && n.what == SUBTRACT && is_constant(n.b, 0) && (n.a == y || n.a == l.place))
+            l.place = (int)i;
+    }
+    return l;
+}
+
+/* The evaluator computes exactly c_0 + c_0' + s (c_1 + c_2 t + ...) of the row that the table's comments assign to the
+ * piece, times m, if nothing is rounded: two polynomials of degree at most 13 agree at 16 points. */
+static void check_formula(const evaluator &f, const row &r, const landmarks &l, int result, number x)
+{
+    for (int i = 1; i <= 16; i++) {
+        assignment known;
+        mpq_class t, s, m = 1;
+        const mpq_class node(r.node()), z(i * 7 + 3, 40 + i);
+        if (l.significand >= 0) {
+            known[l.significand] = z;
+            t = z - node;
+        } else if (f.kind == IN_BETA) {
+            known[l.x] = z;
+            t = z - node;
+        } else if (f.kind == IN_ROOT) {
+            known[l.root] = z;
+            known[l.x] = z * z;
+            t = z - node;
+        } else {
+            const bool root = f.kind == NEAR_ROOT;
+            known[l.loss] = root ? mpq_class(z * z) : z;
+            if (root)
+                known[l.root] = z;
+            t = z - node;
+        }
+        if (f.product) {
+            m = known[l.loss >= 0 ? l.loss : l.x];
+            known[l.head] = mpq_class(i, 3); /* any split of m gives the same product */
+        }
+        mpq_class sum = 0;
+        for (std::size_t k = r.value.size(); k-- > 2;)
+            sum = sum * t + mpq_class(strtod(r.value[k].c_str(), nullptr));
+        const bool by_square = f.kind == IN_ROOT && tables[f.name].size() == COR_ROWS_EPS_ZERO_FORCE_ROWS &&
+                               &r - &tables[f.name][0] >= COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS;
+        s = by_square ? mpq_class(z * z - node * node) : t;
+        sum = mpq_class(strtod(r.value[0].c_str(), nullptr)) + mpq_class(strtod(r.value[1].c_str(), nullptr)) + s * sum;
+        if (exact_value(result, known) != m * sum)
+            die(std::string(f.name) + " at " + hex(x) + ": the evaluator does not compute the formula of the row");
+    }
+}
+
+static void write_row_piece(const evaluator &f, const piece &p, int index)
+{
+    start();
+    const Real value = f.value(variable("x", p.low));
+    const int result = value.node();
+    const landmarks l = landmarks_of(result);
+    const row &r = row_for(f, p.low + (p.high - p.low) / 2);
+    check_formula(f, r, l, result, p.low);
+    const bool first = f.product && l.place >= 0 && r.low == 0;
+    gappa g;
+    ranges known;
+    if (l.significand >= 0) {
+        const interval m = {std::ldexp(p.low, -r.octave), std::ldexp(p.high, -r.octave)};
+        g.variable_in(l.significand, known[l.significand] = m);
+    } else if (first) {
+        /* Scaling m by a power of two scales the result, so m = 1 to 2 stands for all; t is any number of the row. */
+        const int m = l.loss >= 0 ? l.loss : l.x;
+        g.variable_in(m, known[m] = {1, 2});
+        known[l.place] = {0, r.high};
+        if (l.root >= 0)
+            g.rounded_in(l.place, known[l.place]);
+        else
+            g.variable_in(l.place, known[l.place]);
+    } else if (l.loss >= 0) {
+        g.variable_in(l.loss, known[l.loss] = {1 - p.high, 1 - p.low});
+    } else {
+        g.variable_in(l.x, known[l.x] = {p.low, p.high});
+    }
+    char name[128];
+    snprintf(name, sizeof name, "%s_%04d", f.name, index);
+    write_goals(name, g, result, known, f.ulp);
+}
+
+static void write_rows(const evaluator &f)
+{
+    const std::vector<piece> pieces = pieces_of(f.value, f.first, f.end);
+    for (std::size_t i = 0; i < pieces.size(); i++)
+        write_row_piece(f, pieces[i], (int)i);
+    printf("%s: %zu pieces of %zu rows\n", f.name, pieces.size(), tables[f.name].size());
+}
+
+/* ---- tails ---- */
+
+/* hi + lo of a pair whose sum cor_inline_sum(a, b) computes: s = a + b, z = s - a, lo = b - z. The hints say that lo is
+ * the rounding error of s if z is exact, which Gappa then proves. Returns the text of hi + lo - (a + b) and gives hi + lo a name. */
+static std::string hint_sum(gappa &g, const struct cor_inline_pair &pair, const char *name)
+{
+    const int lo = pair.lo.node(), s = pair.hi.node();
+    const int b = nodes()[(std::size_t)lo].a, z = nodes()[(std::size_t)lo].b, a = nodes()[(std::size_t)z].b;
+    const node sum = nodes()[(std::size_t)s];
+    if (nodes()[(std::size_t)z].a != s || sum.what != ADD || sum.a != a || sum.b != b)
+        die("cor_inline_sum has changed");
+    const std::string na = g.rounded(a), nb = g.rounded(b), ns = g.rounded(s), nz = g.rounded(z), nl = g.rounded(lo);
+    g.hints.push_back(nb + " - " + nz + " -> ((" + na + " + " + nb + ") - " + ns + ") + ((" + ns + " - " + na + ") - " +
+                      nz + ");");
+    g.text << name << " = " << ns << " + " << nl << ";\n";
+    return "((" + ns + " - " + na + ") - " + nz + ") + (" + nl + " - (" + nb + " - " + nz + "))";
+}
+
+/* ln(2) to 31 digits, rounded down and up */
+static const char ln2_low[] = "0.693147180559945309417232121458", ln2_high[] = "0.693147180559945309417232121459";
+
+/* |hi + lo - ln(beta)| <= 2^-53 if log(m) is within 2^-54, an ulp of its largest values, of ln(m). One goal for each
+ * exponent e of beta = m 2^e, |ln(m)| < 0.3466. */
+static void write_log(void)
+{
+    for (int e = 2; e <= 1024; e++) {
+        start();
+        const bool up = e == 1024;
+        const Real beta = variable("x", std::ldexp(up ? 1.75 : 1.25, up ? e - 1 : e));
+        const struct cor_inline_pair u = cor_inline_log(beta);
+        const int hi = u.hi.node(), lo = u.lo.node();
+        int log_node = -1;
+        for (std::size_t i = 0; i < nodes().size(); i++)
+            if (nodes()[i].what == LOG)
+                log_node = (int)i;
+        gappa g;
+        const std::string l = g.rounded(log_node);
+        g.text << l << " = rnd(v);\n" << g.exact(log_node) << " = LNM;\n";
+        g.done[log_node] = true;
+        g.define(lo);
+        g.define(hi);
+        const std::string off = hint_sum(g, u, "pair");
+        g.text << "exact = " << e << " * LN2 + LNM;\n";
+        const node sum = nodes()[(std::size_t)hi], low = nodes()[(std::size_t)sum.b];
+        const std::string heads = g.rounded(sum.a) + " + " + g.rounded(low.a), b = g.rounded(sum.b);
+        g.hints.push_back("pair - exact -> " + off + " + (" + b + " - (" + g.rounded(low.a) + " + " + l + ")) + (" + l +
+                          " - LNM) + ((" + heads + ") - " + std::to_string(e) + " * LN2);");
+        g.hypotheses.push_back("LNM in [-0.3466, 0.3466]");
+        g.hypotheses.push_back("LN2 in [" + std::string(ln2_low) + ", " + ln2_high + "]");
+        g.hypotheses.push_back(l + " - LNM in [-1b-54, 1b-54]");
+        char name[64];
+        snprintf(name, sizeof name, "log_%04d", e);
+        g.write(name, {}, "|pair - exact| in [0, 1b-53]");
+    }
+}
+
+/* The factors of the tails, as pairs: rows in u = ln(beta) up to u = 10, and three orders in mu = beta^(-5/3) beyond.
+ * `error` is the relative error that the goals state, in units of 2^-53. */
+struct tail {
+    const char *name;
+    struct cor_inline_pair (*factor)(Real beta);
+    number error, far_error;
+};
+
+static const tail tails[] = {
+    {"tail_eps_zero_force",
+     [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, eps_zero_force, COR_ROWS_TAIL_EPS_ZERO_FORCE); }, 0.3, 0.1},
+    {"tail_duration_zero_overlap",
+     [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, duration_zero_overlap, COR_ROWS_TAIL_DURATION_ZERO_OVERLAP); },
+     0.8, 0.2},
+    {"tail_duration_zero_force",
+     [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, duration_zero_force, COR_ROWS_TAIL_DURATION_ZERO_FORCE); }, 0.6,
+     0.2},
+    {"tail_max_overlap", [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, max_overlap, COR_ROWS_TAIL_MAX_OVERLAP); },
+     0.3, 0.1},
+    {"tail_time_of_max_overlap",
+     [](Real beta) { return COR_INLINE_LOG_FACTOR(beta, time_of_max_overlap, COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP); }, 0.6,
+     0.2},
+};
+
+/* u.hi and u.lo become variables with |hi + lo - U| <= 2^-53, which the goals of write_log prove; U is ln(beta). */
+static void cut_log(gappa &g, const struct cor_inline_pair &u, interval range)
+{
+    const int hi = u.hi.node(), lo = u.lo.node();
+    g.text << g.rounded(lo) << " = rnd(low);\n"
+           << g.exact(lo) << " = " << g.rounded(lo) << ";\n"
+           << g.rounded(hi) << " = rnd(high);\n"
+           << g.exact(hi) << " = U - " << g.rounded(lo) << ";\n";
+    g.hypotheses.push_back("|" + g.rounded(lo) + "| <= " + hex(std::ldexp(range.high, -52)));
+    g.hypotheses.push_back(g.rounded(hi) + " in [" + hex(range.low) + ", " + hex(range.high) + "]");
+    g.hypotheses.push_back(g.rounded(hi) + " - " + g.exact(hi) + " in [-1b-53, 1b-53]");
+    g.done[hi] = g.done[lo] = true;
+}
+
+/* |pair - E| <= error 2^-53 E for a row of a tail. The row may be used a little beyond its cell, because log is
+ * rounded. */
+static void write_tail_row(const tail &f, const row &r, int index)
+{
+    const number slack = 0x1p-40;
+    start();
+    const Real beta = variable("x", std::exp(r.node()));
+    const struct cor_inline_pair u = cor_inline_log(beta), pair = f.factor(beta);
+    const int hi = pair.hi.node(), lo = pair.lo.node();
+    for (int i = 1; i <= 16; i++) { /* the formula of the row, as check_formula */
+        assignment known;
+        const mpq_class y(i * 7 + 3, 40 + i), t = y - mpq_class(r.node()), rest(i, 7);
+        mpq_class sum = 0;
+        known[u.hi.node()] = y - rest;
+        known[u.lo.node()] = rest;
+        for (std::size_t k = r.value.size(); k-- > 2;)
+            sum = sum * t + mpq_class(strtod(r.value[k].c_str(), nullptr));
+        sum = mpq_class(strtod(r.value[0].c_str(), nullptr)) + mpq_class(strtod(r.value[1].c_str(), nullptr)) + t * sum;
+        if (exact_value(hi, known) + exact_value(lo, known) != sum)
+            die(std::string(f.name) + ": the evaluator does not compute the formula of row " + std::to_string(index));
+    }
+    gappa g;
+    cut_log(g, u, {r.low - slack, r.high + slack});
+    g.define(lo);
+    const std::string off = hint_sum(g, pair, "pair");
+    const node sum = nodes()[(std::size_t)hi];
+    g.hints.push_back("pair - " + g.exact(hi) + " -> " + off + " + (" + g.rounded(sum.b) + " - " + g.exact(sum.b) +
+                      ");");
+    char name[128];
+    snprintf(name, sizeof name, "%s_%04d", f.name, index);
+    g.write(name, {},
+            "|(pair - " + g.exact(hi) + ") / " + g.exact(hi) + "| in [0, " + hex(std::ldexp(f.error, -53)) + "]");
+}
+
+static void write_tails(void)
+{
+    for (const tail &f : tails)
+        for (std::size_t i = 0; i < tables[f.name].size(); i++)
+            write_tail_row(f, tables[f.name][i], (int)i);
+}
+
+/* hi + lo of a pair that cor_inline_product(x, y) computes: lo approximates x y - hi. Returns the text of hi + lo - x y
+ * for the rounded x and y. */
+static std::string product_error(gappa &g, int hi, int lo)
+{
+    const auto operand = [](int id, operation what, bool second) {
+        const node &n = nodes()[(std::size_t)id];
+        if (n.what != what)
+            die("cor_inline_product has changed");
+        return second ? n.b : n.a;
+    };
+    const int first = operand(operand(operand(lo, ADD, false), ADD, false), ADD, false);
+    const int heads = operand(first, SUBTRACT, false);
+    const std::string x = g.rounded(operand(hi, MULTIPLY, false)), y = g.rounded(operand(hi, MULTIPLY, true));
+    const std::string xh = g.rounded(operand(heads, MULTIPLY, false)), yh = g.rounded(operand(heads, MULTIPLY, true));
+    const std::string low = "low" + std::to_string(lo);
+    g.text << low << " = (((" << xh << " * " << yh << " - " << g.rounded(hi) << ") + " << xh << " * (" << y << " - "
+           << yh << ")) + (" << x << " - " << xh << ") * " << yh << ") + (" << x << " - " << xh << ") * (" << y << " - "
+           << yh << ");\n";
+    g.hints.push_back(low + " -> " + x + " * " + y + " - " + g.rounded(hi) + ";");
+    g.hints.push_back(g.rounded(lo) + " -> " + low + " + (" + g.rounded(lo) + " - " + low + ");");
+    return "(" + g.rounded(lo) + " - " + low + ")";
+}
+
+/* The same for the three orders of a tail, where U lies in a binade and MU = exp(-5/3 U); n(mu) has a relative error
+ * below 2^-50 if cbrt is within 2 ulp. */
+static void write_far_binade(const tail &f, interval range, int index)
+{
+    start();
+    const Real beta = variable("x", std::exp(range.low * 1.0001));
+    const struct cor_inline_pair u = cor_inline_log(beta), pair = f.factor(beta);
+    const auto a_of = [](int id) { return nodes()[(std::size_t)id].a; };
+    const auto b_of = [](int id) { return nodes()[(std::size_t)id].b; };
+    const int v = u.hi.node(), ulo = u.lo.node(), lo = pair.lo.node(), hi = pair.hi.node();
+    const int rest = b_of(hi), sum_lo = a_of(rest), more = b_of(rest), sum_hi = a_of(hi);
+    const int part = a_of(more), last = b_of(more), slope_part = a_of(part), third = b_of(part);
+    const int slope_lo = a_of(slope_part), second = b_of(slope_part), orders = b_of(last);
+    const int slope_hi =
+        b_of(sum_hi) >= 0 && nodes()[(std::size_t)b_of(sum_hi)].what == MULTIPLY ? b_of(sum_hi) : a_of(sum_hi);
+    int mu = -1;
+    for (std::size_t i = 0; i < nodes().size(); i++)
+        if (nodes()[i].what == DIVIDE && nodes()[(std::size_t)nodes()[i].b].what == MULTIPLY)
+            mu = (int)i;
+    const row &r = tables["far_" + std::string(f.name).substr(5)][0];
+    for (int i = 1; i <= 16; i++) {
+        assignment known;
+        const mpq_class y(i * 7 + 3, 40 + i), m(i, 50);
+        known[v] = y;
+        known[ulo] = 0;
+        known[mu] = m;
+        std::vector<mpq_class> c;
+        for (const std::string &text : r.value)
+            c.push_back(mpq_class(strtod(text.c_str(), nullptr)));
+        for (std::size_t k = 0; k < nodes().size(); k++)
+            if (nodes()[k].what == HEAD)
+                known[(int)k] = mpq_class(i, 9);
+        const mpq_class sum = c[0] + c[1] + (c[2] + c[3]) * y + m * (c[4] + y * (c[5] + y * c[6])) +
+                              m * m * (c[7] + y * (c[8] + y * (c[9] + y * c[10])));
+        if (exact_value(hi, known) + exact_value(lo, known) != sum)
+            die(std::string(f.name) + ": the evaluator does not compute the formula beyond u = 10");
+    }
+    gappa g;
+    const std::string nv = g.rounded(v), nu = g.rounded(ulo), nm = g.rounded(mu);
+    const std::string most = hex(std::exp(-5 * range.low / 3) * (1 + 0x1p-40));
+    g.text << nv << " = rnd(high);\n"
+           << g.exact(v) << " = U;\n"
+           << nu << " = rnd(low);\n"
+           << g.exact(ulo) << " = 0;\n"
+           << nm << " = rnd(m);\n"
+           << g.exact(mu) << " = MU;\n";
+    g.done[v] = g.done[ulo] = g.done[mu] = true;
+    g.hypotheses = {nv + " in [" + hex(range.low - 0x1p-40) + ", " + hex(range.high) + "]",
+                    "U in [" + hex(range.low) + ", " + hex(range.high) + "]",
+                    "|" + nu + "| <= " + hex(std::ldexp(range.high, -52)),
+                    "(" + nv + " + " + nu + ") - U in [-1b-53, 1b-53]",
+                    nv + " - U in [-" + hex(std::ldexp(range.high, -51)) + ", " + hex(std::ldexp(range.high, -51)) +
+                        "]",
+                    "MU in [0, " + most + "]",
+                    nm + " - MU in [-" + hex(std::ldexp(std::exp(-5 * range.low / 3), -50)) + ", " +
+                        hex(std::ldexp(std::exp(-5 * range.low / 3), -50)) + "]"};
+    g.define(lo);
+    const std::string off_2 = hint_sum(g, pair, "pair");
+    const struct cor_inline_pair inner = {Real(0, sum_hi), Real(0, sum_lo)};
+    const std::string off_1 = hint_sum(g, inner, "inner"), slope = product_error(g, slope_hi, slope_lo);
+    const std::string c0 = "(" + hex(strtod(r.value[0].c_str(), nullptr)) + ")",
+                      c1 = "(" + hex(strtod(r.value[1].c_str(), nullptr)) + ")",
+                      c2 = "(" + hex(strtod(r.value[2].c_str(), nullptr)) + ")",
+                      c3 = "(" + hex(strtod(r.value[3].c_str(), nullptr)) + ")";
+    g.text << "exact = " << c0 << " + " << c1 << " + (" << c2 << " + " << c3 << ") * U + " << g.exact(orders) << ";\n"
+           << "terms = ((" << g.rounded(slope_lo) << " + " << c2 << " * " << nu << ") + " << c3 << " * " << nv
+           << ") + (" << c1 << " + " << g.rounded(orders) << ");\n";
+    (void)second;
+    (void)third;
+    g.hints.push_back("pair - exact -> " + off_2 + " + (" + g.rounded(rest) + " - (" + g.rounded(sum_lo) + " + " +
+                      g.rounded(more) + ")) + " + off_1 + " + " + slope + " + (" + g.rounded(more) + " - terms) + " +
+                      c2 + " * ((" + nv + " + " + nu + ") - U) + " + c3 + " * (" + nv + " - U) + (" +
+                      g.rounded(orders) + " - " + g.exact(orders) + ");");
+    char name[128];
+    snprintf(name, sizeof name, "far_%s_%d", f.name + 5, index);
+    g.write(name, {}, "|(pair - exact) / exact| in [0, " + hex(std::ldexp(f.far_error, -53)) + "]");
+}
+
+static void write_far(void)
+{
+    for (const tail &f : tails) {
+        number low = 10;
+        for (int k = 4; k <= 10; k++) {
+            const number high = std::min(std::ldexp(1, k), 709.8);
+            write_far_binade(f, {low, high}, k);
+            low = high;
+        }
+    }
+}
+
+/* ---- pairs, powers and roots ---- */
+
+/* Goals about functions of pairs. Arguments in [1, 2) stand for all: scaling an argument by a power of two scales every
+ * operation, and no caller lets one overflow or underflow. */
+
+static struct cor_inline_pair pair_variable(const std::string &name, number hi)
+{
+    return {variable(name, hi), variable(name + "_lo", hi * 0x1p-54)};
+}
+
+/* hi in [1, 2], |lo| <= 2^-52 */
+static void pair_in(gappa &g, const struct cor_inline_pair &pair)
+{
+    g.variable_in(pair.hi.node(), {1, 2});
+    g.variable_in(pair.lo.node(), {-0x1p-52, 0x1p-52});
+}
+
+static std::string sum_text(const gappa &, const struct cor_inline_pair &pair)
+{
+    return "(" + gappa::rounded(pair.hi.node()) + " + " + gappa::rounded(pair.lo.node()) + ")";
+}
+
+static int first_of(int id)
+{
+    return nodes()[(std::size_t)id].a;
+}
+
+static int second_of(int id)
+{
+    return nodes()[(std::size_t)id].b;
+}
+
+/* cor_inline_product: |hi + lo - x y| <= 2^-74 */
+static void write_product(void)
+{
+    start();
+    const Real x = variable("x", 1.3), y = variable("y", 1.7);
+    const struct cor_inline_pair p = cor_inline_product(x, y);
+    gappa g;
+    g.variable_in(x.node(), {1, 2});
+    g.variable_in(y.node(), {1, 2});
+    g.define(p.hi.node());
+    g.define(p.lo.node());
+    const std::string error = product_error(g, p.hi.node(), p.lo.node());
+    g.text << "off = " << sum_text(g, p) << " - " << g.rounded(x.node()) << " * " << g.rounded(y.node()) << ";\n";
+    g.hints.push_back("off -> " + error + ";");
+    g.write("pair_product", {}, "|off| in [0, 1b-74]");
+}
+
+/* cor_inline_pair_times: |hi + lo - (x.hi + x.lo) (y.hi + y.lo)| <= 2^-72 */
+static void write_pair_times(void)
+{
+    start();
+    const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
+    const struct cor_inline_pair p = cor_inline_pair_times(x, y);
+    gappa g;
+    pair_in(g, x);
+    pair_in(g, y);
+    g.define(p.lo.node());
+    const std::string off = hint_sum(g, p, "pair");
+    const int rest = second_of(p.hi.node()), hi = first_of(p.hi.node()), lo = first_of(rest);
+    const std::string product = product_error(g, hi, lo);
+    const std::string xh = g.rounded(x.hi.node()), xl = g.rounded(x.lo.node()), yh = g.rounded(y.hi.node()),
+                      yl = g.rounded(y.lo.node());
+    const std::string crossed = xh + " * " + yl + " + " + xl + " * " + yh;
+    g.text << "off = pair - (" << xh << " + " << xl << ") * (" << yh << " + " << yl << ");\n"
+           << "terms = " << g.rounded(lo) << " + (" << crossed << ");\n";
+    g.hints.push_back("off -> " + off + " + (" + g.rounded(rest) + " - terms) + " + product + " - " + xl + " * " + yl +
+                      ";");
+    g.write("pair_times", {}, "|off| in [0, 1b-72]");
+}
+
+/* cor_inline_pair_over: hi is a rounded sum that is within 2^-70 of (x.hi + x.lo)/(y.hi + y.lo) */
+static void write_pair_over(void)
+{
+    start();
+    const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
+    const struct cor_inline_pair p = cor_inline_pair_over(x, y);
+    gappa g;
+    pair_in(g, x);
+    pair_in(g, y);
+    g.define(p.hi.node());
+    const int q = first_of(p.hi.node()), correction = second_of(p.hi.node()), rest = first_of(correction);
+    const int head = first_of(rest), lo = second_of(head), hi = second_of(first_of(head));
+    const std::string product = product_error(g, hi, lo);
+    const std::string xh = g.rounded(x.hi.node()), xl = g.rounded(x.lo.node()), yh = g.rounded(y.hi.node()),
+                      yl = g.rounded(y.lo.node()), nq = g.rounded(q), nr = g.rounded(rest), nc = g.rounded(correction);
+    g.text << "exact = (" << xh << " + " << xl << ") / (" << yh << " + " << yl << ");\n"
+           << "terms = ((" << xh << " - " << g.rounded(hi) << ") - " << g.rounded(lo) << ") + (" << xl << " - " << nq
+           << " * " << yl << ");\n"
+           << "residue = (" << xh << " - " << nq << " * " << yh << ") + (" << xl << " - " << nq << " * " << yl << ");\n"
+           << "off = (" << nq << " + " << nc << ") - exact;\n";
+    g.hints.push_back("off -> (" + nc + " - " + nr + " / " + yh + ") + (" + nr + " - residue) / " + yh + " + " + yl +
+                      " * (exact - " + nq + ") / " + yh + " { " + yh + " <> 0, (" + yh + " + " + yl + ") <> 0 };");
+    g.hints.push_back(nr + " - residue -> (" + nr + " - terms) - " + product + ";");
+    g.hints.push_back("exact - " + nq + " -> (" + xh + " / " + yh + " - " + nq + ") + (" + xl + " - " + yl + " * " +
+                      xh + " / " + yh + ") / (" + yh + " + " + yl + ") { " + yh + " <> 0, (" + yh + " + " + yl +
+                      ") <> 0 };");
+    g.hints.push_back(nr + " -> residue + (" + nr + " - residue);");
+    g.hints.push_back("residue -> " + yh + " * (" + xh + " / " + yh + " - " + nq + ") + (" + xl + " - " + nq + " * " +
+                      yl + ") { " + yh + " <> 0 };");
+    g.hints.push_back(xh + " - " + g.rounded(hi) + " -> " + yh + " * (" + xh + " / " + yh + " - " + nq + ") - (" +
+                      g.rounded(hi) + " - " + nq + " * " + yh + ") { " + yh + " <> 0 };");
+    g.write("pair_over", {}, "|off| in [0, 1b-70]");
+}
+
+/* A real number S within `error` 2^-53 E of E, 1 <= E <= 2, is rounded last: |rnd(S) - E| <= ulp units of E's last
+ * place, also for any number within 2^-57 of E. The final step of every tail. */
+static void write_rounding(const std::string &name, number error, number ulp)
+{
+    gappa g;
+    g.text << "V = rnd(S);\n";
+    g.hypotheses = {"E in [" + std::to_string((1L << 57) - 1) + "b-57, " + std::to_string((1L << 57) + 1) + "b-56]",
+                    "S - E in [-" + hex(std::ldexp(error, -52)) + ", " + hex(std::ldexp(error, -52)) + "]"};
+    /* error 2^-53 E is largest at E = 2 */
+    const std::string goal = "|V - E| in [0, " + hex(std::ldexp(ulp, -52)) + "]";
+    g.write(name + "_below", {"S <= 1"}, goal);
+    g.write(name + "_in", {"S in [1, 2]"}, goal);
+    g.write(name + "_above", {"S >= 2"}, goal);
+}
+
+/* beta^(2/3), m = beta 2^-k in [2^i, 2^(i + 1)], i = 0, 1, 2: the pair is within 2^-70 m^(2/3) of r^2 (1 + (2/3) D +
+ * (5/9) D^2), where r is the head of cbrt(m) and r^3 = m (1 - D), |D| < 2^-23. */
+static void write_two_thirds(void)
+{
+    for (int i = 0; i < 3; i++) {
+        start();
+        const Real m = variable("m", std::ldexp(1.3, i));
+        const struct cor_inline_pair p = cor_inline_two_thirds(m);
+        gappa g;
+        g.variable_in(m.node(), {std::ldexp(1, i), std::ldexp(1, i + 1)});
+        const int s = p.hi.node(), square = first_of(s), r = first_of(square);
+        g.text << g.rounded(r) << " = head(C);\n" << g.exact(r) << " = " << g.rounded(r) << ";\n";
+        g.hypotheses.push_back(g.rounded(r) + " in [1, 2]");
+        g.done[r] = true;
+        int d = -1;
+        for (std::size_t k = 0; k < nodes().size(); k++)
+            if (nodes()[k].what == DIVIDE && nodes()[k].b == m.node())
+                d = (int)k;
+        const int rest = first_of(d), lo = second_of(rest), hi = second_of(first_of(rest));
+        const std::string nr = g.rounded(r), nm = g.rounded(m.node());
+        g.define(rest);
+        const std::string product = product_error(g, hi, lo);
+        g.text << g.rounded(d) << " rnd= " << g.rounded(rest) << " / " << nm << ";\n"
+               << "D = (" << nm << " - " << nr << " * " << nr << " * " << nr << ") / " << nm << ";\n"
+               << g.exact(d) << " = D;\n";
+        g.done[d] = true;
+        g.hypotheses.push_back("D in [-1b-23, 1b-23]");
+        g.define(p.lo.node());
+        const std::string off = hint_sum(g, p, "pair"), b = g.rounded(second_of(s));
+        g.text << "exact = " << nr << " * " << nr << " * (1 + D * (2 / 3 + D * (5 / 9)));\n"
+               << "series = " << nr << " * " << nr << " * (D * (2 / 3 + D * (5 / 9)));\n"
+               << "terms = (" << nm << " - " << g.rounded(hi) << ") - " << g.rounded(lo) << ";\n";
+        g.hints.push_back(nm + " - " + g.rounded(hi) + " -> D * " + nm + " - (" + g.rounded(hi) + " - " +
+                          g.rounded(square) + " * " + nr + ") - (" + g.rounded(square) + " - " + nr + " * " + nr +
+                          ") * " + nr + " { " + nm + " <> 0 };");
+        g.hints.push_back(g.rounded(d) + " - D -> (" + g.rounded(d) + " - " + g.rounded(rest) + " / " + nm + ") + (" +
+                          g.rounded(rest) + " - terms) / " + nm + " - (" + product + " + (" + g.rounded(square) +
+                          " - " + nr + " * " + nr + ") * " + nr + ") / " + nm + " { " + nm + " <> 0 };");
+        g.hints.push_back("pair - exact -> " + off + " + (" + b + " - series) + (" + g.rounded(square) + " - " + nr +
+                          " * " + nr + ");");
+        g.write("two_thirds_" + std::to_string(i), {}, "|pair - exact| in [0, 1b-70]");
+    }
+}
+
+/* x^(1/5) = r (1 + D)^(1/5), r^5 (1 + D) = x, |D| <= 4e-4, which tests/proof/seeds.c shows for every x. The goals: head
+ * and tail are within 0.41 2^-53 of r (1 + D/5 - ...) up to D^4. */
+static void write_fifth_root(void)
+{
+    start();
+    const Real x = variable("x", 1.3);
+    const struct cor_inline_pair root = cor_inline_fifth_root_parts(x);
+    const int lo = root.lo.node(), r = root.hi.node();
+    int d = -1;
+    for (std::size_t k = 0; k < nodes().size(); k++)
+        if (nodes()[k].what == DIVIDE && first_of((int)k) >= 0 &&
+            nodes()[(std::size_t)first_of((int)k)].what == SUBTRACT)
+            d = (int)k; /* the last one */
+    gappa g;
+    const std::string nr = g.rounded(r), nx = g.rounded(x.node());
+    g.text << nr << " = head(R);\n" << g.exact(r) << " = " << nr << ";\n" << nx << " = rnd(X);\n";
+    g.done[r] = g.done[x.node()] = true;
+    g.define(second_of(d));
+    const int fifth = second_of(d), rest = first_of(d);
+    g.text << g.exact(x.node()) << " = " << nx << ";\n"
+           << "five = " << nr << " * " << nr << " * (" << nr << " * " << nr << ") * " << nr << ";\n"
+           << "D = (" << nx << " - five) / five;\n"
+           << g.rounded(rest) << " rnd= " << nx << " - " << g.rounded(fifth) << ";\n"
+           << g.rounded(d) << " rnd= " << g.rounded(rest) << " / " << g.rounded(fifth) << ";\n"
+           << g.exact(d) << " = D;\n";
+    g.done[d] = true;
+    g.define(lo);
+    g.hypotheses = {nr + " in [1, 2]", "D in [-4e-4, 4e-4]"};
+    g.text << "P = D * ((0.2 - 0.08 * D) + (D * D) * (0.048 - 0.0336 * D));\n"
+           << "exact = " << nr << " * (1 + P);\n"
+           << "pair = " << nr << " + " << g.rounded(lo) << ";\n"
+           << "delta = (" << g.rounded(fifth) << " - five) / five;\n";
+    g.hints.push_back(nx + " -> five * (1 + D) { five <> 0 };");
+    g.hints.push_back(nx + " - " + g.rounded(fifth) + " -> five * (D - delta) { five <> 0 };");
+    g.hints.push_back("(" + nx + " - " + g.rounded(fifth) + ") / " + g.rounded(fifth) +
+                      " -> (D - delta) / (1 + delta) { five <> 0, " + g.rounded(fifth) + " <> 0, (1 + delta) <> 0 };");
+    g.hints.push_back(g.rounded(d) + " - D -> (" + g.rounded(d) + " - " + g.rounded(rest) + " / " + g.rounded(fifth) +
+                      ") + (" + g.rounded(rest) + " - (" + nx + " - " + g.rounded(fifth) + ")) / " + g.rounded(fifth) +
+                      " - delta * (1 + D) / (1 + delta) { five <> 0, " + g.rounded(fifth) +
+                      " <> 0, (1 + delta) <> 0 };");
+    g.hints.push_back("(pair - exact) / exact -> (" + g.rounded(lo) + " / " + nr + " - P) / (1 + P) { " + nr +
+                      " <> 0, (1 + P) <> 0 };");
+    g.hints.push_back(g.rounded(lo) + " / " + nr + " - P -> (" + g.rounded(lo) + " - " + nr + " * " +
+                      g.rounded(second_of(lo)) + ") / " + nr + " + (" + g.rounded(second_of(lo)) + " - P) { " + nr +
+                      " <> 0 };");
+    g.write("fifth_root_parts", {}, "|(pair - exact) / exact| in [0, " + hex(std::ldexp(0.41, -53)) + "]");
+}
+
+/* cor_inline_fifth_root_of_pair, beta(eps) at zero overlap for small eps: head + tail are within 2^-58 of r (1 + D/5 -
+ * ...), r^5 (1 + D) = x.hi + x.lo. The pair r5 becomes two variables within 2^-68 of r^5, as the goals of pairs show. */
+static void write_fifth_root_of_pair(void)
+{
+    start();
+    const struct cor_inline_pair x = pair_variable("x", 1.3), root = cor_inline_fifth_root_of_pair(x);
+    const int lo = root.lo.node(), r = root.hi.node();
+    int d = -1;
+    for (std::size_t k = 0; k < nodes().size(); k++)
+        if (nodes()[k].what == DIVIDE && nodes()[(std::size_t)first_of((int)k)].what == ADD &&
+            second_of(first_of((int)k)) == x.lo.node())
+            d = (int)k;
+    if (d < 0)
+        die("cor_inline_fifth_root_of_pair has changed");
+    const int total = first_of(d), r5_hi = second_of(d), r5_lo = second_of(first_of(total));
+    gappa g;
+    const std::string nr = g.rounded(r), xh = g.rounded(x.hi.node()), xl = g.rounded(x.lo.node());
+    const std::string ph = g.rounded(r5_hi), pl = g.rounded(r5_lo), nd = g.rounded(d), nt = g.rounded(total);
+    g.text << nr << " = head(R);\n" << g.exact(r) << " = " << nr << ";\n";
+    for (const int id : {x.hi.node(), x.lo.node(), r5_hi, r5_lo}) {
+        g.text << g.rounded(id) << " = rnd(V" << id << ");\n";
+        g.done[id] = true;
+    }
+    g.done[r] = true;
+    for (const int id : {first_of(first_of(total)), first_of(total), total, d}) {
+        static const std::map<operation, const char *> sign = {{ADD, " + "}, {SUBTRACT, " - "}, {DIVIDE, " / "}};
+        g.text << g.rounded(id) << " rnd= " << g.rounded(first_of(id)) << sign.at(nodes()[(std::size_t)id].what)
+               << g.rounded(second_of(id)) << ";\n";
+    }
+    g.text << "five = " << nr << " * " << nr << " * " << nr << " * " << nr << " * " << nr << ";\n"
+           << "D = ((" << xh << " + " << xl << ") - five) / five;\n"
+           << "T = ((" << xh << " - " << ph << ") - " << pl << ") + " << xl << ";\n"
+           << "eta = ((" << ph << " + " << pl << ") - five) / five;\n"
+           << "lambda = " << pl << " / five;\n"
+           << g.exact(d) << " = D;\n";
+    g.done[d] = true;
+    g.define(lo);
+    g.hypotheses = {nr + " in [1, 2]", "D in [-4e-4, 4e-4]", "eta in [-1b-68, 1b-68]", "lambda in [-1b-52, 1b-52]",
+                    "|" + xl + "| <= 1b-46"};
+    const std::string rest = g.rounded(second_of(lo));
+    g.text << "P = D * ((0.2 - 0.08 * D) + (D * D) * (0.048 - 0.0336 * D));\n"
+           << "exact = " << nr << " * (1 + P);\n"
+           << "pair = " << nr << " + " << g.rounded(lo) << ";\n";
+    const std::string nonzero = " { five <> 0, " + ph + " <> 0, (1 + eta - lambda) <> 0 };";
+    g.hints.push_back(ph + " -> five * (1 + eta - lambda) { five <> 0 };");
+    g.hints.push_back("five -> " + ph + " / (1 + eta - lambda)" + nonzero);
+    g.hints.push_back(xh + " -> five * (1 + D) - " + xl + " { five <> 0 };");
+    g.hints.push_back(xh + " - " + ph + " -> five * (D - eta + lambda) - " + xl + " { five <> 0 };");
+    g.hints.push_back("T -> five * (D - eta) { five <> 0 };");
+    g.hints.push_back(nd + " - D -> (" + nd + " - " + nt + " / " + ph + ") + (" + nt + " - T) / " + ph +
+                      " + (D * (lambda - eta) - eta) / (1 + eta - lambda)" + nonzero);
+    g.hints.push_back("(pair - exact) / exact -> (" + g.rounded(lo) + " / " + nr + " - P) / (1 + P) { " + nr +
+                      " <> 0, (1 + P) <> 0 };");
+    g.hints.push_back(g.rounded(lo) + " / " + nr + " - P -> (" + g.rounded(lo) + " - " + nr + " * " + rest + ") / " +
+                      nr + " + (" + rest + " - P) { " + nr + " <> 0 };");
+    g.write("fifth_root_of_pair", {}, "|(pair - exact) / exact| in [0, 1b-58]");
+}
+
+/* cor_inline_beta_force_far: the sum that is rounded last is within 2^-55 of R^3 (1 + e (r_1 + e r_2)). R = r + rest is
+ * the fifth root of the goal above, e and v = -0.6 ln(e) have relative errors below 2^-52. */
+static void write_beta_force_far(void)
+{
+    start();
+    const Real eps = variable("x", 0x1p-30);
+    const int value = first_of(cor_inline_beta_force_far(eps).node()); /* times 1 */
+    const int cube_hi = first_of(value), square = first_of(cube_hi), r = second_of(cube_hi);
+    const struct cor_inline_pair root =
+        cor_inline_fifth_root_of_pair(cor_inline_over_eps(cor_rows_far_beta_zero_force(0), eps, 0));
+    const int root_lo = root.lo.node();
+    int log_node = -1, e = -1;
+    for (std::size_t k = 0; k < nodes().size(); k++)
+        if (nodes()[k].what == LOG) {
+            log_node = (int)k;
+            e = nodes()[k].a;
+        }
+    int v = -1;
+    for (std::size_t k = 0; k < nodes().size(); k++)
+        if (nodes()[k].what == MULTIPLY && (nodes()[k].a == log_node || nodes()[k].b == log_node))
+            v = (int)k;
+    if (root.hi.node() != r || v < 0)
+        die("cor_inline_beta_force_far has changed");
+    gappa g;
+    const std::string nr = g.rounded(r);
+    g.text << nr << " = head(R);\n" << g.exact(r) << " = " << nr << ";\n";
+    for (const int id : {root_lo, e, v}) {
+        g.text << g.rounded(id) << " = rnd(V" << id << ");\n" << g.exact(id) << " = E" << id << ";\n";
+        g.done[id] = true;
+    }
+    g.done[r] = true;
+    g.define(cube_hi);
+    const int added = second_of(value), lo = first_of(added), cube_lo = first_of(lo);
+    g.define(value);
+    const std::string product = product_error(g, cube_hi, cube_lo);
+    const std::string rl = g.rounded(root_lo), el = g.exact(root_lo), nl = g.rounded(lo);
+    const int orders = second_of(second_of(added));
+    g.hypotheses = {nr + " in [1, 2]",
+                    rl + " in [-1b-12, 1b-12]",
+                    rl + " - " + el + " in [-1b-57, 1b-57]",
+                    g.exact(e) + " in [0, 9.2e-8]",
+                    g.rounded(e) + " - " + g.exact(e) + " in [-1b-75, 1b-75]",
+                    g.exact(v) + " in [9, 210]",
+                    g.rounded(v) + " - " + g.exact(v) + " in [-1b-43, 1b-43]"};
+    g.text << "cubic = " << el << " * (3 * " << nr << " * " << nr << " + " << el << " * (3 * " << nr << " + " << el
+           << "));\n"
+           << "exact = (" << nr << " + " << el << ") * (" << nr << " + " << el << ") * (" << nr << " + " << el
+           << ") * (1 + " << g.exact(orders) << ");\n"
+           << "tail = " << nl << " - " << g.rounded(cube_lo) << ";\n"
+           << "whole = " << nr << " * " << nr << " * " << nr << " + cubic;\n"
+           << "S = " << g.rounded(cube_hi) << " + " << g.rounded(added) << ";\n"
+           << "part = " << g.rounded(second_of(added)) << ";\n";
+    g.hints.push_back("S - exact -> (" + g.rounded(added) + " - (" + nl + " + part)) + " + product + " + (" +
+                      g.rounded(square) + " - " + nr + " * " + nr + ") * " + nr +
+                      " + (tail - cubic) + (part - whole * " + g.exact(orders) + ");");
+    const std::string nc = g.rounded(first_of(second_of(added))), no = g.rounded(orders);
+    g.hints.push_back("part - whole * " + g.exact(orders) + " -> (part - " + nc + " * " + no + ") + (" + nc +
+                      " - whole) * " + no + " + whole * (" + no + " - " + g.exact(orders) + ");");
+    g.hints.push_back(nc + " - whole -> (" + nc + " - (" + g.rounded(cube_hi) + " + " + nl + ")) + " + product +
+                      " + (" + g.rounded(square) + " - " + nr + " * " + nr + ") * " + nr + " + (tail - cubic);");
+    g.hints.push_back("tail - cubic -> (" + nl + " - (" + g.rounded(cube_lo) + " + " + g.rounded(second_of(lo)) +
+                      ")) + (" + g.rounded(second_of(lo)) + " - cubic);");
+    g.hints.push_back("|(S - exact) / exact| $ " + nr + " in 8;");
+    g.write("beta_force_far", {}, "|(S - exact) / exact| in [0, 1b-55]");
+}
+
+/* cor_inline_linear_tail: the sum that is rounded last is within 2^-70 of b (F.hi + F.lo) */
+static void write_linear_tail(void)
+{
+    start();
+    const Real b = variable("b", 1.3);
+    const struct cor_inline_pair factor = pair_variable("F", 1.7);
+    const int value = cor_inline_linear_tail(b, factor).node(), hi = first_of(value), rest = second_of(value);
+    gappa g;
+    g.variable_in(b.node(), {1, 2});
+    pair_in(g, factor);
+    g.define(value);
+    const std::string product = product_error(g, hi, first_of(rest));
+    const std::string nb = g.rounded(b.node()), fl = g.rounded(factor.lo.node()), nr = g.rounded(rest);
+    g.text << "off = (" << g.rounded(hi) << " + " << nr << ") - " << nb << " * " << sum_text(g, factor) << ";\n";
+    g.hints.push_back("off -> " + product + " + (" + nr + " - (" + g.rounded(first_of(rest)) + " + " + nb + " * " + fl +
+                      "));");
+    g.write("linear_tail", {}, "|off| in [0, 1b-70]");
+}
+
+/* eps = h*^5/x with the first half of h*^5 only, 1 <= x <= 2 */
+static void write_far_root(void)
+{
+    start();
+    const Real x = variable("x", 1.25);
+    const int value = cor_inline_eps_overlap_far_root(x).node();
+    const row &h = tables["h_star_5"][0];
+    for (int side = 0; side < 2; side++) {
+        gappa g;
+        g.variable_in(x.node(), {1, 2});
+        g.define(value);
+        g.text << "S = " << g.rounded(first_of(value)) << " / " << g.rounded(x.node()) << ";\n"
+               << "exact = (" << h.value[0] << " + " << h.value[1] << ") / " << g.rounded(x.node()) << ";\n";
+        g.hints.push_back("S - exact -> -(" + h.value[1] + ") / " + g.rounded(x.node()) + ";");
+        const int k = side + 1; /* the exact value lies in [2^k, 2^(k + 1)] */
+        for (const char *at : {"S <= 4", "S >= 4"})
+            g.write("far_root_" + std::to_string(k) + (at[2] == '<' ? "_below" : "_above"),
+                    {"exact in [" + power_of_two(k) + ", " + power_of_two(k + 1) + "]", at},
+                    "|" + g.rounded(value) + " - exact| in [0, " + hex(std::ldexp(0.9, k - 52)) + "]");
+    }
+}
+
+/* The last operations of functions beyond their tables. `error` as in struct tail. */
+static void write_last_steps(void)
+{
+    const number pairs = 0x1p-12; /* errors of powers and quotients of pairs, 2^-65 */
+    for (const tail &f : tails)
+        write_rounding("last_" + std::string(f.name + 5), std::max(f.error, f.far_error) + pairs,
+                       0.5 + std::max(f.error, f.far_error) + 2 * pairs);
+    write_rounding("last_eps_zero_overlap", pairs, 0.5 + 2 * pairs);
+    write_rounding("last_beta_zero_overlap", 0x1p-4, 0.57);
+    write_rounding("last_beta_zero_force", 0.3, 0.81);
+    write_rounding("last_fifth_root", 0.41 + pairs, 0.92);
+    /* 1 - eps for eps <= 2^-8 */
+    gappa g;
+    g.text << "eps = rnd(e);\nV = rnd(1 - eps);\n";
+    g.hypotheses = {"eps in [0, 1b-8]", "eps - E in [-1b-60, 1b-60]"};
+    g.write("last_loss", {}, "|V - (1 - E)| in [0, " + hex(std::ldexp(0.51, -53)) + "]");
+    /* A normal number within 0.8 ulp of E, scaled to a subnormal number: 0.91 units of 2^-1074 */
+    gappa s;
+    s.text << "@subnormal = fixed<-1074, ne>;\nV = subnormal(S);\n";
+    s.hypotheses = {"S in [0, 1b-1022]", "S - E in [-0x1.ap-1076, 0x1.ap-1076]"};
+    s.write("last_subnormal", {}, "|V - E| in [0, 0x1.dp-1075]");
+}
+
+static void write_pairs(void)
+{
+    write_product();
+    write_pair_times();
+    write_pair_over();
+    write_two_thirds();
+    write_fifth_root();
+    write_fifth_root_of_pair();
+    write_beta_force_far();
+    write_linear_tail();
+    write_far_root();
+    write_last_steps();
+}
+
+/* ---- coefficients ---- */
+
+static mpq_class decimal_value(const std::string &text)
+{
+    if (text.find('/') != std::string::npos)
+        return mpq_class(text);
+    const std::size_t e = text.find('e'), point = text.find('.');
+    std::string digits = text.substr(0, e);
+    long power = e == std::string::npos ? 0 : strtol(text.c_str() + e + 1, nullptr, 10);
+    if (point != std::string::npos && point < digits.size()) {
+        power -= (long)(digits.size() - point - 1);
+        digits.erase(point, 1);
+    }
+    mpz_class scale;
+    mpz_ui_pow_ui(scale.get_mpz_t(), 10, (unsigned long)std::labs(power));
+    mpq_class value = power < 0 ? mpq_class(mpz_class(digits, 10), scale) : mpq_class(mpz_class(digits, 10) * scale);
+    value.canonicalize();
+    return value;
+}
+
+/* Every double of the tables is the one nearest to the number beside it, which has 25 digits or is exact. */
+static void check_coefficients(void)
+{
+    std::size_t count = 0;
+    const mpq_class digits("1/1000000000000000000000000");
+    for (const auto &t : tables)
+        for (const row &r : t.second)
+            for (std::size_t i = 0; i < r.value.size(); i++, count++) {
+                const number x = strtod(r.value[i].c_str(), nullptr);
+                const mpq_class exact = decimal_value(r.decimal[i]);
+                int exponent;
+                std::frexp(x, &exponent);
+                if (abs(mpq_class(x) - exact) > mpq_class(std::ldexp(1, exponent - 54)) + abs(exact) * digits)
+                    die(t.first + ": " + r.value[i] + " is not the double nearest to " + r.decimal[i]);
+            }
+    if (count < 20000)
+        die("fewer coefficients than the tables have: " + std::to_string(count));
+    printf("%zu coefficients are the doubles nearest to the numbers beside them\n", count);
+}
+
+static const evaluator row_tables[] = {
+    {"eps_zero_overlap", cor_inline_eps_zero_overlap, 0x1p-60, 7, IN_BETA, false, 0.8},
+    {"eps_zero_force", cor_inline_eps_zero_force, 0x1p-60, 16, IN_ROOT, false, 0.8},
+    {"power_eps_zero_overlap", cor_inline_eps_zero_overlap_root, 0x1p-40, 0x1p14, BY_OCTAVES, false, 0.8},
+    {"power_eps_zero_force", cor_inline_eps_zero_force_root, 0x1p-40, 0x1p20, BY_OCTAVES, false, 0.8},
+    {"loss_zero_overlap", cor_inline_loss_zero_overlap, 0x1p-900, 7, IN_BETA, true, 0.8},
+    {"loss_zero_force", cor_inline_loss_zero_force, 0x1p-900, 16, IN_ROOT, true, 0.8},
+    {"duration_zero_overlap", cor_inline_duration_zero_overlap, 0, 8, IN_BETA, false, 0.8},
+    {"duration_zero_force", cor_inline_duration_zero_force, 0, 8, IN_ROOT, false, 1.1},
+    {"max_overlap", cor_inline_max_overlap, 0, 8, IN_BETA, false, 0.8},
+    {"time_of_max_overlap", cor_inline_time_of_max_overlap, 0, 8, IN_BETA, false, 0.8},
+    {"near_beta_zero_overlap", cor_inline_beta_zero_overlap, 0.5, 1, NEAR, true, 0.8},
+    {"near_beta_zero_force", cor_inline_beta_zero_force, 0.5, 1, NEAR_ROOT, true, 1.5},
+    {"beta_zero_overlap", cor_inline_beta_zero_overlap, 0x1p-12, 0.5, BY_OCTAVES, false, 0.8},
+    {"beta_zero_force", cor_inline_beta_zero_force, 0x1p-23, 0.5, BY_OCTAVES, false, 0.8},
+};
+
+int main(int argc, char **argv)
+{
+    if (argc != 3 && argc < 5) {
+        fprintf(stderr, "usage: goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]\n");
+        return 2;
+    }
+    output_directory = argv[1];
+    tables = tables_of(argv[2]);
+    if (argc >= 5) {
+        parts = strtoul(argv[4], nullptr, 10);
+        if (parts < 1)
+            die("PARTS is a number above 0");
+        part = strtoul(argv[3], nullptr, 10) % parts;
+        patterns.assign(argv + 5, argv + argc);
+    }
+    check_coefficients();
+    for (const evaluator &f : row_tables)
+        if (is_wanted_in_part(f.name))
+            write_rows(f);
+    if (is_wanted_in_part("log"))
+        write_log();
+    write_tails();
+    write_far();
+    write_pairs();
+    printf("%lu of %lu goals written\n", written, files);
+    return 0;
+}

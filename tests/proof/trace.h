@@ -1,0 +1,362 @@
+/* SPDX-License-Identifier: MIT */
+/* Numbers that record how they were computed. tests/proof/goals.cpp compiles the evaluator's own source with Real in
+ * place of double and Bits in place of uint64_t. Running it at one argument gives the result and the list of its
+ * operations: the proofs are about the shipped source, and nothing is typed twice.
+ *
+ * A decision (a comparison, a conversion to an integer, bits that select) depends on the argument but is not part of
+ * the list. path_hash() tells two lists of operations apart by their decisions and constants. */
+#ifndef COR_TESTS_PROOF_TRACE_H
+#define COR_TESTS_PROOF_TRACE_H
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace trace
+{
+
+typedef double number;
+typedef std::uint64_t word;
+
+enum operation {
+    CONSTANT,
+    VARIABLE,
+    ADD,
+    SUBTRACT,
+    MULTIPLY,
+    DIVIDE,
+    NEGATE,
+    ABSOLUTE,
+    SQRT,
+    CBRT,
+    LOG,
+    HEAD,
+    SIGNIFICAND,
+    SEED
+};
+
+struct node {
+    operation what;
+    int a, b;
+    number value;
+    std::string name; /* of a variable */
+};
+
+inline std::vector<node> &nodes()
+{
+    static std::vector<node> all;
+    return all;
+}
+
+inline word &path()
+{
+    static word hash;
+    return hash;
+}
+
+inline void decide(word decision)
+{
+    path() = (path() ^ decision) * UINT64_C(0x9e3779b97f4a7c15);
+    path() ^= path() >> 29;
+}
+
+/* While this is false, only decisions are recorded: the search for pieces needs no operations. */
+inline bool &recording()
+{
+    static bool yes = true;
+    return yes;
+}
+
+inline void start()
+{
+    nodes().clear();
+    path() = 1;
+}
+
+inline word bits_of(number x)
+{
+    word bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+inline number number_of(word bits)
+{
+    number x;
+    std::memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* The index of a node; operations on the same operands share one node. */
+inline int node_of(operation what, int a, int b, number value, const std::string &name = "")
+{
+    for (std::size_t i = nodes().size(); i-- > 0;) {
+        const node &n = nodes()[i];
+        if (n.what == what && n.a == a && n.b == b && bits_of(n.value) == bits_of(value) && n.name == name)
+            return (int)i;
+    }
+    nodes().push_back({what, a, b, value, name});
+    return (int)nodes().size() - 1;
+}
+
+struct Real {
+    number value;
+    int id; /* -1: a constant, which gets a node when an operation uses it */
+
+    Real() = default;
+    constexpr Real(number x) : value(x), id(-1)
+    {
+    }
+    constexpr Real(int x) : value(x), id(-1)
+    {
+    }
+    constexpr Real(number x, int node) : value(x), id(node)
+    {
+    }
+    explicit operator int() const
+    {
+        decide((word)(long)value);
+        return (int)value;
+    }
+    explicit operator float() const
+    {
+        return (float)value;
+    }
+    int node() const
+    {
+        return id >= 0 ? id : node_of(CONSTANT, -1, -1, value);
+    }
+    bool constant() const
+    {
+        return id < 0 || nodes()[(std::size_t)id].what == CONSTANT;
+    }
+};
+
+inline Real variable(const std::string &name, number value)
+{
+    return Real(value, node_of(VARIABLE, -1, -1, value, name));
+}
+
+inline Real result_of(operation what, Real x, Real y, number value)
+{
+    if (x.constant() && y.constant()) /* a compiler computes it; every double of it is exact or rounded alike */
+        return Real(value);
+    return recording() ? Real(value, node_of(what, x.node(), y.node(), value)) : Real(value, 0);
+}
+
+inline Real result_of(operation what, Real x, number value)
+{
+    if (x.constant())
+        return Real(value);
+    return recording() ? Real(value, node_of(what, x.node(), -1, value)) : Real(value, 0);
+}
+
+inline Real operator+(Real x, Real y)
+{
+    return result_of(ADD, x, y, x.value + y.value);
+}
+inline Real operator-(Real x, Real y)
+{
+    return result_of(SUBTRACT, x, y, x.value - y.value);
+}
+inline Real operator*(Real x, Real y)
+{
+    return result_of(MULTIPLY, x, y, x.value * y.value);
+}
+inline Real operator/(Real x, Real y)
+{
+    return result_of(DIVIDE, x, y, x.value / y.value);
+}
+inline Real operator-(Real x)
+{
+    return result_of(NEGATE, x, -x.value);
+}
+inline Real &operator*=(Real &x, Real y)
+{
+    return x = x * y;
+}
+inline bool decision(bool yes)
+{
+    decide(yes ? 3 : 2);
+    return yes;
+}
+inline bool operator<(Real x, Real y)
+{
+    return decision(x.value < y.value);
+}
+inline bool operator>(Real x, Real y)
+{
+    return decision(x.value > y.value);
+}
+inline bool operator<=(Real x, Real y)
+{
+    return decision(x.value <= y.value);
+}
+inline bool operator>=(Real x, Real y)
+{
+    return decision(x.value >= y.value);
+}
+inline bool operator==(Real x, Real y)
+{
+    return decision(x.value == y.value);
+}
+inline Real sqrt(Real x)
+{
+    return result_of(SQRT, x, std::sqrt(x.value));
+}
+inline Real cbrt(Real x)
+{
+    return result_of(CBRT, x, std::cbrt(x.value));
+}
+inline Real log(Real x)
+{
+    return result_of(LOG, x, std::log(x.value));
+}
+inline Real fabs(Real x)
+{
+    return result_of(ABSOLUTE, x, std::fabs(x.value));
+}
+
+/* ---- the bits of a Real: which function of it they are ---- */
+
+struct Bits {
+    enum meaning { NOTHING, ALL, TOP_26, FRACTION, ONE_TO_TWO, OTHER };
+    word value;
+    meaning what;
+    Real of;
+
+    Bits() = default;
+    constexpr Bits(word x) : value(x), what(NOTHING), of(0)
+    {
+    }
+    constexpr Bits(int x) : value((word)(long)x), what(NOTHING), of(0)
+    {
+    }
+    Bits(word x, meaning m, Real r) : value(x), what(m), of(r)
+    {
+    }
+    explicit operator int() const
+    {
+        decide(value);
+        return (int)value;
+    }
+};
+
+inline Bits operator&(Bits x, Bits y)
+{
+    const word value = x.value & y.value;
+    if (y.what != Bits::NOTHING)
+        return y & x;
+    if (x.what == Bits::NOTHING || y.value == 0)
+        return Bits(value);
+    if (y.value == ~(word)0)
+        return x;
+    if (x.what == Bits::ALL && y.value == UINT64_C(0xfffffffff8000000))
+        return Bits(value, Bits::TOP_26, x.of);
+    if (x.what == Bits::ALL && y.value == UINT64_C(0xfffffffffffff))
+        return Bits(value, Bits::FRACTION, x.of);
+    if (x.what == Bits::ALL && y.value == ~UINT64_C(0x8000000000000000))
+        return Bits(value, Bits::OTHER, x.of);
+    decide(value); /* the cell of an octave */
+    return Bits(value);
+}
+
+inline Bits operator|(Bits x, Bits y)
+{
+    const word value = x.value | y.value;
+    if (x.what == Bits::NOTHING && y.what == Bits::NOTHING)
+        return Bits(value);
+    if (y.what != Bits::NOTHING && x.what == Bits::NOTHING)
+        return y | x;
+    if (y.what == Bits::NOTHING && y.value == 0)
+        return x;
+    if (x.what == Bits::FRACTION && y.value == UINT64_C(0x3ff0000000000000))
+        return Bits(value, Bits::ONE_TO_TWO, x.of);
+    return Bits(value, Bits::OTHER, x.of);
+}
+
+inline Bits operator~(Bits x)
+{
+    return Bits(~x.value);
+}
+inline Bits operator<<(Bits x, int n)
+{
+    return x.what == Bits::NOTHING ? Bits(x.value << n) : Bits(x.value << n, Bits::OTHER, x.of);
+}
+inline Bits operator>>(Bits x, int n)
+{
+    return x.what == Bits::NOTHING ? Bits(x.value >> n) : Bits(x.value >> n, Bits::OTHER, x.of);
+}
+inline Bits operator+(Bits x, Bits y)
+{
+    return Bits(x.value + y.value,
+                x.what == Bits::NOTHING ? y.what == Bits::NOTHING ? Bits::NOTHING : Bits::OTHER : Bits::OTHER, x.of);
+}
+inline Bits operator-(Bits x, Bits y)
+{
+    return Bits(x.value - y.value,
+                x.what == Bits::NOTHING ? y.what == Bits::NOTHING ? Bits::NOTHING : Bits::OTHER : Bits::OTHER, x.of);
+}
+inline bool operator<(Bits x, Bits y)
+{
+    return decision(x.value < y.value);
+}
+inline bool operator>(Bits x, Bits y)
+{
+    return decision(x.value > y.value);
+}
+inline bool operator<=(Bits x, Bits y)
+{
+    return decision(x.value <= y.value);
+}
+inline bool operator>=(Bits x, Bits y)
+{
+    return decision(x.value >= y.value);
+}
+inline bool operator==(Bits x, Bits y)
+{
+    return decision(x.value == y.value);
+}
+
+inline Bits operator*(Bits x, Bits y)
+{
+    return Bits(x.value * y.value);
+} /* of constants */
+inline bool operator!=(Bits x, Bits y)
+{
+    return decision(x.value != y.value);
+}
+
+inline void copy(Bits *to, const Real *from)
+{
+    *to = from->constant() ? Bits(bits_of(from->value)) : Bits(bits_of(from->value), Bits::ALL, *from);
+}
+
+inline void copy(Real *to, const Bits *from)
+{
+    const number value = number_of(from->value);
+    switch (from->what) {
+    case Bits::NOTHING:
+        *to = Real(value);
+        return;
+    case Bits::ALL:
+        *to = from->of;
+        return;
+    case Bits::TOP_26:
+        *to = result_of(HEAD, from->of, value);
+        return;
+    case Bits::ONE_TO_TWO:
+        *to = result_of(SIGNIFICAND, from->of, value);
+        return;
+    default:
+        *to = result_of(SEED, from->of, value);
+    }
+}
+
+} // namespace trace
+
+#endif
