@@ -1274,7 +1274,7 @@ static const evaluator row_tables[] = {
     {"max_overlap", cor_inline_max_overlap, 0, 8, IN_BETA, false, 0.8},
     {"time_of_max_overlap", cor_inline_time_of_max_overlap, 0, 8, IN_BETA, false, 0.8},
     {"near_beta_zero_overlap", cor_inline_beta_zero_overlap, 0.5, 1, NEAR, true, 0.8},
-    {"near_beta_zero_force", cor_inline_beta_zero_force, 0.5, 1, NEAR_ROOT, true, 1.5},
+    {"near_beta_zero_force", cor_inline_beta_zero_force, 0.5, 1, NEAR_ROOT, true, 1.85},
     {"beta_zero_overlap", cor_inline_beta_zero_overlap, 0x1p-12, 0.5, BY_OCTAVES, false, 0.8},
     {"beta_zero_force", cor_inline_beta_zero_force, 0x1p-23, 0.5, BY_OCTAVES, false, 0.8},
 };
