@@ -562,7 +562,8 @@ static void write_rows(const evaluator &f)
 /* ---- tails ---- */
 
 /* hi + lo of a pair whose sum cor_inline_sum(a, b) computes: s = a + b, z = s - a, lo = b - z. The hints say that lo is
- * the rounding error of s if z is exact, which Gappa then proves. Returns the text of hi + lo - (a + b) and gives hi + lo a name. */
+ * the rounding error of s if z is exact, which Gappa then proves. Returns the text of hi + lo - (a + b) and gives
+ * hi + lo a name. */
 static std::string hint_sum(gappa &g, const struct cor_inline_pair &pair, const char *name)
 {
     const int lo = pair.lo.node(), s = pair.hi.node();
@@ -1021,7 +1022,8 @@ static void write_fifth_root(void)
 }
 
 /* cor_inline_fifth_root_of_pair, beta(eps) at zero overlap for small eps: head + tail are within 2^-58 of r (1 + D/5 -
- * ...), r^5 (1 + D) = x.hi + x.lo. The pair r5 becomes two variables within 2^-68 of r^5, as the goals of pairs show. */
+ * ...), r^5 (1 + D) = x.hi + x.lo. The pair r5 becomes two variables within 2^-68 of r^5, as the goals of pairs
+ * show. */
 static void write_fifth_root_of_pair(void)
 {
     start();
