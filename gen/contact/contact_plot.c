@@ -21,8 +21,9 @@ static void write_script(FILE *script, const char *title, const struct contact_c
     fputs("set key bottom left\nset xlabel 'impact speed (m/s)'\nset ylabel 'coefficient of restitution ε'\n"
           "set yrange [0:1]\nset ytics 0.2\nset mytics 2\nset logscale x\nset format x '%g'\n",
           script);
-    /* Some versions of gnuplot misread two apostrophes in a row, as in x'', between single quotation marks. */
-    fprintf(script, "set title \"%s\" noenhanced\n", title);
+    fputs("set title ", script);
+    gnuplot_quote(script, title);
+    fputs(" noenhanced\n", script);
     for (size_t i = 0; i < curves; i++) {
         fprintf(script, "$curve%zu << end_of_curve\n", i);
         for (size_t k = 0; k < curve[i].count; k++)

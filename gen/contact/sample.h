@@ -4,9 +4,10 @@
  *
  * The points lie on the curve, and both ends of the range are points. From each point the next is placed as far away as
  * the tolerance allows; that gives the least number of points where a longer segment never has a smaller error, as on
- * every convex or concave part of the curve. All points are then moved until the segments have the same error, the
- * least that this number of points can reach; a segment in which the curvature changes its sign may have less. tests/gen/test_sample.c compares with an exhaustive search, and shows that
- * one point fewer fails. */
+ * every convex or concave part of the curve. All points are then moved until the segments have the same error. Where a
+ * longer segment never has a smaller error, no other points of this number have a smaller largest error. A segment in
+ * which the curvature changes its sign may keep a smaller error. If evenly spaced points have a smaller largest error,
+ * they are taken. tests/gen/test_sample.c compares with an exhaustive search, and shows that one point fewer fails. */
 #ifndef COR_GEN_CONTACT_SAMPLE_H
 #define COR_GEN_CONTACT_SAMPLE_H
 
@@ -30,9 +31,8 @@ struct sample_points {
 struct sample {
     struct sample_points best;
     struct sample_points even; /* as many points, equally far apart in speed or, with `log`, in its logarithm */
-    double
-        error_of_fewer; /* the least error with one point fewer; infinite for two points, and not computed for more than a
-                                 * thousand */
+    double error_of_fewer; /* of one point fewer, equal in all segments; infinite for two points, and not computed for
+                            * more than a thousand */
 };
 
 /* Returns STATUS_OK; STATUS_USAGE after a message if the tolerance needs too many points or if eps vanishes in the

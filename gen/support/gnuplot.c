@@ -25,16 +25,18 @@ void gnuplot_style(FILE *script, int width, int height)
             width, height);
 }
 
+/* A string in single quotation marks would need no escapes, but gnuplot 5.4 rejects one with two apostrophes in a row, as
+ * in x''. In double quotation marks gnuplot reads escapes, runs a command in backquotes and expands @. */
 void gnuplot_quote(FILE *script, const char *text)
 {
-    fputc('\'', script);
+    fputc('"', script);
     for (; *text; text++) {
-        if (*text == '\'')
-            fputs("''", script);
+        if (strchr("\"\\`@", *text))
+            fprintf(script, "\\%03o", (unsigned)*text);
         else if ((unsigned char)*text >= ' ')
             fputc(*text, script);
     }
-    fputc('\'', script);
+    fputc('"', script);
 }
 
 /* Starts gnuplot with the script as standard input and `out` as standard output, and waits for its end. Returns its

@@ -12,7 +12,7 @@ void gnuplot_style(FILE *script, int width, int height);
  * the version of gnuplot. Returns STATUS_OK, or STATUS_FAILED after a message. */
 int gnuplot_run(FILE *script, FILE *svg);
 
-/* Writes a text as a string of gnuplot, '...', without control characters. */
+/* Writes any text as a string of gnuplot, "...", which prints as the text without its control characters. */
 void gnuplot_quote(FILE *script, const char *text);
 
 #endif
