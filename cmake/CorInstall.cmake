@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Library, headers, corgen, pkg-config file, CMake package, licence and examples. The installed tree can be moved: the
-# pkg-config file finds its prefix from its own place. Documents go where Debian has them, share/doc/cor.
+# Library, headers, corgen with its man pages and completions, pkg-config file, CMake package, licence and examples. The
+# installed tree can be moved: the pkg-config file finds its prefix from its own place. Documents go where Debian has
+# them, share/doc/cor.
 include(CMakePackageConfigHelpers)
 
 install(TARGETS cor EXPORT cor-targets
@@ -16,6 +17,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DOC
 install(FILES ${PROJECT_SOURCE_DIR}/fortran/cor.f90 DESTINATION ${CMAKE_INSTALL_DATADIR}/cor)
 if(COR_HAVE_GENERATOR)
   install(TARGETS corgen RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  include(CorDocuments) # completion by shells, man pages
 endif()
 
 file(RELATIVE_PATH COR_PC_TO_PREFIX "${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig" "${CMAKE_INSTALL_PREFIX}")

@@ -10,11 +10,13 @@ set(COR_GENERATOR_SOURCES
   gen/approximation/pieces.c
   gen/approximation/published.c
   gen/cli/collide.c
+  gen/cli/completion.c
   gen/cli/disk_collide.c
   gen/cli/disk_modes.c
   gen/cli/embed.c
   gen/cli/law.c
   gen/cli/options.c
+  gen/cli/overview.c
   gen/cli/pade.c
   gen/cli/plan.c
   gen/cli/proved_table.c

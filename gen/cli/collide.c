@@ -109,7 +109,7 @@ static const char help[] =
     "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
     "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
     "with --end, without the columns of the other end.\n"
-    "Example: corgen collide --beta 0.1 --digits 30\n";
+    "\nExample: corgen collide --beta 0.1 --digits 30\n";
 
 static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, true, false, "a number from 0 to 1e6"},
                                                    .forms = DECIMAL_RATIO};

@@ -130,7 +130,7 @@ static int run_contact(const void *arguments)
 {
     const struct contact_arguments *const o = arguments;
     struct contact_models models;
-    if (o->host && strcmp(o->host, "list") == 0)
+    if (o->host && strcmp(o->host, CONTACT_HOST_LIST) == 0)
         return list_hosts(o);
     if (o->host && contact_host_check(o->host) != STATUS_OK)
         return STATUS_USAGE;
@@ -160,8 +160,8 @@ static const char help[] =
     "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
     "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s; measured_end where eps was measured\n"
     "and --end is not given. Without --speed csv and json have quantity,value,unit.\n"
-    "Example: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 --at 1\n"
-    "             --end zero-force --speed 0.1,1,10\n";
+    "\nExample: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
+    "             --at 1 --end zero-force --speed 0.1,1,10\n";
 
 static const struct values_rule speed_rule = {
     "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
@@ -173,8 +173,12 @@ static const struct option_rule options[] = {
     CONTACT_OPTIONS(struct contact_arguments),
     {.name = "speed", .kind = OPTION_LIST, .offset = AT(speed), .range.values = &speed_rule},
     {.name = "steps", .kind = OPTION_REAL, .offset = AT(steps), .range.number = &steps_numbers, .needs = "speed"},
-    {.name = "for", .kind = OPTION_TEXT, .offset = AT(host), .excludes = "format steps plot"},
-    {.name = "plot", .kind = OPTION_TEXT, .offset = AT(plot), .needs = "speed"},
+    {.name = "for",
+     .kind = OPTION_TEXT,
+     .offset = AT(host),
+     .range.words = contact_host_names,
+     .excludes = "format steps plot"},
+    {.name = "plot", .kind = OPTION_FILE, .offset = AT(plot), .needs = "speed"},
     OPTION_FORMAT(struct contact_arguments, option_formats),
     OPTION_COMMON(struct contact_arguments),
     {.name = NULL},
@@ -184,7 +188,7 @@ static const struct contact_arguments defaults = {.request.end = OPTIONS_NOT_GIV
 
 const struct subcommand command_contact = {.name = "contact",
                                            .summary =
-                                               "one contact in SI units: eps, durations, forces; input of simulators",
+                                               "one contact in SI units: eps, durations, forces, input of simulators",
                                            .help = help,
                                            .options = options,
                                            .size = sizeof defaults,

@@ -80,7 +80,7 @@ static const char help[] =
     "steps,status; with --hard-wall: speed,nu,one_minus_eps2,eps,contact_time,max_compression,\n"
     "error_estimate,status. The speed varies fastest, then modes, alpha, poisson. A row whose status is\n"
     "not ok is kept, and the exit status is then 1.\n"
-    "Example: corgen disk-collide --speed 0.01:0.3:log:12 --poisson 0.33,0.9 --alpha 500 --modes 940\n";
+    "\nExample: corgen disk-collide --speed 0.01:0.3:log:12 --poisson 0.33,0.9 --alpha 500 --modes 100\n";
 
 #define AT(FIELD) offsetof(struct disk_collide_arguments, FIELD)
 static const struct option_rule options[] = {

@@ -92,7 +92,7 @@ static const char help[] =
     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
     "  --count N        number of modes, 1 to 10000000\n" HELP_DIGITS
     "  --format F       text (default), csv or json\n" HELP_COMMON "\nColumns: n,l,omega,C,S.\n"
-    "Example: corgen disk-modes --poisson 0.33 --count 10\n";
+    "\nExample: corgen disk-modes --poisson 0.33 --count 10\n";
 
 #define AT(FIELD) offsetof(struct disk_modes_arguments, FIELD)
 static const struct option_rule options[] = {

@@ -145,7 +145,8 @@ static const char help[] =
     "Usage: corgen fit DATA.csv [BODIES] [OPTION]...\n\n"
     "Fits models of restitution to measured points, eps over the impact speed, by weighted least squares,\n"
     "and ranks them by Akaike's information criterion (AIC; the least is best). Says which models fit.\n\n"
-    "DATA.csv names its columns in the first row, in any order; # begins a comment, - is standard input:\n"
+    "DATA.csv, or --data DATA.csv, names its columns in the first row, in any order; # begins a comment, - is\n"
+    "standard input:\n"
     "  speed_m_s,eps[,eps_sigma]   points; eps_sigma is the standard deviation of eps. speed_cm_s or\n"
     "                   speed_mm_s, or speed with --unit, in other units\n"
     "  [run,]t_s        or the times at which a ball bounces: a flight of T seconds lands at the speed\n"
@@ -170,7 +171,7 @@ static const char help[] =
     "The intervals are those of the profile likelihood, 68 means 68.27 %; rms of the residuals; chi2 only with\n"
     "eps_sigma. p below 0.01 means that a model does not fit: p of chi2 or, without eps_sigma and with\n"
     "--robust, of the means of neighbouring residuals. As csv and json, these remarks go to standard error.\n"
-    "Example: corgen fit measured.csv --law viscoelastic,constant --plot measured.svg\n";
+    "\nExample: corgen fit measured.csv --law viscoelastic,constant --plot measured.svg\n";
 
 #define AT(FIELD) offsetof(struct fit_arguments, FIELD)
 #define FIT_BODY(SUFFIX, NUMBER_SUFFIX)                                                                                \
@@ -183,14 +184,18 @@ static const char help[] =
                      NULL),                                                                                            \
         SCENE_NUMBER(struct fit_arguments, "mass" SUFFIX, EMBED_MASS##NUMBER_SUFFIX, &option_positive, false, NULL)
 
+/* Single models only: a shell need not offer lists of them. */
+static const char *const law_words[] = {"all",   "viscoelastic",  "plate",         "constant",  "linear",
+                                        "tsuji", "hunt-crossley", "hertz-dashpot", "power-law", NULL};
+
 static const struct option_rule options[] = {
-    {.name = "data", .kind = OPTION_TEXT, .offset = AT(data), .required = true, .operand = "DATA.csv"},
+    {.name = "data", .kind = OPTION_FILE, .offset = AT(data), .required = true, .operand = "DATA.csv"},
     {.name = "unit", .kind = OPTION_WORD, .offset = AT(unit), .range.words = fit_unit_names, .why = "a unit"},
     {.name = "gravity", .kind = OPTION_REAL, .offset = AT(gravity), .range.number = &option_positive},
-    {.name = "law", .kind = OPTION_TEXT, .offset = AT(law)},
+    {.name = "law", .kind = OPTION_TEXT, .offset = AT(law), .range.words = law_words},
     OPTION_END(struct fit_arguments, end),
     {.name = "robust", .kind = OPTION_FLAG, .offset = AT(robust)},
-    {.name = "plot", .kind = OPTION_TEXT, .offset = AT(plot)},
+    {.name = "plot", .kind = OPTION_FILE, .offset = AT(plot)},
     FIT_BODY("", ),
     FIT_BODY("-2", _2),
     {.name = "wall", .kind = OPTION_FLAG, .offset = AT(scene.wall)},

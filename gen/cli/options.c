@@ -145,6 +145,7 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
     case OPTION_C_NAME:
         return parse_c_name(field, rule, text);
     case OPTION_TEXT:
+    case OPTION_FILE:
         break;
     }
     if (*text == '\0')
@@ -277,6 +278,11 @@ void options_clear(void *arguments, const struct option_rule *rules)
         else if (rule->kind == OPTION_LIST)
             values_clear(field);
     }
+}
+
+const char *const *options_words(const struct option_rule *rule)
+{
+    return rule->kind == OPTION_WORD || rule->kind == OPTION_TEXT ? rule->range.words : NULL;
 }
 
 /* ---- shared by subcommands ---- */

@@ -20,7 +20,8 @@ enum option_kind {
     OPTION_REAL,  /* a number in the range `number`; struct decimal */
     OPTION_WORD,  /* one of `words`; the field is the index as an int, or an enum of that size */
     OPTION_LIST,  /* a list according to `values`; struct values */
-    OPTION_TEXT,  /* any nonempty text; const char * */
+    OPTION_TEXT,  /* any nonempty text; const char *. range.words: texts that a shell offers, or NULL */
+    OPTION_FILE,  /* the name of a file or directory; const char * */
     OPTION_C_NAME /* an identifier of C; const char * */
 };
 
@@ -57,7 +58,7 @@ struct option_common {
 
 /* Rules that several subcommands share. TYPE is their struct of arguments, whose first member is `common`. */
 #define OPTION_COMMON(TYPE)                                                                                            \
-    {.name = "output", .kind = OPTION_TEXT, .offset = offsetof(TYPE, common.output)},                                  \
+    {.name = "output", .kind = OPTION_FILE, .offset = offsetof(TYPE, common.output)},                                  \
     {                                                                                                                  \
         .name = "profile", .kind = OPTION_FLAG, .offset = offsetof(TYPE, common.profile)                               \
     }
@@ -101,6 +102,9 @@ struct option_law {
  * names the command, argv[0]. In both cases options_clear() frees the memory that the fields own. */
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help);
 void options_clear(void *arguments, const struct option_rule *rules);
+
+/* The words that a shell offers for the value of an option, or NULL */
+const char *const *options_words(const struct option_rule *rule);
 
 /* These return STATUS_OK, or STATUS_USAGE after a message. */
 struct law;

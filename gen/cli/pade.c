@@ -275,7 +275,7 @@ static const char help[] =
     "                   on beta > 0\n"
     "  --force          write the header even then\n"
     "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
-    "\nExample: corgen pade --numerator 12 --denominator 20 --digits 20\n";
+    "\nExample: corgen pade --numerator 4 --denominator 7 --digits 20\n";
 
 #define AT(FIELD) offsetof(struct pade_arguments, FIELD)
 static const struct option_rule options[] = {
@@ -293,7 +293,7 @@ static const struct option_rule options[] = {
     {.name = "as-published", .kind = OPTION_FLAG, .offset = AT(as_published)},
     OPTION_DIGITS(struct pade_arguments),
     OPTION_END(struct pade_arguments, end),
-    {.name = "header", .kind = OPTION_TEXT, .offset = AT(header)},
+    {.name = "header", .kind = OPTION_FILE, .offset = AT(header)},
     {.name = "force", .kind = OPTION_FLAG, .offset = AT(force), .needs = "header"},
     OPTION_FORMAT(struct pade_arguments, option_formats),
     OPTION_LAW(struct pade_arguments),

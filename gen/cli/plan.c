@@ -58,10 +58,14 @@ static const char help[] =
     "       corgen plan --disks --speed-min V --speed-max V --tolerance T --poisson NU [OPTION]...\n\n"
     "Compares models of restitution with collisions over a range of speeds, and names the cheapest\n"
     "that meets the tolerance, with the command or call to use.\n\n"
-    "Spheres: speeds in m/s, T the relative error of eps, 1e-15 to below 1; CONTACT is --g-star, or\n"
-    "--young --poisson --radius --density (or --mass) --dissipation-time, -2 of the second sphere, or\n"
-    "--wall, as corgen embed --help explains; --beta --at, or --stiffness --damping-coefficient\n"
-    "--effective-mass, of this or another law.\n" HELP_END HELP_SCENE_LAW
+    "Spheres: speeds in m/s, T the relative error of eps, 1e-15 to below 1. CONTACT is one of these, as\n"
+    "corgen embed --help explains:\n"
+    "  --g-star G       m/s\n"
+    "  --young Y, --poisson NU, --radius R, --density D or --mass M, --dissipation-time A     SI units\n"
+    "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2, --dissipation-time-2        of the second sphere\n"
+    "  --wall           the second body is a fixed plane\n"
+    "  --beta BETA --at G, or --stiffness K --damping-coefficient C --effective-mass M, of this or another "
+    "law\n" HELP_END HELP_SCENE_LAW
     "  --for USE        compare the time of scalar (single calls), array (loops) or balanced\n"
     "                   (default, both)\n\n"
     "Disks: speeds in sqrt(E/rho), 0.001 to 0.5; against a rigid wall, all modes counted.\n"
@@ -75,7 +79,7 @@ static const char help[] =
     "a row for each model at each point; cost in ns; uncertainty of the exact value;\n"
     "verdict: chosen, meets, misses, outside (no value at some speed), shown (never chosen).\n"
     "Exit status 1 if no model meets the tolerance.\n"
-    "Example: corgen plan --speed-min 0.1 --speed-max 10 --g-star 0.2 --tolerance 1e-6\n";
+    "\nExample: corgen plan --speed-min 0.01 --speed-max 1 --g-star 20 --end zero-force --tolerance 1e-4 --points 9\n";
 
 #define AT(FIELD) offsetof(struct plan_arguments, FIELD)
 static const struct option_rule options[] = {

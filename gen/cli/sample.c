@@ -74,7 +74,7 @@ static const char help[] =
     "                   modelica (CombiTable1Ds), openfoam (Function1 table)\n" HELP_CONTACT "\n" HELP_COMMON
     "\nColumns: speed_m_s,eps; then eps_slope_s_m, or eps_slope_per_log with --log, where --cubic is\n"
     "given; then duration_s with --duration, and its slope.\n"
-    "Example: corgen sample --g-star 0.2 --speed-min 0.01 --speed-max 10 --tolerance 1e-3 --log\n";
+    "\nExample: corgen sample --g-star 0.2 --speed-min 0.01 --speed-max 10 --tolerance 1e-3 --log\n";
 
 #define AT(FIELD) offsetof(struct sample_arguments, FIELD)
 static const struct option_rule options[] = {

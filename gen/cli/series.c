@@ -144,7 +144,7 @@ static const char help[] =
     "\nColumns: k,y_k,tau_k,C_k; with --end zero-force power_of_sqrt_beta,coefficient\n"
     "(or power_of_beta, or power_of_beta_root_R for powers of beta^(1/R), by the law);\n"
     "with --exact power_of_w,G,T.\n"
-    "Example: corgen series --order 5 --digits 30\n";
+    "\nExample: corgen series --order 5 --digits 30\n";
 
 #define AT(FIELD) offsetof(struct series_arguments, FIELD)
 static const struct option_rule options[] = {

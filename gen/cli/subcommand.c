@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/completion.h"
+#include "cli/overview.h"
 #include "support/console.h"
 #include "sweep/ranks.h"
 
@@ -23,16 +25,7 @@ static int print_overview(const struct subcommand *const *table)
     struct output out;
     if (output_open(&out, NULL) != STATUS_OK)
         return STATUS_FAILED;
-    fputs("corgen computes the restitution of viscoelastic spheres and the free modes of elastic disks, exactly or to\n"
-          "any number of proved digits.\n\nUsage: corgen SUBCOMMAND [OPTION]...\n\n",
-          out.file);
-    for (; *table; table++)
-        fprintf(out.file, "  %-12s %s\n", (*table)->name, (*table)->summary);
-    fputs(
-        "\ncorgen help SUBCOMMAND, or corgen SUBCOMMAND --help, lists its options. corgen --version prints versions.\n"
-        "Exit status: 0 success, 1 failure, 2 wrong command line.\n"
-        "Try: corgen collide --beta 0.1 --digits 30\n",
-        out.file);
+    overview_print(table, out.file);
     return output_commit(&out);
 }
 
@@ -86,6 +79,21 @@ static bool word_is(const char *text, const char *word)
     return text && strcmp(text, word) == 0;
 }
 
+/* corgen --completion SHELL */
+static int print_completion(const struct subcommand *const *table, int argc, char **argv)
+{
+    struct output out;
+    int shell = 0;
+    while (argc == 1 && completion_shells[shell] && strcmp(completion_shells[shell], argv[0]) != 0)
+        shell++;
+    if (argc != 1 || !completion_shells[shell])
+        return usage_error("--completion takes one shell, bash or zsh, as corgen --completion bash");
+    if (output_open(&out, NULL) != STATUS_OK)
+        return STATUS_FAILED;
+    completion_print((enum completion_shell)shell, table, out.file);
+    return output_commit(&out);
+}
+
 /* corgen help [SUBCOMMAND] */
 static int print_help(const struct subcommand *const *table, int argc, char **argv)
 {
@@ -120,6 +128,8 @@ static int run_alone(const struct subcommand *const *table, const char *version,
         return print_help(table, argc - 2, argv + 2);
     if (word_is(name, "--version"))
         return print_version(version);
+    if (word_is(name, "--completion"))
+        return print_completion(table, argc - 2, argv + 2);
     const struct subcommand *const cmd = subcommand_named(table, name);
     return cmd ? subcommand_parse_and_start(cmd, argc - 1, argv + 1) : STATUS_USAGE;
 }

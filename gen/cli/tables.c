@@ -56,7 +56,7 @@ static const char help[] =
     "  --seed N         seed of these random places, 0 to 1000000000 (default: a new one each time)\n"
     "  --output DIR     the directory (default: generated; with --poisson, the current one)\n"
     "  --profile        seconds per step and peak memory on standard error\n"
-    "\nExample: corgen tables --check\n";
+    "\nExample: corgen tables --poisson 0.3 --modes 10\n";
 
 #define AT(FIELD) offsetof(struct tables_arguments, FIELD)
 static const struct option_rule options[] = {

@@ -157,7 +157,7 @@ static const char help[] = "Usage: corgen trajectory --order K --terms J [OPTION
                            "  --terms J        highest j, 0 to 100000\n"
                            "  --format F       text (default), csv, json or latex\n" HELP_LAW HELP_COMMON
                            "\nColumns of csv and json: k,j,numerator,denominator.\n"
-                           "Example: corgen trajectory --order 3 --terms 4\n";
+                           "\nExample: corgen trajectory --order 3 --terms 4\n";
 
 #define AT(FIELD) offsetof(struct trajectory_arguments, FIELD)
 static const struct option_rule options[] = {

@@ -7,10 +7,15 @@
 
 #include "contact/contact_request.h"
 
+/* The word that asks for the list instead of a host */
+#define CONTACT_HOST_LIST "list"
+
+extern const char *const contact_host_names[]; /* in the order of the list, then the word for the list; ends with NULL */
+
 /* The hosts, and the contact models of each for which there are lines */
 void contact_host_list(FILE *file);
 
-/* Returns STATUS_OK, or STATUS_USAGE after a message that lists the hosts. */
+/* Returns STATUS_OK for one of the names, or STATUS_USAGE after a message that lists them. */
 int contact_host_check(const char *host);
 
 /* The text of corgen contact --for HOST, malloc'ed; NULL after a message if the host cannot realise this contact. Where

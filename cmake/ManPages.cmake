@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+# cmake -DCORGEN=<program> -DHELP2MAN=<program> -DVERSION=<version> -DOUTPUT=<dir> -P ManPages.cmake
+# Writes corgen.1 and corgen-SUBCOMMAND.1 from the help texts of corgen. The pages have no date.
+get_filename_component(folder "${CORGEN}" DIRECTORY)
+get_filename_component(program "${CORGEN}" NAME)
+execute_process(COMMAND "${CORGEN}" --completion zsh OUTPUT_VARIABLE completion RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${CORGEN} --completion zsh failed: ${status}")
+endif()
+string(REPLACE ";" "," completion "${completion}") # a list's separator
+string(REGEX MATCHALL "\n    '[a-z-]+:[^\n]*'" subcommands "${completion}")
+
+# man_page(NAME WORDS SUMMARY SEE): the page NAME.1 of the command WORDS
+function(man_page name words summary see)
+  set(page "${OUTPUT}/${name}.1")
+  file(WRITE "${page}.also" "[SEE ALSO]\n${see}\n")
+  execute_process(COMMAND "${HELP2MAN}" --no-info --no-discard-stderr "--version-string=${name} ${VERSION}"
+      "--name=${summary}" "--include=${page}.also" "${words}"
+    WORKING_DIRECTORY "${folder}" OUTPUT_VARIABLE text RESULT_VARIABLE status)
+  file(REMOVE "${page}.also")
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "help2man ${words} failed: ${status}")
+  endif()
+  # no date, and no hyphens within commands
+  string(REGEX REPLACE "(\\.TH [^ ]+ \"1\") \"[^\"]*\"([^\n]*\n)" "\\1 \"\"\\2.nh\n" text "${text}")
+  file(WRITE "${page}" "${text}")
+endfunction()
+
+file(REMOVE_RECURSE "${OUTPUT}")
+set(see)
+foreach(line IN LISTS subcommands)
+  string(REGEX REPLACE "\n    '([a-z-]+):(.*)'" "\\1;\\2" line "${line}")
+  list(GET line 0 name)
+  list(GET line 1 summary)
+  man_page(corgen-${name} "./${program} ${name}" "${summary}" ".BR corgen (1)")
+  list(APPEND see ".BR corgen-${name} (1)")
+endforeach()
+list(JOIN see ",\n" see)
+man_page(corgen "./${program}" "restitution of colliding bodies for simulations" "${see}")

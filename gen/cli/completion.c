@@ -1,0 +1,155 @@
+/* SPDX-License-Identifier: MIT */
+#include "cli/completion.h"
+
+#include <string.h>
+
+const char *const completion_shells[] = {[COMPLETION_BASH] = "bash", [COMPLETION_ZSH] = "zsh", NULL};
+
+/* What corgen takes instead of a subcommand, or help */
+static const char *const other_words[] = {"help", "--help", "--version", "--completion", NULL};
+
+static void print_words(const char *const *words, FILE *file)
+{
+    for (const char *const *word = words; *word; word++)
+        fprintf(file, "%s%s", word == words ? "" : " ", *word);
+}
+
+static void print_subcommands(const struct subcommand *const *table, FILE *file)
+{
+    for (; *table; table++)
+        fprintf(file, "%s ", (*table)->name);
+}
+
+static bool takes_file(const struct subcommand *cmd)
+{
+    const struct option_rule *rule = cmd->options;
+    while (rule->name && !(rule->operand && rule->kind == OPTION_FILE))
+        rule++;
+    return rule->name;
+}
+
+/* ---- bash ---- */
+
+/* A branch for each option with a value, whose pattern is SUBCOMMAND:--OPTION; and one for all options */
+static void print_bash_subcommand(const struct subcommand *cmd, FILE *file)
+{
+    for (const struct option_rule *rule = cmd->options; rule->name; rule++) {
+        if (rule->kind == OPTION_FLAG)
+            continue;
+        fprintf(file, "        %s:--%s) ", cmd->name, rule->name);
+        if (rule->kind == OPTION_FILE) {
+            fputs("files=1", file);
+        } else if (options_words(rule)) {
+            fputs("words='", file);
+            print_words(options_words(rule), file);
+            fputc('\'', file);
+        }
+        fputs(";;\n", file);
+    }
+    fprintf(file, "        %s:*) words='", cmd->name);
+    for (const struct option_rule *rule = cmd->options; rule->name; rule++)
+        fprintf(file, "--%s ", rule->name);
+    fprintf(file, "--help'%s ;;\n", takes_file(cmd) ? " files=1" : "");
+}
+
+static void print_bash(const struct subcommand *const *table, FILE *file)
+{
+    fputs("# SPDX-License-Identifier: MIT\n"
+          "# Completion of corgen in bash, written by: corgen --completion bash\n"
+          "_corgen() {\n"
+          "    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} words='' files=''\n"
+          "    # bash splits --option=value into three words\n"
+          "    if [ \"$current\" = '=' ]; then\n"
+          "        current=''\n"
+          "    elif [ \"$previous\" = '=' ]; then\n"
+          "        previous=${COMP_WORDS[COMP_CWORD - 2]}\n"
+          "    fi\n"
+          "    COMPREPLY=()\n"
+          "    if [ \"$COMP_CWORD\" -eq 1 ]; then\n"
+          "        words='",
+          file);
+    print_subcommands(table, file);
+    print_words(other_words, file);
+    fputs("'\n"
+          "    else\n"
+          "        case ${COMP_WORDS[1]}:$previous in\n"
+          "        help:help) words='",
+          file);
+    print_subcommands(table, file);
+    fputs("' ;;\n        --completion:--completion) words='", file);
+    print_words(completion_shells, file);
+    fputs("' ;;\n", file);
+    for (; *table; table++)
+        print_bash_subcommand(*table, file);
+    fputs("        esac\n"
+          "    fi\n"
+          "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")\n"
+          "    if [ \"$files\" ] && [[ $current != -* ]]; then\n"
+          "        compopt -o filenames 2>/dev/null\n"
+          "        mapfile -t -O \"${#COMPREPLY[@]}\" COMPREPLY < <(compgen -f -- \"$current\")\n"
+          "    fi\n"
+          "}\n"
+          "complete -F _corgen corgen\n",
+          file);
+}
+
+/* ---- zsh ---- */
+
+static void print_zsh_option(const struct option_rule *rule, FILE *file)
+{
+    if (rule->operand)
+        fprintf(file, " '1:%s:_files'", rule->operand);
+    fprintf(file, " '--%s", rule->name);
+    if (rule->kind == OPTION_FILE) {
+        fputs("=:file:_files", file);
+    } else if (options_words(rule)) {
+        fprintf(file, "=:%s:(", rule->name);
+        print_words(options_words(rule), file);
+        fputc(')', file);
+    } else if (rule->kind != OPTION_FLAG) {
+        fprintf(file, "=:%s: ", rule->name);
+    }
+    fputc('\'', file);
+}
+
+static void print_zsh(const struct subcommand *const *table, FILE *file)
+{
+    fputs("#compdef corgen\n"
+          "# SPDX-License-Identifier: MIT\n"
+          "# Completion of corgen in zsh, written by: corgen --completion zsh\n"
+          "local -a subcommands\n"
+          "subcommands=(\n",
+          file);
+    for (const struct subcommand *const *row = table; *row; row++)
+        fprintf(file, "    '%s:%s'\n", (*row)->name, (*row)->summary);
+    fputs(")\nif ((CURRENT == 2)); then\n"
+          "    _describe subcommand subcommands\n"
+          "    compadd -- ",
+          file);
+    print_words(other_words, file);
+    fputs("\n    return\n"
+          "fi\n"
+          "shift words\n"
+          "((CURRENT--))\n"
+          "case $words[1] in\n"
+          "help) _describe subcommand subcommands ;;\n"
+          "--completion) compadd -- ",
+          file);
+    print_words(completion_shells, file);
+    fputs(" ;;\n", file);
+    for (; *table; table++) {
+        fprintf(file, "%s) _arguments '--help'", (*table)->name);
+        for (const struct option_rule *rule = (*table)->options; rule->name; rule++)
+            print_zsh_option(rule, file);
+        fputs(" ;;\n", file);
+    }
+    fputs("esac\n", file);
+}
+
+void completion_print(enum completion_shell shell, const struct subcommand *const *table, FILE *file)
+{
+    if (shell == COMPLETION_BASH)
+        print_bash(table, file);
+    else
+        print_zsh(table, file);
+}

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT */
+#include "cli/overview.h"
+
+#include <string.h>
+
+enum { MOST_ROWS = 5 };
+
+struct overview_row {
+    const char *name, *use; /* a subcommand, and what it does for this task */
+};
+
+/* What a user has or needs, the subcommands for it, and one command that runs as it is shown */
+struct overview_task {
+    const char *title;
+    struct overview_row row[MOST_ROWS]; /* ends with a NULL name */
+    const char *example;                /* of the first subcommand, without "corgen" */
+};
+
+static const struct overview_task tasks[] = {
+    {"I have materials",
+     {{"contact", "eps, durations, forces and a time step of one contact"},
+      {"plan", "the cheapest model that is good enough for a range of speeds"}},
+     "contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --dissipation-time 1e-6 --speed 0.1,1,10"},
+    {"I have a measurement",
+     {{"contact", "A and g* from eps measured once: --restitution E --at SPEED"},
+      {"fit", "the law and its parameter from many points, or from times of bounces"}},
+     "contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 --at 1"},
+    {"I have a simulator",
+     {{"contact", "with --for HOST, lines for its input; --for list names the simulators"},
+      {"sample", "eps over speeds as a table; C, Python, Modelica, OpenFOAM"}},
+     "contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --law tsuji --restitution 0.7 --for yade"},
+    {"I need a header",
+     {{"embed", "one C function from speed to eps, for one scene"},
+      {"law", "C functions of beta for any law of contact"},
+      {"pade", "with --header, a rational function of beta"}},
+     "embed --g-star 20 --speed-min 0.01 --speed-max 10 --tolerance 1e-6"},
+    {"I need more digits",
+     {{"collide", "one collision to any number of proved digits"},
+      {"series", "coefficients of eps in powers of beta, to any order"},
+      {"trajectory", "exact rational coefficients of the motion"},
+      {"pade", "Pade approximants of eps"}},
+     "collide --beta 0.1 --digits 30"},
+    {"I simulate disks",
+     {{"disk-collide", "collisions with a wall, over lists of parameters"},
+      {"disk-modes", "the free modes of a disk"},
+      {"plan", "with --disks, the cheapest model that is good enough"},
+      {"tables", "with --poisson NU, the modes of a material as a C header and a file"}},
+     "disk-collide --hard-wall --speed 0.05 --poisson 0.3 --tolerance 1e-3"},
+    {"I develop cor", {{"tables", "write or check generated/"}}, "tables --poisson 0.3 --modes 10 --output ."},
+};
+enum { TASKS = sizeof tasks / sizeof *tasks };
+
+static const char *const terms[][2] = {
+    {"speed", "impact speed g: of approach along the line of centres, m/s"},
+    {"eps", "coefficient of restitution: rebound speed over impact speed, from 0 to 1"},
+    {"overlap", "how far both bodies are pressed together: x in the force K x^(3/2) of elastic spheres, m"},
+    {"zero overlap", "one end of contact: the bodies part when the overlap is zero again"},
+    {"zero force", "the other end: they part when the force would become attractive; eps is a little larger"},
+    {"A", "dissipation time of viscoelastic materials, s: the force is K (x^(3/2) + (3/2) A sqrt(x) x')"},
+    {"g*", "characteristic speed, m/s: eps = 1 - (g/g*)^(1/5) + ... for viscoelastic spheres"},
+    {"beta", "dimensionless damping, the one number on which eps depends; beta = 0.867 (g/g*)^(1/5)"},
+    {"zeta", "damping ratio of the laws linear and tsuji, whose eps is the same at every speed"},
+    {"law", "exponents a and b of the force K x^a + C x^b x', or a name for them"},
+    {"host", "a simulator whose contact model is known to corgen"},
+    {"disk", "two-dimensional elastic body without damping, which loses energy to its vibrations, its modes"},
+};
+enum { TERMS = sizeof terms / sizeof *terms };
+
+static bool in_table(const struct subcommand *const *table, const char *name)
+{
+    while (*table && strcmp((*table)->name, name) != 0)
+        table++;
+    return *table;
+}
+
+static void print_task(const struct overview_task *task, const struct subcommand *const *table, FILE *file)
+{
+    bool titled = false;
+    for (const struct overview_row *row = task->row; row < task->row + MOST_ROWS && row->name; row++) {
+        if (!in_table(table, row->name))
+            continue;
+        if (!titled)
+            fprintf(file, "\n%s:\n", task->title);
+        titled = true;
+        fprintf(file, "  %-14s %s\n", row->name, row->use);
+    }
+    if (in_table(table, task->row[0].name))
+        fprintf(file, "  $ corgen %s\n", task->example);
+}
+
+void overview_print(const struct subcommand *const *table, FILE *file)
+{
+    fputs("corgen computes what a simulation needs of a collision: the coefficient of restitution eps, durations and\n"
+          "forces, in SI units, and the series, tables and C headers behind them with proved digits.\n\n"
+          "Usage: corgen SUBCOMMAND [OPTION]...\n",
+          file);
+    for (size_t i = 0; i < TASKS; i++)
+        print_task(&tasks[i], table, file);
+    fputs("\nTerms:\n", file);
+    for (size_t i = 0; i < TERMS; i++)
+        fprintf(file, "  %-14s %s\n", terms[i][0], terms[i][1]);
+    fputs("\nOptions:\n"
+          "  --help               this text; corgen SUBCOMMAND --help, or corgen help SUBCOMMAND: its options\n"
+          "  --version            versions of corgen and its libraries\n"
+          "  --completion SHELL   what bash or zsh needs to complete a command line of corgen\n"
+          "\nExit status: 0 success, 1 failure, 2 wrong command line.\n",
+          file);
+}
