@@ -22,7 +22,9 @@ static int check_wall(const struct disk_collide_arguments *o)
 {
     const char *const missing = o->hard_wall ? NULL : !o->alpha.text ? "alpha" : !o->modes.text ? "modes" : NULL;
     if (missing)
-        return usage_error("corgen disk-collide needs --%s, or --hard-wall; see corgen disk-collide --help", missing);
+        return usage_error(
+            "corgen disk-collide needs --%s, as --%s 500, or --hard-wall; see corgen disk-collide --help", missing,
+            missing);
     if (o->hard_wall && o->tolerance.text)
         return options_check_real("tolerance", &hard_wall_tolerance, &o->tolerance);
     return STATUS_OK;

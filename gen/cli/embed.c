@@ -77,7 +77,7 @@ static const char help[] =
     "  --dissipation-time A         s\n"
     "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2, --dissipation-time-2\n"
     "  --wall           the second body is a fixed plane\n\n" HELP_COMMON
-    "\nExample: corgen embed --g-star 20 --speed-min 0.01 --speed-max 10 --tolerance 1e-6\n";
+    "\nExample: corgen embed --g-star 20 --speed-min 0.01 --speed-max 10 --tolerance 1e-6 --output cor_scene_eps.h\n";
 
 #define AT(FIELD) offsetof(struct embed_arguments, FIELD)
 static const struct option_rule options[] = {

@@ -154,6 +154,45 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
     return STATUS_OK;
 }
 
+/* Whether a number, a constant of the program, is in the range */
+static bool accepts_number(const struct decimal_range *range, const char *text)
+{
+    struct decimal number = {0};
+    decimal_set(&number, text);
+    const bool inside = decimal_inside(range, number.value);
+    decimal_clear(&number);
+    return inside;
+}
+
+/* ", as --NAME VALUE" with a value that the option accepts; empty where only the user can know one. Not to be freed. */
+static const char *example(const struct option_rule *rule)
+{
+    static char text[3 * OPTIONS_MAX_NAME];
+    const char *value = "";
+    char whole[DECIMAL_TEXT];
+    if (rule->kind == OPTION_REAL || rule->kind == OPTION_LIST) {
+        const bool list = rule->kind == OPTION_LIST;
+        const struct decimal_range *const range = list ? &rule->range.values->range : &rule->range.number->range;
+        value = !(list && rule->range.values->whole) && accepts_number(range, "0.1") ? "0.1"
+                : accepts_number(range, "1")                                         ? "1"
+                                                                                     : "100";
+    } else if (rule->kind == OPTION_WHOLE) {
+        const slong low = rule->range.whole.low, high = rule->range.whole.high, usual = 5;
+        snprintf(whole, sizeof whole, "%ld", (long)(low > usual ? low : high < usual ? high : usual));
+        value = whole;
+    } else if (options_words(rule)) {
+        value = options_words(rule)[0];
+    } else if (rule->kind == OPTION_FILE) {
+        value = "FILE";
+    } else if (rule->kind == OPTION_C_NAME) {
+        value = "my_eps";
+    } else if (rule->kind == OPTION_TEXT) {
+        return "";
+    }
+    snprintf(text, sizeof text, ", as --%s%s%s", rule->name, *value ? " " : "", value);
+    return text;
+}
+
 /* ---- the command line ---- */
 
 static int refuse_unknown(const char *command, const struct option_rule *rules, const char *option)
@@ -174,7 +213,8 @@ static int refuse_unknown(const char *command, const struct option_rule *rules, 
 static int refuse_option(const struct option_rule *rules, int key, char **argv)
 {
     if (key == ':')
-        return usage_error("%s needs a value; see corgen %s --help", argv[optind - 1], argv[0]);
+        return usage_error("%s needs a value%s; see corgen %s --help", argv[optind - 1],
+                           example(&rules[optopt - LONG_OPTION]), argv[0]);
     if (optopt >= LONG_OPTION)
         return usage_error("--%s takes no value", optopt == LONG_OPTION + (int)count_rules(rules)
                                                       ? help_name
@@ -188,20 +228,26 @@ static int check_given(const struct option_rule *rules, const bool *given, const
 {
     for (size_t i = 0; rules[i].name; i++)
         if (rules[i].required && !given[i])
-            return usage_error("corgen %s needs %s%s; see corgen %s --help", command, rules[i].operand ? "" : "--",
-                               rules[i].operand ? rules[i].operand : rules[i].name, command);
+            return rules[i].operand ? usage_error("corgen %s needs %s, as corgen %s %s; see corgen %s --help", command,
+                                                  rules[i].operand, command, rules[i].operand, command)
+                                    : usage_error("corgen %s needs --%s%s; see corgen %s --help", command,
+                                                  rules[i].name, example(&rules[i]), command);
     for (size_t i = 0; rules[i].name; i++) {
         if (!given[i])
             continue;
+        const struct option_rule *needed = NULL;
         bool met = !rules[i].needs;
         for (size_t j = 0; rules[j].name; j++) {
             if (given[j] && has_word(rules[i].excludes, rules[j].name))
                 return usage_error("--%s and --%s exclude each other; see corgen %s --help", rules[j].name,
                                    rules[i].name, command);
-            met = met || (given[j] && strcmp(rules[i].needs, rules[j].name) == 0);
+            if (rules[i].needs && strcmp(rules[i].needs, rules[j].name) == 0)
+                needed = &rules[j];
+            met = met || (given[j] && needed == &rules[j]);
         }
         if (!met)
-            return usage_error("--%s needs --%s; see corgen %s --help", rules[i].name, rules[i].needs, command);
+            return usage_error("--%s needs --%s%s; see corgen %s --help", rules[i].name, rules[i].needs,
+                               needed ? example(needed) : "", command);
     }
     return STATUS_OK;
 }

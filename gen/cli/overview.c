@@ -33,7 +33,7 @@ static const struct overview_task tasks[] = {
      {{"embed", "one C function from speed to eps, for one scene"},
       {"law", "C functions of beta for any law of contact"},
       {"pade", "with --header, a rational function of beta"}},
-     "embed --g-star 20 --speed-min 0.01 --speed-max 10 --tolerance 1e-6"},
+     "embed --g-star 20 --speed-min 0.01 --speed-max 10 --tolerance 1e-6 --output cor_scene_eps.h"},
     {"I need more digits",
      {{"collide", "one collision to any number of proved digits"},
       {"series", "coefficients of eps in powers of beta, to any order"},

@@ -9,7 +9,7 @@ static int plan_of_disks(struct plan *plan, const struct plan_arguments *o)
 {
     const struct decimal *const number = o->scene.number;
     if (!embed_given(&o->scene, EMBED_POISSON))
-        return usage_error("corgen plan --disks needs --poisson; see corgen plan --help");
+        return usage_error("corgen plan --disks needs --poisson, as --poisson 0.33; see corgen plan --help");
     const int status = options_disk_poisson(&number[EMBED_POISSON]);
     if (status != STATUS_OK)
         return status;

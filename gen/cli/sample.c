@@ -55,8 +55,8 @@ static int run_sample(const void *arguments)
     if (status == STATUS_OK)
         status = contact_request_models(&models, &contact);
     if (status == STATUS_OK && o->duration && !contact_model_has_scales(&models.model[0]))
-        status =
-            usage_error("--duration needs bodies, or --stiffness and --effective-mass, which set the unit of time");
+        status = usage_error("--duration needs bodies, or --stiffness and --effective-mass, which set the unit of "
+                             "time, as --stiffness 1e9 --effective-mass 1e-3");
     return status == STATUS_OK ? write_sample(o, &request) : status;
 }
 

@@ -178,7 +178,8 @@ static int set_scales(struct contact_model *model, const struct contact_request 
         return usage_error("--stiffness with --effective-mass and bodies exclude each other; " BODY_RULE);
     if (is_plate(request) && !bodies)
         return usage_error("--law plate needs a sphere and a plate: --young, --poisson, --radius, --density or --mass, "
-                           "--plate-thickness, and -2 of the plate");
+                           "--plate-thickness, and -2 of the plate, as --young 7e10 --poisson 0.24 --radius 5e-3 "
+                           "--density 2500 --plate-thickness 3e-3");
     if (bodies && model->law.a.num * 2 != model->law.a.den * 3)
         return usage_error("two bodies have Hertz's force, x^(3/2); the law %s needs --stiffness K in N/m^a and "
                            "--effective-mass M in kg, as --stiffness 1e5 --effective-mass 1e-3",
@@ -196,7 +197,7 @@ static const char *const way_names[WAYS] = {"dissipation-time",    "viscosity", 
 
 #define WAY_RULE                                                                                                       \
     "the dissipation is one of --dissipation-time A (s), --viscosity ETA1,ETA2 (Pa s), --g-star G (m/s), "             \
-    "--restitution E --at SPEED (as 0.9 at 1 m/s), --damping-coefficient C, --beta B --at SPEED, --zeta Z"
+    "--restitution E --at SPEED (as --restitution 0.9 --at 1), --damping-coefficient C, --beta B --at SPEED, --zeta Z"
 
 static bool way_is_given(const struct contact_request *request, enum way way)
 {
@@ -244,8 +245,9 @@ static int check_way(const struct contact_request *request, const struct contact
                            "--damping-coefficient C",
                            way_names[way], law_equation(&model->law).text, constant ? "" : " --at SPEED");
     if (way == WAY_G_STAR && constant)
-        return usage_error("--g-star: eps of the law %s is the same at every speed; give --restitution E or --zeta Z",
-                           law_equation(&model->law).text);
+        return usage_error(
+            "--g-star: eps of the law %s is the same at every speed; give --restitution E or --zeta Z, as --zeta 0.1",
+            law_equation(&model->law).text);
     if (way == WAY_ZETA && !constant)
         return usage_error("--zeta is the damping ratio of the laws linear and tsuji; the law %s takes --restitution E "
                            "--at SPEED or --damping-coefficient C",

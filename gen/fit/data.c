@@ -402,6 +402,9 @@ static int read_table(struct fit_data *data, struct reader *r, double gravity_m_
     if (status != STATUS_OK)
         return status;
     data->from_bounces = has(r, TIME);
+    if (data->from_bounces && r->unit != FIT_UNIT_OF_COLUMN)
+        return refuse(r, TIME,
+                      "--unit is that of a column speed, and times of bounces have none; allowed: seconds, as 0.52");
     status = read_rows(data, r, gravity_m_s2);
     if (status == STATUS_OK && data->points < FIT_MIN_POINTS)
         status = refuse(r, COLUMNS, "the file ends after %zu point%s; allowed: %d or more%s", data->points,

@@ -12,7 +12,7 @@
 enum { TOKEN_MAX = 200, BITS = 256, PARTS = 4 };
 
 static const char ranges_are[] = "ranges are FIRST:LAST:+STEP, FIRST:LAST:-STEP, FIRST:LAST:lin:COUNT and "
-                                 "FIRST:LAST:log:COUNT";
+                                 "FIRST:LAST:log:COUNT, as 0.1:0.4:log:3";
 
 static bool value_read_number(fmpq_t x, const char *text)
 {
