@@ -10,7 +10,7 @@
 /* The word that asks for the list instead of a host */
 #define CONTACT_HOST_LIST "list"
 
-extern const char *const contact_host_names[]; /* in the order of the list, then the word for the list; ends with NULL */
+extern const char *const contact_host_names[]; /* as in the list, then the word for it; ends with NULL */
 
 /* The hosts, and the contact models of each for which there are lines */
 void contact_host_list(FILE *file);
