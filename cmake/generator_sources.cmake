@@ -13,6 +13,7 @@ set(COR_GENERATOR_SOURCES
   gen/cli/completion.c
   gen/cli/disk_collide.c
   gen/cli/disk_modes.c
+  gen/cli/dispatch.c
   gen/cli/embed.c
   gen/cli/law.c
   gen/cli/options.c
@@ -21,7 +22,6 @@ set(COR_GENERATOR_SOURCES
   gen/cli/plan.c
   gen/cli/proved_table.c
   gen/cli/series.c
-  gen/cli/subcommand.c
   gen/cli/tables.c
   gen/cli/trajectory.c
   gen/disk/equation.c

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A subcommand of corgen, and the dispatch from a command line to the subcommand. */
+/* A subcommand of corgen, as a row of the table in main.c. dispatch.h runs it. */
 #ifndef COR_GEN_CLI_SUBCOMMAND_H
 #define COR_GEN_CLI_SUBCOMMAND_H
 
@@ -16,9 +16,6 @@ struct subcommand {
     bool on_all_ranks;                 /* every process of an mpirun runs it; otherwise one process runs it and the
                                         * others wait */
 };
-
-/* Chooses a subcommand from a table that ends with NULL, and runs it. Returns the exit status. */
-int subcommand_run(const struct subcommand *const *table, const char *version, int argc, char **argv);
 
 /* Parts of help texts */
 #define HELP_LAW                                                                                                       \

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #define _POSIX_C_SOURCE 200809L /* open_memstream */
-#include "cli/subcommand.h"
+#include "cli/dispatch.h"
 
 #include <errno.h>
 #include <stdlib.h>
