@@ -46,14 +46,14 @@ static const struct overview_task tasks[] = {
       {"plan", "with --disks, the cheapest model that is good enough"},
       {"tables", "with --poisson NU, the modes of a material as a C header and a file"}},
      "disk-collide --hard-wall --speed 0.05 --poisson 0.3 --tolerance 1e-3"},
-    {"I develop cor", {{"tables", "write or check generated/"}}, "tables --poisson 0.3 --modes 10 --output ."},
+    {"I develop cor", {{"tables", "write or check generated/"}}, "tables --check"},
 };
 enum { TASKS = sizeof tasks / sizeof *tasks };
 
 static const char *const terms[][2] = {
-    {"speed", "impact speed g: of approach along the line of centres, m/s"},
+    {"speed", "impact speed g, at which the bodies approach each other along the line of their centres, m/s"},
     {"eps", "coefficient of restitution: rebound speed over impact speed, from 0 to 1"},
-    {"overlap", "how far both bodies are pressed together: x in the force K x^(3/2) of elastic spheres, m"},
+    {"overlap", "length x by which two bodies are pressed together, m; elastic spheres have the force K x^(3/2)"},
     {"zero overlap", "one end of contact: the bodies part when the overlap is zero again"},
     {"zero force", "the other end: they part when the force would become attractive; eps is a little larger"},
     {"A", "dissipation time of viscoelastic materials, s: the force is K (x^(3/2) + (3/2) A sqrt(x) x')"},
@@ -62,7 +62,7 @@ static const char *const terms[][2] = {
     {"zeta", "damping ratio of the laws linear and tsuji, whose eps is the same at every speed"},
     {"law", "exponents a and b of the force K x^a + C x^b x', or a name for them"},
     {"host", "a simulator whose contact model is known to corgen"},
-    {"disk", "two-dimensional elastic body without damping, which loses energy to its vibrations, its modes"},
+    {"disk", "elastic disk without damping: a collision turns energy into vibrations, its modes"},
 };
 enum { TERMS = sizeof terms / sizeof *terms };
 
