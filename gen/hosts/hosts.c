@@ -216,6 +216,10 @@ static double loss_of_impulse(double e)
 #define NUMBER(name) NULL, 0, 1, name##_of_damping, damping_of_##name
 #define NOT_PASTED NULL, NULL
 #define OPEN 0x1p-1022 /* e > 0 */
+/* LIGGGHTS asks for these numbers even with tangential off. */
+#define LIGGGHTS_TANGENTIAL                                                                                            \
+    "fix cor_kt all property/global kt peratomtypepair 1 0\n"                                                          \
+    "fix cor_gammat all property/global gammat peratomtypepair 1 0\n"
 #define LAMMPS_FILE "src/GRANULAR/gran_sub_mod_damping.cpp"
 
 const struct host_model host_models[] = {
@@ -266,16 +270,22 @@ const struct host_model host_models[] = {
      "#|pair_style granular\npair_coeff * * {spring} {n} tangential linear_nohistory 0 0 damping coeff_restitution "
      "limit_damping\n"},
     {"lammps", "granular hertz, damping tsuji, releases to July 2026", "e", HOST_TSUJI, HOST_ZERO_OVERLAP,
-     ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run", "Realises up to 0.143 more than asked: use coeff_restitution.",
-     NOT_PASTED},
+     ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run",
+     "Realises up to 0.143 more than asked: give it e', or use coeff_restitution.", "29 Sep 2021 to 4 Feb 2025",
+     "#|pair_style granular\npair_coeff * * hertz {kn} {n} tangential linear_nohistory 0 0 damping tsuji\n"},
     {"lammps", "granular hertz, damping tsuji, limit_damping, releases to July 2026", "e", HOST_TSUJI, HOST_ZERO_FORCE,
      ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run",
-     "Realises up to 0.25 more than asked: use coeff_restitution and e'.", NOT_PASTED},
+     "Realises up to 0.25 more than asked: give it e', or use coeff_restitution with its own e'.",
+     "29 Sep 2021 to 4 Feb 2025",
+     "#|pair_style granular\npair_coeff * * hertz {kn} {n} tangential linear_nohistory 0 0 damping tsuji "
+     "limit_damping\n"},
     {"lammps", "granular hertz, damping tsuji, source after July 2026", "e", HOST_TSUJI, HOST_ZERO_OVERLAP,
      ASKED(tsuji_since_2026, 0, 1), LAMMPS_FILE, "source", "Within 0.002 from e = 0.05 on; coeff_restitution is exact.",
      NOT_PASTED},
     {"lammps", "granular hooke, damping tsuji", "e", HOST_LINEAR, HOST_ZERO_OVERLAP, ASKED(tsuji_on_hooke, 0, 1),
-     LAMMPS_FILE, "source", "A formula for Hertz's force on a linear spring: use coeff_restitution.", NOT_PASTED},
+     LAMMPS_FILE, "run", "A formula for Hertz's force on a linear spring: give it e', or use damping velocity.",
+     "29 Sep 2021 to 4 Feb 2025",
+     "#|pair_style granular\npair_coeff * * hooke {K} {n} tangential linear_nohistory 0 0 damping tsuji\n"},
     {"liggghts", "hertz or hooke, coefficientRestitution", "e", HOST_TSUJI, HOST_ZERO_OVERLAP,
      ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "source", "Exact; it refuses e <= 0.05.",
      "3.8, source 3d5c00f2",
@@ -290,20 +300,20 @@ const struct host_model host_models[] = {
      "src/normal_model_hertz_stiffness.h", "source", "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.",
      "3.8, source 3d5c00f2",
      "#|pair_style gran model hertz/stiffness tangential off\nfix cor_kn all property/global kn peratomtypepair 1 "
-     "{kn}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n"},
+     "{kn}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL},
     {"liggghts", "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)", HOST_SPHERE, HOST_ZERO_FORCE,
      NUMBER(area_hertz), "src/normal_model_hertz_stiffness.h", "source",
      "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.", "3.8, source 3d5c00f2",
      "#|pair_style gran model hertz/stiffness tangential off limitForce on\nfix cor_kn all property/global kn "
-     "peratomtypepair 1 {kn}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n"},
+     "peratomtypepair 1 {kn}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL},
     {"liggghts", "hooke/stiffness, gamman", "gamman, 1/s", HOST_LINEAR, HOST_ZERO_OVERLAP, NUMBER(dashpot_per_mass),
      "src/normal_model_hooke_stiffness.h", "source", "Exact.", "3.8, source 3d5c00f2",
      "#|pair_style gran model hooke/stiffness tangential off\nfix cor_kn all property/global kn peratomtypepair 1 "
-     "{K}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n"},
+     "{K}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL},
     {"liggghts", "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", HOST_LINEAR, HOST_ZERO_FORCE,
      NUMBER(dashpot_per_mass), "src/normal_model_hooke_stiffness.h", "source", "Exact.", "3.8, source 3d5c00f2",
      "#|pair_style gran model hooke/stiffness tangential off limitForce on\nfix cor_kn all property/global kn "
-     "peratomtypepair 1 {K}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n"},
+     "peratomtypepair 1 {K}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL},
     {"yade", "Mindlin, en (2023 and later)", "e", HOST_TSUJI, HOST_ZERO_FORCE, ASKED(thornton_yade, 0.001, 1),
      "pkg/dem/HertzMindlin.cpp", "run", "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.", "2023.02a",
      "#|Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, es=1)\n"},
@@ -429,12 +439,16 @@ const struct host_model host_models[] = {
      "HertzDamp material", "documentation", "The recommended 8 (1 - e)/(5 e) realises less than e.", NOT_PASTED},
     {"bullet", "setRestitution of both bodies, product e", "e", HOST_IMPULSE, HOST_INSTANT,
      ASKED(loss_of_impulse, 0, 1), "src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp",
-     "source", "Exact above the solver's restitution threshold, 0.2 m/s unless set.", "3.25",
+     "source",
+     "Exact for spheres with these lines; Bullet's defaults add up to 0.2 to e, and treat impacts below 0.2 m/s as e = "
+     "0.",
+     "3.24",
      "//|body->setRestitution({root}); // each of two equal "
-     "bodies\nworld->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"},
+     "bodies\nworld->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
+     "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n"},
     {"bullet", "contact callback, e of the impact speed", "e", HOST_IMPULSE, HOST_INSTANT, ASKED(loss_of_impulse, 0, 1),
      "src/BulletCollision/CollisionDispatch/btManifoldResult.cpp", "source",
-     "Any law: eps of each impact is computed from its speed.", "3.25",
+     "Any law: eps of each impact is computed from its speed.", "3.24",
      "//|// cor_eps.h: {embed}\n#include \"cor_eps.h\"\nstatic bool cor_contact_added(btManifoldPoint &p, const "
      "btCollisionObjectWrapper *a, int, int,\n                              const btCollisionObjectWrapper *b, int, "
      "int)\n{\n    const btRigidBody *first = btRigidBody::upcast(a->getCollisionObject());\n    const btRigidBody "
@@ -443,6 +457,7 @@ const struct host_model host_models[] = {
      "     v -= second->getVelocityInLocalPoint(p.getPositionWorldOnB() - second->getCenterOfMassPosition());\n    "
      "p.m_combinedRestitution = cor_eps(btFabs(v.dot(p.m_normalWorldOnB)));\n    return true;\n}\n// once: "
      "gContactAddedCallback = cor_contact_added;\n// world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n// "
+     "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n// "
      "each body: body->setCollisionFlags(body->getCollisionFlags() | "
      "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"},
     {"rebound", "coefficient_of_restitution, constant", "e", HOST_IMPULSE, HOST_INSTANT, ASKED(loss_of_impulse, 0, 1),

@@ -408,7 +408,7 @@ static void hosts_realise_what_is_wished(void **state)
     static const struct {
         const char *host;
         size_t linear, tsuji, viscoelastic; /* models with lines for each law */
-    } row[] = {{"lammps", 6, 2, 2},  {"liggghts", 4, 2, 2}, {"yade", 2, 2, 1},     {"mercurydpm", 1, 2, 1},
+    } row[] = {{"lammps", 7, 4, 2},  {"liggghts", 4, 2, 2}, {"yade", 2, 2, 1},     {"mercurydpm", 1, 2, 1},
                {"chrono", 2, 1, 1},  {"mfix", 1, 1, 1},     {"openfoam", 0, 1, 1}, {"esys", 0, 1, 1},
                {"mujoco", 2, 0, 0},  {"drake", 1, 1, 1},    {"simbody", 1, 1, 1},  {"bullet", 1, 1, 0},
                {"rebound", 1, 1, 0}, {"modelica", 1, 0, 0}};
