@@ -228,14 +228,14 @@ const struct host_model host_models[] = {
      "29 Sep 2021 to 4 Feb 2025",
      "#|pair_style granular\npair_coeff * * hooke {K} {n} tangential linear_nohistory 0 0 damping velocity\n"},
     {"lammps", "granular hooke, damping velocity, limit_damping", "eta_n, kg/s", HOST_LINEAR, HOST_ZERO_FORCE,
-     NUMBER(dashpot), LAMMPS_FILE, "source", "Exact.", "29 Sep 2021 to 4 Feb 2025",
+     NUMBER(dashpot), LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025",
      "#|pair_style granular\npair_coeff * * hooke {K} {n} tangential linear_nohistory 0 0 damping velocity "
      "limit_damping\n"},
     {"lammps", "granular hooke, damping mass_velocity; gran/hooke", "eta_n or gamma_n, 1/s", HOST_LINEAR,
      HOST_ZERO_OVERLAP, NUMBER(dashpot_per_mass), LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025",
      "#|pair_style granular\npair_coeff * * hooke {K} {n} tangential linear_nohistory 0 0 damping mass_velocity\n"},
     {"lammps", "granular hooke, damping mass_velocity, limit_damping", "eta_n, 1/s", HOST_LINEAR, HOST_ZERO_FORCE,
-     NUMBER(dashpot_per_mass), LAMMPS_FILE, "source", "Exact.", "29 Sep 2021 to 4 Feb 2025",
+     NUMBER(dashpot_per_mass), LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025",
      "#|pair_style granular\npair_coeff * * hooke {K} {n} tangential linear_nohistory 0 0 damping mass_velocity "
      "limit_damping\n"},
     {"lammps", "granular hooke, damping viscoelastic (the default)", "eta_n, 1/(m s)", HOST_LINEAR_ROOT,
@@ -247,7 +247,7 @@ const struct host_model host_models[] = {
      "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.", "29 Sep 2021 to 4 Feb 2025",
      "#|pair_style granular\npair_coeff * * hertz {kn} {n} tangential linear_nohistory 0 0 damping viscoelastic\n"},
     {"lammps", "granular hertz, damping viscoelastic, limit_damping", "eta_n, 1/(m s)", HOST_SPHERE, HOST_ZERO_FORCE,
-     NUMBER(area_hertz), LAMMPS_FILE, "source", "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.",
+     NUMBER(area_hertz), LAMMPS_FILE, "run", "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.",
      "29 Sep 2021 to 4 Feb 2025",
      "#|pair_style granular\npair_coeff * * hertz {kn} {n} tangential linear_nohistory 0 0 damping viscoelastic "
      "limit_damping\n"},
@@ -287,31 +287,31 @@ const struct host_model host_models[] = {
      "29 Sep 2021 to 4 Feb 2025",
      "#|pair_style granular\npair_coeff * * hooke {K} {n} tangential linear_nohistory 0 0 damping tsuji\n"},
     {"liggghts", "hertz or hooke, coefficientRestitution", "e", HOST_TSUJI, HOST_ZERO_OVERLAP,
-     ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "source", "Exact; it refuses e <= 0.05.",
+     ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "run", "Exact; it refuses e <= 0.05.",
      "3.8, source 3d5c00f2",
      "#|pair_style gran model {model} tangential off\nfix cor_e all property/global coefficientRestitution "
      "peratomtypepair 1 {n}\n"},
     {"liggghts", "hertz or hooke, coefficientRestitution, limitForce on", "e", HOST_TSUJI, HOST_ZERO_FORCE,
-     ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "source",
+     ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "run",
      "Realises more than asked: give it e'; it refuses e' <= 0.05.", "3.8, source 3d5c00f2",
      "#|pair_style gran model {model} tangential off limitForce on\nfix cor_e all property/global "
      "coefficientRestitution peratomtypepair 1 {n}\n"},
     {"liggghts", "hertz/stiffness, gamman", "gamman, 1/(m s)", HOST_SPHERE, HOST_ZERO_OVERLAP, NUMBER(area_hertz),
-     "src/normal_model_hertz_stiffness.h", "source", "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.",
+     "src/normal_model_hertz_stiffness.h", "run", "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.",
      "3.8, source 3d5c00f2",
      "#|pair_style gran model hertz/stiffness tangential off\nfix cor_kn all property/global kn peratomtypepair 1 "
      "{kn}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL},
     {"liggghts", "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)", HOST_SPHERE, HOST_ZERO_FORCE,
-     NUMBER(area_hertz), "src/normal_model_hertz_stiffness.h", "source",
+     NUMBER(area_hertz), "src/normal_model_hertz_stiffness.h", "run",
      "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.", "3.8, source 3d5c00f2",
      "#|pair_style gran model hertz/stiffness tangential off limitForce on\nfix cor_kn all property/global kn "
      "peratomtypepair 1 {kn}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL},
     {"liggghts", "hooke/stiffness, gamman", "gamman, 1/s", HOST_LINEAR, HOST_ZERO_OVERLAP, NUMBER(dashpot_per_mass),
-     "src/normal_model_hooke_stiffness.h", "source", "Exact.", "3.8, source 3d5c00f2",
+     "src/normal_model_hooke_stiffness.h", "run", "Exact.", "3.8, source 3d5c00f2",
      "#|pair_style gran model hooke/stiffness tangential off\nfix cor_kn all property/global kn peratomtypepair 1 "
      "{K}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL},
     {"liggghts", "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", HOST_LINEAR, HOST_ZERO_FORCE,
-     NUMBER(dashpot_per_mass), "src/normal_model_hooke_stiffness.h", "source", "Exact.", "3.8, source 3d5c00f2",
+     NUMBER(dashpot_per_mass), "src/normal_model_hooke_stiffness.h", "run", "Exact.", "3.8, source 3d5c00f2",
      "#|pair_style gran model hooke/stiffness tangential off limitForce on\nfix cor_kn all property/global kn "
      "peratomtypepair 1 {K}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL},
     {"yade", "Mindlin, en (2023 and later)", "e", HOST_TSUJI, HOST_ZERO_FORCE, ASKED(thornton_yade, 0.001, 1),
@@ -412,17 +412,17 @@ const struct host_model host_models[] = {
      "<!--|<drake:proximity_properties>\n  <drake:point_contact_stiffness>{2K}</drake:point_contact_stiffness>\n  "
      "<drake:relaxation_time>{n/2}</drake:relaxation_time>\n</drake:proximity_properties>\n"},
     {"simbody", "HuntCrossleyForce; OpenSim", "c, s/m", HOST_HUNT_CROSSLEY, HOST_ZERO_FORCE, NUMBER(simbody),
-     "Simbody/src/HuntCrossleyForce.cpp", "source", "e = 1 - c v is first order only: c v = 0.5 gives 0.663.",
-     "source f312d0dd",
+     "Simbody/src/HuntCrossleyForce.cpp", "run", "e = 1 - c v is first order only: c v = 0.5 gives 0.663.",
+     "3.7, source f312d0dd",
      "//|const double dissipation = {n}; // s/m, of both bodies\nforce.setBodyParameters(surface, stiffness, "
      "dissipation, 0, 0, 0);\n"},
     {"mujoco", "solref (timeconst, dampratio), dmin = dmax", "dampratio", HOST_LINEAR, HOST_ZERO_FORCE,
-     NUMBER(damping_ratio), "src/engine/engine_core_constraint.c", "source",
-     "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.", "source a7255075",
+     NUMBER(damping_ratio), "src/engine/engine_core_constraint.c", "run",
+     "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.", "2.2.2, source a7255075",
      "<!--|<geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/>\n"},
     {"mujoco", "solref (-stiffness, -damping), dmin = dmax", "damping, 1/s", HOST_LINEAR, HOST_ZERO_FORCE,
-     NUMBER(dashpot_per_mass), "src/engine/engine_core_constraint.c", "source",
-     "Stiffness and damping are per unit of mass.", "source a7255075",
+     NUMBER(dashpot_per_mass), "src/engine/engine_core_constraint.c", "run",
+     "Stiffness and damping are per unit of mass.", "2.2.2, source a7255075",
      "<!--|<geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/>\n"},
     {"newton", "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", HOST_LINEAR, HOST_APPROACH_ONLY,
      NUMBER(dashpot), "newton/_src/solvers/semi_implicit/kernels_contact.py", "source",
@@ -438,8 +438,7 @@ const struct host_model host_models[] = {
     {"opensees", "HertzDamp, xi", "xi", HOST_HUNT_CROSSLEY, HOST_ZERO_FORCE, NUMBER(crossley_beta),
      "HertzDamp material", "documentation", "The recommended 8 (1 - e)/(5 e) realises less than e.", NOT_PASTED},
     {"bullet", "setRestitution of both bodies, product e", "e", HOST_IMPULSE, HOST_INSTANT,
-     ASKED(loss_of_impulse, 0, 1), "src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp",
-     "source",
+     ASKED(loss_of_impulse, 0, 1), "src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp", "run",
      "Exact for spheres with these lines; Bullet's defaults add up to 0.2 to e, and treat impacts below 0.2 m/s as e = "
      "0.",
      "3.24",
@@ -447,7 +446,7 @@ const struct host_model host_models[] = {
      "bodies\nworld->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
      "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n"},
     {"bullet", "contact callback, e of the impact speed", "e", HOST_IMPULSE, HOST_INSTANT, ASKED(loss_of_impulse, 0, 1),
-     "src/BulletCollision/CollisionDispatch/btManifoldResult.cpp", "source",
+     "src/BulletCollision/CollisionDispatch/btManifoldResult.cpp", "run",
      "Any law: eps of each impact is computed from its speed.", "3.24",
      "//|// cor_eps.h: {embed}\n#include \"cor_eps.h\"\nstatic bool cor_contact_added(btManifoldPoint &p, const "
      "btCollisionObjectWrapper *a, int, int,\n                              const btCollisionObjectWrapper *b, int, "

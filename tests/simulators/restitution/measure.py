@@ -415,8 +415,8 @@ def asked_rows(host, cases):
         own = {case.e: case for case in cases if case.model == model and case.own}
         own = own or {case.e: case for case in cases if case.model == model}
         cells = ["refused" if e not in own else number(own[e].eps) if own[e].eps_most - own[e].eps < 1e-6 else
-                 "%s to %s" % (number(own[e].eps), number(own[e].eps_most)) for e in RESTITUTIONS if e in own or True]
-        if set(own) & set(RESTITUTIONS):
+                 "%s to %s" % (number(own[e].eps), number(own[e].eps_most)) for e in RESTITUTIONS]
+        if any(e in own for e in RESTITUTIONS):
             yield "| %s %s | %s | %s | run |" % (host.name, host.text_version, model, " | ".join(cells))
 
 
