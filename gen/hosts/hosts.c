@@ -460,12 +460,12 @@ const struct host_model host_models[] = {
      "each body: body->setCollisionFlags(body->getCollisionFlags() | "
      "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"},
     {"rebound", "coefficient_of_restitution, constant", "e", HOST_IMPULSE, HOST_INSTANT, ASKED(loss_of_impulse, 0, 1),
-     "src/collision.c", "source", "Exact for hard spheres.", "4",
+     "src/collision.c", "source", "Exact for hard spheres.", "5.0.0",
      "//|static double cor_restitution(const struct reb_simulation *const r, double v)\n{\n    return {n};\n}\n// "
      "once: r->coefficient_of_restitution = cor_restitution;\n"},
     {"rebound", "coefficient_of_restitution, e of the impact speed", "e", HOST_IMPULSE, HOST_INSTANT,
-     ASKED(loss_of_impulse, 0, 1), "src/collision.c", "source",
-     "Any law: eps of each impact is computed from its speed.", "4",
+     ASKED(loss_of_impulse, 0, 1), "src/collision.c", "run", "Any law: eps of each impact is computed from its speed.",
+     "5.0.0",
      "//|// cor_eps.h: {embed}\n#include \"cor_eps.h\"\nstatic double cor_restitution(const struct reb_simulation "
      "*const r, double v)\n{\n    return cor_eps(v < 0 ? -v : v); // cor_eps takes m/s: convert v from the units of "
      "the "
