@@ -432,8 +432,9 @@ def formula_rows(name, measured):
 def cured_rows(host, cases, errors):
     for model in dict.fromkeys(case.model for case in cases if not case.own):
         group = [case for case in cases if case.model == model and not case.own]
+        laws = ", ".join(dict.fromkeys(case.law for case in group))
         missing = [e for e in RESTITUTIONS if e not in [case.e for case in group]] if group[0].e in RESTITUTIONS else []
-        yield "| %s %s | %s | %s | %s | %s | %.0e |" % (host.name, host.text_version, model, group[0].law, group[0].end,
+        yield "| %s %s | %s | %s | %s | %s | %.0e |" % (host.name, host.text_version, model, laws, group[0].end,
                                                        ", ".join(missing), errors[model, False])
 
 
@@ -443,7 +444,11 @@ def listed_models():
         if line and not line.startswith(" "):
             host = line
         elif line:
-            yield host, re.sub(r" \([^()]*\)$", "", line.strip())
+            yield host, re.sub(r" \((%s)\b.*; .*\)$" % "|".join(LAWS + ["impulse"]), "", line.strip())
+
+
+# tests/simulators/run runs REBOUND's callback itself.
+RUN_ELSEWHERE = ("rebound", "coefficient_of_restitution, e of the impact speed")
 
 
 def page_with(text, name, lines):
@@ -456,7 +461,7 @@ def write_page(results):
     asked = ["| simulator | model | %s | |" % " | ".join(RESTITUTIONS), "|---|---|%s---|" % ("---|" * len(RESTITUTIONS))]
     cured = ["| simulator | model | law | end | e that no number realises | largest difference from e |",
              "|---|---|---|---|---|---|"]
-    measured = set()
+    measured = {RUN_ELSEWHERE}
     for host, cases, errors in results:
         asked += asked_rows(host, cases)
         cured += cured_rows(host, cases, errors)
