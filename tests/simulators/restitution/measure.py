@@ -73,7 +73,8 @@ def duration_s(law, e, end):
     if end not in ("zero overlap", "zero force"):
         return math.nan
     name = end.replace(" ", "_")
-    text = output_of([CORGEN] + contact_of(law, e) + ["--end", end.replace(" ", "-"), "--speed", "1", "--format", "csv"])
+    options = ["--end", end.replace(" ", "-"), "--speed", "1", "--format", "csv"]
+    text = output_of([CORGEN] + contact_of(law, e) + options)
     return float(next(csv.DictReader(io.StringIO(text)))["duration_s_" + name])
 
 
@@ -194,8 +195,8 @@ def run_yade(cases, work):
 
 def run_mujoco(cases, work):
     for number, case in enumerate(cases):
-        read_steps(case, output_of([os.path.join(work, "mujoco"), file_of(case, work, number), "%.17g" % case.duration] +
-                                   [str(n) for n in COUNTS]), "")
+        command = [os.path.join(work, "mujoco"), file_of(case, work, number), "%.17g" % case.duration]
+        read_steps(case, output_of(command + [str(n) for n in COUNTS]), "")
 
 
 def read_pairs(case, text, name):
@@ -232,8 +233,8 @@ BULLET_FLAGS = ["-DBT_USE_DOUBLE_PRECISION", "-I/usr/include/bullet", "-lBulletD
 def run_simbody(cases, work):
     functions, rows = [], []
     for number, case in enumerate(cases):
-        functions.append("static void set_%d(HuntCrossleyForce &force, ContactSurfaceIndex surface, Real stiffness)\n{\n"
-                         "%s\n}" % (number, "\n".join(case.lines)))
+        functions.append("static void set_%d(HuntCrossleyForce &force, ContactSurfaceIndex surface, Real stiffness)\n"
+                         "{\n%s\n}" % (number, "\n".join(case.lines)))
         rows.append('{"%d", set_%d}' % (number, number))
     write_cases(work, "simbody", functions, rows)
     said = compiled("simbody.cpp", work, SIMBODY_FLAGS)
@@ -261,8 +262,8 @@ def run_bullet(cases, work):
             functions += scope if number == [c.model for c in cases].index(case.model) else []
         else:
             lines = ["gContactAddedCallback = nullptr;"] + lines
-        functions.append("static void set_%d(btRigidBody *body, btDiscreteDynamicsWorld *world)\n{\n(void)world;\n%s\n}" %
-                         (number, "\n".join(lines)))
+        functions.append("static void set_%d(btRigidBody *body, btDiscreteDynamicsWorld *world)\n"
+                         "{\n(void)world;\n%s\n}" % (number, "\n".join(lines)))
         rows.append('{"%d", set_%d, %.17g}' % (number, number, case.speed))
     write_cases(work, "bullet", functions, rows)
     said = compiled("bullet.cpp", work, BULLET_FLAGS)
@@ -304,11 +305,12 @@ def simbody_cases():
     for case in cases[:]:
         lines = [re.sub(r"= \S+;", "= %.17g;" % (1 - float(case.e)), line) for line in case.lines]
         beta = 1.5 * (1 - float(case.e))
-        text = output_of([CORGEN, "collide", "--elastic", "3/2", "--damping", "3/2", "--beta", "%.17g" % beta, "--digits",
-                          "15", "--format", "csv"])
+        text = output_of([CORGEN] + "collide --elastic 3/2 --damping 3/2 --digits 15 --format csv".split() +
+                         ["--beta", "%.17g" % beta])
         row = next(csv.DictReader(io.StringIO(text)))
-        cases.append(Case("HuntCrossleyForce, c = (1 - e)/v as its documentation says", case.law, case.end, case.e, lines,
-                          math.nan, float(row["eps_zero_force"]), True))
+        model = "HuntCrossleyForce, c = (1 - e)/v as its documentation says"
+        realised = float(row["eps_zero_force"])
+        cases.append(Case(model, case.law, case.end, case.e, lines, math.nan, realised, True))
     return cases
 
 
@@ -339,7 +341,8 @@ def installed(program):
 
 
 def has_header(name, options, language):
-    return not output_of(["cc", "-x", language, "-E", "-w", "-o", os.devnull] + options + ["-include", name, os.devnull])
+    command = ["cc", "-x", language, "-E", "-w", "-o", os.devnull]
+    return not output_of(command + options + ["-include", name, os.devnull])
 
 
 def version_of(command, pattern):
@@ -364,8 +367,9 @@ def hosts_of(work):
              lambda: version_of([LIGGGHTS, "-log", "none", "-in", os.devnull], r"LIGGGHTS-\w+ ([\d.]+\d)")),
         Host("yade", "yade", lambda: installed(YADE), lambda: cases_of("yade", LAWS, yade_has), run_yade,
              lambda: version_of([YADE, "-x", "-n", os.devnull], r"Welcome to Yade (\S+)")),
-        Host("mujoco", "libmujoco-dev", lambda: has_header("mujoco/mujoco.h", [], "c"), lambda: cases_of("mujoco"), run_mujoco,
-             lambda: output_of([mujoco, "version"]).strip(), lambda: compiled("mujoco.c", work, ["-lmujoco"])),
+        Host("mujoco", "libmujoco-dev", lambda: has_header("mujoco/mujoco.h", [], "c"), lambda: cases_of("mujoco"),
+             run_mujoco, lambda: output_of([mujoco, "version"]).strip(),
+             lambda: compiled("mujoco.c", work, ["-lmujoco"])),
         Host("simbody", "libsimbody-dev", lambda: has_header("SimTKcommon.h", SIMBODY_FLAGS[:1], "c++"), simbody_cases,
              run_simbody, lambda: output_of([os.path.join(work, "simbody"), "version"]).strip()),
         Host("bullet", "libbullet-dev", lambda: has_header("btBulletDynamicsCommon.h", BULLET_FLAGS[:2], "c++"),
@@ -458,7 +462,8 @@ def page_with(text, name, lines):
 
 
 def write_page(results):
-    asked = ["| simulator | model | %s | |" % " | ".join(RESTITUTIONS), "|---|---|%s---|" % ("---|" * len(RESTITUTIONS))]
+    asked = ["| simulator | model | %s | |" % " | ".join(RESTITUTIONS),
+             "|---|---|%s---|" % ("---|" * len(RESTITUTIONS))]
     cured = ["| simulator | model | law | end | e that no number realises | largest difference from e |",
              "|---|---|---|---|---|---|"]
     measured = {RUN_ELSEWHERE}
@@ -475,7 +480,8 @@ def write_page(results):
         text = file.read()
     text = page_with(text, "asked", asked)
     text = page_with(text, "cured", cured)
-    text = page_with(text, "left", ["| simulator | models of `corgen contact --for` that were not run |", "|---|---|"] + left)
+    left = ["| simulator | models of `corgen contact --for` that were not run |", "|---|---|"] + left
+    text = page_with(text, "left", left)
     with open(PAGE, "w", encoding="utf-8") as file:
         file.write(text)
 
