@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The sources of corgen but for main.c, in alphabetical order: add a file to gen/, add a line here.
 set(COR_GENERATOR_SOURCES
+  gen/approximation/ellipse_bound.c
   gen/approximation/function_rows.c
   gen/approximation/interpolant.c
   gen/approximation/law_layout.c
@@ -37,6 +38,7 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/closed_form.c
   gen/enclosure/collision.c
   gen/enclosure/collision_series.c
+  gen/enclosure/complex_collision.c
   gen/enclosure/events.c
   gen/enclosure/motion.c
   gen/enclosure/slow_manifold.c

@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: MIT */
+#include "approximation/ellipse_bound.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "enclosure/complex_collision.h"
+#include "support/console.h"
+#include "support/parallel.h"
+
+enum { MOST_HALVINGS = 7 };
+
+/* Half the side of the first squares, in units of the ellipse's minor semi-axis */
+#define FIRST_HALF (1.0 / 8)
+
+unsigned ellipse_bound_set(const struct interval *interval)
+{
+    return interval->variable == INTERVAL_LOG ? interval->set & ~(1u << DURATION_ZERO_OVERLAP) : interval->set;
+}
+
+/* |Re - re| <= half, |Im - im| <= half, in units of half the interval about its middle */
+struct square {
+    double re, im, half;
+};
+
+struct squares {
+    struct square *square;
+    slong count;
+};
+
+struct cover {
+    const struct interval *interval;
+    double rho;
+    struct squares list;
+    bool *failed;     /* of each square */
+    double *modulus; /* QUANTITIES to each square */
+};
+
+/* Smallest and largest (Re/a)^2 + (Im/b)^2 of a square; below 1 inside the ellipse */
+static void ellipse_range(double range[2], const struct square *s, double rho)
+{
+    const double a = (rho + 1 / rho) / 2, b = (rho - 1 / rho) / 2, re = fabs(s->re), im = fabs(s->im);
+    range[0] = pow(fmax(re - s->half, 0) / a, 2) + pow(fmax(im - s->half, 0) / b, 2);
+    range[1] = pow((re + s->half) / a, 2) + pow((im + s->half) / b, 2);
+}
+
+static void add_square(struct squares *list, struct square square, double rho)
+{
+    double range[2];
+    ellipse_range(range, &square, rho);
+    if (range[0] > 1 + 1e-9)
+        return;
+    list->square = xrealloc(list->square, (size_t)(list->count + 1) * sizeof *list->square);
+    list->square[list->count++] = square;
+}
+
+/* The upper half of the ellipse is enough: conjugate arguments have conjugate values. */
+static struct squares first_squares(double rho)
+{
+    struct squares list = {NULL, 0};
+    const double a = (rho + 1 / rho) / 2, b = (rho - 1 / rho) / 2, half = b * FIRST_HALF;
+    for (int i = 0; (2 * i - 1) * half <= a; i++)
+        for (int j = 0; (2 * j - 1) * half <= b; j++) {
+            add_square(&list, (struct square){2 * i * half, 2 * j * half, half * (1 + 1e-9)}, rho);
+            if (i > 0)
+                add_square(&list, (struct square){-2 * i * half, 2 * j * half, half * (1 + 1e-9)}, rho);
+        }
+    return list;
+}
+
+static struct squares quarters(const struct cover *work)
+{
+    struct squares next = {NULL, 0};
+    for (slong i = 0; i < work->list.count; i++)
+        for (int k = 0; k < 4 && work->failed[i]; k++) {
+            const struct square *const s = &work->list.square[i];
+            const double half = s->half / 2;
+            add_square(&next,
+                       (struct square){s->re + (k & 1 ? half : -half), s->im + (k & 2 ? half : -half),
+                                       half * (1 + 1e-9)},
+                       work->rho);
+        }
+    return next;
+}
+
+/* A ball of the interval's variable that contains a square */
+static struct complex_ball ball_around(const struct interval *interval, const struct square *s)
+{
+    const double middle = (interval->lo + interval->hi) / 2, half = (interval->hi - interval->lo) / 2;
+    const struct complex_ball offset = ball_times(
+        ball_widened(ball_of(s->re, s->im), s->half * (1.4142135623730952 * (1 + 1e-9))), half);
+    return ball_add(ball_of(middle, 0), offset);
+}
+
+/* Upper bound of the modulus of a number that the interval stores */
+static double stored_modulus(const struct interval *interval, enum quantity quantity, const struct complex_collision *c,
+                             struct complex_ball x)
+{
+    const struct complex_ball fields[QUANTITIES] = {c->eps_zero_overlap, c->eps_zero_force, c->t_zero_overlap,
+                                                    c->t_zero_force,     c->x_max,          c->t_max};
+    const bool is_eps = quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
+    struct complex_ball y = fields[quantity];
+    if (interval->form == FORM_QUOTIENT && is_eps)
+        y = ball_mul(ball_sub(ball_of(1, 0), y), ball_inv(ball_sqr(x)));
+    return ball_is_finite(y) ? ball_above(y) : HUGE_VAL;
+}
+
+/* Encloses the collisions of one square. The largest modulus is that of the boundary of the ellipse, where a quotient
+ * by beta has no 0/0. */
+static void cover_square(void *context, slong i)
+{
+    struct cover *const work = context;
+    const struct interval *const interval = work->interval;
+    const unsigned set = ellipse_bound_set(interval);
+    const struct complex_ball x = ball_around(interval, &work->list.square[i]);
+    double range[2];
+    struct complex_collision c;
+    ellipse_range(range, &work->list.square[i], work->rho);
+    work->failed[i] = interval->variable == INTERVAL_LOG
+                          ? !complex_collision_log(&c, x)
+                          : !complex_collision_root(&c, x, (set & SET_ZERO_OVERLAP) != 0);
+    for (int q = 0; q < QUANTITIES; q++) {
+        double *const modulus = &work->modulus[i * QUANTITIES + q];
+        *modulus = 0;
+        if (work->failed[i] || range[1] < 1 - 1e-9 || !(set & 1u << q))
+            continue;
+        *modulus = stored_modulus(interval, (enum quantity)q, &c, x);
+        if (!isfinite(*modulus))
+            work->failed[i] = true;
+    }
+}
+
+int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho)
+{
+    struct cover work = {.interval = interval, .rho = rho, .list = first_squares(rho)};
+    *bound = (struct ellipse_bound){.rho = rho};
+    for (int halvings = 0; halvings <= MOST_HALVINGS && work.list.count > 0; halvings++) {
+        work.failed = xmalloc((size_t)work.list.count * sizeof *work.failed);
+        work.modulus = xmalloc((size_t)work.list.count * QUANTITIES * sizeof *work.modulus);
+        parallel_for(cover_square, &work, work.list.count, "collisions at complex damping");
+        for (slong i = 0; i < work.list.count; i++)
+            for (int q = 0; q < QUANTITIES && !work.failed[i]; q++)
+                bound->modulus[q] = fmax(bound->modulus[q], work.modulus[i * QUANTITIES + q]);
+        bound->balls += work.list.count;
+        const struct squares next = quarters(&work);
+        free(work.failed);
+        free(work.modulus);
+        free(work.list.square);
+        work.list = next;
+    }
+    const bool covered = work.list.count == 0;
+    free(work.list.square);
+    return covered ? STATUS_OK
+                   : fail("the collision has no bound in the ellipse rho = %g around [%g, %g]", rho, interval->lo,
+                          interval->hi);
+}
