@@ -10,6 +10,7 @@ set(COR_GENERATOR_SOURCES
   gen/approximation/pade_rounded.c
   gen/approximation/pieces.c
   gen/approximation/published.c
+  gen/approximation/row_proof.c
   gen/cli/collide.c
   gen/cli/completion.c
   gen/cli/disk_collide.c

@@ -23,7 +23,8 @@ enum {
 static const struct interval sphere_intervals[] = {
     {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},
     {INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL},
-    {INTERVAL_ROOT, 1.25, 1.875, 40, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 1.25, 1.5625, 36, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 1.5625, 1.875, 44, 90, FORM_VALUE, SET_ALL},
     {INTERVAL_ROOT, 1.875, 2.375, 40, 90, FORM_VALUE, SET_ALL},
     {INTERVAL_ROOT, 2.375, 2.875, 40, 90, FORM_VALUE, SET_ALL},
     {INTERVAL_ROOT, 2.875, 4.125, 40, 90, FORM_VALUE, SET_LENGTHS | SET_ZERO_FORCE},
@@ -53,6 +54,18 @@ struct interpolant {
 const struct law *interpolant_law(const struct interpolant *f)
 {
     return &f->layout->law;
+}
+
+const struct interpolant_layout *interpolant_layout_of(const struct interpolant *f)
+{
+    return f->layout;
+}
+
+void interpolant_samples(arb_srcptr *node, arb_srcptr *value, const struct interpolant *f, int i,
+                         enum quantity quantity)
+{
+    *node = f->samples[i].node;
+    *value = f->samples[i].value[quantity];
 }
 
 slong interpolant_root(const struct interpolant *f)

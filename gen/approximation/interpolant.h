@@ -88,6 +88,11 @@ slong interpolant_root(const struct interpolant *f);
 const arb_struct *interpolant_final_speed(const struct interpolant *f); /* v_f, if q > 0 */
 const arb_struct *interpolant_threshold(const struct interpolant *f);   /* beta_c; infinite without a threshold */
 
+const struct interpolant_layout *interpolant_layout_of(const struct interpolant *f);
+/* Nodes and values of the polynomial that interval i holds for a quantity; node[k] and value[k], k < count */
+void interpolant_samples(arb_srcptr *node, arb_srcptr *value, const struct interpolant *f, int i,
+                         enum quantity quantity);
+
 /* The quantity at a place of a variable with an interval that samples it. (1 - eps)/beta does not cancel where eps is
  * near 1. For spheres z reaches beta = 8.25 for quantities of zero overlap, and 17 for the others. */
 void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,

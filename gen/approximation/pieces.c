@@ -11,12 +11,6 @@
 
 enum { WORKING_BITS = 320, POINTS = 24 /* where a row's error is sampled */ };
 
-struct cell {
-    double node, lo, hi;
-    slong octave; /* of octaves */
-    bool plain;
-};
-
 static bool by_octaves(const struct pieces *p)
 {
     return p->variable >= VARIABLE_POWER_OCTAVES;
@@ -28,7 +22,7 @@ static bool by_root(const struct pieces *p)
     return p->variable == VARIABLE_ROOT_BETA || p->variable == VARIABLE_ROOT_LOSS;
 }
 
-static struct cell cell_of(const struct pieces *p, slong row)
+struct cell pieces_cell(const struct pieces *p, slong row)
 {
     struct cell cell = {.plain = row < p->plain};
     double step = p->step;
@@ -234,7 +228,7 @@ static struct quality quality_of(const struct pieces *p, const struct interpolan
 /* Whether the rows cover the range of the table */
 static bool covers_end(const struct pieces *p)
 {
-    const struct cell last = cell_of(p, p->rows - 1);
+    const struct cell last = pieces_cell(p, p->rows - 1);
     if (by_octaves(p))
         return ldexp(last.hi, (int)last.octave) >= p->end;
     return (by_root(p) ? pow(last.hi, (double)p->root) : last.hi) >= p->end;
@@ -258,7 +252,7 @@ static void cut_row(void *context, slong row)
     struct cutting *const work = context;
     struct pieces *const p = work->p;
     const slong columns = p->degree + 2;
-    const struct cell cell = cell_of(p, row);
+    const struct cell cell = pieces_cell(p, row);
     arb_ptr exact = p->coefficient + row * columns;
     double *const c = p->value + row * columns;
     work->quality[row] = (struct quality){INFINITY, 0};
@@ -426,7 +420,7 @@ int pieces_emit(struct emit *e, const struct pieces *p)
     double worst = INFINITY;
     for (slong row = 0; row < p->rows; row++)
         worst = fmin(worst, p->bits[row]);
-    const struct cell first = cell_of(p, 0), last = cell_of(p, p->rows - 1);
+    const struct cell first = pieces_cell(p, 0), last = pieces_cell(p, p->rows - 1);
     char grid[96];
     if (by_octaves(p))
         snprintf(grid, sizeof grid, "%ld to each octave k = %ld ... %ld", WORD(1) << p->octave_bits, (long)first.octave,
@@ -443,7 +437,7 @@ int pieces_emit(struct emit *e, const struct pieces *p)
     emit_geometry(e, p);
     emit_rows_open(e, p->name, p->rows, p->degree + 2);
     for (slong row = 0; row < p->rows; row++) {
-        const struct cell cell = cell_of(p, row);
+        const struct cell cell = pieces_cell(p, row);
         char text[160];
         char octave[24] = "";
         if (by_octaves(p))

@@ -50,8 +50,17 @@ struct pieces {
     double most_rest;    /* upper limit of |row/c_0 - 1|; 0: no limit */
     arb_ptr coefficient; /* rows x (degree + 2) intervals that round to the doubles of the table */
     double *value;       /* the same as doubles */
-    double *bits;        /* accuracy of the rounded row, sampled */
+    double *bits;        /* accuracy of the rounded row: sampled, or proved */
+    bool proved;         /* by row_proof.h, all rows */
 };
+
+/* The cell of a row: its node and its ends as values of y. In tables by octaves y = x 2^-octave. */
+struct cell {
+    double node, lo, hi;
+    slong octave;
+    bool plain; /* s = t */
+};
+struct cell pieces_cell(const struct pieces *p, slong row);
 
 /* Computes p, whose fields up to most_rest are set. Fails if a piece misses its bound. */
 int pieces_make(struct pieces *p, const struct interpolant *f);

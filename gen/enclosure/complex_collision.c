@@ -15,14 +15,14 @@ enum { MAX_STEPS = 20000 };
 #define LARGEST_STEP 0.02
 #define SMALLEST_STEP 1e-7
 
-/* Up to |sqrt(beta)| = NEAR_ZERO zero force is reached in zeta. Beyond CREEP_FROM unloading creeps, and zero overlap is
- * reached from zero force (fall). */
-#define NEAR_ZERO 1.1
-#define CREEP_FROM 1.5
+/* Zero force is reached in zeta up to |sqrt(beta)| = NEAR_TO, and in k from NEAR_FROM on. Up to CREEP_TO zero overlap
+ * follows in k, and from CREEP_FROM on, where unloading creeps, in Y. */
+#define NEAR_FROM 1.05
+#define NEAR_TO 1.1
+#define CREEP_FROM 1.65
+#define CREEP_TO 1.7
 #define LAST_Y 2.0
 #define LAST_ZETA 0.5
-/* Where kappa is about exp(-LAST_BEND), the overlap hardly changes any more. */
-#define LAST_BEND 3.0
 
 /* ---- the equation along a path ---- */
 
@@ -33,17 +33,17 @@ enum path_kind {
     PATH_UNLOADING,
     PATH_TURNING, /* in kappa */
     PATH_FORCE,   /* in k = c1 kappa, c2 = 1 */
-    PATH_FALL,    /* in Y, c1 = c2 = 1 */
+    PATH_FALL,    /* in r = 1/Y, c1 = c2 = 1 */
     PATH_BEFORE,  /* in L, kappa = -exp(L) */
     PATH_LAST,    /* in delta, kappa = -mu delta */
     PATH_AFTER,   /* in L, kappa = mu - exp(L) */
     PATH_END      /* in delta, kappa = mu - mu^2 delta */
 };
 
-/* A straight path, begin + s length, 0 <= s <= 1 */
+/* A straight path, begin + s length, 0 <= s <= 1, length = end - begin */
 struct path {
     enum path_kind kind;
-    struct complex_ball begin, length, c1, c2;
+    struct complex_ball begin, end, length, c1, c2;
     struct complex_ball beyond; /* PATH_BEFORE: ln(mu) - L at its end */
 };
 
@@ -91,13 +91,12 @@ static struct slopes force_slopes(const struct path *p, struct complex_ball k, s
     return (struct slopes){ball_mul(part, y), ball_mul(part, ball_mul(square, inverse)), ball_mul(p->c1, inverse)};
 }
 
-/* dk/dY = 2 (1 - 1/k - k/Y), its derivative by k = 2 (1/k^2 - 1/Y), dt/dY = -2/(Y k) */
-static struct slopes fall_slopes(struct complex_ball Y, struct complex_ball k)
+/* r = 1/Y: dk/dr = 2 (1/k - 1 + k r)/r^2, its derivative by k = 2 (r - 1/k^2)/r^2, dt/dr = 2/(k r) */
+static struct slopes fall_slopes(struct complex_ball r, struct complex_ball k)
 {
-    const struct complex_ball a = ball_inv(k), b = ball_inv(Y);
-    const struct complex_ball slope = plus(ball_neg(ball_add(a, ball_mul(k, b))), 1);
-    return (struct slopes){ball_times(slope, 2), ball_times(ball_sub(ball_sqr(a), b), 2),
-                           ball_times(ball_mul(a, b), -2)};
+    const struct complex_ball a = ball_inv(k), b = ball_inv(r), square = ball_times(ball_sqr(b), 2);
+    return (struct slopes){ball_mul(plus(ball_add(a, ball_mul(k, r)), -1), square),
+                           ball_mul(ball_sub(r, ball_sqr(a)), square), ball_times(ball_mul(a, b), 2)};
 }
 
 /* kappa = -q, q = exp(L), r = mu/q = exp(rest), M = y (1 + r) + q: dy/dL = -q y/(2 M), its derivative by y =
@@ -146,7 +145,10 @@ static struct slopes end_slopes(const struct path *p, struct complex_ball delta,
 /* The slopes for every s and every value of the dependent variable in balls */
 static struct slopes path_slopes(const struct path *p, struct complex_ball s, struct complex_ball y)
 {
-    const struct complex_ball at = ball_add(p->begin, ball_mul(p->length, s));
+    const struct complex_ball at =
+        ball_widened(ball_add(ball_centre(p->begin), ball_mul(ball_centre(p->length), s)),
+                     COMPLEX_BALL_ROUNDING * ball_size(p->length) +
+                         raised(p->begin.radius * raised(1 - s.re + s.radius) + p->end.radius * raised(s.re + s.radius)));
     const struct complex_ball rest = ball_sub(p->beyond, ball_mul(p->length, plus(s, -1)));
     struct slopes f = {0};
     switch (p->kind) {
@@ -244,6 +246,7 @@ static bool follow(struct path *p, enum path_kind kind, struct complex_ball begi
 {
     p->kind = kind;
     p->begin = begin;
+    p->end = end;
     p->length = ball_sub(end, begin);
     double s = 0, h = FIRST_STEP;
     for (int k = 0; k < MAX_STEPS && s < 1; k++) {
@@ -273,77 +276,83 @@ static struct complex_ball kappa_at(double zeta)
     return ball_inv(ball_sqr(ball_of(zeta, 0)));
 }
 
-/* A number that every Y of a ball reaches by a path on which k contracts */
-static struct complex_ball entry(struct complex_ball Y)
-{
-    return ball_of(Y.re - 2 * Y.radius, Y.im);
-}
-
-/* From zero force, k = 1, at Y to zero overlap, with c1 = c2 = 1: adds the time, and returns the square of the end
- * speed's root. Down to LAST_Y in Y, where k hardly depends on the beginning; then in k, and in zeta = k^(-1/2). */
-static bool fall(struct complex_ball *speed, struct complex_ball *time, struct complex_ball Y)
+/* From zero force, k = 1, at Y to zero overlap, with c1 = c2 = 1: the square of the end speed's root, and the time.
+ * While it creeps, k and Y determine each other: down to LAST_Y the path is in 1/Y, where k hardly depends on the
+ * beginning. Otherwise it is in k from the beginning, and at last in zeta = k^(-1/2). */
+static bool fall(struct complex_ball *speed, struct complex_ball *time, struct complex_ball Y, bool creeps)
 {
     struct path p = {.c1 = one, .c2 = one};
-    struct state k = {one, zero}, y = {ball_of(LAST_Y, 0), zero};
-    const struct complex_ball near = entry(Y), end = kappa_at(LAST_ZETA);
-    if (!follow(&p, PATH_FALL, Y, near, &k) || !follow(&p, PATH_FALL, near, ball_of(LAST_Y, 0), &k) ||
-        !follow(&p, PATH_FORCE, k.value, end, &y))
+    struct state k = {one, zero}, y = {Y, zero};
+    if (creeps) {
+        if (!follow(&p, PATH_FALL, ball_inv(Y), ball_of(1 / LAST_Y, 0), &k))
+            return false;
+        y = (struct state){ball_of(LAST_Y, 0), k.time};
+    }
+    if (!follow(&p, PATH_FORCE, k.value, kappa_at(LAST_ZETA), &y))
         return false;
     y.value = ball_mul(y.value, ball_inv(ball_of(LAST_ZETA, 0)));
     if (!follow(&p, PATH_UNLOADING, ball_of(LAST_ZETA, 0), zero, &y))
         return false;
     *speed = ball_sqr(y.value);
-    *time = ball_add(k.time, y.time);
+    *time = y.time;
     return true;
 }
 
 /* Zero overlap from zero force: Y = beta^2 y; eps = speed/beta^5, and times have the unit beta. */
-static bool fall_from_force(struct complex_collision *c, struct complex_ball beta, struct complex_ball y)
+static bool fall_from_force(struct complex_collision *c, struct complex_ball beta, struct complex_ball y, bool creeps)
 {
     const struct complex_ball square = ball_sqr(beta);
     struct complex_ball speed, time;
-    if (!fall(&speed, &time, ball_mul(square, y)))
+    if (!fall(&speed, &time, ball_mul(square, y), creeps))
         return false;
     c->eps_zero_overlap = ball_mul(speed, ball_inv(ball_mul(ball_sqr(square), beta)));
     c->t_zero_overlap = ball_add(c->t_zero_force, ball_mul(time, beta));
     return true;
 }
 
-/* From the turning point to zero overlap, through kappa = 1/zeta^2 */
-static bool unload(struct complex_collision *c, struct path *p, struct state y, double zeta)
+/* From the turning point near beta = 0: to kappa = 1, then in zeta from 1 to z, zero force, and to 0, zero overlap */
+static bool unload_near(struct complex_collision *c, struct path *p, struct state y, struct complex_ball z, bool overlap)
 {
-    if (!follow(p, PATH_TURNING, zero, kappa_at(zeta), &y))
+    if (!follow(p, PATH_TURNING, zero, one, &y))
         return false;
-    y.value = ball_mul(y.value, ball_inv(ball_of(zeta, 0)));
-    if (!follow(p, PATH_UNLOADING, ball_of(zeta, 0), zero, &y))
+    struct state end = y;
+    if (!follow(p, PATH_UNLOADING, one, z, &end))
+        return false;
+    c->eps_zero_force = ball_sqr(end.value);
+    c->t_zero_force = end.time;
+    if (!overlap)
+        return true;
+    if (!follow(p, PATH_UNLOADING, one, zero, &y))
         return false;
     c->eps_zero_overlap = ball_sqr(y.value);
     c->t_zero_overlap = y.time;
     return true;
 }
 
-/* From the turning point to zero force: through zeta = 1 to zeta = z near z = 0, otherwise in k, where eps = y^2/beta */
-static bool unload_to_force(struct complex_collision *c, struct path *p, struct state *y, struct complex_ball z,
-                            bool near)
+/* From the turning point far from beta = 0: zero force at k = 1, eps = y^2/beta, and zero overlap from there. The two
+ * ways to zero overlap are both taken for modulus between CREEP_FROM and CREEP_TO. */
+static bool unload_far(struct complex_collision *c, struct path *p, struct state y, const double modulus[2],
+                       bool overlap)
 {
-    const bool done = near ? follow(p, PATH_TURNING, zero, one, y) && follow(p, PATH_UNLOADING, one, z, y)
-                           : follow(p, PATH_FORCE, zero, one, y);
-    c->eps_zero_force = ball_sqr(y->value);
-    if (!near)
-        c->eps_zero_force = ball_mul(c->eps_zero_force, ball_inv(p->c1));
-    c->t_zero_force = y->time;
-    return done;
+    if (!follow(p, PATH_FORCE, zero, one, &y))
+        return false;
+    c->eps_zero_force = ball_mul(ball_sqr(y.value), ball_inv(p->c1));
+    c->t_zero_force = y.time;
+    return !overlap || ((modulus[0] > CREEP_TO || fall_from_force(c, p->c1, y.value, false)) &&
+                        (modulus[1] < CREEP_FROM || fall_from_force(c, p->c1, y.value, true)));
 }
 
+/* Where two ways meet, both are taken. Each then gives a function that is analytic in its part of the ellipse, and both
+ * are the same function: in the ring where both are defined, which meets the real axis, and therefore everywhere. */
 bool complex_collision_root(struct complex_collision *c, struct complex_ball z, bool overlap)
 {
-    const double size = ball_size(z);
+    const double modulus[2] = {ball_below(z), ball_above(z)}, size = ball_size(z);
     if (!ball_is_finite(z))
         return false;
     struct path p = {.c1 = ball_sqr(z), .c2 = one};
     struct state y = {one, zero};
-    /* where the paths meet; any place gives the same collision, this one short paths */
-    const double first = size > 1 ? 1 / cbrt(size * size) : 1, second = size > 1 ? size : 1;
+    /* a place on the real axis, where a path in zeta becomes one in kappa; any place gives the same collision */
+    const double first = size > 1 ? 1 / cbrt(size * size) : 1;
     if (!follow(&p, PATH_LOADING, zero, ball_of(first, 0), &y))
         return false;
     y.value = ball_times(y.value, first);
@@ -351,12 +360,8 @@ bool complex_collision_root(struct complex_collision *c, struct complex_ball z, 
         return false;
     c->x_max = ball_sqr(y.value);
     c->t_max = y.time;
-    const struct state turning = y;
-    if (!unload_to_force(c, &p, &y, z, size <= NEAR_ZERO))
-        return false;
-    if (!overlap)
-        return true;
-    return size > CREEP_FROM ? fall_from_force(c, p.c1, y.value) : unload(c, &p, turning, second);
+    return (modulus[0] > NEAR_TO || unload_near(c, &p, y, z, overlap)) &&
+           (modulus[1] < NEAR_FROM || unload_far(c, &p, y, modulus, overlap));
 }
 
 bool complex_collision_log(struct complex_collision *c, struct complex_ball u)
@@ -364,16 +369,9 @@ bool complex_collision_log(struct complex_collision *c, struct complex_ball u)
     const struct complex_ball third = ball_inv(ball_of(-3, 0)), log_mu = ball_times(ball_mul(u, third), 5);
     struct path p = {.c1 = one, .c2 = ball_exp(log_mu)};
     struct state y = {one, zero};
-    const double length = ball_size(log_mu), part = length > LAST_BEND ? LAST_BEND / length : 1;
-    const struct complex_ball corner = ball_of(part * log_mu.re, part * log_mu.im);
     if (!ball_is_finite(p.c2) || !follow(&p, PATH_LOADING, zero, one, &y))
         return false;
-    /* without width until y hardly changes any more */
-    p.beyond = ball_sub(log_mu, corner);
-    if (!follow(&p, PATH_BEFORE, zero, corner, &y))
-        return false;
-    p.beyond = zero;
-    if (!follow(&p, PATH_BEFORE, corner, log_mu, &y) || !follow(&p, PATH_LAST, one, zero, &y))
+    if (!follow(&p, PATH_BEFORE, zero, log_mu, &y) || !follow(&p, PATH_LAST, one, zero, &y))
         return false;
     c->x_max = ball_sqr(y.value);
     c->t_max = y.time;

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT */
+/* Proofs that rows of the sphere's tables are close to the functions, everywhere in their cells (docs/derivation.md, 8).
+ *
+ * The interpolant of an interval is within `error` of the function: ellipse_bound.h bounds the function in an ellipse
+ * around the interval, which bounds its distance to the best polynomial; the interpolant is nearly as close. On a cell,
+ * row and interpolant become polynomials of one variable, and intervals enclose their difference. */
+#ifndef COR_GEN_APPROXIMATION_ROW_PROOF_H
+#define COR_GEN_APPROXIMATION_ROW_PROOF_H
+
+#include "approximation/ellipse_bound.h"
+#include "approximation/pieces.h"
+
+struct interpolant_proof;
+
+/* Proves the error of every polynomial that the interpolant of the sphere's layout holds, but for those that
+ * ellipse_bound_set leaves out. Returns NULL after reporting on stderr what could not be proved. */
+struct interpolant_proof *interpolant_proof_new(const struct interpolant *f);
+void interpolant_proof_free(struct interpolant_proof *proof);
+
+/* Proved bound of |polynomial - stored number| on interval i, and what it was proved with; infinite without a proof */
+double interpolant_proof_error(const struct interpolant_proof *proof, int i, enum quantity quantity);
+const struct ellipse_bound *interpolant_proof_bound(const struct interpolant_proof *proof, int i);
+
+/* -log2 of a proved bound of the relative error of a row of doubles c, p->degree + 2 columns, in its cell; NaN if there
+ * is no proof. */
+double row_proof_bits(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c);
+
+/* Whether the proof covers the functions that p holds */
+bool row_proof_covers(const struct interpolant_proof *proof, const struct pieces *p);
+
+/* Proves all rows of p and replaces the sampled p->bits. Returns 0, or 1 after reporting a row that misses its bound. */
+int row_proof_table(struct pieces *p, const struct interpolant_proof *proof);
+
+#endif
