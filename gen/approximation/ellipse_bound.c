@@ -8,7 +8,7 @@
 #include "support/console.h"
 #include "support/parallel.h"
 
-enum { MOST_HALVINGS = 7 };
+enum { MOST_BALLS = 6000 };
 
 /* Half the side of the first squares, in units of the ellipse's minor semi-axis */
 #define FIRST_HALF (1.0 / 8)
@@ -32,7 +32,7 @@ struct cover {
     const struct interval *interval;
     double rho;
     struct squares list;
-    bool *failed;     /* of each square */
+    bool *failed;    /* of each square */
     double *modulus; /* QUANTITIES to each square */
 };
 
@@ -75,10 +75,10 @@ static struct squares quarters(const struct cover *work)
         for (int k = 0; k < 4 && work->failed[i]; k++) {
             const struct square *const s = &work->list.square[i];
             const double half = s->half / 2;
-            add_square(&next,
-                       (struct square){s->re + (k & 1 ? half : -half), s->im + (k & 2 ? half : -half),
-                                       half * (1 + 1e-9)},
-                       work->rho);
+            add_square(
+                &next,
+                (struct square){s->re + (k & 1 ? half : -half), s->im + (k & 2 ? half : -half), half * (1 + 1e-9)},
+                work->rho);
         }
     return next;
 }
@@ -87,8 +87,8 @@ static struct squares quarters(const struct cover *work)
 static struct complex_ball ball_around(const struct interval *interval, const struct square *s)
 {
     const double middle = (interval->lo + interval->hi) / 2, half = (interval->hi - interval->lo) / 2;
-    const struct complex_ball offset = ball_times(
-        ball_widened(ball_of(s->re, s->im), s->half * (1.4142135623730952 * (1 + 1e-9))), half);
+    const struct complex_ball offset =
+        ball_times(ball_widened(ball_of(s->re, s->im), s->half * (1.4142135623730952 * (1 + 1e-9))), half);
     return ball_add(ball_of(middle, 0), offset);
 }
 
@@ -134,7 +134,7 @@ int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *inter
 {
     struct cover work = {.interval = interval, .rho = rho, .list = first_squares(rho)};
     *bound = (struct ellipse_bound){.rho = rho};
-    for (int halvings = 0; halvings <= MOST_HALVINGS && work.list.count > 0; halvings++) {
+    while (work.list.count > 0 && bound->balls + work.list.count <= MOST_BALLS) {
         work.failed = xmalloc((size_t)work.list.count * sizeof *work.failed);
         work.modulus = xmalloc((size_t)work.list.count * QUANTITIES * sizeof *work.modulus);
         parallel_for(cover_square, &work, work.list.count, "collisions at complex damping");

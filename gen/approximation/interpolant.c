@@ -20,22 +20,40 @@ enum {
 };
 
 /* At strong damping zero overlap is expensive, but has a closed form except for the duration. */
-static const struct interval sphere_intervals[] = {
-    {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},
-    {INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL},
-    {INTERVAL_ROOT, 1.25, 1.5625, 36, 90, FORM_VALUE, SET_ALL},
-    {INTERVAL_ROOT, 1.5625, 1.875, 44, 90, FORM_VALUE, SET_ALL},
-    {INTERVAL_ROOT, 1.875, 2.375, 40, 90, FORM_VALUE, SET_ALL},
-    {INTERVAL_ROOT, 2.375, 2.875, 40, 90, FORM_VALUE, SET_ALL},
-    {INTERVAL_ROOT, 2.875, 4.125, 40, 90, FORM_VALUE, SET_LENGTHS | SET_ZERO_FORCE},
-    {INTERVAL_LOG, 2, 10, 52, 76, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE | 1 << DURATION_ZERO_OVERLAP},
-};
+#define SPHERE_NEAR                                                                                                    \
+    {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},                                                         \
+    {                                                                                                                  \
+        INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL                                                        \
+    }
+#define SPHERE_MIDDLE                                                                                                  \
+    {                                                                                                                  \
+        INTERVAL_ROOT, 1.25, 1.875, 40, 90, FORM_VALUE, SET_ALL                                                        \
+    }
+#define SPHERE_FAR                                                                                                     \
+    {INTERVAL_ROOT, 1.875, 2.375, 40, 90, FORM_VALUE, SET_ALL},                                                        \
+        {INTERVAL_ROOT, 2.375, 2.875, 40, 90, FORM_VALUE, SET_ALL},                                                    \
+        {INTERVAL_ROOT, 2.875, 4.125, 40, 90, FORM_VALUE, SET_LENGTHS | SET_ZERO_FORCE},                               \
+    {                                                                                                                  \
+        INTERVAL_LOG, 2, 10, 52, 76, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE | 1 << DURATION_ZERO_OVERLAP             \
+    }
 
-const struct interpolant_layout interpolant_sphere = {.law = {{3, 2}, {1, 2}, 2, 3, 1},
-                                                      .root = 2,
-                                                      .interval = sphere_intervals,
-                                                      .intervals = sizeof sphere_intervals / sizeof *sphere_intervals,
-                                                      .far = true};
+static const struct interval sphere_intervals[] = {SPHERE_NEAR, SPHERE_MIDDLE, SPHERE_FAR};
+
+/* Zero overlap is singular near 1.7 + 0.45 i, so the ellipse around SPHERE_MIDDLE would prove too little. The two
+ * intervals after it cover the same range; all values still come from SPHERE_MIDDLE, the first. */
+static const struct interval sphere_proof_intervals[] = {SPHERE_NEAR,
+                                                         SPHERE_MIDDLE,
+                                                         {INTERVAL_ROOT, 1.25, 1.5625, 36, 90, FORM_VALUE, SET_ALL},
+                                                         {INTERVAL_ROOT, 1.5625, 1.875, 44, 90, FORM_VALUE, SET_ALL},
+                                                         SPHERE_FAR};
+
+#define SPHERE_LAYOUT(list)                                                                                            \
+    {                                                                                                                  \
+        .law = {{3, 2}, {1, 2}, 2, 3, 1}, .root = 2, .interval = (list), .intervals = sizeof(list) / sizeof *(list),   \
+        .far = true                                                                                                    \
+    }
+const struct interpolant_layout interpolant_sphere = SPHERE_LAYOUT(sphere_intervals);
+const struct interpolant_layout interpolant_sphere_proof = SPHERE_LAYOUT(sphere_proof_intervals);
 
 struct samples {
     bool known;
@@ -61,11 +79,12 @@ const struct interpolant_layout *interpolant_layout_of(const struct interpolant 
     return f->layout;
 }
 
-void interpolant_samples(arb_srcptr *node, arb_srcptr *value, const struct interpolant *f, int i,
+bool interpolant_samples(arb_srcptr *node, arb_srcptr *value, const struct interpolant *f, int i,
                          enum quantity quantity)
 {
     *node = f->samples[i].node;
     *value = f->samples[i].value[quantity];
+    return f->samples[i].known;
 }
 
 slong interpolant_root(const struct interpolant *f)

@@ -71,7 +71,8 @@ struct interpolant_layout {
     bool far; /* whether to compute the coefficients beyond the last u */
 };
 
-extern const struct interpolant_layout interpolant_sphere;
+/* The second gives the same values, and has more intervals, with which row_proof.h proves them. */
+extern const struct interpolant_layout interpolant_sphere, interpolant_sphere_proof;
 
 struct interpolant;
 
@@ -89,8 +90,9 @@ const arb_struct *interpolant_final_speed(const struct interpolant *f); /* v_f, 
 const arb_struct *interpolant_threshold(const struct interpolant *f);   /* beta_c; infinite without a threshold */
 
 const struct interpolant_layout *interpolant_layout_of(const struct interpolant *f);
-/* Nodes and values of the polynomial that interval i holds for a quantity; node[k] and value[k], k < count */
-void interpolant_samples(arb_srcptr *node, arb_srcptr *value, const struct interpolant *f, int i,
+/* Nodes and values of the polynomial that interval i holds for a quantity; node[k] and value[k], k < count. Returns
+ * false if they were not computed, because beta_min to beta_max does not meet the interval. */
+bool interpolant_samples(arb_srcptr *node, arb_srcptr *value, const struct interpolant *f, int i,
                          enum quantity quantity);
 
 /* The quantity at a place of a variable with an interval that samples it. (1 - eps)/beta does not cancel where eps is

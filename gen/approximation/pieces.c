@@ -430,10 +430,15 @@ int pieces_emit(struct emit *e, const struct pieces *p)
     char domain[64], variable[64];
     domain_text(domain, p);
     variable_text(variable, p);
+    char known[64];
+    if (p->proved)
+        snprintf(known, sizeof known, "proved for the whole cell of each row");
+    else
+        snprintf(known, sizeof known, "sampled at %d places of each row", POINTS + 1);
     emit_comment(e,
                  "%s%s: %ld rows of degree %ld in y = %s, %s.\n"
-                 "Relative error of the approximation: 2^-%.1f at most, sampled at %d places of each row.",
-                 p->title, domain, (long)p->rows, (long)p->degree, variable, grid, floor(worst * 10) / 10, POINTS + 1);
+                 "Relative error of the approximation: 2^-%.1f at most, %s.",
+                 p->title, domain, (long)p->rows, (long)p->degree, variable, grid, floor(worst * 10) / 10, known);
     emit_geometry(e, p);
     emit_rows_open(e, p->name, p->rows, p->degree + 2);
     for (slong row = 0; row < p->rows; row++) {

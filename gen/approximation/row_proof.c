@@ -9,25 +9,26 @@
 #include "support/parallel.h"
 
 enum {
-    PREC = 320,      /* of the interpolants, whose coefficients in powers are large and cancel */
-    ROW_PREC = 160,  /* of polynomials on a cell */
+    PREC = 320,     /* of the interpolants, whose coefficients in powers are large and cancel */
+    ROW_PREC = 160, /* of polynomials on a cell */
     MOST_DEGREE = 44,
     NEGLIGIBLE = -100, /* terms below 2^NEGLIGIBLE of the value join the constant term's radius */
-    HALVINGS = 10,   /* of a cell, at most, to bound a polynomial */
-    POINTS = 16,     /* on each side of its middle, where the polynomial is evaluated first */
+    HALVINGS = 10,     /* of a cell, at most, to bound a polynomial */
+    POINTS = 16,       /* on each side of its middle, where the polynomial is evaluated first */
     LAST_COEFFICIENTS = 6
 };
 
 /* A bound of a polynomial is good enough within this factor of a value that it takes. */
 #define NEAR_KNOWN 1.03
 
-/* rho of the ellipse around each interval, near the largest for which the cover succeeds */
-static const double ellipse_rho[] = {4, 3.4, 4.2, 3.3, 3.4, 3.8, 5, 2.6};
+/* rho of the ellipse around each interval, near the largest for which the cover succeeds; 0: two other intervals cover
+ * this one */
+static const double ellipse_rho[] = {4, 3.4, 0, 4.2, 3.3, 3.4, 3.8, 5, 2.6};
 
 struct interpolant_proof {
     const struct interpolant *f;
-    struct ellipse_bound *bound;                  /* of each interval */
-    arb_poly_struct (*polynomial)[QUANTITIES];    /* in w, -1 <= w <= 1, for each interval */
+    struct ellipse_bound *bound;               /* of each interval */
+    arb_poly_struct (*polynomial)[QUANTITIES]; /* in w, -1 <= w <= 1, for each interval */
     arb_struct (*error)[QUANTITIES];
 };
 
@@ -102,8 +103,8 @@ static void lebesgue(arb_t bound, arb_srcptr w, slong n)
 
 /* f is within 2 M rho^(1-n)/(rho - 1) of a polynomial of degree n - 1, and the interpolant within 1 + L times that and
  * L times the error of the values. */
-static void polynomial_error(arb_t error, const struct ellipse_bound *bound, enum quantity quantity, const arb_t constant,
-                             arb_srcptr value, const struct interval *interval)
+static void polynomial_error(arb_t error, const struct ellipse_bound *bound, enum quantity quantity,
+                             const arb_t constant, arb_srcptr value, const struct interval *interval)
 {
     const slong n = interval->count;
     arb_t rho, x;
@@ -177,11 +178,12 @@ static int prove_interval(struct interpolant_proof *proof, int i)
     const unsigned set = ellipse_bound_set(interval);
     const slong n = interval->count;
     arb_srcptr node, value;
+    if (!interpolant_samples(&node, &value, proof->f, i, EPS_ZERO_OVERLAP))
+        return STATUS_OK;
     arb_ptr w = _arb_vec_init(n);
     arb_t constant;
     arb_init(constant);
     int status = ellipse_bound_make(&proof->bound[i], interval, ellipse_rho[i]);
-    interpolant_samples(&node, &value, proof->f, i, EPS_ZERO_OVERLAP);
     for (slong j = 0; j < n; j++)
         to_unit(w + j, node + j, interval);
     lebesgue(constant, w, n);
@@ -192,12 +194,27 @@ static int prove_interval(struct interpolant_proof *proof, int i)
         arb_poly_interpolate_newton(&proof->polynomial[i][q], w, value, n, PREC);
         polynomial_error(&proof->error[i][q], &proof->bound[i], (enum quantity)q, constant, value, interval);
         if (!coefficients_agree(&proof->polynomial[i][q], &proof->bound[i], (enum quantity)q, &proof->error[i][q], n))
-            status = fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong",
-                          q, interval->lo, interval->hi);
+            status =
+                fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong", q,
+                     interval->lo, interval->hi);
     }
     arb_clear(constant);
     _arb_vec_clear(w, n);
     return status;
+}
+
+/* Whether the law and the intervals are those for which the radii above were chosen */
+static bool is_sphere(const struct interpolant_layout *layout)
+{
+    bool same = layout->intervals == sizeof ellipse_rho / sizeof *ellipse_rho &&
+                layout->intervals == interpolant_sphere_proof.intervals &&
+                layout->root == interpolant_sphere_proof.root && 2 * layout->law.a.num == 3 * layout->law.a.den &&
+                2 * layout->law.b.num == layout->law.b.den;
+    for (int i = 0; i < interpolant_sphere_proof.intervals && same; i++) {
+        const struct interval *const x = &layout->interval[i], *const y = &interpolant_sphere_proof.interval[i];
+        same = x->variable == y->variable && x->lo == y->lo && x->hi == y->hi && x->form == y->form && x->set == y->set;
+    }
+    return same;
 }
 
 struct interpolant_proof *interpolant_proof_new(const struct interpolant *f)
@@ -206,6 +223,8 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f)
     struct interpolant_proof *proof = xmalloc(sizeof *proof);
     proof->f = f;
     proof->bound = xmalloc((size_t)intervals * sizeof *proof->bound);
+    for (int i = 0; i < intervals; i++)
+        proof->bound[i] = (struct ellipse_bound){0};
     proof->polynomial = xmalloc((size_t)intervals * sizeof *proof->polynomial);
     proof->error = xmalloc((size_t)intervals * sizeof *proof->error);
     for (int i = 0; i < intervals; i++)
@@ -215,10 +234,11 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f)
             arb_pos_inf(&proof->error[i][q]);
         }
     int status = STATUS_OK;
-    if (interpolant_layout_of(f) != &interpolant_sphere || intervals != sizeof ellipse_rho / sizeof *ellipse_rho)
-        status = fail("only the sphere's interpolant can be proved");
+    if (!is_sphere(interpolant_layout_of(f)))
+        status = fail("only the interpolant of interpolant_sphere_proof can be proved");
     for (int i = 0; i < intervals && status == STATUS_OK; i++)
-        status = prove_interval(proof, i);
+        if (ellipse_rho[i] > 0)
+            status = prove_interval(proof, i);
     if (status == STATUS_OK)
         return proof;
     interpolant_proof_free(proof);
@@ -640,8 +660,7 @@ static double ratio_at(const arb_poly_t f, const arb_poly_t g, double t)
     arb_set_d(at, t);
     arb_poly_evaluate(x, f, at, ROW_PREC);
     arb_poly_evaluate(y, g, at, ROW_PREC);
-    const double ratio =
-        fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR) / arf_get_d(arb_midref(y), ARF_RND_NEAR));
+    const double ratio = fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR) / arf_get_d(arb_midref(y), ARF_RND_NEAR));
     arb_clear(at);
     arb_clear(x);
     arb_clear(y);
@@ -832,7 +851,7 @@ static double row_error(const struct interpolant_proof *proof, const struct piec
     reached = range.lo;
     for (int i = 0; i < layout->intervals && reached < range.hi; i++) {
         const struct interval *const interval = &layout->interval[i];
-        if (!(ellipse_bound_set(interval) & 1u << stored))
+        if (!arb_is_finite(&proof->error[i][stored]))
             continue;
         double lo = reached, hi = range.hi;
         const bool by_log = interval->variable == INTERVAL_LOG && range.variable == INTERVAL_ROOT;

@@ -12,7 +12,7 @@
 
 struct interpolant_proof;
 
-/* Proves the error of every polynomial that the interpolant of the sphere's layout holds, but for those that
+/* Proves the error of the polynomials of an interpolant with the layout interpolant_sphere_proof, but for those that
  * ellipse_bound_set leaves out. Returns NULL after reporting on stderr what could not be proved. */
 struct interpolant_proof *interpolant_proof_new(const struct interpolant *f);
 void interpolant_proof_free(struct interpolant_proof *proof);

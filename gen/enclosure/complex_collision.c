@@ -145,10 +145,10 @@ static struct slopes end_slopes(const struct path *p, struct complex_ball delta,
 /* The slopes for every s and every value of the dependent variable in balls */
 static struct slopes path_slopes(const struct path *p, struct complex_ball s, struct complex_ball y)
 {
-    const struct complex_ball at =
-        ball_widened(ball_add(ball_centre(p->begin), ball_mul(ball_centre(p->length), s)),
-                     COMPLEX_BALL_ROUNDING * ball_size(p->length) +
-                         raised(p->begin.radius * raised(1 - s.re + s.radius) + p->end.radius * raised(s.re + s.radius)));
+    const struct complex_ball at = ball_widened(
+        ball_add(ball_centre(p->begin), ball_mul(ball_centre(p->length), s)),
+        COMPLEX_BALL_ROUNDING * ball_size(p->length) +
+            raised(p->begin.radius * raised(1 - s.re + s.radius) + p->end.radius * raised(s.re + s.radius)));
     const struct complex_ball rest = ball_sub(p->beyond, ball_mul(p->length, plus(s, -1)));
     struct slopes f = {0};
     switch (p->kind) {
@@ -206,8 +206,8 @@ static enum step_outcome step(const struct path *p, struct state *y, double s, d
     const double h = end - s, longest = raised(h), radius = y->value.radius; /* h is exact, or right to 2^-53 */
     const struct complex_ball centre = ball_centre(y->value), middle = ball_of((s + end) / 2, 0);
     const struct complex_ball first = ball_centre(path_slopes(p, ball_of(s, 0), centre).slope);
-    const struct complex_ball at_middle = path_slopes(p, middle, ball_centre(ball_add(centre, ball_times(first, h / 2))))
-                                              .slope;
+    const struct complex_ball at_middle =
+        path_slopes(p, middle, ball_centre(ball_add(centre, ball_times(first, h / 2)))).slope;
     const struct complex_ball mean = ball_centre(at_middle);
     if (!ball_is_finite(at_middle))
         return STEP_IMPOSSIBLE;
@@ -224,16 +224,15 @@ static enum step_outcome step(const struct path *p, struct state *y, double s, d
 
     const double start = raised(radius + longest * residual), tube = 2 * start;
     const struct slopes within = path_slopes(p, places, ball_widened(line, tube));
-    const double rate =
-        within.derivative.re + 0x1p-40 * fabs(within.derivative.re) + raised(within.derivative.radius);
+    const double rate = within.derivative.re + 0x1p-40 * fabs(within.derivative.re) + raised(within.derivative.radius);
     /* |e| <= start if rate <= 0, and exp(rate h) start otherwise */
     const double growth = raised(exp(rate * h) * (1 + 0x1p-40));
     if (!ball_is_finite(within.derivative) || !ball_is_finite(within.time) || (rate > 0 && !(growth * start <= tube)))
         return STEP_TOO_LONG;
     struct complex_ball next = ball_add(centre, ball_times(mean, h));
     next.radius += 0x1p-45 * longest * ball_size(mean); /* h */
-    next.radius += rate > 0 ? raised(growth * start)
-                            : raised(growth * radius + fmin(longest, raised(1 / -rate)) * residual);
+    next.radius +=
+        rate > 0 ? raised(growth * start) : raised(growth * radius + fmin(longest, raised(1 / -rate)) * residual);
     next.radius = raised(next.radius);
     y->value = next;
     y->time = ball_add(y->time, ball_mul(within.time, ball_widened(ball_of(h, 0), 0x1p-50)));
@@ -311,7 +310,8 @@ static bool fall_from_force(struct complex_collision *c, struct complex_ball bet
 }
 
 /* From the turning point near beta = 0: to kappa = 1, then in zeta from 1 to z, zero force, and to 0, zero overlap */
-static bool unload_near(struct complex_collision *c, struct path *p, struct state y, struct complex_ball z, bool overlap)
+static bool unload_near(struct complex_collision *c, struct path *p, struct state y, struct complex_ball z,
+                        bool overlap)
 {
     if (!follow(p, PATH_TURNING, zero, one, &y))
         return false;

@@ -1,0 +1,273 @@
+/* SPDX-License-Identifier: MIT */
+/* The proofs of the sphere's rows: enclosures at complex damping against enclosed collisions on the real axis and, off
+ * it, against a plain integration in time; ellipses that reach a singularity; rows with wrong coefficients, and
+ * interpolants with wrong samples. */
+#include "ball.h"
+#include "check.h"
+
+#include <complex.h>
+#include <math.h>
+
+#include "approximation/row_proof.h"
+#include "enclosure/collision.h"
+#include "enclosure/complex_collision.h"
+#include "random.h"
+
+static struct random_state random_state = {20081999};
+
+static void assert_in(struct complex_ball ball, double complex exact, double slack, const char *what)
+{
+    const double off = cabs(ball.re + I * ball.im - exact);
+    if (!(off <= ball.radius + slack * cabs(exact)))
+        fail_msg("%s: %g %+g i +- %g does not contain %g %+g i", what, ball.re, ball.im, ball.radius, creal(exact),
+                 cimag(exact));
+    if (!(off <= 0.02 * cabs(exact))) /* the centre is close */
+        fail_msg("%s: the centre %g %+g i is far from %g %+g i", what, ball.re, ball.im, creal(exact), cimag(exact));
+}
+
+static double real_value(const arb_t x)
+{
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+static void test_real_axis(void **state)
+{
+    (void)state;
+    static const double places[] = {0.2, 0.6, 1.07, 1.3, 1.66, 1.68, 2.2, 2.8, 3.4, 4.1};
+    struct collision exact;
+    struct complex_collision c;
+    arb_t beta;
+    collision_init(&exact);
+    arb_init(beta);
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        const double z = places[i];
+        const bool overlap = z < 3;
+        arb_set_d(beta, z);
+        arb_sqr(beta, beta, 200);
+        assert_true(complex_collision_root(&c, ball_of(z, 0), overlap));
+        assert_int_equal(overlap ? collision_solve(&exact, beta, &law_sphere, 50)
+                                 : collision_solve_force(&exact, beta, &law_sphere, 50),
+                         0);
+        assert_in(c.x_max, real_value(exact.x_max), 1e-12, "largest overlap");
+        assert_in(c.t_max, real_value(exact.t_max), 1e-12, "its time");
+        assert_in(c.eps_zero_force, real_value(exact.eps_zero_force), 1e-12, "eps at zero force");
+        assert_in(c.t_zero_force, real_value(exact.t_zero_force), 1e-12, "time of zero force");
+        if (overlap) {
+            assert_in(c.eps_zero_overlap, real_value(exact.eps_zero_overlap), 1e-12, "eps at zero overlap");
+            assert_in(c.t_zero_overlap, real_value(exact.t_zero_overlap), 1e-12, "time of zero overlap");
+        }
+        const double u = 2 * log(z), power = pow(z, 4.0 / 3);
+        if (u < 0.5)
+            continue;
+        assert_true(complex_collision_log(&c, ball_of(u, 0)));
+        assert_in(c.x_max, power * real_value(exact.x_max), 1e-12, "largest overlap by ln(beta)");
+        assert_in(c.t_max, power * real_value(exact.t_max), 1e-12, "its time by ln(beta)");
+        assert_in(c.eps_zero_force, pow(z, 10.0 / 3) * real_value(exact.eps_zero_force), 1e-12, "eps by ln(beta)");
+        assert_in(c.t_zero_force, power * real_value(exact.t_zero_force), 1e-12, "time of zero force by ln(beta)");
+    }
+    collision_clear(&exact);
+    arb_clear(beta);
+}
+
+/* One step of Runge and Kutta's method for dw/ds = v/2, dv/ds = -w^2 (beta v + w^2), dt/ds = w (derivation, 6) */
+static void motion_step(double complex y[3], double complex beta, double complex h)
+{
+    double complex k[4][3];
+    for (int i = 0; i < 4; i++) {
+        double complex x[3];
+        for (int j = 0; j < 3; j++)
+            x[j] = y[j] + (i == 0 ? 0 : (i == 3 ? h : h / 2) * k[i - 1][j]);
+        k[i][0] = x[1] / 2;
+        k[i][1] = -x[0] * x[0] * (beta * x[1] + x[0] * x[0]);
+        k[i][2] = x[0];
+    }
+    for (int j = 0; j < 3; j++)
+        y[j] += h / 6 * (k[0][j] + 2 * k[1][j] + 2 * k[2][j] + k[3][j]);
+}
+
+/* From the event at the real part of beta to the event at beta, followed by Newton's method: event 0 is v = 0, 1 is zero
+ * force, 2 is w = 0. `s` is its complex place. */
+static void motion_event(double complex y[3], double complex beta, int event)
+{
+    enum { STEPS = 3000, PARTS = 40, NEWTON = 8 };
+    double complex s = 0;
+    double complex start[3] = {0, 1, 0};
+    for (int j = 0; j < 3; j++)
+        y[j] = start[j];
+    do { /* the real event, roughly */
+        motion_step(y, creal(beta), 0.002);
+        s += 0.002;
+    } while (event == 0 ? creal(y[1]) > 0 : event == 1 ? creal(creal(beta) * y[1] + y[0] * y[0]) > 0 : creal(y[0]) > 0);
+    for (int part = 0; part <= PARTS; part++) {
+        const double complex b = creal(beta) + I * cimag(beta) * part / PARTS;
+        for (int k = 0; k < NEWTON; k++) {
+            for (int j = 0; j < 3; j++)
+                y[j] = start[j];
+            for (int i = 0; i < STEPS / 10; i++)
+                motion_step(y, b, s / (STEPS / 10));
+            const double complex force = -y[0] * y[0] * (b * y[1] + y[0] * y[0]);
+            s -= event == 0   ? y[1] / force
+                 : event == 1 ? (b * y[1] + y[0] * y[0]) / (b * force + y[0] * y[1])
+                              : 2 * y[0] / y[1];
+        }
+    }
+}
+
+static void test_complex_plane(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 12; i++) {
+        const double complex z = random_uniform(&random_state, 0.5, 1.4) + I * random_uniform(&random_state, 0.05, 0.2);
+        double complex y[3];
+        struct complex_collision c;
+        assert_true(complex_collision_root(&c, ball_of(creal(z), cimag(z)), true));
+        motion_event(y, z * z, 0);
+        assert_in(c.x_max, y[0] * y[0], 1e-5, "largest overlap");
+        assert_in(c.t_max, y[2], 1e-5, "its time");
+        motion_event(y, z * z, 1);
+        assert_in(c.eps_zero_force, -y[1], 1e-5, "eps at zero force");
+        assert_in(c.t_zero_force, y[2], 1e-5, "time of zero force");
+        motion_event(y, z * z, 2);
+        assert_in(c.eps_zero_overlap, -y[1], 1e-5, "eps at zero overlap");
+        assert_in(c.t_zero_overlap, y[2], 1e-5, "time of zero overlap");
+    }
+}
+
+/* Beyond h*, on the negative axis of beta, no motion turns: no ball there, and no ellipse that reaches it. */
+static void test_singular(void **state)
+{
+    (void)state;
+    struct complex_collision c;
+    struct ellipse_bound bound;
+    assert_false(complex_collision_root(&c, (struct complex_ball){0, 1.2, 0.03}, true));
+    assert_true(complex_collision_root(&c, (struct complex_ball){0.1, 0.7, 0.001}, true));
+    assert_int_equal(ellipse_bound_make(&bound, &interpolant_sphere.interval[0], 8), 1);
+    /* an ellipse inside another has no larger bound */
+    struct ellipse_bound inner;
+    assert_int_equal(ellipse_bound_make(&bound, &interpolant_sphere.interval[5], 4), 0);
+    assert_int_equal(ellipse_bound_make(&inner, &interpolant_sphere.interval[5], 2), 0);
+    for (int q = 0; q < QUANTITIES; q++)
+        assert_true(inner.modulus[q] <= 1.2 * bound.modulus[q]);
+}
+
+/* Up to beta = 1: two intervals. `corgen tables` proves all rows, those of the inverse functions too. */
+static struct interpolant *interpolant;
+static struct interpolant_proof *proof;
+
+static int make_proof(void **state)
+{
+    (void)state;
+    interpolant = interpolant_new(&interpolant_sphere_proof, 0, 1);
+    proof = interpolant ? interpolant_proof_new(interpolant) : NULL;
+    return proof ? 0 : 1;
+}
+
+static int clear_proof(void **state)
+{
+    (void)state;
+    interpolant_proof_free(proof);
+    interpolant_free(interpolant);
+    return 0;
+}
+
+#define TABLE(...)                                                                                                     \
+    {                                                                                                                  \
+        .name = "rows", .title = "rows", .root = 2, .degree = 10, .octave_bits = 3, __VA_ARGS__                        \
+    }
+static const struct pieces tables[] = {
+    TABLE(.quantity = EPS_ZERO_OVERLAP, .variable = VARIABLE_BETA, .step = 0.125, .end = 0.9, .rows = 8, .plain = 8),
+    TABLE(.quantity = EPS_ZERO_FORCE, .variable = VARIABLE_ROOT_BETA, .step = 0.0625, .end = 0.9, .rows = 16,
+          .plain = 4),
+    TABLE(.quantity = EPS_ZERO_FORCE, .variable = VARIABLE_POWER_OCTAVES, .first = -8, .end = 0.015625, .rows = 16,
+          .plain = 16),
+    TABLE(.quantity = LOSS_QUOTIENT_ZERO_OVERLAP, .variable = VARIABLE_BETA, .step = 0.125, .end = 0.9, .rows = 8,
+          .plain = 8, .head_bits = 26),
+    TABLE(.quantity = DURATION_ZERO_FORCE, .variable = VARIABLE_ROOT_BETA, .step = 0.0625, .end = 0.9, .rows = 16,
+          .plain = 16),
+    TABLE(.quantity = MAX_OVERLAP, .variable = VARIABLE_BETA, .step = 0.125, .end = 0.9, .rows = 8, .plain = 8),
+};
+
+/* The proved errors of two tables, which differ from run to run, are those that sampling finds, or a little larger. A
+ * coefficient that is wrong in its 50th bit, and wrong ones in the last of the lower columns, are refused. */
+static void test_rows(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct pieces p = tables[random_below(&random_state, sizeof tables / sizeof *tables)];
+        p.least_bits = 54;
+        assert_int_equal(pieces_make(&p, interpolant), 0);
+        const slong columns = p.degree + 2;
+        for (slong row = 0; row < p.rows; row++) {
+            double *const c = p.value + row * columns;
+            const double bits = row_proof_bits(proof, &p, row, c);
+            if (!(bits <= p.bits[row] + 1e-9 && bits >= fmin(p.bits[row], 62) - 1))
+                fail_msg("table %d, row %ld: %g bits proved, %g sampled", (int)p.quantity, (long)row, bits,
+                         p.bits[row]);
+            c[0] *= 1 + 0x1p-49;
+            assert_true(row_proof_bits(proof, &p, row, c) < 50);
+            c[0] /= 1 + 0x1p-49;
+        }
+        /* the table as a whole */
+        assert_true(row_proof_covers(proof, &p));
+        assert_int_equal(row_proof_table(&p, proof), 0);
+        assert_true(p.proved);
+        p.value[(p.rows / 2) * columns + 2] += 0x1p-44;
+        p.proved = false;
+        assert_int_equal(row_proof_table(&p, proof), 1);
+        assert_false(p.proved);
+        pieces_clear(&p);
+    }
+}
+
+/* A sample that is wrong in its 52nd bit, or a node in its 40th: no proof. */
+static void test_samples(void **state)
+{
+    (void)state;
+    arb_srcptr node, value;
+    arb_t kept, factor;
+    arb_init(kept);
+    arb_init(factor);
+    assert_true(interpolant_samples(&node, &value, interpolant, 1, EPS_ZERO_FORCE));
+    const slong j = (slong)random_below(&random_state, 40);
+    const arb_ptr wrong[] = {(arb_ptr)value + j, (arb_ptr)node + j};
+    for (int k = 0; k < 2; k++) {
+        arb_set(kept, wrong[k]);
+        arb_one(factor);
+        arb_mul_2exp_si(factor, factor, k == 0 ? -52 : -40);
+        arb_add_ui(factor, factor, 1, 200);
+        arb_mul(wrong[k], wrong[k], factor, 200);
+        struct interpolant_proof *none = interpolant_proof_new(interpolant);
+        if (none)
+            fail_msg("proved with a wrong %s %ld", k == 0 ? "sample" : "node", (long)j);
+        arb_set(wrong[k], kept);
+    }
+    arb_clear(kept);
+    arb_clear(factor);
+}
+
+/* The proof knows its intervals, and no others. */
+static void test_unknown(void **state)
+{
+    (void)state;
+    assert_true(interpolant_proof_error(proof, 0, EPS_ZERO_OVERLAP) < 1e-20);
+    assert_true(interpolant_proof_bound(proof, 1)->rho > 3);
+    assert_false(interpolant_proof_error(proof, 5, EPS_ZERO_OVERLAP) < HUGE_VAL);
+    struct pieces p = tables[0];
+    const double c[12] = {0.5};
+    p.rows = 57;
+    assert_true(isnan(row_proof_bits(proof, &p, 40, c)));
+    assert_false(row_proof_bits(proof, &p, 4, c) > 10);
+    struct interpolant *other = interpolant_new(&interpolant_sphere, 0.01, 0.02);
+    assert_null(interpolant_proof_new(other));
+    interpolant_free(other);
+}
+
+int main(void)
+{
+    random_state = random_start();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_real_axis), cmocka_unit_test(test_complex_plane), cmocka_unit_test(test_singular),
+        cmocka_unit_test(test_rows),      cmocka_unit_test(test_samples),       cmocka_unit_test(test_unknown),
+    };
+    return cmocka_run_group_tests(tests, make_proof, clear_proof);
+}
