@@ -32,11 +32,6 @@ struct interpolant_proof {
     arb_struct (*error)[QUANTITIES];
 };
 
-static bool is_eps(enum quantity quantity)
-{
-    return quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
-}
-
 /* ---- the error of the interpolant ---- */
 
 /* w = (x - middle)/half */
