@@ -3,6 +3,7 @@
 
 #include "cor/sphere.h"
 #include "runtime/core/environment.h"
+#include "runtime/sphere/float_exceptions.h"
 
 const struct cor_array_set *cor_array_set(int i)
 {
@@ -45,8 +46,9 @@ COR_SPHERE_QUANTITIES(SPHERE_ARRAY)
 COR_CONTACT_QUANTITIES(CONTACT_ARRAY)
 COR_DISSIPATION_QUANTITIES(DISSIPATION_ARRAY)
 
-/* Float arrays call the double functions, so that each result is rounded once. */
-static void rounded_once(cor_sphere_array *function, const float *x, float *y, size_t n)
+/* Float arrays call the double functions, so that each result is rounded once, but for the exceptions. */
+static void rounded_once(cor_sphere_array *function, struct cor_float_exception exception, const float *x, float *y,
+                         size_t n)
 {
     enum { CHUNK = 512 };
     double wide[CHUNK];
@@ -56,15 +58,16 @@ static void rounded_once(cor_sphere_array *function, const float *x, float *y, s
             wide[j] = (double)x[i + j];
         function(wide, wide, m);
         for (size_t j = 0; j < m; j++)
-            y[i + j] = (float)wide[j];
+            y[i + j] = cor_float_corrected(exception, x[i + j], (float)wide[j]);
     }
 }
 
 #define SPHERE_ARRAYF(quantity)                                                                                        \
     void cor_sphere_##quantity##_arrayf(const float *x, float *y, size_t n)                                            \
     {                                                                                                                  \
+        static const struct cor_float_exception exception = COR_FLOAT_EXCEPTION_##quantity;                            \
         const struct cor_environment caller = cor_environment_enter();                                                 \
-        rounded_once(cor_array_best_set()->sphere_##quantity, x, y, n);                                                \
+        rounded_once(cor_array_best_set()->sphere_##quantity, exception, x, y, n);                                     \
         cor_environment_leave(&caller);                                                                                \
     }
 COR_SPHERE_QUANTITIES(SPHERE_ARRAYF)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cor/sphere.h"
 #include "runtime/sphere/eval.h"
+#include "runtime/sphere/float_exceptions.h"
 
 /* A function of sphere.h, for double and for float */
 #define SPHERE_FUNCTION(quantity)                                                                                      \
@@ -10,7 +11,8 @@
     }                                                                                                                  \
     float cor_sphere_##quantity##f(float x)                                                                            \
     {                                                                                                                  \
-        return cor_inline_narrow(cor_inline_##quantity((double)x));                                                    \
+        static const struct cor_float_exception exception = COR_FLOAT_EXCEPTION_##quantity;                            \
+        return cor_float_corrected(exception, x, cor_inline_narrow(cor_inline_##quantity((double)x)));                 \
     }
 
 SPHERE_FUNCTION(eps_zero_overlap)

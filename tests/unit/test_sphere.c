@@ -440,6 +440,34 @@ static void special_values(void **state)
     assert_true(cor_sphere_eps_zero_force(1e200) == 0 && cor_sphere_eps_zero_force(1e190) > 0);
 }
 
+/* Arguments whose double result rounds to the wrong float; the right one is next below. `corgen collide` has 30 digits:
+ * 3.22408235073089581701842356269 at the first, 1.8e-16 below the middle of two floats. */
+static void float_exceptions(void **state)
+{
+    (void)state;
+    static const struct {
+        float (*one)(float);
+        void (*array)(const float *, float *, size_t);
+        double (*wide)(double);
+        float x, y;
+    } known[] = {{cor_sphere_duration_zero_overlapf, cor_sphere_duration_zero_overlap_arrayf,
+                  cor_sphere_duration_zero_overlap, 0x1.073138p-6F, 0x1.9caebap+1F},
+                 {cor_sphere_duration_zero_forcef, cor_sphere_duration_zero_force_arrayf,
+                  cor_sphere_duration_zero_force, 0x1.2703aep+95F, 0x1.1646f6p-56F}};
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+        enum { N = 9 };
+        float x[N], y[N];
+        for (int i = 0; i < N; i++)
+            x[i] = known[k].x;
+        known[k].array(x, y, N);
+        known[k].array(x, x, N);
+        for (int i = 0; i < N; i++)
+            check(x[i] == known[k].y && y[i] == known[k].y, "array at %a: %a", (double)known[k].x, (double)y[i]);
+        check(known[k].one(known[k].x) == known[k].y, "%a", (double)known[k].one(known[k].x));
+        check((float)known[k].wide((double)known[k].x) != known[k].y, "%a is no exception", (double)known[k].x);
+    }
+}
+
 static void floats(void **state)
 {
     (void)state;
@@ -724,6 +752,7 @@ int main(void)
         cmocka_unit_test(round_trips),
         cmocka_unit_test(special_values),
         cmocka_unit_test(floats),
+        cmocka_unit_test(float_exceptions),
         cmocka_unit_test(continuous),
         cmocka_unit_test(right_at_boundaries),
         cmocka_unit_test(inverse_is_continuous),
