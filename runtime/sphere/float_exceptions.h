@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* Arguments x at which the float nearest to the double result is not the float y nearest to the function: the function
+ * lies within 1/2 ulp of a double of the middle of two floats there. tests/accuracy/test_floats finds them. A function
+ * without such an argument has NaN, which equals no argument. */
+#ifndef COR_RUNTIME_SPHERE_FLOAT_EXCEPTIONS_H
+#define COR_RUNTIME_SPHERE_FLOAT_EXCEPTIONS_H
+
+#include <math.h>
+
+struct cor_float_exception {
+    float x, y;
+};
+
+#define COR_FLOAT_REGULAR                                                                                              \
+    {                                                                                                                  \
+        NAN, NAN                                                                                                       \
+    }
+#define COR_FLOAT_EXCEPTION_eps_zero_overlap COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_eps_zero_force COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_loss_zero_overlap COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_loss_zero_force COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_beta_zero_overlap COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_beta_zero_force COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_duration_zero_overlap                                                                      \
+    {                                                                                                                  \
+        0x1.073138p-6f, 0x1.9caebap+1f                                                                                 \
+    }
+#define COR_FLOAT_EXCEPTION_duration_zero_force                                                                        \
+    {                                                                                                                  \
+        0x1.2703aep+95f, 0x1.1646f6p-56f                                                                               \
+    }
+#define COR_FLOAT_EXCEPTION_max_overlap COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_time_of_max_overlap COR_FLOAT_REGULAR
+
+/* The result at x, whose double result rounds to y */
+static inline float cor_float_corrected(struct cor_float_exception exception, float x, float y)
+{
+    return x == exception.x ? exception.y : y;
+}
+
+#endif
