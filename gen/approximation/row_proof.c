@@ -755,7 +755,6 @@ static bool cell_range(struct range *range, const struct interpolant_proof *proo
                        const struct cell *cell)
 {
     double lo = ldexp(cell->lo, (int)cell->octave), hi = ldexp(cell->hi, (int)cell->octave);
-    bool found = true;
     range->variable = INTERVAL_ROOT;
     switch (p->variable) {
     case VARIABLE_LOG_BETA:
@@ -778,8 +777,9 @@ static bool cell_range(struct range *range, const struct interpolant_proof *proo
         /* fall through */
     case VARIABLE_LOSS:
     case VARIABLE_EPS_OCTAVES:
-        found = inverse_place(&range->lo, proof, p->quantity, p->variable == VARIABLE_EPS_OCTAVES ? hi : lo) &&
-                inverse_place(&range->hi, proof, p->quantity, p->variable == VARIABLE_EPS_OCTAVES ? lo : hi);
+        if (!inverse_place(&range->lo, proof, p->quantity, p->variable == VARIABLE_EPS_OCTAVES ? hi : lo) ||
+            !inverse_place(&range->hi, proof, p->quantity, p->variable == VARIABLE_EPS_OCTAVES ? lo : hi))
+            return false;
         lo = range->lo;
         hi = range->hi;
         break;
@@ -788,7 +788,7 @@ static bool cell_range(struct range *range, const struct interpolant_proof *proo
     }
     range->lo = lo * (1 - SLACK);
     range->hi = hi * (1 + SLACK);
-    return found;
+    return true;
 }
 
 /* Sign of y - limit, y the table's variable at x in interval i: 1 or -1 if proved, otherwise 0 */

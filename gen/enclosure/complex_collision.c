@@ -150,7 +150,7 @@ static struct slopes path_slopes(const struct path *p, struct complex_ball s, st
         COMPLEX_BALL_ROUNDING * ball_size(p->length) +
             raised(p->begin.radius * raised(1 - s.re + s.radius) + p->end.radius * raised(s.re + s.radius)));
     const struct complex_ball rest = ball_sub(p->beyond, ball_mul(p->length, plus(s, -1)));
-    struct slopes f = {0};
+    struct slopes f;
     switch (p->kind) {
     case PATH_LOADING:
     case PATH_UNLOADING:
