@@ -34,7 +34,7 @@ enum { MAX_WIDENINGS = 4 };
  * times these factors, and of a quarter of the change by the extrapolation itself. The second bounds the effect, unseen
  * so far, of waves that return while contact ends or splits. The third is the noise of steps and angles. Fitted: with
  * these factors the estimate is at least the error at each of 200 random scenes and six tolerances, judged by two more
- * levels. */
+ * levels. Not at all scenes: docs/derivation.md, 17. */
 static const double change_weight[] = {3, 1, 0.3, 0.1};
 /* Few levels may agree by chance: at nu = -0.3975, v = 0.1788 level 6 changes the value by 3e-7, and the limit is 1.3e-4
  * away. Tolerances from COARSE_FROM on are reached with few levels, so older changes count more. */
