@@ -36,10 +36,6 @@ enum { MAX_WIDENINGS = 4 };
  * these factors the estimate is at least the error at each of 200 random scenes and six tolerances, judged by two more
  * levels. Not at all scenes: docs/derivation.md, 17. */
 static const double change_weight[] = {3, 1, 0.3, 0.1};
-/* Few levels may agree by chance: at nu = -0.3975, v = 0.1788 level 6 changes the value by 3e-7, and the limit is 1.3e-4
- * away. Tolerances from COARSE_FROM on are reached with few levels, so older changes count more. */
-static const double coarse_change_weight[] = {3, 3, 1, 0.3};
-#define COARSE_FROM 6e-5
 #define EXTRAPOLATED 0.25
 #define UNSEEN 0.07 /* over Omega^2 */
 #define NOISE 8e-7  /* times fineness^NOISE_POWER */
@@ -115,9 +111,8 @@ static double estimate_of(const struct ladder *ladder)
     const double *const value = ladder->extrapolated, omega = omega_of(last);
     /* a single extrapolated value has no other to compare with */
     double seen = (last < 2 ? 1 : EXTRAPOLATED) * fabs(value[last] - ladder->l[last]);
-    const double *const weight = ladder->tolerance < COARSE_FROM ? change_weight : coarse_change_weight;
     for (size_t i = 0; i < changes && i + 2 <= last; i++)
-        seen = fmax(seen, weight[i] * fabs(value[last - i] - value[last - i - 1]));
+        seen = fmax(seen, change_weight[i] * fabs(value[last - i] - value[last - i - 1]));
     const double noise = NOISE * pow(fineness_of(ladder->tolerance), NOISE_POWER);
     const double point = ladder->speed < COR_DISK_HARD_WALL_POINT_SPEED ? POINT_ERROR : 0;
     return seen + UNSEEN / (omega * omega) + noise + point;
