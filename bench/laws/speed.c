@@ -191,7 +191,7 @@ typedef long double exact_function(long double x);
 enum { NO_LOOP = -1, FIRST_DASHPOT = COR_LAW_LOOP_COUNT, MAX_JOBS = 128 };
 #define DASHPOT_LOOP(function) (FIRST_DASHPOT + COR_DASHPOT_##function)
 
-/* Rows of cor name a loop, which is timed in every instruction set: one of law.h, or DASHPOT_LOOP of hertz_dashpot.h. */
+/* Rows of cor name a loop, which is timed in every instruction set: one of law.h, or DASHPOT_LOOP of hertz_dashpot.h */
 static const struct method {
     const char *quantity, *method;
     scalar_function *scalar;

@@ -8,12 +8,12 @@
 #include <math.h>
 
 struct cor_float_exception {
-    float x, y;
+    float x, y, second_x, second_y;
 };
 
 #define COR_FLOAT_REGULAR                                                                                              \
     {                                                                                                                  \
-        NAN, NAN                                                                                                       \
+        NAN, NAN, NAN, NAN                                                                                             \
     }
 #define COR_FLOAT_EXCEPTION_eps_zero_overlap COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_eps_zero_force COR_FLOAT_REGULAR
@@ -23,19 +23,22 @@ struct cor_float_exception {
 #define COR_FLOAT_EXCEPTION_beta_zero_force COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_duration_zero_overlap                                                                      \
     {                                                                                                                  \
-        0x1.073138p-6f, 0x1.9caebap+1f                                                                                 \
+        0x1.073138p-6f, 0x1.9caebap+1f, NAN, NAN                                                                       \
     }
 #define COR_FLOAT_EXCEPTION_duration_zero_force                                                                        \
     {                                                                                                                  \
-        0x1.2703aep+95f, 0x1.1646f6p-56f                                                                               \
+        0x1.2703aep+95f, 0x1.1646f6p-56f, NAN, NAN                                                                     \
     }
 #define COR_FLOAT_EXCEPTION_max_overlap COR_FLOAT_REGULAR
-#define COR_FLOAT_EXCEPTION_time_of_max_overlap COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_time_of_max_overlap                                                                        \
+    {                                                                                                                  \
+        0x1.511e64p-14f, 0x1.9be80ep+0f, 0x1.5b5bb8p+22f, 0x1.7b3fe6p-11f                                              \
+    }
 
 /* The result at x, whose double result rounds to y */
 static inline float cor_float_corrected(struct cor_float_exception exception, float x, float y)
 {
-    return x == exception.x ? exception.y : y;
+    return x == exception.x ? exception.y : x == exception.second_x ? exception.second_y : y;
 }
 
 #endif

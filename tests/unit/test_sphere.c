@@ -440,8 +440,8 @@ static void special_values(void **state)
     assert_true(cor_sphere_eps_zero_force(1e200) == 0 && cor_sphere_eps_zero_force(1e190) > 0);
 }
 
-/* Arguments whose double result rounds to the wrong float; the right one is next below. `corgen collide` has 30 digits:
- * 3.22408235073089581701842356269 at the first, 1.8e-16 below the middle of two floats. */
+/* Arguments whose double result rounds to the wrong float; the right one is its neighbour. By 30 digits of `corgen
+ * collide`, the first value is 1.8e-16 below the middle of two floats, the third 2.3e-18 below. */
 static void float_exceptions(void **state)
 {
     (void)state;
@@ -453,7 +453,11 @@ static void float_exceptions(void **state)
     } known[] = {{cor_sphere_duration_zero_overlapf, cor_sphere_duration_zero_overlap_arrayf,
                   cor_sphere_duration_zero_overlap, 0x1.073138p-6F, 0x1.9caebap+1F},
                  {cor_sphere_duration_zero_forcef, cor_sphere_duration_zero_force_arrayf,
-                  cor_sphere_duration_zero_force, 0x1.2703aep+95F, 0x1.1646f6p-56F}};
+                  cor_sphere_duration_zero_force, 0x1.2703aep+95F, 0x1.1646f6p-56F},
+                 {cor_sphere_time_of_max_overlapf, cor_sphere_time_of_max_overlap_arrayf,
+                  cor_sphere_time_of_max_overlap, 0x1.511e64p-14F, 0x1.9be80ep+0F},
+                 {cor_sphere_time_of_max_overlapf, cor_sphere_time_of_max_overlap_arrayf,
+                  cor_sphere_time_of_max_overlap, 0x1.5b5bb8p+22F, 0x1.7b3fe6p-11F}};
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         enum { N = 9 };
         float x[N], y[N];
