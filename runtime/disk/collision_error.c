@@ -6,12 +6,10 @@
 /* The next run would move the result by about the last movement times the ratio of the last two. The runs after it
  * would move the result by less and less: the sum is a geometric series. Movements are those of all energies, because
  * that of eps alone may be small by chance. */
-double cor_collision_step_error(const struct cor_collision_evidence *evidence)
+static double series_error(const struct cor_collision_evidence *evidence)
 {
     const int runs = evidence->runs;
     const double *const movement = evidence->movement + runs - 1; /* the last one */
-    if (runs < 2)
-        return 1; /* eps lies between 0 and 1, and one run shows no error */
     if (runs == 2)
         return cor_tuning.two_runs * movement[0];
     double ratio = runs == 3 ? cor_tuning.third_ratio : cor_tuning.later_ratio;
@@ -22,6 +20,26 @@ double cor_collision_step_error(const struct cor_collision_evidence *evidence)
     const double last = fmax(movement[0], cor_tuning.least_movement * movement[-1]);
     return ratio < cor_tuning.no_convergence ? last * ratio / (1 - ratio)
                                              : cor_tuning.scatter * fmax(movement[0], movement[-1]);
+}
+
+/* At a hard wall the rim strikes in many blows, which amplify the error of each run. The errors of eps and of all
+ * energies then grow along one direction, so all of them may be small by chance in the same run. The series therefore
+ * counts no more than a bound by the last two movements. Round-off moves the result, too, and counts elsewhere. */
+static double blows_error(const struct cor_collision_evidence *evidence, double round_off)
+{
+    const double *const movement = evidence->movement + evidence->runs - 1;
+    if (evidence->runs == 2)
+        return cor_tuning.hard_two_runs * movement[0];
+    return fmax(cor_tuning.hard_movement * fmax(movement[0] - round_off, 0), cor_tuning.hard_before * movement[-1]);
+}
+
+double cor_collision_step_error(const struct cor_motion *m, const struct cor_collision_evidence *evidence,
+                                double round_off)
+{
+    if (evidence->runs < 2)
+        return 1; /* eps lies between 0 and 1, and one run shows no error */
+    const double error = series_error(evidence);
+    return m->alpha * m->speed < cor_tuning.hard ? error : fmax(error, blows_error(evidence, round_off));
 }
 
 /* The pressure's harmonics fall off exponentially. With phi angles the harmonic 4 phi - k aliases k; the worst case is

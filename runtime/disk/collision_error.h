@@ -21,8 +21,9 @@ struct cor_collision_evidence {
     int measured;
 };
 
-/* Error due to the step, after the last run */
-double cor_collision_step_error(const struct cor_collision_evidence *evidence);
+/* Error due to the step, after the last run, whose round-off is known */
+double cor_collision_step_error(const struct cor_motion *m, const struct cor_collision_evidence *evidence,
+                                double round_off);
 /* Error of the quadrature relative to the peak load */
 double cor_collision_angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
                                   const struct cor_collision_evidence *evidence);

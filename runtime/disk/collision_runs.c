@@ -156,23 +156,30 @@ static double other_errors(const struct runs *runs)
     return runs->error.angles + runs->error.round_off + runs->error.wall;
 }
 
+/* Sets the parts of the error after the last run, which leaves the fraction `left` of the energy in the modes.
+ * less_than_none: sum of the extrapolated energies below 0. */
+static void runs_estimate(const struct cor_motion *m, struct runs *runs, double left, double less_than_none)
+{
+    cor_collision_other_errors(m, &runs->run[runs->levels - 1], left, &runs->evidence, &runs->error);
+    const double step = cor_collision_step_error(m, &runs->evidence, runs->error.round_off);
+    /* negative mode energies show that the steps are still too large to extrapolate */
+    runs->error.step = fmax(step, 0.5 * less_than_none);
+}
+
 /* Sets the results of two or more kept runs, and their error estimate. */
 static void runs_conclude(struct cor_motion *m, struct runs *runs, struct cor_disk_collision *out, double *energy_after)
 {
     struct cor_collision_evidence *const evidence = &runs->evidence;
-    const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
     const double less_than_none = cor_collision_results(m, runs->run, runs->levels, out, energy_after);
     const double left = out->one_minus_eps2;
     evidence->movement[evidence->runs - 1] = cor_collision_movement(m, runs->run, runs->levels);
     evidence->largest_movement = fmax(evidence->largest_movement, cor_collision_eps_movement(runs->run, runs->levels));
     bound_amplification(m, runs);
-    /* negative mode energies show that the steps are still too large to extrapolate */
-    runs->error.step = fmax(cor_collision_step_error(evidence), 0.5 * less_than_none);
-    cor_collision_other_errors(m, last, left, evidence, &runs->error);
+    runs_estimate(m, runs, left, less_than_none);
     if (cor_collision_total_error(&runs->error) > m->tolerance &&
         runs->error.step <= fmax(m->tolerance, runs->error.round_off + runs->error.wall)) {
         measure_amplification(m, runs);
-        cor_collision_other_errors(m, last, left, evidence, &runs->error);
+        runs_estimate(m, runs, left, less_than_none);
     }
     out->error_estimate = cor_collision_total_error(&runs->error);
 }
@@ -261,7 +268,7 @@ int cor_collision_runs(struct cor_motion *m, struct cor_disk_collision *out,
     const enum verdict verdict = runs_settle(m, &runs, out, detail != NULL ? detail : &no_detail);
     if (isnan(out->eps) && runs.levels == 1) {
         cor_collision_results(m, runs.run, 1, out, detail != NULL ? detail->energy_after : NULL);
-        out->error_estimate = cor_collision_step_error(&runs.evidence);
+        out->error_estimate = cor_collision_step_error(m, &runs.evidence, 0);
     }
     if (isnan(out->eps)) {
         out->steps = runs.run[runs.levels].steps;

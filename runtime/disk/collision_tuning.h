@@ -2,7 +2,7 @@
 /* All constants of the collision integrator whose values are not fixed, and the origin of each value:
  *   derived  it follows from a formula;
  *   fitted   it is the cheapest value with which no promise is broken in 10^4 random scenes, as
- *                COR_TEST_MULTIPLIER=500 build/gcc/tests/test_disk_collision_random
+ *                COR_TEST_LONG=1 COR_TEST_MULTIPLIER=834 build/gcc/tests/test_disk_collision_error
  *            shows, or by the command that stands there;
  *   chosen it costs time or memory, never accuracy: the error estimate follows from the actual runs. */
 #ifndef COR_RUNTIME_DISK_COLLISION_TUNING_H
@@ -27,6 +27,7 @@ struct cor_collision_tuning {
     double wall_left, wall_tolerance, no_load, contact_load;
     /* error due to the step */
     double two_runs, third_ratio, later_ratio, least_movement, no_convergence, scatter;
+    double hard, hard_two_runs, hard_movement, hard_before;
     /* error due to the angles */
     double angles_allowed, angles_in_eps, calm;
     /* error due to round-off and to the wall's energy */
@@ -94,6 +95,13 @@ static const struct cor_collision_tuning cor_tuning = {
      * number is the error of such runs over the larger of the last two movements. Fitted. */
     .no_convergence = 0.5,
     .scatter = 4,
+    /* Smallest alpha v of a hard wall, at which runs may agree by chance; docs/derivation.md, 15. Fitted. */
+    .hard = 24,
+    /* At a hard wall, lower bounds on the error: over the movement after two runs, over the last movement less
+     * round-off, and over the movement before. Fitted. */
+    .hard_two_runs = 20,
+    .hard_movement = 1.5,
+    .hard_before = 0.02,
 
     /* Allowed angular quadrature error relative to the peak load, in units of the tolerance. Fitted. */
     .angles_allowed = 1,

@@ -320,16 +320,27 @@ static double remainder_of(struct cor_collision_evidence *evidence, int runs, do
     return first * pow(ratio, runs - 1) / (1 - ratio);
 }
 
+/* A collision of which only alpha v is known */
+static struct cor_motion motion_at(double alpha_v)
+{
+    struct cor_motion m;
+    memset(&m, 0, sizeof m);
+    m.alpha = alpha_v;
+    m.speed = 1;
+    return m;
+}
+
 static void step_error(void **state)
 {
     (void)state;
     struct cor_collision_evidence evidence;
+    const struct cor_motion soft = motion_at(23.9);
     remainder_of(&evidence, 1, 0, 0.1);
-    assert_true(cor_collision_step_error(&evidence) == 1);
+    assert_true(cor_collision_step_error(&soft, &evidence, 0) == 1);
     for (int runs = 2; runs <= 8; runs++)
         for (double ratio = 0.01; ratio < 0.8; ratio += 0.02) {
             const double left = remainder_of(&evidence, runs, 1e-3, ratio);
-            const double error = cor_collision_step_error(&evidence), last = evidence.movement[runs - 1];
+            const double error = cor_collision_step_error(&soft, &evidence, 0), last = evidence.movement[runs - 1];
             /* two runs show no ratio: one up to 2/3 is allowed for */
             if (runs > 2 || ratio < 0.6)
                 check(error >= left * (1 - 1e-12), "%d runs, ratio %g: %g, not %g", runs, ratio, error, left);
@@ -346,11 +357,37 @@ static void step_error(void **state)
     /* one movement that is small by chance */
     remainder_of(&evidence, 6, 1e-3, 0.1);
     evidence.movement[5] = 1e-15;
-    assert_true(cor_collision_step_error(&evidence) > 3e-10);
+    assert_true(cor_collision_step_error(&soft, &evidence, 0) > 3e-10);
     /* slow convergence before counts */
     remainder_of(&evidence, 5, 1e-3, 0.4);
     evidence.movement[4] = 0.1 * evidence.movement[3];
-    assert_true(cor_collision_step_error(&evidence) > 0.6 * evidence.movement[4]);
+    assert_true(cor_collision_step_error(&soft, &evidence, 0) > 0.6 * evidence.movement[4]);
+}
+
+/* At a hard wall, the movements that are small by chance count less: alpha v = 24 is the first. */
+static void hard_wall_step_error(void **state)
+{
+    (void)state;
+    struct cor_collision_evidence evidence;
+    const struct cor_motion soft = motion_at(nextafter(24, 0)), hard = motion_at(24);
+    remainder_of(&evidence, 1, 0, 0.1);
+    assert_true(cor_collision_step_error(&hard, &evidence, 0) == 1);
+    remainder_of(&evidence, 2, 1e-3, 0.1);
+    check(cor_collision_step_error(&hard, &evidence, 1e-3) == 20e-3, "%g",
+          cor_collision_step_error(&hard, &evidence, 1e-3));
+    for (int runs = 3; runs <= 8; runs++)
+        for (double ratio = 0.01; ratio < 0.8; ratio += 0.02) {
+            remainder_of(&evidence, runs, 1e-3, ratio);
+            const double last = evidence.movement[runs - 1], before = evidence.movement[runs - 2];
+            const double by_series = cor_collision_step_error(&soft, &evidence, 0);
+            const double error = cor_collision_step_error(&hard, &evidence, 0);
+            const double noisy = cor_collision_step_error(&hard, &evidence, 0.5 * last);
+            const double least = fmax(by_series, 0.02 * before);
+            check(fabs(error - fmax(least, 1.5 * last)) <= 1e-15 * error, "%d runs, ratio %g: %g", runs, ratio, error);
+            check(fabs(noisy - fmax(least, 0.75 * last)) <= 1e-15 * noisy, "%d runs, ratio %g: %g", runs, ratio, noisy);
+            /* round-off beyond the movement leaves no movement that is less than none */
+            assert_true(fabs(cor_collision_step_error(&hard, &evidence, 2 * last) - least) <= 1e-15 * least);
+        }
 }
 
 /* Energies that move while eps does not count as well. */
@@ -448,9 +485,11 @@ static void work(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(drift),      cmocka_unit_test(kick),          cmocka_unit_test(stiffness),
-        cmocka_unit_test(window),     cmocka_unit_test(extrapolation), cmocka_unit_test(negative_energy),
-        cmocka_unit_test(step_error), cmocka_unit_test(energies_move), cmocka_unit_test(other_errors),
+        cmocka_unit_test(drift),         cmocka_unit_test(kick),
+        cmocka_unit_test(stiffness),     cmocka_unit_test(window),
+        cmocka_unit_test(extrapolation), cmocka_unit_test(negative_energy),
+        cmocka_unit_test(step_error),    cmocka_unit_test(hard_wall_step_error),
+        cmocka_unit_test(energies_move), cmocka_unit_test(other_errors),
         cmocka_unit_test(work),
     };
     return cmocka_run_group_tests_name("disk_collision_parts", tests, NULL, NULL);
