@@ -34,14 +34,24 @@ enum { MAX_WIDENINGS = 4 };
  * times these factors, and of a quarter of the change by the extrapolation itself. The second bounds the effect, unseen
  * so far, of waves that return while contact ends or splits. The third is the noise of steps and angles. Fitted: with
  * these factors the estimate is at least the error at each of 200 random scenes and six tolerances, judged by two more
- * levels. Not at all scenes: docs/derivation.md, 17. */
-static const double change_weight[] = {3, 1, 0.3, 0.1};
+ * levels. */
+static const double calm_weight[] = {3, 1, 0.3, 0.1};
 #define EXTRAPOLATED 0.25
 #define UNSEEN 0.07 /* over Omega^2 */
 #define NOISE 8e-7  /* times fineness^NOISE_POWER */
 #define NOISE_POWER 2.5
 /* Number of levels that must agree before an estimate counts */
 enum { ENOUGH_LEVELS = 5 };
+/* Where up to WILD_LEVELS levels may agree by chance: at a speed above WILD_SPEED, or above CALM_SPEED where nu is
+ * outside LEAST_CALM to LARGEST_CALM. There the factors are larger. Above WILD_SPEED the unseen part is at least
+ * UNSEEN_WILD (60/Omega)^4. Fitted. The domain of cor_disk_eps is calm. */
+#define WILD_SPEED 0.31
+#define CALM_SPEED 0.05
+#define LEAST_CALM (-0.21)
+#define LARGEST_CALM 0.5
+enum { WILD_LEVELS = 8 };
+static const double wild_weight[] = {3, 2, 0.6, 0.2};
+#define UNSEEN_WILD 1.5e-3
 #define POINT_ERROR 3e-8 /* error of L in a point contact, measured against the full method at v = 1e-7 to 1e-5 */
 
 const struct cor_hard_wall_loops *cor_hard_wall_widest_loops(void)
@@ -93,7 +103,7 @@ static size_t levels_of(const struct cor_disk_modes *modes, size_t n_modes)
 /* ---- the ladder ---- */
 
 struct ladder {
-    double speed, tolerance;
+    double nu, speed, tolerance;
     size_t levels;
     double l[MAX_LEVELS], extrapolated[MAX_LEVELS]; /* extrapolated[k] from levels k - 1 and k */
     double max_compression[MAX_LEVELS], contact_time, error_estimate;
@@ -105,17 +115,32 @@ static double limit_of(double before, double last)
     return last + (last - before);
 }
 
+/* Whether the levels may agree by chance */
+static int is_wild(const struct ladder *ladder)
+{
+    const int calm_nu = ladder->nu >= LEAST_CALM && ladder->nu <= LARGEST_CALM;
+    return ladder->levels <= WILD_LEVELS && ladder->speed > (calm_nu ? WILD_SPEED : CALM_SPEED);
+}
+
+/* Bound on the effect of waves that no level up to Omega shows */
+static double unseen_part(double speed, double omega)
+{
+    const double wild = speed > WILD_SPEED ? UNSEEN_WILD * pow(60 / omega, 4) : 0;
+    return fmax(UNSEEN / (omega * omega), wild);
+}
+
 static double estimate_of(const struct ladder *ladder)
 {
-    const size_t last = ladder->levels - 1, changes = sizeof change_weight / sizeof *change_weight;
-    const double *const value = ladder->extrapolated, omega = omega_of(last);
+    const double *const weight = is_wild(ladder) ? wild_weight : calm_weight;
+    const size_t last = ladder->levels - 1, changes = sizeof calm_weight / sizeof *calm_weight;
+    const double *const value = ladder->extrapolated;
     /* a single extrapolated value has no other to compare with */
     double seen = (last < 2 ? 1 : EXTRAPOLATED) * fabs(value[last] - ladder->l[last]);
     for (size_t i = 0; i < changes && i + 2 <= last; i++)
-        seen = fmax(seen, change_weight[i] * fabs(value[last - i] - value[last - i - 1]));
+        seen = fmax(seen, weight[i] * fabs(value[last - i] - value[last - i - 1]));
     const double noise = NOISE * pow(fineness_of(ladder->tolerance), NOISE_POWER);
     const double point = ladder->speed < COR_DISK_HARD_WALL_POINT_SPEED ? POINT_ERROR : 0;
-    return seen + UNSEEN / (omega * omega) + noise + point;
+    return seen + unseen_part(ladder->speed, omega_of(last)) + noise + point;
 }
 
 static int is_settled(const struct ladder *ladder)
@@ -266,6 +291,7 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
         return COR_WALL_NOT_TOUCHED;
     struct ladder ladder;
     memset(&ladder, 0, sizeof ladder);
+    ladder.nu = modes->nu;
     ladder.speed = speed;
     ladder.tolerance = options->tolerance;
     const struct cor_disk_modes lowest = {modes->nu, n_modes, modes->mode};
@@ -350,6 +376,7 @@ int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *op
         return COR_WALL_NOT_TOUCHED;
     struct ladder ladder;
     memset(&ladder, 0, sizeof ladder);
+    ladder.nu = nu;
     ladder.speed = speed;
     ladder.tolerance = options->tolerance;
     size_t levels = FIRST_TABLE;

@@ -129,6 +129,36 @@ static void errors(void **state)
     assert_true(judged > 0);
 }
 
+/* Ladders that agreed by chance: the fourth and fifth of six levels, and five levels that converged regularly before
+ * the sixth moved. The values are those of ten and eleven levels. */
+static void levels_that_agree_by_chance(void **state)
+{
+    (void)state;
+    static const struct {
+        double nu, speed, tolerance, one_minus_eps2, error;
+    } scene[] = {{-0.39751903436160374, 0.1787946778185473, 1e-4, 0.141706, 5e-6},
+                 {-0.085263505348613433, 0.45762461782887021, 1e-3, 0.196300, 3e-5}};
+    for (size_t i = 0; i < 2; i++) {
+        const struct cor_disk_hard_wall_options options = {scene[i].tolerance};
+        struct cor_disk_hard_wall out;
+        assert_int_equal(cor_disk_hard_wall_nu(scene[i].nu, &options, scene[i].speed, &out), COR_OK);
+        print_message("nu = %.4f, v = %.4f: %.6f +- %.1e after %zu levels, %.6f\n", scene[i].nu, scene[i].speed,
+                      out.one_minus_eps2, out.error_estimate, out.omega_levels, scene[i].one_minus_eps2);
+        check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) + scene[i].error <= out.error_estimate,
+              "%.6f +- %.1e, not %.6f", out.one_minus_eps2, out.error_estimate, scene[i].one_minus_eps2);
+    }
+    /* few levels: the estimate of a table that ends early holds, too */
+    for (size_t levels = 5; levels <= 6; levels++)
+        for (size_t i = 0; i < 2; i++) {
+            const struct cor_disk_modes modes = modes_of(scene[i].nu, levels);
+            const struct cor_disk_hard_wall out = wall_collide(&modes, scene[i].speed, 1e-6, COR_TOLERANCE_NOT_REACHED);
+            assert_int_equal(out.omega_levels, levels);
+            check(fabs(out.one_minus_eps2 - scene[i].one_minus_eps2) <= out.error_estimate, "%zu levels: %.6f +- %.1e",
+                  levels, out.one_minus_eps2, out.error_estimate);
+            free((void *)modes.mode);
+        }
+}
+
 /* ---- any speed ---- */
 
 /* Rayleigh's theory is approached slowly; the ratio to its fraction oscillates at first. */
@@ -350,9 +380,15 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_answers),     cmocka_unit_test(proved_modes), cmocka_unit_test(errors),
-        cmocka_unit_test(slower_and_slower), cmocka_unit_test(joins),        cmocka_unit_test(without_a_table),
-        cmocka_unit_test(details),           cmocka_unit_test(refusals),
+        cmocka_unit_test(known_answers),
+        cmocka_unit_test(proved_modes),
+        cmocka_unit_test(errors),
+        cmocka_unit_test(levels_that_agree_by_chance),
+        cmocka_unit_test(slower_and_slower),
+        cmocka_unit_test(joins),
+        cmocka_unit_test(without_a_table),
+        cmocka_unit_test(details),
+        cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
