@@ -116,6 +116,31 @@ COR_SPHERE_DECLARE_(max_overlap)
  * Special values: +-0 -> tau_0 of (51), 1.6090...; +inf -> 0; negative and NaN -> NaN. Source: (51) to (56). */
 COR_SPHERE_DECLARE_(time_of_max_overlap)
 
+/* ---- Arrays in float arithmetic ----
+ *
+ * void cor_sphere_eps_zero_overlap_fast_arrayf(const float *x, float *y, size_t n), and of the other functions of beta
+ * above: y[i] is the function at x[i], computed in float arithmetic. They take less than half the time of the double
+ * arrays. The results are not correctly rounded: those of cor_sphere_eps_zero_overlap_arrayf are, which rounds the
+ * double result once.
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_FAST_FLOAT_MAX_ULP, measured at every float from 0 to infinity
+ * (tests/accuracy/test_fast_floats). Beta >= 8 (zero overlap) or 16 (other functions), -0 and, for the loss, 0 <
+ * beta < 2^-100 get the correctly rounded result, one at a time and more slowly.
+ * Special values: those of the double functions; beta = 0 gives them exactly.
+ * In every floating-point environment of the caller, and on every processor, the same input gives the same bits. n, x
+ * and y are as above. Source: that of each function. */
+#define COR_SPHERE_FAST_FLOAT_MAX_ULP 1.0
+#define COR_SPHERE_DECLARE_FAST_(quantity)                                                                             \
+    COR_API void cor_sphere_##quantity##_fast_arrayf(const float *x, float *y, size_t n);
+COR_SPHERE_DECLARE_FAST_(eps_zero_overlap)
+COR_SPHERE_DECLARE_FAST_(eps_zero_force)
+COR_SPHERE_DECLARE_FAST_(loss_zero_overlap)
+COR_SPHERE_DECLARE_FAST_(loss_zero_force)
+COR_SPHERE_DECLARE_FAST_(duration_zero_overlap)
+COR_SPHERE_DECLARE_FAST_(duration_zero_force)
+COR_SPHERE_DECLARE_FAST_(max_overlap)
+COR_SPHERE_DECLARE_FAST_(time_of_max_overlap)
+#undef COR_SPHERE_DECLARE_FAST_
+
 /* ---- Damping during the approach only ----
  *
  * Some simulators damp the force while the bodies approach, and use the elastic force alone from the turning point on

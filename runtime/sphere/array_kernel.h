@@ -7,6 +7,8 @@
 #include <stddef.h>
 
 #include "cor/sphere.h"
+#include "generated/sphere_float_tables.h"
+#include "runtime/core/float_lanes.h"
 #include "runtime/core/row_lanes.h"
 #include "runtime/sphere/array.h"
 #include "runtime/sphere/contact_parts.h"
@@ -278,6 +280,21 @@ KERNEL void dissipation_from_eps(const struct cor_sphere_contact *contact, const
 
 /* ---- the functions of a set ---- */
 
+#define ARRAY_OF_FLOATS(quantity, NAME, product)                                                                       \
+    static void float_##quantity(const float *in, float *out, size_t n)                                                \
+    {                                                                                                                  \
+        const struct float_table table = FLOAT_TABLE(quantity, NAME, product);                                         \
+        floats_from_beta(in, out, n, &table, cor_sphere_##quantity##f);                                                \
+    }
+ARRAY_OF_FLOATS(eps_zero_overlap, EPS_ZERO_OVERLAP, 0)
+ARRAY_OF_FLOATS(eps_zero_force, EPS_ZERO_FORCE, 0)
+ARRAY_OF_FLOATS(loss_zero_overlap, LOSS_ZERO_OVERLAP, 1)
+ARRAY_OF_FLOATS(loss_zero_force, LOSS_ZERO_FORCE, 1)
+ARRAY_OF_FLOATS(duration_zero_overlap, DURATION_ZERO_OVERLAP, 0)
+ARRAY_OF_FLOATS(duration_zero_force, DURATION_ZERO_FORCE, 0)
+ARRAY_OF_FLOATS(max_overlap, MAX_OVERLAP, 0)
+ARRAY_OF_FLOATS(time_of_max_overlap, TIME_OF_MAX_OVERLAP, 0)
+
 #define ARRAY_FROM_BETA(quantity)                                                                                      \
     static void array_##quantity(const double *in, double *out, size_t n)                                              \
     {                                                                                                                  \
@@ -331,10 +348,11 @@ ARRAY_DISSIPATION(overlap)
 ARRAY_DISSIPATION(force)
 
 #define ARRAY_SPHERE_ENTRY(quantity) array_##quantity,
+#define ARRAY_FLOAT_ENTRY(quantity) float_##quantity,
 #define ARRAY_CONTACT_ENTRY(quantity) contact_##quantity,
 #define ARRAYS(set)                                                                                                    \
-    const struct cor_array_set cor_array_##set = {#set, COR_SPHERE_QUANTITIES(ARRAY_SPHERE_ENTRY)                      \
-                                                            COR_CONTACT_QUANTITIES(ARRAY_CONTACT_ENTRY)                \
-                                                                COR_DISSIPATION_QUANTITIES(ARRAY_CONTACT_ENTRY)};
+    const struct cor_array_set cor_array_##set = {                                                                     \
+        #set, COR_SPHERE_QUANTITIES(ARRAY_SPHERE_ENTRY) COR_FLOAT_QUANTITIES(ARRAY_FLOAT_ENTRY)                        \
+                  COR_CONTACT_QUANTITIES(ARRAY_CONTACT_ENTRY) COR_DISSIPATION_QUANTITIES(ARRAY_CONTACT_ENTRY)};
 
 #endif
