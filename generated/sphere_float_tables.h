@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for float
- * arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/core/float_row.h. Source:
+ * arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/core/float_lanes.h. Source:
  * docs/derivation.md, 4 to 6 and 8; form: docs/header-format.md.
  *
  * Written by:  corgen tables

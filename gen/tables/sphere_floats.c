@@ -29,7 +29,7 @@ enum { FLOAT_TABLES = sizeof float_tables / sizeof *float_tables };
 
 static const char floats_banner[] =
     "Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for float\n"
-    "arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/core/float_row.h. Source:\n"
+    "arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/core/float_lanes.h. Source:\n"
     "docs/derivation.md, 4 to 6 and 8; form: docs/header-format.md.\n"
     "\n"
     "Written by:  corgen tables\n"

@@ -128,7 +128,7 @@ COR_SPHERE_DECLARE_(time_of_max_overlap)
  * Special values: those of the double functions; beta = 0 gives them exactly.
  * In every floating-point environment of the caller, and on every processor, the same input gives the same bits. n, x
  * and y are as above. Source: that of each function. */
-#define COR_SPHERE_FAST_FLOAT_MAX_ULP 1.0
+#define COR_SPHERE_FAST_FLOAT_MAX_ULP 0.75
 #define COR_SPHERE_DECLARE_FAST_(quantity)                                                                             \
     COR_API void cor_sphere_##quantity##_fast_arrayf(const float *x, float *y, size_t n);
 COR_SPHERE_DECLARE_FAST_(eps_zero_overlap)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions in float arithmetic that evaluate a row of a table of cubics (gen/approximation/float_rows.h) for each
- * number. A kernel that includes this file is compiled once for every instruction set. No set may fuse a multiplication
- * with an addition, so all sets give the same bits.
+/* Array functions in float arithmetic that evaluate a row of a table of cubics for each number
+ * (gen/approximation/float_rows.h). A kernel that includes this file is compiled once for every instruction set. No set
+ * may fuse a multiplication with an addition, so all sets give the same bits.
  *
- * A row has 16 bytes: one load fetches it, and shuffles turn the rows of eight numbers into four vectors. A table needs
- * no root and no logarithm, because its cells follow the exponent of the argument. */
+ * A row has 16 bytes: one load fetches it, and shuffles turn the rows of eight numbers into four vectors. The exponent
+ * and the first bits of a number are the row's index, so that no root is needed near beta = 0. */
 #ifndef COR_RUNTIME_FLOAT_LANES_H
 #define COR_RUNTIME_FLOAT_LANES_H
 
