@@ -70,7 +70,7 @@ module cor
   integer(c_int), parameter, public :: COR_SPHERE_INLINE_NATIVE_ULP = 4
   real(c_double), parameter, public :: COR_SPHERE_FLOAT_MAX_ULP = 1.0_c_double
   real(c_double), parameter, public :: COR_SPHERE_C1 = -1.15344885809528879913_c_double
-  real(c_double), parameter, public :: COR_SPHERE_FAST_FLOAT_MAX_ULP = 1.0_c_double
+  real(c_double), parameter, public :: COR_SPHERE_FAST_FLOAT_MAX_ULP = 0.75_c_double
   real(c_double), parameter, public :: COR_SPHERE_APPROACH_MAX_ULP = 2.0_c_double
   real(c_double), parameter, public :: COR_SPHERE_SIMPLE_D = 0.504454894269828315974_c_double
   real(c_double), parameter, public :: COR_SPHERE_EPS_SIMPLE_MAX_ULP = 12.0_c_double
@@ -4036,6 +4036,16 @@ module cor
   public :: cor_sphere_time_of_max_overlap_array
 
   interface
+    function cor_sphere_eps_zero_overlap_fastf(x) bind(c, name="cor_sphere_eps_zero_overlap_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_eps_zero_overlap_fastf
+
+  interface
     subroutine cor_sphere_eps_zero_overlap_fast_arrayf(x, y, n) bind(c, &
       name="cor_sphere_eps_zero_overlap_fast_arrayf")
       import
@@ -4045,6 +4055,16 @@ module cor
     end subroutine
   end interface
   public :: cor_sphere_eps_zero_overlap_fast_arrayf
+
+  interface
+    function cor_sphere_eps_zero_force_fastf(x) bind(c, name="cor_sphere_eps_zero_force_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_eps_zero_force_fastf
 
   interface
     subroutine cor_sphere_eps_zero_force_fast_arrayf(x, y, n) bind(c, &
@@ -4058,6 +4078,16 @@ module cor
   public :: cor_sphere_eps_zero_force_fast_arrayf
 
   interface
+    function cor_sphere_loss_zero_overlap_fastf(x) bind(c, name="cor_sphere_loss_zero_overlap_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_loss_zero_overlap_fastf
+
+  interface
     subroutine cor_sphere_loss_zero_overlap_fast_arrayf(x, y, n) bind(c, &
       name="cor_sphere_loss_zero_overlap_fast_arrayf")
       import
@@ -4067,6 +4097,16 @@ module cor
     end subroutine
   end interface
   public :: cor_sphere_loss_zero_overlap_fast_arrayf
+
+  interface
+    function cor_sphere_loss_zero_force_fastf(x) bind(c, name="cor_sphere_loss_zero_force_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_loss_zero_force_fastf
 
   interface
     subroutine cor_sphere_loss_zero_force_fast_arrayf(x, y, n) bind(c, &
@@ -4080,6 +4120,16 @@ module cor
   public :: cor_sphere_loss_zero_force_fast_arrayf
 
   interface
+    function cor_sphere_duration_zero_overlap_fastf(x) bind(c, name="cor_sphere_duration_zero_overlap_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_duration_zero_overlap_fastf
+
+  interface
     subroutine cor_sphere_duration_zero_overlap_fast_arrayf(x, y, n) bind(c, &
       name="cor_sphere_duration_zero_overlap_fast_arrayf")
       import
@@ -4089,6 +4139,16 @@ module cor
     end subroutine
   end interface
   public :: cor_sphere_duration_zero_overlap_fast_arrayf
+
+  interface
+    function cor_sphere_duration_zero_force_fastf(x) bind(c, name="cor_sphere_duration_zero_force_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_duration_zero_force_fastf
 
   interface
     subroutine cor_sphere_duration_zero_force_fast_arrayf(x, y, n) bind(c, &
@@ -4102,6 +4162,15 @@ module cor
   public :: cor_sphere_duration_zero_force_fast_arrayf
 
   interface
+    function cor_sphere_max_overlap_fastf(x) bind(c, name="cor_sphere_max_overlap_fastf") result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_max_overlap_fastf
+
+  interface
     subroutine cor_sphere_max_overlap_fast_arrayf(x, y, n) bind(c, name="cor_sphere_max_overlap_fast_arrayf")
       import
       real(c_float), intent(in) :: x(*)
@@ -4110,6 +4179,16 @@ module cor
     end subroutine
   end interface
   public :: cor_sphere_max_overlap_fast_arrayf
+
+  interface
+    function cor_sphere_time_of_max_overlap_fastf(x) bind(c, name="cor_sphere_time_of_max_overlap_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_time_of_max_overlap_fastf
 
   interface
     subroutine cor_sphere_time_of_max_overlap_fast_arrayf(x, y, n) bind(c, &

@@ -7,12 +7,11 @@
 #include <stddef.h>
 
 #include "cor/sphere.h"
-#include "generated/sphere_float_tables.h"
-#include "runtime/core/float_lanes.h"
 #include "runtime/core/row_lanes.h"
 #include "runtime/sphere/array.h"
 #include "runtime/sphere/contact_parts.h"
 #include "runtime/sphere/eval.h"
+#include "runtime/sphere/fast_float.h"
 
 /* ---- tables in beta and in its root: the first loop ---- */
 
@@ -280,20 +279,13 @@ KERNEL void dissipation_from_eps(const struct cor_sphere_contact *contact, const
 
 /* ---- the functions of a set ---- */
 
-#define ARRAY_OF_FLOATS(quantity, NAME, product)                                                                       \
+#define ARRAY_OF_FLOATS(quantity)                                                                                      \
     static void float_##quantity(const float *in, float *out, size_t n)                                                \
     {                                                                                                                  \
-        const struct float_table table = FLOAT_TABLE(quantity, NAME, product);                                         \
+        const struct float_table table = float_table_##quantity();                                                     \
         floats_from_beta(in, out, n, &table, cor_sphere_##quantity##f);                                                \
     }
-ARRAY_OF_FLOATS(eps_zero_overlap, EPS_ZERO_OVERLAP, 0)
-ARRAY_OF_FLOATS(eps_zero_force, EPS_ZERO_FORCE, 0)
-ARRAY_OF_FLOATS(loss_zero_overlap, LOSS_ZERO_OVERLAP, 1)
-ARRAY_OF_FLOATS(loss_zero_force, LOSS_ZERO_FORCE, 1)
-ARRAY_OF_FLOATS(duration_zero_overlap, DURATION_ZERO_OVERLAP, 0)
-ARRAY_OF_FLOATS(duration_zero_force, DURATION_ZERO_FORCE, 0)
-ARRAY_OF_FLOATS(max_overlap, MAX_OVERLAP, 0)
-ARRAY_OF_FLOATS(time_of_max_overlap, TIME_OF_MAX_OVERLAP, 0)
+COR_FLOAT_QUANTITIES(ARRAY_OF_FLOATS)
 
 #define ARRAY_FROM_BETA(quantity)                                                                                      \
     static void array_##quantity(const double *in, double *out, size_t n)                                              \

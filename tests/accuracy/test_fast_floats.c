@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The arrays in float arithmetic against those in double, at every float from 0 to infinity: the largest error in units
- * of the last place of a float, where it is, and the share of results that are not correctly rounded. The double
- * functions are off by COR_SPHERE_TIME_MAX_ULP units of a double at most, which counts as part of the error.
+/* The arrays in float arithmetic against those in double, at every float from 0 to 16: the largest error in units of the
+ * last place of a float, where it is, and how many results are not correctly rounded. The double functions are off by
+ * COR_SPHERE_TIME_MAX_ULP units of a double at most, which counts as part of the error. From 16 on the arrays return
+ * cor_sphere_..f, which test_floats takes at every float; 1 in 64 floats are taken here.
  *
  *     test_fast_floats [--only TEXT] [--threads N] [--stride N]
  *
- * --stride N takes every Nth float up to beta = 16, and every 64 Nth float beyond, where the functions compute one number
- * at a time in double. The exit status is 1 if an error exceeds COR_SPHERE_FAST_FLOAT_MAX_ULP. */
+ * --stride N takes every Nth float, and 1 in 64 N from 16 on. The exit status is 1 if an error exceeds
+ * COR_SPHERE_FAST_FLOAT_MAX_ULP. */
 #include <cor/sphere.h>
 
 #include <inttypes.h>
@@ -84,7 +85,7 @@ static void *scan_chunks(void *argument)
     for (uint64_t chunk = job->thread; chunk << CHUNK_BITS <= infinity_bits; chunk += job->threads) {
         const uint64_t end = (chunk + 1) << CHUNK_BITS;
         for (uint64_t bits = chunk << CHUNK_BITS; bits < end && bits <= infinity_bits;) {
-            const uint64_t step = (uint64_t)job->stride * (job->stride > 1 && bits >= far_bits ? FAR_STRIDE : 1);
+            const uint64_t step = (uint64_t)job->stride * (bits >= far_bits ? FAR_STRIDE : 1);
             float xf[BLOCK];
             double x[BLOCK];
             size_t n = 0;

@@ -93,6 +93,8 @@ def test_fast_arrays():
     assert cor.sphere.eps_zero_force_fast_arrayf(narrow, out=out) is out
     np.testing.assert_array_equal(out, fast)
     assert cor.sphere.loss_zero_overlap_fast_arrayf(np.float32(0)) == 0
+    assert cor.sphere.eps_zero_force_fastf(narrow[1, 2]) == fast[1, 2]
+    assert cor.sphere.eps_zero_force_fastf(0.0) == 1
     with pytest.raises(TypeError, match="float32 is needed"):
         cor.sphere.max_overlap_fast_arrayf(X)
     with pytest.raises(ValueError, match="shape"):
