@@ -960,6 +960,22 @@ module cor
   public :: cor_disk_collision
 
   interface
+    function cor_disk_collision_array(modes, n_modes, options, speed, n, out, status) bind(c, &
+      name="cor_disk_collision_array") result(result_of_c)
+      import
+      type(cor_disk_modes_t), intent(in) :: modes
+      integer(c_size_t), value :: n_modes
+      type(cor_disk_collision_options_t), intent(in) :: options
+      real(c_double), intent(in) :: speed(*)
+      integer(c_size_t), value :: n
+      type(cor_disk_collision_t), intent(inout) :: out(*)
+      integer(c_int), intent(inout), optional :: status(*)
+      integer(c_int) :: result_of_c
+    end function
+  end interface
+  public :: cor_disk_collision_array
+
+  interface
     pure function c_cor_disk_collision_workspace(modes, n_modes, options) bind(c, &
       name="cor_disk_collision_workspace") result(result_of_c)
       import

@@ -25,7 +25,7 @@
 COR_INLINE const float *cor_rows_float_eps_zero_overlap(int i)
 {
     static const float row[1153][4] = {
-        {0x1p+0f, -0x1.274864p+0f, 0x1.98a3a6p-1f, -0x1.055f88p-1f}, /* [0] beta < 0.015625, 30.6 bits */
+        {0x1p+0f, -0x1.274866p+0f, 0x1.98a76ap-1f, -0x1.06p-1f}, /* [0] beta < 0.015625, 30.8 bits */
         {0x1.f6d5fep-1f, -0x1.20f822p+0f, 0x1.8c5f94p-1f, -0x1.01625cp-1f}, /* [1] beta < 0.0157471, 38.2 bits */
         {0x1.f6c3eep-1f, -0x1.20ebcp+0f, 0x1.8c4782p-1f, -0x1.006596p-1f}, /* [2] beta < 0.0158691, 35.3 bits */
         {0x1.f6b1ep-1f, -0x1.20df5ep+0f, 0x1.8c2f72p-1f, -0x1.0064cap-1f}, /* [3] beta < 0.0159912, 34.9 bits */
@@ -1191,7 +1191,7 @@ COR_INLINE const float *cor_rows_float_eps_zero_overlap(int i)
 COR_INLINE const float *cor_rows_float_eps_zero_force(int i)
 {
     static const float row[833][4] = {
-        {0x1p+0f, -0x1.274886p+0f, 0x1.9c5916p-1f, 0x1.1e5d6cp+1f}, /* [0] beta < 0.00195312, 33.3 bits */
+        {0x1p+0f, -0x1.274886p+0f, 0x1.9c5a2ep-1f, 0x1.1ep+1f}, /* [0] beta < 0.00195312, 32.5 bits */
         {0x1.fed6d2p-1f, -0x1.267712p+0f, 0x1.a26752p-1f, 0x1.506386p+0f}, /* [1] beta < 0.00198364, 36.0 bits */
         {0x1.fed238p-1f, -0x1.2673cep+0f, 0x1.a276fep-1f, 0x1.4c646cp+0f}, /* [2] beta < 0.00201416, 36.0 bits */
         {0x1.fecd9ep-1f, -0x1.267088p+0f, 0x1.a2867ep-1f, 0x1.486524p+0f}, /* [3] beta < 0.00204468, 35.2 bits */
@@ -4397,7 +4397,7 @@ COR_INLINE const float *cor_rows_float_duration_zero_force(int i)
 COR_INLINE const float *cor_rows_float_max_overlap(int i)
 {
     static const float row[321][4] = {
-        {0x1.17e694p+0f, -0x1.0247e4p-1f, 0x1.22d238p-2f, -0x1.556548p-3f}, /* [0] beta < 0.015625, 31.2 bits */
+        {0x1.17e694p+0f, -0x1.0247e4p-1f, 0x1.22d238p-2f, -0x1.556546p-3f}, /* [0] beta < 0.015625, 30.8 bits */
         {0x1.15de96p+0f, -0x1.fb75dcp-2f, 0x1.1ab8eap-2f, -0x1.4e659p-3f}, /* [1] beta < 0.0161133, 34.2 bits */
         {0x1.15cebcp+0f, -0x1.fb2f36p-2f, 0x1.1a7a1ap-2f, -0x1.4f6484p-3f}, /* [2] beta < 0.0166016, 36.8 bits */
         {0x1.15bee4p+0f, -0x1.fae8ap-2f, 0x1.1a3b5ap-2f, -0x1.4f662p-3f}, /* [3] beta < 0.0170898, 34.1 bits */

@@ -75,7 +75,8 @@ static void cubic_of_cell(double a[DEGREE + 1], const struct float_rows *r, cons
     _arb_vec_clear(value, DEGREE + 1);
 }
 
-static double head_of(const struct float_rows *r, const struct interpolant *f, double node)
+/* c_0 at a node, and its remainder */
+static double head_of(double *remainder, const struct float_rows *r, const struct interpolant *f, double node)
 {
     const slong bits = r->head_bits > 0 ? r->head_bits : FLT_MANT_DIG;
     arb_t y;
@@ -84,6 +85,8 @@ static double head_of(const struct float_rows *r, const struct interpolant *f, d
     arf_init(head);
     quantity_at(y, r, f, node);
     arf_set_round(head, arb_midref(y), bits, ARF_RND_NEAR);
+    arb_sub_arf(y, y, head, WORKING_BITS);
+    *remainder = arf_get_d(arb_midref(y), ARF_RND_NEAR);
     const double c_0 = arf_get_d(head, ARF_RND_NEAR);
     arf_clear(head);
     arb_clear(y);
@@ -132,7 +135,8 @@ static void columns_of_cubic(float c[FLOAT_ROWS_COLUMNS], double c_0, const doub
     const double m = (cell->lo + cell->hi) / 2 - cell->node, h2 = pow((cell->hi - cell->lo) / 2, 2);
     c[0] = (float)c_0;
     c[3] = with_remainder(a[3], a[0]);
-    c[3] = with_remainder(a[3], a[0] + (a[3] - (double)c[3]) * m * (m * m - 0.75 * h2));
+    if (cell->node > 0)
+        c[3] = with_remainder(a[3], a[0] + (a[3] - (double)c[3]) * m * (m * m - 0.75 * h2));
     const double d = a[3] - (double)c[3];
     c[1] = (float)(a[1] + d * (0.75 * h2 - 3 * m * m));
     c[2] = (float)(a[2] + d * 3 * m);
@@ -188,9 +192,11 @@ static void cut_float_row(void *context, slong row)
     struct float_rows *const r = work->rows;
     const struct float_cell cell = cell_of(r, row);
     float *const c = r->column + row * FLOAT_ROWS_COLUMNS;
-    double a[DEGREE + 1];
-    const double c_0 = head_of(r, work->f, cell.node);
+    double a[DEGREE + 1], remainder;
+    const double c_0 = head_of(&remainder, r, work->f, cell.node);
     cubic_of_cell(a, r, work->f, &cell, c_0);
+    if (row == 0) /* exact at beta = 0: eps never exceeds 1, however the caller rounds */
+        a[0] = remainder;
     columns_of_cubic(c, c_0, a, &cell);
     r->bits[row] = row_bits(r, work->f, &cell, c);
 }

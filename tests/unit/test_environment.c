@@ -115,6 +115,22 @@ static void call_fast_arrays(const struct arguments *a, struct results *r)
 #undef FAST_ARRAY
 }
 
+static void call_fast(const struct arguments *a, struct results *r)
+{
+    put_float(r, cor_sphere_eps_zero_overlap_fastf(a->betaf));
+    put_float(r, cor_sphere_eps_zero_force_fastf(a->betaf));
+    put_float(r, cor_sphere_loss_zero_overlap_fastf(a->betaf));
+    put_float(r, cor_sphere_loss_zero_force_fastf(a->betaf));
+}
+
+static void call_fast_times(const struct arguments *a, struct results *r)
+{
+    put_float(r, cor_sphere_duration_zero_overlap_fastf(a->betaf));
+    put_float(r, cor_sphere_duration_zero_force_fastf(a->betaf));
+    put_float(r, cor_sphere_max_overlap_fastf(a->betaf));
+    put_float(r, cor_sphere_time_of_max_overlap_fastf(a->betaf));
+}
+
 /* generated/cor_sphere.h */
 static void call_inline(const struct arguments *a, struct results *r)
 {
@@ -293,6 +309,8 @@ static const struct {
     SPHERE_ROWS(max_overlap, 0),
     SPHERE_ROWS(time_of_max_overlap, 0),
     {"fast arrays", call_fast_arrays, 4, 0, 1},
+    {"fast eps and loss", call_fast, 1, 1, 0},
+    {"fast times and overlap", call_fast_times, 1, 0, 0},
     {"cor_sphere.h, eps and loss", call_inline, 1, 1, 0},
     {"cor_sphere.h, the others", call_inline_times, 1, 0, 0},
     {"formulas of 1999", call_formulas_of_1999, 1, 1, 0},
