@@ -44,10 +44,10 @@ static const uint32_t infinity_bits = UINT32_C(0x7f800000), far_bits = UINT32_C(
 
 struct job {
     const struct function *f;
-    uint32_t thread, threads, stride;
     uint64_t count, unrounded;
     double worst;
     float worst_at;
+    uint32_t thread, threads, stride;
 };
 
 /* |result - exact| in units of the last place of a float, subnormals included */
@@ -99,7 +99,7 @@ static void *scan_chunks(void *argument)
 
 static int report(const struct function *f, uint32_t stride, uint32_t threads)
 {
-    struct job jobs[MAX_THREADS], all = {f, 0, threads, stride, 0, 0, 0, 0};
+    struct job jobs[MAX_THREADS], all = {.f = f, .threads = threads, .stride = stride};
     pthread_t started[MAX_THREADS];
     for (uint32_t i = 0; i < threads; i++) {
         jobs[i] = all;
