@@ -10,6 +10,10 @@ name ~ /^spheres_/ {
     scene[name, n] = $1; curve[name, n] = $2; setting[name, n] = $3; set[name, n] = $4; end[name, n] = $5
     form[name, n] = $6; ns[name, n] = $7; chained[name, n] = $8; error[name, n] = $9
 }
+name == "floats" && ($3 == "as shipped" || $3 == "") {
+    f_ns[$1, $2] = $4; f_share[$1, $2] = $5; f_error[$1, $2] = $6
+    if (!f_seen[$1]++) quantity[++quantities] = $1
+}
 name == "disks" {
     n = ++rows[name]
     table[n] = $1; method[n] = $2; speed[n] = $3; d_setting[n] = $4; modes[n] = $5; d_s[n] = $6; d_error[n] = $7
@@ -134,6 +138,20 @@ function spheres(t, from, picture,    i, j, k, cor, array, s, where, scenes, end
         }
 }
 
+function floats(    i, q) {
+    if (!quantities)
+        return
+    print "\n## Spheres, float against double\n"
+    print "Functions of beta, 0.3 <= beta <= 1.9, one at a time and in arrays: ns, and the share of the time in double. A function that ends in f rounds the double result once, and one in fastf computes in float. Errors are in units of the last place of a float; `floats.csv` also has the instruction sets.\n"
+    print "| function | double | `..f` | `..fastf` | array | `.._arrayf` | `.._fast_arrayf` | error of `..f` | of `..fastf` |"
+    print "|---|---|---|---|---|---|---|---|---|"
+    for (i = 1; i <= quantities; i++) {
+        q = quantity[i]
+        printf "| %s | %.2f | %.2f, %.2f | %.2f, %.2f | %.2f | %.2f, %.2f | %.2f, %.2f | %s | %s |\n", q, f_ns[q, "double"], f_ns[q, "float"], \
+            f_share[q, "float"], f_ns[q, "fast float"], f_share[q, "fast float"], f_ns[q, "double array"], f_ns[q, "float array"], \
+            f_share[q, "float array"], f_ns[q, "fast float array"], f_share[q, "fast float array"], f_error[q, "float"], f_error[q, "fast float array"]
+    }
+}
 function large_arrays(    t, i, text) {
     t = "spheres_speed"
     text = ""
@@ -432,6 +450,7 @@ END {
     spheres("spheres_speed", "a speed", "spheres_speed.svg")
     large_arrays()
     spheres("spheres_beta", "beta", "spheres_beta.svg")
+    floats()
     rayleigh()
     collisions()
     generator()

@@ -2,6 +2,7 @@
 # The sources of corgen but for main.c, in alphabetical order: add a file to gen/, add a line here.
 set(COR_GENERATOR_SOURCES
   gen/approximation/ellipse_bound.c
+  gen/approximation/float_rows.c
   gen/approximation/function_rows.c
   gen/approximation/interpolant.c
   gen/approximation/law_layout.c
@@ -81,6 +82,7 @@ set(COR_GENERATOR_SOURCES
   gen/tables/limits.c
   gen/tables/pade.c
   gen/tables/sphere.c
+  gen/tables/sphere_floats.c
   gen/tables/waves.c)
 # Sources that call the library with its tables. COR_BOOTSTRAP=ON leaves them out.
 set(COR_GENERATOR_CALLERS

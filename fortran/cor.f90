@@ -70,6 +70,7 @@ module cor
   integer(c_int), parameter, public :: COR_SPHERE_INLINE_NATIVE_ULP = 4
   real(c_double), parameter, public :: COR_SPHERE_FLOAT_MAX_ULP = 1.0_c_double
   real(c_double), parameter, public :: COR_SPHERE_C1 = -1.15344885809528879913_c_double
+  real(c_double), parameter, public :: COR_SPHERE_FAST_FLOAT_MAX_ULP = 0.75_c_double
   real(c_double), parameter, public :: COR_SPHERE_APPROACH_MAX_ULP = 2.0_c_double
   real(c_double), parameter, public :: COR_SPHERE_SIMPLE_D = 0.504454894269828315974_c_double
   real(c_double), parameter, public :: COR_SPHERE_EPS_SIMPLE_MAX_ULP = 12.0_c_double
@@ -957,6 +958,22 @@ module cor
     end function
   end interface
   public :: cor_disk_collision
+
+  interface
+    function cor_disk_collision_array(modes, n_modes, options, speed, n, out, status) bind(c, &
+      name="cor_disk_collision_array") result(result_of_c)
+      import
+      type(cor_disk_modes_t), intent(in) :: modes
+      integer(c_size_t), value :: n_modes
+      type(cor_disk_collision_options_t), intent(in) :: options
+      real(c_double), intent(in) :: speed(*)
+      integer(c_size_t), value :: n
+      type(cor_disk_collision_t), intent(inout) :: out(*)
+      integer(c_int), intent(inout), optional :: status(*)
+      integer(c_int) :: result_of_c
+    end function
+  end interface
+  public :: cor_disk_collision_array
 
   interface
     pure function c_cor_disk_collision_workspace(modes, n_modes, options) bind(c, &
@@ -4033,6 +4050,172 @@ module cor
     end subroutine
   end interface
   public :: cor_sphere_time_of_max_overlap_array
+
+  interface
+    function cor_sphere_eps_zero_overlap_fastf(x) bind(c, name="cor_sphere_eps_zero_overlap_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_eps_zero_overlap_fastf
+
+  interface
+    subroutine cor_sphere_eps_zero_overlap_fast_arrayf(x, y, n) bind(c, &
+      name="cor_sphere_eps_zero_overlap_fast_arrayf")
+      import
+      real(c_float), intent(in) :: x(*)
+      real(c_float), intent(inout) :: y(*)
+      integer(c_size_t), value :: n
+    end subroutine
+  end interface
+  public :: cor_sphere_eps_zero_overlap_fast_arrayf
+
+  interface
+    function cor_sphere_eps_zero_force_fastf(x) bind(c, name="cor_sphere_eps_zero_force_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_eps_zero_force_fastf
+
+  interface
+    subroutine cor_sphere_eps_zero_force_fast_arrayf(x, y, n) bind(c, &
+      name="cor_sphere_eps_zero_force_fast_arrayf")
+      import
+      real(c_float), intent(in) :: x(*)
+      real(c_float), intent(inout) :: y(*)
+      integer(c_size_t), value :: n
+    end subroutine
+  end interface
+  public :: cor_sphere_eps_zero_force_fast_arrayf
+
+  interface
+    function cor_sphere_loss_zero_overlap_fastf(x) bind(c, name="cor_sphere_loss_zero_overlap_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_loss_zero_overlap_fastf
+
+  interface
+    subroutine cor_sphere_loss_zero_overlap_fast_arrayf(x, y, n) bind(c, &
+      name="cor_sphere_loss_zero_overlap_fast_arrayf")
+      import
+      real(c_float), intent(in) :: x(*)
+      real(c_float), intent(inout) :: y(*)
+      integer(c_size_t), value :: n
+    end subroutine
+  end interface
+  public :: cor_sphere_loss_zero_overlap_fast_arrayf
+
+  interface
+    function cor_sphere_loss_zero_force_fastf(x) bind(c, name="cor_sphere_loss_zero_force_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_loss_zero_force_fastf
+
+  interface
+    subroutine cor_sphere_loss_zero_force_fast_arrayf(x, y, n) bind(c, &
+      name="cor_sphere_loss_zero_force_fast_arrayf")
+      import
+      real(c_float), intent(in) :: x(*)
+      real(c_float), intent(inout) :: y(*)
+      integer(c_size_t), value :: n
+    end subroutine
+  end interface
+  public :: cor_sphere_loss_zero_force_fast_arrayf
+
+  interface
+    function cor_sphere_duration_zero_overlap_fastf(x) bind(c, name="cor_sphere_duration_zero_overlap_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_duration_zero_overlap_fastf
+
+  interface
+    subroutine cor_sphere_duration_zero_overlap_fast_arrayf(x, y, n) bind(c, &
+      name="cor_sphere_duration_zero_overlap_fast_arrayf")
+      import
+      real(c_float), intent(in) :: x(*)
+      real(c_float), intent(inout) :: y(*)
+      integer(c_size_t), value :: n
+    end subroutine
+  end interface
+  public :: cor_sphere_duration_zero_overlap_fast_arrayf
+
+  interface
+    function cor_sphere_duration_zero_force_fastf(x) bind(c, name="cor_sphere_duration_zero_force_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_duration_zero_force_fastf
+
+  interface
+    subroutine cor_sphere_duration_zero_force_fast_arrayf(x, y, n) bind(c, &
+      name="cor_sphere_duration_zero_force_fast_arrayf")
+      import
+      real(c_float), intent(in) :: x(*)
+      real(c_float), intent(inout) :: y(*)
+      integer(c_size_t), value :: n
+    end subroutine
+  end interface
+  public :: cor_sphere_duration_zero_force_fast_arrayf
+
+  interface
+    function cor_sphere_max_overlap_fastf(x) bind(c, name="cor_sphere_max_overlap_fastf") result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_max_overlap_fastf
+
+  interface
+    subroutine cor_sphere_max_overlap_fast_arrayf(x, y, n) bind(c, name="cor_sphere_max_overlap_fast_arrayf")
+      import
+      real(c_float), intent(in) :: x(*)
+      real(c_float), intent(inout) :: y(*)
+      integer(c_size_t), value :: n
+    end subroutine
+  end interface
+  public :: cor_sphere_max_overlap_fast_arrayf
+
+  interface
+    function cor_sphere_time_of_max_overlap_fastf(x) bind(c, name="cor_sphere_time_of_max_overlap_fastf") &
+      result(result_of_c)
+      import
+      real(c_float), value :: x
+      real(c_float) :: result_of_c
+    end function
+  end interface
+  public :: cor_sphere_time_of_max_overlap_fastf
+
+  interface
+    subroutine cor_sphere_time_of_max_overlap_fast_arrayf(x, y, n) bind(c, &
+      name="cor_sphere_time_of_max_overlap_fast_arrayf")
+      import
+      real(c_float), intent(in) :: x(*)
+      real(c_float), intent(inout) :: y(*)
+      integer(c_size_t), value :: n
+    end subroutine
+  end interface
+  public :: cor_sphere_time_of_max_overlap_fast_arrayf
 
   interface
     pure function c_cor_sphere_eps_approach_only(x) bind(c, name="cor_sphere_eps_approach_only") &

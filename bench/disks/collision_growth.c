@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How the time of a collision grows with the number of modes and the hardness of the wall. */
+/* How the time of a collision grows with the number of modes and the hardness of the wall, and the time of a speed in a
+ * list: by a call for each, and by one call for all. */
 #include <math.h>
 
 #include <cor/status.h>
@@ -60,4 +61,45 @@ void collision_growth(struct disk_bench *bench)
     for (size_t i = 0; i < walls; i++)
         wall[i] = (struct scene){.modes = &cor_disk_modes_nu033, .n = COLLISION_MODES, .alpha = ldexp(250, (int)i)};
     measure(bench, "collision alpha", wall, walls);
+}
+
+/* ---- a list of speeds ---- */
+
+enum { SPEEDS = 16 };
+
+struct list {
+    size_t n;
+    int at_once;
+};
+
+static void list_of_collisions(void *closure)
+{
+    const struct list *const list = closure;
+    const struct cor_disk_collision_options options = {COLLISION_ALPHA, tolerances[0], 0, 0};
+    struct cor_disk_collision out[SPEEDS];
+    double speed[SPEEDS];
+    int status = COR_OK;
+    for (int i = 0; i < SPEEDS; i++)
+        speed[i] = COLLISION_SPEED * (1 + 0.01 * i);
+    if (list->at_once)
+        status = cor_disk_collision_array(&cor_disk_modes_nu033, list->n, &options, speed, SPEEDS, out, NULL);
+    for (int i = 0; i < SPEEDS && !list->at_once && status == COR_OK; i++)
+        status = cor_disk_collision(&cor_disk_modes_nu033, list->n, &options, speed[i], &out[i]);
+    disk_must(status == COR_OK, cor_status_text(status));
+}
+
+void collision_lists(struct disk_bench *bench)
+{
+    static const size_t modes[] = {1, 30, 112, 940};
+    enum { SIZES = sizeof modes / sizeof *modes, WAYS = 2 };
+    struct list list[WAYS * SIZES];
+    struct job job[WAYS * SIZES];
+    for (size_t i = 0; i < WAYS * SIZES; i++) {
+        list[i] = (struct list){modes[i / WAYS], i % WAYS};
+        job[i] = (struct job){list_of_collisions, &list[i], SPEEDS, NAN};
+    }
+    timing_measure(job, WAYS * SIZES, collision_timing(bench));
+    for (size_t i = 0; i < WAYS * SIZES; i++)
+        disk_csv(bench, &(struct disk_row){"collision list", list[i].at_once ? "one call for all" : "a call for each",
+                                           COLLISION_SPEED, COLLISION_ALPHA, list[i].n, job[i].best_ns / 1e9, NAN});
 }

@@ -54,6 +54,7 @@ int main(int argc, char **argv)
     collision_curves(&bench);
     collision_models(&bench);
     collision_growth(&bench);
+    collision_lists(&bench);
     collision_sums(&bench);
     disk_hard_wall(&bench);
 

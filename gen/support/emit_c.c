@@ -124,6 +124,19 @@ void emit_rows_close(struct emit *e)
     fprintf(e->file, "    };\n    return row[i];\n}\n");
 }
 
+void emit_float_rows_open(struct emit *e, const char *name, slong rows, slong columns)
+{
+    fprintf(e->file, "COR_INLINE const float *%s(int i)\n{\n    static const float row[%ld][%ld] = {\n", name,
+            (long)rows, (long)columns);
+}
+
+void emit_float_row(struct emit *e, const char *comment, const float *value, slong columns, bool last)
+{
+    for (slong i = 0; i < columns; i++)
+        fprintf(e->file, "%s%af", i == 0 ? "        {" : ", ", (double)value[i]);
+    fprintf(e->file, "}%s /* %s */\n", last ? "" : ",", comment);
+}
+
 void emit_structs_open(struct emit *e, const char *type, const char *name, slong count)
 {
     fprintf(e->file, "static const struct %s %s[%ld] = {\n", type, name, (long)count);

@@ -36,6 +36,10 @@ void emit_rows_open(struct emit *e, const char *name, slong rows, slong columns)
 int emit_row(struct emit *e, const char *comment, arb_srcptr value, slong columns, bool last);
 void emit_rows_close(struct emit *e);
 
+/* The same with floats, which are written as they are, a row to a line. emit_rows_close ends the function. */
+void emit_float_rows_open(struct emit *e, const char *name, slong rows, slong columns);
+void emit_float_row(struct emit *e, const char *comment, const float *value, slong columns, bool last);
+
 /* Writes static const struct TYPE name[count], whose fields are integers and then doubles. Call open, emit_struct for
  * each element, and close. emit_struct returns as emit_row; with `decimal` the numbers are decimal, and no comment
  * repeats them. */

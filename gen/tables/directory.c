@@ -18,6 +18,7 @@
 #include "tables/laws.h"
 #include "tables/limits.h"
 #include "tables/sphere.h"
+#include "tables/sphere_floats.h"
 #include "tables/waves.h"
 
 enum { PATH_MAX_LENGTH = 4096 };
@@ -37,6 +38,7 @@ struct generated {
 static const struct generated files[] = {
     {"sphere_tables.h", sphere_tables_write, NULL, false},
     {"cor_sphere.h", sphere_header_write, NULL, false},
+    {"sphere_float_tables.h", sphere_float_tables_write, NULL, false},
     {"hertz_dashpot_tables.h", hertz_dashpot_tables_write, NULL, false},
     {"tsuji_tables.h", tsuji_tables_write, NULL, false},
     {"hunt_crossley_tables.h", hunt_crossley_tables_write, NULL, false},

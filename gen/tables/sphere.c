@@ -106,6 +106,11 @@ void sphere_tables_clear(void)
     data.made = false;
 }
 
+const struct interpolant *sphere_tables_interpolant(void)
+{
+    return sphere_data_make() ? NULL : data.tables.f;
+}
+
 static int emit_tables(struct emit *e)
 {
     emit_comment(e, "A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"

@@ -6,12 +6,16 @@
 
 #include <stdio.h>
 
+#include "approximation/interpolant.h"
 #include "tables/disk.h"
 
 int sphere_tables_write(FILE *file, const struct disk_table *none);
 int sphere_header_write(FILE *file, const struct disk_table *none);
 
-/* Both files share data that are computed once and kept. This function frees them. */
+/* The interpolant from which the tables are cut; NULL after reporting a failure. */
+const struct interpolant *sphere_tables_interpolant(void);
+
+/* All of them share data that are computed once and kept. This function frees them. */
 void sphere_tables_clear(void);
 
 #endif

@@ -285,6 +285,18 @@ COR_API int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_mode
                                const struct cor_disk_collision_options *options, double speed,
                                struct cor_disk_collision *out);
 
+/* The same at n speeds with one table, wall and tolerance: out[i] has the bits of cor_disk_collision at speed[i]. The
+ * speeds share the workspace, what depends on the modes alone, and the tables of equal numbers of angles. status is
+ * NULL, or receives the status of each speed. The numbers of out[i] are NaN, and steps is 0, where the speed is too high
+ * or NaN. If n is 0, speed and out may be NULL. max_steps holds for each speed. The function allocates its workspace
+ * once and frees it; callers may divide the speeds among threads.
+ * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
+ *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_MODES, COR_ERROR_TOLERANCE, COR_ERROR_ALPHA,
+ *     COR_ERROR_PHI_POINTS as above, COR_ERROR_MEMORY */
+COR_API int cor_disk_collision_array(const struct cor_disk_modes *modes, size_t n_modes,
+                                     const struct cor_disk_collision_options *options, const double *speed, size_t n,
+                                     struct cor_disk_collision *out, int *status);
+
 /* A moment of a collision */
 struct cor_disk_moment {
     double time;

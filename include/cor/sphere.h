@@ -116,6 +116,31 @@ COR_SPHERE_DECLARE_(max_overlap)
  * Special values: +-0 -> tau_0 of (51), 1.6090...; +inf -> 0; negative and NaN -> NaN. Source: (51) to (56). */
 COR_SPHERE_DECLARE_(time_of_max_overlap)
 
+/* ---- Float arithmetic ----
+ *
+ * float cor_sphere_eps_zero_overlap_fastf(float x), and of the other functions of beta above: computed in float
+ * arithmetic, in less time than in double; arrays take less than half the time of the double arrays. The results are not
+ * correctly rounded. Those of cor_sphere_eps_zero_overlapf and its array are, which round the double result once.
+ * cor_sphere_eps_zero_overlap_fast_arrayf(x, y, n) sets y[i] to the bits of the function at x[i], for i < n.
+ * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_FAST_FLOAT_MAX_ULP, in units of the last place of a float, measured at
+ * every float (tests/accuracy/test_fast_floats). Beta >= 8 (eps, loss and duration at zero overlap)
+ * or 16 (the others), -0 and, for the loss, 0 < beta < 2^-100 take the correctly rounded function, which is slower.
+ * Special values: those of the double functions; beta = 0 gives the float nearest to the exact value.
+ * Floating-point environment, n, x and y: as above. Source: that of each function. */
+#define COR_SPHERE_FAST_FLOAT_MAX_ULP 0.75
+#define COR_SPHERE_DECLARE_FAST_(quantity)                                                                             \
+    COR_API float cor_sphere_##quantity##_fastf(float x);                                                              \
+    COR_API void cor_sphere_##quantity##_fast_arrayf(const float *x, float *y, size_t n);
+COR_SPHERE_DECLARE_FAST_(eps_zero_overlap)
+COR_SPHERE_DECLARE_FAST_(eps_zero_force)
+COR_SPHERE_DECLARE_FAST_(loss_zero_overlap)
+COR_SPHERE_DECLARE_FAST_(loss_zero_force)
+COR_SPHERE_DECLARE_FAST_(duration_zero_overlap)
+COR_SPHERE_DECLARE_FAST_(duration_zero_force)
+COR_SPHERE_DECLARE_FAST_(max_overlap)
+COR_SPHERE_DECLARE_FAST_(time_of_max_overlap)
+#undef COR_SPHERE_DECLARE_FAST_
+
 /* ---- Damping during the approach only ----
  *
  * Some simulators damp the force while the bodies approach, and use the elastic force alone from the turning point on

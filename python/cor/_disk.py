@@ -169,6 +169,18 @@ def _one(out: Array) -> Any:
     return ffi.cast("struct cor_disk_rayleigh *", ffi.from_buffer("char[]", out, True))
 
 
+def _records(struct: str, whole: int, out: Array, status: Array, shape: Tuple[int, ...]) -> Any:
+    """The results of a list of speeds with their statuses. whole: the status of the call."""
+    if whole and not status.any():
+        raise CorError(whole)
+    judge(status.reshape(shape))
+    result = np.zeros(out.size, record_dtype(struct))
+    for name in out.dtype.names or ():
+        result[name] = out[name]
+    result["status"] = status
+    return result.reshape(shape).view(np.recarray)[()]
+
+
 @_documented("cor_disk_rayleigh")
 def rayleigh(modes: DiskModes, n_modes: int, datum: int, speed: float, mode_fraction: bool = False) -> Any:
     """A record of the results and the status; with mode_fraction also the array of the fractions."""
@@ -194,14 +206,7 @@ def rayleigh_array(modes: DiskModes, n_modes: int, datum: int, speed: ArrayLike,
     whole = lib.cor_disk_rayleigh_array(
         table, n_modes, datum, address(speeds), speeds.size, pointer_out, room, address(status, True)
     )
-    if whole and not status.any():
-        raise CorError(whole)
-    judge(status.reshape(speeds.shape))
-    result = np.zeros(speeds.size, _RAYLEIGH)
-    for name in out.dtype.names or ():
-        result[name] = out[name]
-    result["status"] = status
-    records = result.reshape(speeds.shape).view(np.recarray)[()]
+    records = _records("cor_disk_rayleigh", whole, out, status, speeds.shape)
     return (records, fractions) if mode_fraction else records
 
 
@@ -213,6 +218,24 @@ def rayleigh_tolerance(modes: DiskModes, datum: int, speed: float, tolerance: fl
     out["status"] = lib.cor_disk_rayleigh_tolerance(_table(modes), datum, speed, tolerance, _one(out), n_modes)
     judge(np.asarray(out["status"]))
     return out.view(np.recarray)[()], int(n_modes[0])
+
+
+@_documented("cor_disk_collision_array")
+def collision_array(modes: DiskModes, n_modes: int, options: Any, speed: ArrayLike) -> Any:
+    """An array of records of the results and the status, of the shape of speed."""
+    speeds = np.array(speed, np.float64, order="C")
+    out = np.zeros(speeds.size, plain_dtype("cor_disk_collision"))
+    status = np.zeros(speeds.size, np.intc)
+    whole = lib.cor_disk_collision_array(
+        _table(modes),
+        n_modes,
+        pointer(options, "cor_disk_collision_options"),
+        address(speeds),
+        speeds.size,
+        ffi.from_buffer("struct cor_disk_collision[]", out, True),
+        address(status, True),
+    )
+    return _records("cor_disk_collision", whole, out, status, speeds.shape)
 
 
 class _Detail:

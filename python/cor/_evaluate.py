@@ -145,7 +145,7 @@ def _integers(array: Array, kind: str) -> Array:
     return array.astype(dtype, order="C", copy=False)
 
 
-def _prepared(array: Array, dtype: "np.dtype[Any]") -> Array:
+def prepared_array(array: Array, dtype: "np.dtype[Any]") -> Array:
     """As C reads it: of this dtype, contiguous and aligned; copied only where it has to be."""
     array = array.astype(dtype, order="C", copy=False)
     return array if array.flags.aligned else array.copy()
@@ -163,8 +163,8 @@ class _Loop:
         reals = [_is_narrow(v, a) for v, a, kind in zip(values, arrays, self._kinds) if kind == "d"]
         narrow = True in reals and False not in reals
         real = _FLOAT32 if narrow and has_float else _FLOAT64
-        prepared = [_prepared(a, real) if kind == "d" else _integers(a, kind) for a, kind in zip(arrays, self._kinds)]
-        return prepared, narrow
+        pairs = zip(arrays, self._kinds)
+        return [prepared_array(a, real) if kind == "d" else _integers(a, kind) for a, kind in pairs], narrow
 
     @staticmethod
     def _arguments(arrays: List[Array], shape: Tuple[int, ...], size: int) -> List[Any]:
@@ -204,11 +204,11 @@ class Elementwise(_Loop):
         loop = self._float_loop if in_float else self._loop
         dtype = _FLOAT32 if in_float else self._result
         final = _FLOAT32 if narrow and self._result is _FLOAT64 else self._result
-        result = np.empty(shape, dtype) if not _fits(out, arrays, shape, dtype) else out
+        result = np.empty(shape, dtype) if not fits(out, arrays, shape, dtype) else out
         assert result is not None and loop is not None
         arguments = self._arguments(arrays, shape, result.size)
         if out is not None:
-            _check_out(out, shape, final)
+            check_out(out, shape, final)
         loop(*structs, *arguments, address(result, True), result.size)
         if out is not None:
             if result is not out:
@@ -217,7 +217,7 @@ class Elementwise(_Loop):
         return result.astype(final, copy=False)[()] if shape == () else result.astype(final, copy=False)
 
 
-def _fits(out: Optional[Array], arrays: List[Array], shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> bool:
+def fits(out: Optional[Array], arrays: List[Array], shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> bool:
     """Whether C may write to out: it has to be as C wants it, and may be an argument, but not overlap one by a part."""
     if not isinstance(out, np.ndarray) or out.dtype != dtype or out.shape != shape:
         return False
@@ -228,7 +228,7 @@ def _fits(out: Optional[Array], arrays: List[Array], shape: Tuple[int, ...], dty
     )
 
 
-def _check_out(out: Any, shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> None:
+def check_out(out: Any, shape: Tuple[int, ...], dtype: "np.dtype[Any]") -> None:
     if not isinstance(out, np.ndarray):
         raise TypeError(f"out is to be an array, not {type(out).__name__}")
     if out.shape != shape:

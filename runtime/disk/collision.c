@@ -69,6 +69,44 @@ static size_t misfit(const void *workspace)
     return beyond > 0 ? COR_COLLISION_ALIGNMENT - beyond : 0;
 }
 
+/* ---- what the speed does not change ---- */
+
+/* Sets up *m in the workspace, but for the speed and the angles. */
+static int collision_prepare(struct cor_motion *m, void *workspace, size_t bytes, const struct cor_disk_modes *modes,
+                             size_t n_modes, const struct cor_disk_collision_options *options)
+{
+    memset(m, 0, sizeof *m);
+    m->size = cor_motion_sizes(modes->mode, n_modes, options);
+    if (bytes < cor_motion_arrange(m, NULL) + COR_COLLISION_ALIGNMENT)
+        return COR_ERROR_WORKSPACE;
+    cor_motion_arrange(m, (char *)workspace + misfit(workspace));
+    m->mode = modes->mode;
+    m->alpha = options->alpha;
+    m->tolerance = options->tolerance;
+    m->loops = widest_loops();
+    m->phi_limit = cor_motion_phi_limit(options, m->size.n_max);
+    cor_motion_set_modes(m);
+    return COR_OK;
+}
+
+/* ---- one speed ---- */
+
+static const struct cor_disk_collision collision_unknown = {NAN, NAN, NAN, NAN, NAN, 0, NAN};
+static const struct cor_disk_collision collision_without_touch = {NAN, NAN, 0, NAN, 0, 0, NAN};
+
+/* Keeps the tables of angles of the speed before if their number is the same. */
+static int collision_at(struct cor_motion *m, const struct cor_disk_collision_options *options, double speed,
+                        struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
+{
+    m->speed = speed;
+    m->work_per_step = options->max_steps > 0 ? 1 : 0;
+    m->work_left = options->max_steps > 0 ? (double)options->max_steps : cor_tuning.work;
+    const size_t phi = cor_motion_first_phi(m, options);
+    if (m->phi != phi)
+        cor_motion_set_angles(m, phi);
+    return cor_collision_runs(m, out, detail);
+}
+
 int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
                           const struct cor_disk_collision_options *options, double speed,
                           struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
@@ -81,27 +119,14 @@ int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_m
     if (!(speed <= COR_DISK_COLLISION_MAX_SPEED))
         return COR_ERROR_SPEED;
     struct cor_motion m;
-    memset(&m, 0, sizeof m);
-    m.size = cor_motion_sizes(modes->mode, n_modes, options);
-    if (bytes < cor_motion_arrange(&m, NULL) + COR_COLLISION_ALIGNMENT)
-        return COR_ERROR_WORKSPACE;
+    const int prepared = collision_prepare(&m, workspace, bytes, modes, n_modes, options);
+    if (prepared != COR_OK)
+        return prepared;
     if (speed <= 0) {
-        const struct cor_disk_collision none = {NAN, NAN, 0, NAN, 0, 0, NAN};
-        *out = none;
+        *out = collision_without_touch;
         return COR_WALL_NOT_TOUCHED;
     }
-    cor_motion_arrange(&m, (char *)workspace + misfit(workspace));
-    m.mode = modes->mode;
-    m.alpha = options->alpha;
-    m.tolerance = options->tolerance;
-    m.speed = speed;
-    m.work_per_step = options->max_steps > 0 ? 1 : 0;
-    m.work_left = options->max_steps > 0 ? (double)options->max_steps : cor_tuning.work;
-    m.loops = widest_loops();
-    m.phi_limit = cor_motion_phi_limit(options, m.size.n_max);
-    cor_motion_set_modes(&m);
-    cor_motion_set_angles(&m, cor_motion_first_phi(&m, options));
-    return cor_collision_runs(&m, out, detail);
+    return collision_at(&m, options, speed, out, detail);
 }
 
 int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_modes,
@@ -117,4 +142,45 @@ int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_modes,
     const int result = cor_disk_collision_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);
     free(workspace);
     return result;
+}
+
+/* ---- many speeds ---- */
+
+static int collision_of_speed(struct cor_motion *m, const struct cor_disk_collision_options *options, double speed,
+                              struct cor_disk_collision *out)
+{
+    *out = collision_unknown;
+    if (!(speed <= COR_DISK_COLLISION_MAX_SPEED))
+        return COR_ERROR_SPEED;
+    if (speed <= 0) {
+        *out = collision_without_touch;
+        return COR_WALL_NOT_TOUCHED;
+    }
+    return collision_at(m, options, speed, out, NULL);
+}
+
+int cor_disk_collision_array(const struct cor_disk_modes *modes, size_t n_modes,
+                             const struct cor_disk_collision_options *options, const double *speed, size_t n,
+                             struct cor_disk_collision *out, int *status)
+{
+    const int refused = collision_check(modes, n_modes, options);
+    if (refused != COR_OK)
+        return refused;
+    if (n > 0 && (speed == NULL || out == NULL))
+        return COR_ERROR_NULL;
+    const size_t bytes = cor_disk_collision_workspace(modes, n_modes, options);
+    void *const workspace = malloc(bytes);
+    if (workspace == NULL)
+        return COR_ERROR_MEMORY;
+    struct cor_motion m;
+    int first = collision_prepare(&m, workspace, bytes, modes, n_modes, options);
+    for (size_t i = 0; i < n; i++) {
+        const int of_speed = collision_of_speed(&m, options, speed[i], &out[i]);
+        if (status != NULL)
+            status[i] = of_speed;
+        if (first == COR_OK)
+            first = of_speed;
+    }
+    free(workspace);
+    return first;
 }

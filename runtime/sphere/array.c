@@ -71,3 +71,12 @@ static void rounded_once(cor_sphere_array *function, struct cor_float_exception 
         cor_environment_leave(&caller);                                                                                \
     }
 COR_SPHERE_QUANTITIES(SPHERE_ARRAYF)
+
+#define SPHERE_FAST_ARRAYF(quantity)                                                                                   \
+    void cor_sphere_##quantity##_fast_arrayf(const float *x, float *y, size_t n)                                       \
+    {                                                                                                                  \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        cor_array_best_set()->float_##quantity(x, y, n);                                                               \
+        cor_environment_leave(&caller);                                                                                \
+    }
+COR_FLOAT_QUANTITIES(SPHERE_FAST_ARRAYF)

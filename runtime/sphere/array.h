@@ -9,7 +9,7 @@
 #include "cor/contact.h"
 #include "runtime/core/instruction_set.h"
 
-/* X(quantity) for every function of sphere.h, of contact.h that takes speeds, and of contact.h that takes speeds and
+/* X(quantity) for every function of sphere.h, of sphere.h in float arithmetic, of contact.h that takes speeds, and of contact.h that takes speeds and
  * eps. */
 #define COR_SPHERE_QUANTITIES(X)                                                                                       \
     X(eps_zero_overlap)                                                                                                \
@@ -18,6 +18,15 @@
     X(loss_zero_force)                                                                                                 \
     X(beta_zero_overlap)                                                                                               \
     X(beta_zero_force)                                                                                                 \
+    X(duration_zero_overlap)                                                                                           \
+    X(duration_zero_force)                                                                                             \
+    X(max_overlap)                                                                                                     \
+    X(time_of_max_overlap)
+#define COR_FLOAT_QUANTITIES(X)                                                                                        \
+    X(eps_zero_overlap)                                                                                                \
+    X(eps_zero_force)                                                                                                  \
+    X(loss_zero_overlap)                                                                                               \
+    X(loss_zero_force)                                                                                                 \
     X(duration_zero_overlap)                                                                                           \
     X(duration_zero_force)                                                                                             \
     X(max_overlap)                                                                                                     \
@@ -34,6 +43,7 @@
     X(dissipation_time_s_zero_force)
 
 typedef void cor_sphere_array(const double *in, double *out, size_t n);
+typedef void cor_float_array(const float *in, float *out, size_t n);
 typedef void cor_contact_array(const struct cor_sphere_contact *contact, const double *speed, double *out, size_t n);
 typedef void cor_dissipation_array(const struct cor_sphere_contact *contact, const double *speed, const double *eps,
                                    double *out, size_t n);
@@ -43,6 +53,9 @@ struct cor_array_set {
     const char *name;
 #define COR_ARRAY_FIELD(quantity) cor_sphere_array *sphere_##quantity;
     COR_SPHERE_QUANTITIES(COR_ARRAY_FIELD)
+#undef COR_ARRAY_FIELD
+#define COR_ARRAY_FIELD(quantity) cor_float_array *float_##quantity;
+    COR_FLOAT_QUANTITIES(COR_ARRAY_FIELD)
 #undef COR_ARRAY_FIELD
 #define COR_ARRAY_FIELD(quantity) cor_contact_array *contact_##quantity;
     COR_CONTACT_QUANTITIES(COR_ARRAY_FIELD)

@@ -11,6 +11,7 @@
 #include "runtime/sphere/array.h"
 #include "runtime/sphere/contact_parts.h"
 #include "runtime/sphere/eval.h"
+#include "runtime/sphere/fast_float.h"
 
 /* ---- tables in beta and in its root: the first loop ---- */
 
@@ -278,6 +279,14 @@ KERNEL void dissipation_from_eps(const struct cor_sphere_contact *contact, const
 
 /* ---- the functions of a set ---- */
 
+#define ARRAY_OF_FLOATS(quantity)                                                                                      \
+    static void float_##quantity(const float *in, float *out, size_t n)                                                \
+    {                                                                                                                  \
+        const struct float_table table = float_table_##quantity();                                                     \
+        floats_from_beta(in, out, n, &table, cor_sphere_##quantity##f);                                                \
+    }
+COR_FLOAT_QUANTITIES(ARRAY_OF_FLOATS)
+
 #define ARRAY_FROM_BETA(quantity)                                                                                      \
     static void array_##quantity(const double *in, double *out, size_t n)                                              \
     {                                                                                                                  \
@@ -331,10 +340,11 @@ ARRAY_DISSIPATION(overlap)
 ARRAY_DISSIPATION(force)
 
 #define ARRAY_SPHERE_ENTRY(quantity) array_##quantity,
+#define ARRAY_FLOAT_ENTRY(quantity) float_##quantity,
 #define ARRAY_CONTACT_ENTRY(quantity) contact_##quantity,
 #define ARRAYS(set)                                                                                                    \
-    const struct cor_array_set cor_array_##set = {#set, COR_SPHERE_QUANTITIES(ARRAY_SPHERE_ENTRY)                      \
-                                                            COR_CONTACT_QUANTITIES(ARRAY_CONTACT_ENTRY)                \
-                                                                COR_DISSIPATION_QUANTITIES(ARRAY_CONTACT_ENTRY)};
+    const struct cor_array_set cor_array_##set = {                                                                     \
+        #set, COR_SPHERE_QUANTITIES(ARRAY_SPHERE_ENTRY) COR_FLOAT_QUANTITIES(ARRAY_FLOAT_ENTRY)                        \
+                  COR_CONTACT_QUANTITIES(ARRAY_CONTACT_ENTRY) COR_DISSIPATION_QUANTITIES(ARRAY_CONTACT_ENTRY)};
 
 #endif

@@ -3,8 +3,10 @@
 #include "runtime/sphere/eval.h"
 #include "runtime/sphere/float_exceptions.h"
 
-/* A function of sphere.h, for double and for float */
-#define SPHERE_FUNCTION(quantity)                                                                                      \
+/* A function of sphere.h, for double and for float. `narrow` rounds a double to a float: NARROW_BOUNDED does for
+ * functions that cannot exceed the largest float. */
+#define NARROW_BOUNDED(x) ((float)(x))
+#define SPHERE_FUNCTION(quantity, narrow)                                                                              \
     double cor_sphere_##quantity(double x)                                                                             \
     {                                                                                                                  \
         return cor_inline_##quantity(x);                                                                               \
@@ -12,16 +14,16 @@
     float cor_sphere_##quantity##f(float x)                                                                            \
     {                                                                                                                  \
         static const struct cor_float_exception exception = COR_FLOAT_EXCEPTION_##quantity;                            \
-        return cor_float_corrected(exception, x, cor_inline_narrow(cor_inline_##quantity((double)x)));                 \
+        return cor_float_corrected(exception, x, narrow(cor_inline_##quantity((double)x)));                            \
     }
 
-SPHERE_FUNCTION(eps_zero_overlap)
-SPHERE_FUNCTION(eps_zero_force)
-SPHERE_FUNCTION(loss_zero_overlap)
-SPHERE_FUNCTION(loss_zero_force)
-SPHERE_FUNCTION(beta_zero_overlap)
-SPHERE_FUNCTION(beta_zero_force)
-SPHERE_FUNCTION(duration_zero_overlap)
-SPHERE_FUNCTION(duration_zero_force)
-SPHERE_FUNCTION(max_overlap)
-SPHERE_FUNCTION(time_of_max_overlap)
+SPHERE_FUNCTION(eps_zero_overlap, NARROW_BOUNDED)
+SPHERE_FUNCTION(eps_zero_force, NARROW_BOUNDED)
+SPHERE_FUNCTION(loss_zero_overlap, NARROW_BOUNDED)
+SPHERE_FUNCTION(loss_zero_force, NARROW_BOUNDED)
+SPHERE_FUNCTION(beta_zero_overlap, cor_inline_narrow)
+SPHERE_FUNCTION(beta_zero_force, cor_inline_narrow)
+SPHERE_FUNCTION(duration_zero_overlap, cor_inline_narrow)
+SPHERE_FUNCTION(duration_zero_force, NARROW_BOUNDED)
+SPHERE_FUNCTION(max_overlap, NARROW_BOUNDED)
+SPHERE_FUNCTION(time_of_max_overlap, NARROW_BOUNDED)

@@ -84,6 +84,23 @@ def test_dtypes():
     assert cor.disk.modes_below(0.33, [10.0, 20.0]).dtype == np.uintp
 
 
+def test_fast_arrays():
+    narrow = X.astype(np.float32).reshape(4, 6)
+    fast = cor.sphere.eps_zero_force_fast_arrayf(narrow)
+    assert fast.dtype == np.float32 and fast.shape == (4, 6)
+    np.testing.assert_allclose(fast, cor.sphere.eps_zero_force(narrow), rtol=2.0**-23)
+    out = np.empty((6, 4), np.float32).T
+    assert cor.sphere.eps_zero_force_fast_arrayf(narrow, out=out) is out
+    np.testing.assert_array_equal(out, fast)
+    assert cor.sphere.loss_zero_overlap_fast_arrayf(np.float32(0)) == 0
+    assert cor.sphere.eps_zero_force_fastf(narrow[1, 2]) == fast[1, 2]
+    assert cor.sphere.eps_zero_force_fastf(0.0) == 1
+    with pytest.raises(TypeError, match="float32 is needed"):
+        cor.sphere.max_overlap_fast_arrayf(X)
+    with pytest.raises(ValueError, match="shape"):
+        cor.sphere.max_overlap_fast_arrayf(narrow, out=np.empty(3, np.float32))
+
+
 def test_broadcasting():
     speed, nu = np.array([[0.01], [0.02], [0.1]]), np.array([0.1, 0.2, 0.3, 0.33])
     result = cor.disk.eps(speed, nu)

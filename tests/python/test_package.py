@@ -225,6 +225,21 @@ def test_mode_files(tmp_path):
     assert caught.value.status is cor.status.Status.ERROR_FILE_VERSION
 
 
+def test_collision_array():
+    options = cor.disk.CollisionOptions(500, 1e-6)
+    speeds = np.array([[0.1, 0.2], [0.01, 0.1]])
+    results = cor.disk.collision_array(MODES, 20, options, speeds)
+    assert results.shape == (2, 2) and (results.status == 0).all()
+    alone = MODES.collision(speeds, 500, 1e-6, 20)
+    for name in ("eps", "one_minus_eps2", "contact_time", "steps", "error_estimate"):
+        np.testing.assert_array_equal(results[name], alone[name])
+    with pytest.raises(cor.CorError) as caught:
+        cor.disk.collision_array(MODES, 20, options, [0.1, 0.6])
+    assert caught.value.status is cor.status.Status.ERROR_SPEED and caught.value.index == (1,)
+    with pytest.raises(cor.CorError):
+        cor.disk.collision_array(MODES, 0, options, [0.1])
+
+
 def test_rayleigh():
     result, fractions = cor.disk.rayleigh(MODES, 20, cor.disk.Datum.CENTRE_OF_MASS, 1e-3, mode_fraction=True)
     assert fractions.shape == (20,) and abs(fractions.sum() - result.fraction) < 1e-15

@@ -744,6 +744,54 @@ static void workspaces(void **state)
     assert_true(cor_disk_collision_workspace(&cor_disk_modes_nu033, 1000, &plain) > bytes);
 }
 
+/* Many speeds have the bits of single calls, in any order: numbers of angles that stay, grow and shrink, speeds that are
+ * refused, tolerances that are not reached, and a budget that each speed has for itself. */
+static void many_speeds(void **state)
+{
+    (void)state;
+    static const double speed[] = {0.1, 0.1, 0.002, 0.3, NAN, 0.05, 0.500001, 0, -1, INFINITY, 0.5, 1e-9, 0.1, -0.0};
+    enum { SPEEDS = sizeof speed / sizeof *speed, SCENES = 4 };
+    static const struct {
+        size_t modes;
+        struct cor_disk_collision_options options;
+    } scene[SCENES] = {
+        {1, {500, 1e-3, 0, 0}}, {40, {500, 1e-6, 0, 0}}, {40, {2000, 1e-9, 24, 0}}, {40, {500, 1e-4, 0, 900}}};
+    for (int k = 0; k < SCENES; k++) {
+        struct cor_disk_collision out[SPEEDS + 1], one;
+        int status[SPEEDS + 1], first = COR_OK;
+        memset(out, 0x5a, sizeof out);
+        status[SPEEDS] = -7;
+        const int result = cor_disk_collision_array(&cor_disk_modes_nu033, scene[k].modes, &scene[k].options, speed,
+                                                    SPEEDS, out, status);
+        for (int i = 0; i < SPEEDS; i++) {
+            memset(&one, 0, sizeof one);
+            const int alone =
+                cor_disk_collision(&cor_disk_modes_nu033, scene[k].modes, &scene[k].options, speed[i], &one);
+            check(status[i] == alone, "scene %d, speed %g: status %d, alone %d", k, speed[i], status[i], alone);
+            if (first == COR_OK)
+                first = alone;
+            if (alone == COR_ERROR_SPEED)
+                check(isnan(out[i].eps) && isnan(out[i].one_minus_eps2) && isnan(out[i].contact_time) &&
+                          isnan(out[i].max_compression) && isnan(out[i].energy_drift) && out[i].steps == 0 &&
+                          isnan(out[i].error_estimate),
+                      "scene %d, speed %g", k, speed[i]);
+            else
+                check(memcmp(&out[i], &one, sizeof one) == 0, "scene %d, speed %g: eps %a, alone %a", k, speed[i],
+                      out[i].eps, one.eps);
+        }
+        assert_int_equal(result, first);
+        assert_int_equal(status[SPEEDS], -7);
+        for (size_t i = 0; i < sizeof *out; i++)
+            assert_int_equal(((unsigned char *)&out[SPEEDS])[i], 0x5a);
+        assert_int_equal(
+            cor_disk_collision_array(&cor_disk_modes_nu033, scene[k].modes, &scene[k].options, speed, 1, &one, NULL),
+            status[0]);
+        assert_memory_equal(&one, &out[0], sizeof one);
+    }
+    assert_int_equal(cor_disk_collision_array(&cor_disk_modes_nu033, 40, &scene[0].options, NULL, 0, NULL, NULL),
+                     COR_OK);
+}
+
 static void refused(const struct cor_disk_modes *modes, size_t n, const struct cor_disk_collision_options *options,
                     double v, int expected)
 {
@@ -759,8 +807,13 @@ static void refused(const struct cor_disk_modes *modes, size_t n, const struct c
     assert_memory_equal(&out, &untouched, sizeof out);
     for (size_t i = 0; i < sizeof after; i++)
         assert_int_equal(((unsigned char *)after)[i], 0x5a);
-    if (expected != COR_ERROR_SPEED) /* which has no say in the workspace */
-        assert_int_equal(cor_disk_collision_workspace(modes, n, options), 0);
+    if (expected == COR_ERROR_SPEED)
+        return;
+    int of_speed = -7; /* the speed has no say in the workspace, and no list is refused for it */
+    assert_int_equal(cor_disk_collision_workspace(modes, n, options), 0);
+    assert_int_equal(cor_disk_collision_array(modes, n, options, &v, 1, &out, &of_speed), expected);
+    assert_int_equal(of_speed, -7);
+    assert_memory_equal(&out, &untouched, sizeof out);
 }
 
 static void refusals(void **state)
@@ -776,6 +829,8 @@ static void refusals(void **state)
     refused(modes, 5, NULL, 0.1, COR_ERROR_NULL);
     refused(&(struct cor_disk_modes){0.33, 5, NULL}, 5, &good, 0.1, COR_ERROR_NULL);
     assert_int_equal(cor_disk_collision(modes, 5, &good, 0.1, NULL), COR_ERROR_NULL);
+    assert_int_equal(cor_disk_collision_array(modes, 5, &good, &(double){0.1}, 1, NULL, NULL), COR_ERROR_NULL);
+    assert_int_equal(cor_disk_collision_array(modes, 5, &good, NULL, 1, &out, NULL), COR_ERROR_NULL);
     assert_int_equal(cor_disk_collision_in(workspace, sizeof workspace, modes, 5, &good, 0.1, NULL, NULL),
                      COR_ERROR_NULL);
     assert_int_equal(cor_disk_collision_in(NULL, sizeof workspace, modes, 5, &good, 0.1, &out, NULL), COR_ERROR_NULL);
@@ -852,6 +907,7 @@ int main(void)
         cmocka_unit_test(never_ended),
         cmocka_unit_test(no_exceptions),
         cmocka_unit_test(workspaces),
+        cmocka_unit_test(many_speeds),
         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests_name("disk_collision", tests, NULL, NULL);

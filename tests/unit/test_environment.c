@@ -94,6 +94,43 @@ SPHERE_CALL(duration_zero_force, beta)
 SPHERE_CALL(max_overlap, beta)
 SPHERE_CALL(time_of_max_overlap, beta)
 
+/* Arrays in float arithmetic */
+static void call_fast_arrays(const struct arguments *a, struct results *r)
+{
+    float x[ARRAY], y[ARRAY];
+    for (int i = 0; i < ARRAY; i++)
+        x[i] = i % 7 == 3 ? a->betaf : 0.0625F * (float)i;
+#define FAST_ARRAY(name)                                                                                               \
+    cor_sphere_##name##_fast_arrayf(x, y, ARRAY);                                                                      \
+    put_float(r, y[3]);                                                                                                \
+    put_float(r, y[4]);
+    FAST_ARRAY(eps_zero_overlap)
+    FAST_ARRAY(eps_zero_force)
+    FAST_ARRAY(loss_zero_overlap)
+    FAST_ARRAY(loss_zero_force)
+    FAST_ARRAY(duration_zero_overlap)
+    FAST_ARRAY(duration_zero_force)
+    FAST_ARRAY(max_overlap)
+    FAST_ARRAY(time_of_max_overlap)
+#undef FAST_ARRAY
+}
+
+static void call_fast(const struct arguments *a, struct results *r)
+{
+    put_float(r, cor_sphere_eps_zero_overlap_fastf(a->betaf));
+    put_float(r, cor_sphere_eps_zero_force_fastf(a->betaf));
+    put_float(r, cor_sphere_loss_zero_overlap_fastf(a->betaf));
+    put_float(r, cor_sphere_loss_zero_force_fastf(a->betaf));
+}
+
+static void call_fast_times(const struct arguments *a, struct results *r)
+{
+    put_float(r, cor_sphere_duration_zero_overlap_fastf(a->betaf));
+    put_float(r, cor_sphere_duration_zero_force_fastf(a->betaf));
+    put_float(r, cor_sphere_max_overlap_fastf(a->betaf));
+    put_float(r, cor_sphere_time_of_max_overlap_fastf(a->betaf));
+}
+
 /* generated/cor_sphere.h */
 static void call_inline(const struct arguments *a, struct results *r)
 {
@@ -271,6 +308,9 @@ static const struct {
     SPHERE_ROWS(duration_zero_force, 0),
     SPHERE_ROWS(max_overlap, 0),
     SPHERE_ROWS(time_of_max_overlap, 0),
+    {"fast arrays", call_fast_arrays, 4, 0, 1},
+    {"fast eps and loss", call_fast, 1, 1, 0},
+    {"fast times and overlap", call_fast_times, 1, 0, 0},
     {"cor_sphere.h, eps and loss", call_inline, 1, 1, 0},
     {"cor_sphere.h, the others", call_inline_times, 1, 0, 0},
     {"formulas of 1999", call_formulas_of_1999, 1, 1, 0},

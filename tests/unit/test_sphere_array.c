@@ -253,11 +253,146 @@ static void every_set(void **state)
 #undef CHECK
 }
 
+/* ---- arrays in float arithmetic ---- */
+
+struct fast_function {
+    const char *name;
+    double (*value)(double);
+    float (*fast)(float);
+    cor_float_array *array;
+    float at_zero, at_infinity;
+};
+#define FAST_ROW(quantity, at_zero, at_infinity)                                                                       \
+    {                                                                                                                  \
+#quantity, cor_sphere_##quantity, cor_sphere_##quantity##_fastf, cor_sphere_##quantity##_fast_arrayf, at_zero, \
+            at_infinity                                                                                                \
+    }
+
+/* In the order of COR_FLOAT_QUANTITIES */
+static const struct fast_function fast_functions[] = {
+    FAST_ROW(eps_zero_overlap, 1, 0),
+    FAST_ROW(eps_zero_force, 1, 0),
+    FAST_ROW(loss_zero_overlap, 0, 1),
+    FAST_ROW(loss_zero_force, 0, 1),
+    FAST_ROW(duration_zero_overlap, 3.2180655F, INFINITY),
+    FAST_ROW(duration_zero_force, 3.2180655F, 0),
+    FAST_ROW(max_overlap, 1.0933621F, 0),
+    FAST_ROW(time_of_max_overlap, 1.6090327F, 0),
+};
+enum { FAST_FUNCTIONS = sizeof fast_functions / sizeof *fast_functions };
+
+/* In units of the last place of a float; 0 if both are infinite as floats */
+static double float_error(float computed, double exact)
+{
+    int exponent;
+    if (isinf((float)exact))
+        return isinf(computed) ? 0 : INFINITY;
+    frexp(exact, &exponent);
+    return fabs((double)computed - exact) / ldexp(1, (exponent < FLT_MIN_EXP ? FLT_MIN_EXP : exponent) - FLT_MANT_DIG);
+}
+
+static void fast_special_values(void **state)
+{
+    (void)state;
+    for (int k = 0; k < FAST_FUNCTIONS; k++) {
+        const struct fast_function *f = &fast_functions[k];
+        const float x[] = {0, -0.0F, INFINITY, NAN, -NAN, -INFINITY, -1, -FLT_MIN, -1e-45F};
+        enum { SPECIALS = sizeof x / sizeof *x, NUMBERS = 3 };
+        const float expected[NUMBERS] = {f->at_zero, f->at_zero, f->at_infinity};
+        float y[SPECIALS];
+        f->array(NULL, NULL, 0);
+        f->array(x, y, SPECIALS);
+        for (int i = 0; i < SPECIALS; i++)
+            check(i < NUMBERS ? y[i] == expected[i] && !signbit(y[i]) : isnan(y[i]), "%s(%a) = %a", f->name,
+                  (double)x[i], (double)y[i]);
+    }
+}
+
+/* The octaves of the tables, where the rows of an octave begin; their ends, 8 and 16; the least product, 2^-100; where
+ * numbers become subnormal; and cells within */
+static void fast_around_each_branch(void **state)
+{
+    (void)state;
+    enum { AROUND = 2, WIDE = 2 * AROUND + 1 };
+    for (int k = 0; k < FAST_FUNCTIONS; k++) {
+        const struct fast_function *f = &fast_functions[k];
+        for (int octave = -149; octave < 128; octave++)
+            for (int cell = 0; cell < 16; cell++) {
+                float x[WIDE], y[WIDE];
+                x[0] = ldexpf((float)(16 + cell), octave - 4);
+                for (int i = 0; i < AROUND; i++)
+                    x[0] = nextafterf(x[0], 0);
+                for (int i = 1; i < WIDE; i++)
+                    x[i] = nextafterf(x[i - 1], INFINITY);
+                f->array(x, y, WIDE);
+                for (int i = 0; i < WIDE; i++)
+                    check(float_error(y[i], f->value((double)x[i])) <= COR_SPHERE_FAST_FLOAT_MAX_ULP, "%s(%a) = %a",
+                          f->name, (double)x[i], (double)y[i]);
+            }
+    }
+}
+
+/* Each set, length and place gives the bits of the scalar function. */
+static void check_fast(const char *set, cor_float_array *array, const struct fast_function *f, const float *x,
+                       const float *expected)
+{
+    static float y[MANY + 8];
+    for (size_t n = 0; n <= MANY; n += n < 40 ? 1 : n < 530 ? 61 : 6489)
+        for (size_t at = 0; at < 3; at++) {
+            y[at + n] = 7;
+            array(x + at, y + at, n < MANY - at ? n : MANY - at);
+            for (size_t i = 0; i < n && i < MANY - at; i++)
+                check(same_float(y[at + i], expected[at + i]), "%s, %s(%a), %zu of %zu", set, f->name,
+                      (double)x[at + i], i, n);
+            check(y[at + n] == 7, "%s, %s wrote past %zu", set, f->name, n);
+        }
+    memcpy(y, x, MANY * sizeof *y);
+    array(y, y, MANY);
+    for (size_t i = 0; i < MANY; i++)
+        check(same_float(y[i], expected[i]), "%s, %s(%a) in place", set, f->name, (double)x[i]);
+}
+
+static void fast_every_set(void **state)
+{
+    (void)state;
+    static double wide[MANY];
+    static float x[2][MANY], expected[MANY]; /* with numbers outside the tables, and without */
+    struct random_state random = random_start();
+    fill(wide, MANY);
+    for (int i = 0; i < MANY; i++) {
+        x[0][i] = (float)wide[i];
+        x[1][i] = (float)random_log(&random, 1e-9, 7.99);
+    }
+    for (int k = 0; k < FAST_FUNCTIONS; k++)
+        for (int kind = 0; kind < 2; kind++) {
+            for (int i = 0; i < MANY; i++) {
+                expected[i] = fast_functions[k].fast(x[kind][i]);
+                if (x[kind][i] >= 0)
+                    check(float_error(expected[i], fast_functions[k].value((double)x[kind][i])) <=
+                              COR_SPHERE_FAST_FLOAT_MAX_ULP,
+                          "%s(%a) = %a", fast_functions[k].name, (double)x[kind][i], (double)expected[i]);
+            }
+            check_fast("public", fast_functions[k].array, &fast_functions[k], x[kind], expected);
+            for (int s = 0; s < COR_INSTRUCTION_SETS; s++) {
+                const struct cor_array_set *set = cor_array_set(s);
+                if (set == NULL)
+                    continue;
+                cor_float_array *array[] = {
+#define ARRAY(quantity) set->float_##quantity,
+                    COR_FLOAT_QUANTITIES(ARRAY)
+#undef ARRAY
+                };
+                check_fast(set->name, array[k], &fast_functions[k], x[kind], expected);
+            }
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lengths_and_places),
-        cmocka_unit_test(every_set),
+        cmocka_unit_test(lengths_and_places),  cmocka_unit_test(every_set),
+        cmocka_unit_test(fast_special_values), cmocka_unit_test(fast_around_each_branch),
+        cmocka_unit_test(fast_every_set),
     };
     return cmocka_run_group_tests_name("sphere_array", tests, NULL, NULL);
 }

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""The functions of sphere.h in float arithmetic, which have no form in double."""
+
+from typing import Any, Callable, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._cor import lib
+from ._docs import DOCS
+from ._evaluate import Array, address, check_out, fits, prepared_array
+
+_FLOAT32: "np.dtype[Any]" = np.dtype(np.float32)
+
+
+def _float32(x: ArrayLike) -> Array:
+    given = np.asarray(x)
+    if not np.can_cast(given.dtype, _FLOAT32) and type(x) not in (int, float):
+        raise TypeError(f"float32 is needed, not {given.dtype}")
+    return prepared_array(given, _FLOAT32)
+
+
+def _documented(function: Callable[..., Any], name: str) -> Callable[..., Any]:
+    function.__name__ = function.__qualname__ = name
+    function.__doc__ = f"Takes and returns float32.\n\n{DOCS[f'cor_sphere_{name}']}\n\nC: cor_sphere_{name}"
+    return function
+
+
+def _fast(name: str) -> Callable[..., Any]:
+    function = getattr(lib, f"cor_sphere_{name}")
+
+    def fast(x: ArrayLike, /) -> Any:
+        return np.float32(function(_float32(x).item()))
+
+    return _documented(fast, name)
+
+
+def _fast_array(name: str) -> Callable[..., Any]:
+    function = getattr(lib, f"cor_sphere_{name}")
+
+    def fast(x: ArrayLike, /, *, out: Optional[Array] = None) -> Any:
+        numbers = _float32(x)
+        if out is not None:
+            check_out(out, numbers.shape, _FLOAT32)
+        result = out if fits(out, [numbers], numbers.shape, _FLOAT32) else np.empty(numbers.shape, _FLOAT32)
+        assert result is not None
+        function(address(numbers), address(result, True), result.size)
+        if out is not None and result is not out:
+            np.copyto(out, result, casting="same_kind")
+        return result[()] if out is None else out
+
+    return _documented(fast, name)
+
+
+eps_zero_overlap_fastf = _fast("eps_zero_overlap_fastf")
+eps_zero_force_fastf = _fast("eps_zero_force_fastf")
+loss_zero_overlap_fastf = _fast("loss_zero_overlap_fastf")
+loss_zero_force_fastf = _fast("loss_zero_force_fastf")
+duration_zero_overlap_fastf = _fast("duration_zero_overlap_fastf")
+duration_zero_force_fastf = _fast("duration_zero_force_fastf")
+max_overlap_fastf = _fast("max_overlap_fastf")
+time_of_max_overlap_fastf = _fast("time_of_max_overlap_fastf")
+eps_zero_overlap_fast_arrayf = _fast_array("eps_zero_overlap_fast_arrayf")
+eps_zero_force_fast_arrayf = _fast_array("eps_zero_force_fast_arrayf")
+loss_zero_overlap_fast_arrayf = _fast_array("loss_zero_overlap_fast_arrayf")
+loss_zero_force_fast_arrayf = _fast_array("loss_zero_force_fast_arrayf")
+duration_zero_overlap_fast_arrayf = _fast_array("duration_zero_overlap_fast_arrayf")
+duration_zero_force_fast_arrayf = _fast_array("duration_zero_force_fast_arrayf")
+max_overlap_fast_arrayf = _fast_array("max_overlap_fast_arrayf")
+time_of_max_overlap_fast_arrayf = _fast_array("time_of_max_overlap_fast_arrayf")
