@@ -78,7 +78,7 @@ static void integrate(struct contact_impact *impact, const struct motion *m, dou
     f[0] = f[1] = f[2] = force_of(m, 0, speed);
     impact->max_force_n = (double)f[2];
     for (long i = 0; i < STEPS && !ended; i++) {
-        long double dx[4], dv[4], s = i * h;
+        long double dx[4] = {0}, dv[4] = {0}, s = i * h;
         for (int k = 0; k < 4; k++) {
             const long double part = k == 0 ? 0 : k == 3 ? h : h / 2, r = s + part, scale = 4 * unit * r * r * r;
             const long double at = k == 0 ? x[2] : x[2] + part * dx[k - 1], u = k == 0 ? v[2] : v[2] + part * dv[k - 1];

@@ -292,7 +292,7 @@ static double integrated_eps(force_law *force, enum host_end end, double number,
     const double length = s->speed_m_s * time;
     for (long step = 0; step < 4000000; step++) {
         const double h = 2e-4 * time * fmin(1, 1e-3 + sqrt(fmax(x, 0) / length));
-        double dx[4], dv[4];
+        double dx[4] = {0}, dv[4] = {0};
         for (int k = 0; k < 4; k++) {
             const double part = k == 0 ? 0 : k == 3 ? h : h / 2;
             const double at = k == 0 ? x : x + part * dx[k - 1], speed = k == 0 ? v : v + part * dv[k - 1];

@@ -53,10 +53,10 @@ static const char *const stability_names[] = {
     "the chaotic case",
 };
 
-static const struct case_list *const lists[] = {&stability_sphere, &stability_generator, &stability_law,
-                                                &stability_modes,  &stability_rayleigh,  &stability_collision};
+enum { NAMES = sizeof stability_names / sizeof *stability_names, LISTS = 6, MOST = 100 };
 
-enum { NAMES = sizeof stability_names / sizeof *stability_names, LISTS = sizeof lists / sizeof *lists, MOST = 100 };
+static const struct case_list *const lists[LISTS] = {&stability_sphere, &stability_generator, &stability_law,
+                                                     &stability_modes,  &stability_rayleigh,  &stability_collision};
 
 static const struct hard_case *cases[MOST];
 static struct outcome outcomes[MOST];

@@ -296,7 +296,7 @@ int reference_hard_wall(const struct cor_disk_modes *modes, double speed, const 
         count++;
     const size_t n = (size_t)count, m = (size_t)wall->angles, real = sizeof(double);
     struct disk disk = {.wall = wall, .modes = count, .angles = wall->angles};
-    disk.rim = malloc(n * m * real);
+    disk.rim = malloc((n * m + 1) * real); /* never of size 0 */
     disk.compliance = malloc(m * m * real);
     disk.system = malloc(m * (m + 1) * real);
     double *const rest = malloc((3 * n + 2 * m) * real);

@@ -28,6 +28,7 @@ enum {
     CELLS = LANES * ROWS,
     BATCH = COR_HARD_WALL_BATCH,
     MOST = 8 * COR_HARD_WALL_PANEL,
+    LENGTHS = MOST / COR_HARD_WALL_LANES + 1,
     TERMS = 301
 };
 
@@ -62,7 +63,7 @@ static void draw_input(struct random_state *random, struct input *in, struct out
     in->steps = random_uniform(random, 0, 1) < 0.5 ? BATCH : 1;
     in->terms = (size_t)random_uniform(random, 0, TERMS + 1);
     in->points = COR_HARD_WALL_PANEL * (1 + (size_t)random_uniform(random, 0, 8));
-    in->length = COR_HARD_WALL_LANES * (size_t)random_uniform(random, 0, MOST / COR_HARD_WALL_LANES + 1);
+    in->length = COR_HARD_WALL_LANES * (size_t)random_uniform(random, 0, LENGTHS);
     numbers_draw(random, in->turn, CELLS, 2);
     numbers_draw(random, in->c, CELLS, 1);
     numbers_draw(random, in->s, CELLS, 1);

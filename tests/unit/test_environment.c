@@ -24,10 +24,10 @@ struct arguments {
     double beta, eps, speed;                          /* of spheres; 0, infinity and tiny ones included */
     double nu, disk_speed, load, energy, compression; /* of disks, up to their limits */
     double part[4];                                   /* of the last four, up to 1 */
-    enum cor_disk_datum datum;
     struct cor_sphere_contact contact;
     struct cor_body body[2];
     size_t modes;
+    enum cor_disk_datum datum;
     int has_subnormal;
     float betaf, epsf; /* rounded to nearest, whatever the mode of the test */
 };

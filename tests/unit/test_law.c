@@ -412,7 +412,7 @@ static struct motion_result motion_integrate(const struct motion *m)
     double t = 0, x = 0, v = 1, h = 1e-9;
     struct motion_result r = {0, 0, 0, 0};
     for (long steps = 0; steps < 2000000; steps++) {
-        double kx[DORMAND_PRINCE_STAGES], kv[DORMAND_PRINCE_STAGES], error = 0, nx = x, nv = v;
+        double kx[DORMAND_PRINCE_STAGES] = {0}, kv[DORMAND_PRINCE_STAGES] = {0}, error = 0, nx = x, nv = v;
         for (int s = 0; s < DORMAND_PRINCE_STAGES; s++) {
             nx = x;
             nv = v;

@@ -26,12 +26,13 @@ static void fill(struct random_state *r, double *x, size_t n, double least, doub
 {
     static const double specials[] = {0.0, -0.0,   INFINITY, -INFINITY, NAN,
                                       -1,  5e-324, 1,        1e300,     2.2250738585072014e-308};
+    enum { SPECIALS = sizeof specials / sizeof *specials };
     for (size_t i = 0; i < n; i++) {
         const double kind = random_uniform(r, 0, 1);
         const double low = least > 1e-30 ? least : 1e-30, high = largest < 1e6 ? largest : 1e6;
         x[i] = kind < 0.6 ? random_uniform(r, low, high < 3 ? high : 3) : random_log(r, low, high);
         if (kind > 0.9)
-            x[i] = specials[(size_t)random_uniform(r, 0, (double)(sizeof specials / sizeof *specials))];
+            x[i] = specials[(size_t)random_uniform(r, 0, SPECIALS)];
         else if (kind > 0.85)
             x[i] =
                 kind > 0.88 ? nextafter(largest, random_uniform(r, -1, 9)) : nextafter(least, random_uniform(r, -1, 1));
@@ -94,6 +95,7 @@ static const struct {
 static double dashpot_argument(struct random_state *r, const double seam[4])
 {
     static const double specials[] = {0.0, -0.0, INFINITY, -INFINITY, NAN, -1, 5e-324, 1e300, 0x1p-900, 2.2e-308};
+    enum { SPECIALS = sizeof specials / sizeof *specials };
     const double kind = random_uniform(r, 0, 1);
     if (kind < 0.3)
         return random_uniform(r, 0, 1.3);
@@ -107,7 +109,7 @@ static double dashpot_argument(struct random_state *r, const double seam[4])
             x = nextafter(x, random_uniform(r, 0, 1) < 0.5 ? 0 : 9);
         return x;
     }
-    return specials[(size_t)random_uniform(r, 0, (double)(sizeof specials / sizeof *specials))];
+    return specials[(size_t)random_uniform(r, 0, SPECIALS)];
 }
 
 static void dashpot_every_set(void **state)

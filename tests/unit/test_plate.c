@@ -176,7 +176,8 @@ static double square_plate_eps(double lambda, double side, double dt)
                  mass = side * side / 4; /* sqrt(B/rho h), modal mass */
     double own = 0;
     for (int k = 0; k < HARMONICS * HARMONICS; k++) {
-        const double i = 2 * (k / HARMONICS) + 1, j = 2 * (k % HARMONICS) + 1;
+        const int row = k / HARMONICS, column = k % HARMONICS;
+        const double i = 2 * row + 1, j = 2 * column + 1;
         const double omega = pi * pi * (i * i + j * j) / (side * side) * stiffness;
         plate.omega[k] = omega;
         plate.q[k] = plate.p[k] = 0;
