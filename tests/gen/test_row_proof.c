@@ -158,7 +158,7 @@ static int make_proof(void **state)
 {
     (void)state;
     interpolant = interpolant_new(&interpolant_sphere_proof, 0, 1);
-    proof = interpolant ? interpolant_proof_new(interpolant) : NULL;
+    proof = interpolant ? interpolant_proof_new(interpolant, SET_ALL, ELLIPSES_PROVED) : NULL;
     return proof ? 0 : 1;
 }
 
@@ -265,7 +265,7 @@ static void test_samples(void **state)
         arb_mul_2exp_si(factor, factor, k == 0 ? -52 : -40);
         arb_add_ui(factor, factor, 1, 200);
         arb_mul(wrong[k], wrong[k], factor, 200);
-        struct interpolant_proof *none = interpolant_proof_new(interpolant);
+        struct interpolant_proof *none = interpolant_proof_new(interpolant, SET_ALL, ELLIPSES_PROVED);
         if (none)
             fail_msg("proved with a wrong %s %ld", k == 0 ? "sample" : "node", (long)j);
         arb_set(wrong[k], kept);
@@ -287,7 +287,7 @@ static void test_unknown(void **state)
     assert_true(isnan(row_proof_bits(proof, &p, 40, c)));
     assert_false(row_proof_bits(proof, &p, 4, c) > 10);
     struct interpolant *other = interpolant_new(&interpolant_sphere, 0.01, 0.02);
-    assert_null(interpolant_proof_new(other));
+    assert_null(interpolant_proof_new(other, SET_ALL, ELLIPSES_PROVED));
     interpolant_free(other);
 }
 
