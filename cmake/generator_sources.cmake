@@ -2,6 +2,7 @@
 # The sources of corgen but for main.c, in alphabetical order: add a file to gen/, add a line here.
 set(COR_GENERATOR_SOURCES
   gen/approximation/ellipse_bound.c
+  gen/approximation/enclosed_function.c
   gen/approximation/float_rows.c
   gen/approximation/function_rows.c
   gen/approximation/interpolant.c
@@ -35,7 +36,9 @@ set(COR_GENERATOR_SOURCES
   gen/embed/fit.c
   gen/embed/form.c
   gen/embed/header.c
+  gen/embed/proof.c
   gen/embed/request.c
+  gen/embed/rounding.c
   gen/embed/scene.c
   gen/enclosure/closed_form.c
   gen/enclosure/collision.c

@@ -13,6 +13,18 @@ enum { MOST_BALLS = 6000 };
 /* Half the side of the first squares, in units of the ellipse's minor semi-axis */
 #define FIRST_HALF (1.0 / 8)
 
+const struct ellipse_bound ellipse_stated[ELLIPSES] = {
+    {4, {31.8, 46.7, 4.79, 4.08, 1.37, 1.84}, 0},
+    {3.4, {2.17, 1.59, 6.93, 3.9, 1.16, 1.75}, 0},
+    {0, {0}, 0},
+    {4.2, {1.41, 0.456, 9.64, 3.42, 0.791, 1.49}, 0},
+    {3.3, {0.12, 0.223, 16.1, 2.66, 0.622, 1.31}, 0},
+    {3.4, {0.0369, 0.153, 41.7, 2.4, 0.542, 1.22}, 0},
+    {3.8, {0.00377, 0.0853, 71.9, 2.21, 0.434, 1.11}, 0},
+    {5, {0, 0.153, 0, 6.38, 0.538, 1.35}, 0},
+    {2.6, {0, 5.7, 0, 58.8, 2.55, 22.4}, 0},
+};
+
 unsigned ellipse_bound_set(const struct interval *interval)
 {
     return interval->variable == INTERVAL_LOG ? interval->set & ~(1u << DURATION_ZERO_OVERLAP) : interval->set;

@@ -12,6 +12,12 @@ struct ellipse_bound {
     slong balls;                /* how many collisions were enclosed */
 };
 
+/* Radii and bounds for the intervals of interpolant_sphere_proof; rho = 0: two other intervals cover this one. Each rho
+ * is near the largest for which the cover succeeds. `corgen tables` proves the bounds, one per cent above what it finds,
+ * each time it writes the tables. */
+enum { ELLIPSES = 9 };
+extern const struct ellipse_bound ellipse_stated[ELLIPSES];
+
 /* Proves that every number of the interval that ellipse_bound_set names is an analytic function in the ellipse, and
  * bounds its modulus: enclosed collisions cover the ellipse. Returns 0, or 1 after reporting on stderr that the cover
  * failed, because the ellipse is too large. */

@@ -5,25 +5,16 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
+#include "approximation/enclosed_function.h"
 #include "support/console.h"
 #include "support/parallel.h"
 
 enum {
-    PREC = 320,     /* of the interpolants, whose coefficients in powers are large and cancel */
-    ROW_PREC = 160, /* of polynomials on a cell */
-    MOST_DEGREE = 44,
-    NEGLIGIBLE = -100, /* terms below 2^NEGLIGIBLE of the value join the constant term's radius */
-    HALVINGS = 10,     /* of a cell, at most, to bound a polynomial */
-    POINTS = 16,       /* on each side of its middle, where the polynomial is evaluated first */
+    PREC = 320,    /* of the interpolants, whose coefficients in powers are large and cancel */
+    HALVINGS = 10, /* of a cell, at most, to bound a polynomial */
+    POINTS = 16,   /* on each side of its middle, where the polynomial is evaluated first */
     LAST_COEFFICIENTS = 6
 };
-
-/* A bound of a polynomial is good enough within this factor of a value that it takes. */
-#define NEAR_KNOWN 1.03
-
-/* rho of the ellipse around each interval, near the largest for which the cover succeeds; 0: two other intervals cover
- * this one */
-static const double ellipse_rho[] = {4, 3.4, 0, 4.2, 3.3, 3.4, 3.8, 5, 2.6};
 
 struct interpolant_proof {
     const struct interpolant *f;
@@ -167,10 +158,22 @@ static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *b
     return agree;
 }
 
-static int prove_interval(struct interpolant_proof *proof, int i)
+/* Proves the stated bounds again. */
+static int prove_stated(struct ellipse_bound *bound, const struct interval *interval)
+{
+    const struct ellipse_bound stated = *bound;
+    const int status = ellipse_bound_make(bound, interval, stated.rho);
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
+        if (!(bound->modulus[q] <= stated.modulus[q]))
+            return fail("quantity %d on the ellipse around [%g, %g]: the proved bound %g is above the stated %g", q,
+                        interval->lo, interval->hi, bound->modulus[q], stated.modulus[q]);
+    return status;
+}
+
+static int prove_interval(struct interpolant_proof *proof, int i, unsigned quantities, enum ellipse_source source)
 {
     const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
-    const unsigned set = ellipse_bound_set(interval);
+    const unsigned set = ellipse_bound_set(interval) & quantities;
     const slong n = interval->count;
     arb_srcptr node, value;
     if (!interpolant_samples(&node, &value, proof->f, i, EPS_ZERO_OVERLAP))
@@ -178,7 +181,8 @@ static int prove_interval(struct interpolant_proof *proof, int i)
     arb_ptr w = _arb_vec_init(n);
     arb_t constant;
     arb_init(constant);
-    int status = ellipse_bound_make(&proof->bound[i], interval, ellipse_rho[i]);
+    proof->bound[i] = ellipse_stated[i];
+    int status = source == ELLIPSES_PROVED ? prove_stated(&proof->bound[i], interval) : STATUS_OK;
     for (slong j = 0; j < n; j++)
         to_unit(w + j, node + j, interval);
     lebesgue(constant, w, n);
@@ -201,8 +205,7 @@ static int prove_interval(struct interpolant_proof *proof, int i)
 /* Whether the law and the intervals are those for which the radii above were chosen */
 static bool is_sphere(const struct interpolant_layout *layout)
 {
-    bool same = layout->intervals == sizeof ellipse_rho / sizeof *ellipse_rho &&
-                layout->intervals == interpolant_sphere_proof.intervals &&
+    bool same = layout->intervals == ELLIPSES && layout->intervals == interpolant_sphere_proof.intervals &&
                 layout->root == interpolant_sphere_proof.root && 2 * layout->law.a.num == 3 * layout->law.a.den &&
                 2 * layout->law.b.num == layout->law.b.den;
     for (int i = 0; i < interpolant_sphere_proof.intervals && same; i++) {
@@ -212,7 +215,8 @@ static bool is_sphere(const struct interpolant_layout *layout)
     return same;
 }
 
-struct interpolant_proof *interpolant_proof_new(const struct interpolant *f)
+struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, unsigned quantities,
+                                                enum ellipse_source source)
 {
     const int intervals = interpolant_layout_of(f)->intervals;
     struct interpolant_proof *proof = xmalloc(sizeof *proof);
@@ -232,8 +236,8 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f)
     if (!is_sphere(interpolant_layout_of(f)))
         status = fail("only the interpolant of interpolant_sphere_proof can be proved");
     for (int i = 0; i < intervals && status == STATUS_OK; i++)
-        if (ellipse_rho[i] > 0)
-            status = prove_interval(proof, i);
+        if (ellipse_stated[i].rho > 0)
+            status = prove_interval(proof, i, quantities, source);
     if (status == STATUS_OK)
         return proof;
     interpolant_proof_free(proof);
@@ -268,165 +272,6 @@ double interpolant_proof_error(const struct interpolant_proof *proof, int i, enu
 const struct ellipse_bound *interpolant_proof_bound(const struct interpolant_proof *proof, int i)
 {
     return &proof->bound[i];
-}
-
-/* ---- functions on a piece of an interval ---- */
-
-/* A function of t, -1 <= t <= 1, is represented by a polynomial with intervals as coefficients: at every t the value of
- * the function is the value of the polynomial for some numbers of the intervals, which may depend on t. Sums and products
- * of such polynomials represent sums and products. Terms of high degree, which are at most the sums of their
- * coefficients, become part of the constant term's radius. */
-
-static void shorten(arb_poly_t p)
-{
-    mag_t limit, sum, term;
-    slong degree = arb_poly_degree(p);
-    if (degree < 1)
-        return;
-    mag_init(limit);
-    mag_init(sum);
-    mag_init(term);
-    arb_get_mag(limit, arb_poly_get_coeff_ptr(p, 0));
-    mag_mul_2exp_si(limit, limit, NEGLIGIBLE);
-    for (; degree > 0; degree--) {
-        arb_get_mag(term, arb_poly_get_coeff_ptr(p, degree));
-        if (degree <= MOST_DEGREE && mag_cmp(term, limit) > 0)
-            break;
-        mag_add(sum, sum, term);
-    }
-    arb_poly_truncate(p, degree + 1);
-    arb_add_error_mag(arb_poly_get_coeff_ptr(p, 0), sum);
-    mag_clear(limit);
-    mag_clear(sum);
-    mag_clear(term);
-}
-
-static void multiply(arb_poly_t z, const arb_poly_t x, const arb_poly_t y)
-{
-    arb_poly_mul(z, x, y, ROW_PREC);
-    shorten(z);
-}
-
-/* Adds c to the constant term. */
-static void add_number(arb_poly_t p, const arb_t c)
-{
-    arb_t constant;
-    arb_init(constant);
-    arb_poly_get_coeff_arb(constant, p, 0);
-    arb_add(constant, constant, c, ROW_PREC);
-    arb_poly_set_coeff_arb(p, 0, constant);
-    arb_clear(constant);
-}
-
-static void add_double(arb_poly_t p, double c)
-{
-    arb_t number;
-    arb_init(number);
-    arb_set_d(number, c);
-    add_number(p, number);
-    arb_clear(number);
-}
-
-static void add_radius(arb_poly_t p, const arb_t radius)
-{
-    arb_t constant;
-    arb_init(constant);
-    arb_poly_get_coeff_arb(constant, p, 0);
-    arb_add_error(constant, radius);
-    arb_poly_set_coeff_arb(p, 0, constant);
-    arb_clear(constant);
-}
-
-/* The interval of all values, by the sum of the coefficients */
-static void range_of(arb_t range, const arb_poly_t p)
-{
-    arb_t radius, c;
-    arb_init(radius);
-    arb_init(c);
-    for (slong k = arb_poly_degree(p); k >= 1; k--) {
-        arb_abs(c, arb_poly_get_coeff_ptr(p, k));
-        arb_add(radius, radius, c, ROW_PREC);
-    }
-    arb_poly_get_coeff_arb(range, p, 0);
-    arb_add_error(range, radius);
-    arb_clear(radius);
-    arb_clear(c);
-}
-
-/* p(middle + half t) */
-static void rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, const arb_t half, slong prec)
-{
-    arb_poly_t line;
-    arb_poly_init(line);
-    arb_poly_set_coeff_arb(line, 1, half);
-    arb_poly_set_coeff_arb(line, 0, middle);
-    arb_poly_compose(y, p, line, prec);
-    arb_poly_clear(line);
-}
-
-/* exp(c x), x = middle + half t */
-static void exponential(arb_poly_t y, double numerator, slong denominator, const arb_poly_t x)
-{
-    enum { TERMS = 30 };
-    arb_t middle, step, term;
-    arb_init(middle);
-    arb_init(step);
-    arb_init(term);
-    arb_set_d(term, numerator);
-    arb_div_si(term, term, denominator, ROW_PREC);
-    arb_poly_get_coeff_arb(middle, x, 0);
-    arb_poly_get_coeff_arb(step, x, 1);
-    arb_mul(middle, middle, term, ROW_PREC);
-    arb_mul(step, step, term, ROW_PREC);
-    arb_exp(middle, middle, ROW_PREC);
-    arb_set(term, middle);
-    arb_poly_zero(y);
-    for (ulong k = 0; k < TERMS; k++) {
-        arb_poly_set_coeff_arb(y, (slong)k, term);
-        arb_mul(term, term, step, ROW_PREC);
-        arb_div_ui(term, term, k + 1, ROW_PREC);
-    }
-    arb_abs(step, step);
-    arb_exp(step, step, ROW_PREC);
-    arb_mul(term, term, step, ROW_PREC); /* bounds the terms left out */
-    add_radius(y, term);
-    shorten(y);
-    arb_clear(middle);
-    arb_clear(step);
-    arb_clear(term);
-}
-
-/* The root of a positive function: the root s of its polynomial's middle, and the rest, |p - s^2|/s at most. */
-static bool square_root(arb_poly_t y, const arb_poly_t p)
-{
-    arb_poly_t s, rest;
-    arb_t least, most;
-    arb_poly_init(s);
-    arb_poly_init(rest);
-    arb_init(least);
-    arb_init(most);
-    arb_poly_set(s, p);
-    for (slong k = 0; k < arb_poly_length(s); k++)
-        arb_get_mid_arb(arb_poly_get_coeff_ptr(s, k), arb_poly_get_coeff_ptr(s, k));
-    const bool positive = arb_poly_length(s) > 0 && arb_is_positive(arb_poly_get_coeff_ptr(s, 0));
-    if (positive)
-        arb_poly_sqrt_series(s, s, MOST_DEGREE / 2, ROW_PREC);
-    arb_poly_mul(rest, s, s, ROW_PREC);
-    arb_poly_sub(rest, p, rest, ROW_PREC);
-    range_of(most, rest);
-    range_of(least, s);
-    const bool done = positive && arb_is_positive(least);
-    arb_div(most, most, least, ROW_PREC);
-    arb_abs(most, most);
-    arb_poly_set(y, s);
-    if (done)
-        add_radius(y, most);
-    shorten(y);
-    arb_poly_clear(s);
-    arb_poly_clear(rest);
-    arb_clear(least);
-    arb_clear(most);
-    return done;
 }
 
 /* ---- a row on a piece of its cell ---- */
@@ -485,14 +330,14 @@ static void piece_init(struct piece *w, double lo, double hi)
     arb_sub(half, b, a, PREC);
     arb_mul_2exp_si(middle, middle, -1);
     arb_mul_2exp_si(half, half, -1);
-    rescale(w->stored, &w->proof->polynomial[w->i][stored], middle, half, PREC);
-    arb_poly_set_round(w->stored, w->stored, ROW_PREC);
-    add_radius(w->stored, &w->proof->error[w->i][stored]);
-    shorten(w->stored);
+    enclosed_rescale(w->stored, &w->proof->polynomial[w->i][stored], middle, half, PREC);
+    arb_poly_set_round(w->stored, w->stored, ENCLOSED_BITS);
+    enclosed_add_radius(w->stored, &w->proof->error[w->i][stored]);
+    enclosed_shorten(w->stored);
     if (w->interval->variable == INTERVAL_ROOT)
-        multiply(w->beta, w->x, w->x);
+        enclosed_multiply(w->beta, w->x, w->x);
     else
-        exponential(w->beta, 1, 1, w->x);
+        enclosed_exponential(w->beta, 1, 1, w->x);
     arb_clear(a);
     arb_clear(b);
     arb_clear(middle);
@@ -510,17 +355,31 @@ static void piece_clear(struct piece *w)
 static void loss_of(arb_poly_t y, const struct piece *w)
 {
     if (w->interval->form == FORM_QUOTIENT) {
-        multiply(y, w->stored, w->beta);
+        enclosed_multiply(y, w->stored, w->beta);
         return;
     }
     if (w->interval->form == FORM_POWER) {
-        exponential(y, -5, 3, w->x);
-        multiply(y, y, w->stored);
+        enclosed_exponential(y, -5, 3, w->x);
+        enclosed_multiply(y, y, w->stored);
     } else {
         arb_poly_set(y, w->stored);
     }
     arb_poly_neg(y, y);
-    add_double(y, 1);
+    enclosed_add_double(y, 1);
+}
+
+void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct interpolant_proof *proof, int i,
+                           enum quantity quantity, double lo, double hi)
+{
+    const struct pieces p = {.quantity = quantity};
+    struct piece w = {.proof = proof, .p = &p, .i = i, .interval = &interpolant_layout_of(proof->f)->interval[i]};
+    piece_init(&w, lo, hi);
+    loss_of(eps, &w);
+    arb_poly_neg(eps, eps);
+    enclosed_add_double(eps, 1);
+    arb_poly_set(beta, w.beta);
+    arb_poly_set(x, w.x);
+    piece_clear(&w);
 }
 
 /* The variable y of the table */
@@ -536,26 +395,26 @@ static bool variable_of(arb_poly_t y, const struct piece *w)
         arb_poly_set(y, w->x);
         break;
     case VARIABLE_POWER_OCTAVES:
-        multiply(y, w->beta, w->beta);
-        multiply(y, y, y);
-        multiply(y, y, w->beta);
+        enclosed_multiply(y, w->beta, w->beta);
+        enclosed_multiply(y, y, y);
+        enclosed_multiply(y, y, w->beta);
         break;
     case VARIABLE_LOSS:
         loss_of(y, w);
         break;
     case VARIABLE_ROOT_LOSS:
         if (w->interval->form == FORM_QUOTIENT) {
-            done = square_root(y, w->stored);
-            multiply(y, y, w->x);
+            done = enclosed_square_root(y, w->stored);
+            enclosed_multiply(y, y, w->x);
         } else {
             loss_of(y, w);
-            done = square_root(y, y);
+            done = enclosed_square_root(y, y);
         }
         break;
     case VARIABLE_EPS_OCTAVES:
         loss_of(y, w);
         arb_poly_neg(y, y);
-        add_double(y, 1);
+        enclosed_add_double(y, 1);
         break;
     default:
         done = false;
@@ -576,23 +435,23 @@ static bool row_of(arb_poly_t row, const struct piece *w)
         arb_t square;
         arb_init(square);
         arb_set_d(square, w->cell.node);
-        arb_sqr(square, square, ROW_PREC);
+        arb_sqr(square, square, ENCLOSED_BITS);
         arb_neg(square, square);
-        multiply(s, t, t);
-        add_number(s, square);
+        enclosed_multiply(s, t, t);
+        enclosed_add_number(s, square);
         arb_clear(square);
     }
-    add_double(t, -w->cell.node);
+    enclosed_add_double(t, -w->cell.node);
     if (w->cell.plain)
         arb_poly_set(s, t);
     arb_poly_zero(row);
     for (slong k = w->p->degree + 1; k >= 2; k--) {
-        multiply(row, row, t);
-        add_double(row, w->c[k]);
+        enclosed_multiply(row, row, t);
+        enclosed_add_double(row, w->c[k]);
     }
-    multiply(row, row, s);
-    add_double(row, w->c[1]);
-    add_double(row, w->c[0]);
+    enclosed_multiply(row, row, s);
+    enclosed_add_double(row, w->c[1]);
+    enclosed_add_double(row, w->c[0]);
     arb_poly_clear(t);
     arb_poly_clear(s);
     return done;
@@ -610,17 +469,17 @@ static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct
             arb_poly_set(scale, w->stored);
         } else {
             loss_of(scale, w);
-            multiply(difference, difference, w->beta);
+            enclosed_multiply(difference, difference, w->beta);
         }
         break;
     case BETA_QUOTIENT_ZERO_OVERLAP:
     case BETA_QUOTIENT_ZERO_FORCE:
         if (quotient) {
-            multiply(difference, difference, w->stored);
+            enclosed_multiply(difference, difference, w->stored);
             arb_poly_one(scale);
         } else {
             loss_of(scale, w);
-            multiply(difference, difference, scale);
+            enclosed_multiply(difference, difference, scale);
             arb_poly_set(scale, w->beta);
         }
         break;
@@ -633,7 +492,7 @@ static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct
         if (quotient) {
             loss_of(scale, w);
             arb_poly_neg(scale, scale);
-            add_double(scale, 1);
+            enclosed_add_double(scale, 1);
         } else {
             arb_poly_set(scale, w->stored);
         }
@@ -641,60 +500,8 @@ static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct
     default:
         arb_poly_set(scale, w->stored);
     }
-    arb_poly_sub(difference, difference, scale, ROW_PREC);
+    arb_poly_sub(difference, difference, scale, ENCLOSED_BITS);
     return done;
-}
-
-/* An approximate |f/g| at t */
-static double ratio_at(const arb_poly_t f, const arb_poly_t g, double t)
-{
-    arb_t at, x, y;
-    arb_init(at);
-    arb_init(x);
-    arb_init(y);
-    arb_set_d(at, t);
-    arb_poly_evaluate(x, f, at, ROW_PREC);
-    arb_poly_evaluate(y, g, at, ROW_PREC);
-    const double ratio = fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR) / arf_get_d(arb_midref(y), ARF_RND_NEAR));
-    arb_clear(at);
-    arb_clear(x);
-    arb_clear(y);
-    return ratio;
-}
-
-/* Upper bound of |f/g|, infinite where g may vanish. Halves the range until the bound is near `known`, a value that the
- * ratio reaches. */
-static double largest_ratio(const arb_poly_t f, const arb_poly_t g, double known, int halvings)
-{
-    arb_t x, y;
-    mag_t mag;
-    arb_init(x);
-    arb_init(y);
-    mag_init(mag);
-    range_of(x, f);
-    range_of(y, g);
-    arb_div(x, x, y, ROW_PREC);
-    arb_get_mag(mag, x);
-    double bound = mag_get_d(mag);
-    if (bound > known * NEAR_KNOWN && halvings > 0) {
-        arb_poly_t part, scale;
-        arb_poly_init(part);
-        arb_poly_init(scale);
-        bound = 0;
-        for (int side = -1; side <= 1; side += 2) {
-            arb_set_d(x, side * 0.5);
-            arb_set_d(y, 0.5);
-            rescale(part, f, x, y, ROW_PREC);
-            rescale(scale, g, x, y, ROW_PREC);
-            bound = fmax(bound, largest_ratio(part, scale, known, halvings - 1));
-        }
-        arb_poly_clear(part);
-        arb_poly_clear(scale);
-    }
-    arb_clear(x);
-    arb_clear(y);
-    mag_clear(mag);
-    return bound;
 }
 
 /* Bound of the row's relative error for lo <= x <= hi in interval i; infinite without a proof */
@@ -712,11 +519,11 @@ static double piece_error(const struct interpolant_proof *proof, const struct pi
     arb_poly_init(scale);
     piece_init(&w, lo, hi);
     const bool done = relative_error(difference, scale, &w);
-    shorten(difference);
+    enclosed_shorten(difference);
     double known = 0;
     for (int k = -POINTS; k <= POINTS && done; k++)
-        known = fmax(known, ratio_at(difference, scale, k / (double)POINTS));
-    const double error = done ? largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
+        known = fmax(known, enclosed_ratio_at(difference, scale, k / (double)POINTS));
+    const double error = done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
     piece_clear(&w);
     arb_poly_clear(difference);
     arb_poly_clear(scale);
@@ -806,8 +613,8 @@ static int side_of(const struct interpolant_proof *proof, const struct pieces *p
     arb_init(range);
     piece_init(&w, x, x);
     const bool done = variable_of(y, &w);
-    add_double(y, -limit);
-    range_of(range, y);
+    enclosed_add_double(y, -limit);
+    enclosed_range(range, y);
     const int side = !done ? 0 : arb_is_nonnegative(range) ? 1 : arb_is_nonpositive(range) ? -1 : 0;
     piece_clear(&w);
     arb_poly_clear(y);

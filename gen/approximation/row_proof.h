@@ -12,14 +12,24 @@
 
 struct interpolant_proof;
 
-/* Proves the error of the polynomials of an interpolant with the layout interpolant_sphere_proof, but for those that
- * ellipse_bound_set leaves out. Returns NULL after reporting on stderr what could not be proved. */
-struct interpolant_proof *interpolant_proof_new(const struct interpolant *f);
+/* Whether the stated bounds on ellipses are proved again, which takes seconds, or used as stated */
+enum ellipse_source { ELLIPSES_PROVED, ELLIPSES_STATED };
+
+/* Proves the error of the polynomials of an interpolant with the layout interpolant_sphere_proof, of a set of
+ * quantities, but for those that ellipse_bound_set leaves out. Returns NULL after reporting on stderr what could not be
+ * proved. */
+struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, unsigned quantities,
+                                                enum ellipse_source source);
 void interpolant_proof_free(struct interpolant_proof *proof);
 
 /* Proved bound of |polynomial - stored number| on interval i, and what it was proved with; infinite without a proof */
 double interpolant_proof_error(const struct interpolant_proof *proof, int i, enum quantity quantity);
 const struct ellipse_bound *interpolant_proof_bound(const struct interpolant_proof *proof, int i);
+
+/* The interval's variable x, beta and eps of one end for lo <= x <= hi in interval i, as functions of t
+ * (enclosed_function.h); eps where interpolant_proof_error is finite. The error of the interpolant is included. */
+void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct interpolant_proof *proof, int i,
+                           enum quantity quantity, double lo, double hi);
 
 /* -log2 of a proved bound of the relative error of a row of doubles c, p->degree + 2 columns, in its cell; NaN if there
  * is no proof. */

@@ -17,10 +17,14 @@ static int write_header(const struct embed_arguments *o, const struct embed_scen
         free(why);
         return status;
     }
+    struct embed_proof proof;
+    profile_step("proof");
+    if (embed_prove(&proof, &form[chosen], s) != STATUS_OK)
+        return STATUS_FAILED;
     struct output out;
     if (output_open(&out, o->common.output))
         return STATUS_FAILED;
-    embed_header_write(out.file, &o->scene, s, form, chosen);
+    embed_header_write(out.file, &o->scene, s, form, chosen, &proof);
     return output_commit(&out);
 }
 

@@ -34,12 +34,6 @@ static double jacobi_dn(double u, double k)
     return fabs(divisor) > 1e-9 ? cos(phi) / divisor : k;
 }
 
-static double root_degree(enum embed_variable variable)
-{
-    static const double degree[] = {1, 2, 4, 5, 10};
-    return degree[variable];
-}
-
 /* Point j of n between lo and hi. For a rational interpolant of a function with a cut along the negative axis, the best
  * points hi dn^2 follow from the Green function of the plane between the cut and [lo, hi]. Chebyshev points are best
  * for a polynomial, or if the cut is far. */
@@ -63,7 +57,7 @@ static void eps_at(arb_t eps, const struct embed_form *f, const struct embed_sce
 {
     arb_t g;
     arb_init(g);
-    arb_pow_ui(g, x, (ulong)root_degree(f->variable), EMBED_BITS);
+    arb_pow_ui(g, x, (ulong)embed_root_degree(f->variable), EMBED_BITS);
     embed_scene_eps(eps, s, g);
     arb_clear(g);
 }
@@ -133,7 +127,7 @@ static bool finish_quotient(struct embed_form *f, arb_ptr c, slong scale)
     }
     if (!round_numbers(f, c, count))
         return false;
-    const double power = 1 / root_degree(f->variable);
+    const double power = 1 / embed_root_degree(f->variable);
     return n == 0 || quotient_is_positive(f->number + m + 1, n, pow(f->speed_min, power) * (1 - 1e-5),
                                           pow(f->speed_max, power) * (1 + 1e-5));
 }
@@ -143,7 +137,7 @@ static bool finish_quotient(struct embed_form *f, arb_ptr c, slong scale)
 bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
 {
     const slong m = f->numerator, n = f->denominator, count = m + n + 1;
-    const double power = 1 / root_degree(f->variable);
+    const double power = 1 / embed_root_degree(f->variable);
     /* a little inside the range, because x^5 must not leave it */
     const double lo = pow(s->speed_min, power) * (1 + 1e-13), hi = pow(s->speed_max, power) * (1 - 1e-13);
     const slong scale = lround(log2(lo * hi) / 2);

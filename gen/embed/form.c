@@ -44,6 +44,12 @@ void embed_form_size(char *text, size_t size, const struct embed_form *f)
         snprintf(text, size, "[%ld/%ld]", (long)f->numerator, (long)f->denominator);
 }
 
+double embed_root_degree(enum embed_variable variable)
+{
+    static const double degree[] = {1, 2, 4, 5, 10};
+    return degree[variable];
+}
+
 double embed_root_error(int refinement, bool single)
 {
     static const double error[EMBED_REFINEMENTS] = {2.33e-5, 3.9e-10, 8.6e-15, 1.3e-15};
@@ -124,16 +130,18 @@ static double form_split_polynomial(const struct embed_form *f, const double *c,
 const double embed_root_seed[4] = {0.9999949028651255, 0.19999368411425256, 0.12170544636870924, 0.08960415657233971};
 const double embed_root_step[4] = {1, 0.2, 0.12, 0.088};
 
+double embed_root_start(const struct embed_form *f, double g, bool fused)
+{
+    if (f->single)
+        return embed_from_bits(f, EMBED_ROOT_SINGLE - (uint32_t)embed_bits_of(f, g) / 5);
+    /* 2^52 + n holds the integer n in its low bits */
+    const double top = embed_from_bits(f, (embed_bits_of(f, g) >> 32) | UINT64_C(0x4330000000000000));
+    return embed_from_bits(f, embed_bits_of(f, mul_add(f, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT, fused)) << 32);
+}
+
 static double fifth_root(const struct embed_form *f, double g, bool fused)
 {
-    double r;
-    if (f->single) {
-        r = embed_from_bits(f, EMBED_ROOT_SINGLE - (uint32_t)embed_bits_of(f, g) / 5);
-    } else {
-        /* 2^52 + n holds the integer n in its low bits */
-        const double top = embed_from_bits(f, (embed_bits_of(f, g) >> 32) | UINT64_C(0x4330000000000000));
-        r = embed_from_bits(f, embed_bits_of(f, mul_add(f, -EMBED_ROOT_FIFTH, top, EMBED_ROOT_CONSTANT, fused)) << 32);
-    }
+    double r = embed_root_start(f, g, fused);
     for (int k = 0; k < (f->refinement > 0 ? 2 : 1); k++) {
         const double square = form_product(f, r, r), fourth = form_product(f, square, square);
         const double e = mul_add(f, -form_product(f, g, r), fourth, 1, fused);
@@ -146,7 +154,7 @@ static double fifth_root(const struct embed_form *f, double g, bool fused)
     return form_product(f, g, form_product(f, square, square));
 }
 
-static double form_fifth_root(const struct embed_form *f, double x)
+static double form_sqrt(const struct embed_form *f, double x)
 {
     return form_rounded(f, sqrt(x));
 }
@@ -160,16 +168,16 @@ double embed_form_value(const struct embed_form *f, double speed, bool fused)
     case SPEED:
         break;
     case SQRT_OF_SPEED:
-        x = form_fifth_root(f, g);
+        x = form_sqrt(f, g);
         break;
     case FOURTH_ROOT_OF_SPEED:
-        x = form_fifth_root(f, form_fifth_root(f, g));
+        x = form_sqrt(f, form_sqrt(f, g));
         break;
     case FIFTH_ROOT_OF_SPEED:
         x = fifth_root(f, g, fused);
         break;
     case TENTH_ROOT_OF_SPEED:
-        x = form_fifth_root(f, fifth_root(f, g, fused));
+        x = form_sqrt(f, fifth_root(f, g, fused));
         break;
     }
     double value;

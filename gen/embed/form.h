@@ -42,6 +42,9 @@ extern const char *const embed_operation_names[OPERATIONS];
 
 enum embed_use { USE_SCALAR, USE_ARRAY, USES };
 
+/* The variable is speed^(1/degree). */
+double embed_root_degree(enum embed_variable variable);
+
 /* Fifth roots from bits: the largest number of refinements, and the relative error after each */
 enum { EMBED_REFINEMENTS = 4 };
 double embed_root_error(int refinement, bool single);
@@ -85,6 +88,9 @@ struct embed_form {
 };
 
 void embed_form_clear(struct embed_form *f);
+
+/* The start value of g^(-1/5), as the header computes it. It does not rise with g. */
+double embed_root_start(const struct embed_form *f, double g, bool fused);
 
 /* The header's function in its arithmetic, with the same operations that emit_form writes. `fused`: a product and its
  * addition are rounded once, as compilers may do. */

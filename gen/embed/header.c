@@ -112,47 +112,87 @@ static void append_title(struct text *t, const struct embed_scene *s, const char
     text_append(t, "    %s %s(%s speed);\n\n", type, name, type);
 }
 
-static void append_scene(struct text *t, const struct embed_request *request, const struct embed_scene *s)
+enum { EVIDENCE = 96 };
+
+/* How the tolerance is known */
+static const char *evidence(char text[EVIDENCE], const struct embed_scene *s, const struct embed_proof *proof)
 {
+    if (!(proof->error <= s->tolerance) && isfinite(proof->error))
+        snprintf(text, EVIDENCE, "sampled, below; proved: %s", emit_bound(proof->error).text);
+    else if (proof->speed_end == 0)
+        snprintf(text, EVIDENCE, "sampled, below");
+    else if (proof->speed_end < s->speed_max)
+        snprintf(text, EVIDENCE, "proved up to %.6g m/s and\nsampled beyond, below", proof->speed_end);
+    else
+        snprintf(text, EVIDENCE, "proved, below");
+    return text;
+}
+
+static void append_scene(struct text *t, const struct embed_request *request, const struct embed_scene *s,
+                         const struct embed_proof *proof)
+{
+    char known[EVIDENCE];
     char *beta = arb_get_str(s->beta_per_root, 20, ARB_STR_NO_RADIUS);
     text_append(t,
                 "Scene: %s m/s <= speed <= %s m/s; the contact ends at %s;\n"
                 "beta = %s (speed/(m/s))^%s, from %.4g to %.4g.\n"
-                "Accuracy: relative error of eps at most %s, approximation and rounding together (sampled, below).\n"
+                "Accuracy: relative error of eps at most %s, approximation and rounding together (%s).\n"
                 "Outside: the value at the nearer end, of speed 0 and +inf too; negative or NaN -> NaN.\n\n",
                 request->number[EMBED_SPEED_MIN].text, request->number[EMBED_SPEED_MAX].text,
                 request->end == END_ZERO_FORCE ? "zero force (x'' = 0)" : "zero overlap (x = 0)", beta,
                 ratio_power(law_speed_exponent(&s->law)).text, s->beta_min, s->beta_max,
-                request->number[EMBED_TOLERANCE].text);
+                request->number[EMBED_TOLERANCE].text, evidence(known, s, proof));
     flint_free(beta);
 }
 
+static void append_proof(struct text *t, const struct embed_scene *s, const struct embed_proof *proof)
+{
+    if (!isfinite(proof->rounding))
+        return;
+    const struct bound_text rounding = emit_bound(proof->rounding);
+    if (proof->speed_end == 0)
+        text_append(t, "Proved: rounding errors of %s at most, ", rounding.text);
+    else if (proof->speed_end < s->speed_max)
+        text_append(t, "Proved at every speed up to %.6g m/s, beta = exp(10): %s at most, of which rounding %s,\n",
+                    proof->speed_end, emit_bound(proof->error).text, rounding.text);
+    else
+        text_append(t, "Proved at every speed of the range: %s at most, of which rounding %s,\n",
+                    emit_bound(proof->error).text, rounding.text);
+    text_append(t, "with + - * / and sqrt rounded to nearest, products fused or not.\n");
+}
+
 static void append_choice(struct text *t, const struct embed_request *request, const struct embed_scene *s,
-                          const struct embed_form *form, enum embed_family chosen)
+                          const struct embed_form *form, enum embed_family chosen, const struct embed_proof *proof)
 {
     const struct embed_form *f = &form[chosen];
     char size[64];
     embed_form_size(size, sizeof size, f);
+    text_append(t,
+                "Chosen: %s, %s. Of what meets the tolerance it takes\n%s (--for %s).\n"
+                "Largest error found %s, at %.6g m/s, of %d speeds even in their logarithm, sums of products rounded\n"
+                "once and twice: sampled. %s\n",
+                embed_family_name(chosen, &s->law), size, rule_of_purpose(request->purpose),
+                embed_purpose_names[request->purpose], emit_bound(f->error).text, f->error_at, EMBED_SAMPLES,
+                f->rows > 0 ? "No branch; one table." : "No branch, no table.");
+    append_proof(t, s, proof);
     text_append(
-        t,
-        "Chosen: %s, %s. Of what meets the tolerance it takes\n%s (--for %s).\n"
-        "Largest error found %s, at %.6g m/s, of %d speeds even in their logarithm, sums of products rounded\n"
-        "once and twice: sampled. %s\n\n"
-        "The cheapest of each kind. ns are made from the operations and what they cost in a loop where that was\n"
-        "measured (docs/embed.md): right as ratios. Division and square root run beside the others.\n\n",
-        embed_family_name(chosen, &s->law), size, rule_of_purpose(request->purpose),
-        embed_purpose_names[request->purpose], emit_bound(f->error).text, f->error_at, EMBED_SAMPLES,
-        f->rows > 0 ? "No branch; one table." : "No branch, no table.");
+        t, "\nThe cheapest of each kind. error: the largest found. ns are made from the operations and what they cost\n"
+           "in a loop where that was measured (docs/embed.md): right as ratios. Division and square root run beside\n"
+           "the others.\n\n");
     append_alternatives(t, s, form, chosen);
 }
 
-static void append_provenance(struct text *t, const struct embed_scene *s)
+static void append_provenance(struct text *t, const struct embed_scene *s, const struct embed_proof *proof)
 {
-    text_append(t,
-                "\nFitted to and sampled against collisions %s enclosed to 76 bits or\n"
-                "more (proved), which are interpolated to 1e-17 (sampled); coefficients rounded once to the type.\n"
-                "C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n",
-                law_equation(&s->law).text);
+    text_append(
+        t,
+        "\nFitted to and compared with collisions %s enclosed to 76 bits or\n"
+        "more (proved), which are interpolated to 1e-17 (%s); coefficients\n"
+        "rounded once to the type. C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n",
+        law_equation(&s->law).text,
+        proof->speed_end == 0             ? "sampled"
+        : proof->speed_end < s->speed_max ? "sampled; as far as proved, their error is included"
+                                          : "sampled; the proof includes their proved error");
 }
 
 /* ---- the function ---- */
@@ -249,7 +289,7 @@ static void emit_macros(struct emit *e, const char *name, const struct embed_req
 }
 
 void embed_header_write(FILE *file, const struct embed_request *request, const struct embed_scene *s,
-                        const struct embed_form *form, enum embed_family chosen)
+                        const struct embed_form *form, enum embed_family chosen, const struct embed_proof *proof)
 {
     const char *name = request->name ? request->name : default_name;
     char guard[NAME_MAX_HERE];
@@ -258,9 +298,9 @@ void embed_header_write(FILE *file, const struct embed_request *request, const s
     struct text *banner = xmalloc(sizeof *banner);
     banner->length = 0;
     append_title(banner, s, name);
-    append_scene(banner, request, s);
-    append_choice(banner, request, s, form, chosen);
-    append_provenance(banner, s);
+    append_scene(banner, request, s, proof);
+    append_choice(banner, request, s, form, chosen, proof);
+    append_provenance(banner, s, proof);
     append_command(banner, request);
 
     struct emit e;

@@ -12,7 +12,8 @@
 #include "support/console.h"
 #include "support/parallel.h"
 
-/* From this beta on, eps at zero overlap is h*^5 beta^-5 with relative error 2^-60. The interpolant ends at 8.25. */
+/* From this beta on, eps at zero overlap is h*^5 beta^-5 with relative error EMBED_FAR_ERROR (proof.h). The interpolant
+ * ends at 8.25. */
 #define OVERLAP_FAR 7.0
 /* At zero force the interpolant ends at 17. From exp(10) on three orders in beta^(-5/3) suffice. */
 #define FORCE_FAR 16.9
@@ -168,7 +169,7 @@ static int scene_collide(struct embed_scene *s)
     if (overlap)
         parallel_begin(&task, find_limit, &limit);
     if (!overlap || s->beta_min < OVERLAP_FAR) {
-        s->interpolant = interpolant_new(&interpolant_sphere, s->beta_min * (1 - 1e-9),
+        s->interpolant = interpolant_new(&interpolant_sphere_proof, s->beta_min * (1 - 1e-9),
                                          overlap ? fmin(s->beta_max, OVERLAP_FAR) : s->beta_max * (1 + 1e-9));
         status = s->interpolant ? STATUS_OK : STATUS_FAILED;
     }

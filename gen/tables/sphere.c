@@ -76,7 +76,7 @@ static struct {
  * ln(beta). */
 static int prove_rows(struct law_tables *t)
 {
-    struct interpolant_proof *proof = interpolant_proof_new(t->f);
+    struct interpolant_proof *proof = interpolant_proof_new(t->f, SET_ALL, ELLIPSES_PROVED);
     int status = proof ? STATUS_OK : STATUS_FAILED;
     for (int i = 0; i < t->layout.tables && status == STATUS_OK; i++)
         if (t->rows[i].has && row_proof_covers(proof, &t->rows[i].pieces))

@@ -16,6 +16,7 @@
 #include "embed/choose.h"
 #include "embed/contact.h"
 #include "embed/fit.h"
+#include "embed/proof.h"
 #include "enclosure/collision.h"
 
 /* The scene of a contact with g* = 0.2 m/s; to be cleared. */
@@ -93,6 +94,49 @@ static void check_form(const struct embed_form *f, const struct embed_scene *s, 
     assert_true(isnan(embed_form_value(f, -1, false)) && isnan(embed_form_value(f, NAN, false)));
 }
 
+/* The proved error is above the errors at other speeds than the 4096 of the samples, and little above the largest
+ * sampled one. A wrong number raises it. */
+static void check_proof(struct embed_form *f, const struct embed_scene *s)
+{
+    enum { SPEEDS = 1500 };
+    struct embed_proof proof;
+    assert_int_equal(embed_prove(&proof, f, s), STATUS_OK);
+    if (!(proof.error >= f->error && proof.formula <= 1.05 * f->error + proof.rounding &&
+          proof.speed_end == s->speed_max))
+        fail_msg("%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, &s->law), proof.error,
+                 proof.rounding, f->error);
+    if (!(proof.rounding < (s->single ? 3e-6 : 1e-11) + 0.1 * s->tolerance))
+        fail_msg("%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, &s->law), proof.error,
+                 proof.rounding, f->error);
+    arb_t g, eps;
+    arb_init(g);
+    arb_init(eps);
+    for (int k = 0; k < SPEEDS; k++) {
+        double place = 0.61803398874989485 * k;
+        place -= floor(place);
+        const double speed = embed_rounded(s, s->speed_min * pow(s->speed_max / s->speed_min, place));
+        arb_set_d(g, fmin(fmax(speed, s->speed_min), s->speed_max));
+        embed_scene_eps(eps, s, g);
+        for (int fused = 0; fused < 2; fused++) {
+            arb_set_d(g, embed_form_value(f, speed, fused));
+            arb_div(g, g, eps, 200);
+            arb_sub_ui(g, g, 1, 200);
+            if (!(fabs(middle(g)) <= proof.error))
+                fail_msg("%s at %.17g m/s: off by %g, %g proved", embed_family_name(f->family, &s->law), speed,
+                         fabs(middle(g)), proof.error);
+        }
+    }
+    arb_clear(g);
+    arb_clear(eps);
+    const double error = f->error, kept = f->number[0];
+    f->number[0] *= 1 + 64 * s->tolerance;
+    embed_form_assess(f, &s->samples, 1);
+    assert_int_equal(embed_prove(&proof, f, s), STATUS_OK);
+    assert_true(proof.error >= f->error);
+    f->number[0] = kept;
+    f->error = error;
+}
+
 /* All forms of a scene; returns how many families have a member. */
 static int check_scene(const struct embed_request *request)
 {
@@ -111,6 +155,8 @@ static int check_scene(const struct embed_request *request)
             check_form(&form[k], &s, &known);
         else
             assert_true(form[k].why[0] != '\0');
+        if (form[k].found && law_is_sphere(&s.law) && in_turn((size_t)k, 3))
+            check_proof(&form[k], &s);
         found += form[k].found;
     }
     for (int purpose = PURPOSE_BALANCED; purpose <= PURPOSE_ARRAY; purpose++)
@@ -260,6 +306,10 @@ static void test_root(void **state)
             }
             assert_true(worst <= embed_root_error(refinement, single));
             assert_true(worst >= embed_root_error(refinement, single) / 20);
+            struct embed_rounding bound;
+            embed_rounding_bound(&bound, &f);
+            if (!(worst <= bound.root && bound.root <= 3 * embed_root_error(refinement, single)))
+                fail_msg("fifth root, %d refinements: %g proved, %g found", refinement, bound.root, worst);
         }
 }
 
@@ -339,12 +389,61 @@ static void test_fit(void **state)
     request_clear(&request);
 }
 
+/* eps at EMBED_FAR is h*^5 beta^-5 (1 - d), 0 < d < EMBED_FAR_ERROR: enclosed. The proof of
+ * a form beyond EMBED_FAR shows a coefficient that is wrong in its 48th bit. */
+static void test_far(void **state)
+{
+    (void)state;
+    enum { FAR_BITS = 128 };
+    struct collision c;
+    arb_t beta, ratio, limit;
+    collision_init(&c);
+    arb_init(beta);
+    arb_init(ratio);
+    arb_init(limit);
+    arb_set_d(beta, EMBED_FAR);
+    assert_int_equal(collision_solve(&c, beta, &law_sphere, FAR_BITS), 0);
+    assert_int_equal(collision_h_star(limit, FAR_BITS), 0);
+    arb_div(ratio, beta, limit, FAR_BITS);
+    arb_pow_ui(ratio, ratio, 5, FAR_BITS);
+    arb_mul(ratio, ratio, c.eps_zero_overlap, FAR_BITS);
+    arb_sub_ui(ratio, ratio, 1, FAR_BITS);
+    arb_neg(ratio, ratio);
+    assert_true(arb_is_positive(ratio));
+    arb_set_d(limit, EMBED_FAR_ERROR);
+    assert_true(arb_lt(ratio, limit));
+    collision_clear(&c);
+    arb_clear(beta);
+    arb_clear(ratio);
+    arb_clear(limit);
+
+    struct embed_request request = scene_request("1e5", "1e7", "1e-12", END_ZERO_OVERLAP);
+    struct embed_scene s;
+    assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
+    struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
+                           .variable = SPEED,
+                           .speed_min = s.speed_min,
+                           .speed_max = s.speed_max,
+                           .denominator = 1};
+    struct embed_proof proof;
+    assert_true(embed_fit_rational(&f, &s));
+    embed_form_assess(&f, &s.samples, 1);
+    assert_int_equal(embed_prove(&proof, &f, &s), STATUS_OK);
+    assert_true(proof.error < 4e-16 && proof.speed_end == s.speed_max);
+    f.number[0] *= 1 + 0x1p-48;
+    assert_int_equal(embed_prove(&proof, &f, &s), STATUS_OK);
+    assert_true(proof.formula > 0x1p-49);
+    embed_form_clear(&f);
+    embed_scene_clear(&s);
+    request_clear(&request);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_choice), cmocka_unit_test(test_counts),    cmocka_unit_test(test_root),
-        cmocka_unit_test(test_fit),    cmocka_unit_test(test_scenes),    cmocka_unit_test(test_laws),
-        cmocka_unit_test(test_ways),   cmocka_unit_test(test_materials),
+        cmocka_unit_test(test_choice), cmocka_unit_test(test_counts), cmocka_unit_test(test_root),
+        cmocka_unit_test(test_fit),    cmocka_unit_test(test_scenes), cmocka_unit_test(test_laws),
+        cmocka_unit_test(test_far),    cmocka_unit_test(test_ways),   cmocka_unit_test(test_materials),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -158,7 +158,7 @@ static int make_proof(void **state)
 {
     (void)state;
     interpolant = interpolant_new(&interpolant_sphere_proof, 0, 1);
-    proof = interpolant ? interpolant_proof_new(interpolant) : NULL;
+    proof = interpolant ? interpolant_proof_new(interpolant, SET_ALL, ELLIPSES_PROVED) : NULL;
     return proof ? 0 : 1;
 }
 
@@ -187,8 +187,35 @@ static const struct pieces tables[] = {
     TABLE(.quantity = MAX_OVERLAP, .variable = VARIABLE_BETA, .step = 0.125, .end = 0.9, .rows = 8, .plain = 8),
 };
 
-/* The proved errors of two tables, which differ from run to run, are those that sampling finds, or a little larger. A
- * coefficient that is wrong in its 50th bit, and wrong ones in the last of the lower columns, are refused. */
+/* What turns the proof of one row red: any coefficient but c_0 wrong by 2^-49 of the row's value, c_0' dropped, and a
+ * node that moved. */
+static void assert_row_guarded(struct pieces *p, slong row, double *c)
+{
+    const double bits = p->bits[row];
+    const struct cell cell = pieces_cell(p, row);
+    const double t = (cell.hi - cell.lo) / 2, s = cell.plain ? t : cell.hi * cell.hi - cell.node * cell.node;
+    const slong k = 1 + (slong)random_below(&random_state, (unsigned)p->degree + 1);
+    const double kept = c[k], change = k == 1 ? 0x1p-49 * c[0] : 0x1p-49 * c[0] / (s * pow(t, (double)(k - 2)));
+    c[k] += change;
+    if (!(row_proof_bits(proof, p, row, c) < 51))
+        fail_msg("row %ld is proved with a wrong coefficient %ld, %a", (long)row, (long)k, change);
+    c[k] = kept;
+
+    const double rest = -log2(fabs(c[1] / c[0])), dropped = c[1];
+    c[1] = 0;
+    if (rest < bits - 2 && !(row_proof_bits(proof, p, row, c) < rest + 1))
+        fail_msg("row %ld is proved without the second part of its constant", (long)row);
+    c[1] = dropped;
+
+    const double first = p->first;
+    p->first += 0x1p-36;
+    if (p->variable != VARIABLE_POWER_OCTAVES && !(row_proof_bits(proof, p, row, c) < bits - 3))
+        fail_msg("row %ld is proved with a node that is not its own", (long)row);
+    p->first = first;
+}
+
+/* The proved errors of two tables, which differ from run to run, are those that sampling finds, or a little larger.
+ * Wrong rows are refused. */
 static void test_rows(void **state)
 {
     (void)state;
@@ -196,7 +223,7 @@ static void test_rows(void **state)
         struct pieces p = tables[random_below(&random_state, sizeof tables / sizeof *tables)];
         p.least_bits = 54;
         assert_int_equal(pieces_make(&p, interpolant), 0);
-        const slong columns = p.degree + 2;
+        const slong columns = p.degree + 2, chosen = (slong)random_below(&random_state, (unsigned)p.rows);
         for (slong row = 0; row < p.rows; row++) {
             double *const c = p.value + row * columns;
             const double bits = row_proof_bits(proof, &p, row, c);
@@ -206,6 +233,8 @@ static void test_rows(void **state)
             c[0] *= 1 + 0x1p-49;
             assert_true(row_proof_bits(proof, &p, row, c) < 50);
             c[0] /= 1 + 0x1p-49;
+            if (row == chosen || row == 0)
+                assert_row_guarded(&p, row, c);
         }
         /* the table as a whole */
         assert_true(row_proof_covers(proof, &p));
@@ -236,7 +265,7 @@ static void test_samples(void **state)
         arb_mul_2exp_si(factor, factor, k == 0 ? -52 : -40);
         arb_add_ui(factor, factor, 1, 200);
         arb_mul(wrong[k], wrong[k], factor, 200);
-        struct interpolant_proof *none = interpolant_proof_new(interpolant);
+        struct interpolant_proof *none = interpolant_proof_new(interpolant, SET_ALL, ELLIPSES_PROVED);
         if (none)
             fail_msg("proved with a wrong %s %ld", k == 0 ? "sample" : "node", (long)j);
         arb_set(wrong[k], kept);
@@ -258,7 +287,7 @@ static void test_unknown(void **state)
     assert_true(isnan(row_proof_bits(proof, &p, 40, c)));
     assert_false(row_proof_bits(proof, &p, 4, c) > 10);
     struct interpolant *other = interpolant_new(&interpolant_sphere, 0.01, 0.02);
-    assert_null(interpolant_proof_new(other));
+    assert_null(interpolant_proof_new(other, SET_ALL, ELLIPSES_PROVED));
     interpolant_free(other);
 }
 

@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: MIT */
+#include "approximation/enclosed_function.h"
+
+#include <math.h>
+
+/* A bound of a ratio is good enough within this factor of the value `known`. */
+#define NEAR_KNOWN 1.03
+
+enum {
+    MOST_DEGREE = 44,
+    NEGLIGIBLE = -100 /* terms below 2^NEGLIGIBLE of the value join the constant term's radius */
+};
+
+void enclosed_shorten(arb_poly_t p)
+{
+    mag_t limit, sum, term;
+    slong degree = arb_poly_degree(p);
+    if (degree < 1)
+        return;
+    mag_init(limit);
+    mag_init(sum);
+    mag_init(term);
+    arb_get_mag(limit, arb_poly_get_coeff_ptr(p, 0));
+    mag_mul_2exp_si(limit, limit, NEGLIGIBLE);
+    for (; degree > 0; degree--) {
+        arb_get_mag(term, arb_poly_get_coeff_ptr(p, degree));
+        if (degree <= MOST_DEGREE && mag_cmp(term, limit) > 0)
+            break;
+        mag_add(sum, sum, term);
+    }
+    arb_poly_truncate(p, degree + 1);
+    arb_add_error_mag(arb_poly_get_coeff_ptr(p, 0), sum);
+    mag_clear(limit);
+    mag_clear(sum);
+    mag_clear(term);
+}
+
+void enclosed_multiply(arb_poly_t z, const arb_poly_t x, const arb_poly_t y)
+{
+    arb_poly_mul(z, x, y, ENCLOSED_BITS);
+    enclosed_shorten(z);
+}
+
+void enclosed_add_number(arb_poly_t p, const arb_t c)
+{
+    arb_t constant;
+    arb_init(constant);
+    arb_poly_get_coeff_arb(constant, p, 0);
+    arb_add(constant, constant, c, ENCLOSED_BITS);
+    arb_poly_set_coeff_arb(p, 0, constant);
+    arb_clear(constant);
+}
+
+void enclosed_add_double(arb_poly_t p, double c)
+{
+    arb_t number;
+    arb_init(number);
+    arb_set_d(number, c);
+    enclosed_add_number(p, number);
+    arb_clear(number);
+}
+
+void enclosed_add_radius(arb_poly_t p, const arb_t radius)
+{
+    arb_t constant;
+    arb_init(constant);
+    arb_poly_get_coeff_arb(constant, p, 0);
+    arb_add_error(constant, radius);
+    arb_poly_set_coeff_arb(p, 0, constant);
+    arb_clear(constant);
+}
+
+void enclosed_range(arb_t range, const arb_poly_t p)
+{
+    arb_t radius, c;
+    arb_init(radius);
+    arb_init(c);
+    for (slong k = arb_poly_degree(p); k >= 1; k--) {
+        arb_abs(c, arb_poly_get_coeff_ptr(p, k));
+        arb_add(radius, radius, c, ENCLOSED_BITS);
+    }
+    arb_poly_get_coeff_arb(range, p, 0);
+    arb_add_error(range, radius);
+    arb_clear(radius);
+    arb_clear(c);
+}
+
+void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, const arb_t half, slong prec)
+{
+    arb_poly_t line;
+    arb_poly_init(line);
+    arb_poly_set_coeff_arb(line, 1, half);
+    arb_poly_set_coeff_arb(line, 0, middle);
+    arb_poly_compose(y, p, line, prec);
+    arb_poly_clear(line);
+}
+
+void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, const arb_poly_t x)
+{
+    enum { TERMS = 30 };
+    arb_t middle, step, term;
+    arb_init(middle);
+    arb_init(step);
+    arb_init(term);
+    arb_set_d(term, numerator);
+    arb_div_si(term, term, denominator, ENCLOSED_BITS);
+    arb_poly_get_coeff_arb(middle, x, 0);
+    arb_poly_get_coeff_arb(step, x, 1);
+    arb_mul(middle, middle, term, ENCLOSED_BITS);
+    arb_mul(step, step, term, ENCLOSED_BITS);
+    arb_exp(middle, middle, ENCLOSED_BITS);
+    arb_set(term, middle);
+    arb_poly_zero(y);
+    for (ulong k = 0; k < TERMS; k++) {
+        arb_poly_set_coeff_arb(y, (slong)k, term);
+        arb_mul(term, term, step, ENCLOSED_BITS);
+        arb_div_ui(term, term, k + 1, ENCLOSED_BITS);
+    }
+    arb_abs(step, step);
+    arb_exp(step, step, ENCLOSED_BITS);
+    arb_mul(term, term, step, ENCLOSED_BITS); /* bounds the terms left out */
+    enclosed_add_radius(y, term);
+    enclosed_shorten(y);
+    arb_clear(middle);
+    arb_clear(step);
+    arb_clear(term);
+}
+
+/* The root of a positive function: the root s of its polynomial's middle, and the rest, |p - s^2|/s at most. */
+bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
+{
+    arb_poly_t s, rest;
+    arb_t least, most;
+    arb_poly_init(s);
+    arb_poly_init(rest);
+    arb_init(least);
+    arb_init(most);
+    arb_poly_set(s, p);
+    for (slong k = 0; k < arb_poly_length(s); k++)
+        arb_get_mid_arb(arb_poly_get_coeff_ptr(s, k), arb_poly_get_coeff_ptr(s, k));
+    const bool positive = arb_poly_length(s) > 0 && arb_is_positive(arb_poly_get_coeff_ptr(s, 0));
+    if (positive)
+        arb_poly_sqrt_series(s, s, MOST_DEGREE / 2, ENCLOSED_BITS);
+    arb_poly_mul(rest, s, s, ENCLOSED_BITS);
+    arb_poly_sub(rest, p, rest, ENCLOSED_BITS);
+    enclosed_range(most, rest);
+    enclosed_range(least, s);
+    const bool done = positive && arb_is_positive(least);
+    arb_div(most, most, least, ENCLOSED_BITS);
+    arb_abs(most, most);
+    arb_poly_set(y, s);
+    if (done)
+        enclosed_add_radius(y, most);
+    enclosed_shorten(y);
+    arb_poly_clear(s);
+    arb_poly_clear(rest);
+    arb_clear(least);
+    arb_clear(most);
+    return done;
+}
+
+double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t)
+{
+    arb_t at, x, y;
+    arb_init(at);
+    arb_init(x);
+    arb_init(y);
+    arb_set_d(at, t);
+    arb_poly_evaluate(x, f, at, ENCLOSED_BITS);
+    arb_poly_evaluate(y, g, at, ENCLOSED_BITS);
+    const double ratio = fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR) / arf_get_d(arb_midref(y), ARF_RND_NEAR));
+    arb_clear(at);
+    arb_clear(x);
+    arb_clear(y);
+    return ratio;
+}
+
+double enclosed_largest_ratio(const arb_poly_t f, const arb_poly_t g, double known, int halvings)
+{
+    arb_t x, y;
+    mag_t mag;
+    arb_init(x);
+    arb_init(y);
+    mag_init(mag);
+    enclosed_range(x, f);
+    enclosed_range(y, g);
+    arb_div(x, x, y, ENCLOSED_BITS);
+    arb_get_mag(mag, x);
+    double bound = mag_get_d(mag);
+    if (bound > known * NEAR_KNOWN && halvings > 0) {
+        arb_poly_t part, scale;
+        arb_poly_init(part);
+        arb_poly_init(scale);
+        bound = 0;
+        for (int side = -1; side <= 1; side += 2) {
+            arb_set_d(x, side * 0.5);
+            arb_set_d(y, 0.5);
+            enclosed_rescale(part, f, x, y, ENCLOSED_BITS);
+            enclosed_rescale(scale, g, x, y, ENCLOSED_BITS);
+            bound = fmax(bound, enclosed_largest_ratio(part, scale, known, halvings - 1));
+        }
+        arb_poly_clear(part);
+        arb_poly_clear(scale);
+    }
+    arb_clear(x);
+    arb_clear(y);
+    mag_clear(mag);
+    return bound;
+}

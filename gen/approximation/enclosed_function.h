@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* Enclosures of functions of t, -1 <= t <= 1. A polynomial with intervals as coefficients represents a function if at
+ * every t the value of the function is the value of the polynomial for some numbers of the intervals, which may depend
+ * on t. Sums and products of such polynomials represent sums and products. Terms of high degree, which are at most the
+ * sums of their coefficients, become part of the constant term's radius. */
+#ifndef COR_GEN_APPROXIMATION_ENCLOSED_FUNCTION_H
+#define COR_GEN_APPROXIMATION_ENCLOSED_FUNCTION_H
+
+#include <stdbool.h>
+
+#include "support/flint.h"
+
+enum { ENCLOSED_BITS = 160 };
+
+/* Moves negligible terms to the radius of the constant term. */
+void enclosed_shorten(arb_poly_t p);
+
+void enclosed_multiply(arb_poly_t z, const arb_poly_t x, const arb_poly_t y);
+void enclosed_add_number(arb_poly_t p, const arb_t c);
+void enclosed_add_double(arb_poly_t p, double c);
+void enclosed_add_radius(arb_poly_t p, const arb_t radius);
+
+/* The interval of all values, by the sum of the coefficients */
+void enclosed_range(arb_t range, const arb_poly_t p);
+
+/* p(middle + half t) */
+void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, const arb_t half, slong prec);
+
+/* exp(numerator/denominator x), where x has degree 1 */
+void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, const arb_poly_t x);
+
+/* The root of a positive function. Returns false if it is not shown to be positive. */
+bool enclosed_square_root(arb_poly_t y, const arb_poly_t p);
+
+/* An approximate |f/g| at t */
+double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t);
+
+/* Upper bound of |f/g|, infinite where g may vanish. Halves the range, `halvings` times at most, until the bound is near
+ * `known`, a value that the ratio reaches or that is small enough. */
+double enclosed_largest_ratio(const arb_poly_t f, const arb_poly_t g, double known, int halvings);
+
+#endif

@@ -1,0 +1,326 @@
+/* SPDX-License-Identifier: MIT */
+#include "embed/proof.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "approximation/enclosed_function.h"
+#include "approximation/row_proof.h"
+#include "support/console.h"
+#include "support/parallel.h"
+
+enum {
+    FIRST_PARTS = 4, /* of an interval, for a form without a table */
+    DEPTH = 12,      /* halvings of a part, at most */
+    HALVINGS = 2,    /* of polynomials on a part */
+    POINTS = 6,      /* on each side of a part's middle, where the error is evaluated first */
+    FAR = -1         /* in place of an interval: beta >= EMBED_FAR at zero overlap */
+};
+
+/* Longest part in ln(beta) */
+#define LOG_PART 0.5
+/* A bound is good enough within this factor of an error that is taken, or of the largest sampled error. */
+#define NEAR_KNOWN 1.01
+#define NEAR_SAMPLED 1.005
+/* More than the rounding of a few functions of libm */
+#define SLACK 1e-13
+
+/* lo <= x <= hi in an interval of the interpolant, or in ln(beta), and the row of the table there */
+struct part {
+    int interval;
+    slong row;
+    double lo, hi;
+};
+
+struct prover {
+    const struct embed_form *f;
+    const struct embed_scene *s;
+    struct interpolant_proof *interpolant;
+    enum quantity quantity;
+    arb_t factor;      /* variable = factor beta^(5/root) */
+    double last_speed; /* where the intervals end, at zero force */
+    double enough;
+    struct part *part;
+    slong parts;
+    double *error; /* of each part */
+};
+
+/* ---- a part ---- */
+
+/* x, beta and eps as functions of t */
+static void part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct prover *w,
+                           const struct part *part)
+{
+    if (part->interval != FAR) {
+        interpolant_proof_eps(eps, beta, x, w->interpolant, part->interval, w->quantity, part->lo, part->hi);
+        return;
+    }
+    arb_t radius, unit;
+    arb_init(radius);
+    arb_init(unit);
+    arb_set_d(unit, part->hi / 2 - part->lo / 2);
+    arb_poly_set_coeff_arb(x, 1, unit);
+    arb_set_d(unit, part->hi / 2 + part->lo / 2);
+    arb_poly_set_coeff_arb(x, 0, unit);
+    enclosed_exponential(beta, 1, 1, x);
+    enclosed_exponential(eps, -5, 1, x);
+    arb_poly_scalar_mul(eps, eps, w->s->h_star_5, ENCLOSED_BITS);
+    enclosed_range(radius, eps);
+    arb_abs(radius, radius);
+    arb_set_d(unit, EMBED_FAR_ERROR);
+    arb_mul(radius, radius, unit, ENCLOSED_BITS);
+    enclosed_add_radius(eps, radius);
+    arb_clear(radius);
+    arb_clear(unit);
+}
+
+/* The variable of the polynomials; x is sqrt(beta) or ln(beta) */
+static bool part_variable(arb_poly_t y, const arb_poly_t beta, const arb_poly_t x, const struct prover *w, bool by_log)
+{
+    bool done = true;
+    if (by_log) {
+        enclosed_exponential(y, 5, (slong)embed_root_degree(w->f->variable), x);
+    } else {
+        switch (w->f->variable) {
+        case SPEED: /* beta^5 */
+            enclosed_multiply(y, beta, beta);
+            enclosed_multiply(y, y, y);
+            enclosed_multiply(y, y, beta);
+            break;
+        case SQRT_OF_SPEED: /* beta^2 x */
+            enclosed_multiply(y, beta, beta);
+            enclosed_multiply(y, y, x);
+            break;
+        case FOURTH_ROOT_OF_SPEED: /* beta x^(1/2) */
+            done = enclosed_square_root(y, x);
+            enclosed_multiply(y, y, beta);
+            break;
+        case FIFTH_ROOT_OF_SPEED:
+            arb_poly_set(y, beta);
+            break;
+        case TENTH_ROOT_OF_SPEED:
+            arb_poly_set(y, x);
+            break;
+        }
+    }
+    arb_poly_scalar_mul(y, y, w->factor, ENCLOSED_BITS);
+    return done;
+}
+
+/* The argument of the polynomials of a row: its distance from the start of the row */
+static void part_place(arb_poly_t y, const struct prover *w, slong row)
+{
+    const struct embed_form *const f = w->f;
+    arb_t slope;
+    if (f->family == FAMILY_PIECES_SPEED) {
+        enclosed_add_double(y, -embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits));
+    } else if (f->family == FAMILY_PIECES_BETA) {
+        arb_init(slope);
+        arb_set_d(slope, f->slope);
+        arb_poly_scalar_mul(y, y, slope, ENCLOSED_BITS);
+        enclosed_add_double(y, f->shift);
+        enclosed_add_double(y, -(double)row);
+        arb_clear(slope);
+    }
+}
+
+static void part_polynomial(arb_poly_t p, const double *c, slong degree, const arb_poly_t y)
+{
+    arb_poly_zero(p);
+    for (slong k = degree; k >= 0; k--) {
+        enclosed_multiply(p, p, y);
+        enclosed_add_double(p, c[k]);
+    }
+}
+
+/* Bound of |p/q - eps|/eps on a part; infinite where there is no proof */
+static double part_error(const struct prover *w, const struct part *part, int depth)
+{
+    const struct embed_form *const f = w->f;
+    const double *const c = f->number + (f->rows > 0 ? part->row * (f->numerator + 1) : 0);
+    const bool by_log =
+        part->interval == FAR || interpolant_sphere_proof.interval[part->interval].variable == INTERVAL_LOG;
+    arb_poly_t eps, beta, x, y, p;
+    arb_poly_init(eps);
+    arb_poly_init(beta);
+    arb_poly_init(x);
+    arb_poly_init(y);
+    arb_poly_init(p);
+    part_functions(eps, beta, x, w, part);
+    double error = HUGE_VAL, known = 0;
+    if (part_variable(y, beta, x, w, by_log)) {
+        part_place(y, w, part->row);
+        part_polynomial(p, c, f->numerator, y);
+        if (f->denominator > 0) { /* |p - q eps|/|q eps| */
+            part_polynomial(x, c + f->numerator + 1, f->denominator, y);
+            enclosed_multiply(eps, eps, x);
+        }
+        arb_poly_sub(p, p, eps, ENCLOSED_BITS);
+        for (int k = -POINTS; k <= POINTS; k++)
+            known = fmax(known, enclosed_ratio_at(p, eps, k / (double)POINTS));
+        known = fmax(known * NEAR_KNOWN, w->enough);
+        error = enclosed_largest_ratio(p, eps, known / 1.03, HALVINGS);
+    }
+    arb_poly_clear(eps);
+    arb_poly_clear(beta);
+    arb_poly_clear(x);
+    arb_poly_clear(y);
+    arb_poly_clear(p);
+    if (error <= known || depth == 0 || !(part->lo < part->hi))
+        return error;
+    const double middle = part->lo / 2 + part->hi / 2;
+    const struct part lower = {part->interval, part->row, part->lo, middle},
+                      upper = {part->interval, part->row, middle, part->hi};
+    const double first = part_error(w, &lower, depth - 1);
+    return isfinite(first) ? fmax(first, part_error(w, &upper, depth - 1)) : first;
+}
+
+static void prove_part(void *context, slong i)
+{
+    const struct prover *const w = context;
+    w->error[i] = part_error(w, &w->part[i], DEPTH);
+}
+
+/* ---- the parts of a range of speeds ---- */
+
+static void add_parts(struct prover *w, int interval, slong row, double lo, double hi, double longest)
+{
+    const int count = (int)fmax(1, ceil((hi - lo) / longest));
+    w->part = xrealloc(w->part, (size_t)(w->parts + count) * sizeof *w->part);
+    for (int k = 0; k < count; k++)
+        w->part[w->parts++] =
+            (struct part){interval, row, lo + (hi - lo) * k / count, lo + (hi - lo) * (k + 1) / count};
+}
+
+/* sqrt(beta) or ln(beta) at a speed, as the nearest double below it or above it */
+static double place_of_speed(const struct prover *w, double speed, bool by_log, bool above)
+{
+    arb_t x;
+    arf_t end;
+    arb_init(x);
+    arf_init(end);
+    arb_set_d(x, speed);
+    embed_scene_beta(x, w->s, x);
+    if (by_log)
+        arb_log(x, x, EMBED_BITS);
+    else
+        arb_sqrt(x, x, EMBED_BITS);
+    if (above)
+        arb_get_ubound_arf(end, x, EMBED_BITS);
+    else
+        arb_get_lbound_arf(end, x, EMBED_BITS);
+    const double place = arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
+    arb_clear(x);
+    arf_clear(end);
+    return place;
+}
+
+enum coverage { COVERED, ENDED, /* beyond the last interval there is no proof */ GAP };
+
+/* Adds parts that cover all speeds from lo to hi, up to the end of the last interval. */
+static enum coverage cover_range(struct prover *w, slong row, double lo, double hi)
+{
+    const double last = interpolant_sphere_proof.interval[interpolant_sphere_proof.intervals - 1].hi;
+    const double root_end = place_of_speed(w, hi, false, true), log_end = place_of_speed(w, hi, true, true);
+    double root = place_of_speed(w, lo, false, false), log_place = place_of_speed(w, lo, true, false);
+    bool covered = false;
+    for (int i = 0; w->interpolant && i < interpolant_sphere_proof.intervals && !covered; i++) {
+        const struct interval *const interval = &interpolant_sphere_proof.interval[i];
+        const bool by_log = interval->variable == INTERVAL_LOG;
+        const double place = by_log ? log_place : root, end = by_log ? log_end : root_end;
+        if (!isfinite(interpolant_proof_error(w->interpolant, i, w->quantity)) || place < interval->lo ||
+            place >= interval->hi)
+            continue;
+        covered = end <= interval->hi;
+        add_parts(w, i, row, place, covered ? end : interval->hi,
+                  by_log ? LOG_PART : (interval->hi - interval->lo) / FIRST_PARTS);
+        root = by_log ? root_end : interval->hi;
+        log_place = by_log ? interval->hi : 2 * log(root) - SLACK;
+    }
+    if (!covered && w->quantity == EPS_ZERO_OVERLAP && log_place > log(EMBED_FAR) + SLACK) {
+        add_parts(w, FAR, row, log_place, log_end, LOG_PART);
+        covered = true;
+    }
+    return covered ? COVERED : w->quantity == EPS_ZERO_FORCE && log_place >= last ? ENDED : GAP;
+}
+
+/* Adds the parts of a form. Returns the speed up to which they cover its range; 0 if there is a gap. */
+static double cover_form(struct prover *w, const struct embed_rounding *rounding)
+{
+    const struct embed_form *const f = w->f;
+    enum coverage covered = COVERED;
+    if (f->rows == 0)
+        covered = cover_range(w, 0, f->speed_min, f->speed_max);
+    for (slong row = 0; row < f->rows; row++) {
+        double lo, hi;
+        if (f->family == FAMILY_PIECES_SPEED) {
+            lo = embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
+            hi = embed_from_bits(f, (f->first + (uint64_t)row + 1) << f->low_bits);
+        } else {
+            lo = pow(fmax((double)row - rounding->place - f->shift, 0) / f->slope, 5) * (1 - 10 * SLACK);
+            hi = pow(((double)row + 1 + rounding->place - f->shift) / f->slope, 5) * (1 + 10 * SLACK);
+        }
+        lo = fmax(lo, f->speed_min);
+        hi = fmin(hi, f->speed_max);
+        if (lo <= hi)
+            covered = (enum coverage)FLINT_MAX(covered, cover_range(w, row, lo, hi));
+    }
+    return covered == COVERED ? f->speed_max : covered == ENDED ? w->last_speed : 0;
+}
+
+/* ---- the proof ---- */
+
+/* Where ln(beta) is the end of the last interval, or a little below; 0 if that is below the scene */
+static double last_speed(const struct embed_scene *s)
+{
+    const double end = interpolant_sphere_proof.interval[interpolant_sphere_proof.intervals - 1].hi;
+    const double speed = s->speed_min * exp(5 * (end - log(s->beta_min))) * (1 - 1e-9);
+    return speed > s->speed_min ? speed : 0;
+}
+
+static void prove_formula(struct embed_proof *proof, struct prover *w, const struct embed_rounding *rounding)
+{
+    proof->speed_end = cover_form(w, rounding);
+    w->error = xmalloc((size_t)(w->parts + 1) * sizeof *w->error);
+    parallel_for(prove_part, w, w->parts, "proof");
+    proof->formula = w->parts > 0 ? 0 : HUGE_VAL;
+    for (slong i = 0; i < w->parts; i++)
+        proof->formula = fmax(proof->formula, isnan(w->error[i]) ? HUGE_VAL : w->error[i]);
+    /* (1 + formula)(1 + rounding) - 1 */
+    proof->error = (proof->formula + proof->rounding * (1 + proof->formula)) * (1 + 1e-12);
+    if (!isfinite(proof->error) || proof->speed_end == 0) {
+        proof->speed_end = 0;
+        proof->formula = proof->error = HUGE_VAL;
+    }
+}
+
+int embed_prove(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s)
+{
+    struct embed_rounding rounding;
+    *proof = (struct embed_proof){.error = HUGE_VAL, .formula = HUGE_VAL, .rounding = HUGE_VAL};
+    if (!embed_rounding_bound(&rounding, f))
+        return STATUS_OK;
+    proof->rounding = rounding.error;
+    if (!law_is_sphere(&s->law))
+        return STATUS_OK;
+    struct prover w = {.f = f,
+                       .s = s,
+                       .quantity = s->end == END_ZERO_OVERLAP ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE,
+                       .enough = f->error * NEAR_SAMPLED};
+    int status = STATUS_OK;
+    if (s->interpolant) {
+        w.interpolant = interpolant_proof_new(s->interpolant, 1u << w.quantity, ELLIPSES_STATED);
+        status = w.interpolant ? STATUS_OK : STATUS_FAILED;
+    }
+    if (status == STATUS_OK) {
+        arb_init(w.factor);
+        w.last_speed = last_speed(s);
+        arb_pow_ratio(w.factor, s->beta_per_root, ratio_make(-5, (slong)embed_root_degree(f->variable)), EMBED_BITS);
+        prove_formula(proof, &w, &rounding);
+        arb_clear(w.factor);
+    }
+    interpolant_proof_free(w.interpolant);
+    free(w.part);
+    free(w.error);
+    return status;
+}

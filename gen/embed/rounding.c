@@ -1,0 +1,418 @@
+/* SPDX-License-Identifier: MIT */
+#include "embed/rounding.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "approximation/enclosed_function.h"
+#include "support/console.h"
+#include "support/parallel.h"
+
+enum {
+    BITS = 64,        /* of intermediate results */
+    CELLS = 1024,     /* of the range of a variable */
+    ROW_CELLS = 4,    /* of a row */
+    SEED_CELLS = 256, /* of an octave */
+    ROOT_HALVINGS = 12
+};
+
+/* More than the rounding of the few operations on bounds that are doubles */
+#define RAISE (1 + 1e-12)
+/* Upper limit of |1 - g r^5| for the start of the fifth root; its series are of little use beyond. */
+#define SEED_LIMIT 0.2
+
+/* Half a unit in the last place of 1, and half of the smallest positive number */
+struct arithmetic {
+    double unit, least, most;
+};
+
+static struct arithmetic arithmetic_of(bool single)
+{
+    return single ? (struct arithmetic){0x1p-24, 0x1p-150, (double)FLT_MAX} : (struct arithmetic){0x1p-53, 0, DBL_MAX};
+}
+
+/* ---- a result and its error ---- */
+
+/* All values of an expression without rounding, and how far the computed value can be from it */
+struct rounded {
+    arb_t exact;
+    double error;
+};
+
+static double magnitude(const arb_t x)
+{
+    mag_t m;
+    mag_init(m);
+    arb_get_mag(m, x);
+    const double size = mag_get_d(m);
+    mag_clear(m);
+    return size;
+}
+
+/* |x| where the computed x may be */
+static double rounded_size(const struct rounded *x)
+{
+    return (magnitude(x->exact) + x->error) * RAISE;
+}
+
+/* The error of one rounding; infinite where the result may overflow */
+static double rounding_of(const struct rounded *x, const struct arithmetic *a)
+{
+    const double size = rounded_size(x);
+    return size < a->most / 2 ? size * a->unit + a->least + DBL_MIN : HUGE_VAL;
+}
+
+/* z = x y + c; the product and the sum are rounded each, which covers the fused operation. */
+static void rounded_mul_add(struct rounded *z, const struct rounded *x, const struct rounded *y, double c,
+                            const struct arithmetic *a)
+{
+    arb_t addend;
+    arb_init(addend);
+    arb_set_d(addend, c);
+    double error = magnitude(x->exact) * y->error + rounded_size(y) * x->error;
+    arb_mul(z->exact, x->exact, y->exact, BITS);
+    z->error = error * RAISE;
+    z->error += rounding_of(z, a);
+    if (c != 0) {
+        arb_add(z->exact, z->exact, addend, BITS);
+        z->error += rounding_of(z, a);
+    }
+    z->error *= RAISE;
+    arb_clear(addend);
+}
+
+static void rounded_horner(struct rounded *y, const double *c, slong degree, slong step, const struct rounded *x,
+                           const struct arithmetic *a)
+{
+    arb_set_d(y->exact, c[degree]);
+    y->error = 0;
+    for (slong k = degree - step; k >= 0; k -= step)
+        rounded_mul_add(y, x, y, c[k], a);
+}
+
+/* As form_split_polynomial; without the split as form_horner */
+static void rounded_polynomial(struct rounded *y, const double *c, slong degree, const struct rounded *x, bool split,
+                               const struct arithmetic *a)
+{
+    if (!split || degree < EMBED_SPLIT) {
+        rounded_horner(y, c, degree, 1, x, a);
+        return;
+    }
+    struct rounded square, even, odd;
+    arb_init(square.exact);
+    arb_init(even.exact);
+    arb_init(odd.exact);
+    rounded_mul_add(&square, x, x, 0, a);
+    rounded_horner(&even, c, degree - degree % 2, 2, &square, a);
+    rounded_horner(&odd, c + 1, degree - 1 - (degree - 1) % 2, 2, &square, a);
+    rounded_mul_add(y, x, &odd, 0, a);
+    arb_add(y->exact, y->exact, even.exact, BITS);
+    y->error += even.error;
+    y->error = (y->error + rounding_of(y, a)) * RAISE;
+    arb_clear(square.exact);
+    arb_clear(even.exact);
+    arb_clear(odd.exact);
+}
+
+/* ---- the fifth root ---- */
+
+/* Bound of |1 - g r^5| for the starts r of all speeds. The upper bits of r fall as those of g rise, so the ends of an
+ * interval of speeds bound r. */
+static double seed_bound(const struct embed_form *f)
+{
+    const uint64_t step = UINT64_C(1) << ((f->single ? 23 : 52) - 8), last = embed_bits_of(f, f->speed_max);
+    double bound = 0;
+    for (uint64_t bits = embed_bits_of(f, f->speed_min) & ~(step - 1); bits <= last; bits += step)
+        for (int fused = 0; fused < 2; fused++) {
+            const double lo = embed_from_bits(f, bits), hi = embed_from_bits(f, bits + step - 1);
+            const double most = embed_root_start(f, lo, fused), least = embed_root_start(f, hi, fused);
+            bound = fmax(bound, fmax(fabs(1 - hi * pow(most, 5)), fabs(1 - lo * pow(least, 5))));
+        }
+    return bound * (1 + 1e-9) + 1e-12;
+}
+
+/* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Returns a bound of its relative distance
+ * from g^(-1/5). Without rounding that is h with (1 + h)^5 = S(e)^5 (1 - e). */
+static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
+{
+    arb_poly_t s, h, one;
+    arb_t half, zero;
+    struct rounded r, fourth, product, off, series;
+    arb_poly_init(s);
+    arb_poly_init(h);
+    arb_poly_init(one);
+    arb_init(half);
+    arb_init(zero);
+    arb_init(r.exact);
+    arb_init(fourth.exact);
+    arb_init(product.exact);
+    arb_init(off.exact);
+    arb_init(series.exact);
+    /* H(e) = S^5 (1 - e) - 1 */
+    for (slong k = degree; k >= 0; k--) {
+        arb_set_d(half, c[k]);
+        arb_poly_set_coeff_arb(s, k, half);
+    }
+    arb_poly_pow_ui(h, s, 5, ENCLOSED_BITS);
+    arb_poly_set_coeff_si(one, 1, -1);
+    arb_poly_set_coeff_si(one, 0, 1);
+    arb_poly_mul(h, h, one, ENCLOSED_BITS);
+    enclosed_add_double(h, -1);
+    arb_set_d(half, e);
+    enclosed_rescale(h, h, zero, half, ENCLOSED_BITS);
+    arb_poly_one(one);
+    double known = 0;
+    for (int k = -16; k <= 16; k++)
+        known = fmax(known, enclosed_ratio_at(h, one, k / 16.0));
+    const double most = enclosed_largest_ratio(h, one, known, ROOT_HALVINGS);
+    const double exact = (1 - pow(1 - fmin(most, 0.5), 0.2)) * RAISE + 1e-18;
+
+    /* in units in which r = 1, so that g = 1 - e */
+    arb_one(r.exact);
+    r.error = 0;
+    rounded_mul_add(&fourth, &r, &r, 0, a);
+    rounded_mul_add(&fourth, &fourth, &fourth, 0, a);
+    arb_set_d(half, e);
+    arb_one(product.exact);
+    arb_add_error(product.exact, half);
+    arb_neg(product.exact, product.exact);
+    product.error = 0;
+    product.error = rounding_of(&product, a);
+    rounded_mul_add(&off, &product, &fourth, 1, a);
+    rounded_horner(&series, c, degree, 1, &off, a);
+    rounded_mul_add(&series, &r, &series, 0, a);
+    const double least = 1 / pow(1 + e, 0.2) * (1 - 2 * exact); /* of S */
+    const double bound = ((1 + exact) * (1 + series.error / least) - 1) * RAISE;
+
+    arb_poly_clear(s);
+    arb_poly_clear(h);
+    arb_poly_clear(one);
+    arb_clear(half);
+    arb_clear(zero);
+    arb_clear(r.exact);
+    arb_clear(fourth.exact);
+    arb_clear(product.exact);
+    arb_clear(off.exact);
+    arb_clear(series.exact);
+    return most < 0.5 ? bound : HUGE_VAL;
+}
+
+/* Relative error of the fifth root of the speed */
+static double fifth_root_bound(const struct embed_form *f, const struct arithmetic *a)
+{
+    double c[4];
+    const double e = seed_bound(f);
+    if (!(e < SEED_LIMIT))
+        return HUGE_VAL;
+    for (int i = 0; i < 4; i++)
+        c[i] = f->single ? (double)(float)embed_root_seed[i] : embed_root_seed[i];
+    double r = root_step(c, 3, e, a);
+    if (f->refinement > 0) {
+        for (int i = 0; i < 4; i++)
+            c[i] = f->single ? (double)(float)embed_root_step[i] : embed_root_step[i];
+        r = root_step(c, f->refinement, (pow(1 + r, 5) - 1) * RAISE, a);
+    }
+    /* g (r^2)^2 */
+    return (pow(1 + r, 4) * pow(1 + a->unit, 4) - 1) * (1 + 1e-6);
+}
+
+/* Relative error of the variable of the polynomials */
+static double variable_bound(const struct embed_form *f, const struct arithmetic *a)
+{
+    switch (f->variable) {
+    case SPEED:
+        return 0;
+    case SQRT_OF_SPEED:
+        return a->unit;
+    case FOURTH_ROOT_OF_SPEED:
+        return 1.5 * a->unit * (1 + 1e-6);
+    case FIFTH_ROOT_OF_SPEED:
+        return fifth_root_bound(f, a);
+    case TENTH_ROOT_OF_SPEED:
+        return (0.5 * fifth_root_bound(f, a) + a->unit) * (1 + 1e-4);
+    }
+    return HUGE_VAL;
+}
+
+/* ---- polynomials on a cell ---- */
+
+/* p on the cell middle + half t: its values, and those of its derivative */
+static void cell_values(arb_t value, arb_t slope, const double *c, slong degree, const arb_t middle, const arb_t half)
+{
+    arb_poly_t p;
+    arb_t number;
+    arb_poly_init(p);
+    arb_init(number);
+    for (slong k = degree; k >= 0; k--) {
+        arb_set_d(number, c[k]);
+        arb_poly_set_coeff_arb(p, k, number);
+    }
+    enclosed_rescale(p, p, middle, half, ENCLOSED_BITS);
+    enclosed_range(value, p);
+    arb_poly_derivative(p, p, ENCLOSED_BITS);
+    enclosed_range(slope, p);
+    arb_div(slope, slope, half, BITS);
+    arb_poly_clear(p);
+    arb_clear(number);
+}
+
+/* Lower bound of |x| */
+static double least_size(const arb_t x)
+{
+    arf_t least;
+    arf_init(least);
+    arb_get_abs_lbound_arf(least, x, 53);
+    const double size = arf_get_d(least, ARF_RND_DOWN);
+    arf_clear(least);
+    return size;
+}
+
+/* Relative rounding error of the result for arguments lo <= x <= hi of the polynomials, whose own error is at most
+ * x_error, absolute. The cell is widened by that. */
+static double cell_bound(const struct embed_form *f, const double *c, double lo, double hi, double x_error)
+{
+    const struct arithmetic a = arithmetic_of(f->single);
+    const slong m = f->numerator, n = f->denominator;
+    arb_t middle, half, value, slope, q_value, q_slope;
+    struct rounded x, p, q;
+    arb_init(middle);
+    arb_init(half);
+    arb_init(value);
+    arb_init(slope);
+    arb_init(q_value);
+    arb_init(q_slope);
+    arb_init(x.exact);
+    arb_init(p.exact);
+    arb_init(q.exact);
+    arb_set_d(middle, lo / 2 + hi / 2);
+    arb_set_d(half, ((hi - lo) / 2 + x_error + 1e-15 * fabs(hi) + DBL_MIN) * RAISE);
+    arb_set(x.exact, middle);
+    arb_add_error(x.exact, half);
+    x.error = 0;
+    rounded_polynomial(&p, c, m, &x, f->rows == 0, &a);
+    cell_values(value, slope, c, m, middle, half);
+    double least = least_size(value), relative = p.error / least;
+    arb_div(slope, slope, value, BITS);
+    if (n > 0) {
+        rounded_polynomial(&q, c + m + 1, n, &x, true, &a);
+        cell_values(q_value, q_slope, c + m + 1, n, middle, half);
+        const double of_q = q.error / least_size(q_value);
+        relative = of_q < 0.5 ? (relative + of_q) / (1 - of_q) : HUGE_VAL;
+        relative += (1 + relative) * a.unit;
+        least /= magnitude(q_value);
+        relative += a.least / least;
+        arb_div(q_slope, q_slope, q_value, BITS);
+        arb_sub(slope, slope, q_slope, BITS);
+    }
+    const double of_x = expm1(magnitude(slope) * x_error);
+    const double bound = ((1 + relative) * (1 + of_x) - 1) * (1 + 1e-9) + 1e-18;
+    arb_clear(middle);
+    arb_clear(half);
+    arb_clear(value);
+    arb_clear(slope);
+    arb_clear(q_value);
+    arb_clear(q_slope);
+    arb_clear(x.exact);
+    arb_clear(p.exact);
+    arb_clear(q.exact);
+    return least > 0 ? bound : HUGE_VAL; /* a NaN becomes a failure below */
+}
+
+struct cells {
+    const struct embed_form *f;
+    double lo, hi; /* of the variable, without rounding */
+    double root, place;
+    double *bound; /* of each cell */
+};
+
+static void bound_cell(void *context, slong i)
+{
+    struct cells *const w = context;
+    const struct embed_form *const f = w->f;
+    if (f->rows == 0) {
+        const double step = log(w->hi / w->lo) / CELLS;
+        const double lo = w->lo * exp(step * (double)i) * (1 - 1e-12),
+                     hi = w->lo * exp(step * (double)(i + 1)) * (1 + 1e-12);
+        w->bound[i] = cell_bound(f, f->number, lo, hi, w->root * hi * RAISE);
+        return;
+    }
+    double lo = 0, hi = 1, error = w->place;
+    if (f->family == FAMILY_PIECES_SPEED) {
+        const double start = embed_from_bits(f, (f->first + (uint64_t)i) << f->low_bits);
+        const double end = embed_from_bits(f, (f->first + (uint64_t)i + 1) << f->low_bits);
+        lo = fmax(f->speed_min - start, 0);
+        hi = fmin(end, f->speed_max) - start;
+        error = 0;
+    }
+    w->bound[i] = 0;
+    for (int k = 0; k < ROW_CELLS; k++) {
+        const double bound = cell_bound(f, f->number + i * (f->numerator + 1), lo + (hi - lo) * k / ROW_CELLS,
+                                        lo + (hi - lo) * (k + 1) / ROW_CELLS, error);
+        w->bound[i] = isnan(bound) ? HUGE_VAL : fmax(w->bound[i], bound);
+    }
+}
+
+/* speed^(1/5) slope (1 + error) + shift - limit, as a lower or an upper bound */
+static double place_beyond(const struct embed_form *f, double speed, double error, double limit, bool above)
+{
+    arb_t y, number;
+    arf_t end;
+    arb_init(y);
+    arb_init(number);
+    arf_init(end);
+    arb_set_d(y, speed);
+    arb_root_ui(y, y, 5, ENCLOSED_BITS);
+    arb_set_d(number, f->slope);
+    arb_mul(y, y, number, ENCLOSED_BITS);
+    arb_set_d(number, error);
+    arb_addmul(y, y, number, ENCLOSED_BITS);
+    arb_set_d(number, f->shift);
+    arb_add(y, y, number, ENCLOSED_BITS);
+    arb_set_d(number, limit);
+    arb_sub(y, y, number, ENCLOSED_BITS);
+    if (above)
+        arb_get_ubound_arf(end, y, BITS);
+    else
+        arb_get_lbound_arf(end, y, BITS);
+    const double beyond = arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
+    arb_clear(y);
+    arb_clear(number);
+    arf_clear(end);
+    return beyond;
+}
+
+/* Absolute error of the place x slope + shift in a table; infinite if a place may be outside the table. Rounding keeps
+ * the sum on its side of 0 and below the number of rows. */
+static double place_bound(const struct cells *w, const struct arithmetic *a)
+{
+    const struct embed_form *const f = w->f;
+    const double most = (double)f->rows, of_product = (w->root + a->unit * (1 + w->root)) * RAISE;
+    const bool inside = place_beyond(f, f->speed_min, -of_product, 0, false) >= 0 &&
+                        place_beyond(f, f->speed_max, of_product, most * (1 - a->unit), true) <= 0;
+    return inside ? (w->hi * f->slope * of_product + most * a->unit) * (1 + 1e-6) : HUGE_VAL;
+}
+
+bool embed_rounding_bound(struct embed_rounding *bound, const struct embed_form *f)
+{
+    const struct arithmetic a = arithmetic_of(f->single);
+    const double power = 1 / embed_root_degree(f->variable);
+    const slong count = f->rows > 0 ? f->rows : CELLS;
+    struct cells w = {.f = f,
+                      .lo = pow(f->speed_min, power) * (1 - 1e-12),
+                      .hi = pow(f->speed_max, power) * (1 + 1e-12),
+                      .root = variable_bound(f, &a),
+                      .bound = xmalloc((size_t)count * sizeof(double))};
+    if (f->family == FAMILY_PIECES_BETA)
+        w.place = place_bound(&w, &a);
+    *bound = (struct embed_rounding){.root = w.root, .place = w.place};
+    bool found = w.root < 0.01 && w.place < 0.01;
+    if (found)
+        parallel_for(bound_cell, &w, count, "rounding");
+    for (slong i = 0; i < count && found; i++) {
+        found = w.bound[i] < 1;
+        bound->error = fmax(bound->error, w.bound[i]);
+    }
+    free(w.bound);
+    return found;
+}
