@@ -42,6 +42,7 @@ SHORT_STAGES = 12
 SCATTER_LATTICE, SCATTER_SEEDS = "20x10x10", range(101, 109)
 SCATTER = 0.45
 ALLOWED = 4.5  # standard errors
+ENDS_APART = 100000  # spheres that tell the two ends of contact apart
 STEP_ALLOWED = 0.004  # change of 1 - eps^2 by the time step
 
 State = collections.namedtuple("State", "time steps temperature kurtosis shear density")
@@ -79,9 +80,10 @@ def dissipation_time():
     return next(row["value"] for row in rows if row["quantity"] == "dissipation_time")
 
 
-def duration_at_1_m_s(time):
-    rows = csv.DictReader(io.StringIO(contact("--dissipation-time", time, "--speed", "1", "--format", "csv")))
-    return next(rows)["duration_s_zero_overlap"]
+def contact_at(time, speed):
+    """{column: value} at an impact speed, m/s"""
+    text = contact("--dissipation-time", time, "--speed", speed, "--format", "csv")
+    return next(csv.DictReader(io.StringIO(text)))
 
 
 def lammps_lines(time):
@@ -104,7 +106,7 @@ class Gas:
         for name, time in ("pair", self.time), ("elastic", "0"):
             with open(os.path.join(folder, name), "w", encoding="utf-8") as out:
                 out.write(lammps_lines(time))
-        self.duration = duration_at_1_m_s(self.time)
+        self.duration = contact_at(self.time, "1")["duration_s_zero_overlap"]
 
     def lammps(self, script, ranks, **variables):
         """The text that LAMMPS prints"""
@@ -115,8 +117,9 @@ class Gas:
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks), "--bind-to", "none"] + command
         # Open MPI asks for the first two where the user is root; a rank that waits lets other programs run
-        root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
-        return output_of(command, stdin=subprocess.DEVNULL, cwd=self.folder, env=dict(os.environ, **root))
+        mpi = dict.fromkeys(
+            ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_mpi_yield_when_idle"), "1")
+        return output_of(command, stdin=subprocess.DEVNULL, cwd=self.folder, env=dict(os.environ, **mpi))
 
     def gas(self, lattice, ranks, **variables):
         variables.update(zip(("nx", "ny", "nz"), lattice.split("x")))
@@ -128,8 +131,7 @@ class Gas:
         speed = math.sqrt(state.temperature)
         impact = "%.6g" % (2.5 * speed)
         text = self.lammps("in.pairs", 1, speed=speed, impact=impact)
-        rows = csv.DictReader(io.StringIO(contact("--dissipation-time", self.time, "--speed", impact, "--format", "csv")))
-        eps = float(next(rows)["eps_zero_overlap"])
+        eps = float(contact_at(self.time, impact)["eps_zero_overlap"])
         return float(re.search(r"^loss \S+ (\S+)", text, re.M)[1]) / (1 - eps * eps) - 1
 
     def cooled(self, lattice, seed, stages, ranks):
@@ -156,13 +158,15 @@ class Cost:
     """The time of all steps of a text of LAMMPS, in nanoseconds per sphere and step"""
 
     def __init__(self, text):
-        found = re.findall(r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms\s+([\d.]+)% CPU use", text)
+        loop = r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms\s+([\d.]+)% CPU use"
+        found = re.findall(loop, text)
         loops = [(float(s), int(r), int(n), int(a), float(share) / 100) for s, r, n, a, share in found if int(n) > 0]
         self.ranks, self.spheres = loops[0][1], loops[0][3]
         self.steps = sum(loop[2] for loop in loops)
         self.clock_s = sum(loop[0] for loop in loops)
-        self.clock_ns = 1e9 * self.clock_s / (self.steps * self.spheres)
-        self.processor_ns = 1e9 * self.ranks * sum(s * share for s, _, _, _, share in loops) / (self.steps * self.spheres)
+        self.processor_s = self.ranks * sum(s * share for s, _, _, _, share in loops)
+        self.clock_ns, self.processor_ns = (1e9 * s / (self.steps * self.spheres)
+                                            for s in (self.clock_s, self.processor_s))
 
 
 # ---- theory ----
@@ -179,8 +183,8 @@ class Predictor:
 
     def __call__(self, states, model="zero_overlap", factor=1.0, loss=1.0):
         """Theory at the times of the states, from the temperature of the first; factor multiplies A, loss 1 - eps^2"""
-        command = [self.program, model, "%.17g" % loss, YOUNG, POISSON, RADIUS, DENSITY, "%.17g" % (float(self.time) * factor),
-                   FRACTION, "%.17g" % states[0].temperature]
+        command = [self.program, model, "%.17g" % loss, YOUNG, POISSON, RADIUS, DENSITY,
+                   "%.17g" % (float(self.time) * factor), FRACTION, "%.17g" % states[0].temperature]
         text = output_of(command, input="\n".join("%.17g" % state.time for state in states))
         return [Theory(*map(float, row.split())) for row in text.splitlines()]
 
@@ -216,8 +220,8 @@ def judge(spheres, states, predictor, scatter):
     d = deviations(states, predictor(states))
     fall = states[0].temperature / states[-1].temperature
     verdict(largest(d) <= ALLOWED * error,
-            "%d spheres, T falls by %.1f: ln(T/theory) at most %.2f %%, %.1f standard errors of %.2f %%; at the end %.2f %%"
-            % (spheres, fall, 100 * largest(d), largest(d) / error, 100 * error, 100 * d[-1]))
+            "%d spheres, T falls by %.1f: ln(T/theory) at most %.2f %%, %.1f standard errors of %.2f %%; at the end "
+            "%.2f %%" % (spheres, fall, 100 * largest(d), largest(d) / error, 100 * error, 100 * d[-1]))
     for factor in 0.77, 1.3:
         wrong = largest(deviations(states, predictor(states, factor=factor)))
         verdict(wrong > 2 * ALLOWED * error, "theory with A wrong by %+.0f %% is seen: %.1f %%, %.0f standard errors" %
@@ -238,7 +242,8 @@ def small_gas(work):
     judge_limit(predictor, states)
 
 
-Result = collections.namedtuple("Result", "spheres states theory zero_force rigid error slopes slope_error gases step_errors stepped")
+Result = collections.namedtuple(
+    "Result", "spheres states theory zero_force rigid error slopes slope_error gases step_errors stepped")
 
 
 def scatter_of(rows):
@@ -276,15 +281,19 @@ def large_gas(folder, work, lattice, ranks):
     error = judge(spheres, states, predictor, scatter)
     judge_limit(predictor, states)
     step_errors = [gas.step_error(state) for state in (states[0], states[-1])]
-    verdict(largest(step_errors) < STEP_ALLOWED, "the time step changes 1 - eps^2 of contacts by %+.2f %% at first, %+.2f %% "
-            "at last" % tuple(100 * x for x in step_errors))
+    verdict(largest(step_errors) < STEP_ALLOWED,
+            "the time step changes 1 - eps^2 of contacts by %+.2f %% at first, %+.2f %% at last" %
+            tuple(100 * x for x in step_errors))
     wrong = {model: predictor(states, model) for model in ("zero_force", "rigid")}
     stepped = predictor(states, loss=1 + sum(step_errors) / 2)
     off = largest(deviations(states, stepped))
     print("      theory with this loss: ln(T/theory) at most %.2f %%, %.1f standard errors" % (100 * off, off / error))
     other = largest(deviations(states, wrong["zero_force"]))
-    verdict(other > 2 * ALLOWED * error or spheres < 50000,
-            "theory with the other end of contact: %.2f %%, %.1f standard errors" % (100 * other, other / error))
+    text = "theory with the other end of contact: %.2f %%, %.1f standard errors" % (100 * other, other / error)
+    if spheres >= ENDS_APART:
+        verdict(other > 2 * ALLOWED * error, text)
+    else:
+        print("      " + text)
     slopes = slope_difference(states, predictor)
     off = [gas_slope - theory_slope for gas_slope, theory_slope in (slope_difference(g, predictor) for g in gases)]
     slope_error = scatter_of([[x] for x in off]) * math.sqrt(small / spheres)
@@ -300,7 +309,7 @@ COST_LATTICES = {"25x20x20": 4000, "50x50x40": 400, "100x100x100": 60}  # lattic
 
 
 def costs(folder, ranks):
-    """Measured once and kept"""
+    """The Cost of each of COST_LATTICES, from a measurement that the folder keeps"""
     gas, rows = Gas(folder), []
     for lattice, steps in COST_LATTICES.items():
         name = os.path.join(folder, "cost.%s.%d" % (lattice, ranks))
@@ -350,14 +359,17 @@ def numbers(result, rows, log):
     ]
     table.append(("change of 1 - eps^2 by the time step, first; last",
                   "%+.2f %%; %+.2f %%" % tuple(100 * x for x in result.step_errors)))
-    for name, theory in ("this change of the loss", result.stepped), ("zero force in place of zero overlap", result.zero_force), ("no overlaps", result.rigid):
+    others = {"this change of the loss": result.stepped, "zero force in place of zero overlap": result.zero_force,
+              "no overlaps": result.rigid}
+    for name, theory in others.items():
         wrong = largest(deviations(s, theory))
         table.append(("largest ln(T/theory), theory with " + name,
                       "%.2f %%, %.1f standard errors" % (100 * wrong, wrong / error)))
     table += [
-        ("energy of the six longest shear waves over T, largest", "%.1f" % max(state.shear for state in s)),
-        ("their part of all energy at the end", "%.2f %%" % (100 * last.shear * 4 / result.spheres)),
-        ("time steps; wall time", "%d; %.0f min" % (log.steps, log.clock_s / 60)),
+        ("energy of each of the longest shear waves over T, largest", "%.1f" % max(state.shear for state in s)),
+        ("their part of all energy, at the end", "%.2f %%" % (100 * last.shear * 4 / result.spheres)),
+        ("time steps; minutes of a processor; minutes of the clock, beside other programs",
+         "%d; %.0f; %.0f" % (log.steps, log.processor_s / 60, log.clock_s / 60)),
     ]
     yield "| | |\n|---|---|\n" + "".join("| %s | %s |\n" % row for row in table)
     yield "| spheres | ranks | ns of a processor per sphere and step |\n|---|---|---|\n" + "".join(
