@@ -4,7 +4,7 @@
 compared with kinetic theory, into which cor's eps(g) goes (theory.c).
 
     tests/simulators/gas/cool.py             500 spheres, for the tests; CORGEN and LMP name the programs
-    tests/simulators/gas/cool.py --lattice 50x50x40 [--ranks 2] [--results FOLDER] [--write]
+    tests/simulators/gas/cool.py --lattice 50x50x40 [--stages 20] [--ranks 2] [--results FOLDER] [--write]
                                              100,000 spheres and, for the statistical error, eight gases of 2000.
                                              FOLDER keeps each gas; a gas that lies there is not simulated again
     tests/simulators/gas/cool.py --cost [--ranks 2] [--results FOLDER]
@@ -35,7 +35,7 @@ YOUNG, POISSON, RADIUS, DENSITY = "1e6", "0.49", "5e-3", "1100"
 SPHERES = ["--young", YOUNG, "--poisson", POISSON, "--radius", RADIUS, "--density", DENSITY, "--end", "zero-overlap"]
 RESTITUTION = ["--restitution", "0.85", "--at", "0.1"]
 FRACTION = "0.03"  # of volume
-STAGES = 20
+STAGES = 20  # 1 + t/t_0 grows by 1.1 in each
 SHORT_STAGES = 12
 
 # The gases whose scatter is the statistical error, and the scatter of ln T that they had, times sqrt(N)
@@ -149,9 +149,9 @@ class Gas:
             os.rename(part, name)
         with open(name, encoding="utf-8") as rows:
             states = [State(*map(float, row.split()[1:])) for row in rows]
-        if len(states) != stages + 1:
+        if len(states) < stages + 1:
             sys.exit("cool.py: %s has %d stages, not %d; remove it" % (name, len(states) - 1, stages))
-        return states
+        return states[:stages + 1]
 
 
 class Cost:
@@ -268,12 +268,12 @@ def unit_of(states, predictor):
     return step / math.log(first.temperature / second.temperature)
 
 
-def large_gas(folder, work, lattice, ranks):
+def large_gas(folder, work, lattice, stages, ranks):
     gas = Gas(folder)
     predictor = Predictor(work, gas.time)
     spheres, small = count_of(lattice), count_of(SCATTER_LATTICE)
     gases = [gas.cooled(SCATTER_LATTICE, seed, STAGES, 1) for seed in SCATTER_SEEDS]
-    states = gas.cooled(lattice, 1, STAGES, ranks)
+    states = gas.cooled(lattice, 1, stages, ranks)
     scatter = math.sqrt(small) * scatter_of([deviations(g, predictor(g)) for g in gases])
     mean = root_mean_square([sum(row) / len(row) for row in zip(*[deviations(g, predictor(g)) for g in gases])])
     print("      %d gases of %d spheres: the scatter of ln T is %.3f/sqrt(N), their mean deviates by %.2f %%" %
@@ -406,6 +406,7 @@ def missing():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--lattice", help="spheres along the three axes, as 50x50x40")
+    parser.add_argument("--stages", type=int, default=STAGES, help="1 + t/t_0 grows by 1.1 in each; 20 if not given")
     parser.add_argument("--ranks", type=int, default=2, help="of MPI, 2 if not given")
     parser.add_argument("--results", help="folder that keeps each gas")
     parser.add_argument("--cost", action="store_true", help="measure the time of a step")
@@ -413,8 +414,8 @@ def main():
     options = parser.parse_args()
     if options.lattice and not re.fullmatch(r"[1-9]\d*x[1-9]\d*x[1-9]\d*", options.lattice):
         parser.error("--lattice takes three numbers, as 50x50x40")
-    if options.ranks < 1:
-        parser.error("--ranks takes a number from 1")
+    if options.ranks < 1 or options.stages < 4:
+        parser.error("--ranks takes a number from 1, --stages from 4")
     if options.write and not options.lattice:
         parser.error("--write needs --lattice")
     if not os.access(CORGEN, os.X_OK):
@@ -431,7 +432,7 @@ def main():
         for ranks in sorted({1, options.ranks}) if options.cost or options.write else []:
             rows += costs(folder, ranks)
         if options.lattice:
-            result = large_gas(folder, work, options.lattice, options.ranks)
+            result = large_gas(folder, work, options.lattice, options.stages, options.ranks)
             if options.write:
                 write(result, rows, folder, options.lattice)
         elif not options.cost:
