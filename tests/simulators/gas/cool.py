@@ -4,7 +4,7 @@
 compared with kinetic theory, into which cor's eps(g) goes (theory.c).
 
     tests/simulators/gas/cool.py             500 spheres, for the tests; CORGEN and LMP name the programs
-    tests/simulators/gas/cool.py --lattice 50x50x40 [--stages 20] [--ranks 2] [--results FOLDER] [--write]
+    tests/simulators/gas/cool.py --lattice 50x50x40:20 [--ranks 2] [--results FOLDER] [--write]
                                              100,000 spheres and, for the statistical error, eight gases of 2000.
                                              FOLDER keeps each gas; a gas that lies there is not simulated again
     tests/simulators/gas/cool.py --cost [--ranks 2] [--results FOLDER]
@@ -330,48 +330,56 @@ def costs(folder, ranks):
 
 def write_csv(result):
     os.makedirs(PICTURES, exist_ok=True)
-    with open(os.path.join(PICTURES, "cooling.csv"), "w", encoding="utf-8") as out:
+    with open(os.path.join(PICTURES, "cooling_%d.csv" % result.spheres), "w", encoding="utf-8") as out:
         out.write("time_s,t_over_m_m2_s2,theory,theory_zero_force,theory_rigid,standard_error,a2,theory_a2,"
                   "theory_slope,collisions,contacts,shear,density\n")
-        for row in zip(result.states, result.theory, result.zero_force, result.rigid):
-            s, t, force, rigid = row
-            a2 = 0.6 * s.kurtosis - 1
+        for s, t, force, rigid in zip(result.states, result.theory, result.zero_force, result.rigid):
             out.write("%.6g,%.6g,%.6g,%.6g,%.6g,%.3g,%.3g,%.3g,%.4f,%.4g,%.3g,%.3g,%.3g\n" %
-                      (s.time, s.temperature, t.temperature, force.temperature, rigid.temperature, result.error, a2,
-                       t.a2, t.slope, t.collisions, t.contact, s.shear, s.density))
+                      (s.time, s.temperature, t.temperature, force.temperature, rigid.temperature, result.error,
+                       0.6 * s.kurtosis - 1, t.a2, t.slope, t.collisions, t.contact, s.shear, s.density))
 
 
-def numbers(result, rows, log):
-    """The lines of docs/gas.md between its markers"""
-    s, d = result.states, deviations(result.states, result.theory)
-    last, error = s[-1], result.error
-    table = [
-        ("spheres; ranks", "%d; %d" % (result.spheres, log.ranks)),
-        ("T falls by the factor", "%.1f" % (s[0].temperature / last.temperature)),
-        ("collisions of a sphere", "%.0f" % result.theory[-1].collisions),
-        ("standard error of ln T, by the scatter of %d gases of %d" % (result.gases, count_of(SCATTER_LATTICE)),
-         "%.2f %%" % (100 * error)),
-        ("ln(T/theory): largest; root mean square; at the end",
-         "%.2f %%, %.1f standard errors; %.2f %%; %+.2f %%" % (100 * largest(d), largest(d) / error,
-                                                              100 * root_mean_square(d), 100 * d[-1])),
-        ("d ln T/d ln(t + t_0) over the last half: gas; theory",
-         "%.4f ± %.4f; %.4f" % (result.slopes[0], result.slope_error, result.slopes[1])),
-    ]
-    table.append(("change of 1 - eps^2 by the time step, first; last",
-                  "%+.2f %%; %+.2f %%" % tuple(100 * x for x in result.step_errors)))
+def column(result, log):
+    """{row of the table: what it says of a gas}"""
+    s, error = result.states, result.error
+    d = deviations(s, result.theory)
+    rows = {
+        "ranks of MPI": "%d" % log.ranks,
+        "T falls by the factor": "%.1f" % (s[0].temperature / s[-1].temperature),
+        "collisions of a sphere": "%.0f" % result.theory[-1].collisions,
+        "standard error of ln T": "%.2f %%" % (100 * error),
+        "ln(T/theory), largest": "%.2f %%, %.1f standard errors" % (100 * largest(d), largest(d) / error),
+        "the same, root mean square; at the end": "%.2f %%; %+.2f %%" % (100 * root_mean_square(d), 100 * d[-1]),
+        "d ln T/d ln(t + t_0), last half of the points": "%.4f ± %.4f" % (result.slopes[0], result.slope_error),
+        "the same, theory; at the last point": "%.4f; %.4f" % (result.slopes[1], result.theory[-1].slope),
+        "a_2, last half of the points; theory": "%.4f; %.4f" % tuple(
+            sum(values[len(values) // 2:]) / (len(values) - len(values) // 2)
+            for values in ([0.6 * state.kurtosis - 1 for state in s], [t.a2 for t in result.theory])),
+        "change of 1 - eps^2 by the time step, first; last": "%+.2f %%; %+.2f %%" % tuple(
+            100 * x for x in result.step_errors),
+    }
     others = {"this change of the loss": result.stepped, "zero force in place of zero overlap": result.zero_force,
               "no overlaps": result.rigid}
     for name, theory in others.items():
         wrong = largest(deviations(s, theory))
-        table.append(("largest ln(T/theory), theory with " + name,
-                      "%.2f %%, %.1f standard errors" % (100 * wrong, wrong / error)))
-    table += [
-        ("energy of each of the longest shear waves over T, largest", "%.1f" % max(state.shear for state in s)),
-        ("their part of all energy, at the end", "%.2f %%" % (100 * last.shear * 4 / result.spheres)),
-        ("time steps; minutes of a processor; minutes of the clock, beside other programs",
-         "%d; %.0f; %.0f" % (log.steps, log.processor_s / 60, log.clock_s / 60)),
-    ]
-    yield "| | |\n|---|---|\n" + "".join("| %s | %s |\n" % row for row in table)
+        rows["ln(T/theory), largest, theory with " + name] = "%.2f %%, %.1f standard errors" % (
+            100 * wrong, wrong / error)
+    rows.update({
+        "energy of each of the longest shear waves over T": "%.1f" % s[-1].shear,
+        "their part of all energy": "%.2f %%" % (100 * s[-1].shear * 4 / result.spheres),
+        "time steps; minutes of a processor": "%d; %.0f" % (s[-1].steps, log.processor_ns * result.spheres *
+                                                             s[-1].steps / 6e10),
+    })
+    return rows
+
+
+def numbers(results, rows, logs):
+    """The tables of docs/gas.md"""
+    columns = [column(result, log) for result, log in zip(results, logs)]
+    table = "| spheres | %s |\n|---|%s\n" % (" | ".join("%d" % r.spheres for r in results), "---|" * len(results))
+    for name in columns[0]:
+        table += "| %s | %s |\n" % (name, " | ".join(c[name] for c in columns))
+    yield table
     yield "| spheres | ranks | ns of a processor per sphere and step |\n|---|---|---|\n" + "".join(
         "| %d | %d | %.0f |\n" % (cost.spheres, cost.ranks, cost.processor_ns) for cost in rows)
 
@@ -386,10 +394,13 @@ def write_page(texts):
         page.write(text)
 
 
-def write(result, rows, folder, lattice):
-    write_csv(result)
-    with open(os.path.join(folder, "gas.%s.1.log" % lattice), encoding="utf-8") as log:
-        write_page(list(numbers(result, rows, Cost(log.read()))))
+def write(results, rows, folder, lattices):
+    logs = []
+    for result, lattice in zip(results, lattices):
+        write_csv(result)
+        with open(os.path.join(folder, "gas.%s.1.log" % lattice), encoding="utf-8") as log:
+            logs.append(Cost(log.read()))
+    write_page(numbers(results, rows, logs))
     output_of(["gnuplot", os.path.join(HERE, "cooling.gp")], cwd=ROOT)
     print("written: docs/gas.md and docs/gas/")
 
@@ -405,18 +416,19 @@ def missing():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--lattice", help="spheres along the three axes, as 50x50x40")
-    parser.add_argument("--stages", type=int, default=STAGES, help="1 + t/t_0 grows by 1.1 in each; 20 if not given")
+    parser.add_argument("--lattice", action="append", default=[], metavar="LATTICE[:STAGES]",
+                        help="spheres along the three axes, as 50x50x40; 1 + t/t_0 grows by 1.1 in each of 20 stages")
     parser.add_argument("--ranks", type=int, default=2, help="of MPI, 2 if not given")
     parser.add_argument("--results", help="folder that keeps each gas")
     parser.add_argument("--cost", action="store_true", help="measure the time of a step")
     parser.add_argument("--write", action="store_true", help="renew docs/gas.md; needs --lattice")
     options = parser.parse_args()
-    if options.lattice and not re.fullmatch(r"[1-9]\d*x[1-9]\d*x[1-9]\d*", options.lattice):
-        parser.error("--lattice takes three numbers, as 50x50x40")
-    if options.ranks < 1 or options.stages < 4:
-        parser.error("--ranks takes a number from 1, --stages from 4")
-    if options.write and not options.lattice:
+    gases = [re.fullmatch(r"([1-9]\d*x[1-9]\d*x[1-9]\d*)(?::(\d+))?", lattice) for lattice in options.lattice]
+    if not all(gases) or any(int(gas[2] or STAGES) < 4 for gas in gases):
+        parser.error("--lattice takes three numbers, as 50x50x40, and at least 4 stages, as 50x50x40:20")
+    if options.ranks < 1:
+        parser.error("--ranks takes a number from 1")
+    if options.write and not gases:
         parser.error("--write needs --lattice")
     if not os.access(CORGEN, os.X_OK):
         sys.exit("cool.py: no program %s; build it, or name it by CORGEN" % CORGEN)
@@ -431,11 +443,10 @@ def main():
         rows = []
         for ranks in sorted({1, options.ranks}) if options.cost or options.write else []:
             rows += costs(folder, ranks)
-        if options.lattice:
-            result = large_gas(folder, work, options.lattice, options.stages, options.ranks)
-            if options.write:
-                write(result, rows, folder, options.lattice)
-        elif not options.cost:
+        results = [large_gas(folder, work, gas[1], int(gas[2] or STAGES), options.ranks) for gas in gases]
+        if options.write:
+            write(results, rows, folder, [gas[1] for gas in gases])
+        if not gases and not options.cost:
             small_gas(work)
     print("%d passed, %d failed" % (passed, failed))
     return failed != 0
