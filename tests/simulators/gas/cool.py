@@ -291,7 +291,7 @@ def large_gas(folder, work, lattice, stages, ranks):
     other = largest(deviations(states, wrong["zero_force"]))
     text = "theory with the other end of contact: %.2f %%, %.1f standard errors" % (100 * other, other / error)
     if spheres >= ENDS_APART:
-        verdict(other > 2 * ALLOWED * error, text)
+        verdict(other > ALLOWED * error, text)
     else:
         print("      " + text)
     slopes = slope_difference(states, predictor)
