@@ -5,6 +5,9 @@
 #     vn        en and vn of Ip2_FrictMat_FrictMat_MindlinPhys: VALUE is en at the impact speed SPEED
 #     step      c_n = A k_n, by setting betan before every step: VALUE is the dissipation time A in s
 #     betan     betan constant, VALUE: damping like x^(1/4), another law than the spheres'
+#     table     a linear spring and dashpot whose coefficient is set at each first contact so that the pair rebounds
+#               with the eps that a table has at this impact speed; VALUE is a file of corgen sample --format python,
+#               made with --log and --end zero-force
 # prints, for three time steps,
 #     eps LAW VALUE SPEED STEP VALUE FORCE
 # SI units; the step in units of (rho/m)^(-2/5) g^(-1/5); FORCE, at last, must be zero.
@@ -13,7 +16,8 @@ import atexit
 import os
 import shutil
 import sys
-from math import sqrt
+from bisect import bisect
+from math import acos, log, pi, sqrt
 
 radius, mass = (0.005, 0.02), (0.002, 0.008)
 kn = 1e6  # (4/3) E_eff, Pa
@@ -55,8 +59,80 @@ def collide(functor, speed, step, before_step=()):
     return (O.bodies[1].state.vel[0] - O.bodies[0].state.vel[0]) / speed, O.forces.f(0).norm()
 
 
+# ---- a table of eps over the impact speed ----
+
+
+def read_table(name):
+    columns = {}
+    with open(name) as file:
+        exec(file.read(), columns)
+    return columns["speed_m_s"], columns["eps"]
+
+
+def eps_at(table, speed):
+    """Linear interpolation in the logarithm of the speed; beyond the table its first or last eps"""
+    speeds, eps = table
+    if not speeds[0] < speed < speeds[-1]:
+        return eps[0 if speed <= speeds[0] else -1]
+    i = bisect(speeds, speed)
+    part = log(speed / speeds[i - 1]) / log(speeds[i] / speeds[i - 1])
+    return eps[i - 1] + part * (eps[i] - eps[i - 1])
+
+
+def zeta_of(eps):
+    """Damping ratio of a linear dashpot from eps at zero force: -ln eps = 2 zeta acos(zeta)/sqrt(1 - zeta^2). It is
+    below 1 for eps above exp(-2)."""
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        zeta = (low + high) / 2
+        if 2 * zeta * acos(zeta) / sqrt(1 - zeta * zeta) < -log(eps):
+            low = zeta
+        else:
+            high = zeta
+    return low
+
+
+def set_dashpots():
+    """cn of the contacts that began in the last step: they have none yet"""
+    for i in O.interactions:
+        if i.isReal and i.phys.cn == 0:
+            first, second = O.bodies[i.id1].state, O.bodies[i.id2].state
+            speed = (first.vel - second.vel).dot(i.geom.normal)
+            m = first.mass * second.mass / (first.mass + second.mass)
+            i.phys.cn = 2 * zeta_of(eps_at(table, speed)) * sqrt(m * i.phys.kn)
+
+
+def collide_by_table(speed, count):
+    """(eps, last force) with count steps in the contact of an elastic spring"""
+    O.reset()
+    rubber = O.materials.append(ViscElMat(kn=2e5, cn=0, ks=0, cs=0, density=1000))
+    for i, side in enumerate((-1, 1)):
+        O.bodies.append(sphere((side * radius[i], 0, 0), radius[i], material=rubber))
+        O.bodies[i].state.mass = mass[i]
+    O.bodies[0].state.vel = (speed, 0, 0)
+    O.engines = [
+        ForceResetter(),
+        InsertionSortCollider([Bo1_Sphere_Aabb()]),
+        PyRunner(command="set_dashpots()", iterPeriod=1),
+        InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], [Ip2_ViscElMat_ViscElMat_ViscElPhys()],
+                        [Law2_ScGeom_ViscElPhys_Basic()]),
+        NewtonIntegrator(damping=0)
+    ]
+    O.dt = pi / count * sqrt(meff / 1e5)
+    O.run(2 * count, True)
+    return (O.bodies[1].state.vel[0] - O.bodies[0].state.vel[0]) / speed, O.forces.f(0).norm()
+
+
 def has_vn():
     return hasattr(Ip2_FrictMat_FrictMat_MindlinPhys, "vn")
+
+
+def report_table(name, speed):
+    global table
+    table = read_table(name)
+    for count in (400, 800, 1600):
+        eps, force = collide_by_table(speed, count)
+        print("eps table %s %s %d %.17g %g" % (name, speed, count, eps, force))
 
 
 def report(law, value, speed):
@@ -78,5 +154,8 @@ arguments = sys.argv[1:]
 if arguments == ["version"]:
     print("vn", "yes" if has_vn() else "no")
 while arguments and arguments != ["version"]:
-    report(arguments[0], float(arguments[1]), float(arguments[2]))
+    if arguments[0] == "table":
+        report_table(arguments[1], float(arguments[2]))
+    else:
+        report(arguments[0], float(arguments[1]), float(arguments[2]))
     arguments = arguments[3:]

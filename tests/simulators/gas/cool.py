@@ -1,0 +1,456 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""A gas of viscoelastic spheres cools in LAMMPS with the line of corgen contact --for lammps. Its temperature is
+compared with kinetic theory, into which cor's eps(g) goes (theory.c).
+
+    tests/simulators/gas/cool.py             500 spheres, for the tests; CORGEN and LMP name the programs
+    tests/simulators/gas/cool.py --lattice 50x50x40:20 [--ranks 2] [--results FOLDER] [--write]
+                                             100,000 spheres and, for the statistical error, eight gases of 2000.
+                                             FOLDER keeps each gas; a gas that lies there is not simulated again
+    tests/simulators/gas/cool.py --cost [--ranks 2] [--results FOLDER]
+                                             the time of a step with 10^4, 10^5 and 10^6 spheres
+--write renews docs/gas/ and the numbers of docs/gas.md from the results.
+"""
+import argparse
+import collections
+import csv
+import io
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(HERE)))
+CORGEN = os.environ.get("CORGEN", os.path.join(ROOT, "build", "corgen"))
+LMP = os.environ.get("LMP", "lmp")
+PAGE = os.path.join(ROOT, "docs", "gas.md")
+PICTURES = os.path.join(ROOT, "docs", "gas")
+
+# Spheres of silicone rubber, 10 mm; eps = 0.85 at 0.1 m/s when contact ends at zero overlap
+YOUNG, POISSON, RADIUS, DENSITY = "1e6", "0.49", "5e-3", "1100"
+SPHERES = ["--young", YOUNG, "--poisson", POISSON, "--radius", RADIUS, "--density", DENSITY, "--end", "zero-overlap"]
+RESTITUTION = ["--restitution", "0.85", "--at", "0.1"]
+FRACTION = "0.03"  # of volume
+STAGES = 20  # 1 + t/t_0 grows by 1.1 in each
+SHORT_STAGES = 12
+
+# The gases whose scatter is the statistical error, and the scatter of ln T that they had, times sqrt(N)
+SCATTER_LATTICE, SCATTER_SEEDS = "20x10x10", range(101, 109)
+SCATTER = 0.45
+ALLOWED = 4.5  # standard errors
+ENDS_APART = 100000  # spheres that tell the two ends of contact apart
+STEP_ALLOWED = 0.004  # change of 1 - eps^2 by the time step
+
+State = collections.namedtuple("State", "time steps temperature kurtosis shear density")
+Theory = collections.namedtuple("Theory", "time temperature a2 collisions slope contact")
+
+passed = failed = 0
+
+
+def verdict(good, text):
+    global passed, failed
+    passed, failed = passed + good, failed + (not good)
+    print("%s  %s" % ("ok  " if good else "FAIL", text), flush=True)
+
+
+def output_of(command, **options):
+    done = subprocess.run(command, capture_output=True, text=True, check=False, **options)
+    if done.returncode:
+        sys.exit("cool.py: %s\n%s" % (" ".join(command), (done.stdout + done.stderr)[-2000:]))
+    return done.stdout
+
+
+def count_of(lattice):
+    return math.prod(int(n) for n in lattice.split("x"))
+
+
+# ---- corgen ----
+
+
+def contact(*options):
+    return output_of([CORGEN, "contact"] + SPHERES + list(options), stdin=subprocess.DEVNULL)
+
+
+def dissipation_time():
+    rows = csv.DictReader(io.StringIO(contact(*RESTITUTION, "--format", "csv")))
+    return next(row["value"] for row in rows if row["quantity"] == "dissipation_time")
+
+
+def contact_at(time, speed):
+    """{column: value} at an impact speed, m/s"""
+    text = contact("--dissipation-time", time, "--speed", speed, "--format", "csv")
+    return next(csv.DictReader(io.StringIO(text)))
+
+
+def lammps_lines(time):
+    """The lines of the model that ends at zero overlap; corgen prints those with limit_damping too"""
+    for block in contact("--dissipation-time", time, "--for", "lammps").split("\n\n"):
+        if re.match(r"# lammps: .*ends at zero overlap\n", block):
+            return "".join(line + "\n" for line in block.split("\n") if not line.startswith("#"))
+    return sys.exit("cool.py: corgen prints no lines that end at zero overlap")
+
+
+# ---- LAMMPS ----
+
+
+class Gas:
+    """A folder with the input of LAMMPS and its results"""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.time = dissipation_time()
+        for name, time in ("pair", self.time), ("elastic", "0"):
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as out:
+                out.write(lammps_lines(time))
+        self.duration = contact_at(self.time, "1")["duration_s_zero_overlap"]
+
+    def lammps(self, script, ranks, **variables):
+        """The text that LAMMPS prints"""
+        variables.update(pair="pair", duration=self.duration, radius=RADIUS, density=DENSITY)
+        command = [LMP, "-log", "none", "-in", os.path.join(HERE, script)]
+        for name, value in variables.items():
+            command += ["-var", name, str(value)]
+        if ranks > 1:
+            command = ["mpirun", "-np", str(ranks), "--bind-to", "none"] + command
+        # Open MPI asks for the first two where the user is root; a rank that waits lets other programs run
+        mpi = dict.fromkeys(
+            ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_mpi_yield_when_idle"), "1")
+        return output_of(command, stdin=subprocess.DEVNULL, cwd=self.folder, env=dict(os.environ, **mpi))
+
+    def gas(self, lattice, ranks, **variables):
+        variables.update(zip(("nx", "ny", "nz"), lattice.split("x")))
+        return self.lammps("in.gas", ranks, elastic="elastic", fraction=FRACTION, **variables)
+
+    def step_error(self, state):
+        """1 - eps^2 of contacts with the time step that the gas has in this state, over the exact value, less 1. The
+        collisions that lose most energy have impact speeds near 2.5 sqrt(T/m)."""
+        speed = math.sqrt(state.temperature)
+        impact = "%.6g" % (2.5 * speed)
+        text = self.lammps("in.pairs", 1, speed=speed, impact=impact)
+        eps = float(contact_at(self.time, impact)["eps_zero_overlap"])
+        return float(re.search(r"^loss \S+ (\S+)", text, re.M)[1]) / (1 - eps * eps) - 1
+
+    def cooled(self, lattice, seed, stages, ranks):
+        """The states of a gas at the ends of the stages"""
+        name = os.path.join(self.folder, "gas.%s.%d" % (lattice, seed))
+        if not os.path.exists(name):
+            part = name + ".part"
+            if os.path.exists(part):
+                os.remove(part)
+            text = self.gas(lattice, ranks, seed=seed, stages=stages, out=os.path.basename(part))
+            if set(re.findall(r"Dangerous builds = (\d+)", text)) != {"0"}:
+                sys.exit("cool.py: LAMMPS may have missed contacts: dangerous builds")
+            with open(name + ".log", "w", encoding="utf-8") as out:
+                out.write(text)
+            os.rename(part, name)
+        with open(name, encoding="utf-8") as rows:
+            states = [State(*map(float, row.split()[1:])) for row in rows]
+        if len(states) < stages + 1:
+            sys.exit("cool.py: %s has %d stages, not %d; remove it" % (name, len(states) - 1, stages))
+        return states[:stages + 1]
+
+
+class Cost:
+    """The time of all steps of a text of LAMMPS, in nanoseconds per sphere and step"""
+
+    def __init__(self, text):
+        loop = r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms\s+([\d.]+)% CPU use"
+        found = re.findall(loop, text)
+        loops = [(float(s), int(r), int(n), int(a), float(share) / 100) for s, r, n, a, share in found if int(n) > 0]
+        self.ranks, self.spheres = loops[0][1], loops[0][3]
+        self.steps = sum(loop[2] for loop in loops)
+        self.clock_s = sum(loop[0] for loop in loops)
+        self.processor_s = self.ranks * sum(s * share for s, _, _, _, share in loops)
+        self.clock_ns, self.processor_ns = (1e9 * s / (self.steps * self.spheres)
+                                            for s in (self.clock_s, self.processor_s))
+
+
+# ---- theory ----
+
+
+class Predictor:
+    """theory.c, compiled"""
+
+    def __init__(self, work, time):
+        self.program, self.time = os.path.join(work, "theory"), time
+        library = os.path.join(os.path.dirname(CORGEN), "libcor.a")
+        output_of(["cc", "-O2", "-I", os.path.join(ROOT, "include"), "-o", self.program,
+                   os.path.join(HERE, "theory.c"), library, "-lgsl", "-lgslcblas", "-lm"])
+
+    def __call__(self, states, model="zero_overlap", factor=1.0, loss=1.0):
+        """Theory at the times of the states, from the temperature of the first; factor multiplies A, loss 1 - eps^2"""
+        command = [self.program, model, "%.17g" % loss, YOUNG, POISSON, RADIUS, DENSITY,
+                   "%.17g" % (float(self.time) * factor), FRACTION, "%.17g" % states[0].temperature]
+        text = output_of(command, input="\n".join("%.17g" % state.time for state in states))
+        return [Theory(*map(float, row.split())) for row in text.splitlines()]
+
+
+def deviations(states, theory):
+    """ln(T/theory) at the ends of the stages"""
+    return [math.log(s.temperature / t.temperature) for s, t in zip(states, theory)][1:]
+
+
+def largest(values):
+    return max(abs(value) for value in values)
+
+
+def root_mean_square(values):
+    return math.sqrt(sum(value * value for value in values) / len(values))
+
+
+def slope(states, unit, temperatures):
+    """d ln T/d ln(t + unit) over the last half of the stages, by least squares"""
+    half = len(states) // 2
+    x = [math.log(s.time + unit) for s in states[half:]]
+    y = [math.log(value) for value in temperatures[half:]]
+    x0, y0 = sum(x) / len(x), sum(y) / len(y)
+    return sum((a - x0) * (b - y0) for a, b in zip(x, y)) / sum((a - x0)**2 for a in x)
+
+
+# ---- judging ----
+
+
+def judge(spheres, states, predictor, scatter):
+    """scatter: standard deviation of ln T times sqrt(spheres)"""
+    error = scatter / math.sqrt(spheres)
+    d = deviations(states, predictor(states))
+    fall = states[0].temperature / states[-1].temperature
+    verdict(largest(d) <= ALLOWED * error,
+            "%d spheres, T falls by %.1f: ln(T/theory) at most %.2f %%, %.1f standard errors of %.2f %%; at the end "
+            "%.2f %%" % (spheres, fall, 100 * largest(d), largest(d) / error, 100 * error, 100 * d[-1]))
+    for factor in 0.77, 1.3:
+        wrong = largest(deviations(states, predictor(states, factor=factor)))
+        verdict(wrong > 2 * ALLOWED * error, "theory with A wrong by %+.0f %% is seen: %.1f %%, %.0f standard errors" %
+                (100 * (factor - 1), 100 * wrong, wrong / error))
+    return error
+
+
+def judge_limit(predictor, states):
+    late = predictor([states[0], states[0]._replace(time=1e14)])[-1]
+    verdict(abs(late.slope + 5 / 3) < 1e-3, "theory: d ln T/d ln t tends to -5/3, %.5f after 1e14 s" % late.slope)
+
+
+def small_gas(work):
+    gas = Gas(work)
+    states = gas.cooled("10x10x5", 1, SHORT_STAGES, 1)
+    predictor = Predictor(work, gas.time)
+    judge(500, states, predictor, SCATTER)
+    judge_limit(predictor, states)
+
+
+Result = collections.namedtuple(
+    "Result", "spheres states theory zero_force rigid error slopes slope_error gases step_errors stepped")
+
+
+def scatter_of(rows):
+    """Root mean square over the columns of the standard deviation within each"""
+    deviation = []
+    for column in zip(*rows):
+        mean = sum(column) / len(column)
+        deviation.append(math.sqrt(sum((x - mean)**2 for x in column) / (len(column) - 1)))
+    return root_mean_square(deviation)
+
+
+def slope_difference(states, predictor):
+    """(slope of the gas, slope of the theory)"""
+    unit = unit_of(states, predictor)
+    return [slope(states, unit, [row.temperature for row in rows]) for rows in (states, predictor(states))]
+
+
+def unit_of(states, predictor):
+    """T/|dT/dt| at time 0"""
+    step = 1e-4
+    first, second = predictor([states[0], states[0]._replace(time=step)])
+    return step / math.log(first.temperature / second.temperature)
+
+
+def large_gas(folder, work, lattice, stages, ranks):
+    gas = Gas(folder)
+    predictor = Predictor(work, gas.time)
+    spheres, small = count_of(lattice), count_of(SCATTER_LATTICE)
+    gases = [gas.cooled(SCATTER_LATTICE, seed, STAGES, 1) for seed in SCATTER_SEEDS]
+    states = gas.cooled(lattice, 1, stages, ranks)
+    scatter = math.sqrt(small) * scatter_of([deviations(g, predictor(g)) for g in gases])
+    mean = root_mean_square([sum(row) / len(row) for row in zip(*[deviations(g, predictor(g)) for g in gases])])
+    print("      %d gases of %d spheres: the scatter of ln T is %.3f/sqrt(N), their mean deviates by %.2f %%" %
+          (len(gases), small, scatter, 100 * mean))
+    error = judge(spheres, states, predictor, scatter)
+    judge_limit(predictor, states)
+    step_errors = [gas.step_error(state) for state in (states[0], states[-1])]
+    verdict(largest(step_errors) < STEP_ALLOWED,
+            "the time step changes 1 - eps^2 of contacts by %+.2f %% at first, %+.2f %% at last" %
+            tuple(100 * x for x in step_errors))
+    wrong = {model: predictor(states, model) for model in ("zero_force", "rigid")}
+    stepped = predictor(states, loss=1 + sum(step_errors) / 2)
+    off = largest(deviations(states, stepped))
+    print("      theory with this loss: ln(T/theory) at most %.2f %%, %.1f standard errors" % (100 * off, off / error))
+    other = largest(deviations(states, wrong["zero_force"]))
+    text = "theory with the other end of contact: %.2f %%, %.1f standard errors" % (100 * other, other / error)
+    if spheres >= ENDS_APART:
+        verdict(other > ALLOWED * error, text)
+    else:
+        print("      " + text)
+    slopes = slope_difference(states, predictor)
+    off = [gas_slope - theory_slope for gas_slope, theory_slope in (slope_difference(g, predictor) for g in gases)]
+    slope_error = scatter_of([[x] for x in off]) * math.sqrt(small / spheres)
+    verdict(abs(slopes[0] - slopes[1]) <= ALLOWED * slope_error,
+            "d ln T/d ln(t + t_0) of the last half: %.4f, theory %.4f, standard error %.4f" % (*slopes, slope_error))
+    return Result(spheres, states, predictor(states), wrong["zero_force"], wrong["rigid"], error, slopes, slope_error,
+                  len(gases), step_errors, stepped)
+
+
+# ---- the time of a step ----
+
+COST_LATTICES = {"25x20x20": 4000, "50x50x40": 400, "100x100x100": 60}  # lattice: number of steps
+
+
+def costs(folder, ranks):
+    """The Cost of each of COST_LATTICES, from a measurement that the folder keeps"""
+    gas, rows = Gas(folder), []
+    for lattice, steps in COST_LATTICES.items():
+        name = os.path.join(folder, "cost.%s.%d" % (lattice, ranks))
+        if not os.path.exists(name):
+            text = gas.gas(lattice, ranks, short=steps)
+            with open(name, "w", encoding="utf-8") as out:
+                out.write(text[text.rindex("Loop time"):])
+        with open(name, encoding="utf-8") as log:
+            cost = Cost(log.read())
+        rows.append(cost)
+        print("      %d spheres, %d ranks: %.1f ns of a processor per sphere and step, %.1f ns of the clock" %
+              (cost.spheres, cost.ranks, cost.processor_ns, cost.clock_ns), flush=True)
+    return rows
+
+
+# ---- docs/ ----
+
+
+def write_csv(result):
+    os.makedirs(PICTURES, exist_ok=True)
+    with open(os.path.join(PICTURES, "cooling_%d.csv" % result.spheres), "w", encoding="utf-8") as out:
+        out.write("time_s,t_over_m_m2_s2,theory,theory_zero_force,theory_rigid,standard_error,a2,theory_a2,"
+                  "theory_slope,collisions,contacts,shear,density\n")
+        for s, t, force, rigid in zip(result.states, result.theory, result.zero_force, result.rigid):
+            out.write("%.6g,%.6g,%.6g,%.6g,%.6g,%.3g,%.3g,%.3g,%.4f,%.4g,%.3g,%.3g,%.3g\n" %
+                      (s.time, s.temperature, t.temperature, force.temperature, rigid.temperature, result.error,
+                       0.6 * s.kurtosis - 1, t.a2, t.slope, t.collisions, t.contact, s.shear, s.density))
+
+
+def column(result, log):
+    """{row of the table: what it says of a gas}"""
+    s, error = result.states, result.error
+    d = deviations(s, result.theory)
+    rows = {
+        "ranks of MPI": "%d" % log.ranks,
+        "T falls by the factor": "%.1f" % (s[0].temperature / s[-1].temperature),
+        "collisions of a sphere": "%.0f" % result.theory[-1].collisions,
+        "standard error of ln T": "%.2f %%" % (100 * error),
+        "ln(T/theory), largest": "%.2f %%, %.1f standard errors" % (100 * largest(d), largest(d) / error),
+        "the same, root mean square; at the end": "%.2f %%; %+.2f %%" % (100 * root_mean_square(d), 100 * d[-1]),
+        "d ln T/d ln(t + t_0), last half of the points": "%.4f ± %.4f" % (result.slopes[0], result.slope_error),
+        "the same, theory; at the last point": "%.4f; %.4f" % (result.slopes[1], result.theory[-1].slope),
+        "a_2, last half of the points; theory": "%.4f; %.4f" % tuple(
+            sum(values[len(values) // 2:]) / (len(values) - len(values) // 2)
+            for values in ([0.6 * state.kurtosis - 1 for state in s], [t.a2 for t in result.theory])),
+        "change of 1 - eps^2 by the time step, first; last": "%+.2f %%; %+.2f %%" % tuple(
+            100 * x for x in result.step_errors),
+    }
+    others = {"this change of the loss": result.stepped, "zero force in place of zero overlap": result.zero_force,
+              "no overlaps": result.rigid}
+    for name, theory in others.items():
+        wrong = largest(deviations(s, theory))
+        rows["ln(T/theory), largest, theory with " + name] = "%.2f %%, %.1f standard errors" % (
+            100 * wrong, wrong / error)
+    rows.update({
+        "energy of each of the longest shear waves over T": "%.1f" % s[-1].shear,
+        "their part of all energy": "%.2f %%" % (100 * s[-1].shear * 4 / result.spheres),
+        "time steps; minutes of a processor": "%d; %.0f" % (s[-1].steps, log.processor_ns * result.spheres *
+                                                             s[-1].steps / 6e10),
+    })
+    return rows
+
+
+def numbers(results, rows, logs):
+    """The tables of docs/gas.md"""
+    columns = [column(result, log) for result, log in zip(results, logs)]
+    table = "| spheres | %s |\n|---|%s\n" % (" | ".join("%d" % r.spheres for r in results), "---|" * len(results))
+    for name in columns[0]:
+        table += "| %s | %s |\n" % (name, " | ".join(c[name] for c in columns))
+    yield table
+    yield "| spheres | ranks | ns of a processor per sphere and step |\n|---|---|---|\n" + "".join(
+        "| %d | %d | %.0f |\n" % (cost.spheres, cost.ranks, cost.processor_ns) for cost in rows)
+
+
+def write_page(texts):
+    with open(PAGE, encoding="utf-8") as page:
+        text = page.read()
+    for name, new in zip(("cooled", "cost"), texts):
+        begin, end = "<!-- %s: tests/simulators/gas/cool.py --write -->\n" % name, "<!-- end of %s -->\n" % name
+        text = text[:text.index(begin) + len(begin)] + new + text[text.index(end):]
+    with open(PAGE, "w", encoding="utf-8") as page:
+        page.write(text)
+
+
+def write(results, rows, folder, lattices):
+    logs = []
+    for result, lattice in zip(results, lattices):
+        write_csv(result)
+        with open(os.path.join(folder, "gas.%s.1.log" % lattice), encoding="utf-8") as log:
+            logs.append(Cost(log.read()))
+    write_page(numbers(results, rows, logs))
+    output_of(["gnuplot", os.path.join(HERE, "cooling.gp")], cwd=ROOT)
+    print("written: docs/gas.md and docs/gas/")
+
+
+def missing():
+    if not shutil.which(LMP):
+        return "no program lmp; Debian calls its package lammps"
+    if not shutil.which("cc") or subprocess.run(["cc", "-E", "-"], input=b"#include <gsl/gsl_odeiv2.h>\n",
+                                                capture_output=True, check=False).returncode:
+        return "no gsl/gsl_odeiv2.h; Debian calls its package libgsl-dev"
+    return ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--lattice", action="append", default=[], metavar="LATTICE[:STAGES]",
+                        help="spheres along the three axes, as 50x50x40; 1 + t/t_0 grows by 1.1 in each of 20 stages")
+    parser.add_argument("--ranks", type=int, default=2, help="of MPI, 2 if not given")
+    parser.add_argument("--results", help="folder that keeps each gas")
+    parser.add_argument("--cost", action="store_true", help="measure the time of a step")
+    parser.add_argument("--write", action="store_true", help="renew docs/gas.md; needs --lattice")
+    options = parser.parse_args()
+    gases = [re.fullmatch(r"([1-9]\d*x[1-9]\d*x[1-9]\d*)(?::(\d+))?", lattice) for lattice in options.lattice]
+    if not all(gases) or any(int(gas[2] or STAGES) < 4 for gas in gases):
+        parser.error("--lattice takes three numbers, as 50x50x40, and at least 4 stages, as 50x50x40:20")
+    if options.ranks < 1:
+        parser.error("--ranks takes a number from 1")
+    if options.write and not gases:
+        parser.error("--write needs --lattice")
+    if not os.access(CORGEN, os.X_OK):
+        sys.exit("cool.py: no program %s; build it, or name it by CORGEN" % CORGEN)
+    why = missing()
+    if why:
+        print("skip  a gas that cools: %s\n0 passed, 0 failed, 1 skipped" % why)
+        return 0
+    with tempfile.TemporaryDirectory() as work:
+        os.environ["HOME"] = work  # Open MPI may write there
+        folder = os.path.abspath(options.results or work)
+        os.makedirs(folder, exist_ok=True)
+        rows = []
+        for ranks in sorted({1, options.ranks}) if options.cost or options.write else []:
+            rows += costs(folder, ranks)
+        results = [large_gas(folder, work, gas[1], int(gas[2] or STAGES), options.ranks) for gas in gases]
+        if options.write:
+            write(results, rows, folder, [gas[1] for gas in gases])
+        if not gases and not options.cost:
+            small_gas(work)
+    print("%d passed, %d failed" % (passed, failed))
+    return failed != 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
