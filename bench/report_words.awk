@@ -208,7 +208,7 @@ function use_spheres(    t, c, a, h, i, best, text, n, least, most, worst, k, j,
     i = row_of(t, "ordinary", "overlap", "scalar", "cor float", "")
     c = row_of(t, "ordinary", "overlap", "scalar", "cor", "")
     a = row_of(t, "ordinary", "overlap", "array", "cor float", "")
-    printf "- **float**: error %s (for the float argument), %s ns against %s ns in double, arrays %s ns. It saves memory%s.\n", short(error[t, i]), \
+    printf "- **float, correctly rounded**: error %s (for the float argument), %s ns against %s ns in double, arrays %s ns. It saves memory%s. Functions in fast float save time: see \"float against double\" below.\n", short(error[t, i]), \
         plain_ns(ns[t, i]), plain_ns(ns[t, c]), plain_ns(ns[t, a]), (ns[t, i] > 0.9 * ns[t, c] ? ", not time" : "")
     t = "spheres_speed"
     i = cheapest(t, "ordinary", "overlap", "scalar", "Taylor", 2e-9)

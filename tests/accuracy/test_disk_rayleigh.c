@@ -96,7 +96,7 @@ static void convolve(arb_t sum, arb_srcptr x, arb_srcptr y, int k)
 /* delta'' = -g, g = delta/u, u' delta (u - 1) = -delta' u: coefficients from delta, delta', u in d[0], d[1], u[0] */
 static void series(arb_ptr d, arb_ptr u, arb_ptr g)
 {
-    arb_ptr const e = _arb_vec_init(TERMS), slope_d = _arb_vec_init(TERMS), slope_u = _arb_vec_init(TERMS);
+    arb_ptr e = _arb_vec_init(TERMS), slope_d = _arb_vec_init(TERMS), slope_u = _arb_vec_init(TERMS);
     arb_t x, y;
     arb_init(x);
     arb_init(y);
@@ -104,7 +104,7 @@ static void series(arb_ptr d, arb_ptr u, arb_ptr g)
         if (k > 0)
             arb_div_ui(u + k, slope_u + k - 1, (ulong)k, BITS);
         if (k > 1) {
-            arb_div_ui(d + k, g + k - 2, (ulong)(k * (k - 1)), BITS);
+            arb_div_ui(d + k, g + k - 2, (ulong)k * (ulong)(k - 1), BITS);
             arb_neg(d + k, d + k);
         }
         if (k > 0)
@@ -119,10 +119,10 @@ static void series(arb_ptr d, arb_ptr u, arb_ptr g)
         if (k + 1 < TERMS) {
             /* delta'_k needs d_(k+1), which g_(k-1) gives */
             if (k > 0) {
-                arb_div_ui(d + k + 1, g + k - 1, (ulong)(k * (k + 1)), BITS);
+                arb_div_ui(d + k + 1, g + k - 1, (ulong)k * ((ulong)k + 1), BITS);
                 arb_neg(d + k + 1, d + k + 1);
             }
-            arb_mul_ui(slope_d + k, d + k + 1, (ulong)(k + 1), BITS);
+            arb_mul_ui(slope_d + k, d + k + 1, (ulong)k + 1, BITS);
             convolve(y, slope_d, u, k);
             arb_neg(y, y);
             arb_zero(slope_u + k);
@@ -155,7 +155,7 @@ static void add_integral(arb_t sum, arb_srcptr g, const arb_t t, const arb_t h, 
     arb_mul(power, w, h, BITS);
     if (arf_cmp_d(arb_midref(power), 0.5) < 0) {
         /* too small for that: series of the cosine itself; c_k of cos(omega (t + s)) */
-        arb_ptr const c = _arb_vec_init(TERMS);
+        arb_ptr c = _arb_vec_init(TERMS);
         arb_mul(power, w, t, BITS);
         arb_sin_cos(acb_imagref(start), acb_realref(start), power, BITS);
         arb_one(power);
@@ -165,13 +165,13 @@ static void add_integral(arb_t sum, arb_srcptr g, const arb_t t, const arb_t h, 
             if (k % 4 == 1 || k % 4 == 2)
                 arb_neg(c + k, c + k);
             arb_mul(power, power, w, BITS);
-            arb_div_ui(power, power, (ulong)(k + 1), BITS);
+            arb_div_ui(power, power, (ulong)k + 1, BITS);
         }
         arb_set(power, h);
         for (int k = 0; k < TERMS; k++) {
             convolve(w, g, c, k);
             arb_mul(w, w, power, BITS);
-            arb_div_ui(w, w, (ulong)(k + 1), BITS);
+            arb_div_ui(w, w, (ulong)k + 1, BITS);
             arb_add(sum, sum, w, BITS);
             arb_mul(power, power, h, BITS);
         }
@@ -189,7 +189,7 @@ static void add_integral(arb_t sum, arb_srcptr g, const arb_t t, const arb_t h, 
             acb_addmul_arb(total, moment, g + k, BITS);
             /* m_(k+1) = (h^(k+1) e^(i omega h) - (k + 1) m_k)/(i omega) */
             arb_mul(power, power, h, BITS);
-            acb_mul_ui(moment, moment, (ulong)(k + 1), BITS);
+            acb_mul_ui(moment, moment, (ulong)k + 1, BITS);
             acb_neg(moment, moment);
             acb_addmul_arb(moment, end, power, BITS);
             acb_mul(moment, moment, factor, BITS);
@@ -212,8 +212,8 @@ static void add_integral(arb_t sum, arb_srcptr g, const arb_t t, const arb_t h, 
 static void reference(double *response, double *contact_time, const double *omega, double nu, enum cor_disk_datum datum,
                       double v)
 {
-    arb_ptr const d = _arb_vec_init(TERMS), u = _arb_vec_init(TERMS), g = _arb_vec_init(TERMS);
-    arb_ptr const sum = _arb_vec_init(FREQUENCIES);
+    arb_ptr d = _arb_vec_init(TERMS), u = _arb_vec_init(TERMS), g = _arb_vec_init(TERMS);
+    arb_ptr sum = _arb_vec_init(FREQUENCIES);
     arb_t b, t, h, x, y, smallest;
     arb_init(b);
     arb_init(t);

@@ -281,7 +281,7 @@ static long double start_error(int slope)
         const long double x = over ? th / tanhl(th) : th / tanl(th), zeta = over ? coshl(th) : cosl(th);
         /* d zeta/d th over dx/d th */
         const long double sine = over ? sinhl(th) : sinl(th);
-        const long double dx = over ? (sine * zeta - th) / (sine * sine) : (sine * zeta - th) / (sine * sine);
+        const long double dx = (sine * zeta - th) / (sine * sine);
         const long double exact = slope ? (over ? sine : -sine) / dx : zeta;
         const long double value =
             slope ? polynomial(cor_ratio_slope_polynomial, 8, x) : x * polynomial(cor_ratio_start_polynomial, 11, x);

@@ -347,7 +347,10 @@ static void units(void **state)
             if (strcmp(host_models[k].host, forces[i].host) == 0 && strstr(host_models[k].model, forces[i].model) &&
                 (host_models[k].number_of_damping != NULL) && strlen(host_models[k].model) >= strlen(forces[i].model))
                 m = &host_models[k];
-        assert_true(m != NULL);
+        if (m == NULL) {
+            fail_msg("%s has no model %s", forces[i].host, forces[i].model);
+            return;
+        }
         const double damping = 0.35, a = m->law == HOST_LINEAR || m->law == HOST_LINEAR_ROOT ? 1 : 1.5;
         const double eps = integrated_eps(scaled[m->law], m->end, damping, &unit, 1);
         const double closed = host_eps(m->law, m->end, damping);
@@ -413,7 +416,9 @@ static void rows_are_whole(void **state)
     (void)state;
     for (size_t i = 0; i < host_model_count; i++) {
         const struct host_model *m = &host_models[i];
-        assert_true(m->host && m->model && m->parameter && m->file && m->known && m->advice);
+        const char *const words[] = {m->host, m->model, m->parameter, m->file, m->known, m->advice};
+        for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+            assert_non_null(words[k]);
         assert_true((m->version != NULL) == (m->paste != NULL) && (!m->paste || strchr(m->paste, '|') != NULL));
         assert_true((m->damping_of_e != NULL) != (m->number_of_damping != NULL));
         assert_true((m->number_of_damping != NULL) == (m->damping_of_number != NULL));

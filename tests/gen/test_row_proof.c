@@ -89,7 +89,7 @@ static void motion_step(double complex y[3], double complex beta, double complex
  * force, 2 is w = 0. `s` is its complex place. */
 static void motion_event(double complex y[3], double complex beta, int event)
 {
-    enum { STEPS = 3000, PARTS = 40, NEWTON = 8 };
+    enum { STEPS = 3000, FEWER_STEPS = STEPS / 10, PARTS = 40, NEWTON = 8 };
     double complex s = 0;
     double complex start[3] = {0, 1, 0};
     for (int j = 0; j < 3; j++)
@@ -103,8 +103,8 @@ static void motion_event(double complex y[3], double complex beta, int event)
         for (int k = 0; k < NEWTON; k++) {
             for (int j = 0; j < 3; j++)
                 y[j] = start[j];
-            for (int i = 0; i < STEPS / 10; i++)
-                motion_step(y, b, s / (STEPS / 10));
+            for (int i = 0; i < FEWER_STEPS; i++)
+                motion_step(y, b, s / FEWER_STEPS);
             const double complex force = -y[0] * y[0] * (b * y[1] + y[0] * y[0]);
             s -= event == 0   ? y[1] / force
                  : event == 1 ? (b * y[1] + y[0] * y[0]) / (b * force + y[0] * y[1])

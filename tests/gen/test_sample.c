@@ -80,7 +80,7 @@ static void tolerances_hold(void **state)
     for (int end = 0; end < CONTACT_ENDS; end++)
         for (int kind = 0; kind < 4; kind++) {
             const bool cubic = kind / 2, log = kind % 2;
-            if (!in_turn((size_t)(end + kind), 2)) /* one end for each kind */
+            if (!in_turn((size_t)end + (size_t)kind, 2)) /* one end for each kind */
                 continue;
             const double finest = (double)few_or_all(500, 1) * (cubic ? 1e-7 : 1e-6);
             for (double tolerance = 1e-2; tolerance > finest; tolerance /= 50)

@@ -2,7 +2,7 @@
 /* corgen tables --check over many directories, of which the costly files are computed once: check_tables DIRECTORY...
  * prints red or green for each. What depends on a directory's own disk_limits.h is made for each. Exit status 1 if
  * any is red. */
-#include "tables/directory.c" // NOLINT(bugprone-suspicious-include): its static functions are what it calls
+#include "tables/directory.c"
 
 int main(int argc, char **argv)
 {

@@ -51,7 +51,10 @@ static inline long double ulp_error(double computed, long double exact)
 
 static inline int same_bits(double x, double y)
 {
-    return memcmp(&x, &y, sizeof x) == 0;
+    uint64_t x_bits, y_bits;
+    memcpy(&x_bits, &x, sizeof x_bits);
+    memcpy(&y_bits, &y, sizeof y_bits);
+    return x_bits == y_bits;
 }
 
 static inline uint64_t check_number(const char *variable, uint64_t otherwise)
