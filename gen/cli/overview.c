@@ -84,7 +84,7 @@ static void print_task(const struct overview_task *task, const struct subcommand
         titled = true;
         fprintf(file, "  %-14s %s\n", row->name, row->use);
     }
-    if (in_table(table, task->row[0].name))
+    if (task->row[0].name && in_table(table, task->row[0].name))
         fprintf(file, "  $ corgen %s\n", task->example);
 }
 

@@ -349,7 +349,8 @@ static void status_texts(void **state)
     assert_int_equal(COR_ERROR_THICKNESS, count - 1);
     for (int i = 0; i < count; i++) {
         const char *text = cor_status_text(i);
-        check(text != NULL && strstr(text, word[i]) != NULL, "status %d: %s", i, text);
+        assert_non_null(text);
+        check(strstr(text, word[i]) != NULL, "status %d: %s", i, text);
         check(text[strlen(text) - 1] == '.' && strchr(text, '\n') == NULL, "status %d: %s", i, text);
     }
     assert_string_equal(cor_status_text(-1), "This number is not a status of cor.");
