@@ -217,10 +217,16 @@ static const struct scene *known_scene(const struct scenes *scenes, int32_t x, i
 static void take_found(void *context, const char *line)
 {
     struct scenes *const scenes = context;
-    struct scene scene;
-    if (sscanf(line, "%" SCNd32 " %" SCNd32 " %" SCNd32 " %" SCNd32, &scene.x, &scene.nu, &scene.value,
-               &scene.estimate) == 4)
-        add_scene(&scenes->found, &scenes->found_count, &scenes->found_capacity, scene);
+    long number[4];
+    for (int i = 0; i < 4; i++) {
+        char *end;
+        number[i] = strtol(line, &end, 10);
+        if (end == line || number[i] < INT32_MIN || number[i] > INT32_MAX)
+            return;
+        line = end;
+    }
+    const struct scene scene = {(int32_t)number[0], (int32_t)number[1], (int32_t)number[2], (int32_t)number[3]};
+    add_scene(&scenes->found, &scenes->found_count, &scenes->found_capacity, scene);
 }
 
 /* Moves scenes that an earlier run has computed from a list to the known scenes. Returns the number of scenes that
@@ -291,7 +297,8 @@ static int find_scenes(struct scenes *scenes, const struct cell *cell, int cells
     const int status = collide_all(needed, count, journal, name);
     for (long i = 0; i < count; i++)
         add_scene(&scenes->scene, &scenes->count, &scenes->capacity, needed[i]);
-    qsort(scenes->scene, (size_t)scenes->count, sizeof *scenes->scene, by_place);
+    if (scenes->count)
+        qsort(scenes->scene, (size_t)scenes->count, sizeof *scenes->scene, by_place);
     free(needed);
     return status;
 }
