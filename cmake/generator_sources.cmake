@@ -44,6 +44,7 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/collision.c
   gen/enclosure/collision_series.c
   gen/enclosure/complex_collision.c
+  gen/enclosure/creep_series.c
   gen/enclosure/events.c
   gen/enclosure/motion.c
   gen/enclosure/slow_manifold.c

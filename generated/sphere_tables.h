@@ -8,10 +8,10 @@
  * Checked by:  corgen tables --check
  *
  * Each double is the one nearest to the coefficient beside it: proved. Errors of the rows stand above
- * each table and beside each row, proved for every argument of a cell (docs/derivation.md, 8), but
- * for two things: the duration at zero overlap for beta > exp(2), whose rows are sampled, and what
- * follows from beta = exp(10) on, sampled too. The rows interpolate polynomials of high degree through
- * collisions enclosed to 76 bits or more (proved). Errors of evaluation: include/cor/sphere.h. */
+ * each table and beside each row, proved for every argument of a cell (docs/derivation.md, 8), up to
+ * beta = exp(10); the errors of what follows from there on are sampled. The rows interpolate polynomials
+ * of high degree through collisions enclosed to 76 bits or more (proved). Errors of evaluation:
+ * include/cor/sphere.h. */
 #ifndef COR_GENERATED_SPHERE_TABLES_H
 #define COR_GENERATED_SPHERE_TABLES_H
 
@@ -21613,7 +21613,7 @@ COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
 }
 
 /* duration/beta at zero overlap, beta > exp(2): 64 rows of degree 10 in y = ln(beta), nodes 2.0625 + i 0.125, 2 <= y <= 10.
- * Relative error of the approximation: 2^-58.7 at most, sampled at 25 places of each row. */
+ * Relative error of the approximation: 2^-57.6 at most, proved for the whole cell of each row. */
 #define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_FIRST 2.0625
 #define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_STEP 0.125
 #define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_PER_UNIT 8.0
@@ -21622,7 +21622,7 @@ COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
 COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
 {
     static const double row[64][12] = {
-        /* [0] 2 <= y <= 2.125, degree 10, 59.1 bits */
+        /* [0] 2 <= y <= 2.125, degree 10, 57.6 bits */
         {
          0x1.5a6e19e5daa9bp+2, /* 5.412970041720338118037919 */
          0x1.dedde502abe9ep-53, /* 2.076753594058546795536124e-16 */
@@ -21637,7 +21637,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.80a69d3df7c79p-8, /* -0.005869305981803235122821122 */
          0x1.4f279462dd8d6p-8 /* 0.005114053465936593619415135 */
         },
-        /* [1] 2.125 <= y <= 2.25, degree 10, 60.1 bits */
+        /* [1] 2.125 <= y <= 2.25, degree 10, 58.3 bits */
         {
          0x1.7383bcc08a16cp+2, /* 5.804915607477919558680768 */
          -0x1.0d48153749a7fp-52, /* -2.335645337986836699341491e-16 */
@@ -21652,7 +21652,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.1b212eac4ad8p-9, /* -0.002160107562436841702279723 */
          0x1.9f820ace12363p-10 /* 0.001585037145121336590347624 */
         },
-        /* [2] 2.25 <= y <= 2.375, degree 10, 58.7 bits */
+        /* [2] 2.25 <= y <= 2.375, degree 10, 57.9 bits */
         {
          0x1.8ce8230e57e54p+2, /* 6.201668514258546461856403 */
          -0x1.309ef00c6d9ecp-53, /* -1.321082350936073232063093e-16 */
@@ -21667,7 +21667,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.e22671aa491efp-11, /* -0.0009196284711703842850336172 */
          0x1.32ba6ddfd34bcp-11 /* 0.0005850376873951716092000066 */
         },
-        /* [3] 2.375 <= y <= 2.5, degree 10, 58.8 bits */
+        /* [3] 2.375 <= y <= 2.5, degree 10, 58.1 bits */
         {
          0x1.a68b8b422b462p+2, /* 6.602267088525964705242321 */
          0x1.637b4a0d60b98p-55, /* 3.854139215867440792464540e-17 */
@@ -21682,7 +21682,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.c86e7fabd7495p-12, /* -0.0004352871280753425941383208 */
          0x1.00d7933c27157p-12 /* 0.0002449437049649913304016172 */
         },
-        /* [4] 2.5 <= y <= 2.625, degree 10, 58.8 bits */
+        /* [4] 2.5 <= y <= 2.625, degree 10, 59.2 bits */
         {
          0x1.c0618463e9c26p+2, /* 7.005951974460037671342413 */
          0x1.76927d23c6b68p-54, /* 8.122240336491797304873988e-17 */
@@ -21697,7 +21697,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.d4dd68244830ep-13, /* -0.0002235721923478307595885255 */
          0x1.d94bedab94706p-14 /* 0.0001128427017474086729972053 */
         },
-        /* [5] 2.625 <= y <= 2.75, degree 10, 59.5 bits */
+        /* [5] 2.625 <= y <= 2.75, degree 10, 59.8 bits */
         {
          0x1.da602be450604p+2, /* 7.412119839632854719608756 */
          0x1.15935c5a31bdap-52, /* 2.407584790685709749280445e-16 */
@@ -21712,7 +21712,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.0122ba2afe52cp-13, /* -0.0001226118341433405689264253 */
          0x1.d673044c7bac3p-15 /* 0.00005608192495631027752380449 */
         },
-        /* [6] 2.75 <= y <= 2.875, degree 10, 60.4 bits */
+        /* [6] 2.75 <= y <= 2.875, degree 10, 60.5 bits */
         {
          0x1.f47f9dc2a2637p+2, /* 7.820289077828014046445889 */
          -0x1.2f4d40d63eae6p-55, /* -3.288404385842336433040726e-17 */
@@ -21727,7 +21727,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.29bd05913cb9cp-14, /* -0.00007098635821360530874605183 */
          0x1.f19048a3de80ep-16 /* 0.00002965710213185400986719849 */
         },
-        /* [7] 2.875 <= y <= 3, degree 10, 59.4 bits */
+        /* [7] 2.875 <= y <= 3, degree 10, 58.7 bits */
         {
          0x1.075cc3e4dd163p+3, /* 8.230073878287560079166757 */
          -0x1.c9dee3154e2ffp-51, /* -7.942789698786227212674288e-16 */
@@ -21742,7 +21742,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.68e5373ad9473p-15, /* -0.00004302208113563737935598508 */
          0x1.152c139e5d37ap-16 /* 0.00001652074899412571836584913 */
         },
-        /* [8] 3 <= y <= 3.125, degree 10, 59.4 bits */
+        /* [8] 3 <= y <= 3.125, degree 10, 60.0 bits */
         {
          0x1.14846b081cdffp+3, /* 8.641164317937180743834193 */
          0x1.6c29127012aa2p-52, /* 3.158588300531785556429322e-16 */
@@ -21757,7 +21757,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.c6fd1435cb824p-16, /* -0.00002711943326188388464248149 */
          0x1.42d6b92e064f3p-17 /* 9.621344897724962991694965e-6 */
         },
-        /* [9] 3.125 <= y <= 3.25, degree 10, 64.8 bits */
+        /* [9] 3.125 <= y <= 3.25, degree 10, 60.5 bits */
         {
          0x1.21b4b90e1cap+3, /* 9.053310897409574325452603 */
          0x1.ac2e7356c30b6p-52, /* 3.713882044191433101826562e-16 */
@@ -21772,7 +21772,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.28c878ad138e5p-16, /* -0.00001768965073650147239400441 */
          0x1.86d5b429658b1p-18 /* 5.823892061404348456510426e-6 */
         },
-        /* [10] 3.25 <= y <= 3.375, degree 10, 60.6 bits */
+        /* [10] 3.25 <= y <= 3.375, degree 10, 59.8 bits */
         {
          0x1.2eec0805dab59p+3, /* 9.466312419351809646446205 */
          -0x1.cddf0ef134a38p-51, /* -8.012190247202007205132992e-16 */
@@ -21787,7 +21787,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.8ef632226785ep-17, /* -0.00001188998527795417117591720 */
          0x1.e985f125d96b8p-19 /* 3.647232136682852529533749e-6 */
         },
-        /* [11] 3.375 <= y <= 3.5, degree 10, 59.4 bits */
+        /* [11] 3.375 <= y <= 3.5, degree 10, 60.0 bits */
         {
          0x1.3c290338b3013p+3, /* 9.880006418934533839255517 */
          0x1.98d7999e3867dp-51, /* 7.092281411036928663000661e-16 */
@@ -21802,7 +21802,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.1356e41f0f283p-17, /* -8.205754111861564981661396e-6 */
          0x1.3bfff142ecbf1p-19 /* 2.354381793045941297701400e-6 */
         },
-        /* [12] 3.5 <= y <= 3.625, degree 10, 60.6 bits */
+        /* [12] 3.5 <= y <= 3.625, degree 10, 59.8 bits */
         {
          0x1.496a973bc0c28p+3, /* 10.29426156683446445442840 */
          0x1.af4858bb79b01p-54, /* 9.351950723109042521368506e-17 */
@@ -21817,7 +21817,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.8501fc468dd2bp-18, /* -5.796667272898400573046667e-6 */
          0x1.a33f08752f2b2p-20 /* 1.561813886482410898816605e-6 */
         },
-        /* [13] 3.625 <= y <= 3.75, degree 10, 60.1 bits */
+        /* [13] 3.625 <= y <= 3.75, degree 10, 59.6 bits */
         {
          0x1.56afe53b8ff22p+3, /* 10.70897161134013552078255 */
          -0x1.8d67699eb5aa8p-52, /* -3.446929854241897976044753e-16 */
@@ -21832,7 +21832,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.187fd7cef6993p-18, /* -4.179766576373888979638365e-6 */
          0x1.1d0e6a9f1ad7bp-20 /* 1.061917522605616270667568e-6 */
         },
-        /* [14] 3.75 <= y <= 3.875, degree 10, 60.0 bits */
+        /* [14] 3.75 <= y <= 3.875, degree 10, 59.4 bits */
         {
          0x1.63f838d18c2eep+3, /* 11.12405053069366209456741 */
          0x1.c584a817f0371p-53, /* 1.966821627019834057896324e-16 */
@@ -21847,7 +21847,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.9bdd2ae0a83e1p-19, /* -3.068625446481652966807746e-6 */
          0x1.8c66bb37eddd3p-21 /* 7.383549478411528818425528e-7 */
         },
-        /* [15] 3.875 <= y <= 4, degree 10, 59.5 bits */
+        /* [15] 3.875 <= y <= 4, degree 10, 59.2 bits */
         {
          0x1.7142ffdb7ec5p+3, /* 11.53942864294199942013043 */
          0x1.d9ec0cef19507p-53, /* 2.055309361752615483791690e-16 */
@@ -21862,7 +21862,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.3328e126488c3p-19, /* -2.288517993013611901070655e-6 */
          0x1.19441fdd8b617p-21 /* 5.238989577210313242463441e-7 */
         },
-        /* [16] 4 <= y <= 4.125, degree 10, 63.7 bits */
+        /* [16] 4 <= y <= 4.125, degree 10, 61.9 bits */
         {
          0x1.7e8fc3ebc82ebp+3, /* 11.95504947711147737918058 */
          -0x1.b69bdca62c26fp-51, /* -7.608650438657797808633424e-16 */
@@ -21877,7 +21877,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.d06bb270ec86ap-20, /* -1.730101896618469887262714e-6 */
          0x1.96869a61ceaefp-22 /* 3.786066483550596781515688e-7 */
         },
-        /* [17] 4.125 <= y <= 4.25, degree 10, 60.4 bits */
+        /* [17] 4.125 <= y <= 4.25, degree 10, 60.5 bits */
         {
          0x1.8bde24ffe31e4p+3, /* 12.37086725213971068294741 */
          0x1.a255818797624p-53, /* 1.814234559959558002919366e-16 */
@@ -21907,7 +21907,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.1270d55fa47e3p-20, /* -1.022371485169271298612322e-6 */
          0x1.bd4f4369ad469p-23 /* 2.073634520115790675027173e-7 */
         },
-        /* [19] 4.375 <= y <= 4.5, degree 10, 60.1 bits */
+        /* [19] 4.375 <= y <= 4.5, degree 10, 60.3 bits */
         {
          0x1.a67e9579c1d8fp+3, /* 13.20295213490206109601293 */
          0x1.f9b4d398e1f02p-53, /* 2.193151709358792421415831e-16 */
@@ -21922,7 +21922,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.aba8fa66b89c6p-21, /* -7.965789564324960718031072e-7 */
          0x1.505153cee5c1fp-23 /* 1.566101261701172290655098e-7 */
         },
-        /* [20] 4.5 <= y <= 4.625, degree 10, 59.9 bits */
+        /* [20] 4.5 <= y <= 4.625, degree 10, 59.7 bits */
         {
          0x1.b3d0327c8caa4p+3, /* 13.61916469884938111332797 */
          -0x1.d835c445c2d58p-52, /* -4.095769089603081304101902e-16 */
@@ -21937,7 +21937,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.4f99960047b2ap-21, /* -6.251036097948491216673723e-7 */
          0x1.00e687c761fc5p-23 /* 1.196286218802732511730590e-7 */
         },
-        /* [21] 4.625 <= y <= 4.75, degree 10, 62.5 bits */
+        /* [21] 4.625 <= y <= 4.75, degree 10, 61.3 bits */
         {
          0x1.c12282b244a9p+3, /* 14.03546271150597198472105 */
          0x1.6a6c1c4a8129dp-51, /* 6.287024836274500837145713e-16 */
@@ -21952,7 +21952,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.08f06c96344afp-21, /* -4.934876354450189085176275e-7 */
          0x1.8c5a82e39c21fp-24 /* 9.228325442159197843545622e-8 */
         },
-        /* [22] 4.75 <= y <= 4.875, degree 10, 60.2 bits */
+        /* [22] 4.75 <= y <= 4.875, degree 10, 60.0 bits */
         {
          0x1.ce75645ea030ap+3, /* 14.45183008653250032209302 */
          0x1.b4f3f8ca758bbp-51, /* 7.579926530144782517486451e-16 */
@@ -21967,7 +21967,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.a46828e0d0e76p-22, /* -3.915344120484238127365411e-7 */
          0x1.3459fc47b84eep-24 /* 7.179367955301099357164519e-8 */
         },
-        /* [23] 4.875 <= y <= 5, degree 10, 60.2 bits */
+        /* [23] 4.875 <= y <= 5, degree 10, 60.0 bits */
         {
          0x1.dbc8bc20898acp+3, /* 14.86825376849113730727099 */
          0x1.7063b0c7d1199p-51, /* 6.390537685954728359109309e-16 */
@@ -21982,7 +21982,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.4ef01efba7123p-22, /* -3.119352951304400185881716e-7 */
          0x1.e340edfdbaa1p-25 /* 5.625812703003593407074961e-8 */
         },
-        /* [24] 5 <= y <= 5.125, degree 10, 63.6 bits */
+        /* [24] 5 <= y <= 5.125, degree 10, 61.9 bits */
         {
          0x1.e91c73bf117p+3, /* 15.28472316091529174536352 */
          0x1.acdca5d1fd177p-52, /* 3.719784074655958355643763e-16 */
@@ -21997,7 +21997,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.0bc2fd8818705p-22, /* -2.493724982119673651072432e-7 */
          0x1.7d002adc74ba2p-25 /* 4.435431375276997394500121e-8 */
         },
-        /* [25] 5.125 <= y <= 5.25, degree 10, 60.0 bits */
+        /* [25] 5.125 <= y <= 5.25, degree 10, 60.1 bits */
         {
          0x1.f67079307aea8p+3, /* 15.70122966259744185440719 */
          0x1.c5907f642a50ep-52, /* 3.934044442957944463238563e-16 */
@@ -22012,7 +22012,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.ad546a263b54ap-23, /* -1.999222416013623975822846e-7 */
          0x1.2dedd0dfd0f89p-25 /* 3.514915802732757285213036e-8 */
         },
-        /* [26] 5.25 <= y <= 5.375, degree 10, 64.2 bits */
+        /* [26] 5.25 <= y <= 5.375, degree 10, 62.1 bits */
         {
          0x1.01e25ee82a3e4p+4, /* 16.11776629151781132124247 */
          0x1.114a130a8011bp-50, /* 9.481629129159155253479304e-16 */
@@ -22027,7 +22027,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.58fef4c05b545p-23, /* -1.606512452056106628112616e-7 */
          0x1.e098bb47e740ep-26 /* 2.797440437596101306835192e-8 */
         },
-        /* [27] 5.375 <= y <= 5.5, degree 10, 60.5 bits */
+        /* [27] 5.375 <= y <= 5.5, degree 10, 60.6 bits */
         {
          0x1.088c9addd873ap+4, /* 16.53432737978366898778846 */
          0x1.26a7aacbdd6c9p-52, /* 2.555724294481929254408687e-16 */
@@ -22042,7 +22042,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.15c1dc3b0ae5ap-23, /* -1.293408063719072231025354e-7 */
          0x1.7fde0b5128b15p-26 /* 2.234402113734572345833675e-8 */
         },
-        /* [28] 5.5 <= y <= 5.625, degree 10, 60.1 bits */
+        /* [28] 5.5 <= y <= 5.625, degree 10, 60.0 bits */
         {
          0x1.0f36eba6235f4p+4, /* 16.95090832612727597364261 */
          -0x1.d6e19f417055ep-52, /* -4.084244542376640890807595e-16 */
@@ -22057,7 +22057,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.bff20af0c09a2p-24, /* -1.042954342993556171884749e-7 */
          0x1.33839daa84d2cp-26 /* 1.789967788753552208477815e-8 */
         },
-        /* [29] 5.625 <= y <= 5.75, degree 10, 60.2 bits */
+        /* [29] 5.625 <= y <= 5.75, degree 10, 60.3 bits */
         {
          0x1.15e14d564f1e6p+4, /* 17.36750539507365743561599 */
          0x1.458ec24ac91f7p-51, /* 5.647525019904394530580175e-16 */
@@ -22072,7 +22072,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.69ab07d25cd62p-24, /* -8.420741374141397220798272e-8 */
          0x1.ede5dc91fff5fp-27 /* 1.437432065390349394352466e-8 */
         },
-        /* [30] 5.75 <= y <= 5.875, degree 10, 60.9 bits */
+        /* [30] 5.75 <= y <= 5.875, degree 10, 60.6 bits */
         {
          0x1.1c8bbcc048a08p+4, /* 17.78411555395908375676035 */
          0x1.d407c6bc9f6d1p-51, /* 8.119032811216891950019693e-16 */
@@ -22087,7 +22087,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.24504375952dp-24, /* -6.805954718667625242419873e-8 */
          0x1.8d6d27e35e7dp-27 /* 1.156663027053662689653146e-8 */
         },
-        /* [31] 5.875 <= y <= 6, degree 10, 60.4 bits */
+        /* [31] 5.875 <= y <= 6, degree 10, 60.2 bits */
         {
          0x1.2336374f23a69p+4, /* 18.20073634065411996796693 */
          -0x1.175be55af3deap-50, /* -9.692211215338782750804035e-16 */
@@ -22102,7 +22102,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.d8eb43687becdp-25, /* -5.505501727068375324517697e-8 */
          0x1.4054a227d8ed4p-27 /* 9.322847452099564445823547e-9 */
         },
-        /* [32] 6 <= y <= 6.125, degree 10, 61.5 bits */
+        /* [32] 6 <= y <= 6.125, degree 10, 61.0 bits */
         {
          0x1.29e0baea48affp+4, /* 18.61736575619852183092290 */
          0x1.d987a5b0a5ee2p-50, /* 1.642886770997381544114752e-15 */
@@ -22147,7 +22147,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.f67fbfd2c4485p-26, /* -2.924929260866407525167894e-8 */
          0x1.51df6086b979bp-28 /* 4.916692947502549674741485e-9 */
         },
-        /* [35] 6.375 <= y <= 6.5, degree 10, 61.2 bits */
+        /* [35] 6.375 <= y <= 6.5, degree 10, 61.1 bits */
         {
          0x1.3de06c8b37b3ep+4, /* 19.86729101545210180857084 */
          -0x1.cd37300fc8c04p-50, /* -1.600162978207134353812195e-15 */
@@ -22162,7 +22162,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.9755cb2266955p-26, /* -2.371002517376456833479589e-8 */
          0x1.117413e7d55efp-28 /* 3.979271113862987769183782e-9 */
         },
-        /* [36] 6.5 <= y <= 6.625, degree 10, 61.7 bits */
+        /* [36] 6.5 <= y <= 6.625, degree 10, 61.9 bits */
         {
          0x1.448b063c402a9p+4, /* 20.28394149337205724811707 */
          -0x1.345408681c7a1p-50, /* -1.069728518528995826759124e-15 */
@@ -22177,7 +22177,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.4a4afa6c5a5c9p-26, /* -1.922557617395686570034731e-8 */
          0x1.bae3114397d91p-29 /* 3.222426910202776494470229e-9 */
         },
-        /* [37] 6.625 <= y <= 6.75, degree 10, 61.0 bits */
+        /* [37] 6.625 <= y <= 6.75, degree 10, 60.8 bits */
         {
          0x1.4b35a31e8e538p+4, /* 20.70059501586840087970372 */
          -0x1.887554f03dfaap-51, /* -6.808066737234764539531467e-16 */
@@ -22192,7 +22192,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.0be3c90a9e079p-26, /* -1.559323784891993936737565e-8 */
          0x1.66d0d37b427a6p-29 /* 2.610728020600375094024388e-9 */
         },
-        /* [38] 6.75 <= y <= 6.875, degree 10, 64.5 bits */
+        /* [38] 6.75 <= y <= 6.875, degree 10, 64.2 bits */
         {
          0x1.51e042986dbebp+4, /* 21.11725101034600480254030 */
          -0x1.a66690f643bedp-50, /* -1.465496645717201342605864e-15 */
@@ -22207,7 +22207,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.b2a4965c718d1p-27, /* -1.264977383335426172395127e-8 */
          0x1.22d56b5e6bf96p-29 /* 2.116093452557150130376002e-9 */
         },
-        /* [39] 6.875 <= y <= 7, degree 10, 62.8 bits */
+        /* [39] 6.875 <= y <= 7, degree 10, 62.4 bits */
         {
          0x1.588ae42d127c9p+4, /* 21.53390901190121845219854 */
          -0x1.6ea9e5006241dp-51, /* -6.360600423714136689303754e-16 */
@@ -22222,7 +22222,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.60a6e867dd78ap-27, /* -1.026352354470600177829983e-8 */
          0x1.d7a3b9e60008bp-30 /* 1.715814706895081128761813e-9 */
         },
-        /* [40] 7 <= y <= 7.125, degree 10, 64.2 bits */
+        /* [40] 7 <= y <= 7.125, degree 10, 62.8 bits */
         {
          0x1.5f358777292f6p+4, /* 21.95056864306658083788712 */
          -0x1.216e183bad98fp-50, /* -1.004162229992327774245635e-15 */
@@ -22237,7 +22237,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.1e29ece46114cp-27, /* -8.328461872200749705302568e-9 */
          0x1.7e7dd4e36f763p-30 /* 1.391496078829685911612907e-9 */
         },
-        /* [41] 7.125 <= y <= 7.25, degree 10, 60.7 bits */
+        /* [41] 7.125 <= y <= 7.25, degree 10, 60.6 bits */
         {
          0x1.65e02c246cf07p+4, /* 22.36722959736564604686274 */
          -0x1.9787b84da33edp-51, /* -7.069521287725895540796977e-16 */
@@ -22252,7 +22252,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.d07acfd8815c4p-28, /* -6.759069714084882617948541e-9 */
          0x1.363d1b731702fp-30 /* 1.128641816093283055851347e-9 */
         },
-        /* [42] 7.25 <= y <= 7.375, degree 10, 61.6 bits */
+        /* [42] 7.25 <= y <= 7.375, degree 10, 61.9 bits */
         {
          0x1.6c8ad1f211c76p+4, /* 22.78389162596109539914694 */
          -0x1.a20cea8b99bf8p-50, /* -1.450403872968060033332427e-15 */
@@ -22267,7 +22267,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.78fdaced14b31p-28, /* -5.485939908144632242050598e-9 */
          0x1.f771d3a7f1e3cp-31 /* 9.157604579100501511719233e-10 */
         },
-        /* [43] 7.375 <= y <= 7.5, degree 10, 61.7 bits */
+        /* [43] 7.375 <= y <= 7.5, degree 10, 61.4 bits */
         {
          0x1.733578a9dbb58p+4, /* 23.20055452681421502377363 */
          -0x1.890bac61b2bp-51, /* -6.818254278620713145526215e-16 */
@@ -22282,7 +22282,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.31fe5ceb1d16dp-28, /* -4.452793005074754170983614e-9 */
          0x1.98949994b7caap-31 /* 7.432035426227344206538343e-10 */
         },
-        /* [44] 7.5 <= y <= 7.625, degree 10, 61.5 bits */
+        /* [44] 7.5 <= y <= 7.625, degree 10, 61.6 bits */
         {
          0x1.79e0201fc1dfp+4, /* 23.61721813588331938734944 */
          -0x1.5210d77f7db51p-51, /* -5.864506592822886996928806e-16 */
@@ -22312,7 +22312,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.9345600c6830dp-29, /* -2.934182679988331214021810e-9 */
          0x1.0cfded7786ecdp-31 /* 4.892934243023322765509196e-10 */
         },
-        /* [46] 7.75 <= y <= 7.875, degree 10, 62.0 bits */
+        /* [46] 7.75 <= y <= 7.875, degree 10, 61.9 bits */
         {
          0x1.873570bd99036p+4, /* 24.45054697095493994312430 */
          0x1.4d94e569b133fp-50, /* 1.157343754035343702599569e-15 */
@@ -22327,7 +22327,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.47627e174db3cp-29, /* -2.382037466278562622329404e-9 */
          0x1.b4e31eb84d9fdp-32 /* 3.973465823028162234397072e-10 */
         },
-        /* [47] 7.875 <= y <= 8, degree 10, 60.8 bits */
+        /* [47] 7.875 <= y <= 8, degree 10, 60.9 bits */
         {
          0x1.8de019b0f0aa5p+4, /* 24.86721200101114317954458 */
          -0x1.6050cb5345231p-52, /* -3.055850733026305162304574e-16 */
@@ -22342,7 +22342,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.09c13cf4ac1d5p-29, /* -1.933620925126528760373308e-9 */
          0x1.62b510aead916p-32 /* 3.226043971173977617582311e-10 */
         },
-        /* [48] 8 <= y <= 8.125, degree 10, 61.5 bits */
+        /* [48] 8 <= y <= 8.125, degree 10, 61.4 bits */
         {
          0x1.948ac2f6e7517p+4, /* 25.28387733885491892479531 */
          0x1.394d93154ea2cp-50, /* 1.086988227073921086171528e-15 */
@@ -22357,7 +22357,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.af8285c680fdp-30, /* -1.569823702996281580128310e-9 */
          0x1.1f938c2aec21dp-32 /* 2.615491735367346529669405e-10 */
         },
-        /* [49] 8.125 <= y <= 8.25, degree 10, 61.1 bits */
+        /* [49] 8.125 <= y <= 8.25, degree 10, 60.9 bits */
         {
          0x1.9b356c7ff3391p+4, /* 25.70054292660239739898602 */
          -0x1.960c10431599ap-50, /* -1.408758953724711059061525e-15 */
@@ -22372,7 +22372,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.5e65951ba3283p-30, /* -1.274736155962759400449942e-9 */
          0x1.d32169adb0e05p-33 /* 2.124263659314407652325138e-10 */
         },
-        /* [50] 8.25 <= y <= 8.375, degree 10, 62.7 bits */
+        /* [50] 8.25 <= y <= 8.375, degree 10, 62.2 bits */
         {
          0x1.a1e0163f76b47p+4, /* 26.11720871725563389934232 */
          0x1.a9d527bd64fb8p-50, /* 1.477403746673194435935649e-15 */
@@ -22387,7 +22387,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.1c6ba65a1cd57p-30, /* -1.034715777059739705254720e-9 */
          0x1.7c30c33a2fe3ap-33 /* 1.728906131266224422797828e-10 */
         },
-        /* [51] 8.375 <= y <= 8.5, degree 10, 62.1 bits */
+        /* [51] 8.375 <= y <= 8.5, degree 10, 62.0 bits */
         {
          0x1.a88ac02b337a6p+4, /* 26.53387467265533706178493 */
          0x1.85905bf4a3fd6p-52, /* 3.378928240777011272093309e-16 */
@@ -22402,7 +22402,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.cdb91383b31b4p-31, /* -8.398691607306357267118776e-10 */
          0x1.336f528c15fefp-33 /* 1.398051851176545373344484e-10 */
         },
-        /* [52] 8.5 <= y <= 8.625, degree 10, 64.4 bits */
+        /* [52] 8.5 <= y <= 8.625, degree 10, 63.3 bits */
         {
          0x1.af356a3ad86a2p+4, /* 26.95054076181862300919260 */
          0x1.f9d77a2657878p-52, /* 4.387477426575685514133753e-16 */
@@ -22432,7 +22432,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.306f3d9bc1505p-31, /* -5.537631910917518664507437e-10 */
          0x1.9a31cd9d7dfbp-34 /* 9.326744104533171459312753e-11 */
         },
-        /* [54] 8.75 <= y <= 8.875, degree 10, 61.5 bits */
+        /* [54] 8.75 <= y <= 8.875, degree 10, 61.3 bits */
         {
          0x1.bc8abeac1d076p+4, /* 27.78387324554247235340360 */
          -0x1.0c73e347b3e7p-50, /* -9.313823558542354940281991e-16 */
@@ -22447,7 +22447,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.edb1b4d0b91d4p-32, /* -4.490122276119087745819619e-10 */
          0x1.46a58902d2b72p-34 /* 7.427084298623681968853483e-11 */
         },
-        /* [55] 8.875 <= y <= 9, degree 10, 62.4 bits */
+        /* [55] 8.875 <= y <= 9, degree 10, 62.0 bits */
         {
          0x1.c3356903cd76bp+4, /* 28.20053960309398203483448 */
          -0x1.abac028c319a8p-51, /* -7.418925090127731593324312e-16 */
@@ -22462,7 +22462,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.92a70b3e277bp-32, /* -3.662103293221297570185801e-10 */
          0x1.07daaea5bd2ecp-34 /* 5.999350546701652020054040e-11 */
         },
-        /* [56] 9 <= y <= 9.125, degree 10, 61.7 bits */
+        /* [56] 9 <= y <= 9.125, degree 10, 61.4 bits */
         {
          0x1.c9e0136b18cabp+4, /* 28.61720601877884003353083 */
          -0x1.2ac67b7fac514p-50, /* -1.036585130027042044296321e-15 */
@@ -22477,7 +22477,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.44bc006889658p-32, /* -2.953441992129893636237474e-10 */
          0x1.d0f6ad86d003fp-35 /* 5.286023966913973790481038e-11 */
         },
-        /* [57] 9.125 <= y <= 9.25, degree 10, 62.0 bits */
+        /* [57] 9.125 <= y <= 9.25, degree 10, 62.2 bits */
         {
          0x1.d08abddf0fb7ep+4, /* 29.03387248166426880934553 */
          0x1.7be635a76f4ccp-51, /* 6.590201582288256311503616e-16 */
@@ -22492,7 +22492,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.088229fbf5317p-32, /* -2.405690366942561568875261e-10 */
          0x1.260459f64598fp-35 /* 3.342586270618694378804892e-11 */
         },
-        /* [58] 9.25 <= y <= 9.375, degree 10, 61.0 bits */
+        /* [58] 9.25 <= y <= 9.375, degree 10, 61.1 bits */
         {
          0x1.d735685d503d8p+4, /* 29.45053898287355151511530 */
          -0x1.c782def462308p-50, /* -1.580371994788660725859742e-15 */
@@ -22522,7 +22522,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.4812d6179e18dp-33, /* -1.491905910773202768370458e-10 */
          0x1.2691f4477a8afp-37 /* 8.372186745617475859107135e-12 */
         },
-        /* [60] 9.5 <= y <= 9.625, degree 10, 61.8 bits */
+        /* [60] 9.5 <= y <= 9.625, degree 10, 61.9 bits */
         {
          0x1.e48abd714e145p+4, /* 30.28387207278980688321524 */
          -0x1.d9d8ff4ce8d41p-50, /* -1.643989269631876067125289e-15 */
@@ -22537,7 +22537,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.53f86e3c3f31ap-33, /* -1.546006533580061894653007e-10 */
          0x1.53af05d68413cp-34 /* 7.723512745317087156873671e-11 */
         },
-        /* [61] 9.625 <= y <= 9.75, degree 10, 61.5 bits */
+        /* [61] 9.625 <= y <= 9.75, degree 10, 61.3 bits */
         {
          0x1.eb35680432bf2p+4, /* 30.70053865089352832460814 */
          0x1.096f56d23c67ep-50, /* 9.209123690599004084971742e-16 */
@@ -22552,7 +22552,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          -0x1.09719aa4aec99p-34, /* -6.035492468058082876228903e-11 */
          -0x1.c566a1d3ebd3cp-32 /* -4.123657225104824564583638e-10 */
         },
-        /* [62] 9.75 <= y <= 9.875, degree 10, 61.0 bits */
+        /* [62] 9.75 <= y <= 9.875, degree 10, 60.8 bits */
         {
          0x1.f1e0129b8ff83p+4, /* 31.11720524565272268183353 */
          -0x1.5788f1df77313p-51, /* -5.959381264293423991421029e-16 */
@@ -22567,7 +22567,7 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
          0x1.228232c89d736p-30, /* 1.056864084228587421138560e-9 */
          0x1.dd152b5bece07p-28 /* 6.942466903377565112036822e-9 */
         },
-        /* [63] 9.875 <= y <= 10, degree 10, 64.6 bits */
+        /* [63] 9.875 <= y <= 10, degree 10, 63.5 bits */
         {
          0x1.f88abd368e7f9p+4, /* 31.53387185393510023389325 */
          0x1.482ed8745f69cp-52, /* 2.846533688750161171100186e-16 */

@@ -159,6 +159,72 @@ bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
     return done;
 }
 
+/* c_0 = p(0), and ln(1 + w) or 1/(1 + w) - 1 for w = p/c_0 - 1, by a power series. Its terms after the last are below
+ * |w|^(TERMS + 1)/(1 - |w|) together. */
+static bool series_in_rest(arb_poly_t y, arb_t c, const arb_poly_t p, bool logarithm)
+{
+    enum { TERMS = 64 };
+    arb_poly_t w;
+    arb_t most, x;
+    arb_poly_init(w);
+    arb_init(most);
+    arb_init(x);
+    arb_poly_get_coeff_arb(c, p, 0);
+    arb_get_mid_arb(c, c);
+    const bool positive = arb_is_positive(c);
+    arb_poly_scalar_div(w, p, c, ENCLOSED_BITS);
+    enclosed_add_double(w, -1);
+    enclosed_range(most, w);
+    arb_abs(most, most);
+    arb_get_ubound_arf(arb_midref(most), most, ENCLOSED_BITS);
+    mag_zero(arb_radref(most));
+    arb_poly_zero(y);
+    for (slong k = TERMS; k >= 1; k--) {
+        arb_set_si(x, k % 2 ? 1 : -1);
+        if (logarithm)
+            arb_div_si(x, x, k, ENCLOSED_BITS);
+        else
+            arb_neg(x, x);
+        enclosed_add_number(y, x);
+        enclosed_multiply(y, y, w);
+    }
+    arb_set_d(x, 0.5);
+    const bool done = positive && arb_lt(most, x);
+    arb_pow_ui(x, most, TERMS + 1, ENCLOSED_BITS);
+    arb_mul_2exp_si(x, x, 1);
+    enclosed_add_radius(y, x);
+    arb_poly_clear(w);
+    arb_clear(most);
+    arb_clear(x);
+    return done;
+}
+
+bool enclosed_logarithm(arb_poly_t y, const arb_poly_t p)
+{
+    arb_t c;
+    arb_init(c);
+    const bool done = series_in_rest(y, c, p, true);
+    if (done) {
+        arb_log(c, c, ENCLOSED_BITS);
+        enclosed_add_number(y, c);
+    }
+    arb_clear(c);
+    return done;
+}
+
+bool enclosed_inverse(arb_poly_t y, const arb_poly_t p)
+{
+    arb_t c;
+    arb_init(c);
+    const bool done = series_in_rest(y, c, p, false);
+    if (done) {
+        enclosed_add_double(y, 1);
+        arb_poly_scalar_div(y, y, c, ENCLOSED_BITS);
+    }
+    arb_clear(c);
+    return done;
+}
+
 double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t)
 {
     arb_t at, x, y;

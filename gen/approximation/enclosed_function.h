@@ -32,6 +32,11 @@ void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, con
 /* The root of a positive function. Returns false if it is not shown to be positive. */
 bool enclosed_square_root(arb_poly_t y, const arb_poly_t p);
 
+/* ln(p) and 1/p of a function that differs from its value at t = 0, which is positive, by less than half that value.
+ * Returns false otherwise. */
+bool enclosed_logarithm(arb_poly_t y, const arb_poly_t p);
+bool enclosed_inverse(arb_poly_t y, const arb_poly_t p);
+
 /* An approximate |f/g| at t */
 double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t);
 

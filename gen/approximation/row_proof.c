@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "approximation/enclosed_function.h"
+#include "enclosure/creep_series.h"
 #include "support/console.h"
 #include "support/parallel.h"
 
@@ -16,11 +17,16 @@ enum {
     LAST_COEFFICIENTS = 6
 };
 
+/* ln(beta) from which the creep's series proves the duration at zero overlap. Intervals in sqrt(beta) reach there. */
+#define CREEP_FROM 2.1
+
 struct interpolant_proof {
     const struct interpolant *f;
     struct ellipse_bound *bound;               /* of each interval */
     arb_poly_struct (*polynomial)[QUANTITIES]; /* in w, -1 <= w <= 1, for each interval */
     arb_struct (*error)[QUANTITIES];
+    struct creep_series creep;
+    arb_t creep_constant; /* C of creep_series.h */
 };
 
 /* ---- the error of the interpolant ---- */
@@ -170,6 +176,83 @@ static int prove_stated(struct ellipse_bound *bound, const struct interval *inte
     return status;
 }
 
+/* ---- the constant of the creep ---- */
+
+/* 2 ln(Y) and r = 1/Y at zero force, for exact u = ln(beta) and eps beta^(5/3) there: Y = beta^(5/3) sqrt(that) */
+static void creep_begin(arb_t log_square, arb_t r, const arb_t u, const arb_t scaled_eps)
+{
+    arb_mul_ui(r, u, 10, PREC);
+    arb_div_ui(r, r, 3, PREC);
+    arb_log(log_square, scaled_eps, PREC);
+    arb_add(log_square, log_square, r, PREC);
+    arb_mul_2exp_si(r, log_square, -1);
+    arb_neg(r, r);
+    arb_exp(r, r, PREC);
+}
+
+/* C from collision j of an interval in ln(beta): the time from zero force to zero overlap, without the series. Returns
+ * false if the fall begins where the series has no bound. */
+static bool creep_constant_of(arb_t constant, const struct interpolant_proof *proof, int i, slong j)
+{
+    const slong bits = interpolant_layout_of(proof->f)->interval[i].bits;
+    arb_srcptr node, value[QUANTITIES];
+    arb_t x, r, power;
+    arb_t exact[QUANTITIES];
+    arb_init(x);
+    arb_init(r);
+    arb_init(power);
+    for (int q = 0; q < QUANTITIES; q++) {
+        interpolant_samples(&node, &value[q], proof->f, i, (enum quantity)q);
+        arb_init(exact[q]);
+        if (q == EPS_ZERO_FORCE || q == DURATION_ZERO_FORCE || q == DURATION_ZERO_OVERLAP) {
+            arb_set(exact[q], value[q] + j); /* rounded to `bits` bits */
+            arb_mul_2exp_si(x, exact[q], -bits);
+            arb_add_error(exact[q], x);
+        }
+    }
+    creep_begin(x, r, node + j, exact[EPS_ZERO_FORCE]);
+    arb_sub(constant, exact[DURATION_ZERO_OVERLAP], x, PREC);
+    arb_mul_si(power, node + j, -5, PREC); /* beta^(-5/3) */
+    arb_div_ui(power, power, 3, PREC);
+    arb_exp(power, power, PREC);
+    arb_submul(constant, power, exact[DURATION_ZERO_FORCE], PREC);
+    arb_one(power);
+    for (slong k = 1; k <= CREEP_SERIES_ORDER; k++) {
+        arb_mul(power, power, r, PREC);
+        arb_submul(constant, power, proof->creep.a + k, PREC);
+    }
+    creep_series_remainder(x, &proof->creep, r);
+    const bool known = arb_is_finite(x);
+    arb_add_error(constant, x);
+    for (int q = 0; q < QUANTITIES; q++)
+        arb_clear(exact[q]);
+    arb_clear(x);
+    arb_clear(r);
+    arb_clear(power);
+    return known;
+}
+
+/* Every collision of the interval gives the same C. */
+static int prove_creep(struct interpolant_proof *proof, int i)
+{
+    const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
+    int status = STATUS_OK;
+    arb_t c;
+    arb_init(c);
+    arb_zero_pm_one(proof->creep_constant);
+    arb_mul_2exp_si(proof->creep_constant, proof->creep_constant, 6);
+    for (slong j = 0; j < interval->count && status == STATUS_OK; j++)
+        if (creep_constant_of(c, proof, i, j) &&
+            !arb_intersection(proof->creep_constant, proof->creep_constant, c, PREC))
+            status = fail("the duration at zero overlap, sample %ld on [%g, %g], is not that of a creep", (long)j,
+                          interval->lo, interval->hi);
+    arb_get_rad_arb(&proof->error[i][DURATION_ZERO_OVERLAP], proof->creep_constant);
+    arb_clear(c);
+    return status;
+}
+
+/* ---- all intervals ---- */
+
 static int prove_interval(struct interpolant_proof *proof, int i, unsigned quantities, enum ellipse_source source)
 {
     const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
@@ -197,6 +280,8 @@ static int prove_interval(struct interpolant_proof *proof, int i, unsigned quant
                 fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong", q,
                      interval->lo, interval->hi);
     }
+    if (status == STATUS_OK && interval->variable == INTERVAL_LOG && quantities & 1u << DURATION_ZERO_OVERLAP)
+        status = prove_creep(proof, i);
     arb_clear(constant);
     _arb_vec_clear(w, n);
     return status;
@@ -221,6 +306,8 @@ struct interpolant_proof *interpolant_proof_new(const struct interpolant *f, uns
     const int intervals = interpolant_layout_of(f)->intervals;
     struct interpolant_proof *proof = xmalloc(sizeof *proof);
     proof->f = f;
+    creep_series_init(&proof->creep, PREC);
+    arb_init(proof->creep_constant);
     proof->bound = xmalloc((size_t)intervals * sizeof *proof->bound);
     for (int i = 0; i < intervals; i++)
         proof->bound[i] = (struct ellipse_bound){0};
@@ -253,6 +340,8 @@ void interpolant_proof_free(struct interpolant_proof *proof)
             arb_poly_clear(&proof->polynomial[i][q]);
             arb_clear(&proof->error[i][q]);
         }
+    creep_series_clear(&proof->creep);
+    arb_clear(proof->creep_constant);
     free(proof->polynomial);
     free(proof->error);
     free(proof->bound);
@@ -305,6 +394,76 @@ static enum quantity stored_quantity(enum quantity quantity)
     }
 }
 
+/* Whether the creep's series, not a polynomial, gives a quantity */
+static bool is_creep(const struct interval *interval, enum quantity quantity)
+{
+    return interval->variable == INTERVAL_LOG && quantity == DURATION_ZERO_OVERLAP;
+}
+
+/* What the interval stores for a quantity, at x = middle + half t in units of half the interval about its middle */
+static void stored_on(arb_poly_t y, const struct piece *w, enum quantity quantity, const arb_t middle, const arb_t half)
+{
+    enclosed_rescale(y, &w->proof->polynomial[w->i][quantity], middle, half, PREC);
+    arb_poly_set_round(y, y, ENCLOSED_BITS);
+    enclosed_add_radius(y, &w->proof->error[w->i][quantity]);
+    enclosed_shorten(y);
+}
+
+/* C + a_1 r + a_2 r^2 + ..., with the remainder */
+static void creep_sum(arb_poly_t y, const struct interpolant_proof *proof, const arb_poly_t r)
+{
+    arb_t most, remainder;
+    arb_init(most);
+    arb_init(remainder);
+    arb_poly_zero(y);
+    for (slong k = CREEP_SERIES_ORDER; k >= 1; k--) {
+        enclosed_add_number(y, proof->creep.a + k);
+        enclosed_multiply(y, y, r);
+    }
+    enclosed_add_number(y, proof->creep_constant);
+    enclosed_range(most, r);
+    arb_get_ubound_arf(arb_midref(most), most, ENCLOSED_BITS);
+    mag_zero(arb_radref(most));
+    creep_series_remainder(remainder, &proof->creep, most);
+    enclosed_add_radius(y, remainder);
+    arb_clear(most);
+    arb_clear(remainder);
+}
+
+/* duration/beta at zero overlap: the time of zero force and the creep's, 2 ln(Y) + sum. 2 ln(Y) = (10/3) u + ln(E) and r
+ * = beta^(-5/3)/sqrt(E), where E = eps beta^(5/3) at zero force. */
+static void creep_duration(arb_poly_t y, const struct piece *w, const arb_t middle, const arb_t half)
+{
+    arb_poly_t E, r, power;
+    arb_t c;
+    arb_poly_init(E);
+    arb_poly_init(r);
+    arb_poly_init(power);
+    arb_init(c);
+    stored_on(E, w, EPS_ZERO_FORCE, middle, half);
+    enclosed_exponential(power, -5, 3, w->x);
+    const bool done = enclosed_square_root(y, E) && enclosed_inverse(r, y) && enclosed_logarithm(E, E);
+    enclosed_multiply(r, r, power);
+    creep_sum(y, w->proof, r);
+    arb_poly_add(y, y, E, ENCLOSED_BITS);
+    stored_on(r, w, DURATION_ZERO_FORCE, middle, half);
+    enclosed_multiply(r, r, power);
+    arb_poly_add(y, y, r, ENCLOSED_BITS);
+    arb_poly_scalar_mul_2exp_si(r, w->x, 1);
+    arb_set_ui(c, 5);
+    arb_div_ui(c, c, 3, ENCLOSED_BITS);
+    arb_poly_scalar_mul(r, r, c, ENCLOSED_BITS);
+    arb_poly_add(y, y, r, ENCLOSED_BITS);
+    if (!done) {
+        arb_pos_inf(c);
+        enclosed_add_radius(y, c);
+    }
+    arb_poly_clear(E);
+    arb_poly_clear(r);
+    arb_poly_clear(power);
+    arb_clear(c);
+}
+
 static void piece_init(struct piece *w, double lo, double hi)
 {
     const enum quantity stored = stored_quantity(w->p->quantity);
@@ -330,10 +489,10 @@ static void piece_init(struct piece *w, double lo, double hi)
     arb_sub(half, b, a, PREC);
     arb_mul_2exp_si(middle, middle, -1);
     arb_mul_2exp_si(half, half, -1);
-    enclosed_rescale(w->stored, &w->proof->polynomial[w->i][stored], middle, half, PREC);
-    arb_poly_set_round(w->stored, w->stored, ENCLOSED_BITS);
-    enclosed_add_radius(w->stored, &w->proof->error[w->i][stored]);
-    enclosed_shorten(w->stored);
+    if (is_creep(w->interval, stored))
+        creep_duration(w->stored, w, middle, half);
+    else
+        stored_on(w->stored, w, stored, middle, half);
     if (w->interval->variable == INTERVAL_ROOT)
         enclosed_multiply(w->beta, w->x, w->x);
     else
@@ -391,8 +550,13 @@ static bool variable_of(arb_poly_t y, const struct piece *w)
         arb_poly_set(y, w->beta);
         break;
     case VARIABLE_ROOT_BETA:
-    case VARIABLE_LOG_BETA:
         arb_poly_set(y, w->x);
+        break;
+    case VARIABLE_LOG_BETA:
+        if (w->interval->variable == INTERVAL_ROOT)
+            done = enclosed_logarithm(y, w->beta);
+        else
+            arb_poly_set(y, w->x);
         break;
     case VARIABLE_POWER_OCTAVES:
         enclosed_multiply(y, w->beta, w->beta);
@@ -496,6 +660,11 @@ static bool relative_error(arb_poly_t difference, arb_poly_t scale, const struct
         } else {
             arb_poly_set(scale, w->stored);
         }
+        break;
+    case DURATION_ZERO_OVERLAP:
+        if (w->p->variable == VARIABLE_LOG_BETA && w->interval->variable == INTERVAL_ROOT)
+            enclosed_multiply(difference, difference, w->beta);
+        arb_poly_set(scale, w->stored);
         break;
     default:
         arb_poly_set(scale, w->stored);
@@ -639,7 +808,8 @@ static bool end_reached(const struct interpolant_proof *proof, const struct piec
 }
 
 /* Bound of the row's relative error in its whole cell; infinite without a proof. A range in sqrt(beta) that goes beyond
- * the last such interval ends with ln(beta). */
+ * the last such interval ends with ln(beta). For the duration at zero overlap a range in ln(beta) begins with
+ * sqrt(beta), up to CREEP_FROM at least. */
 static double row_error(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c)
 {
     const struct interpolant_layout *const layout = interpolant_layout_of(proof->f);
@@ -656,14 +826,19 @@ static double row_error(const struct interpolant_proof *proof, const struct piec
         if (!arb_is_finite(&proof->error[i][stored]))
             continue;
         double lo = reached, hi = range.hi;
+        const bool by_root = interval->variable == INTERVAL_ROOT && range.variable == INTERVAL_LOG &&
+                             stored == DURATION_ZERO_OVERLAP && reached < CREEP_FROM;
         const bool by_log = interval->variable == INTERVAL_LOG && range.variable == INTERVAL_ROOT;
         if (by_log) {
             lo = 2 * log(lo) - SLACK;
             hi = 2 * log(hi) + SLACK;
+        } else if (by_root) {
+            lo = exp(lo / 2) * (1 - SLACK);
+            hi = exp(hi / 2) * (1 + SLACK);
         } else if (interval->variable != range.variable) {
             continue;
         }
-        if (lo >= interval->hi)
+        if (lo >= interval->hi || (!by_root && is_creep(interval, stored) && lo < CREEP_FROM))
             continue;
         if (lo < interval->lo)
             return HUGE_VAL;
@@ -673,7 +848,7 @@ static double row_error(const struct interpolant_proof *proof, const struct piec
         if ((first && !end_reached(proof, p, row, i, lo, true)) || (last && !end_reached(proof, p, row, i, hi, false)))
             return HUGE_VAL;
         first = false;
-        reached = last ? range.hi : hi;
+        reached = last ? range.hi : by_root ? 2 * log(hi) - SLACK : hi;
     }
     return reached < range.hi ? HUGE_VAL : error;
 }
@@ -682,17 +857,6 @@ double row_proof_bits(const struct interpolant_proof *proof, const struct pieces
 {
     const double error = row_error(proof, p, row, c);
     return isfinite(error) ? -log2(error) : NAN;
-}
-
-bool row_proof_covers(const struct interpolant_proof *proof, const struct pieces *p)
-{
-    const struct interpolant_layout *const layout = interpolant_layout_of(proof->f);
-    const enum quantity stored = stored_quantity(p->quantity);
-    for (int i = 0; i < layout->intervals; i++)
-        if (p->variable == VARIABLE_LOG_BETA && layout->interval[i].variable == INTERVAL_LOG &&
-            !(ellipse_bound_set(&layout->interval[i]) & 1u << stored))
-            return false;
-    return true;
 }
 
 struct proving {

@@ -35,9 +35,6 @@ void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
  * is no proof. */
 double row_proof_bits(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c);
 
-/* Whether the proof covers the functions that p holds */
-bool row_proof_covers(const struct interpolant_proof *proof, const struct pieces *p);
-
 /* Proves all rows of p and replaces the sampled p->bits. Returns 0, or 1 after reporting a row that misses its bound. */
 int row_proof_table(struct pieces *p, const struct interpolant_proof *proof);
 

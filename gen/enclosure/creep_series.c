@@ -1,0 +1,269 @@
+/* SPDX-License-Identifier: MIT */
+#include "enclosure/creep_series.h"
+
+enum {
+    BOUND_BITS = 96,
+    FIRST_Y = 6, /* where the bounds begin */
+    STEPS_PER_Y = 2,
+    FIRST_ORDER = 3
+};
+
+/* ---- the formal time Theta_n(r, k) = -2 ln(r) + sum_j r^j q_j(k) ---- */
+
+/* Polynomials in e = k - 1, 1 <= j <= CREEP_SERIES_ORDER: q_j, q_j', and s_j = (1 + j/2) q_j' + k q_j'', which bounds
+ * what Theta_j lacks. */
+struct formal_time {
+    fmpq_poly_struct q[CREEP_SERIES_ORDER + 1], slope[CREEP_SERIES_ORDER + 1], source[CREEP_SERIES_ORDER + 1];
+};
+
+static void scale_by_ratio(fmpq_poly_t y, const fmpq_poly_t x, slong num, slong den)
+{
+    fmpq_poly_scalar_mul_si(y, x, num);
+    fmpq_poly_scalar_div_si(y, y, den);
+}
+
+/* q_1' = -1 and (k - 1) q_(j+1)' = k (j q_j/2 + k q_j'). The right side vanishes at k = 1, which gives q_j(1). */
+static void formal_time_init(struct formal_time *f)
+{
+    fmpq_poly_t k, sum, term;
+    fmpq_t constant, ratio;
+    fmpq_poly_init(k);
+    fmpq_poly_init(sum);
+    fmpq_poly_init(term);
+    fmpq_init(constant);
+    fmpq_init(ratio);
+    fmpq_poly_set_coeff_si(k, 0, 1);
+    fmpq_poly_set_coeff_si(k, 1, 1);
+    fmpq_poly_set_si(sum, -1);
+    for (slong j = 1; j <= CREEP_SERIES_ORDER; j++) {
+        fmpq_poly_init(&f->q[j]);
+        fmpq_poly_init(&f->slope[j]);
+        fmpq_poly_init(&f->source[j]);
+        fmpq_poly_set(&f->slope[j], sum);
+        fmpq_poly_integral(&f->q[j], sum);
+        fmpq_poly_get_coeff_fmpq(constant, sum, 0);
+        fmpq_set_si(ratio, -2, (ulong)j);
+        fmpq_mul(constant, constant, ratio);
+        fmpq_poly_set_coeff_fmpq(&f->q[j], 0, constant);
+
+        fmpq_poly_mul(sum, k, &f->slope[j]);
+        scale_by_ratio(term, &f->q[j], j, 2);
+        fmpq_poly_add(sum, sum, term);
+        fmpq_poly_derivative(&f->source[j], sum);
+        fmpq_poly_mul(sum, sum, k);
+        fmpq_poly_shift_right(sum, sum, 1);
+    }
+    fmpq_poly_clear(k);
+    fmpq_poly_clear(sum);
+    fmpq_poly_clear(term);
+    fmpq_clear(constant);
+    fmpq_clear(ratio);
+}
+
+static void formal_time_clear(struct formal_time *f)
+{
+    for (slong j = 1; j <= CREEP_SERIES_ORDER; j++) {
+        fmpq_poly_clear(&f->q[j]);
+        fmpq_poly_clear(&f->slope[j]);
+        fmpq_poly_clear(&f->source[j]);
+    }
+}
+
+/* ---- the bound of dTheta/dk - dTheta_n/dk ---- */
+
+/* Largest k - 1 of the tube 1 <= k <= 1 + r + 2 r^2, which no motion leaves for r <= 1/6 */
+static void tube_width(arb_t width, const arb_t r)
+{
+    arb_mul_2exp_si(width, r, 1);
+    arb_add_ui(width, width, 1, BOUND_BITS);
+    arb_mul(width, width, r, BOUND_BITS);
+}
+
+/* Bound of r^power |p| in the tube */
+static void largest_in_tube(arb_t bound, const fmpq_poly_t p, const arb_t r, slong power)
+{
+    arb_t width, c;
+    fmpq_t x;
+    arb_init(width);
+    arb_init(c);
+    fmpq_init(x);
+    tube_width(width, r);
+    arb_zero(bound);
+    for (slong i = fmpq_poly_degree(p); i >= 0; i--) {
+        fmpq_poly_get_coeff_fmpq(x, p, i);
+        fmpq_abs(x, x);
+        arb_set_fmpq(c, x, BOUND_BITS);
+        arb_mul(bound, bound, width, BOUND_BITS);
+        arb_add(bound, bound, c, BOUND_BITS);
+    }
+    arb_pow_ui(c, r, (ulong)power, BOUND_BITS);
+    arb_mul(bound, bound, c, BOUND_BITS);
+    arb_clear(width);
+    arb_clear(c);
+    fmpq_clear(x);
+}
+
+/* 1 - 3 r - r^2 <= 1/k^2 - r in the tube */
+static void least_contraction(arb_t least, const arb_t r)
+{
+    arb_add_ui(least, r, 3, BOUND_BITS);
+    arb_mul(least, least, r, BOUND_BITS);
+    arb_sub_ui(least, least, 1, BOUND_BITS);
+    arb_neg(least, least);
+}
+
+/* exp of minus the integral of (2/s^2) (1 - 3 s - s^2) from `low` to `high` */
+static void contraction(arb_t factor, const arb_t low, const arb_t high)
+{
+    arb_t x;
+    arb_init(x);
+    arb_inv(x, high, BOUND_BITS);
+    arb_inv(factor, low, BOUND_BITS);
+    arb_sub(factor, x, factor, BOUND_BITS);
+    arb_sub(x, high, low, BOUND_BITS);
+    arb_add(factor, factor, x, BOUND_BITS);
+    arb_mul_2exp_si(factor, factor, 1);
+    arb_div(x, high, low, BOUND_BITS);
+    arb_log(x, x, BOUND_BITS);
+    arb_mul_ui(x, x, 6, BOUND_BITS);
+    arb_add(factor, factor, x, BOUND_BITS);
+    arb_exp(factor, factor, BOUND_BITS);
+    arb_clear(x);
+}
+
+/* Adds bounds of the terms in dTheta_n/dk with first < j <= last. */
+static void add_terms(arb_t bound, const struct formal_time *f, const arb_t r, slong first, slong last)
+{
+    arb_t term;
+    arb_init(term);
+    for (slong j = first + 1; j <= last; j++) {
+        largest_in_tube(term, &f->slope[j], r, j);
+        arb_add(bound, bound, term, BOUND_BITS);
+    }
+    arb_clear(term);
+}
+
+/* Replaces the bound at `high` by that at `low`. The source between them is 2 s^(order-1) s_order. */
+static void bound_step(arb_t bound, const struct formal_time *f, slong order, const arb_t low, const arb_t high)
+{
+    arb_t x, least;
+    arb_init(x);
+    arb_init(least);
+    contraction(x, low, high);
+    arb_mul(bound, bound, x, BOUND_BITS);
+    largest_in_tube(x, &f->source[order], high, order + 1);
+    least_contraction(least, high);
+    arb_div(x, x, least, BOUND_BITS);
+    arb_add(bound, bound, x, BOUND_BITS);
+    arb_clear(x);
+    arb_clear(least);
+}
+
+/* The order that suits 1/r = y: its last term is nearly the smallest. */
+static slong order_at(double y)
+{
+    return FLINT_MIN((slong)y, CREEP_SERIES_ORDER);
+}
+
+/* |dTheta/dk| <= (24/25)/r^2 begins, at r = 1/FIRST_Y; steps lead to 1/CREEP_SERIES_LEAST_Y. */
+static void start_bound(arb_t bound, const struct formal_time *f)
+{
+    arb_t low, high;
+    arb_init(low);
+    arb_init(high);
+    arb_set_ui(high, 1);
+    arb_div_ui(high, high, FIRST_Y, BOUND_BITS);
+    arb_set_ui(bound, 24 * FIRST_Y * FIRST_Y);
+    arb_div_ui(bound, bound, 25, BOUND_BITS);
+    slong order = 0;
+    for (slong i = FIRST_Y * STEPS_PER_Y; i < CREEP_SERIES_LEAST_Y * STEPS_PER_Y; i++) {
+        const slong next = FLINT_MAX(order_at((double)i / STEPS_PER_Y), FIRST_ORDER);
+        arb_set_ui(high, STEPS_PER_Y);
+        arb_set_ui(low, STEPS_PER_Y);
+        arb_div_si(high, high, i, BOUND_BITS);
+        arb_div_si(low, low, i + 1, BOUND_BITS);
+        add_terms(bound, f, high, order, next);
+        bound_step(bound, f, next, low, high);
+        order = next;
+    }
+    add_terms(bound, f, low, order, CREEP_SERIES_ORDER);
+    arb_clear(low);
+    arb_clear(high);
+}
+
+/* ---- the series ---- */
+
+static void first_r(arb_t r)
+{
+    arb_set_ui(r, 1);
+    arb_div_ui(r, r, CREEP_SERIES_LEAST_Y, BOUND_BITS);
+}
+
+void creep_series_init(struct creep_series *s, slong prec)
+{
+    struct formal_time f;
+    fmpq_t constant;
+    arb_t r, x;
+    fmpq_init(constant);
+    arb_init(r);
+    arb_init(x);
+    arb_init(s->start);
+    arb_init(s->factor);
+    formal_time_init(&f);
+    s->a = _arb_vec_init(CREEP_SERIES_ORDER + 1);
+    for (slong j = 1; j <= CREEP_SERIES_ORDER; j++) {
+        fmpq_poly_get_coeff_fmpq(constant, &f.q[j], 0);
+        arb_set_fmpq(s->a + j, constant, prec);
+    }
+    start_bound(s->start, &f);
+    /* A r^(n+1) bounds the effect of the source for A = 2 s_n/(2 (1 - 3 r - r^2) - (n + 1) r). */
+    first_r(r);
+    least_contraction(x, r);
+    arb_mul_2exp_si(x, x, 1);
+    arb_submul_ui(x, r, CREEP_SERIES_ORDER + 1, BOUND_BITS);
+    largest_in_tube(s->factor, &f.source[CREEP_SERIES_ORDER], r, 0);
+    arb_mul_2exp_si(s->factor, s->factor, 1);
+    arb_div(s->factor, s->factor, x, BOUND_BITS);
+    formal_time_clear(&f);
+    fmpq_clear(constant);
+    arb_clear(r);
+    arb_clear(x);
+}
+
+void creep_series_clear(struct creep_series *s)
+{
+    _arb_vec_clear(s->a, CREEP_SERIES_ORDER + 1);
+    arb_clear(s->start);
+    arb_clear(s->factor);
+}
+
+/* The integral of (2/s) |dTheta/dk - dTheta_n/dk| from 0 to r */
+void creep_series_remainder(arb_t bound, const struct creep_series *s, const arb_t r)
+{
+    arb_t first, x, least;
+    arb_init(first);
+    arb_init(x);
+    arb_init(least);
+    arb_mul_ui(x, r, CREEP_SERIES_LEAST_Y, BOUND_BITS);
+    arb_sub_ui(x, x, 1, BOUND_BITS);
+    if (arb_is_positive(r) && arb_is_nonpositive(x)) {
+        first_r(first);
+        contraction(bound, r, first);
+        arb_mul(bound, bound, s->start, BOUND_BITS);
+        arb_mul(bound, bound, r, BOUND_BITS);
+        least_contraction(least, r);
+        arb_div(bound, bound, least, BOUND_BITS);
+        arb_pow_ui(x, r, CREEP_SERIES_ORDER + 1, BOUND_BITS);
+        arb_mul(x, x, s->factor, BOUND_BITS);
+        arb_mul_2exp_si(x, x, 1);
+        arb_div_ui(x, x, CREEP_SERIES_ORDER + 1, BOUND_BITS);
+        arb_add(bound, bound, x, BOUND_BITS);
+        arb_get_ubound_arf(arb_midref(bound), bound, BOUND_BITS);
+        mag_zero(arb_radref(bound));
+    } else {
+        arb_pos_inf(bound);
+    }
+    arb_clear(first);
+    arb_clear(x);
+    arb_clear(least);
+}
