@@ -21,7 +21,8 @@ struct collision {
     double one_minus_eps2, contact_time, max_compression;
 };
 
-/* Impact speeds of the paper, 0.005, 0.01, and 0.02 to 0.30 in steps of 0.02; those of the oscillation at small speed */
+/* Impact speeds of the paper, 0.005, 0.01, and 0.02 to 0.30 in steps of 0.02; those of the oscillation at small speed
+ */
 enum { PAPER_SPEEDS = 17, SLOW_SPEEDS = 28 };
 double paper_speed(int i);
 double slow_speed(int i);
@@ -36,7 +37,8 @@ enum { SIZES = 6, LARGE_FROM = 3, WALL_SIZE = 3 };
 extern const int size[SIZES];
 
 /* All are computed, on every core, with progress on a terminal; or read from a file that collisions_figure wrote, and
- * `sample` of them drawn by the seed, all if negative, are computed again. 1, or 0 after saying on stderr what is wrong. */
+ * `sample` of them drawn by the seed, all if negative, are computed again. 1, or 0 after saying on stderr what is
+ * wrong. */
 int collisions_compute(void);
 int collisions_read(const char *path, int sample, unsigned long long seed);
 
@@ -46,8 +48,8 @@ const struct collision *collision_find(double nu, int modes, double rate, double
 /* Told of each step; q and q_dot have the amplitudes Q and dQ/dt then. */
 typedef void collision_visit(void *context, const struct cor_disk_moment *moment, const double *q, const double *q_dot);
 
-/* One collision at nu = 0.33 with the lowest n_modes modes; visit and the arrays of n_modes elements may be NULL. 1, or 0
- * after saying on stderr what is wrong. */
+/* One collision at nu = 0.33 with the lowest n_modes modes; visit and the arrays of n_modes elements may be NULL. 1, or
+ * 0 after saying on stderr what is wrong. */
 int collision_watch(size_t n_modes, double alpha, double speed, collision_visit *visit, void *context,
                     struct cor_disk_collision *out, double *energy_average, double *energy_after);
 

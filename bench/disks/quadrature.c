@@ -49,8 +49,8 @@ static void rule_init(struct rule *rule, int n)
         rule->x[i] = x;
         rule->w[i] = 2 / ((1 - x * x) * slope * slope);
     }
-    /* the interpolant's Legendre coefficients are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j, the integral of P_k from x to 1 is
-     * (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1) */
+    /* the interpolant's Legendre coefficients are (2 k + 1)/2 sum_j w_j P_k(x_j) f_j, the integral of P_k from x to 1
+     * is (P_(k-1)(x) - P_(k+1)(x))/(2 k + 1) */
     for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++) {
             REAL sum = (1 - rule->x[i]) / 2;

@@ -14,8 +14,8 @@ void disk_curves(struct disk_bench *bench);
 void disk_loading(struct disk_bench *bench);
 
 /* A collision: error against time of all methods; what fewer modes and softer walls leave out; time against the number
- * of modes and the hardness, and that of a list of speeds; ways to sum over the angles, where the library's loops can be reached: not in a shared
- * library */
+ * of modes and the hardness, and that of a list of speeds; ways to sum over the angles, where the library's loops can
+ * be reached: not in a shared library */
 void collision_curves(struct disk_bench *bench);
 void collision_models(struct disk_bench *bench);
 void collision_growth(struct disk_bench *bench);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The functions of beta in double and in float, in one run: one at a time, the double arrays, the float arrays that are
- * correctly rounded, and those in float arithmetic, by instruction set. Every time stands beside its share of the double
- * time and beside the error: of floats the largest of all arguments, in units of the last place of a float, against the
- * double function; of doubles their bound, in units of a double.
+ * correctly rounded, and those in float arithmetic, by instruction set. Every time stands beside its share of the
+ * double time and beside the error: of floats the largest of all arguments, in units of the last place of a float,
+ * against the double function; of doubles their bound, in units of a double.
  *
  *     cor_bench_floats DIRECTORY [--quick]        writes DIRECTORY/floats.csv */
 #include <math.h>

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Code that a user compiles: generated/cor_sphere.h, for every beta; truncated series, Padés and two-point Padés of growing
- * order (approximants.sh); headers that corgen embed writes for the ordinary scene as the tolerance falls, in double and
- * float. This file is compiled once for each set of flags, with ADD the name of its one function, AVAILABLE the test of
- * the machine, and INSTRUCTIONS what the table calls them, NULL for plain flags. With vectors all rows are loops. */
+/* Code that a user compiles: generated/cor_sphere.h, for every beta; truncated series, Padés and two-point Padés of
+ * growing order (approximants.sh); headers that corgen embed writes for the ordinary scene as the tolerance falls, in
+ * double and float. This file is compiled once for each set of flags, with ADD the name of its one function, AVAILABLE
+ * the test of the machine, and INSTRUCTIONS what the table calls them, NULL for plain flags. With vectors all rows are
+ * loops. */
 #include "methods.h"
 
 #include <math.h>

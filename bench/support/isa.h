@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The library's arrays, one instruction set at a time; as shipped where a shared library hides the sets. To add a row: one entry in isa.c. */
+/* The library's arrays, one instruction set at a time; as shipped where a shared library hides the sets. To add a row:
+ * one entry in isa.c. */
 #ifndef COR_BENCH_SUPPORT_ISA_H
 #define COR_BENCH_SUPPORT_ISA_H
 

@@ -13,8 +13,8 @@ struct ellipse_bound {
 };
 
 /* Radii and bounds for the intervals of interpolant_sphere_proof; rho = 0: two other intervals cover this one. Each rho
- * is near the largest for which the cover succeeds. `corgen tables` proves the bounds, one per cent above what it finds,
- * each time it writes the tables. */
+ * is near the largest for which the cover succeeds. `corgen tables` proves the bounds, one per cent above what it
+ * finds, each time it writes the tables. */
 enum { ELLIPSES = 9 };
 extern const struct ellipse_bound ellipse_stated[ELLIPSES];
 

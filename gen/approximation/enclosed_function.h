@@ -40,8 +40,8 @@ bool enclosed_inverse(arb_poly_t y, const arb_poly_t p);
 /* An approximate |f/g| at t */
 double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t);
 
-/* Upper bound of |f/g|, infinite where g may vanish. Halves the range, `halvings` times at most, until the bound is near
- * `known`, a value that the ratio reaches or that is small enough. */
+/* Upper bound of |f/g|, infinite where g may vanish. Halves the range, `halvings` times at most, until the bound is
+ * near `known`, a value that the ratio reaches or that is small enough. */
 double enclosed_largest_ratio(const arb_poly_t f, const arb_poly_t g, double known, int halvings);
 
 #endif

@@ -430,8 +430,8 @@ static void creep_sum(arb_poly_t y, const struct interpolant_proof *proof, const
     arb_clear(remainder);
 }
 
-/* duration/beta at zero overlap: the time of zero force and the creep's, 2 ln(Y) + sum. 2 ln(Y) = (10/3) u + ln(E) and r
- * = beta^(-5/3)/sqrt(E), where E = eps beta^(5/3) at zero force. */
+/* duration/beta at zero overlap: the time of zero force and the creep's, 2 ln(Y) + sum. 2 ln(Y) = (10/3) u + ln(E) and
+ * r = beta^(-5/3)/sqrt(E), where E = eps beta^(5/3) at zero force. */
 static void creep_duration(arb_poly_t y, const struct piece *w, const arb_t middle, const arb_t half)
 {
     arb_poly_t E, r, power;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Proofs that rows of the sphere's tables are close to the functions, everywhere in their cells (docs/derivation.md, 8).
+/* Proofs that rows of the sphere's tables are close to the functions, everywhere in their cells (docs/derivation.md,
+ * 8).
  *
  * The interpolant of an interval is within `error` of the function: ellipse_bound.h bounds the function in an ellipse
  * around the interval, which bounds its distance to the best polynomial; the interpolant is nearly as close. On a cell,
@@ -35,7 +36,8 @@ void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
  * is no proof. */
 double row_proof_bits(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c);
 
-/* Proves all rows of p and replaces the sampled p->bits. Returns 0, or 1 after reporting a row that misses its bound. */
+/* Proves all rows of p and replaces the sampled p->bits. Returns 0, or 1 after reporting a row that misses its bound.
+ */
 int row_proof_table(struct pieces *p, const struct interpolant_proof *proof);
 
 #endif

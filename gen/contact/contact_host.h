@@ -19,7 +19,8 @@ void contact_host_list(FILE *file);
 int contact_host_check(const char *host);
 
 /* The text of corgen contact --for HOST, malloc'ed; NULL after a message if the host cannot realise this contact. Where
- * the host has the contact's law, the lines hold at every speed. Otherwise they need one impact speed and hold there. */
+ * the host has the contact's law, the lines hold at every speed. Otherwise they need one impact speed and hold there.
+ */
 char *contact_host_text(const char *host, const struct contact_request *request, const struct contact_models *models,
                         const double *speed_m_s, size_t speeds);
 

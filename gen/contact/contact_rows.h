@@ -12,8 +12,8 @@
 enum { CONTACT_DIGITS = 12, CONTACT_DIGITS_TEXT = 6 };
 char *contact_number_text(double x, int digits); /* malloc'ed */
 
-/* quantity,value,unit; two values, value_zero_overlap and value_zero_force, if the contact has one for each end at which
- * eps may have been measured. Quantities that are not known have no row. */
+/* quantity,value,unit; two values, value_zero_overlap and value_zero_force, if the contact has one for each end at
+ * which eps may have been measured. Quantities that are not known have no row. */
 void contact_summary(struct table *table, const struct contact_models *models, int digits);
 
 /* A row for each model and speed, in the columns of corgen contact; the last column, measured_end, only where there are

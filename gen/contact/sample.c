@@ -104,7 +104,8 @@ static double reach(const struct chooser *c, double left, double error, double l
     if (segment_error(c, left, c->high, SEARCH_PLACES) <= error)
         return c->high;
     double good = left, bad = c->high;
-    /* Near an inflection point a longer segment may have a smaller error: of a few long segments, the farthest counts. */
+    /* Near an inflection point a longer segment may have a smaller error: of a few long segments, the farthest counts.
+     */
     if (length > (c->high - c->low) / SCAN_PLACES)
         for (int i = 1; i < SCAN_PLACES && good == left; i++) {
             const double place = c->high - (c->high - left) * i / SCAN_PLACES;
@@ -149,8 +150,8 @@ static size_t place_points(const struct chooser *c, double *x, size_t most, doub
     return n;
 }
 
-/* Moves the points of `segments` segments until all have the same error; returns it. The error of the last segment falls
- * while that of the others rises, so that both meet once. */
+/* Moves the points of `segments` segments until all have the same error; returns it. The error of the last segment
+ * falls while that of the others rises, so that both meet once. */
 static double equalise(const struct chooser *c, double *x, size_t segments, double upper)
 {
     double low = 0, high = upper, last;
@@ -193,7 +194,8 @@ static void points_clear(struct sample_points *p)
     }
 }
 
-/* Speeds inside the range are rounded to 12 digits, as they are printed; their values are those of the rounded speeds. */
+/* Speeds inside the range are rounded to 12 digits, as they are printed; their values are those of the rounded speeds.
+ */
 static double printed_speed(double speed_m_s)
 {
     char text[DECIMAL_TEXT];

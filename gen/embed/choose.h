@@ -6,7 +6,8 @@
 #include "embed/form.h"
 #include "support/parallel.h"
 
-/* eps of spheres at one end in powers of beta^(1/root). A thread computes it between embed_series_begin and embed_series_end. */
+/* eps of spheres at one end in powers of beta^(1/root). A thread computes it between embed_series_begin and
+ * embed_series_end. */
 struct embed_series {
     enum contact_end end;
     bool sphere; /* nothing is computed for another law */

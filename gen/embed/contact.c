@@ -145,8 +145,8 @@ static void beta_of_materials(arb_t beta, const struct embed_request *request, s
 
 /* ---- the characteristic speed ---- */
 
-/* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/derivation.md, 9. For spheres this is
- * sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10)), (30) of Ramirez et al. (1999). */
+/* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/derivation.md, 9. For spheres this
+ * is sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10)), (30) of Ramirez et al. (1999). */
 static void first_coefficient(arb_t c, const struct law *law, slong prec)
 {
     const struct ratio one = {1, 1}, half = {1, 2}, two = {2, 1};

@@ -8,8 +8,8 @@
 #include "embed/form.h"
 #include "embed/rounding.h"
 
-/* eps at zero overlap is h*^5 beta^-5 (1 - d) with 0 < d < EMBED_FAR_ERROR for beta >= EMBED_FAR. tests/gen/test_embed.c
- * encloses d at EMBED_FAR; d falls as beta grows (docs/derivation.md, 4). */
+/* eps at zero overlap is h*^5 beta^-5 (1 - d) with 0 < d < EMBED_FAR_ERROR for beta >= EMBED_FAR.
+ * tests/gen/test_embed.c encloses d at EMBED_FAR; d falls as beta grows (docs/derivation.md, 4). */
 #define EMBED_FAR 7.0
 #define EMBED_FAR_ERROR 2.7e-17
 
@@ -20,8 +20,8 @@ struct embed_proof {
     double speed_end; /* proved up to this speed; 0 without a proof. From here on, beta > exp(10) at zero force */
 };
 
-/* Proves the error of a form of spheres, sampled before. For other laws only the rounding has a bound. Returns STATUS_OK,
- * also without a proof, or STATUS_FAILED after a message if an interpolant is shown to be wrong. */
+/* Proves the error of a form of spheres, sampled before. For other laws only the rounding has a bound. Returns
+ * STATUS_OK, also without a proof, or STATUS_FAILED after a message if an interpolant is shown to be wrong. */
 int embed_prove(struct embed_proof *proof, const struct embed_form *f, const struct embed_scene *s);
 
 #endif

@@ -64,9 +64,9 @@ double embed_number(const struct embed_request *request, enum embed_number which
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 
-/* Checks that eps of the law depends on the speed, that the range of speeds and the tolerance suit the type, and that the
- * request gives all numbers of the contact and no contradiction. Returns STATUS_OK, or STATUS_USAGE after a message on
- * stderr. */
+/* Checks that eps of the law depends on the speed, that the range of speeds and the tolerance suit the type, and that
+ * the request gives all numbers of the contact and no contradiction. Returns STATUS_OK, or STATUS_USAGE after a message
+ * on stderr. */
 int embed_request_check(const struct embed_request *request);
 
 /* Sets the law of a request. Returns STATUS_OK, or STATUS_USAGE after a message. */

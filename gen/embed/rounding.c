@@ -132,8 +132,8 @@ static double seed_bound(const struct embed_form *f)
     return bound * (1 + 1e-9) + 1e-12;
 }
 
-/* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Returns a bound of its relative distance
- * from g^(-1/5). Without rounding that is h with (1 + h)^5 = S(e)^5 (1 - e). */
+/* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Returns a bound of its relative
+ * distance from g^(-1/5). Without rounding that is h with (1 + h)^5 = S(e)^5 (1 - e). */
 static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
 {
     arb_poly_t s, h, one;

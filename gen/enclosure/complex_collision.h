@@ -24,8 +24,8 @@ struct complex_collision {
 };
 
 /* Every quantity for all z = sqrt(beta) in a ball, as continued analytically from z > 0; with z < 0 the fields of zero
- * force are their continuations through z = 0. Without `overlap` the fields of zero overlap are undefined. Returns false
- * if the ball is too wide, or if a quantity is not analytic there. */
+ * force are their continuations through z = 0. Without `overlap` the fields of zero overlap are undefined. Returns
+ * false if the ball is too wide, or if a quantity is not analytic there. */
 bool complex_collision_root(struct complex_collision *c, struct complex_ball z, bool overlap);
 
 /* The same for all u = ln(beta) in a ball, in units that stay finite for large beta: eps_zero_force times beta^(5/3),

@@ -28,9 +28,9 @@ struct slow_manifold {
     arb_t t_fall;       /* its time t' from `last` to z = 0 */
 };
 
-/* The manifold with eta below 2^(1-bits), computed with at least `prec` bits, or NULL if this precision does not suffice
- * for the enclosure. Each manifold is computed once and kept until the process ends, because thousands of collisions
- * of a law need the same one. Any thread may call the function. */
+/* The manifold with eta below 2^(1-bits), computed with at least `prec` bits, or NULL if this precision does not
+ * suffice for the enclosure. Each manifold is computed once and kept until the process ends, because thousands of
+ * collisions of a law need the same one. Any thread may call the function. */
 const struct slow_manifold *slow_manifold_of(const struct law *law, slong bits, slong prec);
 
 /* The depth 1/(n last): the fall from `last` contracts by exp(-depth). */

@@ -11,7 +11,8 @@
 
 enum { SCAN_STEPS = 400, SCAN_POINTS = 1000, STARTS = 3, SCALE_ROUNDS = 40, ROOT_STEPS = 60 };
 
-/* Residuals below the rounding error of eps count as this large, so that a curve through all points has a finite AIC. */
+/* Residuals below the rounding error of eps count as this large, so that a curve through all points has a finite AIC.
+ */
 #define LEAST_RESIDUAL DBL_EPSILON
 
 struct problem {
@@ -222,8 +223,8 @@ static double profile(struct problem *p, int j, double x, double *rest)
     return q;
 }
 
-/* The value of coordinate j, beyond theta_j in the direction `sign`, where the profile exceeds `minimum` by `threshold`.
- * sqrt(Q - minimum) is nearly linear there. */
+/* The value of coordinate j, beyond theta_j in the direction `sign`, where the profile exceeds `minimum` by
+ * `threshold`. sqrt(Q - minimum) is nearly linear there. */
 static double interval_end(struct problem *p, const double *theta, int j, int sign, double minimum, double threshold)
 {
     const double limit = sign > 0 ? p->high[j] : p->low[j], target = sqrt(threshold);

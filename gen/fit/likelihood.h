@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* The fit of one curve to measured restitution, and profile-likelihood intervals of its coordinates.
  *
- * The objective is Q(theta) = sum of rho(r_i/s_i), r_i = eps_i - eps(g_i). In least squares rho(z) = z^2. The robust fit
- * takes Huber's rho, which is z^2 for |z| <= c and 2c|z| - c^2 beyond, with c = FIT_HUBER (95 % efficiency for normal
- * errors). s_i is the given standard deviation. If the file has none, s is a common unknown scale: in least squares
- * s^2 = Q/(n - k) for n points and k parameters; in the robust fit s is the median of |r_i| over its normal value
+ * The objective is Q(theta) = sum of rho(r_i/s_i), r_i = eps_i - eps(g_i). In least squares rho(z) = z^2. The robust
+ * fit takes Huber's rho, which is z^2 for |z| <= c and 2c|z| - c^2 beyond, with c = FIT_HUBER (95 % efficiency for
+ * normal errors). s_i is the given standard deviation. If the file has none, s is a common unknown scale: in least
+ * squares s^2 = Q/(n - k) for n points and k parameters; in the robust fit s is the median of |r_i| over its normal
+ * value
  * 0.6745, times sqrt(n/(n - k)).
  *
  * The interval of a coordinate holds the values at which the least Q over the other coordinates exceeds the minimum by

@@ -10,7 +10,8 @@
 
 #include <cor/contact.h>
 
-/* eps is a function of beta = exp(theta_0) (g/(m/s))^q, or constant, theta_0, or min(1, exp(theta_0) (g/(m/s))^theta_1).
+/* eps is a function of beta = exp(theta_0) (g/(m/s))^q, or constant, theta_0, or min(1, exp(theta_0)
+ * (g/(m/s))^theta_1).
  */
 enum fit_curve {
     FIT_SPHERE_ZERO_OVERLAP, /* q = 1/5 */

@@ -170,8 +170,8 @@ SCALED(chrono_hertz, pow(K / M, 0.6) / (R * pow(G, 0.2)))
 #undef R
 #undef G
 
-/* YADE from 2025 on takes P(sqrt(beta)) as en, where beta is that of the speed vn = 1 m/s, and P the Padé approximant of
- * order [3/6] of eps at zero force (Müller and Pöschel, Phys. Rev. E 84, 021302 (2011)), in v = sqrt(beta). */
+/* YADE from 2025 on takes P(sqrt(beta)) as en, where beta is that of the speed vn = 1 m/s, and P the Padé approximant
+ * of order [3/6] of eps at zero force (Müller and Pöschel, Phys. Rev. E 84, 021302 (2011)), in v = sqrt(beta). */
 static double yade_pade(double v)
 {
     static const double above[] = {1, 1.07232, 0.574198, 0.141552};

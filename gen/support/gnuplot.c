@@ -25,8 +25,8 @@ void gnuplot_style(FILE *script, int width, int height)
             width, height);
 }
 
-/* A string in single quotation marks would need no escapes, but gnuplot 5.4 rejects one with two apostrophes in a row, as
- * in x''. In double quotation marks gnuplot reads escapes, runs a command in backquotes and expands @. */
+/* A string in single quotation marks would need no escapes, but gnuplot 5.4 rejects one with two apostrophes in a row,
+ * as in x''. In double quotation marks gnuplot reads escapes, runs a command in backquotes and expands @. */
 void gnuplot_quote(FILE *script, const char *text)
 {
     fputc('"', script);

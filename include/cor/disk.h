@@ -220,7 +220,7 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
  * the rim in the wall at the angle phi, (40), and x_0 is the position of the centre of mass. The wall pushes with the
  * force exp(alpha x) per unit length of the rim. At time 0 the rim of a disk that kept its shape and speed would be at
  * x = 0.
- * */
+ */
 
 /* Above this speed the disk is far outside linear elasticity. */
 #define COR_DISK_COLLISION_MAX_SPEED 0.5
@@ -263,9 +263,9 @@ struct cor_disk_collision {
  * Accuracy, sampled in 17,448 random scenes (1 to 60 modes of nu = 0.33 and 0.9, alpha 200 to 8000, v 0.003 to 0.3,
  * tolerances 1e-3 to 1e-11): where the status is COR_OK the error is at most the tolerance. The error exceeds
  * error_estimate in three scenes, by 1.5 times at most. Near chaos, round-off alone may exceed a small tolerance; below
- * 1e-12 it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression, which are taken during the
- * contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. The same arguments give the same bits on every
- * instruction set.
+ * 1e-12 it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression, which are taken during
+ * the contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. The same arguments give the same bits on
+ * every instruction set.
  *
  * Returns COR_OK if error_estimate is at most the tolerance. It returns, with the best numbers and their
  * error_estimate,
@@ -287,9 +287,9 @@ COR_API int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_mode
 
 /* The same at n speeds with one table, wall and tolerance: out[i] has the bits of cor_disk_collision at speed[i]. The
  * speeds share the workspace, what depends on the modes alone, and the tables of equal numbers of angles. status is
- * NULL, or receives the status of each speed. The numbers of out[i] are NaN, and steps is 0, where the speed is too high
- * or NaN. If n is 0, speed and out may be NULL. max_steps holds for each speed. The function allocates its workspace
- * once and frees it; callers may divide the speeds among threads.
+ * NULL, or receives the status of each speed. The numbers of out[i] are NaN, and steps is 0, where the speed is too
+ * high or NaN. If n is 0, speed and out may be NULL. max_steps holds for each speed. The function allocates its
+ * workspace once and frees it; callers may divide the speeds among threads.
  * Returns COR_OK, the first status of a speed that is not COR_OK, or, with nothing changed,
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_MODES, COR_ERROR_TOLERANCE, COR_ERROR_ALPHA,
  *     COR_ERROR_PHI_POINTS as above, COR_ERROR_MEMORY */
@@ -398,7 +398,7 @@ struct cor_disk_hard_wall_detail {
     double *energy_average; /* its mean over the contact time, in the same unit */
     /* The function calls observe at every step, from the first touch until after the last. q and q_dot then hold the
      * amplitudes Q and dQ/dt.
-     * */
+     */
     void (*observe)(void *context, const struct cor_disk_hard_wall_moment *moment);
     void *context;
     double *q, *q_dot;

@@ -547,8 +547,8 @@ COR_INLINE_LAW double cor_inline_law_beta_low(struct cor_inline_law_quantity q, 
     return q.far_kind == 2 ? cor_inline_law_beta_fallen(q, eps) : cor_inline_law_beta_far(q, eps);
 }
 
-/* The round-off of the root of a loss: without this correction beta/loss, which grows with the root, is off by two units
- * of the last place next to loss = 1/2. A small loss needs none. */
+/* The round-off of the root of a loss: without this correction beta/loss, which grows with the root, is off by two
+ * units of the last place next to loss = 1/2. A small loss needs none. */
 COR_INLINE_LAW double cor_inline_law_root_rest(double loss, int root)
 {
     if (root == 1 || loss < 0.00390625)

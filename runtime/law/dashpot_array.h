@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions of hertz_dashpot.h by instruction set: each dashpot_array_<set>.c compiles dashpot_array_kernel.h with
- * the flags of its set. Their callers pass the rows, so that the library holds the tables once. */
+/* Array functions of hertz_dashpot.h by instruction set: each dashpot_array_<set>.c compiles dashpot_array_kernel.h
+ * with the flags of its set. Their callers pass the rows, so that the library holds the tables once. */
 #ifndef COR_RUNTIME_LAW_DASHPOT_ARRAY_H
 #define COR_RUNTIME_LAW_DASHPOT_ARRAY_H
 

@@ -32,7 +32,8 @@ KERNEL mask dashpot_has(const struct dashpot *d, double beta)
     return dashpot_is_near(d, beta) | holds(beta, d->q.near.end, d->q.middle.end) | dashpot_is_below(d, beta);
 }
 
-/* Sets the row, t and, for the rows of (1 - eps)/beta, m = beta. *near is set if some number has such a row. Returns whether a number lies outside the rows; such a number gets the first row of the middle. */
+/* Sets the row, t and, for the rows of (1 - eps)/beta, m = beta. *near is set if some number has such a row. Returns
+ * whether a number lies outside the rows; such a number gets the first row of the middle. */
 KERNEL mask dashpot_reduce(struct reduced *r, const struct dashpot *d, const struct cor_dashpot_rows *rows,
                            const double *in, int count, mask *near)
 {

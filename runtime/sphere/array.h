@@ -9,8 +9,8 @@
 #include "cor/contact.h"
 #include "runtime/core/instruction_set.h"
 
-/* X(quantity) for every function of sphere.h, of sphere.h in float arithmetic, of contact.h that takes speeds, and of contact.h that takes speeds and
- * eps. */
+/* X(quantity) for every function of sphere.h, of sphere.h in float arithmetic, of contact.h that takes speeds, and of
+ * contact.h that takes speeds and eps. */
 #define COR_SPHERE_QUANTITIES(X)                                                                                       \
     X(eps_zero_overlap)                                                                                                \
     X(eps_zero_force)                                                                                                  \

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The quasistatic law of the disk in interval (ball) arithmetic of any precision, W by arb_lambertw: the reference of the
- * accuracy test and of the stability suite.
+/* The quasistatic law of the disk in interval (ball) arithmetic of any precision, W by arb_lambertw: the reference of
+ * the accuracy test and of the stability suite.
  *
  * A collision in time is computed by sinc functions: with theta = (pi/2)/(1 + e), e = exp(-pi sinh y), the time
  *

@@ -33,8 +33,8 @@ enum quantity {
 int reference_build(void);
 
 /* The tables by way of a file, for programs that follow each other: reference_save writes the file that the variable
- * COR_REFERENCE_FILE names, if it is set; reference_open reads it, or builds the tables where there is none. Both return
- * 0, or 1 after saying what failed. */
+ * COR_REFERENCE_FILE names, if it is set; reference_open reads it, or builds the tables where there is none. Both
+ * return 0, or 1 after saying what failed. */
 int reference_save(void);
 int reference_open(void);
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The search for the worst error of a function of one double, which test_accuracy.c and test_laws.c share: random points
- * on several threads, every double near a place, uphill from the worst point; arrays against their scalars; options. */
+/* The search for the worst error of a function of one double, which test_accuracy.c and test_laws.c share: random
+ * points on several threads, every double near a place, uphill from the worst point; arrays against their scalars;
+ * options. */
 #ifndef COR_TESTS_ACCURACY_SEARCH_H
 #define COR_TESTS_ACCURACY_SEARCH_H
 

@@ -116,7 +116,8 @@ static double random_argument(struct random_state *r, const void *row)
     return ((const struct function *)row)->shape == INVERSE ? random_eps(r) : random_beta(r);
 }
 
-/* Functions with damping while approaching only are short formulas of the largest overlap, which is searched itself: a tenth. */
+/* Functions with damping while approaching only are short formulas of the largest overlap, which is searched itself: a
+ * tenth. */
 static uint64_t share_of(const struct function *f)
 {
     return f->quantity == EPS_APPROACH_ONLY || f->quantity == LOSS_APPROACH_ONLY ||

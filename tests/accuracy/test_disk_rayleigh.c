@@ -43,8 +43,8 @@ static void midpoint(arb_t x)
     mag_zero(arb_radref(x));
 }
 
-/* delta and u = ln(4 pi/P) + b at rest: (pi/2) v^2 = V = P^2/(2 pi) (u - 1/2), that is e^(2 b) 16 (u - 1/2) e^(-2 u) = v^2;
- * Newton's method in u, from above the minimum u = 1 */
+/* delta and u = ln(4 pi/P) + b at rest: (pi/2) v^2 = V = P^2/(2 pi) (u - 1/2), that is e^(2 b) 16 (u - 1/2) e^(-2 u) =
+ * v^2; Newton's method in u, from above the minimum u = 1 */
 static void at_rest(arb_t delta, arb_t u, const arb_t b, double v)
 {
     arb_t f, x, y;
@@ -376,7 +376,8 @@ static void compare_tails(const struct cor_disk_modes *many, const struct cor_di
                   table->nu, errors[n - 1], errors[n / 2], ratios[0], ratios[n / 2], worst_any);
 }
 
-/* The library's two tables; with COR_TEST_MULTIPLIER other materials too, for which disk.h has no promise but a remark. */
+/* The library's two tables; with COR_TEST_MULTIPLIER other materials too, for which disk.h has no promise but a remark.
+ */
 static void test_tails(void **unused)
 {
     (void)unused;

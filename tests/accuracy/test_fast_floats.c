@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The arrays in float arithmetic against those in double, at every float from 0 to 16: the largest error in units of the
- * last place of a float, where it is, and how many results are not correctly rounded. The double functions are off by
- * COR_SPHERE_TIME_MAX_ULP units of a double at most, which counts as part of the error. From 16 on the arrays return
+/* The arrays in float arithmetic against those in double, at every float from 0 to 16: the largest error in units of
+ * the last place of a float, where it is, and how many results are not correctly rounded. The double functions are off
+ * by COR_SPHERE_TIME_MAX_ULP units of a double at most, which counts as part of the error. From 16 on the arrays return
  * cor_sphere_..f, which test_floats takes at every float; 1 in 64 floats are taken here.
  *
  *     test_fast_floats [--only TEXT] [--threads N] [--stride N]

@@ -8,9 +8,9 @@
  *
  *     test_floats [--only TEXT] [--threads N] [--stride N] [--hashes FILE]
  *
- * --stride N takes every Nth float, and no hash. --hashes FILE compares with a file of lines "hash function"; lines that
- * the file lacks are printed. The exit status is 1 if a result is wrong, if the reference cannot decide, or if a hash
- * differs. Negative numbers and NaN give NaN, and -0 counts as 0: tests/unit tests that. */
+ * --stride N takes every Nth float, and no hash. --hashes FILE compares with a file of lines "hash function"; lines
+ * that the file lacks are printed. The exit status is 1 if a result is wrong, if the reference cannot decide, or if a
+ * hash differs. Negative numbers and NaN give NaN, and -0 counts as 0: tests/unit tests that. */
 #include "cor/sphere.h"
 
 #include "reference.h"

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Every function of law.h that has a closed form against long double in another formulation, and against MPFR where long
- * double has too few digits: random points, doubles near every boundary of a kernel, the neighbours of the worst point,
- * floats, arrays, special values. Prints one line for each function; these lines are what docs/accuracy.md quotes.
- *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points of each function, 20000 if not said) */
+/* Every function of law.h that has a closed form against long double in another formulation, and against MPFR where
+ * long double has too few digits: random points, doubles near every boundary of a kernel, the neighbours of the worst
+ * point, floats, arrays, special values. Prints one line for each function; these lines are what docs/accuracy.md
+ * quotes.
+ *     test_laws [--points N] [--threads N] [--only TEXT] [--seed N]     (N random points of each function, 20000 if not
+ *     said) */
 #include "cor/law.h"
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* pair_exp of runtime/disk/quasistatic.c against exp in interval (ball) arithmetic: the largest error, and the mean error
- * near the ends of its domain, where the series' last coefficient counts most. A double shows none of this. */
+/* pair_exp of runtime/disk/quasistatic.c against exp in interval (ball) arithmetic: the largest error, and the mean
+ * error near the ends of its domain, where the series' last coefficient counts most. A double shows none of this. */
 #include "runtime/disk/quasistatic.c"
 
 #include "support/flint.h"

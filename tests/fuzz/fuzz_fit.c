@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* corgen fit: the input is a csv file. What the reader accepts is fitted, by a curve that the length of the input chooses. */
+/* corgen fit: the input is a csv file. What the reader accepts is fitted, by a curve that the length of the input
+ * chooses. */
 #define _XOPEN_SOURCE 700 /* fmemopen */
 #include "fuzz.h"
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* A fuzz target without libFuzzer, for any compiler: every input of a corpus, and copies of them with a few bytes changed
- * blindly.
+/* A fuzz target without libFuzzer, for any compiler: every input of a corpus, and copies of them with a few bytes
+ * changed blindly.
  *
  *     fuzz_TARGET CORPUS COPIES LAST
  *
- * CORPUS: a text with an input a line, as tests/fuzz/run packs them, after a first line that is none. COPIES: how many of
- * each. LAST: the input at hand is kept in this file, and stays there if it ends the program. COR_SEED=<number> repeats a
- * run. */
+ * CORPUS: a text with an input a line, as tests/fuzz/run packs them, after a first line that is none. COPIES: how many
+ * of each. LAST: the input at hand is kept in this file, and stays there if it ends the program. COR_SEED=<number>
+ * repeats a run. */
 #define _XOPEN_SOURCE 700
 #include <fcntl.h>
 #include <unistd.h>

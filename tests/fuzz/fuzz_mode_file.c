@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* cor_disk_modes_read on arbitrary bytes. What it accepts is read again by another route, strtod and strtoul, and written
- * again: both must give the same modes. The mutator makes the checks at the ends of the lines right again, but for one
- * time of four. */
+/* cor_disk_modes_read on arbitrary bytes. What it accepts is read again by another route, strtod and strtoul, and
+ * written again: both must give the same modes. The mutator makes the checks at the ends of the lines right again, but
+ * for one time of four. */
 #define _GNU_SOURCE /* memfd_create */
 #include <sys/mman.h>
 #include <unistd.h>

@@ -191,8 +191,8 @@ static void test_scenes(void **state)
     }
 }
 
-/* Scenes of other laws: q of both signs, the rows below the threshold, beyond all rows, ends that coincide. The families
- * of a series are of spheres. */
+/* Scenes of other laws: q of both signs, the rows below the threshold, beyond all rows, ends that coincide. The
+ * families of a series are of spheres. */
 static void test_laws(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The table of simulators: what each model makes of a restitution that a user asks for, the number that cures it, and every
- * conversion to a host's own number against its force law, integrated in SI units. */
+/* The table of simulators: what each model makes of a restitution that a user asks for, the number that cures it, and
+ * every conversion to a host's own number against its force law, integrated in SI units. */
 #include "check.h"
 
 #include "hosts/hosts.h"
@@ -274,7 +274,8 @@ static const struct {
     {"opensees", "xi", crossley_xi},
 };
 
-/* The force as the end of contact wants it: damped while approaching only, or damping no larger than the spring's force */
+/* The force as the end of contact wants it: damped while approaching only, or damping no larger than the spring's force
+ */
 static double ended_force(force_law *force, enum host_end end, double x, double v, double number,
                           const struct host_scene *s)
 {
@@ -284,7 +285,8 @@ static double ended_force(force_law *force, enum host_end end, double x, double 
     return end == HOST_LIMITED && whole > 2 * elastic ? 2 * elastic : whole;
 }
 
-/* eps by velocity Verlet's cousin: the classical Runge-Kutta method with steps that are small where x is; accuracy 1e-6 */
+/* eps by velocity Verlet's cousin: the classical Runge-Kutta method with steps that are small where x is; accuracy 1e-6
+ */
 static double integrated_eps(force_law *force, enum host_end end, double number, const struct host_scene *s,
                              double time)
 {
@@ -364,7 +366,8 @@ static void units(void **state)
             assert_true(fabs(m->damping_of_number(number, &s) / damping - 1) < 1e-14);
             const double si = integrated_eps(forces[i].force, m->end, number, &s, time);
             check(fabs(si - eps) < 2e-5, "%s, %s: %g, not %g", m->host, m->model, si, eps);
-            /* the same number at another speed: the same eps where the law has a damping ratio, another one elsewhere */
+            /* the same number at another speed: the same eps where the law has a damping ratio, another one elsewhere
+             */
             struct host_scene fast = s;
             fast.speed_m_s *= 3;
             const double other = m->damping_of_number(number, &fast);
@@ -374,8 +377,8 @@ static void units(void **state)
     }
 }
 
-/* MercuryDPM computes its dashpot from the mass of one particle, sqrt(2 mass k/(pi^2 + ln(e)^2)) (-ln(e)); two such particles have half
- * of it as effective mass, and their collision realises e. */
+/* MercuryDPM computes its dashpot from the mass of one particle, sqrt(2 mass k/(pi^2 + ln(e)^2)) (-ln(e)); two such
+ * particles have half of it as effective mass, and their collision realises e. */
 static void mass_of_one_particle(void **state)
 {
     (void)state;

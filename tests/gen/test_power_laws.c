@@ -294,7 +294,8 @@ static void test_angle(void **state)
     arb_clear(y);
 }
 
-/* The manifold serves 30 bits where the motion to the end serves hundreds: a - b below, at and above 1, a < b, a = b. */
+/* The manifold serves 30 bits where the motion to the end serves hundreds: a - b below, at and above 1, a < b, a = b.
+ */
 static void test_slow_manifold(void **state)
 {
     (void)state;

@@ -87,8 +87,8 @@ static void motion_step(double complex y[3], double complex beta, double complex
         y[j] += h / 6 * (k[0][j] + 2 * k[1][j] + 2 * k[2][j] + k[3][j]);
 }
 
-/* From the event at the real part of beta to the event at beta, followed by Newton's method: event 0 is v = 0, 1 is zero
- * force, 2 is w = 0. `s` is its complex place. */
+/* From the event at the real part of beta to the event at beta, followed by Newton's method: event 0 is v = 0, 1 is
+ * zero force, 2 is w = 0. `s` is its complex place. */
 static void motion_event(double complex y[3], double complex beta, int event)
 {
     enum { STEPS = 3000, FEWER_STEPS = STEPS / 10, PARTS = 40, NEWTON = 8 };
@@ -423,8 +423,8 @@ static void test_enclosed_functions(void **state)
     arb_clear(y);
 }
 
-/* Rows of the duration at zero overlap in ln(beta), with wrong rows and wrong samples. The samples take seconds: all rows
- * in a long run only; `corgen tables` proves the rows each time. */
+/* Rows of the duration at zero overlap in ln(beta), with wrong rows and wrong samples. The samples take seconds: all
+ * rows in a long run only; `corgen tables` proves the rows each time. */
 static void test_creep_rows(void **state)
 {
     (void)state;

@@ -99,7 +99,8 @@ static void tolerances_hold(void **state)
 /* The largest of so many errors on a parabola is too small by 4e-4 of it at most. */
 enum { GRID = 60, GRID_PLACES = 48 };
 
-/* The least number of segments between the ends of the range with points on a grid; a large number if it is too coarse */
+/* The least number of segments between the ends of the range with points on a grid; a large number if it is too coarse
+ */
 static int fewest_on_grid(const struct sample_request *r, double tolerance)
 {
     int best[GRID];
@@ -130,8 +131,8 @@ static void no_smaller_table(void **state)
                                    .log = turn % 3 != 0};
         struct sample s;
         assert_int_equal(sample_choose(&s, &r), 0);
-        /* eps is convex in the speed; in its logarithm it has a point of inflection, over which a longer segment may have a
-         * smaller error, and one segment may be too many */
+        /* eps is convex in the speed; in its logarithm it has a point of inflection, over which a longer segment may
+         * have a smaller error, and one segment may be too many */
         const int segments = (int)s.best.count - 1, more = r.log ? 1 : 0;
         check(segments <= fewest_on_grid(&r, r.tolerance) + more, "%d segments, the grid needs %d", segments,
               fewest_on_grid(&r, r.tolerance));

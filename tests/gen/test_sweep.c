@@ -220,7 +220,8 @@ static int crowd_finish(void *context, uint64_t task, const void *result)
     return task == crowd->stop_at ? 7 : 0;
 }
 
-/* Every task once and in order, from any number of threads, in runs one behind the other, and to where it is stopped. */
+/* Every task once and in order, from any number of threads, in runs one behind the other, and to where it is stopped.
+ */
 static void test_crew(void **state)
 {
     (void)state;

@@ -98,7 +98,8 @@ static int arc_holds(double angle, double radius, int depth)
                      arc_holds(angle + radius / 2, radius / 2, depth + 1));
 }
 
-/* J is real on the real axis, so that the upper half is enough. All arcs and all of the inside with COR_TEST_MULTIPLIER=160, some minutes. */
+/* J is real on the real axis, so that the upper half is enough. All arcs and all of the inside with
+ * COR_TEST_MULTIPLIER=160, some minutes. */
 static void bound_on_the_ellipse(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What tests/unit/ uses of cmocka, for platforms that have no package of it at hand: every test runs, a failed assertion
- * ends its test, and the program's status is the number of tests that failed. */
+/* What tests/unit/ uses of cmocka, for platforms that have no package of it at hand: every test runs, a failed
+ * assertion ends its test, and the program's status is the number of tests that failed. */
 #ifndef COR_TESTS_PLATFORMS_CMOCKA_H
 #define COR_TESTS_PLATFORMS_CMOCKA_H
 

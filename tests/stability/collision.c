@@ -110,8 +110,8 @@ static void chaotic(struct outcome *out, bool full)
         take_collision(out, &cor_disk_modes_nu033, 940, 2000, 0.3, tolerance[i], full ? 0 : 20000, chaotic_eps);
 }
 
-/* Few modes at a hard wall bounce: 1e4 to 1e6 times an ulp of the speed. `eps` is by reference_disk_collision, to 1e-11;
- * the full form asks it again. */
+/* Few modes at a hard wall bounce: 1e4 to 1e6 times an ulp of the speed. `eps` is by reference_disk_collision, to
+ * 1e-11; the full form asks it again. */
 static void bounces(struct outcome *out, bool full)
 {
     static const struct {

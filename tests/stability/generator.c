@@ -318,8 +318,8 @@ static void sphere_pade(struct outcome *out, bool full)
     }
 }
 
-/* 1/(1 + z) + d/(1 - z/2): the [1/2] is this function, with a pole at 2 and a zero at 2 (1 + d)/(1 - 2 d). With d = 0 the
- * table's entry does not exist, and [0/1] has an infinite block. */
+/* 1/(1 + z) + d/(1 - z/2): the [1/2] is this function, with a pole at 2 and a zero at 2 (1 + d)/(1 - 2 d). With d = 0
+ * the table's entry does not exist, and [0/1] has an infinite block. */
 static void near_defect(struct outcome *out, bool full)
 {
     (void)full;

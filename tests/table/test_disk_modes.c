@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Every mode of generated/disk_modes_*.h again, by another route than the generator's: the printed equation (25) for the
- * frequency, (22) or (23) for the ratio of the amplitudes, Lommel's integrals of (26) for the normalisation, with Bessel
- * functions of Arb; the generator has none of them, but ratios of neighbouring orders. Each double must be the one
- * nearest to the exact number, and the modes as many as there are below the last. */
+/* Every mode of generated/disk_modes_*.h again, by another route than the generator's: the printed equation (25) for
+ * the frequency, (22) or (23) for the ratio of the amplitudes, Lommel's integrals of (26) for the normalisation, with
+ * Bessel functions of Arb; the generator has none of them, but ratios of neighbouring orders. Each double must be the
+ * one nearest to the exact number, and the modes as many as there are below the last. */
 #include "ball.h"
 #include "check.h"
 
@@ -41,8 +41,8 @@ static void bessel_clear(struct bessel *b)
         arb_clear(&b->j[i]);
 }
 
-/* With the bits that the series loses at large z. Where J_n is small, below n, the series of a ball are as narrow as the
- * ball; beyond, they are exp(z) wider, but no J_n is steeper than 1. */
+/* With the bits that the series loses at large z. Where J_n is small, below n, the series of a ball are as narrow as
+ * the ball; beyond, they are exp(z) wider, but no J_n is steeper than 1. */
 static void bessel_j(arb_t j, slong n, const arb_t z)
 {
     arb_t order, middle;
@@ -295,8 +295,8 @@ static void check_mode(const struct material *m, const struct cor_disk_mode *mod
         arb_addmul_si(s, t, n, PREC);
     }
     arb_neg(s, s);
-    /* u_r - u_phi = A kappa J_n-1(kappa r) + B kappa' J_n-1(kappa' r), and -A, B with J_n+1 for the sum: the integral is
-     * half that of both squares */
+    /* u_r - u_phi = A kappa J_n-1(kappa r) + B kappa' J_n-1(kappa' r), and -A, B with J_n+1 for the sum: the integral
+     * is half that of both squares */
     arb_mul(a, a, k.z, PREC);
     if (n > 0)
         arb_mul(b, b, k1.z, PREC);

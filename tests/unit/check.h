@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* What the unit tests share: errors in units of the last place, and a seeded random state.
- * COR_SEED=<number> repeats a run; COR_TEST_MULTIPLIER=<number> draws that many times more points, COR_TEST_DIVISOR that
- * many times fewer, where only the use of memory is looked at. COR_TEST_LONG=1, which tests/run --long sets, takes all
- * cases where an ordinary run takes few. */
+ * COR_SEED=<number> repeats a run; COR_TEST_MULTIPLIER=<number> draws that many times more points, COR_TEST_DIVISOR
+ * that many times fewer, where only the use of memory is looked at. COR_TEST_LONG=1, which tests/run --long sets, takes
+ * all cases where an ordinary run takes few. */
 #ifndef COR_TESTS_CHECK_H
 #define COR_TESTS_CHECK_H
 
@@ -81,7 +81,8 @@ static inline size_t few_or_all(size_t few, size_t all)
     return check_number("COR_TEST_LONG", 0) ? all : few;
 }
 
-/* Every n-th case in an ordinary run, others after each commit: tests/run sets COR_TEST_TURN to the number of commits. */
+/* Every n-th case in an ordinary run, others after each commit: tests/run sets COR_TEST_TURN to the number of commits.
+ */
 static inline int in_turn(size_t i, size_t n)
 {
     return (i + (size_t)check_number("COR_TEST_TURN", 0)) % few_or_all(n, 1) == 0;

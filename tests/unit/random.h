@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The random numbers of all tests: xorshift64* (Vigna, ACM Trans. Math. Softw. 42, 30, 2016), which scatters points well
- * enough and gives the same ones on every machine. */
+/* The random numbers of all tests: xorshift64* (Vigna, ACM Trans. Math. Softw. 42, 30, 2016), which scatters points
+ * well enough and gives the same ones on every machine. */
 #ifndef COR_TESTS_RANDOM_H
 #define COR_TESTS_RANDOM_H
 

@@ -272,8 +272,8 @@ static int disk_collide(struct disk *disk, const struct effort *effort, struct c
     return long_collide(disk, effort, course);
 }
 
-/* Panels for 16 digits or so: the pressure falls off over alpha^(-2/3) at the contact's edge, and over alpha^(-1/2) where
- * the contact is small; a mode has n_max waves. */
+/* Panels for 16 digits or so: the pressure falls off over alpha^(-2/3) at the contact's edge, and over alpha^(-1/2)
+ * where the contact is small; a mode has n_max waves. */
 static double panels_needed(const struct disk *disk)
 {
     const double contact = sqrt(disk->speed) * pow(disk->alpha, 2.0 / 3);

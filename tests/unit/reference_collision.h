@@ -18,12 +18,13 @@ struct reference_collision {
 };
 
 /* The equations of motion with the signs that conserve energy, in the variables x_0 and Q themselves,
- *     x_0'' = -load/m,     Q'' = -omega^2 Q - (1/m) int (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) exp(alpha x) dphi,
+ *     x_0'' = -load/m,     Q'' = -omega^2 Q - (1/m) int (C cos(n phi) cos(phi) - S sin(n phi) sin(phi)) exp(alpha x)
+ *     dphi,
  * by Taylor series of order 20 to 34 in time. The integrals take Gauss's rule of 16 points on equal panels of the
  * quadrant. Each run has steps, order and panels for 100 times less error than the run before; the first runs are in
  * long double, the later ones in quad precision. The runs end when two of them agree to `needed` in eps.
- * energy_after and energy_average are NULL or get n numbers. Returns 0, or 1 where even the last runs do not agree (their
- * numbers are in *out), or 2 without memory or after 10^6 steps. */
+ * energy_after and energy_average are NULL or get n numbers. Returns 0, or 1 where even the last runs do not agree
+ * (their numbers are in *out), or 2 without memory or after 10^6 steps. */
 int reference_disk_collision(const struct cor_disk_mode *mode, size_t n, double alpha, double speed, double needed,
                              struct reference_collision *out, double *energy_after, double *energy_average);
 

@@ -183,7 +183,8 @@ static long double log_excess(long double x)
     return x * x * sum;
 }
 
-/* Loading, d = 1 - v: 1/((1 + beta v) x^a), x^(a+1)/(a+1) = (beta e - excess(e))/beta^2, e = beta d/(1 + beta). p: a, beta */
+/* Loading, d = 1 - v: 1/((1 + beta v) x^a), x^(a+1)/(a+1) = (beta e - excess(e))/beta^2, e = beta d/(1 + beta). p: a,
+ * beta */
 static long double loading_integrand(long double d, long double v, const long double *p)
 {
     const long double a = p[0], beta = p[1], e = beta * d / (1 + beta);

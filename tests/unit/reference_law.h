@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Restitution of the laws of law.h in long double, by other formulas than the library's: what their doubles are judged by.
- * Each function gives L = -ln(eps), relative error some 2^-62. eps and 1 - eps follow by expl and expm1l, which keep 2^-60
- * while L is below 16; beyond, tests/accuracy asks MPFR. */
+/* Restitution of the laws of law.h in long double, by other formulas than the library's: what their doubles are judged
+ * by. Each function gives L = -ln(eps), relative error some 2^-62. eps and 1 - eps follow by expl and expm1l, which
+ * keep 2^-60 while L is below 16; beyond, tests/accuracy asks MPFR. */
 #ifndef COR_TESTS_REFERENCE_LAW_H
 #define COR_TESTS_REFERENCE_LAW_H
 
@@ -17,12 +17,14 @@ long double reference_hunt_crossley_eps(long double beta);
 long double reference_hunt_crossley_approach_loss(long double beta);
 long double reference_hunt_crossley_approach_eps(long double beta);
 
-/* Tsuji's damping: the time of the largest overlap (LAW_APPROACH_ONLY) or the duration at an end, zeta > 0, relative error
- * below 1e-17. Zero overlap: zeta < 0.999. By double exponential quadrature of exp(zeta s/5) (sin(om s)/om)^(-1/5). */
+/* Tsuji's damping: the time of the largest overlap (LAW_APPROACH_ONLY) or the duration at an end, zeta > 0, relative
+ * error below 1e-17. Zero overlap: zeta < 0.999. By double exponential quadrature of exp(zeta s/5) (sin(om
+ * s)/om)^(-1/5). */
 long double reference_tsuji_time(enum law_end end, long double zeta);
 
-/* Hunt and Crossley, any elastic exponent: the time of the largest overlap and the duration, beta > 0 and a <= 4, relative
- * error below 1e-17. By double exponential quadrature over the velocity; of the rebound where beta > 2 over ln(1 + beta v). */
+/* Hunt and Crossley, any elastic exponent: the time of the largest overlap and the duration, beta > 0 and a <= 4,
+ * relative error below 1e-17. By double exponential quadrature over the velocity; of the rebound where beta > 2 over
+ * ln(1 + beta v). */
 long double reference_crossley_time_of_max_overlap(long double a, long double beta);
 long double reference_crossley_duration(long double a, long double beta);
 

@@ -248,7 +248,8 @@ static void subsets(void **state)
     }
 }
 
-/* One strong mode takes nearly all the speed; the disk has left the wall by 0.07 when the rim comes again, 3.5 later. */
+/* One strong mode takes nearly all the speed; the disk has left the wall by 0.07 when the rim comes again, 3.5 later.
+ */
 static void second_contact(void **state)
 {
     (void)state;
@@ -744,8 +745,8 @@ static void workspaces(void **state)
     assert_true(cor_disk_collision_workspace(&cor_disk_modes_nu033, 1000, &plain) > bytes);
 }
 
-/* Many speeds have the bits of single calls, in any order: numbers of angles that stay, grow and shrink, speeds that are
- * refused, tolerances that are not reached, and a budget that each speed has for itself. */
+/* Many speeds have the bits of single calls, in any order: numbers of angles that stay, grow and shrink, speeds that
+ * are refused, tolerances that are not reached, and a budget that each speed has for itself. */
 static void many_speeds(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of a collision, each by itself: a drift, a kick against the gradient of its potential, the window of angles, the
- * extrapolation of made series, the error of made movements. */
+/* The parts of a collision, each by itself: a drift, a kick against the gradient of its potential, the window of
+ * angles, the extrapolation of made series, the error of made movements. */
 #include "check.h"
 
 #include <cor/disk.h>
@@ -79,8 +79,8 @@ static void drift(void **state)
 
 enum { MODES = 7 };
 
-/* The potential of (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the rule of phi
- * angles, and its gradient by x_0 and Q, by central differences */
+/* The potential of (15.1), U = V - (h^2/24) |grad V|^2/m, with V = (1/alpha) int exp(alpha x(phi)) dphi by the rule of
+ * phi angles, and its gradient by x_0 and Q, by central differences */
 struct potential {
     size_t phi;
     double alpha, h;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Rayleigh's energy (runtime/disk/rayleigh.c): modes against (65) to (67) integrated in time and against printed values,
- * sums and tails against sums over twenty thousand modes, the tolerance, statuses, the edges of the domain.
+/* Rayleigh's energy (runtime/disk/rayleigh.c): modes against (65) to (67) integrated in time and against printed
+ * values, sums and tails against sums over twenty thousand modes, the tolerance, statuses, the edges of the domain.
  * tests/accuracy/test_disk_rayleigh.c has the modes one by one, to all digits. */
 #include "check.h"
 

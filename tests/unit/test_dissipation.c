@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The dissipation time of a Kelvin-Voigt solid: against the contact modulus in the complex plane of its definition, against the
- * hereditary integral of viscoelastic contact at finite rates, and its limits. */
+/* The dissipation time of a Kelvin-Voigt solid: against the contact modulus in the complex plane of its definition,
+ * against the hereditary integral of viscoelastic contact at finite rates, and its limits. */
 #include "check.h"
 
 #include <cor/cor.h>
@@ -60,7 +60,8 @@ static void rounding(void **state)
     assert_true(worst <= COR_CONTACT_MAX_ULP);
 }
 
-/* Viscous constants proportional to the moduli: the stress is (1 + tau d/dt) times the elastic one, A is tau in both formulas. */
+/* Viscous constants proportional to the moduli: the stress is (1 + tau d/dt) times the elastic one, A is tau in both
+ * formulas. */
 static void proportional_constants(void **state)
 {
     (void)state;
@@ -73,9 +74,9 @@ static void proportional_constants(void **state)
     }
 }
 
-/* Loading of a sphere at finite rate. E*(s) is c0 + c1 s + c2/(s + c3) by partial fractions, so that with x^(3/2) = p(t),
- * F/(4/3 sqrt(R)) = c0 p + c1 p' + c2 int exp(-c3 (t - t')) p(t') dt' (Lee and Radok, J. Appl. Mech. 27, 438 (1960)). Against it
- * E* (p + A p') is off by the square of the rate. */
+/* Loading of a sphere at finite rate. E*(s) is c0 + c1 s + c2/(s + c3) by partial fractions, so that with x^(3/2) =
+ * p(t), F/(4/3 sqrt(R)) = c0 p + c1 p' + c2 int exp(-c3 (t - t')) p(t') dt' (Lee and Radok, J. Appl. Mech. 27, 438
+ * (1960)). Against it E* (p + A p') is off by the square of the rate. */
 static long double hereditary_force(const struct material *m, long double rate, long double *first_order)
 {
     const long double mu = m->young / (2 * (1 + (long double)m->nu)), k = m->young / (3 * (1 - 2 * (long double)m->nu));

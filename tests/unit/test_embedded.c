@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* generated/cor_sphere.h gives the bits of the library: from this unit and from another, in whatever language that is. */
+/* generated/cor_sphere.h gives the bits of the library: from this unit and from another, in whatever language that is.
+ */
 #include "check.h"
 
 #include <cor/cor.h>

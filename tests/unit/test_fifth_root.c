@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The fifth root and the exact arithmetic under it (runtime/core/fifth_root.h, runtime/core/exact.h) against long double. */
+/* The fifth root and the exact arithmetic under it (runtime/core/fifth_root.h, runtime/core/exact.h) against long
+ * double. */
 #include "check.h"
 
 #include "runtime/core/fifth_root.h"

@@ -167,8 +167,8 @@ static void test_round_trip(void **state)
         }
 }
 
-/* Every size of eps and of 1 - eps, subnormal numbers included. At zero force eps falls like beta^(-5/2); at zero overlap
- * a rounding of beta next to beta_c moves eps by up to s 2^-53 in all, whatever its size. */
+/* Every size of eps and of 1 - eps, subnormal numbers included. At zero force eps falls like beta^(-5/2); at zero
+ * overlap a rounding of beta next to beta_c moves eps by up to s 2^-53 in all, whatever its size. */
 static void test_every_size(void **state)
 {
     (void)state;

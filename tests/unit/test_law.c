@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* law.h: known answers, special values, hard cases, both directions, integration of the equation of motion. Errors in units of
- * the last place at very many points: tests/accuracy/test_laws.c. */
+/* law.h: known answers, special values, hard cases, both directions, integration of the equation of motion. Errors in
+ * units of the last place at very many points: tests/accuracy/test_laws.c. */
 #include "check.h"
 
 #include <errno.h>
@@ -267,8 +267,8 @@ static void special_sphere_approach(void **state)
 
 /* ---- both directions ---- */
 
-/* e -> zeta -> e over every size of e and of 1 - e: off by what a rounding of zeta does, d ln(e)/d ln(zeta) units, and the
- * bounds of both functions */
+/* e -> zeta -> e over every size of e and of 1 - e: off by what a rounding of zeta does, d ln(e)/d ln(zeta) units, and
+ * the bounds of both functions */
 static void there_and_back(void **state)
 {
     (void)state;
@@ -312,8 +312,9 @@ static void check_back(const char *name, law_function *inverse, law_function *ep
         check(ulp_error(eps(damping), e) <= most, "%s: %a -> %a -> %a", name, e, damping, eps(damping));
 }
 
-/* Every size of e and of 1 - e, subnormal numbers included. eps is a power of the damping where it is small, so that a rounding of
- * the damping costs no more than two roundings of eps. At zero overlap it costs |d ln(eps)/d ln(zeta)| = L (1 + L^2/pi^2). */
+/* Every size of e and of 1 - e, subnormal numbers included. eps is a power of the damping where it is small, so that a
+ * rounding of the damping costs no more than two roundings of eps. At zero overlap it costs |d ln(eps)/d ln(zeta)| = L
+ * (1 + L^2/pi^2). */
 static void every_size(void **state)
 {
     (void)state;
@@ -348,7 +349,8 @@ static void identities(void **state)
     for (size_t i = 0; i < points(2000); i++) {
         const double zeta = random_log(&random, 1e-6, 1e6), beta = random_log(&random, 1e-6, 1e6);
         const double eps_a = cor_linear_eps_approach_only(zeta), eps_f = cor_linear_eps_zero_force(zeta);
-        /* eps at zero force is the square of eps with damping while approaching only, and elastic energy at the turning point */
+        /* eps at zero force is the square of eps with damping while approaching only, and elastic energy at the turning
+         * point */
         assert_true(relative_error(eps_a * eps_a, eps_f) <= 6 * DBL_EPSILON);
         assert_true(same_bits(cor_linear_max_overlap(zeta), eps_a));
         assert_true(relative_error(pow(cor_tsuji_max_overlap(zeta), 2.5) * 0.8, eps_f) <= 12 * DBL_EPSILON);
@@ -406,7 +408,8 @@ static void motion_turn(struct motion_result *r, double t, double x, double h, d
     r->max_overlap = x + length * h;
 }
 
-/* By the method of Dormand and Prince, with adaptive steps that are halved at the end of contact. Accuracy about 1e-8. */
+/* By the method of Dormand and Prince, with adaptive steps that are halved at the end of contact. Accuracy about 1e-8.
+ */
 static struct motion_result motion_integrate(const struct motion *m)
 {
     double t = 0, x = 0, v = 1, h = 1e-9;
@@ -531,7 +534,8 @@ static void crossley_times(void **state)
         assert_true(relative_error(cor_hunt_crossley_duration(back, 1.5) * unit,
                                    cor_hunt_crossley_duration(beta, 1.5)) <= 1e-12 / (1 + back));
     }
-    /* the elastic limit and a constant force, whose duration is (1 + eps) over the mean of its force: exact for a = 0 */
+    /* the elastic limit and a constant force, whose duration is (1 + eps) over the mean of its force: exact for a = 0
+     */
     assert_true(relative_error(cor_hunt_crossley_duration(1e-20, 2), cor_hunt_crossley_duration(0, 2)) < 1e-13);
     assert_true(relative_error(cor_hunt_crossley_duration(1, 0), log(2) - log1p(-cor_hunt_crossley_eps(1))) <
                 COR_HUNT_CROSSLEY_TIME_MAX_ERROR);
@@ -541,7 +545,8 @@ static void crossley_times(void **state)
 static void tsuji_times(void **state)
 {
     (void)state;
-    /* zero overlap: y = zeta/(10 sqrt(1 - zeta^2)) on both sides of where a series takes over from the tables, y = 10 */
+    /* zero overlap: y = zeta/(10 sqrt(1 - zeta^2)) on both sides of where a series takes over from the tables, y = 10
+     */
     static const double ys[] = {0.01, 0.3,  1,       3,    5.9,  6.4, 6.6, 7,  8, 9,
                                 9.9,  9.99, 10.0001, 10.1, 10.5, 11,  12,  14, 17};
     for (size_t i = 0; i < sizeof ys / sizeof *ys; i++) {

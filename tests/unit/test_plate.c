@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A sphere on a thin plate: the contact's fields, sphere and plate integrated as two bodies, a plate with edges, published
- * approximations, and what the theory takes for granted. */
+/* A sphere on a thin plate: the contact's fields, sphere and plate integrated as two bodies, a plate with edges,
+ * published approximations, and what the theory takes for granted. */
 #include "check.h"
 
 #include <cor/cor.h>
@@ -98,8 +98,9 @@ static void refused(void **state)
 
 /* ---- two bodies ---- */
 
-/* Speed of the sphere after contact in units of the impact speed: m u' = -F, w' = F/Z, F = K (s - w)^(3/2), in scaled units with
- * Z = 1/lambda; Runge and Kutta's method in sigma, dt = sqrt(x) d sigma near the ends where x^(3/2) is not smooth. */
+/* Speed of the sphere after contact in units of the impact speed: m u' = -F, w' = F/Z, F = K (s - w)^(3/2), in scaled
+ * units with Z = 1/lambda; Runge and Kutta's method in sigma, dt = sqrt(x) d sigma near the ends where x^(3/2) is not
+ * smooth. */
 struct two_bodies {
     double s, u, w;
 };
@@ -159,8 +160,8 @@ static void against_two_bodies(void **state)
 
 /* ---- a plate with edges ----
  *
- * A simply supported square plate of side l, hit in its middle: its modes sin(i pi x/l) sin(j pi y/l), i and j odd, are propagated
- * exactly under a force that is constant in a step. No impedance and no infinite plate are in it. */
+ * A simply supported square plate of side l, hit in its middle: its modes sin(i pi x/l) sin(j pi y/l), i and j odd, are
+ * propagated exactly under a force that is constant in a step. No impedance and no infinite plate are in it. */
 enum { HARMONICS = 50 };
 
 struct square_plate {
@@ -232,7 +233,8 @@ static void a_plate_with_edges(void **state)
 static void published(void **state)
 {
     (void)state;
-    /* exp(-1.719 lambda), a fit to Zener's curve in use since 1941: its 1.719 is 1.73017 = -(3/2) C_1 at small lambda */
+    /* exp(-1.719 lambda), a fit to Zener's curve in use since 1941: its 1.719 is 1.73017 = -(3/2) C_1 at small lambda
+     */
     for (double lambda = 0.01; lambda < 0.8; lambda += 0.01)
         assert_true(fabs(cor_sphere_eps_zero_overlap(1.5 * lambda) - exp(-1.719 * lambda)) < 0.022);
     assert_true(fabs(cor_sphere_loss_zero_overlap(1.5e-6) / 1e-6 - 1.730173) < 1e-5);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What elastic waves take: known values, another contour for J(nu), the sphere and half-space of one material and of two. */
+/* What elastic waves take: known values, another contour for J(nu), the sphere and half-space of one material and of
+ * two. */
 #include "check.h"
 
 #include <complex.h>
@@ -18,12 +19,13 @@ static void known_values(void **state)
     assert_true(isnan(cor_half_space_wave_factor(-1)) && isnan(cor_half_space_wave_factor(0.5000001)) &&
                 isnan(cor_half_space_wave_factor(NAN)) && isnan(cor_half_space_wave_coefficient(-1)) &&
                 isnan(cor_half_space_wave_coefficient(INFINITY)));
-    /* Rayleigh waves carry 67 % at nu = 1/4 (Miller and Pursey): the rest is the integral over the body waves, positive */
+    /* Rayleigh waves carry 67 % at nu = 1/4 (Miller and Pursey): the rest is the integral over the body waves, positive
+     */
     assert_true(cor_half_space_wave_factor(0.5) > 0.65 && cor_half_space_wave_factor(-0.999999) < 3.84);
 }
 
-/* J = Im int x a/R dx over a half circle from 0 to 2 above the branch points and the Rayleigh pole: by the trapezoidal rule
- * after a substitution that flattens both ends */
+/* J = Im int x a/R dx over a half circle from 0 to 2 above the branch points and the Rayleigh pole: by the trapezoidal
+ * rule after a substitution that flattens both ends */
 static long double factor_by_contour(long double nu)
 {
     const long double pi = acosl(-1), g2 = (1 - 2 * nu) / (2 * (1 - nu)), end = 3.4L, step = 0.004L;
@@ -105,8 +107,8 @@ static void collisions(void **state)
     }
 }
 
-/* The law of first order, x'' + beta x x' + x^(3/2) = 0: its loss by integration, against 2 |C_1| beta_w. The radiated energy is
- * kappa int F'^2 dt of the elastic collision. */
+/* The law of first order, x'' + beta x x' + x^(3/2) = 0: its loss by integration, against 2 |C_1| beta_w. The radiated
+ * energy is kappa int F'^2 dt of the elastic collision. */
 static void first_order(void **state)
 {
     (void)state;
