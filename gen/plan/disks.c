@@ -383,7 +383,6 @@ static char *disks_title(const struct plan *plan, const struct disks *d)
 static int disks_fill(struct plan *plan, struct disks *d)
 {
     static const char *const quantity[] = {"eps", "contact time", "largest compression"};
-    disks_collide_all(plan, d);
     d->truth = xmalloc((size_t)plan->points * sizeof *d->truth);
     hard_wall_tables_set(&d->tables, d->modes.nu);
     int status = STATUS_OK;
