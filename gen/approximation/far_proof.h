@@ -9,8 +9,8 @@
 #include "approximation/row_proof.h"
 #include "enclosure/far_motion.h"
 
-/* The formulas are proved from just below u = 10 on, their inverse from 9.7 on, where eps > 2^-23; both up to the largest
- * double. */
+/* The formulas are proved from just below u = 10 on, their inverse from 9.7 on, where eps > 2^-23; both up to the
+ * largest double. */
 #define FAR_PROOF_FROM 9.99
 #define FAR_PROOF_INVERSE_FROM 9.7
 #define FAR_PROOF_TO 710.0

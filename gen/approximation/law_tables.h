@@ -33,8 +33,8 @@ int law_tables_emit(struct emit *e, const struct law_tables *t);
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
 
-/* The numbers of one row, FAR_COLUMNS or INVERSE_COLUMNS: the coefficients a_0, a_0', a_1, a_1', a_2, ... of a quantity,
- * where a dash marks the remainder of a double; the inverse of eps at zero force beyond the rows, a, a', b_0, ...
+/* The numbers of one row. FAR_COLUMNS: the coefficients a_0, a_0', a_1, a_1', a_2, ... of a quantity, where a dash
+ * marks the remainder of a double. INVERSE_COLUMNS: the inverse of eps at zero force beyond the rows, a, a', b_0, ...
  * (interpolant_far_inverse). */
 void law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity);
 void law_tables_far_inverse_row(arb_ptr row, const struct law_tables *t);

@@ -40,6 +40,11 @@ arb_poly_struct *expansion_term(struct expansion *x, slong i, slong j)
     return &x->c[term_index(i, j)];
 }
 
+const arb_poly_struct *expansion_term_of(const struct expansion *x, slong i, slong j)
+{
+    return &x->c[term_index(i, j)];
+}
+
 void expansion_add_number(struct expansion *x, slong i, slong j, const arb_t c)
 {
     arb_t sum;
@@ -89,7 +94,7 @@ void expansion_norm_of_degree(mag_t bound, const struct expansion *x, slong degr
     mag_zero(bound);
     for (slong j = 0; j <= degree; j++) {
         weight(factor, x->domain, degree - j, j);
-        polynomial_norm(term, &x->c[term_index(degree - j, j)], 0);
+        polynomial_norm(term, expansion_term_of(x, degree - j, j), 0);
         mag_addmul(bound, factor, term);
     }
     mag_clear(factor);
@@ -187,7 +192,8 @@ void expansion_multiply(struct expansion *z, const struct expansion *x, const st
         for (slong j = 0; j <= m; j++)
             for (slong n = 0; m + n <= EXPANSION_ORDER; n++)
                 for (slong l = 0; l <= n; l++)
-                    add_product(&sum, &x->c[term_index(m - j, j)], m - j, j, &y->c[term_index(n - l, l)], n - l, l);
+                    add_product(&sum, expansion_term_of(x, m - j, j), m - j, j, expansion_term_of(y, n - l, l), n - l,
+                                l);
     add_product_rest(&sum, x, y);
     expansion_set(z, &sum);
     expansion_clear(&sum);
@@ -207,7 +213,7 @@ void expansion_times_a(struct expansion *y, const struct expansion *x, slong pow
             mag_add(product.rest, product.rest, term);
         } else {
             for (slong j = 0; j <= m; j++)
-                arb_poly_set(expansion_term(&product, m - j + power, j), &x->c[term_index(m - j, j)]);
+                arb_poly_set(expansion_term(&product, m - j + power, j), expansion_term_of(x, m - j, j));
         }
     mag_pow_ui(factor, y->domain->a, (ulong)power);
     mag_mul(product.rest, product.rest, factor);
@@ -293,7 +299,7 @@ void expansion_substitute(struct expansion *y, const struct expansion *x, const 
     mag_one(one);
     for (slong m = 0; m <= EXPANSION_ORDER; m++)
         for (slong j = 0; j <= m; j++) {
-            polynomial_of(&term, &x->c[term_index(m - j, j)], e);
+            polynomial_of(&term, expansion_term_of(x, m - j, j), e);
             for (slong k = 0; k < j; k++)
                 expansion_multiply(&term, &term, tau);
             expansion_times_a(&term, &term, m - j);

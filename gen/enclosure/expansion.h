@@ -35,8 +35,9 @@ void expansion_clear(struct expansion *x);
 void expansion_zero(struct expansion *x);
 void expansion_set(struct expansion *y, const struct expansion *x);
 
-/* c_ij */
+/* c_ij, to be changed or read */
 arb_poly_struct *expansion_term(struct expansion *x, slong i, slong j);
+const arb_poly_struct *expansion_term_of(const struct expansion *x, slong i, slong j);
 
 /* Adds c to the constant of c_ij, and a bound to the rest. */
 void expansion_add_number(struct expansion *x, slong i, slong j, const arb_t c);
@@ -53,8 +54,8 @@ void expansion_scale(struct expansion *y, const struct expansion *x, const arb_t
 void expansion_multiply(struct expansion *z, const struct expansion *x, const struct expansion *y);
 void expansion_times_a(struct expansion *y, const struct expansion *x, slong power);
 
-/* sum_k coefficient[k] x^k, k <= EXPANSION_ORDER, of a power series without a later coefficient above 1. c_00 of x, which
- * should be a rounding error, joins its rest. The rest is infinite unless |x| < 1. */
+/* sum_k coefficient[k] x^k, k <= EXPANSION_ORDER, of a power series without a later coefficient above 1. c_00 of x,
+ * which should be a rounding error, joins its rest. The rest of the result is infinite unless |x| < 1. */
 void expansion_series(struct expansion *y, const struct expansion *x, arb_srcptr coefficient);
 
 /* (1 + x)^(p/q) by expansion_series, |p/q| <= 1 */

@@ -137,16 +137,15 @@ static void speed_map(struct expansion *w, const struct expansion *x, void *cont
     (void)context;
     struct expansion inverse;
     arb_t c;
-    mag_t bound, most;
+    mag_t bound;
     expansion_init(&inverse, x->domain);
     arb_init(c);
     mag_init(bound);
-    mag_init(most);
     power_of_half(&inverse, x, -1, 1);
     expansion_zero(w);
     set_line(expansion_term(w, 0, 0));
     for (slong k = 0; k < EXPANSION_ORDER; k++) {
-        const arb_poly_struct *const v = expansion_term(&inverse, k, 0);
+        const arb_poly_struct *const v = expansion_term_of(&inverse, k, 0);
         for (slong n = 0; n < arb_poly_length(v); n++) {
             arb_mul_si(c, arb_poly_get_coeff_ptr(v, n), -3, BITS);
             arb_div_si(c, c, 5 * (k + 1) + 3 * n, BITS);
@@ -161,7 +160,6 @@ static void speed_map(struct expansion *w, const struct expansion *x, void *cont
     expansion_clear(&inverse);
     arb_clear(c);
     mag_clear(bound);
-    mag_clear(most);
 }
 
 /* eta/mu = X* 2^(-5/3) where zeta = 1/2 */
@@ -175,7 +173,7 @@ static void end_ratio(arb_t ratio, const struct motion *m)
 
 /* The integral of dzeta/(Y w) up to zeta = 1/2, and w there, as series in mu. With Y = (X*)^(1/2) zeta^(1/3) the
  * integral of eta^k zeta^n/Y is eta^k zeta^(n + 2/3)/(5 k/3 + n + 2/3)/(X*)^(1/2). */
-static void start_end(struct motion *m, struct expansion *w)
+static void start_end(struct motion *m, const struct expansion *w)
 {
     struct expansion inverse;
     arb_t ratio, scale, sum, c;
@@ -188,7 +186,7 @@ static void start_end(struct motion *m, struct expansion *w)
     end_ratio(ratio, m);
     arb_one(scale);
     for (slong k = 0; k <= EXPANSION_ORDER; k++) {
-        const arb_poly_struct *const speed = expansion_term(w, k, 0), *const v = expansion_term(&inverse, k, 0);
+        const arb_poly_struct *const speed = expansion_term_of(w, k, 0), *const v = expansion_term_of(&inverse, k, 0);
         arb_one(c);
         arb_poly_evaluate(sum, speed, c, BITS);
         arb_mul(sum, sum, scale, BITS);
@@ -204,7 +202,7 @@ static void start_end(struct motion *m, struct expansion *w)
         arb_mul(scale, scale, ratio, BITS);
     }
     expansion_add_rest(&m->first_distance, w->rest);
-    expansion_add_rest(&m->first_time, inverse.rest);
+    expansion_add_rest(&m->first_time, inverse.rest); /* twice, more than the 3/2 of the integral */
     expansion_add_rest(&m->first_time, inverse.rest);
     /* zeta^(2/3)/(X*)^(1/2) */
     arb_set_d(c, 0.5);
@@ -372,7 +370,7 @@ static void zeta_of(struct expansion *zeta, const struct expansion *h, const str
     for (slong degree = 0; degree < EXPANSION_ORDER; degree++)
         for (slong j = 0; j <= degree; j++) {
             const slong i = degree - j;
-            const arb_poly_struct *const p = &h->c[(degree * (degree + 1)) / 2 + j];
+            const arb_poly_struct *const p = expansion_term_of(h, i, j);
             for (slong n = 1; n < arb_poly_length(p); n++)
                 add_integral(&sum, arb_poly_get_coeff_ptr(p, n), i + 1, j, n);
             arb_poly_get_coeff_arb(c, p, 0);
@@ -434,7 +432,7 @@ static void solve_time(struct motion *m, const struct expansion *rate)
     for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
         for (slong j = 0; j <= degree; j++) {
             const slong i = degree - j;
-            const arb_poly_struct *const p = &rate->c[(degree * (degree + 1)) / 2 + j];
+            const arb_poly_struct *const p = expansion_term_of(rate, i, j);
             for (slong n = 1; n < arb_poly_length(p); n++)
                 add_integral(&m->time, arb_poly_get_coeff_ptr(p, n), i, j, n);
             arb_poly_get_coeff_arb(c, p, 0);
@@ -591,7 +589,7 @@ static void add_series(struct far_series *s, const struct expansion *x, slong lo
     arb_init(sum);
     for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
         for (slong j = 0; j <= degree; j++) {
-            arb_poly_get_coeff_arb(c, &x->c[(degree * (degree + 1)) / 2 + j], 0);
+            arb_poly_get_coeff_arb(c, expansion_term_of(x, degree - j, j), 0);
             for (slong k = 0; k < j; k++) {
                 arb_mul_ui(c, c, 5, BITS);
                 arb_div_ui(c, c, 3, BITS);
@@ -644,6 +642,8 @@ static void solve_event(struct far_series *overlap, struct far_series *time, str
 
 /* ---- all of it ---- */
 
+enum { DOMAINS = 3, IN_FALL = 8 /* models over the domain of the fall */, SERIES = 4 };
+
 /* mu at FAR_MOTION_LEAST_U bounds mu, and 5/2 times mu ln(1/mu) there should bound tau. */
 static void set_domains(struct motion *m)
 {
@@ -673,9 +673,9 @@ static void set_domains(struct motion *m)
 
 static void motion_init(struct motion *m)
 {
-    struct expansion *const in_fall[] = {&m->first_distance, &m->first_time,  &m->zeta, &m->overlap,
-                                         &m->manifold_speed, &m->force_speed, &m->time, &m->time_per_l};
-    struct expansion_domain *const domain[] = {&m->start, &m->fall, &m->event};
+    struct expansion *const in_fall[IN_FALL] = {&m->first_distance, &m->first_time,  &m->zeta, &m->overlap,
+                                                &m->manifold_speed, &m->force_speed, &m->time, &m->time_per_l};
+    struct expansion_domain *const domain[DOMAINS] = {&m->start, &m->fall, &m->event};
     m->proved = true;
     mag_init(m->defect);
     manifold_init(&m->manifold);
@@ -684,23 +684,23 @@ static void motion_init(struct motion *m)
     arb_set_d(m->root_of_limit, 1.5);
     arb_root_ui(m->root_of_limit, m->root_of_limit, 3, BITS);
     arb_sqr(m->limit, m->root_of_limit, BITS);
-    for (size_t k = 0; k < sizeof domain / sizeof *domain; k++) {
+    for (int k = 0; k < DOMAINS; k++) {
         mag_init(domain[k]->a);
         mag_init(domain[k]->b);
     }
     set_domains(m);
-    for (size_t k = 0; k < sizeof in_fall / sizeof *in_fall; k++)
+    for (int k = 0; k < IN_FALL; k++)
         expansion_init(in_fall[k], &m->fall);
 }
 
 static void motion_clear(struct motion *m)
 {
-    struct expansion *const in_fall[] = {&m->first_distance, &m->first_time,  &m->zeta, &m->overlap,
-                                         &m->manifold_speed, &m->force_speed, &m->time, &m->time_per_l};
-    struct expansion_domain *const domain[] = {&m->start, &m->fall, &m->event};
-    for (size_t k = 0; k < sizeof in_fall / sizeof *in_fall; k++)
+    struct expansion *const in_fall[IN_FALL] = {&m->first_distance, &m->first_time,  &m->zeta, &m->overlap,
+                                                &m->manifold_speed, &m->force_speed, &m->time, &m->time_per_l};
+    struct expansion_domain *const domain[DOMAINS] = {&m->start, &m->fall, &m->event};
+    for (int k = 0; k < IN_FALL; k++)
         expansion_clear(in_fall[k]);
-    for (size_t k = 0; k < sizeof domain / sizeof *domain; k++) {
+    for (int k = 0; k < DOMAINS; k++) {
         mag_clear(domain[k]->a);
         mag_clear(domain[k]->b);
     }
@@ -713,10 +713,10 @@ static void motion_clear(struct motion *m)
 bool far_motion_init(struct far_motion *m)
 {
     struct motion motion;
-    struct far_series *const series[] = {&m->max_overlap, &m->time_of_max_overlap, &m->eps_zero_force,
-                                         &m->duration_zero_force};
+    struct far_series *const series[SERIES] = {&m->max_overlap, &m->time_of_max_overlap, &m->eps_zero_force,
+                                               &m->duration_zero_force};
     bool proved = true;
-    for (size_t k = 0; k < sizeof series / sizeof *series; k++)
+    for (int k = 0; k < SERIES; k++)
         far_series_init(series[k]);
     motion_init(&motion);
     solve_start(&motion);
@@ -724,7 +724,7 @@ bool far_motion_init(struct far_motion *m)
     solve_event(&m->max_overlap, &m->time_of_max_overlap, &motion, 1, &motion.manifold_speed);
     solve_event(&m->eps_zero_force, &m->duration_zero_force, &motion, 2, &motion.force_speed);
     proved = motion.proved;
-    for (size_t k = 0; k < sizeof series / sizeof *series; k++)
+    for (int k = 0; k < SERIES; k++)
         proved = proved && mag_is_finite(series[k]->rest) && mag_is_finite(series[k]->rest_per_u);
     motion_clear(&motion);
     return proved;

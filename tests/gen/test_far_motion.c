@@ -303,6 +303,11 @@ static void test_collisions(void **state)
             }
         }
     }
+    for (int i = 0; i < SERIES; i++) { /* (8.8) */
+        const bool is_time = i % 2 == 1;
+        assert_true(mag_get_d(series_of(i)->rest) <= (is_time ? 5.4e-24 : 1.7e-24));
+        assert_true(mag_get_d(series_of(i)->rest_per_u) <= (is_time ? 2.4e-24 : 0));
+    }
     arb_set_d(u, nextafter(FAR_MOTION_LEAST_U, 0));
     far_series_value(y, series_of(0), u, BITS);
     assert_false(arb_is_finite(y));
@@ -401,7 +406,8 @@ enum { FORMULAS = sizeof formulas / sizeof *formulas };
 static double factor_of(int k, double u)
 {
     const double mu = exp(-5 * u / 3);
-    return k < 4 ? pow(u, k / 2) : k < 7 ? mu * pow(u, k - 4) : mu * mu * pow(u, k - 7);
+    const int power = k < 4 ? k / 2 : k < 7 ? k - 4 : k - 7;
+    return pow(mu, k < 4 ? 0 : k < 7 ? 1 : 2) * pow(u, power);
 }
 
 /* The error of a formula, relative to the series, at u */
@@ -448,7 +454,7 @@ static void test_formulas(void **state)
         if (!(bits >= f->least_bits && bits <= -log2(worst) && bits >= -log2(worst) - 0.3))
             fail_msg("quantity %d: %g bits proved, %g sampled", (int)f->quantity, bits, -log2(worst));
         for (int k = 0; k < INTERPOLANT_FAR + 2; k++) {
-            if (!in_turn((size_t)(k + i), 4))
+            if (!in_turn((size_t)k + (size_t)i, 4))
                 continue;
             const double kept = c[k], value = c[0] + c[2] * FAR_PROOF_FROM;
             c[k] += (random_below(&random_state, 2) ? 0x1p-50 : -0x1p-50) * value / factor_of(k, FAR_PROOF_FROM) *
@@ -469,6 +475,14 @@ static void test_inverse(void **state)
     const double bits = far_proof_bits(&proof, BETA_ZERO_FORCE, c), e = 0x1p-23 / c[0], v = -0.6 * log(e);
     if (!(bits >= 55.5 && bits <= 57))
         fail_msg("%g bits proved of the inverse", bits);
+    arb_t u, eps; /* The inverse is used where eps < 2^-23 only. */
+    arb_init(u);
+    arb_init(eps);
+    arb_set_d(u, FAR_PROOF_INVERSE_FROM);
+    far_series_value(eps, &proof.motion.eps_zero_force, u, BITS);
+    assert_true(arf_get_d(arb_midref(eps), ARF_RND_NEAR) * exp(-5 * FAR_PROOF_INVERSE_FROM / 3) > 1.01 * 0x1p-23);
+    arb_clear(u);
+    arb_clear(eps);
     for (int k = 0; k < INTERPOLANT_FAR_INVERSE + 1; k++) {
         if (!in_turn((size_t)k, 4))
             continue;
