@@ -3,6 +3,7 @@
 set(COR_GENERATOR_SOURCES
   gen/approximation/ellipse_bound.c
   gen/approximation/enclosed_function.c
+  gen/approximation/far_proof.c
   gen/approximation/float_rows.c
   gen/approximation/function_rows.c
   gen/approximation/interpolant.c
@@ -46,6 +47,8 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/complex_collision.c
   gen/enclosure/creep_series.c
   gen/enclosure/events.c
+  gen/enclosure/expansion.c
+  gen/enclosure/far_motion.c
   gen/enclosure/motion.c
   gen/enclosure/slow_manifold.c
   gen/enclosure/taylor.c

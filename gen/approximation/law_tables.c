@@ -6,12 +6,7 @@
 
 #include "support/console.h"
 
-enum {
-    ATTEMPTS = 3,
-    FAR_COLUMNS = INTERPOLANT_FAR + 2,
-    INVERSE_COLUMNS = INTERPOLANT_FAR_INVERSE + 1,
-    SPLIT_BITS = 192
-};
+enum { ATTEMPTS = 3, SPLIT_BITS = 192 };
 
 /* Allowed relative error of the interpolant, small enough to sample rows against the interpolant */
 #define INTERPOLANT_LIMIT 4e-18
@@ -129,15 +124,27 @@ int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, cons
     return status;
 }
 
-int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name,
-                        const char *title)
+void law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity)
 {
-    arb_ptr row = _arb_vec_init(FAR_COLUMNS);
     interpolant_far(row + 2, t->f, quantity);
     arb_set(row, row + 2);
     arb_set(row + 2, row + 3);
     split(row, row + 1);
     split(row + 2, row + 3);
+}
+
+void law_tables_far_inverse_row(arb_ptr row, const struct law_tables *t)
+{
+    interpolant_far_inverse(row + 1, t->f);
+    arb_set(row, row + 1);
+    split(row, row + 1);
+}
+
+int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name,
+                        const char *title)
+{
+    arb_ptr row = _arb_vec_init(FAR_COLUMNS);
+    law_tables_far_row(row, t, quantity);
     const int status = emit_one_row(e, name, title, row, FAR_COLUMNS);
     _arb_vec_clear(row, FAR_COLUMNS);
     return status;
@@ -156,9 +163,7 @@ int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char 
 int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name, const char *title)
 {
     arb_ptr row = _arb_vec_init(INVERSE_COLUMNS);
-    interpolant_far_inverse(row + 1, t->f);
-    arb_set(row, row + 1);
-    split(row, row + 1);
+    law_tables_far_inverse_row(row, t);
     const int status = emit_one_row(e, name, title, row, INVERSE_COLUMNS);
     _arb_vec_clear(row, INVERSE_COLUMNS);
     return status;

@@ -6,7 +6,7 @@
 
 #include "approximation/law_layout.h"
 
-enum { LAW_TABLE_NAME_MAX = 192 };
+enum { LAW_TABLE_NAME_MAX = 192, FAR_COLUMNS = INTERPOLANT_FAR + 2, INVERSE_COLUMNS = INTERPOLANT_FAR_INVERSE + 1 };
 
 struct law_tables {
     struct law_layout layout; /* owned */
@@ -33,9 +33,14 @@ int law_tables_emit(struct emit *e, const struct law_tables *t);
 bool law_tables_have_far(const struct law_tables *t, enum quantity quantity);
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
 
-/* Write one row with the name and the title: v_f of eps at zero overlap as two doubles; the coefficients a_0, a_0',
- * a_1, a_1', a_2, ... of another quantity, where a dash marks the remainder of a double; the further term as two
- * doubles; the inverse of eps at zero force beyond the rows, a, a', b_0, ... (interpolant_far_inverse). */
+/* The numbers of one row. FAR_COLUMNS: the coefficients a_0, a_0', a_1, a_1', a_2, ... of a quantity, where a dash
+ * marks the remainder of a double. INVERSE_COLUMNS: the inverse of eps at zero force beyond the rows, a, a', b_0, ...
+ * (interpolant_far_inverse). */
+void law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity);
+void law_tables_far_inverse_row(arb_ptr row, const struct law_tables *t);
+
+/* Write one row with the name and the title: v_f of eps at zero overlap as two doubles; the coefficients of another
+ * quantity; the further term as two doubles; the inverse of eps at zero force. */
 int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name, const char *title);
 int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name,
                         const char *title);

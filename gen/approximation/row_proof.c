@@ -430,38 +430,50 @@ static void creep_sum(arb_poly_t y, const struct interpolant_proof *proof, const
     arb_clear(remainder);
 }
 
-/* duration/beta at zero overlap: the time of zero force and the creep's, 2 ln(Y) + sum. 2 ln(Y) = (10/3) u + ln(E) and
- * r = beta^(-5/3)/sqrt(E), where E = eps beta^(5/3) at zero force. */
+bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof *proof, const arb_poly_t eps,
+                             const arb_poly_t time, const arb_poly_t u, const arb_poly_t mu)
+{
+    arb_poly_t r, sum;
+    arb_t c;
+    arb_poly_init(r);
+    arb_poly_init(sum);
+    arb_init(c);
+    const bool root = enclosed_square_root(r, eps), done = root && enclosed_inverse(r, r);
+    enclosed_multiply(r, r, mu);
+    creep_sum(sum, proof, r);
+    const bool logarithm = enclosed_logarithm(r, eps);
+    arb_poly_add(sum, sum, r, ENCLOSED_BITS);
+    enclosed_multiply(r, time, mu);
+    arb_poly_add(sum, sum, r, ENCLOSED_BITS);
+    arb_set_ui(c, 10);
+    arb_div_ui(c, c, 3, ENCLOSED_BITS);
+    arb_poly_scalar_mul(r, u, c, ENCLOSED_BITS);
+    arb_poly_add(duration, sum, r, ENCLOSED_BITS);
+    arb_poly_clear(r);
+    arb_poly_clear(sum);
+    arb_clear(c);
+    return done && logarithm;
+}
+
 static void creep_duration(arb_poly_t y, const struct piece *w, const arb_t middle, const arb_t half)
 {
-    arb_poly_t E, r, power;
-    arb_t c;
-    arb_poly_init(E);
-    arb_poly_init(r);
-    arb_poly_init(power);
-    arb_init(c);
-    stored_on(E, w, EPS_ZERO_FORCE, middle, half);
-    enclosed_exponential(power, -5, 3, w->x);
-    const bool done = enclosed_square_root(y, E) && enclosed_inverse(r, y) && enclosed_logarithm(E, E);
-    enclosed_multiply(r, r, power);
-    creep_sum(y, w->proof, r);
-    arb_poly_add(y, y, E, ENCLOSED_BITS);
-    stored_on(r, w, DURATION_ZERO_FORCE, middle, half);
-    enclosed_multiply(r, r, power);
-    arb_poly_add(y, y, r, ENCLOSED_BITS);
-    arb_poly_scalar_mul_2exp_si(r, w->x, 1);
-    arb_set_ui(c, 5);
-    arb_div_ui(c, c, 3, ENCLOSED_BITS);
-    arb_poly_scalar_mul(r, r, c, ENCLOSED_BITS);
-    arb_poly_add(y, y, r, ENCLOSED_BITS);
-    if (!done) {
-        arb_pos_inf(c);
-        enclosed_add_radius(y, c);
+    arb_poly_t eps, time, mu;
+    arb_poly_init(eps);
+    arb_poly_init(time);
+    arb_poly_init(mu);
+    stored_on(eps, w, EPS_ZERO_FORCE, middle, half);
+    stored_on(time, w, DURATION_ZERO_FORCE, middle, half);
+    enclosed_exponential(mu, -5, 3, w->x);
+    if (!interpolant_proof_creep(y, w->proof, eps, time, w->x, mu)) {
+        arb_t error;
+        arb_init(error);
+        arb_pos_inf(error);
+        enclosed_add_radius(y, error);
+        arb_clear(error);
     }
-    arb_poly_clear(E);
-    arb_poly_clear(r);
-    arb_poly_clear(power);
-    arb_clear(c);
+    arb_poly_clear(eps);
+    arb_poly_clear(time);
+    arb_poly_clear(mu);
 }
 
 static void piece_init(struct piece *w, double lo, double hi)

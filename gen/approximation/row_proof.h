@@ -32,6 +32,12 @@ const struct ellipse_bound *interpolant_proof_bound(const struct interpolant_pro
 void interpolant_proof_eps(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct interpolant_proof *proof, int i,
                            enum quantity quantity, double lo, double hi);
 
+/* duration/beta at zero overlap as a function of t, from eps beta^(5/3) and duration beta^(2/3) at zero force, u =
+ * ln(beta) and mu = beta^(-5/3): the time of zero force and the creep's, 2 ln(Y) + C + a_1/Y + ..., Y = sqrt(eps
+ * beta^(5/3))/mu. Returns false if a function is not shown to be positive. */
+bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof *proof, const arb_poly_t eps,
+                             const arb_poly_t time, const arb_poly_t u, const arb_poly_t mu);
+
 /* -log2 of a proved bound of the relative error of a row of doubles c, p->degree + 2 columns, in its cell; NaN if there
  * is no proof. */
 double row_proof_bits(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c);

@@ -119,12 +119,8 @@ static const char *evidence(char text[EVIDENCE], const struct embed_scene *s, co
 {
     if (!(proof->error <= s->tolerance) && isfinite(proof->error))
         snprintf(text, EVIDENCE, "sampled, below; proved: %s", emit_bound(proof->error).text);
-    else if (proof->speed_end == 0)
-        snprintf(text, EVIDENCE, "sampled, below");
-    else if (proof->speed_end < s->speed_max)
-        snprintf(text, EVIDENCE, "proved up to %.6g m/s and\nsampled beyond, below", proof->speed_end);
     else
-        snprintf(text, EVIDENCE, "proved, below");
+        snprintf(text, EVIDENCE, "%s, below", proof->proved ? "proved" : "sampled");
     return text;
 }
 
@@ -145,16 +141,13 @@ static void append_scene(struct text *t, const struct embed_request *request, co
     flint_free(beta);
 }
 
-static void append_proof(struct text *t, const struct embed_scene *s, const struct embed_proof *proof)
+static void append_proof(struct text *t, const struct embed_proof *proof)
 {
     if (!isfinite(proof->rounding))
         return;
     const struct bound_text rounding = emit_bound(proof->rounding);
-    if (proof->speed_end == 0)
+    if (!proof->proved)
         text_append(t, "Proved: rounding errors of %s at most, ", rounding.text);
-    else if (proof->speed_end < s->speed_max)
-        text_append(t, "Proved at every speed up to %.6g m/s, beta = exp(10): %s at most, of which rounding %s,\n",
-                    proof->speed_end, emit_bound(proof->error).text, rounding.text);
     else
         text_append(t, "Proved at every speed of the range: %s at most, of which rounding %s,\n",
                     emit_bound(proof->error).text, rounding.text);
@@ -174,7 +167,7 @@ static void append_choice(struct text *t, const struct embed_request *request, c
                 embed_family_name(chosen, &s->law), size, rule_of_purpose(request->purpose),
                 embed_purpose_names[request->purpose], emit_bound(f->error).text, f->error_at, EMBED_SAMPLES,
                 f->rows > 0 ? "No branch; one table." : "No branch, no table.");
-    append_proof(t, s, proof);
+    append_proof(t, proof);
     text_append(
         t, "\nThe cheapest of each kind. error: the largest found. ns are made from the operations and what they cost\n"
            "in a loop where that was measured (docs/embed.md): right as ratios. Division and square root run beside\n"
@@ -189,10 +182,7 @@ static void append_provenance(struct text *t, const struct embed_scene *s, const
         "\nFitted to and compared with collisions %s enclosed to 76 bits or\n"
         "more (proved), which are interpolated to 1e-17 (%s); coefficients\n"
         "rounded once to the type. C99, C++11, CUDA and HIP; needs math.h, stdint.h and string.h. docs/embed.md.\n\n",
-        law_equation(&s->law).text,
-        proof->speed_end == 0             ? "sampled"
-        : proof->speed_end < s->speed_max ? "sampled; as far as proved, their error is included"
-                                          : "sampled; the proof includes their proved error");
+        law_equation(&s->law).text, proof->proved ? "sampled; the proof includes their proved error" : "sampled");
 }
 
 /* ---- the function ---- */

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "approximation/enclosed_function.h"
+#include "approximation/far_proof.h"
 #include "approximation/row_proof.h"
 #include "support/console.h"
 #include "support/parallel.h"
@@ -14,7 +15,7 @@ enum {
     DEPTH = 12,      /* halvings of a part, at most */
     HALVINGS = 2,    /* of polynomials on a part */
     POINTS = 6,      /* on each side of a part's middle, where the error is evaluated first */
-    FAR = -1         /* in place of an interval: beta >= EMBED_FAR at zero overlap */
+    FAR = -1         /* in place of an interval: beyond the last */
 };
 
 /* Longest part in ln(beta) */
@@ -37,8 +38,9 @@ struct prover {
     const struct embed_scene *s;
     struct interpolant_proof *interpolant;
     enum quantity quantity;
-    arb_t factor;      /* variable = factor beta^(5/root) */
-    double last_speed; /* where the intervals end, at zero force */
+    struct far_proof far; /* for beta >= exp(10) at zero force */
+    bool far_known;
+    arb_t factor; /* variable = factor beta^(5/root) */
     double enough;
     struct part *part;
     slong parts;
@@ -46,6 +48,42 @@ struct prover {
 };
 
 /* ---- a part ---- */
+
+/* eps at zero overlap for beta >= EMBED_FAR, as a function of x = ln(beta) */
+static void far_eps_overlap(arb_poly_t eps, const arb_poly_t x, const struct prover *w)
+{
+    arb_t radius, error;
+    arb_init(radius);
+    arb_init(error);
+    enclosed_exponential(eps, -5, 1, x);
+    arb_poly_scalar_mul(eps, eps, w->s->h_star_5, ENCLOSED_BITS);
+    enclosed_range(radius, eps);
+    arb_abs(radius, radius);
+    arb_set_d(error, EMBED_FAR_ERROR);
+    arb_mul(radius, radius, error, ENCLOSED_BITS);
+    enclosed_add_radius(eps, radius);
+    arb_clear(radius);
+    arb_clear(error);
+}
+
+/* eps at zero force beyond the intervals; not finite without a proof */
+static void far_eps_force(arb_poly_t eps, const arb_poly_t x, const struct prover *w, const struct part *part)
+{
+    arb_poly_t power;
+    arb_poly_init(power);
+    enclosed_exponential(power, -5, 3, x);
+    if (w->far_known && far_proof_function(eps, &w->far, EPS_ZERO_FORCE, part->lo, part->hi)) {
+        enclosed_multiply(eps, eps, power);
+    } else {
+        arb_t radius;
+        arb_init(radius);
+        arb_pos_inf(radius);
+        arb_poly_zero(eps);
+        enclosed_add_radius(eps, radius);
+        arb_clear(radius);
+    }
+    arb_poly_clear(power);
+}
 
 /* x, beta and eps as functions of t */
 static void part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct prover *w,
@@ -55,23 +93,12 @@ static void part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
         interpolant_proof_eps(eps, beta, x, w->interpolant, part->interval, w->quantity, part->lo, part->hi);
         return;
     }
-    arb_t radius, unit;
-    arb_init(radius);
-    arb_init(unit);
-    arb_set_d(unit, part->hi / 2 - part->lo / 2);
-    arb_poly_set_coeff_arb(x, 1, unit);
-    arb_set_d(unit, part->hi / 2 + part->lo / 2);
-    arb_poly_set_coeff_arb(x, 0, unit);
+    far_proof_variable(x, part->lo, part->hi);
     enclosed_exponential(beta, 1, 1, x);
-    enclosed_exponential(eps, -5, 1, x);
-    arb_poly_scalar_mul(eps, eps, w->s->h_star_5, ENCLOSED_BITS);
-    enclosed_range(radius, eps);
-    arb_abs(radius, radius);
-    arb_set_d(unit, EMBED_FAR_ERROR);
-    arb_mul(radius, radius, unit, ENCLOSED_BITS);
-    enclosed_add_radius(eps, radius);
-    arb_clear(radius);
-    arb_clear(unit);
+    if (w->quantity == EPS_ZERO_OVERLAP)
+        far_eps_overlap(eps, x, w);
+    else
+        far_eps_force(eps, x, w, part);
 }
 
 /* The variable of the polynomials; x is sqrt(beta) or ln(beta) */
@@ -215,12 +242,11 @@ static double place_of_speed(const struct prover *w, double speed, bool by_log, 
     return place;
 }
 
-enum coverage { COVERED, ENDED, /* beyond the last interval there is no proof */ GAP };
-
-/* Adds parts that cover all speeds from lo to hi, up to the end of the last interval. */
-static enum coverage cover_range(struct prover *w, slong row, double lo, double hi)
+/* Adds parts that cover all speeds from lo to hi. Returns false if there is a gap. */
+static bool cover_range(struct prover *w, slong row, double lo, double hi)
 {
     const double last = interpolant_sphere_proof.interval[interpolant_sphere_proof.intervals - 1].hi;
+    const double far = w->quantity == EPS_ZERO_OVERLAP ? log(EMBED_FAR) + SLACK : last;
     const double root_end = place_of_speed(w, hi, false, true), log_end = place_of_speed(w, hi, true, true);
     double root = place_of_speed(w, lo, false, false), log_place = place_of_speed(w, lo, true, false);
     bool covered = false;
@@ -237,18 +263,18 @@ static enum coverage cover_range(struct prover *w, slong row, double lo, double 
         root = by_log ? root_end : interval->hi;
         log_place = by_log ? interval->hi : 2 * log(root) - SLACK;
     }
-    if (!covered && w->quantity == EPS_ZERO_OVERLAP && log_place > log(EMBED_FAR) + SLACK) {
+    if (!covered && log_place >= far) {
         add_parts(w, FAR, row, log_place, log_end, LOG_PART);
         covered = true;
     }
-    return covered ? COVERED : w->quantity == EPS_ZERO_FORCE && log_place >= last ? ENDED : GAP;
+    return covered;
 }
 
-/* Adds the parts of a form. Returns the speed up to which they cover its range; 0 if there is a gap. */
-static double cover_form(struct prover *w, const struct embed_rounding *rounding)
+/* Adds the parts of a form. Returns false if there is a gap. */
+static bool cover_form(struct prover *w, const struct embed_rounding *rounding)
 {
     const struct embed_form *const f = w->f;
-    enum coverage covered = COVERED;
+    bool covered = true;
     if (f->rows == 0)
         covered = cover_range(w, 0, f->speed_min, f->speed_max);
     for (slong row = 0; row < f->rows; row++) {
@@ -263,24 +289,16 @@ static double cover_form(struct prover *w, const struct embed_rounding *rounding
         lo = fmax(lo, f->speed_min);
         hi = fmin(hi, f->speed_max);
         if (lo <= hi)
-            covered = (enum coverage)FLINT_MAX(covered, cover_range(w, row, lo, hi));
+            covered = cover_range(w, row, lo, hi) && covered;
     }
-    return covered == COVERED ? f->speed_max : covered == ENDED ? w->last_speed : 0;
+    return covered;
 }
 
 /* ---- the proof ---- */
 
-/* Where ln(beta) is the end of the last interval, or a little below; 0 if that is below the scene */
-static double last_speed(const struct embed_scene *s)
-{
-    const double end = interpolant_sphere_proof.interval[interpolant_sphere_proof.intervals - 1].hi;
-    const double speed = s->speed_min * exp(5 * (end - log(s->beta_min))) * (1 - 1e-9);
-    return speed > s->speed_min ? speed : 0;
-}
-
 static void prove_formula(struct embed_proof *proof, struct prover *w, const struct embed_rounding *rounding)
 {
-    proof->speed_end = cover_form(w, rounding);
+    proof->proved = cover_form(w, rounding);
     w->error = xmalloc((size_t)(w->parts + 1) * sizeof *w->error);
     parallel_for(prove_part, w, w->parts, "proof");
     proof->formula = w->parts > 0 ? 0 : HUGE_VAL;
@@ -288,8 +306,8 @@ static void prove_formula(struct embed_proof *proof, struct prover *w, const str
         proof->formula = fmax(proof->formula, isnan(w->error[i]) ? HUGE_VAL : w->error[i]);
     /* (1 + formula)(1 + rounding) - 1 */
     proof->error = (proof->formula + proof->rounding * (1 + proof->formula)) * (1 + 1e-12);
-    if (!isfinite(proof->error) || proof->speed_end == 0) {
-        proof->speed_end = 0;
+    if (!isfinite(proof->error) || !proof->proved) {
+        proof->proved = false;
         proof->formula = proof->error = HUGE_VAL;
     }
 }
@@ -312,13 +330,19 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
         w.interpolant = interpolant_proof_new(s->interpolant, 1u << w.quantity, ELLIPSES_STATED);
         status = w.interpolant ? STATUS_OK : STATUS_FAILED;
     }
+    w.far_known = w.quantity == EPS_ZERO_FORCE && s->beta_max > exp(FAR_PROOF_FROM);
+    if (w.far_known && status == STATUS_OK)
+        status = far_proof_init(&w.far, NULL);
+    else
+        w.far_known = false;
     if (status == STATUS_OK) {
         arb_init(w.factor);
-        w.last_speed = last_speed(s);
         arb_pow_ratio(w.factor, s->beta_per_root, ratio_make(-5, (slong)embed_root_degree(f->variable)), EMBED_BITS);
         prove_formula(proof, &w, &rounding);
         arb_clear(w.factor);
     }
+    if (w.far_known)
+        far_proof_clear(&w.far);
     interpolant_proof_free(w.interpolant);
     free(w.part);
     free(w.error);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A proved bound of a form's error at every speed of its scene (docs/embed.md, "Tolerance"). The formula with the
- * header's coefficients is compared with the proved interpolant of the collision as functions (row_proof.h), and the
- * rounding errors are added (rounding.h). */
+ * header's coefficients is compared with the proved interpolant of the collision as functions (row_proof.h), beyond it
+ * with what is proved at large beta (far_proof.h), and the rounding errors are added (rounding.h). */
 #ifndef COR_GEN_EMBED_PROOF_H
 #define COR_GEN_EMBED_PROOF_H
 
@@ -14,10 +14,10 @@
 #define EMBED_FAR_ERROR 2.7e-17
 
 struct embed_proof {
-    double error;     /* relative, of eps from the header; infinite without a proof */
-    double formula;   /* of that the formula without rounding */
-    double rounding;  /* and the rounding */
-    double speed_end; /* proved up to this speed; 0 without a proof. From here on, beta > exp(10) at zero force */
+    double error;    /* relative, of eps from the header; infinite without a proof */
+    double formula;  /* of that the formula without rounding */
+    double rounding; /* and the rounding */
+    bool proved;     /* the error, at every speed of the range */
 };
 
 /* Proves the error of a form of spheres, sampled before. For other laws only the rounding has a bound. Returns

@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include "tables/sphere.h"
 
+#include <math.h>
+
+#include "approximation/far_proof.h"
 #include "approximation/law_tables.h"
 #include "approximation/row_proof.h"
 #include "support/console.h"
+#include "support/digits.h"
 #include "support/evaluator_text.h"
 
 /* The sphere's layout, one instance of law_layout.h. Only this file defines its geometry; macros of the headers pass it
@@ -67,19 +71,60 @@ static const struct {
 };
 enum { FAR_TABLES = sizeof far_tables / sizeof *far_tables };
 
+/* Bits that the proofs of the formulas for large beta, and of their inverse, must reach */
+#define FAR_BITS 64.5
+#define INVERSE_BITS 55.5
+
 static struct {
     bool made;
     struct law_tables tables;
+    double far_bits[FAR_TABLES], inverse_bits; /* proved */
 } data;
 
-/* Proves the rows of every table. */
-static int prove_rows(struct law_tables *t)
+/* Proves the formula with the coefficients of a row. */
+static int prove_far_row(double *bits, const struct far_proof *proof, enum quantity quantity, arb_srcptr row,
+                         slong columns, double least_bits)
+{
+    double c[FAR_COLUMNS];
+    for (slong i = 0; i < columns; i++)
+        if (!digits_to_double(&c[i], row + i))
+            return fail("a coefficient for large beta is not known well enough to be rounded");
+    *bits = far_proof_bits(proof, quantity, c);
+    return *bits >= least_bits ? STATUS_OK
+                               : fail("the formula of quantity %d for large beta: %.2f bits are proved, not the %.1f "
+                                      "it must reach",
+                                      quantity, *bits, least_bits);
+}
+
+/* Proves the formulas for large beta and the inverse of the one for eps. */
+static int prove_far(const struct law_tables *t, const struct interpolant_proof *rows)
+{
+    struct far_proof proof;
+    arb_ptr row = _arb_vec_init(FAR_COLUMNS);
+    int status = far_proof_init(&proof, rows);
+    for (int i = 0; i < FAR_TABLES && status == STATUS_OK; i++) {
+        law_tables_far_row(row, t, far_tables[i].quantity);
+        status = prove_far_row(&data.far_bits[i], &proof, far_tables[i].quantity, row, FAR_COLUMNS, FAR_BITS);
+    }
+    if (status == STATUS_OK) {
+        law_tables_far_inverse_row(row, t);
+        status = prove_far_row(&data.inverse_bits, &proof, BETA_ZERO_FORCE, row, INVERSE_COLUMNS, INVERSE_BITS);
+    }
+    far_proof_clear(&proof);
+    _arb_vec_clear(row, FAR_COLUMNS);
+    return status;
+}
+
+/* Proves the rows of every table, and what follows them at large beta. */
+static int prove_tables(struct law_tables *t)
 {
     struct interpolant_proof *proof = interpolant_proof_new(t->f, SET_ALL, ELLIPSES_PROVED);
     int status = proof ? STATUS_OK : STATUS_FAILED;
     for (int i = 0; i < t->layout.tables && status == STATUS_OK; i++)
         if (t->rows[i].has)
             status = row_proof_table(&t->rows[i].pieces, proof);
+    if (status == STATUS_OK)
+        status = prove_far(t, proof);
     interpolant_proof_free(proof);
     return status;
 }
@@ -91,7 +136,7 @@ static int sphere_data_make(void)
     law_layout_init_given(&data.tables.layout, &interpolant_sphere_proof, layout_tables, TABLES, CHECK_POINTS);
     int status = law_tables_make(&data.tables, "cor_rows");
     if (status == STATUS_OK)
-        status = prove_rows(&data.tables);
+        status = prove_tables(&data.tables);
     data.made = status == STATUS_OK;
     if (!data.made)
         law_tables_clear(&data.tables);
@@ -110,6 +155,20 @@ const struct interpolant *sphere_tables_interpolant(void)
     return sphere_data_make() ? NULL : data.tables.f;
 }
 
+static double least_far_bits(void)
+{
+    double bits = data.far_bits[0];
+    for (int i = 1; i < FAR_TABLES; i++)
+        bits = fmin(bits, data.far_bits[i]);
+    return bits;
+}
+
+/* A comment with the proved relative error, rounded up */
+static void emit_far_comment(struct emit *e, const char *form, double bits)
+{
+    emit_comment(e, "%s\nRelative error, proved for every finite double: below 2^-%.1f.", form, floor(10 * bits) / 10);
+}
+
 static int emit_tables(struct emit *e)
 {
     emit_comment(e, "A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
@@ -121,19 +180,20 @@ static int emit_tables(struct emit *e)
                     "on. Proved.");
     if (law_tables_emit_final_speed(e, &data.tables, "cor_rows_h_star_5", "h*^5, and what that double lacks"))
         return STATUS_FAILED;
-    emit_comment(
+    emit_far_comment(
         e,
         "u = ln(beta) >= 10: a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3),\n"
-        "mu = beta^(-5/3), through nine enclosed collisions with u = 9.5 ... 13.5. Terms in mu^3 are left\n"
-        "out: less than 2^-57 at u = 10, sampled in tests/accuracy.");
+        "mu = beta^(-5/3), through nine enclosed collisions with u = 9.5 ... 13.5.",
+        least_far_bits());
     for (int i = 0; i < FAR_TABLES; i++)
         if (law_tables_emit_far(e, &data.tables, far_tables[i].quantity, far_tables[i].name, far_tables[i].title))
             return STATUS_FAILED;
-    emit_comment(e,
-                 "eps < 2^-23 at zero force: beta = (a/eps)^(3/5) (1 + e (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... +\n"
-                 "c_4 v^4)), e = eps/a, v = -(3/5) ln(e), from the coefficients of far_eps_zero_force by formal\n"
-                 "inversion. Columns a, a', b_0, ..., c_4. Terms in e^3 are left out: less than 2^-55 at eps = 2^-23,\n"
-                 "sampled in tests/table.");
+    emit_far_comment(
+        e,
+        "eps < 2^-23 at zero force: beta = (a/eps)^(3/5) (1 + e (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... +\n"
+        "c_4 v^4)), e = eps/a, v = -(3/5) ln(e), from the coefficients of far_eps_zero_force by formal\n"
+        "inversion. Columns a, a', b_0, ..., c_4.",
+        data.inverse_bits);
     return law_tables_emit_far_inverse(e, &data.tables, "cor_rows_far_beta_zero_force", "beta at zero force");
 }
 
@@ -147,10 +207,9 @@ static const char tables_banner[] =
     "Checked by:  corgen tables --check\n"
     "\n"
     "Each double is the one nearest to the coefficient beside it: proved. Errors of the rows stand above\n"
-    "each table and beside each row, proved for every argument of a cell (docs/derivation.md, 8), up to\n"
-    "beta = exp(10); the errors of what follows from there on are sampled. The rows interpolate polynomials\n"
-    "of high degree through collisions enclosed to 76 bits or more (proved). Errors of evaluation:\n"
-    "include/cor/sphere.h.\n";
+    "each table and beside each row, those of the formulas for large beta above the formulas, proved for\n"
+    "every argument (docs/derivation.md, 8). The rows interpolate polynomials of high degree through\n"
+    "collisions enclosed to 76 bits or more (proved). Errors of evaluation: include/cor/sphere.h.\n";
 
 int sphere_tables_write(FILE *file, const struct disk_table *none)
 {

@@ -1,0 +1,767 @@
+/* SPDX-License-Identifier: MIT */
+#include "enclosure/far_motion.h"
+
+/* Scaled as in (8.1): X is the overlap, w = dX/ds, Y = sqrt(X), zeta = (2/3) X^(3/2). S = mu X P(r), r = mu/Y, is the
+ * slow manifold without its minus sign, f = w + S the distance from it. */
+enum {
+    BITS = EXPANSION_BITS,
+    MANIFOLD_ORDER = 4 /* of P */
+};
+
+/* Coefficients of P and of dS/dX, and those that the manifold's equation lacks from r^MANIFOLD_ORDER on */
+struct manifold {
+    arb_struct p[MANIFOLD_ORDER + 1], slope[MANIFOLD_ORDER + 1], lack[MANIFOLD_ORDER + 1];
+};
+
+/* What the two parts of the motion have in common */
+struct motion {
+    struct manifold manifold;
+    struct expansion_domain start, fall, event; /* (a, b) = (eta, -), (mu, tau), (mu, mu ln(1/mu)) */
+    arb_t limit, root_of_limit;                 /* X* = (3/2)^(2/3) and its root */
+    struct expansion first_distance;            /* f where zeta = 1/2, in mu */
+    struct expansion first_time;                /* s there */
+    struct expansion zeta;                      /* of the fall, in mu, tau, e */
+    struct expansion overlap, manifold_speed;   /* X, S/mu */
+    struct expansion force_speed;               /* (S - mu X)/mu^2 */
+    struct expansion time, time_per_l;          /* s = time + l time_per_l */
+    mag_t defect;                               /* f differs from f_0 exp(-l) by mu^(MANIFOLD_ORDER + 2) defect */
+    bool proved;
+};
+
+/* ---- the slow manifold ---- */
+
+/* p_m = sum of p_j p_k (1 - k/2), j + k = m - 1; the same sums with m - 1 >= MANIFOLD_ORDER remain. */
+static void manifold_init(struct manifold *m)
+{
+    arb_t term;
+    arb_init(term);
+    for (slong k = 0; k <= MANIFOLD_ORDER; k++) {
+        arb_init(&m->p[k]);
+        arb_init(&m->slope[k]);
+        arb_init(&m->lack[k]);
+    }
+    arb_one(&m->p[0]);
+    for (slong i = 0; i <= 2 * MANIFOLD_ORDER; i++) {
+        arb_ptr sum = i < MANIFOLD_ORDER ? &m->p[i + 1] : &m->lack[i - MANIFOLD_ORDER];
+        for (slong k = FLINT_MAX(0, i - MANIFOLD_ORDER); k <= FLINT_MIN(i, MANIFOLD_ORDER); k++) {
+            arb_mul(term, &m->p[i - k], &m->p[k], BITS);
+            arb_mul_si(term, term, 2 - k, BITS);
+            arb_mul_2exp_si(term, term, -1);
+            arb_add(sum, sum, term, BITS);
+        }
+    }
+    for (slong k = 0; k <= MANIFOLD_ORDER; k++) {
+        arb_mul_si(&m->slope[k], &m->p[k], 2 - k, BITS);
+        arb_mul_2exp_si(&m->slope[k], &m->slope[k], -1);
+    }
+    arb_clear(term);
+}
+
+static void manifold_clear(struct manifold *m)
+{
+    for (slong k = 0; k <= MANIFOLD_ORDER; k++) {
+        arb_clear(&m->p[k]);
+        arb_clear(&m->slope[k]);
+        arb_clear(&m->lack[k]);
+    }
+}
+
+/* sum of c_k r^(k - first), first <= k <= MANIFOLD_ORDER */
+static void manifold_sum(struct expansion *y, const arb_struct *c, slong first, const struct expansion *r)
+{
+    struct expansion sum;
+    expansion_init(&sum, y->domain);
+    for (slong k = MANIFOLD_ORDER; k >= first; k--) {
+        expansion_multiply(&sum, &sum, r);
+        expansion_add_number(&sum, 0, 0, c + k);
+    }
+    expansion_set(y, &sum);
+    expansion_clear(&sum);
+}
+
+/* ---- the start: w as a function of zeta, 0 <= zeta <= 1/2 ---- */
+
+/* 1 - z/2 */
+static void set_line(arb_poly_t line)
+{
+    arb_t half;
+    arb_init(half);
+    arb_set_d(half, -0.5);
+    arb_poly_set_coeff_si(line, 0, 1);
+    arb_poly_set_coeff_arb(line, 1, half);
+    arb_clear(half);
+}
+
+/* (1 - z/2)^(p/q), |p/q| <= 1. The coefficient of z^n is 2^-n at most. */
+static void half_power(struct expansion *y, slong p, slong q)
+{
+    arb_poly_t line;
+    arb_t exponent;
+    mag_t tail;
+    arb_poly_init(line);
+    arb_init(exponent);
+    mag_init(tail);
+    set_line(line);
+    arb_set_si(exponent, p);
+    arb_div_si(exponent, exponent, q, BITS);
+    expansion_zero(y);
+    arb_poly_pow_arb_series(expansion_term(y, 0, 0), line, exponent, EXPANSION_LENGTH, BITS);
+    mag_set_ui_2exp_si(tail, 1, 1 - EXPANSION_LENGTH);
+    expansion_add_rest(y, tail);
+    arb_poly_clear(line);
+    arb_clear(exponent);
+    mag_clear(tail);
+}
+
+/* x^(p/q), where 1 - z/2 is what x has without a and b */
+static void power_of_half(struct expansion *y, const struct expansion *x, slong p, slong q)
+{
+    struct expansion line, factor;
+    expansion_init(&line, y->domain);
+    expansion_init(&factor, y->domain);
+    set_line(expansion_term(&line, 0, 0));
+    expansion_sub(&line, x, &line);
+    half_power(&factor, -1, 1);
+    expansion_multiply(&line, &line, &factor);
+    expansion_power(y, &line, p, q);
+    half_power(&factor, p, q);
+    expansion_multiply(y, y, &factor);
+    expansion_clear(&line);
+    expansion_clear(&factor);
+}
+
+/* The map of 1/w = V: w = 1 - zeta - integral of mu X V. In eta = X* mu zeta^(5/3) and z = 2 zeta, the integral of
+ * mu X eta^k zeta^n is eta^(k+1) zeta^n/(5 (k+1)/3 + n). */
+static void speed_map(struct expansion *w, const struct expansion *x, void *context)
+{
+    (void)context;
+    struct expansion inverse;
+    arb_t c;
+    mag_t bound;
+    expansion_init(&inverse, x->domain);
+    arb_init(c);
+    mag_init(bound);
+    power_of_half(&inverse, x, -1, 1);
+    expansion_zero(w);
+    set_line(expansion_term(w, 0, 0));
+    for (slong k = 0; k < EXPANSION_ORDER; k++) {
+        const arb_poly_struct *const v = expansion_term_of(&inverse, k, 0);
+        for (slong n = 0; n < arb_poly_length(v); n++) {
+            arb_mul_si(c, arb_poly_get_coeff_ptr(v, n), -3, BITS);
+            arb_div_si(c, c, 5 * (k + 1) + 3 * n, BITS);
+            arb_poly_set_coeff_arb(expansion_term(w, k + 1, 0), n, c);
+        }
+    }
+    /* |integral of mu X g| <= (3/5) eta |g| */
+    expansion_norm_of_degree(bound, &inverse, EXPANSION_ORDER);
+    mag_add(bound, bound, inverse.rest);
+    mag_mul(bound, bound, x->domain->a);
+    expansion_add_rest(w, bound);
+    expansion_clear(&inverse);
+    arb_clear(c);
+    mag_clear(bound);
+}
+
+/* eta/mu = X* 2^(-5/3) where zeta = 1/2 */
+static void end_ratio(arb_t ratio, const struct motion *m)
+{
+    arb_set_d(ratio, 0.5);
+    arb_root_ui(ratio, ratio, 3, BITS);
+    arb_pow_ui(ratio, ratio, 5, BITS);
+    arb_mul(ratio, ratio, m->limit, BITS);
+}
+
+/* The integral of dzeta/(Y w) up to zeta = 1/2, and w there, as series in mu. With Y = (X*)^(1/2) zeta^(1/3) the
+ * integral of eta^k zeta^n/Y is eta^k zeta^(n + 2/3)/(5 k/3 + n + 2/3)/(X*)^(1/2). */
+static void start_end(struct motion *m, const struct expansion *w)
+{
+    struct expansion inverse;
+    arb_t ratio, scale, sum, c;
+    arb_init(ratio);
+    arb_init(scale);
+    arb_init(sum);
+    arb_init(c);
+    expansion_init(&inverse, w->domain);
+    power_of_half(&inverse, w, -1, 1);
+    end_ratio(ratio, m);
+    arb_one(scale);
+    for (slong k = 0; k <= EXPANSION_ORDER; k++) {
+        const arb_poly_struct *const speed = expansion_term_of(w, k, 0), *const v = expansion_term_of(&inverse, k, 0);
+        arb_one(c);
+        arb_poly_evaluate(sum, speed, c, BITS);
+        arb_mul(sum, sum, scale, BITS);
+        expansion_add_number(&m->first_distance, k, 0, sum);
+        arb_zero(sum);
+        for (slong n = 0; n < arb_poly_length(v); n++) {
+            arb_mul_si(c, arb_poly_get_coeff_ptr(v, n), 3, BITS);
+            arb_div_si(c, c, 5 * k + 3 * n + 2, BITS);
+            arb_add(sum, sum, c, BITS);
+        }
+        arb_mul(sum, sum, scale, BITS);
+        expansion_add_number(&m->first_time, k, 0, sum);
+        arb_mul(scale, scale, ratio, BITS);
+    }
+    expansion_add_rest(&m->first_distance, w->rest);
+    expansion_add_rest(&m->first_time, inverse.rest); /* twice, more than the 3/2 of the integral */
+    expansion_add_rest(&m->first_time, inverse.rest);
+    /* zeta^(2/3)/(X*)^(1/2) */
+    arb_set_d(c, 0.5);
+    arb_root_ui(c, c, 3, BITS);
+    arb_sqr(c, c, BITS);
+    arb_div(c, c, m->root_of_limit, BITS);
+    expansion_scale(&m->first_time, &m->first_time, c);
+    expansion_clear(&inverse);
+    arb_clear(ratio);
+    arb_clear(scale);
+    arb_clear(sum);
+    arb_clear(c);
+}
+
+/* Adds S to w where zeta = 1/2: X = X* 2^(-2/3). */
+static void add_manifold(struct motion *m)
+{
+    struct expansion inverse_root, S;
+    arb_t x;
+    expansion_init(&inverse_root, &m->fall);
+    expansion_init(&S, &m->fall);
+    arb_init(x);
+    arb_set_ui(x, 2);
+    arb_root_ui(x, x, 3, BITS);
+    arb_div(x, x, m->root_of_limit, BITS);
+    expansion_add_number(&inverse_root, 1, 0, x);
+    manifold_sum(&S, m->manifold.p, 0, &inverse_root);
+    arb_sqr(x, x, BITS);
+    arb_inv(x, x, BITS);
+    expansion_scale(&S, &S, x);
+    expansion_times_a(&S, &S, 1);
+    expansion_add(&m->first_distance, &m->first_distance, &S);
+    expansion_clear(&inverse_root);
+    expansion_clear(&S);
+    arb_clear(x);
+}
+
+static void solve_start(struct motion *m)
+{
+    struct expansion w;
+    expansion_init(&w, &m->start);
+    set_line(expansion_term(&w, 0, 0));
+    m->proved = expansion_fixed_point(&w, speed_map, NULL) && m->proved;
+    start_end(m, &w);
+    add_manifold(m);
+    expansion_clear(&w);
+}
+
+/* ---- the fall: zeta as a function of l, f = f_0 exp(-l), in mu, tau = mu l and e = exp(-l) ---- */
+
+/* What the equation of motion contains, for a zeta */
+struct fall {
+    struct expansion X, inverse_root, r;
+    struct expansion slope; /* (dS/dX)/mu */
+    struct expansion S;     /* S/mu */
+    struct expansion Q;     /* 1/(1 - (dS/dX)/Y) */
+    struct expansion rate;  /* dl/ds = 1/rate */
+    mag_t defect;
+};
+
+static void fall_clear(struct fall *f)
+{
+    expansion_clear(&f->X);
+    expansion_clear(&f->inverse_root);
+    expansion_clear(&f->r);
+    expansion_clear(&f->slope);
+    expansion_clear(&f->S);
+    expansion_clear(&f->Q);
+    expansion_clear(&f->rate);
+    mag_clear(f->defect);
+}
+
+/* |lack of the manifold's equation|/mu^(MANIFOLD_ORDER + 2) times the largest ds/dl */
+static void bound_defect(struct fall *f, const struct motion *m)
+{
+    struct expansion sum;
+    mag_t bound;
+    expansion_init(&sum, f->X.domain);
+    mag_init(bound);
+    manifold_sum(&sum, m->manifold.lack, 0, &f->r);
+    expansion_norm(f->defect, &sum);
+    /* X^(1 - MANIFOLD_ORDER/2) = 1/X */
+    expansion_norm(bound, &f->inverse_root);
+    mag_mul(f->defect, f->defect, bound);
+    mag_mul(f->defect, f->defect, bound);
+    expansion_norm(bound, &f->rate);
+    mag_mul(f->defect, f->defect, bound);
+    expansion_clear(&sum);
+    mag_clear(bound);
+}
+
+static void fall_init(struct fall *f, const struct expansion *zeta, const struct motion *m)
+{
+    arb_t c;
+    arb_init(c);
+    expansion_init(&f->X, zeta->domain);
+    expansion_init(&f->inverse_root, zeta->domain);
+    expansion_init(&f->r, zeta->domain);
+    expansion_init(&f->slope, zeta->domain);
+    expansion_init(&f->S, zeta->domain);
+    expansion_init(&f->Q, zeta->domain);
+    expansion_init(&f->rate, zeta->domain);
+    mag_init(f->defect);
+    power_of_half(&f->inverse_root, zeta, -1, 3);
+    arb_inv(c, m->root_of_limit, BITS);
+    expansion_scale(&f->inverse_root, &f->inverse_root, c);
+    expansion_multiply(&f->X, zeta, &f->inverse_root);
+    arb_set_d(c, 1.5);
+    expansion_scale(&f->X, &f->X, c);
+    expansion_times_a(&f->r, &f->inverse_root, 1);
+    manifold_sum(&f->slope, m->manifold.slope, 0, &f->r);
+    manifold_sum(&f->S, m->manifold.p, 0, &f->r);
+    expansion_multiply(&f->S, &f->S, &f->X);
+    expansion_multiply(&f->Q, &f->r, &f->slope);
+    arb_set_si(c, -1);
+    expansion_scale(&f->Q, &f->Q, c);
+    expansion_power(&f->Q, &f->Q, -1, 1);
+    expansion_multiply(&f->rate, &f->inverse_root, &f->Q);
+    bound_defect(f, m);
+    arb_clear(c);
+}
+
+/* f_0 exp(-l) */
+static void distance_of(struct expansion *f, const struct motion *m)
+{
+    expansion_set(f, &m->first_distance);
+    for (slong k = 0; k < EXPANSION_TERMS; k++)
+        arb_poly_shift_left(&f->c[k], &f->c[k], 1);
+}
+
+/* Adds the integral of c mu^i tau^j e^n over l from 0, n > 0, by parts: that of tau^j e^n is -tau^j e^n/n, between the
+ * limits, and j mu/n times that of tau^(j-1) e^n. */
+static void add_integral(struct expansion *y, const arb_t c, slong i, slong j, slong n)
+{
+    arb_t term, sum;
+    arb_init(term);
+    arb_init(sum);
+    arb_div_si(term, c, -n, BITS);
+    for (slong k = 0;; k++) {
+        arb_poly_struct *const p = expansion_term(y, i + k, j - k);
+        arb_poly_get_coeff_arb(sum, p, n);
+        arb_add(sum, sum, term, BITS);
+        arb_poly_set_coeff_arb(p, n, sum);
+        if (k == j)
+            break;
+        arb_mul_si(term, term, j - k, BITS);
+        arb_div_si(term, term, n, BITS);
+    }
+    arb_neg(term, term);
+    expansion_add_number(y, i + j, 0, term);
+    arb_clear(term);
+    arb_clear(sum);
+}
+
+/* zeta = 1/2 + f_0 (1 - e) + mu times the integral of h over l */
+static void zeta_of(struct expansion *zeta, const struct expansion *h, const struct expansion *distance,
+                    const struct motion *m)
+{
+    struct expansion sum;
+    arb_t c;
+    mag_t bound;
+    expansion_init(&sum, zeta->domain);
+    arb_init(c);
+    mag_init(bound);
+    for (slong degree = 0; degree < EXPANSION_ORDER; degree++)
+        for (slong j = 0; j <= degree; j++) {
+            const slong i = degree - j;
+            const arb_poly_struct *const p = expansion_term_of(h, i, j);
+            for (slong n = 1; n < arb_poly_length(p); n++)
+                add_integral(&sum, arb_poly_get_coeff_ptr(p, n), i + 1, j, n);
+            arb_poly_get_coeff_arb(c, p, 0);
+            arb_div_si(c, c, j + 1, BITS);
+            expansion_add_number(&sum, i, j + 1, c);
+        }
+    expansion_norm_of_degree(bound, h, EXPANSION_ORDER);
+    mag_add(bound, bound, h->rest);
+    mag_mul(bound, bound, h->domain->b);
+    expansion_add_rest(&sum, bound);
+    arb_set_d(c, 0.5);
+    expansion_add_number(&sum, 0, 0, c);
+    expansion_add(&sum, &sum, &m->first_distance);
+    expansion_sub(&sum, &sum, distance);
+    expansion_set(zeta, &sum);
+    expansion_clear(&sum);
+    arb_clear(c);
+    mag_clear(bound);
+}
+
+/* The map dzeta/dl = (f - S)/(1 - (dS/dX)/Y) = f + mu h. f is f_0 e up to the defect. */
+static void fall_map(struct expansion *y, const struct expansion *zeta, void *context)
+{
+    const struct motion *const m = context;
+    struct fall f;
+    struct expansion distance, h;
+    mag_t bound, factor;
+    fall_init(&f, zeta, m);
+    expansion_init(&distance, zeta->domain);
+    expansion_init(&h, zeta->domain);
+    mag_init(bound);
+    mag_init(factor);
+    distance_of(&distance, m);
+    expansion_multiply(&h, &distance, &f.slope);
+    expansion_multiply(&h, &h, &f.inverse_root);
+    expansion_sub(&h, &h, &f.S);
+    expansion_multiply(&h, &h, &f.Q);
+    expansion_norm(bound, &f.Q);
+    mag_mul(bound, bound, f.defect);
+    mag_pow_ui(factor, zeta->domain->a, MANIFOLD_ORDER + 1);
+    mag_mul(bound, bound, factor);
+    expansion_add_rest(&h, bound);
+    zeta_of(y, &h, &distance, m);
+    fall_clear(&f);
+    expansion_clear(&distance);
+    expansion_clear(&h);
+    mag_clear(bound);
+    mag_clear(factor);
+}
+
+/* s = time + l time_per_l: the integral of the rate over l. Without e it is l tau^j/(j + 1) for tau^j, and mu^(i-1)
+ * tau^(j+1)/(j + 1) for mu^i tau^j. */
+static void solve_time(struct motion *m, const struct expansion *rate)
+{
+    arb_t c;
+    arb_init(c);
+    expansion_set(&m->time, &m->first_time);
+    expansion_add_rest(&m->time_per_l, rate->rest);
+    for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
+        for (slong j = 0; j <= degree; j++) {
+            const slong i = degree - j;
+            const arb_poly_struct *const p = expansion_term_of(rate, i, j);
+            for (slong n = 1; n < arb_poly_length(p); n++)
+                add_integral(&m->time, arb_poly_get_coeff_ptr(p, n), i, j, n);
+            arb_poly_get_coeff_arb(c, p, 0);
+            arb_div_si(c, c, j + 1, BITS);
+            if (i > 0)
+                expansion_add_number(&m->time, i - 1, j + 1, c);
+            else
+                expansion_add_number(&m->time_per_l, 0, j, c);
+        }
+    arb_clear(c);
+}
+
+static void solve_fall(struct motion *m)
+{
+    struct fall f;
+    set_line(expansion_term(&m->zeta, 0, 0));
+    m->proved = expansion_fixed_point(&m->zeta, fall_map, m) && m->proved;
+    fall_init(&f, &m->zeta, m);
+    expansion_set(&m->overlap, &f.X);
+    expansion_set(&m->manifold_speed, &f.S);
+    mag_set(m->defect, f.defect);
+    /* (S - mu X)/mu^2 = Y (p_1 + p_2 r + ...) */
+    manifold_sum(&m->force_speed, m->manifold.p, 1, &f.r);
+    expansion_multiply(&m->force_speed, &m->force_speed, &f.X);
+    expansion_multiply(&m->force_speed, &m->force_speed, &f.inverse_root);
+    solve_time(m, &f.rate);
+    fall_clear(&f);
+}
+
+/* ---- the events: f = S, the largest overlap, and f = S - mu X, zero force ---- */
+
+struct event {
+    const struct motion *m;
+    slong power;                   /* e = mu^power exp(theta) */
+    const struct expansion *speed; /* f/mu^power at the event */
+};
+
+/* tau = mu l and e at l = power ln(1/mu) - theta */
+static void place_of(struct expansion *tau, struct expansion *e, const struct expansion *theta,
+                     const struct event *event)
+{
+    arb_ptr c = _arb_vec_init(EXPANSION_ORDER + 1);
+    struct expansion power;
+    arb_t leading;
+    expansion_init(&power, theta->domain);
+    arb_init(leading);
+    arb_poly_get_coeff_arb(leading, &theta->c[0], 0);
+    expansion_set(&power, theta);
+    arb_poly_zero(&power.c[0]);
+    arb_one(c);
+    for (slong k = 1; k <= EXPANSION_ORDER; k++)
+        arb_div_si(c + k, c + k - 1, k, BITS);
+    expansion_series(e, &power, c);
+    arb_exp(leading, leading, BITS);
+    expansion_scale(e, e, leading);
+    expansion_times_a(e, e, event->power);
+
+    arb_set_si(leading, -1);
+    expansion_scale(tau, theta, leading);
+    expansion_times_a(tau, tau, 1);
+    arb_set_si(leading, event->power);
+    expansion_add_number(tau, 0, 1, leading);
+    expansion_clear(&power);
+    arb_clear(leading);
+    _arb_vec_clear(c, EXPANSION_ORDER + 1);
+}
+
+/* 1/f_0, where f_0 is 1/2 without mu */
+static void inverse_distance(struct expansion *y, const struct motion *m)
+{
+    arb_t c;
+    arb_init(c);
+    arb_set_ui(c, 2);
+    expansion_scale(y, &m->first_distance, c);
+    arb_set_si(c, -1);
+    expansion_add_number(y, 0, 0, c);
+    expansion_power(y, y, -1, 1);
+    arb_set_ui(c, 2);
+    expansion_scale(y, y, c);
+    arb_clear(c);
+}
+
+static void logarithm(struct expansion *y, const struct expansion *x)
+{
+    arb_ptr c = _arb_vec_init(EXPANSION_ORDER + 1);
+    arb_t leading, inverse;
+    arb_init(leading);
+    arb_init(inverse);
+    arb_poly_get_coeff_arb(leading, &x->c[0], 0);
+    arb_get_mid_arb(leading, leading);
+    arb_inv(inverse, leading, BITS);
+    expansion_scale(y, x, inverse);
+    arb_set_si(inverse, -1);
+    expansion_add_number(y, 0, 0, inverse);
+    for (slong k = 1; k <= EXPANSION_ORDER; k++) {
+        arb_set_si(c + k, k % 2 ? 1 : -1);
+        arb_div_si(c + k, c + k, k, BITS);
+    }
+    expansion_series(y, y, c);
+    arb_log(leading, leading, BITS);
+    expansion_add_number(y, 0, 0, leading);
+    arb_clear(leading);
+    arb_clear(inverse);
+    _arb_vec_clear(c, EXPANSION_ORDER + 1);
+}
+
+/* The map of theta = ln((speed - defect)/f_0) */
+static void event_map(struct expansion *y, const struct expansion *theta, void *context)
+{
+    const struct event *const event = context;
+    struct expansion tau, e, inverse;
+    mag_t bound;
+    expansion_init(&tau, theta->domain);
+    expansion_init(&e, theta->domain);
+    expansion_init(&inverse, theta->domain);
+    mag_init(bound);
+    place_of(&tau, &e, theta, event);
+    expansion_substitute(y, event->speed, &tau, &e);
+    mag_pow_ui(bound, theta->domain->a, (ulong)(MANIFOLD_ORDER + 2 - event->power));
+    mag_mul(bound, bound, event->m->defect);
+    expansion_add_rest(y, bound);
+    inverse_distance(&inverse, event->m);
+    expansion_multiply(y, y, &inverse);
+    logarithm(y, y);
+    expansion_clear(&tau);
+    expansion_clear(&e);
+    expansion_clear(&inverse);
+    mag_clear(bound);
+}
+
+/* ---- results ---- */
+
+static void far_series_init(struct far_series *s)
+{
+    for (slong k = 0; k <= EXPANSION_ORDER; k++)
+        arb_poly_init(&s->order[k]);
+    mag_init(s->rest);
+    mag_init(s->rest_per_u);
+}
+
+static void far_series_clear(struct far_series *s)
+{
+    for (slong k = 0; k <= EXPANSION_ORDER; k++)
+        arb_poly_clear(&s->order[k]);
+    mag_clear(s->rest);
+    mag_clear(s->rest_per_u);
+}
+
+/* Adds u^logarithms x. mu^i (mu ln(1/mu))^j is mu^(i+j) ((5/3) u)^j. */
+static void add_series(struct far_series *s, const struct expansion *x, slong logarithms)
+{
+    arb_t c, sum;
+    arb_init(c);
+    arb_init(sum);
+    for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
+        for (slong j = 0; j <= degree; j++) {
+            arb_poly_get_coeff_arb(c, expansion_term_of(x, degree - j, j), 0);
+            for (slong k = 0; k < j; k++) {
+                arb_mul_ui(c, c, 5, BITS);
+                arb_div_ui(c, c, 3, BITS);
+            }
+            arb_poly_get_coeff_arb(sum, &s->order[degree], j + logarithms);
+            arb_add(sum, sum, c, BITS);
+            arb_poly_set_coeff_arb(&s->order[degree], j + logarithms, sum);
+        }
+    if (logarithms)
+        mag_add(s->rest_per_u, s->rest_per_u, x->rest);
+    else
+        mag_add(s->rest, s->rest, x->rest);
+    arb_clear(c);
+    arb_clear(sum);
+}
+
+/* Overlap and time at an event. l = power (5/3) u - theta. */
+static void solve_event(struct far_series *overlap, struct far_series *time, struct motion *m, slong power,
+                        const struct expansion *speed)
+{
+    struct event event = {.m = m, .power = power, .speed = speed};
+    struct expansion theta, tau, e, x, per_l;
+    arb_t c;
+    expansion_init(&theta, &m->event);
+    expansion_init(&tau, &m->event);
+    expansion_init(&e, &m->event);
+    expansion_init(&x, &m->event);
+    expansion_init(&per_l, &m->event);
+    arb_init(c);
+    m->proved = expansion_fixed_point(&theta, event_map, &event) && m->proved;
+    place_of(&tau, &e, &theta, &event);
+    expansion_substitute(&x, &m->overlap, &tau, &e);
+    add_series(overlap, &x, 0);
+    expansion_substitute(&per_l, &m->time_per_l, &tau, &e);
+    expansion_multiply(&theta, &theta, &per_l);
+    expansion_substitute(&x, &m->time, &tau, &e);
+    expansion_sub(&x, &x, &theta);
+    add_series(time, &x, 0);
+    arb_set_si(c, 5 * power);
+    arb_div_ui(c, c, 3, BITS);
+    expansion_scale(&per_l, &per_l, c);
+    add_series(time, &per_l, 1);
+    expansion_clear(&theta);
+    expansion_clear(&tau);
+    expansion_clear(&e);
+    expansion_clear(&x);
+    expansion_clear(&per_l);
+    arb_clear(c);
+}
+
+/* ---- all of it ---- */
+
+enum { DOMAINS = 3, IN_FALL = 8 /* models over the domain of the fall */, SERIES = 4 };
+
+/* mu at FAR_MOTION_LEAST_U bounds mu, and 5/2 times mu ln(1/mu) there should bound tau. */
+static void set_domains(struct motion *m)
+{
+    arb_t u, mu, x;
+    arb_init(u);
+    arb_init(mu);
+    arb_init(x);
+    arb_set_d(u, FAR_MOTION_LEAST_U);
+    arb_mul_ui(u, u, 5, BITS);
+    arb_div_ui(u, u, 3, BITS);
+    arb_neg(mu, u);
+    arb_exp(mu, mu, BITS);
+    arb_get_mag(m->fall.a, mu);
+    arb_get_mag(m->event.a, mu);
+    end_ratio(x, m);
+    arb_mul(x, x, mu, BITS);
+    arb_get_mag(m->start.a, x);
+    arb_mul(x, u, mu, BITS);
+    arb_get_mag(m->event.b, x);
+    arb_mul_ui(x, x, 5, BITS);
+    arb_mul_2exp_si(x, x, -1);
+    arb_get_mag(m->fall.b, x);
+    arb_clear(u);
+    arb_clear(mu);
+    arb_clear(x);
+}
+
+static void motion_init(struct motion *m)
+{
+    struct expansion *const in_fall[IN_FALL] = {&m->first_distance, &m->first_time,  &m->zeta, &m->overlap,
+                                                &m->manifold_speed, &m->force_speed, &m->time, &m->time_per_l};
+    struct expansion_domain *const domain[DOMAINS] = {&m->start, &m->fall, &m->event};
+    m->proved = true;
+    mag_init(m->defect);
+    manifold_init(&m->manifold);
+    arb_init(m->limit);
+    arb_init(m->root_of_limit);
+    arb_set_d(m->root_of_limit, 1.5);
+    arb_root_ui(m->root_of_limit, m->root_of_limit, 3, BITS);
+    arb_sqr(m->limit, m->root_of_limit, BITS);
+    for (int k = 0; k < DOMAINS; k++) {
+        mag_init(domain[k]->a);
+        mag_init(domain[k]->b);
+    }
+    set_domains(m);
+    for (int k = 0; k < IN_FALL; k++)
+        expansion_init(in_fall[k], &m->fall);
+}
+
+static void motion_clear(struct motion *m)
+{
+    struct expansion *const in_fall[IN_FALL] = {&m->first_distance, &m->first_time,  &m->zeta, &m->overlap,
+                                                &m->manifold_speed, &m->force_speed, &m->time, &m->time_per_l};
+    struct expansion_domain *const domain[DOMAINS] = {&m->start, &m->fall, &m->event};
+    for (int k = 0; k < IN_FALL; k++)
+        expansion_clear(in_fall[k]);
+    for (int k = 0; k < DOMAINS; k++) {
+        mag_clear(domain[k]->a);
+        mag_clear(domain[k]->b);
+    }
+    arb_clear(m->limit);
+    arb_clear(m->root_of_limit);
+    manifold_clear(&m->manifold);
+    mag_clear(m->defect);
+}
+
+bool far_motion_init(struct far_motion *m)
+{
+    struct motion motion;
+    struct far_series *const series[SERIES] = {&m->max_overlap, &m->time_of_max_overlap, &m->eps_zero_force,
+                                               &m->duration_zero_force};
+    bool proved = true;
+    for (int k = 0; k < SERIES; k++)
+        far_series_init(series[k]);
+    motion_init(&motion);
+    solve_start(&motion);
+    solve_fall(&motion);
+    solve_event(&m->max_overlap, &m->time_of_max_overlap, &motion, 1, &motion.manifold_speed);
+    solve_event(&m->eps_zero_force, &m->duration_zero_force, &motion, 2, &motion.force_speed);
+    proved = motion.proved;
+    for (int k = 0; k < SERIES; k++)
+        proved = proved && mag_is_finite(series[k]->rest) && mag_is_finite(series[k]->rest_per_u);
+    motion_clear(&motion);
+    return proved;
+}
+
+void far_motion_clear(struct far_motion *m)
+{
+    far_series_clear(&m->max_overlap);
+    far_series_clear(&m->time_of_max_overlap);
+    far_series_clear(&m->eps_zero_force);
+    far_series_clear(&m->duration_zero_force);
+}
+
+void far_series_value(arb_t y, const struct far_series *s, const arb_t u, slong prec)
+{
+    arb_t mu, x;
+    mag_t bound;
+    arb_init(mu);
+    arb_init(x);
+    mag_init(bound);
+    arb_mul_si(mu, u, -5, prec);
+    arb_div_ui(mu, mu, 3, prec);
+    arb_exp(mu, mu, prec);
+    arb_zero(y);
+    for (slong k = EXPANSION_ORDER; k >= 0; k--) {
+        arb_mul(y, y, mu, prec);
+        arb_poly_evaluate(x, &s->order[k], u, prec);
+        arb_add(y, y, x, prec);
+    }
+    arb_get_mag(bound, u);
+    mag_mul(bound, bound, s->rest_per_u);
+    mag_add(bound, bound, s->rest);
+    arb_add_error_mag(y, bound);
+    arb_set_d(mu, FAR_MOTION_LEAST_U);
+    if (!arb_ge(u, mu))
+        arb_indeterminate(y);
+    arb_clear(mu);
+    arb_clear(x);
+    mag_clear(bound);
+}

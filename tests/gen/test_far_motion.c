@@ -1,0 +1,548 @@
+/* SPDX-License-Identifier: MIT */
+/* Collisions at strong damping: Taylor models against numbers from their domain, the series in mu and ln(beta) against
+ * enclosed collisions and closed forms, and the proofs of the stored formulas for large beta against sampled errors and
+ * wrong coefficients. */
+#include "ball.h"
+#include "check.h"
+
+#include <math.h>
+
+#include "approximation/far_proof.h"
+#include "enclosure/collision.h"
+#include "generated/sphere_tables.h"
+
+static struct random_state random_state;
+
+enum { BITS = 256 };
+
+/* ---- Taylor models ---- */
+
+static const double smallest_a = 0x1p-7, smallest_b = 0x1p-6;
+
+static void random_model(struct expansion *x, slong length)
+{
+    arb_t c;
+    mag_t rest;
+    arb_init(c);
+    mag_init(rest);
+    expansion_zero(x);
+    for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
+        for (slong j = 0; j <= degree; j++)
+            for (slong n = 0; n < length; n++) {
+                arb_set_d(c, random_uniform(&random_state, -1, 1));
+                arb_poly_set_coeff_arb(expansion_term(x, degree - j, j), n, c);
+            }
+    mag_set_d(rest, 1e-9);
+    expansion_add_rest(x, rest);
+    arb_clear(c);
+    mag_clear(rest);
+}
+
+/* The model at a point of its domain, with `share` of its rest */
+static void value_at(arb_t y, struct expansion *x, double a, double b, const arb_t z, double share)
+{
+    arb_t term, factor;
+    arb_init(term);
+    arb_init(factor);
+    arf_set_mag(arb_midref(y), x->rest);
+    mag_zero(arb_radref(y));
+    arb_set_d(factor, share);
+    arb_mul(y, y, factor, BITS);
+    for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
+        for (slong j = 0; j <= degree; j++) {
+            arb_poly_evaluate(term, expansion_term(x, degree - j, j), z, BITS);
+            arb_set_d(factor, a);
+            arb_pow_ui(factor, factor, (ulong)(degree - j), BITS);
+            arb_mul(term, term, factor, BITS);
+            arb_set_d(factor, b);
+            arb_pow_ui(factor, factor, (ulong)j, BITS);
+            arb_addmul(y, term, factor, BITS);
+        }
+    arb_clear(term);
+    arb_clear(factor);
+}
+
+/* The model contains y at a point. */
+static void assert_contains(struct expansion *x, double a, double b, const arb_t z, const arb_t y, const char *what)
+{
+    arb_t value;
+    arb_init(value);
+    value_at(value, x, a, b, z, 0);
+    arb_add_error_mag(value, x->rest);
+    if (!arb_is_finite(value) || !arb_overlaps(value, y)) {
+        arb_fprintn(stderr, value, 40, 0);
+        fprintf(stderr, " and ");
+        arb_fprintn(stderr, y, 40, 0);
+        fail_msg(": %s at %a, %a", what, a, b);
+    }
+    arb_clear(value);
+}
+
+static void domain_init(struct expansion_domain *domain, double a, double b)
+{
+    mag_init(domain->a);
+    mag_init(domain->b);
+    mag_set_d(domain->a, a);
+    mag_set_d(domain->b, b);
+}
+
+/* Products, powers and substituted models contain what the numbers give. */
+static void test_models(void **state)
+{
+    (void)state;
+    struct expansion_domain domain, inner;
+    struct expansion x, y, z, tau, e;
+    arb_t at, other, f, g;
+    domain_init(&domain, smallest_a, smallest_b);
+    domain_init(&inner, smallest_a, 4 * smallest_b);
+    expansion_init(&x, &domain);
+    expansion_init(&y, &domain);
+    expansion_init(&z, &domain);
+    expansion_init(&tau, &domain);
+    expansion_init(&e, &domain);
+    arb_init(at);
+    arb_init(other);
+    arb_init(f);
+    arb_init(g);
+    for (size_t k = 0; k < points(12); k++) {
+        const double corner = k % 4 == 0 ? 1 : random_uniform(&random_state, 0, 1);
+        const double a = smallest_a * corner, b = smallest_b * (k % 2 ? corner : -corner);
+        const double share = (double)(k % 3) - 1, more = (double)(k / 3 % 3) - 1;
+        arb_set_d(at, k % 5 == 0 ? 1 : random_uniform(&random_state, 0, 1));
+        random_model(&x, k % 8 == 0 ? 60 : 4);
+        random_model(&y, k % 8 == 0 ? 50 : 3);
+        value_at(f, &x, a, b, at, share);
+        value_at(g, &y, a, b, at, more);
+        arb_mul(f, f, g, BITS);
+        expansion_multiply(&z, &x, &y);
+        assert_contains(&z, a, b, at, f, "a product");
+
+        arb_set_d(f, a);
+        arb_pow_ui(f, f, (ulong)(k % 6), BITS);
+        arb_mul(f, f, g, BITS);
+        expansion_times_a(&z, &y, (slong)(k % 6));
+        assert_contains(&z, a, b, at, f, "a product with a power of a");
+
+        random_model(&x, 3);
+        arb_poly_zero(expansion_term(&x, 0, 0));
+        value_at(f, &x, a, b, at, share);
+        arb_add_ui(f, f, 1, BITS);
+        arb_set_ui(g, 1);
+        arb_div_si(g, g, -3, BITS);
+        arb_pow(f, f, g, BITS);
+        expansion_power(&z, &x, -1, 3);
+        assert_contains(&z, a, b, at, f, "a power");
+
+        random_model(&tau, 1); /* 4 b_0 holds b and more */
+        arb_poly_zero(expansion_term(&tau, 0, 0));
+        random_model(&e, 1);
+        arb_poly_zero(expansion_term(&e, 0, 0));
+        random_model(&y, 9);
+        y.domain = &inner;
+        expansion_substitute(&z, &y, &tau, &e);
+        value_at(f, &tau, a, b, at, share);
+        value_at(other, &e, a, b, at, more);
+        if (arf_sgn(arb_midref(other)) >= 0) { /* z >= 0 */
+            value_at(g, &y, a, arf_get_d(arb_midref(f), ARF_RND_NEAR), other, 0);
+            arb_add_error_2exp_si(g, -50); /* tau as a double */
+            assert_contains(&z, a, b, at, g, "a model in a model");
+        }
+        y.domain = &domain;
+    }
+    /* tau outside, x with |x| >= 1 */
+    y.domain = &inner;
+    arb_set_ui(f, 5);
+    expansion_zero(&tau);
+    expansion_add_number(&tau, 0, 1, f);
+    expansion_substitute(&z, &y, &tau, &e);
+    assert_false(mag_is_finite(z.rest));
+    y.domain = &domain;
+    arb_set_ui(f, 128);
+    expansion_zero(&x);
+    expansion_add_number(&x, 1, 0, f);
+    expansion_power(&z, &x, -1, 1);
+    assert_false(mag_is_finite(z.rest));
+    expansion_clear(&x);
+    expansion_clear(&y);
+    expansion_clear(&z);
+    expansion_clear(&tau);
+    expansion_clear(&e);
+    arb_clear(at);
+    arb_clear(other);
+    arb_clear(f);
+    arb_clear(g);
+}
+
+/* y = a + c b x^2 */
+static void square_map(struct expansion *y, const struct expansion *x, void *context)
+{
+    struct expansion b;
+    arb_t one;
+    expansion_init(&b, x->domain);
+    arb_init(one);
+    expansion_add_number(&b, 0, 1, context);
+    expansion_multiply(y, x, x);
+    expansion_multiply(y, y, &b);
+    arb_one(one);
+    expansion_add_number(y, 1, 0, one);
+    expansion_clear(&b);
+    arb_clear(one);
+}
+
+/* x = a + b x^2 has the root 2 a/(1 + (1 - 4 a b)^(1/2)). A map that expands is refused. */
+static void test_fixed_point(void **state)
+{
+    (void)state;
+    struct expansion_domain domain;
+    struct expansion x;
+    arb_t c, exact, z;
+    domain_init(&domain, smallest_a, smallest_b);
+    expansion_init(&x, &domain);
+    arb_init(c);
+    arb_init(exact);
+    arb_init(z);
+    arb_one(c);
+    assert_true(expansion_fixed_point(&x, square_map, c));
+    assert_true(mag_cmp_2exp_si(x.rest, -30) < 0); /* 2 a^3 b^2 is left out */
+    arb_set_d(exact, 1 - 4 * smallest_a * smallest_b);
+    arb_sqrt(exact, exact, BITS);
+    arb_add_ui(exact, exact, 1, BITS);
+    arb_set_d(z, 2 * smallest_a);
+    arb_div(exact, z, exact, BITS);
+    arb_zero(z);
+    assert_contains(&x, smallest_a, smallest_b, z, exact, "a root");
+    arb_set_ui(c, 1 << 14); /* no root at the corner */
+    expansion_zero(&x);
+    assert_false(expansion_fixed_point(&x, square_map, c));
+    expansion_clear(&x);
+    arb_clear(c);
+    arb_clear(exact);
+    arb_clear(z);
+}
+
+/* ---- the series ---- */
+
+static struct far_proof proof;
+
+static int make_proof(void **state)
+{
+    (void)state;
+    return far_proof_init(&proof, NULL);
+}
+
+static int clear_proof(void **state)
+{
+    (void)state;
+    far_proof_clear(&proof);
+    return 0;
+}
+
+enum { SERIES = 4 };
+
+static struct far_series *series_of(int i)
+{
+    struct far_motion *const m = &proof.motion;
+    struct far_series *const all[SERIES] = {&m->max_overlap, &m->time_of_max_overlap, &m->eps_zero_force,
+                                            &m->duration_zero_force};
+    return all[i];
+}
+
+/* The four quantities of a collision without their powers of beta */
+static void scaled_collision(arb_ptr value, struct collision *c, const arb_t u)
+{
+    arb_t beta, power;
+    arb_init(beta);
+    arb_init(power);
+    arb_exp(beta, u, 512);
+    assert_int_equal(collision_solve_force(c, beta, &law_sphere, 110), 0);
+    arb_struct *const field[SERIES] = {c->x_max, c->t_max, c->eps_zero_force, c->t_zero_force};
+    for (int i = 0; i < SERIES; i++) {
+        arb_mul_ui(power, u, i == 2 ? 5 : 2, 512);
+        arb_div_ui(power, power, 3, 512);
+        arb_exp(power, power, 512);
+        arb_mul(value + i, field[i], power, 512);
+    }
+    arb_clear(beta);
+    arb_clear(power);
+}
+
+/* The series contain enclosed collisions, and do not if a coefficient of mu^3 is wrong in its tenth bit at 9.5. */
+static void test_collisions(void **state)
+{
+    (void)state;
+    static const double places[] = {FAR_MOTION_LEAST_U, 10, 12, 14, 17, 30};
+    enum { PLACES = sizeof places / sizeof *places };
+    struct collision c;
+    arb_ptr exact = _arb_vec_init(SERIES);
+    arb_t u, y, kept;
+    collision_init(&c);
+    arb_init(u);
+    arb_init(y);
+    arb_init(kept);
+    for (size_t k = 0; k < PLACES + points(6); k++) {
+        arb_set_d(u, k < PLACES ? places[k] : random_uniform(&random_state, FAR_MOTION_LEAST_U, 14));
+        scaled_collision(exact, &c, u);
+        for (int i = 0; i < SERIES; i++) {
+            struct far_series *const s = series_of(i);
+            far_series_value(y, s, u, BITS);
+            assert_bits(y, 78);
+            assert_overlap(y, exact + i, "series", i);
+            if (k > 0)
+                continue;
+            for (slong j = 0; j < arb_poly_length(&s->order[3]); j++) {
+                arb_struct *const wrong = arb_poly_get_coeff_ptr(&s->order[3], j);
+                if (arb_contains_zero(wrong))
+                    continue;
+                arb_set(kept, wrong);
+                arb_mul_ui(wrong, wrong, 1025, BITS);
+                arb_mul_2exp_si(wrong, wrong, -10);
+                far_series_value(y, s, u, BITS);
+                if (arb_overlaps(y, exact + i) && j > 0)
+                    fail_msg("series %d does not depend on coefficient %ld of mu^3", i, (long)j);
+                arb_set(wrong, kept);
+            }
+        }
+    }
+    for (int i = 0; i < SERIES; i++) { /* (8.8) */
+        const bool is_time = i % 2 == 1;
+        assert_true(mag_get_d(series_of(i)->rest) <= (is_time ? 5.4e-24 : 1.7e-24));
+        assert_true(mag_get_d(series_of(i)->rest_per_u) <= (is_time ? 2.4e-24 : 0));
+    }
+    arb_set_d(u, nextafter(FAR_MOTION_LEAST_U, 0));
+    far_series_value(y, series_of(0), u, BITS);
+    assert_false(arb_is_finite(y));
+    collision_clear(&c);
+    _arb_vec_clear(exact, SERIES);
+    arb_clear(u);
+    arb_clear(y);
+    arb_clear(kept);
+}
+
+/* The rest of the model stands for what powers of z beyond its length give the coefficients, 2^-96 or so. */
+static void assert_coefficient(int i, slong order, slong power, const arb_t exact, const char *what)
+{
+    arb_t c;
+    arb_init(c);
+    arb_poly_get_coeff_arb(c, &series_of(i)->order[order], power);
+    arb_add_error_2exp_si(c, -88);
+    assert_overlap(c, exact, what, i);
+    assert_true(mag_cmp_2exp_si(arb_radref(c), -87) < 0);
+    arb_clear(c);
+}
+
+/* The leading terms, and the highest logarithms that the drift alone explains */
+static void test_closed_forms(void **state)
+{
+    (void)state;
+    arb_t limit, rate, K, x, y;
+    arb_init(limit);
+    arb_init(rate);
+    arb_init(K);
+    arb_init(x);
+    arb_init(y);
+    arb_set_d(limit, 1.5); /* X* = (3/2)^(2/3), rate = (2/3) X* */
+    arb_root_ui(limit, limit, 3, BITS);
+    arb_sqr(limit, limit, BITS);
+    arb_mul_2exp_si(rate, limit, 1);
+    arb_div_ui(rate, rate, 3, BITS);
+    arb_set_ui(x, 3); /* K = ln(3)/2 - sqrt(3) pi/6 */
+    arb_log(K, x, BITS);
+    arb_mul_2exp_si(K, K, -1);
+    arb_sqrt(x, x, BITS);
+    arb_const_pi(y, BITS);
+    arb_mul(x, x, y, BITS);
+    arb_div_ui(x, x, 6, BITS);
+    arb_sub(K, K, x, BITS);
+    for (int force = 0; force < 2; force++) {
+        assert_coefficient(2 * force, 0, 0, limit, "limit of overlap and eps");
+        arb_set_ui(x, 3);
+        arb_div(x, x, limit, BITS); /* 3/X*, or 3/sqrt(X*) */
+        arb_sqrt(y, limit, BITS);
+        if (force)
+            arb_mul(x, x, y, BITS);
+        arb_log(x, x, BITS);
+        arb_add(x, x, K, BITS);
+        arb_mul(x, x, rate, BITS);
+        assert_coefficient(1 + 2 * force, 0, 0, x, "constant of the time");
+        arb_set_ui(x, force ? 10 : 5);
+        arb_div_ui(x, x, 3, BITS);
+        arb_mul(y, x, rate, BITS);
+        assert_coefficient(1 + 2 * force, 0, 1, y, "slope of the time");
+        /* X falls as X' = -mu X at first: by mu s X* = mu (5/3) u (2/3) X*^2, X*^3 = 9/4, and (25/36) (mu u)^2 next. */
+        arb_sqr(y, limit, BITS);
+        arb_mul(y, y, x, BITS);
+        arb_mul_si(y, y, -2, BITS);
+        arb_div_ui(y, y, 3, BITS);
+        assert_coefficient(2 * force, 1, 1, y, "first drift");
+        arb_sqr(y, x, BITS);
+        arb_mul_2exp_si(y, y, -2);
+        assert_coefficient(2 * force, 2, 2, y, "second drift");
+        for (slong order = 0; order <= EXPANSION_ORDER; order++)
+            assert_true(arb_poly_length(&series_of(2 * force)->order[order]) <= order + 1);
+    }
+    arb_clear(limit);
+    arb_clear(rate);
+    arb_clear(K);
+    arb_clear(x);
+    arb_clear(y);
+}
+
+/* ---- the formulas of the tables ---- */
+
+struct formula {
+    enum quantity quantity;
+    const double *(*row)(int);
+    double least_bits;
+};
+static const struct formula formulas[] = {
+    {MAX_OVERLAP, cor_rows_far_max_overlap, 70},
+    {TIME_OF_MAX_OVERLAP, cor_rows_far_time_of_max_overlap, 70},
+    {EPS_ZERO_FORCE, cor_rows_far_eps_zero_force, 64.5},
+    {DURATION_ZERO_FORCE, cor_rows_far_duration_zero_force, 69},
+};
+enum { FORMULAS = sizeof formulas / sizeof *formulas };
+
+/* What c_k is multiplied with at u */
+static double factor_of(int k, double u)
+{
+    const double mu = exp(-5 * u / 3);
+    const int power = k < 4 ? k / 2 : k < 7 ? k - 4 : k - 7;
+    return pow(mu, k < 4 ? 0 : k < 7 ? 1 : 2) * pow(u, power);
+}
+
+/* The error of a formula, relative to the series, at u */
+static double formula_error(const struct formula *f, int i, double at)
+{
+    arb_t u, y, sum, x;
+    arb_init(u);
+    arb_init(y);
+    arb_init(sum);
+    arb_init(x);
+    arb_set_d(u, at);
+    for (int k = 0; k < INTERPOLANT_FAR + 2; k++) {
+        arb_mul_si(x, u, k < 4 ? 0 : k < 7 ? -5 : -10, BITS);
+        arb_div_ui(x, x, 3, BITS);
+        arb_exp(x, x, BITS);
+        for (int power = k < 4 ? k / 2 : k < 7 ? k - 4 : k - 7; power > 0; power--)
+            arb_mul(x, x, u, BITS);
+        arb_set_d(y, f->row(0)[k]);
+        arb_addmul(sum, x, y, BITS);
+    }
+    far_series_value(y, series_of(i), u, BITS);
+    arb_sub(sum, sum, y, BITS);
+    arb_div(sum, sum, y, BITS);
+    const double error = fabs(arf_get_d(arb_midref(sum), ARF_RND_NEAR));
+    arb_clear(u);
+    arb_clear(y);
+    arb_clear(sum);
+    arb_clear(x);
+    return error;
+}
+
+/* The proved bounds of the stored formulas are the largest sampled errors, or a little larger. Any wrong coefficient is
+ * seen that changes the function by 2^-60 at u = 10; an ordinary run takes a quarter of them. */
+static void test_formulas(void **state)
+{
+    (void)state;
+    for (int i = 0; i < FORMULAS; i++) {
+        const struct formula *const f = &formulas[i];
+        double c[INTERPOLANT_FAR + 2], worst = 0;
+        memcpy(c, f->row(0), sizeof c);
+        const double bits = far_proof_bits(&proof, f->quantity, c);
+        for (double u = FAR_PROOF_FROM; u < FAR_PROOF_TO; u *= 1.003)
+            worst = fmax(worst, formula_error(f, i, u));
+        if (!(bits >= f->least_bits && bits <= -log2(worst) && bits >= -log2(worst) - 0.3))
+            fail_msg("quantity %d: %g bits proved, %g sampled", (int)f->quantity, bits, -log2(worst));
+        for (int k = 0; k < INTERPOLANT_FAR + 2; k++) {
+            if (!in_turn((size_t)k + (size_t)i, 4))
+                continue;
+            const double kept = c[k], value = c[0] + c[2] * FAR_PROOF_FROM;
+            c[k] += (random_below(&random_state, 2) ? 0x1p-50 : -0x1p-50) * value / factor_of(k, FAR_PROOF_FROM) *
+                    (k == 0 || k == 2 ? 1 : 0x1p-10); /* the heads have no smaller bits */
+            if (!(far_proof_bits(&proof, f->quantity, c) < 61))
+                fail_msg("quantity %d is proved with a wrong coefficient %d", (int)f->quantity, k);
+            c[k] = kept;
+        }
+    }
+}
+
+/* The inverse, with right and wrong coefficients. Its error is that of the terms left out at eps = 2^-23. */
+static void test_inverse(void **state)
+{
+    (void)state;
+    double c[INTERPOLANT_FAR_INVERSE + 1];
+    memcpy(c, cor_rows_far_beta_zero_force(0), sizeof c);
+    const double bits = far_proof_bits(&proof, BETA_ZERO_FORCE, c), e = 0x1p-23 / c[0], v = -0.6 * log(e);
+    if (!(bits >= 55.5 && bits <= 57))
+        fail_msg("%g bits proved of the inverse", bits);
+    arb_t u, eps; /* The inverse is used where eps < 2^-23 only. */
+    arb_init(u);
+    arb_init(eps);
+    arb_set_d(u, FAR_PROOF_INVERSE_FROM);
+    far_series_value(eps, &proof.motion.eps_zero_force, u, BITS);
+    assert_true(arf_get_d(arb_midref(eps), ARF_RND_NEAR) * exp(-5 * FAR_PROOF_INVERSE_FROM / 3) > 1.01 * 0x1p-23);
+    arb_clear(u);
+    arb_clear(eps);
+    for (int k = 0; k < INTERPOLANT_FAR_INVERSE + 1; k++) {
+        if (!in_turn((size_t)k, 4))
+            continue;
+        const double kept = c[k], factor = k < 2 ? 0.6 / c[0] : k < 5 ? e * pow(v, k - 2) : e * e * pow(v, k - 5);
+        c[k] += 0x1p-51 / factor;
+        const double wrong = far_proof_bits(&proof, BETA_ZERO_FORCE, c);
+        if (!(wrong < 51.5))
+            fail_msg("the inverse is proved to %g bits with a wrong coefficient %d", wrong, k);
+        c[k] = kept;
+    }
+}
+
+/* The duration at zero overlap needs collisions that take seconds: in a long run, and in `corgen tables`. */
+static void test_duration(void **state)
+{
+    (void)state;
+    if (!few_or_all(0, 1))
+        skip();
+    struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 6, 22000);
+    struct interpolant_proof *rows = f ? interpolant_proof_new(f, SET_ALL, ELLIPSES_STATED) : NULL;
+    assert_non_null(rows);
+    proof.rows = rows;
+    double c[INTERPOLANT_FAR + 2];
+    memcpy(c, cor_rows_far_duration_zero_overlap(0), sizeof c);
+    const double bits = far_proof_bits(&proof, DURATION_ZERO_OVERLAP, c);
+    if (!(bits >= 70))
+        fail_msg("%g bits proved of the duration at zero overlap", bits);
+    for (int k = 0; k < INTERPOLANT_FAR + 2; k++) {
+        const double kept = c[k], value = c[0] + c[2] * FAR_PROOF_FROM;
+        c[k] += 0x1p-50 * value / factor_of(k, FAR_PROOF_FROM);
+        if (!(far_proof_bits(&proof, DURATION_ZERO_OVERLAP, c) < 51))
+            fail_msg("the duration at zero overlap is proved with a wrong coefficient %d", k);
+        c[k] = kept;
+    }
+    interpolant_proof_free(rows);
+    interpolant_free(f);
+    proof.rows = NULL;
+}
+
+/* Where there is nothing to prove, the answer is NaN. */
+static void test_refused(void **state)
+{
+    (void)state;
+    double c[INTERPOLANT_FAR + 2] = {0};
+    assert_true(isnan(far_proof_bits(&proof, EPS_ZERO_OVERLAP, c)));
+    arb_poly_t y;
+    arb_poly_init(y);
+    assert_false(far_proof_function(y, &proof, BETA_ZERO_OVERLAP, 10, 11));
+    assert_true(far_proof_function(y, &proof, MAX_OVERLAP, FAR_MOTION_LEAST_U - 1, 11));
+    assert_false(arb_is_finite(arb_poly_get_coeff_ptr(y, 0)));
+    arb_poly_clear(y);
+}
+
+int main(void)
+{
+    random_state = random_start();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_models),       cmocka_unit_test(test_fixed_point), cmocka_unit_test(test_collisions),
+        cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_formulas),    cmocka_unit_test(test_inverse),
+        cmocka_unit_test(test_duration),     cmocka_unit_test(test_refused),
+    };
+    return cmocka_run_group_tests(tests, make_proof, clear_proof);
+}
