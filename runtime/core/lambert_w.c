@@ -1,29 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 #include "runtime/core/lambert_w.h"
 
-/* Below this t the series applies. Above it the iteration does, where the subtraction in t - ln(1 + t) loses two bits
+/* Below this q the series applies. Above it the iteration does, where the subtraction in t - ln(1 + t) loses two bits
  * at most. */
 #define SERIES_END 0.1
+
 /* t - p for p = sqrt(2 q) <= sqrt(0.2): sum of a_n p^n from n = 2, where t dt/dp = p (1 + t) gives
  *     a_1 = 1,     (n + 1) a_n = a_(n-1) - sum_(i=2)^(n-1) (n + 1 - i) a_i a_(n+1-i).
  * The series converges for p < sqrt(4 pi). The omitted terms are below 2^-57 p. */
+static const double series[] = {1.0 / 3,
+                                1.0 / 36,
+                                -1.0 / 270,
+                                1.0 / 4320,
+                                1.0 / 17010,
+                                -139.0 / 5443200,
+                                1.0 / 204120,
+                                -571.0 / 2351462400,
+                                -281.0 / 1515591000,
+                                163879.0 / 2172751257600.0,
+                                -5221.0 / 354648294000.0,
+                                5246819.0 / 10168475885568000.0,
+                                5459.0 / 7447614174000.0,
+                                -534703531.0 / 1830325659402240000.0,
+                                91207079.0 / 1595278956070800000.0};
+
 static double series_rest(double p)
 {
-    static const double a[] = {1.0 / 3,
-                               1.0 / 36,
-                               -1.0 / 270,
-                               1.0 / 4320,
-                               1.0 / 17010,
-                               -139.0 / 5443200,
-                               1.0 / 204120,
-                               -571.0 / 2351462400,
-                               -281.0 / 1515591000,
-                               163879.0 / 2172751257600.0,
-                               -5221.0 / 354648294000.0,
-                               5246819.0 / 10168475885568000.0,
-                               5459.0 / 7447614174000.0,
-                               -534703531.0 / 1830325659402240000.0,
-                               91207079.0 / 1595278956070800000.0};
+    const double *const a = series;
     const double p2 = p * p, p4 = p2 * p2;
     const double low = ((a[0] + a[1] * p) + (a[2] + a[3] * p) * p2) + ((a[4] + a[5] * p) + (a[6] + a[7] * p) * p2) * p4;
     const double high = ((a[8] + a[9] * p) + (a[10] + a[11] * p) * p2) + ((a[12] + a[13] * p) + a[14] * p2) * p4;

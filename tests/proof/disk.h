@@ -1,0 +1,632 @@
+/* SPDX-License-Identifier: MIT */
+/* The goals of the contact law of the disk: part of goals.cpp. Each goal is about one stage of runtime/core/lambert_w.c
+ * or runtime/disk/quasistatic.c: the result of `log` or `log1p` is a variable, so that a goal does not depend on the
+ * accuracy of these functions. tests/accuracy/test_disk_proof.c adds the errors of the stages, times what the later
+ * stages make of them, over cells that cover the domain; disk_errors.h has the errors for both programs. */
+#include "disk_errors.h"
+
+/* ---- parts of lists of operations ---- */
+
+static operation what_is(int id)
+{
+    return nodes()[(std::size_t)id].what;
+}
+
+static void expect(bool yes, const char *what)
+{
+    if (!yes)
+        die(std::string(what) + " has changed");
+}
+
+/* Names the exact sum hi + lo of six operations (Knuth's theorem: no rounding error remains, for any two numbers). */
+static void exact_two_sum(gappa &g, const struct cor_inline_pair &pair)
+{
+    const int hi = pair.hi.node(), lo = pair.lo.node();
+    const char *const name = "cor_inline_two_sum";
+    expect(what_is(hi) == ADD && what_is(lo) == ADD, name);
+    const int x = first_of(hi), y = second_of(hi), left = first_of(lo), right = second_of(lo);
+    expect(what_is(left) == SUBTRACT && what_is(right) == SUBTRACT && first_of(left) == x && first_of(right) == y, name);
+    const int part = second_of(right), other = second_of(left);
+    expect(what_is(part) == SUBTRACT && first_of(part) == hi && second_of(part) == x, name);
+    expect(what_is(other) == SUBTRACT && first_of(other) == hi && second_of(other) == part, name);
+    g.define(hi);
+    const std::string sum = constant_of(y) == 0 ? g.rounded(x) : g.rounded(x) + " + " + g.rounded(y);
+    g.text << g.rounded(lo) << " = (" << sum << ") - " << g.rounded(hi) << ";\n"
+           << g.exact(lo) << " = " << g.rounded(lo) << ";\n";
+    g.done[lo] = true;
+}
+
+/* The same for cor_inline_sum(a, b), |a| >= |b| (Dekker's theorem). Returns that condition as a conclusion. */
+static std::string exact_sum(gappa &g, const struct cor_inline_pair &pair)
+{
+    const int hi = pair.hi.node(), lo = pair.lo.node();
+    const char *const name = "cor_inline_sum";
+    expect(what_is(hi) == ADD && what_is(lo) == SUBTRACT, name);
+    const int a = first_of(hi), b = second_of(hi), z = second_of(lo);
+    expect(first_of(lo) == b && what_is(z) == SUBTRACT && first_of(z) == hi && second_of(z) == a, name);
+    g.define(hi);
+    g.text << g.rounded(lo) << " = (" << g.rounded(a) << " + " << g.rounded(b) << ") - " << g.rounded(hi) << ";\n"
+           << g.exact(lo) << " = " << g.rounded(lo) << ";\n";
+    g.done[lo] = true;
+    return "|" + g.rounded(b) + "| - |" + g.rounded(a) + "| <= 0";
+}
+
+/* A double that the goal takes from `interval`; its exact value is the same. */
+static std::string cut(gappa &g, int id, const std::string &interval)
+{
+    g.text << g.rounded(id) << " = rnd(cut" << id << ");\n" << g.exact(id) << " = " << g.rounded(id) << ";\n";
+    if (!interval.empty())
+        g.hypotheses.push_back(g.rounded(id) + " in " + interval);
+    g.done[id] = true;
+    return g.rounded(id);
+}
+
+static int find_operation(operation what)
+{
+    for (std::size_t i = 0; i < nodes().size(); i++)
+        if (nodes()[i].what == what)
+            return (int)i;
+    die("an operation is missing: " + std::to_string(what));
+}
+
+static std::string units(number error)
+{
+    return " in [-" + hex(error) + ", " + hex(error) + "]";
+}
+
+/* ---- logarithms ---- */
+
+/* cor_log_ratio_far for each exponent of x = m 2^e: hi + lo is within COR_PROOF_FAR of a - e ln(2) - L, where L is the
+ * double that log(m) returns and |ln(m)| < 0.3466. Used for results above 1/2. */
+static void write_log_far(void)
+{
+    const function f = [](Real x) { return cor_log_ratio_far({Real(1.3), Real(1e-17)}, x).hi; };
+    const std::vector<piece> pieces = pieces_of(f, 0x1p-1074, 8);
+    int last = -1075;
+    for (const piece &p : pieces) {
+        start();
+        const struct cor_inline_pair a = {variable("a", 1.3), variable("a_lo", 1e-17)};
+        const Real x = variable("x", p.low);
+        const struct cor_inline_pair q = cor_log_ratio_far(a, x);
+        const int l = find_operation(LOG), m = first_of(l);
+        int e;
+        std::frexp(p.low / nodes()[(std::size_t)m].value, &e);
+        e--;
+        expect(what_is(m) == SEED && std::ldexp(nodes()[(std::size_t)m].value, e) == p.low, "cor_log_ratio_far");
+        for (const number at : {p.low, p.high}) /* within 1e-6 of sqrt(1/2) and sqrt(2) */
+            expect(std::ldexp(at, -e) > 0.7071061 && std::ldexp(at, -e) < 1.4142136, "cor_log_ratio_far");
+        expect(e == last || e == last + 1, "cor_log_ratio_far: an exponent");
+        last = e;
+        gappa g;
+        const std::string ah = cut(g, a.hi.node(), "[-4, 3]"), al = cut(g, a.lo.node(), "[-1b-51, 1b-51]");
+        const std::string nl = cut(g, l, "[-0.3466, 0.3466]");
+        /* q is the sum of all.hi and the rest; `all` and `large` are exact sums of two numbers */
+        const int rest = second_of(q.hi.node()), all_hi = first_of(q.hi.node()), all_lo = first_of(rest);
+        const int inner = second_of(rest), large_lo = first_of(inner), last_part = second_of(inner);
+        const int large_hi = first_of(all_hi);
+        exact_two_sum(g, {Real(0, large_hi), Real(0, large_lo)});
+        exact_two_sum(g, {Real(0, all_hi), Real(0, all_lo)});
+        expect(second_of(all_hi) >= 0 && what_is(second_of(all_hi)) == NEGATE && first_of(large_hi) == a.hi.node() &&
+                   first_of(last_part) == a.lo.node(),
+               "cor_log_ratio_far");
+        const std::string condition = exact_sum(g, q);
+        g.hypotheses.push_back(g.rounded(all_hi) + " in [0.49, 800]");
+        g.hypotheses.push_back("LN2 in [" + std::string(ln2_low) + ", " + ln2_high + "]");
+        const std::string c = g.rounded(second_of(large_hi)), c2 = g.rounded(second_of(last_part));
+        const std::string nr = g.rounded(rest), ni = g.rounded(inner), np = g.rounded(last_part);
+        const std::string multiple = e == 0 ? "" : " - (" + std::to_string(e) + ") * LN2";
+        g.text << "off = (" << g.rounded(q.hi.node()) << " + " << g.rounded(q.lo.node()) << ") - ((" << ah << " + " << al
+               << ")" << multiple << " - " << nl << ");\n";
+        g.hints.push_back("off -> (" + nr + " - (" + g.rounded(all_lo) + " + " + ni + ")) + (" + ni + " - (" +
+                          g.rounded(large_lo) + " + " + np + "))" +
+                          (e == 0 ? ";"
+                                  : " + (" + np + " - (" + al + " - " + c2 + ")) + ((" + c + " - " + c2 + ") + (" +
+                                        std::to_string(e) + ") * LN2);"));
+        char name[64];
+        snprintf(name, sizeof name, "disk_far_%04d", 1074 + e);
+        g.write(name, {}, "off" + units(COR_PROOF_FAR) + " /\\ |" + nr + "| in [0, 0.25]");
+        (void)condition;
+    }
+    expect(last == 3 || last == 2, "cor_log_ratio_far: the last exponent");
+}
+
+/* The remainder of the quotient d of cor_log_ratio_near, before it is divided: within 2^-74 of difference - d x for d
+ * and x from [1, 2]. Powers of two times d or x scale every operation. */
+static void write_log_near(void)
+{
+    start();
+    const struct cor_inline_pair a = {variable("a", 1.5), variable("a_lo", 1e-17)};
+    const Real x = variable("x", 1.25);
+    const struct cor_inline_pair q = cor_log_ratio_near(a, x);
+    const int quotient = q.lo.node(), d = first_of(q.hi.node()), difference = first_of(d), rest = first_of(quotient);
+    const int first = first_of(rest), hi = second_of(first), lo = second_of(rest);
+    const char *const name = "cor_log_ratio_near";
+    expect(what_is(q.hi.node()) == LOG1P && what_is(quotient) == DIVIDE && what_is(d) == DIVIDE, name);
+    expect(second_of(d) == x.node() && first_of(first) == difference && what_is(second_of(quotient)) == ADD, name);
+    expect(what_is(difference) == ADD && second_of(difference) == a.lo.node(), name);
+    const int exact_part = first_of(difference);
+    expect(what_is(exact_part) == SUBTRACT && first_of(exact_part) == a.hi.node(), name);
+    expect(second_of(exact_part) == x.node(), name);
+    {
+        gappa g;
+        const std::string nd = cut(g, difference, "[1, 4]"), nx = cut(g, x.node(), "[1, 2]");
+        g.define(rest);
+        g.hypotheses.push_back(g.rounded(d) + " in [1, 2]");
+        const std::string product = product_error(g, hi, lo), nr = g.rounded(rest), nq = g.rounded(d);
+        g.text << "exact = " << nd << " - " << nq << " * " << nx << ";\n";
+        g.hints.push_back("exact -> " + nx + " * (" + nd + " / " + nx + " - " + nq + ") { " + nx + " <> 0 };");
+        g.hints.push_back(nd + " - " + g.rounded(hi) + " -> exact - (" + g.rounded(hi) + " - " + nq + " * " + nx + ");");
+        g.hints.push_back(nr + " - exact -> (" + nr + " - (" + g.rounded(first) + " - " + g.rounded(lo) + ")) + (" +
+                          g.rounded(first) + " - (" + nd + " - " + g.rounded(hi) + ")) - " + product + ";");
+        g.write("disk_near_remainder", {}, "|" + nr + " - exact| in [0, 1b-74]");
+    }
+    /* a.hi - x is exact for x <= a.hi <= 1.66 x */
+    for (int k = 0; k < 2; k++) {
+        gappa g;
+        const std::string nx = cut(g, x.node(), "[1, 2]"), na = cut(g, a.hi.node(), k ? "[2, 4]" : "[1, 2]");
+        g.define(exact_part);
+        g.hypotheses.push_back(na + " - " + nx + " in [0, 1.4]");
+        g.write("disk_near_difference_" + std::to_string(k), {},
+                g.rounded(exact_part) + " - (" + na + " - " + nx + ") in [0, 0]");
+    }
+}
+
+/* ---- t of q ---- */
+
+/* A rounded root p of the double `twice`, and its correction (twice + twice_lo - p^2)/(2 p), where (hi, lo) is the
+ * square of p: within 2^-70 for p from [1, 2]. Powers of four times `twice` scale every operation. */
+static void write_root_correction(const std::string &name, int p, int correction, int twice, int twice_lo, int hi,
+                                  int lo)
+{
+    gappa g;
+    const int sum = first_of(correction), minus_lo = first_of(sum), first = first_of(minus_lo);
+    const std::string np = cut(g, p, "[1, 2]"), nt = cut(g, twice, "[0.99, 4.01]");
+    const std::string nl = cut(g, twice_lo, "[-1b-51, 1b-51]");
+    g.define(correction);
+    const std::string product = product_error(g, hi, lo), nc = g.rounded(correction), ns = g.rounded(sum);
+    /* p is within 2^-53 p of the root */
+    g.hypotheses.push_back(nt + " - " + np + " * " + np + " in [-1b-50, 1b-50]");
+    g.text << "R = (" << nt << " - " << np << " * " << np << ") + " << nl << ";\n";
+    g.hints.push_back(nt + " - " + g.rounded(hi) + " -> (" + nt + " - " + np + " * " + np + ") - (" + g.rounded(hi) +
+                      " - " + np + " * " + np + ");");
+    g.hints.push_back(ns + " - R -> (" + ns + " - (" + g.rounded(minus_lo) + " + " + nl + ")) + (" +
+                      g.rounded(minus_lo) + " - (" + g.rounded(first) + " - " + g.rounded(lo) + ")) + (" +
+                      g.rounded(first) + " - (" + nt + " - " + g.rounded(hi) + ")) - " + product + ";");
+    g.hints.push_back(ns + " -> R + (" + ns + " - R);");
+    const std::string twice_p = g.rounded(second_of(correction));
+    g.hints.push_back(nc + " - R / (2 * " + np + ") -> (" + nc + " - " + ns + " / " + twice_p + ") + (" + ns +
+                      " - R) / (2 * " + np + ") + " + ns + " * (2 * " + np + " - " + twice_p + ") / (" + twice_p +
+                      " * (2 * " + np + ")) { " + np + " <> 0, " + twice_p + " <> 0 };");
+    g.write(name, {}, "|" + nc + " - R / (2 * " + np + ")| in [0, 1b-70]");
+}
+
+/* The number of a constant's double */
+static mpq_class rational(number x)
+{
+    return mpq_class(x);
+}
+
+/* Two rational functions of low degree that agree at 24 points are equal. The list of operations `result`, without
+ * rounding, must be `formula` of the variable `at`; other variables are in `fixed`. */
+static void check_disk_formula(const char *what, int result, int at,
+                               const std::function<mpq_class(const mpq_class &, assignment &)> &formula)
+{
+    for (int i = 1; i <= 24; i++) {
+        assignment known;
+        const mpq_class z(i * 7 + 3, 40 + i);
+        known[at] = z;
+        const mpq_class value = formula(z, known);
+        expect(exact_value(result, known) == value, what);
+    }
+}
+
+/* cor_lambert_t_pair for q.hi < 0.1, p = sqrt(2 q.hi): the rest of the series has a relative error below
+ * COR_PROOF_SERIES, and the correction of p, for p from [1, 2], an error below 2^-70. */
+static void write_series(void)
+{
+    start();
+    const struct cor_inline_pair q = {variable("q", 0.04), variable("q_lo", 1e-19)}, t = cor_lambert_t_pair(q);
+    const int p = t.hi.node(), correction = first_of(t.lo.node()), rest = second_of(t.lo.node());
+    const char *const name = "the series of cor_lambert_t_pair";
+    expect(what_is(t.lo.node()) == ADD && what_is(p) == SQRT && what_is(correction) == DIVIDE, name);
+    check_disk_formula(name, rest, p, [](const mpq_class &z, assignment &) {
+        mpq_class sum = 0;
+        for (std::size_t k = sizeof series / sizeof *series; k-- > 0;)
+            sum = sum * z + rational(series[k].value);
+        return mpq_class(sum * z * z);
+    });
+    {
+        gappa g;
+        cut(g, p, "[1b-251, 0.4473]");
+        g.define(rest);
+        g.write("disk_series", {},
+                "(" + g.rounded(rest) + " - " + g.exact(rest) + ") / " + g.exact(rest) + units(COR_PROOF_SERIES));
+    }
+    const int sum = first_of(correction), twice_lo = second_of(sum), minus_lo = first_of(sum);
+    const int first = first_of(minus_lo), lo = second_of(minus_lo), twice = first_of(first), hi = second_of(first);
+    expect(what_is(sum) == ADD && what_is(minus_lo) == SUBTRACT && what_is(first) == SUBTRACT && first_of(p) == twice,
+           name);
+    write_root_correction("disk_series_correction", p, correction, twice, twice_lo, hi, lo);
+}
+
+/* (q <= 3) the start 1 + p (1 + p (1/3 + p (1/36 - p/270))) has a relative error below 2^-48 */
+static void write_start(void)
+{
+    start();
+    const struct cor_inline_pair q = {variable("q", 1.1), variable("q_lo", 1e-19)};
+    cor_lambert_t_pair(q);
+    const int p = find_operation(SQRT), y = first_of(find_operation(LOG));
+    check_disk_formula("the start of t", y, p, [](const mpq_class &z, assignment &) {
+        return mpq_class(1 + z * (1 + z * (rational(1.0 / 3) + z * (rational(1.0 / 36) - z * rational(1.0 / 270)))));
+    });
+    gappa g;
+    cut(g, p, "[0.44, 2.46]");
+    g.define(y);
+    g.write("disk_start", {}, "(" + g.rounded(y) + " - " + g.exact(y) + ") / " + g.exact(y) + units(COR_PROOF_START));
+}
+
+/* The two steps, for y = 1 + t in cells. r is the residual with the double L that log(y) returns. The step of fourth
+ * order gives y (1 + e) for e = (r/u) (b + r)/(b + 2 r) within COR_PROOF_STEP, relative; Newton's step gives y r/u. */
+static void write_steps(void)
+{
+    start();
+    const struct cor_inline_pair q = {variable("q", 1.1), variable("q_lo", 1e-19)}, t = cor_lambert_t_pair(q);
+    const char *const name = "cor_lambert_t_pair";
+    const int l1 = find_operation(LOG), y0 = first_of(l1), qh = q.hi.node(), ql = q.lo.node();
+    int l2 = l1;
+    for (std::size_t i = 0; i < nodes().size(); i++)
+        if (nodes()[i].what == LOG)
+            l2 = (int)i;
+    const int y1 = first_of(l2), u1 = t.hi.node(), tlo = t.lo.node();
+    expect(l1 != l2 && what_is(tlo) == MULTIPLY && first_of(tlo) == y1 && what_is(second_of(tlo)) == DIVIDE, name);
+    const int r1 = first_of(second_of(tlo));
+    expect(second_of(second_of(tlo)) == u1 && what_is(u1) == SUBTRACT && first_of(u1) == y1 && is_constant(second_of(u1), 1),
+           name);
+    expect(what_is(y1) == ADD && first_of(y1) == y0 && what_is(second_of(y1)) == MULTIPLY, name);
+    const int ratio = second_of(second_of(y1)), r0 = first_of(first_of(ratio)), u0 = second_of(first_of(ratio));
+    expect(what_is(ratio) == MULTIPLY && what_is(first_of(ratio)) == DIVIDE && what_is(r0) == ADD &&
+               second_of(r0) == l1 && what_is(u0) == SUBTRACT && first_of(u0) == y0,
+           name);
+    check_disk_formula("the step of fourth order", y1, y0, [&](const mpq_class &z, assignment &known) {
+        const mpq_class u = z - 1, log(3, 7), q0(5, 3), r = (q0 - u) + log;
+        known[l1] = log;
+        known[qh] = q0;
+        const mpq_class b = 2 * u * (u + r * rational(2.0 / 3));
+        return mpq_class(z + z * (r / u * ((b + r) / (b + 2 * r))));
+    });
+    check_disk_formula("Newton's step", tlo, y1, [&](const mpq_class &z, assignment &known) {
+        const mpq_class log(3, 7), q0(5, 3), low(1, 9);
+        known[l2] = log;
+        known[qh] = q0;
+        known[ql] = low;
+        return mpq_class(z * ((q0 + low - (z - 1) + log) / (z - 1)));
+    });
+    const int total = first_of(r1), low = second_of(r1), mh = first_of(total), ml = first_of(low);
+    expect(what_is(r1) == ADD && what_is(total) == ADD && second_of(total) == l2 && second_of(low) == ql, name);
+    std::vector<number> ends; /* no cell has a power of two inside */
+    for (number power = 1; power < 2048; power *= 2)
+        for (int k = power == 1 ? 4 : 0; k < 8; k += power < 4 ? 1 : 4)
+            ends.push_back(power * (1 + k / 8.0));
+    ends.push_back(2048);
+    for (std::size_t i = 0; i + 1 < ends.size(); i++) {
+        const std::string cell = "[" + hex(ends[i]) + ", " + hex(ends[i + 1]) + "]";
+        const number log_low = std::log(ends[i]) * (1 - 1e-9), log_high = std::log(ends[i + 1]) * (1 + 1e-9);
+        const std::string logs = "[" + hex(log_low) + ", " + hex(log_high) + "]";
+        const number slack = 2 * COR_PROOF_FIRST_RESIDUAL * ends[i + 1];
+        const std::string arguments = "[" + hex(std::max(0.05, ends[i] - 1 - log_high - slack)) + ", " +
+                                      hex(ends[i + 1] - 1 - log_low + slack) + "]";
+        char number_text[32];
+        snprintf(number_text, sizeof number_text, "%02zu", i);
+        {
+            gappa g;
+            const std::string y = cut(g, y0, cell), l = cut(g, l1, logs), nq = cut(g, qh, arguments);
+            g.define(y1);
+            /* |r| <= 0.009 y, |r| <= 0.009 u (y + 1)/2: tests/accuracy/test_disk_proof.c */
+            g.hypotheses.push_back(g.exact(r0) + units(COR_PROOF_FIRST_RESIDUAL * ends[i]));
+            const int over = first_of(ratio);
+            const std::string nr = g.rounded(r0), er = g.exact(r0), nu = g.rounded(u0), eu = g.exact(u0);
+            g.hints.push_back(g.rounded(over) + " - " + g.exact(over) + " -> (" + g.rounded(over) + " - " + nr + " / " +
+                              nu + ") + (" + nr + " - " + er + ") / " + nu + " + " + er + " * (" + eu + " - " + nu +
+                              ") / (" + nu + " * " + eu + ") { " + nu + " <> 0, " + eu + " <> 0 };");
+            g.write("disk_step_" + std::string(number_text), {},
+                    "(" + g.rounded(y1) + " - " + g.exact(y1) + ") / " + g.exact(y1) + units(COR_PROOF_STEP));
+        }
+        {
+            gappa g;
+            const std::string y = cut(g, y1, cell), l = cut(g, l2, logs), nq = cut(g, qh, arguments);
+            const std::string nql = cut(g, ql, "[-1b-42, 1b-42]");
+            const struct cor_inline_pair minus_log = {Real(0, mh), Real(0, ml)};
+            exact_sum(g, minus_log);
+            g.define(tlo);
+            const std::string nr = g.rounded(r1), nt = g.rounded(total), nlow = g.rounded(low);
+            g.text << "R = ((" << nq << " + " << nql << ") - (" << y << " - 1)) + " << l << ";\n";
+            g.hypotheses.push_back("R" + units(0x1p-32 * ends[i]));
+            g.hints.push_back(g.rounded(mh) + " + " + l + " -> R - (" + g.rounded(ml) + " + " + nql + ") + ((" + y +
+                              " - 1) - " + g.rounded(u1) + ");");
+            g.hints.push_back(nr + " - R -> (" + nr + " - (" + nt + " + " + nlow + ")) + (" + nt + " - (" +
+                              g.rounded(mh) + " + " + l + ")) + (" + nlow + " - (" + g.rounded(ml) + " + " + nql +
+                              ")) + ((" + y + " - 1) - " + g.rounded(u1) + ");");
+            g.hints.push_back(nr + " -> R + (" + nr + " - R);");
+            const std::string nu = g.rounded(u1);
+            g.hints.push_back(g.rounded(tlo) + " - " + y + " * R / " + nu + " -> (" + g.rounded(tlo) + " - " + y +
+                              " * " + g.rounded(second_of(tlo)) + ") + " + y + " * (" + g.rounded(second_of(tlo)) +
+                              " - " + nr + " / " + nu + ") + " + y + " / " + nu + " * (" + nr + " - R) { " + nu +
+                              " <> 0 };");
+            g.write("disk_newton_" + std::string(number_text), {},
+                    "|" + g.rounded(tlo) + " - " + y + " * R / " + nu + "| in [0, " +
+                        hex(COR_PROOF_NEWTON * ends[i]) + "]");
+        }
+    }
+}
+
+/* ---- pairs, sharper than the sphere needs them ---- */
+
+/* cor_inline_product(x, y) for x and y from [1, 2): |hi + lo - x y| <= 2^-102. All its sums but the last are exact,
+ * because the 27 lower bits of a factor are below 2^-25 - 2^-52. Returns the text of hi + lo - x y. */
+static std::string sharp_product(gappa &g, int hi, int lo)
+{
+    const int last = second_of(lo), c = first_of(lo), b = first_of(c), a = first_of(b);
+    const char *const name = "cor_inline_product";
+    expect(what_is(lo) == ADD && what_is(c) == ADD && what_is(b) == ADD && what_is(a) == SUBTRACT, name);
+    const int xl = first_of(last), yl = second_of(last);
+    const std::string x = g.rounded(first_of(hi)), y = g.rounded(second_of(hi)), h = g.rounded(hi);
+    const std::string nxl = g.rounded(xl), nyl = g.rounded(yl), nxh = g.rounded(second_of(xl)),
+                      nyh = g.rounded(second_of(yl));
+    expect(what_is(xl) == SUBTRACT && what_is(yl) == SUBTRACT && what_is(second_of(xl)) == HEAD, name);
+    const std::string high = std::to_string((1L << 27) - 1) + "b-52";
+    g.hypotheses.push_back(x + " - " + nxh + " in [0, " + high + "]");
+    g.hypotheses.push_back(y + " - " + nyh + " in [0, " + high + "]");
+    const std::string nc = g.rounded(c), nl = g.rounded(lo);
+    const std::string off = "(" + x + " * " + y + " - " + h + ")";
+    const std::string tail_x = "(" + x + " - " + nxh + ")", tail_y = "(" + y + " - " + nyh + ")";
+    /* in terms of the rounding error of hi */
+    const std::string exact_a = nxh + " * " + nyh + " - " + h, exact_b = "(" + exact_a + ") + " + nxh + " * " + tail_y;
+    const std::string exact_c = "(" + exact_b + ") + " + tail_x + " * " + nyh;
+    g.text << "pa" << lo << " = " << exact_a << ";\npb" << lo << " = " << exact_b << ";\npc" << lo << " = " << exact_c
+           << ";\npd" << lo << " = " << tail_x << " * " << tail_y << ";\n";
+    const std::string id = std::to_string(lo), pa = "pa" + id, pb = "pb" + id, pc = "pc" + id, pd = "pd" + id;
+    g.hints.push_back(pa + " -> " + off + " - " + tail_x + " * " + y + " - " + nxh + " * " + tail_y + ";");
+    g.hints.push_back(pb + " -> " + off + " - " + tail_x + " * " + y + ";");
+    g.hints.push_back(pc + " -> " + off + " - " + pd + ";");
+    return "(" + nl + " - (" + nc + " + " + g.rounded(last) + ")) + (" + g.rounded(last) + " - " + pd + ") + (" + nc +
+           " - " + pc + ")";
+}
+
+static void write_sharp_product(void)
+{
+    start();
+    const Real x = variable("x", 1.3), y = variable("y", 1.7);
+    const struct cor_inline_pair p = cor_inline_product(x, y);
+    gappa g;
+    const std::string below_2 = "[1, " + std::to_string((1L << 53) - 1) + "b-52]";
+    cut(g, x.node(), below_2);
+    cut(g, y.node(), below_2);
+    g.define(p.lo.node());
+    const std::string error = sharp_product(g, p.hi.node(), p.lo.node());
+    g.text << "off = " << sum_text(g, p) << " - " << g.rounded(x.node()) << " * " << g.rounded(y.node()) << ";\n";
+    g.hints.push_back("off -> " + error + ";");
+    g.write("disk_product", {}, "|off| in [0, 1b-102]");
+}
+
+/* cor_inline_pair_times for x and y from [1, 2), |lo| <= 2^-53: the pair is within 2^-101 of the product. */
+static void write_sharp_pair_times(void)
+{
+    start();
+    const struct cor_inline_pair x = pair_variable("x", 1.3), y = pair_variable("y", 1.7);
+    const struct cor_inline_pair p = cor_inline_pair_times(x, y);
+    gappa g;
+    const std::string below_2 = "[1, " + std::to_string((1L << 53) - 1) + "b-52]", low = "[-1b-53, 1b-53]";
+    const std::string xh = cut(g, x.hi.node(), below_2), yh = cut(g, y.hi.node(), below_2);
+    const std::string xl = cut(g, x.lo.node(), low), yl = cut(g, y.lo.node(), low);
+    const int rest = second_of(p.hi.node()), hi = first_of(p.hi.node()), lo = first_of(rest);
+    const std::string condition = exact_sum(g, p), product = sharp_product(g, hi, lo), nr = g.rounded(rest);
+    const std::string crossed = g.rounded(second_of(rest));
+    g.text << "off = " << sum_text(g, p) << " - (" << xh << " + " << xl << ") * (" << yh << " + " << yl << ");\n"
+           << "low = " << g.rounded(lo) << ";\n";
+    g.hints.push_back("low -> (" + product + ") + (" + xh + " * " + yh + " - " + g.rounded(hi) + ");");
+    g.hints.push_back("off -> (" + nr + " - (" + g.rounded(lo) + " + " + crossed + ")) + (" + crossed + " - (" + xh +
+                      " * " + yl + " + " + xl + " * " + yh + ")) + " + product + " - " + xl + " * " + yl + ";");
+    g.write("disk_pair_times", {}, "|off| in [0, 1b-101] /\\ |low| in [0, 1b-51]");
+}
+
+/* pair_plus(1, t) and pair_plus(1/2, q): rounding errors of the low parts. t.lo is below 0.09 after the series, and
+ * below 2^-31 y after Newton's step; q is a pair. */
+static void write_sums(void)
+{
+    static const struct {
+        const char *name;
+        number one, hi, low, bound;
+    } sums[] = {{"disk_one_plus_series", 1, 0.448, 0.09, 0x1p-56},
+                {"disk_one_plus_newton", 1, 2048, 0x1p-20, 0x1p-72},
+                {"disk_half_plus", 0.5, 1024, 0x1p-43, 0x1p-95}};
+    for (const auto &f : sums) {
+        start();
+        const struct cor_inline_pair t = {variable("t", 0.3), variable("t_lo", 0.01)};
+        const struct cor_inline_pair y = f.one == 1 ? one_plus(t) : pair_plus(pair_of(f.one), t);
+        const int sum_hi = first_of(y.hi.node()), rest = second_of(y.hi.node()), sum_lo = first_of(rest);
+        gappa g;
+        const std::string th = cut(g, t.hi.node(), "[0, " + hex(f.hi) + "]");
+        const std::string tl = cut(g, t.lo.node(), "[-" + hex(f.low) + ", " + hex(f.low) + "]");
+        exact_two_sum(g, {Real(0, sum_hi), Real(0, sum_lo)});
+        exact_sum(g, y);
+        g.text << "off = " << sum_text(g, y) << " - (" << hex(f.one) << " + " << th << " + " << tl << ");\n";
+        g.hints.push_back("off -> (" + g.rounded(rest) + " - (" + g.rounded(sum_lo) + " + " + g.rounded(second_of(rest)) +
+                          ")) + (" + g.rounded(second_of(rest)) + " - " + tl + ");");
+        g.write(f.name, {}, "off" + units(f.bound) + " /\\ |" + g.rounded(rest) + "| in [0, 0.25]");
+    }
+}
+
+/* ---- the last operations of the law ---- */
+
+/* pair_sqrt: the correction of the root, as above, and the exact last sum */
+static void write_pair_sqrt(void)
+{
+    start();
+    const struct cor_inline_pair x = pair_variable("x", 1.3), root = pair_sqrt(x);
+    const int p = first_of(root.hi.node()), correction = second_of(root.hi.node()), sum = first_of(correction);
+    const int first = first_of(first_of(sum)), lo = second_of(first_of(sum)), hi = second_of(first);
+    expect(what_is(p) == SQRT && second_of(sum) == x.lo.node() && first_of(p) == x.hi.node(), "pair_sqrt");
+    write_root_correction("disk_pair_sqrt", p, correction, x.hi.node(), x.lo.node(), hi, lo);
+}
+
+/* times and square_times: the number that is rounded last is within 2^-68 of x f or x^2 f, x and f from [1, 2). */
+static void write_times(void)
+{
+    for (int squared = 0; squared < 2; squared++) {
+        start();
+        const Real x = variable("x", 1.3);
+        const struct cor_inline_pair f = pair_variable("f", 1.7);
+        const Real value = squared ? square_times(x, f) : times(x, f);
+        const int last = squared ? value.node() : first_of(value.node());
+        expect(what_is(last) == ADD && (squared || is_constant(second_of(value.node()), 1)), "times");
+        gappa g;
+        cut(g, x.node(), "[1, 2]");
+        pair_in(g, f);
+        const std::string nx = g.rounded(x.node()), fh = g.rounded(f.hi.node()), fl = g.rounded(f.lo.node());
+        if (!squared) {
+            const int hi = first_of(last), rest = second_of(last), lo = first_of(rest);
+            g.define(rest);
+            const std::string product = product_error(g, hi, lo), nr = g.rounded(rest), add = g.rounded(second_of(rest));
+            g.text << "off = (" << g.rounded(hi) << " + " << nr << ") - " << nx << " * (" << fh << " + " << fl << ");\n";
+            g.hints.push_back("off -> (" + nr + " - (" + g.rounded(lo) + " + " + add + ")) + (" + add + " - " + nx +
+                              " * " + fl + ") + " + product + ";");
+            g.write("disk_times", {}, "|off| in [0, 1b-68]");
+        } else {
+            /* the square and its product with f, both within 2^-70 by the goals of pairs */
+            const int hi = first_of(last), lo = second_of(last), square = first_of(first_of(hi));
+            expect(what_is(square) == MULTIPLY && first_of(square) == x.node() && second_of(square) == x.node(),
+                   "square_times");
+            const struct cor_inline_pair result = {Real(0, hi), Real(0, lo)}, product = cor_inline_product(x, x),
+                                         again = cor_inline_pair_times(product, f);
+            expect(again.hi.node() == hi && again.lo.node() == lo, "square_times");
+        }
+    }
+}
+
+/* ---- the formulas of the law ---- */
+
+/* The last logarithm and Newton's step of a trace */
+struct found_t {
+    int log, hi, lo;
+};
+
+static found_t find_t(void)
+{
+    found_t t = {-1, -1, -1};
+    for (std::size_t i = 0; i < nodes().size(); i++)
+        if (nodes()[i].what == LOG)
+            t.log = (int)i;
+    const int y = first_of(t.log);
+    for (std::size_t i = 0; i < nodes().size(); i++) {
+        const node &n = nodes()[i];
+        if (n.what == SUBTRACT && n.a == y && is_constant(n.b, 1))
+            t.hi = (int)i;
+        if (n.what == MULTIPLY && n.a == y && what_is(n.b) == DIVIDE && second_of(n.b) == t.hi)
+            t.lo = (int)i;
+    }
+    expect(t.hi >= 0 && t.lo >= 0, "the law of the disk");
+    return t;
+}
+
+static mpq_class of_pair(const struct cor_inline_pair &x)
+{
+    return rational(x.hi.value) + rational(x.lo.value);
+}
+
+/* Newton's step from the root that the trace has, r: r + (x - r^2)/(2 r) */
+static mpq_class newton_root(const mpq_class &x, const mpq_class &r)
+{
+    return r + (x - r * r) / (2 * r);
+}
+
+/* Each function of the law, without rounding, is its formula: of t, whose q is slope nu + ln(limit at nu = 0) - ln(x),
+ * far from the limit. */
+static void check_law(void)
+{
+    typedef mpq_class formula(const mpq_class &x, const mpq_class &t, const mpq_class &r);
+    static const struct {
+        const char *name;
+        Real (*law)(Real x, Real nu, enum cor_disk_datum datum);
+        enum quantity quantity;
+        bool inverse; /* t of q, or t = q */
+        int multiple; /* of the logarithm */
+        formula *of;
+    } laws[] = {
+        {"law_load", law_load, COMPRESSION, true, 1,
+         [](const mpq_class &x, const mpq_class &t, const mpq_class &) { return mpq_class(x * of_pair(pi) / (1 + t)); }},
+        {"law_compression", law_compression, LOAD, false, 1,
+         [](const mpq_class &x, const mpq_class &t, const mpq_class &) {
+             return mpq_class(x * of_pair(one_over_pi) * (1 + t));
+         }},
+        {"law_energy", law_energy, LOAD, false, 1,
+         [](const mpq_class &x, const mpq_class &t, const mpq_class &) {
+             return mpq_class(x * x * of_pair(one_over_two_pi) * (mpq_class(1, 2) + t));
+         }},
+        {"law_load_of_energy", law_load_of_energy, ENERGY, true, 1,
+         [](const mpq_class &x, const mpq_class &t, const mpq_class &r) {
+             return newton_root(of_pair(four_pi) * x / (1 + t), r);
+         }},
+        {"law_max_load", law_max_load, SPEED, true, 2,
+         [](const mpq_class &x, const mpq_class &t, const mpq_class &r) {
+             return mpq_class(x * of_pair(root_2_pi) / newton_root(1 + t, r));
+         }},
+        {"law_max_compression", law_max_compression, SPEED, true, 2,
+         [](const mpq_class &x, const mpq_class &t, const mpq_class &r) {
+             return mpq_class(x * of_pair(root_2) * (1 + t / 2) / newton_root(1 + t, r));
+         }},
+    };
+    for (const auto &f : laws)
+        for (const enum cor_disk_datum datum :
+             {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER, COR_DISK_DATUM_PRINTED}) {
+            start();
+            const Real x = variable("x", 0x1.8p-7), nu = variable("nu", 0.25);
+            const int result = f.law(x, nu, datum).node();
+            struct limit limit;
+            find_limit(f.quantity, nu, datum, &limit);
+            const found_t t = f.inverse ? find_t() : found_t{find_operation(LOG), -1, -1};
+            const int far = find_operation(LOG);
+            assignment known;
+            known[x.node()] = mpq_class(3, 7);
+            known[nu.node()] = mpq_class(1, 5);
+            int seen = 0;
+            for (std::size_t i = 0; i < nodes().size(); i++)
+                if (nodes()[i].what == HEAD || nodes()[i].what == SEED)
+                    known[(int)i] = mpq_class((int)i % 5, 4);
+                else if (nodes()[i].what == SQRT)
+                    known[(int)i] = mpq_class(11, 8 + ++seen); /* the last one is the law's */
+                else if (nodes()[i].what == LOG)
+                    known[(int)i] = mpq_class(3, 4 + (int)i % 7);
+            const mpq_class root(11, 8 + seen);
+            /* x = 1.5 2^-7 = 0.75 2^-6 */
+            mpq_class q = of_pair(limit.at_zero.log) + exact_value(limit.exponent.node(), known) - known[far] +
+                          6 * (rational(0.69314718055989033019) + rational(5.4979230187083711747e-14));
+            const mpq_class slope = datum == COR_DISK_DATUM_DIAMETER  ? mpq_class(0)
+                                    : datum == COR_DISK_DATUM_PRINTED ? mpq_class(-1)
+                                                                      : mpq_class(-1, 4);
+            expect(exact_value(limit.exponent.node(), known) == (f.quantity == ENERGY ? 2 : 1) * slope * known[nu.node()],
+                   f.name);
+            q *= f.multiple;
+            mpq_class value = q;
+            if (f.inverse) {
+                const mpq_class u = exact_value(t.hi, known);
+                value = u + (u + 1) * (q - u + known[t.log]) / u;
+                expect(value == u + exact_value(t.lo, known), f.name);
+            }
+            expect(exact_value(result, known) == f.of(known[x.node()], value, root), f.name);
+        }
+}
+
+static void write_disk(void)
+{
+    check_law();
+    write_log_far();
+    write_log_near();
+    write_series();
+    write_start();
+    write_steps();
+    write_sharp_product();
+    write_sharp_pair_times();
+    write_sums();
+    write_pair_sqrt();
+    write_times();
+}
