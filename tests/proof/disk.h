@@ -25,7 +25,8 @@ static void exact_two_sum(gappa &g, const struct cor_inline_pair &pair)
     const char *const name = "cor_inline_two_sum";
     expect(what_is(hi) == ADD && what_is(lo) == ADD, name);
     const int x = first_of(hi), y = second_of(hi), left = first_of(lo), right = second_of(lo);
-    expect(what_is(left) == SUBTRACT && what_is(right) == SUBTRACT && first_of(left) == x && first_of(right) == y, name);
+    expect(what_is(left) == SUBTRACT && what_is(right) == SUBTRACT && first_of(left) == x && first_of(right) == y,
+           name);
     const int part = second_of(right), other = second_of(left);
     expect(what_is(part) == SUBTRACT && first_of(part) == hi && second_of(part) == x, name);
     expect(what_is(other) == SUBTRACT && first_of(other) == hi && second_of(other) == part, name);
@@ -115,8 +116,8 @@ static void write_log_far(void)
         const std::string c = g.rounded(second_of(large_hi)), c2 = g.rounded(second_of(last_part));
         const std::string nr = g.rounded(rest), ni = g.rounded(inner), np = g.rounded(last_part);
         const std::string multiple = e == 0 ? "" : " - (" + std::to_string(e) + ") * LN2";
-        g.text << "off = (" << g.rounded(q.hi.node()) << " + " << g.rounded(q.lo.node()) << ") - ((" << ah << " + " << al
-               << ")" << multiple << " - " << nl << ");\n";
+        g.text << "off = (" << g.rounded(q.hi.node()) << " + " << g.rounded(q.lo.node()) << ") - ((" << ah << " + "
+               << al << ")" << multiple << " - " << nl << ");\n";
         g.hints.push_back("off -> (" + nr + " - (" + g.rounded(all_lo) + " + " + ni + ")) + (" + ni + " - (" +
                           g.rounded(large_lo) + " + " + np + "))" +
                           (e == 0 ? ";"
@@ -155,10 +156,11 @@ static void write_log_near(void)
         const std::string product = product_error(g, hi, lo), nr = g.rounded(rest), nq = g.rounded(d);
         g.text << "exact = " << nd << " - " << nq << " * " << nx << ";\n";
         g.hints.push_back("exact -> " + nx + " * (" + nd + " / " + nx + " - " + nq + ") { " + nx + " <> 0 };");
-        g.hints.push_back(nd + " - " + g.rounded(hi) + " -> exact - (" + g.rounded(hi) + " - " + nq + " * " + nx + ");");
+        g.hints.push_back(nd + " - " + g.rounded(hi) + " -> exact - (" + g.rounded(hi) + " - " + nq + " * " + nx +
+                          ");");
         g.hints.push_back(nr + " - exact -> (" + nr + " - (" + g.rounded(first) + " - " + g.rounded(lo) + ")) + (" +
                           g.rounded(first) + " - (" + nd + " - " + g.rounded(hi) + ")) - " + product + ";");
-        g.write("disk_near_remainder", {}, "|" + nr + " - exact| in [0, 1b-74]");
+        g.write("disk_near_remainder", {}, "|" + nr + " - exact| in [0, " + hex(COR_PROOF_NEAR) + "]");
     }
     /* a.hi - x is exact for x <= a.hi <= 1.66 x */
     for (int k = 0; k < 2; k++) {
@@ -231,13 +233,13 @@ static void write_series(void)
     expect(what_is(t.lo.node()) == ADD && what_is(p) == SQRT && what_is(correction) == DIVIDE, name);
     check_disk_formula(name, rest, p, [](const mpq_class &z, assignment &) {
         mpq_class sum = 0;
-        for (std::size_t k = sizeof series / sizeof *series; k-- > 0;)
-            sum = sum * z + rational(series[k].value);
+        for (std::size_t k = sizeof lambert_series / sizeof *lambert_series; k-- > 0;)
+            sum = sum * z + rational(lambert_series[k].value);
         return mpq_class(sum * z * z);
     });
     {
         gappa g;
-        cut(g, p, "[1b-251, 0.4473]");
+        cut(g, p, "[1b-251, " + hex(COR_PROOF_SERIES_MAX_P) + "]");
         g.define(rest);
         g.write("disk_series", {},
                 "(" + g.rounded(rest) + " - " + g.exact(rest) + ") / " + g.exact(rest) + units(COR_PROOF_SERIES));
@@ -280,7 +282,8 @@ static void write_steps(void)
     const int y1 = first_of(l2), u1 = t.hi.node(), tlo = t.lo.node();
     expect(l1 != l2 && what_is(tlo) == MULTIPLY && first_of(tlo) == y1 && what_is(second_of(tlo)) == DIVIDE, name);
     const int r1 = first_of(second_of(tlo));
-    expect(second_of(second_of(tlo)) == u1 && what_is(u1) == SUBTRACT && first_of(u1) == y1 && is_constant(second_of(u1), 1),
+    expect(second_of(second_of(tlo)) == u1 && what_is(u1) == SUBTRACT && first_of(u1) == y1 &&
+               is_constant(second_of(u1), 1),
            name);
     expect(what_is(y1) == ADD && first_of(y1) == y0 && what_is(second_of(y1)) == MULTIPLY, name);
     const int ratio = second_of(second_of(y1)), r0 = first_of(first_of(ratio)), u0 = second_of(first_of(ratio));
@@ -340,7 +343,7 @@ static void write_steps(void)
             g.define(tlo);
             const std::string nr = g.rounded(r1), nt = g.rounded(total), nlow = g.rounded(low);
             g.text << "R = ((" << nq << " + " << nql << ") - (" << y << " - 1)) + " << l << ";\n";
-            g.hypotheses.push_back("R" + units(0x1p-32 * ends[i]));
+            g.hypotheses.push_back("R" + units(COR_PROOF_SECOND_RESIDUAL * ends[i]));
             g.hints.push_back(g.rounded(mh) + " + " + l + " -> R - (" + g.rounded(ml) + " + " + nql + ") + ((" + y +
                               " - 1) - " + g.rounded(u1) + ");");
             g.hints.push_back(nr + " - R -> (" + nr + " - (" + nt + " + " + nlow + ")) + (" + nt + " - (" +
@@ -353,8 +356,8 @@ static void write_steps(void)
                               " - " + nr + " / " + nu + ") + " + y + " / " + nu + " * (" + nr + " - R) { " + nu +
                               " <> 0 };");
             g.write("disk_newton_" + std::string(number_text), {},
-                    "|" + g.rounded(tlo) + " - " + y + " * R / " + nu + "| in [0, " +
-                        hex(COR_PROOF_NEWTON * ends[i]) + "]");
+                    "|" + g.rounded(tlo) + " - " + y + " * R / " + nu + "| in [0, " + hex(COR_PROOF_NEWTON * ends[i]) +
+                        "]");
         }
     }
 }
@@ -426,7 +429,7 @@ static void write_sharp_pair_times(void)
     g.hints.push_back("low -> (" + product + ") + (" + xh + " * " + yh + " - " + g.rounded(hi) + ");");
     g.hints.push_back("off -> (" + nr + " - (" + g.rounded(lo) + " + " + crossed + ")) + (" + crossed + " - (" + xh +
                       " * " + yl + " + " + xl + " * " + yh + ")) + " + product + " - " + xl + " * " + yl + ";");
-    g.write("disk_pair_times", {}, "|off| in [0, 1b-101] /\\ |low| in [0, 1b-51]");
+    g.write("disk_pair_times", {}, "|off| in [0, " + hex(COR_PROOF_PAIR_TIMES) + "] /\\ |low| in [0, 1b-51]");
 }
 
 /* pair_plus(1, t) and pair_plus(1/2, q): rounding errors of the low parts. t.lo is below 0.09 after the series, and
@@ -436,9 +439,9 @@ static void write_sums(void)
     static const struct {
         const char *name;
         number one, hi, low, bound;
-    } sums[] = {{"disk_one_plus_series", 1, 0.448, 0.09, 0x1p-56},
-                {"disk_one_plus_newton", 1, 2048, 0x1p-20, 0x1p-72},
-                {"disk_half_plus", 0.5, 1024, 0x1p-43, 0x1p-95}};
+    } sums[] = {{"disk_one_plus_series", 1, 0.448, COR_PROOF_SERIES_MAX_LOW, COR_PROOF_SUM_SERIES},
+                {"disk_one_plus_newton", 1, 2048, 0x1p-20, COR_PROOF_SUM_NEWTON},
+                {"disk_half_plus", 0.5, 1024, 0x1p-43, COR_PROOF_SUM_HALF}};
     for (const auto &f : sums) {
         start();
         const struct cor_inline_pair t = {variable("t", 0.3), variable("t_lo", 0.01)};
@@ -450,8 +453,8 @@ static void write_sums(void)
         exact_two_sum(g, {Real(0, sum_hi), Real(0, sum_lo)});
         exact_sum(g, y);
         g.text << "off = " << sum_text(g, y) << " - (" << hex(f.one) << " + " << th << " + " << tl << ");\n";
-        g.hints.push_back("off -> (" + g.rounded(rest) + " - (" + g.rounded(sum_lo) + " + " + g.rounded(second_of(rest)) +
-                          ")) + (" + g.rounded(second_of(rest)) + " - " + tl + ");");
+        g.hints.push_back("off -> (" + g.rounded(rest) + " - (" + g.rounded(sum_lo) + " + " +
+                          g.rounded(second_of(rest)) + ")) + (" + g.rounded(second_of(rest)) + " - " + tl + ");");
         g.write(f.name, {}, "off" + units(f.bound) + " /\\ |" + g.rounded(rest) + "| in [0, 0.25]");
     }
 }
@@ -486,11 +489,13 @@ static void write_times(void)
         if (!squared) {
             const int hi = first_of(last), rest = second_of(last), lo = first_of(rest);
             g.define(rest);
-            const std::string product = product_error(g, hi, lo), nr = g.rounded(rest), add = g.rounded(second_of(rest));
-            g.text << "off = (" << g.rounded(hi) << " + " << nr << ") - " << nx << " * (" << fh << " + " << fl << ");\n";
+            const std::string product = product_error(g, hi, lo), nr = g.rounded(rest),
+                              add = g.rounded(second_of(rest));
+            g.text << "off = (" << g.rounded(hi) << " + " << nr << ") - " << nx << " * (" << fh << " + " << fl
+                   << ");\n";
             g.hints.push_back("off -> (" + nr + " - (" + g.rounded(lo) + " + " + add + ")) + (" + add + " - " + nx +
                               " * " + fl + ") + " + product + ";");
-            g.write("disk_times", {}, "|off| in [0, 1b-68]");
+            g.write("disk_times", {}, "|off| in [0, " + hex(COR_PROOF_PAIRS) + "]");
         } else {
             /* the square and its product with f, both within 2^-70 by the goals of pairs */
             const int hi = first_of(last), lo = second_of(last), square = first_of(first_of(hi));
@@ -553,7 +558,9 @@ static void check_law(void)
         formula *of;
     } laws[] = {
         {"law_load", law_load, COMPRESSION, true, 1,
-         [](const mpq_class &x, const mpq_class &t, const mpq_class &) { return mpq_class(x * of_pair(pi) / (1 + t)); }},
+         [](const mpq_class &x, const mpq_class &t, const mpq_class &) {
+             return mpq_class(x * of_pair(pi) / (1 + t));
+         }},
         {"law_compression", law_compression, LOAD, false, 1,
          [](const mpq_class &x, const mpq_class &t, const mpq_class &) {
              return mpq_class(x * of_pair(one_over_pi) * (1 + t));
@@ -603,7 +610,8 @@ static void check_law(void)
             const mpq_class slope = datum == COR_DISK_DATUM_DIAMETER  ? mpq_class(0)
                                     : datum == COR_DISK_DATUM_PRINTED ? mpq_class(-1)
                                                                       : mpq_class(-1, 4);
-            expect(exact_value(limit.exponent.node(), known) == (f.quantity == ENERGY ? 2 : 1) * slope * known[nu.node()],
+            expect(exact_value(limit.exponent.node(), known) ==
+                       (f.quantity == ENERGY ? 2 : 1) * slope * known[nu.node()],
                    f.name);
             q *= f.multiple;
             mpq_class value = q;
@@ -616,9 +624,52 @@ static void check_law(void)
         }
 }
 
+/* Near the limit, log1p receives (limit - x)/x, where the limit, without rounding, is its number at nu = 0 times
+ * (1 + s)^512 with ten terms of s = exp(slope nu/512) - 1. */
+static void check_limit(void)
+{
+    start();
+    const Real nu = variable("nu", 0.25), x = variable("x", 0.8);
+    struct limit limit;
+    find_limit(LOAD, nu, COR_DISK_DATUM_CENTRE_OF_MASS, &limit);
+    const struct cor_inline_pair pair = limit_number(&limit), q = cor_log_ratio_near(pair, x);
+    assignment known;
+    known[nu.node()] = mpq_class(1, 2);
+    known[x.node()] = mpq_class(3, 4);
+    for (std::size_t i = 0; i < nodes().size(); i++)
+        if (nodes()[i].what == HEAD)
+            known[(int)i] = mpq_class((int)i % 3);
+    const mpq_class r = mpq_class(-1, 8) / 512; /* -nu/4/512 */
+    static const number factorial[] = {1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800};
+    static const struct cor_inline_pair pairs[] = {{1, 0},
+                                                   {0.5, 0},
+                                                   {0.166666666666666657, 9.25185853854297066e-18},
+                                                   {0.0416666666666666644, 2.31296463463574266e-18},
+                                                   {0.00833333333333333322, 1.15648231731787138e-19},
+                                                   {0.00138888888888888894, -5.30054395437357706e-20}};
+    mpq_class s = 0;
+    for (int i = 3; i >= 0; i--)
+        s = r * (rational(factorial[i]) + s);
+    for (int i = 5; i >= 0; i--) {
+        int k = 1;
+        for (int j = 2; j <= i + 1; j++)
+            k *= j;
+        expect(abs(of_pair(pairs[i]) * k - 1) < rational(0x1p-104), "a coefficient of exp");
+        s = r * (of_pair(pairs[i]) + s);
+    }
+    mpq_class value = s + 1;
+    for (int i = 0; i < 9; i++)
+        value *= value;
+    value *= of_pair(limit.at_zero.number);
+    expect(exact_value(pair.hi.node(), known) + exact_value(pair.lo.node(), known) == value, "limit_number");
+    expect(exact_value(first_of(q.hi.node()), known) == (value - mpq_class(3, 4)) / mpq_class(3, 4),
+           "cor_log_ratio_near");
+}
+
 static void write_disk(void)
 {
     check_law();
+    check_limit();
     write_log_far();
     write_log_near();
     write_series();
