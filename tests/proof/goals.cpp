@@ -358,7 +358,10 @@ struct gappa {
         if (!is_wanted(name) || files++ % parts != part)
             return;
         written++;
-        std::ofstream out(std::string(output_directory) + "/" + name + ".g");
+        const std::string path = std::string(output_directory) + "/" + name + ".g";
+        if (std::ifstream(path))
+            die(name + ": two goals have this name");
+        std::ofstream out(path);
         out << text.str() << "{ ";
         std::vector<std::string> all = hypotheses;
         all.insert(all.end(), more.begin(), more.end());
