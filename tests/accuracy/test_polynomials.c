@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The polynomials of runtime/core/elementary.h, runtime/core/lambert_w.c and runtime/law/: the errors that stand beside them. Those that carry
- * the accuracy of a kernel are proved: in each cell of the interval the error is Taylor's polynomial in balls around
- * the middle and a remainder enclosed over the cell. The start values of Newton's method are sampled. */
+/* The polynomials of runtime/core/elementary.h, runtime/core/lambert_w.c and runtime/law/: the errors that stand
+ * beside them. Those that carry the accuracy of a kernel are proved: in each cell of the interval the error is
+ * Taylor's polynomial in balls around the middle and a remainder enclosed over the cell. The start values of Newton's
+ * method are sampled. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
