@@ -30,8 +30,11 @@ extern "C" {
 #endif
 #endif
 
-/* Bounds on the error of the functions below, all sampled. The tests assert them; docs/accuracy.md records the worst
- * cases found. Unless a bound says otherwise, it holds for every nu and datum in the whole domain. */
+/* Bounds on the error of the functions below. COR_DISK_LAW_MAX_ULP is proved (tests/proof/run; docs/derivation.md, 18)
+ * if log and log1p of the C library are within 1 ulp. In one case it is sampled only: the limit of the law exceeds the
+ * argument by less than one part in 2^92, which happens for about one nu in 2^39. The other bounds are sampled. The
+ * tests assert all of them; docs/accuracy.md records the worst cases found. Unless a bound says otherwise, it holds for
+ * every nu and datum in the whole domain. */
 #define COR_DISK_LAW_MAX_ULP 4.0              /* contact law, largest compression and load, limits: ulp */
 #define COR_DISK_CONTACT_TIME_MAX_ERROR 1e-15 /* relative */
 #define COR_DISK_RAYLEIGH_MAX_ERROR 1e-10     /* relative, of a mode's fraction, or */
@@ -126,15 +129,16 @@ COR_API double cor_disk_speed_limit(double nu, enum cor_disk_datum datum);
 
 /* The law and its inverses, (57): load P of a compression, compression delta of a load, stored energy V of a load,
  * load of an energy.
- * Domain: 0 up to the limit above. Accuracy: COR_DISK_LAW_MAX_ULP, with the arguments taken as exact. Results below the
- * smallest normal double are rounded to subnormal numbers. 0 -> 0; negative, beyond the limit or NaN -> NaN. */
+ * Domain: 0 up to the limit above. Accuracy: COR_DISK_LAW_MAX_ULP (proved), with the arguments taken as exact. Results
+ * below the smallest normal double are rounded to subnormal numbers. 0 -> 0; negative, beyond the limit or NaN -> NaN.
+ */
 COR_API double cor_disk_load(double compression, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_compression(double load, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_energy(double load, double nu, enum cor_disk_datum datum);
 COR_API double cor_disk_load_of_energy(double energy, double nu, enum cor_disk_datum datum);
 
 /* A quasistatic collision at an impact speed v, in which the energy (pi/2) v^2 becomes V: the largest load, the largest
- * compression (accuracy: COR_DISK_LAW_MAX_ULP) and the contact time
+ * compression (accuracy: COR_DISK_LAW_MAX_ULP, proved) and the contact time
  *
  *     tau = sqrt(2) int_0^(pi/2) sqrt(-w) dtheta,   w = W_-1(-(v^2/8) exp(1 - 2 b) sin^2 theta)
  *
@@ -152,7 +156,7 @@ COR_API double cor_disk_contact_time(double speed, double nu, enum cor_disk_datu
  *     energy       (pi/2) delta^2/ln(4/delta)           0 <= delta < 4          (60)
  *     max_compression  v sqrt(ln(4/v))                  0 <= v <= 4             (61)
  *     contact_time     pi sqrt(ln(4/v))                 0 <= v <= 4             (61), pi in place of its "proportional"
- * Accuracy: COR_DISK_LAW_MAX_ULP. 0 -> 0, contact_time +inf; outside and NaN -> NaN. */
+ * Accuracy: COR_DISK_LAW_MAX_ULP (proved). 0 -> 0, contact_time +inf; outside and NaN -> NaN. */
 COR_API double cor_disk_compression_leading_log(double load);
 COR_API double cor_disk_load_leading_log(double compression);
 COR_API double cor_disk_energy_leading_log(double compression);

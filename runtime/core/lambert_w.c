@@ -1,29 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 #include "runtime/core/lambert_w.h"
 
-/* Below this t the series applies. Above it the iteration does, where the subtraction in t - ln(1 + t) loses two bits
+/* Below this q the series applies. Above it the iteration does, where the subtraction in t - ln(1 + t) loses two bits
  * at most. */
 #define SERIES_END 0.1
+
 /* t - p for p = sqrt(2 q) <= sqrt(0.2): sum of a_n p^n from n = 2, where t dt/dp = p (1 + t) gives
  *     a_1 = 1,     (n + 1) a_n = a_(n-1) - sum_(i=2)^(n-1) (n + 1 - i) a_i a_(n+1-i).
  * The series converges for p < sqrt(4 pi). The omitted terms are below 2^-57 p. */
+static const double lambert_series[] = {1.0 / 3,
+                                        1.0 / 36,
+                                        -1.0 / 270,
+                                        1.0 / 4320,
+                                        1.0 / 17010,
+                                        -139.0 / 5443200,
+                                        1.0 / 204120,
+                                        -571.0 / 2351462400,
+                                        -281.0 / 1515591000,
+                                        163879.0 / 2172751257600.0,
+                                        -5221.0 / 354648294000.0,
+                                        5246819.0 / 10168475885568000.0,
+                                        5459.0 / 7447614174000.0,
+                                        -534703531.0 / 1830325659402240000.0,
+                                        91207079.0 / 1595278956070800000.0};
+
 static double series_rest(double p)
 {
-    static const double a[] = {1.0 / 3,
-                               1.0 / 36,
-                               -1.0 / 270,
-                               1.0 / 4320,
-                               1.0 / 17010,
-                               -139.0 / 5443200,
-                               1.0 / 204120,
-                               -571.0 / 2351462400,
-                               -281.0 / 1515591000,
-                               163879.0 / 2172751257600.0,
-                               -5221.0 / 354648294000.0,
-                               5246819.0 / 10168475885568000.0,
-                               5459.0 / 7447614174000.0,
-                               -534703531.0 / 1830325659402240000.0,
-                               91207079.0 / 1595278956070800000.0};
+    const double *const a = lambert_series;
     const double p2 = p * p, p4 = p2 * p2;
     const double low = ((a[0] + a[1] * p) + (a[2] + a[3] * p) * p2) + ((a[4] + a[5] * p) + (a[6] + a[7] * p) * p2) * p4;
     const double high = ((a[8] + a[9] * p) + (a[10] + a[11] * p) * p2) + ((a[12] + a[13] * p) + a[14] * p2) * p4;
@@ -36,6 +39,12 @@ static double rough_log(double x)
     const double two52 = 4503599627370496.0;
     const double top = cor_inline_from_bits((cor_inline_bits(x) >> 32) | UINT64_C(0x4330000000000000)) - two52;
     return (top * (1 / 1048576.0) - (1023 - 0.043)) * 0.693147180559945309;
+}
+
+/* 1 + t with a relative error of 0.6 %; p = sqrt(2 q) */
+static double start_of(double q, double p)
+{
+    return q < 3 ? 1 + p * (1 + p * (1.0 / 3 + p * (1.0 / 36 - p * (1.0 / 270)))) : 1 + q + rough_log(3 + q);
 }
 
 struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q)
@@ -56,8 +65,7 @@ struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q)
      * fourth-order step of Fritsch, Shafer and Crowley (1973) reduces e from 0.6 % to 5e-12, and a step of Newton's
      * method then reduces it to 2^-78. y - 1 and, in two parts, q - t are exact. The rounding error is half an ulp of
      * ln(y), which t receives times (1 + t)/t. */
-    double y =
-        q.hi < 3 ? 1 + p * (1 + p * (1.0 / 3 + p * (1.0 / 36 - p * (1.0 / 270)))) : 1 + q.hi + rough_log(3 + q.hi);
+    double y = start_of(q.hi, p);
     double u = y - 1;
     double r = (q.hi - u) + log(y);
     const double b = 2 * u * (u + r * (2.0 / 3));
@@ -122,9 +130,10 @@ struct cor_inline_pair cor_log_ratio(const struct cor_logarithm *a, double x)
     return q.hi > COR_LOG_RATIO_NEAR ? q : cor_log_ratio_near(a->number, x);
 }
 
+static const struct cor_logarithm one_over_e = {{0.367879441171442334, -1.24287536727883626e-17}, {-1, 0}};
+
 double cor_lambert_w_minus1(double z)
 {
-    static const struct cor_logarithm one_over_e = {{0.367879441171442334, -1.24287536727883626e-17}, {-1, 0}};
     if (!(z < 0))
         return z == 0 ? -INFINITY : NAN;
     const struct cor_inline_pair t = cor_lambert_t_pair(cor_log_ratio(&one_over_e, -z)),

@@ -26,6 +26,21 @@ namespace trace
 #define memcpy(to, from, size) copy(to, from)
 #define __builtin_assoc_barrier(x) (x)
 #include "runtime/sphere/eval.h"
+/* the contact law of the disk; the caller's floating-point environment is not part of a formula */
+#define COR_RUNTIME_ENVIRONMENT_H
+struct cor_environment {
+};
+static cor_environment cor_environment_enter(void)
+{
+    return {};
+}
+static void cor_environment_leave(const cor_environment *)
+{
+}
+#define volatile
+#include "runtime/core/lambert_w.c"
+#include "runtime/disk/quasistatic.c"
+#undef volatile
 #undef double
 #undef uint64_t
 #undef memcpy
@@ -319,8 +334,10 @@ struct gappa {
         static const std::map<operation, const char *> sign = {
             {ADD, " + "}, {SUBTRACT, " - "}, {MULTIPLY, " * "}, {DIVIDE, " / "}};
         const auto two = sign.find(n.what);
-        if (n.what == SUBTRACT && constant_of(n.b) == 0) {
-            text << rounded(id) << " = " << rounded(n.a) << ";\n" << exact(id) << " = " << exact(n.a) << ";\n";
+        const bool nothing_added = n.what == ADD && constant_of(n.a) == 0;
+        if (nothing_added || ((n.what == SUBTRACT || n.what == ADD) && constant_of(n.b) == 0)) {
+            const int same = nothing_added ? n.b : n.a;
+            text << rounded(id) << " = " << rounded(same) << ";\n" << exact(id) << " = " << exact(same) << ";\n";
         } else if (two != sign.end()) {
             text << rounded(id) << " rnd= " << rounded(n.a) << two->second << rounded(n.b) << ";\n"
                  << exact(id) << " = " << exact(n.a) << two->second << exact(n.b) << ";\n";
@@ -341,7 +358,10 @@ struct gappa {
         if (!is_wanted(name) || files++ % parts != part)
             return;
         written++;
-        std::ofstream out(std::string(output_directory) + "/" + name + ".g");
+        const std::string path = std::string(output_directory) + "/" + name + ".g";
+        if (std::ifstream(path))
+            die(name + ": two goals have this name");
+        std::ofstream out(path);
         out << text.str() << "{ ";
         std::vector<std::string> all = hypotheses;
         all.insert(all.end(), more.begin(), more.end());
@@ -1264,6 +1284,8 @@ static void check_coefficients(void)
     printf("%zu coefficients are the doubles nearest to the numbers beside them\n", count);
 }
 
+#include "disk.h"
+
 static const evaluator row_tables[] = {
     {"eps_zero_overlap", cor_inline_eps_zero_overlap, 0x1p-60, 7, IN_BETA, false, 0.8},
     {"eps_zero_force", cor_inline_eps_zero_force, 0x1p-60, 16, IN_ROOT, false, 0.8},
@@ -1305,6 +1327,7 @@ int main(int argc, char **argv)
     write_tails();
     write_far();
     write_pairs();
+    write_disk();
     printf("%lu of %lu goals written\n", written, files);
     return 0;
 }

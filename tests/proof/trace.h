@@ -34,6 +34,9 @@ enum operation {
     SQRT,
     CBRT,
     LOG,
+    LOG1P,
+    EXP,
+    EXPM1,
     HEAD,
     SIGNIFICAND,
     SEED
@@ -179,6 +182,10 @@ inline Real &operator*=(Real &x, Real y)
 {
     return x = x * y;
 }
+inline Real &operator+=(Real &x, Real y)
+{
+    return x = x + y;
+}
 inline bool decision(bool yes)
 {
     decide(yes ? 3 : 2);
@@ -215,6 +222,18 @@ inline Real cbrt(Real x)
 inline Real log(Real x)
 {
     return result_of(LOG, x, std::log(x.value));
+}
+inline Real log1p(Real x)
+{
+    return result_of(LOG1P, x, std::log1p(x.value));
+}
+inline Real exp(Real x)
+{
+    return result_of(EXP, x, std::exp(x.value));
+}
+inline Real expm1(Real x)
+{
+    return result_of(EXPM1, x, std::expm1(x.value));
 }
 inline Real fabs(Real x)
 {

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT */
+/* Errors of the stages of the disk's contact law. tests/proof/goals.cpp states them as goals for Gappa,
+ * tests/accuracy/test_polynomials.c proves the one of the series, and tests/proof/disk_bounds.cpp adds them up. */
+#ifndef COR_TESTS_PROOF_DISK_ERRORS_H
+#define COR_TESTS_PROOF_DISK_ERRORS_H
+
+/* ln(limit/x) far from the limit, beyond the error of log(m); |ln(m)| < 0.3466 */
+#define COR_PROOF_FAR 0x1p-80
+/* the remainder of the quotient near the limit, relative to the quotient */
+#define COR_PROOF_NEAR 0x1p-74
+/* a correction of a square root, relative to the root */
+#define COR_PROOF_ROOT 0x1p-70
+/* rounding in the rest of the series, relative to the rest; p is below COR_PROOF_SERIES_MAX_P */
+#define COR_PROOF_SERIES (5.1 * 0x1p-53)
+#define COR_PROOF_SERIES_MAX_P 0.4473
+/* |t - ln(1 + t) - p^2/2| of the series in real arithmetic, relative to p^3 */
+#define COR_PROOF_SERIES_DEFECT 0x1p-55
+/* rounding in the polynomial that starts the iteration, relative */
+#define COR_PROOF_START 0x1p-48
+/* |r| in the first step, relative to y; tests/proof/disk_bounds.cpp shows it */
+#define COR_PROOF_FIRST_RESIDUAL 0.009
+/* rounding in the first step, relative to y */
+#define COR_PROOF_STEP 0x1p-44
+/* |r| in Newton's step, relative to the lower end of the cell of y; tests/proof/disk_bounds.cpp shows it */
+#define COR_PROOF_SECOND_RESIDUAL 0x1p-32
+/* rounding in Newton's step, relative to y */
+#define COR_PROOF_NEWTON 0x1p-82
+/* 1 + t after the series and after Newton's step, and 1/2 + q: absolute */
+#define COR_PROOF_SUM_SERIES 0x1p-56
+#define COR_PROOF_SUM_NEWTON 0x1p-72
+#define COR_PROOF_SUM_HALF 0x1p-95
+#define COR_PROOF_SERIES_MAX_LOW 0.09
+/* products and quotients of pairs, and products by a double before they are rounded: relative */
+#define COR_PROOF_PAIRS 0x1p-68
+/* cor_inline_pair_times of pairs with |lo| <= 2^-53 hi, relative */
+#define COR_PROOF_PAIR_TIMES 0x1p-101
+
+#endif
