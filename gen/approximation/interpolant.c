@@ -858,6 +858,18 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
     return found ? STATUS_OK : fail("an inverse of the collision was not found");
 }
 
+/* The end of the last interval in the root of beta that holds samples of eps */
+static double last_sampled_root(const struct interpolant *f, enum quantity eps)
+{
+    double last = f->layout->interval[0].hi;
+    for (int i = 0; i < f->layout->intervals; i++) {
+        const struct interval *const interval = &f->layout->interval[i];
+        if (interval->variable == INTERVAL_ROOT && holds(interval, eps) && f->samples[i].known)
+            last = fmax(last, interval->hi);
+    }
+    return last;
+}
+
 /* Chooses the first variable whose range reaches the zero. */
 static void choose_stretch(struct search *s, const arb_t wanted)
 {
@@ -866,7 +878,7 @@ static void choose_stretch(struct search *s, const arb_t wanted)
     const enum quantity eps = one_end(f, s->eps);
     s->variable = INTERVAL_ROOT;
     s->lo = 0;
-    s->hi = fmax(last_place(f, eps, INTERVAL_ROOT), layout->interval[0].hi);
+    s->hi = last_sampled_root(f, eps);
     if (last_place(f, eps, INTERVAL_LOG) > -HUGE_VAL && !beyond(s, s->hi, wanted)) {
         s->variable = INTERVAL_LOG;
         s->lo = (double)layout->root * log(s->hi);

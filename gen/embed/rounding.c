@@ -17,7 +17,8 @@ enum {
     ROOT_HALVINGS = 12
 };
 
-/* More than the rounding of the few operations on bounds that are doubles */
+/* More than the rounding of the few operations on bounds that are doubles. Bounds near 1e-16 are added, or pass through
+ * expm1 and log1p: 1 + bound - 1 would lose them. */
 #define RAISE (1 + 1e-12)
 /* Upper limit of |1 - g r^5| for the start of the fifth root; its series are of little use beyond. */
 #define SEED_LIMIT 0.2
@@ -48,6 +49,17 @@ static double magnitude(const arb_t x)
     const double size = mag_get_d(m);
     mag_clear(m);
     return size;
+}
+
+/* (1 + x)(1 + y) - 1 and (1 + x)^n - 1 */
+static double both(double x, double y)
+{
+    return x + y + x * y;
+}
+
+static double power_of_error(double x, double n)
+{
+    return expm1(n * log1p(x));
 }
 
 /* |x| where the computed x may be */
@@ -166,7 +178,7 @@ static double root_step(const double *c, slong degree, double e, const struct ar
     for (int k = -16; k <= 16; k++)
         known = fmax(known, enclosed_ratio_at(h, one, k / 16.0));
     const double most = enclosed_largest_ratio(h, one, known, ROOT_HALVINGS);
-    const double exact = (1 - pow(1 - fmin(most, 0.5), 0.2)) * RAISE + 1e-18;
+    const double exact = -power_of_error(-fmin(most, 0.5), 0.2) * RAISE + 1e-18;
 
     /* in units in which r = 1, so that g = 1 - e */
     arb_one(r.exact);
@@ -183,7 +195,7 @@ static double root_step(const double *c, slong degree, double e, const struct ar
     rounded_horner(&series, c, degree, 1, &off, a);
     rounded_mul_add(&series, &r, &series, 0, a);
     const double least = 1 / pow(1 + e, 0.2) * (1 - 2 * exact); /* of S */
-    const double bound = ((1 + exact) * (1 + series.error / least) - 1) * RAISE;
+    const double bound = both(exact, series.error / least) * RAISE;
 
     arb_poly_clear(s);
     arb_poly_clear(h);
@@ -211,10 +223,10 @@ static double fifth_root_bound(const struct embed_form *f, const struct arithmet
     if (f->refinement > 0) {
         for (int i = 0; i < 4; i++)
             c[i] = f->single ? (double)(float)embed_root_step[i] : embed_root_step[i];
-        r = root_step(c, f->refinement, (pow(1 + r, 5) - 1) * RAISE, a);
+        r = root_step(c, f->refinement, power_of_error(r, 5) * RAISE, a);
     }
     /* g (r^2)^2 */
-    return (pow(1 + r, 4) * pow(1 + a->unit, 4) - 1) * (1 + 1e-6);
+    return both(power_of_error(r, 4), power_of_error(a->unit, 4)) * RAISE;
 }
 
 /* Relative error of the variable of the polynomials */
@@ -306,7 +318,7 @@ static double cell_bound(const struct embed_form *f, const double *c, double lo,
         arb_sub(slope, slope, q_slope, BITS);
     }
     const double of_x = expm1(magnitude(slope) * x_error);
-    const double bound = ((1 + relative) * (1 + of_x) - 1) * (1 + 1e-9) + 1e-18;
+    const double bound = both(relative, of_x) * RAISE + 1e-18;
     arb_clear(middle);
     arb_clear(half);
     arb_clear(value);

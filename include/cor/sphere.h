@@ -33,8 +33,9 @@ extern "C" {
 #endif
 
 /* Bounds on the error of the functions below, in units of the last place of the exact value, over every double in
- * their domains, subnormal arguments and results included. Sampled: tests/accuracy asserts them against an
- * independent reference at random arguments and around every boundary; docs/accuracy.md records the worst found. */
+ * their domains, subnormal arguments and results included. Proved for rounding to nearest without fused operations, if
+ * log of the C library is within 1 unit and cbrt within 2 (docs/derivation.md, 8 and 18). tests/accuracy asserts them
+ * too, against an independent reference; docs/accuracy.md records the proved bounds and the worst found. */
 #define COR_SPHERE_EPS_MAX_ULP 1.0
 #define COR_SPHERE_LOSS_MAX_ULP 1.0
 #define COR_SPHERE_MAX_OVERLAP_MAX_ULP 1.0
@@ -70,7 +71,7 @@ extern "C" {
 /* double cor_sphere_eps_zero_overlap(double beta), cor_sphere_eps_zero_force: restitution coefficient for the end of
  * contact that the name says.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_EPS_MAX_ULP. 0 <= eps <= 1, and from one double beta to the next eps
- * never rises by more than one unit of its last place.
+ * never rises by more than one unit of its last place: proved (docs/derivation.md, 18).
  * Large beta: h*^5 beta^-5, h*^5 = 5.1583817..., exact in double precision from beta = 7 on (zero overlap);
  * (3/2)^(2/3) beta^(-5/3) and corrections of relative size beta^(-5/3) ln(beta) (zero force).
  * Special values: +-0 -> exactly 1, +inf -> 0; negative and NaN -> NaN.

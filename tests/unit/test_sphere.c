@@ -602,6 +602,27 @@ static void never_rises(int end, double beta, int count)
     }
 }
 
+/* Around every power of two 2^-k, at every double whose eps lies from 2^-k to 2^-k + u/2, u one ulp there: the only
+ * doubles for which eps falling and errors below an ulp do not decide the order (docs/derivation.md, 18). The walk
+ * begins with a result of 2^-k + 2 u and ends with 2^-k - u, so that eps itself is outside at both ends. */
+static void falls_at_powers_of_two(void **state)
+{
+    (void)state;
+    enum { FARTHEST = 64 };
+    for (int end = 0; end < 2; end++)
+        for (int k = 1; k <= 1022; k++) {
+            const double power = ldexp(1, -k), u = ldexp(1, -k - 52);
+            double beta = beta_function[end](power);
+            int back = 0, count = 1;
+            for (; back < FARTHEST && eps_function[end](beta) < power + 2 * u; back++)
+                beta = nextafter(beta, 0);
+            for (double last = beta; count < 2 * FARTHEST && eps_function[end](last) > power - u; count++)
+                last = nextafter(last, INFINITY);
+            check(back < FARTHEST && count < 2 * FARTHEST, "%s: the doubles around eps = 2^-%d", end_name[end], k);
+            never_rises(end, beta, count);
+        }
+}
+
 static void falls(void **state)
 {
     (void)state;
@@ -761,6 +782,7 @@ int main(void)
         cmocka_unit_test(right_at_boundaries),
         cmocka_unit_test(inverse_is_continuous),
         cmocka_unit_test(falls),
+        cmocka_unit_test(falls_at_powers_of_two),
         cmocka_unit_test(keeps_order),
         cmocka_unit_test(constants),
         cmocka_unit_test(simple_theory),

@@ -1,0 +1,365 @@
+/* SPDX-License-Identifier: MIT */
+/* The proofs of embedded headers (gen/embed/proof.c, rounding.c) for forms whose error is known. A form gets an error
+ * of known size at a chosen speed, and the proof must find it wherever that speed is. Bounds of rounding errors are
+ * compared with counts by hand. */
+#include <math.h>
+
+#include "check.h"
+#include "embed/proof.h"
+#include "enclosure/collision.h"
+
+#include <cor/sphere.h>
+
+#define UNIT 0x1p-53
+/* Size of the errors that forms get; the errors of the fits below are smaller. */
+#define BUMP 1e-6
+
+/* A scene with beta = speed^(1/5); to be cleared. */
+static struct embed_scene scene_of(enum contact_end end, double beta_min, double beta_max, struct interpolant *f)
+{
+    struct embed_scene s = {.end = end,
+                            .speed_min = pow(beta_min, 5),
+                            .speed_max = pow(beta_max, 5),
+                            .tolerance = 1e-5,
+                            .law = law_sphere,
+                            .beta_min = beta_min,
+                            .beta_max = beta_max,
+                            .interpolant = f};
+    arb_init(s.beta_per_root);
+    arb_one(s.beta_per_root);
+    arb_init(s.h_star_5);
+    arb_set_d(s.h_star_5, 5.158); /* roughly: only test_far_parts uses it */
+    return s;
+}
+
+static void clear_scene(struct embed_scene *s)
+{
+    arb_clear(s->beta_per_root);
+    arb_clear(s->h_star_5);
+}
+
+static struct embed_proof proof_of(const struct embed_form *f, const struct embed_scene *s)
+{
+    struct embed_proof proof;
+    assert_int_equal(embed_prove(&proof, f, s), 0);
+    return proof;
+}
+
+/* The whole range is proved; the formula's bound is `error` or a little more; rounding is added. */
+static void assert_proved(const struct embed_form *f, const struct embed_scene *s, double error, const char *what)
+{
+    const struct embed_proof proof = proof_of(f, s);
+    if (!(proof.formula >= error * (1 - 1e-4) && proof.formula <= 1.1 * error && proof.proved))
+        fail_msg("%s: an error of %g, %g proved", what, error, proof.formula);
+    assert_true(proof.rounding > 0 && proof.error >= proof.formula + proof.rounding);
+}
+
+/* ---- errors at a chosen place ---- */
+
+/* Multiplies p_0, ..., p_degree by c_0 + c_1 x + c_2 x^2. */
+static void multiply(double *p, slong degree, double c0, double c1, double c2)
+{
+    for (slong k = degree + 2; k >= 0; k--)
+        p[k] = (k <= degree ? c0 * p[k] : 0) + (k >= 1 && k - 1 <= degree ? c1 * p[k - 1] : 0) +
+               (k >= 2 ? c2 * p[k - 2] : 0);
+}
+
+/* Gives a rational form the factor 1 + BUMP 2 x y/(x^2 + y^2), with its maximum BUMP at x = y. */
+static void bump(double *number, slong *numerator, slong *denominator, double y)
+{
+    double q[32];
+    memcpy(q, number + *numerator + 1, (size_t)(*denominator + 1) * sizeof *q);
+    multiply(number, *numerator, y * y, 2 * BUMP * y, 1);
+    multiply(q, *denominator, y * y, 0, 1);
+    *numerator += 2;
+    *denominator += 2;
+    memcpy(number + *numerator + 1, q, (size_t)(*denominator + 1) * sizeof *q);
+}
+
+/* eps = 32 h*^5/speed from beta = 8 to 20, beta = speed^(1/5)/2, where the power law replaces an interpolant: an error
+ * at the ends and between them. The error of the power law itself, EMBED_FAR_ERROR, is part of the bound. */
+static void test_far_parts(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    struct embed_scene s = scene_of(END_ZERO_OVERLAP, 16, 40, NULL);
+    assert_int_equal(collision_h_star(s.h_star_5, 128), 0);
+    arb_pow_ui(s.h_star_5, s.h_star_5, 5, EMBED_BITS);
+    const double h5 = arf_get_d(arb_midref(s.h_star_5), ARF_RND_NEAR);
+    arb_set_d(s.beta_per_root, 0.5);
+    s.beta_min /= 2;
+    s.beta_max /= 2;
+    for (int i = 0; i < 3; i++) {
+        double number[16] = {32 * h5, 0, 1};
+        struct embed_form f = {.family = FAMILY_RATIONAL_SPEED,
+                               .variable = SPEED,
+                               .speed_min = s.speed_min,
+                               .speed_max = s.speed_max,
+                               .denominator = 1,
+                               .number = number};
+        if (i == 0) {
+            const struct embed_proof proof = proof_of(&f, &s);
+            arb_t rest;
+            arb_init(rest);
+            arb_set_d(rest, h5);
+            arb_sub(rest, rest, s.h_star_5, EMBED_BITS);
+            const double least = fabs(arf_get_d(arb_midref(rest), ARF_RND_NEAR)) / h5 + EMBED_FAR_ERROR;
+            arb_clear(rest);
+            if (!(proof.formula >= least * (1 - 1e-9) && proof.formula <= 1.1 * least))
+                fail_msg("h*^5/g is off by %g, %g proved", least, proof.formula);
+        }
+        bump(number, &f.numerator, &f.denominator,
+             i == 0   ? s.speed_min
+             : i == 1 ? s.speed_max
+                      : random_uniform(&random, s.speed_min, s.speed_max));
+        assert_proved(&f, &s, BUMP, "beyond beta = 7");
+    }
+    clear_scene(&s);
+}
+
+/* ---- within the interpolant's intervals ---- */
+
+/* Up to beta = 1: two intervals. Tests that need none come first. */
+static struct interpolant *interpolant;
+
+static int make_interpolant(void **state)
+{
+    (void)state;
+    if (!interpolant)
+        interpolant = interpolant_new(&interpolant_sphere_proof, 0, 1);
+    return interpolant ? 0 : 1;
+}
+
+static int clear_interpolant(void **state)
+{
+    (void)state;
+    interpolant_free(interpolant);
+    return 0;
+}
+
+static double eps_at(const struct embed_scene *s, double beta)
+{
+    return s->end == END_ZERO_OVERLAP ? cor_sphere_eps_zero_overlap(beta) : cor_sphere_eps_zero_force(beta);
+}
+
+/* The polynomial in x - start of degree `degree` through eps at Chebyshev points between lo and hi, x = beta or
+ * beta^5 */
+static void fit(double *c, slong degree, const struct embed_scene *s, double lo, double hi, bool of_speed, double start,
+                double unit)
+{
+    enum { MOST = 16 };
+    double x[MOST], y[MOST];
+    for (slong i = 0; i <= degree; i++) {
+        const double at =
+            (lo + hi) / 2 + (hi - lo) / 2 * cos(acos(-1) * (2 * (double)i + 1) / (2 * (double)degree + 2));
+        x[i] = (at - start) * unit;
+        y[i] = eps_at(s, of_speed ? pow(at, 0.2) : at);
+    }
+    for (slong k = 1; k <= degree; k++) /* divided differences */
+        for (slong i = degree; i >= k; i--)
+            y[i] = (y[i] - y[i - 1]) / (x[i] - x[i - k]);
+    memset(c, 0, (size_t)(degree + 1) * sizeof *c);
+    for (slong i = degree; i >= 0; i--) {
+        for (slong k = degree; k >= 1; k--)
+            c[k] = c[k - 1] - x[i] * c[k];
+        c[0] = y[i] - x[i] * c[0];
+    }
+}
+
+/* A polynomial in beta from 0.15 to 0.95 in two intervals, with an error at the ends and between them */
+static void test_intervals(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    struct embed_scene s = scene_of(END_ZERO_OVERLAP, 0.15, 0.95, interpolant);
+    for (int i = 0; i < 3; i++) {
+        double number[40] = {0};
+        struct embed_form f = {.family = FAMILY_RATIONAL_BETA,
+                               .variable = FIFTH_ROOT_OF_SPEED,
+                               .speed_min = s.speed_min,
+                               .speed_max = s.speed_max,
+                               .numerator = 11,
+                               .refinement = 3,
+                               .number = number};
+        fit(number, f.numerator, &s, s.beta_min, s.beta_max, false, 0, 1);
+        number[f.numerator + 1] = 1;
+        bump(number, &f.numerator, &f.denominator,
+             i == 0   ? s.beta_min
+             : i == 1 ? s.beta_max
+                      : random_uniform(&random, s.beta_min, s.beta_max));
+        assert_proved(&f, &s, BUMP, "a rational function of beta");
+    }
+    clear_scene(&s);
+}
+
+/* Rows in the speed and in beta: an error that grows through one row, to BUMP at its end or its start */
+static void test_rows(void **state)
+{
+    (void)state;
+    enum { DEGREE = 5, ROWS = 12 };
+    struct random_state random = random_start();
+    struct embed_scene s = scene_of(END_ZERO_FORCE, 0.5, 1, interpolant);
+    for (int of_speed = 0; of_speed < 2; of_speed++) {
+        struct embed_form f = {.family = of_speed ? FAMILY_PIECES_SPEED : FAMILY_PIECES_BETA,
+                               .variable = of_speed ? SPEED : FIFTH_ROOT_OF_SPEED,
+                               .speed_min = s.speed_min,
+                               .speed_max = s.speed_max,
+                               .numerator = DEGREE,
+                               .refinement = 3,
+                               .slope = ROWS * (1 - 1e-9) / (s.beta_max - s.beta_min),
+                               .low_bits = 50};
+        f.shift = 1e-10 - s.beta_min * f.slope;
+        f.first = embed_bits_of(&f, s.speed_min) >> f.low_bits;
+        f.rows = of_speed ? (slong)((embed_bits_of(&f, s.speed_max) >> f.low_bits) - f.first + 1) : ROWS;
+        double *const number = f.number = calloc((size_t)f.rows * (DEGREE + 1), sizeof *number);
+        for (slong row = 0; row < f.rows; row++) {
+            const double lo = of_speed ? embed_from_bits(&f, (f.first + (uint64_t)row) << f.low_bits)
+                                       : ((double)row - f.shift) / f.slope;
+            const double hi = of_speed ? embed_from_bits(&f, (f.first + (uint64_t)row + 1) << f.low_bits)
+                                       : ((double)row + 1 - f.shift) / f.slope;
+            fit(number + row * (DEGREE + 1), DEGREE, &s, lo, hi, of_speed, lo, of_speed ? 1 : f.slope);
+        }
+        assert_true(proof_of(&f, &s).formula < BUMP / 10);
+        /* the last row in the speed has one argument only */
+        const slong row = (slong)random_below(&random, (unsigned)(f.rows - of_speed));
+        double *const c = number + row * (DEGREE + 1);
+        const double width = of_speed ? embed_from_bits(&f, (f.first + (uint64_t)row + 1) << f.low_bits) -
+                                            embed_from_bits(&f, (f.first + (uint64_t)row) << f.low_bits)
+                                      : 1;
+        for (int at_end = 0; at_end < 2; at_end++) {
+            double kept[DEGREE + 1], power = 1, at_start = c[0], last = 0;
+            memcpy(kept, c, sizeof kept);
+            for (int k = 0; k <= DEGREE; k++, power *= width)
+                last += c[k] * power;
+            /* + BUMP eps (x/width)^5, or BUMP eps (1 - x/width)^5 */
+            static const double binomial[] = {1, -5, 10, -10, 5, -1};
+            power = 1;
+            for (int k = 0; k <= DEGREE; k++, power /= width)
+                c[k] += at_end ? (k == DEGREE ? BUMP * last * power : 0) : BUMP * at_start * binomial[k] * power;
+            const struct embed_proof proof = proof_of(&f, &s);
+            if (!(proof.formula > 0.9 * BUMP && proof.formula < 1.2 * BUMP && proof.proved))
+                fail_msg("row %ld of %ld, in %s: an error of %g at its %s, %g proved", (long)row, (long)f.rows,
+                         of_speed ? "the speed" : "beta", BUMP, at_end ? "end" : "start", proof.formula);
+            memcpy(c, kept, sizeof kept);
+        }
+        free(number);
+    }
+    clear_scene(&s);
+}
+
+/* The interpolant ends at beta = 25/16: no proof of a form that goes on to 2. */
+static void test_gap(void **state)
+{
+    (void)state;
+    double number[] = {1, 1};
+    struct embed_scene s = scene_of(END_ZERO_OVERLAP, 1, 2, interpolant);
+    const struct embed_form f = {.family = FAMILY_POLYNOMIAL_BETA,
+                                 .variable = FIFTH_ROOT_OF_SPEED,
+                                 .speed_min = s.speed_min,
+                                 .speed_max = s.speed_max,
+                                 .refinement = 2,
+                                 .numerator = 1,
+                                 .number = number};
+    const struct embed_proof proof = proof_of(&f, &s);
+    assert_true(!proof.proved && !(proof.error < HUGE_VAL) && proof.rounding < 1e-6);
+    clear_scene(&s);
+}
+
+/* ---- rounding ---- */
+
+static void assert_rounding(struct embed_form f, double units, const char *what)
+{
+    struct embed_rounding bound;
+    f.speed_min = 0.5;
+    f.speed_max = 16;
+    assert_true(embed_rounding_bound(&bound, &f));
+    if (!(bound.error >= units * UNIT * (1 - 1e-9) && bound.error <= units * UNIT * 1.02))
+        fail_msg("%s: %g units proved, %g by hand", what, bound.error / UNIT, units);
+}
+
+/* Counts by hand for the speed x from 1/2 to 16, in units of 2^-53. Products, sums, the quotient and the roots are
+ * rounded once each. */
+static void test_counts(void **state)
+{
+    (void)state;
+    const double x = 16, x4 = x * x * x * x;
+    /* 3 + 2 x: 2 x once and the sum once; largest at x = 16 */
+    assert_rounding((struct embed_form){.variable = SPEED, .numerator = 1, .number = (double[]){3, 2}},
+                    1 + 2 * x / (3 + 2 * x), "3 + 2 x");
+    /* 1 + x^2 by Horner's rule: two products and the sum */
+    assert_rounding((struct embed_form){.variable = SPEED, .numerator = 2, .number = (double[]){1, 0, 1}},
+                    1 + 2 * x * x / (1 + x * x), "1 + x^2");
+    /* (1 + x^4) + x (0): x^2, x^2 1, x^2 x^2, the even sum, the whole sum: 4 x^4 + 2 (1 + x^4) */
+    assert_rounding((struct embed_form){.variable = SPEED, .numerator = 4, .number = (double[]){1, 0, 0, 0, 1}},
+                    2 + 4 * x4 / (1 + x4), "1 + x^4, split");
+    /* (1 + x)/(5 + x): at x = 16 both sums round once, products with 1 once, and the quotient */
+    assert_rounding(
+        (struct embed_form){.variable = SPEED, .numerator = 1, .denominator = 1, .number = (double[]){1, 1, 5, 1}},
+        (1 + x / (1 + x)) + (1 + x / (5 + x)) + 1, "(1 + x)/(5 + x)");
+    /* roots: sqrt(x) is rounded once, its root adds a half, and the product */
+    assert_rounding((struct embed_form){.variable = SQRT_OF_SPEED, .numerator = 1, .number = (double[]){0, 1}}, 2,
+                    "sqrt(x)");
+    assert_rounding((struct embed_form){.variable = FOURTH_ROOT_OF_SPEED, .numerator = 1, .number = (double[]){0, 1}},
+                    2.5, "x^(1/4)");
+}
+
+/* A polynomial with a zero and one that overflows: no bound. Without a refinement the bound of the fifth root is near
+ * the error found. The place in a table has the error of a product and of a sum besides, and a table that is too short
+ * is refused. */
+static void test_limits(void **state)
+{
+    (void)state;
+    struct embed_rounding bound;
+    struct embed_form f = {
+        .variable = SPEED, .speed_min = 0.5, .speed_max = 16, .numerator = 1, .number = (double[]){-3, 1}};
+    assert_false(embed_rounding_bound(&bound, &f));
+    f.number = (double[]){1, 1e308};
+    assert_false(embed_rounding_bound(&bound, &f));
+    f.number = (double[]){0, 1};
+    f.variable = FIFTH_ROOT_OF_SPEED;
+    for (int single = 0; single < 2; single++) {
+        double worst = 0;
+        f.single = single;
+        for (int k = 0; k <= 20000; k++) {
+            const double x = 0.5 * pow(32, k / 20000.0), g = single ? (double)(float)x : x;
+            for (int fused = 0; fused < 2; fused++)
+                worst = fmax(worst, fabs(embed_form_value(&f, g, fused) / (double)powl((long double)g, 0.2L) - 1));
+        }
+        assert_true(embed_rounding_bound(&bound, &f));
+        if (!(worst <= bound.root && bound.root <= 1.25 * worst))
+            fail_msg("fifth root: off by %g, %g proved", worst, bound.root);
+    }
+    f.single = false;
+    f.family = FAMILY_PIECES_BETA;
+    f.refinement = 4;
+    f.numerator = 0;
+    f.rows = 1000;
+    double row[1000];
+    for (int i = 0; i < 1000; i++)
+        row[i] = 1;
+    f.number = row;
+    const double least = pow(0.5, 0.2), most = pow(16, 0.2);
+    f.slope = 999.999 / (most - least);
+    f.shift = 1e-4 - least * f.slope;
+    assert_true(embed_rounding_bound(&bound, &f));
+    const double place = most * f.slope * (bound.root + UNIT) + 1000 * UNIT;
+    assert_true(bound.place >= place * (1 - 1e-9) && bound.place <= 1.001 * place);
+    f.rows = 999;
+    assert_false(embed_rounding_bound(&bound, &f));
+    f.rows = 1000;
+    f.shift -= 2e-4;
+    assert_false(embed_rounding_bound(&bound, &f));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_counts),
+        cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_far_parts),
+        cmocka_unit_test_setup(test_intervals, make_interpolant),
+        cmocka_unit_test_setup(test_rows, make_interpolant),
+        cmocka_unit_test_setup(test_gap, make_interpolant),
+    };
+    return cmocka_run_group_tests(tests, NULL, clear_interpolant);
+}
