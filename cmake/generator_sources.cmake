@@ -61,7 +61,9 @@ set(COR_GENERATOR_SOURCES
   gen/plan/waves.c
   gen/series/jet.c
   gen/series/law.c
+  gen/series/power_bounds.c
   gen/series/restitution.c
+  gen/series/row_sums.c
   gen/series/series.c
   gen/series/trajectory.c
   gen/series/trajectory_tail.c

@@ -53,8 +53,12 @@ int series_compute(struct series *s, slong order, const struct law *law, slong b
     slong prec = bits + 21 * order / 10 + 50;
     const double worth = (double)(law->ad + law->d) / (double)law->d * log2(law_elastic_radius(law)) / 2.5;
     slong terms = (slong)((0.45 * (double)bits + 1.25 * (double)order + 24) / worth);
-    /* Measured at orders 140 and 200. The check precedes hours of computing. */
-    const double bytes = 3.0 * (double)(order + 1) * (double)(terms + 1) * ((double)prec / 4 + 1628);
+    /* Rows and integers of X and of its powers, and their transforms of 2^depth points (row_sums.c). Measured within a
+     * fifth at orders 100 to 600. The check precedes hours of computing. */
+    const double points = exp2(ceil(log2(2.0 * (double)terms + 1)));
+    const double powers = law->ad == law->bd + law->d ? 1 : 2;
+    const double rows = (double)(order + 1), row = (double)(terms + 1);
+    const double bytes = powers * rows * (row * ((double)prec / 2 + 200) + points * (double)prec * 2 / 3);
     if (console_memory() > 0 && bytes > console_memory())
         return fail("order %ld to %ld bits needs about %.3g GB of memory, and this machine has %.3g GB", (long)order,
                     (long)bits, bytes / 1e9, console_memory() / 1e9);

@@ -2,6 +2,7 @@
 #include "series/trajectory.h"
 
 #include "series/jet.h"
+#include "series/row_sums.h"
 #include "support/console.h"
 
 #include <math.h>
@@ -14,6 +15,7 @@
 #define POWER_INIT exact_power_init
 #define POWER_CLEAR exact_power_clear
 #define POWER_FIRST_ROW exact_power_first_row
+#define POWER_SUM exact_power_sum
 #define POWER_REST exact_power_rest
 #define POWER_FINISH_ROW exact_power_finish_row
 #define POLY fmpq_poly_struct
@@ -74,13 +76,23 @@ static void exact_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly_str
     fmpz_clear(den);
 }
 
+#define ROW_SUMS
+#define row_sums_begin(power, rows, length) (void)(length)
+#define row_sums_end(power) (void)(power)
+#define row_sum(sum, power, x, k, length) exact_power_sum(sum, power, x, k, length)
+
 #include "series/trajectory_rows.inc"
 
 #undef ROWS
+#undef ROW_SUMS
+#undef row_sums_begin
+#undef row_sums_end
+#undef row_sum
 #undef POWER
 #undef POWER_INIT
 #undef POWER_CLEAR
 #undef POWER_FIRST_ROW
+#undef POWER_SUM
 #undef POWER_REST
 #undef POWER_FINISH_ROW
 #undef POLY
@@ -116,6 +128,7 @@ static void exact_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly_str
 #define POWER_INIT ball_power_init
 #define POWER_CLEAR ball_power_clear
 #define POWER_FIRST_ROW ball_power_first_row
+#define POWER_SUM ball_power_sum
 #define POWER_REST ball_power_rest
 #define POWER_FINISH_ROW ball_power_finish_row
 #define POLY arb_poly_struct
@@ -175,7 +188,25 @@ static void ball_trim(arb_poly_struct *p)
         arb_trim(p->coeffs + i, p->coeffs + i);
 }
 
+#define ROW_SUMS struct row_sums sums[1];
+#define row_sums_begin(power, rows, length) row_sums_init((power)->sums, (power)->p, rows, length, prec)
+#define row_sums_end(power) row_sums_clear((power)->sums)
+#define row_sum(sum, power, x, k, length) ball_row_sum(sum, power, x, k, length, prec)
+
+struct ball_power;
+static void ball_row_sum(arb_poly_struct *sum, struct ball_power *power, const arb_poly_struct *x, slong k,
+                         slong length, slong prec);
+
 #include "series/trajectory_rows.inc"
+
+static void ball_row_sum(arb_poly_struct *sum, struct ball_power *power, const arb_poly_struct *x, slong k,
+                         slong length, slong prec)
+{
+    if (power->sums->rows < ROW_SUMS_MIN_ROWS)
+        ball_power_sum(sum, power, x, k, length, prec);
+    else
+        row_sums_next(sum, power->sums, x, power->row, k);
+}
 
 void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const struct law *law)
 {

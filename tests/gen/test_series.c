@@ -225,9 +225,10 @@ static void test_zero_force(void **state)
     arb_clear(y);
 }
 
-/* y_k, tau_k and C_k, k = 0..order, by the t-series and the involution, and by the ODE in power series of beta: the
- * balls overlap, and are narrow enough (bits; 20 bits for the second route) for that to mean something. */
-static void compare_routes(const struct law *law, slong order, slong bits, slong second_prec)
+/* y_k, tau_k and C_k, k = 0..order, by the t-series and the involution, and up to second_order by the ODE in power
+ * series of beta: the balls overlap, and are narrow enough (bits; 20 bits for the second route) for that to mean
+ * something. */
+static void compare_routes(const struct law *law, slong order, slong second_order, slong bits, slong second_prec)
 {
     struct series s;
     arb_poly_t y, tau, c;
@@ -238,17 +239,18 @@ static void compare_routes(const struct law *law, slong order, slong bits, slong
     arb_poly_init(c);
     arb_init(x);
     assert_int_equal(series_compute(&s, order, law, bits), 0);
-    assert_int_equal(collision_series(y, tau, c, order, law, second_prec), 0);
-    assert_poly_overlap(s.y, y, order, "y_k");
-    assert_poly_overlap(s.tau, tau, order, "tau_k");
-    assert_poly_overlap(s.c, c, order, "C_k");
+    assert_int_equal(collision_series(y, tau, c, second_order, law, second_prec), 0);
+    assert_poly_overlap(s.y, y, second_order, "y_k");
+    assert_poly_overlap(s.tau, tau, second_order, "tau_k");
+    assert_poly_overlap(s.c, c, second_order, "C_k");
     for (slong k = 1; k <= order; k++) {
         arb_poly_get_coeff_arb(x, s.c, k);
         if (arb_is_zero(x))
             continue; /* exactly so, see test_vanishing_coefficient */
         assert_bits(x, bits);
         arb_poly_get_coeff_arb(x, c, k);
-        assert_bits(x, 20);
+        if (k <= second_order)
+            assert_bits(x, 20);
     }
     series_clear(&s);
     arb_poly_clear(y);
@@ -260,7 +262,8 @@ static void compare_routes(const struct law *law, slong order, slong bits, slong
 static void test_two_routes(void **state)
 {
     (void)state;
-    compare_routes(&law_sphere, points(32) > 32 ? 60 : (slong)few_or_all(16, 32), 100, 260); /* 60: half a minute */
+    const slong order = points(32) > 32 ? 60 : (slong)few_or_all(16, 32); /* 60: half a minute */
+    compare_routes(&law_sphere, order, order, 100, 260);
 }
 
 /* Other laws by both routes: nothing in them is special to the sphere. */
@@ -273,8 +276,19 @@ static void test_two_routes_other_law(void **state)
             continue;
         struct law law;
         assert_null(law_parse(&law, law_text[i][0], law_text[i][1]));
-        compare_routes(&law, (slong)few_or_all(8, 12), 80, 200);
+        const slong order = (slong)few_or_all(8, 12);
+        compare_routes(&law, order, order, 80, 200);
     }
+}
+
+/* The rows of the law (2, 1/2) grow fast with s. A bound of the truncation whose errors are the same in every column
+ * proves nothing here. The second route to order 30 takes ten seconds, so an ordinary run takes it to order 8. */
+static void test_two_routes_steep_rows(void **state)
+{
+    (void)state;
+    struct law law;
+    assert_null(law_parse(&law, "2", "1/2"));
+    compare_routes(&law, 30, points(32) > 32 ? 30 : 8, 64, 260);
 }
 
 /* C_k = 0 exactly for even k = -2/q, q < 0; by the second route, which does not know it, zero to 100 bits. */
@@ -373,6 +387,7 @@ int main(void)
         cmocka_unit_test(test_zero_force),
         cmocka_unit_test(test_two_routes),
         cmocka_unit_test(test_two_routes_other_law),
+        cmocka_unit_test(test_two_routes_steep_rows),
         cmocka_unit_test(test_vanishing_coefficient),
         cmocka_unit_test(test_no_vanishing_coefficient),
         cmocka_unit_test(test_radius),

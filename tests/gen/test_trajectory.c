@@ -1,7 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The exact trajectory: Eq. (49), the equation of motion by another route, and the proof of what is cut off. */
 #include "ball.h"
+#include "check.h"
 
+#include <math.h>
+
+#include "series/jet.h"
+#include "series/row_sums.h"
 #include "series/trajectory.h"
 #include "series/turning_point.h"
 
@@ -260,8 +265,8 @@ static void test_truncation_bound(void **state)
                 arf_set_mag(arb_midref(term), bound);
                 mag_zero(arb_radref(term));
                 assert_true(arb_lt(sum, term));
-                /* Within 2^80 of the truth, 40 terms' worth, but for the linear law: there X is entire. */
-                arb_mul_2exp_si(sum, sum, 80);
+                /* Within 2^50 of the truth, 20 terms' worth, but for the linear law: there X is entire. */
+                arb_mul_2exp_si(sum, sum, 50);
                 assert_true(i == 1 || arb_gt(sum, term));
             }
         trajectory_clear(&cut);
@@ -296,6 +301,105 @@ static void test_law_parse(void **state)
     assert_true(q.num == 1 && q.den == 5);
 }
 
+/* Intervals of very different size, and one number in each interval */
+static void random_row(arb_poly_struct *row, arb_poly_struct *point, slong k, slong length, struct random_state *random)
+{
+    arb_t x, y;
+    arb_init(x);
+    arb_init(y);
+    for (slong j = 0; j < length; j++) {
+        arb_set_d(x, random_uniform(random, -1, 1));
+        arb_set_d(y, ldexp(random_uniform(random, -1, 1), -50));
+        arb_add(x, x, y, 200);
+        arb_mul_2exp_si(x, x, -2 * k - j / 2 - (slong)random_below(random, 40));
+        if (random_below(random, 8) == 0)
+            arb_zero(x);
+        arb_set_d(y, random_uniform(random, 0, 1));
+        arb_mul_2exp_si(y, y, (slong)random_below(random, 3) * j / 2 - 60);
+        arb_add_error(x, y);
+        arb_poly_set_coeff_arb(row, j, x);
+        /* one end of the interval, or a point within */
+        arb_get_rad_arb(y, x);
+        arb_mul_si(y, y, (slong)random_below(random, 3) - 1, 200);
+        arb_get_mid_arb(x, x);
+        arb_add(x, x, y, 400);
+        arb_poly_set_coeff_arb(point, j, x);
+    }
+    arb_clear(x);
+    arb_clear(y);
+}
+
+/* The sums contain the sum over one number of each interval, product by product, and are hardly wider than the sums of
+ * intervals. */
+static void test_row_sums(void **state)
+{
+    (void)state;
+    enum { CUT = 100, EXACT = 4000 };
+    static const struct {
+        struct ratio p;
+        slong rows, length;
+    } sizes[] = {{{3, 2}, 14, 1}, {{3, 2}, 13, 70}, {{1, 1}, 6, 129}, {{31, 16}, 9, 65}};
+    struct random_state random = random_start();
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        const struct ratio p = sizes[i].p;
+        const slong rows = sizes[i].rows, length = sizes[i].length;
+        arb_poly_struct *f[2] = {jet_new(rows), jet_new(rows)}, *point[2] = {jet_new(rows), jet_new(rows)};
+        struct row_sums sums;
+        arb_poly_t sum, product, expected[2];
+        arb_t x, y;
+        mag_t wide, cut;
+        arb_poly_init(sum);
+        arb_poly_init(product);
+        arb_poly_init(expected[0]);
+        arb_poly_init(expected[1]);
+        arb_init(x);
+        arb_init(y);
+        mag_init(wide);
+        mag_init(cut);
+        row_sums_init(&sums, p, rows, length, CUT);
+        for (int n = 0; n < 2; n++)
+            for (slong k = 1; k < rows; k++)
+                random_row(f[n] + k, point[n] + k, k, length, &random);
+        for (slong k = 1; k < rows; k++) {
+            row_sums_next(sum, &sums, f[0], f[1], k);
+            for (int kind = 0; kind < 2; kind++) {
+                arb_poly_struct *const *factor = kind == 0 ? f : point;
+                arb_poly_zero(expected[kind]);
+                for (slong n = 1; n < k; n++) {
+                    arb_set_si(x, (p.num + p.den) * n - p.den * k);
+                    arb_poly_mullow(product, factor[0] + n, factor[1] + k - n, length, EXACT);
+                    arb_poly_scalar_mul(product, product, x, EXACT);
+                    arb_poly_add(expected[kind], expected[kind], product, EXACT);
+                }
+            }
+            for (slong j = 0; j < length; j++) {
+                arb_poly_get_coeff_arb(x, sum, j);
+                arb_poly_get_coeff_arb(y, expected[1], j);
+                if (!arb_contains(x, y))
+                    fail_msg("size %zu, row %ld: coefficient %ld is not in its interval", i, (long)k, (long)j);
+                arb_poly_get_coeff_arb(y, expected[0], j);
+                mag_mul_ui(wide, arb_radref(y), 2);
+                mag_set_ui_2exp_si(cut, 1, 20 - CUT - 2 * k);
+                mag_add(wide, wide, cut);
+                if (mag_cmp(arb_radref(x), wide) > 0)
+                    fail_msg("size %zu, row %ld: the interval of coefficient %ld is too wide", i, (long)k, (long)j);
+            }
+        }
+        row_sums_clear(&sums);
+        for (int n = 0; n < 2; n++) {
+            jet_free(f[n], rows);
+            jet_free(point[n], rows);
+            arb_poly_clear(expected[n]);
+        }
+        arb_poly_clear(sum);
+        arb_poly_clear(product);
+        arb_clear(x);
+        arb_clear(y);
+        mag_clear(wide);
+        mag_clear(cut);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -303,6 +407,7 @@ int main(void)
         cmocka_unit_test(test_equation_of_motion),
         cmocka_unit_test(test_balls_contain_rationals),
         cmocka_unit_test(test_truncation_bound),
+        cmocka_unit_test(test_row_sums),
         cmocka_unit_test(test_law_parse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: MIT */
+/* The proved bounds of 1/Z and of Z^p against powers by another route: the binomial series of the rows of Z. */
+#include "ball.h"
+
+#include "series/jet.h"
+#include "series/power_bounds.h"
+
+enum { PREC = 400 };
+
+/* Rows 0..order of f^p up to s^(n-1), from f = f_0 (1 + W): f_0^p sum_m binomial(p, m) W^m. */
+static arb_poly_struct *rows_power(const arb_poly_struct *f, struct ratio p, slong order, slong n)
+{
+    arb_poly_struct *w = jet_new(order + 1), *power = jet_new(order + 1), *sum = jet_new(order + 1);
+    arb_poly_t first, term;
+    arb_t exponent, binomial;
+    arb_poly_init(first);
+    arb_poly_init(term);
+    arb_init(exponent);
+    arb_init(binomial);
+    for (slong k = 1; k <= order; k++)
+        arb_poly_div_series(w + k, f + k, f, n, PREC);
+    arb_poly_one(power);
+    arb_one(binomial);
+    for (slong m = 0; m <= order; m++) {
+        for (slong k = m; k <= order; k++) {
+            arb_poly_scalar_mul(term, power + k, binomial, PREC);
+            arb_poly_add(sum + k, sum + k, term, PREC);
+        }
+        /* W^(m+1) starts with u^(m+1); the rows from above, because each needs lower ones only. */
+        for (slong k = order; k >= 0; k--) {
+            arb_poly_zero(first);
+            for (slong i = 1; i <= k; i++) {
+                arb_poly_mullow(term, w + i, power + k - i, n, PREC);
+                arb_poly_add(first, first, term, PREC);
+            }
+            arb_poly_swap(power + k, first);
+        }
+        arb_set_ratio(exponent, ratio_add(p, (struct ratio){-m, 1}), PREC);
+        arb_mul(binomial, binomial, exponent, PREC);
+        arb_div_si(binomial, binomial, m + 1, PREC);
+    }
+    arb_set_ratio(exponent, p, PREC);
+    arb_poly_pow_arb_series(first, f, exponent, n, PREC);
+    for (slong k = 0; k <= order; k++)
+        arb_poly_mullow(sum + k, sum + k, first, n, PREC);
+    jet_free(w, order + 1);
+    jet_free(power, order + 1);
+    arb_poly_clear(first);
+    arb_poly_clear(term);
+    arb_clear(exponent);
+    arb_clear(binomial);
+    return sum;
+}
+
+/* sum_k U^k sum_{j >= start} |f_kj| rho^j over the coefficients that f has */
+static void rows_norm(arb_t norm, const arb_poly_struct *f, slong order, slong start, const arb_t U, const arb_t rho)
+{
+    arb_t row, term;
+    arb_init(row);
+    arb_init(term);
+    arb_zero(norm);
+    for (slong k = order; k >= 0; k--) {
+        arb_zero(row);
+        for (slong j = f[k].length - 1; j >= 0; j--) {
+            arb_mul(row, row, rho, PREC);
+            arb_abs(term, f[k].coeffs + j);
+            if (j >= start)
+                arb_add(row, row, term, PREC);
+        }
+        arb_mul(norm, norm, U, PREC);
+        arb_add(norm, norm, row, PREC);
+    }
+    arb_clear(row);
+    arb_clear(term);
+}
+
+/* norm <= bound <= 2^slack norm */
+static void assert_bounds(const arb_t bound, const arb_t norm, slong slack, const char *what, const char *law)
+{
+    arb_t most;
+    arb_init(most);
+    arb_mul_2exp_si(most, norm, slack);
+    if (!arb_le(norm, bound) || !arb_le(bound, most)) {
+        arb_fprintd(stderr, bound, 10);
+        fprintf(stderr, " should bound ");
+        arb_fprintd(stderr, norm, 10);
+        fail_msg(" to %ld bits: %s, law %s", (long)slack, what, law);
+    }
+    arb_clear(most);
+}
+
+static void assert_bounds_of(const struct trajectory *t, const struct power_bounds *b, const arb_t U, const arb_t rho,
+                             const char *name)
+{
+    const slong columns = 4 * t->terms;
+    const struct ratio exponent[] = {{-1, 1}, t->law.a, ratio_add(t->law.b, (struct ratio){1, 1})};
+    const int powers = t->x_to_a == t->x_to_b1 ? 1 : 2;
+    arb_t norm;
+    arb_init(norm);
+    for (int i = -1; i < powers; i++) {
+        arb_poly_struct *rows = rows_power(t->x, exponent[i + 1], t->order, columns);
+        rows_norm(norm, rows, t->order, 0, U, rho);
+        if (i < 0) {
+            assert_bounds(b->inverse, norm, 1, "1/Z", name);
+        } else {
+            assert_bounds(b->size[i], norm, 1, "a power of Z", name);
+            rows_norm(norm, rows, t->order, t->terms + 1, U, rho);
+            assert_bounds(b->error[i], norm, 12, "the error of a power", name);
+        }
+        if (i == 0) {
+            rows_norm(norm, rows, t->order, t->terms, U, rho);
+            assert_bounds(b->last_column, norm, 12, "the last column", name);
+        }
+        jet_free(rows, t->order + 1);
+    }
+    arb_clear(norm);
+}
+
+/* Every bound holds, with a block that is the whole of Z and with one that leaves much of the proof to its rest. */
+static void test_trajectories(void **state)
+{
+    (void)state;
+    enum { ORDER = 4, TERMS = 30 };
+    static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "1/4"}, {"2", "1/2"}, {"1/2", "1"}};
+    static const double weights[][2] = {{0.125, 0.25}, {0.25, 0.2}};
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
+        struct law law;
+        struct trajectory t;
+        assert_null(law_parse(&law, laws[i][0], laws[i][1]));
+        trajectory_init(&t, ORDER, TERMS, &law, PREC);
+        for (int n = 0; n < 2; n++)
+            for (int whole = 0; whole < 2; whole++) {
+                struct power_evidence e;
+                struct power_bounds b;
+                arb_t U, rho;
+                arb_init(U);
+                arb_init(rho);
+                power_bounds_init(&b);
+                arb_set_d(U, weights[n][0]);
+                arb_set_d(rho, weights[n][1]);
+                power_evidence_init(&e, &t, whole ? ORDER + 1 : 2, whole ? TERMS + 1 : 3);
+                assert_true(power_bounds_prove(&b, &e, U, rho));
+                assert_bounds_of(&t, &b, U, rho, laws[i][0]);
+                power_evidence_clear(&e);
+                power_bounds_clear(&b);
+                arb_clear(U);
+                arb_clear(rho);
+            }
+        trajectory_clear(&t);
+    }
+}
+
+/* Z = 1 - c s^20: 1/Z has the norm 1/(1 - c rho^20). The block 1 of 10 columns knows nothing of c. */
+static void test_one_term(void **state)
+{
+    (void)state;
+    enum { TERMS = 25, POWER = 20, BLOCK = 10 };
+    struct trajectory t = {.law = law_sphere, .order = 0, .terms = TERMS, .prec = PREC, .shift = 0};
+    struct power_evidence e;
+    struct power_bounds b;
+    arb_t U, rho, norm;
+    arb_init(U);
+    arb_init(rho);
+    arb_init(norm);
+    power_bounds_init(&b);
+    arb_one(U);
+    t.x = jet_new(1);
+    arb_poly_one(t.x);
+    arb_set_d(rho, -0.25);
+    arb_poly_set_coeff_arb(t.x, POWER, rho);
+    t.x_to_a = t.x_to_b1 = rows_power(t.x, law_sphere.a, 0, TERMS + 1);
+    power_evidence_init(&e, &t, 1, BLOCK);
+
+    arb_one(rho);
+    assert_true(power_bounds_prove(&b, &e, U, rho));
+    assert_bounds_of(&t, &b, U, rho, "3/2");
+    arb_set_d(norm, 1 / 0.75);
+    arb_sub(norm, norm, b.inverse, PREC);
+    arb_abs(norm, norm);
+    arb_mul_2exp_si(norm, norm, 20);
+    arb_sub_si(norm, norm, 1, PREC);
+    assert_true(arb_is_negative(norm));
+
+    arb_set_d(rho, 1.05); /* c rho^20 = 0.66 */
+    assert_false(power_bounds_prove(&b, &e, U, rho));
+
+    power_evidence_clear(&e);
+    power_bounds_clear(&b);
+    jet_free(t.x, 1);
+    jet_free(t.x_to_a, 1);
+    arb_clear(U);
+    arb_clear(rho);
+    arb_clear(norm);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_trajectories),
+        cmocka_unit_test(test_one_term),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
