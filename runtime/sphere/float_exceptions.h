@@ -20,7 +20,10 @@ struct cor_float_exception {
 #define COR_FLOAT_EXCEPTION_loss_zero_overlap COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_loss_zero_force COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_beta_zero_overlap COR_FLOAT_REGULAR
-#define COR_FLOAT_EXCEPTION_beta_zero_force COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_beta_zero_force                                                                            \
+    {                                                                                                                  \
+        0x1.c37b7p-13f, 0x1.74754ap+7f, NAN, NAN                                                                       \
+    }
 #define COR_FLOAT_EXCEPTION_duration_zero_overlap                                                                      \
     {                                                                                                                  \
         0x1.073138p-6f, 0x1.9caebap+1f, NAN, NAN                                                                       \
