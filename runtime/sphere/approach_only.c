@@ -3,6 +3,7 @@
 #include "cor/sphere.h"
 #include "runtime/core/hertz_approach_only.h"
 #include "runtime/sphere/eval.h"
+#include "runtime/sphere/float_exceptions.h"
 
 /* 1 - eps = a_1 beta + a_2 beta^2 + ..., beta < 1/16: from (Y/Y_0)^(5/4) with Y = sum y_k beta^k as `corgen series`
  * prints it; a_1 = |C_1|/2. The omitted terms are below 2^-63 of the first one. */
@@ -191,7 +192,8 @@ static double duration_approach_only(double beta)
     }                                                                                                                  \
     float cor_sphere_##quantity##_approach_onlyf(float x)                                                              \
     {                                                                                                                  \
-        return (float)quantity##_approach_only((double)x);                                                             \
+        static const struct cor_float_exception exception = COR_FLOAT_EXCEPTION_##quantity##_approach_only;            \
+        return cor_float_corrected(exception, x, (float)quantity##_approach_only((double)x));                          \
     }                                                                                                                  \
     void cor_sphere_##quantity##_approach_only_array(const double *x, double *y, size_t n)                             \
     {                                                                                                                  \
@@ -201,7 +203,7 @@ static double duration_approach_only(double beta)
     void cor_sphere_##quantity##_approach_only_arrayf(const float *x, float *y, size_t n)                              \
     {                                                                                                                  \
         for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = (float)quantity##_approach_only((double)x[i]);                                                      \
+            y[i] = cor_sphere_##quantity##_approach_onlyf(x[i]);                                                       \
     }
 
 SPHERE_APPROACH_ONLY(eps)

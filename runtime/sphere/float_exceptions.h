@@ -38,6 +38,15 @@ struct cor_float_exception {
         0x1.511e64p-14f, 0x1.9be80ep+0f, 0x1.5b5bb8p+22f, 0x1.7b3fe6p-11f                                              \
     }
 
+#define COR_FLOAT_EXCEPTION_eps_approach_only COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_loss_approach_only                                                                         \
+    {                                                                                                                  \
+        0x1.47e06ep+16f, 0x1.fff30ap-1f, 0x1.4fe17ep+30f, 0x1.fffffep-1f                                               \
+    }
+#define COR_FLOAT_EXCEPTION_beta_approach_only COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_beta_of_loss_approach_only COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_duration_approach_only COR_FLOAT_REGULAR
+
 /* The result at x, whose double result rounds to y */
 static inline float cor_float_corrected(struct cor_float_exception exception, float x, float y)
 {

@@ -54,6 +54,7 @@ static const struct function functions[] = {
     DIRECT(loss_approach_only, LOSS_APPROACH_ONLY),
     DIRECT(duration_approach_only, DURATION_APPROACH_ONLY),
     INVERSE(beta_approach_only, EPS_APPROACH_ONLY, LOSS_APPROACH_ONLY),
+    INVERSE(beta_of_loss_approach_only, LOSS_APPROACH_ONLY, EPS_APPROACH_ONLY),
 };
 
 enum {

@@ -459,7 +459,11 @@ static void float_exceptions(void **state)
                  {cor_sphere_time_of_max_overlapf, cor_sphere_time_of_max_overlap_arrayf,
                   cor_sphere_time_of_max_overlap, 0x1.5b5bb8p+22F, 0x1.7b3fe6p-11F},
                  {cor_sphere_beta_zero_forcef, cor_sphere_beta_zero_force_arrayf, cor_sphere_beta_zero_force,
-                  0x1.c37b7p-13F, 0x1.74754ap+7F}};
+                  0x1.c37b7p-13F, 0x1.74754ap+7F},
+                 {cor_sphere_loss_approach_onlyf, cor_sphere_loss_approach_only_arrayf, cor_sphere_loss_approach_only,
+                  0x1.47e06ep+16F, 0x1.fff30ap-1F},
+                 {cor_sphere_loss_approach_onlyf, cor_sphere_loss_approach_only_arrayf, cor_sphere_loss_approach_only,
+                  0x1.4fe17ep+30F, 0x1.fffffep-1F}};
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         enum { N = 9 };
         float x[N], y[N];
