@@ -331,7 +331,7 @@ static void test_limits(void **state)
     }
     f.single = false;
     f.family = FAMILY_PIECES_BETA;
-    f.refinement = 4;
+    f.refinement = EMBED_REFINEMENTS - 1;
     f.numerator = 0;
     f.rows = 1000;
     double row[1000];
