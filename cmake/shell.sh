@@ -103,10 +103,11 @@ turn_of() {
     echo $((${COR_TEST_TURN:-$(git rev-list --count HEAD 2>/dev/null || echo 0)} % $1))
 }
 
-# builds_whole CC [--long]: whether a test run builds everything with this compiler: with gcc always, with others after
-# every third commit and in long runs. build_tested then builds the library and its tests, and has the rest parsed.
+# builds_whole CC [--long]: whether a test run builds everything with this compiler: with gcc always, with others in long
+# runs and after every fifth commit, when the part of tests/hygiene/run whose turn it is, valgrind, is the shortest.
+# Otherwise build_tested builds the library and its tests, and has the rest parsed.
 builds_whole() {
-    [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 3)" -eq 0 ]
+    [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 5)" -eq 2 ]
 }
 
 # parse_rest DIR: the compiler reads, with all warnings, the sources that the target unit_tests does not need, but for
