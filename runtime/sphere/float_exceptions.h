@@ -43,7 +43,10 @@ struct cor_float_exception {
     {                                                                                                                  \
         0x1.47e06ep+16f, 0x1.fff30ap-1f, 0x1.4fe17ep+30f, 0x1.fffffep-1f                                               \
     }
-#define COR_FLOAT_EXCEPTION_beta_approach_only COR_FLOAT_REGULAR
+#define COR_FLOAT_EXCEPTION_beta_approach_only                                                                         \
+    {                                                                                                                  \
+        0x1.fefc3ap-23f, 0x1.bc40f6p+26f, 0x1.d76bf4p-14f, 0x1.191072p+16f                                             \
+    }
 #define COR_FLOAT_EXCEPTION_beta_of_loss_approach_only COR_FLOAT_REGULAR
 #define COR_FLOAT_EXCEPTION_duration_approach_only COR_FLOAT_REGULAR
 
