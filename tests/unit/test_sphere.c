@@ -463,7 +463,11 @@ static void float_exceptions(void **state)
                  {cor_sphere_loss_approach_onlyf, cor_sphere_loss_approach_only_arrayf, cor_sphere_loss_approach_only,
                   0x1.47e06ep+16F, 0x1.fff30ap-1F},
                  {cor_sphere_loss_approach_onlyf, cor_sphere_loss_approach_only_arrayf, cor_sphere_loss_approach_only,
-                  0x1.4fe17ep+30F, 0x1.fffffep-1F}};
+                  0x1.4fe17ep+30F, 0x1.fffffep-1F},
+                 {cor_sphere_beta_approach_onlyf, cor_sphere_beta_approach_only_arrayf, cor_sphere_beta_approach_only,
+                  0x1.fefc3ap-23F, 0x1.bc40f6p+26F},
+                 {cor_sphere_beta_approach_onlyf, cor_sphere_beta_approach_only_arrayf, cor_sphere_beta_approach_only,
+                  0x1.d76bf4p-14F, 0x1.191072p+16F}};
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         enum { N = 9 };
         float x[N], y[N];
