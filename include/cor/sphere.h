@@ -121,7 +121,8 @@ COR_SPHERE_DECLARE_(time_of_max_overlap)
  *
  * float cor_sphere_eps_zero_overlap_fastf(float x), and of the other functions of beta above: computed in float
  * arithmetic, in less time than in double; arrays take less than half the time of the double arrays. The results are
- * not correctly rounded. Those of cor_sphere_eps_zero_overlapf and its array are, which round the double result once.
+ * not correctly rounded. Those of cor_sphere_eps_zero_overlapf and its array are, which round the double result once
+ * and correct the few arguments where that is not the nearest float.
  * cor_sphere_eps_zero_overlap_fast_arrayf(x, y, n) sets y[i] to the bits of the function at x[i], for i < n.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_FAST_FLOAT_MAX_ULP, in units of the last place of a float, measured at
  * every float (tests/accuracy/test_fast_floats). Beta >= 8 (eps, loss and duration at zero overlap)
