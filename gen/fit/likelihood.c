@@ -351,15 +351,25 @@ static void judge(struct fit_estimate *e, const struct problem *p)
                               : groups_p_value(r, p->points, (size_t)p->parameters);
 }
 
-/* A beta at an end of its range stands for 0 or infinity: eps is 1, or 0, at all speeds. */
+/* A beta at an end of its range stands for 0 or infinity: eps is 1, or 0, at all speeds. So do ends of its intervals. */
 static void set_limit(struct fit_estimate *e, const struct problem *p)
 {
+    const double near = 1e-6;
     if (p->curve == FIT_CONSTANT || p->curve == FIT_POWER_LAW)
         return;
-    if (e->theta[0] - p->low[0] < 1e-6)
-        e->theta[0] = -INFINITY;
-    else if (p->high[0] - e->theta[0] < 1e-6)
-        e->theta[0] = INFINITY;
+    const bool least = e->theta[0] - p->low[0] < near, most = !least && p->high[0] - e->theta[0] < near;
+    if (least || most)
+        e->theta[0] = most ? INFINITY : -INFINITY;
+    for (int level = 0; level < LEVELS; level++) {
+        struct fit_interval *const interval = &e->interval[0][level];
+        if (least) {
+            interval->low = -INFINITY;
+            interval->high = interval->high - p->low[0] < near ? -INFINITY : interval->high;
+        } else if (most) {
+            interval->high = INFINITY;
+            interval->low = p->high[0] - interval->low < near ? INFINITY : interval->low;
+        }
+    }
 }
 
 static void problem_init(struct problem *p, enum fit_curve curve, const struct fit_data *data, bool robust)

@@ -131,8 +131,11 @@ static int fuzz_disk_modes(const void *arguments)
     return run_if(o->count <= 6 && o->digits <= 40 && short_number(&o->poisson), &command_disk_modes, &o->common);
 }
 
+/* Whether a list is short and its values are in a range, or the list is not given */
 static bool few(const struct values *values, size_t most, double least, double largest)
 {
+    if (values->count == 0)
+        return !values->text;
     REQUIRE(values->count >= 1 && values->count <= VALUES_MAX, "list '%s' has %zu values", values->text, values->count);
     return values->count <= most && values_least(values) >= least && values_largest(values) <= largest;
 }

@@ -436,6 +436,33 @@ static void elastic_data_have_no_upper_end(void **state)
     assert_true(e.theta[0] == 1 && e.interval[0][LEVEL_95].high == 1 && e.interval[0][LEVEL_95].low < 1);
 }
 
+/* One datum that weighs all and is eps = 0: beta is infinite, and its intervals hold it. The mirror image has eps = 1. */
+static void an_end_of_the_range_is_in_its_interval(void **state)
+{
+    (void)state;
+    double speed[] = {1, 2, 3, 4, 5, 5}, eps[] = {0, 1, 0.2, 0.1, 0.2, 0.2}, sigma[] = {1e-40, 1e20, 1, 1, 0.5, 1};
+    const struct fit_data data = {6, speed, eps, sigma, false};
+    int infinite = 0;
+    for (int image = 0; image < 2; image++) {
+        for (int curve = 0; curve < FIT_CURVES; curve++) {
+            struct fit_estimate e;
+            if (curve == FIT_CONSTANT || curve == FIT_POWER_LAW)
+                continue;
+            fit_estimate_curve(&e, (enum fit_curve)curve, &data, false);
+            for (int j = 0; j < e.parameters; j++)
+                for (int level = 0; level < LEVELS; level++)
+                    check(e.interval[j][level].low <= e.theta[j] && e.theta[j] <= e.interval[j][level].high,
+                          "curve %d, image %d: %g, %g, %g", curve, image, e.interval[j][level].low, e.theta[j],
+                          e.interval[j][level].high);
+            if (isinf(e.theta[0]))
+                infinite++;
+        }
+        for (size_t i = 0; i < 6; i++)
+            eps[i] = 1 - eps[i];
+    }
+    check(infinite > 2, "%d infinite values of beta", infinite);
+}
+
 static void few_points_are_not_judged(void **state)
 {
     (void)state;
@@ -548,6 +575,7 @@ int main(void)
         cmocka_unit_test_prestate(intervals_hold_the_truth, &random),
         cmocka_unit_test_prestate(outliers_move_the_robust_fit_little, &random),
         cmocka_unit_test(elastic_data_have_no_upper_end),
+        cmocka_unit_test(an_end_of_the_range_is_in_its_interval),
         cmocka_unit_test(few_points_are_not_judged),
         cmocka_unit_test(csv_forms_agree),
         cmocka_unit_test(flights_give_speeds_and_eps),
