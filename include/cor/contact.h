@@ -13,11 +13,12 @@
 extern "C" {
 #endif
 
-/* Bound on the rounding error of the functions below, in units of the last place, against the exact
- * formula of the given inputs. Sampled in tests/unit/test_contact.c. */
+/* Bound on the rounding error of the functions below, in units of the last place, against the exact formula of the
+ * given inputs. Sampled in tests/unit/test_contact.c from materials on. Proved for durations, largest overlap and A at
+ * a speed from 2^-300 to 2^300 m/s, where the filled contact counts as exact (docs/derivation.md, 18). */
 #define COR_CONTACT_MAX_ULP 12.0
-/* Bound on the relative error of eps at a speed: (2 + 2 kappa) 2^-53, where kappa = |d ln eps/d ln beta|. Sampled in
- * tests/accuracy. */
+/* Bound on the relative error of eps at a speed: (2 + 2 kappa) 2^-53, where kappa = |d ln eps/d ln beta|. Proved
+ * (docs/derivation.md, 18). A subnormal eps may be off by another 2^-1075. */
 #define COR_CONTACT_EPS_MAX_ERROR(kappa) ((2 + 2 * (kappa)) * 1.1102230246251565e-16)
 
 /* One of the two bodies. A wall has radius_m = mass_kg = INFINITY. */
@@ -85,9 +86,9 @@ COR_API double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact);
 COR_API double cor_contact_beta(const struct cor_sphere_contact *contact, double speed_m_s);
 
 /* eps at impact speed g >= 0, m/s: cor_sphere_eps_... at beta = beta_per_root g^(1/5), for either end of contact.
- * Accuracy: the relative error is at most COR_CONTACT_EPS_MAX_ERROR(kappa), sampled in tests/accuracy with
- * beta_per_root taken as exact. kappa = |d ln eps/d ln beta| is below |C_1| beta at small beta, and 5 (zero overlap) or
- * 5/3 (zero force) at large beta.
+ * Accuracy: the relative error is at most COR_CONTACT_EPS_MAX_ERROR(kappa), proved with beta_per_root taken as exact.
+ * kappa = |d ln eps/d ln beta| is near |C_1| beta at small beta, below 5 (zero overlap) or 5/3 (zero force), and near
+ * these at large beta.
  * Special values: speed 0 -> exactly 1, +inf -> 0; negative or NaN speed, or a contact whose init failed -> NaN.
  * Without dissipation eps = 1 at every speed >= 0. */
 COR_API double cor_contact_eps_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s);

@@ -18,13 +18,16 @@
 #include <map>
 #include <sstream>
 
-/* The evaluator's source, with numbers that record their operations */
+#include "cor/contact.h"
+
+/* The evaluator's source, with numbers that record their operations; cor/contact.h comes first, with real doubles */
 namespace trace
 {
 #define double Real
 #define uint64_t Bits
 #define memcpy(to, from, size) copy(to, from)
 #define __builtin_assoc_barrier(x) (x)
+#include "runtime/sphere/contact_parts.h"
 #include "runtime/sphere/eval.h"
 /* the contact law of the disk; the caller's floating-point environment is not part of a formula */
 #define COR_RUNTIME_ENVIRONMENT_H
@@ -70,6 +73,7 @@ struct row {
     number low, high; /* of y, or of y 2^-octave */
     int octave;
     bool by_octaves;
+    number bits; /* -log2 of the proved error */
     std::vector<std::string> value, decimal;
     number node() const
     {
@@ -87,6 +91,9 @@ static std::map<std::string, table> tables_of(const char *file)
         char text[128], word[64], number_text[64];
         row r = {};
         int index;
+        const std::size_t degree = line.find(", degree ");
+        if (degree != std::string::npos)
+            sscanf(line.c_str() + degree, ", degree %*d, %lf bits", &r.bits);
         if (sscanf(line.c_str(), "COR_INLINE const double *cor_rows_%127[a-z0-9_](int i)", text) == 1)
             name = text;
         else if (sscanf(line.c_str(), " /* [%d] %lf <= y <= %lf 2^%d", &index, &r.low, &r.high, &r.octave) == 4) {
@@ -1303,6 +1310,8 @@ static const evaluator row_tables[] = {
     {"beta_zero_force", cor_inline_beta_zero_force, 0x1p-23, 0.5, BY_OCTAVES, false, 0.8},
 };
 
+#include "speed.h"
+
 int main(int argc, char **argv)
 {
     if (argc != 3 && argc < 5) {
@@ -1328,6 +1337,7 @@ int main(int argc, char **argv)
     write_far();
     write_pairs();
     write_disk();
+    check_speed();
     printf("%lu of %lu goals written\n", written, files);
     return 0;
 }

@@ -671,6 +671,46 @@ static void keeps_order(void **state)
     }
 }
 
+/* ln(f) by ln(beta): the difference quotient between beta and beta (1 + 2^-10) */
+static double slope(sphere_function *f, double beta)
+{
+    const double next = beta * (1 + 0x1p-10);
+    return log(f(next) / f(beta)) / log(next / beta);
+}
+
+/* The time from zero force to zero overlap over beta */
+static double creep(double beta)
+{
+    return (cor_sphere_duration_zero_overlap(beta) - cor_sphere_duration_zero_force(beta)) / beta;
+}
+
+/* The bounds of derivatives by ln(beta) in docs/derivation.md, 4. A difference quotient is between the bounds, too. */
+static void derivatives(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    const double slack = 1e-9; /* rounding errors of a quotient */
+    for (size_t i = 0; i < points(2000); i++) {
+        const double beta = i % 2 ? random_log(&random, 0.01, 20) : random_log(&random, 20, 1e50);
+        const double overlap = -slope(cor_sphere_eps_zero_overlap, beta),
+                     force = -slope(cor_sphere_eps_zero_force, beta);
+        const double time[2] = {slope(cor_sphere_duration_zero_overlap, beta),
+                                slope(cor_sphere_duration_zero_force, beta)};
+        const double most = slope(cor_sphere_max_overlap, beta);
+        check(force >= (beta >= 2 ? 0.5 : 0) - slack && force <= 5 / 3.0 + slack, "beta = %a: kappa = %g", beta, force);
+        check(overlap >= force - slack && overlap <= 5 + slack, "beta = %a: kappa = %g", beta, overlap);
+        check(beta < 7 || overlap >= 5 - 2 * slack, "beta = %a: kappa = 5 - %g", beta, 5 - overlap);
+        check(time[0] >= -1.5 && time[0] <= 1 + 5 / 1.74 + slack, "beta = %a: duration, %g", beta, time[0]);
+        check(time[1] >= -1.5 && time[1] <= 1 + slack, "beta = %a: duration until zero force, %g", beta, time[1]);
+        check(slope(creep, beta) >= -slack, "beta = %a: creep, %g", beta, slope(creep, beta));
+        check(most >= -2 / 3.0 - slack && most <= slack, "beta = %a: largest overlap, %g", beta, most);
+    }
+    /* numbers of the proofs */
+    check(cor_sphere_duration_zero_force(2.6) / 2.6 > 0.89, "%a", cor_sphere_duration_zero_force(2.6));
+    check(creep(2.6) > 1.74, "%a", creep(2.6));
+    check(sqrt(cor_sphere_eps_zero_force(7) * 16807) > 26.8, "%a", cor_sphere_eps_zero_force(7));
+}
+
 /* ---- constants, and what is kept of 1999 ---- */
 
 static void constants(void **state)
@@ -794,6 +834,7 @@ int main(void)
         cmocka_unit_test(falls),
         cmocka_unit_test(falls_at_powers_of_two),
         cmocka_unit_test(keeps_order),
+        cmocka_unit_test(derivatives),
         cmocka_unit_test(constants),
         cmocka_unit_test(simple_theory),
         cmocka_unit_test(simple_theory_special_values),

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: MIT */
+/* The functions of an impact speed (cor/contact.h): part of goals.cpp. They combine functions that other goals are
+ * about: the errors add up here, and no sum may exceed the public bound. docs/derivation.md, 4, bounds the derivatives
+ * by which the error of beta enters. A contact counts as exact, as its user filled it. */
+
+/* Errors are relative and in units of 2^-53, half the distance of doubles beyond 1. n ulp are at most 2 n units. */
+static const number units_per_ulp = 2;
+
+/* What docs/accuracy.md has proved, rounding and formula together, in ulp */
+static const number eps_ulp = 0.96, far_root_ulp = 0.9 + 4.1e-17 * 0x1p52, duration_overlap_ulp = 1.35,
+                    duration_force_ulp = 1.14, max_overlap_ulp = 0.84, inverse_ulp = 1.93;
+
+/* Of x^(1/5), rounded; and of the pair that is rounded last */
+static const number fifth_root = 1.42, root_pair = 0.41;
+
+/* For products of errors, errors of pairs, 2^-70, and the change of kappa between two neighbours, below 2e-9 */
+static const number small = 0.001;
+
+/* kappa = |d ln(eps)/d ln(beta)| >= 1/2 for beta >= 2, x = beta^5 */
+static number least_kappa(number x)
+{
+    return x >= 32 ? 0.5 : 0;
+}
+
+static void expect_at_most(const std::string &what, number error, number bound)
+{
+    if (!(error <= bound))
+        die(what + ": " + std::to_string(error) + " is above the bound " + std::to_string(bound));
+}
+
+/* eps from a row in x. x has two rounding errors, 2/5 of a unit of beta. The bound grows faster with kappa than the
+ * error does, so the least kappa decides. */
+static void check_rows_at_speed(const evaluator &f)
+{
+    number most = 0;
+    for (const row &r : tables[f.name]) {
+        const number x = std::ldexp(r.low, r.octave), kappa = least_kappa(x);
+        const number error = f.ulp * units_per_ulp + std::exp2(53 - r.bits) + 0.4 * kappa + small;
+        const number bound = COR_CONTACT_EPS_MAX_ERROR(kappa) * 0x1p53;
+        expect_at_most("eps at a speed, " + std::string(f.name) + " from x = " + hex(x), error, bound);
+        most = std::max(most, error / bound);
+    }
+    printf("%s: %.3f of the bound of eps at a speed at most\n", f.name, most);
+}
+
+/* The other ways to eps, from x on */
+static void check_eps_sums(void)
+{
+    const struct {
+        const char *what;
+        number ulp, by_kappa, x;
+    } sums[] = {
+        {"eps of the fifth root of x", eps_ulp, 0.4 + fifth_root, 0},
+        {"eps of beta", eps_ulp, fifth_root, 0},
+        {"h*^5/x", far_root_ulp, 0.4, COR_ROWS_POWER_EPS_ZERO_OVERLAP_END},
+    };
+    for (const auto &s : sums) {
+        const number kappa = least_kappa(s.x), bound = COR_CONTACT_EPS_MAX_ERROR(kappa) * 0x1p53;
+        const number slope = COR_CONTACT_EPS_MAX_ERROR(kappa + 1) * 0x1p53 - bound;
+        expect_at_most(s.what, s.ulp * units_per_ulp + s.by_kappa * kappa + small, bound);
+        expect_at_most(s.what, s.by_kappa + small, slope);
+    }
+}
+
+/* scale overlap root^4 in ulp. A rounding error is at most 1/m units where the result's significand is m, and n units
+ * of a number with the significand m are n m/2 ulp. `product` is an interval of the significands of the product so
+ * far, `error` what it has before it is rounded. */
+static number products_ulp(interval product, interval root, int factors, number error)
+{
+    if (product.low >= 2)
+        product = {product.low / 2, product.high / 2};
+    if (product.high > 2)
+        return std::max(products_ulp({product.low, 2}, root, factors, error),
+                        products_ulp({1, product.high / 2}, root, factors, error));
+    error += 1 / product.low;
+    if (factors == 0)
+        return error * product.high / 2;
+    const interval next = {product.low * root.low * (1 - 0x1p-50), product.high * root.high * (1 + 0x1p-50)};
+    return products_ulp({std::max<number>(next.low, 1), next.high}, root, factors - 1,
+                        error + root_pair + 1 / root.low);
+}
+
+/* The largest such error. Cells of the significands of scale overlap and of the root cover all numbers. `error` is that
+ * of scale overlap before it is rounded. */
+static number overlap_ulp(number error)
+{
+    enum { CELLS = 256 };
+    number most = 0;
+    for (int i = 0; i < CELLS; i++)
+        for (int j = 0; j < CELLS; j++) {
+            const interval product = {1 + (number)i / CELLS, 1 + (number)(i + 1) / CELLS};
+            const interval root = {1 + (number)j / CELLS, 1 + (number)(j + 1) / CELLS};
+            most = std::max(most, products_ulp(product, root, 4, error));
+        }
+    return most;
+}
+
+/* The source has the operations that the sums count: `count` operations that compute `exact`. */
+static void expect_operations(const char *what, Real value, const assignment &variables, std::size_t count,
+                              const mpq_class &exact)
+{
+    assignment known = variables;
+    const std::size_t constants =
+        std::count_if(nodes().begin(), nodes().end(), [](const node &n) { return n.what == CONSTANT; });
+    if (nodes().size() - constants - variables.size() != count || exact_value(value.node(), known) != exact)
+        die(std::string(what) + " has changed");
+}
+
+static void check_operations(void)
+{
+    const mpq_class s(3, 7), r(5, 11), y(13, 17);
+    const auto variables = [&](Real &scale, Real &root, Real &value) {
+        start();
+        scale = variable("scale", 0.75);
+        root = variable("root", 1.25);
+        value = variable("y", 1.5);
+        return assignment{{scale.node(), s}, {root.node(), r}, {value.node(), y}};
+    };
+    Real scale, root, value;
+    assignment known = variables(scale, root, value);
+    expect_operations("cor_contact_duration_of", cor_contact_duration_of(scale, root, value), known, 2, s / r * y);
+    known = variables(scale, root, value);
+    expect_operations("cor_contact_dissipation_of", cor_contact_dissipation_of(scale, root, value), known, 3,
+                      y * s / (mpq_class(3, 2) * r));
+    known = variables(scale, root, value);
+    const Real overlap = cor_contact_overlap_of(scale, root, value);
+    expect_operations("cor_contact_overlap_of", overlap, known, 5, s * y * r * r * r * r);
+    int left = overlap.node();
+    for (int k = 0; k < 4; k++, left = nodes()[(std::size_t)left].a)
+        if (nodes()[(std::size_t)left].b != root.node())
+            die("cor_contact_overlap_of has changed");
+}
+
+/* Durations, the largest overlap and A at a speed, in ulp. The derivatives, |d ln(y)/d ln(beta)|: 3/2 at most for the
+ * duration at zero force, 1 + 5/1.74 for the one at zero overlap, 2/3 for the largest overlap. */
+static void check_seconds(void)
+{
+    const number overlap = max_overlap_ulp * units_per_ulp + fifth_root * 2 / 3;
+    const struct {
+        const char *what;
+        number ulp;
+    } sums[] = {
+        {"duration at zero force", duration_force_ulp * units_per_ulp + fifth_root * (1 + 1.5) + 2},
+        {"duration at zero overlap", duration_overlap_ulp * units_per_ulp + fifth_root * (2 + 5 / 1.74) + 2},
+        {"largest overlap", overlap_ulp(overlap)},
+        {"A of eps", inverse_ulp * units_per_ulp + fifth_root + 3},
+    };
+    for (const auto &s : sums) {
+        expect_at_most(s.what, s.ulp + small, COR_CONTACT_MAX_ULP);
+        printf("%s: %.2f ulp at most\n", s.what, s.ulp + small);
+    }
+}
+
+/* cor_contact_beta_of_root: within 1.001 units of factor (hi + lo), where hi has 26 bits and lo is small */
+static void write_contact_beta(void)
+{
+    start();
+    const Real factor = variable("factor", 1.3);
+    const struct cor_inline_pair root = {variable("root", 1.25), variable("root_lo", 1e-5)};
+    const int value = cor_contact_beta_of_root(factor, root).node();
+    const int r = root.hi.node(), lo = root.lo.node(), f = factor.node();
+    gappa g;
+    g.variable_in(f, {1, 2});
+    g.text << g.rounded(r) << " = head(R);\n" << g.exact(r) << " = " << g.rounded(r) << ";\n";
+    g.hypotheses.push_back(g.rounded(r) + " in [1, 2]");
+    g.done[r] = true;
+    g.variable_in(lo, {-0x1p-12, 0x1p-12});
+    g.define(value);
+    const int product = first_of(value), rest = second_of(value), tail = second_of(first_of(rest));
+    const std::string nf = g.rounded(f), nr = g.rounded(r), nl = g.rounded(lo), nt = g.rounded(tail),
+                      nh = g.rounded(second_of(product)), ns = g.rounded(rest);
+    g.text << "exact = " << nf << " * (" << nr << " + " << nl << ");\n"
+           << "S = " << g.rounded(product) << " + " << ns << ";\n"
+           << "terms = " << nr << " * " << nt << " + " << nl << " * " << nf << ";\n";
+    g.hints.push_back("S - exact -> (" + g.rounded(product) + " - " + nr + " * " + nh + ") + (" + ns + " - terms) + " +
+                      nr + " * (" + nt + " - (" + nf + " - " + nh + "));");
+    g.write("contact_beta", {}, "|" + g.rounded(value) + " -/ exact| <= " + hex(std::ldexp(1.001, -53)));
+}
+
+static void check_speed(void)
+{
+    for (const evaluator &f : row_tables)
+        if (strncmp(f.name, "power_eps_", 10) == 0)
+            check_rows_at_speed(f);
+    check_eps_sums();
+    check_operations();
+    check_seconds();
+    write_contact_beta();
+}
