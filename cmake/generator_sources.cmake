@@ -8,6 +8,7 @@ set(COR_GENERATOR_SOURCES
   gen/approximation/function_rows.c
   gen/approximation/interpolant.c
   gen/approximation/law_layout.c
+  gen/approximation/law_proof.c
   gen/approximation/law_tables.c
   gen/approximation/pade.c
   gen/approximation/pade_rounded.c
@@ -45,6 +46,8 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/collision.c
   gen/enclosure/collision_series.c
   gen/enclosure/complex_collision.c
+  gen/enclosure/complex_law.c
+  gen/enclosure/complex_path.c
   gen/enclosure/creep_series.c
   gen/enclosure/events.c
   gen/enclosure/expansion.c

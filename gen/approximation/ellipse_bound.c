@@ -5,13 +5,19 @@
 #include <stdlib.h>
 
 #include "enclosure/complex_collision.h"
+#include "enclosure/complex_law.h"
 #include "support/console.h"
 #include "support/parallel.h"
 
-enum { MOST_BALLS = 6000 };
+enum { MOST_BALLS = 6000, MOST_BALLS_OF_LAW = 6000 };
 
 /* Half the side of the first squares, in units of the ellipse's minor semi-axis */
 #define FIRST_HALF (1.0 / 8)
+/* ln(beta) from which on the path of strong damping is taken, in laws of other exponents (complex_law.h). About there the
+ * other path is taken if the first fails. */
+#define STRONG_OVERLAP 1.4
+#define STRONG_FORCE (-1.5)
+#define STRONG_ABOUT 0.7
 
 const struct ellipse_bound ellipse_stated[ELLIPSES] = {
     {4, {31.8, 46.7, 4.79, 4.08, 1.37, 1.84}, 0},
@@ -43,6 +49,11 @@ struct squares {
 struct cover {
     const struct interval *interval;
     double rho;
+    slong most_balls;
+    void (*cover_square)(void *context, slong i);
+    const struct interpolant *f; /* of another law, with its quantity and the path of its collisions */
+    enum quantity quantity;
+    struct complex_law_path path;
     struct squares list;
     bool *failed;    /* of each square */
     double *modulus; /* QUANTITIES to each square */
@@ -142,27 +153,133 @@ static void cover_square(void *context, slong i)
     }
 }
 
+/* ---- another law ---- */
+
+/* beta, and ln(beta) but for the root of beta */
+static void damping_of(struct complex_ball *beta, struct complex_ball *log_beta, const struct cover *work,
+                       struct complex_ball x)
+{
+    const double threshold = arf_get_d(arb_midref(interpolant_threshold(work->f)), ARF_RND_NEAR);
+    *log_beta = x;
+    switch (work->interval->variable) {
+    case INTERVAL_ROOT: /* the root is 1 */
+        *beta = x;
+        break;
+    case INTERVAL_LOG:
+        *beta = ball_exp(x);
+        break;
+    case INTERVAL_BELOW:
+        *beta = ball_sub(ball_widened(ball_of(threshold, 0), 0x1p-50 * threshold), ball_exp(x));
+        break;
+    }
+}
+
+/* ln(eps) to the number that the interval stores */
+static struct complex_ball stored_of_law(const struct cover *work, struct complex_ball log_eps, struct complex_ball x)
+{
+    const struct ratio power = interpolant_tail_power(interpolant_law(work->f), work->quantity);
+    switch (work->interval->form) {
+    case FORM_QUOTIENT:
+        return ball_mul(ball_sub(ball_of(1, 0), ball_exp(log_eps)), ball_inv(x));
+    case FORM_POWER:
+        x = ball_widened(ball_times(x, -(double)power.num / (double)power.den), 0x1p-48 * ball_size(x));
+        return ball_exp(ball_add(log_eps, x));
+    case FORM_VALUE:
+        return ball_exp(log_eps);
+    case FORM_LOG:
+        break;
+    }
+    return log_eps;
+}
+
+static void cover_square_of_law(void *context, slong i)
+{
+    struct cover *const work = context;
+    const struct interval *const interval = work->interval;
+    const struct law *const law = interpolant_law(work->f);
+    const struct complex_ball x = ball_around(interval, &work->list.square[i]);
+    double *const modulus = &work->modulus[i * QUANTITIES], range[2];
+    struct complex_ball beta, log_beta, log_eps;
+    damping_of(&beta, &log_beta, work, x);
+    work->failed[i] = work->quantity == EPS_ZERO_FORCE ? !complex_law_zero_force(&log_eps, law, log_beta, &work->path)
+                      : work->path.strong              ? !complex_law_creep(&log_eps, law, log_beta, &work->path)
+                                                       : !complex_law_zero_overlap(&log_eps, law, beta, &work->path);
+    for (int q = 0; q < QUANTITIES; q++)
+        modulus[q] = 0;
+    ellipse_range(range, &work->list.square[i], work->rho);
+    if (work->failed[i] || range[1] < 1 - 1e-9)
+        return;
+    const struct complex_ball stored = stored_of_law(work, log_eps, x);
+    modulus[work->quantity] = ball_is_finite(stored) ? ball_above(stored) : HUGE_VAL;
+    work->failed[i] = !isfinite(modulus[work->quantity]);
+}
+
+/* Upper bound of |beta| in the ellipse */
+static double largest_beta(struct cover *work)
+{
+    const struct interval *const interval = work->interval;
+    const double middle = (interval->lo + interval->hi) / 2, half = (interval->hi - interval->lo) / 2;
+    const struct complex_ball x = {middle, 0, half * (work->rho + 1 / work->rho) / 2};
+    struct complex_ball beta, log_beta;
+    if (interval->variable == INTERVAL_LOG)
+        return exp(x.re + x.radius);
+    damping_of(&beta, &log_beta, work, x);
+    return ball_above(beta);
+}
+
+/* ---- covers ---- */
+
+static bool cover_ellipse(struct ellipse_bound *bound, struct cover *work)
+{
+    work->list = first_squares(work->rho);
+    *bound = (struct ellipse_bound){.rho = work->rho};
+    while (work->list.count > 0 && bound->balls + work->list.count <= work->most_balls) {
+        work->failed = xmalloc((size_t)work->list.count * sizeof *work->failed);
+        work->modulus = xmalloc((size_t)work->list.count * QUANTITIES * sizeof *work->modulus);
+        parallel_for(work->cover_square, work, work->list.count, "collisions at complex damping");
+        for (slong i = 0; i < work->list.count; i++)
+            for (int q = 0; q < QUANTITIES && !work->failed[i]; q++)
+                bound->modulus[q] = fmax(bound->modulus[q], work->modulus[i * QUANTITIES + q]);
+        bound->balls += work->list.count;
+        const struct squares next = quarters(work);
+        free(work->failed);
+        free(work->modulus);
+        free(work->list.square);
+        work->list = next;
+    }
+    const bool covered = work->list.count == 0;
+    free(work->list.square);
+    return covered;
+}
+
 int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho)
 {
-    struct cover work = {.interval = interval, .rho = rho, .list = first_squares(rho)};
-    *bound = (struct ellipse_bound){.rho = rho};
-    while (work.list.count > 0 && bound->balls + work.list.count <= MOST_BALLS) {
-        work.failed = xmalloc((size_t)work.list.count * sizeof *work.failed);
-        work.modulus = xmalloc((size_t)work.list.count * QUANTITIES * sizeof *work.modulus);
-        parallel_for(cover_square, &work, work.list.count, "collisions at complex damping");
-        for (slong i = 0; i < work.list.count; i++)
-            for (int q = 0; q < QUANTITIES && !work.failed[i]; q++)
-                bound->modulus[q] = fmax(bound->modulus[q], work.modulus[i * QUANTITIES + q]);
-        bound->balls += work.list.count;
-        const struct squares next = quarters(&work);
-        free(work.failed);
-        free(work.modulus);
-        free(work.list.square);
-        work.list = next;
-    }
-    const bool covered = work.list.count == 0;
-    free(work.list.square);
-    return covered ? STATUS_OK
-                   : fail("the collision has no bound in the ellipse rho = %g around [%g, %g]", rho, interval->lo,
-                          interval->hi);
+    struct cover work = {.interval = interval, .rho = rho, .most_balls = MOST_BALLS, .cover_square = cover_square};
+    return cover_ellipse(bound, &work) ? STATUS_OK
+                                       : fail("the collision has no bound in the ellipse rho = %g around [%g, %g]", rho,
+                                              interval->lo, interval->hi);
+}
+
+bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant *f, const struct interval *interval,
+                          enum quantity eps, double rho)
+{
+    const struct law *const law = interpolant_law(f);
+    struct cover work = {.interval = interval,
+                         .rho = rho,
+                         .most_balls = MOST_BALLS_OF_LAW,
+                         .cover_square = cover_square_of_law,
+                         .f = f,
+                         .quantity = eps};
+    const bool log = interval->variable == INTERVAL_LOG, force = eps == EPS_ZERO_FORCE;
+    if (force && !log)
+        return false;
+    /* zero overlap: in ln(beta), n > 0 */
+    const bool may_be_strong = force || (log && law_fall_power(law).num > 0);
+    const double above = (interval->lo + interval->hi) / 2 - (force ? STRONG_FORCE : STRONG_OVERLAP);
+    const bool strong = may_be_strong && above > 0;
+    work.path = complex_law_path(law, largest_beta(&work), strong);
+    if (cover_ellipse(bound, &work))
+        return true;
+    work.path.strong = !strong;
+    return may_be_strong && fabs(above) < STRONG_ABOUT && cover_ellipse(bound, &work);
 }

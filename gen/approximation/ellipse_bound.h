@@ -23,6 +23,11 @@ extern const struct ellipse_bound ellipse_stated[ELLIPSES];
  * failed, because the ellipse is too large. */
 int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho);
 
+/* The same for eps of another law, of one end; other moduli are 0. Returns false without a message if the cover fails.
+ * Zero force has no bounds near beta = 0. */
+bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant *f, const struct interval *interval,
+                          enum quantity eps, double rho);
+
 /* All quantities of the interval but the duration at zero overlap as a function of ln(beta). */
 unsigned ellipse_bound_set(const struct interval *interval);
 

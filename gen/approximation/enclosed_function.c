@@ -126,6 +126,46 @@ void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, con
     arb_clear(term);
 }
 
+/* exp(c) (1 + w + w^2/2 + ...), w = p - c. The terms after the last are below |w|^(TERMS + 1) exp(|w|)/(TERMS + 1)!. */
+void enclosed_exp(arb_poly_t y, const arb_poly_t p)
+{
+    enum { TERMS = 28 };
+    arb_poly_t w, sum;
+    arb_t c, most, x;
+    arb_poly_init(w);
+    arb_poly_init(sum);
+    arb_init(c);
+    arb_init(most);
+    arb_init(x);
+    arb_poly_get_coeff_arb(c, p, 0);
+    arb_get_mid_arb(c, c);
+    arb_neg(x, c);
+    arb_poly_set(w, p);
+    enclosed_add_number(w, x);
+    enclosed_range(most, w);
+    arb_abs(most, most);
+    arb_poly_one(sum);
+    for (slong k = TERMS; k >= 1; k--) {
+        enclosed_multiply(sum, sum, w);
+        arb_set_ui(x, (ulong)k);
+        arb_poly_scalar_div(sum, sum, x, ENCLOSED_BITS);
+        enclosed_add_double(sum, 1);
+    }
+    arb_pow_ui(x, most, TERMS + 1, ENCLOSED_BITS);
+    arb_exp(most, most, ENCLOSED_BITS);
+    arb_mul(x, x, most, ENCLOSED_BITS);
+    arb_fac_ui(most, TERMS + 1, ENCLOSED_BITS);
+    arb_div(x, x, most, ENCLOSED_BITS);
+    enclosed_add_radius(sum, x);
+    arb_exp(c, c, ENCLOSED_BITS);
+    arb_poly_scalar_mul(y, sum, c, ENCLOSED_BITS);
+    arb_poly_clear(w);
+    arb_poly_clear(sum);
+    arb_clear(c);
+    arb_clear(most);
+    arb_clear(x);
+}
+
 /* The root of a positive function: the root s of its polynomial's middle, and the rest, |p - s^2|/s at most. */
 bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
 {

@@ -29,6 +29,9 @@ void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, cons
 /* exp(numerator/denominator x), where x has degree 1 */
 void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, const arb_poly_t x);
 
+/* exp(p). The radius is small if p differs little from its value at t = 0, by less than 1. */
+void enclosed_exp(arb_poly_t y, const arb_poly_t p);
+
 /* The root of a positive function. Returns false if it is not shown to be positive. */
 bool enclosed_square_root(arb_poly_t y, const arb_poly_t p);
 

@@ -37,6 +37,9 @@ enum {
     BELOW_WIDE_TO = -10
 };
 
+/* law_layout_restrict adds intervals of zero force from here on. */
+#define LEAST_BETA_OF_FORCE 1e-4
+
 /* Accuracy of the rows: 57 bits limit the approximation error to a sixteenth of the last place. */
 #define LEAST_BITS 57.0
 #define LEAST_BITS_OF_TIMES 56.0
@@ -304,17 +307,21 @@ void law_layout_refine(struct law_layout *layout)
         interval[i].count += interval[i].count / 4;
 }
 
-void law_layout_restrict(struct law_layout *layout, enum quantity eps)
+void law_layout_restrict(struct law_layout *layout, enum quantity eps, double beta_min)
 {
     const bool force = eps == EPS_ZERO_FORCE && law_force_ends(&layout->interpolant.law);
-    struct interval *const interval = (struct interval *)layout->interpolant.interval;
-    int count = 1; /* the first, next to beta = 0, serves both ends */
-    for (int i = 1; i < layout->interpolant.intervals; i++) {
-        interval[i].set &= 1u << (force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP);
-        if (interval[i].set)
-            interval[count++] = interval[i];
-    }
-    layout->interpolant.intervals = count;
+    const unsigned set = 1u << (force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP);
+    const struct interval *const old = layout->interpolant.interval;
+    struct interval_list list = {NULL, 0};
+    /* the first, next to beta = 0, serves both ends */
+    add_interval(&list, old->variable, old->lo, old->hi, old->count, old->bits, old->form, old->set);
+    if (force && beta_min < layout->near_end)
+        add_middle(&list, fmax(beta_min, LEAST_BETA_OF_FORCE) / 2, layout->near_end, MIDDLE_POINTS_BELOW, set);
+    for (const struct interval *i = old + 1; i < old + layout->interpolant.intervals; i++)
+        add_interval(&list, i->variable, i->lo, i->hi, i->count, i->bits, i->form, i->set & set);
+    free((struct interval *)layout->interpolant.interval);
+    layout->interpolant.interval = list.interval;
+    layout->interpolant.intervals = list.count;
     layout->interpolant.far = force;
 }
 

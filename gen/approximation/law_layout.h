@@ -57,8 +57,10 @@ void law_layout_init_given(struct law_layout *layout, const struct interpolant_l
                            const struct law_table *table, int tables, int check_points);
 /* Adds points to every interval, for an interpolant that was not accurate enough. */
 void law_layout_refine(struct law_layout *layout);
-/* Only what one eps needs: fewer collisions. Of the other quantities the interpolant then knows nothing. */
-void law_layout_restrict(struct law_layout *layout, enum quantity eps);
+/* Only what one eps needs from beta_min on: fewer collisions. Of the other quantities the interpolant then knows
+ * nothing. For zero force near beta = 0, which follows from zero overlap, intervals in ln(beta) are added: with them
+ * law_proof.h proves it. */
+void law_layout_restrict(struct law_layout *layout, enum quantity eps, double beta_min);
 void law_layout_clear(struct law_layout *layout);
 
 /* Computes the rows of a table with the name NAME, which must live as long as p: those of its own geometry, or the

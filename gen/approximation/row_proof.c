@@ -164,6 +164,29 @@ static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *b
     return agree;
 }
 
+int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *f, int i, enum quantity quantity,
+                           const struct ellipse_bound *bound)
+{
+    const struct interval *const interval = &interpolant_layout_of(f)->interval[i];
+    const slong n = interval->count;
+    arb_srcptr node, value;
+    interpolant_samples(&node, &value, f, i, quantity);
+    arb_ptr w = _arb_vec_init(n);
+    arb_t constant;
+    arb_init(constant);
+    for (slong j = 0; j < n; j++)
+        to_unit(w + j, node + j, interval);
+    lebesgue(constant, w, n);
+    arb_poly_interpolate_newton(p, w, value, n, PREC);
+    polynomial_error(error, bound, quantity, constant, value, interval);
+    const bool agree = coefficients_agree(p, bound, quantity, error, n);
+    arb_clear(constant);
+    _arb_vec_clear(w, n);
+    return agree ? STATUS_OK
+                 : fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong",
+                        quantity, interval->lo, interval->hi);
+}
+
 /* Proves the stated bounds again. */
 static int prove_stated(struct ellipse_bound *bound, const struct interval *interval)
 {
@@ -257,33 +280,17 @@ static int prove_interval(struct interpolant_proof *proof, int i, unsigned quant
 {
     const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
     const unsigned set = ellipse_bound_set(interval) & quantities;
-    const slong n = interval->count;
     arb_srcptr node, value;
     if (!interpolant_samples(&node, &value, proof->f, i, EPS_ZERO_OVERLAP))
         return STATUS_OK;
-    arb_ptr w = _arb_vec_init(n);
-    arb_t constant;
-    arb_init(constant);
     proof->bound[i] = ellipse_stated[i];
     int status = source == ELLIPSES_PROVED ? prove_stated(&proof->bound[i], interval) : STATUS_OK;
-    for (slong j = 0; j < n; j++)
-        to_unit(w + j, node + j, interval);
-    lebesgue(constant, w, n);
-    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
-        if (!(set & 1u << q))
-            continue;
-        interpolant_samples(&node, &value, proof->f, i, (enum quantity)q);
-        arb_poly_interpolate_newton(&proof->polynomial[i][q], w, value, n, PREC);
-        polynomial_error(&proof->error[i][q], &proof->bound[i], (enum quantity)q, constant, value, interval);
-        if (!coefficients_agree(&proof->polynomial[i][q], &proof->bound[i], (enum quantity)q, &proof->error[i][q], n))
-            status =
-                fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong", q,
-                     interval->lo, interval->hi);
-    }
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
+        if (set & 1u << q)
+            status = interpolant_polynomial(&proof->polynomial[i][q], &proof->error[i][q], proof->f, i,
+                                            (enum quantity)q, &proof->bound[i]);
     if (status == STATUS_OK && interval->variable == INTERVAL_LOG && quantities & 1u << DURATION_ZERO_OVERLAP)
         status = prove_creep(proof, i);
-    arb_clear(constant);
-    _arb_vec_clear(w, n);
     return status;
 }
 

@@ -11,6 +11,12 @@
 #include "approximation/ellipse_bound.h"
 #include "approximation/pieces.h"
 
+/* The polynomial of interval i for a quantity in w, -1 <= w <= 1 over the interval, and a bound of its error from that
+ * of the function in an ellipse. Returns 0, or 1 after reporting that the polynomial contradicts the bound, because a
+ * sample is wrong. */
+int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *f, int i, enum quantity quantity,
+                           const struct ellipse_bound *bound);
+
 struct interpolant_proof;
 
 /* Whether the stated bounds on ellipses are proved again, which takes seconds, or used as stated */

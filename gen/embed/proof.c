@@ -6,6 +6,7 @@
 
 #include "approximation/enclosed_function.h"
 #include "approximation/far_proof.h"
+#include "approximation/law_proof.h"
 #include "approximation/row_proof.h"
 #include "support/console.h"
 #include "support/parallel.h"
@@ -23,6 +24,8 @@ enum {
 /* A bound is good enough within this factor of an error that is taken, or of the largest sampled error. */
 #define NEAR_KNOWN 1.01
 #define NEAR_SAMPLED 1.005
+/* The error of the interpolant of another law may be this part of the form's error. */
+#define LAW_PART_OF_ERROR 1e-3
 /* More than the rounding of a few functions of libm */
 #define SLACK 1e-13
 
@@ -36,11 +39,12 @@ struct part {
 struct prover {
     const struct embed_form *f;
     const struct embed_scene *s;
-    struct interpolant_proof *interpolant;
+    struct interpolant_proof *interpolant; /* spheres */
+    struct law_proof *law;                 /* other laws, whose parts are in ln(beta) */
     enum quantity quantity;
     struct far_proof far; /* for beta >= exp(10) at zero force */
     bool far_known;
-    arb_t factor; /* variable = factor beta^(5/root) */
+    arb_t factor; /* variable = factor beta^(1/(q root)), q = 1/5 for spheres */
     double enough;
     struct part *part;
     slong parts;
@@ -85,13 +89,16 @@ static void far_eps_force(arb_poly_t eps, const arb_poly_t x, const struct prove
     arb_poly_clear(power);
 }
 
-/* x, beta and eps as functions of t */
-static void part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct prover *w,
+/* x, beta and eps as functions of t; for laws other than the sphere's x = ln(beta), and not beta. Returns false without
+ * a proof. */
+static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const struct prover *w,
                            const struct part *part)
 {
+    if (w->law)
+        return law_proof_eps(eps, x, w->law, part->interval, part->lo, part->hi);
     if (part->interval != FAR) {
         interpolant_proof_eps(eps, beta, x, w->interpolant, part->interval, w->quantity, part->lo, part->hi);
-        return;
+        return true;
     }
     far_proof_variable(x, part->lo, part->hi);
     enclosed_exponential(beta, 1, 1, x);
@@ -99,6 +106,14 @@ static void part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
         far_eps_overlap(eps, x, w);
     else
         far_eps_force(eps, x, w, part);
+    return true;
+}
+
+/* The variable of the polynomials as a power of beta: the speed is proportional to beta^(1/q) */
+static struct ratio variable_power(const struct embed_scene *s, const struct embed_form *f)
+{
+    const struct ratio root = {(slong)embed_root_degree(f->variable), 1};
+    return ratio_div((struct ratio){1, 1}, ratio_mul(law_speed_exponent(&s->law), root));
 }
 
 /* The variable of the polynomials; x is sqrt(beta) or ln(beta) */
@@ -106,7 +121,8 @@ static bool part_variable(arb_poly_t y, const arb_poly_t beta, const arb_poly_t 
 {
     bool done = true;
     if (by_log) {
-        enclosed_exponential(y, 5, (slong)embed_root_degree(w->f->variable), x);
+        const struct ratio power = variable_power(w->s, w->f);
+        enclosed_exponential(y, (double)power.num, power.den, x);
     } else {
         switch (w->f->variable) {
         case SPEED: /* beta^5 */
@@ -166,16 +182,15 @@ static double part_error(const struct prover *w, const struct part *part, int de
     const struct embed_form *const f = w->f;
     const double *const c = f->number + (f->rows > 0 ? part->row * (f->numerator + 1) : 0);
     const bool by_log =
-        part->interval == FAR || interpolant_sphere_proof.interval[part->interval].variable == INTERVAL_LOG;
+        w->law || part->interval == FAR || interpolant_sphere_proof.interval[part->interval].variable == INTERVAL_LOG;
     arb_poly_t eps, beta, x, y, p;
     arb_poly_init(eps);
     arb_poly_init(beta);
     arb_poly_init(x);
     arb_poly_init(y);
     arb_poly_init(p);
-    part_functions(eps, beta, x, w, part);
     double error = HUGE_VAL, known = 0;
-    if (part_variable(y, beta, x, w, by_log)) {
+    if (part_functions(eps, beta, x, w, part) && part_variable(y, beta, x, w, by_log)) {
         part_place(y, w, part->row);
         part_polynomial(p, c, f->numerator, y);
         if (f->denominator > 0) { /* |p - q eps|/|q eps| */
@@ -242,9 +257,27 @@ static double place_of_speed(const struct prover *w, double speed, bool by_log, 
     return place;
 }
 
+/* The same for a law other than the sphere's, where ln(beta) may rise or fall with the speed */
+static bool cover_law_range(struct prover *w, slong row, double lo, double hi)
+{
+    const double a = place_of_speed(w, lo, true, false), b = place_of_speed(w, hi, true, false);
+    const double last = fmax(place_of_speed(w, lo, true, true), place_of_speed(w, hi, true, true));
+    for (double u = fmin(a, b), end; u <= last; u = end) {
+        const int i = law_proof_interval(&end, w->law, u);
+        if (i < 0)
+            return false;
+        add_parts(w, i, row, u, fmin(end, last), LOG_PART);
+        if (end >= last)
+            break;
+    }
+    return true;
+}
+
 /* Adds parts that cover all speeds from lo to hi. Returns false if there is a gap. */
 static bool cover_range(struct prover *w, slong row, double lo, double hi)
 {
+    if (w->law)
+        return cover_law_range(w, row, lo, hi);
     const double last = interpolant_sphere_proof.interval[interpolant_sphere_proof.intervals - 1].hi;
     const double far = w->quantity == EPS_ZERO_OVERLAP ? log(EMBED_FAR) + SLACK : last;
     const double root_end = place_of_speed(w, hi, false, true), log_end = place_of_speed(w, hi, true, true);
@@ -319,31 +352,33 @@ int embed_prove(struct embed_proof *proof, const struct embed_form *f, const str
     if (!embed_rounding_bound(&rounding, f))
         return STATUS_OK;
     proof->rounding = rounding.error;
-    if (!law_is_sphere(&s->law))
-        return STATUS_OK;
-    struct prover w = {.f = f,
-                       .s = s,
-                       .quantity = s->end == END_ZERO_OVERLAP ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE,
-                       .enough = f->error * NEAR_SAMPLED};
+    const bool overlap = s->end == END_ZERO_OVERLAP || !law_force_ends(&s->law); /* otherwise the ends coincide */
+    struct prover w = {
+        .f = f, .s = s, .quantity = overlap ? EPS_ZERO_OVERLAP : EPS_ZERO_FORCE, .enough = f->error * NEAR_SAMPLED};
     int status = STATUS_OK;
-    if (s->interpolant) {
+    if (!law_is_sphere(&s->law)) {
+        w.law = law_proof_new(s->interpolant, w.quantity, s->beta_min, s->beta_max, LAW_PART_OF_ERROR * f->error);
+        status = w.law ? STATUS_OK : STATUS_FAILED;
+    } else if (s->interpolant) {
         w.interpolant = interpolant_proof_new(s->interpolant, 1u << w.quantity, ELLIPSES_STATED);
         status = w.interpolant ? STATUS_OK : STATUS_FAILED;
     }
-    w.far_known = w.quantity == EPS_ZERO_FORCE && s->beta_max > exp(FAR_PROOF_FROM);
+    w.far_known = w.interpolant && w.quantity == EPS_ZERO_FORCE && s->beta_max > exp(FAR_PROOF_FROM);
     if (w.far_known && status == STATUS_OK)
         status = far_proof_init(&w.far, NULL);
     else
         w.far_known = false;
     if (status == STATUS_OK) {
         arb_init(w.factor);
-        arb_pow_ratio(w.factor, s->beta_per_root, ratio_make(-5, (slong)embed_root_degree(f->variable)), EMBED_BITS);
+        const struct ratio power = variable_power(s, f);
+        arb_pow_ratio(w.factor, s->beta_per_root, ratio_make(-power.num, power.den), EMBED_BITS);
         prove_formula(proof, &w, &rounding);
         arb_clear(w.factor);
     }
     if (w.far_known)
         far_proof_clear(&w.far);
     interpolant_proof_free(w.interpolant);
+    law_proof_free(w.law);
     free(w.part);
     free(w.error);
     return status;

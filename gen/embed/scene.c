@@ -194,7 +194,7 @@ static int scene_collide_law(struct embed_scene *s)
                            s->speed_min * pow(s->layout.threshold / s->beta_max, q), s->layout.threshold);
     }
     if (status == STATUS_OK)
-        law_layout_restrict(&s->layout, quantity_of(s));
+        law_layout_restrict(&s->layout, quantity_of(s), s->beta_min);
     for (int attempt = 0; status == STATUS_OK && error > INTERPOLANT_LIMIT && attempt < ATTEMPTS; attempt++) {
         if (attempt > 0) {
             interpolant_free(s->interpolant); /* while the layout is as it was */

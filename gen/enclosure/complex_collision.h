@@ -8,10 +8,7 @@
  *   about the turning point, kappa = 0:   dy/dkappa = -kappa y/(2 N),   N = y (c2 - c1 kappa) + kappa^2
  *   unloading, kappa > 0:  as loading with C = c2 zeta^2 - c1; zero force at zeta^2 = c1/c2, zero overlap at zeta = 0.
  *
- * All quantities are analytic in c1 and c2 where the denominators have no zero along the path. A step replaces the
- * solution by a straight line; the residual of the line, for all values in the ball, and Gronwall's inequality bound
- * the distance to every exact solution. The radii are those of the ball and of the steps, a few per cent: enough for a
- * bound of the modulus. */
+ * All quantities are analytic in c1 and c2 where the denominators have no zero along the path (complex_path.h). */
 #ifndef COR_GEN_ENCLOSURE_COMPLEX_COLLISION_H
 #define COR_GEN_ENCLOSURE_COMPLEX_COLLISION_H
 

@@ -1,0 +1,277 @@
+/* SPDX-License-Identifier: MIT */
+#include "approximation/law_proof.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "approximation/enclosed_function.h"
+#include "approximation/row_proof.h"
+#include "support/console.h"
+
+enum { PREC = 320 /* of the polynomials, whose coefficients are large and cancel */, COVERS = 3 };
+
+#define LEAST_RHO 1.4
+#define MOST_RHO 16
+/* Neighbouring intervals share ends that are rounded. A polynomial and its error bound serve this much beyond an
+ * interval, in units of half its length: |T_k(1 + d)| <= exp(k sqrt(2 d)), which MORE_ERROR covers for k < 100. */
+#define BEYOND 1e-9
+#define MORE_ERROR 1.01
+#define SLACK 1e-12
+
+struct law_proof {
+    const struct interpolant *f;
+    enum quantity eps;
+    arb_poly_struct *polynomial; /* in w, -1 <= w <= 1, for each interval */
+    arb_struct *error;
+};
+
+/* ---- the intervals ---- */
+
+/* ln(beta) at the ends of an interval */
+static void log_range(double range[2], const struct interpolant *f, const struct interval *interval)
+{
+    const double threshold = arf_get_d(arb_midref(interpolant_threshold(f)), ARF_RND_NEAR);
+    switch (interval->variable) {
+    case INTERVAL_ROOT:
+        range[0] = log(interval->lo);
+        range[1] = log(interval->hi);
+        break;
+    case INTERVAL_LOG:
+        range[0] = interval->lo;
+        range[1] = interval->hi;
+        break;
+    case INTERVAL_BELOW:
+        range[0] = log(threshold - exp(interval->hi));
+        range[1] = log(threshold - exp(interval->lo));
+        break;
+    }
+}
+
+/* A radius that proves an error a little below `wanted`, if the modulus is as given */
+static double radius_for(const struct interval *interval, double modulus, double wanted)
+{
+    return pow(20 * modulus / wanted, 1 / ((double)interval->count - 1));
+}
+
+/* Proves interval i. The modulus of a cover shows whether a larger ellipse is needed. */
+static int prove_interval(struct law_proof *proof, int i, double wanted)
+{
+    const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
+    double rho = radius_for(interval, 1, wanted);
+    int status = STATUS_OK;
+    arb_poly_t p;
+    arb_t error;
+    arb_poly_init(p);
+    arb_init(error);
+    for (int k = 0; k < COVERS && status == STATUS_OK; k++) {
+        struct ellipse_bound bound;
+        rho = fmin(fmax(rho, LEAST_RHO), MOST_RHO);
+        if (!ellipse_bound_of_law(&bound, proof->f, interval, proof->eps, rho))
+            break;
+        status = interpolant_polynomial(p, error, proof->f, i, proof->eps, &bound);
+        arb_poly_set(&proof->polynomial[i], p);
+        arb_set(&proof->error[i], error);
+        const double next = 1.05 * radius_for(interval, bound.modulus[proof->eps], wanted);
+        if (law_proof_error(proof, i) <= wanted || next < 1.02 * rho)
+            break;
+        rho = next;
+    }
+    arb_poly_clear(p);
+    arb_clear(error);
+    return status;
+}
+
+struct law_proof *law_proof_new(const struct interpolant *f, enum quantity eps, double beta_min, double beta_max,
+                                double wanted)
+{
+    const struct interpolant_layout *const layout = interpolant_layout_of(f);
+    struct law_proof *proof = xmalloc(sizeof *proof);
+    *proof = (struct law_proof){.f = f, .eps = eps};
+    proof->polynomial = xmalloc((size_t)layout->intervals * sizeof *proof->polynomial);
+    proof->error = xmalloc((size_t)layout->intervals * sizeof *proof->error);
+    for (int i = 0; i < layout->intervals; i++) {
+        arb_poly_init(&proof->polynomial[i]);
+        arb_init(&proof->error[i]);
+        arb_pos_inf(&proof->error[i]);
+    }
+    int status = STATUS_OK;
+    for (int i = 0; i < layout->intervals && status == STATUS_OK; i++) {
+        arb_srcptr node, value;
+        double range[2];
+        log_range(range, f, &layout->interval[i]);
+        if (layout->interval[i].set & 1u << eps && interpolant_samples(&node, &value, f, i, eps) &&
+            range[0] <= log(beta_max) + SLACK && range[1] >= log(beta_min) - SLACK)
+            status = prove_interval(proof, i, wanted);
+    }
+    if (status == STATUS_OK)
+        return proof;
+    law_proof_free(proof);
+    return NULL;
+}
+
+void law_proof_free(struct law_proof *proof)
+{
+    if (!proof)
+        return;
+    for (int i = 0; i < interpolant_layout_of(proof->f)->intervals; i++) {
+        arb_poly_clear(&proof->polynomial[i]);
+        arb_clear(&proof->error[i]);
+    }
+    free(proof->polynomial);
+    free(proof->error);
+    free(proof);
+}
+
+double law_proof_error(const struct law_proof *proof, int i)
+{
+    mag_t bound;
+    mag_init(bound);
+    arb_get_mag(bound, &proof->error[i]);
+    const double error = mag_get_d(bound);
+    mag_clear(bound);
+    return error;
+}
+
+int law_proof_interval(double *end, const struct law_proof *proof, double u)
+{
+    const struct interpolant_layout *const layout = interpolant_layout_of(proof->f);
+    int found = -1;
+    for (int i = 0; i < layout->intervals; i++) {
+        double range[2];
+        log_range(range, proof->f, &layout->interval[i]);
+        if (!isfinite(law_proof_error(proof, i)) || u < range[0] - SLACK || u >= range[1] - SLACK ||
+            (found >= 0 && range[1] <= *end))
+            continue;
+        found = i;
+        *end = range[1];
+    }
+    return found;
+}
+
+/* ---- eps on a part of an interval ---- */
+
+/* The interval's variable x, for ln(beta) and beta as functions of t. Returns false if x is not shown to be defined. */
+static bool variable_of(arb_poly_t x, const struct law_proof *proof, const struct interval *interval,
+                        const arb_poly_t log_beta, const arb_poly_t beta)
+{
+    switch (interval->variable) {
+    case INTERVAL_ROOT: /* the root is 1 */
+        arb_poly_set(x, beta);
+        break;
+    case INTERVAL_LOG:
+        arb_poly_set(x, log_beta);
+        break;
+    case INTERVAL_BELOW:
+        arb_poly_neg(x, beta);
+        enclosed_add_number(x, interpolant_threshold(proof->f));
+        return enclosed_logarithm(x, x);
+    }
+    return true;
+}
+
+/* w = (x - middle)/half. Returns false if w is not within [-1, 1] and the little beyond that the error allows. */
+static bool to_unit(arb_poly_t w, const arb_poly_t x, const struct interval *interval)
+{
+    arb_t lo, hi, half;
+    arb_init(lo);
+    arb_init(hi);
+    arb_init(half);
+    arb_set_d(lo, interval->lo);
+    arb_set_d(hi, interval->hi);
+    arb_sub(half, hi, lo, ENCLOSED_BITS);
+    arb_mul_2exp_si(half, half, -1);
+    arb_add(lo, lo, hi, ENCLOSED_BITS);
+    arb_mul_2exp_si(lo, lo, -1);
+    arb_neg(lo, lo);
+    arb_poly_set(w, x);
+    enclosed_add_number(w, lo);
+    arb_poly_scalar_div(w, w, half, ENCLOSED_BITS);
+    /* x rises or falls with t, so that its ends are at t = -1 and t = 1 */
+    bool inside = true;
+    for (int t = -1; t <= 1; t += 2) {
+        arb_set_si(lo, t);
+        arb_poly_evaluate(hi, w, lo, ENCLOSED_BITS);
+        arb_abs(hi, hi);
+        arb_set_d(half, 1 + BEYOND);
+        inside = inside && arb_le(hi, half);
+    }
+    arb_clear(lo);
+    arb_clear(hi);
+    arb_clear(half);
+    return inside;
+}
+
+/* p(w), with the error of p */
+static void compose(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, const arb_t error)
+{
+    arb_t c;
+    arb_init(c);
+    arb_poly_zero(y);
+    for (slong k = arb_poly_degree(p); k >= 0; k--) {
+        arb_poly_get_coeff_arb(c, p, k);
+        arb_poly_mul(y, y, w, PREC);
+        enclosed_shorten(y);
+        enclosed_add_number(y, c);
+    }
+    arb_set_d(c, MORE_ERROR);
+    arb_mul(c, c, error, ENCLOSED_BITS);
+    enclosed_add_radius(y, c);
+    arb_clear(c);
+}
+
+/* What the interval stores, to eps */
+static void eps_of_stored(arb_poly_t eps, const struct law_proof *proof, const struct interval *interval,
+                          const arb_poly_t log_beta, const arb_poly_t beta)
+{
+    const struct ratio power = interpolant_tail_power(interpolant_law(proof->f), proof->eps);
+    arb_poly_t factor;
+    switch (interval->form) {
+    case FORM_QUOTIENT: /* (1 - eps)/beta */
+        enclosed_multiply(eps, eps, beta);
+        arb_poly_neg(eps, eps);
+        enclosed_add_double(eps, 1);
+        break;
+    case FORM_LOG:
+        enclosed_exp(eps, eps);
+        break;
+    case FORM_POWER:
+        arb_poly_init(factor);
+        enclosed_exponential(factor, (double)power.num, power.den, log_beta);
+        enclosed_multiply(eps, eps, factor);
+        arb_poly_clear(factor);
+        break;
+    case FORM_VALUE:
+        break;
+    }
+}
+
+bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *proof, int i, double lo, double hi)
+{
+    const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
+    arb_poly_t beta, w;
+    arb_t middle, half;
+    arb_poly_init(beta);
+    arb_poly_init(w);
+    arb_init(middle);
+    arb_init(half);
+    arb_set_d(middle, lo);
+    arb_set_d(half, hi);
+    arb_sub(half, half, middle, ENCLOSED_BITS);
+    arb_mul_2exp_si(half, half, -1);
+    arb_add(middle, middle, half, ENCLOSED_BITS);
+    arb_poly_zero(log_beta);
+    arb_poly_set_coeff_arb(log_beta, 1, half);
+    arb_poly_set_coeff_arb(log_beta, 0, middle);
+    enclosed_exponential(beta, 1, 1, log_beta);
+    const bool done = isfinite(law_proof_error(proof, i)) && variable_of(w, proof, interval, log_beta, beta) &&
+                      to_unit(w, w, interval);
+    if (done) {
+        compose(eps, &proof->polynomial[i], w, &proof->error[i]);
+        eps_of_stored(eps, proof, interval, log_beta, beta);
+    }
+    arb_poly_clear(beta);
+    arb_poly_clear(w);
+    arb_clear(middle);
+    arb_clear(half);
+    return done;
+}

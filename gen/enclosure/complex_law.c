@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT */
+#include "enclosure/complex_law.h"
+
+#include "enclosure/complex_path.h"
+
+/* The damping may take this part of the speed before the approach ends, and the approach ends at this x at most. */
+#define APPROACH_LOSS 0.3
+#define APPROACH_MOST 0.3
+/* The approach ends at x = s^POWER, so that the equation is smooth at s = 0 for every exponent of the law. */
+enum { POWER = 4 };
+/* F at the end of the creep */
+#define CREEP_END 2.0
+
+static const struct complex_ball zero = {0, 0, 0}, one = {1, 0, 0};
+
+/* s^power for all real s >= 0 of a ball; 2^-40 is more than the rounding of s, of the power and of pow */
+static struct complex_ball real_power(struct complex_ball s, double power)
+{
+    const double radius = raised(s.radius);
+    const double low = pow(fmax(s.re - radius, 0), power), high = pow(s.re + radius, power);
+    return (struct complex_ball){(low + high) / 2, 0, raised((high - low) / 2 + 0x1p-40 * high)};
+}
+
+static struct complex_ball power_or_one(struct complex_ball s, double power)
+{
+    return power == 0 ? one : real_power(s, power);
+}
+
+/* exp(power x), with more than the rounding of the power */
+static struct complex_ball exponential(struct complex_ball x, double power)
+{
+    return ball_exp(ball_widened(ball_times(x, power), 0x1p-48 * ball_size(x)));
+}
+
+static double number(struct ratio x)
+{
+    return (double)x.num / (double)x.den;
+}
+
+/* ---- the equation along a path, c1 and c2 as the path's user sets them ---- */
+
+/* dv/ds, c1 = beta */
+static struct slopes approach(const struct path *p, struct complex_ball s, struct complex_ball rest,
+                              struct complex_ball v)
+{
+    (void)rest;
+    const struct complex_ball damping = ball_mul(p->c1, real_power(s, POWER * p->b + POWER - 1));
+    const struct complex_ball inverse = ball_inv(v);
+    const struct complex_ball elastic = ball_mul(real_power(s, POWER * p->a + POWER - 1), inverse);
+    return (struct slopes){ball_times(ball_add(damping, elastic), -POWER),
+                           ball_times(ball_mul(elastic, inverse), POWER), zero};
+}
+
+/* dL/dkappa = -kappa/D, its derivative by L is kappa D_L/D^2; c1 = beta */
+static struct slopes turning(const struct path *p, struct complex_ball kappa, struct complex_ball rest,
+                             struct complex_ball L)
+{
+    (void)rest;
+    const struct complex_ball elastic = exponential(L, p->a - 1);
+    const struct complex_ball damping = ball_mul(ball_mul(p->c1, kappa), exponential(L, p->b));
+    const struct complex_ball inverse = ball_inv(ball_add(ball_sub(elastic, damping), ball_sqr(kappa)));
+    const struct complex_ball part = ball_neg(ball_mul(kappa, inverse));
+    const struct complex_ball derivative = ball_sub(ball_times(damping, p->b), ball_times(elastic, p->a - 1));
+    return (struct slopes){part, ball_mul(ball_mul(part, inverse), derivative), zero};
+}
+
+/* dl/ds; the difference is often small. c1 = beta X^(b+1)/W and c2 = X^(a+1)/W^2 */
+static struct slopes departure(const struct path *p, struct complex_ball s, struct complex_ball rest,
+                               struct complex_ball l)
+{
+    (void)rest;
+    const double common = fmin(p->a, p->b);
+    const struct complex_ball inverse = ball_exp(ball_neg(l));
+    const struct complex_ball factor = ball_mul(real_power(s, POWER * common + POWER - 1), inverse);
+    const struct complex_ball damping = ball_mul(p->c1, power_or_one(s, POWER * (p->b - common)));
+    const struct complex_ball elastic = ball_mul(ball_mul(p->c2, power_or_one(s, POWER * (p->a - common))), inverse);
+    return (struct slopes){ball_times(ball_mul(factor, ball_sub(damping, elastic)), POWER),
+                           ball_times(ball_mul(factor, ball_sub(ball_times(elastic, 2), damping)), POWER), zero};
+}
+
+/* dL/dk = -k/N, F = c1 x^n, c1 = beta^2; its derivative by L is k N_L/N^2 */
+static struct slopes force(const struct path *p, struct complex_ball k, struct complex_ball rest, struct complex_ball L)
+{
+    (void)rest;
+    const double n = 2 * p->b + 1 - p->a;
+    const struct complex_ball damping = ball_mul(ball_mul(p->c1, exponential(L, n)), ball_add(one, ball_neg(k)));
+    const struct complex_ball inverse = ball_inv(ball_add(damping, ball_times(ball_sqr(k), p->a - p->b)));
+    const struct complex_ball part = ball_neg(ball_mul(k, inverse));
+    return (struct slopes){part, ball_neg(ball_mul(ball_mul(part, inverse), ball_times(damping, n))), zero};
+}
+
+/* The same with q = ln(k): dL/dq = -k^2/N */
+static struct slopes force_by_log(const struct path *p, struct complex_ball q, struct complex_ball rest,
+                                  struct complex_ball L)
+{
+    const struct complex_ball k = ball_exp(q);
+    const struct slopes f = force(p, k, rest, L);
+    return (struct slopes){ball_mul(k, f.slope), ball_mul(k, f.derivative), zero};
+}
+
+/* n dk/dln(F) = -N/k = -(F (1/k - 1) + (a-b) k); its derivative by k is F/k^2 - (a-b) */
+static struct slopes creep(const struct path *p, struct complex_ball log_F, struct complex_ball rest,
+                           struct complex_ball k)
+{
+    (void)rest;
+    const double difference = p->a - p->b, n = 2 * p->b + 1 - p->a;
+    const struct complex_ball inverse = ball_inv(k), F = ball_exp(log_F);
+    const struct complex_ball N_by_k =
+        ball_add(ball_mul(F, ball_add(inverse, ball_of(-1, 0))), ball_times(k, difference));
+    const struct complex_ball derivative = ball_add(ball_mul(F, ball_sqr(inverse)), ball_of(-difference, 0));
+    return (struct slopes){ball_times(N_by_k, -1 / n), ball_times(derivative, 1 / n), zero};
+}
+
+/* ---- a collision ---- */
+
+struct complex_law_path complex_law_path(const struct law *law, double largest_beta, bool strong)
+{
+    const double end = pow(APPROACH_LOSS / largest_beta, 1 / (number(law->b) + 1));
+    return (struct complex_law_path){fmin(APPROACH_MOST, end), strong};
+}
+
+/* ln(x) at the turning point; p gets the law. */
+static bool turning_point(struct path *p, struct path_state *y, const struct law *law, struct complex_ball beta,
+                          double approach_end)
+{
+    const double s = pow(approach_end, 1.0 / POWER); /* x = s^4 is the end exactly */
+    const struct complex_ball end = ball_sqr(ball_sqr(ball_of(s, 0)));
+    *p = (struct path){.c1 = beta, .a = number(law->a), .b = number(law->b)};
+    *y = (struct path_state){one, zero};
+    if (!ball_is_finite(beta) || !path_follow(p, approach, zero, ball_of(s, 0), y))
+        return false;
+    const struct complex_ball kappa = ball_neg(ball_mul(y->value, ball_inv(end)));
+    const double logarithm = POWER * log(s);
+    *y = (struct path_state){ball_widened(ball_of(logarithm, 0), 0x1p-46 * (1 + fabs(logarithm))), zero};
+    p->logarithm = true;
+    return path_follow(p, turning, kappa, zero, y);
+}
+
+/* ln(eps) of the departure with the speed exp(M) at its beginning; p has its coefficients */
+static bool depart(struct complex_ball *log_eps, struct path *p, struct complex_ball M)
+{
+    struct path_state y = {zero, zero};
+    p->logarithm = true;
+    if (!path_follow(p, departure, one, zero, &y))
+        return false;
+    *log_eps = ball_add(M, y.value);
+    return true;
+}
+
+bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct law *law, struct complex_ball beta,
+                              const struct complex_law_path *path)
+{
+    struct path p;
+    struct path_state y;
+    if (!turning_point(&p, &y, law, beta, path->approach_end) || !path_follow(&p, turning, zero, one, &y))
+        return false;
+    p.c1 = ball_mul(beta, exponential(y.value, p.b)); /* W = X at kappa = 1 */
+    p.c2 = exponential(y.value, p.a - 1);
+    return depart(log_eps, &p, y.value);
+}
+
+bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law, struct complex_ball log_beta,
+                            const struct complex_law_path *path)
+{
+    const struct complex_ball beta = ball_exp(log_beta);
+    struct path p;
+    struct path_state y;
+    bool done = turning_point(&p, &y, law, beta, path->approach_end);
+    if (path->strong) {
+        p.c1 = ball_sqr(beta);
+        done = done && path_follow(&p, force, zero, one, &y);
+    } else {
+        done = done && path_follow(&p, turning, zero, one, &y);
+        const struct complex_ball q = ball_add(log_beta, ball_times(y.value, p.b + 1 - p.a));
+        p.c1 = ball_sqr(beta);
+        done = done && path_follow(&p, force_by_log, q, zero, &y);
+    }
+    *log_eps = ball_sub(ball_times(y.value, p.a - p.b), log_beta);
+    return done;
+}
+
+bool complex_law_creep(struct complex_ball *log_eps, const struct law *law, struct complex_ball log_beta,
+                       const struct complex_law_path *path)
+{
+    const struct complex_ball beta = ball_exp(log_beta), half = ball_of(0.5, 0);
+    struct path p;
+    struct path_state y, k = {half, zero};
+    if (!turning_point(&p, &y, law, beta, path->approach_end))
+        return false;
+    p.c1 = ball_sqr(beta);
+    if (!path_follow(&p, force, zero, half, &y))
+        return false;
+    const struct complex_ball log_end = ball_widened(ball_of(log(CREEP_END), 0), 0x1p-48);
+    const double n = 2 * p.b + 1 - p.a;
+    p.logarithm = false;
+    if (!path_follow(&p, creep, ball_add(ball_times(log_beta, 2), ball_times(y.value, n)), log_end, &k))
+        return false;
+    /* W = k X^(a-b)/beta, so that the coefficients are F/k and F/k^2. ln(k) is the one that is continued from real beta
+     * if k is in the right half plane. */
+    if (!(k.value.re > raised(k.value.radius)))
+        return false;
+    const double size = ball_size(k.value);
+    const struct complex_ball log_k = {log(size), atan2(k.value.im, k.value.re),
+                                       raised(-log1p(-raised(k.value.radius / size)) + 0x1p-46)};
+    const struct complex_ball inverse = ball_inv(k.value);
+    p.c1 = ball_times(inverse, CREEP_END);
+    p.c2 = ball_mul(p.c1, inverse);
+    const struct complex_ball log_X = ball_times(ball_sub(log_end, ball_times(log_beta, 2)), 1 / n);
+    return depart(log_eps, &p, ball_add(log_k, ball_sub(ball_times(log_X, p.a - p.b), log_beta)));
+}

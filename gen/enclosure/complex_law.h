@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* eps of any law's collision at complex damping, enclosed for all beta in a ball at once (docs/derivation.md, 9).
+ *
+ * With L = ln(x), kappa = -x'/x, the equation x'' + beta x^b x' + x^a = 0 is a scalar equation between fixed ends:
+ *
+ *   approach, x = s^4 from 0:  dv/ds = -4 (beta s^(4b+3) + s^(4a+3)/v),   v = 1 at s = 0
+ *   about the turning point:   dL/dkappa = -kappa/(x^(a-1) - beta kappa x^b + kappa^2), kappa = -v/x to 0 and to 1
+ *   departure, x = X s^4, -x' = W exp(l), s from 1 to 0:
+ *                              dl/ds = 4 (beta X^(b+1)/W s^(4b+3) exp(-l) - X^(a+1)/W^2 s^(4a+3) exp(-2 l))
+ *   to zero force, k = beta kappa x^(b+1-a) to 1, from 0 or, in ln(k), from kappa = 1:
+ *                              dL/dk = -k/N,   N = F (1 - k) + (a-b) k^2,   F = beta^2 x^n,   n = 2b+1-a
+ *   creep, for n > 0:          n dk/dln(F) = -N/k, from k = 1/2 to F = 2
+ *
+ * eps is W exp(l) at zero overlap and x^(a-b)/beta at zero force. The departure begins at kappa = 1 or after the creep.
+ * eps is analytic in beta where the denominators have no zero along the path. */
+#ifndef COR_GEN_ENCLOSURE_COMPLEX_LAW_H
+#define COR_GEN_ENCLOSURE_COMPLEX_LAW_H
+
+#include "enclosure/complex_ball.h"
+#include "series/law.h"
+
+/* The path of a domain of beta. All collisions of the domain must have the same, so that it defines one function. */
+struct complex_law_path {
+    double approach_end; /* x */
+    bool strong;         /* damping: k from 0, and a departure that begins after the creep */
+};
+
+/* A path for all |beta| up to a bound */
+struct complex_law_path complex_law_path(const struct law *law, double largest_beta, bool strong);
+
+/* ln(eps) at zero overlap for all beta in a ball. Returns false if the ball is too wide, or if ln(eps) is not shown to
+ * be analytic there. Continued analytically from real beta, the imaginary part may exceed pi. */
+bool complex_law_zero_overlap(struct complex_ball *log_eps, const struct law *law, struct complex_ball beta,
+                              const struct complex_law_path *path);
+
+/* The same for all ln(beta) in a ball: zero force, a > b; zero overlap by the path that creeps, n > 0 */
+bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law, struct complex_ball log_beta,
+                            const struct complex_law_path *path);
+bool complex_law_creep(struct complex_ball *log_eps, const struct law *law, struct complex_ball log_beta,
+                       const struct complex_law_path *path);
+
+#endif

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* Solutions of scalar equations dy/dx = f(x, y) along straight paths in the complex plane, enclosed for all ends,
+ * coefficients and initial values in balls at once.
+ *
+ * A step replaces the solution by a straight line; the residual of the line, for all values in the ball, and Gronwall's
+ * inequality bound the distance to every exact solution. The radii are those of the balls and of the steps, a few per
+ * cent: enough for a bound of the modulus. */
+#ifndef COR_GEN_ENCLOSURE_COMPLEX_PATH_H
+#define COR_GEN_ENCLOSURE_COMPLEX_PATH_H
+
+#include "enclosure/complex_ball.h"
+
+/* The slope, its derivative by the dependent variable, and the slope of the time */
+struct slopes {
+    struct complex_ball slope, derivative, time;
+};
+
+struct path;
+
+/* The slopes for every place x and every value y in balls; `rest` is path.beyond at the end of the path, and grows by
+ * its length towards the beginning. */
+typedef struct slopes path_equation(const struct path *p, struct complex_ball x, struct complex_ball rest,
+                                    struct complex_ball y);
+
+/* A straight path, begin + s length, 0 <= s <= 1, length = end - begin */
+struct path {
+    path_equation *equation;
+    struct complex_ball begin, end, length;
+    struct complex_ball c1, c2; /* coefficients of the equation */
+    struct complex_ball beyond;
+    double a, b;    /* exponents of the equation */
+    bool logarithm; /* y is a logarithm: its radius is compared with 1, not with |y| */
+};
+
+/* The dependent variable of every solution, and its time */
+struct path_state {
+    struct complex_ball value, time;
+};
+
+/* Follows the solution along a straight path between two numbers, which may be balls. Returns false if the balls are
+ * too wide, or if the solution is not shown to be analytic there. */
+bool path_follow(struct path *p, path_equation *equation, struct complex_ball begin, struct complex_ball end,
+                 struct path_state *y);
+
+#endif

@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: MIT */
+/* The proofs of other laws' eps: enclosures at complex damping against enclosed collisions on the real axis, Cauchy's
+ * integrals over them off it, ellipses that reach a singularity, and polynomials against collisions between their
+ * samples. */
+#include "ball.h"
+#include "check.h"
+
+#include <complex.h>
+#include <math.h>
+
+#include "approximation/ellipse_bound.h"
+#include "approximation/enclosed_function.h"
+#include "approximation/law_layout.h"
+#include "approximation/law_proof.h"
+#include "enclosure/collision.h"
+#include "enclosure/complex_law.h"
+#include "random.h"
+
+enum way { WAY_OVERLAP, WAY_CREEP, WAY_FORCE, WAY_STRONG_FORCE };
+
+static struct law law_of(const char *elastic, const char *damping)
+{
+    struct law law;
+    assert_null(law_parse(&law, elastic, damping));
+    return law;
+}
+
+/* ln(eps) from an enclosed collision */
+static double exact_log_eps(const struct law *law, double beta, enum way way)
+{
+    struct collision c;
+    arb_t x;
+    collision_init(&c);
+    arb_init(x);
+    arb_set_d(x, beta);
+    assert_int_equal(collision_solve(&c, x, law, 60), 0);
+    arb_log(x, way == WAY_OVERLAP || way == WAY_CREEP ? c.eps_zero_overlap : c.eps_zero_force, 60);
+    const double y = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    collision_clear(&c);
+    arb_clear(x);
+    return y;
+}
+
+static bool enclose(struct complex_ball *y, const struct law *law, struct complex_ball log_beta, enum way way)
+{
+    const bool strong = way == WAY_CREEP || way == WAY_STRONG_FORCE;
+    const struct complex_law_path path = complex_law_path(law, 2 * exp(log_beta.re), strong);
+    switch (way) {
+    case WAY_OVERLAP:
+        return complex_law_zero_overlap(y, law, ball_exp(log_beta), &path);
+    case WAY_CREEP:
+        return complex_law_creep(y, law, log_beta, &path);
+    case WAY_FORCE:
+    case WAY_STRONG_FORCE:
+        break;
+    }
+    return complex_law_zero_force(y, law, log_beta, &path);
+}
+
+/* Every way in weak and strong damping, a > b, a = b and a < b, n of both signs */
+static const struct {
+    const char *elastic, *damping;
+    enum way way;
+    double beta;
+} places[] = {
+    {"3/2", "1/2", WAY_OVERLAP, 0.05}, {"3/2", "1/2", WAY_OVERLAP, 1.4},    {"3/2", "1/2", WAY_CREEP, 2.5},
+    {"3/2", "1/2", WAY_CREEP, 9},      {"3/2", "1/2", WAY_FORCE, 0.1},      {"3/2", "1/2", WAY_STRONG_FORCE, 3},
+    {"3/2", "0", WAY_OVERLAP, 0.1},    {"3/2", "0", WAY_OVERLAP, 0.8},      {"3/2", "0", WAY_FORCE, 0.005},
+    {"3/2", "0", WAY_FORCE, 0.3},      {"3/2", "0", WAY_STRONG_FORCE, 1},   {"3/2", "0", WAY_STRONG_FORCE, 6},
+    {"3/2", "3/2", WAY_OVERLAP, 0.3},  {"3/2", "3/2", WAY_OVERLAP, 3},      {"3/2", "3/2", WAY_CREEP, 5},
+    {"1", "1/2", WAY_OVERLAP, 0.7},    {"1", "1/2", WAY_STRONG_FORCE, 2},   {"3/2", "1/3", WAY_OVERLAP, 0.4},
+    {"1", "2", WAY_OVERLAP, 1.5},      {"2", "1/2", WAY_STRONG_FORCE, 0.9},
+};
+enum { PLACES = sizeof places / sizeof *places };
+
+static void test_real_axis(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < PLACES; i++) {
+        if (!in_turn(i, 2))
+            continue;
+        const struct law law = law_of(places[i].elastic, places[i].damping);
+        struct complex_ball y;
+        check(enclose(&y, &law, ball_of(log(places[i].beta), 0), places[i].way), "place %zu: no enclosure", i);
+        const double exact = exact_log_eps(&law, places[i].beta, places[i].way), off = fabs(y.re - exact);
+        check(off <= y.radius && off < 1e-4 && fabs(y.im) <= y.radius, "place %zu: %g %+g i +- %g, not %g", i, y.re,
+              y.im, y.radius, exact);
+    }
+}
+
+/* The mean over a circle is the value at its centre, by Cauchy's integral, and the next moment its derivative. Balls
+ * between the points contain the points. */
+static void test_complex_plane(void **state)
+{
+    (void)state;
+    enum { POINTS = 16 };
+    const double radius = 0.2, step = 0.01;
+    for (size_t i = 0; i < PLACES; i++) {
+        if (!in_turn(i, 4))
+            continue;
+        const struct law law = law_of(places[i].elastic, places[i].damping);
+        const double beta = places[i].beta, u = log(beta);
+        const enum way way = places[i].way;
+        double complex mean = 0, slope = 0;
+        for (int k = 0; k < POINTS; k++) {
+            const double complex way_out = cexp(2 * acos(-1.0) * I * k / POINTS);
+            const struct complex_ball at = ball_of(u + radius * creal(way_out), radius * cimag(way_out));
+            struct complex_ball y, wide;
+            check(enclose(&y, &law, at, way), "place %zu: no enclosure at point %d", i, k);
+            mean += (y.re + I * y.im) / POINTS;
+            slope += (y.re + I * y.im) / way_out / radius / POINTS;
+            struct complex_ball beside = ball_widened(at, 0.004);
+            beside.re += 0.003;
+            check(enclose(&wide, &law, beside, way) &&
+                      hypot(wide.re - y.re, wide.im - y.im) <= wide.radius + y.radius + 1e-4,
+                  "place %zu: a ball about point %d does not contain it", i, k);
+        }
+        const double exact = exact_log_eps(&law, beta, way);
+        const double below = exact_log_eps(&law, beta * exp(-step), way);
+        const double above = exact_log_eps(&law, beta * exp(step), way), derivative = (above - below) / (2 * step);
+        check(cabs(mean - exact) < 1e-3, "place %zu: the mean is %g %+g i, not %g", i, creal(mean), cimag(mean), exact);
+        check(cabs(slope - derivative) < 3e-3 * (1 + fabs(derivative)), "place %zu: the slope is %g %+g i, not %g", i,
+              creal(slope), cimag(slope), derivative);
+    }
+}
+
+/* Beyond the threshold beta_c = 1.128 of the dashpot nothing leaves: no ball there, and no ellipse that reaches it. */
+static void test_singular(void **state)
+{
+    (void)state;
+    const struct law law = law_of("3/2", "0");
+    struct complex_ball y;
+    assert_false(enclose(&y, &law, ball_of(log(1.2), 0), WAY_OVERLAP));
+    assert_false(enclose(&y, &law, (struct complex_ball){log(1.05), 0, 0.1}, WAY_OVERLAP));
+}
+
+/* ---- polynomials ---- */
+
+struct scene {
+    const char *elastic, *damping;
+    enum quantity eps;
+    double beta_min, beta_max, wanted;
+};
+
+static double largest_error(const struct law_proof *proof, const struct law *law, const struct scene *s)
+{
+    enum { COLLISIONS = 6 };
+    const enum way way = s->eps == EPS_ZERO_OVERLAP ? WAY_OVERLAP : WAY_FORCE;
+    double largest = 0;
+    arb_poly_t eps, log_beta;
+    arb_t t, y;
+    arb_poly_init(eps);
+    arb_poly_init(log_beta);
+    arb_init(t);
+    arb_init(y);
+    for (int k = 0; k < COLLISIONS; k++) {
+        const double beta = s->beta_min * pow(s->beta_max / s->beta_min, (k + 0.3) / COLLISIONS);
+        double end;
+        const int i = law_proof_interval(&end, proof, log(beta));
+        assert_true(i >= 0 && end > log(beta));
+        /* a part that begins at beta */
+        assert_true(law_proof_eps(eps, log_beta, proof, i, log(beta), fmin(end, log(beta) + 0.1)));
+        arb_set_si(t, -1);
+        arb_poly_evaluate(y, eps, t, 200);
+        arb_log(y, y, 200);
+        const double found = arf_get_d(arb_midref(y), ARF_RND_NEAR), exact = exact_log_eps(law, beta, way);
+        largest = fmax(largest, fabs(found - exact));
+        check(fabs(found - exact) <= mag_get_d(arb_radref(y)) + 4e-15, "beta = %g: %.17g, not %.17g", beta, found,
+              exact);
+        check(mag_get_d(arb_radref(y)) > 0.5 * fmin(beta, 1) * law_proof_error(proof, i), "beta = %g: a radius of %g",
+              beta, mag_get_d(arb_radref(y)));
+        check(mag_get_d(arb_radref(y)) < 3 * s->wanted, "beta = %g: a radius of %g", beta, mag_get_d(arb_radref(y)));
+    }
+    arb_poly_clear(eps);
+    arb_poly_clear(log_beta);
+    arb_clear(t);
+    arb_clear(y);
+    return largest;
+}
+
+/* In variables beta, ln(beta) and ln(beta_c - beta), both ends */
+static void test_polynomials(void **state)
+{
+    (void)state;
+    static const struct scene scenes[] = {{"3/2", "0", EPS_ZERO_OVERLAP, 0.06, 0.5, 1e-9},
+                                          {"3/2", "3/2", EPS_ZERO_OVERLAP, 0.01, 0.3, 1e-12},
+                                          {"3/2", "0", EPS_ZERO_FORCE, 0.05, 0.3, 1e-9}};
+    for (size_t k = 0; k < sizeof scenes / sizeof *scenes; k++) {
+        if (!in_turn(k, 3))
+            continue;
+        const struct scene *const s = &scenes[k];
+        const struct law law = law_of(s->elastic, s->damping);
+        struct law_layout layout;
+        assert_int_equal(law_layout_init(&layout, &law), 0);
+        law_layout_restrict(&layout, s->eps, s->beta_min);
+        struct interpolant *f = interpolant_new(&layout.interpolant, s->beta_min, s->beta_max);
+        assert_non_null(f);
+        struct law_proof *const proof = law_proof_new(f, s->eps, s->beta_min, s->beta_max, s->wanted);
+        assert_non_null(proof);
+        assert_true(largest_error(proof, &law, s) < s->wanted);
+        /* far outside of an interval there is no proof */
+        arb_poly_t eps, log_beta;
+        arb_poly_init(eps);
+        arb_poly_init(log_beta);
+        double end;
+        const int i = law_proof_interval(&end, proof, log(s->beta_max) - 0.01);
+        assert_true(i >= 0);
+        assert_false(law_proof_eps(eps, log_beta, proof, i, end, end + 0.1));
+        arb_poly_clear(eps);
+        arb_poly_clear(log_beta);
+        law_proof_free(proof);
+        interpolant_free(f);
+        law_layout_clear(&layout);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_real_axis),
+        cmocka_unit_test(test_complex_plane),
+        cmocka_unit_test(test_singular),
+        cmocka_unit_test(test_polynomials),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
