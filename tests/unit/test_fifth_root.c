@@ -55,6 +55,19 @@ static void parts(void **state)
     assert_true(longest < 0x1p-12L);
 }
 
+static void of_pair(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(20000); i++) {
+        const double x = random_log(&random, 0x1p-1000, 0x1p1000);
+        const struct cor_inline_pair pair = {x, x * random_uniform(&random, -0x1p-54, 0x1p-54)};
+        const struct cor_inline_pair root = cor_inline_fifth_root_of_pair(pair);
+        const long double error = error_of((long double)root.hi + root.lo, root_exact((long double)pair.hi + pair.lo));
+        check(error <= 0x1p-5L + slack, "%a + %a -> %a + %a: %Lg", pair.hi, pair.lo, root.hi, root.lo, error);
+    }
+}
+
 /* The seed is a whole-number fifth of the bits: its error repeats every five octaves. All of them, finely. */
 static void five_octaves(void **state)
 {
@@ -137,7 +150,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(whole_range),  cmocka_unit_test(parts),          cmocka_unit_test(five_octaves),
         cmocka_unit_test(exact_powers), cmocka_unit_test(special_values), cmocka_unit_test(rising),
-        cmocka_unit_test(pairs),
+        cmocka_unit_test(pairs),        cmocka_unit_test(of_pair),
     };
     return cmocka_run_group_tests_name("fifth_root", tests, NULL, NULL);
 }

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT */
+/* The parts of runtime/core/law_eval.h that no law of the library uses, only headers of `corgen law`: the linear dashpot
+ * and a power of eps at zero overlap, both in closed form. tests/law/run has them with the tables of such headers. */
+#include "check.h"
+
+#include "runtime/core/law_eval.h"
+
+/* x'' + beta x' + x = 0 */
+static struct cor_inline_law_quantity linear(void)
+{
+    struct cor_inline_law_quantity q = cor_inline_law_quantity_of();
+    q.linear = 1;
+    q.threshold.hi = 2;
+    q.critical.hi = 4;
+    return q;
+}
+
+static void is_within(const char *name, double x, double computed, long double exact, double most)
+{
+    check(ulp_error(computed, exact) <= most, "%s of %.17g: %.17g, not %.17Lg", name, x, computed, exact);
+}
+
+/* eps = exp(-pi beta/sqrt(4 - beta^2)) */
+static void linear_eps(void **state)
+{
+    (void)state;
+    const long double pi = acosl(-1);
+    struct random_state r = random_start();
+    for (size_t i = 0; i < points(2000); i++) {
+        const double beta = i % 2 == 0 ? random_log(&r, 1e-300, 1.9) : random_uniform(&r, 0, 1.9);
+        const long double l = pi * beta / sqrtl((2 - (long double)beta) * (2 + (long double)beta));
+        is_within("eps", beta, cor_inline_law_eps(linear(), beta), expl(-l), 1);
+        is_within("loss", beta, cor_inline_law_loss(linear(), beta), -expm1l(-l), 1);
+    }
+    assert_true(cor_inline_law_eps(linear(), 0) == 1 && cor_inline_law_eps(linear(), 2) == 0);
+    assert_true(cor_inline_law_loss(linear(), 0) == 0 && cor_inline_law_loss(linear(), 2) == 1);
+}
+
+/* beta = 2 L/sqrt(pi^2 + L^2), L = -ln(eps) */
+static void linear_beta(void **state)
+{
+    (void)state;
+    const long double pi = acosl(-1);
+    const struct cor_inline_law_inverse none = cor_inline_law_inverse_of();
+    struct random_state r = random_start();
+    for (size_t i = 0; i < points(2000); i++) {
+        const double x = i % 2 == 0 ? random_log(&r, 1e-300, 1) : random_uniform(&r, 0, 1);
+        const long double of_eps = -logl(x), of_loss = -log1pl(-(long double)x);
+        is_within("beta", x, cor_inline_law_beta(linear(), none, x), 2 * of_eps / sqrtl(pi * pi + of_eps * of_eps), 2);
+        is_within("beta of loss", x, cor_inline_law_beta_of_loss(linear(), none, x),
+                  2 * of_loss / sqrtl(pi * pi + of_loss * of_loss), 2);
+    }
+    assert_true(cor_inline_law_beta(linear(), none, 0) == 2 && cor_inline_law_beta(linear(), none, 1) == 0);
+    for (int k = -1074; k < -1022; k++) /* subnormal */
+        check(fabsl(cor_inline_law_beta_of_loss(linear(), none, ldexp(1, k)) - 2 / pi * ldexpl(1, k)) <= 0x1p-1074L,
+              "beta of loss 2^%d", k);
+}
+
+/* eps = v_f beta^(-2/n) */
+static const double *falling(int i)
+{
+    static const double v_f[2] = {1.5, 0x1.8p-54};
+    return v_f + i;
+}
+
+static void falling_beta(void **state)
+{
+    (void)state;
+    const struct cor_inline_law_inverse none = cor_inline_law_inverse_of();
+    struct random_state r = random_start();
+    for (size_t i = 0; i < points(2000); i++) {
+        struct cor_inline_law_quantity q = cor_inline_law_quantity_of();
+        q.far = falling;
+        q.far_kind = 2;
+        q.power.num = -2;
+        q.power.den = i % 2 == 0 ? 1 : 3;
+        const double eps = i % 2 == 0 ? random_log(&r, 1e-310, 0.5) : random_log(&r, 1e-200, 0.5);
+        is_within("beta", eps, cor_inline_law_beta(q, none, eps), powl((1.5L + 0x1.8p-54L) / eps, q.power.den / 2.0L),
+                  2);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(linear_eps),
+        cmocka_unit_test(linear_beta),
+        cmocka_unit_test(falling_beta),
+    };
+    return cmocka_run_group_tests_name("law_eval", tests, NULL, NULL);
+}
