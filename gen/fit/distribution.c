@@ -68,7 +68,15 @@ double student_quantile(enum distribution_level level, size_t degrees_of_freedom
     return t;
 }
 
-/* The regularised incomplete gamma function Q(nu/2, chi2/2) */
+/* chi2/nu to the power 1/3 is nearly normal. */
+double chi_squared_tail_nearly(double chi2, size_t degrees_of_freedom)
+{
+    const double n = (double)degrees_of_freedom;
+    const double z = (cbrt(chi2 / n) - 1 + 2 / (9 * n)) / sqrt(2 / (9 * n));
+    return erfc(z / sqrt(2)) / 2;
+}
+
+/* The regularised incomplete gamma function Q(nu/2, chi2/2), if FLINT computes some bits of it */
 double chi_squared_tail(double chi2, size_t degrees_of_freedom)
 {
     if (!(chi2 > 0))
@@ -83,12 +91,7 @@ double chi_squared_tail(double chi2, size_t degrees_of_freedom)
     const int known = arb_rel_accuracy_bits(x) > 10;
     arb_clear(shape);
     arb_clear(x);
-    if (known)
-        return probability;
-    /* Wilson and Hilferty: chi2/nu to the power 1/3 is nearly normal, for very many degrees of freedom */
-    const double n = (double)degrees_of_freedom;
-    const double z = (cbrt(chi2 / n) - 1 + 2 / (9 * n)) / sqrt(2 / (9 * n));
-    return erfc(z / sqrt(2)) / 2;
+    return known ? probability : chi_squared_tail_nearly(chi2, degrees_of_freedom);
 }
 
 /* I_x(d2/2, d1/2), x = d2/(d2 + d1 f) */

@@ -53,6 +53,10 @@ static void tails_have_closed_forms(void **state)
     }
     check_close(fisher_tail(3, 2, 10001), pow(1 + 6. / 10001, -5000.5), 0.01);
     check_close(fisher_tail(1, 5, 5), 0.5, 1e-12); /* F and 1/F are alike */
+    for (int t = -2; t <= 2; t++) {                /* from the mean by standard deviations */
+        const double x = 1e6 + t * sqrt(2e6);
+        check_close(chi_squared_tail_nearly(x, 1000000), chi_squared_tail(x, 1000000), 1e-7);
+    }
     assert_true(chi_squared_tail(0, 3) == 1 && fisher_tail(0, 3, 3) == 1);
 }
 
