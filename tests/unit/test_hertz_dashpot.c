@@ -260,6 +260,11 @@ static void test_approach_only(void **state)
     check(relative_error(cor_hertz_dashpot_duration_approach_only(1e200),
                          1.60903272985952150442L * powl(0.8L, -0.1L) * 1e50L) < 4e-16,
           "a long rebound");
+    for (int k = -53; k <= -1; k++) { /* both are exact */
+        const double lost = ldexp(1, k);
+        assert_true(same_bits(cor_hertz_dashpot_beta_approach_only(1 - lost),
+                              cor_hertz_dashpot_beta_of_loss_approach_only(lost)));
+    }
     struct random_state r = random_start();
     for (size_t i = 0; i < points(20000); i++) {
         const double e = random_log(&r, 1e-300, 1), loss = random_log(&r, 1e-300, 1);

@@ -564,6 +564,21 @@ static void tsuji_times(void **state)
     }
 }
 
+/* Every row of Tsuji's times, next to one of its ends: rows in zeta^(1/5), then in ln(1 + zeta) */
+static void tsuji_rows(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 42 + 43; i++) {
+        const double part = i % 2 == 0 ? 0.96 : 0.04;
+        const double zeta = i < 42 ? pow((i + part) / 32, 5) : expm1(1.5 + (i - 42 + part) / 4);
+        check_value(cor_tsuji_duration_limited(zeta), reference_tsuji_time(LAW_LIMITED, zeta), COR_LAW_TIME_MAX_ULP);
+        check_value(cor_tsuji_duration_zero_force(zeta), reference_tsuji_time(LAW_ZERO_FORCE, zeta),
+                    COR_LAW_TIME_MAX_ULP);
+        check_value(cor_tsuji_time_of_max_overlap(zeta), reference_tsuji_time(LAW_APPROACH_ONLY, zeta),
+                    COR_LAW_TIME_MAX_ULP);
+    }
+}
+
 /* ---- the floating-point environment ---- */
 
 static double max_overlap_3_2(double beta)
@@ -680,21 +695,14 @@ static void floating_point_environment(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_ratio),
-        cmocka_unit_test(known_crossley),
-        cmocka_unit_test(known_inverses),
-        cmocka_unit_test(critical_damping),
-        cmocka_unit_test(zeta_from_beta),
-        cmocka_unit_test(special_ratio),
-        cmocka_unit_test(special_crossley),
-        cmocka_unit_test(special_sphere_approach),
-        cmocka_unit_test(there_and_back),
-        cmocka_unit_test(every_size),
-        cmocka_unit_test(identities),
-        cmocka_unit_test(against_the_equation_of_motion),
-        cmocka_unit_test(crossley_times),
-        cmocka_unit_test(tsuji_times),
-        cmocka_unit_test(floating_point_environment),
+        cmocka_unit_test(known_ratio),      cmocka_unit_test(known_crossley),
+        cmocka_unit_test(known_inverses),   cmocka_unit_test(critical_damping),
+        cmocka_unit_test(zeta_from_beta),   cmocka_unit_test(special_ratio),
+        cmocka_unit_test(special_crossley), cmocka_unit_test(special_sphere_approach),
+        cmocka_unit_test(there_and_back),   cmocka_unit_test(every_size),
+        cmocka_unit_test(identities),       cmocka_unit_test(against_the_equation_of_motion),
+        cmocka_unit_test(crossley_times),   cmocka_unit_test(tsuji_times),
+        cmocka_unit_test(tsuji_rows),       cmocka_unit_test(floating_point_environment),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
