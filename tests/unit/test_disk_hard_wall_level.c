@@ -283,6 +283,25 @@ static void point_contact(void **state)
     }
 }
 
+/* Angles are never so coarse that they alias cosines of the rim's series, which ends at lanes, the largest n in whole
+ * blocks. */
+static void coarse_angles(void **state)
+{
+    (void)state;
+    const double speed = 0.1, omega = 20;
+    const struct cor_disk_modes modes = modes_of(0.33, omega);
+    int n_max = 0;
+    for (size_t i = 0; i + 1 < modes.count; i++)
+        n_max = modes.mode[i].n > n_max ? modes.mode[i].n : n_max;
+    const int lanes = (n_max / COR_HARD_WALL_LANES + 1) * COR_HARD_WALL_LANES;
+    struct cor_hard_wall_settings settings = fine_settings(omega, speed);
+    settings.spacing = 1;
+    const double coarse = level_of(&modes, speed, &settings, COR_OK).one_minus_eps2;
+    settings.spacing = pi / (lanes + 2) * (1 + 1e-12);
+    const double least = level_of(&modes, speed, &settings, COR_OK).one_minus_eps2;
+    check(same_bits(coarse, least), "%.17g with the spacing 1, %.17g with pi/%d", coarse, least, lanes + 2);
+}
+
 /* ---- hard inputs ---- */
 
 /* A range that the contact outgrows is reported, and modes that no disk has. */
@@ -306,7 +325,7 @@ int main(void)
         cmocka_unit_test(two_fades),        cmocka_unit_test(shifted_by_half_a_cell),
         cmocka_unit_test(steps_and_energy), cmocka_unit_test(hard_limit),
         cmocka_unit_test(point_contact),    cmocka_unit_test(soft_wall_of_all_modes),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(refusals),         cmocka_unit_test(coarse_angles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
