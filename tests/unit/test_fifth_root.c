@@ -55,6 +55,7 @@ static void parts(void **state)
     assert_true(longest < 0x1p-12L);
 }
 
+/* The bound of a pair, 2^-58, before the sum is rounded; long double has 11 bits more than a double. */
 static void of_pair(void **state)
 {
     (void)state;
