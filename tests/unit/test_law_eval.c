@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of runtime/core/law_eval.h that no law of the library uses, only headers of `corgen law`: the linear dashpot
- * and a power of eps at zero overlap, both in closed form. tests/law/run has them with the tables of such headers. */
+/* The parts of runtime/core/law_eval.h that only headers of `corgen law` use: the linear dashpot, and eps that falls
+ * with a power of beta, both in closed form. tests/law/run tests them with the tables of such headers. */
 #include "check.h"
 
 #include "runtime/core/law_eval.h"
