@@ -351,7 +351,7 @@ static void judge(struct fit_estimate *e, const struct problem *p)
                               : groups_p_value(r, p->points, (size_t)p->parameters);
 }
 
-/* A beta at an end of its range stands for 0 or infinity: eps is 1, or 0, at all speeds. So do ends of its intervals. */
+/* A beta at an end of its range stands for 0 or infinity: eps is 1, or 0, at all speeds. So do ends of intervals. */
 static void set_limit(struct fit_estimate *e, const struct problem *p)
 {
     const double near = 1e-6;

@@ -440,7 +440,7 @@ static void elastic_data_have_no_upper_end(void **state)
     assert_true(e.theta[0] == 1 && e.interval[0][LEVEL_95].high == 1 && e.interval[0][LEVEL_95].low < 1);
 }
 
-/* One datum that weighs all and is eps = 0: beta is infinite, and its intervals hold it. The mirror image has eps = 1. */
+/* One datum, eps = 0, has all the weight: beta is infinite, and its intervals hold it. The mirror image has eps = 1. */
 static void an_end_of_the_range_is_in_its_interval(void **state)
 {
     (void)state;
