@@ -486,7 +486,6 @@ static long double limit_value(enum quantity quantity)
     switch (quantity) {
     case LOSS_ZERO_OVERLAP:
     case LOSS_ZERO_FORCE:
-        return 1;
     case LOSS_APPROACH_ONLY:
         return 1;
     case DURATION_ZERO_OVERLAP:

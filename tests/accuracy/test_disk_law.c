@@ -408,7 +408,7 @@ int main(int argc, char **argv)
                                                                  : NULL;
         char *end = NULL;
         const double number = value != NULL && i + 1 < argc ? strtod(argv[++i], &end) : -1;
-        if (!(number >= 0 && number < 1e15 && *end == '\0')) {
+        if (!end || !(number >= 0 && number < 1e15 && *end == '\0')) {
             const int help = strcmp(argv[i], "--help") == 0;
             fputs(usage, help ? stdout : stderr);
             return help ? 0 : 2;
