@@ -9,12 +9,12 @@
 #include "support/console.h"
 #include "support/parallel.h"
 
-enum { MOST_BALLS = 6000, MOST_BALLS_OF_LAW = 6000 };
+enum { MOST_BALLS = 6000 };
 
 /* Half the side of the first squares, in units of the ellipse's minor semi-axis */
 #define FIRST_HALF (1.0 / 8)
-/* ln(beta) from which on the path of strong damping is taken, in laws of other exponents (complex_law.h). About there the
- * other path is taken if the first fails. */
+/* ln(beta) from which on the path of strong damping is taken, in laws of other exponents (complex_law.h). About there
+ * the other path is taken if the first fails. */
 #define STRONG_OVERLAP 1.4
 #define STRONG_FORCE (-1.5)
 #define STRONG_ABOUT 0.7
@@ -49,7 +49,6 @@ struct squares {
 struct cover {
     const struct interval *interval;
     double rho;
-    slong most_balls;
     void (*cover_square)(void *context, slong i);
     const struct interpolant *f; /* of another law, with its quantity and the path of its collisions */
     enum quantity quantity;
@@ -233,7 +232,7 @@ static bool cover_ellipse(struct ellipse_bound *bound, struct cover *work)
 {
     work->list = first_squares(work->rho);
     *bound = (struct ellipse_bound){.rho = work->rho};
-    while (work->list.count > 0 && bound->balls + work->list.count <= work->most_balls) {
+    while (work->list.count > 0 && bound->balls + work->list.count <= MOST_BALLS) {
         work->failed = xmalloc((size_t)work->list.count * sizeof *work->failed);
         work->modulus = xmalloc((size_t)work->list.count * QUANTITIES * sizeof *work->modulus);
         parallel_for(work->cover_square, work, work->list.count, "collisions at complex damping");
@@ -254,7 +253,7 @@ static bool cover_ellipse(struct ellipse_bound *bound, struct cover *work)
 
 int ellipse_bound_make(struct ellipse_bound *bound, const struct interval *interval, double rho)
 {
-    struct cover work = {.interval = interval, .rho = rho, .most_balls = MOST_BALLS, .cover_square = cover_square};
+    struct cover work = {.interval = interval, .rho = rho, .cover_square = cover_square};
     return cover_ellipse(bound, &work) ? STATUS_OK
                                        : fail("the collision has no bound in the ellipse rho = %g around [%g, %g]", rho,
                                               interval->lo, interval->hi);
@@ -264,12 +263,8 @@ bool ellipse_bound_of_law(struct ellipse_bound *bound, const struct interpolant 
                           enum quantity eps, double rho)
 {
     const struct law *const law = interpolant_law(f);
-    struct cover work = {.interval = interval,
-                         .rho = rho,
-                         .most_balls = MOST_BALLS_OF_LAW,
-                         .cover_square = cover_square_of_law,
-                         .f = f,
-                         .quantity = eps};
+    struct cover work = {
+        .interval = interval, .rho = rho, .cover_square = cover_square_of_law, .f = f, .quantity = eps};
     const bool log = interval->variable == INTERVAL_LOG, force = eps == EPS_ZERO_FORCE;
     if (force && !log)
         return false;
