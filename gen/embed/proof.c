@@ -229,9 +229,10 @@ static void add_parts(struct prover *w, int interval, slong row, double lo, doub
 {
     const int count = (int)fmax(1, ceil((hi - lo) / longest));
     w->part = xrealloc(w->part, (size_t)(w->parts + count) * sizeof *w->part);
-    for (int k = 0; k < count; k++)
-        w->part[w->parts++] =
-            (struct part){interval, row, lo + (hi - lo) * k / count, lo + (hi - lo) * (k + 1) / count};
+    for (int k = 0; k < count; k++) {
+        const double next = k + 1 < count ? lo + (hi - lo) * (k + 1) / count : hi;
+        w->part[w->parts++] = (struct part){interval, row, lo + (hi - lo) * k / count, next};
+    }
 }
 
 /* sqrt(beta) or ln(beta) at a speed, as the nearest double below it or above it */
