@@ -82,11 +82,10 @@ static struct slopes departure(const struct path *p, struct complex_ball s, stru
 static struct slopes force(const struct path *p, struct complex_ball k, struct complex_ball rest, struct complex_ball L)
 {
     (void)rest;
-    const double n = 2 * p->b + 1 - p->a;
-    const struct complex_ball damping = ball_mul(ball_mul(p->c1, exponential(L, n)), ball_add(one, ball_neg(k)));
-    const struct complex_ball inverse = ball_inv(ball_add(damping, ball_times(ball_sqr(k), p->a - p->b)));
+    const struct complex_ball damping = ball_mul(ball_mul(p->c1, exponential(L, p->n)), ball_add(one, ball_neg(k)));
+    const struct complex_ball inverse = ball_inv(ball_add(damping, ball_times(ball_sqr(k), p->difference)));
     const struct complex_ball part = ball_neg(ball_mul(k, inverse));
-    return (struct slopes){part, ball_neg(ball_mul(ball_mul(part, inverse), ball_times(damping, n))), zero};
+    return (struct slopes){part, ball_neg(ball_mul(ball_mul(part, inverse), ball_times(damping, p->n))), zero};
 }
 
 /* The same with q = ln(k): dL/dq = -k^2/N */
@@ -103,12 +102,11 @@ static struct slopes creep(const struct path *p, struct complex_ball log_F, stru
                            struct complex_ball k)
 {
     (void)rest;
-    const double difference = p->a - p->b, n = 2 * p->b + 1 - p->a;
     const struct complex_ball inverse = ball_inv(k), F = ball_exp(log_F);
     const struct complex_ball N_by_k =
-        ball_add(ball_mul(F, ball_add(inverse, ball_of(-1, 0))), ball_times(k, difference));
-    const struct complex_ball derivative = ball_add(ball_mul(F, ball_sqr(inverse)), ball_of(-difference, 0));
-    return (struct slopes){ball_times(N_by_k, -1 / n), ball_times(derivative, 1 / n), zero};
+        ball_add(ball_mul(F, ball_add(inverse, ball_of(-1, 0))), ball_times(k, p->difference));
+    const struct complex_ball derivative = ball_add(ball_mul(F, ball_sqr(inverse)), ball_of(-p->difference, 0));
+    return (struct slopes){ball_times(N_by_k, -1 / p->n), ball_times(derivative, 1 / p->n), zero};
 }
 
 /* ---- a collision ---- */
@@ -125,7 +123,11 @@ static bool turning_point(struct path *p, struct path_state *y, const struct law
 {
     const double s = pow(approach_end, 1.0 / POWER); /* x = s^4 is the end exactly */
     const struct complex_ball end = ball_sqr(ball_sqr(ball_of(s, 0)));
-    *p = (struct path){.c1 = beta, .a = number(law->a), .b = number(law->b)};
+    *p = (struct path){.c1 = beta,
+                       .a = number(law->a),
+                       .b = number(law->b),
+                       .difference = number(ratio_sub(law->a, law->b)),
+                       .n = number(law_fall_power(law))};
     *y = (struct path_state){one, zero};
     if (!ball_is_finite(beta) || !path_follow(p, approach, zero, ball_of(s, 0), y))
         return false;
@@ -171,11 +173,12 @@ bool complex_law_zero_force(struct complex_ball *log_eps, const struct law *law,
         done = done && path_follow(&p, force, zero, one, &y);
     } else {
         done = done && path_follow(&p, turning, zero, one, &y);
-        const struct complex_ball q = ball_add(log_beta, ball_times(y.value, p.b + 1 - p.a));
+        const struct ratio power = ratio_sub((struct ratio){1, 1}, ratio_sub(law->a, law->b)); /* k = beta x^power */
+        const struct complex_ball q = ball_add(log_beta, ball_times(y.value, number(power)));
         p.c1 = ball_sqr(beta);
         done = done && path_follow(&p, force_by_log, q, zero, &y);
     }
-    *log_eps = ball_sub(ball_times(y.value, p.a - p.b), log_beta);
+    *log_eps = ball_sub(ball_times(y.value, p.difference), log_beta);
     return done;
 }
 
@@ -191,9 +194,8 @@ bool complex_law_creep(struct complex_ball *log_eps, const struct law *law, stru
     if (!path_follow(&p, force, zero, half, &y))
         return false;
     const struct complex_ball log_end = ball_widened(ball_of(log(CREEP_END), 0), 0x1p-48);
-    const double n = 2 * p.b + 1 - p.a;
     p.logarithm = false;
-    if (!path_follow(&p, creep, ball_add(ball_times(log_beta, 2), ball_times(y.value, n)), log_end, &k))
+    if (!path_follow(&p, creep, ball_add(ball_times(log_beta, 2), ball_times(y.value, p.n)), log_end, &k))
         return false;
     /* W = k X^(a-b)/beta, so that the coefficients are F/k and F/k^2. ln(k) is the one that is continued from real beta
      * if k is in the right half plane. */
@@ -205,6 +207,6 @@ bool complex_law_creep(struct complex_ball *log_eps, const struct law *law, stru
     const struct complex_ball inverse = ball_inv(k.value);
     p.c1 = ball_times(inverse, CREEP_END);
     p.c2 = ball_mul(p.c1, inverse);
-    const struct complex_ball log_X = ball_times(ball_sub(log_end, ball_times(log_beta, 2)), 1 / n);
-    return depart(log_eps, &p, ball_add(log_k, ball_sub(ball_times(log_X, p.a - p.b), log_beta)));
+    const struct complex_ball log_X = ball_times(ball_sub(log_end, ball_times(log_beta, 2)), 1 / p.n);
+    return depart(log_eps, &p, ball_add(log_k, ball_sub(ball_times(log_X, p.difference), log_beta)));
 }

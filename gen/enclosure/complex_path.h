@@ -28,7 +28,8 @@ struct path {
     struct complex_ball begin, end, length;
     struct complex_ball c1, c2; /* coefficients of the equation */
     struct complex_ball beyond;
-    double a, b;    /* exponents of the equation */
+    double a, b; /* exponents of the equation; a - b and 2b + 1 - a, each rounded once */
+    double difference, n;
     bool logarithm; /* y is a logarithm: its radius is compared with 1, not with |y| */
 };
 
