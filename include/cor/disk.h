@@ -425,12 +425,10 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  * of a microsecond.
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
  *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial seen between the points of its cell,
- *                                  combined with the error estimates of the collisions: an estimate, not a bound. It
- *                                  was
- *                                  not exceeded at 1000 random points off the grid (tests/unit/test_disk_eps.c). It is
- *                                  at
- *                                  most COR_DISK_EPS_MAX_UNCERTAINTY for v <= COR_DISK_EPS_CALM_SPEED, and at most
- *                                  COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
+ *                                  combined with the error estimates of the collisions: an estimate, not a bound.
+ *                                  The error did not exceed it at 1000 random points off the grid
+ *                                  (tests/unit/test_disk_eps.c). It is at most COR_DISK_EPS_MAX_UNCERTAINTY for
+ *                                  v <= COR_DISK_EPS_CALM_SPEED, and at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
  *     eps, eps_uncertainty         the same for eps
  * Between cells of the table the functions jump by no more than the uncertainty.
  * Domain: the speeds and Poisson's ratios below, ends included. Outside the domain, and for NaN, the result is NaN.

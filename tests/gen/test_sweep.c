@@ -16,8 +16,10 @@
 
 #include "check.h"
 
+#include "cor/disk.h"
 #include "cor/status.h"
 #include "sweep/crew.h"
+#include "sweep/hard_wall.h"
 #include "sweep/journal.h"
 #include "sweep/ranks.h"
 #include "sweep/sweep.h"
@@ -578,13 +580,36 @@ static void test_journal(void **state)
     assert_int_equal(rmdir(directory), 0);
 }
 
+/* ---- rigid walls ---- */
+
+/* A collision that needs more levels than the first table has, and one that does not */
+static void test_hard_wall(void **state)
+{
+    (void)state;
+    struct hard_wall_tables tables;
+    struct sweep_room room = {NULL, 0};
+    hard_wall_tables_init(&tables);
+    hard_wall_tables_set(&tables, 0.33);
+    for (int i = 0; i < 2; i++) {
+        const double tolerance = i == 0 ? 1e-3 : 1e-5, speed = i == 0 ? 0.1 : 0.02;
+        struct cor_disk_hard_wall out;
+        assert_int_equal(hard_wall_collide(&out, &tables, tolerance, speed, &room), COR_OK);
+        check(fabs(out.one_minus_eps2 - cor_disk_one_minus_eps2(speed, 0.33)) <=
+                  tolerance + cor_disk_one_minus_eps2_uncertainty(speed, 0.33),
+              "1 - eps^2 at v = %g: %.9f", speed, out.one_minus_eps2);
+    }
+    assert_true(tables.table[0].count > 100);
+    free(room.bytes);
+    hard_wall_tables_clear(&tables);
+}
+
 int main(void)
 {
     console_start();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lists),        cmocka_unit_test(test_wrong_lists), cmocka_unit_test(test_product),
         cmocka_unit_test(test_crew),         cmocka_unit_test(test_journal),     cmocka_unit_test(test_ranks),
-        cmocka_unit_test(test_longest_list),
+        cmocka_unit_test(test_longest_list), cmocka_unit_test(test_hard_wall),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

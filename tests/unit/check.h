@@ -88,6 +88,14 @@ static inline int in_turn(size_t i, size_t n)
     return (i + (size_t)check_number("COR_TEST_TURN", 0)) % few_or_all(n, 1) == 0;
 }
 
+/* Leaves a test function out of an ordinary run but in every n-th. Without COR_TEST_TURN it runs, and with
+ * COR_TEST_WHOLE=1, which tests/mutation/run sets: the guard of a mutant must not be left out. */
+#define leave_to_turn(i, n)                                                                                            \
+    do {                                                                                                               \
+        if (getenv("COR_TEST_TURN") && !check_number("COR_TEST_WHOLE", 0) && !in_turn((i), (n)))                       \
+            skip();                                                                                                    \
+    } while (0)
+
 static inline struct random_state random_start(void)
 {
     const uint64_t seed = check_number("COR_SEED", 19990101);

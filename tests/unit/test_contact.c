@@ -521,6 +521,17 @@ static void extreme_contacts(void **state)
         assert_true(cor_contact_eps_zero_overlap(&c, 0) == 1 && cor_contact_eps_zero_force(&c, -0.0) == 1);
         assert_true(cor_contact_eps_zero_overlap(&c, INFINITY) == 0 && isnan(cor_contact_eps_zero_force(&c, -1)));
     }
+    /* where beta_per_root^5 is a double, and its product with the speed may be none */
+    c.beta_per_root = 0x1p20;
+    c.beta5_per_speed = 0x1p100;
+    for (int exponent = 700; exponent < 1024; exponent++) {
+        const double speed = ldexp(1.25, exponent), beta = cor_contact_beta(&c, speed);
+        for (int end = 0; end < 2; end++) {
+            const double eps = eps_at_speed[end](&c, speed), by_beta = eps_at_beta[end](beta);
+            check(fabs(eps - by_beta) <= 20 * DBL_EPSILON * by_beta + 0x1p-1074, "end %d at 1.25 2^%d: %a, not %a", end,
+                  exponent, eps, by_beta);
+        }
+    }
     /* where init itself cannot hold the power */
     const struct cor_body soft = {1e-250, 0.3, 1e-10, 1e-3, 1e250};
     struct cor_sphere_contact extreme;

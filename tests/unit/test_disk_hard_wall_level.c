@@ -114,6 +114,7 @@ static void written_out(void **state)
 static void in_pieces(void **state)
 {
     (void)state;
+    leave_to_turn(3, 3);
     const double nu = 0.9, speed = 0.25, omega = 60;
     const struct cor_disk_modes modes = modes_of(nu, omega);
     struct cor_hard_wall_settings settings = fine_settings(omega, speed);
@@ -149,6 +150,7 @@ static double extrapolated(const struct cor_disk_modes *modes, double speed, dou
 static void two_fades(void **state)
 {
     (void)state;
+    leave_to_turn(0, 3);
     struct random_state random = random_start();
     const double omega = 120 * sqrt(2);
     double worst = 0;
@@ -168,6 +170,7 @@ static void two_fades(void **state)
 static void shifted_by_half_a_cell(void **state)
 {
     (void)state;
+    leave_to_turn(2, 3);
     const double speed = 0.1, omega = 24;
     const struct cor_disk_modes modes = modes_of(0.33, omega);
     const struct cor_hard_wall_settings settings = fine_settings(omega, speed);
@@ -185,13 +188,14 @@ static void shifted_by_half_a_cell(void **state)
 }
 
 /* The compliance under kicks takes away the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing happens, where
- * plain kicks are off by 1e-4. And energy is what the centre of mass has lost. */
+ * plain kicks are off by 1e-4. So does true_depth for the largest depth. And energy is what the centre of mass has
+ * lost. */
 static void steps_and_energy(void **state)
 {
     (void)state;
     const double speed = 0.1, omega = 120;
     const struct cor_disk_modes modes = modes_of(0.33, omega);
-    double l[3];
+    double l[3], depth[3];
     for (int i = 0; i < 3; i++) {
         struct cor_hard_wall_settings settings = fine_settings(omega, speed);
         settings.turn = ldexp(0.8, -i);
@@ -200,8 +204,11 @@ static void steps_and_energy(void **state)
                       level.energy_drift, level.steps);
         check(fabs(level.energy_drift) < 2e-5 * settings.turn * settings.turn, "drift %g", level.energy_drift);
         l[i] = level.one_minus_eps2;
+        depth[i] = level.max_compression;
     }
     check(fabs(l[0] - l[2]) < 1e-6 && fabs(l[1] - l[2]) < 2e-7, "%.9f %.9f %.9f", l[0], l[1], l[2]);
+    check(fabs(depth[0] - depth[2]) < 3e-8 && fabs(depth[1] - depth[2]) < 3e-8, "%.10f %.10f %.10f", depth[0], depth[1],
+          depth[2]);
 }
 
 /* ---- other walls ---- */
@@ -210,6 +217,7 @@ static void steps_and_energy(void **state)
 static void hard_limit(void **state)
 {
     (void)state;
+    leave_to_turn(1, 3);
     const double speed = 0.1, omega = 14;
     const struct cor_disk_modes modes = modes_of(0.33, omega);
     const struct cor_hard_wall_settings settings = fine_settings(omega, speed);

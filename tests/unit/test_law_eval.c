@@ -80,9 +80,27 @@ static void falling_beta(void **state)
     }
 }
 
+/* Both exponents count, and a number 200 octaves below the other is left out. */
+static void sums_of_scaled_pairs(void **state)
+{
+    (void)state;
+    struct random_state r = random_start();
+    for (size_t i = 0; i < points(2000); i++) {
+        const double x = random_uniform(&r, 1, 2), y = random_uniform(&r, 1, 2);
+        const int first = (int)random_uniform(&r, -900, 900), less = (int)random_uniform(&r, -300, 300);
+        int exponent = first;
+        const struct cor_inline_pair sum = cor_inline_pair_plus(cor_inline_pair_of(x, 0x1p-60 * x), &exponent,
+                                                                cor_inline_pair_of(y, 0x1p-60 * y), first + less);
+        const long double total = ((long double)sum.hi + sum.lo) * powl(2, exponent - first);
+        const long double exact = (x + y * powl(2, less)) * (1 + 0x1p-60L);
+        check(fabsl(total / exact - 1) < 1e-18L, "%a and %a times 2^%d: %.20Lg, not %.20Lg", x, y, less, total, exact);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sums_of_scaled_pairs),
         cmocka_unit_test(linear_eps),
         cmocka_unit_test(linear_beta),
         cmocka_unit_test(falling_beta),
