@@ -103,10 +103,11 @@ turn_of() {
     echo $((${COR_TEST_TURN:-$(git rev-list --count HEAD 2>/dev/null || echo 0)} % $1))
 }
 
-# some_in_turn N TURN: of the files named on standard input, and what follows each after a tab, those whose number is TURN
-# modulo N, and those that the last commit or the working tree changed. Prints what follows, or the name.
+# some_in_turn N TURN: of the files on standard input, each perhaps with a tab and a text, those whose number is TURN
+# modulo N, and those that the last commit or the working tree changed. Prints the text, or the name.
 some_in_turn() {
-    awk -F '\t' -v n="$1" -v turn="$2" 'NR == FNR { changed[$1] = 1; next } FNR % n == turn || changed[$1] { print $NF }' \
+    awk -F '\t' -v n="$1" -v turn="$2" \
+        'NR == FNR { changed[$1] = 1; next } FNR % n == turn || changed[$1] { print $NF }' \
         <({ git diff --name-only HEAD~1 || true; } 2>/dev/null; echo) -
 }
 
@@ -117,8 +118,8 @@ builds_whole() {
     [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 5)" -eq 2 ]
 }
 
-# parse_rest DIR: of the sources that the target unit_tests does not need, but for those that a build writes, the compiler
-# reads a fifth in turn, with all warnings, and those just changed.
+# parse_rest DIR: of the sources that the target unit_tests does not need, but for those that a build writes, the
+# compiler reads a fifth in turn, with all warnings, and those just changed.
 parse_rest() {
     sed -n 's/^ *"command": "\(.*\)",\{0,1\}$/\1/p' "$1/compile_commands.json" | sed 's/\\"/"/g; s/\\\\/\\/g' |
         grep -vE " [^ ]*/(runtime|tests/unit|$1)/[^ ]*\$" |
