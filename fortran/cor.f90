@@ -43,7 +43,7 @@ module cor
   real(c_double), parameter, public :: COR_DISK_EPS_CALM_SPEED = 0.15_c_double
   real(c_double), parameter, public :: COR_DISK_EPS_MIN_NU = -0.2_c_double
   real(c_double), parameter, public :: COR_DISK_EPS_MAX_NU = 0.4875_c_double
-  real(c_double), parameter, public :: COR_DISK_EPS_MAX_UNCERTAINTY = 1.4e-4_c_double
+  real(c_double), parameter, public :: COR_DISK_EPS_MAX_UNCERTAINTY = 3.4e-5_c_double
   real(c_double), parameter, public :: COR_DISK_EPS_MAX_UNCERTAINTY_FAST = 1e-4_c_double
   real(c_double), parameter, public :: COR_HERTZ_DASHPOT_EPS_MAX_ULP = 1.0_c_double
   real(c_double), parameter, public :: COR_HERTZ_DASHPOT_LOSS_MAX_ULP = 1.0_c_double

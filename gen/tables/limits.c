@@ -23,11 +23,9 @@
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 #define LAST_NU (FIRST_NU + NU_ROOTS * NU_STEP)
-/* Largest number of divisions of a cell, for each row of NU_ROOTS. One more division costs about 3 times the collisions
- * of all before. Coordinates are in sixths of the side of a cell that is divided FINEST times, so that they do not
- * depend on these numbers. */
-enum { FINEST = 6, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
-static const int most_cuts[NU_ROOTS] = {1, 1, 1, 2, 2};
+/* Largest number of divisions of a cell. A fifth helps little (docs/rigid-wall.md). Coordinates are in sixths of the side
+ * of a cell that is divided FINEST times, so that they do not depend on this number. */
+enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
 
 /* Tolerances of the collisions up to a speed and beyond it, and the factor on the error of a cell's polynomial at the 9
  * points between its 16 */
@@ -103,6 +101,23 @@ static struct cor_disk_limit_table evaluable(const struct limits *limits)
         X_ROOTS, NU_ROOTS, x_of_speed(FIRST_SPEED), x_step(), FIRST_NU, NU_STEP, limits->node, limits->cell};
 }
 
+/* Whether a collision at x is asked for CALM_TOLERANCE: in all roots that begin below CALM_SPEED, so that no cell has
+ * collisions of both tolerances */
+static bool is_calm(int32_t x)
+{
+    const int32_t column = x > 0 ? (x - 1) / ROOT_SIDE : 0;
+    return speed_at(column * ROOT_SIDE) < CALM_SPEED;
+}
+
+/* The speed at which the last of these roots ends */
+static double calm_end(void)
+{
+    int32_t x = ROOT_SIDE;
+    while (is_calm(x + ROOT_SIDE))
+        x += ROOT_SIDE;
+    return speed_at(x);
+}
+
 /* ---- collisions ---- */
 
 static int by_place(const void *a, const void *b)
@@ -128,10 +143,10 @@ struct collisions {
 static void scene_collide(void *context, int thread, uint64_t task, void *result)
 {
     struct collisions *const run = context;
-    const double speed = speed_at(run->scene[task].x);
+    const int32_t x = run->scene[task].x;
     struct outcome outcome;
-    outcome.status = hard_wall_collide(
-        &outcome.out, &run->tables, speed <= CALM_SPEED ? CALM_TOLERANCE : FAST_TOLERANCE, speed, &run->room[thread]);
+    outcome.status = hard_wall_collide(&outcome.out, &run->tables, is_calm(x) ? CALM_TOLERANCE : FAST_TOLERANCE,
+                                       speed_at(x), &run->room[thread]);
     memcpy(result, &outcome, sizeof outcome);
 }
 
@@ -326,9 +341,10 @@ static void fill_cell(struct cor_disk_limit_cell *to, const struct cell *cell, c
     to->uncertainty = (int32_t)ceil(hypot(SAFETY * missed, estimate)) + 1;
 }
 
+/* What is wanted of a cell that begins at x */
 static double wanted_at(int32_t x)
 {
-    return speed_at(x) < CALM_SPEED ? CALM_WANTED : FAST_WANTED;
+    return is_calm(x + 1) ? CALM_WANTED : FAST_WANTED;
 }
 
 /* Divides a cell into four. */
@@ -350,7 +366,7 @@ static int cell_refine(struct scenes *scenes, struct cell **cell, int *cells, st
         const struct cell *const c = &(*cell)[i];
         struct cor_disk_limit_cell filled;
         fill_cell(&filled, c, scenes);
-        if (c->depth == most_cuts[c->nu / ROOT_SIDE] || filled.uncertainty * COR_DISK_LIMIT_UNIT <= wanted_at(c->x)) {
+        if (c->depth == MOST_CUTS || filled.uncertainty * COR_DISK_LIMIT_UNIT <= wanted_at(c->x)) {
             table->node[c->node] = (int16_t)table->cells;
             table->cell[table->cells++] = filled;
         } else if (table->nodes + 4 > NODES_MAX) {
@@ -385,8 +401,10 @@ int disk_limits_collide(const char *path)
     struct scenes scenes = {0};
     char title[4 * LINE];
     snprintf(title, sizeof title,
-             "corgen tables --all, unfinished: %d cells, v %g to %g, nu from %g by %g, to %g and %g", X_ROOTS,
-             FIRST_SPEED, LAST_SPEED, FIRST_NU, NU_STEP, CALM_TOLERANCE, FAST_TOLERANCE);
+             "corgen tables --all, unfinished: %d cells of %d sixths, v %g to %g, nu from %g by %g, to %g up to v = %g "
+             "and %g",
+             X_ROOTS, ROOT_SIDE, FIRST_SPEED, LAST_SPEED, FIRST_NU, NU_STEP, CALM_TOLERANCE, calm_end(),
+             FAST_TOLERANCE);
     int status = journal_open(&journal, path, title, UINT64_MAX);
     if (status != STATUS_OK)
         return status;
@@ -413,7 +431,7 @@ int disk_limits_collide(const char *path)
 
 #define SECONDS_START " * Written by:  corgen tables --all, in "
 
-/* The largest uncertainty of cells that begin below, or at and above, CALM_SPEED, and the median of all */
+/* The largest uncertainty of cells below, and at and above, calm_end(), and the median of all */
 struct summary {
     int32_t calm, fast, median;
     int depth[FINEST + 1], deepest;
@@ -433,7 +451,7 @@ static void summarise_node(struct summary *summary, const struct limits *limits,
             summarise_node(summary, limits, -number + k, x + k % 2 * (ROOT_SIDE >> (depth + 1)), depth + 1);
         return;
     }
-    int32_t *const most = speed_at(x) < CALM_SPEED ? &summary->calm : &summary->fast;
+    int32_t *const most = is_calm(x + 1) ? &summary->calm : &summary->fast;
     const int32_t uncertainty = limits->cell[number].uncertainty;
     *most = uncertainty > *most ? uncertainty : *most;
     summary->depth[depth]++;
@@ -467,7 +485,7 @@ static void write_banner(FILE *file, const struct limits *limits)
         " * %ld collisions, asked for an error of %g up to v = %g and %g beyond (estimated by "
         "cor_disk_hard_wall).\n"
         " * The plane of x = v^(1/8) and nu is cut into %d cells, of depths 0 to %d: ",
-        FIRST_SPEED, LAST_SPEED, FIRST_NU, LAST_NU, limits->scenes, CALM_TOLERANCE, CALM_SPEED, FAST_TOLERANCE,
+        FIRST_SPEED, LAST_SPEED, FIRST_NU, LAST_NU, limits->scenes, CALM_TOLERANCE, calm_end(), FAST_TOLERANCE,
         limits->cells, summary.deepest);
     for (int k = 0; k <= summary.deepest; k++)
         fprintf(file, "%s%d", k ? ", " : "", summary.depth[k]);
@@ -478,12 +496,12 @@ static void write_banner(FILE *file, const struct limits *limits)
         " *\n"
         " * Uncertainty of a cell: the root of the squares of two parts, %g times what its polynomial misses at most\n"
         " * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.\n"
-        " * It is an estimate, no bound, and at most %.1e in cells that begin below v = %g, %.1e in the others,\n"
+        " * It is an estimate, no bound, and at most %.1e in cells below v = %g, %.1e in the others,\n"
         " * %.1e in half of all.\n"
         " *\n" SECONDS_START "%ld seconds of processor time\n"
         " * Checked by:  corgen tables --check, which collides at places of one cell again, and corgen tables\n"
         " *              --check --all */\n",
-        SAFETY, summary.calm * COR_DISK_LIMIT_UNIT, CALM_SPEED, summary.fast * COR_DISK_LIMIT_UNIT,
+        SAFETY, summary.calm * COR_DISK_LIMIT_UNIT, calm_end(), summary.fast * COR_DISK_LIMIT_UNIT,
         summary.median * COR_DISK_LIMIT_UNIT, limits->seconds);
 }
 
@@ -557,7 +575,17 @@ static bool read_number(const char **at, long low, long high, long *number)
     return good;
 }
 
-/* Whether every path through the nodes ends in a cell, and each cell and quarter belongs to one node */
+/* Whether the paths from a node on have at most FINEST divisions; a quarter's place is beyond that of its node */
+static bool is_shallow(const struct limits *limits, int node, int depth)
+{
+    const int quarters = -limits->node[node];
+    for (int k = 0; k < 4 && quarters > 0; k++)
+        if (depth == FINEST || quarters <= node || !is_shallow(limits, quarters + k, depth + 1))
+            return false;
+    return true;
+}
+
+/* Whether every path through the nodes ends in a cell, not too deep, and each cell and quarter belongs to one node */
 static bool is_tree(const struct limits *limits)
 {
     int next_quarter = ROOTS, next_cell = 0;
@@ -571,7 +599,12 @@ static bool is_tree(const struct limits *limits)
             return false;
         }
     }
-    return next_quarter == limits->nodes && next_cell == limits->cells;
+    if (next_quarter != limits->nodes || next_cell != limits->cells)
+        return false;
+    for (int i = 0; i < ROOTS; i++)
+        if (!is_shallow(limits, i, 0))
+            return false;
+    return true;
 }
 
 /* Reads the numbers of the file. Writing the file again checks the rest of its text. */

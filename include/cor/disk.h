@@ -439,7 +439,7 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
 #define COR_DISK_EPS_CALM_SPEED 0.15
 #define COR_DISK_EPS_MIN_NU (-0.2)
 #define COR_DISK_EPS_MAX_NU 0.4875
-#define COR_DISK_EPS_MAX_UNCERTAINTY 1.4e-4
+#define COR_DISK_EPS_MAX_UNCERTAINTY 3.4e-5
 #define COR_DISK_EPS_MAX_UNCERTAINTY_FAST 1e-4
 COR_API double cor_disk_eps(double speed, double nu);
 COR_API double cor_disk_eps_uncertainty(double speed, double nu);

@@ -58,6 +58,35 @@ static void test_file(void **state)
     free(text);
 }
 
+/* A tree that is divided more often than any that corgen writes is refused, and not followed (a sanitizer sees it). */
+static void test_too_deep(void **state)
+{
+    (void)state;
+    enum { ROOTS = 100, DIVISIONS = 20, NODES = ROOTS + 4 * DIVISIONS, CELLS = NODES - DIVISIONS };
+    char *text = NULL;
+    size_t size = 0;
+    FILE *const file = open_memstream(&text, &size);
+    assert_non_null(file);
+    fprintf(file,
+            "Evaluated by runtime/disk/limits.c.\n *\n * 1\n * Written by:  corgen tables --all, in 1\n"
+            "cor_disk_limit_node[%d] = {",
+            NODES);
+    for (int i = 0, cell = 0, quarter = ROOTS; i < NODES; i++) { /* the first of all, and of every four, is divided */
+        const bool divided = quarter < NODES && i == (quarter == ROOTS ? 0 : quarter - 4);
+        fprintf(file, "%d, ", divided ? -quarter : cell);
+        quarter += divided ? 4 : 0;
+        cell += !divided;
+    }
+    fprintf(file, "};\ncor_disk_limit_cell[%d] = {\n", CELLS);
+    for (int i = 0; i < CELLS; i++)
+        fprintf(file, "{1, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}},\n");
+    fprintf(file, "};\n");
+    fclose(file);
+    assert_int_equal(disk_limits_read(text, size, path), 1);
+    assert_false(disk_limits_known());
+    free(text);
+}
+
 /* Adds to the second digit from the end of the values of every cell what is 1e-6 or more in 1 - eps^2. */
 static int shift_values(char *text)
 {
@@ -93,6 +122,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_file),
+        cmocka_unit_test(test_too_deep),
         cmocka_unit_test(test_samples),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
