@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* One enclosed collision: reference values, closed forms, identities, and two methods on one beta. */
 #include "ball.h"
+#include "check.h"
 
 #include <math.h>
 

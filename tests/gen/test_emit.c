@@ -1,20 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* What emit_c writes: a compiler reads every double back to the bit, and finds nothing to warn of.
- */
+
 #define _XOPEN_SOURCE 700
 #include "support/console.h" /* before cmocka, which has a macro fail */
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
+#include "check.h"
 
 #include "enclosure/collision.h"
 #include "support/digits.h"

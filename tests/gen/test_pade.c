@@ -2,6 +2,7 @@
 /* Padé approximants: exactly known ones, the defining conditions, the published one, the analysis.
  */
 #include "ball.h"
+#include "check.h"
 
 #include <string.h>
 
