@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What emit_c writes: a compiler reads every double back to the bit, and finds nothing to warn of.
-
+/* What emit_c writes: a compiler reads every double back to the bit, and finds nothing to warn of. */
 #define _XOPEN_SOURCE 700
 #include "support/console.h" /* before cmocka, which has a macro fail */
 
