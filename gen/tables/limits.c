@@ -23,8 +23,8 @@
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 #define LAST_NU (FIRST_NU + NU_ROOTS * NU_STEP)
-/* Largest number of divisions of a cell. A fifth helps little (docs/rigid-wall.md). Coordinates are in sixths of the side
- * of a cell that is divided FINEST times, so that they do not depend on this number. */
+/* Largest number of divisions of a cell. A fifth helps little (docs/rigid-wall.md). Coordinates are in sixths of the
+ * side of a cell that is divided FINEST times, so that they do not depend on this number. */
 enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
 
 /* Tolerances of the collisions up to a speed and beyond it, and the factor on the error of a cell's polynomial at the 9
