@@ -39,8 +39,8 @@ plot csv using (ms($6)):(y("collision", "RK4")) skip 1 with linespoints pt 7 ps 
 set title "α = 125, 250, ... 2000/R along each line"
 unset label 1
 set ylabel "distance of ε to all modes and a rigid wall" offset 0.5
-set xrange [1e-4:2000]
-set yrange [3e-4:1]
+set xrange [1e-5:2000]
+set yrange [3e-6:1]
 set key at screen 0.77,0.01 center bottom maxrows 4
 plot csv using (ms($6)):(model(56)) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb grey title "56 modes", \
      csv using (ms($6)):(model(112)) skip 1 with linespoints pt 7 ps 0.5 lw 1.6 lc rgb amber title "112 modes", \
