@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What tests/unit/ uses of cmocka, for platforms that have no package of it at hand: every test runs, a failed
- * assertion ends its test, and the program's status is the number of tests that failed. */
+ * assertion ends its test, skip() does too, and the program's status is the number of tests that failed. */
 #ifndef COR_TESTS_PLATFORMS_CMOCKA_H
 #define COR_TESTS_PLATFORMS_CMOCKA_H
 
@@ -15,14 +15,18 @@
 struct CMUnitTest {
     const char *name;
     void (*run)(void **state);
+    int (*teardown)(void **state);
 };
 
-static jmp_buf cmocka_failed;
+enum { CMOCKA_FAILED = 1, CMOCKA_SKIPPED };
+static jmp_buf cmocka_ended;
 
-#define cmocka_unit_test(function)                                                                                     \
+#define cmocka_unit_test_teardown(function, teardown)                                                                  \
     {                                                                                                                  \
-#function, function                                                                                            \
+#function, function, teardown                                                                                  \
     }
+#define cmocka_unit_test(function) cmocka_unit_test_teardown(function, NULL)
+#define skip() longjmp(cmocka_ended, CMOCKA_SKIPPED)
 #define print_message printf
 #define test_malloc malloc
 #define test_free free
@@ -42,7 +46,7 @@ static jmp_buf cmocka_failed;
 static inline void cmocka_fail(const char *file, int line, const char *text)
 {
     printf("\n%s:%d: %s\n", file, line, text);
-    longjmp(cmocka_failed, 1);
+    longjmp(cmocka_ended, CMOCKA_FAILED);
 }
 
 static inline int cmocka_run(const struct CMUnitTest *test, size_t count, int (*setup)(void **state),
@@ -51,10 +55,19 @@ static inline int cmocka_run(const struct CMUnitTest *test, size_t count, int (*
     static void *state;
     volatile int failed = setup && setup(&state) ? 1 : 0;
     for (volatile size_t i = 0; i < count; i++) {
-        if (setjmp(cmocka_failed) == 0) {
+        switch (setjmp(cmocka_ended)) {
+        case 0:
             test[i].run(&state);
-        } else {
+            break;
+        case CMOCKA_SKIPPED:
+            printf("skipped %s\n", test[i].name);
+            break;
+        default:
             printf("FAILED %s\n", test[i].name);
+            failed++;
+        }
+        if (test[i].teardown && test[i].teardown(&state)) {
+            printf("FAILED after %s\n", test[i].name);
             failed++;
         }
         fflush(stdout);
