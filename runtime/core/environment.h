@@ -13,7 +13,8 @@
 
 #include <errno.h>
 
-#if defined(__SSE2__) && defined(__GNUC__)
+/* On 32 bits the C library computes in x87, which has a register of its own: fenv.h knows both. */
+#if defined(__x86_64__) && defined(__GNUC__)
 #include <xmmintrin.h>
 
 struct cor_environment {
