@@ -107,9 +107,10 @@ static void check_limits(double speed, double nu)
         return;
     }
     REQUIRE(eps > 0 && eps < 1 && loss > 0 && loss < 1, "v = %a, nu = %a: eps %a, 1 - eps^2 %a", speed, nu, eps, loss);
-    REQUIRE(loss_off > 0 && loss_off <= COR_DISK_EPS_MAX_UNCERTAINTY && eps_off > 0 &&
-                eps_off <= COR_DISK_EPS_MAX_UNCERTAINTY,
-            "v = %a, nu = %a: uncertainties %a, %a", speed, nu, eps_off, loss_off);
+    const double most =
+        speed <= COR_DISK_EPS_CALM_SPEED ? COR_DISK_EPS_MAX_UNCERTAINTY : COR_DISK_EPS_MAX_UNCERTAINTY_FAST;
+    REQUIRE(loss_off > 0 && loss_off <= most && eps_off > 0 && eps_off <= most, "v = %a, nu = %a: uncertainties %a, %a",
+            speed, nu, eps_off, loss_off);
     REQUIRE(fabs(eps * eps + loss - 1) <= 4 * 0x1p-53, "v = %a, nu = %a: eps %a, 1 - eps^2 %a", speed, nu, eps, loss);
 }
 
