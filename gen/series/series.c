@@ -45,20 +45,35 @@ static slong reached_bits(const arb_poly_t f, slong order)
     return reached;
 }
 
+/* Bits and terms to begin with, fitted with a margin to the needs of the sphere for orders up to 100 and 300 bits. A
+ * term of another law is worth (a+1) log2 R bits, a term of the sphere 5/2 bits. The proof, not these values, decides. */
+struct start {
+    slong prec, terms;
+};
+
+static struct start start_of(slong order, const struct law *law, slong bits)
+{
+    const double worth = (double)(law->ad + law->d) / (double)law->d * log2(law_elastic_radius(law)) / 2.5;
+    const struct start start = {bits + 21 * order / 10 + 50,
+                                (slong)((0.45 * (double)bits + 1.25 * (double)order + 24) / worth)};
+    return start;
+}
+
+/* Rows and integers of X and of its powers, and their transforms of 2^depth points (row_sums.c) */
+double series_bytes(slong order, const struct law *law, slong bits)
+{
+    const struct start start = start_of(order, law, bits);
+    const double points = exp2(ceil(log2(2.0 * (double)start.terms + 1))), prec = (double)start.prec;
+    const double powers = law->ad == law->bd + law->d ? 1 : 2;
+    const double rows = (double)(order + 1), row = (double)(start.terms + 1);
+    return powers * rows * (row * (prec / 2 + 200) + points * prec * 2 / 3);
+}
+
 int series_compute(struct series *s, slong order, const struct law *law, slong bits)
 {
-    /* Start values, fitted with a margin to the needs of the sphere for orders up to 100 and 300 bits. A term of
-     * another law is worth (a+1) log2 R bits, a term of the sphere 5/2 bits. The proof, not the start value,
-     * decides. */
-    slong prec = bits + 21 * order / 10 + 50;
-    const double worth = (double)(law->ad + law->d) / (double)law->d * log2(law_elastic_radius(law)) / 2.5;
-    slong terms = (slong)((0.45 * (double)bits + 1.25 * (double)order + 24) / worth);
-    /* Rows and integers of X and of its powers, and their transforms of 2^depth points (row_sums.c). Measured within a
-     * fifth at orders 100 to 600. The check precedes hours of computing. */
-    const double points = exp2(ceil(log2(2.0 * (double)terms + 1)));
-    const double powers = law->ad == law->bd + law->d ? 1 : 2;
-    const double rows = (double)(order + 1), row = (double)(terms + 1);
-    const double bytes = powers * rows * (row * ((double)prec / 2 + 200) + points * (double)prec * 2 / 3);
+    const struct start start = start_of(order, law, bits);
+    slong prec = start.prec, terms = start.terms;
+    const double bytes = series_bytes(order, law, bits); /* known before hours of computing */
     if (console_memory() > 0 && bytes > console_memory())
         return fail("order %ld to %ld bits needs about %.3g GB of memory, and this machine has %.3g GB", (long)order,
                     (long)bits, bytes / 1e9, console_memory() / 1e9);

@@ -105,10 +105,9 @@ static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables 
     return cor_inline_pair_times(cor_kernel_exp_minus_pair(exponent), factor);
 }
 
+/* 0 <= beta < inf */
 static double crossley_table_duration(const struct crossley_tables *tables, double beta)
 {
-    if (isinf(beta))
-        return beta;
     const struct cor_inline_pair s = crossley_log_plus_1(beta);
     if (s.hi < COR_ROWS_CROSSLEY_DURATION_1_END) {
         const struct cor_inline_pair t =

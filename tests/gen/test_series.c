@@ -379,6 +379,20 @@ static void test_radius(void **state)
     series_clear(&s);
 }
 
+/* Peaks of memory in docs/speed/generator.csv, less the 7.5 MB of a program that computes little */
+static void test_memory(void **state)
+{
+    (void)state;
+    static const struct {
+        slong order, digits;
+        double megabytes;
+    } peak[] = {{100, 40, 26.1}, {140, 40, 70.2}, {200, 100, 172.7}, {40, 320, 93.9}};
+    for (size_t i = 0; i < sizeof peak / sizeof *peak; i++) {
+        const double bytes = series_bytes(peak[i].order, &law_sphere, (slong)((double)peak[i].digits * 3.3219) + 8);
+        assert_true(bytes > 0.8e6 * peak[i].megabytes && bytes < 1e6 * peak[i].megabytes);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -392,6 +406,7 @@ int main(void)
         cmocka_unit_test(test_vanishing_coefficient),
         cmocka_unit_test(test_no_vanishing_coefficient),
         cmocka_unit_test(test_radius),
+        cmocka_unit_test(test_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -149,7 +149,7 @@ static void speeds(void **state)
         assert_true(cor_contact_eps_zero_overlap(&c, zero[i]) == 1);
         assert_true(cor_contact_eps_zero_force(&c, zero[i]) == 1);
     }
-    assert_true(isinf(cor_contact_beta(&c, INFINITY)));
+    assert_true(cor_contact_beta(&c, INFINITY) == INFINITY);
     assert_true(cor_contact_eps_zero_overlap(&c, INFINITY) == 0 && cor_contact_eps_zero_force(&c, INFINITY) == 0);
     assert_true(cor_contact_eps_zero_overlap(&c, DBL_MAX) > 0 && cor_contact_eps_zero_force(&c, DBL_MAX) > 0);
     assert_true(cor_contact_eps_zero_overlap(&c, smallest) == 1 && cor_contact_eps_zero_force(&c, smallest) == 1);
@@ -189,7 +189,7 @@ static void characteristic_speed(void **state)
           cor_contact_eps_zero_overlap(&c, 3.2e-13));
     /* no dissipation */
     assert_int_equal(cor_sphere_contact_init_g_star(&c, INFINITY), COR_OK);
-    assert_true(isinf(cor_contact_g_star_m_s(&c)));
+    assert_true(cor_contact_g_star_m_s(&c) == INFINITY);
     assert_true(cor_contact_eps_zero_overlap(&c, 1e300) == 1);
     assert_true(cor_contact_eps_zero_force(&c, INFINITY) == 1);
     assert_true(isnan(cor_contact_eps_zero_force(&c, NAN)));
@@ -419,7 +419,7 @@ static void mass_of_a_sphere(void **state)
         assert_true(isnan(cor_sphere_mass_kg(1, bad[i])));
         assert_true(isnan(cor_sphere_mass_kg(INFINITY, bad[i])));
     }
-    assert_true(isinf(cor_sphere_mass_kg(1e-200, INFINITY)) && isinf(cor_sphere_mass_kg(INFINITY, 1e-320)));
+    assert_true(cor_sphere_mass_kg(1e-200, INFINITY) == INFINITY && cor_sphere_mass_kg(INFINITY, 1e-320) == INFINITY);
     /* the cube of the radius may be out of range where the mass is not */
     struct random_state random = random_start();
     for (size_t i = 0; i < points(5000); i++) {
@@ -565,7 +565,7 @@ static void without_dissipation(void **state)
     check(ulp_error(cor_contact_max_overlap_m(&c[0], 0.3), overlap) <= 10, "overlap");
     assert_true(cor_contact_duration_s_zero_overlap(&c[0], INFINITY) == 0);
     assert_true(cor_contact_duration_s_zero_force(&c[0], INFINITY) == 0);
-    assert_true(isinf(cor_contact_max_overlap_m(&c[0], INFINITY)));
+    assert_true(cor_contact_max_overlap_m(&c[0], INFINITY) == INFINITY);
     no_dimensions(&c[1]);
 }
 

@@ -13,6 +13,10 @@ static double first_omega(size_t level)
     return 15 * pow(2, 0.5 * (double)level);
 }
 
+/* Parts of every error estimate: noise of the coarsest steps, and waves unseen by a level, times Omega^2 */
+#define NOISE 8e-7
+#define UNSEEN 0.07
+
 /* The modes that so many levels need, malloc'ed */
 static struct cor_disk_modes modes_of(double nu, size_t levels)
 {
@@ -62,6 +66,11 @@ static void known_answers(void **state)
         check(out.error_estimate <= 1e-5, "%g", out.error_estimate);
         check(fabs(out.eps * out.eps + out.one_minus_eps2 - 1) < 1e-15, "eps = %.17g", out.eps);
     }
+    /* where levels agree well, the estimate is little more than its two other parts */
+    const struct cor_disk_hard_wall out = wall_collide(&modes, 1e-7, 4e-6, COR_OK);
+    const double omega = first_omega(out.omega_levels - 1), least = NOISE + UNSEEN / (omega * omega);
+    check(out.error_estimate >= least && out.error_estimate < least + 2 * NOISE, "%g, at least %g", out.error_estimate,
+          least);
     free((void *)modes.mode);
 }
 

@@ -242,6 +242,8 @@ static void first_line(void **state)
     static const char *const others[] = {"",
                                          "\n",
                                          "cor-disk-modes",
+                                         "cor-disk-modez 1 00000000\n",
+                                         "cor-disk-modes_1 00000000\n",
                                          "cor-disk-modes 2 00000000\n",
                                          "#!/bin/sh\n",
                                          "cor-disk-modes 11 00000000\n",

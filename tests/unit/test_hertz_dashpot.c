@@ -70,7 +70,7 @@ static void test_slowest_speed(void **state)
             const double beta = C * pow(m, -0.6) * pow(K, -0.4) * pow(g, -0.2);
             const double eps = cor_hertz_dashpot_eps_zero_overlap(beta);
             if (k != 0)
-                check((eps > 0) == (k > 0) && isinf(cor_hertz_dashpot_duration_zero_overlap(beta)) == (k < 0),
+                check((eps > 0) == (k > 0) && (cor_hertz_dashpot_duration_zero_overlap(beta) == INFINITY) == (k < 0),
                       "at g_c (1 + %d 1e-12): eps %g", k, eps);
             check(cor_hertz_dashpot_eps_zero_force(beta) > 0.2, "zero force parts at every speed");
         }
@@ -234,10 +234,10 @@ static void test_approach_only(void **state)
     assert_true(cor_hertz_dashpot_eps_approach_only(INFINITY) == 0 &&
                 cor_hertz_dashpot_loss_approach_only(INFINITY) == 1);
     assert_true(cor_hertz_dashpot_loss_approach_only(0) == 0 &&
-                isinf(cor_hertz_dashpot_duration_approach_only(INFINITY)));
-    assert_true(cor_hertz_dashpot_beta_approach_only(1) == 0 && isinf(cor_hertz_dashpot_beta_approach_only(0)));
+                cor_hertz_dashpot_duration_approach_only(INFINITY) == INFINITY);
+    assert_true(cor_hertz_dashpot_beta_approach_only(1) == 0 && cor_hertz_dashpot_beta_approach_only(0) == INFINITY);
     assert_true(cor_hertz_dashpot_beta_of_loss_approach_only(0) == 0 &&
-                isinf(cor_hertz_dashpot_beta_of_loss_approach_only(1)));
+                cor_hertz_dashpot_beta_of_loss_approach_only(1) == INFINITY);
     dashpot_function *const of_beta[] = {cor_hertz_dashpot_eps_approach_only, cor_hertz_dashpot_loss_approach_only,
                                          cor_hertz_dashpot_duration_approach_only},
                             *const inverse[] = {cor_hertz_dashpot_beta_approach_only,
