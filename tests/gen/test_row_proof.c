@@ -437,6 +437,35 @@ static void test_enclosed_functions(void **state)
     arb_clear(y);
 }
 
+/* exp(1 + w t) at t = 1, where the terms left out are larger than all roundings */
+static void test_enclosed_remainder(void **state)
+{
+    (void)state;
+    static const double w[] = {0.35, 0.5, 0.9};
+    arb_poly_t p, exponential;
+    arb_t x, y;
+    arb_poly_init(p);
+    arb_poly_init(exponential);
+    arb_init(x);
+    arb_init(y);
+    enclosed_add_double(p, 1);
+    for (size_t i = 0; i < sizeof w / sizeof *w; i++) {
+        arb_set_d(x, w[i]);
+        arb_poly_set_coeff_arb(p, 1, x);
+        enclosed_exp(exponential, p);
+        arb_one(x);
+        arb_poly_evaluate(y, p, x, 2 * ENCLOSED_BITS);
+        arb_exp(y, y, 2 * ENCLOSED_BITS);
+        arb_poly_evaluate(x, exponential, x, 2 * ENCLOSED_BITS);
+        assert_true(arb_contains(x, y));
+        assert_true(arb_rel_accuracy_bits(x) > 100);
+    }
+    arb_poly_clear(p);
+    arb_poly_clear(exponential);
+    arb_clear(x);
+    arb_clear(y);
+}
+
 /* Rows of the duration at zero overlap in ln(beta), with wrong rows and wrong samples. The samples take seconds: all
  * rows in a long run only; `corgen tables` proves the rows each time. */
 static void test_creep_rows(void **state)
@@ -488,10 +517,15 @@ int main(void)
 {
     random_state = random_start();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_real_axis),    cmocka_unit_test(test_complex_plane),
-        cmocka_unit_test(test_singular),     cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_samples),      cmocka_unit_test(test_unknown),
-        cmocka_unit_test(test_creep_series), cmocka_unit_test(test_enclosed_functions),
+        cmocka_unit_test(test_real_axis),
+        cmocka_unit_test(test_complex_plane),
+        cmocka_unit_test(test_singular),
+        cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_samples),
+        cmocka_unit_test(test_unknown),
+        cmocka_unit_test(test_creep_series),
+        cmocka_unit_test(test_enclosed_functions),
+        cmocka_unit_test(test_enclosed_remainder),
         cmocka_unit_test(test_creep_rows),
     };
     return cmocka_run_group_tests(tests, make_proof, clear_proof);
