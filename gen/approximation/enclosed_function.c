@@ -203,7 +203,7 @@ bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
  * |w|^(TERMS + 1)/(1 - |w|) together. */
 static bool series_in_rest(arb_poly_t y, arb_t c, const arb_poly_t p, bool logarithm)
 {
-    enum { TERMS = 64 };
+    enum { TERMS = 64, LEFT_OUT = TERMS + 1 };
     arb_poly_t w;
     arb_t most, x;
     arb_poly_init(w);
@@ -230,7 +230,7 @@ static bool series_in_rest(arb_poly_t y, arb_t c, const arb_poly_t p, bool logar
     }
     arb_set_d(x, 0.5);
     const bool done = positive && arb_lt(most, x);
-    arb_pow_ui(x, most, TERMS + 1, ENCLOSED_BITS);
+    arb_pow_ui(x, most, LEFT_OUT, ENCLOSED_BITS);
     arb_mul_2exp_si(x, x, 1);
     enclosed_add_radius(y, x);
     arb_poly_clear(w);

@@ -228,10 +228,8 @@ long cor_mode_count(const struct cor_mode_material *material, long n, double ome
  * its sign at omega = 0, because it is at most -(1 + nu)(n(n-1)/2 - 5 omega^2). */
 long cor_mode_orders(double omega)
 {
-    long n = (long)(omega * sqrt(10.0)) + 2;
-    while ((double)n * (double)(n - 1) < 10 * omega * omega * (1 + 1e-9))
-        n++;
-    return n;
+    /* n - 1 is above the rounded product x, and n (n - 1) above x^2 + x: roundings do not matter below 2^49 */
+    return (long)(omega * sqrt(10.0)) + 2;
 }
 
 double cor_mode_total(const struct cor_mode_material *material, double omega)

@@ -32,8 +32,8 @@ struct cor_mode_material {
     double e, s;
 };
 
-/* The smallest n such that no mode of this or a larger n is below omega: omega_nl^2 >= n (n - 1)/10 for every n >= 2, l
- * and nu, (11.4). */
+/* An n such that no mode of this or a larger n is below omega: omega_nl^2 >= n (n - 1)/10 for every n >= 2, l and nu,
+ * (11.4). */
 long cor_mode_orders(double omega);
 
 /* Number of modes below omega, of one n and of all n. The number is wrong by one if omega is within rounding errors of

@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: MIT */
+/* Tables of rows (runtime/core/row.h): each row and the next give the same number where their cells meet. A wrong number
+ * in any row shows, without a reference. */
+#include "check.h"
+
+#include "generated/hertz_dashpot_tables.h"
+#include "generated/hunt_crossley_tables.h"
+#include "generated/sphere_tables.h"
+#include "generated/tsuji_tables.h"
+#include "runtime/core/row.h"
+
+#define MOST 2 /* units of DBL_EPSILON: two roundings, and the errors of two rows */
+
+struct table {
+    const char *name;
+    const double *(*rows)(int);
+    int count, roots; /* roots: number of the first row that is used at a root's square, or count */
+    double first, step;
+};
+
+#define GRID(name, NAME)                                                                                               \
+    {                                                                                                                  \
+#name, cor_rows_##name, COR_ROWS_##NAME##_ROWS, COR_ROWS_##NAME##_ROWS, COR_ROWS_##NAME##_FIRST,               \
+            COR_ROWS_##NAME##_STEP                                                                                     \
+    }
+#define ROOT_GRID(name, NAME)                                                                                          \
+    {                                                                                                                  \
+#name, cor_rows_##name, COR_ROWS_##NAME##_ROWS, COR_ROWS_##NAME##_PLAIN_ROWS, COR_ROWS_##NAME##_FIRST,         \
+            COR_ROWS_##NAME##_STEP                                                                                     \
+    }
+/* a place in a cell does not depend on its octave */
+#define OCTAVES(name, NAME)                                                                                            \
+    {                                                                                                                  \
+#name, cor_rows_##name, COR_ROWS_##NAME##_ROWS, COR_ROWS_##NAME##_ROWS, 0,                                     \
+            1.0 / (1 << COR_ROWS_##NAME##_OCTAVE_BITS)                                                                 \
+    }
+
+static const struct table tables[] = {
+    GRID(eps_zero_overlap, EPS_ZERO_OVERLAP),
+    ROOT_GRID(eps_zero_force, EPS_ZERO_FORCE),
+    OCTAVES(power_eps_zero_overlap, POWER_EPS_ZERO_OVERLAP),
+    OCTAVES(power_eps_zero_force, POWER_EPS_ZERO_FORCE),
+    GRID(loss_zero_overlap, LOSS_ZERO_OVERLAP),
+    ROOT_GRID(loss_zero_force, LOSS_ZERO_FORCE),
+    GRID(duration_zero_overlap, DURATION_ZERO_OVERLAP),
+    GRID(duration_zero_force, DURATION_ZERO_FORCE),
+    GRID(max_overlap, MAX_OVERLAP),
+    GRID(time_of_max_overlap, TIME_OF_MAX_OVERLAP),
+    GRID(tail_eps_zero_force, TAIL_EPS_ZERO_FORCE),
+    GRID(tail_duration_zero_overlap, TAIL_DURATION_ZERO_OVERLAP),
+    GRID(tail_duration_zero_force, TAIL_DURATION_ZERO_FORCE),
+    GRID(tail_max_overlap, TAIL_MAX_OVERLAP),
+    GRID(tail_time_of_max_overlap, TAIL_TIME_OF_MAX_OVERLAP),
+    GRID(near_beta_zero_overlap, NEAR_BETA_ZERO_OVERLAP),
+    GRID(near_beta_zero_force, NEAR_BETA_ZERO_FORCE),
+    OCTAVES(beta_zero_overlap, BETA_ZERO_OVERLAP),
+    OCTAVES(beta_zero_force, BETA_ZERO_FORCE),
+    GRID(hertz_dashpot_near_loss_zero_overlap, HERTZ_DASHPOT_NEAR_LOSS_ZERO_OVERLAP),
+    OCTAVES(hertz_dashpot_middle_eps_zero_overlap, HERTZ_DASHPOT_MIDDLE_EPS_ZERO_OVERLAP),
+    OCTAVES(hertz_dashpot_below_eps_zero_overlap, HERTZ_DASHPOT_BELOW_EPS_ZERO_OVERLAP),
+    GRID(hertz_dashpot_near_beta_zero_overlap, HERTZ_DASHPOT_NEAR_BETA_ZERO_OVERLAP),
+    OCTAVES(hertz_dashpot_beta_zero_overlap, HERTZ_DASHPOT_BETA_ZERO_OVERLAP),
+    GRID(hertz_dashpot_near_loss_zero_force, HERTZ_DASHPOT_NEAR_LOSS_ZERO_FORCE),
+    OCTAVES(hertz_dashpot_middle_eps_zero_force, HERTZ_DASHPOT_MIDDLE_EPS_ZERO_FORCE),
+    OCTAVES(hertz_dashpot_tail_eps_zero_force, HERTZ_DASHPOT_TAIL_EPS_ZERO_FORCE),
+    GRID(hertz_dashpot_near_beta_zero_force, HERTZ_DASHPOT_NEAR_BETA_ZERO_FORCE),
+    OCTAVES(hertz_dashpot_beta_zero_force, HERTZ_DASHPOT_BETA_ZERO_FORCE),
+    GRID(hertz_dashpot_near_duration_zero_overlap, HERTZ_DASHPOT_NEAR_DURATION_ZERO_OVERLAP),
+    OCTAVES(hertz_dashpot_middle_duration_zero_overlap, HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_OVERLAP),
+    OCTAVES(hertz_dashpot_below_duration_zero_overlap, HERTZ_DASHPOT_BELOW_DURATION_ZERO_OVERLAP),
+    GRID(hertz_dashpot_near_duration_zero_force, HERTZ_DASHPOT_NEAR_DURATION_ZERO_FORCE),
+    OCTAVES(hertz_dashpot_middle_duration_zero_force, HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_FORCE),
+    OCTAVES(hertz_dashpot_tail_duration_zero_force, HERTZ_DASHPOT_TAIL_DURATION_ZERO_FORCE),
+    GRID(hertz_dashpot_near_max_overlap, HERTZ_DASHPOT_NEAR_MAX_OVERLAP),
+    OCTAVES(hertz_dashpot_middle_max_overlap, HERTZ_DASHPOT_MIDDLE_MAX_OVERLAP),
+    OCTAVES(hertz_dashpot_tail_max_overlap, HERTZ_DASHPOT_TAIL_MAX_OVERLAP),
+    GRID(hertz_dashpot_near_time_of_max_overlap, HERTZ_DASHPOT_NEAR_TIME_OF_MAX_OVERLAP),
+    OCTAVES(hertz_dashpot_middle_time_of_max_overlap, HERTZ_DASHPOT_MIDDLE_TIME_OF_MAX_OVERLAP),
+    OCTAVES(hertz_dashpot_tail_time_of_max_overlap, HERTZ_DASHPOT_TAIL_TIME_OF_MAX_OVERLAP),
+    GRID(crossley_time_of_max_overlap_1, CROSSLEY_TIME_OF_MAX_OVERLAP_1),
+    GRID(crossley_time_of_max_overlap_3_2, CROSSLEY_TIME_OF_MAX_OVERLAP_3_2),
+    GRID(crossley_duration_1, CROSSLEY_DURATION_1),
+    GRID(crossley_duration_3_2, CROSSLEY_DURATION_3_2),
+    GRID(tsuji_time_of_max_overlap, TSUJI_TIME_OF_MAX_OVERLAP),
+    GRID(tsuji_duration_zero_force_weak, TSUJI_DURATION_ZERO_FORCE_WEAK),
+    GRID(tsuji_duration_zero_force, TSUJI_DURATION_ZERO_FORCE),
+    GRID(tsuji_duration_limited_weak, TSUJI_DURATION_LIMITED_WEAK),
+    GRID(tsuji_duration_limited, TSUJI_DURATION_LIMITED),
+    GRID(tsuji_overlap_factor, TSUJI_OVERLAP_FACTOR),
+};
+
+/* The value of row i at half a cell from its node, to one side */
+static double end_of(const struct table *t, int i, double side)
+{
+    const double at = side * t->step / 2, node = t->first + i * t->step;
+    struct cor_inline_place place = cor_inline_place_of(t->rows(i), at);
+    if (i >= t->roots) {
+        place.s = at * (2 * node + at);
+        place.has_s = 1;
+    }
+    return cor_inline_row_value(place);
+}
+
+static void rows_join(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof tables / sizeof *tables; k++) {
+        const struct table *const t = &tables[k];
+        double worst = 0;
+        for (int i = 0; i + 1 < t->count; i++) {
+            const double end = end_of(t, i, 1), next = end_of(t, i + 1, -1);
+            check(fabs(next - end) <= MOST * DBL_EPSILON * fabs(end), "%s: rows %d and %d meet in %.17g and %.17g",
+                  t->name, i, i + 1, end, next);
+            worst = fmax(worst, fabs(next / end - 1) / DBL_EPSILON);
+        }
+        print_message("%s: %d rows, at most %g units apart\n", t->name, t->count, worst);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_join),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
