@@ -46,7 +46,7 @@ static slong reached_bits(const arb_poly_t f, slong order)
 }
 
 /* Bits and terms to begin with, fitted with a margin to the needs of the sphere for orders up to 100 and 300 bits. A
- * term of another law is worth (a+1) log2 R bits, a term of the sphere 5/2 bits. The proof, not these values, decides. */
+ * term of another law is worth (a+1) log2 R bits, a term of the sphere 5/2 bits. The proof decides. */
 struct start {
     slong prec, terms;
 };

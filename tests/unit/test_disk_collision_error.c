@@ -269,8 +269,8 @@ static void one_mode_at_a_stiff_wall(void **state)
 /* What is known of eps of the chaotic scene: runs with different steps and angles are between 0.741 and 0.746. */
 static const double chaotic_eps = 0.7435;
 
-/* Chaotic: an ulp of v changes every digit of eps. The budget of 0 takes 5 s without sanitizers, so only where more points
- * are asked for. */
+/* Chaotic: an ulp of v changes every digit of eps. The budget of 0 takes 5 s without sanitizers, so only where more
+ * points are asked for. */
 static void chaotic_940_modes(void **state)
 {
     (void)state;

@@ -344,7 +344,7 @@ static void every_size(void **state)
     }
 }
 
-/* Farther from critical damping, where slopes are Taylor series on the one side of a seam, and quotients on the other */
+/* Farther from critical damping, where slopes are Taylor series on one side of a seam, and quotients on the other */
 static void near_critical_damping(void **state)
 {
     (void)state;

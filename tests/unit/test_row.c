@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables of rows (runtime/core/row.h): each row and the next give the same number where their cells meet. A wrong number
- * in any row shows, without a reference. */
+/* Tables of rows (runtime/core/row.h): each row and the next give the same number where their cells meet. A wrong
+ * number in any row shows, without a reference. */
 #include "check.h"
 
 #include "generated/hertz_dashpot_tables.h"
