@@ -21,7 +21,8 @@ void series_clear(struct series *s);
  * Returns 0, or 1 after reporting the failure on stderr. */
 int series_compute(struct series *s, slong order, const struct law *law, slong bits);
 
-/* Bytes of memory that series_compute takes: 0.8 to 1 times what it was measured to take at orders 40 to 600 */
+/* Bytes of memory that series_compute takes: 0.8 to 1 times what it was measured to take at orders 40 to
+ * 200, 40 to 320 digits (tests/gen/test_series.c) */
 double series_bytes(slong order, const struct law *law, slong bits);
 
 /* eps at an end as a power series in z = beta^(1/root): root = 1 at zero overlap, 2 at zero force
