@@ -149,7 +149,7 @@ COR_KERNEL struct cor_kernel_decay cor_kernel_decay(struct cor_inline_pair x)
     return decay;
 }
 
-/* exp(-x), 0 <= x.hi <= 1400: 0.6 ulp, or 1.1 where the result is subnormal */
+/* exp(-x), 0 <= x.hi <= 1400: 0.75 ulp, or 1.1 where the result is subnormal (sampled: 0.71, 6e5 points) */
 COR_KERNEL double cor_kernel_exp_minus(struct cor_inline_pair x)
 {
     const struct cor_kernel_decay d = cor_kernel_decay(x);
@@ -158,7 +158,7 @@ COR_KERNEL double cor_kernel_exp_minus(struct cor_inline_pair x)
     return (value * cor_kernel_power_of_two(-first)) * cor_kernel_power_of_two(first - d.k);
 }
 
-/* exp(-x) as a pair, |x.hi| <= 700: relative error 2^-56 */
+/* exp(-x) as a pair, |x.hi| <= 700: relative error 2^-54.5 (sampled: 2^-54.7, 1e6 points) */
 COR_KERNEL struct cor_inline_pair cor_kernel_exp_minus_pair(struct cor_inline_pair x)
 {
     const struct cor_kernel_decay d = cor_kernel_decay(x);
@@ -166,7 +166,7 @@ COR_KERNEL struct cor_inline_pair cor_kernel_exp_minus_pair(struct cor_inline_pa
     return cor_pair_scaled(cor_inline_sum(one, (d.r - (one - 1)) + d.q), cor_kernel_power_of_two(-d.k));
 }
 
-/* 1 - exp(-x), 0 <= x.hi <= 1400: 0.9 ulp, also where a subtraction would cancel */
+/* 1 - exp(-x), 0 <= x.hi <= 1400: 1.2 ulp, also where a subtraction would cancel (sampled: 1.13, 3e6 points) */
 COR_KERNEL double cor_kernel_one_minus_exp_minus(struct cor_inline_pair x)
 {
     const struct cor_kernel_decay d = cor_kernel_decay(x);
@@ -194,7 +194,7 @@ COR_KERNEL struct cor_kernel_split cor_kernel_split(struct cor_inline_pair x)
     return s;
 }
 
-/* -ln of the number: relative error 2^-56, also near 1.
+/* -ln of the number: relative error 2^-54.2, also near 1 (sampled: 2^-54.3, 4e6 points; 2^-54.8 if lo is 0).
  * ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)), s = f/(2 + f). */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_of(struct cor_kernel_split x)
 {

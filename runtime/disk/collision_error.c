@@ -66,7 +66,12 @@ void cor_collision_other_errors(const struct cor_motion *m, const struct cor_col
     error->wall = cor_tuning.wall_in_eps * wall * (1 + amplification);
 }
 
+double cor_collision_lasting_error(const struct cor_collision_error *error)
+{
+    return error->angles + error->round_off + error->wall;
+}
+
 double cor_collision_total_error(const struct cor_collision_error *error)
 {
-    return fmin(1, error->step + error->angles + error->round_off + error->wall);
+    return fmin(1, error->step + cor_collision_lasting_error(error));
 }

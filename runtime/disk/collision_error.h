@@ -30,6 +30,8 @@ double cor_collision_angles_error(const struct cor_motion *m, const struct cor_c
 /* Sets all parts except the step for the last run, which leaves the fraction `left` of the energy in the modes. */
 void cor_collision_other_errors(const struct cor_motion *m, const struct cor_collision_run *run, double left,
                                 const struct cor_collision_evidence *evidence, struct cor_collision_error *error);
+/* The parts that smaller steps do not reduce */
+double cor_collision_lasting_error(const struct cor_collision_error *error);
 double cor_collision_total_error(const struct cor_collision_error *error);
 
 #endif

@@ -150,12 +150,6 @@ static void measure_amplification(struct cor_motion *m, struct runs *runs)
     m->speed = speed;
 }
 
-/* Errors that smaller steps do not reduce */
-static double other_errors(const struct runs *runs)
-{
-    return runs->error.angles + runs->error.round_off + runs->error.wall;
-}
-
 /* Sets the parts of the error after the last run, which leaves the fraction `left` of the energy in the modes.
  * less_than_none: sum of the extrapolated energies below 0. */
 static void runs_estimate(const struct cor_motion *m, struct runs *runs, double left, double less_than_none)
@@ -195,7 +189,7 @@ static enum verdict runs_judge(const struct cor_motion *m, const struct runs *ru
     if (cor_collision_total_error(&runs->error) <= m->tolerance &&
         !too_few_angles(m, runs, &runs->run[runs->levels - 1]))
         return SETTLED;
-    if (runs->error.step <= other_errors(runs))
+    if (runs->error.step <= cor_collision_lasting_error(&runs->error))
         return GIVEN_UP;
     if (evidence->runs < cor_tuning.patience)
         return GO_ON;

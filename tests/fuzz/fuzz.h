@@ -139,11 +139,12 @@ static inline int same(double a, double b)
     return bits_of(a) == bits_of(b) || (isnan(a) && isnan(b));
 }
 
-/* Memory of exactly so many bytes, so that the sanitizers see a step beyond */
+/* Memory of exactly so many bytes, so that the sanitizers see a step beyond. None is one byte, never set: malloc may
+   answer no bytes with NULL. */
 static inline void *exactly(size_t size)
 {
-    void *p = malloc(size);
-    if (!p && size > 0)
+    void *p = malloc(size > 0 ? size : 1);
+    if (!p)
         abort();
     return p;
 }

@@ -441,6 +441,9 @@ static void other_errors(void **state)
     assert_true(error.wall > 2e-14 && error.wall < 1e-13 && more.wall > 1e6 * 2e-14 && more.wall < 1e6 * 1e-13);
     assert_true(error.angles > 1e-15 && error.angles < 1e-10 && more.angles == error.angles);
     assert_true(cor_collision_total_error(&error) > error.round_off + error.wall);
+    const struct cor_collision_error parts = {0.25, 0.125, 0.0625, 0.03125}, large = {0.75, 0.5, 0, 0};
+    assert_true(cor_collision_lasting_error(&parts) == 0.21875 && cor_collision_total_error(&parts) == 0.46875);
+    assert_true(cor_collision_lasting_error(&large) == 0.5 && cor_collision_total_error(&large) == 1);
     /* half the angles change the load by all of it: nothing is known */
     run.ripple = 1;
     cor_collision_other_errors(&stage.m, &run, 0.1, &calm, &error);

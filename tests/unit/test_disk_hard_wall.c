@@ -249,7 +249,24 @@ struct watched {
     const struct cor_disk_mode *mode;
     const double *q, *q_dot;
     double largest_energy;
+    double reach;         /* how far the rim may still come into the wall, at least */
+    size_t not_to_return; /* moments since no part of the rim can come back to the wall */
 };
+
+/* How far the modes that move may carry the rim: the amplitude of each, and less by the fade of those near Omega */
+static void swing_of(const struct watched *w, double *most, double *least)
+{
+    double omega = 0;
+    *most = *least = 0;
+    for (size_t i = w->n; i-- > 0;) {
+        const struct cor_disk_mode *const mode = &w->mode[i];
+        const double amplitude = hypot(w->q[i], w->q_dot[i] / mode->omega) * fmax(fabs(mode->c), fabs(mode->s));
+        if (amplitude > 0)
+            omega = fmax(omega, mode->omega);
+        *most += amplitude;
+        *least += amplitude > 0 ? amplitude * (1 - pow(mode->omega / omega, 2)) : 0;
+    }
+}
 
 static void watch(void *context, const struct cor_disk_hard_wall_moment *moment)
 {
@@ -258,6 +275,13 @@ static void watch(void *context, const struct cor_disk_hard_wall_moment *moment)
     for (size_t i = 0; i < w->n; i++)
         energy += pi / 2 * (pow(w->mode[i].omega * w->q[i], 2) + w->q_dot[i] * w->q_dot[i]);
     w->largest_energy = fmax(w->largest_energy, energy + pi / 2 * moment->velocity * moment->velocity);
+    double most, least;
+    swing_of(w, &most, &least);
+    w->reach = moment->position + 1 + least;
+    if (moment->load > 0 || moment->velocity >= 0 || moment->position + 1 + most >= 0)
+        w->not_to_return = 0;
+    else
+        w->not_to_return++;
     if (w->moments > 0)
         w->impulse += 0.5 * (moment->load + w->last.load) * (moment->time - w->last.time);
     else
@@ -307,6 +331,9 @@ static void details(void **state)
         check(fabs(w.highest / out.max_compression - 1) < 1e-3, "largest compression %g, not %g", w.highest,
               out.max_compression);
         check(w.last.load <= 0 && w.last.time >= out.contact_time, "ends at %g", w.last.time);
+        check(w.reach < 0, "ends where the rim may come %g into the wall", w.reach);
+        /* which is looked at after every eighth kick */
+        check(w.not_to_return <= 9, "ends %zu kicks after the last that could matter", w.not_to_return);
         check(w.largest_energy < energy * 1.01, "energy %g of %g", w.largest_energy, energy);
         check(speed < 1e-7 ? w.widest <= 0 : fabs(w.widest / (1.42 * sqrt(speed)) - 1) < 0.1, "widest %g", w.widest);
         check(after[N - 1] <= 0 && after[0] > 0, "modes above Omega do not move");

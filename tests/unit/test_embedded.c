@@ -119,6 +119,13 @@ static void the_same_bits(void **state)
         compare((i + 0.5) / 32 * ((i + 0.5) / 32));
         compare(exp(i / 16.0));
     }
+    /* both ends of every cell of tables by octaves, where the highest coefficients count most */
+    const int cells = 1 << COR_ROWS_POWER_EPS_ZERO_OVERLAP_OCTAVE_BITS;
+    for (int octave = -60; octave < 20; octave++)
+        for (int cell = 0; cell < cells; cell++) {
+            compare(ldexp(1 + (cell + 0.02) / cells, octave));
+            compare(ldexp(1 + (cell + 0.98) / cells, octave));
+        }
     print_message("largest difference of the other unit: %g ulp, %s(%a)\n", worst, worst_name, worst_at);
 }
 

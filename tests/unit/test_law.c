@@ -10,6 +10,7 @@
 
 #include "dormand_prince.h"
 #include "reference_law.h"
+#include "runtime/core/elementary.h"
 
 typedef double law_function(double);
 
@@ -266,6 +267,64 @@ static void special_sphere_approach(void **state)
         const double loss = ldexp(1.375, k), beta = cor_sphere_beta_of_loss_approach_only(loss);
         check_value(cor_sphere_loss_approach_only(beta), loss, 5);
     }
+    /* its series, up to beta = 1/16, and what follows agree with eps, which comes from the largest overlap */
+    for (int i = 1; i <= 128; i++) {
+        const double beta = i / 1024.0, loss = cor_sphere_loss_approach_only(beta),
+                     other = 1 - cor_sphere_eps_approach_only(beta);
+        check(fabs(loss - other) <= 2 * DBL_EPSILON, "loss(%g): %.17g and %.17g", beta, loss, other);
+    }
+}
+
+/* ---- exponentials and logarithms ---- */
+
+/* x and a part of half its last place */
+static struct cor_inline_pair pair_at(struct random_state *r, double x)
+{
+    int exponent;
+    frexp(x, &exponent);
+    return cor_pair(x, ldexp(random_uniform(r, -1, 1), exponent - 54));
+}
+
+/* The stated errors of exp(-x) and 1 - exp(-x) of pairs */
+static void exponentials_of_pairs(void **state)
+{
+    (void)state;
+    struct random_state r = random_start();
+    long double worst[3] = {0};
+    for (size_t i = 0; i < points(20000); i++) {
+        const struct cor_inline_pair x =
+            pair_at(&r, i % 2 == 0 ? random_log(&r, 1e-17, 1) : random_uniform(&r, 0, 700));
+        const struct cor_inline_pair pair = cor_kernel_exp_minus_pair(x);
+        const long double power = expl(-(long double)x.hi) * (1.0L - x.lo + 0.5L * x.lo * x.lo),
+                          lost = -expm1l(-(long double)x.hi) + x.lo * expl(-(long double)x.hi);
+        const long double error[3] = {ulp_error(cor_kernel_exp_minus(x), power),
+                                      ulp_error(cor_kernel_one_minus_exp_minus(x), lost),
+                                      fabsl(((long double)pair.hi + pair.lo) / power - 1)};
+        check(error[0] <= 0.75L && error[1] <= 1.2L && error[2] <= 0x1p-54L * sqrtl(0.5L), "%a + %a: %Lg, %Lg, %Lg",
+              x.hi, x.lo, error[0], error[1], error[2]);
+        for (int k = 0; k < 3; k++)
+            worst[k] = fmaxl(worst[k], error[k]);
+    }
+    print_message("exp(-x) within %.3Lf ulp, 2^%.2Lf as a pair; 1 - exp(-x) within %.3Lf ulp\n", worst[0],
+                  log2l(worst[2]), worst[1]);
+}
+
+/* The stated error of -ln(x 2^k): both halves of x count. */
+static void logarithms_of_pairs(void **state)
+{
+    (void)state;
+    struct random_state r = random_start();
+    long double worst = 0;
+    for (size_t i = 0; i < points(20000); i++) {
+        const struct cor_inline_pair x = pair_at(&r, random_uniform(&r, 0.7, 1.42));
+        const int k = i % 2 == 0 ? 0 : (int)random_uniform(&r, -900, 1000);
+        const struct cor_inline_pair computed = cor_kernel_minus_log(cor_pair(ldexp(x.hi, k), ldexp(x.lo, k)));
+        const long double exact = -(log1pl(((long double)x.hi - 1) + x.lo) + k * 0.693147180559945309417L);
+        const long double error = fabsl(((long double)computed.hi + computed.lo) / exact - 1);
+        check(error <= 0x1p-54L * powl(2, -0.2L), "(%a + %a) 2^%d: %Lg", x.hi, x.lo, k, error);
+        worst = fmaxl(worst, error);
+    }
+    print_message("-ln(x) within 2^%.2Lf\n", log2l(worst));
 }
 
 /* ---- both directions ---- */
@@ -719,6 +778,8 @@ int main(void)
         cmocka_unit_test(special_ratio),
         cmocka_unit_test(special_crossley),
         cmocka_unit_test(special_sphere_approach),
+        cmocka_unit_test(exponentials_of_pairs),
+        cmocka_unit_test(logarithms_of_pairs),
         cmocka_unit_test(there_and_back),
         cmocka_unit_test(every_size),
         cmocka_unit_test(near_critical_damping),

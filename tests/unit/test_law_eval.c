@@ -78,6 +78,32 @@ static void linear_beta(void **state)
               "beta of loss 2^%d", k);
 }
 
+/* Beyond the other rows the duration of a law whose ends fade is a row times eps^(-num/den). */
+static const double *rows_of_3_4(int row)
+{
+    static const double three_quarters[16] = {0.75};
+    assert_true(row >= 0);
+    return three_quarters;
+}
+
+static void fading_duration(void **state)
+{
+    (void)state;
+    const long double pi = acosl(-1);
+    struct random_state r = random_start();
+    struct cor_inline_law_quantity q = linear();
+    q.below = cor_inline_law_octaves(rows_of_3_4, cor_inline_octaves_of(0x1p-60, 3), 0);
+    q.beyond = INFINITY;
+    for (size_t i = 0; i < points(2000); i++) {
+        const double beta = random_uniform(&r, 0.01, 1.95);
+        const long double l = pi * beta / sqrtl((2 - (long double)beta) * (2 + (long double)beta));
+        q.fading.num = i % 2 == 0 ? 1 : 3;
+        q.fading.den = i % 2 == 0 ? 5 : 1;
+        is_within("duration", beta, cor_inline_law_value(q, beta), 0.75L * expl(l * q.fading.num / q.fading.den), 1);
+    }
+    assert_true(isinf(cor_inline_law_value(q, 2)) && isinf(cor_inline_law_value(q, nextafter(2, 0))));
+}
+
 /* eps = v_f beta^(-2/n) */
 static const double *falling(int i)
 {
@@ -122,10 +148,8 @@ static void sums_of_scaled_pairs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sums_of_scaled_pairs),
-        cmocka_unit_test(linear_eps),
-        cmocka_unit_test(linear_beta),
-        cmocka_unit_test(falling_beta),
+        cmocka_unit_test(sums_of_scaled_pairs), cmocka_unit_test(linear_eps),   cmocka_unit_test(linear_beta),
+        cmocka_unit_test(fading_duration),      cmocka_unit_test(falling_beta),
     };
     return cmocka_run_group_tests_name("law_eval", tests, NULL, NULL);
 }
