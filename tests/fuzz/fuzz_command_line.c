@@ -326,11 +326,12 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
 /* The lines of the input; false for one that might write elsewhere. */
 static bool split(char *text, int *argc, char **argv)
 {
+    static char program[] = "corgen";
     for (const char *slash = text; (slash = strchr(slash, '/')); slash++)
         if (slash == text || !isdigit((unsigned char)slash[-1]) || !isdigit((unsigned char)slash[1]))
             return false;
     *argc = 0;
-    argv[(*argc)++] = (char[]){"corgen"};
+    argv[(*argc)++] = program;
     for (char *at = text, *next; at && *argc < ARGUMENTS_MAX; at = next) {
         next = strchr(at, '\n');
         if (next)
@@ -356,7 +357,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     /* glibc's getopt remembers where it was in an argument of the last run, of which a program has but one */
     char *nothing[] = {argv[0], NULL};
     optind = 0;
-    getopt(1, nothing, "");
+    (void)getopt(1, nothing, "");
 
     size_t said_size = 0, told_size = 0;
     FILE *const was_out = stdout, *const was_err = stderr;

@@ -128,7 +128,7 @@ static void check_by_another_route(const uint8_t *bytes, size_t size, const stru
 static size_t add_line(uint8_t *file, size_t at, uint32_t *check, const char *line)
 {
     const size_t n = strlen(line);
-    memcpy(file + at, line, n);
+    snprintf((char *)file + at, n + 1, "%s", line);
     *check = check_of(*check, file + at, n);
     snprintf((char *)file + at + n, CHECK + 2, "%08x\n", (unsigned)*check);
     *check = check_of(*check, file + at + n, CHECK + 1);
