@@ -123,7 +123,10 @@ COR_KERNEL double cor_kernel_power_of_two(double k)
     return cor_inline_from_bits(cor_inline_bits(k + (1023 + COR_KERNEL_INTEGER)) << 52);
 }
 
-/* ---- exp ---- */
+/* ---- exp ----
+ *
+ * Errors stated from here on are bounds on samples: `COR_TEST_MULTIPLIER=50 test_law` takes 10^6 pairs (found: exp 0.69
+ * ulp, 2^-54.7 as a pair; 1 - exp 1.13 ulp; -ln 2^-54.4). */
 
 /* exp(-x) = 2^-k (1 + (r + q)), |r| <= ln(2)/2, |q| < |r|/4. r is exact except for the lower half of x; q is
  * rounded. */
@@ -149,7 +152,7 @@ COR_KERNEL struct cor_kernel_decay cor_kernel_decay(struct cor_inline_pair x)
     return decay;
 }
 
-/* exp(-x), 0 <= x.hi <= 1400: 0.75 ulp, or 1.1 where the result is subnormal (sampled: 0.71, 6e5 points) */
+/* exp(-x), 0 <= x.hi <= 1400: 0.75 ulp, or 1.1 where the result is subnormal */
 COR_KERNEL double cor_kernel_exp_minus(struct cor_inline_pair x)
 {
     const struct cor_kernel_decay d = cor_kernel_decay(x);
@@ -158,7 +161,7 @@ COR_KERNEL double cor_kernel_exp_minus(struct cor_inline_pair x)
     return (value * cor_kernel_power_of_two(-first)) * cor_kernel_power_of_two(first - d.k);
 }
 
-/* exp(-x) as a pair, |x.hi| <= 700: relative error 2^-54.5 (sampled: 2^-54.7, 1e6 points) */
+/* exp(-x) as a pair, |x.hi| <= 700: relative error 2^-54.5 */
 COR_KERNEL struct cor_inline_pair cor_kernel_exp_minus_pair(struct cor_inline_pair x)
 {
     const struct cor_kernel_decay d = cor_kernel_decay(x);
@@ -166,7 +169,7 @@ COR_KERNEL struct cor_inline_pair cor_kernel_exp_minus_pair(struct cor_inline_pa
     return cor_pair_scaled(cor_inline_sum(one, (d.r - (one - 1)) + d.q), cor_kernel_power_of_two(-d.k));
 }
 
-/* 1 - exp(-x), 0 <= x.hi <= 1400: 1.2 ulp, also where a subtraction would cancel (sampled: 1.13, 3e6 points) */
+/* 1 - exp(-x), 0 <= x.hi <= 1400: 1.2 ulp, also where a subtraction would cancel */
 COR_KERNEL double cor_kernel_one_minus_exp_minus(struct cor_inline_pair x)
 {
     const struct cor_kernel_decay d = cor_kernel_decay(x);
@@ -194,7 +197,7 @@ COR_KERNEL struct cor_kernel_split cor_kernel_split(struct cor_inline_pair x)
     return s;
 }
 
-/* -ln of the number: relative error 2^-54.2, also near 1 (sampled: 2^-54.3, 4e6 points; 2^-54.8 if lo is 0).
+/* -ln of the number: relative error 2^-54.2, also near 1.
  * ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)), s = f/(2 + f). */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_of(struct cor_kernel_split x)
 {

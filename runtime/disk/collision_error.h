@@ -32,6 +32,7 @@ void cor_collision_other_errors(const struct cor_motion *m, const struct cor_col
                                 const struct cor_collision_evidence *evidence, struct cor_collision_error *error);
 /* The parts that smaller steps do not reduce */
 double cor_collision_lasting_error(const struct cor_collision_error *error);
+/* The sum of all parts, at most 1 */
 double cor_collision_total_error(const struct cor_collision_error *error);
 
 #endif

@@ -140,7 +140,7 @@ static inline int same(double a, double b)
 }
 
 /* Memory of exactly so many bytes, so that the sanitizers see a step beyond. None is one byte, never set: malloc may
-   answer no bytes with NULL. */
+ * answer no bytes with NULL. */
 static inline void *exactly(size_t size)
 {
     void *p = malloc(size > 0 ? size : 1);
