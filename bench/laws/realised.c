@@ -100,7 +100,8 @@ static void print_table(const char *title, double (*quantity)(const struct host_
         printf("| ");
         for (size_t k = i; k < host_model_count; k++)
             if (same_row(&host_models[i], &host_models[k]))
-                printf("%s%s: %s", k > i ? "<br>" : "", host_models[k].host, host_models[k].model);
+                printf("%s%s (%s): %s", k > i ? "<br>" : "", host_models[k].host, host_models[k].version,
+                       host_models[k].model);
         printf(" |");
         for (int k = 0; k < ASKED; k++) {
             print_number(" ", quantity(&host_models[i], asked[k]));
@@ -112,12 +113,12 @@ static void print_table(const char *title, double (*quantity)(const struct host_
 
 static void print_models(void)
 {
-    printf("| simulator | model | a user sets | law | end | what to know | file | known "
-           "|\n|---|---|---|---|---|---|---|---|\n");
+    printf("| simulator | version | model | a user sets | law | end | what to know | file | known "
+           "|\n|---|---|---|---|---|---|---|---|---|\n");
     for (size_t i = 0; i < host_model_count; i++) {
         const struct host_model *m = &host_models[i];
-        printf("| %s | %s | %s | %s | %s | %s | %s | %s |\n", m->host, m->model, m->parameter, host_law_name(m->law),
-               host_end_name(m->end), m->advice, m->file, m->known);
+        printf("| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", m->host, m->version, m->model, m->parameter,
+               host_law_name(m->law), host_end_name(m->end), m->advice, m->file, m->known);
     }
 }
 

@@ -15,9 +15,9 @@ realised(part) = is(part) ? column(4) : NaN
 off(part) = is(part) ? column(4) - column(3) : NaN
 
 cut = "chrono: SMC; Hooke or Hertz"
-tsuji = "damping tsuji; releases"
-tsuji_limit = "damping tsuji; limit_damping"
-tsuji_new = "damping tsuji; source after"
+tsuji = "hertz; damping tsuji; releases"
+tsuji_limit = "hertz; damping tsuji; limit_damping"
+tsuji_new = "hertz; damping tsuji; source after"
 thornton = "granulars.jl"
 mfix = "mfix: DEM; HERTZIAN"
 flores = "chrono-multicore"

@@ -227,6 +227,7 @@ static double word_value(const char *word, const struct asked *asked, double num
         {"2K", 2 * k},
         {"K/m", k / m},
         {"K/R", k / radius},
+        {"R", radius},
         {"kn", k / sqrt(radius)},
         {"E", 0.75 * k / sqrt(radius)},
         {"2m", 2 * m},
@@ -322,9 +323,10 @@ static void print_own_maps(FILE *file, const char *host, const struct asked *ask
         if (strcmp(row->host, host_name(host)) != 0 || !row->damping_of_e || row_has_speed(row))
             continue;
         if (isnan(realised))
-            snprintf(text, sizeof text, "own map: %s refuses e = %.6g", row->model, asked->eps);
+            snprintf(text, sizeof text, "own map: %s (%s) refuses e = %.6g", row->model, row->version, asked->eps);
         else
-            snprintf(text, sizeof text, "own map: %s, given e = %.6g, realises %.6g", row->model, asked->eps, realised);
+            snprintf(text, sizeof text, "own map: %s (%s), given e = %.6g, realises %.6g", row->model, row->version,
+                     asked->eps, realised);
         print_comment(file, comment, text);
     }
 }

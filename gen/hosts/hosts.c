@@ -57,9 +57,14 @@ static double tsuji_since_2026(double e)
 }
 
 /* the same polynomial on a linear spring */
-static double tsuji_on_hooke(double e)
+static double tsuji_on_hooke_until_2026(double e)
 {
     return host_tsuji_alpha(e) / 2;
+}
+
+static double tsuji_on_hooke_since_2026(double e)
+{
+    return host_tsuji_alpha(e) / sqrt(2);
 }
 
 /* the formula of the linear dashpot, with Hertz's force */
@@ -214,7 +219,7 @@ static double loss_of_impulse(double e)
 
 #define ASKED(map, least, most) map, least, most, NULL, NULL
 #define NUMBER(name) NULL, 0, 1, name##_of_damping, damping_of_##name
-#define NOT_PASTED NULL, NULL
+#define NOT_PASTED(version) version, NULL
 #define OPEN 0x1p-1022 /* e > 0 */
 /* LIGGGHTS asks for these numbers even with tangential off. */
 #define LIGGGHTS_TANGENTIAL                                                                                            \
@@ -281,10 +286,17 @@ const struct host_model host_models[] = {
      "limit_damping\n"},
     {"lammps", "granular hertz, damping tsuji, source after July 2026", "e", HOST_TSUJI, HOST_ZERO_OVERLAP,
      ASKED(tsuji_since_2026, 0, 1), LAMMPS_FILE, "source", "Within 0.002 from e = 0.05 on; coeff_restitution is exact.",
-     NOT_PASTED},
-    {"lammps", "granular hooke, damping tsuji", "e", HOST_LINEAR, HOST_ZERO_OVERLAP, ASKED(tsuji_on_hooke, 0, 1),
-     LAMMPS_FILE, "run", "A formula for Hertz's force on a linear spring: give it e', or use damping velocity.",
+     NOT_PASTED("source 07b704ca, 2026")},
+    {"lammps", "granular hooke, damping tsuji, releases to July 2026", "e", HOST_LINEAR, HOST_ZERO_OVERLAP,
+     ASKED(tsuji_on_hooke_until_2026, 0, 1), LAMMPS_FILE, "run",
+     "A formula for Hertz's force on a linear spring: give it e', or use damping velocity.",
      "29 Sep 2021 to 4 Feb 2025",
+     "#|pair_style granular\npair_coeff * * hooke {K} {n} tangential linear_nohistory 0 0 damping tsuji\n"},
+    {"lammps", "granular hooke, damping tsuji, source after July 2026", "e", HOST_LINEAR, HOST_ZERO_OVERLAP,
+     ASKED(tsuji_on_hooke_since_2026, 0, 1), LAMMPS_FILE, "source",
+     "A formula for Hertz's force on a linear spring: give it e', which differs from that of older releases, or use "
+     "coeff_restitution.",
+     "source 07b704ca, 2026",
      "#|pair_style granular\npair_coeff * * hooke {K} {n} tangential linear_nohistory 0 0 damping tsuji\n"},
     {"liggghts", "hertz or hooke, coefficientRestitution", "e", HOST_TSUJI, HOST_ZERO_OVERLAP,
      ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "run", "Exact; it refuses e <= 0.05.",
@@ -319,7 +331,7 @@ const struct host_model host_models[] = {
      "#|Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, es=1)\n"},
     {"yade", "Mindlin, en (before 2023); SudoDEM", "e", HOST_TSUJI, HOST_ZERO_FORCE,
      ASKED(exact_at_zero_overlap, OPEN, 1), "pkg/dem/HertzMindlin.cpp", "source",
-     "Realises more than asked: give it e', or set betan.", NOT_PASTED},
+     "Realises more than asked: give it e', or set betan.", NOT_PASTED("before 2023.02a; SudoDEM 6666937")},
     {"yade", "Mindlin, betan", "betan", HOST_TSUJI, HOST_ZERO_FORCE, NUMBER(tangent_ratio), "pkg/dem/HertzMindlin.cpp",
      "run", "Exact.", "2023.02a", "#|Ip2_FrictMat_FrictMat_MindlinPhys(betan={n}, betas=0)\n"},
     {"yade", "Mindlin, en at vn = 1 m/s (2025)", "en", HOST_SPHERE, HOST_ZERO_FORCE, NUMBER(yade_en),
@@ -363,11 +375,14 @@ const struct host_model host_models[] = {
      "src/chrono/physics/ChContactSMC.cpp", "source", "K is kn R. The viscoelastic sphere: one gn for every speed.",
      "source 7689fbc0",
      "//"
-     "|system.UseMaterialProperties(false);\nsystem.SetContactForceModel(ChSystemSMC::ContactForceModel::Hertz);"
+     "|// Type::BULLET finds no R and takes this one for every contact; Type::MULTICORE finds that of each pair of "
+     "spheres"
+     "\nChCollisionInfo::SetDefaultEffectiveCurvatureRadius({R});\n"
+     "system.UseMaterialProperties(false);\nsystem.SetContactForceModel(ChSystemSMC::ContactForceModel::Hertz);"
      "\nmaterial->SetKn({K/R});\nmaterial->SetGn({n});\n"},
     {"chrono-multicore", "Flores, cr, at the characteristic speed", "e", HOST_HUNT_CROSSLEY, HOST_ZERO_FORCE,
      ASKED(host_crossley_flores, 0.01, 1), "src/chrono_multicore/physics", "source",
-     "Realises less than asked, at that speed: give it e'.", NOT_PASTED},
+     "Realises less than asked, at that speed: give it e'.", NOT_PASTED("source 7689fbc0")},
     {"mfix", "DEM, LSD", "e", HOST_LINEAR, HOST_ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0, 1),
      "model/check_data/check_solids_dem.f", "source", "Exact; e = 0 sticks for ever.", "21.3.2",
      "!|DES_COLL_MODEL = 'LSD'\nKN = {K}\nDES_EN_INPUT(1) = {n}\n"},
@@ -381,16 +396,17 @@ const struct host_model host_models[] = {
      "{n};\n    b 1.5;\n    mu 0;\n    cohesionEnergyDensity 0;\n    collisionResolutionSteps 12;\n}\n"},
     {"kratos", "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", HOST_TSUJI, HOST_ZERO_FORCE, ASKED(thornton_kratos, 0, 1),
      "applications/DEMApplication/python_scripts", "source",
-     "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", NOT_PASTED},
+     "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", NOT_PASTED("source 03f57bf0")},
     {"kratos", "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", HOST_TSUJI, HOST_ZERO_FORCE, NUMBER(tangent_ratio),
-     "applications/DEMApplication/custom_constitutive", "source", "Exact.", NOT_PASTED},
+     "applications/DEMApplication/custom_constitutive", "source", "Exact.", NOT_PASTED("source 03f57bf0")},
     {"kratos", "DEM linear, COEFFICIENT_OF_RESTITUTION", "e", HOST_LINEAR, HOST_ZERO_FORCE, ASKED(kratos_linear, 0, 1),
      "applications/DEMApplication/python_scripts", "source",
-     "The exact formula, bisected to 0.0001 in gamma: at e = 0.99 the loss is off by some percent.", NOT_PASTED},
+     "The exact formula, bisected to 0.0001 in gamma: at e = 0.99 the loss is off by some percent.",
+     NOT_PASTED("source 03f57bf0")},
     {"kratos", "DEM linear, DAMPING_GAMMA", "DAMPING_GAMMA", HOST_LINEAR, HOST_ZERO_FORCE, NUMBER(damping_ratio),
-     "applications/DEMApplication/custom_constitutive", "source", "Exact.", NOT_PASTED},
+     "applications/DEMApplication/custom_constitutive", "source", "Exact.", NOT_PASTED("source 03f57bf0")},
     {"granulars.jl", "en", "e", HOST_TSUJI, HOST_ZERO_FORCE, ASKED(thornton, 0, 1), "src", "source",
-     "Within 0.0003 for 0.02 < e < 0.9; above, set gamma.", NOT_PASTED},
+     "Within 0.0003 for 0.02 < e < 0.9; above, set gamma.", NOT_PASTED("source 32b1cfd")},
     {"esys-particle", "HertzianViscoElastic", "A, s", HOST_SPHERE, HOST_ZERO_FORCE, NUMBER(dissipation_time_esys),
      "Model", "source", "Its A is (3/2) of the dissipation time.", "2.3.5",
      "#|HertzianViscoElasticPrms(name=\"contact\", A={n}, E={young}, nu={poisson})\n"},
@@ -398,9 +414,9 @@ const struct host_model host_models[] = {
      "source", "Right to 1e-8.", "2.3.5",
      "#|HertzMindlinViscoPrms(name=\"contact\", E={E}, nu={poisson}, dynamicMu=0, COR={n})\n"},
     {"dem-engine", "full Hertz model, CoR", "e", HOST_TSUJI, HOST_ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1),
-     "src/DEM/DEMModelSnippets", "source", "Exact.", NOT_PASTED},
+     "src/DEM/DEMModelSnippets", "source", "Exact.", NOT_PASTED("source a1dc2312")},
     {"exadem", "damp_rate", "damp_rate", HOST_LINEAR, HOST_ZERO_FORCE, NUMBER(damping_ratio), "src/contact", "source",
-     "Exact.", NOT_PASTED},
+     "Exact.", NOT_PASTED("source 0d0dc656")},
     {"drake", "point contact or hydroelastic, hunt_crossley_dissipation", "d of the pair, s/m", HOST_HUNT_CROSSLEY,
      HOST_ZERO_FORCE, NUMBER(crossley_per_speed), "multibody/plant", "source",
      "One d holds at one speed; the rebound is never faster than 1/d.", "source be259df7",
@@ -426,7 +442,7 @@ const struct host_model host_models[] = {
      "<!--|<geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/>\n"},
     {"newton", "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", HOST_LINEAR, HOST_APPROACH_ONLY,
      NUMBER(dashpot), "newton/_src/solvers/semi_implicit/kernels_contact.py", "source",
-     "The damper works while the bodies approach only.", NOT_PASTED},
+     "The damper works while the bodies approach only.", NOT_PASTED("source 41a5392c")},
     {"modelica", "ElastoGap, n = 1", "d, kg/s", HOST_LINEAR, HOST_LIMITED, NUMBER(dashpot),
      "Mechanics/Translational/Components/ElastoGap", "source", "The damping force is limited to the spring's.",
      "Modelica Standard Library 4",
@@ -436,7 +452,8 @@ const struct host_model host_models[] = {
      "The damping force is limited to the spring's; slow impacts lose more.", "Modelica Standard Library 4",
      "//|Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n"},
     {"opensees", "HertzDamp, xi", "xi", HOST_HUNT_CROSSLEY, HOST_ZERO_FORCE, NUMBER(crossley_beta),
-     "HertzDamp material", "documentation", "The recommended 8 (1 - e)/(5 e) realises less than e.", NOT_PASTED},
+     "HertzDamp material", "documentation", "The recommended 8 (1 - e)/(5 e) realises less than e.",
+     NOT_PASTED("its documentation of 2026")},
     {"bullet", "setRestitution of both bodies, product e", "e", HOST_IMPULSE, HOST_INSTANT,
      ASKED(loss_of_impulse, 0, 1), "src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp", "run",
      "Exact for spheres with these lines; Bullet's defaults add up to 0.2 to e, and treat impacts below 0.2 m/s as e = "

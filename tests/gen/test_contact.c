@@ -408,7 +408,7 @@ static void hosts_realise_what_is_wished(void **state)
     static const struct {
         const char *host;
         size_t linear, tsuji, viscoelastic; /* models with lines for each law */
-    } row[] = {{"lammps", 7, 4, 2},  {"liggghts", 4, 2, 2}, {"yade", 2, 2, 1},     {"mercurydpm", 1, 2, 1},
+    } row[] = {{"lammps", 8, 4, 2},  {"liggghts", 4, 2, 2}, {"yade", 2, 2, 1},     {"mercurydpm", 1, 2, 1},
                {"chrono", 2, 1, 1},  {"mfix", 1, 1, 1},     {"openfoam", 0, 1, 1}, {"esys", 0, 1, 1},
                {"mujoco", 2, 0, 0},  {"drake", 1, 1, 1},    {"simbody", 1, 1, 1},  {"bullet", 1, 1, 0},
                {"rebound", 1, 1, 0}, {"modelica", 1, 0, 0}};
@@ -424,6 +424,52 @@ static void hosts_realise_what_is_wished(void **state)
     }
     assert_int_equal(host_realises("drake", EMBED_HUNT_CROSSLEY, measured, 0.7, 0.4), 1);
     assert_int_equal(host_realises("lammps", EMBED_HERTZ_DASHPOT, measured, 0.7, 0.4), 2);
+}
+
+static double number_after(const char *text, const char *name, double otherwise)
+{
+    const char *const at = strstr(text, name);
+    return at ? strtod(at + strlen(name), NULL) : otherwise;
+}
+
+/* The lines for Chrono's Hertz contact, put through ChContactSMC's force: kn R sqrt(x) x + gn m R sqrt(x) x', never
+ * attractive. Type::BULLET takes the default for R, 0.1 m where none is set; Type::MULTICORE computes R1 R2/(R1 + R2). */
+static void chrono_finds_the_radius(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    for (int i = 0; i < 8; i++) {
+        const double r1 = random_log(&random, 1e-4, 0.3), r2 = random_log(&random, 1e-4, 0.3);
+        const double e = random_uniform(&random, 0.2, 0.97), speed = random_log(&random, 0.01, 5);
+        char text[5][DECIMAL_TEXT];
+        const struct given bodies[] = {{"young", decimal_text(text[0], random_log(&random, 1e6, 1e11))},
+                                       {"poisson", "0.3"},
+                                       {"density", "2500"},
+                                       {"radius", decimal_text(text[1], r1)},
+                                       {"radius-2", decimal_text(text[2], r2)},
+                                       {"restitution", decimal_text(text[3], e)},
+                                       {"at", decimal_text(text[4], speed)},
+                                       {NULL, NULL}};
+        struct contact_request request;
+        struct contact_models models;
+        request_set(&request, EMBED_VISCOELASTIC, END_ZERO_FORCE, bodies);
+        assert_int_equal(contact_request_models(&models, &request), 0);
+        char *const lines = contact_host_text("chrono", &request, &models, &speed, 1);
+        assert_non_null(lines);
+        const double kn = number_after(lines, "SetKn(", NAN), gn = number_after(lines, "SetGn(", NAN);
+        const double found[] = {number_after(lines, "SetDefaultEffectiveCurvatureRadius(", 0.1), r1 * r2 / (r1 + r2)};
+        const double mass = models.model[0].mass_kg;
+        for (int k = 0; k < 2; k++) {
+            const double stiffness = kn * found[k];
+            const struct motion motion = {mass, stiffness, gn * mass * found[k], 1.5, 0.5};
+            struct contact_impact impact = {0};
+            integrate(&impact, &motion, speed, pow(mass / stiffness, 0.4) * pow(speed, -0.2));
+            check(fabs(impact.eps[END_ZERO_FORCE] - e) < 1e-8, "Chrono with R = %g realises %.9g, not %.9g", found[k],
+                  impact.eps[END_ZERO_FORCE], e);
+        }
+        free(lines);
+        request_clear(&request);
+    }
 }
 
 /* Every host of the list has lines, a version and a comment. */
@@ -454,6 +500,7 @@ int main(void)
         cmocka_unit_test(every_way_of_a_sphere),
         cmocka_unit_test(other_laws),
         cmocka_unit_test(hosts_realise_what_is_wished),
+        cmocka_unit_test(chrono_finds_the_radius),
         cmocka_unit_test(the_list_is_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -9,6 +9,7 @@ corgen contact --for HOST, which the simulators read as they are. Two bodies mee
 A simulator that is not installed is skipped by name. tests/simulators/run runs this and adds its counts.
 """
 import csv
+import datetime
 import io
 import math
 import os
@@ -99,11 +100,19 @@ def blocks_of(text):
             yield heading[1], heading[3], rows[4 if cure else 3:], float(cure[1]) if cure else None
 
 
+OWN_MAP = r"own map: (.*) \(([^()]*)\)"  # model and version
+
+
 def own_maps_of(text):
     """{model: restitution realised for e}, nan where the simulator refuses e"""
-    maps = {m[1]: float(m[2]) for m in re.finditer(r"own map: (.*), given e = \S+ realises ([-+.e\d]+)", text)}
-    maps.update({m[1]: math.nan for m in re.finditer(r"own map: (.*) refuses e = ", text)})
+    maps = {m[1]: float(m[3]) for m in re.finditer(OWN_MAP + r", given e = \S+ realises ([-+.e\d]+)", text)}
+    maps.update({m[1]: math.nan for m in re.finditer(OWN_MAP + " refuses e = ", text)})
     return maps
+
+
+def versions_of(text):
+    """{model: version} of the same lines"""
+    return {m[1]: m[2] for m in re.finditer(OWN_MAP + "(?:, given| refuses) e = ", text)}
 
 
 def with_number(lines, old, new):
@@ -276,10 +285,13 @@ def run_bullet(cases, work):
 
 
 def lammps_has(model):
-    """29 Sep 2021 to 4 Feb 2025 have no coeff_restitution; in later releases it is measured, and tsuji has changed."""
-    text = output_of([LMP, "-h"])
-    modern = re.search(r" - \d+ \w+ (\d{4})", text)
-    return not modern or int(modern[1]) >= 2025 or "coeff_restitution" not in model
+    """29 Sep 2021 to 4 Feb 2025 have no coeff_restitution; in later releases it is measured. Tsuji's changed in July
+    2026."""
+    found = re.search(r" - (\d+ \w{3})\w* (\d{4})", output_of([LMP, "-h"]))
+    date = datetime.datetime.strptime("%s %s" % found.groups(), "%d %b %Y") if found else None
+    if "tsuji" in model:
+        return ("source after" in model) == (date is not None and date >= datetime.datetime(2026, 8, 1))
+    return not date or date.year >= 2025 or "coeff_restitution" not in model
 
 
 def yade_has(model):
@@ -425,12 +437,15 @@ def asked_rows(host, cases):
 
 
 def formula_rows(name, measured):
-    maps = {e: own_maps_of(output_of([CORGEN] + contact_of("tsuji", e) + ["--for", name])) or
-            own_maps_of(output_of([CORGEN] + contact_of("linear", e) + ["--for", name])) for e in RESTITUTIONS}
-    for model in maps["0.7"]:
+    def text_at(e):
+        texts = [output_of([CORGEN] + contact_of(law, e) + ["--for", name]) for law in ("tsuji", "linear")]
+        return texts[0] if own_maps_of(texts[0]) else texts[1]
+
+    maps = {e: own_maps_of(text_at(e)) for e in RESTITUTIONS}
+    for model, version in versions_of(text_at("0.7")).items():
         if model not in measured:
-            yield "| %s | %s | %s | not run |" % (name, model, " | ".join(number(maps[e].get(model, math.nan))
-                                                                         for e in RESTITUTIONS))
+            yield "| %s %s | %s | %s | not run |" % (name, version, model, " | ".join(
+                number(maps[e].get(model, math.nan)) for e in RESTITUTIONS))
 
 
 def cured_rows(host, cases, errors):
@@ -443,12 +458,14 @@ def cured_rows(host, cases, errors):
 
 
 def listed_models():
+    """(host, model, version)"""
     host = ""
     for line in output_of([CORGEN, "contact", "--for", "list"]).split("\n"):
         if line and not line.startswith(" "):
             host = line
         elif line:
-            yield host, re.sub(r" \((%s)\b.*; .*\)$" % "|".join(LAWS + ["impulse"]), "", line.strip())
+            found = re.match(r"(.*) \((?:%s)\b.*; (.*)\)$" % "|".join(LAWS + ["impulse"]), line.strip())
+            yield host, found[1], found[2]
 
 
 # tests/simulators/run runs REBOUND's callback itself.
@@ -472,9 +489,10 @@ def write_page(results):
         cured += cured_rows(host, cases, errors)
         measured |= {(host.name, case.model) for case in cases}
     left = []
-    for name in dict.fromkeys(name for name, _ in listed_models()):
+    for name in dict.fromkeys(name for name, _, _ in listed_models()):
         asked += formula_rows(name, {model for host, model in measured if host == name})
-        models = [model for host, model in listed_models() if host == name and (name, model) not in measured]
+        models = ["%s (%s)" % (model, version) for host, model, version in listed_models()
+                  if host == name and (name, model) not in measured]
         left += ["| %s | %s |" % (name, "<br>".join(models))] if models else []
     with open(PAGE, encoding="utf-8") as file:
         text = file.read()
