@@ -35,7 +35,7 @@ YOUNG, POISSON, RADIUS, DENSITY = "1e6", "0.49", "5e-3", "1100"
 SPHERES = ["--young", YOUNG, "--poisson", POISSON, "--radius", RADIUS, "--density", DENSITY, "--end", "zero-overlap"]
 RESTITUTION = ["--restitution", "0.85", "--at", "0.1"]
 FRACTION = "0.03"  # of volume
-STAGES = 20  # 1 + t/t_0 grows by 1.1 in each
+STAGES = 20  # 1 + t/t_1 grows by 1.1 in each; t_1 is `unit` of in.gas
 SHORT_STAGES = 12
 
 # The gases whose scatter is the statistical error, and the scatter of ln T that they had, times sqrt(N)
@@ -350,7 +350,8 @@ def column(result, log):
         "standard error of ln T": "%.2f %%" % (100 * error),
         "ln(T/theory), largest": "%.2f %%, %.1f standard errors" % (100 * largest(d), largest(d) / error),
         "the same, root mean square; at the end": "%.2f %%; %+.2f %%" % (100 * root_mean_square(d), 100 * d[-1]),
-        "d ln T/d ln(t + t_0), last half of the points": "%.4f ± %.4f" % (result.slopes[0], result.slope_error),
+        "d ln T/d ln(t + t_0), t_0 = T/\\|dT/dt\\| at first, last half of the points": "%.4f ± %.4f" % (
+            result.slopes[0], result.slope_error),
         "the same, theory; at the last point": "%.4f; %.4f" % (result.slopes[1], result.theory[-1].slope),
         "a_2, last half of the points; theory": "%.4f; %.4f" % tuple(
             sum(values[len(values) // 2:]) / (len(values) - len(values) // 2)
@@ -417,7 +418,7 @@ def missing():
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--lattice", action="append", default=[], metavar="LATTICE[:STAGES]",
-                        help="spheres along the three axes, as 50x50x40; 1 + t/t_0 grows by 1.1 in each of 20 stages")
+                        help="spheres along the three axes, as 50x50x40; 1 + t/t_1 grows by 1.1 in each of 20 stages")
     parser.add_argument("--ranks", type=int, default=2, help="of MPI, 2 if not given")
     parser.add_argument("--results", help="folder that keeps each gas")
     parser.add_argument("--cost", action="store_true", help="measure the time of a step")
