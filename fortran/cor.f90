@@ -59,7 +59,7 @@ module cor
   real(c_double), parameter, public :: COR_LAW_MAX_OVERLAP_MAX_ULP = 2.0_c_double
   real(c_double), parameter, public :: COR_LAW_TIME_MAX_ULP = 2.0_c_double
   real(c_double), parameter, public :: COR_LAW_FLOAT_MAX_ULP = 1.0_c_double
-  real(c_double), parameter, public :: COR_HUNT_CROSSLEY_TIME_MAX_ERROR = 1e-13_c_double
+  real(c_double), parameter, public :: COR_HUNT_CROSSLEY_TIME_MAX_ERROR = 1e-14_c_double
   real(c_double), parameter, public :: COR_HUNT_CROSSLEY_MAX_EXPONENT = 100.0_c_double
   real(c_double), parameter, public :: COR_SPHERE_EPS_MAX_ULP = 1.0_c_double
   real(c_double), parameter, public :: COR_SPHERE_LOSS_MAX_ULP = 1.0_c_double

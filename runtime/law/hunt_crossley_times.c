@@ -117,6 +117,12 @@ static double crossley_table_duration(const struct crossley_tables *tables, doub
     return cor_pair_plus(crossley_far_rebound(tables, beta, s), crossley_max(tables, beta)).hi;
 }
 
+/* x^exponent, x.hi a normal double */
+static struct cor_inline_pair crossley_power(struct cor_inline_pair x, struct cor_inline_pair exponent)
+{
+    return cor_kernel_exp_minus_pair(cor_inline_pair_times(exponent, cor_kernel_minus_log(x)));
+}
+
 /* ---- every exponent: double exponential quadrature ----
  *
  * Loading, with tau = ln((1 + beta)/(1 + beta v)), and rebound, with tau = ln((1 + beta v)/(1 - h)) from the end
@@ -124,70 +130,92 @@ static double crossley_table_duration(const struct crossley_tables *tables, doub
  *
  *     beta^(2k - 1) int_0^end (tau B(tau)/(1 - k))^-k d tau,   B = (1 + beta) E(-tau) - 1 or 1 - (1 - h) E(tau)
  *
- * with end = ln(1 + beta) or -ln(1 - h) and E(x) = (exp(x) - 1)/x. With tau = end w^(a+1) both times are
+ * with k = a/(a + 1), end = ln(1 + beta) or -ln(1 - h) and E(x) = (exp(x) - 1)/x. With tau = end w and b = B/(beta r),
+ * r = 1 or eps, so that b(0) = 1, both times are
  *
- *     (end/beta)^(1-k) r^-k (a + 1) int_0^1 (b(w)/(1 - k))^-k dw,   b = B/(beta r), r = 1 or eps
+ *     ((a + 1) end/beta)^(1/(a+1)) r^-k (1 + (1 - k) int_0^1 w^-k (b(w)^-k - 1) dw)
  *
- * where b is of order one for every beta. */
+ * The integral of w^-k alone, the whole singularity at w = 0, is done by hand: what is left vanishes there like w^(1-k)
+ * for every a. In the map of the quadrature the nearest singularity of b, tau = 2 pi i of the loading with the largest
+ * beta, is 0.28 from the real line. */
 
 struct crossley_side {
     double end, rest;   /* end; 1 - h of the rebound */
     double speed, beta; /* beta r; beta */
-    double power;       /* a + 1 */
     int rebound;
 };
 
-/* (exp(x) - 1)/x - 1, with relative accuracy, |x| <= 0.5 */
+/* (exp(x) - 1)/x - 1, |x| < 0.34, with relative accuracy */
 static double crossley_mean_exponential(double x)
 {
-    double sum = 0;
-    for (int n = 17; n >= 2; n--)
-        sum = (1 + sum) * x / n;
-    return sum;
+    const double *c = cor_kernel_exp_polynomial;
+    const double x2 = x * x, x4 = x2 * x2;
+    return x * (COR_POLYNOMIAL_8(c, x, x2, x4) + ((c[8] + c[9] * x) + c[10] * x2) * (x4 * x4));
 }
 
 /* b at w = 1 - below. Near w = 1 the rebound needs end - tau, which follows from `below` without cancellation. */
 static double crossley_b(const struct crossley_side *side, double w, double below)
 {
-    const double share = below < 0.5 ? side->power * log1p(-below) : side->power * log(w);
-    const double tau = share < -700 ? 0 : side->end * exp(share);
-    if (tau < 0.5) {
+    const double tau = side->end * w;
+    if (tau < 0.34) {
         const double e = crossley_mean_exponential(side->rebound ? tau : -tau);
         return side->rebound ? 1 - side->rest / side->speed * e : 1 + e + e / side->beta;
     }
-    if (!side->rebound)
-        return ((1 + 1 / side->beta) * -expm1(-(tau < 700 ? tau : 700)) - tau / side->beta) / tau;
-    const double left = -side->end * expm1(share), near = left < 700 ? exp(-left) : 0;
+    if (!side->rebound) {
+        const double gone = cor_kernel_one_minus_exp_minus(cor_pair(tau, 0));
+        return (gone - (tau - gone) / side->beta) / tau;
+    }
+    const double left = side->end * below, near = left < 1400 ? cor_kernel_exp_minus(cor_pair(left, 0)) : 0;
     return (tau - near + side->rest) / (tau * side->speed);
 }
 
-/* The integral with w = 1/(1 + exp(-pi sinh(t))). The error of the step is far below 1e-14, and the cut-off neglects
- * 2^-58. */
+/* exp(x) */
+static double crossley_exp(double x)
+{
+    return cor_kernel_exp_minus_pair(cor_pair(-x, 0)).hi;
+}
+
+/* -ln(x) */
+static double crossley_minus_log(double x)
+{
+    return cor_kernel_minus_log(cor_pair(x, 0)).hi;
+}
+
+/* The integral with w = 1/(1 + exp(-pi sinh(t))). The step leaves out 2^-53 at most, and the cut-off 2^-58. */
 static double crossley_quadrature(const struct crossley_side *side, double k)
 {
-    const int steps = side->end > 40 ? 256 : 96, half = steps / 2;
+    enum { STEPS = 144 };
     const double pi = 3.14159265358979311600, end = 3.2512; /* pi sinh(end) = 40.5 */
-    const double step = 2 * end / steps;
+    const double step = 2 * end / STEPS;
     double sum = 0;
-    for (int j = 0; j <= steps; j++) {
-        const double t = step * (j - half), q = exp(-pi * sinh(t)), w = 1 / (1 + q), below = q / (1 + q);
-        const double weight = pi * cosh(t) * w * below;
-        sum += weight * pow(crossley_b(side, w, below) * side->power, -k);
+    for (int j = 0; j <= STEPS; j++) {
+        const double t = step * (j - STEPS / 2), grow = crossley_exp(t), fall = 1 / grow;
+        const double q = crossley_exp(0.5 * pi * (fall - grow)), w = 1 / (1 + q), below = q / (1 + q);
+        const double weight = 0.5 * pi * (grow + fall) * w * below;
+        const double log_w = crossley_minus_log(w), log_b = crossley_minus_log(crossley_b(side, w, below));
+        sum += weight * (crossley_exp(k * (log_w + log_b)) - crossley_exp(k * log_w));
     }
     return sum * step;
 }
 
-static double crossley_side_time(const struct crossley_side *side)
+static double crossley_side_time(const struct crossley_side *side, double a)
 {
-    const double k = 1 - 1 / side->power;
-    return pow(side->end / side->beta, 1 - k) * pow(side->speed / side->beta, -k) * side->power *
-           crossley_quadrature(side, k);
+    const struct cor_inline_pair plus = cor_pair_two_sum(1, a), share = cor_pair_over(cor_pair(1, 0), plus),
+                                 k = cor_pair_over(cor_pair(a, 0), plus);
+    const struct cor_inline_pair log_speed = cor_kernel_minus_log(cor_pair(side->speed, 0)),
+                                 log_beta = cor_kernel_minus_log(cor_pair(side->beta, 0)),
+                                 log_end = cor_kernel_minus_log(cor_pair(side->end / side->beta * plus.hi, 0));
+    /* -ln of the factors: a power of beta alone would lose digits where k ln(beta) is large */
+    const struct cor_inline_pair slow = cor_pair_plus(log_beta, cor_pair(-log_speed.hi, -log_speed.lo));
+    const struct cor_inline_pair factor =
+        cor_kernel_exp_minus_pair(cor_pair_plus(cor_inline_pair_times(share, log_end), cor_inline_pair_times(k, slow)));
+    return factor.hi * (1 + share.hi * crossley_quadrature(side, k.hi));
 }
 
 static double crossley_loading(double beta, double a)
 {
-    const struct crossley_side side = {log1p(beta), 0, beta, beta, a + 1, 0};
-    return crossley_side_time(&side);
+    const struct crossley_side side = {crossley_log_plus_1(beta).hi, 0, beta, beta, 0};
+    return crossley_side_time(&side, a);
 }
 
 /* -ln(1 - h) is U = beta + 1 - ln(1 + beta) - (1 - h) or, for small beta, -ln(1 - h) itself */
@@ -195,31 +223,24 @@ static double crossley_rebound(double beta, double a)
 {
     const int weak = beta < COR_HC_BETA_NEAR;
     const double h = beta * cor_hc_eps(beta), rest = weak ? 1 - h : cor_hc_rest(beta);
-    const double end = weak ? -log1p(-h) : beta + 1 - log1p(beta) - rest;
-    const struct crossley_side side = {end, rest, h, beta, a + 1, 1};
-    return crossley_side_time(&side);
+    const double end = weak ? cor_kernel_minus_log_one_minus(h).hi : beta + 1 - crossley_log_plus_1(beta).hi - rest;
+    const struct crossley_side side = {end, rest, weak ? h : 1 - rest, beta, 1};
+    return crossley_side_time(&side, a);
 }
 
-/* A collision with negative damping, in backward time, is the damped collision that starts with the speed eps. The
- * loading of one is the rebound of the other. */
-struct crossley_times {
-    double loading, rebound;
-};
-
-static struct crossley_times crossley_times(double beta, double a)
+/* Loading or rebound. A collision with negative damping, in backward time, is the damped collision that starts with the
+ * speed eps, with h = -beta. The loading of one is the rebound of the other. */
+static double crossley_half(double beta, double a, int rebound)
 {
-    struct crossley_times times;
-    if (fabs(beta) < 1e-15) {
-        times.loading = times.rebound = crossley_loading(1e-15, a);
-    } else if (beta > 0) {
-        times.loading = crossley_loading(beta, a);
-        times.rebound = crossley_rebound(beta, a);
-    } else {
-        const double eps = cor_hc_eps(beta), unit = pow(eps, (1 - a) / (1 + a));
-        times.loading = unit * crossley_rebound(-beta * eps, a);
-        times.rebound = unit * crossley_loading(-beta * eps, a);
-    }
-    return times;
+    if (fabs(beta) < 1e-15)
+        return crossley_loading(1e-15, a);
+    if (beta > 0)
+        return rebound ? crossley_rebound(beta, a) : crossley_loading(beta, a);
+    const double eps = cor_hc_eps(beta), damped = -beta * eps;
+    const struct cor_inline_pair power = cor_pair_over(cor_pair_two_sum(1, -a), cor_pair_two_sum(1, a));
+    const double unit = crossley_power(cor_pair(eps, 0), power).hi;
+    const struct crossley_side backward = {-crossley_log_plus_1(beta).hi, 1 + beta, -beta, damped, 1};
+    return unit * (rebound ? crossley_loading(damped, a) : crossley_side_time(&backward, a));
 }
 
 /* ---- the functions ---- */
@@ -247,8 +268,7 @@ static double cor_crossley_inline_duration(double beta, double elastic_exponent)
         const struct crossley_tables tables = crossley_tables_of(a);
         return crossley_table_duration(&tables, beta);
     }
-    const struct crossley_times times = crossley_times(beta, a);
-    return times.loading + times.rebound;
+    return crossley_half(beta, a, 0) + crossley_half(beta, a, 1);
 }
 
 static double cor_crossley_inline_time_of_max_overlap(double beta, double elastic_exponent)
@@ -262,17 +282,14 @@ static double cor_crossley_inline_time_of_max_overlap(double beta, double elasti
         const struct crossley_tables tables = crossley_tables_of(a);
         return crossley_max(&tables, beta).hi;
     }
-    return crossley_times(beta, a).loading;
+    return crossley_half(beta, a, 0);
 }
 
 /* The elastic rebound to the speed eps takes half of the elastic duration times eps^((1 - a)/(1 + a)). */
 static struct cor_inline_pair crossley_elastic_rebound(double beta, double a)
 {
     const struct cor_inline_pair plus = cor_pair_two_sum(1, a), minus = cor_pair_two_sum(1, -a);
-    const struct cor_inline_pair power = cor_pair_over(minus, plus);
-    const struct cor_inline_pair exponent =
-        cor_inline_pair_times(power, cor_kernel_minus_log(cor_hc_eps_approach_pair(beta)));
-    return cor_kernel_exp_minus_pair(exponent);
+    return crossley_power(cor_hc_eps_approach_pair(beta), cor_pair_over(minus, plus));
 }
 
 static double cor_crossley_inline_duration_approach_only(double beta, double elastic_exponent)
@@ -290,7 +307,7 @@ static double cor_crossley_inline_duration_approach_only(double beta, double ela
         const struct cor_inline_pair rebound = cor_inline_pair_times(half, crossley_elastic_rebound(beta, a));
         return cor_pair_plus(rebound, crossley_max(&tables, beta)).hi;
     }
-    return crossley_times(beta, a).loading + crossley_times(0, a).loading * crossley_elastic_rebound(beta, a).hi;
+    return crossley_half(beta, a, 0) + crossley_half(0, a, 0) * crossley_elastic_rebound(beta, a).hi;
 }
 
 LAW_DEFINE_WITH_EXPONENT(hunt_crossley_duration, crossley_inline_duration)

@@ -11,6 +11,7 @@
 
 #include <mpfr.h>
 
+#include "enclosure/collision.h"
 #include "reference_law.h"
 #include "search.h"
 #include "ulp.h"
@@ -126,7 +127,7 @@ static double ratio_inverse_error(enum law_end end, double zeta, long double wan
 /* SLOW_TIME: the reference takes 0.1 ms, and so there are fewer points */
 enum shape { EPS, LOSS, TIME, SLOW_TIME, INVERSE, INVERSE_OF_LOSS };
 enum { SLOW_SHARE = 400 };
-enum law { RATIO, CROSSLEY, CROSSLEY_APPROACH, CROSSLEY_TIMES };
+enum family { RATIO, CROSSLEY, CROSSLEY_APPROACH, CROSSLEY_TIMES };
 
 struct function {
     const char *name;
@@ -135,7 +136,7 @@ struct function {
     float (*valuef)(float);
     void (*arrayf)(const float *, float *, size_t);
     enum shape shape;
-    enum law law;
+    enum family law;
     enum law_end end;
     long double (*time)(double);
     double max_ulp;
@@ -238,9 +239,9 @@ static long double tsuji_duration_approach_only(double zeta)
 /* Hunt and Crossley's times for a = 1 and 3/2, and the functions of one argument that the table wants */
 static long double crossley_duration(double a, double beta)
 {
-    const long double half = tgammal(1 + 1 / (a + 1.0L)) / tgammal(0.5L + 1 / (a + 1.0L)) * sqrtl(acosl(-1)) *
-                             powl((a + 1.0L) / 2, 1 / (a + 1.0L));
-    return beta < 1e-25 ? 2 * half : isinf(beta) ? HUGE_VALL : reference_crossley_duration(a, beta);
+    return beta < 1e-25  ? 2 * reference_crossley_elastic_half(a)
+           : isinf(beta) ? HUGE_VALL
+                         : reference_crossley_duration(a, beta);
 }
 
 static long double crossley_max(double a, double beta)
@@ -252,13 +253,11 @@ static long double crossley_max(double a, double beta)
 
 static long double crossley_approach(double a, double beta)
 {
-    const long double half = crossley_duration(a, 0) / 2;
     if (beta < 1e-25)
         return crossley_duration(a, beta);
     if (isinf(beta))
-        return a > 1 ? HUGE_VALL : half;
-    return reference_crossley_time_of_max_overlap(a, beta) +
-           half * powl(reference_hunt_crossley_approach_eps(beta), (1 - (long double)a) / (1 + (long double)a));
+        return a > 1 ? HUGE_VALL : reference_crossley_elastic_half(a);
+    return reference_crossley_duration_approach_only(a, beta);
 }
 
 #define CROSSLEY_TIME(function, reference, suffix, a)                                                                  \
@@ -329,7 +328,7 @@ static bool is_inverse(const struct function *f)
 }
 
 /* eps or 1 - eps of Hunt and Crossley's law */
-static long double crossley(enum law law, bool loss, long double beta)
+static long double crossley(enum family law, bool loss, long double beta)
 {
     if (beta == 0 || isinf(beta))
         return (beta == 0) == loss ? 0 : 1;
@@ -339,7 +338,7 @@ static long double crossley(enum law law, bool loss, long double beta)
 }
 
 /* By how much eps, or 1 - eps where that is small, is off at the computed beta, over its slope */
-static double crossley_inverse_error(enum law law, double beta, long double eps, long double loss)
+static double crossley_inverse_error(enum family law, double beta, long double eps, long double loss)
 {
     const bool of_loss = loss < 0.5L;
     const long double h = 1e-6L, wanted = of_loss ? loss : eps;
@@ -551,6 +550,58 @@ static uint64_t check_specials(const struct function *f)
     return wrong;
 }
 
+/* ---- Hunt and Crossley's times by quadrature, against enclosed collisions ---- */
+
+static double relative_error_of_ball(double computed, const arb_t exact)
+{
+    arb_t off;
+    arb_init(off);
+    arb_set_d(off, computed);
+    arb_sub(off, off, exact, 200);
+    arb_div(off, off, exact, 200);
+    const double error = arb_is_finite(off) ? fabs(arf_get_d(arb_midref(off), ARF_RND_NEAR)) : HUGE_VAL;
+    arb_clear(off);
+    return error;
+}
+
+/* Exponents and beta up to the largest that a collision is enclosed for within seconds: the fast and the slow motion,
+ * and the quadrature's nearest singularities */
+static bool crossley_times_are_enclosed(const struct search_options *o)
+{
+    const double most = COR_HUNT_CROSSLEY_TIME_MAX_ERROR;
+    struct random_state r = random_seeded(o->seed);
+    struct collision c;
+    arb_t beta_ball;
+    double worst = 0;
+    bool good = true;
+    const uint64_t points = o->points / 2500;
+    collision_init(&c);
+    arb_init(beta_ball);
+    for (uint64_t i = 0; i < points; i++) {
+        const unsigned denominator = i % 2 == 0 ? 1 : 8;
+        const unsigned numerator = (unsigned)(i % 2 == 0 ? 9 + random_below(&r, 16) : 1 + random_below(&r, 64));
+        const double a = (double)numerator / denominator, beta = random_log(&r, 1e-3, 1e6);
+        char text[32];
+        struct law law;
+        snprintf(text, sizeof text, "%u/%u", numerator, denominator);
+        arb_set_d(beta_ball, beta);
+        const bool solved = law_parse(&law, text, text) == NULL && collision_solve(&c, beta_ball, &law, 72) == 0;
+        const double max = relative_error_of_ball(cor_hunt_crossley_time_of_max_overlap(beta, a), c.t_max);
+        const double duration = relative_error_of_ball(cor_hunt_crossley_duration(beta, a), c.t_zero_overlap);
+        worst = fmax(worst, fmax(max, duration));
+        if (solved && max <= most && duration <= most)
+            continue;
+        printf("FAIL  Hunt and Crossley's times at beta = %.17g, a = %s: off by %.1e, %.1e\n", beta, text, max,
+               duration);
+        good = false;
+    }
+    printf("Hunt and Crossley's times by quadrature: off by %.1e at most, %llu enclosed collisions\n", worst,
+           (unsigned long long)points);
+    collision_clear(&c);
+    arb_clear(beta_ball);
+    return good;
+}
+
 /* ---- the run ---- */
 
 static bool function_is_good(const struct function *f, const struct search_options *o)
@@ -583,6 +634,8 @@ int main(int argc, char **argv)
     for (int i = 0; i < FUNCTIONS; i++)
         if (search_wants(&o, functions[i].name))
             good = function_is_good(&functions[i], &o) && good;
+    if (search_wants(&o, "hunt_crossley_times_by_quadrature"))
+        good = crossley_times_are_enclosed(&o) && good;
     mpfr_free_cache();
     return good ? 0 : 1;
 }

@@ -108,12 +108,13 @@ long double reference_hunt_crossley_approach_loss(long double beta)
 
 /* ---- times ---- */
 
-/* The integral from 0 to 1 of a function of x and 1 - x that may be singular at both ends, up to x^-0.85 */
+/* The integral from 0 to 1 of a function of x and 1 - x that may be singular at both ends: up to x^-0.85 with end = 5.2,
+ * x^-0.991 with end = 8.2 */
 typedef long double quadrature_function(long double x, long double below, const long double *parameters);
 
-static long double quadrature(quadrature_function *f, const long double *parameters)
+static long double quadrature_to(long double end, quadrature_function *f, const long double *parameters)
 {
-    const long double pi = acosl(-1), end = 5.2L, step = 0.02L;
+    const long double pi = acosl(-1), step = 0.02L;
     long double sum = 0;
     for (int j = -(int)(end / step); j <= (int)(end / step); j++) {
         const long double t = j * step, q = expl(-pi * sinhl(t)), x = 1 / (1 + q), below = q / (1 + q);
@@ -122,6 +123,11 @@ static long double quadrature(quadrature_function *f, const long double *paramet
             sum += weight * f(x, below, parameters);
     }
     return sum * step;
+}
+
+static long double quadrature(quadrature_function *f, const long double *parameters)
+{
+    return quadrature_to(5.2L, f, parameters);
 }
 
 /* s = end x; parameters: zeta, om, end, whether sinh, and pi - om end, which counts where om s is near pi:
@@ -200,7 +206,8 @@ static long double rebound_integrand(long double d, long double below, const lon
     return p[2] * powl((a + 1) * energy_left / (beta * beta), -a / (a + 1)) / (1 + beta * v);
 }
 
-/* The same over tau = ln((1 + beta v)/(1 - h)) from 0 to U = -ln(1 - h): p: a, beta, U, 1 - h */
+/* The same over tau = ln((1 + beta v)/(1 - h)) from 0 to U = -ln(1 - h): p: a, beta, U, 1 - h. With |beta| and h = -beta
+ * it is the loading of a pumped collision. */
 static long double strong_rebound_integrand(long double x, long double below, const long double *p)
 {
     const long double a = p[0], u = p[2] * x, left = p[2] * below;
@@ -220,8 +227,10 @@ static long double strong_loading_integrand(long double x, long double below, co
 
 long double reference_crossley_time_of_max_overlap(long double a, long double beta)
 {
-    const long double p[] = {a, beta, log1pl(beta)};
-    return quadrature(beta < 2 ? loading_integrand : strong_loading_integrand, p);
+    const long double p[] = {a, beta, log1pl(beta)}, pumped[] = {a, -beta, -log1pl(beta), 1 + beta};
+    if (beta < -0.5L)
+        return quadrature_to(8.2L, strong_rebound_integrand, pumped);
+    return quadrature_to(8.2L, beta < 2 ? loading_integrand : strong_loading_integrand, p);
 }
 
 long double reference_crossley_duration(long double a, long double beta)
@@ -229,11 +238,23 @@ long double reference_crossley_duration(long double a, long double beta)
     const long double loading = reference_crossley_time_of_max_overlap(a, beta), h = rebound(beta);
     if (beta < 2) {
         const long double p[] = {a, beta, h / beta, 1 - h};
-        return loading + quadrature(rebound_integrand, p);
+        return loading + quadrature_to(8.2L, rebound_integrand, p);
     }
     long double rest = 1 - h; /* of which 1 - h may keep nothing */
     for (int k = 0; k < 200; k++)
         rest = expl(rest - 1 - energy(beta));
     const long double p[] = {a, beta, beta + 1 - log1pl(beta) - rest, rest};
-    return loading + quadrature(strong_rebound_integrand, p);
+    return loading + quadrature_to(8.2L, strong_rebound_integrand, p);
+}
+
+long double reference_crossley_elastic_half(long double a)
+{
+    const long double share = 1 / (a + 1);
+    return powl((a + 1) / 2, share) * sqrtl(acosl(-1)) * tgammal(1 + share) / tgammal(0.5L + share);
+}
+
+long double reference_crossley_duration_approach_only(long double a, long double beta)
+{
+    return reference_crossley_time_of_max_overlap(a, beta) +
+           reference_crossley_elastic_half(a) * powl(reference_hunt_crossley_approach_eps(beta), (1 - a) / (1 + a));
 }

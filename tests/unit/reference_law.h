@@ -22,10 +22,13 @@ long double reference_hunt_crossley_approach_eps(long double beta);
  * s)/om)^(-1/5). */
 long double reference_tsuji_time(enum law_end end, long double zeta);
 
-/* Hunt and Crossley, any elastic exponent: the time of the largest overlap and the duration, beta > 0 and a <= 4,
- * relative error below 1e-17. By double exponential quadrature over the velocity; of the rebound where beta > 2 over
- * ln(1 + beta v). */
+/* Hunt and Crossley, -1 < beta < inf, not 0, elastic exponents 0 <= a <= 100: the time of the largest overlap and the
+ * duration, relative error below 2e-15, and 1e-17 where |ln(beta)| is below 10. By double exponential quadrature over
+ * the velocity; over ln(1 + beta v) where beta > 2 or beta < -1/2. */
 long double reference_crossley_time_of_max_overlap(long double a, long double beta);
 long double reference_crossley_duration(long double a, long double beta);
+long double reference_crossley_duration_approach_only(long double a, long double beta);
+/* Half of the duration for beta = 0, by Gamma functions */
+long double reference_crossley_elastic_half(long double a);
 
 #endif
