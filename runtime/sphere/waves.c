@@ -33,13 +33,6 @@ double cor_half_space_wave_factor(double poisson_ratio)
     return c[0] + (x * next - after);
 }
 
-/* x^(3/5) */
-static double three_fifths(double x)
-{
-    const double root = cor_inline_fifth_root(x);
-    return root * root * root;
-}
-
 /* (1 + nu)^(3/2) (1 - nu^2)^(-6/5) as (1 + nu)^(3/10) (1 - nu)^(-6/5) */
 double cor_half_space_wave_coefficient(double poisson_ratio)
 {
@@ -51,6 +44,15 @@ double cor_half_space_wave_coefficient(double poisson_ratio)
     return WAVES_ONE_MATERIAL * cor_half_space_wave_factor(nu) * (plus * sqrt(plus)) / (cube * cube);
 }
 
+/* The significand of x > 0, from [1/2, 1); adds `power` times the exponent to *sum. */
+static double significand_of(double x, int power, int *sum)
+{
+    int exponent;
+    const double significand = frexp(x, &exponent);
+    *sum += power * exponent;
+    return significand;
+}
+
 double cor_contact_wave_loss(const struct cor_sphere_contact *contact, const struct cor_half_space *half_space,
                              double speed_m_s)
 {
@@ -59,14 +61,21 @@ double cor_contact_wave_loss(const struct cor_sphere_contact *contact, const str
     if (!(speed_m_s >= 0) || !is_material(nu) || !(young > 0 && young <= DBL_MAX) ||
         !(density > 0 && density <= DBL_MAX) || isnan(contact->elastic_constant_n_m15))
         return NAN;
+    if (speed_m_s == 0)
+        return 0;
     if (isinf(speed_m_s))
         return 1;
-    /* K^(6/5) m^(-1/5) (g/c_s)^(3/5)/(rho c_s^(12/5)); with c_s^2 = mu/rho the last factors are K^(6/5) (rho/m)^(1/5)
-     * mu^(-6/5) */
-    const double mu = young / (2 * (1 + nu)), shear_speed = sqrt(mu / density);
-    const double ratio = three_fifths(contact->elastic_constant_n_m15 / mu); /* its square is (K/mu)^(6/5) */
-    const double mass = cor_inline_fifth_root(density / contact->effective_mass_kg);
-    const double loss = WAVES_FIRST_ORDER * cor_half_space_wave_factor(nu) * (ratio * ratio) * mass *
-                        three_fifths(speed_m_s / shear_speed);
+    /* K^(6/5) m^(-1/5) (g/c_s)^(3/5)/(rho c_s^(12/5)); with c_s^2 = mu/rho this is K^(6/5) m^(-1/5) g^(3/5) rho^(1/2)
+     * mu^(-3/2). Any of the factors may leave the range of doubles, so their exponents are added up, in tenths. */
+    int tenths = 0;
+    const double stiffness = cor_inline_fifth_root(significand_of(contact->elastic_constant_n_m15, 12, &tenths));
+    const double mass = cor_inline_fifth_root(significand_of(contact->effective_mass_kg, -2, &tenths));
+    const double speed = cor_inline_fifth_root(significand_of(speed_m_s, 6, &tenths));
+    const double mu = significand_of(young, -15, &tenths) / significand_of(2 * (1 + nu), 15, &tenths);
+    const double root = sqrt(significand_of(density, 5, &tenths) / mu), square = stiffness * stiffness;
+    const double rest = sqrt(cor_inline_fifth_root(cor_inline_power_of_two(tenths % 10)));
+    const double significands = WAVES_FIRST_ORDER * cor_half_space_wave_factor(nu) * (square * square * square / mass) *
+                                (speed * speed * speed) * (root / mu);
+    const double loss = tenths > 500 ? 1 : cor_inline_scaled(significands * rest, tenths / 10);
     return loss < 1 ? loss : 1;
 }

@@ -108,8 +108,8 @@ long double reference_hunt_crossley_approach_loss(long double beta)
 
 /* ---- times ---- */
 
-/* The integral from 0 to 1 of a function of x and 1 - x that may be singular at both ends: up to x^-0.85 with end = 5.2,
- * x^-0.991 with end = 8.2 */
+/* The integral from 0 to 1 of a function of x and 1 - x that may be singular at both ends: up to x^-0.85 with end =
+ * 5.2, x^-0.991 with end = 8.2 */
 typedef long double quadrature_function(long double x, long double below, const long double *parameters);
 
 static long double quadrature_to(long double end, quadrature_function *f, const long double *parameters)
@@ -206,8 +206,8 @@ static long double rebound_integrand(long double d, long double below, const lon
     return p[2] * powl((a + 1) * energy_left / (beta * beta), -a / (a + 1)) / (1 + beta * v);
 }
 
-/* The same over tau = ln((1 + beta v)/(1 - h)) from 0 to U = -ln(1 - h): p: a, beta, U, 1 - h. With |beta| and h = -beta
- * it is the loading of a pumped collision. */
+/* The same over tau = ln((1 + beta v)/(1 - h)) from 0 to U = -ln(1 - h): p: a, beta, U, 1 - h. With |beta| and h =
+ * -beta it is the loading of a pumped collision. */
 static long double strong_rebound_integrand(long double x, long double below, const long double *p)
 {
     const long double a = p[0], u = p[2] * x, left = p[2] * below;

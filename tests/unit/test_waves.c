@@ -107,6 +107,45 @@ static void collisions(void **state)
     }
 }
 
+/* Every size of each number, so that most of the powers and quotients in the formula are no doubles: against its
+ * logarithm. From speed 0 on. */
+static void every_size(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    size_t moderate = 0;
+    long double worst = 0;
+    for (size_t i = 0; i < points(20000); i++) {
+        const double nu = random_below(&random, 4) == 0 ? -1 + random_log(&random, 0x1p-53, 1e-3)
+                                                        : random_uniform(&random, -0.99, 0.5);
+        const struct cor_half_space block = {random_log(&random, 0x1p-1074, DBL_MAX), nu,
+                                             random_log(&random, 0x1p-1074, DBL_MAX)};
+        struct cor_sphere_contact contact;
+        cor_sphere_contact_init_g_star(&contact, 1);
+        contact.elastic_constant_n_m15 = random_log(&random, DBL_MIN, DBL_MAX);
+        contact.effective_mass_kg = random_log(&random, DBL_MIN, DBL_MAX);
+        const long double mu = (long double)block.young_modulus_pa / (2 * (1 + (long double)nu));
+        const long double rest = log2l(0.605718214220582471607L) + log2l(cor_half_space_wave_factor(nu)) +
+                                 1.2L * log2l(contact.elastic_constant_n_m15) - 1.5L * log2l(mu) +
+                                 0.5L * log2l(block.density_kg_m3) - 0.2L * log2l(contact.effective_mass_kg);
+        /* a speed of any size, or one for which the loss is moderate */
+        const double at = (double)exp2l((random_uniform(&random, -60, 0) - rest) / 0.6L);
+        const double speed = at > 0 && at <= DBL_MAX && i % 2 == 0 ? at : random_log(&random, 0x1p-1074, DBL_MAX);
+        const long double exact = fminl(exp2l(rest + 0.6L * log2l(speed)), 1);
+        const double loss = cor_contact_wave_loss(&contact, &block, speed);
+        moderate += exact > 0x1p-60L && exact < 0.9L;
+        worst = fmaxl(worst, exact < 0x1p-1074L ? 0 : ulp_error(loss, exact));
+        check(exact < 0x1p-1074L ? loss <= 0x1p-1074 : ulp_error(loss, exact) <= COR_CONTACT_MAX_ULP + 16,
+              "K = %a, m = %a, E = %a, nu = %a, density %a, speed %a: %g, not %Lg", contact.elastic_constant_n_m15,
+              contact.effective_mass_kg, block.young_modulus_pa, nu, block.density_kg_m3, speed, loss, exact);
+        assert_true(cor_contact_wave_loss(&contact, &block, 0) == 0 &&
+                    cor_contact_wave_loss(&contact, &block, -0.0) == 0 &&
+                    cor_contact_wave_loss(&contact, &block, INFINITY) == 1);
+    }
+    assert_true(moderate > 0);
+    print_message("1 - eps^2: %.1Lf ulp, %zu moderate losses\n", worst, moderate);
+}
+
 /* The law of first order, x'' + beta x x' + x^(3/2) = 0: its loss by integration, against 2 |C_1| beta_w. The radiated
  * energy is kappa int F'^2 dt of the elastic collision. */
 static void first_order(void **state)
@@ -128,6 +167,7 @@ static void first_order(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(known_values), cmocka_unit_test(another_contour),
-                                       cmocka_unit_test(collisions), cmocka_unit_test(first_order)};
+                                       cmocka_unit_test(collisions), cmocka_unit_test(every_size),
+                                       cmocka_unit_test(first_order)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
