@@ -73,8 +73,9 @@ static int fill_curve(double *speed_m_s, double *eps, const struct contact_argum
     for (int i = 0; i < CURVE_POINTS; i++) {
         progress("picture", i, CURVE_POINTS);
         speed_m_s[i] = low * pow(high / low, (double)i / (CURVE_POINTS - 1));
-        if (contact_model_eps(&eps[i], model, speed_m_s[i], end) != STATUS_OK)
-            return STATUS_FAILED;
+        const int status = contact_model_eps(&eps[i], model, speed_m_s[i], end);
+        if (status != STATUS_OK)
+            return status;
     }
     progress_end();
     return STATUS_OK;
@@ -92,8 +93,9 @@ static int draw(const struct contact_arguments *o, const struct contact_models *
         if (!wanted || !contact_model_has_end(model, (enum contact_end)end) ||
             (curves > 0 && !contact_model_ends_differ(model)))
             continue;
-        if (fill_curve(speed_m_s[curves], eps[curves], o, model, (enum contact_end)end) != STATUS_OK)
-            return STATUS_FAILED;
+        const int status = fill_curve(speed_m_s[curves], eps[curves], o, model, (enum contact_end)end);
+        if (status != STATUS_OK)
+            return status;
         curve[curves] = (struct contact_curve){title[end], speed_m_s[curves], eps[curves], CURVE_POINTS};
         curves++;
     }

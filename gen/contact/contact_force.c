@@ -162,12 +162,21 @@ static double force_in_step(const struct force_system *system, const double y[2]
     return system_force(system, at);
 }
 
+/* No force between y and the turning point is larger: v falls, and dv/dx <= -damper x^b bounds the overlap. */
+static double force_ahead(const struct force_system *system, const double y[2])
+{
+    const double b1 = (double)system->bd / (double)system->d + 1, a = (double)system->ad / (double)system->d;
+    const double x = pow(whole_power(y[0], system->bd + system->d) + b1 * y[1] / system->damper, 1 / b1);
+    return system->elastic * pow(x, a) + system->damper * pow(x, b1 - 1) * y[1];
+}
+
 #define FORCE_STEP_ERROR 1e-15 /* of w and v, whose scales are 1 */
 
+/* Strong damping makes v fall exponentially; below FORCE_STEP_ERROR the method would not find the turning point. */
 static double force_integrated(const struct force_system *system)
 {
     double y[2] = {0, 1}, next[2], h = 1e-3, most = system_force(system, y);
-    while (y[1] > 0) {
+    while (y[1] > 0 && !(force_ahead(system, y) < most)) {
         const double error = force_step(next, system, y, h);
         if (error > FORCE_STEP_ERROR && h > 1e-9) {
             h *= fmax(0.2, 0.9 * pow(FORCE_STEP_ERROR / error, 0.2));
@@ -182,6 +191,15 @@ static double force_integrated(const struct force_system *system)
     return fmax(most, system_force(system, y));
 }
 
+/* The largest force where mu = 0: X^b (1 - X^(b+1)/(b+1)) at X^(b+1) = b (b+1)/(2 b + 1). The spring changes it by less
+ * than 50 mu of itself (docs/derivation.md, 9). */
+static double force_overdamped(double b)
+{
+    return (b + 1) / (2 * b + 1) * pow(b * (b + 1) / (2 * b + 1), b / (b + 1));
+}
+
+#define FORCE_SPRING_LEAST 0x1p-48 /* of mu, below which the spring is left out */
+
 /* From beta = 1 on the damping sets the scales: x = beta^(-1/(b+1)) X, X'' + X^b X' + mu X^a = 0. */
 static double force_power(const struct law *law, double beta)
 {
@@ -189,7 +207,9 @@ static double force_power(const struct law *law, double beta)
     if (beta <= 1)
         return force_integrated(&(struct force_system){1, beta, law->d, law->ad, law->bd});
     const double mu = pow(beta, -a1 / b1);
-    return pow(beta, 1 / b1) * force_integrated(&(struct force_system){mu, 1, law->d, law->ad, law->bd});
+    return pow(beta, 1 / b1) * (mu < FORCE_SPRING_LEAST
+                                    ? force_overdamped(b1 - 1)
+                                    : force_integrated(&(struct force_system){mu, 1, law->d, law->ad, law->bd}));
 }
 
 double contact_force_max(const struct law *law, double damping)

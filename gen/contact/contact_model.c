@@ -153,8 +153,14 @@ static double nearest(const arb_t x)
 
 typedef int collision_solver(struct collision *c, const arb_t beta, const struct law *law, slong bits);
 
+#define ENCLOSED_BETA_MAX 1e12 /* beyond, the bits and the seconds of an enclosure grow without use */
+
 static int enclose(struct scaled_impact *impact, const struct law *law, double beta, collision_solver *solve)
 {
+    if (!(beta <= ENCLOSED_BETA_MAX))
+        return usage_error("beta is %g at an impact; allowed for x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0: up to %g",
+                           beta, (long)law->b.num, (long)law->b.den, (long)law->a.num, (long)law->a.den,
+                           ENCLOSED_BETA_MAX);
     arb_t x;
     struct collision c;
     arb_init(x);

@@ -83,8 +83,9 @@ static int solve_all(struct contact_impact *impact, double *least, const struct 
         for (size_t i = 0; i < speeds; i++) {
             progress("impacts", (long)((size_t)k * speeds + i), (long)((size_t)models->count * speeds));
             struct contact_impact *const solved = &impact[(size_t)k * speeds + i];
-            if (contact_model_impact(solved, &models->model[k], speed_m_s[i]) != STATUS_OK)
-                return STATUS_FAILED;
+            const int status = contact_model_impact(solved, &models->model[k], speed_m_s[i]);
+            if (status != STATUS_OK)
+                return status;
             *least = fmin(*least, shortest(solved));
         }
     }

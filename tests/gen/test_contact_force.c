@@ -68,8 +68,60 @@ static void forces(void **state)
     close_to("strong", contact_force_max(&law_sphere, 1e9), pow(1e9, 2.0 / 3) * 0.75 * cbrt(0.375), 1e-12);
 }
 
+/* The largest force to the first order of mu, x = beta^(-1/(b+1)) X: docs/derivation.md, 9. b > 0. */
+static double strongly_damped(double a, double b, double mu)
+{
+    enum { STEPS = 400 };
+    const double top = pow(b * (b + 1) / (2 * b + 1), 1 / (b + 1));
+    double lost = 0; /* of the speed: the integral of X^a/V by Simpson's rule in u, X = top u^4 */
+    for (int i = 0; i <= STEPS; i++) {
+        const double u = (double)i / STEPS, x = top * u * u * u * u, speed = 1 - pow(x, b + 1) / (b + 1);
+        lost += (i % STEPS == 0 ? 1 : 2 + 2 * (i % 2)) * pow(x, a) / speed * 4 * top * u * u * u / (3 * STEPS);
+    }
+    return (b + 1) / (2 * b + 1) * pow(top, b) + mu * (pow(top, a) - pow(top, b) * lost);
+}
+
+/* The largest x^a + beta v by small steps, b = 0: the force at the first moment is a maximum, and may be the lesser */
+static double force_by_steps(double a, double beta)
+{
+    const double h = 1e-5;
+    double x = 0, v = 1, most = beta;
+    while (v > 0) {
+        const double middle = x + h / 2 * v, slowed = v - h / 2 * (pow(x, a) + beta * v);
+        x += h * slowed;
+        v -= h * (pow(middle, a) + beta * slowed);
+        most = fmax(most, pow(x, a) + beta * v);
+    }
+    return most;
+}
+
+/* Any damping, up to the largest doubles: the integration and the limit without the spring meet */
+static void strong_damping(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    const struct law dashpot = law_named("3/2", "0");
+    const double weak = random_uniform(&random, 0.1, 1.2);
+    close_to("two maxima", contact_force_max(&dashpot, weak), force_by_steps(1.5, weak), 1e-7);
+    for (size_t i = 0; i < points(2000); i++) {
+        const size_t a4 = 1 + random_below(&random, 40), b4 = random_below(&random, 40);
+        const double a = (double)a4 / 4, b = (double)b4 / 4, mu = random_log(&random, 1e-22, 1e-8);
+        const double beta = pow(mu, -(b + 1) / (a + 1)), strongest = random_log(&random, 1, 1e308);
+        char elastic[32], damping[32];
+        snprintf(elastic, sizeof elastic, "%zu/4", a4);
+        snprintf(damping, sizeof damping, "%zu/4", b4);
+        const struct law law = law_named(elastic, damping);
+        if (law_is_linear(&law) || law_is_hunt_crossley(&law) || !(beta < 1e300) || (b4 == 0 && a4 < 4))
+            continue;
+        check(contact_force_max(&law, strongest) > 0, "%s, %s: %g", elastic, damping, strongest);
+        const double scaled = contact_force_max(&law, beta) / pow(beta, 1 / (b + 1));
+        close_to("strong damping", scaled, b4 == 0 ? 1 : strongly_damped(a, b, mu),
+                 CONTACT_FORCE_MAX_ERROR + 1e4 * mu * mu);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(forces)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(forces), cmocka_unit_test(strong_damping)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
