@@ -97,29 +97,26 @@ build() {
     cmake --build "$1" --parallel "$jobs" "${@:2}"
 }
 
-# turn_of N: the number of the commit modulo N. An ordinary test run takes another part of a long test after each
-# commit.
+# turn_of N: which of the N parts of a long test a short run takes: the first, or with tests/run --turn K another.
 turn_of() {
-    echo $((${COR_TEST_TURN:-$(git rev-list --count HEAD 2>/dev/null || echo 0)} % $1))
+    echo $((${COR_TEST_TURN:-0} % $1))
 }
 
-# some_in_turn N TURN: of the files on standard input, each perhaps with a tab and a text, those whose number is TURN
-# modulo N, and those that the last commit or the working tree changed. Prints the text, or the name.
+# some_in_turn N TURN: of the lines on standard input, each a name, perhaps with a tab and a text, those whose number is
+# TURN modulo N. Prints the text, or the name.
 some_in_turn() {
-    awk -F '\t' -v n="$1" -v turn="$2" \
-        'NR == FNR { changed[$1] = 1; next } FNR % n == turn || changed[$1] { print $NF }' \
-        <({ git diff --name-only HEAD~1 || true; } 2>/dev/null; echo) -
+    awk -F '\t' -v n="$1" -v turn="$2" 'NR % n == turn { print $NF }'
 }
 
 # builds_whole CC [--long]: whether a test run builds everything with this compiler: with gcc always, with others in long
-# runs and after every fifth commit, when the part of tests/hygiene/run whose turn it is, valgrind, is the shortest.
+# runs and in every fifth turn, when the part of tests/hygiene/run whose turn it is, valgrind, is the shortest.
 # Otherwise build_tested builds the library and its tests, and has the rest parsed.
 builds_whole() {
     [ "$1" = gcc ] || [ "${2-}" = --long ] || [ "$(turn_of 5)" -eq 2 ]
 }
 
 # parse_rest DIR: of the sources that the target unit_tests does not need, but for those that a build writes, the
-# compiler reads a fifth in turn, with all warnings, and those just changed.
+# compiler reads a fifth in turn, with all warnings.
 parse_rest() {
     sed -n 's/^ *"command": "\(.*\)",\{0,1\}$/\1/p' "$1/compile_commands.json" | sed 's/\\"/"/g; s/\\\\/\\/g' |
         grep -vE " [^ ]*/(runtime|tests/unit|$1)/[^ ]*\$" |

@@ -113,7 +113,7 @@ struct tables_arguments {
     struct option_common common;
     struct decimal poisson;
     slong modes, seed; /* OPTIONS_NOT_GIVEN if so */
-    bool check, all;
+    bool check, all, digits;
 };
 
 extern const struct subcommand command_trajectory, command_series, command_pade, command_collide, command_disk_modes,

@@ -17,6 +17,9 @@ static int check_arguments(const struct tables_arguments *o)
         return usage_error("--seed chooses the sample of --check without --all");
     if (o->modes != OPTIONS_NOT_GIVEN && !o->poisson.text)
         return usage_error("--modes needs --poisson: the tables of generated/ have %d modes", DISK_TABLE_MODES);
+    if (o->digits && (o->poisson.text || o->check || o->all || o->common.output))
+        return usage_error("--digits prints the digits of all tables and goes with no other option%s",
+                           o->poisson.text ? "; corgen disk-modes prints those of modes" : "");
     if (!o->poisson.text)
         return STATUS_OK;
     if (strlen(o->poisson.text) > DISK_TABLE_POISSON)
@@ -35,6 +38,7 @@ static int run_tables(const void *arguments)
                                            .modes = o->modes == OPTIONS_NOT_GIVEN ? 0 : o->modes,
                                            .directory = o->common.output,
                                            .check = o->check,
+                                           .digits = o->digits,
                                            .all = o->all,
                                            .seeded = o->seed != OPTIONS_NOT_GIVEN,
                                            .seed = o->seed == OPTIONS_NOT_GIVEN ? 0 : (uint64_t)o->seed};
@@ -43,7 +47,8 @@ static int run_tables(const void *arguments)
 
 static const char help[] =
     "Usage: corgen tables [--check] [--all] [--output DIR] [OPTION]...\n"
-    "       corgen tables --poisson NU [--modes N] [--check] [--output DIR] [OPTION]...\n\n"
+    "       corgen tables --poisson NU [--modes N] [--check] [--output DIR] [OPTION]...\n"
+    "       corgen tables --digits\n\n"
     "Writes every file of generated/, or the modes of an elastic disk of another material as a C\n"
     "header to embed and a file to load; all of them or none.\n\n"
     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
@@ -53,6 +58,8 @@ static const char help[] =
     "  --all            also compute disk_limits.h again, which takes hours. An interrupted run leaves its\n"
     "                   collisions in disk_limits.h.part, and the same command continues it;\n"
     "                   with --check, collide at all places of disk_limits.h\n"
+    "  --digits         write no file; print every coefficient with 25 digits, as csv:\n"
+    "                   table,row,column,value,digits\n"
     "  --seed N         seed of these random places, 0 to 1000000000 (default: a new one each time)\n"
     "  --output DIR     the directory (default: generated; with --poisson, the current one)\n"
     "  --profile        seconds per step and peak memory on standard error\n"
@@ -68,6 +75,7 @@ static const struct option_rule options[] = {
      .why = OPTION_COUNT_WHY},
     {.name = "check", .kind = OPTION_FLAG, .offset = AT(check)},
     {.name = "all", .kind = OPTION_FLAG, .offset = AT(all)},
+    {.name = "digits", .kind = OPTION_FLAG, .offset = AT(digits)},
     {.name = "seed",
      .kind = OPTION_WHOLE,
      .offset = AT(seed),

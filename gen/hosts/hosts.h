@@ -53,8 +53,8 @@ struct host_model {
     const char *known;  /* "run", "source" or "documentation" */
     const char *advice; /* a sentence for the user */
 
-    /* The version of the host that was run or read, and lines for its input; NULL: none. `paste` begins with the opening
-     * of a comment in the host's language and a bar. Words in braces stand for numbers (contact_host.c). */
+    /* The version of the host that was run or read, and lines for its input; NULL: none. `paste` starts with the
+     * opening of a comment in the language of the host and a bar. Words in braces stand for numbers (contact_host.c). */
     const char *version, *paste;
 };
 

@@ -11,7 +11,7 @@
 #include "support/console.h"
 #include "support/digits.h"
 
-enum { COMMENT_DIGITS = 25, BITS_OF_SMALL = 40, COMMENT_MAX = 4096 };
+enum { COMMENT_DIGITS = 25, BITS_OF_SMALL = 40, COMMENT_MAX = 4096, WIDTH = 120, NUMBER_MAX = 40 };
 
 /* Writes a comment. A star and a slash in the text are separated, and no line ends in a space. */
 static void put_comment(FILE *file, const char *text)
@@ -58,8 +58,7 @@ void emit_comment(struct emit *e, const char *format, ...)
     put_comment(e->file, text);
 }
 
-/* The fraction if x is exact and has a binary denominator of few bits, otherwise its digits
- */
+/* The fraction if x is exact and has a binary denominator of few bits, otherwise its digits */
 static char *number_text(const arb_t x)
 {
     if (!arb_is_exact(x) || arb_bits(x) > BITS_OF_SMALL || arf_cmpabs_2exp_si(arb_midref(x), BITS_OF_SMALL) > 0 ||
@@ -92,31 +91,80 @@ int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong lengt
     return 0;
 }
 
+static const char *real_type(const struct emit *e)
+{
+    return e->single ? "float" : "double";
+}
+
+/* The text of a number of the type in C and C++, which reads back to the same bits */
+static const char *real(char text[NUMBER_MAX], const struct emit *e, double x)
+{
+    /* the shortest such text */
+    const int most = e->single ? 9 : 17;
+    for (int digits = 1; digits <= most; digits++) {
+        snprintf(text, NUMBER_MAX, "%.*g", digits, x);
+        if (e->single ? strtof(text, NULL) == (float)x : strtod(text, NULL) == x)
+            break;
+    }
+    const size_t length = strlen(text);
+    snprintf(text + length, NUMBER_MAX - length, "%s%s", strpbrk(text, ".e") ? "" : ".0", e->single ? "f" : "");
+    return text;
+}
+
+static FILE *digits_file;
+
+void emit_digits(FILE *file)
+{
+    digits_file = file;
+    if (file)
+        fprintf(file, "table,row,column,value,digits\n");
+}
+
+/* A number of a table by its row and column, with its digits, where these are wanted */
+static int put_digits(const struct emit *e, const arb_t x, slong column, double y)
+{
+    if (!digits_file || e->decimal)
+        return STATUS_OK;
+    char *text = number_text(x);
+    if (!text)
+        return fail("%s: a number is not known well enough to be shown", e->table);
+    fprintf(digits_file, "%s,%ld,%ld,%a,%s\n", e->table, (long)e->row, (long)column, y, text);
+    free(text);
+    return STATUS_OK;
+}
+
 void emit_rows_open(struct emit *e, const char *name, slong rows, slong columns)
 {
+    e->table = name;
+    e->row = 0;
     fprintf(e->file, "COR_INLINE const double *%s(int i)\n{\n    static const double row[%ld][%ld] = {\n", name,
             (long)rows, (long)columns);
 }
 
 int emit_row(struct emit *e, const char *comment, arb_srcptr value, slong columns, bool last)
 {
-    fprintf(e->file, "        /* %s */\n        {", comment);
+    int column = fprintf(e->file, "    {");
     for (slong i = 0; i < columns; i++) {
         double y;
-        char *text = e->decimal ? xstrdup("") : number_text(value + i);
-        if (!text || !digits_to_double(&y, value + i)) {
-            free(text);
+        char number[NUMBER_MAX];
+        if (!digits_to_double(&y, value + i))
             return fail("%s: number %ld is not known well enough to be rounded", comment, (long)i);
-        }
-        const char *comma = i + 1 < columns ? "," : "";
+        if (put_digits(e, value + i, i, y))
+            return STATUS_FAILED;
         if (e->decimal)
-            fprintf(e->file, "%s%.17g%s", i % 4 == 0 ? "\n         " : " ", y, comma);
+            real(number, e, y);
         else
-            fprintf(e->file, "\n         %a%s /* %s */", y, comma, text);
-        free(text);
+            snprintf(number, sizeof number, "%a", y);
+        if (i > 0 && column + (int)strlen(number) + 3 > WIDTH)
+            column = fprintf(e->file, ",\n     ") - 2;
+        else if (i > 0)
+            column += fprintf(e->file, ", ");
+        column += fprintf(e->file, "%s", number);
     }
-    fprintf(e->file, "\n        }%s\n", last ? "" : ",");
-    return 0;
+    e->row++;
+    column += fprintf(e->file, "}%s", last ? "" : ",");
+    fprintf(e->file, "%s/* %s */\n", column + (int)strlen(comment) + 7 > WIDTH ? "\n     " : " ", comment);
+    return STATUS_OK;
 }
 
 void emit_rows_close(struct emit *e)
@@ -133,12 +181,14 @@ void emit_float_rows_open(struct emit *e, const char *name, slong rows, slong co
 void emit_float_row(struct emit *e, const char *comment, const float *value, slong columns, bool last)
 {
     for (slong i = 0; i < columns; i++)
-        fprintf(e->file, "%s%af", i == 0 ? "        {" : ", ", (double)value[i]);
+        fprintf(e->file, "%s%af", i == 0 ? "    {" : ", ", (double)value[i]);
     fprintf(e->file, "}%s /* %s */\n", last ? "" : ",", comment);
 }
 
 void emit_structs_open(struct emit *e, const char *type, const char *name, slong count)
 {
+    e->table = name;
+    e->row = 0;
     fprintf(e->file, "static const struct %s %s[%ld] = {\n", type, name, (long)count);
 }
 
@@ -151,41 +201,17 @@ int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr val
         double y;
         if (!digits_to_double(&y, value + i))
             return fail("number %ld of a row is not known well enough to be rounded", (long)i);
+        if (put_digits(e, value + i, wholes + i, y))
+            return STATUS_FAILED;
         fprintf(e->file, e->decimal ? ", %.17g" : ", %a", y);
     }
-    fprintf(e->file, "}%s", last ? "" : ",");
-    for (slong i = 0; i < values && !e->decimal; i++) {
-        char *text = number_text(value + i);
-        if (!text)
-            return fail("number %ld of a row is not known well enough to be shown", (long)i);
-        fprintf(e->file, "%s%s%s", i > 0 ? ", " : " /* ", text, i + 1 < values ? "" : " */");
-        free(text);
-    }
-    fprintf(e->file, "\n");
-    return 0;
+    e->row++;
+    fprintf(e->file, "}%s\n", last ? "" : ",");
+    return STATUS_OK;
 }
 
 void emit_structs_close(struct emit *e)
 {
-    fprintf(e->file, "};\n");
-}
-
-void emit_struct_decimals(struct emit *e, const char *const *decimal, slong count, bool last)
-{
-    fprintf(e->file, "    {");
-    for (slong i = 0; i < count; i++)
-        fprintf(e->file, "%s%a", i > 0 ? ", " : "", strtod(decimal[i], NULL));
-    fprintf(e->file, "}%s /* ", last ? "" : ",");
-    for (slong i = 0; i < count; i++)
-        fprintf(e->file, "%s%s", i > 0 ? ", " : "", decimal[i]);
-    fprintf(e->file, " */\n");
-}
-
-void emit_decimals(struct emit *e, const char *name, const char *const *decimal, slong count)
-{
-    fprintf(e->file, "static const double %s[] = {\n", name);
-    for (slong i = 0; i < count; i++)
-        fprintf(e->file, "    %a, /* [%ld] %s */\n", strtod(decimal[i], NULL), (long)i, decimal[i]);
     fprintf(e->file, "};\n");
 }
 
@@ -269,27 +295,7 @@ struct bound_text emit_bound(double x)
 
 /* ---- functions of one real number ---- */
 
-enum { COLUMNS = 100, NUMBER_MAX = 40 };
-
-static const char *real_type(const struct emit *e)
-{
-    return e->single ? "float" : "double";
-}
-
-/* The text of a number of the type in C and C++, which reads back to the same bits */
-static const char *real(char text[NUMBER_MAX], const struct emit *e, double x)
-{
-    /* the shortest such text */
-    const int most = e->single ? 9 : 17;
-    for (int digits = 1; digits <= most; digits++) {
-        snprintf(text, NUMBER_MAX, "%.*g", digits, x);
-        if (e->single ? strtof(text, NULL) == (float)x : strtod(text, NULL) == x)
-            break;
-    }
-    const size_t length = strlen(text);
-    snprintf(text + length, NUMBER_MAX - length, "%s%s", strpbrk(text, ".e") ? "" : ".0", e->single ? "f" : "");
-    return text;
-}
+enum { COLUMNS = 100 };
 
 static void put_geometry(struct emit *e, const char *table, const char *what, const char *number)
 {

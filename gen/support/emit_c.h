@@ -11,10 +11,17 @@
 struct emit {
     FILE *file;
     const char *guard;
-    bool single;  /* the scalar functions below compute in float */
-    bool decimal; /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
+    bool single;       /* the scalar functions below compute in float */
+    bool decimal;      /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
                    * hexadecimal */
+    const char *table; /* the rows or structs that are being written, and how many of them are */
+    slong row;
 };
+
+/* From now on each number of emit_row and emit_struct is also a line of a csv file, table,row,column,value,digits, with
+ * 25 significant digits (a fraction of small integers where the number is one), except in headers with `decimal`, which
+ * repeat the numbers of others. NULL ends that. */
+void emit_digits(FILE *file);
 
 /* Writes the licence line, the banner and the include guard. The banner is plain text. Its line breaks are kept, and no
  * text can end the comment early. */
@@ -30,8 +37,8 @@ void emit_comment(struct emit *e, const char *format, ...) __attribute__((format
 int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong length);
 
 /* COR_INLINE const double *name(int i) { return row i; }. The table is local to the function, so that the same text
- * works on a GPU. Call open, emit_row for each row, and close. emit_row returns 0, or 1 after reporting the interval
- * that is too wide. */
+ * works on a GPU. Call open, emit_row for each row, and close. A row takes two or three lines, comment last.
+ * emit_row returns 0, or 1 after reporting the interval that is too wide. */
 void emit_rows_open(struct emit *e, const char *name, slong rows, slong columns);
 int emit_row(struct emit *e, const char *comment, arb_srcptr value, slong columns, bool last);
 void emit_rows_close(struct emit *e);
@@ -41,8 +48,7 @@ void emit_float_rows_open(struct emit *e, const char *name, slong rows, slong co
 void emit_float_row(struct emit *e, const char *comment, const float *value, slong columns, bool last);
 
 /* Writes static const struct TYPE name[count], whose fields are integers and then doubles. Call open, emit_struct for
- * each element, and close. emit_struct returns as emit_row; with `decimal` the numbers are decimal, and no comment
- * repeats them. */
+ * each element, and close. emit_struct returns as emit_row. */
 void emit_structs_open(struct emit *e, const char *type, const char *name, slong count);
 int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values, bool last);
 void emit_structs_close(struct emit *e);
@@ -51,10 +57,6 @@ void emit_structs_close(struct emit *e);
  * and read back to the same bits. */
 void emit_geometry_real(struct emit *e, const char *table, const char *what, double x);
 void emit_geometry_integer(struct emit *e, const char *table, const char *what, slong n);
-
-/* The same for short decimal numbers, such as "-0.5", which the comment shows unchanged. */
-void emit_struct_decimals(struct emit *e, const char *const *decimal, slong count, bool last);
-void emit_decimals(struct emit *e, const char *name, const char *const *decimal, slong count);
 
 /* enum { NAME = value, ... }; */
 void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count);

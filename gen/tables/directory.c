@@ -12,6 +12,7 @@
 
 #include "runtime/core/mode_file.h"
 #include "support/console.h"
+#include "support/emit_c.h"
 #include "support/output.h"
 #include "tables/disk.h"
 #include "tables/law_header.h"
@@ -309,16 +310,18 @@ int tables_run(const struct tables_request *request)
                             : request->poisson ? DEFAULT_DIRECTORY_OF_MATERIAL
                                                : DEFAULT_DIRECTORY;
     struct content c[CONTENTS] = {{NULL, NULL, 0}};
-    int n = 0, status = request->check ? STATUS_OK : probe_directory(directory);
+    int n = 0, status = request->check || request->digits ? STATUS_OK : probe_directory(directory);
+    emit_digits(request->digits ? stdout : NULL);
     if (status == STATUS_OK)
         status = request->poisson ? make_material(c, &n, request) : make_generated(c, &n, request, directory);
-    if (status == STATUS_OK)
+    emit_digits(NULL);
+    if (status == STATUS_OK && !request->digits)
         status = request->check ? check_all(c, n, directory) : write_all(c, n, directory);
-    for (int i = 0; i < n && status == STATUS_OK; i++)
+    for (int i = 0; i < n && status == STATUS_OK && !request->digits; i++)
         printf("%s %s/%s: %zu bytes\n", request->check ? "same" : "wrote", directory, c[i].name, c[i].size);
     if (status == STATUS_OK && request->check && disk_limits_known())
         status = check_limits(request);
-    if (status == STATUS_OK && !request->check && !request->all && disk_limits_known())
+    if (status == STATUS_OK && !request->check && !request->digits && !request->all && disk_limits_known())
         printf("kept the collisions of " DISK_LIMITS_FILE "; --all makes them anew\n");
     if (fflush(stdout) && status == STATUS_OK)
         status = fail("standard output: %s", strerror(errno));

@@ -17,6 +17,7 @@ struct tables_request {
     slong modes;                   /* number of modes of that material; 0: DISK_TABLE_MODES */
     const char *directory;         /* NULL: generated, or the current directory for a material */
     bool check;                    /* compare without writing */
+    bool digits;                   /* write the digits of the coefficients to standard output instead, as csv */
     bool all;                      /* compute the collisions at all points of disk_limits.h */
     bool seeded;                   /* `seed` chooses the points at which a check recomputes collisions; otherwise the
                                     * time does */

@@ -122,7 +122,7 @@ int disk_header_write(FILE *file, const struct disk_table *table)
     snprintf(name, sizeof name, "cor_disk_mode_rows_nu%s", nu);
     command_text(command, table);
     snprintf(banner, sizeof banner, banner_format, (long)table->count, table->poisson.text, upper,
-             table->embed ? ", in 17 digits" : ", as are the digits beside it", command, command);
+             table->embed ? ", in 17 digits" : "; corgen tables --digits prints 25 digits", command, command);
     struct emit e;
     emit_open(&e, file, guard, banner);
     e.decimal = table->embed;

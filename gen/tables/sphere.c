@@ -206,10 +206,11 @@ static const char tables_banner[] =
     "Written by:  corgen tables\n"
     "Checked by:  corgen tables --check\n"
     "\n"
-    "Each double is the one nearest to the coefficient beside it: proved. Errors of the rows stand above\n"
-    "each table and beside each row, those of the formulas for large beta above the formulas, proved for\n"
-    "every argument (docs/derivation.md, 8). The rows interpolate polynomials of high degree through\n"
-    "collisions enclosed to 76 bits or more (proved). Errors of evaluation: include/cor/sphere.h.\n";
+    "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of\n"
+    "each. Errors of the rows stand above each table and behind each row, those of the formulas for large\n"
+    "beta above the formulas, proved for every argument (docs/derivation.md, 8). The rows interpolate\n"
+    "polynomials of high degree through collisions enclosed to 76 bits or more (proved). Errors of\n"
+    "evaluation: include/cor/sphere.h.\n";
 
 int sphere_tables_write(FILE *file, const struct disk_table *none)
 {

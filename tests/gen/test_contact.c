@@ -433,7 +433,7 @@ static double number_after(const char *text, const char *name, double otherwise)
 }
 
 /* The lines for Chrono's Hertz contact, put through ChContactSMC's force: kn R sqrt(x) x + gn m R sqrt(x) x', never
- * attractive. Type::BULLET takes the default for R, 0.1 m where none is set; Type::MULTICORE computes R1 R2/(R1 + R2). */
+ * attractive. Type::BULLET takes the default for R, 0.1 m unless set; Type::MULTICORE computes R1 R2/(R1 + R2). */
 static void chrono_finds_the_radius(void **state)
 {
     (void)state;

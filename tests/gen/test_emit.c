@@ -115,7 +115,8 @@ static void test_doubles(void **state)
     _arb_vec_clear(x, COUNT);
 }
 
-/* Rows inside a function, hexadecimal with a comment each and as plain decimals: the same doubles. */
+/* Rows inside a function, hexadecimal and decimal: the same doubles. The digits of hexadecimal rows and structs read
+ * back to them. */
 static void test_rows(void **state)
 {
     (void)state;
@@ -130,7 +131,11 @@ static void test_rows(void **state)
         assert_true(digits_to_double(&expected[i], x + i));
     }
     struct emit e;
-    FILE *file = create("header.h");
+    char *text;
+    size_t size;
+    FILE *file = create("header.h"), *digits = open_memstream(&text, &size);
+    assert_non_null(digits);
+    emit_digits(digits);
     emit_open(&e, file, "HEADER_H", "rows");
     emit_comment(&e, "what the structs below are");
     fprintf(file, "struct pair { int i, k; double a, b, c, d, e; };\n");
@@ -145,8 +150,24 @@ static void test_rows(void **state)
             assert_int_equal(emit_row(&e, "a row", x + i * COLUMNS, COLUMNS, i + 1 == ROWS), 0);
         emit_rows_close(&e);
     }
+    emit_digits(NULL);
     emit_close(&e);
     assert_int_equal(fclose(file), 0);
+    assert_int_equal(fclose(digits), 0);
+    const char *line = strchr(text, '\n') + 1;
+    assert_int_equal(strncmp(text, "table,row,column,value,digits\n", (size_t)(line - text)), 0);
+    for (int form = 0; form < 2; form++)
+        for (long i = 0; i < ROWS * COLUMNS; i++, line = strchr(line, '\n') + 1) {
+            char table[32], value[64], decimal[64];
+            long row, column;
+            assert_int_equal(sscanf(line, "%31[a-z],%ld,%ld,%63[^,],%63s", table, &row, &column, value, decimal), 5);
+            assert_string_equal(table, form ? "hexadecimals" : "hexadecimal");
+            assert_int_equal(row * COLUMNS + column, i + (form ? 0 : 2)); /* a struct begins with two integers */
+            assert_true(strtod(value, NULL) == expected[i]);
+            assert_true(strtod(decimal, NULL) == expected[i] || i == 0); /* 1/2^280 is exact */
+        }
+    assert_string_equal(line, "");
+    free(text);
 
     file = create("main.c");
     fprintf(file,

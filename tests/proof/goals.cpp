@@ -5,10 +5,10 @@
  *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
  *
  * writes every goal, or those whose name fits a pattern of the shell and whose number is PART modulo PARTS.
- * TABLES.h is generated/sphere_tables.h, read as text: its comments say which interval each row is for and which real
- * number each coefficient stands for. The exit status is 1 if the evaluator does not compute the formula of a row. */
+ * TABLES.h is generated/sphere_tables.h, read as text: its comments say which interval each row is for. The exit status is 1 if the evaluator does not compute the formula of a row. */
 #include "trace.h"
 
+#include <cstring>
 #include <fnmatch.h>
 #include <gmpxx.h>
 
@@ -74,7 +74,7 @@ struct row {
     int octave;
     bool by_octaves;
     number bits; /* -log2 of the proved error */
-    std::vector<std::string> value, decimal;
+    std::vector<std::string> value;
     number node() const
     {
         return low == 0 ? 0 : (low + high) / 2;
@@ -82,34 +82,39 @@ struct row {
 };
 typedef std::vector<row> table;
 
+/* A row's numbers stand before the comment that says which interval it is for. */
 static std::map<std::string, table> tables_of(const char *file)
 {
     std::map<std::string, table> all;
     std::ifstream in(file);
     std::string line, name;
+    row r = {};
     while (std::getline(in, line)) {
-        char text[128], word[64], number_text[64];
-        row r = {};
+        char text[128];
         int index;
-        const std::size_t degree = line.find(", degree ");
-        if (degree != std::string::npos)
-            sscanf(line.c_str() + degree, ", degree %*d, %lf bits", &r.bits);
         if (sscanf(line.c_str(), "COR_INLINE const double *cor_rows_%127[a-z0-9_](int i)", text) == 1)
             name = text;
-        else if (sscanf(line.c_str(), " /* [%d] %lf <= y <= %lf 2^%d", &index, &r.low, &r.high, &r.octave) == 4) {
-            r.by_octaves = true;
-            all[name].push_back(r);
-        } else if (sscanf(line.c_str(), " /* [%d] %lf <= y <= %lf,", &index, &r.low, &r.high) == 3)
-            all[name].push_back(r);
-        else if (sscanf(line.c_str(), " /* %127[^*]*/", text) == 1 && line.find("/*") == 8)
-            all[name].push_back(r); /* a table of one row */
-        else if (sscanf(line.c_str(), " %63[-+0-9a-fxp.], /* %63[-+0-9e./]", word, number_text) == 2 ||
-                 sscanf(line.c_str(), " %63[-+0-9a-fxp.] /* %63[-+0-9e./]", word, number_text) == 2) {
-            if (all[name].empty())
-                die(std::string(file) + ": a number before any row: " + line);
-            all[name].back().value.push_back(word);
-            all[name].back().decimal.push_back(number_text);
+        const std::size_t comment = line.find("/* ");
+        if (line.compare(0, 5, "    {") == 0 || line.compare(0, 5, "     ") == 0) {
+            std::string numbers = line.substr(0, comment);
+            std::replace_if(
+                numbers.begin(), numbers.end(), [](char c) { return c == '{' || c == '}' || c == ','; }, ' ');
+            std::istringstream words(numbers);
+            for (std::string word; words >> word;)
+                r.value.push_back(word);
         }
+        if (r.value.empty() || comment == std::string::npos)
+            continue;
+        const char *what = line.c_str() + comment;
+        if (sscanf(what, "/* [%d] %lf <= y <= %lf 2^%d", &index, &r.low, &r.high, &r.octave) == 4)
+            r.by_octaves = true;
+        else
+            sscanf(what, "/* [%d] %lf <= y <= %lf,", &index, &r.low, &r.high); /* fails for a table of one row */
+        const char *const degree = strstr(what, ", degree ");
+        if (degree)
+            sscanf(degree, ", degree %*d, %lf bits", &r.bits);
+        all[name].push_back(r);
+        r = {};
     }
     return all;
 }
@@ -1251,46 +1256,6 @@ static void write_pairs(void)
     write_last_steps();
 }
 
-/* ---- coefficients ---- */
-
-static mpq_class decimal_value(const std::string &text)
-{
-    if (text.find('/') != std::string::npos)
-        return mpq_class(text);
-    const std::size_t e = text.find('e'), point = text.find('.');
-    std::string digits = text.substr(0, e);
-    long power = e == std::string::npos ? 0 : strtol(text.c_str() + e + 1, nullptr, 10);
-    if (point != std::string::npos && point < digits.size()) {
-        power -= (long)(digits.size() - point - 1);
-        digits.erase(point, 1);
-    }
-    mpz_class scale;
-    mpz_ui_pow_ui(scale.get_mpz_t(), 10, (unsigned long)std::labs(power));
-    mpq_class value = power < 0 ? mpq_class(mpz_class(digits, 10), scale) : mpq_class(mpz_class(digits, 10) * scale);
-    value.canonicalize();
-    return value;
-}
-
-/* Every double of the tables is the one nearest to the number beside it, which has 25 digits or is exact. */
-static void check_coefficients(void)
-{
-    std::size_t count = 0;
-    const mpq_class digits("1/1000000000000000000000000");
-    for (const auto &t : tables)
-        for (const row &r : t.second)
-            for (std::size_t i = 0; i < r.value.size(); i++, count++) {
-                const number x = strtod(r.value[i].c_str(), nullptr);
-                const mpq_class exact = decimal_value(r.decimal[i]);
-                int exponent;
-                std::frexp(x, &exponent);
-                if (abs(mpq_class(x) - exact) > mpq_class(std::ldexp(1, exponent - 54)) + abs(exact) * digits)
-                    die(t.first + ": " + r.value[i] + " is not the double nearest to " + r.decimal[i]);
-            }
-    if (count < 20000)
-        die("fewer coefficients than the tables have: " + std::to_string(count));
-    printf("%zu coefficients are the doubles nearest to the numbers beside them\n", count);
-}
-
 #include "disk.h"
 
 static const evaluator row_tables[] = {
@@ -1327,7 +1292,12 @@ int main(int argc, char **argv)
         part = strtoul(argv[3], nullptr, 10) % parts;
         patterns.assign(argv + 5, argv + argc);
     }
-    check_coefficients();
+    std::size_t coefficients = 0;
+    for (const auto &t : tables)
+        for (const row &r : t.second)
+            coefficients += r.value.size();
+    if (coefficients < 20000)
+        die("fewer coefficients than the tables have: " + std::to_string(coefficients));
     for (const evaluator &f : row_tables)
         if (is_wanted_in_part(f.name))
             write_rows(f);

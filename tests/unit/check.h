@@ -81,14 +81,13 @@ static inline size_t few_or_all(size_t few, size_t all)
     return check_number("COR_TEST_LONG", 0) ? all : few;
 }
 
-/* Every n-th case in an ordinary run, others after each commit: tests/run sets COR_TEST_TURN to the number of commits.
- */
+/* Every n-th case in a short run, and others with tests/run --turn, which sets COR_TEST_TURN. */
 static inline int in_turn(size_t i, size_t n)
 {
     return (i + (size_t)check_number("COR_TEST_TURN", 0)) % few_or_all(n, 1) == 0;
 }
 
-/* Leaves a test function out of an ordinary run but in every n-th. Without COR_TEST_TURN it runs, and with
+/* Leaves a test function out of tests/run but in every n-th turn. Without COR_TEST_TURN it runs, and with
  * COR_TEST_WHOLE=1, which tests/mutation/run sets: the guard of a mutant must not be left out. */
 #define leave_to_turn(i, n)                                                                                            \
     do {                                                                                                               \
