@@ -12,10 +12,16 @@ endif()
 set(CMAKE_C_EXTENSIONS OFF)
 set(CMAKE_C_STANDARD_REQUIRED ON)
 
+# Errors whatever COR_WERROR says, and with every compiler, as with GCC since 14: a function that no header declares, and
+# its kin.
+set(cor_errors implicit-function-declaration implicit-int int-conversion incompatible-pointer-types)
+list(TRANSFORM cor_errors PREPEND -Werror=)
+
 # No -ffast-math, no -march=native, no contraction: results are the same bits on every IEEE machine. A project without a
 # build type gets an optimized library too. Clang pairs independent operations in one vector and fills its other half with
 # numbers whose sums and products may overflow: without -fno-slp-vectorize they raise exceptions that no function raises.
 add_library(cor_defaults INTERFACE)
 target_compile_options(cor_defaults INTERFACE
   $<$<CONFIG:>:-O2> -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
+  "$<$<C_COMPILER_ID:GNU,Clang,AppleClang>:${cor_errors}>"
   $<$<C_COMPILER_ID:Clang,AppleClang>:-fno-slp-vectorize> $<$<BOOL:${COR_WERROR}>:-Werror>)

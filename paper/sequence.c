@@ -89,11 +89,12 @@ static struct extent write_frame(FILE *csv, const struct mode_shape *shape, cons
     const double position = film->moment[frame].position, time = frame * step;
     double left = INFINITY, right = -INFINITY, top = 0;
     for (int i = 0; i <= STEPS; i++)
-        sum_ring(shape, film->q[frame], i == 0 ? 1e-6 : (double)i / STEPS, &ring[i]);
+        sum_ring(shape, film->q[frame], i == 0 ? 1e-6 : (double)i / (double)STEPS, &ring[i]);
     for (int i = 1; i <= CIRCLES; i++) {
         for (int k = 0; k <= ANGLES; k += i < CIRCLES ? 2 : 1) {
             double x, y;
-            point_of(&ring[i * STEPS / CIRCLES], position, (double)i / CIRCLES, 2 * pi * k / ANGLES, &x, &y);
+            point_of(&ring[i * STEPS / CIRCLES], position, (double)i / (double)CIRCLES, 2 * pi * k / (double)ANGLES, &x,
+                     &y);
             fprintf(csv, "%g,%s,%.4f,%.4f\n", time, i < CIRCLES ? "circle" : "rim", x, y);
             left = fmin(left, x);
             right = fmax(right, x);
@@ -104,7 +105,7 @@ static struct extent write_frame(FILE *csv, const struct mode_shape *shape, cons
     for (int i = 0; i < RADII; i++) {
         for (int k = 0; k <= STEPS; k += 2) {
             double x, y;
-            point_of(&ring[k], position, (double)k / STEPS, 2 * pi * i / RADII, &x, &y);
+            point_of(&ring[k], position, (double)k / (double)STEPS, 2 * pi * i / (double)RADII, &x, &y);
             fprintf(csv, "%g,radius,%.4f,%.4f\n", time, x, y);
         }
         fputs("\n", csv);

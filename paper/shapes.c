@@ -18,7 +18,7 @@ static double norm(const struct mode_shape *shape)
     enum { STEPS = 2000 };
     double sum = 0;
     for (int i = 1; i <= STEPS; i++) {
-        const double r = (double)i / STEPS;
+        const double r = (double)i / (double)STEPS;
         double u_r, u_phi;
         mode_displacement(shape, r, &u_r, &u_phi);
         sum += (i == STEPS ? 1 : i % 2 ? 4 : 2) * (u_r * u_r + u_phi * u_phi) * r;
@@ -50,12 +50,13 @@ static void write_shape(FILE *csv, const struct mode_shape *shape)
     const double scale = largest_shift / largest;
     for (int i = 1; i <= CIRCLES; i++) {
         for (int k = 0; k <= ANGLES; k += i < CIRCLES ? 2 : 1)
-            write_point(csv, shape, scale, i < CIRCLES ? "circle" : "rim", (double)i / CIRCLES, 2 * pi * k / ANGLES);
+            write_point(csv, shape, scale, i < CIRCLES ? "circle" : "rim", (double)i / (double)CIRCLES,
+                        2 * pi * k / (double)ANGLES);
         fputs("\n", csv);
     }
     for (int i = 0; i < RADII; i++) {
         for (int k = 0; k <= STEPS; k++)
-            write_point(csv, shape, scale, "radius", (double)k / STEPS, 2 * pi * i / RADII);
+            write_point(csv, shape, scale, "radius", (double)k / (double)STEPS, 2 * pi * i / (double)RADII);
         fputs("\n", csv);
     }
     fputs("\n", csv);

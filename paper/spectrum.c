@@ -63,7 +63,7 @@ static int write_spectrum(FILE *csv, char verdict[VERDICT_SIZE])
     fputs("n,l,omega,C,S,motion\n", csv);
     for (size_t i = 0; i < modes->count; i++) {
         const struct cor_disk_mode *mode = &modes->mode[i];
-        if (mode->omega < DRAWN_OMEGA && mode->n <= DRAWN_N)
+        if (mode->omega < (double)DRAWN_OMEGA && mode->n <= DRAWN_N)
             fprintf(csv, "%d,%d,%.6f,%.5f,%.5f,%s\n", mode->n, mode->l, mode->omega, mode->c, mode->s,
                     is_radial(mode) ? "radial" : "tangential");
     }

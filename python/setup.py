@@ -54,19 +54,20 @@ def version() -> str:
     return DECLARED.constants["COR_VERSION_STRING"].text.strip('"')
 
 
-def cmake_list(name: str) -> List[str]:
-    """The words of set(<name> ...) in cmake/CorArraySets.cmake, without generator expressions."""
-    text = (ROOT / "cmake" / "CorArraySets.cmake").read_text(encoding="utf-8")
+def cmake_list(name: str, file: str = "CorArraySets.cmake") -> List[str]:
+    """The words of set(<name> ...) in a file of cmake/, without generator expressions."""
+    text = (ROOT / "cmake" / file).read_text(encoding="utf-8")
     found = re.search(rf"^\s*set\({name} (.*)\)$", text, re.M)
     if not found:
-        sys.exit(f"cmake/CorArraySets.cmake: no set({name} ...)")
+        sys.exit(f"cmake/{file}: no set({name} ...)")
     return re.sub(r"\$<.*?>:(-\S+)>", r"\1", found[1]).split()
 
 
 def library_parts() -> List[Tuple[str, List[str]]]:
     """The sources of the library, each with its flags: those of plain code or of a kernel of an instruction set."""
     x86 = platform.machine() in ("x86_64", "AMD64", "amd64")
-    plain = PLAIN_FLAGS + (["-DCOR_X86_SETS"] if x86 else [])
+    plain = PLAIN_FLAGS + [f"-Werror={what}" for what in cmake_list("cor_errors", "CorDefaults.cmake")]
+    plain += ["-DCOR_X86_SETS"] if x86 else []
     kernel = cmake_list("cor_array_options")
     flags = {"portable": kernel, "avx2": kernel + cmake_list("avx2"), "avx512": kernel + cmake_list("avx512")}
     parts = []

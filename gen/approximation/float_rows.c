@@ -154,7 +154,7 @@ static double row_bits(const struct float_rows *r, const struct interpolant *f, 
     arb_init(value);
     arb_init(term);
     for (int k = 0; k <= POINTS; k++) {
-        const double place = place_in(cell, (1 - cos(k * pi / POINTS)) / 2);
+        const double place = place_in(cell, (1 - cos(k * pi / (double)POINTS)) / 2);
         quantity_at(exact, r, f, place);
         arb_zero(value);
         arb_set_d(beta, place - cell->node);

@@ -31,11 +31,11 @@ enum {
     BELOW_LAST_POINTS = 26,
     NEAR_BITS = 84,
     MIDDLE_BITS = 80,
-    TAIL_BITS = 80,
-    /* octaves of beta_c - beta below which eps is almost linear */
-    BELOW_WIDEST_TO = -24,
-    BELOW_WIDE_TO = -10
+    TAIL_BITS = 80
 };
+/* octaves of beta_c - beta below which eps is almost linear */
+#define BELOW_WIDEST_TO (-24.0)
+#define BELOW_WIDE_TO (-10.0)
 
 /* law_layout_restrict adds intervals of zero force from here on. */
 #define LEAST_BETA_OF_FORCE 1e-4
@@ -271,14 +271,14 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
         const slong other = ratio_sub(law->a, law->b).num; /* 1/(a-b) is an integer divided by this number */
         layout->root_of_time = layout->root / (slong)n_gcd((ulong)layout->root, (ulong)other) * other;
     }
-    if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > MOST_POWER)
+    if (n.num > 0 && -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)) > (double)MOST_POWER)
         return fail("eps falls like beta^(-%.0f) in this law: no table holds that",
                     -ratio_double(interpolant_tail_power(law, EPS_ZERO_OVERLAP)));
     double radius = 1;
     int status = n.num > 0 ? find_fall(layout) : find_threshold(layout);
     if (status == STATUS_OK)
         status = find_radius(&radius, layout);
-    layout->near_end = exp2(floor(log2(fmin(radius, 1))) - NEAR_OCTAVES);
+    layout->near_end = exp2(floor(log2(fmin(radius, 1))) - (double)NEAR_OCTAVES);
     make_intervals(layout);
     for (int i = 0; i < 2 && law_is_linear(law); i++) /* eps falls faster for linear laws, and their collisions are
                                                        * cheap */

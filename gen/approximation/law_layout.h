@@ -16,7 +16,8 @@
 #include "approximation/interpolant.h"
 #include "approximation/pieces.h"
 
-enum { LAW_MIDDLE_END = 8, LAW_TAIL_FIRST = 2 /* ln(beta) */ };
+#define LAW_MIDDLE_END 8.0
+#define LAW_TAIL_FIRST 2.0 /* ln(beta) */
 
 /* The part of the range of beta or eps that a table covers; PART_GIVEN is the range that the table's own geometry
  * gives. */

@@ -106,9 +106,9 @@ static double reach(const struct chooser *c, double left, double error, double l
     double good = left, bad = c->high;
     /* Near an inflection point a longer segment may have a smaller error: of a few long segments, the farthest counts.
      */
-    if (length > (c->high - c->low) / SCAN_PLACES)
+    if (length > (c->high - c->low) / (double)SCAN_PLACES)
         for (int i = 1; i < SCAN_PLACES && good == left; i++) {
-            const double place = c->high - (c->high - left) * i / SCAN_PLACES;
+            const double place = c->high - (c->high - left) * i / (double)SCAN_PLACES;
             if (segment_error(c, left, place, SEARCH_PLACES) <= error)
                 good = place;
             else

@@ -145,7 +145,7 @@ int sample_function_init(struct sample_function *f, const struct sample_request 
     sample_function_direct(f, request);
     if (!contact_model_is_enclosed(request->model))
         return STATUS_OK;
-    const double margin = 1.01 * SLOPE_REACH * SLOPE_STEP;
+    const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;
     return fill_pieces(f, log(request->speed_min) - margin, log(request->speed_max) + margin);
 }
 

@@ -92,7 +92,7 @@ static bool quotient_is_positive(const double *q, slong degree, double lo, doubl
         all = all && q[k] >= 0;
     if (all)
         return true;
-    const double step = pow(hi / lo, 1.0 / CHECK_CELLS);
+    const double step = pow(hi / lo, 1.0 / (double)CHECK_CELLS);
     for (double x = lo; x < hi; x *= step) {
         double sum = 0, size = 0, low = 1, high = 1;
         for (slong k = 0; k <= degree; k++) {

@@ -293,7 +293,7 @@ static bool cover_range(struct prover *w, slong row, double lo, double hi)
             continue;
         covered = end <= interval->hi;
         add_parts(w, i, row, place, covered ? end : interval->hi,
-                  by_log ? LOG_PART : (interval->hi - interval->lo) / FIRST_PARTS);
+                  by_log ? LOG_PART : (interval->hi - interval->lo) / (double)FIRST_PARTS);
         root = by_log ? root_end : interval->hi;
         log_place = by_log ? interval->hi : 2 * log(root) - SLACK;
     }

@@ -343,7 +343,7 @@ static void bound_cell(void *context, slong i)
     struct cells *const w = context;
     const struct embed_form *const f = w->f;
     if (f->rows == 0) {
-        const double step = log(w->hi / w->lo) / CELLS;
+        const double step = log(w->hi / w->lo) / (double)CELLS;
         const double lo = w->lo * exp(step * (double)i) * (1 - 1e-12),
                      hi = w->lo * exp(step * (double)(i + 1)) * (1 + 1e-12);
         w->bound[i] = cell_bound(f, f->number, lo, hi, w->root * hi * RAISE);
@@ -359,8 +359,8 @@ static void bound_cell(void *context, slong i)
     }
     w->bound[i] = 0;
     for (int k = 0; k < ROW_CELLS; k++) {
-        const double bound = cell_bound(f, f->number + i * (f->numerator + 1), lo + (hi - lo) * k / ROW_CELLS,
-                                        lo + (hi - lo) * (k + 1) / ROW_CELLS, error);
+        const double bound = cell_bound(f, f->number + i * (f->numerator + 1), lo + (hi - lo) * k / (double)ROW_CELLS,
+                                        lo + (hi - lo) * (k + 1) / (double)ROW_CELLS, error);
         w->bound[i] = isnan(bound) ? HUGE_VAL : fmax(w->bound[i], bound);
     }
 }

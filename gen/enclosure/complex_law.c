@@ -7,7 +7,7 @@
 #define APPROACH_LOSS 0.3
 #define APPROACH_MOST 0.3
 /* The approach ends at x = s^POWER, so that the equation is smooth at s = 0 for every exponent of the law. */
-enum { POWER = 4 };
+#define POWER 4.0
 /* F at the end of the creep */
 #define CREEP_END 2.0
 

@@ -177,7 +177,7 @@ static void start_bound(arb_t bound, const struct formal_time *f)
     arb_div_ui(bound, bound, 25, BOUND_BITS);
     slong order = 0;
     for (slong i = FIRST_Y * STEPS_PER_Y; i < CREEP_SERIES_LEAST_Y * STEPS_PER_Y; i++) {
-        const slong next = FLINT_MAX(order_at((double)i / STEPS_PER_Y), FIRST_ORDER);
+        const slong next = FLINT_MAX(order_at((double)i / (double)STEPS_PER_Y), FIRST_ORDER);
         arb_set_ui(high, STEPS_PER_Y);
         arb_set_ui(low, STEPS_PER_Y);
         arb_div_si(high, high, i, BOUND_BITS);

@@ -431,7 +431,7 @@ static void residuals(struct step_proof *p)
     arb_pos_inf(p->residual_v);
     arb_pos_inf(p->residual_t);
     for (int i = PER_OCTAVE; i <= (STEP_BITS + 1) * PER_OCTAVE; i++) {
-        residuals_at(residual_v, residual_t, p, exp2((double)i / PER_OCTAVE));
+        residuals_at(residual_v, residual_t, p, exp2((double)i / (double)PER_OCTAVE));
         arb_min(p->residual_v, p->residual_v, residual_v, NORM_BITS);
         arb_min(p->residual_t, p->residual_t, residual_t, NORM_BITS);
     }
@@ -603,12 +603,12 @@ bool taylor_choose_step(struct taylor *y)
     /* The step is a little shorter each time, and much shorter after FINE_TRIALS refusals. A nearly elastic motion
      * under a constant force is nearly a parabola, whose coefficients give no estimate of the radius. */
     enum { FINE_TRIALS = 40, TRIALS = 80, FINE = 8 };
-    double exponent = radius_guess(y) - STEP_BITS;
+    double exponent = radius_guess(y) - (double)STEP_BITS;
     for (int trial = 0; trial < TRIALS && !proved; trial++) {
         arb_set_d(y->step, exp2(exponent - floor(exponent)));
         arb_mul_2exp_si(y->step, y->step, (slong)floor(exponent));
         proved = prove_step(y, y->step) && mag_cmp(y->error_v, goal) <= 0 && mag_cmp(y->error_w, goal) <= 0;
-        exponent -= trial < FINE_TRIALS ? 1.0 / FINE : trial - FINE_TRIALS + 1;
+        exponent -= trial < FINE_TRIALS ? 1.0 / (double)FINE : trial - FINE_TRIALS + 1;
     }
     mag_clear(goal);
     mag_clear(scale);

@@ -4,12 +4,6 @@
 #include <math.h>
 #include <stdbool.h>
 
-#ifdef COR_FLINT_HAS_ARB
-#include <flint/acb_calc.h>
-#else
-#include <acb_calc.h>
-#endif
-
 /* ---- J ----
  *
  * With gamma = c_s/c_p, gamma^2 = (1 - 2 nu)/(2 (1 - nu)) = tau^2/(1 + tau^2), a^2 = |x^2 - gamma^2|, b^2 = |x^2 - 1|

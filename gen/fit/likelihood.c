@@ -103,7 +103,7 @@ static double minimise_by_scan(double *theta, const struct problem *p)
     thin.log_speed = log_speed;
     thin.eps = eps;
     thin.sigma = p->sigma ? sigma : NULL;
-    const double step = (p->high[0] - p->low[0]) / SCAN_STEPS;
+    const double step = (p->high[0] - p->low[0]) / (double)SCAN_STEPS;
     for (int i = 0; i <= SCAN_STEPS; i++) {
         const double at[FIT_MAX_PARAMETERS] = {p->low[0] + step * i};
         value[i] = objective(&thin, at);

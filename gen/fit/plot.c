@@ -93,7 +93,7 @@ static void write_script(FILE *script, const struct fit_comparison *c, const str
         if (c->used[curve])
             write_curve(script, &c->estimate[curve], data);
     const double least = data->speed_m_s[0], most = data->speed_m_s[data->points - 1];
-    if (most > WIDE_RANGE * least)
+    if (most > (double)WIDE_RANGE * least)
         fputs("set logscale x\n", script);
     fputs("set multiplot\nset lmargin at screen 0.085\nset rmargin at screen 0.71\n"
           "set tmargin at screen 0.93\nset bmargin at screen 0.44\n",

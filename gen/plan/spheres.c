@@ -346,7 +346,7 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct embed_re
                            root == 2 ? "sqrt(beta)" : "beta");
     const double low = plan->at[0], high = plan->at[plan->points - 1];
     for (int k = 0; k <= PADE_POINTS; k++) {
-        const double beta = low + (high - low) * k / PADE_POINTS;
+        const double beta = low + (high - low) * k / (double)PADE_POINTS;
         model->outside = model->outside || !(eps_horner(c + m + 1, n, root == 2 ? sqrt(beta) : beta) > 0);
     }
     model_evaluate(plan, model);

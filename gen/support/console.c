@@ -233,7 +233,7 @@ static bool progress_due(double *elapsed)
     if (progress_started < 0)
         progress_started = now;
     *elapsed = now - progress_started;
-    if (*elapsed < 1 || now - progress_updated < 1.0 / UPDATES_PER_SECOND)
+    if (*elapsed < 1 || now - progress_updated < 1.0 / (double)UPDATES_PER_SECOND)
         return false;
     progress_updated = now;
     progress_shown = true;

@@ -179,7 +179,7 @@ static size_t crew_tasks_wanted(const struct crew *crew)
     size_t each = 1;
     if (crew->seconds > 0) {
         const double more = QUEUE_SECONDS / crew->seconds;
-        each += more < QUEUE ? (size_t)more : QUEUE;
+        each += more < (double)QUEUE ? (size_t)more : QUEUE;
     }
     return each * (size_t)crew->threads;
 }

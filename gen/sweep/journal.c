@@ -78,7 +78,7 @@ int journal_flush(struct journal *journal)
         done += (size_t)n;
     }
     journal->pending_size = 0;
-    if (done > 0 && clock_seconds() - journal->synced > SYNC_SECONDS) {
+    if (done > 0 && clock_seconds() - journal->synced > (double)SYNC_SECONDS) {
         if (fsync(journal->fd) != 0 && errno != EINVAL)
             return journal_failure("write", journal);
         journal->synced = clock_seconds();

@@ -44,7 +44,7 @@ struct collide {
 
 static int refuse_memory(const struct sweep *sweep)
 {
-    const double modes = values_largest(&sweep->modes), needed = modes * MODE_BYTES, memory = console_memory();
+    const double modes = values_largest(&sweep->modes), needed = modes * (double)MODE_BYTES, memory = console_memory();
     if (memory > 0 && needed > memory)
         return fail("%.0f modes need about %.3g GB of memory, and this machine has %.3g GB", modes, needed / 1e9,
                     memory / 1e9);

@@ -1,14 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tables/law_times.h"
 
-#ifdef COR_FLINT_HAS_ARB
-#include <flint/acb_calc.h>
-#include <flint/acb_hypgeom.h>
-#else
-#include <acb_calc.h>
-#include <acb_hypgeom.h>
-#endif
-
 enum { GUARD_BITS = 40 };
 
 static void set_ratio(arb_t x, slong p, ulong q, slong prec)

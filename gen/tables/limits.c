@@ -22,7 +22,7 @@
 #define FIRST_NU (-0.2)
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
-#define LAST_NU (FIRST_NU + NU_ROOTS * NU_STEP)
+#define LAST_NU (FIRST_NU + (double)NU_ROOTS * NU_STEP)
 /* Largest number of divisions of a cell. A fifth helps little (docs/rigid-wall.md). Coordinates are in sixths of the
  * side of a cell that is divided FINEST times, so that they do not depend on this number. */
 enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
@@ -81,18 +81,18 @@ static double x_of_speed(double speed)
 
 static double x_step(void)
 {
-    return (x_of_speed(LAST_SPEED) - x_of_speed(FIRST_SPEED)) / X_ROOTS;
+    return (x_of_speed(LAST_SPEED) - x_of_speed(FIRST_SPEED)) / (double)X_ROOTS;
 }
 
 static double speed_at(int32_t x)
 {
-    const double root = x_of_speed(FIRST_SPEED) + x_step() * ((double)x / ROOT_SIDE), square = root * root;
+    const double root = x_of_speed(FIRST_SPEED) + x_step() * ((double)x / (double)ROOT_SIDE), square = root * root;
     return square * square * (square * square);
 }
 
 static double nu_at(int32_t nu)
 {
-    return FIRST_NU + NU_STEP * ((double)nu / ROOT_SIDE);
+    return FIRST_NU + NU_STEP * ((double)nu / (double)ROOT_SIDE);
 }
 
 static struct cor_disk_limit_table evaluable(const struct limits *limits)
@@ -333,7 +333,7 @@ static void fill_cell(struct cor_disk_limit_cell *to, const struct cell *cell, c
     for (int j = 1; j < SIXTHS; j += 2)
         for (int i = 1; i < SIXTHS; i += 2) {
             const struct scene *const s = known_scene(scenes, cell->x + i * sixth, cell->nu + j * sixth);
-            const double value = cor_disk_limit_value(to, (double)i / SIXTHS, (double)j / SIXTHS);
+            const double value = cor_disk_limit_value(to, (double)i / (double)SIXTHS, (double)j / (double)SIXTHS);
             missed = fmax(missed, fabs(value / COR_DISK_LIMIT_UNIT - s->value));
             estimate = s->estimate > estimate ? s->estimate : estimate;
         }
@@ -701,7 +701,7 @@ static double value_at(const struct scene *scene, const struct cell *cell, bool 
     const struct cor_disk_limit_table t = evaluable(table);
     double x_in, nu_in;
     const struct cor_disk_limit_cell *const found = cor_disk_limit_find(
-        &t, ((double)cell->x + 0.5) / ROOT_SIDE, ((double)cell->nu + 0.5) / ROOT_SIDE, &x_in, &nu_in);
+        &t, ((double)cell->x + 0.5) / (double)ROOT_SIDE, ((double)cell->nu + 0.5) / (double)ROOT_SIDE, &x_in, &nu_in);
     const int32_t side = SIXTHS * sixth_of(cell), x = scene->x - cell->x, nu = scene->nu - cell->nu;
     *on_grid = x % (2 * sixth_of(cell)) == 0 && nu % (2 * sixth_of(cell)) == 0;
     *uncertainty = found->uncertainty * COR_DISK_LIMIT_UNIT;

@@ -399,7 +399,7 @@ KERNEL void kernel_octaves(const struct cor_leg *leg, double first, int octaves,
             while (n > COR_LEG_PART && omega * leg->p_re[n - COR_LEG_PART] > 60) /* 2^-86 */
                 n -= COR_LEG_PART;
             kernel_sum_and_square(n, leg->w_re, leg->w_im, e_re, e_im, &sum_re, &sum_im);
-            const double factor = omega * omega / COR_SPECTRUM_TERMS;
+            const double factor = omega * omega / (double)COR_SPECTRUM_TERMS;
             for (int k = 0; k < COR_SPECTRUM_TERMS; k++) {
                 const double c = (k == 0 ? factor : 2 * factor) * cosine[k];
                 re[octave][k] += c * sum_re;

@@ -68,10 +68,10 @@ static void rule_init(struct cor_leg_rule *rule)
     double p[COR_LEG_GAUSS / 2][COR_LEG_GAUSS + 2];
     memset(rule, 0, sizeof *rule);
     for (int i = 0; i < COR_LEG_GAUSS / 2; i++) {
-        double x = cos(PI * (i + 0.75) / (COR_LEG_GAUSS + 0.5)), slope = 1;
+        double x = cos(PI * (i + 0.75) / ((double)COR_LEG_GAUSS + 0.5)), slope = 1;
         for (int k = 0; k < 4; k++) { /* Newton's method from a start value with error 1e-3; convergence is quadratic */
             legendre(p[i], x);
-            slope = COR_LEG_GAUSS * (x * p[i][COR_LEG_GAUSS] - p[i][COR_LEG_GAUSS - 1]) / (x * x - 1);
+            slope = (double)COR_LEG_GAUSS * (x * p[i][COR_LEG_GAUSS] - p[i][COR_LEG_GAUSS - 1]) / (x * x - 1);
             x -= p[i][COR_LEG_GAUSS] / slope;
         }
         legendre(p[i], x);
@@ -110,7 +110,7 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
     leg->n = 1; /* node 0 represents the part nearer to the base */
     double top = -log(nearest);
     do {
-        const int steps = exp(-top + COR_LEG_STEPS * COR_LEG_STEP) < SHORT_FROM ? COR_LEG_STEPS : COR_LEG_SHORT;
+        const int steps = exp(-top + (double)COR_LEG_STEPS * COR_LEG_STEP) < SHORT_FROM ? COR_LEG_STEPS : COR_LEG_SHORT;
         set->panel(path, rule, steps, top, leg);
         top -= steps * COR_LEG_STEP;
     } while (top > last && leg->end_re < enough && leg->n + 3 * COR_LEG_STEPS < COR_LEG_NODES);
@@ -271,7 +271,7 @@ size_t cor_spectrum_piece_size(double first, double high)
 /* Node k of a piece in ln(q0), -1 to 1 */
 static double piece_place(int k)
 {
-    return -cos(PI * (k + 0.5) / COR_PIECE_NODES);
+    return -cos(PI * (k + 0.5) / (double)COR_PIECE_NODES);
 }
 
 static double piece_q0(const struct cor_spectrum_piece *piece, double x)
@@ -317,7 +317,7 @@ void cor_spectrum_of_piece(struct cor_spectrum *spectrum, const struct cor_spect
     double weight[COR_PIECE_NODES], sum = 0, decay = 0;
     /* barycentric weights; at a node its own weight is 1 */
     for (int k = 0; k < COR_PIECE_NODES; k++) {
-        const double distance = x - piece_place(k), angle = PI * (k + 0.5) / COR_PIECE_NODES;
+        const double distance = x - piece_place(k), angle = PI * (k + 0.5) / (double)COR_PIECE_NODES;
         weight[k] = (k % 2 ? -1 : 1) * sin(angle) / (distance == 0 ? 1e-30 : distance);
         sum += weight[k];
         im[k] = piece->node[k] + of_a;

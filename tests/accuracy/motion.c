@@ -121,7 +121,7 @@ void motion_zero(arb_t sigma, arb_srcptr component, const arb_t end)
     arb_set(high, end);
     motion_value(f_low, component, low);
     motion_value(f_high, component, high);
-    const double enough = log2_size(f_low) - MOTION_BITS;
+    const double enough = log2_size(f_low) - (double)MOTION_BITS;
     int side = 0;
     for (int i = 0; i < 200; i++) {
         arb_sub(f, f_low, f_high, MOTION_BITS);

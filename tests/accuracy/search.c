@@ -150,7 +150,7 @@ int search_options_read(struct search_options *o, int argc, char **argv, const c
         }
         if (strcmp(argv[i], "--points") == 0 && number >= 1 && number <= 1e15) {
             o->points = (uint64_t)number;
-        } else if (strcmp(argv[i], "--threads") == 0 && number >= 1 && number <= SEARCH_MAX_THREADS) {
+        } else if (strcmp(argv[i], "--threads") == 0 && number >= 1 && number <= (double)SEARCH_MAX_THREADS) {
             o->threads = (int)number;
         } else if (strcmp(argv[i], "--seed") == 0 && number >= 0 && number <= 1e15) {
             o->seed = (uint64_t)number;

@@ -40,7 +40,7 @@ int main(void)
     for (int i = 0; i < POINTS; i++) {
         const double x = nextafter(2, 0) * (2.0 * i / (POINTS - 1) - 1), error = pair_exp_error(x);
         if (fabs(x) >= 1.9)
-            end += error / (POINTS / 20.0);
+            end += error / ((double)POINTS / 20.0);
         if (!(error <= worst)) {
             worst = error;
             at = x;

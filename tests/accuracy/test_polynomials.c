@@ -302,7 +302,7 @@ static long double start_error(int slope)
     long double worst = 0;
     for (int i = 1; i < SAMPLES; i++) {
         const int over = i > SAMPLES / 2;
-        const long double u = (long double)i / SAMPLES, th = over ? (u - 0.5L) * 2 * acoshl(3) : u * acosl(-1);
+        const long double u = (long double)i / (double)SAMPLES, th = over ? (u - 0.5L) * 2 * acoshl(3) : u * acosl(-1);
         const long double x = over ? th / tanhl(th) : th / tanl(th), zeta = over ? coshl(th) : cosl(th);
         /* d zeta/d th over dx/d th */
         const long double sine = over ? sinhl(th) : sinl(th);
@@ -321,7 +321,7 @@ static long double limited_error(void)
 {
     long double worst = 0;
     for (int i = 1; i < SAMPLES; i++) {
-        const double zeta = 11.0 * i / SAMPLES;
+        const double zeta = 11.0 * i / (double)SAMPLES;
         const double x = cor_ratio_limited_near(zeta).hi;
         const int row = (x > 0.9) + (x > 1.9);
         worst = fmaxl(worst, fabsl(x * polynomial(cor_ratio_limited_polynomial[row], 11, x) / zeta - 1));
@@ -333,14 +333,15 @@ static long double limited_error(void)
 static void crossley_errors(long double worst[3])
 {
     for (int i = 1; i < SAMPLES; i++) {
-        const long double y = 1.5L * i / SAMPLES, c = y / tanhl(y) - 1, beta = y + c, t = c / y, s = beta / (2 + beta);
+        const long double y = 1.5L * i / (double)SAMPLES, c = y / tanhl(y) - 1, beta = y + c, t = c / y,
+                          s = beta / (2 + beta);
         if (y < 0.01L)
             continue; /* c has lost its digits */
         worst[0] = fmaxl(worst[0], fabsl(polynomial(cor_hc_start_polynomial, 10, s) / (c / (beta * beta)) - 1));
         worst[1] = fmaxl(worst[1], fabsl(polynomial(cor_hc_langevin_polynomial, 7, t * t) / (y / t) - 1));
     }
     for (int i = 1; i < SAMPLES; i++) {
-        const long double y = 1.5L + 20.0L * i / SAMPLES, c = y / tanhl(y) - 1, eps = (y - c) / (y + c);
+        const long double y = 1.5L + 20.0L * i / (double)SAMPLES, c = y / tanhl(y) - 1, eps = (y - c) / (y + c);
         worst[2] = fmaxl(worst[2], fabsl(polynomial(cor_hc_limit_polynomial, 9, eps) - (1 - (y - c))));
     }
 }
@@ -349,7 +350,7 @@ static long double approach_start_error(void)
 {
     long double worst = 0;
     for (int i = 1; i < SAMPLES; i++) {
-        const long double s = 0.5L * i / SAMPLES, beta = 2 * s / (1 - s);
+        const long double s = 0.5L * i / (double)SAMPLES, beta = 2 * s / (1 - s);
         const long double x = 1 - 2 * (beta - log1pl(beta)) / (beta * beta);
         if (s > 0.01L)
             worst = fmaxl(worst, fabsl(x * polynomial(cor_hc_approach_polynomial, 9, x) / s - 1));

@@ -70,7 +70,7 @@ static void fuzz_collide(const struct fuzz_table *table, size_t n, const struct 
     const int status = cor_disk_collision_in(memory + offset, bytes, &table->modes, n, options, speed, &out,
                                              how & 64 ? &detail : NULL);
     const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
-    REQUIRE(seconds < SECONDS_MAX, "%g seconds", seconds);
+    REQUIRE(seconds < (double)SECONDS_MAX, "%g seconds", seconds);
     REQUIRE(is_status(status) && status != COR_ERROR_WORKSPACE, "status %d", status);
     if (gives_numbers(status))
         check_numbers(table, &out, status, speed, options->tolerance);

@@ -72,7 +72,7 @@ static long double parabola_at(long double before, long double at, long double a
 static void integrate(struct contact_impact *impact, const struct motion *m, double speed, double unit)
 {
     enum { STEPS = 12000 };
-    const long double h = 2.6L / STEPS;
+    const long double h = 2.6L / (double)STEPS;
     long double x[3] = {0}, v[3] = {speed, speed, speed}, f[3] = {0}, t[3] = {0};
     bool turned = false, released = false, ended = false;
     f[0] = f[1] = f[2] = force_of(m, 0, speed);

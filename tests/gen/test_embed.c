@@ -73,7 +73,7 @@ static struct solved scene_solved(const struct embed_scene *s)
 {
     struct solved known;
     for (int k = 0; k < SOLVED; k++) {
-        const double speed = s->speed_min * pow(s->speed_max / s->speed_min, k / (SOLVED - 1.0));
+        const double speed = s->speed_min * pow(s->speed_max / s->speed_min, k / ((double)SOLVED - 1.0));
         known.speed[k] = embed_rounded(s, fmin(speed, s->speed_max));
         known.eps[k] = solved(s, known.speed[k]);
     }

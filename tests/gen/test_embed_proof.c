@@ -206,7 +206,7 @@ static void test_rows(void **state)
                                .speed_max = s.speed_max,
                                .numerator = DEGREE,
                                .refinement = 3,
-                               .slope = ROWS * (1 - 1e-9) / (s.beta_max - s.beta_min),
+                               .slope = (double)ROWS * (1 - 1e-9) / (s.beta_max - s.beta_min),
                                .low_bits = 50};
         f.shift = 1e-10 - s.beta_min * f.slope;
         f.first = embed_bits_of(&f, s.speed_min) >> f.low_bits;

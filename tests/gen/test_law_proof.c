@@ -103,12 +103,12 @@ static void test_complex_plane(void **state)
         const enum way way = places[i].way;
         double complex mean = 0, slope = 0;
         for (int k = 0; k < POINTS; k++) {
-            const double complex way_out = cexp(2 * acos(-1.0) * I * k / POINTS);
+            const double complex way_out = cexp(2 * acos(-1.0) * I * k / (double)POINTS);
             const struct complex_ball at = ball_of(u + radius * creal(way_out), radius * cimag(way_out));
             struct complex_ball y, wide;
             check(enclose(&y, &law, at, way), "place %zu: no enclosure at point %d", i, k);
-            mean += (y.re + I * y.im) / POINTS;
-            slope += (y.re + I * y.im) / way_out / radius / POINTS;
+            mean += (y.re + I * y.im) / (double)POINTS;
+            slope += (y.re + I * y.im) / way_out / radius / (double)POINTS;
             struct complex_ball beside = ball_widened(at, 0.004);
             beside.re += 0.003;
             check(enclose(&wide, &law, beside, way) &&
@@ -154,7 +154,7 @@ static double largest_error(const struct law_proof *proof, const struct law *law
     arb_init(t);
     arb_init(y);
     for (int k = 0; k < COLLISIONS; k++) {
-        const double beta = s->beta_min * pow(s->beta_max / s->beta_min, (k + 0.3) / COLLISIONS);
+        const double beta = s->beta_min * pow(s->beta_max / s->beta_min, (k + 0.3) / (double)COLLISIONS);
         double end;
         const int i = law_proof_interval(&end, proof, log(beta));
         assert_true(i >= 0 && end > log(beta));

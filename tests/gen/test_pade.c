@@ -524,7 +524,7 @@ static void test_rounded(void **state)
         assert_int_equal(pade_round(&rounded, &f), 0);
         pade_approximation_error(&error, &rounded, r.end, &s);
         for (int i = 1; i <= EVEN; i++) {
-            const double b = (double)BETA_MAX * i / EVEN, z = r.end == END_ZERO_FORCE ? sqrt(b) : b;
+            const double b = (double)BETA_MAX * i / (double)EVEN, z = r.end == END_ZERO_FORCE ? sqrt(b) : b;
             double p = 0, q = 0, l = 0;
             for (slong j = 0; j <= entry[k].m + entry[k].n; j++) {
                 p += middle(rounded.p_double, j) * pow(z, (double)j);

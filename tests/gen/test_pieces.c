@@ -71,7 +71,7 @@ static double evaluate(const struct pieces *p, slong r, double fraction, double 
     for (slong k = 0; k < p->degree + 2; k++)
         assert_true(digits_to_double(&c[k], p->coefficient + r * (p->degree + 2) + k));
     if (p->variable == VARIABLE_POWER_OCTAVES) {
-        half = 0.5 / PIECES_PER_OCTAVE;
+        half = 0.5 / (double)PIECES_PER_OCTAVE;
         node = 1 + half * (2 * (double)(r % PIECES_PER_OCTAVE) + 1);
         const slong octaves = r / PIECES_PER_OCTAVE;
         octave = p->first + (double)octaves;

@@ -101,12 +101,12 @@ static void motion_event(double complex y[3], double complex beta, int event)
         s += 0.002;
     } while (event == 0 ? creal(y[1]) > 0 : event == 1 ? creal(creal(beta) * y[1] + y[0] * y[0]) > 0 : creal(y[0]) > 0);
     for (int part = 0; part <= PARTS; part++) {
-        const double complex b = creal(beta) + I * cimag(beta) * part / PARTS;
+        const double complex b = creal(beta) + I * cimag(beta) * part / (double)PARTS;
         for (int k = 0; k < NEWTON; k++) {
             for (int j = 0; j < 3; j++)
                 y[j] = start[j];
             for (int i = 0; i < FEWER_STEPS; i++)
-                motion_step(y, b, s / FEWER_STEPS);
+                motion_step(y, b, s / (double)FEWER_STEPS);
             const double complex force = -y[0] * y[0] * (b * y[1] + y[0] * y[0]);
             s -= event == 0   ? y[1] / force
                  : event == 1 ? (b * y[1] + y[0] * y[0]) / (b * force + y[0] * y[1])
@@ -364,7 +364,7 @@ static void test_creep_series(void **state)
         for (int last = 1; last >= (i == 0 ? 0 : 1); last--) {
             arb_set_d(beta, b);
             creep_rest(rest, Y, bound, &s, beta, last);
-            assert_true(real_value(Y) > CREEP_SERIES_LEAST_Y && arb_is_finite(bound));
+            assert_true(real_value(Y) > (double)CREEP_SERIES_LEAST_Y && arb_is_finite(bound));
             arb_sub(rest, rest, constant, 200);
             const double off = fabs(real_value(rest)), allowed = real_value(bound);
             if (last && !(off <= allowed + 1e-31))

@@ -107,7 +107,7 @@ static void bound_on_the_ellipse(void **state)
     enum { ARCS = 400 };
     const size_t wanted = points(8), step = wanted < ARCS ? ARCS / wanted : 1;
     for (size_t k = 0; k < ARCS; k += step)
-        check(arc_holds(((double)k + 0.5) / ARCS, 0.5 / ARCS * (1 + 1e-12), 0), "arc %zu", k);
+        check(arc_holds(((double)k + 0.5) / (double)ARCS, 0.5 / (double)ARCS * (1 + 1e-12), 0), "arc %zu", k);
 }
 
 /* Whether the square around (x, y) of half side h is outside the ellipse: both axes are known */

@@ -407,7 +407,7 @@ static void take_lowest(struct outcome *out, const char *nu_text, slong count)
                 arb_t printed;
                 arb_init(printed);
                 arb_set_str(printed, value, 400);
-                error = ball_absolute(printed, exact[k]) / pow(10, floor(log10(upper(exact[k]))) - DIGITS + 1);
+                error = ball_absolute(printed, exact[k]) / pow(10, floor(log10(upper(exact[k]))) - (double)DIGITS + 1);
                 arb_clear(printed);
             }
             char *const truth = arb_get_str(exact[k], 30, ARB_STR_NO_RADIUS);

@@ -266,7 +266,7 @@ static double border(struct law_case *c, struct random_state *r, size_t i)
         return i % 8 == 2 ? 8 : c->threshold < HUGE_VAL ? c->threshold : 4;
     case 2: {
         const double u = ldexp(8 + floor(random_uniform(r, 0, 8)), (int)random_uniform(r, -2, 2));
-        return exp(fmin(u, LARGEST_LOG10 * log(10)));
+        return exp(fmin(u, (double)LARGEST_LOG10 * log(10)));
     }
     default:
         return c->threshold < HUGE_VAL ? c->threshold - exp2(floor(log2(c->threshold / 2)) - (double)(i / 4 % 3))

@@ -606,7 +606,7 @@ static void test_loss_rows(void **state)
         for (slong r = 0; r < t->rows; r++)
             for (int k = 0; k < PLACES; k++) {
                 const struct cell cell = cell_of(t, r);
-                arb_set_d(y, cell.lo + (cell.hi - cell.lo) * (k + 0.5) / PLACES);
+                arb_set_d(y, cell.lo + (cell.hi - cell.lo) * (k + 0.5) / (double)PLACES);
                 beta_of(beta, y, t, &cell);
                 row_value(a, t, r, y);
                 arb_mul(a, a, beta, PREC);
@@ -645,7 +645,7 @@ static void test_inverse_rows(void **state)
             for (int k = 0; k < PLACES; k++) {
                 const struct cell cell = cell_of(t, r);
                 const bool force = strstr(t->name, "force") != NULL;
-                arb_set_d(y, cell.lo + (cell.hi - cell.lo) * (k + 0.5) / PLACES);
+                arb_set_d(y, cell.lo + (cell.hi - cell.lo) * (k + 0.5) / (double)PLACES);
                 arb_mul_2exp_si(x, y, cell.octave);
                 if (t->variable == ROOT_OF_LOSS)
                     arb_sqr(x, y, PREC);

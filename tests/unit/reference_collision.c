@@ -177,7 +177,7 @@ static void follow(const struct disk *disk, const struct effort *effort, const s
     const struct track load = {s->load, 1, disk->active > 0 ? count : 0, series_at};
     const struct track load_slope = {s->load, 1, load.count, slope_at};
     for (int j = 0; j < SAMPLES; j++) {
-        const double low = h * j / SAMPLES, high = h * (j + 1) / SAMPLES;
+        const double low = h * j / (double)SAMPLES, high = h * (j + 1) / (double)SAMPLES;
         const double x[2] = {low, high};
         double v[2], f[2], df[2];
         for (int i = 0; i < 2; i++) {

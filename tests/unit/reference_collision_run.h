@@ -20,7 +20,7 @@ static void NAME(small_angle)(REAL angle, REAL *cos_less_1, REAL *sine)
 static void NAME(gauss_rule)(REAL node[GAUSS], REAL weight[GAUSS])
 {
     for (int i = 0; i < GAUSS; i++) {
-        REAL x = (REAL)cos(3.14159265358979 * (i + 0.75) / (GAUSS + 0.5)), slope = 0;
+        REAL x = (REAL)cos(3.14159265358979 * (i + 0.75) / ((double)GAUSS + 0.5)), slope = 0;
         for (int step = 0; step < 7; step++) {
             REAL p0 = 1, p1 = x;
             for (int k = 2; k <= GAUSS; k++) {
@@ -28,7 +28,7 @@ static void NAME(gauss_rule)(REAL node[GAUSS], REAL weight[GAUSS])
                 p0 = p1;
                 p1 = p2;
             }
-            slope = GAUSS * (x * p1 - p0) / (x * x - 1);
+            slope = (REAL)GAUSS * (x * p1 - p0) / (x * x - 1);
             x -= p1 / slope;
         }
         node[i] = x;

@@ -53,7 +53,7 @@ static void draw_input(struct random_state *random, struct input *in, struct out
     const size_t terms = (blocks * COR_LANES + 2 + COR_PANEL - 1) / COR_PANEL * COR_PANEL +
                          COR_PANEL * (size_t)random_uniform(random, 0, 2);
     const size_t points = COR_PANEL * (1 + (size_t)random_uniform(random, 0, PANELS));
-    in->points = COR_PANEL * (1 + (size_t)random_uniform(random, 0, (double)points / COR_PANEL));
+    in->points = COR_PANEL * (1 + (size_t)random_uniform(random, 0, (double)points / (double)COR_PANEL));
     const size_t used = blocks * COR_LANES + 1;
     in->rim = (struct cor_rim){blocks, in->block, in->c, in->s, used, terms, points, in->by_point, in->by_term};
     numbers_draw(random, in->shape, MOST, 0.01);

@@ -35,12 +35,12 @@ static void test_tree(void **state)
     for (int i = 0; i < CELLS; i++)
         assert_int_equal(nodes_of[i], 1);
     assert_true(fabs(pow(COR_DISK_LIMIT_X_FIRST, 8) / COR_DISK_EPS_MIN_SPEED - 1) < 1e-14);
-    assert_true(
-        fabs(pow(COR_DISK_LIMIT_X_FIRST + COR_DISK_LIMIT_X_ROOTS * COR_DISK_LIMIT_X_STEP, 8) / COR_DISK_EPS_MAX_SPEED -
-             1) < 1e-14);
+    assert_true(fabs(pow(COR_DISK_LIMIT_X_FIRST + (double)COR_DISK_LIMIT_X_ROOTS * COR_DISK_LIMIT_X_STEP, 8) /
+                         COR_DISK_EPS_MAX_SPEED -
+                     1) < 1e-14);
     assert_true(COR_DISK_LIMIT_NU_FIRST == COR_DISK_EPS_MIN_NU);
-    assert_true(fabs(COR_DISK_LIMIT_NU_FIRST + COR_DISK_LIMIT_NU_ROOTS * COR_DISK_LIMIT_NU_STEP - COR_DISK_EPS_MAX_NU) <
-                1e-15);
+    assert_true(fabs(COR_DISK_LIMIT_NU_FIRST + (double)COR_DISK_LIMIT_NU_ROOTS * COR_DISK_LIMIT_NU_STEP -
+                     COR_DISK_EPS_MAX_NU) < 1e-15);
 }
 
 /* A cell with its corner and sides, in the units of the roots */

@@ -91,7 +91,7 @@ static long double hereditary_force(const struct material *m, long double rate, 
     long double memory = 0;
     enum { STEPS = 4000 };
     for (int i = 0; i <= STEPS; i++) { /* Simpson, dense where exp(-pole (t - t')) is not small */
-        const long double u = (long double)i / STEPS, span = fminl(t, 60 / pole), back = span * u;
+        const long double u = (long double)i / (double)STEPS, span = fminl(t, 60 / pole), back = span * u;
         const long double weight = (i == 0 || i == STEPS ? 1 : i % 2 ? 4 : 2) * span / (3 * STEPS);
         memory += weight * expl(-pole * back) * (1 - cosl(rate * (t - back)));
     }

@@ -50,7 +50,7 @@ static void kernel_is_the_sum_over_modes_and_symmetric(void **state)
 {
     (void)state;
     enum { POINTS = 40 };
-    const double step = pi / 2 / POINTS;
+    const double step = pi / 2 / (double)POINTS;
     struct relaxed_disk *disk = finite_disk(POINTS);
     struct relaxed_disk *all = relaxed_disk_of_all_modes(0.33, 500, POINTS);
     for (size_t i = 0; i < POINTS; i++)

@@ -156,8 +156,8 @@ static void first_order(void **state)
     long double sum = 0;
     enum { STEPS = 20000 };
     for (int i = 0; i < STEPS; i++) {
-        const long double x = x0 * (i + 0.5L) / STEPS;
-        sum += x0 / STEPS * x * sqrtl(1 - 0.8L * powl(x, 2.5L));
+        const long double x = x0 * (i + 0.5L) / (double)STEPS;
+        sum += x0 / (double)STEPS * x * sqrtl(1 - 0.8L * powl(x, 2.5L));
     }
     const long double radiated =
         2 * 2.25L * sum; /* of kinetic energy 1/2: 1 - eps^2 = 2 kappa' radiated, beta_w = (9/4) kappa' */
