@@ -312,6 +312,36 @@ static void other_laws(void **state)
     request_clear(&request);
 }
 
+/* The time step is the least duration of all impacts over their number of steps, in whatever order they come. */
+static void the_time_step_is_for_all_speeds(void **state)
+{
+    (void)state;
+    enum { SPEEDS = 5, STEP_COLUMN = 8 };
+    struct random_state random = random_start();
+    const struct given measured[] = {BODIES, {"restitution", "0.7"}, {"at", "0.4"}, {NULL, NULL}};
+    for (int ends = 1; ends <= 2; ends++) {
+        const struct contact_models models =
+            models_of(EMBED_VISCOELASTIC, ends == 2 ? CONTACT_BOTH_ENDS : END_ZERO_FORCE, measured);
+        assert_int_equal(models.count, ends);
+        double speed[SPEEDS], least = INFINITY;
+        for (int i = 0; i < SPEEDS; i++)
+            speed[i] = random_log(&random, 1e-3, 10);
+        speed[2] = 20; /* of the shortest contacts, neither first nor last */
+        for (int k = 0; k < ends; k++)
+            for (int i = 0; i < SPEEDS; i++) {
+                struct contact_impact impact;
+                assert_int_equal(contact_model_impact(&impact, &models.model[k], speed[i]), 0);
+                for (int end = 0; end < CONTACT_ENDS; end++)
+                    least = fmin(least, impact.duration_s[end]);
+            }
+        struct table table;
+        assert_int_equal(contact_rows(&table, &models, speed, SPEEDS, 40, 17), 0);
+        for (int i = 0; i < SPEEDS * ends; i++)
+            close_to("time step", strtod(table.cell[i * table.columns + STEP_COLUMN], NULL), least / 40, 1e-15);
+        table_clear(&table);
+    }
+}
+
 /* ---- --for: the lines, read again ---- */
 
 /* Follows a line of a template along a line of the output; numbers of words are skipped, that of {n...} is kept. */
@@ -499,6 +529,7 @@ int main(void)
         cmocka_unit_test(impacts_against_integration),
         cmocka_unit_test(every_way_of_a_sphere),
         cmocka_unit_test(other_laws),
+        cmocka_unit_test(the_time_step_is_for_all_speeds),
         cmocka_unit_test(hosts_realise_what_is_wished),
         cmocka_unit_test(chrono_finds_the_radius),
         cmocka_unit_test(the_list_is_whole),

@@ -301,6 +301,10 @@ static void test_counts(void **state)
                     "sqrt(x)");
     assert_rounding((struct embed_form){.variable = FOURTH_ROOT_OF_SPEED, .numerator = 1, .number = (double[]){0, 1}},
                     2.5, "x^(1/4)");
+    /* float numbers below the smallest normal one: half of the smallest positive one, 2^-150, besides */
+    assert_rounding(
+        (struct embed_form){.single = true, .variable = SPEED, .numerator = 1, .number = (double[]){0, 0x1p-127}},
+        (1 + 4) * 0x1p29, "2^-127 x in float");
 }
 
 /* A polynomial with a zero and one that overflows: no bound. Without a refinement the bound of the fifth root is near

@@ -64,6 +64,12 @@ static void check_sample(const struct sample_request *r)
     }
     check(most <= r->tolerance, "error %g beyond %g with %zu points", most, r->tolerance, s.best.count);
     check(fabs(most / s.best.error - 1) < 1e-3, "error %g, said to be %g", most, s.best.error);
+    /* so many places that none between them has a larger error: what is said is not below */
+    double fine = 0;
+    for (size_t i = 0; i + 1 < s.best.count; i++)
+        if (errors[i] > most * (1 - 1e-3))
+            fine = fmax(fine, error_between(r, s.best.speed_m_s[i], s.best.speed_m_s[i + 1], 3000));
+    check(fine <= s.best.error * (1 + 2e-6), "error %.9g, said to be %.9g", fine, s.best.error);
     /* where the curvature changes its sign, a segment may have a smaller error than its neighbours */
     for (size_t i = 0; i + 1 < s.best.count; i++)
         unequal += errors[i] < 0.98 * most;

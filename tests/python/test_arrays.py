@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 import cor
+from cor._evaluate import prepared_array
 
 X = np.linspace(0.1, 3.0, 24)
 GLASS = cor.Body(70e9, 0.22, 4e-7, 5e-3, 1e-3)
@@ -53,6 +54,9 @@ def test_unaligned_array():
     unaligned[:] = X
     assert not unaligned.flags.aligned
     np.testing.assert_array_equal(cor.sphere.eps_zero_force(unaligned), eps(X))
+    # C reads no double at an odd address, though many processors would allow it
+    assert prepared_array(unaligned, np.dtype(np.float64)).flags.aligned
+    assert prepared_array(X, np.dtype(np.float64)) is X
 
 
 def test_read_only_array():

@@ -85,6 +85,15 @@ static void different_materials(void **state)
     assert_true(c.dissipation_time_s == one.dissipation_time_s);
     check(relative_error(c.elastic_constant_n_m15, 4 * sqrtl(7.5e-4L) * 7e10L / (3 * 0.96L)) < 1e-15L, "%.17g",
           c.elastic_constant_n_m15);
+    /* so that the time of a rigid partner is no dissipation, whichever of the two it is */
+    struct cor_body elastic = one;
+    elastic.dissipation_time_s = 0;
+    assert_int_equal(cor_sphere_contact_init(&c, &elastic, &rigid), COR_OK);
+    assert_int_equal(cor_sphere_contact_init(&swapped, &rigid, &elastic), COR_OK);
+    assert_true(rigid.dissipation_time_s > 0 && c.dissipation_time_s == 0 && cor_contact_eps_zero_force(&c, 1) == 1);
+    assert_memory_equal(&c, &swapped, sizeof c);
+    /* a macro takes any expression */
+    assert_true(COR_CONTACT_EPS_MAX_ERROR(1 + 2) == COR_CONTACT_EPS_MAX_ERROR(3));
 }
 
 static void against_long_double(void **state)

@@ -344,16 +344,33 @@ static void no_file(void **state)
     assert_true(modes.nu == 7 && modes.count == 7 && modes.mode == NULL);
 }
 
+static int lowest_descriptor(void)
+{
+    const int descriptor = dup(STDIN_FILENO);
+    close(descriptor);
+    return descriptor;
+}
+
+static int first_descriptor;
+
+/* After all tests above, most of which end in a refusal */
+static void files_are_closed(void **state)
+{
+    (void)state;
+    assert_int_equal(lowest_descriptor(), first_descriptor);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(known_modes),  cmocka_unit_test(tables_are_whole), cmocka_unit_test(reads_what_was_written),
         cmocka_unit_test(harmed_bytes), cmocka_unit_test(first_line),       cmocka_unit_test(harmed_lines),
-        cmocka_unit_test(no_file),
+        cmocka_unit_test(no_file),      cmocka_unit_test(files_are_closed),
     };
     const int descriptor = mkstemp(path);
     if (descriptor < 0 || close(descriptor))
         return 1;
+    first_descriptor = lowest_descriptor();
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     remove(path);
     return failed;

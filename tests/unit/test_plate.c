@@ -265,11 +265,17 @@ static void conditions(void **state)
                     isnan(cor_plate_shear_crossings(&c, &s.plate, -1)) &&
                     isnan(cor_plate_contact_radius_ratio(&c, &s.plate, INFINITY)) &&
                     isnan(cor_plate_sphere_crossings(&c, &s.sphere, NAN)));
-        struct cor_plate wrong = s.plate;
-        wrong.thickness_m = -1;
-        assert_true(isnan(cor_plate_least_half_width_m(&c, &wrong, 1)) &&
-                    isnan(cor_plate_contact_radius_ratio(&c, &wrong, 1)) &&
-                    isnan(cor_plate_shear_crossings(&c, &wrong, 1)));
+        /* numbers that a plate cannot have, though the formulas may have a value there */
+        struct cor_plate wrong[] = {s.plate, s.plate, s.plate, s.plate, s.plate};
+        wrong[0].thickness_m = -1;
+        wrong[1].thickness_m = 0;
+        wrong[2].density_kg_m3 = INFINITY;
+        wrong[3].poisson_ratio = 0.6;
+        wrong[4].young_modulus_pa = 0;
+        for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++)
+            assert_true(isnan(cor_plate_least_half_width_m(&c, &wrong[k], 1)) &&
+                        isnan(cor_plate_contact_radius_ratio(&c, &wrong[k], 1)) &&
+                        isnan(cor_plate_shear_crossings(&c, &wrong[k], 1)));
     }
 }
 
