@@ -4,7 +4,7 @@
  *
  * 13960 collisions, asked for an error of 1.5e-05 up to v = 0.16439 and 5e-05 beyond (estimated by cor_disk_hard_wall).
  * The plane of x = v^(1/8) and nu is cut into 733 cells, of depths 0 to 4: 30, 215, 221, 119, 148. Each holds 4 x 4
- * values, between which polynomials of degree 3 interpolate, runtime/core/disk_limit.h.
+ * values, between which polynomials of degree 3 interpolate, joined on the sides, runtime/core/disk_limit.h.
  *
  * Uncertainty of a cell: the root of the squares of two parts, 1.5 times what its polynomial misses at most
  * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.

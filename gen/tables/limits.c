@@ -492,7 +492,8 @@ static void write_banner(FILE *file, const struct limits *limits)
     fprintf(
         file,
         ". Each holds 4 x 4\n"
-        " * values, between which polynomials of degree 3 interpolate, runtime/core/disk_limit.h.\n"
+        " * values, between which polynomials of degree 3 interpolate, joined on the sides, "
+        "runtime/core/disk_limit.h.\n"
         " *\n"
         " * Uncertainty of a cell: the root of the squares of two parts, %g times what its polynomial misses at most\n"
         " * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.\n"
@@ -695,17 +696,17 @@ static struct cell *places_of_cells(void)
     return of_cell;
 }
 
-/* The table's value at a grid point of a cell, and at other points, and its error bound there */
-static double value_at(const struct scene *scene, const struct cell *cell, bool *on_grid, double *uncertainty)
+/* The table's value and uncertainty at a point of a cell, sides included, and whether it is a point of its grid */
+static struct cor_disk_limit_result result_at(const struct scene *scene, const struct cell *cell, bool *on_grid)
 {
     const struct cor_disk_limit_table t = evaluable(table);
-    double x_in, nu_in;
-    const struct cor_disk_limit_cell *const found = cor_disk_limit_find(
-        &t, ((double)cell->x + 0.5) / (double)ROOT_SIDE, ((double)cell->nu + 0.5) / (double)ROOT_SIDE, &x_in, &nu_in);
-    const int32_t side = SIXTHS * sixth_of(cell), x = scene->x - cell->x, nu = scene->nu - cell->nu;
-    *on_grid = x % (2 * sixth_of(cell)) == 0 && nu % (2 * sixth_of(cell)) == 0;
-    *uncertainty = found->uncertainty * COR_DISK_LIMIT_UNIT;
-    return cor_disk_limit_value(found, (double)x / side, (double)nu / side);
+    const int32_t sixth = sixth_of(cell), x = scene->x - cell->x, nu = scene->nu - cell->nu;
+    struct cor_disk_limit_place at = cor_disk_limit_find(&t, ((double)cell->x + sixth) / (double)ROOT_SIDE,
+                                                         ((double)cell->nu + sixth) / (double)ROOT_SIDE);
+    at.x_in = (double)x / (SIXTHS * sixth);
+    at.nu_in = (double)nu / (SIXTHS * sixth);
+    *on_grid = x % (2 * sixth) == 0 && nu % (2 * sixth) == 0;
+    return cor_disk_limit_in(&t, &at);
 }
 
 struct check {
@@ -717,15 +718,15 @@ struct check {
 static void check_scene(struct check *check, const struct scene *scene, const struct cell *cell)
 {
     bool on_grid;
-    double uncertainty;
-    const double off = fabs(scene->value * COR_DISK_LIMIT_UNIT - value_at(scene, cell, &on_grid, &uncertainty));
-    const double allowed = on_grid ? DISK_LIMITS_AGREE : uncertainty;
+    const struct cor_disk_limit_result result = result_at(scene, cell, &on_grid);
+    const double off = fabs(scene->value * COR_DISK_LIMIT_UNIT - result.value);
+    const double allowed = on_grid ? DISK_LIMITS_AGREE : result.uncertainty;
     check->places += on_grid;
     check->between += !on_grid;
     if (on_grid)
         check->worst = fmax(check->worst, off);
     else
-        check->worst_between = fmax(check->worst_between, off / uncertainty);
+        check->worst_between = fmax(check->worst_between, off / result.uncertainty);
     if (!(off <= allowed) && check->wrong++ < SAMPLE_MISSES)
         fprintf(stderr, "corgen: " DISK_LIMITS_FILE ": v = %.9g, nu = %.9g: off by %.1e, where %.1e is allowed\n",
                 speed_at(scene->x), nu_at(scene->nu), off, allowed);

@@ -16,24 +16,21 @@ static int is_inside(double speed, double nu)
            nu <= COR_DISK_EPS_MAX_NU;
 }
 
-static const struct cor_disk_limit_cell *cell_at(double speed, double nu, double *x_in, double *nu_in)
+static struct cor_disk_limit_result result_at(double speed, double nu)
 {
-    return cor_disk_limit_find(&table, cor_disk_limit_x(&table, speed), cor_disk_limit_nu(&table, nu), x_in, nu_in);
+    const struct cor_disk_limit_place at =
+        cor_disk_limit_find(&table, cor_disk_limit_x(&table, speed), cor_disk_limit_nu(&table, nu));
+    return cor_disk_limit_in(&table, &at);
 }
 
 double cor_disk_one_minus_eps2(double speed, double nu)
 {
-    double x_in, nu_in;
-    if (!is_inside(speed, nu))
-        return NAN;
-    const struct cor_disk_limit_cell *const cell = cell_at(speed, nu, &x_in, &nu_in);
-    return cor_disk_limit_value(cell, x_in, nu_in);
+    return is_inside(speed, nu) ? result_at(speed, nu).value : NAN;
 }
 
 double cor_disk_one_minus_eps2_uncertainty(double speed, double nu)
 {
-    double x_in, nu_in;
-    return is_inside(speed, nu) ? COR_DISK_LIMIT_UNIT * cell_at(speed, nu, &x_in, &nu_in)->uncertainty : NAN;
+    return is_inside(speed, nu) ? result_at(speed, nu).uncertainty : NAN;
 }
 
 double cor_disk_eps(double speed, double nu)

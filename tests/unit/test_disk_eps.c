@@ -10,6 +10,8 @@
 #define WANTED 2e-5 /* of the uncertainty up to COR_DISK_EPS_CALM_SPEED, and beyond */
 #define WANTED_FAST 1e-4
 
+enum { CELLS = sizeof cor_disk_limit_cell / sizeof *cor_disk_limit_cell };
+
 /* ---- the table ---- */
 
 /* Each node but the roots is one of the four quarters of one cell, and each cell belongs to one node. */
@@ -17,7 +19,6 @@ static void test_tree(void **state)
 {
     (void)state;
     enum { NODES = sizeof cor_disk_limit_node / sizeof *cor_disk_limit_node };
-    enum { CELLS = sizeof cor_disk_limit_cell / sizeof *cor_disk_limit_cell };
     static int quarters_of[NODES], nodes_of[CELLS];
     for (int i = 0; i < NODES; i++) {
         const int number = cor_disk_limit_node[i];
@@ -77,7 +78,57 @@ static long double neville(const long double value[4], long double t)
     return p[0];
 }
 
-/* The polynomials again, by another route */
+/* The four values of a cell on a side: first or last in nu, or in x (across) */
+static void values_on_side(const struct cor_disk_limit_cell *cell, int across, int last, long double value[4])
+{
+    for (int k = 0; k < 4; k++)
+        value[k] = across ? cell->value[4 * k + 3 * last] : cell->value[12 * last + k];
+}
+
+/* The cell beyond a side, or {NULL} where the table ends */
+static struct place place_beyond(const struct place *at, int across, int last, long double x, long double y)
+{
+    const struct place none = {NULL, 0, 0, 0};
+    const long double beyond = (across ? at->x : at->nu) + (last ? 1 : 0) * at->side + (last ? 1 : -1) * 0x1p-12L;
+    *(across ? &x : &y) = beyond;
+    const int ends = beyond < 0 || beyond > (across ? COR_DISK_LIMIT_X_ROOTS : COR_DISK_LIMIT_NU_ROOTS);
+    return ends ? none : place_of(x, y);
+}
+
+/* The joined polynomials again, by another route: those of smaller cells beyond a side take the place of the first or
+ * last of the four that are interpolated; what is left on the other two sides is interpolated beside zeros. */
+static long double joined(const struct place *at, long double x, long double y, long double *uncertainty)
+{
+    const long double x_in = (x - at->x) / at->side, y_in = (y - at->nu) / at->side;
+    long double along[4], beside[4] = {0};
+    for (int j = 0; j < 4; j++) {
+        long double row[4];
+        for (int i = 0; i < 4; i++)
+            row[i] = at->cell->value[4 * j + i];
+        along[j] = neville(row, x_in);
+    }
+    *uncertainty = at->cell->uncertainty;
+    for (int side = 0; side < 4; side++) {
+        const int across = side / 2, last = side % 2;
+        const struct place other = place_beyond(at, across, last, x, y);
+        if (other.cell == NULL || other.side >= at->side)
+            continue;
+        long double own[4], others[4], unit[4] = {0};
+        unit[3 * last] = 1;
+        values_on_side(at->cell, across, last, own);
+        values_on_side(other.cell, across, !last, others);
+        const long double theirs = neville(others, across ? (y - other.nu) / other.side : (x - other.x) / other.side);
+        if (across)
+            beside[3 * last] = theirs - neville(own, y_in);
+        else
+            along[3 * last] = theirs;
+        const long double part = fabsl(neville(unit, across ? x_in : y_in));
+        *uncertainty = fmaxl(*uncertainty, (1 - part) * at->cell->uncertainty + part * other.cell->uncertainty);
+    }
+    *uncertainty *= 1e-7L;
+    return 1e-7L * (neville(along, y_in) + neville(beside, x_in));
+}
+
 static void test_between(void **state)
 {
     (void)state;
@@ -88,18 +139,122 @@ static void test_between(void **state)
         const long double x = (powl(v, 0.125L) - COR_DISK_LIMIT_X_FIRST) / COR_DISK_LIMIT_X_STEP,
                           y = ((long double)nu - COR_DISK_LIMIT_NU_FIRST) / COR_DISK_LIMIT_NU_STEP;
         const struct place at = place_of(x, y);
-        long double along[4];
-        for (int j = 0; j < 4; j++) {
-            long double row[4];
-            for (int i = 0; i < 4; i++)
-                row[i] = at.cell->value[4 * j + i];
-            along[j] = neville(row, (x - at.x) / at.side);
-        }
-        const long double value = 1e-7L * neville(along, (y - at.nu) / at.side);
+        long double uncertainty;
+        const long double value = joined(&at, x, y, &uncertainty);
         const double found = cor_disk_one_minus_eps2(v, nu), off = cor_disk_one_minus_eps2_uncertainty(v, nu);
         check(fabsl(found - value) <= 1e-13L, "v = %a, nu = %a: %.15f instead of %.15Lf", v, nu, found, value);
-        check(off == COR_DISK_LIMIT_UNIT * at.cell->uncertainty, "v = %a, nu = %a: uncertainty %g", v, nu, off);
+        check(fabsl(off - uncertainty) <= 1e-17L, "v = %a, nu = %a: uncertainty %g instead of %Lg", v, nu, off,
+              uncertainty);
     }
+}
+
+/* ---- borders ---- */
+
+/* A random place on a side of a cell, and on both sides of the border */
+struct border {
+    double v, nu, below[2], above[2]; /* v, nu */
+    size_t smaller;                   /* 1 if the cells beyond are smaller */
+};
+
+/* Returns 0 where the table ends. */
+static int border_draw(struct random_state *random, const struct place *at, int side, struct border *border)
+{
+    const int across = side / 2, last = side % 2;
+    long double x = at->x + at->side * random_uniform(random, 0, 1),
+                y = at->nu + at->side * random_uniform(random, 0, 1);
+    const struct place other = place_beyond(at, across, last, x, y);
+    if (other.cell == NULL)
+        return 0;
+    *(across ? &x : &y) = (across ? at->x : at->nu) + last * at->side;
+    border->v = (double)powl(COR_DISK_LIMIT_X_FIRST + COR_DISK_LIMIT_X_STEP * x, 8);
+    border->nu = (double)(COR_DISK_LIMIT_NU_FIRST + COR_DISK_LIMIT_NU_STEP * y);
+    border->smaller = other.side < at->side;
+    const double v_off = across ? 1e-13 * border->v : 0, nu_off = across ? 0 : 1e-13;
+    const double below[2] = {border->v - v_off, border->nu - nu_off},
+                 above[2] = {border->v + v_off, border->nu + nu_off};
+    memcpy(border->below, below, sizeof below);
+    memcpy(border->above, above, sizeof above);
+    return 1;
+}
+
+/* All cells with their places */
+static void place_all(struct place *of_cell, int node, struct place at)
+{
+    const int number = cor_disk_limit_node[node];
+    if (number >= 0) {
+        at.cell = &cor_disk_limit_cell[number];
+        of_cell[number] = at;
+        return;
+    }
+    const long double half = at.side / 2;
+    for (int k = 0; k < 4; k++)
+        place_all(of_cell, -number + k, (struct place){NULL, at.x + k % 2 * half, at.nu + k / 2 * half, half});
+}
+
+static const struct place *places_of_cells(void)
+{
+    static struct place of_cell[CELLS];
+    for (int i = 0; i < COR_DISK_LIMIT_X_ROOTS * COR_DISK_LIMIT_NU_ROOTS; i++)
+        place_all(of_cell, i,
+                  (struct place){NULL, i % COR_DISK_LIMIT_X_ROOTS, i / COR_DISK_LIMIT_X_ROOTS, 1}); /* x fastest */
+    return of_cell;
+}
+
+/* The sides of all cells, in v and in nu: no jump but rounding. COR_TEST_MULTIPLIER=250: 15 10^6 pairs. */
+static void test_borders(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    const struct place *const of_cell = places_of_cells();
+    size_t pairs = 0, unequal = 0;
+    double worst = 0;
+    for (size_t k = points(20); k > 0; k--)
+        for (int i = 0; i < 4 * CELLS; i++) {
+            struct border at;
+            if (!border_draw(&random, &of_cell[i / 4], i % 4, &at))
+                continue;
+            const double below = cor_disk_one_minus_eps2(at.below[0], at.below[1]),
+                         above = cor_disk_one_minus_eps2(at.above[0], at.above[1]), jump = fabs(above - below);
+            check(jump <= COR_DISK_EPS_MAX_JUMP, "v = %.17g, nu = %.17g: a jump of %.1e", at.v, at.nu, jump);
+            check(fabs(cor_disk_eps(at.above[0], at.above[1]) - cor_disk_eps(at.below[0], at.below[1])) <=
+                      COR_DISK_EPS_MAX_JUMP,
+                  "v = %.17g, nu = %.17g: eps jumps", at.v, at.nu);
+            worst = fmax(worst, jump);
+            pairs++;
+            unequal += at.smaller;
+        }
+    print_message("%zu pairs across borders, %zu with smaller cells beyond: jumps of %.1e at most\n", pairs, unequal,
+                  worst);
+}
+
+/* ---- against collisions ---- */
+
+struct tally {
+    size_t places, wanted;
+    double worst, largest; /* of the uncertainty, and absolute */
+};
+
+static void compare(struct tally *tally, double v, double nu, double uncertainty)
+{
+    const struct cor_disk_hard_wall_options options = {5e-6};
+    struct cor_disk_hard_wall wall;
+    const int status = cor_disk_hard_wall_nu(nu, &options, v, &wall);
+    assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
+    const double off = fabs(cor_disk_one_minus_eps2(v, nu) - wall.one_minus_eps2);
+    check(off <= uncertainty, "v = %.17g, nu = %.17g: %.7f, off by %.1e, uncertain by %.1e", v, nu,
+          cor_disk_one_minus_eps2(v, nu), off, uncertainty);
+    tally->places++;
+    tally->worst = fmax(tally->worst, off / uncertainty);
+    tally->largest = fmax(tally->largest, off);
+    tally->wanted += uncertainty <= (v <= COR_DISK_EPS_CALM_SPEED ? WANTED : WANTED_FAST);
+}
+
+static void tally_print(const struct tally *tally, const char *which)
+{
+    print_message("%zu places %s: off by %.1e at most, by %.2f of the uncertainty at most; %zu of them certain to %g, "
+                  "or %g beyond v = %g\n",
+                  tally->places, which, tally->largest, tally->worst, tally->wanted, WANTED, WANTED_FAST,
+                  COR_DISK_EPS_CALM_SPEED);
 }
 
 /* At places off the grid, collisions: none farther off than the uncertainty. COR_TEST_MULTIPLIER=250: 1000 places. */
@@ -108,28 +263,42 @@ static void test_uncertainty(void **state)
     (void)state;
     struct random_state random = random_start();
     const double first = pow(COR_DISK_EPS_MIN_SPEED, 0.125), last = pow(COR_DISK_EPS_MAX_SPEED, 0.125);
-    const struct cor_disk_hard_wall_options options = {5e-6};
-    const size_t places = points(4);
-    size_t wanted = 0;
-    double worst = 0, largest = 0;
-    for (size_t k = 0; k < places; k++) {
+    struct tally tally = {0};
+    for (size_t k = points(4); k > 0; k--) {
         const double v = pow(random_uniform(&random, first, last), 8);
         const double nu = random_uniform(&random, COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU);
-        struct cor_disk_hard_wall wall;
-        const int status = cor_disk_hard_wall_nu(nu, &options, v, &wall);
-        assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
-        const double off = fabs(cor_disk_one_minus_eps2(v, nu) - wall.one_minus_eps2),
-                     uncertainty = cor_disk_one_minus_eps2_uncertainty(v, nu);
-        check(off <= uncertainty, "v = %.17g, nu = %.17g: %.7f, off by %.1e, uncertain by %.1e", v, nu,
-              cor_disk_one_minus_eps2(v, nu), off, uncertainty);
-        worst = fmax(worst, off / uncertainty);
-        largest = fmax(largest, off);
-        wanted += uncertainty <= (v <= COR_DISK_EPS_CALM_SPEED ? WANTED : WANTED_FAST);
+        compare(&tally, v, nu, cor_disk_one_minus_eps2_uncertainty(v, nu));
     }
-    print_message(
-        "%zu places: off by %.1e at most, by %.2f of the uncertainty at most; %zu of them certain to %g, or %g "
-        "beyond v = %g\n",
-        places, largest, worst, wanted, WANTED, WANTED_FAST, COR_DISK_EPS_CALM_SPEED);
+    tally_print(&tally, "off the grid");
+}
+
+/* Where a cell ends and those beyond are smaller, and in the cell up to a third of it from there: the uncertainty of
+ * either side covers the error. COR_TEST_MULTIPLIER=250: 500 places. */
+static void test_uncertainty_at_borders(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    const struct place *const of_cell = places_of_cells();
+    struct tally on = {0}, near = {0};
+    for (size_t k = points(2); on.places + near.places < k;) {
+        const struct place *const cell = &of_cell[random_below(&random, CELLS)];
+        const int side = (int)random_below(&random, 4), across = side / 2, last = side % 2;
+        struct border at;
+        if (!border_draw(&random, cell, side, &at) || !at.smaller)
+            continue;
+        if ((on.places + near.places) % 2 == 0) {
+            compare(&on, at.v, at.nu,
+                    fmin(cor_disk_one_minus_eps2_uncertainty(at.below[0], at.below[1]),
+                         cor_disk_one_minus_eps2_uncertainty(at.above[0], at.above[1])));
+            continue;
+        }
+        const double inwards = (double)cell->side * random_uniform(&random, 0, 1.0 / 3) * (last ? -1 : 1);
+        const double v = across ? pow(pow(at.v, 0.125) + inwards * COR_DISK_LIMIT_X_STEP, 8) : at.v;
+        const double nu = across ? at.nu : at.nu + inwards * COR_DISK_LIMIT_NU_STEP;
+        compare(&near, v, nu, cor_disk_one_minus_eps2_uncertainty(v, nu));
+    }
+    tally_print(&on, "on borders");
+    tally_print(&near, "near borders");
 }
 
 /* ---- the functions ---- */
@@ -150,11 +319,6 @@ static void test_one_another(void **state)
         /* half the width of what (1 - eps^2) +- of_loss makes of eps */
         const double half = (sqrt(1 - loss + of_loss) - sqrt(1 - loss - of_loss)) / 2;
         check(fabs(of_eps - half) <= 1e-4 * half, "v = %a, nu = %a: %g instead of %g", v, nu, of_eps, half);
-        /* where a cell ends, a step of no more than the uncertainties */
-        const double next = fmin(v * 1.0001, COR_DISK_EPS_MAX_SPEED);
-        const double step = cor_disk_one_minus_eps2(next, nu) - loss;
-        check(fabs(step) <= 1e-4 + of_loss + cor_disk_one_minus_eps2_uncertainty(next, nu),
-              "v = %a, nu = %a: a step of %g", v, nu, step);
     }
 }
 
@@ -256,9 +420,16 @@ static void test_rayleigh(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tree),        cmocka_unit_test(test_between),  cmocka_unit_test(test_uncertainty),
-        cmocka_unit_test(test_one_another), cmocka_unit_test(test_domain),   cmocka_unit_test(test_known),
-        cmocka_unit_test(test_collisions),  cmocka_unit_test(test_rayleigh),
+        cmocka_unit_test(test_tree),
+        cmocka_unit_test(test_between),
+        cmocka_unit_test(test_uncertainty),
+        cmocka_unit_test(test_borders),
+        cmocka_unit_test(test_uncertainty_at_borders),
+        cmocka_unit_test(test_one_another),
+        cmocka_unit_test(test_domain),
+        cmocka_unit_test(test_known),
+        cmocka_unit_test(test_collisions),
+        cmocka_unit_test(test_rayleigh),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
