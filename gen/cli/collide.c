@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen collide: one collision in proved digits. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "cli/commands.h"
 #include "cli/proved_table.h"
@@ -39,6 +40,27 @@ static int problem_solve(struct collision *c, const arb_t beta, const struct pro
                                                                                               bits);
 }
 
+/* beta as a number of every format: a decimal as given, with a digit before its point and one behind; a ratio rounded
+ * to the digits of the table, or to one more where it lies in the middle of two. */
+static char *beta_text(const struct problem *problem, const arb_t beta)
+{
+    const char *given = problem->beta->text;
+    if (problem->beta->forms & DECIMAL_RATIO) {
+        char *const rounded = digits_of_ball(beta, problem->digits);
+        return rounded ? rounded : digits_of_ball(beta, problem->digits + 1);
+    }
+    while (given[0] == '0' && given[1] >= '0' && given[1] <= '9')
+        given++;
+    const size_t whole = strspn(given, "0123456789"), point = given[whole] == '.';
+    const size_t digits = strspn(given + whole + point, "0123456789");
+    const char *const exponent = given + whole + point + digits;
+    const size_t size = strlen(given) + 2;
+    char *const text = xmalloc(size);
+    snprintf(text, size, "%.*s%s%.*s%s", whole ? (int)whole : 1, whole ? given : "0", digits ? "." : "", (int)digits,
+             given + whole + point, exponent);
+    return text;
+}
+
 /* Fills the table, which has one row. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
@@ -50,6 +72,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
         if (is_printed(i, problem->end))
             printed[columns++] = column[i];
     table_init(table, printed, columns);
+    table->kinds = "ddddddd";
     arb_t beta;
     arb_init(beta);
     /* beta is rounded with extra bits, so that this rounding never decides the accuracy of the result */
@@ -65,7 +88,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
                                               collision.t_zero_overlap,
                                               collision.eps_zero_force,
                                               collision.t_zero_force};
-    table_add(table, xstrdup(problem->beta->text));
+    table_add(table, beta_text(problem, beta));
     for (int i = 1; i < COLUMNS && status == STATUS_OK && !*undecided; i++) {
         if (!is_printed(i, problem->end))
             continue;
@@ -106,7 +129,7 @@ static const char help[] =
     "  --beta B         dissipation parameter, from 0 to 1e6, such as 0.1, 1.5e-3 or 2/3\n"
     "  --end E          compute only zero-overlap or zero-force, without waiting for the other end\n"
     "                   (default: both)\n" HELP_DIGITS
-    "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
+    "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
     "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
     "with --end, without the columns of the other end.\n"
     "\nExample: corgen collide --beta 0.1 --digits 30\n";
@@ -120,6 +143,7 @@ static const struct option_rule options[] = {
     OPTION_DIGITS(struct collide_arguments),
     OPTION_END(struct collide_arguments, end),
     OPTION_FORMAT(struct collide_arguments, option_formats),
+    OPTION_JSON_STRINGS(struct collide_arguments),
     OPTION_LAW(struct collide_arguments),
     OPTION_COMMON(struct collide_arguments),
     {.name = NULL},

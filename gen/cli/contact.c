@@ -10,6 +10,7 @@
 #include "contact/contact_plot.h"
 #include "contact/contact_rows.h"
 #include "support/console.h"
+#include "support/gnuplot.h"
 
 _Static_assert(OPTIONS_NOT_GIVEN == CONTACT_BOTH_ENDS, "--end that is not given stands for both ends");
 
@@ -132,6 +133,8 @@ static int run_contact(const void *arguments)
 {
     const struct contact_arguments *const o = arguments;
     struct contact_models models;
+    if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
+        return STATUS_USAGE;
     if (o->host && strcmp(o->host, CONTACT_HOST_LIST) == 0)
         return list_hosts(o);
     if (o->host && contact_host_check(o->host) != STATUS_OK)
@@ -157,7 +160,7 @@ static const char help[] =
     "                   (default: both)\n"
     "  --steps N        time_step_s is the shortest duration over N (default " DEFAULT_STEPS ")\n"
     "  --for HOST       lines for the input of a simulator; --for list names the simulators\n"
-    "  --plot FILE      eps over the speed as SVG, by gnuplot\n"
+    "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
     "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s; measured_end where eps was measured\n"

@@ -38,6 +38,7 @@ static void fill_table(struct table *table, const struct disk_modes *modes, slon
     struct spelling work = {modes, digits, xmalloc((size_t)(NUMBERS * modes->count) * sizeof *work.text)};
     parallel_for(spell_mode, &work, modes->count, "digits of modes");
     table_init(table, column, sizeof column / sizeof *column);
+    table->kinds = "nnddd";
     for (slong i = 0; i < modes->count; i++) {
         table_add_integer(table, modes->mode[i].n);
         table_add_integer(table, modes->mode[i].l);
@@ -79,6 +80,7 @@ static int run_disk_modes(const void *arguments)
     struct table table;
     fill_table(&table, &modes, o->digits);
     disk_modes_clear(&modes);
+    table.json_strings = o->common.json_strings;
     table_print(&table, (enum output_format)o->common.format, out.file);
     table_clear(&table);
     return output_commit(&out);
@@ -91,7 +93,7 @@ static const char help[] =
     "the displacements C (radial, positive) and S (tangential) at the rim, normalised to the area.\n\n"
     "  --poisson NU     Poisson's ratio in plane stress, between -1 and 1, as 0.33 or 1/3\n"
     "  --count N        number of modes, 1 to 10000000\n" HELP_DIGITS
-    "  --format F       text (default), csv or json\n" HELP_COMMON "\nColumns: n,l,omega,C,S.\n"
+    "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_COMMON "\nColumns: n,l,omega,C,S.\n"
     "\nExample: corgen disk-modes --poisson 0.33 --count 10\n";
 
 #define AT(FIELD) offsetof(struct disk_modes_arguments, FIELD)
@@ -109,6 +111,7 @@ static const struct option_rule options[] = {
      .required = true},
     OPTION_DIGITS(struct disk_modes_arguments),
     OPTION_FORMAT(struct disk_modes_arguments, option_formats),
+    OPTION_JSON_STRINGS(struct disk_modes_arguments),
     OPTION_COMMON(struct disk_modes_arguments),
     {.name = NULL},
 };

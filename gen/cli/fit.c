@@ -10,6 +10,7 @@
 #include "fit/plot.h"
 #include "fit/report.h"
 #include "support/console.h"
+#include "support/gnuplot.h"
 
 /* ---- bodies ---- */
 
@@ -96,7 +97,7 @@ static int write_results(const struct fit_arguments *o, const struct fit_compari
         opened += status == STATUS_OK;
     }
     if (status == STATUS_OK && o->plot)
-        status = fit_plot(comparison, data, file_name(o->data), out[1].file);
+        status = fit_plot(comparison, data, file_name(o->data), out[1].file, o->plot);
     if (status != STATUS_OK) {
         for (int i = 0; i < opened; i++)
             output_discard(&out[i]);
@@ -116,8 +117,8 @@ static int run_fit(const void *arguments)
     struct fit_request request = {.robust = o->robust};
     struct fit_bodies bodies;
     struct fit_data data;
-    if (o->plot && o->common.output && strcmp(o->plot, o->common.output) == 0)
-        return usage_error("--plot and --output name the same file, %s; allowed: two files", o->plot);
+    if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
+        return STATUS_USAGE;
     int status = fit_request_models(&request, o->law, o->end == OPTIONS_NOT_GIVEN ? NULL : option_ends[o->end]);
     if (status == STATUS_OK && bodies_given(&o->scene)) {
         status = read_bodies(&bodies, &o->scene);
@@ -158,7 +159,7 @@ static const char help[] =
     "                   hunt-crossley, hertz-dashpot, power-law, as viscoelastic,power-law\n"
     "  --end E          zero-overlap or zero-force: only this end of contact (default: both)\n"
     "  --robust         Huber's function, linear beyond 1.345 sigma, not squares: outliers have little weight\n"
-    "  --plot FILE.svg  a picture of data, fits and residuals (needs gnuplot)\n"
+    "  --plot FILE      a picture of data, fits and residuals, .svg, .png or .pdf (needs gnuplot)\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nParameters: g_star_m_s, from eps = 1 - (speed/g*)^(1/5) + ...; zener_lambda_at_1_m_s of a thin plate;\n"
     "eps, zeta (damping ratio); dissipation_s_m, d of the force F(x) (1 + d x'); beta_at_1_m_s of a Hertzian\n"

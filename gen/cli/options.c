@@ -252,6 +252,24 @@ static int check_given(const struct option_rule *rules, const bool *given, const
     return STATUS_OK;
 }
 
+/* Two files of one command must not be one: the later would replace the earlier, or what is read. */
+static int check_files(const void *arguments, const struct option_rule *rules, const bool *given)
+{
+    for (size_t i = 0; rules[i].name; i++)
+        for (size_t j = i + 1; rules[j].name && rules[i].kind == OPTION_FILE && given[i]; j++) {
+            const bool output = strcmp(rules[j].name, "output") == 0;
+            if (rules[j].kind != OPTION_FILE || (!given[j] && !output))
+                continue;
+            const char *const path = *(const char *const *)((const char *)arguments + rules[i].offset);
+            const char *const other =
+                given[j] ? *(const char *const *)((const char *)arguments + rules[j].offset) : NULL;
+            if (output_same_file(path, other))
+                return usage_error("--%s and %s%s name the same file, %s; allowed: two files", rules[i].name,
+                                   given[j] ? "--" : "standard ", rules[j].name, path);
+        }
+    return STATUS_OK;
+}
+
 /* Reads the arguments that are no options. A subcommand accepts at most one. */
 static int parse_operands(void *arguments, const struct option_rule *rules, bool *given, int argc, char **argv)
 {
@@ -293,8 +311,10 @@ static int parse_all(void *arguments, const struct option_rule *rules, const str
         if (status != STATUS_OK)
             return status;
     }
-    const int status = parse_operands(arguments, rules, given, argc, argv);
-    return status == STATUS_OK ? check_given(rules, given, argv[0]) : status;
+    int status = parse_operands(arguments, rules, given, argc, argv);
+    if (status == STATUS_OK)
+        status = check_given(rules, given, argv[0]);
+    return status == STATUS_OK ? check_files(arguments, rules, given) : status;
 }
 
 int options_parse(void *arguments, const struct option_rule *rules, int argc, char **argv, bool *help)

@@ -53,6 +53,7 @@ struct option_rule {
 struct option_common {
     int format;         /* enum output_format */
     const char *output; /* file, or directory for `tables`; NULL: standard output */
+    bool json_strings;
     bool profile;
 };
 
@@ -66,6 +67,10 @@ struct option_common {
     {                                                                                                                  \
         .name = "format", .kind = OPTION_WORD, .offset = offsetof(TYPE, common.format), .range.words = (WORDS),        \
         .why = "a format"                                                                                              \
+    }
+#define OPTION_JSON_STRINGS(TYPE)                                                                                      \
+    {                                                                                                                  \
+        .name = "json-strings", .kind = OPTION_FLAG, .offset = offsetof(TYPE, common.json_strings), .needs = "format"  \
     }
 #define OPTION_DIGITS(TYPE)                                                                                            \
     {                                                                                                                  \

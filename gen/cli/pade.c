@@ -55,6 +55,7 @@ static int compute_coefficients(struct pade *f, struct pade_analysis *a, struct 
         if (status)
             return status;
         table_init(t, columns, 3);
+        t->kinds = "tnd";
         if (add_polynomial(t, "numerator", f->p, f->numerator, digits) &&
             add_polynomial(t, "denominator", f->q, f->denominator, digits))
             return STATUS_OK;
@@ -180,9 +181,10 @@ static void print_published(FILE *file, const struct pade *f)
 }
 
 static int print_result(const struct pade_arguments *o, const struct pade_request *r, const struct pade *f,
-                        const struct pade_analysis *a, const struct table *t)
+                        const struct pade_analysis *a, struct table *t)
 {
     struct output out;
+    t->json_strings = o->common.json_strings;
     int status = output_open(&out, o->common.output);
     if (status)
         return status;
@@ -209,8 +211,6 @@ static int read_request(struct pade_request *r, const struct pade_arguments *o, 
                                .denominator = o->denominator,
                                .end = o->end,
                                .law = *law};
-    if (o->header && o->common.output && strcmp(o->header, o->common.output) == 0)
-        return usage_error("--header and --output name the same file, '%s'", o->header);
     if (o->as_published && !law_is_sphere(law))
         return usage_error("--as-published is the sphere's");
     if (o->as_published && o->end != END_ZERO_OVERLAP)
@@ -274,7 +274,7 @@ static const char help[] =
     "  --header FILE    also write the approximant as a C header, unless it has a pole or a zero\n"
     "                   on beta > 0\n"
     "  --force          write the header even then\n"
-    "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
+    "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
     "\nExample: corgen pade --numerator 4 --denominator 7 --digits 20\n";
 
 #define AT(FIELD) offsetof(struct pade_arguments, FIELD)
@@ -296,6 +296,7 @@ static const struct option_rule options[] = {
     {.name = "header", .kind = OPTION_FILE, .offset = AT(header)},
     {.name = "force", .kind = OPTION_FLAG, .offset = AT(force), .needs = "header"},
     OPTION_FORMAT(struct pade_arguments, option_formats),
+    OPTION_JSON_STRINGS(struct pade_arguments),
     OPTION_LAW(struct pade_arguments),
     OPTION_COMMON(struct pade_arguments),
     {.name = NULL},

@@ -35,6 +35,7 @@ static int fill_zero_overlap(struct table *table, char undecided[PROVED_TABLE_NA
     const slong order = problem->arguments->order, digits = problem->arguments->digits;
     profile_step("series");
     table_init(table, column, sizeof column / sizeof *column);
+    table->kinds = "nddd";
     struct series series;
     series_init(&series);
     const int status = series_compute(&series, order, &problem->law, bits);
@@ -67,6 +68,7 @@ static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME
     else
         snprintf(power, sizeof power, "power_of_beta_root_%ld", (long)root);
     table_init(table, column, sizeof column / sizeof *column);
+    table->kinds = "nd";
     profile_step("digits");
     for (slong k = 0; k <= order && status == STATUS_OK && !*undecided; k++) {
         table_add_integer(table, k);
@@ -82,6 +84,7 @@ static void fill_exact(struct table *table, slong order, const struct law *law)
 {
     static const char *const column[] = {"power_of_w", "G", "T"};
     table_init(table, column, sizeof column / sizeof *column);
+    table->kinds = "ntt"; /* fractions */
     fmpq_poly_t f[2];
     fmpq_t c;
     fmpq_init(c);
@@ -140,7 +143,7 @@ static const char help[] =
     "  --exact          with --end zero-force: print the rational coefficients of G and T in powers of w,\n"
     "                   eps_zero_force = eps_zero_overlap G(w), w = h^(5/2), h = beta eps^(1/5);\n"
     "                   the force vanishes before the overlap, by the time h T(w) in the same units\n"
-    "  --format F       text (default), csv or json\n" HELP_LAW HELP_COMMON
+    "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
     "\nColumns: k,y_k,tau_k,C_k; with --end zero-force power_of_sqrt_beta,coefficient\n"
     "(or power_of_beta, or power_of_beta_root_R for powers of beta^(1/R), by the law);\n"
     "with --exact power_of_w,G,T.\n"
@@ -158,6 +161,7 @@ static const struct option_rule options[] = {
     OPTION_END(struct series_arguments, end),
     {.name = "exact", .kind = OPTION_FLAG, .offset = AT(exact), .excludes = "digits"},
     OPTION_FORMAT(struct series_arguments, option_formats),
+    OPTION_JSON_STRINGS(struct series_arguments),
     OPTION_LAW(struct series_arguments),
     OPTION_COMMON(struct series_arguments),
     {.name = NULL},

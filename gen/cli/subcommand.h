@@ -22,6 +22,7 @@ struct subcommand {
     "  --elastic A, --damping B   exponents of x'' + beta x^B x' + x^A = 0, from 0 to 24, such as 3/2\n"               \
     "                             (default 3/2 and 1/2: viscoelastic spheres)\n"
 #define HELP_DIGITS "  --digits D       significant digits, all of them proved; 1 to 10000000 (default 20)\n"
+#define HELP_JSON_STRINGS "  --json-strings   in json, numbers with more digits than a double holds as strings\n"
 #define HELP_END "  --end E          the contact ends at zero-overlap (default) or zero-force\n"
 #define HELP_COMMON                                                                                                    \
     "  --output FILE    write to FILE, which changes only if everything succeeds (default: standard output)\n"         \

@@ -102,6 +102,8 @@ static void print_table(FILE *file, const fmpq_poly_struct *row, const struct tr
     static const char *const column[] = {"k", "j", "numerator", "denominator"};
     struct table table;
     table_init(&table, column, sizeof column / sizeof *column);
+    table.kinds = "nndd";
+    table.json_strings = o->common.json_strings;
     fmpq_t c;
     fmpq_init(c);
     for (slong k = 0; k <= o->order; k++) {
@@ -150,14 +152,15 @@ static int run_trajectory(const void *arguments)
     return output_commit(&out);
 }
 
-static const char help[] = "Usage: corgen trajectory --order K --terms J [OPTION]...\n\n"
-                           "Prints x_0 .. x_K of x(t) = sum x_k(t) beta^k exactly; for spheres\n"
-                           "x_k(t) = t sum_j c[k][j] t^(3k/2 + 5j/2), j = 0 .. J.\n\n"
-                           "  --order K        highest power of beta, 0 to 100000\n"
-                           "  --terms J        highest j, 0 to 100000\n"
-                           "  --format F       text (default), csv, json or latex\n" HELP_LAW HELP_COMMON
-                           "\nColumns of csv and json: k,j,numerator,denominator.\n"
-                           "\nExample: corgen trajectory --order 3 --terms 4\n";
+static const char help[] =
+    "Usage: corgen trajectory --order K --terms J [OPTION]...\n\n"
+    "Prints x_0 .. x_K of x(t) = sum x_k(t) beta^k exactly; for spheres\n"
+    "x_k(t) = t sum_j c[k][j] t^(3k/2 + 5j/2), j = 0 .. J.\n\n"
+    "  --order K        highest power of beta, 0 to 100000\n"
+    "  --terms J        highest j, 0 to 100000\n"
+    "  --format F       text (default), csv, json or latex\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
+    "\nColumns of csv and json: k,j,numerator,denominator.\n"
+    "\nExample: corgen trajectory --order 3 --terms 4\n";
 
 #define AT(FIELD) offsetof(struct trajectory_arguments, FIELD)
 static const struct option_rule options[] = {
@@ -174,6 +177,7 @@ static const struct option_rule options[] = {
      .why = "the exact rationals of more terms outgrow any memory",
      .required = true},
     OPTION_FORMAT(struct trajectory_arguments, option_formats_latex),
+    OPTION_JSON_STRINGS(struct trajectory_arguments),
     OPTION_LAW(struct trajectory_arguments),
     OPTION_COMMON(struct trajectory_arguments),
     {.name = NULL},

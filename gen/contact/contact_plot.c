@@ -48,7 +48,7 @@ int contact_plot(const char *path, const char *title, const struct contact_curve
     write_script(script, title, curve, curves);
     int status = output_open(&out, path);
     if (status == STATUS_OK) {
-        status = gnuplot_run(script, out.file);
+        status = gnuplot_run(script, out.file, path);
         if (status == STATUS_OK)
             status = output_commit(&out);
         else

@@ -52,6 +52,7 @@ void contact_summary(struct table *table, const struct contact_models *models, i
     static const char *const one[] = {"quantity", "value", "unit"};
     static const char *const two[] = {"quantity", "value_zero_overlap", "value_zero_force", "unit"};
     table_init(table, models->count == 1 ? one : two, 2 + models->count);
+    table->kinds = models->count == 1 ? "tnt" : "tnnt";
     for (int i = 0; i < QUANTITIES; i++) {
         if (isnan(quantities[i].value(&models->model[0])))
             continue;
@@ -124,6 +125,7 @@ int contact_rows(struct table *table, const struct contact_models *models, const
     struct contact_impact *const impact = xmalloc((size_t)models->count * speeds * sizeof *impact);
     double least;
     table_init(table, column, (int)(sizeof column / sizeof *column) - (models->count == 1));
+    table->kinds = "nnnnnnnnnt";
     const int status = solve_all(impact, &least, models, speed_m_s, speeds);
     const double step = isinf(least) ? (double)NAN : least / steps;
     for (size_t i = 0; i < (size_t)models->count * speeds && status == STATUS_OK; i++) {

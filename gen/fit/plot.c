@@ -104,13 +104,14 @@ static void write_script(FILE *script, const struct fit_comparison *c, const str
     fputs("unset multiplot\nset output\n", script);
 }
 
-int fit_plot(const struct fit_comparison *comparison, const struct fit_data *data, const char *title, FILE *svg)
+int fit_plot(const struct fit_comparison *comparison, const struct fit_data *data, const char *title, FILE *out,
+             const char *path)
 {
     FILE *const script = tmpfile();
     if (!script)
         return fail("cannot make a temporary file: %s", strerror(errno));
     write_script(script, comparison, data, title);
-    const int status = gnuplot_run(script, svg);
+    const int status = gnuplot_run(script, out, path);
     fclose(script);
     return status;
 }

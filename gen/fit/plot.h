@@ -7,7 +7,9 @@
 
 #include "fit/compare.h"
 
-/* Writes an svg picture. The title is that of the data. Returns STATUS_OK, or STATUS_FAILED after a message. */
-int fit_plot(const struct fit_comparison *comparison, const struct fit_data *data, const char *title, FILE *svg);
+/* Writes a picture in the format of `path` (gnuplot.h). The title is that of the data. Returns STATUS_OK, or
+ * STATUS_FAILED after a message. */
+int fit_plot(const struct fit_comparison *comparison, const struct fit_data *data, const char *title, FILE *out,
+             const char *path);
 
 #endif

@@ -48,6 +48,7 @@ void fit_report_print(const struct fit_comparison *comparison, const struct fit_
 {
     struct table table;
     table_init(&table, columns, sizeof columns / sizeof *columns);
+    table.kinds = "tttnnnnnnnn";
     for (int i = 0; i < comparison->models; i++) {
         const struct fit_model *const model = &fit_models[comparison->ranked[i]];
         const struct fit_estimate *const e = &comparison->estimate[model->curve];

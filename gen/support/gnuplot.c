@@ -7,22 +7,49 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "support/console.h"
 
+#define CSS_PIXELS 96.0 /* in an inch */
+
 extern char **environ; /* POSIX has it in no header */
+
+/* The variable `picture` of a script holds its format. */
+static const char *const format[] = {"svg", "png", "pdf"};
+enum { FORMATS = sizeof format / sizeof *format };
+
+/* The place in the list, or FORMATS */
+static int format_of(const char *path)
+{
+    const char *const slash = strrchr(path, '/'), *const dot = strrchr(slash ? slash : path, '.');
+    int i = 0;
+    while (dot && i < FORMATS && strcasecmp(dot + 1, format[i]) != 0)
+        i++;
+    return i;
+}
+
+int gnuplot_check(const char *path)
+{
+    return format_of(path) < FORMATS ? STATUS_OK
+                                     : usage_error("--plot: '%s' is no name of a picture; allowed: names that end in "
+                                                   ".svg, .png or .pdf, or have no ending (svg)",
+                                                   path);
+}
 
 void gnuplot_style(FILE *script, int width, int height)
 {
     fprintf(script,
-            "set terminal svg size %d,%d fixed font 'DejaVu Sans,13' background 'white'\n"
+            "if (picture eq 'svg') { set terminal svg size %d,%d fixed font 'DejaVu Sans,13' background 'white' }\n"
+            "if (picture eq 'png') { set terminal pngcairo size %d,%d font 'DejaVu Sans,10' background 'white' }\n"
+            "if (picture eq 'pdf') { set terminal pdfcairo size %g,%g font 'DejaVu Sans,10' background 'white' }\n"
             "black = '#222222'; grey = '#777777'; light = '#dddddd'; blue = '#0060ad'; red = '#c8421a'\n"
             "green = '#3a7d34'; violet = '#7b3f99'; amber = '#b8860b'\n"
             "set border 3 lc rgb black\nset tics nomirror\nset grid lc rgb light lw 0.7\n"
             "set key samplen 2.2 spacing 1.15 reverse Left\n",
-            width, height);
+            width, height, width, height, width / CSS_PIXELS, height / CSS_PIXELS);
 }
 
 /* A string in single quotation marks would need no escapes, but gnuplot 5.4 rejects one with two apostrophes in a row,
@@ -41,9 +68,10 @@ void gnuplot_quote(FILE *script, const char *text)
 
 /* Starts gnuplot with the script as standard input and `out` as standard output, and waits for its end. Returns its
  * exit status, or -1 with errno if it cannot be started. */
-static int run_program(FILE *script, FILE *out)
+static int run_program(FILE *script, FILE *out, const char *picture)
 {
-    char *const arguments[] = {"gnuplot", "-", NULL};
+    char variable[32], *const arguments[] = {"gnuplot", "-e", variable, "-", NULL};
+    snprintf(variable, sizeof variable, "picture = '%s'", picture);
     posix_spawn_file_actions_t actions;
     pid_t child;
     if (fflush(script) != 0 || lseek(fileno(script), 0, SEEK_SET) != 0)
@@ -70,13 +98,13 @@ static bool names_version(const char *line)
     return strncmp(line, "<desc>", 6) == 0 || strstr(line, "Gnuplot") || strstr(line, "GNUPLOT");
 }
 
-static long copy_picture(FILE *from, FILE *to)
+static long copy_picture(FILE *from, FILE *to, bool svg)
 {
     char *line = NULL;
     size_t size = 0;
     long lines = 0;
     for (ssize_t n; (n = getline(&line, &size, from)) >= 0;) {
-        if (names_version(line))
+        if (svg && names_version(line))
             continue;
         fwrite(line, 1, (size_t)n, to);
         lines++;
@@ -85,17 +113,19 @@ static long copy_picture(FILE *from, FILE *to)
     return lines;
 }
 
-int gnuplot_run(FILE *script, FILE *svg)
+int gnuplot_run(FILE *script, FILE *out, const char *path)
 {
     FILE *const picture = tmpfile();
     if (!picture)
         return fail("cannot make a temporary file: %s", strerror(errno));
-    const int status = run_program(script, picture);
+    const int place = format_of(path);
+    const int status = run_program(script, picture, format[place]);
     rewind(picture);
-    const bool done = status == 0 && copy_picture(picture, svg) > 0;
+    const bool done = status == 0 && copy_picture(picture, out, place == 0) > 0;
     fclose(picture);
     if (done)
         return STATUS_OK;
-    return status < 0 ? fail("cannot run gnuplot, which draws the picture: %s", strerror(errno))
-                      : fail("gnuplot failed to draw the picture");
+    return status < 0   ? fail("cannot run gnuplot, which draws the picture: %s", strerror(errno))
+           : place == 0 ? fail("gnuplot failed to draw the picture")
+                        : fail("gnuplot failed to draw the picture as %s; svg needs no library", format[place]);
 }

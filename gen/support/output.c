@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#define _XOPEN_SOURCE 700 /* realpath */
+#define _GNU_SOURCE /* O_TMPFILE, realpath */
 
 #include "support/output.h"
 
@@ -195,6 +195,44 @@ bool output_is_direct(const char *path)
     return descriptor != NOT_A_DESCRIPTOR;
 }
 
+/* The file system's number of the folder in which a name stands, and the name there */
+static const char *place_of(struct stat *folder, const char *name)
+{
+    const char *const slash = strrchr(name, '/');
+    char *const path = slash ? xstrdup(name) : xstrdup(".");
+    if (slash)
+        path[slash == name ? 1 : slash - name] = '\0';
+    const bool found = stat(path, folder) == 0;
+    free(path);
+    return found ? slash ? slash + 1 : name : NULL;
+}
+
+static bool same_inode(const struct stat *x, const struct stat *y)
+{
+    return x->st_dev == y->st_dev && x->st_ino == y->st_ino;
+}
+
+static int status_of(struct stat *status, const char *path)
+{
+    return path ? stat(path, status) : fstat(STDOUT_FILENO, status);
+}
+
+bool output_same_file(const char *path, const char *other)
+{
+    struct stat x, y;
+    const bool exists = status_of(&x, path) == 0, other_exists = status_of(&y, other) == 0;
+    if (exists || other_exists || !path || !other)
+        return exists && other_exists && S_ISREG(x.st_mode) && same_inode(&x, &y);
+    int descriptor;
+    char *const name = follow_links(path, &descriptor), *const other_name = follow_links(other, &descriptor);
+    const char *const last = name ? place_of(&x, name) : NULL, *const other_last =
+                                                                   other_name ? place_of(&y, other_name) : NULL;
+    const bool same = last && other_last && same_inode(&x, &y) && strcmp(last, other_last) == 0;
+    free(name);
+    free(other_name);
+    return same;
+}
+
 /* ---- the temporary file ---- */
 
 /* Sets mode, owner and group to those of the file to be replaced. Returns false if that is not permitted; the file is
@@ -220,38 +258,78 @@ static int set_mode(struct output *out, int fd)
     return fchmod(fd, 0666 & ~mask);
 }
 
-static int make_temporary(struct output *out)
-{
-    static const char pattern[] = ".corgen-XXXXXX";
-    const char *slash = strrchr(out->target, '/');
-    size_t directory = slash ? (size_t)(slash - out->target) + 1 : 0;
-    out->temporary = xmalloc(directory + sizeof pattern);
-    memcpy(out->temporary, out->target, directory);
-    memcpy(out->temporary + directory, pattern, sizeof pattern);
+enum { OWN_PATH = 64, NAME_ATTEMPTS = 100 };
 
+/* The path under which the kernel shows an open file to its process */
+static void own_path(char path[OWN_PATH], int fd)
+{
+    snprintf(path, OWN_PATH, "/proc/self/fd/%d", fd);
+}
+
+/* The name beside the target: its folder and `last`, malloc'ed */
+static char *beside(const char *target, const char *last)
+{
+    const char *const slash = strrchr(target, '/');
+    const size_t folder = slash ? (size_t)(slash - target) + 1 : 0, size = strlen(last) + 1;
+    char *const name = xmalloc(folder + size);
+    memcpy(name, target, folder);
+    memcpy(name + folder, last, size);
+    return name;
+}
+
+/* A file without a name in the target's folder, which vanishes however the process ends; negative where the file system
+ * has none, or where it could get no name later. */
+static int open_nameless(const char *target)
+{
+#ifdef O_TMPFILE
+    char path[OWN_PATH], *const folder = beside(target, ".");
+    const int fd = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+    free(folder);
+    if (fd < 0)
+        return fd;
+    own_path(path, fd);
+    if (access(path, F_OK) == 0)
+        return fd;
+    close(fd);
+#else
+    (void)target;
+#endif
+    return -1;
+}
+
+/* A file with a name that the handler of signals removes. Negative after setting errno. */
+static int open_named(struct output *out)
+{
     sigset_t before;
+    out->temporary = beside(out->target, ".corgen-XXXXXX");
     block_signals(&before);
     int fd = mkstemp(out->temporary);
-    int registered = fd >= 0 && registry_add(out->temporary);
-    if (fd >= 0 && !registered) {
+    if (fd >= 0 && !registry_add(out->temporary)) {
         unlink(out->temporary);
         close(fd);
+        fd = -1;
         errno = EMFILE;
     }
     restore_signals(&before);
-    if (!registered) {
+    if (fd < 0) {
         free(out->temporary);
         out->temporary = NULL;
-        return -1;
     }
+    return fd;
+}
 
-    if (set_mode(out, fd) != 0 || !(out->file = fdopen(fd, "w+"))) {
+static int make_temporary(struct output *out)
+{
+    int fd = open_nameless(out->target);
+    if (fd < 0)
+        fd = open_named(out);
+    if (fd >= 0 && (set_mode(out, fd) != 0 || !(out->file = fdopen(fd, "w+")))) {
         int reason = errno;
         close(fd);
         errno = reason;
         return -1;
     }
-    return 0;
+    return fd < 0 ? -1 : 0;
 }
 
 int output_open(struct output *out, const char *path)
@@ -298,10 +376,10 @@ static int output_complete(struct output *out)
         return output_failure("write", out);
     if (!out->path)
         return STATUS_OK;
-    if (out->temporary && fsync(fileno(out->file)) != 0)
+    if (out->target && fsync(fileno(out->file)) != 0)
         return output_failure("write", out);
-    if (out->in_place)
-        return STATUS_OK; /* still to be read */
+    if (out->target && (out->in_place || !out->temporary))
+        return STATUS_OK; /* still to be read, or without a name */
     const bool closed = fclose(out->file) == 0;
     out->file = NULL;
     return closed ? STATUS_OK : output_failure("write", out);
@@ -351,16 +429,40 @@ static bool output_overwrite(struct output *out)
     return good;
 }
 
+/* Gives a file without a name that of the target, or a temporary one if the target exists: no call replaces a file by
+ * one without a name. */
+static bool give_name(struct output *out)
+{
+    char path[OWN_PATH], last[OWN_PATH];
+    own_path(path, fileno(out->file));
+    if (linkat(AT_FDCWD, path, AT_FDCWD, out->target, AT_SYMLINK_FOLLOW) == 0)
+        return true;
+    for (int i = 0; i < NAME_ATTEMPTS && errno == EEXIST; i++) {
+        snprintf(last, sizeof last, ".corgen-%ld-%d", (long)getpid(), i);
+        char *const name = beside(out->target, last);
+        if (linkat(AT_FDCWD, path, AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0) {
+            out->temporary = name;
+            return true;
+        }
+        const int reason = errno;
+        free(name);
+        errno = reason;
+    }
+    return false;
+}
+
 /* Puts a complete temporary file in the place of the target. */
 static bool output_replace(struct output *out)
 {
-    if (!out->in_place)
-        return rename(out->temporary, out->target) == 0;
-    if (!output_overwrite(out))
+    const bool good = out->in_place ? output_overwrite(out) : out->temporary || give_name(out);
+    if (!good)
         return false;
-    fclose(out->file);
+    if (out->file)
+        fclose(out->file);
     out->file = NULL;
-    return unlink(out->temporary) == 0;
+    if (!out->temporary)
+        return true;
+    return out->in_place ? unlink(out->temporary) == 0 : rename(out->temporary, out->target) == 0;
 }
 
 int output_commit_all(struct output *out, int n)
@@ -372,7 +474,7 @@ int output_commit_all(struct output *out, int n)
     sigset_t before;
     block_signals(&before);
     for (int i = 0; i < n && result == STATUS_OK; i++) {
-        if (!out[i].temporary)
+        if (!out[i].target)
             continue;
         if (!output_replace(&out[i])) {
             result = output_failure("replace", &out[i]);
@@ -455,18 +557,6 @@ static bool is_json_number(const char *text)
     return *text == '\0';
 }
 
-/* Whether a JSON reader with doubles, as most have, can hold the number: any fraction, and an integer of at most 2^53 =
- * 9007199254740992. */
-static bool is_safe_json_number(const char *text)
-{
-    static const char largest[] = "9007199254740992";
-    if (!is_json_number(text))
-        return false;
-    const char *const digits = text + (*text == '-');
-    const size_t n = span_digits(digits), most = sizeof largest - 1;
-    return digits[n] != '\0' || n < most || (n == most && strcmp(digits, largest) <= 0);
-}
-
 static bool is_integer(const char *text)
 {
     if (*text == '-')
@@ -499,22 +589,30 @@ static bool column_all(const struct table *t, int column, bool (*is)(const char 
     return all;
 }
 
+/* A cell that is no number of JSON, as nan and inf, is null, and so is an empty text. */
+static void print_json_cell(const struct table *t, int column, const char *cell, FILE *file)
+{
+    const char kind = t->kinds ? t->kinds[column] : TABLE_NUMBER;
+    if (kind == TABLE_TEXT ? !*cell : !is_json_number(cell))
+        fputs("null", file);
+    else if (kind == TABLE_TEXT || (kind == TABLE_DIGITS && t->json_strings))
+        fprintf(file, "\"%s\"", cell);
+    else
+        fputs(cell, file);
+}
+
 static void print_json(const struct table *t, FILE *file)
 {
-    bool *number = xmalloc((size_t)t->columns * sizeof *number);
-    for (int j = 0; j < t->columns; j++)
-        number[j] = column_all(t, j, is_safe_json_number);
     fputs("[", file);
     for (long i = 0; i < t->cells; i++) {
         print_progress(t, i);
         int j = (int)(i % t->columns);
-        const char *quote = number[j] ? "" : "\"";
         fputs(j ? ", " : i ? ",\n  {" : "\n  {", file);
-        fprintf(file, "\"%s\": %s%s%s", t->column[j], quote, t->cell[i], quote);
+        fprintf(file, "\"%s\": ", t->column[j]);
+        print_json_cell(t, j, t->cell[i], file);
         fputs(j + 1 == t->columns ? "}" : "", file);
     }
     fputs("\n]\n", file);
-    free(number);
 }
 
 /* Integers are aligned right, other numbers left, with their signs in a separate column. */

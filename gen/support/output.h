@@ -8,9 +8,11 @@
 
 enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
 
-/* If the path names a regular file or no file, the output goes to a temporary file beside it. A commit flushes and
- * syncs the temporary file and renames it over the path. Any failure, exit() at any place, and SIGINT, SIGTERM, SIGHUP,
- * SIGQUIT, SIGPIPE, SIGABRT or SIGXCPU at any time removes the temporary file. The new file has the mode, owner and
+/* If the path names a regular file or no file, the output goes to a temporary file in its folder. A commit flushes and
+ * syncs the temporary file and renames it over the path. The temporary file has no name before, where the file system
+ * allows this (O_TMPFILE of Linux), so that it vanishes however the process ends. Elsewhere any failure, exit() at any
+ * place, and SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT or SIGXCPU at any time removes it; after SIGKILL
+ * .corgen-XXXXXX stays. The new file has the mode, owner and
  * group of the file that it replaces. A file with several names, or with an owner that this process cannot set, is
  * overwritten in place from the complete temporary file, so that every name shows the new text. A symbolic link stays:
  * its target is written, even if the target does not exist yet.
@@ -21,12 +23,16 @@ struct output {
     FILE *file;
     const char *path; /* as given, for messages; NULL = standard output */
     char *target;     /* the file to be replaced, links resolved; NULL = written directly */
-    char *temporary;
-    bool in_place; /* overwrite the target instead of renaming */
+    char *temporary;  /* its name; NULL = without a name */
+    bool in_place;    /* overwrite the target instead of renaming */
 };
 
 /* Whether the path, or NULL, is written directly, so that no file can be kept beside it. */
 bool output_is_direct(const char *path);
+
+/* Whether two paths name one regular file: by links, by two names of one folder, or by two names of one file. NULL is
+ * standard output. */
+bool output_same_file(const char *path, const char *other);
 
 /* Each function returns STATUS_OK, or STATUS_FAILED after reporting the reason on stderr. A failure leaves no files
  * behind. */
@@ -40,11 +46,17 @@ int output_commit_all(struct output *out, int n);
 void output_discard(struct output *out);
 
 /* A table of strings: the header row names the columns exactly as the contract does. In JSON the table is an array of
- * objects. A column is unquoted if every cell is a JSON number that a double can hold, without an integer beyond
- * 2^53. */
+ * objects. Numbers are numbers, with all their digits; what is missing or infinite is null. */
+enum {
+    TABLE_NUMBER = 'n',
+    TABLE_DIGITS = 'd', /* numbers with more digits than a double may hold: texts with json_strings */
+    TABLE_TEXT = 't'
+};
 struct table {
     const char *const *column;
     int columns;
+    const char *kinds; /* of the columns, a letter each; NULL: all are numbers */
+    bool json_strings;
     char **cell; /* row-major, malloc'ed strings */
     long cells, capacity;
 };

@@ -324,26 +324,30 @@ static void test_pade_header(void **state)
     pade_clear(&f);
 }
 
-/* A whole number in json is one up to 2^53, of either sign, and a string beyond; a fraction is a number. */
-static void test_json_numbers(void **state)
+/* A cell in json by the kind of its column: a number with all its digits, a text, or null */
+static void test_json_cells(void **state)
 {
     (void)state;
     static const struct {
-        const char *cell;
-        bool number;
-    } cells[] = {{"0", true},
-                 {"-1", true},
-                 {"9007199254740992", true},
-                 {"-9007199254740992", true},
-                 {"9007199254740993", false},
-                 {"-9007199254740993", false},
-                 {"10000000000000000", false},
-                 {"90071992547409920", false},
-                 {"9007199254740993.5", true},
-                 {"1e300", true},
-                 {"inf", false},
-                 {"1/3", false},
-                 {".5", false}};
+        const char *cell, *kinds;
+        bool strings;
+        const char *json;
+    } cells[] = {{"0", NULL, true, "0"},
+                 {"-1", "n", true, "-1"},
+                 {"9007199254740993", "d", false, "9007199254740993"},
+                 {"9007199254740993", "d", true, "\"9007199254740993\""},
+                 {"1e300", "n", false, "1e300"},
+                 {"-1.25E-07", "n", false, "-1.25E-07"},
+                 {"1", "t", false, "\"1\""},
+                 {"4/15", "t", true, "\"4/15\""},
+                 {"", "t", false, "null"},
+                 {"", "n", false, "null"},
+                 {"inf", "n", false, "null"},
+                 {"nan", "d", true, "null"},
+                 {".5", "n", false, "null"},
+                 {"01", "n", false, "null"},
+                 {"1.", "n", false, "null"},
+                 {"1e", "n", false, "null"}};
     static const char *const column[] = {"x"};
     for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
         struct table table;
@@ -351,12 +355,13 @@ static void test_json_numbers(void **state)
         size_t size;
         FILE *file = open_memstream(&text, &size);
         table_init(&table, column, 1);
+        table.kinds = cells[i].kinds;
+        table.json_strings = cells[i].strings;
         table_add(&table, xstrdup(cells[i].cell));
         table_print(&table, FORMAT_JSON, file);
         table_clear(&table);
         assert_int_equal(fclose(file), 0);
-        const char *const quote = cells[i].number ? "" : "\"";
-        snprintf(expected, sizeof expected, "[\n  {\"x\": %s%s%s}\n]\n", quote, cells[i].cell, quote);
+        snprintf(expected, sizeof expected, "[\n  {\"x\": %s}\n]\n", cells[i].json);
         assert_string_equal(text, expected);
         free(text);
     }
@@ -431,14 +436,9 @@ static void test_two_point_headers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_doubles),
-        cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_geometry),
-        cmocka_unit_test(test_too_wide),
-        cmocka_unit_test(test_bound),
-        cmocka_unit_test(test_pade_header),
-        cmocka_unit_test(test_two_point_headers),
-        cmocka_unit_test(test_json_numbers),
+        cmocka_unit_test(test_doubles),           cmocka_unit_test(test_rows),       cmocka_unit_test(test_geometry),
+        cmocka_unit_test(test_too_wide),          cmocka_unit_test(test_bound),      cmocka_unit_test(test_pade_header),
+        cmocka_unit_test(test_two_point_headers), cmocka_unit_test(test_json_cells),
     };
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }
