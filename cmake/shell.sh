@@ -71,12 +71,28 @@ install_missing() {
     return 1
 }
 
+# The compilers gcc-N and clang-N above gcc and clang: those installed, and the newest that apt has.
+newer_compilers() {
+    local kind
+    for kind in gcc clang; do
+        {
+            compgen -c "$kind-"
+            ! have apt-cache || apt-cache search --names-only "^$kind-[0-9]+\$" | cut -d ' ' -f 1 | sort -V | tail -n 1
+        } | grep -xE "$kind-[0-9]+" | sort -uV | awk -F - -v now="$("$kind" -dumpversion 2>/dev/null)" '$2 > now + 0'
+    done
+}
+
 # What corgen is built from; stops where it cannot be had.
 install_generator() {
     want_generator
-    install_missing || exit 1
+    install_missing >&2 || exit 1
     want_arb
-    install_missing || exit 1
+    install_missing >&2 || exit 1
+}
+
+# The version of FLINT that a build finds; what depends on it shows it first.
+say_flint() {
+    say "FLINT $(printf '#include <flint/flint.h>\nFLINT_VERSION\n' | cc -E -P - | sed -n '$s/.*"\(.*\)"/\1/p')"
 }
 
 # How tests/ builds: whole, and no warning passes.
@@ -91,6 +107,13 @@ configure() {
         rm -rf "$dir"
     fi
     cmake -S . -B "$dir" "$@"
+}
+
+# configure_tested CC DIR OPTION...: for the tests. Warnings of a compiler newer than those tested with are no errors.
+configure_tested() {
+    local warnings_pass=()
+    [ "$(cmake/werror "$1")" ] || warnings_pass=(-DCOR_WERROR=OFF)
+    configure "$2" -DCMAKE_C_COMPILER="$1" "${build_options[@]}" "${warnings_pass[@]}" "${@:3}"
 }
 
 build() {

@@ -47,6 +47,22 @@ count_of() {
     fi
 }
 
+# check_ctest NAME DIR OPTION...: the tests that ctest knows in that directory, each counted
+check_ctest() {
+    local log line
+    log=$(ctest --test-dir "$2" --parallel "$jobs" --output-on-failure "${@:3}" 2>&1) || true
+    while IFS= read -r line; do
+        if [[ $line =~ ^\ *[0-9]+/[0-9]+\ +Test\ +#[0-9]+:\ ([^ ]+)\ \.*\ *(Passed|\*\*\*[A-Za-z ]+) ]]; then
+            if [ "${BASH_REMATCH[2]}" = Passed ]; then
+                pass "$1 ${BASH_REMATCH[1]}"
+            else
+                bad "$1 ${BASH_REMATCH[1]}" "$log"
+            fi
+        fi
+    done <<<"$log"
+    [[ $log == *"tests passed"* ]] || bad "$1 ctest" "$log"
+}
+
 # stage NAME...: what follows, up to the next stage or summary, is this; summary shows the seconds that each took, and
 # those of the processor in what has ended by then.
 stages=()

@@ -102,7 +102,7 @@ samples_of() {
             ;;
         '    '*)
             if [ "$code" ]; then
-                command="cc -std=c99 -Wall -Wextra -Werror $name.c \$(pkg-config --cflags --libs cor) && ./a.out"
+                command="cc -std=c99 -Wall -Wextra $(cmake/werror cc) $name.c \$(pkg-config --cflags --libs cor) && ./a.out"
                 title="lines of C, $name" code=''
                 expected=${line#    }$'\n'
                 continue

@@ -52,8 +52,8 @@ static FILE *compile_and_run(void)
     char command[4 * PATH];
     const char *cc = getenv("CC");
     snprintf(command, sizeof command,
-             "%s -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror -o '%s/main' '%s/main.c'", cc ? cc : "cc",
-             directory, directory);
+             "%s -std=c99 -Wall -Wextra -Wpedantic -Wconversion $(cmake/werror '%s') -o '%s/main' '%s/main.c'",
+             cc ? cc : "cc", cc ? cc : "cc", directory, directory);
     assert_int_equal(system(command), 0);
     snprintf(command, sizeof command, "'%s/main'", directory);
     FILE *output = popen(command, "r");
