@@ -17,7 +17,7 @@
  *
  * The same evaluator and tables as libcor, where domain, special values and accuracy are documented
  * (include/cor/sphere.h): eps, loss and largest overlap within 1 unit of the last place, times and inverse
- * within 2: proved for every double, if log is within 1 unit and cbrt within 2 (docs/derivation.md, 8 and 18);
+ * within 2: proved for every double, if log is within 1 unit and cbrt within 64 (docs/derivation.md, 8 and 18);
  * eps at a speed within (2 + 2 kappa) 2^-53, kappa = |d ln eps/d ln beta|: sampled. beta = 0 -> 1, +inf -> 0
  * (eps); negative or NaN -> NaN. Any flags are safe: no argument leads beyond a table, and -ffast-math and
  * -march=native change a result by 4 units at most (sampled).
@@ -7616,10 +7616,10 @@ COR_INLINE const double *cor_rows_far_beta_zero_force(int i)
 
 /* Arguments outside a table: beta = -0 counts as 0; negative numbers and NaN give NaN. */
 
-/* beta^(2/3) for 1 <= beta < 8. Relative error below 2^-100. */
+/* beta^(2/3) for 1 <= beta < 8. Relative error below 2^-69. */
 COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
 {
-    /* r has 26 bits, so its square is exact; |d| < 2^-24 whatever the error of cbrt */
+    /* r has 26 bits, so its square is exact; |d| < 2^-23 if the error of cbrt is below 2^-27 */
     const double r = cor_inline_head(cbrt(beta)), square = r * r;
     const struct cor_inline_pair cube = cor_inline_product(square, r);
     const double d = (COR_INLINE_KEEP(beta - cube.hi) - cube.lo) / beta; /* r^3 = beta (1 - d) */
@@ -7660,7 +7660,7 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
         return cor_inline_sum(c[0], cor_inline_row(cor_inline_place_of(c, cor_inline_grid_t(grid, u.hi, i) + u.lo)));
     }
     const double *c = far(0);
-    /* mu < 6e-8, so its rounding errors are negligible */
+    /* mu < 6e-8, so its error is negligible: that of cbrt may be 2^-46 */
     const double root = cbrt(beta), mu = 1 / beta / (root * root), v = u.hi;
     const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
     const struct cor_inline_pair slope = cor_inline_product(c[2], v);
@@ -7673,7 +7673,7 @@ COR_INLINE struct cor_inline_pair cor_inline_log_factor(double beta, struct cor_
     cor_inline_log_factor(beta, COR_INLINE_GRID(table), table##_END, cor_rows_tail_##quantity, cor_rows_far_##quantity)
 
 /* factor beta^(-2/3), or factor beta^(-5/3) with `fifths`, as a pair times 2^exponent, which neither overflows nor
- * underflows. The relative error is that of the factor plus 2^-100. */
+ * underflows. The relative error is that of the factor plus 2^-65. */
 COR_INLINE struct cor_inline_pair cor_inline_power_parts(double beta, struct cor_inline_pair factor, int fifths,
                                                          int *exponent)
 {

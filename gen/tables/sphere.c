@@ -244,7 +244,7 @@ static const char header_banner[] =
     "\n"
     "The same evaluator and tables as libcor, where domain, special values and accuracy are documented\n"
     "(include/cor/sphere.h): eps, loss and largest overlap within 1 unit of the last place, times and inverse\n"
-    "within 2: proved for every double, if log is within 1 unit and cbrt within 2 (docs/derivation.md, 8 and 18);\n"
+    "within 2: proved for every double, if log is within 1 unit and cbrt within 64 (docs/derivation.md, 8 and 18);\n"
     "eps at a speed within (2 + 2 kappa) 2^-53, kappa = |d ln eps/d ln beta|: sampled. beta = 0 -> 1, +inf -> 0\n"
     "(eps); negative or NaN -> NaN. Any flags are safe: no argument leads beyond a table, and -ffast-math and\n"
     "-march=native change a result by 4 units at most (sampled).\n"

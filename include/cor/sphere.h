@@ -34,7 +34,7 @@ extern "C" {
 
 /* Bounds on the error of the functions below, in units of the last place of the exact value, over every double in
  * their domains, subnormal arguments and results included. Proved for rounding to nearest without fused operations, if
- * log of the C library is within 1 unit and cbrt within 2 (docs/derivation.md, 8 and 18). tests/accuracy asserts them
+ * log of the C library is within 1 unit and cbrt within 64 (docs/derivation.md, 8 and 18). tests/accuracy asserts them
  * too, against an independent reference; docs/accuracy.md records the proved bounds and the worst found. */
 #define COR_SPHERE_EPS_MAX_ULP 1.0
 #define COR_SPHERE_LOSS_MAX_ULP 1.0

@@ -19,6 +19,7 @@
 #include <sstream>
 
 #include "cor/contact.h"
+#include "libm_errors.h"
 
 /* The evaluator's source, with numbers that record their operations; cor/contact.h comes first, with real doubles */
 namespace trace
@@ -613,8 +614,8 @@ static std::string hint_sum(gappa &g, const struct cor_inline_pair &pair, const 
 /* ln(2) to 31 digits, rounded down and up */
 static const char ln2_low[] = "0.693147180559945309417232121458", ln2_high[] = "0.693147180559945309417232121459";
 
-/* |hi + lo - ln(beta)| <= 2^-53 if log(m) is within 2^-54, an ulp of its largest values, of ln(m). One goal for each
- * exponent e of beta = m 2^e, |ln(m)| < 0.3466. */
+/* |hi + lo - ln(beta)| <= 2^-53 if log(m) is within COR_PROOF_LOG_ULP ulp of its largest values, 2^-54 each, of ln(m).
+ * One goal for each exponent e of beta = m 2^e, |ln(m)| < 0.3466. */
 static void write_log(void)
 {
     for (int e = 2; e <= 1024; e++) {
@@ -641,7 +642,7 @@ static void write_log(void)
                           " - LNM) + ((" + heads + ") - " + std::to_string(e) + " * LN2);");
         g.hypotheses.push_back("LNM in [-0.3466, 0.3466]");
         g.hypotheses.push_back("LN2 in [" + std::string(ln2_low) + ", " + ln2_high + "]");
-        g.hypotheses.push_back(l + " - LNM in [-1b-54, 1b-54]");
+        g.hypotheses.push_back("|" + l + " - LNM| <= " + hex(std::ldexp(COR_PROOF_LOG_ULP, -54)));
         char name[64];
         snprintf(name, sizeof name, "log_%04d", e);
         g.write(name, {}, "|pair - exact| in [0, 1b-53]");
@@ -750,8 +751,10 @@ static std::string product_error(gappa &g, int hi, int lo)
     return "(" + g.rounded(lo) + " - " + low + ")";
 }
 
-/* The same for the three orders of a tail, where U lies in a binade and MU = exp(-5/3 U); n(mu) has a relative error
- * below 2^-50 if cbrt is within 2 ulp. */
+/* The relative error of mu = 1/beta/(root root), from two roots and three operations */
+static const number mu_error = (2 * COR_PROOF_CBRT_ULP + 2) * 0x1p-52;
+
+/* The same for the three orders of a tail, where U lies in a binade and MU = exp(-5/3 U) */
 static void write_far_binade(const tail &f, interval range, int index)
 {
     start();
@@ -789,7 +792,7 @@ static void write_far_binade(const tail &f, interval range, int index)
     }
     gappa g;
     const std::string nv = g.rounded(v), nu = g.rounded(ulo), nm = g.rounded(mu);
-    const std::string most = hex(std::exp(-5 * range.low / 3) * (1 + 0x1p-40));
+    const number most = std::max(std::exp(-5 * range.low / 3) * (1 + 0x1p-40), 0x1p-900); /* mu may underflow */
     g.text << nv << " = rnd(high);\n"
            << g.exact(v) << " = U;\n"
            << nu << " = rnd(low);\n"
@@ -803,9 +806,8 @@ static void write_far_binade(const tail &f, interval range, int index)
                     "(" + nv + " + " + nu + ") - U in [-1b-53, 1b-53]",
                     nv + " - U in [-" + hex(std::ldexp(range.high, -51)) + ", " + hex(std::ldexp(range.high, -51)) +
                         "]",
-                    "MU in [0, " + most + "]",
-                    nm + " - MU in [-" + hex(std::ldexp(std::exp(-5 * range.low / 3), -50)) + ", " +
-                        hex(std::ldexp(std::exp(-5 * range.low / 3), -50)) + "]"};
+                    "MU in [0, " + hex(most) + "]",
+                    "|" + nm + " - MU| <= " + hex(most * mu_error)};
     g.define(lo);
     const std::string off_2 = hint_sum(g, pair, "pair");
     const struct cor_inline_pair inner = {Real(0, sum_hi), Real(0, sum_lo)};
@@ -973,7 +975,7 @@ static void write_two_thirds(void)
         g.variable_in(m.node(), {std::ldexp(1, i), std::ldexp(1, i + 1)});
         const int s = p.hi.node(), square = first_of(s), r = first_of(square);
         g.text << g.rounded(r) << " = head(C);\n" << g.exact(r) << " = " << g.rounded(r) << ";\n";
-        g.hypotheses.push_back(g.rounded(r) + " in [1, 2]");
+        g.hypotheses.push_back(g.rounded(r) + " in [0.99, 2]");
         g.done[r] = true;
         int d = -1;
         for (std::size_t k = 0; k < nodes().size(); k++)
@@ -1003,6 +1005,13 @@ static void write_two_thirds(void)
                           " * " + nr + ");");
         g.write("two_thirds_" + std::to_string(i), {}, "|pair - exact| in [0, 1b-70]");
     }
+    /* r and D, where C is root (1 + off), root^3 = m */
+    gappa g;
+    const number off = COR_PROOF_CBRT_ULP * 0x1p-52;
+    g.text << "r = head(C);\ncut = (r - C) / C;\n"
+           << "D = 1 - (1 + off) * (1 + off) * (1 + off) * (1 + cut) * (1 + cut) * (1 + cut);\n";
+    g.hypotheses = {"C in [" + hex(1 - off) + ", " + hex(2 + 2 * off) + "]", "|off| <= " + hex(off)};
+    g.write("two_thirds_head", {}, "r in [0.99, 2] /\\ |D| in [0, 1b-23]");
 }
 
 /* x^(1/5) = r (1 + D)^(1/5), r^5 (1 + D) = x, |D| <= 4e-4, which tests/proof/seeds.c shows for every x. The goals: head
@@ -1113,7 +1122,7 @@ static void write_fifth_root_of_pair(void)
 }
 
 /* cor_inline_beta_force_far: the sum that is rounded last is within 2^-55 of R^3 (1 + e (r_1 + e r_2)). R = r + rest is
- * the fifth root of the goal above, e and v = -0.6 ln(e) have relative errors below 2^-52. */
+ * the fifth root of the goal above, e has a relative error below 2^-52, and v = -0.6 ln(e) an error below 2^-43. */
 static void write_beta_force_far(void)
 {
     start();
@@ -1176,6 +1185,11 @@ static void write_beta_force_far(void)
                       ")) + (" + g.rounded(second_of(lo)) + " - cubic);");
     g.hints.push_back("|(S - exact) / exact| $ " + nr + " in 8;");
     g.write("beta_force_far", {}, "|(S - exact) / exact| in [0, 1b-55]");
+    /* the hypothesis about v: an ulp of log(e) is at most 2^-44 */
+    gappa h;
+    h.text << "E = rnd(l);\nV rnd= " << hex(-0.6) << " * E;\nexact = -0.6 * LN;\n";
+    h.hypotheses = {"LN in [-350, -16]", "|E - LN| <= " + hex(COR_PROOF_LOG_ULP * 0x1p-44 + 0x1p-51)};
+    h.write("beta_force_log", {}, "|V - exact| in [0, 1b-43]");
 }
 
 /* cor_inline_linear_tail: the sum that is rounded last is within 2^-70 of b (F.hi + F.lo) */
