@@ -71,6 +71,7 @@ set(COR_GENERATOR_SOURCES
   gen/series/trajectory.c
   gen/series/trajectory_tail.c
   gen/series/turning_point.c
+  gen/support/c_names.c
   gen/support/clock.c
   gen/support/console.c
   gen/support/decimal.c

@@ -10,6 +10,7 @@
 #include "disk/equation.h"
 #include "series/law.h"
 #include "series/series.h"
+#include "support/c_names.h"
 #include "support/console.h"
 #include "sweep/values.h"
 
@@ -112,18 +113,18 @@ static int parse_word(int *place, const struct option_rule *rule, const char *te
     return status;
 }
 
-/* Reads a C identifier. Names that C reserves are refused: two underscores, or an underscore and a capital letter. */
+/* Reads a C identifier that is free in C and C++. */
 static int parse_c_name(const char **name, const struct option_rule *rule, const char *text)
 {
 #define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_"
     const size_t length = strlen(text);
-    const bool reserved = strncmp(text, "__", 2) == 0 || (*text == '_' && text[1] >= 'A' && text[1] <= 'Z');
-    if (strspn(text, LETTERS) == 0 || strspn(text, LETTERS "0123456789") != length || length > OPTIONS_MAX_NAME ||
-        reserved)
-        return usage_error("--%s: '%s' is not a name for a function of C: letters, digits and _, %d at most, not "
-                           "reserved by C",
+    if (strspn(text, LETTERS) == 0 || strspn(text, LETTERS "0123456789") != length || length > OPTIONS_MAX_NAME)
+        return usage_error("--%s: '%s' is not a name for a function of C: letters, digits and _, %d at most",
                            rule->name, text, OPTIONS_MAX_NAME);
 #undef LETTERS
+    const char *const taken = c_name_taken(text);
+    if (taken)
+        return usage_error("--%s: '%s' is %s; allowed: another name, as my_eps", rule->name, text, taken);
     *name = text;
     return STATUS_OK;
 }
