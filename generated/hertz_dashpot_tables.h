@@ -6,8 +6,8 @@
  * Written by:  corgen tables
  * Checked by:  corgen tables --check
  *
- * Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of each. In the
- * functions
+ * Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of
+ * each. In the functions
  * eps, loss and largest overlap are within 1 unit of the last place, times and inverse within 2: sampled against
  * enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions enclosed
  * to 80 bits (proved); between them they are off by 8.0e-20 at most (sampled). Errors of the rows stand above each
@@ -16,6 +16,7 @@
 #define COR_GENERATED_HERTZ_DASHPOT_TABLES_H
 
 #include "runtime/core/law_eval.h"
+#include "runtime/core/rows.h"
 
 /* A row: value = c_0 + (c_0' + t (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
  * c_0', c_1, ..., c_n. c_0' is the remainder of c_0 at the node. */
@@ -27,9 +28,9 @@
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_OVERLAP_PER_UNIT 16.0
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_OVERLAP_ROWS 3
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_OVERLAP_END 0.125
-COR_INLINE const double *cor_rows_hertz_dashpot_near_loss_zero_overlap(int i)
-{
-    static const double row[3][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_near_loss_zero_overlap, 3, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.c9ae3p+0, 0x1.10b72bf79765dp-28, -0x1.474c8c0db13a4p+0, 0x1.607041d9fd3c2p-1, -0x1.51a8668daa3cbp-2,
      0x1.0639b7446f5aap-3, -0x1.728222d886de4p-5, 0x1.7505d6ab77a4bp-7, -0x1.64aa93fb7f0f4p-9, -0x1.aa5e0bfebc2bbp-13,
      0x1.898ab6a86529cp-21, -0x1.c8099300702c2p-13}, /* [0] 0 <= y <= 0.03125, degree 10, 60.7 bits */
@@ -39,9 +40,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_loss_zero_overlap(int i)
     {0x1.a35d4p+0, 0x1.99a87d13636b6p-30, -0x1.1ef56b2090149p+0, 0x1.26d77bd284f59p-1, -0x1.16e8222a0c476p-2,
      0x1.a2d18df6073dep-4, -0x1.3413c962fceaep-5, 0x1.23b41ce266a98p-7, -0x1.868ce0f9e64b8p-9, -0x1.8c5282e23aac9p-12,
      -0x1.6ce63cc1c31ccp-12, -0x1.98957c5cd633ap-12} /* [2] 0.09375 <= y <= 0.15625, degree 10, 59.8 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_loss_zero_overlap)
 
 /* eps at zero overlap, 2^-3 <= beta < 0.627988: 37 rows of degree 10 in y = beta 2^-k, 16 to each octave k = -3 ... -1.
  * Relative error of the approximation: 2^-58.2 at most, sampled at 25 places of each row. */
@@ -50,9 +52,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_loss_zero_overlap(int i)
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_EPS_ZERO_OVERLAP_OCTAVE_BITS 4
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_EPS_ZERO_OVERLAP_ROWS 37
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_EPS_ZERO_OVERLAP_END 0.6279881355201693
-COR_INLINE const double *cor_rows_hertz_dashpot_middle_eps_zero_overlap(int i)
-{
-    static const double row[37][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_middle_eps_zero_overlap, 37, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.942bcad424325p-1, -0x1.694eb5c5d4894p-58, -0x1.7d6721cfaf671p-3, 0x1.0ae963ae12493p-6, -0x1.13574883ba013p-10,
      0x1.07e050b155a21p-14, -0x1.8c1249de637d6p-19, 0x1.290fc082174dp-23, -0x1.14652694ae2d3p-28, 0x1.903cc6c7d5abp-33,
      0x1.70530553b8c65p-36, -0x1.cc686d50724a2p-32}, /* [0] 1 <= y <= 1.0625 2^-3, degree 10, 63.3 bits */
@@ -184,9 +186,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_eps_zero_overlap(int i)
     {0x1.f152cfabe992p-3, 0x1.490b5860b6ef3p-58, -0x1.7786d7a99b5a5p-2, 0x1.0cf3e22913142p-3, -0x1.6e3e3cc54da55p-6,
      0x1.12c89ce6f11b3p-7, 0x1.06c1f6ba7c9cbp-12, 0x1.0244e94ce0d15p-10, 0x1.0256d833b4fa6p-11, 0x1.7f816ab0daad3p-12,
      0x1.15de715f2eff1p-12, 0x1.a7ff0950c2ebfp-13} /* [36] 1.25 <= y <= 1.3125 2^-1, degree 10, 58.2 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_eps_zero_overlap)
 
 /* eps at zero overlap, 2^-53 <= beta_c - beta < 2^-1: 416 rows of degree 10 in y = (beta_c - beta) 2^-k, 8 to each octave k = -53 ... -2.
  * Relative error of the approximation: 2^-57.3 at most, sampled at 25 places of each row. */
@@ -195,9 +198,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_eps_zero_overlap(int i)
 #define COR_ROWS_HERTZ_DASHPOT_BELOW_EPS_ZERO_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_HERTZ_DASHPOT_BELOW_EPS_ZERO_OVERLAP_ROWS 416
 #define COR_ROWS_HERTZ_DASHPOT_BELOW_EPS_ZERO_OVERLAP_END 0.5000000000004547
-COR_INLINE const double *cor_rows_hertz_dashpot_below_eps_zero_overlap(int i)
-{
-    static const double row[416][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_below_eps_zero_overlap, 416, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.c267bda9a2b3dp-56, 0x1.dcd834bf821cp-110, 0x1.a7e92b22dc367p-56, 0x1.cd5e27fdcd993p-84, -0x1.217c4da5266c5p-86,
      0x1.98af7c5ff8a75p-88, -0x1.80a5297e5e5c1p-89, 0x1.a65aff8edbe78p-90, -0x1.ff14ea00c32ep-91, 0x1.4ab3128db7042p-91,
      -0x1.c3d8236f6a04ep-92, 0x1.3f09aa0e1f846p-92}, /* [0] 1 <= y <= 1.125 2^-53, degree 10, 57.9 bits */
@@ -1794,9 +1797,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_below_eps_zero_overlap(int i)
      0x1.130be2583835dp-11, -0x1.2c3189968c3b7p-17, 0x1.07c51e368a8b2p-16, -0x1.0bb02339da68fp-18,
      0x1.8ec6ddab7574fp-20, -0x1.22e461d5eddadp-21, 0x1.be911aa1b3e61p-23}
      /* [415] 1.875 <= y <= 2 2^-2, degree 10, 58.2 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_below_eps_zero_overlap)
 
 /* beta/(1 - eps) at zero overlap, 1 - eps < 1/2: 9 rows of degree 10 in y = 1 - eps, nodes 0 + i 0.0625, 0 <= y <= 0.53125.
  * Relative error of the approximation: 2^-59.4 at most, sampled at 25 places of each row. */
@@ -1805,9 +1809,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_below_eps_zero_overlap(int i)
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_OVERLAP_PER_UNIT 16.0
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_OVERLAP_ROWS 9
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_OVERLAP_END 0.5
-COR_INLINE const double *cor_rows_hertz_dashpot_near_beta_zero_overlap(int i)
-{
-    static const double row[9][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_near_beta_zero_overlap, 9, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.1e621cp-1, -0x1.f76211026490ep-28, 0x1.ca3692ce85fcap-3, 0x1.c928387797155p-4, 0x1.fe3de4e9a7368p-5,
      0x1.35ec3db60f7c2p-5, 0x1.948823ad2acp-6, 0x1.18d218509fd0cp-6, 0x1.9aa9df0c96501p-7, 0x1.3962e8da0ab26p-7,
      0x1.eada2b4793fefp-8, 0x1.c95fd0ba0ea7bp-8}, /* [0] 0 <= y <= 0.03125, degree 10, 60.3 bits */
@@ -1835,9 +1839,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_beta_zero_overlap(int i)
     {0x1.6bc1d7p-1, -0x1.699eff90c48c7p-28, 0x1.a84e83001a76dp-2, 0x1.4d3d01e423bc8p-2, 0x1.3d1d3b4ab43e3p-2,
      0x1.6083e80eae024p-2, 0x1.ba658c1a4374fp-2, 0x1.2f4c92f191867p-1, 0x1.bab2152e04d07p-1, 0x1.51bf52ad87304p+0,
      0x1.0bee9d27f6ab6p+1, 0x1.b1039ed9d3402p+1} /* [8] 0.46875 <= y <= 0.53125, degree 10, 60.2 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_beta_zero_overlap)
 
 /* beta at zero overlap by eps, 2^-60 <= eps < 2^-1: 472 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -60 ... -2.
  * Relative error of the approximation: 2^-58.2 at most, sampled at 25 places of each row. */
@@ -1846,9 +1851,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_beta_zero_overlap(int i)
 #define COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_OVERLAP_ROWS 472
 #define COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_OVERLAP_END 0.5
-COR_INLINE const double *cor_rows_hertz_dashpot_beta_zero_overlap(int i)
-{
-    static const double row[472][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_beta_zero_overlap, 472, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.20c3d49855cbfp+0, -0x1.9426c947d2d9fp-54, -0x1.353276476e25p-58, 0x1.057aef97ee0cfp-88, -0x1.47e69a961d4dp-91,
      0x1.ce34624ea832ap-93, -0x1.b1e6a159b8458p-94, 0x1.daac56e98ad4p-95, -0x1.1dc6853affa1cp-95, 0x1.6f843d9e4ba3fp-96,
      -0x1.f2479fe31e3f3p-97, 0x1.5ca4e6b71efdcp-97}, /* [0] 1 <= y <= 1.125 2^-60, degree 10, 107.4 bits */
@@ -3636,9 +3641,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_beta_zero_overlap(int i)
     {0x1.7a95ee490f6cep-2, -0x1.79a0c80a3e7b8p-60, -0x1.df40432750d5cp-3, 0x1.335cad3de81aap-5, -0x1.060ba5124e28fp-7,
      0x1.0e8913bb7af68p-9, -0x1.44ad6ab585aeep-11, 0x1.b3faab4dde6dfp-13, -0x1.3ce278b565401p-14, 0x1.e6ccf557f6332p-16,
      -0x1.858d5b5c88e6dp-17, 0x1.406792b4980edp-18} /* [471] 1.875 <= y <= 2 2^-2, degree 10, 61.2 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_beta_zero_overlap)
 
 /* (1 - eps)/beta at zero force, beta < 1/8: 9 rows of degree 10 in y = (beta)^(1/3), nodes 0 + i 0.0625, 0 <= y <= 0.53125.
  * Relative error of the approximation: 2^-59.7 at most, sampled at 25 places of each row. */
@@ -3647,9 +3653,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_beta_zero_overlap(int i)
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_FORCE_PER_UNIT 16.0
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_FORCE_ROWS 9
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_LOSS_ZERO_FORCE_END 0.125
-COR_INLINE const double *cor_rows_hertz_dashpot_near_loss_zero_force(int i)
-{
-    static const double row[9][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_near_loss_zero_force, 9, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.c9ae3p+0, 0x1.10b72bf79765dp-28, -0x1.38009e80fb22cp-72, -0x1.3333333333333p-1, -0x1.474c8c0db13acp+0,
      0x1.91af7e30b42adp-41, 0x1.6e24f33f8ffccp-1, 0x1.60704271d441dp-1, -0x1.a54e341c1c64fp-3, -0x1.316b958ccccf8p-2,
      -0x1.533ee56e42d4ep-2, 0x1.2a23ae9307a87p-3}, /* [0] 0 <= y <= 0.03125, degree 10, 66.2 bits */
@@ -3677,9 +3683,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_loss_zero_force(int i)
     {0x1.820507p+0, 0x1.fb22543abd2fbp-29, -0x1.413e67917919dp+0, -0x1.4c0415e71e199p+0, 0x1.0cc3a49110561p+0,
      0x1.b3b72e4c9fc49p+0, -0x1.ab14de0f24392p-1, -0x1.bc53a93b1ccbp+0, 0x1.12f64fe403965p-2, 0x1.89ea5d36f7069p+0,
      0x1.33a7c20ea05e2p-2, -0x1.1514cdab18b86p+0} /* [8] 0.46875 <= y <= 0.53125, degree 10, 59.7 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_loss_zero_force)
 
 /* eps at zero force, 2^-3 <= beta < 8: 96 rows of degree 10 in y = beta 2^-k, 16 to each octave k = -3 ... 2.
  * Relative error of the approximation: 2^-57.3 at most, sampled at 25 places of each row. */
@@ -3688,9 +3695,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_loss_zero_force(int i)
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_EPS_ZERO_FORCE_OCTAVE_BITS 4
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_EPS_ZERO_FORCE_ROWS 96
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_EPS_ZERO_FORCE_END 8.0
-COR_INLINE const double *cor_rows_hertz_dashpot_middle_eps_zero_force(int i)
-{
-    static const double row[96][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_middle_eps_zero_force, 96, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9ce8949cae2fp-1, 0x1.df29dee47ccaep-55, -0x1.49b08075a2a4ap-3, 0x1.62d0169d30b63p-6, -0x1.7cb846001a001p-9,
      0x1.3138e90a775a7p-11, -0x1.ace5fc0e58f76p-13, 0x1.a6be5600dd035p-14, -0x1.e8d2b171030ffp-15,
      0x1.356e6c9750e11p-15, -0x1.a10bc4a84c146p-16, 0x1.25b4a53bbaafbp-16},
@@ -3999,9 +4006,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_eps_zero_force(int i)
     {0x1.603a5d88c374fp-8, -0x1.77debbcb2bb8p-64, -0x1.a8a8c472b455ap-8, 0x1.61e3587845dap-8, -0x1.f3b97a7514c36p-9,
      0x1.3ff9d78201e6dp-9, -0x1.7f91cdae56101p-10, 0x1.b603d1749dd21p-11, -0x1.e1a85192bf029p-12, 0x1.00d8cb5a66746p-12,
      -0x1.0b2ee13608b0ep-13, 0x1.0fbf048288a6cp-14} /* [95] 1.9375 <= y <= 2 2^2, degree 10, 60.5 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_eps_zero_force)
 
 /* eps at zero force, 2^1 <= ln(beta) < 7: 28 rows of degree 10 in y = ln(beta) 2^-k, 16 to each octave k = 1 ... 2.
  * Relative error of the approximation: 2^-62.2 at most, sampled at 25 places of each row. */
@@ -4010,9 +4018,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_eps_zero_force(int i)
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_EPS_ZERO_FORCE_OCTAVE_BITS 4
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_EPS_ZERO_FORCE_ROWS 28
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_EPS_ZERO_FORCE_END 7.0
-COR_INLINE const double *cor_rows_hertz_dashpot_tail_eps_zero_force(int i)
-{
-    static const double row[28][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_tail_eps_zero_force, 28, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.ded29c8f45e7cp-1, 0x1.dcdee255a482cp-56, 0x1.e53159163938p-3, -0x1.859ed1c3c77edp-2, 0x1.38aea9f2d3835p-2,
      -0x1.0f6a2e4349321p-5, -0x1.9e78d239236aap-3, 0x1.bb60e426484fp-3, -0x1.a5768ee85392p-5, -0x1.b4f78bef36f95p-4,
      0x1.064a52136fe5p-3, -0x1.2dddf0528220fp-5}, /* [0] 1 <= y <= 1.0625 2^1, degree 10, 62.2 bits */
@@ -4098,9 +4106,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_tail_eps_zero_force(int i)
      -0x1.0a69f73736899p-11, 0x1.e7d5f46dd562cp-11, -0x1.71082c6ef23d8p-10, 0x1.d99b9f8df7554p-10,
      -0x1.06813cdbbb735p-9, 0x1.fda59d4ae1526p-10, -0x1.b2c9604b93d41p-10}
      /* [27] 1.6875 <= y <= 1.75 2^2, degree 10, 73.5 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_tail_eps_zero_force)
 
 /* beta/(1 - eps) at zero force, 1 - eps < 1/2: 52 rows of degree 10 in y = (1 - eps)^(1/3), nodes 0 + i 0.015625, 0 <= y <= 0.804688.
  * Relative error of the approximation: 2^-58.7 at most, sampled at 25 places of each row. */
@@ -4109,9 +4118,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_tail_eps_zero_force(int i)
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_FORCE_PER_UNIT 64.0
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_FORCE_ROWS 52
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_BETA_ZERO_FORCE_END 0.5
-COR_INLINE const double *cor_rows_hertz_dashpot_near_beta_zero_force(int i)
-{
-    static const double row[52][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_near_beta_zero_force, 52, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.1e621cp-1, -0x1.f76211026490ep-28, -0x1.ef6d62d466183p-94, 0x1.04fd15771395ap-3, 0x1.ca3692ce85fcap-3,
      0x1.8c68e174d05a7p-5, 0x1.a194ef24ebe1ep-4, 0x1.11bc62e03e857p-3, 0x1.1216c73cf35c4p-4, 0x1.1fd005dd25b3ep-4,
      0x1.b8c0b0aae1144p-4, 0x1.04b9102465f2bp-4}, /* [0] 0 <= y <= 0.0078125, degree 10, 70.5 bits */
@@ -4268,9 +4277,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_beta_zero_force(int i)
     {0x1.d1f5e78p-1, 0x1.1a2ed26a57bacp-28, 0x1.0dfe5a9c0bba2p+1, 0x1.0d7d5751ca453p+3, 0x1.0f3d11dfc08d3p+5,
      0x1.1eb5a5df69d6dp+7, 0x1.37b65ecdd2019p+9, 0x1.59a16c67b95dcp+11, 0x1.84d406b1c278ap+13, 0x1.ba471b6cd3024p+15,
      0x1.fd2014bed371dp+17, 0x1.2622bfd8637e2p+20} /* [51] 0.789062 <= y <= 0.804688, degree 10, 58.7 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_beta_zero_force)
 
 /* beta at zero force by eps, 2^-25 <= eps < 2^-1: 384 rows of degree 10 in y = eps 2^-k, 16 to each octave k = -25 ... -2.
  * Relative error of the approximation: 2^-58.5 at most, sampled at 25 places of each row. */
@@ -4279,9 +4289,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_beta_zero_force(int i)
 #define COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE_OCTAVE_BITS 4
 #define COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE_ROWS 384
 #define COR_ROWS_HERTZ_DASHPOT_BETA_ZERO_FORCE_END 0.5
-COR_INLINE const double *cor_rows_hertz_dashpot_beta_zero_force(int i)
-{
-    static const double row[384][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_beta_zero_force, 384, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.f9bc7db0e87dcp+9, 0x1.7c5d594995c3p-45, -0x1.88544d1aad4b1p+8, 0x1.0a4ee875416f3p+8, -0x1.9d2e644b8bc34p+7,
      0x1.548fbcb924621p+7, -0x1.229cc988d222p+7, 0x1.fb4035589a2bp+6, -0x1.c1b7c38faf716p+6, 0x1.93621c56c0bb6p+6,
      -0x1.6dd41f4ad0b8p+6, 0x1.4d772e69a9033p+6}, /* [0] 1 <= y <= 1.0625 2^-25, degree 10, 60.7 bits */
@@ -5434,9 +5444,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_beta_zero_force(int i)
     {0x1.da4621c4a4e95p-2, 0x1.77dc4dec1dcbdp-58, -0x1.7a2c63a3ca9c5p-2, 0x1.eda0ab8954a78p-4, -0x1.7bb479d0ef154p-5,
      0x1.4032af7b83759p-6, -0x1.1860d0d6550bcp-7, 0x1.fa6ffd2ed427ap-9, -0x1.d105bcbc831e5p-10, 0x1.b196987baff1ep-11,
      -0x1.9847ef8a3d0c5p-12, 0x1.83c06fa6e01f6p-13} /* [383] 1.9375 <= y <= 2 2^-2, degree 10, 60.1 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_beta_zero_force)
 
 /* duration at zero overlap, beta < 1/8: 3 rows of degree 10 in y = beta, nodes 0 + i 0.0625, 0 <= y <= 0.15625.
  * Relative error of the approximation: 2^-62.0 at most, sampled at 25 places of each row. */
@@ -5445,9 +5456,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_beta_zero_force(int i)
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_OVERLAP_PER_UNIT 16.0
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_OVERLAP_ROWS 3
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_OVERLAP_END 0.125
-COR_INLINE const double *cor_rows_hertz_dashpot_near_duration_zero_overlap(int i)
-{
-    static const double row[3][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_near_duration_zero_overlap, 3, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be991a8f0b41p+1, 0x1.5d0edcf4822dfp-54, 0x1.2691b13f85e7ap-1, 0x1.d7e55f62903b6p-2, 0x1.23a0b0993273p-2,
      0x1.70aa151098db9p-3, 0x1.0e0de6b74c39cp-3, 0x1.86a09386326c5p-4, 0x1.24ce766484d4bp-4, 0x1.c28937c291db1p-5,
      0x1.5bfea1dcdb7c4p-5, 0x1.3a30fcefc1e94p-5}, /* [0] 0 <= y <= 0.03125, degree 10, 62.8 bits */
@@ -5457,9 +5468,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_duration_zero_overlap(int i
     {0x1.a61de1b7babdap+1, 0x1.e08448b8f987cp-53, 0x1.6934215551dcap-1, 0x1.2ccb07e960e55p-1, 0x1.9971cf1b75fedp-2,
      0x1.29c7b4656eb1bp-2, 0x1.e03da7ab5094bp-3, 0x1.87958463b6dc1p-3, 0x1.4a5d9d3a666dap-3, 0x1.1cf29b6562c4dp-3,
      0x1.f42cfc1b11b92p-4, 0x1.bc694b277e95ap-4} /* [2] 0.09375 <= y <= 0.15625, degree 10, 63.0 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_duration_zero_overlap)
 
 /* duration at zero overlap, 2^-3 <= beta < 0.627988: 19 rows of degree 10 in y = beta 2^-k, 8 to each octave k = -3 ... -1.
  * Relative error of the approximation: 2^-57.5 at most, sampled at 25 places of each row. */
@@ -5468,9 +5480,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_duration_zero_overlap(int i
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_OVERLAP_ROWS 19
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_OVERLAP_END 0.6279881355201693
-COR_INLINE const double *cor_rows_hertz_dashpot_middle_duration_zero_overlap(int i)
-{
-    static const double row[19][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_middle_duration_zero_overlap, 19, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.a6d3aa2f36752p+1, -0x1.f9964fecb1879p-56, 0x1.6df0f8e21c1a2p-4, 0x1.31a578949af16p-7, 0x1.a2e60d5bba389p-11,
      0x1.335783539713ep-14, 0x1.f3070b1006e04p-18, 0x1.9a25e93afcf8ap-21, 0x1.5cbc96f832d8bp-24, 0x1.2f296dad7e8c9p-27,
      0x1.0bafa584d0af5p-30, 0x1.ea88477f671d4p-37}, /* [0] 1 <= y <= 1.125 2^-3, degree 10, 63.6 bits */
@@ -5528,9 +5540,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_duration_zero_overlap(int
     {0x1.f83b11777eb3bp+1, 0x1.56e50cc19a89bp-54, 0x1.04d95f20158bbp+0, 0x1.53ab58482d1cbp-1, 0x1.d878b4e3e9db4p-2,
      0x1.6f93743c28542p-2, 0x1.3175a0a6d2989p-2, 0x1.091d20aac4a75p-2, 0x1.dac424c31cb87p-3, 0x1.b3002aaa89493p-3,
      0x1.994322c7282d6p-3, 0x1.830d6b10e5228p-3} /* [18] 1.25 <= y <= 1.375 2^-1, degree 10, 57.5 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_duration_zero_overlap)
 
 /* duration at zero overlap, 2^-53 <= beta_c - beta < 2^-1: 416 rows of degree 10 in y = (beta_c - beta) 2^-k, 8 to each octave k = -53 ... -2.
  * Relative error of the approximation: 2^-58.8 at most, sampled at 25 places of each row. */
@@ -5539,9 +5552,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_duration_zero_overlap(int
 #define COR_ROWS_HERTZ_DASHPOT_BELOW_DURATION_ZERO_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_HERTZ_DASHPOT_BELOW_DURATION_ZERO_OVERLAP_ROWS 416
 #define COR_ROWS_HERTZ_DASHPOT_BELOW_DURATION_ZERO_OVERLAP_END 0.5000000000004547
-COR_INLINE const double *cor_rows_hertz_dashpot_below_duration_zero_overlap(int i)
-{
-    static const double row[416][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_below_duration_zero_overlap, 416, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.2505178eb5fdp+5, -0x1.dc70048032c49p-50, -0x1.ab3485d3d8ba3p-1, 0x1.92135096f3d1p-2, -0x1.f890b562e8c4ep-3,
      0x1.6429e96da07b1p-3, -0x1.0c2b9aed0c1d8p-3, 0x1.a4a8cae4f2133p-4, -0x1.535988a729281p-4, 0x1.1776da59979e4p-4,
      -0x1.d6ef1850dfa75p-5, 0x1.8ef60b5e17a5dp-5}, /* [0] 1 <= y <= 1.125 2^-53, degree 10, 62.9 bits */
@@ -6790,9 +6803,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_below_duration_zero_overlap(int 
     {0x1.f4fcdbb1e7769p+1, 0x1.01bd7a0045fbcp-55, -0x1.f8f84d058ccc1p-2, 0x1.42702a9f63656p-3, -0x1.b52e265a8715p-5,
      0x1.4b63322f1f33ep-6, -0x1.0c41302fcda55p-7, 0x1.c57e35adcec11p-9, -0x1.8b74662ca1dc7p-10, 0x1.60dae80d44df4p-11,
      -0x1.411c0a6ea9303p-12, 0x1.27b2dbc4d64a8p-13} /* [415] 1.875 <= y <= 2 2^-2, degree 10, 62.1 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_below_duration_zero_overlap)
 
 /* duration at zero force, beta < 1/8: 5 rows of degree 10 in y = (beta)^(1/3), nodes 0 + i 0.125, 0 <= y <= 0.5625.
  * Relative error of the approximation: 2^-58.5 at most, sampled at 25 places of each row. */
@@ -6801,9 +6815,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_below_duration_zero_overlap(int 
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_FORCE_PER_UNIT 8.0
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_FORCE_ROWS 5
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_DURATION_ZERO_FORCE_END 0.125
-COR_INLINE const double *cor_rows_hertz_dashpot_near_duration_zero_force(int i)
-{
-    static const double row[5][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_near_duration_zero_force, 5, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be991a8f0b41p+1, 0x1.5d0edcf4822dfp-54, 0x1.25a616bd51b91p-62, -0x1.0000000000004p+0, 0x1.2691b13f86d4cp-1,
      -0x1.7cd7e7e794664p-34, -0x1.311eca68370edp-1, 0x1.d7e53ac018313p-2, -0x1.d37486674b8f8p-7, -0x1.2367d6062670dp-2,
      0x1.2a49da12d1c48p-2, -0x1.1c56b678ed261p-4}, /* [0] 0 <= y <= 0.0625, degree 10, 62.9 bits */
@@ -6819,9 +6833,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_duration_zero_force(int i)
     {0x1.838f90a6325bap+1, 0x1.9b730f6636da3p-54, -0x1.5bbf9c8c875efp-1, -0x1.0941449840b8ep-1, 0x1.07335cab878b8p-9,
      -0x1.ead6b3b43e6a9p-3, 0x1.e37f55194d5ddp-3, 0x1.4ff4f13fefc2p-3, -0x1.d3b4865e51237p-6, -0x1.9e1d9e9372408p-5,
      -0x1.baeacb7d78126p-4, -0x1.02152be83c744p-9} /* [4] 0.4375 <= y <= 0.5625, degree 10, 58.5 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_duration_zero_force)
 
 /* duration at zero force, 2^-3 <= beta < 8: 48 rows of degree 10 in y = beta 2^-k, 8 to each octave k = -3 ... 2.
  * Relative error of the approximation: 2^-59.2 at most, sampled at 25 places of each row. */
@@ -6830,9 +6845,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_duration_zero_force(int i)
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_FORCE_OCTAVE_BITS 3
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_FORCE_ROWS 48
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_DURATION_ZERO_FORCE_END 8.0
-COR_INLINE const double *cor_rows_hertz_dashpot_middle_duration_zero_force(int i)
-{
-    static const double row[48][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_middle_duration_zero_force, 48, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.82aaa206dbbeep+1, -0x1.5a752ab82a557p-53, -0x1.c43b92354b4fcp-4, 0x1.5dff9da72299cp-6, -0x1.4187ebc05b4fep-7,
      0x1.6dcca4651c7f7p-8, -0x1.d1fe9bfacb657p-9, 0x1.3f67ac54995c4p-9, -0x1.cc8611b8f6d06p-10, 0x1.5867fed56bd9ep-10,
      -0x1.0a7965665908bp-10, 0x1.a2f39ef11a17p-11}, /* [0] 1 <= y <= 1.125 2^-3, degree 10, 62.4 bits */
@@ -6985,9 +7000,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_duration_zero_force(int i
     {0x1.49ef59a57c69fp+0, -0x1.f258b7542ee73p-57, -0x1.67fa42541ff2fp-2, 0x1.be747823601e9p-4, -0x1.1de981decad42p-5,
      0x1.6f229663e4ef5p-7, -0x1.d188214ba1de1p-9, 0x1.2059351ed9f47p-10, -0x1.59bf4fb2bee83p-12, 0x1.8e0dec0cf21cdp-14,
      -0x1.b70cbdff96082p-16, 0x1.d7b09c80f33d1p-18} /* [47] 1.875 <= y <= 2 2^2, degree 10, 60.8 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_duration_zero_force)
 
 /* duration at zero force, 2^1 <= ln(beta) < 7: 14 rows of degree 10 in y = ln(beta) 2^-k, 8 to each octave k = 1 ... 2.
  * Relative error of the approximation: 2^-57.7 at most, sampled at 25 places of each row. */
@@ -6996,9 +7012,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_duration_zero_force(int i
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_DURATION_ZERO_FORCE_OCTAVE_BITS 3
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_DURATION_ZERO_FORCE_ROWS 14
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_DURATION_ZERO_FORCE_END 7.0
-COR_INLINE const double *cor_rows_hertz_dashpot_tail_duration_zero_force(int i)
-{
-    static const double row[14][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_tail_duration_zero_force, 14, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.4b522aa1355bp+3, -0x1.f1025300819cp-53, 0x1.2fbb7eaf54ed3p+3, 0x1.c418fad3b7f72p-1, -0x1.c217d3c882d9ep-1,
      0x1.dd5aba4a7cbc7p-2, 0x1.01cd62cd14b27p-8, -0x1.ab44dbedc5d3dp-3, 0x1.1821e744569b6p-3, 0x1.8a201b14d64cfp-7,
      -0x1.36a9fcc7951e8p-4, 0x1.5ddf706d34d21p-5}, /* [0] 1 <= y <= 1.125 2^1, degree 10, 57.9 bits */
@@ -7041,9 +7057,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_tail_duration_zero_force(int i)
     {0x1.0ac19e28ae372p+5, -0x1.71bc865dcb258p-49, 0x1.3fffce7402ffbp+4, 0x1.cd08f17c30894p-13, -0x1.6380541f496dep-11,
      0x1.988228b20049cp-10, -0x1.74a3e5e31be56p-9, 0x1.18a4aeee336ddp-8, -0x1.6635fb11732acp-8, 0x1.8a64d318ff732p-8,
      -0x1.7d3c1dc72464bp-8, 0x1.411cccf9ce9ddp-8} /* [13] 1.625 <= y <= 1.75 2^2, degree 10, 66.2 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_tail_duration_zero_force)
 
 /* largest overlap, beta < 1/8: 3 rows of degree 10 in y = beta, nodes 0 + i 0.0625, 0 <= y <= 0.15625.
  * Relative error of the approximation: 2^-59.5 at most, sampled at 25 places of each row. */
@@ -7052,9 +7069,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_tail_duration_zero_force(int i)
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_MAX_OVERLAP_PER_UNIT 16.0
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_MAX_OVERLAP_ROWS 3
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_MAX_OVERLAP_END 0.125
-COR_INLINE const double *cor_rows_hertz_dashpot_near_max_overlap(int i)
-{
-    static const double row[3][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_near_max_overlap, 3, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.17e693ae45eacp+0, -0x1.0143224fb2702p-54, -0x1.90540d86ae39fp-1, 0x1.c4a7a68f9598ap-2, -0x1.ac6de4c49be3p-3,
      0x1.59237b03eb6e4p-4, -0x1.d524bbf42158dp-6, 0x1.013c7297684f9p-7, -0x1.86022029db863p-10, 0x1.1e9e44a865a4dp-15,
      0x1.ee3510b0a4e87p-14, -0x1.cb51d1da5ba87p-15}, /* [0] 0 <= y <= 0.03125, degree 10, 60.9 bits */
@@ -7064,9 +7081,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_max_overlap(int i)
     {0x1.008c7e9608d26p+0, 0x1.651d1bc90c85cp-56, -0x1.5c727f7869ea6p-1, 0x1.7bde8eba08fbp-2, -0x1.5eb495b3a26f9p-3,
      0x1.16f5693a4b2b4p-4, -0x1.7c9074b69db9fp-6, 0x1.af3a09f4c28dfp-8, -0x1.6ee0961e90745p-10, 0x1.12e9103b6d95ap-13,
      0x1.e2f51e954f529p-15, -0x1.901127b3a3cc5p-15} /* [2] 0.09375 <= y <= 0.15625, degree 10, 60.8 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_max_overlap)
 
 /* largest overlap, 2^-3 <= beta < 8: 48 rows of degree 10 in y = beta 2^-k, 8 to each octave k = -3 ... 2.
  * Relative error of the approximation: 2^-57.3 at most, sampled at 25 places of each row. */
@@ -7075,9 +7093,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_max_overlap(int i)
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_MAX_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_MAX_OVERLAP_ROWS 48
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_MAX_OVERLAP_END 8.0
-COR_INLINE const double *cor_rows_hertz_dashpot_middle_max_overlap(int i)
-{
-    static const double row[48][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_middle_max_overlap, 48, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.fe630d2f0188bp-1, 0x1.007210d44b289p-56, -0x1.597eda209631fp-4, 0x1.77c8f350e0817p-8, -0x1.5a60267b21d41p-12,
      0x1.13444aed6f19cp-16, -0x1.778a48ea0f5abp-21, 0x1.aa39c59d1fe61p-26, -0x1.6cafe3be6d956p-31, 0x1.0ba498112b1ap-37,
      -0x1.b8f924328841cp-40, 0x1.cb43f96df73f9p-35}, /* [0] 1 <= y <= 1.125 2^-3, degree 10, 62.2 bits */
@@ -7239,9 +7257,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_max_overlap(int i)
     {0x1.0224bc1bfaaf9p-3, 0x1.584487f89177p-57, -0x1.fd3a653aad0acp-5, 0x1.ec8a43085b9a3p-6, -0x1.d43ca3741719fp-7,
      0x1.b64fd660f8b96p-8, -0x1.9499f3a18f17cp-9, 0x1.70b872e6f7c6cp-10, -0x1.4c095962e731dp-11, 0x1.27aabf25d44f2p-12,
      -0x1.04f7ac917113bp-13, 0x1.c721367d13b7ap-15} /* [47] 1.875 <= y <= 2 2^2, degree 10, 59.0 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_max_overlap)
 
 /* largest overlap, 2^1 <= ln(beta) < 7: 28 rows of degree 10 in y = ln(beta) 2^-k, 16 to each octave k = 1 ... 2.
  * Relative error of the approximation: 2^-63.1 at most, sampled at 25 places of each row. */
@@ -7250,9 +7269,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_max_overlap(int i)
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_MAX_OVERLAP_OCTAVE_BITS 4
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_MAX_OVERLAP_ROWS 28
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_MAX_OVERLAP_END 7.0
-COR_INLINE const double *cor_rows_hertz_dashpot_tail_max_overlap(int i)
-{
-    static const double row[28][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_tail_max_overlap, 28, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.f47a795a3305ep-1, -0x1.352553b502fdfp-58, 0x1.5b2beb2e165aap-4, -0x1.294f014c66d4bp-3, 0x1.1c4cebc826db4p-3,
      -0x1.fbe4f31271d2p-5, -0x1.608902d2357a9p-6, 0x1.b384259fe94b7p-5, -0x1.02be2a08e16d9p-5, -0x1.03dd9ac65655ep-8,
      0x1.49114c2e4f16dp-6, -0x1.ac1132b14b055p-7}, /* [0] 1 <= y <= 1.0625 2^1, degree 10, 64.0 bits */
@@ -7340,9 +7359,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_tail_max_overlap(int i)
      -0x1.651920db14d0ap-13, 0x1.471b4e2958a53p-12, -0x1.ef30c6075a872p-12, 0x1.3e0007570b1d2p-11,
      -0x1.60dce8f6c489p-11, 0x1.57017a028471dp-11, -0x1.2536b52ea8b2bp-11}
      /* [27] 1.6875 <= y <= 1.75 2^2, degree 10, 75.0 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_tail_max_overlap)
 
 /* time of the largest overlap, beta < 1/8: 3 rows of degree 10 in y = beta, nodes 0 + i 0.0625, 0 <= y <= 0.15625.
  * Relative error of the approximation: 2^-61.5 at most, sampled at 25 places of each row. */
@@ -7351,9 +7371,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_tail_max_overlap(int i)
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_TIME_OF_MAX_OVERLAP_PER_UNIT 16.0
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_TIME_OF_MAX_OVERLAP_ROWS 3
 #define COR_ROWS_HERTZ_DASHPOT_NEAR_TIME_OF_MAX_OVERLAP_END 0.125
-COR_INLINE const double *cor_rows_hertz_dashpot_near_time_of_max_overlap(int i)
-{
-    static const double row[3][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_near_time_of_max_overlap, 3, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be991a8f0b41p+0, 0x1.5d0edcf22af24p-55, -0x1.1ff64bc052021p-2, 0x1.ba80f9a49f225p-6, 0x1.2001594f47561p-7,
      -0x1.7eb461e38388fp-8, 0x1.a92fc52ee4da5p-10, -0x1.7486034e984a7p-14, -0x1.33019b52dcc8p-13, 0x1.4ce6838d1d5c3p-14,
      -0x1.485123c6436adp-16, -0x1.069a05020c518p-21}, /* [0] 0 <= y <= 0.03125, degree 10, 64.8 bits */
@@ -7365,9 +7385,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_time_of_max_overlap(int i)
      -0x1.3e348fb7fe662p-8, 0x1.8d40091e74185p-10, -0x1.84ce1d0238b7fp-13, -0x1.47246a19787edp-14,
      0x1.e383b9e5ecafdp-15, -0x1.3075f9c9068dap-16, 0x1.cbbee505520d5p-18}
      /* [2] 0.09375 <= y <= 0.15625, degree 10, 63.4 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_near_time_of_max_overlap)
 
 /* time of the largest overlap, 2^-3 <= beta < 8: 48 rows of degree 10 in y = beta 2^-k, 8 to each octave k = -3 ... 2.
  * Relative error of the approximation: 2^-58.6 at most, sampled at 25 places of each row. */
@@ -7376,9 +7397,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_near_time_of_max_overlap(int i)
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_TIME_OF_MAX_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_TIME_OF_MAX_OVERLAP_ROWS 48
 #define COR_ROWS_HERTZ_DASHPOT_MIDDLE_TIME_OF_MAX_OVERLAP_END 8.0
-COR_INLINE const double *cor_rows_hertz_dashpot_middle_time_of_max_overlap(int i)
-{
-    static const double row[48][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_middle_time_of_max_overlap, 48, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.927a58f3f490cp+0, -0x1.1efeb00057376p-55, -0x1.18316bd8b600fp-5, 0x1.ea5e2b537b9p-12, 0x1.871531c7e766bp-17,
      -0x1.3a564e2a7b20bp-20, 0x1.8af238c4c9db6p-25, -0x1.8d8ba8a300f3ap-31, -0x1.38658735f2dfep-35,
      0x1.eb10d0026324bp-39, 0x1.2c43065d5276ap-39, -0x1.62bfe3459a06p-36},
@@ -7554,9 +7575,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_time_of_max_overlap(int i
     {0x1.56a81a02d733p-1, 0x1.d0dec93571d4bp-56, -0x1.7fc1d81164248p-3, 0x1.e8f95f13e9802p-5, -0x1.424c72c1641cdp-6,
      0x1.aa91cfdf82861p-8, -0x1.16b5505a64bd2p-9, 0x1.625be2822c8a3p-11, -0x1.ae413ebcfcda2p-13, 0x1.e3127dd4fd0bfp-15,
      -0x1.d1534e2e025bap-17, 0x1.1fed00aee46bep-19} /* [47] 1.875 <= y <= 2 2^2, degree 10, 60.1 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_middle_time_of_max_overlap)
 
 /* time of the largest overlap, 2^1 <= ln(beta) < 7: 14 rows of degree 10 in y = ln(beta) 2^-k, 8 to each octave k = 1 ... 2.
  * Relative error of the approximation: 2^-57.4 at most, sampled at 25 places of each row. */
@@ -7565,9 +7587,9 @@ COR_INLINE const double *cor_rows_hertz_dashpot_middle_time_of_max_overlap(int i
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_TIME_OF_MAX_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_TIME_OF_MAX_OVERLAP_ROWS 14
 #define COR_ROWS_HERTZ_DASHPOT_TAIL_TIME_OF_MAX_OVERLAP_END 7.0
-COR_INLINE const double *cor_rows_hertz_dashpot_tail_time_of_max_overlap(int i)
-{
-    static const double row[14][12] = {
+COR_ROWS(double, cor_rows_hertz_dashpot_tail_time_of_max_overlap, 14, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.57badd2c8b48ap+2, -0x1.bc26f86af249p-54, 0x1.31cb76eda6744p+2, 0x1.8ef27ea24c4bap-2, -0x1.960df38c97b38p-2,
      0x1.cb24c35b60256p-3, -0x1.30ba1719671f6p-6, -0x1.4b9a2b38bd748p-4, 0x1.0042bab11f1bep-4, -0x1.113794dc3437bp-8,
      -0x1.b18105f5c4e31p-6, 0x1.375fc6bca9693p-6}, /* [0] 1 <= y <= 1.125 2^1, degree 10, 57.7 bits */
@@ -7610,9 +7632,10 @@ COR_INLINE const double *cor_rows_hertz_dashpot_tail_time_of_max_overlap(int i)
     {0x1.0e000246d75ebp+4, -0x1.cecaa64f86e38p-50, 0x1.3fffd56abd03p+3, 0x1.8c50fbf2c2ab9p-14, -0x1.31ab240554422p-12,
      0x1.5f5787b7c9959p-11, -0x1.409936f0240a1p-10, 0x1.e317bd7ce1267p-10, -0x1.34765244a0f45p-9, 0x1.53d6c97e81298p-9,
      -0x1.48ca548cc124ep-9, 0x1.154772554d161p-9} /* [13] 1.625 <= y <= 1.75 2^2, degree 10, 58.8 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_hertz_dashpot_tail_time_of_max_overlap)
 
 /* Beyond the rows in ln(beta): a_0, a_0', a_1, a_1', a_2, ..., a_8 of a power of beta times
  * a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3), u = ln(beta),

@@ -12,7 +12,7 @@
  * beside each row (sampled); errors of evaluation: include/cor/law.h (sampled). */
 #ifndef COR_GENERATED_HUNT_CROSSLEY_TABLES_H
 #define COR_GENERATED_HUNT_CROSSLEY_TABLES_H
-#include "runtime/core/inline.h"
+#include "runtime/core/rows.h"
 
 /* time of the largest overlap, a = 1: 70 rows of degree 10 in y = ln(1 + beta), nodes 0.1875 + i 0.375, y < 26.25.
  * Relative error of the approximation: 2^-56.7 at most, sampled at 25 places of each row. */
@@ -21,9 +21,9 @@
 #define COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1_PER_UNIT 2.6666666666666665
 #define COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1_ROWS 70
 #define COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1_END 26.25
-COR_INLINE const double *cor_rows_crossley_time_of_max_overlap_1(int i)
-{
-    static const double row[70][12] = {
+COR_ROWS(double, cor_rows_crossley_time_of_max_overlap_1, 70, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.8237a8b53e1b4p+0, 0x1.81ca76b39444dp-56, -0x1.513ee33f4251ep-2, 0x1.7548e7dcad7ecp-7, 0x1.59dad4e0f8dddp-9,
      -0x1.3c44768b3011p-14, -0x1.557a951b9999bp-15, 0x1.f1c4be52fbc75p-21, 0x1.7b9f0033a8466p-21,
      -0x1.5b378e93d0809p-26, -0x1.c9c4128246c52p-27, 0x1.2a54e66077b63p-31}, /* [0] 0 <= y <= 0.375, 58.3 bits */
@@ -256,9 +256,10 @@ COR_INLINE const double *cor_rows_crossley_time_of_max_overlap_1(int i)
      -0x1.73a28c828cc9ap-21, 0x1.50fb52bfa7276p-24, -0x1.e3b9c1b1d8b54p-28, 0x1.1d8532be6a0e2p-31,
      -0x1.1c10a3fd8dc98p-35, 0x1.e3a469872b2ep-40, -0x1.62d8512a831bbp-44, 0x1.bf8fc48a29c18p-49}
      /* [69] 25.875 <= y <= 26.25, 57.6 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_crossley_time_of_max_overlap_1)
 
 /* time of the largest overlap, a = 3/2: 70 rows of degree 10 in y = ln(1 + beta), nodes 0.1875 + i 0.375, y < 26.25.
  * Relative error of the approximation: 2^-56.9 at most, sampled at 25 places of each row. */
@@ -267,9 +268,9 @@ COR_INLINE const double *cor_rows_crossley_time_of_max_overlap_1(int i)
 #define COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_3_2_PER_UNIT 2.6666666666666665
 #define COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_3_2_ROWS 70
 #define COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_3_2_END 26.25
-COR_INLINE const double *cor_rows_crossley_time_of_max_overlap_3_2(int i)
-{
-    static const double row[70][12] = {
+COR_ROWS(double, cor_rows_crossley_time_of_max_overlap_3_2, 70, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.8f968bbf9a4f6p+0, -0x1.cd99c801cfa7ep-57, -0x1.066b0d2c6bb93p-2, 0x1.7f9ee56c81a1bp-9, 0x1.c0c2469d74e5fp-10,
      0x1.8293a8ac7488p-17, -0x1.62e9e77cbd833p-16, -0x1.be84762344adp-24, 0x1.5ce7c465635c1p-22, -0x1.628f4c7f18c9p-28,
      -0x1.978521c7897b5p-28, 0x1.0bf1a22e1432cp-32}, /* [0] 0 <= y <= 0.375, 59.2 bits */
@@ -494,9 +495,10 @@ COR_INLINE const double *cor_rows_crossley_time_of_max_overlap_3_2(int i)
      -0x1.f7d80d476d62fp-19, 0x1.620803aba4d7dp-22, -0x1.866249eb61173p-26, 0x1.5d72c6c627d97p-30,
      -0x1.024625f910423p-34, 0x1.3b48ba3916adcp-39, -0x1.3518a2ae1461cp-44, 0x1.b29e3b9079165p-50}
      /* [69] 25.875 <= y <= 26.25, 59.6 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_crossley_time_of_max_overlap_3_2)
 
 /* duration, a = 1: 36 rows of degree 10 in y = ln(1 + beta), nodes 0.0625 + i 0.125, y < 4.5.
  * Relative error of the approximation: 2^-58.4 at most, sampled at 25 places of each row. */
@@ -505,9 +507,9 @@ COR_INLINE const double *cor_rows_crossley_time_of_max_overlap_3_2(int i)
 #define COR_ROWS_CROSSLEY_DURATION_1_PER_UNIT 8.0
 #define COR_ROWS_CROSSLEY_DURATION_1_ROWS 36
 #define COR_ROWS_CROSSLEY_DURATION_1_END 4.5
-COR_INLINE const double *cor_rows_crossley_duration_1(int i)
-{
-    static const double row[36][12] = {
+COR_ROWS(double, cor_rows_crossley_duration_1, 36, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9230d18b62d8cp+1, -0x1.7ea900f5a99b4p-53, 0x1.14a91140ca523p-6, 0x1.1d7147c52f2e8p-3, 0x1.7f967bcc05672p-5,
      0x1.b2db984bb4f4bp-7, 0x1.b0d01130c67e4p-9, 0x1.2476fe7fcc809p-11, -0x1.588d4827ac13cp-15, -0x1.7afe4d5f24b5cp-14,
      -0x1.a087213c5ee87p-15, -0x1.3b22ed9de4125p-16}, /* [0] 0 <= y <= 0.125, 64.5 bits */
@@ -616,9 +618,10 @@ COR_INLINE const double *cor_rows_crossley_duration_1(int i)
     {0x1.a39e47100072ep+3, 0x1.50b1887fd0a96p-51, 0x1.9c9684c4c6df2p+2, 0x1.a40c77e7157fcp+0, 0x1.122859b8b83f8p-2,
      0x1.1af2ae627f0c9p-5, 0x1.a6d16145c494fp-9, 0x1.545568bf3b63ap-12, 0x1.20c32ceab728p-17, 0x1.2d0bfe02579b2p-18,
      -0x1.cfb02d5eec3b4p-21, 0x1.331e76b13bbb1p-22} /* [35] 4.375 <= y <= 4.5, 58.8 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_crossley_duration_1)
 
 /* duration, a = 3/2: 36 rows of degree 10 in y = ln(1 + beta), nodes 0.0625 + i 0.125, y < 4.5.
  * Relative error of the approximation: 2^-58.0 at most, sampled at 25 places of each row. */
@@ -627,9 +630,9 @@ COR_INLINE const double *cor_rows_crossley_duration_1(int i)
 #define COR_ROWS_CROSSLEY_DURATION_3_2_PER_UNIT 8.0
 #define COR_ROWS_CROSSLEY_DURATION_3_2_ROWS 36
 #define COR_ROWS_CROSSLEY_DURATION_3_2_END 4.5
-COR_INLINE const double *cor_rows_crossley_duration_3_2(int i)
-{
-    static const double row[36][12] = {
+COR_ROWS(double, cor_rows_crossley_duration_3_2, 36, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9db7b5aea1917p+1, 0x1.6335136d95c22p-59, 0x1.e5695507a422bp-3, 0x1.7c89cd2ec57cp-3, 0x1.0ba346e200979p-4,
      0x1.4773d335ed567p-6, 0x1.5c3cd2cacfe2dp-8, 0x1.0cac8a18decfcp-10, 0x1.98f9812f82126p-17, -0x1.dc8283b06d4cep-14,
      -0x1.27c1b09516c0ap-14, -0x1.df77496cfce8p-16}, /* [0] 0 <= y <= 0.125, 62.3 bits */
@@ -738,9 +741,10 @@ COR_INLINE const double *cor_rows_crossley_duration_3_2(int i)
     {0x1.4d304824aedbp+4, -0x1.a3d0f40d11c8bp-52, 0x1.8b0927d247dedp+3, 0x1.de2d528e9c0a6p+1, 0x1.7bbe4d9c2e96bp-1,
      0x1.cbbf30f8131bdp-4, 0x1.b20b4c990368p-7, 0x1.6a4cb283e7807p-10, 0x1.aff4830f81ea7p-14, 0x1.93c144bf5d5cp-17,
      -0x1.e810ab591b592p-22, 0x1.814775cd8344cp-22} /* [35] 4.375 <= y <= 4.5, 58.7 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_crossley_duration_3_2)
 
 /* s = ln(1 + beta) >= 26.25: the time of the largest overlap is beta^(2k-1) ((a+1) (1+beta))^-k
  * (s + K + K' + (k_0 + k_1 s + k_2 s^2)/(1 + beta)), k = a/(a+1): columns K, K', k_0, k_1, k_2. K exact, k_j through

@@ -10,7 +10,7 @@
  * evaluation in float arithmetic: include/cor/sphere.h, measured at every float. */
 #ifndef COR_GENERATED_SPHERE_FLOAT_TABLES_H
 #define COR_GENERATED_SPHERE_FLOAT_TABLES_H
-#include "runtime/core/inline.h"
+#include "runtime/core/rows.h"
 
 /* A row: value = c_0 + (c_0' + t (c_1 + t (c_2 + t c_3))), t = beta - node, in columns c_0, c_1, c_2,
  * c_3. The node is 0 in row 0, and the middle of the cell in the other rows. The lower 16 bits of
@@ -22,9 +22,9 @@
 #define COR_ROWS_FLOAT_EPS_ZERO_OVERLAP_OCTAVE_BITS 7
 #define COR_ROWS_FLOAT_EPS_ZERO_OVERLAP_ROWS 1153
 #define COR_ROWS_FLOAT_EPS_ZERO_OVERLAP_END 8.0
-COR_INLINE const float *cor_rows_float_eps_zero_overlap(int i)
-{
-    static const float row[1153][4] = {
+COR_ROWS(float, cor_rows_float_eps_zero_overlap, 1153, 4)
+#ifdef COR_ROWS_HERE
+= {
     {0x1p+0f, -0x1.274866p+0f, 0x1.98a76ap-1f, -0x1.06p-1f}, /* [0] beta < 0.015625, 30.8 bits */
     {0x1.f6d5fep-1f, -0x1.20f822p+0f, 0x1.8c5f94p-1f, -0x1.01625cp-1f}, /* [1] beta < 0.0157471, 38.2 bits */
     {0x1.f6c3eep-1f, -0x1.20ebcp+0f, 0x1.8c4782p-1f, -0x1.006596p-1f}, /* [2] beta < 0.0158691, 35.3 bits */
@@ -1178,9 +1178,10 @@ COR_INLINE const float *cor_rows_float_eps_zero_overlap(int i)
     {0x1.5abd58p-13f, -0x1.b5b2ecp-14f, 0x1.4b8484p-15f, -0x1.8759b6p-17f}, /* [1150] beta < 7.9375, 30.7 bits */
     {0x1.53fb14p-13f, -0x1.ab7b1p-14f, 0x1.42818ap-15f, -0x1.7b599ap-17f}, /* [1151] beta < 7.96875, 30.8 bits */
     {0x1.4d612p-13f, -0x1.a18a2ep-14f, 0x1.39c5f4p-15f, -0x1.6e51aap-17f} /* [1152] beta < 8, 31.9 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(float, cor_rows_float_eps_zero_overlap)
 
 /* eps at zero force: beta < 0.00195312 in row 0, then 64 rows to an octave, beta < 16.
  * Relative error of the approximation: 2^-29.3 at most, sampled at 9 places of each row. */
@@ -1188,9 +1189,9 @@ COR_INLINE const float *cor_rows_float_eps_zero_overlap(int i)
 #define COR_ROWS_FLOAT_EPS_ZERO_FORCE_OCTAVE_BITS 6
 #define COR_ROWS_FLOAT_EPS_ZERO_FORCE_ROWS 833
 #define COR_ROWS_FLOAT_EPS_ZERO_FORCE_END 16.0
-COR_INLINE const float *cor_rows_float_eps_zero_force(int i)
-{
-    static const float row[833][4] = {
+COR_ROWS(float, cor_rows_float_eps_zero_force, 833, 4)
+#ifdef COR_ROWS_HERE
+= {
     {0x1p+0f, -0x1.274886p+0f, 0x1.9c5a2ep-1f, 0x1.1ep+1f}, /* [0] beta < 0.00195312, 32.5 bits */
     {0x1.fed6d2p-1f, -0x1.267712p+0f, 0x1.a26752p-1f, 0x1.506386p+0f}, /* [1] beta < 0.00198364, 36.0 bits */
     {0x1.fed238p-1f, -0x1.2673cep+0f, 0x1.a276fep-1f, 0x1.4c646cp+0f}, /* [2] beta < 0.00201416, 36.0 bits */
@@ -2024,9 +2025,10 @@ COR_INLINE const float *cor_rows_float_eps_zero_force(int i)
     {0x1.9855c6p-7f, -0x1.49444ep-10f, 0x1.a6c0dap-14f, -0x1.f05e64p-18f}, /* [830] beta < 15.75, 31.4 bits */
     {0x1.933dccp-7f, -0x1.42c04cp-10f, 0x1.9b550cp-14f, -0x1.de5e7ep-18f}, /* [831] beta < 15.875, 31.7 bits */
     {0x1.8e3f88p-7f, -0x1.3c6932p-10f, 0x1.904ccap-14f, -0x1.ce5caap-18f} /* [832] beta < 16, 31.8 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(float, cor_rows_float_eps_zero_force)
 
 /* (1 - eps)/beta at zero overlap: beta < 0.015625 in row 0, then 64 rows to an octave, beta < 8.
  * Relative error of the approximation: 2^-28.0 at most, sampled at 9 places of each row. */
@@ -2034,9 +2036,9 @@ COR_INLINE const float *cor_rows_float_eps_zero_force(int i)
 #define COR_ROWS_FLOAT_LOSS_ZERO_OVERLAP_OCTAVE_BITS 6
 #define COR_ROWS_FLOAT_LOSS_ZERO_OVERLAP_ROWS 577
 #define COR_ROWS_FLOAT_LOSS_ZERO_OVERLAP_END 8.0
-COR_INLINE const float *cor_rows_float_loss_zero_overlap(int i)
-{
-    static const float row[577][4] = {
+COR_ROWS(float, cor_rows_float_loss_zero_overlap, 577, 4)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.27488p+0f, -0x1.98b65cp-1f, 0x1.0bad18p-1f, -0x1.5d6b36p-2f}, /* [0] beta < 0.015625, 30.5 bits */
     {0x1.2419p+0f, -0x1.906978p-1f, 0x1.037484p-1f, -0x1.56696ep-2f}, /* [1] beta < 0.0158691, 31.2 bits */
     {0x1.240c8p+0f, -0x1.90490cp-1f, 0x1.03546cp-1f, -0x1.566876p-2f}, /* [2] beta < 0.0161133, 35.9 bits */
@@ -2614,9 +2616,10 @@ COR_INLINE const float *cor_rows_float_loss_zero_overlap(int i)
     {0x1.050ep-3f, -0x1.0a05fp-6f, 0x1.0e9e6cp-9f, -0x1.1168d6p-12f}, /* [574] beta < 7.875, 28.6 bits */
     {0x1.02fep-3f, -0x1.05d834p-6f, 0x1.084a08p-9f, -0x1.0a6716p-12f}, /* [575] beta < 7.9375, 29.4 bits */
     {0x1.00f68p-3f, -0x1.01c366p-6f, 0x1.02277ep-9f, -0x1.0167dcp-12f} /* [576] beta < 8, 28.9 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(float, cor_rows_float_loss_zero_overlap)
 
 /* (1 - eps)/beta at zero force: beta < 7.62939e-06 in row 0, then 32 rows to an octave, beta < 16.
  * Relative error of the approximation: 2^-27.0 at most, sampled at 9 places of each row. */
@@ -2624,9 +2627,9 @@ COR_INLINE const float *cor_rows_float_loss_zero_overlap(int i)
 #define COR_ROWS_FLOAT_LOSS_ZERO_FORCE_OCTAVE_BITS 5
 #define COR_ROWS_FLOAT_LOSS_ZERO_FORCE_ROWS 673
 #define COR_ROWS_FLOAT_LOSS_ZERO_FORCE_END 16.0
-COR_INLINE const float *cor_rows_float_loss_zero_force(int i)
-{
-    static const float row[673][4] = {
+COR_ROWS(float, cor_rows_float_loss_zero_force, 673, 4)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.27488p+0f, -0x1.98d45cp-1f, -0x1.63612ap+6f, 0x1.656b36p+21f}, /* [0] beta < 7.62939e-06, 30.4 bits */
     {0x1.2748p+0f, -0x1.994746p-1f, -0x1.1b3244p+5f, 0x1.786932p+19f}, /* [1] beta < 7.86781e-06, 30.2 bits */
     {0x1.2748p+0f, -0x1.994978p-1f, -0x1.16dfb2p+5f, 0x1.686792p+19f}, /* [2] beta < 8.10623e-06, 33.8 bits */
@@ -3300,9 +3303,10 @@ COR_INLINE const float *cor_rows_float_loss_zero_force(int i)
     {0x1.06facp-4f, -0x1.0c09aap-8f, 0x1.0f952cp-12f, -0x1.11644p-16f}, /* [670] beta < 15.5, 29.7 bits */
     {0x1.02db4p-4f, -0x1.03bf6ep-8f, 0x1.0323b6p-12f, -0x1.006692p-16f}, /* [671] beta < 15.75, 28.4 bits */
     {0x1.fdb88p-5f, -0x1.f7ab5ep-9f, 0x1.eee25ep-13f, -0x1.e46384p-17f} /* [672] beta < 16, 30.4 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(float, cor_rows_float_loss_zero_force)
 
 /* duration at zero overlap: beta < 0.015625 in row 0, then 64 rows to an octave, beta < 8.
  * Relative error of the approximation: 2^-30.2 at most, sampled at 9 places of each row. */
@@ -3310,9 +3314,9 @@ COR_INLINE const float *cor_rows_float_loss_zero_force(int i)
 #define COR_ROWS_FLOAT_DURATION_ZERO_OVERLAP_OCTAVE_BITS 6
 #define COR_ROWS_FLOAT_DURATION_ZERO_OVERLAP_ROWS 577
 #define COR_ROWS_FLOAT_DURATION_ZERO_OVERLAP_END 8.0
-COR_INLINE const float *cor_rows_float_duration_zero_overlap(int i)
-{
-    static const float row[577][4] = {
+COR_ROWS(float, cor_rows_float_duration_zero_overlap, 577, 4)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be992p+1f, 0x1.7c188ep-2f, 0x1.ad7c4cp-3f, 0x1.b3665cp-8f}, /* [0] beta < 0.015625, 35.8 bits */
     {0x1.9caacep+1f, 0x1.82dd38p-2f, 0x1.ae254p-3f, 0x1.ea66e4p-8f}, /* [1] beta < 0.0158691, 35.2 bits */
     {0x1.9cadd4p+1f, 0x1.82f81ap-2f, 0x1.ae282p-3f, 0x1.ec663ap-8f}, /* [2] beta < 0.0161133, 38.8 bits */
@@ -3890,9 +3894,10 @@ COR_INLINE const float *cor_rows_float_duration_zero_overlap(int i)
     {0x1.531eccp+5f, 0x1.108734p+3f, 0x1.c8bcf6p-3f, -0x1.536b4ep-7f}, /* [574] beta < 7.875, 31.3 bits */
     {0x1.5762bp+5f, 0x1.116a96p+3f, 0x1.c4cc12p-3f, -0x1.4d6aa2p-7f}, /* [575] beta < 7.9375, 34.0 bits */
     {0x1.5baa1ep+5f, 0x1.124c04p+3f, 0x1.c0ed26p-3f, -0x1.476b2p-7f} /* [576] beta < 8, 31.8 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(float, cor_rows_float_duration_zero_overlap)
 
 /* duration at zero force: beta < 0.000488281 in row 0, then 32 rows to an octave, beta < 16.
  * Relative error of the approximation: 2^-30.4 at most, sampled at 9 places of each row. */
@@ -3900,9 +3905,9 @@ COR_INLINE const float *cor_rows_float_duration_zero_overlap(int i)
 #define COR_ROWS_FLOAT_DURATION_ZERO_FORCE_OCTAVE_BITS 5
 #define COR_ROWS_FLOAT_DURATION_ZERO_FORCE_ROWS 481
 #define COR_ROWS_FLOAT_DURATION_ZERO_FORCE_END 16.0
-COR_INLINE const float *cor_rows_float_duration_zero_force(int i)
-{
-    static const float row[481][4] = {
+COR_ROWS(float, cor_rows_float_duration_zero_force, 481, 4)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be992p+1f, -0x1.41f3bap-1f, 0x1.ad8106p-3f, 0x1.03665cp-9f}, /* [0] beta < 0.000488281, 36.7 bits */
     {0x1.9bdf5ap+1f, -0x1.41d876p-1f, 0x1.ad8244p-3f, 0x1.3265dcp-12f}, /* [1] beta < 0.00050354, 36.4 bits */
     {0x1.9bdf0ap+1f, -0x1.41d7ap-1f, 0x1.ad8246p-3f, 0x1.b565d4p-13f}, /* [2] beta < 0.000518799, 36.2 bits */
@@ -4384,9 +4389,10 @@ COR_INLINE const float *cor_rows_float_duration_zero_force(int i)
     {0x1.68432ep+0f, -0x1.0ca3cep-5f, 0x1.44ba5ap-10f, -0x1.c866c6p-15f}, /* [478] beta < 15.5, 31.9 bits */
     {0x1.662eecp+0f, -0x1.07a5fep-5f, 0x1.3a4838p-10f, -0x1.b2629ap-15f}, /* [479] beta < 15.75, 31.9 bits */
     {0x1.64247cp+0f, -0x1.02d0fep-5f, 0x1.30501ap-10f, -0x1.9f652cp-15f} /* [480] beta < 16, 31.9 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(float, cor_rows_float_duration_zero_force)
 
 /* largest overlap: beta < 0.015625 in row 0, then 32 rows to an octave, beta < 16.
  * Relative error of the approximation: 2^-28.7 at most, sampled at 9 places of each row. */
@@ -4394,9 +4400,9 @@ COR_INLINE const float *cor_rows_float_duration_zero_force(int i)
 #define COR_ROWS_FLOAT_MAX_OVERLAP_OCTAVE_BITS 5
 #define COR_ROWS_FLOAT_MAX_OVERLAP_ROWS 321
 #define COR_ROWS_FLOAT_MAX_OVERLAP_END 16.0
-COR_INLINE const float *cor_rows_float_max_overlap(int i)
-{
-    static const float row[321][4] = {
+COR_ROWS(float, cor_rows_float_max_overlap, 321, 4)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.17e694p+0f, -0x1.0247e4p-1f, 0x1.22d238p-2f, -0x1.556546p-3f}, /* [0] beta < 0.015625, 30.8 bits */
     {0x1.15de96p+0f, -0x1.fb75dcp-2f, 0x1.1ab8eap-2f, -0x1.4e659p-3f}, /* [1] beta < 0.0161133, 34.2 bits */
     {0x1.15cebcp+0f, -0x1.fb2f36p-2f, 0x1.1a7a1ap-2f, -0x1.4f6484p-3f}, /* [2] beta < 0.0166016, 36.8 bits */
@@ -4718,9 +4724,10 @@ COR_INLINE const float *cor_rows_float_max_overlap(int i)
     {0x1.a3af14p-3f, -0x1.10c9fp-7f, 0x1.b73ba4p-12f, -0x1.7662bcp-16f}, /* [318] beta < 15.5, 31.3 bits */
     {0x1.9f7978p-3f, -0x1.0a0fap-7f, 0x1.a61df8p-12f, -0x1.62613p-16f}, /* [319] beta < 15.75, 31.5 bits */
     {0x1.9b5e3ep-3f, -0x1.0397f2p-7f, 0x1.95e6f2p-12f, -0x1.506348p-16f} /* [320] beta < 16, 31.9 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(float, cor_rows_float_max_overlap)
 
 /* time of the largest overlap: beta < 0.015625 in row 0, then 32 rows to an octave, beta < 16.
  * Relative error of the approximation: 2^-30.2 at most, sampled at 9 places of each row. */
@@ -4728,9 +4735,9 @@ COR_INLINE const float *cor_rows_float_max_overlap(int i)
 #define COR_ROWS_FLOAT_TIME_OF_MAX_OVERLAP_OCTAVE_BITS 5
 #define COR_ROWS_FLOAT_TIME_OF_MAX_OVERLAP_ROWS 321
 #define COR_ROWS_FLOAT_TIME_OF_MAX_OVERLAP_END 16.0
-COR_INLINE const float *cor_rows_float_time_of_max_overlap(int i)
-{
-    static const float row[321][4] = {
+COR_ROWS(float, cor_rows_float_time_of_max_overlap, 321, 4)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be992p+0f, -0x1.25a108p-2f, 0x1.ad75a2p-4f, -0x1.87655cp-5f}, /* [0] beta < 0.015625, 33.1 bits */
     {0x1.9ac112p+0f, -0x1.224226p-2f, 0x1.a42a04p-4f, -0x1.8163a4p-5f}, /* [1] beta < 0.0161133, 36.8 bits */
     {0x1.9ab8p+0f, -0x1.2227e6p-2f, 0x1.a3e1b2p-4f, -0x1.8264ecp-5f}, /* [2] beta < 0.0166016, 37.3 bits */
@@ -5052,8 +5059,9 @@ COR_INLINE const float *cor_rows_float_time_of_max_overlap(int i)
     {0x1.71ef52p-1f, -0x1.158058p-6f, 0x1.4de0d6p-11f, -0x1.d1632ap-16f}, /* [318] beta < 15.5, 32.7 bits */
     {0x1.6fc97ap-1f, -0x1.105e5p-6f, 0x1.433e32p-11f, -0x1.ba6428p-16f}, /* [319] beta < 15.75, 33.3 bits */
     {0x1.6dadbcp-1f, -0x1.0b65d8p-6f, 0x1.39163p-11f, -0x1.a865dp-16f} /* [320] beta < 16, 32.0 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(float, cor_rows_float_time_of_max_overlap)
 
 #endif

@@ -15,7 +15,7 @@
 #ifndef COR_GENERATED_SPHERE_TABLES_H
 #define COR_GENERATED_SPHERE_TABLES_H
 
-#include "runtime/core/inline.h"
+#include "runtime/core/rows.h"
 
 /* A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
  * c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from
@@ -28,9 +28,9 @@
 #define COR_ROWS_EPS_ZERO_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_EPS_ZERO_OVERLAP_ROWS 57
 #define COR_ROWS_EPS_ZERO_OVERLAP_END 7.0
-COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
-{
-    static const double row[57][12] = {
+COR_ROWS(double, cor_rows_eps_zero_overlap, 57, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1p+0, 0x0p+0, -0x1.27486ca320b83p+0, 0x1.98b665097f1f7p-1, -0x1.0bb743932d0eap-1, 0x1.651cccc3a8fa2p-2,
      -0x1.dd628d8647c9bp-3, 0x1.40e28923b034cp-3, -0x1.b16c5b6707735p-4, 0x1.25b646c5163e6p-4, -0x1.899dc9913df42p-5,
      0x1.baeac54c6bc1dp-6}, /* [0] 0 <= y <= 0.0625, degree 10, 57.9 bits */
@@ -231,9 +231,10 @@ COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
      0x1.2c3f4c2a3778bp-17, -0x1.34d36448a802cp-19, 0x1.261ea8a65739dp-21, -0x1.081b86c2e6583p-23,
      0x1.c4c1795f842ecp-26, -0x1.75d86bad7e8bfp-28, 0x1.2b122331e30d7p-30}
      /* [56] 6.9375 <= y <= 7.0625, degree 10, 59.0 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_eps_zero_overlap)
 
 /* eps at zero force, beta < 16: 65 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 4.03125.
  * Relative error of the approximation: 2^-57.5 at most, proved for the whole cell of each row. */
@@ -243,9 +244,9 @@ COR_INLINE const double *cor_rows_eps_zero_overlap(int i)
 #define COR_ROWS_EPS_ZERO_FORCE_ROWS 65
 #define COR_ROWS_EPS_ZERO_FORCE_PLAIN_ROWS 4
 #define COR_ROWS_EPS_ZERO_FORCE_END 16.0
-COR_INLINE const double *cor_rows_eps_zero_force(int i)
-{
-    static const double row[65][12] = {
+COR_ROWS(double, cor_rows_eps_zero_force, 65, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1p+0, 0x0p+0, 0x1.7b49eee64908dp-71, -0x1.27486ca320b83p+0, 0x1.3194d76087196p-48, 0x1.98b665097b4dap-1,
      0x1.11111117461e9p-2, -0x1.0bb74505f4d45p-1, -0x1.d8730e5a92773p-2, 0x1.64f7c360b1afdp-2, 0x1.d3243327f4531p-2,
      -0x1.a23e0583e2d74p-3}, /* [0] 0 <= y <= 0.03125, degree 10, 64.1 bits */
@@ -456,9 +457,10 @@ COR_INLINE const double *cor_rows_eps_zero_force(int i)
      0x1.0f3365def8832p-13, -0x1.70d3dd5451083p-15, 0x1.cb583fadd8a8bp-17, -0x1.095acdb3d4ab1p-18,
      0x1.1df712c027e6ep-20, -0x1.1f409bbb2649fp-22, 0x1.0a9a0af41ca4p-24}
      /* [64] 3.96875 <= y <= 4.03125, degree 10, 59.3 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_eps_zero_force)
 
 /* eps at zero overlap by x = beta^5, 2^-40 <= x < 2^14: 432 rows of degree 10 in y = beta^5 2^-k, 8 to each octave k = -40 ... 13.
  * Relative error of the approximation: 2^-53.8 at most, proved for the whole cell of each row. */
@@ -467,9 +469,9 @@ COR_INLINE const double *cor_rows_eps_zero_force(int i)
 #define COR_ROWS_POWER_EPS_ZERO_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_POWER_EPS_ZERO_OVERLAP_ROWS 432
 #define COR_ROWS_POWER_EPS_ZERO_OVERLAP_END 16384.0
-COR_INLINE const double *cor_rows_power_eps_zero_overlap(int i)
-{
-    static const double row[432][12] = {
+COR_ROWS(double, cor_rows_power_eps_zero_overlap, 432, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.fdabdc8d2a61ep-1, -0x1.9fb723b328081p-58, -0x1.bfa1c7b43a87p-11, 0x1.518027dc0ea81p-12, -0x1.7d59cebde629ep-13,
      0x1.f69dda231c3e2p-14, -0x1.67952ffed1508p-14, 0x1.0ec7e5c8a64fep-14, -0x1.a65d8d0e3db75p-15,
      0x1.51ebe9e62115fp-15, -0x1.158a89393b304p-15, 0x1.cbd6c88a473fdp-16},
@@ -2000,9 +2002,10 @@ COR_INLINE const double *cor_rows_power_eps_zero_overlap(int i)
      -0x1.76d72f77d6f23p-15, 0x1.82eea49cbc5eap-16, -0x1.8f69f4449a0a6p-17, 0x1.9c4c56fc775d3p-18,
      -0x1.a998ddbf30aefp-19, 0x1.b753798b55172p-20, -0x1.c6ae434c767d1p-21, 0x1.d5590ba86c64ep-22}
      /* [431] 1.875 <= y <= 2 2^13, degree 10, 58.3 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_power_eps_zero_overlap)
 
 /* eps at zero force by x = beta^5, 2^-40 <= x < 2^20: 480 rows of degree 10 in y = beta^5 2^-k, 8 to each octave k = -40 ... 19.
  * Relative error of the approximation: 2^-57.4 at most, proved for the whole cell of each row. */
@@ -2011,9 +2014,9 @@ COR_INLINE const double *cor_rows_power_eps_zero_overlap(int i)
 #define COR_ROWS_POWER_EPS_ZERO_FORCE_OCTAVE_BITS 3
 #define COR_ROWS_POWER_EPS_ZERO_FORCE_ROWS 480
 #define COR_ROWS_POWER_EPS_ZERO_FORCE_END 1048576.0
-COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
-{
-    static const double row[480][12] = {
+COR_ROWS(double, cor_rows_power_eps_zero_force, 480, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.fdabe5499647bp-1, 0x1.66490e4993b65p-55, -0x1.bf91617a226dap-11, 0x1.517868a8b771fp-12, -0x1.7d5282c43c172p-13,
      0x1.f69543a449d0cp-14, -0x1.678f8731e43f9p-14, 0x1.0ec3e6e7840d9p-14, -0x1.a657a40493f8cp-15,
      0x1.51e764bab8a4ap-15, -0x1.1586f7be3b72ep-15, 0x1.cbd11291a85ebp-16},
@@ -3704,9 +3707,10 @@ COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
      0x1.d91569eaa86ebp-14, -0x1.a346f75277a2bp-15, 0x1.7da42e56c2b01p-16, -0x1.61ef94292a305p-17,
      0x1.4ccf745cbe30bp-18, -0x1.3d025a2932f59p-19, 0x1.2fd71c7af5ca6p-20}
      /* [479] 1.875 <= y <= 2 2^19, degree 10, 62.1 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_power_eps_zero_force)
 
 /* (1 - eps)/beta at zero overlap, beta < 7: 57 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 7.0625.
  * Relative error of the approximation: 2^-58.2 at most, proved for the whole cell of each row. */
@@ -3715,9 +3719,9 @@ COR_INLINE const double *cor_rows_power_eps_zero_force(int i)
 #define COR_ROWS_LOSS_ZERO_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_LOSS_ZERO_OVERLAP_ROWS 57
 #define COR_ROWS_LOSS_ZERO_OVERLAP_END 7.0
-COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
-{
-    static const double row[57][12] = {
+COR_ROWS(double, cor_rows_loss_zero_overlap, 57, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.27486c8p+0, 0x1.1905c1608e8f4p-27, -0x1.98b665097f1f8p-1, 0x1.0bb743932d2d3p-1, -0x1.651cccc3d9d9p-2,
      0x1.dd628dadfcdacp-3, -0x1.40e292678987p-3, 0x1.b16efd3921bbfp-4, -0x1.25f18370304cep-4, 0x1.8fe9088c02348p-5,
      -0x1.0cd91ebb07539p-5, 0x1.2f4b1a1ec31c2p-6}, /* [0] 0 <= y <= 0.0625, degree 10, 60.1 bits */
@@ -3917,9 +3921,10 @@ COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
      0x1.dfcff4f1d9957p-15, -0x1.072623d0bf839p-17, 0x1.17bbaf2bd4a48p-20, -0x1.19f722a1bedc2p-23,
      0x1.0191163d7e198p-26, -0x1.771cfb151523cp-30, 0x1.5b9f48a0e3ffep-35}
      /* [56] 6.9375 <= y <= 7.0625, degree 10, 61.9 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_loss_zero_overlap)
 
 /* (1 - eps)/beta at zero force, beta < 16: 65 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 4.03125.
  * Relative error of the approximation: 2^-58.2 at most, proved for the whole cell of each row. */
@@ -3929,9 +3934,9 @@ COR_INLINE const double *cor_rows_loss_zero_overlap(int i)
 #define COR_ROWS_LOSS_ZERO_FORCE_ROWS 65
 #define COR_ROWS_LOSS_ZERO_FORCE_PLAIN_ROWS 4
 #define COR_ROWS_LOSS_ZERO_FORCE_END 16.0
-COR_INLINE const double *cor_rows_loss_zero_force(int i)
-{
-    static const double row[65][12] = {
+COR_ROWS(double, cor_rows_loss_zero_force, 65, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.27486c8p+0, 0x1.1905c1608e8f4p-27, 0x1.3406fcabdfbd3p-71, -0x1.98b665097f1f8p-1, -0x1.11111111110d3p-2,
      0x1.0bb743932a102p-1, 0x1.d873e10a0f39ep-2, -0x1.651ccf1ee8d49p-2, -0x1.cf3472382461p-2, 0x1.2ba859a162c11p-3,
      0x1.7bb79de2d42d6p-2, -0x1.5efcf847d2577p-9}, /* [0] 0 <= y <= 0.03125, degree 10, 66.2 bits */
@@ -4145,9 +4150,10 @@ COR_INLINE const double *cor_rows_loss_zero_force(int i)
      0x1.b64fbbbee1a45p-13, -0x1.f904fbf1313bdp-15, 0x1.0f825c1451823p-16, -0x1.11ec8d43b93b8p-18,
      0x1.02774d5f0b314p-20, -0x1.c225c9b459823p-23, 0x1.5dfc0b73a5508p-25}
      /* [64] 3.96875 <= y <= 4.03125, degree 10, 61.7 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_loss_zero_force)
 
 /* duration at zero overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-58.2 at most, proved for the whole cell of each row. */
@@ -4156,9 +4162,9 @@ COR_INLINE const double *cor_rows_loss_zero_force(int i)
 #define COR_ROWS_DURATION_ZERO_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_DURATION_ZERO_OVERLAP_ROWS 65
 #define COR_ROWS_DURATION_ZERO_OVERLAP_END 8.0
-COR_INLINE const double *cor_rows_duration_zero_overlap(int i)
-{
-    static const double row[65][12] = {
+COR_ROWS(double, cor_rows_duration_zero_overlap, 65, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be991a8f0b41p+1, 0x1.5d0edcf22037ep-54, 0x1.7c188c46208fdp-2, 0x1.ad809e048caedp-3, 0x1.7c28e9570753cp-8,
      0x1.bb639ac79891p-6, -0x1.f4c900748189ap-8, 0x1.a3ed55e2c4e63p-8, -0x1.cfe5bf73ac343p-9, 0x1.2a1cfe11b6bb4p-9,
      -0x1.748fb24a610d9p-10, 0x1.8d5558c79eab7p-11}, /* [0] 0 <= y <= 0.0625, degree 10, 62.4 bits */
@@ -4367,9 +4373,10 @@ COR_INLINE const double *cor_rows_duration_zero_overlap(int i)
      0x1.6f8a2dbff6745p-11, -0x1.048acb6a7c091p-14, 0x1.acf964a31ddc5p-18, -0x1.8ba6180391ee8p-21,
      0x1.900db34e2626bp-24, -0x1.b4b299c654acdp-27, 0x1.fc21258a1c44fp-30}
      /* [64] 7.9375 <= y <= 8.0625, degree 10, 65.6 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_duration_zero_overlap)
 
 /* duration at zero force, beta < 8: 46 rows of degree 10 in y = sqrt(beta), nodes 0 + i 0.0625, 0 <= y <= 2.84375.
  * Relative error of the approximation: 2^-60.3 at most, proved for the whole cell of each row. */
@@ -4378,9 +4385,9 @@ COR_INLINE const double *cor_rows_duration_zero_overlap(int i)
 #define COR_ROWS_DURATION_ZERO_FORCE_PER_UNIT 16.0
 #define COR_ROWS_DURATION_ZERO_FORCE_ROWS 46
 #define COR_ROWS_DURATION_ZERO_FORCE_END 8.0
-COR_INLINE const double *cor_rows_duration_zero_force(int i)
-{
-    static const double row[46][12] = {
+COR_ROWS(double, cor_rows_duration_zero_force, 46, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be991a8f0b41p+1, 0x1.5d0edcf204a57p-54, 0x1.04b6ba7815d9dp-74, -0x1.41f3b9dcefb82p-1, 0x1.86708528fa01dp-52,
      0x1.ad809e048b771p-3, 0x1.f9a4ef2dce50fp-36, 0x1.7c28daa01cb1fp-8, -0x1.d41cff2aa27d3p-4, 0x1.bb34f77f69c66p-6,
      0x1.0f33513d288a5p-4, -0x1.8b72b1a2005e3p-7}, /* [0] 0 <= y <= 0.03125, degree 10, 65.8 bits */
@@ -4527,9 +4534,10 @@ COR_INLINE const double *cor_rows_duration_zero_force(int i)
      0x1.1275b80162e54p-10, 0x1.25d25d9f5e398p-12, -0x1.cc34304864bcdp-13, 0x1.8cea50822586cp-14,
      -0x1.196d354f967e2p-15, 0x1.60f7eaa299628p-17, -0x1.8a1d8ee3922f6p-19}
      /* [45] 2.78125 <= y <= 2.84375, degree 10, 63.5 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_duration_zero_force)
 
 /* largest overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-58.1 at most, proved for the whole cell of each row. */
@@ -4538,9 +4546,9 @@ COR_INLINE const double *cor_rows_duration_zero_force(int i)
 #define COR_ROWS_MAX_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_MAX_OVERLAP_ROWS 65
 #define COR_ROWS_MAX_OVERLAP_END 8.0
-COR_INLINE const double *cor_rows_max_overlap(int i)
-{
-    static const double row[65][12] = {
+COR_ROWS(double, cor_rows_max_overlap, 65, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.17e693ae45eacp+0, -0x1.0143225363a73p-54, -0x1.0247e9726460cp-1, 0x1.22dc2c535cbf9p-2, -0x1.5c9cb625f67d8p-3,
      0x1.b02182f14b356p-4, -0x1.11cff4e9fbeafp-4, 0x1.60945283b95b4p-5, -0x1.cb94308c7b33bp-6, 0x1.2e3b8f5a1cd9cp-6,
      -0x1.8ae7707563bd2p-7, 0x1.b3eeeaac77906p-8}, /* [0] 0 <= y <= 0.0625, degree 10, 58.1 bits */
@@ -4771,9 +4779,10 @@ COR_INLINE const double *cor_rows_max_overlap(int i)
      0x1.3226991e4e663p-16, -0x1.e407106df72e2p-20, 0x1.827ea9ae52cdfp-23, -0x1.36d6663128c18p-26,
      0x1.f6b293b0a4e08p-30, -0x1.98453425da01ap-33, 0x1.4cb2fb837f03ep-36}
      /* [64] 7.9375 <= y <= 8.0625, degree 10, 62.6 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_max_overlap)
 
 /* time of the largest overlap, beta < 8: 65 rows of degree 10 in y = beta, nodes 0 + i 0.125, 0 <= y <= 8.0625.
  * Relative error of the approximation: 2^-60.6 at most, proved for the whole cell of each row. */
@@ -4782,9 +4791,9 @@ COR_INLINE const double *cor_rows_max_overlap(int i)
 #define COR_ROWS_TIME_OF_MAX_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_TIME_OF_MAX_OVERLAP_ROWS 65
 #define COR_ROWS_TIME_OF_MAX_OVERLAP_END 8.0
-COR_INLINE const double *cor_rows_time_of_max_overlap(int i)
-{
-    static const double row[65][12] = {
+COR_ROWS(double, cor_rows_time_of_max_overlap, 65, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be991a8f0b41p+0, 0x1.5d0edcf23be6dp-55, -0x1.25a109d18ca25p-2, 0x1.ad809e048caecp-4, -0x1.8ed1e3e50f3c7p-5,
      0x1.a0aa0c303ba07p-6, -0x1.d2811e4b4fdcep-7, 0x1.113556b0d5e74p-7, -0x1.4a47399201e78p-8, 0x1.986d6205dc86cp-9,
      -0x1.fb48ccb022159p-10, 0x1.0da1cbc3151f8p-10}, /* [0] 0 <= y <= 0.0625, degree 10, 61.0 bits */
@@ -5022,9 +5031,10 @@ COR_INLINE const double *cor_rows_time_of_max_overlap(int i)
      0x1.c8c88557ef656p-17, -0x1.39550eb207257p-20, 0x1.bcac87b78df7fp-24, -0x1.4369f8883208fp-27,
      0x1.df5e9335a8db4p-31, -0x1.689a2cf8b4fb9p-34, 0x1.1282866ecf9bep-37}
      /* [64] 7.9375 <= y <= 8.0625, degree 10, 63.1 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_time_of_max_overlap)
 
 /* eps beta^(5/3) at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-59.6 at most, proved for the whole cell of each row. */
@@ -5033,9 +5043,9 @@ COR_INLINE const double *cor_rows_time_of_max_overlap(int i)
 #define COR_ROWS_TAIL_EPS_ZERO_FORCE_PER_UNIT 4.0
 #define COR_ROWS_TAIL_EPS_ZERO_FORCE_ROWS 32
 #define COR_ROWS_TAIL_EPS_ZERO_FORCE_END 10.0
-COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
-{
-    static const double row[32][12] = {
+COR_ROWS(double, cor_rows_tail_eps_zero_force, 32, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.21fb98ea07f73p+0, 0x1.fd89335c5e90bp-55, 0x1.90e4977fc94d3p-3, -0x1.649a08e8a2143p-4, 0x1.ae3b0804d2ba8p-7,
      0x1.3051215142e74p-8, -0x1.6b500c91dcacap-9, 0x1.9f1a3f128bf7p-12, 0x1.220e289d65f6dp-13, -0x1.41a1f7dc95f6fp-14,
      0x1.647a92dd27032p-17, 0x1.c5dfded857c92p-19}, /* [0] 2 <= y <= 2.25, degree 10, 59.6 bits */
@@ -5156,9 +5166,10 @@ COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
      -0x1.43b25b8eb5823p-21, 0x1.8a19b2f7c13a6p-23, -0x1.8c39f99e47d9bp-25, 0x1.51ad5618ce9c4p-27,
      -0x1.f0a6cd8a73a85p-30, 0x1.3f0f32520ace3p-32, -0x1.69dbc5873d9b5p-35}
      /* [31] 9.75 <= y <= 10, degree 10, 65.6 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tail_eps_zero_force)
 
 /* duration/beta at zero overlap, beta > exp(2): 64 rows of degree 10 in y = ln(beta), nodes 2.0625 + i 0.125, 2 <= y <= 10.
  * Relative error of the approximation: 2^-57.6 at most, proved for the whole cell of each row. */
@@ -5167,9 +5178,9 @@ COR_INLINE const double *cor_rows_tail_eps_zero_force(int i)
 #define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_PER_UNIT 8.0
 #define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_ROWS 64
 #define COR_ROWS_TAIL_DURATION_ZERO_OVERLAP_END 10.0
-COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
-{
-    static const double row[64][12] = {
+COR_ROWS(double, cor_rows_tail_duration_zero_overlap, 64, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.5a6e19e5daa9bp+2, 0x1.dedde502abe9ep-53, 0x1.8e7f9f6327f41p+1, 0x1.899e49f1dd0bdp-3, -0x1.e267874317277p-4,
      0x1.eba572d3653d1p-5, -0x1.e3750cdacfcf2p-6, 0x1.04fadba730342p-6, -0x1.486f447b0f3a2p-7, 0x1.db14a34699a7fp-8,
      -0x1.80a69d3df7c79p-8, 0x1.4f279462dd8d6p-8}, /* [0] 2 <= y <= 2.125, degree 10, 57.6 bits */
@@ -5394,9 +5405,10 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
      0x1.5c116e47032a5p-24, -0x1.cfcb2d1d661fep-26, 0x1.00651e89b5027p-27, -0x1.2b76d9bf39ebfp-28,
      -0x1.01e275f344eaep-25, -0x1.03e6682b92a3fp-22, -0x1.203fefff14853p-20}
      /* [63] 9.875 <= y <= 10, degree 10, 63.5 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tail_duration_zero_overlap)
 
 /* duration beta^(2/3) at zero force, beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-57.7 at most, proved for the whole cell of each row. */
@@ -5405,9 +5417,9 @@ COR_INLINE const double *cor_rows_tail_duration_zero_overlap(int i)
 #define COR_ROWS_TAIL_DURATION_ZERO_FORCE_PER_UNIT 4.0
 #define COR_ROWS_TAIL_DURATION_ZERO_FORCE_ROWS 32
 #define COR_ROWS_TAIL_DURATION_ZERO_FORCE_END 10.0
-COR_INLINE const double *cor_rows_tail_duration_zero_force(int i)
-{
-    static const double row[32][12] = {
+COR_ROWS(double, cor_rows_tail_duration_zero_force, 32, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.c772f8828a511p+2, 0x1.7a8a204bcfe29p-53, 0x1.42cb7da371d6p+1, 0x1.47f1ef06bb8cp-3, -0x1.f9496898b0b3bp-6,
      0x1.6ad949c80f8e9p-11, 0x1.b3c271e7970acp-11, -0x1.4c0cc8f9d1221p-14, -0x1.ba55fa34836dcp-16,
      0x1.8b38b6dc1305bp-19, 0x1.e51b234360583p-20, -0x1.96cecd58a592fp-22},
@@ -5524,9 +5536,10 @@ COR_INLINE const double *cor_rows_tail_duration_zero_force(int i)
      0x1.821126bc8df0fp-19, -0x1.b174d4a96c0b9p-21, 0x1.8e3c023b02ccfp-23, -0x1.327af6994a0eep-25,
      0x1.90882e88b98e9p-28, -0x1.be7d22d5af911p-31, 0x1.aaf07bc28dd03p-34}
      /* [31] 9.75 <= y <= 10, degree 10, 60.1 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tail_duration_zero_force)
 
 /* largest overlap beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-60.3 at most, proved for the whole cell of each row. */
@@ -5535,9 +5548,9 @@ COR_INLINE const double *cor_rows_tail_duration_zero_force(int i)
 #define COR_ROWS_TAIL_MAX_OVERLAP_PER_UNIT 4.0
 #define COR_ROWS_TAIL_MAX_OVERLAP_ROWS 32
 #define COR_ROWS_TAIL_MAX_OVERLAP_END 10.0
-COR_INLINE const double *cor_rows_tail_max_overlap(int i)
-{
-    static const double row[32][12] = {
+COR_ROWS(double, cor_rows_tail_max_overlap, 32, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.38c01efa711b2p+0, -0x1.7f050766732efp-54, 0x1.9826e62bcde55p-4, -0x1.80e64d71cd3d4p-5, 0x1.399405882c796p-7,
      0x1.a79d2b77d8af1p-11, -0x1.f82807453dab9p-11, 0x1.7eeda7b59e327p-13, 0x1.ca56a7bbbf877p-16,
      -0x1.516b458d9ec9bp-16, 0x1.7934151eb0ecfp-19, 0x1.a3095171808eep-21},
@@ -5665,9 +5678,10 @@ COR_INLINE const double *cor_rows_tail_max_overlap(int i)
      -0x1.4162d423e7a8ep-22, 0x1.87056cbcce44dp-24, -0x1.88cf0029487afp-26, 0x1.4e6d8e1e17ed5p-28,
      -0x1.eb41eb07c4f88p-31, 0x1.3b34f27a51e45p-33, -0x1.5f50144520185p-36}
      /* [31] 9.75 <= y <= 10, degree 10, 66.8 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tail_max_overlap)
 
 /* time of the largest overlap beta^(2/3), beta > exp(2): 32 rows of degree 10 in y = ln(beta), nodes 2.125 + i 0.25, 2 <= y <= 10.
  * Relative error of the approximation: 2^-58.3 at most, proved for the whole cell of each row. */
@@ -5676,9 +5690,9 @@ COR_INLINE const double *cor_rows_tail_max_overlap(int i)
 #define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_PER_UNIT 4.0
 #define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_ROWS 32
 #define COR_ROWS_TAIL_TIME_OF_MAX_OVERLAP_END 10.0
-COR_INLINE const double *cor_rows_tail_time_of_max_overlap(int i)
-{
-    static const double row[32][12] = {
+COR_ROWS(double, cor_rows_tail_time_of_max_overlap, 32, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.d3f205742e7e1p+1, 0x1.100d54c7a7db3p-55, 0x1.4c1daf24c10e1p+0, 0x1.2a617d2d757b2p-4, -0x1.1ad7e74c1aa4ep-6,
      0x1.64e3ecee91a92p-10, 0x1.96dddd4b14b94p-12, -0x1.f2afa591926e3p-14, 0x1.383b71e1e90fp-18, 0x1.f0993c0b6c94cp-19,
      -0x1.b3b4ad91da997p-21, 0x1.29ca2cd9672ffp-25}, /* [0] 2 <= y <= 2.25, degree 10, 60.6 bits */
@@ -5801,9 +5815,10 @@ COR_INLINE const double *cor_rows_tail_time_of_max_overlap(int i)
     {0x1.d93e8b9b592e8p+3, 0x1.08033bfbbd0bep-51, 0x1.74b9d7474a1dfp+0, 0x1.4c76c32328da1p-18, -0x1.4334d3d839fe6p-19,
      0x1.d25e456ae44d6p-21, -0x1.09d4ee2fea7e3p-22, 0x1.f181a3eb453ap-25, -0x1.87a4fdcb5e222p-27, 0x1.076af1c84fb11p-29,
      -0x1.31baaa297de91p-32, 0x1.2257750b21de4p-35} /* [31] 9.75 <= y <= 10, degree 10, 60.2 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tail_time_of_max_overlap)
 
 /* beta/(1 - eps) at zero overlap, 1 - eps < 1/2: 9 rows of degree 10 in y = 1 - eps, nodes 0 + i 0.0625, 0 <= y <= 0.53125.
  * Relative error of the approximation: 2^-57.1 at most, proved for the whole cell of each row. */
@@ -5812,9 +5827,9 @@ COR_INLINE const double *cor_rows_tail_time_of_max_overlap(int i)
 #define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_PER_UNIT 16.0
 #define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_ROWS 9
 #define COR_ROWS_NEAR_BETA_ZERO_OVERLAP_END 0.5
-COR_INLINE const double *cor_rows_near_beta_zero_overlap(int i)
-{
-    static const double row[9][12] = {
+COR_ROWS(double, cor_rows_near_beta_zero_overlap, 9, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.bbe2dc8p-1, -0x1.d8263ab5294cdp-28, 0x1.0a54ea8fc9eedp-1, 0x1.50b4cee1b16f6p-2, 0x1.c477e70cbd7dcp-3,
      0x1.42f0fa3233359p-3, 0x1.e74dd0e4b36e1p-4, 0x1.81b5b28a5e45ap-4, 0x1.3d8babc788cb2p-4, 0x1.0dcd5c351b96ep-4,
      0x1.d124a778fb65ep-5, 0x1.e016022bf8cd2p-5}, /* [0] 0 <= y <= 0.03125, degree 10, 59.8 bits */
@@ -5842,9 +5857,10 @@ COR_INLINE const double *cor_rows_near_beta_zero_overlap(int i)
     {0x1.40c3a4p+0, -0x1.3b41a369617a7p-27, 0x1.2a3a4a3faad42p+0, 0x1.3fce050c1db3ep+0, 0x1.8cc2d74b9d73dp+0,
      0x1.15ff938e2880fp+1, 0x1.a9d9c68772219p+1, 0x1.5a93c3c9d3b9fp+2, 0x1.25d23456ec99cp+3, 0x1.003c0fe476b37p+4,
      0x1.cbce0037e1694p+4, 0x1.9f97c95b41bf7p+5} /* [8] 0.46875 <= y <= 0.53125, degree 10, 57.1 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_near_beta_zero_overlap)
 
 /* beta/(1 - eps) at zero force, 1 - eps < 1/2: 24 rows of degree 10 in y = sqrt(1 - eps), nodes 0 + i 0.03125, 0 <= y <= 0.734375.
  * Relative error of the approximation: 2^-56.4 at most, proved for the whole cell of each row. */
@@ -5853,9 +5869,9 @@ COR_INLINE const double *cor_rows_near_beta_zero_overlap(int i)
 #define COR_ROWS_NEAR_BETA_ZERO_FORCE_PER_UNIT 32.0
 #define COR_ROWS_NEAR_BETA_ZERO_FORCE_ROWS 24
 #define COR_ROWS_NEAR_BETA_ZERO_FORCE_END 0.5
-COR_INLINE const double *cor_rows_near_beta_zero_force(int i)
-{
-    static const double row[24][12] = {
+COR_ROWS(double, cor_rows_near_beta_zero_force, 24, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.bbe2dc8p-1, -0x1.d8263ab5294cdp-28, 0x1.b3c687363e21p-80, 0x1.0a54ea8fc9eedp-1, 0x1.4b5d05069ecbcp-3,
      0x1.50b4cee1b176p-2, 0x1.8da2d2d4a8eaep-3, 0x1.2f891c3ab7c41p-2, 0x1.2595a5f518828p-3, 0x1.367a1652a347p-2,
      0x1.ee3fcf1544547p-4, 0x1.1dba1f806318bp-2}, /* [0] 0 <= y <= 0.015625, degree 10, 66.7 bits */
@@ -5928,9 +5944,10 @@ COR_INLINE const double *cor_rows_near_beta_zero_force(int i)
     {0x1.6df74c8p+0, 0x1.8ab1720786c8dp-28, 0x1.7dc590582fba9p+1, 0x1.32d25d785ee7ap+3, 0x1.e0db494bd040dp+4,
      0x1.863f4f120af8p+6, 0x1.418696a77ebcap+8, 0x1.0c09630500d54p+10, 0x1.c2b7f8a2b7d56p+11, 0x1.7d7653d3defa3p+13,
      0x1.46ded498f29bap+15, 0x1.1746a337ca9fep+17} /* [23] 0.703125 <= y <= 0.734375, degree 10, 56.4 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_near_beta_zero_force)
 
 /* beta at zero overlap by eps, 2^-12 <= eps < 2^-1: 88 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -12 ... -2.
  * Relative error of the approximation: 2^-57.5 at most, proved for the whole cell of each row. */
@@ -5939,9 +5956,9 @@ COR_INLINE const double *cor_rows_near_beta_zero_force(int i)
 #define COR_ROWS_BETA_ZERO_OVERLAP_OCTAVE_BITS 3
 #define COR_ROWS_BETA_ZERO_OVERLAP_ROWS 88
 #define COR_ROWS_BETA_ZERO_OVERLAP_END 0.5
-COR_INLINE const double *cor_rows_beta_zero_overlap(int i)
-{
-    static const double row[88][12] = {
+COR_ROWS(double, cor_rows_beta_zero_overlap, 88, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.cf540e7ecc548p+2, 0x1.0a60b8b0e3de9p-53, -0x1.5cdbe6c5df1e9p+0, 0x1.8a0165039ea0ep-1, -0x1.0ff0e658cff36p-1,
      0x1.9982dc619802dp-2, -0x1.43c13587881a9p-2, 0x1.08151094a6135p-2, -0x1.b846e6b900a15p-3, 0x1.74f0b2b607705p-3,
      -0x1.422e22480ad98p-3, 0x1.170001c49cda6p-3}, /* [0] 1 <= y <= 1.125 2^-12, degree 10, 58.6 bits */
@@ -6206,9 +6223,10 @@ COR_INLINE const double *cor_rows_beta_zero_overlap(int i)
     {0x1.4facf6c6a6221p-1, 0x1.70d57b2c27145p-55, -0x1.e495b2c8bc94ap-2, 0x1.e3728381009b9p-4, -0x1.19706c91dd83dp-5,
      0x1.7abe155851c19p-7, -0x1.1d34015c4afe2p-8, 0x1.d0721c5d6d133p-10, -0x1.8e55b2b2b2afp-11, 0x1.61c3149d3f527p-12,
      -0x1.429a34411c8d7p-13, 0x1.2ad84d7aa8d5cp-14} /* [87] 1.875 <= y <= 2 2^-2, degree 10, 59.3 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_beta_zero_overlap)
 
 /* beta at zero force by eps, 2^-23 <= eps < 2^-1: 176 rows of degree 10 in y = eps 2^-k, 8 to each octave k = -23 ... -2.
  * Relative error of the approximation: 2^-55.1 at most, proved for the whole cell of each row. */
@@ -6217,9 +6235,9 @@ COR_INLINE const double *cor_rows_beta_zero_overlap(int i)
 #define COR_ROWS_BETA_ZERO_FORCE_OCTAVE_BITS 3
 #define COR_ROWS_BETA_ZERO_FORCE_ROWS 176
 #define COR_ROWS_BETA_ZERO_FORCE_END 0.5
-COR_INLINE const double *cor_rows_beta_zero_force(int i)
-{
-    static const double row[176][12] = {
+COR_ROWS(double, cor_rows_beta_zero_force, 176, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.f97a6b8795122p+13, 0x1.a4d93a91b152cp-41, -0x1.1d727baba4c2ap+13, 0x1.add98528939bap+12,
      -0x1.5e9f588e19151p+12, 0x1.28ff70fc0df3fp+12, -0x1.012a485880977p+12, 0x1.c3cdcbbefbe8ep+11,
      -0x1.90eb6ac2204aap+11, 0x1.667819c961acbp+11, -0x1.44fd23846f8c8p+11, 0x1.25a73e387afc5p+11},
@@ -6765,9 +6783,10 @@ COR_INLINE const double *cor_rows_beta_zero_force(int i)
     {0x1.78de5245c1c69p-1, -0x1.c1e46e234e7d2p-56, -0x1.3f324df18c0e2p-1, 0x1.f75feefe297d6p-3, -0x1.bf9eed7099887p-4,
      0x1.9c95a49071544p-5, -0x1.863a58c2d7e1dp-6, 0x1.768bbafd2a0bap-7, -0x1.6b9356845fde5p-8, 0x1.63b351f30d594p-9,
      -0x1.5f0ce5e47419cp-10, 0x1.5b4f8fc1e132ap-11} /* [175] 1.875 <= y <= 2 2^-2, degree 10, 58.1 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_beta_zero_force)
 
 /* h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision from beta = 7
  * on. Proved. */

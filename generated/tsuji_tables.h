@@ -11,7 +11,7 @@
  * beside each row (sampled); errors of evaluation: include/cor/law.h (sampled). */
 #ifndef COR_GENERATED_TSUJI_TABLES_H
 #define COR_GENERATED_TSUJI_TABLES_H
-#include "runtime/core/inline.h"
+#include "runtime/core/rows.h"
 
 /* time of the largest overlap: 49 rows of degree 10 in y = ln(1 + zeta), nodes 0.125 + i 0.25, y < 12.25.
  * Relative error of the approximation: 2^-56.7 at most, sampled at 25 places of each row. */
@@ -20,9 +20,9 @@
 #define COR_ROWS_TSUJI_TIME_OF_MAX_OVERLAP_PER_UNIT 4.0
 #define COR_ROWS_TSUJI_TIME_OF_MAX_OVERLAP_ROWS 49
 #define COR_ROWS_TSUJI_TIME_OF_MAX_OVERLAP_END 12.25
-COR_INLINE const double *cor_rows_tsuji_time_of_max_overlap(int i)
-{
-    static const double row[49][12] = {
+COR_ROWS(double, cor_rows_tsuji_time_of_max_overlap, 49, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.878358e2d21f7p+0, -0x1.36415239e5cdp-55, -0x1.41ce2e3146e92p-1, 0x1.2a608726f271ep-4, 0x1.32ccc07d4681ep-7,
      -0x1.e88c4dccf08d6p-9, 0x1.7197d861a413p-12, 0x1.1c92c52e423f4p-15, -0x1.f86de5c752f4p-17, 0x1.27648972f5b2ep-19,
      -0x1.669fede048e61p-24, -0x1.4ab6729250fc4p-25}, /* [0] 0 <= y <= 0.25, 60.0 bits */
@@ -173,9 +173,10 @@ COR_INLINE const double *cor_rows_tsuji_time_of_max_overlap(int i)
      -0x1.9843e2be70f65p-15, 0x1.1a8e10bfce2cap-17, -0x1.314e29da6f111p-20, 0x1.099973c623164p-23,
      -0x1.7815af0bc4da4p-27, 0x1.ab33333c5d71fp-31, -0x1.69a6a2e04e2c9p-35, 0x1.3467a9de19b8ap-40}
      /* [48] 12 <= y <= 12.25, 58.5 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tsuji_time_of_max_overlap)
 
 /* duration at zero force, weak damping: 21 rows of degree 10 in y = zeta^(1/5), nodes 0.03125 + i 0.0625, y < 1.3125.
  * Relative error of the approximation: 2^-58.0 at most, sampled at 25 places of each row. */
@@ -184,9 +185,9 @@ COR_INLINE const double *cor_rows_tsuji_time_of_max_overlap(int i)
 #define COR_ROWS_TSUJI_DURATION_ZERO_FORCE_WEAK_PER_UNIT 16.0
 #define COR_ROWS_TSUJI_DURATION_ZERO_FORCE_WEAK_ROWS 21
 #define COR_ROWS_TSUJI_DURATION_ZERO_FORCE_WEAK_END 1.3125
-COR_INLINE const double *cor_rows_tsuji_duration_zero_force_weak(int i)
-{
-    static const double row[21][12] = {
+COR_ROWS(double, cor_rows_tsuji_duration_zero_force_weak, 21, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be982aef5bfbp+1, 0x1.45b1d9015f7a1p-55, -0x1.dd39bf6c5dff9p-13, -0x1.6364495d92f13p-7, -0x1.d31daace6c7e2p-3,
      -0x1.bee5a6fee7394p+0, 0x1.02c73db9e9f99p+0, -0x1.6a4ed73775dc5p-9, -0x1.2b3da3340dd15p-5, -0x1.149fdc5935f82p-2,
      -0x1.732fcd1c27138p-1, 0x1.81b6d131d22b8p+0}, /* [0] 0 <= y <= 0.0625, 71.1 bits */
@@ -250,9 +251,10 @@ COR_INLINE const double *cor_rows_tsuji_duration_zero_force_weak(int i)
     {0x1.93802c432ca76p+0, 0x1.1e4366666df33p-59, -0x1.2a378a6ac9eaap+1, 0x1.347672a42c5c2p+0, 0x1.e4c2c43a9c8e7p-1,
      -0x1.21ee179749684p+1, 0x1.646a786da1aadp+0, 0x1.4227d6969d6cep+0, -0x1.b907cac1611bdp+1, 0x1.55b0754c8d0b7p+1,
      0x1.774162729bd8bp+0, -0x1.7b2378e3d6c99p+2} /* [20] 1.25 <= y <= 1.3125, 58.4 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tsuji_duration_zero_force_weak)
 
 /* duration at zero force: 43 rows of degree 10 in y = ln(1 + zeta), nodes 1.625 + i 0.25, y < 12.25.
  * Relative error of the approximation: 2^-56.7 at most, sampled at 25 places of each row. */
@@ -261,9 +263,9 @@ COR_INLINE const double *cor_rows_tsuji_duration_zero_force_weak(int i)
 #define COR_ROWS_TSUJI_DURATION_ZERO_FORCE_PER_UNIT 4.0
 #define COR_ROWS_TSUJI_DURATION_ZERO_FORCE_ROWS 43
 #define COR_ROWS_TSUJI_DURATION_ZERO_FORCE_END 12.25
-COR_INLINE const double *cor_rows_tsuji_duration_zero_force(int i)
-{
-    static const double row[43][12] = {
+COR_ROWS(double, cor_rows_tsuji_duration_zero_force, 43, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.7a38155f05ae3p+0, 0x1.1575c4e1b39d8p-57, -0x1.7711308abadc8p-1, 0x1.1fb22794b7c3fp-3, -0x1.134458ffd024p-7,
      -0x1.f0f9f5b38a91dp-13, -0x1.e223cbaff3cf9p-11, 0x1.84c363fd5219bp-11, -0x1.98976b4c4798bp-12,
      0x1.932866fb64d4bp-13, -0x1.9a93409b05608p-14, 0x1.a88836a5f628dp-15}, /* [0] 1.5 <= y <= 1.75, 57.4 bits */
@@ -395,9 +397,10 @@ COR_INLINE const double *cor_rows_tsuji_duration_zero_force(int i)
      -0x1.93fde549ba5ecp-14, 0x1.1722d1cae08c3p-16, -0x1.2cedb19b57d27p-19, 0x1.04ede9dc7b58bp-22,
      -0x1.6f8a08bbeedb4p-26, 0x1.9d8181bcff3d5p-30, -0x1.561a415a88cap-34, 0x1.01f9e453f313p-39}
      /* [42] 12 <= y <= 12.25, 56.7 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tsuji_duration_zero_force)
 
 /* duration with the limited damper, weak damping: 42 rows of degree 10 in y = zeta^(1/5), nodes 0.015625 + i 0.03125, y < 1.3125.
  * Relative error of the approximation: 2^-58.8 at most, sampled at 25 places of each row. */
@@ -406,9 +409,9 @@ COR_INLINE const double *cor_rows_tsuji_duration_zero_force(int i)
 #define COR_ROWS_TSUJI_DURATION_LIMITED_WEAK_PER_UNIT 32.0
 #define COR_ROWS_TSUJI_DURATION_LIMITED_WEAK_ROWS 42
 #define COR_ROWS_TSUJI_DURATION_LIMITED_WEAK_END 1.3125
-COR_INLINE const double *cor_rows_tsuji_duration_limited_weak(int i)
-{
-    static const double row[42][12] = {
+COR_ROWS(double, cor_rows_tsuji_duration_limited_weak, 42, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.9be990b74b654p+1, -0x1.2dd291c34b68fp-54, -0x1.e247cdc50edffp-16, -0x1.6872567b5bbc4p-9, -0x1.dd39be87071d2p-4,
      -0x1.d31da14c30bf6p+0, 0x1.02cf553b5d885p+0, -0x1.8efe5c3d6dcafp-12, -0x1.552abeb7fb99cp-7, -0x1.5383083e62011p-3,
      -0x1.295fc4328e776p+0, 0x1.c41de6a66efb7p-3}, /* [0] 0 <= y <= 0.03125, 74.9 bits */
@@ -535,9 +538,10 @@ COR_INLINE const double *cor_rows_tsuji_duration_limited_weak(int i)
     {0x1.c54cdfc0bda54p+0, 0x1.aa7c05cf6a8e7p-54, -0x1.3b37d66bd4f36p+0, 0x1.56373c51aca63p+0, -0x1.36c1a951ca0e7p-1,
      -0x1.0362d3820679bp-1, 0x1.21d6e9253de6bp+0, -0x1.5dc62a11b00e5p-1, -0x1.ce87af11cd84fp-2, 0x1.9a3662a5bc9c9p-1,
      0x1.5d77265aafe12p+0, -0x1.9ea146b49d1e5p+2} /* [41] 1.28125 <= y <= 1.3125, 61.2 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tsuji_duration_limited_weak)
 
 /* duration with the limited damper: 43 rows of degree 10 in y = ln(1 + zeta), nodes 1.625 + i 0.25, y < 12.25.
  * Relative error of the approximation: 2^-56.4 at most, sampled at 25 places of each row. */
@@ -546,9 +550,9 @@ COR_INLINE const double *cor_rows_tsuji_duration_limited_weak(int i)
 #define COR_ROWS_TSUJI_DURATION_LIMITED_PER_UNIT 4.0
 #define COR_ROWS_TSUJI_DURATION_LIMITED_ROWS 43
 #define COR_ROWS_TSUJI_DURATION_LIMITED_END 12.25
-COR_INLINE const double *cor_rows_tsuji_duration_limited(int i)
-{
-    static const double row[43][12] = {
+COR_ROWS(double, cor_rows_tsuji_duration_limited, 43, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.bccee74d49dfap+0, 0x1.230a6647c980bp-54, -0x1.875b21c3a11e9p-2, 0x1.1cb0f1cb4f181p-3, -0x1.3ba00ec6b1953p-5,
      0x1.a21c32eb6d406p-7, -0x1.81f782241872cp-8, 0x1.8d6b8352a6797p-9, -0x1.95c631ea542bdp-10, 0x1.93400148f4e4cp-11,
      -0x1.84d886f5e410cp-12, 0x1.5e36dc9ba816ap-13}, /* [0] 1.5 <= y <= 1.75, 56.4 bits */
@@ -685,9 +689,10 @@ COR_INLINE const double *cor_rows_tsuji_duration_limited(int i)
      -0x1.19dc7875fb6f5p-17, 0x1.fae42092061a4p-20, -0x1.68108066a987p-22, 0x1.a38799253f424p-25,
      -0x1.9a5832e914456p-28, 0x1.55649b05c3a4p-31, -0x1.e4f9f217df4e6p-35, 0x1.23209e78d5013p-38}
      /* [42] 12 <= y <= 12.25, 71.3 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tsuji_duration_limited)
 
 /* V of the duration at zero overlap: 160 rows of degree 10 in y = zeta/(10 sqrt(1 - zeta^2)), nodes 0.03125 + i 0.0625, y < 10.
  * Relative error of the approximation: 2^-57.1 at most, sampled at 25 places of each row. */
@@ -696,9 +701,9 @@ COR_INLINE const double *cor_rows_tsuji_duration_limited(int i)
 #define COR_ROWS_TSUJI_OVERLAP_FACTOR_PER_UNIT 16.0
 #define COR_ROWS_TSUJI_OVERLAP_FACTOR_ROWS 160
 #define COR_ROWS_TSUJI_OVERLAP_FACTOR_END 10.0
-COR_INLINE const double *cor_rows_tsuji_overlap_factor(int i)
-{
-    static const double row[160][12] = {
+COR_ROWS(double, cor_rows_tsuji_overlap_factor, 160, 12)
+#ifdef COR_ROWS_HERE
+= {
     {0x1.761896edd95d9p+1, 0x1.72ec9e77e3085p-53, -0x1.1a95fc333cffp+3, 0x1.2f23f872d78aap+4, -0x1.eab076906d62ap+4,
      0x1.3d43dea7a5139p+5, -0x1.5504ca91c2584p+5, 0x1.3966b614cc468p+5, -0x1.f6ec8a9d51c97p+4, 0x1.660332a3826dp+4,
      -0x1.ca57850d6a3fdp+3, 0x1.0a1e5ce685669p+3}, /* [0] 0 <= y <= 0.0625, 59.2 bits */
@@ -1179,9 +1184,10 @@ COR_INLINE const double *cor_rows_tsuji_overlap_factor(int i)
     {0x1.7caffd40de5c8p-4, 0x1.181de4f0865f5p-59, -0x1.e8f495edcda24p-8, 0x1.61516a98efe97p-11, -0x1.08ceb7de10bc5p-14,
      0x1.9418d47176b57p-18, -0x1.37a027dcd01fp-21, 0x1.e40d19ed201ep-25, -0x1.79dbce3285d69p-28, 0x1.281977a9933d8p-31,
      -0x1.d17a641aa4a5ap-35, 0x1.6eaa1c8b3506fp-38} /* [159] 9.9375 <= y <= 10, 63.1 bits */
-    };
-    return row[i];
 }
+#endif
+;
+COR_ROWS_FUNCTION(double, cor_rows_tsuji_overlap_factor)
 
 /* ln(1 + zeta) >= 12.25, with u = ln(zeta), mu = 1/zeta^2: t zeta^(4/5) = a_0 + a_0' + (a_1 + a_1') u
  * + mu (a_2 + a_3 u + a_4 u^2); with the limited damper and mu = 1/zeta: t = a_0 + a_0' + (a_1 + a_1') mu

@@ -244,5 +244,5 @@ void float_rows_emit(struct emit *e, const struct float_rows *r)
         snprintf(text, sizeof text, "[%ld] beta < %g, %.1f bits", (long)row, cell.hi, floor(r->bits[row] * 10) / 10);
         emit_float_row(e, text, r->column + row * FLOAT_ROWS_COLUMNS, FLOAT_ROWS_COLUMNS, row + 1 == r->rows);
     }
-    emit_rows_close(e);
+    emit_float_rows_close(e);
 }

@@ -133,12 +133,31 @@ static int put_digits(const struct emit *e, const arb_t x, slong column, double 
     return STATUS_OK;
 }
 
-void emit_rows_open(struct emit *e, const char *name, slong rows, slong columns)
+/* Tables of one row stay local: compilers make constants of their numbers. */
+static void rows_open(struct emit *e, const char *type, const char *name, slong rows, slong columns)
 {
     e->table = name;
     e->row = 0;
-    fprintf(e->file, "COR_INLINE const double *%s(int i)\n{\n    static const double row[%ld][%ld] = {\n", name,
-            (long)rows, (long)columns);
+    e->local = e->decimal || rows == 1;
+    if (e->local)
+        fprintf(e->file, "COR_INLINE const %s *%s(int i)\n{\n    static const %s row[%ld][%ld] = {\n", type, name, type,
+                (long)rows, (long)columns);
+    else
+        fprintf(e->file, "COR_ROWS(%s, %s, %ld, %ld)\n#ifdef COR_ROWS_HERE\n= {\n", type, name, (long)rows,
+                (long)columns);
+}
+
+static void rows_close(struct emit *e, const char *type)
+{
+    if (e->local)
+        fprintf(e->file, "    };\n    return row[i];\n}\n");
+    else
+        fprintf(e->file, "}\n#endif\n;\nCOR_ROWS_FUNCTION(%s, %s)\n", type, e->table);
+}
+
+void emit_rows_open(struct emit *e, const char *name, slong rows, slong columns)
+{
+    rows_open(e, "double", name, rows, columns);
 }
 
 int emit_row(struct emit *e, const char *comment, arb_srcptr value, slong columns, bool last)
@@ -169,13 +188,12 @@ int emit_row(struct emit *e, const char *comment, arb_srcptr value, slong column
 
 void emit_rows_close(struct emit *e)
 {
-    fprintf(e->file, "    };\n    return row[i];\n}\n");
+    rows_close(e, "double");
 }
 
 void emit_float_rows_open(struct emit *e, const char *name, slong rows, slong columns)
 {
-    fprintf(e->file, "COR_INLINE const float *%s(int i)\n{\n    static const float row[%ld][%ld] = {\n", name,
-            (long)rows, (long)columns);
+    rows_open(e, "float", name, rows, columns);
 }
 
 void emit_float_row(struct emit *e, const char *comment, const float *value, slong columns, bool last)
@@ -183,6 +201,11 @@ void emit_float_row(struct emit *e, const char *comment, const float *value, slo
     for (slong i = 0; i < columns; i++)
         fprintf(e->file, "%s%af", i == 0 ? "    {" : ", ", (double)value[i]);
     fprintf(e->file, "}%s /* %s */\n", last ? "" : ",", comment);
+}
+
+void emit_float_rows_close(struct emit *e)
+{
+    rows_close(e, "float");
 }
 
 void emit_structs_open(struct emit *e, const char *type, const char *name, slong count)

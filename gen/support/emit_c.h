@@ -16,6 +16,7 @@ struct emit {
                    * hexadecimal */
     const char *table; /* the rows or structs that are being written, and how many of them are */
     slong row;
+    bool local; /* the table is local to its function */
 };
 
 /* From now on each number of emit_row and emit_struct is also a line of a csv file, table,row,column,value,digits, with
@@ -36,16 +37,18 @@ void emit_comment(struct emit *e, const char *format, ...) __attribute__((format
  * interval that is too wide to be rounded. */
 int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong length);
 
-/* COR_INLINE const double *name(int i) { return row i; }. The table is local to the function, so that the same text
- * works on a GPU. Call open, emit_row for each row, and close. A row takes two or three lines, comment last.
- * emit_row returns 0, or 1 after reporting the interval that is too wide. */
+/* A function const double *name(int i) that returns row i. The table is local to it if it has one row or if `decimal`,
+ * so that the same text works on a GPU, and otherwise stands where runtime/core/rows.h says. Call open, emit_row for
+ * each row, and close. A row takes two or three lines, comment last. emit_row returns 0, or 1 after reporting the
+ * interval that is too wide. */
 void emit_rows_open(struct emit *e, const char *name, slong rows, slong columns);
 int emit_row(struct emit *e, const char *comment, arb_srcptr value, slong columns, bool last);
 void emit_rows_close(struct emit *e);
 
-/* The same with floats, which are written as they are, a row to a line. emit_rows_close ends the function. */
+/* The same with floats, which are written as they are, a row to a line. */
 void emit_float_rows_open(struct emit *e, const char *name, slong rows, slong columns);
 void emit_float_row(struct emit *e, const char *comment, const float *value, slong columns, bool last);
+void emit_float_rows_close(struct emit *e);
 
 /* Writes static const struct TYPE name[count], whose fields are integers and then doubles. Call open, emit_struct for
  * each element, and close. emit_struct returns as emit_row. */

@@ -357,7 +357,7 @@ int tsuji_tables_write(FILE *file, const struct disk_table *none)
     (void)none;
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_TSUJI_TABLES_H", tsuji_banner);
-    emit_include(&e, "\"runtime/core/inline.h\"");
+    emit_include(&e, "\"runtime/core/rows.h\"");
     int status = emit_rows_of(&e, tsuji_rows, TSUJI_ROWS);
     if (status == STATUS_OK)
         emit_comment(
@@ -526,7 +526,7 @@ int hunt_crossley_tables_write(FILE *file, const struct disk_table *none)
     (void)none;
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_HUNT_CROSSLEY_TABLES_H", crossley_banner);
-    emit_include(&e, "\"runtime/core/inline.h\"");
+    emit_include(&e, "\"runtime/core/rows.h\"");
     int status = emit_rows_of(&e, crossley_rows, CROSSLEY_ROWS);
     if (status == STATUS_OK) {
         emit_comment(&e,

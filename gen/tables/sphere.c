@@ -219,7 +219,7 @@ int sphere_tables_write(FILE *file, const struct disk_table *none)
         return STATUS_FAILED;
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_SPHERE_TABLES_H", tables_banner);
-    fprintf(file, "\n#include \"runtime/core/inline.h\"\n");
+    fprintf(file, "\n#include \"runtime/core/rows.h\"\n");
     const int status = emit_tables(&e);
     emit_close(&e);
     return status;

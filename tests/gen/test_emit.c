@@ -52,7 +52,7 @@ static FILE *compile_and_run(void)
     char command[4 * PATH];
     const char *cc = getenv("CC");
     snprintf(command, sizeof command,
-             "%s -std=c99 -Wall -Wextra -Wpedantic -Wconversion $(cmake/werror '%s') -o '%s/main' '%s/main.c'",
+             "%s -std=c99 -Wall -Wextra -Wpedantic -Wconversion $(cmake/werror '%s') -I. -o '%s/main' '%s/main.c'",
              cc ? cc : "cc", cc ? cc : "cc", directory, directory);
     assert_int_equal(system(command), 0);
     snprintf(command, sizeof command, "'%s/main'", directory);
@@ -171,7 +171,7 @@ static void test_rows(void **state)
 
     file = create("main.c");
     fprintf(file,
-            "#define COR_INLINE static inline\n#include <stdio.h>\n#include \"header.h\"\n"
+            "#include \"runtime/core/rows.h\"\n#include <stdio.h>\n#include \"header.h\"\n"
             "int main(void)\n{\n"
             "    for (int i = 0; i < %d; i++)\n        for (int k = 0; k < %d; k++)\n"
             "            if (hexadecimal[i].i != i || decimal[i].k != -i ||\n"

@@ -93,7 +93,8 @@ static std::map<std::string, table> tables_of(const char *file)
     while (std::getline(in, line)) {
         char text[128];
         int index;
-        if (sscanf(line.c_str(), "COR_INLINE const double *cor_rows_%127[a-z0-9_](int i)", text) == 1)
+        if (sscanf(line.c_str(), "COR_INLINE const double *cor_rows_%127[a-z0-9_](int i)", text) == 1 ||
+            sscanf(line.c_str(), "COR_ROWS(double, cor_rows_%127[a-z0-9_],", text) == 1)
             name = text;
         const std::size_t comment = line.find("/* ");
         if (line.compare(0, 5, "    {") == 0 || line.compare(0, 5, "     ") == 0) {

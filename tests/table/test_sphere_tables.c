@@ -94,7 +94,8 @@ static void read_numbers(struct table *t, const char *at)
     t->bits = malloc((size_t)t->rows * sizeof *t->bits);
     assert_true(t->c && t->bits);
     slong n = 0;
-    while (strncmp(at, "};", 2) != 0) {
+    int depth = 0;
+    do {
         if (strncmp(at, "/*", 2) == 0) {
             const char *end = strstr(at, "*/"), *bits = strstr(at, " bits");
             assert_non_null(end);
@@ -105,6 +106,7 @@ static void read_numbers(struct table *t, const char *at)
             }
             at = end + 2;
         } else if (*at && strchr("{}, \n", *at)) {
+            depth += *at == '{' ? 1 : *at == '}' ? -1 : 0;
             at++;
         } else {
             char *end;
@@ -113,7 +115,7 @@ static void read_numbers(struct table *t, const char *at)
             assert_true(end > at);
             at = end;
         }
-    }
+    } while (depth > 0);
     assert_int_equal(n, count);
 }
 
@@ -143,12 +145,21 @@ static void read_macros(struct table *t, const char *from, const char *to)
         *macros[i].into = read_macro(t, macros[i].what, from, to);
 }
 
+#define SHARED "COR_ROWS(double, cor_rows_"
+#define LOCAL "COR_INLINE const double *cor_rows_"
+
+/* The next table, of either form, or NULL */
+static const char *next_table(const char *at)
+{
+    const char *shared = strstr(at, SHARED), *local = strstr(at, LOCAL);
+    return !shared || (local && local < shared) ? local : shared;
+}
+
 static void read_tables(struct tables *all, const char *path)
 {
-    static const char opening[] = "COR_INLINE const double *cor_rows_";
     char *text = read_text(path);
     all->count = 0;
-    for (const char *at = text, *function; (function = strstr(at, opening)) != NULL; at = function + 1) {
+    for (const char *at = text, *function; (function = next_table(at)) != NULL; at = function + 1) {
         /* the last comment before it */
         const char *comment = at;
         for (const char *next = strstr(at, "\n/*"); next && next < function; next = strstr(next + 1, "\n/*"))
@@ -156,9 +167,13 @@ static void read_tables(struct tables *all, const char *path)
         assert_true(all->count < MOST_TABLES);
         struct table *t = &all->table[all->count++];
         memset(t, 0, sizeof *t);
-        assert_int_equal(sscanf(function, "COR_INLINE const double *cor_rows_%48[a-z_0-9](int i)", t->name), 1);
         const char *row = strstr(function, "double row[");
-        assert_int_equal(sscanf(row, "double row[%ld][%ld] = {", &t->rows, &t->columns), 2);
+        if (sscanf(function, SHARED "%48[a-z_0-9], %ld, %ld)", t->name, &t->rows, &t->columns) == 3) {
+            row = function;
+        } else {
+            assert_int_equal(sscanf(function, LOCAL "%48[a-z_0-9](int i)", t->name), 1);
+            assert_int_equal(sscanf(row, "double row[%ld][%ld] = {", &t->rows, &t->columns), 2);
+        }
         assert_in_range(t->columns, 2, MOST_COLUMNS);
         assert_in_range(t->rows, 1, 4000);
         read_grid(t, comment, function);

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT */
+/* Where the rows of generated/ are: once in the library, which is compiled with COR_ROWS_SHARED and defines them in the
+ * sources with COR_ROWS_DEFINE, and otherwise in every unit that includes them.
+ *
+ * COR_ROWS(type, name, rows, columns) begins the definition, or is all of the declaration, of the rows of name(i). */
+#ifndef COR_RUNTIME_ROWS_H
+#define COR_RUNTIME_ROWS_H
+
+#include "runtime/core/inline.h"
+
+#if defined(__GNUC__)
+#define COR_ROWS_HIDDEN __attribute__((visibility("hidden")))
+#else
+#define COR_ROWS_HIDDEN
+#endif
+
+#define COR_ROWS_DECLARED(type, name, rows, columns) extern COR_ROWS_HIDDEN const type name##_row[rows][columns]
+#if !defined(COR_ROWS_SHARED)
+#define COR_ROWS(type, name, rows, columns) static const type name##_row[rows][columns]
+#define COR_ROWS_HERE
+#elif defined(COR_ROWS_DEFINE)
+#define COR_ROWS(type, name, rows, columns)                                                                            \
+    COR_ROWS_DECLARED(type, name, rows, columns);                                                                      \
+    const type name##_row[rows][columns]
+#define COR_ROWS_HERE
+#else
+#define COR_ROWS(type, name, rows, columns) COR_ROWS_DECLARED(type, name, rows, columns)
+#endif
+
+/* Row i, 0 <= i < rows */
+#define COR_ROWS_FUNCTION(type, name)                                                                                  \
+    COR_INLINE const type *name(int i)                                                                                 \
+    {                                                                                                                  \
+        return name##_row[i];                                                                                          \
+    }
+
+#endif
