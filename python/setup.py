@@ -28,7 +28,7 @@ sys.path.insert(0, str(HERE))
 from bindings import cffi_source, python_source  # noqa: E402
 from bindings.declarations import Declarations  # noqa: E402
 
-PLAIN_FLAGS = ["-O2", "-DNDEBUG", "-std=c99", "-fvisibility=hidden", "-ffp-contract=off"]  # cmake/CorDefaults.cmake
+PLAIN_FLAGS = ["-O2", "-DNDEBUG", "-DCOR_ROWS_SHARED", "-std=c99", "-fvisibility=hidden", "-ffp-contract=off"]  # cmake/CorDefaults.cmake
 
 
 def pkg_config(*arguments: str) -> List[str]:
