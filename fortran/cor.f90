@@ -14,6 +14,7 @@ module cor
   integer(c_int), parameter, public :: COR_VERSION_PATCH = 0
   character(len=*), parameter, public :: COR_VERSION_STRING = "0.1.0"
   real(c_double), parameter, public :: COR_CONTACT_MAX_ULP = 12.0_c_double
+  integer(c_int), parameter, public :: COR_CONTACT_MAX_STACK = 24576
   real(c_double), parameter, public :: COR_WAVE_MAX_ERROR = 1e-15_c_double
   real(c_double), parameter, public :: COR_DISK_LAW_MAX_ULP = 4.0_c_double
   real(c_double), parameter, public :: COR_DISK_CONTACT_TIME_MAX_ERROR = 1e-15_c_double
@@ -45,6 +46,7 @@ module cor
   real(c_double), parameter, public :: COR_DISK_EPS_MAX_NU = 0.4875_c_double
   real(c_double), parameter, public :: COR_DISK_EPS_MAX_UNCERTAINTY = 3.4e-5_c_double
   real(c_double), parameter, public :: COR_DISK_EPS_MAX_UNCERTAINTY_FAST = 1e-4_c_double
+  real(c_double), parameter, public :: COR_DISK_EPS_MAX_JUMP = 1e-12_c_double
   real(c_double), parameter, public :: COR_HERTZ_DASHPOT_EPS_MAX_ULP = 1.0_c_double
   real(c_double), parameter, public :: COR_HERTZ_DASHPOT_LOSS_MAX_ULP = 1.0_c_double
   real(c_double), parameter, public :: COR_HERTZ_DASHPOT_MAX_OVERLAP_MAX_ULP = 1.0_c_double
@@ -59,6 +61,7 @@ module cor
   real(c_double), parameter, public :: COR_LAW_MAX_OVERLAP_MAX_ULP = 2.0_c_double
   real(c_double), parameter, public :: COR_LAW_TIME_MAX_ULP = 2.0_c_double
   real(c_double), parameter, public :: COR_LAW_FLOAT_MAX_ULP = 1.0_c_double
+  integer(c_int), parameter, public :: COR_LAW_MAX_STACK = 24576
   real(c_double), parameter, public :: COR_HUNT_CROSSLEY_TIME_MAX_ERROR = 1e-14_c_double
   real(c_double), parameter, public :: COR_HUNT_CROSSLEY_MAX_EXPONENT = 100.0_c_double
   real(c_double), parameter, public :: COR_SPHERE_EPS_MAX_ULP = 1.0_c_double
@@ -69,6 +72,7 @@ module cor
   integer(c_int), parameter, public :: COR_SPHERE_INLINE_FAST_MATH_ULP = 4
   integer(c_int), parameter, public :: COR_SPHERE_INLINE_NATIVE_ULP = 4
   real(c_double), parameter, public :: COR_SPHERE_FLOAT_MAX_ULP = 1.0_c_double
+  integer(c_int), parameter, public :: COR_SPHERE_MAX_STACK = 24576
   real(c_double), parameter, public :: COR_SPHERE_C1 = -1.15344885809528879913_c_double
   real(c_double), parameter, public :: COR_SPHERE_FAST_FLOAT_MAX_ULP = 0.75_c_double
   real(c_double), parameter, public :: COR_SPHERE_APPROACH_MAX_ULP = 2.0_c_double

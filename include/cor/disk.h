@@ -8,9 +8,15 @@
  * nu is Poisson's ratio in plane stress, -1 < nu < 1. For plane strain, replace the three-dimensional E and nu by E/(1
  * - nu^2) and nu/(1 - nu), (2).
  *
- * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno for arguments in
- * its domain, so that programs may trap these exceptions. The contact law and Rayleigh's energy round to nearest in
- * every rounding mode of the caller.
+ * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
+ * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. Every function
+ * rounds to nearest and keeps subnormal numbers in every mode of the caller; results of cor_disk_eps and the three
+ * functions beside it alone change, by a relative 1e-9 at most. observe is called in the default environment and must
+ * return.
+ * Threads, memory: no function has state, so that several threads may call it at once. Six functions allocate memory
+ * and free it: cor_disk_modes_compute, cor_disk_rayleigh_array, cor_disk_collision, cor_disk_collision_array,
+ * cor_disk_hard_wall and cor_disk_hard_wall_nu. (cor_disk_modes_read opens a file, for which the C library may allocate
+ * a buffer.) tests/unit/test_environment.c and test_stack.c assert this of every function.
  *
  * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 17,
  * derives them again and lists where the print is wrong. */
@@ -48,9 +54,9 @@ extern "C" {
  * COR_BEYOND_THEORY. */
 #define COR_DISK_RAYLEIGH_MAX_SPEED 0.03
 
-/* No function uses more bytes of stack; tests/unit/test_stack.c asserts this bound. Measured in an optimised build,
- * libm included: cor_disk_rayleigh uses 58 kB, cor_disk_collision 6 kB, the array functions of cor/sphere.h and
- * cor/contact.h 20 kB, and the others 4 kB. */
+/* No function uses more bytes of stack, whatever the number of modes and speeds. Measured in an optimised build, libm
+ * included: cor_disk_rayleigh and its variants use 60 kB, cor_disk_hard_wall and its variants 23 kB, the others 5 kB.
+ */
 #define COR_DISK_MAX_STACK 65536
 
 /* ---- free modes ---- */

@@ -14,7 +14,8 @@
  *
  * Every function has four forms: double, float (its name ends in f; it rounds the double result once), and arrays of
  * either. An array function sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the pointers may be NULL. x
- * and y may be the same array, but must not overlap otherwise. Source: docs/derivation.md, 9. */
+ * and y may be the same array, but must not overlap otherwise. Floating-point environment, threads and memory: as law.h
+ * says. Source: docs/derivation.md, 9. */
 #ifndef COR_HERTZ_DASHPOT_H
 #define COR_HERTZ_DASHPOT_H
 

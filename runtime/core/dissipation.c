@@ -4,8 +4,9 @@
 #include <math.h>
 
 #include "cor/contact.h"
+#include "runtime/core/environment.h"
 
-double cor_dissipation_time_viscous_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double poisson_ratio)
+static double dissipation_time(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double poisson_ratio)
 {
     const double nu = poisson_ratio;
     if (!(eta1_pa_s >= 0 && eta1_pa_s <= DBL_MAX && eta2_pa_s >= 0 && eta2_pa_s <= DBL_MAX && young_modulus_pa > 0 &&
@@ -24,3 +25,7 @@ double cor_dissipation_time_viscous_s(double eta1_pa_s, double eta2_pa_s, double
     const double time = (1 + nu) / (1 - nu) * viscosity / young;
     return exponent > 1000 && time * ldexp(1, exponent - 1030) >= ldexp(1, -6) ? INFINITY : ldexp(time, exponent);
 }
+
+COR_IN_ENVIRONMENT(double, cor_dissipation_time_viscous_s, dissipation_time,
+                   (double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double poisson_ratio),
+                   (eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio))

@@ -12,6 +12,7 @@
 #define COR_RUNTIME_ENVIRONMENT_H
 
 #include <errno.h>
+#include <stddef.h>
 
 /* On 32 bits the C library computes in x87, which has a register of its own: fenv.h knows both. */
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -61,5 +62,32 @@ static inline void cor_environment_leave(const struct cor_environment *caller)
     errno = caller->error;
 }
 #endif
+
+/* Defines the function `name`, which returns formula(arguments) in the default environment. The pointer is volatile, so
+ * that no compiler looks into the formula. */
+#define COR_IN_ENVIRONMENT(type, name, formula, parameters, arguments)                                                 \
+    type name parameters                                                                                               \
+    {                                                                                                                  \
+        type(*const volatile in_environment) parameters = formula;                                                     \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        const volatile type value = in_environment arguments;                                                          \
+        cor_environment_leave(&caller);                                                                                \
+        return value;                                                                                                  \
+    }
+
+/* Defines the array function `name` of formula(x): the elements one by one in the default environment. */
+#define COR_ARRAY_IN_ENVIRONMENT(type, name, formula)                                                                  \
+    static void one_by_one_##name(const type *x, type *y, size_t n)                                                    \
+    {                                                                                                                  \
+        for (size_t i = 0; i < n; i++)                                                                                 \
+            y[i] = formula(x[i]);                                                                                      \
+    }                                                                                                                  \
+    void name(const type *x, type *y, size_t n)                                                                        \
+    {                                                                                                                  \
+        void (*const volatile in_environment)(const type *, type *, size_t) = one_by_one_##name;                       \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        in_environment(x, y, n);                                                                                       \
+        cor_environment_leave(&caller);                                                                                \
+    }
 
 #endif

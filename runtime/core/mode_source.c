@@ -20,6 +20,7 @@
 #include <string.h>
 
 #include "cor/status.h"
+#include "runtime/core/environment.h"
 
 /* Accuracy of a_n in bits, more than a double holds */
 enum { DOUBLE_BITS = 56, START_BITS = 8 };
@@ -447,7 +448,7 @@ static int find_below(const struct cor_mode_material *material, double omega, st
     return *mode == NULL ? COR_ERROR_MEMORY : status;
 }
 
-int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes)
+static int modes_compute(double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes)
 {
     if (mode == NULL || modes == NULL)
         return COR_ERROR_NULL;
@@ -475,10 +476,17 @@ int cor_disk_modes_compute(double nu, size_t count, struct cor_disk_mode *mode, 
     return status;
 }
 
-size_t cor_disk_modes_below(double nu, double omega)
+static size_t modes_below(double nu, double omega)
 {
     const struct cor_mode_material material = {1 + nu, 1 - nu};
     return nu > -1 && nu < 1 && omega > 0 && omega <= COR_DISK_MODES_MAX_OMEGA
                ? (size_t)cor_mode_total(&material, omega)
                : 0;
 }
+
+/* ---- in the default floating-point environment ---- */
+
+COR_IN_ENVIRONMENT(int, cor_disk_modes_compute, modes_compute,
+                   (double nu, size_t count, struct cor_disk_mode *mode, struct cor_disk_modes *modes),
+                   (nu, count, mode, modes))
+COR_IN_ENVIRONMENT(size_t, cor_disk_modes_below, modes_below, (double nu, double omega), (nu, omega))

@@ -15,6 +15,7 @@
 
 #include "cor/disk.h"
 #include "cor/status.h"
+#include "runtime/core/environment.h"
 #include "runtime/disk/collision_runs.h"
 
 /* Largest n of a mode. A table with a larger n would have 10^9 modes. */
@@ -52,8 +53,8 @@ static int collision_check(const struct cor_disk_modes *modes, size_t n_modes,
     return COR_OK;
 }
 
-size_t cor_disk_collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
-                                    const struct cor_disk_collision_options *options)
+static size_t collision_workspace(const struct cor_disk_modes *modes, size_t n_modes,
+                                  const struct cor_disk_collision_options *options)
 {
     if (collision_check(modes, n_modes, options) != COR_OK)
         return 0;
@@ -107,9 +108,9 @@ static int collision_at(struct cor_motion *m, const struct cor_disk_collision_op
     return cor_collision_runs(m, out, detail);
 }
 
-int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
-                          const struct cor_disk_collision_options *options, double speed,
-                          struct cor_disk_collision *out, const struct cor_disk_collision_detail *detail)
+static int collision_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
+                        const struct cor_disk_collision_options *options, double speed, struct cor_disk_collision *out,
+                        const struct cor_disk_collision_detail *detail)
 {
     const int status = collision_check(modes, n_modes, options);
     if (status != COR_OK)
@@ -129,17 +130,18 @@ int cor_disk_collision_in(void *workspace, size_t bytes, const struct cor_disk_m
     return collision_at(&m, options, speed, out, detail);
 }
 
-int cor_disk_collision(const struct cor_disk_modes *modes, size_t n_modes,
-                       const struct cor_disk_collision_options *options, double speed, struct cor_disk_collision *out)
+static int collision_of_one(const struct cor_disk_modes *modes, size_t n_modes,
+                            const struct cor_disk_collision_options *options, double speed,
+                            struct cor_disk_collision *out)
 {
     const int status = collision_check(modes, n_modes, options);
     if (status != COR_OK)
         return status;
-    const size_t bytes = cor_disk_collision_workspace(modes, n_modes, options);
+    const size_t bytes = collision_workspace(modes, n_modes, options);
     void *const workspace = malloc(bytes);
     if (workspace == NULL)
         return COR_ERROR_MEMORY;
-    const int result = cor_disk_collision_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);
+    const int result = collision_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);
     free(workspace);
     return result;
 }
@@ -159,7 +161,7 @@ static int collision_of_speed(struct cor_motion *m, const struct cor_disk_collis
     return collision_at(m, options, speed, out, NULL);
 }
 
-int cor_disk_collision_array(const struct cor_disk_modes *modes, size_t n_modes,
+static int collision_of_many(const struct cor_disk_modes *modes, size_t n_modes,
                              const struct cor_disk_collision_options *options, const double *speed, size_t n,
                              struct cor_disk_collision *out, int *status)
 {
@@ -168,7 +170,7 @@ int cor_disk_collision_array(const struct cor_disk_modes *modes, size_t n_modes,
         return refused;
     if (n > 0 && (speed == NULL || out == NULL))
         return COR_ERROR_NULL;
-    const size_t bytes = cor_disk_collision_workspace(modes, n_modes, options);
+    const size_t bytes = collision_workspace(modes, n_modes, options);
     void *const workspace = malloc(bytes);
     if (workspace == NULL)
         return COR_ERROR_MEMORY;
@@ -184,3 +186,24 @@ int cor_disk_collision_array(const struct cor_disk_modes *modes, size_t n_modes,
     free(workspace);
     return first;
 }
+
+/* ---- in the default floating-point environment ---- */
+
+COR_IN_ENVIRONMENT(size_t, cor_disk_collision_workspace, collision_workspace,
+                   (const struct cor_disk_modes *modes, size_t n_modes,
+                    const struct cor_disk_collision_options *options),
+                   (modes, n_modes, options))
+COR_IN_ENVIRONMENT(int, cor_disk_collision_in, collision_in,
+                   (void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
+                    const struct cor_disk_collision_options *options, double speed, struct cor_disk_collision *out,
+                    const struct cor_disk_collision_detail *detail),
+                   (workspace, bytes, modes, n_modes, options, speed, out, detail))
+COR_IN_ENVIRONMENT(int, cor_disk_collision, collision_of_one,
+                   (const struct cor_disk_modes *modes, size_t n_modes,
+                    const struct cor_disk_collision_options *options, double speed, struct cor_disk_collision *out),
+                   (modes, n_modes, options, speed, out))
+COR_IN_ENVIRONMENT(int, cor_disk_collision_array, collision_of_many,
+                   (const struct cor_disk_modes *modes, size_t n_modes,
+                    const struct cor_disk_collision_options *options, const double *speed, size_t n,
+                    struct cor_disk_collision *out, int *status),
+                   (modes, n_modes, options, speed, n, out, status))

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "cor/status.h"
+#include "runtime/core/environment.h"
 
 /* ---- constants, and the origin of their values ---- */
 
@@ -260,8 +261,8 @@ static void *aligned(void *workspace)
     return (char *)workspace + (misfit > 0 ? COR_HARD_WALL_ALIGNMENT - misfit : 0);
 }
 
-size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
-                                    const struct cor_disk_hard_wall_options *options, double speed)
+static size_t hard_wall_workspace(const struct cor_disk_modes *modes, size_t n_modes,
+                                  const struct cor_disk_hard_wall_options *options, double speed)
 {
     if (hard_wall_check(modes, n_modes, options) != COR_OK || check_speed(speed) != COR_OK)
         return 0;
@@ -273,9 +274,9 @@ size_t cor_disk_hard_wall_workspace(const struct cor_disk_modes *modes, size_t n
     return most;
 }
 
-int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
-                          const struct cor_disk_hard_wall_options *options, double speed,
-                          struct cor_disk_hard_wall *out, const struct cor_disk_hard_wall_detail *detail)
+static int hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
+                        const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out,
+                        const struct cor_disk_hard_wall_detail *detail)
 {
     int status = hard_wall_check(modes, n_modes, options);
     if (status == COR_OK)
@@ -284,7 +285,7 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
         return status;
     if (workspace == NULL || out == NULL)
         return COR_ERROR_NULL;
-    if (bytes < cor_disk_hard_wall_workspace(modes, n_modes, options, speed))
+    if (bytes < hard_wall_workspace(modes, n_modes, options, speed))
         return COR_ERROR_WORKSPACE;
     set_unknown(out);
     if (speed <= 0)
@@ -305,19 +306,20 @@ int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_m
     return status;
 }
 
-int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,
-                       const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out)
+static int hard_wall_of_table(const struct cor_disk_modes *modes, size_t n_modes,
+                              const struct cor_disk_hard_wall_options *options, double speed,
+                              struct cor_disk_hard_wall *out)
 {
     int status = hard_wall_check(modes, n_modes, options);
     if (status == COR_OK)
         status = out == NULL ? COR_ERROR_NULL : check_speed(speed);
     if (status != COR_OK)
         return status;
-    const size_t bytes = cor_disk_hard_wall_workspace(modes, n_modes, options, speed);
+    const size_t bytes = hard_wall_workspace(modes, n_modes, options, speed);
     void *const workspace = malloc(bytes);
     if (workspace == NULL)
         return COR_ERROR_MEMORY;
-    status = cor_disk_hard_wall_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);
+    status = hard_wall_in(workspace, bytes, modes, n_modes, options, speed, out, NULL);
     free(workspace);
     return status;
 }
@@ -359,8 +361,8 @@ static int climb_alone(struct ladder *ladder, double nu, size_t levels)
     return status;
 }
 
-int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
-                          struct cor_disk_hard_wall *out)
+static int hard_wall_of_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
+                           struct cor_disk_hard_wall *out)
 {
     if (out == NULL)
         return COR_ERROR_NULL;
@@ -388,3 +390,23 @@ int cor_disk_hard_wall_nu(double nu, const struct cor_disk_hard_wall_options *op
         ladder_conclude(&ladder, out);
     return status;
 }
+
+/* ---- in the default floating-point environment ---- */
+
+COR_IN_ENVIRONMENT(size_t, cor_disk_hard_wall_workspace, hard_wall_workspace,
+                   (const struct cor_disk_modes *modes, size_t n_modes,
+                    const struct cor_disk_hard_wall_options *options, double speed),
+                   (modes, n_modes, options, speed))
+COR_IN_ENVIRONMENT(int, cor_disk_hard_wall_in, hard_wall_in,
+                   (void *workspace, size_t bytes, const struct cor_disk_modes *modes, size_t n_modes,
+                    const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out,
+                    const struct cor_disk_hard_wall_detail *detail),
+                   (workspace, bytes, modes, n_modes, options, speed, out, detail))
+COR_IN_ENVIRONMENT(int, cor_disk_hard_wall, hard_wall_of_table,
+                   (const struct cor_disk_modes *modes, size_t n_modes,
+                    const struct cor_disk_hard_wall_options *options, double speed, struct cor_disk_hard_wall *out),
+                   (modes, n_modes, options, speed, out))
+COR_IN_ENVIRONMENT(int, cor_disk_hard_wall_nu, hard_wall_of_nu,
+                   (double nu, const struct cor_disk_hard_wall_options *options, double speed,
+                    struct cor_disk_hard_wall *out),
+                   (nu, options, speed, out))

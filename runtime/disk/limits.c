@@ -9,11 +9,11 @@ static const struct cor_disk_limit_table table = {
     COR_DISK_LIMIT_X_ROOTS,  COR_DISK_LIMIT_NU_ROOTS, COR_DISK_LIMIT_X_FIRST, COR_DISK_LIMIT_X_STEP,
     COR_DISK_LIMIT_NU_FIRST, COR_DISK_LIMIT_NU_STEP,  cor_disk_limit_node,    cor_disk_limit_cell};
 
-/* False if speed or nu is NaN */
+/* False if speed or nu is NaN, without FE_INVALID */
 static int is_inside(double speed, double nu)
 {
-    return speed >= COR_DISK_EPS_MIN_SPEED && speed <= COR_DISK_EPS_MAX_SPEED && nu >= COR_DISK_EPS_MIN_NU &&
-           nu <= COR_DISK_EPS_MAX_NU;
+    return isgreaterequal(speed, COR_DISK_EPS_MIN_SPEED) && islessequal(speed, COR_DISK_EPS_MAX_SPEED) &&
+           isgreaterequal(nu, COR_DISK_EPS_MIN_NU) && islessequal(nu, COR_DISK_EPS_MAX_NU);
 }
 
 static struct cor_disk_limit_result result_at(double speed, double nu)

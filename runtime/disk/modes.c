@@ -10,6 +10,7 @@
 #include "cor/status.h"
 #include "generated/disk_modes_nu033.h"
 #include "generated/disk_modes_nu090.h"
+#include "runtime/core/environment.h"
 #include "runtime/core/mode_file.h"
 
 const struct cor_disk_modes cor_disk_modes_nu033 = COR_DISK_MODES_NU033;
@@ -218,8 +219,8 @@ static int read_all(struct lines *in, struct cor_disk_mode *mode, size_t capacit
     return COR_OK;
 }
 
-int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, size_t capacity, struct cor_disk_modes *modes,
-                        size_t *line)
+static int modes_read(const char *path, struct cor_disk_mode *mode, size_t capacity, struct cor_disk_modes *modes,
+                      size_t *line)
 {
     if (line)
         *line = 0;
@@ -234,3 +235,10 @@ int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, size_t cap
     fclose(in.file);
     return status;
 }
+
+/* ---- in the default floating-point environment ---- */
+
+COR_IN_ENVIRONMENT(int, cor_disk_modes_read, modes_read,
+                   (const char *path, struct cor_disk_mode *mode, size_t capacity, struct cor_disk_modes *modes,
+                    size_t *line),
+                   (path, mode, capacity, modes, line))

@@ -265,8 +265,9 @@ struct list {
     int last_n;                        /* of the last surface mode */
     enum cor_disk_datum datum;
     size_t n_modes;
-    double *room; /* of a piece */
-    double *q0;   /* q0 of every speed; NaN if the speed is finished or invalid */
+    double *room;                  /* of a piece */
+    struct cor_spectrum *spectrum; /* of a speed; not on the stack, on which a piece has one */
+    double *q0;                    /* q0 of every speed; NaN if the speed is finished or invalid */
 };
 
 static size_t chunks_of(size_t modes)
@@ -311,8 +312,9 @@ static int list_init(struct list *list, const struct cor_disk_modes *modes, size
     list->with_surface = list->taken + count_surface(list);
     list->chunk = malloc(list->with_surface * sizeof *list->chunk);
     list->room = malloc(cor_spectrum_piece_size(first_omega(), last_omega(modes, all)) * sizeof *list->room);
+    list->spectrum = malloc(sizeof *list->spectrum);
     list->q0 = speeds < SIZE_MAX / sizeof *list->q0 ? malloc(speeds * sizeof *list->q0) : NULL;
-    if (!list->chunk || !list->room || !list->q0)
+    if (!list->chunk || !list->room || !list->spectrum || !list->q0)
         return 0;
     list_weigh(list);
     return 1;
@@ -322,6 +324,7 @@ static void list_free(struct list *list)
 {
     free(list->chunk);
     free(list->room);
+    free(list->spectrum);
     free(list->q0);
 }
 
@@ -362,7 +365,6 @@ static void list_of_piece(struct list *list, int number, const double *speed, si
     const struct cor_disk_modes *const modes = list->table.modes;
     const double high = last_omega(modes, list->table.n_modes);
     struct cor_spectrum_piece piece;
-    struct cor_spectrum spectrum;
     size_t count = 0;
     for (size_t i = 0; i < n; i++)
         count += !isnan(list->q0[i]) && piece_of(list->q0[i]) == number;
@@ -375,10 +377,11 @@ static void list_of_piece(struct list *list, int number, const double *speed, si
             continue;
         const double contact_time = cor_disk_contact_time(speed[i], modes->nu, list->datum);
         if (whole)
-            cor_spectrum_of_piece(&spectrum, &piece, q0, contact_time);
+            cor_spectrum_of_piece(list->spectrum, &piece, q0, contact_time);
         else
-            cor_spectrum_init_by(list->table.set, &spectrum, q0, contact_time, first_omega(), high);
-        list_evaluate(list, &spectrum, contact_time, &out[i], mode_fraction ? mode_fraction + i * list->n_modes : NULL);
+            cor_spectrum_init_by(list->table.set, list->spectrum, q0, contact_time, first_omega(), high);
+        list_evaluate(list, list->spectrum, contact_time, &out[i],
+                      mode_fraction ? mode_fraction + i * list->n_modes : NULL);
         list->q0[i] = NAN;
         count--;
     }

@@ -586,7 +586,7 @@ COR_INLINE double cor_ratio_of_limited(struct cor_inline_pair exponent)
 COR_INLINE double cor_ratio_of_limited_far(double eps)
 {
     if (eps < COR_INLINE_2_M200) { /* 1/(2 sqrt(2) eps) may overflow and is computed in units of 2^200 */
-        if (eps < 1.96670601748920e-309)
+        if (eps == 0 || eps < 1.96670601748920e-309) /* the bound may count as 0 */
             return (double)INFINITY;
         const struct cor_inline_pair scaled = cor_pair(eps * (COR_INLINE_2_500), 0);
         return cor_pair_over(cor_pair(COR_RATIO_FAR_LIMITED, COR_RATIO_FAR_LIMITED_TAIL), scaled).hi * COR_INLINE_2_500;

@@ -3,13 +3,23 @@
 #ifndef COR_RUNTIME_LAW_DEFINE_H
 #define COR_RUNTIME_LAW_DEFINE_H
 
+#include "runtime/core/environment.h"
 #include "runtime/law/array.h"
+
+/* Whether 2^-900 <= |x| < 2^900. For such numbers no function raises an exception but underflow and inexact; for the
+ * others it is computed in the default environment. */
+static inline int law_is_ordinary(double x)
+{
+    return cor_inline_between(cor_inline_from_bits(cor_inline_bits(x) & ~COR_INLINE_SIGN_BIT), COR_INLINE_2_M900,
+                              COR_INLINE_2_900);
+}
 
 /* Float arrays call the double loop, so that each result is rounded once. */
 static inline void law_arrayf(cor_law_array_function *loop, const float *x, float *y, size_t n)
 {
     enum { CHUNK = 512 };
     double wide[CHUNK];
+    const struct cor_environment caller = cor_environment_enter();
     for (size_t i = 0; i < n; i += CHUNK) {
         const size_t m = n - i < CHUNK ? n - i : CHUNK;
         for (size_t j = 0; j < m; j++)
@@ -18,21 +28,34 @@ static inline void law_arrayf(cor_law_array_function *loop, const float *x, floa
         for (size_t j = 0; j < m; j++)
             y[i + j] = (float)wide[j];
     }
+    cor_environment_leave(&caller);
 }
 
-/* Defines cor_<function> from the inline function `name`, which is a row of COR_LAW_LOOPS. */
-#define LAW_DEFINE(function, name)                                                                                     \
-    double cor_##function(double x)                                                                                    \
+static inline void law_array(cor_law_array_function *loop, const double *x, double *y, size_t n)
+{
+    const struct cor_environment caller = cor_environment_enter();
+    loop(x, y, n);
+    cor_environment_leave(&caller);
+}
+
+/* cor_<function> and its float form from the inline function `name` */
+#define LAW_SCALARS_(function, name)                                                                                   \
+    static COR_IN_ENVIRONMENT(double, anywhere_##function, cor_##name, (double x),                                     \
+                              (x)) double cor_##function(double x)                                                     \
     {                                                                                                                  \
-        return cor_##name(x);                                                                                          \
+        return law_is_ordinary(x) ? cor_##name(x) : anywhere_##function(x);                                            \
     }                                                                                                                  \
     float cor_##function##f(float x)                                                                                   \
     {                                                                                                                  \
-        return (float)cor_##name((double)x);                                                                           \
-    }                                                                                                                  \
+        return cor_inline_narrow(cor_##function((double)x));                                                           \
+    }
+
+/* Defines cor_<function> from the inline function `name`, which is a row of COR_LAW_LOOPS. */
+#define LAW_DEFINE(function, name)                                                                                     \
+    LAW_SCALARS_(function, name)                                                                                       \
     void cor_##function##_array(const double *x, double *y, size_t n)                                                  \
     {                                                                                                                  \
-        cor_law_best_loops()[COR_LAW_##name](x, y, n);                                                                 \
+        law_array(cor_law_best_loops()[COR_LAW_##name], x, y, n);                                                      \
     }                                                                                                                  \
     void cor_##function##_arrayf(const float *x, float *y, size_t n)                                                   \
     {                                                                                                                  \
@@ -41,44 +64,38 @@ static inline void law_arrayf(cor_law_array_function *loop, const float *x, floa
 
 /* The same without a loop of its own: array functions compute one number after the other. */
 #define LAW_DEFINE_ONE_BY_ONE(function, name)                                                                          \
-    double cor_##function(double x)                                                                                    \
-    {                                                                                                                  \
-        return cor_##name(x);                                                                                          \
-    }                                                                                                                  \
-    float cor_##function##f(float x)                                                                                   \
+    static float narrow_##function(float x)                                                                            \
     {                                                                                                                  \
         return (float)cor_##name((double)x);                                                                           \
     }                                                                                                                  \
-    void cor_##function##_array(const double *x, double *y, size_t n)                                                  \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = cor_##name(x[i]);                                                                                   \
-    }                                                                                                                  \
-    void cor_##function##_arrayf(const float *x, float *y, size_t n)                                                   \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = (float)cor_##name((double)x[i]);                                                                    \
-    }
+    LAW_SCALARS_(function, name)                                                                                       \
+    COR_ARRAY_IN_ENVIRONMENT(double, cor_##function##_array, cor_##name)                                               \
+    COR_ARRAY_IN_ENVIRONMENT(float, cor_##function##_arrayf, narrow_##function)
 
 /* The same for a function of beta and the elastic exponent a */
-#define LAW_DEFINE_WITH_EXPONENT(function, name)                                                                       \
-    double cor_##function(double beta, double elastic_exponent)                                                        \
+#define LAW_ARRAY_WITH_EXPONENT_(type, array, name)                                                                    \
+    static void one_by_one_##array(const type *beta, type elastic_exponent, type *y, size_t n)                         \
     {                                                                                                                  \
-        return cor_##name(beta, elastic_exponent);                                                                     \
+        for (size_t i = 0; i < n; i++)                                                                                 \
+            y[i] = (type)cor_##name((double)beta[i], (double)elastic_exponent);                                        \
     }                                                                                                                  \
-    float cor_##function##f(float beta, float elastic_exponent)                                                        \
+    void array(const type *beta, type elastic_exponent, type *y, size_t n)                                             \
+    {                                                                                                                  \
+        void (*const volatile in_environment)(const type *, type, type *, size_t) = one_by_one_##array;                \
+        const struct cor_environment caller = cor_environment_enter();                                                 \
+        in_environment(beta, elastic_exponent, y, n);                                                                  \
+        cor_environment_leave(&caller);                                                                                \
+    }
+#define LAW_DEFINE_WITH_EXPONENT(function, name)                                                                       \
+    COR_IN_ENVIRONMENT(double, cor_##function, cor_##name, (double beta, double elastic_exponent),                     \
+                       (beta, elastic_exponent))                                                                       \
+    static float narrow_##function(float beta, float elastic_exponent)                                                 \
     {                                                                                                                  \
         return (float)cor_##name((double)beta, (double)elastic_exponent);                                              \
     }                                                                                                                  \
-    void cor_##function##_array(const double *beta, double elastic_exponent, double *y, size_t n)                      \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = cor_##name(beta[i], elastic_exponent);                                                              \
-    }                                                                                                                  \
-    void cor_##function##_arrayf(const float *beta, float elastic_exponent, float *y, size_t n)                        \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = (float)cor_##name((double)beta[i], (double)elastic_exponent);                                       \
-    }
+    COR_IN_ENVIRONMENT(float, cor_##function##f, narrow_##function, (float beta, float elastic_exponent),              \
+                       (beta, elastic_exponent))                                                                       \
+    LAW_ARRAY_WITH_EXPONENT_(double, cor_##function##_array, name)                                                     \
+    LAW_ARRAY_WITH_EXPONENT_(float, cor_##function##_arrayf, name)
 
 #endif

@@ -70,33 +70,43 @@ int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const do
 
 #define WITH_LOOP(quantity, tables)                                                                                    \
     SCALARS(quantity, cor_inline_hertz_dashpot_##quantity)                                                             \
-    void cor_hertz_dashpot_##quantity##_array(const double *x, double *y, size_t n)                                    \
+    static void loop_##quantity(const double *x, double *y, size_t n)                                                  \
     {                                                                                                                  \
         cor_dashpot_array_of_set(cor_widest_set(), COR_DASHPOT_##quantity, x, y, n);                                   \
     }                                                                                                                  \
+    void cor_hertz_dashpot_##quantity##_array(const double *x, double *y, size_t n)                                    \
+    {                                                                                                                  \
+        law_array(loop_##quantity, x, y, n);                                                                           \
+    }                                                                                                                  \
     void cor_hertz_dashpot_##quantity##_arrayf(const float *x, float *y, size_t n)                                     \
     {                                                                                                                  \
-        law_arrayf(cor_hertz_dashpot_##quantity##_array, x, y, n);                                                     \
+        law_arrayf(loop_##quantity, x, y, n);                                                                          \
     }
 COR_DASHPOT_LOOPS(WITH_LOOP, WITH_LOOP, WITH_LOOP, WITH_LOOP)
 
 /* Arrays of these are computed one number after the other. */
 #define ONE_BY_ONE(quantity, inline_function)                                                                          \
     SCALARS(quantity, inline_function)                                                                                 \
-    void cor_hertz_dashpot_##quantity##_array(const double *x, double *y, size_t n)                                    \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = cor_hertz_dashpot_##quantity(x[i]);                                                                 \
-    }                                                                                                                  \
-    void cor_hertz_dashpot_##quantity##_arrayf(const float *x, float *y, size_t n)                                     \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = cor_hertz_dashpot_##quantity##f(x[i]);                                                              \
-    }
+    COR_ARRAY_IN_ENVIRONMENT(double, cor_hertz_dashpot_##quantity##_array, cor_hertz_dashpot_##quantity)               \
+    COR_ARRAY_IN_ENVIRONMENT(float, cor_hertz_dashpot_##quantity##_arrayf, cor_hertz_dashpot_##quantity##f)
 ONE_BY_ONE(beta_of_loss_zero_overlap, cor_inline_hertz_dashpot_beta_of_loss_zero_overlap)
 ONE_BY_ONE(beta_of_loss_zero_force, cor_inline_hertz_dashpot_beta_of_loss_zero_force)
-ONE_BY_ONE(eps_approach_only, dashpot_eps_approach_only)
-ONE_BY_ONE(loss_approach_only, dashpot_loss_approach_only)
-ONE_BY_ONE(beta_approach_only, dashpot_beta_approach_only)
-ONE_BY_ONE(beta_of_loss_approach_only, dashpot_beta_of_loss_approach_only)
-ONE_BY_ONE(duration_approach_only, dashpot_duration_approach_only)
+
+#define APPROACH_ONLY(quantity)                                                                                        \
+    static float dashpot_##quantity##_approach_onlyf(float x)                                                          \
+    {                                                                                                                  \
+        return (float)dashpot_##quantity##_approach_only((double)x);                                                   \
+    }                                                                                                                  \
+    COR_IN_ENVIRONMENT(double, cor_hertz_dashpot_##quantity##_approach_only, dashpot_##quantity##_approach_only,       \
+                       (double x), (x))                                                                                \
+    COR_IN_ENVIRONMENT(float, cor_hertz_dashpot_##quantity##_approach_onlyf, dashpot_##quantity##_approach_onlyf,      \
+                       (float x), (x))                                                                                 \
+    COR_ARRAY_IN_ENVIRONMENT(double, cor_hertz_dashpot_##quantity##_approach_only_array,                               \
+                             dashpot_##quantity##_approach_only)                                                       \
+    COR_ARRAY_IN_ENVIRONMENT(float, cor_hertz_dashpot_##quantity##_approach_only_arrayf,                               \
+                             dashpot_##quantity##_approach_onlyf)
+APPROACH_ONLY(eps)
+APPROACH_ONLY(loss)
+APPROACH_ONLY(beta)
+APPROACH_ONLY(beta_of_loss)
+APPROACH_ONLY(duration)

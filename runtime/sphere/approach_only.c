@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The sphere with damping during the approach only, from its largest overlap Y (runtime/core/hertz_approach_only.h). */
 #include "cor/sphere.h"
+#include "runtime/core/environment.h"
 #include "runtime/core/hertz_approach_only.h"
 #include "runtime/sphere/eval.h"
 #include "runtime/sphere/float_exceptions.h"
@@ -186,25 +187,15 @@ static double duration_approach_only(double beta)
 }
 
 #define SPHERE_APPROACH_ONLY(quantity)                                                                                 \
-    double cor_sphere_##quantity##_approach_only(double x)                                                             \
-    {                                                                                                                  \
-        return quantity##_approach_only(x);                                                                            \
-    }                                                                                                                  \
-    float cor_sphere_##quantity##_approach_onlyf(float x)                                                              \
+    static float quantity##_approach_onlyf(float x)                                                                    \
     {                                                                                                                  \
         static const struct cor_float_exception exception = COR_FLOAT_EXCEPTION_##quantity##_approach_only;            \
         return cor_float_corrected(exception, x, (float)quantity##_approach_only((double)x));                          \
     }                                                                                                                  \
-    void cor_sphere_##quantity##_approach_only_array(const double *x, double *y, size_t n)                             \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = quantity##_approach_only(x[i]);                                                                     \
-    }                                                                                                                  \
-    void cor_sphere_##quantity##_approach_only_arrayf(const float *x, float *y, size_t n)                              \
-    {                                                                                                                  \
-        for (size_t i = 0; i < n; i++)                                                                                 \
-            y[i] = cor_sphere_##quantity##_approach_onlyf(x[i]);                                                       \
-    }
+    COR_IN_ENVIRONMENT(double, cor_sphere_##quantity##_approach_only, quantity##_approach_only, (double x), (x))       \
+    COR_IN_ENVIRONMENT(float, cor_sphere_##quantity##_approach_onlyf, quantity##_approach_onlyf, (float x), (x))       \
+    COR_ARRAY_IN_ENVIRONMENT(double, cor_sphere_##quantity##_approach_only_array, quantity##_approach_only)            \
+    COR_ARRAY_IN_ENVIRONMENT(float, cor_sphere_##quantity##_approach_only_arrayf, quantity##_approach_onlyf)
 
 SPHERE_APPROACH_ONLY(eps)
 SPHERE_APPROACH_ONLY(loss)

@@ -10,9 +10,11 @@
 #define COR_CONTACT_LEAST_SPEED COR_INLINE_2_M300
 #define COR_CONTACT_MOST_SPEED COR_INLINE_2_300
 
+/* beta_per_root may be 0, but not so small that half of it is subnormal. */
 static inline int cor_contact_is_ordinary(const struct cor_sphere_contact *contact, int needs_scale)
 {
-    return cor_inline_below(contact->beta_per_root, COR_INLINE_2_500) &&
+    const uint64_t factor = cor_inline_bits(contact->beta_per_root);
+    return ((factor == 0) | cor_inline_between(contact->beta_per_root, COR_INLINE_2_M500, COR_INLINE_2_500)) &&
            (!needs_scale || cor_inline_between(contact->scale, COR_INLINE_2_M500, COR_INLINE_2_500));
 }
 

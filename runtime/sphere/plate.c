@@ -5,7 +5,7 @@
 
 #include "cor/contact.h"
 #include "cor/status.h"
-#include "runtime/core/fifth_root.h"
+#include "runtime/core/environment.h"
 
 static int is_positive(double x)
 {
@@ -41,8 +41,8 @@ static double plate_impedance(const struct cor_plate *plate)
     return 4 * plate->thickness_m * (plate->thickness_m * sqrt(modulus / 3) * sqrt(plate->density_kg_m3));
 }
 
-int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_body *sphere,
-                           const struct cor_plate *plate)
+static int plate_contact(struct cor_sphere_contact *contact, const struct cor_body *sphere,
+                         const struct cor_plate *plate)
 {
     if (contact == NULL)
         return COR_ERROR_NULL;
@@ -83,7 +83,7 @@ int cor_plate_contact_init(struct cor_sphere_contact *contact, const struct cor_
     return status;
 }
 
-double cor_plate_lambda(const struct cor_sphere_contact *contact, double speed_m_s)
+static double plate_lambda(const struct cor_sphere_contact *contact, double speed_m_s)
 {
     return cor_contact_beta(contact, speed_m_s) / 1.5;
 }
@@ -96,8 +96,8 @@ static double plate_duration(const struct cor_sphere_contact *contact, double sp
     return is_positive(speed) ? cor_contact_duration_s_zero_overlap(contact, speed) : (double)NAN;
 }
 
-double cor_plate_contact_radius_ratio(const struct cor_sphere_contact *contact, const struct cor_plate *plate,
-                                      double speed_m_s)
+static double contact_radius_ratio(const struct cor_sphere_contact *contact, const struct cor_plate *plate,
+                                   double speed_m_s)
 {
     if (!is_positive(speed_m_s) || plate_status(plate) != COR_OK)
         return NAN;
@@ -105,8 +105,7 @@ double cor_plate_contact_radius_ratio(const struct cor_sphere_contact *contact, 
     return sqrt(contact->effective_radius_m) * sqrt(overlap) / plate->thickness_m;
 }
 
-double cor_plate_shear_crossings(const struct cor_sphere_contact *contact, const struct cor_plate *plate,
-                                 double speed_m_s)
+static double shear_crossings(const struct cor_sphere_contact *contact, const struct cor_plate *plate, double speed_m_s)
 {
     if (plate_status(plate) != COR_OK)
         return NAN;
@@ -114,8 +113,8 @@ double cor_plate_shear_crossings(const struct cor_sphere_contact *contact, const
     return plate_duration(contact, speed_m_s) * (speed / plate->thickness_m);
 }
 
-double cor_plate_sphere_crossings(const struct cor_sphere_contact *contact, const struct cor_body *sphere,
-                                  double speed_m_s)
+static double sphere_crossings(const struct cor_sphere_contact *contact, const struct cor_body *sphere,
+                               double speed_m_s)
 {
     const double r = sphere->radius_m;
     if (!is_positive(r) || !is_positive(sphere->mass_kg) || !(sphere->young_modulus_pa > 0))
@@ -127,8 +126,8 @@ double cor_plate_sphere_crossings(const struct cor_sphere_contact *contact, cons
 }
 
 /* 2 sqrt(pi t) (B/(rho h))^(1/4), B/(rho h) = h^2 E/(12 (1 - nu^2) rho) */
-double cor_plate_least_half_width_m(const struct cor_sphere_contact *contact, const struct cor_plate *plate,
-                                    double speed_m_s)
+static double least_half_width(const struct cor_sphere_contact *contact, const struct cor_plate *plate,
+                               double speed_m_s)
 {
     if (plate_status(plate) != COR_OK)
         return NAN;
@@ -136,3 +135,20 @@ double cor_plate_least_half_width_m(const struct cor_sphere_contact *contact, co
     const double square = plane_modulus(plate->young_modulus_pa, plate->poisson_ratio) / (12 * plate->density_kg_m3);
     return 2 * sqrt(pi * plate_duration(contact, speed_m_s)) * sqrt(plate->thickness_m * sqrt(square));
 }
+
+/* ---- the public functions ---- */
+
+COR_IN_ENVIRONMENT(int, cor_plate_contact_init, plate_contact,
+                   (struct cor_sphere_contact * contact, const struct cor_body *sphere, const struct cor_plate *plate),
+                   (contact, sphere, plate))
+COR_IN_ENVIRONMENT(double, cor_plate_lambda, plate_lambda, (const struct cor_sphere_contact *contact, double speed_m_s),
+                   (contact, speed_m_s))
+
+#define OF_A_BODY(name, formula, body)                                                                                 \
+    COR_IN_ENVIRONMENT(double, name, formula,                                                                          \
+                       (const struct cor_sphere_contact *contact, const struct body *other, double speed_m_s),         \
+                       (contact, other, speed_m_s))
+OF_A_BODY(cor_plate_contact_radius_ratio, contact_radius_ratio, cor_plate)
+OF_A_BODY(cor_plate_shear_crossings, shear_crossings, cor_plate)
+OF_A_BODY(cor_plate_sphere_crossings, sphere_crossings, cor_body)
+OF_A_BODY(cor_plate_least_half_width_m, least_half_width, cor_plate)

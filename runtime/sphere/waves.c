@@ -5,6 +5,7 @@
 
 #include "cor/contact.h"
 #include "generated/wave_tables.h"
+#include "runtime/core/environment.h"
 #include "runtime/core/fifth_root.h"
 
 /* 2 |C_1| (9/4)/(2 pi), C_1 = -(4/5) (5/4)^(4/5) B(4/5, 3/2) of x'' + beta x x' + x^(3/2) = 0 */
@@ -18,7 +19,7 @@ static int is_material(double nu)
 }
 
 /* Clenshaw's recurrence */
-double cor_half_space_wave_factor(double poisson_ratio)
+static double wave_factor(double poisson_ratio)
 {
     if (!is_material(poisson_ratio))
         return NAN;
@@ -34,14 +35,14 @@ double cor_half_space_wave_factor(double poisson_ratio)
 }
 
 /* (1 + nu)^(3/2) (1 - nu^2)^(-6/5) as (1 + nu)^(3/10) (1 - nu)^(-6/5) */
-double cor_half_space_wave_coefficient(double poisson_ratio)
+static double wave_coefficient(double poisson_ratio)
 {
     const double nu = poisson_ratio;
     if (!is_material(nu))
         return NAN;
     const double plus = cor_inline_fifth_root(1 + nu), minus = cor_inline_fifth_root(1 - nu),
                  cube = minus * minus * minus;
-    return WAVES_ONE_MATERIAL * cor_half_space_wave_factor(nu) * (plus * sqrt(plus)) / (cube * cube);
+    return WAVES_ONE_MATERIAL * wave_factor(nu) * (plus * sqrt(plus)) / (cube * cube);
 }
 
 /* The significand of x > 0, from [1/2, 1); adds `power` times the exponent to *sum. */
@@ -53,8 +54,8 @@ static double significand_of(double x, int power, int *sum)
     return significand;
 }
 
-double cor_contact_wave_loss(const struct cor_sphere_contact *contact, const struct cor_half_space *half_space,
-                             double speed_m_s)
+static double wave_loss(const struct cor_sphere_contact *contact, const struct cor_half_space *half_space,
+                        double speed_m_s)
 {
     const double nu = half_space->poisson_ratio, young = half_space->young_modulus_pa,
                  density = half_space->density_kg_m3;
@@ -74,8 +75,15 @@ double cor_contact_wave_loss(const struct cor_sphere_contact *contact, const str
     const double mu = significand_of(young, -15, &tenths) / significand_of(2 * (1 + nu), 15, &tenths);
     const double root = sqrt(significand_of(density, 5, &tenths) / mu), square = stiffness * stiffness;
     const double rest = sqrt(cor_inline_fifth_root(cor_inline_power_of_two(tenths % 10)));
-    const double significands = WAVES_FIRST_ORDER * cor_half_space_wave_factor(nu) * (square * square * square / mass) *
-                                (speed * speed * speed) * (root / mu);
+    const double significands =
+        WAVES_FIRST_ORDER * wave_factor(nu) * (square * square * square / mass) * (speed * speed * speed) * (root / mu);
     const double loss = tenths > 500 ? 1 : cor_inline_scaled(significands * rest, tenths / 10);
     return loss < 1 ? loss : 1;
 }
+
+COR_IN_ENVIRONMENT(double, cor_half_space_wave_factor, wave_factor, (double poisson_ratio), (poisson_ratio))
+COR_IN_ENVIRONMENT(double, cor_half_space_wave_coefficient, wave_coefficient, (double poisson_ratio), (poisson_ratio))
+COR_IN_ENVIRONMENT(double, cor_contact_wave_loss, wave_loss,
+                   (const struct cor_sphere_contact *contact, const struct cor_half_space *half_space,
+                    double speed_m_s),
+                   (contact, half_space, speed_m_s))

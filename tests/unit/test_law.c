@@ -3,9 +3,6 @@
  * units of the last place at very many points: tests/accuracy/test_laws.c. */
 #include "check.h"
 
-#include <errno.h>
-#include <fenv.h>
-
 #include <cor/cor.h>
 
 #include "dormand_prince.h"
@@ -706,119 +703,6 @@ static void tsuji_rows(void **state)
     }
 }
 
-/* ---- the floating-point environment ---- */
-
-static double max_overlap_3_2(double beta)
-{
-    return cor_hunt_crossley_max_overlap(beta, 1.5);
-}
-static double duration_1(double beta)
-{
-    return cor_hunt_crossley_duration(beta, 1);
-}
-static double duration_2(double beta)
-{
-    return cor_hunt_crossley_duration(beta, 2);
-}
-static double duration_approach_3_2(double beta)
-{
-    return cor_hunt_crossley_duration_approach_only(beta, 1.5);
-}
-static double time_of_max_3_2(double beta)
-{
-    return cor_hunt_crossley_time_of_max_overlap(beta, 1.5);
-}
-
-static law_function *const of_eps[] = {
-    cor_linear_zeta_zero_overlap,
-    cor_linear_zeta_zero_force,
-    cor_linear_zeta_limited,
-    cor_linear_zeta_approach_only,
-    cor_linear_zeta_of_loss_zero_overlap,
-    cor_linear_zeta_of_loss_zero_force,
-    cor_linear_zeta_of_loss_limited,
-    cor_linear_zeta_of_loss_approach_only,
-    cor_hunt_crossley_beta,
-    cor_hunt_crossley_beta_of_loss,
-    cor_hunt_crossley_beta_approach_only,
-    cor_hunt_crossley_beta_of_loss_approach_only,
-    cor_sphere_beta_approach_only,
-    cor_sphere_beta_of_loss_approach_only,
-};
-static law_function *const of_damping[] = {
-    cor_linear_eps_zero_overlap,
-    cor_linear_eps_zero_force,
-    cor_linear_eps_limited,
-    cor_linear_eps_approach_only,
-    cor_linear_loss_zero_overlap,
-    cor_linear_loss_zero_force,
-    cor_linear_loss_limited,
-    cor_linear_loss_approach_only,
-    cor_linear_duration_zero_overlap,
-    cor_linear_duration_zero_force,
-    cor_linear_duration_limited,
-    cor_linear_duration_approach_only,
-    cor_linear_time_of_max_overlap,
-    cor_tsuji_max_overlap,
-    cor_tsuji_duration_zero_overlap,
-    cor_tsuji_duration_zero_force,
-    cor_tsuji_duration_limited,
-    cor_tsuji_duration_approach_only,
-    cor_tsuji_time_of_max_overlap,
-    cor_hunt_crossley_eps,
-    cor_hunt_crossley_loss,
-    cor_hunt_crossley_eps_approach_only,
-    cor_hunt_crossley_loss_approach_only,
-    max_overlap_3_2,
-    duration_1,
-    duration_2,
-    duration_approach_3_2,
-    time_of_max_3_2,
-    cor_sphere_eps_approach_only,
-    cor_sphere_loss_approach_only,
-    cor_sphere_duration_approach_only,
-};
-
-static const double dampings[] = {0,           5e-324, 1e-310,      1e-300, 1e-19,   1e-8,    0.01, 0.3,  0.7,
-                                  1 - 0x1p-53, 1,      1 + 0x1p-52, 1.3,    2.157,   2.9,     3,    3.1,  8,
-                                  10.9,        11,     30,          1e3,    1e6,     1e15,    1e20, 1e40, 1e100,
-                                  1e154,       1e155,  1e200,       1e300,  1.7e308, INFINITY};
-static const double restitutions[] = {0,     5e-324, 1e-310, 2e-309, 1e-300, 1e-200,   1e-155,      1e-100, 1e-60,
-                                      1e-20, 1e-6,   0.01,   0.03,   0.1,    0.15,     0.2,         0.39,   0.4,
-                                      0.5,   0.67,   0.7,    0.9,    0.99,   1 - 1e-9, 1 - 0x1p-53, 1};
-
-static void check_environment(law_function *const *functions, size_t count, const double *x, size_t n)
-{
-    const int refused = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
-    for (size_t k = 0; k < count; k++) {
-        for (size_t i = 0; i < n; i++) {
-            volatile double at = x[i];
-            feclearexcept(FE_ALL_EXCEPT);
-            errno = 0;
-            const volatile double nearest = functions[k](at);
-            check(!fetestexcept(refused) && errno == 0, "function %zu at %a raises %x, errno %d", k, at,
-                  (unsigned)fetestexcept(refused), errno);
-            static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-            for (int m = 0; m < 3; m++) {
-                fesetround(modes[m]);
-                const volatile double other = functions[k](at);
-                fesetround(FE_TONEAREST);
-                check(other == nearest || fabs(other - nearest) <= 1e-11 * fabs(nearest) + 1e-322 || nearest > 1e307 ||
-                          other > 1e307,
-                      "function %zu at %a, mode %d: %a, not %a", k, at, m, other, nearest);
-            }
-        }
-    }
-}
-
-/* No exception but inexact and underflow, errno untouched, and 11 digits in every rounding mode */
-static void floating_point_environment(void **state)
-{
-    (void)state;
-    check_environment(of_eps, sizeof of_eps / sizeof *of_eps, restitutions, sizeof restitutions / sizeof *restitutions);
-    check_environment(of_damping, sizeof of_damping / sizeof *of_damping, dampings, sizeof dampings / sizeof *dampings);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -840,7 +724,6 @@ int main(void)
         cmocka_unit_test(crossley_times),
         cmocka_unit_test(tsuji_times),
         cmocka_unit_test(tsuji_rows),
-        cmocka_unit_test(floating_point_environment),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

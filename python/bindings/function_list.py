@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""The list of all public functions, tests/unit/public_functions.inc, by which tests call every one of them.
+
+    python3 python/bindings/function_list.py [--check]        writes the file, or fails if it is another
+"""
+
+import sys
+from pathlib import Path
+from typing import List, Tuple
+
+if __package__ in (None, ""):
+    sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from bindings.calls import argument_names, calls, input_struct, is_input, is_value  # noqa: E402
+from bindings.declarations import Declarations, Function, Parameter  # noqa: E402
+
+ROOT = Path(__file__).resolve().parents[2]
+LIST = ROOT / "tests" / "unit" / "public_functions.inc"
+REALS = ("double", "float")
+
+MACROS = {
+    "NUMBER(name)": "the name of a parameter that is a double or a float",
+    "SCALAR(function, type, given)": "a number from numbers and structs",
+    "ARRAY(function, type, given, element)": "fills y[0..n-1]; `element` gives y[i]",
+    "INIT(function, type, given)": "fills the struct at out",
+    "OTHER(function)": "of another kind",
+}
+HEAD = """/* SPDX-License-Identifier: MIT */
+/* Every public function, written from the headers by python/bindings/function_list.py. Whoever includes this list
+ * defines the macros that it needs:
+ *
+"""
+
+
+def _argument(p: Parameter, name: str, index: str) -> str:
+    """The argument for a parameter: element `index` of what is drawn for all parameters of its name."""
+    if is_input(p):
+        struct = input_struct(p)
+        return f"&a->{struct[len('cor_'):] if name == 'options' else name}[{index}]"
+    return f"a->{name}{'f' if p.type == 'float' else ''}[{index}]"
+
+
+def _is_array(function: Function) -> bool:
+    last = [p.type for p in function.parameters[-2:]]
+    others = function.parameters[:-2]
+    return (
+        function.result == "void"
+        and last in (["double *", "size_t"], ["float *", "size_t"])
+        and all(is_value(p) or is_input(p) or _pointer(p) for p in others)
+    )
+
+
+def _pointer(p: Parameter) -> str:
+    """The type of the elements of an array that a function reads"""
+    return {"const double *": "double", "const float *": "float"}.get(p.type, "")
+
+
+def _array(function: Function, names: List[str]) -> str:
+    real = function.parameters[-2].type.split()[0]
+    suffix = "f" if real == "float" else ""
+    given, element = [], []
+    for p, name in list(zip(function.parameters, names))[:-2]:
+        if _pointer(p):
+            given.append(f"a->{name}{suffix}")
+            element.append(f"a->{name}{suffix}[i]")
+        else:
+            given.append(_argument(p, name, "0"))
+            element.append(_argument(p, name, "0"))
+    scalar = function.name.replace("_arrayf", "f").replace("_array", "")
+    return f"ARRAY({function.name}, {real}, ({', '.join(given)}, y, n), {scalar}({', '.join(element)}))"
+
+
+def lines(declared: Declarations) -> List[str]:
+    found, numbers = [], set()
+    kinds = {name: call.kind for name, call in calls(declared).items()}
+    for name, function in declared.functions.items():
+        names = argument_names(function)
+        pairs: List[Tuple[Parameter, str]] = list(zip(function.parameters, names))
+        numbers |= {n for p, n in pairs if p.type in REALS or _pointer(p)}
+        if _is_array(function):
+            found.append(_array(function, names))
+        elif function.result in REALS + ("size_t",) and all(is_value(p) or is_input(p) for p in function.parameters):
+            arguments = ", ".join(_argument(p, n, "i") for p, n in pairs)
+            found.append(f"SCALAR({name}, {function.result}, ({arguments}))")
+        elif kinds.get(name) == "init":
+            made, *others = pairs
+            arguments = ", ".join(["&out"] + [_argument(p, n, "i") for p, n in others])
+            found.append(f"INIT({name}, {made[0].type.split()[1]}, ({arguments}))")
+        else:
+            found.append(f"OTHER({name})")
+    return [f"NUMBER({name})" for name in sorted(numbers)] + found
+
+
+def main() -> int:
+    text = HEAD + "".join(f" *     {macro:<40}{meaning}\n" for macro, meaning in MACROS.items()) + " */\n"
+    text += "".join(f"#ifndef {macro.split('(')[0]}\n#define {macro}\n#endif\n" for macro in MACROS)
+    text += "\n".join(lines(Declarations(ROOT / "include" / "cor"))) + "\n"
+    text += "".join(f"#undef {macro.split('(')[0]}\n" for macro in MACROS)
+    if sys.argv[1:] == ["--check"]:
+        if LIST.read_text(encoding="utf-8") != text:
+            print(f"{LIST.relative_to(ROOT)} is not what the headers give: run python3 python/bindings/function_list.py")
+            return 1
+    elif sys.argv[1:]:
+        print(__doc__, file=sys.stderr)
+        return 2
+    else:
+        LIST.write_text(text, encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT */
+/* Every public function, from the list that the bindings read: what all of them promise, whatever the arguments. */
+#include <errno.h>
+#include <fenv.h>
+
+#include "../unit/public_calls.h"
+#include "fuzz.h"
+
+enum { REFUSED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW, FEW = 4 };
+
+/* The input, and then numbers that all of it determines */
+struct input_bits {
+    struct bit_source source;
+    struct input in;
+    struct random_state after;
+};
+
+static uint64_t next_bits(struct bit_source *source)
+{
+    struct input_bits *const bits = (struct input_bits *)source;
+    uint64_t x;
+    if (bits->in.left == 0)
+        return random_bits(&bits->after);
+    input_take(&bits->in, &x, sizeof x);
+    return x;
+}
+
+static void check_range(const struct public_function *f, const struct results *r)
+{
+    const int made_by_hand = strstr(f->name, "cor_contact_") != NULL, adds = strstr(f->name, "hunt_crossley") != NULL;
+    for (size_t i = 0; i < r->count && public_is_part(f) && !made_by_hand && !adds; i++)
+        REQUIRE(isnan(r->value[i]) || (r->value[i] >= 0 && r->value[i] <= 1 + 0x1p-48), "%s, %zu: %a", f->name, i,
+                r->value[i]);
+}
+
+static void check_same(const struct public_function *f, const struct results *x, const struct results *y,
+                       const char *of)
+{
+    REQUIRE(x->count == y->count, "%s, %s", f->name, of);
+    for (size_t i = 0; i < x->count; i++)
+        REQUIRE(same(x->value[i], y->value[i]), "%s, %s, %zu: %a, before %a", f->name, of, i, y->value[i], x->value[i]);
+}
+
+static void check_function(const struct public_function *f, const struct arguments *a)
+{
+    struct results r = {NULL, 0, 0}, again = {NULL, 0, 0};
+    feclearexcept(FE_ALL_EXCEPT);
+    errno = 0;
+    f->call(a, &r);
+    const int raised = fetestexcept(REFUSED), error = errno;
+    REQUIRE(raised == 0 && error == 0, "%s raises %x, errno %d", f->name, (unsigned)raised, error);
+    check_range(f, &r);
+    (f->elements != NULL ? f->elements : f->call)(a, &again);
+    check_same(f, &r, &again, f->elements != NULL ? "one by one" : "again");
+    results_clear(&r);
+    results_clear(&again);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static struct arguments a;
+    struct input_bits bits = {{next_bits}, {data, size}, {1}};
+    for (size_t i = 0; i < size; i++)
+        bits.after.state = (bits.after.state ^ data[i]) * UINT64_C(1099511628211) | 1;
+    const size_t chosen = take_up_to(&bits.in, public_function_count - 1), how = take_byte(&bits.in);
+    const size_t n = how < 0x40 ? 1 + take_up_to(&bits.in, PUBLIC_COUNT - 1) : 1 + how % FEW;
+    arguments_draw(&a, &bits.source, n, 1);
+    for (size_t k = 0; k < public_function_count; k++) /* of those that take long, one */
+        if (k == chosen || (n <= FEW && public_functions[k].type != PUBLIC_several))
+            check_function(&public_functions[k], &a);
+    return 0;
+}

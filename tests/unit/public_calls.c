@@ -1,0 +1,566 @@
+/* SPDX-License-Identifier: MIT */
+#define _XOPEN_SOURCE 700 /* mkstemp, P_tmpdir */
+#include "public_calls.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "runtime/core/mode_file.h"
+
+/* ---- arguments ---- */
+
+uint64_t random_bits_next(struct bit_source *source)
+{
+    return random_bits(&((struct random_bits *)source)->random);
+}
+
+static uint64_t bits(struct bit_source *source)
+{
+    return source->next(source);
+}
+
+static size_t below(struct bit_source *source, size_t n)
+{
+    return (size_t)(bits(source) % n);
+}
+
+static double uniform(struct bit_source *source, double low, double high)
+{
+    return low + (high - low) * ((double)(bits(source) >> 11) * 0x1p-53);
+}
+
+static double by_size(struct bit_source *source, double low, double high)
+{
+    return exp(uniform(source, log(low), log(high)));
+}
+
+/* A signalling NaN raises FE_INVALID wherever it goes. */
+static double of_bits(uint64_t x)
+{
+    double value;
+    memcpy(&value, &x, sizeof value);
+    return isnan(value) ? (double)NAN : value;
+}
+
+static double special(struct bit_source *source)
+{
+    static const double values[] = {0,
+                                    -0.0,
+                                    1,
+                                    -1,
+                                    NAN,
+                                    INFINITY,
+                                    -INFINITY,
+                                    DBL_MAX,
+                                    -DBL_MAX,
+                                    DBL_MIN,
+                                    -DBL_MIN,
+                                    0x1p-1074,
+                                    -0x1p-1074,
+                                    0x1.fffffffffffffp-1,
+                                    0x1.0000000000001p+0,
+                                    0.5,
+                                    1.5,
+                                    2,
+                                    7,
+                                    8,
+                                    16,
+                                    100,
+                                    FLT_MAX,
+                                    FLT_MIN,
+                                    0x1p-149,
+                                    2e-309,
+                                    1e-310,
+                                    1e-300,
+                                    1e300,
+                                    1e154,
+                                    1e155,
+                                    1e15,
+                                    1e40,
+                                    0x1p-60,
+                                    0.39,
+                                    0.67,
+                                    1.3,
+                                    2.157,
+                                    3,
+                                    10.9,
+                                    11,
+                                    COR_HERTZ_DASHPOT_BETA_C};
+    return values[below(source, sizeof values / sizeof *values)];
+}
+
+static double any_number(struct bit_source *source)
+{
+    switch (below(source, 20)) {
+    case 0:
+    case 1:
+    case 2:
+        return special(source);
+    case 3:
+        return of_bits(bits(source));
+    case 4:
+        return of_bits(bits(source) & UINT64_C(0x7fffffffffffffff));
+    case 5:
+        return uniform(source, -1, 0);
+    case 6: /* from below to 1 */
+        return 1 - ldexp(uniform(source, 0, 1), -(int)below(source, 60));
+    case 7:
+    case 8:
+        return by_size(source, 1e-30, 1e30);
+    case 9:
+    case 10:
+    case 11:
+    case 12:
+        return by_size(source, 1e-4, 100);
+    default:
+        return uniform(source, 0, 1);
+    }
+}
+
+static double positive(struct bit_source *source, double low, double high)
+{
+    switch (below(source, 8)) {
+    case 0:
+        return any_number(source);
+    case 1:
+        return of_bits(bits(source) & UINT64_C(0x7fffffffffffffff));
+    case 2:
+        return by_size(source, 1e-300, 1e300);
+    default:
+        return by_size(source, low, high);
+    }
+}
+
+static double ratio(struct bit_source *source, double most)
+{
+    return below(source, 8) == 0 ? any_number(source) : uniform(source, -1, most);
+}
+
+static float narrow(double x)
+{
+    if (isnan(x))
+        return NAN;
+    if (fabs(x) > (double)FLT_MAX && fabs(x) <= DBL_MAX)
+        return x > 0 ? FLT_MAX : -FLT_MAX;
+    return (float)x;
+}
+
+static struct cor_body body(struct bit_source *source)
+{
+    struct cor_body drawn;
+    drawn.young_modulus_pa = positive(source, 1e6, 1e12);
+    drawn.poisson_ratio = ratio(source, 0.5);
+    drawn.dissipation_time_s = positive(source, 1e-9, 1e-2);
+    drawn.radius_m = positive(source, 1e-6, 1);
+    drawn.mass_kg = positive(source, 1e-9, 10);
+    if (below(source, 5) == 0)
+        drawn.radius_m = drawn.mass_kg = INFINITY;
+    return drawn;
+}
+
+static int subnormal_number(double x)
+{
+    return x != 0 && fabs(x) < 2 * DBL_MIN;
+}
+
+static void without_subnormal(double *x)
+{
+    if (subnormal_number(*x))
+        *x = 0;
+}
+
+/* The fields of a struct of doubles */
+static void without_subnormals(void *numbers, size_t size)
+{
+    double x;
+    for (unsigned char *at = numbers; at < (unsigned char *)numbers + size; at += sizeof x) {
+        memcpy(&x, at, sizeof x);
+        without_subnormal(&x);
+        memcpy(at, &x, sizeof x);
+    }
+}
+
+/* As an init leaves it, or, if by_hand, with any numbers but subnormal ones, which no init leaves */
+static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
+{
+    struct cor_sphere_contact drawn;
+    const struct cor_body ordinary[] = {
+        {by_size(source, 1e6, 1e12), uniform(source, -0.9, 0.5), by_size(source, 1e-9, 1e-2), by_size(source, 1e-6, 1),
+         by_size(source, 1e-9, 10)},
+        {by_size(source, 1e6, 1e12), uniform(source, -0.9, 0.5), 0, INFINITY, INFINITY}};
+    const struct cor_body wild[] = {body(source), body(source)};
+    const size_t way = below(source, 6);
+    if (by_hand && way == 0) {
+        drawn.effective_mass_kg = any_number(source);
+        drawn.effective_radius_m = any_number(source);
+        drawn.elastic_constant_n_m15 = any_number(source);
+        drawn.dissipation_time_s = any_number(source);
+        drawn.beta_per_root = any_number(source);
+        drawn.scale = any_number(source);
+        drawn.beta5_per_speed = any_number(source);
+        without_subnormals(&drawn, sizeof drawn);
+    } else if (way == 1) {
+        cor_sphere_contact_init_g_star(&drawn, any_number(source));
+    } else {
+        cor_sphere_contact_init(&drawn, way == 2 ? &wild[0] : &ordinary[0], way == 2 ? &wild[1] : &ordinary[1]);
+    }
+    return drawn;
+}
+
+static double within(struct bit_source *source, double drawn, double limit)
+{
+    return limit > 0 && below(source, 3) > 0 ? limit * uniform(source, 0, 1) : drawn;
+}
+
+static void disk_draw(struct arguments *a, struct bit_source *source, size_t i)
+{
+    a->datum[i] = (enum cor_disk_datum)below(source, 3);
+    a->nu[i] = ratio(source, 1);
+    a->poisson_ratio[i] = ratio(source, 0.5);
+    a->speed[i] = within(source, a->speed[i], cor_disk_speed_limit(a->nu[i], a->datum[i]));
+    a->load[i] = within(source, a->load[i], cor_disk_load_limit(a->nu[i], a->datum[i]));
+    a->energy[i] = within(source, a->energy[i], cor_disk_energy_limit(a->nu[i], a->datum[i]));
+    a->compression[i] = within(source, a->compression[i], cor_disk_compression_limit(a->nu[i], a->datum[i]));
+    a->modes[i] = below(source, 2) ? cor_disk_modes_nu033 : cor_disk_modes_nu090;
+    a->n_modes[i] = 1 + below(source, 12);
+    a->disk_collision_options[i].alpha = below(source, 4) ? by_size(source, 40, 500) : any_number(source);
+    a->disk_collision_options[i].tolerance = below(source, 4) ? by_size(source, 1e-4, 1) : any_number(source);
+    a->disk_collision_options[i].phi_points = 0;
+    a->disk_collision_options[i].max_steps = 20000;
+    a->disk_hard_wall_options[i].tolerance = below(source, 4) ? by_size(source, 1e-2, 1) : any_number(source);
+    a->tolerance[i] = below(source, 4) ? by_size(source, 1e-6, 1) : any_number(source);
+}
+
+void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, int subnormal)
+{
+    a->n = n;
+    for (size_t i = 0; i < n; i++) {
+#define NUMBER(name) a->name[i] = any_number(source);
+#include "public_functions.inc"
+        a->elastic_exponent[i] = below(source, 2) ? 1.5 - 0.5 * (double)below(source, 2) : a->elastic_exponent[i];
+        a->contact[i] = contact(source, i > 0); /* the first is that of arrays */
+        a->body_1[i] = body(source);
+        a->body_2[i] = body(source);
+        a->sphere[i] = body(source);
+        a->plate[i].young_modulus_pa = positive(source, 1e6, 1e12);
+        a->plate[i].poisson_ratio = ratio(source, 0.5);
+        a->plate[i].density_kg_m3 = positive(source, 1, 1e5);
+        a->plate[i].thickness_m = positive(source, 1e-5, 1);
+        a->half_space[i].young_modulus_pa = positive(source, 1e6, 1e12);
+        a->half_space[i].poisson_ratio = ratio(source, 0.5);
+        a->half_space[i].density_kg_m3 = positive(source, 1, 1e5);
+        a->depth[i] = (int)below(source, 50) - 1;
+        a->status[i] = (int)below(source, 60) - 10;
+        disk_draw(a, source, i);
+        if (!subnormal) {
+            without_subnormals(&a->contact[i], sizeof a->contact[i]);
+            without_subnormals(&a->body_1[i], sizeof a->body_1[i]);
+            without_subnormals(&a->body_2[i], sizeof a->body_2[i]);
+            without_subnormals(&a->sphere[i], sizeof a->sphere[i]);
+            without_subnormals(&a->plate[i], sizeof a->plate[i]);
+            without_subnormals(&a->half_space[i], sizeof a->half_space[i]);
+        }
+#define NUMBER(name)                                                                                                   \
+    if (!subnormal)                                                                                                    \
+        without_subnormal(&a->name[i]);                                                                                \
+    a->name##f[i] = narrow(a->name[i]);                                                                                \
+    if (!subnormal && a->name##f[i] < 2 * FLT_MIN && a->name##f[i] > -2 * FLT_MIN)                                     \
+        a->name##f[i] = 0;
+#include "public_functions.inc"
+    }
+}
+
+/* ---- results ---- */
+
+void results_put(struct results *r, double value)
+{
+    if (r->count == r->capacity) {
+        r->capacity = 2 * r->capacity + 64;
+        r->value = realloc(r->value, r->capacity * sizeof *r->value);
+        if (r->value == NULL)
+            abort();
+    }
+    r->value[r->count++] = value;
+}
+
+void results_clear(struct results *r)
+{
+    free(r->value);
+    r->value = NULL;
+    r->count = r->capacity = 0;
+}
+
+static void put_contact(struct results *r, const struct cor_sphere_contact *c)
+{
+    results_put(r, c->effective_mass_kg);
+    results_put(r, c->effective_radius_m);
+    results_put(r, c->elastic_constant_n_m15);
+    results_put(r, c->dissipation_time_s);
+    results_put(r, c->beta_per_root);
+    results_put(r, c->scale);
+    results_put(r, c->beta5_per_speed);
+}
+
+int public_is_part(const struct public_function *function)
+{
+    const char *const name = function->name;
+    return strstr(name, "_eps") != NULL || (strstr(name, "_loss") != NULL && strstr(name, "_of_loss") == NULL);
+}
+
+/* ---- the calls of one kind ---- */
+
+#define SCALAR(function, type, given)                                                                                  \
+    static void call_##function(const struct arguments *a, struct results *r)                                          \
+    {                                                                                                                  \
+        for (size_t i = 0; i < a->n; i++)                                                                              \
+            results_put(r, (double)function given);                                                                    \
+    }
+#define ARRAY(function, type, given, element)                                                                          \
+    static void call_##function(const struct arguments *a, struct results *r)                                          \
+    {                                                                                                                  \
+        type y[PUBLIC_COUNT];                                                                                          \
+        const size_t n = a->n;                                                                                         \
+        function given;                                                                                                \
+        for (size_t i = 0; i < n; i++)                                                                                 \
+            results_put(r, (double)y[i]);                                                                              \
+    }                                                                                                                  \
+    static void elements_##function(const struct arguments *a, struct results *r)                                      \
+    {                                                                                                                  \
+        for (size_t i = 0; i < a->n; i++)                                                                              \
+            results_put(r, (double)element);                                                                           \
+    }
+#define INIT(function, type, given)                                                                                    \
+    static void call_##function(const struct arguments *a, struct results *r)                                          \
+    {                                                                                                                  \
+        for (size_t i = 0; i < a->n; i++) {                                                                            \
+            struct type out;                                                                                           \
+            results_put(r, function given);                                                                            \
+            put_contact(r, &out);                                                                                      \
+        }                                                                                                              \
+    }
+#include "public_functions.inc"
+
+/* ---- the others ---- */
+
+static void call_cor_status_text(const struct arguments *a, struct results *r)
+{
+    for (size_t i = 0; i < a->n; i++)
+        results_put(r, (double)strlen(cor_status_text(a->status[i])));
+}
+
+static void put_line(FILE *file, uint32_t *check, const char *text)
+{
+    char end[12];
+    *check = cor_mode_file_check(*check, text, strlen(text));
+    *check = cor_mode_file_check(*check, " ", 1);
+    snprintf(end, sizeof end, "%08lx\n", (unsigned long)*check);
+    fprintf(file, "%s %s", text, end);
+    *check = cor_mode_file_check(*check, end, strlen(end));
+}
+
+/* Reads a file of two modes, of which the second may be such that its check overflows. */
+static void read_file(const char *second, struct results *r)
+{
+    char path[] = P_tmpdir "/cor-public-calls-XXXXXX";
+    struct cor_disk_mode mode[2];
+    struct cor_disk_modes modes = {0, 0, NULL};
+    uint32_t check = COR_MODE_FILE_CHECK_START;
+    size_t line;
+    const int descriptor = mkstemp(path);
+    FILE *const file = descriptor >= 0 ? fdopen(descriptor, "wb") : NULL;
+    if (file == NULL)
+        abort();
+    const char *const lines[] = {"cor-disk-modes 1",
+                                 "source a test",
+                                 "poisson 0x1p-2 0.25",
+                                 "modes 2",
+                                 "mode 2 0 0x1.7b9618adbae28p+0 0x1.6625d55b3cb8fp+0 -0x1.b2c5f17ab1872p-2",
+                                 second,
+                                 "end"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+        put_line(file, &check, lines[i]);
+    fclose(file);
+    results_put(r, cor_disk_modes_read(path, mode, 2, &modes, &line));
+    results_put(r, (double)line);
+    results_put(r, cor_disk_modes_read(path, NULL, 0, &modes, NULL));
+    results_put(r, (double)modes.count);
+    remove(path);
+    results_put(r, cor_disk_modes_read(path, mode, 2, &modes, &line)); /* no such file */
+}
+
+static void call_cor_disk_modes_read(const struct arguments *a, struct results *r)
+{
+    (void)a;
+    read_file("mode 2147483647 0 0x1p+1023 0x1p+1023 0x1p+1023", r);
+    read_file("mode 0 0 0x1.5p+1 0x1p+1023 0x0p+0", r);
+    read_file("mode 1 0 0x1p-1022 0x1p-1022 0x1p-1022", r);
+}
+
+static void call_cor_disk_modes_compute(const struct arguments *a, struct results *r)
+{
+    struct cor_disk_mode mode[32];
+    struct cor_disk_modes modes = {0, 0, NULL};
+    memset(mode, 0, sizeof mode);
+    results_put(r, cor_disk_modes_compute(a->nu[0], 32, mode, &modes));
+    results_put(r, modes.nu);
+    results_put(r, mode[31].omega);
+    results_put(r, mode[31].c);
+    results_put(r, mode[31].s);
+}
+
+static void put_rayleigh(struct results *r, const struct cor_disk_rayleigh *out)
+{
+    results_put(r, out->fraction);
+    results_put(r, out->tail);
+    results_put(r, out->error_estimate);
+    results_put(r, out->contact_time);
+}
+
+static void call_cor_disk_rayleigh(const struct arguments *a, struct results *r)
+{
+    struct cor_disk_rayleigh out = {0, 0, 0, 0};
+    double fraction[12] = {0};
+    results_put(r, cor_disk_rayleigh(&a->modes[0], a->n_modes[0], a->datum[0], a->speed[0], &out, fraction));
+    put_rayleigh(r, &out);
+    results_put(r, fraction[0]);
+}
+
+static void call_cor_disk_rayleigh_array(const struct arguments *a, struct results *r)
+{
+    static struct cor_disk_rayleigh out[PUBLIC_COUNT];
+    static double fraction[12 * PUBLIC_COUNT];
+    int status[PUBLIC_COUNT];
+    memset(out, 0, sizeof out);
+    results_put(
+        r, cor_disk_rayleigh_array(&a->modes[0], a->n_modes[0], a->datum[0], a->speed, a->n, out, fraction, status));
+    for (size_t i = 0; i < a->n; i++)
+        put_rayleigh(r, &out[i]);
+}
+
+static void call_cor_disk_rayleigh_tolerance(const struct arguments *a, struct results *r)
+{
+    struct cor_disk_rayleigh out = {0, 0, 0, 0};
+    size_t modes = 0;
+    results_put(r, cor_disk_rayleigh_tolerance(&a->modes[0], a->datum[0], a->speed[0], a->tolerance[0], &out, &modes));
+    put_rayleigh(r, &out);
+    results_put(r, (double)modes);
+}
+
+static void put_collision(struct results *r, const struct cor_disk_collision *out)
+{
+    results_put(r, out->eps);
+    results_put(r, out->one_minus_eps2);
+    results_put(r, out->contact_time);
+    results_put(r, out->max_compression);
+    results_put(r, (double)out->steps);
+}
+
+static void call_cor_disk_collision(const struct arguments *a, struct results *r)
+{
+    struct cor_disk_collision out;
+    memset(&out, 0, sizeof out);
+    results_put(r, cor_disk_collision(&a->modes[0], a->n_modes[0], &a->disk_collision_options[0], a->speed[0], &out));
+    put_collision(r, &out);
+}
+
+static void call_cor_disk_collision_array(const struct arguments *a, struct results *r)
+{
+    enum { SPEEDS = 3 };
+    struct cor_disk_collision out[SPEEDS];
+    int status[SPEEDS];
+    const size_t n = a->n < SPEEDS ? a->n : SPEEDS;
+    memset(out, 0, sizeof out);
+    results_put(r, cor_disk_collision_array(&a->modes[0], a->n_modes[0], &a->disk_collision_options[0], a->speed, n,
+                                            out, status));
+    for (size_t i = 0; i < n; i++)
+        put_collision(r, &out[i]);
+}
+
+static void observe_collision(void *context, const struct cor_disk_moment *moment)
+{
+    *(double *)context += moment->load;
+}
+
+/* Not allocated, so that what is allocated is the library's */
+static unsigned char workspace[1 << 22];
+
+static void call_cor_disk_collision_in(const struct arguments *a, struct results *r)
+{
+    const struct cor_disk_modes *const modes = &a->modes[0];
+    const struct cor_disk_collision_options *const options = &a->disk_collision_options[0];
+    double after[12], average[12], q[12], q_dot[12], load = 0;
+    const struct cor_disk_collision_detail detail = {after, average, observe_collision, &load, q, q_dot};
+    struct cor_disk_collision out;
+    memset(&out, 0, sizeof out);
+    results_put(r, cor_disk_collision_in(workspace, sizeof workspace, modes, a->n_modes[0], options, a->speed[0], &out,
+                                         &detail));
+    put_collision(r, &out);
+    results_put(r, load);
+}
+
+static void put_hard_wall(struct results *r, const struct cor_disk_hard_wall *out)
+{
+    results_put(r, out->one_minus_eps2);
+    results_put(r, out->eps);
+    results_put(r, out->contact_time);
+    results_put(r, out->max_compression);
+    results_put(r, out->error_estimate);
+    results_put(r, (double)out->omega_levels);
+}
+
+/* Enough modes for two levels */
+enum { HARD_WALL_MODES = 320 };
+
+static void call_cor_disk_hard_wall(const struct arguments *a, struct results *r)
+{
+    struct cor_disk_hard_wall out;
+    memset(&out, 0, sizeof out);
+    results_put(r, cor_disk_hard_wall(&a->modes[0], HARD_WALL_MODES, &a->disk_hard_wall_options[0], a->speed[0], &out));
+    put_hard_wall(r, &out);
+}
+
+static void call_cor_disk_hard_wall_nu(const struct arguments *a, struct results *r)
+{
+    if (a->n_modes[0] % 4 != 0) /* it computes its modes, which takes long */
+        return;
+    const struct cor_disk_hard_wall_options options = {fmax(a->disk_hard_wall_options[0].tolerance, 1e-2)};
+    struct cor_disk_hard_wall out;
+    memset(&out, 0, sizeof out);
+    results_put(r, cor_disk_hard_wall_nu(a->nu[0], &options, a->speed[0], &out));
+    put_hard_wall(r, &out);
+}
+
+static void observe_hard_wall(void *context, const struct cor_disk_hard_wall_moment *moment)
+{
+    *(double *)context += moment->load;
+}
+
+static void call_cor_disk_hard_wall_in(const struct arguments *a, struct results *r)
+{
+    const struct cor_disk_modes *const modes = &a->modes[0];
+    const struct cor_disk_hard_wall_options *const options = &a->disk_hard_wall_options[0];
+    static double after[HARD_WALL_MODES], average[HARD_WALL_MODES], q[HARD_WALL_MODES], q_dot[HARD_WALL_MODES];
+    double load = 0;
+    const struct cor_disk_hard_wall_detail detail = {after, average, observe_hard_wall, &load, q, q_dot};
+    struct cor_disk_hard_wall out;
+    memset(&out, 0, sizeof out);
+    results_put(r, cor_disk_hard_wall_in(workspace, sizeof workspace, modes, HARD_WALL_MODES, options, a->speed[0],
+                                         &out, &detail));
+    put_hard_wall(r, &out);
+    results_put(r, load);
+}
+
+/* ---- all of them ---- */
+
+#define SCALAR(function, type, given) {#function, call_##function, NULL, PUBLIC_##type},
+#define ARRAY(function, type, given, element) {#function, call_##function, elements_##function, PUBLIC_##type},
+#define INIT(function, type, given) {#function, call_##function, NULL, PUBLIC_several},
+#define OTHER(function) {#function, call_##function, NULL, PUBLIC_several},
+const struct public_function public_functions[] = {
+#include "public_functions.inc"
+};
+const size_t public_function_count = sizeof public_functions / sizeof *public_functions;

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: MIT */
+/* A call of every public function, by the list public_functions.inc, for tests of what all of them promise. */
+#ifndef COR_TESTS_PUBLIC_CALLS_H
+#define COR_TESTS_PUBLIC_CALLS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cor/cor.h>
+
+#include "random.h"
+
+/* More numbers than any loop of the library takes at once */
+enum { PUBLIC_COUNT = 150 };
+
+/* n arguments of each name that a parameter has in the headers */
+struct arguments {
+#define NUMBER(name)                                                                                                   \
+    double name[PUBLIC_COUNT];                                                                                         \
+    float name##f[PUBLIC_COUNT];
+#include "public_functions.inc"
+    struct cor_sphere_contact contact[PUBLIC_COUNT];
+    struct cor_body body_1[PUBLIC_COUNT], body_2[PUBLIC_COUNT], sphere[PUBLIC_COUNT];
+    struct cor_plate plate[PUBLIC_COUNT];
+    struct cor_half_space half_space[PUBLIC_COUNT];
+    struct cor_disk_modes modes[PUBLIC_COUNT];
+    struct cor_disk_collision_options disk_collision_options[PUBLIC_COUNT];
+    struct cor_disk_hard_wall_options disk_hard_wall_options[PUBLIC_COUNT];
+    enum cor_disk_datum datum[PUBLIC_COUNT];
+    size_t n_modes[PUBLIC_COUNT];
+    int depth[PUBLIC_COUNT], status[PUBLIC_COUNT];
+    size_t n;
+};
+
+/* Random bits, from wherever */
+struct bit_source {
+    uint64_t (*next)(struct bit_source *source);
+};
+
+struct random_bits {
+    struct bit_source source;
+    struct random_state random;
+};
+
+uint64_t random_bits_next(struct bit_source *source);
+
+/* Arguments inside and outside of the domains: special and extreme ones, of any size, and ordinary ones; without
+ * subnormal ones if `subnormal` is 0. */
+void arguments_draw(struct arguments *a, struct bit_source *source, size_t n, int subnormal);
+
+struct results {
+    double *value;
+    size_t count, capacity;
+};
+
+void results_put(struct results *r, double value);
+void results_clear(struct results *r);
+
+enum public_type { PUBLIC_double, PUBLIC_float, PUBLIC_size_t, PUBLIC_several };
+
+struct public_function {
+    const char *name;
+    void (*call)(const struct arguments *a, struct results *r);     /* at all n, or once */
+    void (*elements)(const struct arguments *a, struct results *r); /* of an array: the same one by one; or NULL */
+    enum public_type type;
+};
+
+/* Whether the name says that the numbers are eps or 1 - eps, and so in [0, 1] */
+int public_is_part(const struct public_function *function);
+
+extern const struct public_function public_functions[];
+extern const size_t public_function_count;
+
+#endif
