@@ -79,9 +79,10 @@ static const char help[] =
     "  A:B:lin:N  N values from A to B at equal distances\n"
     "  A:B:log:N  N values from A to B at equal ratios\n"
     "\nColumns: speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,\n"
-    "steps,status; with --hard-wall: speed,nu,one_minus_eps2,eps,contact_time,max_compression,\n"
-    "error_estimate,status. The speed varies fastest, then modes, alpha, poisson. A row whose status is\n"
-    "not ok is kept, and the exit status is then 1.\n"
+    "steps,error_estimate,status; with --hard-wall: speed,nu,one_minus_eps2,eps,contact_time,\n"
+    "max_compression,error_estimate,status. Digits end with the second one of error_estimate. The speed\n"
+    "varies fastest, then modes, alpha, poisson. A row whose status is not ok is kept, and the exit\n"
+    "status is then 1.\n"
     "\nExample: corgen disk-collide --speed 0.01:0.3:log:12 --poisson 0.33,0.9 --alpha 500 --modes 100\n";
 
 #define AT(FIELD) offsetof(struct disk_collide_arguments, FIELD)

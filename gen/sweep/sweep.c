@@ -207,6 +207,9 @@ void sweep_collide_hard(struct sweep_result *result, const struct sweep *sweep, 
 
 /* ---- lines ---- */
 
+/* Digits of errors and of the energy's drift */
+enum { SMALL_DIGITS = 2 };
+
 static const char *status_word(char text[DECIMAL_TEXT], int status)
 {
     switch (status) {
@@ -224,16 +227,47 @@ static const char *status_word(char text[DECIMAL_TEXT], int status)
     }
 }
 
+/* Two digits of an error, rounded up */
+static const char *error_text(char text[DECIMAL_TEXT], double error)
+{
+    if (!(error > 0 && error < (double)INFINITY))
+        return decimal_text(text, error);
+    snprintf(text, DECIMAL_TEXT, "%.1e", error);
+    const int up = strtod(text, NULL) < error, digits = 10 * (text[0] - '0') + text[2] - '0';
+    const int exponent = (int)strtol(strchr(text, 'e') + 1, NULL, 10);
+    snprintf(text, DECIMAL_TEXT, "%de%d", digits + up, exponent - 1);
+    return decimal_text(text, strtod(text, NULL));
+}
+
+/* Decimals up to the second digit of the error; all where it is not known */
+static int decimals_known(double error)
+{
+    return error > 0 ? (int)fmin(fmax(1 - floor(log10(error)), 1), DECIMAL_TEXT / 2) : DECIMAL_TEXT / 2;
+}
+
+/* A number with so many decimals, or significant digits, or a shorter text that reads back to the same double */
+static const char *known_text(char text[DECIMAL_TEXT], bool decimals, int digits, double x)
+{
+    char whole[DECIMAL_TEXT];
+    decimal_text(whole, x);
+    const int length =
+        decimals ? snprintf(text, DECIMAL_TEXT, "%.*f", digits, x) : snprintf(text, DECIMAL_TEXT, "%.*g", digits, x);
+    if (!isfinite(x) || (size_t)length >= strlen(whole))
+        snprintf(text, DECIMAL_TEXT, "%s", whole);
+    return text;
+}
+
+/* The numbers taken during the contact get as many digits as eps has decimals. */
 static void hard_wall_line(char line[SWEEP_LINE], const struct sweep_row *row, const struct sweep_result *result)
 {
     const struct cor_disk_hard_wall *h = &result->hard_wall;
-    const double number[] = {row->speed,         row->nu,          h->one_minus_eps2, h->eps, h->contact_time,
-                             h->max_compression, h->error_estimate};
-    int length = 0;
-    char text[DECIMAL_TEXT];
-    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
-        length += snprintf(line + length, SWEEP_LINE - (size_t)length, "%s,", decimal_text(text, number[i]));
-    snprintf(line + length, SWEEP_LINE - (size_t)length, "%s", status_word(text, result->status));
+    const int known = decimals_known(h->error_estimate);
+    char text[7][DECIMAL_TEXT], word[DECIMAL_TEXT];
+    snprintf(line, SWEEP_LINE, "%s,%s,%s,%s,%s,%s,%s,%s", decimal_text(text[0], row->speed),
+             decimal_text(text[1], row->nu), known_text(text[2], true, known, h->one_minus_eps2),
+             known_text(text[3], true, known, h->eps), known_text(text[4], false, known, h->contact_time),
+             known_text(text[5], false, known, h->max_compression), error_text(text[6], h->error_estimate),
+             status_word(word, result->status));
 }
 
 void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_row *row,
@@ -244,12 +278,14 @@ void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct s
         return;
     }
     const struct cor_disk_collision *c = &result->collision;
-    char text[8][DECIMAL_TEXT], word[DECIMAL_TEXT];
-    snprintf(line, SWEEP_LINE, "%s,%s,%s,%zu,%s,%s,%s,%s,%s,%zu,%s", decimal_text(text[0], row->speed),
+    const int known = decimals_known(c->error_estimate);
+    char text[9][DECIMAL_TEXT], word[DECIMAL_TEXT];
+    snprintf(line, SWEEP_LINE, "%s,%s,%s,%zu,%s,%s,%s,%s,%s,%zu,%s,%s", decimal_text(text[0], row->speed),
              decimal_text(text[1], row->nu), decimal_text(text[2], row->alpha), row->modes,
-             decimal_text(text[3], c->eps), decimal_text(text[4], c->one_minus_eps2),
-             decimal_text(text[5], c->contact_time), decimal_text(text[6], c->max_compression),
-             decimal_text(text[7], c->energy_drift), c->steps, status_word(word, result->status));
+             known_text(text[3], true, known, c->eps), known_text(text[4], true, known, c->one_minus_eps2),
+             known_text(text[5], false, known, c->contact_time), known_text(text[6], false, known, c->max_compression),
+             known_text(text[7], false, SMALL_DIGITS, c->energy_drift), c->steps,
+             error_text(text[8], c->error_estimate), status_word(word, result->status));
 }
 
 /* ---- tables ---- */
@@ -263,7 +299,7 @@ enum column_kind {
     COLUMN_STEPS,
     COLUMN_STATUS
 };
-enum { SMALL_DIGITS = 2, LEAST_DIGITS = 4 };
+enum { LEAST_DIGITS = 4 };
 
 struct layout {
     const char *header;
@@ -274,7 +310,7 @@ static const struct layout soft_layout = {SWEEP_HEADER,
                                           SWEEP_COLUMNS,
                                           {COLUMN_LIST, COLUMN_LIST, COLUMN_LIST, COLUMN_COUNT, COLUMN_RESULT,
                                            COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT, COLUMN_SMALL, COLUMN_STEPS,
-                                           COLUMN_STATUS}};
+                                           COLUMN_SMALL, COLUMN_STATUS}};
 static const struct layout hard_layout = {SWEEP_HARD_WALL_HEADER,
                                           8,
                                           {COLUMN_LIST, COLUMN_LIST, COLUMN_RESULT, COLUMN_RESULT, COLUMN_RESULT,

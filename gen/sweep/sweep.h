@@ -15,10 +15,11 @@
 #include "sweep/values.h"
 
 #define SWEEP_MAX_ROWS UINT64_C(1000000000)
-#define SWEEP_HEADER "speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,steps,status"
+#define SWEEP_HEADER                                                                                                   \
+    "speed,nu,alpha,modes,eps,one_minus_eps2,contact_time,max_compression,energy_drift,steps,error_estimate,status"
 #define SWEEP_HARD_WALL_HEADER "speed,nu,one_minus_eps2,eps,contact_time,max_compression,error_estimate,status"
 
-enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 11, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
+enum { SWEEP_LISTS = 4, SWEEP_COLUMNS = 12, SWEEP_LINE = SWEEP_COLUMNS * DECIMAL_TEXT };
 
 /* Rows are numbered in the order of the lists: speed varies fastest, then modes, alpha and poisson. */
 struct sweep {
@@ -62,7 +63,7 @@ void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const
 void sweep_collide_hard(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
                         struct hard_wall_tables *tables, struct sweep_room *room);
 
-/* Formats a row as a line of csv, without its line end. */
+/* Formats a row as a line of csv, without its line end: results up to the second digit of their error. */
 void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_row *row,
                 const struct sweep_result *result);
 

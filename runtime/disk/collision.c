@@ -104,7 +104,7 @@ static int collision_at(struct cor_motion *m, const struct cor_disk_collision_op
     m->work_left = options->max_steps > 0 ? (double)options->max_steps : cor_tuning.work;
     const size_t phi = cor_motion_first_phi(m, options);
     if (m->phi != phi)
-        cor_motion_set_angles(m, phi);
+        cor_motion_set_angles(m, phi, 0);
     return cor_collision_runs(m, out, detail);
 }
 

@@ -45,13 +45,22 @@ double cor_collision_step_error(const struct cor_motion *m, const struct cor_col
 /* The pressure's harmonics fall off exponentially. With phi angles the harmonic 4 phi - k aliases k; the worst case is
  * the largest k. With half the angles the harmonic 2 phi aliases the load. The change of the load therefore measures
  * the decay of the harmonics. */
-double cor_collision_angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
-                                  const struct cor_collision_evidence *evidence)
+double cor_collision_quadrature_error(const struct cor_motion *m, const struct cor_collision_run *run)
 {
     const double power = 2 - 0.5 * (double)m->size.n_max / (double)m->phi;
-    if (!(power > 0 && run->ripple < run->max_load))
-        return 1;
-    return fmin(1, pow(run->ripple / run->max_load, power) * fmax(1, evidence->largest_movement / cor_tuning.calm));
+    return power > 0 && run->ripple < run->max_load ? pow(run->ripple / run->max_load, power) : 1;
+}
+
+/* The collision amplifies the error of the quadrature as any other. The runs bound the amplification without regard to
+ * what calm collisions show, so that this estimate may be far too large; a run with other angles measures the error. */
+static double angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
+                           const struct cor_collision_evidence *evidence)
+{
+    if (evidence->angles_measured)
+        return cor_tuning.angles_in_eps * evidence->by_angles;
+    const double quadrature = cor_collision_quadrature_error(m, run);
+    const double amplification = evidence->amplification * (evidence->measured ? 1 : cor_tuning.bound_amplifies);
+    return quadrature < 1 ? fmin(1, quadrature * fmax(cor_tuning.quadrature_in_eps, amplification)) : 1;
 }
 
 void cor_collision_other_errors(const struct cor_motion *m, const struct cor_collision_run *run, double left,
@@ -59,8 +68,7 @@ void cor_collision_other_errors(const struct cor_motion *m, const struct cor_col
 {
     const double steps = (double)run->steps, amplification = evidence->amplification, half_ulp = 0x1p-53;
     const double wall = cor_tuning.wall_left * fmin(m->tolerance, cor_tuning.wall_tolerance);
-    const double angles = cor_collision_angles_error(m, run, evidence);
-    error->angles = angles < 1 ? cor_tuning.angles_in_eps * angles : 1;
+    error->angles = angles_error(m, run, evidence);
     error->round_off = half_ulp * (sqrt(steps) * (1 + cor_tuning.random_walk * amplification) +
                                    cor_tuning.steady_drift * steps * sqrt(left) * (1 + 0.5 * amplification));
     error->wall = cor_tuning.wall_in_eps * wall * (1 + amplification);
@@ -68,10 +76,10 @@ void cor_collision_other_errors(const struct cor_motion *m, const struct cor_col
 
 double cor_collision_lasting_error(const struct cor_collision_error *error)
 {
-    return error->angles + error->round_off + error->wall;
+    return error->round_off + error->wall;
 }
 
 double cor_collision_total_error(const struct cor_collision_error *error)
 {
-    return fmin(1, error->step + cor_collision_lasting_error(error));
+    return fmin(1, error->step + error->angles + cor_collision_lasting_error(error));
 }

@@ -16,17 +16,17 @@ struct cor_collision_error {
 struct cor_collision_evidence {
     int runs;                            /* with the same angles */
     double movement[COR_COLLISION_RUNS]; /* of the extrapolated result by each of them but the first */
-    double largest_movement;             /* of eps, in the whole call */
     double amplification;                /* of errors: measured, or a bound on it */
     int measured;
+    double by_angles; /* movement by shifted angles, if it is measured */
+    int angles_measured;
 };
 
 /* Error due to the step, after the last run, whose round-off is known */
 double cor_collision_step_error(const struct cor_motion *m, const struct cor_collision_evidence *evidence,
                                 double round_off);
-/* Error of the quadrature relative to the peak load */
-double cor_collision_angles_error(const struct cor_motion *m, const struct cor_collision_run *run,
-                                  const struct cor_collision_evidence *evidence);
+/* Error of the quadrature relative to the peak load; 1 where nothing is known of it */
+double cor_collision_quadrature_error(const struct cor_motion *m, const struct cor_collision_run *run);
 /* Sets all parts except the step for the last run, which leaves the fraction `left` of the energy in the modes. */
 void cor_collision_other_errors(const struct cor_motion *m, const struct cor_collision_run *run, double left,
                                 const struct cor_collision_evidence *evidence, struct cor_collision_error *error);

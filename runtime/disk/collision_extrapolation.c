@@ -130,10 +130,3 @@ double cor_collision_difference(const struct cor_motion *m, const struct cor_col
     weight[levels - 2] = -1;
     return weighted_norm(m, run, levels, weight);
 }
-
-double cor_collision_eps_movement(const struct cor_collision_run *run, int levels)
-{
-    double weight[LEVELS];
-    movement_weights(levels, weight);
-    return fabs(weighted_eps(run, levels, weight));
-}

@@ -19,7 +19,5 @@ void cor_collision_averages(const struct cor_motion *m, const struct cor_collisi
  * larger of the change of eps and half the norm of the changes of the modes' energies, as a fraction of (pi/2) v^2. */
 double cor_collision_movement(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
 double cor_collision_difference(const struct cor_motion *m, const struct cor_collision_run *run, int levels);
-/* The movement of the extrapolated eps by the last run */
-double cor_collision_eps_movement(const struct cor_collision_run *run, int levels);
 
 #endif

@@ -19,6 +19,7 @@ struct runs {
     enum cor_collision_outcome outcome; /* of the last run made */
     struct cor_collision_evidence evidence;
     struct cor_collision_error error;
+    double left, less_than_none; /* energy in the modes; sum of the extrapolated energies below 0 */
 };
 
 /* ---- steps and angles ---- */
@@ -33,26 +34,25 @@ static double first_step(const struct cor_motion *m)
     return safe * fmin(1, pow(m->tolerance / cor_tuning.easy_tolerance, 1.0 / 8));
 }
 
-static int too_few_angles(const struct cor_motion *m, const struct runs *runs, const struct cor_collision_run *run)
+static int too_few_angles(const struct cor_motion *m, const struct cor_collision_run *run)
 {
-    return cor_collision_angles_error(m, run, &runs->evidence) > cor_tuning.angles_allowed * m->tolerance;
+    return cor_collision_quadrature_error(m, run) > cor_tuning.quadrature_allowed * m->tolerance;
 }
 
 /* Discards all runs, which have other angles or too large a step, and starts again with the step h. */
 static void runs_restart(struct runs *runs, double h)
 {
-    runs->levels = runs->evidence.runs = 0;
+    runs->levels = runs->evidence.runs = runs->evidence.angles_measured = 0;
     runs->h = h;
 }
 
-/* Starts again with more angles, if the limit allows more. h is the step of a run in which only the angles were too
- * few. */
-static int runs_restart_finer(struct cor_motion *m, struct runs *runs, double h)
+/* Starts again with 1 + growth times as many angles, or the largest number allowed, unless there are that many. */
+static int runs_restart_finer(struct cor_motion *m, struct runs *runs, double growth, double h)
 {
     if (m->phi >= m->phi_limit)
         return 0;
-    const size_t phi = m->phi + m->phi / 4 + 1;
-    cor_motion_set_angles(m, phi < m->phi_limit ? phi : m->phi_limit);
+    const size_t phi = m->phi + (size_t)(growth * (double)m->phi) + 1;
+    cor_motion_set_angles(m, phi < m->phi_limit ? phi : m->phi_limit, 0);
     runs_restart(runs, h);
     return 1;
 }
@@ -127,55 +127,82 @@ static void bound_amplification(const struct cor_motion *m, struct runs *runs)
     evidence->amplification = fmax(evidence->amplification, bound);
 }
 
-/* Repeats one of the runs with v a little larger. The amplification is the change of the result over that of v. An
- * early run measures the amplification as well as a later one, and costs less. */
-static void measure_amplification(struct cor_motion *m, struct runs *runs)
+/* Repeats one of the runs after a change of speed or angles. Sets the changes of eps and, as a norm, of the energies.
+ * An early run measures them as well as a later one, and costs less. Returns 0 if the run failed. */
+static int runs_repeat(struct cor_motion *m, const struct runs *runs, double *eps, double *energies)
 {
     const int level = runs->levels < 4 ? runs->levels - 2 : 2;
     const struct cor_collision_run *const run = &runs->run[level];
+    struct cor_collision_run twin = *run;
+    if (run_widely(m, &twin, level > 0 ? run - 1 : NULL, NULL, NULL) != COR_RUN_ENDED)
+        return 0;
+    double sum = 0;
+    for (size_t i = 0; i < m->size.modes; i++) {
+        const double after = cor_collision_mode_energy(m, i) / (0.5 * COR_DISK_MASS * m->speed * m->speed);
+        sum += (after - m->after[level][i]) * (after - m->after[level][i]);
+    }
+    *eps = fabs(twin.eps - run->eps);
+    *energies = sqrt(sum);
+    return 1;
+}
+
+/* The amplification is the change of the result over that of v. */
+static void measure_amplification(struct cor_motion *m, struct runs *runs)
+{
     const double speed = m->speed, change = cor_tuning.perturbation;
+    double eps, energies;
     if (runs->evidence.measured || !runs_affordable(m, runs, 1))
         return;
-    struct cor_collision_run twin = *run;
     m->speed = speed * (1 + change);
-    if (run_widely(m, &twin, level > 0 ? run - 1 : NULL, NULL, NULL) == COR_RUN_ENDED) {
-        double sum = 0;
-        for (size_t i = 0; i < m->size.modes; i++) {
-            const double after = cor_collision_mode_energy(m, i) / (0.5 * COR_DISK_MASS * m->speed * m->speed);
-            sum += (after - m->after[level][i]) * (after - m->after[level][i]);
-        }
-        runs->evidence.amplification = fmax(fabs(twin.eps - run->eps), sqrt(sum)) / change;
+    if (runs_repeat(m, runs, &eps, &energies)) {
+        runs->evidence.amplification = fmax(eps, energies) / change;
         runs->evidence.measured = 1;
     }
     m->speed = speed;
 }
 
-/* Sets the parts of the error after the last run, which leaves the fraction `left` of the energy in the modes.
- * less_than_none: sum of the extrapolated energies below 0. */
-static void runs_estimate(const struct cor_motion *m, struct runs *runs, double left, double less_than_none)
+/* With shifted angles the quadrature has the opposite error, which the collision amplifies equally. */
+static void measure_angles(struct cor_motion *m, struct runs *runs)
 {
-    cor_collision_other_errors(m, &runs->run[runs->levels - 1], left, &runs->evidence, &runs->error);
+    double eps, energies;
+    if (runs->evidence.angles_measured || !runs_affordable(m, runs, 1))
+        return;
+    cor_motion_set_angles(m, m->phi, 1);
+    if (runs_repeat(m, runs, &eps, &energies)) {
+        runs->evidence.by_angles = fmax(eps, 0.5 * energies);
+        runs->evidence.angles_measured = 1;
+    }
+    cor_motion_set_angles(m, m->phi, 0);
+}
+
+/* Sets the parts of the error after the last run. Returns their sum. */
+static double runs_estimate(const struct cor_motion *m, struct runs *runs)
+{
+    cor_collision_other_errors(m, &runs->run[runs->levels - 1], runs->left, &runs->evidence, &runs->error);
     const double step = cor_collision_step_error(m, &runs->evidence, runs->error.round_off);
     /* negative mode energies show that the steps are still too large to extrapolate */
-    runs->error.step = fmax(step, 0.5 * less_than_none);
+    runs->error.step = fmax(step, 0.5 * runs->less_than_none);
+    return cor_collision_total_error(&runs->error);
 }
 
 /* Sets the results of two or more kept runs, and their error estimate. */
 static void runs_conclude(struct cor_motion *m, struct runs *runs, struct cor_disk_collision *out, double *energy_after)
 {
     struct cor_collision_evidence *const evidence = &runs->evidence;
-    const double less_than_none = cor_collision_results(m, runs->run, runs->levels, out, energy_after);
-    const double left = out->one_minus_eps2;
+    runs->less_than_none = cor_collision_results(m, runs->run, runs->levels, out, energy_after);
+    runs->left = out->one_minus_eps2;
     evidence->movement[evidence->runs - 1] = cor_collision_movement(m, runs->run, runs->levels);
-    evidence->largest_movement = fmax(evidence->largest_movement, cor_collision_eps_movement(runs->run, runs->levels));
     bound_amplification(m, runs);
-    runs_estimate(m, runs, left, less_than_none);
-    if (cor_collision_total_error(&runs->error) > m->tolerance &&
-        runs->error.step <= fmax(m->tolerance, runs->error.round_off + runs->error.wall)) {
-        measure_amplification(m, runs);
-        runs_estimate(m, runs, left, less_than_none);
+    out->error_estimate = runs_estimate(m, runs);
+    if (runs->error.angles > cor_tuning.angles_share * m->tolerance && runs->error.step <= m->tolerance) {
+        measure_angles(m, runs);
+        out->error_estimate = runs_estimate(m, runs);
     }
-    out->error_estimate = cor_collision_total_error(&runs->error);
+    if (out->error_estimate > m->tolerance &&
+        runs->error.step <= fmax(m->tolerance, cor_collision_lasting_error(&runs->error))) {
+        measure_amplification(m, runs);
+        out->error_estimate = runs_estimate(m, runs);
+    }
 }
 
 /* ---- a call ---- */
@@ -186,10 +213,10 @@ static enum verdict runs_judge(const struct cor_motion *m, const struct runs *ru
 {
     const struct cor_collision_evidence *const evidence = &runs->evidence;
     const double *const movement = &evidence->movement[evidence->runs - 1];
-    if (cor_collision_total_error(&runs->error) <= m->tolerance &&
-        !too_few_angles(m, runs, &runs->run[runs->levels - 1]))
+    const double angles = evidence->angles_measured ? runs->error.angles : 0;
+    if (cor_collision_total_error(&runs->error) <= m->tolerance)
         return SETTLED;
-    if (runs->error.step <= cor_collision_lasting_error(&runs->error))
+    if (runs->error.step <= angles + cor_collision_lasting_error(&runs->error))
         return GIVEN_UP;
     if (evidence->runs < cor_tuning.patience)
         return GO_ON;
@@ -209,9 +236,22 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
         runs_restart(runs, runs->h / COR_COLLISION_RATIO);
         return runs->cuts++ < cor_tuning.max_cuts;
     }
-    if (!too_few_angles(m, runs, &runs->run[runs->levels]) || !runs_restart_finer(m, runs, runs->h))
+    if (!too_few_angles(m, &runs->run[runs->levels]) || !runs_restart_finer(m, runs, cor_tuning.least_growth, runs->h))
         runs_keep(m, runs);
     return 1;
+}
+
+/* If a measurement shows that the angles are too few, starts again with enough to leave half of their share of the
+ * tolerance, provided that the error decreases as that of the quadrature. The last three steps may do again. */
+static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
+{
+    const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
+    const double share = cor_tuning.angles_share * m->tolerance, quadrature = cor_collision_quadrature_error(m, last);
+    if (!runs->evidence.angles_measured || runs->error.angles <= share)
+        return 0;
+    const double growth = quadrature < 1 ? log(0.5 * share / runs->error.angles) / log(quadrature) : 1;
+    return runs_restart_finer(m, runs, fmin(fmax(growth, cor_tuning.least_growth), 1),
+                              runs->run[runs->levels > 3 ? runs->levels - 3 : 0].h);
 }
 
 /* Makes runs until the error is small enough or cannot become small enough. */
@@ -221,15 +261,18 @@ static enum verdict runs_settle(struct cor_motion *m, struct runs *runs, struct 
     enum verdict verdict = GO_ON;
     while (verdict == GO_ON) {
         if (!runs_advance(m, runs, detail->energy_average != NULL))
-            return GIVEN_UP;
-        if (runs->levels < 2)
-            continue;
-        const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
-        runs_conclude(m, runs, out, detail->energy_after);
-        verdict = runs_judge(m, runs);
-        /* the last run may show that the angles are too few */
-        if (verdict != GO_ON && too_few_angles(m, runs, last) && runs_restart_finer(m, runs, last->h))
-            verdict = GO_ON;
+            verdict = GIVEN_UP;
+        else if (runs->levels > 1) {
+            runs_conclude(m, runs, out, detail->energy_after);
+            verdict = runs_judge(m, runs);
+            if (verdict == GIVEN_UP && runs_improve_angles(m, runs))
+                verdict = GO_ON;
+        }
+    }
+    /* a bound on the amplification would make the estimate of the best numbers useless */
+    if (verdict == GIVEN_UP && runs->levels > 1 && runs->error.angles > runs->error.step) {
+        measure_angles(m, runs);
+        out->error_estimate = runs_estimate(m, runs);
     }
     return verdict;
 }

@@ -29,7 +29,7 @@ struct cor_collision_tuning {
     double two_runs, third_ratio, later_ratio, least_movement, no_convergence, scatter;
     double hard, hard_two_runs, hard_movement, hard_before;
     /* error due to the angles */
-    double angles_allowed, angles_in_eps, calm;
+    double quadrature_allowed, quadrature_in_eps, bound_amplifies, angles_in_eps, angles_share, least_growth;
     /* error due to round-off and to the wall's energy */
     double perturbation, least_sensitivity, random_walk, steady_drift, wall_in_eps;
     /* when to give up */
@@ -103,13 +103,22 @@ static const struct cor_collision_tuning cor_tuning = {
     .hard_movement = 1.5,
     .hard_before = 0.02,
 
-    /* Allowed angular quadrature error relative to the peak load, in units of the tolerance. Fitted. */
-    .angles_allowed = 1,
-    /* Error of eps over that of the quadrature. Fitted: the largest of 10^4 scenes is 0.02. */
-    .angles_in_eps = 0.1,
-    /* A run that moves eps by more than this amplifies the quadrature's error. Fitted: the first runs of a calm
-     * collision move eps by 1e-5 to 1e-4. */
-    .calm = 1e-4,
+    /* Allowed error of the quadrature relative to the peak load, in units of the tolerance. Chosen: with larger errors
+     * more collisions would have to be repeated with more angles. */
+    .quadrature_allowed = 1,
+    /* Error of eps over that of the quadrature: at least quadrature_in_eps, at most the measured amplification or
+     * bound_amplifies times the bound on it. Fitted: the bound is 10^2 to 10^4 times the amplification in calm
+     * collisions, and not much more than it near chaos. */
+    .quadrature_in_eps = 0.1,
+    .bound_amplifies = 1e-3,
+    /* Error of eps over the movement by angles that are shifted by half their distance. Derived: half, to first order.
+     * Fitted: the movement of a run with larger steps. */
+    .angles_in_eps = 1,
+    /* If more than this part of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen:
+     * 10 allows for errors of the estimate. */
+    .angles_share = 0.1,
+    /* Growth of the number of angles if they are too few. Chosen. */
+    .least_growth = 0.25,
 
     /* Relative change of v that measures the amplification of errors. Derived: the change is 2^13 ulp, so round-off is
      * negligible beside it, and a collision that amplifies by 10^9 still responds linearly. */

@@ -93,7 +93,7 @@ size_t cor_motion_arrange(struct cor_motion *m, char *base)
         *of_points[i] = workspace_take(base, &at, size->points, real);
     m->by_point = workspace_take(base, &at, size->points * size->terms, real);
     m->by_term = workspace_take(base, &at, size->points * size->terms, real);
-    m->table = workspace_take(base, &at, 4 * size->points, real);
+    m->table = workspace_take(base, &at, 8 * size->points, real);
     for (size_t i = 0; i < COR_COLLISION_LEVELS; i++) {
         m->after[i] = workspace_take(base, &at, size->modes, real);
         m->average[i] = workspace_take(base, &at, size->modes, real);
@@ -137,23 +137,24 @@ void cor_motion_set_modes(struct cor_motion *m)
     }
 }
 
-void cor_motion_set_angles(struct cor_motion *m, size_t phi)
+void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift)
 {
-    const size_t terms = m->size.terms, points = whole_panels(phi);
+    const size_t terms = m->size.terms, points = whole_panels(phi), half = 2 * phi;
     m->phi = phi;
-    for (size_t i = 0; i < phi; i++) { /* each covers a quarter of a turn */
-        m->table[i] = cos((double)i * (COR_PI / (2 * (double)phi)));
-        m->table[phi + i] = -sin((double)i * (COR_PI / (2 * (double)phi)));
-        m->table[2 * phi + i] = -m->table[i];
-        m->table[3 * phi + i] = -m->table[phi + i];
+    for (size_t i = 0; i < half; i++) { /* half an interval between angles apart; each covers a quarter of a turn */
+        m->table[i] = cos((double)i * (COR_PI / (4 * (double)phi)));
+        m->table[half + i] = -sin((double)i * (COR_PI / (4 * (double)phi)));
+        m->table[2 * half + i] = -m->table[i];
+        m->table[3 * half + i] = -m->table[half + i];
     }
     for (size_t j = 0; j < points; j++) {
-        const double half_sine = sin((double)j * (COR_PI / (4 * (double)phi)));
+        const size_t at = 2 * j + shift;
+        const double half_sine = sin((double)at * (COR_PI / (8 * (double)phi)));
         m->shape[j] = j < phi ? -2 * half_sine * half_sine : NOWHERE; /* cos(phi_j) - 1 */
         m->flat[j] = 0;
-        m->weight[j] = j == 0 ? COR_PI / (2 * (double)phi) : j < phi ? COR_PI / (double)phi : 0;
+        m->weight[j] = at == 0 ? COR_PI / (2 * (double)phi) : j < phi ? COR_PI / (double)phi : 0;
         for (size_t k = 0; k < terms; k++) {
-            const double value = j < phi && k < m->size.n_max + 2 ? m->table[k * j % (4 * phi)] : 0;
+            const double value = j < phi && k < m->size.n_max + 2 ? m->table[k * at % (4 * half)] : 0;
             m->by_point[(j / COR_PANEL * terms + k) * COR_PANEL + j % COR_PANEL] = value;
             m->by_term[(k / COR_PANEL * points + j) * COR_PANEL + k % COR_PANEL] = value;
         }

@@ -46,9 +46,10 @@ struct cor_motion_sizes cor_motion_sizes(const struct cor_disk_mode *mode, size_
 size_t cor_motion_arrange(struct cor_motion *m, char *base);
 /* Fills the arrays of modes from m->mode. */
 void cor_motion_set_modes(struct cor_motion *m);
-/* Sets the angles phi_j = j pi/(2 phi), j < phi, of the trapezoidal rule, and the tables of cos(k phi_j). The rule's
- * last angle, pi/2, adds nothing, because the wall does not reach it. */
-void cor_motion_set_angles(struct cor_motion *m, size_t phi);
+/* Sets the angles phi_j = (j + shift/2) pi/(2 phi), j < phi, and the tables of cos(k phi_j). shift 0: the trapezoidal
+ * rule, whose last angle, pi/2, adds nothing, because the wall does not reach it. shift 1: the midpoint rule, whose
+ * error is to first order that of the trapezoidal rule with the other sign. */
+void cor_motion_set_angles(struct cor_motion *m, size_t phi, size_t shift);
 /* Multiplications of a step that computes the reach at `reached` angles and a pressure at `pressed` of them. Fitted to
  * times. */
 double cor_motion_work(const struct cor_motion *m, size_t reached, size_t pressed);

@@ -180,6 +180,45 @@ static void test_product(void **state)
     sweep_clear(&sweep);
 }
 
+/* Digits end with the second one of the error, and the error is rounded up. */
+static void test_digits(void **state)
+{
+    (void)state;
+    struct sweep sweep = {.hard_wall = false};
+    const struct sweep_row row = {0.2, 0.33, 4000, 100, 0};
+    struct sweep_result result = {
+        .collision = {0.88708388558330694, 0.2130821795, 5.5432109, 0.27474726, -1.2345e-3, 99, 0.0601},
+        .status = COR_TOLERANCE_NOT_REACHED};
+    char line[SWEEP_LINE];
+    sweep_line(line, &sweep, &row, &result);
+    assert_string_equal(line, "0.2,0.33,4000,100,0.887,0.213,5.54,0.275,-0.0012,99,0.061,tolerance_not_reached");
+    result.collision.error_estimate = 1;
+    sweep_line(line, &sweep, &row, &result);
+    assert_string_equal(line, "0.2,0.33,4000,100,0.9,0.2,6,0.3,-0.0012,99,1,tolerance_not_reached");
+    sweep.hard_wall = true;
+    result.hard_wall = (struct cor_disk_hard_wall){0.2130821795, 0.8870838855, 5.5432109, 0.27474726, 9.91e-6, 0};
+    sweep_line(line, &sweep, &row, &result);
+    assert_string_equal(line, "0.2,0.33,0.2130822,0.8870839,5.543211,0.2747473,1e-05,tolerance_not_reached");
+
+    sweep.hard_wall = false;
+    struct random_state random = random_start();
+    for (size_t i = 0; i < points(10000); i++) {
+        const double eps = random_uniform(&random, 0, 1), error = random_log(&random, 1e-17, 1);
+        result.collision.eps = eps;
+        result.collision.error_estimate = error;
+        sweep_line(line, &sweep, &row, &result);
+        double printed, printed_error;
+        assert_int_equal(sscanf(line, "%*[^,],%*[^,],%*[^,],%*[^,],%lf,%*[^,],%*[^,],%*[^,],%*[^,],%*[^,],%lf",
+                                &printed, &printed_error),
+                         2);
+        check(fabs(printed - eps) <= 0.05 * error + 0x1p-53 && printed_error >= error && printed_error <= 1.1 * error,
+              "%a +- %a: %s", eps, error, line);
+        char longest[DECIMAL_TEXT], *const cell = strstr(line, ",100,") + 5;
+        check(strcspn(cell, ",") <= fmin(4 - log10(error), (double)strlen(decimal_text(longest, eps))), "%g: %s", error,
+              line);
+    }
+}
+
 /* ---- the crew ---- */
 
 enum { TASKS = 40000 };
@@ -609,7 +648,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_lists),        cmocka_unit_test(test_wrong_lists), cmocka_unit_test(test_product),
         cmocka_unit_test(test_crew),         cmocka_unit_test(test_journal),     cmocka_unit_test(test_ranks),
-        cmocka_unit_test(test_longest_list), cmocka_unit_test(test_hard_wall),
+        cmocka_unit_test(test_longest_list), cmocka_unit_test(test_hard_wall),   cmocka_unit_test(test_digits),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
