@@ -300,8 +300,7 @@ function stays(i, e,    k) {
 function best_collision(m, e,    i, best) {
     best = 0
     for (i = 1; i <= rows["disks"]; i++)
-        if (table[i] ~ /^collision( native)?$/ && (m == "any rival" ? method[i] != "cor" : method[i] == m) \
-            && (!best || d_s[i] + 0 < d_s[best] + 0) && stays(i, e))
+        if (table[i] == "collision" && method[i] == m && (!best || d_s[i] + 0 < d_s[best] + 0) && stays(i, e))
             best = i
     return best
 }
@@ -313,46 +312,14 @@ function best_model(v, e,    i, best) {
     return best
 }
 
-# Of ln(time) against ln(column), modes or setting, by least squares
-function growth(t, m, column,    i, n, x, y) {
-    n = 0
-    for (i = 1; i <= rows["disks"]; i++)
-        if (table[i] == t && method[i] == m) { x[++n] = column == "modes" ? modes[i] : d_setting[i]; y[n] = d_s[i] }
-    return exponent(x, y, n)
-}
-
-function collisions(    k, i, m, names, best, errors, first) {
+function collisions(    k, m, best, errors) {
     printf "\n## Disks: collisions in full\n\n![error against time, collisions](collision.svg)\n\n"
-    printf "A collision of 940 modes, Poisson's ratio nu = 0.33, hardness of the wall alpha = 500, impact speed v = 0.1: the fastest run of each method within an error of eps. The other methods are built twice, with the flags of cor's own loops and for the machine (-O3 -march=native -ffast-math); an entry is the faster of the two. A method counts for an error only if every smaller step keeps it:\n\n"
-    printf "| error at most | cor | Runge-Kutta 4 | Strang | Yoshida 4 | SRKN 6-4 | SRKN 11-6 | SRKN 14-6 |\n|---|---|---|---|---|---|---|---|\n"
-    split("cor;RK4;Strang;Yoshida 4;SRKN 6-4;SRKN 11-6;SRKN 14-6", names, ";")
+    printf "A collision of 940 modes, Poisson's ratio nu = 0.33, hardness of the wall alpha = 500, impact speed v = 0.1: the fastest run within an error of eps, from which every smaller tolerance keeps the error:\n\n"
+    printf "| error at most | cor |\n|---|---|\n"
     for (k = 3; k <= 12; k++) {
-        printf "| 1e-%d |", k
-        for (m = 1; m <= 7; m++) {
-            best = best_collision(names[m], 10 ^ -k)
-            printf " %s |", best ? time(d_s[best]) : "none"
-        }
-        printf "\n"
+        best = best_collision("cor", 10 ^ -k)
+        printf "| 1e-%d | %s |\n", k, best ? time(d_s[best]) : "none"
     }
-    i = row_of_disks("collision forms", "RK4")
-    if (i) printf "\nBuilt with the flags of cor's loops, a step of Runge-Kutta 4 takes %s times as long if it evaluates every mode at every angle, as (40) and (44) are printed.\n", \
-        times(d_s[row_of_disks("collision forms", "RK4; every mode at every angle")] / d_s[i])
-    if (row_of_disks("collision modes", "cor 1e-03")) {
-        printf "\nThe time of cor grows with the number of modes like N^%s at tolerance 1e-3 and N^%s at 1e-6, ", growth("collision modes", "cor 1e-03", "modes"), growth("collision modes", "cor 1e-06", "modes")
-        printf "with the hardness of the wall like alpha^%s at 1e-3 and, as the collision becomes chaotic, like alpha^%s at 1e-6.\n", growth("collision alpha", "cor 1e-03", "alpha"), growth("collision alpha", "cor 1e-06", "alpha")
-    }
-    first = 1
-    for (i = 1; i <= rows["disks"]; i++)
-        if (table[i] == "collision sums") {
-            if (first) printf "\nTime of the sums over the angles, from the modes to the rim and back, over all angles or those near the contact:\n\n| way | modes | angles | all of them | half | a quarter |\n|---|---|---|---|---|---|\n"
-            first = 0
-            printf "| %s | %d | %d | %s |", method[i], modes[i], d_setting[i], time(d_s[i])
-            for (m = 1; m <= 2; m++) {
-                k = row_of_disks(m == 1 ? "collision sums half" : "collision sums quarter", method[i], "", d_setting[i])
-                printf " %s |", k ? time(d_s[k]) : "the same"
-            }
-            printf "\n"
-        }
     printf "\nDistance to eps of all modes at a hard wall (`cor_disk_eps`, within its uncertainty), not exceeded with more modes:\n\n"
     printf "| error at most | v = 0.1: modes, alpha, time | v = 0.01: modes, alpha, time |\n|---|---|---|\n"
     split("0.02 0.01 0.005 0.002 0.001", errors, " ")
@@ -366,11 +333,10 @@ function collisions(    k, i, m, names, best, errors, first) {
     }
 }
 
-function use_collisions(    i, k, m, x, t) {
-    i = best_collision("cor", 1e-4); k = best_collision("any rival", 1e-4)
-    m = best_collision("cor", 1e-8); x = best_collision("any rival", 1e-8); t = best_collision("RK4", 1e-8)
-    printf "- **Disks, one collision with a given wall: `cor_disk_collision` with the tolerance that you need.** 940 modes at alpha = 500: error 1e-4 in %s, 1e-8 in %s (tolerance %s). The fastest other method takes %s times as long at 1e-4 (%s) and %s times at 1e-8 (%s); the paper's Runge-Kutta method takes %s times as long at 1e-8.\n", \
-        time(d_s[i]), time(d_s[m]), d_setting[m], times(d_s[k] / d_s[i]), method[k], times(d_s[x] / d_s[m]), method[x], times(d_s[t] / d_s[m])
+function use_collisions(    i, k, m) {
+    i = best_collision("cor", 1e-4); m = best_collision("cor", 1e-8)
+    printf "- **Disks, one collision with a given wall: `cor_disk_collision` with the tolerance that you need.** 940 modes at alpha = 500: error 1e-4 in %s, 1e-8 in %s (tolerance %s).\n", \
+        time(d_s[i]), time(d_s[m]), d_setting[m]
     i = row_of_disks("collision models", "cor_disk_eps", "0.1"); k = row_of_disks("collision models", "Rayleigh", "0.01")
     m = best_model("0.1", 0.005)
     printf "- **Disks, eps at a hard wall: `cor_disk_eps`**, %s, uncertain by %s at v = 0.1. The error of a single collision in its place comes from its soft wall and its missing modes, not from its tolerance: an error of 0.005 takes %s (%d modes, alpha = %d).", \

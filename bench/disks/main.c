@@ -53,9 +53,6 @@ int main(int argc, char **argv)
     disk_loading(&bench);
     collision_curves(&bench);
     collision_models(&bench);
-    collision_growth(&bench);
-    collision_lists(&bench);
-    collision_sums(&bench);
     disk_hard_wall(&bench);
 
     table_close(bench.csv);

@@ -13,14 +13,9 @@ void disk_curves(struct disk_bench *bench);
 /* Loading 1800 modes */
 void disk_loading(struct disk_bench *bench);
 
-/* A collision: error against time of all methods; what fewer modes and softer walls leave out; time against the number
- * of modes and the hardness, and that of a list of speeds; ways to sum over the angles, where the library's loops can
- * be reached: not in a shared library */
+/* A collision: error against time; what fewer modes and softer walls leave out */
 void collision_curves(struct disk_bench *bench);
 void collision_models(struct disk_bench *bench);
-void collision_growth(struct disk_bench *bench);
-void collision_lists(struct disk_bench *bench);
-void collision_sums(struct disk_bench *bench);
 
 /* The rigid wall: error against time, beside soft walls extrapolated; random scenes to 1e-6 */
 void disk_hard_wall(struct disk_bench *bench);
