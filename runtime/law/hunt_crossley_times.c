@@ -186,7 +186,7 @@ static double crossley_quadrature(const struct crossley_side *side, double k)
 {
     enum { STEPS = 144 };
     const double pi = 3.14159265358979311600, end = 3.2512; /* pi sinh(end) = 40.5 */
-    const double step = 2 * end / STEPS;
+    const double step = 2 * end / (double)STEPS;
     double sum = 0;
     for (int j = 0; j <= STEPS; j++) {
         const double t = step * (j - STEPS / 2), grow = crossley_exp(t), fall = 1 / grow;

@@ -75,7 +75,7 @@ static double strongly_damped(double a, double b, double mu)
     const double top = pow(b * (b + 1) / (2 * b + 1), 1 / (b + 1));
     double lost = 0; /* of the speed: the integral of X^a/V by Simpson's rule in u, X = top u^4 */
     for (int i = 0; i <= STEPS; i++) {
-        const double u = (double)i / STEPS, x = top * u * u * u * u, speed = 1 - pow(x, b + 1) / (b + 1);
+        const double u = (double)i / (double)STEPS, x = top * u * u * u * u, speed = 1 - pow(x, b + 1) / (b + 1);
         lost += (i % STEPS == 0 ? 1 : 2 + 2 * (i % 2)) * pow(x, a) / speed * 4 * top * u * u * u / (3 * STEPS);
     }
     return (b + 1) / (2 * b + 1) * pow(top, b) + mu * (pow(top, a) - pow(top, b) * lost);
