@@ -678,13 +678,14 @@ static void tsuji_times(void **state)
         check_value(cor_tsuji_duration_zero_overlap(zeta), reference_tsuji_time(LAW_ZERO_OVERLAP, zeta),
                     COR_LAW_TIME_MAX_ULP);
     }
-    static const double zetas[] = {0.4, 2.5, 40, 1e6, 1e17};
+    static const double zetas[] = {0.4, 2.5, 40, 2.0899e5, 1e6, 1e17}; /* a series from 2.0898e5 on */
     for (size_t i = 0; i < sizeof zetas / sizeof *zetas; i++) {
         const double zeta = zetas[i];
         check_value(cor_tsuji_duration_zero_force(zeta), reference_tsuji_time(LAW_ZERO_FORCE, zeta),
                     COR_LAW_TIME_MAX_ULP);
         check_value(cor_tsuji_time_of_max_overlap(zeta), reference_tsuji_time(LAW_APPROACH_ONLY, zeta),
                     COR_LAW_TIME_MAX_ULP);
+        check_value(cor_tsuji_duration_limited(zeta), reference_tsuji_time(LAW_LIMITED, zeta), COR_LAW_TIME_MAX_ULP);
     }
 }
 
@@ -700,6 +701,28 @@ static void tsuji_rows(void **state)
                     COR_LAW_TIME_MAX_ULP);
         check_value(cor_tsuji_time_of_max_overlap(zeta), reference_tsuji_time(LAW_APPROACH_ONLY, zeta),
                     COR_LAW_TIME_MAX_ULP);
+    }
+}
+
+/* Every row of Hunt and Crossley's times, next to one of its ends: rows in ln(1 + beta), 36 of 1/8 for the duration, 70
+ * of 3/8 for the time of the largest overlap. Then the series, where their last terms count most. */
+static void crossley_rows(void **state)
+{
+    (void)state;
+    static const double series[] = {89.02, 90, 95, 110, 150, 300, 2.516e11, 1e12, 1e14, 1e16};
+    enum { SERIES = sizeof series / sizeof *series, SHORT = 36, LONG = 70 };
+    for (int i = 0; i < SHORT + LONG + SERIES; i++) {
+        const double part = i % 2 == 0 ? 0.96 : 0.04;
+        const double beta = i < SHORT          ? expm1((i + part) / 8)
+                            : i < SHORT + LONG ? expm1((i - SHORT + part) * 3 / 8)
+                                               : series[i - SHORT - LONG];
+        for (int k = 0; k < 2; k++) {
+            const double a = k == 0 ? 1 : 1.5;
+            check_value(cor_hunt_crossley_duration(beta, a), reference_crossley_duration(a, beta),
+                        COR_LAW_TIME_MAX_ULP);
+            check_value(cor_hunt_crossley_time_of_max_overlap(beta, a), reference_crossley_time_of_max_overlap(a, beta),
+                        COR_LAW_TIME_MAX_ULP);
+        }
     }
 }
 
@@ -724,6 +747,7 @@ int main(void)
         cmocka_unit_test(crossley_times),
         cmocka_unit_test(tsuji_times),
         cmocka_unit_test(tsuji_rows),
+        cmocka_unit_test(crossley_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
