@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "approximation/pade_rounded.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -14,7 +15,8 @@
 enum {
     BITS = 192,                /* precision of references and of all computations in this file */
     SMALL_STEP = 6,            /* ratio of small sample points, as a power of 2 */
-    PIECES = 512,              /* number of pieces of the interval, on each of which the condition is bounded */
+    FAR_STEP = 5,              /* large ones have the ratio 5/4 */
+    PIECES = 512,              /* number of pieces up to PADE_NEAR, and beyond: on each the condition is bounded */
     OPERATIONS_PER_DEGREE = 3, /* z rounded, one product, one sum */
 };
 
@@ -77,24 +79,30 @@ int pade_round(struct pade_rounded *r, const struct pade *f)
 struct collecting {
     struct references *references;
     const struct law *law;
-    slong beta_max;
+    slong beta_max, near, small;
     atomic_bool failed;
 };
 
-/* beta_max (i + 1)/even, or beta_max 2^(-SMALL_STEP (i - even + 1)). */
+/* near (i + 1)/even, or near 2^(-SMALL_STEP j), or near (5/4)^j but at most beta_max */
 static void reference_place(fmpq_t beta, const struct collecting *work, slong i)
 {
-    const slong even = work->references->even;
+    const slong even = work->references->even, j = i - even + 1;
+    fmpq_t factor;
+    fmpq_init(factor);
+    fmpq_set_si(beta, work->near, 1);
     if (i < even) {
-        fmpq_set_si(beta, work->beta_max * (i + 1), (ulong)even);
-        return;
+        fmpq_set_si(factor, i + 1, (ulong)even);
+    } else if (j <= work->small) {
+        fmpq_set_si(factor, 1, 1UL << SMALL_STEP);
+        fmpq_pow_si(factor, factor, j);
+    } else {
+        fmpq_set_si(factor, FAR_STEP, FAR_STEP - 1);
+        fmpq_pow_si(factor, factor, j - work->small);
     }
-    fmpz_t scale;
-    fmpz_init(scale);
-    fmpz_one_2exp(scale, (ulong)(SMALL_STEP * (i - even + 1)));
-    fmpq_set_si(beta, work->beta_max, 1);
-    fmpq_div_fmpz(beta, beta, scale);
-    fmpz_clear(scale);
+    fmpq_mul(beta, beta, factor);
+    if (fmpq_cmp_si(beta, work->beta_max) > 0)
+        fmpq_set_si(beta, work->beta_max, 1);
+    fmpq_clear(factor);
 }
 
 static void reference_collide(void *context, slong i)
@@ -117,14 +125,16 @@ static void reference_collide(void *context, slong i)
 
 int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small)
 {
-    s->count = even + small;
+    const slong near = FLINT_MIN(beta_max, PADE_NEAR);
     s->even = even;
+    s->far = (slong)ceil(log((double)beta_max / (double)near) / log((double)FAR_STEP / (FAR_STEP - 1)));
+    s->count = even + small + s->far;
     s->beta = xmalloc((size_t)s->count * sizeof *s->beta);
     for (slong i = 0; i < s->count; i++)
         fmpq_init(s->beta + i);
     for (int end = 0; end < 2; end++)
         s->eps[end] = _arb_vec_init(s->count);
-    struct collecting work = {.references = s, .law = law, .beta_max = beta_max};
+    struct collecting work = {.references = s, .law = law, .beta_max = beta_max, .near = near, .small = small};
     parallel_for(reference_collide, &work, s->count, "collisions to compare with");
     if (!atomic_load(&work.failed))
         return STATUS_OK;
@@ -293,6 +303,47 @@ static double quotient_error(const arb_t n, const arb_t d, slong rounded)
     return bound;
 }
 
+/* z where piece k begins: PIECES equal ones up to PADE_NEAR, as many of one ratio beyond */
+static void piece_end(arb_t z, const struct pade_rounded *r, slong beta_max, slong k)
+{
+    const slong near = FLINT_MIN(beta_max, PADE_NEAR);
+    arb_set_si(z, near);
+    if (k <= PIECES) {
+        set_z(z, r, z);
+        arb_mul_si(z, z, k, BITS);
+        arb_div_si(z, z, PIECES, BITS);
+        return;
+    }
+    arb_t power;
+    arb_init(power);
+    arb_set_si(power, k - PIECES);
+    arb_div_si(power, power, PIECES, BITS);
+    arb_set_si(z, beta_max);
+    arb_div_si(z, z, near, BITS);
+    arb_pow(z, z, power, BITS);
+    arb_mul_si(z, z, near, BITS);
+    set_z(z, r, z);
+    arb_clear(power);
+}
+
+/* Whether a partial sum of Horner's rule may exceed the doubles: sum |p_i| z^i at the largest z bounds all */
+static bool may_overflow(arb_poly_t magnitude[3], const struct pade_rounded *r, slong beta_max)
+{
+    bool may = false;
+    arb_t z, sum;
+    arb_init(z);
+    arb_init(sum);
+    arb_set_si(z, beta_max);
+    set_z(z, r, z);
+    for (int i = 0; i < 3; i++) {
+        arb_poly_evaluate(sum, magnitude[i], z, BITS);
+        may = may || !arb_is_finite(sum) || arf_cmpabs_2exp_si(arb_midref(sum), DBL_MAX_EXP - 2) > 0;
+    }
+    arb_clear(z);
+    arb_clear(sum);
+    return may;
+}
+
 void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded *r, slong beta_max)
 {
     const arb_poly_struct *poly[3] = {r->p_double, r->q_double, r->l_double};
@@ -309,13 +360,11 @@ void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded 
     arb_init(low);
     arb_init(high);
     *eps = *loss = 0;
-    for (slong k = 0; k < PIECES; k++) {
-        arb_set_si(z, beta_max);
-        set_z(z, r, z);
-        arb_mul_si(low, z, k, BITS);
-        arb_div_si(low, low, PIECES, BITS);
-        arb_mul_si(high, z, k + 1, BITS);
-        arb_div_si(high, high, PIECES, BITS);
+    if (may_overflow(magnitude, r, beta_max))
+        *eps = *loss = INFINITY;
+    for (slong k = 0; k < (beta_max > PADE_NEAR ? 2 : 1) * PIECES; k++) {
+        piece_end(low, r, beta_max, k);
+        piece_end(high, r, beta_max, k + 1);
         arb_union(z, low, high, BITS);
         for (int i = 0; i < 3; i++)
             horner_error(error[i], poly[i], magnitude[i], slope[i], z);

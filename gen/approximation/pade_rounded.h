@@ -23,11 +23,12 @@ int pade_round(struct pade_rounded *r, const struct pade *f);
 struct references {
     fmpq *beta;
     arb_ptr eps[2]; /* by enum contact_end */
-    slong count, even;
+    slong count, even, far;
 };
 
-/* `even` points beta_max i/even, i = 1..even, and `small` points beta_max/2^(6 j), j = 1..small.
- * Returns 0, or 1 after reporting the failure. */
+/* `even` points near i/even, i = 1..even, `small` points near/2^(6 j), j = 1..small, and above `near` the points near
+ * (5/4)^j up to beta_max, and beta_max. Returns 0, or 1 after reporting the failure. */
+enum { PADE_NEAR = 2 }; /* the usual range, within which no collision is slow */
 int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small);
 void references_clear(struct references *s);
 
@@ -46,7 +47,7 @@ void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r
 
 /* Error of their evaluation in double (round to nearest, with or without fused multiply-add) for 0 <= beta <= beta_max,
  * with a rounded z. Proved by interval (ball) arithmetic of sum |p_i| z^i / |P(z)| over pieces that cover the range.
- * Infinite if P or Q may vanish in the range. */
+ * Infinite if P or Q may vanish or overflow in the range. */
 void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded *r, slong beta_max);
 
 #endif

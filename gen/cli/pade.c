@@ -13,9 +13,10 @@
 #include "tables/pade.h"
 
 enum {
-    HEADER_BITS = 256,   /* precision of every coefficient that is rounded to double */
-    HEADER_BETA_MAX = 2, /* the bounds in the header hold up to this beta */
-    HEADER_EVEN = 64,    /* number of sample points, see references_init */
+    HEADER_BITS = 256,                /* precision of every coefficient that is rounded to double */
+    HEADER_BETA_MAX_TWO_POINT = 1000, /* the bounds in the header hold up to this beta */
+    HEADER_BETA_MAX = PADE_NEAR,
+    HEADER_EVEN = 64, /* number of sample points, see references_init */
     HEADER_SMALL = 4,
     PRINT_ATTEMPTS = 3, /* a coefficient half-way between two decimals needs more bits */
     TEXT_MAX = 1024,
@@ -116,8 +117,9 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
     struct references references;
     /* Table I has another variable and other numbers, so that no comparison is possible.
      */
+    const slong beta_max = r->kind == PADE_TWO_POINT ? HEADER_BETA_MAX_TWO_POINT : HEADER_BETA_MAX;
     const bool assessed = law_is_sphere(&r->law) && r->kind != PADE_AS_PUBLISHED;
-    if (assessed && references_init(&references, &r->law, HEADER_BETA_MAX, HEADER_EVEN, HEADER_SMALL))
+    if (assessed && references_init(&references, &r->law, beta_max, HEADER_EVEN, HEADER_SMALL))
         return STATUS_FAILED;
 
     header_name(name, r);
@@ -147,11 +149,12 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
         const struct pade_header header = {.name = name,
                                            .title = header_title(r, f->root),
                                            .end = r->end,
-                                           .beta_max = HEADER_BETA_MAX,
+                                           .beta_max = beta_max,
                                            .references = assessed ? &references : NULL,
                                            .limit = INFINITY};
         struct emit e;
         emit_open(&e, out.file, guard, banner);
+        emit_include(&e, "<math.h>");
         status = pade_emit(&e, &header, f, a);
         emit_close(&e);
         if (status == STATUS_OK)
@@ -271,8 +274,8 @@ static const char help[] =
     "  --denominator N  degree, 0 to 2000\n"
     "  --two-point      also match the limit of large beta (zero overlap; needs N = M + 5)\n"
     "  --as-published   reproduce the published [1/4] from its printed coefficients\n" HELP_DIGITS HELP_END
-    "  --header FILE    also write the approximant as a C header, unless it has a pole or a zero\n"
-    "                   on beta > 0\n"
+    "  --header FILE    also write C functions of eps and of 1 - eps with their errors up to beta = 2\n"
+    "                   (two-point: 1000), unless the approximant has a pole or a zero on beta > 0\n"
     "  --force          write the header even then\n"
     "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
     "\nExample: corgen pade --numerator 4 --denominator 7 --digits 20\n";

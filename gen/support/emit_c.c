@@ -294,6 +294,22 @@ void emit_inline_double(struct emit *e, const char *name, const char *argument, 
     fputs(";\n}\n", e->file);
 }
 
+void emit_inline_quotient(struct emit *e, const char *name, const char *argument, const char *z, const char *factor,
+                          const char *const numerator[2], const char *const denominator[2])
+{
+    const char *const *const part[2] = {numerator, denominator};
+    static const char *const value[2] = {"above", "below"};
+    const bool same = strcmp(argument, z) == 0;
+    fprintf(e->file, "static inline double %s(double %s)\n{\n", name, argument);
+    if (!same)
+        fprintf(e->file, "    const double z = %s;\n", z);
+    for (int i = 0; i < 2; i++)
+        fprintf(e->file, "    double %s = 0;\n    for (int k = %s; k-- > 0;)\n        %s = %s * %s + %s[k];\n",
+                value[i], part[i][1], value[i], value[i], same ? argument : "z", part[i][0]);
+    fprintf(e->file, "    return %s >= 0 ? %s%sabove / below : (double)NAN;\n}\n", argument, factor ? factor : "",
+            factor ? " * " : "");
+}
+
 void emit_include(struct emit *e, const char *name)
 {
     fprintf(e->file, "#include %s\n", name);

@@ -39,6 +39,31 @@ static void emit_lengths(struct emit *e, const char *prefix, const struct pade_r
     emit_constants(e, name, value, 3);
 }
 
+/* name_eps and name_loss of the variable */
+static void emit_functions(struct emit *e, const char *prefix, const struct pade *f)
+{
+    char text[8][NAME_MAX_LENGTH];
+    static const char *const suffix[] = {"_p", "_q", "_l"};
+    for (int i = 0; i < 3; i++) {
+        snprintf(text[i], NAME_MAX_LENGTH, "%s%s", prefix, suffix[i]);
+        macro_name(text[3 + i], prefix, suffix[i]);
+    }
+    const char *const array[3][2] = {{text[0], text[3]}, {text[1], text[4]}, {text[2], text[5]}};
+    char z[NAME_MAX_LENGTH];
+    if (f->root <= 1)
+        snprintf(z, sizeof z, "%s", f->variable);
+    else if (f->root == 2)
+        snprintf(z, sizeof z, "sqrt(%s)", f->variable);
+    else
+        snprintf(z, sizeof z, "pow(%s, 1.0 / %ld)", f->variable, (long)f->root);
+    snprintf(text[6], NAME_MAX_LENGTH, "%s_eps", prefix);
+    snprintf(text[7], NAME_MAX_LENGTH, "%s_loss", prefix);
+    emit_comment(e, "eps, and 1 - eps without cancellation near 0; NaN below 0%s",
+                 f->root > 2 ? ". The rounding of pow is not part of the bounds." : "");
+    emit_inline_quotient(e, text[6], f->variable, z, NULL, array[0], array[1]);
+    emit_inline_quotient(e, text[7], f->variable, z, f->variable, array[2], array[1]);
+}
+
 static void emit_error(struct emit *e, const char *prefix, const char *suffix, double x)
 {
     char name[NAME_MAX_LENGTH];
@@ -68,8 +93,9 @@ static char *pade_comment(const struct pade_header *h, const struct pade *f, con
     if (approximation) {
         fprintf(file,
                 "Relative error of the approximation, coefficients rounded: sampled at %ld values of "
-                "beta up to %ld\n(%ld steps, and powers of 2 near 0):\n",
-                (long)h->references->count, (long)h->beta_max, (long)h->references->even);
+                "beta up to %ld\n(%ld steps%s and powers of 2 near 0):\n",
+                (long)h->references->count, (long)h->beta_max, (long)h->references->even,
+                h->references->far > 0 ? " up to 2, factors of 5/4 beyond," : ",");
         print_error(file, "eps ", approximation->eps, approximation->eps_at_beta);
         print_error(file, "loss", approximation->loss, approximation->loss_at_beta);
     } else {
@@ -116,9 +142,12 @@ int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f,
             emit_error(e, h->name, "_loss_evaluation_rel", loss);
             emit_error(e, h->name, "_eps_max_rel", approximation.eps + eps);
             emit_error(e, h->name, "_loss_max_rel", approximation.loss + loss);
+            emit_error(e, h->name, "_beta_max", (double)h->beta_max);
         }
         status = emit_polynomial(e, h->name, "_p", r.p) || emit_polynomial(e, h->name, "_q", r.q) ||
                  emit_polynomial(e, h->name, "_l", r.l);
+        if (status == 0)
+            emit_functions(e, h->name, f);
     }
     pade_rounded_clear(&r);
     pade_error_clear(&approximation);
