@@ -78,7 +78,8 @@ struct fit_arguments {
     int end;          /* enum contact_end, or OPTIONS_NOT_GIVEN: both */
     struct decimal gravity;
     struct embed_request scene; /* of its numbers only those of the bodies */
-    bool robust;
+    const char *separator;      /* its name or itself, or NULL */
+    bool robust, decimal_comma;
 };
 
 struct plan_arguments {

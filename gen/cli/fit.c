@@ -84,8 +84,7 @@ static const char *file_name(const char *path)
 }
 
 /* Writes the table and the picture: both or neither. */
-static int write_results(const struct fit_arguments *o, const struct fit_comparison *comparison,
-                         const struct fit_data *data, const struct fit_request *request)
+static int write_results(const struct fit_arguments *o, const struct fit_report *report)
 {
     const enum output_format format = (enum output_format)o->common.format;
     const char *const path[] = {o->common.output, o->plot};
@@ -97,45 +96,74 @@ static int write_results(const struct fit_arguments *o, const struct fit_compari
         opened += status == STATUS_OK;
     }
     if (status == STATUS_OK && o->plot)
-        status = fit_plot(comparison, data, file_name(o->data), out[1].file, o->plot);
+        status = fit_plot(&report->comparison, report->data, file_name(o->data), out[1].file, o->plot);
     if (status != STATUS_OK) {
         for (int i = 0; i < opened; i++)
             output_discard(&out[i]);
         return status;
     }
-    fit_report_print(comparison, data, request, format, out[0].file);
+    fit_report_print(report, format, out[0].file);
     status = output_commit_all(out, outputs);
     if (status == STATUS_OK && format != FORMAT_TEXT)
-        fit_report_remarks(comparison, data, request, stderr);
+        fit_report_remarks(report, stderr);
+    return status;
+}
+
+static const char *const separator_names[] = {"comma", "semicolon", "tab", NULL};
+static int read_form(struct fit_form *form, const struct fit_arguments *o)
+{
+    static const char separators[] = ",;\t";
+    *form = (struct fit_form){.unit = (enum fit_unit)o->unit,
+                              .gravity_m_s2 = o->gravity.text ? decimal_value(&o->gravity) : FIT_GRAVITY_M_S2,
+                              .decimal_comma = o->decimal_comma};
+    for (int i = 0; o->separator && separator_names[i]; i++)
+        if (strcmp(o->separator, separator_names[i]) == 0 || strcmp(o->separator, (char[]){separators[i], '\0'}) == 0)
+            form->separator = separators[i];
+    return !o->separator || form->separator ? STATUS_OK
+                                            : usage_error("--separator: '%s' is not a separator; allowed: comma, "
+                                                          "semicolon, tab",
+                                                          o->separator);
+}
+
+static int fit_and_report(const struct fit_arguments *o, const struct fit_request *request, const struct fit_data *data)
+{
+    struct fit_report report = {.data = data, .request = request};
+    profile_step("fits");
+    fit_compare(&report.comparison, data, request);
+    if (report.comparison.models == 0)
+        return usage_error("%s has %zu points; allowed: at least one more than the parameters of the model", o->data,
+                           data->points);
+    profile_step("outliers");
+    fit_find_outliers(&report.outliers, data, request);
+    if (report.outliers.count > 0)
+        fit_compare(&report.without_outliers, &report.outliers.rest, request);
+    profile_step(NULL);
+    const int status = write_results(o, &report);
+    fit_data_clear(&report.outliers.rest);
     return status;
 }
 
 static int run_fit(const void *arguments)
 {
     const struct fit_arguments *const o = arguments;
-    const double gravity = o->gravity.text ? decimal_value(&o->gravity) : FIT_GRAVITY_M_S2;
     struct fit_request request = {.robust = o->robust};
     struct fit_bodies bodies;
+    struct fit_form form;
     struct fit_data data;
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
     int status = fit_request_models(&request, o->law, o->end == OPTIONS_NOT_GIVEN ? NULL : option_ends[o->end]);
+    if (status == STATUS_OK)
+        status = read_form(&form, o);
     if (status == STATUS_OK && bodies_given(&o->scene)) {
         status = read_bodies(&bodies, &o->scene);
         request.bodies = &bodies;
     }
     if (status == STATUS_OK)
-        status = fit_data_read(&data, o->data, (enum fit_unit)o->unit, gravity);
+        status = fit_data_read(&data, o->data, &form);
     if (status != STATUS_OK)
         return status;
-    struct fit_comparison comparison;
-    profile_step("fits");
-    fit_compare(&comparison, &data, &request);
-    profile_step(NULL);
-    status = comparison.models > 0
-                 ? write_results(o, &comparison, &data, &request)
-                 : usage_error("%s has %zu points; allowed: at least one more than the parameters of the model",
-                               o->data, data.points);
+    status = fit_and_report(o, &request, &data);
     fit_data_clear(&data);
     return status;
 }
@@ -154,6 +182,8 @@ static const char help[] =
     "                   g T/2, and eps is the ratio of successive flights, without air drag; another\n"
     "                   text in the column run begins another drop\n"
     "  --unit U         m/s, cm/s or mm/s: the unit of the speeds\n"
+    "  --separator S    comma, semicolon or tab (default: the one that the first row has most of)\n"
+    "  --decimal-comma  numbers have a decimal comma, not a point\n"
     "  --gravity G      m/s^2, for bounces (default 9.80665)\n\n"
     "  --law NAMES      all (default), or several of viscoelastic, plate, constant, linear, tsuji,\n"
     "                   hunt-crossley, hertz-dashpot, power-law, as viscoelastic,power-law\n"
@@ -167,6 +197,7 @@ static const char help[] =
     "With BODIES instead dissipation_time_s, A; plate_thickness_m (with --wall); damping_coefficient_n_s_m:\n"
     "  --young Y, --poisson NU, --radius R, --density D or --mass M     SI units\n"
     "  --young-2, --poisson-2, --radius-2, --density-2, --mass-2        where the second body differs\n"
+    "  --young-2 inf    the second is rigid\n"
     "  --wall           the second is flat and held fast\n\n"
     "Columns of csv and json: model,end,parameter,value,low_68,high_68,low_95,high_95,rms,chi2,aic.\n"
     "The intervals are those of the profile likelihood, 68 means 68.27 %; rms of the residuals; chi2 only with\n"
@@ -175,8 +206,8 @@ static const char help[] =
     "\nExample: corgen fit measured.csv --law viscoelastic,constant --plot measured.svg\n";
 
 #define AT(FIELD) offsetof(struct fit_arguments, FIELD)
-#define FIT_BODY(SUFFIX, NUMBER_SUFFIX)                                                                                \
-    SCENE_NUMBER(struct fit_arguments, "young" SUFFIX, EMBED_YOUNG##NUMBER_SUFFIX, &option_positive, false, NULL),     \
+#define FIT_BODY(SUFFIX, NUMBER_SUFFIX, YOUNG)                                                                         \
+    SCENE_NUMBER(struct fit_arguments, "young" SUFFIX, EMBED_YOUNG##NUMBER_SUFFIX, YOUNG, false, NULL),                \
         SCENE_NUMBER(struct fit_arguments, "poisson" SUFFIX, EMBED_POISSON##NUMBER_SUFFIX, &option_sphere_poisson,     \
                      false, NULL),                                                                                     \
         SCENE_NUMBER(struct fit_arguments, "radius" SUFFIX, EMBED_RADIUS##NUMBER_SUFFIX, &option_positive, false,      \
@@ -195,10 +226,12 @@ static const struct option_rule options[] = {
     {.name = "gravity", .kind = OPTION_REAL, .offset = AT(gravity), .range.number = &option_positive},
     {.name = "law", .kind = OPTION_TEXT, .offset = AT(law), .range.words = law_words},
     OPTION_END(struct fit_arguments, end),
+    {.name = "separator", .kind = OPTION_TEXT, .offset = AT(separator), .range.words = separator_names},
+    {.name = "decimal-comma", .kind = OPTION_FLAG, .offset = AT(decimal_comma)},
     {.name = "robust", .kind = OPTION_FLAG, .offset = AT(robust)},
     {.name = "plot", .kind = OPTION_FILE, .offset = AT(plot)},
-    FIT_BODY("", ),
-    FIT_BODY("-2", _2),
+    FIT_BODY("", , &option_positive),
+    FIT_BODY("-2", _2, &option_positive_or_infinite),
     {.name = "wall", .kind = OPTION_FLAG, .offset = AT(scene.wall)},
     OPTION_FORMAT(struct fit_arguments, option_formats),
     OPTION_COMMON(struct fit_arguments),

@@ -25,6 +25,8 @@ const char *const option_formats_latex[] = {
     [FORMAT_TEXT] = "text", [FORMAT_CSV] = "csv", [FORMAT_JSON] = "json", [FORMAT_LATEX] = "latex", NULL};
 const struct option_numbers option_positive = {{"0", NULL, false, false, true, "a finite number above 0"},
                                                DECIMAL_PLAIN};
+const struct option_numbers option_positive_or_infinite = {{"0", NULL, false, false, true, "a number above 0, or inf"},
+                                                           DECIMAL_INFINITE};
 const struct option_numbers option_not_negative = {{"0", NULL, true, false, true, "a finite number, 0 or more"},
                                                    DECIMAL_PLAIN};
 const struct option_numbers option_restitution = {{"0", "1", false, true, true, "a number above 0 and up to 1"},
@@ -83,6 +85,10 @@ int options_check_real(const char *name, const struct option_numbers *numbers, c
 
 static int parse_real(struct decimal *value, const struct option_rule *rule, const char *text)
 {
+    if ((rule->range.number->forms & DECIMAL_INFINITE) && strcmp(text, "inf") == 0) {
+        decimal_set_infinite(value);
+        return STATUS_OK;
+    }
     return decimal_parse(value, text, DECIMAL_EXPONENT_DIGITS)
                ? options_check_real(rule->name, rule->range.number, value)
                : refuse_real(rule->name, rule->range.number, text);

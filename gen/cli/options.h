@@ -95,8 +95,8 @@ struct option_common {
 extern const char *const option_ends[];          /* in the order of enum contact_end */
 extern const char *const option_formats[];       /* text, csv, json */
 extern const char *const option_formats_latex[]; /* text, csv, json, latex */
-extern const struct option_numbers option_positive, option_not_negative, option_restitution, option_sphere_poisson,
-    option_disk_poisson;
+extern const struct option_numbers option_positive, option_positive_or_infinite, option_not_negative,
+    option_restitution, option_sphere_poisson, option_disk_poisson;
 
 /* The texts of the two exponents of a law; NULL: those of the sphere */
 struct option_law {

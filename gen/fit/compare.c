@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "support/console.h"
@@ -71,13 +72,13 @@ static void fit_curves(struct fit_comparison *c, const struct fit_data *data, co
 
 static void set_aic(struct fit_comparison *c, const struct fit_data *data, bool robust)
 {
-    double scale = INFINITY;
+    const struct fit_estimate *best = NULL;
     for (int curve = 0; curve < FIT_CURVES; curve++)
-        if (c->used[curve] && c->estimate[curve].scale < scale)
-            scale = c->estimate[curve].scale;
+        if (c->used[curve] && (!best || c->estimate[curve].scale < best->scale))
+            best = &c->estimate[curve];
     for (int curve = 0; curve < FIT_CURVES; curve++)
         if (c->used[curve])
-            c->estimate[curve].aic = fit_aic(&c->estimate[curve], data, robust, scale);
+            c->estimate[curve].aic = fit_aic(&c->estimate[curve], data, robust, best);
 }
 
 static void rank_models(struct fit_comparison *c, const struct fit_request *request)
@@ -108,4 +109,138 @@ void fit_compare(struct fit_comparison *comparison, const struct fit_data *data,
 bool fit_is_accepted(const struct fit_estimate *estimate)
 {
     return !(estimate->p_value < FIT_SIGNIFICANCE);
+}
+
+/* ---- outliers ---- */
+
+/* The item of the largest distance in size, or the one of that line if line is not 0 */
+static size_t farthest(double *distance, const struct fit_data *data, const struct fit_estimate *e, long line)
+{
+    const size_t items = fit_items(data);
+    double *const at = xmalloc(items * sizeof *at);
+    size_t found = 0;
+    fit_distances(at, e, data);
+    for (size_t item = 1; item < items; item++)
+        if (line ? fit_is_item(data, item) && fit_item_line(data, item) == line : fabs(at[item]) > fabs(at[found]))
+            found = item;
+    *distance = at[found];
+    free(at);
+    return found;
+}
+
+/* The data without the lines, except one of them if `except` is not negative */
+static void copy_without(struct fit_data *copy, const struct fit_data *data, const struct fit_outliers *o, int except)
+{
+    bool *const left_out = xmalloc(data->points * sizeof *left_out);
+    memset(left_out, 0, data->points * sizeof *left_out);
+    for (size_t item = 0; item < fit_items(data); item++)
+        for (int i = 0; i < o->count; i++)
+            if (i != except && fit_is_item(data, item) && fit_item_line(data, item) == o->outlier[i].line)
+                fit_leave_out(left_out, data, item);
+    fit_data_copy(copy, data, left_out);
+    free(left_out);
+}
+
+/* Collects suspicious lines; `rest` holds the others. */
+static void collect_suspicious(struct fit_outliers *o, const struct fit_data *data)
+{
+    const size_t enough = 3 * data->points / 4;
+    copy_without(&o->rest, data, o, -1);
+    while (o->count < FIT_MAX_OUTLIERS) {
+        struct fit_estimate e;
+        double distance;
+        fit_estimate_curve(&e, o->curve, &o->rest, true);
+        if (!e.fitted)
+            break;
+        const size_t item = farthest(&distance, &o->rest, &e, 0);
+        if ((double)o->rest.points * erfc(fabs(distance) / sqrt(2)) > 0.05)
+            break;
+        o->outlier[o->count++].line = fit_item_line(&o->rest, item);
+        fit_data_clear(&o->rest);
+        copy_without(&o->rest, data, o, -1);
+        if (o->rest.points < enough) { /* too many: the last one stays */
+            o->count--;
+            fit_data_clear(&o->rest);
+            copy_without(&o->rest, data, o, -1);
+            break;
+        }
+    }
+}
+
+/* The least Q of least squares of points */
+static double squares(const struct fit_estimate *e, size_t points)
+{
+    return isnan(e->scale) ? e->chi2 : e->scale * e->scale * (double)(points - (size_t)e->parameters);
+}
+
+/* How far line i lies from the least squares e of the rest, and whether that is significant */
+static bool is_significant(struct fit_outliers *o, int i, const struct fit_estimate *e, const struct fit_data *data)
+{
+    const size_t freedom = o->rest.points - (size_t)e->parameters;
+    const double spread = data->sigma ? fmax(sqrt(e->chi2 / (double)freedom), 1) : 1;
+    double *const distance = &o->outlier[i].distance, times = 0;
+    struct fit_data with;
+    struct fit_estimate f;
+    copy_without(&with, data, o, i);
+    fit_estimate_curve(&f, o->curve, &with, false);
+    farthest(distance, &with, e, o->outlier[i].line);
+    if (data->bounce) { /* without the bounces of this time another lambda may look right by chance */
+        double again;
+        const double f_freedom = (double)(with.points - (size_t)f.parameters);
+        farthest(&again, &with, &f, o->outlier[i].line);
+        again *= sqrt((f_freedom - 1) / fmax(f_freedom - again * again, 1e-9));
+        *distance = fabs(again) < fabs(*distance) ? again : *distance;
+    } else {
+        const double change = squares(&f, with.points) - squares(e, o->rest.points);
+        *distance = copysign(sqrt(fmax(change, 0)), *distance) / (data->sigma ? 1 : e->scale);
+    }
+    fit_data_clear(&with);
+    for (size_t item = 0; item < fit_items(data); item++)
+        times += fit_is_item(data, item);
+    const double t = *distance / spread;
+    const double tail = data->sigma && !(spread > 1) ? erfc(fabs(t) / sqrt(2)) : fisher_tail(t * t, 1, freedom);
+    return times * tail < FIT_SIGNIFICANCE;
+}
+
+/* Puts lines back, the nearest first, until each that is left out is too far from the rest. */
+static void keep_significant(struct fit_outliers *o, const struct fit_data *data)
+{
+    for (int nearest = 0; nearest >= 0 && o->count > 0;) {
+        struct fit_estimate e;
+        fit_estimate_curve(&e, o->curve, &o->rest, false);
+        nearest = -1;
+        for (int i = 0; i < o->count; i++)
+            if (!is_significant(o, i, &e, data) &&
+                (nearest < 0 || fabs(o->outlier[i].distance) < fabs(o->outlier[nearest].distance)))
+                nearest = i;
+        if (nearest < 0)
+            break;
+        o->outlier[nearest] = o->outlier[--o->count];
+        fit_data_clear(&o->rest);
+        copy_without(&o->rest, data, o, -1);
+    }
+}
+
+static int compare_lines(const void *a, const void *b)
+{
+    const long x = ((const struct fit_outlier *)a)->line, y = ((const struct fit_outlier *)b)->line;
+    return x < y ? -1 : x > y;
+}
+
+void fit_find_outliers(struct fit_outliers *outliers, const struct fit_data *data, const struct fit_request *request)
+{
+    struct fit_request robust = *request;
+    struct fit_comparison comparison;
+    *outliers = (struct fit_outliers){.count = 0};
+    robust.robust = true;
+    fit_compare(&comparison, data, &robust);
+    if (!data->line || comparison.models == 0)
+        return;
+    outliers->curve = fit_models[comparison.ranked[0]].curve;
+    collect_suspicious(outliers, data);
+    if (outliers->count > 0)
+        keep_significant(outliers, data);
+    qsort(outliers->outlier, (size_t)outliers->count, sizeof *outliers->outlier, compare_lines);
+    if (outliers->count == 0)
+        fit_data_clear(&outliers->rest);
 }

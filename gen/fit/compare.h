@@ -5,7 +5,7 @@
 
 #include "fit/likelihood.h"
 
-enum { FIT_MAX_MODELS = 16 };
+enum { FIT_MAX_MODELS = 16, FIT_MAX_OUTLIERS = 8 };
 
 struct fit_request {
     bool wanted[FIT_MAX_MODELS]; /* by index in fit_models */
@@ -26,6 +26,23 @@ struct fit_comparison {
 int fit_request_models(struct fit_request *request, const char *names, const char *end);
 
 void fit_compare(struct fit_comparison *comparison, const struct fit_data *data, const struct fit_request *request);
+
+/* Lines that lie too far from the curve of the first model of the robust fits. The line farthest from the robust fit
+ * is left out while n normal errors would reach so far with a probability below 1/20, at most FIT_MAX_OUTLIERS and a
+ * fourth of the points. Then the nearest is put back while a line is left out whose distance from the least squares
+ * without all of these is no outlier's: the probability, Student's t times the number of lines, is FIT_SIGNIFICANCE or
+ * more. With given eps_sigma the tail is the normal one; if those are too small for the other points, too, they are
+ * scaled to chi^2 = n - k first. */
+struct fit_outliers {
+    int count;
+    struct fit_outlier {
+        long line;
+        double distance; /* in sigma of the errors, without the outliers; above 0: eps is too large, or a time late */
+    } outlier[FIT_MAX_OUTLIERS];
+    enum fit_curve curve;
+    struct fit_data rest; /* the points without them, if there are any; to be cleared by fit_data_clear */
+};
+void fit_find_outliers(struct fit_outliers *outliers, const struct fit_data *data, const struct fit_request *request);
 
 /* Whether nothing speaks against the curve: its p value is at least FIT_SIGNIFICANCE, or not known. */
 bool fit_is_accepted(const struct fit_estimate *estimate);

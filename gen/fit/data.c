@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "fit/data.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
@@ -26,10 +27,14 @@ static const char *const column_names[COLUMNS] = {[SPEED_M_S] = "speed_m_s",
                                                   [EPS_SIGMA] = "eps_sigma",
                                                   [TIME] = "t_s",
                                                   [RUN] = "run"};
-static const struct decimal_range speed_range = {"0", "1e30", false, true, true, "a speed above 0, as 0.25"};
+static const struct decimal_range speed_range = {"0",  "1e30", false,
+                                                 true, true,   "a speed above 0 and up to 1e30, as 0.25"};
 static const struct decimal_range eps_range = {"0", "1", true, true, true, "a number from 0 to 1, as 0.85"};
-static const struct decimal_range sigma_range = {"0", "1e30", false, true, true, "a number above 0, as 0.01"};
-static const struct decimal_range time_range = {"0", "1e30", true, true, true, "a time of 0 s or more, as 0.731"};
+static const struct decimal_range noisy_eps_range = {
+    "-1e31", "1e31", true, true, true, "a number from 0 to 1, as 0.85, or beyond by noise"};
+static const struct decimal_range sigma_range = {"1e-30", "1e30", true,
+                                                 true,    true,   "a number from 1e-30 to 1e30, as 0.01"};
+static const struct decimal_range time_range = {"0", "1e30", true, true, true, "a time from 0 s to 1e30 s, as 0.731"};
 
 struct reader {
     const char *name;
@@ -41,6 +46,8 @@ struct reader {
     int place[COLUMNS]; /* of a column among the cells; -1: the file does not have it */
     int header_cells;
     enum fit_unit unit;
+    char separator;
+    bool decimal_comma;
     size_t capacity;
 };
 
@@ -70,15 +77,26 @@ static int refuse_cell(const struct reader *r, enum column column, const char *t
 {
     if (*text == '\0')
         return refuse(r, column, "the cell is empty; allowed: %s", allowed);
-    if (strchr(text, ','))
-        return refuse(r, column, "'%.*s' has a decimal comma; numbers take a point; allowed: %s", CELL_SHOWN, text,
-                      allowed);
+    if (strchr(text, r->decimal_comma ? '.' : ','))
+        return refuse(r, column, "'%.*s' has a decimal %s; allowed: %s, or %s", CELL_SHOWN, text,
+                      r->decimal_comma ? "point, but --decimal-comma is given" : "comma", allowed,
+                      r->decimal_comma ? "the command without --decimal-comma" : "--decimal-comma");
     return refuse(r, column, "'%.*s' is not allowed; allowed: %s", CELL_SHOWN, text, allowed);
 }
 
 /* ---- lines and cells ---- */
 
 enum line_status { LINE_READ, LINE_END, LINE_REFUSED, LINE_FAILED };
+
+/* UTF-16 by its byte-order mark, or by the zero byte beside an ASCII character; NULL: not */
+static const char *utf_16_name(const char *line, size_t length)
+{
+    if (length < 2)
+        return NULL;
+    if (memcmp(line, "\xff\xfe", 2) == 0 || (line[0] != '\0' && line[1] == '\0'))
+        return "UTF-16LE";
+    return memcmp(line, "\xfe\xff", 2) == 0 || (line[0] == '\0' && line[1] != '\0') ? "UTF-16BE" : NULL;
+}
 
 /* Reads a line without its end, which is LF or CR LF. A UTF-8 byte-order mark before the first line is skipped. */
 static enum line_status read_line(struct reader *r)
@@ -102,10 +120,11 @@ static enum line_status read_line(struct reader *r)
     if (length > 0 && r->line[length - 1] == '\r')
         length--;
     r->line[length] = '\0';
-    if (r->number == 1 && strncmp(r->line, "\xef\xbb\xbf", 3) == 0)
+    if (r->number == 1 && length >= 3 && memcmp(r->line, "\xef\xbb\xbf", 3) == 0)
         memmove(r->line, r->line + 3, length - 3 + 1);
-    if (r->number == 1 && (strncmp(r->line, "\xff\xfe", 2) == 0 || strncmp(r->line, "\xfe\xff", 2) == 0)) {
-        refuse(r, COLUMNS, "the text is UTF-16; allowed: UTF-8 or ASCII, as speed_m_s,eps");
+    const char *const utf_16 = r->number == 1 ? utf_16_name(r->line, length) : NULL;
+    if (utf_16) {
+        refuse(r, COLUMNS, "the text is %s; allowed: UTF-8, as from iconv -f %s -t UTF-8 FILE", utf_16, utf_16);
         return LINE_REFUSED;
     }
     if (null || strchr(r->line, '\r')) {
@@ -129,16 +148,35 @@ static char *trimmed(char *text)
     return text;
 }
 
-/* Splits the line at the commas outside quotation marks. Returns false if it has too many cells. */
+/* The separator that the line has most of outside quotation marks */
+static char sniffed_separator(const char *line)
+{
+    static const char separators[] = {',', ';', '\t'};
+    size_t most = 0, count[sizeof separators] = {0};
+    bool quoted = false;
+    for (; *line; line++) {
+        if (*line == '"')
+            quoted = !quoted;
+        for (size_t i = 0; i < sizeof separators; i++) {
+            count[i] += !quoted && *line == separators[i];
+            most = count[i] > count[most] ? i : most;
+        }
+    }
+    return separators[most];
+}
+
+/* Splits the line at the separators outside quotation marks. Returns false if it has too many cells. */
 static bool split_line(struct reader *r)
 {
     bool quoted = false;
+    if (!r->separator)
+        r->separator = sniffed_separator(r->line);
     char *start = r->line;
     r->cells = 0;
     for (char *at = r->line;; at++) {
         if (*at == '"')
             quoted = !quoted;
-        if (*at != '\0' && (*at != ',' || quoted))
+        if (*at != '\0' && (*at != r->separator || quoted))
             continue;
         const bool last = *at == '\0';
         *at = '\0';
@@ -171,8 +209,15 @@ static enum line_status next_row(struct reader *r)
 static int read_number(double *x, const struct reader *r, enum column column, const struct decimal_range *range)
 {
     const char *const text = r->cell[r->place[column]];
+    char *const comma = r->decimal_comma ? strchr(text, ',') : NULL;
     struct decimal number = {0};
-    if (!decimal_parse(&number, text, EXPONENT_DIGITS))
+    bool parsed = !(r->decimal_comma && strchr(text, '.'));
+    if (comma)
+        *comma = '.';
+    parsed = parsed && decimal_parse(&number, text, EXPONENT_DIGITS);
+    if (comma)
+        *comma = ',';
+    if (!parsed)
         return refuse_cell(r, column, text, range->allowed);
     const bool inside = (number.forms & DECIMAL_RATIO) == 0 && decimal_inside(range, number.value);
     *x = decimal_value(&number);
@@ -185,6 +230,96 @@ static int read_number(double *x, const struct reader *r, enum column column, co
 static bool has(const struct reader *r, enum column column)
 {
     return r->place[column] >= 0;
+}
+
+/* The letters and digits of a name, small; a byte beyond ASCII counts as a letter */
+static void plain_name(char plain[CELL_SHOWN + 1], const char *name)
+{
+    size_t n = 0;
+    for (; *name && n < CELL_SHOWN; name++)
+        if (isalnum((unsigned char)*name) || (unsigned char)*name > 127)
+            plain[n++] = (char)tolower((unsigned char)*name);
+    plain[n] = '\0';
+}
+
+/* Whether two names differ by one letter, or by two that are exchanged, or not at all */
+static bool nearly_equal(const char *a, const char *b)
+{
+    while (*a && *a == *b) {
+        a++;
+        b++;
+    }
+    size_t m = strlen(a), n = strlen(b);
+    while (m > 0 && n > 0 && a[m - 1] == b[n - 1]) {
+        m--;
+        n--;
+    }
+    return (m <= 1 && n <= 1) || (m == 2 && n == 2 && a[0] == b[1] && a[1] == b[0]);
+}
+
+/* "sigma", "eps_err", "std of eps": an error of eps by another name */
+static bool means_sigma(const char *plain)
+{
+    static const char *const words[] = {
+        "sigma",        "std",    "stdev",       "stddev", "sd",       "sem",   "err",
+        "error",        "errors", "uncertainty", "unc",    "\xcf\x83", "delta", "standarddeviation",
+        "standarderror"};
+    static const char *const eps[] = {"", "eps", "epsilon", "e", "cor", "restitution", "\xce\xb5"};
+    char name[2 * CELL_SHOWN];
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        for (size_t j = 0; j < sizeof eps / sizeof *eps; j++)
+            for (int order = 0; order < 3; order++) {
+                const char *const first = order == 0 ? eps[j] : words[i], *const last = order == 0 ? words[i] : eps[j];
+                snprintf(name, sizeof name, "%s%s%s", first, order == 2 ? "of" : "", last);
+                if (strcmp(plain, name) == 0)
+                    return true;
+            }
+    return false;
+}
+
+/* Whether the file may have this column besides those that it has */
+static bool is_wanting(const struct reader *r, enum column column)
+{
+    const bool speed = has(r, SPEED_M_S) || has(r, SPEED_CM_S) || has(r, SPEED_MM_S) || has(r, SPEED);
+    const bool given[COLUMNS] = {speed, speed, speed, speed, has(r, EPS), has(r, EPS_SIGMA), speed, !has(r, TIME)};
+    return !given[column] && (column > EPS_SIGMA || !has(r, TIME));
+}
+
+/* The column that is wanting and whose name is nearly this one; COLUMNS: none */
+static enum column nearest_column(const struct reader *r, const char *name)
+{
+    char plain[CELL_SHOWN + 1], known[CELL_SHOWN + 1];
+    plain_name(plain, name);
+    for (int column = 0; column < COLUMNS; column++) {
+        plain_name(known, column_names[column]);
+        const bool near = strlen(known) < 3 ? strcmp(plain, known) == 0 : nearly_equal(plain, known);
+        if (is_wanting(r, (enum column)column) && (near || (column == EPS_SIGMA && means_sigma(plain))))
+            return (enum column)column;
+    }
+    return COLUMNS;
+}
+
+/* Refuses a name that is nearly one that is read, and lists the others. */
+static int list_unused(struct fit_data *data, const struct reader *r)
+{
+    size_t length = 0;
+    for (int i = 0; i < r->cells; i++) {
+        bool known = false;
+        for (int column = 0; column < COLUMNS; column++)
+            known = known || r->place[column] == i;
+        if (known)
+            continue;
+        const enum column near = nearest_column(r, r->cell[i]);
+        if (near != COLUMNS)
+            return refuse(r, COLUMNS,
+                          "the column '%.*s' is not read, but nearly has the name %s; allowed: %s, or a name less "
+                          "like it, as remark",
+                          CELL_SHOWN, r->cell[i], column_names[near], column_names[near]);
+        const size_t size = length + strlen(r->cell[i]) + 3;
+        data->unused = xrealloc(data->unused, size);
+        length += (size_t)snprintf(data->unused + length, size - length, "%s%s", length ? ", " : "", r->cell[i]);
+    }
+    return STATUS_OK;
 }
 
 static int find_columns(struct reader *r)
@@ -228,12 +363,11 @@ static int choose_speed(struct reader *r)
     return STATUS_OK;
 }
 
-static int read_header(struct reader *r)
+static int read_header(struct fit_data *data, struct reader *r)
 {
-    if (r->cells == 1 && strpbrk(r->cell[0], ";\t"))
-        return refuse(r, COLUMNS, "the columns are separated by %s; allowed: commas, as speed_m_s,eps",
-                      strchr(r->cell[0], ';') ? "semicolons" : "tabs");
     int status = find_columns(r);
+    if (status == STATUS_OK)
+        status = list_unused(data, r);
     if (status != STATUS_OK)
         return status;
     if (!has(r, TIME)) {
@@ -252,7 +386,9 @@ static int read_header(struct reader *r)
 
 /* ---- the points ---- */
 
-static int add_point(struct fit_data *data, struct reader *r, double speed_m_s, double eps, const double *sigma)
+/* Adds a point. `bounce` describes it without its index, or is NULL. */
+static int add_point(struct fit_data *data, struct reader *r, double speed_m_s, double eps, const double *sigma,
+                     const struct fit_bounce *bounce)
 {
     if (data->points == FIT_MAX_POINTS)
         return refuse(r, COLUMNS, "more than %d points; allowed: at most that many, as every tenth", FIT_MAX_POINTS);
@@ -260,13 +396,19 @@ static int add_point(struct fit_data *data, struct reader *r, double speed_m_s, 
         r->capacity = r->capacity ? 2 * r->capacity : 64;
         data->speed_m_s = xrealloc(data->speed_m_s, r->capacity * sizeof(double));
         data->eps = xrealloc(data->eps, r->capacity * sizeof(double));
+        data->line = xrealloc(data->line, r->capacity * sizeof(long));
         if (sigma)
             data->sigma = xrealloc(data->sigma, r->capacity * sizeof(double));
+        if (bounce)
+            data->bounce = xrealloc(data->bounce, r->capacity * sizeof *data->bounce);
     }
     data->speed_m_s[data->points] = speed_m_s;
     data->eps[data->points] = eps;
+    data->line[data->points] = bounce ? bounce->line[1] : r->number;
     if (sigma)
         data->sigma[data->points] = *sigma;
+    if (bounce)
+        data->bounce[data->points] = *bounce;
     data->points++;
     return STATUS_OK;
 }
@@ -275,15 +417,20 @@ static int read_point(struct fit_data *data, struct reader *r)
 {
     double speed, eps, sigma = 0;
     int status = read_number(&speed, r, SPEED, &speed_range);
-    if (status == STATUS_OK)
-        status = read_number(&eps, r, EPS, &eps_range);
     if (status == STATUS_OK && has(r, EPS_SIGMA))
         status = read_number(&sigma, r, EPS_SIGMA, &sigma_range);
+    if (status == STATUS_OK)
+        status = read_number(&eps, r, EPS, has(r, EPS_SIGMA) ? &noisy_eps_range : &eps_range);
     if (status != STATUS_OK)
         return status;
+    if (eps > 1 + FIT_MAX_BEYOND * sigma || eps < -FIT_MAX_BEYOND * sigma)
+        return refuse(r, EPS,
+                      "'%.*s' is %.3g eps_sigma beyond %d; allowed: a number from 0 to 1, or beyond by %d "
+                      "eps_sigma of noise",
+                      CELL_SHOWN, r->cell[r->place[EPS]], (eps > 1 ? eps - 1 : -eps) / sigma, eps > 1, FIT_MAX_BEYOND);
     if (speed * unit_m_s[r->unit] < 1e-30)
         return refuse_cell(r, SPEED, r->cell[r->place[SPEED]], "a speed of 1e-30 m/s or more, as 0.25");
-    return add_point(data, r, speed * unit_m_s[r->unit], eps, has(r, EPS_SIGMA) ? &sigma : NULL);
+    return add_point(data, r, speed * unit_m_s[r->unit], eps, has(r, EPS_SIGMA) ? &sigma : NULL, NULL);
 }
 
 /* One drop of a ball */
@@ -291,6 +438,7 @@ struct drop {
     char run[CELL_SHOWN + 1];
     long bounces;
     double time_s, flight_s; /* of the last bounce, and of the flight before it */
+    long line[2];            /* of the last two bounces, the last one second */
 };
 
 static int end_drop(const struct reader *r, const struct drop *drop)
@@ -320,13 +468,17 @@ static int read_bounce(struct fit_data *data, struct reader *r, struct drop *dro
                       "%.*s s is not after the bounce before; allowed: ascending times, and another text in "
                       "the column run for another drop",
                       CELL_SHOWN, r->cell[r->place[TIME]]);
-    if (status == STATUS_OK && drop->bounces > 1 && flight > drop->flight_s)
+    if (status == STATUS_OK && drop->bounces > 1 && flight > FIT_MAX_FLIGHT_RATIO * drop->flight_s)
         return refuse(r, TIME,
-                      "a flight of %g s after one of %g s makes eps = %g; allowed: eps from 0 to 1, flights "
-                      "that become shorter",
-                      flight, drop->flight_s, flight / drop->flight_s);
-    if (status == STATUS_OK && drop->bounces > 1)
-        status = add_point(data, r, gravity_m_s2 * drop->flight_s / 2, flight / drop->flight_s, NULL);
+                      "a flight of %g s after one of %g s makes eps = %g; allowed: eps up to 1, and by noise up to %g",
+                      flight, drop->flight_s, flight / drop->flight_s, FIT_MAX_FLIGHT_RATIO);
+    if (status == STATUS_OK && drop->bounces > 1) {
+        const struct fit_bounce bounce = {
+            0, drop->flight_s, drop->bounces == 2, {drop->line[0], drop->line[1], r->number}};
+        status = add_point(data, r, gravity_m_s2 * drop->flight_s / 2, flight / drop->flight_s, NULL, &bounce);
+    }
+    drop->line[0] = drop->line[1];
+    drop->line[1] = r->number;
     drop->bounces++;
     drop->time_s = time;
     drop->flight_s = flight;
@@ -340,10 +492,14 @@ static int read_rows(struct fit_data *data, struct reader *r, double gravity_m_s
     while ((line = next_row(r)) == LINE_READ) {
         if (r->cells != r->header_cells)
             return refuse(r, COLUMNS,
-                          "%d cells, but the first row names %d columns; allowed: as many, separated by commas, and "
-                          "numbers with a decimal point, as 0.5,0.85",
-                          r->cells, r->header_cells);
-        const int status = data->from_bounces ? read_bounce(data, r, &drop, gravity_m_s2) : read_point(data, r);
+                          "%d cells, but the first row names %d columns; allowed: as many, separated by %s, and "
+                          "numbers with a decimal %s",
+                          r->cells, r->header_cells,
+                          r->separator == ','   ? "commas"
+                          : r->separator == ';' ? "semicolons"
+                                                : "tabs",
+                          r->decimal_comma ? "comma" : "point");
+        const int status = has(r, TIME) ? read_bounce(data, r, &drop, gravity_m_s2) : read_point(data, r);
         if (status != STATUS_OK)
             return status;
         if (r->number % 1024 == 0)
@@ -361,6 +517,7 @@ static int read_rows(struct fit_data *data, struct reader *r, double gravity_m_s
 
 struct point {
     double speed, eps, sigma;
+    long line;
     size_t row;
 };
 
@@ -377,13 +534,16 @@ static void sort_points(struct fit_data *data)
 {
     struct point *const point = xmalloc(data->points * sizeof *point);
     for (size_t i = 0; i < data->points; i++)
-        point[i] = (struct point){data->speed_m_s[i], data->eps[i], data->sigma ? data->sigma[i] : 0, i};
+        point[i] = (struct point){data->speed_m_s[i], data->eps[i], data->sigma ? data->sigma[i] : 0, data->line[i], i};
     qsort(point, data->points, sizeof *point, compare_points);
     for (size_t i = 0; i < data->points; i++) {
         data->speed_m_s[i] = point[i].speed;
         data->eps[i] = point[i].eps;
+        data->line[i] = point[i].line;
         if (data->sigma)
             data->sigma[i] = point[i].sigma;
+        if (data->bounce)
+            data->bounce[point[i].row].point = i;
     }
     free(point);
 }
@@ -398,31 +558,32 @@ static int read_table(struct fit_data *data, struct reader *r, double gravity_m_
         return fail("cannot read %s: %s", r->name, strerror(errno));
     if (line == LINE_END)
         return refuse(r, COLUMNS, "the file is empty; allowed: names of columns and points, as speed_m_s,eps");
-    int status = read_header(r);
+    int status = read_header(data, r);
     if (status != STATUS_OK)
         return status;
-    data->from_bounces = has(r, TIME);
-    if (data->from_bounces && r->unit != FIT_UNIT_OF_COLUMN)
+    if (has(r, TIME) && r->unit != FIT_UNIT_OF_COLUMN)
         return refuse(r, TIME,
                       "--unit is that of a column speed, and times of bounces have none; allowed: seconds, as 0.52");
     status = read_rows(data, r, gravity_m_s2);
     if (status == STATUS_OK && data->points < FIT_MIN_POINTS)
         status = refuse(r, COLUMNS, "the file ends after %zu point%s; allowed: %d or more%s", data->points,
                         data->points == 1 ? "" : "s", FIT_MIN_POINTS,
-                        data->from_bounces ? ", from 4 bounces" : ", as 0.1,0.93 and 1,0.89");
+                        has(r, TIME) ? ", from 4 bounces" : ", as 0.1,0.93 and 1,0.89");
     return status;
 }
 
-int fit_data_read_file(struct fit_data *data, FILE *file, const char *name, enum fit_unit unit, double gravity_m_s2)
+int fit_data_read_file(struct fit_data *data, FILE *file, const char *name, const struct fit_form *form)
 {
     struct reader *const r = xmalloc(sizeof *r);
     *data = (struct fit_data){0};
     r->name = name;
     r->file = file;
     r->number = 0;
-    r->unit = unit;
+    r->unit = form->unit;
+    r->separator = form->separator;
+    r->decimal_comma = form->decimal_comma;
     r->capacity = 0;
-    const int status = read_table(data, r, gravity_m_s2);
+    const int status = read_table(data, r, form->gravity_m_s2);
     free(r);
     progress_end();
     if (status == STATUS_OK)
@@ -432,16 +593,52 @@ int fit_data_read_file(struct fit_data *data, FILE *file, const char *name, enum
     return status;
 }
 
-int fit_data_read(struct fit_data *data, const char *path, enum fit_unit unit, double gravity_m_s2)
+int fit_data_read(struct fit_data *data, const char *path, const struct fit_form *form)
 {
     if (strcmp(path, "-") == 0)
-        return fit_data_read_file(data, stdin, "standard input", unit, gravity_m_s2);
+        return fit_data_read_file(data, stdin, "standard input", form);
     FILE *const file = fopen(path, "r");
     if (!file)
         return fail("cannot read %s: %s", path, strerror(errno));
-    const int status = fit_data_read_file(data, file, path, unit, gravity_m_s2);
+    const int status = fit_data_read_file(data, file, path, form);
     fclose(file);
     return status;
+}
+
+void fit_data_copy(struct fit_data *copy, const struct fit_data *data, const bool *left_out)
+{
+    const size_t n = data->points;
+    size_t *const place = xmalloc(n * sizeof *place), kept = 0;
+    *copy = (struct fit_data){.speed_m_s = xmalloc(n * sizeof(double)),
+                              .eps = xmalloc(n * sizeof(double)),
+                              .sigma = data->sigma ? xmalloc(n * sizeof(double)) : NULL,
+                              .line = data->line ? xmalloc(n * sizeof(long)) : NULL,
+                              .bounce = data->bounce ? xmalloc(n * sizeof *copy->bounce) : NULL};
+    for (size_t i = 0; i < n; i++) {
+        const size_t to = place[i] = copy->points;
+        if (left_out[i])
+            continue;
+        copy->speed_m_s[to] = data->speed_m_s[i];
+        copy->eps[to] = data->eps[i];
+        if (data->sigma)
+            copy->sigma[to] = data->sigma[i];
+        if (data->line)
+            copy->line[to] = data->line[i];
+        copy->points++;
+    }
+    bool begins = false;
+    for (size_t k = 0; data->bounce && k < n; k++) {
+        begins = begins || data->bounce[k].begins;
+        if (left_out[data->bounce[k].point]) {
+            begins = true;
+            continue;
+        }
+        copy->bounce[kept] = data->bounce[k];
+        copy->bounce[kept].point = place[data->bounce[k].point];
+        copy->bounce[kept++].begins = begins;
+        begins = false;
+    }
+    free(place);
 }
 
 void fit_data_clear(struct fit_data *data)
@@ -449,5 +646,8 @@ void fit_data_clear(struct fit_data *data)
     free(data->speed_m_s);
     free(data->eps);
     free(data->sigma);
+    free(data->line);
+    free(data->bounce);
+    free(data->unused);
     *data = (struct fit_data){0};
 }

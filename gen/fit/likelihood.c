@@ -10,6 +10,7 @@
 #include "support/console.h"
 
 enum { SCAN_STEPS = 400, SCAN_POINTS = 1000, STARTS = 3, SCALE_ROUNDS = 40, ROOT_STEPS = 60 };
+enum { RATIO_STEPS = 14, RATIO_GOLDEN = 24, REACH = 64 /* bounces after a time that still tell its error */ };
 
 /* Residuals below the rounding error of eps count as this large, so that a curve through all points has a finite AIC.
  */
@@ -20,6 +21,13 @@ struct problem {
     size_t points;
     const double *eps, *sigma; /* sigma NULL: weight 1/scale */
     double *log_speed, *buffer;
+    const struct fit_bounce *bounce; /* NULL: eps of each point has an error of its own */
+    struct whitening {
+        double *y, *slope;   /* by bounce, in the order of the file */
+        double (*factor)[3]; /* rows of L: two places and one place before the diagonal, and the diagonal */
+        double *shifted, *above, *below;
+    } w;
+    double ratio; /* lambda */
     double scale;
     bool robust;
     double low[FIT_MAX_PARAMETERS], high[FIT_MAX_PARAMETERS];
@@ -27,6 +35,59 @@ struct problem {
     int held; /* the coordinate that is held in a profile, or -1 */
     double held_at;
 };
+
+/* ---- the covariance of bounces ---- */
+
+/* a_k = eps + d eps/d ln g, which is d[T eps]/dT */
+static void set_slopes(const struct problem *p, const double *theta)
+{
+    const double step = 1e-4;
+    const struct whitening *const w = &p->w;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        for (size_t i = 0; i < p->points; i++)
+            w->shifted[i] = p->log_speed[i] + sign * step;
+        fit_curve_eps(p->curve, theta, w->shifted, sign > 0 ? w->above : w->below, p->points);
+    }
+    for (size_t k = 0; k < p->points; k++) {
+        const double above = w->above[p->bounce[k].point], below = w->below[p->bounce[k].point];
+        w->slope[k] = (above + below) / 2 + (above - below) / (2 * step);
+    }
+}
+
+/* Factors W of that ratio and makes y of the residuals r, and z of y. Returns ln det W. */
+static double whiten(const struct problem *p, double ratio, const double *r)
+{
+    const struct whitening *const w = &p->w;
+    double log_determinant = 0;
+    for (size_t k = 0; k < p->points; k++) {
+        const struct fit_bounce *const b = &p->bounce[k];
+        const double a = w->slope[k], flight = b->flight_s;
+        double *const row = w->factor[k];
+        w->y[k] = flight * r[b->point];
+        row[0] = row[1] = 0;
+        if (!b->begins) {
+            const bool third = !b[-1].begins;
+            row[0] = third ? a / w->factor[k - 2][2] : 0;
+            row[1] = (-a * (1 + w->slope[k - 1]) - (1 + a) - row[0] * w->factor[k - 1][1]) / w->factor[k - 1][2];
+            w->y[k] -= row[1] * w->y[k - 1] + (third ? row[0] * w->y[k - 2] : 0);
+        }
+        const double square =
+            1 + (1 + a) * (1 + a) + a * a + ratio * flight * flight - row[0] * row[0] - row[1] * row[1];
+        row[2] = sqrt(square);
+        w->y[k] /= row[2];
+        log_determinant += log(square);
+    }
+    return log_determinant;
+}
+
+/* z, scaled by the determinants, takes the place of r, by point. `base` is ln det B. Returns that scale. */
+static double scale_whitened(const struct problem *p, double ratio, double base, const double *r, double *z)
+{
+    const double scale = exp((whiten(p, ratio, r) - base) / (2 * (double)p->points));
+    for (size_t k = 0; k < p->points; k++)
+        z[p->bounce[k].point] = scale * p->w.y[k];
+    return scale;
+}
 
 /* ---- residuals ---- */
 
@@ -43,14 +104,25 @@ static void whole_theta(double whole[FIT_MAX_PARAMETERS], const struct problem *
         whole[j] = j == p->held ? p->held_at : free_theta[next++];
 }
 
+static void plain_residuals(const struct problem *p, const double *theta, double *residual)
+{
+    fit_curve_eps(p->curve, theta, p->log_speed, residual, p->points);
+    for (size_t i = 0; i < p->points; i++)
+        residual[i] = p->eps[i] - residual[i];
+}
+
 static void residuals(const void *context, const double *theta, double *residual)
 {
     const struct problem *const p = context;
     double whole[FIT_MAX_PARAMETERS];
     whole_theta(whole, p, theta);
-    fit_curve_eps(p->curve, whole, p->log_speed, residual, p->points);
+    plain_residuals(p, whole, residual);
+    if (p->bounce) {
+        set_slopes(p, whole);
+        scale_whitened(p, p->ratio, whiten(p, 0, residual), residual, residual);
+    }
     for (size_t i = 0; i < p->points; i++) {
-        const double z = (p->eps[i] - residual[i]) / (p->sigma ? p->sigma[i] : p->scale);
+        const double z = residual[i] / (p->sigma ? p->sigma[i] : p->scale);
         residual[i] = p->robust ? huber_root(z) : z;
     }
 }
@@ -100,6 +172,8 @@ static double minimise_by_scan(double *theta, const struct problem *p)
         eps[thin.points] = p->eps[i];
         sigma[thin.points] = p->sigma ? p->sigma[i] : 0;
     }
+    thin.bounce = NULL; /* starts need no covariance */
+    thin.robust = p->robust && !p->bounce;
     thin.log_speed = log_speed;
     thin.eps = eps;
     thin.sigma = p->sigma ? sigma : NULL;
@@ -170,7 +244,7 @@ static double minimise(double *theta, const struct problem *p)
     return minimise_by_scan(theta, p);
 }
 
-/* ---- the robust scale ---- */
+/* ---- the scale, and the ratio of bounces ---- */
 
 static int compare_doubles(const void *a, const void *b)
 {
@@ -178,35 +252,91 @@ static int compare_doubles(const void *a, const void *b)
     return x < y ? -1 : x > y;
 }
 
-/* The median of |r| over 0.6745, times sqrt(n/(n - k)) */
-static double residual_scale(const struct problem *p, const double *theta)
+/* sqrt(sum z^2/(n - k)), or the median of |z| over 0.6745, times sqrt(n/(n - k)) */
+static double scale_of(const struct problem *p, const double *z)
 {
-    const double normal_median = 0.67448975019608171, n = (double)p->points;
-    double *const r = p->buffer;
-    fit_curve_eps(p->curve, theta, p->log_speed, r, p->points);
+    const double normal_median = 0.67448975019608171, n = (double)p->points, freedom = n - p->parameters;
+    double squares = 0;
     for (size_t i = 0; i < p->points; i++)
-        r[i] = fabs(p->eps[i] - r[i]);
-    qsort(r, p->points, sizeof *r, compare_doubles);
-    const double median = (r[(p->points - 1) / 2] + r[p->points / 2]) / 2;
-    return fmax(median / normal_median * sqrt(n / (n - p->parameters)), LEAST_RESIDUAL);
+        squares += z[i] * z[i];
+    if (!p->robust)
+        return fmax(sqrt(squares / freedom), LEAST_RESIDUAL);
+    double *const size = xmalloc(p->points * sizeof *size);
+    for (size_t i = 0; i < p->points; i++)
+        size[i] = fabs(z[i]);
+    qsort(size, p->points, sizeof *size, compare_doubles);
+    const double median = (size[(p->points - 1) / 2] + size[p->points / 2]) / 2;
+    free(size);
+    return fmax(median / normal_median * sqrt(n / freedom), LEAST_RESIDUAL);
 }
 
-static double minimise_with_scale(double *theta, struct problem *p)
+/* The scale, for points or for bounces with the ratio exp(u) of a flight of the mean square */
+static double scale_at(const struct problem *p, const double *r, double base, double u, double flight2)
+{
+    if (!p->bounce)
+        return scale_of(p, r);
+    scale_whitened(p, exp(u) / flight2, base, r, p->w.shifted);
+    return scale_of(p, p->w.shifted);
+}
+
+/* The least scale over the ratio: a scan, then golden sections */
+static void set_noise(struct problem *p, const double *theta)
+{
+    const double low = log(1e-10), step = log(1e18) / RATIO_STEPS, golden = 0.6180339887498949;
+    double *const r = p->buffer, base = 0, flight2 = 0, best = low, least = INFINITY;
+    plain_residuals(p, theta, r);
+    if (p->bounce) {
+        set_slopes(p, theta);
+        base = whiten(p, 0, r);
+        for (size_t k = 0; k < p->points; k++)
+            flight2 += p->bounce[k].flight_s * p->bounce[k].flight_s / (double)p->points;
+        for (int i = 0; i <= RATIO_STEPS; i++) {
+            const double scale = scale_at(p, r, base, low + i * step, flight2);
+            best = scale < least ? low + i * step : best;
+            least = fmin(scale, least);
+        }
+        double far = best + step, from = best - step; /* the golden section lies nearer to `from` */
+        double at = from + (1 - golden) * (far - from), height = scale_at(p, r, base, at, flight2);
+        for (int i = 0; i < RATIO_GOLDEN; i++) {
+            const double next = from + golden * (far - from), next_height = scale_at(p, r, base, next, flight2);
+            if (next_height < height) {
+                from = at;
+                at = next;
+                height = next_height;
+            } else {
+                far = from;
+                from = next;
+            }
+        }
+        best = at;
+        p->ratio = exp(best) / flight2;
+    }
+    p->scale = scale_at(p, r, base, best, flight2);
+}
+
+static double minimise_with_noise(double *theta, struct problem *p)
 {
     const bool robust = p->robust;
+    const struct fit_bounce *const bounce = p->bounce;
     p->robust = false;
+    p->bounce = NULL;
     const double best = minimise(theta, p);
     p->robust = robust;
-    if (!robust || p->sigma)
+    p->bounce = bounce;
+    if (!bounce && (!robust || p->sigma))
         return robust ? minimise(theta, p) : best;
-    p->scale = residual_scale(p, theta);
+    set_noise(p, theta);
     for (int round = 0; round < SCALE_ROUNDS; round++) {
-        minimise(theta, p);
-        const double scale = residual_scale(p, theta);
-        if (fabs(scale - p->scale) <= 1e-9 * scale)
+        const double before = p->scale;
+        double from[FIT_MAX_PARAMETERS], sum = INFINITY;
+        p->scale = robust ? before : 1;
+        memcpy(from, theta, sizeof from);
+        keep_better(&sum, theta, p, from);
+        set_noise(p, theta);
+        if (fabs(p->scale - before) <= 1e-9 * p->scale)
             break;
-        p->scale = scale;
     }
+    p->scale = robust ? p->scale : 1;
     return minimise(theta, p);
 }
 
@@ -215,10 +345,22 @@ static double minimise_with_scale(double *theta, struct problem *p)
 /* The least Q where coordinate j has the value x. `rest` holds the other coordinate: a start, then the minimiser. */
 static double profile(struct problem *p, int j, double x, double *rest)
 {
-    p->held = j;
+    double q = INFINITY, before;
     p->held_at = x;
-    const double q = p->parameters == 1 ? objective(p, NULL)
-                                        : least_squares_minimise(residuals, p, p->points, p->parameters - 1, rest);
+    do {
+        before = q;
+        p->held = j;
+        q = p->parameters == 1 ? objective(p, NULL)
+                               : least_squares_minimise(residuals, p, p->points, p->parameters - 1, rest);
+        if (p->bounce && !p->robust) {
+            double whole[FIT_MAX_PARAMETERS];
+            whole_theta(whole, p, rest);
+            p->held = -1;
+            set_noise(p, whole);
+            q = p->scale * p->scale * (double)(p->points - (size_t)p->parameters);
+            p->scale = 1;
+        }
+    } while (p->bounce && !p->robust && p->parameters > 1 && q < before * (1 - 1e-9));
     p->held = -1;
     return q;
 }
@@ -330,19 +472,22 @@ static double groups_p_value(const double *r, size_t n, size_t parameters)
     return fisher_tail(mean_squares / (within / (double)(n - groups)), groups - parameters, n - groups);
 }
 
-static void judge(struct fit_estimate *e, const struct problem *p)
+static void judge(struct fit_estimate *e, struct problem *p)
 {
     double squares = 0, chi2 = 0;
     double *const r = p->buffer;
-    fit_curve_eps(p->curve, e->theta, p->log_speed, r, p->points);
+    plain_residuals(p, e->theta, r);
     for (size_t i = 0; i < p->points; i++) {
-        r[i] = p->eps[i] - r[i];
         squares += r[i] * r[i];
         chi2 += p->sigma ? r[i] * r[i] / (p->sigma[i] * p->sigma[i]) : 0;
     }
     e->rms = sqrt(squares / (double)p->points);
     e->chi2 = p->sigma ? chi2 : NAN;
     e->p_of_chi2 = p->sigma && !p->robust;
+    if (p->bounce) {
+        set_slopes(p, e->theta);
+        e->time_sigma_s = e->scale / scale_whitened(p, p->ratio, whiten(p, 0, r), r, r);
+    }
     for (size_t i = 0; p->robust && i < p->points; i++) {
         const double z = r[i] / (p->sigma ? p->sigma[i] : p->scale);
         r[i] = fmin(fmax(z, -FIT_HUBER), FIT_HUBER);
@@ -380,10 +525,17 @@ static void problem_init(struct problem *p, enum fit_curve curve, const struct f
                           .sigma = data->sigma,
                           .log_speed = xmalloc(data->points * sizeof(double)),
                           .buffer = xmalloc(data->points * sizeof(double)),
+                          .bounce = data->bounce,
                           .scale = 1,
                           .robust = robust,
                           .parameters = fit_curve_parameters(curve),
                           .held = -1};
+    if (data->bounce) {
+        double **const array[] = {&p->w.y, &p->w.slope, &p->w.shifted, &p->w.above, &p->w.below};
+        for (size_t i = 0; i < sizeof array / sizeof *array; i++)
+            *array[i] = xmalloc(data->points * sizeof(double));
+        p->w.factor = xmalloc(data->points * sizeof *p->w.factor);
+    }
     for (size_t i = 0; i < data->points; i++)
         p->log_speed[i] = log(data->speed_m_s[i]);
     for (int j = 0; j < p->parameters; j++)
@@ -394,6 +546,12 @@ static void problem_clear(struct problem *p)
 {
     free(p->log_speed);
     free(p->buffer);
+    free(p->w.y);
+    free(p->w.slope);
+    free(p->w.shifted);
+    free(p->w.above);
+    free(p->w.below);
+    free(p->w.factor);
 }
 
 void fit_estimate_curve(struct fit_estimate *estimate, enum fit_curve curve, const struct fit_data *data, bool robust)
@@ -403,26 +561,96 @@ void fit_estimate_curve(struct fit_estimate *estimate, enum fit_curve curve, con
     *estimate =
         (struct fit_estimate){.curve = curve, .parameters = p.parameters, .fitted = p.points > (size_t)p.parameters};
     if (estimate->fitted) {
-        const double minimum = minimise_with_scale(estimate->theta, &p);
-        find_intervals(estimate, &p, minimum);
-        set_limit(estimate, &p);
-        judge(estimate, &p);
+        const double minimum = minimise_with_noise(estimate->theta, &p);
         estimate->scale = p.sigma ? NAN : p.scale;
         if (!p.sigma && !robust)
             estimate->scale = sqrt(minimum / (double)(p.points - (size_t)p.parameters));
+        estimate->ratio = p.ratio;
+        find_intervals(estimate, &p, minimum);
+        p.ratio = estimate->ratio; /* a profile has others */
+        set_limit(estimate, &p);
+        judge(estimate, &p);
     }
     problem_clear(&p);
 }
 
-double fit_aic(const struct fit_estimate *estimate, const struct fit_data *data, bool robust, double common_scale)
+double fit_aic(const struct fit_estimate *estimate, const struct fit_data *data, bool robust,
+               const struct fit_estimate *best)
 {
-    const double n = (double)data->points, rms = fmax(estimate->rms, LEAST_RESIDUAL);
-    if (!data->sigma && !robust)
-        return n * log(rms * rms) + 2 * (estimate->parameters + 1);
+    const double n = (double)data->points;
+    if (!data->sigma && !robust) {
+        const double scale = fmax(estimate->scale * sqrt((n - estimate->parameters) / n), LEAST_RESIDUAL);
+        return 2 * n * log(scale) + 2 * (estimate->parameters + 1);
+    }
     struct problem p;
     problem_init(&p, estimate->curve, data, robust);
-    p.scale = common_scale;
+    p.scale = best->scale;
+    p.ratio = best->ratio;
     const double q = objective(&p, estimate->theta);
     problem_clear(&p);
     return q + 2 * estimate->parameters;
+}
+
+/* ---- distances ---- */
+
+size_t fit_items(const struct fit_data *data)
+{
+    return (data->bounce ? 3 : 1) * data->points;
+}
+
+bool fit_is_item(const struct fit_data *data, size_t item)
+{
+    return !data->bounce || item % 3 == 2 || data->bounce[item / 3].begins;
+}
+
+long fit_item_line(const struct fit_data *data, size_t item)
+{
+    return data->bounce ? data->bounce[item / 3].line[item % 3] : data->line[item];
+}
+
+void fit_leave_out(bool *left_out, const struct fit_data *data, size_t item)
+{
+    if (!data->bounce) {
+        left_out[item] = true;
+        return;
+    }
+    const size_t first = item / 3;
+    for (size_t k = first; k <= first + item % 3 && k < data->points; k++) {
+        if (k > first && data->bounce[k].begins)
+            break;
+        left_out[data->bounce[k].point] = true;
+    }
+}
+
+/* Generalised least squares of the error e of one time from z = w e + noise */
+static double time_distance(const struct problem *p, size_t item)
+{
+    const struct whitening *const whitening = &p->w;
+    const size_t first = item / 3;
+    double w[REACH + 2] = {0}, product = 0, squares = 0; /* two zeros before the first */
+    for (size_t k = first; k < p->points && k < first + REACH && (k == first || !p->bounce[k].begins); k++) {
+        const size_t place = k - first + 2, before = item % 3 + first - k; /* times from t_k to this one */
+        const double a = whitening->slope[k], *const row = whitening->factor[k];
+        const double direct = k > first + item % 3 ? 0 : before == 2 ? 1 : before == 1 ? -(1 + a) : a;
+        w[place] = (direct - row[1] * w[place - 1] - row[0] * w[place - 2]) / row[2];
+        product += w[place] * whitening->y[k];
+        squares += w[place] * w[place];
+    }
+    return product / sqrt(squares);
+}
+
+void fit_distances(double *distance, const struct fit_estimate *estimate, const struct fit_data *data)
+{
+    struct problem p;
+    problem_init(&p, estimate->curve, data, false);
+    plain_residuals(&p, estimate->theta, p.buffer);
+    if (p.bounce) {
+        set_slopes(&p, estimate->theta);
+        whiten(&p, estimate->ratio, p.buffer);
+    }
+    for (size_t item = 0; item < fit_items(data); item++)
+        distance[item] = !fit_is_item(data, item) ? 0
+                         : p.bounce               ? time_distance(&p, item) / estimate->time_sigma_s
+                                                  : p.buffer[item] / (p.sigma ? p.sigma[item] : estimate->scale);
+    problem_clear(&p);
 }

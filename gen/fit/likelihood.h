@@ -5,8 +5,16 @@
  * fit takes Huber's rho, which is z^2 for |z| <= c and 2c|z| - c^2 beyond, with c = FIT_HUBER (95 % efficiency for
  * normal errors). s_i is the given standard deviation. If the file has none, s is a common unknown scale: in least
  * squares s^2 = Q/(n - k) for n points and k parameters; in the robust fit s is the median of |r_i| over its normal
- * value
- * 0.6745, times sqrt(n/(n - k)).
+ * value 0.6745, times sqrt(n/(n - k)).
+ *
+ * Of bounces the times are fitted. Time t_i has an independent error of standard deviation s, and eps of a bounce
+ * scatters by s sqrt(lambda) about the curve. y_k = T_(k+1) - T_k eps(g T_k/2), in the measured flights, is free of the
+ * first time and the first speed of a drop; to first order in the errors, with a_k = d[T eps(g T/2)]/dT at T_k,
+ *
+ *     y_k = e_(k+2) - (1 + a_k) e_(k+1) + a_k e_k + T_k h_k,    cov y = s^2 (B + lambda diag T_k^2) = s^2 W
+ *
+ * with a band B. z = L^-1 y for W = L L^T takes the place of r, times sqrt(det W/det B)^(1/n), so that the least Q is
+ * that of the restricted likelihood over lambda, too; the robust fit takes the lambda of the least scale.
  *
  * The interval of a coordinate holds the values at which the least Q over the other coordinates exceeds the minimum by
  * at most z^2 (s_i given), or t^2 s^2 with Student's t of n - k degrees of freedom (s unknown). In the robust fit that
@@ -44,16 +52,32 @@ struct fit_estimate {
     double rms;  /* of the residuals, each of weight 1 */
     double chi2; /* sum (r_i/s_i)^2 with the given s_i; NAN if the file has none */
     double aic;
-    double p_value; /* probability of a misfit as large as this one if the curve is right; NAN: too few points */
-    bool p_of_chi2; /* p_value is that of chi2; otherwise that of the means of groups, see below */
-    double scale;   /* s; NAN if the s_i are given */
+    double p_value;      /* probability of a misfit as large as this one if the curve is right; NAN: too few points */
+    bool p_of_chi2;      /* p_value is that of chi2; otherwise that of the means of groups, see below */
+    double scale;        /* s; NAN if the s_i are given. Of bounces times the root of the determinants */
+    double ratio;        /* lambda, 1/s^2; 0 unless the points are bounces */
+    double time_sigma_s; /* of bounces: s */
 };
+
+/* Distances from the curve in standard deviations. Items are the points or, of bounces, their times: time w of bounce k
+ * is item 3 k + w, and has another item if k is not the first bounce of a drop. */
+size_t fit_items(const struct fit_data *data);
+bool fit_is_item(const struct fit_data *data, size_t item);
+long fit_item_line(const struct fit_data *data, size_t item);
+
+/* The distance of each item: (eps_i - eps(g_i))/s_i, or the error of a time over its standard deviation, as the bounces
+ * of its drop from that time on determine it; 0 for no item */
+void fit_distances(double *distance, const struct fit_estimate *estimate, const struct fit_data *data);
+
+/* Marks the points that the item enters: itself, or the bounces with that time. */
+void fit_leave_out(bool *left_out, const struct fit_data *data, size_t item);
 
 /* Fits one curve; everything but `aic`, which depends on the other curves. */
 void fit_estimate_curve(struct fit_estimate *estimate, enum fit_curve curve, const struct fit_data *data, bool robust);
 
-/* AIC up to a constant that all curves share. With given s_i: Q + 2k. Without: n ln(sum r_i^2/n) + 2(k + 1); in the
- * robust fit Q + 2k at the scale `common_scale`, the least of the curves that are compared. */
-double fit_aic(const struct fit_estimate *estimate, const struct fit_data *data, bool robust, double common_scale);
+/* AIC up to a constant that all curves share. With given s_i: Q + 2k. Without: n ln(Q/n) + 2(k + 1) with s_i = 1; in
+ * the robust fit Q + 2k at the scale and lambda of `best`, the curve of the least scale. */
+double fit_aic(const struct fit_estimate *estimate, const struct fit_data *data, bool robust,
+               const struct fit_estimate *best);
 
 #endif

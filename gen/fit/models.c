@@ -193,11 +193,12 @@ const struct fit_model fit_models[] = {
 };
 const size_t fit_model_count = sizeof fit_models / sizeof *fit_models;
 
-/* Whether the bodies determine another parameter. The thickness of a plate needs its density. */
+/* Whether the bodies determine another parameter. The thickness of a plate needs its density and a finite modulus. */
 static bool bodies_matter(const struct fit_model *model, const struct fit_bodies *bodies)
 {
     return bodies && model->parameter_with_bodies &&
-           !(strcmp(model->name, "plate") == 0 && isnan(bodies->density_2_kg_m3));
+           !(strcmp(model->name, "plate") == 0 &&
+             (isnan(bodies->density_2_kg_m3) || isinf(bodies->body_2.young_modulus_pa)));
 }
 
 const char *fit_parameter_name(const struct fit_model *model, int parameter, const struct fit_bodies *bodies)

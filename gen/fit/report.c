@@ -43,9 +43,9 @@ static void add_row(struct table *table, const struct fit_model *model, const st
     add_number(table, e->aic);
 }
 
-void fit_report_print(const struct fit_comparison *comparison, const struct fit_data *data,
-                      const struct fit_request *request, enum output_format format, FILE *file)
+void fit_report_print(const struct fit_report *report, enum output_format format, FILE *file)
 {
+    const struct fit_comparison *const comparison = &report->comparison;
     struct table table;
     table_init(&table, columns, sizeof columns / sizeof *columns);
     table.kinds = "tttnnnnnnnn";
@@ -53,13 +53,13 @@ void fit_report_print(const struct fit_comparison *comparison, const struct fit_
         const struct fit_model *const model = &fit_models[comparison->ranked[i]];
         const struct fit_estimate *const e = &comparison->estimate[model->curve];
         for (int parameter = 0; parameter < e->parameters; parameter++)
-            add_row(&table, model, e, parameter, request->bodies);
+            add_row(&table, model, e, parameter, report->request->bodies);
     }
     table_print(&table, format, file);
     table_clear(&table);
     if (format == FORMAT_TEXT) {
         fputs("\n", file);
-        fit_report_remarks(comparison, data, request, file);
+        fit_report_remarks(report, file);
     }
 }
 
@@ -73,10 +73,30 @@ static void remark_data(const struct fit_data *data, FILE *file)
         most = fmax(most, data->eps[i]);
     }
     fprintf(file, "%zu points%s: %.4g to %.4g m/s, eps %.4g to %.4g; ", data->points,
-            data->from_bounces ? " from times of bounces" : "", data->speed_m_s[0], data->speed_m_s[data->points - 1],
-            least, most);
-    fputs(data->sigma ? "weights 1/eps_sigma^2.\n" : "no eps_sigma: equal weights, and the scatter gives sigma.\n",
+            data->bounce ? " from times of bounces" : "", data->speed_m_s[0], data->speed_m_s[data->points - 1], least,
+            most);
+    fputs(data->sigma    ? "weights 1/eps_sigma^2.\n"
+          : data->bounce ? "the scatter gives the errors of the times.\n"
+                         : "no eps_sigma: equal weights, and the scatter gives sigma.\n",
           file);
+    if (data->unused)
+        fprintf(file, "Columns that are not read: %s.\n", data->unused);
+}
+
+static void print_model(const struct fit_model *model, FILE *file)
+{
+    const bool both = strcmp(model->end, "both") == 0;
+    fprintf(file, "%s%s%s", model->name, both ? "" : " ", both ? "" : model->end);
+}
+
+/* The two errors of bounces, for the model with the least AIC */
+static void remark_noise(const struct fit_comparison *c, FILE *file)
+{
+    const struct fit_estimate *const e = &c->estimate[fit_models[c->ranked[0]].curve];
+    fprintf(file, "sigma of a time %.2g s, of eps at a bounce %.2g, from the residuals of ", e->time_sigma_s,
+            e->time_sigma_s * sqrt(e->ratio));
+    print_model(&fit_models[c->ranked[0]], file);
+    fputs(".\n", file);
 }
 
 static void remark_robust(FILE *file)
@@ -92,10 +112,26 @@ static void print_models_of(const struct fit_comparison *c, enum fit_curve curve
         const struct fit_model *const model = &fit_models[c->ranked[i]];
         if (model->curve != curve)
             continue;
-        fprintf(file, "%s%s%s%s", separator, model->name, strcmp(model->end, "both") == 0 ? "" : " ",
-                strcmp(model->end, "both") == 0 ? "" : model->end);
+        fputs(separator, file);
+        print_model(model, file);
         separator = ", ";
     }
+}
+
+enum { P_VALUE = 32 };
+static const char *p_value_text(char text[P_VALUE], const struct fit_estimate *e)
+{
+    if (isnan(e->p_value))
+        return "p unknown";
+    if (!(e->p_value >= 1e-300)) /* the tail functions underflow */
+        return "p < 1e-300";
+    snprintf(text, P_VALUE, "p = %.2g", e->p_value);
+    return text;
+}
+
+static const char *verdict_on(const struct fit_estimate *e)
+{
+    return isnan(e->p_value) ? "too few" : fit_is_accepted(e) ? "fits" : "does not fit";
 }
 
 /* Every curve once, in the order of the ranks */
@@ -108,16 +144,8 @@ static void remark_curves(const struct fit_comparison *c, FILE *file)
         if (named[curve])
             continue;
         named[curve] = true;
-        char p_value[32] = "p < 1e-300"; /* the tail functions underflow */
-        if (isnan(e->p_value))
-            snprintf(p_value, sizeof p_value, "p unknown");
-        else if (e->p_value >= 1e-300)
-            snprintf(p_value, sizeof p_value, "p = %.2g", e->p_value);
-        fprintf(file, "  %-12s %-13s ",
-                isnan(e->p_value)    ? "too few"
-                : fit_is_accepted(e) ? "fits"
-                                     : "does not fit",
-                p_value);
+        char p_value[P_VALUE];
+        fprintf(file, "  %-12s %-13s ", verdict_on(e), p_value_text(p_value, e));
         print_models_of(c, curve, file);
         fputs("\n", file);
     }
@@ -125,36 +153,77 @@ static void remark_curves(const struct fit_comparison *c, FILE *file)
 
 static void remark_verdict(const struct fit_comparison *c, FILE *file)
 {
-    int contacts = 0, accepted_contacts = 0, accepted = 0;
-    const char *best = NULL;
+    int contacts = 0, accepted_contacts = 0, accepted = 0, judged = 0;
+    const struct fit_model *best = NULL;
     for (int i = 0; i < c->models; i++) {
         const struct fit_model *const model = &fit_models[c->ranked[i]];
-        const bool fits = fit_is_accepted(&c->estimate[model->curve]);
-        contacts += model->is_contact;
+        const struct fit_estimate *const e = &c->estimate[model->curve];
+        const bool known = !isnan(e->p_value), fits = known && fit_is_accepted(e);
+        judged += known;
+        contacts += model->is_contact && known;
         accepted_contacts += fits && model->is_contact;
         accepted += fits;
-        best = fits && !best ? model->name : best;
+        best = fits && !best ? model : best;
     }
-    if (accepted == 0)
-        fputs("None of these models fits the data.\n", file);
-    else if (contacts > 0 && accepted_contacts == 0)
+    if (judged == 0) {
+        fputs("The points are too few to judge any of these models. Of them, ", file);
+        print_model(&fit_models[c->ranked[0]], file);
+        fputs(" has the least AIC.\n", file);
+    } else if (accepted == 0) {
+        fprintf(file, "None of these models fits the data%s.\n",
+                judged < c->models ? ", of those that the points are enough to judge" : "");
+    } else if (contacts > 0 && accepted_contacts == 0) {
         fputs("None of these laws of contact fits the data. The power law does; it is a formula without a contact.\n",
               file);
-    else
-        fprintf(file, "Of the models that fit, %s has the least AIC.\n", best);
+    } else {
+        fputs("Of the models that fit, ", file);
+        print_model(best, file);
+        fputs(" has the least AIC.\n", file);
+    }
 }
 
-void fit_report_remarks(const struct fit_comparison *comparison, const struct fit_data *data,
-                        const struct fit_request *request, FILE *file)
+static void remark_outliers(const struct fit_report *report, FILE *file)
 {
-    remark_data(data, file);
-    if (request->robust)
+    const struct fit_outliers *const o = &report->outliers;
+    for (int i = 0; i < o->count; i++) {
+        const double distance = o->outlier[i].distance;
+        fprintf(file, "Line %ld is an outlier: its %s is %.1f sigma too %s.\n", o->outlier[i].line,
+                report->data->bounce ? "time" : "eps", fabs(distance),
+                report->data->bounce ? (distance > 0 ? "late" : "early") : (distance > 0 ? "high" : "low"));
+    }
+    const struct fit_comparison *const c = &report->without_outliers;
+    if (o->count == 0 || c->models == 0)
+        return;
+    const struct fit_model *const model = &fit_models[c->ranked[0]];
+    const struct fit_estimate *const e = &c->estimate[model->curve];
+    const struct fit_bodies *const bodies = report->request->bodies;
+    char p_value[P_VALUE];
+    fprintf(file, "Without %s ", o->count == 1 ? "it" : "these lines");
+    print_model(model, file);
+    fprintf(file, " has the least AIC (%s, %s):", verdict_on(e), p_value_text(p_value, e));
+    for (int j = 0; j < e->parameters; j++) {
+        const double a = fit_parameter_value(model, j, e->interval[j][LEVEL_95].low, bodies);
+        const double b = fit_parameter_value(model, j, e->interval[j][LEVEL_95].high, bodies);
+        fprintf(file, "%s %s = %.6g (95 %%: %.6g to %.6g)", j ? "," : "", fit_parameter_name(model, j, bodies),
+                fit_parameter_value(model, j, e->theta[j], bodies), fmin(a, b), fmax(a, b));
+    }
+    fprintf(file, ".%s\n", report->request->robust ? "" : " --robust gives outliers little weight.");
+}
+
+void fit_report_remarks(const struct fit_report *report, FILE *file)
+{
+    const struct fit_comparison *const comparison = &report->comparison;
+    remark_data(report->data, file);
+    if (report->request->robust)
         remark_robust(file);
     if (comparison->too_many_parameters > 0)
         fprintf(file, "%d model%s left out: more points than parameters are needed.\n", comparison->too_many_parameters,
                 comparison->too_many_parameters == 1 ? " is" : "s are");
     if (comparison->models == 0)
         return;
+    if (report->data->bounce)
+        remark_noise(comparison, file);
+    remark_outliers(report, file);
     fprintf(file, "p: probability of so large %s, if the model is right; below %g it does not fit.\n",
             comparison->estimate[fit_models[comparison->ranked[0]].curve].p_of_chi2 ? "a chi2"
                                                                                     : "means of neighbouring residuals",

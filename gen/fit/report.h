@@ -9,11 +9,16 @@
 #include "support/output.h"
 
 /* The table, the models with the least AIC first: a row for each parameter. As text, the remarks follow. */
-void fit_report_print(const struct fit_comparison *comparison, const struct fit_data *data,
-                      const struct fit_request *request, enum output_format format, FILE *file);
+struct fit_report {
+    const struct fit_data *data;
+    const struct fit_request *request;
+    struct fit_comparison comparison;
+    struct fit_outliers outliers;
+    struct fit_comparison without_outliers; /* if there are outliers */
+};
+void fit_report_print(const struct fit_report *report, enum output_format format, FILE *file);
 
 /* What the data are, which models fit and which do not. The lines are for a person; every line ends with LF. */
-void fit_report_remarks(const struct fit_comparison *comparison, const struct fit_data *data,
-                        const struct fit_request *request, FILE *file);
+void fit_report_remarks(const struct fit_report *report, FILE *file);
 
 #endif

@@ -10,8 +10,9 @@
 /* Forms of a number besides digits, a point and an exponent ("0.1", "1.5e-3") */
 enum decimal_forms {
     DECIMAL_PLAIN = 0,
-    DECIMAL_SIGN = 1, /* a leading minus sign: "-0.33" */
-    DECIMAL_RATIO = 2 /* a quotient of integers: "2/3" */
+    DECIMAL_SIGN = 1,    /* a leading minus sign: "-0.33" */
+    DECIMAL_RATIO = 2,   /* a quotient of integers: "2/3" */
+    DECIMAL_INFINITE = 4 /* "inf", which only decimal_set_infinite() makes; the exact value is 0 */
 };
 
 /* Largest number of digits of an exponent, of a single number and of a number in a list */
@@ -31,6 +32,8 @@ bool decimal_parse(struct decimal *x, const char *text, int exponent_digits);
 /* Reads a constant of the program. Ends the program if the text is not a number. */
 void decimal_set(struct decimal *x, const char *text);
 
+void decimal_set_infinite(struct decimal *x);
+
 void decimal_clear(struct decimal *x); /* x may be a number that was never given, all zero */
 
 /* The allowed range of a number. `low` and `high` are texts of numbers, or NULL for no limit. */
@@ -46,7 +49,7 @@ bool decimal_inside(const struct decimal_range *range, const fmpq_t x);
  * rounded once. */
 double decimal_nearest(const fmpq_t x);
 
-/* The double nearest to a number as it is written. */
+/* The double nearest to a number as it is written, or INFINITY. */
 double decimal_value(const struct decimal *x);
 
 /* The shortest decimal text of at most 17 digits that reads back as x, or "nan" or "inf". */

@@ -15,7 +15,10 @@ enum { FEW = 40 };
 static void require_point(const struct fit_data *data, size_t i)
 {
     REQUIRE(data->speed_m_s[i] > 0 && isfinite(data->speed_m_s[i]), "speed %a", data->speed_m_s[i]);
-    REQUIRE(data->eps[i] >= 0 && data->eps[i] <= 1, "eps %a", data->eps[i]);
+    const double beyond = data->sigma    ? FIT_MAX_BEYOND * data->sigma[i] * (1 + 1e-9)
+                          : data->bounce ? FIT_MAX_FLIGHT_RATIO * (1 + 1e-9) - 1
+                                         : 0;
+    REQUIRE(data->eps[i] >= -beyond && data->eps[i] <= 1 + beyond, "eps %a", data->eps[i]);
     REQUIRE(!data->sigma || (data->sigma[i] > 0 && isfinite(data->sigma[i])), "sigma %a", data->sigma[i]);
     REQUIRE(i == 0 || data->speed_m_s[i - 1] <= data->speed_m_s[i], "speed %a is not sorted", data->speed_m_s[i]);
 }
@@ -39,7 +42,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
     REQUIRE(file, "no stream of %zu bytes", size);
     console_show_usage_errors(false);
     struct fit_data data;
-    const int status = fit_data_read_file(&data, file, "input", FIT_UNIT_OF_COLUMN, FIT_GRAVITY_M_S2);
+    const int status = fit_data_read_file(&data, file, "input", &FIT_FORM_DEFAULT);
     fclose(file);
     REQUIRE(status == STATUS_OK || status == STATUS_USAGE, "status %d", status);
     if (status != STATUS_OK)

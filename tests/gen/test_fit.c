@@ -73,6 +73,7 @@ static const double truth[FIT_CURVES][FIT_MAX_PARAMETERS] = {[FIT_SPHERE_ZERO_OV
 
 struct sample {
     double speed[POINTS_MAX], eps[POINTS_MAX], sigma[POINTS_MAX];
+    long line[POINTS_MAX];
     struct fit_data data;
 };
 
@@ -93,7 +94,8 @@ static void draw_sample(struct sample *s, enum fit_curve curve, size_t n, double
         fit_curve_eps(curve, truth[curve], &x, &s->eps[i], 1);
         s->eps[i] += s->sigma[i] * normal_deviate(r);
     }
-    s->data = (struct fit_data){n, s->speed, s->eps, with_sigma ? s->sigma : NULL, false};
+    s->data =
+        (struct fit_data){.points = n, .speed_m_s = s->speed, .eps = s->eps, .sigma = with_sigma ? s->sigma : NULL};
 }
 
 static double weight(const struct sample *s, size_t i)
@@ -264,7 +266,7 @@ static void ice_has_the_g_star_of_a_golden_section(void **state)
         s.speed[i] = speed_cm_s / 100;
         s.eps[i] = 0.32 * pow(speed_cm_s, -0.234);
     }
-    s.data = (struct fit_data){400, s.speed, s.eps, NULL, false};
+    s.data = (struct fit_data){.points = 400, .speed_m_s = s.speed, .eps = s.eps};
     for (int i = 0; i < 2; i++) {
         struct fit_estimate e;
         fit_estimate_curve(&e, expected[i].curve, &s.data, false);
@@ -431,7 +433,7 @@ static void elastic_data_have_no_upper_end(void **state)
 {
     (void)state;
     double speed[] = {0.1, 1, 10}, eps[] = {1, 1, 1}, sigma[] = {0.01, 0.01, 0.01};
-    const struct fit_data data = {3, speed, eps, sigma, false};
+    const struct fit_data data = {.points = 3, .speed_m_s = speed, .eps = eps, .sigma = sigma};
     struct fit_estimate e;
     fit_estimate_curve(&e, FIT_SPHERE_ZERO_OVERLAP, &data, false);
     const struct fit_model *const model = &fit_models[0];
@@ -448,7 +450,7 @@ static void an_end_of_the_range_is_in_its_interval(void **state)
 {
     (void)state;
     double speed[] = {1, 2, 3, 4, 5, 5}, eps[] = {0, 1, 0.2, 0.1, 0.2, 0.2}, sigma[] = {1e-40, 1e20, 1, 1, 0.5, 1};
-    const struct fit_data data = {6, speed, eps, sigma, false};
+    const struct fit_data data = {.points = 6, .speed_m_s = speed, .eps = eps, .sigma = sigma};
     int infinite = 0;
     for (int image = 0; image < 2; image++) {
         for (int curve = 0; curve < FIT_CURVES; curve++) {
@@ -474,7 +476,7 @@ static void few_points_are_not_judged(void **state)
 {
     (void)state;
     double speed[] = {0.1, 1}, eps[] = {0.9, 0.8};
-    const struct fit_data data = {2, speed, eps, NULL, false};
+    const struct fit_data data = {.points = 2, .speed_m_s = speed, .eps = eps};
     struct fit_estimate e;
     fit_estimate_curve(&e, FIT_CONSTANT, &data, false);
     assert_true(e.fitted && isnan(e.p_value) && fit_is_accepted(&e));
@@ -488,11 +490,13 @@ static char path[] = "/tmp/cor_test_fit_XXXXXX";
 
 static int read_text(struct fit_data *data, const char *text, enum fit_unit unit)
 {
+    struct fit_form form = FIT_FORM_DEFAULT;
+    form.unit = unit;
     FILE *const file = fopen(path, "w");
     assert_non_null(file);
     fputs(text, file);
     fclose(file);
-    return fit_data_read(data, path, unit, FIT_GRAVITY_M_S2);
+    return fit_data_read(data, path, &form);
 }
 
 static void check_points(const char *text, enum fit_unit unit)
@@ -532,8 +536,164 @@ static void flights_give_speeds_and_eps(void **state)
         check_close(data.speed_m_s[i], expected_speed[i] * FIT_GRAVITY_M_S2, 1e-14);
         check_close(data.eps[i], expected_eps[i], 1e-14);
     }
-    assert_true(data.from_bounces && !data.sigma);
+    assert_true(data.bounce && !data.sigma);
     fit_data_clear(&data);
+}
+
+/* ---- times of bounces against the truth ---- */
+
+/* Drops of a ball from 0.6 to 1 s of flight. eps of a bounce scatters by eps_sigma about the curve, and each time has
+ * an error of its own; with the probability `bad` it is 20 times as large. */
+struct bounces {
+    enum fit_curve curve;
+    int drops, times;
+    double time_sigma_s, eps_sigma, bad;
+    bool robust;
+    double least, most; /* how often an interval of 95 % holds the truth, in long runs */
+};
+
+/* The first line is 1, and a time is one line. `late_line` is late by late_s. */
+static void draw_bounces(struct fit_data *data, const struct bounces *b, long late_line, double late_s,
+                         struct random_state *r)
+{
+    FILE *const file = fopen(path, "w");
+    assert_non_null(file);
+    fputs("run,t_s\n", file);
+    long line = 1;
+    for (int drop = 0; drop < b->drops; drop++) {
+        double time = 1, flight = random_uniform(r, 0.6, 1);
+        for (int i = 0; i < b->times; i++) {
+            const double x = log(FIT_GRAVITY_M_S2 * flight / 2);
+            const double sigma = b->time_sigma_s * (random_uniform(r, 0, 1) < b->bad ? 20 : 1);
+            const double late = ++line == late_line ? late_s : 0;
+            fprintf(file, "%d,%.17g\n", drop, time + late + sigma * normal_deviate(r));
+            double eps;
+            fit_curve_eps(b->curve, truth[b->curve], &x, &eps, 1);
+            time += flight;
+            flight *= eps + b->eps_sigma * normal_deviate(r);
+        }
+    }
+    fclose(file);
+    const struct fit_form form = FIT_FORM_DEFAULT;
+    assert_int_equal(fit_data_read(data, path, &form), STATUS_OK);
+}
+
+/* A drop alone does not tell whether its times or its bounces scatter: the second and third rows. */
+static const struct bounces bounces[] = {
+    {FIT_CONSTANT, 10, 8, 1e-3, 0, 0, false, 0.93, 0.985},
+    {FIT_CONSTANT, 1, 8, 1e-3, 0, 0, false, 0.93, 0.999},
+    {FIT_CONSTANT, 1, 8, 0, 0.01, 0, false, 0.7, 0.95},
+    {FIT_CONSTANT, 10, 8, 1e-3, 0.005, 0, false, 0.89, 0.97},
+    {FIT_CONSTANT, 10, 8, 1e-6, 0.01, 0, false, 0.89, 0.97},
+    {FIT_SPHERE_ZERO_OVERLAP, 10, 7, 1e-3, 0, 0, false, 0.93, 0.985},
+    {FIT_SPHERE_ZERO_FORCE, 5, 7, 2e-4, 0.005, 0, false, 0.89, 0.97},
+    {FIT_HUNT_CROSSLEY, 10, 9, 1e-4, 0, 0, false, 0.93, 0.985},
+    {FIT_HERTZ_DASHPOT_ZERO_OVERLAP, 10, 6, 5e-4, 0.002, 0, false, 0.89, 0.97},
+    {FIT_POWER_LAW, 10, 7, 1e-3, 0, 0, false, 0.93, 0.985},
+    {FIT_POWER_LAW, 10, 7, 1e-3, 0.01, 0, false, 0.89, 0.97},
+    {FIT_CONSTANT, 10, 8, 1e-3, 0, 0, true, 0.93, 0.985},
+    {FIT_POWER_LAW, 10, 7, 1e-3, 0.01, 0, true, 0.89, 0.97},
+    {FIT_SPHERE_ZERO_FORCE, 20, 7, 2e-4, 0, 0.05, true, 0.93, 0.985},
+};
+
+static void times_hold_the_truth(void **state)
+{
+    struct random_state *const r = *state;
+    const bool whole = few_or_all(0, 1) != 0;
+    const int draws = whole ? 600 : 24;
+    for (size_t k = 0; k < sizeof bounces / sizeof *bounces; k++) {
+        const struct bounces *const b = &bounces[k];
+        int held[FIT_MAX_PARAMETERS][LEVELS] = {{0}}, rejected = 0;
+        if (!in_turn(k, 3))
+            continue;
+        for (int draw = 0; draw < draws; draw++) {
+            struct fit_data data;
+            struct fit_estimate e;
+            draw_bounces(&data, b, 0, 0, r);
+            fit_estimate_curve(&e, b->curve, &data, b->robust);
+            rejected += !fit_is_accepted(&e);
+            for (int j = 0; j < e.parameters; j++)
+                for (int level = 0; level < LEVELS; level++)
+                    held[j][level] += e.interval[j][level].low <= truth[b->curve][j] &&
+                                      truth[b->curve][j] <= e.interval[j][level].high;
+            fit_data_clear(&data);
+        }
+        for (int j = 0; j < fit_curve_parameters(b->curve); j++) {
+            const int n = held[j][LEVEL_95];
+            if (whole)
+                print_message("curve %d, %d drops of %d times, errors %g s and %g%s, parameter %d: 68 %%: %.1f, 95 %%: "
+                              "%.1f of 100; rejected %d\n",
+                              (int)b->curve, b->drops, b->times, b->time_sigma_s, b->eps_sigma,
+                              b->robust ? ", robust" : "", j, 100. * held[j][LEVEL_68] / draws, 100. * n / draws,
+                              rejected);
+            check(lower_tail(draws, n, b->least) > 1e-6 && 1 - lower_tail(draws, n - 1, b->most) > 1e-6,
+                  "row %zu, parameter %d: %d of %d hold", k, j, n, draws);
+            check(!whole || (n >= b->least * draws && n <= b->most * draws), "row %zu: %d of %d hold", k, n, draws);
+        }
+        check(1 - lower_tail(draws, rejected - 1, 2 * FIT_SIGNIFICANCE) > 1e-6, "row %zu: %d of %d rejected", k,
+              rejected, draws);
+    }
+}
+
+/* ---- outliers ---- */
+
+/* Of clean draws at most 2 of 100 name a line. An error of 12 sigma is named in 90 of 100, with its line; in 75 of 100
+ * where bounces scatter, too. Four of 40 points that are 60 sigma too low do not hide one another. */
+static void outliers_are_named(void **state)
+{
+    struct random_state *const r = *state;
+    const int draws = (int)few_or_all(30, 600);
+    struct fit_request request = {.robust = false};
+    assert_int_equal(fit_request_models(&request, "constant", NULL), STATUS_OK);
+    for (int way = 0; way < 5; way++) {
+        int named = 0, found = 0;
+        const struct bounces b = {FIT_CONSTANT, 10, 8, 1e-3, way == 4 ? 0.003 : 0, 0, false, 0, 0};
+        if (way > 2 && !in_turn((size_t)way, 2))
+            continue;
+        for (int draw = 0; draw < 2 * draws; draw++) {
+            const bool planted = draw & 1;
+            struct sample s;
+            struct fit_data data;
+            struct fit_outliers o;
+            if (way < 3) {
+                const size_t n = way == 0 ? 6 : 30, place = random_below(r, n);
+                draw_sample(&s, FIT_CONSTANT, n, 0.01, way > 1, r);
+                for (size_t i = 0; i < n; i++)
+                    s.line[i] = (long)(10 + i);
+                s.eps[place] -= planted ? 12 * s.sigma[place] : 0;
+                s.data.line = s.line;
+                fit_find_outliers(&o, &s.data, &request);
+                found += planted && o.count == 1 && o.outlier[0].line == s.line[place] &&
+                         fabs(o.outlier[0].distance) > 4 && o.outlier[0].distance < 0;
+            } else {
+                const long late = 2 + (long)random_below(r, 80);
+                draw_bounces(&data, &b, planted ? late : 0, 0.012, r);
+                fit_find_outliers(&o, &data, &request);
+                for (int i = 0; i < o.count; i++)
+                    found += planted && o.outlier[i].line == late && o.outlier[i].distance > 4;
+                fit_data_clear(&data);
+            }
+            named += !planted && o.count > 0;
+            fit_data_clear(&o.rest);
+        }
+        if (draws > 100)
+            print_message("way %d: %d of %d clean draws name a line, %d outliers found\n", way, named, draws, found);
+        check(1 - lower_tail(draws, named - 1, 0.02) > 1e-6, "way %d: %d of %d name a line", way, named, draws);
+        check(lower_tail(draws, found, way == 4 ? 0.75 : 0.9) > 1e-6, "way %d: %d of %d found", way, found, draws);
+    }
+    struct sample s;
+    struct fit_outliers o;
+    draw_sample(&s, FIT_CONSTANT, 40, 0.005, false, r);
+    for (size_t i = 0; i < 40; i++) {
+        s.line[i] = (long)(i + 2);
+        s.eps[i] -= i % 12 == 3 ? 0.3 : 0;
+    }
+    s.data.line = s.line;
+    fit_find_outliers(&o, &s.data, &request);
+    assert_int_equal(o.count, 4);
+    for (int i = 0; i < 4; i++)
+        assert_true((o.outlier[i].line - 2) % 12 == 3 && fabs(o.outlier[i].distance + 60) < 30);
+    fit_data_clear(&o.rest);
 }
 
 /* No text is read beyond its end, whatever it holds: the sanitizers watch. */
@@ -554,7 +714,8 @@ static void damaged_files_are_refused(void **state)
         if (read_text(&data, text, FIT_UNIT_OF_COLUMN) != STATUS_OK)
             continue;
         for (size_t k = 0; k < data.points; k++)
-            assert_true(data.speed_m_s[k] > 0 && data.eps[k] >= 0 && data.eps[k] <= 1 &&
+            assert_true(data.speed_m_s[k] > 0 && data.eps[k] >= (data.sigma ? -FIT_MAX_BEYOND * data.sigma[k] : 0) &&
+                        data.eps[k] <= 1 + (data.sigma ? FIT_MAX_BEYOND * data.sigma[k] : 0) &&
                         (!data.sigma || data.sigma[k] > 0));
         fit_data_clear(&data);
     }
@@ -587,6 +748,8 @@ int main(void)
         cmocka_unit_test(csv_forms_agree),
         cmocka_unit_test(flights_give_speeds_and_eps),
         cmocka_unit_test_prestate(damaged_files_are_refused, &random),
+        cmocka_unit_test_prestate(times_hold_the_truth, &random),
+        cmocka_unit_test_prestate(outliers_are_named, &random),
     };
     const int status = cmocka_run_group_tests(tests, NULL, NULL);
     unlink(path);
