@@ -56,30 +56,35 @@ static const struct public_function *function_number(size_t k)
 /* ---- arguments and what functions make of them ---- */
 
 /* Where subnormal numbers count as 0, the results are those of 0: every second set has none. */
-enum { SETS = 24, WITHOUT_SUBNORMALS = 1 };
-static struct arguments sets[SETS];
-static struct results *expected; /* of function k for set i at k SETS + i */
+enum { WITHOUT_SUBNORMALS = 1 };
+static size_t set_count;
+static struct arguments *sets;
+static struct results *expected; /* of function k for set i at k set_count + i */
 
 static int setup(void **state)
 {
     (void)state;
     struct random_bits random = {{random_bits_next}, random_start()};
-    for (size_t i = 0; i < SETS; i++)
+    set_count = 2 + points(10);
+    sets = calloc(set_count, sizeof *sets);
+    assert_non_null(sets);
+    for (size_t i = 0; i < set_count; i++)
         arguments_draw(&sets[i], &random.source, PUBLIC_COUNT, i % 2 != WITHOUT_SUBNORMALS);
-    expected = calloc(function_count() * SETS, sizeof *expected);
+    expected = calloc(function_count() * set_count, sizeof *expected);
     assert_non_null(expected);
     for (size_t k = 0; k < function_count(); k++)
-        for (size_t i = 0; i < SETS; i++)
-            function_number(k)->call(&sets[i], &expected[k * SETS + i]);
+        for (size_t i = 0; i < set_count; i++)
+            function_number(k)->call(&sets[i], &expected[k * set_count + i]);
     return 0;
 }
 
 static int free_results(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < function_count() * SETS; i++)
+    for (size_t i = 0; i < function_count() * set_count; i++)
         results_clear(&expected[i]);
     free(expected);
+    free(sets);
     return 0;
 }
 
@@ -112,7 +117,7 @@ enum { REFUSED = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW };
 static void call_again(size_t k, size_t i, const char *mode, int flushes)
 {
     const struct public_function *const f = function_number(k);
-    const struct results *const before = &expected[k * SETS + i];
+    const struct results *const before = &expected[k * set_count + i];
     const int direction = fegetround();
     struct results r = {NULL, 0, 0};
     f->call(&sets[i], &r);
@@ -133,7 +138,7 @@ static void no_exception_and_no_errno(void **state)
 {
     (void)state;
     for (size_t k = 0; k < function_count(); k++)
-        for (size_t i = 0; i < SETS; i++) {
+        for (size_t i = 0; i < set_count; i++) {
             const int before = i % 3 == 0 ? FE_DIVBYZERO : 0, number = i % 3 == 0 ? ENOENT : 0;
             struct results r = {NULL, 0, 0};
             feclearexcept(FE_ALL_EXCEPT);
@@ -167,7 +172,7 @@ static void traps(void **state)
     action.sa_handler = trap;
     sigaction(SIGFPE, &action, &before);
     for (volatile size_t k = 0; k < function_count(); k++)
-        for (volatile size_t i = 0; i < SETS; i++) {
+        for (volatile size_t i = 0; i < set_count; i++) {
             struct results r = {NULL, 0, 0};
             if (sigsetjmp(trapped, 1))
                 fail_msg("%s, set %zu: traps", function_number(k)->name, (size_t)i);
@@ -202,7 +207,7 @@ static void rounding_modes(void **state)
     for (size_t m = 0; m < sizeof modes / sizeof *modes; m++) {
         assert_int_equal(fesetround(modes[m].mode), 0);
         for (size_t k = 0; k < function_count(); k++)
-            for (size_t i = 0; i < SETS; i++)
+            for (size_t i = 0; i < set_count; i++)
                 call_again(k, i, modes[m].name, 0);
         assert_int_equal(fesetround(FE_TONEAREST), 0);
     }
@@ -214,7 +219,7 @@ static void flushing_to_zero(void **state)
 #ifdef __SSE2__
     const unsigned control = _mm_getcsr(), flush = 0x8040; /* FTZ and DAZ */
     for (size_t k = 0; k < function_count(); k++)
-        for (size_t i = WITHOUT_SUBNORMALS; i < SETS; i += 2) {
+        for (size_t i = WITHOUT_SUBNORMALS; i < set_count; i += 2) {
             _mm_setcsr(control | flush);
             call_again(k, i, "flushing to zero", 1);
             check((_mm_getcsr() & flush) == flush, "%s: changes the modes", function_number(k)->name);
@@ -230,8 +235,8 @@ static void arrays(void **state)
 {
     (void)state;
     for (size_t k = 0; k < public_function_count; k++)
-        for (size_t i = 0; i < SETS && public_functions[k].elements; i++) {
-            const struct results *const whole = &expected[k * SETS + i];
+        for (size_t i = 0; i < set_count && public_functions[k].elements; i++) {
+            const struct results *const whole = &expected[k * set_count + i];
             struct results r = {NULL, 0, 0};
             public_functions[k].elements(&sets[i], &r);
             assert_int_equal(r.count, whole->count);

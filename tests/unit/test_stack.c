@@ -20,6 +20,15 @@ static int setup(void **state)
     struct random_bits random = {{random_bits_next}, random_start()};
     for (size_t i = 0; i < SETS; i++)
         arguments_draw(&sets[i], &random.source, PUBLIC_COUNT, 1);
+    /* The first set is one that every function of disks accepts, with many speeds near one another. */
+    struct arguments *const a = &sets[0];
+    for (size_t i = 0; i < PUBLIC_COUNT; i++)
+        a->speed[i] = 1e-3 * (1 + 0.01 * (double)i);
+    a->nu[0] = 0.33;
+    a->datum[0] = COR_DISK_DATUM_CENTRE_OF_MASS;
+    a->n_modes[0] = 4;
+    a->disk_collision_options[0] = (struct cor_disk_collision_options){100, 1e-2, 0, 0};
+    a->disk_hard_wall_options[0] = (struct cor_disk_hard_wall_options){0.05};
     return 0;
 }
 
