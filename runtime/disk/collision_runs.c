@@ -127,11 +127,10 @@ static void bound_amplification(const struct cor_motion *m, struct runs *runs)
     evidence->amplification = fmax(evidence->amplification, bound);
 }
 
-/* Repeats one of the runs after a change of speed or angles. Sets the changes of eps and, as a norm, of the energies.
- * An early run measures them as well as a later one, and costs less. Returns 0 if the run failed. */
-static int runs_repeat(struct cor_motion *m, const struct runs *runs, double *eps, double *energies)
+/* Repeats a run after a change of speed or angles. Sets the changes of eps and, as a norm, of the energies. Returns 0 if
+ * the run failed. */
+static int runs_repeat(struct cor_motion *m, const struct runs *runs, int level, double *eps, double *energies)
 {
-    const int level = runs->levels < 4 ? runs->levels - 2 : 2;
     const struct cor_collision_run *const run = &runs->run[level];
     struct cor_collision_run twin = *run;
     if (run_widely(m, &twin, level > 0 ? run - 1 : NULL, NULL, NULL) != COR_RUN_ENDED)
@@ -146,7 +145,8 @@ static int runs_repeat(struct cor_motion *m, const struct runs *runs, double *ep
     return 1;
 }
 
-/* The amplification is the change of the result over that of v. */
+/* The amplification is the change of the result over that of v. An early run measures it as well as a later one, and
+ * costs less. */
 static void measure_amplification(struct cor_motion *m, struct runs *runs)
 {
     const double speed = m->speed, change = cor_tuning.perturbation;
@@ -154,21 +154,22 @@ static void measure_amplification(struct cor_motion *m, struct runs *runs)
     if (runs->evidence.measured || !runs_affordable(m, runs, 1))
         return;
     m->speed = speed * (1 + change);
-    if (runs_repeat(m, runs, &eps, &energies)) {
+    if (runs_repeat(m, runs, runs->levels < 4 ? runs->levels - 2 : 2, &eps, &energies)) {
         runs->evidence.amplification = fmax(eps, energies) / change;
         runs->evidence.measured = 1;
     }
     m->speed = speed;
 }
 
-/* With shifted angles the quadrature has the opposite error, which the collision amplifies equally. */
+/* With shifted angles the quadrature has the opposite error, which the collision amplifies equally. Runs with larger steps
+ * than those at hand may not converge yet, and say nothing. */
 static void measure_angles(struct cor_motion *m, struct runs *runs)
 {
     double eps, energies;
     if (runs->evidence.angles_measured || !runs_affordable(m, runs, 1))
         return;
     cor_motion_set_angles(m, m->phi, 1);
-    if (runs_repeat(m, runs, &eps, &energies)) {
+    if (runs_repeat(m, runs, runs->levels - 2, &eps, &energies)) {
         runs->evidence.by_angles = fmax(eps, 0.5 * energies);
         runs->evidence.angles_measured = 1;
     }
@@ -246,8 +247,8 @@ static int runs_advance(struct cor_motion *m, struct runs *runs, int averages)
 static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
 {
     const struct cor_collision_run *const last = &runs->run[runs->levels - 1];
-    const double share = cor_tuning.angles_share * m->tolerance, quadrature = cor_collision_quadrature_error(m, last);
-    if (!runs->evidence.angles_measured || runs->error.angles <= share)
+    const double share = cor_tuning.angles_wanted * m->tolerance, quadrature = cor_collision_quadrature_error(m, last);
+    if (!runs->evidence.angles_measured || runs->error.angles <= share || !runs_affordable(m, runs, 3))
         return 0;
     const double growth = quadrature < 1 ? log(0.5 * share / runs->error.angles) / log(quadrature) : 1;
     return runs_restart_finer(m, runs, fmin(fmax(growth, cor_tuning.least_growth), 1),
@@ -255,8 +256,8 @@ static int runs_improve_angles(struct cor_motion *m, struct runs *runs)
 }
 
 /* Makes runs until the error is small enough or cannot become small enough. */
-static enum verdict runs_settle(struct cor_motion *m, struct runs *runs, struct cor_disk_collision *out,
-                                const struct cor_disk_collision_detail *detail)
+static void runs_settle(struct cor_motion *m, struct runs *runs, struct cor_disk_collision *out,
+                        const struct cor_disk_collision_detail *detail)
 {
     enum verdict verdict = GO_ON;
     while (verdict == GO_ON) {
@@ -265,7 +266,7 @@ static enum verdict runs_settle(struct cor_motion *m, struct runs *runs, struct 
         else if (runs->levels > 1) {
             runs_conclude(m, runs, out, detail->energy_after);
             verdict = runs_judge(m, runs);
-            if (verdict == GIVEN_UP && runs_improve_angles(m, runs))
+            if (verdict != GO_ON && runs_improve_angles(m, runs))
                 verdict = GO_ON;
         }
     }
@@ -274,7 +275,6 @@ static enum verdict runs_settle(struct cor_motion *m, struct runs *runs, struct 
         measure_angles(m, runs);
         out->error_estimate = runs_estimate(m, runs);
     }
-    return verdict;
 }
 
 static void runs_add_details(struct cor_motion *m, struct runs *runs, const struct cor_disk_collision_detail *detail)
@@ -302,7 +302,7 @@ int cor_collision_runs(struct cor_motion *m, struct cor_disk_collision *out,
     memset(&runs, 0, sizeof runs);
     runs.h = first_step(m);
     *out = unknown;
-    const enum verdict verdict = runs_settle(m, &runs, out, detail != NULL ? detail : &no_detail);
+    runs_settle(m, &runs, out, detail != NULL ? detail : &no_detail);
     if (isnan(out->eps) && runs.levels == 1) {
         cor_collision_results(m, runs.run, 1, out, detail != NULL ? detail->energy_after : NULL);
         out->error_estimate = cor_collision_step_error(m, &runs.evidence, 0);
@@ -313,5 +313,5 @@ int cor_collision_runs(struct cor_motion *m, struct cor_disk_collision *out,
     }
     if (detail != NULL)
         runs_add_details(m, &runs, detail);
-    return verdict == SETTLED ? COR_OK : COR_TOLERANCE_NOT_REACHED;
+    return out->error_estimate <= m->tolerance ? COR_OK : COR_TOLERANCE_NOT_REACHED;
 }

@@ -29,7 +29,8 @@ struct cor_collision_tuning {
     double two_runs, third_ratio, later_ratio, least_movement, no_convergence, scatter;
     double hard, hard_two_runs, hard_movement, hard_before;
     /* error due to the angles */
-    double quadrature_allowed, quadrature_in_eps, bound_amplifies, angles_in_eps, angles_share, least_growth;
+    double quadrature_allowed, quadrature_in_eps, bound_amplifies, angles_in_eps, angles_share, angles_wanted,
+        least_growth;
     /* error due to round-off and to the wall's energy */
     double perturbation, least_sensitivity, random_walk, steady_drift, wall_in_eps;
     /* when to give up */
@@ -112,11 +113,14 @@ static const struct cor_collision_tuning cor_tuning = {
     .quadrature_in_eps = 0.1,
     .bound_amplifies = 1e-3,
     /* Error of eps over the movement by angles that are shifted by half their distance. Derived: half, to first order.
-     * Fitted: the movement of a run with larger steps. */
-    .angles_in_eps = 1,
+     * Fitted: 1.7 was met where the movement is too large for first order. */
+    .angles_in_eps = 3,
     /* If more than this part of the tolerance may be due to the angles, a run with shifted angles measures it. Chosen:
      * 10 allows for errors of the estimate. */
     .angles_share = 0.1,
+    /* If the measured part is larger than this, more angles are taken. Chosen: a third allows for a movement that is
+     * small by chance. */
+    .angles_wanted = 0.3,
     /* Growth of the number of angles if they are too few. Chosen. */
     .least_growth = 0.25,
 
