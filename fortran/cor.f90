@@ -24,6 +24,7 @@ module cor
   real(c_double), parameter, public :: COR_DISK_RAYLEIGH_TAIL_MAX_ERROR_ANY_SPEED = 4e-5_c_double
   real(c_double), parameter, public :: COR_DISK_RAYLEIGH_MAX_SPEED = 0.03_c_double
   integer(c_int), parameter, public :: COR_DISK_MAX_STACK = 65536
+  integer(c_int), parameter, public :: COR_DISK_MODES_MAX_N = 4095
   integer(c_int), parameter, public :: COR_DISK_MODES_MAX_COUNT = 1000000
   real(c_double), parameter, public :: COR_DISK_MODES_OMEGA_MAX_ERROR = 2e-14_c_double
   real(c_double), parameter, public :: COR_DISK_MODES_AMPLITUDE_MAX_ERROR = 1e-10_c_double
@@ -33,6 +34,7 @@ module cor
   real(c_double), parameter, public :: COR_DISK_COLLISION_MAX_ALPHA = 1e5_c_double
   real(c_double), parameter, public :: COR_DISK_COLLISION_MIN_TOLERANCE = 1e-13_c_double
   integer(c_int), parameter, public :: COR_DISK_COLLISION_MAX_PHI_POINTS = 16384
+  real(c_double), parameter, public :: COR_DISK_COLLISION_MAX_WORKSPACE = 1.3e9_c_double
   integer(c_int), parameter, public :: COR_DISK_COLLISION_MAX_STEPS = 1000000
   real(c_double), parameter, public :: COR_DISK_HARD_WALL_MAX_SPEED = 0.5_c_double
   real(c_double), parameter, public :: COR_DISK_HARD_WALL_POINT_SPEED = 1e-7_c_double
@@ -201,6 +203,7 @@ module cor
 
   type, public, bind(c) :: cor_disk_hard_wall_options_t
     real(c_double) :: tolerance
+    integer(c_size_t) :: max_steps
   end type
 
   type, public, bind(c) :: cor_disk_hard_wall_t

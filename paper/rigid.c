@@ -3,6 +3,7 @@
 #include "rigid.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 
 #include "collisions.h"
@@ -48,7 +49,7 @@ struct cor_disk_hard_wall rigid_wall(double nu, double speed, double tolerance)
         if (kept[i].nu == nu && kept[i].speed == speed && kept[i].tolerance == tolerance)
             return kept[i].out;
     const int m = nu == nu_of[0] ? 0 : 1;
-    const struct cor_disk_hard_wall_options options = {tolerance};
+    const struct cor_disk_hard_wall_options options = {tolerance, SIZE_MAX};
     struct cor_disk_hard_wall out = {NAN, NAN, NAN, NAN, NAN, 0};
     int status = know_modes(m);
     if (status == COR_OK)

@@ -3,6 +3,7 @@
  * of few modes extrapolated to alpha -> infinity and N -> infinity. The truth is the rigid wall at its least tolerance,
  * with modes up to Omega = 960 (480 in a quick run). */
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -40,7 +41,7 @@ struct rigid {
 static void to_tolerance(void *closure)
 {
     struct rigid *const r = closure;
-    const struct cor_disk_hard_wall_options options = {r->tolerance};
+    const struct cor_disk_hard_wall_options options = {r->tolerance, SIZE_MAX};
     r->status = cor_disk_hard_wall(r->modes, r->modes->count, &options, r->speed, &r->out);
     disk_must(r->status == COR_OK || r->status == COR_TOLERANCE_NOT_REACHED, cor_status_text(r->status));
 }
@@ -157,7 +158,7 @@ static void bench_random(struct disk_bench *bench)
     enum { MOST = 100 };
     static double seconds[MOST];
     const int scenes_of_run = bench->quick ? 20 : MOST;
-    const struct cor_disk_hard_wall_options options = {1e-6};
+    const struct cor_disk_hard_wall_options options = {1e-6, SIZE_MAX};
     unsigned long long state = 19990101;
     int within = 0, reached = 0;
     for (int i = 0; i < scenes_of_run; i++) {

@@ -126,7 +126,7 @@ static void disks_collide_all(struct plan *plan, struct disks *d)
 static int collide_rigid(struct disks *d, struct outcome *out, double *uncertainty, double tolerance, double speed)
 {
     struct cor_disk_hard_wall h;
-    const int status = hard_wall_collide(&h, &d->tables, tolerance, speed, &d->room);
+    const int status = hard_wall_collide(&h, &d->tables, tolerance, 0, speed, &d->room);
     out->value[PLAN_EPS] = h.eps;
     out->value[PLAN_CONTACT_TIME] = h.contact_time;
     out->value[PLAN_COMPRESSION] = h.max_compression;

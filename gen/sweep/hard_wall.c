@@ -53,10 +53,10 @@ static int find_table(struct cor_disk_modes *table, struct hard_wall_tables *tab
     return status;
 }
 
-int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *tables, double tolerance, double speed,
-                      struct sweep_room *room)
+int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *tables, double tolerance,
+                      size_t max_steps, double speed, struct sweep_room *room)
 {
-    const struct cor_disk_hard_wall_options options = {tolerance};
+    const struct cor_disk_hard_wall_options options = {tolerance, max_steps};
     int status = COR_TOLERANCE_NOT_REACHED;
     *out = (struct cor_disk_hard_wall){NAN, NAN, NAN, NAN, NAN, 0};
     for (int i = 0; i < HARD_WALL_TABLES && status == COR_TOLERANCE_NOT_REACHED; i++) {
@@ -71,6 +71,8 @@ int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *t
             room->size = needed;
         }
         status = cor_disk_hard_wall_in(room->bytes, room->size, &table, table.count, &options, speed, out, NULL);
+        if (status == COR_TOLERANCE_NOT_REACHED && out->omega_levels < (size_t)levels[i])
+            break; /* the budget has ended, not the modes */
     }
     return status;
 }

@@ -201,7 +201,7 @@ void sweep_collide_hard(struct sweep_result *result, const struct sweep *sweep, 
 {
     const double start = clock_seconds();
     *result = no_result;
-    result->status = hard_wall_collide(&result->hard_wall, tables, sweep->tolerance, row->speed, room);
+    result->status = hard_wall_collide(&result->hard_wall, tables, sweep->tolerance, 0, row->speed, room);
     result->seconds = clock_seconds() - start;
 }
 

@@ -146,7 +146,7 @@ static void scene_collide(void *context, int thread, uint64_t task, void *result
     const int32_t x = run->scene[task].x;
     struct outcome outcome;
     outcome.status = hard_wall_collide(&outcome.out, &run->tables, is_calm(x) ? CALM_TOLERANCE : FAST_TOLERANCE,
-                                       speed_at(x), &run->room[thread]);
+                                       SIZE_MAX, speed_at(x), &run->room[thread]);
     memcpy(result, &outcome, sizeof outcome);
 }
 

@@ -69,6 +69,10 @@ struct cor_disk_mode {
     double omega, c, s;
 };
 
+/* Largest n of a mode that any function accepts, in a table or a file: the memory of a collision grows with n^2. The
+ * 10^6 lowest modes of a disk, COR_DISK_MODES_MAX_COUNT, have n below 3000. */
+#define COR_DISK_MODES_MAX_N 4095
+
 /* The lowest `count` modes of a disk, by increasing omega, without gaps. mode has count elements. */
 struct cor_disk_modes {
     double nu;
@@ -88,7 +92,8 @@ COR_API extern const struct cor_disk_modes cor_disk_modes_nu090;
  *     COR_ERROR_NULL
  *     COR_ERROR_FILE          the file cannot be read
  *     COR_ERROR_FILE_VERSION  the file is not a mode file, or one of another version
- *     COR_ERROR_FILE_DAMAGED  the check of a line fails, a line ends early, or a number is impossible
+ *     COR_ERROR_FILE_DAMAGED  the check of a line fails, a line ends early, a number is impossible, or n is above
+ *                             COR_DISK_MODES_MAX_N
  *     COR_ERROR_CAPACITY      the file has more modes than the array */
 COR_API int cor_disk_modes_read(const char *path, struct cor_disk_mode *mode, size_t capacity,
                                 struct cor_disk_modes *modes, size_t *line);
@@ -198,8 +203,8 @@ struct cor_disk_rayleigh {
  * Returns COR_OK, or, with every number set,
  *     COR_BEYOND_THEORY  v > COR_DISK_RAYLEIGH_MAX_SPEED, or fraction + tail > 1, which perturbation theory excludes
  * or, with nothing changed,
- *     COR_ERROR_MODES    the table lacks that number of modes; omega does not grow; or omega begins below 1.17, lower
- *                        than in any disk
+ *     COR_ERROR_MODES    the table lacks that number of modes; omega does not grow; omega begins below 1.17, lower than
+ *                        in any disk; or an n is not from 0 to COR_DISK_MODES_MAX_N
  *     COR_ERROR_NULL, COR_ERROR_DATUM, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_SPEED */
 COR_API int cor_disk_rayleigh(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
                               double speed, struct cor_disk_rayleigh *out, double *mode_fraction);
@@ -239,6 +244,8 @@ COR_API int cor_disk_rayleigh_tolerance(const struct cor_disk_modes *modes, enum
 #define COR_DISK_COLLISION_MAX_ALPHA 1e5
 #define COR_DISK_COLLISION_MIN_TOLERANCE 1e-13
 #define COR_DISK_COLLISION_MAX_PHI_POINTS 16384
+/* Bytes of workspace for n up to COR_DISK_MODES_MAX_N, but for 200 for each mode */
+#define COR_DISK_COLLISION_MAX_WORKSPACE 1.3e9
 /* Largest number of steps of one run. A contact that lasts longer returns COR_CONTACT_NOT_ENDED. */
 #define COR_DISK_COLLISION_MAX_STEPS 1000000
 
@@ -288,7 +295,8 @@ struct cor_disk_collision {
  *                                budget: a very slow disk, a very hard or soft wall, or a disk whose vibrations take
  *                                all its energy
  * or, with nothing changed,
- *     COR_ERROR_MODES            the table lacks that number of modes, omega does not grow, or an entry is not a number
+ *     COR_ERROR_MODES            the table lacks that number of modes, omega does not grow, an entry is not a number, or
+ *                                an n is not from 0 to COR_DISK_MODES_MAX_N
  *     COR_ERROR_SPEED            the speed is too high or NaN
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_TOLERANCE, COR_ERROR_ALPHA, COR_ERROR_PHI_POINTS,
  *     COR_ERROR_MEMORY */
@@ -357,6 +365,8 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 
 struct cor_disk_hard_wall_options {
     double tolerance; /* allowed absolute error of 1 - eps^2, from COR_DISK_HARD_WALL_MIN_TOLERANCE to below 1 */
+    size_t max_steps; /* of all levels together; 0: a fixed number of operations, which a processor of 2.6 GHz does in 5
+                       * to 10 s, those for modes included */
 };
 
 struct cor_disk_hard_wall {
@@ -368,20 +378,22 @@ struct cor_disk_hard_wall {
     size_t omega_levels;    /* number of computed levels of Omega */
 };
 
-/* Computes levels until error_estimate is below the tolerance or the lowest n_modes modes do not suffice. A level needs
- * all modes below its Omega, whose number cor_disk_modes_below returns. Two levels are the minimum. 1800 modes suffice
- * for five levels (Omega = 60), with an error of about 1e-4.
+/* Computes levels until error_estimate is below the tolerance, or the lowest n_modes modes or the budget do not suffice
+ * for another. A level needs all modes below its Omega, whose number cor_disk_modes_below returns. Two levels are the
+ * minimum. 1800 modes suffice for five levels (Omega = 60), with an error of about 1e-4.
  * Domain: 0 < v <= COR_DISK_HARD_WALL_MAX_SPEED, without a lower limit. The function allocates its workspace once and
  * frees it. The same arguments give the same bits on every instruction set.
  * Returns COR_OK, or, with the best numbers,
- *     COR_TOLERANCE_NOT_REACHED  the modes end before error_estimate is below the tolerance
+ *     COR_TOLERANCE_NOT_REACHED  the modes or the budget end before error_estimate is below the tolerance
  * or, with NaN for unknown results,
  *     COR_WALL_NOT_TOUCHED       v <= 0: the disk does not reach the wall
- *     COR_CONTACT_NOT_ENDED      the vibrations of the disk keep nearly all its energy
+ *     COR_CONTACT_NOT_ENDED      the vibrations of the disk keep nearly all its energy, or the budget ends before two
+ *                                levels
  *     COR_ERROR_MODES            the modes leave a compliance that no disk has: numbers in the table are wrong
  * or, with nothing changed,
  *     COR_ERROR_MODES            the table lacks that number of modes or has too few for two levels; omega
- *                                does not grow; or an entry is not a number
+ *                                does not grow; an entry is not a number; or an n is not from 0 to
+ *                                COR_DISK_MODES_MAX_N, or to 2047 for a mode that moves
  *     COR_ERROR_SPEED            the speed is too high or NaN
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_TOLERANCE, COR_ERROR_MEMORY */
 COR_API int cor_disk_hard_wall(const struct cor_disk_modes *modes, size_t n_modes,

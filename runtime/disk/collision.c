@@ -18,9 +18,6 @@
 #include "runtime/core/environment.h"
 #include "runtime/disk/collision_runs.h"
 
-/* Largest n of a mode. A table with a larger n would have 10^9 modes. */
-enum { MAX_N = 100000 };
-
 static const struct cor_collision_loops *widest_loops(void)
 {
 #define COLLISION_ROW(set) &cor_collision_##set,
@@ -40,8 +37,8 @@ static int collision_check(const struct cor_disk_modes *modes, size_t n_modes,
         return COR_ERROR_MODES;
     for (size_t i = 0; i < n_modes; i++) {
         const struct cor_disk_mode *mode = &modes->mode[i];
-        if (mode->n < 0 || mode->n > MAX_N || !(mode->omega > 0 && mode->omega < INFINITY) || !isfinite(mode->c) ||
-            !isfinite(mode->s) || (i > 0 && !(mode->omega > mode[-1].omega)))
+        if (mode->n < 0 || mode->n > COR_DISK_MODES_MAX_N || !(mode->omega > 0 && mode->omega < INFINITY) ||
+            !isfinite(mode->c) || !isfinite(mode->s) || (i > 0 && !(mode->omega > mode[-1].omega)))
             return COR_ERROR_MODES;
     }
     if (!(options->tolerance >= COR_DISK_COLLISION_MIN_TOLERANCE && options->tolerance < 1))

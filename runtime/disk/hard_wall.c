@@ -88,7 +88,9 @@ static struct cor_hard_wall_settings settings_of(size_t level, double speed, dou
         COR_HARD_WALL_FADE,
         speed < COR_DISK_HARD_WALL_POINT_SPEED,
         fmin(widened * fmin(wave, half_width * fine / LEAST_ANGLES), COARSEST_SPACING / omega),
-        widened * RANGE * sqrt(speed)};
+        widened * RANGE * sqrt(speed),
+        0,
+        0};
     return settings;
 }
 
@@ -108,7 +110,21 @@ struct ladder {
     size_t levels;
     double l[MAX_LEVELS], extrapolated[MAX_LEVELS]; /* extrapolated[k] from levels k - 1 and k */
     double max_compression[MAX_LEVELS], contact_time, error_estimate;
+    double work_left, work_per_step; /* the budget, see struct cor_hard_wall_settings */
+    double last_work;                /* of the highest level */
+    int exhausted;                   /* the budget has ended */
 };
+
+static void ladder_begin(struct ladder *ladder, double nu, double speed,
+                         const struct cor_disk_hard_wall_options *options, double most_work)
+{
+    memset(ladder, 0, sizeof *ladder);
+    ladder->nu = nu;
+    ladder->speed = speed;
+    ladder->tolerance = options->tolerance;
+    ladder->work_per_step = options->max_steps > 0 ? 1 : 0;
+    ladder->work_left = options->max_steps > 0 ? (double)options->max_steps : most_work;
+}
 
 /* The limit extrapolated from two levels, of which the second has twice the Omega^2 of the first */
 static double limit_of(double before, double last)
@@ -160,28 +176,44 @@ static void ladder_conclude(const struct ladder *ladder, struct cor_disk_hard_wa
     out->omega_levels = ladder->levels;
 }
 
-/* Computes one level, and widens the range of angles if the contact needs more */
-static int compute_level(void *workspace, const struct cor_disk_modes *modes, double speed, double tolerance,
-                         size_t level, struct cor_hard_wall_result *result,
-                         const struct cor_disk_hard_wall_detail *detail)
+/* Computes one level, and widens the range of angles if the contact needs more. Returns COR_TOLERANCE_NOT_REACHED if
+ * no range suffices or if the budget ends. With detail there is no budget: the level is known to end. */
+static int compute_level(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t level,
+                         struct cor_hard_wall_result *result, const struct cor_disk_hard_wall_detail *detail)
 {
     double widened = 1;
     int status = COR_ERROR_WORKSPACE;
+    ladder->last_work = 0;
     for (int i = 0; i < MAX_WIDENINGS && status == COR_ERROR_WORKSPACE; i++, widened *= WIDENING) {
-        const struct cor_hard_wall_settings settings = settings_of(level, speed, tolerance, widened);
-        status = cor_hard_wall_level(workspace, modes, speed, &settings, result, detail);
+        struct cor_hard_wall_settings settings = settings_of(level, ladder->speed, ladder->tolerance, widened);
+        settings.work_per_step = ladder->work_per_step;
+        settings.most_work = detail == NULL ? fmax(ladder->work_left, 1) : 0;
+        status = cor_hard_wall_level(workspace, modes, ladder->speed, &settings, result, detail);
+        ladder->work_left -= result->work;
+        ladder->last_work += result->work;
     }
     return status == COR_ERROR_WORKSPACE ? COR_TOLERANCE_NOT_REACHED : status;
 }
 
-/* Adds levels to the ladder until the error is small enough or the modes do not suffice */
+/* Whether the budget suffices for the next level */
+static int is_affordable(const struct ladder *ladder)
+{
+    const double growth = ladder->work_per_step > 0 ? sqrt(2) : COR_HARD_WALL_GROWTH;
+    return growth * ladder->last_work <= ladder->work_left;
+}
+
+/* Adds levels to the ladder until the error is small enough, the modes do not suffice, or the budget ends */
 static int ladder_climb(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes, size_t levels)
 {
-    while (ladder->levels < levels && !is_settled(ladder)) {
+    while (ladder->levels < levels && !is_settled(ladder) && !ladder->exhausted) {
         struct cor_hard_wall_result result;
         memset(&result, 0, sizeof result);
         const size_t k = ladder->levels;
-        const int status = compute_level(workspace, modes, ladder->speed, ladder->tolerance, k, &result, NULL);
+        const int status = is_affordable(ladder) ? compute_level(ladder, workspace, modes, k, &result, NULL)
+                                                 : COR_TOLERANCE_NOT_REACHED;
+        ladder->exhausted = status == COR_TOLERANCE_NOT_REACHED;
+        if (ladder->exhausted)
+            break;
         if (status != COR_OK)
             return status;
         ladder->l[k] = result.one_minus_eps2;
@@ -192,17 +224,19 @@ static int ladder_climb(struct ladder *ladder, void *workspace, const struct cor
         if (k > 0)
             ladder->error_estimate = estimate_of(ladder);
     }
+    if (ladder->exhausted && ladder->levels < LEAST_LEVELS)
+        return COR_CONTACT_NOT_ENDED;
     return is_settled(ladder) ? COR_OK : COR_TOLERANCE_NOT_REACHED;
 }
 
 /* Repeats the highest level for the optional results */
-static int ladder_tell(const struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes,
+static int ladder_tell(struct ladder *ladder, void *workspace, const struct cor_disk_modes *modes,
                        const struct cor_disk_hard_wall_detail *detail)
 {
     struct cor_hard_wall_result result;
     memset(&result, 0, sizeof result);
     result.contact_time = ladder->contact_time;
-    return compute_level(workspace, modes, ladder->speed, ladder->tolerance, ladder->levels - 1, &result, detail);
+    return compute_level(ladder, workspace, modes, ladder->levels - 1, &result, detail);
 }
 
 /* ---- calls ---- */
@@ -227,8 +261,10 @@ static int hard_wall_check(const struct cor_disk_modes *modes, size_t n_modes,
         return COR_ERROR_MODES;
     for (size_t i = 0; i < n_modes; i++) {
         const struct cor_disk_mode *const mode = &modes->mode[i];
-        if (mode->n < 0 || mode->n > COR_HARD_WALL_MAX_N || !(mode->omega > 0 && mode->omega < INFINITY) ||
-            !isfinite(mode->c) || !isfinite(mode->s) || (i > 0 && !(mode->omega > mode[-1].omega)))
+        if (mode->n < 0 || mode->n > COR_DISK_MODES_MAX_N ||
+            (mode->n > COR_HARD_WALL_MAX_N && mode->omega < omega_of(MAX_LEVELS - 1)) ||
+            !(mode->omega > 0 && mode->omega < INFINITY) || !isfinite(mode->c) || !isfinite(mode->s) ||
+            (i > 0 && !(mode->omega > mode[-1].omega)))
             return COR_ERROR_MODES;
     }
     return levels_of(modes, n_modes) < LEAST_LEVELS ? COR_ERROR_MODES : check_options(options);
@@ -291,10 +327,7 @@ static int hard_wall_in(void *workspace, size_t bytes, const struct cor_disk_mod
     if (speed <= 0)
         return COR_WALL_NOT_TOUCHED;
     struct ladder ladder;
-    memset(&ladder, 0, sizeof ladder);
-    ladder.nu = modes->nu;
-    ladder.speed = speed;
-    ladder.tolerance = options->tolerance;
+    ladder_begin(&ladder, modes->nu, speed, options, COR_HARD_WALL_WORK);
     const struct cor_disk_modes lowest = {modes->nu, n_modes, modes->mode};
     status = ladder_climb(&ladder, aligned(workspace), &lowest, levels_of(modes, n_modes));
     if (ladder.levels >= LEAST_LEVELS)
@@ -329,24 +362,29 @@ static int hard_wall_of_table(const struct cor_disk_modes *modes, size_t n_modes
 /* Number of levels of the first table, and the increase for each further table */
 enum { FIRST_TABLE = 7, NEXT_TABLE = 2 };
 
-/* Computes the modes that `levels` levels need; malloc'ed */
-static int compute_modes(double nu, size_t levels, struct cor_disk_modes *modes)
+/* Computes the modes that `levels` levels need; malloc'ed. COR_TOLERANCE_NOT_REACHED if the budget ends */
+static int compute_modes(struct ladder *ladder, size_t levels, struct cor_disk_modes *modes)
 {
-    const size_t count = cor_disk_modes_below(nu, omega_of(levels - 1)) + 1;
+    const size_t count = cor_disk_modes_below(ladder->nu, omega_of(levels - 1)) + 1;
+    const double work = ladder->work_per_step > 0 ? 0 : COR_HARD_WALL_MODE_WORK * (double)count;
+    ladder->exhausted = work > ladder->work_left;
+    if (ladder->exhausted)
+        return COR_TOLERANCE_NOT_REACHED;
     struct cor_disk_mode *const mode = malloc(count * sizeof *mode);
     if (mode == NULL)
         return COR_ERROR_MEMORY;
-    const int status = cor_disk_modes_compute(nu, count, mode, modes);
+    const int status = cor_disk_modes_compute(ladder->nu, count, mode, modes);
+    ladder->work_left -= work;
     if (status != COR_OK)
         free(mode);
     return status;
 }
 
 /* Computes the ladder up to `levels` levels, with its own modes and workspace. */
-static int climb_alone(struct ladder *ladder, double nu, size_t levels)
+static int climb_alone(struct ladder *ladder, size_t levels)
 {
     struct cor_disk_modes modes;
-    int status = compute_modes(nu, levels, &modes);
+    int status = compute_modes(ladder, levels, &modes);
     if (status != COR_OK)
         return status;
     size_t bytes = COR_HARD_WALL_ALIGNMENT;
@@ -361,9 +399,10 @@ static int climb_alone(struct ladder *ladder, double nu, size_t levels)
     return status;
 }
 
-static int hard_wall_of_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
-                           struct cor_disk_hard_wall *out)
+int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard_wall_options *options, double speed,
+                         struct cor_disk_hard_wall *out, double *work)
 {
+    *work = 0;
     if (out == NULL)
         return COR_ERROR_NULL;
     if (!(nu > -1 && nu < 1))
@@ -377,18 +416,24 @@ static int hard_wall_of_nu(double nu, const struct cor_disk_hard_wall_options *o
     if (speed <= 0)
         return COR_WALL_NOT_TOUCHED;
     struct ladder ladder;
-    memset(&ladder, 0, sizeof ladder);
-    ladder.nu = nu;
-    ladder.speed = speed;
-    ladder.tolerance = options->tolerance;
+    ladder_begin(&ladder, nu, speed, options, most_work);
+    const double whole = ladder.work_left;
     size_t levels = FIRST_TABLE;
     do {
-        status = climb_alone(&ladder, nu, levels);
+        status = climb_alone(&ladder, levels);
         levels = levels + NEXT_TABLE < MAX_LEVELS ? levels + NEXT_TABLE : MAX_LEVELS;
-    } while (status == COR_TOLERANCE_NOT_REACHED && ladder.levels < MAX_LEVELS);
+    } while (status == COR_TOLERANCE_NOT_REACHED && !ladder.exhausted && ladder.levels < MAX_LEVELS);
     if (ladder.levels >= LEAST_LEVELS)
         ladder_conclude(&ladder, out);
+    *work = whole - ladder.work_left;
     return status;
+}
+
+static int hard_wall_of_nu(double nu, const struct cor_disk_hard_wall_options *options, double speed,
+                           struct cor_disk_hard_wall *out)
+{
+    double work;
+    return cor_hard_wall_within(COR_HARD_WALL_WORK, nu, options, speed, out, &work);
 }
 
 /* ---- in the default floating-point environment ---- */

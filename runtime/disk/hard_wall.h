@@ -100,6 +100,7 @@ struct cor_hard_wall_contact {
     double *z, *row;
     unsigned char *touches, *faulty;
     size_t pivotings; /* number of contacts that were not one piece from angle 0 */
+    double work;      /* multiplications so far */
     int indefinite;   /* the compliance is not positive definite, so the modes are wrong */
 };
 
@@ -134,13 +135,24 @@ struct cor_hard_wall_settings {
                      * unused */
     double spacing; /* upper limit of d; d divides pi */
     double range;   /* largest angle, at most pi/2 */
+    /* The budget: the level gives up when its steps, times work_per_step, or their multiplications, if work_per_step is
+     * 0, exceed most_work. 0: without limit */
+    double most_work, work_per_step;
 };
+
+/* Multiplications of a call without max_steps. At 0.1 to 0.2 ns each it takes 5 to 10 s, like cor_disk_collision. */
+#define COR_HARD_WALL_WORK 5e10
+/* Those of a level over the level before: 2^(1/2) times the steps, and twice the modes, and twice the pairs of angles */
+#define COR_HARD_WALL_GROWTH 2.8284271247461903
+/* Those of cor_disk_modes_compute for each mode */
+#define COR_HARD_WALL_MODE_WORK 2.5e4
 
 /* Results of one level */
 struct cor_hard_wall_result {
     double one_minus_eps2, contact_time, max_compression;
     double energy_drift; /* energy after minus energy before, relative to (pi/2) v^2 */
     size_t steps, pivotings;
+    double work; /* spent, also where the level gave up */
 };
 
 /* Bytes of workspace for a level of the lowest `modes` modes, a multiple of the alignment of the workspace */
@@ -148,9 +160,16 @@ enum { COR_HARD_WALL_ALIGNMENT = 64 };
 size_t cor_hard_wall_level_bytes(const struct cor_disk_mode *mode, size_t modes,
                                  const struct cor_hard_wall_settings *settings);
 /* Computes a level with the modes below settings->omega. Returns COR_OK, COR_ERROR_MODES (no disk has such modes),
- * COR_CONTACT_NOT_ENDED, or COR_ERROR_WORKSPACE if the contact is wider than settings->range. detail may be NULL. */
+ * COR_CONTACT_NOT_ENDED, COR_ERROR_WORKSPACE if the contact is wider than settings->range, or COR_TOLERANCE_NOT_REACHED
+ * if the budget ended. detail may be NULL. */
 int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, double speed,
                         const struct cor_hard_wall_settings *settings, struct cor_hard_wall_result *result,
                         const struct cor_disk_hard_wall_detail *detail);
+
+/* ---- the ladder: hard_wall.c ---- */
+
+/* cor_disk_hard_wall_nu with a budget of most_work multiplications, if options->max_steps is 0. Sets what it spent. */
+int cor_hard_wall_within(double most_work, double nu, const struct cor_disk_hard_wall_options *options, double speed,
+                         struct cor_disk_hard_wall *out, double *work);
 
 #endif

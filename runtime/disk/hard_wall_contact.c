@@ -92,6 +92,7 @@ void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t
     }
     contact->whole.rows = contact->part.rows = 0;
     contact->pivotings = 0;
+    contact->work = 0;
     contact->indefinite = 0;
     memset(contact->touches, 0, points);
     memset(contact->z, 0, points * sizeof *contact->z);
@@ -121,6 +122,7 @@ static void append_row(struct cor_hard_wall_contact *contact, struct cor_hard_wa
     memset(row, 0, padded(i) * sizeof *row);
     for (size_t k = 0; k < i; k++)
         row[k] = contact->row[factor->angle[k]];
+    contact->work += 0.5 * (double)i * (double)i + 4 * (double)angle;
     for (size_t k = 0; k < i; k++)
         row[k] = (row[k] - contact->loops->dot(padded(k), factor->below + row_start(k), row)) * factor->pivot[k];
     const double rest = contact->row[angle] - contact->loops->dot(padded(i), row, row);
@@ -130,16 +132,18 @@ static void append_row(struct cor_hard_wall_contact *contact, struct cor_hard_wa
 }
 
 /* Element i of L^-1 right; z holds the elements before it */
-static double solve_forward(const struct cor_hard_wall_contact *contact, const struct cor_hard_wall_factor *factor,
-                            size_t i, double right, const double *z)
+static double solve_forward(struct cor_hard_wall_contact *contact, const struct cor_hard_wall_factor *factor, size_t i,
+                            double right, const double *z)
 {
+    contact->work += (double)padded(i);
     return (right - contact->loops->dot(padded(i), factor->below + row_start(i), z)) * factor->pivot[i];
 }
 
 /* z, of n elements, becomes L'^-1 z. */
-static void solve_backward(const struct cor_hard_wall_contact *contact, const struct cor_hard_wall_factor *factor,
-                           size_t n, double *z)
+static void solve_backward(struct cor_hard_wall_contact *contact, const struct cor_hard_wall_factor *factor, size_t n,
+                           double *z)
 {
+    contact->work += 0.5 * (double)n * (double)n;
     for (size_t i = n; i-- > 0;) {
         z[i] *= factor->pivot[i];
         contact->loops->subtract(padded(i), z[i], factor->below + row_start(i), z);
@@ -149,9 +153,9 @@ static void solve_backward(const struct cor_hard_wall_contact *contact, const st
 /* ---- the angles in contact ---- */
 
 /* Reach of angle j into the wall under the forces y on angles 0 to m - 1 */
-static double reach_under(const struct cor_hard_wall_contact *contact, size_t j, double reach, const double *y,
-                          size_t m)
+static double reach_under(struct cor_hard_wall_contact *contact, size_t j, double reach, const double *y, size_t m)
 {
+    contact->work += 4 * (double)m;
     compliance_row(contact, j, m, contact->row);
     memset(contact->row + m, 0, (padded(m) - m) * sizeof *contact->row);
     return reach - contact->loops->dot(padded(m), contact->row, y);
@@ -166,7 +170,7 @@ static double sum_of(const double *y, size_t m)
 }
 
 /* Whether no angle from m on reaches into the wall. Most angles are too far away to feel the forces. */
-static int is_clear_beyond(const struct cor_hard_wall_contact *contact, const double *reach, double negligible,
+static int is_clear_beyond(struct cor_hard_wall_contact *contact, const double *reach, double negligible,
                            const double *y, size_t m)
 {
     const double load = sum_of(y, m);

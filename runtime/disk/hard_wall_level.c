@@ -47,7 +47,8 @@ struct level {
     double *twice_cosine, *shape, *reach, *force, *series, *filled;
     double *t, *q; /* T_k and Q_n of the compliance at once, k up to nyquist */
     struct cor_hard_wall_contact contact;
-    double point_constant; /* constant of the contact law, (57), without the moving modes */
+    double work, work_per_step, most_work; /* the budget; multiplications but for those of the contact */
+    double point_constant;                 /* constant of the contact law, (57), without the moving modes */
 };
 
 /* ---- workspace ---- */
@@ -461,6 +462,21 @@ static void drift(const struct level *level, struct motion *motion, double load)
     motion->steps++;
 }
 
+/* Multiplications of a kick but for those of the contact forces: the modes; the rim's reach, and the forces' series */
+static double kick_work(const struct level *level, size_t end)
+{
+    const struct sizes *const size = &level->size;
+    return 4 * (double)size->cells + (double)(size->lanes + 2) * (double)size->points +
+           (double)end * (double)size->terms;
+}
+
+/* What the level has spent */
+static double work_of(const struct level *level, const struct motion *motion)
+{
+    return level->work_per_step > 0 ? level->work_per_step * (double)motion->steps
+                                    : level->work + (level->size.points > 0 ? level->contact.work : 0);
+}
+
 /* Makes kicks until no part of the rim can reach the wall any more. */
 static int level_collide(struct level *level, struct motion *motion, double contact_time,
                          const struct cor_disk_hard_wall_detail *detail)
@@ -479,11 +495,14 @@ static int level_collide(struct level *level, struct motion *motion, double cont
                 level_tell(level, motion, &kick, contact_time, detail);
             drift(level, motion, kick.load);
             load += kick.load;
+            level->work += kick_work(level, kick.end);
         }
         level->loops->advance(&level->modes, batch, level->force_c, level->force_s, level->sum_c, level->sum_s);
         free_batches = load > 0 ? 0 : free_batches + 1;
         if (motion->steps > MAX_STEPS)
             return COR_CONTACT_NOT_ENDED;
+        if (level->most_work > 0 && work_of(level, motion) > level->most_work)
+            return COR_TOLERANCE_NOT_REACHED;
     } while (free_batches % BATCHES_A_LOOK != 1 || motion->velocity >= 0 || motion->depth + greatest_swing(level) >= 0);
     return COR_OK;
 }
@@ -518,6 +537,8 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
     level.size = sizes_of(modes->mode, count, settings);
     level.speed = speed;
     level.h = settings->turn / settings->omega;
+    level.work_per_step = settings->work_per_step;
+    level.most_work = settings->most_work;
     arrange(&level, &store);
     place_modes(&level);
     if (level.size.points > 0)
@@ -536,6 +557,7 @@ int cor_hard_wall_level(void *workspace, const struct cor_disk_modes *modes, dou
     motion.velocity = 1;
     motion.time = motion.depth = FIRST_KICK * level.h;
     const int status = level_collide(&level, &motion, result->contact_time, detail);
+    result->work = work_of(&level, &motion);
     if (status != COR_OK)
         return level.contact.indefinite ? COR_ERROR_MODES : status;
     const double energy = energy_after(&level, detail == NULL ? NULL : detail->energy_after);

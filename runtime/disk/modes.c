@@ -160,7 +160,7 @@ static int read_mode(struct lines *in, struct cor_disk_mode *mode)
     if (status != COR_OK)
         return status;
     size_t n, l;
-    if (!read_whole(in, INT_MAX, &n) || !read_whole(in, INT_MAX, &l) || !read_double(in, &mode->omega) ||
+    if (!read_whole(in, COR_DISK_MODES_MAX_N, &n) || !read_whole(in, INT_MAX, &l) || !read_double(in, &mode->omega) ||
         !read_double(in, &mode->c) || !read_double(in, &mode->s) || *in->at != '\0')
         return COR_ERROR_FILE_DAMAGED;
     mode->n = (int)n;

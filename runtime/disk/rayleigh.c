@@ -27,7 +27,8 @@ static int modes_status(const struct cor_disk_modes *modes, size_t n_modes)
     double below = COR_RAYLEIGH_LEAST_OMEGA;
     for (size_t i = 0; i < n_modes; i++) {
         const double omega = modes->mode[i].omega, c = modes->mode[i].c;
-        if (!(omega >= below && omega < 1e9 && fabs(c) < 1e9))
+        const int n = modes->mode[i].n;
+        if (!(omega >= below && omega < 1e9 && fabs(c) < 1e9) || n < 0 || n > COR_DISK_MODES_MAX_N)
             return COR_ERROR_MODES;
         below = omega;
     }

@@ -95,8 +95,8 @@ contains
     call expect('rayleigh_array', cor_disk_rayleigh_array(modes, 50_c_size_t, COR_DISK_DATUM_CENTRE_OF_MASS, &
       [1e-3_c_double, 2e-3_c_double], 2_c_size_t, others) == COR_OK)
     call expect('its first', abs(others(1)%fraction - energy%fraction) < 1e-9_c_double)
-    call expect('hard wall', cor_disk_hard_wall_nu(0.3_c_double, cor_disk_hard_wall_options_t(0.02_c_double), &
-      0.1_c_double, wall) == COR_OK)
+    call expect('hard wall', cor_disk_hard_wall_nu(0.3_c_double, &
+      cor_disk_hard_wall_options_t(0.02_c_double, 0_c_size_t), 0.1_c_double, wall) == COR_OK)
     call expect('its eps', abs(wall%eps - cor_disk_eps(0.1_c_double, 0.3_c_double)) < 0.02_c_double)
     call expect('datum', all(cor_disk_load(0.1_c_double, 0.33_c_double, [0_c_int, 1_c_int, 2_c_int]) > 0.07_c_double))
   end subroutine

@@ -857,10 +857,18 @@ static void refusals(void **state)
         *(i == 0 ? &some[4].c : &some[0].s) = i == 0 ? NAN : INFINITY;
         refused(&mine, 5, &good, 0.1, COR_ERROR_MODES);
     }
-    memcpy(some, modes->mode, 5 * sizeof *some);
-    some[3].n = INT_MAX;
-    const int status = cor_disk_collision(&mine, 5, &good, 0.1, &out);
-    check(status == COR_ERROR_MODES || status == COR_ERROR_MEMORY, "n = INT_MAX: %s", cor_status_text(status));
+    static const int bad_n[] = {COR_DISK_MODES_MAX_N + 1, 100000, INT_MAX};
+    for (size_t i = 0; i < sizeof bad_n / sizeof *bad_n; i++) {
+        some[0] = modes->mode[0];
+        some[0].n = bad_n[i];
+        refused(&mine, 1, &good, 0.1, COR_ERROR_MODES);
+        assert_int_equal(cor_disk_collision_workspace(&mine, 1, &good), 0);
+    }
+    some[0].n = COR_DISK_MODES_MAX_N; /* the most memory that a table of few modes asks for */
+    const struct cor_disk_collision_options most = {COR_DISK_COLLISION_MAX_ALPHA, COR_DISK_COLLISION_MIN_TOLERANCE,
+                                                    COR_DISK_COLLISION_MAX_PHI_POINTS, 0};
+    const size_t bytes = cor_disk_collision_workspace(&mine, 1, &most);
+    check(bytes > 0 && (double)bytes <= COR_DISK_COLLISION_MAX_WORKSPACE, "%zu bytes for the largest n", bytes);
 
     const double bad_nu[] = {1, -1, nextafter(1, 2), nextafter(-1, -2), INFINITY, NAN};
     for (size_t i = 0; i < sizeof bad_nu / sizeof *bad_nu; i++)

@@ -236,7 +236,7 @@ struct tally {
 
 static void compare(struct tally *tally, double v, double nu, double uncertainty)
 {
-    const struct cor_disk_hard_wall_options options = {5e-6};
+    const struct cor_disk_hard_wall_options options = {5e-6, 0};
     struct cor_disk_hard_wall wall;
     const int status = cor_disk_hard_wall_nu(nu, &options, v, &wall);
     assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);

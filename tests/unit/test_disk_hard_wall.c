@@ -6,6 +6,8 @@
 #include <cor/disk.h>
 #include <cor/status.h>
 
+#include "runtime/disk/hard_wall.h"
+
 static const double pi = 3.14159265358979323846;
 
 static double first_omega(size_t level)
@@ -31,7 +33,7 @@ static struct cor_disk_modes modes_of(double nu, size_t levels)
 static struct cor_disk_hard_wall wall_collide(const struct cor_disk_modes *modes, double speed, double tolerance,
                                               int expected)
 {
-    const struct cor_disk_hard_wall_options options = {tolerance};
+    const struct cor_disk_hard_wall_options options = {tolerance, 0};
     struct cor_disk_hard_wall out;
     const int status = cor_disk_hard_wall(modes, modes->count, &options, speed, &out);
     check(status == expected, "nu = %g, v = %g, tolerance %g: %s", modes->nu, speed, tolerance,
@@ -78,7 +80,7 @@ static void known_answers(void **state)
 static void proved_modes(void **state)
 {
     (void)state;
-    const struct cor_disk_hard_wall_options options = {1e-3};
+    const struct cor_disk_hard_wall_options options = {1e-3, 0};
     struct cor_disk_mode mode[2000];
     struct cor_disk_modes computed;
     struct cor_disk_hard_wall by_table, by_computed, by_part;
@@ -112,7 +114,7 @@ static void errors(void **state)
         const double tolerance = tolerances[scenes < 20 ? i % 3 : i % 4];
         const size_t most = scenes < 20 ? 9 : 11;
         struct cor_disk_modes modes = modes_of(nu, most);
-        const struct cor_disk_hard_wall_options options = {tolerance};
+        const struct cor_disk_hard_wall_options options = {tolerance, 0};
         struct cor_disk_hard_wall out;
         const int status = cor_disk_hard_wall(&modes, modes.count, &options, speed, &out);
         assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
@@ -121,7 +123,7 @@ static void errors(void **state)
         if (out.omega_levels + 2 <= most) {
             modes.count = cor_disk_modes_below(nu, first_omega(out.omega_levels + 1) * (1 + 1e-9)) + 1;
             const struct cor_disk_hard_wall_options finest = {
-                fmax(COR_DISK_HARD_WALL_MIN_TOLERANCE, fmin(1e-6, 0.01 * tolerance))};
+                fmax(COR_DISK_HARD_WALL_MIN_TOLERANCE, fmin(1e-6, 0.01 * tolerance)), 0};
             struct cor_disk_hard_wall judge;
             const int judged_status = cor_disk_hard_wall(&modes, modes.count, &finest, speed, &judge);
             assert_true(judged_status == COR_OK || judged_status == COR_TOLERANCE_NOT_REACHED);
@@ -138,6 +140,73 @@ static void errors(void **state)
     assert_true(judged > 0);
 }
 
+/* At random scenes, a budget in operations is kept but for a batch of steps. Where it, or one in steps, ends the ladder
+ * the result is that of the levels made, with their estimate, as from modes that end there. */
+static void budgets(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    int ended = 0;
+    double worst = 0;
+    for (size_t i = 0, scenes = points(6); i < scenes; i++) {
+        const double speed = random_log(&random, 1e-8, 0.5), nu = random_uniform(&random, -0.9, 0.95);
+        const double most = random_log(&random, 4e8, few_or_all(0, 1) ? 1e10 : 1.5e9);
+        const struct cor_disk_hard_wall_options free_steps = {COR_DISK_HARD_WALL_MIN_TOLERANCE, 0};
+        struct cor_disk_hard_wall out, again;
+        double work;
+        const int status = cor_hard_wall_within(most, nu, &free_steps, speed, &out, &work);
+        check(work <= 1.01 * most, "nu = %.17g, v = %.17g: %.3g operations of %.3g", nu, speed, work, most);
+        worst = fmax(worst, work / most);
+        check(status == COR_TOLERANCE_NOT_REACHED && out.omega_levels >= 2, "nu = %.17g, v = %.17g: %s", nu, speed,
+              cor_status_text(status));
+        ended += out.omega_levels < COR_DISK_HARD_WALL_MAX_LEVELS;
+        const struct cor_disk_modes modes = modes_of(nu, out.omega_levels);
+        const struct cor_disk_hard_wall_options any = {COR_DISK_HARD_WALL_MIN_TOLERANCE, SIZE_MAX};
+        assert_int_equal(cor_disk_hard_wall(&modes, modes.count, &any, speed, &again), COR_TOLERANCE_NOT_REACHED);
+        /* modes computed for more levels differ in their last digits */
+        check(fabs(out.one_minus_eps2 - again.one_minus_eps2) <= 1e-9 && out.omega_levels == again.omega_levels &&
+                  fabs(out.error_estimate - again.error_estimate) <= 1e-9,
+              "%zu levels: %.12f +- %.1e, not %.12f", again.omega_levels, again.one_minus_eps2, again.error_estimate,
+              out.one_minus_eps2);
+        const struct cor_disk_hard_wall whole = again;
+        /* the same number of levels from a budget in steps: of the first, the second, ... each 2^(1/2) of those before */
+        struct cor_disk_hard_wall_options steps = {COR_DISK_HARD_WALL_MIN_TOLERANCE, 1};
+        assert_int_equal(cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again), COR_CONTACT_NOT_ENDED);
+        assert_true(isnan(again.one_minus_eps2) && isnan(again.error_estimate) && again.omega_levels == 0);
+        for (size_t levels = 1; levels < out.omega_levels; steps.max_steps *= 2) {
+            const int stopped = cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again);
+            assert_int_equal(stopped, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
+            /* twice the steps are at most two levels more */
+            check(again.omega_levels == 0 || levels < 2 ||
+                      (again.omega_levels >= levels && again.omega_levels <= levels + 2),
+                  "%zu steps: %zu levels after %zu", steps.max_steps, again.omega_levels, levels);
+            levels = again.omega_levels > levels ? again.omega_levels : levels;
+            assert_true(steps.max_steps < 1000000);
+        }
+        same_results(&whole, &again, "enough steps");
+        free((void *)modes.mode);
+    }
+    assert_true(ended > 0);
+    print_message("%zu budgets, spent by %.4f at most\n", points(6), worst);
+}
+
+/* The budget of cor_disk_hard_wall_nu, at a scene that took a minute */
+static void whole_budget(void **state)
+{
+    (void)state;
+    if (!few_or_all(0, 1))
+        skip();
+    const struct cor_disk_hard_wall_options options = {1e-6, 0};
+    struct cor_disk_hard_wall within, out;
+    double work;
+    assert_int_equal(cor_hard_wall_within(COR_HARD_WALL_WORK, 0.9, &options, 0.1, &within, &work),
+                     COR_TOLERANCE_NOT_REACHED);
+    print_message("%.3g operations, %zu levels, +- %.1e\n", work, within.omega_levels, within.error_estimate);
+    assert_true(work <= 1.01 * COR_HARD_WALL_WORK && within.omega_levels < COR_DISK_HARD_WALL_MAX_LEVELS);
+    assert_int_equal(cor_disk_hard_wall_nu(0.9, &options, 0.1, &out), COR_TOLERANCE_NOT_REACHED);
+    same_results(&within, &out, "the default");
+}
+
 /* Ladders that agreed by chance: the fourth and fifth of six levels, and five levels that converged regularly before
  * the sixth moved. The values are those of ten and eleven levels. */
 static void levels_that_agree_by_chance(void **state)
@@ -148,7 +217,7 @@ static void levels_that_agree_by_chance(void **state)
     } scene[] = {{-0.39751903436160374, 0.1787946778185473, 1e-4, 0.141706, 5e-6},
                  {-0.085263505348613433, 0.45762461782887021, 1e-3, 0.196300, 3e-5}};
     for (size_t i = 0; i < 2; i++) {
-        const struct cor_disk_hard_wall_options options = {scene[i].tolerance};
+        const struct cor_disk_hard_wall_options options = {scene[i].tolerance, 0};
         struct cor_disk_hard_wall out;
         assert_int_equal(cor_disk_hard_wall_nu(scene[i].nu, &options, scene[i].speed, &out), COR_OK);
         print_message("nu = %.4f, v = %.4f: %.6f +- %.1e after %zu levels, %.6f\n", scene[i].nu, scene[i].speed,
@@ -229,7 +298,7 @@ static void joins(void **state)
 static void without_a_table(void **state)
 {
     (void)state;
-    const struct cor_disk_hard_wall_options options = {1e-5};
+    const struct cor_disk_hard_wall_options options = {1e-5, 0};
     const struct cor_disk_modes modes = modes_of(0.25, 9);
     struct cor_disk_hard_wall out;
     const struct cor_disk_hard_wall by_table = wall_collide(&modes, 0.02, 1e-5, COR_OK);
@@ -302,7 +371,7 @@ static void details(void **state)
     for (size_t k = 0; k < 3; k++) {
         const double speed = speeds[k], energy = pi / 2 * speed * speed;
         const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
-        const struct cor_disk_hard_wall_options options = {1e-3};
+        const struct cor_disk_hard_wall_options options = {1e-3, 0};
         struct watched w = {.n = N, .mode = modes->mode, .q = q, .q_dot = q_dot};
         const struct cor_disk_hard_wall_detail detail = {after, average, watch, &w, q, q_dot};
         struct cor_disk_hard_wall out, silent;
@@ -347,12 +416,12 @@ static void refusals(void **state)
 {
     (void)state;
     const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
-    const struct cor_disk_hard_wall_options good = {1e-3};
+    const struct cor_disk_hard_wall_options good = {1e-3, 0};
     struct cor_disk_hard_wall out = {7, 7, 7, 7, 7, 7};
     const struct cor_disk_hard_wall untouched = out;
     static const double tolerances[] = {0, -1, 1, NAN, 0.99e-7, INFINITY};
     for (size_t i = 0; i < sizeof tolerances / sizeof *tolerances; i++) {
-        const struct cor_disk_hard_wall_options options = {tolerances[i]};
+        const struct cor_disk_hard_wall_options options = {tolerances[i], 0};
         assert_int_equal(cor_disk_hard_wall(modes, 1800, &options, 0.1, &out), COR_ERROR_TOLERANCE);
         assert_int_equal(cor_disk_hard_wall_nu(0.3, &options, 0.1, &out), COR_ERROR_TOLERANCE);
         assert_int_equal(cor_disk_hard_wall_workspace(modes, 1800, &options, 0.1), 0);
@@ -388,8 +457,19 @@ static void refusals(void **state)
     mode[9] = modes->mode[9];
     mode[9].n = -1;
     assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
-    mode[9].n = INT32_MAX;
-    assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
+    static const int bad_n[] = {COR_HARD_WALL_MAX_N + 1, COR_DISK_MODES_MAX_N + 1, 100000, INT32_MAX};
+    for (size_t i = 0; i < sizeof bad_n / sizeof *bad_n; i++) {
+        mode[9].n = bad_n[i];
+        assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &out), COR_ERROR_MODES);
+    }
+    mode[9] = modes->mode[9];
+    mode[1799].omega = 1000; /* moves in no level */
+    for (int i = 0; i < 2; i++) {
+        mode[1799].n = COR_DISK_MODES_MAX_N + i;
+        struct cor_disk_hard_wall high;
+        assert_int_equal(cor_disk_hard_wall(&wrong, 1800, &good, 0.1, &high), i ? COR_ERROR_MODES : COR_OK);
+    }
+    mode[1799] = modes->mode[1799];
     same_results(&out, &untouched, "refused");
     mode[9] = modes->mode[9];
     for (size_t i = 0; i < 1800; i++)
@@ -419,6 +499,8 @@ int main(void)
         cmocka_unit_test(known_answers),
         cmocka_unit_test(proved_modes),
         cmocka_unit_test(errors),
+        cmocka_unit_test(budgets),
+        cmocka_unit_test(whole_budget),
         cmocka_unit_test(levels_that_agree_by_chance),
         cmocka_unit_test(slower_and_slower),
         cmocka_unit_test(joins),

@@ -211,6 +211,37 @@ static void steps_and_energy(void **state)
           depth[2]);
 }
 
+/* A level gives up a few steps after half of the work that it needs, counted in multiplications or in steps. Its work
+ * grows from level to level as the ladder expects. */
+static void budget(void **state)
+{
+    (void)state;
+    static const double speeds[] = {0.3, 0.01, 1e-9};
+    for (int i = 0; i < 3; i++) {
+        const struct cor_disk_modes modes = modes_of(0.33, 120);
+        struct cor_hard_wall_settings settings = fine_settings(60, speeds[i]);
+        settings.point = speeds[i] < COR_DISK_HARD_WALL_POINT_SPEED;
+        const double before = level_of(&modes, speeds[i], &settings, COR_OK).work;
+        settings = fine_settings(60 * sqrt(2), speeds[i]);
+        settings.point = speeds[i] < COR_DISK_HARD_WALL_POINT_SPEED;
+        struct cor_hard_wall_result whole = level_of(&modes, speeds[i], &settings, COR_OK);
+        print_message("v = %g: %.3g multiplications, %.2f times those of the level before\n", speeds[i], whole.work,
+                      whole.work / before);
+        assert_true(whole.work > 1.2 * before && whole.work < 1.2 * COR_HARD_WALL_GROWTH * before);
+        for (int of_steps = 0; of_steps < 2; of_steps++) {
+            settings.work_per_step = of_steps;
+            whole = level_of(&modes, speeds[i], &settings, COR_OK);
+            settings.most_work = 0.5 * whole.work;
+            const double half = level_of(&modes, speeds[i], &settings, COR_TOLERANCE_NOT_REACHED).work / whole.work;
+            check(half > 0.5 && half < 0.52, "%.4f of the work", half);
+            assert_true(!of_steps || whole.work == (double)whole.steps); /* work in steps */
+            settings.most_work = 1.01 * whole.work;
+            level_of(&modes, speeds[i], &settings, COR_OK);
+            settings.most_work = 0;
+        }
+    }
+}
+
 /* ---- other walls ---- */
 
 /* A wall of potential exp(alpha x)/alpha on the same compliance tends to the rigid wall like 1/alpha. */
@@ -329,11 +360,17 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(written_out),      cmocka_unit_test(in_pieces),
-        cmocka_unit_test(two_fades),        cmocka_unit_test(shifted_by_half_a_cell),
-        cmocka_unit_test(steps_and_energy), cmocka_unit_test(hard_limit),
-        cmocka_unit_test(point_contact),    cmocka_unit_test(soft_wall_of_all_modes),
-        cmocka_unit_test(refusals),         cmocka_unit_test(coarse_angles),
+        cmocka_unit_test(written_out),
+        cmocka_unit_test(in_pieces),
+        cmocka_unit_test(two_fades),
+        cmocka_unit_test(shifted_by_half_a_cell),
+        cmocka_unit_test(steps_and_energy),
+        cmocka_unit_test(budget),
+        cmocka_unit_test(hard_limit),
+        cmocka_unit_test(point_contact),
+        cmocka_unit_test(soft_wall_of_all_modes),
+        cmocka_unit_test(refusals),
+        cmocka_unit_test(coarse_angles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

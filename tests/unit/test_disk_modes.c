@@ -296,6 +296,17 @@ static void harmed_lines(void **state)
         add_line(&t, "end");
         refused_text(&t, FIRST_MODE_LINE, row[i]);
     }
+    struct cor_disk_mode high = {COR_DISK_MODES_MAX_N, 0, 3, 1.5, 0}; /* obeys (26) for any n */
+    const struct cor_disk_modes highest = {0.33, 1, &high};
+    struct cor_disk_modes read;
+    t = file_of(&highest, 1);
+    put_file(t.bytes, t.length);
+    test_free(t.bytes);
+    assert_int_equal(cor_disk_modes_read(path, room, CAPACITY, &read, NULL), COR_OK);
+    assert_int_equal(read.mode[0].n, COR_DISK_MODES_MAX_N);
+    high.n++;
+    t = file_of(&highest, 1);
+    refused_text(&t, FIRST_MODE_LINE, "n is too large");
     t = with_header(2); /* out of order */
     add_mode(&t, &m[1]);
     add_mode(&t, &m[0]);

@@ -398,6 +398,12 @@ static void test_statuses(void **unused)
         mode[0].omega = 1.44;
         mode[1].omega = 1.69;
     }
+    const int good_n = mode[1].n, bad_n[] = {-1, COR_DISK_MODES_MAX_N + 1, 100000};
+    for (int i = 0; i < 3; i++) {
+        mode[1].n = bad_n[i];
+        FAILS(3, datum, 0.01, COR_ERROR_MODES);
+        mode[1].n = good_n;
+    }
     mode[2].c = NAN;
     FAILS(3, datum, 0.01, COR_ERROR_MODES);
     FAILS(2, datum, 0.01, COR_ERROR_MODES); /* the tail needs the third */
