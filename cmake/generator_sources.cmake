@@ -25,7 +25,6 @@ set(COR_GENERATOR_SOURCES
   gen/cli/options.c
   gen/cli/overview.c
   gen/cli/pade.c
-  gen/cli/plan.c
   gen/cli/proved_table.c
   gen/cli/series.c
   gen/cli/tables.c
@@ -58,10 +57,6 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/threshold.c
   gen/enclosure/wave_factor.c
   gen/hosts/hosts.c
-  gen/plan/disks.c
-  gen/plan/plan.c
-  gen/plan/spheres.c
-  gen/plan/waves.c
   gen/series/jet.c
   gen/series/law.c
   gen/series/power_bounds.c
@@ -101,6 +96,7 @@ set(COR_GENERATOR_SOURCES
 set(COR_GENERATOR_CALLERS
   gen/cli/contact.c
   gen/cli/fit.c
+  gen/cli/plan.c
   gen/cli/sample.c
   gen/contact/contact_force.c
   gen/contact/contact_host.c
@@ -118,4 +114,8 @@ set(COR_GENERATOR_CALLERS
   gen/fit/likelihood.c
   gen/fit/models.c
   gen/fit/plot.c
-  gen/fit/report.c)
+  gen/fit/report.c
+  gen/plan/disks.c
+  gen/plan/plan.c
+  gen/plan/spheres.c
+  gen/plan/waves.c)

@@ -4,5 +4,5 @@ set(COR_GENERATOR_TESTS collision contact contact_force decimal digits disk_limi
   far_motion fit hosts interpolant law_proof pade parallel pieces plan power_bounds power_laws published row_proof
   sample series sweep taylor trajectory waves)
 if(COR_BOOTSTRAP)
-  list(REMOVE_ITEM COR_GENERATOR_TESTS contact contact_force fit sample)
+  list(REMOVE_ITEM COR_GENERATOR_TESTS contact contact_force fit plan sample)
 endif()

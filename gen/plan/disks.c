@@ -46,7 +46,7 @@ enum {
 /* Nanoseconds of a step of a collision, and of each mode in a step, measured once (docs/plan.md). */
 #define NS_STEP 1000.0
 #define NS_STEP_MODE 4.0
-#define NS_EPS_TABLE 40.0
+#define NS_EPS_TABLE 70.0
 #define NS_RAYLEIGH 80e3
 #define NS_RAYLEIGH_MODE 45.0
 static const double ns_law[QUANTITIES] = {0, 770, 130}, ns_leading_log[QUANTITIES] = {0, 40, 40};
@@ -303,11 +303,11 @@ static void add_models_of_eps(struct plan *plan, const struct disks *d)
     m->use = plan_text("double eps = %s;\n", text);
     add_rayleigh(plan, d);
 
-    /* The promised uncertainty of the library's table. corgen computes that table and cannot call it. */
+    /* the error is the promised uncertainty, for what the table is compared with comes from the same collisions */
     m = plan_add(plan, "table: cor_disk_eps");
     m->outside = !(d->modes.nu >= COR_DISK_EPS_MIN_NU && d->modes.nu <= COR_DISK_EPS_MAX_NU);
     for (slong i = 0; i < plan->points; i++) {
-        m->value[i] = plan->truth[i];
+        m->value[i] = cor_disk_eps(plan->speed[i], d->modes.nu);
         m->error[i] = (plan->speed[i] <= COR_DISK_EPS_CALM_SPEED ? COR_DISK_EPS_MAX_UNCERTAINTY
                                                                  : COR_DISK_EPS_MAX_UNCERTAINTY_FAST) /
                       (2 * plan->truth[i]);
@@ -400,9 +400,12 @@ static int disks_fill(struct plan *plan, struct disks *d)
     plan->quantity = quantity[d->request->quantity];
     plan->unit = is_relative(d) ? "relative error" : "error";
     plan->note =
-        "Error: the largest of the points; taken where error and uncertainty of what it is compared with are below\n"
-        "0.97 of the tolerance. Of cor_disk_eps and the rigid wall: what the library promises. More modes and harder\n"
-        "walls tend to the truth from two sides, so that few modes at a soft wall may be right by accident.\n"
+        "Error: the largest of the points, two digits, rounded up; taken where error and uncertainty of what it is\n"
+        "compared with are below 0.97 of the tolerance. Of cor_disk_eps and the rigid wall: what the library "
+        "promises.\n"
+        "More modes and harder walls tend to the truth from two sides, so that few modes at a soft wall may be right "
+        "by\n"
+        "accident.\n"
         "Cost: of a collision, from its steps and modes; all as measured once, docs/plan.md.\n";
     plan->title = disks_title(plan, d);
     if (d->request->quantity == PLAN_EPS)

@@ -225,8 +225,8 @@ static void add_constants(struct plan *plan, const struct spheres *s, const stru
     }
 }
 
-/* eps = a g^-b, where b is the slope of ln eps between the ends. a is the best factor, because ln eps is a concave
- * function of ln g. */
+/* eps = a g^-b, where b is the slope of ln eps between the ends. It is the best slope, because ln eps is a concave
+ * function of ln g. With eps g^b from e^low to e^high, their harmonic mean as a has the smallest relative error. */
 static void add_power_law(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
 {
     const slong last = plan->points - 1;
@@ -238,7 +238,7 @@ static void add_power_law(struct plan *plan, const struct spheres *s, const stru
         low = fmin(low, rest);
         high = fmax(high, rest);
     }
-    m->number[0] = ten_digits(exp((low + high) / 2));
+    m->number[0] = ten_digits(2 / (exp(-low) + exp(-high)));
     m->number[1] = ten_digits(b);
     m->eps = eps_power_law;
     m->cost = cost_for_purpose(scene, cost_power);
@@ -486,18 +486,21 @@ static char *spheres_title(const struct plan *plan, const struct embed_request *
 static const char *spheres_note(const struct embed_request *scene)
 {
     static const char *const notes[] = {
-        "Error: the largest of the points, against enclosed collisions; taken below 0.97 of the tolerance. Of the "
-        "library:\n"
-        "what it promises. Cost: ns for one eps, (call + 4 in a loop)/5 (--for balanced). Of Pade and header made of\n"
-        "operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare them; clocks differ.\n",
-        "Error: the largest of the points, against enclosed collisions; taken below 0.97 of the tolerance. Of the "
-        "library:\n"
-        "what it promises. Cost: ns for one eps, in calls one at a time (--for scalar). Of Pade and header made of\n"
-        "operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare them; clocks differ.\n",
-        "Error: the largest of the points, against enclosed collisions; taken below 0.97 of the tolerance. Of the "
-        "library:\n"
-        "what it promises. Cost: ns for one eps, in a loop (--for array). Of Pade and header made of\n"
-        "operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare them; clocks differ.\n"};
+        "Error: the largest of the points, against enclosed collisions, two digits, rounded up; taken below 0.97 of "
+        "the\n"
+        "tolerance. Of the library: what it promises. Cost: ns for one eps, (call + 4 in a loop)/5 (--for balanced).\n"
+        "Of Pade and header made of operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare\n"
+        "them; clocks differ.\n",
+        "Error: the largest of the points, against enclosed collisions, two digits, rounded up; taken below 0.97 of "
+        "the\n"
+        "tolerance. Of the library: what it promises. Cost: ns for one eps, in calls one at a time (--for scalar).\n"
+        "Of Pade and header made of operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare\n"
+        "them; clocks differ.\n",
+        "Error: the largest of the points, against enclosed collisions, two digits, rounded up; taken below 0.97 of "
+        "the\n"
+        "tolerance. Of the library: what it promises. Cost: ns for one eps, in a loop (--for array).\n"
+        "Of Pade and header made of operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare\n"
+        "them; clocks differ.\n"};
     return notes[scene->purpose];
 }
 

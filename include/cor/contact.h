@@ -147,9 +147,10 @@ COR_API void cor_contact_dissipation_time_s_zero_force_array(const struct cor_sp
  *
  * A is the derivative of ln(Y/(1 - nu^2)) along (eta_1/2, eta_2) in the space of shear modulus mu and bulk modulus K.
  * docs/laws.md derives the formula from the contact of a rigid body with a Kelvin-Voigt half-space. It is exact where
- * eta_1 : eta_2 is 2 mu : K, where it agrees with (4), and of first order in A over the duration otherwise. Unlike (4),
- * this A is finite and positive for every nu. It agrees with the correction of (4) by Goldobin, Susloparov, Pimenova
- * and Brilliantov, Eur. Phys. J. E 38, 55 (2015), whose eta_1 is the shear viscosity.
+ * eta_1 : eta_2 is 2 mu : K, where it agrees with (4), and of first order in A over the duration otherwise. The
+ * derivation holds while the contact grows; A is used while it shrinks, too, which first order in the rate justifies.
+ * Unlike (4), this A is finite and positive for every nu. It agrees with the correction of (4) by Goldobin, Susloparov,
+ * Pimenova and Brilliantov, Eur. Phys. J. E 38, 55 (2015), whose eta_1 is the shear viscosity.
  * Accuracy: COR_CONTACT_MAX_ULP.
  * Special values: eta_1 = eta_2 = 0 -> 0; any argument outside its domain, infinite or NaN -> NaN. */
 COR_API double cor_dissipation_time_viscous_s(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa,

@@ -8,6 +8,10 @@
  * nu is Poisson's ratio in plane stress, -1 < nu < 1. For plane strain, replace the three-dimensional E and nu by E/(1
  * - nu^2) and nu/(1 - nu), (2).
  *
+ * The model: the wall has no friction. The depth of the rim is taken at the angle of the material, not where that
+ * material has moved to. Elasticity is linear: at v = 0.3 compressions reach a third of the radius, far outside it, so
+ * that digits of eps beyond 1e-3 there are digits of the model, not of a disk.
+ *
  * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
  * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. Every function
  * rounds to nearest and keeps subnormal numbers in every mode of the caller; results of cor_disk_eps and the three
@@ -295,8 +299,8 @@ struct cor_disk_collision {
  *                                budget: a very slow disk, a very hard or soft wall, or a disk whose vibrations take
  *                                all its energy
  * or, with nothing changed,
- *     COR_ERROR_MODES            the table lacks that number of modes, omega does not grow, an entry is not a number, or
- *                                an n is not from 0 to COR_DISK_MODES_MAX_N
+ *     COR_ERROR_MODES            the table lacks that number of modes, omega does not grow, an entry is not a number,
+ *                                or an n is not from 0 to COR_DISK_MODES_MAX_N
  *     COR_ERROR_SPEED            the speed is too high or NaN
  *     COR_ERROR_NULL, COR_ERROR_DISK_POISSON_RATIO, COR_ERROR_TOLERANCE, COR_ERROR_ALPHA, COR_ERROR_PHI_POINTS,
  *     COR_ERROR_MEMORY */
@@ -445,13 +449,13 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
  *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial seen between the points of its cell,
  *                                  combined with the error estimates of the collisions: an estimate, not a bound.
- *                                  Near smaller cells it goes over to theirs. The error did not exceed it at 1000
- *                                  random points off the grid and 500 on and near borders of cells
+ *                                  Near smaller cells it goes over to theirs. The error did not exceed it at 300
+ *                                  random points off the grid and 250 on and near borders of cells
  *                                  (tests/unit/test_disk_eps.c). It is at most COR_DISK_EPS_MAX_UNCERTAINTY for
  *                                  v <= COR_DISK_EPS_CALM_SPEED, and at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
  *     eps, eps_uncertainty         the same for eps
  * The functions are continuous: where v differs by 2e-13 v, or nu by 2e-13, 1 - eps^2 and eps differ by at most
- * COR_DISK_EPS_MAX_JUMP (sampled at 15 10^6 places on borders). The uncertainty may jump.
+ * COR_DISK_EPS_MAX_JUMP (sampled at 14 10^6 places on borders). The uncertainty may jump.
  * Domain: the speeds and Poisson's ratios below, ends included. Outside the domain, and for NaN, the result is NaN.
  * Beyond nu = COR_DISK_EPS_MAX_NU, 1 - eps^2 has so many kinks that no table of this size is accurate. For other speeds
  * and nu, and for smaller errors, call cor_disk_hard_wall_nu; for softer walls call cor_disk_collision. */

@@ -249,7 +249,7 @@ static void test_spheres(void **state)
         low = fmin(low, force);
         high = fmax(high, force);
     }
-    /* no constant is better than the first, and the power law is the better for every other with its slope */
+    /* no constant is better than the first, and no power law than the one taken */
     double c, a, b;
     assert_int_equal(sscanf(named(&plan, "constant eps")->use, "double eps = %lf", &c), 1);
     assert_true(fabs((c / low - 1) - (1 - c / high)) < 1e-9);
@@ -258,10 +258,18 @@ static void test_spheres(void **state)
     for (slong i = 0; i <= last; i++) {
         const double law = fmin(1, a * pow(plan.speed[i], b));
         check_values(&plan, "power law", i, law, 1e-14);
-        above = fmax(above, log(law / plan.truth[i]));
-        below = fmax(below, log(plan.truth[i] / law));
+        above = fmax(above, law / plan.truth[i] - 1);
+        below = fmax(below, 1 - law / plan.truth[i]);
     }
     assert_true(fabs(above - below) < 1e-8);
+    for (int k = 0; k < 1000; k++) {
+        const double other_a = a * random_uniform(&r, 0.98, 1.02), other_b = b + random_uniform(&r, -0.01, 0.01);
+        double off = 0;
+        for (slong i = 0; i <= last; i++)
+            off = fmax(off, fabs(fmin(1, other_a * pow(plan.speed[i], other_b)) / plan.truth[i] - 1));
+        check(off >= above - 1e-9, "%.17g speed^%.17g is off by %.9g, the law taken by %.9g", other_a, other_b, off,
+              above);
+    }
 
     /* the choice: a header, of a command that names the scene; between the points too */
     const struct plan_model *m = &plan.model[plan.chosen];
@@ -355,7 +363,7 @@ static double collided(size_t modes, double alpha, double speed, enum plan_quant
 
 static struct cor_disk_hard_wall at_rigid_wall(double tolerance, double speed)
 {
-    const struct cor_disk_hard_wall_options options = {tolerance};
+    const struct cor_disk_hard_wall_options options = {tolerance, 0};
     struct cor_disk_hard_wall out;
     assert_int_equal(cor_disk_hard_wall_nu(0.33, &options, speed, &out), COR_OK);
     return out;
@@ -388,6 +396,7 @@ static void test_disks(void **state)
         check(fabs(plan.truth[i] - eps) <= plan.uncertainty[i] + cor_disk_eps_uncertainty(speed, 0.33),
               "eps(%g) = %.6g, uncertain by %.2g; the table has %.6g", speed, plan.truth[i], plan.uncertainty[i], eps);
         assert_true(plan.uncertainty[i] > 0 && plan.uncertainty[i] < 3e-3);
+        assert_true(same_bits(named(&plan, "table")->value[i], eps));
         assert_true(cor_disk_eps_uncertainty(speed, 0.33) <= named(&plan, "table")->error[i] * 1.01);
         assert_true(named(&plan, "eps = 1")->error[i] == 1 - plan.truth[i]);
         check_values(&plan, "dynamics: 300 modes; alpha = 56/v", i, collided(300, 56 / speed, speed, PLAN_EPS), 2e-6);

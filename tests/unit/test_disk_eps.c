@@ -200,7 +200,7 @@ static const struct place *places_of_cells(void)
     return of_cell;
 }
 
-/* The sides of all cells, in v and in nu: no jump but rounding. COR_TEST_MULTIPLIER=250: 15 10^6 pairs. */
+/* The sides of all cells, in v and in nu: no jump but rounding. COR_TEST_MULTIPLIER=250: 14 10^6 pairs. */
 static void test_borders(void **state)
 {
     (void)state;
