@@ -232,6 +232,7 @@ static void disk_draw(struct arguments *a, struct bit_source *source, size_t i)
     a->disk_collision_options[i].phi_points = 0;
     a->disk_collision_options[i].max_steps = 20000;
     a->disk_hard_wall_options[i].tolerance = below(source, 4) ? by_size(source, 1e-2, 1) : any_number(source);
+    a->disk_hard_wall_options[i].max_steps = 100 * below(source, 100); /* 0: the default */
     a->tolerance[i] = below(source, 4) ? by_size(source, 1e-6, 1) : any_number(source);
 }
 
@@ -528,7 +529,7 @@ static void call_cor_disk_hard_wall_nu(const struct arguments *a, struct results
 {
     if (a->n_modes[0] % 4 != 0) /* it computes its modes, which takes long */
         return;
-    const struct cor_disk_hard_wall_options options = {fmax(a->disk_hard_wall_options[0].tolerance, 1e-2)};
+    const struct cor_disk_hard_wall_options options = {fmax(a->disk_hard_wall_options[0].tolerance, 1e-2), 0};
     struct cor_disk_hard_wall out;
     memset(&out, 0, sizeof out);
     results_put(r, cor_disk_hard_wall_nu(a->nu[0], &options, a->speed[0], &out));
