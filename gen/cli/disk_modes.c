@@ -52,8 +52,8 @@ static int check_memory(const struct disk_modes_arguments *o)
 {
     const double needed = (double)o->count * bytes_needed((double)o->digits), memory = console_memory();
     return memory > 0 && needed > memory
-               ? fail("%ld modes to %ld digits need about %.3g GB of memory, and this machine has %.3g GB",
-                      (long)o->count, (long)o->digits, needed / 1e9, memory / 1e9)
+               ? fail("%ld modes to %ld digits need about %.3g GB of memory, and %.3g GB may be used", (long)o->count,
+                      (long)o->digits, needed / 1e9, memory / 1e9)
                : STATUS_OK;
 }
 

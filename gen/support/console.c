@@ -160,17 +160,25 @@ static void gmp_free(void *p, size_t size)
     free(p);
 }
 
-double console_memory(void)
+static double physical_memory(void)
 {
     const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
     return pages > 0 && page > 0 ? (double)pages * (double)page : 0.0;
+}
+
+double console_memory(void)
+{
+    const double physical = physical_memory();
+    struct rlimit limit;
+    const bool limited = getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return limited && !(physical > 0 && physical < (double)limit.rlim_cur) ? (double)limit.rlim_cur : physical;
 }
 
 /* Beyond the physical memory a machine swaps or kills the process. A refused allocation can be reported. */
 static void limit_memory_to_physical(void)
 {
     const long page = sysconf(_SC_PAGESIZE);
-    const rlim_t physical = (rlim_t)console_memory();
+    const rlim_t physical = (rlim_t)physical_memory();
     struct rlimit limit;
     if (physical == 0 || getrlimit(RLIMIT_DATA, &limit) != 0)
         return;

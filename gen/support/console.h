@@ -22,7 +22,8 @@ int usage_error(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* If several processes have the same command line, only one of them reports its errors. */
 void console_show_usage_errors(bool show);
 
-/* Bytes of physical memory, or 0 if the system does not report them. */
+/* Bytes of memory that this process may use: those of the machine, or fewer where a limit is set (ulimit -d); 0 if the
+ * system does not report them. */
 double console_memory(void);
 
 /* Rewrites one line on a terminal, from the first second of a step on. The functions print nothing if stderr is not a

@@ -46,7 +46,7 @@ static int refuse_memory(const struct sweep *sweep)
 {
     const double modes = values_largest(&sweep->modes), needed = modes * (double)MODE_BYTES, memory = console_memory();
     if (memory > 0 && needed > memory)
-        return fail("%.0f modes need about %.3g GB of memory, and this machine has %.3g GB", modes, needed / 1e9,
+        return fail("%.0f modes need about %.3g GB of memory, and %.3g GB may be used", modes, needed / 1e9,
                     memory / 1e9);
     return STATUS_OK;
 }
@@ -128,7 +128,7 @@ static int refuse_corners(const struct collide *run, const struct cor_disk_modes
     }
     const double memory = console_memory();
     if (memory > 0 && most * run->threads > memory)
-        return fail("%d threads need about %.3g GB of memory, and this machine has %.3g GB; choose fewer --threads",
+        return fail("%d threads need about %.3g GB of memory, and %.3g GB may be used; choose fewer --threads",
                     run->threads, most * run->threads / 1e9, memory / 1e9);
     return STATUS_OK;
 }

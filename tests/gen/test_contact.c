@@ -297,6 +297,9 @@ static void other_laws(void **state)
     close_to("A of the plate", contact_model_dissipation_time_s(&p), mass / (8 * sqrt(bending * 2700 * 2e-3)), 1e-13);
     assert_int_equal(contact_model_impact(&impact, &p, 1), 0);
     assert_true(isnan(impact.eps[END_ZERO_FORCE]) && isnan(impact.duration_s[END_ZERO_FORCE]));
+    double no_eps, no_duration;
+    assert_int_equal(contact_model_eps_duration(&no_eps, &no_duration, &p, 1, END_ZERO_FORCE), 0);
+    assert_true(isnan(no_eps) && isnan(no_duration));
     close_to("force of the plate", impact.max_force_n, p.stiffness * pow(impact.max_overlap_m, 1.5), 1e-13);
     /* the inverse where only collisions are enclosed */
     const struct given power[] = {SPRING, {"restitution", "0.3"}, {"at", "0.5"}, {NULL, NULL}};
@@ -309,6 +312,8 @@ static void other_laws(void **state)
     assert_int_equal(contact_request_models(&found, &request), 0);
     assert_int_equal(contact_model_eps(&eps, &found.model[0], 0.5, END_ZERO_FORCE), 0);
     close_to("inverse of (2, 1)", eps, 0.3, 1e-14);
+    assert_int_equal(contact_model_set_eps(&found.model[0], 1, 0.5, END_ZERO_FORCE), 0);
+    assert_true(found.model[0].damping == 0);
     request_clear(&request);
 }
 

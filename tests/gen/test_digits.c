@@ -165,6 +165,22 @@ static void test_doubles_undecided(void **state)
     arb_clear(x);
 }
 
+/* Numbers beyond what MPFR holds have no digits. */
+static void test_far_numbers(void **state)
+{
+    (void)state;
+    arb_t x;
+    double y;
+    arb_init(x);
+    for (int sign = -1; sign <= 1; sign += 2) {
+        arb_set_si(x, 3);
+        arb_mul_2exp_si(x, x, sign * (WORD(1) << 40));
+        assert_null(digits_of_ball(x, 10));
+        assert_false(digits_to_double(&y, x));
+    }
+    arb_clear(x);
+}
+
 static void test_precision_ends(void **state)
 {
     (void)state;
@@ -194,7 +210,7 @@ int main(void)
         cmocka_unit_test(test_spelling),        cmocka_unit_test(test_wide_balls),
         cmocka_unit_test(test_exact_ties),      cmocka_unit_test(test_doubles),
         cmocka_unit_test(test_short_midpoints), cmocka_unit_test(test_doubles_undecided),
-        cmocka_unit_test(test_precision_ends),
+        cmocka_unit_test(test_precision_ends),  cmocka_unit_test(test_far_numbers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

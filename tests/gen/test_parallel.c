@@ -5,7 +5,9 @@
 
 #include <stdatomic.h>
 #include <stdbool.h>
+#include <sys/resource.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "check.h"
 #include "support/parallel.h"
@@ -78,8 +80,37 @@ static void test_tasks(void **state)
     assert_in_range(parallel_threads(), 1, PARALLEL_MAX_THREADS);
 }
 
+/* Where no thread can be had, for want of memory for its stack, the caller does all tasks. The first test, for stacks are
+ * used again. */
+static void test_without_threads(void **state)
+{
+    (void)state;
+    struct party party = {.inner = 0};
+    struct rlimit before, little;
+    unsigned long pages = 0;
+    FILE *const statm = fopen("/proc/self/statm", "r");
+    if (!statm || fscanf(statm, "%lu", &pages) != 1 || pages > 1 << 24 ||
+        getrlimit(RLIMIT_AS, &before) != 0) { /* a sanitizer's shadow */
+        if (statm)
+            fclose(statm);
+        skip();
+    }
+    fclose(statm);
+    little = before;
+    little.rlim_cur = (rlim_t)pages * (rlim_t)sysconf(_SC_PAGESIZE) + (1 << 20);
+    parallel_use(4);
+    alarm(20);
+    assert_int_equal(setrlimit(RLIMIT_AS, &little), 0);
+    parallel_for(outer_task, &party, TASKS, "tasks");
+    assert_int_equal(setrlimit(RLIMIT_AS, &before), 0);
+    alarm(0);
+    for (int i = 0; i < TASKS; i++)
+        assert_int_equal(atomic_load(&party.runs[i]), 1);
+    assert_int_equal(atomic_load(&party.most_at_once), 1);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_tasks)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_without_threads), cmocka_unit_test(test_tasks)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -69,6 +69,7 @@ static void check_sample(const struct sample_request *r)
     for (size_t i = 0; i + 1 < s.best.count; i++)
         if (errors[i] > most * (1 - 1e-3))
             fine = fmax(fine, error_between(r, s.best.speed_m_s[i], s.best.speed_m_s[i + 1], 3000));
+    check(s.best.error <= r->tolerance, "error %.9g beyond %g", s.best.error, r->tolerance);
     check(fine <= s.best.error * (1 + 2e-6), "error %.9g, said to be %.9g", fine, s.best.error);
     /* where the curvature changes its sign, a segment may have a smaller error than its neighbours */
     for (size_t i = 0; i + 1 < s.best.count; i++)
@@ -146,6 +147,15 @@ static void no_smaller_table(void **state)
         if (isfinite(s.error_of_fewer))
             check(fewest_on_grid(&r, s.error_of_fewer * 0.999) + more > segments - 1,
                   "the grid needs fewer than %d segments for %g", segments - 1, s.error_of_fewer);
+        /* and that error is enough for one point fewer */
+        struct sample fewer;
+        r.tolerance = s.error_of_fewer * (1 + 1e-4);
+        if (isfinite(s.error_of_fewer)) {
+            assert_int_equal(sample_choose(&fewer, &r), 0);
+            check(fewer.best.count < s.best.count, "%zu points have %g", fewer.best.count, r.tolerance);
+            sample_clear(&fewer);
+        }
+        check(s.even.error >= s.best.error, "evenly spaced: %g, not %g", s.even.error, s.best.error);
         sample_clear(&s);
     }
 }
@@ -171,6 +181,14 @@ static void other_laws(void **state)
         assert_true(fabs(s.best.value[1][i] / impact.duration_s[0] - 1) < 1e-12);
     }
     assert_true(s.best.error <= 1e-3 && s.error_of_fewer > 1e-3);
+    sample_clear(&s);
+    /* so many decades that one polynomial is not enough */
+    const struct sample_request wide = {
+        .model = &model, .speed_min = 1e-5, .speed_max = 1, .tolerance = 1e-2, .log = true};
+    assert_int_equal(sample_choose(&s, &wide), 0);
+    for (size_t i = 0; i < s.best.count; i++)
+        check(fabs(s.best.value[0][i] / eps_at(&wide, s.best.speed_m_s[i]) - 1) < 1e-12, "eps at %g m/s",
+              s.best.speed_m_s[i]);
     sample_clear(&s);
 
     assert_null(law_parse(&law, "1", "0"));

@@ -305,6 +305,11 @@ static void negative_energy(void **state)
     const double less = cor_collision_results(&m, run, 2, &out, found);
     assert_true(fabs(less - 0.01) < 1e-16 && found[1] == 0 && fabs(found[0] - 0.8 / 3) < 1e-15);
     assert_true(out.one_minus_eps2 == found[0]);
+    /* run 0 alone does not know the load that defines the contact */
+    assert_true(!isnan(out.contact_time));
+    run[0].number = 0;
+    cor_collision_results(&m, run, 1, &out, NULL);
+    assert_true(isnan(out.contact_time));
 }
 
 /* ---- the error by the step ---- */

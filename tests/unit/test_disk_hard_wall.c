@@ -493,6 +493,32 @@ static void refusals(void **state)
     assert_int_equal(cor_disk_hard_wall_in(NULL, 0, modes, 1800, &good, 0.1, &out, NULL), COR_ERROR_NULL);
 }
 
+/* The estimate at a calm scene is never below three times the last change, with noise and unseen waves: of tables that
+ * end earlier and earlier, each gives one more level. */
+static void parts_of_the_estimate(void **state)
+{
+    (void)state;
+    enum { LEVELS = 6 };
+    const double tolerance = 1e-6, noise = NOISE * pow(tolerance / 4e-6, 2.5 / 3);
+    struct random_state random = random_start();
+    const struct cor_disk_modes modes = modes_of(0.33, LEVELS);
+    for (int i = 0; i < 3; i++) {
+        const double speed = random_uniform(&random, 0.02, 0.3);
+        double before = NAN;
+        for (size_t levels = 2; levels <= LEVELS; levels++) {
+            struct cor_disk_modes lowest = modes;
+            lowest.count = cor_disk_modes_below(0.33, first_omega(levels - 1) * (1 + 1e-9)) + 1;
+            const struct cor_disk_hard_wall out = wall_collide(&lowest, speed, tolerance, COR_TOLERANCE_NOT_REACHED);
+            const double unseen = UNSEEN / pow(first_omega(levels - 1), 2), change = out.one_minus_eps2 - before;
+            assert_int_equal(out.omega_levels, levels);
+            check(levels == 2 || out.error_estimate >= (3 * fabs(change) + noise + unseen) * (1 - 1e-9),
+                  "v = %g, %zu levels: %g, changed by %g", speed, levels, out.error_estimate, change);
+            before = out.one_minus_eps2;
+        }
+    }
+    free((void *)modes.mode);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -507,6 +533,7 @@ int main(void)
         cmocka_unit_test(without_a_table),
         cmocka_unit_test(details),
         cmocka_unit_test(refusals),
+        cmocka_unit_test(parts_of_the_estimate),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

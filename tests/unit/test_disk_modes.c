@@ -273,7 +273,8 @@ static void harmed_lines(void **state)
         add_line(&t, "poisson %s", poisson[i]);
         refused_text(&t, 3, poisson[i]);
     }
-    static const char *const count[] = {"0", "-1", "18446744073709551616", "1 ", "1x", "0x1", ""};
+    static const char *const count[] = {"0",   "-1", "18446744073709551616", "18446744073709551617", "1 ", "1x",
+                                        "0x1", ""};
     for (size_t i = 0; i < sizeof count / sizeof *count; i++) {
         t = text_start();
         add_line(&t, "cor-disk-modes 1");
