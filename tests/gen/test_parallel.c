@@ -80,8 +80,8 @@ static void test_tasks(void **state)
     assert_in_range(parallel_threads(), 1, PARALLEL_MAX_THREADS);
 }
 
-/* Where no thread can be had, for want of memory for its stack, the caller does all tasks. The first test, for stacks are
- * used again. */
+/* Where no thread can be had, for want of memory for its stack, the caller does all tasks. The first test, because
+ * stacks are used again. */
 static void test_without_threads(void **state)
 {
     (void)state;

@@ -734,7 +734,7 @@ static void test_hard_wall(void **state)
     for (int i = 0; i < 2; i++) {
         const double tolerance = i == 0 ? 1e-3 : 1e-5, speed = i == 0 ? 0.1 : 0.02;
         struct cor_disk_hard_wall out;
-        assert_int_equal(hard_wall_collide(&out, &tables, tolerance, speed, &room), COR_OK);
+        assert_int_equal(hard_wall_collide(&out, &tables, tolerance, 0, speed, &room), COR_OK);
         check(fabs(out.one_minus_eps2 - cor_disk_one_minus_eps2(speed, 0.33)) <=
                   tolerance + cor_disk_one_minus_eps2_uncertainty(speed, 0.33),
               "1 - eps^2 at v = %g: %.9f", speed, out.one_minus_eps2);
@@ -747,7 +747,7 @@ static void test_hard_wall(void **state)
         room = (struct sweep_room){NULL, 0};
         for (int i = 0; i < 2; i++) {
             const int fast = i ^ fast_first;
-            const int status = hard_wall_collide(&out[fast_first][fast], &tables, 1e-3, fast ? 0.2 : 1e-6, &room);
+            const int status = hard_wall_collide(&out[fast_first][fast], &tables, 1e-3, 0, fast ? 0.2 : 1e-6, &room);
             assert_int_equal(status, COR_OK);
         }
     }
