@@ -449,8 +449,8 @@ COR_API int cor_disk_hard_wall_in(void *workspace, size_t bytes, const struct co
  *     one_minus_eps2               energy left in the modes, as a fraction of (pi/2) v^2
  *     one_minus_eps2_uncertainty   1.5 times the largest error of the polynomial seen between the points of its cell,
  *                                  combined with the error estimates of the collisions: an estimate, not a bound.
- *                                  Near smaller cells it goes over to theirs. The error did not exceed it at 300
- *                                  random points off the grid and 250 on and near borders of cells
+ *                                  Near smaller cells it goes over to theirs. The error did not exceed it at 600
+ *                                  random points off the grid and 400 on and near borders of cells
  *                                  (tests/unit/test_disk_eps.c). It is at most COR_DISK_EPS_MAX_UNCERTAINTY for
  *                                  v <= COR_DISK_EPS_CALM_SPEED, and at most COR_DISK_EPS_MAX_UNCERTAINTY_FAST beyond
  *     eps, eps_uncertainty         the same for eps

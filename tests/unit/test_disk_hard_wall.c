@@ -169,13 +169,24 @@ static void budgets(void **state)
               "%zu levels: %.12f +- %.1e, not %.12f", again.omega_levels, again.one_minus_eps2, again.error_estimate,
               out.one_minus_eps2);
         const struct cor_disk_hard_wall whole = again;
+        /* the modes of the first seven levels take nearly all of a small budget */
+        const double for_modes = COR_HARD_WALL_MODE_WORK * (double)cor_disk_modes_below(nu, first_omega(6));
+        cor_hard_wall_within(1.05 * for_modes, nu, &free_steps, speed, &again, &work);
+        check(work >= for_modes && work <= 1.1 * for_modes, "%.3g operations, %.3g for the modes", work, for_modes);
+        /* a budget in steps is spent, all levels together, but for what another level needs */
+        const struct cor_disk_hard_wall_options some = {COR_DISK_HARD_WALL_MIN_TOLERANCE,
+                                                        1000 + random_below(&random, 3000)};
+        const int stopped = cor_hard_wall_within(most, nu, &some, speed, &again, &work);
+        assert_int_equal(stopped, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
+        check(work <= (double)some.max_steps + COR_HARD_WALL_BATCH && work > 0.2 * (double)some.max_steps,
+              "nu = %.17g, v = %.17g: %g of %zu steps", nu, speed, work, some.max_steps);
         /* the same number of levels from a budget in steps: of the first, the second, ... each 2^(1/2) of those before */
         struct cor_disk_hard_wall_options steps = {COR_DISK_HARD_WALL_MIN_TOLERANCE, 1};
         assert_int_equal(cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again), COR_CONTACT_NOT_ENDED);
         assert_true(isnan(again.one_minus_eps2) && isnan(again.error_estimate) && again.omega_levels == 0);
         for (size_t levels = 1; levels < out.omega_levels; steps.max_steps *= 2) {
-            const int stopped = cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again);
-            assert_int_equal(stopped, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
+            const int ladder = cor_disk_hard_wall(&modes, modes.count, &steps, speed, &again);
+            assert_int_equal(ladder, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
             /* twice the steps are at most two levels more */
             check(again.omega_levels == 0 || levels < 2 ||
                       (again.omega_levels >= levels && again.omega_levels <= levels + 2),
