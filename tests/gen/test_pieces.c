@@ -177,7 +177,7 @@ static void test_text(void **state)
     assert_true(rows == 3 && degree == 10 && first == 0 && step == 0.125);
     assert_non_null(strstr(at, "\n#define ROWS_FIRST 0.0\n#define ROWS_STEP 0.125\n#define ROWS_PER_UNIT 8.0\n"
                                "#define ROWS_ROWS 3\n#define ROWS_END 0.25\n"));
-    at = strstr(text, "COR_INLINE const double *rows(int i)");
+    at = strstr(text, "COR_ROWS(double, rows, 3, 12)");
     assert_non_null(at);
     for (slong r = 0; r < rows; r++) {
         at = strstr(at, "/* [");
