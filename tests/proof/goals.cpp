@@ -5,7 +5,8 @@
  *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
  *
  * writes every goal, or those whose name fits a pattern of the shell and whose number is PART modulo PARTS.
- * TABLES.h is generated/sphere_tables.h, read as text: its comments say which interval each row is for. The exit status is 1 if the evaluator does not compute the formula of a row. */
+ * TABLES.h is generated/sphere_tables.h, read as text: its comments say which interval each row is for. The exit status
+ * is 1 if the evaluator does not compute the formula of a row. */
 #include "trace.h"
 
 #include <cstring>

@@ -28,7 +28,7 @@ static int setup(void **state)
     a->datum[0] = COR_DISK_DATUM_CENTRE_OF_MASS;
     a->n_modes[0] = 4;
     a->disk_collision_options[0] = (struct cor_disk_collision_options){100, 1e-2, 0, 0};
-    a->disk_hard_wall_options[0] = (struct cor_disk_hard_wall_options){0.05};
+    a->disk_hard_wall_options[0] = (struct cor_disk_hard_wall_options){0.05, 0};
     return 0;
 }
 
