@@ -10,7 +10,12 @@
 #include "support/console.h"
 
 enum { SCAN_STEPS = 400, SCAN_POINTS = 1000, STARTS = 3, SCALE_ROUNDS = 40, ROOT_STEPS = 60 };
-enum { RATIO_STEPS = 14, RATIO_GOLDEN = 24, REACH = 64 /* bounces after a time that still tell its error */ };
+enum {
+    RATIO_STEPS = 42,
+    ROBUST_RATIO_STEPS = 14,
+    RATIO_GOLDEN = 24,
+    REACH = 64 /* bounces after a time that still tell its error */
+};
 
 /* Residuals below the rounding error of eps count as this large, so that a curve through all points has a finite AIC.
  */
@@ -279,39 +284,63 @@ static double scale_at(const struct problem *p, const double *r, double base, do
     return scale_of(p, p->w.shifted);
 }
 
-/* The least scale over the ratio: a scan, then golden sections */
+/* The least scale over the ratio: a scan, then golden sections beside each of its local minima, since errors of times
+ * alone and scatter of bounces alone may both be likely. A median has many by chance: there only the lowest counts. */
 static void set_noise(struct problem *p, const double *theta)
 {
-    const double low = log(1e-10), step = log(1e18) / RATIO_STEPS, golden = 0.6180339887498949;
-    double *const r = p->buffer, base = 0, flight2 = 0, best = low, least = INFINITY;
+    const int steps = p->robust ? ROBUST_RATIO_STEPS : RATIO_STEPS;
+    const double low = log(1e-10), step = log(1e18) / steps, golden = 0.6180339887498949;
+    double *const r = p->buffer, base = 0, flight2 = 0, best = low, least = INFINITY, lowest = INFINITY;
+    double scale[RATIO_STEPS + 1];
     plain_residuals(p, theta, r);
     if (p->bounce) {
         set_slopes(p, theta);
         base = whiten(p, 0, r);
         for (size_t k = 0; k < p->points; k++)
             flight2 += p->bounce[k].flight_s * p->bounce[k].flight_s / (double)p->points;
-        for (int i = 0; i <= RATIO_STEPS; i++) {
-            const double scale = scale_at(p, r, base, low + i * step, flight2);
-            best = scale < least ? low + i * step : best;
-            least = fmin(scale, least);
+        for (int i = 0; i <= steps; i++) {
+            scale[i] = scale_at(p, r, base, low + i * step, flight2);
+            lowest = fmin(scale[i], lowest);
         }
-        double far = best + step, from = best - step; /* the golden section lies nearer to `from` */
-        double at = from + (1 - golden) * (far - from), height = scale_at(p, r, base, at, flight2);
-        for (int i = 0; i < RATIO_GOLDEN; i++) {
-            const double next = from + golden * (far - from), next_height = scale_at(p, r, base, next, flight2);
-            if (next_height < height) {
-                from = at;
-                at = next;
-                height = next_height;
-            } else {
-                far = from;
-                from = next;
+        for (int i = 0; i <= steps; i++) {
+            if ((i > 0 && scale[i] >= scale[i - 1]) || (i < steps && scale[i] > scale[i + 1]) ||
+                (p->robust && scale[i] > lowest))
+                continue;
+            const double middle = low + i * step;
+            double far = middle + step, from = middle - step; /* the golden section lies nearer to `from` */
+            double at = from + (1 - golden) * (far - from), height = scale_at(p, r, base, at, flight2);
+            for (int round = 0; round < RATIO_GOLDEN; round++) {
+                const double next = from + golden * (far - from), next_height = scale_at(p, r, base, next, flight2);
+                if (next_height < height) {
+                    from = at;
+                    at = next;
+                    height = next_height;
+                } else {
+                    far = from;
+                    from = next;
+                }
             }
+            best = height < least ? at : best;
+            least = fmin(height, least);
         }
-        best = at;
         p->ratio = exp(best) / flight2;
     }
     p->scale = scale_at(p, r, base, best, flight2);
+}
+
+/* theta and the noise in turn, until the scale stays */
+static void settle(double *theta, struct problem *p)
+{
+    for (int round = 0; round < SCALE_ROUNDS; round++) {
+        const double before = p->scale;
+        double from[FIT_MAX_PARAMETERS], sum = INFINITY;
+        p->scale = p->robust ? before : 1;
+        memcpy(from, theta, sizeof from);
+        keep_better(&sum, theta, p, from);
+        set_noise(p, theta);
+        if (fabs(p->scale - before) <= 1e-9 * p->scale)
+            break;
+    }
 }
 
 static double minimise_with_noise(double *theta, struct problem *p)
@@ -326,15 +355,20 @@ static double minimise_with_noise(double *theta, struct problem *p)
     if (!bounce && (!robust || p->sigma))
         return robust ? minimise(theta, p) : best;
     set_noise(p, theta);
-    for (int round = 0; round < SCALE_ROUNDS; round++) {
-        const double before = p->scale;
-        double from[FIT_MAX_PARAMETERS], sum = INFINITY;
-        p->scale = robust ? before : 1;
-        memcpy(from, theta, sizeof from);
-        keep_better(&sum, theta, p, from);
-        set_noise(p, theta);
-        if (fabs(p->scale - before) <= 1e-9 * p->scale)
-            break;
+    struct problem other = *p;
+    double other_theta[FIT_MAX_PARAMETERS];
+    memcpy(other_theta, theta, sizeof other_theta);
+    settle(theta, p);
+    for (int start = 0; bounce && !robust && start < 2; start++) { /* errors of the times alone, and scatter alone */
+        struct problem q = other;
+        double from[FIT_MAX_PARAMETERS];
+        memcpy(from, other_theta, sizeof from);
+        q.ratio = start == 0 ? 0 : 1e8;
+        settle(from, &q);
+        if (q.scale < p->scale) {
+            *p = q;
+            memcpy(theta, from, sizeof from);
+        }
     }
     p->scale = robust ? p->scale : 1;
     return minimise(theta, p);

@@ -552,8 +552,15 @@ struct bounces {
     double least, most; /* how often an interval of 95 % holds the truth, in long runs */
 };
 
-/* The first line is 1, and a time is one line. `late_line` is late by late_s. */
-static void draw_bounces(struct fit_data *data, const struct bounces *b, long late_line, double late_s,
+enum { LINES_MAX = 160 };
+static struct {
+    int drop;
+    double time_s;
+} written[LINES_MAX]; /* by line of the last file */
+
+/* The first line is 1, and a time is one line. `late_line` is late by late_s. Every drop but the first has `fewest`
+ * times or more. */
+static void draw_bounces(struct fit_data *data, const struct bounces *b, int fewest, long late_line, double late_s,
                          struct random_state *r)
 {
     FILE *const file = fopen(path, "w");
@@ -562,11 +569,15 @@ static void draw_bounces(struct fit_data *data, const struct bounces *b, long la
     long line = 1;
     for (int drop = 0; drop < b->drops; drop++) {
         double time = 1, flight = random_uniform(r, 0.6, 1);
-        for (int i = 0; i < b->times; i++) {
+        const int fewer = drop > 0 && fewest < b->times ? (int)random_below(r, (size_t)(b->times - fewest + 1)) : 0;
+        for (int i = 0; i < b->times - fewer; i++) {
             const double x = log(FIT_GRAVITY_M_S2 * flight / 2);
             const double sigma = b->time_sigma_s * (random_uniform(r, 0, 1) < b->bad ? 20 : 1);
             const double late = ++line == late_line ? late_s : 0;
-            fprintf(file, "%d,%.17g\n", drop, time + late + sigma * normal_deviate(r));
+            assert_true(line < LINES_MAX);
+            written[line].drop = drop;
+            written[line].time_s = time + late + sigma * normal_deviate(r);
+            fprintf(file, "%d,%.17g\n", drop, written[line].time_s);
             double eps;
             fit_curve_eps(b->curve, truth[b->curve], &x, &eps, 1);
             time += flight;
@@ -574,6 +585,7 @@ static void draw_bounces(struct fit_data *data, const struct bounces *b, long la
         }
     }
     fclose(file);
+    written[line + 1].drop = -1;
     const struct fit_form form = FIT_FORM_DEFAULT;
     assert_int_equal(fit_data_read(data, path, &form), STATUS_OK);
 }
@@ -609,7 +621,7 @@ static void times_hold_the_truth(void **state)
         for (int draw = 0; draw < draws; draw++) {
             struct fit_data data;
             struct fit_estimate e;
-            draw_bounces(&data, b, 0, 0, r);
+            draw_bounces(&data, b, b->times, 0, 0, r);
             fit_estimate_curve(&e, b->curve, &data, b->robust);
             rejected += !fit_is_accepted(&e);
             for (int j = 0; j < e.parameters; j++)
@@ -632,6 +644,291 @@ static void times_hold_the_truth(void **state)
         }
         check(1 - lower_tail(draws, rejected - 1, 2 * FIT_SIGNIFICANCE) > 1e-6, "row %zu: %d of %d rejected", k,
               rejected, draws);
+    }
+}
+
+/* ---- times of bounces by dense matrices ---- */
+
+/* The whole trajectory of a drop, to first order in the errors at the measured flights: its first time, its first
+ * flight and the scatter of eps at each bounce move all later times through T_(k+1) = T_k eps(g T_k/2). With the
+ * covariance C = 1 + lambda S S^T of the times and the columns X of the first time and flight, the matrix
+ *
+ *     [ C    X ]
+ *     [ X^T  0 ]
+ *
+ * has P in the place of C in its inverse: r^T P r is least over X, r_i (P r)_i/P_ii the gain by an error of time i, and
+ * its determinant is det C det(X^T C^-1 X), as the restricted likelihood has it. */
+enum { DROP_TIMES = 8, BORDERED = DROP_TIMES + 2 };
+
+struct trajectory {
+    int times;
+    long double residual[DROP_TIMES], of_first_flight[DROP_TIMES], of_scatter[DROP_TIMES][DROP_TIMES];
+};
+
+/* T eps(g T/2), by the scalar functions of the library */
+static long double next_flight(enum fit_curve curve, const double *theta, long double flight)
+{
+    const double speed = (double)(FIT_GRAVITY_M_S2 * flight / 2);
+    const struct fit_model *model = fit_models;
+    if (curve == FIT_POWER_LAW)
+        return flight * fminl(1, expl(theta[0]) * powl(speed, theta[1]));
+    while (model->curve != curve)
+        model++;
+    return flight * eps_of_parameter(model, fit_parameter_name(model, 0, NULL),
+                                     fit_parameter_value(model, 0, theta[0], NULL), speed);
+}
+
+static void find_trajectory(struct trajectory *y, enum fit_curve curve, const double *theta, long first_line)
+{
+    long double residual = 0, of_first_flight = 1, of_scatter[DROP_TIMES] = {0};
+    *y = (struct trajectory){.times = 2, .of_first_flight = {0, 1}};
+    for (long line = first_line + 2; written[line].drop == written[first_line].drop; line++) {
+        const int i = y->times++;
+        const long double flight = (long double)written[line - 1].time_s - written[line - 2].time_s;
+        const long double h = 1e-3L * flight;
+        const long double near = next_flight(curve, theta, flight + h) - next_flight(curve, theta, flight - h),
+                          far = next_flight(curve, theta, flight + 2 * h) - next_flight(curve, theta, flight - 2 * h),
+                          slope = (8 * near - far) / (12 * h);
+        residual = slope * residual + ((long double)written[line].time_s - written[line - 1].time_s) -
+                   next_flight(curve, theta, flight);
+        of_first_flight *= slope;
+        for (int k = 2; k < i; k++)
+            of_scatter[k] *= slope;
+        of_scatter[i] = flight;
+        y->residual[i] = y->residual[i - 1] + residual;
+        y->of_first_flight[i] = y->of_first_flight[i - 1] + of_first_flight;
+        for (int k = 2; k <= i; k++)
+            y->of_scatter[i][k] = y->of_scatter[i - 1][k] + of_scatter[k];
+    }
+}
+
+/* Gauss and Jordan. Returns ln |det|. */
+static long double invert(long double m[BORDERED][2 * BORDERED], int n)
+{
+    long double log_determinant = 0;
+    for (int c = 0; c < n; c++) {
+        int pivot = c;
+        for (int i = c; i < n; i++)
+            pivot = fabsl(m[i][c]) > fabsl(m[pivot][c]) ? i : pivot;
+        const long double divisor = m[pivot][c];
+        log_determinant += logl(fabsl(divisor));
+        for (int j = 0; j < 2 * n; j++) {
+            const long double x = m[pivot][j] / divisor;
+            m[pivot][j] = m[c][j];
+            m[c][j] = x;
+        }
+        for (int i = 0; i < n; i++) {
+            const long double x = i == c ? 0 : m[i][c];
+            for (int j = 0; j < 2 * n; j++)
+                m[i][j] -= x * m[c][j];
+        }
+    }
+    return log_determinant;
+}
+
+/* r^T P r of the first times, and ln det of the matrix; distance[i] is (P r)_i/sqrt(P_ii). */
+static long double solve_drop(long double *log_determinant, double *distance, const struct trajectory *y, int times,
+                              double ratio)
+{
+    const int n = times + 2;
+    long double m[BORDERED][2 * BORDERED] = {{0}}, sum = 0;
+    for (int i = 0; i < times; i++) {
+        for (int j = 0; j < times; j++) {
+            m[i][j] = i == j;
+            for (int k = 0; k < times; k++)
+                m[i][j] += ratio * y->of_scatter[i][k] * y->of_scatter[j][k];
+        }
+        m[i][times] = m[times][i] = 1;
+        m[i][times + 1] = m[times + 1][i] = y->of_first_flight[i];
+    }
+    for (int i = 0; i < n; i++)
+        m[i][n + i] = 1;
+    *log_determinant = invert(m, n);
+    for (int i = 0; i < times; i++) {
+        long double row = 0;
+        for (int j = 0; j < times; j++)
+            row += m[i][n + j] * y->residual[j];
+        sum += y->residual[i] * row;
+        if (distance)
+            distance[i] = (double)(row / sqrtl(m[i][n + i]));
+    }
+    return sum;
+}
+
+/* The sum of z^2 over all bounces of the file, and ln(det W/det B). The square of each z, in the order of the file, is
+ * what its last time adds; `distance` is by line. Both may be NULL. */
+static double solve_dense(double *log_determinant, double *square, double *distance, enum fit_curve curve,
+                          const double *theta, double ratio)
+{
+    long double sum = 0, with, without;
+    *log_determinant = 0;
+    for (long line = 2, first = 2; written[first].drop >= 0; first = line) {
+        struct trajectory y;
+        long double before = 0;
+        while (written[line].drop == written[first].drop)
+            line++;
+        find_trajectory(&y, curve, theta, first);
+        for (int times = 3; square && times <= y.times; times++) {
+            const long double next = solve_drop(&with, NULL, &y, times, ratio);
+            *square++ = (double)(next - before);
+            before = next;
+        }
+        sum += solve_drop(&with, distance ? distance + first : NULL, &y, y.times, ratio);
+        solve_drop(&without, NULL, &y, y.times, 0);
+        *log_determinant += (double)(with - without);
+    }
+    return (double)sum;
+}
+
+/* Q with the determinants */
+static double dense_q(enum fit_curve curve, const double *theta, double ratio, size_t n)
+{
+    double log_determinant;
+    const double sum = solve_dense(&log_determinant, NULL, NULL, curve, theta, ratio);
+    return sum * exp(log_determinant / (double)n);
+}
+
+struct place {
+    const struct fit_estimate *e;
+    size_t n;
+    double theta[FIT_MAX_PARAMETERS], log_ratio;
+    int other; /* the coordinate over which the least Q is looked for, or -1 */
+};
+
+static double q_at_ratio(struct place p, double log_ratio)
+{
+    return dense_q(p.e->curve, p.theta, exp(log_ratio), p.n);
+}
+
+static double golden_section(double f(struct place, double), struct place p, double low, double high)
+{
+    const double golden = 0.6180339887498949;
+    double at = high - golden * (high - low), height = f(p, at);
+    for (int i = 0; i < 22; i++) {
+        const double next = low + golden * (high - low), next_height = f(p, next);
+        if (next_height < height) {
+            low = at;
+            at = next;
+            height = next_height;
+        } else {
+            high = low;
+            low = next;
+        }
+    }
+    return height;
+}
+
+/* Where the errors of the times or the scatter of the bounces are as good as none, Q is level in lambda. */
+static double q_of_theta(struct place p, double x)
+{
+    double best = -20, least = INFINITY;
+    if (p.other >= 0)
+        p.theta[p.other] = x;
+    for (int u = -24; u <= 20; u++) {
+        const double q = q_at_ratio(p, u);
+        best = q < least ? u : best;
+        least = fmin(q, least);
+    }
+    return golden_section(q_at_ratio, p, best - 1, best + 1);
+}
+
+/* fit_aic at any place: the determinants, the slopes and the band against the dense matrices, with Huber's bend */
+static void check_likelihood(const struct fit_data *data, enum fit_curve curve, struct random_state *r)
+{
+    const int k = fit_curve_parameters(curve);
+    const size_t n = data->points;
+    struct fit_estimate at = {.curve = curve, .parameters = k}, noise = {.ratio = random_log(r, 1e-6, 1e6)};
+    double log_determinant, square[LINES_MAX], expected = 2 * k;
+    for (int j = 0; j < k; j++)
+        at.theta[j] = truth[curve][j] + random_uniform(r, -0.05, 0.05);
+    const double sum = solve_dense(&log_determinant, square, NULL, curve, at.theta, noise.ratio);
+    const double determinants = exp(log_determinant / (2 * (double)n));
+    noise.scale = sqrt(sum / (double)n) * determinants * random_log(r, 0.3, 3);
+    for (size_t i = 0; i < n; i++) {
+        const double z = sqrt(fmax(square[i], 0)) * determinants / noise.scale;
+        expected += z <= FIT_HUBER ? z * z : FIT_HUBER * (2 * z - FIT_HUBER);
+    }
+    const double aic = fit_aic(&at, data, true, &noise);
+    check_close(aic, expected, 1e-8);
+}
+
+/* The scale and the distances at the estimate, a minimum in theta that no place around has lower, and ends of intervals
+ * where Q, least over lambda and the other coordinate, exceeds the minimum by the threshold */
+static void check_fit(const struct fit_data *data, enum fit_curve curve, struct random_state *r)
+{
+    struct fit_estimate e;
+    const size_t n = data->points;
+    double log_determinant, distance[LINES_MAX], found[3 * LINES_MAX];
+    fit_estimate_curve(&e, curve, data, false);
+    const double freedom = (double)n - e.parameters;
+    const double sum = solve_dense(&log_determinant, NULL, distance, curve, e.theta, e.ratio);
+    const double least = dense_q(curve, e.theta, e.ratio, n);
+    check_close(e.scale, sqrt(least / freedom), 1e-8);
+    check_close(e.time_sigma_s, sqrt(sum / freedom), 1e-8);
+    fit_distances(found, &e, data);
+    for (size_t item = 0; item < fit_items(data); item++)
+        if (fit_is_item(data, item)) {
+            const double expected = distance[fit_item_line(data, item)] / e.time_sigma_s;
+            check(fabs(found[item] - expected) < 1e-7, "distance %.17g, expected %.17g", found[item], expected);
+        }
+    const struct place p = {.e = &e, .n = n, .theta = {e.theta[0], e.theta[1]}, .log_ratio = log(e.ratio), .other = -1};
+    for (int j = 0; j < e.parameters; j++) {
+        const double width = e.interval[j][LEVEL_68].high - e.interval[j][LEVEL_68].low, h = 1e-3 * width;
+        struct place above = p, below = p;
+        if (!isfinite(width))
+            continue;
+        above.theta[j] += h;
+        below.theta[j] -= h;
+        const double q_above = q_at_ratio(above, p.log_ratio), q_below = q_at_ratio(below, p.log_ratio);
+        const double offset = (q_below - q_above) / (q_below - 2 * least + q_above) / 2 * 1e-3;
+        check(fabs(offset) < 1e-5, "theta_%d lies %g of its interval off", j, offset);
+        for (int i = 0; i < 10; i++) {
+            struct place other = p;
+            for (int l = 0; l < e.parameters; l++)
+                other.theta[l] += width * random_uniform(r, -3, 3);
+            const double q = q_at_ratio(other, p.log_ratio + random_uniform(r, -5, 5));
+            check(!(q < least * (1 - 1e-8)), "%g is below %g", q, least);
+        }
+    }
+    for (int end = 0; end < 4 * e.parameters; end++) {
+        const int j = end / 4, level = end / 2 % 2;
+        const struct fit_interval *const interval = &e.interval[j][level];
+        struct place held = p;
+        held.theta[j] = end % 2 ? interval->high : interval->low;
+        if (!isfinite(held.theta[j]) || random_below(r, e.parameters > 1 ? 8 : 3) > 0)
+            continue;
+        double q;
+        if (e.parameters > 1) {
+            held.other = 1 - j;
+            const struct fit_interval *const wide = &e.interval[1 - j][LEVEL_95];
+            q = golden_section(q_of_theta, held, wide->low - (wide->high - wide->low),
+                               wide->high + (wide->high - wide->low));
+        } else {
+            q = q_of_theta(held, 0);
+        }
+        const double t = student_quantile((enum distribution_level)level, n - (size_t)e.parameters);
+        check_close(q - least, t * t * least / freedom, 1e-6);
+    }
+}
+
+/* Sampled with 120 seeds, the largest differences are 5e-10 of the likelihood, 4e-9 of a distance and 1e-6 of an
+ * interval in theta. Those of the likelihood are the fit's slopes, by differences with a step of 1e-4 in ln g. */
+static void times_agree_with_dense_matrices(void **state)
+{
+    struct random_state *const r = *state;
+    for (int draw = 0; draw < FIT_CURVES + 12; draw++) { /* a single drop often has two minima in lambda */
+        const double sigma = random_log(r, 2e-5, 5e-4);
+        const struct bounces b = {.curve = draw < FIT_CURVES ? (enum fit_curve)draw : FIT_CONSTANT,
+                                  .drops = draw < FIT_CURVES ? 6 : 1,
+                                  .times = DROP_TIMES,
+                                  .time_sigma_s = sigma,
+                                  .eps_sigma = random_log(r, 0.1, 20) * sigma};
+        struct fit_data data;
+        draw_bounces(&data, &b, 3, 0, 0, r);
+        for (int i = 0; i < 5; i++)
+            check_likelihood(&data, b.curve, r);
+        check_fit(&data, b.curve, r);
+        fit_data_clear(&data);
     }
 }
 
@@ -667,7 +964,7 @@ static void outliers_are_named(void **state)
                          fabs(o.outlier[0].distance) > 4 && o.outlier[0].distance < 0;
             } else {
                 const long late = 2 + (long)random_below(r, 80);
-                draw_bounces(&data, &b, planted ? late : 0, 0.012, r);
+                draw_bounces(&data, &b, b.times, planted ? late : 0, 0.012, r);
                 fit_find_outliers(&o, &data, &request);
                 for (int i = 0; i < o.count; i++)
                     found += planted && o.outlier[i].line == late && o.outlier[i].distance > 4;
@@ -694,6 +991,95 @@ static void outliers_are_named(void **state)
     for (int i = 0; i < 4; i++)
         assert_true((o.outlier[i].line - 2) % 12 == 3 && fabs(o.outlier[i].distance + 60) < 30);
     fit_data_clear(&o.rest);
+}
+
+/* The rule of compare.h for points of a constant with given sigma, in closed forms: Huber's mean, weighted means, and
+ * the distance of a point from the mean of the others. Given sigmas may be too small for the other points. */
+static int name_outliers(bool *out, double *distance, const struct sample *s)
+{
+    const size_t n = s->data.points;
+    size_t rest = n;
+    for (;;) { /* collect */
+        double mean = 0.7, farthest_z = 0;
+        size_t farthest = 0;
+        for (int round = 0; round < 200; round++) {
+            double w = 0, sum = 0;
+            for (size_t i = 0; i < n; i++) {
+                const double z = fabs(s->eps[i] - mean) / s->sigma[i];
+                const double part = out[i] ? 0 : fmin(1, FIT_HUBER / z) * weight(s, i);
+                w += part;
+                sum += part * s->eps[i];
+            }
+            mean = sum / w;
+        }
+        for (size_t i = 0; i < n; i++) {
+            const double z = fabs(s->eps[i] - mean) / s->sigma[i];
+            farthest = !out[i] && z > farthest_z ? i : farthest;
+            farthest_z = out[i] ? farthest_z : fmax(farthest_z, z);
+        }
+        if (n - rest == FIT_MAX_OUTLIERS || (double)rest * erfc(farthest_z / sqrt(2)) > 0.05 || rest - 1 < 3 * n / 4)
+            break;
+        out[farthest] = true;
+        rest--;
+    }
+    for (size_t back = n; rest < n; rest++) { /* put back */
+        double w = 0, mean = 0, chi2 = 0;
+        for (size_t i = 0; i < n; i++) {
+            w += out[i] ? 0 : weight(s, i);
+            mean += out[i] ? 0 : weight(s, i) * s->eps[i];
+        }
+        mean /= w;
+        for (size_t i = 0; i < n; i++)
+            chi2 += out[i] ? 0 : weight(s, i) * (s->eps[i] - mean) * (s->eps[i] - mean);
+        const double spread = fmax(chi2 / (double)(rest - 1), 1);
+        back = n;
+        for (size_t i = 0; i < n; i++) {
+            if (!out[i])
+                continue;
+            distance[i] = (s->eps[i] - mean) / sqrt(s->sigma[i] * s->sigma[i] + 1 / w);
+            const double tail = spread > 1 ? fisher_tail(distance[i] * distance[i] / spread, 1, rest - 1)
+                                           : erfc(fabs(distance[i]) / sqrt(2));
+            if ((double)n * tail >= FIT_SIGNIFICANCE && (back == n || fabs(distance[i]) < fabs(distance[back])))
+                back = i;
+        }
+        if (back == n)
+            break;
+        out[back] = false;
+    }
+    return (int)(n - rest);
+}
+
+static void outliers_follow_closed_forms(void **state)
+{
+    struct random_state *const r = *state;
+    struct fit_request request = {.robust = false};
+    int lines[4] = {0}; /* draws that name none, one, two or more */
+    assert_int_equal(fit_request_models(&request, "constant", NULL), STATUS_OK);
+    for (int draw = 0; draw < 100; draw++) {
+        const size_t n = 8 + random_below(r, 20);
+        bool out[POINTS_MAX] = {false};
+        double distance[POINTS_MAX];
+        struct sample s;
+        struct fit_outliers o;
+        draw_sample(&s, FIT_CONSTANT, n, 0.01, true, r);
+        for (size_t i = 0; i < n; i++) {
+            s.line[i] = (long)i;
+            s.eps[i] += random_below(r, 5) ? 0 : random_uniform(r, -6, 6) * s.sigma[i];
+            s.sigma[i] *= draw % 2 ? 0.7 : 1;
+        }
+        s.data.line = s.line;
+        const int count = name_outliers(out, distance, &s);
+        fit_find_outliers(&o, &s.data, &request);
+        check(o.count == count, "%d lines of %zu, expected %d", o.count, n, count);
+        for (int i = 0; i < o.count; i++) {
+            const struct fit_outlier *const at = &o.outlier[i];
+            check(out[at->line] && fabs(at->distance - distance[at->line]) < 1e-5, "line %ld, distance %g", at->line,
+                  at->distance);
+        }
+        lines[count < 3 ? count : 3]++;
+        fit_data_clear(&o.rest);
+    }
+    check(lines[0] && lines[1] && lines[2], "%d, %d, %d", lines[0], lines[1], lines[2]);
 }
 
 /* No text is read beyond its end, whatever it holds: the sanitizers watch. */
@@ -749,7 +1135,9 @@ int main(void)
         cmocka_unit_test(flights_give_speeds_and_eps),
         cmocka_unit_test_prestate(damaged_files_are_refused, &random),
         cmocka_unit_test_prestate(times_hold_the_truth, &random),
+        cmocka_unit_test_prestate(times_agree_with_dense_matrices, &random),
         cmocka_unit_test_prestate(outliers_are_named, &random),
+        cmocka_unit_test_prestate(outliers_follow_closed_forms, &random),
     };
     const int status = cmocka_run_group_tests(tests, NULL, NULL);
     unlink(path);
