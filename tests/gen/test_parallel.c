@@ -86,7 +86,7 @@ static void test_without_threads(void **state)
 {
     (void)state;
     struct party party = {.inner = 0};
-    struct rlimit before, little;
+    struct rlimit before = {0, 0}, little;
     unsigned long pages = 0;
     FILE *const statm = fopen("/proc/self/statm", "r");
     if (!statm || fscanf(statm, "%lu", &pages) != 1 || pages > 1 << 24 ||

@@ -240,8 +240,8 @@ static void test_digits(void **state)
         check(fabs(printed - eps) <= 0.05 * error + 0x1p-53 && printed_error >= error && printed_error <= 1.1 * error,
               "%a +- %a: %s", eps, error, line);
         char longest[DECIMAL_TEXT], *const cell = strstr(line, ",100,") + 5;
-        check(strcspn(cell, ",") <= fmin(4 - log10(error), (double)strlen(decimal_text(longest, eps))), "%g: %s", error,
-              line);
+        check((double)strcspn(cell, ",") <= fmin(4 - log10(error), (double)strlen(decimal_text(longest, eps))),
+              "%g: %s", error, line);
     }
 }
 
