@@ -154,6 +154,11 @@ static void no_smaller_table(void **state)
             assert_int_equal(sample_choose(&fewer, &r), 0);
             check(fewer.best.count < s.best.count, "%zu points have %g", fewer.best.count, r.tolerance);
             sample_clear(&fewer);
+            /* a tolerance that it misses by a millionth is kept */
+            r.tolerance = s.error_of_fewer * (1 - 1e-6);
+            assert_int_equal(sample_choose(&fewer, &r), 0);
+            check(fewer.best.error <= r.tolerance, "error %.9g beyond %.9g", fewer.best.error, r.tolerance);
+            sample_clear(&fewer);
         }
         check(s.even.error >= s.best.error, "evenly spaced: %g, not %g", s.even.error, s.best.error);
         sample_clear(&s);
@@ -183,11 +188,21 @@ static void other_laws(void **state)
     assert_true(s.best.error <= 1e-3 && s.error_of_fewer > 1e-3);
     sample_clear(&s);
     /* so many decades that one polynomial is not enough */
-    const struct sample_request wide = {
-        .model = &model, .speed_min = 1e-5, .speed_max = 1, .tolerance = 1e-2, .log = true};
-    assert_int_equal(sample_choose(&s, &wide), 0);
+    for (double speed_min = 1e-2; speed_min > 1e-10; speed_min /= 30) {
+        const struct sample_request wide = {
+            .model = &model, .speed_min = speed_min, .speed_max = 1, .tolerance = 1e-2, .log = true};
+        assert_int_equal(sample_choose(&s, &wide), 0);
+        for (size_t i = 0; i < s.best.count; i++)
+            check(fabs(s.best.value[0][i] / eps_at(&wide, s.best.speed_m_s[i]) - 1) < 1e-12, "eps at %g m/s",
+                  s.best.speed_m_s[i]);
+        sample_clear(&s);
+    }
+    /* slopes at the ends of a narrow range need values beyond them */
+    const struct sample_request narrow = {
+        .model = &model, .speed_min = 0.5, .speed_max = 0.501, .tolerance = 1e-3, .cubic = true};
+    assert_int_equal(sample_choose(&s, &narrow), 0);
     for (size_t i = 0; i < s.best.count; i++)
-        check(fabs(s.best.value[0][i] / eps_at(&wide, s.best.speed_m_s[i]) - 1) < 1e-12, "eps at %g m/s",
+        check(fabs(s.best.slope[0][i] / slope_at(&narrow, s.best.speed_m_s[i]) - 1) < 1e-8, "slope at %g m/s",
               s.best.speed_m_s[i]);
     sample_clear(&s);
 

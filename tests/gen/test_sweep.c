@@ -275,7 +275,8 @@ enum { TASKS = 40000 };
 
 struct crowd {
     atomic_uint_fast64_t next;
-    uint64_t stop_at, slow;
+    uint64_t stop_at, slow, long_from; /* tasks from there take 5 ms */
+    atomic_int begun;                  /* of them */
     size_t ready;
     int threads;
     bool uneven;
@@ -287,6 +288,10 @@ static void crowd_work(void *context, int thread, uint64_t task, void *result)
     if (crowd->uneven && (task % 997 == 0 || task == crowd->slow)) {
         const struct timespec nap = {0, task == crowd->slow ? 300000000 : 3000000};
         nanosleep(&nap, NULL);
+    }
+    if (task >= crowd->long_from) {
+        crowd->begun++;
+        nanosleep(&(struct timespec){0, 5000000}, NULL);
     }
     const bool right = thread >= 0 && thread < crowd->threads && task < atomic_load(&crowd->next) + CREW_AHEAD;
     const uint64_t value = right ? task * task : 1;
@@ -317,7 +322,8 @@ static void test_crew(void **state)
 {
     (void)state;
     for (int threads = 1; threads <= 3; threads++) {
-        struct crowd crowd = {.stop_at = UINT64_MAX, .slow = 100, .threads = threads, .uneven = threads > 1};
+        struct crowd crowd = {
+            .stop_at = UINT64_MAX, .slow = 100, .long_from = UINT64_MAX, .threads = threads, .uneven = threads > 1};
         const struct crew_work work = {&crowd, sizeof(uint64_t), crowd_work, crowd_ready, crowd_finish, NULL, NULL};
         struct crew *crew = crew_start(&work, threads);
         assert_non_null(crew);
@@ -330,6 +336,14 @@ static void test_crew(void **state)
         crowd.stop_at = 1234;
         assert_int_equal(crew_run(crew, 1000, TASKS), 7);
         assert_int_equal(crowd.next, 1235);
+        /* of the tasks that wait then, none begins */
+        crowd.next = 0;
+        crowd.slow = UINT64_MAX;
+        crowd.stop_at = 999;
+        crowd.long_from = 1000;
+        assert_int_equal(crew_run(crew, 0, TASKS), 7);
+        check(crowd.begun < 20 * threads, "%d tasks of %d threads began", crowd.begun, threads);
+        crowd.long_from = UINT64_MAX;
         crowd.next = 3;
         crowd.stop_at = UINT64_MAX;
         assert_int_equal(crew_run(crew, 3, 20), 0);

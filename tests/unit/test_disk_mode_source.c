@@ -125,6 +125,47 @@ static void ends(void **state)
     }
 }
 
+/* The place of mode (n, l) among the first modes */
+static int place_of(int n, int l, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (mode[i].n == n && mode[i].l == l)
+            return (int)i;
+    return -1;
+}
+
+/* Where two frequencies cross, doubles do not separate them: they still grow. */
+static void crossings(void **state)
+{
+    (void)state;
+    enum { COUNT = 40 };
+    struct random_state random = random_start();
+    for (size_t found = 0; found < few_or_all(3, 20);) {
+        double low = random_uniform(&random, -0.5, 0.5), high = low + 0.02;
+        compute(low, COUNT + 1);
+        const size_t i = random_below(&random, COUNT - 1);
+        const struct cor_disk_mode first = mode[i], second = mode[i + 1];
+        compute(high, COUNT + 1);
+        if (place_of(first.n, first.l, COUNT) < place_of(second.n, second.l, COUNT))
+            continue;
+        while (high - low > 0x1p-50) {
+            const double nu = low + (high - low) / 2;
+            compute(nu, COUNT + 1);
+            if (place_of(first.n, first.l, COUNT) < place_of(second.n, second.l, COUNT))
+                low = nu;
+            else
+                high = nu;
+        }
+        for (int at = -100; at <= 100; at++) {
+            const double nu = low + at * 0x1p-53;
+            compute(nu, COUNT + 1);
+            for (size_t k = 1; k < COUNT; k++)
+                check(mode[k].omega > mode[k - 1].omega, "nu = %.17g: mode %zu at %.17g", nu, k, mode[k].omega);
+        }
+        found++;
+    }
+}
+
 static void refusals(void **state)
 {
     (void)state;
@@ -152,7 +193,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(as_proved), cmocka_unit_test(starts_alike), cmocka_unit_test(all_materials),
-        cmocka_unit_test(ends),      cmocka_unit_test(refusals),
+        cmocka_unit_test(ends),      cmocka_unit_test(crossings),    cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
