@@ -6,6 +6,7 @@
  * h, replaces 1/omega^2. For the centre of mass, h^2/12 replaces 0. The error of the kicks is then of order h^4 instead
  * of h^2. */
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
 
 #include "cor/status.h"
@@ -61,7 +62,8 @@ static size_t panels(size_t n)
 /* Sets the rows of each block of modes, the largest number of modes with the same n. Returns the number of blocks. */
 static size_t count_rows(const struct cor_disk_mode *mode, size_t modes, size_t *rows)
 {
-    size_t count[COR_HARD_WALL_MAX_N + 1] = {0}, n_max = 1;
+    uint32_t count[COR_HARD_WALL_MAX_N + 1] = {0}; /* not size_t: it is most of the stack that a level takes */
+    size_t n_max = 1;
     for (size_t i = 0; i < modes; i++) {
         const size_t n = (size_t)mode[i].n;
         count[n]++;
