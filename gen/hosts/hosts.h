@@ -54,7 +54,7 @@ struct host_model {
     const char *advice; /* a sentence for the user */
 
     /* The version of the host that was run or read, and lines for its input; NULL: none. `paste` starts with the
-     * opening of a comment in the language of the host and a bar. Words in braces stand for numbers (contact_host.c). */
+     * opening of a comment in the language of the host and a bar. Words in braces are numbers (contact_host.c). */
     const char *version, *paste;
 };
 

@@ -75,9 +75,9 @@ void emit_builder_close(struct emit *e);
 void emit_inline_double(struct emit *e, const char *name, const char *argument, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* static inline double NAME(double ARGUMENT): FACTOR P(z)/Q(z), or NaN for arguments below 0. Z and FACTOR (NULL: 1) are
- * expressions in the argument; `numerator` and `denominator` are the names of an array and, in capitals, of its length.
- * Horner's rule. */
+/* static inline double NAME(double ARGUMENT): FACTOR P(z)/Q(z), or NaN for arguments below 0. Z and FACTOR (NULL: 1)
+ * are expressions in the argument; `numerator` and `denominator` are the names of an array and, in capitals, of its
+ * length. Horner's rule. */
 void emit_inline_quotient(struct emit *e, const char *name, const char *argument, const char *z, const char *factor,
                           const char *const numerator[2], const char *const denominator[2]);
 

@@ -29,8 +29,8 @@ struct sweep_room {
     size_t size;
 };
 
-/* Calls cor_disk_hard_wall_in with the first table that suffices. Each call has the budget max_steps. Unknown numbers in
- * *out are NaN. */
+/* Calls cor_disk_hard_wall_in with the first table that suffices. Each call has the budget max_steps. Unknown numbers
+ * in *out are NaN. */
 int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *tables, double tolerance,
                       size_t max_steps, double speed, struct sweep_room *room);
 

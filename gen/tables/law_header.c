@@ -297,8 +297,8 @@ int hertz_dashpot_tables_write(FILE *file, const struct disk_table *none)
                  "Written by:  corgen tables\n"
                  "Checked by:  corgen tables --check\n"
                  "\n"
-                 "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of\n"
-                 "each. In the functions\n%s",
+                 "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits "
+                 "of\neach. In the functions\n%s",
                  law_equation(&law).text, accuracy);
         struct emit e;
         emit_open(&e, file, "COR_GENERATED_HERTZ_DASHPOT_TABLES_H", banner);

@@ -15,9 +15,9 @@ struct pade_header {
     double limit;                        /* refused if the total relative error exceeds this */
 };
 
-/* Emits name_p, name_q, name_l (ascending powers of z), NAME_P, NAME_Q, NAME_L, name_eps(beta) and name_loss(beta), which
- * need math.h; with references also NAME_{EPS,LOSS}_{APPROXIMATION,EVALUATION,MAX}_REL up to NAME_BETA_MAX. Returns 0,
- * or 1 after reporting the reason. */
+/* Emits name_p, name_q, name_l (ascending powers of z), NAME_P, NAME_Q, NAME_L, name_eps(beta) and name_loss(beta),
+ * which need math.h; with references also NAME_{EPS,LOSS}_{APPROXIMATION,EVALUATION,MAX}_REL up to NAME_BETA_MAX.
+ * Returns 0, or 1 after reporting the reason. */
 int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f, const struct pade_analysis *a);
 
 #endif

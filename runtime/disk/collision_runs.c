@@ -127,8 +127,8 @@ static void bound_amplification(const struct cor_motion *m, struct runs *runs)
     evidence->amplification = fmax(evidence->amplification, bound);
 }
 
-/* Repeats a run after a change of speed or angles. Sets the changes of eps and, as a norm, of the energies. Returns 0 if
- * the run failed. */
+/* Repeats a run after a change of speed or angles. Sets the changes of eps and, as a norm, of the energies. Returns 0
+ * if the run failed. */
 static int runs_repeat(struct cor_motion *m, const struct runs *runs, int level, double *eps, double *energies)
 {
     const struct cor_collision_run *const run = &runs->run[level];
@@ -161,8 +161,8 @@ static void measure_amplification(struct cor_motion *m, struct runs *runs)
     m->speed = speed;
 }
 
-/* With shifted angles the quadrature has the opposite error, which the collision amplifies equally. Runs with larger steps
- * than those at hand may not converge yet, and say nothing. */
+/* With shifted angles the quadrature has the opposite error, which the collision amplifies equally. Runs with larger
+ * steps than those at hand may not converge yet, and say nothing. */
 static void measure_angles(struct cor_motion *m, struct runs *runs)
 {
     double eps, energies;
