@@ -16,6 +16,9 @@
 
 enum { BITS = 320, TERMS = 48, FREQUENCIES = 10, MANY = 6000 };
 
+/* Where the integral of the lowest mode of nu = 0.33 vanishes, centre of mass */
+#define QUADRUPOLE_ZERO 0x1.64014a0b3a0b3p-7
+
 static const enum cor_disk_datum datums[3] = {COR_DISK_DATUM_CENTRE_OF_MASS, COR_DISK_DATUM_DIAMETER,
                                               COR_DISK_DATUM_PRINTED};
 static struct random_state state;
@@ -315,9 +318,13 @@ static void test_hard_points(void **unused)
     static const double speeds[] = {1e-300, 1e-12, 1e-8, 1e-4, 1e-3, 1e-2, 0.03, 0.1};
     for (size_t i = 0; i < sizeof speeds / sizeof *speeds; i++)
         compare(0.33, datums[i == 5 ? 0 : 2], speeds[i], omega);
-    static const double from_edge[] = {1e-1, 1e-2, 1e-4, 1e-8};
+    static const double from_edge[] = {1e-1, 1e-2, 1e-4, 1e-8, 0x1p-50, 0};
     for (size_t i = 0; i < sizeof from_edge / sizeof *from_edge; i++)
         compare(0.9, datums[i % 3], (1 - from_edge[i]) * cor_disk_speed_limit(0.9, datums[i % 3]), omega);
+    /* beside the zero of the quadrupole's integral */
+    static const double from_zero[] = {0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3};
+    for (size_t i = 0; i < sizeof from_zero / sizeof *from_zero; i++)
+        compare(0.33, COR_DISK_DATUM_CENTRE_OF_MASS, QUADRUPOLE_ZERO * (1 - from_zero[i]), omega);
 }
 
 static int increasing(const void *x, const void *y)

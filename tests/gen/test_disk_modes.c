@@ -138,6 +138,17 @@ static void test_near_pair(void **state)
     assert_int_equal(disk_mode_solve(&high, nu, 1, 51, 100), 0);
     const double gap = (middle(high.omega) - middle(low.omega)) / middle(low.omega);
     check(gap > 4.1e-4 && gap < 4.3e-4, "gap %g", gap);
+    struct disk disk;
+    arb_t w;
+    disk_init(&disk, nu, 200);
+    arb_init(w);
+    for (int i = 0; i < 4; i++) {
+        arb_set_d(w, (i < 2 ? middle(low.omega) : middle(high.omega)) * (i % 2 ? 1 + 1e-9 : 1 - 1e-9));
+        arb_sqr(w, w, 200);
+        assert_int_equal(disk_count(&disk, 1, w), 50 + (i + 1) / 2);
+    }
+    disk_clear(&disk);
+    arb_clear(w);
     disk_mode_clear(&low);
     disk_mode_clear(&high);
     fmpq_clear(nu);
@@ -422,8 +433,17 @@ static void test_normalisation(void **state)
     static const struct {
         const char *nu;
         slong n, l;
-    } cases[] = {{"33/100", 2, 0}, {"33/100", 0, 0}, {"33/100", 0, 4}, {"33/100", 1, 0}, {"33/100", 1, 7},
-                 {"33/100", 5, 4}, {"9/10", 2, 1},   {"9/10", 30, 0},  {"-1/2", 3, 2},   {"-9/10", 1, 1}};
+    } cases[] = {{"33/100", 2, 0},
+                 {"33/100", 0, 0},
+                 {"33/100", 0, 4},
+                 {"33/100", 1, 0},
+                 {"33/100", 1, 7},
+                 {"33/100", 5, 4},
+                 {"9/10", 2, 1},
+                 {"9/10", 30, 0},
+                 {"-1/2", 3, 2},
+                 {"-9/10", 1, 1},
+                 {"999999999999/1000000000000", 2, 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const slong n = cases[i].n;
         fmpq_t nu;

@@ -356,6 +356,95 @@ static void test_spurious_pair(void **state)
     pade_clear(&f);
 }
 
+/* 1/(1 + z) + d/(1 - z/2): its [1/2] has a pole at 2 and a zero at 2 (1 + d)/(1 - 2 d), 6 d/(1 - 2 d) further. The
+ * distance of a pair is relative to its size. */
+static void test_near_pair(void **state)
+{
+    (void)state;
+    static const slong power[] = {10, 53, 300};
+    const slong prec = 1200;
+    for (size_t i = 0; i < sizeof power / sizeof *power; i++) {
+        struct pade f;
+        struct pade_analysis a;
+        arb_poly_t c;
+        arb_t d, x;
+        pade_init(&f);
+        pade_analysis_init(&a);
+        arb_poly_init(c);
+        arb_init(d);
+        arb_init(x);
+        f.root = 1;
+        f.variable = "z";
+        arb_one(d);
+        arb_mul_2exp_si(d, d, -power[i]);
+        for (slong k = 0; k <= 8; k++) {
+            arb_mul_2exp_si(x, d, -k);
+            arb_add_si(x, x, k % 2 ? -1 : 1, prec);
+            arb_poly_set_coeff_arb(c, k, x);
+        }
+        assert_true(pade_of_series(&f, c, 1, 2, prec) && pade_analyse(&a, &f, prec));
+        assert_true(a.pairs == 1 && a.spurious == 1 && a.positive_poles == 1);
+        arb_mul_2exp_si(x, d, 1);
+        arb_sub_ui(x, x, 1, prec);
+        arb_neg(x, x);
+        arb_div(x, d, x, prec);
+        arb_mul_ui(x, x, 3, prec);
+        assert_overlap(a.pair->distance, x, "distance for 2^-", power[i]);
+        pade_clear(&f);
+        pade_analysis_clear(&a);
+        arb_poly_clear(c);
+        arb_clear(d);
+        arb_clear(x);
+    }
+}
+
+/* Changes of sign on 4.5e-5 <= beta <= 22026, 100 places to a factor e; p(0) > 0 */
+static slong sign_changes(const arb_poly_t p)
+{
+    slong changes = 0;
+    int before = 1;
+    arb_t x, y;
+    arb_init(x);
+    arb_init(y);
+    for (int k = -1000; k <= 1000; k++) {
+        arb_set_d(x, exp(k / 100.0));
+        arb_poly_evaluate(y, p, x, PREC);
+        const int sign = arf_sgn(arb_midref(y));
+        changes += sign != before && sign != 0;
+        before = sign != 0 ? sign : before;
+    }
+    arb_clear(x);
+    arb_clear(y);
+    return changes;
+}
+
+/* [m/n] of eps has as many poles and zeros on the positive axis as its polynomials change their sign there. */
+static void test_poles_of_eps(void **state)
+{
+    (void)state;
+    const slong most = points(6) > 6 ? 14 : 6;
+    for (slong m = 0; m <= most; m++)
+        for (slong n = 1; m + n <= most; n++) {
+            const struct pade_request r = ordinary(m, n, END_ZERO_OVERLAP);
+            struct pade f;
+            struct pade_analysis a;
+            pade_init(&f);
+            pade_analysis_init(&a);
+            /* 1/eps has no beta^10, so that [0/9] = [0/10] = [1/9], and [1/10] does not exist */
+            const bool exists = !(m == 1 && n == 10);
+            assert_int_equal(pade_compute(&f, &a, &r, 100), exists ? 0 : 1);
+            if (exists) {
+                char *const defects = pade_defects(&a);
+                const slong poles = sign_changes(f.q), zeros = sign_changes(f.p);
+                check(a.positive_poles == poles && a.positive_zeros == zeros && (defects || poles + zeros == 0),
+                      "[%ld/%ld]: %ld poles, %ld zeros", (long)m, (long)n, (long)poles, (long)zeros);
+                free(defects);
+            }
+            pade_clear(&f);
+            pade_analysis_clear(&a);
+        }
+}
+
 static void assert_block(const arb_poly_t c, slong m, slong n, slong at_m, slong at_n, slong size, bool open)
 {
     struct pade_block b;
@@ -557,7 +646,7 @@ int main(void)
         cmocka_unit_test(test_exponential),   cmocka_unit_test(test_reexpansion), cmocka_unit_test(test_two_point),
         cmocka_unit_test(test_rounded),       cmocka_unit_test(test_published),   cmocka_unit_test(test_true_one_four),
         cmocka_unit_test(test_spurious_pair), cmocka_unit_test(test_degenerate),  cmocka_unit_test(test_exact_zeros),
-        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_refusals),      cmocka_unit_test(test_near_pair),   cmocka_unit_test(test_poles_of_eps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

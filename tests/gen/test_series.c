@@ -379,6 +379,38 @@ static void test_radius(void **state)
     series_clear(&s);
 }
 
+/* Too few bits or terms for what is promised are refused; a ball holds the truth in any case. */
+static void test_verdicts(void **state)
+{
+    (void)state;
+    enum { ORDER = 12 };
+    static const struct {
+        slong terms, bits, prec;
+    } tried[] = {{30, 100, 64}, {60, 100, 90}, {60, 100, 128}, {90, 100, 200}, {10, 60, 400}};
+    struct series s;
+    arb_poly_t y, tau;
+    arb_t x;
+    series_init(&s);
+    arb_poly_init(y);
+    arb_poly_init(tau);
+    arb_init(x);
+    assert_int_equal(series_compute(&s, ORDER, &law_sphere, 200), 0);
+    for (size_t i = 0; i < sizeof tried / sizeof *tried; i++) {
+        const enum turning_point_verdict verdict =
+            turning_point_series(y, tau, ORDER, tried[i].terms, &law_sphere, tried[i].bits, tried[i].prec);
+        assert_poly_overlap(y, s.y, ORDER, "y_k");
+        assert_poly_overlap(tau, s.tau, ORDER, "tau_k");
+        for (slong k = 0; k <= ORDER && verdict == TURNING_POINT_OK; k++) {
+            arb_poly_get_coeff_arb(x, y, k);
+            assert_bits(x, tried[i].bits);
+        }
+    }
+    series_clear(&s);
+    arb_poly_clear(y);
+    arb_poly_clear(tau);
+    arb_clear(x);
+}
+
 /* Peaks of memory in docs/speed/generator.csv, less the 7.5 MB of a program that computes little */
 static void test_memory(void **state)
 {
@@ -406,6 +438,7 @@ int main(void)
         cmocka_unit_test(test_vanishing_coefficient),
         cmocka_unit_test(test_no_vanishing_coefficient),
         cmocka_unit_test(test_radius),
+        cmocka_unit_test(test_verdicts),
         cmocka_unit_test(test_memory),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -222,6 +222,11 @@ static int of_one(const struct cor_disk_mode *m)
     return m->n == 1;
 }
 
+static int lowest_or_of_zero(const struct cor_disk_mode *m)
+{
+    return m->n == 0 || m->omega < 2.3;
+}
+
 static int any(const struct cor_disk_mode *m)
 {
     return m->n > 0;
@@ -419,6 +424,23 @@ static void random_tolerances(void **state)
     assert_true(chaotic <= points(30) / 10);
 }
 
+/* The lowest modes and the fast ones of n = 0: no multiple of pi of omega h feeds energy into a mode. */
+static void fast_radial(void **state)
+{
+    (void)state;
+    static const double alpha[] = {200, 2000};
+    double worst = 0;
+    for (size_t i = 0; i < 4; i++) {
+        const struct cor_disk_modes modes = modes_cut(material(i % 2 ? 0.9 : 0.33), lowest_or_of_zero, i % 2 ? 11 : 22);
+        struct reference_collision truth;
+        assert_int_equal(
+            reference_disk_collision(modes.mode, modes.count, alpha[i / 2], 0.1, slack, &truth, NULL, NULL), 0);
+        for (double tolerance = 1e-2; tolerance > 5e-12; tolerance /= 100)
+            kept(&modes, modes.count, alpha[i / 2], 0.1, tolerance, &truth, slack, &worst);
+    }
+    print_message("off by at most %.2g of the tolerance\n", worst);
+}
+
 /* At the edges of what may be asked for */
 static void extreme_tolerances(void **state)
 {
@@ -613,7 +635,26 @@ static void corners(void **state)
         }
 }
 
-/* Chaotic: eps moves in the third digit with the steps, energy holds. */
+/* Few modes at a hard wall: round-off of the speed grows 1e4 to 1e6 times. eps by the reference, to 1e-11 */
+static void bounces(void **state)
+{
+    (void)state;
+    static const struct {
+        size_t n;
+        double alpha, v, eps;
+    } scene[] = {{30, 8000, 0.3, 0.799369796954}, {60, 2000, 0.1, 0.928625468805}, {100, 4000, 0.05, 0.967425680918}};
+    for (size_t i = 0; i < listed(3); i++)
+        for (double tolerance = 1e-3; tolerance > (points(2) > 2 ? 5e-8 : 5e-6); tolerance /= 10) {
+            struct cor_disk_collision out;
+            const int status =
+                disk_collide(&cor_disk_modes_nu033, scene[i].n, scene[i].alpha, scene[i].v, tolerance, &out);
+            const double allowed = status == COR_OK ? tolerance : out.error_estimate;
+            check(fabs(out.eps - scene[i].eps) <= allowed, "N = %zu, tolerance %g: %.12f, not %.12f; %s", scene[i].n,
+                  tolerance, out.eps, scene[i].eps, cor_status_text(status));
+        }
+}
+
+/* Chaotic: eps moves in the third digit with the steps, the estimate says so, energy holds. */
 static void chaotic(void **state)
 {
     (void)state;
@@ -629,6 +670,15 @@ static void chaotic(void **state)
                   diary.drift, out.steps, cor_status_text(status));
     assert_true(status == COR_OK || status == COR_TOLERANCE_NOT_REACHED);
     assert_true(fabs(out.eps - 0.838) < 2e-3);
+    static const double tolerance[] = {1e-2, 1e-3, 1e-8};
+    for (size_t i = 0; i < 3; i++) {
+        const struct cor_disk_collision_options short_options = {diary.alpha, tolerance[i], 0, 20000};
+        struct cor_disk_collision other;
+        const int found =
+            cor_disk_collision(diary.modes, diary.n, &short_options, diary.speed, &other); /* others than above */
+        check(fabs(other.eps - 0.838427764576) <= (found == COR_OK ? tolerance[i] : other.error_estimate),
+              "tolerance %g: %.12f +- %.1e, %s", tolerance[i], other.eps, other.error_estimate, cor_status_text(found));
+    }
     assert_true(fabs(out.energy_drift) < 4e-3);
     assert_true(fabs(diary.drift) < 1e-4);
 }
@@ -902,25 +952,13 @@ static void refusals(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_answers),
-        cmocka_unit_test(reference),
-        cmocka_unit_test(subsets),
-        cmocka_unit_test(second_contact),
-        cmocka_unit_test(radial),
-        cmocka_unit_test(tolerances),
-        cmocka_unit_test(random_tolerances),
-        cmocka_unit_test(extreme_tolerances),
-        cmocka_unit_test(phi_points),
-        cmocka_unit_test(moments),
-        cmocka_unit_test(same_every_time),
-        cmocka_unit_test(corners),
-        cmocka_unit_test(chaotic),
-        cmocka_unit_test(never_touched),
-        cmocka_unit_test(never_ended),
-        cmocka_unit_test(no_exceptions),
-        cmocka_unit_test(workspaces),
-        cmocka_unit_test(many_speeds),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(known_answers),     cmocka_unit_test(reference),   cmocka_unit_test(subsets),
+        cmocka_unit_test(second_contact),    cmocka_unit_test(radial),      cmocka_unit_test(tolerances),
+        cmocka_unit_test(random_tolerances), cmocka_unit_test(fast_radial), cmocka_unit_test(extreme_tolerances),
+        cmocka_unit_test(phi_points),        cmocka_unit_test(moments),     cmocka_unit_test(same_every_time),
+        cmocka_unit_test(corners),           cmocka_unit_test(bounces),     cmocka_unit_test(chaotic),
+        cmocka_unit_test(never_touched),     cmocka_unit_test(never_ended), cmocka_unit_test(no_exceptions),
+        cmocka_unit_test(workspaces),        cmocka_unit_test(many_speeds), cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests_name("disk_collision", tests, NULL, NULL);
 }
