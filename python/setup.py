@@ -63,18 +63,22 @@ def cmake_list(name: str, file: str = "CorArraySets.cmake") -> List[str]:
     return re.sub(r"\$<.*?>:(-\S+)>", r"\1", found[1]).split()
 
 
-def library_parts() -> List[Tuple[str, List[str]]]:
-    """The sources of the library, each with its flags: those of plain code or of a kernel of an instruction set."""
+def library_parts() -> List[Tuple[str, str, List[str]]]:
+    """The sources of the library, each with a folder for its object and its flags. A kernel is there once for each
+    instruction set."""
     x86 = platform.machine() in ("x86_64", "AMD64", "amd64")
     plain = PLAIN_FLAGS + [f"-Werror={what}" for what in cmake_list("cor_errors", "CorDefaults.cmake")]
     plain += ["-DCOR_X86_SETS"] if x86 else []
-    kernel = cmake_list("cor_array_options")
-    flags = {"portable": kernel, "avx2": kernel + cmake_list("avx2"), "avx512": kernel + cmake_list("avx512")}
+    kernel = plain + cmake_list("cor_array_options")
     parts = []
     for path in sorted((ROOT / "runtime").glob("*/*.c")):
-        instruction_set = path.stem.rpartition("_")[2]
-        if x86 or instruction_set not in ("avx2", "avx512"):
-            parts.append((str(path), plain + flags.get(instruction_set, [])))
+        if not path.stem.endswith("_kernel"):
+            parts.append((str(path), "plain", plain))
+            continue
+        parts.append((str(path), "portable", kernel))
+        for instruction_set in ("avx2", "avx512") if x86 else ():
+            flags = [f"-DCOR_SET={instruction_set}", *cmake_list(instruction_set)]
+            parts.append((str(path), instruction_set, kernel + flags))
     return parts
 
 
@@ -108,10 +112,10 @@ class BuildLibrary(build_ext):
                     ext.extra_objects += objects
         super().build_extension(ext)
 
-    def compile_source(self, source: str, flags: List[str]) -> List[str]:
+    def compile_source(self, source: str, folder: str, flags: List[str]) -> List[str]:
         objects: List[str] = self.compiler.compile(
             [source],
-            output_dir=self.build_temp,
+            output_dir=os.path.join(self.build_temp, folder),
             include_dirs=[str(INCLUDE), str(ROOT)],
             extra_postargs=flags,
         )

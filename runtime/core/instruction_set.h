@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The only dispatch by instruction set. A loop is written once, as a kernel. <stem>_<set>.c compiles the kernel for
- * each set of this build. A table has one row of functions for each set, in the order of the enum. */
+/* The only dispatch by instruction set. Loops are written once, in <stem>_kernel.c, and end with a table of functions
+ * COR_OF_SET(name). The build compiles the file once for each set, with COR_SET defined (cmake/CorArraySets.cmake). */
 #ifndef COR_RUNTIME_INSTRUCTION_SET_H
 #define COR_RUNTIME_INSTRUCTION_SET_H
+
+#include <stddef.h>
 
 /* By increasing width */
 enum cor_instruction_set { COR_PORTABLE, COR_AVX2, COR_AVX512, COR_INSTRUCTION_SETS };
@@ -10,13 +12,6 @@ enum cor_instruction_set { COR_PORTABLE, COR_AVX2, COR_AVX512, COR_INSTRUCTION_S
 /* Rows of numbers and sums have this number of parts for every width of a vector, so that every set gives the same
  * bits. */
 enum { COR_LANES = 8 };
-
-/* X(set) for every set of this build, in the order of the enum. X declares the functions of a set or writes its row. */
-#ifdef COR_X86_SETS
-#define COR_EACH_SET(X) X(portable) X(avx2) X(avx512)
-#else
-#define COR_EACH_SET(X) X(portable)
-#endif
 
 /* Whether this build has the set and this processor can run it */
 static inline int cor_processor_has(int set)
@@ -31,7 +26,7 @@ static inline int cor_processor_has(int set)
     return set == COR_PORTABLE;
 }
 
-/* The row for the processor at hand */
+/* The widest set of the processor at hand */
 static inline int cor_widest_set(void)
 {
     int set = COR_INSTRUCTION_SETS - 1;
@@ -39,5 +34,41 @@ static inline int cor_widest_set(void)
         set--;
     return set;
 }
+
+/* The name of the table that a kernel defines, and of its set */
+#ifndef COR_SET
+#define COR_SET portable
+#endif
+#define COR_OF_SET(name) COR_OF_SET_(name, COR_SET)
+#define COR_OF_SET_(name, set) COR_OF_SET_2_(name, set)
+#define COR_OF_SET_2_(name, set) name##_##set
+#define COR_SET_NAME COR_SET_NAME_(COR_SET)
+#define COR_SET_NAME_(set) COR_SET_NAME_2_(set)
+#define COR_SET_NAME_2_(set) #set
+
+/* COR_TABLES(type, name, function) declares the tables name_<set> of a kernel and defines function(set), which returns
+ * a set's table, or NULL if this build or this processor lacks the set. COR_TABLES_TO_AVX2 is for kernels that AVX-512
+ * makes faster by less than 10 %: its table is that of AVX2. */
+#ifdef COR_X86_SETS
+#define COR_TABLES(type, name, function)                                                                               \
+    extern const type name##_avx512;                                                                                   \
+    COR_TABLES_(type, name, function, name##_avx512)
+#define COR_TABLES_TO_AVX2(type, name, function) COR_TABLES_(type, name, function, name##_avx2)
+#define COR_TABLES_(type, name, function, widest)                                                                      \
+    extern const type name##_portable, name##_avx2;                                                                    \
+    static inline const type *function(int set)                                                                        \
+    {                                                                                                                  \
+        static const type *const table[] = {&name##_portable, &name##_avx2, &widest};                                  \
+        return cor_processor_has(set) ? table[set] : NULL;                                                             \
+    }
+#else
+#define COR_TABLES(type, name, function)                                                                               \
+    extern const type name##_portable;                                                                                 \
+    static inline const type *function(int set)                                                                        \
+    {                                                                                                                  \
+        return cor_processor_has(set) ? &name##_portable : NULL;                                                       \
+    }
+#define COR_TABLES_TO_AVX2 COR_TABLES
+#endif
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Vectors of VECTOR doubles for loops that are compiled once for every instruction set. The set that includes this file
- * defines VECTOR. No set may fuse a multiplication with an addition, and sums must have the same parts for every width
- * of a vector. All sets then give the same bits. */
+/* Vectors of VECTOR doubles for loops that are compiled once for every instruction set. No set may fuse a
+ * multiplication with an addition, and sums must have the same parts for every width of a vector. All sets then give
+ * the same bits. */
 #ifndef COR_RUNTIME_KERNEL_VECTOR_H
 #define COR_RUNTIME_KERNEL_VECTOR_H
 
@@ -9,6 +9,14 @@
 
 #include "runtime/core/instruction_set.h" /* COR_LANES */
 #include "runtime/core/kernel_exp.h"      /* KERNEL */
+
+#if defined(__AVX512F__)
+#define VECTOR 8
+#elif defined(__AVX2__)
+#define VECTOR 4
+#else
+#define VECTOR 2
+#endif
 
 #ifdef __GNUC__
 typedef double vector __attribute__((vector_size(VECTOR * sizeof(double))));

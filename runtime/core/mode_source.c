@@ -66,17 +66,6 @@ static void wave_end(struct wave *a, int i, double r, long n)
     a->d[i] = tall ? d : 1;
 }
 
-static const struct cor_mode_loops *widest_loops(void)
-{
-#ifdef COR_X86_SETS
-    if (cor_processor_has(COR_AVX512))
-        return &cor_mode_avx512;
-    if (cor_processor_has(COR_AVX2))
-        return &cor_mode_avx2;
-#endif
-    return &cor_mode_portable;
-}
-
 static void wave_set(struct wave *a, long n)
 {
     double greatest = 0, kappa[LANES], two_over_kappa[LANES], first_quotient[LANES], quotient[LANES];
@@ -88,7 +77,7 @@ static void wave_set(struct wave *a, long n)
         two_over_kappa[i] = 2 / kappa[i];
         first_quotient[i] = first_rung(a->z[i], m) / kappa[i];
     }
-    widest_loops()->ladder(two_over_kappa, first_quotient, m, n + 1, quotient, a->zeros);
+    cor_mode_set(cor_widest_set())->ladder(two_over_kappa, first_quotient, m, n + 1, quotient, a->zeros);
     for (int i = 0; i < LANES; i++)
         wave_end(a, i, kappa[i] * quotient[i], n);
 }

@@ -22,10 +22,7 @@ struct cor_mode_loops {
                    double *zeros);
 };
 
-extern const struct cor_mode_loops cor_mode_portable;
-#ifdef COR_X86_SETS
-extern const struct cor_mode_loops cor_mode_avx2, cor_mode_avx512;
-#endif
+COR_TABLES(struct cor_mode_loops, cor_mode, cor_mode_set)
 
 /* e and s are separate, so that nu close to 1 or -1 loses no digits. */
 struct cor_mode_material {

@@ -6,7 +6,7 @@
  *     collision_extrapolation.c  runs with smaller and smaller steps, extrapolated to h = 0
  *     collision_error.c          the parts of the error
  *     collision_runs.c           the runs of a call, and the decision when to stop
- *     collision_kernel.h         the loops over modes and angles
+ *     collision_kernel.c         the loops over modes and angles
  *     collision_tuning.h         every constant */
 #include <math.h>
 #include <stdint.h>
@@ -17,13 +17,6 @@
 #include "cor/status.h"
 #include "runtime/core/environment.h"
 #include "runtime/disk/collision_runs.h"
-
-static const struct cor_collision_loops *widest_loops(void)
-{
-#define COLLISION_ROW(set) &cor_collision_##set,
-    static const struct cor_collision_loops *const loops[] = {COR_EACH_SET(COLLISION_ROW)};
-    return loops[cor_widest_set()];
-}
 
 /* COR_OK, or the status of the first error in the table and the options */
 static int collision_check(const struct cor_disk_modes *modes, size_t n_modes,
@@ -81,7 +74,7 @@ static int collision_prepare(struct cor_motion *m, void *workspace, size_t bytes
     m->mode = modes->mode;
     m->alpha = options->alpha;
     m->tolerance = options->tolerance;
-    m->loops = widest_loops();
+    m->loops = cor_collision_set(cor_widest_set());
     m->phi_limit = cor_motion_phi_limit(options, m->size.n_max);
     cor_motion_set_modes(m);
     return COR_OK;

@@ -55,9 +55,6 @@ struct cor_collision_loops {
     double (*soften)(size_t points, double factor, const double *response, double *pressure, double *greatest);
 };
 
-extern const struct cor_collision_loops cor_collision_portable;
-#ifdef COR_X86_SETS
-extern const struct cor_collision_loops cor_collision_avx2, cor_collision_avx512;
-#endif
+COR_TABLES(struct cor_collision_loops, cor_collision, cor_collision_set)
 
 #endif

@@ -55,17 +55,6 @@ static const double wild_weight[] = {3, 2, 0.6, 0.2};
 #define UNSEEN_WILD 1.5e-3
 #define POINT_ERROR 3e-8 /* error of L in a point contact, measured against the full method at v = 1e-7 to 1e-5 */
 
-const struct cor_hard_wall_loops *cor_hard_wall_widest_loops(void)
-{
-#ifdef COR_X86_SETS
-    if (cor_processor_has(COR_AVX512))
-        return &cor_hard_wall_avx512;
-    if (cor_processor_has(COR_AVX2))
-        return &cor_hard_wall_avx2;
-#endif
-    return &cor_hard_wall_portable;
-}
-
 /* ---- levels ---- */
 
 static double fineness_of(double tolerance)

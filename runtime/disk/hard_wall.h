@@ -58,11 +58,7 @@ struct cor_hard_wall_loops {
     void (*subtract)(size_t n, double factor, const double *x, double *y);
 };
 
-extern const struct cor_hard_wall_loops cor_hard_wall_portable;
-#ifdef COR_X86_SETS
-extern const struct cor_hard_wall_loops cor_hard_wall_avx2, cor_hard_wall_avx512;
-#endif
-const struct cor_hard_wall_loops *cor_hard_wall_widest_loops(void);
+COR_TABLES(struct cor_hard_wall_loops, cor_hard_wall, cor_hard_wall_set)
 
 /* ---- workspaces ---- */
 

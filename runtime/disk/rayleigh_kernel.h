@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops of Rayleigh's energy over nodes and over modes, free of calls; gcc 12 vectorises all of them, in the
- * portable set too (-fopt-info-vec). rayleigh_<set>.c compiles the loops for its instruction set, and
- * rayleigh_spectrum.c chooses a set. No set may fuse a multiplication with an addition, and sums have sixteen parts for
- * every width of a vector. All sets therefore give the same bits. */
+ * portable set too (-fopt-info-vec). rayleigh_kernel.c makes functions of them. No set may fuse a multiplication with
+ * an addition, and sums have sixteen parts for every width of a vector. All sets therefore give the same bits. */
 #ifndef COR_RUNTIME_DISK_RAYLEIGH_KERNEL_H
 #define COR_RUNTIME_DISK_RAYLEIGH_KERNEL_H
 
@@ -562,43 +561,5 @@ KERNEL void kernel_blend(int nodes, const double *weight, const double *const *i
         memcpy(out + i, sum, sizeof sum);
     }
 }
-
-#define RAYLEIGH(set)                                                                                                  \
-    void cor_rayleigh_panel_##set(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps,         \
-                                  double top, struct cor_leg *leg)                                                     \
-    {                                                                                                                  \
-        if (path->from_zero)                                                                                           \
-            kernel_panel(path, 1, rule, steps, top, leg);                                                              \
-        else                                                                                                           \
-            kernel_panel(path, 0, rule, steps, top, leg);                                                              \
-    }                                                                                                                  \
-    void cor_rayleigh_octaves_##set(const struct cor_leg *leg, double first, int octaves,                              \
-                                    double re[][COR_SPECTRUM_TERMS], double im[][COR_SPECTRUM_TERMS])                  \
-    {                                                                                                                  \
-        kernel_octaves(leg, first, octaves, re, im);                                                                   \
-    }                                                                                                                  \
-    void cor_rayleigh_lines_##set(const struct cor_spectrum *spectrum, int octave, double start, int n,                \
-                                  const double *omega, struct cor_lines *lines)                                        \
-    {                                                                                                                  \
-        kernel_lines(spectrum, octave, start, n, omega, lines);                                                        \
-    }                                                                                                                  \
-    void cor_rayleigh_weigh_##set(const struct cor_fading *fading, const double *omega, const double *beyond,          \
-                                  const double *through, struct cor_mode_weights *weights, double *low, double *high)  \
-    {                                                                                                                  \
-        kernel_weigh(fading, omega, beyond, through, weights, low, high);                                              \
-    }                                                                                                                  \
-    void cor_rayleigh_sum_##set(const struct cor_lines *lines, const struct cor_mode_weights *weights,                 \
-                                struct cor_mode_sums *sums, double *fraction)                                          \
-    {                                                                                                                  \
-        kernel_sum(lines, weights, sums, fraction);                                                                    \
-    }                                                                                                                  \
-    void cor_rayleigh_surface_##set(const struct cor_surface_fit *fit, int n, double *omega, double *strength)         \
-    {                                                                                                                  \
-        kernel_surface(fit, n, omega, strength);                                                                       \
-    }                                                                                                                  \
-    void cor_rayleigh_blend_##set(int nodes, const double *weight, const double *const *in, int count, double *out)    \
-    {                                                                                                                  \
-        kernel_blend(nodes, weight, in, count, out);                                                                   \
-    }
 
 #endif

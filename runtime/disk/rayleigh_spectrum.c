@@ -153,22 +153,6 @@ static double decay_of(const struct cor_leg_rule *rule, double theta, double tan
     return sum;
 }
 
-#define RAYLEIGH_ROW(set)                                                                                              \
-    {#set,                                                                                                             \
-     cor_rayleigh_panel_##set,                                                                                         \
-     cor_rayleigh_octaves_##set,                                                                                       \
-     cor_rayleigh_lines_##set,                                                                                         \
-     cor_rayleigh_weigh_##set,                                                                                         \
-     cor_rayleigh_sum_##set,                                                                                           \
-     cor_rayleigh_surface_##set,                                                                                       \
-     cor_rayleigh_blend_##set},
-
-const struct cor_rayleigh_set *cor_rayleigh_set(int i)
-{
-    static const struct cor_rayleigh_set sets[] = {COR_EACH_SET(RAYLEIGH_ROW)};
-    return cor_processor_has(i) ? &sets[i] : NULL;
-}
-
 void cor_spectrum_init(struct cor_spectrum *spectrum, double q0, double contact_time, double first, double high)
 {
     cor_spectrum_init_by(cor_rayleigh_set(cor_widest_set()), spectrum, q0, contact_time, first, high);

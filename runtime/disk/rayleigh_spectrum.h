@@ -55,8 +55,7 @@ struct cor_leg_rule {
     double to_steps[COR_LEG_GAUSS][COR_LEG_STEPS], to_short[COR_LEG_GAUSS][COR_LEG_STEPS];
 };
 
-/* The loops over nodes and over modes by instruction set: each rayleigh_<set>.c compiles rayleigh_kernel.h with the
- * flags of its set. */
+/* The loops over nodes and over modes by instruction set: rayleigh_kernel.c. */
 struct cor_spectrum;
 struct cor_lines;
 
@@ -120,19 +119,7 @@ struct cor_rayleigh_set {
     cor_rayleigh_blend *blend;
 };
 
-#define COR_RAYLEIGH_SET(set)                                                                                          \
-    cor_rayleigh_panel cor_rayleigh_panel_##set;                                                                       \
-    cor_rayleigh_octaves cor_rayleigh_octaves_##set;                                                                   \
-    cor_rayleigh_lines cor_rayleigh_lines_##set;                                                                       \
-    cor_rayleigh_weigh cor_rayleigh_weigh_##set;                                                                       \
-    cor_rayleigh_sum cor_rayleigh_sum_##set;                                                                           \
-    cor_rayleigh_surface cor_rayleigh_surface_##set;                                                                   \
-    cor_rayleigh_blend cor_rayleigh_blend_##set;
-
-COR_EACH_SET(COR_RAYLEIGH_SET)
-
-/* The functions of an enum cor_instruction_set; NULL if this processor or this build lacks the set. */
-const struct cor_rayleigh_set *cor_rayleigh_set(int i);
+COR_TABLES(struct cor_rayleigh_set, cor_rayleigh, cor_rayleigh_set)
 
 struct cor_spectrum {
     const struct cor_rayleigh_set *set;

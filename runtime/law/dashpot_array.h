@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions of hertz_dashpot.h by instruction set: each dashpot_array_<set>.c compiles dashpot_array_kernel.h
- * with the flags of its set. Their callers pass the rows, so that the library holds the tables once. */
+/* Array functions of hertz_dashpot.h by instruction set: dashpot_array_kernel.c. Their callers pass the rows, so that
+ * the library holds the tables once. */
 #ifndef COR_RUNTIME_LAW_DASHPOT_ARRAY_H
 #define COR_RUNTIME_LAW_DASHPOT_ARRAY_H
 
@@ -37,8 +37,10 @@ enum cor_dashpot_number {
 };
 
 /* The loops of a set, by enum cor_dashpot_number */
-#define COR_DASHPOT_SET_(set) extern cor_dashpot_loop *const cor_dashpot_loops_##set[COR_DASHPOT_LOOP_COUNT];
-COR_EACH_SET(COR_DASHPOT_SET_)
+struct cor_dashpot_loops {
+    cor_dashpot_loop *of[COR_DASHPOT_LOOP_COUNT];
+};
+COR_TABLES_TO_AVX2(struct cor_dashpot_loops, cor_dashpot_loops, cor_dashpot_loops)
 
 /* Calls the loop of a set; returns 0 if this build lacks the set or this processor cannot run it. */
 int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const double *in, double *out, size_t n);

@@ -55,11 +55,11 @@ static inline void law_array(cor_law_array_function *loop, const double *x, doub
     LAW_SCALARS_(function, name)                                                                                       \
     void cor_##function##_array(const double *x, double *y, size_t n)                                                  \
     {                                                                                                                  \
-        law_array(cor_law_best_loops()[COR_LAW_##name], x, y, n);                                                      \
+        law_array(cor_law_loops(cor_widest_set())->of[COR_LAW_##name], x, y, n);                                       \
     }                                                                                                                  \
     void cor_##function##_arrayf(const float *x, float *y, size_t n)                                                   \
     {                                                                                                                  \
-        law_arrayf(cor_law_best_loops()[COR_LAW_##name], x, y, n);                                                     \
+        law_arrayf(cor_law_loops(cor_widest_set())->of[COR_LAW_##name], x, y, n);                                      \
     }
 
 /* The same without a loop of its own: array functions compute one number after the other. */

@@ -47,12 +47,11 @@ static struct cor_dashpot_rows dashpot_rows(enum cor_dashpot_number function)
 
 int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const double *in, double *out, size_t n)
 {
-#define SET_ROW(set) cor_dashpot_loops_##set,
-    static cor_dashpot_loop *const *const sets[] = {COR_EACH_SET(SET_ROW)};
-    if (!cor_processor_has(set))
+    const struct cor_dashpot_loops *const loops = cor_dashpot_loops(set);
+    if (loops == NULL)
         return 0;
     const struct cor_dashpot_rows rows = dashpot_rows(function);
-    sets[set][function](&rows, in, out, n);
+    loops->of[function](&rows, in, out, n);
     return 1;
 }
 

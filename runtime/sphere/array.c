@@ -5,14 +5,7 @@
 #include "runtime/core/environment.h"
 #include "runtime/sphere/float_exceptions.h"
 
-const struct cor_array_set *cor_array_set(int i)
-{
-#define ARRAY_ROW(set) &cor_array_##set,
-    static const struct cor_array_set *const sets[] = {COR_EACH_SET(ARRAY_ROW)};
-    return cor_processor_has(i) ? sets[i] : NULL;
-}
-
-const struct cor_array_set *cor_array_best_set(void)
+static const struct cor_array_set *widest(void)
 {
     return cor_array_set(cor_widest_set());
 }
@@ -23,7 +16,7 @@ const struct cor_array_set *cor_array_best_set(void)
     void cor_sphere_##quantity##_array(const double *x, double *y, size_t n)                                           \
     {                                                                                                                  \
         const struct cor_environment caller = cor_environment_enter();                                                 \
-        cor_array_best_set()->sphere_##quantity(x, y, n);                                                              \
+        widest()->sphere_##quantity(x, y, n);                                                                          \
         cor_environment_leave(&caller);                                                                                \
     }
 #define CONTACT_ARRAY(quantity)                                                                                        \
@@ -31,7 +24,7 @@ const struct cor_array_set *cor_array_best_set(void)
                                         size_t n)                                                                      \
     {                                                                                                                  \
         const struct cor_environment caller = cor_environment_enter();                                                 \
-        cor_array_best_set()->contact_##quantity(contact, speed_m_s, y, n);                                            \
+        widest()->contact_##quantity(contact, speed_m_s, y, n);                                                        \
         cor_environment_leave(&caller);                                                                                \
     }
 #define DISSIPATION_ARRAY(quantity)                                                                                    \
@@ -39,7 +32,7 @@ const struct cor_array_set *cor_array_best_set(void)
                                         const double *eps, double *y, size_t n)                                        \
     {                                                                                                                  \
         const struct cor_environment caller = cor_environment_enter();                                                 \
-        cor_array_best_set()->contact_##quantity(contact, speed_m_s, eps, y, n);                                       \
+        widest()->contact_##quantity(contact, speed_m_s, eps, y, n);                                                   \
         cor_environment_leave(&caller);                                                                                \
     }
 COR_SPHERE_QUANTITIES(SPHERE_ARRAY)
@@ -67,7 +60,7 @@ static void rounded_once(cor_sphere_array *function, struct cor_float_exception 
     {                                                                                                                  \
         static const struct cor_float_exception exception = COR_FLOAT_EXCEPTION_##quantity;                            \
         const struct cor_environment caller = cor_environment_enter();                                                 \
-        rounded_once(cor_array_best_set()->sphere_##quantity, exception, x, y, n);                                     \
+        rounded_once(widest()->sphere_##quantity, exception, x, y, n);                                                 \
         cor_environment_leave(&caller);                                                                                \
     }
 COR_SPHERE_QUANTITIES(SPHERE_ARRAYF)
@@ -76,7 +69,7 @@ COR_SPHERE_QUANTITIES(SPHERE_ARRAYF)
     void cor_sphere_##quantity##_fast_arrayf(const float *x, float *y, size_t n)                                       \
     {                                                                                                                  \
         const struct cor_environment caller = cor_environment_enter();                                                 \
-        cor_array_best_set()->float_##quantity(x, y, n);                                                               \
+        widest()->float_##quantity(x, y, n);                                                                           \
         cor_environment_leave(&caller);                                                                                \
     }
 COR_FLOAT_QUANTITIES(SPHERE_FAST_ARRAYF)

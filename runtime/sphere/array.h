@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The array functions by instruction set: each runtime/sphere/array_<set>.c compiles array_kernel.h with the flags of
- * its set. */
+/* The array functions by instruction set: array_kernel.c. */
 #ifndef COR_RUNTIME_SPHERE_ARRAY_H
 #define COR_RUNTIME_SPHERE_ARRAY_H
 
@@ -65,12 +64,6 @@ struct cor_array_set {
 #undef COR_ARRAY_FIELD
 };
 
-#define COR_ARRAY_SET(set) extern const struct cor_array_set cor_array_##set;
-COR_EACH_SET(COR_ARRAY_SET)
-#undef COR_ARRAY_SET
-
-/* The functions of an enum cor_instruction_set; NULL if this processor or this build lacks the set. */
-const struct cor_array_set *cor_array_set(int i);
-const struct cor_array_set *cor_array_best_set(void);
+COR_TABLES_TO_AVX2(struct cor_array_set, cor_array, cor_array_set)
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The tables of the functions in float arithmetic. fast_float.c makes scalar functions of them, array_kernel.h arrays.
+/* The tables of the functions in float arithmetic. fast_float.c makes scalar functions of them, array_kernel.c arrays.
  */
 #ifndef COR_RUNTIME_SPHERE_FAST_FLOAT_H
 #define COR_RUNTIME_SPHERE_FAST_FLOAT_H

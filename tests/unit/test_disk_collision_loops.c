@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of a collision (runtime/disk/collision_kernel.h): every instruction set gives the same bits, and what
+/* The loops of a collision (runtime/disk/collision_kernel.c): every instruction set gives the same bits, and what
  * disk_collision.h says. */
 #include "check.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of the rigid wall and of the modes (runtime/disk/hard_wall_kernel.h, mode_source_kernel.h): every
+/* The loops of the rigid wall and of the modes (runtime/disk/hard_wall_kernel.c, mode_source_kernel.c): every
  * instruction set gives the same bits, and what the headers say. */
 #define _XOPEN_SOURCE 600 /* j0, j1 */
 #include "check.h"

@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions for the list COR_LAW_LOOPS. array_<set>.c compiles them for its instruction set, and array.c chooses
- * a set. No set may fuse a multiplication with an addition, so all sets and the scalar functions give the same bits. A
- * loop that a compiler vectorises processes blocks of numbers. Numbers outside the kernel's interval are then computed
- * one by one. */
-#ifndef COR_RUNTIME_LAW_ARRAY_KERNEL_H
-#define COR_RUNTIME_LAW_ARRAY_KERNEL_H
-
+/* Array functions for the list COR_LAW_LOOPS, for one instruction set (instruction_set.h). No set may fuse a
+ * multiplication with an addition, so all sets and the scalar functions give the same bits. A loop that a compiler
+ * vectorises processes blocks of numbers. Numbers outside the kernel's interval are then computed one by one. */
 #include "runtime/law/array.h"
 
 /* LANES: a multiple of the vector length of every set */
@@ -112,7 +108,4 @@ static inline void part(struct parted *p, const double *inside, const unsigned c
 COR_LAW_LOOPS(LAW_LOOP, PARTED_LOOP)
 
 #define LAW_LOOP_ROW(name, least, largest) loop_##name,
-#define LAW_LOOPS_OF(set)                                                                                              \
-    cor_law_array_function *const cor_law_loops_##set[COR_LAW_LOOP_COUNT] = {COR_LAW_LOOPS(LAW_LOOP_ROW, LAW_LOOP_ROW)};
-
-#endif
+const struct cor_law_loops COR_OF_SET(cor_law_loops) = {{COR_LAW_LOOPS(LAW_LOOP_ROW, LAW_LOOP_ROW)}};

@@ -2,9 +2,6 @@
 /* Array functions of Hertz's contact with a constant dashpot by the loops of runtime/core/row_lanes.h. The first loop
  * finds the row of each number among those near 0, by octaves of beta and by octaves of beta_c - beta; numbers beyond
  * these rows, and near 0 those whose variable is a cube root, are computed one by one. */
-#ifndef COR_RUNTIME_LAW_DASHPOT_ARRAY_KERNEL_H
-#define COR_RUNTIME_LAW_DASHPOT_ARRAY_KERNEL_H
-
 #include "cor/hertz_dashpot.h"
 #include "generated/hertz_dashpot_tables.h" /* the geometry alone: no table is used here */
 #include "runtime/core/row_lanes.h"
@@ -121,8 +118,5 @@ KERNEL void dashpot_from_eps(struct cor_inline_law_inverse inverse, const struct
 COR_DASHPOT_LOOPS(DASHPOT_LOOP_EPS, DASHPOT_LOOP_LOSS, DASHPOT_LOOP_VALUE, DASHPOT_LOOP_BETA)
 
 #define DASHPOT_ROW(function, tables) loop_##function,
-#define DASHPOT_LOOPS_OF(set)                                                                                          \
-    cor_dashpot_loop *const cor_dashpot_loops_##set[COR_DASHPOT_LOOP_COUNT] = {                                        \
-        COR_DASHPOT_LOOPS(DASHPOT_ROW, DASHPOT_ROW, DASHPOT_ROW, DASHPOT_ROW)};
-
-#endif
+const struct cor_dashpot_loops COR_OF_SET(cor_dashpot_loops) = {
+    {COR_DASHPOT_LOOPS(DASHPOT_ROW, DASHPOT_ROW, DASHPOT_ROW, DASHPOT_ROW)}};

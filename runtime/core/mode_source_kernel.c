@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Ladders of Bessel functions. mode_source_<set>.c compiles them for its instruction set, and mode_source.c chooses a
- * set. All sets give the same bits (kernel_vector.h). */
-#ifndef COR_RUNTIME_CORE_MODE_SOURCE_KERNEL_H
-#define COR_RUNTIME_CORE_MODE_SOURCE_KERNEL_H
-
+/* Ladders of Bessel functions, for one instruction set (instruction_set.h). All sets give the same bits
+ * (kernel_vector.h). */
 #include <stdint.h>
 
 #include "runtime/core/kernel_vector.h"
@@ -27,7 +24,7 @@ typedef struct {
 
 /* Computes J_m(kappa) up to a factor by J_(m-1) = (2m/kappa) J_m - J_(m+1), from `start` down to `end`, and counts the
  * changes of sign. Numbers grow by 2^64 at most until they oscillate. */
-KERNEL void kernel_ladder(const double *two_over_kappa, const double *first_quotient, long start, long end,
+static void kernel_ladder(const double *two_over_kappa, const double *first_quotient, long start, long end,
                           double *quotient, double *zeros)
 {
     enum { VECTORS = COR_MODE_LANES / VECTOR };
@@ -61,12 +58,4 @@ KERNEL void kernel_ladder(const double *two_over_kappa, const double *first_quot
     }
 }
 
-#define MODE_SOURCE(set)                                                                                               \
-    static void set##_ladder(const double *two_over_kappa, const double *first_quotient, long start, long end,         \
-                             double *quotient, double *zeros)                                                          \
-    {                                                                                                                  \
-        kernel_ladder(two_over_kappa, first_quotient, start, end, quotient, zeros);                                    \
-    }                                                                                                                  \
-    const struct cor_mode_loops cor_mode_##set = {set##_ladder};
-
-#endif
+const struct cor_mode_loops COR_OF_SET(cor_mode) = {kernel_ladder};

@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of a disk at a rigid wall over modes, angles and rows of the compliance. hard_wall_<set>.c compiles them
- * for its instruction set, and hard_wall.c chooses a set. All sets give the same bits (kernel_vector.h).
- * */
-#ifndef COR_RUNTIME_DISK_HARD_WALL_KERNEL_H
-#define COR_RUNTIME_DISK_HARD_WALL_KERNEL_H
-
+/* The loops of a disk at a rigid wall over modes, angles and rows of the compliance, for one instruction set
+ * (instruction_set.h). All sets give the same bits (kernel_vector.h). */
 #include "runtime/core/kernel_vector.h"
 #include "runtime/disk/hard_wall.h"
 
-/* The file that includes this one defines VECTOR, and COLUMNS, the number of vectors of angles that are summed at once.
- * With this number additions do not wait for each other and registers suffice. */
+/* Number of vectors of angles that are summed at once. With it additions do not wait for each other and registers
+ * suffice. */
+enum { COLUMNS = 4 };
 
 /* One pass over the modes; `steps` is a constant. It starts from q at a kick and at the kick before. With the forces of
  * this kick and of the next steps - 1 kicks, it computes q at the kick after them. It then predicts the sums at `steps`
@@ -56,7 +53,7 @@ KERNEL void kernel_advance(const struct cor_hard_wall_modes *modes, size_t steps
 }
 
 /* Clenshaw's recurrence b_k = factor_k + 2 cos(phi) b_(k+1) - b_(k+2); the sum is factor_0 + cos(phi) b_1 - b_2. */
-KERNEL void kernel_cosines(size_t count, const double *factor, size_t points, const double *twice_cosine,
+static void kernel_cosines(size_t count, const double *factor, size_t points, const double *twice_cosine,
                            double *result)
 {
     for (size_t part = 0; part < points; part += COLUMNS * VECTOR) {
@@ -87,7 +84,7 @@ KERNEL void kernel_cosines(size_t count, const double *factor, size_t points, co
 
 enum { DOT_PARTS = 4 * COR_LANES / VECTOR };
 
-KERNEL double kernel_dot(size_t n, const double *x, const double *y)
+static double kernel_dot(size_t n, const double *x, const double *y)
 {
     vector sum[DOT_PARTS];
     double part[4 * COR_LANES];
@@ -106,35 +103,20 @@ KERNEL double kernel_dot(size_t n, const double *x, const double *y)
     return sum_of_lanes(part);
 }
 
-KERNEL void kernel_subtract(size_t n, double factor, const double *x, double *y)
+static void kernel_subtract(size_t n, double factor, const double *x, double *y)
 {
     const vector f = all(factor);
     for (size_t i = 0; i < n; i += VECTOR)
         store(y + i, MINUS(load(y + i), TIMES(f, load(x + i))));
 }
 
-#define HARD_WALL(set)                                                                                                 \
-    static void set##_advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c,            \
-                              const double *force_s, double *sum_c, double *sum_s)                                     \
-    {                                                                                                                  \
-        if (steps == COR_HARD_WALL_BATCH)                                                                              \
-            kernel_advance(modes, COR_HARD_WALL_BATCH, force_c, force_s, sum_c, sum_s);                                \
-        else                                                                                                           \
-            kernel_advance(modes, 1, force_c, force_s, sum_c, sum_s);                                                  \
-    }                                                                                                                  \
-    static void set##_cosines(size_t count, const double *factor, size_t points, const double *twice_cosine,           \
-                              double *result)                                                                          \
-    {                                                                                                                  \
-        kernel_cosines(count, factor, points, twice_cosine, result);                                                   \
-    }                                                                                                                  \
-    static double set##_dot(size_t n, const double *x, const double *y)                                                \
-    {                                                                                                                  \
-        return kernel_dot(n, x, y);                                                                                    \
-    }                                                                                                                  \
-    static void set##_subtract(size_t n, double factor, const double *x, double *y)                                    \
-    {                                                                                                                  \
-        kernel_subtract(n, factor, x, y);                                                                              \
-    }                                                                                                                  \
-    const struct cor_hard_wall_loops cor_hard_wall_##set = {set##_advance, set##_cosines, set##_dot, set##_subtract};
+static void advance(const struct cor_hard_wall_modes *modes, size_t steps, const double *force_c, const double *force_s,
+                    double *sum_c, double *sum_s)
+{
+    if (steps == COR_HARD_WALL_BATCH)
+        kernel_advance(modes, COR_HARD_WALL_BATCH, force_c, force_s, sum_c, sum_s);
+    else
+        kernel_advance(modes, 1, force_c, force_s, sum_c, sum_s);
+}
 
-#endif
+const struct cor_hard_wall_loops COR_OF_SET(cor_hard_wall) = {advance, kernel_cosines, kernel_dot, kernel_subtract};

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions of the sphere, of beta, eps or an impact speed, by the loops of runtime/core/row_lanes.h.
- * array_<set>.c compiles them for its instruction set, and array.c chooses a set. */
-#ifndef COR_RUNTIME_SPHERE_ARRAY_KERNEL_H
-#define COR_RUNTIME_SPHERE_ARRAY_KERNEL_H
-
+/* Array functions of the sphere, of beta, eps or an impact speed, by the loops of runtime/core/row_lanes.h, for
+ * one instruction set (instruction_set.h). */
 #include <stddef.h>
 
 #include "cor/sphere.h"
@@ -342,9 +339,6 @@ ARRAY_DISSIPATION(force)
 #define ARRAY_SPHERE_ENTRY(quantity) array_##quantity,
 #define ARRAY_FLOAT_ENTRY(quantity) float_##quantity,
 #define ARRAY_CONTACT_ENTRY(quantity) contact_##quantity,
-#define ARRAYS(set)                                                                                                    \
-    const struct cor_array_set cor_array_##set = {                                                                     \
-        #set, COR_SPHERE_QUANTITIES(ARRAY_SPHERE_ENTRY) COR_FLOAT_QUANTITIES(ARRAY_FLOAT_ENTRY)                        \
-                  COR_CONTACT_QUANTITIES(ARRAY_CONTACT_ENTRY) COR_DISSIPATION_QUANTITIES(ARRAY_CONTACT_ENTRY)};
-
-#endif
+const struct cor_array_set COR_OF_SET(cor_array) = {
+    COR_SET_NAME, COR_SPHERE_QUANTITIES(ARRAY_SPHERE_ENTRY) COR_FLOAT_QUANTITIES(ARRAY_FLOAT_ENTRY)
+                      COR_CONTACT_QUANTITIES(ARRAY_CONTACT_ENTRY) COR_DISSIPATION_QUANTITIES(ARRAY_CONTACT_ENTRY)};

@@ -1,6 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#define VECTOR 8
-#define COLUMNS 4
-#include "runtime/disk/hard_wall_kernel.h"
-
-HARD_WALL(avx512)

@@ -1,4 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "runtime/disk/rayleigh_kernel.h"
-
-RAYLEIGH(avx512)

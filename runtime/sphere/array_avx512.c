@@ -1,4 +1,0 @@
-/* SPDX-License-Identifier: MIT */
-#include "runtime/sphere/array_kernel.h"
-
-ARRAYS(avx512)
