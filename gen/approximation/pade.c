@@ -13,6 +13,7 @@
 #include "series/restitution.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/local.h"
 #include "support/precision.h"
 
 enum {
@@ -148,16 +149,14 @@ static bool vanishes(const arb_poly_t c, slong m, slong n, slong prec)
     if (n <= 0)
         return false;
     arb_mat_t a;
-    arb_t det;
+    LOCAL(arb, det);
     arb_mat_init(a, n, n);
-    arb_init(det);
     for (slong i = 0; i < n; i++)
         for (slong j = 0; j < n; j++)
             coefficient(arb_mat_entry(a, i, j), c, m + i - j);
     arb_mat_det(det, a, prec);
     const bool zero = arb_contains_zero(det);
     arb_mat_clear(a);
-    arb_clear(det);
     return zero;
 }
 
@@ -205,8 +204,7 @@ static acb_ptr isolate(const arb_poly_t real, slong prec)
     const slong degree = arb_poly_degree(real);
     if (degree < 0 || arb_contains_zero(arb_poly_get_coeff_ptr(real, degree)))
         return NULL;
-    acb_poly_t poly;
-    acb_poly_init(poly);
+    LOCAL(acb_poly, poly);
     acb_poly_set_arb_poly(poly, real);
     acb_ptr root = _acb_vec_init(degree);
     bool isolated = degree == 0;
@@ -224,7 +222,6 @@ static acb_ptr isolate(const arb_poly_t real, slong prec)
         if (last)
             break;
     }
-    acb_poly_clear(poly);
     if (!isolated) {
         _acb_vec_clear(root, degree);
         return NULL;
@@ -241,11 +238,8 @@ static bool on_positive_axis(const acb_t z)
 static void find_pairs(struct pade_analysis *a)
 {
     const slong prec = 2 * ROOT_BITS;
-    acb_t ratio;
-    arb_t distance, slope;
-    acb_init(ratio);
-    arb_init(distance);
-    arb_init(slope);
+    LOCAL(acb, ratio);
+    LOCAL(arb, distance, slope);
     a->pair = xmalloc((size_t)(a->poles * a->zeros + 1) * sizeof *a->pair);
     for (slong i = 0; i < a->poles; i++)
         for (slong j = 0; j < a->zeros; j++) {
@@ -265,9 +259,6 @@ static void find_pairs(struct pade_analysis *a)
             pair->spurious = !arb_is_negative(acb_realref(a->pole + i)) && !arb_ge(slope, acb_realref(a->pole + i));
             a->spurious += pair->spurious;
         }
-    acb_clear(ratio);
-    arb_clear(distance);
-    arb_clear(slope);
 }
 
 bool pade_analyse(struct pade_analysis *a, const struct pade *f, slong prec)
@@ -298,8 +289,7 @@ bool pade_analyse(struct pade_analysis *a, const struct pade *f, slong prec)
 /* Prints z in the reader's variable: "2.9", or "2.9 + 0.1 i". */
 static void print_place(FILE *file, const struct pade_analysis *a, const acb_t z)
 {
-    acb_t place;
-    acb_init(place);
+    LOCAL(acb, place);
     acb_pow_ui(place, z, (ulong)a->root, 2 * ROOT_BITS);
     const double re = arf_get_d(arb_midref(acb_realref(place)), ARF_RND_NEAR);
     const double im = arf_get_d(arb_midref(acb_imagref(place)), ARF_RND_NEAR);
@@ -308,7 +298,6 @@ static void print_place(FILE *file, const struct pade_analysis *a, const acb_t z
     else
         fprintf(file, "%s = %.*g %c %.*g i", a->variable, PLACE_DIGITS, re, im < 0 ? '-' : '+', PLACE_DIGITS,
                 im < 0 ? -im : im);
-    acb_clear(place);
 }
 
 static void print_pair(FILE *file, const struct pade_analysis *a, const struct pade_pair *pair)
@@ -395,11 +384,9 @@ static const char *end_name(enum contact_end end)
  * (33). */
 static int published_series(arb_poly_t c, slong prec)
 {
-    fmpq_t exact;
-    arb_t a;
+    LOCAL(fmpq, exact);
+    LOCAL(arb, a);
     int status = 0;
-    fmpq_init(exact);
-    arb_init(a);
     arb_poly_one(c);
     for (int k = 1; k <= 4; k++) {
         const char *text = published_value(PUBLISHED_A, k);
@@ -411,8 +398,6 @@ static int published_series(arb_poly_t c, slong prec)
             arb_neg(a, a);
         arb_poly_set_coeff_arb(c, k, a);
     }
-    fmpq_clear(exact);
-    arb_clear(a);
     return status;
 }
 
@@ -452,13 +437,11 @@ static int attempt(struct pade *f, arb_poly_t c, bool *regular, const struct pad
         }
         break;
     case PADE_TWO_POINT: {
-        arb_t limit;
-        arb_init(limit);
+        LOCAL(arb, limit);
         status = series_eps(c, &f->root, r->end, m + TAIL_POWER - 1, &r->law, prec) || collision_h_star(limit, prec);
         arb_pow_ui(limit, limit, TAIL_POWER, prec);
         if (status == 0)
             *regular = pade_two_point_of_series(f, c, limit, m, prec);
-        arb_clear(limit);
         break;
     }
     case PADE_AS_PUBLISHED:
@@ -542,8 +525,7 @@ int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_requ
     const char *open = NULL;
     int status = 1;
     bool regular = false;
-    arb_poly_t c;
-    arb_poly_init(c);
+    LOCAL(arb_poly, c);
     do {
         status = attempt(f, c, &regular, r, p.bits);
         if (status == 0 && regular)
@@ -558,6 +540,5 @@ int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_requ
         status = fail("the coefficient of z^%ld in the %s of [%ld/%ld] cannot be certified with %ld "
                       "bits (it may vanish)",
                       (long)power, open, (long)r->numerator, (long)r->denominator, (long)p.bits);
-    arb_poly_clear(c);
     return status;
 }

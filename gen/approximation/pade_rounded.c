@@ -10,6 +10,7 @@
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/local.h"
 #include "support/parallel.h"
 
 enum {
@@ -43,8 +44,7 @@ void pade_rounded_clear(struct pade_rounded *r)
 
 static int round_polynomial(arb_poly_t rounded, const arb_poly_t exact, const char *name)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_poly_zero(rounded);
     int status = 0;
     for (slong i = 0; i < arb_poly_length(exact) && status == 0; i++) {
@@ -56,7 +56,6 @@ static int round_polynomial(arb_poly_t rounded, const arb_poly_t exact, const ch
             status = fail("coefficient %ld of the %s does not round to a certain double", (long)i, name);
         }
     }
-    arb_clear(x);
     return status;
 }
 
@@ -87,8 +86,7 @@ struct collecting {
 static void reference_place(fmpq_t beta, const struct collecting *work, slong i)
 {
     const slong even = work->references->even, j = i - even + 1;
-    fmpq_t factor;
-    fmpq_init(factor);
+    LOCAL(fmpq, factor);
     fmpq_set_si(beta, work->near, 1);
     if (i < even) {
         fmpq_set_si(factor, i + 1, (ulong)even);
@@ -102,7 +100,6 @@ static void reference_place(fmpq_t beta, const struct collecting *work, slong i)
     fmpq_mul(beta, beta, factor);
     if (fmpq_cmp_si(beta, work->beta_max) > 0)
         fmpq_set_si(beta, work->beta_max, 1);
-    fmpq_clear(factor);
 }
 
 static void reference_collide(void *context, slong i)
@@ -110,9 +107,8 @@ static void reference_collide(void *context, slong i)
     struct collecting *const work = context;
     struct references *const s = work->references;
     struct collision c;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&c);
-    arb_init(beta);
     reference_place(s->beta + i, work, i);
     arb_set_fmpq(beta, s->beta + i, 2 * BITS);
     if (collision_solve(&c, beta, work->law, BITS) != STATUS_OK)
@@ -120,7 +116,6 @@ static void reference_collide(void *context, slong i)
     arb_set(s->eps[END_ZERO_OVERLAP] + i, c.eps_zero_overlap);
     arb_set(s->eps[END_ZERO_FORCE] + i, c.eps_zero_force);
     collision_clear(&c);
-    arb_clear(beta);
 }
 
 int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small)
@@ -168,25 +163,19 @@ static double upper_bound(const arb_t x)
 {
     if (!arb_is_finite(x))
         return INFINITY;
-    arf_t end;
-    arf_init(end);
+    LOCAL(arf, end);
     arb_get_ubound_arf(end, x, BITS);
-    const double bound = arf_get_d(end, ARF_RND_CEIL);
-    arf_clear(end);
-    return bound;
+    return arf_get_d(end, ARF_RND_CEIL);
 }
 
 /* |approximate/exact - 1|, rounded up */
 static double relative(const arb_t approximate, const arb_t exact)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_div(x, approximate, exact, BITS);
     arb_sub_ui(x, x, 1, BITS);
     arb_abs(x, x);
-    const double error = upper_bound(x);
-    arb_clear(x);
-    return error;
+    return upper_bound(x);
 }
 
 static void set_z(arb_t z, const struct pade_rounded *r, const arb_t beta)
@@ -197,12 +186,7 @@ static void set_z(arb_t z, const struct pade_rounded *r, const arb_t beta)
 void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r, enum contact_end end,
                               const struct references *s)
 {
-    arb_t beta, z, q, value, exact;
-    arb_init(beta);
-    arb_init(z);
-    arb_init(q);
-    arb_init(value);
-    arb_init(exact);
+    LOCAL(arb, beta, z, q, value, exact);
     e->eps = e->loss = 0;
     for (slong i = 0; i < s->count; i++) {
         arb_set_fmpq(beta, s->beta + i, BITS);
@@ -226,24 +210,17 @@ void pade_approximation_error(struct pade_error *e, const struct pade_rounded *r
             fmpq_set(e->loss_at_beta, s->beta + i);
         }
     }
-    arb_clear(beta);
-    arb_clear(z);
-    arb_clear(q);
-    arb_clear(value);
-    arb_clear(exact);
 }
 
 /* gamma_k = k u/(1 - k u), u = 2^-53 */
 static void gamma_bound(arb_t g, slong k)
 {
-    arb_t d;
-    arb_init(d);
+    LOCAL(arb, d);
     arb_set_si(g, k);
     arb_mul_2exp_si(g, g, -53);
     arb_sub_ui(d, g, 1, BITS);
     arb_neg(d, d);
     arb_div(g, g, d, BITS);
-    arb_clear(d);
 }
 
 /* Relative error of P(z) by Horner's rule for every z of the interval: each coefficient carries at most
@@ -252,10 +229,7 @@ static void gamma_bound(arb_t g, slong k)
 static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magnitude, const arb_poly_t slope,
                          const arb_t z)
 {
-    arb_t value, centre, radius;
-    arb_init(value);
-    arb_init(centre);
-    arb_init(radius);
+    LOCAL(arb, value, centre, radius);
     /* mean value form: P at the midpoint, P' over the interval */
     arb_get_mid_arb(centre, z);
     arb_sub(radius, z, centre, BITS);
@@ -268,9 +242,6 @@ static void horner_error(arb_t error, const arb_poly_t p, const arb_poly_t magni
     arb_div(error, error, value, BITS);
     gamma_bound(value, OPERATIONS_PER_DEGREE * arb_poly_degree(p) + 1);
     arb_mul(error, error, value, BITS);
-    arb_clear(value);
-    arb_clear(centre);
-    arb_clear(radius);
 }
 
 static void set_magnitude(arb_poly_t magnitude, const arb_poly_t p)
@@ -283,9 +254,7 @@ static void set_magnitude(arb_poly_t magnitude, const arb_poly_t p)
 /* (1 + n)/(1 - d) (1 + u)^rounded - 1 */
 static double quotient_error(const arb_t n, const arb_t d, slong rounded)
 {
-    arb_t x, y;
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, x, y);
     arb_sub_ui(y, d, 1, BITS);
     arb_neg(y, y);
     double bound = INFINITY;
@@ -298,8 +267,6 @@ static double quotient_error(const arb_t n, const arb_t d, slong rounded)
         arb_sub_ui(x, x, 1, BITS);
         bound = upper_bound(x);
     }
-    arb_clear(x);
-    arb_clear(y);
     return bound;
 }
 
@@ -314,8 +281,7 @@ static void piece_end(arb_t z, const struct pade_rounded *r, slong beta_max, slo
         arb_div_si(z, z, PIECES, BITS);
         return;
     }
-    arb_t power;
-    arb_init(power);
+    LOCAL(arb, power);
     arb_set_si(power, k - PIECES);
     arb_div_si(power, power, PIECES, BITS);
     arb_set_si(z, beta_max);
@@ -323,24 +289,19 @@ static void piece_end(arb_t z, const struct pade_rounded *r, slong beta_max, slo
     arb_pow(z, z, power, BITS);
     arb_mul_si(z, z, near, BITS);
     set_z(z, r, z);
-    arb_clear(power);
 }
 
 /* Whether a partial sum of Horner's rule may exceed the doubles: sum |p_i| z^i at the largest z bounds all */
 static bool may_overflow(arb_poly_t magnitude[3], const struct pade_rounded *r, slong beta_max)
 {
     bool may = false;
-    arb_t z, sum;
-    arb_init(z);
-    arb_init(sum);
+    LOCAL(arb, z, sum);
     arb_set_si(z, beta_max);
     set_z(z, r, z);
     for (int i = 0; i < 3; i++) {
         arb_poly_evaluate(sum, magnitude[i], z, BITS);
         may = may || !arb_is_finite(sum) || arf_cmpabs_2exp_si(arb_midref(sum), DBL_MAX_EXP - 2) > 0;
     }
-    arb_clear(z);
-    arb_clear(sum);
     return may;
 }
 
@@ -348,7 +309,8 @@ void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded 
 {
     const arb_poly_struct *poly[3] = {r->p_double, r->q_double, r->l_double};
     arb_poly_t magnitude[3], slope[3];
-    arb_t z, low, high, error[3];
+    arb_t error[3];
+    LOCAL(arb, z, low, high);
     for (int i = 0; i < 3; i++) {
         arb_poly_init(magnitude[i]);
         arb_poly_init(slope[i]);
@@ -356,9 +318,6 @@ void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded 
         set_magnitude(magnitude[i], poly[i]);
         arb_poly_derivative(slope[i], poly[i], BITS);
     }
-    arb_init(z);
-    arb_init(low);
-    arb_init(high);
     *eps = *loss = 0;
     if (may_overflow(magnitude, r, beta_max))
         *eps = *loss = INFINITY;
@@ -376,7 +335,4 @@ void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded 
         arb_poly_clear(slope[i]);
         arb_clear(error[i]);
     }
-    arb_clear(z);
-    arb_clear(low);
-    arb_clear(high);
 }

@@ -1,27 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/closed_form.h"
 
+#include "support/local.h"
+
 /* acos(zeta)/sqrt(1-zeta^2) = 2F1(1, 1; 3/2; (1-zeta)/2), used where the quotient cancels. */
 static void angle_near_one(arb_t angle, const arb_t zeta, slong prec)
 {
-    arb_t one, c, x;
-    arb_init(one);
-    arb_init(c);
-    arb_init(x);
+    LOCAL(arb, one, c, x);
     arb_one(one);
     arb_set_d(c, 1.5);
     arb_sub(x, one, zeta, prec);
     arb_mul_2exp_si(x, x, -1);
     arb_hypgeom_2f1(angle, one, one, c, x, 0, prec);
-    arb_clear(one);
-    arb_clear(c);
-    arb_clear(x);
 }
 
 void closed_form_angle(arb_t angle, const arb_t zeta, slong prec)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_sub_ui(x, zeta, 1, prec);
     if (arf_cmpabs_2exp_si(arb_midref(x), -2) < 0) {
         angle_near_one(angle, zeta, prec);
@@ -35,7 +30,6 @@ void closed_form_angle(arb_t angle, const arb_t zeta, slong prec)
         (over ? arb_acosh : arb_acos)(angle, zeta, prec);
         arb_div(angle, angle, x, prec);
     }
-    arb_clear(x);
 }
 
 /* Duration at zero overlap, zeta < 1: w0^(-2a/(a+1)) om^(-2/(a+1)) S(pi), w0^2 = (a+1)/2, om^2 = 1 - zeta^2,
@@ -45,12 +39,8 @@ static void linear_duration(arb_t time, const arb_t zeta, const arb_t om, const 
 {
     const struct ratio one = {1, 1}, two = {2, 1};
     const struct ratio a1 = ratio_add(law->a, one), p = ratio_div(ratio_sub(law->a, one), a1);
-    arb_t c, x, pi;
-    acb_t gamma;
-    arb_init(c);
-    arb_init(x);
-    arb_init(pi);
-    acb_init(gamma);
+    LOCAL(arb, c, x, pi);
+    LOCAL(acb, gamma);
     arb_const_pi(pi, prec);
 
     arb_set_ratio(c, p, prec);
@@ -79,21 +69,13 @@ static void linear_duration(arb_t time, const arb_t zeta, const arb_t om, const 
     arb_div(time, time, x, prec);
     arb_pow_ratio(x, om, ratio_div(two, a1), prec);
     arb_div(time, time, x, prec);
-    arb_clear(c);
-    arb_clear(x);
-    arb_clear(pi);
-    acb_clear(gamma);
 }
 
 void closed_form_linear(struct collision *c, const arb_t beta, const struct law *law, slong prec)
 {
     const struct ratio one = {1, 1}, two = {2, 1};
     const struct ratio a1 = ratio_add(law->a, one);
-    arb_t critical, zeta, om, x;
-    arb_init(critical);
-    arb_init(zeta);
-    arb_init(om);
-    arb_init(x);
+    LOCAL(arb, critical, zeta, om, x);
     arb_set_ratio(critical, ratio_mul(two, a1), prec); /* beta^2 at zeta = 1 */
     arb_sqrt(zeta, critical, prec);
     arb_div(zeta, beta, zeta, prec);
@@ -125,10 +107,6 @@ void closed_form_linear(struct collision *c, const arb_t beta, const struct law 
         arb_exp(c->eps_zero_overlap, x, prec);
         linear_duration(c->t_zero_overlap, zeta, om, law, prec);
     }
-    arb_clear(critical);
-    arb_clear(zeta);
-    arb_clear(om);
-    arb_clear(x);
 }
 
 /* F(y) = 2 y/(1 - exp(-2 y)) - 1 - beta, increasing and convex. */
@@ -147,8 +125,7 @@ static void speed_sum_defect(arb_t f, const arb_t y, const arb_t beta, slong pre
 /* F'(y) = 2/(1 - e) - 4 y e/(1 - e)^2, e = exp(-2y), which is between 1 and 2. */
 static void speed_sum_slope(arb_t slope, const arb_t y, slong prec)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_mul_2exp_si(x, y, 1);
     arb_neg(x, x);
     arb_exp(slope, x, prec);
@@ -160,7 +137,6 @@ static void speed_sum_slope(arb_t slope, const arb_t y, slong prec)
     arb_div(slope, slope, x, prec);
     arb_mul_2exp_si(slope, slope, 1);
     arb_neg(slope, slope);
-    arb_clear(x);
 }
 
 /* Encloses the y > 0 with F(y) = 0. Newton's method starts from min(beta, (1 + beta)/2), which is above the root, and
@@ -169,11 +145,7 @@ static void speed_sum_slope(arb_t slope, const arb_t y, slong prec)
 static void half_speed_sum(arb_t y, const arb_t beta, slong prec)
 {
     enum { MOST_STEPS = 64, ROUNDING = 8 };
-    arb_t exact_beta, f, slope, radius;
-    arb_init(exact_beta);
-    arb_init(f);
-    arb_init(slope);
-    arb_init(radius);
+    LOCAL(arb, exact_beta, f, slope, radius);
     arb_get_mid_arb(exact_beta, beta);
     arb_add_ui(radius, exact_beta, 1, prec);
     arb_mul_2exp_si(y, radius, -1);
@@ -201,18 +173,12 @@ static void half_speed_sum(arb_t y, const arb_t beta, slong prec)
     arb_add_error(y, radius);
     if (!proved)
         arb_indeterminate(y);
-    arb_clear(exact_beta);
-    arb_clear(f);
-    arb_clear(slope);
-    arb_clear(radius);
 }
 
 void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const struct law *law, slong prec)
 {
     const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one);
-    arb_t y, x;
-    arb_init(y);
-    arb_init(x);
+    LOCAL(arb, y, x);
     half_speed_sum(y, beta, prec);
     arb_mul_2exp_si(y, y, 1);
     arb_sub(y, y, beta, prec); /* beta eps */
@@ -226,6 +192,4 @@ void closed_form_hunt_crossley(struct collision *c, const arb_t beta, const stru
     arb_set_ratio(y, a1, prec);
     arb_mul(x, x, y, prec);
     arb_pow_ratio(c->x_max, x, ratio_div(one, a1), prec);
-    arb_clear(y);
-    arb_clear(x);
 }

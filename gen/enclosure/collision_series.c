@@ -6,6 +6,7 @@
 #include "enclosure/taylor.h"
 #include "series/jet.h"
 #include "support/console.h"
+#include "support/local.h"
 
 /* Taylor coefficients of a component at the current state, as power series in beta */
 static void component_jets(arb_poly_struct *jet, slong count, arb_srcptr f, const struct taylor *y)
@@ -22,13 +23,9 @@ int collision_series(arb_poly_t y_series, arb_poly_t tau, arb_poly_t c, slong or
     const slong count = order + 1;
     struct taylor y;
     arb_poly_struct *w = jet_new(count), *v = jet_new(count), *t = jet_new(count);
-    arb_poly_t delta;
-    arb_t value, root, begin;
+    LOCAL(arb_poly, delta);
+    LOCAL(arb, value, root, begin);
     bool turned = false, done = false;
-    arb_poly_init(delta);
-    arb_init(value);
-    arb_init(root);
-    arb_init(begin);
 
     taylor_init(&y, law, count, FLINT_MAX(taylor_degree(prec), count), prec);
     /* The parameter is beta. Norms of series are taken at |beta| = 1/2, well inside |h*| for the sphere. */
@@ -79,10 +76,6 @@ int collision_series(arb_poly_t y_series, arb_poly_t tau, arb_poly_t c, slong or
     jet_free(w, count);
     jet_free(v, count);
     jet_free(t, count);
-    arb_poly_clear(delta);
-    arb_clear(value);
-    arb_clear(root);
-    arb_clear(begin);
     return done ? STATUS_OK
                 : fail("the equation of motion could not be carried to order %ld with %ld bits", (long)order,
                        (long)prec);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/creep_series.h"
 
+#include "support/local.h"
+
 enum {
     BOUND_BITS = 96,
     FIRST_Y = 6, /* where the bounds begin */
@@ -25,13 +27,8 @@ static void scale_by_ratio(fmpq_poly_t y, const fmpq_poly_t x, slong num, slong 
 /* q_1' = -1 and (k - 1) q_(j+1)' = k (j q_j/2 + k q_j'). The right side vanishes at k = 1, which gives q_j(1). */
 static void formal_time_init(struct formal_time *f)
 {
-    fmpq_poly_t k, sum, term;
-    fmpq_t constant, ratio;
-    fmpq_poly_init(k);
-    fmpq_poly_init(sum);
-    fmpq_poly_init(term);
-    fmpq_init(constant);
-    fmpq_init(ratio);
+    LOCAL(fmpq_poly, k, sum, term);
+    LOCAL(fmpq, constant, ratio);
     fmpq_poly_set_coeff_si(k, 0, 1);
     fmpq_poly_set_coeff_si(k, 1, 1);
     fmpq_poly_set_si(sum, -1);
@@ -53,11 +50,6 @@ static void formal_time_init(struct formal_time *f)
         fmpq_poly_mul(sum, sum, k);
         fmpq_poly_shift_right(sum, sum, 1);
     }
-    fmpq_poly_clear(k);
-    fmpq_poly_clear(sum);
-    fmpq_poly_clear(term);
-    fmpq_clear(constant);
-    fmpq_clear(ratio);
 }
 
 static void formal_time_clear(struct formal_time *f)
@@ -82,11 +74,8 @@ static void tube_width(arb_t width, const arb_t r)
 /* Bound of r^power |p| in the tube */
 static void largest_in_tube(arb_t bound, const fmpq_poly_t p, const arb_t r, slong power)
 {
-    arb_t width, c;
-    fmpq_t x;
-    arb_init(width);
-    arb_init(c);
-    fmpq_init(x);
+    LOCAL(arb, width, c);
+    LOCAL(fmpq, x);
     tube_width(width, r);
     arb_zero(bound);
     for (slong i = fmpq_poly_degree(p); i >= 0; i--) {
@@ -98,9 +87,6 @@ static void largest_in_tube(arb_t bound, const fmpq_poly_t p, const arb_t r, slo
     }
     arb_pow_ui(c, r, (ulong)power, BOUND_BITS);
     arb_mul(bound, bound, c, BOUND_BITS);
-    arb_clear(width);
-    arb_clear(c);
-    fmpq_clear(x);
 }
 
 /* 1 - 3 r - r^2 <= 1/k^2 - r in the tube */
@@ -115,8 +101,7 @@ static void least_contraction(arb_t least, const arb_t r)
 /* exp of minus the integral of (2/s^2) (1 - 3 s - s^2) from `low` to `high` */
 static void contraction(arb_t factor, const arb_t low, const arb_t high)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_inv(x, high, BOUND_BITS);
     arb_inv(factor, low, BOUND_BITS);
     arb_sub(factor, x, factor, BOUND_BITS);
@@ -128,35 +113,28 @@ static void contraction(arb_t factor, const arb_t low, const arb_t high)
     arb_mul_ui(x, x, 6, BOUND_BITS);
     arb_add(factor, factor, x, BOUND_BITS);
     arb_exp(factor, factor, BOUND_BITS);
-    arb_clear(x);
 }
 
 /* Adds bounds of the terms in dTheta_n/dk with first < j <= last. */
 static void add_terms(arb_t bound, const struct formal_time *f, const arb_t r, slong first, slong last)
 {
-    arb_t term;
-    arb_init(term);
+    LOCAL(arb, term);
     for (slong j = first + 1; j <= last; j++) {
         largest_in_tube(term, &f->slope[j], r, j);
         arb_add(bound, bound, term, BOUND_BITS);
     }
-    arb_clear(term);
 }
 
 /* Replaces the bound at `high` by that at `low`. The source between them is 2 s^(order-1) s_order. */
 static void bound_step(arb_t bound, const struct formal_time *f, slong order, const arb_t low, const arb_t high)
 {
-    arb_t x, least;
-    arb_init(x);
-    arb_init(least);
+    LOCAL(arb, x, least);
     contraction(x, low, high);
     arb_mul(bound, bound, x, BOUND_BITS);
     largest_in_tube(x, &f->source[order], high, order + 1);
     least_contraction(least, high);
     arb_div(x, x, least, BOUND_BITS);
     arb_add(bound, bound, x, BOUND_BITS);
-    arb_clear(x);
-    arb_clear(least);
 }
 
 /* The order that suits 1/r = y: its last term is nearly the smallest. */
@@ -168,9 +146,7 @@ static slong order_at(double y)
 /* |dTheta/dk| <= (24/25)/r^2 begins, at r = 1/FIRST_Y; steps lead to 1/CREEP_SERIES_LEAST_Y. */
 static void start_bound(arb_t bound, const struct formal_time *f)
 {
-    arb_t low, high;
-    arb_init(low);
-    arb_init(high);
+    LOCAL(arb, low, high);
     arb_set_ui(high, 1);
     arb_div_ui(high, high, FIRST_Y, BOUND_BITS);
     arb_set_ui(bound, 24 * FIRST_Y * FIRST_Y);
@@ -187,8 +163,6 @@ static void start_bound(arb_t bound, const struct formal_time *f)
         order = next;
     }
     add_terms(bound, f, low, order, CREEP_SERIES_ORDER);
-    arb_clear(low);
-    arb_clear(high);
 }
 
 /* ---- the series ---- */
@@ -202,11 +176,8 @@ static void first_r(arb_t r)
 void creep_series_init(struct creep_series *s, slong prec)
 {
     struct formal_time f;
-    fmpq_t constant;
-    arb_t r, x;
-    fmpq_init(constant);
-    arb_init(r);
-    arb_init(x);
+    LOCAL(fmpq, constant);
+    LOCAL(arb, r, x);
     arb_init(s->start);
     arb_init(s->factor);
     formal_time_init(&f);
@@ -225,9 +196,6 @@ void creep_series_init(struct creep_series *s, slong prec)
     arb_mul_2exp_si(s->factor, s->factor, 1);
     arb_div(s->factor, s->factor, x, BOUND_BITS);
     formal_time_clear(&f);
-    fmpq_clear(constant);
-    arb_clear(r);
-    arb_clear(x);
 }
 
 void creep_series_clear(struct creep_series *s)
@@ -240,10 +208,7 @@ void creep_series_clear(struct creep_series *s)
 /* The integral of (2/s) |dTheta/dk - dTheta_n/dk| from 0 to r */
 void creep_series_remainder(arb_t bound, const struct creep_series *s, const arb_t r)
 {
-    arb_t first, x, least;
-    arb_init(first);
-    arb_init(x);
-    arb_init(least);
+    LOCAL(arb, first, x, least);
     arb_mul_ui(x, r, CREEP_SERIES_LEAST_Y, BOUND_BITS);
     arb_sub_ui(x, x, 1, BOUND_BITS);
     if (arb_is_positive(r) && arb_is_nonpositive(x)) {
@@ -263,7 +228,4 @@ void creep_series_remainder(arb_t bound, const struct creep_series *s, const arb
     } else {
         arb_pos_inf(bound);
     }
-    arb_clear(first);
-    arb_clear(x);
-    arb_clear(least);
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/expansion.h"
 
+#include "support/local.h"
+
 static slong term_index(slong i, slong j)
 {
     return (i + j) * (i + j + 1) / 2 + j;
@@ -47,12 +49,10 @@ const arb_poly_struct *expansion_term_of(const struct expansion *x, slong i, slo
 
 void expansion_add_number(struct expansion *x, slong i, slong j, const arb_t c)
 {
-    arb_t sum;
-    arb_init(sum);
+    LOCAL(arb, sum);
     arb_poly_get_coeff_arb(sum, expansion_term(x, i, j), 0);
     arb_add(sum, sum, c, EXPANSION_BITS);
     arb_poly_set_coeff_arb(expansion_term(x, i, j), 0, sum);
-    arb_clear(sum);
 }
 
 void expansion_add_rest(struct expansion *x, const mag_t bound)
@@ -65,52 +65,42 @@ void expansion_add_rest(struct expansion *x, const mag_t bound)
 /* Bound of the terms of p from z^first on */
 static void polynomial_norm(mag_t bound, const arb_poly_t p, slong first)
 {
-    mag_t c;
-    mag_init(c);
+    LOCAL(mag, c);
     mag_zero(bound);
     for (slong k = first; k < arb_poly_length(p); k++) {
         arb_get_mag(c, arb_poly_get_coeff_ptr(p, k));
         mag_add(bound, bound, c);
     }
-    mag_clear(c);
 }
 
 /* Bound of a^i b^j */
 static void weight(mag_t bound, const struct expansion_domain *domain, slong i, slong j)
 {
-    mag_t power;
-    mag_init(power);
+    LOCAL(mag, power);
     mag_pow_ui(bound, domain->a, (ulong)i);
     mag_pow_ui(power, domain->b, (ulong)j);
     mag_mul(bound, bound, power);
-    mag_clear(power);
 }
 
 void expansion_norm_of_degree(mag_t bound, const struct expansion *x, slong degree)
 {
-    mag_t factor, term;
-    mag_init(factor);
-    mag_init(term);
+    LOCAL(mag, factor, term);
     mag_zero(bound);
     for (slong j = 0; j <= degree; j++) {
         weight(factor, x->domain, degree - j, j);
         polynomial_norm(term, expansion_term_of(x, degree - j, j), 0);
         mag_addmul(bound, factor, term);
     }
-    mag_clear(factor);
-    mag_clear(term);
 }
 
 void expansion_norm(mag_t bound, const struct expansion *x)
 {
-    mag_t term;
-    mag_init(term);
+    LOCAL(mag, term);
     mag_set(bound, x->rest);
     for (slong degree = 0; degree <= EXPANSION_ORDER; degree++) {
         expansion_norm_of_degree(term, x, degree);
         mag_add(bound, bound, term);
     }
-    mag_clear(term);
 }
 
 /* ---- arithmetic ---- */
@@ -131,13 +121,11 @@ void expansion_sub(struct expansion *z, const struct expansion *x, const struct 
 
 void expansion_scale(struct expansion *y, const struct expansion *x, const arb_t c)
 {
-    mag_t factor;
-    mag_init(factor);
+    LOCAL(mag, factor);
     arb_get_mag(factor, c);
     for (slong k = 0; k < EXPANSION_TERMS; k++)
         arb_poly_scalar_mul(&y->c[k], &x->c[k], c, EXPANSION_BITS);
     mag_mul(y->rest, x->rest, factor);
-    mag_clear(factor);
 }
 
 /* Adds x y to z, where x is c_ij and y is c_kl of two models. Powers of z beyond the length join the rest. */
@@ -145,11 +133,8 @@ static void add_product(struct expansion *z, const arb_poly_t x, slong i, slong 
 {
     if (!arb_poly_length(x) || !arb_poly_length(y))
         return;
-    arb_poly_t product;
-    mag_t tail, factor;
-    arb_poly_init(product);
-    mag_init(tail);
-    mag_init(factor);
+    LOCAL(arb_poly, product);
+    LOCAL(mag, tail, factor);
     arb_poly_mul(product, x, y, EXPANSION_BITS);
     polynomial_norm(tail, product, EXPANSION_LENGTH);
     weight(factor, z->domain, i + k, j + l);
@@ -157,18 +142,12 @@ static void add_product(struct expansion *z, const arb_poly_t x, slong i, slong 
     arb_poly_truncate(product, EXPANSION_LENGTH);
     arb_poly_struct *const term = expansion_term(z, i + k, j + l);
     arb_poly_add(term, term, product, EXPANSION_BITS);
-    arb_poly_clear(product);
-    mag_clear(tail);
-    mag_clear(factor);
 }
 
 /* Bounds the products of terms with degrees above the order, and those with the rests. */
 static void add_product_rest(struct expansion *z, const struct expansion *x, const struct expansion *y)
 {
-    mag_t first, second, whole;
-    mag_init(first);
-    mag_init(second);
-    mag_init(whole);
+    LOCAL(mag, first, second, whole);
     for (slong m = 0; m <= EXPANSION_ORDER; m++) {
         expansion_norm_of_degree(first, x, m);
         mag_addmul(z->rest, first, y->rest);
@@ -179,9 +158,6 @@ static void add_product_rest(struct expansion *z, const struct expansion *x, con
     }
     expansion_norm(whole, y);
     mag_addmul(z->rest, x->rest, whole);
-    mag_clear(first);
-    mag_clear(second);
-    mag_clear(whole);
 }
 
 void expansion_multiply(struct expansion *z, const struct expansion *x, const struct expansion *y)
@@ -202,10 +178,8 @@ void expansion_multiply(struct expansion *z, const struct expansion *x, const st
 void expansion_times_a(struct expansion *y, const struct expansion *x, slong power)
 {
     struct expansion product;
-    mag_t term, factor;
+    LOCAL(mag, term, factor);
     expansion_init(&product, y->domain);
-    mag_init(term);
-    mag_init(factor);
     mag_set(product.rest, x->rest);
     for (slong m = 0; m <= EXPANSION_ORDER; m++)
         if (m + power > EXPANSION_ORDER) {
@@ -219,8 +193,6 @@ void expansion_times_a(struct expansion *y, const struct expansion *x, slong pow
     mag_mul(product.rest, product.rest, factor);
     expansion_set(y, &product);
     expansion_clear(&product);
-    mag_clear(term);
-    mag_clear(factor);
 }
 
 /* ---- power series ---- */
@@ -228,10 +200,9 @@ void expansion_times_a(struct expansion *y, const struct expansion *x, slong pow
 void expansion_series(struct expansion *y, const struct expansion *x, arb_srcptr coefficient)
 {
     struct expansion sum, small;
-    mag_t bound;
+    LOCAL(mag, bound);
     expansion_init(&sum, y->domain);
     expansion_init(&small, y->domain);
-    mag_init(bound);
     expansion_set(&small, x);
     polynomial_norm(bound, &small.c[0], 0);
     expansion_add_rest(&small, bound);
@@ -246,7 +217,6 @@ void expansion_series(struct expansion *y, const struct expansion *x, arb_srcptr
     expansion_set(y, &sum);
     expansion_clear(&sum);
     expansion_clear(&small);
-    mag_clear(bound);
 }
 
 void expansion_power(struct expansion *y, const struct expansion *x, slong p, slong q)
@@ -266,11 +236,8 @@ void expansion_power(struct expansion *y, const struct expansion *x, slong p, sl
 /* sum_n p_n e^n as a model. e^n has the degree n at least, so higher powers join the rest. */
 static void polynomial_of(struct expansion *y, const arb_poly_t p, const struct expansion *e)
 {
-    mag_t bound, power;
-    arb_t c;
-    mag_init(bound);
-    mag_init(power);
-    arb_init(c);
+    LOCAL(mag, bound, power);
+    LOCAL(arb, c);
     expansion_zero(y);
     for (slong n = FLINT_MIN(arb_poly_length(p) - 1, EXPANSION_ORDER); n >= 0; n--) {
         expansion_multiply(y, y, e);
@@ -282,20 +249,15 @@ static void polynomial_of(struct expansion *y, const arb_poly_t p, const struct 
     mag_pow_ui(power, power, EXPANSION_ORDER + 1);
     mag_mul(bound, bound, power);
     expansion_add_rest(y, bound);
-    mag_clear(bound);
-    mag_clear(power);
-    arb_clear(c);
 }
 
 void expansion_substitute(struct expansion *y, const struct expansion *x, const struct expansion *tau,
                           const struct expansion *e)
 {
     struct expansion sum, term;
-    mag_t bound, one;
+    LOCAL(mag, bound, one);
     expansion_init(&sum, y->domain);
     expansion_init(&term, y->domain);
-    mag_init(bound);
-    mag_init(one);
     mag_one(one);
     for (slong m = 0; m <= EXPANSION_ORDER; m++)
         for (slong j = 0; j <= m; j++) {
@@ -315,8 +277,6 @@ void expansion_substitute(struct expansion *y, const struct expansion *x, const 
     expansion_set(y, &sum);
     expansion_clear(&sum);
     expansion_clear(&term);
-    mag_clear(bound);
-    mag_clear(one);
 }
 
 /* ---- fixed points ---- */
@@ -333,11 +293,9 @@ static void to_numbers(struct expansion *x)
 bool expansion_fixed_point(struct expansion *x, expansion_map *map, void *context)
 {
     struct expansion image, difference;
-    mag_t rest, bound;
+    LOCAL(mag, rest, bound);
     expansion_init(&image, x->domain);
     expansion_init(&difference, x->domain);
-    mag_init(rest);
-    mag_init(bound);
     for (int k = 0; k <= EXPANSION_ORDER; k++) {
         map(&image, x, context);
         expansion_set(x, &image);
@@ -356,7 +314,5 @@ bool expansion_fixed_point(struct expansion *x, expansion_map *map, void *contex
     const bool proved = mag_is_finite(rest) && mag_cmp(bound, rest) <= 0;
     expansion_clear(&image);
     expansion_clear(&difference);
-    mag_clear(rest);
-    mag_clear(bound);
     return proved;
 }

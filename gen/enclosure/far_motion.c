@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/far_motion.h"
 
+#include "support/local.h"
+
 /* Scaled as in (8.1): X is the overlap, w = dX/ds, Y = sqrt(X), zeta = (2/3) X^(3/2). S = mu X P(r), r = mu/Y, is the
  * slow manifold without its minus sign, f = w + S the distance from it. */
 enum {
@@ -33,8 +35,7 @@ struct motion {
 /* p_m = sum of p_j p_k (1 - k/2), j + k = m - 1; the same sums with m - 1 >= MANIFOLD_ORDER remain. */
 static void manifold_init(struct manifold *m)
 {
-    arb_t term;
-    arb_init(term);
+    LOCAL(arb, term);
     for (slong k = 0; k <= MANIFOLD_ORDER; k++) {
         arb_init(&m->p[k]);
         arb_init(&m->slope[k]);
@@ -54,7 +55,6 @@ static void manifold_init(struct manifold *m)
         arb_mul_si(&m->slope[k], &m->p[k], 2 - k, BITS);
         arb_mul_2exp_si(&m->slope[k], &m->slope[k], -1);
     }
-    arb_clear(term);
 }
 
 static void manifold_clear(struct manifold *m)
@@ -84,23 +84,18 @@ static void manifold_sum(struct expansion *y, const arb_struct *c, slong first, 
 /* 1 - z/2 */
 static void set_line(arb_poly_t line)
 {
-    arb_t half;
-    arb_init(half);
+    LOCAL(arb, half);
     arb_set_d(half, -0.5);
     arb_poly_set_coeff_si(line, 0, 1);
     arb_poly_set_coeff_arb(line, 1, half);
-    arb_clear(half);
 }
 
 /* (1 - z/2)^(p/q), |p/q| <= 1. The coefficient of z^n is 2^-n at most. */
 static void half_power(struct expansion *y, slong p, slong q)
 {
-    arb_poly_t line;
-    arb_t exponent;
-    mag_t tail;
-    arb_poly_init(line);
-    arb_init(exponent);
-    mag_init(tail);
+    LOCAL(arb_poly, line);
+    LOCAL(arb, exponent);
+    LOCAL(mag, tail);
     set_line(line);
     arb_set_si(exponent, p);
     arb_div_si(exponent, exponent, q, BITS);
@@ -108,9 +103,6 @@ static void half_power(struct expansion *y, slong p, slong q)
     arb_poly_pow_arb_series(expansion_term(y, 0, 0), line, exponent, EXPANSION_LENGTH, BITS);
     mag_set_ui_2exp_si(tail, 1, 1 - EXPANSION_LENGTH);
     expansion_add_rest(y, tail);
-    arb_poly_clear(line);
-    arb_clear(exponent);
-    mag_clear(tail);
 }
 
 /* x^(p/q), where 1 - z/2 is what x has without a and b */
@@ -136,11 +128,9 @@ static void speed_map(struct expansion *w, const struct expansion *x, void *cont
 {
     (void)context;
     struct expansion inverse;
-    arb_t c;
-    mag_t bound;
+    LOCAL(arb, c);
+    LOCAL(mag, bound);
     expansion_init(&inverse, x->domain);
-    arb_init(c);
-    mag_init(bound);
     power_of_half(&inverse, x, -1, 1);
     expansion_zero(w);
     set_line(expansion_term(w, 0, 0));
@@ -158,8 +148,6 @@ static void speed_map(struct expansion *w, const struct expansion *x, void *cont
     mag_mul(bound, bound, x->domain->a);
     expansion_add_rest(w, bound);
     expansion_clear(&inverse);
-    arb_clear(c);
-    mag_clear(bound);
 }
 
 /* eta/mu = X* 2^(-5/3) where zeta = 1/2 */
@@ -176,11 +164,7 @@ static void end_ratio(arb_t ratio, const struct motion *m)
 static void start_end(struct motion *m, const struct expansion *w)
 {
     struct expansion inverse;
-    arb_t ratio, scale, sum, c;
-    arb_init(ratio);
-    arb_init(scale);
-    arb_init(sum);
-    arb_init(c);
+    LOCAL(arb, ratio, scale, sum, c);
     expansion_init(&inverse, w->domain);
     power_of_half(&inverse, w, -1, 1);
     end_ratio(ratio, m);
@@ -211,20 +195,15 @@ static void start_end(struct motion *m, const struct expansion *w)
     arb_div(c, c, m->root_of_limit, BITS);
     expansion_scale(&m->first_time, &m->first_time, c);
     expansion_clear(&inverse);
-    arb_clear(ratio);
-    arb_clear(scale);
-    arb_clear(sum);
-    arb_clear(c);
 }
 
 /* Adds S to w where zeta = 1/2: X = X* 2^(-2/3). */
 static void add_manifold(struct motion *m)
 {
     struct expansion inverse_root, S;
-    arb_t x;
+    LOCAL(arb, x);
     expansion_init(&inverse_root, &m->fall);
     expansion_init(&S, &m->fall);
-    arb_init(x);
     arb_set_ui(x, 2);
     arb_root_ui(x, x, 3, BITS);
     arb_div(x, x, m->root_of_limit, BITS);
@@ -237,7 +216,6 @@ static void add_manifold(struct motion *m)
     expansion_add(&m->first_distance, &m->first_distance, &S);
     expansion_clear(&inverse_root);
     expansion_clear(&S);
-    arb_clear(x);
 }
 
 static void solve_start(struct motion *m)
@@ -279,9 +257,8 @@ static void fall_clear(struct fall *f)
 static void bound_defect(struct fall *f, const struct motion *m)
 {
     struct expansion sum;
-    mag_t bound;
+    LOCAL(mag, bound);
     expansion_init(&sum, f->X.domain);
-    mag_init(bound);
     manifold_sum(&sum, m->manifold.lack, 0, &f->r);
     expansion_norm(f->defect, &sum);
     /* X^(1 - MANIFOLD_ORDER/2) = 1/X */
@@ -291,13 +268,11 @@ static void bound_defect(struct fall *f, const struct motion *m)
     expansion_norm(bound, &f->rate);
     mag_mul(f->defect, f->defect, bound);
     expansion_clear(&sum);
-    mag_clear(bound);
 }
 
 static void fall_init(struct fall *f, const struct expansion *zeta, const struct motion *m)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     expansion_init(&f->X, zeta->domain);
     expansion_init(&f->inverse_root, zeta->domain);
     expansion_init(&f->r, zeta->domain);
@@ -322,7 +297,6 @@ static void fall_init(struct fall *f, const struct expansion *zeta, const struct
     expansion_power(&f->Q, &f->Q, -1, 1);
     expansion_multiply(&f->rate, &f->inverse_root, &f->Q);
     bound_defect(f, m);
-    arb_clear(c);
 }
 
 /* f_0 exp(-l) */
@@ -337,9 +311,7 @@ static void distance_of(struct expansion *f, const struct motion *m)
  * limits, and j mu/n times that of tau^(j-1) e^n. */
 static void add_integral(struct expansion *y, const arb_t c, slong i, slong j, slong n)
 {
-    arb_t term, sum;
-    arb_init(term);
-    arb_init(sum);
+    LOCAL(arb, term, sum);
     arb_div_si(term, c, -n, BITS);
     for (slong k = 0;; k++) {
         arb_poly_struct *const p = expansion_term(y, i + k, j - k);
@@ -353,8 +325,6 @@ static void add_integral(struct expansion *y, const arb_t c, slong i, slong j, s
     }
     arb_neg(term, term);
     expansion_add_number(y, i + j, 0, term);
-    arb_clear(term);
-    arb_clear(sum);
 }
 
 /* zeta = 1/2 + f_0 (1 - e) + mu times the integral of h over l */
@@ -362,11 +332,9 @@ static void zeta_of(struct expansion *zeta, const struct expansion *h, const str
                     const struct motion *m)
 {
     struct expansion sum;
-    arb_t c;
-    mag_t bound;
+    LOCAL(arb, c);
+    LOCAL(mag, bound);
     expansion_init(&sum, zeta->domain);
-    arb_init(c);
-    mag_init(bound);
     for (slong degree = 0; degree < EXPANSION_ORDER; degree++)
         for (slong j = 0; j <= degree; j++) {
             const slong i = degree - j;
@@ -387,8 +355,6 @@ static void zeta_of(struct expansion *zeta, const struct expansion *h, const str
     expansion_sub(&sum, &sum, distance);
     expansion_set(zeta, &sum);
     expansion_clear(&sum);
-    arb_clear(c);
-    mag_clear(bound);
 }
 
 /* The map dzeta/dl = (f - S)/(1 - (dS/dX)/Y) = f + mu h. f is f_0 e up to the defect. */
@@ -397,12 +363,10 @@ static void fall_map(struct expansion *y, const struct expansion *zeta, void *co
     const struct motion *const m = context;
     struct fall f;
     struct expansion distance, h;
-    mag_t bound, factor;
+    LOCAL(mag, bound, factor);
     fall_init(&f, zeta, m);
     expansion_init(&distance, zeta->domain);
     expansion_init(&h, zeta->domain);
-    mag_init(bound);
-    mag_init(factor);
     distance_of(&distance, m);
     expansion_multiply(&h, &distance, &f.slope);
     expansion_multiply(&h, &h, &f.inverse_root);
@@ -417,16 +381,13 @@ static void fall_map(struct expansion *y, const struct expansion *zeta, void *co
     fall_clear(&f);
     expansion_clear(&distance);
     expansion_clear(&h);
-    mag_clear(bound);
-    mag_clear(factor);
 }
 
 /* s = time + l time_per_l: the integral of the rate over l. Without e it is l tau^j/(j + 1) for tau^j, and mu^(i-1)
  * tau^(j+1)/(j + 1) for mu^i tau^j. */
 static void solve_time(struct motion *m, const struct expansion *rate)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     expansion_set(&m->time, &m->first_time);
     expansion_add_rest(&m->time_per_l, rate->rest);
     for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
@@ -442,7 +403,6 @@ static void solve_time(struct motion *m, const struct expansion *rate)
             else
                 expansion_add_number(&m->time_per_l, 0, j, c);
         }
-    arb_clear(c);
 }
 
 static void solve_fall(struct motion *m)
@@ -476,9 +436,8 @@ static void place_of(struct expansion *tau, struct expansion *e, const struct ex
 {
     arb_ptr c = _arb_vec_init(EXPANSION_ORDER + 1);
     struct expansion power;
-    arb_t leading;
+    LOCAL(arb, leading);
     expansion_init(&power, theta->domain);
-    arb_init(leading);
     arb_poly_get_coeff_arb(leading, &theta->c[0], 0);
     expansion_set(&power, theta);
     arb_poly_zero(&power.c[0]);
@@ -496,15 +455,13 @@ static void place_of(struct expansion *tau, struct expansion *e, const struct ex
     arb_set_si(leading, event->power);
     expansion_add_number(tau, 0, 1, leading);
     expansion_clear(&power);
-    arb_clear(leading);
     _arb_vec_clear(c, EXPANSION_ORDER + 1);
 }
 
 /* 1/f_0, where f_0 is 1/2 without mu */
 static void inverse_distance(struct expansion *y, const struct motion *m)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     arb_set_ui(c, 2);
     expansion_scale(y, &m->first_distance, c);
     arb_set_si(c, -1);
@@ -512,15 +469,12 @@ static void inverse_distance(struct expansion *y, const struct motion *m)
     expansion_power(y, y, -1, 1);
     arb_set_ui(c, 2);
     expansion_scale(y, y, c);
-    arb_clear(c);
 }
 
 static void logarithm(struct expansion *y, const struct expansion *x)
 {
     arb_ptr c = _arb_vec_init(EXPANSION_ORDER + 1);
-    arb_t leading, inverse;
-    arb_init(leading);
-    arb_init(inverse);
+    LOCAL(arb, leading, inverse);
     arb_poly_get_coeff_arb(leading, &x->c[0], 0);
     arb_get_mid_arb(leading, leading);
     arb_inv(inverse, leading, BITS);
@@ -534,8 +488,6 @@ static void logarithm(struct expansion *y, const struct expansion *x)
     expansion_series(y, y, c);
     arb_log(leading, leading, BITS);
     expansion_add_number(y, 0, 0, leading);
-    arb_clear(leading);
-    arb_clear(inverse);
     _arb_vec_clear(c, EXPANSION_ORDER + 1);
 }
 
@@ -544,11 +496,10 @@ static void event_map(struct expansion *y, const struct expansion *theta, void *
 {
     const struct event *const event = context;
     struct expansion tau, e, inverse;
-    mag_t bound;
+    LOCAL(mag, bound);
     expansion_init(&tau, theta->domain);
     expansion_init(&e, theta->domain);
     expansion_init(&inverse, theta->domain);
-    mag_init(bound);
     place_of(&tau, &e, theta, event);
     expansion_substitute(y, event->speed, &tau, &e);
     mag_pow_ui(bound, theta->domain->a, (ulong)(MANIFOLD_ORDER + 2 - event->power));
@@ -560,7 +511,6 @@ static void event_map(struct expansion *y, const struct expansion *theta, void *
     expansion_clear(&tau);
     expansion_clear(&e);
     expansion_clear(&inverse);
-    mag_clear(bound);
 }
 
 /* ---- results ---- */
@@ -584,9 +534,7 @@ static void far_series_clear(struct far_series *s)
 /* Adds u^logarithms x. mu^i (mu ln(1/mu))^j is mu^(i+j) ((5/3) u)^j. */
 static void add_series(struct far_series *s, const struct expansion *x, slong logarithms)
 {
-    arb_t c, sum;
-    arb_init(c);
-    arb_init(sum);
+    LOCAL(arb, c, sum);
     for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
         for (slong j = 0; j <= degree; j++) {
             arb_poly_get_coeff_arb(c, expansion_term_of(x, degree - j, j), 0);
@@ -602,8 +550,6 @@ static void add_series(struct far_series *s, const struct expansion *x, slong lo
         mag_add(s->rest_per_u, s->rest_per_u, x->rest);
     else
         mag_add(s->rest, s->rest, x->rest);
-    arb_clear(c);
-    arb_clear(sum);
 }
 
 /* Overlap and time at an event. l = power (5/3) u - theta. */
@@ -612,13 +558,12 @@ static void solve_event(struct far_series *overlap, struct far_series *time, str
 {
     struct event event = {.m = m, .power = power, .speed = speed};
     struct expansion theta, tau, e, x, per_l;
-    arb_t c;
+    LOCAL(arb, c);
     expansion_init(&theta, &m->event);
     expansion_init(&tau, &m->event);
     expansion_init(&e, &m->event);
     expansion_init(&x, &m->event);
     expansion_init(&per_l, &m->event);
-    arb_init(c);
     m->proved = expansion_fixed_point(&theta, event_map, &event) && m->proved;
     place_of(&tau, &e, &theta, &event);
     expansion_substitute(&x, &m->overlap, &tau, &e);
@@ -637,7 +582,6 @@ static void solve_event(struct far_series *overlap, struct far_series *time, str
     expansion_clear(&e);
     expansion_clear(&x);
     expansion_clear(&per_l);
-    arb_clear(c);
 }
 
 /* ---- all of it ---- */
@@ -647,10 +591,7 @@ enum { DOMAINS = 3, IN_FALL = 8 /* models over the domain of the fall */, SERIES
 /* mu at FAR_MOTION_LEAST_U bounds mu, and 5/2 times mu ln(1/mu) there should bound tau. */
 static void set_domains(struct motion *m)
 {
-    arb_t u, mu, x;
-    arb_init(u);
-    arb_init(mu);
-    arb_init(x);
+    LOCAL(arb, u, mu, x);
     arb_set_d(u, FAR_MOTION_LEAST_U);
     arb_mul_ui(u, u, 5, BITS);
     arb_div_ui(u, u, 3, BITS);
@@ -666,9 +607,6 @@ static void set_domains(struct motion *m)
     arb_mul_ui(x, x, 5, BITS);
     arb_mul_2exp_si(x, x, -1);
     arb_get_mag(m->fall.b, x);
-    arb_clear(u);
-    arb_clear(mu);
-    arb_clear(x);
 }
 
 static void motion_init(struct motion *m)
@@ -740,11 +678,8 @@ void far_motion_clear(struct far_motion *m)
 
 void far_series_value(arb_t y, const struct far_series *s, const arb_t u, slong prec)
 {
-    arb_t mu, x;
-    mag_t bound;
-    arb_init(mu);
-    arb_init(x);
-    mag_init(bound);
+    LOCAL(arb, mu, x);
+    LOCAL(mag, bound);
     arb_mul_si(mu, u, -5, prec);
     arb_div_ui(mu, mu, 3, prec);
     arb_exp(mu, mu, prec);
@@ -761,7 +696,4 @@ void far_series_value(arb_t y, const struct far_series *s, const arb_t u, slong 
     arb_set_d(mu, FAR_MOTION_LEAST_U);
     if (!arb_ge(u, mu))
         arb_indeterminate(y);
-    arb_clear(mu);
-    arb_clear(x);
-    mag_clear(bound);
 }

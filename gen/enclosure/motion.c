@@ -4,6 +4,7 @@
 #include "enclosure/slow_manifold.h"
 #include "enclosure/taylor.h"
 #include "support/console.h"
+#include "support/local.h"
 
 /* The motion ends as imprecise if w or t has fewer bits. */
 enum { LEAST_BITS = 8 };
@@ -22,13 +23,11 @@ static void scales_init(struct scales *s, const arb_t beta, const struct law *la
     arb_init(s->c2);
     if (strong) {
         const struct ratio one = {1, 1};
-        arb_t inverse;
-        arb_init(inverse);
+        LOCAL(arb, inverse);
         arb_inv(inverse, beta, prec);
         arb_pow_ratio(s->c2, inverse, law_mu_power(law), prec);
         arb_pow_ratio(s->length, inverse, ratio_div(one, ratio_add(law->b, one)), prec);
         arb_one(s->c1);
-        arb_clear(inverse);
     } else {
         arb_one(s->length);
         arb_set(s->c1, beta);
@@ -87,9 +86,7 @@ static void motion_record(arb_t eps, arb_t time, const struct motion *m, const a
 static bool find_turning_point(struct motion *m)
 {
     struct taylor *y = &m->y;
-    arb_t value, root;
-    arb_init(value);
-    arb_init(root);
+    LOCAL(arb, value, root);
     taylor_value(value, y, TAYLOR_V, 0, y->step);
     arb_zero(m->begin);
     bool decided = arb_is_positive(value);
@@ -103,8 +100,6 @@ static bool find_turning_point(struct motion *m)
         taylor_value(value, y, TAYLOR_T, 0, root);
         arb_mul(m->c->t_max, value, m->s.length, y->prec);
     }
-    arb_clear(value);
-    arb_clear(root);
     return decided;
 }
 
@@ -112,8 +107,7 @@ static bool find_turning_point(struct motion *m)
 static bool find_zero_overlap(struct motion *m, arb_t end)
 {
     struct taylor *y = &m->y;
-    arb_t value;
-    arb_init(value);
+    LOCAL(arb, value);
     arb_set(end, y->step);
     taylor_value(value, y, TAYLOR_W, 0, y->step);
     bool decided = arb_is_positive(value);
@@ -122,7 +116,6 @@ static bool find_zero_overlap(struct motion *m, arb_t end)
         m->parted = true;
         motion_record(m->c->eps_zero_overlap, m->c->t_zero_overlap, m, end);
     }
-    arb_clear(value);
     return decided;
 }
 
@@ -130,9 +123,7 @@ static bool find_zero_overlap(struct motion *m, arb_t end)
 static bool find_zero_force(struct motion *m, const arb_t end)
 {
     struct taylor *y = &m->y;
-    arb_t value, root;
-    arb_init(value);
-    arb_init(root);
+    LOCAL(arb, value, root);
     taylor_value(value, y, TAYLOR_FORCE, 0, end);
     bool decided = arb_is_positive(value) || m->parted;
     if (arb_is_negative(value) && taylor_root(root, y, TAYLOR_FORCE, m->begin, end)) {
@@ -140,8 +131,6 @@ static bool find_zero_force(struct motion *m, const arb_t end)
         m->released = true;
         motion_record(m->c->eps_zero_force, m->c->t_zero_force, m, root);
     }
-    arb_clear(value);
-    arb_clear(root);
     return decided;
 }
 
@@ -155,13 +144,11 @@ static void release_at_end(struct motion *m)
     const struct law *law = &m->y.law;
     const slong prec = m->y.prec;
     const struct ratio one = {1, 1}, b1 = ratio_add(law->b, one);
-    arb_t x, y;
+    LOCAL(arb, x, y);
     arb_set(c->eps_zero_force, c->eps_zero_overlap);
     arb_set(c->t_zero_force, c->t_zero_overlap);
     if (!m->force_ends)
         return;
-    arb_init(x);
-    arb_init(y);
     arb_pow_ratio(x, m->s.c1, ratio_div(one, ratio_sub(law->a, law->b)), prec);
     arb_mul(y, x, m->s.length, prec);
     arb_div(y, y, c->eps_zero_overlap, prec);
@@ -175,8 +162,6 @@ static void release_at_end(struct motion *m)
     arb_addmul(x, c->eps_zero_overlap, c->eps_zero_overlap, prec);
     arb_sqrt(x, x, prec);
     arb_union(c->eps_zero_force, c->eps_zero_force, x, prec);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* Whether the overlap creeps to zero and never reaches it, so that eps = 0. While u = -x' >= 0, k = u/x^(b+1) obeys
@@ -187,9 +172,7 @@ static bool creeps(const struct taylor *y)
     const slong d = y->law.d, b1 = y->law.bd + d, excess = y->law.ad - y->law.bd - b1;
     if (excess < 0)
         return false;
-    arb_t k, x;
-    arb_init(k);
-    arb_init(x);
+    LOCAL(arb, k, x);
     arb_pow_ui(x, y->w, (ulong)b1, y->prec);
     arb_div(k, y->v, x, y->prec);
     arb_mul_si(k, k, 2 * b1, y->prec);
@@ -205,8 +188,6 @@ static bool creeps(const struct taylor *y)
         arb_mul(x, x, y->c2, y->prec);
         never = arb_ge(k, x);
     }
-    arb_clear(k);
-    arb_clear(x);
     return never;
 }
 
@@ -231,9 +212,7 @@ static bool motion_goes_on(enum motion_outcome *outcome, const struct motion *m,
     bool ends = false;
     *outcome = MOTION_DONE;
     if (manifold && m->turned && (m->released || !m->force_ends)) {
-        arb_t place, slope;
-        arb_init(place);
-        arb_init(slope);
+        LOCAL(arb, place, slope);
         manifold_state(place, slope, &m->y);
         ends = slow_manifold_reached(manifold, place, slope, bits);
         if (!ends && arb_gt(place, manifold->last)) { /* the state left the domain of the manifold without reaching
@@ -241,8 +220,6 @@ static bool motion_goes_on(enum motion_outcome *outcome, const struct motion *m,
             *outcome = arb_rel_accuracy_bits(slope) > bits ? MOTION_MISSED : MOTION_IMPRECISE;
             ends = true;
         }
-        arb_clear(place);
-        arb_clear(slope);
     } else if (m->released && creeps(&m->y)) {
         arb_zero(m->c->eps_zero_overlap);
         arb_pos_inf(m->c->t_zero_overlap);
@@ -255,8 +232,7 @@ static bool motion_goes_on(enum motion_outcome *outcome, const struct motion *m,
 static bool motion_step(enum motion_outcome *outcome, struct motion *m, enum motion_goal goal)
 {
     struct taylor *y = &m->y;
-    arb_t end;
-    arb_init(end);
+    LOCAL(arb, end);
     *outcome = MOTION_IMPRECISE;
     taylor_expand(y);
     bool decided = taylor_choose_step(y) && (m->turned || find_turning_point(m));
@@ -276,7 +252,6 @@ static bool motion_step(enum motion_outcome *outcome, struct motion *m, enum mot
         arb_zero(m->begin);
         decided = arb_rel_accuracy_bits(y->w) >= LEAST_BITS && arb_rel_accuracy_bits(y->t) >= LEAST_BITS;
     }
-    arb_clear(end);
     return decided && !reached;
 }
 
@@ -311,11 +286,7 @@ static bool add_fall(struct collision *c, const struct motion *m, const struct s
     const struct ratio one = {1, 1};
     const struct ratio to_speed = ratio_div((struct ratio){-1, 1}, law_speed_exponent(law));
     const struct ratio to_time = ratio_div(ratio_sub(law->a, one), law_fall_power(law));
-    arb_t place, slope, time, unit;
-    arb_init(place);
-    arb_init(slope);
-    arb_init(time);
-    arb_init(unit);
+    LOCAL(arb, place, slope, time, unit);
     manifold_state(place, slope, &m->y);
     const bool reached = slow_manifold_time(time, manifold, place, slope, bits);
     if (reached) {
@@ -330,10 +301,6 @@ static bool add_fall(struct collision *c, const struct motion *m, const struct s
             arb_set(c->t_zero_force, c->t_zero_overlap);
         }
     }
-    arb_clear(place);
-    arb_clear(slope);
-    arb_clear(time);
-    arb_clear(unit);
     return reached;
 }
 

@@ -7,6 +7,7 @@
 #include <pthread.h>
 
 #include "support/console.h"
+#include "support/local.h"
 
 /* Degree of the formal sum. At y = 1/(2 degree n), half way to the smallest term, the truncated sum has a defect of
  * exp(-(1 + ln 2) degree). GUARD_BITS bits allow for constants. A law with a small n needs a higher degree, so that
@@ -29,9 +30,7 @@ double slow_manifold_depth(const struct law *law, slong bits)
 /* Upper bound of sum_{m >= first} |f_m| y^m. */
 static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, slong prec)
 {
-    arb_t term, power;
-    arb_init(term);
-    arb_init(power);
+    LOCAL(arb, term, power);
     arb_zero(sum);
     arb_pow_ui(power, y, (ulong)first, prec);
     for (slong m = first; m < f->length; m++) {
@@ -41,17 +40,13 @@ static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, 
     }
     arb_get_ubound_arf(arb_midref(sum), sum, prec);
     mag_zero(arb_radref(sum));
-    arb_clear(term);
-    arb_clear(power);
 }
 
 /* p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2): order y^m of N(p) = 0, because p p' = (p^2)'/2. */
 static void formal_sum(struct slow_manifold *m, slong degree)
 {
     const struct ratio half_n = ratio_div(m->n, (struct ratio){2, 1});
-    arb_t c, factor;
-    arb_init(c);
-    arb_init(factor);
+    LOCAL(arb, c, factor);
     arb_poly_one(m->p);
     arb_poly_fit_length(m->p, degree + 1);
     for (slong k = 1; k <= degree; k++) {
@@ -63,20 +58,14 @@ static void formal_sum(struct slow_manifold *m, slong degree)
     }
     /* the sum of Hunt and Crossley's law is 1 and may end with zeros */
     _arb_poly_normalise(m->p);
-    arb_clear(c);
-    arb_clear(factor);
 }
 
 /* N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)', which starts at y^(degree+1). */
 static void bound_defect(struct slow_manifold *m, slong degree)
 {
     const slong prec = m->prec;
-    arb_poly_t square, defect, term;
-    arb_t factor;
-    arb_poly_init(square);
-    arb_poly_init(defect);
-    arb_poly_init(term);
-    arb_init(factor);
+    LOCAL(arb_poly, square, defect, term);
+    LOCAL(arb, factor);
     arb_poly_mul(square, m->p, m->p, prec);
     arb_set_ratio(factor, ratio_sub(m->law.a, m->law.b), prec);
     arb_poly_shift_left(defect, square, 1);
@@ -88,10 +77,6 @@ static void bound_defect(struct slow_manifold *m, slong degree)
     arb_poly_scalar_mul(term, term, factor, prec);
     arb_poly_sub(defect, defect, term, prec);
     abs_tail(m->nu, defect, degree + 1, m->last, prec);
-    arb_poly_clear(square);
-    arb_poly_clear(defect);
-    arb_poly_clear(term);
-    arb_clear(factor);
 }
 
 /* eta: 2^-bits plus four times the defect */
@@ -107,12 +92,8 @@ static void eta_of(arb_t eta, const struct slow_manifold *m, slong bits)
 static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
 {
     const slong prec = m->prec;
-    arb_poly_t slope;
-    arb_t change, x, factor;
-    arb_poly_init(slope);
-    arb_init(change);
-    arb_init(x);
-    arb_init(factor);
+    LOCAL(arb_poly, slope);
+    LOCAL(arb, change, x, factor);
     abs_tail(change, m->p, 1, m->last, prec); /* |P - 1| */
     arb_poly_derivative(slope, m->p, prec);
     abs_tail(x, slope, 0, m->last, prec);
@@ -123,8 +104,7 @@ static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
     arb_add_ui(factor, change, 1, prec);
     arb_mul_2exp_si(factor, factor, 1);
     arb_add(factor, factor, eta, prec);
-    arb_t difference;
-    arb_init(difference);
+    LOCAL(arb, difference);
     arb_set_ratio(difference, ratio_sub(m->law.a, m->law.b), prec);
     arb_abs(difference, difference);
     arb_addmul(x, factor, difference, prec);
@@ -135,11 +115,6 @@ static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
     arb_mul_2exp_si(change, change, 2);
     arb_sub_si(change, change, 1, prec);
     closed = closed && arb_is_negative(change);
-    arb_poly_clear(slope);
-    arb_clear(change);
-    arb_clear(x);
-    arb_clear(factor);
-    arb_clear(difference);
     return closed;
 }
 
@@ -151,22 +126,17 @@ static void time_power(arb_t x, const struct slow_manifold *m, slong power, cons
         arb_log(x, y, m->prec);
         return;
     }
-    arb_t exponent;
-    arb_init(exponent);
+    LOCAL(arb, exponent);
     arb_set_ratio(exponent, e, m->prec);
     arb_pow_ratio(x, y, e, m->prec);
     arb_div(x, x, exponent, m->prec);
-    arb_clear(exponent);
 }
 
 /* The integral of 1/P - inverse = (1 - P inverse)/P, which starts at y^(degree+1), with |1/P| < 4/3 */
 static void bound_time_error(struct slow_manifold *m, slong degree)
 {
-    arb_poly_t product;
-    arb_t x, n;
-    arb_poly_init(product);
-    arb_init(x);
-    arb_init(n);
+    LOCAL(arb_poly, product);
+    LOCAL(arb, x, n);
     arb_poly_inv_series(m->inverse, m->p, degree + 1, m->prec);
     arb_poly_mul(product, m->p, m->inverse, m->prec);
     arb_zero(m->time_error);
@@ -180,9 +150,6 @@ static void bound_time_error(struct slow_manifold *m, slong degree)
     arb_div(m->time_error, m->time_error, n, m->prec);
     arb_mul_si(m->time_error, m->time_error, 4, m->prec);
     arb_div_si(m->time_error, m->time_error, 3, m->prec);
-    arb_poly_clear(product);
-    arb_clear(x);
-    arb_clear(n);
 }
 
 /* Integrates one trajectory from `last` with slope p down to z = 0. Sets its end speed and time. */
@@ -192,9 +159,7 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
     const struct ratio to_w = ratio_div((struct ratio){-1, law->d}, m->n);
     struct taylor y;
     bool fallen = false, sound = true;
-    arb_t value, zero;
-    arb_init(value);
-    arb_init(zero);
+    LOCAL(arb, value, zero);
     taylor_init(&y, law, 1, taylor_degree(m->prec), m->prec);
     arb_one(y.c1);
     arb_one(y.c2);
@@ -226,8 +191,6 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
         taylor_value(time, &y, TAYLOR_T, 0, value);
     }
     taylor_clear(&y);
-    arb_clear(value);
-    arb_clear(zero);
     return fallen;
 }
 
@@ -235,11 +198,7 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
  * trajectories between them, and the fall draws them together. A faster trajectory takes less time. */
 static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
 {
-    arb_t middle, edge, speed, time;
-    arb_init(middle);
-    arb_init(edge);
-    arb_init(speed);
-    arb_init(time);
+    LOCAL(arb, middle, edge, speed, time);
     arb_poly_evaluate(middle, m->p, m->last, m->prec);
     arb_sub(edge, middle, eta, m->prec);
     bool closed = fall(m->final_speed, m->t_fall, m, edge);
@@ -247,10 +206,6 @@ static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
     closed = closed && fall(speed, time, m, edge);
     arb_union(m->final_speed, m->final_speed, speed, m->prec);
     arb_union(m->t_fall, m->t_fall, time, m->prec);
-    arb_clear(middle);
-    arb_clear(edge);
-    arb_clear(speed);
-    arb_clear(time);
     return closed;
 }
 
@@ -258,7 +213,7 @@ static bool enclose_fall(struct slow_manifold *m, const arb_t eta)
 static bool manifold_make(struct slow_manifold *m, const struct law *law, slong bits, slong prec)
 {
     const slong degree = formal_degree(law, bits);
-    arb_t eta;
+    LOCAL(arb, eta);
     m->law = *law;
     m->n = law_fall_power(law);
     m->kappa = ratio_div(ratio_add(ratio_sub(law->b, law->a), (struct ratio){1, 1}), m->n);
@@ -270,7 +225,6 @@ static bool manifold_make(struct slow_manifold *m, const struct law *law, slong 
     arb_init(m->time_error);
     arb_init(m->final_speed);
     arb_init(m->t_fall);
-    arb_init(eta);
 
     formal_sum(m, degree);
     arb_set_ratio(m->last, ratio_mul(m->n, (struct ratio){2 * degree, 1}), prec);
@@ -283,7 +237,6 @@ static bool manifold_make(struct slow_manifold *m, const struct law *law, slong 
         bound_time_error(m, degree);
         closed = enclose_fall(m, eta);
     }
-    arb_clear(eta);
     return closed;
 }
 
@@ -318,30 +271,22 @@ const struct slow_manifold *slow_manifold_of(const struct law *law, slong bits, 
 
 bool slow_manifold_reached(const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits)
 {
-    arb_t x, bound;
+    LOCAL(arb, x, bound);
     if (!arb_lt(y, m->last))
         return false;
-    arb_init(x);
-    arb_init(bound);
     arb_poly_evaluate(x, m->p, y, m->prec);
     arb_sub(x, x, p, m->prec);
     arb_abs(x, x);
     arb_one(bound);
     arb_mul_2exp_si(bound, bound, -bits);
-    const bool reached = arb_lt(x, bound);
-    arb_clear(x);
-    arb_clear(bound);
-    return reached;
+    return arb_lt(x, bound);
 }
 
 bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t y, const arb_t p, slong bits)
 {
-    arb_t x, n, eta;
+    LOCAL(arb, x, n, eta);
     if (!slow_manifold_reached(m, y, p, bits))
         return false;
-    arb_init(x);
-    arb_init(n);
-    arb_init(eta);
     arb_set_ratio(n, m->n, m->prec);
     /* sum_k inverse_k [y^(k-kappa)/(k-kappa)]/n from y to `last` */
     arb_zero(time);
@@ -365,8 +310,5 @@ bool slow_manifold_time(arb_t time, const struct slow_manifold *m, const arb_t y
     arb_mul_2exp_si(eta, eta, 1);
     arb_abs(eta, eta);
     arb_add_error(time, eta);
-    arb_clear(x);
-    arb_clear(n);
-    arb_clear(eta);
     return true;
 }

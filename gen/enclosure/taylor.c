@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/taylor.h"
 
+#include "support/local.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -112,9 +114,7 @@ void taylor_clear(struct taylor *y)
 static void convolve(arb_ptr out, arb_srcptr f, arb_srcptr g, slong n, slong first, const struct taylor *y)
 {
     const slong size = stride(y), terms = n - first + 1;
-    arb_t sum, own;
-    arb_init(sum);
-    arb_init(own);
+    LOCAL(arb, sum, own);
     for (slong l = 0; l < y->jets; l++) {
         arb_zero(sum);
         arb_zero(own);
@@ -143,8 +143,6 @@ static void convolve(arb_ptr out, arb_srcptr f, arb_srcptr g, slong n, slong fir
         else
             arb_swap(to, sum);
     }
-    arb_clear(sum);
-    arb_clear(own);
 }
 
 /* out_l += sum_p c_p f_(l-p), at coefficient n. */
@@ -269,9 +267,7 @@ void taylor_expand(struct taylor *y)
 static void component_norm(mag_t norm, arb_srcptr f, slong first, const struct taylor *y, const mag_t r)
 {
     const slong size = stride(y);
-    mag_t jet_norm, term;
-    mag_init(jet_norm);
-    mag_init(term);
+    LOCAL(mag, jet_norm, term);
     mag_zero(norm);
     for (slong n = y->degree; n >= 0; n--) {
         mag_mul(norm, norm, r);
@@ -285,8 +281,6 @@ static void component_norm(mag_t norm, arb_srcptr f, slong first, const struct t
         }
         mag_add(norm, norm, jet_norm);
     }
-    mag_clear(jet_norm);
-    mag_clear(term);
 }
 
 static void arb_set_mag_upper(arb_t y, const mag_t m)
@@ -297,17 +291,13 @@ static void arb_set_mag_upper(arb_t y, const mag_t m)
 
 static void parameter_norm(arb_t norm, arb_srcptr c, const struct taylor *y)
 {
-    mag_t m, term;
-    mag_init(m);
-    mag_init(term);
+    LOCAL(mag, m, term);
     for (slong l = y->jets - 1; l >= 0; l--) {
         mag_mul(m, m, y->weight);
         arb_get_mag(term, c + l);
         mag_add(m, m, term);
     }
     arb_set_mag_upper(norm, m);
-    mag_clear(m);
-    mag_clear(term);
 }
 
 /* k c M^e, zero if k is. */
@@ -380,15 +370,8 @@ static void step_proof_clear(struct step_proof *p)
 static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_proof *p, double ratio)
 {
     const struct law *law = &p->y->law;
-    mag_t R, norm;
-    arb_t w, v, shrink, one, term;
-    mag_init(R);
-    mag_init(norm);
-    arb_init(w);
-    arb_init(v);
-    arb_init(shrink);
-    arb_init(one);
-    arb_init(term);
+    LOCAL(mag, R, norm);
+    LOCAL(arb, w, v, shrink, one, term);
     mag_set_d(R, ratio);
     mag_mul(R, R, p->h_mag); /* above ratio h */
     component_norm(norm, p->y->w, 0, p->y, R);
@@ -406,13 +389,6 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_p
     monomial(term, 1, p->c2, w, law->d - 1 + law->ad);
     arb_add(residual_v, residual_v, term, NORM_BITS);
     arb_div(residual_v, residual_v, shrink, NORM_BITS);
-    mag_clear(R);
-    mag_clear(norm);
-    arb_clear(w);
-    arb_clear(v);
-    arb_clear(shrink);
-    arb_clear(one);
-    arb_clear(term);
 }
 
 /* (6.2): polynomials of degree N solve the equations of motion up to the terms of the products from sigma^N on. Any
@@ -420,11 +396,8 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_p
 static void residuals(struct step_proof *p)
 {
     enum { PER_OCTAVE = 4 };
-    mag_t norm;
-    arb_t residual_v, residual_t;
-    mag_init(norm);
-    arb_init(residual_v);
-    arb_init(residual_t);
+    LOCAL(mag, norm);
+    LOCAL(arb, residual_v, residual_t);
     component_norm(norm, p->y->v, p->y->degree, p->y, p->h_mag);
     arb_set_mag_upper(p->residual_w, norm);
     arb_div_si(p->residual_w, p->residual_w, p->y->law.d, NORM_BITS);
@@ -435,18 +408,13 @@ static void residuals(struct step_proof *p)
         arb_min(p->residual_v, p->residual_v, residual_v, NORM_BITS);
         arb_min(p->residual_t, p->residual_t, residual_t, NORM_BITS);
     }
-    mag_clear(norm);
-    arb_clear(residual_v);
-    arb_clear(residual_t);
 }
 
 /* The tube around the polynomials: their norms times 1 + 2^-TUBE_BITS. */
 static void tube(struct step_proof *p)
 {
-    mag_t norm;
-    arb_t wider;
-    mag_init(norm);
-    arb_init(wider);
+    LOCAL(mag, norm);
+    LOCAL(arb, wider);
     arb_one(wider);
     arb_mul_2exp_si(wider, wider, -TUBE_BITS);
     arb_add_ui(wider, wider, 1, NORM_BITS);
@@ -456,8 +424,6 @@ static void tube(struct step_proof *p)
     component_norm(norm, p->y->v, 0, p->y, p->h_mag);
     arb_set_mag_upper(p->v_max, norm);
     arb_mul(p->v_max, p->v_max, wider, NORM_BITS);
-    mag_clear(norm);
-    arb_clear(wider);
 }
 
 /* (6.3): L = max(kappa/d, L_w/kappa + L_v) with L_w, L_v >= |d(v')/dw|, |d(v')/dv| in the tube. Any kappa > 0 gives a
@@ -466,10 +432,7 @@ static void lipschitz(struct step_proof *p)
 {
     const struct law *law = &p->y->law;
     const slong d = law->d, ad = law->ad, bd = law->bd;
-    arb_t by_w, by_v, term;
-    arb_init(by_w);
-    arb_init(by_v);
-    arb_init(term);
+    LOCAL(arb, by_w, by_v, term);
 
     monomial(by_w, d - 1 + bd, p->c1, p->w_max, d - 2 + bd);
     arb_mul(by_w, by_w, p->v_max, NORM_BITS);
@@ -486,10 +449,6 @@ static void lipschitz(struct step_proof *p)
     arb_add(p->lipschitz, p->lipschitz, by_v, NORM_BITS);
     arb_div_si(term, p->kappa, d, NORM_BITS);
     arb_max(p->lipschitz, p->lipschitz, term, NORM_BITS);
-
-    arb_clear(by_w);
-    arb_clear(by_v);
-    arb_clear(term);
 }
 
 /* (6.4): |e| <= h max(kappa r_w, r_v) exp(L h), which holds if the right side stays inside the tube. Returns whether it
@@ -497,9 +456,7 @@ static void lipschitz(struct step_proof *p)
 static bool gronwall(struct step_proof *p)
 {
     const slong d = p->y->law.d;
-    arb_t term, room;
-    arb_init(term);
-    arb_init(room);
+    LOCAL(arb, term, room);
 
     arb_mul(p->error_v, p->residual_w, p->kappa, NORM_BITS);
     arb_max(p->error_v, p->error_v, p->residual_v, NORM_BITS);
@@ -519,8 +476,6 @@ static bool gronwall(struct step_proof *p)
     bool inside = arb_lt(p->error_w, room);
     arb_mul_2exp_si(room, p->v_max, -TUBE_BITS - 1);
     inside = inside && arb_lt(p->error_v, room);
-    arb_clear(term);
-    arb_clear(room);
     return inside;
 }
 
@@ -529,8 +484,7 @@ static bool gronwall(struct step_proof *p)
  * v_max/d. */
 static bool no_hidden_zero(const struct step_proof *p)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_mul(x, p->lipschitz, p->h, NORM_BITS);
     arb_mul_2exp_si(x, x, 1);
     arb_sub_si(x, x, 3, NORM_BITS);
@@ -540,7 +494,6 @@ static bool no_hidden_zero(const struct step_proof *p)
         arb_div_si(x, x, p->y->law.d, NORM_BITS);
         none = arb_gt(p->y->w, x);
     }
-    arb_clear(x);
     return none;
 }
 
@@ -564,9 +517,8 @@ static bool prove_step(struct taylor *y, const arb_t h)
 static double radius_guess(const struct taylor *y)
 {
     arb_srcptr component[2] = {y->w, y->v};
-    mag_t m;
+    LOCAL(mag, m);
     double radius = HUGE_VAL;
-    mag_init(m);
     for (int i = 0; i < 2; i++) {
         double scale = -HUGE_VAL;
         for (slong l = 0; l < y->jets; l++) {
@@ -585,16 +537,13 @@ static double radius_guess(const struct taylor *y)
                                          (double)n);
             }
     }
-    mag_clear(m);
     return radius == HUGE_VAL ? 0.0 : radius;
 }
 
 bool taylor_choose_step(struct taylor *y)
 {
-    mag_t goal, scale;
+    LOCAL(mag, goal, scale);
     bool proved = false;
-    mag_init(goal);
-    mag_init(scale);
     /* The goal is the size of the rounding errors, relative to the current velocity. */
     arb_get_mag(goal, y->v);
     arb_get_mag(scale, y->w);
@@ -610,8 +559,6 @@ bool taylor_choose_step(struct taylor *y)
         proved = prove_step(y, y->step) && mag_cmp(y->error_v, goal) <= 0 && mag_cmp(y->error_w, goal) <= 0;
         exponent -= trial < FINE_TRIALS ? 1.0 / (double)FINE : trial - FINE_TRIALS + 1;
     }
-    mag_clear(goal);
-    mag_clear(scale);
     return proved;
 }
 
@@ -622,14 +569,10 @@ static arb_srcptr component_block(const struct taylor *y, enum taylor_component 
 
 static void add_remainder(arb_t value, const struct taylor *y, const mag_t error, slong l)
 {
-    mag_t m, w;
-    mag_init(m);
-    mag_init(w);
+    LOCAL(mag, m, w);
     mag_pow_ui_lower(w, y->weight, (ulong)l);
     mag_div(m, error, w);
     arb_add_error_mag(value, m);
-    mag_clear(m);
-    mag_clear(w);
 }
 
 void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, slong l, const arb_t s)
@@ -637,10 +580,7 @@ void taylor_value(arb_t value, const struct taylor *y, enum taylor_component com
     if (component == TAYLOR_FORCE) {
         /* c1 w^(bd-m) v + c2 w^(ad-m) from the enclosed w and v, for numbers only (jets = 1) */
         const slong m = FLINT_MIN(y->law.ad, y->law.bd);
-        arb_t w, v, x;
-        arb_init(w);
-        arb_init(v);
-        arb_init(x);
+        LOCAL(arb, w, v, x);
         taylor_value(w, y, TAYLOR_W, 0, s);
         taylor_value(v, y, TAYLOR_V, 0, s);
         arb_pow_ui(x, w, (ulong)(y->law.bd - m), y->prec);
@@ -649,9 +589,6 @@ void taylor_value(arb_t value, const struct taylor *y, enum taylor_component com
         arb_pow_ui(x, w, (ulong)(y->law.ad - m), y->prec);
         arb_mul(x, x, y->c2, y->prec);
         arb_add(value, v, x, y->prec);
-        arb_clear(w);
-        arb_clear(v);
-        arb_clear(x);
         return;
     }
     _arb_poly_evaluate(value, component_block(y, component) + l * stride(y), stride(y), s, y->prec);
@@ -677,15 +614,8 @@ bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component compo
                  const arb_t end)
 {
     /* The Illinois method on midpoints finds the zero; signs on both sides prove it. */
-    arb_t low, high, flow, fhigh, x, fx, width;
+    LOCAL(arb, low, high, flow, fhigh, x, fx, width);
     bool proved = false;
-    arb_init(low);
-    arb_init(high);
-    arb_init(flow);
-    arb_init(fhigh);
-    arb_init(x);
-    arb_init(fx);
-    arb_init(width);
     arb_get_mid_arb(low, begin);
     arb_get_mid_arb(high, end);
     taylor_value(flow, y, component, 0, low);
@@ -736,13 +666,6 @@ bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component compo
     }
     if (proved)
         arb_union(root, low, high, y->prec);
-    arb_clear(low);
-    arb_clear(high);
-    arb_clear(flow);
-    arb_clear(fhigh);
-    arb_clear(x);
-    arb_clear(fx);
-    arb_clear(width);
     return proved;
 }
 

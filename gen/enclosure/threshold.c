@@ -15,6 +15,7 @@
 #include "enclosure/motion.h"
 #include "enclosure/taylor.h"
 #include "support/console.h"
+#include "support/local.h"
 
 enum { GUARD_BITS = 60, ATTEMPTS = 8, SEARCH_STEPS = 400 };
 
@@ -32,9 +33,7 @@ static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
     const struct ratio one = {1, 1}, two = {2, 1};
     const struct ratio b1 = ratio_add(law->b, one), m = ratio_mul((struct ratio){-1, 1}, law_fall_power(law));
     arb_ptr c = _arb_vec_init(terms + 1);
-    arb_t x, factor;
-    arb_init(x);
-    arb_init(factor);
+    LOCAL(arb, x, factor);
     arb_set_ratio(c, ratio_div(one, b1), prec);
     for (slong k = 1; k <= terms; k++) {
         const struct ratio mk = ratio_mul(m, (struct ratio){k, 1});
@@ -63,8 +62,6 @@ static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
     arb_mul_2exp_si(x, x, -1 - SHRINK * (terms + 1));
     arb_add_error(g, x);
     _arb_vec_clear(c, terms + 1);
-    arb_clear(x);
-    arb_clear(factor);
 }
 
 /* Computes C* by steps from the end of the series to the turning point. */
@@ -72,11 +69,8 @@ static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
 {
     const struct ratio m = ratio_mul((struct ratio){-1, 1}, law_fall_power(law));
     struct taylor y;
-    arb_t g, z, zero;
+    LOCAL(arb, g, z, zero);
     bool sound = true, turned = false;
-    arb_init(g);
-    arb_init(z);
-    arb_init(zero);
     unstable_series(g, z, law, prec);
     taylor_init(&y, law, 1, taylor_degree(prec), prec);
     arb_set_si(y.c1, -1);
@@ -102,9 +96,6 @@ static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
         arb_pow_ui(c_star, z, (ulong)law->d, prec);
     }
     taylor_clear(&y);
-    arb_clear(g);
-    arb_clear(z);
-    arb_clear(zero);
     return turned;
 }
 
@@ -128,15 +119,8 @@ static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const st
  * interval of relative width 2^-bits. C(beta) falls, so the interval contains the only root. */
 static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *law, slong bits, slong prec)
 {
-    arb_t low, high, flow, fhigh, x, fx, width;
+    LOCAL(arb, low, high, flow, fhigh, x, fx, width);
     bool sound, enclosed = false;
-    arb_init(low);
-    arb_init(high);
-    arb_init(flow);
-    arb_init(fhigh);
-    arb_init(x);
-    arb_init(fx);
-    arb_init(width);
     arb_one(low);
     sound = height_above(flow, low, c_star, law, prec);
     while (sound && arb_is_negative(flow)) {
@@ -179,13 +163,6 @@ static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *l
                 arb_is_positive(flow) && arb_is_negative(fhigh);
         arb_union(beta_c, low, high, prec);
     }
-    arb_clear(low);
-    arb_clear(high);
-    arb_clear(flow);
-    arb_clear(fhigh);
-    arb_clear(x);
-    arb_clear(fx);
-    arb_clear(width);
     return sound && enclosed;
 }
 

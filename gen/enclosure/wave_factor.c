@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/wave_factor.h"
 
+#include "support/local.h"
+
 #include <math.h>
 #include <stdbool.h>
 
@@ -32,13 +34,7 @@ static void wave_square(acb_t d, const acb_t x, slong prec)
 static int pressure_integrand(acb_ptr y, const acb_t u, void *parameters, slong order, slong prec)
 {
     const struct wave_parameters *const p = parameters;
-    acb_t x, x2, a, b, d, u2;
-    acb_init(x);
-    acb_init(x2);
-    acb_init(a);
-    acb_init(b);
-    acb_init(d);
-    acb_init(u2);
+    LOCAL(acb, x, x2, a, b, d, u2);
     acb_mul(u2, u, u, prec);
     acb_sub_ui(x, u2, 1, prec);
     acb_neg(x, x);
@@ -63,25 +59,13 @@ static int pressure_integrand(acb_ptr y, const acb_t u, void *parameters, slong 
     acb_mul(y, y, u, prec);
     acb_mul(y, y, p->gamma, prec);
     acb_mul_2exp_si(y, y, 1);
-    acb_clear(x);
-    acb_clear(x2);
-    acb_clear(a);
-    acb_clear(b);
-    acb_clear(d);
-    acb_clear(u2);
     return 0;
 }
 
 static int shear_integrand(acb_ptr y, const acb_t u, void *parameters, slong order, slong prec)
 {
     const struct wave_parameters *const p = parameters;
-    acb_t x, x2, a2, b, d, width;
-    acb_init(x);
-    acb_init(x2);
-    acb_init(a2);
-    acb_init(b);
-    acb_init(d);
-    acb_init(width);
+    LOCAL(acb, x, x2, a2, b, d, width);
     acb_sub_ui(width, p->gamma, 1, prec);
     acb_neg(width, width);
     acb_mul(x, u, u, prec);
@@ -110,35 +94,22 @@ static int shear_integrand(acb_ptr y, const acb_t u, void *parameters, slong ord
     acb_mul(y, y, width, prec);
     acb_mul(y, y, u, prec);
     acb_mul_2exp_si(y, y, 1);
-    acb_clear(x);
-    acb_clear(x2);
-    acb_clear(a2);
-    acb_clear(b);
-    acb_clear(d);
-    acb_clear(width);
     return 0;
 }
 
 static void wave_integral(acb_t y, acb_calc_func_t f, void *p, slong prec)
 {
-    acb_t from, to;
-    mag_t tolerance;
-    acb_init(from);
-    acb_init(to);
-    mag_init(tolerance);
+    LOCAL(acb, from, to);
+    LOCAL(mag, tolerance);
     acb_one(to);
     mag_set_ui_2exp_si(tolerance, 1, -prec);
     acb_calc_integrate(y, f, p, from, to, prec, tolerance, NULL, prec + 20);
-    acb_clear(from);
-    acb_clear(to);
-    mag_clear(tolerance);
 }
 
 /* p^3 - 8 p^2 + (24 - 16 gamma^2) p - 16 (1 - gamma^2), and its derivative */
 static void rayleigh_cubic(acb_t f, acb_t df, const acb_t p, const acb_t gamma2, slong prec)
 {
-    acb_t c;
-    acb_init(c);
+    LOCAL(acb, c);
     acb_sub_ui(f, p, 8, prec);
     acb_mul_ui(df, p, 3, prec);
     acb_sub_ui(df, df, 16, prec);
@@ -152,19 +123,13 @@ static void rayleigh_cubic(acb_t f, acb_t df, const acb_t p, const acb_t gamma2,
     acb_sub_ui(c, gamma2, 1, prec);
     acb_mul_ui(c, c, 16, prec);
     acb_add(f, f, c, prec);
-    acb_clear(c);
 }
 
 /* (c_R/c_s)^2 for every gamma^2 of the interval. Newton's method finds it, and the interval Newton method proves it.
  * The result is infinite if the proof fails. */
 static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
 {
-    acb_t mid, f, df, try, middle2;
-    acb_init(mid);
-    acb_init(f);
-    acb_init(df);
-    acb_init(try);
-    acb_init(middle2);
+    LOCAL(acb, mid, f, df, try, middle2);
     /* polynomial through the roots at gamma^2 = 0, 1/4, 1/2, 3/4 and 1 */
     static const double start[] = {0.91262, -0.32764, 1.34339, -3.20310, 1.27473};
     acb_get_mid(middle2, gamma2);
@@ -184,8 +149,7 @@ static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
     rayleigh_cubic(f, df, mid, gamma2, prec);
     acb_div(f, f, df, prec);
     /* an interval of three times the first step's size must be mapped into itself */
-    mag_t size;
-    mag_init(size);
+    LOCAL(mag, size);
     acb_get_mag(size, f);
     mag_mul_ui(size, size, 3);
     acb_set(try, mid);
@@ -196,23 +160,13 @@ static void rayleigh_root(acb_t p, const acb_t gamma2, slong prec)
     acb_sub(p, mid, f, prec);
     if (!acb_contains(try, p))
         acb_indeterminate(p);
-    mag_clear(size);
-    acb_clear(mid);
-    acb_clear(f);
-    acb_clear(df);
-    acb_clear(try);
-    acb_clear(middle2);
 }
 
 /* - pi x a/R'(x) at the root, with p = 1/x^2, A = sqrt(1 - gamma^2 p), 4 A sqrt(1 - p) = (2 - p)^2:
  * - pi A sqrt(p)/(8 ((2 - p) - (2 - p)^2/4 - 2 (2 - (1 + gamma^2) p)/(2 - p)^2)) */
 static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
 {
-    acb_t p, a, q, d;
-    acb_init(p);
-    acb_init(a);
-    acb_init(q);
-    acb_init(d);
+    LOCAL(acb, p, a, q, d);
     rayleigh_root(p, gamma2, prec);
     acb_mul(a, p, gamma2, prec);
     acb_sub_ui(q, p, 2, prec);
@@ -234,10 +188,6 @@ static void rayleigh_share(acb_t y, const acb_t gamma2, slong prec)
     acb_mul(y, y, d, prec);
     acb_mul_2exp_si(y, y, -3);
     acb_neg(y, y);
-    acb_clear(p);
-    acb_clear(a);
-    acb_clear(q);
-    acb_clear(d);
 }
 
 /* ---- J along a path ---- */
@@ -263,12 +213,7 @@ static void path_root(acb_t a, const acb_t square, const acb_t x2, int far, int 
 static int path_integrand(acb_ptr y, const acb_t u, void *parameters, slong order, slong prec)
 {
     const struct path_parameters *const p = parameters;
-    acb_t x, x2, a, b, one;
-    acb_init(x);
-    acb_init(x2);
-    acb_init(a);
-    acb_init(b);
-    acb_init(one);
+    LOCAL(acb, x, x2, a, b, one);
     acb_one(one);
     acb_mul(x, u, p->step, prec);
     acb_add(x, x, p->from, prec);
@@ -283,11 +228,6 @@ static int path_integrand(acb_ptr y, const acb_t u, void *parameters, slong orde
     acb_mul(x, x, a, prec);
     acb_div(y, x, y, prec);
     acb_mul(y, y, p->step, prec);
-    acb_clear(x);
-    acb_clear(x2);
-    acb_clear(a);
-    acb_clear(b);
-    acb_clear(one);
     return 0;
 }
 
@@ -295,12 +235,10 @@ static int path_integrand(acb_ptr y, const acb_t u, void *parameters, slong orde
 static void path_integral(acb_t y, const acb_t gamma2, slong prec)
 {
     struct path_parameters p = {.far = 0};
-    acb_t part, corner;
+    LOCAL(acb, part, corner);
     acb_init(p.from);
     acb_init(p.step);
     acb_init(p.gamma2);
-    acb_init(part);
-    acb_init(corner);
     acb_set(p.gamma2, gamma2);
     acb_set_d_d(corner, 0.875, 0.875);
     acb_set(p.step, corner);
@@ -314,15 +252,12 @@ static void path_integral(acb_t y, const acb_t gamma2, slong prec)
     acb_clear(p.from);
     acb_clear(p.step);
     acb_clear(p.gamma2);
-    acb_clear(part);
-    acb_clear(corner);
 }
 
 /* (I(gamma) - conj(I(conj(gamma))))/(2 i), which is Im(I) for real gamma */
 static void wave_factor_by_path(acb_t j, const acb_t gamma2, slong prec)
 {
-    acb_t other;
-    acb_init(other);
+    LOCAL(acb, other);
     acb_conj(other, gamma2);
     path_integral(j, gamma2, prec);
     path_integral(other, other, prec);
@@ -330,16 +265,14 @@ static void wave_factor_by_path(acb_t j, const acb_t gamma2, slong prec)
     acb_sub(j, j, other, prec);
     acb_div_onei(j, j);
     acb_mul_2exp_si(j, j, -1);
-    acb_clear(other);
 }
 
 void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
 {
     struct wave_parameters p;
-    acb_t part;
+    LOCAL(acb, part);
     acb_init(p.gamma);
     acb_init(p.gamma2);
-    acb_init(part);
     acb_mul(p.gamma2, tau, tau, prec + 20);
     acb_add_ui(part, p.gamma2, 1, prec + 20);
     acb_div(p.gamma2, p.gamma2, part, prec + 20);
@@ -356,7 +289,6 @@ void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
     }
     acb_clear(p.gamma);
     acb_clear(p.gamma2);
-    acb_clear(part);
 }
 
 /* The integrals along the axis are fast except for gamma^2 within 0.02 of 1/2, which is tau = 1. */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "series/jet.h"
 
+#include "support/local.h"
+
 arb_poly_struct *jet_new(slong count)
 {
     arb_poly_struct *f = flint_malloc((size_t)count * sizeof *f);
@@ -18,34 +20,28 @@ void jet_free(arb_poly_struct *f, slong count)
 
 void jet_derivative(arb_poly_struct *slope, const arb_poly_struct *f, slong count, slong prec)
 {
-    arb_t scale;
-    arb_init(scale);
+    LOCAL(arb, scale);
     for (slong m = 1; m < count; m++) {
         arb_set_si(scale, m);
         arb_poly_scalar_mul(slope + m - 1, f + m, scale, prec);
     }
-    arb_clear(scale);
 }
 
 void jet_compose(arb_poly_t y, const arb_poly_struct *f, slong count, const arb_poly_t delta, slong n, slong prec)
 {
-    arb_poly_t sum;
-    arb_poly_init(sum);
+    LOCAL(arb_poly, sum);
     for (slong m = FLINT_MIN(count, n) - 1; m >= 0; m--) {
         /* delta^m = O(beta^m), so a factor of delta^m is needed only up to beta^(n-1-m). */
         arb_poly_mullow(sum, sum, delta, n - m, prec);
         arb_poly_add_series(sum, sum, f + m, n - m, prec);
     }
     arb_poly_swap(y, sum);
-    arb_poly_clear(sum);
 }
 
 void jet_solve(arb_poly_t delta, const arb_poly_struct *f, slong count, slong n, slong prec)
 {
     arb_poly_struct *slope = jet_new(count - 1);
-    arb_poly_t value, derivative;
-    arb_poly_init(value);
-    arb_poly_init(derivative);
+    LOCAL(arb_poly, value, derivative);
     jet_derivative(slope, f, count, prec);
 
     arb_poly_zero(delta);
@@ -66,6 +62,4 @@ void jet_solve(arb_poly_t delta, const arb_poly_struct *f, slong count, slong n,
     }
 
     jet_free(slope, count - 1);
-    arb_poly_clear(value);
-    arb_poly_clear(derivative);
 }

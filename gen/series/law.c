@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "series/law.h"
 
+#include "support/local.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -174,11 +176,9 @@ void arb_set_ratio(arb_t y, struct ratio x, slong prec)
 
 void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec)
 {
-    fmpq_t q;
-    fmpq_init(q);
+    LOCAL(fmpq, q);
     fmpq_set_ratio(q, e);
     arb_pow_fmpq(y, x, q, prec);
-    fmpq_clear(q);
 }
 
 void fmpq_set_ratio(fmpq_t y, struct ratio x)

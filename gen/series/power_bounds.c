@@ -2,6 +2,7 @@
 #include "series/power_bounds.h"
 
 #include "series/jet.h"
+#include "support/local.h"
 
 /* Row k of the trajectory is about 2^(-ROW_BITS k) at small s. Without this factor, coefficients have similar size and
  * multiply faster. */
@@ -22,8 +23,7 @@ static void magnitudes_clear(struct magnitudes *g)
 /* column[j] = rho^j sum_k U^k |f_kj|, j < length */
 static void magnitudes_columns(mag_ptr column, const struct magnitudes *g, const mag_t U, const mag_t rho)
 {
-    mag_t rho_j;
-    mag_init(rho_j);
+    LOCAL(mag, rho_j);
     mag_one(rho_j);
     for (slong j = 0; j < g->length; j++)
         mag_zero(column + j);
@@ -36,20 +36,17 @@ static void magnitudes_columns(mag_ptr column, const struct magnitudes *g, const
         mag_mul(column + j, column + j, rho_j);
         mag_mul(rho_j, rho_j, rho);
     }
-    mag_clear(rho_j);
 }
 
 /* sum_j j^theta column[j] */
 static void columns_sum(mag_t sum, mag_srcptr column, slong length, int theta)
 {
-    mag_t term;
-    mag_init(term);
+    LOCAL(mag, term);
     mag_zero(sum);
     for (slong j = 0; j < length; j++) {
         mag_mul_ui(term, column + j, theta ? (ulong)j : 1);
         mag_add(sum, sum, term);
     }
-    mag_clear(term);
 }
 
 static void magnitudes_of_rows(struct magnitudes *g, const arb_poly_struct *row)
@@ -201,11 +198,9 @@ void arb_set_upper(arb_t y, const mag_t m)
 /* |f|, or |th(f)| with theta = 1, from the norms of the columns of f */
 static void columns_norm(arb_t y, mag_srcptr column, slong length, int theta)
 {
-    mag_t norm;
-    mag_init(norm);
+    LOCAL(mag, norm);
     columns_sum(norm, column, length, theta);
     arb_set_upper(y, norm);
-    mag_clear(norm);
 }
 
 static void magnitudes_norm(arb_t y, const struct magnitudes *f, const mag_t U, const mag_t rho)
@@ -219,9 +214,7 @@ static void magnitudes_norm(arb_t y, const struct magnitudes *f, const mag_t U, 
 /* (3.1): nu = |V|/(1 - |1 - B V| - |Z - B| |V|). With a divisor below 1/2 the bound would be useless. */
 static bool bound_inverse(arb_t nu, const struct power_evidence *e, const mag_t U, const mag_t rho)
 {
-    arb_t divisor, term;
-    arb_init(divisor);
-    arb_init(term);
+    LOCAL(arb, divisor, term);
     magnitudes_norm(nu, &e->inverse, U, rho);
     magnitudes_norm(term, &e->outer, U, rho);
     arb_mul(term, term, nu, NORM_BITS);
@@ -232,24 +225,15 @@ static bool bound_inverse(arb_t nu, const struct power_evidence *e, const mag_t 
     arb_div(nu, nu, divisor, NORM_BITS);
     arb_mul_2exp_si(divisor, divisor, 1);
     arb_sub_si(divisor, divisor, 1, NORM_BITS);
-    const bool useful = arb_is_positive(divisor);
-    arb_clear(divisor);
-    arb_clear(term);
-    return useful;
+    return arb_is_positive(divisor);
 }
 
 /* (3.2): |N| <= sum over i + j > J of (j + p i) |Z^(i)| |P^(j)|. The coefficients of N up to s^J vanish, and the factor
  * of Z^(i) P^(j) in N is j - p i. */
 static void bound_defect(arb_t y, mag_srcptr z, mag_srcptr power, slong J, struct ratio p)
 {
-    mag_t exponent, sum, theta_sum, term, norm;
-    arb_t ratio;
-    mag_init(exponent);
-    mag_init(sum);       /* of |P^(j)|, j > J - i */
-    mag_init(theta_sum); /* of j |P^(j)| */
-    mag_init(term);
-    mag_init(norm);
-    arb_init(ratio);
+    LOCAL(mag, exponent, sum, theta_sum, term, norm); /* sum of |P^(j)|, and of j |P^(j)|, j > J - i */
+    LOCAL(arb, ratio);
     arb_set_ratio(ratio, p, NORM_BITS);
     arb_get_mag(exponent, ratio);
     for (slong i = 1; i <= J; i++) {
@@ -264,19 +248,12 @@ static void bound_defect(arb_t y, mag_srcptr z, mag_srcptr power, slong J, struc
         mag_add(norm, norm, term);
     }
     arb_set_upper(y, norm);
-    mag_clear(exponent);
-    mag_clear(sum);
-    mag_clear(theta_sum);
-    mag_clear(term);
-    mag_clear(norm);
-    arb_clear(ratio);
 }
 
 /* (3.2): |E| <= nu |N|/(J + 1 - p nu |th(Z)|) and |Z^p| <= |P| + |E| for power i. */
 static bool bound_power(struct power_bounds *b, int i, const struct power_evidence *e, mag_srcptr z, mag_srcptr power)
 {
-    arb_t divisor;
-    arb_init(divisor);
+    LOCAL(arb, divisor);
     columns_norm(divisor, z, e->J + 1, 1);
     arb_mul(divisor, divisor, b->inverse, NORM_BITS);
     arb_set_ratio(b->size[i], e->exponent[i], NORM_BITS);
@@ -288,17 +265,13 @@ static bool bound_power(struct power_bounds *b, int i, const struct power_eviden
     arb_div(b->error[i], b->error[i], divisor, NORM_BITS);
     columns_norm(b->size[i], power, e->J + 1, 0);
     arb_add(b->size[i], b->size[i], b->error[i], NORM_BITS);
-    const bool bounded = arb_is_positive(divisor);
-    arb_clear(divisor);
-    return bounded;
+    return arb_is_positive(divisor);
 }
 
 bool power_bounds_prove(struct power_bounds *b, const struct power_evidence *e, const arb_t U, const arb_t rho)
 {
-    mag_t U_mag, rho_mag;
+    LOCAL(mag, U_mag, rho_mag);
     mag_ptr z = _mag_vec_init(e->J + 1), power = _mag_vec_init(e->J + 1);
-    mag_init(U_mag);
-    mag_init(rho_mag);
     arb_get_mag(U_mag, U);
     arb_get_mag(rho_mag, rho);
     bool bounded = bound_inverse(b->inverse, e, U_mag, rho_mag);
@@ -312,8 +285,6 @@ bool power_bounds_prove(struct power_bounds *b, const struct power_evidence *e, 
             arb_add(b->last_column, b->last_column, b->error[0], NORM_BITS);
         }
     }
-    mag_clear(U_mag);
-    mag_clear(rho_mag);
     _mag_vec_clear(z, e->J + 1);
     _mag_vec_clear(power, e->J + 1);
     return bounded;

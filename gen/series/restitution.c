@@ -3,15 +3,14 @@
 
 #include "series/trajectory.h"
 #include "support/console.h"
+#include "support/local.h"
 
 /* z = x^e for a series with x(0) > 0 and a rational e of either sign. */
 static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n, slong prec)
 {
-    arb_t exponent;
-    arb_init(exponent);
+    LOCAL(arb, exponent);
     arb_set_ratio(exponent, e, prec);
     arb_poly_pow_arb_series(z, x, exponent, n, prec);
-    arb_clear(exponent);
 }
 
 /* -h is an involution of beta, and residues before and after it give (docs/derivation.md, 4)
@@ -45,15 +44,8 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
     const struct ratio half_a1 = ratio_div(ratio_add(law->a, one), two);
     const struct ratio p = ratio_mul(law_speed_exponent(law), half_a1);
     const slong n = order + 1;
-    arb_poly_t z, v, value, slope, step, y_prime;
-    arb_t scale;
-    arb_poly_init(z);
-    arb_poly_init(v);
-    arb_poly_init(value);
-    arb_poly_init(slope);
-    arb_poly_init(step);
-    arb_poly_init(y_prime);
-    arb_init(scale);
+    LOCAL(arb_poly, z, v, value, slope, step, y_prime);
+    LOCAL(arb, scale);
     arb_poly_derivative(y_prime, y, prec);
     arb_set_ratio(scale, p, prec);
 
@@ -80,14 +72,6 @@ void restitution_zero_overlap(arb_poly_t c, const arb_poly_t y, slong order, con
     }
     series_pow(c, z, half_a1, n, prec);
     restitution_power(c, c, one, law, n, prec);
-
-    arb_poly_clear(z);
-    arb_poly_clear(v);
-    arb_poly_clear(value);
-    arb_poly_clear(slope);
-    arb_poly_clear(step);
-    arb_poly_clear(y_prime);
-    arb_clear(scale);
 }
 
 /* sum_(k,j) c[k][j] A^k B^j with A = -w T^(b+1), B = w T^(a+1), up to w^(n-1): The sum is X in backward time. With the
@@ -97,27 +81,22 @@ static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool veloci
                          const struct law *law)
 {
     const slong d = law->d, exponent[2] = {law->bd + d, law->ad + d};
-    fmpq_poly_t log_t, power[2], inner, term;
-    fmpq_t c, e;
-    fmpq_poly_init(log_t);
-    fmpq_poly_init(inner);
-    fmpq_poly_init(term);
-    fmpq_init(c);
-    fmpq_init(e);
+    LOCAL(fmpq_poly, log_t, A, B, inner, term);
+    LOCAL(fmpq, c, e);
+    fmpq_poly_struct *const power[2] = {A, B};
     fmpq_poly_log_series(log_t, T, n);
     for (int i = 0; i < 2; i++) {
-        fmpq_poly_init(power[i]);
         fmpq_set_si(e, exponent[i], (ulong)d);
         fmpq_poly_scalar_mul_fmpq(power[i], log_t, e);
         fmpq_poly_exp_series(power[i], power[i], n);
         fmpq_poly_shift_left(power[i], power[i], 1);
     }
-    fmpq_poly_neg(power[0], power[0]);
+    fmpq_poly_neg(A, A);
     fmpq_poly_zero(f);
     for (slong k = n - 1; k >= 0; k--) {
         fmpq_poly_zero(inner);
         for (slong j = n - 1 - k; j >= 0; j--) {
-            fmpq_poly_mullow(inner, inner, power[1], n - k - j);
+            fmpq_poly_mullow(inner, inner, B, n - k - j);
             fmpq_poly_get_coeff_fmpq(c, row + k, j);
             if (velocity) {
                 fmpq_set_si(e, k * exponent[0] + j * exponent[1] + d, (ulong)d);
@@ -126,16 +105,9 @@ static void backward_sum(fmpq_poly_t f, const fmpq_poly_struct *row, bool veloci
             fmpq_poly_set_fmpq(term, c);
             fmpq_poly_add(inner, inner, term);
         }
-        fmpq_poly_mullow(f, f, power[0], n - k);
+        fmpq_poly_mullow(f, f, A, n - k);
         fmpq_poly_add(f, f, inner);
     }
-    fmpq_poly_clear(log_t);
-    fmpq_poly_clear(power[0]);
-    fmpq_poly_clear(power[1]);
-    fmpq_poly_clear(inner);
-    fmpq_poly_clear(term);
-    fmpq_clear(c);
-    fmpq_clear(e);
 }
 
 void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, const struct law *law)
@@ -150,11 +122,8 @@ void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, con
         return;
 
     fmpq_poly_struct *row = flint_malloc((size_t)n * sizeof *row);
-    fmpq_poly_t x, next;
-    fmpq_t e;
-    fmpq_init(e);
-    fmpq_poly_init(x);
-    fmpq_poly_init(next);
+    LOCAL(fmpq_poly, x, next);
+    LOCAL(fmpq, e);
     for (slong k = 0; k < n; k++)
         fmpq_poly_init(row + k);
     trajectory_exact(row, order, order, law);
@@ -176,9 +145,6 @@ void restitution_zero_force_exact(fmpq_poly_t G, fmpq_poly_t T, slong order, con
     for (slong k = 0; k < n; k++)
         fmpq_poly_clear(row + k);
     flint_free(row);
-    fmpq_poly_clear(x);
-    fmpq_poly_clear(next);
-    fmpq_clear(e);
 }
 
 /* The exponent (a+1)/(a-b) of h in w. */
@@ -199,9 +165,9 @@ void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, con
 {
     const slong root = restitution_zero_force_root(law);
     const slong n = order / root + 1;
-    fmpq_poly_t G, T;
-    arb_poly_t h, sum;
-    arb_t g;
+    LOCAL(fmpq_poly, G, T);
+    LOCAL(arb_poly, h, sum);
+    LOCAL(arb, g);
     if (ratio_sub(law->a, law->b).num <= 0) {
         arb_poly_set(eps, c);
         arb_poly_truncate(eps, order + 1);
@@ -210,20 +176,13 @@ void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, con
     const struct ratio e = force_exponent(law);
     const struct ratio q = law_speed_exponent(law);
     const slong terms = order / e.num;
-    fmpq_poly_init(G);
-    fmpq_poly_init(T);
-    arb_poly_init(h);
-    arb_poly_init(sum);
-    arb_init(g);
 
     restitution_zero_force_exact(G, T, terms, law);
     /* w^i = beta^(i e) (eps^q)^(i e); beta^(i e) = z^(i e.num), and the other factor is a series in beta = z^root. */
     for (slong i = 0; i <= terms; i++) {
-        fmpq_t coefficient;
-        fmpq_init(coefficient);
+        LOCAL(fmpq, coefficient);
         fmpq_poly_get_coeff_fmpq(coefficient, G, i);
         arb_set_fmpq(g, coefficient, prec);
-        fmpq_clear(coefficient);
         const struct ratio power = ratio_add((struct ratio){1, 1}, ratio_mul(ratio_mul(q, e), (struct ratio){i, 1}));
         restitution_power(h, c, power, law, n, prec);
         arb_poly_scalar_mul(h, h, g, prec);
@@ -234,10 +193,4 @@ void restitution_zero_force(arb_poly_t eps, const arb_poly_t c, slong order, con
         }
     }
     arb_poly_swap(eps, sum);
-
-    fmpq_poly_clear(G);
-    fmpq_poly_clear(T);
-    arb_poly_clear(h);
-    arb_poly_clear(sum);
-    arb_clear(g);
 }

@@ -2,6 +2,7 @@
 #include "series/row_sums.h"
 
 #include "support/console.h"
+#include "support/local.h"
 #include "support/parallel.h"
 
 #include <float.h>
@@ -113,9 +114,9 @@ static void transform_back(ulong *f, const struct row_prime *m, int depth)
             }
 }
 
-static slong row_weight(const struct row_sums *s, slong i, slong k)
+slong row_sums_weight(struct ratio p, slong i, slong k)
 {
-    return (s->p.num + s->p.den) * i - s->p.den * k;
+    return (p.num + p.den) * i - p.den * k;
 }
 
 /* Transforms the stored rows that are new to this prime. */
@@ -141,7 +142,7 @@ static void row_prime_sum(struct row_prime *m, const struct row_sums *s, slong k
         const slong count = FLINT_MIN(POINTS, n - start);
         ulong high[POINTS] = {0}, low[POINTS] = {0};
         for (slong i = 1; i < k; i++) {
-            const slong weight = row_weight(s, i, k);
+            const slong weight = row_sums_weight(s->p, i, k);
             const ulong *x = m->factor[0] + (i << s->depth) + start;
             const ulong *y = m->factor[1] + ((k - i) << s->depth) + start;
             for (slong j = 0; j < count; j++) {
@@ -223,8 +224,7 @@ static void row_store(struct row_sums *s, int f, const arb_poly_struct *row, slo
 {
     fmpz *integer = s->integer[f] + k * s->length;
     mag_ptr size = _mag_vec_init(s->length), radius = _mag_vec_init(s->length);
-    arf_t scaled;
-    arf_init(scaled);
+    LOCAL(arf, scaled);
     for (slong j = 0; j < FLINT_MIN(s->length, row->length); j++) {
         arf_mul_2exp_si(scaled, arb_midref(row->coeffs + j), s->prec + ROW_BITS * k);
         arf_get_fmpz(integer + j, scaled, ARF_RND_DOWN);
@@ -236,7 +236,6 @@ static void row_store(struct row_sums *s, int f, const arb_poly_struct *row, slo
     bounds_set(b->size, &b->size_exponent, size, s->length);
     bounds_set(b->radius, &b->radius_exponent, radius, s->length);
     s->integer_bits[f][k] = FLINT_ABS(_fmpz_vec_max_bits(integer, s->length));
-    arf_clear(scaled);
     _mag_vec_clear(size, s->length);
     _mag_vec_clear(radius, s->length);
 }
@@ -271,7 +270,7 @@ static void error_block(const struct row_sums *s, slong k, slong start, slong en
         s->error[n] = 0;
     for (slong i = 1; i < k; i++) {
         const struct row_bounds *x = s->bounds[0] + i, *y = s->bounds[1] + k - i;
-        const double weight = (double)FLINT_ABS(row_weight(s, i, k));
+        const double weight = (double)FLINT_ABS(row_sums_weight(s->p, i, k));
         const double x_scale = ldexp(weight, (int)(x->radius_exponent + y->size_exponent - exponent));
         const double y_scale = ldexp(weight, (int)(x->size_exponent + y->radius_exponent - exponent));
         for (slong j = 0; j < end; j++) {
@@ -321,10 +320,8 @@ static void sum_collect(arb_poly_struct *sum, const struct row_sums *s, slong k,
     ulong *residue = words_new(2 * s->primes), *prime = residue + s->primes;
     fmpz_comb_t comb;
     fmpz_comb_temp_t temp;
-    fmpz_t value;
-    mag_t error;
-    fmpz_init(value);
-    mag_init(error);
+    LOCAL(fmpz, value);
+    LOCAL(mag, error);
     for (slong i = 0; i < s->primes; i++)
         prime[i] = s->mod[i].p;
     fmpz_comb_init(comb, prime, s->primes);
@@ -344,8 +341,6 @@ static void sum_collect(arb_poly_struct *sum, const struct row_sums *s, slong k,
     _arb_poly_normalise(sum);
     fmpz_comb_temp_clear(temp);
     fmpz_comb_clear(comb);
-    fmpz_clear(value);
-    mag_clear(error);
     flint_free(residue);
 }
 

@@ -3,7 +3,7 @@
  *
  *   S_k = p.den sum_{0<i<k} ((p+1) i - k) X_i P_(k-i),
  *
- * from which a power P = X^p of a trajectory takes its next row (trajectory_rows.inc).
+ * from which a power P = X^p of a trajectory takes its next row (trajectory.c).
  *
  * Every row is a factor of many products. row_sums.c therefore transforms every row only once, modulo many primes, and
  * a product costs one multiplication per prime and point. The sums of the midpoints, cut to integers, are exact. Sums
@@ -12,10 +12,6 @@
 #define COR_GEN_SERIES_ROW_SUMS_H
 
 #include "series/law.h"
-
-/* With fewer rows, products of polynomials take less time. Measured for spheres at 40 and at 100 digits: both take
- * about the same time from 9 to 13 rows. */
-enum { ROW_SUMS_MIN_ROWS = 12 };
 
 struct row_sums {
     struct ratio p;
@@ -31,6 +27,9 @@ struct row_sums {
     struct row_bounds *bounds[2];
     double *error; /* of the sum */
 };
+
+/* (p+1) i - k, times p.den */
+slong row_sums_weight(struct ratio p, slong i, slong k);
 
 /* Sums up to s^(length-1) for k < rows. The midpoints of row i are cut after 2^(-prec - 2 i). */
 void row_sums_init(struct row_sums *s, struct ratio p, slong rows, slong length, slong prec);

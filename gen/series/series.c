@@ -6,6 +6,7 @@
 #include "series/restitution.h"
 #include "series/turning_point.h"
 #include "support/console.h"
+#include "support/local.h"
 
 void series_init(struct series *s)
 {
@@ -26,22 +27,18 @@ void series_clear(struct series *s)
 static slong reached_bits(const arb_poly_t f, slong order)
 {
     slong reached = WORD_MAX;
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     for (slong k = 0; k <= order; k++) {
         arb_poly_get_coeff_arb(c, f, k);
         if (arb_is_exact(c))
             continue;
         slong bits = arb_rel_accuracy_bits(c);
         if (arb_contains_zero(c)) {
-            fmpz_t e;
-            fmpz_init_set(e, MAG_EXPREF(arb_radref(c)));
+            const fmpz *const e = MAG_EXPREF(arb_radref(c));
             bits = fmpz_fits_si(e) ? -fmpz_get_si(e) : -WORD_MAX / 2;
-            fmpz_clear(e);
         }
         reached = FLINT_MIN(reached, bits);
     }
-    arb_clear(c);
     return reached;
 }
 

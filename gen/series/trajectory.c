@@ -1,178 +1,205 @@
 /* SPDX-License-Identifier: MIT */
+/* The recurrence of trajectory.h, in exact rationals and in interval (ball) arithmetic.
+ *
+ * With x = t X, the derivation D that multiplies u^k s^j by e = k (b+1) + j (a+1), and
+ * x^b x' = (x^(b+1))'/(b+1), the equation of motion is, coefficient by coefficient,
+ *
+ *   e (e+1) c[k][j] = -(e/(b+1)) [X^(b+1)][k-1][j] - [X^a][k][j-1].
+ *
+ * A power P = X^p obeys X P_u = p P X_u; with P_k, X_k the rows in s, for k >= 1
+ *
+ *   P_k = p X_0^(p-1) X_k + Q_k,   k X_0 Q_k = sum_{0<i<k} ((p+1) i - k) X_i P_(k-i),
+ *
+ * so a new row costs k products of polynomials, and its coefficients follow one by one. In interval arithmetic
+ * row_sums.c computes these products. For spheres a = b+1 = 3/2 and the two powers are the same one. */
 #include "series/trajectory.h"
+
+#include <math.h>
 
 #include "series/jet.h"
 #include "series/row_sums.h"
 #include "support/console.h"
+#include "support/local.h"
 
-#include <math.h>
-
-#define TRAJECTORY_PROGRESS progress
-
-/* The recurrence in exact rationals */
-#define ROWS exact_rows
-#define POWER exact_power
-#define POWER_INIT exact_power_init
-#define POWER_CLEAR exact_power_clear
-#define POWER_FIRST_ROW exact_power_first_row
-#define POWER_SUM exact_power_sum
-#define POWER_REST exact_power_rest
-#define POWER_FINISH_ROW exact_power_finish_row
-#define POLY fmpq_poly_struct
-#define NUMBER fmpq_t
-#define PREC_PARAMETER
-#define number_strengthen(x) (void)(x)
-#define SHIFT_PARAMETER
-#define PREC
-#define poly_init fmpq_poly_init
-#define poly_clear fmpq_poly_clear
-#define poly_zero fmpq_poly_zero
-#define poly_get(x, p, i) fmpq_poly_get_coeff_fmpq(x, p, i)
-#define poly_set(p, i, x) fmpq_poly_set_coeff_fmpq(p, i, x)
-#define poly_mul fmpq_poly_mullow
-#define poly_add fmpq_poly_add
-#define poly_scale_si fmpq_poly_scalar_mul_si
-#define poly_unscale_si fmpq_poly_scalar_div_si
-#define poly_inverse fmpq_poly_inv_series
-#define poly_dot exact_dot
-#define poly_trim(p) (void)(p)
-#define number_init fmpq_init
-#define number_clear fmpq_clear
-#define number_zero fmpq_zero
-#define number_one fmpq_one
-#define number_mul fmpq_mul
-#define number_add fmpq_add
-#define number_mul_si(y, x, n) exact_mul_si(y, x, n)
-#define number_div_si(y, x, n) exact_div_si(y, x, n)
-
-static void exact_mul_si(fmpq_t y, const fmpq_t x, slong n)
+/* p = a and b+1. Returns how many powers there are: 1 if they are the same. */
+static int powers_of(struct ratio p[2], const struct law *law)
 {
-    fmpz_t z;
-    fmpz_init_set_si(z, n);
-    fmpq_mul_fmpz(y, x, z);
-    fmpz_clear(z);
+    p[0] = law->a;
+    p[1] = ratio_add(law->b, (struct ratio){1, 1});
+    return law->ad == law->bd + law->d ? 1 : 2;
 }
 
-static void exact_div_si(fmpq_t y, const fmpq_t x, slong n)
+/* ---- exact ---- */
+
+struct exact_power {
+    struct ratio p;
+    fmpq_poly_struct *row;   /* P_k */
+    fmpq_poly_t slope, rest; /* p X_0^(p-1), and Q_k of the current row */
+};
+
+static fmpq_poly_struct *exact_rows(slong rows)
 {
-    fmpz_t z;
-    fmpz_init_set_si(z, n);
-    fmpq_div_fmpz(y, x, z);
-    fmpz_clear(z);
+    fmpq_poly_struct *row = flint_malloc((size_t)rows * sizeof *row);
+    for (slong k = 0; k < rows; k++)
+        fmpq_poly_init(row + k);
+    return row;
+}
+
+/* y = x num/den */
+static void exact_scale(fmpq_t y, const fmpq_t x, slong num, slong den)
+{
+    LOCAL(fmpq, factor);
+    fmpq_set_si(factor, den < 0 ? -num : num, (ulong)FLINT_ABS(den));
+    fmpq_mul(y, x, factor);
 }
 
 /* sum_i p_i q_(n-i), computed with integers over the two common denominators */
 static void exact_dot(fmpq_t sum, const fmpq_poly_struct *p, const fmpq_poly_struct *q, slong n)
 {
-    fmpz_t num, den;
-    fmpz_init(num);
-    fmpz_init(den);
+    LOCAL(fmpz, num, den);
     const slong first = FLINT_MAX(0, n - (q->length - 1)), last = FLINT_MIN(n, p->length - 1);
     for (slong i = first; i <= last; i++)
         fmpz_addmul(num, p->coeffs + i, q->coeffs + n - i);
     fmpz_mul(den, p->den, q->den);
     fmpq_set_fmpz_frac(sum, num, den);
-    fmpz_clear(num);
-    fmpz_clear(den);
 }
 
-#define ROW_SUMS
-#define row_sums_begin(power, rows, length) (void)(length)
-#define row_sums_end(power) (void)(power)
-#define row_sum(sum, power, x, k, length) exact_power_sum(sum, power, x, k, length)
-
-#include "series/trajectory_rows.inc"
-
-#undef ROWS
-#undef ROW_SUMS
-#undef row_sums_begin
-#undef row_sums_end
-#undef row_sum
-#undef POWER
-#undef POWER_INIT
-#undef POWER_CLEAR
-#undef POWER_FIRST_ROW
-#undef POWER_SUM
-#undef POWER_REST
-#undef POWER_FINISH_ROW
-#undef POLY
-#undef NUMBER
-#undef PREC_PARAMETER
-#undef PREC
-#undef poly_init
-#undef poly_clear
-#undef poly_zero
-#undef poly_get
-#undef poly_set
-#undef poly_mul
-#undef poly_add
-#undef poly_scale_si
-#undef poly_unscale_si
-#undef poly_inverse
-#undef poly_dot
-#undef poly_trim
-#undef number_strengthen
-#undef SHIFT_PARAMETER
-#undef number_init
-#undef number_clear
-#undef number_zero
-#undef number_one
-#undef number_mul
-#undef number_add
-#undef number_mul_si
-#undef number_div_si
-
-/* The recurrence in interval (ball) arithmetic */
-#define ROWS ball_rows
-#define POWER ball_power
-#define POWER_INIT ball_power_init
-#define POWER_CLEAR ball_power_clear
-#define POWER_FIRST_ROW ball_power_first_row
-#define POWER_SUM ball_power_sum
-#define POWER_REST ball_power_rest
-#define POWER_FINISH_ROW ball_power_finish_row
-#define POLY arb_poly_struct
-#define NUMBER arb_t
-#define PREC_PARAMETER , slong prec
-#define PREC , prec
-#define number_strengthen(x) arb_mul_2exp_si(x, x, shift)
-#define SHIFT_PARAMETER slong shift,
-#define poly_init arb_poly_init
-#define poly_clear arb_poly_clear
-#define poly_zero arb_poly_zero
-#define poly_get(x, p, i) arb_poly_get_coeff_arb(x, p, i)
-#define poly_set(p, i, x) arb_poly_set_coeff_arb(p, i, x)
-#define poly_mul(y, p, q, n) arb_poly_mullow(y, p, q, n, prec)
-#define poly_add(y, p, q) arb_poly_add(y, p, q, prec)
-#define poly_scale_si(y, p, n) ball_scale_si(y, p, n, prec)
-#define poly_unscale_si(y, p, n) ball_unscale_si(y, p, n, prec)
-#define poly_inverse(y, p, n) arb_poly_inv_series(y, p, n, prec)
-#define poly_dot(y, p, q, n) ball_dot(y, p, q, n, prec)
-#define poly_trim ball_trim
-#define number_init arb_init
-#define number_clear arb_clear
-#define number_zero arb_zero
-#define number_one arb_one
-#define number_mul(y, x, z) arb_mul(y, x, z, prec)
-#define number_add(y, x, z) arb_add(y, x, z, prec)
-#define number_mul_si(y, x, n) arb_mul_si(y, x, n, prec)
-#define number_div_si(y, x, n) arb_div_si(y, x, n, prec)
-
-static void ball_scale_si(arb_poly_struct *y, const arb_poly_struct *p, slong n, slong prec)
+/* Coefficient j >= 1 of X_0^p from lower ones: j P_j = sum_i ((p+1) i - j) x_i P_(j-i). */
+static void exact_first_row(struct exact_power *power, const fmpq_poly_t x0, slong j)
 {
-    arb_poly_set(y, p);
-    for (slong i = 0; i < y->length; i++)
-        arb_mul_si(y->coeffs + i, y->coeffs + i, n, prec);
+    LOCAL(fmpq, sum, x, y);
+    for (slong i = 1; i <= j; i++) {
+        fmpq_poly_get_coeff_fmpq(x, x0, i);
+        fmpq_poly_get_coeff_fmpq(y, power->row, j - i);
+        fmpq_mul(x, x, y);
+        exact_scale(x, x, row_sums_weight(power->p, i, j), j * power->p.den);
+        fmpq_add(sum, sum, x);
+    }
+    fmpq_poly_set_coeff_fmpq(power->row, j, sum);
 }
 
-static void ball_unscale_si(arb_poly_struct *y, const arb_poly_struct *p, slong n, slong prec)
+static void exact_rest(struct exact_power *power, const fmpq_poly_struct *x, const fmpq_poly_t x0_inverse, slong k,
+                       slong length)
 {
-    arb_poly_set(y, p);
-    for (slong i = 0; i < y->length; i++)
-        arb_div_si(y->coeffs + i, y->coeffs + i, n, prec);
+    LOCAL(fmpq_poly, product);
+    fmpq_poly_zero(power->rest);
+    for (slong i = 1; i < k; i++) {
+        fmpq_poly_mullow(product, x + i, power->row + k - i, length);
+        fmpq_poly_scalar_mul_si(product, product, row_sums_weight(power->p, i, k));
+        fmpq_poly_add(power->rest, power->rest, product);
+    }
+    fmpq_poly_mullow(power->rest, power->rest, x0_inverse, length);
+    fmpq_poly_scalar_div_si(power->rest, power->rest, k * power->p.den);
 }
 
-static void ball_dot(arb_t sum, const arb_poly_struct *p, const arb_poly_struct *q, slong n, slong prec)
+void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const struct law *law)
+{
+    /* e = e_num/d with e_num = k (b+1) d + j (a+1) d */
+    const slong length = terms + 1, d = law->d, du = law->bd + d, ds = law->ad + d;
+    struct ratio p[2];
+    const int powers = powers_of(p, law);
+    struct exact_power power[2], *const elastic = power, *const damping = power + powers - 1;
+    LOCAL(fmpq_poly, x0_inverse);
+    LOCAL(fmpq, sum, x);
+    for (slong k = 0; k <= order; k++)
+        fmpq_poly_zero(row + k);
+    fmpq_poly_one(row);
+    for (int i = 0; i < powers; i++) {
+        power[i].p = p[i];
+        power[i].row = exact_rows(order + 1);
+        fmpq_poly_init(power[i].slope);
+        fmpq_poly_init(power[i].rest);
+        fmpq_poly_one(power[i].row);
+    }
+
+    for (slong j = 1; j <= terms; j++) {
+        progress("elastic trajectory", j, terms);
+        fmpq_poly_get_coeff_fmpq(x, elastic->row, j - 1);
+        exact_scale(x, x, -d * d, j * ds * (j * ds + d));
+        fmpq_poly_set_coeff_fmpq(row, j, x);
+        for (int i = 0; i < powers; i++)
+            exact_first_row(&power[i], row, j);
+    }
+    fmpq_poly_inv_series(x0_inverse, row, length);
+    for (int i = 0; i < powers; i++) {
+        fmpq_poly_mullow(power[i].slope, power[i].row, x0_inverse, length);
+        fmpq_poly_scalar_mul_si(power[i].slope, power[i].slope, p[i].num);
+        fmpq_poly_scalar_div_si(power[i].slope, power[i].slope, p[i].den);
+    }
+
+    for (slong k = 1; k <= order; k++) {
+        progress("trajectory rows", k, order);
+        for (int i = 0; i < powers; i++)
+            exact_rest(&power[i], row, x0_inverse, k, length);
+        for (slong j = 0; j <= terms; j++) {
+            const slong e = k * du + j * ds;
+            fmpq_zero(sum);
+            if (j > 0) { /* [X^a][k][j-1] d/e */
+                exact_dot(sum, elastic->slope, row + k, j - 1);
+                fmpq_poly_get_coeff_fmpq(x, elastic->rest, j - 1);
+                fmpq_add(sum, sum, x);
+                exact_scale(sum, sum, d, e);
+            }
+            fmpq_poly_get_coeff_fmpq(x, damping->row + k - 1, j);
+            exact_scale(x, x, d, du);
+            fmpq_add(sum, sum, x);
+            exact_scale(sum, sum, -d, e + d);
+            fmpq_poly_set_coeff_fmpq(row + k, j, sum);
+        }
+        for (int i = 0; i < powers; i++) {
+            fmpq_poly_mullow(power[i].row + k, power[i].slope, row + k, length);
+            fmpq_poly_add(power[i].row + k, power[i].row + k, power[i].rest);
+        }
+    }
+    for (int i = 0; i < powers; i++) {
+        for (slong k = 0; k <= order; k++)
+            fmpq_poly_clear(power[i].row + k);
+        flint_free(power[i].row);
+        fmpq_poly_clear(power[i].slope);
+        fmpq_poly_clear(power[i].rest);
+    }
+}
+
+/* ---- in balls; the elastic constant is 2^shift ---- */
+
+struct ball_power {
+    struct ratio p;
+    arb_poly_struct *row;   /* P_k */
+    arb_poly_t slope, rest; /* p X_0^(p-1), and Q_k of the current row */
+    struct row_sums sums;
+};
+
+static void ball_first_row(struct ball_power *power, const arb_poly_t x0, slong j, slong prec)
+{
+    LOCAL(arb, sum, x);
+    for (slong i = 1; i <= j; i++) {
+        arb_poly_get_coeff_arb(x, x0, i);
+        if (j - i < power->row->length)
+            arb_mul(x, x, power->row->coeffs + j - i, prec);
+        else
+            arb_zero(x);
+        arb_mul_si(x, x, row_sums_weight(power->p, i, j), prec);
+        arb_add(sum, sum, x, prec);
+    }
+    arb_div_si(sum, sum, j * power->p.den, prec);
+    arb_poly_set_coeff_arb(power->row, j, sum);
+}
+
+static void ball_divide(arb_poly_t p, slong n, slong prec)
+{
+    for (slong i = 0; i < p->length; i++)
+        arb_div_si(p->coeffs + i, p->coeffs + i, n, prec);
+}
+
+static void ball_rest(struct ball_power *power, const arb_poly_struct *x, const arb_poly_t x0_inverse, slong k,
+                      slong length, slong prec)
+{
+    row_sums_next(power->rest, &power->sums, x, power->row, k);
+    arb_poly_mullow(power->rest, power->rest, x0_inverse, length, prec);
+    ball_divide(power->rest, k * power->p.den, prec);
+}
+
+static void ball_dot(arb_t sum, const arb_poly_t p, const arb_poly_t q, slong n, slong prec)
 {
     const slong first = FLINT_MAX(0, n - (q->length - 1)), last = FLINT_MIN(n, p->length - 1);
     if (last < first)
@@ -182,47 +209,94 @@ static void ball_dot(arb_t sum, const arb_poly_struct *p, const arb_poly_struct 
 }
 
 /* Rounding errors grow from row to row. Digits below them are dropped, which makes products cheaper. */
-static void ball_trim(arb_poly_struct *p)
+static void ball_trim(arb_poly_t p)
 {
     for (slong i = 0; i < p->length; i++)
         arb_trim(p->coeffs + i, p->coeffs + i);
 }
 
-#define ROW_SUMS struct row_sums sums[1];
-#define row_sums_begin(power, rows, length) row_sums_init((power)->sums, (power)->p, rows, length, prec)
-#define row_sums_end(power) row_sums_clear((power)->sums)
-#define row_sum(sum, power, x, k, length) ball_row_sum(sum, power, x, k, length, prec)
-
-struct ball_power;
-static void ball_row_sum(arb_poly_struct *sum, struct ball_power *power, const arb_poly_struct *x, slong k,
-                         slong length, slong prec);
-
-#include "series/trajectory_rows.inc"
-
-static void ball_row_sum(arb_poly_struct *sum, struct ball_power *power, const arb_poly_struct *x, slong k,
-                         slong length, slong prec)
-{
-    if (power->sums->rows < ROW_SUMS_MIN_ROWS)
-        ball_power_sum(sum, power, x, k, length, prec);
-    else
-        row_sums_next(sum, power->sums, x, power->row, k);
-}
-
-void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const struct law *law)
-{
-    exact_rows(row, NULL, NULL, order, terms, law);
-}
-
 void trajectory_init(struct trajectory *t, slong order, slong terms, const struct law *law, slong prec)
 {
+    const slong length = terms + 1, d = law->d, du = law->bd + d, ds = law->ad + d;
+    const double farthest = law_elastic_radius(law) * law_elastic_time(law);
+    struct ratio p[2];
+    const int powers = powers_of(p, law);
+    struct ball_power power[2], *const elastic = power, *const damping = power + powers - 1;
+    LOCAL(arb_poly, x0_inverse);
+    LOCAL(arb, sum, x);
     t->law = *law;
     t->order = order;
     t->terms = terms;
     t->prec = prec;
-    t->x = jet_new(order + 1);
-    const double farthest = law_elastic_radius(law) * law_elastic_time(law);
     t->shift = (slong)floor(log2(farthest) * (double)(law->ad + law->d) / (double)law->d);
-    ball_rows(t->shift, t->x, &t->x_to_a, &t->x_to_b1, order, terms, law, prec);
+    t->x = jet_new(order + 1);
+    arb_poly_one(t->x);
+    for (int i = 0; i < powers; i++) {
+        power[i].p = p[i];
+        power[i].row = jet_new(order + 1);
+        arb_poly_init(power[i].slope);
+        arb_poly_init(power[i].rest);
+        row_sums_init(&power[i].sums, p[i], order + 1, length, prec);
+        arb_poly_one(power[i].row);
+    }
+
+    for (slong j = 1; j <= terms; j++) {
+        progress("elastic trajectory", j, terms);
+        arb_poly_get_coeff_arb(x, elastic->row, j - 1);
+        arb_mul_2exp_si(x, x, t->shift);
+        arb_mul_si(x, x, -d * d, prec);
+        arb_div_si(x, x, j * ds, prec);
+        arb_div_si(x, x, j * ds + d, prec);
+        arb_poly_set_coeff_arb(t->x, j, x);
+        for (int i = 0; i < powers; i++)
+            ball_first_row(&power[i], t->x, j, prec);
+    }
+    arb_poly_inv_series(x0_inverse, t->x, length, prec);
+    for (int i = 0; i < powers; i++) {
+        arb_poly_mullow(power[i].slope, power[i].row, x0_inverse, length, prec);
+        arb_set_si(x, p[i].num);
+        arb_poly_scalar_mul(power[i].slope, power[i].slope, x, prec);
+        ball_divide(power[i].slope, p[i].den, prec);
+    }
+
+    for (slong k = 1; k <= order; k++) {
+        arb_poly_struct *const row = t->x + k;
+        progress("trajectory rows", k, order);
+        for (int i = 0; i < powers; i++)
+            ball_rest(&power[i], t->x, x0_inverse, k, length, prec);
+        for (slong j = 0; j <= terms; j++) {
+            const slong e = k * du + j * ds;
+            arb_zero(sum);
+            if (j > 0) { /* 2^shift [X^a][k][j-1] d/e */
+                ball_dot(sum, elastic->slope, row, j - 1, prec);
+                arb_poly_get_coeff_arb(x, elastic->rest, j - 1);
+                arb_add(sum, sum, x, prec);
+                arb_mul_2exp_si(sum, sum, t->shift);
+                arb_mul_si(sum, sum, d, prec);
+                arb_div_si(sum, sum, e, prec);
+            }
+            arb_poly_get_coeff_arb(x, damping->row + k - 1, j);
+            arb_mul_si(x, x, d, prec);
+            arb_div_si(x, x, du, prec);
+            arb_add(sum, sum, x, prec);
+            arb_mul_si(sum, sum, -d, prec);
+            arb_div_si(sum, sum, e + d, prec);
+            arb_poly_set_coeff_arb(row, j, sum);
+        }
+        ball_trim(row);
+        for (int i = 0; i < powers; i++) {
+            arb_poly_mullow(power[i].row + k, power[i].slope, row, length, prec);
+            arb_poly_add(power[i].row + k, power[i].row + k, power[i].rest, prec);
+            ball_trim(power[i].row + k);
+        }
+    }
+    t->x_to_a = elastic->row;
+    t->x_to_b1 = damping->row;
+    for (int i = 0; i < powers; i++) {
+        arb_poly_clear(power[i].slope);
+        arb_poly_clear(power[i].rest);
+        row_sums_clear(&power[i].sums);
+    }
 }
 
 void trajectory_clear(struct trajectory *t)

@@ -15,6 +15,8 @@
  * is therefore about as small as the remainder of the series. */
 #include "series/power_bounds.h"
 
+#include "support/local.h"
+
 #include <math.h>
 
 enum {
@@ -28,15 +30,13 @@ enum {
 /* y = (1 - eta)^(-p) - 1, computed by expm1 so that a tiny eta does not cancel */
 static void power_growth(arb_t y, const arb_t eta, struct ratio p)
 {
-    arb_t q;
-    arb_init(q);
+    LOCAL(arb, q);
     arb_neg(y, eta);
     arb_log1p(y, y, NORM_BITS);
     arb_set_ratio(q, p, NORM_BITS);
     arb_mul(y, y, q, NORM_BITS);
     arb_neg(y, y);
     arb_expm1(y, y, NORM_BITS);
-    arb_clear(q);
 }
 
 /* The proof for one choice of the weights U and rho. All numbers are upper bounds. */
@@ -84,9 +84,7 @@ static bool image_of_ball(struct tail_proof *p)
 {
     const struct power_bounds *b = &p->bounds;
     const int damping = p->e->powers - 1;
-    arb_t eta, term;
-    arb_init(eta);
-    arb_init(term);
+    LOCAL(arb, eta, term);
     arb_mul(eta, b->inverse, p->delta, NORM_BITS);
     arb_sub_si(term, eta, 1, NORM_BITS);
     const bool converges = arb_is_negative(term);
@@ -107,8 +105,6 @@ static bool image_of_ball(struct tail_proof *p)
         arb_add(p->image, p->image, term, NORM_BITS);
         arb_div(p->image, p->image, p->last_divisor, NORM_BITS);
     }
-    arb_clear(eta);
-    arb_clear(term);
     return converges;
 }
 
@@ -117,9 +113,8 @@ static bool image_of_ball(struct tail_proof *p)
 static bool fixed_point(struct tail_proof *p)
 {
     enum { BALLS = 3 };
-    mag_t radius;
+    LOCAL(mag, radius);
     bool proved = false;
-    mag_init(radius);
     arb_zero(p->delta);
     for (int ball = 0; ball < BALLS && !proved && image_of_ball(p); ball++) {
         proved = arb_le(p->image, p->delta);
@@ -129,7 +124,6 @@ static bool fixed_point(struct tail_proof *p)
             arb_mul_2exp_si(p->delta, p->delta, 1);
         }
     }
-    mag_clear(radius);
     return proved;
 }
 
@@ -163,17 +157,13 @@ void trajectory_tail_clear(struct trajectory_tail *tail)
 static double tail_quality(const struct trajectory_tail *tail, const struct trajectory *t, const arb_t t0)
 {
     double worst = -HUGE_VAL;
-    mag_t bound, power;
-    mag_init(bound);
-    mag_init(power);
+    LOCAL(mag, bound, power);
     arb_get_mag(power, t0);
     for (int i = 0; i <= 2; i++) {
         const slong m = t->order * i / 2;
         trajectory_tail_jet(bound, tail, t, t->order - m, m, t0);
         worst = fmax(worst, mag_get_d_log2_approx(bound) + (double)m * mag_get_d_log2_approx(power));
     }
-    mag_clear(bound);
-    mag_clear(power);
     return worst;
 }
 
@@ -189,9 +179,8 @@ static bool best_trial(struct trajectory_tail *tail, const struct power_evidence
     const struct ratio a1 = ratio_add(t->law.a, (struct ratio){1, 1});
     struct trajectory_tail trial;
     double best = HUGE_VAL;
-    arb_t s0;
+    LOCAL(arb, s0);
     trajectory_tail_init(&trial);
-    arb_init(s0);
     arb_pow_ratio(s0, t0, a1, NORM_BITS);
     arb_mul_2exp_si(s0, s0, -t->shift);
     for (int i = 0; i < TRIAL_PARTS; i++) {
@@ -218,7 +207,6 @@ static bool best_trial(struct trajectory_tail *tail, const struct power_evidence
         }
     }
     trajectory_tail_clear(&trial);
-    arb_clear(s0);
     return best < HUGE_VAL;
 }
 
@@ -242,14 +230,8 @@ void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const 
      * t0 + r: at most (t0 + r)^(k(b+1)+1) delta U^-k (s/rho)^(terms+1). */
     const struct ratio one = {1, 1};
     const struct ratio a1 = ratio_add(t->law.a, one), b1 = ratio_add(t->law.b, one);
-    arb_t r, room, reach, value, factor;
-    mag_t candidate;
-    arb_init(r);
-    arb_init(room);
-    arb_init(reach);
-    arb_init(value);
-    arb_init(factor);
-    mag_init(candidate);
+    LOCAL(arb, r, room, reach, value, factor);
+    LOCAL(mag, candidate);
     mag_inf(bound);
     /* Circles between t0 and the radius that corresponds to rho */
     arb_mul_2exp_si(room, tail->rho, t->shift);
@@ -277,10 +259,4 @@ void trajectory_tail_jet(mag_t bound, const struct trajectory_tail *tail, const 
         arb_get_mag(candidate, value);
         mag_min(bound, bound, candidate);
     }
-    arb_clear(r);
-    arb_clear(room);
-    arb_clear(reach);
-    arb_clear(value);
-    arb_clear(factor);
-    mag_clear(candidate);
 }

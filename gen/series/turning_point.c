@@ -4,16 +4,14 @@
 #include "series/jet.h"
 #include "series/trajectory.h"
 #include "support/console.h"
+#include "support/local.h"
 
 void turning_point_elastic(arb_t y0, arb_t tau0, const struct law *law, slong prec)
 {
     const struct ratio one = {1, 1}, half = {1, 2};
     const struct ratio a1 = ratio_add(law->a, one), inverse = ratio_div(one, a1);
-    fmpq_t q;
-    arb_t x, y;
-    fmpq_init(q);
-    arb_init(x);
-    arb_init(y);
+    LOCAL(fmpq, q);
+    LOCAL(arb, x, y);
     arb_set_ratio(x, ratio_div(a1, (struct ratio){2, 1}), prec);
     arb_pow_ratio(y0, x, inverse, prec);
     /* B(p, 1/2) = Gamma(p) sqrt(pi) / Gamma(p + 1/2) */
@@ -27,9 +25,6 @@ void turning_point_elastic(arb_t y0, arb_t tau0, const struct law *law, slong pr
     arb_set_ratio(y, inverse, prec);
     arb_mul(x, x, y, prec);
     arb_mul(tau0, x, y0, prec);
-    fmpq_clear(q);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* Taylor coefficients of x at t0 to order m, as polynomials in beta: jet[m] = sum_k x_k^(m)(t0)/m! beta^k, k + m <=
@@ -41,16 +36,9 @@ static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *
     const struct ratio one = {1, 1};
     const struct ratio a1 = ratio_add(t->law.a, one), b1 = ratio_add(t->law.b, one);
     arb_ptr term = _arb_vec_init(t->terms + 1);
-    arb_t s0, u0, power, sum, scale, inverse;
-    mag_t missing;
+    LOCAL(arb, s0, u0, power, sum, scale, inverse);
+    LOCAL(mag, missing);
     slong truncated = 0, rounded = 0;
-    arb_init(s0);
-    arb_init(u0);
-    arb_init(power);
-    arb_init(sum);
-    arb_init(scale);
-    arb_init(inverse);
-    mag_init(missing);
     arb_pow_ratio(s0, t0, a1, prec);
     arb_mul_2exp_si(s0, s0, -t->shift);
     arb_pow_ratio(u0, t0, b1, prec);
@@ -87,13 +75,6 @@ static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *
     }
 
     _arb_vec_clear(term, t->terms + 1);
-    arb_clear(s0);
-    arb_clear(u0);
-    arb_clear(power);
-    arb_clear(sum);
-    arb_clear(scale);
-    arb_clear(inverse);
-    mag_clear(missing);
     return truncated > rounded;
 }
 
@@ -104,9 +85,7 @@ enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, sl
     const slong count = order + 2;
     struct trajectory t;
     struct trajectory_tail tail;
-    arb_t y0, t0;
-    arb_init(y0);
-    arb_init(t0);
+    LOCAL(arb, y0, t0);
     turning_point_elastic(y0, t0, law, prec);
     trajectory_tail_init(&tail);
     profile_step("trajectory");
@@ -125,13 +104,11 @@ enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, sl
         arb_poly_set_coeff_arb(y, 0, y0);
         verdict = TURNING_POINT_OK;
         for (slong k = 0; k <= order; k++) {
-            arb_t c;
-            arb_init(c);
+            LOCAL(arb, c);
             arb_poly_get_coeff_arb(c, y, k);
             slong reached = arb_rel_accuracy_bits(c);
             arb_poly_get_coeff_arb(c, tau, k);
             reached = FLINT_MIN(reached, arb_rel_accuracy_bits(c));
-            arb_clear(c);
             if (reached < bits) {
                 verdict = truncated ? TURNING_POINT_FEW_TERMS : TURNING_POINT_FEW_BITS;
                 break;
@@ -142,7 +119,5 @@ enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, sl
     }
     trajectory_clear(&t);
     trajectory_tail_clear(&tail);
-    arb_clear(y0);
-    arb_clear(t0);
     return verdict;
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "support/console.h"
+#include "support/local.h"
 
 /* ---- which texts are numbers ---- */
 
@@ -75,14 +76,12 @@ static void set_value(fmpq_t x, const char *text)
     fmpz_set_str(fmpq_numref(x), digits, 10);
     fmpz_one(fmpq_denref(x));
     free(digits);
-    fmpz_t power;
-    fmpz_init(power);
+    LOCAL(fmpz, power);
     fmpz_ui_pow_ui(power, 10, exponent < 0 ? (ulong)-exponent : (ulong)exponent);
     if (exponent < 0)
         fmpq_div_fmpz(x, x, power);
     else
         fmpq_mul_fmpz(x, x, power);
-    fmpz_clear(power);
 }
 
 bool decimal_parse(struct decimal *x, const char *text, int exponent_digits)
@@ -153,10 +152,8 @@ bool decimal_inside(const struct decimal_range *range, const fmpq_t x)
 
 double decimal_nearest(const fmpq_t x)
 {
-    arf_t y;
-    fmpz_t exponent;
-    arf_init(y);
-    fmpz_init(exponent);
+    LOCAL(arf, y);
+    LOCAL(fmpz, exponent);
     /* rounded towards 0 to a few bits, so that the exponent is that of x: 2^(e-1) <= |x| < 2^e */
     arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), 2, ARF_RND_DOWN);
     arf_abs_bound_lt_2exp_fmpz(exponent, y);
@@ -174,8 +171,6 @@ double decimal_nearest(const fmpq_t x)
         const bool tie = arf_fmpz_div_fmpz(y, fmpq_numref(x), fmpq_denref(x), 1, ARF_RND_DOWN) == 0;
         nearest = tie ? 0 : fmpq_sgn(x) * DBL_TRUE_MIN;
     }
-    arf_clear(y);
-    fmpz_clear(exponent);
     return nearest;
 }
 

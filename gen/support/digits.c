@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "support/console.h"
+#include "support/local.h"
 
 enum { GUARD_BITS = 32, LEADING_ZEROS_MAX = 4 };
 
@@ -22,8 +23,7 @@ static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong prec)
 {
     if (!arb_is_finite(x))
         return 0;
-    arf_t end;
-    arf_init(end);
+    LOCAL(arf, end);
     int held = 1;
     arb_get_lbound_arf(end, x, prec);
     held &= arf_cmpabs_2exp_si(end, MPFR_EMAX_DEFAULT) < 0;
@@ -33,7 +33,6 @@ static int ball_ends(mpfr_t lower, mpfr_t upper, const arb_t x, slong prec)
     held &= arf_cmpabs_2exp_si(end, MPFR_EMAX_DEFAULT) < 0;
     held &= arf_is_zero(end) || arf_cmpabs_2exp_si(end, MPFR_EMIN_DEFAULT) > 0;
     arf_get_mpfr(upper, end, MPFR_RNDU);
-    arf_clear(end);
     return held;
 }
 

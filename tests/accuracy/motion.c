@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "motion.h"
+#include "support/local.h"
 
 #include <math.h>
 
@@ -8,12 +9,9 @@ static const double STEP_LOG2 = -90, JOINED_LOG2 = -90;
 
 static double log2_size(const arb_t x)
 {
-    mag_t m;
-    mag_init(m);
+    LOCAL(mag, m);
     arb_get_mag(m, x);
-    const double size = mag_is_zero(m) ? -HUGE_VAL : mag_get_d_log2_approx(m);
-    mag_clear(m);
-    return size;
+    return mag_is_zero(m) ? -HUGE_VAL : mag_get_d_log2_approx(m);
 }
 
 void motion_init(struct motion *m, const arb_t mu)
@@ -58,8 +56,7 @@ static double step_log2(arb_srcptr c, double scale)
 
 void motion_expand(struct motion *m)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     for (slong n = 0; n <= MOTION_DEGREE; n++) {
         /* v = f - mu w^2,  rest = w f - mu v */
         convolve(m->square + n, m->w, m->w, n);
@@ -84,13 +81,11 @@ void motion_expand(struct motion *m)
     const double scale_w = fmax(log2_size(m->w), log2_size(m->v));
     const double step = fmin(step_log2(m->f, scale_f), step_log2(m->w, scale_w));
     arb_set_d(m->step, exp2(step));
-    arb_clear(x);
 }
 
 void motion_value(arb_t value, arb_srcptr component, const arb_t sigma)
 {
-    arb_t sum;
-    arb_init(sum);
+    LOCAL(arb, sum);
     arb_set(sum, component + MOTION_DEGREE);
     for (slong n = MOTION_DEGREE - 1; n >= 0; n--) {
         arb_mul(sum, sum, sigma, MOTION_BITS);
@@ -98,7 +93,6 @@ void motion_value(arb_t value, arb_srcptr component, const arb_t sigma)
         mag_zero(arb_radref(sum));
     }
     arb_swap(value, sum);
-    arb_clear(sum);
 }
 
 void motion_advance(struct motion *m, const arb_t sigma)
@@ -111,13 +105,7 @@ void motion_advance(struct motion *m, const arb_t sigma)
 /* Secants between two points of opposite sign; the one that stays behind counts half (Illinois). */
 void motion_zero(arb_t sigma, arb_srcptr component, const arb_t end)
 {
-    arb_t low, high, f_low, f_high, x, f;
-    arb_init(low);
-    arb_init(high);
-    arb_init(f_low);
-    arb_init(f_high);
-    arb_init(x);
-    arb_init(f);
+    LOCAL(arb, low, high, f_low, f_high, x, f);
     arb_set(high, end);
     motion_value(f_low, component, low);
     motion_value(f_high, component, high);
@@ -141,22 +129,13 @@ void motion_zero(arb_t sigma, arb_srcptr component, const arb_t end)
         side = now;
     }
     arb_set(sigma, x);
-    arb_clear(low);
-    arb_clear(high);
-    arb_clear(f_low);
-    arb_clear(f_high);
-    arb_clear(x);
-    arb_clear(f);
 }
 
 /* The formal solution of 1 - p + r p^2 - r^2 p p'/2 = 0 and of 2/(r p) dr. */
 static void fall_series(struct fall *fall)
 {
-    arb_poly_t p, inverse;
-    arb_t c;
-    arb_poly_init(p);
-    arb_poly_init(inverse);
-    arb_init(c);
+    LOCAL(arb_poly, p, inverse);
+    LOCAL(arb, c);
     arb_one(fall->p);
     for (slong n = 1; n <= FALL_DEGREE; n++) {
         arb_dot(c, NULL, 0, fall->p, 1, fall->p + n - 1, -1, n, 2 * MOTION_BITS);
@@ -171,35 +150,28 @@ static void fall_series(struct fall *fall)
         arb_mul_2exp_si(c, c, 1);
         arb_div_si(fall->time + n, c, n, 2 * MOTION_BITS);
     }
-    arb_poly_clear(p);
-    arb_poly_clear(inverse);
-    arb_clear(c);
 }
 
 /* t' without the constant. */
 static void fall_time_series(arb_t time, const struct fall *fall, const arb_t r)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     _arb_poly_evaluate(x, fall->time, FALL_DEGREE + 1, r, 2 * MOTION_BITS);
     arb_log(time, r, 2 * MOTION_BITS);
     arb_mul_2exp_si(time, time, 1);
     arb_add(time, time, x, 2 * MOTION_BITS);
     arb_neg(time, time);
     arb_get_mid_arb(time, time);
-    arb_clear(x);
 }
 
 void fall_init(struct fall *fall)
 {
     struct motion m;
-    arb_t r, p;
+    LOCAL(arb, r, p);
     fall->p = _arb_vec_init(FALL_DEGREE + 1);
     fall->time = _arb_vec_init(FALL_DEGREE + 1);
     arb_init(fall->constant);
     arb_init(fall->h_star_5);
-    arb_init(r);
-    arb_init(p);
     fall_series(fall);
 
     /* from the manifold at r = 1/FALL_DEGREE to the end: mu = 1, X = z */
@@ -228,8 +200,6 @@ void fall_init(struct fall *fall)
     arb_sub(fall->constant, fall->constant, p, MOTION_BITS);
     arb_get_mid_arb(fall->constant, fall->constant);
     motion_clear(&m);
-    arb_clear(r);
-    arb_clear(p);
 }
 
 void fall_clear(struct fall *fall)
@@ -242,10 +212,7 @@ void fall_clear(struct fall *fall)
 
 bool fall_joined(const struct fall *fall, const struct motion *m)
 {
-    arb_t r, p, x;
-    arb_init(r);
-    arb_init(p);
-    arb_init(x);
+    LOCAL(arb, r, p, x);
     arb_div(r, m->mu, m->w, MOTION_BITS);
     arb_mul_si(x, r, FALL_DEGREE, MOTION_BITS);
     bool joined = log2_size(x) <= 0;
@@ -260,19 +227,14 @@ bool fall_joined(const struct fall *fall, const struct motion *m)
         arb_get_mid_arb(p, p);
         joined = log2_size(p) < JOINED_LOG2;
     }
-    arb_clear(r);
-    arb_clear(p);
-    arb_clear(x);
     return joined;
 }
 
 void fall_time(arb_t time, const struct fall *fall, const struct motion *m)
 {
-    arb_t r;
-    arb_init(r);
+    LOCAL(arb, r);
     arb_div(r, m->mu, m->w, MOTION_BITS);
     arb_get_mid_arb(r, r);
     fall_time_series(time, fall, r);
     arb_add(time, time, fall->constant, MOTION_BITS);
-    arb_clear(r);
 }

@@ -4,6 +4,7 @@
 #include "motion.h"
 #include "series/restitution.h"
 #include "series/series.h"
+#include "support/local.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -76,24 +77,21 @@ static long double rounded(const arb_t x)
 
 static void cell_split(long double *high, long double *low, const arb_t x)
 {
-    arb_t rest;
+    LOCAL(arb, rest);
     mpfr_t y;
-    arb_init(rest);
     mpfr_init2(y, 64);
     *high = rounded(x);
     mpfr_set_ld(y, *high, MPFR_RNDN);
     arf_set_mpfr(arb_midref(rest), y);
     arb_sub(rest, x, rest, BITS);
     *low = rounded(rest);
-    arb_clear(rest);
     mpfr_clear(y);
 }
 
 /* From a power series in sqrt(beta) without its first 2 power terms. */
 static void small_set(struct small *s, const arb_poly_t f, int power)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     s->power = power;
     for (slong k = 0; k < TERMS; k++) {
         arb_poly_get_coeff_arb(c, f, 2 * (k + power));
@@ -103,20 +101,17 @@ static void small_set(struct small *s, const arb_poly_t f, int power)
         arb_poly_get_coeff_arb(c, f, 2 * (k + power) + 1);
         s->odd[k] = rounded(c);
     }
-    arb_clear(c);
 }
 
 /* f(z^2) */
 static void in_root(arb_poly_t g, const arb_poly_t f)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     arb_poly_zero(g);
     for (slong k = 0; k < f->length; k++) {
         arb_poly_get_coeff_arb(c, f, k);
         arb_poly_set_coeff_arb(g, 2 * k, c);
     }
-    arb_clear(c);
 }
 
 /* T_zero_overlap = tau(beta) + eps^(-1/5) tau(-h), h = beta eps^(1/5); T_zero_force = T_zero_overlap - beta T(w),
@@ -124,16 +119,9 @@ static void in_root(arb_poly_t g, const arb_poly_t f)
 static void duration_series(arb_poly_t overlap, arb_poly_t force, const struct series *s, slong length)
 {
     const slong n = s->order + 1;
-    arb_poly_t root, h, x, T;
-    fmpq_poly_t G_exact, T_exact;
-    arb_t e;
-    arb_poly_init(root);
-    arb_poly_init(h);
-    arb_poly_init(x);
-    arb_poly_init(T);
-    fmpq_poly_init(G_exact);
-    fmpq_poly_init(T_exact);
-    arb_init(e);
+    LOCAL(arb_poly, root, h, x, T);
+    LOCAL(fmpq_poly, G_exact, T_exact);
+    LOCAL(arb, e);
 
     arb_set_si(e, 5);
     arb_inv(e, e, 2 * BITS);
@@ -156,26 +144,16 @@ static void duration_series(arb_poly_t overlap, arb_poly_t force, const struct s
     arb_poly_compose_series(x, T, h, length, 2 * BITS);
     arb_poly_shift_left(x, x, 2);
     arb_poly_sub(force, overlap, x, 2 * BITS);
-
-    arb_poly_clear(root);
-    arb_poly_clear(h);
-    arb_poly_clear(x);
-    arb_poly_clear(T);
-    fmpq_poly_clear(G_exact);
-    fmpq_poly_clear(T_exact);
-    arb_clear(e);
 }
 
 /* (y/y_0)^(5/4) */
 static void approach_series(arb_poly_t eps, const arb_poly_t y, slong order)
 {
-    arb_t power;
-    arb_init(power);
+    LOCAL(arb, power);
     arb_poly_get_coeff_arb(power, y, 0);
     arb_poly_scalar_div(eps, y, power, 2 * BITS);
     arb_set_d(power, 1.25);
     arb_poly_pow_arb_series(eps, eps, power, order + 1, 2 * BITS);
-    arb_clear(power);
 }
 
 static int build_series(void)
@@ -183,10 +161,8 @@ static int build_series(void)
     const slong order = TERMS + 2;
     slong root;
     struct series s;
-    arb_poly_t f, g;
+    LOCAL(arb_poly, f, g);
     series_init(&s);
-    arb_poly_init(f);
-    arb_poly_init(g);
     int failed = series_compute(&s, order, &law_sphere, BITS);
     if (!failed) {
         in_root(f, s.y);
@@ -213,19 +189,14 @@ static int build_series(void)
         small_set(&series[LOSS_ZERO_FORCE], f, 1);
     }
     series_clear(&s);
-    arb_poly_clear(f);
-    arb_poly_clear(g);
     return failed;
 }
 
 static bool negative_at(const arb_t sigma, arb_srcptr component)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     motion_value(x, component, sigma);
-    const bool negative = arb_is_negative(x);
-    arb_clear(x);
-    return negative;
+    return arb_is_negative(x);
 }
 
 /* All quantities at one beta >= 1/8; those of zero overlap that have a closed form there stay 0. */
@@ -233,11 +204,8 @@ static void fall_solve(arb_ptr value, const arb_t beta, const struct fall *fall)
 {
     enum { NOTHING, TURNED, RELEASED } seen = NOTHING;
     struct motion m;
-    arb_t length, mu, x;
+    LOCAL(arb, length, mu, x);
     bool done = false;
-    arb_init(length);
-    arb_init(mu);
-    arb_init(x);
     arb_root_ui(x, beta, 3, 2 * BITS);
     arb_sqr(length, x, 2 * BITS);
     arb_mul(mu, length, beta, 2 * BITS);
@@ -292,9 +260,6 @@ static void fall_solve(arb_ptr value, const arb_t beta, const struct fall *fall)
         arb_zero(value + LOSS_ZERO_OVERLAP);
     }
     motion_clear(&m);
-    arb_clear(length);
-    arb_clear(mu);
-    arb_clear(x);
 }
 
 /* Interpolation at Chebyshev's points x_j = cos(pi (2 j + 1)/(2 POINTS)) of [-1, 1]: the rows of to_power give the
@@ -306,11 +271,8 @@ struct interpolation {
 
 static void interpolation_init(struct interpolation *in)
 {
-    arb_poly_t lagrange, factor;
-    arb_t scale;
-    arb_poly_init(lagrange);
-    arb_poly_init(factor);
-    arb_init(scale);
+    LOCAL(arb_poly, lagrange, factor);
+    LOCAL(arb, scale);
     in->x = _arb_vec_init(POINTS);
     arb_mat_init(in->to_power, POINTS, POINTS);
     for (slong j = 0; j < POINTS; j++) {
@@ -333,9 +295,6 @@ static void interpolation_init(struct interpolation *in)
         for (slong k = 0; k < POINTS; k++)
             arb_poly_get_coeff_arb(arb_mat_entry(in->to_power, k, j), lagrange, k);
     }
-    arb_poly_clear(lagrange);
-    arb_poly_clear(factor);
-    arb_clear(scale);
 }
 
 static void interpolation_clear(struct interpolation *in)
@@ -347,9 +306,7 @@ static void interpolation_clear(struct interpolation *in)
 static void build_cell(struct place place, const struct interpolation *in, const struct fall *fall)
 {
     arb_ptr values = _arb_vec_init(QUANTITIES * POINTS), value = _arb_vec_init(QUANTITIES);
-    arb_t beta, c;
-    arb_init(beta);
-    arb_init(c);
+    LOCAL(arb, beta, c);
     for (slong j = 0; j < POINTS; j++) {
         arb_set_d(c, (double)place.half);
         arb_mul(beta, in->x + j, c, BITS);
@@ -370,8 +327,6 @@ static void build_cell(struct place place, const struct interpolation *in, const
         }
     _arb_vec_clear(values, QUANTITIES * POINTS);
     _arb_vec_clear(value, QUANTITIES);
-    arb_clear(beta);
-    arb_clear(c);
 }
 
 int reference_build(void)
@@ -388,11 +343,9 @@ int reference_build(void)
         beta = place.middle + place.half;
     }
     h_star_5 = rounded(fall.h_star_5);
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     arb_const_log2(c, BITS);
     ln2 = rounded(c);
-    arb_clear(c);
     interpolation_clear(&in);
     fall_clear(&fall);
     return 0;

@@ -4,6 +4,7 @@
 
 #include "enclosure/collision.h"
 #include "reference.h"
+#include "support/local.h"
 
 /* Largest difference allowed, relative: 2^-61, that is 1/256 unit of the last place of a double. */
 static const double MAX_DIFFERENCE = 0x1p-61;
@@ -14,9 +15,8 @@ static struct random_state state;
 static double difference(enum quantity quantity, double beta, const arb_t exact)
 {
     const long double value = reference_value(quantity, beta);
-    arb_t x;
+    LOCAL(arb, x);
     mpfr_t y;
-    arb_init(x);
     mpfr_init2(y, 64);
     mpfr_set_ld(y, value, MPFR_RNDN);
     arf_set_mpfr(arb_midref(x), y);
@@ -24,7 +24,6 @@ static double difference(enum quantity quantity, double beta, const arb_t exact)
     arb_div(x, x, exact, 2 * BITS);
     arb_abs(x, x);
     const double result = arf_get_d(arb_midref(x), ARF_RND_UP);
-    arb_clear(x);
     mpfr_clear(y);
     return result;
 }
@@ -34,10 +33,8 @@ static void compare(double low, double high, size_t count)
 {
     double worst = 0, at = 0;
     struct collision c;
-    arb_t beta, loss;
+    LOCAL(arb, beta, loss);
     collision_init(&c);
-    arb_init(beta);
-    arb_init(loss);
     for (size_t i = 0; i < count; i++) {
         const double b = random_log(&state, low, high);
         arb_set_d(beta, b);
@@ -66,8 +63,6 @@ static void compare(double low, double high, size_t count)
     print_message("%g <= beta <= %g: %zu points, worst relative difference %.3g = 2^%.2f at %a\n", low, high, count,
                   worst, log2(worst), at);
     collision_clear(&c);
-    arb_clear(beta);
-    arb_clear(loss);
 }
 
 static void test_series(void **unused)

@@ -14,6 +14,7 @@
 #include <cmocka.h>
 
 #include "support/flint.h"
+#include "support/local.h"
 
 /* x is enclosed to so many relative bits. */
 static inline void assert_bits(const arb_t x, slong bits)
@@ -38,9 +39,7 @@ static inline void assert_overlap(const arb_t x, const arb_t y, const char *what
 /* The decimal text is x cut after its last digit. */
 static inline void assert_truncates_to(const arb_t x, const char *text, int decimals)
 {
-    arb_t low, ulp;
-    arb_init(low);
-    arb_init(ulp);
+    LOCAL(arb, low, ulp);
     arb_set_str(low, text, 300);
     arb_set_si(ulp, 10);
     arb_pow_ui(ulp, ulp, (ulong)decimals, 300);
@@ -51,17 +50,13 @@ static inline void assert_truncates_to(const arb_t x, const char *text, int deci
         arb_fprintn(stderr, x, 40, 0);
         fail_msg(" does not truncate to %s", text);
     }
-    arb_clear(low);
-    arb_clear(ulp);
 }
 
 /* x and the decimal text differ by one unit of the text's last digit at most; all of x is meant. */
 static inline void assert_digits(const arb_t x, const char *text)
 {
-    arb_t difference, unit;
+    LOCAL(arb, difference, unit);
     const char *point = strchr(text, '.');
-    arb_init(difference);
-    arb_init(unit);
     assert_int_equal(arb_set_str(difference, text, 1000), 0);
     arb_set_si(unit, 10);
     arb_pow_ui(unit, unit, point ? strlen(point + 1) : 0, 1000);
@@ -73,22 +68,16 @@ static inline void assert_digits(const arb_t x, const char *text)
         arb_fprintn(stderr, x, 50, 0);
         fail_msg(" is not %s", text);
     }
-    arb_clear(difference);
-    arb_clear(unit);
 }
 
 static inline void assert_poly_overlap(const arb_poly_t f, const arb_poly_t g, slong order, const char *what)
 {
-    arb_t x, y;
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, x, y);
     for (slong k = 0; k <= order; k++) {
         arb_poly_get_coeff_arb(x, f, k);
         arb_poly_get_coeff_arb(y, g, k);
         assert_overlap(x, y, what, k);
     }
-    arb_clear(x);
-    arb_clear(y);
 }
 
 #endif

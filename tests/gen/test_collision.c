@@ -9,18 +9,17 @@
 #include "series/restitution.h"
 #include "series/series.h"
 #include "series/turning_point.h"
+#include "support/local.h"
 
 static const slong PREC = 400;
 
 static void collision_of(struct collision *c, const char *beta, const char *a, const char *b, slong bits)
 {
     struct law law;
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     assert_null(law_parse(&law, a, b));
     assert_int_equal(arb_set_str(x, beta, 4 * bits + 400), 0);
     assert_int_equal(collision_solve(c, x, &law, bits), 0);
-    arb_clear(x);
 }
 
 /* Values made by other programs; eps_zero_force(10) to the digits on which two of them agree. */
@@ -60,24 +59,18 @@ static void test_series(void **state)
     static const char *const betas[] = {"1/64", "1/8", "0.4", "0.5"};
     struct series s;
     struct collision c;
-    arb_poly_t force;
-    arb_t x, y, z;
+    LOCAL(arb_poly, force);
+    LOCAL(arb, x, y, z);
     slong root;
     series_init(&s);
     collision_init(&c);
-    arb_poly_init(force);
-    arb_init(x);
-    arb_init(y);
-    arb_init(z);
     assert_int_equal(series_compute(&s, ORDER, &law_sphere, 120), 0);
     assert_int_equal(series_eps(force, &root, END_ZERO_FORCE, 2 * ORDER, &law_sphere, 120), 0);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
-        fmpq_t beta;
-        fmpq_init(beta);
+        LOCAL(fmpq, beta);
         if (fmpq_set_str(beta, betas[i], 10) != 0)
             fmpq_set_si(beta, betas[i][2] - '0', 10);
         arb_set_fmpq(x, beta, PREC);
-        fmpq_clear(beta);
         assert_int_equal(collision_solve(&c, x, &law_sphere, 120), 0);
         /* Terms fall like (beta/1.388)^k, at zero force somewhat slower: their sum is well below
          * (beta/0.75)^60. */
@@ -100,18 +93,12 @@ static void test_series(void **state)
     }
     series_clear(&s);
     collision_clear(&c);
-    arb_poly_clear(force);
-    arb_clear(x);
-    arb_clear(y);
-    arb_clear(z);
 }
 
 /* (1, 0), zeta = beta/2, at both ends: eps = exp(-z (pi - 2 both asin zeta)), z = zeta/sqrt(1 - zeta^2). */
 static void dashpot(arb_t eps, arb_t time, const arb_t zeta, int both)
 {
-    arb_t w, angle;
-    arb_init(w);
-    arb_init(angle);
+    LOCAL(arb, w, angle);
     arb_mul(w, zeta, zeta, PREC);
     arb_sub_si(w, w, 1, PREC);
     arb_neg(w, w);
@@ -124,8 +111,6 @@ static void dashpot(arb_t eps, arb_t time, const arb_t zeta, int both)
     arb_mul(eps, time, zeta, PREC);
     arb_neg(eps, eps);
     arb_exp(eps, eps, PREC);
-    arb_clear(w);
-    arb_clear(angle);
 }
 
 static void test_closed_forms(void **state)
@@ -133,12 +118,8 @@ static void test_closed_forms(void **state)
     (void)state;
     static const char *const betas[] = {"0.01", "0.5", "1", "1.5", "1.9"};
     struct collision c;
-    arb_t zeta, eps, time, x;
+    LOCAL(arb, zeta, eps, time, x);
     collision_init(&c);
-    arb_init(zeta);
-    arb_init(eps);
-    arb_init(time);
-    arb_init(x);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
         collision_of(&c, betas[i], "1", "0", 150);
         arb_set_str(zeta, betas[i], PREC);
@@ -175,10 +156,6 @@ static void test_closed_forms(void **state)
         }
     }
     collision_clear(&c);
-    arb_clear(zeta);
-    arb_clear(eps);
-    arb_clear(time);
-    arb_clear(x);
 }
 
 /* Laws whose bodies never part: eps exactly 0 after infinite time, the zero-force end finite. */
@@ -196,15 +173,13 @@ static void test_overdamped(void **state)
         assert_bits(c.t_zero_force, 80);
     }
     /* Critical damping, beta = 2: x = t exp(-t), force zero at t = 2 with speed exp(-2). */
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     collision_of(&c, "2", "1", "0", 80);
     arb_set_si(x, -2);
     arb_exp(x, x, PREC);
     assert_overlap(x, c.eps_zero_force, "critical eps", 0);
     arb_set_si(x, 2);
     assert_overlap(x, c.t_zero_force, "critical time", 0);
-    arb_clear(x);
     collision_clear(&c);
 }
 
@@ -216,11 +191,9 @@ static void test_slow_manifold(void **state)
     leave_to_turn(0, 3);
     static const char *const betas[] = {"12", "17.5"};
     struct collision direct, slow;
-    arb_t h, x;
+    LOCAL(arb, h, x);
     collision_init(&direct);
     collision_init(&slow);
-    arb_init(h);
-    arb_init(x);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
         collision_of(&slow, betas[i], "3/2", "1/2", 30);
         collision_of(&direct, betas[i], "3/2", "1/2", 330);
@@ -243,9 +216,7 @@ static void test_slow_manifold(void **state)
         arb_mul(x, x, direct.eps_zero_overlap, PREC);
         arb_sub(x, h, x, PREC);
         assert_true(arb_is_positive(x));
-        arb_t bound, power;
-        arb_init(bound);
-        arb_init(power);
+        LOCAL(arb, bound, power);
         arb_set_si(power, -1);
         arb_set_si(bound, beta);
         arb_pow_ratio(bound, bound, (struct ratio){5, 3}, PREC);
@@ -253,13 +224,9 @@ static void test_slow_manifold(void **state)
         arb_exp(bound, bound, PREC);
         arb_mul_si(bound, bound, 100, PREC);
         assert_true(arb_lt(x, bound));
-        arb_clear(bound);
-        arb_clear(power);
     }
     collision_clear(&direct);
     collision_clear(&slow);
-    arb_clear(h);
-    arb_clear(x);
 }
 
 /* eps_zero_force ~ (3/2)^(2/3) beta^(-5/3), and the duration grows like (10/3) beta ln beta. */
@@ -288,13 +255,9 @@ static void test_involution(void **state)
     enum { ORDER = 80 };
     struct series s;
     struct collision c;
-    arb_t h, x, y, z;
+    LOCAL(arb, h, x, y, z);
     series_init(&s);
     collision_init(&c);
-    arb_init(h);
-    arb_init(x);
-    arb_init(y);
-    arb_init(z);
     assert_int_equal(series_compute(&s, ORDER, &law_sphere, 100), 0);
     collision_of(&c, "0.5", "3/2", "1/2", 100);
     arb_root_ui(z, c.eps_zero_overlap, 5, PREC);
@@ -312,10 +275,6 @@ static void test_involution(void **state)
     assert_overlap(x, c.t_zero_overlap, "duration", 0);
     series_clear(&s);
     collision_clear(&c);
-    arb_clear(h);
-    arb_clear(x);
-    arb_clear(y);
-    arb_clear(z);
 }
 
 /* eps_zero_force = eps_zero_overlap G(w), t_zero_force = t_zero_overlap - eps^(-1/5) h T(w), w = h^(5/2). */
@@ -324,17 +283,11 @@ static void test_backward_series(void **state)
     (void)state;
     enum { ORDER = 24 };
     static const char *const betas[] = {"1e-12", "0.02", "0.1"};
-    fmpq_poly_t G, T;
-    arb_poly_t f;
+    LOCAL(fmpq_poly, G, T);
+    LOCAL(arb_poly, f);
     struct collision c;
-    arb_t w, x, beta;
-    fmpq_poly_init(G);
-    fmpq_poly_init(T);
-    arb_poly_init(f);
+    LOCAL(arb, w, x, beta);
     collision_init(&c);
-    arb_init(w);
-    arb_init(x);
-    arb_init(beta);
     restitution_zero_force_exact(G, T, ORDER, &law_sphere);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
         collision_of(&c, betas[i], "3/2", "1/2", 90);
@@ -354,24 +307,15 @@ static void test_backward_series(void **state)
         arb_sub(x, c.t_zero_overlap, x, PREC);
         assert_overlap(x, c.t_zero_force, "time", (slong)i);
     }
-    fmpq_poly_clear(G);
-    fmpq_poly_clear(T);
-    arb_poly_clear(f);
     collision_clear(&c);
-    arb_clear(w);
-    arb_clear(x);
-    arb_clear(beta);
 }
 
 static void test_edges(void **state)
 {
     (void)state;
     struct collision c;
-    arb_t x, y0, t0;
+    LOCAL(arb, x, y0, t0);
     collision_init(&c);
-    arb_init(x);
-    arb_init(y0);
-    arb_init(t0);
     turning_point_elastic(y0, t0, &law_sphere, PREC);
     collision_of(&c, "0", "3/2", "1/2", 200);
     assert_true(arb_is_one(c.eps_zero_overlap) && arb_is_one(c.eps_zero_force));
@@ -401,9 +345,6 @@ static void test_edges(void **state)
         assert_truncates_to(c.eps_zero_overlap, "0.3311648104666409", 16);
     }
     collision_clear(&c);
-    arb_clear(x);
-    arb_clear(y0);
-    arb_clear(t0);
 }
 
 int main(void)

@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "support/decimal.h"
+#include "support/local.h"
 
 static void assert_value(const char *text, const char *exact)
 {
@@ -95,8 +96,7 @@ static void test_nearest(void **state)
         decimal_clear(&x);
     }
     /* the tie below the least subnormal double goes to 0, what is above it does not */
-    fmpq_t tie;
-    fmpq_init(tie);
+    LOCAL(fmpq, tie);
     fmpz_one(fmpq_numref(tie));
     fmpz_one_2exp(fmpq_denref(tie), 1075);
     assert_true(decimal_nearest(tie) == 0);
@@ -104,7 +104,6 @@ static void test_nearest(void **state)
     assert_true(decimal_nearest(tie) == DBL_TRUE_MIN);
     fmpq_neg(tie, tie);
     assert_true(decimal_nearest(tie) == -DBL_TRUE_MIN);
-    fmpq_clear(tie);
 }
 
 static bool inside(const struct decimal_range *range, const char *text)

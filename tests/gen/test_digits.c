@@ -11,16 +11,15 @@
 #include <cmocka.h>
 
 #include "support/digits.h"
+#include "support/local.h"
 #include "support/precision.h"
 
 /* The ball of prec bits around the number `text` to so many digits. */
 static char *spelled(const char *text, slong prec, slong digits)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_set_str(x, text, prec);
     char *s = digits_of_ball(x, digits);
-    arb_clear(x);
     return s;
 }
 
@@ -65,15 +64,13 @@ static void test_wide_balls(void **state)
     char *s = spelled("1 +/- 1e-30", 300, 20);
     assert_string_equal(s, "1.0000000000000000000");
     free(s);
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_pos_inf(x);
     s = digits_of_ball(x, 3);
     assert_string_equal(s, "inf");
     free(s);
     arb_indeterminate(x);
     assert_null(digits_of_ball(x, 3));
-    arb_clear(x);
 }
 
 /* Exact ties are decided: half to even, as everywhere in IEEE arithmetic. */
@@ -90,9 +87,7 @@ static void test_exact_ties(void **state)
 
 static void check_double(double centre, slong exponent_of_offset, int sign, double expected)
 {
-    arb_t x, offset;
-    arb_init(x);
-    arb_init(offset);
+    LOCAL(arb, x, offset);
     arb_set_d(x, centre);
     arb_set_si(offset, sign);
     arb_mul_2exp_si(offset, offset, exponent_of_offset);
@@ -104,8 +99,6 @@ static void check_double(double centre, slong exponent_of_offset, int sign, doub
     y = -1;
     assert_true(digits_to_double(&y, x));
     assert_true(y == expected);
-    arb_clear(x);
-    arb_clear(offset);
 }
 
 static void test_doubles(void **state)
@@ -127,8 +120,7 @@ static void test_short_midpoints(void **state)
 {
     (void)state;
     static const double midpoint[] = {1, -1, 2, 0.5, -0.75, 5, 0x1p-1000, 0x1p900};
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     for (size_t i = 0; i < sizeof midpoint / sizeof *midpoint; i++) {
         for (int bits = 56; bits < 400; bits += bits / 8) {
             double y = 7;
@@ -142,14 +134,12 @@ static void test_short_midpoints(void **state)
             free(text);
         }
     }
-    arb_clear(x);
 }
 
 static void test_doubles_undecided(void **state)
 {
     (void)state;
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     double y = 7;
     arb_set_d(x, 1);
     arb_add_error_2exp_si(x, -53);
@@ -162,23 +152,20 @@ static void test_doubles_undecided(void **state)
     arb_zero(x);
     assert_true(digits_to_double(&y, x));
     assert_true(y == 0);
-    arb_clear(x);
 }
 
 /* Numbers beyond what MPFR holds have no digits. */
 static void test_far_numbers(void **state)
 {
     (void)state;
-    arb_t x;
+    LOCAL(arb, x);
     double y;
-    arb_init(x);
     for (int sign = -1; sign <= 1; sign += 2) {
         arb_set_si(x, 3);
         arb_mul_2exp_si(x, x, sign * (WORD(1) << 40));
         assert_null(digits_of_ball(x, 10));
         assert_false(digits_to_double(&y, x));
     }
-    arb_clear(x);
 }
 
 static void test_precision_ends(void **state)

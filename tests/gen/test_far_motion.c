@@ -10,6 +10,7 @@
 #include "approximation/far_proof.h"
 #include "enclosure/collision.h"
 #include "generated/sphere_tables.h"
+#include "support/local.h"
 
 static struct random_state random_state;
 
@@ -21,10 +22,8 @@ static const double smallest_a = 0x1p-7, smallest_b = 0x1p-6;
 
 static void random_model(struct expansion *x, slong length)
 {
-    arb_t c;
-    mag_t rest;
-    arb_init(c);
-    mag_init(rest);
+    LOCAL(arb, c);
+    LOCAL(mag, rest);
     expansion_zero(x);
     for (slong degree = 0; degree <= EXPANSION_ORDER; degree++)
         for (slong j = 0; j <= degree; j++)
@@ -34,16 +33,12 @@ static void random_model(struct expansion *x, slong length)
             }
     mag_set_d(rest, 1e-9);
     expansion_add_rest(x, rest);
-    arb_clear(c);
-    mag_clear(rest);
 }
 
 /* The model at a point of its domain, with `share` of its rest */
 static void value_at(arb_t y, struct expansion *x, double a, double b, const arb_t z, double share)
 {
-    arb_t term, factor;
-    arb_init(term);
-    arb_init(factor);
+    LOCAL(arb, term, factor);
     arf_set_mag(arb_midref(y), x->rest);
     mag_zero(arb_radref(y));
     arb_set_d(factor, share);
@@ -58,15 +53,12 @@ static void value_at(arb_t y, struct expansion *x, double a, double b, const arb
             arb_pow_ui(factor, factor, (ulong)j, BITS);
             arb_addmul(y, term, factor, BITS);
         }
-    arb_clear(term);
-    arb_clear(factor);
 }
 
 /* The model contains y at a point. */
 static void assert_contains(struct expansion *x, double a, double b, const arb_t z, const arb_t y, const char *what)
 {
-    arb_t value;
-    arb_init(value);
+    LOCAL(arb, value);
     value_at(value, x, a, b, z, 0);
     arb_add_error_mag(value, x->rest);
     if (!arb_is_finite(value) || !arb_overlaps(value, y)) {
@@ -75,7 +67,6 @@ static void assert_contains(struct expansion *x, double a, double b, const arb_t
         arb_fprintn(stderr, y, 40, 0);
         fail_msg(": %s at %a, %a", what, a, b);
     }
-    arb_clear(value);
 }
 
 static void domain_init(struct expansion_domain *domain, double a, double b)
@@ -92,7 +83,7 @@ static void test_models(void **state)
     (void)state;
     struct expansion_domain domain, inner;
     struct expansion x, y, z, tau, e;
-    arb_t at, other, f, g;
+    LOCAL(arb, at, other, f, g);
     domain_init(&domain, smallest_a, smallest_b);
     domain_init(&inner, smallest_a, 4 * smallest_b);
     expansion_init(&x, &domain);
@@ -100,10 +91,6 @@ static void test_models(void **state)
     expansion_init(&z, &domain);
     expansion_init(&tau, &domain);
     expansion_init(&e, &domain);
-    arb_init(at);
-    arb_init(other);
-    arb_init(f);
-    arb_init(g);
     for (size_t k = 0; k < points(12); k++) {
         const double corner = k % 4 == 0 ? 1 : random_uniform(&random_state, 0, 1);
         const double a = smallest_a * corner, b = smallest_b * (k % 2 ? corner : -corner);
@@ -167,26 +154,20 @@ static void test_models(void **state)
     expansion_clear(&z);
     expansion_clear(&tau);
     expansion_clear(&e);
-    arb_clear(at);
-    arb_clear(other);
-    arb_clear(f);
-    arb_clear(g);
 }
 
 /* y = a + c b x^2 */
 static void square_map(struct expansion *y, const struct expansion *x, void *context)
 {
     struct expansion b;
-    arb_t one;
+    LOCAL(arb, one);
     expansion_init(&b, x->domain);
-    arb_init(one);
     expansion_add_number(&b, 0, 1, context);
     expansion_multiply(y, x, x);
     expansion_multiply(y, y, &b);
     arb_one(one);
     expansion_add_number(y, 1, 0, one);
     expansion_clear(&b);
-    arb_clear(one);
 }
 
 /* x = a + b x^2 has the root 2 a/(1 + (1 - 4 a b)^(1/2)). A map that expands is refused. */
@@ -195,12 +176,9 @@ static void test_fixed_point(void **state)
     (void)state;
     struct expansion_domain domain;
     struct expansion x;
-    arb_t c, exact, z;
+    LOCAL(arb, c, exact, z);
     domain_init(&domain, smallest_a, smallest_b);
     expansion_init(&x, &domain);
-    arb_init(c);
-    arb_init(exact);
-    arb_init(z);
     arb_one(c);
     assert_true(expansion_fixed_point(&x, square_map, c));
     assert_true(mag_cmp_2exp_si(x.rest, -30) < 0); /* 2 a^3 b^2 is left out */
@@ -215,9 +193,6 @@ static void test_fixed_point(void **state)
     expansion_zero(&x);
     assert_false(expansion_fixed_point(&x, square_map, c));
     expansion_clear(&x);
-    arb_clear(c);
-    arb_clear(exact);
-    arb_clear(z);
 }
 
 /* ---- the series ---- */
@@ -250,9 +225,7 @@ static struct far_series *series_of(int i)
 /* The four quantities of a collision without their powers of beta */
 static void scaled_collision(arb_ptr value, struct collision *c, const arb_t u)
 {
-    arb_t beta, power;
-    arb_init(beta);
-    arb_init(power);
+    LOCAL(arb, beta, power);
     arb_exp(beta, u, 512);
     assert_int_equal(collision_solve_force(c, beta, &law_sphere, 110), 0);
     arb_struct *const field[SERIES] = {c->x_max, c->t_max, c->eps_zero_force, c->t_zero_force};
@@ -262,8 +235,6 @@ static void scaled_collision(arb_ptr value, struct collision *c, const arb_t u)
         arb_exp(power, power, 512);
         arb_mul(value + i, field[i], power, 512);
     }
-    arb_clear(beta);
-    arb_clear(power);
 }
 
 /* The series contain enclosed collisions, and do not if a coefficient of mu^3 is wrong in its tenth bit at 9.5. */
@@ -274,11 +245,8 @@ static void test_collisions(void **state)
     enum { PLACES = sizeof places / sizeof *places };
     struct collision c;
     arb_ptr exact = _arb_vec_init(SERIES);
-    arb_t u, y, kept;
+    LOCAL(arb, u, y, kept);
     collision_init(&c);
-    arb_init(u);
-    arb_init(y);
-    arb_init(kept);
     for (size_t k = 0; k < PLACES + points(6); k++) {
         arb_set_d(u, k < PLACES ? places[k] : random_uniform(&random_state, FAR_MOTION_LEAST_U, 14));
         scaled_collision(exact, &c, u);
@@ -313,33 +281,23 @@ static void test_collisions(void **state)
     assert_false(arb_is_finite(y));
     collision_clear(&c);
     _arb_vec_clear(exact, SERIES);
-    arb_clear(u);
-    arb_clear(y);
-    arb_clear(kept);
 }
 
 /* The rest of the model stands for what powers of z beyond its length give the coefficients, 2^-96 or so. */
 static void assert_coefficient(int i, slong order, slong power, const arb_t exact, const char *what)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     arb_poly_get_coeff_arb(c, &series_of(i)->order[order], power);
     arb_add_error_2exp_si(c, -88);
     assert_overlap(c, exact, what, i);
     assert_true(mag_cmp_2exp_si(arb_radref(c), -87) < 0);
-    arb_clear(c);
 }
 
 /* The leading terms, and the highest logarithms that the drift alone explains */
 static void test_closed_forms(void **state)
 {
     (void)state;
-    arb_t limit, rate, K, x, y;
-    arb_init(limit);
-    arb_init(rate);
-    arb_init(K);
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, limit, rate, K, x, y);
     arb_set_d(limit, 1.5); /* X* = (3/2)^(2/3), rate = (2/3) X* */
     arb_root_ui(limit, limit, 3, BITS);
     arb_sqr(limit, limit, BITS);
@@ -380,11 +338,6 @@ static void test_closed_forms(void **state)
         for (slong order = 0; order <= EXPANSION_ORDER; order++)
             assert_true(arb_poly_length(&series_of(2 * force)->order[order]) <= order + 1);
     }
-    arb_clear(limit);
-    arb_clear(rate);
-    arb_clear(K);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* ---- the formulas of the tables ---- */
@@ -413,11 +366,7 @@ static double factor_of(int k, double u)
 /* The error of a formula, relative to the series, at u */
 static double formula_error(const struct formula *f, int i, double at)
 {
-    arb_t u, y, sum, x;
-    arb_init(u);
-    arb_init(y);
-    arb_init(sum);
-    arb_init(x);
+    LOCAL(arb, u, y, sum, x);
     arb_set_d(u, at);
     for (int k = 0; k < INTERPOLANT_FAR + 2; k++) {
         arb_mul_si(x, u, k < 4 ? 0 : k < 7 ? -5 : -10, BITS);
@@ -431,12 +380,7 @@ static double formula_error(const struct formula *f, int i, double at)
     far_series_value(y, series_of(i), u, BITS);
     arb_sub(sum, sum, y, BITS);
     arb_div(sum, sum, y, BITS);
-    const double error = fabs(arf_get_d(arb_midref(sum), ARF_RND_NEAR));
-    arb_clear(u);
-    arb_clear(y);
-    arb_clear(sum);
-    arb_clear(x);
-    return error;
+    return fabs(arf_get_d(arb_midref(sum), ARF_RND_NEAR));
 }
 
 /* The proved bounds of the stored formulas are the largest sampled errors, or a little larger. Any wrong coefficient is
@@ -475,14 +419,10 @@ static void test_inverse(void **state)
     const double bits = far_proof_bits(&proof, BETA_ZERO_FORCE, c), e = 0x1p-23 / c[0], v = -0.6 * log(e);
     if (!(bits >= 55.5 && bits <= 57))
         fail_msg("%g bits proved of the inverse", bits);
-    arb_t u, eps; /* The inverse is used where eps < 2^-23 only. */
-    arb_init(u);
-    arb_init(eps);
+    LOCAL(arb, u, eps); /* The inverse is used where eps < 2^-23 only. */
     arb_set_d(u, FAR_PROOF_INVERSE_FROM);
     far_series_value(eps, &proof.motion.eps_zero_force, u, BITS);
     assert_true(arf_get_d(arb_midref(eps), ARF_RND_NEAR) * exp(-5 * FAR_PROOF_INVERSE_FROM / 3) > 1.01 * 0x1p-23);
-    arb_clear(u);
-    arb_clear(eps);
     for (int k = 0; k < INTERPOLANT_FAR_INVERSE + 1; k++) {
         if (!in_turn((size_t)k, 4))
             continue;
@@ -528,12 +468,10 @@ static void test_refused(void **state)
     (void)state;
     double c[INTERPOLANT_FAR + 2] = {0};
     assert_true(isnan(far_proof_bits(&proof, EPS_ZERO_OVERLAP, c)));
-    arb_poly_t y;
-    arb_poly_init(y);
+    LOCAL(arb_poly, y);
     assert_false(far_proof_function(y, &proof, BETA_ZERO_OVERLAP, 10, 11));
     assert_true(far_proof_function(y, &proof, MAX_OVERLAP, FAR_MOTION_LEAST_U - 1, 11));
     assert_false(arb_is_finite(arb_poly_get_coeff_ptr(y, 0)));
-    arb_poly_clear(y);
 }
 
 int main(void)

@@ -10,42 +10,36 @@
 #include "approximation/pade_rounded.h"
 #include "approximation/published.h"
 #include "enclosure/collision.h"
+#include "support/local.h"
 
 enum { PREC = 256, BITS = 160 };
 
 static void exponential(arb_poly_t c, slong order)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_one(x);
     arb_poly_zero(c);
     for (slong k = 0; k <= order; k++) {
         arb_poly_set_coeff_arb(c, k, x);
         arb_div_si(x, x, k + 1, PREC);
     }
-    arb_clear(x);
 }
 
 static void assert_rational(const arb_poly_t p, slong power, slong num, ulong den)
 {
-    fmpq_t exact;
-    fmpq_init(exact);
+    LOCAL(fmpq, exact);
     fmpq_set_si(exact, num, den);
     arb_srcptr x = arb_poly_get_coeff_ptr(p, power);
     assert_non_null(x);
     assert_true(arb_contains_fmpq(x, exact));
     assert_true(arb_rel_accuracy_bits(x) > BITS);
-    fmpq_clear(exact);
 }
 
 static double middle(const arb_poly_t p, slong power)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_poly_get_coeff_arb(x, p, power);
-    const double y = arf_get_d(arb_midref(x), ARF_RND_NEAR);
-    arb_clear(x);
-    return y;
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
 static void assert_near(double x, double y, double tolerance)
@@ -57,11 +51,8 @@ static void assert_near(double x, double y, double tolerance)
 /* Every coefficient of P/Q - c below `count` is a ball around 0, and a narrow one. */
 static void assert_reexpands(const struct pade *f, const arb_poly_t c, slong count)
 {
-    arb_poly_t s;
-    arb_t x, y;
-    arb_poly_init(s);
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb_poly, s);
+    LOCAL(arb, x, y);
     arb_poly_div_series(s, f->p, f->q, count, 4 * PREC);
     for (slong k = 0; k < count; k++) {
         arb_poly_get_coeff_arb(x, s, k);
@@ -70,9 +61,6 @@ static void assert_reexpands(const struct pade *f, const arb_poly_t c, slong cou
         arb_sub(x, x, y, PREC);
         assert_true(mag_cmp_2exp_si(arb_radref(x), -BITS / 2) < 0);
     }
-    arb_poly_clear(s);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 static struct pade_request ordinary(slong m, slong n, enum contact_end end)
@@ -86,9 +74,8 @@ static void test_exponential(void **state)
 {
     (void)state;
     struct pade f;
-    arb_poly_t c;
+    LOCAL(arb_poly, c);
     pade_init(&f);
-    arb_poly_init(c);
     exponential(c, 5);
     assert_true(pade_of_series(&f, c, 2, 3, PREC));
     assert_int_equal(arb_poly_degree(f.p), 2);
@@ -111,7 +98,6 @@ static void test_exponential(void **state)
     assert_rational(f.q, 2, 1, 2);
     assert_true(pade_of_series(&f, c, 0, 0, PREC));
     assert_rational(f.p, 0, 1, 1);
-    arb_poly_clear(c);
     pade_clear(&f);
 }
 
@@ -126,15 +112,13 @@ static void test_reexpansion(void **state)
     for (size_t i = 0; i < sizeof entry / sizeof *entry; i++) {
         const struct pade_request r = ordinary(entry[i].m, entry[i].n, entry[i].end);
         struct pade f;
-        arb_poly_t c;
+        LOCAL(arb_poly, c);
         slong root;
         pade_init(&f);
-        arb_poly_init(c);
         assert_int_equal(pade_compute(&f, NULL, &r, PREC), 0);
         assert_int_equal(series_eps(c, &root, r.end, r.numerator + r.denominator, &r.law, PREC), 0);
         assert_int_equal(f.root, root);
         assert_reexpands(&f, c, r.numerator + r.denominator + 1);
-        arb_poly_clear(c);
         pade_clear(&f);
     }
 }
@@ -151,17 +135,12 @@ static void test_two_point(void **state)
     struct pade f;
     struct pade_analysis a;
     struct collision collision;
-    arb_poly_t c, p, q;
-    arb_t x, y;
+    LOCAL(arb_poly, c, p, q);
+    LOCAL(arb, x, y);
     slong root;
     pade_init(&f);
     pade_analysis_init(&a);
     collision_init(&collision);
-    arb_poly_init(c);
-    arb_poly_init(p);
-    arb_poly_init(q);
-    arb_init(x);
-    arb_init(y);
     assert_int_equal(pade_compute(&f, &a, &r, TWO_POINT_PREC), 0);
     assert_null(pade_defects(&a));
     assert_int_equal(series_eps(c, &root, r.end, m + n, &r.law, TWO_POINT_PREC), 0);
@@ -188,8 +167,7 @@ static void test_two_point(void **state)
         assert_true(arb_is_positive(arb_poly_get_coeff_ptr(f.q, k)));
     static const double beta[] = {3, 0.5}, low[] = {0.02, 5e-9}, high[] = {0.04, 1e-8};
     for (int i = 0; i < 2; i++) {
-        arb_t z;
-        arb_init(z);
+        LOCAL(arb, z);
         arb_set_d(z, beta[i]);
         assert_int_equal(collision_solve(&collision, z, &law_sphere, TWO_POINT_PREC), 0);
         arb_poly_evaluate(x, f.p, z, TWO_POINT_PREC);
@@ -201,13 +179,7 @@ static void test_two_point(void **state)
         const double error = arf_get_d(arb_midref(x), ARF_RND_NEAR);
         if (!(error > low[i] && error < high[i]))
             fail_msg("two-point error %g at beta = %g", error, beta[i]);
-        arb_clear(z);
     }
-    arb_poly_clear(c);
-    arb_poly_clear(p);
-    arb_poly_clear(q);
-    arb_clear(x);
-    arb_clear(y);
     collision_clear(&collision);
     pade_analysis_clear(&a);
     pade_clear(&f);
@@ -269,11 +241,8 @@ static void test_true_one_four(void **state)
 /* p *= (z - re)^2 + im^2, normalised to 1 at 0 */
 static void multiply_pair(arb_poly_t p, double re, double im)
 {
-    arb_poly_t factor;
-    arb_t x, y;
-    arb_poly_init(factor);
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb_poly, factor);
+    LOCAL(arb, x, y);
     arb_set_d(x, re);
     arb_set_d(y, im);
     arb_mul(y, y, y, PREC);
@@ -285,9 +254,6 @@ static void multiply_pair(arb_poly_t p, double re, double im)
     arb_poly_set_coeff_arb(factor, 1, x);
     arb_poly_set_coeff_arb(factor, 2, y);
     arb_poly_mul(p, p, factor, PREC);
-    arb_poly_clear(factor);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 static void test_spurious_pair(void **state)
@@ -329,13 +295,11 @@ static void test_spurious_pair(void **state)
     free(defects);
 
     /* on the axis: a pole, a zero and a pair */
-    arb_poly_t factor;
-    arb_poly_init(factor);
+    LOCAL(arb_poly, factor);
     arb_poly_set_coeff_si(factor, 0, 1);
     arb_poly_set_coeff_si(factor, 1, -1);
     arb_poly_mul(f.q, f.q, factor, PREC);
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_set_d(x, -1.0009765625);
     arb_poly_set_coeff_arb(factor, 1, x);
     arb_poly_mul(f.p, f.p, factor, PREC);
@@ -350,8 +314,6 @@ static void test_spurious_pair(void **state)
     /* roots that no precision separates are not claimed to be isolated */
     arb_poly_mul(f.q, f.q, f.q, PREC);
     assert_false(pade_analyse(&a, &f, PREC));
-    arb_clear(x);
-    arb_poly_clear(factor);
     pade_analysis_clear(&a);
     pade_clear(&f);
 }
@@ -460,13 +422,11 @@ static void test_degenerate(void **state)
     (void)state;
     struct pade f;
     struct pade_block b;
-    arb_poly_t c;
+    LOCAL(arb_poly, c);
     pade_init(&f);
-    arb_poly_init(c);
 
     /* 1/(1 - z/3), a fraction: its block never ends */
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_one(x);
     for (slong k = 0; k <= 12; k++) {
         arb_poly_set_coeff_arb(c, k, x);
@@ -494,8 +454,6 @@ static void test_degenerate(void **state)
     assert_int_equal(pade_compute(&f, NULL, &r, BITS), 1);
     r = ordinary(0, 2, END_ZERO_FORCE);
     assert_int_equal(pade_compute(&f, NULL, &r, BITS), 0);
-    arb_clear(x);
-    arb_poly_clear(c);
     pade_clear(&f);
 }
 
@@ -526,15 +484,13 @@ static void test_exact_zeros(void **state)
 {
     (void)state;
     struct series s;
-    arb_poly_t reciprocal;
+    LOCAL(arb_poly, reciprocal);
     series_init(&s);
-    arb_poly_init(reciprocal);
     assert_int_equal(series_compute(&s, 12, &law_sphere, BITS), 0);
     arb_poly_inv_series(reciprocal, s.c, 13, PREC);
     for (slong k = 0; k <= 12; k++)
         assert_true(arb_contains_zero(arb_poly_get_coeff_ptr(reciprocal, k)) == (k == 10));
     series_clear(&s);
-    arb_poly_clear(reciprocal);
 
     const struct pade_request corner = ordinary(0, 9, END_ZERO_OVERLAP), right = ordinary(0, 10, END_ZERO_OVERLAP),
                               down = ordinary(1, 9, END_ZERO_OVERLAP), inner = ordinary(1, 10, END_ZERO_OVERLAP),
@@ -595,9 +551,8 @@ static void test_rounded(void **state)
     enum { EVEN = 8, SMALL = 2, BETA_MAX = 2 };
     struct references s;
     struct collision collision;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&collision);
-    arb_init(beta);
     assert_int_equal(references_init(&s, &law_sphere, BETA_MAX, EVEN, SMALL), 0);
     assert_int_equal(s.count, EVEN + SMALL);
     for (size_t k = 0; k < sizeof entry / sizeof *entry; k++) {
@@ -636,7 +591,6 @@ static void test_rounded(void **state)
         pade_error_clear(&error);
     }
     references_clear(&s);
-    arb_clear(beta);
     collision_clear(&collision);
 }
 

@@ -4,6 +4,7 @@
 
 #include "series/jet.h"
 #include "series/power_bounds.h"
+#include "support/local.h"
 
 enum { PREC = 400 };
 
@@ -11,12 +12,8 @@ enum { PREC = 400 };
 static arb_poly_struct *rows_power(const arb_poly_struct *f, struct ratio p, slong order, slong n)
 {
     arb_poly_struct *w = jet_new(order + 1), *power = jet_new(order + 1), *sum = jet_new(order + 1);
-    arb_poly_t first, term;
-    arb_t exponent, binomial;
-    arb_poly_init(first);
-    arb_poly_init(term);
-    arb_init(exponent);
-    arb_init(binomial);
+    LOCAL(arb_poly, first, term);
+    LOCAL(arb, exponent, binomial);
     for (slong k = 1; k <= order; k++)
         arb_poly_div_series(w + k, f + k, f, n, PREC);
     arb_poly_one(power);
@@ -45,19 +42,13 @@ static arb_poly_struct *rows_power(const arb_poly_struct *f, struct ratio p, slo
         arb_poly_mullow(sum + k, sum + k, first, n, PREC);
     jet_free(w, order + 1);
     jet_free(power, order + 1);
-    arb_poly_clear(first);
-    arb_poly_clear(term);
-    arb_clear(exponent);
-    arb_clear(binomial);
     return sum;
 }
 
 /* sum_k U^k sum_{j >= start} |f_kj| rho^j over the coefficients that f has */
 static void rows_norm(arb_t norm, const arb_poly_struct *f, slong order, slong start, const arb_t U, const arb_t rho)
 {
-    arb_t row, term;
-    arb_init(row);
-    arb_init(term);
+    LOCAL(arb, row, term);
     arb_zero(norm);
     for (slong k = order; k >= 0; k--) {
         arb_zero(row);
@@ -70,15 +61,12 @@ static void rows_norm(arb_t norm, const arb_poly_struct *f, slong order, slong s
         arb_mul(norm, norm, U, PREC);
         arb_add(norm, norm, row, PREC);
     }
-    arb_clear(row);
-    arb_clear(term);
 }
 
 /* norm <= bound <= 2^slack norm */
 static void assert_bounds(const arb_t bound, const arb_t norm, slong slack, const char *what, const char *law)
 {
-    arb_t most;
-    arb_init(most);
+    LOCAL(arb, most);
     arb_mul_2exp_si(most, norm, slack);
     if (!arb_le(norm, bound) || !arb_le(bound, most)) {
         arb_fprintd(stderr, bound, 10);
@@ -86,7 +74,6 @@ static void assert_bounds(const arb_t bound, const arb_t norm, slong slack, cons
         arb_fprintd(stderr, norm, 10);
         fail_msg(" to %ld bits: %s, law %s", (long)slack, what, law);
     }
-    arb_clear(most);
 }
 
 static void assert_bounds_of(const struct trajectory *t, const struct power_bounds *b, const arb_t U, const arb_t rho,
@@ -95,8 +82,7 @@ static void assert_bounds_of(const struct trajectory *t, const struct power_boun
     const slong columns = 4 * t->terms;
     const struct ratio exponent[] = {{-1, 1}, t->law.a, ratio_add(t->law.b, (struct ratio){1, 1})};
     const int powers = t->x_to_a == t->x_to_b1 ? 1 : 2;
-    arb_t norm;
-    arb_init(norm);
+    LOCAL(arb, norm);
     for (int i = -1; i < powers; i++) {
         arb_poly_struct *rows = rows_power(t->x, exponent[i + 1], t->order, columns);
         rows_norm(norm, rows, t->order, 0, U, rho);
@@ -113,7 +99,6 @@ static void assert_bounds_of(const struct trajectory *t, const struct power_boun
         }
         jet_free(rows, t->order + 1);
     }
-    arb_clear(norm);
 }
 
 /* Every bound holds, with a block that is the whole of Z and with one that leaves much of the proof to its rest. */
@@ -132,9 +117,7 @@ static void test_trajectories(void **state)
             for (int whole = 0; whole < 2; whole++) {
                 struct power_evidence e;
                 struct power_bounds b;
-                arb_t U, rho;
-                arb_init(U);
-                arb_init(rho);
+                LOCAL(arb, U, rho);
                 power_bounds_init(&b);
                 arb_set_d(U, weights[n][0]);
                 arb_set_d(rho, weights[n][1]);
@@ -143,8 +126,6 @@ static void test_trajectories(void **state)
                 assert_bounds_of(&t, &b, U, rho, laws[i][0]);
                 power_evidence_clear(&e);
                 power_bounds_clear(&b);
-                arb_clear(U);
-                arb_clear(rho);
             }
         trajectory_clear(&t);
     }
@@ -158,10 +139,7 @@ static void test_one_term(void **state)
     struct trajectory t = {.law = law_sphere, .order = 0, .terms = TERMS, .prec = PREC, .shift = 0};
     struct power_evidence e;
     struct power_bounds b;
-    arb_t U, rho, norm;
-    arb_init(U);
-    arb_init(rho);
-    arb_init(norm);
+    LOCAL(arb, U, rho, norm);
     power_bounds_init(&b);
     arb_one(U);
     t.x = jet_new(1);
@@ -188,9 +166,6 @@ static void test_one_term(void **state)
     power_bounds_clear(&b);
     jet_free(t.x, 1);
     jet_free(t.x_to_a, 1);
-    arb_clear(U);
-    arb_clear(rho);
-    arb_clear(norm);
 }
 
 int main(void)

@@ -12,6 +12,7 @@
 #include "series/restitution.h"
 #include "series/series.h"
 #include "series/turning_point.h"
+#include "support/local.h"
 
 static const slong PREC = 600;
 
@@ -25,22 +26,18 @@ static struct law law_of(const char *a, const char *b)
 /* a decimal or a fraction */
 static void set_number(arb_t x, const char *text)
 {
-    fmpq_t q;
-    fmpq_init(q);
+    LOCAL(fmpq, q);
     if (strchr(text, '/') && fmpq_set_str(q, text, 10) == 0)
         arb_set_fmpq(x, q, PREC);
     else
         assert_int_equal(arb_set_str(x, text, PREC), 0);
-    fmpq_clear(q);
 }
 
 static void collision_of(struct collision *c, const char *beta, const struct law *law, slong bits)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     set_number(x, beta);
     assert_int_equal(collision_solve(c, x, law, bits), 0);
-    arb_clear(x);
 }
 
 /* ---- values ---- */
@@ -58,8 +55,7 @@ static void test_final_speed(void **state)
         {"1/2", "0", "1.156264739863244188426789"},   {"2", "3/4", "14.14471851749285544858152"},
         {"3/2", "3/2", "1.000000000000000000000000"}, {"0", "0", "1.000000000000000000000000"},
     };
-    arb_t v;
-    arb_init(v);
+    LOCAL(arb, v);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         const struct law law = law_of(known[i][0], known[i][1]);
         assert_int_equal(collision_final_speed(v, &law, 90), 0);
@@ -69,7 +65,6 @@ static void test_final_speed(void **state)
     const struct law tsuji = law_of("3/2", "1/4"), hertz = law_of("3/2", "0");
     assert_int_equal(collision_final_speed(v, &tsuji, 60), 1);
     assert_int_equal(collision_final_speed(v, &hertz, 60), 1);
-    arb_clear(v);
 }
 
 static void test_threshold(void **state)
@@ -80,9 +75,7 @@ static void test_threshold(void **state)
         {"3", "0", "0.703904969011338841807913"},   {"5/2", "0", "0.774823419665093189770702"},
         {"3", "1/2", "1.324417837320823384052893"},
     };
-    arb_t beta_c, c_star;
-    arb_init(beta_c);
-    arb_init(c_star);
+    LOCAL(arb, beta_c, c_star);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         const struct law law = law_of(known[i][0], known[i][1]);
         assert_int_equal(collision_threshold(beta_c, c_star, &law, 85), 0);
@@ -95,8 +88,6 @@ static void test_threshold(void **state)
     assert_digits(beta_c, "1.127988135520169216213166580023238450374");
     assert_digits(c_star, "0.352545567978675826201665210787138910");
     assert_int_equal(collision_threshold(beta_c, c_star, &law_sphere, 60), 1);
-    arb_clear(beta_c);
-    arb_clear(c_star);
 }
 
 /* Texts of the six fields in the order of struct collision; NULL where no other program gave one. */
@@ -134,11 +125,9 @@ static void test_collisions(void **state)
         if (collisions[i].eps_overlap) {
             collision_of(&c, collisions[i].beta, &law, 90);
         } else {
-            arb_t beta;
-            arb_init(beta);
+            LOCAL(arb, beta);
             set_number(beta, collisions[i].beta);
             assert_int_equal(collision_solve_force(&c, beta, &law, 90), 0);
-            arb_clear(beta);
         }
         for (int k = 0; k < 6; k++) {
             if (text[k] && strcmp(text[k], "inf") == 0)
@@ -156,9 +145,8 @@ static void test_tsuji(void **state)
     (void)state;
     const struct law law = law_of("3/2", "1/4");
     struct collision c;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&c);
-    arb_init(beta);
     arb_sqrt_ui(beta, 5, PREC);
     arb_mul_2exp_si(beta, beta, -2);
     assert_int_equal(collision_solve(&c, beta, &law, 90), 0);
@@ -178,7 +166,6 @@ static void test_tsuji(void **state)
     assert_bits(c.eps_zero_overlap, 90);
     assert_bits(c.t_zero_overlap, 90);
     collision_clear(&c);
-    arb_clear(beta);
 }
 
 /* ---- two routes ---- */
@@ -201,10 +188,9 @@ static void test_closed_forms(void **state)
                                           {"2", "2"}, {"1/2", "1/2"}, {"0", "0"}};
     static const char *const betas[] = {"1e-9", "0.3", "1.2", "1.99", "2.3", "4", "9"};
     struct collision motion, closed;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&motion);
     collision_init(&closed);
-    arb_init(beta);
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
         for (size_t k = 0; k < sizeof betas / sizeof *betas; k++) {
             const struct law law = law_of(laws[i][0], laws[i][1]);
@@ -231,7 +217,6 @@ static void test_closed_forms(void **state)
         }
     collision_clear(&motion);
     collision_clear(&closed);
-    arb_clear(beta);
 }
 
 /* A(1 + d) = 1 - d/3 + 2 d^2/15 - 2 d^3/35 + O(d^4); the arc cosine and the hypergeometric function meet at 3/4 and
@@ -239,15 +224,11 @@ static void test_closed_forms(void **state)
 static void test_angle(void **state)
 {
     (void)state;
-    arb_t zeta, x, y;
-    arb_init(zeta);
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, zeta, x, y);
     for (int sign = -1; sign <= 1; sign++) {
         arb_set_si(zeta, sign);
         arb_mul_2exp_si(zeta, zeta, -40);
-        arb_poly_t series;
-        arb_poly_init(series);
+        LOCAL(arb_poly, series);
         static const slong num[] = {1, -1, 2, -2}, den[] = {1, 3, 15, 35};
         for (slong k = 0; k < 4; k++) {
             arb_set_si(x, num[k]);
@@ -259,7 +240,6 @@ static void test_angle(void **state)
         arb_add_ui(zeta, zeta, 1, PREC);
         closed_form_angle(x, zeta, 200);
         assert_overlap(x, y, "A near 1", sign);
-        arb_poly_clear(series);
     }
     for (int side = 0; side < 2; side++)
         for (int k = -1; k <= 1; k++) {
@@ -270,11 +250,9 @@ static void test_angle(void **state)
             arb_sub_ui(y, y, 1, PREC);
             arb_abs(y, y);
             arb_rsqrt(y, y, PREC);
-            arb_t angle;
-            arb_init(angle);
+            LOCAL(arb, angle);
             (side ? arb_acosh : arb_acos)(angle, zeta, PREC);
             arb_mul(y, y, angle, PREC);
-            arb_clear(angle);
             assert_bits(x, 180);
             assert_overlap(x, y, "A", k);
         }
@@ -290,9 +268,6 @@ static void test_angle(void **state)
     arb_log(y, y, PREC);
     arb_sub(x, x, y, PREC);
     assert_true(mag_cmp_2exp_si(arb_radref(x), -150) < 0 && arf_cmpabs_2exp_si(arb_midref(x), -150) < 0);
-    arb_clear(zeta);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* The manifold serves 30 bits where the motion to the end serves hundreds: a - b below, at and above 1, a < b, a = b.
@@ -306,10 +281,9 @@ static void test_slow_manifold(void **state)
         {"1", "2", "700"},  {"1/2", "0", "12"}, {"1", "1", "85"},   {"0", "1/2", "1000"},
     };
     struct collision slow, direct;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&slow);
     collision_init(&direct);
-    arb_init(beta);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const struct law law = law_of(cases[i][0], cases[i][1]);
         set_number(beta, cases[i][2]);
@@ -323,7 +297,6 @@ static void test_slow_manifold(void **state)
     }
     collision_clear(&slow);
     collision_clear(&direct);
-    arb_clear(beta);
 }
 
 /* eps = v_f beta^(-1/q) (1 - c beta^P exp(-k/mu)): from three collisions c changes little, with k and P of the law. */
@@ -336,11 +309,8 @@ static void test_forgetting(void **state)
         double beta, step;
     } cases[] = {{"3/2", "1/2", 4, 0.5}, {"1", "1/2", 8, 1}, {"2", "1", 6, 1},
                  {"3/2", "1", 10, 1},    {"2", "2", 20, 2},  {"3/2", "1/3", 4, 0.5}};
-    arb_t v, beta, x;
+    LOCAL(arb, v, beta, x);
     struct collision c;
-    arb_init(v);
-    arb_init(beta);
-    arb_init(x);
     collision_init(&c);
     /* P = 41 of the last case takes a second: a long run alone looks at it */
     const size_t count = sizeof cases / sizeof *cases - (points(1) > 1 ? 0 : 1);
@@ -369,9 +339,6 @@ static void test_forgetting(void **state)
         assert_true(fabs(constant[1] - constant[0]) < 0.1);
         assert_true(fabs(constant[2] - constant[1]) < fabs(constant[1] - constant[0]) + 1e-12);
     }
-    arb_clear(v);
-    arb_clear(beta);
-    arb_clear(x);
     collision_clear(&c);
 }
 
@@ -383,10 +350,9 @@ static void test_missed_manifold(void **state)
     leave_to_turn(3, 3);
     const struct law law = law_of("3/2", "1/3");
     struct collision one, other;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&one);
     collision_init(&other);
-    arb_init(beta);
     set_number(beta, "4.1");
     assert_int_equal(motion_solve_slow(&one, beta, &law, 24, 230), MOTION_MISSED);
     assert_int_equal(collision_solve_overlap(&one, beta, &law, 12), 0);
@@ -400,7 +366,6 @@ static void test_missed_manifold(void **state)
     assert_overlap(one.eps_zero_overlap, other.eps_zero_overlap, "eps", 1);
     collision_clear(&one);
     collision_clear(&other);
-    arb_clear(beta);
 }
 
 /* Next to the threshold of (3/2, 0): eps = s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)), beta t + ln(eps) -> 3.06410;
@@ -411,13 +376,8 @@ static void test_below_threshold(void **state)
     leave_to_turn(2, 3);
     const struct law law = law_of("3/2", "0");
     struct collision c;
-    arb_t beta_c, d, s, x, y;
+    LOCAL(arb, beta_c, d, s, x, y);
     collision_init(&c);
-    arb_init(beta_c);
-    arb_init(d);
-    arb_init(s);
-    arb_init(x);
-    arb_init(y);
     assert_int_equal(collision_threshold(beta_c, s, &law, 200), 0);
     arb_set_str(s, "0.206987698804278902", PREC);
     for (slong bits = 20; bits <= 60; bits += 20) {
@@ -451,11 +411,6 @@ static void test_below_threshold(void **state)
         assert_true(arf_is_pos_inf(arb_midref(c.t_zero_overlap)));
     }
     collision_clear(&c);
-    arb_clear(beta_c);
-    arb_clear(d);
-    arb_clear(s);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* ---- series and asymptotics ---- */
@@ -467,11 +422,8 @@ static void test_first_terms(void **state)
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "0"}, {"1", "0"}, {"1", "1/2"},
                                           {"1/2", "0"},   {"0", "0"},   {"1", "2"}, {"24", "1/16"}};
     struct series s;
-    arb_t c1, x, y;
+    LOCAL(arb, c1, x, y);
     series_init(&s);
-    arb_init(c1);
-    arb_init(x);
-    arb_init(y);
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
         const struct law law = law_of(laws[i][0], laws[i][1]);
         const struct ratio one = {1, 1}, two = {2, 1}, a1 = ratio_add(law.a, one), b1 = ratio_add(law.b, one);
@@ -499,9 +451,6 @@ static void test_first_terms(void **state)
         assert_overlap(x, y, "C_2", (slong)i);
     }
     series_clear(&s);
-    arb_clear(c1);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* q = -1/N with a whole N: C_2N = 0, exactly in the series, and within the enclosures of the second route through the
@@ -516,13 +465,9 @@ static void test_exact_zeros(void **state)
     } cases[] = {
         {"3/2", "0", 10, true}, {"2", "0", 6, true}, {"3", "0", 4, true}, {"2", "1/4", 12, true}, {"5", "0", 3, false}};
     struct series s;
-    arb_poly_t y, tau, c;
-    arb_t x;
+    LOCAL(arb_poly, y, tau, c);
+    LOCAL(arb, x);
     series_init(&s);
-    arb_poly_init(y);
-    arb_poly_init(tau);
-    arb_poly_init(c);
-    arb_init(x);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const struct law law = law_of(cases[i].a, cases[i].b);
         assert_int_equal(series_compute(&s, cases[i].order, &law, 80), 0);
@@ -540,10 +485,6 @@ static void test_exact_zeros(void **state)
     arb_poly_get_coeff_arb(x, s.c, 3); /* (5, 0) */
     assert_digits(x, "0.0238");
     series_clear(&s);
-    arb_poly_clear(y);
-    arb_poly_clear(tau);
-    arb_poly_clear(c);
-    arb_clear(x);
 }
 
 /* Hertz with a constant dashpot, and Hunt and Crossley's whatever a is. */
@@ -574,10 +515,8 @@ static void test_series(void **state)
                                                 "89072576/795685275"};
     struct law law = law_of("3/2", "0");
     struct series s;
-    arb_t x, y;
+    LOCAL(arb, x, y);
     series_init(&s);
-    arb_init(x);
-    arb_init(y);
     assert_int_equal(series_compute(&s, 10, &law, 100), 0);
     for (slong k = 0; k <= 10; k++) {
         arb_poly_get_coeff_arb(x, s.c, k);
@@ -594,12 +533,8 @@ static void test_series(void **state)
             assert_overlap(x, y, "Hunt and Crossley's C", k);
         }
     }
-    fmpq_poly_t G, T;
-    fmpq_t c, known;
-    fmpq_poly_init(G);
-    fmpq_poly_init(T);
-    fmpq_init(c);
-    fmpq_init(known);
+    LOCAL(fmpq_poly, G, T);
+    LOCAL(fmpq, c, known);
     static const char *const G_known[] = {"1", "3/5", "36/175", "368/7875", "69788/10308375"};
     static const char *const T_known[] = {"1", "1/70", "-17/1575"};
     law = law_of("3/2", "0");
@@ -614,13 +549,7 @@ static void test_series(void **state)
         fmpq_set_str(known, T_known[k], 10);
         assert_true(fmpq_equal(c, known));
     }
-    fmpq_poly_clear(G);
-    fmpq_poly_clear(T);
-    fmpq_clear(c);
-    fmpq_clear(known);
     series_clear(&s);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* eps = mu Xinf^(a-b) (1 - 2 (a-b) Xinf^(a-2b-1) mu ln(1/mu) + O(mu)), t = beta^(-1/(b+1)) (2 Xinf^-b ln(1/mu) + O(1))
@@ -631,9 +560,8 @@ static void test_strong_force(void **state)
     static const char *const laws[][2] = {{"3/2", "0"},   {"1", "0"}, {"3/2", "1/4"},
                                           {"3/2", "1/2"}, {"2", "1"}, {"1", "1/2"}};
     struct collision c;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&c);
-    arb_init(beta);
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
         const struct law law = law_of(laws[i][0], laws[i][1]);
         const double a = (double)law.a.num / (double)law.a.den, b = (double)law.b.num / (double)law.b.den;
@@ -641,9 +569,7 @@ static void test_strong_force(void **state)
         double eps_rest[2], time_rest[2];
         for (int k = 0; k < 2; k++) {
             const double at = k ? 4e3 : 1e3, mu = pow(at, -(a + 1) / (b + 1));
-            arb_t x, power;
-            arb_init(x);
-            arb_init(power);
+            LOCAL(arb, x, power);
             arb_set_d(beta, at);
             assert_int_equal(collision_solve_force(&c, beta, &law, 90), 0);
             arb_pow_ratio(power, beta, law_mu_power(&law), PREC);
@@ -656,8 +582,6 @@ static void test_strong_force(void **state)
             eps_rest[k] = arf_get_d(arb_midref(x), ARF_RND_NEAR) / mu + 2 * (a - b) * pow(X, a - 2 * b - 1) * -log(mu);
             time_rest[k] =
                 arf_get_d(arb_midref(c.t_zero_force), ARF_RND_NEAR) * pow(at, 1 / (b + 1)) + 2 * pow(X, -b) * log(mu);
-            arb_clear(x);
-            arb_clear(power);
             if (i == 0) { /* J = psi(5/2) + gamma */
                 const double J = 1.280372305546776;
                 assert_true(fabs(eps_rest[k] - 1.5 * (log(1.5) + J + 1)) < 300 * mu * log(mu) * log(mu));
@@ -668,7 +592,6 @@ static void test_strong_force(void **state)
         assert_true(fabs(time_rest[1] - time_rest[0]) < 0.01);
     }
     collision_clear(&c);
-    arb_clear(beta);
 }
 
 /* ---- hard cases ---- */
@@ -680,11 +603,8 @@ static void test_constant_force(void **state)
     static const char *const betas[] = {"1e-9", "1/3", "10", "1e6"};
     const struct law law = law_of("0", "0");
     struct collision c;
-    arb_t beta, x, y;
+    LOCAL(arb, beta, x, y);
     collision_init(&c);
-    arb_init(beta);
-    arb_init(x);
-    arb_init(y);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
         set_number(beta, betas[i]);
         assert_int_equal(collision_solve(&c, beta, &law, 90), 0);
@@ -704,9 +624,6 @@ static void test_constant_force(void **state)
         assert_true(arb_equal(c.eps_zero_overlap, c.eps_zero_force));
     }
     collision_clear(&c);
-    arb_clear(beta);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* zeta = 1 and one unit to each side, and far beyond; beta so small that only 1 - eps says something. */
@@ -715,10 +632,8 @@ static void test_critical(void **state)
     (void)state;
     const struct law law = law_of("1", "0");
     struct collision c;
-    arb_t beta, x;
+    LOCAL(arb, beta, x);
     collision_init(&c);
-    arb_init(beta);
-    arb_init(x);
     for (int side = -1; side <= 1; side++) {
         arb_set_d(beta, 2 + side * 0x1p-51);
         assert_int_equal(collision_solve(&c, beta, &law, 90), 0);
@@ -745,8 +660,6 @@ static void test_critical(void **state)
     arb_mul(x, x, beta, 1200);
     assert_digits(x, "1.570796326795"); /* pi zeta = pi beta/2 */
     collision_clear(&c);
-    arb_clear(beta);
-    arb_clear(x);
 }
 
 /* One end alone is what both together give, and a turning point in the same step as the end is found. */
@@ -757,10 +670,9 @@ static void test_one_end(void **state)
                                            {"2", "2", "3"},     {"3/2", "0", "0.7"}, {"0", "1", "1e-10"},
                                            {"0", "2", "1e-10"}, {"2", "1", "1e3"}};
     struct collision both, one;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&both);
     collision_init(&one);
-    arb_init(beta);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const struct law law = law_of(cases[i][0], cases[i][1]);
         set_number(beta, cases[i][2]);
@@ -781,7 +693,6 @@ static void test_one_end(void **state)
     assert_int_equal(collision_solve_overlap(&both, beta, &law_sphere, 60), 1);
     collision_clear(&both);
     collision_clear(&one);
-    arb_clear(beta);
 }
 
 int main(void)

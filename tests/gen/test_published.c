@@ -11,6 +11,7 @@
 
 #include "approximation/published.h"
 #include "series/series.h"
+#include "support/local.h"
 
 enum { ORDER = 4, BITS = 128 };
 
@@ -23,11 +24,8 @@ static int decimals(const char *text)
 /* Whether x, proved, lies within `units` of the last printed digit of the text. */
 static bool agrees(const arb_t x, const char *text, double units)
 {
-    arb_t printed, unit;
-    fmpq_t exact;
-    arb_init(printed);
-    arb_init(unit);
-    fmpq_init(exact);
+    LOCAL(arb, printed, unit);
+    LOCAL(fmpq, exact);
     if (fmpq_set_str(exact, text, 10) == 0)
         arb_set_fmpq(printed, exact, BITS);
     else
@@ -40,17 +38,13 @@ static bool agrees(const arb_t x, const char *text, double units)
     arb_set_d(unit, units);
     const bool near = arb_le(printed, unit);
     assert_true(near || arb_gt(printed, unit)); /* decided */
-    arb_clear(printed);
-    arb_clear(unit);
-    fmpq_clear(exact);
     return near;
 }
 
 /* The true number: y_k and C_k of the series, a_k = |C_k|/|C_1|^k. */
 static void true_value(arb_t x, const struct series *s, const struct published *row)
 {
-    arb_t c1;
-    arb_init(c1);
+    LOCAL(arb, c1);
     arb_poly_get_coeff_arb(x, row->quantity == PUBLISHED_Y ? s->y : s->c, row->index);
     if (row->quantity == PUBLISHED_A) {
         arb_poly_get_coeff_arb(c1, s->c, 1);
@@ -58,17 +52,15 @@ static void true_value(arb_t x, const struct series *s, const struct published *
         arb_div(x, x, c1, BITS);
         arb_abs(x, x);
     }
-    arb_clear(c1);
 }
 
 static void test_values(void **state)
 {
     (void)state;
     struct series s;
-    arb_t x;
+    LOCAL(arb, x);
     int wrong = 0;
     series_init(&s);
-    arb_init(x);
     assert_int_equal(series_compute(&s, ORDER, &law_sphere, BITS), 0);
     for (const struct published *row = published; row->printed; row++) {
         if (row->quantity == PUBLISHED_D)
@@ -80,11 +72,9 @@ static void test_values(void **state)
         }
         /* a_2 = 3/5 is exact, so its ball is never proved to differ */
         if (strchr(row->printed, '/')) {
-            fmpq_t exact;
-            fmpq_init(exact);
+            LOCAL(fmpq, exact);
             assert_int_equal(fmpq_set_str(exact, row->printed, 10), 0);
             assert_true(arb_contains_fmpq(x, exact));
-            fmpq_clear(exact);
             continue;
         }
         if (!agrees(x, row->correct, 1))
@@ -94,7 +84,6 @@ static void test_values(void **state)
         wrong += !row->right;
     }
     assert_int_equal(wrong, 6); /* y_2, y_3, C_3, C_4, a_3, a_4 */
-    arb_clear(x);
     series_clear(&s);
 }
 

@@ -7,6 +7,7 @@
 #include "series/restitution.h"
 #include "series/series.h"
 #include "series/turning_point.h"
+#include "support/local.h"
 
 static const slong BITS = 160, PREC = 260;
 
@@ -15,13 +16,9 @@ static void test_closed_forms(void **state)
 {
     (void)state;
     struct series s;
-    arb_t x, y, c;
-    fmpq_t q;
+    LOCAL(arb, x, y, c);
+    LOCAL(fmpq, q);
     series_init(&s);
-    arb_init(x);
-    arb_init(y);
-    arb_init(c);
-    fmpq_init(q);
     assert_int_equal(series_compute(&s, 6, &law_sphere, BITS), 0);
     fmpq_set_si(q, 3, 5);
     arb_gamma_fmpq(x, q, PREC);
@@ -59,22 +56,14 @@ static void test_closed_forms(void **state)
     arb_poly_get_coeff_arb(c, s.tau, 0);
     assert_overlap(x, c, "tau_k", 0);
     series_clear(&s);
-    arb_clear(x);
-    arb_clear(y);
-    arb_clear(c);
-    fmpq_clear(q);
 }
 
 /* exp(-z (pi - both asin z)/sqrt(1 - z^2)) with z = beta scale: the linear dashpot at zero overlap (both = 0) and
  * at zero force (both = 2). */
 static void dashpot(arb_poly_t eps, const arb_t scale, int both, slong n, slong prec)
 {
-    arb_poly_t z, f, g;
-    arb_t pi;
-    arb_poly_init(z);
-    arb_poly_init(f);
-    arb_poly_init(g);
-    arb_init(pi);
+    LOCAL(arb_poly, z, f, g);
+    LOCAL(arb, pi);
     arb_poly_set_coeff_arb(z, 1, scale);
     arb_poly_asin_series(f, z, n, prec);
     arb_set_si(pi, -both);
@@ -89,10 +78,6 @@ static void dashpot(arb_poly_t eps, const arb_t scale, int both, slong n, slong 
     arb_poly_mullow(f, f, z, n, prec);
     arb_poly_neg(f, f);
     arb_poly_exp_series(eps, f, n, prec);
-    arb_poly_clear(z);
-    arb_poly_clear(f);
-    arb_poly_clear(g);
-    arb_clear(pi);
 }
 
 /* Linear dashpot (1, 0), zeta = beta/2, and Tsuji's (3/2, 1/4), zeta = beta/sqrt(5): both ends. */
@@ -103,12 +88,9 @@ static void test_linear_laws(void **state)
     static const char *const law_text[2][2] = {{"1", "0"}, {"3/2", "1/4"}};
     for (int i = 0; i < 2; i++) {
         struct law law;
-        arb_t scale;
-        arb_poly_t want, got;
+        LOCAL(arb, scale);
+        LOCAL(arb_poly, want, got);
         slong root;
-        arb_init(scale);
-        arb_poly_init(want);
-        arb_poly_init(got);
         assert_null(law_parse(&law, law_text[i][0], law_text[i][1]));
         arb_set_si(scale, i == 0 ? 4 : 5);
         arb_rsqrt(scale, scale, 2 * PREC);
@@ -120,9 +102,6 @@ static void test_linear_laws(void **state)
         dashpot(want, scale, 2, order + 1, 2 * PREC);
         assert_int_equal(root, 1);
         assert_poly_overlap(got, want, order, "zero force, coefficient");
-        arb_clear(scale);
-        arb_poly_clear(want);
-        arb_poly_clear(got);
     }
 }
 
@@ -134,13 +113,9 @@ static void test_hunt_crossley(void **state)
     static const char *const exponent[2] = {"3/2", "1"};
     for (int i = 0; i < 2; i++) {
         struct law law;
-        arb_poly_t eps, v, sum;
-        arb_t c;
+        LOCAL(arb_poly, eps, v, sum);
+        LOCAL(arb, c);
         slong root;
-        arb_poly_init(eps);
-        arb_poly_init(v);
-        arb_poly_init(sum);
-        arb_init(c);
         assert_null(law_parse(&law, exponent[i], exponent[i]));
         assert_int_equal(series_eps(eps, &root, END_ZERO_FORCE, order, &law, BITS), 0);
         assert_int_equal(root, 1);
@@ -159,10 +134,6 @@ static void test_hunt_crossley(void **state)
             assert_true(arb_contains_zero(c));
             assert_true(mag_cmp_2exp_si(arb_radref(c), -100) < 0);
         }
-        arb_poly_clear(eps);
-        arb_poly_clear(v);
-        arb_poly_clear(sum);
-        arb_clear(c);
     }
 }
 
@@ -172,12 +143,8 @@ static void test_zero_force(void **state)
     (void)state;
     static const char *const g_text[] = {"1", "4/15", "13/150", "4897/160875"};
     static const char *const t_text[] = {"1", "4/35", "2/75"};
-    fmpq_poly_t G, T;
-    fmpq_t want, got;
-    fmpq_poly_init(G);
-    fmpq_poly_init(T);
-    fmpq_init(want);
-    fmpq_init(got);
+    LOCAL(fmpq_poly, G, T);
+    LOCAL(fmpq, want, got);
     restitution_zero_force_exact(G, T, 6, &law_sphere);
     for (slong k = 0; k < 4; k++) {
         fmpq_set_str(want, g_text[k], 10);
@@ -199,12 +166,9 @@ static void test_zero_force(void **state)
                                         "-0.46137954324",
                                         "0.34874267526",
                                         "0.45235105120"};
-    arb_poly_t eps;
-    arb_t x, y;
+    LOCAL(arb_poly, eps);
+    LOCAL(arb, x, y);
     slong root;
-    arb_poly_init(eps);
-    arb_init(x);
-    arb_init(y);
     assert_int_equal(series_eps(eps, &root, END_ZERO_FORCE, 9, &law_sphere, BITS), 0);
     assert_int_equal(root, 2);
     for (slong k = 0; k < 10; k++) {
@@ -216,13 +180,6 @@ static void test_zero_force(void **state)
         arb_set_d(y, 1e-11);
         assert_true(arb_lt(x, y));
     }
-    fmpq_poly_clear(G);
-    fmpq_poly_clear(T);
-    fmpq_clear(want);
-    fmpq_clear(got);
-    arb_poly_clear(eps);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* y_k, tau_k and C_k, k = 0..order, by the t-series and the involution, and up to second_order by the ODE in power
@@ -231,13 +188,9 @@ static void test_zero_force(void **state)
 static void compare_routes(const struct law *law, slong order, slong second_order, slong bits, slong second_prec)
 {
     struct series s;
-    arb_poly_t y, tau, c;
-    arb_t x;
+    LOCAL(arb_poly, y, tau, c);
+    LOCAL(arb, x);
     series_init(&s);
-    arb_poly_init(y);
-    arb_poly_init(tau);
-    arb_poly_init(c);
-    arb_init(x);
     assert_int_equal(series_compute(&s, order, law, bits), 0);
     assert_int_equal(collision_series(y, tau, c, second_order, law, second_prec), 0);
     assert_poly_overlap(s.y, y, second_order, "y_k");
@@ -253,10 +206,6 @@ static void compare_routes(const struct law *law, slong order, slong second_orde
             assert_bits(x, 20);
     }
     series_clear(&s);
-    arb_poly_clear(y);
-    arb_poly_clear(tau);
-    arb_poly_clear(c);
-    arb_clear(x);
 }
 
 static void test_two_routes(void **state)
@@ -305,13 +254,9 @@ static void test_vanishing_coefficient(void **state)
             continue;
         struct law law;
         struct series s;
-        arb_poly_t y, tau, c;
-        arb_t x;
+        LOCAL(arb_poly, y, tau, c);
+        LOCAL(arb, x);
         series_init(&s);
-        arb_poly_init(y);
-        arb_poly_init(tau);
-        arb_poly_init(c);
-        arb_init(x);
         assert_null(law_parse(&law, cases[i].a, cases[i].b));
         const slong order = cases[i].k + 2;
         assert_int_equal(series_compute(&s, order, &law, 80), 0);
@@ -324,10 +269,6 @@ static void test_vanishing_coefficient(void **state)
             assert_true(mag_cmp_2exp_si(arb_radref(x), -100) < 0);
         }
         series_clear(&s);
-        arb_poly_clear(y);
-        arb_poly_clear(tau);
-        arb_poly_clear(c);
-        arb_clear(x);
     }
 }
 
@@ -337,9 +278,8 @@ static void test_no_vanishing_coefficient(void **state)
     (void)state;
     struct law law;
     struct series s;
-    arb_t x;
+    LOCAL(arb, x);
     series_init(&s);
-    arb_init(x);
     assert_null(law_parse(&law, "5", "0"));
     assert_int_equal(series_compute(&s, 12, &law, 80), 0);
     for (slong k = 0; k <= 12; k++) {
@@ -349,7 +289,6 @@ static void test_no_vanishing_coefficient(void **state)
     arb_poly_get_coeff_arb(x, s.c, 3);
     assert_truncates_to(x, "0.0237", 4);
     series_clear(&s);
-    arb_clear(x);
 }
 
 /* |C_(k+1)/C_k| -> 1/h*. */
@@ -357,15 +296,12 @@ static void test_radius(void **state)
 {
     (void)state;
     struct series s;
-    arb_t x, y;
+    LOCAL(arb, x, y);
     series_init(&s);
-    arb_init(x);
-    arb_init(y);
     assert_int_equal(series_compute(&s, 60, &law_sphere, 80), 0);
     assert_int_equal(collision_h_star(y, 80), 0);
     arb_poly_get_coeff_arb(x, s.c, 60);
-    arb_t z;
-    arb_init(z);
+    LOCAL(arb, z);
     arb_poly_get_coeff_arb(z, s.c, 59);
     arb_div(x, z, x, PREC);
     arb_div(x, x, y, PREC);
@@ -373,9 +309,6 @@ static void test_radius(void **state)
     arb_abs(x, x);
     arb_set_d(y, 0.05);
     assert_true(arb_lt(x, y));
-    arb_clear(x);
-    arb_clear(y);
-    arb_clear(z);
     series_clear(&s);
 }
 

@@ -3,6 +3,7 @@
 #include "ball.h"
 
 #include "enclosure/taylor.h"
+#include "support/local.h"
 
 static void taylor_start(struct taylor *y, const struct law *law, slong degree, slong prec, const char *beta)
 {
@@ -22,12 +23,8 @@ static void test_remainder(void **state)
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"}, {"3/2", "3/2"}, {"2", "1/3"}};
     static const char *const betas[] = {"0.1", "1", "3"};
     const slong prec = 600;
-    mag_t missed, claimed;
-    arb_t rough, truth;
-    mag_init(missed);
-    mag_init(claimed);
-    arb_init(rough);
-    arb_init(truth);
+    LOCAL(mag, missed, claimed);
+    LOCAL(arb, rough, truth);
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
         for (size_t k = 0; k < sizeof betas / sizeof *betas; k++) {
             struct law law;
@@ -56,10 +53,6 @@ static void test_remainder(void **state)
             taylor_clear(&low);
             taylor_clear(&high);
         }
-    mag_clear(missed);
-    mag_clear(claimed);
-    arb_clear(rough);
-    arb_clear(truth);
 }
 
 /* The remainder of a power series in beta is shared out by its weight: 2^l for coefficient l at weight 1/2. */
@@ -67,10 +60,8 @@ static void test_jets(void **state)
 {
     (void)state;
     struct taylor y;
-    arb_t value;
-    mag_t share;
-    arb_init(value);
-    mag_init(share);
+    LOCAL(arb, value);
+    LOCAL(mag, share);
     taylor_init(&y, &law_sphere, 4, 40, 100);
     mag_set_ui_2exp_si(y.weight, 1, -1);
     arb_one(y.c1 + 1);
@@ -84,8 +75,6 @@ static void test_jets(void **state)
         assert_true(mag_cmp(arb_radref(value), share) >= 0);
     }
     taylor_clear(&y);
-    arb_clear(value);
-    mag_clear(share);
 }
 
 /* A step of the linear oscillator, entire as its solution is, never spans a zero of the overlap unseen. */
@@ -94,14 +83,12 @@ static void test_step_is_short(void **state)
     (void)state;
     struct law law;
     struct taylor y;
-    arb_t half_period;
-    arb_init(half_period);
+    LOCAL(arb, half_period);
     assert_null(law_parse(&law, "1", "0"));
     taylor_start(&y, &law, 400, 60, "0.01");
     arb_const_pi(half_period, 60);
     assert_true(arb_lt(y.step, half_period));
     taylor_clear(&y);
-    arb_clear(half_period);
 }
 
 enum { ONLINE_DEGREE = 301, ONLINE_JETS = 3, ONLINE_PREC = 300, ONLINE_SIZE = ONLINE_JETS * (ONLINE_DEGREE + 1) };
@@ -150,14 +137,12 @@ static void test_online_products(void **state)
         for (slong l = 0; l < ONLINE_JETS; l++)
             for (slong n = 0; n < ONLINE_DEGREE; n++) {
                 const slong at = l * (ONLINE_DEGREE + 1) + n;
-                arb_t derivative;
-                arb_init(derivative);
+                LOCAL(arb, derivative);
                 arb_add(elastic + at, elastic + at, damping + at, ONLINE_PREC);
                 arb_mul_si(derivative, y.v + at + 1, -(n + 1), ONLINE_PREC);
                 assert_overlap(derivative, elastic + at, "coefficient", at);
                 /* and the intervals are narrow */
                 assert_true(mag_cmp_2exp_si(arb_radref(y.v + at + 1), -2 * ONLINE_PREC / 3) < 0);
-                arb_clear(derivative);
             }
         _arb_vec_clear(elastic, ONLINE_SIZE);
         _arb_vec_clear(damping, ONLINE_SIZE);

@@ -9,6 +9,7 @@
 #include "series/row_sums.h"
 #include "series/trajectory.h"
 #include "series/turning_point.h"
+#include "support/local.h"
 
 static fmpq_poly_struct *exact_rows(slong order, slong terms, const struct law *law)
 {
@@ -41,17 +42,13 @@ static void test_equation_49(void **state)
         {3, 0, "-38/2475"},   {3, 1, "43943/13513500"}, {3, 2, "-1184627/3594591000"},
     };
     fmpq_poly_struct *row = exact_rows(3, 4, &law_sphere);
-    fmpq_t want, got;
-    fmpq_init(want);
-    fmpq_init(got);
+    LOCAL(fmpq, want, got);
     for (size_t i = 0; i < sizeof printed / sizeof *printed; i++) {
         assert_int_equal(fmpq_set_str(want, printed[i].value, 10), 0);
         fmpq_poly_get_coeff_fmpq(got, row + printed[i].k, printed[i].j);
         if (!fmpq_equal(want, got))
             fail_msg("c[%ld][%ld] is not %s", (long)printed[i].k, (long)printed[i].j, printed[i].value);
     }
-    fmpq_clear(want);
-    fmpq_clear(got);
     free_rows(row, 3);
 }
 
@@ -95,9 +92,7 @@ static void plane_root(fmpq *r, const fmpq *f, slong d, const struct plane *p)
 {
     const slong n = p->terms + 1;
     fmpq *power = _fmpq_vec_init(cells(p));
-    fmpq_t defect, inverse;
-    fmpq_init(defect);
-    fmpq_init(inverse);
+    LOCAL(fmpq, defect, inverse);
     fmpq_set_si(inverse, 1, (ulong)d);
     for (slong i = 0; i < cells(p); i++)
         fmpq_zero(r + i);
@@ -116,8 +111,6 @@ static void plane_root(fmpq *r, const fmpq *f, slong d, const struct plane *p)
     for (slong i = 0; i < cells(p); i++)
         assert_true(fmpq_equal(power + i, f + i));
     _fmpq_vec_clear(power, cells(p));
-    fmpq_clear(defect);
-    fmpq_clear(inverse);
 }
 
 /* Number of coefficients of the equation of motion that do not vanish, from roots and whole powers of X alone:
@@ -128,10 +121,8 @@ static slong residual(const fmpq_poly_struct *row, const struct plane *p, const 
     fmpq *x = _fmpq_vec_init(cells(p)), *root = _fmpq_vec_init(cells(p));
     fmpq *velocity = _fmpq_vec_init(cells(p)), *power = _fmpq_vec_init(cells(p));
     fmpq *sum = _fmpq_vec_init(cells(p));
-    fmpq_t e, term;
+    LOCAL(fmpq, e, term);
     slong wrong = 0;
-    fmpq_init(e);
-    fmpq_init(term);
     for (slong k = 0; k <= p->order; k++)
         for (slong j = 0; j <= p->terms; j++) {
             const slong i = k * n + j;
@@ -159,8 +150,6 @@ static slong residual(const fmpq_poly_struct *row, const struct plane *p, const 
     _fmpq_vec_clear(velocity, cells(p));
     _fmpq_vec_clear(power, cells(p));
     _fmpq_vec_clear(sum, cells(p));
-    fmpq_clear(e);
-    fmpq_clear(term);
     return wrong;
 }
 
@@ -179,16 +168,12 @@ static void test_equation_of_motion(void **state)
         if (residual(row, &p, &law) != 0)
             fail_msg("law %s, %s: the equation of motion does not vanish", laws[i][0], laws[i][1]);
         /* One coefficient off by 10^-30 is seen. */
-        fmpq_t c, off;
-        fmpq_init(c);
-        fmpq_init(off);
+        LOCAL(fmpq, c, off);
         assert_int_equal(fmpq_set_str(off, "1/1000000000000000000000000000000", 10), 0);
         fmpq_poly_get_coeff_fmpq(c, row + p.order, p.terms);
         fmpq_add(c, c, off);
         fmpq_poly_set_coeff_fmpq(row + p.order, p.terms, c);
         assert_true(residual(row, &p, &law) > 0);
-        fmpq_clear(c);
-        fmpq_clear(off);
         free_rows(row, p.order);
     }
 }
@@ -200,13 +185,11 @@ static void test_balls_contain_rationals(void **state)
     for (int i = 0; i < LAWS; i++) {
         struct law law;
         struct trajectory t;
-        fmpq_t c;
-        arb_t x;
+        LOCAL(fmpq, c);
+        LOCAL(arb, x);
         assert_null(law_parse(&law, laws[i][0], laws[i][1]));
         fmpq_poly_struct *row = exact_rows(ORDER, TERMS, &law);
         trajectory_init(&t, ORDER, TERMS, &law, PREC);
-        fmpq_init(c);
-        arb_init(x);
         for (slong k = 0; k <= ORDER; k++)
             for (slong j = 0; j <= TERMS; j++) {
                 fmpq_poly_get_coeff_fmpq(c, row + k, j);
@@ -215,8 +198,6 @@ static void test_balls_contain_rationals(void **state)
                 arb_poly_get_coeff_arb(x, t.x + k, j);
                 assert_true(arb_contains_fmpq(x, c));
             }
-        fmpq_clear(c);
-        arb_clear(x);
         trajectory_clear(&t);
         free_rows(row, ORDER);
     }
@@ -231,15 +212,9 @@ static void test_truncation_bound(void **state)
         struct law law;
         struct trajectory cut, long_one;
         struct trajectory_tail tail;
-        arb_t y0, t0, sum, term, c;
-        mag_t bound;
+        LOCAL(arb, y0, t0, sum, term, c);
+        LOCAL(mag, bound);
         assert_null(law_parse(&law, laws[i][0], laws[i][1]));
-        arb_init(y0);
-        arb_init(t0);
-        arb_init(sum);
-        arb_init(term);
-        arb_init(c);
-        mag_init(bound);
         turning_point_elastic(y0, t0, &law, PREC);
         trajectory_init(&cut, ORDER, TERMS, &law, PREC);
         trajectory_init(&long_one, ORDER, MORE, &law, PREC);
@@ -272,12 +247,6 @@ static void test_truncation_bound(void **state)
         trajectory_clear(&cut);
         trajectory_clear(&long_one);
         trajectory_tail_clear(&tail);
-        arb_clear(y0);
-        arb_clear(t0);
-        arb_clear(sum);
-        arb_clear(term);
-        arb_clear(c);
-        mag_clear(bound);
     }
 }
 
@@ -304,9 +273,7 @@ static void test_law_parse(void **state)
 /* Intervals of very different size, and one number in each interval */
 static void random_row(arb_poly_struct *row, arb_poly_struct *point, slong k, slong length, struct random_state *random)
 {
-    arb_t x, y;
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, x, y);
     for (slong j = 0; j < length; j++) {
         arb_set_d(x, random_uniform(random, -1, 1));
         arb_set_d(y, ldexp(random_uniform(random, -1, 1), -50));
@@ -325,8 +292,6 @@ static void random_row(arb_poly_struct *row, arb_poly_struct *point, slong k, sl
         arb_add(x, x, y, 400);
         arb_poly_set_coeff_arb(point, j, x);
     }
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* The sums contain the sum over one number of each interval, product by product, and are hardly wider than the sums of
@@ -346,16 +311,12 @@ static void test_row_sums(void **state)
         arb_poly_struct *f[2] = {jet_new(rows), jet_new(rows)}, *point[2] = {jet_new(rows), jet_new(rows)};
         struct row_sums sums;
         arb_poly_t sum, product, expected[2];
-        arb_t x, y;
-        mag_t wide, cut;
+        LOCAL(arb, x, y);
+        LOCAL(mag, wide, cut);
         arb_poly_init(sum);
         arb_poly_init(product);
         arb_poly_init(expected[0]);
         arb_poly_init(expected[1]);
-        arb_init(x);
-        arb_init(y);
-        mag_init(wide);
-        mag_init(cut);
         row_sums_init(&sums, p, rows, length, CUT);
         for (int n = 0; n < 2; n++)
             for (slong k = 1; k < rows; k++)
@@ -393,10 +354,6 @@ static void test_row_sums(void **state)
         }
         arb_poly_clear(sum);
         arb_poly_clear(product);
-        arb_clear(x);
-        arb_clear(y);
-        mag_clear(wide);
-        mag_clear(cut);
     }
 }
 

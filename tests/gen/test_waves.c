@@ -3,6 +3,7 @@
 #include "check.h"
 
 #include "enclosure/wave_factor.h"
+#include "support/local.h"
 #include "tables/waves.h"
 
 static void set_tau(acb_t tau, const char *nu, slong prec)
@@ -21,30 +22,21 @@ static void known_values(void **state)
     static const struct {
         const char *nu, *j;
     } known[] = {{"0.25", "0.930752601914437910 +/- 6e-19"}, {"0.3", "0.862223129240137236 +/- 6e-19"}};
-    acb_t tau, j;
-    arb_t exact;
-    acb_init(tau);
-    acb_init(j);
-    arb_init(exact);
+    LOCAL(acb, tau, j);
+    LOCAL(arb, exact);
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         set_tau(tau, known[i].nu, 128);
         wave_factor(j, tau, 100);
         arb_set_str(exact, known[i].j, 100);
         assert_true(arb_overlaps(acb_realref(j), exact) && arb_rel_accuracy_bits(acb_realref(j)) > 60);
     }
-    acb_clear(tau);
-    acb_clear(j);
-    arb_clear(exact);
 }
 
 static void two_routes(void **state)
 {
     (void)state;
     static const char *const nu[] = {"-0.9", "-0.4", "0.1", "0.2", "0.33", "0.45"};
-    acb_t tau, axis, path;
-    acb_init(tau);
-    acb_init(axis);
-    acb_init(path);
+    LOCAL(acb, tau, axis, path);
     for (size_t i = 0; i < sizeof nu / sizeof *nu; i++) {
         set_tau(tau, nu[i], 100);
         wave_factor_by(axis, WAVE_BY_AXIS, tau, 60);
@@ -52,16 +44,12 @@ static void two_routes(void **state)
         check(arb_overlaps(acb_realref(axis), acb_realref(path)), "nu = %s", nu[i]);
         assert_true(arb_rel_accuracy_bits(acb_realref(axis)) > 40 && arb_rel_accuracy_bits(acb_realref(path)) > 40);
     }
-    acb_clear(tau);
-    acb_clear(axis);
-    acb_clear(path);
 }
 
 /* tau on the ellipse, pi times `angle` from its right end */
 static void on_ellipse(acb_t tau, double angle, double radius)
 {
-    acb_t w;
-    acb_init(w);
+    LOCAL(acb, w);
     arb_set_d(acb_realref(w), angle);
     mag_set_d(arb_radref(acb_realref(w)), radius);
     acb_exp_pi_i(w, w, 53);
@@ -73,17 +61,13 @@ static void on_ellipse(acb_t tau, double angle, double radius)
     acb_add_ui(tau, tau, 1, 53);
     acb_mul_ui(tau, tau, 7, 53);
     acb_mul_2exp_si(tau, tau, -3);
-    acb_clear(w);
 }
 
 /* |J| < bound on the arc, by either route, or on both halves of it */
 static int arc_holds(double angle, double radius, int depth)
 {
-    acb_t tau, j;
-    mag_t size;
-    acb_init(tau);
-    acb_init(j);
-    mag_init(size);
+    LOCAL(acb, tau, j);
+    LOCAL(mag, size);
     int holds = 0;
     on_ellipse(tau, angle, radius);
     for (int route = WAVE_BY_PATH; route >= WAVE_BY_AXIS && !holds; route--) {
@@ -91,9 +75,6 @@ static int arc_holds(double angle, double radius, int depth)
         acb_get_mag(size, j);
         holds = acb_is_finite(j) && mag_get_d(size) < WAVE_ELLIPSE_BOUND;
     }
-    acb_clear(tau);
-    acb_clear(j);
-    mag_clear(size);
     return holds || (depth < 12 && arc_holds(angle - radius / 2, radius / 2, depth + 1) &&
                      arc_holds(angle + radius / 2, radius / 2, depth + 1));
 }
@@ -123,9 +104,7 @@ static int square_holds(double x, double y, double h, int depth)
 {
     if (is_outside(x, y, h))
         return 1;
-    acb_t tau, j;
-    acb_init(tau);
-    acb_init(j);
+    LOCAL(acb, tau, j);
     int holds = 0;
     acb_set_d_d(tau, x, y);
     mag_set_d(arb_radref(acb_realref(tau)), h * (1 + 1e-9));
@@ -134,8 +113,6 @@ static int square_holds(double x, double y, double h, int depth)
         wave_factor_by(j, (enum wave_route)route, tau, 8);
         holds = acb_is_finite(j);
     }
-    acb_clear(tau);
-    acb_clear(j);
     for (int k = 0; k < 4 && !holds && depth < 8; k++)
         if (!square_holds(x + (k % 2 ? h : -h) / 2, y + (k / 2 ? h : -h) / 2, h / 2, depth + 1))
             return 0;

@@ -146,12 +146,12 @@ static void read_macros(struct table *t, const char *from, const char *to)
 }
 
 #define SHARED "COR_ROWS(double, cor_rows_"
-#define LOCAL "COR_INLINE const double *cor_rows_"
+#define LOCAL_ROWS "COR_INLINE const double *cor_rows_"
 
 /* The next table, of either form, or NULL */
 static const char *next_table(const char *at)
 {
-    const char *shared = strstr(at, SHARED), *local = strstr(at, LOCAL);
+    const char *shared = strstr(at, SHARED), *local = strstr(at, LOCAL_ROWS);
     return !shared || (local && local < shared) ? local : shared;
 }
 
@@ -171,7 +171,7 @@ static void read_tables(struct tables *all, const char *path)
         if (sscanf(function, SHARED "%48[a-z_0-9], %ld, %ld)", t->name, &t->rows, &t->columns) == 3) {
             row = function;
         } else {
-            assert_int_equal(sscanf(function, LOCAL "%48[a-z_0-9](int i)", t->name), 1);
+            assert_int_equal(sscanf(function, LOCAL_ROWS "%48[a-z_0-9](int i)", t->name), 1);
             assert_int_equal(sscanf(row, "double row[%ld][%ld] = {", &t->rows, &t->columns), 2);
         }
         assert_in_range(t->columns, 2, MOST_COLUMNS);
