@@ -436,6 +436,13 @@ static void none_is_missing(void **state)
         struct material m;
         material_init(&m, table[i].nu_hundredths);
         const struct cor_disk_modes *const t = &table[i].modes;
+        int next[ORDERS] = {0}; /* l counts from 0 without a gap */
+        for (size_t k = 0; k < t->count; k++) {
+            const struct cor_disk_mode *const mode = &t->mode[k];
+            assert_in_range(mode->n, 0, ORDERS - 1);
+            check(mode->l == next[mode->n]++ && (k == 0 || mode->omega > mode[-1].omega), "(%d,%d) is out of turn",
+                  mode->n, mode->l);
+        }
         const size_t places[] = {1, 2, 10, 137, 1000, t->count - 1};
         for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
             const double below = t->mode[places[k] - 1].omega, here = t->mode[places[k]].omega;

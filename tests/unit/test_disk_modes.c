@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The mode tables of the library as a user sees them, and mode files: what is read is what was written, and what was
- * harmed is refused at its line. That every number is right is proved in tests/table/test_disk_modes.c. */
+/* Mode files: what is read is what was written, and what was
+ * harmed is refused at its line. The tables of the library are proved in
+ * tests/table/test_disk_modes.c. */
 #define _XOPEN_SOURCE 700 /* mkstemp, P_tmpdir */
 
 #include "check.h"
@@ -16,75 +17,11 @@ static char path[] = P_tmpdir "/cor-disk-modes-XXXXXX";
 
 /* ---- tables ---- */
 
-/* Found by another program; 0 where it printed no such number. */
-static const struct {
-    const struct cor_disk_modes *modes;
-    struct cor_disk_mode mode;
-} known[] = {
-    {&cor_disk_modes_nu033, {2, 0, 1.43853032762639, 1.38881532256, -0.44144949742}},
-    {&cor_disk_modes_nu033, {1, 0, 1.68910178466690, 0, 0}},
-    {&cor_disk_modes_nu033, {0, 0, 2.19004806589272, 0, 0}},
-    {&cor_disk_modes_nu033, {3, 0, 2.21008494893776, 0, 0}},
-    {&cor_disk_modes_nu090, {2, 0, 1.20715112596031, 0, 0}},
-    {&cor_disk_modes_nu090, {1, 0, 1.55121637766142, 0, 0}},
-    {&cor_disk_modes_nu090, {3, 0, 1.86897856327933, 0, 0}},
-};
-
-static const struct cor_disk_mode *find(const struct cor_disk_modes *modes, int n, int l)
-{
-    for (size_t i = 0; i < modes->count; i++)
-        if (modes->mode[i].n == n && modes->mode[i].l == l)
-            return &modes->mode[i];
-    fail_msg("mode (%d,%d) is missing", n, l);
-    return NULL;
-}
-
-static void known_modes(void **state)
+static void tables(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
-        const struct cor_disk_mode *const m = find(known[i].modes, known[i].mode.n, known[i].mode.l);
-        check(fabs(m->omega - known[i].mode.omega) < 1e-14, "omega of (%d,%d): %.17g", m->n, m->l, m->omega);
-        if (known[i].mode.c > 0)
-            check(fabs(m->c - known[i].mode.c) < 1e-11 && fabs(m->s - known[i].mode.s) < 1e-11, "C, S of (%d,%d)", m->n,
-                  m->l);
-    }
-}
-
-/* Order, none twice, l counted from 0 without a gap, the sign, the normalisation (26), the number of modes below a
- * frequency and the sum of C^2. */
-static void tables_are_whole(void **state)
-{
-    (void)state;
-    const struct cor_disk_modes *const tables[] = {&cor_disk_modes_nu033, &cor_disk_modes_nu090};
-    const double nu[] = {0.33, 0.9};
-    const int highest_n[] = {109, 119};
-    for (int k = 0; k < 2; k++) {
-        const struct cor_disk_modes *const t = tables[k];
-        int next[200] = {0}, highest = 0;
-        double sum = 0;
-        assert_true(same_bits(t->nu, nu[k]));
-        assert_int_equal(t->count, CAPACITY);
-        for (size_t i = 0; i < t->count; i++) {
-            const struct cor_disk_mode *const m = &t->mode[i];
-            assert_in_range(m->n, 0, 199);
-            check(m->l == next[m->n]++, "(%d,%d) is out of turn", m->n, m->l);
-            check(i == 0 || m->omega > m[-1].omega, "(%d,%d) is out of order", m->n, m->l);
-            check(m->c > 0 && (m->n > 0 || m->s == 0), "sign of (%d,%d)", m->n, m->l);
-            const double radial = m->c + m->n * m->s, square = m->omega * m->omega;
-            const double norm =
-                m->n > 0 ? square * (m->c * m->c + m->s * m->s) - radial * radial : 2 * (m->c * m->c * (square - 1));
-            check(fabs(norm - 2 * square) < 1e-12 * square * (2 + m->s * m->s), "(%d,%d): %.17g", m->n, m->l,
-                  norm / square);
-            sum += m->c * m->c;
-            highest = m->n > highest ? m->n : highest;
-        }
-        const double cutoff = t->mode[t->count - 1].omega;
-        const double weyl = ((1 - nu[k] * nu[k]) + 2 * (1 + nu[k])) * cutoff * cutoff / 8;
-        check(fabs((double)t->count / weyl - 1) < 0.05, "Weyl: %g", weyl);
-        check(fabs(sum / (cutoff * cutoff) - 1) < 0.03, "sum of C^2: %g, omega^2 %g", sum, cutoff * cutoff);
-        assert_int_equal(highest, highest_n[k]);
-    }
+    assert_true(same_bits(cor_disk_modes_nu033.nu, 0.33) && cor_disk_modes_nu033.count == CAPACITY);
+    assert_true(same_bits(cor_disk_modes_nu090.nu, 0.9) && cor_disk_modes_nu090.count == CAPACITY);
 }
 
 /* ---- files ---- */
@@ -375,9 +312,9 @@ static void files_are_closed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_modes),  cmocka_unit_test(tables_are_whole), cmocka_unit_test(reads_what_was_written),
-        cmocka_unit_test(harmed_bytes), cmocka_unit_test(first_line),       cmocka_unit_test(harmed_lines),
-        cmocka_unit_test(no_file),      cmocka_unit_test(files_are_closed),
+        cmocka_unit_test(tables),           cmocka_unit_test(reads_what_was_written), cmocka_unit_test(harmed_bytes),
+        cmocka_unit_test(first_line),       cmocka_unit_test(harmed_lines),           cmocka_unit_test(no_file),
+        cmocka_unit_test(files_are_closed),
     };
     const int descriptor = mkstemp(path);
     if (descriptor < 0 || close(descriptor))
