@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "runtime/core/mode_source.h"
+#include "support/local.h"
 
 /* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A is stored as h/d, and A
  * - 1 as k/d, because 1 - A cancels for n > kappa. d = 1 unless |A| > 1; then h = 1, so that nothing overflows where
@@ -45,11 +46,8 @@ static void wave_clear(struct wave *a)
 static int wave_set(struct wave *a, slong n, slong prec)
 {
     int decided = 1;
-    arb_t r, t;
-    arb_init(r);
-    arb_init(t);
-    mag_t half;
-    mag_init(half);
+    LOCAL(arb, r, t);
+    LOCAL(mag, half);
 
     arb_get_mag(half, a->z);
     slong m = cor_mode_ladder_start(n + 1, sqrt(mag_get_d(half)), prec);
@@ -83,9 +81,6 @@ static int wave_set(struct wave *a, slong n, slong prec)
             arb_one(a->d);
         }
     }
-    mag_clear(half);
-    arb_clear(r);
-    arb_clear(t);
     return decided;
 }
 
@@ -112,8 +107,7 @@ static void wave_derivative(arb_t h, arb_t d, arb_t k, const struct wave *a, slo
 
 void disk_init(struct disk *d, const fmpq_t nu, slong prec)
 {
-    fmpq_t x;
-    fmpq_init(x);
+    LOCAL(fmpq, x);
     arb_init(d->e);
     arb_init(d->s);
     fmpq_add_si(x, nu, 1);
@@ -121,7 +115,6 @@ void disk_init(struct disk *d, const fmpq_t nu, slong prec)
     fmpq_sub_si(x, x, 2);
     fmpq_neg(x, x);
     arb_set_fmpq(d->s, x, prec);
-    fmpq_clear(x);
     d->e_double = arf_get_d(arb_midref(d->e), ARF_RND_NEAR);
     d->s_double = arf_get_d(arb_midref(d->s), ARF_RND_NEAR);
     d->prec = prec;
@@ -215,10 +208,7 @@ enum { UNDECIDED_SIGN = 3 };
 static int eigenvalues(const arb_struct t[3], const struct disk *disk, const struct waves *v, slong n)
 {
     const slong prec = disk->prec;
-    arb_t f, x, y;
-    arb_init(f);
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, f, x, y);
     int result = UNDECIDED_SIGN;
 
     /* F, D and P times d D of the waves */
@@ -255,9 +245,6 @@ static int eigenvalues(const arb_struct t[3], const struct disk *disk, const str
         if ((sign_p || open == 1) && (sign_y || closed == 1))
             result = open - closed;
     }
-    arb_clear(f);
-    arb_clear(x);
-    arb_clear(y);
     return result;
 }
 
@@ -307,13 +294,10 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
     struct waves v;
     struct wave derivative;
     arb_struct t[3];
-    arb_t f, df, rest;
+    LOCAL(arb, f, df, rest);
     waves_init(&v);
     wave_init(&derivative);
     three_init(t);
-    arb_init(f);
-    arb_init(df);
-    arb_init(rest);
     int done = waves_set(&v, disk, n, w);
     if (done) {
         wave_derivative(derivative.h, derivative.d, derivative.k, &v.a, n, prec);
@@ -323,8 +307,7 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
             arb_mul(df, disk->e, derivative.d, prec);
             arb_submul(df, disk->s, derivative.k, prec);
         } else {
-            arb_t part;
-            arb_init(part);
+            LOCAL(arb, part);
             products(t, disk, v.a.h, v.a.d, v.a.k, &v.b);
             combine(f, df, t, disk, v.g, n); /* rest is proportional to g, so it equals g times its derivative by g */
             products(t, disk, derivative.h, derivative.d, derivative.k, &v.b);
@@ -334,14 +317,10 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
             products(t, disk, v.a.h, v.a.d, v.a.k, &derivative);
             combine(part, rest, t, disk, v.g, n);
             arb_add(df, df, part, prec);
-            arb_clear(part);
         }
         arb_div(step, f, df, prec);
         done = arb_is_finite(step);
     }
-    arb_clear(f);
-    arb_clear(df);
-    arb_clear(rest);
     three_clear(t);
     wave_clear(&derivative);
     waves_clear(&v);
@@ -366,13 +345,8 @@ int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const ar
     }
 
     struct waves v;
-    arb_t a, b, x, y, stiff;
+    LOCAL(arb, a, b, x, y, stiff);
     waves_init(&v);
-    arb_init(a);
-    arb_init(b);
-    arb_init(x);
-    arb_init(y);
-    arb_init(stiff);
     int done = waves_set(&v, disk, n, w);
     if (done) {
         /* (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S. Each row degenerates for some modes, so
@@ -417,11 +391,6 @@ int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const ar
             arb_mul(s, s, x, prec);
         }
     }
-    arb_clear(a);
-    arb_clear(b);
-    arb_clear(x);
-    arb_clear(y);
-    arb_clear(stiff);
     waves_clear(&v);
     return done;
 }

@@ -11,6 +11,7 @@
 #include "runtime/core/mode_source.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/local.h"
 #include "support/parallel.h"
 #include "support/precision.h"
 
@@ -72,14 +73,9 @@ static bool proved_between(arb_t w, const struct disk *disk, slong n, slong l, c
 static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bits)
 {
     struct disk disk;
-    arb_t step, next;
-    arf_t low, high;
-    mag_t width;
-    arb_init(step);
-    arb_init(next);
-    arf_init(low);
-    arf_init(high);
-    mag_init(width);
+    LOCAL(arb, step, next);
+    LOCAL(arf, low, high);
+    LOCAL(mag, width);
     bool proved = false;
 
     const slong full = bits + GUARD_BITS;
@@ -124,11 +120,6 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
         }
     }
     disk_clear(&disk);
-    arb_clear(step);
-    arb_clear(next);
-    arf_clear(low);
-    arf_clear(high);
-    mag_clear(width);
     return proved;
 }
 
@@ -137,12 +128,8 @@ static bool newton(arb_t w, const struct disk *wide, slong n, slong l, slong bit
 static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong bits, slong limit)
 {
     struct disk disk;
-    arf_t low, high, middle;
-    arb_t x;
-    arf_init(low);
-    arf_init(high);
-    arf_init(middle);
-    arb_init(x);
+    LOCAL(arf, low, high, middle);
+    LOCAL(arb, x);
     struct precision p = precision_doubling_to(bits < limit / 4 ? 64 : bits, limit);
     disk_init_round(&disk, wide, p.bits);
     bool found = false, enclosed = false, enough = p.bits <= limit;
@@ -181,18 +168,13 @@ static bool bisection(arb_t w, const struct disk *wide, slong n, slong l, slong 
         }
     }
     disk_clear(&disk);
-    arf_clear(low);
-    arf_clear(high);
-    arf_clear(middle);
-    arb_clear(x);
     return found;
 }
 
 /* Encloses the mode from an approximation to its omega; an approximation that is not positive is ignored. */
 static bool enclose(struct disk_mode *mode, const struct disk *wide, const arb_t omega, slong bits, slong limit)
 {
-    arb_t w;
-    arb_init(w);
+    LOCAL(arb, w);
     bool done = false;
     if (arb_is_positive(omega)) {
         arb_mul(w, omega, omega, bits + GUARD_BITS);
@@ -206,7 +188,6 @@ static bool enclose(struct disk_mode *mode, const struct disk *wide, const arb_t
         done = disk_amplitudes(mode->c, mode->s, &disk, mode->n, w);
         disk_clear(&disk);
     }
-    arb_clear(w);
     return done;
 }
 
@@ -214,13 +195,11 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, s
 {
     mode->n = n;
     mode->l = l;
-    arb_t none;
+    LOCAL(arb, none);
     struct disk wide;
-    arb_init(none);
     disk_init(&wide, nu, WIDE * (4 * bits + 1024));
     const bool done = enclose(mode, &wide, none, bits, 4 * bits + 1024);
     disk_clear(&wide);
-    arb_clear(none);
     return done ? STATUS_OK
                 : fail("mode n = %ld, l = %ld: %ld bits do not separate it from its neighbour", (long)n, (long)l,
                        (long)(4 * bits + 1024));
@@ -327,8 +306,7 @@ static void enclose_one(void *pointer, slong i)
     const slong index = work->which[i];
     struct disk_mode *mode = &work->mode[index];
     struct precision *p = &work->precision[index];
-    arb_t start;
-    arb_init(start);
+    LOCAL(arb, start);
     arb_set(start, mode->omega);
     bool decided = false;
     do {
@@ -336,7 +314,6 @@ static void enclose_one(void *pointer, slong i)
                   number_is_decided(mode->c, work->digits) && number_is_decided(mode->s, work->digits);
     } while (!decided && precision_raise(p));
     work->failed[index] = !decided;
-    arb_clear(start);
 }
 
 static int by_omega(const void *a, const void *b)
@@ -361,11 +338,8 @@ static void count_order(void *pointer, slong i)
 /* Number of modes of all n below an omega between mode[count - 1] and mode[count], or DISK_UNDECIDED. */
 static slong count_all(const struct disk_modes *modes, slong count, const struct disk *wide, slong digits)
 {
-    arf_t low, high;
-    arb_t w;
-    arf_init(low);
-    arf_init(high);
-    arb_init(w);
+    LOCAL(arf, low, high);
+    LOCAL(arb, w);
     const slong prec = 2 * arb_bits(modes->mode[count].omega) + 64;
     arb_get_ubound_arf(low, modes->mode[count - 1].omega, prec);
     arb_get_lbound_arf(high, modes->mode[count].omega, prec);
@@ -381,9 +355,6 @@ static slong count_all(const struct disk_modes *modes, slong count, const struct
     for (slong n = 0; n < orders && total >= 0; n++)
         total = work.below[n] == DISK_UNDECIDED ? DISK_UNDECIDED : total + work.below[n];
     free(work.below);
-    arf_clear(low);
-    arf_clear(high);
-    arb_clear(w);
     return total;
 }
 

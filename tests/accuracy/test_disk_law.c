@@ -9,6 +9,7 @@
 #include "random.h"
 #include "runtime/core/lambert_w.h"
 #include "support/flint.h"
+#include "support/local.h"
 #include "support/precision.h"
 #include "ulp.h"
 
@@ -75,12 +76,10 @@ static void disk_constant(arb_t b, double nu, enum cor_disk_datum datum, slong p
     if (datum == COR_DISK_DATUM_DIAMETER)
         arb_set_si(b, -1);
     if (datum == COR_DISK_DATUM_CENTRE_OF_MASS) {
-        arb_t ln2;
-        arb_init(ln2);
+        LOCAL(arb, ln2);
         arb_const_log2(ln2, prec);
         arb_mul_2exp_si(b, b, -2);
         arb_submul_ui(b, ln2, 2, prec);
-        arb_clear(ln2);
     }
 }
 
@@ -95,8 +94,7 @@ static void disk_minus_w(arb_t w, const arb_t z, slong prec)
 /* delta (energy = 0) or V (energy = 1) of a load, (57) */
 static void disk_law(arb_t y, const arb_t load, const arb_t b, int energy, slong prec)
 {
-    arb_t factor;
-    arb_init(factor);
+    LOCAL(arb, factor);
     arb_const_pi(factor, prec);
     arb_mul_2exp_si(y, factor, 2);
     arb_div(y, y, load, prec);
@@ -110,15 +108,12 @@ static void disk_law(arb_t y, const arb_t load, const arb_t b, int energy, slong
         arb_mul(factor, factor, load, prec);
     }
     arb_mul(y, y, factor, prec);
-    arb_clear(factor);
 }
 
 /* The largest load at an energy V, (V e^(1-2b)/(4 pi) = w e^(-w)): sqrt(4 pi V/w) */
 static void disk_load_of_energy(arb_t load, const arb_t energy, const arb_t b, slong prec)
 {
-    arb_t z, four_pi;
-    arb_init(z);
-    arb_init(four_pi);
+    LOCAL(arb, z, four_pi);
     arb_const_pi(four_pi, prec);
     arb_mul_2exp_si(four_pi, four_pi, 2);
     arb_mul_2exp_si(z, b, 1);
@@ -131,18 +126,13 @@ static void disk_load_of_energy(arb_t load, const arb_t energy, const arb_t b, s
     arb_mul(four_pi, four_pi, energy, prec);
     arb_div(load, four_pi, load, prec);
     arb_sqrt(load, load, prec);
-    arb_clear(z);
-    arb_clear(four_pi);
 }
 
 /* The exact value of a function; false if putting it back into (57) contradicts. */
 static bool disk_value(arb_t y, enum disk_kind kind, double argument, double nu, enum cor_disk_datum datum, slong prec)
 {
     bool consistent = true;
-    arb_t b, x, back;
-    arb_init(b);
-    arb_init(x);
-    arb_init(back);
+    LOCAL(arb, b, x, back);
     disk_constant(b, nu, datum, prec);
     arb_set_d(x, argument);
     switch (kind) {
@@ -180,17 +170,13 @@ static bool disk_value(arb_t y, enum disk_kind kind, double argument, double nu,
     case DISK_KINDS:
         break;
     }
-    arb_clear(b);
-    arb_clear(x);
-    arb_clear(back);
     return consistent;
 }
 
 /* z = (v^2/8) exp(1 - 2 b) */
 static void law_argument(arb_t z, double v, double nu, enum cor_disk_datum datum, slong prec)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     disk_constant(z, nu, datum, prec);
     arb_mul_2exp_si(z, z, 1);
     arb_sub_ui(z, z, 1, prec);
@@ -200,17 +186,12 @@ static void law_argument(arb_t z, double v, double nu, enum cor_disk_datum datum
     arb_mul(z, z, x, prec);
     arb_mul(z, z, x, prec);
     arb_mul_2exp_si(z, z, -3);
-    arb_clear(x);
 }
 
 /* sqrt(-w/2) dtheta/dy at y */
 static void contact_time_rate(arb_t rate, const arb_t y, const arb_t z, const arb_t pi, slong prec)
 {
-    arb_t e, one, sine, weight;
-    arb_init(e);
-    arb_init(one);
-    arb_init(sine);
-    arb_init(weight);
+    LOCAL(arb, e, one, sine, weight);
     const int late = arf_sgn(arb_midref(y)) > 0;
     arb_sinh_cosh(e, weight, y, prec);
     arb_mul(e, e, pi, prec);
@@ -243,10 +224,6 @@ static void contact_time_rate(arb_t rate, const arb_t y, const arb_t z, const ar
     arb_mul_2exp_si(rate, rate, -1);
     arb_sqrt(rate, rate, prec);
     arb_mul(rate, rate, weight, prec);
-    arb_clear(e);
-    arb_clear(one);
-    arb_clear(sine);
-    arb_clear(weight);
 }
 
 /* The contact time, and the same with steps twice as long: with theta = (pi/2)/(1 + e), e = exp(-pi sinh y), the
@@ -257,11 +234,7 @@ static void disk_contact_time(arb_t tau, arb_t halved, double v, double nu, enum
                               slong prec)
 {
     const slong last = (slong)ldexp(3.25, level);
-    arb_t z, pi, y, rate;
-    arb_init(z);
-    arb_init(pi);
-    arb_init(y);
-    arb_init(rate);
+    LOCAL(arb, z, pi, y, rate);
     arb_const_pi(pi, prec);
     law_argument(z, v, nu, datum, prec);
     arb_zero(tau);
@@ -276,10 +249,6 @@ static void disk_contact_time(arb_t tau, arb_t halved, double v, double nu, enum
     }
     arb_mul_2exp_si(tau, tau, 1 - level); /* 2 s(0) */
     arb_mul_2exp_si(halved, halved, 2 - level);
-    arb_clear(z);
-    arb_clear(pi);
-    arb_clear(y);
-    arb_clear(rate);
 }
 
 /* ---- errors ---- */
@@ -289,8 +258,7 @@ static double ball_error(double computed, const arb_t exact)
 {
     if (!(fabs(computed) <= DBL_MAX) || !arb_is_finite(exact))
         return HUGE_VAL;
-    arb_t off;
-    arb_init(off);
+    LOCAL(arb, off);
     /* 2^(exponent - 1) <= |exact| < 2^exponent */
     const slong exponent = fmpz_get_si(ARF_EXPREF(arb_midref(exact)));
     const slong unit = (exponent < DBL_MIN_EXP ? DBL_MIN_EXP : exponent) - DBL_MANT_DIG;
@@ -299,7 +267,6 @@ static double ball_error(double computed, const arb_t exact)
     arb_mul_2exp_si(off, off, -unit);
     arb_abs(off, off);
     const double error = arf_get_d(arb_midref(off), ARF_RND_UP), radius = mag_get_d(arb_radref(off));
-    arb_clear(off);
     return radius < 1e-4 ? error + radius : -1;
 }
 
@@ -308,8 +275,7 @@ enum quantity { COMPRESSION, LOAD, SPEED, ENERGY };
 /* The limits, as disk.h has them */
 static void ball_limit(arb_t x, enum quantity quantity, const arb_t b, slong prec)
 {
-    arb_t pi;
-    arb_init(pi);
+    LOCAL(arb, pi);
     arb_const_pi(pi, prec);
     arb_sub_ui(x, b, 1, prec);
     if (quantity == ENERGY)
@@ -324,7 +290,6 @@ static void ball_limit(arb_t x, enum quantity quantity, const arb_t b, slong pre
     } else {
         arb_mul_2exp_si(x, x, 2);
     }
-    arb_clear(pi);
 }
 
 /* ---- algebraic functions ---- */
@@ -383,8 +348,7 @@ static int worst_report(const char *name, const struct worst *worst, double boun
 static int search_laws(unsigned long points)
 {
     int good = 1;
-    arb_t exact;
-    arb_init(exact);
+    LOCAL(arb, exact);
     for (enum disk_kind kind = 0; kind < DISK_KINDS; kind++) {
         const struct disk_function *f = &disk_functions[kind];
         struct worst worst = {0};
@@ -407,7 +371,6 @@ static int search_laws(unsigned long points)
         }
         good &= worst_report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
     }
-    arb_clear(exact);
     return good;
 }
 
@@ -416,10 +379,7 @@ static int search_limits(unsigned long points)
 {
     static const enum disk_kind user[4] = {DISK_LOAD, DISK_COMPRESSION, DISK_MAX_LOAD, DISK_LOAD_OF_ENERGY};
     unsigned long wrong = 0;
-    arb_t b, exact, x;
-    arb_init(b);
-    arb_init(exact);
-    arb_init(x);
+    LOCAL(arb, b, exact, x);
     for (unsigned long i = 0; i < points; i++) {
         const double nu = random_nu();
         const int datum = choice(3), quantity = choice(4);
@@ -444,9 +404,6 @@ static int search_limits(unsigned long points)
         if (!good && wrong++ == 0)
             printf("limit %d: %a at nu = %a, datum %d\n", quantity, limit, nu, datum);
     }
-    arb_clear(b);
-    arb_clear(exact);
-    arb_clear(x);
     printf("%-30s %9lu points, %lu wrong\n", "limits", points, wrong);
     return wrong == 0;
 }
@@ -472,11 +429,7 @@ static int search_leading(unsigned long points)
 {
     const slong prec = 192;
     int good = 1;
-    arb_t y, log, pi, x;
-    arb_init(y);
-    arb_init(log);
-    arb_init(pi);
-    arb_init(x);
+    LOCAL(arb, y, log, pi, x);
     arb_const_pi(pi, prec);
     for (size_t k = 0; k < sizeof leading / sizeof *leading; k++) {
         const struct leading *f = &leading[k];
@@ -528,10 +481,6 @@ static int search_leading(unsigned long points)
         }
         good &= worst_report(f->name, &worst, COR_DISK_LAW_MAX_ULP, "ulp");
     }
-    arb_clear(y);
-    arb_clear(log);
-    arb_clear(pi);
-    arb_clear(x);
     return good;
 }
 
@@ -541,9 +490,7 @@ static int search_leading(unsigned long points)
 static int search_lambert(unsigned long points)
 {
     struct worst worst_t = {0}, worst_w = {0};
-    arb_t x, y;
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, x, y);
     for (unsigned long i = 0; i < points; i++) {
         static const double boundary[] = {0x1p-500, 0.1, 3};
         const int kind = choice(4);
@@ -582,8 +529,6 @@ static int search_lambert(unsigned long points)
         error = z == 0 ? 0 : ball_error(cor_lambert_w_minus1(z), y);
         worst_take(&worst_w, error < 0 ? HUGE_VAL : error, z, 0, 0);
     }
-    arb_clear(x);
-    arb_clear(y);
     return worst_report("t of q", &worst_t, 2, "ulp") & worst_report("W_-1", &worst_w, 2, "ulp");
 }
 
@@ -593,10 +538,7 @@ static int search_contact_time(unsigned long points)
 {
     int good = 1;
     struct worst worst = {0};
-    arb_t tau, halved, off;
-    arb_init(tau);
-    arb_init(halved);
-    arb_init(off);
+    LOCAL(arb, tau, halved, off);
     double largest_step = 0;
     for (unsigned long i = 0; i < points; i++) {
         const double nu = random_nu();
@@ -618,9 +560,6 @@ static int search_contact_time(unsigned long points)
         const double error = arb_is_finite(off) ? fabs(arf_get_d(arb_midref(off), ARF_RND_UP)) : HUGE_VAL;
         worst_take(&worst, error, v, nu, datum);
     }
-    arb_clear(tau);
-    arb_clear(halved);
-    arb_clear(off);
     /* halving the step squares the error of the rule, or nearly */
     printf("%-30s halving the step of the reference changes it by %.2g\n", "", largest_step);
     good &= largest_step < 1e-11;

@@ -13,6 +13,7 @@
 
 #include "disk/modes.h"
 #include "support/digits.h"
+#include "support/local.h"
 
 enum { BITS = 320, TERMS = 48, FREQUENCIES = 10, MANY = 6000 };
 
@@ -25,8 +26,7 @@ static struct random_state state;
 
 static void constant_b(arb_t b, double nu, enum cor_disk_datum datum)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_set_d(b, nu);
     arb_add_ui(b, b, 1, BITS);
     arb_neg(b, b);
@@ -38,7 +38,6 @@ static void constant_b(arb_t b, double nu, enum cor_disk_datum datum)
         arb_mul_2exp_si(x, x, 1);
         arb_sub(b, b, x, BITS);
     }
-    arb_clear(x);
 }
 
 static void midpoint(arb_t x)
@@ -50,10 +49,7 @@ static void midpoint(arb_t x)
  * v^2; Newton's method in u, from above the minimum u = 1 */
 static void at_rest(arb_t delta, arb_t u, const arb_t b, double v)
 {
-    arb_t f, x, y;
-    arb_init(f);
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, f, x, y);
     arb_log_ui(y, 16, BITS); /* 2 b + ln 16 - 2 ln v */
     arb_addmul_ui(y, b, 2, BITS);
     arb_set_d(x, v);
@@ -83,9 +79,6 @@ static void at_rest(arb_t delta, arb_t u, const arb_t b, double v)
     arb_mul(delta, x, u, BITS);
     arb_mul_2exp_si(delta, delta, 2);
     midpoint(delta);
-    arb_clear(f);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* The next coefficient of a product of two series */
@@ -100,9 +93,7 @@ static void convolve(arb_t sum, arb_srcptr x, arb_srcptr y, int k)
 static void series(arb_ptr d, arb_ptr u, arb_ptr g)
 {
     arb_ptr e = _arb_vec_init(TERMS), slope_d = _arb_vec_init(TERMS), slope_u = _arb_vec_init(TERMS);
-    arb_t x, y;
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, x, y);
     for (int k = 0; k < TERMS; k++) {
         if (k > 0)
             arb_div_ui(u + k, slope_u + k - 1, (ulong)k, BITS);
@@ -137,23 +128,14 @@ static void series(arb_ptr d, arb_ptr u, arb_ptr g)
     _arb_vec_clear(e, TERMS);
     _arb_vec_clear(slope_d, TERMS);
     _arb_vec_clear(slope_u, TERMS);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* Adds int_0^h g cos(omega (t + s)) ds: moments m_k = int_0^h s^k exp(i omega s) ds by their recurrence, upwards; it
  * loses k!/(omega h)^k, for which there are bits enough. */
 static void add_integral(arb_t sum, arb_srcptr g, const arb_t t, const arb_t h, double omega)
 {
-    acb_t start, end, moment, total, factor;
-    arb_t power, w;
-    acb_init(start);
-    acb_init(end);
-    acb_init(moment);
-    acb_init(total);
-    acb_init(factor);
-    arb_init(power);
-    arb_init(w);
+    LOCAL(acb, start, end, moment, total, factor);
+    LOCAL(arb, power, w);
     arb_set_d(w, omega);
     arb_mul(power, w, h, BITS);
     if (arf_cmp_d(arb_midref(power), 0.5) < 0) {
@@ -202,13 +184,6 @@ static void add_integral(arb_t sum, arb_srcptr g, const arb_t t, const arb_t h, 
         acb_mul(total, total, start, BITS);
         arb_add(sum, sum, acb_realref(total), BITS);
     }
-    acb_clear(start);
-    acb_clear(end);
-    acb_clear(moment);
-    acb_clear(total);
-    acb_clear(factor);
-    arb_clear(power);
-    arb_clear(w);
 }
 
 /* (2 I)^2 at the frequencies, and tau */
@@ -217,13 +192,7 @@ static void reference(double *response, double *contact_time, const double *omeg
 {
     arb_ptr d = _arb_vec_init(TERMS), u = _arb_vec_init(TERMS), g = _arb_vec_init(TERMS);
     arb_ptr sum = _arb_vec_init(FREQUENCIES);
-    arb_t b, t, h, x, y, smallest;
-    arb_init(b);
-    arb_init(t);
-    arb_init(h);
-    arb_init(x);
-    arb_init(y);
-    arb_init(smallest);
+    LOCAL(arb, b, t, h, x, y, smallest);
     constant_b(b, nu, datum);
     at_rest(d, u, b, v);
     arb_zero(d + 1);
@@ -275,12 +244,6 @@ static void reference(double *response, double *contact_time, const double *omeg
     _arb_vec_clear(u, TERMS);
     _arb_vec_clear(g, TERMS);
     _arb_vec_clear(sum, FREQUENCIES);
-    arb_clear(b);
-    arb_clear(t);
-    arb_clear(h);
-    arb_clear(x);
-    arb_clear(y);
-    arb_clear(smallest);
 }
 
 static double worst; /* error in parts of what is allowed */
@@ -393,8 +356,7 @@ static void test_tails(void **unused)
     const size_t materials = points(1) > 1 ? sizeof percent / sizeof *percent : 2;
     for (size_t i = 0; i < materials; i++) {
         struct disk_modes solved;
-        fmpq_t nu;
-        fmpq_init(nu);
+        LOCAL(fmpq, nu);
         fmpq_set_si(nu, percent[i], 100);
         disk_modes_init(&solved);
         check(disk_modes_solve(&solved, nu, MANY, 17) == 0, "nu = 0.%ld", percent[i]);
@@ -406,7 +368,6 @@ static void test_tails(void **unused)
                   (long)j);
         }
         disk_modes_clear(&solved);
-        fmpq_clear(nu);
         const struct cor_disk_modes many = {(double)percent[i] / 100, MANY, mode}, few = {many.nu, FEW, mode};
         if (i < 2)
             compare_tails(&many, i == 0 ? &cor_disk_modes_nu033 : &cor_disk_modes_nu090,

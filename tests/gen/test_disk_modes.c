@@ -10,6 +10,7 @@
 #include "disk/modes.h"
 #include "runtime/core/mode_source.h"
 #include "support/digits.h"
+#include "support/local.h"
 #include "support/parallel.h"
 
 static void set_nu(fmpq_t nu, const char *text)
@@ -20,13 +21,11 @@ static void set_nu(fmpq_t nu, const char *text)
 
 static void modes_solve(struct disk_modes *modes, const char *text, slong count, slong digits)
 {
-    fmpq_t nu;
-    fmpq_init(nu);
+    LOCAL(fmpq, nu);
     set_nu(nu, text);
     disk_modes_init(modes);
     assert_int_equal(disk_modes_solve(modes, nu, count, digits), 0);
     assert_int_equal(modes->count, count);
-    fmpq_clear(nu);
 }
 
 static double middle(const arb_t x)
@@ -108,8 +107,7 @@ static void test_single_modes(void **state)
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
         struct disk_modes modes;
         struct disk_mode mode;
-        fmpq_t nu;
-        fmpq_init(nu);
+        LOCAL(fmpq, nu);
         set_nu(nu, materials[i]);
         modes_solve(&modes, materials[i], 100, 30);
         disk_mode_init(&mode);
@@ -120,7 +118,6 @@ static void test_single_modes(void **state)
         }
         disk_mode_clear(&mode);
         disk_modes_clear(&modes);
-        fmpq_clear(nu);
     }
 }
 
@@ -128,9 +125,8 @@ static void test_single_modes(void **state)
 static void test_near_pair(void **state)
 {
     (void)state;
-    fmpq_t nu;
+    LOCAL(fmpq, nu);
     struct disk_mode low, high;
-    fmpq_init(nu);
     set_nu(nu, "33/100");
     disk_mode_init(&low);
     disk_mode_init(&high);
@@ -139,19 +135,16 @@ static void test_near_pair(void **state)
     const double gap = (middle(high.omega) - middle(low.omega)) / middle(low.omega);
     check(gap > 4.1e-4 && gap < 4.3e-4, "gap %g", gap);
     struct disk disk;
-    arb_t w;
+    LOCAL(arb, w);
     disk_init(&disk, nu, 200);
-    arb_init(w);
     for (int i = 0; i < 4; i++) {
         arb_set_d(w, (i < 2 ? middle(low.omega) : middle(high.omega)) * (i % 2 ? 1 + 1e-9 : 1 - 1e-9));
         arb_sqr(w, w, 200);
         assert_int_equal(disk_count(&disk, 1, w), 50 + (i + 1) / 2);
     }
     disk_clear(&disk);
-    arb_clear(w);
     disk_mode_clear(&low);
     disk_mode_clear(&high);
-    fmpq_clear(nu);
 }
 
 /* ---- Rayleigh-Ritz ---- */
@@ -185,12 +178,8 @@ static slong ritz_count(const fmpq_t nu, slong n, const arb_t w, slong pairs)
     struct field field[RITZ_MAX];
     const slong size = ritz_fields(field, n, pairs);
     arb_mat_t a;
-    arb_t ratio, scale, x, y;
+    LOCAL(arb, ratio, scale, x, y);
     arb_mat_init(a, size, size);
-    arb_init(ratio);
-    arb_init(scale);
-    arb_init(x);
-    arb_init(y);
     arb_set_fmpq(ratio, nu, RITZ_PREC);
     arb_mul(scale, ratio, ratio, RITZ_PREC);
     arb_sub_si(scale, scale, 1, RITZ_PREC);
@@ -224,10 +213,6 @@ static slong ritz_count(const fmpq_t nu, slong n, const arb_t w, slong pairs)
         }
     }
     arb_mat_clear(a);
-    arb_clear(ratio);
-    arb_clear(scale);
-    arb_clear(x);
-    arb_clear(y);
     return negative;
 }
 
@@ -239,11 +224,9 @@ static void test_ritz(void **state)
     enum { PAIRS = 14, POINTS = 9 };
     struct random_state random = random_start();
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
-        fmpq_t nu;
-        arb_t w;
+        LOCAL(fmpq, nu);
+        LOCAL(arb, w);
         struct disk disk;
-        fmpq_init(nu);
-        arb_init(w);
         set_nu(nu, materials[i]);
         disk_init(&disk, nu, 128);
         for (size_t k = 0; k < sizeof orders / sizeof *orders; k++) {
@@ -278,8 +261,6 @@ static void test_ritz(void **state)
         }
         disk_mode_clear(&mode);
         disk_clear(&disk);
-        arb_clear(w);
-        fmpq_clear(nu);
     }
 }
 
@@ -361,19 +342,16 @@ static void test_printed_equation(void **state)
     static const char *const materials[] = {"33/100", "9/10", "-3/5"};
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
         struct disk_modes modes;
-        fmpq_t nu;
-        fmpq_init(nu);
+        LOCAL(fmpq, nu);
         set_nu(nu, materials[i]);
         modes_solve(&modes, materials[i], 900, 30);
         for (slong k = 0; k < modes.count; k += 13)
             assert_root(&modes.mode[k], nu, 95, 400);
         disk_modes_clear(&modes);
-        fmpq_clear(nu);
     }
     /* n far above kappa */
     struct disk_mode mode;
-    fmpq_t nu;
-    fmpq_init(nu);
+    LOCAL(fmpq, nu);
     disk_mode_init(&mode);
     set_nu(nu, "33/100");
     assert_int_equal(disk_mode_solve(&mode, nu, 1500, 0, 120), 0);
@@ -382,7 +360,6 @@ static void test_printed_equation(void **state)
     assert_int_equal(disk_mode_solve(&mode, nu, 600, 1, 120), 0);
     assert_root(&mode, nu, 100, 4000);
     disk_mode_clear(&mode);
-    fmpq_clear(nu);
 }
 
 /* ---- (26) by integration ---- */
@@ -446,13 +423,12 @@ static void test_normalisation(void **state)
                  {"999999999999/1000000000000", 2, 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const slong n = cases[i].n;
-        fmpq_t nu;
+        LOCAL(fmpq, nu);
         struct disk_mode mode;
         arb_t kappa, kappa_, a, b, one, zero, ur[2], uphi[2], det, x, node, weight, sum;
         arb_ptr all[] = {kappa, kappa_, a, b, one, zero, ur[0], ur[1], uphi[0], uphi[1], det, x, node, weight, sum};
         for (size_t k = 0; k < sizeof all / sizeof *all; k++)
             arb_init(all[k]);
-        fmpq_init(nu);
         disk_mode_init(&mode);
         set_nu(nu, cases[i].nu);
         assert_int_equal(disk_mode_solve(&mode, nu, n, cases[i].l, 150), 0);
@@ -500,7 +476,6 @@ static void test_normalisation(void **state)
         check(fabs(middle(sum)) < 1e-25 && arb_rel_accuracy_bits(mode.c) > 80, "n = %ld, l = %ld: %g", (long)n,
               (long)cases[i].l, middle(sum));
         disk_mode_clear(&mode);
-        fmpq_clear(nu);
         for (size_t k = 0; k < sizeof all / sizeof *all; k++)
             arb_clear(all[k]);
     }
@@ -518,10 +493,9 @@ static void test_sums(void **state)
     static const char *const materials[] = {"33/100", "9/10", "-1/2"};
     enum { ORDERS = 6 };
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
-        fmpq_t exact;
+        LOCAL(fmpq, exact);
         struct disk disk;
         struct disk_modes modes;
-        fmpq_init(exact);
         set_nu(exact, materials[i]);
         disk_init(&disk, exact, 64);
         const double nu = disk.e_double - 1;
@@ -557,7 +531,6 @@ static void test_sums(void **state)
         }
         disk_modes_clear(&modes);
         disk_clear(&disk);
-        fmpq_clear(exact);
     }
 }
 
@@ -580,9 +553,8 @@ static void assert_close(const arb_t x, double square, const char *what, slong i
 static void test_corners_of_nu(void **state)
 {
     (void)state;
-    fmpq_t nu;
+    LOCAL(fmpq, nu);
     struct disk_modes modes, other;
-    fmpq_init(nu);
     disk_modes_init(&modes);
     disk_modes_init(&other);
     static const ulong margins[] = {6, 30, 99};
@@ -620,7 +592,6 @@ static void test_corners_of_nu(void **state)
     disk_mode_clear(&mode);
     disk_modes_clear(&modes);
     disk_modes_clear(&other);
-    fmpq_clear(nu);
 }
 
 /* No mode of any n >= cor_mode_orders(omega) is below omega, and not many n are looked at in vain. */
@@ -628,10 +599,8 @@ static void test_orders(void **state)
 {
     (void)state;
     static const char *const materials[] = {"99/100", "33/100", "0", "-9/10", "-999999/1000000"};
-    fmpq_t nu;
-    arb_t w;
-    fmpq_init(nu);
-    arb_init(w);
+    LOCAL(fmpq, nu);
+    LOCAL(arb, w);
     struct random_state random = random_start();
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
         struct disk disk;
@@ -648,8 +617,6 @@ static void test_orders(void **state)
         }
         disk_clear(&disk);
     }
-    arb_clear(w);
-    fmpq_clear(nu);
 }
 
 /* The same numbers to the bit from any number of threads, and the same modes in more digits. */

@@ -11,6 +11,7 @@
 #include "cor/disk.h"
 #include "generated/disk_modes_nu033.h"
 #include "generated/disk_modes_nu090.h"
+#include "support/local.h"
 
 enum { PREC = 320, STEPS = 3 /* chords */, ORDERS = 320 /* far above every kappa' of the tables */ };
 
@@ -45,23 +46,18 @@ static void bessel_clear(struct bessel *b)
  * the ball; beyond, they are exp(z) wider, but no J_n is steeper than 1. */
 static void bessel_j(arb_t j, slong n, const arb_t z)
 {
-    arb_t order, middle;
-    arb_init(order);
-    arb_init(middle);
+    LOCAL(arb, order, middle);
     arb_set_si(order, n);
     arb_get_mid_arb(middle, z);
     const slong whole = arf_get_si(arb_midref(middle), ARF_RND_UP);
     arb_hypgeom_bessel_j(j, order, whole < n ? z : middle, PREC + 2 * whole);
     if (whole >= n)
         arb_add_error_mag(j, arb_radref(z));
-    arb_clear(order);
-    arb_clear(middle);
 }
 
 static void bessel_set(struct bessel *b, slong n)
 {
-    arb_t t;
-    arb_init(t);
+    LOCAL(arb, t);
     bessel_j(&b->j[2], n, b->z);
     bessel_j(&b->j[3], n + 1, b->z);
     for (slong i = 1; i >= 0; i--) { /* J_m-1 = (2m/z) J_m - J_m+1 */
@@ -75,7 +71,6 @@ static void bessel_set(struct bessel *b, slong n)
     arb_mul(b->d, b->z, &b->j[1], PREC); /* z J_n' = z J_n-1 - n J_n, (24) */
     arb_mul_si(t, &b->j[2], n, PREC);
     arb_sub(b->d, b->d, t, PREC);
-    arb_clear(t);
 }
 
 struct material {
@@ -121,10 +116,7 @@ static void equation(arb_t f, struct bessel *k, struct bessel *k1, const struct 
         return;
     }
     bessel_set(k1, n);
-    arb_t a, b, kk;
-    arb_init(a);
-    arb_init(b);
-    arb_init(kk);
+    LOCAL(arb, a, b, kk);
     arb_mul(kk, k->z, k->z, PREC);
     /* (1-nu)^2 (1-n^2) kappa kappa' J_n-1(kappa) J_n-1(kappa') */
     arb_mul(f, k->z, &k->j[1], PREC);
@@ -143,21 +135,16 @@ static void equation(arb_t f, struct bessel *k, struct bessel *k1, const struct 
     arb_mul(a, a, kk, PREC); /* kappa^4 - 2 (n^2+n)(1-nu) kappa^2 */
     arb_mul(a, a, &k->j[2], PREC);
     arb_addmul(f, a, &k1->j[2], PREC);
-    arb_clear(a);
-    arb_clear(b);
-    arb_clear(kk);
 }
 
 /* Half way to the double next to x, exactly. */
 static void half_way(arb_t y, double x, double towards)
 {
-    arb_t t;
-    arb_init(t);
+    LOCAL(arb, t);
     arb_set_d(y, x);
     arb_set_d(t, nextafter(x, towards));
     arb_add(y, y, t, PREC);
     arb_mul_2exp_si(y, y, -1);
-    arb_clear(t);
 }
 
 /* Proves that the double is the nearest to a root, and encloses that to 180 bits. */
@@ -201,8 +188,7 @@ static void find_root(arb_t omega, struct bessel *k, struct bessel *k1, const st
 /* int_0^1 r J(a r) J(b r) dr, both of the order of j[o]: Lommel. */
 static void lommel(arb_t x, const struct bessel *a, const struct bessel *b, int o)
 {
-    arb_t t;
-    arb_init(t);
+    LOCAL(arb, t);
     if (a == b) {
         arb_mul(x, &a->j[o], &a->j[o], PREC);
         arb_submul(x, &a->j[o - 1], &a->j[o + 1], PREC);
@@ -216,17 +202,13 @@ static void lommel(arb_t x, const struct bessel *a, const struct bessel *b, int 
         arb_submul(t, b->z, b->z, PREC);
         arb_div(x, x, t, PREC);
     }
-    arb_clear(t);
 }
 
 /* A and B of (22) or (23), whichever determines them better. */
 static void amplitudes(arb_t a, arb_t b, const struct bessel *k, const struct bessel *k1, const struct material *m,
                        slong n)
 {
-    arb_t a2, b2, t;
-    arb_init(a2);
-    arb_init(b2);
-    arb_init(t);
+    LOCAL(arb, a2, b2, t);
     /* (22): -A [s kappa J' + (kappa^2 - s n^2) J] + n B s [kappa' J' - J] = 0 */
     arb_sub(a, k1->d, &k1->j[2], PREC);
     arb_mul(a, a, m->s, PREC);
@@ -246,37 +228,23 @@ static void amplitudes(arb_t a, arb_t b, const struct bessel *k, const struct be
         arb_swap(a, a2);
         arb_swap(b, b2);
     }
-    arb_clear(a2);
-    arb_clear(b2);
-    arb_clear(t);
 }
 
 static void assert_nearest(double x, const arb_t exact, const char *what, const struct cor_disk_mode *mode)
 {
-    arb_t low, high;
-    arb_init(low);
-    arb_init(high);
+    LOCAL(arb, low, high);
     half_way(low, x, -HUGE_VAL);
     half_way(high, x, HUGE_VAL);
     if (!arb_gt(exact, low) || !arb_lt(exact, high)) {
         arb_fprintn(stderr, exact, 40, 0);
         fail_msg(" is not nearest to %.17g, %s of (%d,%d)", x, what, mode->n, mode->l);
     }
-    arb_clear(low);
-    arb_clear(high);
 }
 
 static void check_mode(const struct material *m, const struct cor_disk_mode *mode)
 {
     struct bessel k, k1;
-    arb_t omega, a, b, c, s, norm, t;
-    arb_init(omega);
-    arb_init(a);
-    arb_init(b);
-    arb_init(c);
-    arb_init(s);
-    arb_init(norm);
-    arb_init(t);
+    LOCAL(arb, omega, a, b, c, s, norm, t);
     bessel_init(&k);
     bessel_init(&k1);
     const slong n = mode->n;
@@ -331,13 +299,6 @@ static void check_mode(const struct material *m, const struct cor_disk_mode *mod
         assert_true(mode->s == 0);
     bessel_clear(&k);
     bessel_clear(&k1);
-    arb_clear(omega);
-    arb_clear(a);
-    arb_clear(b);
-    arb_clear(c);
-    arb_clear(s);
-    arb_clear(norm);
-    arb_clear(t);
 }
 
 static void every_mode(void **state)
@@ -358,16 +319,12 @@ static void every_mode(void **state)
 static void sequence(arb_ptr j, const arb_t z)
 {
     /* an exact place, for the high orders are tiny */
-    arb_t place, order;
-    arb_init(place);
-    arb_init(order);
+    LOCAL(arb, place, order);
     arb_get_mid_arb(place, z);
     for (slong n = 0; n < ORDERS; n++) {
         arb_set_si(order, n);
         arb_hypgeom_bessel_j(j + n, order, place, PREC);
     }
-    arb_clear(place);
-    arb_clear(order);
 }
 
 /* Zeros of J_n below z: those of neighbouring orders interlace, and J_m has none for m > z. */
@@ -391,12 +348,10 @@ static slong negative(double a, double b, double d)
 /* z J_n'/J_n, in double: the matrices are far from singular between modes. */
 static double logarithmic(arb_srcptr j, slong n, const arb_t z)
 {
-    arb_t t;
-    arb_init(t);
+    LOCAL(arb, t);
     arb_div(t, j + n + 1, j + n, PREC);
     arb_mul(t, t, z, PREC);
     const double ratio = arf_get_d(arb_midref(t), ARF_RND_NEAR);
-    arb_clear(t);
     return (double)n - ratio;
 }
 
@@ -404,9 +359,7 @@ static double logarithmic(arb_srcptr j, slong n, const arb_t z)
 static slong count_below(const struct material *m, double omega)
 {
     arb_ptr j = _arb_vec_init(ORDERS), j1 = _arb_vec_init(ORDERS);
-    arb_t z, z1;
-    arb_init(z);
-    arb_init(z1);
+    LOCAL(arb, z, z1);
     arb_set_d(z, omega);
     arb_mul(z1, z, m->kappa1_per_omega, PREC);
     arb_mul(z, z, m->kappa_per_omega, PREC);
@@ -422,8 +375,6 @@ static slong count_below(const struct material *m, double omega)
         count += 1 + zeros(j, n) + zeros(j1, n) + negative(factor * y - 1, (factor - 1) * order, factor * x - 1) -
                  negative(factor * y, factor * order, factor * x);
     }
-    arb_clear(z);
-    arb_clear(z1);
     _arb_vec_clear(j, ORDERS);
     _arb_vec_clear(j1, ORDERS);
     return count;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The quasistatic contact law of the disk (runtime/disk/quasistatic.c): the law itself in
- * long double, its limits and identities, the contact time over theta, special values. tests/accuracy/test_disk_law.c has the
- * many points. */
+/* The quasistatic contact law of the disk (runtime/disk/quasistatic.c): the law itself in long double, its limits and
+ * identities, the contact time over theta, special values. tests/accuracy/test_disk_law.c has the many points. */
 #include "check.h"
 
 #include <limits.h>
