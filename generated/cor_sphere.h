@@ -124,13 +124,13 @@ COR_INLINE double cor_inline_nan(void)
     return cor_inline_from_bits(UINT64_C(0x7ff8000000000000));
 }
 
-/* The float nearest to x, without FE_OVERFLOW */
+/* The float nearest to x, without FE_OVERFLOW: a factor, because clang converts both x and what stands for it before it
+ * chooses */
 COR_INLINE float cor_inline_narrow(double x)
 {
     const double beyond = 3.40282356779733662e+38; /* halfway between the largest float and 2^128 */
-    return (float)(cor_inline_below(x, beyond) || cor_inline_bits(x) > COR_INLINE_INFINITY_BITS
-                       ? x
-                       : cor_inline_infinity());
+    const int fits = cor_inline_below(x, beyond) || cor_inline_bits(x) > COR_INLINE_INFINITY_BITS;
+    return (float)(x * (fits ? 1 : cor_inline_infinity()));
 }
 
 COR_INLINE int cor_inline_is_zero(double x)

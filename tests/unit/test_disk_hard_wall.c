@@ -178,7 +178,7 @@ static void budgets(void **state)
                                                         1000 + random_below(&random, 3000)};
         const int stopped = cor_hard_wall_within(most, nu, &some, speed, &again, &work);
         assert_int_equal(stopped, again.omega_levels < 2 ? COR_CONTACT_NOT_ENDED : COR_TOLERANCE_NOT_REACHED);
-        check(work <= (double)some.max_steps + COR_HARD_WALL_BATCH && work > 0.2 * (double)some.max_steps,
+        check(work <= (double)(some.max_steps + COR_HARD_WALL_BATCH) && work > 0.2 * (double)some.max_steps,
               "nu = %.17g, v = %.17g: %g of %zu steps", nu, speed, work, some.max_steps);
         /* the same number of levels from a budget in steps: of the first, the second, ... each 2^(1/2) of the last */
         struct cor_disk_hard_wall_options steps = {COR_DISK_HARD_WALL_MIN_TOLERANCE, 1};
