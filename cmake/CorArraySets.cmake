@@ -10,12 +10,9 @@ set(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 -fno-tree-s
 
 set(cor_with_tables_kernels law/dashpot_array sphere/array)
 set(cor_without_tables_kernels core/mode_source disk/collision disk/hard_wall disk/rayleigh law/array)
-# Row by row, AVX-512 gains less than 10 %.
-set(cor_with_tables_sets portable)
-set(cor_without_tables_sets portable)
+set(sets portable)
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-  list(APPEND cor_with_tables_sets avx2)
-  list(APPEND cor_without_tables_sets avx2 avx512)
+  list(APPEND sets avx2 avx512)
   set(cor_sets_definition COR_X86_SETS)
 endif()
 
@@ -23,7 +20,7 @@ foreach(part cor_with_tables cor_without_tables)
   list(TRANSFORM ${part}_kernels REPLACE "(.+)" "runtime/\\1_kernel.c" OUTPUT_VARIABLE kernels)
   target_compile_definitions(${part} PRIVATE ${cor_sets_definition})
   set(${part}_objects $<TARGET_OBJECTS:${part}>)
-  foreach(set ${${part}_sets})
+  foreach(set ${sets})
     add_library(${part}_${set} OBJECT ${kernels})
     target_compile_definitions(${part}_${set} PRIVATE COR_SET=${set} ${cor_sets_definition})
     if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")

@@ -47,18 +47,13 @@ static inline int cor_widest_set(void)
 #define COR_SET_NAME_2_(set) #set
 
 /* COR_TABLES(type, name, function) declares the tables name_<set> of a kernel and defines function(set), which returns
- * a set's table, or NULL if this build or this processor lacks the set. COR_TABLES_TO_AVX2 is for kernels that AVX-512
- * makes faster by less than 10 %: its table is that of AVX2. */
+ * a set's table, or NULL if this build or this processor lacks the set. */
 #ifdef COR_X86_SETS
 #define COR_TABLES(type, name, function)                                                                               \
-    extern const type name##_avx512;                                                                                   \
-    COR_TABLES_(type, name, function, name##_avx512)
-#define COR_TABLES_TO_AVX2(type, name, function) COR_TABLES_(type, name, function, name##_avx2)
-#define COR_TABLES_(type, name, function, widest)                                                                      \
-    extern const type name##_portable, name##_avx2;                                                                    \
+    extern const type name##_portable, name##_avx2, name##_avx512;                                                     \
     static inline const type *function(int set)                                                                        \
     {                                                                                                                  \
-        static const type *const table[] = {&name##_portable, &name##_avx2, &widest};                                  \
+        static const type *const table[] = {&name##_portable, &name##_avx2, &name##_avx512};                           \
         return cor_processor_has(set) ? table[set] : NULL;                                                             \
     }
 #else
@@ -68,7 +63,6 @@ static inline int cor_widest_set(void)
     {                                                                                                                  \
         return cor_processor_has(set) ? &name##_portable : NULL;                                                       \
     }
-#define COR_TABLES_TO_AVX2 COR_TABLES
 #endif
 
 #endif

@@ -40,7 +40,7 @@ enum cor_dashpot_number {
 struct cor_dashpot_loops {
     cor_dashpot_loop *of[COR_DASHPOT_LOOP_COUNT];
 };
-COR_TABLES_TO_AVX2(struct cor_dashpot_loops, cor_dashpot_loops, cor_dashpot_loops)
+COR_TABLES(struct cor_dashpot_loops, cor_dashpot_loops, cor_dashpot_loops)
 
 /* Calls the loop of a set; returns 0 if this build lacks the set or this processor cannot run it. */
 int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const double *in, double *out, size_t n);

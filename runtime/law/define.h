@@ -14,30 +14,6 @@ static inline int law_is_ordinary(double x)
                               COR_INLINE_2_900);
 }
 
-/* Float arrays call the double loop, so that each result is rounded once. */
-static inline void law_arrayf(cor_law_array_function *loop, const float *x, float *y, size_t n)
-{
-    enum { CHUNK = 512 };
-    double wide[CHUNK];
-    const struct cor_environment caller = cor_environment_enter();
-    for (size_t i = 0; i < n; i += CHUNK) {
-        const size_t m = n - i < CHUNK ? n - i : CHUNK;
-        for (size_t j = 0; j < m; j++)
-            wide[j] = (double)x[i + j];
-        loop(wide, wide, m);
-        for (size_t j = 0; j < m; j++)
-            y[i + j] = (float)wide[j];
-    }
-    cor_environment_leave(&caller);
-}
-
-static inline void law_array(cor_law_array_function *loop, const double *x, double *y, size_t n)
-{
-    const struct cor_environment caller = cor_environment_enter();
-    loop(x, y, n);
-    cor_environment_leave(&caller);
-}
-
 /* cor_<function> and its float form from the inline function `name` */
 #define LAW_SCALARS_(function, name)                                                                                   \
     static COR_IN_ENVIRONMENT(double, anywhere_##function, cor_##name, (double x),                                     \
@@ -55,11 +31,11 @@ static inline void law_array(cor_law_array_function *loop, const double *x, doub
     LAW_SCALARS_(function, name)                                                                                       \
     void cor_##function##_array(const double *x, double *y, size_t n)                                                  \
     {                                                                                                                  \
-        law_array(cor_law_loops(cor_widest_set())->of[COR_LAW_##name], x, y, n);                                       \
+        cor_law_array(COR_LAW_##name, x, y, n);                                                                        \
     }                                                                                                                  \
     void cor_##function##_arrayf(const float *x, float *y, size_t n)                                                   \
     {                                                                                                                  \
-        law_arrayf(cor_law_loops(cor_widest_set())->of[COR_LAW_##name], x, y, n);                                      \
+        cor_law_arrayf(COR_LAW_##name, x, y, n);                                                                       \
     }
 
 /* The same without a loop of its own: array functions compute one number after the other. */

@@ -75,11 +75,11 @@ int cor_dashpot_array_of_set(int set, enum cor_dashpot_number function, const do
     }                                                                                                                  \
     void cor_hertz_dashpot_##quantity##_array(const double *x, double *y, size_t n)                                    \
     {                                                                                                                  \
-        law_array(loop_##quantity, x, y, n);                                                                           \
+        cor_law_array_by(loop_##quantity, x, y, n);                                                                    \
     }                                                                                                                  \
     void cor_hertz_dashpot_##quantity##_arrayf(const float *x, float *y, size_t n)                                     \
     {                                                                                                                  \
-        law_arrayf(loop_##quantity, x, y, n);                                                                          \
+        cor_law_arrayf_by(loop_##quantity, x, y, n);                                                                   \
     }
 COR_DASHPOT_LOOPS(WITH_LOOP, WITH_LOOP, WITH_LOOP, WITH_LOOP)
 

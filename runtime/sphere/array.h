@@ -64,6 +64,6 @@ struct cor_array_set {
 #undef COR_ARRAY_FIELD
 };
 
-COR_TABLES_TO_AVX2(struct cor_array_set, cor_array, cor_array_set)
+COR_TABLES(struct cor_array_set, cor_array, cor_array_set)
 
 #endif

@@ -18,7 +18,7 @@ static const struct {
     double (*value)(double);
     double least, largest;
 } loops[] = {
-#define LOOP_ROW(name, least, largest) {#name, cor_##name, least, largest},
+#define LOOP_ROW(name, public, least, largest) {#name, cor_##public, least, largest},
     COR_LAW_LOOPS(LOOP_ROW, LOOP_ROW)
 #undef LOOP_ROW
 };
