@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
 # The sources of corgen but for main.c, in alphabetical order: add a file to gen/, add a line here.
 set(COR_GENERATOR_SOURCES
+  gen/approximation/barycentric.c
   gen/approximation/ellipse_bound.c
   gen/approximation/enclosed_function.c
   gen/approximation/far_proof.c
-  gen/approximation/float_rows.c
-  gen/approximation/function_rows.c
   gen/approximation/interpolant.c
   gen/approximation/law_layout.c
   gen/approximation/law_proof.c
@@ -15,6 +14,7 @@ set(COR_GENERATOR_SOURCES
   gen/approximation/pieces.c
   gen/approximation/published.c
   gen/approximation/row_proof.c
+  gen/approximation/sampled_function.c
   gen/cli/collide.c
   gen/cli/completion.c
   gen/cli/disk_collide.c
@@ -90,7 +90,6 @@ set(COR_GENERATOR_SOURCES
   gen/tables/limits.c
   gen/tables/pade.c
   gen/tables/sphere.c
-  gen/tables/sphere_floats.c
   gen/tables/waves.c)
 # Sources that call the library with its tables. COR_BOOTSTRAP=ON leaves them out.
 set(COR_GENERATOR_CALLERS

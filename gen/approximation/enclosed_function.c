@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "approximation/enclosed_function.h"
+#include "support/local.h"
 
 #include <math.h>
 
@@ -13,13 +14,10 @@ enum {
 
 void enclosed_shorten(arb_poly_t p)
 {
-    mag_t limit, sum, term;
+    LOCAL(mag, limit, sum, term);
     slong degree = arb_poly_degree(p);
     if (degree < 1)
         return;
-    mag_init(limit);
-    mag_init(sum);
-    mag_init(term);
     arb_get_mag(limit, arb_poly_get_coeff_ptr(p, 0));
     mag_mul_2exp_si(limit, limit, NEGLIGIBLE);
     for (; degree > 0; degree--) {
@@ -30,9 +28,6 @@ void enclosed_shorten(arb_poly_t p)
     }
     arb_poly_truncate(p, degree + 1);
     arb_add_error_mag(arb_poly_get_coeff_ptr(p, 0), sum);
-    mag_clear(limit);
-    mag_clear(sum);
-    mag_clear(term);
 }
 
 void enclosed_multiply(arb_poly_t z, const arb_poly_t x, const arb_poly_t y)
@@ -43,65 +38,50 @@ void enclosed_multiply(arb_poly_t z, const arb_poly_t x, const arb_poly_t y)
 
 void enclosed_add_number(arb_poly_t p, const arb_t c)
 {
-    arb_t constant;
-    arb_init(constant);
+    LOCAL(arb, constant);
     arb_poly_get_coeff_arb(constant, p, 0);
     arb_add(constant, constant, c, ENCLOSED_BITS);
     arb_poly_set_coeff_arb(p, 0, constant);
-    arb_clear(constant);
 }
 
 void enclosed_add_double(arb_poly_t p, double c)
 {
-    arb_t number;
-    arb_init(number);
+    LOCAL(arb, number);
     arb_set_d(number, c);
     enclosed_add_number(p, number);
-    arb_clear(number);
 }
 
 void enclosed_add_radius(arb_poly_t p, const arb_t radius)
 {
-    arb_t constant;
-    arb_init(constant);
+    LOCAL(arb, constant);
     arb_poly_get_coeff_arb(constant, p, 0);
     arb_add_error(constant, radius);
     arb_poly_set_coeff_arb(p, 0, constant);
-    arb_clear(constant);
 }
 
 void enclosed_range(arb_t range, const arb_poly_t p)
 {
-    arb_t radius, c;
-    arb_init(radius);
-    arb_init(c);
+    LOCAL(arb, radius, c);
     for (slong k = arb_poly_degree(p); k >= 1; k--) {
         arb_abs(c, arb_poly_get_coeff_ptr(p, k));
         arb_add(radius, radius, c, ENCLOSED_BITS);
     }
     arb_poly_get_coeff_arb(range, p, 0);
     arb_add_error(range, radius);
-    arb_clear(radius);
-    arb_clear(c);
 }
 
 void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, const arb_t half, slong prec)
 {
-    arb_poly_t line;
-    arb_poly_init(line);
+    LOCAL(arb_poly, line);
     arb_poly_set_coeff_arb(line, 1, half);
     arb_poly_set_coeff_arb(line, 0, middle);
     arb_poly_compose(y, p, line, prec);
-    arb_poly_clear(line);
 }
 
 void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, const arb_poly_t x)
 {
     enum { TERMS = 30 };
-    arb_t middle, step, term;
-    arb_init(middle);
-    arb_init(step);
-    arb_init(term);
+    LOCAL(arb, middle, step, term);
     arb_set_d(term, numerator);
     arb_div_si(term, term, denominator, ENCLOSED_BITS);
     arb_poly_get_coeff_arb(middle, x, 0);
@@ -121,22 +101,14 @@ void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, con
     arb_mul(term, term, step, ENCLOSED_BITS); /* bounds the terms left out */
     enclosed_add_radius(y, term);
     enclosed_shorten(y);
-    arb_clear(middle);
-    arb_clear(step);
-    arb_clear(term);
 }
 
 /* exp(c) (1 + w + w^2/2 + ...), w = p - c. The terms after the last are below |w|^(TERMS + 1) exp(|w|)/(TERMS + 1)!. */
 void enclosed_exp(arb_poly_t y, const arb_poly_t p)
 {
     enum { TERMS = 28 };
-    arb_poly_t w, sum;
-    arb_t c, most, x;
-    arb_poly_init(w);
-    arb_poly_init(sum);
-    arb_init(c);
-    arb_init(most);
-    arb_init(x);
+    LOCAL(arb_poly, w, sum);
+    LOCAL(arb, c, most, x);
     arb_poly_get_coeff_arb(c, p, 0);
     arb_get_mid_arb(c, c);
     arb_neg(x, c);
@@ -159,22 +131,13 @@ void enclosed_exp(arb_poly_t y, const arb_poly_t p)
     enclosed_add_radius(sum, x);
     arb_exp(c, c, ENCLOSED_BITS);
     arb_poly_scalar_mul(y, sum, c, ENCLOSED_BITS);
-    arb_poly_clear(w);
-    arb_poly_clear(sum);
-    arb_clear(c);
-    arb_clear(most);
-    arb_clear(x);
 }
 
 /* The root of a positive function: the root s of its polynomial's middle, and the rest, |p - s^2|/s at most. */
 bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
 {
-    arb_poly_t s, rest;
-    arb_t least, most;
-    arb_poly_init(s);
-    arb_poly_init(rest);
-    arb_init(least);
-    arb_init(most);
+    LOCAL(arb_poly, s, rest);
+    LOCAL(arb, least, most);
     arb_poly_set(s, p);
     for (slong k = 0; k < arb_poly_length(s); k++)
         arb_get_mid_arb(arb_poly_get_coeff_ptr(s, k), arb_poly_get_coeff_ptr(s, k));
@@ -192,10 +155,6 @@ bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
     if (done)
         enclosed_add_radius(y, most);
     enclosed_shorten(y);
-    arb_poly_clear(s);
-    arb_poly_clear(rest);
-    arb_clear(least);
-    arb_clear(most);
     return done;
 }
 
@@ -204,11 +163,8 @@ bool enclosed_square_root(arb_poly_t y, const arb_poly_t p)
 static bool series_in_rest(arb_poly_t y, arb_t c, const arb_poly_t p, bool logarithm)
 {
     enum { TERMS = 64, LEFT_OUT = TERMS + 1 };
-    arb_poly_t w;
-    arb_t most, x;
-    arb_poly_init(w);
-    arb_init(most);
-    arb_init(x);
+    LOCAL(arb_poly, w);
+    LOCAL(arb, most, x);
     arb_poly_get_coeff_arb(c, p, 0);
     arb_get_mid_arb(c, c);
     const bool positive = arb_is_positive(c);
@@ -233,70 +189,52 @@ static bool series_in_rest(arb_poly_t y, arb_t c, const arb_poly_t p, bool logar
     arb_pow_ui(x, most, LEFT_OUT, ENCLOSED_BITS);
     arb_mul_2exp_si(x, x, 1);
     enclosed_add_radius(y, x);
-    arb_poly_clear(w);
-    arb_clear(most);
-    arb_clear(x);
     return done;
 }
 
 bool enclosed_logarithm(arb_poly_t y, const arb_poly_t p)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     const bool done = series_in_rest(y, c, p, true);
     if (done) {
         arb_log(c, c, ENCLOSED_BITS);
         enclosed_add_number(y, c);
     }
-    arb_clear(c);
     return done;
 }
 
 bool enclosed_inverse(arb_poly_t y, const arb_poly_t p)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     const bool done = series_in_rest(y, c, p, false);
     if (done) {
         enclosed_add_double(y, 1);
         arb_poly_scalar_div(y, y, c, ENCLOSED_BITS);
     }
-    arb_clear(c);
     return done;
 }
 
 double enclosed_ratio_at(const arb_poly_t f, const arb_poly_t g, double t)
 {
-    arb_t at, x, y;
-    arb_init(at);
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, at, x, y);
     arb_set_d(at, t);
     arb_poly_evaluate(x, f, at, ENCLOSED_BITS);
     arb_poly_evaluate(y, g, at, ENCLOSED_BITS);
     const double ratio = fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR) / arf_get_d(arb_midref(y), ARF_RND_NEAR));
-    arb_clear(at);
-    arb_clear(x);
-    arb_clear(y);
     return ratio;
 }
 
 double enclosed_largest_ratio(const arb_poly_t f, const arb_poly_t g, double known, int halvings)
 {
-    arb_t x, y;
-    mag_t mag;
-    arb_init(x);
-    arb_init(y);
-    mag_init(mag);
+    LOCAL(arb, x, y);
+    LOCAL(mag, mag);
     enclosed_range(x, f);
     enclosed_range(y, g);
     arb_div(x, x, y, ENCLOSED_BITS);
     arb_get_mag(mag, x);
     double bound = mag_get_d(mag);
     if (bound > known * NEAR_KNOWN && halvings > 0) {
-        arb_poly_t part, scale;
-        arb_poly_init(part);
-        arb_poly_init(scale);
+        LOCAL(arb_poly, part, scale);
         bound = 0;
         for (int side = -1; side <= 1; side += 2) {
             arb_set_d(x, side * 0.5);
@@ -305,11 +243,6 @@ double enclosed_largest_ratio(const arb_poly_t f, const arb_poly_t g, double kno
             enclosed_rescale(scale, g, x, y, ENCLOSED_BITS);
             bound = fmax(bound, enclosed_largest_ratio(part, scale, known, halvings - 1));
         }
-        arb_poly_clear(part);
-        arb_poly_clear(scale);
     }
-    arb_clear(x);
-    arb_clear(y);
-    mag_clear(mag);
     return bound;
 }

@@ -5,6 +5,7 @@
 
 #include "approximation/enclosed_function.h"
 #include "support/console.h"
+#include "support/local.h"
 
 enum {
     HALVINGS = 8, /* of a cell, at most */
@@ -41,8 +42,7 @@ struct far_cell {
 
 void far_proof_variable(arb_poly_t u, double lo, double hi)
 {
-    arb_t half;
-    arb_init(half);
+    LOCAL(arb, half);
     arb_poly_zero(u);
     enclosed_add_double(u, hi);
     enclosed_add_double(u, -lo);
@@ -52,13 +52,11 @@ void far_proof_variable(arb_poly_t u, double lo, double hi)
     arb_poly_set_coeff_arb(u, 1, half);
     enclosed_add_number(u, half);
     enclosed_add_double(u, lo);
-    arb_clear(half);
 }
 
 static void far_cell_init(struct far_cell *cell, double lo, double hi)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     cell->lo = lo;
     cell->hi = hi;
     arb_poly_init(cell->u);
@@ -72,7 +70,6 @@ static void far_cell_init(struct far_cell *cell, double lo, double hi)
         arb_exp(x, x, ENCLOSED_BITS);
         enclosed_add_radius(cell->mu, x);
     }
-    arb_clear(x);
 }
 
 static void far_cell_clear(struct far_cell *cell)
@@ -84,23 +81,19 @@ static void far_cell_clear(struct far_cell *cell)
 /* sum_k mu^k order_k(u), 0 <= k < orders */
 static void sum_of_orders(arb_poly_t y, const arb_poly_struct *order, slong orders, const struct far_cell *cell)
 {
-    arb_poly_t term;
-    arb_poly_init(term);
+    LOCAL(arb_poly, term);
     arb_poly_zero(y);
     for (slong k = orders - 1; k >= 0; k--) {
         enclosed_multiply(y, y, cell->mu);
         arb_poly_compose(term, &order[k], cell->u, ENCLOSED_BITS);
         arb_poly_add(y, y, term, ENCLOSED_BITS);
     }
-    arb_poly_clear(term);
 }
 
 static void series_on(arb_poly_t y, const struct far_series *s, const struct far_cell *cell)
 {
-    mag_t rest;
-    arb_t radius;
-    mag_init(rest);
-    arb_init(radius);
+    LOCAL(mag, rest);
+    LOCAL(arb, radius);
     sum_of_orders(y, s->order, EXPANSION_ORDER + 1, cell);
     mag_set_d(rest, cell->hi);
     mag_mul(rest, rest, s->rest_per_u);
@@ -109,8 +102,6 @@ static void series_on(arb_poly_t y, const struct far_series *s, const struct far
         mag_inf(rest);
     arf_set_mag(arb_midref(radius), rest);
     enclosed_add_radius(y, radius);
-    mag_clear(rest);
-    arb_clear(radius);
 }
 
 static bool function_on(arb_poly_t y, const struct far_proof *proof, enum quantity quantity,
@@ -131,14 +122,10 @@ static bool function_on(arb_poly_t y, const struct far_proof *proof, enum quanti
         series_on(y, &m->time_of_max_overlap, cell);
         return true;
     case DURATION_ZERO_OVERLAP: {
-        arb_poly_t eps, time;
-        arb_poly_init(eps);
-        arb_poly_init(time);
+        LOCAL(arb_poly, eps, time);
         series_on(eps, &m->eps_zero_force, cell);
         series_on(time, &m->duration_zero_force, cell);
         const bool done = interpolant_proof_creep(y, proof->rows, eps, time, cell->u, cell->mu);
-        arb_poly_clear(eps);
-        arb_poly_clear(time);
         return done;
     }
     default:
@@ -160,15 +147,11 @@ bool far_proof_function(arb_poly_t y, const struct far_proof *proof, enum quanti
 /* Adds c_k u^power to a polynomial. */
 static void add_coefficient(arb_poly_t p, slong power, double c)
 {
-    arb_t x, sum;
-    arb_init(x);
-    arb_init(sum);
+    LOCAL(arb, x, sum);
     arb_set_d(x, c);
     arb_poly_get_coeff_arb(sum, p, power);
     arb_add(sum, sum, x, ENCLOSED_BITS);
     arb_poly_set_coeff_arb(p, power, sum);
-    arb_clear(x);
-    arb_clear(sum);
 }
 
 /* a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + a_3 u + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3) */
@@ -192,13 +175,8 @@ static void formula_on(arb_poly_t y, const double *c, const struct far_cell *cel
  * + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)), v = u - (3/5) ln(q). */
 static bool inverse_on(arb_poly_t y, const struct far_proof *proof, const double *c, const struct far_cell *cell)
 {
-    arb_poly_t q, e, v, sum;
-    arb_t x;
-    arb_poly_init(q);
-    arb_poly_init(e);
-    arb_poly_init(v);
-    arb_poly_init(sum);
-    arb_init(x);
+    LOCAL(arb_poly, q, e, v, sum);
+    LOCAL(arb, x);
     add_coefficient(v, 0, c[0]);
     add_coefficient(v, 0, c[1]);
     series_on(q, &proof->motion.eps_zero_force, cell);
@@ -225,11 +203,6 @@ static bool inverse_on(arb_poly_t y, const struct far_proof *proof, const double
     enclosed_add_double(sum, 1);
     done = done && enclosed_logarithm(y, sum);
     arb_poly_add(y, y, q, ENCLOSED_BITS);
-    arb_poly_clear(q);
-    arb_poly_clear(e);
-    arb_poly_clear(v);
-    arb_poly_clear(sum);
-    arb_clear(x);
     return done;
 }
 
@@ -244,10 +217,8 @@ static double relative(double x)
 static double cell_error(const struct far_proof *proof, enum quantity quantity, const double *c, double lo, double hi)
 {
     struct far_cell cell;
-    arb_poly_t difference, scale;
+    LOCAL(arb_poly, difference, scale);
     double known = SMALL_ENOUGH, error;
-    arb_poly_init(difference);
-    arb_poly_init(scale);
     far_cell_init(&cell, lo, hi);
     bool done;
     if (quantity == BETA_ZERO_FORCE) {
@@ -262,8 +233,6 @@ static double cell_error(const struct far_proof *proof, enum quantity quantity, 
         known = fmax(known, enclosed_ratio_at(difference, scale, k / (double)POINTS));
     error = done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
     far_cell_clear(&cell);
-    arb_poly_clear(difference);
-    arb_poly_clear(scale);
     return quantity == BETA_ZERO_FORCE ? relative(error) : error;
 }
 

@@ -5,9 +5,11 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
+#include "approximation/barycentric.h"
 #include "enclosure/collision.h"
 #include "series/restitution.h"
 #include "support/console.h"
+#include "support/local.h"
 #include "support/parallel.h"
 
 enum {
@@ -19,41 +21,26 @@ enum {
     BACKWARD_ORDER = 24  /* of order of G and T, which are used for w below 1/8 */
 };
 
-/* At strong damping zero overlap is expensive, but has a closed form except for the duration. */
-#define SPHERE_NEAR                                                                                                    \
-    {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},                                                         \
-    {                                                                                                                  \
-        INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL                                                        \
-    }
-#define SPHERE_MIDDLE                                                                                                  \
-    {                                                                                                                  \
-        INTERVAL_ROOT, 1.25, 1.875, 40, 90, FORM_VALUE, SET_ALL                                                        \
-    }
-#define SPHERE_FAR                                                                                                     \
-    {INTERVAL_ROOT, 1.875, 2.375, 40, 90, FORM_VALUE, SET_ALL},                                                        \
-        {INTERVAL_ROOT, 2.375, 2.875, 40, 90, FORM_VALUE, SET_ALL},                                                    \
-        {INTERVAL_ROOT, 2.875, 4.125, 40, 90, FORM_VALUE, SET_LENGTHS | SET_ZERO_FORCE},                               \
-    {                                                                                                                  \
-        INTERVAL_LOG, 2, 10, 52, 76, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE | 1 << DURATION_ZERO_OVERLAP             \
-    }
-
-static const struct interval sphere_intervals[] = {SPHERE_NEAR, SPHERE_MIDDLE, SPHERE_FAR};
-
-/* Zero overlap is singular near 1.7 + 0.45 i, so the ellipse around SPHERE_MIDDLE would prove too little. The two
- * intervals after it cover the same range; all values still come from SPHERE_MIDDLE, the first. */
-static const struct interval sphere_proof_intervals[] = {SPHERE_NEAR,
-                                                         SPHERE_MIDDLE,
-                                                         {INTERVAL_ROOT, 1.25, 1.5625, 36, 90, FORM_VALUE, SET_ALL},
-                                                         {INTERVAL_ROOT, 1.5625, 1.875, 44, 90, FORM_VALUE, SET_ALL},
-                                                         SPHERE_FAR};
-
-#define SPHERE_LAYOUT(list)                                                                                            \
-    {                                                                                                                  \
-        .law = {{3, 2}, {1, 2}, 2, 3, 1}, .root = 2, .interval = (list), .intervals = sizeof(list) / sizeof *(list),   \
-        .far = true                                                                                                    \
-    }
-const struct interpolant_layout interpolant_sphere = SPHERE_LAYOUT(sphere_intervals);
-const struct interpolant_layout interpolant_sphere_proof = SPHERE_LAYOUT(sphere_proof_intervals);
+/* At strong damping zero overlap is expensive, but has a closed form except for the duration. Zero overlap is singular
+ * near 1.7 + 0.45 i, so the ellipse around the third interval would prove too little. The two intervals after it cover
+ * the same range; all values still come from the first. */
+static const struct interval sphere_intervals[] = {
+    {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},
+    {INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 1.25, 1.875, 40, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 1.25, 1.5625, 36, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 1.5625, 1.875, 44, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 1.875, 2.375, 40, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 2.375, 2.875, 40, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 2.875, 4.125, 40, 90, FORM_VALUE, SET_LENGTHS | SET_ZERO_FORCE},
+    {INTERVAL_LOG, 2, 10, 52, 76, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE | 1 << DURATION_ZERO_OVERLAP},
+};
+const struct interpolant_layout interpolant_sphere_proof = {.law = {{3, 2}, {1, 2}, 2, 3, 1},
+                                                            .root = 2,
+                                                            .interval = sphere_intervals,
+                                                            .intervals =
+                                                                sizeof sphere_intervals / sizeof *sphere_intervals,
+                                                            .far = true};
 
 struct samples {
     bool known;
@@ -144,8 +131,7 @@ static void power_of(arb_t y, const arb_t u, struct ratio power, slong prec)
 /* q = 0: eps at zero overlap, exp(-pi beta/sqrt(beta_c^2 - beta^2)), and its logarithm */
 static void linear_log_eps(arb_t y, const struct interpolant *f, const arb_t beta, slong prec)
 {
-    arb_t square;
-    arb_init(square);
+    LOCAL(arb, square);
     arb_sqr(square, f->threshold, prec);
     arb_sqr(y, beta, prec);
     arb_sub(square, square, y, prec);
@@ -154,7 +140,6 @@ static void linear_log_eps(arb_t y, const struct interpolant *f, const arb_t bet
     arb_mul(y, y, beta, prec);
     arb_div(y, y, square, prec);
     arb_neg(y, y);
-    arb_clear(square);
 }
 
 static arb_srcptr field(const struct collision *c, enum quantity quantity)
@@ -164,24 +149,6 @@ static arb_srcptr field(const struct collision *c, enum quantity quantity)
     return fields[quantity];
 }
 
-/* Rounds x to `bits` bits. Returns false if the interval does not determine the result. */
-static bool rounded(arb_t y, const arb_t x, slong bits)
-{
-    arf_t lower, upper;
-    arf_init(lower);
-    arf_init(upper);
-    arb_get_lbound_arf(lower, x, WORKING_BITS);
-    arb_get_ubound_arf(upper, x, WORKING_BITS);
-    arf_set_round(lower, lower, bits, ARF_RND_NEAR);
-    arf_set_round(upper, upper, bits, ARF_RND_NEAR);
-    const bool decided = arf_equal(lower, upper) && arf_is_finite(lower);
-    if (decided)
-        arb_set_arf(y, lower);
-    arf_clear(lower);
-    arf_clear(upper);
-    return decided;
-}
-
 /* The number that an interval stores for a collision */
 static void scaled(arb_t y, const struct law *law, const struct interval *interval, enum quantity quantity,
                    const struct collision *c, const arb_t beta, slong prec)
@@ -189,11 +156,9 @@ static void scaled(arb_t y, const struct law *law, const struct interval *interv
     arb_set(y, field(c, quantity));
     if (interval->form == FORM_POWER && interval->variable == INTERVAL_BELOW) {
         const struct ratio one = {1, 1};
-        arb_t power;
-        arb_init(power);
+        LOCAL(arb, power);
         arb_pow_ratio(power, c->eps_zero_overlap, ratio_div(ratio_sub(law->a, one), ratio_add(law->a, one)), prec);
         arb_mul(y, y, power, prec);
-        arb_clear(power);
         return;
     }
     if (interval->form == FORM_QUOTIENT && is_eps(quantity)) {
@@ -203,11 +168,9 @@ static void scaled(arb_t y, const struct law *law, const struct interval *interv
     } else if (interval->form == FORM_LOG && is_eps(quantity)) {
         arb_log(y, y, prec);
     } else if (interval->form == FORM_POWER) {
-        arb_t power;
-        arb_init(power);
+        LOCAL(arb, power);
         arb_pow_ratio(power, beta, interpolant_tail_power(law, quantity), prec);
         arb_div(y, y, power, prec);
-        arb_clear(power);
     }
 }
 
@@ -269,39 +232,21 @@ static int solve_rounded(arb_ptr value, const struct interpolant *f, const struc
             return STATUS_FAILED;
         for (int q = 0; q < QUANTITIES; q++)
             if (holds(interval, (enum quantity)q))
-                decided = rounded(value + q, value + q, bits) && decided;
+                decided = sample_rounded(value + q, value + q, bits) && decided;
         if (decided)
             return STATUS_OK;
     }
     return fail("a sample of the collision could not be rounded to %ld bits", (long)bits);
 }
 
-double chebyshev_point(slong j, slong n)
-{
-    return -cos((2.0 * (double)j + 1) * acos(-1.0) / (2.0 * (double)n));
-}
-
 /* Sets the Chebyshev points and the barycentric weights. */
 static void place_nodes(struct samples *s, const struct interpolant *f, const struct interval *interval)
 {
     const slong n = interval->count;
-    arb_t d;
-    arb_init(d);
-    for (slong j = 0; j < n; j++) {
+    for (slong j = 0; j < n; j++)
         place(s->beta + j, s->node + j, f, interval,
               (interval->lo + interval->hi) / 2 + (interval->hi - interval->lo) / 2 * chebyshev_point(j, n));
-    }
-    for (slong j = 0; j < n; j++) {
-        arb_one(s->weight + j);
-        for (slong k = 0; k < n; k++) {
-            if (k == j)
-                continue;
-            arb_sub(d, s->node + j, s->node + k, WORKING_BITS);
-            arb_mul(s->weight + j, s->weight + j, d, WORKING_BITS);
-        }
-        arb_inv(s->weight + j, s->weight + j, WORKING_BITS);
-    }
-    arb_clear(d);
+    barycentric_weights(s->weight, s->node, n, WORKING_BITS);
 }
 
 /* ---- values ---- */
@@ -310,28 +255,7 @@ static void place_nodes(struct samples *s, const struct interpolant *f, const st
 static void evaluate(arb_t y, const struct interpolant *f, int i, enum quantity quantity, const arb_t x, slong prec)
 {
     const struct samples *s = &f->samples[i];
-    arb_t d, sum, total;
-    arb_init(d);
-    arb_init(sum);
-    arb_init(total);
-    slong hit = -1;
-    for (slong j = 0; j < f->layout->interval[i].count && hit < 0; j++) {
-        arb_sub(d, x, s->node + j, prec);
-        if (arb_is_zero(d)) {
-            hit = j;
-        } else {
-            arb_div(d, s->weight + j, d, prec);
-            arb_add(total, total, d, prec);
-            arb_addmul(sum, d, s->value[quantity] + j, prec);
-        }
-    }
-    if (hit >= 0)
-        arb_set(y, s->value[quantity] + hit);
-    else
-        arb_div(y, sum, total, prec);
-    arb_clear(d);
-    arb_clear(sum);
-    arb_clear(total);
+    barycentric_value(y, s->node, s->weight, s->value[quantity], f->layout->interval[i].count, x, prec);
 }
 
 /* The first interval of a variable that samples the quantity and does not end before x, or the last such interval, or
@@ -369,10 +293,9 @@ static void beta_at(arb_t beta, const struct interpolant *f, enum interval_varia
 static void unscaled(arb_t y, const struct interpolant *f, const struct interval *interval, enum quantity quantity,
                      const arb_t x, slong prec)
 {
-    arb_t scale;
+    LOCAL(arb, scale);
     if (interval->form == FORM_VALUE || (interval->form != FORM_POWER && !is_eps(quantity)))
         return;
-    arb_init(scale);
     if (interval->form == FORM_QUOTIENT) {
         for (slong k = 0; k < f->layout->root; k++)
             arb_mul(y, y, x, prec);
@@ -384,7 +307,6 @@ static void unscaled(arb_t y, const struct interpolant *f, const struct interval
         power_of(scale, x, interpolant_tail_power(&f->layout->law, quantity), prec);
         arb_mul(y, y, scale, prec);
     }
-    arb_clear(scale);
 }
 
 /* (1 - eps)/beta from the number that the interval stores for eps */
@@ -404,11 +326,9 @@ static void loss_quotient(arb_t y, const struct interpolant *f, const struct int
         for (slong k = 0; k < f->layout->root; k++)
             arb_div(y, y, x, prec);
     } else {
-        arb_t beta;
-        arb_init(beta);
+        LOCAL(arb, beta);
         beta_at(beta, f, interval->variable, x, prec);
         arb_div(y, y, beta, prec);
-        arb_clear(beta);
     }
 }
 
@@ -419,12 +339,7 @@ static void backward(arb_t y, const struct interpolant *f, enum quantity quantit
     const struct law *law = &f->layout->law;
     const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one), difference = ratio_sub(law->a, law->b);
     const bool loss = quantity == LOSS_QUOTIENT_ZERO_FORCE;
-    arb_t beta, eps, h, w, part;
-    arb_init(beta);
-    arb_init(eps);
-    arb_init(h);
-    arb_init(w);
-    arb_init(part);
+    LOCAL(arb, beta, eps, h, w, part);
     beta_at(beta, f, INTERVAL_ROOT, x, prec);
     interpolant_value(eps, f, EPS_ZERO_OVERLAP, x, prec);
     arb_pow_ratio(h, eps, law_speed_exponent(law), prec);
@@ -457,11 +372,6 @@ static void backward(arb_t y, const struct interpolant *f, enum quantity quantit
         arb_poly_evaluate(part, f->backward, w, prec);
         arb_mul(y, eps, part, prec);
     }
-    arb_clear(beta);
-    arb_clear(eps);
-    arb_clear(h);
-    arb_clear(w);
-    arb_clear(part);
 }
 
 /* For a <= b the two ends of contact coincide. */
@@ -491,8 +401,7 @@ void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity
                                                                         : quantity;
     const int i = interval_at(f, stored, variable, x, false);
     if (i < 0 && stored == EPS_ZERO_OVERLAP) { /* q = 0 */
-        arb_t beta;
-        arb_init(beta);
+        LOCAL(arb, beta);
         beta_at(beta, f, variable, x, prec);
         linear_log_eps(y, f, beta, prec);
         (loss ? arb_expm1 : arb_exp)(y, y, prec);
@@ -500,7 +409,6 @@ void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity
             arb_neg(y, y);
             arb_div(y, y, beta, prec);
         }
-        arb_clear(beta);
         return;
     }
     if (i < 0) {
@@ -550,9 +458,7 @@ void interpolant_far_fall(arb_t coefficient, const struct interpolant *f)
 static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *law, slong prec)
 {
     const struct ratio power = law_mu_power(law);
-    arb_t mu, term;
-    arb_init(mu);
-    arb_init(term);
+    LOCAL(arb, mu, term);
     arb_mul_si(mu, u, -power.num, prec);
     arb_div_ui(mu, mu, (ulong)power.den, prec);
     arb_exp(mu, mu, prec);
@@ -564,8 +470,6 @@ static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *l
             arb_mul(term, term, u, prec);
         }
     }
-    arb_clear(mu);
-    arb_clear(term);
 }
 
 /* Whether the duration at zero overlap has a term beta^((a-1)/n) that is not among beta^(a/(b+1)) mu^i: kappa =
@@ -617,16 +521,12 @@ static void sample_far(void *context, slong k)
 {
     struct far_sampling *const work = context;
     arb_ptr value = _arb_vec_init(QUANTITIES);
-    arb_t beta, u;
-    arb_init(beta);
-    arb_init(u);
+    LOCAL(arb, beta, u);
     place(beta, u, work->f, work->interval, far_place(&work->f->layout->law, k));
     if (solve_rounded(value, work->f, work->interval, beta, FAR_BITS) != STATUS_OK)
         atomic_store(&work->failed, true);
     for (int q = 0; q < QUANTITIES; q++)
         arb_set(arb_mat_entry(work->value, k, q), value + q);
-    arb_clear(beta);
-    arb_clear(u);
     _arb_vec_clear(value, QUANTITIES);
 }
 
@@ -637,7 +537,7 @@ static int make_far(struct interpolant *f)
     struct interval interval = {INTERVAL_LOG, 0, 0, 0, FAR_BITS, FORM_POWER, 0};
     const slong columns = INTERPOLANT_FAR + (falls_apart(law) && has_far(f, DURATION_ZERO_OVERLAP));
     arb_mat_t a, b, own;
-    arb_t beta, u, excess;
+    LOCAL(arb, beta, u, excess);
     int status = STATUS_OK;
     for (int q = 0; q < QUANTITIES; q++)
         if (has_far(f, (enum quantity)q))
@@ -645,9 +545,6 @@ static int make_far(struct interpolant *f)
     arb_mat_init(a, INTERPOLANT_FAR, INTERPOLANT_FAR);
     arb_mat_init(own, columns, columns);
     arb_mat_init(b, columns, QUANTITIES);
-    arb_init(beta);
-    arb_init(u);
-    arb_init(excess);
     struct far_sampling work = {.f = f, .interval = &interval, .value = b};
     parallel_for(sample_far, &work, columns, "collisions at large beta");
     if (atomic_load(&work.failed))
@@ -685,9 +582,6 @@ static int make_far(struct interpolant *f)
     arb_mat_clear(own);
     arb_mat_clear(x);
     arb_mat_clear(y);
-    arb_clear(beta);
-    arb_clear(u);
-    arb_clear(excess);
     return status;
 }
 
@@ -695,10 +589,8 @@ static int make_far(struct interpolant *f)
 static void far_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec)
 {
     const struct law *law = &f->layout->law;
-    arb_t term, power;
+    LOCAL(arb, term, power);
     arb_mat_t basis;
-    arb_init(term);
-    arb_init(power);
     arb_mat_init(basis, 1, INTERPOLANT_FAR);
     far_basis(basis, 0, u, law, WORKING_BITS);
     arb_zero(y);
@@ -712,8 +604,6 @@ static void far_value(arb_t y, const struct interpolant *f, enum quantity quanti
     }
     power_of(power, u, interpolant_tail_power(law, quantity), prec);
     arb_mul(y, y, power, prec);
-    arb_clear(term);
-    arb_clear(power);
     arb_mat_clear(basis);
 }
 
@@ -736,8 +626,7 @@ void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity qua
     const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
     const double root_end = pow(fmax(last_place(f, quantity, INTERVAL_ROOT), 0), (double)layout->root);
     const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     if (b <= root_end ||
         (!holds(&layout->interval[0], quantity) && b <= pow(layout->interval[0].hi, (double)layout->root))) {
         arb_root_ui(x, beta, (ulong)layout->root, prec);
@@ -763,7 +652,6 @@ void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity qua
             far_value(y, f, quantity, x, prec);
         }
     }
-    arb_clear(x);
 }
 
 /* ---- the inverse ---- */
@@ -788,12 +676,10 @@ static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t w
             arb_root_ui(y, y, (ulong)root, prec);
             arb_mul(y, y, w, prec);
         } else {
-            arb_t beta;
-            arb_init(beta);
+            LOCAL(arb, beta);
             beta_at(beta, s->f, s->variable, w, prec);
             arb_mul(y, y, beta, prec);
             arb_root_ui(y, y, (ulong)root, prec);
-            arb_clear(beta);
         }
     } else {
         arb_log(y, y, prec);
@@ -805,14 +691,10 @@ static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t w
 /* Whether w is beyond the zero. The loss rises with beta, eps falls, and v falls with beta. */
 static bool beyond(const struct search *s, double w, const arb_t wanted)
 {
-    arb_t x, y;
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb, x, y);
     arb_set_d(x, w);
     excess(y, s, x, wanted);
     const int sign = arf_sgn(arb_midref(y));
-    arb_clear(x);
-    arb_clear(y);
     return (s->of_loss ? sign > 0 : sign < 0) != (s->variable == INTERVAL_BELOW);
 }
 
@@ -827,11 +709,7 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
         else
             s->lo = middle;
     }
-    arb_t before, f0, f1, step;
-    arb_init(before);
-    arb_init(f0);
-    arb_init(f1);
-    arb_init(step);
+    LOCAL(arb, before, f0, f1, step);
     arb_set_d(before, s->lo);
     arb_set_d(w, s->hi);
     excess(f0, s, before, wanted);
@@ -851,10 +729,6 @@ static int solve_search(arb_t w, struct search *s, const arb_t wanted)
             found = arf_cmpabs_2exp_si(arb_midref(step), -ENOUGH_BITS) < 0;
         }
     }
-    arb_clear(before);
-    arb_clear(f0);
-    arb_clear(f1);
-    arb_clear(step);
     return found ? STATUS_OK : fail("an inverse of the collision was not found");
 }
 
@@ -901,9 +775,7 @@ int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quan
                        .eps = force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP,
                        .loss_quotient = force ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP,
                        .of_loss = quantity == BETA_QUOTIENT_ZERO_OVERLAP || quantity == BETA_QUOTIENT_ZERO_FORCE};
-    arb_t w, wanted;
-    arb_init(w);
-    arb_init(wanted);
+    LOCAL(arb, w, wanted);
     if (s.of_loss)
         arb_root_ui(wanted, x, (ulong)f->layout->root, WORKING_BITS);
     else
@@ -916,8 +788,6 @@ int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quan
     } else {
         beta_at(y, f, s.variable, w, prec);
     }
-    arb_clear(w);
-    arb_clear(wanted);
     return status;
 }
 
@@ -927,13 +797,8 @@ void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f)
 {
     const slong prec = WORKING_BITS;
     arb_srcptr far = f->far[EPS_ZERO_FORCE]; /* 1, u; mu (1, u, u^2); mu^2 (1, ..., u^3) */
-    arb_poly_t q1, q2, second;
-    arb_t c, d;
-    arb_poly_init(q1);
-    arb_poly_init(q2);
-    arb_poly_init(second);
-    arb_init(c);
-    arb_init(d);
+    LOCAL(arb_poly, q1, q2, second);
+    LOCAL(arb, c, d);
     for (slong k = 0; k < 3; k++)
         arb_poly_set_coeff_arb(q1, k, far + 2 + k);
     for (slong k = 0; k < 4; k++)
@@ -955,11 +820,6 @@ void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f)
         }
         arb_div_ui(coefficient + 1 + k, c, 25, prec);
     }
-    arb_clear(c);
-    arb_clear(d);
-    arb_poly_clear(q1);
-    arb_poly_clear(q2);
-    arb_poly_clear(second);
 }
 
 /* ---- construction ---- */
@@ -991,10 +851,8 @@ static int make_constants(struct interpolant *f, double beta_max)
     const struct ratio n = law_fall_power(law);
     arb_pos_inf(f->threshold);
     if (n.num < 0) {
-        arb_t height;
-        arb_init(height);
+        LOCAL(arb, height);
         const int status = collision_threshold(f->threshold, height, law, WORKING_BITS);
-        arb_clear(height);
         return status;
     }
     if (n.num == 0) {
@@ -1014,14 +872,10 @@ static void make_backward(struct interpolant *f)
     const struct interpolant_layout *layout = f->layout;
     if (holds(&layout->interval[0], EPS_ZERO_FORCE) || !law_force_ends(&layout->law))
         return;
-    fmpq_poly_t G, T;
-    fmpq_poly_init(G);
-    fmpq_poly_init(T);
+    LOCAL(fmpq_poly, G, T);
     restitution_zero_force_exact(G, T, BACKWARD_ORDER, &layout->law);
     arb_poly_set_fmpq_poly(f->backward, G, WORKING_BITS);
     arb_poly_set_fmpq_poly(f->backward_time, T, WORKING_BITS);
-    fmpq_poly_clear(G);
-    fmpq_poly_clear(T);
 }
 
 static void samples_init(struct samples *s, slong count)
@@ -1145,10 +999,7 @@ static int check_place(double *error, const struct interpolant *f, int i, double
 {
     const struct interval *interval = &f->layout->interval[i];
     arb_ptr value = _arb_vec_init(QUANTITIES);
-    arb_t beta, variable, y;
-    arb_init(beta);
-    arb_init(variable);
-    arb_init(y);
+    LOCAL(arb, beta, variable, y);
     place(beta, variable, f, interval, x);
     const int status = interval_solve(value, f, interval, beta, interval->bits);
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
@@ -1163,9 +1014,6 @@ static int check_place(double *error, const struct interpolant *f, int i, double
         }
         *error = fmax(*error, fabs(arf_get_d(arb_midref(y), ARF_RND_UP)));
     }
-    arb_clear(beta);
-    arb_clear(variable);
-    arb_clear(y);
     _arb_vec_clear(value, QUANTITIES);
     return status;
 }

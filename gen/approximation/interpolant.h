@@ -71,13 +71,10 @@ struct interpolant_layout {
     bool far; /* whether to compute the coefficients beyond the last u */
 };
 
-/* The second gives the same values, and has more intervals, with which row_proof.h proves them. */
-extern const struct interpolant_layout interpolant_sphere, interpolant_sphere_proof;
+/* The sphere's. row_proof.h proves what it gives. */
+extern const struct interpolant_layout interpolant_sphere_proof;
 
 struct interpolant;
-
-/* Point j of the n Chebyshev points on [-1, 1] in ascending order, with the accuracy of a double */
-double chebyshev_point(slong j, slong n);
 
 /* Computes the interpolant for arguments between beta_min and beta_max, which may be INFINITY. The layout must live as
  * long as the interpolant. Returns NULL after reporting the failure on stderr. */

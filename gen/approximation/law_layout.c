@@ -3,10 +3,12 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "enclosure/collision.h"
 #include "series/restitution.h"
 #include "support/console.h"
+#include "support/local.h"
 
 enum {
     CONSTANT_BITS = 200,
@@ -44,32 +46,6 @@ enum {
 #define LEAST_BITS 57.0
 #define LEAST_BITS_OF_TIMES 56.0
 #define MOST_REST 0.1
-
-/* The tables of a derived layout by quantity; near eps = 1 rows hold the loss. */
-static const struct law_table any_law[] = {
-#define ROWS(part, serves, quantity, stem, title)                                                                      \
-    {                                                                                                                  \
-        part, serves, quantity, stem, title, VARIABLE_BETA, 0, 0, 0, 0, 0, 0, 0                                        \
-    }
-#define OF_QUANTITY(QUANTITY, stem, title)                                                                             \
-    ROWS(PART_MIDDLE, QUANTITY, QUANTITY, "middle_" stem, title),                                                      \
-        ROWS(PART_TAIL, QUANTITY, QUANTITY, "tail_" stem, title),                                                      \
-        ROWS(PART_BELOW, QUANTITY, QUANTITY, "below_" stem, title)
-#define OF_EPS(end, END, words)                                                                                        \
-    ROWS(PART_NEAR, EPS_##END, LOSS_QUOTIENT_##END, "near_loss_" end, "(1 - eps)/beta at " words),                     \
-        OF_QUANTITY(EPS_##END, "eps_" end, "eps at " words),                                                           \
-        ROWS(PART_INVERSE_NEAR, EPS_##END, BETA_QUOTIENT_##END, "near_beta_" end, "beta/(1 - eps) at " words),         \
-        ROWS(PART_INVERSE, EPS_##END, BETA_##END, "beta_" end, "beta at " words)
-#define OF_LENGTH(QUANTITY, stem, title)                                                                               \
-    ROWS(PART_NEAR, QUANTITY, QUANTITY, "near_" stem, title), OF_QUANTITY(QUANTITY, stem, title)
-    OF_EPS("zero_overlap", ZERO_OVERLAP, "zero overlap"),
-    OF_EPS("zero_force", ZERO_FORCE, "zero force"),
-    OF_LENGTH(DURATION_ZERO_OVERLAP, "duration_zero_overlap", "duration at zero overlap"),
-    OF_LENGTH(DURATION_ZERO_FORCE, "duration_zero_force", "duration at zero force"),
-    OF_LENGTH(MAX_OVERLAP, "max_overlap", "largest overlap"),
-    OF_LENGTH(TIME_OF_MAX_OVERLAP, "time_of_max_overlap", "time of the largest overlap"),
-};
-enum { TABLES = sizeof any_law / sizeof *any_law };
 
 static double ratio_double(struct ratio x)
 {
@@ -164,10 +140,8 @@ static void make_intervals(struct law_layout *layout)
 static int find_threshold(struct law_layout *layout)
 {
     const struct law *law = &layout->interpolant.law;
-    arb_t beta_c, x;
+    LOCAL(arb, beta_c, x);
     int status = STATUS_OK;
-    arb_init(beta_c);
-    arb_init(x);
     if (law_is_linear(law)) {
         arb_set_ratio(beta_c, ratio_mul((struct ratio){2, 1}, ratio_add(law->a, (struct ratio){1, 1})), CONSTANT_BITS);
         arb_sqrt(beta_c, beta_c, CONSTANT_BITS);
@@ -186,8 +160,6 @@ static int find_threshold(struct law_layout *layout)
     arb_sub(x, beta_c, x, CONSTANT_BITS);
     const bool another_octave = arf_cmp_d(arb_midref(x), nextafter(distance, 0)) > 0;
     layout->below_end = distance * (another_octave ? 1 + 0x1p-20 : 1 + 0x1p-40);
-    arb_clear(beta_c);
-    arb_clear(x);
     return status;
 }
 
@@ -195,10 +167,8 @@ static int find_threshold(struct law_layout *layout)
 static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, double beta)
 {
     struct collision c;
-    arb_t x, power;
+    LOCAL(arb, x, power);
     collision_init(&c);
-    arb_init(x);
-    arb_init(power);
     arb_set_d(x, beta);
     const int status = collision_solve_overlap(&c, x, law, DEVIATION_BITS + 16);
     arb_pow_ratio(power, x, interpolant_tail_power(law, EPS_ZERO_OVERLAP), CONSTANT_BITS);
@@ -207,8 +177,6 @@ static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, doubl
     arb_sub_ui(x, x, 1, CONSTANT_BITS);
     *fallen = arf_cmpabs_2exp_si(arb_midref(x), -DEVIATION_BITS) < 0;
     collision_clear(&c);
-    arb_clear(x);
-    arb_clear(power);
     return status;
 }
 
@@ -218,8 +186,7 @@ static int find_fall(struct law_layout *layout)
 {
     const struct law *law = &layout->interpolant.law;
     bool fallen = false;
-    arb_t v_f;
-    arb_init(v_f);
+    LOCAL(arb, v_f);
     int status = collision_final_speed(v_f, law, CONSTANT_BITS);
     layout->overlap_end = LAW_MIDDLE_END;
     layout->overlap_log = 0;
@@ -236,7 +203,6 @@ static int find_fall(struct law_layout *layout)
         status = is_fallen(&fallen, law, v_f, exp(layout->overlap_log));
     }
     progress_end();
-    arb_clear(v_f);
     return status;
 }
 
@@ -244,17 +210,162 @@ static int find_fall(struct law_layout *layout)
 static int find_radius(double *radius, struct law_layout *layout)
 {
     const struct law *law = &layout->interpolant.law;
-    arb_t v_f;
+    LOCAL(arb, v_f);
     if (law_fall_power(law).num <= 0) {
         *radius = layout->threshold;
         return STATUS_OK;
     }
-    arb_init(v_f);
     const int status = collision_final_speed(v_f, law, 64);
     *radius = pow(arf_get_d(arb_midref(v_f), ARF_RND_NEAR), ratio_double(law_speed_exponent(law)));
-    arb_clear(v_f);
     return status;
 }
+
+/* ---- tables ---- */
+
+static bool is_eps(enum quantity quantity)
+{
+    return quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
+}
+
+static bool of_force(enum quantity quantity)
+{
+    return quantity == EPS_ZERO_FORCE || quantity == DURATION_ZERO_FORCE;
+}
+
+static bool of_overlap(enum quantity quantity)
+{
+    return quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
+}
+
+/* Octave of x, or the octave below if x is a power of two, which then ends a table */
+static double octave_of(double x)
+{
+    return floor(log2(x));
+}
+
+/* The parts: what a part of the tables of eps holds instead of eps, counted from the quantity of zero overlap (-1:
+ * nothing else), its stem and title where `%s` is the end of contact; stem of the others; its variable; where it begins
+ * and ends. Rows that end at 0 are none. */
+enum border { AT_ZERO, NEAR_END, MIDDLE_END, TAIL_FIRST, TAIL_END, BELOW_FIRST, BELOW_END, AT_HALF, BY_EPS };
+static const struct part {
+    int holds;
+    const char *stem_of_eps, *title_of_eps, *stem;
+    enum variable variable;
+    enum border first, end;
+    slong head_bits;
+} parts[] = {
+    {LOSS_QUOTIENT_ZERO_OVERLAP, "near_loss_%s", "(1 - eps)/beta at %s", "near_%s", VARIABLE_BETA, AT_ZERO, NEAR_END,
+     HEAD_BITS},
+    {-1, "middle_eps_%s", "eps at %s", "middle_%s", VARIABLE_BETA_OCTAVES, NEAR_END, MIDDLE_END, 0},
+    {-1, "tail_eps_%s", "eps at %s", "tail_%s", VARIABLE_LOG_OCTAVES, TAIL_FIRST, TAIL_END, 0},
+    {-1, "below_eps_%s", "eps at %s", "below_%s", VARIABLE_BELOW_OCTAVES, BELOW_FIRST, BELOW_END, 0},
+    {BETA_QUOTIENT_ZERO_OVERLAP, "near_beta_%s", "beta/(1 - eps) at %s", NULL, VARIABLE_LOSS, AT_ZERO, AT_HALF,
+     HEAD_BITS},
+    {BETA_ZERO_OVERLAP, "beta_%s", "beta at %s", NULL, VARIABLE_EPS_OCTAVES, BY_EPS, AT_HALF, 0},
+};
+
+static double border_at(enum border border, const struct law_layout *layout, enum quantity quantity)
+{
+    const bool below = of_overlap(quantity) && layout->threshold < HUGE_VAL;
+    const double at[] = {
+        [AT_ZERO] = 0,
+        [NEAR_END] = layout->near_end,
+        [MIDDLE_END] = below ? layout->overlap_end : LAW_MIDDLE_END,
+        [TAIL_FIRST] = LAW_TAIL_FIRST,
+        [TAIL_END] = below                          ? 0
+                     : quantity == EPS_ZERO_OVERLAP ? layout->overlap_log
+                                                    : layout->last_log,
+        [BELOW_FIRST] = layout->below_first,
+        [BELOW_END] = below ? layout->below_end : 0,
+        [AT_HALF] = 0.5,
+        [BY_EPS] = NAN,
+    };
+    return at[border];
+}
+
+/* Rows of a root of beta, or of the loss, of a derived layout */
+static void set_root(struct pieces *p, const struct law_layout *layout, enum quantity quantity)
+{
+    const slong root = quantity == DURATION_ZERO_FORCE ? layout->root_of_time : layout->root;
+    p->root = of_force(quantity) ? root : 1;
+    if (p->variable == VARIABLE_BETA)
+        p->step = exp2(octave_of(pow(p->end, 1 / (double)p->root)) - 1);
+    else
+        p->step = 0.125;
+    if (p->root > 1)
+        p->variable = p->variable == VARIABLE_BETA ? VARIABLE_ROOT_BETA : VARIABLE_ROOT_LOSS;
+}
+
+static void add_table(struct law_layout *layout, enum law_part part, enum quantity quantity, const char *stem,
+                      const char *title)
+{
+    static const char *const ends[] = {"zero_overlap", "zero_force"}, *const words[] = {"zero overlap", "zero force"};
+    const struct part *const form = &parts[part];
+    const bool eps = is_eps(quantity), other = eps && form->holds >= 0;
+    const bool time =
+        quantity == DURATION_ZERO_OVERLAP || quantity == DURATION_ZERO_FORCE || quantity == TIME_OF_MAX_OVERLAP;
+    struct law_table *const table = &layout->table[layout->tables];
+    *table = (struct law_table){.part = part, .serves = quantity};
+    snprintf(table->stem, sizeof table->stem, eps ? form->stem_of_eps : form->stem, eps ? ends[quantity] : stem);
+    snprintf(table->title, sizeof table->title, eps ? form->title_of_eps : "%s", eps ? words[quantity] : title);
+    struct pieces *const p = &table->rows;
+    *p = (struct pieces){.quantity = other ? (enum quantity)(form->holds + (int)quantity) : quantity,
+                         .variable = form->variable,
+                         .root = 1,
+                         .first = border_at(form->first, layout, quantity),
+                         .end = border_at(form->end, layout, quantity),
+                         .degree = DEGREE,
+                         .octave_bits = PIECES_OCTAVE_BITS,
+                         .head_bits = eps ? form->head_bits : 0,
+                         .least_bits = time || part >= PART_INVERSE_NEAR ? LEAST_BITS_OF_TIMES : LEAST_BITS,
+                         .most_rest = MOST_REST};
+    if (form->first == AT_ZERO)
+        set_root(p, layout, quantity);
+    else
+        p->first = octave_of(p->first);
+    layout->tables += p->end > 0;
+}
+
+static void make_tables(struct law_layout *layout)
+{
+    static const char *const stems[QUANTITIES][2] = {{0},
+                                                     {0},
+                                                     {"duration_zero_overlap", "duration at zero overlap"},
+                                                     {"duration_zero_force", "duration at zero force"},
+                                                     {"max_overlap", "largest overlap"},
+                                                     {"time_of_max_overlap", "time of the largest overlap"}};
+    enum { PARTS = sizeof parts / sizeof *parts };
+    const struct law *const law = &layout->interpolant.law;
+    layout->table = xmalloc((size_t)QUANTITIES * PARTS * sizeof *layout->table);
+    for (int i = 0; i < QUANTITIES; i++) {
+        const enum quantity quantity = (enum quantity)i;
+        /* one end of contact; eps in closed form */
+        if ((of_force(quantity) && !law_force_ends(law)) || (quantity == EPS_ZERO_OVERLAP && law_is_linear(law)))
+            continue;
+        for (int part = 0; part < (is_eps(quantity) ? PARTS : PART_INVERSE_NEAR); part++)
+            add_table(layout, (enum law_part)part, quantity, stems[i][0], stems[i][1]);
+    }
+}
+
+double law_layout_inverse_octave(const struct law_layout *layout, const struct interpolant *f, enum quantity eps)
+{
+    const bool force = eps == EPS_ZERO_FORCE;
+    if (!force && layout->threshold < HUGE_VAL)
+        return TINY_EPS_OCTAVE;
+    const double u = force                     ? layout->last_log
+                     : layout->overlap_log > 0 ? layout->overlap_log
+                                               : log(layout->overlap_end);
+    LOCAL(arb, x, y);
+    arb_set_d(x, u);
+    arb_exp(x, x, 64);
+    interpolant_at_beta(y, f, eps, x, 64);
+    /* the octave of that eps if the samples of beta cover the octave, otherwise the octave above */
+    const double q = ratio_double(law_speed_exponent(&layout->interpolant.law));
+    const bool sampled = !force && u + q * log(2) <= layout->last_log;
+    return octave_of(arf_get_d(arb_midref(y), ARF_RND_NEAR)) + (sampled ? 0 : 1);
+}
+
+/* ---- layouts ---- */
 
 int law_layout_init(struct law_layout *layout, const struct law *law)
 {
@@ -264,8 +375,6 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
                                   .root_of_time = restitution_zero_force_root(law),
                                   .last_log = last_log(law),
                                   .threshold = HUGE_VAL,
-                                  .table = any_law,
-                                  .tables = TABLES,
                                   .check_points = CHECK_POINTS};
     if (law_force_ends(law)) {
         const slong other = ratio_sub(law->a, law->b).num; /* 1/(a-b) is an integer divided by this number */
@@ -283,21 +392,20 @@ int law_layout_init(struct law_layout *layout, const struct law *law)
     for (int i = 0; i < 2 && law_is_linear(law); i++) /* eps falls faster for linear laws, and their collisions are
                                                        * cheap */
         law_layout_refine(layout);
+    make_tables(layout);
     return status;
 }
 
 void law_layout_init_given(struct law_layout *layout, const struct interpolant_layout *interpolant,
-                           const struct law_table *table, int tables, int check_points)
+                           const struct law_table *table, int tables)
 {
     struct interval_list list = {NULL, 0};
     for (const struct interval *i = interpolant->interval; i < interpolant->interval + interpolant->intervals; i++)
         add_interval(&list, i->variable, i->lo, i->hi, i->count, i->bits, i->form, i->set);
-    *layout = (struct law_layout){.interpolant = *interpolant,
-                                  .threshold = HUGE_VAL,
-                                  .table = table,
-                                  .tables = tables,
-                                  .check_points = check_points};
+    *layout = (struct law_layout){.interpolant = *interpolant, .threshold = HUGE_VAL, .tables = tables};
     layout->interpolant.interval = list.interval;
+    layout->table = xmalloc((size_t)tables * sizeof *table);
+    memcpy(layout->table, table, (size_t)tables * sizeof *table);
 }
 
 void law_layout_refine(struct law_layout *layout)
@@ -328,154 +436,7 @@ void law_layout_restrict(struct law_layout *layout, enum quantity eps, double be
 void law_layout_clear(struct law_layout *layout)
 {
     free((struct interval *)layout->interpolant.interval);
+    free(layout->table);
     layout->interpolant.interval = NULL;
-}
-
-/* ---- tables ---- */
-
-static bool of_force(enum quantity quantity)
-{
-    return quantity == EPS_ZERO_FORCE || quantity == DURATION_ZERO_FORCE || quantity == LOSS_QUOTIENT_ZERO_FORCE ||
-           quantity == BETA_ZERO_FORCE || quantity == BETA_QUOTIENT_ZERO_FORCE;
-}
-
-static bool of_overlap(enum quantity quantity)
-{
-    return quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP ||
-           quantity == LOSS_QUOTIENT_ZERO_OVERLAP || quantity == BETA_ZERO_OVERLAP ||
-           quantity == BETA_QUOTIENT_ZERO_OVERLAP;
-}
-
-/* Octave of x, or the octave below if x is a power of two, which then ends a table */
-static double octave_of(double x)
-{
-    return floor(log2(x));
-}
-
-/* The octave of eps at which the rows of the inverse begin */
-static double inverse_octave(const struct law_layout *layout, const struct interpolant *f, bool force)
-{
-    if (!force && layout->threshold < HUGE_VAL)
-        return TINY_EPS_OCTAVE;
-    const double u = force                     ? layout->last_log
-                     : layout->overlap_log > 0 ? layout->overlap_log
-                                               : log(layout->overlap_end);
-    arb_t x, y;
-    arb_init(x);
-    arb_init(y);
-    arb_set_d(x, u);
-    arb_exp(x, x, 64);
-    interpolant_at_beta(y, f, force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP, x, 64);
-    /* the octave of that eps if the samples of beta cover the octave, otherwise the octave above */
-    const double q = ratio_double(law_speed_exponent(&layout->interpolant.law));
-    const bool sampled = !force && u + q * log(2) <= layout->last_log;
-    const double octave = octave_of(arf_get_d(arb_midref(y), ARF_RND_NEAR)) + (sampled ? 0 : 1);
-    arb_clear(x);
-    arb_clear(y);
-    return octave;
-}
-
-static void place_near(struct pieces *p, const struct law_layout *layout)
-{
-    const slong root = p->quantity == DURATION_ZERO_FORCE ? layout->root_of_time : layout->root;
-    p->root = of_force(p->quantity) ? root : 1;
-    p->variable = p->root > 1 ? VARIABLE_ROOT_BETA : VARIABLE_BETA;
-    p->end = layout->near_end;
-    p->step = exp2(octave_of(pow(p->end, 1 / (double)p->root)) - 1);
-}
-
-static void place_inverse_near(struct pieces *p, const struct law_layout *layout)
-{
-    const bool force = of_force(p->quantity);
-    p->variable = force && layout->root > 1 ? VARIABLE_ROOT_LOSS : VARIABLE_LOSS;
-    p->root = force ? layout->root : 1;
-    p->end = 0.5;
-    p->step = 0.125;
-}
-
-static void place_given(struct pieces *p, const struct law_layout *layout, const struct law_table *table,
-                        const char *name)
-{
-    *p = (struct pieces){.quantity = table->quantity,
-                         .variable = table->variable,
-                         .root = layout->interpolant.root,
-                         .first = table->first,
-                         .step = table->step,
-                         .end = table->end,
-                         .octave_bits = PIECES_OCTAVE_BITS,
-                         .rows = table->rows,
-                         .degree = DEGREE,
-                         .plain = table->plain > 0 ? table->plain : table->rows,
-                         .head_bits = table->head_bits,
-                         .name = name,
-                         .title = table->title,
-                         .least_bits = table->least_bits};
-}
-
-bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layout, const struct interpolant *f,
-                    const struct law_table *table, const char *name)
-{
-    if (table->part == PART_GIVEN) {
-        place_given(p, layout, table, name);
-        *status = pieces_make(p, f);
-        return true;
-    }
-    const struct law *law = &layout->interpolant.law;
-    const enum quantity quantity = table->quantity;
-    const bool eps = quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
-    const bool loss = quantity == LOSS_QUOTIENT_ZERO_OVERLAP || quantity == LOSS_QUOTIENT_ZERO_FORCE;
-    const bool time =
-        quantity == DURATION_ZERO_OVERLAP || quantity == DURATION_ZERO_FORCE || quantity == TIME_OF_MAX_OVERLAP;
-    const bool overlap = of_overlap(quantity), threshold = layout->threshold < HUGE_VAL;
-    if ((of_force(quantity) && !law_force_ends(law)) || (overlap && law_is_linear(law) && !time))
-        return false;
-    *p = (struct pieces){.quantity = quantity,
-                         .root = 1,
-                         .degree = DEGREE,
-                         .octave_bits = PIECES_OCTAVE_BITS,
-                         .name = name,
-                         .title = table->title,
-                         .least_bits = time ? LEAST_BITS_OF_TIMES : LEAST_BITS,
-                         .most_rest = MOST_REST};
-    switch (table->part) {
-    case PART_NEAR:
-        if (eps) /* these rows hold the loss */
-            return false;
-        place_near(p, layout);
-        p->head_bits = loss ? HEAD_BITS : 0;
-        break;
-    case PART_MIDDLE:
-        if (loss)
-            return false;
-        p->variable = VARIABLE_BETA_OCTAVES;
-        p->first = octave_of(layout->near_end);
-        p->end = overlap && threshold ? layout->overlap_end : LAW_MIDDLE_END;
-        break;
-    case PART_TAIL:
-        if (loss || (overlap && threshold) || (quantity == EPS_ZERO_OVERLAP && layout->overlap_log == 0))
-            return false;
-        p->variable = VARIABLE_LOG_OCTAVES;
-        p->first = octave_of(LAW_TAIL_FIRST);
-        p->end = quantity == EPS_ZERO_OVERLAP ? layout->overlap_log : layout->last_log;
-        break;
-    case PART_BELOW:
-        if (loss || !overlap || !threshold)
-            return false;
-        p->variable = VARIABLE_BELOW_OCTAVES;
-        p->first = octave_of(layout->below_first);
-        p->end = layout->below_end;
-        break;
-    case PART_INVERSE_NEAR:
-        place_inverse_near(p, layout);
-        p->least_bits = LEAST_BITS_OF_TIMES;
-        p->head_bits = HEAD_BITS;
-        break;
-    default:
-        p->variable = VARIABLE_EPS_OCTAVES;
-        p->first = inverse_octave(layout, f, of_force(quantity));
-        p->end = 0.5;
-        p->least_bits = LEAST_BITS_OF_TIMES;
-    }
-    *status = pieces_fit(p, f);
-    return true;
+    layout->table = NULL;
 }

@@ -19,20 +19,15 @@
 #define LAW_MIDDLE_END 8.0
 #define LAW_TAIL_FIRST 2.0 /* ln(beta) */
 
-/* The part of the range of beta or eps that a table covers; PART_GIVEN is the range that the table's own geometry
- * gives. */
-enum law_part { PART_NEAR, PART_MIDDLE, PART_TAIL, PART_BELOW, PART_INVERSE_NEAR, PART_INVERSE, PART_GIVEN };
+/* The part of the range of beta or eps that a table covers */
+enum law_part { PART_NEAR, PART_MIDDLE, PART_TAIL, PART_BELOW, PART_INVERSE_NEAR, PART_INVERSE };
 
 struct law_table {
-    enum law_part part;
-    enum quantity serves, quantity; /* the function that uses the rows of a derived layout; what the rows hold */
-    const char *stem, *title;       /* end of the name; first line of the comment */
-    /* PART_GIVEN: as in struct pieces */
-    enum variable variable;
-    double first, step, end;
-    slong rows;
-    double least_bits;
-    slong head_bits, plain; /* plain = 0: all rows */
+    enum law_part part; /* and the function that uses the rows, in a derived layout */
+    enum quantity serves;
+    char stem[40], title[64]; /* end of the name; first line of the comment */
+    struct pieces rows;       /* as pieces_make takes it, or without rows as pieces_fit does; first = NAN: the
+                               * octave of eps at which the rows of an inverse begin */
 };
 
 struct law_layout {
@@ -46,16 +41,16 @@ struct law_layout {
                            * overlap_end on */
     double below_first, below_end; /* the smallest beta_c - beta of a double beta; the end of these rows */
     double threshold;              /* beta_c, or infinity */
-    const struct law_table *table;
+    struct law_table *table;       /* owned */
     int tables;
-    int check_points; /* of each interval, for interpolant_check */
+    int check_points; /* of each interval, for interpolant_check; 0: the polynomials are proved */
 };
 
 /* Returns 0, or 1 after reporting the failure or the reason why the law has no tables. */
 int law_layout_init(struct law_layout *layout, const struct law *law);
-/* A layout whose samples and tables, all of PART_GIVEN, are data; the tables must live as long as the layout. */
+/* A layout whose samples and tables are data. */
 void law_layout_init_given(struct law_layout *layout, const struct interpolant_layout *interpolant,
-                           const struct law_table *table, int tables, int check_points);
+                           const struct law_table *table, int tables);
 /* Adds points to every interval, for an interpolant that was not accurate enough. */
 void law_layout_refine(struct law_layout *layout);
 /* Only what one eps needs from beta_min on: fewer collisions. Of the other quantities the interpolant then knows
@@ -64,9 +59,7 @@ void law_layout_refine(struct law_layout *layout);
 void law_layout_restrict(struct law_layout *layout, enum quantity eps, double beta_min);
 void law_layout_clear(struct law_layout *layout);
 
-/* Computes the rows of a table with the name NAME, which must live as long as p: those of its own geometry, or the
- * widest rows of the part. Returns false if the law has no such rows. *status is that of pieces_make. */
-bool law_layout_cut(struct pieces *p, int *status, const struct law_layout *layout, const struct interpolant *f,
-                    const struct law_table *table, const char *name);
+/* The octave at which the rows of the inverse of eps begin */
+double law_layout_inverse_octave(const struct law_layout *layout, const struct interpolant *f, enum quantity eps);
 
 #endif

@@ -7,6 +7,7 @@
 #include "approximation/enclosed_function.h"
 #include "approximation/row_proof.h"
 #include "support/console.h"
+#include "support/local.h"
 
 enum { PREC = 320 /* of the polynomials, whose coefficients are large and cancel */, COVERS = 3 };
 
@@ -59,10 +60,8 @@ static int prove_interval(struct law_proof *proof, int i, double wanted)
     const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
     double rho = radius_for(interval, 1, wanted);
     int status = STATUS_OK;
-    arb_poly_t p;
-    arb_t error;
-    arb_poly_init(p);
-    arb_init(error);
+    LOCAL(arb_poly, p);
+    LOCAL(arb, error);
     for (int k = 0; k < COVERS && status == STATUS_OK; k++) {
         struct ellipse_bound bound;
         rho = fmin(fmax(rho, LEAST_RHO), MOST_RHO);
@@ -76,8 +75,6 @@ static int prove_interval(struct law_proof *proof, int i, double wanted)
             break;
         rho = next;
     }
-    arb_poly_clear(p);
-    arb_clear(error);
     return status;
 }
 
@@ -124,11 +121,9 @@ void law_proof_free(struct law_proof *proof)
 
 double law_proof_error(const struct law_proof *proof, int i)
 {
-    mag_t bound;
-    mag_init(bound);
+    LOCAL(mag, bound);
     arb_get_mag(bound, &proof->error[i]);
     const double error = mag_get_d(bound);
-    mag_clear(bound);
     return error;
 }
 
@@ -172,10 +167,7 @@ static bool variable_of(arb_poly_t x, const struct law_proof *proof, const struc
 /* w = (x - middle)/half. Returns false if w is not within [-1, 1] and the little beyond that the error allows. */
 static bool to_unit(arb_poly_t w, const arb_poly_t x, const struct interval *interval)
 {
-    arb_t lo, hi, half;
-    arb_init(lo);
-    arb_init(hi);
-    arb_init(half);
+    LOCAL(arb, lo, hi, half);
     arb_set_d(lo, interval->lo);
     arb_set_d(hi, interval->hi);
     arb_sub(half, hi, lo, ENCLOSED_BITS);
@@ -195,17 +187,13 @@ static bool to_unit(arb_poly_t w, const arb_poly_t x, const struct interval *int
         arb_set_d(half, 1 + BEYOND);
         inside = inside && arb_le(hi, half);
     }
-    arb_clear(lo);
-    arb_clear(hi);
-    arb_clear(half);
     return inside;
 }
 
 /* p(w), with the error of p */
 static void compose(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, const arb_t error)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     arb_poly_zero(y);
     for (slong k = arb_poly_degree(p); k >= 0; k--) {
         arb_poly_get_coeff_arb(c, p, k);
@@ -216,7 +204,6 @@ static void compose(arb_poly_t y, const arb_poly_t p, const arb_poly_t w, const 
     arb_set_d(c, MORE_ERROR);
     arb_mul(c, c, error, ENCLOSED_BITS);
     enclosed_add_radius(y, c);
-    arb_clear(c);
 }
 
 /* What the interval stores, to eps */
@@ -248,12 +235,8 @@ static void eps_of_stored(arb_poly_t eps, const struct law_proof *proof, const s
 bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *proof, int i, double lo, double hi)
 {
     const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
-    arb_poly_t beta, w;
-    arb_t middle, half;
-    arb_poly_init(beta);
-    arb_poly_init(w);
-    arb_init(middle);
-    arb_init(half);
+    LOCAL(arb_poly, beta, w);
+    LOCAL(arb, middle, half);
     arb_set_d(middle, lo);
     arb_set_d(half, hi);
     arb_sub(half, half, middle, ENCLOSED_BITS);
@@ -269,9 +252,5 @@ bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *
         compose(eps, &proof->polynomial[i], w, &proof->error[i]);
         eps_of_stored(eps, proof, interval, log_beta, beta);
     }
-    arb_poly_clear(beta);
-    arb_poly_clear(w);
-    arb_clear(middle);
-    arb_clear(half);
     return done;
 }

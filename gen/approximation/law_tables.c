@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "support/console.h"
+#include "support/local.h"
 
 enum { ATTEMPTS = 3, SPLIT_BITS = 192 };
 
@@ -20,7 +21,7 @@ static int interpolant_make(struct law_tables *t)
             law_layout_refine(&t->layout);
         }
         t->f = interpolant_new(&t->layout.interpolant, 0, INFINITY);
-        if (!t->f || interpolant_check(&t->error, t->f, t->layout.check_points))
+        if (!t->f || (t->layout.check_points > 0 && interpolant_check(&t->error, t->f, t->layout.check_points)))
             return STATUS_FAILED;
         if (t->error <= INTERPOLANT_LIMIT)
             return STATUS_OK;
@@ -33,15 +34,18 @@ int law_tables_make(struct law_tables *t, const char *prefix)
     const struct law_layout *const layout = &t->layout;
     t->f = NULL;
     t->error = 0;
-    t->rows = xmalloc((size_t)layout->tables * sizeof *t->rows);
-    for (int i = 0; i < layout->tables; i++)
-        t->rows[i].has = false;
+    t->name = xmalloc((size_t)layout->tables * sizeof *t->name);
     int status = interpolant_make(t);
     for (int i = 0; i < layout->tables && status == STATUS_OK; i++) {
-        struct law_table_rows *const rows = &t->rows[i];
+        struct law_table *const table = &layout->table[i];
+        struct pieces *const p = &table->rows;
         progress("tables", i, layout->tables);
-        snprintf(rows->name, sizeof rows->name, "%s_%s", prefix, layout->table[i].stem);
-        rows->has = law_layout_cut(&rows->pieces, &status, layout, t->f, &layout->table[i], rows->name);
+        snprintf(t->name[i], sizeof t->name[i], "%s_%s", prefix, table->stem);
+        p->name = t->name[i];
+        p->title = table->title;
+        if (isnan(p->first))
+            p->first = law_layout_inverse_octave(layout, t->f, table->serves);
+        status = (p->rows > 0 ? pieces_make : pieces_fit)(p, pieces_of_collision(t->f));
     }
     progress_end();
     return status;
@@ -49,19 +53,20 @@ int law_tables_make(struct law_tables *t, const char *prefix)
 
 void law_tables_clear(struct law_tables *t)
 {
-    for (int i = 0; t->rows && i < t->layout.tables; i++)
-        if (t->rows[i].has)
-            pieces_clear(&t->rows[i].pieces);
-    free(t->rows);
+    for (int i = 0; t->layout.table && i < t->layout.tables; i++)
+        pieces_clear(&t->layout.table[i].rows);
+    free(t->name);
     interpolant_free(t->f);
     law_layout_clear(&t->layout);
 }
 
-int law_tables_emit(struct emit *e, const struct law_tables *t)
+int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats)
 {
-    for (int i = 0; i < t->layout.tables; i++)
-        if (t->rows[i].has && pieces_emit(e, &t->rows[i].pieces))
+    for (int i = 0; i < t->layout.tables; i++) {
+        const struct pieces *const p = &t->layout.table[i].rows;
+        if (p->floats == floats && pieces_emit(e, p))
             return STATUS_FAILED;
+    }
     return STATUS_OK;
 }
 
@@ -77,11 +82,9 @@ bool law_tables_have_far(const struct law_tables *t, enum quantity quantity)
 
 bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity)
 {
-    arb_t fall;
-    arb_init(fall);
+    LOCAL(arb, fall);
     interpolant_far_fall(fall, t->f);
     const bool has = quantity == DURATION_ZERO_OVERLAP && law_tables_have_far(t, quantity) && !arb_is_zero(fall);
-    arb_clear(fall);
     return has;
 }
 
@@ -92,35 +95,24 @@ static void split(arb_t value, arb_t rest)
     arb_sub(rest, value, rest, SPLIT_BITS);
 }
 
-static int emit_one_row(struct emit *e, const char *name, const char *title, arb_srcptr row, slong columns)
-{
-    emit_rows_open(e, name, 1, columns);
-    if (emit_row(e, title, row, columns, true))
-        return STATUS_FAILED;
-    emit_rows_close(e);
-    return STATUS_OK;
-}
-
 /* Writes a value as two doubles. */
-static int emit_pair(struct emit *e, const char *name, const char *title, const arb_t value)
+static int emit_pair(struct emit *e, const char *name, const arb_t value)
 {
     arb_ptr row = _arb_vec_init(2);
     arb_set(row, value);
     split(row, row + 1);
-    const int status = emit_one_row(e, name, title, row, 2);
+    const int status = emit_one_row(e, name, row, 2);
     _arb_vec_clear(row, 2);
     return status;
 }
 
-int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name, const char *title)
+int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name)
 {
-    arb_t speed;
-    arb_init(speed);
+    LOCAL(arb, speed);
     arb_set(speed, interpolant_final_speed(t->f));
     if (law_is_hunt_crossley(&t->layout.interpolant.law)) /* an interval that contains 1 cannot be split */
         arb_one(speed);
-    const int status = emit_pair(e, name, title, speed);
-    arb_clear(speed);
+    const int status = emit_pair(e, name, speed);
     return status;
 }
 
@@ -140,31 +132,28 @@ void law_tables_far_inverse_row(arb_ptr row, const struct law_tables *t)
     split(row, row + 1);
 }
 
-int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name,
-                        const char *title)
+int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name)
 {
     arb_ptr row = _arb_vec_init(FAR_COLUMNS);
     law_tables_far_row(row, t, quantity);
-    const int status = emit_one_row(e, name, title, row, FAR_COLUMNS);
+    const int status = emit_one_row(e, name, row, FAR_COLUMNS);
     _arb_vec_clear(row, FAR_COLUMNS);
     return status;
 }
 
-int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name, const char *title)
+int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name)
 {
-    arb_t fall;
-    arb_init(fall);
+    LOCAL(arb, fall);
     interpolant_far_fall(fall, t->f);
-    const int status = emit_pair(e, name, title, fall);
-    arb_clear(fall);
+    const int status = emit_pair(e, name, fall);
     return status;
 }
 
-int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name, const char *title)
+int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name)
 {
     arb_ptr row = _arb_vec_init(INVERSE_COLUMNS);
     law_tables_far_inverse_row(row, t);
-    const int status = emit_one_row(e, name, title, row, INVERSE_COLUMNS);
+    const int status = emit_one_row(e, name, row, INVERSE_COLUMNS);
     _arb_vec_clear(row, INVERSE_COLUMNS);
     return status;
 }

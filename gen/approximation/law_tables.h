@@ -11,12 +11,8 @@ enum { LAW_TABLE_NAME_MAX = 192, FAR_COLUMNS = INTERPOLANT_FAR + 2, INVERSE_COLU
 struct law_tables {
     struct law_layout layout; /* owned */
     struct interpolant *f;
-    double error; /* error of the interpolant, sampled */
-    struct law_table_rows {
-        bool has; /* whether the law has the table */
-        char name[LAW_TABLE_NAME_MAX];
-        struct pieces pieces;
-    } * rows; /* of each table of the layout */
+    double error;                     /* error of the interpolant, sampled */
+    char (*name)[LAW_TABLE_NAME_MAX]; /* of each table of the layout */
 };
 
 /* Computes the tables of t->layout, which the caller has initialised; a table's name is PREFIX_STEM. Adds samples if
@@ -25,8 +21,9 @@ struct law_tables {
 int law_tables_make(struct law_tables *t, const char *prefix);
 void law_tables_clear(struct law_tables *t);
 
-/* Writes all rows. This function and those below return 0, or 1 after reporting an interval that is too wide. */
-int law_tables_emit(struct emit *e, const struct law_tables *t);
+/* Writes all rows, of doubles or of floats. This function and those below return 0, or 1 after reporting an interval
+ * that is too wide. */
+int law_tables_emit(struct emit *e, const struct law_tables *t, bool floats);
 
 /* Whether the quantity has coefficients beyond the rows, and whether it has a further term there
  * (interpolant_far_fall) */
@@ -39,12 +36,11 @@ bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity);
 void law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity);
 void law_tables_far_inverse_row(arb_ptr row, const struct law_tables *t);
 
-/* Write one row with the name and the title: v_f of eps at zero overlap as two doubles; the coefficients of another
- * quantity; the further term as two doubles; the inverse of eps at zero force. */
-int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name, const char *title);
-int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name,
-                        const char *title);
-int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name, const char *title);
-int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name, const char *title);
+/* Write one row: v_f of eps at zero overlap as two doubles; the coefficients of another quantity; the further term as
+ * two doubles; the inverse of eps at zero force. */
+int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name);
+int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name);
+int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name);
+int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name);
 
 #endif

@@ -1,15 +1,26 @@
 /* SPDX-License-Identifier: MIT */
 #include "approximation/pieces.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdatomic.h>
+#include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "approximation/barycentric.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/local.h"
 #include "support/parallel.h"
 
-enum { WORKING_BITS = 320, POINTS = 24 /* where a row's error is sampled */ };
+enum {
+    WORKING_BITS = 320,
+    POINTS = 24,      /* a row's error is sampled at POINTS + 1 places */
+    FLOAT_POINTS = 8, /* and that of a row of floats at FLOAT_POINTS + 1 */
+    FLOAT_PLACE_BITS = 30,
+    BITS_TO_LINE = 23 /* in the comment above a table */
+};
 
 static bool by_octaves(const struct pieces *p)
 {
@@ -22,8 +33,27 @@ static bool by_root(const struct pieces *p)
     return p->variable == VARIABLE_ROOT_BETA || p->variable == VARIABLE_ROOT_LOSS;
 }
 
+slong pieces_columns(const struct pieces *p)
+{
+    return p->floats ? PIECES_FLOATS : p->degree + 2;
+}
+
+/* Rows of floats: row 0 up to 2^first, then octaves of equal cells */
+static struct cell float_cell(const struct pieces *p, slong row)
+{
+    if (row == 0)
+        return (struct cell){0, 0, ldexp(1, (int)p->first), 0, true};
+    const slong above = row - 1, cells = WORD(1) << p->octave_bits;
+    const int octave = (int)(p->first + (double)(above / cells));
+    const double width = ldexp(1, octave - (int)p->octave_bits);
+    const double lo = ldexp(1, octave) + (double)(above % cells) * width;
+    return (struct cell){lo + width / 2, lo, lo + width, 0, true};
+}
+
 struct cell pieces_cell(const struct pieces *p, slong row)
 {
+    if (p->floats)
+        return float_cell(p, row);
     struct cell cell = {.plain = row < p->plain};
     double step = p->step;
     if (by_octaves(p)) {
@@ -55,13 +85,12 @@ static void root_of_beta(arb_t z, const struct pieces *p, const struct interpola
     arb_root_ui(z, z, (ulong)interpolant_root(f), WORKING_BITS);
 }
 
-/* The quantity at a place of a cell. Returns 0, or 1 after reporting the failure. */
-static int quantity_at(arb_t value, const struct pieces *p, const struct interpolant *f, const struct cell *cell,
-                       const arb_t y)
+static int collision_at(arb_t value, const void *interpolant, const struct pieces *p, const struct cell *cell,
+                        const arb_t y)
 {
-    arb_t x;
+    const struct interpolant *const f = interpolant;
+    LOCAL(arb, x);
     int status = STATUS_OK;
-    arb_init(x);
     arb_mul_2exp_si(x, y, cell->octave);
     switch (p->variable) {
     case VARIABLE_BETA:
@@ -93,16 +122,21 @@ static int quantity_at(arb_t value, const struct pieces *p, const struct interpo
     case VARIABLE_EPS_OCTAVES:
         status = interpolant_inverse(value, f, p->quantity, x, WORKING_BITS);
         break;
+    case VARIABLE_OTHER:
+        break;
     }
-    arb_clear(x);
     return status;
+}
+
+struct pieces_function pieces_of_collision(const struct interpolant *f)
+{
+    return (struct pieces_function){collision_at, f};
 }
 
 /* s of the header at y */
 static void factor(arb_t s, const struct cell *cell, const arb_t y)
 {
-    arb_t node;
-    arb_init(node);
+    LOCAL(arb, node);
     arb_set_d(node, cell->node);
     if (!cell->plain) {
         arb_sqr(s, y, WORKING_BITS);
@@ -110,12 +144,15 @@ static void factor(arb_t s, const struct cell *cell, const arb_t y)
     } else {
         arb_sub(s, y, node, WORKING_BITS);
     }
-    arb_clear(node);
 }
 
-/* A sample point of the cell: a double between its ends */
-static double between(const struct cell *cell, double fraction)
+/* A sample point of the cell: a double of few bits between its ends */
+static double between(const struct pieces *p, const struct cell *cell, double fraction)
 {
+    if (p->floats) {
+        const double unit = ldexp(cell->hi, -FLOAT_PLACE_BITS);
+        return nearbyint((cell->lo + (cell->hi - cell->lo) * fraction) / unit) * unit;
+    }
     return ldexp(nearbyint(ldexp(cell->lo + (cell->hi - cell->lo) * fraction, 40)), -40);
 }
 
@@ -130,22 +167,18 @@ static void round_head(arb_t head, const struct pieces *p, const arb_t value)
     }
 }
 
-static int cut(arb_ptr c, const struct pieces *p, const struct interpolant *f, const struct cell *cell)
+static int cut_exact(arb_ptr c, const struct pieces *p, struct pieces_function f, const struct cell *cell)
 {
     const slong n = p->degree;
     arb_ptr t = _arb_vec_init(n), quotient = _arb_vec_init(n);
-    arb_poly_t polynomial;
-    arb_t node, y, s;
-    arb_poly_init(polynomial);
-    arb_init(node);
-    arb_init(y);
-    arb_init(s);
+    LOCAL(arb_poly, polynomial);
+    LOCAL(arb, node, y, s);
     arb_set_d(node, cell->node);
-    int status = quantity_at(c, p, f, cell, node);
+    int status = f.at(c, f.context, p, cell, node);
     for (slong j = 0; j < n && status == STATUS_OK; j++) {
         /* never the node itself, where the quotient is 0/0 */
-        arb_set_d(y, between(cell, (1 + chebyshev_point(j, n)) / 2) + ldexp(1, -41));
-        status = quantity_at(quotient + j, p, f, cell, y);
+        arb_set_d(y, between(p, cell, (1 + chebyshev_point(j, n)) / 2) + ldexp(1, -41));
+        status = f.at(quotient + j, f.context, p, cell, y);
         arb_sub(quotient + j, quotient + j, c, WORKING_BITS);
         factor(s, cell, y);
         arb_div(quotient + j, quotient + j, s, WORKING_BITS);
@@ -158,72 +191,164 @@ static int cut(arb_ptr c, const struct pieces *p, const struct interpolant *f, c
     arb_sub(c + 1, c, node, WORKING_BITS);
     if (p->head_bits > 0)
         arb_set(c, node);
-    arb_poly_clear(polynomial);
-    arb_clear(node);
-    arb_clear(y);
-    arb_clear(s);
     _arb_vec_clear(t, n);
     _arb_vec_clear(quotient, n);
     return status;
 }
 
-/* The row of doubles at y, exactly evaluated. */
+static int cut_row_of_doubles(double *c, struct pieces *p, struct pieces_function f, slong row, const struct cell *cell)
+{
+    const slong columns = pieces_columns(p);
+    arb_ptr exact = p->coefficient + row * columns;
+    if (cut_exact(exact, p, f, cell))
+        return STATUS_FAILED;
+    for (slong k = 0; k < columns; k++)
+        if (!digits_to_double(&c[k], exact + k))
+            return fail("%s, row %ld: coefficient %ld cannot be rounded", p->name, (long)row, (long)k);
+    return STATUS_OK;
+}
+
+/* y = y x + c */
+static void horner(arb_t y, const arb_t x, double c)
+{
+    LOCAL(arb, term);
+    arb_set_d(term, c);
+    arb_mul(y, y, x, WORKING_BITS);
+    arb_add(y, y, term, WORKING_BITS);
+}
+
+/* ---- rows of floats ---- */
+
+enum { CUBIC = PIECES_FLOATS - 1 };
+
+static uint32_t word_of(float x)
+{
+    uint32_t word;
+    memcpy(&word, &x, sizeof word);
+    return word;
+}
+
+static float float_of(uint32_t word)
+{
+    float x;
+    memcpy(&x, &word, sizeof x);
+    return x;
+}
+
+/* c_0' as the evaluator sees it */
+static double remainder_in(double c_3)
+{
+    return (double)float_of(word_of((float)c_3) << 16);
+}
+
+/* The float nearest to c_3 whose lower half of bits is c_0' to 8 bits */
+static double with_remainder(double c_3, double remainder)
+{
+    const uint32_t low = (word_of((float)remainder) + 0x8000) >> 16;
+    const uint32_t high = word_of((float)c_3) & 0xffff0000;
+    double nearest = (double)float_of(high | low);
+    for (int up = -1; up <= 1; up += 2) {
+        const double other = (double)float_of((high + (uint32_t)up * 0x10000) | low);
+        if (fabs(other - c_3) < fabs(nearest - c_3))
+            nearest = other;
+    }
+    return nearest;
+}
+
+/* The nearest float. gcc 12 leaves (double)(float) of two neighbours out where it makes a vector of them. */
+static double nearest_float(double x)
+{
+    volatile float y = (float)x;
+    return (double)y;
+}
+
+/* a_0 + a_1 t + ... + a_3 t^3 to a row. c_3 is off by d = a_3 - c_3. In the cell of half width h around m, d t^3 is a
+ * polynomial of degree 2 plus d h^3 T_3((t - m)/h)/4. The polynomial goes to the other coefficients, its constant term
+ * to c_0'. */
+static void columns_of_cubic(double c[PIECES_FLOATS], const double a[PIECES_FLOATS], const struct cell *cell)
+{
+    const double m = (cell->lo + cell->hi) / 2 - cell->node, h2 = pow((cell->hi - cell->lo) / 2, 2);
+    c[3] = with_remainder(a[3], a[0]);
+    if (cell->node > 0)
+        c[3] = with_remainder(a[3], a[0] + (a[3] - c[3]) * m * (m * m - 0.75 * h2));
+    const double d = a[3] - c[3];
+    c[1] = nearest_float(a[1] + d * (0.75 * h2 - 3 * m * m));
+    c[2] = nearest_float(a[2] + d * 3 * m);
+}
+
+/* c_0, and the cubic in t through f - c_0 at the Chebyshev points of the cell. At beta = 0 the row is exact: eps never
+ * exceeds 1, however the caller rounds. */
+static int cut_row_of_floats(double *c, const struct pieces *p, struct pieces_function f, const struct cell *cell)
+{
+    arb_ptr t = _arb_vec_init(PIECES_FLOATS), value = _arb_vec_init(PIECES_FLOATS);
+    double a[PIECES_FLOATS];
+    LOCAL(arb, y, head, rest);
+    LOCAL(arb_poly, cubic);
+    arb_set_d(y, cell->node);
+    int status = f.at(rest, f.context, p, cell, y);
+    arf_set_round(arb_midref(head), arb_midref(rest), p->head_bits > 0 ? p->head_bits : FLT_MANT_DIG, ARF_RND_NEAR);
+    arb_sub(rest, rest, head, WORKING_BITS);
+    for (slong j = 0; j <= CUBIC && status == STATUS_OK; j++) {
+        const double place = between(p, cell, (1 + chebyshev_point(j, CUBIC + 1)) / 2);
+        arb_set_d(y, place);
+        status = f.at(value + j, f.context, p, cell, y);
+        arb_sub(value + j, value + j, head, WORKING_BITS);
+        arb_set_d(t + j, place - cell->node); /* exact */
+    }
+    arb_poly_interpolate_barycentric(cubic, t, value, CUBIC + 1, WORKING_BITS);
+    for (slong k = 0; k <= CUBIC; k++) {
+        arb_poly_get_coeff_arb(y, cubic, k);
+        a[k] = arf_get_d(arb_midref(k == 0 && cell->node == 0 ? rest : y), ARF_RND_NEAR);
+    }
+    c[0] = arf_get_d(arb_midref(head), ARF_RND_NEAR);
+    columns_of_cubic(c, a, cell);
+    _arb_vec_clear(t, CUBIC + 1);
+    _arb_vec_clear(value, CUBIC + 1);
+    return status;
+}
+
+/* ---- the error of a row ---- */
+
+/* The row at y, exactly evaluated */
 static void row_value(arb_t value, const struct pieces *p, const struct cell *cell, const double *c, const arb_t y)
 {
-    arb_t t, s;
-    arb_init(t);
-    arb_init(s);
+    LOCAL(arb, t, s);
     arb_set_d(t, cell->node);
     arb_sub(t, y, t, WORKING_BITS);
     factor(s, cell, y);
     arb_zero(value);
-    for (slong k = p->degree + 1; k >= 2; k--) {
-        arb_t term;
-        arb_init(term);
-        arb_set_d(term, c[k]);
-        arb_mul(value, value, t, WORKING_BITS);
-        arb_add(value, value, term, WORKING_BITS);
-        arb_clear(term);
-    }
-    arb_mul(value, value, s, WORKING_BITS);
-    arb_set_d(t, c[1]);
-    arb_add(value, value, t, WORKING_BITS);
-    arb_set_d(t, c[0]);
-    arb_add(value, value, t, WORKING_BITS);
-    arb_clear(t);
-    arb_clear(s);
+    for (slong k = pieces_columns(p) - 1; k >= (p->floats ? 1 : 2); k--)
+        horner(value, t, c[k]);
+    horner(value, s, p->floats ? remainder_in(c[CUBIC]) : c[1]);
+    arb_one(t);
+    horner(value, t, c[0]);
 }
 
-/* Quality of a cell from samples: -log2 of the largest relative error, NaN after a reported failure, and the largest
- * |row/c_0 - 1| */
-struct quality {
-    double bits, rest;
-};
-
-static struct quality quality_of(const struct pieces *p, const struct interpolant *f, const struct cell *cell,
-                                 const double *c)
+/* Sets the row's bits: -log2 of the largest relative error that is found, NaN after a reported failure. Returns the
+ * largest |row/c_0 - 1|. */
+static double sample_row(double *bits, const struct pieces *p, struct pieces_function f, const struct cell *cell,
+                         const double *c)
 {
-    arb_t y, exact, value;
+    LOCAL(arb, y, exact, value);
+    const int places = p->floats ? FLOAT_POINTS : POINTS;
     double worst = 0, rest = 0;
-    arb_init(y);
-    arb_init(exact);
-    arb_init(value);
-    for (int k = 0; k <= POINTS; k++) {
-        arb_set_d(y, between(cell, k / (double)POINTS));
-        if (quantity_at(exact, p, f, cell, y))
+    for (int k = 0; k <= places; k++) {
+        const double fraction = k / (double)places;
+        arb_set_d(y, between(p, cell, p->floats ? (1 - cos(fraction * acos(-1.0))) / 2 : fraction));
+        if (f.at(exact, f.context, p, cell, y))
             worst = NAN;
         row_value(value, p, cell, c, y);
         rest = fmax(rest, fabs(arf_get_d(arb_midref(value), ARF_RND_NEAR) / c[0] - 1));
         arb_sub(value, value, exact, WORKING_BITS);
         arb_div(value, value, exact, WORKING_BITS);
-        if (!isnan(worst))
-            worst = fmax(worst, fabs(arf_get_d(arb_midref(value), ARF_RND_UP)));
+        const double error = fabs(arf_get_d(arb_midref(value), ARF_RND_UP)) + mag_get_d(arb_radref(value));
+        worst = error <= worst ? worst : error; /* a NaN stays */
     }
-    arb_clear(y);
-    arb_clear(exact);
-    arb_clear(value);
-    return (struct quality){-log2(worst), rest};
+    *bits = -log2(worst);
+    return rest;
 }
+
+/* ---- all rows ---- */
 
 /* Whether the rows cover the range of the table */
 static bool covers_end(const struct pieces *p)
@@ -236,14 +361,15 @@ static bool covers_end(const struct pieces *p)
 
 struct cutting {
     struct pieces *p;
-    const struct interpolant *f;
-    struct quality *quality; /* of each row */
+    struct pieces_function f;
+    double *rest; /* of each row, |row/c_0 - 1| at most */
     atomic_bool failed, missed;
 };
 
-static bool is_good(const struct pieces *p, struct quality quality)
+static bool is_good(const struct cutting *work, slong row)
 {
-    return quality.bits >= p->least_bits && (p->most_rest == 0 || quality.rest <= p->most_rest);
+    const struct pieces *const p = work->p;
+    return p->bits[row] >= p->least_bits && (p->most_rest == 0 || work->rest[row] <= p->most_rest);
 }
 
 /* Computes a row, except after another row has missed a bound, because the grid is then too wide. */
@@ -251,63 +377,54 @@ static void cut_row(void *context, slong row)
 {
     struct cutting *const work = context;
     struct pieces *const p = work->p;
-    const slong columns = p->degree + 2;
     const struct cell cell = pieces_cell(p, row);
-    arb_ptr exact = p->coefficient + row * columns;
-    double *const c = p->value + row * columns;
-    work->quality[row] = (struct quality){INFINITY, 0};
+    double *const c = p->value + row * pieces_columns(p);
+    p->bits[row] = INFINITY;
+    work->rest[row] = 0;
     if (atomic_load(&work->failed) || atomic_load(&work->missed))
         return;
-    int status = cut(exact, p, work->f, &cell);
-    for (slong k = 0; k < columns && status == STATUS_OK; k++)
-        if (!digits_to_double(&c[k], exact + k))
-            status = fail("%s, row %ld: coefficient %ld cannot be rounded", p->name, (long)row, (long)k);
-    if (status == STATUS_OK) {
-        work->quality[row] = quality_of(p, work->f, &cell, c);
-        p->bits[row] = work->quality[row].bits;
-        if (!is_good(p, work->quality[row]))
-            atomic_store(&work->missed, true);
-    } else {
+    if (p->floats ? cut_row_of_floats(c, p, work->f, &cell) : cut_row_of_doubles(c, p, work->f, row, &cell)) {
         atomic_store(&work->failed, true);
+        return;
     }
+    work->rest[row] = sample_row(&p->bits[row], p, work->f, &cell, c);
+    if (!is_good(work, row))
+        atomic_store(&work->missed, true);
 }
 
-/* Computes all rows. Returns STATUS_OK, and sets *good to false if a row misses a bound, with its number and quality,
- * or returns STATUS_FAILED. */
-static int cut_rows(struct pieces *p, const struct interpolant *f, bool *good, slong *missed, struct quality *quality)
+/* Computes all rows. Sets *missed to the first row that misses a bound, or -1. A message if `last`. */
+static int cut_rows(struct pieces *p, struct pieces_function f, slong *missed, bool last)
 {
-    struct cutting work = {.p = p, .f = f, .quality = xmalloc((size_t)p->rows * sizeof *work.quality)};
+    struct cutting work = {.p = p, .f = f, .rest = xmalloc((size_t)p->rows * sizeof *work.rest)};
+    int status = STATUS_OK;
     parallel_for(cut_row, &work, p->rows, p->name);
-    *good = !atomic_load(&work.missed);
-    for (slong row = p->rows - 1; row >= 0; row--)
-        if (!is_good(p, work.quality[row])) {
+    *missed = -1;
+    for (slong row = p->rows - 1; row >= 0 && atomic_load(&work.missed); row--)
+        if (!is_good(&work, row))
             *missed = row;
-            *quality = work.quality[row];
-        }
-    free(work.quality);
-    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
+    if (atomic_load(&work.failed))
+        status = STATUS_FAILED;
+    else if (*missed >= 0 && last)
+        status = fail("%s, row %ld of %ld reaches %.1f bits, not the %.1f it must, or varies by %.2g", p->name,
+                      (long)*missed, (long)p->rows, p->bits[*missed], p->least_bits, work.rest[*missed]);
+    free(work.rest);
+    return status;
 }
 
 static void pieces_allocate(struct pieces *p)
 {
-    const slong numbers = p->rows * (p->degree + 2);
+    const slong numbers = p->rows * pieces_columns(p);
     p->coefficient = _arb_vec_init(numbers);
     p->value = xmalloc((size_t)numbers * sizeof *p->value);
     p->bits = xmalloc((size_t)p->rows * sizeof *p->bits);
 }
 
-int pieces_make(struct pieces *p, const struct interpolant *f)
+int pieces_make(struct pieces *p, struct pieces_function f)
 {
-    bool good = false;
-    slong row = 0;
-    struct quality quality = {0, 0};
+    slong missed;
     pieces_allocate(p);
-    if (!covers_end(p))
-        return fail("%s: %ld rows do not reach %g", p->name, (long)p->rows, p->end);
-    const int status = cut_rows(p, f, &good, &row, &quality);
-    return status == STATUS_OK && !good ? fail("%s, row %ld reaches %.1f bits, not the %.1f it must", p->name,
-                                               (long)row, quality.bits, p->least_bits)
-                                        : status;
+    return covers_end(p) ? cut_rows(p, f, &missed, true)
+                         : fail("%s: %ld rows do not reach %g", p->name, (long)p->rows, p->end);
 }
 
 /* The number of rows up to `end` */
@@ -323,33 +440,32 @@ static slong rows_to_end(const struct pieces *p)
     return (slong)ceil((y * (1 + 1e-12) - p->first) / p->step - 0.5) + 1;
 }
 
-int pieces_fit(struct pieces *p, const struct interpolant *f)
+int pieces_fit(struct pieces *p, struct pieces_function f)
 {
     enum { HALVINGS = 8 };
-    for (int i = 0; i < HALVINGS; i++) {
-        bool good = false;
-        slong row = 0;
-        struct quality quality = {0, 0};
+    slong missed = 0;
+    int status = STATUS_OK;
+    for (int i = 1; i <= HALVINGS && missed >= 0 && status == STATUS_OK; i++) {
+        if (i > 1) {
+            pieces_clear(p);
+            p->octave_bits++;
+            p->step /= 2;
+        }
         p->plain = p->rows = rows_to_end(p);
         pieces_allocate(p);
-        const int status = cut_rows(p, f, &good, &row, &quality);
-        if (status || good)
-            return status;
-        if (i + 1 == HALVINGS)
-            return fail("%s, row %ld of %ld reaches %.1f bits, not the %.1f it must, or varies by %.2g", p->name,
-                        (long)row, (long)p->rows, quality.bits, p->least_bits, quality.rest);
-        pieces_clear(p);
-        p->octave_bits++;
-        p->step /= 2;
+        status = cut_rows(p, f, &missed, i == HALVINGS);
     }
-    return STATUS_FAILED;
+    return status;
 }
 
 void pieces_clear(struct pieces *p)
 {
-    _arb_vec_clear(p->coefficient, p->rows * (p->degree + 2));
+    if (p->coefficient)
+        _arb_vec_clear(p->coefficient, p->rows * pieces_columns(p));
     free(p->value);
     free(p->bits);
+    p->coefficient = NULL;
+    p->value = p->bits = NULL;
 }
 
 /* The range of the table, for its title */
@@ -378,6 +494,9 @@ static void domain_text(char text[64], const struct pieces *p)
     case VARIABLE_LOG_BETA:
         snprintf(text, 64, ", beta > exp(%g)", p->first - p->step / 2);
         break;
+    case VARIABLE_OTHER:
+        text[0] = 0;
+        break;
     default:
         snprintf(text, 64, p->end < 1 ? ", beta < 1/%g" : ", beta < %g", p->end < 1 ? 1 / p->end : p->end);
     }
@@ -386,10 +505,18 @@ static void domain_text(char text[64], const struct pieces *p)
 /* The variable y of the table */
 static void variable_text(char text[64], const struct pieces *p)
 {
-    static const char *const names[] = {
-        "beta",        "beta",     "ln(beta)",  "1 - eps",       "1 - eps",
-        "beta^5 2^-k", "eps 2^-k", "beta 2^-k", "ln(beta) 2^-k", "(beta_c - beta) 2^-k"};
-    const char *const name = names[p->variable];
+    static const char *const names[] = {"beta",
+                                        "beta",
+                                        "ln(beta)",
+                                        "1 - eps",
+                                        "1 - eps",
+                                        NULL,
+                                        "beta^5 2^-k",
+                                        "eps 2^-k",
+                                        "beta 2^-k",
+                                        "ln(beta) 2^-k",
+                                        "(beta_c - beta) 2^-k"};
+    const char *const name = p->variable == VARIABLE_OTHER ? p->words : names[p->variable];
     if (!by_root(p) || p->root == 1)
         snprintf(text, 64, "%s", name);
     else if (p->root == 2)
@@ -398,60 +525,82 @@ static void variable_text(char text[64], const struct pieces *p)
         snprintf(text, 64, "(%s)^(1/%ld)", name, (long)p->root);
 }
 
+static void grid_text(char text[96], const struct pieces *p)
+{
+    const struct cell first = pieces_cell(p, 0), last = pieces_cell(p, p->rows - 1);
+    const slong cells = WORD(1) << p->octave_bits;
+    if (p->floats)
+        snprintf(text, 96, "one below %g, then %ld to an octave", first.hi, (long)cells);
+    else if (by_octaves(p))
+        snprintf(text, 96, "%ld to each octave k = %ld ... %ld", (long)cells, (long)first.octave, (long)last.octave);
+    else
+        snprintf(text, 96, "nodes %g + i %g, %g <= y <= %g", p->first, p->step, first.lo, last.hi);
+}
+
+/* The bits of all rows, rounded down to tenths, on lines of their own. The caller frees the text. */
+static char *bits_text(const struct pieces *p)
+{
+    enum { EACH = 8 };
+    char *const text = xmalloc((size_t)p->rows * EACH + 1);
+    size_t size = 0;
+    for (slong row = 0; row < p->rows; row++)
+        size += (size_t)snprintf(text + size, EACH, "%c%.1f", row % BITS_TO_LINE ? ' ' : '\n',
+                                 floor(p->bits[row] * 10) / 10);
+    return text;
+}
+
+static void emit_description(struct emit *e, const struct pieces *p)
+{
+    double worst = INFINITY;
+    for (slong row = 0; row < p->rows; row++)
+        worst = fmin(worst, p->bits[row]);
+    char domain[64], variable[64], grid[96],
+        known[64] = "proved for the whole cell of each row", *const bits = bits_text(p);
+    domain_text(domain, p);
+    variable_text(variable, p);
+    grid_text(grid, p);
+    if (!p->proved)
+        snprintf(known, sizeof known, "sampled at %d places of each row", (p->floats ? FLOAT_POINTS : POINTS) + 1);
+    emit_comment(e,
+                 "%s%s: %ld rows of degree %ld in y = %s, %s.\n"
+                 "Relative error of the approximation: 2^-%.1f at most, %s. Bits of the rows:%s",
+                 p->title, domain, (long)p->rows, (long)(p->floats ? CUBIC : p->degree), variable, grid,
+                 floor(worst * 10) / 10, known, bits);
+    free(bits);
+}
+
 static void emit_geometry(struct emit *e, const struct pieces *p)
 {
-    if (by_octaves(p)) {
+    if (by_octaves(p) || p->floats)
         emit_geometry_real(e, p->name, "FIRST", ldexp(1, (int)p->first));
+    else
+        emit_geometry_real(e, p->name, "FIRST", p->first);
+    if (by_octaves(p))
         emit_geometry_integer(e, p->name, "FIRST_OCTAVE", (slong)p->first);
+    if (by_octaves(p) || p->floats) {
         emit_geometry_integer(e, p->name, "OCTAVE_BITS", p->octave_bits);
     } else {
-        emit_geometry_real(e, p->name, "FIRST", p->first);
         emit_geometry_real(e, p->name, "STEP", p->step);
         emit_geometry_real(e, p->name, "PER_UNIT", 1 / p->step);
     }
     emit_geometry_integer(e, p->name, "ROWS", p->rows);
-    if (p->plain < p->rows)
+    if (p->plain < p->rows && !p->floats)
         emit_geometry_integer(e, p->name, "PLAIN_ROWS", p->plain);
     emit_geometry_real(e, p->name, "END", p->end);
 }
 
 int pieces_emit(struct emit *e, const struct pieces *p)
 {
-    double worst = INFINITY;
-    for (slong row = 0; row < p->rows; row++)
-        worst = fmin(worst, p->bits[row]);
-    const struct cell first = pieces_cell(p, 0), last = pieces_cell(p, p->rows - 1);
-    char grid[96];
-    if (by_octaves(p))
-        snprintf(grid, sizeof grid, "%ld to each octave k = %ld ... %ld", WORD(1) << p->octave_bits, (long)first.octave,
-                 (long)last.octave);
-    else
-        snprintf(grid, sizeof grid, "nodes %g + i %g, %g <= y <= %g", p->first, p->step, first.lo, last.hi);
-    char domain[64], variable[64];
-    domain_text(domain, p);
-    variable_text(variable, p);
-    char known[64];
-    if (p->proved)
-        snprintf(known, sizeof known, "proved for the whole cell of each row");
-    else
-        snprintf(known, sizeof known, "sampled at %d places of each row", POINTS + 1);
-    emit_comment(e,
-                 "%s%s: %ld rows of degree %ld in y = %s, %s.\n"
-                 "Relative error of the approximation: 2^-%.1f at most, %s.",
-                 p->title, domain, (long)p->rows, (long)p->degree, variable, grid, floor(worst * 10) / 10, known);
+    const slong columns = pieces_columns(p);
+    int status = STATUS_OK;
+    emit_description(e, p);
     emit_geometry(e, p);
-    emit_rows_open(e, p->name, p->rows, p->degree + 2);
-    for (slong row = 0; row < p->rows; row++) {
-        const struct cell cell = pieces_cell(p, row);
-        char text[160];
-        char octave[24] = "";
-        if (by_octaves(p))
-            snprintf(octave, sizeof octave, " 2^%ld", (long)cell.octave);
-        snprintf(text, sizeof text, "[%ld] %g <= y <= %g%s, degree %ld, %.1f bits", (long)row, cell.lo, cell.hi, octave,
-                 (long)p->degree, floor(p->bits[row] * 10) / 10);
-        if (emit_row(e, text, p->coefficient + row * (p->degree + 2), p->degree + 2, row + 1 == p->rows))
-            return STATUS_FAILED;
-    }
+    emit_rows_open(e, p->floats ? "float" : "double", p->name, p->rows, columns);
+    for (slong row = 0; row < p->rows && status == STATUS_OK; row++)
+        if (p->floats)
+            emit_float_row(e, p->value + row * columns, columns);
+        else
+            status = emit_row(e, p->coefficient + row * columns, columns);
     emit_rows_close(e);
-    return STATUS_OK;
+    return status;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Piecewise polynomials on a uniform grid, cut from the interpolant of the collision.
+/* The cutter of tables: piecewise polynomials on a uniform grid or by octaves, of the collision's interpolant or of any
+ * function of one variable.
  *
  * Row i belongs to the cell of half a step to either side of its node y_i = first + i step, in the variable y, and
  * holds columns c_0, c_0', c_1, ..., c_degree:
@@ -9,7 +10,16 @@
  * In the first `plain` rows s = t. In the other rows of y = sqrt(beta), s = beta - y_i^2, which is exact in floating
  * point, while t is not. This s has a zero at -y_i, which is too near to the first rows. c_0 is the number of
  * `head_bits` bits, or the double, nearest to f(y_i), and c_0' is its remainder. The other coefficients interpolate (f
- * - f(y_i))/s at the Chebyshev points of the cell and are rounded once. */
+ * - f(y_i))/s at the Chebyshev points of the cell and are rounded once.
+ *
+ * Rows of floats are cubics in beta: row 0 belongs to 0 <= beta < 2^first, and its node is 0; each octave from there to
+ * `end` has 2^octave_bits equal cells, whose nodes are their middles. A row holds four floats,
+ *
+ *     f = c_0 + (c_0' + t (c_1 + t (c_2 + t c_3))),     t = beta - node
+ *
+ * The remainder c_0' of c_0 has 8 bits. They are the lower half of the bits of c_3: moved to the upper half, these bits
+ * are the float c_0'. The upper half of c_3 gives it a relative error of 2^-8. c_1 and c_2 compensate three quarters of
+ * the effect. */
 #ifndef COR_GEN_APPROXIMATION_PIECES_H
 #define COR_GEN_APPROXIMATION_PIECES_H
 
@@ -26,6 +36,7 @@ enum variable {
     VARIABLE_LOG_BETA,
     VARIABLE_LOSS,
     VARIABLE_ROOT_LOSS,
+    VARIABLE_OTHER, /* of another function than the collision's */
     VARIABLE_POWER_OCTAVES,
     VARIABLE_EPS_OCTAVES,
     VARIABLE_BETA_OCTAVES,
@@ -42,14 +53,16 @@ struct pieces {
     double end;         /* first beta, ln(beta), beta^5, loss, eps or beta_c - beta beyond the table */
     slong octave_bits;  /* of octaves */
     slong rows, degree, plain;
-    slong head_bits;     /* bits of c_0; 0: those of a double */
+    slong head_bits;     /* bits of c_0; 0: those of a double or float */
+    bool floats;         /* rows of floats; `first` is an octave */
+    const char *words;   /* VARIABLE_OTHER: y in words */
     const char *name;    /* name of the function that returns a row, cor_rows_...; the macros COR_ROWS_..._FIRST, ...
                           * give its geometry */
     const char *title;   /* first line of its comment */
     double least_bits;   /* accuracy that every piece must reach */
     double most_rest;    /* upper limit of |row/c_0 - 1|; 0: no limit */
-    arb_ptr coefficient; /* rows x (degree + 2) intervals that round to the doubles of the table */
-    double *value;       /* the same as doubles */
+    arb_ptr coefficient; /* rows x columns, intervals that round to the doubles of the table */
+    double *value;       /* the same as doubles, or the floats */
     double *bits;        /* accuracy of the rounded row: sampled, or proved */
     bool proved;         /* by row_proof.h, all rows */
 };
@@ -62,17 +75,27 @@ struct cell {
 };
 struct cell pieces_cell(const struct pieces *p, slong row);
 
-/* Computes p, whose fields up to most_rest are set. Fails if a piece misses its bound. */
-int pieces_make(struct pieces *p, const struct interpolant *f);
+enum { PIECES_FLOATS = 4 };
+slong pieces_columns(const struct pieces *p);
+
+/* What rows are cut from: f at y in a cell. Returns 0, or 1 after reporting the failure. */
+struct pieces_function {
+    int (*at)(arb_t f, const void *context, const struct pieces *p, const struct cell *cell, const arb_t y);
+    const void *context;
+};
+struct pieces_function pieces_of_collision(const struct interpolant *f);
+
+/* Computes p, whose fields up to most_rest are set. Fails if a piece misses its bound. pieces_clear in either case. */
+int pieces_make(struct pieces *p, struct pieces_function f);
 void pieces_clear(struct pieces *p);
 
 /* The same with the widest cells that meet the bounds. Cells start with p's own width, which is halved until no piece
  * misses a bound. The caller sets `first`, `end` and the first step or octave_bits; the function sets `rows` and
  * `plain`. */
-int pieces_fit(struct pieces *p, const struct interpolant *f);
+int pieces_fit(struct pieces *p, struct pieces_function f);
 
-/* The geometry of the table as macros, under NAME in capitals, and the function NAME(i) that returns row i. Comments
- * beside the numbers show the intervals and bits.
+/* The geometry of the table as macros, under NAME in capitals, and the function NAME(i) that returns row i. The comment
+ * above them has the grid, the worst error and the bits of each row.
  *
  *     _FIRST, _STEP, _PER_UNIT, _ROWS   nodes FIRST + i STEP, 0 <= i < ROWS, PER_UNIT = 1/STEP
  *     _END                              as the field `end`
@@ -80,7 +103,9 @@ int pieces_fit(struct pieces *p, const struct interpolant *f);
  *
  * and of octaves, where FIRST is the first x:
  *
- *     _FIRST, _FIRST_OCTAVE, _OCTAVE_BITS, _ROWS, _END   FIRST = 2^FIRST_OCTAVE; 2^OCTAVE_BITS rows to an octave */
+ *     _FIRST, _FIRST_OCTAVE, _OCTAVE_BITS, _ROWS, _END   FIRST = 2^FIRST_OCTAVE; 2^OCTAVE_BITS rows to an octave
+ *
+ * Floats have no _FIRST_OCTAVE: FIRST is the end of row 0. */
 int pieces_emit(struct emit *e, const struct pieces *p);
 
 #endif

@@ -8,6 +8,7 @@
 #include "approximation/enclosed_function.h"
 #include "enclosure/creep_series.h"
 #include "support/console.h"
+#include "support/local.h"
 #include "support/parallel.h"
 
 enum {
@@ -34,8 +35,7 @@ struct interpolant_proof {
 /* w = (x - middle)/half */
 static void to_unit(arb_t w, const arb_t x, const struct interval *interval)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     arb_set_d(c, interval->lo);
     arb_sub(w, x, c, PREC);
     arb_mul_2exp_si(w, w, 1);
@@ -43,33 +43,26 @@ static void to_unit(arb_t w, const arb_t x, const struct interval *interval)
     arb_sub(w, w, c, PREC);
     arb_set_d(c, interval->lo);
     arb_add(w, w, c, PREC);
-    arb_t length;
-    arb_init(length);
+    LOCAL(arb, length);
     arb_set_d(length, interval->hi);
     arb_sub(length, length, c, PREC);
     arb_div(w, w, length, PREC);
-    arb_clear(length);
-    arb_clear(c);
 }
 
 /* Exact Chebyshev point j of n in ascending order */
 static void exact_point(arb_t x, slong j, slong n)
 {
-    fmpq_t angle;
-    fmpq_init(angle);
+    LOCAL(fmpq, angle);
     fmpq_set_si(angle, 2 * j + 1, (ulong)(2 * n));
     arb_cos_pi_fmpq(x, angle, PREC);
     arb_neg(x, x);
-    fmpq_clear(angle);
 }
 
 /* Bound of the Lebesgue constant for the nodes w. For the n Chebyshev points it is L < 1 + (2/pi) ln(n); for nodes that
  * differ by d at most it is L/(1 - L d (n-1)^2) at most, by Markov's inequality. Not finite if d is too large. */
 static void lebesgue(arb_t bound, arb_srcptr w, slong n)
 {
-    arb_t d, x;
-    arb_init(d);
-    arb_init(x);
+    LOCAL(arb, d, x);
     for (slong j = 0; j < n; j++) {
         exact_point(x, j, n);
         arb_sub(x, x, w + j, PREC);
@@ -89,8 +82,6 @@ static void lebesgue(arb_t bound, arb_srcptr w, slong n)
         arb_div(bound, bound, d, PREC);
     else
         arb_pos_inf(bound);
-    arb_clear(d);
-    arb_clear(x);
 }
 
 /* f is within 2 M rho^(1-n)/(rho - 1) of a polynomial of degree n - 1, and the interpolant within 1 + L times that and
@@ -99,9 +90,7 @@ static void polynomial_error(arb_t error, const struct ellipse_bound *bound, enu
                              const arb_t constant, arb_srcptr value, const struct interval *interval)
 {
     const slong n = interval->count;
-    arb_t rho, x;
-    arb_init(rho);
-    arb_init(x);
+    LOCAL(arb, rho, x);
     arb_set_d(rho, bound->rho);
     arb_pow_ui(x, rho, (ulong)(n - 1), PREC);
     arb_sub_ui(rho, rho, 1, PREC);
@@ -117,8 +106,6 @@ static void polynomial_error(arb_t error, const struct ellipse_bound *bound, enu
     }
     arb_mul_2exp_si(rho, rho, -interval->bits);
     arb_addmul(error, rho, constant, PREC);
-    arb_clear(rho);
-    arb_clear(x);
 }
 
 /* Whether the last Chebyshev coefficients a_k of the interpolant agree with the proof: |a_k| <= 2 M rho^-k + 2 error. A
@@ -127,13 +114,9 @@ static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *b
                                const arb_t error, slong n)
 {
     arb_ptr value = _arb_vec_init(n);
-    arb_t x, sum, limit;
-    fmpq_t angle;
+    LOCAL(arb, x, sum, limit);
+    LOCAL(fmpq, angle);
     bool agree = true;
-    arb_init(x);
-    arb_init(sum);
-    arb_init(limit);
-    fmpq_init(angle);
     for (slong j = 0; j < n; j++) {
         exact_point(x, j, n);
         arb_poly_evaluate(value + j, p, x, PREC);
@@ -156,10 +139,6 @@ static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *b
         arb_mul_2exp_si(limit, limit, 1);
         agree = agree && arb_le(sum, limit);
     }
-    fmpq_clear(angle);
-    arb_clear(x);
-    arb_clear(sum);
-    arb_clear(limit);
     _arb_vec_clear(value, n);
     return agree;
 }
@@ -172,15 +151,13 @@ int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *
     arb_srcptr node, value;
     interpolant_samples(&node, &value, f, i, quantity);
     arb_ptr w = _arb_vec_init(n);
-    arb_t constant;
-    arb_init(constant);
+    LOCAL(arb, constant);
     for (slong j = 0; j < n; j++)
         to_unit(w + j, node + j, interval);
     lebesgue(constant, w, n);
     arb_poly_interpolate_newton(p, w, value, n, PREC);
     polynomial_error(error, bound, quantity, constant, value, interval);
     const bool agree = coefficients_agree(p, bound, quantity, error, n);
-    arb_clear(constant);
     _arb_vec_clear(w, n);
     return agree ? STATUS_OK
                  : fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong",
@@ -219,11 +196,8 @@ static bool creep_constant_of(arb_t constant, const struct interpolant_proof *pr
 {
     const slong bits = interpolant_layout_of(proof->f)->interval[i].bits;
     arb_srcptr node, value[QUANTITIES];
-    arb_t x, r, power;
+    LOCAL(arb, x, r, power);
     arb_t exact[QUANTITIES];
-    arb_init(x);
-    arb_init(r);
-    arb_init(power);
     for (int q = 0; q < QUANTITIES; q++) {
         interpolant_samples(&node, &value[q], proof->f, i, (enum quantity)q);
         arb_init(exact[q]);
@@ -249,9 +223,6 @@ static bool creep_constant_of(arb_t constant, const struct interpolant_proof *pr
     arb_add_error(constant, x);
     for (int q = 0; q < QUANTITIES; q++)
         arb_clear(exact[q]);
-    arb_clear(x);
-    arb_clear(r);
-    arb_clear(power);
     return known;
 }
 
@@ -260,8 +231,7 @@ static int prove_creep(struct interpolant_proof *proof, int i)
 {
     const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
     int status = STATUS_OK;
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     arb_zero_pm_one(proof->creep_constant);
     arb_mul_2exp_si(proof->creep_constant, proof->creep_constant, 6);
     for (slong j = 0; j < interval->count && status == STATUS_OK; j++)
@@ -270,7 +240,6 @@ static int prove_creep(struct interpolant_proof *proof, int i)
             status = fail("the duration at zero overlap, sample %ld on [%g, %g], is not that of a creep", (long)j,
                           interval->lo, interval->hi);
     arb_get_rad_arb(&proof->error[i][DURATION_ZERO_OVERLAP], proof->creep_constant);
-    arb_clear(c);
     return status;
 }
 
@@ -357,11 +326,9 @@ void interpolant_proof_free(struct interpolant_proof *proof)
 
 double interpolant_proof_error(const struct interpolant_proof *proof, int i, enum quantity quantity)
 {
-    mag_t bound;
-    mag_init(bound);
+    LOCAL(mag, bound);
     arb_get_mag(bound, &proof->error[i][quantity]);
     const double error = mag_get_d(bound);
-    mag_clear(bound);
     return error;
 }
 
@@ -419,9 +386,7 @@ static void stored_on(arb_poly_t y, const struct piece *w, enum quantity quantit
 /* C + a_1 r + a_2 r^2 + ..., with the remainder */
 static void creep_sum(arb_poly_t y, const struct interpolant_proof *proof, const arb_poly_t r)
 {
-    arb_t most, remainder;
-    arb_init(most);
-    arb_init(remainder);
+    LOCAL(arb, most, remainder);
     arb_poly_zero(y);
     for (slong k = CREEP_SERIES_ORDER; k >= 1; k--) {
         enclosed_add_number(y, proof->creep.a + k);
@@ -433,18 +398,13 @@ static void creep_sum(arb_poly_t y, const struct interpolant_proof *proof, const
     mag_zero(arb_radref(most));
     creep_series_remainder(remainder, &proof->creep, most);
     enclosed_add_radius(y, remainder);
-    arb_clear(most);
-    arb_clear(remainder);
 }
 
 bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof *proof, const arb_poly_t eps,
                              const arb_poly_t time, const arb_poly_t u, const arb_poly_t mu)
 {
-    arb_poly_t r, sum;
-    arb_t c;
-    arb_poly_init(r);
-    arb_poly_init(sum);
-    arb_init(c);
+    LOCAL(arb_poly, r, sum);
+    LOCAL(arb, c);
     const bool root = enclosed_square_root(r, eps), done = root && enclosed_inverse(r, r);
     enclosed_multiply(r, r, mu);
     creep_sum(sum, proof, r);
@@ -456,41 +416,26 @@ bool interpolant_proof_creep(arb_poly_t duration, const struct interpolant_proof
     arb_div_ui(c, c, 3, ENCLOSED_BITS);
     arb_poly_scalar_mul(r, u, c, ENCLOSED_BITS);
     arb_poly_add(duration, sum, r, ENCLOSED_BITS);
-    arb_poly_clear(r);
-    arb_poly_clear(sum);
-    arb_clear(c);
     return done && logarithm;
 }
 
 static void creep_duration(arb_poly_t y, const struct piece *w, const arb_t middle, const arb_t half)
 {
-    arb_poly_t eps, time, mu;
-    arb_poly_init(eps);
-    arb_poly_init(time);
-    arb_poly_init(mu);
+    LOCAL(arb_poly, eps, time, mu);
     stored_on(eps, w, EPS_ZERO_FORCE, middle, half);
     stored_on(time, w, DURATION_ZERO_FORCE, middle, half);
     enclosed_exponential(mu, -5, 3, w->x);
     if (!interpolant_proof_creep(y, w->proof, eps, time, w->x, mu)) {
-        arb_t error;
-        arb_init(error);
+        LOCAL(arb, error);
         arb_pos_inf(error);
         enclosed_add_radius(y, error);
-        arb_clear(error);
     }
-    arb_poly_clear(eps);
-    arb_poly_clear(time);
-    arb_poly_clear(mu);
 }
 
 static void piece_init(struct piece *w, double lo, double hi)
 {
     const enum quantity stored = stored_quantity(w->p->quantity);
-    arb_t a, b, middle, half;
-    arb_init(a);
-    arb_init(b);
-    arb_init(middle);
-    arb_init(half);
+    LOCAL(arb, a, b, middle, half);
     arb_poly_init(w->x);
     arb_poly_init(w->stored);
     arb_poly_init(w->beta);
@@ -516,10 +461,6 @@ static void piece_init(struct piece *w, double lo, double hi)
         enclosed_multiply(w->beta, w->x, w->x);
     else
         enclosed_exponential(w->beta, 1, 1, w->x);
-    arb_clear(a);
-    arb_clear(b);
-    arb_clear(middle);
-    arb_clear(half);
 }
 
 static void piece_clear(struct piece *w)
@@ -610,19 +551,15 @@ static bool variable_of(arb_poly_t y, const struct piece *w)
 /* The row, c_0 + (c_0' + s (c_1 + c_2 t + ...)) */
 static bool row_of(arb_poly_t row, const struct piece *w)
 {
-    arb_poly_t t, s;
-    arb_poly_init(t);
-    arb_poly_init(s);
+    LOCAL(arb_poly, t, s);
     const bool done = variable_of(t, w);
     if (!w->cell.plain) {
-        arb_t square;
-        arb_init(square);
+        LOCAL(arb, square);
         arb_set_d(square, w->cell.node);
         arb_sqr(square, square, ENCLOSED_BITS);
         arb_neg(square, square);
         enclosed_multiply(s, t, t);
         enclosed_add_number(s, square);
-        arb_clear(square);
     }
     enclosed_add_double(t, -w->cell.node);
     if (w->cell.plain)
@@ -635,8 +572,6 @@ static bool row_of(arb_poly_t row, const struct piece *w)
     enclosed_multiply(row, row, s);
     enclosed_add_double(row, w->c[1]);
     enclosed_add_double(row, w->c[0]);
-    arb_poly_clear(t);
-    arb_poly_clear(s);
     return done;
 }
 
@@ -702,9 +637,7 @@ static double piece_error(const struct interpolant_proof *proof, const struct pi
                       .c = c,
                       .i = i,
                       .interval = &interpolant_layout_of(proof->f)->interval[i]};
-    arb_poly_t difference, scale;
-    arb_poly_init(difference);
-    arb_poly_init(scale);
+    LOCAL(arb_poly, difference, scale);
     piece_init(&w, lo, hi);
     const bool done = relative_error(difference, scale, &w);
     enclosed_shorten(difference);
@@ -713,8 +646,6 @@ static double piece_error(const struct interpolant_proof *proof, const struct pi
         known = fmax(known, enclosed_ratio_at(difference, scale, k / (double)POINTS));
     const double error = done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
     piece_clear(&w);
-    arb_poly_clear(difference);
-    arb_poly_clear(scale);
     return error;
 }
 
@@ -732,16 +663,12 @@ struct range {
 /* sqrt(beta) where an inverse function has the argument x, nearly */
 static bool inverse_place(double *z, const struct interpolant_proof *proof, enum quantity quantity, double x)
 {
-    arb_t place, value;
-    arb_init(place);
-    arb_init(value);
+    LOCAL(arb, place, value);
     arb_set_d(place, x);
     const bool found = interpolant_inverse(value, proof->f, quantity, place, PREC) == STATUS_OK;
     if (quantity == BETA_QUOTIENT_ZERO_OVERLAP || quantity == BETA_QUOTIENT_ZERO_FORCE)
         arb_mul(value, value, place, PREC);
     *z = sqrt(arf_get_d(arb_midref(value), ARF_RND_NEAR));
-    arb_clear(place);
-    arb_clear(value);
     return found;
 }
 
@@ -795,18 +722,14 @@ static int side_of(const struct interpolant_proof *proof, const struct pieces *p
                       .cell = pieces_cell(p, row),
                       .i = i,
                       .interval = &interpolant_layout_of(proof->f)->interval[i]};
-    arb_poly_t y;
-    arb_t range;
-    arb_poly_init(y);
-    arb_init(range);
+    LOCAL(arb_poly, y);
+    LOCAL(arb, range);
     piece_init(&w, x, x);
     const bool done = variable_of(y, &w);
     enclosed_add_double(y, -limit);
     enclosed_range(range, y);
     const int side = !done ? 0 : arb_is_nonnegative(range) ? 1 : arb_is_nonpositive(range) ? -1 : 0;
     piece_clear(&w);
-    arb_poly_clear(y);
-    arb_clear(range);
     return side;
 }
 

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "approximation/interpolant.h"
+#include "approximation/barycentric.h"
 #include "support/console.h"
 
 enum { LANDEN_STEPS = 12, CHECK_CELLS = 2048, NODE_BITS = 40 };

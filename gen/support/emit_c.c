@@ -10,8 +10,9 @@
 
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/local.h"
 
-enum { COMMENT_DIGITS = 25, BITS_OF_SMALL = 40, COMMENT_MAX = 4096, WIDTH = 120, NUMBER_MAX = 40 };
+enum { COMMENT_DIGITS = 25, BITS_OF_SMALL = 40, WIDTH = 120, NUMBER_MAX = 40 };
 
 /* Writes a comment. A star and a slash in the text are separated, and no line ends in a space. */
 static void put_comment(FILE *file, const char *text)
@@ -49,13 +50,17 @@ void emit_close(struct emit *e)
 
 void emit_comment(struct emit *e, const char *format, ...)
 {
-    char text[COMMENT_MAX];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    const size_t size = (size_t)vsnprintf(NULL, 0, format, arguments) + 1;
+    va_end(arguments);
+    char *const text = xmalloc(size);
+    va_start(arguments, format);
+    vsnprintf(text, size, format, arguments);
     va_end(arguments);
     putc('\n', e->file);
     put_comment(e->file, text);
+    free(text);
 }
 
 /* The fraction if x is exact and has a binary denominator of few bits, otherwise its digits */
@@ -64,13 +69,11 @@ static char *number_text(const arb_t x)
     if (!arb_is_exact(x) || arb_bits(x) > BITS_OF_SMALL || arf_cmpabs_2exp_si(arb_midref(x), BITS_OF_SMALL) > 0 ||
         (!arb_is_zero(x) && arf_cmpabs_2exp_si(arb_midref(x), -BITS_OF_SMALL) < 0))
         return digits_of_ball(x, COMMENT_DIGITS);
-    fmpq_t exact;
-    fmpq_init(exact);
+    LOCAL(fmpq, exact);
     arf_get_fmpq(exact, arb_midref(x));
     char *text = fmpq_get_str(NULL, 10, exact);
     char *copy = xstrdup(text);
     flint_free(text);
-    fmpq_clear(exact);
     return copy;
 }
 
@@ -133,11 +136,46 @@ static int put_digits(const struct emit *e, const arb_t x, slong column, double 
     return STATUS_OK;
 }
 
-/* Tables of one row stay local: compilers make constants of their numbers. */
-static void rows_open(struct emit *e, const char *type, const char *name, slong rows, slong columns)
+/* Elements of a table, {...}, separated by commas, in lines that are filled */
+static void put_number(struct emit *e, const char *number, bool opens, bool closes)
+{
+    const int length = (int)strlen(number) + opens + closes;
+    if (e->column > 0)
+        e->column += fprintf(e->file, ",");
+    if (e->column == 0 || e->column + length + 1 > WIDTH)
+        e->column = fprintf(e->file, e->column > 0 ? "\n    " : "    ") - (e->column > 0);
+    e->column += fprintf(e->file, "%s%s%s", opens ? "{" : "", number, closes ? "}" : "");
+}
+
+static int put_ball(struct emit *e, const arb_t x, slong column, bool opens, bool closes)
+{
+    double y;
+    char number[NUMBER_MAX];
+    if (!digits_to_double(&y, x))
+        return fail("%s, row %ld: number %ld is not known well enough to be rounded", e->table, (long)e->row,
+                    (long)column);
+    if (put_digits(e, x, column, y))
+        return STATUS_FAILED;
+    if (e->decimal)
+        real(number, e, y);
+    else
+        snprintf(number, sizeof number, "%a", y);
+    put_number(e, number, opens, closes);
+    return STATUS_OK;
+}
+
+static void table_open(struct emit *e, const char *name)
 {
     e->table = name;
     e->row = 0;
+    e->column = 0;
+}
+
+/* Tables of one row stay local: compilers make constants of their numbers. */
+void emit_rows_open(struct emit *e, const char *type, const char *name, slong rows, slong columns)
+{
+    table_open(e, name);
+    e->type = type;
     e->local = e->decimal || rows == 1;
     if (e->local)
         fprintf(e->file, "COR_INLINE const %s *%s(int i)\n{\n    static const %s row[%ld][%ld] = {\n", type, name, type,
@@ -147,95 +185,63 @@ static void rows_open(struct emit *e, const char *type, const char *name, slong 
                 (long)columns);
 }
 
-static void rows_close(struct emit *e, const char *type)
+int emit_row(struct emit *e, arb_srcptr value, slong columns)
 {
-    if (e->local)
-        fprintf(e->file, "    };\n    return row[i];\n}\n");
-    else
-        fprintf(e->file, "}\n#endif\n;\nCOR_ROWS_FUNCTION(%s, %s)\n", type, e->table);
-}
-
-void emit_rows_open(struct emit *e, const char *name, slong rows, slong columns)
-{
-    rows_open(e, "double", name, rows, columns);
-}
-
-int emit_row(struct emit *e, const char *comment, arb_srcptr value, slong columns, bool last)
-{
-    int column = fprintf(e->file, "    {");
-    for (slong i = 0; i < columns; i++) {
-        double y;
-        char number[NUMBER_MAX];
-        if (!digits_to_double(&y, value + i))
-            return fail("%s: number %ld is not known well enough to be rounded", comment, (long)i);
-        if (put_digits(e, value + i, i, y))
-            return STATUS_FAILED;
-        if (e->decimal)
-            real(number, e, y);
-        else
-            snprintf(number, sizeof number, "%a", y);
-        if (i > 0 && column + (int)strlen(number) + 3 > WIDTH)
-            column = fprintf(e->file, ",\n     ") - 2;
-        else if (i > 0)
-            column += fprintf(e->file, ", ");
-        column += fprintf(e->file, "%s", number);
-    }
+    int status = STATUS_OK;
+    for (slong i = 0; i < columns && status == STATUS_OK; i++)
+        status = put_ball(e, value + i, i, i == 0, i + 1 == columns);
     e->row++;
-    column += fprintf(e->file, "}%s", last ? "" : ",");
-    fprintf(e->file, "%s/* %s */\n", column + (int)strlen(comment) + 7 > WIDTH ? "\n     " : " ", comment);
-    return STATUS_OK;
+    return status;
+}
+
+void emit_float_row(struct emit *e, const double *value, slong columns)
+{
+    for (slong i = 0; i < columns; i++) {
+        char number[NUMBER_MAX];
+        snprintf(number, sizeof number, "%af", value[i]);
+        put_number(e, number, i == 0, i + 1 == columns);
+    }
 }
 
 void emit_rows_close(struct emit *e)
 {
-    rows_close(e, "double");
+    if (e->local)
+        fprintf(e->file, "\n    };\n    return row[i];\n}\n");
+    else
+        fprintf(e->file, "\n}\n#endif\n;\nCOR_ROWS_FUNCTION(%s, %s)\n", e->type, e->table);
 }
 
-void emit_float_rows_open(struct emit *e, const char *name, slong rows, slong columns)
+int emit_one_row(struct emit *e, const char *name, arb_srcptr value, slong columns)
 {
-    rows_open(e, "float", name, rows, columns);
-}
-
-void emit_float_row(struct emit *e, const char *comment, const float *value, slong columns, bool last)
-{
-    for (slong i = 0; i < columns; i++)
-        fprintf(e->file, "%s%af", i == 0 ? "    {" : ", ", (double)value[i]);
-    fprintf(e->file, "}%s /* %s */\n", last ? "" : ",", comment);
-}
-
-void emit_float_rows_close(struct emit *e)
-{
-    rows_close(e, "float");
+    emit_rows_open(e, "double", name, 1, columns);
+    const int status = emit_row(e, value, columns);
+    emit_rows_close(e);
+    return status;
 }
 
 void emit_structs_open(struct emit *e, const char *type, const char *name, slong count)
 {
-    e->table = name;
-    e->row = 0;
+    table_open(e, name);
     fprintf(e->file, "static const struct %s %s[%ld] = {\n", type, name, (long)count);
 }
 
-int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values, bool last)
+int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values)
 {
-    fprintf(e->file, "    {");
-    for (slong i = 0; i < wholes; i++)
-        fprintf(e->file, "%s%ld", i > 0 ? ", " : "", (long)whole[i]);
-    for (slong i = 0; i < values; i++) {
-        double y;
-        if (!digits_to_double(&y, value + i))
-            return fail("number %ld of a row is not known well enough to be rounded", (long)i);
-        if (put_digits(e, value + i, wholes + i, y))
-            return STATUS_FAILED;
-        fprintf(e->file, e->decimal ? ", %.17g" : ", %a", y);
+    int status = STATUS_OK;
+    for (slong i = 0; i < wholes; i++) {
+        char number[NUMBER_MAX];
+        snprintf(number, sizeof number, "%ld", (long)whole[i]);
+        put_number(e, number, i == 0, false);
     }
+    for (slong i = 0; i < values && status == STATUS_OK; i++)
+        status = put_ball(e, value + i, wholes + i, wholes + i == 0, i + 1 == values);
     e->row++;
-    fprintf(e->file, "}%s\n", last ? "" : ",");
-    return STATUS_OK;
+    return status;
 }
 
 void emit_structs_close(struct emit *e)
 {
-    fprintf(e->file, "};\n");
+    fprintf(e->file, "\n};\n");
 }
 
 void emit_constants(struct emit *e, const char *const *name, const slong *value, slong count)
@@ -264,15 +270,13 @@ void emit_builder_set(struct emit *e, const char *field, const char *format, ...
 int emit_builder_pair(struct emit *e, const char *field, const arb_t value)
 {
     double hi, lo;
-    arb_t rest;
-    arb_init(rest);
+    LOCAL(arb, rest);
     int status = !digits_to_double(&hi, value);
     arb_set_d(rest, hi);
     arb_sub(rest, value, rest, 2 * FLINT_BITS + 64);
     status = status || (!arb_is_zero(rest) && !digits_to_double(&lo, rest));
     if (arb_is_zero(rest))
         lo = 0;
-    arb_clear(rest);
     if (status)
         return fail("%s: a number cannot be rounded to two doubles", field);
     fprintf(e->file, "    x.%s.hi = %.17g;\n    x.%s.lo = %.17g;\n", field, hi, field, lo);

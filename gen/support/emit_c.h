@@ -11,15 +11,17 @@
 struct emit {
     FILE *file;
     const char *guard;
-    bool single;       /* the scalar functions below compute in float */
-    bool decimal;      /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
+    bool single;              /* the scalar functions below compute in float */
+    bool decimal;             /* rows and structs in 17 decimal digits, which every C and C++ compiler reads, instead of
                    * hexadecimal */
-    const char *table; /* the rows or structs that are being written, and how many of them are */
+    const char *table, *type; /* the rows or structs that are being written, how many of them are, and how long the last
+                       * line is */
     slong row;
+    int column;
     bool local; /* the table is local to its function */
 };
 
-/* From now on each number of emit_row and emit_struct is also a line of a csv file, table,row,column,value,digits, with
+/* From now on each double of emit_row and emit_struct is also a line of a csv file, table,row,column,value,digits, with
  * 25 significant digits (a fraction of small integers where the number is one), except in headers with `decimal`, which
  * repeat the numbers of others. NULL ends that. */
 void emit_digits(FILE *file);
@@ -37,23 +39,20 @@ void emit_comment(struct emit *e, const char *format, ...) __attribute__((format
  * interval that is too wide to be rounded. */
 int emit_doubles(struct emit *e, const char *name, arb_srcptr value, slong length);
 
-/* A function const double *name(int i) that returns row i. The table is local to it if it has one row or if `decimal`,
- * so that the same text works on a GPU, and otherwise stands where runtime/core/rows.h says. Call open, emit_row for
- * each row, and close. A row takes two or three lines, comment last. emit_row returns 0, or 1 after reporting the
- * interval that is too wide. */
-void emit_rows_open(struct emit *e, const char *name, slong rows, slong columns);
-int emit_row(struct emit *e, const char *comment, arb_srcptr value, slong columns, bool last);
+/* A function const TYPE *name(int i) that returns row i, TYPE double or float. The table is local to it if it has one
+ * row or if `decimal`, so that the same text works on a GPU, and otherwise stands where runtime/core/rows.h says. Call
+ * open, emit_row or emit_float_row for each row, and close. Numbers fill the lines. emit_row returns 0, or 1 after
+ * reporting the interval that is too wide. emit_one_row writes a table of one row. */
+void emit_rows_open(struct emit *e, const char *type, const char *name, slong rows, slong columns);
+int emit_row(struct emit *e, arb_srcptr value, slong columns);
+void emit_float_row(struct emit *e, const double *value, slong columns);
 void emit_rows_close(struct emit *e);
-
-/* The same with floats, which are written as they are, a row to a line. */
-void emit_float_rows_open(struct emit *e, const char *name, slong rows, slong columns);
-void emit_float_row(struct emit *e, const char *comment, const float *value, slong columns, bool last);
-void emit_float_rows_close(struct emit *e);
+int emit_one_row(struct emit *e, const char *name, arb_srcptr value, slong columns);
 
 /* Writes static const struct TYPE name[count], whose fields are integers and then doubles. Call open, emit_struct for
  * each element, and close. emit_struct returns as emit_row. */
 void emit_structs_open(struct emit *e, const char *type, const char *name, slong count);
-int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values, bool last);
+int emit_struct(struct emit *e, const slong *whole, slong wholes, arb_srcptr value, slong values);
 void emit_structs_close(struct emit *e);
 
 /* #define TABLE_WHAT: a number of a table's geometry, under the table's name in capitals. Reals are written in decimal

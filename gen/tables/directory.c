@@ -19,7 +19,6 @@
 #include "tables/laws.h"
 #include "tables/limits.h"
 #include "tables/sphere.h"
-#include "tables/sphere_floats.h"
 #include "tables/waves.h"
 
 enum { PATH_MAX_LENGTH = 4096 };
@@ -31,8 +30,8 @@ enum { PATH_MAX_LENGTH = 4096 };
 
 struct generated {
     const char *name;
-    int (*write)(FILE *file, const struct disk_table *disk);
-    const char *poisson; /* Poisson's ratio of a table of modes; otherwise NULL */
+    int (*write)(FILE *file);
+    const char *poisson; /* Poisson's ratio of a table of modes, which has no such function; otherwise NULL */
     bool limits;         /* whether the file holds collisions, which are kept */
 };
 
@@ -44,8 +43,8 @@ static const struct generated files[] = {
     {"tsuji_tables.h", tsuji_tables_write, NULL, false},
     {"hunt_crossley_tables.h", hunt_crossley_tables_write, NULL, false},
     {"wave_tables.h", wave_tables_write, NULL, false},
-    {"disk_modes_nu033.h", disk_header_write, "0.33", false},
-    {"disk_modes_nu090.h", disk_header_write, "0.90", false},
+    {"disk_modes_nu033.h", NULL, "0.33", false},
+    {"disk_modes_nu090.h", NULL, "0.90", false},
     {DISK_LIMITS_FILE, disk_limits_write, NULL, true},
 };
 enum { FILES = sizeof files / sizeof *files, CONTENTS = FILES + 1 /* the manifest */ };
@@ -57,39 +56,47 @@ struct content {
     size_t size;
 };
 
-/* Writes one file to memory. `disk` describes the modes of a table of modes. */
-static int content_make(struct content *c, const char *name, int (*write)(FILE *, const struct disk_table *),
-                        const struct disk_table *disk)
-{
-    c->name = name;
-    FILE *file = open_memstream(&c->text, &c->size);
-    if (!file)
-        return fail("no memory for %s", name);
-    profile_step(name);
-    int status = write(file, disk);
-    profile_step(NULL);
-    if (fclose(file) && status == STATUS_OK)
-        status = fail("no memory for %s", name);
-    return status;
-}
-
-/* A file of generated/. */
-static int generated_make(struct content *c, const struct generated *row)
+static int disk_write(FILE *file, const char *poisson)
 {
     struct disk_table disk = {.count = DISK_TABLE_MODES};
-    if (row->poisson)
-        decimal_set(&disk.poisson, row->poisson);
-    const int status = content_make(c, row->name, row->write, &disk);
+    decimal_set(&disk.poisson, poisson);
+    const int status = disk_header_write(file, &disk);
     decimal_clear(&disk.poisson);
     return status;
 }
 
+/* Opens a file in memory, and closes it with the status of what was written. */
+static FILE *content_open(struct content *c, const char *name)
+{
+    c->name = name;
+    FILE *const file = open_memstream(&c->text, &c->size);
+    if (!file)
+        fail("no memory for %s", name);
+    profile_step(name);
+    return file;
+}
+
+static int content_close(const struct content *c, FILE *file, int status)
+{
+    profile_step(NULL);
+    if (fclose(file) && status == STATUS_OK)
+        status = fail("no memory for %s", c->name);
+    return status;
+}
+
+/* A file of generated/, in memory */
+static int generated_make(struct content *c, const struct generated *row)
+{
+    FILE *const file = content_open(c, row->name);
+    return file ? content_close(c, file, row->poisson ? disk_write(file, row->poisson) : row->write(file))
+                : STATUS_FAILED;
+}
+
 static int manifest_make(struct content *manifest, const struct content *c, int files_made)
 {
-    manifest->name = MANIFEST;
-    FILE *file = open_memstream(&manifest->text, &manifest->size);
+    FILE *const file = content_open(manifest, MANIFEST);
     if (!file)
-        return fail("no memory for %s", MANIFEST);
+        return STATUS_FAILED;
     fprintf(file, "Written by `corgen tables`; `corgen tables --check` compares the files below byte for "
                   "byte.\nLines that start with " MANIFEST_VERSION_WORD
                   " tell which libraries made them, and are not compared.\n\n");
@@ -106,7 +113,7 @@ static int manifest_make(struct content *manifest, const struct content *c, int 
 #endif
     fprintf(file, MANIFEST_VERSION_WORD " MPFR %s\n" MANIFEST_VERSION_WORD " GMP %s\n", mpfr_get_version(),
             gmp_version);
-    return fclose(file) ? fail("no memory for %s", MANIFEST) : STATUS_OK;
+    return content_close(manifest, file, STATUS_OK);
 }
 
 static int set_path(char path[PATH_MAX_LENGTH], const char *directory, const char *name)
@@ -289,8 +296,10 @@ static int make_material(struct content *c, int *n, const struct tables_request 
     static char name[FORMS][DISK_TABLE_NAME];
     const struct disk_table disk = {*request->poisson, request->modes ? request->modes : DISK_TABLE_MODES, true};
     int status = STATUS_OK;
-    for (*n = 0; *n < FORMS && status == STATUS_OK; ++*n)
-        status = content_make(&c[*n], disk_table_name(name[*n], &disk, form[*n].extension), form[*n].write, &disk);
+    for (*n = 0; *n < FORMS && status == STATUS_OK; ++*n) {
+        FILE *const file = content_open(&c[*n], disk_table_name(name[*n], &disk, form[*n].extension));
+        status = file ? content_close(&c[*n], file, form[*n].write(file, &disk)) : STATUS_FAILED;
+    }
     return status;
 }
 

@@ -137,7 +137,7 @@ int disk_header_write(FILE *file, const struct disk_table *table)
             progress("rows of the header", i, table->count);
         const slong whole[] = {last.modes.mode[i].n, last.modes.mode[i].l};
         numbers_of(value, i);
-        status = emit_struct(&e, whole, 2, value, VALUES, i + 1 == table->count);
+        status = emit_struct(&e, whole, 2, value, VALUES);
     }
     _arb_vec_clear(value, VALUES);
     progress_end();

@@ -8,6 +8,7 @@
 #include "approximation/law_tables.h"
 #include "support/console.h"
 #include "support/evaluator_text.h"
+#include "support/local.h"
 
 enum { TEXT_MAX = LAW_TABLE_NAME_MAX };
 
@@ -27,11 +28,10 @@ static int emit_far(struct emit *e, const struct law_tables *t, const char *name
         if (!law_tables_have_far(t, q))
             continue;
         snprintf(text, sizeof text, "cor_rows_%s_far_%s", name, quantity_stem[q]);
-        status = q == EPS_ZERO_OVERLAP ? law_tables_emit_final_speed(e, t, text, quantity_stem[q])
-                                       : law_tables_emit_far(e, t, q, text, quantity_stem[q]);
+        status = q == EPS_ZERO_OVERLAP ? law_tables_emit_final_speed(e, t, text) : law_tables_emit_far(e, t, q, text);
         if (status == STATUS_OK && law_tables_have_fall(t, q)) {
             snprintf(text, sizeof text, "cor_rows_%s_fall_%s", name, quantity_stem[q]);
-            status = law_tables_emit_fall(e, t, text, "the further term");
+            status = law_tables_emit_fall(e, t, text);
         }
     }
     return status;
@@ -95,11 +95,9 @@ static int emit_threshold_fields(struct emit *e, const struct law_tables *t, enu
     if (quantity == DURATION_ZERO_OVERLAP)
         emit_builder_set(e, "beyond", "cor_inline_infinity()");
     if (law_is_linear(law) && status == STATUS_OK) {
-        arb_t critical;
-        arb_init(critical);
+        LOCAL(arb, critical);
         arb_set_ratio(critical, ratio_mul((struct ratio){2, 1}, a1), 128);
         status = emit_builder_pair(e, "critical", critical);
-        arb_clear(critical);
         emit_builder_set(e, "linear", "1");
         emit_power_field(e, "fading", ratio_div(ratio_sub(law->a, one), a1));
     }
@@ -116,8 +114,8 @@ static int emit_quantity(struct emit *e, const struct law_tables *t, const char 
     emit_builder_open(e, "cor_inline_law_quantity", text, "cor_inline_law_quantity_of()");
     for (int i = 0; i < t->layout.tables; i++) {
         const struct law_table *const table = &t->layout.table[i];
-        if (table->serves == quantity && t->rows[i].has && table->part <= PART_BELOW)
-            emit_table_field(e, field[table->part], &t->rows[i].pieces);
+        if (table->serves == quantity && table->part <= PART_BELOW)
+            emit_table_field(e, field[table->part], &table->rows);
     }
     if (law_tables_have_far(t, quantity))
         emit_far_fields(e, t, name, quantity);
@@ -134,8 +132,8 @@ static void emit_inverse(struct emit *e, const struct law_tables *t, const char 
     emit_builder_open(e, "cor_inline_law_inverse", text, "cor_inline_law_inverse_of()");
     for (int i = 0; i < t->layout.tables; i++) {
         const struct law_table *const table = &t->layout.table[i];
-        if (table->serves == quantity && t->rows[i].has && table->part > PART_BELOW)
-            emit_table_field(e, table->part == PART_INVERSE ? "rows" : "near", &t->rows[i].pieces);
+        if (table->serves == quantity && table->part > PART_BELOW)
+            emit_table_field(e, table->part == PART_INVERSE ? "rows" : "near", &table->rows);
     }
     emit_builder_close(e);
 }
@@ -173,7 +171,7 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
     const bool both = law_force_ends(&t->layout.interpolant.law);
     emit_comment(e, "A row: value = c_0 + (c_0' + t (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
                     "c_0', c_1, ..., c_n. c_0' is the remainder of c_0 at the node.");
-    int status = law_tables_emit(e, t);
+    int status = law_tables_emit(e, t, false);
     if (status == STATUS_OK)
         status = emit_far(e, t, name);
     emit_comment(e, "What runtime/core/law_eval.h needs of each quantity");
@@ -205,7 +203,7 @@ static const char accuracy_text[] =
     "enclosed collisions (tests/law/run, tests/table). The interpolants behind the rows go through collisions "
     "enclosed\n"
     "to 80 bits (proved); between them they are off by %.1e at most (sampled). Errors of the rows stand above each\n"
-    "table and beside each row (sampled).\n";
+    "table (sampled).\n";
 
 /* A text about zero overlap at large beta */
 static void threshold_text(char text[TEXT_MAX], const struct law_tables *t)
@@ -278,9 +276,8 @@ int law_header_write(FILE *file, const struct law *law, const char *name)
     return status;
 }
 
-int hertz_dashpot_tables_write(FILE *file, const struct disk_table *none)
+int hertz_dashpot_tables_write(FILE *file)
 {
-    (void)none;
     struct law law;
     struct law_tables *t = xmalloc(sizeof *t);
     char banner[2048], accuracy[512];

@@ -7,7 +7,6 @@
 #include <stdio.h>
 
 #include "series/law.h"
-#include "tables/disk.h"
 
 enum { LAW_NAME_MAX = 48 };
 
@@ -16,6 +15,6 @@ enum { LAW_NAME_MAX = 48 };
 int law_header_write(FILE *file, const struct law *law, const char *name);
 
 /* generated/hertz_dashpot_tables.h, the law (3/2, 0) */
-int hertz_dashpot_tables_write(FILE *file, const struct disk_table *none);
+int hertz_dashpot_tables_write(FILE *file);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "tables/law_times.h"
+#include "support/local.h"
 
 enum { GUARD_BITS = 40 };
 
@@ -12,11 +13,9 @@ static void set_ratio(arb_t x, slong p, ulong q, slong prec)
 /* x^(p/q), x > 0 */
 static void pow_ratio(arb_t y, const arb_t x, slong p, ulong q, slong prec)
 {
-    arb_t e;
-    arb_init(e);
+    LOCAL(arb, e);
     set_ratio(e, p, q, prec);
     arb_pow(y, x, e, prec);
-    arb_clear(e);
 }
 
 /* Nodes and weights of the Gauss-Legendre rule on [0, 1] with GAUSS_BITS bits, computed once */
@@ -50,11 +49,8 @@ void law_times_clear(void)
 static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong prec)
 {
     static const double from[] = {0, 0.75}, length[] = {0.75, 0.25};
-    acb_t x, value;
-    arb_t part;
-    acb_init(x);
-    acb_init(value);
-    arb_init(part);
+    LOCAL(acb, x, value);
+    LOCAL(arb, part);
     gauss_make();
     arb_zero(y);
     for (slong j = 0; j < 2 * GAUSS_POINTS; j++) {
@@ -68,9 +64,6 @@ static void integrate_gauss(arb_t y, acb_calc_func_t f, void *parameters, slong 
         f(value, x, parameters, 0, prec + GUARD_BITS);
         arb_addmul(y, part, acb_realref(value), prec + GUARD_BITS);
     }
-    acb_clear(x);
-    acb_clear(value);
-    arb_clear(part);
 }
 
 /* The integral of a real function f from 0 to 1, with a relative accuracy of at best `prec` bits */
@@ -80,20 +73,12 @@ static void quadrature_integrate(arb_t y, enum quadrature how, acb_calc_func_t f
         integrate_gauss(y, f, parameters, prec);
         return;
     }
-    acb_t from, to, sum;
-    mag_t tolerance;
-    acb_init(from);
-    acb_init(to);
-    acb_init(sum);
-    mag_init(tolerance);
+    LOCAL(acb, from, to, sum);
+    LOCAL(mag, tolerance);
     acb_one(to);
     mag_set_ui_2exp_si(tolerance, 1, -prec);
     acb_calc_integrate(sum, f, parameters, from, to, prec - 16, tolerance, NULL, prec + GUARD_BITS);
     arb_set(y, acb_realref(sum));
-    acb_clear(from);
-    acb_clear(to);
-    acb_clear(sum);
-    mag_clear(tolerance);
 }
 
 /* ---- Tsuji: G(end) = integral from 0 to end of exp(zeta s/5) (sin(om s)/om)^(-1/5) ds, om^2 = 1 - zeta^2 of any sign
@@ -108,13 +93,8 @@ struct tsuji_integrand {
 static int tsuji_integrand(acb_ptr y, const acb_t x, void *parameters, slong order, slong prec)
 {
     const struct tsuji_integrand *const p = parameters;
-    acb_t s, cube, sinc, power;
-    arb_t e;
-    acb_init(s);
-    acb_init(cube);
-    acb_init(sinc);
-    acb_init(power);
-    arb_init(e);
+    LOCAL(acb, s, cube, sinc, power);
+    LOCAL(arb, e);
     acb_pow_ui(cube, x, 3, prec);
     acb_mul(s, x, x, prec);
     acb_mul(s, s, cube, prec);
@@ -129,19 +109,13 @@ static int tsuji_integrand(acb_ptr y, const acb_t x, void *parameters, slong ord
     acb_exp(s, s, prec);
     acb_mul(y, y, s, prec);
     acb_mul(y, y, cube, prec);
-    acb_clear(s);
-    acb_clear(cube);
-    acb_clear(sinc);
-    acb_clear(power);
-    arb_clear(e);
     return 0;
 }
 
 static void tsuji_integral(arb_t g, enum quadrature how, const arb_t zeta, const arb_t end, slong prec)
 {
     struct tsuji_integrand p = {.zeta = zeta, .end = end};
-    arb_t factor;
-    arb_init(factor);
+    LOCAL(arb, factor);
     acb_init(p.om);
     arb_sqr(acb_realref(p.om), zeta, prec + GUARD_BITS);
     arb_sub_ui(acb_realref(p.om), acb_realref(p.om), 1, prec + GUARD_BITS);
@@ -152,7 +126,6 @@ static void tsuji_integral(arb_t g, enum quadrature how, const arb_t zeta, const
     arb_mul_ui(factor, factor, 5, prec);
     arb_mul(g, g, factor, prec);
     acb_clear(p.om);
-    arb_clear(factor);
 }
 
 /* (5/4)^(-3/5), which is w0^(-6/5) */
@@ -165,18 +138,12 @@ static void tsuji_unit(arb_t x, slong prec)
 /* acos(zeta)/sqrt(1 - zeta^2) = 2F1(1, 1; 3/2; (1 - zeta)/2), also at zeta = 1 */
 static void phase_time(arb_t a, const arb_t zeta, slong prec)
 {
-    arb_t one, half_3, z;
-    arb_init(one);
-    arb_init(half_3);
-    arb_init(z);
+    LOCAL(arb, one, half_3, z);
     arb_one(one);
     set_ratio(half_3, 3, 2, prec);
     arb_sub(z, one, zeta, prec);
     arb_mul_2exp_si(z, z, -1);
     arb_hypgeom_2f1(a, one, one, half_3, z, 0, prec);
-    arb_clear(one);
-    arb_clear(half_3);
-    arb_clear(z);
 }
 
 /* om = sqrt(1 - zeta^2), zeta < 1 */
@@ -190,22 +157,19 @@ static void omega(arb_t om, const arb_t zeta, slong prec)
 
 void tsuji_time_of_max_overlap(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
-    arb_t end;
-    arb_init(end);
+    LOCAL(arb, end);
     phase_time(end, zeta, prec + GUARD_BITS);
     tsuji_integral(t, how, zeta, end, prec);
     tsuji_unit(end, prec);
     arb_mul(t, t, end, prec);
-    arb_clear(end);
 }
 
 /* (5/4)^(-3/5) pi 2^(1/5) Gamma(4/5) exp(-pi y)/|Gamma(9/10 + i y)|^2 */
-void tsuji_overlap_factor(arb_t v, const arb_t y, slong prec)
+void tsuji_overlap_factor(arb_t v, enum quadrature how, const arb_t y, slong prec)
 {
-    acb_t z;
-    arb_t x;
-    acb_init(z);
-    arb_init(x);
+    (void)how;
+    LOCAL(acb, z);
+    LOCAL(arb, x);
     set_ratio(acb_realref(z), 9, 10, prec);
     arb_set(acb_imagref(z), y);
     acb_lgamma(z, z, prec);
@@ -223,21 +187,16 @@ void tsuji_overlap_factor(arb_t v, const arb_t y, slong prec)
     arb_mul(v, v, x, prec);
     tsuji_unit(x, prec);
     arb_mul(v, v, x, prec);
-    acb_clear(z);
-    arb_clear(x);
 }
 
 /* The duration at zero overlap, zeta < 1 */
 static void tsuji_duration_zero_overlap(arb_t t, const arb_t zeta, slong prec)
 {
-    arb_t om, y, x;
-    arb_init(om);
-    arb_init(y);
-    arb_init(x);
+    LOCAL(arb, om, y, x);
     omega(om, zeta, prec);
     arb_div(y, zeta, om, prec);
     arb_div_ui(y, y, 10, prec);
-    tsuji_overlap_factor(t, y, prec);
+    tsuji_overlap_factor(t, QUADRATURE_ENCLOSED, y, prec);
     arb_const_pi(x, prec);
     arb_mul(x, x, y, prec);
     arb_mul_2exp_si(x, x, 1);
@@ -245,21 +204,14 @@ static void tsuji_duration_zero_overlap(arb_t t, const arb_t zeta, slong prec)
     arb_mul(t, t, x, prec);
     pow_ratio(x, om, -4, 5, prec);
     arb_mul(t, t, x, prec);
-    arb_clear(om);
-    arb_clear(y);
-    arb_clear(x);
 }
 
 /* For zeta < 0.7 the integrand has a singularity at om s = pi, which is near. The integral therefore starts from the
  * other end: t_0 - exp(pi zeta/(5 om)) times the integral with -zeta up to 2 asin(zeta)/om. */
 static void tsuji_duration_zero_force_weak(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
-    arb_t om, end, minus, part;
+    LOCAL(arb, om, end, minus, part);
     const slong more = prec + GUARD_BITS;
-    arb_init(om);
-    arb_init(end);
-    arb_init(minus);
-    arb_init(part);
     omega(om, zeta, more);
     arb_asin(end, zeta, more);
     arb_mul_2exp_si(end, end, 1);
@@ -276,16 +228,11 @@ static void tsuji_duration_zero_force_weak(arb_t t, enum quadrature how, const a
     arb_mul(part, part, end, more);
     tsuji_duration_zero_overlap(t, zeta, more);
     arb_sub(t, t, part, prec);
-    arb_clear(om);
-    arb_clear(end);
-    arb_clear(minus);
-    arb_clear(part);
 }
 
 void tsuji_duration_zero_force(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     set_ratio(x, 7, 10, prec);
     if (arb_lt(zeta, x)) {
         tsuji_duration_zero_force_weak(t, how, zeta, prec);
@@ -296,18 +243,12 @@ void tsuji_duration_zero_force(arb_t t, enum quadrature how, const arb_t zeta, s
         tsuji_unit(x, prec);
         arb_mul(t, t, x, prec);
     }
-    arb_clear(x);
 }
 
 /* phi/om, phi = atan2(2 zeta om, 1 + 2 zeta^2): k 2F1(1/2, 1; 3/2; -(k om)^2), k = 2 zeta/(1 + 2 zeta^2) */
 static void limited_phase(arb_t phase, const arb_t zeta, slong prec)
 {
-    arb_t k, square, half, one, half_3;
-    arb_init(k);
-    arb_init(square);
-    arb_init(half);
-    arb_init(one);
-    arb_init(half_3);
+    LOCAL(arb, k, square, half, one, half_3);
     arb_sqr(square, zeta, prec);
     arb_mul_2exp_si(k, square, 1);
     arb_add_ui(k, k, 1, prec);
@@ -321,21 +262,13 @@ static void limited_phase(arb_t phase, const arb_t zeta, slong prec)
     set_ratio(half_3, 3, 2, prec);
     arb_hypgeom_2f1(phase, half, one, half_3, square, 0, prec);
     arb_mul(phase, phase, k, prec);
-    arb_clear(k);
-    arb_clear(square);
-    arb_clear(half);
-    arb_clear(one);
-    arb_clear(half_3);
 }
 
 /* The time during which the force is twice the elastic force: (5/8)^(2/5) (2/5) B(m; 2/5, 1/2), m = 8 zeta^2/(1 + 8
  * zeta^2) */
 static void limited_first_part(arb_t t, const arb_t zeta, slong prec)
 {
-    arb_t m, a, b;
-    arb_init(m);
-    arb_init(a);
-    arb_init(b);
+    LOCAL(arb, m, a, b);
     arb_sqr(m, zeta, prec);
     arb_mul_2exp_si(m, m, 3);
     arb_add_ui(a, m, 1, prec);
@@ -347,18 +280,13 @@ static void limited_first_part(arb_t t, const arb_t zeta, slong prec)
     set_ratio(b, 5, 8, prec);
     arb_pow(b, b, a, prec);
     arb_mul(t, t, b, prec);
-    arb_clear(m);
-    arb_clear(a);
-    arb_clear(b);
 }
 
 /* From phase phi on the law without limit holds: exp(-zeta phi/(5 om)) (t_F - (5/4)^(-3/5) G(phi/om)). */
 void tsuji_duration_limited(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
     const slong more = prec + 2 * GUARD_BITS;
-    arb_t phase, part;
-    arb_init(phase);
-    arb_init(part);
+    LOCAL(arb, phase, part);
     limited_phase(phase, zeta, more);
     tsuji_integral(part, how, zeta, phase, prec);
     tsuji_unit(t, more);
@@ -371,8 +299,6 @@ void tsuji_duration_limited(arb_t t, enum quadrature how, const arb_t zeta, slon
     arb_mul(t, t, phase, more);
     limited_first_part(part, zeta, more);
     arb_add(t, t, part, prec);
-    arb_clear(phase);
-    arb_clear(part);
 }
 
 /* ---- Hunt and Crossley ----
@@ -384,6 +310,8 @@ void tsuji_duration_limited(arb_t t, enum quadrature how, const arb_t zeta, slon
  *
  * loading: p = 1 + beta, sign +, up to ln(1 + beta); rebound: p = 1 - h, sign -, up to -ln(1 - h). */
 
+enum crossley_exponent { CROSSLEY_LINEAR, CROSSLEY_HERTZ };
+
 struct crossley_integrand {
     enum crossley_exponent a;
     int sign;
@@ -394,9 +322,7 @@ struct crossley_integrand {
 static void mean_exponential(acb_t y, const acb_t x, slong prec)
 {
     acb_t term;
-    mag_t size, tail;
-    mag_init(size);
-    mag_init(tail);
+    LOCAL(mag, size, tail);
     acb_get_mag(size, x);
     if (mag_cmp_2exp_si(size, -1) > 0) {
         acb_init(term);
@@ -415,16 +341,12 @@ static void mean_exponential(acb_t y, const acb_t x, slong prec)
         }
         mag_pow_ui(tail, size, (ulong)terms + 1);
         mag_mul_2exp_si(tail, tail, 1);
-        mag_t factorial;
-        mag_init(factorial);
+        LOCAL(mag, factorial);
         mag_fac_ui(factorial, (ulong)terms + 1);
         mag_div(tail, tail, factorial); /* (terms + 2)! is even larger */
-        mag_clear(factorial);
         acb_add_error_mag(y, tail);
         acb_clear(term);
     }
-    mag_clear(size);
-    mag_clear(tail);
 }
 
 /* With tau = end x^m, m = 2 or 5, the integrand tau^-k ... d tau becomes x^(m - 1 - m k) ((a + 1) B)^-k dx, times m
@@ -433,10 +355,7 @@ static int crossley_integrand(acb_ptr y, const acb_t x, void *parameters, slong 
 {
     const struct crossley_integrand *const p = parameters;
     const int hertz = p->a == CROSSLEY_HERTZ;
-    acb_t tau, b, power;
-    acb_init(tau);
-    acb_init(b);
-    acb_init(power);
+    LOCAL(acb, tau, b, power);
     acb_pow_ui(tau, x, hertz ? 5 : 2, prec);
     acb_mul_arb(tau, tau, p->end, prec);
     if (p->sign > 0)
@@ -453,9 +372,6 @@ static int crossley_integrand(acb_ptr y, const acb_t x, void *parameters, slong 
     acb_pow_analytic(y, b, power, order > 0, prec);
     if (hertz)
         acb_mul(y, y, x, prec);
-    acb_clear(tau);
-    acb_clear(b);
-    acb_clear(power);
     return 0;
 }
 
@@ -465,8 +381,7 @@ static void crossley_part(arb_t t, enum quadrature how, enum crossley_exponent a
 {
     struct crossley_integrand integrand = {.a = a, .sign = sign, .p = p, .end = end};
     const int hertz = a == CROSSLEY_HERTZ;
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     quadrature_integrate(t, how, crossley_integrand, &integrand, prec);
     arb_mul_ui(t, t, hertz ? 5 : 2, prec);
     pow_ratio(x, end, hertz ? 2 : 1, hertz ? 5 : 2, prec);
@@ -475,27 +390,20 @@ static void crossley_part(arb_t t, enum quadrature how, enum crossley_exponent a
         pow_ratio(x, beta, 1, 5, prec);
         arb_mul(t, t, x, prec);
     }
-    arb_clear(x);
 }
 
-void crossley_time_of_max_overlap(arb_t t, enum quadrature how, enum crossley_exponent a, const arb_t beta, slong prec)
+static void time_of_max_overlap(arb_t t, enum quadrature how, enum crossley_exponent a, const arb_t beta, slong prec)
 {
-    arb_t p, end;
-    arb_init(p);
-    arb_init(end);
+    LOCAL(arb, p, end);
     arb_add_ui(p, beta, 1, prec + 2 * GUARD_BITS);
     arb_log1p(end, beta, prec + 2 * GUARD_BITS);
     crossley_part(t, how, a, 1, p, end, beta, prec);
-    arb_clear(p);
-    arb_clear(end);
 }
 
 /* 1 - h = -W_0(-(1 + beta) exp(-1 - beta)) */
 static void crossley_rest(arb_t rest, const arb_t beta, slong prec)
 {
-    arb_t p, x;
-    arb_init(p);
-    arb_init(x);
+    LOCAL(arb, p, x);
     arb_add_ui(p, beta, 1, prec);
     arb_neg(x, p);
     arb_exp(x, x, prec);
@@ -503,24 +411,36 @@ static void crossley_rest(arb_t rest, const arb_t beta, slong prec)
     arb_neg(x, x);
     arb_lambertw(rest, x, 0, prec);
     arb_neg(rest, rest);
-    arb_clear(p);
-    arb_clear(x);
 }
 
-void crossley_duration(arb_t t, enum quadrature how, enum crossley_exponent a, const arb_t beta, slong prec)
+static void duration(arb_t t, enum quadrature how, enum crossley_exponent a, const arb_t beta, slong prec)
 {
-    arb_t p, end, loading;
-    arb_init(p);
-    arb_init(end);
-    arb_init(loading);
+    LOCAL(arb, p, end, loading);
     /* near beta = 0 the branch point of W costs half of the bits, and logarithms some more */
     crossley_rest(p, beta, 3 * prec);
     arb_log(end, p, 2 * prec);
     arb_neg(end, end);
     crossley_part(t, how, a, -1, p, end, beta, prec);
-    crossley_time_of_max_overlap(loading, how, a, beta, prec);
+    time_of_max_overlap(loading, how, a, beta, prec);
     arb_add(t, t, loading, prec);
-    arb_clear(p);
-    arb_clear(end);
-    arb_clear(loading);
+}
+
+void crossley_time_of_max_overlap_1(arb_t t, enum quadrature how, const arb_t beta, slong prec)
+{
+    time_of_max_overlap(t, how, CROSSLEY_LINEAR, beta, prec);
+}
+
+void crossley_time_of_max_overlap_3_2(arb_t t, enum quadrature how, const arb_t beta, slong prec)
+{
+    time_of_max_overlap(t, how, CROSSLEY_HERTZ, beta, prec);
+}
+
+void crossley_duration_1(arb_t t, enum quadrature how, const arb_t beta, slong prec)
+{
+    duration(t, how, CROSSLEY_LINEAR, beta, prec);
+}
+
+void crossley_duration_3_2(arb_t t, enum quadrature how, const arb_t beta, slong prec)
+{
+    duration(t, how, CROSSLEY_HERTZ, beta, prec);
 }

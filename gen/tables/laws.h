@@ -5,9 +5,7 @@
 
 #include <stdio.h>
 
-#include "tables/disk.h"
-
-int tsuji_tables_write(FILE *file, const struct disk_table *none);
-int hunt_crossley_tables_write(FILE *file, const struct disk_table *none);
+int tsuji_tables_write(FILE *file);
+int hunt_crossley_tables_write(FILE *file);
 
 #endif

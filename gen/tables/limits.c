@@ -523,9 +523,8 @@ static void cell_text(char text[CELL_TEXT], const struct cor_disk_limit_cell *ce
     snprintf(text + n, CELL_TEXT - (size_t)n, "}},\n");
 }
 
-int disk_limits_write(FILE *file, const struct disk_table *modes)
+int disk_limits_write(FILE *file)
 {
-    (void)modes;
     write_banner(file, table);
     fprintf(file,
             "#ifndef COR_DISK_LIMITS_H\n#define COR_DISK_LIMITS_H\n\n"
@@ -660,7 +659,7 @@ int disk_limits_read(const char *bytes, size_t size, const char *path)
     long line = 1;
     FILE *const file = open_memstream(&written, &written_size);
     if (file && strlen(text) == size && read_numbers(text)) {
-        disk_limits_write(file, NULL);
+        disk_limits_write(file);
         fflush(file);
         line = line_of_difference(text, written);
     }

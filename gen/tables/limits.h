@@ -10,8 +10,6 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "tables/disk.h"
-
 #define DISK_LIMITS_FILE "disk_limits.h"
 
 /* Each returns STATUS_OK, or STATUS_FAILED after reporting the reason. The table stays in memory until
@@ -22,8 +20,8 @@ int disk_limits_read(const char *text, size_t size, const char *path); /* reads 
 bool disk_limits_known(void);
 void disk_limits_clear(void);
 
-/* Writes the table in memory; the table of modes is ignored. */
-int disk_limits_write(FILE *file, const struct disk_table *modes);
+/* Writes the table in memory. */
+int disk_limits_write(FILE *file);
 
 /* Recomputes collisions at points of a cell that the seed chooses, or at all points of all cells, and prints the
  * difference of 1 - eps^2 on standard output. Returns STATUS_FAILED also if the difference exceeds DISK_LIMITS_AGREE,

@@ -15,59 +15,89 @@
  * approximation to a sixteenth of it. Rows in x = beta^5 at zero overlap need fewer bits where eps falls steeply,
  * because the rounding of x changes eps more. c_0 of a row that is multiplied has HEAD_BITS bits, so that its products
  * with halves of a double are exact. */
-enum { FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26, CHECK_POINTS = 9 };
-#define IN_BETA VARIABLE_BETA, 0, 0.125
-#define IN_ROOT VARIABLE_ROOT_BETA, 0, 0.0625
-#define IN_POWER VARIABLE_POWER_OCTAVES, -40, 0
-#define IN_LOG(step) VARIABLE_LOG_BETA, 2 + (step) / 2, step
-#define BY_OCTAVES(first, last) (((last) - (first) + 1) * PIECES_PER_OCTAVE)
-#define GIVEN(stem, title, quantity, ...)                                                                              \
+enum { FORCE_PLAIN = 4 /* rows of eps at zero force, see pieces.h */, HEAD_BITS = 26 };
+#define TABLE(name, words, of, ...)                                                                                    \
     {                                                                                                                  \
-        PART_GIVEN, quantity, quantity, stem, title, __VA_ARGS__                                                       \
+        .stem = name, .title = words, .rows = {.quantity = of, .root = 2, .degree = 10, __VA_ARGS__ }                  \
+    }
+#define ROWS(n) .rows = (n), .plain = (n)
+#define IN_BETA(n) .variable = VARIABLE_BETA, .step = 0.125, ROWS(n)
+#define IN_ROOT(n, plain_rows) .variable = VARIABLE_ROOT_BETA, .step = 0.0625, .rows = (n), .plain = (plain_rows)
+#define IN_LOG(width, n) .variable = VARIABLE_LOG_BETA, .first = 2 + (width) / 2, .step = (width), .end = 10, ROWS(n)
+#define IN_LOSS(of, width, n) .variable = (of), .step = (width), .end = 0.5, ROWS(n), .head_bits = HEAD_BITS
+#define BY_OCTAVES(of, from, to)                                                                                       \
+    .variable = (of), .first = (from), .octave_bits = PIECES_OCTAVE_BITS, ROWS(((to) - (from) + 1) * PIECES_PER_OCTAVE)
+/* Floats: 27 bits limit the approximation to an eighth of a unit of the last place. c_0 of a row that is multiplied by
+ * beta has 19 bits, so that its product with the first 5 bits of beta is exact. */
+#define FLOATS(name, words, of, from, to, bits, head)                                                                  \
+    {                                                                                                                  \
+        .stem = "float_" name, .title = words, .rows = {                                                               \
+            .quantity = of,                                                                                            \
+            .variable = VARIABLE_BETA,                                                                                 \
+            .floats = true,                                                                                            \
+            .first = (from),                                                                                           \
+            .end = 1 << (to),                                                                                          \
+            .octave_bits = (bits),                                                                                     \
+            ROWS(1 + (((to) - (from)) << (bits))),                                                                     \
+            .least_bits = 27,                                                                                          \
+            .head_bits = (head)                                                                                        \
+        }                                                                                                              \
     }
 static const struct law_table layout_tables[] = {
-    GIVEN("eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_BETA, 7, 57, 55.5, 0, 0),
-    GIVEN("eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_ROOT, 16, 65, 55.5, 0, FORCE_PLAIN),
-    GIVEN("power_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_POWER, 16384, BY_OCTAVES(-40, 13), 53.5,
-          0, 0),
-    GIVEN("power_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_POWER, 1048576, BY_OCTAVES(-40, 19), 57, 0,
-          0),
-    GIVEN("loss_zero_overlap", "(1 - eps)/beta at zero overlap", LOSS_QUOTIENT_ZERO_OVERLAP, IN_BETA, 7, 57, 57,
-          HEAD_BITS, 0),
-    GIVEN("loss_zero_force", "(1 - eps)/beta at zero force", LOSS_QUOTIENT_ZERO_FORCE, IN_ROOT, 16, 65, 57, HEAD_BITS,
-          FORCE_PLAIN),
-    GIVEN("duration_zero_overlap", "duration at zero overlap", DURATION_ZERO_OVERLAP, IN_BETA, 8, 65, 56, 0, 0),
-    GIVEN("duration_zero_force", "duration at zero force", DURATION_ZERO_FORCE, IN_ROOT, 8, 46, 56, 0, 0),
-    GIVEN("max_overlap", "largest overlap", MAX_OVERLAP, IN_BETA, 8, 65, 57, 0, 0),
-    GIVEN("time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, IN_BETA, 8, 65, 56, 0, 0),
-    GIVEN("tail_eps_zero_force", "eps beta^(5/3) at zero force", EPS_ZERO_FORCE, IN_LOG(0.25), 10, 32, 57, 0, 0),
-    GIVEN("tail_duration_zero_overlap", "duration/beta at zero overlap", DURATION_ZERO_OVERLAP, IN_LOG(0.125), 10, 64,
-          56, 0, 0),
-    GIVEN("tail_duration_zero_force", "duration beta^(2/3) at zero force", DURATION_ZERO_FORCE, IN_LOG(0.25), 10, 32,
-          56, 0, 0),
-    GIVEN("tail_max_overlap", "largest overlap beta^(2/3)", MAX_OVERLAP, IN_LOG(0.25), 10, 32, 57, 0, 0),
-    GIVEN("tail_time_of_max_overlap", "time of the largest overlap beta^(2/3)", TIME_OF_MAX_OVERLAP, IN_LOG(0.25), 10,
-          32, 56, 0, 0),
-    GIVEN("near_beta_zero_overlap", "beta/(1 - eps) at zero overlap", BETA_QUOTIENT_ZERO_OVERLAP, VARIABLE_LOSS, 0,
-          0.0625, 0.5, 9, 56, HEAD_BITS, 0),
-    GIVEN("near_beta_zero_force", "beta/(1 - eps) at zero force", BETA_QUOTIENT_ZERO_FORCE, VARIABLE_ROOT_LOSS, 0,
-          0.03125, 0.5, 24, 56, HEAD_BITS, 0),
-    GIVEN("beta_zero_overlap", "beta at zero overlap", BETA_ZERO_OVERLAP, VARIABLE_EPS_OCTAVES, -12, 0, 0.5,
-          BY_OCTAVES(-12, -2), 55, 0, 0),
-    GIVEN("beta_zero_force", "beta at zero force", BETA_ZERO_FORCE, VARIABLE_EPS_OCTAVES, -23, 0, 0.5,
-          BY_OCTAVES(-23, -2), 55, 0, 0),
+    TABLE("eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, IN_BETA(57), .end = 7, .least_bits = 55.5),
+    TABLE("eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, IN_ROOT(65, FORCE_PLAIN), .end = 16,
+          .least_bits = 55.5),
+    TABLE("power_eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP,
+          BY_OCTAVES(VARIABLE_POWER_OCTAVES, -40, 13), .end = 16384, .least_bits = 53.5),
+    TABLE("power_eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, BY_OCTAVES(VARIABLE_POWER_OCTAVES, -40, 19),
+          .end = 1048576, .least_bits = 57),
+    TABLE("loss_zero_overlap", "(1 - eps)/beta at zero overlap", LOSS_QUOTIENT_ZERO_OVERLAP, IN_BETA(57), .end = 7,
+          .least_bits = 57, .head_bits = HEAD_BITS),
+    TABLE("loss_zero_force", "(1 - eps)/beta at zero force", LOSS_QUOTIENT_ZERO_FORCE, IN_ROOT(65, FORCE_PLAIN),
+          .end = 16, .least_bits = 57, .head_bits = HEAD_BITS),
+    TABLE("duration_zero_overlap", "duration at zero overlap", DURATION_ZERO_OVERLAP, IN_BETA(65), .end = 8,
+          .least_bits = 56),
+    TABLE("duration_zero_force", "duration at zero force", DURATION_ZERO_FORCE, IN_ROOT(46, 46), .end = 8,
+          .least_bits = 56),
+    TABLE("max_overlap", "largest overlap", MAX_OVERLAP, IN_BETA(65), .end = 8, .least_bits = 57),
+    TABLE("time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, IN_BETA(65), .end = 8,
+          .least_bits = 56),
+    TABLE("tail_eps_zero_force", "eps beta^(5/3) at zero force", EPS_ZERO_FORCE, IN_LOG(0.25, 32), .least_bits = 57),
+    TABLE("tail_duration_zero_overlap", "duration/beta at zero overlap", DURATION_ZERO_OVERLAP, IN_LOG(0.125, 64),
+          .least_bits = 56),
+    TABLE("tail_duration_zero_force", "duration beta^(2/3) at zero force", DURATION_ZERO_FORCE, IN_LOG(0.25, 32),
+          .least_bits = 56),
+    TABLE("tail_max_overlap", "largest overlap beta^(2/3)", MAX_OVERLAP, IN_LOG(0.25, 32), .least_bits = 57),
+    TABLE("tail_time_of_max_overlap", "time of the largest overlap beta^(2/3)", TIME_OF_MAX_OVERLAP, IN_LOG(0.25, 32),
+          .least_bits = 56),
+    TABLE("near_beta_zero_overlap", "beta/(1 - eps) at zero overlap", BETA_QUOTIENT_ZERO_OVERLAP,
+          IN_LOSS(VARIABLE_LOSS, 0.0625, 9), .least_bits = 56),
+    TABLE("near_beta_zero_force", "beta/(1 - eps) at zero force", BETA_QUOTIENT_ZERO_FORCE,
+          IN_LOSS(VARIABLE_ROOT_LOSS, 0.03125, 24), .least_bits = 56),
+    TABLE("beta_zero_overlap", "beta at zero overlap", BETA_ZERO_OVERLAP, BY_OCTAVES(VARIABLE_EPS_OCTAVES, -12, -2),
+          .end = 0.5, .least_bits = 55),
+    TABLE("beta_zero_force", "beta at zero force", BETA_ZERO_FORCE, BY_OCTAVES(VARIABLE_EPS_OCTAVES, -23, -2),
+          .end = 0.5, .least_bits = 55),
+    FLOATS("eps_zero_overlap", "eps at zero overlap", EPS_ZERO_OVERLAP, -6, 3, 7, 0),
+    FLOATS("eps_zero_force", "eps at zero force", EPS_ZERO_FORCE, -9, 4, 6, 0),
+    FLOATS("loss_zero_overlap", "(1 - eps)/beta at zero overlap", LOSS_QUOTIENT_ZERO_OVERLAP, -6, 3, 6, 19),
+    FLOATS("loss_zero_force", "(1 - eps)/beta at zero force", LOSS_QUOTIENT_ZERO_FORCE, -17, 4, 5, 19),
+    FLOATS("duration_zero_overlap", "duration at zero overlap", DURATION_ZERO_OVERLAP, -6, 3, 6, 0),
+    FLOATS("duration_zero_force", "duration at zero force", DURATION_ZERO_FORCE, -11, 4, 5, 0),
+    FLOATS("max_overlap", "largest overlap", MAX_OVERLAP, -6, 4, 5, 0),
+    FLOATS("time_of_max_overlap", "time of the largest overlap", TIME_OF_MAX_OVERLAP, -6, 4, 5, 0),
 };
 enum { TABLES = sizeof layout_tables / sizeof *layout_tables };
 
 static const struct {
     enum quantity quantity;
-    const char *name, *title;
+    const char *name;
 } far_tables[] = {
-    {EPS_ZERO_FORCE, "cor_rows_far_eps_zero_force", "eps beta^(5/3) at zero force"},
-    {DURATION_ZERO_OVERLAP, "cor_rows_far_duration_zero_overlap", "duration/beta at zero overlap"},
-    {DURATION_ZERO_FORCE, "cor_rows_far_duration_zero_force", "duration beta^(2/3) at zero force"},
-    {MAX_OVERLAP, "cor_rows_far_max_overlap", "largest overlap beta^(2/3)"},
-    {TIME_OF_MAX_OVERLAP, "cor_rows_far_time_of_max_overlap", "time of the largest overlap beta^(2/3)"},
+    {EPS_ZERO_FORCE, "cor_rows_far_eps_zero_force"},
+    {DURATION_ZERO_OVERLAP, "cor_rows_far_duration_zero_overlap"},
+    {DURATION_ZERO_FORCE, "cor_rows_far_duration_zero_force"},
+    {MAX_OVERLAP, "cor_rows_far_max_overlap"},
+    {TIME_OF_MAX_OVERLAP, "cor_rows_far_time_of_max_overlap"},
 };
 enum { FAR_TABLES = sizeof far_tables / sizeof *far_tables };
 
@@ -121,8 +151,8 @@ static int prove_tables(struct law_tables *t)
     struct interpolant_proof *proof = interpolant_proof_new(t->f, SET_ALL, ELLIPSES_PROVED);
     int status = proof ? STATUS_OK : STATUS_FAILED;
     for (int i = 0; i < t->layout.tables && status == STATUS_OK; i++)
-        if (t->rows[i].has)
-            status = row_proof_table(&t->rows[i].pieces, proof);
+        if (!t->layout.table[i].rows.floats)
+            status = row_proof_table(&t->layout.table[i].rows, proof);
     if (status == STATUS_OK)
         status = prove_far(t, proof);
     interpolant_proof_free(proof);
@@ -133,7 +163,7 @@ static int sphere_data_make(void)
 {
     if (data.made)
         return STATUS_OK;
-    law_layout_init_given(&data.tables.layout, &interpolant_sphere_proof, layout_tables, TABLES, CHECK_POINTS);
+    law_layout_init_given(&data.tables.layout, &interpolant_sphere_proof, layout_tables, TABLES);
     int status = law_tables_make(&data.tables, "cor_rows");
     if (status == STATUS_OK)
         status = prove_tables(&data.tables);
@@ -148,11 +178,6 @@ void sphere_tables_clear(void)
     if (data.made)
         law_tables_clear(&data.tables);
     data.made = false;
-}
-
-const struct interpolant *sphere_tables_interpolant(void)
-{
-    return sphere_data_make() ? NULL : data.tables.f;
 }
 
 static double least_far_bits(void)
@@ -174,11 +199,11 @@ static int emit_tables(struct emit *e)
     emit_comment(e, "A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,\n"
                     "c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from\n"
                     "node 1/4 on s = beta - node^2. c_0' is the remainder of c_0 at the node.");
-    if (law_tables_emit(e, &data.tables))
+    if (law_tables_emit(e, &data.tables, false))
         return STATUS_FAILED;
     emit_comment(e, "h*^5 as two doubles: eps = h*^5 beta^-5 at zero overlap, exact in double precision from beta = 7\n"
                     "on. Proved.");
-    if (law_tables_emit_final_speed(e, &data.tables, "cor_rows_h_star_5", "h*^5, and what that double lacks"))
+    if (law_tables_emit_final_speed(e, &data.tables, "cor_rows_h_star_5"))
         return STATUS_FAILED;
     emit_far_comment(
         e,
@@ -186,7 +211,7 @@ static int emit_tables(struct emit *e)
         "mu = beta^(-5/3), through nine enclosed collisions with u = 9.5 ... 13.5.",
         least_far_bits());
     for (int i = 0; i < FAR_TABLES; i++)
-        if (law_tables_emit_far(e, &data.tables, far_tables[i].quantity, far_tables[i].name, far_tables[i].title))
+        if (law_tables_emit_far(e, &data.tables, far_tables[i].quantity, far_tables[i].name))
             return STATUS_FAILED;
     emit_far_comment(
         e,
@@ -194,7 +219,7 @@ static int emit_tables(struct emit *e)
         "c_4 v^4)), e = eps/a, v = -(3/5) ln(e), from the coefficients of far_eps_zero_force by formal\n"
         "inversion. Columns a, a', b_0, ..., c_4.",
         data.inverse_bits);
-    return law_tables_emit_far_inverse(e, &data.tables, "cor_rows_far_beta_zero_force", "beta at zero force");
+    return law_tables_emit_far_inverse(e, &data.tables, "cor_rows_far_beta_zero_force");
 }
 
 static const char tables_banner[] =
@@ -207,14 +232,13 @@ static const char tables_banner[] =
     "Checked by:  corgen tables --check\n"
     "\n"
     "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of\n"
-    "each. Errors of the rows stand above each table and behind each row, those of the formulas for large\n"
-    "beta above the formulas, proved for every argument (docs/derivation.md, 8). The rows interpolate\n"
+    "each. Errors of the rows stand above each table, those of the formulas for large beta above the\n"
+    "formulas, proved for every argument (docs/derivation.md, 8). The rows interpolate\n"
     "polynomials of high degree through collisions enclosed to 76 bits or more (proved). Errors of\n"
     "evaluation: include/cor/sphere.h.\n";
 
-int sphere_tables_write(FILE *file, const struct disk_table *none)
+int sphere_tables_write(FILE *file)
 {
-    (void)none;
     if (sphere_data_make())
         return STATUS_FAILED;
     struct emit e;
@@ -253,9 +277,8 @@ static const char header_banner[] =
     "Written by:  corgen tables\n"
     "Checked by:  corgen tables --check\n";
 
-int sphere_header_write(FILE *file, const struct disk_table *none)
+int sphere_header_write(FILE *file)
 {
-    (void)none;
     if (sphere_data_make())
         return STATUS_FAILED;
     struct emit e;
@@ -264,6 +287,33 @@ int sphere_header_write(FILE *file, const struct disk_table *none)
     fprintf(file, "\n%s\n%s\n%s\n%s", evaluator_inline, evaluator_exact, evaluator_fifth_root, evaluator_row);
     const int status = emit_tables(&e);
     fprintf(file, "\n%s", evaluator_sphere);
+    emit_close(&e);
+    return status;
+}
+
+static const char floats_banner[] =
+    "Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for float\n"
+    "arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/core/float_lanes.h. Source:\n"
+    "docs/derivation.md, 4 to 6 and 8; form: docs/header-format.md.\n"
+    "\n"
+    "Written by:  corgen tables\n"
+    "Checked by:  corgen tables --check\n"
+    "\n"
+    "Errors of the rows, evaluated exactly, stand above each table: sampled. Errors of evaluation in float\n"
+    "arithmetic: include/cor/sphere.h, measured at every float.\n";
+
+int sphere_float_tables_write(FILE *file)
+{
+    if (sphere_data_make())
+        return STATUS_FAILED;
+    struct emit e;
+    emit_open(&e, file, "COR_GENERATED_SPHERE_FLOAT_TABLES_H", floats_banner);
+    emit_include(&e, "\"runtime/core/rows.h\"");
+    emit_comment(&e,
+                 "A row: value = c_0 + (c_0' + t (c_1 + t (c_2 + t c_3))), t = beta - node, in columns c_0, c_1, c_2,\n"
+                 "c_3. The node is 0 in row 0, and the middle of the cell in the other rows. The lower 16 bits of\n"
+                 "c_3, moved up by 16, are the bits of c_0'.");
+    const int status = law_tables_emit(&e, &data.tables, true);
     emit_close(&e);
     return status;
 }

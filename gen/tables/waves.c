@@ -7,6 +7,7 @@
 #include "enclosure/wave_factor.h"
 #include "support/console.h"
 #include "support/emit_c.h"
+#include "support/local.h"
 
 /* ---- the Chebyshev series on 0 <= tau <= 7/4 ---- */
 
@@ -18,12 +19,8 @@ enum { SAMPLES = 110, TERMS = 40, SAMPLE_BITS = 80 };
 static void chebyshev_series(arb_ptr c)
 {
     enum { BITS = SAMPLE_BITS + 40 };
-    arb_t angle, x;
-    acb_t tau, j;
-    arb_init(angle);
-    arb_init(x);
-    acb_init(tau);
-    acb_init(j);
+    LOCAL(arb, angle, x);
+    LOCAL(acb, tau, j);
     for (slong i = 0; i < SAMPLES; i++) {
         progress("elastic waves", i, SAMPLES);
         arb_set_si(angle, 2 * i + 1);
@@ -45,20 +42,14 @@ static void chebyshev_series(arb_ptr c)
         arb_mul_ui(c + k, c + k, k == 0 ? 1 : 2, BITS);
         arb_div_ui(c + k, c + k, SAMPLES, BITS);
     }
-    arb_clear(angle);
-    arb_clear(x);
-    acb_clear(tau);
-    acb_clear(j);
 }
 
 /* an upper bound on |x| */
 static double largest(const arb_t x)
 {
-    mag_t m;
-    mag_init(m);
+    LOCAL(mag, m);
     arb_get_mag(m, x);
     const double size = mag_get_d(m);
-    mag_clear(m);
     return size;
 }
 
@@ -67,8 +58,7 @@ static double largest(const arb_t x)
 static double round_series(arb_ptr c)
 {
     double error = 0;
-    arb_t rest;
-    arb_init(rest);
+    LOCAL(arb, rest);
     for (slong k = 0; k < SAMPLES; k++) {
         const double nearest = k < TERMS ? arf_get_d(arb_midref(c + k), ARF_RND_NEAR) : 0;
         arb_set_d(rest, nearest);
@@ -76,7 +66,6 @@ static double round_series(arb_ptr c)
         error += largest(rest);
         arb_set_d(c + k, nearest);
     }
-    arb_clear(rest);
     return error;
 }
 
@@ -90,9 +79,8 @@ static const char wave_banner[] =
     "\n"
     "Error: proved, see below.\n";
 
-int wave_tables_write(FILE *file, const struct disk_table *none)
+int wave_tables_write(FILE *file)
 {
-    (void)none;
     arb_ptr c = _arb_vec_init(SAMPLES);
     chebyshev_series(c);
     const double rounded = round_series(c);
@@ -110,9 +98,7 @@ int wave_tables_write(FILE *file, const struct disk_table *none)
         SAMPLES - 1, SAMPLES, emit_bound(cut).text, WAVE_ELLIPSE_BOUND, WAVE_ELLIPSE, TERMS, emit_bound(rounded).text);
     emit_geometry_real(&e, "cor_wave_factor", "END", WAVE_TAU_END);
     emit_geometry_integer(&e, "cor_wave_factor", "TERMS", TERMS);
-    emit_rows_open(&e, "cor_rows_wave_factor", 1, TERMS);
-    const int status = emit_row(&e, "c_0, c_1, ...", c, TERMS, true) ? STATUS_FAILED : STATUS_OK;
-    emit_rows_close(&e);
+    const int status = emit_one_row(&e, "cor_rows_wave_factor", c, TERMS);
     emit_close(&e);
     _arb_vec_clear(c, SAMPLES);
     return status;

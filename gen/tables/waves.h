@@ -5,9 +5,7 @@
 
 #include <stdio.h>
 
-#include "tables/disk.h"
-
-int wave_tables_write(FILE *file, const struct disk_table *none);
+int wave_tables_write(FILE *file);
 
 /* |J| is below WAVE_ELLIPSE_BOUND on the ellipse with foci 0 and WAVE_TAU_END whose half axes add up to WAVE_ELLIPSE
  * times half of WAVE_TAU_END, and J is analytic inside: tests/gen/test_waves.c proves both, arc by arc. */

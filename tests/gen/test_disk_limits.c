@@ -30,7 +30,7 @@ static void test_file(void **state)
     assert_int_equal(disk_limits_read(text, size, path), 0);
     assert_true(disk_limits_known());
     FILE *file = open_memstream(&written, &written_size);
-    assert_int_equal(disk_limits_write(file, NULL), 0);
+    assert_int_equal(disk_limits_write(file), 0);
     fclose(file);
     assert_int_equal(written_size, size);
     assert_memory_equal(written, text, size);

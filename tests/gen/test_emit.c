@@ -10,6 +10,7 @@
 #include "enclosure/collision.h"
 #include "support/digits.h"
 #include "support/emit_c.h"
+#include "support/local.h"
 #include "support/output.h"
 #include "tables/pade.h"
 
@@ -143,11 +144,11 @@ static void test_rows(void **state)
         e.decimal = decimal;
         emit_structs_open(&e, "pair", decimal ? "decimal" : "hexadecimal", ROWS);
         for (slong i = 0; i < ROWS; i++)
-            assert_int_equal(emit_struct(&e, (const slong[]){i, -i}, 2, x + i * COLUMNS, COLUMNS, i + 1 == ROWS), 0);
+            assert_int_equal(emit_struct(&e, (const slong[]){i, -i}, 2, x + i * COLUMNS, COLUMNS), 0);
         emit_structs_close(&e);
-        emit_rows_open(&e, decimal ? "decimals" : "hexadecimals", ROWS, COLUMNS);
+        emit_rows_open(&e, "double", decimal ? "decimals" : "hexadecimals", ROWS, COLUMNS);
         for (slong i = 0; i < ROWS; i++)
-            assert_int_equal(emit_row(&e, "a row", x + i * COLUMNS, COLUMNS, i + 1 == ROWS), 0);
+            assert_int_equal(emit_row(&e, x + i * COLUMNS, COLUMNS), 0);
         emit_rows_close(&e);
     }
     emit_digits(NULL);
@@ -195,11 +196,11 @@ static void test_rows(void **state)
     mag_set_ui_2exp_si(arb_radref(x + 1), 1, 300);
     file = create("header.h");
     emit_open(&e, file, "HEADER_H", "rows");
-    emit_rows_open(&e, "rows", 1, COLUMNS);
+    emit_rows_open(&e, "double", "rows", 1, COLUMNS);
     for (int decimal = 0; decimal < 2; decimal++) {
         e.decimal = decimal;
-        assert_int_equal(emit_row(&e, "a row", x, COLUMNS, true), 1);
-        assert_int_equal(emit_struct(&e, NULL, 0, x, COLUMNS, true), 1);
+        assert_int_equal(emit_row(&e, x, COLUMNS), 1);
+        assert_int_equal(emit_struct(&e, NULL, 0, x, COLUMNS), 1);
     }
     assert_int_equal(fclose(file), 0);
     _arb_vec_clear(x, ROWS * COLUMNS);
@@ -247,8 +248,7 @@ static void test_geometry(void **state)
 static void test_too_wide(void **state)
 {
     (void)state;
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     arb_one(x);
     mag_set_ui_2exp_si(arb_radref(x), 1, -40);
     struct emit e;
@@ -256,7 +256,6 @@ static void test_too_wide(void **state)
     emit_open(&e, file, "HEADER_H", "wide");
     assert_int_equal(emit_doubles(&e, "value", x, 1), 1);
     assert_int_equal(fclose(file), 0);
-    arb_clear(x);
 }
 
 static void test_bound(void **state)
@@ -283,8 +282,7 @@ static void check_pade_header(const struct pade_request *r, slong beta_max, stru
     struct references references;
     struct collision collision;
     double beta[PLACES];
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     collision_init(&collision);
     pade_init(&f);
     pade_analysis_init(&a);
@@ -348,7 +346,6 @@ static void check_pade_header(const struct pade_request *r, slong beta_max, stru
     pade_analysis_clear(&a);
     pade_clear(&f);
     collision_clear(&collision);
-    arb_clear(x);
 }
 
 static void test_pade_header(void **state)
@@ -424,13 +421,11 @@ static void test_two_point_headers(void **state)
 {
     (void)state;
     leave_to_turn(2, 3);
-    arb_poly_t series;
-    arb_t limit;
+    LOCAL(arb_poly, series);
+    LOCAL(arb, limit);
     struct pade f;
     struct pade_analysis a;
     slong root;
-    arb_poly_init(series);
-    arb_init(limit);
     pade_init(&f);
     pade_analysis_init(&a);
     assert_int_equal(series_eps(series, &root, END_ZERO_OVERLAP, TWO_POINT_MAX + 4, &law_sphere, TWO_POINT_PREC), 0);
@@ -476,8 +471,6 @@ static void test_two_point_headers(void **state)
     assert_int_equal(pclose(output), 0);
     pade_analysis_clear(&a);
     pade_clear(&f);
-    arb_clear(limit);
-    arb_poly_clear(series);
 }
 
 int main(void)

@@ -7,9 +7,11 @@
 #include <math.h>
 #include <unistd.h>
 
+#include "approximation/barycentric.h"
 #include "approximation/interpolant.h"
 #include "enclosure/collision.h"
 #include "random.h"
+#include "support/local.h"
 
 static const slong PREC = 320;
 
@@ -25,16 +27,12 @@ static arb_srcptr field(const struct collision *c, enum quantity quantity)
 /* |x/y - 1| */
 static double relative(const arb_t x, const arb_t y)
 {
-    arb_t d;
-    arf_t bound;
-    arb_init(d);
-    arf_init(bound);
+    LOCAL(arb, d);
+    LOCAL(arf, bound);
     arb_div(d, x, y, PREC);
     arb_sub_ui(d, d, 1, PREC);
     arb_get_abs_ubound_arf(bound, d, 30);
     const double error = arf_get_d(bound, ARF_RND_UP);
-    arb_clear(d);
-    arf_clear(bound);
     return error;
 }
 
@@ -44,10 +42,9 @@ static void test_loading_alone(void **state)
     (void)state;
     static const double betas[] = {1e-20, 0.01, 0.5, 1, 1.0000001, 3, 7, 12, 40, 1000, 1e6};
     struct collision whole, loading;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&whole);
     collision_init(&loading);
-    arb_init(beta);
     for (size_t i = 0; i < sizeof betas / sizeof *betas; i++) {
         arb_set_d(beta, betas[i]);
         assert_int_equal(collision_solve(&whole, beta, &law_sphere, 60), 0);
@@ -71,7 +68,6 @@ static void test_loading_alone(void **state)
     assert_int_equal(collision_solve_force(&loading, beta, &law_sphere, 60), 1);
     collision_clear(&whole);
     collision_clear(&loading);
-    arb_clear(beta);
 }
 
 /* Between the methods: too early for the slow manifold at so many bits. It was tried for ever. The alarm ends the
@@ -80,11 +76,9 @@ static void test_between_methods(void **state)
 {
     (void)state;
     struct collision c, loading;
-    arb_t beta, h;
+    LOCAL(arb, beta, h);
     collision_init(&c);
     collision_init(&loading);
-    arb_init(beta);
-    arb_init(h);
     alarm(120);
     for (int k = 0; k < 2; k++) {
         arb_set_d(beta, k == 0 ? 13.155 : 12.5);
@@ -101,8 +95,6 @@ static void test_between_methods(void **state)
     alarm(0);
     collision_clear(&c);
     collision_clear(&loading);
-    arb_clear(beta);
-    arb_clear(h);
 }
 
 static void test_points(void **state)
@@ -121,16 +113,12 @@ static void test_points(void **state)
 static void test_small_beta(void **state)
 {
     (void)state;
-    struct interpolant *f = interpolant_new(&interpolant_sphere, 0, 0.375);
+    struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 0, 0.375);
     struct collision c;
-    arb_t z, beta, y, exact;
+    LOCAL(arb, z, beta, y, exact);
     double worst = 0, error;
     assert_non_null(f);
     collision_init(&c);
-    arb_init(z);
-    arb_init(beta);
-    arb_init(y);
-    arb_init(exact);
     for (int k = 0; k < (int)few_or_all(20, 60); k++) {
         arb_set_d(z, k == 0 ? 0x1p-10 : k == 1 ? 0.612 : random_uniform(&random_state, 0, 0.612));
         arb_sqr(beta, z, PREC);
@@ -154,10 +142,6 @@ static void test_small_beta(void **state)
     assert_true(error < 1e-17);
     interpolant_free(f);
     collision_clear(&c);
-    arb_clear(z);
-    arb_clear(beta);
-    arb_clear(y);
-    arb_clear(exact);
 }
 
 /* Strong damping: sqrt(beta) up to 17, then ln(beta) with the powers taken out. */
@@ -166,17 +150,12 @@ static void test_large_beta(void **state)
     (void)state;
     if (!few_or_all(0, 1)) /* building takes 10 s; table.sphere_tables tests what is made of it */
         skip();
-    struct interpolant *f = interpolant_new(&interpolant_sphere, 8.5, 9);
+    struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 8.5, 9);
     struct collision c;
-    arb_t x, beta, y, exact, power;
+    LOCAL(arb, x, beta, y, exact, power);
     double worst[2] = {0};
     assert_non_null(f);
     collision_init(&c);
-    arb_init(x);
-    arb_init(beta);
-    arb_init(y);
-    arb_init(exact);
-    arb_init(power);
     for (int k = 0; k < 40; k++) {
         const bool tail = k >= 20;
         if (tail) {
@@ -208,11 +187,6 @@ static void test_large_beta(void **state)
     assert_true(worst[0] < 1e-18 && worst[1] < 1e-17);
     interpolant_free(f);
     collision_clear(&c);
-    arb_clear(x);
-    arb_clear(beta);
-    arb_clear(y);
-    arb_clear(exact);
-    arb_clear(power);
 }
 
 int main(void)

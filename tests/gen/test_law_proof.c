@@ -15,6 +15,7 @@
 #include "enclosure/collision.h"
 #include "enclosure/complex_law.h"
 #include "random.h"
+#include "support/local.h"
 
 enum way { WAY_OVERLAP, WAY_CREEP, WAY_FORCE, WAY_STRONG_FORCE };
 
@@ -29,15 +30,13 @@ static struct law law_of(const char *elastic, const char *damping)
 static double exact_log_eps(const struct law *law, double beta, enum way way)
 {
     struct collision c;
-    arb_t x;
+    LOCAL(arb, x);
     collision_init(&c);
-    arb_init(x);
     arb_set_d(x, beta);
     assert_int_equal(collision_solve(&c, x, law, 60), 0);
     arb_log(x, way == WAY_OVERLAP || way == WAY_CREEP ? c.eps_zero_overlap : c.eps_zero_force, 60);
     const double y = arf_get_d(arb_midref(x), ARF_RND_NEAR);
     collision_clear(&c);
-    arb_clear(x);
     return y;
 }
 
@@ -147,12 +146,8 @@ static double largest_error(const struct law_proof *proof, const struct law *law
     enum { COLLISIONS = 6 };
     const enum way way = s->eps == EPS_ZERO_OVERLAP ? WAY_OVERLAP : WAY_FORCE;
     double largest = 0;
-    arb_poly_t eps, log_beta;
-    arb_t t, y;
-    arb_poly_init(eps);
-    arb_poly_init(log_beta);
-    arb_init(t);
-    arb_init(y);
+    LOCAL(arb_poly, eps, log_beta);
+    LOCAL(arb, t, y);
     for (int k = 0; k < COLLISIONS; k++) {
         const double beta = s->beta_min * pow(s->beta_max / s->beta_min, (k + 0.3) / (double)COLLISIONS);
         double end;
@@ -171,10 +166,6 @@ static double largest_error(const struct law_proof *proof, const struct law *law
               beta, mag_get_d(arb_radref(y)));
         check(mag_get_d(arb_radref(y)) < 3 * s->wanted, "beta = %g: a radius of %g", beta, mag_get_d(arb_radref(y)));
     }
-    arb_poly_clear(eps);
-    arb_poly_clear(log_beta);
-    arb_clear(t);
-    arb_clear(y);
     return largest;
 }
 
@@ -199,15 +190,11 @@ static void test_polynomials(void **state)
         assert_non_null(proof);
         assert_true(largest_error(proof, &law, s) < s->wanted);
         /* far outside of an interval there is no proof */
-        arb_poly_t eps, log_beta;
-        arb_poly_init(eps);
-        arb_poly_init(log_beta);
+        LOCAL(arb_poly, eps, log_beta);
         double end;
         const int i = law_proof_interval(&end, proof, log(s->beta_max) - 0.01);
         assert_true(i >= 0);
         assert_false(law_proof_eps(eps, log_beta, proof, i, end, end + 0.1));
-        arb_poly_clear(eps);
-        arb_poly_clear(log_beta);
         law_proof_free(proof);
         interpolant_free(f);
         law_layout_clear(&layout);

@@ -14,6 +14,7 @@
 #include "enclosure/complex_collision.h"
 #include "enclosure/creep_series.h"
 #include "random.h"
+#include "support/local.h"
 
 static struct random_state random_state = {20081999};
 
@@ -38,9 +39,8 @@ static void test_real_axis(void **state)
     static const double places[] = {0.2, 0.6, 1.07, 1.3, 1.66, 1.68, 2.2, 2.8, 3.4, 4.1};
     struct collision exact;
     struct complex_collision c;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&exact);
-    arb_init(beta);
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
         const double z = places[i];
         const bool overlap = z < 3;
@@ -68,7 +68,6 @@ static void test_real_axis(void **state)
         assert_in(c.t_zero_force, power * real_value(exact.t_zero_force), 1e-12, "time of zero force by ln(beta)");
     }
     collision_clear(&exact);
-    arb_clear(beta);
 }
 
 /* One step of Runge and Kutta's method for dw/ds = v/2, dv/ds = -w^2 (beta v + w^2), dt/ds = w (derivation, 6) */
@@ -144,11 +143,11 @@ static void test_singular(void **state)
     struct ellipse_bound bound;
     assert_false(complex_collision_root(&c, (struct complex_ball){0, 1.2, 0.03}, true));
     assert_true(complex_collision_root(&c, (struct complex_ball){0.1, 0.7, 0.001}, true));
-    assert_int_equal(ellipse_bound_make(&bound, &interpolant_sphere.interval[0], 8), 1);
+    assert_int_equal(ellipse_bound_make(&bound, &interpolant_sphere_proof.interval[0], 8), 1);
     /* an ellipse inside another has no larger bound */
     struct ellipse_bound inner;
-    assert_int_equal(ellipse_bound_make(&bound, &interpolant_sphere.interval[5], 4), 0);
-    assert_int_equal(ellipse_bound_make(&inner, &interpolant_sphere.interval[5], 2), 0);
+    assert_int_equal(ellipse_bound_make(&bound, &interpolant_sphere_proof.interval[7], 4), 0);
+    assert_int_equal(ellipse_bound_make(&inner, &interpolant_sphere_proof.interval[7], 2), 0);
     for (int q = 0; q < QUANTITIES; q++)
         assert_true(inner.modulus[q] <= 1.2 * bound.modulus[q]);
 }
@@ -238,7 +237,7 @@ static void test_rows(void **state)
             i < 2 ? tables[random_below(&random_state, sizeof tables / sizeof *tables)]
                   : inverse_tables[random_below(&random_state, sizeof inverse_tables / sizeof *inverse_tables)];
         p.least_bits = 54;
-        assert_int_equal(pieces_make(&p, interpolant), 0);
+        assert_int_equal(pieces_make(&p, pieces_of_collision(interpolant)), 0);
         const slong columns = p.degree + 2, chosen = (slong)random_below(&random_state, (unsigned)p.rows);
         for (slong row = 0; row < p.rows; row++) {
             double *const c = p.value + row * columns;
@@ -268,9 +267,7 @@ static void test_samples(void **state)
 {
     (void)state;
     arb_srcptr node, value;
-    arb_t kept, factor;
-    arb_init(kept);
-    arb_init(factor);
+    LOCAL(arb, kept, factor);
     assert_true(interpolant_samples(&node, &value, interpolant, 1, EPS_ZERO_FORCE));
     const slong j = (slong)random_below(&random_state, 40);
     const arb_ptr wrong[] = {(arb_ptr)value + j, (arb_ptr)node + j};
@@ -285,8 +282,6 @@ static void test_samples(void **state)
             fail_msg("proved with a wrong %s %ld", k == 0 ? "sample" : "node", (long)j);
         arb_set(wrong[k], kept);
     }
-    arb_clear(kept);
-    arb_clear(factor);
 }
 
 /* The proof knows its intervals, and no others. */
@@ -301,7 +296,9 @@ static void test_unknown(void **state)
     p.rows = 57;
     assert_true(isnan(row_proof_bits(proof, &p, 40, c)));
     assert_false(row_proof_bits(proof, &p, 4, c) > 10);
-    struct interpolant *other = interpolant_new(&interpolant_sphere, 0.01, 0.02);
+    struct interpolant_layout another = interpolant_sphere_proof;
+    another.intervals--;
+    struct interpolant *other = interpolant_new(&another, 0.01, 0.02);
     assert_null(interpolant_proof_new(other, SET_ALL, ELLIPSES_PROVED));
     interpolant_free(other);
 }
@@ -314,10 +311,8 @@ static void creep_rest(arb_t rest, arb_t Y, arb_t bound, const struct creep_seri
 {
     enum { PREC = 200, BITS = 110 };
     struct collision c;
-    arb_t x, r;
+    LOCAL(arb, x, r);
     collision_init(&c);
-    arb_init(x);
-    arb_init(r);
     assert_int_equal(collision_solve(&c, beta, &law_sphere, BITS), 0);
     arb_mul(Y, beta, c.eps_zero_force, PREC); /* x = beta eps at zero force */
     arb_sqrt(Y, Y, PREC);
@@ -335,8 +330,6 @@ static void creep_rest(arb_t rest, arb_t Y, arb_t bound, const struct creep_seri
     }
     creep_series_remainder(bound, s, r);
     collision_clear(&c);
-    arb_clear(x);
-    arb_clear(r);
 }
 
 /* a_1 = 2, a_2 = 3/2, a_3 = 3, a_4 = 9 by hand. Enclosed collisions give the same C within the remainder, also where Y
@@ -346,13 +339,7 @@ static void test_creep_series(void **state)
     (void)state;
     static const double first[] = {2, 1.5, 3, 9};
     struct creep_series s;
-    arb_t beta, constant, rest, Y, bound, x;
-    arb_init(beta);
-    arb_init(constant);
-    arb_init(rest);
-    arb_init(Y);
-    arb_init(bound);
-    arb_init(x);
+    LOCAL(arb, beta, constant, rest, Y, bound, x);
     creep_series_init(&s, 200);
     for (int j = 0; j < 4; j++)
         assert_true(real_value(s.a + j + 1) == first[j]);
@@ -387,26 +374,14 @@ static void test_creep_series(void **state)
         before = i >= 0 ? real_value(bound) : HUGE_VAL;
     }
     creep_series_clear(&s);
-    arb_clear(beta);
-    arb_clear(constant);
-    arb_clear(rest);
-    arb_clear(Y);
-    arb_clear(bound);
-    arb_clear(x);
 }
 
 /* ln and 1/p of p = 2 + 0.3 t + 0.1 t^2, at random t and within 2^-90; none for a function with a zero. */
 static void test_enclosed_functions(void **state)
 {
     (void)state;
-    arb_poly_t p, log_p, inverse;
-    arb_t t, x, y;
-    arb_poly_init(p);
-    arb_poly_init(log_p);
-    arb_poly_init(inverse);
-    arb_init(t);
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb_poly, p, log_p, inverse);
+    LOCAL(arb, t, x, y);
     enclosed_add_double(p, 2);
     arb_set_d(x, 0.3);
     arb_poly_set_coeff_arb(p, 1, x);
@@ -429,12 +404,6 @@ static void test_enclosed_functions(void **state)
     arb_set_d(x, 0);
     arb_poly_set_coeff_arb(p, 1, x);
     assert_false(enclosed_logarithm(log_p, p) || enclosed_inverse(inverse, p));
-    arb_poly_clear(p);
-    arb_poly_clear(log_p);
-    arb_poly_clear(inverse);
-    arb_clear(t);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* exp(1 + w t) at t = 1, where the terms left out are larger than all roundings */
@@ -442,12 +411,8 @@ static void test_enclosed_remainder(void **state)
 {
     (void)state;
     static const double w[] = {0.35, 0.5, 0.9};
-    arb_poly_t p, exponential;
-    arb_t x, y;
-    arb_poly_init(p);
-    arb_poly_init(exponential);
-    arb_init(x);
-    arb_init(y);
+    LOCAL(arb_poly, p, exponential);
+    LOCAL(arb, x, y);
     enclosed_add_double(p, 1);
     for (size_t i = 0; i < sizeof w / sizeof *w; i++) {
         arb_set_d(x, w[i]);
@@ -460,10 +425,6 @@ static void test_enclosed_remainder(void **state)
         assert_true(arb_contains(x, y));
         assert_true(arb_rel_accuracy_bits(x) > 100);
     }
-    arb_poly_clear(p);
-    arb_poly_clear(exponential);
-    arb_clear(x);
-    arb_clear(y);
 }
 
 /* Rows of the duration at zero overlap in ln(beta), with wrong rows and wrong samples. The samples take seconds: all
@@ -478,7 +439,7 @@ static void test_creep_rows(void **state)
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 6, 22000);
     struct interpolant_proof *creep = interpolant_proof_new(f, SET_ALL, ELLIPSES_STATED), *kept = proof;
     assert_non_null(creep);
-    assert_int_equal(pieces_make(&p, f), 0);
+    assert_int_equal(pieces_make(&p, pieces_of_collision(f)), 0);
     proof = creep;
     for (slong row = 0; row < p.rows; row++) {
         double *const c = p.value + row * (p.degree + 2);
@@ -497,8 +458,7 @@ static void test_creep_rows(void **state)
     for (int k = 0; k < 3; k++) {
         assert_true(interpolant_samples(&node, &value, f, last, used[k]));
         arb_struct *const wrong = (arb_ptr)value + random_below(&random_state, 20);
-        arb_t exact;
-        arb_init(exact);
+        LOCAL(arb, exact);
         arb_set(exact, wrong);
         arb_mul_2exp_si(wrong, exact, -58);
         arb_add(wrong, wrong, exact, 200);
@@ -506,7 +466,6 @@ static void test_creep_rows(void **state)
         if (none)
             fail_msg("proved with a wrong sample of quantity %d", (int)used[k]);
         arb_set(wrong, exact);
-        arb_clear(exact);
     }
     interpolant_proof_free(creep);
     interpolant_free(f);

@@ -5,8 +5,8 @@
  *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
  *
  * writes every goal, or those whose name fits a pattern of the shell and whose number is PART modulo PARTS.
- * TABLES.h is generated/sphere_tables.h, read as text: its comments say which interval each row is for. The exit status
- * is 1 if the evaluator does not compute the formula of a row. */
+ * TABLES.h is generated/sphere_tables.h, read as text: its macros say which interval each row is for. The exit status is
+ * 1 if the evaluator does not compute the formula of a row. */
 #include "trace.h"
 
 #include <cstring>
@@ -84,40 +84,79 @@ struct row {
 };
 typedef std::vector<row> table;
 
-/* A row's numbers stand before the comment that says which interval it is for. */
+/* The grid of a table: its macros, and the bits of its rows from the comment above them */
+struct grid {
+    number first = 0, step = 0;
+    int octave = 0, octave_bits = -1;
+    std::vector<number> bits;
+
+    row cell(int i) const
+    {
+        row r = {};
+        r.by_octaves = octave_bits >= 0;
+        const int cells = r.by_octaves ? 1 << octave_bits : 1;
+        const number width = r.by_octaves ? 1.0 / cells : step;
+        const number node = r.by_octaves ? 1 + width * (i % cells + 0.5) : first + i * step;
+        r.octave = r.by_octaves ? octave + i / cells : 0;
+        r.low = std::max(node - width / 2, 0.0);
+        r.high = node + width / 2;
+        r.bits = (std::size_t)i < bits.size() ? bits[(std::size_t)i] : 0;
+        return r;
+    }
+};
+
+static void read_macro(grid &g, const std::string &line)
+{
+    const auto number_of_macro = [&](const char *what, auto &into) {
+        const std::size_t at = line.find(what);
+        if (at != std::string::npos)
+            into = (typename std::remove_reference<decltype(into)>::type)strtod(
+                line.c_str() + line.find_first_of("-0123456789", at + strlen(what)), nullptr);
+    };
+    number_of_macro("_FIRST ", g.first);
+    number_of_macro("_STEP ", g.step);
+    number_of_macro("_FIRST_OCTAVE ", g.octave);
+    number_of_macro("_OCTAVE_BITS ", g.octave_bits);
+}
+
 static std::map<std::string, table> tables_of(const char *file)
 {
     std::map<std::string, table> all;
     std::ifstream in(file);
     std::string line, name;
-    row r = {};
+    grid g;
+    bool in_bits = false;
+    std::size_t columns = 0; /* of the table that is being read, or 0 */
     while (std::getline(in, line)) {
         char text[128];
-        int index;
-        if (sscanf(line.c_str(), "COR_INLINE const double *cor_rows_%127[a-z0-9_](int i)", text) == 1 ||
-            sscanf(line.c_str(), "COR_ROWS(double, cor_rows_%127[a-z0-9_],", text) == 1)
+        int rows, width;
+        const std::size_t bits = line.find("Bits of the rows:");
+        if (line.compare(0, 3, "/* ") == 0 && columns == 0)
+            g = {};
+        if (sscanf(line.c_str(), "COR_INLINE const double *cor_rows_%127[a-z0-9_](int i)", text) == 1)
             name = text;
-        const std::size_t comment = line.find("/* ");
-        if (line.compare(0, 5, "    {") == 0 || line.compare(0, 5, "     ") == 0) {
-            std::string numbers = line.substr(0, comment);
+        else if (sscanf(line.c_str(), "COR_ROWS(double, cor_rows_%127[a-z0-9_], %d, %d)", text, &rows, &width) == 3)
+            name = text, columns = (std::size_t)width;
+        else if (sscanf(line.c_str(), "    static const double row[%d][%d]", &rows, &width) == 2)
+            columns = (std::size_t)width;
+        else if (line.find('}') == 0 || line == "    };")
+            columns = 0;
+        else if (columns > 0 && line[0] == ' ') {
             std::replace_if(
-                numbers.begin(), numbers.end(), [](char c) { return c == '{' || c == '}' || c == ','; }, ' ');
-            std::istringstream words(numbers);
-            for (std::string word; words >> word;)
-                r.value.push_back(word);
+                line.begin(), line.end(), [](char c) { return c == '{' || c == '}' || c == ','; }, ' ');
+            std::istringstream words(line);
+            table &t = all[name];
+            for (std::string word; words >> word; t.back().value.push_back(word))
+                if (t.empty() || t.back().value.size() == columns)
+                    t.push_back(g.cell((int)t.size()));
+        } else if (in_bits || bits != std::string::npos) {
+            std::istringstream words(line.substr(bits == std::string::npos ? 2 : bits + 17));
+            for (number x; words >> x;)
+                g.bits.push_back(x);
+            in_bits = line.find("*/") == std::string::npos;
+        } else {
+            read_macro(g, line);
         }
-        if (r.value.empty() || comment == std::string::npos)
-            continue;
-        const char *what = line.c_str() + comment;
-        if (sscanf(what, "/* [%d] %lf <= y <= %lf 2^%d", &index, &r.low, &r.high, &r.octave) == 4)
-            r.by_octaves = true;
-        else
-            sscanf(what, "/* [%d] %lf <= y <= %lf,", &index, &r.low, &r.high); /* fails for a table of one row */
-        const char *const degree = strstr(what, ", degree ");
-        if (degree)
-            sscanf(degree, ", degree %*d, %lf bits", &r.bits);
-        all[name].push_back(r);
-        r = {};
     }
     return all;
 }
@@ -443,7 +482,7 @@ struct evaluator {
     number ulp;
 };
 
-/* The row for a number of a piece, according to the comments of the table */
+/* The row for a number of a piece, according to the geometry of the table */
 static const row &row_for(const evaluator &f, number x)
 {
     for (const row &r : tables[f.name]) {

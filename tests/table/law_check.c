@@ -3,6 +3,7 @@
 
 #include "../unit/check.h"
 #include "enclosure/collision.h"
+#include "support/local.h"
 
 enum { BITS = 72, PREC = 600, LARGEST_LOG10 = 7, STEP_BITS = 24 };
 
@@ -26,17 +27,13 @@ static void case_init(struct law_case *c, const struct law_functions *f)
 {
     *c = (struct law_case){.f = f, .threshold = HUGE_VAL};
     assert_null(law_parse(&c->law, f->elastic, f->damping));
-    arb_t beta_c, height;
-    arb_init(beta_c);
-    arb_init(height);
+    LOCAL(arb, beta_c, height);
     if (law_is_linear(&c->law)) {
         c->threshold = sqrt(2 * ((double)c->law.a.num / (double)c->law.a.den + 1));
     } else if (law_fall_power(&c->law).num < 0) {
         assert_int_equal(collision_threshold(beta_c, height, &c->law, PREC / 2), 0);
         c->threshold = arf_get_d(arb_midref(beta_c), ARF_RND_NEAR);
     }
-    arb_clear(beta_c);
-    arb_clear(height);
 }
 
 double law_error_in_ulp(double computed, const arb_t exact)
@@ -45,8 +42,7 @@ double law_error_in_ulp(double computed, const arb_t exact)
         return isinf(computed) ? 0 : HUGE_VAL;
     if (arb_is_zero(exact))
         return computed == 0 ? 0 : HUGE_VAL;
-    arb_t difference;
-    arb_init(difference);
+    LOCAL(arb, difference);
     const double size = arf_get_d(arb_midref(exact), ARF_RND_DOWN);
     if (isinf(arf_get_d(arb_midref(exact), ARF_RND_NEAR))) /* a duration next to a threshold */
         return isinf(computed) ? 0 : HUGE_VAL;
@@ -59,7 +55,6 @@ double law_error_in_ulp(double computed, const arb_t exact)
     arb_sub(difference, difference, exact, PREC);
     arb_mul_2exp_si(difference, difference, DBL_MANT_DIG - exponent);
     const double error = fabs(arf_get_d(arb_midref(difference), ARF_RND_UP));
-    arb_clear(difference);
     return error;
 }
 
@@ -81,10 +76,7 @@ static void first_order_loss(arb_t loss, const struct law *law, int end, const a
 {
     const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one), b1 = ratio_add(law->b, one);
     const struct ratio ab = ratio_sub(law->a, law->b);
-    arb_t x, y, z;
-    arb_init(x);
-    arb_init(y);
-    arb_init(z);
+    LOCAL(arb, x, y, z);
     arb_set_ratio(x, ratio_div(b1, a1), PREC);
     arb_set_ratio(y, (struct ratio){3, 2}, PREC);
     arb_add(z, x, y, PREC);
@@ -104,16 +96,11 @@ static void first_order_loss(arb_t loss, const struct law *law, int end, const a
         arb_set_ratio(x, ratio_div(ab, ratio_mul(a1, b1)), PREC);
         arb_submul(loss, x, y, PREC);
     }
-    arb_clear(x);
-    arb_clear(y);
-    arb_clear(z);
 }
 
 static void check_first_order(struct law_case *c, double beta)
 {
-    arb_t x, loss;
-    arb_init(x);
-    arb_init(loss);
+    LOCAL(arb, x, loss);
     arb_set_d(x, beta);
     for (int end = 0; end < 2; end++) {
         first_order_loss(loss, &c->law, end, x);
@@ -122,8 +109,6 @@ static void check_first_order(struct law_case *c, double beta)
         const double given = arf_get_d(arb_midref(loss), ARF_RND_NEAR), back = c->f->beta_of_loss[end](given);
         check(fabs(back / beta - 1) < 2.5 * DBL_EPSILON, "%s: beta %g of loss %g", c->f->name, back, given);
     }
-    arb_clear(x);
-    arb_clear(loss);
 }
 
 static int case_solve(struct collision *s, const struct law_case *c, const arb_t beta)
@@ -146,12 +131,8 @@ static void check_inverse(struct law_case *c, int end, double beta, const arb_t 
     if (arb_is_zero(eps) || !(step > 0) || beta - step == beta)
         return;
     struct collision s;
-    arb_t x, slope, wanted, exact;
+    LOCAL(arb, x, slope, wanted, exact);
     collision_init(&s);
-    arb_init(x);
-    arb_init(slope);
-    arb_init(wanted);
-    arb_init(exact);
     arb_set_d(x, beta - step);
     assert_int_equal(case_solve(&s, c, x), 0);
     arb_sub(slope, eps, end ? s.eps_zero_force : s.eps_zero_overlap, PREC);
@@ -177,24 +158,18 @@ static void check_inverse(struct law_case *c, int end, double beta, const arb_t 
                  (of_loss ? c->f->beta_of_loss : c->f->beta)[end](given), exact, given);
     }
     collision_clear(&s);
-    arb_clear(x);
-    arb_clear(slope);
-    arb_clear(wanted);
-    arb_clear(exact);
 }
 
 static void check_beta(struct law_case *c, double beta, bool inverse)
 {
     const struct law_functions *f = c->f;
     struct collision s;
-    arb_t x, loss;
+    LOCAL(arb, x, loss);
     if (beta < 1e-100) {
         check_first_order(c, beta);
         return;
     }
     collision_init(&s);
-    arb_init(x);
-    arb_init(loss);
     arb_set_d(x, beta);
     if (case_solve(&s, c, x))
         fail_msg("%s: no collision at beta = %.17g", f->name, beta);
@@ -210,8 +185,6 @@ static void check_beta(struct law_case *c, double beta, bool inverse)
     }
     note(c, 0, CHECK_MAX_OVERLAP, f->max_overlap(beta), s.x_max, beta);
     note(c, 0, CHECK_TIME, f->time_of_max_overlap(beta), s.t_max, beta);
-    arb_clear(x);
-    arb_clear(loss);
     collision_clear(&s);
 }
 

@@ -5,6 +5,7 @@
 #include "../unit/check.h"
 #include "cor/hertz_dashpot.h"
 #include "enclosure/collision.h"
+#include "support/local.h"
 
 static const struct law_functions functions = LAW_FUNCTIONS(
     "hertz_dashpot", "3/2", "0", cor_hertz_dashpot, COR_HERTZ_DASHPOT_EPS_MAX_ULP, COR_HERTZ_DASHPOT_TIME_MAX_ULP);
@@ -67,11 +68,10 @@ static void approach_set(struct approach *a, double beta)
 {
     struct law law;
     struct collision c, elastic;
-    arb_t x;
+    LOCAL(arb, x);
     assert_null(law_parse(&law, "3/2", "0"));
     collision_init(&c);
     collision_init(&elastic);
-    arb_init(x);
     arb_set_d(x, beta);
     assert_int_equal(collision_solve_force(&c, x, &law, APPROACH_BITS), 0);
     arb_zero(x);
@@ -87,7 +87,6 @@ static void approach_set(struct approach *a, double beta)
     arb_add(a->duration, c.t_max, x, APPROACH_BITS);
     collision_clear(&c);
     collision_clear(&elastic);
-    arb_clear(x);
 }
 
 static double moved(double x, int ulp)
@@ -114,9 +113,8 @@ static void check_approach_inverse(double beta, const arb_t eps, const char *wha
 static void check_approach(double worst[3], double beta, bool inverse)
 {
     struct approach a;
-    arb_t x;
+    LOCAL(arb, x);
     approach_init(&a);
-    arb_init(x);
     approach_set(&a, beta);
     const double eps = cor_hertz_dashpot_eps_approach_only(beta), loss = cor_hertz_dashpot_loss_approach_only(beta);
     const double error[] = {law_error_in_ulp(eps, a.eps), law_error_in_ulp(loss, a.loss),
@@ -135,7 +133,6 @@ static void check_approach(double worst[3], double beta, bool inverse)
             check_approach_inverse(cor_hertz_dashpot_beta_approach_only(eps), x, "of eps");
     }
     approach_clear(&a);
-    arb_clear(x);
 }
 
 /* Random beta, and the places where the series, the near rows, the octaves and the tail meet */

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "enclosure/collision.h"
+#include "support/local.h"
 
 enum { PREC = 320, BITS = 66, MOST_TABLES = 40, MOST_COLUMNS = 16 };
 
@@ -20,7 +21,7 @@ enum variable { BETA, ROOT, LOGARITHM, POWER, LOSS, ROOT_OF_LOSS, EPS, NONE };
 struct table {
     char name[64];
     slong rows, columns;
-    double *c, *bits; /* bits: the error that each row states, as -log2 */
+    double *c, *bits; /* bits: the error that the comment states of each row, as -log2 */
     enum variable variable;
     double first, step, worst; /* of the nodes; POWER: the first octave, 0; the worst of all bits */
     /* the macros, NaN where there is none */
@@ -59,7 +60,7 @@ static bool is_inverse(const struct table *t)
     return t->variable == LOSS || t->variable == ROOT_OF_LOSS || t->variable == EPS;
 }
 
-/* What the comment above a table says of it; the far coefficients and h*^5 have no grid. */
+/* What the comment above a table says of it, with the bits of each row; the far coefficients and h*^5 have no grid. */
 static void read_grid(struct table *t, const char *comment, const char *end)
 {
     t->variable = NONE;
@@ -84,39 +85,33 @@ static void read_grid(struct table *t, const char *comment, const char *end)
     else
         assert_int_equal(sscanf(strstr(at, "nodes"), "nodes %lf + i %lf", &t->first, &t->step), 2);
     assert_int_equal(sscanf(strstr(at, "approximation: 2^-"), "approximation: 2^-%lf", &t->worst), 1);
+    char *bits = strstr(at, "Bits of the rows:");
+    assert_true(bits && bits < end);
+    bits += strlen("Bits of the rows:");
+    t->bits = malloc((size_t)t->rows * sizeof *t->bits);
+    assert_non_null(t->bits);
+    for (slong r = 0; r < t->rows; r++) {
+        bits += strspn(bits, " *\n");
+        t->bits[r] = strtod(bits, &bits);
+    }
+    assert_int_equal(strncmp(bits, " */", 3), 0);
 }
 
-/* The numbers between the braces; a comment behind a row states its bits. */
+/* The numbers between the braces */
 static void read_numbers(struct table *t, const char *at)
 {
     const slong count = t->rows * t->columns;
     t->c = malloc((size_t)count * sizeof *t->c);
-    t->bits = malloc((size_t)t->rows * sizeof *t->bits);
-    assert_true(t->c && t->bits);
-    slong n = 0;
-    int depth = 0;
-    do {
-        if (strncmp(at, "/*", 2) == 0) {
-            const char *end = strstr(at, "*/"), *bits = strstr(at, " bits");
-            assert_non_null(end);
-            if (n > 0 && n % t->columns == 0 && bits && bits < end) {
-                while (bits[-1] != ' ')
-                    bits--;
-                t->bits[n / t->columns - 1] = strtod(bits, NULL);
-            }
-            at = end + 2;
-        } else if (*at && strchr("{}, \n", *at)) {
-            depth += *at == '{' ? 1 : *at == '}' ? -1 : 0;
-            at++;
-        } else {
-            char *end;
-            assert_true(n < count);
-            t->c[n++] = strtod(at, &end);
-            assert_true(end > at);
-            at = end;
-        }
-    } while (depth > 0);
-    assert_int_equal(n, count);
+    assert_non_null(t->c);
+    for (slong n = 0; n < count; n++) {
+        char *end;
+        at += strspn(at, "{}, \n");
+        t->c[n] = strtod(at, &end);
+        assert_true(end > at);
+        at = end;
+    }
+    at += strspn(at, "} \n");
+    assert_true(*at == '#' || *at == ';');
 }
 
 /* The number of the macro COR_ROWS_<name>_<what> between two places of the text, or NaN */
@@ -309,10 +304,7 @@ static void row_value(arb_t value, const struct table *t, slong row, const arb_t
 {
     const double *c = t->c + row * t->columns;
     const struct cell cell = cell_of(t, row);
-    arb_t node, distance, term;
-    arb_init(node);
-    arb_init(distance);
-    arb_init(term);
+    LOCAL(arb, node, distance, term);
     arb_set_d(node, cell.node);
     arb_sub(distance, y, node, PREC);
     arb_zero(value);
@@ -330,9 +322,6 @@ static void row_value(arb_t value, const struct table *t, slong row, const arb_t
         arb_set_d(term, c[k]);
         arb_add(value, value, term, PREC);
     }
-    arb_clear(node);
-    arb_clear(distance);
-    arb_clear(term);
 }
 
 /* beta for a place y of the variable; at a logarithm y moves to that of a beta with few bits. */
@@ -363,12 +352,8 @@ static void exact_inverse(arb_t value, const struct table *t, slong row, const a
     const struct holds holds = holds_of(t->name);
     const struct cell cell = cell_of(t, row);
     struct collision c;
-    arb_t x, beta, above, slope;
+    LOCAL(arb, x, beta, above, slope);
     collision_init(&c);
-    arb_init(x);
-    arb_init(beta);
-    arb_init(above);
-    arb_init(slope);
     /* x = eps or 1 - eps */
     arb_mul_2exp_si(x, y, cell.octave);
     if (t->variable == ROOT_OF_LOSS)
@@ -404,10 +389,6 @@ static void exact_inverse(arb_t value, const struct table *t, slong row, const a
     if (cell.near)
         arb_div(value, value, x, PREC);
     collision_clear(&c);
-    arb_clear(x);
-    arb_clear(beta);
-    arb_clear(above);
-    arb_clear(slope);
 }
 
 static void exact_value(arb_t value, const struct table *t, const arb_t beta, slong bits)
@@ -424,11 +405,9 @@ static void exact_value(arb_t value, const struct table *t, const arb_t beta, sl
         arb_neg(value, value);
         arb_div(value, value, beta, PREC);
     } else if (t->variable == LOGARITHM || t->variable == NONE) {
-        arb_t power;
-        arb_init(power);
+        LOCAL(arb, power);
         arb_pow_ratio(power, beta, holds.power, PREC);
         arb_div(value, value, power, PREC);
-        arb_clear(power);
     }
     collision_clear(&c);
 }
@@ -436,16 +415,12 @@ static void exact_value(arb_t value, const struct table *t, const arb_t beta, sl
 /* |x - exact| / |exact| as -log2 */
 static double bits_between(const arb_t x, const arb_t exact)
 {
-    arb_t error;
-    arf_t bound;
-    arb_init(error);
-    arf_init(bound);
+    LOCAL(arb, error);
+    LOCAL(arf, bound);
     arb_sub(error, x, exact, PREC);
     arb_div(error, error, exact, PREC);
     arb_get_abs_ubound_arf(bound, error, 30);
     const double bits = arf_is_zero(bound) ? INFINITY : -log2(arf_get_d(bound, ARF_RND_UP));
-    arb_clear(error);
-    arf_clear(bound);
     return bits;
 }
 
@@ -464,12 +439,7 @@ static double promised(const struct table *t, slong row)
 static void test_rows(void **state)
 {
     (void)state;
-    arb_t y, beta, row, exact, gap;
-    arb_init(y);
-    arb_init(beta);
-    arb_init(row);
-    arb_init(exact);
-    arb_init(gap);
+    LOCAL(arb, y, beta, row, exact, gap);
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
         const struct holds holds = holds_of(t->name[0] == 'h' ? "max_overlap" : t->name);
@@ -513,11 +483,6 @@ static void test_rows(void **state)
         print_message("%-30s %4ld rows, worst found %.1f bits, stated %.1f\n", t->name, (long)t->rows, worst, least);
         assert_true(t->worst <= least + 0.051);
     }
-    arb_clear(y);
-    arb_clear(beta);
-    arb_clear(row);
-    arb_clear(exact);
-    arb_clear(gap);
 }
 
 /* Rows in x = beta^5 against those in beta or sqrt(beta), which are held against collisions at more places. */
@@ -525,11 +490,7 @@ static void test_power_rows(void **state)
 {
     (void)state;
     enum { PLACES = 5 };
-    arb_t y, beta, a, b;
-    arb_init(y);
-    arb_init(beta);
-    arb_init(a);
-    arb_init(b);
+    LOCAL(arb, y, beta, a, b);
     int count = 0;
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
@@ -555,10 +516,6 @@ static void test_power_rows(void **state)
             }
     }
     assert_int_equal(count, 2);
-    arb_clear(y);
-    arb_clear(beta);
-    arb_clear(a);
-    arb_clear(b);
 }
 
 /* The macros by which evaluators find a row say what the comment above the table says, and no table is used beyond its
@@ -590,8 +547,7 @@ static void test_geometry(void **state)
 /* The row of a table in beta or its root that has an exact beta, and its value there */
 static slong row_at(arb_t value, const struct table *t, const arb_t beta)
 {
-    arb_t y;
-    arb_init(y);
+    LOCAL(arb, y);
     if (t->variable == ROOT)
         arb_sqrt(y, beta, PREC);
     else if (t->variable == LOGARITHM)
@@ -601,7 +557,6 @@ static slong row_at(arb_t value, const struct table *t, const arb_t beta)
     slong row = (slong)floor((arf_get_d(arb_midref(y), ARF_RND_NEAR) - t->first) / t->step + 0.5);
     row = row < t->rows ? row : t->rows - 1;
     row_value(value, t, row, y);
-    arb_clear(y);
     return row;
 }
 
@@ -610,11 +565,7 @@ static void test_loss_rows(void **state)
 {
     (void)state;
     enum { PLACES = 4 };
-    arb_t y, beta, a, b;
-    arb_init(y);
-    arb_init(beta);
-    arb_init(a);
-    arb_init(b);
+    LOCAL(arb, y, beta, a, b);
     const char *const names[][2] = {{"loss_zero_overlap", "eps_zero_overlap"}, {"loss_zero_force", "eps_zero_force"}};
     for (int i = 0; i < 2; i++) {
         const struct table *t = find(names[i][0]), *eps = find(names[i][1]);
@@ -636,10 +587,6 @@ static void test_loss_rows(void **state)
                              stated);
             }
     }
-    arb_clear(y);
-    arb_clear(beta);
-    arb_clear(a);
-    arb_clear(b);
 }
 
 /* eps at the beta of an inverse row is the eps that it was taken at: by the rows of eps, up to beta = 16 and beyond. */
@@ -647,12 +594,7 @@ static void test_inverse_rows(void **state)
 {
     (void)state;
     enum { PLACES = 3 };
-    arb_t y, x, beta, value, power;
-    arb_init(y);
-    arb_init(x);
-    arb_init(beta);
-    arb_init(value);
-    arb_init(power);
+    LOCAL(arb, y, x, beta, value, power);
     slong count = 0;
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
@@ -699,21 +641,13 @@ static void test_inverse_rows(void **state)
     }
     print_message("%ld places\n", (long)count);
     assert_true(count > 800);
-    arb_clear(y);
-    arb_clear(x);
-    arb_clear(beta);
-    arb_clear(value);
-    arb_clear(power);
 }
 
 /* Neighbouring rows agree where they meet, to what they state. */
 static void test_continuity(void **state)
 {
     (void)state;
-    arb_t y, a, b;
-    arb_init(y);
-    arb_init(a);
-    arb_init(b);
+    LOCAL(arb, y, a, b);
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
         for (slong r = 0; t->variable != NONE && r + 1 < t->rows; r++) {
@@ -729,21 +663,13 @@ static void test_continuity(void **state)
                          stated);
         }
     }
-    arb_clear(y);
-    arb_clear(a);
-    arb_clear(b);
 }
 
 /* c_0 is the double nearest to the value at the node, c_0' what it lacks. */
 static void test_nodes(void **state)
 {
     (void)state;
-    arb_t y, beta, exact, sum, c;
-    arb_init(y);
-    arb_init(beta);
-    arb_init(exact);
-    arb_init(sum);
-    arb_init(c);
+    LOCAL(arb, y, beta, exact, sum, c);
     double worst = INFINITY;
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
@@ -772,11 +698,6 @@ static void test_nodes(void **state)
         }
     }
     print_message("at the nodes, worst found: %.1f bits\n", worst);
-    arb_clear(y);
-    arb_clear(beta);
-    arb_clear(exact);
-    arb_clear(sum);
-    arb_clear(c);
 }
 
 /* cor_sphere.h holds the same doubles. */
@@ -806,10 +727,7 @@ static void test_h_star(void **state)
 {
     (void)state;
     const struct table *t = find("h_star_5");
-    arb_t h, c, bound;
-    arb_init(h);
-    arb_init(c);
-    arb_init(bound);
+    LOCAL(arb, h, c, bound);
     assert_int_equal(collision_h_star(h, 200), 0);
     arb_pow_ui(h, h, 5, PREC);
     assert_true(arf_get_d(arb_midref(h), ARF_RND_NEAR) == t->c[0]);
@@ -817,18 +735,12 @@ static void test_h_star(void **state)
     arb_sub(h, h, c, PREC);
     assert_bits(h, 100);
     assert_true(arf_get_d(arb_midref(h), ARF_RND_NEAR) == t->c[1]);
-    arb_clear(h);
-    arb_clear(c);
-    arb_clear(bound);
 }
 
 /* a_0 + a_0' + (a_1 + a_1') u + mu (a_2 + ... + a_4 u^2) + mu^2 (a_5 + ... + a_8 u^3) */
 static void far_value(arb_t value, const struct table *t, const arb_t u)
 {
-    arb_t mu, term, c;
-    arb_init(mu);
-    arb_init(term);
-    arb_init(c);
+    LOCAL(arb, mu, term, c);
     arb_mul_si(mu, u, -5, PREC);
     arb_div_ui(mu, mu, 3, PREC);
     arb_exp(mu, mu, PREC);
@@ -844,20 +756,13 @@ static void far_value(arb_t value, const struct table *t, const arb_t u)
                 arb_set_d(c, t->c[column++]);
                 arb_addmul(value, term, c, PREC);
             }
-    arb_clear(mu);
-    arb_clear(term);
-    arb_clear(c);
 }
 
 static void test_far(void **state)
 {
     (void)state;
     static const double betas[] = {22027, 30000, 65536, 3e5, 1e6, 1e8};
-    arb_t beta, u, exact, value;
-    arb_init(beta);
-    arb_init(u);
-    arb_init(exact);
-    arb_init(value);
+    LOCAL(arb, beta, u, exact, value);
     int count = 0;
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
@@ -878,21 +783,12 @@ static void test_far(void **state)
         print_message("%-30s worst found %.1f bits\n", t->name, worst);
     }
     assert_int_equal(count, 5);
-    arb_clear(beta);
-    arb_clear(u);
-    arb_clear(exact);
-    arb_clear(value);
 }
 
 /* (a/eps)^(3/5) (1 + e (b_0 + b_1 v + b_2 v^2) + e^2 (c_0 + ... + c_4 v^4)), e = eps/a, v = -(3/5) ln(e) */
 static void far_inverse(arb_t beta, const struct table *t, const arb_t eps)
 {
-    arb_t e, v, term, c, sum;
-    arb_init(e);
-    arb_init(v);
-    arb_init(term);
-    arb_init(c);
-    arb_init(sum);
+    LOCAL(arb, e, v, term, c, sum);
     arb_set_d(e, t->c[0]);
     arb_set_d(c, t->c[1]);
     arb_add(e, e, c, PREC);
@@ -913,11 +809,6 @@ static void far_inverse(arb_t beta, const struct table *t, const arb_t eps)
     assert_int_equal(column, t->columns);
     arb_exp(beta, v, PREC);
     arb_mul(beta, beta, sum, PREC);
-    arb_clear(e);
-    arb_clear(v);
-    arb_clear(term);
-    arb_clear(c);
-    arb_clear(sum);
 }
 
 /* The collision at the far inverse's beta has the eps that the inverse was taken at; the relative error of beta is 3/5
@@ -926,11 +817,7 @@ static void test_far_inverse(void **state)
 {
     (void)state;
     const struct table *t = find("far_beta_zero_force");
-    arb_t eps, beta, exact, power;
-    arb_init(eps);
-    arb_init(beta);
-    arb_init(exact);
-    arb_init(power);
+    LOCAL(arb, eps, beta, exact, power);
     double worst = INFINITY;
     for (int exponent = -23; exponent > -50; exponent -= 2) {
         arb_set_d(eps, ldexp(exponent == -23 ? 1 : 1.37, exponent));
@@ -946,17 +833,11 @@ static void test_far_inverse(void **state)
             fail_msg("eps near 2^%d: %.1f bits", exponent, bits);
     }
     print_message("worst found %.1f bits\n", worst);
-    arb_clear(eps);
-    arb_clear(beta);
-    arb_clear(exact);
-    arb_clear(power);
 }
 
 static void assert_pair(const struct table *t, slong column, const arb_t exact, slong bits)
 {
-    arb_t sum, c;
-    arb_init(sum);
-    arb_init(c);
+    LOCAL(arb, sum, c);
     arb_set_d(sum, t->c[column]);
     arb_set_d(c, t->c[column + 1]);
     arb_add(sum, sum, c, PREC);
@@ -965,8 +846,6 @@ static void assert_pair(const struct table *t, slong column, const arb_t exact, 
         arb_fprintd(stderr, sum, 10);
         fail_msg(": %s, columns %ld and %ld", t->name, (long)column, (long)column + 1);
     }
-    arb_clear(sum);
-    arb_clear(c);
 }
 
 /* mu -> 0 in closed form (docs/derivation.md, 8): X = (3/2)^(2/3) is the largest overlap and the speed at zero force;
@@ -976,12 +855,7 @@ static void test_leading_coefficients(void **state)
 {
     (void)state;
     enum { HELD = 60 };
-    arb_t X, K, zero, a, b;
-    arb_init(X);
-    arb_init(K);
-    arb_init(zero);
-    arb_init(a);
-    arb_init(b);
+    LOCAL(arb, X, K, zero, a, b);
     arb_set_d(X, 1.5);
     arb_pow_ratio(X, X, (struct ratio){2, 3}, PREC);
     arb_sqrt_ui(K, 3, PREC);
@@ -1015,11 +889,6 @@ static void test_leading_coefficients(void **state)
     arb_set_si(a, 10);
     arb_div_ui(a, a, 3, PREC);
     assert_pair(find("far_duration_zero_overlap"), 2, a, HELD);
-    arb_clear(X);
-    arb_clear(K);
-    arb_clear(zero);
-    arb_clear(a);
-    arb_clear(b);
 }
 
 int main(void)

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT */
+#include "approximation/sampled_function.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "approximation/barycentric.h"
+#include "support/console.h"
+#include "support/local.h"
+
+enum {
+    ENCLOSURE_BITS = 144, /* working precision */
+    SAMPLE_BITS = 100,
+    WORKING_BITS = 320,
+    BLOCK_ROWS = 6,
+    BLOCK_POINTS = 40
+};
+
+/* Allowed error of a block's polynomial relative to the function */
+#define BLOCK_LIMIT 1e-20
+
+struct block {
+    arb_ptr at, value, weight;
+};
+
+static int block_make(struct block *b, const struct sampled_function *s, double lo, double hi)
+{
+    for (slong j = 0; j < BLOCK_POINTS; j++) {
+        const double x = lo + (hi - lo) * (1 + chebyshev_point(j, BLOCK_POINTS)) / 2;
+        arb_set_d(b->at + j, ldexp(nearbyint(ldexp(x, 44)), -44));
+        s->value(b->value + j, s->what, b->at + j, false, ENCLOSURE_BITS);
+        if (!sample_rounded(b->value + j, b->value + j, SAMPLE_BITS))
+            return fail("%s: a sample cannot be rounded to %d bits", s->p->name, SAMPLE_BITS);
+    }
+    barycentric_weights(b->weight, b->at, BLOCK_POINTS, WORKING_BITS);
+    return STATUS_OK;
+}
+
+static void block_value(arb_t y, const struct block *b, const arb_t x)
+{
+    barycentric_value(y, b->at, b->weight, b->value, BLOCK_POINTS, x, WORKING_BITS);
+}
+
+/* Compares the polynomial with enclosures at two places between samples. */
+static int block_check(const struct block *b, const struct sampled_function *s, double lo, double hi)
+{
+    static const double fraction[] = {0.0371, 0.9173};
+    double worst = 0;
+    LOCAL(arb, x, exact, value);
+    for (int k = 0; k < 2; k++) {
+        arb_set_d(x, lo + (hi - lo) * fraction[k]);
+        s->value(exact, s->what, x, true, ENCLOSURE_BITS);
+        block_value(value, b, x);
+        arb_sub(value, value, exact, WORKING_BITS);
+        arb_div(value, value, exact, WORKING_BITS);
+        worst = fmax(worst, fabs(arf_get_d(arb_midref(value), ARF_RND_UP)) + mag_get_d(arb_radref(value)));
+    }
+    return worst <= BLOCK_LIMIT ? STATUS_OK
+                                : fail("%s: the polynomial on [%g, %g] is off by %.1e", s->p->name, lo, hi, worst);
+}
+
+int sampled_function_make(struct sampled_function *s)
+{
+    const slong rows = s->p->rows;
+    int status = STATUS_OK;
+    s->blocks = (rows + BLOCK_ROWS - 1) / BLOCK_ROWS;
+    s->block = xmalloc((size_t)s->blocks * sizeof *s->block);
+    for (slong i = 0; i < s->blocks; i++) {
+        struct block *const b = &s->block[i];
+        *b = (struct block){_arb_vec_init(BLOCK_POINTS), _arb_vec_init(BLOCK_POINTS), _arb_vec_init(BLOCK_POINTS)};
+        const slong first = i * BLOCK_ROWS, last = first + BLOCK_ROWS < rows ? first + BLOCK_ROWS : rows;
+        const double lo = pieces_cell(s->p, first).lo, hi = pieces_cell(s->p, last - 1).hi;
+        if (status == STATUS_OK)
+            status = block_make(b, s, lo, hi);
+        if (status == STATUS_OK)
+            status = block_check(b, s, lo, hi);
+    }
+    return status;
+}
+
+void sampled_function_clear(struct sampled_function *s)
+{
+    for (slong i = 0; i < s->blocks; i++) {
+        _arb_vec_clear(s->block[i].at, BLOCK_POINTS);
+        _arb_vec_clear(s->block[i].value, BLOCK_POINTS);
+        _arb_vec_clear(s->block[i].weight, BLOCK_POINTS);
+    }
+    free(s->block);
+}
+
+static int samples_at(arb_t f, const void *context, const struct pieces *p, const struct cell *cell, const arb_t y)
+{
+    const struct sampled_function *const s = context;
+    const slong row = (slong)nearbyint((cell->node - p->first) / p->step);
+    block_value(f, &s->block[row / BLOCK_ROWS], y);
+    return STATUS_OK;
+}
+
+struct pieces_function pieces_of_samples(const struct sampled_function *s)
+{
+    return (struct pieces_function){samples_at, s};
+}

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/* A function of one variable that can be enclosed, as something that pieces.h cuts rows from.
+ *
+ * It is computed at the Chebyshev points of blocks of rows, and rounded to SAMPLE_BITS. Rows are cut from the
+ * polynomials through these samples, so that all later steps are arithmetic with the same result for every library.
+ * Between the samples, at two places of each block, the polynomials are compared with enclosures. */
+#ifndef COR_GEN_APPROXIMATION_SAMPLED_FUNCTION_H
+#define COR_GEN_APPROXIMATION_SAMPLED_FUNCTION_H
+
+#include "approximation/pieces.h"
+
+/* f(y), enclosed with a working precision of `prec` bits if `proved`, otherwise a sample */
+typedef void function_of_ball(arb_t f, const void *what, const arb_t y, bool proved, slong prec);
+
+struct sampled_function {
+    const struct pieces *p; /* the grid; VARIABLE_OTHER */
+    function_of_ball *value;
+    const void *what;
+    struct block *block;
+    slong blocks;
+};
+
+/* Returns 0, or 1 after reporting where the function could not be sampled. sampled_function_clear in either case. */
+int sampled_function_make(struct sampled_function *s);
+void sampled_function_clear(struct sampled_function *s);
+
+struct pieces_function pieces_of_samples(const struct sampled_function *s);
+
+#endif
