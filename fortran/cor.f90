@@ -114,7 +114,6 @@ module cor
   integer(c_int), parameter, public :: COR_ERROR_MEMORY = 28
   integer(c_int), parameter, public :: COR_ERROR_DENSITY = 29
   integer(c_int), parameter, public :: COR_ERROR_THICKNESS = 30
-
   type, public, bind(c) :: cor_body_t
     real(c_double) :: young_modulus_pa
     real(c_double) :: poisson_ratio
@@ -122,7 +121,6 @@ module cor
     real(c_double) :: radius_m
     real(c_double) :: mass_kg
   end type
-
   type, public, bind(c) :: cor_sphere_contact_t
     real(c_double) :: effective_mass_kg
     real(c_double) :: effective_radius_m
@@ -132,20 +130,17 @@ module cor
     real(c_double) :: scale
     real(c_double) :: beta5_per_speed
   end type
-
   type, public, bind(c) :: cor_plate_t
     real(c_double) :: young_modulus_pa
     real(c_double) :: poisson_ratio
     real(c_double) :: density_kg_m3
     real(c_double) :: thickness_m
   end type
-
   type, public, bind(c) :: cor_half_space_t
     real(c_double) :: young_modulus_pa
     real(c_double) :: poisson_ratio
     real(c_double) :: density_kg_m3
   end type
-
   type, public, bind(c) :: cor_disk_mode_t
     integer(c_int) :: n
     integer(c_int) :: l
@@ -153,27 +148,23 @@ module cor
     real(c_double) :: c
     real(c_double) :: s
   end type
-
   type, public, bind(c) :: cor_disk_modes_t
     real(c_double) :: nu
     integer(c_size_t) :: count
     type(c_ptr) :: mode
   end type
-
   type, public, bind(c) :: cor_disk_rayleigh_t
     real(c_double) :: fraction
     real(c_double) :: tail
     real(c_double) :: error_estimate
     real(c_double) :: contact_time
   end type
-
   type, public, bind(c) :: cor_disk_collision_options_t
     real(c_double) :: alpha
     real(c_double) :: tolerance
     integer(c_size_t) :: phi_points
     integer(c_size_t) :: max_steps
   end type
-
   type, public, bind(c) :: cor_disk_collision_t
     real(c_double) :: eps
     real(c_double) :: one_minus_eps2
@@ -183,7 +174,6 @@ module cor
     integer(c_size_t) :: steps
     real(c_double) :: error_estimate
   end type
-
   type, public, bind(c) :: cor_disk_moment_t
     real(c_double) :: time
     real(c_double) :: position
@@ -191,7 +181,6 @@ module cor
     real(c_double) :: load
     real(c_double) :: wall_energy
   end type
-
   type, public, bind(c) :: cor_disk_collision_detail_t
     type(c_ptr) :: energy_after
     type(c_ptr) :: energy_average
@@ -200,12 +189,10 @@ module cor
     type(c_ptr) :: q
     type(c_ptr) :: q_dot
   end type
-
   type, public, bind(c) :: cor_disk_hard_wall_options_t
     real(c_double) :: tolerance
     integer(c_size_t) :: max_steps
   end type
-
   type, public, bind(c) :: cor_disk_hard_wall_t
     real(c_double) :: one_minus_eps2
     real(c_double) :: eps
@@ -214,7 +201,6 @@ module cor
     real(c_double) :: error_estimate
     integer(c_size_t) :: omega_levels
   end type
-
   type, public, bind(c) :: cor_disk_hard_wall_moment_t
     real(c_double) :: time
     real(c_double) :: position
@@ -222,7 +208,6 @@ module cor
     real(c_double) :: load
     real(c_double) :: contact_angle
   end type
-
   type, public, bind(c) :: cor_disk_hard_wall_detail_t
     type(c_ptr) :: energy_after
     type(c_ptr) :: energy_average
@@ -231,5629 +216,2951 @@ module cor
     type(c_ptr) :: q
     type(c_ptr) :: q_dot
   end type
-
   type(cor_disk_modes_t), protected, public, bind(c, name="cor_disk_modes_nu033") :: cor_disk_modes_nu033
-
   type(cor_disk_modes_t), protected, public, bind(c, name="cor_disk_modes_nu090") :: cor_disk_modes_nu090
-
   interface
-    function cor_sphere_contact_init(contact, body_1, body_2) bind(c, name="cor_sphere_contact_init") &
-      result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(inout) :: contact
-      type(cor_body_t), intent(in) :: body_1
+    integer(c_int) function cor_sphere_contact_init(contact, body_1, body_2) bind(c)
+      import; type(cor_sphere_contact_t), intent(inout) :: contact; type(cor_body_t), intent(in) :: body_1
       type(cor_body_t), intent(in) :: body_2
-      integer(c_int) :: result_of_c
     end function
-  end interface
-  public :: cor_sphere_contact_init
-
-  interface
-    function cor_sphere_contact_init_g_star(contact, g_star_m_s) bind(c, &
-      name="cor_sphere_contact_init_g_star") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(inout) :: contact
-      real(c_double), value :: g_star_m_s
-      integer(c_int) :: result_of_c
+    integer(c_int) function cor_sphere_contact_init_g_star(contact, g_star_m_s) bind(c)
+      import; type(cor_sphere_contact_t), intent(inout) :: contact; real(c_double), value :: g_star_m_s
     end function
-  end interface
-  public :: cor_sphere_contact_init_g_star
-
-  interface
-    pure function c_cor_contact_g_star_m_s(contact) bind(c, name="cor_contact_g_star_m_s") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_contact_g_star_m_s(contact) bind(c, name="cor_contact_g_star_m_s")
+      import; type(cor_sphere_contact_t), intent(in) :: contact
     end function
-  end interface
-  interface cor_contact_g_star_m_s
-    module procedure cor_contact_g_star_m_s_double
-  end interface
-  public :: cor_contact_g_star_m_s
-
-  interface
-    pure function c_cor_contact_beta(contact, speed_m_s) bind(c, name="cor_contact_beta") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_contact_beta(contact, speed_m_s) bind(c, name="cor_contact_beta")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), value :: speed_m_s
     end function
-  end interface
-  interface cor_contact_beta
-    module procedure cor_contact_beta_double
-  end interface
-  public :: cor_contact_beta
-  interface cor_contact_beta_array
-    subroutine c_cor_contact_beta_array(contact, speed_m_s, y, n) bind(c, name="cor_contact_beta_array")
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), intent(in) :: speed_m_s(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine cor_contact_beta_array(contact, speed_m_s, y, n) bind(c)
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s(*)
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_contact_beta_array
-
-  interface
-    pure function c_cor_contact_eps_zero_overlap(contact, speed_m_s) bind(c, &
-      name="cor_contact_eps_zero_overlap") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_contact_eps_zero_overlap(contact, speed_m_s) bind(c, &
+      name="cor_contact_eps_zero_overlap")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), value :: speed_m_s
     end function
-  end interface
-  interface cor_contact_eps_zero_overlap
-    module procedure cor_contact_eps_zero_overlap_double
-  end interface
-  public :: cor_contact_eps_zero_overlap
-  interface cor_contact_eps_zero_overlap_array
-    subroutine c_cor_contact_eps_zero_overlap_array(contact, speed_m_s, y, n) bind(c, &
-      name="cor_contact_eps_zero_overlap_array")
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), intent(in) :: speed_m_s(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine cor_contact_eps_zero_overlap_array(contact, speed_m_s, y, n) bind(c)
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s(*)
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_contact_eps_zero_overlap_array
-
-  interface
-    pure function c_cor_contact_eps_zero_force(contact, speed_m_s) bind(c, name="cor_contact_eps_zero_force") &
-      result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_contact_eps_zero_force(contact, speed_m_s) bind(c, &
+      name="cor_contact_eps_zero_force")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), value :: speed_m_s
     end function
-  end interface
-  interface cor_contact_eps_zero_force
-    module procedure cor_contact_eps_zero_force_double
-  end interface
-  public :: cor_contact_eps_zero_force
-  interface cor_contact_eps_zero_force_array
-    subroutine c_cor_contact_eps_zero_force_array(contact, speed_m_s, y, n) bind(c, &
-      name="cor_contact_eps_zero_force_array")
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), intent(in) :: speed_m_s(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine cor_contact_eps_zero_force_array(contact, speed_m_s, y, n) bind(c)
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s(*)
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_contact_eps_zero_force_array
-
-  interface
-    pure function c_cor_contact_duration_s_zero_overlap(contact, speed_m_s) bind(c, &
-      name="cor_contact_duration_s_zero_overlap") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_contact_duration_s_zero_overlap(contact, speed_m_s) bind(c, &
+      name="cor_contact_duration_s_zero_overlap")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), value :: speed_m_s
     end function
-  end interface
-  interface cor_contact_duration_s_zero_overlap
-    module procedure cor_contact_duration_s_zero_overlap_double
-  end interface
-  public :: cor_contact_duration_s_zero_overlap
-  interface cor_contact_duration_s_zero_overlap_array
-    subroutine c_cor_contact_duration_s_zero_overlap_array(contact, speed_m_s, y, n) bind(c, &
-      name="cor_contact_duration_s_zero_overlap_array")
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), intent(in) :: speed_m_s(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine cor_contact_duration_s_zero_overlap_array(contact, speed_m_s, y, n) bind(c)
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s(*)
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_contact_duration_s_zero_overlap_array
-
-  interface
-    pure function c_cor_contact_duration_s_zero_force(contact, speed_m_s) bind(c, &
-      name="cor_contact_duration_s_zero_force") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_contact_duration_s_zero_force(contact, speed_m_s) bind(c, &
+      name="cor_contact_duration_s_zero_force")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), value :: speed_m_s
     end function
-  end interface
-  interface cor_contact_duration_s_zero_force
-    module procedure cor_contact_duration_s_zero_force_double
-  end interface
-  public :: cor_contact_duration_s_zero_force
-  interface cor_contact_duration_s_zero_force_array
-    subroutine c_cor_contact_duration_s_zero_force_array(contact, speed_m_s, y, n) bind(c, &
-      name="cor_contact_duration_s_zero_force_array")
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), intent(in) :: speed_m_s(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine cor_contact_duration_s_zero_force_array(contact, speed_m_s, y, n) bind(c)
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s(*)
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_contact_duration_s_zero_force_array
-
-  interface
-    pure function c_cor_contact_max_overlap_m(contact, speed_m_s) bind(c, name="cor_contact_max_overlap_m") &
-      result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_contact_max_overlap_m(contact, speed_m_s) bind(c, &
+      name="cor_contact_max_overlap_m")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), value :: speed_m_s
     end function
-  end interface
-  interface cor_contact_max_overlap_m
-    module procedure cor_contact_max_overlap_m_double
-  end interface
-  public :: cor_contact_max_overlap_m
-  interface cor_contact_max_overlap_m_array
-    subroutine c_cor_contact_max_overlap_m_array(contact, speed_m_s, y, n) bind(c, &
-      name="cor_contact_max_overlap_m_array")
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), intent(in) :: speed_m_s(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine cor_contact_max_overlap_m_array(contact, speed_m_s, y, n) bind(c)
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s(*)
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_contact_max_overlap_m_array
-
-  interface
-    pure function c_cor_contact_dissipation_time_s_zero_overlap(contact, speed_m_s, eps) bind(c, &
-      name="cor_contact_dissipation_time_s_zero_overlap") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), value :: speed_m_s
+    pure real(c_double) function c_cor_contact_dissipation_time_s_zero_overlap(contact, speed_m_s, eps) bind(c, &
+      name="cor_contact_dissipation_time_s_zero_overlap")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), value :: speed_m_s
       real(c_double), value :: eps
-      real(c_double) :: result_of_c
     end function
-  end interface
-  interface cor_contact_dissipation_time_s_zero_overlap
-    module procedure cor_contact_dissipation_time_s_zero_overlap_double
-  end interface
-  public :: cor_contact_dissipation_time_s_zero_overlap
-  interface cor_contact_dissipation_time_s_zero_overlap_array
-    subroutine c_cor_contact_dissipation_time_s_zero_overlap_array(contact, speed_m_s, eps, y, n) bind(c, &
-      name="cor_contact_dissipation_time_s_zero_overlap_array")
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), intent(in) :: speed_m_s(*)
-      real(c_double), intent(in) :: eps(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine cor_contact_dissipation_time_s_zero_overlap_array(contact, speed_m_s, eps, y, n) bind(c)
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s(*)
+      real(c_double), intent(in) :: eps(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_contact_dissipation_time_s_zero_overlap_array
-
-  interface
-    pure function c_cor_contact_dissipation_time_s_zero_force(contact, speed_m_s, eps) bind(c, &
-      name="cor_contact_dissipation_time_s_zero_force") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), value :: speed_m_s
+    pure real(c_double) function c_cor_contact_dissipation_time_s_zero_force(contact, speed_m_s, eps) bind(c, &
+      name="cor_contact_dissipation_time_s_zero_force")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), value :: speed_m_s
       real(c_double), value :: eps
-      real(c_double) :: result_of_c
     end function
-  end interface
-  interface cor_contact_dissipation_time_s_zero_force
-    module procedure cor_contact_dissipation_time_s_zero_force_double
-  end interface
-  public :: cor_contact_dissipation_time_s_zero_force
-  interface cor_contact_dissipation_time_s_zero_force_array
-    subroutine c_cor_contact_dissipation_time_s_zero_force_array(contact, speed_m_s, eps, y, n) bind(c, &
-      name="cor_contact_dissipation_time_s_zero_force_array")
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      real(c_double), intent(in) :: speed_m_s(*)
-      real(c_double), intent(in) :: eps(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine cor_contact_dissipation_time_s_zero_force_array(contact, speed_m_s, eps, y, n) bind(c)
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s(*)
+      real(c_double), intent(in) :: eps(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_contact_dissipation_time_s_zero_force_array
-
-  interface
-    pure function c_cor_dissipation_time_viscous_s(eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio) &
-      bind(c, name="cor_dissipation_time_viscous_s") result(result_of_c)
-      import
-      real(c_double), value :: eta1_pa_s
-      real(c_double), value :: eta2_pa_s
-      real(c_double), value :: young_modulus_pa
-      real(c_double), value :: poisson_ratio
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_dissipation_time_viscous_s(eta1_pa_s, eta2_pa_s, young_modulus_pa, &
+      poisson_ratio) bind(c, name="cor_dissipation_time_viscous_s")
+      import; real(c_double), value :: eta1_pa_s; real(c_double), value :: eta2_pa_s
+      real(c_double), value :: young_modulus_pa; real(c_double), value :: poisson_ratio
     end function
-  end interface
-  interface cor_dissipation_time_viscous_s
-    module procedure cor_dissipation_time_viscous_s_double
-  end interface
-  public :: cor_dissipation_time_viscous_s
-
-  interface
-    pure function c_cor_dissipation_time_s(eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio) bind(c, &
-      name="cor_dissipation_time_s") result(result_of_c)
-      import
-      real(c_double), value :: eta1_pa_s
-      real(c_double), value :: eta2_pa_s
-      real(c_double), value :: young_modulus_pa
-      real(c_double), value :: poisson_ratio
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_dissipation_time_s(eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio) &
+      bind(c, name="cor_dissipation_time_s")
+      import; real(c_double), value :: eta1_pa_s; real(c_double), value :: eta2_pa_s
+      real(c_double), value :: young_modulus_pa; real(c_double), value :: poisson_ratio
     end function
-  end interface
-  interface cor_dissipation_time_s
-    module procedure cor_dissipation_time_s_double
-  end interface
-  public :: cor_dissipation_time_s
-
-  interface
-    function cor_plate_contact_init(contact, sphere, plate) bind(c, name="cor_plate_contact_init") &
-      result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(inout) :: contact
-      type(cor_body_t), intent(in) :: sphere
+    integer(c_int) function cor_plate_contact_init(contact, sphere, plate) bind(c)
+      import; type(cor_sphere_contact_t), intent(inout) :: contact; type(cor_body_t), intent(in) :: sphere
       type(cor_plate_t), intent(in) :: plate
-      integer(c_int) :: result_of_c
     end function
-  end interface
-  public :: cor_plate_contact_init
-
-  interface
-    pure function c_cor_plate_lambda(contact, speed_m_s) bind(c, name="cor_plate_lambda") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
+    pure real(c_double) function c_cor_plate_lambda(contact, speed_m_s) bind(c, name="cor_plate_lambda")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), value :: speed_m_s
+    end function
+    pure real(c_double) function c_cor_plate_contact_radius_ratio(contact, plate, speed_m_s) bind(c, &
+      name="cor_plate_contact_radius_ratio")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; type(cor_plate_t), intent(in) :: plate
       real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
     end function
-  end interface
-  interface cor_plate_lambda
-    module procedure cor_plate_lambda_double
-  end interface
-  public :: cor_plate_lambda
-
-  interface
-    pure function c_cor_plate_contact_radius_ratio(contact, plate, speed_m_s) bind(c, &
-      name="cor_plate_contact_radius_ratio") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      type(cor_plate_t), intent(in) :: plate
+    pure real(c_double) function c_cor_plate_shear_crossings(contact, plate, speed_m_s) bind(c, &
+      name="cor_plate_shear_crossings")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; type(cor_plate_t), intent(in) :: plate
       real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
     end function
-  end interface
-  interface cor_plate_contact_radius_ratio
-    module procedure cor_plate_contact_radius_ratio_double
-  end interface
-  public :: cor_plate_contact_radius_ratio
-
-  interface
-    pure function c_cor_plate_shear_crossings(contact, plate, speed_m_s) bind(c, &
-      name="cor_plate_shear_crossings") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      type(cor_plate_t), intent(in) :: plate
+    pure real(c_double) function c_cor_plate_sphere_crossings(contact, sphere, speed_m_s) bind(c, &
+      name="cor_plate_sphere_crossings")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; type(cor_body_t), intent(in) :: sphere
       real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
     end function
-  end interface
-  interface cor_plate_shear_crossings
-    module procedure cor_plate_shear_crossings_double
-  end interface
-  public :: cor_plate_shear_crossings
-
-  interface
-    pure function c_cor_plate_sphere_crossings(contact, sphere, speed_m_s) bind(c, &
-      name="cor_plate_sphere_crossings") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      type(cor_body_t), intent(in) :: sphere
+    pure real(c_double) function c_cor_plate_least_half_width_m(contact, plate, speed_m_s) bind(c, &
+      name="cor_plate_least_half_width_m")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; type(cor_plate_t), intent(in) :: plate
       real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
     end function
-  end interface
-  interface cor_plate_sphere_crossings
-    module procedure cor_plate_sphere_crossings_double
-  end interface
-  public :: cor_plate_sphere_crossings
-
-  interface
-    pure function c_cor_plate_least_half_width_m(contact, plate, speed_m_s) bind(c, &
-      name="cor_plate_least_half_width_m") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      type(cor_plate_t), intent(in) :: plate
+    pure real(c_double) function c_cor_half_space_wave_factor(poisson_ratio) bind(c, &
+      name="cor_half_space_wave_factor")
+      import; real(c_double), value :: poisson_ratio
+    end function
+    pure real(c_double) function c_cor_half_space_wave_coefficient(poisson_ratio) bind(c, &
+      name="cor_half_space_wave_coefficient")
+      import; real(c_double), value :: poisson_ratio
+    end function
+    pure real(c_double) function c_cor_contact_wave_loss(contact, half_space, speed_m_s) bind(c, &
+      name="cor_contact_wave_loss")
+      import; type(cor_sphere_contact_t), intent(in) :: contact; type(cor_half_space_t), intent(in) :: half_space
       real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
     end function
-  end interface
-  interface cor_plate_least_half_width_m
-    module procedure cor_plate_least_half_width_m_double
-  end interface
-  public :: cor_plate_least_half_width_m
-
-  interface
-    pure function c_cor_half_space_wave_factor(poisson_ratio) bind(c, name="cor_half_space_wave_factor") &
-      result(result_of_c)
-      import
-      real(c_double), value :: poisson_ratio
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_sphere_mass_kg(radius_m, density_kg_m3) bind(c, name="cor_sphere_mass_kg")
+      import; real(c_double), value :: radius_m; real(c_double), value :: density_kg_m3
     end function
-  end interface
-  interface cor_half_space_wave_factor
-    module procedure cor_half_space_wave_factor_double
-  end interface
-  public :: cor_half_space_wave_factor
-
-  interface
-    pure function c_cor_half_space_wave_coefficient(poisson_ratio) bind(c, &
-      name="cor_half_space_wave_coefficient") result(result_of_c)
-      import
-      real(c_double), value :: poisson_ratio
-      real(c_double) :: result_of_c
-    end function
-  end interface
-  interface cor_half_space_wave_coefficient
-    module procedure cor_half_space_wave_coefficient_double
-  end interface
-  public :: cor_half_space_wave_coefficient
-
-  interface
-    pure function c_cor_contact_wave_loss(contact, half_space, speed_m_s) bind(c, &
-      name="cor_contact_wave_loss") result(result_of_c)
-      import
-      type(cor_sphere_contact_t), intent(in) :: contact
-      type(cor_half_space_t), intent(in) :: half_space
-      real(c_double), value :: speed_m_s
-      real(c_double) :: result_of_c
-    end function
-  end interface
-  interface cor_contact_wave_loss
-    module procedure cor_contact_wave_loss_double
-  end interface
-  public :: cor_contact_wave_loss
-
-  interface
-    pure function c_cor_sphere_mass_kg(radius_m, density_kg_m3) bind(c, name="cor_sphere_mass_kg") &
-      result(result_of_c)
-      import
-      real(c_double), value :: radius_m
-      real(c_double), value :: density_kg_m3
-      real(c_double) :: result_of_c
-    end function
-  end interface
-  interface cor_sphere_mass_kg
-    module procedure cor_sphere_mass_kg_double
-  end interface
-  public :: cor_sphere_mass_kg
-
-  interface
-    function cor_disk_modes_read(path, mode, capacity, modes, line) bind(c, name="cor_disk_modes_read") &
-      result(result_of_c)
-      import
-      character(kind=c_char), intent(in) :: path(*)
-      type(cor_disk_mode_t), intent(inout) :: mode(*)
-      integer(c_size_t), value :: capacity
-      type(cor_disk_modes_t), intent(inout) :: modes
+    integer(c_int) function cor_disk_modes_read(path, mode, capacity, modes, line) bind(c)
+      import; character(kind=c_char), intent(in) :: path(*); type(cor_disk_mode_t), intent(inout) :: mode(*)
+      integer(c_size_t), value :: capacity; type(cor_disk_modes_t), intent(inout) :: modes
       integer(c_size_t), intent(inout), optional :: line
-      integer(c_int) :: result_of_c
     end function
-  end interface
-  public :: cor_disk_modes_read
-
-  interface
-    function cor_disk_modes_compute(nu, count, mode, modes) bind(c, name="cor_disk_modes_compute") &
-      result(result_of_c)
-      import
-      real(c_double), value :: nu
-      integer(c_size_t), value :: count
-      type(cor_disk_mode_t), intent(inout) :: mode(*)
-      type(cor_disk_modes_t), intent(inout) :: modes
-      integer(c_int) :: result_of_c
+    integer(c_int) function cor_disk_modes_compute(nu, count, mode, modes) bind(c)
+      import; real(c_double), value :: nu; integer(c_size_t), value :: count
+      type(cor_disk_mode_t), intent(inout) :: mode(*); type(cor_disk_modes_t), intent(inout) :: modes
     end function
-  end interface
-  public :: cor_disk_modes_compute
-
-  interface
-    pure function c_cor_disk_modes_below(nu, omega) bind(c, name="cor_disk_modes_below") result(result_of_c)
-      import
-      real(c_double), value :: nu
-      real(c_double), value :: omega
-      integer(c_size_t) :: result_of_c
+    pure integer(c_size_t) function c_cor_disk_modes_below(nu, omega) bind(c, name="cor_disk_modes_below")
+      import; real(c_double), value :: nu; real(c_double), value :: omega
     end function
-  end interface
-  interface cor_disk_modes_below
-    module procedure cor_disk_modes_below_double
-  end interface
-  public :: cor_disk_modes_below
-
-  interface
-    pure function c_cor_disk_load_limit(nu, datum) bind(c, name="cor_disk_load_limit") result(result_of_c)
-      import
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_load_limit(nu, datum) bind(c, name="cor_disk_load_limit")
+      import; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_load_limit
-    module procedure cor_disk_load_limit_double
-  end interface
-  public :: cor_disk_load_limit
-
-  interface
-    pure function c_cor_disk_compression_limit(nu, datum) bind(c, name="cor_disk_compression_limit") &
-      result(result_of_c)
-      import
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_compression_limit(nu, datum) bind(c, name="cor_disk_compression_limit")
+      import; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_compression_limit
-    module procedure cor_disk_compression_limit_double
-  end interface
-  public :: cor_disk_compression_limit
-
-  interface
-    pure function c_cor_disk_energy_limit(nu, datum) bind(c, name="cor_disk_energy_limit") result(result_of_c)
-      import
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_energy_limit(nu, datum) bind(c, name="cor_disk_energy_limit")
+      import; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_energy_limit
-    module procedure cor_disk_energy_limit_double
-  end interface
-  public :: cor_disk_energy_limit
-
-  interface
-    pure function c_cor_disk_speed_limit(nu, datum) bind(c, name="cor_disk_speed_limit") result(result_of_c)
-      import
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_speed_limit(nu, datum) bind(c, name="cor_disk_speed_limit")
+      import; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_speed_limit
-    module procedure cor_disk_speed_limit_double
-  end interface
-  public :: cor_disk_speed_limit
-
-  interface
-    pure function c_cor_disk_load(compression, nu, datum) bind(c, name="cor_disk_load") result(result_of_c)
-      import
-      real(c_double), value :: compression
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_load(compression, nu, datum) bind(c, name="cor_disk_load")
+      import; real(c_double), value :: compression; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_load
-    module procedure cor_disk_load_double
-  end interface
-  public :: cor_disk_load
-
-  interface
-    pure function c_cor_disk_compression(load, nu, datum) bind(c, name="cor_disk_compression") &
-      result(result_of_c)
-      import
-      real(c_double), value :: load
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_compression(load, nu, datum) bind(c, name="cor_disk_compression")
+      import; real(c_double), value :: load; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_compression
-    module procedure cor_disk_compression_double
-  end interface
-  public :: cor_disk_compression
-
-  interface
-    pure function c_cor_disk_energy(load, nu, datum) bind(c, name="cor_disk_energy") result(result_of_c)
-      import
-      real(c_double), value :: load
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_energy(load, nu, datum) bind(c, name="cor_disk_energy")
+      import; real(c_double), value :: load; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_energy
-    module procedure cor_disk_energy_double
-  end interface
-  public :: cor_disk_energy
-
-  interface
-    pure function c_cor_disk_load_of_energy(energy, nu, datum) bind(c, name="cor_disk_load_of_energy") &
-      result(result_of_c)
-      import
-      real(c_double), value :: energy
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_load_of_energy(energy, nu, datum) bind(c, name="cor_disk_load_of_energy")
+      import; real(c_double), value :: energy; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_load_of_energy
-    module procedure cor_disk_load_of_energy_double
-  end interface
-  public :: cor_disk_load_of_energy
-
-  interface
-    pure function c_cor_disk_max_load(speed, nu, datum) bind(c, name="cor_disk_max_load") result(result_of_c)
-      import
-      real(c_double), value :: speed
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_max_load(speed, nu, datum) bind(c, name="cor_disk_max_load")
+      import; real(c_double), value :: speed; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_max_load
-    module procedure cor_disk_max_load_double
-  end interface
-  public :: cor_disk_max_load
-
-  interface
-    pure function c_cor_disk_max_compression(speed, nu, datum) bind(c, name="cor_disk_max_compression") &
-      result(result_of_c)
-      import
-      real(c_double), value :: speed
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_max_compression(speed, nu, datum) bind(c, name="cor_disk_max_compression")
+      import; real(c_double), value :: speed; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_max_compression
-    module procedure cor_disk_max_compression_double
-  end interface
-  public :: cor_disk_max_compression
-
-  interface
-    pure function c_cor_disk_contact_time(speed, nu, datum) bind(c, name="cor_disk_contact_time") &
-      result(result_of_c)
-      import
-      real(c_double), value :: speed
-      real(c_double), value :: nu
-      integer(c_int), value :: datum
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_contact_time(speed, nu, datum) bind(c, name="cor_disk_contact_time")
+      import; real(c_double), value :: speed; real(c_double), value :: nu; integer(c_int), value :: datum
     end function
-  end interface
-  interface cor_disk_contact_time
-    module procedure cor_disk_contact_time_double
-  end interface
-  public :: cor_disk_contact_time
-
-  interface
-    pure function c_cor_disk_compression_leading_log(load) bind(c, name="cor_disk_compression_leading_log") &
-      result(result_of_c)
-      import
-      real(c_double), value :: load
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_compression_leading_log(load) bind(c, &
+      name="cor_disk_compression_leading_log")
+      import; real(c_double), value :: load
     end function
-  end interface
-  interface cor_disk_compression_leading_log
-    module procedure cor_disk_compression_leading_log_double
-  end interface
-  public :: cor_disk_compression_leading_log
-
-  interface
-    pure function c_cor_disk_load_leading_log(compression) bind(c, name="cor_disk_load_leading_log") &
-      result(result_of_c)
-      import
-      real(c_double), value :: compression
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_load_leading_log(compression) bind(c, name="cor_disk_load_leading_log")
+      import; real(c_double), value :: compression
     end function
-  end interface
-  interface cor_disk_load_leading_log
-    module procedure cor_disk_load_leading_log_double
-  end interface
-  public :: cor_disk_load_leading_log
-
-  interface
-    pure function c_cor_disk_energy_leading_log(compression) bind(c, name="cor_disk_energy_leading_log") &
-      result(result_of_c)
-      import
-      real(c_double), value :: compression
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_energy_leading_log(compression) bind(c, &
+      name="cor_disk_energy_leading_log")
+      import; real(c_double), value :: compression
     end function
-  end interface
-  interface cor_disk_energy_leading_log
-    module procedure cor_disk_energy_leading_log_double
-  end interface
-  public :: cor_disk_energy_leading_log
-
-  interface
-    pure function c_cor_disk_max_compression_leading_log(speed) bind(c, &
-      name="cor_disk_max_compression_leading_log") result(result_of_c)
-      import
-      real(c_double), value :: speed
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_max_compression_leading_log(speed) bind(c, &
+      name="cor_disk_max_compression_leading_log")
+      import; real(c_double), value :: speed
     end function
-  end interface
-  interface cor_disk_max_compression_leading_log
-    module procedure cor_disk_max_compression_leading_log_double
-  end interface
-  public :: cor_disk_max_compression_leading_log
-
-  interface
-    pure function c_cor_disk_contact_time_leading_log(speed) bind(c, &
-      name="cor_disk_contact_time_leading_log") result(result_of_c)
-      import
-      real(c_double), value :: speed
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_contact_time_leading_log(speed) bind(c, &
+      name="cor_disk_contact_time_leading_log")
+      import; real(c_double), value :: speed
     end function
-  end interface
-  interface cor_disk_contact_time_leading_log
-    module procedure cor_disk_contact_time_leading_log_double
-  end interface
-  public :: cor_disk_contact_time_leading_log
-
-  interface
-    function cor_disk_rayleigh(modes, n_modes, datum, speed, out, mode_fraction) bind(c, &
-      name="cor_disk_rayleigh") result(result_of_c)
-      import
-      type(cor_disk_modes_t), intent(in) :: modes
-      integer(c_size_t), value :: n_modes
-      integer(c_int), value :: datum
-      real(c_double), value :: speed
-      type(cor_disk_rayleigh_t), intent(inout) :: out
+    integer(c_int) function cor_disk_rayleigh(modes, n_modes, datum, speed, out, mode_fraction) bind(c)
+      import; type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), value :: n_modes
+      integer(c_int), value :: datum; real(c_double), value :: speed; type(cor_disk_rayleigh_t), intent(inout) :: out
       real(c_double), intent(inout), optional :: mode_fraction(*)
-      integer(c_int) :: result_of_c
     end function
-  end interface
-  public :: cor_disk_rayleigh
-
-  interface
-    function cor_disk_rayleigh_array(modes, n_modes, datum, speed, n, out, mode_fraction, status) bind(c, &
-      name="cor_disk_rayleigh_array") result(result_of_c)
-      import
-      type(cor_disk_modes_t), intent(in) :: modes
-      integer(c_size_t), value :: n_modes
-      integer(c_int), value :: datum
-      real(c_double), intent(in) :: speed(*)
-      integer(c_size_t), value :: n
-      type(cor_disk_rayleigh_t), intent(inout) :: out(*)
-      real(c_double), intent(inout), optional :: mode_fraction(*)
+    integer(c_int) function cor_disk_rayleigh_array(modes, n_modes, datum, speed, n, out, mode_fraction, status) &
+      bind(c)
+      import; type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), value :: n_modes
+      integer(c_int), value :: datum; real(c_double), intent(in) :: speed(*); integer(c_size_t), value :: n
+      type(cor_disk_rayleigh_t), intent(inout) :: out(*); real(c_double), intent(inout), optional :: mode_fraction(*)
       integer(c_int), intent(inout), optional :: status(*)
-      integer(c_int) :: result_of_c
     end function
-  end interface
-  public :: cor_disk_rayleigh_array
-
-  interface
-    function cor_disk_rayleigh_tolerance(modes, datum, speed, tolerance, out, n_modes) bind(c, &
-      name="cor_disk_rayleigh_tolerance") result(result_of_c)
-      import
-      type(cor_disk_modes_t), intent(in) :: modes
-      integer(c_int), value :: datum
-      real(c_double), value :: speed
-      real(c_double), value :: tolerance
-      type(cor_disk_rayleigh_t), intent(inout) :: out
-      integer(c_size_t), intent(inout), optional :: n_modes
-      integer(c_int) :: result_of_c
+    integer(c_int) function cor_disk_rayleigh_tolerance(modes, datum, speed, tolerance, out, n_modes) bind(c)
+      import; type(cor_disk_modes_t), intent(in) :: modes; integer(c_int), value :: datum
+      real(c_double), value :: speed; real(c_double), value :: tolerance
+      type(cor_disk_rayleigh_t), intent(inout) :: out; integer(c_size_t), intent(inout), optional :: n_modes
     end function
-  end interface
-  public :: cor_disk_rayleigh_tolerance
-
-  interface
-    function cor_disk_collision(modes, n_modes, options, speed, out) bind(c, name="cor_disk_collision") &
-      result(result_of_c)
-      import
-      type(cor_disk_modes_t), intent(in) :: modes
-      integer(c_size_t), value :: n_modes
-      type(cor_disk_collision_options_t), intent(in) :: options
-      real(c_double), value :: speed
+    integer(c_int) function cor_disk_collision(modes, n_modes, options, speed, out) bind(c)
+      import; type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), value :: n_modes
+      type(cor_disk_collision_options_t), intent(in) :: options; real(c_double), value :: speed
       type(cor_disk_collision_t), intent(inout) :: out
-      integer(c_int) :: result_of_c
     end function
-  end interface
-  public :: cor_disk_collision
-
-  interface
-    function cor_disk_collision_array(modes, n_modes, options, speed, n, out, status) bind(c, &
-      name="cor_disk_collision_array") result(result_of_c)
-      import
-      type(cor_disk_modes_t), intent(in) :: modes
-      integer(c_size_t), value :: n_modes
-      type(cor_disk_collision_options_t), intent(in) :: options
-      real(c_double), intent(in) :: speed(*)
-      integer(c_size_t), value :: n
-      type(cor_disk_collision_t), intent(inout) :: out(*)
+    integer(c_int) function cor_disk_collision_array(modes, n_modes, options, speed, n, out, status) bind(c)
+      import; type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), value :: n_modes
+      type(cor_disk_collision_options_t), intent(in) :: options; real(c_double), intent(in) :: speed(*)
+      integer(c_size_t), value :: n; type(cor_disk_collision_t), intent(inout) :: out(*)
       integer(c_int), intent(inout), optional :: status(*)
-      integer(c_int) :: result_of_c
     end function
-  end interface
-  public :: cor_disk_collision_array
-
-  interface
-    pure function c_cor_disk_collision_workspace(modes, n_modes, options) bind(c, &
-      name="cor_disk_collision_workspace") result(result_of_c)
-      import
-      type(cor_disk_modes_t), intent(in) :: modes
-      integer(c_size_t), value :: n_modes
+    pure integer(c_size_t) function c_cor_disk_collision_workspace(modes, n_modes, options) bind(c, &
+      name="cor_disk_collision_workspace")
+      import; type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), value :: n_modes
       type(cor_disk_collision_options_t), intent(in) :: options
-      integer(c_size_t) :: result_of_c
     end function
-  end interface
-  interface cor_disk_collision_workspace
-    module procedure cor_disk_collision_workspace_double
-  end interface
-  public :: cor_disk_collision_workspace
-
-  interface
-    function cor_disk_collision_in(workspace, bytes, modes, n_modes, options, speed, out, detail) bind(c, &
-      name="cor_disk_collision_in") result(result_of_c)
-      import
-      type(c_ptr), value :: workspace
-      integer(c_size_t), value :: bytes
-      type(cor_disk_modes_t), intent(in) :: modes
-      integer(c_size_t), value :: n_modes
-      type(cor_disk_collision_options_t), intent(in) :: options
-      real(c_double), value :: speed
+    integer(c_int) function cor_disk_collision_in(workspace, bytes, modes, n_modes, options, speed, out, detail) &
+      bind(c)
+      import; type(c_ptr), value :: workspace; integer(c_size_t), value :: bytes
+      type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), value :: n_modes
+      type(cor_disk_collision_options_t), intent(in) :: options; real(c_double), value :: speed
       type(cor_disk_collision_t), intent(inout) :: out
       type(cor_disk_collision_detail_t), intent(in), optional :: detail
-      integer(c_int) :: result_of_c
     end function
-  end interface
-  public :: cor_disk_collision_in
-
-  interface
-    function cor_disk_hard_wall(modes, n_modes, options, speed, out) bind(c, name="cor_disk_hard_wall") &
-      result(result_of_c)
-      import
-      type(cor_disk_modes_t), intent(in) :: modes
-      integer(c_size_t), value :: n_modes
-      type(cor_disk_hard_wall_options_t), intent(in) :: options
-      real(c_double), value :: speed
+    integer(c_int) function cor_disk_hard_wall(modes, n_modes, options, speed, out) bind(c)
+      import; type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), value :: n_modes
+      type(cor_disk_hard_wall_options_t), intent(in) :: options; real(c_double), value :: speed
       type(cor_disk_hard_wall_t), intent(inout) :: out
-      integer(c_int) :: result_of_c
     end function
-  end interface
-  public :: cor_disk_hard_wall
-
-  interface
-    function cor_disk_hard_wall_nu(nu, options, speed, out) bind(c, name="cor_disk_hard_wall_nu") &
-      result(result_of_c)
-      import
-      real(c_double), value :: nu
-      type(cor_disk_hard_wall_options_t), intent(in) :: options
-      real(c_double), value :: speed
-      type(cor_disk_hard_wall_t), intent(inout) :: out
-      integer(c_int) :: result_of_c
+    integer(c_int) function cor_disk_hard_wall_nu(nu, options, speed, out) bind(c)
+      import; real(c_double), value :: nu; type(cor_disk_hard_wall_options_t), intent(in) :: options
+      real(c_double), value :: speed; type(cor_disk_hard_wall_t), intent(inout) :: out
     end function
-  end interface
-  public :: cor_disk_hard_wall_nu
-
-  interface
-    pure function c_cor_disk_hard_wall_workspace(modes, n_modes, options, speed) bind(c, &
-      name="cor_disk_hard_wall_workspace") result(result_of_c)
-      import
-      type(cor_disk_modes_t), intent(in) :: modes
-      integer(c_size_t), value :: n_modes
-      type(cor_disk_hard_wall_options_t), intent(in) :: options
-      real(c_double), value :: speed
-      integer(c_size_t) :: result_of_c
+    pure integer(c_size_t) function c_cor_disk_hard_wall_workspace(modes, n_modes, options, speed) bind(c, &
+      name="cor_disk_hard_wall_workspace")
+      import; type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), value :: n_modes
+      type(cor_disk_hard_wall_options_t), intent(in) :: options; real(c_double), value :: speed
     end function
-  end interface
-  interface cor_disk_hard_wall_workspace
-    module procedure cor_disk_hard_wall_workspace_double
-  end interface
-  public :: cor_disk_hard_wall_workspace
-
-  interface
-    function cor_disk_hard_wall_in(workspace, bytes, modes, n_modes, options, speed, out, detail) bind(c, &
-      name="cor_disk_hard_wall_in") result(result_of_c)
-      import
-      type(c_ptr), value :: workspace
-      integer(c_size_t), value :: bytes
-      type(cor_disk_modes_t), intent(in) :: modes
-      integer(c_size_t), value :: n_modes
-      type(cor_disk_hard_wall_options_t), intent(in) :: options
-      real(c_double), value :: speed
+    integer(c_int) function cor_disk_hard_wall_in(workspace, bytes, modes, n_modes, options, speed, out, detail) &
+      bind(c)
+      import; type(c_ptr), value :: workspace; integer(c_size_t), value :: bytes
+      type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), value :: n_modes
+      type(cor_disk_hard_wall_options_t), intent(in) :: options; real(c_double), value :: speed
       type(cor_disk_hard_wall_t), intent(inout) :: out
       type(cor_disk_hard_wall_detail_t), intent(in), optional :: detail
-      integer(c_int) :: result_of_c
     end function
-  end interface
-  public :: cor_disk_hard_wall_in
-
-  interface
-    pure function c_cor_disk_eps(speed, nu) bind(c, name="cor_disk_eps") result(result_of_c)
-      import
-      real(c_double), value :: speed
-      real(c_double), value :: nu
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_eps(speed, nu) bind(c, name="cor_disk_eps")
+      import; real(c_double), value :: speed; real(c_double), value :: nu
     end function
-  end interface
-  interface cor_disk_eps
-    module procedure cor_disk_eps_double
-  end interface
-  public :: cor_disk_eps
-
-  interface
-    pure function c_cor_disk_eps_uncertainty(speed, nu) bind(c, name="cor_disk_eps_uncertainty") &
-      result(result_of_c)
-      import
-      real(c_double), value :: speed
-      real(c_double), value :: nu
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_eps_uncertainty(speed, nu) bind(c, name="cor_disk_eps_uncertainty")
+      import; real(c_double), value :: speed; real(c_double), value :: nu
     end function
-  end interface
-  interface cor_disk_eps_uncertainty
-    module procedure cor_disk_eps_uncertainty_double
-  end interface
-  public :: cor_disk_eps_uncertainty
-
-  interface
-    pure function c_cor_disk_one_minus_eps2(speed, nu) bind(c, name="cor_disk_one_minus_eps2") &
-      result(result_of_c)
-      import
-      real(c_double), value :: speed
-      real(c_double), value :: nu
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_one_minus_eps2(speed, nu) bind(c, name="cor_disk_one_minus_eps2")
+      import; real(c_double), value :: speed; real(c_double), value :: nu
     end function
-  end interface
-  interface cor_disk_one_minus_eps2
-    module procedure cor_disk_one_minus_eps2_double
-  end interface
-  public :: cor_disk_one_minus_eps2
-
-  interface
-    pure function c_cor_disk_one_minus_eps2_uncertainty(speed, nu) bind(c, &
-      name="cor_disk_one_minus_eps2_uncertainty") result(result_of_c)
-      import
-      real(c_double), value :: speed
-      real(c_double), value :: nu
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_disk_one_minus_eps2_uncertainty(speed, nu) bind(c, &
+      name="cor_disk_one_minus_eps2_uncertainty")
+      import; real(c_double), value :: speed; real(c_double), value :: nu
     end function
-  end interface
-  interface cor_disk_one_minus_eps2_uncertainty
-    module procedure cor_disk_one_minus_eps2_uncertainty_double
-  end interface
-  public :: cor_disk_one_minus_eps2_uncertainty
-
-  interface
-    pure function c_cor_hertz_dashpot_eps_zero_overlap(x) bind(c, name="cor_hertz_dashpot_eps_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
+    pure real(c_double) function c_cor_hertz_dashpot_eps_zero_overlap(x) bind(c, &
+      name="cor_hertz_dashpot_eps_zero_overlap")
+      import; real(c_double), value :: x
     end function
-    pure function c_cor_hertz_dashpot_eps_zero_overlapf(x) bind(c, &
-      name="cor_hertz_dashpot_eps_zero_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
+    pure real(c_float) function cor_hertz_dashpot_eps_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_eps_zero_force(x) bind(c, &
+      name="cor_hertz_dashpot_eps_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_eps_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_loss_zero_overlap(x) bind(c, &
+      name="cor_hertz_dashpot_loss_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_loss_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_loss_zero_force(x) bind(c, &
+      name="cor_hertz_dashpot_loss_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_loss_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_beta_zero_overlap(x) bind(c, &
+      name="cor_hertz_dashpot_beta_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_beta_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_beta_zero_force(x) bind(c, &
+      name="cor_hertz_dashpot_beta_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_beta_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_beta_of_loss_zero_overlap(x) bind(c, &
+      name="cor_hertz_dashpot_beta_of_loss_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_beta_of_loss_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_beta_of_loss_zero_force(x) bind(c, &
+      name="cor_hertz_dashpot_beta_of_loss_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_beta_of_loss_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_duration_zero_overlap(x) bind(c, &
+      name="cor_hertz_dashpot_duration_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_duration_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_duration_zero_force(x) bind(c, &
+      name="cor_hertz_dashpot_duration_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_duration_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_max_overlap(x) bind(c, name="cor_hertz_dashpot_max_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_max_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_time_of_max_overlap(x) bind(c, &
+      name="cor_hertz_dashpot_time_of_max_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_time_of_max_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_eps_approach_only(x) bind(c, &
+      name="cor_hertz_dashpot_eps_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_eps_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_loss_approach_only(x) bind(c, &
+      name="cor_hertz_dashpot_loss_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_loss_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_beta_approach_only(x) bind(c, &
+      name="cor_hertz_dashpot_beta_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_beta_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_beta_of_loss_approach_only(x) bind(c, &
+      name="cor_hertz_dashpot_beta_of_loss_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_beta_of_loss_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hertz_dashpot_duration_approach_only(x) bind(c, &
+      name="cor_hertz_dashpot_duration_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hertz_dashpot_duration_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_eps_zero_overlap(x) bind(c, name="cor_linear_eps_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_eps_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_eps_zero_force(x) bind(c, name="cor_linear_eps_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_eps_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_eps_limited(x) bind(c, name="cor_linear_eps_limited")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_eps_limitedf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_eps_approach_only(x) bind(c, name="cor_linear_eps_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_eps_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_loss_zero_overlap(x) bind(c, name="cor_linear_loss_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_loss_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_loss_zero_force(x) bind(c, name="cor_linear_loss_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_loss_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_loss_limited(x) bind(c, name="cor_linear_loss_limited")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_loss_limitedf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_loss_approach_only(x) bind(c, name="cor_linear_loss_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_loss_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_zeta_zero_overlap(x) bind(c, name="cor_linear_zeta_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_zeta_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_zeta_zero_force(x) bind(c, name="cor_linear_zeta_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_zeta_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_zeta_limited(x) bind(c, name="cor_linear_zeta_limited")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_zeta_limitedf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_zeta_approach_only(x) bind(c, name="cor_linear_zeta_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_zeta_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_zeta_of_loss_zero_overlap(x) bind(c, &
+      name="cor_linear_zeta_of_loss_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_zeta_of_loss_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_zeta_of_loss_zero_force(x) bind(c, &
+      name="cor_linear_zeta_of_loss_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_zeta_of_loss_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_zeta_of_loss_limited(x) bind(c, name="cor_linear_zeta_of_loss_limited")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_zeta_of_loss_limitedf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_zeta_of_loss_approach_only(x) bind(c, &
+      name="cor_linear_zeta_of_loss_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_zeta_of_loss_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_duration_zero_overlap(x) bind(c, &
+      name="cor_linear_duration_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_duration_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_duration_zero_force(x) bind(c, name="cor_linear_duration_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_duration_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_duration_limited(x) bind(c, name="cor_linear_duration_limited")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_duration_limitedf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_duration_approach_only(x) bind(c, &
+      name="cor_linear_duration_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_duration_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_max_overlap(x) bind(c, name="cor_linear_max_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_max_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_linear_time_of_max_overlap(x) bind(c, name="cor_linear_time_of_max_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_linear_time_of_max_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_eps_zero_overlap(x) bind(c, name="cor_tsuji_eps_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_eps_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_eps_zero_force(x) bind(c, name="cor_tsuji_eps_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_eps_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_eps_limited(x) bind(c, name="cor_tsuji_eps_limited")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_eps_limitedf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_eps_approach_only(x) bind(c, name="cor_tsuji_eps_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_eps_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_loss_zero_overlap(x) bind(c, name="cor_tsuji_loss_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_loss_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_loss_zero_force(x) bind(c, name="cor_tsuji_loss_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_loss_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_loss_limited(x) bind(c, name="cor_tsuji_loss_limited")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_loss_limitedf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_loss_approach_only(x) bind(c, name="cor_tsuji_loss_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_loss_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_zeta_zero_overlap(x) bind(c, name="cor_tsuji_zeta_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_zeta_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_zeta_zero_force(x) bind(c, name="cor_tsuji_zeta_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_zeta_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_zeta_limited(x) bind(c, name="cor_tsuji_zeta_limited")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_zeta_limitedf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_zeta_approach_only(x) bind(c, name="cor_tsuji_zeta_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_zeta_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_zeta_of_loss_zero_overlap(x) bind(c, &
+      name="cor_tsuji_zeta_of_loss_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_zeta_of_loss_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_zeta_of_loss_zero_force(x) bind(c, &
+      name="cor_tsuji_zeta_of_loss_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_zeta_of_loss_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_zeta_of_loss_limited(x) bind(c, name="cor_tsuji_zeta_of_loss_limited")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_zeta_of_loss_limitedf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_zeta_of_loss_approach_only(x) bind(c, &
+      name="cor_tsuji_zeta_of_loss_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_zeta_of_loss_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_duration_zero_overlap(x) bind(c, name="cor_tsuji_duration_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_duration_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_duration_zero_force(x) bind(c, name="cor_tsuji_duration_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_duration_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_duration_limited(x) bind(c, name="cor_tsuji_duration_limited")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_duration_limitedf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_duration_approach_only(x) bind(c, &
+      name="cor_tsuji_duration_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_duration_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_max_overlap(x) bind(c, name="cor_tsuji_max_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_max_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_tsuji_time_of_max_overlap(x) bind(c, name="cor_tsuji_time_of_max_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_tsuji_time_of_max_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_eps(x) bind(c, name="cor_hunt_crossley_eps")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hunt_crossley_epsf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_eps_approach_only(x) bind(c, &
+      name="cor_hunt_crossley_eps_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hunt_crossley_eps_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_loss(x) bind(c, name="cor_hunt_crossley_loss")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hunt_crossley_lossf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_loss_approach_only(x) bind(c, &
+      name="cor_hunt_crossley_loss_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hunt_crossley_loss_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_beta(x) bind(c, name="cor_hunt_crossley_beta")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hunt_crossley_betaf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_beta_approach_only(x) bind(c, &
+      name="cor_hunt_crossley_beta_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hunt_crossley_beta_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_beta_of_loss(x) bind(c, name="cor_hunt_crossley_beta_of_loss")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hunt_crossley_beta_of_lossf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_beta_of_loss_approach_only(x) bind(c, &
+      name="cor_hunt_crossley_beta_of_loss_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_hunt_crossley_beta_of_loss_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_max_overlap(beta, elastic_exponent) bind(c, &
+      name="cor_hunt_crossley_max_overlap")
+      import; real(c_double), value :: beta; real(c_double), value :: elastic_exponent
+    end function
+    pure real(c_float) function cor_hunt_crossley_max_overlapf(beta, elastic_exponent) bind(c)
+      import; real(c_float), value :: beta; real(c_float), value :: elastic_exponent
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_duration(beta, elastic_exponent) bind(c, &
+      name="cor_hunt_crossley_duration")
+      import; real(c_double), value :: beta; real(c_double), value :: elastic_exponent
+    end function
+    pure real(c_float) function cor_hunt_crossley_durationf(beta, elastic_exponent) bind(c)
+      import; real(c_float), value :: beta; real(c_float), value :: elastic_exponent
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_duration_approach_only(beta, elastic_exponent) bind(c, &
+      name="cor_hunt_crossley_duration_approach_only")
+      import; real(c_double), value :: beta; real(c_double), value :: elastic_exponent
+    end function
+    pure real(c_float) function cor_hunt_crossley_duration_approach_onlyf(beta, elastic_exponent) bind(c)
+      import; real(c_float), value :: beta; real(c_float), value :: elastic_exponent
+    end function
+    pure real(c_double) function c_cor_hunt_crossley_time_of_max_overlap(beta, elastic_exponent) bind(c, &
+      name="cor_hunt_crossley_time_of_max_overlap")
+      import; real(c_double), value :: beta; real(c_double), value :: elastic_exponent
+    end function
+    pure real(c_float) function cor_hunt_crossley_time_of_max_overlapf(beta, elastic_exponent) bind(c)
+      import; real(c_float), value :: beta; real(c_float), value :: elastic_exponent
+    end function
+    pure real(c_double) function c_cor_sphere_eps_zero_overlap(x) bind(c, name="cor_sphere_eps_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_eps_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_eps_zero_force(x) bind(c, name="cor_sphere_eps_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_eps_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_loss_zero_overlap(x) bind(c, name="cor_sphere_loss_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_loss_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_loss_zero_force(x) bind(c, name="cor_sphere_loss_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_loss_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_beta_zero_overlap(x) bind(c, name="cor_sphere_beta_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_beta_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_beta_zero_force(x) bind(c, name="cor_sphere_beta_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_beta_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_duration_zero_overlap(x) bind(c, &
+      name="cor_sphere_duration_zero_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_duration_zero_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_duration_zero_force(x) bind(c, name="cor_sphere_duration_zero_force")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_duration_zero_forcef(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_max_overlap(x) bind(c, name="cor_sphere_max_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_max_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_time_of_max_overlap(x) bind(c, name="cor_sphere_time_of_max_overlap")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_time_of_max_overlapf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    real(c_float) function cor_sphere_eps_zero_overlap_fastf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    subroutine cor_sphere_eps_zero_overlap_fast_arrayf(x, y, n) bind(c)
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
+    end subroutine
+    real(c_float) function cor_sphere_eps_zero_force_fastf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    subroutine cor_sphere_eps_zero_force_fast_arrayf(x, y, n) bind(c)
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
+    end subroutine
+    real(c_float) function cor_sphere_loss_zero_overlap_fastf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    subroutine cor_sphere_loss_zero_overlap_fast_arrayf(x, y, n) bind(c)
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
+    end subroutine
+    real(c_float) function cor_sphere_loss_zero_force_fastf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    subroutine cor_sphere_loss_zero_force_fast_arrayf(x, y, n) bind(c)
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
+    end subroutine
+    real(c_float) function cor_sphere_duration_zero_overlap_fastf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    subroutine cor_sphere_duration_zero_overlap_fast_arrayf(x, y, n) bind(c)
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
+    end subroutine
+    real(c_float) function cor_sphere_duration_zero_force_fastf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    subroutine cor_sphere_duration_zero_force_fast_arrayf(x, y, n) bind(c)
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
+    end subroutine
+    real(c_float) function cor_sphere_max_overlap_fastf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    subroutine cor_sphere_max_overlap_fast_arrayf(x, y, n) bind(c)
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
+    end subroutine
+    real(c_float) function cor_sphere_time_of_max_overlap_fastf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    subroutine cor_sphere_time_of_max_overlap_fast_arrayf(x, y, n) bind(c)
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
+    end subroutine
+    pure real(c_double) function c_cor_sphere_eps_approach_only(x) bind(c, name="cor_sphere_eps_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_eps_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_loss_approach_only(x) bind(c, name="cor_sphere_loss_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_loss_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_beta_approach_only(x) bind(c, name="cor_sphere_beta_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_beta_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_beta_of_loss_approach_only(x) bind(c, &
+      name="cor_sphere_beta_of_loss_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_beta_of_loss_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_duration_approach_only(x) bind(c, &
+      name="cor_sphere_duration_approach_only")
+      import; real(c_double), value :: x
+    end function
+    pure real(c_float) function cor_sphere_duration_approach_onlyf(x) bind(c)
+      import; real(c_float), value :: x
+    end function
+    pure real(c_double) function c_cor_sphere_eps_simple(beta) bind(c, name="cor_sphere_eps_simple")
+      import; real(c_double), value :: beta
+    end function
+    pure real(c_double) function c_cor_sphere_eps_simple_fraction(beta, depth) bind(c, &
+      name="cor_sphere_eps_simple_fraction")
+      import; real(c_double), value :: beta; integer(c_int), value :: depth
+    end function
+    pure real(c_double) function c_cor_sphere_eps_published_pade(beta) bind(c, name="cor_sphere_eps_published_pade")
+      import; real(c_double), value :: beta
+    end function
+    type(c_ptr) function c_cor_status_text(status) bind(c, name="cor_status_text")
+      import; integer(c_int), value :: status
     end function
   end interface
   interface cor_hertz_dashpot_eps_zero_overlap
     module procedure cor_hertz_dashpot_eps_zero_overlap_double, cor_hertz_dashpot_eps_zero_overlap_float
   end interface
-  public :: cor_hertz_dashpot_eps_zero_overlap
   interface cor_hertz_dashpot_eps_zero_overlap_array
     subroutine c_cor_hertz_dashpot_eps_zero_overlap_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_eps_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_eps_zero_overlap_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_eps_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_eps_zero_overlap_array
-
-  interface
-    pure function c_cor_hertz_dashpot_eps_zero_force(x) bind(c, name="cor_hertz_dashpot_eps_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_eps_zero_forcef(x) bind(c, name="cor_hertz_dashpot_eps_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_eps_zero_force
     module procedure cor_hertz_dashpot_eps_zero_force_double, cor_hertz_dashpot_eps_zero_force_float
   end interface
-  public :: cor_hertz_dashpot_eps_zero_force
   interface cor_hertz_dashpot_eps_zero_force_array
     subroutine c_cor_hertz_dashpot_eps_zero_force_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_eps_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_eps_zero_force_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_eps_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_eps_zero_force_array
-
-  interface
-    pure function c_cor_hertz_dashpot_loss_zero_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_loss_zero_overlap") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_loss_zero_overlapf(x) bind(c, &
-      name="cor_hertz_dashpot_loss_zero_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_loss_zero_overlap
     module procedure cor_hertz_dashpot_loss_zero_overlap_double, cor_hertz_dashpot_loss_zero_overlap_float
   end interface
-  public :: cor_hertz_dashpot_loss_zero_overlap
   interface cor_hertz_dashpot_loss_zero_overlap_array
     subroutine c_cor_hertz_dashpot_loss_zero_overlap_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_loss_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_loss_zero_overlap_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_loss_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_loss_zero_overlap_array
-
-  interface
-    pure function c_cor_hertz_dashpot_loss_zero_force(x) bind(c, name="cor_hertz_dashpot_loss_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_loss_zero_forcef(x) bind(c, name="cor_hertz_dashpot_loss_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_loss_zero_force
     module procedure cor_hertz_dashpot_loss_zero_force_double, cor_hertz_dashpot_loss_zero_force_float
   end interface
-  public :: cor_hertz_dashpot_loss_zero_force
   interface cor_hertz_dashpot_loss_zero_force_array
     subroutine c_cor_hertz_dashpot_loss_zero_force_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_loss_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_loss_zero_force_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_loss_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_loss_zero_force_array
-
-  interface
-    pure function c_cor_hertz_dashpot_beta_zero_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_beta_zero_overlap") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_beta_zero_overlapf(x) bind(c, &
-      name="cor_hertz_dashpot_beta_zero_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_beta_zero_overlap
     module procedure cor_hertz_dashpot_beta_zero_overlap_double, cor_hertz_dashpot_beta_zero_overlap_float
   end interface
-  public :: cor_hertz_dashpot_beta_zero_overlap
   interface cor_hertz_dashpot_beta_zero_overlap_array
     subroutine c_cor_hertz_dashpot_beta_zero_overlap_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_beta_zero_overlap_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_beta_zero_overlap_array
-
-  interface
-    pure function c_cor_hertz_dashpot_beta_zero_force(x) bind(c, name="cor_hertz_dashpot_beta_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_beta_zero_forcef(x) bind(c, name="cor_hertz_dashpot_beta_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_beta_zero_force
     module procedure cor_hertz_dashpot_beta_zero_force_double, cor_hertz_dashpot_beta_zero_force_float
   end interface
-  public :: cor_hertz_dashpot_beta_zero_force
   interface cor_hertz_dashpot_beta_zero_force_array
     subroutine c_cor_hertz_dashpot_beta_zero_force_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_beta_zero_force_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_beta_zero_force_array
-
-  interface
-    pure function c_cor_hertz_dashpot_beta_of_loss_zero_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_beta_of_loss_zero_overlap") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_beta_of_loss_zero_overlapf(x) bind(c, &
-      name="cor_hertz_dashpot_beta_of_loss_zero_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_beta_of_loss_zero_overlap
     module procedure cor_hertz_dashpot_beta_of_loss_zero_overlap_double, &
       cor_hertz_dashpot_beta_of_loss_zero_overlap_float
   end interface
-  public :: cor_hertz_dashpot_beta_of_loss_zero_overlap
   interface cor_hertz_dashpot_beta_of_loss_zero_overlap_array
     subroutine c_cor_hertz_dashpot_beta_of_loss_zero_overlap_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_of_loss_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_beta_of_loss_zero_overlap_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_of_loss_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
   end interface
-  public :: cor_hertz_dashpot_beta_of_loss_zero_overlap_array
-
-  interface
-    pure function c_cor_hertz_dashpot_beta_of_loss_zero_force(x) bind(c, &
-      name="cor_hertz_dashpot_beta_of_loss_zero_force") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_beta_of_loss_zero_forcef(x) bind(c, &
-      name="cor_hertz_dashpot_beta_of_loss_zero_forcef") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
   interface cor_hertz_dashpot_beta_of_loss_zero_force
-    module procedure cor_hertz_dashpot_beta_of_loss_zero_force_double, &
-      cor_hertz_dashpot_beta_of_loss_zero_force_float
+    module procedure cor_hertz_dashpot_beta_of_loss_zero_force_double, cor_hertz_dashpot_beta_of_loss_zero_force_float
   end interface
-  public :: cor_hertz_dashpot_beta_of_loss_zero_force
   interface cor_hertz_dashpot_beta_of_loss_zero_force_array
     subroutine c_cor_hertz_dashpot_beta_of_loss_zero_force_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_of_loss_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_beta_of_loss_zero_force_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_of_loss_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
   end interface
-  public :: cor_hertz_dashpot_beta_of_loss_zero_force_array
-
-  interface
-    pure function c_cor_hertz_dashpot_duration_zero_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_duration_zero_overlap") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_duration_zero_overlapf(x) bind(c, &
-      name="cor_hertz_dashpot_duration_zero_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
   interface cor_hertz_dashpot_duration_zero_overlap
-    module procedure cor_hertz_dashpot_duration_zero_overlap_double, &
-      cor_hertz_dashpot_duration_zero_overlap_float
+    module procedure cor_hertz_dashpot_duration_zero_overlap_double, cor_hertz_dashpot_duration_zero_overlap_float
   end interface
-  public :: cor_hertz_dashpot_duration_zero_overlap
   interface cor_hertz_dashpot_duration_zero_overlap_array
     subroutine c_cor_hertz_dashpot_duration_zero_overlap_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_duration_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_duration_zero_overlap_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_duration_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_duration_zero_overlap_array
-
-  interface
-    pure function c_cor_hertz_dashpot_duration_zero_force(x) bind(c, &
-      name="cor_hertz_dashpot_duration_zero_force") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_duration_zero_forcef(x) bind(c, &
-      name="cor_hertz_dashpot_duration_zero_forcef") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_duration_zero_force
     module procedure cor_hertz_dashpot_duration_zero_force_double, cor_hertz_dashpot_duration_zero_force_float
   end interface
-  public :: cor_hertz_dashpot_duration_zero_force
   interface cor_hertz_dashpot_duration_zero_force_array
     subroutine c_cor_hertz_dashpot_duration_zero_force_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_duration_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_duration_zero_force_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_duration_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_duration_zero_force_array
-
-  interface
-    pure function c_cor_hertz_dashpot_max_overlap(x) bind(c, name="cor_hertz_dashpot_max_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_max_overlapf(x) bind(c, name="cor_hertz_dashpot_max_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_max_overlap
     module procedure cor_hertz_dashpot_max_overlap_double, cor_hertz_dashpot_max_overlap_float
   end interface
-  public :: cor_hertz_dashpot_max_overlap
   interface cor_hertz_dashpot_max_overlap_array
-    subroutine c_cor_hertz_dashpot_max_overlap_array(x, y, n) bind(c, &
-      name="cor_hertz_dashpot_max_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_hertz_dashpot_max_overlap_array(x, y, n) bind(c, name="cor_hertz_dashpot_max_overlap_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_hertz_dashpot_max_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_hertz_dashpot_max_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_hertz_dashpot_max_overlap_arrayf(x, y, n) bind(c, name="cor_hertz_dashpot_max_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_max_overlap_array
-
-  interface
-    pure function c_cor_hertz_dashpot_time_of_max_overlap(x) bind(c, &
-      name="cor_hertz_dashpot_time_of_max_overlap") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_time_of_max_overlapf(x) bind(c, &
-      name="cor_hertz_dashpot_time_of_max_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_time_of_max_overlap
     module procedure cor_hertz_dashpot_time_of_max_overlap_double, cor_hertz_dashpot_time_of_max_overlap_float
   end interface
-  public :: cor_hertz_dashpot_time_of_max_overlap
   interface cor_hertz_dashpot_time_of_max_overlap_array
     subroutine c_cor_hertz_dashpot_time_of_max_overlap_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_time_of_max_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_time_of_max_overlap_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_time_of_max_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_time_of_max_overlap_array
-
-  interface
-    pure function c_cor_hertz_dashpot_eps_approach_only(x) bind(c, &
-      name="cor_hertz_dashpot_eps_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_eps_approach_onlyf(x) bind(c, &
-      name="cor_hertz_dashpot_eps_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_eps_approach_only
     module procedure cor_hertz_dashpot_eps_approach_only_double, cor_hertz_dashpot_eps_approach_only_float
   end interface
-  public :: cor_hertz_dashpot_eps_approach_only
   interface cor_hertz_dashpot_eps_approach_only_array
     subroutine c_cor_hertz_dashpot_eps_approach_only_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_eps_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_eps_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_eps_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_eps_approach_only_array
-
-  interface
-    pure function c_cor_hertz_dashpot_loss_approach_only(x) bind(c, &
-      name="cor_hertz_dashpot_loss_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_loss_approach_onlyf(x) bind(c, &
-      name="cor_hertz_dashpot_loss_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_loss_approach_only
     module procedure cor_hertz_dashpot_loss_approach_only_double, cor_hertz_dashpot_loss_approach_only_float
   end interface
-  public :: cor_hertz_dashpot_loss_approach_only
   interface cor_hertz_dashpot_loss_approach_only_array
     subroutine c_cor_hertz_dashpot_loss_approach_only_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_loss_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_loss_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_loss_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_loss_approach_only_array
-
-  interface
-    pure function c_cor_hertz_dashpot_beta_approach_only(x) bind(c, &
-      name="cor_hertz_dashpot_beta_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_beta_approach_onlyf(x) bind(c, &
-      name="cor_hertz_dashpot_beta_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_beta_approach_only
     module procedure cor_hertz_dashpot_beta_approach_only_double, cor_hertz_dashpot_beta_approach_only_float
   end interface
-  public :: cor_hertz_dashpot_beta_approach_only
   interface cor_hertz_dashpot_beta_approach_only_array
     subroutine c_cor_hertz_dashpot_beta_approach_only_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_beta_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_beta_approach_only_array
-
-  interface
-    pure function c_cor_hertz_dashpot_beta_of_loss_approach_only(x) bind(c, &
-      name="cor_hertz_dashpot_beta_of_loss_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_beta_of_loss_approach_onlyf(x) bind(c, &
-      name="cor_hertz_dashpot_beta_of_loss_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hertz_dashpot_beta_of_loss_approach_only
     module procedure cor_hertz_dashpot_beta_of_loss_approach_only_double, &
       cor_hertz_dashpot_beta_of_loss_approach_only_float
   end interface
-  public :: cor_hertz_dashpot_beta_of_loss_approach_only
   interface cor_hertz_dashpot_beta_of_loss_approach_only_array
     subroutine c_cor_hertz_dashpot_beta_of_loss_approach_only_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_of_loss_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_beta_of_loss_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_beta_of_loss_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
   end interface
-  public :: cor_hertz_dashpot_beta_of_loss_approach_only_array
-
-  interface
-    pure function c_cor_hertz_dashpot_duration_approach_only(x) bind(c, &
-      name="cor_hertz_dashpot_duration_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hertz_dashpot_duration_approach_onlyf(x) bind(c, &
-      name="cor_hertz_dashpot_duration_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
   interface cor_hertz_dashpot_duration_approach_only
-    module procedure cor_hertz_dashpot_duration_approach_only_double, &
-      cor_hertz_dashpot_duration_approach_only_float
+    module procedure cor_hertz_dashpot_duration_approach_only_double, cor_hertz_dashpot_duration_approach_only_float
   end interface
-  public :: cor_hertz_dashpot_duration_approach_only
   interface cor_hertz_dashpot_duration_approach_only_array
     subroutine c_cor_hertz_dashpot_duration_approach_only_array(x, y, n) bind(c, &
       name="cor_hertz_dashpot_duration_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hertz_dashpot_duration_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_hertz_dashpot_duration_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hertz_dashpot_duration_approach_only_array
-
-  interface
-    pure function c_cor_linear_eps_zero_overlap(x) bind(c, name="cor_linear_eps_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_eps_zero_overlapf(x) bind(c, name="cor_linear_eps_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_eps_zero_overlap
     module procedure cor_linear_eps_zero_overlap_double, cor_linear_eps_zero_overlap_float
   end interface
-  public :: cor_linear_eps_zero_overlap
   interface cor_linear_eps_zero_overlap_array
     subroutine c_cor_linear_eps_zero_overlap_array(x, y, n) bind(c, name="cor_linear_eps_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_linear_eps_zero_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_linear_eps_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_eps_zero_overlap_arrayf(x, y, n) bind(c, name="cor_linear_eps_zero_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_eps_zero_overlap_array
-
-  interface
-    pure function c_cor_linear_eps_zero_force(x) bind(c, name="cor_linear_eps_zero_force") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_eps_zero_forcef(x) bind(c, name="cor_linear_eps_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_eps_zero_force
     module procedure cor_linear_eps_zero_force_double, cor_linear_eps_zero_force_float
   end interface
-  public :: cor_linear_eps_zero_force
   interface cor_linear_eps_zero_force_array
     subroutine c_cor_linear_eps_zero_force_array(x, y, n) bind(c, name="cor_linear_eps_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_eps_zero_force_arrayf(x, y, n) bind(c, name="cor_linear_eps_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_eps_zero_force_array
-
-  interface
-    pure function c_cor_linear_eps_limited(x) bind(c, name="cor_linear_eps_limited") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_eps_limitedf(x) bind(c, name="cor_linear_eps_limitedf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_eps_limited
     module procedure cor_linear_eps_limited_double, cor_linear_eps_limited_float
   end interface
-  public :: cor_linear_eps_limited
   interface cor_linear_eps_limited_array
     subroutine c_cor_linear_eps_limited_array(x, y, n) bind(c, name="cor_linear_eps_limited_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_eps_limited_arrayf(x, y, n) bind(c, name="cor_linear_eps_limited_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_eps_limited_array
-
-  interface
-    pure function c_cor_linear_eps_approach_only(x) bind(c, name="cor_linear_eps_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_eps_approach_onlyf(x) bind(c, name="cor_linear_eps_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_eps_approach_only
     module procedure cor_linear_eps_approach_only_double, cor_linear_eps_approach_only_float
   end interface
-  public :: cor_linear_eps_approach_only
   interface cor_linear_eps_approach_only_array
-    subroutine c_cor_linear_eps_approach_only_array(x, y, n) bind(c, &
-      name="cor_linear_eps_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_eps_approach_only_array(x, y, n) bind(c, name="cor_linear_eps_approach_only_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_linear_eps_approach_only_arrayf(x, y, n) bind(c, &
-      name="cor_linear_eps_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_eps_approach_only_arrayf(x, y, n) bind(c, name="cor_linear_eps_approach_only_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_eps_approach_only_array
-
-  interface
-    pure function c_cor_linear_loss_zero_overlap(x) bind(c, name="cor_linear_loss_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_loss_zero_overlapf(x) bind(c, name="cor_linear_loss_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_loss_zero_overlap
     module procedure cor_linear_loss_zero_overlap_double, cor_linear_loss_zero_overlap_float
   end interface
-  public :: cor_linear_loss_zero_overlap
   interface cor_linear_loss_zero_overlap_array
-    subroutine c_cor_linear_loss_zero_overlap_array(x, y, n) bind(c, &
-      name="cor_linear_loss_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_loss_zero_overlap_array(x, y, n) bind(c, name="cor_linear_loss_zero_overlap_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_linear_loss_zero_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_linear_loss_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_loss_zero_overlap_arrayf(x, y, n) bind(c, name="cor_linear_loss_zero_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_loss_zero_overlap_array
-
-  interface
-    pure function c_cor_linear_loss_zero_force(x) bind(c, name="cor_linear_loss_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_loss_zero_forcef(x) bind(c, name="cor_linear_loss_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_loss_zero_force
     module procedure cor_linear_loss_zero_force_double, cor_linear_loss_zero_force_float
   end interface
-  public :: cor_linear_loss_zero_force
   interface cor_linear_loss_zero_force_array
     subroutine c_cor_linear_loss_zero_force_array(x, y, n) bind(c, name="cor_linear_loss_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_loss_zero_force_arrayf(x, y, n) bind(c, name="cor_linear_loss_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_loss_zero_force_array
-
-  interface
-    pure function c_cor_linear_loss_limited(x) bind(c, name="cor_linear_loss_limited") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_loss_limitedf(x) bind(c, name="cor_linear_loss_limitedf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_loss_limited
     module procedure cor_linear_loss_limited_double, cor_linear_loss_limited_float
   end interface
-  public :: cor_linear_loss_limited
   interface cor_linear_loss_limited_array
     subroutine c_cor_linear_loss_limited_array(x, y, n) bind(c, name="cor_linear_loss_limited_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_loss_limited_arrayf(x, y, n) bind(c, name="cor_linear_loss_limited_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_loss_limited_array
-
-  interface
-    pure function c_cor_linear_loss_approach_only(x) bind(c, name="cor_linear_loss_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_loss_approach_onlyf(x) bind(c, name="cor_linear_loss_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_loss_approach_only
     module procedure cor_linear_loss_approach_only_double, cor_linear_loss_approach_only_float
   end interface
-  public :: cor_linear_loss_approach_only
   interface cor_linear_loss_approach_only_array
-    subroutine c_cor_linear_loss_approach_only_array(x, y, n) bind(c, &
-      name="cor_linear_loss_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_loss_approach_only_array(x, y, n) bind(c, name="cor_linear_loss_approach_only_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_linear_loss_approach_only_arrayf(x, y, n) bind(c, &
-      name="cor_linear_loss_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_loss_approach_only_arrayf(x, y, n) bind(c, name="cor_linear_loss_approach_only_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_loss_approach_only_array
-
-  interface
-    pure function c_cor_linear_zeta_zero_overlap(x) bind(c, name="cor_linear_zeta_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_zeta_zero_overlapf(x) bind(c, name="cor_linear_zeta_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_zeta_zero_overlap
     module procedure cor_linear_zeta_zero_overlap_double, cor_linear_zeta_zero_overlap_float
   end interface
-  public :: cor_linear_zeta_zero_overlap
   interface cor_linear_zeta_zero_overlap_array
-    subroutine c_cor_linear_zeta_zero_overlap_array(x, y, n) bind(c, &
-      name="cor_linear_zeta_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_zeta_zero_overlap_array(x, y, n) bind(c, name="cor_linear_zeta_zero_overlap_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_linear_zeta_zero_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_linear_zeta_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_zeta_zero_overlap_arrayf(x, y, n) bind(c, name="cor_linear_zeta_zero_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_zeta_zero_overlap_array
-
-  interface
-    pure function c_cor_linear_zeta_zero_force(x) bind(c, name="cor_linear_zeta_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_zeta_zero_forcef(x) bind(c, name="cor_linear_zeta_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_zeta_zero_force
     module procedure cor_linear_zeta_zero_force_double, cor_linear_zeta_zero_force_float
   end interface
-  public :: cor_linear_zeta_zero_force
   interface cor_linear_zeta_zero_force_array
     subroutine c_cor_linear_zeta_zero_force_array(x, y, n) bind(c, name="cor_linear_zeta_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_zeta_zero_force_arrayf(x, y, n) bind(c, name="cor_linear_zeta_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_zeta_zero_force_array
-
-  interface
-    pure function c_cor_linear_zeta_limited(x) bind(c, name="cor_linear_zeta_limited") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_zeta_limitedf(x) bind(c, name="cor_linear_zeta_limitedf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_zeta_limited
     module procedure cor_linear_zeta_limited_double, cor_linear_zeta_limited_float
   end interface
-  public :: cor_linear_zeta_limited
   interface cor_linear_zeta_limited_array
     subroutine c_cor_linear_zeta_limited_array(x, y, n) bind(c, name="cor_linear_zeta_limited_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_zeta_limited_arrayf(x, y, n) bind(c, name="cor_linear_zeta_limited_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_zeta_limited_array
-
-  interface
-    pure function c_cor_linear_zeta_approach_only(x) bind(c, name="cor_linear_zeta_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_zeta_approach_onlyf(x) bind(c, name="cor_linear_zeta_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_zeta_approach_only
     module procedure cor_linear_zeta_approach_only_double, cor_linear_zeta_approach_only_float
   end interface
-  public :: cor_linear_zeta_approach_only
   interface cor_linear_zeta_approach_only_array
-    subroutine c_cor_linear_zeta_approach_only_array(x, y, n) bind(c, &
-      name="cor_linear_zeta_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_zeta_approach_only_array(x, y, n) bind(c, name="cor_linear_zeta_approach_only_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_linear_zeta_approach_only_arrayf(x, y, n) bind(c, &
-      name="cor_linear_zeta_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_zeta_approach_only_arrayf(x, y, n) bind(c, name="cor_linear_zeta_approach_only_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_zeta_approach_only_array
-
-  interface
-    pure function c_cor_linear_zeta_of_loss_zero_overlap(x) bind(c, &
-      name="cor_linear_zeta_of_loss_zero_overlap") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_zeta_of_loss_zero_overlapf(x) bind(c, &
-      name="cor_linear_zeta_of_loss_zero_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_zeta_of_loss_zero_overlap
     module procedure cor_linear_zeta_of_loss_zero_overlap_double, cor_linear_zeta_of_loss_zero_overlap_float
   end interface
-  public :: cor_linear_zeta_of_loss_zero_overlap
   interface cor_linear_zeta_of_loss_zero_overlap_array
     subroutine c_cor_linear_zeta_of_loss_zero_overlap_array(x, y, n) bind(c, &
       name="cor_linear_zeta_of_loss_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_zeta_of_loss_zero_overlap_arrayf(x, y, n) bind(c, &
       name="cor_linear_zeta_of_loss_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_zeta_of_loss_zero_overlap_array
-
-  interface
-    pure function c_cor_linear_zeta_of_loss_zero_force(x) bind(c, name="cor_linear_zeta_of_loss_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_zeta_of_loss_zero_forcef(x) bind(c, &
-      name="cor_linear_zeta_of_loss_zero_forcef") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_zeta_of_loss_zero_force
     module procedure cor_linear_zeta_of_loss_zero_force_double, cor_linear_zeta_of_loss_zero_force_float
   end interface
-  public :: cor_linear_zeta_of_loss_zero_force
   interface cor_linear_zeta_of_loss_zero_force_array
     subroutine c_cor_linear_zeta_of_loss_zero_force_array(x, y, n) bind(c, &
       name="cor_linear_zeta_of_loss_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_zeta_of_loss_zero_force_arrayf(x, y, n) bind(c, &
       name="cor_linear_zeta_of_loss_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_zeta_of_loss_zero_force_array
-
-  interface
-    pure function c_cor_linear_zeta_of_loss_limited(x) bind(c, name="cor_linear_zeta_of_loss_limited") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_zeta_of_loss_limitedf(x) bind(c, name="cor_linear_zeta_of_loss_limitedf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_zeta_of_loss_limited
     module procedure cor_linear_zeta_of_loss_limited_double, cor_linear_zeta_of_loss_limited_float
   end interface
-  public :: cor_linear_zeta_of_loss_limited
   interface cor_linear_zeta_of_loss_limited_array
-    subroutine c_cor_linear_zeta_of_loss_limited_array(x, y, n) bind(c, &
-      name="cor_linear_zeta_of_loss_limited_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_zeta_of_loss_limited_array(x, y, n) bind(c, name="cor_linear_zeta_of_loss_limited_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_zeta_of_loss_limited_arrayf(x, y, n) bind(c, &
       name="cor_linear_zeta_of_loss_limited_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_zeta_of_loss_limited_array
-
-  interface
-    pure function c_cor_linear_zeta_of_loss_approach_only(x) bind(c, &
-      name="cor_linear_zeta_of_loss_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_zeta_of_loss_approach_onlyf(x) bind(c, &
-      name="cor_linear_zeta_of_loss_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_zeta_of_loss_approach_only
     module procedure cor_linear_zeta_of_loss_approach_only_double, cor_linear_zeta_of_loss_approach_only_float
   end interface
-  public :: cor_linear_zeta_of_loss_approach_only
   interface cor_linear_zeta_of_loss_approach_only_array
     subroutine c_cor_linear_zeta_of_loss_approach_only_array(x, y, n) bind(c, &
       name="cor_linear_zeta_of_loss_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_zeta_of_loss_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_linear_zeta_of_loss_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_zeta_of_loss_approach_only_array
-
-  interface
-    pure function c_cor_linear_duration_zero_overlap(x) bind(c, name="cor_linear_duration_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_duration_zero_overlapf(x) bind(c, name="cor_linear_duration_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_duration_zero_overlap
     module procedure cor_linear_duration_zero_overlap_double, cor_linear_duration_zero_overlap_float
   end interface
-  public :: cor_linear_duration_zero_overlap
   interface cor_linear_duration_zero_overlap_array
     subroutine c_cor_linear_duration_zero_overlap_array(x, y, n) bind(c, &
       name="cor_linear_duration_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_duration_zero_overlap_arrayf(x, y, n) bind(c, &
       name="cor_linear_duration_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_duration_zero_overlap_array
-
-  interface
-    pure function c_cor_linear_duration_zero_force(x) bind(c, name="cor_linear_duration_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_duration_zero_forcef(x) bind(c, name="cor_linear_duration_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_duration_zero_force
     module procedure cor_linear_duration_zero_force_double, cor_linear_duration_zero_force_float
   end interface
-  public :: cor_linear_duration_zero_force
   interface cor_linear_duration_zero_force_array
-    subroutine c_cor_linear_duration_zero_force_array(x, y, n) bind(c, &
-      name="cor_linear_duration_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_duration_zero_force_array(x, y, n) bind(c, name="cor_linear_duration_zero_force_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_linear_duration_zero_force_arrayf(x, y, n) bind(c, &
-      name="cor_linear_duration_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_duration_zero_force_arrayf(x, y, n) bind(c, name="cor_linear_duration_zero_force_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_duration_zero_force_array
-
-  interface
-    pure function c_cor_linear_duration_limited(x) bind(c, name="cor_linear_duration_limited") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_duration_limitedf(x) bind(c, name="cor_linear_duration_limitedf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_duration_limited
     module procedure cor_linear_duration_limited_double, cor_linear_duration_limited_float
   end interface
-  public :: cor_linear_duration_limited
   interface cor_linear_duration_limited_array
     subroutine c_cor_linear_duration_limited_array(x, y, n) bind(c, name="cor_linear_duration_limited_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_linear_duration_limited_arrayf(x, y, n) bind(c, &
-      name="cor_linear_duration_limited_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_duration_limited_arrayf(x, y, n) bind(c, name="cor_linear_duration_limited_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_duration_limited_array
-
-  interface
-    pure function c_cor_linear_duration_approach_only(x) bind(c, name="cor_linear_duration_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_duration_approach_onlyf(x) bind(c, name="cor_linear_duration_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_duration_approach_only
     module procedure cor_linear_duration_approach_only_double, cor_linear_duration_approach_only_float
   end interface
-  public :: cor_linear_duration_approach_only
   interface cor_linear_duration_approach_only_array
     subroutine c_cor_linear_duration_approach_only_array(x, y, n) bind(c, &
       name="cor_linear_duration_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_duration_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_linear_duration_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_duration_approach_only_array
-
-  interface
-    pure function c_cor_linear_max_overlap(x) bind(c, name="cor_linear_max_overlap") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_max_overlapf(x) bind(c, name="cor_linear_max_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_max_overlap
     module procedure cor_linear_max_overlap_double, cor_linear_max_overlap_float
   end interface
-  public :: cor_linear_max_overlap
   interface cor_linear_max_overlap_array
     subroutine c_cor_linear_max_overlap_array(x, y, n) bind(c, name="cor_linear_max_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_linear_max_overlap_arrayf(x, y, n) bind(c, name="cor_linear_max_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_max_overlap_array
-
-  interface
-    pure function c_cor_linear_time_of_max_overlap(x) bind(c, name="cor_linear_time_of_max_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_linear_time_of_max_overlapf(x) bind(c, name="cor_linear_time_of_max_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_linear_time_of_max_overlap
     module procedure cor_linear_time_of_max_overlap_double, cor_linear_time_of_max_overlap_float
   end interface
-  public :: cor_linear_time_of_max_overlap
   interface cor_linear_time_of_max_overlap_array
-    subroutine c_cor_linear_time_of_max_overlap_array(x, y, n) bind(c, &
-      name="cor_linear_time_of_max_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_time_of_max_overlap_array(x, y, n) bind(c, name="cor_linear_time_of_max_overlap_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_linear_time_of_max_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_linear_time_of_max_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_linear_time_of_max_overlap_arrayf(x, y, n) bind(c, name="cor_linear_time_of_max_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_linear_time_of_max_overlap_array
-
-  interface
-    pure function c_cor_tsuji_eps_zero_overlap(x) bind(c, name="cor_tsuji_eps_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_eps_zero_overlapf(x) bind(c, name="cor_tsuji_eps_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_eps_zero_overlap
     module procedure cor_tsuji_eps_zero_overlap_double, cor_tsuji_eps_zero_overlap_float
   end interface
-  public :: cor_tsuji_eps_zero_overlap
   interface cor_tsuji_eps_zero_overlap_array
     subroutine c_cor_tsuji_eps_zero_overlap_array(x, y, n) bind(c, name="cor_tsuji_eps_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_eps_zero_overlap_arrayf(x, y, n) bind(c, name="cor_tsuji_eps_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_eps_zero_overlap_array
-
-  interface
-    pure function c_cor_tsuji_eps_zero_force(x) bind(c, name="cor_tsuji_eps_zero_force") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_eps_zero_forcef(x) bind(c, name="cor_tsuji_eps_zero_forcef") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_eps_zero_force
     module procedure cor_tsuji_eps_zero_force_double, cor_tsuji_eps_zero_force_float
   end interface
-  public :: cor_tsuji_eps_zero_force
   interface cor_tsuji_eps_zero_force_array
     subroutine c_cor_tsuji_eps_zero_force_array(x, y, n) bind(c, name="cor_tsuji_eps_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_eps_zero_force_arrayf(x, y, n) bind(c, name="cor_tsuji_eps_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_eps_zero_force_array
-
-  interface
-    pure function c_cor_tsuji_eps_limited(x) bind(c, name="cor_tsuji_eps_limited") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_eps_limitedf(x) bind(c, name="cor_tsuji_eps_limitedf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_eps_limited
     module procedure cor_tsuji_eps_limited_double, cor_tsuji_eps_limited_float
   end interface
-  public :: cor_tsuji_eps_limited
   interface cor_tsuji_eps_limited_array
     subroutine c_cor_tsuji_eps_limited_array(x, y, n) bind(c, name="cor_tsuji_eps_limited_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_eps_limited_arrayf(x, y, n) bind(c, name="cor_tsuji_eps_limited_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_eps_limited_array
-
-  interface
-    pure function c_cor_tsuji_eps_approach_only(x) bind(c, name="cor_tsuji_eps_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_eps_approach_onlyf(x) bind(c, name="cor_tsuji_eps_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_eps_approach_only
     module procedure cor_tsuji_eps_approach_only_double, cor_tsuji_eps_approach_only_float
   end interface
-  public :: cor_tsuji_eps_approach_only
   interface cor_tsuji_eps_approach_only_array
     subroutine c_cor_tsuji_eps_approach_only_array(x, y, n) bind(c, name="cor_tsuji_eps_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_tsuji_eps_approach_only_arrayf(x, y, n) bind(c, &
-      name="cor_tsuji_eps_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_eps_approach_only_arrayf(x, y, n) bind(c, name="cor_tsuji_eps_approach_only_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_eps_approach_only_array
-
-  interface
-    pure function c_cor_tsuji_loss_zero_overlap(x) bind(c, name="cor_tsuji_loss_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_loss_zero_overlapf(x) bind(c, name="cor_tsuji_loss_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_loss_zero_overlap
     module procedure cor_tsuji_loss_zero_overlap_double, cor_tsuji_loss_zero_overlap_float
   end interface
-  public :: cor_tsuji_loss_zero_overlap
   interface cor_tsuji_loss_zero_overlap_array
     subroutine c_cor_tsuji_loss_zero_overlap_array(x, y, n) bind(c, name="cor_tsuji_loss_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_tsuji_loss_zero_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_tsuji_loss_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_loss_zero_overlap_arrayf(x, y, n) bind(c, name="cor_tsuji_loss_zero_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_loss_zero_overlap_array
-
-  interface
-    pure function c_cor_tsuji_loss_zero_force(x) bind(c, name="cor_tsuji_loss_zero_force") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_loss_zero_forcef(x) bind(c, name="cor_tsuji_loss_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_loss_zero_force
     module procedure cor_tsuji_loss_zero_force_double, cor_tsuji_loss_zero_force_float
   end interface
-  public :: cor_tsuji_loss_zero_force
   interface cor_tsuji_loss_zero_force_array
     subroutine c_cor_tsuji_loss_zero_force_array(x, y, n) bind(c, name="cor_tsuji_loss_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_loss_zero_force_arrayf(x, y, n) bind(c, name="cor_tsuji_loss_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_loss_zero_force_array
-
-  interface
-    pure function c_cor_tsuji_loss_limited(x) bind(c, name="cor_tsuji_loss_limited") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_loss_limitedf(x) bind(c, name="cor_tsuji_loss_limitedf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_loss_limited
     module procedure cor_tsuji_loss_limited_double, cor_tsuji_loss_limited_float
   end interface
-  public :: cor_tsuji_loss_limited
   interface cor_tsuji_loss_limited_array
     subroutine c_cor_tsuji_loss_limited_array(x, y, n) bind(c, name="cor_tsuji_loss_limited_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_loss_limited_arrayf(x, y, n) bind(c, name="cor_tsuji_loss_limited_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_loss_limited_array
-
-  interface
-    pure function c_cor_tsuji_loss_approach_only(x) bind(c, name="cor_tsuji_loss_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_loss_approach_onlyf(x) bind(c, name="cor_tsuji_loss_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_loss_approach_only
     module procedure cor_tsuji_loss_approach_only_double, cor_tsuji_loss_approach_only_float
   end interface
-  public :: cor_tsuji_loss_approach_only
   interface cor_tsuji_loss_approach_only_array
-    subroutine c_cor_tsuji_loss_approach_only_array(x, y, n) bind(c, &
-      name="cor_tsuji_loss_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_loss_approach_only_array(x, y, n) bind(c, name="cor_tsuji_loss_approach_only_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_tsuji_loss_approach_only_arrayf(x, y, n) bind(c, &
-      name="cor_tsuji_loss_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_loss_approach_only_arrayf(x, y, n) bind(c, name="cor_tsuji_loss_approach_only_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_loss_approach_only_array
-
-  interface
-    pure function c_cor_tsuji_zeta_zero_overlap(x) bind(c, name="cor_tsuji_zeta_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_zeta_zero_overlapf(x) bind(c, name="cor_tsuji_zeta_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_zeta_zero_overlap
     module procedure cor_tsuji_zeta_zero_overlap_double, cor_tsuji_zeta_zero_overlap_float
   end interface
-  public :: cor_tsuji_zeta_zero_overlap
   interface cor_tsuji_zeta_zero_overlap_array
     subroutine c_cor_tsuji_zeta_zero_overlap_array(x, y, n) bind(c, name="cor_tsuji_zeta_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_tsuji_zeta_zero_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_tsuji_zeta_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_zeta_zero_overlap_arrayf(x, y, n) bind(c, name="cor_tsuji_zeta_zero_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_zeta_zero_overlap_array
-
-  interface
-    pure function c_cor_tsuji_zeta_zero_force(x) bind(c, name="cor_tsuji_zeta_zero_force") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_zeta_zero_forcef(x) bind(c, name="cor_tsuji_zeta_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_zeta_zero_force
     module procedure cor_tsuji_zeta_zero_force_double, cor_tsuji_zeta_zero_force_float
   end interface
-  public :: cor_tsuji_zeta_zero_force
   interface cor_tsuji_zeta_zero_force_array
     subroutine c_cor_tsuji_zeta_zero_force_array(x, y, n) bind(c, name="cor_tsuji_zeta_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_zeta_zero_force_arrayf(x, y, n) bind(c, name="cor_tsuji_zeta_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_zeta_zero_force_array
-
-  interface
-    pure function c_cor_tsuji_zeta_limited(x) bind(c, name="cor_tsuji_zeta_limited") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_zeta_limitedf(x) bind(c, name="cor_tsuji_zeta_limitedf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_zeta_limited
     module procedure cor_tsuji_zeta_limited_double, cor_tsuji_zeta_limited_float
   end interface
-  public :: cor_tsuji_zeta_limited
   interface cor_tsuji_zeta_limited_array
     subroutine c_cor_tsuji_zeta_limited_array(x, y, n) bind(c, name="cor_tsuji_zeta_limited_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_zeta_limited_arrayf(x, y, n) bind(c, name="cor_tsuji_zeta_limited_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_zeta_limited_array
-
-  interface
-    pure function c_cor_tsuji_zeta_approach_only(x) bind(c, name="cor_tsuji_zeta_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_zeta_approach_onlyf(x) bind(c, name="cor_tsuji_zeta_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_zeta_approach_only
     module procedure cor_tsuji_zeta_approach_only_double, cor_tsuji_zeta_approach_only_float
   end interface
-  public :: cor_tsuji_zeta_approach_only
   interface cor_tsuji_zeta_approach_only_array
-    subroutine c_cor_tsuji_zeta_approach_only_array(x, y, n) bind(c, &
-      name="cor_tsuji_zeta_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_zeta_approach_only_array(x, y, n) bind(c, name="cor_tsuji_zeta_approach_only_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_tsuji_zeta_approach_only_arrayf(x, y, n) bind(c, &
-      name="cor_tsuji_zeta_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_zeta_approach_only_arrayf(x, y, n) bind(c, name="cor_tsuji_zeta_approach_only_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_zeta_approach_only_array
-
-  interface
-    pure function c_cor_tsuji_zeta_of_loss_zero_overlap(x) bind(c, &
-      name="cor_tsuji_zeta_of_loss_zero_overlap") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_zeta_of_loss_zero_overlapf(x) bind(c, &
-      name="cor_tsuji_zeta_of_loss_zero_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_zeta_of_loss_zero_overlap
     module procedure cor_tsuji_zeta_of_loss_zero_overlap_double, cor_tsuji_zeta_of_loss_zero_overlap_float
   end interface
-  public :: cor_tsuji_zeta_of_loss_zero_overlap
   interface cor_tsuji_zeta_of_loss_zero_overlap_array
     subroutine c_cor_tsuji_zeta_of_loss_zero_overlap_array(x, y, n) bind(c, &
       name="cor_tsuji_zeta_of_loss_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_zeta_of_loss_zero_overlap_arrayf(x, y, n) bind(c, &
       name="cor_tsuji_zeta_of_loss_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_zeta_of_loss_zero_overlap_array
-
-  interface
-    pure function c_cor_tsuji_zeta_of_loss_zero_force(x) bind(c, name="cor_tsuji_zeta_of_loss_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_zeta_of_loss_zero_forcef(x) bind(c, name="cor_tsuji_zeta_of_loss_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_zeta_of_loss_zero_force
     module procedure cor_tsuji_zeta_of_loss_zero_force_double, cor_tsuji_zeta_of_loss_zero_force_float
   end interface
-  public :: cor_tsuji_zeta_of_loss_zero_force
   interface cor_tsuji_zeta_of_loss_zero_force_array
     subroutine c_cor_tsuji_zeta_of_loss_zero_force_array(x, y, n) bind(c, &
       name="cor_tsuji_zeta_of_loss_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_zeta_of_loss_zero_force_arrayf(x, y, n) bind(c, &
       name="cor_tsuji_zeta_of_loss_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_zeta_of_loss_zero_force_array
-
-  interface
-    pure function c_cor_tsuji_zeta_of_loss_limited(x) bind(c, name="cor_tsuji_zeta_of_loss_limited") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_zeta_of_loss_limitedf(x) bind(c, name="cor_tsuji_zeta_of_loss_limitedf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_zeta_of_loss_limited
     module procedure cor_tsuji_zeta_of_loss_limited_double, cor_tsuji_zeta_of_loss_limited_float
   end interface
-  public :: cor_tsuji_zeta_of_loss_limited
   interface cor_tsuji_zeta_of_loss_limited_array
-    subroutine c_cor_tsuji_zeta_of_loss_limited_array(x, y, n) bind(c, &
-      name="cor_tsuji_zeta_of_loss_limited_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_zeta_of_loss_limited_array(x, y, n) bind(c, name="cor_tsuji_zeta_of_loss_limited_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_tsuji_zeta_of_loss_limited_arrayf(x, y, n) bind(c, &
-      name="cor_tsuji_zeta_of_loss_limited_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_zeta_of_loss_limited_arrayf(x, y, n) bind(c, name="cor_tsuji_zeta_of_loss_limited_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_zeta_of_loss_limited_array
-
-  interface
-    pure function c_cor_tsuji_zeta_of_loss_approach_only(x) bind(c, &
-      name="cor_tsuji_zeta_of_loss_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_zeta_of_loss_approach_onlyf(x) bind(c, &
-      name="cor_tsuji_zeta_of_loss_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_zeta_of_loss_approach_only
     module procedure cor_tsuji_zeta_of_loss_approach_only_double, cor_tsuji_zeta_of_loss_approach_only_float
   end interface
-  public :: cor_tsuji_zeta_of_loss_approach_only
   interface cor_tsuji_zeta_of_loss_approach_only_array
     subroutine c_cor_tsuji_zeta_of_loss_approach_only_array(x, y, n) bind(c, &
       name="cor_tsuji_zeta_of_loss_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_zeta_of_loss_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_tsuji_zeta_of_loss_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_zeta_of_loss_approach_only_array
-
-  interface
-    pure function c_cor_tsuji_duration_zero_overlap(x) bind(c, name="cor_tsuji_duration_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_duration_zero_overlapf(x) bind(c, name="cor_tsuji_duration_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_duration_zero_overlap
     module procedure cor_tsuji_duration_zero_overlap_double, cor_tsuji_duration_zero_overlap_float
   end interface
-  public :: cor_tsuji_duration_zero_overlap
   interface cor_tsuji_duration_zero_overlap_array
-    subroutine c_cor_tsuji_duration_zero_overlap_array(x, y, n) bind(c, &
-      name="cor_tsuji_duration_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_duration_zero_overlap_array(x, y, n) bind(c, name="cor_tsuji_duration_zero_overlap_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_duration_zero_overlap_arrayf(x, y, n) bind(c, &
       name="cor_tsuji_duration_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_duration_zero_overlap_array
-
-  interface
-    pure function c_cor_tsuji_duration_zero_force(x) bind(c, name="cor_tsuji_duration_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_duration_zero_forcef(x) bind(c, name="cor_tsuji_duration_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_duration_zero_force
     module procedure cor_tsuji_duration_zero_force_double, cor_tsuji_duration_zero_force_float
   end interface
-  public :: cor_tsuji_duration_zero_force
   interface cor_tsuji_duration_zero_force_array
-    subroutine c_cor_tsuji_duration_zero_force_array(x, y, n) bind(c, &
-      name="cor_tsuji_duration_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_duration_zero_force_array(x, y, n) bind(c, name="cor_tsuji_duration_zero_force_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_tsuji_duration_zero_force_arrayf(x, y, n) bind(c, &
-      name="cor_tsuji_duration_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_duration_zero_force_arrayf(x, y, n) bind(c, name="cor_tsuji_duration_zero_force_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_duration_zero_force_array
-
-  interface
-    pure function c_cor_tsuji_duration_limited(x) bind(c, name="cor_tsuji_duration_limited") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_duration_limitedf(x) bind(c, name="cor_tsuji_duration_limitedf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_duration_limited
     module procedure cor_tsuji_duration_limited_double, cor_tsuji_duration_limited_float
   end interface
-  public :: cor_tsuji_duration_limited
   interface cor_tsuji_duration_limited_array
     subroutine c_cor_tsuji_duration_limited_array(x, y, n) bind(c, name="cor_tsuji_duration_limited_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_duration_limited_arrayf(x, y, n) bind(c, name="cor_tsuji_duration_limited_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_duration_limited_array
-
-  interface
-    pure function c_cor_tsuji_duration_approach_only(x) bind(c, name="cor_tsuji_duration_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_duration_approach_onlyf(x) bind(c, name="cor_tsuji_duration_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_duration_approach_only
     module procedure cor_tsuji_duration_approach_only_double, cor_tsuji_duration_approach_only_float
   end interface
-  public :: cor_tsuji_duration_approach_only
   interface cor_tsuji_duration_approach_only_array
     subroutine c_cor_tsuji_duration_approach_only_array(x, y, n) bind(c, &
       name="cor_tsuji_duration_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_duration_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_tsuji_duration_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_duration_approach_only_array
-
-  interface
-    pure function c_cor_tsuji_max_overlap(x) bind(c, name="cor_tsuji_max_overlap") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_max_overlapf(x) bind(c, name="cor_tsuji_max_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_max_overlap
     module procedure cor_tsuji_max_overlap_double, cor_tsuji_max_overlap_float
   end interface
-  public :: cor_tsuji_max_overlap
   interface cor_tsuji_max_overlap_array
     subroutine c_cor_tsuji_max_overlap_array(x, y, n) bind(c, name="cor_tsuji_max_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_tsuji_max_overlap_arrayf(x, y, n) bind(c, name="cor_tsuji_max_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_max_overlap_array
-
-  interface
-    pure function c_cor_tsuji_time_of_max_overlap(x) bind(c, name="cor_tsuji_time_of_max_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_tsuji_time_of_max_overlapf(x) bind(c, name="cor_tsuji_time_of_max_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_tsuji_time_of_max_overlap
     module procedure cor_tsuji_time_of_max_overlap_double, cor_tsuji_time_of_max_overlap_float
   end interface
-  public :: cor_tsuji_time_of_max_overlap
   interface cor_tsuji_time_of_max_overlap_array
-    subroutine c_cor_tsuji_time_of_max_overlap_array(x, y, n) bind(c, &
-      name="cor_tsuji_time_of_max_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_time_of_max_overlap_array(x, y, n) bind(c, name="cor_tsuji_time_of_max_overlap_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_tsuji_time_of_max_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_tsuji_time_of_max_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_tsuji_time_of_max_overlap_arrayf(x, y, n) bind(c, name="cor_tsuji_time_of_max_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_tsuji_time_of_max_overlap_array
-
-  interface
-    pure function c_cor_hunt_crossley_eps(x) bind(c, name="cor_hunt_crossley_eps") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_epsf(x) bind(c, name="cor_hunt_crossley_epsf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_eps
     module procedure cor_hunt_crossley_eps_double, cor_hunt_crossley_eps_float
   end interface
-  public :: cor_hunt_crossley_eps
   interface cor_hunt_crossley_eps_array
     subroutine c_cor_hunt_crossley_eps_array(x, y, n) bind(c, name="cor_hunt_crossley_eps_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_eps_arrayf(x, y, n) bind(c, name="cor_hunt_crossley_eps_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_eps_array
-
-  interface
-    pure function c_cor_hunt_crossley_eps_approach_only(x) bind(c, &
-      name="cor_hunt_crossley_eps_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_eps_approach_onlyf(x) bind(c, &
-      name="cor_hunt_crossley_eps_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_eps_approach_only
     module procedure cor_hunt_crossley_eps_approach_only_double, cor_hunt_crossley_eps_approach_only_float
   end interface
-  public :: cor_hunt_crossley_eps_approach_only
   interface cor_hunt_crossley_eps_approach_only_array
     subroutine c_cor_hunt_crossley_eps_approach_only_array(x, y, n) bind(c, &
       name="cor_hunt_crossley_eps_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_eps_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_hunt_crossley_eps_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_eps_approach_only_array
-
-  interface
-    pure function c_cor_hunt_crossley_loss(x) bind(c, name="cor_hunt_crossley_loss") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_lossf(x) bind(c, name="cor_hunt_crossley_lossf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_loss
     module procedure cor_hunt_crossley_loss_double, cor_hunt_crossley_loss_float
   end interface
-  public :: cor_hunt_crossley_loss
   interface cor_hunt_crossley_loss_array
     subroutine c_cor_hunt_crossley_loss_array(x, y, n) bind(c, name="cor_hunt_crossley_loss_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_loss_arrayf(x, y, n) bind(c, name="cor_hunt_crossley_loss_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_loss_array
-
-  interface
-    pure function c_cor_hunt_crossley_loss_approach_only(x) bind(c, &
-      name="cor_hunt_crossley_loss_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_loss_approach_onlyf(x) bind(c, &
-      name="cor_hunt_crossley_loss_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_loss_approach_only
     module procedure cor_hunt_crossley_loss_approach_only_double, cor_hunt_crossley_loss_approach_only_float
   end interface
-  public :: cor_hunt_crossley_loss_approach_only
   interface cor_hunt_crossley_loss_approach_only_array
     subroutine c_cor_hunt_crossley_loss_approach_only_array(x, y, n) bind(c, &
       name="cor_hunt_crossley_loss_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_loss_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_hunt_crossley_loss_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_loss_approach_only_array
-
-  interface
-    pure function c_cor_hunt_crossley_beta(x) bind(c, name="cor_hunt_crossley_beta") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_betaf(x) bind(c, name="cor_hunt_crossley_betaf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_beta
     module procedure cor_hunt_crossley_beta_double, cor_hunt_crossley_beta_float
   end interface
-  public :: cor_hunt_crossley_beta
   interface cor_hunt_crossley_beta_array
     subroutine c_cor_hunt_crossley_beta_array(x, y, n) bind(c, name="cor_hunt_crossley_beta_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_beta_arrayf(x, y, n) bind(c, name="cor_hunt_crossley_beta_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_beta_array
-
-  interface
-    pure function c_cor_hunt_crossley_beta_approach_only(x) bind(c, &
-      name="cor_hunt_crossley_beta_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_beta_approach_onlyf(x) bind(c, &
-      name="cor_hunt_crossley_beta_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_beta_approach_only
     module procedure cor_hunt_crossley_beta_approach_only_double, cor_hunt_crossley_beta_approach_only_float
   end interface
-  public :: cor_hunt_crossley_beta_approach_only
   interface cor_hunt_crossley_beta_approach_only_array
     subroutine c_cor_hunt_crossley_beta_approach_only_array(x, y, n) bind(c, &
       name="cor_hunt_crossley_beta_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_beta_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_hunt_crossley_beta_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_beta_approach_only_array
-
-  interface
-    pure function c_cor_hunt_crossley_beta_of_loss(x) bind(c, name="cor_hunt_crossley_beta_of_loss") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_beta_of_lossf(x) bind(c, name="cor_hunt_crossley_beta_of_lossf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_beta_of_loss
     module procedure cor_hunt_crossley_beta_of_loss_double, cor_hunt_crossley_beta_of_loss_float
   end interface
-  public :: cor_hunt_crossley_beta_of_loss
   interface cor_hunt_crossley_beta_of_loss_array
-    subroutine c_cor_hunt_crossley_beta_of_loss_array(x, y, n) bind(c, &
-      name="cor_hunt_crossley_beta_of_loss_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_hunt_crossley_beta_of_loss_array(x, y, n) bind(c, name="cor_hunt_crossley_beta_of_loss_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_hunt_crossley_beta_of_loss_arrayf(x, y, n) bind(c, &
-      name="cor_hunt_crossley_beta_of_loss_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_hunt_crossley_beta_of_loss_arrayf(x, y, n) bind(c, name="cor_hunt_crossley_beta_of_loss_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_beta_of_loss_array
-
-  interface
-    pure function c_cor_hunt_crossley_beta_of_loss_approach_only(x) bind(c, &
-      name="cor_hunt_crossley_beta_of_loss_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_beta_of_loss_approach_onlyf(x) bind(c, &
-      name="cor_hunt_crossley_beta_of_loss_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_beta_of_loss_approach_only
     module procedure cor_hunt_crossley_beta_of_loss_approach_only_double, &
       cor_hunt_crossley_beta_of_loss_approach_only_float
   end interface
-  public :: cor_hunt_crossley_beta_of_loss_approach_only
   interface cor_hunt_crossley_beta_of_loss_approach_only_array
     subroutine c_cor_hunt_crossley_beta_of_loss_approach_only_array(x, y, n) bind(c, &
       name="cor_hunt_crossley_beta_of_loss_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_beta_of_loss_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_hunt_crossley_beta_of_loss_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_beta_of_loss_approach_only_array
-
-  interface
-    pure function c_cor_hunt_crossley_max_overlap(beta, elastic_exponent) bind(c, &
-      name="cor_hunt_crossley_max_overlap") result(result_of_c)
-      import
-      real(c_double), value :: beta
-      real(c_double), value :: elastic_exponent
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_max_overlapf(beta, elastic_exponent) bind(c, &
-      name="cor_hunt_crossley_max_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: beta
-      real(c_float), value :: elastic_exponent
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_max_overlap
     module procedure cor_hunt_crossley_max_overlap_double, cor_hunt_crossley_max_overlap_float
   end interface
-  public :: cor_hunt_crossley_max_overlap
   interface cor_hunt_crossley_max_overlap_array
     subroutine c_cor_hunt_crossley_max_overlap_array(beta, elastic_exponent, y, n) bind(c, &
       name="cor_hunt_crossley_max_overlap_array")
-      import
-      real(c_double), intent(in) :: beta(*)
-      real(c_double), value :: elastic_exponent
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: beta(*); real(c_double), value :: elastic_exponent
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_max_overlap_arrayf(beta, elastic_exponent, y, n) bind(c, &
       name="cor_hunt_crossley_max_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: beta(*)
-      real(c_float), value :: elastic_exponent
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: beta(*); real(c_float), value :: elastic_exponent
+      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_max_overlap_array
-
-  interface
-    pure function c_cor_hunt_crossley_duration(beta, elastic_exponent) bind(c, &
-      name="cor_hunt_crossley_duration") result(result_of_c)
-      import
-      real(c_double), value :: beta
-      real(c_double), value :: elastic_exponent
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_durationf(beta, elastic_exponent) bind(c, &
-      name="cor_hunt_crossley_durationf") result(result_of_c)
-      import
-      real(c_float), value :: beta
-      real(c_float), value :: elastic_exponent
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_duration
     module procedure cor_hunt_crossley_duration_double, cor_hunt_crossley_duration_float
   end interface
-  public :: cor_hunt_crossley_duration
   interface cor_hunt_crossley_duration_array
     subroutine c_cor_hunt_crossley_duration_array(beta, elastic_exponent, y, n) bind(c, &
       name="cor_hunt_crossley_duration_array")
-      import
-      real(c_double), intent(in) :: beta(*)
-      real(c_double), value :: elastic_exponent
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: beta(*); real(c_double), value :: elastic_exponent
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_duration_arrayf(beta, elastic_exponent, y, n) bind(c, &
       name="cor_hunt_crossley_duration_arrayf")
-      import
-      real(c_float), intent(in) :: beta(*)
-      real(c_float), value :: elastic_exponent
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: beta(*); real(c_float), value :: elastic_exponent
+      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
   end interface
-  public :: cor_hunt_crossley_duration_array
-
-  interface
-    pure function c_cor_hunt_crossley_duration_approach_only(beta, elastic_exponent) bind(c, &
-      name="cor_hunt_crossley_duration_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: beta
-      real(c_double), value :: elastic_exponent
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_duration_approach_onlyf(beta, elastic_exponent) bind(c, &
-      name="cor_hunt_crossley_duration_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: beta
-      real(c_float), value :: elastic_exponent
-      real(c_float) :: result_of_c
-    end function
-  end interface
   interface cor_hunt_crossley_duration_approach_only
-    module procedure cor_hunt_crossley_duration_approach_only_double, &
-      cor_hunt_crossley_duration_approach_only_float
+    module procedure cor_hunt_crossley_duration_approach_only_double, cor_hunt_crossley_duration_approach_only_float
   end interface
-  public :: cor_hunt_crossley_duration_approach_only
   interface cor_hunt_crossley_duration_approach_only_array
     subroutine c_cor_hunt_crossley_duration_approach_only_array(beta, elastic_exponent, y, n) bind(c, &
       name="cor_hunt_crossley_duration_approach_only_array")
-      import
-      real(c_double), intent(in) :: beta(*)
-      real(c_double), value :: elastic_exponent
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: beta(*); real(c_double), value :: elastic_exponent
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_duration_approach_only_arrayf(beta, elastic_exponent, y, n) bind(c, &
       name="cor_hunt_crossley_duration_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: beta(*)
-      real(c_float), value :: elastic_exponent
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: beta(*); real(c_float), value :: elastic_exponent
+      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_duration_approach_only_array
-
-  interface
-    pure function c_cor_hunt_crossley_time_of_max_overlap(beta, elastic_exponent) bind(c, &
-      name="cor_hunt_crossley_time_of_max_overlap") result(result_of_c)
-      import
-      real(c_double), value :: beta
-      real(c_double), value :: elastic_exponent
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_hunt_crossley_time_of_max_overlapf(beta, elastic_exponent) bind(c, &
-      name="cor_hunt_crossley_time_of_max_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: beta
-      real(c_float), value :: elastic_exponent
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_hunt_crossley_time_of_max_overlap
     module procedure cor_hunt_crossley_time_of_max_overlap_double, cor_hunt_crossley_time_of_max_overlap_float
   end interface
-  public :: cor_hunt_crossley_time_of_max_overlap
   interface cor_hunt_crossley_time_of_max_overlap_array
     subroutine c_cor_hunt_crossley_time_of_max_overlap_array(beta, elastic_exponent, y, n) bind(c, &
       name="cor_hunt_crossley_time_of_max_overlap_array")
-      import
-      real(c_double), intent(in) :: beta(*)
-      real(c_double), value :: elastic_exponent
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: beta(*); real(c_double), value :: elastic_exponent
+      real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_hunt_crossley_time_of_max_overlap_arrayf(beta, elastic_exponent, y, n) bind(c, &
       name="cor_hunt_crossley_time_of_max_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: beta(*)
-      real(c_float), value :: elastic_exponent
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: beta(*); real(c_float), value :: elastic_exponent
+      real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_hunt_crossley_time_of_max_overlap_array
-
-  interface
-    pure function c_cor_sphere_eps_zero_overlap(x) bind(c, name="cor_sphere_eps_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_eps_zero_overlapf(x) bind(c, name="cor_sphere_eps_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_eps_zero_overlap
     module procedure cor_sphere_eps_zero_overlap_double, cor_sphere_eps_zero_overlap_float
   end interface
-  public :: cor_sphere_eps_zero_overlap
   interface cor_sphere_eps_zero_overlap_array
     subroutine c_cor_sphere_eps_zero_overlap_array(x, y, n) bind(c, name="cor_sphere_eps_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_sphere_eps_zero_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_eps_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_eps_zero_overlap_arrayf(x, y, n) bind(c, name="cor_sphere_eps_zero_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_eps_zero_overlap_array
-
-  interface
-    pure function c_cor_sphere_eps_zero_force(x) bind(c, name="cor_sphere_eps_zero_force") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_eps_zero_forcef(x) bind(c, name="cor_sphere_eps_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_eps_zero_force
     module procedure cor_sphere_eps_zero_force_double, cor_sphere_eps_zero_force_float
   end interface
-  public :: cor_sphere_eps_zero_force
   interface cor_sphere_eps_zero_force_array
     subroutine c_cor_sphere_eps_zero_force_array(x, y, n) bind(c, name="cor_sphere_eps_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_sphere_eps_zero_force_arrayf(x, y, n) bind(c, name="cor_sphere_eps_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_eps_zero_force_array
-
-  interface
-    pure function c_cor_sphere_loss_zero_overlap(x) bind(c, name="cor_sphere_loss_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_loss_zero_overlapf(x) bind(c, name="cor_sphere_loss_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_loss_zero_overlap
     module procedure cor_sphere_loss_zero_overlap_double, cor_sphere_loss_zero_overlap_float
   end interface
-  public :: cor_sphere_loss_zero_overlap
   interface cor_sphere_loss_zero_overlap_array
-    subroutine c_cor_sphere_loss_zero_overlap_array(x, y, n) bind(c, &
-      name="cor_sphere_loss_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_loss_zero_overlap_array(x, y, n) bind(c, name="cor_sphere_loss_zero_overlap_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_sphere_loss_zero_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_loss_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_loss_zero_overlap_arrayf(x, y, n) bind(c, name="cor_sphere_loss_zero_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_loss_zero_overlap_array
-
-  interface
-    pure function c_cor_sphere_loss_zero_force(x) bind(c, name="cor_sphere_loss_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_loss_zero_forcef(x) bind(c, name="cor_sphere_loss_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_loss_zero_force
     module procedure cor_sphere_loss_zero_force_double, cor_sphere_loss_zero_force_float
   end interface
-  public :: cor_sphere_loss_zero_force
   interface cor_sphere_loss_zero_force_array
     subroutine c_cor_sphere_loss_zero_force_array(x, y, n) bind(c, name="cor_sphere_loss_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_sphere_loss_zero_force_arrayf(x, y, n) bind(c, name="cor_sphere_loss_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_loss_zero_force_array
-
-  interface
-    pure function c_cor_sphere_beta_zero_overlap(x) bind(c, name="cor_sphere_beta_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_beta_zero_overlapf(x) bind(c, name="cor_sphere_beta_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_beta_zero_overlap
     module procedure cor_sphere_beta_zero_overlap_double, cor_sphere_beta_zero_overlap_float
   end interface
-  public :: cor_sphere_beta_zero_overlap
   interface cor_sphere_beta_zero_overlap_array
-    subroutine c_cor_sphere_beta_zero_overlap_array(x, y, n) bind(c, &
-      name="cor_sphere_beta_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_beta_zero_overlap_array(x, y, n) bind(c, name="cor_sphere_beta_zero_overlap_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_sphere_beta_zero_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_beta_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_beta_zero_overlap_arrayf(x, y, n) bind(c, name="cor_sphere_beta_zero_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_beta_zero_overlap_array
-
-  interface
-    pure function c_cor_sphere_beta_zero_force(x) bind(c, name="cor_sphere_beta_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_beta_zero_forcef(x) bind(c, name="cor_sphere_beta_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_beta_zero_force
     module procedure cor_sphere_beta_zero_force_double, cor_sphere_beta_zero_force_float
   end interface
-  public :: cor_sphere_beta_zero_force
   interface cor_sphere_beta_zero_force_array
     subroutine c_cor_sphere_beta_zero_force_array(x, y, n) bind(c, name="cor_sphere_beta_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_sphere_beta_zero_force_arrayf(x, y, n) bind(c, name="cor_sphere_beta_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_beta_zero_force_array
-
-  interface
-    pure function c_cor_sphere_duration_zero_overlap(x) bind(c, name="cor_sphere_duration_zero_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_duration_zero_overlapf(x) bind(c, name="cor_sphere_duration_zero_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_duration_zero_overlap
     module procedure cor_sphere_duration_zero_overlap_double, cor_sphere_duration_zero_overlap_float
   end interface
-  public :: cor_sphere_duration_zero_overlap
   interface cor_sphere_duration_zero_overlap_array
     subroutine c_cor_sphere_duration_zero_overlap_array(x, y, n) bind(c, &
       name="cor_sphere_duration_zero_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_sphere_duration_zero_overlap_arrayf(x, y, n) bind(c, &
       name="cor_sphere_duration_zero_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_duration_zero_overlap_array
-
-  interface
-    pure function c_cor_sphere_duration_zero_force(x) bind(c, name="cor_sphere_duration_zero_force") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_duration_zero_forcef(x) bind(c, name="cor_sphere_duration_zero_forcef") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_duration_zero_force
     module procedure cor_sphere_duration_zero_force_double, cor_sphere_duration_zero_force_float
   end interface
-  public :: cor_sphere_duration_zero_force
   interface cor_sphere_duration_zero_force_array
-    subroutine c_cor_sphere_duration_zero_force_array(x, y, n) bind(c, &
-      name="cor_sphere_duration_zero_force_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_duration_zero_force_array(x, y, n) bind(c, name="cor_sphere_duration_zero_force_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_sphere_duration_zero_force_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_duration_zero_force_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_duration_zero_force_arrayf(x, y, n) bind(c, name="cor_sphere_duration_zero_force_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_duration_zero_force_array
-
-  interface
-    pure function c_cor_sphere_max_overlap(x) bind(c, name="cor_sphere_max_overlap") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_max_overlapf(x) bind(c, name="cor_sphere_max_overlapf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_max_overlap
     module procedure cor_sphere_max_overlap_double, cor_sphere_max_overlap_float
   end interface
-  public :: cor_sphere_max_overlap
   interface cor_sphere_max_overlap_array
     subroutine c_cor_sphere_max_overlap_array(x, y, n) bind(c, name="cor_sphere_max_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_sphere_max_overlap_arrayf(x, y, n) bind(c, name="cor_sphere_max_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_max_overlap_array
-
-  interface
-    pure function c_cor_sphere_time_of_max_overlap(x) bind(c, name="cor_sphere_time_of_max_overlap") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_time_of_max_overlapf(x) bind(c, name="cor_sphere_time_of_max_overlapf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_time_of_max_overlap
     module procedure cor_sphere_time_of_max_overlap_double, cor_sphere_time_of_max_overlap_float
   end interface
-  public :: cor_sphere_time_of_max_overlap
   interface cor_sphere_time_of_max_overlap_array
-    subroutine c_cor_sphere_time_of_max_overlap_array(x, y, n) bind(c, &
-      name="cor_sphere_time_of_max_overlap_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_time_of_max_overlap_array(x, y, n) bind(c, name="cor_sphere_time_of_max_overlap_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_sphere_time_of_max_overlap_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_time_of_max_overlap_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_time_of_max_overlap_arrayf(x, y, n) bind(c, name="cor_sphere_time_of_max_overlap_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_time_of_max_overlap_array
-
-  interface
-    function cor_sphere_eps_zero_overlap_fastf(x) bind(c, name="cor_sphere_eps_zero_overlap_fastf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
-  public :: cor_sphere_eps_zero_overlap_fastf
-
-  interface
-    subroutine cor_sphere_eps_zero_overlap_fast_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_eps_zero_overlap_fast_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
-    end subroutine
-  end interface
-  public :: cor_sphere_eps_zero_overlap_fast_arrayf
-
-  interface
-    function cor_sphere_eps_zero_force_fastf(x) bind(c, name="cor_sphere_eps_zero_force_fastf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
-  public :: cor_sphere_eps_zero_force_fastf
-
-  interface
-    subroutine cor_sphere_eps_zero_force_fast_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_eps_zero_force_fast_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
-    end subroutine
-  end interface
-  public :: cor_sphere_eps_zero_force_fast_arrayf
-
-  interface
-    function cor_sphere_loss_zero_overlap_fastf(x) bind(c, name="cor_sphere_loss_zero_overlap_fastf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
-  public :: cor_sphere_loss_zero_overlap_fastf
-
-  interface
-    subroutine cor_sphere_loss_zero_overlap_fast_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_loss_zero_overlap_fast_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
-    end subroutine
-  end interface
-  public :: cor_sphere_loss_zero_overlap_fast_arrayf
-
-  interface
-    function cor_sphere_loss_zero_force_fastf(x) bind(c, name="cor_sphere_loss_zero_force_fastf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
-  public :: cor_sphere_loss_zero_force_fastf
-
-  interface
-    subroutine cor_sphere_loss_zero_force_fast_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_loss_zero_force_fast_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
-    end subroutine
-  end interface
-  public :: cor_sphere_loss_zero_force_fast_arrayf
-
-  interface
-    function cor_sphere_duration_zero_overlap_fastf(x) bind(c, name="cor_sphere_duration_zero_overlap_fastf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
-  public :: cor_sphere_duration_zero_overlap_fastf
-
-  interface
-    subroutine cor_sphere_duration_zero_overlap_fast_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_duration_zero_overlap_fast_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
-    end subroutine
-  end interface
-  public :: cor_sphere_duration_zero_overlap_fast_arrayf
-
-  interface
-    function cor_sphere_duration_zero_force_fastf(x) bind(c, name="cor_sphere_duration_zero_force_fastf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
-  public :: cor_sphere_duration_zero_force_fastf
-
-  interface
-    subroutine cor_sphere_duration_zero_force_fast_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_duration_zero_force_fast_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
-    end subroutine
-  end interface
-  public :: cor_sphere_duration_zero_force_fast_arrayf
-
-  interface
-    function cor_sphere_max_overlap_fastf(x) bind(c, name="cor_sphere_max_overlap_fastf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
-  public :: cor_sphere_max_overlap_fastf
-
-  interface
-    subroutine cor_sphere_max_overlap_fast_arrayf(x, y, n) bind(c, name="cor_sphere_max_overlap_fast_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
-    end subroutine
-  end interface
-  public :: cor_sphere_max_overlap_fast_arrayf
-
-  interface
-    function cor_sphere_time_of_max_overlap_fastf(x) bind(c, name="cor_sphere_time_of_max_overlap_fastf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
-  end interface
-  public :: cor_sphere_time_of_max_overlap_fastf
-
-  interface
-    subroutine cor_sphere_time_of_max_overlap_fast_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_time_of_max_overlap_fast_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
-    end subroutine
-  end interface
-  public :: cor_sphere_time_of_max_overlap_fast_arrayf
-
-  interface
-    pure function c_cor_sphere_eps_approach_only(x) bind(c, name="cor_sphere_eps_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_eps_approach_onlyf(x) bind(c, name="cor_sphere_eps_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_eps_approach_only
     module procedure cor_sphere_eps_approach_only_double, cor_sphere_eps_approach_only_float
   end interface
-  public :: cor_sphere_eps_approach_only
   interface cor_sphere_eps_approach_only_array
-    subroutine c_cor_sphere_eps_approach_only_array(x, y, n) bind(c, &
-      name="cor_sphere_eps_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_eps_approach_only_array(x, y, n) bind(c, name="cor_sphere_eps_approach_only_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_sphere_eps_approach_only_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_eps_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_eps_approach_only_arrayf(x, y, n) bind(c, name="cor_sphere_eps_approach_only_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_eps_approach_only_array
-
-  interface
-    pure function c_cor_sphere_loss_approach_only(x) bind(c, name="cor_sphere_loss_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_loss_approach_onlyf(x) bind(c, name="cor_sphere_loss_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_loss_approach_only
     module procedure cor_sphere_loss_approach_only_double, cor_sphere_loss_approach_only_float
   end interface
-  public :: cor_sphere_loss_approach_only
   interface cor_sphere_loss_approach_only_array
-    subroutine c_cor_sphere_loss_approach_only_array(x, y, n) bind(c, &
-      name="cor_sphere_loss_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_loss_approach_only_array(x, y, n) bind(c, name="cor_sphere_loss_approach_only_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_sphere_loss_approach_only_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_loss_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_loss_approach_only_arrayf(x, y, n) bind(c, name="cor_sphere_loss_approach_only_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_loss_approach_only_array
-
-  interface
-    pure function c_cor_sphere_beta_approach_only(x) bind(c, name="cor_sphere_beta_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_beta_approach_onlyf(x) bind(c, name="cor_sphere_beta_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_beta_approach_only
     module procedure cor_sphere_beta_approach_only_double, cor_sphere_beta_approach_only_float
   end interface
-  public :: cor_sphere_beta_approach_only
   interface cor_sphere_beta_approach_only_array
-    subroutine c_cor_sphere_beta_approach_only_array(x, y, n) bind(c, &
-      name="cor_sphere_beta_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_beta_approach_only_array(x, y, n) bind(c, name="cor_sphere_beta_approach_only_array")
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-    subroutine c_cor_sphere_beta_approach_only_arrayf(x, y, n) bind(c, &
-      name="cor_sphere_beta_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+    subroutine c_cor_sphere_beta_approach_only_arrayf(x, y, n) bind(c, name="cor_sphere_beta_approach_only_arrayf")
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_beta_approach_only_array
-
-  interface
-    pure function c_cor_sphere_beta_of_loss_approach_only(x) bind(c, &
-      name="cor_sphere_beta_of_loss_approach_only") result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_beta_of_loss_approach_onlyf(x) bind(c, &
-      name="cor_sphere_beta_of_loss_approach_onlyf") result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_beta_of_loss_approach_only
     module procedure cor_sphere_beta_of_loss_approach_only_double, cor_sphere_beta_of_loss_approach_only_float
   end interface
-  public :: cor_sphere_beta_of_loss_approach_only
   interface cor_sphere_beta_of_loss_approach_only_array
     subroutine c_cor_sphere_beta_of_loss_approach_only_array(x, y, n) bind(c, &
       name="cor_sphere_beta_of_loss_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_sphere_beta_of_loss_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_sphere_beta_of_loss_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
-  end interface
-  public :: cor_sphere_beta_of_loss_approach_only_array
-
-  interface
-    pure function c_cor_sphere_duration_approach_only(x) bind(c, name="cor_sphere_duration_approach_only") &
-      result(result_of_c)
-      import
-      real(c_double), value :: x
-      real(c_double) :: result_of_c
-    end function
-    pure function c_cor_sphere_duration_approach_onlyf(x) bind(c, name="cor_sphere_duration_approach_onlyf") &
-      result(result_of_c)
-      import
-      real(c_float), value :: x
-      real(c_float) :: result_of_c
-    end function
   end interface
   interface cor_sphere_duration_approach_only
     module procedure cor_sphere_duration_approach_only_double, cor_sphere_duration_approach_only_float
   end interface
-  public :: cor_sphere_duration_approach_only
   interface cor_sphere_duration_approach_only_array
     subroutine c_cor_sphere_duration_approach_only_array(x, y, n) bind(c, &
       name="cor_sphere_duration_approach_only_array")
-      import
-      real(c_double), intent(in) :: x(*)
-      real(c_double), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_double), intent(in) :: x(*); real(c_double), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
     subroutine c_cor_sphere_duration_approach_only_arrayf(x, y, n) bind(c, &
       name="cor_sphere_duration_approach_only_arrayf")
-      import
-      real(c_float), intent(in) :: x(*)
-      real(c_float), intent(inout) :: y(*)
-      integer(c_size_t), value :: n
+      import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
   end interface
-  public :: cor_sphere_duration_approach_only_array
-
-  interface
-    pure function c_cor_sphere_eps_simple(beta) bind(c, name="cor_sphere_eps_simple") result(result_of_c)
-      import
-      real(c_double), value :: beta
-      real(c_double) :: result_of_c
-    end function
-  end interface
-  interface cor_sphere_eps_simple
-    module procedure cor_sphere_eps_simple_double
-  end interface
-  public :: cor_sphere_eps_simple
-
-  interface
-    pure function c_cor_sphere_eps_simple_fraction(beta, depth) bind(c, &
-      name="cor_sphere_eps_simple_fraction") result(result_of_c)
-      import
-      real(c_double), value :: beta
-      integer(c_int), value :: depth
-      real(c_double) :: result_of_c
-    end function
-  end interface
-  interface cor_sphere_eps_simple_fraction
-    module procedure cor_sphere_eps_simple_fraction_double
-  end interface
-  public :: cor_sphere_eps_simple_fraction
-
-  interface
-    pure function c_cor_sphere_eps_published_pade(beta) bind(c, name="cor_sphere_eps_published_pade") &
-      result(result_of_c)
-      import
-      real(c_double), value :: beta
-      real(c_double) :: result_of_c
-    end function
-  end interface
-  interface cor_sphere_eps_published_pade
-    module procedure cor_sphere_eps_published_pade_double
-  end interface
-  public :: cor_sphere_eps_published_pade
-
-  interface
-    pure function c_cor_status_text(status) bind(c, name="cor_status_text") result(result_of_c)
-      import
-      integer(c_int), value :: status
-      type(c_ptr) :: result_of_c
-    end function
-  end interface
-  public :: cor_status_text
+  public :: cor_sphere_contact_init, cor_sphere_contact_init_g_star, cor_contact_g_star_m_s, cor_contact_beta, &
+    cor_contact_beta_array, cor_contact_eps_zero_overlap, cor_contact_eps_zero_overlap_array, &
+    cor_contact_eps_zero_force, cor_contact_eps_zero_force_array, cor_contact_duration_s_zero_overlap, &
+    cor_contact_duration_s_zero_overlap_array, cor_contact_duration_s_zero_force, &
+    cor_contact_duration_s_zero_force_array, cor_contact_max_overlap_m, cor_contact_max_overlap_m_array, &
+    cor_contact_dissipation_time_s_zero_overlap, cor_contact_dissipation_time_s_zero_overlap_array, &
+    cor_contact_dissipation_time_s_zero_force, cor_contact_dissipation_time_s_zero_force_array, &
+    cor_dissipation_time_viscous_s, cor_dissipation_time_s, cor_plate_contact_init, cor_plate_lambda, &
+    cor_plate_contact_radius_ratio, cor_plate_shear_crossings, cor_plate_sphere_crossings, &
+    cor_plate_least_half_width_m, cor_half_space_wave_factor, cor_half_space_wave_coefficient, cor_contact_wave_loss, &
+    cor_sphere_mass_kg, cor_disk_modes_read, cor_disk_modes_compute, cor_disk_modes_below, cor_disk_load_limit, &
+    cor_disk_compression_limit, cor_disk_energy_limit, cor_disk_speed_limit, cor_disk_load, cor_disk_compression, &
+    cor_disk_energy, cor_disk_load_of_energy, cor_disk_max_load, cor_disk_max_compression, cor_disk_contact_time, &
+    cor_disk_compression_leading_log, cor_disk_load_leading_log, cor_disk_energy_leading_log, &
+    cor_disk_max_compression_leading_log, cor_disk_contact_time_leading_log, cor_disk_rayleigh, &
+    cor_disk_rayleigh_array, cor_disk_rayleigh_tolerance, cor_disk_collision, cor_disk_collision_array, &
+    cor_disk_collision_workspace, cor_disk_collision_in, cor_disk_hard_wall, cor_disk_hard_wall_nu, &
+    cor_disk_hard_wall_workspace, cor_disk_hard_wall_in, cor_disk_eps, cor_disk_eps_uncertainty, &
+    cor_disk_one_minus_eps2, cor_disk_one_minus_eps2_uncertainty, cor_hertz_dashpot_eps_zero_overlap, &
+    cor_hertz_dashpot_eps_zero_overlap_array, cor_hertz_dashpot_eps_zero_force, &
+    cor_hertz_dashpot_eps_zero_force_array, cor_hertz_dashpot_loss_zero_overlap, &
+    cor_hertz_dashpot_loss_zero_overlap_array, cor_hertz_dashpot_loss_zero_force, &
+    cor_hertz_dashpot_loss_zero_force_array, cor_hertz_dashpot_beta_zero_overlap, &
+    cor_hertz_dashpot_beta_zero_overlap_array, cor_hertz_dashpot_beta_zero_force, &
+    cor_hertz_dashpot_beta_zero_force_array, cor_hertz_dashpot_beta_of_loss_zero_overlap, &
+    cor_hertz_dashpot_beta_of_loss_zero_overlap_array, cor_hertz_dashpot_beta_of_loss_zero_force, &
+    cor_hertz_dashpot_beta_of_loss_zero_force_array, cor_hertz_dashpot_duration_zero_overlap, &
+    cor_hertz_dashpot_duration_zero_overlap_array, cor_hertz_dashpot_duration_zero_force, &
+    cor_hertz_dashpot_duration_zero_force_array, cor_hertz_dashpot_max_overlap, cor_hertz_dashpot_max_overlap_array, &
+    cor_hertz_dashpot_time_of_max_overlap, cor_hertz_dashpot_time_of_max_overlap_array, &
+    cor_hertz_dashpot_eps_approach_only, cor_hertz_dashpot_eps_approach_only_array, &
+    cor_hertz_dashpot_loss_approach_only, cor_hertz_dashpot_loss_approach_only_array, &
+    cor_hertz_dashpot_beta_approach_only, cor_hertz_dashpot_beta_approach_only_array, &
+    cor_hertz_dashpot_beta_of_loss_approach_only, cor_hertz_dashpot_beta_of_loss_approach_only_array, &
+    cor_hertz_dashpot_duration_approach_only, cor_hertz_dashpot_duration_approach_only_array, &
+    cor_linear_eps_zero_overlap, cor_linear_eps_zero_overlap_array, cor_linear_eps_zero_force, &
+    cor_linear_eps_zero_force_array, cor_linear_eps_limited, cor_linear_eps_limited_array, &
+    cor_linear_eps_approach_only, cor_linear_eps_approach_only_array, cor_linear_loss_zero_overlap, &
+    cor_linear_loss_zero_overlap_array, cor_linear_loss_zero_force, cor_linear_loss_zero_force_array, &
+    cor_linear_loss_limited, cor_linear_loss_limited_array, cor_linear_loss_approach_only, &
+    cor_linear_loss_approach_only_array, cor_linear_zeta_zero_overlap, cor_linear_zeta_zero_overlap_array, &
+    cor_linear_zeta_zero_force, cor_linear_zeta_zero_force_array, cor_linear_zeta_limited, &
+    cor_linear_zeta_limited_array, cor_linear_zeta_approach_only, cor_linear_zeta_approach_only_array, &
+    cor_linear_zeta_of_loss_zero_overlap, cor_linear_zeta_of_loss_zero_overlap_array, &
+    cor_linear_zeta_of_loss_zero_force, cor_linear_zeta_of_loss_zero_force_array, cor_linear_zeta_of_loss_limited, &
+    cor_linear_zeta_of_loss_limited_array, cor_linear_zeta_of_loss_approach_only, &
+    cor_linear_zeta_of_loss_approach_only_array, cor_linear_duration_zero_overlap, &
+    cor_linear_duration_zero_overlap_array, cor_linear_duration_zero_force, cor_linear_duration_zero_force_array, &
+    cor_linear_duration_limited, cor_linear_duration_limited_array, cor_linear_duration_approach_only, &
+    cor_linear_duration_approach_only_array, cor_linear_max_overlap, cor_linear_max_overlap_array, &
+    cor_linear_time_of_max_overlap, cor_linear_time_of_max_overlap_array, cor_tsuji_eps_zero_overlap, &
+    cor_tsuji_eps_zero_overlap_array, cor_tsuji_eps_zero_force, cor_tsuji_eps_zero_force_array, &
+    cor_tsuji_eps_limited, cor_tsuji_eps_limited_array, cor_tsuji_eps_approach_only, &
+    cor_tsuji_eps_approach_only_array, cor_tsuji_loss_zero_overlap, cor_tsuji_loss_zero_overlap_array, &
+    cor_tsuji_loss_zero_force, cor_tsuji_loss_zero_force_array, cor_tsuji_loss_limited, cor_tsuji_loss_limited_array, &
+    cor_tsuji_loss_approach_only, cor_tsuji_loss_approach_only_array, cor_tsuji_zeta_zero_overlap, &
+    cor_tsuji_zeta_zero_overlap_array, cor_tsuji_zeta_zero_force, cor_tsuji_zeta_zero_force_array, &
+    cor_tsuji_zeta_limited, cor_tsuji_zeta_limited_array, cor_tsuji_zeta_approach_only, &
+    cor_tsuji_zeta_approach_only_array, cor_tsuji_zeta_of_loss_zero_overlap, &
+    cor_tsuji_zeta_of_loss_zero_overlap_array, cor_tsuji_zeta_of_loss_zero_force, &
+    cor_tsuji_zeta_of_loss_zero_force_array, cor_tsuji_zeta_of_loss_limited, cor_tsuji_zeta_of_loss_limited_array, &
+    cor_tsuji_zeta_of_loss_approach_only, cor_tsuji_zeta_of_loss_approach_only_array, &
+    cor_tsuji_duration_zero_overlap, cor_tsuji_duration_zero_overlap_array, cor_tsuji_duration_zero_force, &
+    cor_tsuji_duration_zero_force_array, cor_tsuji_duration_limited, cor_tsuji_duration_limited_array, &
+    cor_tsuji_duration_approach_only, cor_tsuji_duration_approach_only_array, cor_tsuji_max_overlap, &
+    cor_tsuji_max_overlap_array, cor_tsuji_time_of_max_overlap, cor_tsuji_time_of_max_overlap_array, &
+    cor_hunt_crossley_eps, cor_hunt_crossley_eps_array, cor_hunt_crossley_eps_approach_only, &
+    cor_hunt_crossley_eps_approach_only_array, cor_hunt_crossley_loss, cor_hunt_crossley_loss_array, &
+    cor_hunt_crossley_loss_approach_only, cor_hunt_crossley_loss_approach_only_array, cor_hunt_crossley_beta, &
+    cor_hunt_crossley_beta_array, cor_hunt_crossley_beta_approach_only, cor_hunt_crossley_beta_approach_only_array, &
+    cor_hunt_crossley_beta_of_loss, cor_hunt_crossley_beta_of_loss_array, &
+    cor_hunt_crossley_beta_of_loss_approach_only, cor_hunt_crossley_beta_of_loss_approach_only_array, &
+    cor_hunt_crossley_max_overlap, cor_hunt_crossley_max_overlap_array, cor_hunt_crossley_duration, &
+    cor_hunt_crossley_duration_array, cor_hunt_crossley_duration_approach_only, &
+    cor_hunt_crossley_duration_approach_only_array, cor_hunt_crossley_time_of_max_overlap, &
+    cor_hunt_crossley_time_of_max_overlap_array, cor_sphere_eps_zero_overlap, cor_sphere_eps_zero_overlap_array, &
+    cor_sphere_eps_zero_force, cor_sphere_eps_zero_force_array, cor_sphere_loss_zero_overlap, &
+    cor_sphere_loss_zero_overlap_array, cor_sphere_loss_zero_force, cor_sphere_loss_zero_force_array, &
+    cor_sphere_beta_zero_overlap, cor_sphere_beta_zero_overlap_array, cor_sphere_beta_zero_force, &
+    cor_sphere_beta_zero_force_array, cor_sphere_duration_zero_overlap, cor_sphere_duration_zero_overlap_array, &
+    cor_sphere_duration_zero_force, cor_sphere_duration_zero_force_array, cor_sphere_max_overlap, &
+    cor_sphere_max_overlap_array, cor_sphere_time_of_max_overlap, cor_sphere_time_of_max_overlap_array, &
+    cor_sphere_eps_zero_overlap_fastf, cor_sphere_eps_zero_overlap_fast_arrayf, cor_sphere_eps_zero_force_fastf, &
+    cor_sphere_eps_zero_force_fast_arrayf, cor_sphere_loss_zero_overlap_fastf, &
+    cor_sphere_loss_zero_overlap_fast_arrayf, cor_sphere_loss_zero_force_fastf, &
+    cor_sphere_loss_zero_force_fast_arrayf, cor_sphere_duration_zero_overlap_fastf, &
+    cor_sphere_duration_zero_overlap_fast_arrayf, cor_sphere_duration_zero_force_fastf, &
+    cor_sphere_duration_zero_force_fast_arrayf, cor_sphere_max_overlap_fastf, cor_sphere_max_overlap_fast_arrayf, &
+    cor_sphere_time_of_max_overlap_fastf, cor_sphere_time_of_max_overlap_fast_arrayf, cor_sphere_eps_approach_only, &
+    cor_sphere_eps_approach_only_array, cor_sphere_loss_approach_only, cor_sphere_loss_approach_only_array, &
+    cor_sphere_beta_approach_only, cor_sphere_beta_approach_only_array, cor_sphere_beta_of_loss_approach_only, &
+    cor_sphere_beta_of_loss_approach_only_array, cor_sphere_duration_approach_only, &
+    cor_sphere_duration_approach_only_array, cor_sphere_eps_simple, cor_sphere_eps_simple_fraction, &
+    cor_sphere_eps_published_pade, cor_status_text
 
 contains
-
-  elemental function cor_contact_g_star_m_s_double(contact) result(value)
+  elemental real(c_double) function cor_contact_g_star_m_s(contact) result(value)
     type(cor_sphere_contact_t), intent(in) :: contact
-    real(c_double) :: value
     value = c_cor_contact_g_star_m_s(contact)
   end function
-
-  elemental function cor_contact_beta_double(contact, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
+  elemental real(c_double) function cor_contact_beta(contact, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s
     value = c_cor_contact_beta(contact, speed_m_s)
   end function
-
-  elemental function cor_contact_eps_zero_overlap_double(contact, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
+  elemental real(c_double) function cor_contact_eps_zero_overlap(contact, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s
     value = c_cor_contact_eps_zero_overlap(contact, speed_m_s)
   end function
-
-  elemental function cor_contact_eps_zero_force_double(contact, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
+  elemental real(c_double) function cor_contact_eps_zero_force(contact, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s
     value = c_cor_contact_eps_zero_force(contact, speed_m_s)
   end function
-
-  elemental function cor_contact_duration_s_zero_overlap_double(contact, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
+  elemental real(c_double) function cor_contact_duration_s_zero_overlap(contact, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s
     value = c_cor_contact_duration_s_zero_overlap(contact, speed_m_s)
   end function
-
-  elemental function cor_contact_duration_s_zero_force_double(contact, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
+  elemental real(c_double) function cor_contact_duration_s_zero_force(contact, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s
     value = c_cor_contact_duration_s_zero_force(contact, speed_m_s)
   end function
-
-  elemental function cor_contact_max_overlap_m_double(contact, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
+  elemental real(c_double) function cor_contact_max_overlap_m(contact, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s
     value = c_cor_contact_max_overlap_m(contact, speed_m_s)
   end function
-
-  elemental function cor_contact_dissipation_time_s_zero_overlap_double(contact, speed_m_s, eps) &
-    result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    real(c_double), intent(in) :: speed_m_s
-    real(c_double), intent(in) :: eps
-    real(c_double) :: value
+  elemental real(c_double) function cor_contact_dissipation_time_s_zero_overlap(contact, speed_m_s, eps) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s, eps
     value = c_cor_contact_dissipation_time_s_zero_overlap(contact, speed_m_s, eps)
   end function
-
-  elemental function cor_contact_dissipation_time_s_zero_force_double(contact, speed_m_s, eps) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    real(c_double), intent(in) :: speed_m_s
-    real(c_double), intent(in) :: eps
-    real(c_double) :: value
+  elemental real(c_double) function cor_contact_dissipation_time_s_zero_force(contact, speed_m_s, eps) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s, eps
     value = c_cor_contact_dissipation_time_s_zero_force(contact, speed_m_s, eps)
   end function
-
-  elemental function cor_dissipation_time_viscous_s_double(eta1_pa_s, eta2_pa_s, young_modulus_pa, &
+  elemental real(c_double) function cor_dissipation_time_viscous_s(eta1_pa_s, eta2_pa_s, young_modulus_pa, &
     poisson_ratio) result(value)
-    real(c_double), intent(in) :: eta1_pa_s
-    real(c_double), intent(in) :: eta2_pa_s
-    real(c_double), intent(in) :: young_modulus_pa
-    real(c_double), intent(in) :: poisson_ratio
-    real(c_double) :: value
+    real(c_double), intent(in) :: eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio
     value = c_cor_dissipation_time_viscous_s(eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio)
   end function
-
-  elemental function cor_dissipation_time_s_double(eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio) &
+  elemental real(c_double) function cor_dissipation_time_s(eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio) &
     result(value)
-    real(c_double), intent(in) :: eta1_pa_s
-    real(c_double), intent(in) :: eta2_pa_s
-    real(c_double), intent(in) :: young_modulus_pa
-    real(c_double), intent(in) :: poisson_ratio
-    real(c_double) :: value
+    real(c_double), intent(in) :: eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio
     value = c_cor_dissipation_time_s(eta1_pa_s, eta2_pa_s, young_modulus_pa, poisson_ratio)
   end function
-
-  elemental function cor_plate_lambda_double(contact, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
+  elemental real(c_double) function cor_plate_lambda(contact, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; real(c_double), intent(in) :: speed_m_s
     value = c_cor_plate_lambda(contact, speed_m_s)
   end function
-
-  elemental function cor_plate_contact_radius_ratio_double(contact, plate, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    type(cor_plate_t), intent(in) :: plate
+  elemental real(c_double) function cor_plate_contact_radius_ratio(contact, plate, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; type(cor_plate_t), intent(in) :: plate
     real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
     value = c_cor_plate_contact_radius_ratio(contact, plate, speed_m_s)
   end function
-
-  elemental function cor_plate_shear_crossings_double(contact, plate, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    type(cor_plate_t), intent(in) :: plate
+  elemental real(c_double) function cor_plate_shear_crossings(contact, plate, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; type(cor_plate_t), intent(in) :: plate
     real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
     value = c_cor_plate_shear_crossings(contact, plate, speed_m_s)
   end function
-
-  elemental function cor_plate_sphere_crossings_double(contact, sphere, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    type(cor_body_t), intent(in) :: sphere
+  elemental real(c_double) function cor_plate_sphere_crossings(contact, sphere, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; type(cor_body_t), intent(in) :: sphere
     real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
     value = c_cor_plate_sphere_crossings(contact, sphere, speed_m_s)
   end function
-
-  elemental function cor_plate_least_half_width_m_double(contact, plate, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    type(cor_plate_t), intent(in) :: plate
+  elemental real(c_double) function cor_plate_least_half_width_m(contact, plate, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; type(cor_plate_t), intent(in) :: plate
     real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
     value = c_cor_plate_least_half_width_m(contact, plate, speed_m_s)
   end function
-
-  elemental function cor_half_space_wave_factor_double(poisson_ratio) result(value)
+  elemental real(c_double) function cor_half_space_wave_factor(poisson_ratio) result(value)
     real(c_double), intent(in) :: poisson_ratio
-    real(c_double) :: value
     value = c_cor_half_space_wave_factor(poisson_ratio)
   end function
-
-  elemental function cor_half_space_wave_coefficient_double(poisson_ratio) result(value)
+  elemental real(c_double) function cor_half_space_wave_coefficient(poisson_ratio) result(value)
     real(c_double), intent(in) :: poisson_ratio
-    real(c_double) :: value
     value = c_cor_half_space_wave_coefficient(poisson_ratio)
   end function
-
-  elemental function cor_contact_wave_loss_double(contact, half_space, speed_m_s) result(value)
-    type(cor_sphere_contact_t), intent(in) :: contact
-    type(cor_half_space_t), intent(in) :: half_space
+  elemental real(c_double) function cor_contact_wave_loss(contact, half_space, speed_m_s) result(value)
+    type(cor_sphere_contact_t), intent(in) :: contact; type(cor_half_space_t), intent(in) :: half_space
     real(c_double), intent(in) :: speed_m_s
-    real(c_double) :: value
     value = c_cor_contact_wave_loss(contact, half_space, speed_m_s)
   end function
-
-  elemental function cor_sphere_mass_kg_double(radius_m, density_kg_m3) result(value)
-    real(c_double), intent(in) :: radius_m
-    real(c_double), intent(in) :: density_kg_m3
-    real(c_double) :: value
+  elemental real(c_double) function cor_sphere_mass_kg(radius_m, density_kg_m3) result(value)
+    real(c_double), intent(in) :: radius_m, density_kg_m3
     value = c_cor_sphere_mass_kg(radius_m, density_kg_m3)
   end function
-
-  elemental function cor_disk_modes_below_double(nu, omega) result(value)
-    real(c_double), intent(in) :: nu
-    real(c_double), intent(in) :: omega
-    integer(c_size_t) :: value
+  elemental integer(c_size_t) function cor_disk_modes_below(nu, omega) result(value)
+    real(c_double), intent(in) :: nu, omega
     value = c_cor_disk_modes_below(nu, omega)
   end function
-
-  elemental function cor_disk_load_limit_double(nu, datum) result(value)
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_load_limit(nu, datum) result(value)
+    real(c_double), intent(in) :: nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_load_limit(nu, datum)
   end function
-
-  elemental function cor_disk_compression_limit_double(nu, datum) result(value)
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_compression_limit(nu, datum) result(value)
+    real(c_double), intent(in) :: nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_compression_limit(nu, datum)
   end function
-
-  elemental function cor_disk_energy_limit_double(nu, datum) result(value)
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_energy_limit(nu, datum) result(value)
+    real(c_double), intent(in) :: nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_energy_limit(nu, datum)
   end function
-
-  elemental function cor_disk_speed_limit_double(nu, datum) result(value)
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_speed_limit(nu, datum) result(value)
+    real(c_double), intent(in) :: nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_speed_limit(nu, datum)
   end function
-
-  elemental function cor_disk_load_double(compression, nu, datum) result(value)
-    real(c_double), intent(in) :: compression
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_load(compression, nu, datum) result(value)
+    real(c_double), intent(in) :: compression, nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_load(compression, nu, datum)
   end function
-
-  elemental function cor_disk_compression_double(load, nu, datum) result(value)
-    real(c_double), intent(in) :: load
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_compression(load, nu, datum) result(value)
+    real(c_double), intent(in) :: load, nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_compression(load, nu, datum)
   end function
-
-  elemental function cor_disk_energy_double(load, nu, datum) result(value)
-    real(c_double), intent(in) :: load
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_energy(load, nu, datum) result(value)
+    real(c_double), intent(in) :: load, nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_energy(load, nu, datum)
   end function
-
-  elemental function cor_disk_load_of_energy_double(energy, nu, datum) result(value)
-    real(c_double), intent(in) :: energy
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_load_of_energy(energy, nu, datum) result(value)
+    real(c_double), intent(in) :: energy, nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_load_of_energy(energy, nu, datum)
   end function
-
-  elemental function cor_disk_max_load_double(speed, nu, datum) result(value)
-    real(c_double), intent(in) :: speed
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_max_load(speed, nu, datum) result(value)
+    real(c_double), intent(in) :: speed, nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_max_load(speed, nu, datum)
   end function
-
-  elemental function cor_disk_max_compression_double(speed, nu, datum) result(value)
-    real(c_double), intent(in) :: speed
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_max_compression(speed, nu, datum) result(value)
+    real(c_double), intent(in) :: speed, nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_max_compression(speed, nu, datum)
   end function
-
-  elemental function cor_disk_contact_time_double(speed, nu, datum) result(value)
-    real(c_double), intent(in) :: speed
-    real(c_double), intent(in) :: nu
-    integer(c_int), intent(in) :: datum
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_contact_time(speed, nu, datum) result(value)
+    real(c_double), intent(in) :: speed, nu; integer(c_int), intent(in) :: datum
     value = c_cor_disk_contact_time(speed, nu, datum)
   end function
-
-  elemental function cor_disk_compression_leading_log_double(load) result(value)
+  elemental real(c_double) function cor_disk_compression_leading_log(load) result(value)
     real(c_double), intent(in) :: load
-    real(c_double) :: value
     value = c_cor_disk_compression_leading_log(load)
   end function
-
-  elemental function cor_disk_load_leading_log_double(compression) result(value)
+  elemental real(c_double) function cor_disk_load_leading_log(compression) result(value)
     real(c_double), intent(in) :: compression
-    real(c_double) :: value
     value = c_cor_disk_load_leading_log(compression)
   end function
-
-  elemental function cor_disk_energy_leading_log_double(compression) result(value)
+  elemental real(c_double) function cor_disk_energy_leading_log(compression) result(value)
     real(c_double), intent(in) :: compression
-    real(c_double) :: value
     value = c_cor_disk_energy_leading_log(compression)
   end function
-
-  elemental function cor_disk_max_compression_leading_log_double(speed) result(value)
+  elemental real(c_double) function cor_disk_max_compression_leading_log(speed) result(value)
     real(c_double), intent(in) :: speed
-    real(c_double) :: value
     value = c_cor_disk_max_compression_leading_log(speed)
   end function
-
-  elemental function cor_disk_contact_time_leading_log_double(speed) result(value)
+  elemental real(c_double) function cor_disk_contact_time_leading_log(speed) result(value)
     real(c_double), intent(in) :: speed
-    real(c_double) :: value
     value = c_cor_disk_contact_time_leading_log(speed)
   end function
-
-  elemental function cor_disk_collision_workspace_double(modes, n_modes, options) result(value)
-    type(cor_disk_modes_t), intent(in) :: modes
-    integer(c_size_t), intent(in) :: n_modes
+  elemental integer(c_size_t) function cor_disk_collision_workspace(modes, n_modes, options) result(value)
+    type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), intent(in) :: n_modes
     type(cor_disk_collision_options_t), intent(in) :: options
-    integer(c_size_t) :: value
     value = c_cor_disk_collision_workspace(modes, n_modes, options)
   end function
-
-  elemental function cor_disk_hard_wall_workspace_double(modes, n_modes, options, speed) result(value)
-    type(cor_disk_modes_t), intent(in) :: modes
-    integer(c_size_t), intent(in) :: n_modes
-    type(cor_disk_hard_wall_options_t), intent(in) :: options
-    real(c_double), intent(in) :: speed
-    integer(c_size_t) :: value
+  elemental integer(c_size_t) function cor_disk_hard_wall_workspace(modes, n_modes, options, speed) result(value)
+    type(cor_disk_modes_t), intent(in) :: modes; integer(c_size_t), intent(in) :: n_modes
+    type(cor_disk_hard_wall_options_t), intent(in) :: options; real(c_double), intent(in) :: speed
     value = c_cor_disk_hard_wall_workspace(modes, n_modes, options, speed)
   end function
-
-  elemental function cor_disk_eps_double(speed, nu) result(value)
-    real(c_double), intent(in) :: speed
-    real(c_double), intent(in) :: nu
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_eps(speed, nu) result(value)
+    real(c_double), intent(in) :: speed, nu
     value = c_cor_disk_eps(speed, nu)
   end function
-
-  elemental function cor_disk_eps_uncertainty_double(speed, nu) result(value)
-    real(c_double), intent(in) :: speed
-    real(c_double), intent(in) :: nu
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_eps_uncertainty(speed, nu) result(value)
+    real(c_double), intent(in) :: speed, nu
     value = c_cor_disk_eps_uncertainty(speed, nu)
   end function
-
-  elemental function cor_disk_one_minus_eps2_double(speed, nu) result(value)
-    real(c_double), intent(in) :: speed
-    real(c_double), intent(in) :: nu
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_one_minus_eps2(speed, nu) result(value)
+    real(c_double), intent(in) :: speed, nu
     value = c_cor_disk_one_minus_eps2(speed, nu)
   end function
-
-  elemental function cor_disk_one_minus_eps2_uncertainty_double(speed, nu) result(value)
-    real(c_double), intent(in) :: speed
-    real(c_double), intent(in) :: nu
-    real(c_double) :: value
+  elemental real(c_double) function cor_disk_one_minus_eps2_uncertainty(speed, nu) result(value)
+    real(c_double), intent(in) :: speed, nu
     value = c_cor_disk_one_minus_eps2_uncertainty(speed, nu)
   end function
-
-  elemental function cor_hertz_dashpot_eps_zero_overlap_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_eps_zero_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_eps_zero_overlap(beta)
   end function
-
-  elemental function cor_hertz_dashpot_eps_zero_overlap_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_eps_zero_overlap_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_eps_zero_overlapf(beta)
+    value = cor_hertz_dashpot_eps_zero_overlapf(beta)
   end function
-
-  elemental function cor_hertz_dashpot_eps_zero_force_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_eps_zero_force_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_eps_zero_force(beta)
   end function
-
-  elemental function cor_hertz_dashpot_eps_zero_force_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_eps_zero_force_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_eps_zero_forcef(beta)
+    value = cor_hertz_dashpot_eps_zero_forcef(beta)
   end function
-
-  elemental function cor_hertz_dashpot_loss_zero_overlap_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_loss_zero_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_loss_zero_overlap(beta)
   end function
-
-  elemental function cor_hertz_dashpot_loss_zero_overlap_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_loss_zero_overlap_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_loss_zero_overlapf(beta)
+    value = cor_hertz_dashpot_loss_zero_overlapf(beta)
   end function
-
-  elemental function cor_hertz_dashpot_loss_zero_force_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_loss_zero_force_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_loss_zero_force(beta)
   end function
-
-  elemental function cor_hertz_dashpot_loss_zero_force_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_loss_zero_force_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_loss_zero_forcef(beta)
+    value = cor_hertz_dashpot_loss_zero_forcef(beta)
   end function
-
-  elemental function cor_hertz_dashpot_beta_zero_overlap_double(eps) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_beta_zero_overlap_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_beta_zero_overlap(eps)
   end function
-
-  elemental function cor_hertz_dashpot_beta_zero_overlap_float(eps) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_beta_zero_overlap_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_beta_zero_overlapf(eps)
+    value = cor_hertz_dashpot_beta_zero_overlapf(eps)
   end function
-
-  elemental function cor_hertz_dashpot_beta_zero_force_double(eps) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_beta_zero_force_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_beta_zero_force(eps)
   end function
-
-  elemental function cor_hertz_dashpot_beta_zero_force_float(eps) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_beta_zero_force_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_beta_zero_forcef(eps)
+    value = cor_hertz_dashpot_beta_zero_forcef(eps)
   end function
-
-  elemental function cor_hertz_dashpot_beta_of_loss_zero_overlap_double(loss) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_beta_of_loss_zero_overlap_double(loss) result(value)
     real(c_double), intent(in) :: loss
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_beta_of_loss_zero_overlap(loss)
   end function
-
-  elemental function cor_hertz_dashpot_beta_of_loss_zero_overlap_float(loss) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_beta_of_loss_zero_overlap_float(loss) result(value)
     real(c_float), intent(in) :: loss
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_beta_of_loss_zero_overlapf(loss)
+    value = cor_hertz_dashpot_beta_of_loss_zero_overlapf(loss)
   end function
-
-  elemental function cor_hertz_dashpot_beta_of_loss_zero_force_double(loss) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_beta_of_loss_zero_force_double(loss) result(value)
     real(c_double), intent(in) :: loss
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_beta_of_loss_zero_force(loss)
   end function
-
-  elemental function cor_hertz_dashpot_beta_of_loss_zero_force_float(loss) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_beta_of_loss_zero_force_float(loss) result(value)
     real(c_float), intent(in) :: loss
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_beta_of_loss_zero_forcef(loss)
+    value = cor_hertz_dashpot_beta_of_loss_zero_forcef(loss)
   end function
-
-  elemental function cor_hertz_dashpot_duration_zero_overlap_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_duration_zero_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_duration_zero_overlap(beta)
   end function
-
-  elemental function cor_hertz_dashpot_duration_zero_overlap_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_duration_zero_overlap_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_duration_zero_overlapf(beta)
+    value = cor_hertz_dashpot_duration_zero_overlapf(beta)
   end function
-
-  elemental function cor_hertz_dashpot_duration_zero_force_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_duration_zero_force_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_duration_zero_force(beta)
   end function
-
-  elemental function cor_hertz_dashpot_duration_zero_force_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_duration_zero_force_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_duration_zero_forcef(beta)
+    value = cor_hertz_dashpot_duration_zero_forcef(beta)
   end function
-
-  elemental function cor_hertz_dashpot_max_overlap_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_max_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_max_overlap(beta)
   end function
-
-  elemental function cor_hertz_dashpot_max_overlap_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_max_overlap_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_max_overlapf(beta)
+    value = cor_hertz_dashpot_max_overlapf(beta)
   end function
-
-  elemental function cor_hertz_dashpot_time_of_max_overlap_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_time_of_max_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_time_of_max_overlap(beta)
   end function
-
-  elemental function cor_hertz_dashpot_time_of_max_overlap_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_time_of_max_overlap_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_time_of_max_overlapf(beta)
+    value = cor_hertz_dashpot_time_of_max_overlapf(beta)
   end function
-
-  elemental function cor_hertz_dashpot_eps_approach_only_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_eps_approach_only_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_eps_approach_only(beta)
   end function
-
-  elemental function cor_hertz_dashpot_eps_approach_only_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_eps_approach_only_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_eps_approach_onlyf(beta)
+    value = cor_hertz_dashpot_eps_approach_onlyf(beta)
   end function
-
-  elemental function cor_hertz_dashpot_loss_approach_only_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_loss_approach_only_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_loss_approach_only(beta)
   end function
-
-  elemental function cor_hertz_dashpot_loss_approach_only_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_loss_approach_only_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_loss_approach_onlyf(beta)
+    value = cor_hertz_dashpot_loss_approach_onlyf(beta)
   end function
-
-  elemental function cor_hertz_dashpot_beta_approach_only_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_beta_approach_only_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_beta_approach_only(beta)
   end function
-
-  elemental function cor_hertz_dashpot_beta_approach_only_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_beta_approach_only_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_beta_approach_onlyf(beta)
+    value = cor_hertz_dashpot_beta_approach_onlyf(beta)
   end function
-
-  elemental function cor_hertz_dashpot_beta_of_loss_approach_only_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_beta_of_loss_approach_only_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_beta_of_loss_approach_only(beta)
   end function
-
-  elemental function cor_hertz_dashpot_beta_of_loss_approach_only_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_beta_of_loss_approach_only_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_beta_of_loss_approach_onlyf(beta)
+    value = cor_hertz_dashpot_beta_of_loss_approach_onlyf(beta)
   end function
-
-  elemental function cor_hertz_dashpot_duration_approach_only_double(beta) result(value)
+  elemental real(c_double) function cor_hertz_dashpot_duration_approach_only_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hertz_dashpot_duration_approach_only(beta)
   end function
-
-  elemental function cor_hertz_dashpot_duration_approach_only_float(beta) result(value)
+  elemental real(c_float) function cor_hertz_dashpot_duration_approach_only_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hertz_dashpot_duration_approach_onlyf(beta)
+    value = cor_hertz_dashpot_duration_approach_onlyf(beta)
   end function
-
-  elemental function cor_linear_eps_zero_overlap_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_eps_zero_overlap_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_eps_zero_overlap(zeta)
   end function
-
-  elemental function cor_linear_eps_zero_overlap_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_eps_zero_overlap_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_eps_zero_overlapf(zeta)
+    value = cor_linear_eps_zero_overlapf(zeta)
   end function
-
-  elemental function cor_linear_eps_zero_force_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_eps_zero_force_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_eps_zero_force(zeta)
   end function
-
-  elemental function cor_linear_eps_zero_force_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_eps_zero_force_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_eps_zero_forcef(zeta)
+    value = cor_linear_eps_zero_forcef(zeta)
   end function
-
-  elemental function cor_linear_eps_limited_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_eps_limited_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_eps_limited(zeta)
   end function
-
-  elemental function cor_linear_eps_limited_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_eps_limited_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_eps_limitedf(zeta)
+    value = cor_linear_eps_limitedf(zeta)
   end function
-
-  elemental function cor_linear_eps_approach_only_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_eps_approach_only_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_eps_approach_only(zeta)
   end function
-
-  elemental function cor_linear_eps_approach_only_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_eps_approach_only_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_eps_approach_onlyf(zeta)
+    value = cor_linear_eps_approach_onlyf(zeta)
   end function
-
-  elemental function cor_linear_loss_zero_overlap_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_loss_zero_overlap_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_loss_zero_overlap(zeta)
   end function
-
-  elemental function cor_linear_loss_zero_overlap_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_loss_zero_overlap_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_loss_zero_overlapf(zeta)
+    value = cor_linear_loss_zero_overlapf(zeta)
   end function
-
-  elemental function cor_linear_loss_zero_force_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_loss_zero_force_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_loss_zero_force(zeta)
   end function
-
-  elemental function cor_linear_loss_zero_force_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_loss_zero_force_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_loss_zero_forcef(zeta)
+    value = cor_linear_loss_zero_forcef(zeta)
   end function
-
-  elemental function cor_linear_loss_limited_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_loss_limited_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_loss_limited(zeta)
   end function
-
-  elemental function cor_linear_loss_limited_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_loss_limited_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_loss_limitedf(zeta)
+    value = cor_linear_loss_limitedf(zeta)
   end function
-
-  elemental function cor_linear_loss_approach_only_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_loss_approach_only_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_loss_approach_only(zeta)
   end function
-
-  elemental function cor_linear_loss_approach_only_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_loss_approach_only_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_loss_approach_onlyf(zeta)
+    value = cor_linear_loss_approach_onlyf(zeta)
   end function
-
-  elemental function cor_linear_zeta_zero_overlap_double(eps) result(value)
+  elemental real(c_double) function cor_linear_zeta_zero_overlap_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_linear_zeta_zero_overlap(eps)
   end function
-
-  elemental function cor_linear_zeta_zero_overlap_float(eps) result(value)
+  elemental real(c_float) function cor_linear_zeta_zero_overlap_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_linear_zeta_zero_overlapf(eps)
+    value = cor_linear_zeta_zero_overlapf(eps)
   end function
-
-  elemental function cor_linear_zeta_zero_force_double(eps) result(value)
+  elemental real(c_double) function cor_linear_zeta_zero_force_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_linear_zeta_zero_force(eps)
   end function
-
-  elemental function cor_linear_zeta_zero_force_float(eps) result(value)
+  elemental real(c_float) function cor_linear_zeta_zero_force_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_linear_zeta_zero_forcef(eps)
+    value = cor_linear_zeta_zero_forcef(eps)
   end function
-
-  elemental function cor_linear_zeta_limited_double(eps) result(value)
+  elemental real(c_double) function cor_linear_zeta_limited_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_linear_zeta_limited(eps)
   end function
-
-  elemental function cor_linear_zeta_limited_float(eps) result(value)
+  elemental real(c_float) function cor_linear_zeta_limited_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_linear_zeta_limitedf(eps)
+    value = cor_linear_zeta_limitedf(eps)
   end function
-
-  elemental function cor_linear_zeta_approach_only_double(eps) result(value)
+  elemental real(c_double) function cor_linear_zeta_approach_only_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_linear_zeta_approach_only(eps)
   end function
-
-  elemental function cor_linear_zeta_approach_only_float(eps) result(value)
+  elemental real(c_float) function cor_linear_zeta_approach_only_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_linear_zeta_approach_onlyf(eps)
+    value = cor_linear_zeta_approach_onlyf(eps)
   end function
-
-  elemental function cor_linear_zeta_of_loss_zero_overlap_double(loss) result(value)
+  elemental real(c_double) function cor_linear_zeta_of_loss_zero_overlap_double(loss) result(value)
     real(c_double), intent(in) :: loss
-    real(c_double) :: value
     value = c_cor_linear_zeta_of_loss_zero_overlap(loss)
   end function
-
-  elemental function cor_linear_zeta_of_loss_zero_overlap_float(loss) result(value)
+  elemental real(c_float) function cor_linear_zeta_of_loss_zero_overlap_float(loss) result(value)
     real(c_float), intent(in) :: loss
-    real(c_float) :: value
-    value = c_cor_linear_zeta_of_loss_zero_overlapf(loss)
+    value = cor_linear_zeta_of_loss_zero_overlapf(loss)
   end function
-
-  elemental function cor_linear_zeta_of_loss_zero_force_double(loss) result(value)
+  elemental real(c_double) function cor_linear_zeta_of_loss_zero_force_double(loss) result(value)
     real(c_double), intent(in) :: loss
-    real(c_double) :: value
     value = c_cor_linear_zeta_of_loss_zero_force(loss)
   end function
-
-  elemental function cor_linear_zeta_of_loss_zero_force_float(loss) result(value)
+  elemental real(c_float) function cor_linear_zeta_of_loss_zero_force_float(loss) result(value)
     real(c_float), intent(in) :: loss
-    real(c_float) :: value
-    value = c_cor_linear_zeta_of_loss_zero_forcef(loss)
+    value = cor_linear_zeta_of_loss_zero_forcef(loss)
   end function
-
-  elemental function cor_linear_zeta_of_loss_limited_double(loss) result(value)
+  elemental real(c_double) function cor_linear_zeta_of_loss_limited_double(loss) result(value)
     real(c_double), intent(in) :: loss
-    real(c_double) :: value
     value = c_cor_linear_zeta_of_loss_limited(loss)
   end function
-
-  elemental function cor_linear_zeta_of_loss_limited_float(loss) result(value)
+  elemental real(c_float) function cor_linear_zeta_of_loss_limited_float(loss) result(value)
     real(c_float), intent(in) :: loss
-    real(c_float) :: value
-    value = c_cor_linear_zeta_of_loss_limitedf(loss)
+    value = cor_linear_zeta_of_loss_limitedf(loss)
   end function
-
-  elemental function cor_linear_zeta_of_loss_approach_only_double(loss) result(value)
+  elemental real(c_double) function cor_linear_zeta_of_loss_approach_only_double(loss) result(value)
     real(c_double), intent(in) :: loss
-    real(c_double) :: value
     value = c_cor_linear_zeta_of_loss_approach_only(loss)
   end function
-
-  elemental function cor_linear_zeta_of_loss_approach_only_float(loss) result(value)
+  elemental real(c_float) function cor_linear_zeta_of_loss_approach_only_float(loss) result(value)
     real(c_float), intent(in) :: loss
-    real(c_float) :: value
-    value = c_cor_linear_zeta_of_loss_approach_onlyf(loss)
+    value = cor_linear_zeta_of_loss_approach_onlyf(loss)
   end function
-
-  elemental function cor_linear_duration_zero_overlap_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_duration_zero_overlap_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_duration_zero_overlap(zeta)
   end function
-
-  elemental function cor_linear_duration_zero_overlap_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_duration_zero_overlap_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_duration_zero_overlapf(zeta)
+    value = cor_linear_duration_zero_overlapf(zeta)
   end function
-
-  elemental function cor_linear_duration_zero_force_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_duration_zero_force_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_duration_zero_force(zeta)
   end function
-
-  elemental function cor_linear_duration_zero_force_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_duration_zero_force_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_duration_zero_forcef(zeta)
+    value = cor_linear_duration_zero_forcef(zeta)
   end function
-
-  elemental function cor_linear_duration_limited_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_duration_limited_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_duration_limited(zeta)
   end function
-
-  elemental function cor_linear_duration_limited_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_duration_limited_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_duration_limitedf(zeta)
+    value = cor_linear_duration_limitedf(zeta)
   end function
-
-  elemental function cor_linear_duration_approach_only_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_duration_approach_only_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_duration_approach_only(zeta)
   end function
-
-  elemental function cor_linear_duration_approach_only_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_duration_approach_only_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_duration_approach_onlyf(zeta)
+    value = cor_linear_duration_approach_onlyf(zeta)
   end function
-
-  elemental function cor_linear_max_overlap_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_max_overlap_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_max_overlap(zeta)
   end function
-
-  elemental function cor_linear_max_overlap_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_max_overlap_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_max_overlapf(zeta)
+    value = cor_linear_max_overlapf(zeta)
   end function
-
-  elemental function cor_linear_time_of_max_overlap_double(zeta) result(value)
+  elemental real(c_double) function cor_linear_time_of_max_overlap_double(zeta) result(value)
     real(c_double), intent(in) :: zeta
-    real(c_double) :: value
     value = c_cor_linear_time_of_max_overlap(zeta)
   end function
-
-  elemental function cor_linear_time_of_max_overlap_float(zeta) result(value)
+  elemental real(c_float) function cor_linear_time_of_max_overlap_float(zeta) result(value)
     real(c_float), intent(in) :: zeta
-    real(c_float) :: value
-    value = c_cor_linear_time_of_max_overlapf(zeta)
+    value = cor_linear_time_of_max_overlapf(zeta)
   end function
-
-  elemental function cor_tsuji_eps_zero_overlap_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_eps_zero_overlap_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_eps_zero_overlap(x)
   end function
-
-  elemental function cor_tsuji_eps_zero_overlap_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_eps_zero_overlap_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_eps_zero_overlapf(x)
+    value = cor_tsuji_eps_zero_overlapf(x)
   end function
-
-  elemental function cor_tsuji_eps_zero_force_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_eps_zero_force_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_eps_zero_force(x)
   end function
-
-  elemental function cor_tsuji_eps_zero_force_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_eps_zero_force_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_eps_zero_forcef(x)
+    value = cor_tsuji_eps_zero_forcef(x)
   end function
-
-  elemental function cor_tsuji_eps_limited_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_eps_limited_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_eps_limited(x)
   end function
-
-  elemental function cor_tsuji_eps_limited_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_eps_limited_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_eps_limitedf(x)
+    value = cor_tsuji_eps_limitedf(x)
   end function
-
-  elemental function cor_tsuji_eps_approach_only_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_eps_approach_only_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_eps_approach_only(x)
   end function
-
-  elemental function cor_tsuji_eps_approach_only_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_eps_approach_only_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_eps_approach_onlyf(x)
+    value = cor_tsuji_eps_approach_onlyf(x)
   end function
-
-  elemental function cor_tsuji_loss_zero_overlap_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_loss_zero_overlap_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_loss_zero_overlap(x)
   end function
-
-  elemental function cor_tsuji_loss_zero_overlap_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_loss_zero_overlap_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_loss_zero_overlapf(x)
+    value = cor_tsuji_loss_zero_overlapf(x)
   end function
-
-  elemental function cor_tsuji_loss_zero_force_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_loss_zero_force_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_loss_zero_force(x)
   end function
-
-  elemental function cor_tsuji_loss_zero_force_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_loss_zero_force_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_loss_zero_forcef(x)
+    value = cor_tsuji_loss_zero_forcef(x)
   end function
-
-  elemental function cor_tsuji_loss_limited_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_loss_limited_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_loss_limited(x)
   end function
-
-  elemental function cor_tsuji_loss_limited_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_loss_limited_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_loss_limitedf(x)
+    value = cor_tsuji_loss_limitedf(x)
   end function
-
-  elemental function cor_tsuji_loss_approach_only_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_loss_approach_only_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_loss_approach_only(x)
   end function
-
-  elemental function cor_tsuji_loss_approach_only_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_loss_approach_only_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_loss_approach_onlyf(x)
+    value = cor_tsuji_loss_approach_onlyf(x)
   end function
-
-  elemental function cor_tsuji_zeta_zero_overlap_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_zeta_zero_overlap_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_zeta_zero_overlap(x)
   end function
-
-  elemental function cor_tsuji_zeta_zero_overlap_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_zeta_zero_overlap_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_zeta_zero_overlapf(x)
+    value = cor_tsuji_zeta_zero_overlapf(x)
   end function
-
-  elemental function cor_tsuji_zeta_zero_force_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_zeta_zero_force_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_zeta_zero_force(x)
   end function
-
-  elemental function cor_tsuji_zeta_zero_force_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_zeta_zero_force_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_zeta_zero_forcef(x)
+    value = cor_tsuji_zeta_zero_forcef(x)
   end function
-
-  elemental function cor_tsuji_zeta_limited_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_zeta_limited_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_zeta_limited(x)
   end function
-
-  elemental function cor_tsuji_zeta_limited_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_zeta_limited_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_zeta_limitedf(x)
+    value = cor_tsuji_zeta_limitedf(x)
   end function
-
-  elemental function cor_tsuji_zeta_approach_only_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_zeta_approach_only_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_zeta_approach_only(x)
   end function
-
-  elemental function cor_tsuji_zeta_approach_only_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_zeta_approach_only_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_zeta_approach_onlyf(x)
+    value = cor_tsuji_zeta_approach_onlyf(x)
   end function
-
-  elemental function cor_tsuji_zeta_of_loss_zero_overlap_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_zeta_of_loss_zero_overlap_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_zeta_of_loss_zero_overlap(x)
   end function
-
-  elemental function cor_tsuji_zeta_of_loss_zero_overlap_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_zeta_of_loss_zero_overlap_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_zeta_of_loss_zero_overlapf(x)
+    value = cor_tsuji_zeta_of_loss_zero_overlapf(x)
   end function
-
-  elemental function cor_tsuji_zeta_of_loss_zero_force_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_zeta_of_loss_zero_force_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_zeta_of_loss_zero_force(x)
   end function
-
-  elemental function cor_tsuji_zeta_of_loss_zero_force_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_zeta_of_loss_zero_force_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_zeta_of_loss_zero_forcef(x)
+    value = cor_tsuji_zeta_of_loss_zero_forcef(x)
   end function
-
-  elemental function cor_tsuji_zeta_of_loss_limited_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_zeta_of_loss_limited_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_zeta_of_loss_limited(x)
   end function
-
-  elemental function cor_tsuji_zeta_of_loss_limited_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_zeta_of_loss_limited_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_zeta_of_loss_limitedf(x)
+    value = cor_tsuji_zeta_of_loss_limitedf(x)
   end function
-
-  elemental function cor_tsuji_zeta_of_loss_approach_only_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_zeta_of_loss_approach_only_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_zeta_of_loss_approach_only(x)
   end function
-
-  elemental function cor_tsuji_zeta_of_loss_approach_only_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_zeta_of_loss_approach_only_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_zeta_of_loss_approach_onlyf(x)
+    value = cor_tsuji_zeta_of_loss_approach_onlyf(x)
   end function
-
-  elemental function cor_tsuji_duration_zero_overlap_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_duration_zero_overlap_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_duration_zero_overlap(x)
   end function
-
-  elemental function cor_tsuji_duration_zero_overlap_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_duration_zero_overlap_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_duration_zero_overlapf(x)
+    value = cor_tsuji_duration_zero_overlapf(x)
   end function
-
-  elemental function cor_tsuji_duration_zero_force_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_duration_zero_force_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_duration_zero_force(x)
   end function
-
-  elemental function cor_tsuji_duration_zero_force_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_duration_zero_force_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_duration_zero_forcef(x)
+    value = cor_tsuji_duration_zero_forcef(x)
   end function
-
-  elemental function cor_tsuji_duration_limited_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_duration_limited_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_duration_limited(x)
   end function
-
-  elemental function cor_tsuji_duration_limited_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_duration_limited_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_duration_limitedf(x)
+    value = cor_tsuji_duration_limitedf(x)
   end function
-
-  elemental function cor_tsuji_duration_approach_only_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_duration_approach_only_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_duration_approach_only(x)
   end function
-
-  elemental function cor_tsuji_duration_approach_only_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_duration_approach_only_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_duration_approach_onlyf(x)
+    value = cor_tsuji_duration_approach_onlyf(x)
   end function
-
-  elemental function cor_tsuji_max_overlap_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_max_overlap_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_max_overlap(x)
   end function
-
-  elemental function cor_tsuji_max_overlap_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_max_overlap_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_max_overlapf(x)
+    value = cor_tsuji_max_overlapf(x)
   end function
-
-  elemental function cor_tsuji_time_of_max_overlap_double(x) result(value)
+  elemental real(c_double) function cor_tsuji_time_of_max_overlap_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_tsuji_time_of_max_overlap(x)
   end function
-
-  elemental function cor_tsuji_time_of_max_overlap_float(x) result(value)
+  elemental real(c_float) function cor_tsuji_time_of_max_overlap_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_tsuji_time_of_max_overlapf(x)
+    value = cor_tsuji_time_of_max_overlapf(x)
   end function
-
-  elemental function cor_hunt_crossley_eps_double(beta) result(value)
+  elemental real(c_double) function cor_hunt_crossley_eps_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hunt_crossley_eps(beta)
   end function
-
-  elemental function cor_hunt_crossley_eps_float(beta) result(value)
+  elemental real(c_float) function cor_hunt_crossley_eps_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_epsf(beta)
+    value = cor_hunt_crossley_epsf(beta)
   end function
-
-  elemental function cor_hunt_crossley_eps_approach_only_double(beta) result(value)
+  elemental real(c_double) function cor_hunt_crossley_eps_approach_only_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hunt_crossley_eps_approach_only(beta)
   end function
-
-  elemental function cor_hunt_crossley_eps_approach_only_float(beta) result(value)
+  elemental real(c_float) function cor_hunt_crossley_eps_approach_only_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_eps_approach_onlyf(beta)
+    value = cor_hunt_crossley_eps_approach_onlyf(beta)
   end function
-
-  elemental function cor_hunt_crossley_loss_double(beta) result(value)
+  elemental real(c_double) function cor_hunt_crossley_loss_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hunt_crossley_loss(beta)
   end function
-
-  elemental function cor_hunt_crossley_loss_float(beta) result(value)
+  elemental real(c_float) function cor_hunt_crossley_loss_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_lossf(beta)
+    value = cor_hunt_crossley_lossf(beta)
   end function
-
-  elemental function cor_hunt_crossley_loss_approach_only_double(beta) result(value)
+  elemental real(c_double) function cor_hunt_crossley_loss_approach_only_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_hunt_crossley_loss_approach_only(beta)
   end function
-
-  elemental function cor_hunt_crossley_loss_approach_only_float(beta) result(value)
+  elemental real(c_float) function cor_hunt_crossley_loss_approach_only_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_loss_approach_onlyf(beta)
+    value = cor_hunt_crossley_loss_approach_onlyf(beta)
   end function
-
-  elemental function cor_hunt_crossley_beta_double(eps) result(value)
+  elemental real(c_double) function cor_hunt_crossley_beta_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_hunt_crossley_beta(eps)
   end function
-
-  elemental function cor_hunt_crossley_beta_float(eps) result(value)
+  elemental real(c_float) function cor_hunt_crossley_beta_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_betaf(eps)
+    value = cor_hunt_crossley_betaf(eps)
   end function
-
-  elemental function cor_hunt_crossley_beta_approach_only_double(eps) result(value)
+  elemental real(c_double) function cor_hunt_crossley_beta_approach_only_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_hunt_crossley_beta_approach_only(eps)
   end function
-
-  elemental function cor_hunt_crossley_beta_approach_only_float(eps) result(value)
+  elemental real(c_float) function cor_hunt_crossley_beta_approach_only_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_beta_approach_onlyf(eps)
+    value = cor_hunt_crossley_beta_approach_onlyf(eps)
   end function
-
-  elemental function cor_hunt_crossley_beta_of_loss_double(loss) result(value)
+  elemental real(c_double) function cor_hunt_crossley_beta_of_loss_double(loss) result(value)
     real(c_double), intent(in) :: loss
-    real(c_double) :: value
     value = c_cor_hunt_crossley_beta_of_loss(loss)
   end function
-
-  elemental function cor_hunt_crossley_beta_of_loss_float(loss) result(value)
+  elemental real(c_float) function cor_hunt_crossley_beta_of_loss_float(loss) result(value)
     real(c_float), intent(in) :: loss
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_beta_of_lossf(loss)
+    value = cor_hunt_crossley_beta_of_lossf(loss)
   end function
-
-  elemental function cor_hunt_crossley_beta_of_loss_approach_only_double(loss) result(value)
+  elemental real(c_double) function cor_hunt_crossley_beta_of_loss_approach_only_double(loss) result(value)
     real(c_double), intent(in) :: loss
-    real(c_double) :: value
     value = c_cor_hunt_crossley_beta_of_loss_approach_only(loss)
   end function
-
-  elemental function cor_hunt_crossley_beta_of_loss_approach_only_float(loss) result(value)
+  elemental real(c_float) function cor_hunt_crossley_beta_of_loss_approach_only_float(loss) result(value)
     real(c_float), intent(in) :: loss
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_beta_of_loss_approach_onlyf(loss)
+    value = cor_hunt_crossley_beta_of_loss_approach_onlyf(loss)
   end function
-
-  elemental function cor_hunt_crossley_max_overlap_double(beta, elastic_exponent) result(value)
-    real(c_double), intent(in) :: beta
-    real(c_double), intent(in) :: elastic_exponent
-    real(c_double) :: value
+  elemental real(c_double) function cor_hunt_crossley_max_overlap_double(beta, elastic_exponent) result(value)
+    real(c_double), intent(in) :: beta, elastic_exponent
     value = c_cor_hunt_crossley_max_overlap(beta, elastic_exponent)
   end function
-
-  elemental function cor_hunt_crossley_max_overlap_float(beta, elastic_exponent) result(value)
-    real(c_float), intent(in) :: beta
-    real(c_float), intent(in) :: elastic_exponent
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_max_overlapf(beta, elastic_exponent)
+  elemental real(c_float) function cor_hunt_crossley_max_overlap_float(beta, elastic_exponent) result(value)
+    real(c_float), intent(in) :: beta, elastic_exponent
+    value = cor_hunt_crossley_max_overlapf(beta, elastic_exponent)
   end function
-
-  elemental function cor_hunt_crossley_duration_double(beta, elastic_exponent) result(value)
-    real(c_double), intent(in) :: beta
-    real(c_double), intent(in) :: elastic_exponent
-    real(c_double) :: value
+  elemental real(c_double) function cor_hunt_crossley_duration_double(beta, elastic_exponent) result(value)
+    real(c_double), intent(in) :: beta, elastic_exponent
     value = c_cor_hunt_crossley_duration(beta, elastic_exponent)
   end function
-
-  elemental function cor_hunt_crossley_duration_float(beta, elastic_exponent) result(value)
-    real(c_float), intent(in) :: beta
-    real(c_float), intent(in) :: elastic_exponent
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_durationf(beta, elastic_exponent)
+  elemental real(c_float) function cor_hunt_crossley_duration_float(beta, elastic_exponent) result(value)
+    real(c_float), intent(in) :: beta, elastic_exponent
+    value = cor_hunt_crossley_durationf(beta, elastic_exponent)
   end function
-
-  elemental function cor_hunt_crossley_duration_approach_only_double(beta, elastic_exponent) result(value)
-    real(c_double), intent(in) :: beta
-    real(c_double), intent(in) :: elastic_exponent
-    real(c_double) :: value
+  elemental real(c_double) function cor_hunt_crossley_duration_approach_only_double(beta, elastic_exponent) &
+    result(value)
+    real(c_double), intent(in) :: beta, elastic_exponent
     value = c_cor_hunt_crossley_duration_approach_only(beta, elastic_exponent)
   end function
-
-  elemental function cor_hunt_crossley_duration_approach_only_float(beta, elastic_exponent) result(value)
-    real(c_float), intent(in) :: beta
-    real(c_float), intent(in) :: elastic_exponent
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_duration_approach_onlyf(beta, elastic_exponent)
+  elemental real(c_float) function cor_hunt_crossley_duration_approach_only_float(beta, elastic_exponent) &
+    result(value)
+    real(c_float), intent(in) :: beta, elastic_exponent
+    value = cor_hunt_crossley_duration_approach_onlyf(beta, elastic_exponent)
   end function
-
-  elemental function cor_hunt_crossley_time_of_max_overlap_double(beta, elastic_exponent) result(value)
-    real(c_double), intent(in) :: beta
-    real(c_double), intent(in) :: elastic_exponent
-    real(c_double) :: value
+  elemental real(c_double) function cor_hunt_crossley_time_of_max_overlap_double(beta, elastic_exponent) result(value)
+    real(c_double), intent(in) :: beta, elastic_exponent
     value = c_cor_hunt_crossley_time_of_max_overlap(beta, elastic_exponent)
   end function
-
-  elemental function cor_hunt_crossley_time_of_max_overlap_float(beta, elastic_exponent) result(value)
-    real(c_float), intent(in) :: beta
-    real(c_float), intent(in) :: elastic_exponent
-    real(c_float) :: value
-    value = c_cor_hunt_crossley_time_of_max_overlapf(beta, elastic_exponent)
+  elemental real(c_float) function cor_hunt_crossley_time_of_max_overlap_float(beta, elastic_exponent) result(value)
+    real(c_float), intent(in) :: beta, elastic_exponent
+    value = cor_hunt_crossley_time_of_max_overlapf(beta, elastic_exponent)
   end function
-
-  elemental function cor_sphere_eps_zero_overlap_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_eps_zero_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_eps_zero_overlap(beta)
   end function
-
-  elemental function cor_sphere_eps_zero_overlap_float(beta) result(value)
+  elemental real(c_float) function cor_sphere_eps_zero_overlap_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_sphere_eps_zero_overlapf(beta)
+    value = cor_sphere_eps_zero_overlapf(beta)
   end function
-
-  elemental function cor_sphere_eps_zero_force_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_eps_zero_force_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_eps_zero_force(beta)
   end function
-
-  elemental function cor_sphere_eps_zero_force_float(beta) result(value)
+  elemental real(c_float) function cor_sphere_eps_zero_force_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_sphere_eps_zero_forcef(beta)
+    value = cor_sphere_eps_zero_forcef(beta)
   end function
-
-  elemental function cor_sphere_loss_zero_overlap_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_loss_zero_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_loss_zero_overlap(beta)
   end function
-
-  elemental function cor_sphere_loss_zero_overlap_float(beta) result(value)
+  elemental real(c_float) function cor_sphere_loss_zero_overlap_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_sphere_loss_zero_overlapf(beta)
+    value = cor_sphere_loss_zero_overlapf(beta)
   end function
-
-  elemental function cor_sphere_loss_zero_force_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_loss_zero_force_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_loss_zero_force(beta)
   end function
-
-  elemental function cor_sphere_loss_zero_force_float(beta) result(value)
+  elemental real(c_float) function cor_sphere_loss_zero_force_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_sphere_loss_zero_forcef(beta)
+    value = cor_sphere_loss_zero_forcef(beta)
   end function
-
-  elemental function cor_sphere_beta_zero_overlap_double(eps) result(value)
+  elemental real(c_double) function cor_sphere_beta_zero_overlap_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_sphere_beta_zero_overlap(eps)
   end function
-
-  elemental function cor_sphere_beta_zero_overlap_float(eps) result(value)
+  elemental real(c_float) function cor_sphere_beta_zero_overlap_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_sphere_beta_zero_overlapf(eps)
+    value = cor_sphere_beta_zero_overlapf(eps)
   end function
-
-  elemental function cor_sphere_beta_zero_force_double(eps) result(value)
+  elemental real(c_double) function cor_sphere_beta_zero_force_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_sphere_beta_zero_force(eps)
   end function
-
-  elemental function cor_sphere_beta_zero_force_float(eps) result(value)
+  elemental real(c_float) function cor_sphere_beta_zero_force_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_sphere_beta_zero_forcef(eps)
+    value = cor_sphere_beta_zero_forcef(eps)
   end function
-
-  elemental function cor_sphere_duration_zero_overlap_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_duration_zero_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_duration_zero_overlap(beta)
   end function
-
-  elemental function cor_sphere_duration_zero_overlap_float(beta) result(value)
+  elemental real(c_float) function cor_sphere_duration_zero_overlap_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_sphere_duration_zero_overlapf(beta)
+    value = cor_sphere_duration_zero_overlapf(beta)
   end function
-
-  elemental function cor_sphere_duration_zero_force_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_duration_zero_force_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_duration_zero_force(beta)
   end function
-
-  elemental function cor_sphere_duration_zero_force_float(beta) result(value)
+  elemental real(c_float) function cor_sphere_duration_zero_force_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_sphere_duration_zero_forcef(beta)
+    value = cor_sphere_duration_zero_forcef(beta)
   end function
-
-  elemental function cor_sphere_max_overlap_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_max_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_max_overlap(beta)
   end function
-
-  elemental function cor_sphere_max_overlap_float(beta) result(value)
+  elemental real(c_float) function cor_sphere_max_overlap_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_sphere_max_overlapf(beta)
+    value = cor_sphere_max_overlapf(beta)
   end function
-
-  elemental function cor_sphere_time_of_max_overlap_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_time_of_max_overlap_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_time_of_max_overlap(beta)
   end function
-
-  elemental function cor_sphere_time_of_max_overlap_float(beta) result(value)
+  elemental real(c_float) function cor_sphere_time_of_max_overlap_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_sphere_time_of_max_overlapf(beta)
+    value = cor_sphere_time_of_max_overlapf(beta)
   end function
-
-  elemental function cor_sphere_eps_approach_only_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_eps_approach_only_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_eps_approach_only(beta)
   end function
-
-  elemental function cor_sphere_eps_approach_only_float(beta) result(value)
+  elemental real(c_float) function cor_sphere_eps_approach_only_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_sphere_eps_approach_onlyf(beta)
+    value = cor_sphere_eps_approach_onlyf(beta)
   end function
-
-  elemental function cor_sphere_loss_approach_only_double(x) result(value)
+  elemental real(c_double) function cor_sphere_loss_approach_only_double(x) result(value)
     real(c_double), intent(in) :: x
-    real(c_double) :: value
     value = c_cor_sphere_loss_approach_only(x)
   end function
-
-  elemental function cor_sphere_loss_approach_only_float(x) result(value)
+  elemental real(c_float) function cor_sphere_loss_approach_only_float(x) result(value)
     real(c_float), intent(in) :: x
-    real(c_float) :: value
-    value = c_cor_sphere_loss_approach_onlyf(x)
+    value = cor_sphere_loss_approach_onlyf(x)
   end function
-
-  elemental function cor_sphere_beta_approach_only_double(eps) result(value)
+  elemental real(c_double) function cor_sphere_beta_approach_only_double(eps) result(value)
     real(c_double), intent(in) :: eps
-    real(c_double) :: value
     value = c_cor_sphere_beta_approach_only(eps)
   end function
-
-  elemental function cor_sphere_beta_approach_only_float(eps) result(value)
+  elemental real(c_float) function cor_sphere_beta_approach_only_float(eps) result(value)
     real(c_float), intent(in) :: eps
-    real(c_float) :: value
-    value = c_cor_sphere_beta_approach_onlyf(eps)
+    value = cor_sphere_beta_approach_onlyf(eps)
   end function
-
-  elemental function cor_sphere_beta_of_loss_approach_only_double(loss) result(value)
+  elemental real(c_double) function cor_sphere_beta_of_loss_approach_only_double(loss) result(value)
     real(c_double), intent(in) :: loss
-    real(c_double) :: value
     value = c_cor_sphere_beta_of_loss_approach_only(loss)
   end function
-
-  elemental function cor_sphere_beta_of_loss_approach_only_float(loss) result(value)
+  elemental real(c_float) function cor_sphere_beta_of_loss_approach_only_float(loss) result(value)
     real(c_float), intent(in) :: loss
-    real(c_float) :: value
-    value = c_cor_sphere_beta_of_loss_approach_onlyf(loss)
+    value = cor_sphere_beta_of_loss_approach_onlyf(loss)
   end function
-
-  elemental function cor_sphere_duration_approach_only_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_duration_approach_only_double(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_duration_approach_only(beta)
   end function
-
-  elemental function cor_sphere_duration_approach_only_float(beta) result(value)
+  elemental real(c_float) function cor_sphere_duration_approach_only_float(beta) result(value)
     real(c_float), intent(in) :: beta
-    real(c_float) :: value
-    value = c_cor_sphere_duration_approach_onlyf(beta)
+    value = cor_sphere_duration_approach_onlyf(beta)
   end function
-
-  elemental function cor_sphere_eps_simple_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_eps_simple(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_eps_simple(beta)
   end function
-
-  elemental function cor_sphere_eps_simple_fraction_double(beta, depth) result(value)
-    real(c_double), intent(in) :: beta
-    integer(c_int), intent(in) :: depth
-    real(c_double) :: value
+  elemental real(c_double) function cor_sphere_eps_simple_fraction(beta, depth) result(value)
+    real(c_double), intent(in) :: beta; integer(c_int), intent(in) :: depth
     value = c_cor_sphere_eps_simple_fraction(beta, depth)
   end function
-
-  elemental function cor_sphere_eps_published_pade_double(beta) result(value)
+  elemental real(c_double) function cor_sphere_eps_published_pade(beta) result(value)
     real(c_double), intent(in) :: beta
-    real(c_double) :: value
     value = c_cor_sphere_eps_published_pade(beta)
   end function
-
   !> One English sentence for a status.
   function cor_status_text(status) result(text)
     integer(c_int), intent(in) :: status
@@ -5867,5 +3174,4 @@ contains
       text = text // letters(i)
     end do
   end function
-
 end module

@@ -6,7 +6,7 @@
 
 import sys
 from pathlib import Path
-from typing import List
+from typing import Dict, List
 
 if __package__ in (None, ""):
     sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -16,7 +16,7 @@ from bindings.cffi_source import constant_type  # noqa: E402
 from bindings.declarations import Constant, Declarations, Function, Parameter, Struct  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
-WIDTH = 110
+WIDTH = 118
 KINDS = {"double": "real(c_double)", "float": "real(c_float)", "int": "integer(c_int)", "size_t": "integer(c_size_t)"}
 
 HEAD = """! SPDX-License-Identifier: MIT
@@ -32,8 +32,7 @@ module cor
   private
 """
 
-TEXT = """
-  !> One English sentence for a status.
+TEXT = """  !> One English sentence for a status.
   function cor_status_text(status) result(text)
     integer(c_int), intent(in) :: status
     character(len=:), allocatable :: text
@@ -50,7 +49,6 @@ TEXT = """
 
 
 def module(declared: Declarations) -> str:
-    all_calls = calls(declared)
     parts = [HEAD]
     parts += [_constant(c) for c in declared.constants.values() if not c.parameters]
     for enum in declared.enums.values():
@@ -58,16 +56,57 @@ def module(declared: Declarations) -> str:
     parts += [_type(struct) for struct in declared.structs.values()]
     for made in declared.objects.values():
         name = made.name
-        parts.append(f'\n  type({made.type.split()[-1]}_t), protected, public, bind(c, name="{name}") :: {name}\n')
-    for call in all_calls.values():
-        parts.append(_interfaces(call))
-    parts.append("\ncontains\n")
-    for call in all_calls.values():
-        if call.kind == "elementwise":
-            parts.append(_elemental(call, call.function, "double"))
-            if call.float_function:
-                parts.append(_elemental(call, call.float_function, "float"))
-    return "".join(parts) + TEXT + "\nend module\n"
+        parts.append(f'  type({made.type.split()[-1]}_t), protected, public, bind(c, name="{name}") :: {name}\n')
+    public: List[str] = []
+    bound, generic, elementals = "", "", ""
+    for call in calls(declared).values():
+        name, function = call.function.name, call.function
+        public.append(name)
+        if call.kind != "elementwise":
+            bound += _binding(function, f"c_{name}" if function.result == "const char *" else name)
+            continue
+        for form, real in ((function, "double"), (call.float_function, "float")):
+            if form:
+                binding = f"c_{name}" if form is function else form.name
+                bound += _binding(form, binding, "pure ")
+                elementals += _elemental(call, form, f"{name}_{real}" if call.float_function else name, binding, real)
+        if call.float_function:
+            generic += f"  interface {name}\n"
+            generic += _wrapped(f"    module procedure {name}_double, {name}_float", 4) + "  end interface\n"
+        arrays = [form for form in (call.array, call.float_array) if form]
+        if len(arrays) > 1:
+            generic += f"  interface {name}_array\n"
+            generic += "".join(_binding(form, f"c_{form.name}") for form in arrays) + "  end interface\n"
+        else:
+            bound += "".join(_binding(form, form.name) for form in arrays)
+        public += [f"{name}_array"] if arrays else []
+    parts += ["  interface\n", bound, "  end interface\n", generic, _wrapped(f"  public :: {', '.join(public)}", 2)]
+    return "".join(parts) + "\ncontains\n" + elementals + TEXT + "end module\n"
+
+
+def _binding(function: Function, name: str, pure: str = "") -> str:
+    """A function of C, under a name of Fortran. One interface for all functions of a kind would be shorter, but
+    gfortran 12 forgets the attribute value there."""
+    arguments = ", ".join(p.name for p in function.parameters)
+    what = "subroutine" if function.result == "void" else "function"
+    result = "" if function.result == "void" else KINDS.get(function.result, "type(c_ptr)") + " "
+    bind = f'bind(c, name="{function.name}")' if name != function.name else "bind(c)"
+    return (
+        _wrapped(f"    {pure}{result}{what} {name}({arguments}) {bind}", 4)
+        + _packed(["import"] + [_dummy(function, p) for p in function.parameters], 6)
+        + f"    end {what}\n"
+    )
+
+
+def _packed(statements: List[str], indent: int) -> str:
+    """Statements, as many on a line as it holds."""
+    lines = [" " * indent + statements[0]]
+    for statement in statements[1:]:
+        if len(lines[-1]) + len(statement) + 2 <= WIDTH + 2:
+            lines[-1] += "; " + statement
+        else:
+            lines.append(" " * indent + statement)
+    return "\n".join(lines) + "\n"
 
 
 def _constant(constant: Constant) -> str:
@@ -87,7 +126,7 @@ def _field_type(field: Parameter) -> str:
 
 
 def _type(struct: Struct) -> str:
-    text = f"\n  type, public, bind(c) :: {struct.name}_t\n"
+    text = f"  type, public, bind(c) :: {struct.name}_t\n"
     text += "".join(f"    {_field_type(field)} :: {field.name}\n" for field in struct.fields)
     return text + "  end type\n"
 
@@ -126,50 +165,19 @@ def _wrapped(text: str, indent: int) -> str:
     return "\n".join(lines + [text]) + "\n"
 
 
-def _binding(function: Function, name: str, pure: bool) -> str:
-    arguments = ", ".join(p.name for p in function.parameters)
-    what = "subroutine" if function.result == "void" else "function"
-    result = "" if function.result == "void" else " result(result_of_c)"
-    head = f'    {"pure " if pure else ""}{what} {name}({arguments}) bind(c, name="{function.name}"){result}'
-    text = _wrapped(head, 4) + "      import\n"
-    text += "".join(f"      {_dummy(function, p)}\n" for p in function.parameters)
-    if function.result == "const char *":
-        text += "      type(c_ptr) :: result_of_c\n"
-    elif result:
-        text += f"      {KINDS[function.result]} :: result_of_c\n"
-    return text + f"    end {what}\n"
-
-
-def _interfaces(call: Call) -> str:
-    function = call.function
-    name = function.name
-    if call.kind == "other" and function.result == "const char *":
-        return f"\n  interface\n{_binding(function, 'c_' + name, True)}  end interface\n  public :: {name}\n"
-    if call.kind != "elementwise":
-        return f"\n  interface\n{_binding(function, name, False)}  end interface\n  public :: {name}\n"
-    scalars = [f for f in (function, call.float_function) if f]
-    arrays = [f for f in (call.array, call.float_array) if f]
-    text = "\n  interface\n" + "".join(_binding(f, f"c_{f.name}", True) for f in scalars)
-    text += "  end interface\n"
-    specific = ", ".join(f"{name}_{real}" for real in ("double", "float")[: len(scalars)])
-    text += f"  interface {name}\n" + _wrapped(f"    module procedure {specific}", 4) + "  end interface\n"
-    text += f"  public :: {name}\n"
-    if arrays:
-        text += f"  interface {name}_array\n" + "".join(_binding(f, f"c_{f.name}", False) for f in arrays)
-        text += f"  end interface\n  public :: {name}_array\n"
-    return text
-
-
-def _elemental(call: Call, function: Function, real: str) -> str:
+def _elemental(call: Call, function: Function, name: str, binding: str, real: str) -> str:
     names = argument_names(call.function)
-    text = _wrapped(f"\n  elemental function {call.function.name}_{real}({', '.join(names)}) result(value)", 2)
-    for p, name in zip(call.function.parameters, names):
-        kind = _number(p, real) if is_value(p) else f"type({p.type.split()[2]}_t)"
+    kinds: Dict[str, List[str]] = {}
+    for p, argument in zip(call.function.parameters, names):
         assert is_value(p) or is_input(p)
-        text += f"    {kind}, intent(in) :: {name}\n"
-    text += f"    {KINDS[function.result]} :: value\n"
-    text += _wrapped(f"    value = c_{function.name}({', '.join(names)})", 4)
-    return text + "  end function\n"
+        kind = _number(p, real) if is_value(p) else f"type({p.type.split()[2]}_t)"
+        kinds.setdefault(kind, []).append(argument)
+    return (
+        _wrapped(f"  elemental {KINDS[function.result]} function {name}({', '.join(names)}) result(value)", 2)
+        + _packed([f"{kind}, intent(in) :: {', '.join(arguments)}" for kind, arguments in kinds.items()], 4)
+        + _wrapped(f"    value = {binding}({', '.join(names)})", 4)
+        + "  end function\n"
+    )
 
 
 def main() -> int:
