@@ -11,30 +11,31 @@
 
 struct disk_bench {
     FILE *csv;
-    const char *modes_file;           /* 1800 modes of nu = 0.33 that corgen wrote; NULL: none */
-    const struct cor_disk_modes *all; /* many more modes of nu = 0.33; NULL: none */
+    const struct cor_disk_modes *all; /* many more modes of nu = 0.33 than the library's */
     int quick;
     struct timing timing;
 };
+
+/* Each writes rows of disks.csv: Rayleigh's energy of 1800 modes from slow to fast, and error against time; a
+ * collision, error against time, and what fewer modes and softer walls leave out. */
+void disk_rayleigh(struct disk_bench *bench);
+void disk_collision(struct disk_bench *bench);
 
 /* A line of disks.csv, which is printed too; NaN and 0 modes leave their field empty. Errors are relative, but of
  * collisions: those are errors of eps. */
 struct disk_row {
     const char *table, *method;
-    double speed, setting; /* setting: a tolerance, a panel's points, a step, alpha, or angles */
+    double speed, setting; /* setting: a tolerance, a panel's points, or alpha */
     size_t modes;
     double seconds, error;
 };
 
 void disk_csv(struct disk_bench *bench, const struct disk_row *row);
 
-/* Exits with the message if the condition is false. */
-void disk_must(int condition, const char *message);
+/* Exits with the text of the status, unless it is COR_OK or the other one. */
+void disk_must(int status, int other);
 
 /* Memory full of zeros from the begin of a cache line, or exits; for free(). */
 void *disk_memory(size_t n, size_t size);
-
-/* The constant b of the contact law measured from the centre of mass */
-long double disk_constant_b(double nu);
 
 #endif

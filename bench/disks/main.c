@@ -1,62 +1,70 @@
 /* SPDX-License-Identifier: MIT */
 /* Speed of the disk functions, error beside every time. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include <cor/status.h>
 
-#include "stages.h"
+#include "disk.h"
 #include "support/table.h"
 
-/* Modes from a file that may not be there. */
-static const struct cor_disk_modes *read_all(const char *path)
+void disk_must(int status, int other)
 {
-    static struct cor_disk_modes modes;
-    if (cor_disk_modes_read(path, NULL, 0, &modes, NULL) != COR_ERROR_CAPACITY)
-        return NULL;
-    const size_t capacity = modes.count;
-    struct cor_disk_mode *const mode = disk_memory(capacity, sizeof *mode);
-    const int status = cor_disk_modes_read(path, mode, capacity, &modes, NULL);
-    disk_must(status == COR_OK, cor_status_text(status));
-    return &modes;
+    if (status != COR_OK && status != other) {
+        fprintf(stderr, "bench: %s\n", cor_status_text(status));
+        exit(1);
+    }
 }
 
-static int usage(void)
+enum { CACHE_LINE = 64 };
+
+void *disk_memory(size_t n, size_t size)
 {
-    fprintf(stderr, "usage: cor_bench_disk DIRECTORY [--quick] [--modes FILE] [--all FILE]\n"
-                    "DIRECTORY receives disks.csv; FILE: modes of nu = 0.33 from corgen tables, 1800 and many more\n");
-    return 2;
+    const size_t bytes = (n * size + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE;
+    void *const memory = aligned_alloc(CACHE_LINE, bytes);
+    disk_must(memory ? COR_OK : COR_ERROR_MEMORY, COR_OK);
+    return memset(memory, 0, bytes);
+}
+
+void disk_csv(struct disk_bench *bench, const struct disk_row *row)
+{
+    FILE *const files[2] = {bench->csv, stdout};
+    for (int i = 0; i < 2; i++) {
+        fprintf(files[i], "%s,%s", row->table, row->method);
+        table_number(files[i], "%.6g", row->speed);
+        table_number(files[i], "%.4g", row->setting);
+        table_number(files[i], "%.0f", row->modes ? (double)row->modes : NAN);
+        table_number(files[i], "%.4g", row->seconds);
+        table_number(files[i], "%.2e", row->error);
+        fputc('\n', files[i]);
+    }
+    fflush(stdout);
 }
 
 int main(int argc, char **argv)
 {
     struct disk_bench bench = {.timing = {.sample_ns = 4e5, .rounds = 64, .slow_share = 16}};
-    if (argc < 2)
-        return usage();
-    for (int i = 2; i < argc; i++) {
-        if (strcmp(argv[i], "--quick") == 0)
-            bench.quick = 1;
-        else if (strcmp(argv[i], "--modes") == 0 && i + 1 < argc)
-            bench.modes_file = argv[++i];
-        else if (strcmp(argv[i], "--all") == 0 && i + 1 < argc)
-            disk_must((bench.all = read_all(argv[++i])) != NULL, "cannot read the file of all modes");
-        else
-            return usage();
+    struct cor_disk_modes modes;
+    bench.quick = argc == 4 && strcmp(argv[3], "--quick") == 0;
+    if (argc != 3 + bench.quick) {
+        fprintf(stderr, "usage: cor_bench_disk DIRECTORY MODES [--quick]\n"
+                        "DIRECTORY receives disks.csv; MODES: 20000 modes of nu = 0.33 from corgen tables\n");
+        return 2;
     }
     if (bench.quick)
         bench.timing.rounds = 16;
+    disk_must(cor_disk_modes_read(argv[2], NULL, 0, &modes, NULL), COR_ERROR_CAPACITY);
+    const size_t count = modes.count;
+    struct cor_disk_mode *const mode = disk_memory(count, sizeof *mode);
+    disk_must(cor_disk_modes_read(argv[2], mode, count, &modes, NULL), COR_OK);
+    bench.all = &modes;
     bench.csv = table_open(argv[1], "disks.csv", "table,method,speed,setting,modes,seconds,error");
 
     disk_rayleigh(&bench);
-    disk_tolerance(&bench);
-    disk_curves(&bench);
-    disk_loading(&bench);
-    collision_curves(&bench);
-    collision_models(&bench);
-    disk_hard_wall(&bench);
+    disk_collision(&bench);
 
     table_close(bench.csv);
-    if (bench.all)
-        free((void *)(size_t)bench.all->mode);
+    free(mode);
     return 0;
 }

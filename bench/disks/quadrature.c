@@ -14,8 +14,6 @@
 #define NAME(stem) stem##_long
 #endif
 
-long double NAME(disk_lambert)(long double q);
-
 static const REAL pi = (REAL)3.14159265358979323846264338327950288L;
 
 /* ---- Gauss and Legendre's rule on [-1, 1], and its integrals from every point to 1 ---- */
@@ -76,11 +74,6 @@ static REAL lambert(REAL q)
             break;
     }
     return t;
-}
-
-long double NAME(disk_lambert)(long double q)
-{
-    return lambert((REAL)q);
 }
 
 struct nodes {
@@ -144,30 +137,25 @@ static int make_nodes(struct nodes *nodes, struct disk_grid grid, REAL q0, REAL 
     nodes->n = 0;
     nodes->half_time = 0;
     const REAL most_time = (REAL)grid.phase / omega;
-    for (int k = grid.halvings; k >= 0; k--) {
-        const REAL high = ldexp(pi / 4, -k), low = k == grid.halvings ? 0 : high / 2;
-        if (!add_split(nodes, &rule, 1, low, high, q0, most_time))
-            return 0;
-    }
-    for (int k = 0; k <= grid.halvings; k++) {
-        const REAL high = ldexp(pi / 4, -k), low = k == grid.halvings ? 0 : high / 2;
-        if (!add_split(nodes, &rule, 0, low, high, q0, most_time))
-            return 0;
-    }
+    for (int at_end = 1; at_end >= 0; at_end--)
+        for (int i = 0; i <= grid.halvings; i++) {
+            const int k = at_end ? grid.halvings - i : i;
+            const REAL high = ldexp(pi / 4, -k), low = k == grid.halvings ? 0 : high / 2;
+            if (!add_split(nodes, &rule, at_end, low, high, q0, most_time))
+                return 0;
+        }
     return 1;
 }
 
 size_t NAME(disk_quadrature)(struct disk_grid grid, const struct cor_disk_mode *mode, size_t n, long double b,
-                             double speed, long double *fraction, long double *contact_time)
+                             double speed, long double *fraction)
 {
     static struct nodes nodes;
     const REAL log_limit = (REAL)1.5 * log((REAL)2) + (REAL)b - 1;
     const REAL q0 = 2 * (log_limit - log((REAL)speed));
     if (!make_nodes(&nodes, grid, q0 > 0 ? q0 : 0, n > 0 ? (REAL)mode[n - 1].omega : 1))
         return 0;
-    if (contact_time)
-        *contact_time = 2 * nodes.half_time;
-    for (size_t i = 0; fraction && i < n; i++) {
+    for (size_t i = 0; i < n; i++) {
         const REAL omega = (REAL)mode[i].omega;
         REAL sum = 0;
         for (size_t k = 0; k < nodes.n; k++)

@@ -22,18 +22,14 @@ struct disk_grid {
     double phase; /* a panel spans at most so much of omega s, at the highest frequency */
 };
 
-/* Two grids for references: rounding in long double is what is left, and makes them differ. */
+/* For references: rounding in long double is what is left. */
 #define DISK_GRID_REFERENCE ((struct disk_grid){28, 40, 30})
-#define DISK_GRID_SECOND ((struct disk_grid){32, 44, 22})
 
-/* C^2 (2 I)^2 of mode[0..n-1] for the contact law's constant b, and the contact time; fraction and contact_time may be
- * NULL. Returns the number of nodes; 0: more than DISK_GRID_NODES, or a panel's points out of range. */
+/* C^2 (2 I)^2 of mode[0..n-1] for the contact law's constant b. Returns the number of nodes; 0: more than
+ * DISK_GRID_NODES, or a panel's points out of range. */
 size_t disk_quadrature_double(struct disk_grid grid, const struct cor_disk_mode *mode, size_t n, long double b,
-                              double speed, long double *fraction, long double *contact_time);
+                              double speed, long double *fraction);
 size_t disk_quadrature_long(struct disk_grid grid, const struct cor_disk_mode *mode, size_t n, long double b,
-                            double speed, long double *fraction, long double *contact_time);
-
-/* t - ln(1 + t) = q, t >= 0 */
-long double disk_lambert_long(long double q);
+                            double speed, long double *fraction);
 
 #endif

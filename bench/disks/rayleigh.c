@@ -1,121 +1,165 @@
 /* SPDX-License-Identifier: MIT */
-/* Rayleigh's energy of 1800 modes from slow to fast: the library, the integral on the real axis as a careful user would
- * write it, and (65) to (67) integrated in time. */
+/* Rayleigh's energy: each of 1800 modes from slow to fast, and the energy of all modes, error against time. The library
+ * stands beside the integral on the real axis as a careful user would write it. The truth of a mode is that integral in
+ * long double; the truth of all modes is the sum over many more of them and its own tail. */
 #include <math.h>
 #include <stdlib.h>
 
 #include <cor/status.h>
 
-#include "errors.h"
+#include "disk.h"
 #include "quadrature.h"
-#include "reference_disk.h"
-#include "stages.h"
 
-enum { MODES = 1800, SPEEDS = 8, PROBED = 60, SLOW_TURNS = 2, JOBS = 2 * SPEEDS };
-
-/* Coarser misses the error that rounding leaves at any rate, finer gains nothing. */
-static const struct disk_grid users_grid = {16, 26, 15};
+enum { MODES = 1800, SPEEDS = 8, NEIGHBOURS = 25 };
 
 #define USUAL_SPEED 1e-3
+
+static const enum cor_disk_datum datum = COR_DISK_DATUM_CENTRE_OF_MASS;
+
+/* For single modes coarser grids miss the error that rounding leaves at any rate, and finer ones gain nothing; a sum
+ * needs less. */
+static const struct disk_grid modes_grid = {16, 26, 15}, sum_grid = {16, 12, 20};
 
 struct task {
     const struct cor_disk_modes *modes;
     double speed, tolerance;
-    long double b;
+    size_t n;
+    struct disk_grid grid;
     struct cor_disk_rayleigh out;
-    double fraction[MODES];
-    long double rounded[MODES];
+    int status;
+    double *fraction;      /* n of them; NULL: not asked for */
+    long double *integral; /* n of them */
 };
 
-static void with_cor(void *closure)
+static void to_tolerance(void *closure)
 {
     struct task *const t = closure;
-    const int status =
-        cor_disk_rayleigh(t->modes, MODES, COR_DISK_DATUM_CENTRE_OF_MASS, t->speed, &t->out, t->fraction);
-    disk_must(status == COR_OK || status == COR_BEYOND_THEORY, cor_status_text(status));
+    t->status = cor_disk_rayleigh_tolerance(t->modes, datum, t->speed, t->tolerance, &t->out, &t->n);
 }
 
-static void with_quadrature(void *closure)
+static void plain_sum(void *closure)
 {
     struct task *const t = closure;
-    disk_must(disk_quadrature_double(users_grid, t->modes->mode, MODES, t->b, t->speed, t->rounded, NULL) > 0,
-              "too many nodes");
-    for (size_t i = 0; i < MODES; i++)
-        t->fraction[i] = (double)t->rounded[i];
+    disk_must(cor_disk_rayleigh(t->modes, t->n, datum, t->speed, &t->out, t->fraction), COR_BEYOND_THEORY);
 }
 
-static void with_runge_kutta(void *closure)
+static void with_cosines(void *closure)
 {
     struct task *const t = closure;
-    disk_must(reference_disk_rayleigh(t->modes->mode, MODES, (double)t->b, t->speed, t->tolerance, t->fraction, NULL) >
-                  0,
-              "Runge-Kutta failed");
+    const long double b = -2 * logl(2) - (1 + (long double)t->modes->nu) / 4;
+    disk_must(disk_quadrature_double(t->grid, t->modes->mode, t->n, b, t->speed, t->integral) ? COR_OK
+                                                                                              : COR_ERROR_RANGE,
+              COR_OK);
+    t->out.fraction = 0;
+    for (size_t i = t->n; i-- > 0;) {
+        t->fraction[i] = (double)t->integral[i];
+        t->out.fraction += t->fraction[i];
+    }
 }
 
-/* The tolerance at which the highest modes, the worst, are as good as is asked of cor; else the largest at which they
- * are within a factor of 2 of the best: then rounding in double is what is left. */
-static double runge_kutta_tolerance(const struct task *t, const long double *reference)
+/* ---- each mode ---- */
+
+static long double response(const struct cor_disk_mode *mode, long double fraction)
 {
-    const size_t first = MODES - PROBED;
-    double least = INFINITY, best = NAN, fraction[PROBED];
-    for (double tolerance = 1e-10; tolerance > 0.5e-15 && least > COR_DISK_RAYLEIGH_MAX_ERROR; tolerance /= 10) {
-        disk_must(reference_disk_rayleigh(t->modes->mode + first, PROBED, (double)t->b, t->speed, tolerance, fraction,
-                                          NULL) > 0,
-                  "Runge-Kutta failed");
-        const double error = disk_worst_error(t->modes->mode + first, PROBED, fraction, reference + first);
-        if (error < 0.5 * least) {
-            least = error;
-            best = tolerance;
+    const long double square = (long double)mode->omega * mode->omega;
+    return fraction * square * square / ((long double)mode->c * mode->c);
+}
+
+/* Largest relative error of a fraction, over the modes whose cosine does not cancel: (2 I)^2 omega^4, which but for the
+ * cosine varies slowly, is above 1/100 of the largest among 25 neighbours on each side. */
+static double worst_error(const struct cor_disk_mode *mode, const double *fraction, const long double *reference)
+{
+    double worst = 0;
+    for (size_t i = 0; i < MODES; i++) {
+        const size_t low = i > NEIGHBOURS ? i - NEIGHBOURS : 0,
+                     high = i + NEIGHBOURS < MODES ? i + NEIGHBOURS : MODES - 1;
+        long double size = 0;
+        for (size_t k = low; k <= high; k++)
+            size = fmaxl(size, response(&mode[k], reference[k]));
+        const double error = fabs((double)((fraction[i] - reference[i]) / reference[i]));
+        if (response(&mode[i], reference[i]) > 0.01L * size && !(error <= worst)) /* a NaN too */
+            worst = error;
+        if (isnan(error))
+            break;
+    }
+    return worst;
+}
+
+static void each_mode(struct disk_bench *bench)
+{
+    static const double speeds[SPEEDS] = {1e-12, 1e-8, 1e-4, USUAL_SPEED, 1e-2, 0.03, 0.1, 0};
+    const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
+    const long double b = -2 * logl(2) - (1 + (long double)modes->nu) / 4;
+    static double fraction[2 * SPEEDS][MODES];
+    static long double integral[MODES];
+    struct task task[2 * SPEEDS];
+    struct job job[2 * SPEEDS];
+    for (int i = 0; i < 2 * SPEEDS; i++) {
+        const double speed = speeds[i % SPEEDS];
+        task[i] = (struct task){.modes = modes, .n = MODES, .grid = modes_grid, .fraction = fraction[i]};
+        task[i].integral = integral;
+        task[i].speed = speed > 0 ? speed : cor_disk_speed_limit(modes->nu, datum);
+        job[i] = (struct job){i < SPEEDS ? plain_sum : with_cosines, &task[i], 1, NAN};
+    }
+    timing_measure(job, (size_t)2 * SPEEDS, bench->timing);
+    for (int i = 0; i < SPEEDS; i++) {
+        const double speed = task[i].speed;
+        disk_must(disk_quadrature_long(DISK_GRID_REFERENCE, modes->mode, MODES, b, speed, integral) ? COR_OK
+                                                                                                    : COR_ERROR_RANGE,
+                  COR_OK);
+        disk_csv(bench, &(struct disk_row){"rayleigh", "cor", speed, NAN, MODES, job[i].best_ns / 1e9,
+                                           worst_error(modes->mode, fraction[i], integral)});
+        disk_csv(bench, &(struct disk_row){"rayleigh", "cosines", speed, modes_grid.points, MODES,
+                                           job[SPEEDS + i].best_ns / 1e9,
+                                           worst_error(modes->mode, fraction[SPEEDS + i], integral)});
+    }
+}
+
+/* ---- all modes: with the tail, to a tolerance; without it; by cosine integrals ---- */
+
+static void all_modes(struct disk_bench *bench)
+{
+    static const double tolerances[] = {0.3, 0.1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6};
+    static const size_t counts[] = {3, 10, 30, 100, 300, 1000, 1800, 5000, 20000};
+    static const char *const method[] = {"cor", "truncation", "cosines"};
+    static void (*const run[])(void *) = {to_tolerance, plain_sum, with_cosines};
+    enum { TOLERANCES = sizeof tolerances / sizeof *tolerances, COUNTS = sizeof counts / sizeof *counts };
+    enum { SUMS = TOLERANCES + COUNTS, TASKS = SUMS + COUNTS - 2 };
+    struct task task[TASKS], truth = {.modes = bench->all, .speed = USUAL_SPEED, .n = bench->all->count};
+    struct job job[TASKS];
+    double *const fraction = disk_memory(MODES, sizeof *fraction);
+    long double *const integral = disk_memory(MODES, sizeof *integral);
+    for (int i = 0; i < TASKS; i++) {
+        task[i] = (struct task){.modes = bench->all, .speed = USUAL_SPEED, .tolerance = NAN};
+        if (i < TOLERANCES)
+            task[i].tolerance = tolerances[i];
+        else
+            task[i].n = counts[i < SUMS ? i - TOLERANCES : i - SUMS];
+        if (i >= SUMS) {
+            task[i].grid = sum_grid;
+            task[i].fraction = fraction;
+            task[i].integral = integral;
         }
+        job[i] = (struct job){run[(i >= TOLERANCES) + (i >= SUMS)], &task[i], 1, NAN};
     }
-    return best;
-}
-
-static double turns_of_runge_kutta(struct task *task, int turns)
-{
-    struct job once = {with_runge_kutta, task, 1, NAN};
-    double ns = INFINITY;
-    for (int turn = 0; turn < turns; turn++) {
-        timing_once(&once);
-        ns = fmin(ns, once.best_ns);
+    timing_measure(job, TASKS, bench->timing);
+    plain_sum(&truth);
+    const double energy = truth.out.fraction + truth.out.tail, unsure = truth.out.error_estimate / energy;
+    for (int i = 0; i < TASKS; i++) {
+        const struct task *const t = &task[i];
+        if (i < TOLERANCES && (t->status != COR_OK || t->n >= truth.n / 2))
+            continue; /* the truth has the same modes */
+        const double sum = t->out.fraction + (i < TOLERANCES ? t->out.tail : 0);
+        const double setting = i < SUMS ? t->tolerance : sum_grid.points;
+        disk_csv(bench, &(struct disk_row){"energy", method[(i >= TOLERANCES) + (i >= SUMS)], USUAL_SPEED, setting,
+                                           t->n, job[i].best_ns / 1e9, fmax(fabs(sum / energy - 1), unsure)});
     }
-    return ns;
-}
-
-/* One speed: the library; what a user would write; the same task by Runge and Kutta's method, if with_slow. */
-static void report_speed(struct disk_bench *bench, const struct task *cor, double cor_ns, struct task *users,
-                         double users_ns, int with_slow)
-{
-    static long double reference[MODES];
-    const struct cor_disk_mode *const mode = cor->modes->mode;
-    disk_must(disk_quadrature_long(DISK_GRID_REFERENCE, mode, MODES, cor->b, cor->speed, reference, NULL) > 0,
-              "too many nodes");
-    disk_csv(bench, &(struct disk_row){"rayleigh", "cor", cor->speed, NAN, MODES, cor_ns / 1e9,
-                                       disk_worst_error(mode, MODES, cor->fraction, reference)});
-    disk_csv(bench, &(struct disk_row){"rayleigh", "cosines", cor->speed, users_grid.points, MODES, users_ns / 1e9,
-                                       disk_worst_error(mode, MODES, users->fraction, reference)});
-    if (!with_slow)
-        return;
-    users->tolerance = runge_kutta_tolerance(users, reference);
-    const double ns = turns_of_runge_kutta(users, bench->quick ? 1 : SLOW_TURNS);
-    disk_csv(bench, &(struct disk_row){"rayleigh", "Runge-Kutta", cor->speed, users->tolerance, MODES, ns / 1e9,
-                                       disk_worst_error(mode, MODES, users->fraction, reference)});
+    free(fraction);
+    free(integral);
 }
 
 void disk_rayleigh(struct disk_bench *bench)
 {
-    const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
-    static struct task task[JOBS];
-    static const double speeds[SPEEDS] = {1e-12, 1e-8, 1e-4, USUAL_SPEED, 1e-2, 0.03, 0.1, 0};
-    struct job job[JOBS];
-    for (int i = 0; i < JOBS; i++) {
-        const double speed = speeds[i % SPEEDS];
-        task[i] = (struct task){.modes = modes, .b = disk_constant_b(modes->nu)};
-        task[i].speed = speed > 0 ? speed : cor_disk_speed_limit(modes->nu, COR_DISK_DATUM_CENTRE_OF_MASS);
-        job[i] = (struct job){i < SPEEDS ? with_cor : with_quadrature, &task[i], 1, NAN};
-    }
-    timing_measure(job, JOBS, bench->timing);
-    for (int i = 0; i < SPEEDS; i++)
-        report_speed(bench, &task[i], job[i].best_ns, &task[SPEEDS + i], job[SPEEDS + i].best_ns,
-                     !bench->quick || task[i].speed == USUAL_SPEED);
+    each_mode(bench);
+    all_modes(bench);
 }

@@ -126,25 +126,25 @@ static double formula_thornton(double e)
     return sqrt(1.2) * host_thornton_gamma(e);
 }
 
-/* between 0 and 16 until the interval is below 0.0001 */
-static double formula_bisected(double e)
+/* between 0 and 16, halved so often */
+static double bisected(double e, int times)
 {
     double low = 0, high = 16;
-    while (high - low > 1e-4) {
+    for (int k = 0; k < times; k++) {
         const double middle = 0.5 * (low + high);
         *(formula_eps_force(middle) > e ? &low : &high) = middle;
     }
     return 0.5 * (low + high);
 }
 
+static double formula_bisected(double e)
+{
+    return bisected(e, 18);
+}
+
 static double formula_bisected_full(double e)
 {
-    double low = 0, high = 16;
-    for (int k = 0; k < 58; k++) {
-        const double middle = 0.5 * (low + high);
-        *(formula_eps_force(middle) > e ? &low : &high) = middle;
-    }
-    return 0.5 * (low + high);
+    return bisected(e, 58);
 }
 
 static double formula_tsuji_2026(double e)
@@ -272,17 +272,14 @@ static void run_line(void *closure)
 {
     struct line *line = closure;
     const int loop = line->method->loop;
-    if (line->set >= 0 && loop < FIRST_DASHPOT) {
-        cor_law_loops(line->set)[loop](line->x, line->y, COUNT);
-        return;
-    }
-    if (line->set >= 0) {
-        cor_dashpot_array_of_set(line->set, (enum cor_dashpot_number)(loop - FIRST_DASHPOT), line->x, line->y, COUNT);
-        return;
-    }
     scalar_function *const f = line->method->scalar;
-    for (int i = 0; i < COUNT; i++)
-        line->y[i] = f(line->x[i]);
+    if (line->set == NO_LOOP)
+        for (int i = 0; i < COUNT; i++)
+            line->y[i] = f(line->x[i]);
+    else if (loop < FIRST_DASHPOT)
+        cor_law_loops(line->set)->of[loop](line->x, line->y, COUNT);
+    else
+        cor_dashpot_array_of_set(line->set, (enum cor_dashpot_number)(loop - FIRST_DASHPOT), line->x, line->y, COUNT);
 }
 
 static double worst_error(const struct line *line)

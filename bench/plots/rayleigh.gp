@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Rayleigh's energy of a disk, error against time: docs/speed/rayleigh.svg from disks.csv.
-stem = "rayleigh"; home = "docs/speed"; width = 960; height = 500
+stem = "rayleigh"; home = "docs/speed"; width = 640; height = 500
 if (!exists("dir")) dir = home
 csv = dir."/disks.csv"
 load "docs/style.gp"
@@ -16,27 +16,16 @@ set logscale xy
 set format xy power
 set xrange [0.03:1e4]
 set xlabel "time, one core (ms)"
-set multiplot layout 1,2 title "Rayleigh's energy of a disk, ν = 0.33, v = 0.001 √(E/ρ), from the centre of mass" \
-    margins 0.075,0.985,0.25,0.85 spacing 0.085
-set title "energy left in all modes"
+set title "Rayleigh's energy in all modes of a disk, ν = 0.33, v = 0.001 √(E/ρ)"
+set bmargin at screen 0.25
 set ylabel "relative error" offset 0.5
 set yrange [1e-8:1]
 set key at screen 0.53,0.01 center bottom maxrows 2 width 2
-plot csv using (ms($6)):(y("energy", "Runge-Kutta")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 dt (8,5) lc rgb grey \
-         title "Runge–Kutta 5(4) of (65) to (67)", \
-     csv using (ms($6)):(y("energy", "cosines")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 lc rgb black \
+plot csv using (ms($6)):(y("energy", "cosines")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 lc rgb black \
          title "cosine integrals on the real axis", \
      csv using (ms($6)):(y("energy", "truncation")) skip 1 with linespoints pt 5 ps 0.5 lw 1.8 lc rgb red \
          title "cor, the sum over as many modes as written", \
      csv using (ms($6)):(y("energy", "cor")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 lc rgb blue \
          title "cor, to a tolerance", \
      csv using (ms($6)):(is_named(0)):(strcol(5)) skip 1 with labels left boxed offset 0.8,0 tc rgb red font small notitle
-set title "energy left in each of 1800 modes"
-set ylabel "largest relative error of a mode" offset 0.5
-set yrange [1e-13:1]
-unset key
-plot csv using (ms($6)):(y("modes", "Runge-Kutta")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 dt (8,5) lc rgb grey, \
-     csv using (ms($6)):(y("modes", "cosines")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 lc rgb black, \
-     csv using (ms($6)):(y("modes", "cor")) skip 1 with points pt 7 ps 1 lc rgb blue
-unset multiplot
 set output

@@ -29,15 +29,11 @@ set label "in loops\n(AVX2)" at 0.75, 1e-7 right tc rgb green
 set label "cor, one by one" at 6.5, 1.6e-16 left tc rgb blue
 set label "cor, arrays (AVX-512)" at 1.4, 1.6e-16 right tc rgb blue
 set label "velocity Verlet" at 1.2e4, 1e-2 left tc rgb grey
-set label "Runge–Kutta 5(4)" at 7.5e3, 1e-10 left tc rgb grey
-set label "Taylor" at 3.2e3, 1e-10 right tc rgb black
 plot csv using 7:(calls("published")) skip 1 with points pt 2 ps 1 lw 2 lc rgb black, \
      csv using 7:(calls("Padé")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 lc rgb red, \
      csv using 7:(calls("scene header")) skip 1 with linespoints pt 7 ps 0.5 lw 1.8 lc rgb green, \
      csv using 7:(loops("scene header", "AVX2")) skip 1 with linespoints pt 4 ps 0.5 lw 1.4 dt (6,4) lc rgb green, \
      csv using 7:(calls("cor")) skip 1 with points pt 7 ps 1.2 lc rgb blue, \
      csv using 7:(loops("cor", "AVX-512")) skip 1 with points pt 12 ps 1.3 lw 1.6 lc rgb blue, \
-     csv using 7:(calls("Verlet")) skip 1 with linespoints pt 7 ps 0.4 lw 1.5 dt (2,3) lc rgb grey, \
-     csv using 7:(calls("Runge-Kutta")) skip 1 with linespoints pt 7 ps 0.4 lw 1.5 dt (8,5) lc rgb grey, \
-     csv using 7:(calls("Taylor")) skip 1 with linespoints pt 7 ps 0.4 lw 1.5 lc rgb black
+     csv using 7:(calls("Verlet")) skip 1 with linespoints pt 7 ps 0.4 lw 1.5 dt (2,3) lc rgb grey
 set output

@@ -44,9 +44,7 @@ do for [panel = 0:3] {
          csv using 7:(arrays("portable")) skip 1 with points pt 4 ps 1 lw 1.4 lc rgb blue title "cor array, portable", \
          csv using 7:(arrays("AVX2")) skip 1 with points pt 6 ps 1 lw 1.4 lc rgb blue title "cor array, AVX2", \
          csv using 7:(arrays("AVX-512")) skip 1 with points pt 12 ps 1.2 lw 1.4 lc rgb blue title "cor array, AVX-512", \
-         csv using 7:(calls("Verlet")) skip 1 with linespoints pt 7 ps 0.4 lw 1.3 dt (2,3) lc rgb grey title "velocity Verlet", \
-         csv using 7:(calls("Runge-Kutta")) skip 1 with linespoints pt 7 ps 0.4 lw 1.3 dt (8,5) lc rgb grey title "Runge–Kutta 5(4)", \
-         csv using 7:(calls("Taylor")) skip 1 with linespoints pt 7 ps 0.4 lw 1.3 lc rgb black title "Taylor"
+         csv using 7:(calls("Verlet")) skip 1 with linespoints pt 7 ps 0.4 lw 1.3 dt (2,3) lc rgb grey title "velocity Verlet"
 }
 unset multiplot
 set output

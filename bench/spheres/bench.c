@@ -11,9 +11,8 @@
 #include <unistd.h>
 
 #include "methods.h"
-#include "report.h"
+#include "support/table.h"
 #include "support/timing.h"
-#include "truth.h"
 
 enum {
     IN_CACHE = 2048, /* an array and its eps in the first-level cache */
@@ -21,6 +20,19 @@ enum {
     COLLISIONS = 64, /* for what takes microseconds each: few, even in their logarithm */
     ROWS = METHODS_MAX
 };
+
+#if !(defined __GNUC__ && (defined __AVX__ || defined __SSE2__))
+volatile float methods_zero = 0;
+#endif
+
+void methods_add(struct methods *methods, const struct method *method)
+{
+    if (methods->n == METHODS_MAX) {
+        fprintf(stderr, "bench: more methods than methods.h has rows for\n");
+        exit(1);
+    }
+    methods->row[methods->n++] = *method;
+}
 
 struct task {
     const struct method *method;
@@ -51,6 +63,34 @@ static double *doubles(size_t n)
     }
     memset(p, 0, n * sizeof *p);
     return p;
+}
+
+/* Largest |eps/truth - 1|; NaN if an eps is none. That of a float is of the float that is given, against the library's
+ * double, which is as good as exact beside it. */
+static double worst_error(const struct truth *truth, const struct scene *scene, const struct method *method)
+{
+    static double eps[CHECKED];
+    static float in[CHECKED], eps_of_float[CHECKED];
+    const int is_float = (method->flags & FLOAT) != 0;
+    double worst = 0;
+    if (method->end == NO_END)
+        return NAN;
+    for (int i = 0; i < CHECKED; i++)
+        in[i] = (float)truth->in[method->input][i];
+    method->each(method, scene, is_float ? (const void *)in : truth->in[method->input],
+                 is_float ? (void *)eps_of_float : eps, CHECKED);
+    for (int i = 0; i < CHECKED && !isnan(worst); i++) {
+        long double value = eps[i], exact = truth->eps[method->input][method->end][i];
+        if (is_float) {
+            const double x = in[i], beta = method->input == FROM_BETA ? x : cor_contact_beta(&scene->contact, x);
+            value = eps_of_float[i];
+            exact = method->end == ZERO_FORCE ? cor_sphere_eps_zero_force(beta) : cor_sphere_eps_zero_overlap(beta);
+        }
+        const double error = fabs((double)((value - exact) / exact));
+        if (!(error <= worst)) /* a NaN too */
+            worst = error;
+    }
+    return worst;
 }
 
 static int belongs(const struct method *method, const struct scene *scene)
@@ -106,34 +146,50 @@ static struct task task_of(const struct method *method, const struct scene *scen
     return (struct task){method, scene, random, in->out, method->flags & ARRAY ? IN_CACHE : SCALARS};
 }
 
+/* A row of the table of its input, which is printed too. A time that is NaN was not measured; without `error`, or for a
+ * copy, there is none. */
+static void report_row(FILE *const csv[2], const struct task *t, const char *form, double ns, double ns_chained,
+                       const double *error)
+{
+    static const char *const end[] = {[ZERO_OVERLAP] = "overlap", [ZERO_FORCE] = "force"};
+    const struct method *const m = t->method;
+    FILE *const files[2] = {csv[m->input], stdout};
+    for (int i = 0; i < 2; i++) {
+        fprintf(files[i], "%s,%s,%s,%s,%s,%s", t->scene->name, m->curve, m->setting,
+                m->instructions ? m->instructions : "", m->end == NO_END ? "" : end[m->end], form);
+        table_number(files[i], "%.4g", ns);
+        table_number(files[i], "%.4g", ns_chained);
+        /* an eps that is none somewhere in the scene is an error of nan */
+        fprintf(files[i], m->end == NO_END || !error ? ",\n" : ",%.2e\n", error ? *error : NAN);
+    }
+}
+
 /* Every method of the scene, in the cache. */
-static void measure_scene(struct report *report, const struct methods *methods, const struct scene *scene,
+static void measure_scene(FILE *const csv[2], const struct methods *methods, const struct scene *scene,
                           struct timing timing)
 {
     static struct truth truth;
-    static struct task tasks[2 * ROWS];
-    static struct job jobs[2 * ROWS];
-    static struct result results[ROWS];
+    static struct task tasks[METHODS_MAX];
+    static struct job jobs[2 * METHODS_MAX];
     struct inputs in = inputs_new(scene);
     size_t n = 0, n_jobs = 0;
     for (size_t i = 0; i < methods->n; i++) {
         const struct method *const m = &methods->row[i];
         if (!belongs(m, scene) || m->end == NO_END)
             continue;
-        results[n++] = (struct result){m, m->flags & ARRAY ? "array" : "scalar", NAN, NAN, NAN};
-        for (int chained = 0; chained < (m->chain ? 2 : 1); chained++, n_jobs++) {
-            tasks[n_jobs] = task_of(m, scene, &in);
-            jobs[n_jobs] = (struct job){chained ? run_chain : run_each, &tasks[n_jobs], (double)tasks[n_jobs].n, NAN};
-        }
+        tasks[n] = task_of(m, scene, &in);
+        jobs[n_jobs++] = (struct job){run_each, &tasks[n], (double)tasks[n].n, NAN};
+        if (m->chain)
+            jobs[n_jobs++] = (struct job){run_chain, &tasks[n], (double)tasks[n].n, NAN};
+        n++;
     }
     timing_measure(jobs, n_jobs, timing);
     truth_compute(&truth, scene);
     for (size_t i = 0, k = 0; i < n; i++) {
-        results[i].ns = jobs[k++].best_ns;
-        if (results[i].method->chain)
-            results[i].ns_chained = jobs[k++].best_ns;
-        results[i].error = truth_worst_error(&truth, scene, results[i].method);
-        report_row(report, scene, &results[i]);
+        const struct method *const m = tasks[i].method;
+        const double ns = jobs[k++].best_ns, ns_chained = m->chain ? jobs[k++].best_ns : NAN;
+        const double error = worst_error(&truth, scene, m);
+        report_row(csv, &tasks[i], m->flags & ARRAY ? "array" : "scalar", ns, ns_chained, &error);
     }
     inputs_free(&in);
 }
@@ -157,10 +213,10 @@ static size_t large_elements(void)
 }
 
 /* The library from a speed, and copies, on arrays larger than the cache */
-static void measure_large(struct report *report, const struct methods *methods, const struct scene *scene)
+static void measure_large(FILE *const csv[2], const struct methods *methods, const struct scene *scene)
 {
-    static struct task tasks[ROWS];
-    static struct job jobs[ROWS];
+    static struct task tasks[METHODS_MAX];
+    static struct job jobs[METHODS_MAX];
     const size_t elements = large_elements();
     double *const in = doubles(elements), *const out = doubles(elements);
     scene_speeds(scene, in, SCALARS);
@@ -175,7 +231,7 @@ static void measure_large(struct report *report, const struct methods *methods, 
         }
     timing_measure(jobs, n, (struct timing){.sample_ns = 1, .rounds = 6, .slow_share = 1});
     for (size_t i = 0; i < n; i++)
-        report_row(report, scene, &(struct result){tasks[i].method, "large", jobs[i].best_ns, NAN, NAN});
+        report_row(csv, &tasks[i], "large", jobs[i].best_ns, NAN, NULL);
     free(in);
     free(out);
 }
@@ -198,19 +254,18 @@ int main(int argc, char **argv)
 #ifdef COR_BENCH_HAS_AVX512
     add_embedded_avx512(&methods);
 #endif
-    add_integrators(&methods);
-    add_copies(&methods);
 
     struct scene scenes[SCENES];
     scenes_init(scenes);
-    struct report report;
-    report_open(&report, argv[1]);
+    static const char heading[] = "scene,curve,setting,instructions,end,form,ns,ns_dependent,max_relative_error";
+    FILE *const csv[2] = {table_open(argv[1], "spheres_speed.csv", heading),
+                          table_open(argv[1], "spheres_beta.csv", heading)};
     const struct timing timing = {.sample_ns = 4e5, .rounds = quick ? 8 : 64, .slow_share = 4};
     for (int i = 0; i < SCENES; i++)
-        measure_scene(&report, &methods, &scenes[i], timing);
+        measure_scene(csv, &methods, &scenes[i], timing);
     if (!quick)
-        measure_large(&report, &methods, &scenes[0]);
-    report_close(&report);
-    truth_print_formulas();
+        measure_large(csv, &methods, &scenes[0]);
+    table_close(csv[FROM_SPEED]);
+    table_close(csv[FROM_BETA]);
     return 0;
 }

@@ -11,12 +11,9 @@
 
 #include <cor/sphere.h>
 
-#include "support/isa.h"
+#include "runtime/sphere/array.h"
 #include "support/table.h"
 #include "support/timing.h"
-#ifndef COR_BENCH_SHARED
-#include "runtime/sphere/array.h"
-#endif
 
 enum { COUNT = 4096, MAX_JOBS = 128 };
 
@@ -105,12 +102,11 @@ static int add_lines(struct line *line, const struct quantity *q)
     return n;
 }
 
-#ifndef COR_BENCH_SHARED
 static int add_sets(struct line *line)
 {
-    static const char *const set_name[COR_INSTRUCTION_SETS] = {"portable", "AVX2", "AVX-512"};
+    static const char *const set_name[] = {"portable", "AVX2"}; /* AVX-512 has the arrays of AVX2 */
     int n = 0;
-    for (int s = 0; s < COR_INSTRUCTION_SETS; s++) {
+    for (int s = 0; s <= COR_AVX2; s++) {
         const struct cor_array_set *const set = cor_array_set(s);
         int k = 0;
         if (set == NULL)
@@ -123,7 +119,6 @@ static int add_sets(struct line *line)
     }
     return n;
 }
-#endif
 
 /* The job of the double function of the same form: by instruction set for arrays */
 static const struct job *double_job(const struct line *lines, const struct job *jobs, int n, const struct line *of)
@@ -151,9 +146,7 @@ int main(int argc, char **argv)
     int n = 0;
     for (int k = 0; k < QUANTITIES; k++)
         n += add_lines(lines + n, &quantities[k]);
-#ifndef COR_BENCH_SHARED
     n += add_sets(lines + n);
-#endif
     for (int i = 0; i < n; i++)
         jobs[i] = (struct job){run_line, &lines[i], COUNT, NAN};
     timing_measure(jobs, (size_t)n, (struct timing){2e5, quick ? 20 : 200, 4});

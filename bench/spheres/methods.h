@@ -4,15 +4,7 @@
 #ifndef COR_BENCH_SPHERES_METHODS_H
 #define COR_BENCH_SPHERES_METHODS_H
 
-#include <stddef.h>
-
-#include <cor/cor.h>
-
 #include "scene.h"
-#include "support/isa.h"
-
-enum end { NO_END = -1, ZERO_OVERLAP, ZERO_FORCE };
-enum input { FROM_SPEED, FROM_BETA };
 
 enum {
     ARRAY = 1,      /* one call for all; the arrays fit the first-level cache */
@@ -29,9 +21,7 @@ struct method {
     enum end end;
     enum input input;
     unsigned flags;
-    int order; /* the setting of integrators */
-    double tolerance;
-    const struct isa_row *isa;
+    int number; /* of steps; of arrays of the library, their instruction set */
 
     /* out[i] = eps(in[i]), independent of each other */
     void (*each)(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n);
@@ -49,10 +39,8 @@ struct methods {
 void methods_add(struct methods *methods, const struct method *method);
 
 /* Each adds its rows. */
-void add_copies(struct methods *methods);
 void add_published(struct methods *methods);
 void add_library(struct methods *methods);
-void add_integrators(struct methods *methods);
 
 /* methods_embedded.c, compiled with the flags of each of these */
 void add_embedded_plain(struct methods *methods);
@@ -77,7 +65,6 @@ extern volatile float methods_zero;
 #endif
 
 /* NAME_each and NAME_chain of an expression in g (the speed, or beta) after SETUP, which may use scene and method. */
-#define SCALAR_METHOD(NAME, SETUP, EXPRESSION) SCALAR_METHOD_OF(double, NAME, SETUP, EXPRESSION)
 #define SCALAR_METHOD_OF(REAL, NAME, SETUP, EXPRESSION)                                                                \
     static void NAME##_each(const struct method *method, const struct scene *scene, const double *in, double *out,     \
                             size_t n)                                                                                  \
@@ -108,8 +95,14 @@ extern volatile float methods_zero;
         return last;                                                                                                   \
     }
 
+/* A row of NAME_each and NAME_chain */
+#define METHOD(CURVE, SETTING, END, INPUT, FLAGS, NAME)                                                                \
+    {                                                                                                                  \
+        .curve = CURVE, .setting = SETTING, .end = END, .input = INPUT, .flags = FLAGS, .each = NAME##_each,           \
+        .chain = NAME##_chain                                                                                          \
+    }
+
 /* NAME_each as a loop that the compiler may make vectors of. */
-#define ARRAY_METHOD(NAME, SETUP, EXPRESSION) ARRAY_METHOD_OF(double, NAME, SETUP, EXPRESSION)
 #define ARRAY_METHOD_OF(REAL, NAME, SETUP, EXPRESSION)                                                                 \
     static void NAME##_each(const struct method *method, const struct scene *scene, const double *restrict in,         \
                             double *restrict out, size_t n)                                                            \

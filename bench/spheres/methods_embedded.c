@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* Code that a user compiles: generated/cor_sphere.h, for every beta; truncated series, Padés and two-point Padés of
  * growing order (approximants.sh); headers that corgen embed writes for the ordinary scene as the tolerance falls, in
- * double and float. This file is compiled once for each set of flags, with ADD the name of its one function, AVAILABLE
- * the test of the machine, and INSTRUCTIONS what the table calls them, NULL for plain flags. With vectors all rows are
- * loops. */
+ * double and float. This file is compiled once for each set of flags, with ADD the name of its one function, SET the
+ * instruction set, and INSTRUCTIONS what the table calls it, NULL for plain flags. With vectors all rows are loops. */
 #include "methods.h"
 
 #include <math.h>
 #include <stdio.h>
 
 #include "cor_sphere.h"
+#include "runtime/core/instruction_set.h"
 
 #ifndef __AVX2__
 #define ROOT_OF_SCENE const double unit = scene->contact.beta5_per_speed
-SCALAR_METHOD(full_overlap, ROOT_OF_SCENE, cor_inline_eps_zero_overlap_root(unit *g))
-SCALAR_METHOD(full_force, ROOT_OF_SCENE, cor_inline_eps_zero_force_root(unit *g))
+SCALAR_METHOD_OF(double, full_overlap, ROOT_OF_SCENE, cor_inline_eps_zero_overlap_root(unit *g))
+SCALAR_METHOD_OF(double, full_force, ROOT_OF_SCENE, cor_inline_eps_zero_force_root(unit *g))
 
 static void add_full(struct methods *methods)
 {
@@ -91,7 +91,7 @@ static void add_generated(struct methods *methods)
 
 void ADD(struct methods *methods)
 {
-    if (!AVAILABLE())
+    if (!cor_processor_has(SET))
         return;
 #ifndef __AVX2__
     add_full(methods);

@@ -2,22 +2,24 @@
 /* libcor: scalar functions, in float too, and arrays by instruction set. */
 #include "methods.h"
 
-SCALAR_METHOD(speed_zero_overlap, const struct cor_sphere_contact *const contact = &scene->contact,
-              cor_contact_eps_zero_overlap(contact, g))
-SCALAR_METHOD(speed_zero_force, const struct cor_sphere_contact *const contact = &scene->contact,
-              cor_contact_eps_zero_force(contact, g))
-SCALAR_METHOD(beta_zero_overlap, , cor_sphere_eps_zero_overlap(g))
-SCALAR_METHOD(beta_zero_force, , cor_sphere_eps_zero_force(g))
-SCALAR_METHOD_OF(float, float_zero_overlap, , cor_sphere_eps_zero_overlapf(g))
-SCALAR_METHOD_OF(float, float_zero_force, , cor_sphere_eps_zero_forcef(g))
+#include "runtime/sphere/array.h"
+
+#define CONTACT const struct cor_sphere_contact *const contact = &scene->contact
+SCALAR_METHOD_OF(double, speed_overlap, CONTACT, cor_contact_eps_zero_overlap(contact, g))
+SCALAR_METHOD_OF(double, speed_force, CONTACT, cor_contact_eps_zero_force(contact, g))
+SCALAR_METHOD_OF(double, beta_overlap, , cor_sphere_eps_zero_overlap(g))
+SCALAR_METHOD_OF(double, beta_force, , cor_sphere_eps_zero_force(g))
+SCALAR_METHOD_OF(float, float_overlap, , cor_sphere_eps_zero_overlapf(g))
+SCALAR_METHOD_OF(float, float_force, , cor_sphere_eps_zero_forcef(g))
 
 static void array_each(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n)
 {
-    const struct isa_row *const isa = method->isa;
+    const struct cor_array_set *const set = cor_array_set(method->number);
     if (method->input == FROM_SPEED)
-        (method->end == ZERO_OVERLAP ? isa->speed_zero_overlap : isa->speed_zero_force)(&scene->contact, in, out, n);
+        (method->end == ZERO_OVERLAP ? set->contact_eps_zero_overlap : set->contact_eps_zero_force)(&scene->contact, in,
+                                                                                                    out, n);
     else
-        (method->end == ZERO_OVERLAP ? isa->beta_zero_overlap : isa->beta_zero_force)(in, out, n);
+        (method->end == ZERO_OVERLAP ? set->sphere_eps_zero_overlap : set->sphere_eps_zero_force)(in, out, n);
 }
 
 static void float_array_each(const struct method *method, const struct scene *scene, const double *in, double *out,
@@ -28,39 +30,34 @@ static void float_array_each(const struct method *method, const struct scene *sc
                                  : cor_sphere_eps_zero_force_arrayf)((const void *)in, (void *)out, n);
 }
 
-#define CALL(CURVE, END, INPUT, FLAGS, NAME)                                                                           \
-    {                                                                                                                  \
-        .curve = CURVE, .end = END, .input = INPUT, .flags = FLAGS, .each = NAME##_each, .chain = NAME##_chain         \
-    }
-static const struct method calls[] = {
-    CALL("cor", ZERO_OVERLAP, FROM_SPEED, 0, speed_zero_overlap),
-    CALL("cor", ZERO_FORCE, FROM_SPEED, 0, speed_zero_force),
-    CALL("cor", ZERO_OVERLAP, FROM_BETA, 0, beta_zero_overlap),
-    CALL("cor", ZERO_FORCE, FROM_BETA, 0, beta_zero_force),
-    CALL("cor float", ZERO_OVERLAP, FROM_BETA, FLOAT, float_zero_overlap),
-    CALL("cor float", ZERO_FORCE, FROM_BETA, FLOAT, float_zero_force),
-};
-
 void add_library(struct methods *methods)
 {
+    static const char *const set_name[] = {"portable", "AVX2"}; /* AVX-512 has the arrays of AVX2 */
+    static const struct method calls[] = {
+        METHOD("cor", "", ZERO_OVERLAP, FROM_SPEED, 0, speed_overlap),
+        METHOD("cor", "", ZERO_FORCE, FROM_SPEED, 0, speed_force),
+        METHOD("cor", "", ZERO_OVERLAP, FROM_BETA, 0, beta_overlap),
+        METHOD("cor", "", ZERO_FORCE, FROM_BETA, 0, beta_force),
+        METHOD("cor float", "", ZERO_OVERLAP, FROM_BETA, FLOAT, float_overlap),
+        METHOD("cor float", "", ZERO_FORCE, FROM_BETA, FLOAT, float_force),
+    };
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
         methods_add(methods, &calls[i]);
-    for (enum end end = ZERO_OVERLAP; end <= ZERO_FORCE; end++) {
-        methods_add(methods, &(struct method){.curve = "cor float",
-                                              .instructions = "as shipped",
-                                              .end = end,
-                                              .input = FROM_BETA,
-                                              .flags = FLOAT | ARRAY,
-                                              .each = float_array_each});
-        for (size_t i = 0; i < isa_row_count; i++)
-            for (enum input input = FROM_SPEED; input <= FROM_BETA; input++)
-                if (isa_rows[i].available())
-                    methods_add(methods, &(struct method){.curve = "cor",
-                                                          .instructions = isa_rows[i].name,
-                                                          .end = end,
-                                                          .input = input,
-                                                          .flags = ARRAY | (input == FROM_SPEED ? LARGE : 0),
-                                                          .isa = &isa_rows[i],
-                                                          .each = array_each});
+    struct method array = {.flags = ARRAY};
+    for (array.end = ZERO_OVERLAP; array.end <= ZERO_FORCE; array.end++) {
+        array.curve = "cor float";
+        array.instructions = "as shipped";
+        array.input = FROM_BETA;
+        array.flags = FLOAT | ARRAY;
+        array.each = float_array_each;
+        methods_add(methods, &array);
+        array.curve = "cor";
+        array.each = array_each;
+        for (array.number = COR_PORTABLE; array.number <= COR_AVX2; array.number++)
+            for (array.input = FROM_SPEED; array.input <= FROM_BETA && cor_array_set(array.number); array.input++) {
+                array.instructions = set_name[array.number];
+                array.flags = ARRAY | (array.input == FROM_SPEED ? LARGE : 0);
+                methods_add(methods, &array);
+            }
     }
 }

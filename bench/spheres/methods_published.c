@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* What a user writes today, as it is printed. */
+/* What a user writes today, as it is printed; the steps of a simulator of many grains; and the floor: the array read
+ * and written, and nothing computed. */
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "methods.h"
 
@@ -16,40 +19,76 @@ static double mueller_poeschel(double v)
     return (1 + 0.501086 * v) / (1 + v * (0.501086 + v * (1.15345 + v * (0.577977 + v * 0.532178))));
 }
 
-SCALAR_METHOD(published, const double g_star = scene->g_star, published(pow(g / g_star, 0.2)))
-SCALAR_METHOD(mueller_poeschel, const double unit = sqrt(scene->contact.beta_per_root),
-              mueller_poeschel(pow(g, 0.1) * unit))
-SCALAR_METHOD(published_beta, , published(-COR_SPHERE_C1 *g))
-SCALAR_METHOD(mueller_poeschel_beta, , mueller_poeschel(sqrt(g)))
-SCALAR_METHOD(simple_beta, , cor_sphere_eps_simple(g))
+/* Velocity Verlet: steps of a fixed length, so many in a contact without dissipation, the damping at the half-step's
+ * velocity; the contact ends with the step that finds it ended. */
+static double verlet(double beta, enum end end, int steps)
+{
+    static const double elastic_contact = 3.2180654597190431, longest = 1e4; /* elastic contacts */
+    const double h = elastic_contact / steps;
+    double x = 0, v = 1, force = 0;
+    for (double t = 0; t < longest * elastic_contact; t += h) {
+        v += 0.5 * h * force;
+        x += h * v;
+        if (x <= 0 && v < 0)
+            return -v;
+        const double root = sqrt(x);
+        force = -root * (beta * v + x);
+        if (end == ZERO_FORCE && v < 0 && force >= 0)
+            return -v;
+        v += 0.5 * h * force;
+    }
+    return NAN;
+}
+
+#define UNIT const double unit = scene->contact.beta_per_root
+SCALAR_METHOD_OF(double, published, const double g_star = scene->g_star, published(pow(g / g_star, 0.2)))
+SCALAR_METHOD_OF(double, published_beta, , published(-COR_SPHERE_C1 *g))
+SCALAR_METHOD_OF(double, mueller_poeschel, const double unit = sqrt(scene->contact.beta_per_root),
+                 mueller_poeschel(pow(g, 0.1) * unit))
+SCALAR_METHOD_OF(double, mueller_poeschel_beta, , mueller_poeschel(sqrt(g)))
+SCALAR_METHOD_OF(double, simple_beta, , cor_sphere_eps_simple(g))
+SCALAR_METHOD_OF(double, verlet, UNIT, verlet(pow(g, 0.2) * unit, method->end, method->number))
+SCALAR_METHOD_OF(double, verlet_beta, , verlet(g, method->end, method->number))
+
+static void loop_each(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n)
+{
+    (void)method;
+    (void)scene;
+    for (size_t i = 0; i < n; i++) { /* may overlap for all the compiler knows: stays a loop */
+        ONE_BY_ONE;
+        out[i] = in[i];
+    }
+}
+
+static void memcpy_each(const struct method *method, const struct scene *scene, const double *in, double *out, size_t n)
+{
+    (void)method;
+    (void)scene;
+    memcpy(out, in, n * sizeof *out);
+}
 
 void add_published(struct methods *methods)
 {
     static const struct method rows[] = {
-        {.setting = "[1/4] of Table I", .end = ZERO_OVERLAP, .each = published_each, .chain = published_chain},
-        {.setting = "Müller & Pöschel [1/4]",
-         .end = ZERO_FORCE,
-         .each = mueller_poeschel_each,
-         .chain = mueller_poeschel_chain},
-        {.setting = "[1/4] of Table I",
-         .end = ZERO_OVERLAP,
-         .input = FROM_BETA,
-         .each = published_beta_each,
-         .chain = published_beta_chain},
-        {.setting = "Müller & Pöschel [1/4]",
-         .end = ZERO_FORCE,
-         .input = FROM_BETA,
-         .each = mueller_poeschel_beta_each,
-         .chain = mueller_poeschel_beta_chain},
-        {.setting = "simple theory (27)",
-         .end = ZERO_OVERLAP,
-         .input = FROM_BETA,
-         .each = simple_beta_each,
-         .chain = simple_beta_chain},
+        METHOD("published", "[1/4] of Table I", ZERO_OVERLAP, FROM_SPEED, 0, published),
+        METHOD("published", "[1/4] of Table I", ZERO_OVERLAP, FROM_BETA, 0, published_beta),
+        METHOD("published", "Müller & Pöschel [1/4]", ZERO_FORCE, FROM_SPEED, 0, mueller_poeschel),
+        METHOD("published", "Müller & Pöschel [1/4]", ZERO_FORCE, FROM_BETA, 0, mueller_poeschel_beta),
+        METHOD("published", "simple theory (27)", ZERO_OVERLAP, FROM_BETA, 0, simple_beta),
+        {.curve = "copy", .setting = "loop", .end = NO_END, .flags = ARRAY | LARGE, .each = loop_each},
+        {.curve = "copy", .setting = "memcpy", .end = NO_END, .flags = ARRAY | LARGE, .each = memcpy_each},
     };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct method method = rows[i];
-        method.curve = "published";
-        methods_add(methods, &method);
-    }
+    static const struct method by_input[] = {METHOD("Verlet", "", NO_END, FROM_SPEED, INTEGRATES, verlet),
+                                             METHOD("Verlet", "", NO_END, FROM_BETA, INTEGRATES, verlet_beta)};
+    static const int steps[] = {10, 30, 100, 300, 1000, 3000, 10000};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        methods_add(methods, &rows[i]);
+    for (int i = 0; i < 4; i++)
+        for (size_t k = 0; k < sizeof steps / sizeof *steps; k++) {
+            struct method method = by_input[i / 2];
+            method.end = i % 2 ? ZERO_FORCE : ZERO_OVERLAP;
+            method.number = steps[k];
+            snprintf(method.setting, sizeof method.setting, "%d steps", steps[k]);
+            methods_add(methods, &method);
+        }
 }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "reference_ode.h"
+
 void scenes_init(struct scene scenes[SCENES])
 {
     static const struct scene table[SCENES] = {
@@ -38,4 +40,22 @@ void scene_even_speeds(const struct scene *scene, double *speed, size_t n)
     for (size_t i = 0; i < n; i++)
         speed[i] = scene->speed_min * pow(scene->speed_max / scene->speed_min, (double)i / (double)(n - 1));
     speed[n - 1] = scene->speed_max;
+}
+
+static void reference(struct truth *truth, enum input input, int i, long double beta)
+{
+    const struct reference r = reference_collision(beta);
+    truth->eps[input][ZERO_OVERLAP][i] = r.eps_zero_overlap;
+    truth->eps[input][ZERO_FORCE][i] = r.eps_zero_force;
+}
+
+void truth_compute(struct truth *truth, const struct scene *scene)
+{
+    scene_even_speeds(scene, truth->in[FROM_SPEED], CHECKED);
+    for (int i = 0; i < CHECKED; i++) {
+        const long double beta = scene->contact.beta_per_root * powl((long double)truth->in[FROM_SPEED][i], 0.2L);
+        truth->in[FROM_BETA][i] = (double)beta;
+        reference(truth, FROM_SPEED, i, beta);
+        reference(truth, FROM_BETA, i, (long double)(double)beta);
+    }
 }

@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* What eps is asked for: a contact and a range of impact speeds. */
+/* What eps is asked for, a contact and a range of impact speeds; and eps there, from the long double integration of the
+ * tests. */
 #ifndef COR_BENCH_SPHERES_SCENE_H
 #define COR_BENCH_SPHERES_SCENE_H
 
 #include <stddef.h>
 
 #include <cor/cor.h>
+
+enum end { NO_END = -1, ZERO_OVERLAP, ZERO_FORCE };
+enum input { FROM_SPEED, FROM_BETA };
 
 struct scene {
     const char *name;
@@ -14,7 +18,7 @@ struct scene {
     struct cor_sphere_contact contact;
 };
 
-enum { SCENES = 3 };
+enum { SCENES = 3, CHECKED = 2000 };
 
 /* The scenes, with their contacts filled. */
 void scenes_init(struct scene scenes[SCENES]);
@@ -24,5 +28,13 @@ void scene_speeds(const struct scene *scene, double *speed, size_t n);
 
 /* From speed_min to speed_max, even in their logarithm. */
 void scene_even_speeds(const struct scene *scene, double *speed, size_t n);
+
+struct truth {
+    double in[2][CHECKED];          /* by enum input: speeds, even in their logarithm, and their beta */
+    long double eps[2][2][CHECKED]; /* by enum input and enum end */
+};
+
+/* eps at speed g is that of the exact beta_per_root g^(1/5), eps at beta that of the double in in[FROM_BETA]. */
+void truth_compute(struct truth *truth, const struct scene *scene);
 
 #endif

@@ -8,9 +8,9 @@
 const char *const embed_operation_names[OPERATIONS] = {"mul+add", "mul",  "add",     "div",    "sqrt",
                                                        "bits",    "load", "convert", "compare"};
 
-/* Nanoseconds of an operation, for double and float, measured by bench/spheres/operation_costs.c (docs/embed.md,
- * "Costs"): in a scalar loop (-O2), and in a vectorised loop (-O3 -mavx2 -mfma). A square root may set errno, so that a
- * loop with a square root stays scalar without -fno-math-errno. */
+/* Nanoseconds of an operation, for double and float, measured once (docs/embed.md, "Costs"): in a scalar loop (-O2),
+ * and in a vectorised loop (-O3 -mavx2 -mfma). A square root may set errno, so that a loop with a square root stays
+ * scalar without -fno-math-errno. */
 static const double nanoseconds[2][USES][OPERATIONS] = {
     {{0.27, 0.14, 0.14, 1.11, 1.67, 0.10, 0, 0.51, 0.15}, {0.03, 0.03, 0.03, 0.56, 1.67, 0.07, 0.18, 0.11, 0.14}},
     {{0.27, 0.14, 0.14, 0.84, 0.90, 0.10, 0, 0.51, 0.15}, {0.02, 0.02, 0.01, 0.17, 0.90, 0.02, 0.23, 0.03, 0.02}},

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: MIT
+# The tables of a page from those of docs/speed, and from nothing else: prints the page, with each table renewed that
+# stands between <!-- NAME ARGUMENT... of docs/speed, by bench/run --> and <!-- end -->.
+#     awk -f bench/tables.awk docs/speed/*.csv docs/speed/README.md
+
+BEGIN { FS = "," }
+FNR == 1 { file = FILENAME; sub(/.*\//, "", file); csv = sub(/\.csv$/, "", file) }
+csv && FNR > 1 { n = ++rows[file]; for (i = 1; i <= NF; i++) cell[file, n, i] = $i }
+csv { next }
+/^<!-- end -->$/ { inside = 0 }
+!inside
+/^<!-- .* of docs\/speed, by bench\/run -->$/ {
+    inside = 1
+    split($0, argument, " ")
+    write(argument[2], argument[3], argument[4], argument[5])
+}
+
+function write(name, a, b, c) {
+    if (name == "machine") machine()
+    else if (name == "summary") summary()
+    else if (name == "short") readme()
+    else if (name == "cheapest") decades(a, b, c)
+    else if (name == "large") large()
+    else if (name == "floats") floats()
+    else if (name == "energy") energy()
+    else if (name == "modes") modes()
+    else if (name == "collision") collision()
+    else if (name == "models") models()
+    else if (name == "generator") generator()
+    else { print "bench/tables.awk: no table " name > "/dev/stderr"; exit 1 }
+}
+
+# ---- cells ----
+
+function short(x) { return x == "" ? "" : sprintf("%.2g", x) }
+function plain(x) { return x == "" ? "" : x < 10 ? sprintf("%.1f", x) : x < 1000 ? sprintf("%.0f", x) : sprintf("%.0f00", x / 100) }
+function time(s) {
+    return s < 1e-6 ? sprintf("%.0f ns", s * 1e9) : s < 1e-3 ? sprintf("%.3g us", s * 1e6) : s < 1 ? sprintf("%.3g ms", s * 1e3) \
+        : sprintf("%.3g s", s)
+}
+# The header of a table, from its names: | a | b |
+function head(names) {
+    print names
+    gsub(/[^|]+/, "---", names)
+    print names
+}
+
+function machine(    i) {
+    head("| | |")
+    for (i = 1; i <= rows["machine"]; i++) printf "| %s | %s |\n", cell["machine", i, 1], cell["machine", i, 2]
+}
+
+# ---- spheres: 1 scene, 2 curve, 3 setting, 4 instructions, 5 end, 6 form, 7 ns, 8 dependent, 9 error ----
+
+function is_row(t, i, s, where, how) { return cell[t, i, 1] == s && cell[t, i, 5] == where && cell[t, i, 6] == how }
+function row_of(t, s, where, how, curve, what, set,    i) {
+    for (i = 1; i <= rows[t]; i++)
+        if (is_row(t, i, s, where, how) && cell[t, i, 2] == curve && cell[t, i, 3] == what && (set == "" || cell[t, i, 4] == set)) return i
+    return 0
+}
+# A header without settings is cor itself; a set of instructions goes behind.
+function call_it(t, i,    text) {
+    text = cell[t, i, 2] == "copy" ? "a copy by" : cell[t, i, 2]
+    if (cell[t, i, 3] != "" && text != "cor") text = text " " cell[t, i, 3]
+    if (text == "cor" && cell[t, i, 6] != "scalar") text = "cor array"
+    return text (cell[t, i, 4] != "" ? ", " cell[t, i, 4] : "")
+}
+# The least time with error at most e, of all methods or of those that hold for every scene
+function cheapest(t, s, where, how, every, e,    i, best) {
+    for (i = 1; i <= rows[t]; i++)
+        if (is_row(t, i, s, where, how) && cell[t, i, 9] ~ /^[0-9]/ && cell[t, i, 9] + 0 <= e && !(every && cell[t, i, 2] ~ /^scene header/) \
+            && (!best || cell[t, i, 7] + 0 < cell[t, best, 7] + 0)) best = i
+    return best ? call_it(t, best) ", " plain(cell[t, best, 7]) : "none"
+}
+# One line for each decade, neighbours with the same answers together.
+function decades(t, s, where,    k, line, last, from, headers) {
+    t = "spheres_" t
+    headers = t == "spheres_speed" && s == "ordinary"
+    head("| error at most | one at a time, ns |" (headers ? " without a header for the scene, ns |" : "") " in loops and arrays, ns |" \
+        (headers ? " without a header for the scene, ns |" : ""))
+    for (k = 1; k <= 16; k++) {
+        line = k > 15 ? "" : (headers ? cheapest(t, s, where, "scalar", 0, 10 ^ -k) " | " : "") cheapest(t, s, where, "scalar", 1, 10 ^ -k) " | " \
+            (headers ? cheapest(t, s, where, "array", 0, 10 ^ -k) " | " : "") cheapest(t, s, where, "array", 1, 10 ^ -k)
+        if (line == last) continue
+        if (last != "") printf "| 1e-%d%s | %s |\n", from, (from == k - 1 ? "" : " to 1e-" k - 1), last
+        from = k
+        last = line
+    }
+}
+# A method from a speed at zero overlap: its errors in the scenes, its time in the ordinary one
+function method(scenes, title, curve, what,    t, s, n, line, i, k) {
+    t = "spheres_speed"
+    n = split(scenes, s, " ")
+    for (k = 1; k <= n; k++) {
+        i = row_of(t, s[k], "overlap", "scalar", curve, what)
+        line = line " | " (!i ? "" : cell[t, i, 9] > 1e4 ? "diverges" : short(cell[t, i, 9]))
+    }
+    i = row_of(t, "ordinary", "overlap", "scalar", curve, what)
+    k = row_of(t, "ordinary", "overlap", "array", curve, what, "AVX2")
+    printf "| %s%s | %s | %s |\n", title, line, plain(cell[t, i, 7]), plain(k ? cell[t, k, 7] : "")
+}
+function summary(    i, s) {
+    s = "weak ordinary strong"
+    head("| eps from a speed, zero overlap | error: weak | ordinary | strong dissipation | ns, one call | ns, AVX2 loop |")
+    method(s, "published Padé of 1999, with `pow`", "published", "[1/4] of Table I")
+    for (i = 8; i <= 32; i *= 4) method(s, "series, order " i, "series", "order " i)
+    method(s, "Padé [5/8], correct coefficients", "Padé", "[5/8]")
+    method(s, "two-point Padé [12/17]", "two-point Padé", "[12/17]")
+    for (i = 100; i <= 1000; i *= 10) method(s, "velocity Verlet, " i " steps in a contact", "Verlet", i " steps")
+    for (i = 2; i <= 14; i += 4) method(s, "header by `corgen embed`, tolerance 1e-" i, "scene header", "1e-" i)
+    method(s, "cor_sphere.h", "cor_sphere.h", "")
+    method(s, "**cor**", "cor", "")
+}
+function readme() {
+    head("| eps from a speed, 0.3 <= beta <= 1.9 | largest relative error | ns, one call | ns, AVX2 loop |")
+    method("ordinary", "published Padé of 1999, with `pow`", "published", "[1/4] of Table I")
+    method("ordinary", "velocity Verlet, 100 steps in a contact", "Verlet", "100 steps")
+    method("ordinary", "header by `corgen embed`, tolerance 1e-6", "scene header", "1e-6")
+    method("ordinary", "**cor**, any speed", "cor", "")
+}
+function large(    t, i) {
+    t = "spheres_speed"
+    head("| arrays larger than the last-level cache | ns for each number |")
+    for (i = 1; i <= rows[t]; i++)
+        if (cell[t, i, 6] == "large" && cell[t, i, 5] != "force") printf "| %s | %s |\n", call_it(t, i), plain(cell[t, i, 7])
+}
+
+# 1 quantity, 2 form, 3 instructions, 4 ns, 5 share of double, 6 error
+function floats(    i, k, t, q, ns, error, order) {
+    t = "floats"
+    for (i = 1; i <= rows[t]; i++) {
+        if (cell[t, i, 3] != "as shipped" && cell[t, i, 3] != "") continue
+        q = cell[t, i, 1]
+        if (!((q, "double") in ns)) order[++k] = q
+        ns[q, cell[t, i, 2]] = sprintf("%.2f", cell[t, i, 4]) (cell[t, i, 2] ~ /float/ ? sprintf(", %.2f", cell[t, i, 5]) : "")
+        error[q, cell[t, i, 2]] = cell[t, i, 6]
+    }
+    head("| function | double | `..f` | `..fastf` | array | `.._arrayf` | `.._fast_arrayf` | error of `..f` | of `..fastf` |")
+    for (i = 1; i <= k; i++) {
+        q = order[i]
+        printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", q, ns[q, "double"], ns[q, "float"], ns[q, "fast float"], \
+            ns[q, "double array"], ns[q, "float array"], ns[q, "fast float array"], error[q, "float"], error[q, "fast float array"]
+    }
+}
+
+# ---- disks: 1 table, 2 method, 3 speed, 4 setting, 5 modes, 6 seconds, 7 error ----
+
+function disk(i, column) { return cell["disks", i, column] }
+function is_disk(i, t, m) { return disk(i, 1) == t && disk(i, 2) == m }
+# Fewest modes: in their order time grows, but for what the clock adds.
+function energy(    e, i, k, m, names, best) {
+    head("| error at most | cor to a tolerance | cor, a plain sum | cosine integrals |")
+    m = split("cor truncation cosines", names, " ")
+    for (e = 1; e <= 7; e++) {
+        printf "| 1e-%d |", e
+        for (k = 1; k <= m; k++) {
+            best = 0
+            for (i = 1; i <= rows["disks"]; i++)
+                if (is_disk(i, "energy", names[k]) && disk(i, 7) + 0 <= 10 ^ -e && (!best || disk(i, 5) + 0 < disk(best, 5) + 0)) best = i
+            printf " %s |", best ? time(disk(best, 6)) ", " disk(best, 5) " modes" : "none"
+        }
+        printf "\n"
+    }
+}
+function modes(    i, k) {
+    head("| v | cor | cosine integrals |")
+    for (i = 1; i <= rows["disks"]; i++)
+        for (k = 1; is_disk(i, "rayleigh", "cor") && k <= rows["disks"]; k++)
+            if (is_disk(k, "rayleigh", "cosines") && disk(k, 3) == disk(i, 3))
+                printf "| %s | %s, %s | %s, %s |\n", short(disk(i, 3)), time(disk(i, 6)), short(disk(i, 7)), time(disk(k, 6)), short(disk(k, 7))
+}
+# The fastest run of a table within an error, and not by luck: it stays below for every smaller tolerance, or for every
+# larger number of modes.
+function stays(i, e,    k) {
+    for (k = 1; k <= rows["disks"]; k++)
+        if (is_disk(k, disk(i, 1), disk(i, 2)) && disk(k, 3) == disk(i, 3) && disk(k, 7) + 0 > e \
+            && (disk(i, 1) == "collision" ? disk(k, 4) + 0 <= disk(i, 4) + 0 : disk(k, 4) == disk(i, 4) && disk(k, 5) + 0 >= disk(i, 5) + 0)) return 0
+    return 1
+}
+function fastest(t, v, e,    i, best) {
+    for (i = 1; i <= rows["disks"]; i++)
+        if (is_disk(i, t, "cor") && disk(i, 3) + 0 == v && (!best || disk(i, 6) + 0 < disk(best, 6) + 0) && stays(i, e)) best = i
+    return best
+}
+function collision(    k, best) {
+    head("| error at most | cor |")
+    for (k = 3; k <= 12; k++) {
+        best = fastest("collision", 0.1, 10 ^ -k)
+        printf "| 1e-%d | %s |\n", k, best ? time(disk(best, 6)) ", tolerance " disk(best, 4) : "none"
+    }
+}
+function model(v, e,    i) {
+    i = fastest("collision models", v, e)
+    return i ? disk(i, 5) ", " disk(i, 4) + 0 ", " time(disk(i, 6)) : "none"
+}
+function models(    i, k, errors) {
+    head("| error at most | v = 0.1: modes, alpha, time | v = 0.01: modes, alpha, time |")
+    k = split("0.02 0.01 0.005 0.002 0.001", errors, " ")
+    for (i = 1; i <= k; i++) printf "| %s | %s | %s |\n", errors[i], model(0.1, errors[i]), model(0.01, errors[i])
+    print ""
+    head("| in place of a collision | v | error of eps | time |")
+    for (i = 1; i <= rows["disks"]; i++)
+        if (disk(i, 1) == "collision models" && disk(i, 2) != "cor")
+            printf "| %s | %s | %s | %s |\n", (disk(i, 2) == "Rayleigh" ? "Rayleigh's energy" : "`cor_disk_eps`"), short(disk(i, 3)), short(disk(i, 7)), time(disk(i, 6))
+}
+
+# 1 command, 2 fixed, 3 varied, 4 value, 5 seconds, 6 megabytes, 7 step
+function generator(    i, t) {
+    t = "generator"
+    head("| corgen | fixed | | time | memory | most expensive step |")
+    for (i = 1; i <= rows[t]; i++)
+        printf "| %s | %s | %s %s | %s | %.0f MB | %s |\n", cell[t, i, 1], cell[t, i, 2], cell[t, i, 3], cell[t, i, 4], \
+            time(cell[t, i, 5]), cell[t, i, 6], cell[t, i, 7]
+}
