@@ -43,7 +43,6 @@ set(COR_GENERATOR_SOURCES
   gen/embed/scene.c
   gen/enclosure/closed_form.c
   gen/enclosure/collision.c
-  gen/enclosure/collision_series.c
   gen/enclosure/complex_collision.c
   gen/enclosure/complex_law.c
   gen/enclosure/complex_path.c

@@ -26,8 +26,4 @@ int collision_h_star(arb_t h_star, slong bits);
 /* q < 0: beta_c, from which on the bodies never part at zero overlap, and C* = beta_c^(2/n) x_max there. */
 int collision_threshold(arb_t beta_c, arb_t c_star, const struct law *law, slong bits);
 
-/* The series in beta by a second route, the equation of motion in power series of beta: y_k, tau_k and C_k for k =
- * 0..order, computed with prec bits. Returns 0, or 1 after reporting the failure. */
-int collision_series(arb_poly_t y, arb_poly_t tau, arb_poly_t c, slong order, const struct law *law, slong prec);
-
 #endif

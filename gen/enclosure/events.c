@@ -1,22 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/events.h"
 
+#define COLLISION(action, c)                                                                                           \
+    FOR_ALL(arb, action, (c)->x_max, (c)->t_max, (c)->eps_zero_overlap, (c)->t_zero_overlap, (c)->eps_zero_force,      \
+            (c)->t_zero_force)
+
 void collision_init(struct collision *c)
 {
-    arb_init(c->x_max);
-    arb_init(c->t_max);
-    arb_init(c->eps_zero_overlap);
-    arb_init(c->t_zero_overlap);
-    arb_init(c->eps_zero_force);
-    arb_init(c->t_zero_force);
+    COLLISION(init, c);
 }
 
 void collision_clear(struct collision *c)
 {
-    arb_clear(c->x_max);
-    arb_clear(c->t_max);
-    arb_clear(c->eps_zero_overlap);
-    arb_clear(c->t_zero_overlap);
-    arb_clear(c->eps_zero_force);
-    arb_clear(c->t_zero_force);
+    COLLISION(clear, c);
 }

@@ -56,7 +56,7 @@ static void motion_init(struct motion *m, struct collision *c, const arb_t beta,
 {
     m->c = c;
     scales_init(&m->s, beta, law, strong, prec);
-    taylor_init(&m->y, law, 1, taylor_degree(prec), prec);
+    taylor_init(&m->y, law, taylor_degree(prec), prec);
     arb_set(m->y.c1, m->s.c1);
     arb_set(m->y.c2, m->s.c2);
     arb_one(m->y.v);
@@ -74,9 +74,9 @@ static void motion_clear(struct motion *m)
 
 static void motion_record(arb_t eps, arb_t time, const struct motion *m, const arb_t root)
 {
-    taylor_value(eps, &m->y, TAYLOR_V, 0, root);
+    taylor_value(eps, &m->y, TAYLOR_V, root);
     arb_neg(eps, eps);
-    taylor_value(time, &m->y, TAYLOR_T, 0, root);
+    taylor_value(time, &m->y, TAYLOR_T, root);
     arb_mul(time, time, m->s.length, m->y.prec);
 }
 
@@ -87,17 +87,17 @@ static bool find_turning_point(struct motion *m)
 {
     struct taylor *y = &m->y;
     LOCAL(arb, value, root);
-    taylor_value(value, y, TAYLOR_V, 0, y->step);
+    taylor_value(value, y, TAYLOR_V, y->step);
     arb_zero(m->begin);
     bool decided = arb_is_positive(value);
     if (arb_is_negative(value) && taylor_root(root, y, TAYLOR_V, m->begin, y->step)) {
         decided = true;
         m->turned = true;
         arb_get_ubound_arf(arb_midref(m->begin), root, y->prec);
-        taylor_value(value, y, TAYLOR_W, 0, root);
+        taylor_value(value, y, TAYLOR_W, root);
         arb_pow_ui(value, value, (ulong)y->law.d, y->prec);
         arb_mul(m->c->x_max, value, m->s.length, y->prec);
-        taylor_value(value, y, TAYLOR_T, 0, root);
+        taylor_value(value, y, TAYLOR_T, root);
         arb_mul(m->c->t_max, value, m->s.length, y->prec);
     }
     return decided;
@@ -109,7 +109,7 @@ static bool find_zero_overlap(struct motion *m, arb_t end)
     struct taylor *y = &m->y;
     LOCAL(arb, value);
     arb_set(end, y->step);
-    taylor_value(value, y, TAYLOR_W, 0, y->step);
+    taylor_value(value, y, TAYLOR_W, y->step);
     bool decided = arb_is_positive(value);
     if (arb_is_negative(value) && taylor_root(end, y, TAYLOR_W, m->begin, y->step)) {
         decided = true;
@@ -124,7 +124,7 @@ static bool find_zero_force(struct motion *m, const arb_t end)
 {
     struct taylor *y = &m->y;
     LOCAL(arb, value, root);
-    taylor_value(value, y, TAYLOR_FORCE, 0, end);
+    taylor_value(value, y, TAYLOR_FORCE, end);
     bool decided = arb_is_positive(value) || m->parted;
     if (arb_is_negative(value) && taylor_root(root, y, TAYLOR_FORCE, m->begin, end)) {
         decided = true;

@@ -158,9 +158,8 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
     const struct law *law = &m->law;
     const struct ratio to_w = ratio_div((struct ratio){-1, law->d}, m->n);
     struct taylor y;
-    bool fallen = false, sound = true;
-    LOCAL(arb, value, zero);
-    taylor_init(&y, law, 1, taylor_degree(m->prec), m->prec);
+    LOCAL(arb, value);
+    taylor_init(&y, law, taylor_degree(m->prec), m->prec);
     arb_one(y.c1);
     arb_one(y.c2);
     arb_pow_ratio(y.w, m->last, to_w, m->prec); /* w = z^(1/d), z = y^(-1/n) */
@@ -169,26 +168,11 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
         arb_inv(y.v, y.v, m->prec);
     arb_mul(y.v, y.v, p, m->prec);
     arb_neg(y.v, y.v);
-    for (slong step = 0; step < TAYLOR_MAX_STEPS && sound && !fallen; step++) {
-        progress("fall along the slow manifold", step, 0);
-        taylor_expand(&y);
-        sound = taylor_choose_step(&y);
-        if (!sound)
-            break;
-        taylor_value(value, &y, TAYLOR_W, 0, y.step);
-        if (arb_is_positive(value)) {
-            taylor_advance(&y, y.step);
-        } else if (arb_is_negative(value)) {
-            fallen = taylor_root(value, &y, TAYLOR_W, zero, y.step);
-            sound = fallen;
-        } else {
-            sound = false;
-        }
-    }
+    const bool fallen = taylor_follow(value, &y, TAYLOR_W, "fall along the slow manifold");
     if (fallen) {
-        taylor_value(speed, &y, TAYLOR_V, 0, value);
+        taylor_value(speed, &y, TAYLOR_V, value);
         arb_neg(speed, speed);
-        taylor_value(time, &y, TAYLOR_T, 0, value);
+        taylor_value(time, &y, TAYLOR_T, value);
     }
     taylor_clear(&y);
     return fallen;

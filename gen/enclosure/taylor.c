@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/taylor.h"
 
+#include "support/console.h"
 #include "support/local.h"
 
 #include <math.h>
@@ -21,17 +22,12 @@ enum {
 struct taylor_power {
     slong exponent;
     int left, right; /* nodes of the two factors */
-    arb_ptr c;       /* jets x (degree + 1) */
+    arb_ptr c;       /* degree + 1 */
 };
-
-static slong stride(const struct taylor *y)
-{
-    return y->degree + 1;
-}
 
 static arb_ptr block_new(const struct taylor *y)
 {
-    return _arb_vec_init(y->jets * stride(y));
+    return _arb_vec_init(y->degree + 1);
 }
 
 /* The node of w^exponent, exponent > 0. The function creates the node and its factors if they do not exist yet. */
@@ -59,17 +55,14 @@ static arb_ptr node_block(const struct taylor *y, int node)
     return node == TAYLOR_NODE_W ? y->w : y->power[node].c;
 }
 
-void taylor_init(struct taylor *y, const struct law *law, slong jets, slong degree, slong prec)
+void taylor_init(struct taylor *y, const struct law *law, slong degree, slong prec)
 {
     const slong m = FLINT_MIN(law->ad, law->bd);
     y->law = *law;
-    y->jets = jets;
     y->degree = degree;
     y->prec = prec;
     y->power = NULL;
     y->powers = 0;
-    y->c1 = _arb_vec_init(jets);
-    y->c2 = _arb_vec_init(jets);
     y->w = block_new(y);
     y->v = block_new(y);
     y->t = block_new(y);
@@ -80,120 +73,78 @@ void taylor_init(struct taylor *y, const struct law *law, slong jets, slong degr
     y->node_outer = node_of(y, law->d - 1 + m);
     y->node_damping = node_of(y, law->bd - m);
     y->node_elastic = node_of(y, law->ad - m);
-    mag_init(y->weight);
-    mag_one(y->weight);
-    mag_init(y->error_w);
-    mag_init(y->error_v);
-    mag_init(y->error_t);
-    arb_init(y->step);
+    FOR_ALL(mag, init, y->error_w, y->error_v, y->error_t);
+    FOR_ALL(arb, init, y->c1, y->c2, y->step);
 }
 
 void taylor_clear(struct taylor *y)
 {
-    const slong size = y->jets * stride(y);
-    _arb_vec_clear(y->c1, y->jets);
-    _arb_vec_clear(y->c2, y->jets);
-    _arb_vec_clear(y->w, size);
-    _arb_vec_clear(y->v, size);
-    _arb_vec_clear(y->t, size);
-    _arb_vec_clear(y->force, size);
-    _arb_vec_clear(y->product, size);
-    _arb_vec_clear(y->damped, size);
+    const arb_ptr block[] = {y->w, y->v, y->t, y->force, y->product, y->damped};
+    for (size_t i = 0; i < sizeof block / sizeof *block; i++)
+        _arb_vec_clear(block[i], y->degree + 1);
     for (int i = 0; i < y->powers; i++)
-        _arb_vec_clear(y->power[i].c, size);
+        _arb_vec_clear(y->power[i].c, y->degree + 1);
     flint_free(y->power);
-    mag_clear(y->weight);
-    mag_clear(y->error_w);
-    mag_clear(y->error_v);
-    mag_clear(y->error_t);
-    arb_clear(y->step);
+    FOR_ALL(mag, clear, y->error_w, y->error_v, y->error_t);
+    FOR_ALL(arb, clear, y->c1, y->c2, y->step);
 }
 
-/* Coefficients 0 to n of f and g are known, and give coefficient n of the product f g, all jets: the sum over i + j = n
- * and p + q = l. If `first` > 0, add_known_products has added the terms with i < first and j < first before. */
+/* Coefficients 0 to n of f and g are known, and give coefficient n of the product f g: the sum over i + j = n. If
+ * `first` > 0, add_known_products has added the terms with i < first and j < first before. */
 static void convolve(arb_ptr out, arb_srcptr f, arb_srcptr g, slong n, slong first, const struct taylor *y)
 {
-    const slong size = stride(y), terms = n - first + 1;
+    const slong terms = n - first + 1;
     LOCAL(arb, sum, own);
-    for (slong l = 0; l < y->jets; l++) {
-        arb_zero(sum);
-        arb_zero(own);
-        if (f == g) {
-            /* a square: each pair of different factors counts once with twice its value */
-            for (slong p = 0; first > 0 ? p <= l : 2 * p < l; p++)
-                arb_dot(sum, sum, 0, f + p * size + first, 1, f + (l - p) * size + n - first, -1, terms, y->prec);
-            if (first == 0 && l % 2 == 0) {
-                arb_srcptr middle = f + l / 2 * size;
-                arb_dot(sum, sum, 0, middle, 1, middle + n, -1, (n + 1) / 2, y->prec);
-                if (n % 2 == 0)
-                    arb_sqr(own, middle + n / 2, y->prec);
-            }
-            arb_mul_2exp_si(sum, sum, 1);
-            arb_add(sum, sum, own, y->prec);
-        } else {
-            for (slong p = 0; p <= l; p++) {
-                arb_dot(sum, sum, 0, f + p * size + first, 1, g + (l - p) * size + n - first, -1, terms, y->prec);
-                if (first > 0)
-                    arb_dot(sum, sum, 0, g + p * size + first, 1, f + (l - p) * size + n - first, -1, terms, y->prec);
-            }
-        }
-        arb_ptr to = out + l * size + n;
+    if (f == g) {
+        /* a square: each pair of different factors counts once with twice its value */
+        arb_dot(sum, NULL, 0, f + first, 1, f + n - first, -1, first > 0 ? terms : (n + 1) / 2, y->prec);
+        if (first == 0 && n % 2 == 0)
+            arb_sqr(own, f + n / 2, y->prec);
+        arb_mul_2exp_si(sum, sum, 1);
+        arb_add(sum, sum, own, y->prec);
+    } else {
+        arb_dot(sum, NULL, 0, f + first, 1, g + n - first, -1, terms, y->prec);
         if (first > 0)
-            arb_add(to, to, sum, y->prec);
-        else
-            arb_swap(to, sum);
+            arb_dot(sum, sum, 0, g + first, 1, f + n - first, -1, terms, y->prec);
     }
-}
-
-/* out_l += sum_p c_p f_(l-p), at coefficient n. */
-static void add_scaled(arb_ptr out, arb_srcptr c, arb_srcptr f, slong n, const struct taylor *y)
-{
-    const slong size = stride(y);
-    for (slong l = 0; l < y->jets; l++)
-        for (slong p = 0; p <= l; p++)
-            if (!arb_is_zero(c + p))
-                arb_addmul(out + l * size + n, c + p, f + (l - p) * size + n, y->prec);
+    if (first > 0)
+        arb_add(out + n, out + n, sum, y->prec);
+    else
+        arb_swap(out + n, sum);
 }
 
 /* Coefficient n of the force; `first` as for convolve. */
 static void force_coefficient(struct taylor *y, slong n, slong first)
 {
-    const slong size = stride(y);
-    for (slong l = 0; l < y->jets; l++)
-        arb_zero(y->force + l * size + n);
-    if (y->node_damping == TAYLOR_NODE_ONE) {
-        add_scaled(y->force, y->c1, y->v, n, y);
-    } else {
+    arb_ptr force = y->force + n;
+    arb_srcptr damped = y->v;
+    if (y->node_damping != TAYLOR_NODE_ONE) {
         convolve(y->damped, node_block(y, y->node_damping), y->v, n, first, y);
-        add_scaled(y->force, y->c1, y->damped, n, y);
+        damped = y->damped;
     }
+    arb_zero(force);
+    arb_addmul(force, y->c1, damped + n, y->prec);
     if (y->node_elastic != TAYLOR_NODE_ONE)
-        add_scaled(y->force, y->c2, node_block(y, y->node_elastic), n, y);
+        arb_addmul(force, y->c2, node_block(y, y->node_elastic) + n, y->prec);
     else if (n == 0)
-        for (slong l = 0; l < y->jets; l++)
-            arb_add(y->force + l * size, y->force + l * size, y->c2 + l, y->prec);
+        arb_add(force, force, y->c2, y->prec);
 }
 
 /* Coefficients first to end - 1 of all products, then first + 1 to end of w, v and t */
 static void expand_block(struct taylor *y, slong first, slong end)
 {
-    const slong size = stride(y);
     for (slong n = first; n < end; n++) {
         for (int i = 0; i < y->powers; i++)
             convolve(y->power[i].c, node_block(y, y->power[i].left), node_block(y, y->power[i].right), n, first, y);
         force_coefficient(y, n, first);
         if (y->node_outer != TAYLOR_NODE_ONE)
             convolve(y->product, node_block(y, y->node_outer), y->force, n, first, y);
-        for (slong l = 0; l < y->jets; l++) {
-            const slong at = l * size + n;
-            arb_srcptr g = y->node_outer == TAYLOR_NODE_ONE ? y->force : y->product;
-            arb_div_si(y->w + at + 1, y->v + at, y->law.d * (n + 1), y->prec);
-            arb_div_si(y->v + at + 1, g + at, -(n + 1), y->prec);
-            if (y->node_t == TAYLOR_NODE_ONE)
-                arb_set_si(y->t + at + 1, n == 0 && l == 0 ? 1 : 0);
-            else
-                arb_div_si(y->t + at + 1, node_block(y, y->node_t) + at, n + 1, y->prec);
-        }
+        arb_div_si(y->w + n + 1, y->v + n, y->law.d * (n + 1), y->prec);
+        arb_div_si(y->v + n + 1, (y->node_outer == TAYLOR_NODE_ONE ? y->force : y->product) + n, -(n + 1), y->prec);
+        if (y->node_t == TAYLOR_NODE_ONE)
+            arb_set_si(y->t + n + 1, n == 0);
+        else
+            arb_div_si(y->t + n + 1, node_block(y, y->node_t) + n, n + 1, y->prec);
     }
 }
 
@@ -205,25 +156,17 @@ static void expand_block(struct taylor *y, slong first, slong end)
 static void add_known_terms(arb_ptr out, arb_srcptr f, arb_srcptr g, slong first, slong middle, slong end,
                             const struct taylor *y)
 {
-    const slong size = stride(y), length = end - first, known = middle - first;
-    arb_ptr product = _arb_vec_init(length);
-    for (slong l = 0; l < y->jets; l++)
-        for (slong p = 0; p <= l; p++) {
-            arb_srcptr one = f + p * size, other = g + (l - p) * size;
-            arb_ptr to = out + l * size + middle;
-            if (first == 0) {
-                _arb_poly_mullow(product, one, known, other, known, FLINT_MIN(length, 2 * known - 1), y->prec);
-            } else {
-                _arb_poly_mullow(product, other, length, one + first, known, length, y->prec);
-                _arb_vec_add(to, to, product + known, end - middle, y->prec);
-                if (f == g) { /* the jets p and l - p change places in the other term */
-                    _arb_vec_add(to, to, product + known, end - middle, y->prec);
-                    continue;
-                }
-                _arb_poly_mullow(product, one, length, other + first, known, length, y->prec);
-            }
-            _arb_vec_add(to, to, product + known, end - middle, y->prec);
-        }
+    const slong length = end - first, known = middle - first;
+    arb_ptr product = _arb_vec_init(length), to = out + middle;
+    if (first == 0) {
+        _arb_poly_mullow(product, f, known, g, known, FLINT_MIN(length, 2 * known - 1), y->prec);
+    } else {
+        _arb_poly_mullow(product, g, length, f + first, known, length, y->prec);
+        _arb_vec_add(to, to, product + known, end - middle, y->prec);
+        if (f != g)
+            _arb_poly_mullow(product, f, length, g + first, known, length, y->prec);
+    }
+    _arb_vec_add(to, to, product + known, end - middle, y->prec);
     _arb_vec_clear(product, length);
 }
 
@@ -255,7 +198,7 @@ static void expand_range(struct taylor *y, slong first, slong end)
 
 void taylor_expand(struct taylor *y)
 {
-    const slong size = y->jets * stride(y);
+    const slong size = y->degree + 1;
     for (int i = 0; i < y->powers; i++)
         _arb_vec_zero(y->power[i].c, size);
     _arb_vec_zero(y->damped, size);
@@ -263,41 +206,18 @@ void taylor_expand(struct taylor *y)
     expand_range(y, 0, y->degree);
 }
 
-/* sum_n |f_n| r^n over n = first..degree, |f_n| the norm over the jets: upper bound. */
-static void component_norm(mag_t norm, arb_srcptr f, slong first, const struct taylor *y, const mag_t r)
+/* sum_n |f_n| r^n over n = first..degree: upper bound */
+static void component_norm(arb_t norm, arb_srcptr f, slong first, const struct taylor *y, const mag_t r)
 {
-    const slong size = stride(y);
-    LOCAL(mag, jet_norm, term);
-    mag_zero(norm);
+    LOCAL(mag, sum, term);
     for (slong n = y->degree; n >= 0; n--) {
-        mag_mul(norm, norm, r);
+        mag_mul(sum, sum, r);
         if (n < first)
             continue;
-        mag_zero(jet_norm);
-        for (slong l = y->jets - 1; l >= 0; l--) {
-            mag_mul(jet_norm, jet_norm, y->weight);
-            arb_get_mag(term, f + l * size + n);
-            mag_add(jet_norm, jet_norm, term);
-        }
-        mag_add(norm, norm, jet_norm);
+        arb_get_mag(term, f + n);
+        mag_add(sum, sum, term);
     }
-}
-
-static void arb_set_mag_upper(arb_t y, const mag_t m)
-{
-    arf_set_mag(arb_midref(y), m);
-    mag_zero(arb_radref(y));
-}
-
-static void parameter_norm(arb_t norm, arb_srcptr c, const struct taylor *y)
-{
-    LOCAL(mag, m, term);
-    for (slong l = y->jets - 1; l >= 0; l--) {
-        mag_mul(m, m, y->weight);
-        arb_get_mag(term, c + l);
-        mag_add(m, m, term);
-    }
-    arb_set_mag_upper(norm, m);
+    arb_set_upper(norm, sum);
 }
 
 /* k c M^e, zero if k is. */
@@ -325,59 +245,40 @@ struct step_proof {
     arb_t error_w, error_v, error_t;          /* proved remainders */
 };
 
+#define STEP_PROOF_NUMBERS(action, p)                                                                                  \
+    FOR_ALL(arb, action, p->h, p->c1, p->c2, p->w_max, p->v_max, p->residual_w, p->residual_v, p->residual_t,          \
+            p->kappa, p->lipschitz, p->error_w, p->error_v, p->error_t)
+
 static void step_proof_init(struct step_proof *p, const struct taylor *y, const arb_t h)
 {
+    LOCAL(mag, size);
     p->y = y;
     mag_init(p->h_mag);
+    STEP_PROOF_NUMBERS(init, p);
     arb_get_mag(p->h_mag, h);
-    arb_init(p->h);
-    arb_set_mag_upper(p->h, p->h_mag);
-    arb_init(p->c1);
-    arb_init(p->c2);
-    arb_init(p->w_max);
-    arb_init(p->v_max);
-    arb_init(p->residual_w);
-    arb_init(p->residual_v);
-    arb_init(p->residual_t);
-    arb_init(p->kappa);
-    arb_init(p->lipschitz);
-    arb_init(p->error_w);
-    arb_init(p->error_v);
-    arb_init(p->error_t);
-    parameter_norm(p->c1, y->c1, y);
-    parameter_norm(p->c2, y->c2, y);
+    arb_set_upper(p->h, p->h_mag);
+    arb_get_mag(size, y->c1);
+    arb_set_upper(p->c1, size);
+    arb_get_mag(size, y->c2);
+    arb_set_upper(p->c2, size);
 }
 
 static void step_proof_clear(struct step_proof *p)
 {
     mag_clear(p->h_mag);
-    arb_clear(p->h);
-    arb_clear(p->c1);
-    arb_clear(p->c2);
-    arb_clear(p->w_max);
-    arb_clear(p->v_max);
-    arb_clear(p->residual_w);
-    arb_clear(p->residual_v);
-    arb_clear(p->residual_t);
-    arb_clear(p->kappa);
-    arb_clear(p->lipschitz);
-    arb_clear(p->error_w);
-    arb_clear(p->error_v);
-    arb_clear(p->error_t);
+    STEP_PROOF_NUMBERS(clear, p);
 }
 
 /* (6.2) at one radius R > h: the products' terms from sigma^N on are below (h/R)^N times the products' norms at R. */
 static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_proof *p, double ratio)
 {
     const struct law *law = &p->y->law;
-    LOCAL(mag, R, norm);
+    LOCAL(mag, R);
     LOCAL(arb, w, v, shrink, one, term);
     mag_set_d(R, ratio);
     mag_mul(R, R, p->h_mag); /* above ratio h */
-    component_norm(norm, p->y->w, 0, p->y, R);
-    arb_set_mag_upper(w, norm);
-    component_norm(norm, p->y->v, 0, p->y, R);
-    arb_set_mag_upper(v, norm);
+    component_norm(w, p->y->w, 0, p->y, R);
+    component_norm(v, p->y->v, 0, p->y, R);
     arb_set_d(shrink, ratio);
     arb_pow_ui(shrink, shrink, (ulong)p->y->degree, NORM_BITS);
     arb_one(one);
@@ -396,10 +297,8 @@ static void residuals_at(arb_t residual_v, arb_t residual_t, const struct step_p
 static void residuals(struct step_proof *p)
 {
     enum { PER_OCTAVE = 4 };
-    LOCAL(mag, norm);
     LOCAL(arb, residual_v, residual_t);
-    component_norm(norm, p->y->v, p->y->degree, p->y, p->h_mag);
-    arb_set_mag_upper(p->residual_w, norm);
+    component_norm(p->residual_w, p->y->v, p->y->degree, p->y, p->h_mag);
     arb_div_si(p->residual_w, p->residual_w, p->y->law.d, NORM_BITS);
     arb_pos_inf(p->residual_v);
     arb_pos_inf(p->residual_t);
@@ -413,16 +312,13 @@ static void residuals(struct step_proof *p)
 /* The tube around the polynomials: their norms times 1 + 2^-TUBE_BITS. */
 static void tube(struct step_proof *p)
 {
-    LOCAL(mag, norm);
     LOCAL(arb, wider);
     arb_one(wider);
     arb_mul_2exp_si(wider, wider, -TUBE_BITS);
     arb_add_ui(wider, wider, 1, NORM_BITS);
-    component_norm(norm, p->y->w, 0, p->y, p->h_mag);
-    arb_set_mag_upper(p->w_max, norm);
+    component_norm(p->w_max, p->y->w, 0, p->y, p->h_mag);
     arb_mul(p->w_max, p->w_max, wider, NORM_BITS);
-    component_norm(norm, p->y->v, 0, p->y, p->h_mag);
-    arb_set_mag_upper(p->v_max, norm);
+    component_norm(p->v_max, p->y->v, 0, p->y, p->h_mag);
     arb_mul(p->v_max, p->v_max, wider, NORM_BITS);
 }
 
@@ -516,26 +412,17 @@ static bool prove_step(struct taylor *y, const arb_t h)
 /* log2 of the radius of convergence, estimated from the last coefficients */
 static double radius_guess(const struct taylor *y)
 {
-    arb_srcptr component[2] = {y->w, y->v};
-    LOCAL(mag, m);
+    const arb_srcptr component[2] = {y->w, y->v};
     double radius = HUGE_VAL;
+    LOCAL(mag, m);
     for (int i = 0; i < 2; i++) {
-        double scale = -HUGE_VAL;
-        for (slong l = 0; l < y->jets; l++) {
-            arb_get_mag(m, component[i] + l * stride(y));
+        arb_get_mag(m, component[i]);
+        const double scale = mag_is_zero(m) ? 0.0 : mag_get_d_log2_approx(m);
+        for (slong n = y->degree - y->degree / 4; n <= y->degree; n++) {
+            arb_get_mag(m, component[i] + n);
             if (!mag_is_zero(m))
-                scale = fmax(scale, mag_get_d_log2_approx(m) + (double)l * mag_get_d_log2_approx(y->weight));
+                radius = fmin(radius, (scale - mag_get_d_log2_approx(m)) / (double)n);
         }
-        if (scale == -HUGE_VAL)
-            scale = 0.0;
-        for (slong n = y->degree - y->degree / 4; n <= y->degree; n++)
-            for (slong l = 0; l < y->jets; l++) {
-                arb_get_mag(m, component[i] + l * stride(y) + n);
-                if (!mag_is_zero(m))
-                    radius =
-                        fmin(radius, (scale - mag_get_d_log2_approx(m) - (double)l * mag_get_d_log2_approx(y->weight)) /
-                                         (double)n);
-            }
     }
     return radius == HUGE_VAL ? 0.0 : radius;
 }
@@ -562,27 +449,15 @@ bool taylor_choose_step(struct taylor *y)
     return proved;
 }
 
-static arb_srcptr component_block(const struct taylor *y, enum taylor_component component)
+void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s)
 {
-    return component == TAYLOR_W ? y->w : component == TAYLOR_V ? y->v : y->t;
-}
-
-static void add_remainder(arb_t value, const struct taylor *y, const mag_t error, slong l)
-{
-    LOCAL(mag, m, w);
-    mag_pow_ui_lower(w, y->weight, (ulong)l);
-    mag_div(m, error, w);
-    arb_add_error_mag(value, m);
-}
-
-void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, slong l, const arb_t s)
-{
+    const arb_srcptr f = component == TAYLOR_W ? y->w : component == TAYLOR_V ? y->v : y->t;
     if (component == TAYLOR_FORCE) {
-        /* c1 w^(bd-m) v + c2 w^(ad-m) from the enclosed w and v, for numbers only (jets = 1) */
+        /* c1 w^(bd-m) v + c2 w^(ad-m) from the enclosed w and v */
         const slong m = FLINT_MIN(y->law.ad, y->law.bd);
         LOCAL(arb, w, v, x);
-        taylor_value(w, y, TAYLOR_W, 0, s);
-        taylor_value(v, y, TAYLOR_V, 0, s);
+        taylor_value(w, y, TAYLOR_W, s);
+        taylor_value(v, y, TAYLOR_V, s);
         arb_pow_ui(x, w, (ulong)(y->law.bd - m), y->prec);
         arb_mul(v, v, x, y->prec);
         arb_mul(v, v, y->c1, y->prec);
@@ -591,82 +466,113 @@ void taylor_value(arb_t value, const struct taylor *y, enum taylor_component com
         arb_add(value, v, x, y->prec);
         return;
     }
-    _arb_poly_evaluate(value, component_block(y, component) + l * stride(y), stride(y), s, y->prec);
-    add_remainder(value, y, component == TAYLOR_W ? y->error_w : component == TAYLOR_V ? y->error_v : y->error_t, l);
+    _arb_poly_evaluate(value, f, y->degree + 1, s, y->prec);
+    arb_add_error_mag(value, component == TAYLOR_W ? y->error_w : component == TAYLOR_V ? y->error_v : y->error_t);
 }
 
 void taylor_advance(struct taylor *y, const arb_t s)
 {
-    const slong size = stride(y);
-    arb_ptr next = _arb_vec_init(3);
-    for (slong l = 0; l < y->jets; l++) {
-        taylor_value(next, y, TAYLOR_W, l, s);
-        taylor_value(next + 1, y, TAYLOR_V, l, s);
-        taylor_value(next + 2, y, TAYLOR_T, l, s);
-        arb_swap(y->w + l * size, next);
-        arb_swap(y->v + l * size, next + 1);
-        arb_swap(y->t + l * size, next + 2);
-    }
-    _arb_vec_clear(next, 3);
+    LOCAL(arb, w, v, t);
+    taylor_value(w, y, TAYLOR_W, s);
+    taylor_value(v, y, TAYLOR_V, s);
+    taylor_value(t, y, TAYLOR_T, s);
+    arb_swap(y->w, w);
+    arb_swap(y->v, v);
+    arb_swap(y->t, t);
+}
+
+/* ---- zeros ---- */
+
+void bracket_init(struct bracket *b)
+{
+    FOR_ALL(arb, init, b->low, b->high, b->f_low, b->f_high);
+    b->side = 0;
+}
+
+void bracket_clear(struct bracket *b)
+{
+    FOR_ALL(arb, clear, b->low, b->high, b->f_low, b->f_high);
+}
+
+void bracket_guess(arb_t x, const struct bracket *b, slong prec)
+{
+    LOCAL(arb, fall);
+    arb_sub(fall, b->f_high, b->f_low, prec);
+    arb_sub(x, b->high, b->low, prec);
+    arb_mul(x, x, b->f_low, prec);
+    arb_div(x, x, fall, prec);
+    arb_sub(x, b->low, x, prec);
+    arb_get_mid_arb(x, x);
+}
+
+void bracket_shrink(struct bracket *b, const arb_t x, const arb_t f)
+{
+    const bool above = arf_sgn(arb_midref(f)) > 0;
+    arb_set(above ? b->low : b->high, x);
+    arb_get_mid_arb(above ? b->f_low : b->f_high, f);
+    if (b->side == (above ? 1 : -1))
+        arb_mul_2exp_si(above ? b->f_high : b->f_low, above ? b->f_high : b->f_low, -1);
+    b->side = above ? 1 : -1;
 }
 
 bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
                  const arb_t end)
 {
     /* The Illinois method on midpoints finds the zero; signs on both sides prove it. */
-    LOCAL(arb, low, high, flow, fhigh, x, fx, width);
-    bool proved = false;
-    arb_get_mid_arb(low, begin);
-    arb_get_mid_arb(high, end);
-    taylor_value(flow, y, component, 0, low);
-    taylor_value(fhigh, y, component, 0, high);
-    arb_get_mid_arb(flow, flow);
-    arb_get_mid_arb(fhigh, fhigh);
-    int side = 0;
-    for (slong i = 0; i < 200; i++) {
-        arb_sub(width, fhigh, flow, y->prec);
-        arb_sub(x, high, low, y->prec);
-        arb_mul(x, x, flow, y->prec);
-        arb_div(x, x, width, y->prec);
-        arb_sub(x, low, x, y->prec);
-        arb_get_mid_arb(x, x);
-        taylor_value(fx, y, component, 0, x);
-        if (arb_contains_zero(fx))
-            break;
-        arb_get_mid_arb(fx, fx);
-        if (arb_is_positive(fx)) {
-            arb_set(low, x);
-            arb_set(flow, fx);
-            if (side == 1)
-                arb_mul_2exp_si(fhigh, fhigh, -1);
-            side = 1;
-        } else {
-            arb_set(high, x);
-            arb_set(fhigh, fx);
-            if (side == -1)
-                arb_mul_2exp_si(flow, flow, -1);
-            side = -1;
-        }
+    enum { STEPS = 200 };
+    struct bracket b;
+    LOCAL(arb, x, f, width);
+    bool found = false, proved = false;
+    bracket_init(&b);
+    arb_get_mid_arb(b.low, begin);
+    arb_get_mid_arb(b.high, end);
+    taylor_value(b.f_low, y, component, b.low);
+    taylor_value(b.f_high, y, component, b.high);
+    arb_get_mid_arb(b.f_low, b.f_low);
+    arb_get_mid_arb(b.f_high, b.f_high);
+    for (int i = 0; i < STEPS && !found; i++) {
+        bracket_guess(x, &b, y->prec);
+        taylor_value(f, y, component, x);
+        found = arb_contains_zero(f);
+        if (!found)
+            bracket_shrink(&b, x, f);
     }
     arb_get_mid_arb(width, end);
     arb_mul_2exp_si(width, width, -y->prec);
     for (slong i = 0; i < y->prec && !proved; i++) {
-        arb_sub(low, x, width, y->prec);
-        arb_get_mid_arb(low, low);
-        arb_add(high, x, width, y->prec);
-        arb_get_mid_arb(high, high);
-        if (arb_lt(low, begin))
-            arb_get_mid_arb(low, begin);
-        if (arb_gt(high, end))
-            arb_get_mid_arb(high, end);
-        taylor_value(flow, y, component, 0, low);
-        taylor_value(fhigh, y, component, 0, high);
-        proved = arb_is_positive(flow) && arb_is_negative(fhigh);
+        arb_sub(b.low, x, width, y->prec);
+        arb_get_mid_arb(b.low, b.low);
+        arb_add(b.high, x, width, y->prec);
+        arb_get_mid_arb(b.high, b.high);
+        if (arb_lt(b.low, begin))
+            arb_get_mid_arb(b.low, begin);
+        if (arb_gt(b.high, end))
+            arb_get_mid_arb(b.high, end);
+        taylor_value(b.f_low, y, component, b.low);
+        taylor_value(b.f_high, y, component, b.high);
+        proved = arb_is_positive(b.f_low) && arb_is_negative(b.f_high);
         arb_mul_2exp_si(width, width, 1);
     }
     if (proved)
-        arb_union(root, low, high, y->prec);
+        arb_union(root, b.low, b.high, y->prec);
+    bracket_clear(&b);
     return proved;
+}
+
+bool taylor_follow(arb_t root, struct taylor *y, enum taylor_component component, const char *what)
+{
+    LOCAL(arb, value, begin);
+    for (slong step = 0; step < TAYLOR_MAX_STEPS; step++) {
+        progress(what, step, 0);
+        taylor_expand(y);
+        if (!taylor_choose_step(y))
+            return false;
+        taylor_value(value, y, component, y->step);
+        if (!arb_is_positive(value))
+            return arb_is_negative(value) && taylor_root(root, y, component, begin, y->step);
+        taylor_advance(y, y->step);
+    }
+    return false;
 }
 
 /* A step is an eighth of the radius of convergence: 3 bits a term. */

@@ -4,8 +4,7 @@
  *   x = w^d, dt = w^(d-1) dsigma:   dw/dsigma = v/d,  dv/dsigma = -w^(d-1) (c1 w^(bd) v + c2 w^(ad)),
  *                                   dt/dsigma = w^(d-1),
  *
- * for numbers (jets = 1) or power series of `jets` terms in a parameter, which c1 and c2 may contain. Every number is
- * an interval (Arb ball) that contains the exact one. */
+ * where every number is an interval (Arb ball) that contains the exact one. */
 #ifndef COR_GEN_ENCLOSURE_TAYLOR_H
 #define COR_GEN_ENCLOSURE_TAYLOR_H
 
@@ -18,20 +17,19 @@ enum { TAYLOR_NODE_W = -1, TAYLOR_NODE_ONE = -2 };
 
 struct taylor {
     struct law law;
-    slong jets, degree, prec;
-    mag_t weight;           /* weight of the parameter in the norm sum |z_l| weight^l of a series */
-    arb_ptr c1, c2;         /* jets each */
-    arb_ptr w, v, t;        /* jets x (degree + 1) Taylor coefficients, [l * (degree + 1) + n] */
+    slong degree, prec;
+    arb_t c1, c2;
+    arb_ptr w, v, t;        /* degree + 1 Taylor coefficients each */
     arb_ptr force, product; /* c1 w^(bd-m) v + c2 w^(ad-m), m = min(ad, bd); and times w^(d-1+m) */
     struct taylor_power *power;
     int powers;
     int node_t, node_outer, node_damping, node_elastic;
     arb_ptr damped;                  /* w^(bd-m) v if bd > m */
-    mag_t error_w, error_v, error_t; /* remainders on [0, step], in the norm */
+    mag_t error_w, error_v, error_t; /* remainders on [0, step] */
     arb_t step;                      /* longest step for which they are proved */
 };
 
-void taylor_init(struct taylor *y, const struct law *law, slong jets, slong degree, slong prec);
+void taylor_init(struct taylor *y, const struct law *law, slong degree, slong prec);
 void taylor_clear(struct taylor *y);
 
 /* Computes all Taylor coefficients of w, v, t from their coefficients 0, the values at sigma = 0. */
@@ -42,16 +40,31 @@ bool taylor_choose_step(struct taylor *y);
 
 enum taylor_component { TAYLOR_W, TAYLOR_V, TAYLOR_T, TAYLOR_FORCE };
 
-/* Component at sigma = s in [0, step], jet l, remainder included. */
-void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, slong l, const arb_t s);
+/* Component at sigma = s in [0, step], remainder included. */
+void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s);
 
 /* Replaces the state by the one at s. */
 void taylor_advance(struct taylor *y, const arb_t s);
 
-/* Encloses the zero of jet 0 of a component in [begin, end], end <= step, where the component falls from positive to
+/* Encloses the zero of a component in [begin, end], end <= step, where the component falls from positive to
  * negative and is known to have only one zero. */
 bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component component, const arb_t begin,
                  const arb_t end);
+
+/* Makes steps until a component falls to zero: encloses that place in the last step. Returns false if intervals do not
+ * decide. `what` names the progress. */
+bool taylor_follow(arb_t root, struct taylor *y, enum taylor_component component, const char *what);
+
+/* The place where a function falls through zero, by the Illinois method: f_low > 0 at `low`, f_high < 0 at `high`. Only
+ * midpoints count, so another step must prove the place. */
+struct bracket {
+    arb_t low, high, f_low, f_high;
+    int side; /* of the last guess */
+};
+void bracket_init(struct bracket *b);
+void bracket_clear(struct bracket *b);
+void bracket_guess(arb_t x, const struct bracket *b, slong prec);
+void bracket_shrink(struct bracket *b, const arb_t x, const arb_t f); /* the guess x, where the function is f */
 
 /* Degree of the Taylor polynomials for prec bits */
 slong taylor_degree(slong prec);

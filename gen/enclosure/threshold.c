@@ -69,30 +69,17 @@ static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
 {
     const struct ratio m = ratio_mul((struct ratio){-1, 1}, law_fall_power(law));
     struct taylor y;
-    LOCAL(arb, g, z, zero);
-    bool sound = true, turned = false;
+    LOCAL(arb, g, z);
     unstable_series(g, z, law, prec);
-    taylor_init(&y, law, 1, taylor_degree(prec), prec);
+    taylor_init(&y, law, taylor_degree(prec), prec);
     arb_set_si(y.c1, -1);
     arb_one(y.c2);
     arb_pow_ratio(y.w, z, ratio_div((struct ratio){1, law->d}, m), prec);
     arb_pow_ui(y.v, y.w, (ulong)(law->bd + law->d), prec);
     arb_mul(y.v, y.v, g, prec);
-    for (slong step = 0; step < TAYLOR_MAX_STEPS && sound && !turned; step++) {
-        taylor_expand(&y);
-        sound = taylor_choose_step(&y);
-        if (!sound)
-            break;
-        taylor_value(z, &y, TAYLOR_V, 0, y.step);
-        if (arb_is_positive(z)) {
-            taylor_advance(&y, y.step);
-        } else {
-            turned = arb_is_negative(z) && taylor_root(g, &y, TAYLOR_V, zero, y.step);
-            sound = turned;
-        }
-    }
+    const bool turned = taylor_follow(g, &y, TAYLOR_V, "threshold of damping");
     if (turned) {
-        taylor_value(z, &y, TAYLOR_W, 0, g);
+        taylor_value(z, &y, TAYLOR_W, g);
         arb_pow_ui(c_star, z, (ulong)law->d, prec);
     }
     taylor_clear(&y);
@@ -119,50 +106,41 @@ static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const st
  * interval of relative width 2^-bits. C(beta) falls, so the interval contains the only root. */
 static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *law, slong bits, slong prec)
 {
-    LOCAL(arb, low, high, flow, fhigh, x, fx, width);
-    bool sound, enclosed = false;
-    arb_one(low);
-    sound = height_above(flow, low, c_star, law, prec);
-    while (sound && arb_is_negative(flow)) {
-        arb_mul_2exp_si(low, low, -1);
-        sound = height_above(flow, low, c_star, law, prec);
+    struct bracket b;
+    LOCAL(arb, x, f, width);
+    bool enclosed = false;
+    bracket_init(&b);
+    arb_one(b.low);
+    bool sound = height_above(b.f_low, b.low, c_star, law, prec);
+    while (sound && arb_is_negative(b.f_low)) {
+        arb_mul_2exp_si(b.low, b.low, -1);
+        sound = height_above(b.f_low, b.low, c_star, law, prec);
     }
-    arb_mul_2exp_si(high, low, 1);
-    sound = sound && height_above(fhigh, high, c_star, law, prec);
-    while (sound && arb_is_positive(fhigh)) {
-        arb_swap(low, high);
-        arb_swap(flow, fhigh);
-        arb_mul_2exp_si(high, low, 1);
-        sound = height_above(fhigh, high, c_star, law, prec);
+    arb_mul_2exp_si(b.high, b.low, 1);
+    sound = sound && height_above(b.f_high, b.high, c_star, law, prec);
+    while (sound && arb_is_positive(b.f_high)) {
+        arb_swap(b.low, b.high);
+        arb_swap(b.f_low, b.f_high);
+        arb_mul_2exp_si(b.high, b.low, 1);
+        sound = height_above(b.f_high, b.high, c_star, law, prec);
     }
-    int side = 0;
     for (int i = 0; i < SEARCH_STEPS && sound && !enclosed; i++) {
-        arb_sub(width, fhigh, flow, prec);
-        arb_sub(x, high, low, prec);
-        arb_mul(x, x, flow, prec);
-        arb_div(x, x, width, prec);
-        arb_sub(x, low, x, prec);
-        arb_get_mid_arb(x, x);
-        sound = height_above(fx, x, c_star, law, prec);
-        enclosed = arf_cmpabs_2exp_si(arb_midref(fx), -bits - GUARD_BITS / 4) < 0;
-        arb_get_mid_arb(fx, fx);
-        const bool above = arb_is_positive(fx);
-        arb_set(above ? low : high, x);
-        arb_set(above ? flow : fhigh, fx);
-        if (side == (above ? 1 : -1))
-            arb_mul_2exp_si(above ? fhigh : flow, above ? fhigh : flow, -1);
-        side = above ? 1 : -1;
+        bracket_guess(x, &b, prec);
+        sound = height_above(f, x, c_star, law, prec);
+        enclosed = arf_cmpabs_2exp_si(arb_midref(f), -bits - GUARD_BITS / 4) < 0;
+        bracket_shrink(&b, x, f);
     }
     if (sound && enclosed) {
         arb_mul_2exp_si(width, x, -bits - 2);
-        arb_sub(low, x, width, prec);
-        arb_get_mid_arb(low, low);
-        arb_add(high, x, width, prec);
-        arb_get_mid_arb(high, high);
-        sound = height_above(flow, low, c_star, law, prec) && height_above(fhigh, high, c_star, law, prec) &&
-                arb_is_positive(flow) && arb_is_negative(fhigh);
-        arb_union(beta_c, low, high, prec);
+        arb_sub(b.low, x, width, prec);
+        arb_get_mid_arb(b.low, b.low);
+        arb_add(b.high, x, width, prec);
+        arb_get_mid_arb(b.high, b.high);
+        sound = height_above(b.f_low, b.low, c_star, law, prec) && height_above(b.f_high, b.high, c_star, law, prec) &&
+                arb_is_positive(b.f_low) && arb_is_negative(b.f_high);
+        arb_union(beta_c, b.low, b.high, prec);
     }
+    bracket_clear(&b);
     return sound && enclosed;
 }
 

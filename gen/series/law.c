@@ -174,6 +174,12 @@ void arb_set_ratio(arb_t y, struct ratio x, slong prec)
     arb_div_si(y, y, x.den, prec);
 }
 
+void arb_set_upper(arb_t y, const mag_t m)
+{
+    arf_set_mag(arb_midref(y), m);
+    mag_zero(arb_radref(y));
+}
+
 void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec)
 {
     LOCAL(fmpq, q);

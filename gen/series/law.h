@@ -83,6 +83,7 @@ struct law_text law_equation(const struct law *law);
 
 void arb_set_ratio(arb_t y, struct ratio x, slong prec);
 void arb_pow_ratio(arb_t y, const arb_t x, struct ratio e, slong prec); /* x > 0 */
+void arb_set_upper(arb_t y, const mag_t m);                             /* the number m itself */
 void fmpq_set_ratio(fmpq_t y, struct ratio x);
 
 #endif

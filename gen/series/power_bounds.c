@@ -189,12 +189,6 @@ void power_bounds_clear(struct power_bounds *b)
     arb_clear(b->last_column);
 }
 
-void arb_set_upper(arb_t y, const mag_t m)
-{
-    arf_set_mag(arb_midref(y), m);
-    mag_zero(arb_radref(y));
-}
-
 /* |f|, or |th(f)| with theta = 1, from the norms of the columns of f */
 static void columns_norm(arb_t y, mag_srcptr column, slong length, int theta)
 {

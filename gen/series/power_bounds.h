@@ -51,6 +51,4 @@ void power_bounds_clear(struct power_bounds *b);
 /* Returns false if the weights are too large for a proof. */
 bool power_bounds_prove(struct power_bounds *b, const struct power_evidence *e, const arb_t U, const arb_t rho);
 
-void arb_set_upper(arb_t y, const mag_t m);
-
 #endif

@@ -13,6 +13,10 @@
 
 #include "series/law.h"
 
+/* With fewer rows, products of polynomials take the same time and keep the relative accuracy of small coefficients,
+ * without which steep laws such as (24, 1/16) are not proved. */
+enum { ROW_SUMS_MIN_ROWS = 12 };
+
 struct row_sums {
     struct ratio p;
     slong rows, length, prec;

@@ -10,17 +10,13 @@
 
 void series_init(struct series *s)
 {
-    arb_poly_init(s->y);
-    arb_poly_init(s->tau);
-    arb_poly_init(s->c);
+    FOR_ALL(arb_poly, init, s->y, s->tau, s->c);
     s->order = 0;
 }
 
 void series_clear(struct series *s)
 {
-    arb_poly_clear(s->y);
-    arb_poly_clear(s->tau);
-    arb_poly_clear(s->c);
+    FOR_ALL(arb_poly, clear, s->y, s->tau, s->c);
 }
 
 /* Smallest relative accuracy in bits; a coefficient whose interval contains zero counts by its radius. */

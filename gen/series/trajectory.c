@@ -10,8 +10,8 @@
  *
  *   P_k = p X_0^(p-1) X_k + Q_k,   k X_0 Q_k = sum_{0<i<k} ((p+1) i - k) X_i P_(k-i),
  *
- * so a new row costs k products of polynomials, and its coefficients follow one by one. In interval arithmetic
- * row_sums.c computes these products. For spheres a = b+1 = 3/2 and the two powers are the same one. */
+ * so a new row costs k products of polynomials, and its coefficients follow one by one. In interval arithmetic,
+ * row_sums.c computes the products of many rows. For spheres a = b+1 = 3/2 and the two powers are the same one. */
 #include "series/trajectory.h"
 
 #include <math.h>
@@ -166,7 +166,7 @@ struct ball_power {
     struct ratio p;
     arb_poly_struct *row;   /* P_k */
     arb_poly_t slope, rest; /* p X_0^(p-1), and Q_k of the current row */
-    struct row_sums sums;
+    struct row_sums *sums;  /* NULL with few rows */
 };
 
 static void ball_first_row(struct ball_power *power, const arb_poly_t x0, slong j, slong prec)
@@ -194,7 +194,18 @@ static void ball_divide(arb_poly_t p, slong n, slong prec)
 static void ball_rest(struct ball_power *power, const arb_poly_struct *x, const arb_poly_t x0_inverse, slong k,
                       slong length, slong prec)
 {
-    row_sums_next(power->rest, &power->sums, x, power->row, k);
+    LOCAL(arb_poly, product);
+    LOCAL(arb, weight);
+    if (power->sums)
+        row_sums_next(power->rest, power->sums, x, power->row, k);
+    else
+        arb_poly_zero(power->rest);
+    for (slong i = 1; i < k && !power->sums; i++) {
+        arb_set_si(weight, row_sums_weight(power->p, i, k));
+        arb_poly_mullow(product, x + i, power->row + k - i, length, prec);
+        arb_poly_scalar_mul(product, product, weight, prec);
+        arb_poly_add(power->rest, power->rest, product, prec);
+    }
     arb_poly_mullow(power->rest, power->rest, x0_inverse, length, prec);
     ball_divide(power->rest, k * power->p.den, prec);
 }
@@ -221,6 +232,7 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     const double farthest = law_elastic_radius(law) * law_elastic_time(law);
     struct ratio p[2];
     const int powers = powers_of(p, law);
+    struct row_sums sums[2];
     struct ball_power power[2], *const elastic = power, *const damping = power + powers - 1;
     LOCAL(arb_poly, x0_inverse);
     LOCAL(arb, sum, x);
@@ -236,7 +248,9 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
         power[i].row = jet_new(order + 1);
         arb_poly_init(power[i].slope);
         arb_poly_init(power[i].rest);
-        row_sums_init(&power[i].sums, p[i], order + 1, length, prec);
+        power[i].sums = order + 1 < ROW_SUMS_MIN_ROWS ? NULL : &sums[i];
+        if (power[i].sums)
+            row_sums_init(power[i].sums, p[i], order + 1, length, prec);
         arb_poly_one(power[i].row);
     }
 
@@ -295,7 +309,8 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     for (int i = 0; i < powers; i++) {
         arb_poly_clear(power[i].slope);
         arb_poly_clear(power[i].rest);
-        row_sums_clear(&power[i].sums);
+        if (power[i].sums)
+            row_sums_clear(power[i].sums);
     }
 }
 

@@ -4,7 +4,9 @@
  *     LOCAL(arb, x, y);
  *
  * declares arb_t x, y, initialised. Whatever way leads out of their block clears them, after the value of a return has
- * been computed (the attribute `cleanup` of gcc and clang). */
+ * been computed (the attribute `cleanup` of gcc and clang). And members of a structure:
+ *
+ *     FOR_ALL(arb, init, s->x, s->y);    FOR_ALL(arb, clear, s->x, s->y); */
 #ifndef COR_GEN_SUPPORT_LOCAL_H
 #define COR_GEN_SUPPORT_LOCAL_H
 
@@ -37,6 +39,13 @@
     {                                                                                                                  \
         type##_clear(*x);                                                                                              \
     }
+
+#define FOR_ALL(type, action, ...)                                                                                     \
+    do {                                                                                                               \
+        type##_struct *const all_[] = {__VA_ARGS__};                                                                   \
+        for (size_t i_ = 0; i_ < sizeof all_ / sizeof *all_; i_++)                                                     \
+            type##_##action(all_[i_]);                                                                                 \
+    } while (0)
 
 LOCAL_TYPE(fmpz, fmpz)
 LOCAL_TYPE(fmpq, fmpq)
