@@ -75,11 +75,11 @@ set(COR_GENERATOR_SOURCES
   gen/support/output.c
   gen/support/parallel.c
   gen/support/precision.c
-  gen/sweep/crew.c
   gen/sweep/hard_wall.c
   gen/sweep/journal.c
   gen/sweep/run.c
   gen/sweep/sweep.c
+  gen/sweep/threads.c
   gen/sweep/values.c
   gen/tables/directory.c
   gen/tables/disk.c

@@ -30,12 +30,23 @@ static void remove_unfinished(void)
     }
 }
 
+static const char *volatile interrupted_text;
+
+void output_say_on_interrupt(const char *text)
+{
+    interrupted_text = text;
+}
+
 /* The handler raises the signal again with its default action, so that the parent sees the expected exit status.
  * SA_RESETHAND would not do: a terminal or timeout(1) sends two signals, and the second could end the process before
  * the first line of the handler. */
 static void on_fatal_signal(int number)
 {
     remove_unfinished();
+    const char *text = interrupted_text;
+    if (text && (number == SIGINT || number == SIGTERM || number == SIGHUP) &&
+        write(STDERR_FILENO, text, strlen(text)) < 0)
+        text = NULL;
     signal(number, SIG_DFL);
     raise(number);
 }
@@ -59,7 +70,7 @@ static void restore_signals(const sigset_t *before)
     sigprocmask(SIG_SETMASK, before, NULL);
 }
 
-static void install_handlers(void)
+void output_handle_signals(void)
 {
     static bool installed;
     if (installed)
@@ -132,24 +143,47 @@ void output_discard(struct output *out)
 
 enum { LINKS_MAX = 40, NOT_A_DESCRIPTOR = -1 };
 
+char *output_folder(const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    char *const folder = xstrdup(slash ? path : ".");
+    if (slash)
+        folder[slash == path ? 1 : slash - path] = '\0';
+    return folder;
+}
+
+static const char *last_part(const char *path)
+{
+    const char *const slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
 /* The descriptor of this process that a path names, as /dev/fd/3 and /proc/self/fd/3 do, or NOT_A_DESCRIPTOR. */
 static int descriptor_named(const char *path)
 {
-    const char *const slash = strrchr(path, '/');
-    const char *const digits = slash ? slash + 1 : path;
-    if (!slash || !*digits || strspn(digits, "0123456789") != strlen(digits) || strlen(digits) > 6)
+    const char *const digits = last_part(path);
+    if (!*digits || digits == path || strspn(digits, "0123456789") != strlen(digits) || strlen(digits) > 6)
         return NOT_A_DESCRIPTOR;
-    char own[64], *directory = xstrdup(path);
-    directory[slash - path] = '\0';
-    snprintf(own, sizeof own, "/proc/%ld/fd", (long)getpid());
-    char *const real = realpath(directory, NULL);
-    const bool is = strcmp(directory, "/dev/fd") == 0 || (real && strcmp(real, own) == 0);
+    char *const folder = output_folder(path), *const real = realpath(folder, NULL),
+                *const own = realpath("/dev/fd", NULL);
+    const bool is = real && own && strcmp(real, own) == 0;
+    free(folder);
     free(real);
-    free(directory);
+    free(own);
     return is ? (int)strtol(digits, NULL, 10) : NOT_A_DESCRIPTOR;
 }
 
-/* The target of a link, malloc'ed. A relative target replaces the last part of `link`. */
+/* The name beside the path: its folder and `last`, malloc'ed */
+static char *beside(const char *path, const char *last)
+{
+    const size_t folder = (size_t)(last_part(path) - path), size = strlen(last) + 1;
+    char *const name = xmalloc(folder + size);
+    memcpy(name, path, folder);
+    memcpy(name + folder, last, size);
+    return name;
+}
+
+/* The target of a link, malloc'ed, or NULL. A relative target replaces the last part of `link`. */
 static char *link_target(const char *link)
 {
     char text[4096];
@@ -157,12 +191,7 @@ static char *link_target(const char *link)
     if (n < 0)
         return NULL;
     text[n] = '\0';
-    const char *const slash = strrchr(link, '/');
-    const size_t directory = slash && text[0] != '/' ? (size_t)(slash - link) + 1 : 0;
-    char *const target = xmalloc(directory + (size_t)n + 1);
-    memcpy(target, link, directory);
-    memcpy(target + directory, text, (size_t)n + 1);
-    return target;
+    return *text == '/' ? xstrdup(text) : beside(link, text);
 }
 
 /* The name behind all symbolic links, whether that file exists or not, malloc'ed. Returns NULL and sets *descriptor or
@@ -195,16 +224,13 @@ bool output_is_direct(const char *path)
     return descriptor != NOT_A_DESCRIPTOR;
 }
 
-/* The file system's number of the folder in which a name stands, and the name there */
-static const char *place_of(struct stat *folder, const char *name)
+/* The file system's number of the folder in which a name stands */
+static bool folder_status(struct stat *folder, const char *name)
 {
-    const char *const slash = strrchr(name, '/');
-    char *const path = slash ? xstrdup(name) : xstrdup(".");
-    if (slash)
-        path[slash == name ? 1 : slash - name] = '\0';
+    char *const path = output_folder(name);
     const bool found = stat(path, folder) == 0;
     free(path);
-    return found ? slash ? slash + 1 : name : NULL;
+    return found;
 }
 
 static bool same_inode(const struct stat *x, const struct stat *y)
@@ -225,9 +251,8 @@ bool output_same_file(const char *path, const char *other)
         return exists && other_exists && S_ISREG(x.st_mode) && same_inode(&x, &y);
     int descriptor;
     char *const name = follow_links(path, &descriptor), *const other_name = follow_links(other, &descriptor);
-    const char *const last = name ? place_of(&x, name) : NULL, *const other_last =
-                                                                   other_name ? place_of(&y, other_name) : NULL;
-    const bool same = last && other_last && same_inode(&x, &y) && strcmp(last, other_last) == 0;
+    const bool same = name && other_name && folder_status(&x, name) && folder_status(&y, other_name) &&
+                      same_inode(&x, &y) && strcmp(last_part(name), last_part(other_name)) == 0;
     free(name);
     free(other_name);
     return same;
@@ -266,23 +291,12 @@ static void own_path(char path[OWN_PATH], int fd)
     snprintf(path, OWN_PATH, "/proc/self/fd/%d", fd);
 }
 
-/* The name beside the target: its folder and `last`, malloc'ed */
-static char *beside(const char *target, const char *last)
-{
-    const char *const slash = strrchr(target, '/');
-    const size_t folder = slash ? (size_t)(slash - target) + 1 : 0, size = strlen(last) + 1;
-    char *const name = xmalloc(folder + size);
-    memcpy(name, target, folder);
-    memcpy(name + folder, last, size);
-    return name;
-}
-
 /* A file without a name in the target's folder, which vanishes however the process ends; negative where the file system
  * has none, or where it could get no name later. */
 static int open_nameless(const char *target)
 {
 #ifdef O_TMPFILE
-    char path[OWN_PATH], *const folder = beside(target, ".");
+    char path[OWN_PATH], *const folder = output_folder(target);
     const int fd = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
     free(folder);
     if (fd < 0)
@@ -336,7 +350,7 @@ int output_open(struct output *out, const char *path)
 {
     *out = (struct output){0};
     out->path = path;
-    install_handlers();
+    output_handle_signals();
     errno = 0;
     if (!path) {
         out->file = stdout;
@@ -533,34 +547,27 @@ static size_t span_digits(const char *text)
 
 static bool is_json_number(const char *text)
 {
-    if (*text == '-')
-        text++;
+    text += *text == '-';
     size_t n = span_digits(text);
-    if (n == 0 || (n > 1 && *text == '0'))
+    if (n > 1 && *text == '0')
         return false;
     text += n;
-    if (*text == '.') {
+    if (n > 0 && *text == '.') {
         n = span_digits(++text);
-        if (n == 0)
-            return false;
         text += n;
     }
-    if (*text == 'e' || *text == 'E') {
+    if (n > 0 && (*text == 'e' || *text == 'E')) {
         text++;
-        if (*text == '+' || *text == '-')
-            text++;
+        text += *text == '+' || *text == '-';
         n = span_digits(text);
-        if (n == 0)
-            return false;
         text += n;
     }
-    return *text == '\0';
+    return n > 0 && *text == '\0';
 }
 
 static bool is_integer(const char *text)
 {
-    if (*text == '-')
-        text++;
+    text += *text == '-';
     return *text && text[span_digits(text)] == '\0';
 }
 
@@ -579,14 +586,6 @@ static void print_csv(const struct table *t, FILE *file)
         print_progress(t, i);
         fprintf(file, "%s%c", t->cell[i], (i + 1) % t->columns ? ',' : '\n');
     }
-}
-
-static bool column_all(const struct table *t, int column, bool (*is)(const char *))
-{
-    bool all = true;
-    for (long i = column; i < t->cells; i += t->columns)
-        all = all && is(t->cell[i]);
-    return all;
 }
 
 /* A cell that is no number of JSON, as nan and inf, is null, and so is an empty text. */
@@ -616,54 +615,55 @@ static void print_json(const struct table *t, FILE *file)
 }
 
 /* Integers are aligned right, other numbers left, with their signs in a separate column. */
+struct text_column {
+    int width;
+    bool whole, sign;
+};
+
+static struct text_column text_column(const struct table *t, int j)
+{
+    struct text_column c = {.whole = true};
+    for (long i = j; i < t->cells; i += t->columns) {
+        c.whole = c.whole && is_integer(t->cell[i]);
+        c.sign = c.sign || *t->cell[i] == '-';
+    }
+    c.sign = c.sign && !c.whole;
+    c.width = (int)strlen(t->column[j]) + c.sign;
+    for (long i = j; i < t->cells; i += t->columns) {
+        const int length = (int)strlen(t->cell[i]) + (c.sign && *t->cell[i] != '-');
+        c.width = length > c.width ? length : c.width;
+    }
+    return c;
+}
+
 static void print_text(const struct table *t, FILE *file)
 {
-    size_t columns = (size_t)t->columns;
-    int *width = xmalloc(columns * sizeof *width);
-    bool *whole = xmalloc(columns * sizeof *whole);
-    bool *sign = xmalloc(columns * sizeof *sign);
-    for (int j = 0; j < t->columns; j++) {
-        whole[j] = column_all(t, j, is_integer);
-        sign[j] = false;
-        for (long i = j; i < t->cells; i += t->columns)
-            sign[j] = sign[j] || (!whole[j] && *t->cell[i] == '-');
-        width[j] = (int)strlen(t->column[j]) + sign[j];
-        for (long i = j; i < t->cells; i += t->columns) {
-            int length = (int)strlen(t->cell[i]) + (sign[j] && *t->cell[i] != '-');
-            width[j] = length > width[j] ? length : width[j];
-        }
-    }
+    struct text_column *const column = xmalloc((size_t)t->columns * sizeof *column);
+    for (int j = 0; j < t->columns; j++)
+        column[j] = text_column(t, j);
     for (long i = -t->columns; i < t->cells; i++) {
         print_progress(t, i);
-        int j = (int)((i + t->columns) % t->columns);
-        const char *text = i < 0 ? t->column[j] : t->cell[i];
-        const char *space = sign[j] && *text != '-' ? " " : "";
-        bool last = j + 1 == t->columns;
-        if (whole[j])
-            fprintf(file, "%*s%s", width[j], text, last ? "\n" : "  ");
+        const int j = (int)((i + t->columns) % t->columns), width = column[j].width;
+        const char *const text = i < 0 ? t->column[j] : t->cell[i];
+        const char *const space = column[j].sign && *text != '-' ? " " : "";
+        const bool last = j + 1 == t->columns;
+        if (column[j].whole)
+            fprintf(file, "%*s%s", width, text, last ? "\n" : "  ");
         else if (last)
             fprintf(file, "%s%s\n", space, text);
         else
-            fprintf(file, "%s%-*s  ", space, width[j] - (int)strlen(space), text);
+            fprintf(file, "%s%-*s  ", space, width - (int)strlen(space), text);
     }
-    free(width);
-    free(whole);
-    free(sign);
+    free(column);
 }
 
 void table_print(const struct table *t, enum output_format format, FILE *file)
 {
-    switch (format) {
-    case FORMAT_CSV:
+    if (format == FORMAT_CSV)
         print_csv(t, file);
-        break;
-    case FORMAT_JSON:
+    else if (format == FORMAT_JSON)
         print_json(t, file);
-        break;
-    case FORMAT_TEXT:
-    case FORMAT_LATEX:
+    else
         print_text(t, file);
-        break;
-    }
     progress_end();
 }

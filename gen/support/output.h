@@ -12,8 +12,7 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
  * syncs the temporary file and renames it over the path. The temporary file has no name before, where the file system
  * allows this (O_TMPFILE of Linux), so that it vanishes however the process ends. Elsewhere any failure, exit() at any
  * place, and SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT or SIGXCPU at any time removes it; after SIGKILL
- * .corgen-XXXXXX stays. The new file has the mode, owner and
- * group of the file that it replaces. A file with several names, or with an owner that this process cannot set, is
+ * .corgen-XXXXXX stays. The new file has the mode, owner and group of the file that it replaces. A file with several names, or with an owner that this process cannot set, is
  * overwritten in place from the complete temporary file, so that every name shows the new text. A symbolic link stays:
  * its target is written, even if the target does not exist yet.
  *
@@ -26,6 +25,16 @@ struct output {
     char *temporary;  /* its name; NULL = without a name */
     bool in_place;    /* overwrite the target instead of renaming */
 };
+
+/* Catches these signals, and lets a write beyond the limit of a file's size fail instead of ending the process. The
+ * first output_open does this. */
+void output_handle_signals(void);
+
+/* What SIGINT, SIGTERM and SIGHUP print before they end the process, kept by the caller; NULL: nothing. */
+void output_say_on_interrupt(const char *text);
+
+/* The folder of a path, malloc'ed */
+char *output_folder(const char *path);
 
 /* Whether the path, or NULL, is written directly, so that no file can be kept beside it. */
 bool output_is_direct(const char *path);

@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "cor/disk.h"
+#include "sweep/threads.h"
 
 /* Number of tables of one material, each for more levels of the ladder than the one before. Every collision tries the
  * tables in this order, so that its results do not depend on other collisions. */
@@ -23,15 +24,9 @@ void hard_wall_tables_clear(struct hard_wall_tables *tables);
 /* Changes the material. No thread may use the tables meanwhile. */
 void hard_wall_tables_set(struct hard_wall_tables *tables, double nu);
 
-/* A workspace that grows when a collision needs more. Initialise it with NULL and 0. The caller frees bytes. */
-struct sweep_room {
-    void *bytes;
-    size_t size;
-};
-
 /* Calls cor_disk_hard_wall_in with the first table that suffices. Each call has the budget max_steps. Unknown numbers
  * in *out are NaN. */
 int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *tables, double tolerance,
-                      size_t max_steps, double speed, struct sweep_room *room);
+                      size_t max_steps, double speed, struct workspace *workspace);
 
 #endif

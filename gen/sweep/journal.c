@@ -4,7 +4,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -13,6 +12,7 @@
 #include "runtime/core/mode_file.h"
 #include "support/clock.h"
 #include "support/console.h"
+#include "support/output.h"
 
 /* A line ends with a space and a check sum of everything before the sum, as in a mode file. A changed byte therefore
  * shows in its own line and in every later one. */
@@ -147,88 +147,95 @@ static bool same_sweep(const char *title, const char *other)
     return colon ? strncmp(title, other, (size_t)(colon - title) + 1) == 0 : strcmp(title, other) == 0;
 }
 
-/* Returns the size of the good lines in bytes, or -1 after a message. */
-static off_t journal_recover(struct journal *journal, const char *title, uint64_t most)
+/* Reads the lines of a journal without moving its descriptor, to which rows may be added meanwhile. */
+struct reader {
+    const struct journal *journal;
+    char *buffer; /* longer than any line of a journal */
+    size_t capacity, size, start;
+    off_t at;
+    uint32_t check;
+    bool failed;
+};
+
+static void reader_start(struct reader *r, const struct journal *journal)
 {
-    enum { BLOCK = 1 << 16, LINE = 1 << 12 };
-    const size_t longest = strlen(title) + LINE; /* no line of a journal is longer */
-    size_t capacity = BLOCK, size = 0, start = 0;
-    char *buffer = xmalloc(capacity);
-    off_t good = 0;
-    bool titled = false, ended = false;
-    uint32_t check = COR_MODE_FILE_CHECK_START;
-    journal->lines = 0;
-    for (;;) {
-        char *end = memchr(buffer + start, '\n', size - start);
-        if (!end && !ended && size - start <= longest) {
-            memmove(buffer, buffer + start, size - start);
-            size -= start;
-            start = 0;
-            if (size == capacity) {
-                capacity *= 2;
-                buffer = xrealloc(buffer, capacity);
-            }
-            const ssize_t n = read(journal->fd, buffer + size, capacity - size);
-            if (n < 0 && errno != EINTR) {
-                free(buffer);
-                journal_failure("read", journal);
-                return -1;
-            }
-            ended = n == 0;
-            size += n > 0 ? (size_t)n : 0;
-            continue;
-        }
-        if (!end)
-            break;
-        const size_t n = (size_t)(end - (buffer + start)) + 1;
-        if (!line_accept(&check, buffer + start, n))
-            break;
-        if (!titled) {
-            if (!same_sweep(title, buffer + start)) {
-                journal_refuse_foreign(journal, buffer + start);
-                free(buffer);
-                return -1;
-            }
-            titled = true;
-        } else if (journal->lines == most) {
-            break;
-        } else {
-            free(journal->last);
-            journal->last = xstrdup(buffer + start);
-            journal->lines++;
-        }
-        journal->check = check;
-        good += (off_t)n;
-        start += n;
-    }
-    if (!titled) {
-        /* a prefix of the title was cut off while it was written; any other first line is from another program */
-        const size_t n = strlen(title);
-        const size_t same = size < n ? size : n;
-        const bool beginning = size <= n + CHECK_LENGTH && memcmp(buffer, title, same) == 0;
-        if (!beginning) {
-            journal_refuse_foreign(journal, "");
-            free(buffer);
-            return -1;
-        }
-    }
-    free(buffer);
-    return good;
+    enum { LINE = 1 << 16 };
+    *r =
+        (struct reader){.journal = journal, .capacity = journal->title_size + LINE, .check = COR_MODE_FILE_CHECK_START};
+    r->buffer = xmalloc(r->capacity);
 }
 
-/* A power cut can lose the name of a new file until its directory is synced. */
-static void sync_directory(const char *path)
+/* The next line, its check sum cut off, or NULL if it is incomplete or its check is wrong. */
+static char *reader_next(struct reader *r)
 {
-    char *directory = xstrdup(path);
-    char *slash = strrchr(directory, '/');
-    if (slash)
-        slash[slash == directory] = '\0';
-    const int fd = open(slash ? directory : ".", O_RDONLY | O_CLOEXEC);
+    for (;;) {
+        char *const line = r->buffer + r->start, *const end = memchr(line, '\n', r->size - r->start);
+        const size_t left = r->size - r->start, n = end ? (size_t)(end - line) + 1 : left;
+        if (end) {
+            if (!line_accept(&r->check, line, n))
+                return NULL;
+            r->start += n;
+            return line;
+        }
+        memmove(r->buffer, line, left);
+        r->size = left;
+        r->start = 0;
+        const ssize_t got = pread(r->journal->fd, r->buffer + left, r->capacity - left, r->at);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0)
+            journal_failure("read", r->journal);
+        r->failed = got < 0;
+        if (got <= 0)
+            return NULL;
+        r->size += (size_t)got;
+        r->at += got;
+    }
+}
+
+/* Finds the good lines, and returns their size in bytes, or -1 after a message. */
+static off_t journal_recover(struct journal *journal, const char *title, uint64_t most)
+{
+    struct reader r;
+    reader_start(&r, journal);
+    off_t good = 0;
+    const char *line = reader_next(&r);
+    if (!line) {
+        /* a prefix of the title was cut off while it was written; any other first line is from another program */
+        const size_t size = r.size, n = strlen(title);
+        const bool beginning = size <= n + CHECK_LENGTH && memcmp(r.buffer, title, size < n ? size : n) == 0;
+        if (!r.failed && !beginning)
+            journal_refuse_foreign(journal, "");
+        good = !r.failed && beginning ? 0 : -1;
+    } else if (!same_sweep(title, line)) {
+        journal_refuse_foreign(journal, line);
+        good = -1;
+    }
+    while (line && good >= 0) {
+        journal->check = r.check;
+        good = r.at - (off_t)(r.size - r.start);
+        if (journal->lines == most)
+            break;
+        if ((line = reader_next(&r))) {
+            free(journal->last);
+            journal->last = xstrdup(line);
+            journal->lines++;
+        }
+    }
+    free(r.buffer);
+    return r.failed ? -1 : good;
+}
+
+/* A power cut can lose the name of a new file until its folder is synced. */
+static void sync_folder(const char *path)
+{
+    char *const folder = output_folder(path);
+    const int fd = open(folder, O_RDONLY | O_CLOEXEC);
     if (fd >= 0) {
         fsync(fd);
         close(fd);
     }
-    free(directory);
+    free(folder);
 }
 
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most)
@@ -236,10 +243,10 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
     *journal = (struct journal){.fd = -1, .check = COR_MODE_FILE_CHECK_START, .synced = clock_seconds()};
     static const char extension[] = ".part";
     const size_t size = strlen(file) + sizeof extension;
+    journal->title_size = strlen(title);
     journal->path = xmalloc(size);
     snprintf(journal->path, size, "%s%s", file, extension);
-    /* a write beyond a size limit must fail, which is reported, and not end the program */
-    signal(SIGXFSZ, SIG_IGN);
+    output_handle_signals(); /* a write beyond a size limit must fail, which is reported, and not end the program */
     off_t good = -1;
     if (journal_open_locked(journal) == STATUS_OK)
         good = journal_recover(journal, title, most);
@@ -254,7 +261,7 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
         status = journal_flush(journal);
         if (status == STATUS_OK && fsync(journal->fd) != 0 && errno != EINVAL)
             status = journal_failure("write", journal);
-        sync_directory(journal->path);
+        sync_folder(journal->path);
     }
     if (status != STATUS_OK)
         journal_close(journal, false);
@@ -265,37 +272,26 @@ int journal_read(struct journal *journal, void (*visit)(void *context, const cha
 {
     if (journal_flush(journal) != STATUS_OK)
         return STATUS_FAILED;
-    /* not by a second descriptor: closing either one releases the lock */
-    errno = 0;
-    FILE *file = lseek(journal->fd, 0, SEEK_SET) == 0 ? fdopen(journal->fd, "r") : NULL;
-    if (!file)
-        return journal_failure("read", journal);
-    journal->stream = file;
-    char *line = NULL;
-    size_t capacity = 0;
+    struct reader r;
+    reader_start(&r, journal);
     uint64_t number = 0;
-    uint32_t check = COR_MODE_FILE_CHECK_START;
-    bool good = true;
-    for (ssize_t n; good && number <= journal->lines && (n = getline(&line, &capacity, file)) > 0; number++) {
-        good = line_accept(&check, line, (size_t)n);
-        if (good && number > 0)
+    for (const char *line; number <= journal->lines && (line = reader_next(&r)); number++) {
+        if (number > 0)
             visit(context, line);
     }
-    free(line);
-    good = good && number == journal->lines + 1;
-    if (!good) {
-        fail("another program has changed %s; its rows from line %" PRIu64 " on are lost", journal->path, number);
-    }
-    return good ? STATUS_OK : STATUS_FAILED;
+    free(r.buffer);
+    if (number == journal->lines + 1)
+        return STATUS_OK;
+    return r.failed ? STATUS_FAILED
+                    : fail("another program has changed %s; its rows from line %" PRIu64 " on are lost", journal->path,
+                           number);
 }
 
 void journal_close(struct journal *journal, bool done)
 {
     if (done && unlink(journal->path) != 0)
         journal_failure("remove", journal);
-    if (journal->stream)
-        fclose(journal->stream);
-    else if (journal->fd >= 0)
+    if (journal->fd >= 0)
         close(journal->fd);
     free(journal->path);
     free(journal->last);
@@ -305,43 +301,18 @@ void journal_close(struct journal *journal, bool done)
 
 /* ---- interruptions ---- */
 
-static char *interrupted_text;
-static struct sigaction before_interrupt[3];
-static const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
-
-/* Added rows are safe at any moment, so the handler only prints a message and passes the signal on to its default
- * action. */
-static void on_interrupt(int number)
+void journal_say_on_interrupt(struct journal *journal)
 {
-    const char *text = interrupted_text;
-    if (text && write(STDERR_FILENO, text, strlen(text)) < 0)
-        text = NULL;
-    signal(number, SIG_DFL);
-    raise(number);
-}
-
-void journal_say_on_interrupt(const struct journal *journal)
-{
-    const char *const path = journal->path;
     static const char format[] = "\ncorgen: interrupted; the same command continues after the last row of %s\n";
-    interrupted_text = xmalloc(sizeof format + strlen(path));
-    snprintf(interrupted_text, sizeof format + strlen(path), format, path);
-    for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++) {
-        sigaction(interrupts[i], NULL, &before_interrupt[i]);
-        if (before_interrupt[i].sa_handler == SIG_IGN)
-            continue; /* the parent, such as nohup, ignores it */
-        struct sigaction action;
-        memset(&action, 0, sizeof action);
-        action.sa_handler = on_interrupt;
-        sigfillset(&action.sa_mask);
-        sigaction(interrupts[i], &action, NULL);
-    }
+    const size_t size = sizeof format + strlen(journal->path);
+    journal->interrupted = xmalloc(size);
+    snprintf(journal->interrupted, size, format, journal->path);
+    output_say_on_interrupt(journal->interrupted);
 }
 
-void journal_silent_on_interrupt(void)
+void journal_silent_on_interrupt(struct journal *journal)
 {
-    for (size_t i = 0; i < sizeof interrupts / sizeof *interrupts; i++)
-        sigaction(interrupts[i], &before_interrupt[i], NULL);
-    free(interrupted_text);
-    interrupted_text = NULL;
+    output_say_on_interrupt(NULL);
+    free(journal->interrupted);
+    journal->interrupted = NULL;
 }

@@ -5,19 +5,20 @@
 #define COR_GEN_SWEEP_JOURNAL_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
-#include <stdio.h>
 
 struct journal {
-    int fd;       /* locked against other processes */
-    FILE *stream; /* opened on fd by journal_read */
+    int fd; /* locked against other processes */
     char *path;
+    size_t title_size;
     uint32_t check;
     uint64_t lines; /* rows, without the title */
     char *last;     /* the last row that journal_open found, without its check sum; NULL if it found none */
     char *pending;  /* bytes that are not written yet */
     size_t pending_size, pending_capacity;
     double synced;
+    char *interrupted; /* the message of journal_say_on_interrupt */
 };
 
 /* Opens or creates FILE.part, whose first line is `title` (given without its line end). A file whose title differs
@@ -34,8 +35,8 @@ int journal_flush(struct journal *journal);
 int journal_read(struct journal *journal, void (*visit)(void *context, const char *line), void *context);
 
 /* Starts and stops a message about the journal, which SIGINT, SIGTERM and SIGHUP print before they end the program. */
-void journal_say_on_interrupt(const struct journal *journal);
-void journal_silent_on_interrupt(void);
+void journal_say_on_interrupt(struct journal *journal);
+void journal_silent_on_interrupt(struct journal *journal);
 
 /* Closes the journal, and removes the file if `done`. */
 void journal_close(struct journal *journal, bool done);

@@ -13,9 +13,9 @@
 #include "support/console.h"
 #include "support/decimal.h"
 #include "support/parallel.h"
-#include "sweep/crew.h"
 #include "sweep/journal.h"
 #include "sweep/ranks.h"
+#include "sweep/threads.h"
 
 /* Memory for each mode while the modes are found, measured. */
 enum { MODE_BYTES = 900 };
@@ -23,7 +23,6 @@ enum { MODE_BYTES = 900 };
 struct collide {
     struct sweep sweep;
     int threads;
-    struct sweep_room *room; /* one workspace for each thread */
     struct cor_disk_mode *mode;
     struct cor_disk_modes modes;    /* soft walls: modes of the present material */
     struct hard_wall_tables tables; /* the hard wall: modes of the present material, as many as the rows need */
@@ -36,7 +35,7 @@ struct collide {
 
     double started, modes_seconds, rows_seconds, rows_started; /* times of this run; modes_seconds: for one material */
     double cost_done, cost_found; /* of rows finished in this run, and of rows found in the journal */
-    uint64_t ready;
+    uint64_t finished;
     size_t materials_left;
 };
 
@@ -73,19 +72,19 @@ static int find_modes(struct collide *run, size_t material)
 }
 
 /* Sends the modes to the other ranks. */
-static void send_modes(struct crew *crew, const struct collide *run)
+static void send_modes(struct threads *threads, const struct collide *run)
 {
     if (ranks_count() < 2)
         return;
     if (run->sweep.hard_wall) {
-        crew_broadcast(crew, &run->tables.nu, sizeof run->tables.nu);
+        threads_broadcast(threads, &run->tables.nu, sizeof run->tables.nu);
         return;
     }
     const size_t bytes = run->modes.count * sizeof *run->mode;
     unsigned char *message = xmalloc(sizeof run->modes.nu + bytes);
     memcpy(message, &run->modes.nu, sizeof run->modes.nu);
     memcpy(message + sizeof run->modes.nu, run->mode, bytes);
-    crew_broadcast(crew, message, sizeof run->modes.nu + bytes);
+    threads_broadcast(threads, message, sizeof run->modes.nu + bytes);
     free(message);
 }
 
@@ -143,25 +142,12 @@ static int refuse_early(const struct collide *run)
 
 /* ---- rows ---- */
 
-static void collide_row(void *context, int thread, uint64_t number, void *result)
+static void collide_row(void *context, struct workspace *workspace, uint64_t number, void *result)
 {
     struct collide *run = context;
     struct sweep_row row;
     sweep_row(&row, &run->sweep, number);
-    if (run->sweep.hard_wall)
-        sweep_collide_hard(result, &run->sweep, &row, &run->tables, &run->room[thread]);
-    else
-        sweep_collide(result, &run->sweep, &row, &run->modes, &run->room[thread]);
-}
-
-static void row_ready(void *context, uint64_t number, const void *result)
-{
-    struct collide *run = context;
-    (void)result;
-    if (run->again && number == run->again_row)
-        return;
-    run->cost_done += sweep_cost(&run->sweep, number);
-    run->ready++;
+    sweep_collide(result, &run->sweep, &row, &run->modes, &run->tables, workspace);
 }
 
 static int row_finished(void *context, uint64_t number, const void *bytes)
@@ -180,7 +166,11 @@ static int row_finished(void *context, uint64_t number, const void *bytes)
             return fail("%s was begun by another corgen or on another machine: its row %" PRIu64
                         " has other digits here; continue there, remove it or choose another --output",
                         run->journal.path, number + 1);
-    } else if (run->journal.path) {
+        return STATUS_OK;
+    }
+    run->cost_done += sweep_cost(&run->sweep, number);
+    run->finished++;
+    if (run->journal.path) {
         journal_add(&run->journal, line);
     } else {
         sweep_print(&run->printer, line);
@@ -202,17 +192,17 @@ static double seconds_left(const struct collide *run)
 static int sweep_tick(void *context)
 {
     struct collide *run = context;
-    progress_left("collisions", (long)run->ready, (long)run->sweep.rows, seconds_left(run));
+    progress_left("collisions", (long)run->finished, (long)run->sweep.rows, seconds_left(run));
     return run->journal.path ? journal_flush(&run->journal) : STATUS_OK;
 }
 
 /* Collides all rows from `first` on. */
-static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
+static int collide_all(struct collide *run, struct threads *threads, uint64_t first)
 {
     const uint64_t each = sweep_rows_of_material(&run->sweep);
     bool checked = false;
     run->started = clock_seconds();
-    run->ready = first;
+    run->finished = first;
     if (first > 0 && first < run->sweep.rows && run->journal.last) {
         run->again = run->journal.last;
         run->again_row = first - 1;
@@ -227,10 +217,10 @@ static int collide_all(struct collide *run, struct crew *crew, uint64_t first)
         if (status != STATUS_OK)
             return status;
         checked = true;
-        send_modes(crew, run);
+        send_modes(threads, run);
         profile_step("collisions");
         run->rows_started = clock_seconds();
-        status = crew_run(crew, first, (first / each + 1) * each);
+        status = threads_run(threads, first, (first / each + 1) * each);
         run->rows_seconds += clock_seconds() - run->rows_started;
         profile_step(NULL);
         if (run->journal.path && journal_flush(&run->journal) != STATUS_OK)
@@ -274,35 +264,26 @@ static int publish_journal(struct collide *run, const struct sweep_request *requ
     return status;
 }
 
-static char *title_of_hard_wall(const struct sweep *sweep)
+/* The line that identifies a sweep, and its command */
+static char *title_of(const struct sweep *s)
 {
-    static const char format[] = "corgen disk-collide, unfinished, sweep %016" PRIx64 ", %" PRIu64
-                                 " rows: --hard-wall --speed %s --poisson %s --tolerance %s";
-    const size_t size = sizeof format + 4 * DECIMAL_TEXT + strlen(sweep->speed.text) + strlen(sweep->poisson.text);
-    char *title = xmalloc(size), tolerance[DECIMAL_TEXT];
-    snprintf(title, size, format, sweep_identity(sweep), sweep->rows, sweep->speed.text, sweep->poisson.text,
-             decimal_text(tolerance, sweep->tolerance));
+    char *title = NULL, tolerance[DECIMAL_TEXT];
+    size_t size = 0;
+    FILE *const text = open_memstream(&title, &size);
+    if (!text)
+        return NULL;
+    fprintf(text, "corgen disk-collide, unfinished, sweep %016" PRIx64 ", %" PRIu64 " rows:%s --speed %s --poisson %s",
+            sweep_identity(s), s->rows, s->hard_wall ? " --hard-wall" : "", s->speed.text, s->poisson.text);
+    if (!s->hard_wall)
+        fprintf(text, " --alpha %s --modes %s", s->alpha.text, s->modes.text);
+    fprintf(text, " --tolerance %s", decimal_text(tolerance, s->tolerance));
+    if (!s->hard_wall)
+        fprintf(text, " --phi-points %zu", s->phi_points);
+    fclose(text);
     return title;
 }
 
-static char *title_of(const struct sweep *sweep)
-{
-    if (sweep->hard_wall)
-        return title_of_hard_wall(sweep);
-    static const char format[] = "corgen disk-collide, unfinished, sweep %016" PRIx64 ", %" PRIu64
-                                 " rows: --speed %s --poisson %s --alpha %s --modes %s --tolerance %s --phi-points %zu";
-    size_t size = sizeof format + 4 * DECIMAL_TEXT;
-    const char *const text[SWEEP_LISTS] = {sweep->speed.text, sweep->poisson.text, sweep->alpha.text,
-                                           sweep->modes.text};
-    for (size_t i = 0; i < SWEEP_LISTS; i++)
-        size += strlen(text[i]);
-    char *title = xmalloc(size), tolerance[DECIMAL_TEXT];
-    snprintf(title, size, format, sweep_identity(sweep), sweep->rows, text[0], text[1], text[2], text[3],
-             decimal_text(tolerance, sweep->tolerance), sweep->phi_points);
-    return title;
-}
-
-static int collide_to_file(struct collide *run, struct crew *crew, const struct sweep_request *request)
+static int collide_to_file(struct collide *run, struct threads *threads, const struct sweep_request *request)
 {
     /* fail now rather than after hours if the file cannot be written; this also installs output.c's signal handlers */
     struct output probe;
@@ -310,28 +291,28 @@ static int collide_to_file(struct collide *run, struct crew *crew, const struct 
         return STATUS_FAILED;
     output_discard(&probe);
     char *title = title_of(&run->sweep);
-    int status = journal_open(&run->journal, request->output, title, run->sweep.rows);
+    int status = title ? journal_open(&run->journal, request->output, title, run->sweep.rows) : STATUS_FAILED;
     free(title);
     if (status != STATUS_OK)
         return status;
     for (uint64_t i = 0; i < run->journal.lines; i++)
         run->cost_found += sweep_cost(&run->sweep, i);
     journal_say_on_interrupt(&run->journal);
-    status = collide_all(run, crew, run->journal.lines);
-    journal_silent_on_interrupt();
+    status = collide_all(run, threads, run->journal.lines);
+    journal_silent_on_interrupt(&run->journal);
     if (status == STATUS_OK)
         status = publish_journal(run, request);
     journal_close(&run->journal, status == STATUS_OK);
     return status == STATUS_OK ? report_rows(&run->printer) : status;
 }
 
-static int collide_to_stream(struct collide *run, struct crew *crew, const struct sweep_request *request)
+static int collide_to_stream(struct collide *run, struct threads *threads, const struct sweep_request *request)
 {
     struct output out;
     if (output_open(&out, request->output) != STATUS_OK)
         return STATUS_FAILED;
     sweep_print_start(&run->printer, &run->sweep, request->format, out.file);
-    int status = collide_all(run, crew, 0);
+    int status = collide_all(run, threads, 0);
     if (status == STATUS_OK)
         sweep_print_end(&run->printer);
     if (status != STATUS_OK && !ferror(out.file)) {
@@ -350,30 +331,25 @@ int sweep_run(const struct sweep_request *request)
         status = sweep_count(&run.sweep);
     run.threads = request->threads > 0 ? request->threads : ranks_count() > 1 ? 1 : parallel_processors();
     hard_wall_tables_init(&run.tables);
-    run.room = xmalloc((size_t)run.threads * sizeof *run.room);
-    memset(run.room, 0, (size_t)run.threads * sizeof *run.room);
-    struct crew *crew = NULL;
-    const struct crew_work work = {
-        &run, sizeof(struct sweep_result), collide_row, row_ready, row_finished, sweep_tick, receive_modes};
-    if (status == STATUS_OK && !(crew = crew_start(&work, run.threads)))
+    struct threads *threads = NULL;
+    const struct threads_work work = {&run,         sizeof(struct sweep_result), collide_row, row_finished, sweep_tick,
+                                      receive_modes};
+    if (status == STATUS_OK && !(threads = threads_start(&work, run.threads)))
         status = STATUS_FAILED;
-    /* not before the crew exists: crew_stop ends the other ranks */
+    /* not before the threads exists: threads_stop ends the other ranks */
     if (status == STATUS_OK && ranks_mine() == 0 && !run.sweep.hard_wall)
         status = refuse_memory(&run.sweep);
     if (status == STATUS_OK && ranks_mine() == 0 && !run.sweep.hard_wall)
         status = refuse_early(&run);
     if (status == STATUS_OK) {
         if (ranks_mine() > 0)
-            crew_serve(crew);
+            threads_serve(threads);
         else if (!output_is_direct(request->output))
-            status = collide_to_file(&run, crew, request);
+            status = collide_to_file(&run, threads, request);
         else
-            status = collide_to_stream(&run, crew, request);
+            status = collide_to_stream(&run, threads, request);
     }
-    crew_stop(crew);
-    for (int i = 0; i < run.threads; i++)
-        free(run.room[i].bytes);
-    free(run.room);
+    threads_stop(threads);
     free(run.mode);
     hard_wall_tables_clear(&run.tables);
     return status;

@@ -9,7 +9,6 @@
 
 #include "cor/status.h"
 #include "disk/modes.h"
-#include "support/clock.h"
 #include "support/console.h"
 
 #define TEXT_OF_(x) #x
@@ -179,30 +178,18 @@ static const struct sweep_result no_result = {.collision = {NAN, NAN, NAN, NAN, 
                                               .hard_wall = {NAN, NAN, NAN, NAN, NAN, 0}};
 
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
-                   const struct cor_disk_modes *modes, struct sweep_room *room)
+                   const struct cor_disk_modes *modes, struct hard_wall_tables *tables, struct workspace *workspace)
 {
-    const double start = clock_seconds();
-    const struct cor_disk_collision_options options = {row->alpha, sweep->tolerance, sweep->phi_points, 0};
-    /* sized for this row alone: the angles chosen must not depend on earlier rows */
     *result = no_result;
-    const size_t needed = cor_disk_collision_workspace(modes, row->modes, &options);
-    if (needed > room->size) {
-        free(room->bytes);
-        room->bytes = xmalloc(needed);
-        room->size = needed;
+    if (sweep->hard_wall) {
+        result->status = hard_wall_collide(&result->hard_wall, tables, sweep->tolerance, 0, row->speed, workspace);
+        return;
     }
-    result->status =
-        cor_disk_collision_in(room->bytes, needed, modes, row->modes, &options, row->speed, &result->collision, NULL);
-    result->seconds = clock_seconds() - start;
-}
-
-void sweep_collide_hard(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
-                        struct hard_wall_tables *tables, struct sweep_room *room)
-{
-    const double start = clock_seconds();
-    *result = no_result;
-    result->status = hard_wall_collide(&result->hard_wall, tables, sweep->tolerance, 0, row->speed, room);
-    result->seconds = clock_seconds() - start;
+    /* sized for this row alone: the angles chosen must not depend on earlier rows */
+    const struct cor_disk_collision_options options = {row->alpha, sweep->tolerance, sweep->phi_points, 0};
+    const size_t needed = cor_disk_collision_workspace(modes, row->modes, &options);
+    result->status = cor_disk_collision_in(workspace_reserve(workspace, needed), needed, modes, row->modes, &options,
+                                           row->speed, &result->collision, NULL);
 }
 
 /* ---- lines ---- */
@@ -212,19 +199,18 @@ enum { SMALL_DIGITS = 2 };
 
 static const char *status_word(char text[DECIMAL_TEXT], int status)
 {
-    switch (status) {
-    case COR_OK:
-        return "ok";
-    case COR_TOLERANCE_NOT_REACHED:
-        return "tolerance_not_reached";
-    case COR_WALL_NOT_TOUCHED:
-        return "wall_not_touched";
-    case COR_CONTACT_NOT_ENDED:
-        return "contact_not_ended";
-    default:
-        snprintf(text, DECIMAL_TEXT, "error_%d", status);
-        return text;
-    }
+    static const struct {
+        int status;
+        const char *word;
+    } known[] = {{COR_OK, "ok"},
+                 {COR_TOLERANCE_NOT_REACHED, "tolerance_not_reached"},
+                 {COR_WALL_NOT_TOUCHED, "wall_not_touched"},
+                 {COR_CONTACT_NOT_ENDED, "contact_not_ended"}};
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (known[i].status == status)
+            return known[i].word;
+    snprintf(text, DECIMAL_TEXT, "error_%d", status);
+    return text;
 }
 
 /* Two digits of an error, rounded up */

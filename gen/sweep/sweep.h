@@ -40,7 +40,6 @@ struct sweep_result {
     struct cor_disk_collision collision; /* soft walls; NaN and 0 if the status says that there is no result */
     struct cor_disk_hard_wall hard_wall; /* the rigid wall; likewise */
     int status;
-    double seconds;
 };
 
 extern const struct values_rule sweep_speed, sweep_poisson, sweep_alpha, sweep_modes;
@@ -58,10 +57,9 @@ uint64_t sweep_identity(const struct sweep *sweep);
 /* The cost of a row in an arbitrary unit of time; sweep->cost is the sum. */
 double sweep_cost(const struct sweep *sweep, uint64_t number);
 
+/* modes: for soft walls; tables: for the rigid wall */
 void sweep_collide(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
-                   const struct cor_disk_modes *modes, struct sweep_room *room);
-void sweep_collide_hard(struct sweep_result *result, const struct sweep *sweep, const struct sweep_row *row,
-                        struct hard_wall_tables *tables, struct sweep_room *room);
+                   const struct cor_disk_modes *modes, struct hard_wall_tables *tables, struct workspace *workspace);
 
 /* Formats a row as a line of csv, without its line end: results up to the second digit of their error. */
 void sweep_line(char line[SWEEP_LINE], const struct sweep *sweep, const struct sweep_row *row,

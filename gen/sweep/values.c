@@ -154,29 +154,20 @@ static int values_add_member(struct values *values, const struct values_rule *ru
             part[parts++] = c + 1;
         }
     }
+    const bool stepped = parts == 3 && (*part[2] == '+' || *part[2] == '-');
+    const bool spread = parts == 4 && (strcmp(part[2], "lin") == 0 || strcmp(part[2], "log") == 0);
+    if (parts > 1 && !stepped && !spread)
+        return usage_error("--%s: '%s' is not a range; %s", rule->option, whole, ranges_are);
     fmpq_t a, b;
     fmpq_init(a);
     fmpq_init(b);
-    int status;
-    if (parts == 1) {
-        status = value_read(a, rule, part[0]);
-        if (status == STATUS_OK)
-            status = values_add(values, rule, a, capacity);
-    } else if (parts == 3 && (*part[2] == '+' || *part[2] == '-')) {
-        status = value_read(a, rule, part[0]);
-        if (status == STATUS_OK)
-            status = value_read(b, rule, part[1]);
-        if (status == STATUS_OK)
-            status = values_add_stepped(values, rule, whole, a, b, part[2], capacity);
-    } else if (parts == 4 && (strcmp(part[2], "lin") == 0 || strcmp(part[2], "log") == 0)) {
-        status = value_read(a, rule, part[0]);
-        if (status == STATUS_OK)
-            status = value_read(b, rule, part[1]);
-        if (status == STATUS_OK)
-            status = values_add_spread(values, rule, whole, a, b, part[2], part[3], capacity);
-    } else {
-        status = usage_error("--%s: '%s' is not a range; %s", rule->option, whole, ranges_are);
-    }
+    int status = value_read(a, rule, part[0]);
+    if (status == STATUS_OK && parts > 1)
+        status = value_read(b, rule, part[1]);
+    if (status == STATUS_OK)
+        status = stepped  ? values_add_stepped(values, rule, whole, a, b, part[2], capacity)
+                 : spread ? values_add_spread(values, rule, whole, a, b, part[2], part[3], capacity)
+                          : values_add(values, rule, a, capacity);
     fmpq_clear(a);
     fmpq_clear(b);
     return status;
@@ -253,18 +244,21 @@ void values_clear(struct values *values)
     *values = (struct values){0};
 }
 
+/* The least value (sign -1) or the largest (1) */
+static double extreme(const struct values *values, int sign)
+{
+    double most = values->nearest[0];
+    for (size_t i = 1; i < values->count; i++)
+        most = sign * values->nearest[i] > sign * most ? values->nearest[i] : most;
+    return most;
+}
+
 double values_least(const struct values *values)
 {
-    double least = values->nearest[0];
-    for (size_t i = 1; i < values->count; i++)
-        least = fmin(least, values->nearest[i]);
-    return least;
+    return extreme(values, -1);
 }
 
 double values_largest(const struct values *values)
 {
-    double largest = values->nearest[0];
-    for (size_t i = 1; i < values->count; i++)
-        largest = fmax(largest, values->nearest[i]);
-    return largest;
+    return extreme(values, 1);
 }

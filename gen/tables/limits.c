@@ -12,9 +12,9 @@
 #include "support/console.h"
 #include "support/emit_c.h"
 #include "support/parallel.h"
-#include "sweep/crew.h"
 #include "sweep/hard_wall.h"
 #include "sweep/journal.h"
+#include "sweep/threads.h"
 
 /* The plane and its first division */
 #define FIRST_SPEED 1e-5
@@ -134,19 +134,18 @@ struct outcome {
 struct collisions {
     struct scene *scene; /* in order of place */
     struct hard_wall_tables tables;
-    struct sweep_room *room; /* of each thread */
     struct journal *journal; /* NULL: none */
     const char *name;        /* for the progress */
     long done, count;
 };
 
-static void scene_collide(void *context, int thread, uint64_t task, void *result)
+static void scene_collide(void *context, struct workspace *workspace, uint64_t task, void *result)
 {
     struct collisions *const run = context;
     const int32_t x = run->scene[task].x;
     struct outcome outcome;
     outcome.status = hard_wall_collide(&outcome.out, &run->tables, is_calm(x) ? CALM_TOLERANCE : FAST_TOLERANCE,
-                                       SIZE_MAX, speed_at(x), &run->room[thread]);
+                                       SIZE_MAX, speed_at(x), workspace);
     memcpy(result, &outcome, sizeof outcome);
 }
 
@@ -180,27 +179,21 @@ static int sweep_tick(void *context)
 /* Computes all scenes. They are in order of place, so that those of one material are together. */
 static int collide_all(struct scene *scene, long count, struct journal *journal, const char *name)
 {
-    const int threads = parallel_processors();
     struct collisions run = {.scene = scene, .journal = journal, .name = name, .count = count};
     hard_wall_tables_init(&run.tables);
-    run.room = xmalloc((size_t)threads * sizeof *run.room);
-    memset(run.room, 0, (size_t)threads * sizeof *run.room);
-    const struct crew_work work = {&run, sizeof(struct outcome), scene_collide, NULL, scene_finish, sweep_tick, NULL};
-    struct crew *const crew = crew_start(&work, threads);
-    int status = crew ? STATUS_OK : STATUS_FAILED;
+    const struct threads_work work = {&run, sizeof(struct outcome), scene_collide, scene_finish, sweep_tick, NULL};
+    struct threads *const threads = threads_start(&work, parallel_processors());
+    int status = threads ? STATUS_OK : STATUS_FAILED;
     for (long first = 0, end; first < count && status == STATUS_OK; first = end) {
         for (end = first; end < count && scene[end].nu == scene[first].nu;)
             end++;
         hard_wall_tables_set(&run.tables, nu_at(scene[first].nu));
-        status = crew_run(crew, (uint64_t)first, (uint64_t)end);
+        status = threads_run(threads, (uint64_t)first, (uint64_t)end);
     }
     if (status == STATUS_OK && journal)
         status = journal_flush(journal);
     progress_end();
-    crew_stop(crew);
-    for (int i = 0; i < threads; i++)
-        free(run.room[i].bytes);
-    free(run.room);
+    threads_stop(threads);
     hard_wall_tables_clear(&run.tables);
     return status;
 }
@@ -414,7 +407,7 @@ int disk_limits_collide(const char *path)
     if (status == STATUS_OK) {
         journal_say_on_interrupt(&journal);
         status = collide_cells(&scenes, &journal);
-        journal_silent_on_interrupt();
+        journal_silent_on_interrupt(&journal);
     }
     table->scenes = scenes.count;
     /* seconds of this run, scaled up by the number of all collisions over that of this run */

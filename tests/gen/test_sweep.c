@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Sweeps: lists, rows, the crew that computes them, on one rank and on several, and the journal that survives whatever
+/* Sweeps: lists, rows, the threads that compute them, on one rank and on several, and the journal that survives whatever
  * ends it. */
 #define _DEFAULT_SOURCE /* mkdtemp, truncate */
 #include <fcntl.h>
@@ -21,11 +21,11 @@
 #include "cor/disk.h"
 #include "cor/status.h"
 #include "runtime/core/mode_file.h"
-#include "sweep/crew.h"
 #include "sweep/hard_wall.h"
 #include "sweep/journal.h"
 #include "sweep/ranks.h"
 #include "sweep/sweep.h"
+#include "sweep/threads.h"
 
 /* ---- lists ---- */
 
@@ -48,6 +48,13 @@ static void assert_list(const struct values_rule *rule, const char *list, const 
     values_clear(&values);
 }
 
+static void assert_exact(const struct values *values, size_t i, const char *expected)
+{
+    char *const exact = fmpq_get_str(NULL, 10, values->exact + i);
+    assert_string_equal(exact, expected);
+    flint_free(exact);
+}
+
 static void test_lists(void **state)
 {
     (void)state;
@@ -68,20 +75,14 @@ static void test_lists(void **state)
 
     struct values values;
     assert_int_equal(values_parse(&values, &any, "1:1000:lin:3,1/7"), STATUS_OK);
-    char *exact = fmpq_get_str(NULL, 10, values.exact + 1);
-    assert_string_equal(exact, "1001/2");
-    flint_free(exact);
-    exact = fmpq_get_str(NULL, 10, values.exact + 3);
-    assert_string_equal(exact, "1/7");
-    flint_free(exact);
+    assert_exact(&values, 1, "1001/2");
+    assert_exact(&values, 3, "1/7");
     assert_true(values_least(&values) == 1.0 / 7 && values_largest(&values) == 1000);
     values_clear(&values);
     /* of two exact numbers with one double, the first stays */
     assert_int_equal(values_parse(&values, &any, "1/3,0.33333333333333333,2,33333333333333333e-17"), STATUS_OK);
     assert_int_equal(values.count, 2);
-    exact = fmpq_get_str(NULL, 10, values.exact);
-    assert_string_equal(exact, "1/3");
-    flint_free(exact);
+    assert_exact(&values, 0, "1/3");
     values_clear(&values);
 }
 
@@ -161,28 +162,33 @@ static void test_product(void **state)
     check(fabs(cost / sweep.cost - 1) < 1e-12, "%g %g", cost, sweep.cost);
 
     /* another phrasing is the same sweep, another number, order or option another */
-    struct sweep other;
+    static const struct {
+        const char *speed, *poisson, *alpha, *modes;
+        double tolerance;
+        size_t phi_points;
+        bool same;
+    } other[] = {
+        {"2e-1,1/10,0.3,0.1", "0.90,-2/6", "500:100:-400", "940,10,3600,1", 1e-8, 0, true},
+        {"0.2,0.1,0.3", "0.9,-1/3", "500,100", "940,10,3600,1", 1e-9, 0, false},
+        {"0.2,0.1,0.3", "0.9,-1/3", "500,100", "940,10,3600,1", 1e-8, 100, false},
+        {"0.1,0.2,0.3", "0.9,-1/3", "500,100", "940,10,3600,1", 1e-8, 0, false},
+        {"0.2,0.1,0.3", "0.9,-0.3333333333333333", "500,100", "940,10,3600,1", 1e-8, 0, false}, /* the same double */
+    };
     const uint64_t identity = sweep_identity(&sweep);
-    make_sweep(&other, "2e-1,1/10,0.3,0.1", "0.90,-2/6", "500:100:-400", "940,10,3600,1");
-    assert_true(sweep_identity(&other) == identity);
-    other.tolerance = 1e-9;
-    assert_true(sweep_identity(&other) != identity);
-    other.tolerance = sweep.tolerance;
-    other.phi_points = 100;
-    assert_true(sweep_identity(&other) != identity);
-    sweep_clear(&other);
-    make_sweep(&other, "0.1,0.2,0.3", "0.9,-1/3", "500,100", "940,10,3600,1");
-    assert_true(sweep_identity(&other) != identity);
-    sweep_clear(&other);
-    make_sweep(&other, "0.2,0.1,0.3", "0.9,-0.3333333333333333", "500,100", "940,10,3600,1");
-    assert_true(sweep_identity(&other) != identity); /* the same double, and other modes */
-    sweep_clear(&other);
     sweep_clear(&sweep);
+    for (size_t i = 0; i < sizeof other / sizeof *other; i++) {
+        make_sweep(&sweep, other[i].speed, other[i].poisson, other[i].alpha, other[i].modes);
+        sweep.tolerance = other[i].tolerance;
+        sweep.phi_points = other[i].phi_points;
+        check((sweep_identity(&sweep) == identity) == other[i].same, "%zu", i);
+        sweep_clear(&sweep);
+    }
     /* a number that moves from one list to the next */
+    make_sweep(&sweep, "0.1", "0.9", "100", "200,10");
+    const uint64_t moved = sweep_identity(&sweep);
+    sweep_clear(&sweep);
     make_sweep(&sweep, "0.1", "0.9", "100,200", "10");
-    make_sweep(&other, "0.1", "0.9", "100", "200,10");
-    assert_true(sweep_identity(&other) != sweep_identity(&sweep));
-    sweep_clear(&other);
+    assert_true(sweep_identity(&sweep) != moved);
     /* as many digits as the tolerance justifies */
     static const double tolerance[] = {1e-6, 1.1e-6, 9e-6, 1e-5};
     FILE *const none = tmpfile();
@@ -250,7 +256,7 @@ static void test_cost(void **state)
 {
     (void)state;
     struct sweep sweep;
-    struct sweep_room room = {NULL, 0};
+    struct workspace workspace = {NULL, 0};
     double least = INFINITY, most = 0;
     make_sweep(&sweep, "0.1,0.3", "0.33", "50,300", "40");
     assert_int_equal(sweep_count(&sweep), STATUS_OK);
@@ -258,18 +264,18 @@ static void test_cost(void **state)
         struct sweep_row row;
         struct sweep_result result;
         sweep_row(&row, &sweep, number);
-        sweep_collide(&result, &sweep, &row, &cor_disk_modes_nu033, &room);
+        sweep_collide(&result, &sweep, &row, &cor_disk_modes_nu033, NULL, &workspace);
         assert_int_equal(result.status, COR_OK);
         const double steps = (double)result.collision.steps / sweep_cost(&sweep, number);
         least = fmin(least, steps);
         most = fmax(most, steps);
     }
     check(most < 2 * least, "from %g to %g steps for each unit of cost", least, most);
-    free(room.bytes);
+    free(workspace.bytes);
     sweep_clear(&sweep);
 }
 
-/* ---- the crew ---- */
+/* ---- the threads ---- */
 
 enum { TASKS = 40000 };
 
@@ -277,13 +283,12 @@ struct crowd {
     atomic_uint_fast64_t next;
     uint64_t stop_at, slow, long_from; /* tasks from there take 10 ms */
     atomic_int begun;                  /* of them */
-    size_t ready;
-    int threads;
     bool uneven;
 };
 
-static void crowd_work(void *context, int thread, uint64_t task, void *result)
+static void crowd_work(void *context, struct workspace *workspace, uint64_t task, void *result)
 {
+    (void)workspace;
     struct crowd *crowd = context;
     if (crowd->uneven && (task % 997 == 0 || task == crowd->slow)) {
         const struct timespec nap = {0, task == crowd->slow ? 300000000 : 3000000};
@@ -293,17 +298,9 @@ static void crowd_work(void *context, int thread, uint64_t task, void *result)
         crowd->begun++;
         nanosleep(&(struct timespec){0, 10000000}, NULL);
     }
-    const bool right = thread >= 0 && thread < crowd->threads && task < atomic_load(&crowd->next) + CREW_AHEAD;
+    const bool right = task < atomic_load(&crowd->next) + THREADS_AHEAD;
     const uint64_t value = right ? task * task : 1;
     memcpy(result, &value, sizeof value);
-}
-
-static void crowd_ready(void *context, uint64_t task, const void *result)
-{
-    struct crowd *crowd = context;
-    uint64_t value;
-    memcpy(&value, result, sizeof value);
-    crowd->ready += value == task * task;
 }
 
 static int crowd_finish(void *context, uint64_t task, const void *result)
@@ -318,41 +315,39 @@ static int crowd_finish(void *context, uint64_t task, const void *result)
 
 /* Every task once and in order, from any number of threads, in runs one behind the other, and to where it is stopped.
  */
-static void test_crew(void **state)
+static void test_threads(void **state)
 {
     (void)state;
-    for (int threads = 1; threads <= 3; threads++) {
-        struct crowd crowd = {
-            .stop_at = UINT64_MAX, .slow = 100, .long_from = UINT64_MAX, .threads = threads, .uneven = threads > 1};
-        const struct crew_work work = {&crowd, sizeof(uint64_t), crowd_work, crowd_ready, crowd_finish, NULL, NULL};
-        struct crew *crew = crew_start(&work, threads);
-        assert_non_null(crew);
-        assert_int_equal(crew_run(crew, 0, 0), 0);
-        assert_int_equal(crew_run(crew, 0, 5), 0);
-        assert_int_equal(crew_run(crew, 5, TASKS), 0);
+    for (int count = 1; count <= 3; count++) {
+        struct crowd crowd = {.stop_at = UINT64_MAX, .slow = 100, .long_from = UINT64_MAX, .uneven = count > 1};
+        const struct threads_work work = {&crowd, sizeof(uint64_t), crowd_work, crowd_finish, NULL, NULL};
+        struct threads *threads = threads_start(&work, count);
+        assert_non_null(threads);
+        assert_int_equal(threads_run(threads, 0, 0), 0);
+        assert_int_equal(threads_run(threads, 0, 5), 0);
+        assert_int_equal(threads_run(threads, 5, TASKS), 0);
         assert_int_equal(crowd.next, TASKS);
-        assert_int_equal(crowd.ready, TASKS);
         crowd.next = 1000;
         crowd.stop_at = 1234;
-        assert_int_equal(crew_run(crew, 1000, TASKS), 7);
+        assert_int_equal(threads_run(threads, 1000, TASKS), 7);
         assert_int_equal(crowd.next, 1235);
         /* of the tasks that wait then, none begins */
         crowd.next = 0;
         crowd.slow = UINT64_MAX;
         crowd.stop_at = 999;
         crowd.long_from = 1000;
-        assert_int_equal(crew_run(crew, 0, TASKS), 7);
-        check(crowd.begun < 30 * threads, "%d tasks of %d threads began", crowd.begun, threads);
+        assert_int_equal(threads_run(threads, 0, TASKS), 7);
+        check(crowd.begun < 30 * count, "%d tasks of %d threads began", crowd.begun, count);
         crowd.long_from = UINT64_MAX;
         crowd.next = 3;
         crowd.stop_at = UINT64_MAX;
-        assert_int_equal(crew_run(crew, 3, 20), 0);
+        assert_int_equal(threads_run(threads, 3, 20), 0);
         assert_int_equal(crowd.next, 20);
-        crew_stop(crew);
+        threads_stop(threads);
     }
 }
 
-/* ---- the crew on two ranks: threads that send each other messages ---- */
+/* ---- the threads on two ranks: threads that send each other messages ---- */
 
 struct message {
     struct message *next;
@@ -432,9 +427,9 @@ static void nap(long milliseconds)
 }
 
 /* Rank 0's thread is held up until the other rank has done most of the work. */
-static void party_work(void *context, int thread, uint64_t task, void *result)
+static void party_work(void *context, struct workspace *workspace, uint64_t task, void *result)
 {
-    (void)thread;
+    (void)workspace;
     struct party *const party = context;
     const uint64_t value = task * task;
     memcpy(result, &value, sizeof value);
@@ -444,9 +439,9 @@ static void party_work(void *context, int thread, uint64_t task, void *result)
         party->waited_in_vain = true;
 }
 
-static void other_work(void *context, int thread, uint64_t task, void *result)
+static void other_work(void *context, struct workspace *workspace, uint64_t task, void *result)
 {
-    (void)thread;
+    (void)workspace;
     struct party *const party = context;
     const uint64_t value = task * task;
     memcpy(result, &value, sizeof value);
@@ -463,11 +458,11 @@ static void other_received(void *context, const void *bytes, size_t n)
 
 static void *other_rank(void *context)
 {
-    const struct crew_work work = {context, sizeof(uint64_t), other_work, NULL, NULL, NULL, other_received};
+    const struct threads_work work = {context, sizeof(uint64_t), other_work, NULL, NULL, other_received};
     rank_of_thread = 1;
-    struct crew *const crew = crew_start(&work, 1);
-    crew_serve(crew);
-    crew_stop(crew);
+    struct threads *const threads = threads_start(&work, 1);
+    threads_serve(threads);
+    threads_stop(threads);
     return NULL;
 }
 
@@ -478,24 +473,23 @@ static void test_ranks(void **state)
     (void)state;
     static struct party party;
     party.crowd.stop_at = UINT64_MAX;
-    const struct crew_work work = {&party, sizeof(uint64_t), party_work, crowd_ready, crowd_finish, NULL, NULL};
+    const struct threads_work work = {&party, sizeof(uint64_t), party_work, crowd_finish, NULL, NULL};
     pthread_t other;
     rank_count = 2;
-    struct crew *const crew = crew_start(&work, 1);
+    struct threads *const threads = threads_start(&work, 1);
     assert_int_equal(pthread_create(&other, NULL, other_rank, &party), 0);
-    crew_broadcast(crew, "hello", 5);
-    assert_int_equal(crew_run(crew, 0, SHARED_TASKS), 0);
+    threads_broadcast(threads, "hello", 5);
+    assert_int_equal(threads_run(threads, 0, SHARED_TASKS), 0);
     assert_int_equal(party.crowd.next, SHARED_TASKS);
-    assert_int_equal(party.crowd.ready, SHARED_TASKS);
     check(!party.waited_in_vain, "the other rank was left with %d tasks", party.by_other);
 
     alarm(20); /* a run that waits for tasks that are not away does not end */
     party.crowd.next = 10;
     party.crowd.stop_at = 77;
-    assert_int_equal(crew_run(crew, 10, SHARED_TASKS), 7);
+    assert_int_equal(threads_run(threads, 10, SHARED_TASKS), 7);
     assert_int_equal(party.crowd.next, 78);
     alarm(0);
-    crew_stop(crew);
+    threads_stop(threads);
     assert_int_equal(pthread_join(other, NULL), 0);
     assert_int_equal(party.received, 1);
     assert_null(inbox[0]);
@@ -530,23 +524,30 @@ static const char title[] = "corgen disk-collide, unfinished, sweep 1: --speed 0
 static const char *const line[] = {"1,2,3", "", "a longer line, with 12345678 at its end 12345678", "4,5"};
 enum { LINES = sizeof line / sizeof *line };
 
-static char *file_read(const char *path, size_t *size)
+static char file[64], part[64], whole_file[1 << 12]; /* FILE, FILE.part, and what a complete one holds */
+static size_t whole_size;
+
+static size_t part_read(char bytes[sizeof whole_file])
 {
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    char *bytes = malloc(1 << 16);
-    assert_non_null(bytes);
-    *size = fread(bytes, 1, 1 << 16, file);
-    fclose(file);
-    return bytes;
+    FILE *const stream = fopen(part, "rb");
+    assert_non_null(stream);
+    const size_t size = fread(bytes, 1, sizeof whole_file, stream);
+    fclose(stream);
+    return size;
 }
 
-static void file_write(const char *path, const char *bytes, size_t size)
+static void part_write(const char *bytes, size_t size)
 {
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, size, file), size);
-    assert_int_equal(fclose(file), 0);
+    FILE *const stream = fopen(part, "wb");
+    assert_non_null(stream);
+    assert_int_equal(fwrite(bytes, 1, size, stream), size);
+    assert_int_equal(fclose(stream), 0);
+}
+
+static void assert_part(const char *bytes, size_t size, const char *after, size_t at)
+{
+    char there[sizeof whole_file];
+    check(part_read(there) == size && memcmp(there, bytes, size) == 0, "%s %zu", after, at);
 }
 
 static void count_line(void *context, const char *text)
@@ -556,18 +557,28 @@ static void count_line(void *context, const char *text)
     assert_string_equal(text, line[(*n)++]);
 }
 
+static int start(struct journal *journal)
+{
+    return journal_open(journal, file, title, LINES);
+}
+
+static void add_lines(struct journal *journal, uint64_t first)
+{
+    for (uint64_t i = first; i < LINES; i++)
+        journal_add(journal, line[i]);
+}
+
 /* Goes on from whatever is there to the end, and gives the number of lines found, or -1 if it was refused. */
-static int go_on(const char *file)
+static int go_on(void)
 {
     struct journal journal;
-    if (journal_open(&journal, file, title, LINES) != STATUS_OK)
+    if (start(&journal) != STATUS_OK)
         return -1;
     const uint64_t found = journal.lines;
     assert_true(found <= LINES);
     if (found > 0)
         assert_string_equal(journal.last, line[found - 1]);
-    for (uint64_t i = found; i < LINES; i++)
-        journal_add(&journal, line[i]);
+    add_lines(&journal, found);
     assert_int_equal(journal_flush(&journal), STATUS_OK);
     size_t n = 0;
     assert_int_equal(journal_read(&journal, count_line, &n), STATUS_OK);
@@ -576,86 +587,84 @@ static int go_on(const char *file)
     return (int)found;
 }
 
-static void test_journal(void **state)
+/* The same bytes in the end, from these on */
+static int go_on_from(const char *bytes, size_t size, const char *what, size_t at)
 {
-    (void)state;
-    char directory[] = "/tmp/cor-sweep-XXXXXX";
+    part_write(bytes, size);
+    const int found = go_on();
+    if (found >= 0)
+        assert_part(whole_file, whole_size, what, at);
+    return found;
+}
+
+static void journal_start(void)
+{
+    static char directory[] = "/tmp/cor-sweep-XXXXXX";
     assert_non_null(mkdtemp(directory));
-    char file[64], part[64];
     snprintf(file, sizeof file, "%s/x", directory);
     snprintf(part, sizeof part, "%s/x.part", directory);
-    assert_int_equal(go_on(file), 0);
-    size_t size, again;
-    char *whole_file = file_read(part, &size);
-    assert_int_equal(go_on(file), LINES);
+    assert_int_equal(go_on(), 0);
+    whole_size = part_read(whole_file);
+    assert_int_equal(go_on(), LINES);
+}
 
-    /* cut off at every byte: the same bytes in the end, and all lines before the cut are taken over */
+/* Cut off anywhere, damaged anywhere, or longer than it should be */
+static void test_journal_damaged(void **state)
+{
+    (void)state;
     int last = 0;
-    for (size_t cut = 0; cut <= size; cut++) {
-        file_write(part, whole_file, cut);
-        const int found = go_on(file);
+    for (size_t cut = 0; cut <= whole_size; cut++) { /* all lines before the cut are taken over */
+        const int found = go_on_from(whole_file, cut, "cut at", cut);
         check(found >= last && found <= last + 1, "%d after %d at %zu", found, last, cut);
         last = found;
-        char *bytes = file_read(part, &again);
-        check(again == size && memcmp(bytes, whole_file, size) == 0, "cut at %zu", cut);
-        free(bytes);
     }
     assert_int_equal(last, LINES);
-    file_write(part, whole_file, size); /* more than there should be */
-    FILE *more = fopen(part, "ab");
-    assert_non_null(more);
-    fputs("4,5 0123abcd\nand more", more);
-    fclose(more);
-    assert_int_equal(go_on(file), LINES);
-    char *cut_off = file_read(part, &again);
-    assert_true(again == size && memcmp(cut_off, whole_file, size) == 0);
-    free(cut_off);
-    const size_t first = strlen(title) + 10;
-    for (size_t at = first; at < size;
-         at++) { /* each byte behind the first line damaged, or zeros from there, as a power cut leaves */
-        char *damaged = malloc(size);
-        assert_non_null(damaged);
-        memcpy(damaged, whole_file, size);
-        memset(damaged + at, at % 2 ? 0 : damaged[at] ^ 1, at % 2 ? size - at : 1);
-        file_write(part, damaged, size);
-        const int found = go_on(file);
+    char bytes[sizeof whole_file];
+    memcpy(bytes, whole_file, whole_size);
+    const size_t more = (size_t)snprintf(bytes + whole_size, 100, "4,5 0123abcd\nand more");
+    assert_int_equal(go_on_from(bytes, whole_size + more, "longer by", more), LINES);
+    for (size_t at = strlen(title) + 10; at < whole_size; at++) { /* one bit, or zeros as a power cut leaves */
+        memcpy(bytes, whole_file, whole_size);
+        memset(bytes + at, at % 2 ? 0 : bytes[at] ^ 1, at % 2 ? whole_size - at : 1);
+        const int found = go_on_from(bytes, whole_size, "damaged at", at);
         check(found >= 0 && found < LINES, "%zu: %d", at, found);
-        char *bytes = file_read(part, &again);
-        check(again == size && memcmp(bytes, whole_file, size) == 0, "damaged at %zu", at);
-        free(bytes);
-        free(damaged);
-    }
-
-    /* somebody else's: refused, and as it was */
-    static const char *const foreign[] = {"speed,nu\n0.1,0.33\n", "x", "\n", "corgen disk-collide of another day\n",
-                                          "corgen disk-collide, unfinished, sweep 1: --speed 0.1 01234567\n1,2,3\n"};
-    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
-        file_write(part, foreign[i], strlen(foreign[i]));
-        assert_int_equal(go_on(file), -1);
-        char *bytes = file_read(part, &again);
-        assert_true(again == strlen(foreign[i]) && memcmp(bytes, foreign[i], again) == 0);
-        free(bytes);
     }
     /* a line with a right check that no sweep writes */
     static const char zero[] = "1,2,3\0,4";
-    char checked[200];
     uint32_t hash = COR_MODE_FILE_CHECK_START;
     size_t length = 0;
     for (int i = 0; i < 2; i++) {
-        const char *const text = i == 0 ? title : zero;
         const size_t n = i == 0 ? strlen(title) : sizeof zero - 1;
-        memcpy(checked + length, text, n);
-        checked[length + n] = ' ';
-        hash = cor_mode_file_check(hash, checked + length, n + 1);
-        snprintf(checked + length + n + 1, 10, "%08" PRIx32 "\n", hash);
-        hash = cor_mode_file_check(hash, checked + length + n + 1, 9);
+        memcpy(bytes + length, i == 0 ? title : zero, n);
+        bytes[length + n] = ' ';
+        hash = cor_mode_file_check(hash, bytes + length, n + 1);
+        snprintf(bytes + length + n + 1, 10, "%08" PRIx32 "\n", hash);
+        hash = cor_mode_file_check(hash, bytes + length + n + 1, 9);
         length += n + 10;
     }
-    file_write(part, checked, length);
-    assert_int_equal(go_on(file), 0);
-
-    file_write(part, whole_file, size);
+    assert_int_equal(go_on_from(bytes, length, "zero byte", 0), 0);
+    /* one row more, and a good one */
     struct journal journal;
+    assert_int_equal(journal_open(&journal, file, title, UINT64_MAX), STATUS_OK);
+    journal_add(&journal, "one line more, and a good one");
+    assert_int_equal(journal_flush(&journal), STATUS_OK);
+    journal_close(&journal, false);
+    assert_int_equal(go_on(), LINES);
+    assert_part(whole_file, whole_size, "a row more", 0);
+}
+
+/* Somebody else's is refused and stays as it was. */
+static void test_journal_foreign(void **state)
+{
+    (void)state;
+    static const char *const foreign[] = {"speed,nu\n0.1,0.33\n", "x", "\n", "corgen disk-collide of another day\n",
+                                          "corgen disk-collide, unfinished, sweep 1: --speed 0.1 01234567\n1,2,3\n"};
+    for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
+        assert_int_equal(go_on_from(foreign[i], strlen(foreign[i]), "foreign", i), -1);
+        assert_part(foreign[i], strlen(foreign[i]), "foreign", i);
+    }
+    struct journal journal;
+    part_write(whole_file, whole_size);
     assert_int_equal(journal_open(&journal, file, "corgen disk-collide, unfinished, sweep 2: --speed 0.1", LINES),
                      STATUS_FAILED);
     assert_int_equal(journal_open(&journal, file, "corgen disk-collide, unfinished, sweep 1: --speed 1/10", LINES),
@@ -663,76 +672,69 @@ static void test_journal(void **state)
     assert_int_equal(journal.lines, LINES);
     journal_close(&journal, false);
     assert_int_equal(journal_open(&journal, "/nonexistent/x", title, LINES), STATUS_FAILED);
+}
 
+/* What other processes and a full disk do to it meanwhile */
+static void test_journal_shared(void **state)
+{
+    (void)state;
+    struct journal journal;
     /* finished and removed by another process just before it is locked here: a new file, not the removed one */
     for (int again_made = 0; again_made < 2; again_made++) {
         struct stat opened, named;
         removed_before_lock = part;
         made_anew = again_made == 1; /* and begun by a third one */
-        assert_int_equal(journal_open(&journal, file, title, LINES), STATUS_OK);
+        assert_int_equal(start(&journal), STATUS_OK);
         assert_null(removed_before_lock);
         assert_int_equal(journal.lines, 0);
         assert_true(fstat(journal.fd, &opened) == 0 && stat(part, &named) == 0 && opened.st_ino == named.st_ino);
-        if (again_made == 0)
-            journal_close(&journal, false);
+        journal_close(&journal, false);
     }
-    for (int i = 0; i < LINES; i++)
-        journal_add(&journal, line[i]);
-    journal_add(&journal, "one line more, and a good one");
-    assert_int_equal(journal_flush(&journal), STATUS_OK);
-    journal_close(&journal, false);
-    assert_int_equal(go_on(file), LINES);
-    char *without = file_read(part, &again);
-    assert_true(again == size && memcmp(without, whole_file, size) == 0);
-    free(without);
 
     /* a disk that is full for a while, within a line: each line once */
-    struct rlimit limit, before_limit;
-    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before_limit), 0);
-    limit = before_limit;
-    limit.rlim_cur = size - 20;
+    struct rlimit limit, before;
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    limit = before;
+    limit.rlim_cur = whole_size - 20;
     assert_int_equal(unlink(part), 0);
-    assert_int_equal(journal_open(&journal, file, title, LINES), STATUS_OK);
-    for (int i = 0; i < LINES; i++)
-        journal_add(&journal, line[i]);
+    assert_int_equal(start(&journal), STATUS_OK);
+    add_lines(&journal, 0);
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
     const int full = journal_flush(&journal);
-    assert_int_equal(setrlimit(RLIMIT_FSIZE, &before_limit), 0);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
     assert_int_equal(full, STATUS_FAILED);
     assert_int_equal(journal_flush(&journal), STATUS_OK);
     journal_close(&journal, false);
-    char *each_once = file_read(part, &again);
-    assert_true(again == size && memcmp(each_once, whole_file, size) == 0);
-    free(each_once);
+    assert_part(whole_file, whole_size, "full disk", 0);
 
     /* cut off by another program between the last row and the table */
     size_t rows = 0;
-    assert_int_equal(journal_open(&journal, file, title, LINES), STATUS_OK);
-    assert_int_equal(truncate(part, (off_t)(size - strlen(line[LINES - 1]) - 10)), 0); /* a whole line less */
+    assert_int_equal(start(&journal), STATUS_OK);
+    assert_int_equal(truncate(part, (off_t)(whole_size - strlen(line[LINES - 1]) - 10)), 0); /* a whole line less */
     assert_int_equal(journal_read(&journal, count_line, &rows), STATUS_FAILED);
     journal_close(&journal, true);
 
     /* no file: to read it would wait for ever */
     assert_int_equal(mkfifo(part, 0600), 0);
     alarm(20);
-    assert_int_equal(journal_open(&journal, file, title, LINES), STATUS_FAILED);
+    assert_int_equal(start(&journal), STATUS_FAILED);
     alarm(0);
     assert_int_equal(unlink(part), 0);
 
     /* held by another process */
-    assert_int_equal(journal_open(&journal, file, title, LINES), STATUS_OK);
+    assert_int_equal(start(&journal), STATUS_OK);
     fflush(NULL);
     const pid_t child = fork();
     if (child == 0) {
         struct journal mine;
-        _exit(journal_open(&mine, file, title, LINES) == STATUS_FAILED ? 42 : 1);
+        _exit(start(&mine) == STATUS_FAILED ? 42 : 1);
     }
     int status;
     assert_true(waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 42);
     journal_close(&journal, true);
     assert_int_equal(access(part, F_OK), -1);
-    free(whole_file);
-    assert_int_equal(rmdir(directory), 0);
+    *strrchr(file, '/') = '\0';
+    assert_int_equal(rmdir(file), 0);
 }
 
 /* ---- rigid walls ---- */
@@ -742,42 +744,46 @@ static void test_hard_wall(void **state)
 {
     (void)state;
     struct hard_wall_tables tables;
-    struct sweep_room room = {NULL, 0};
+    struct workspace workspace = {NULL, 0};
     hard_wall_tables_init(&tables);
     hard_wall_tables_set(&tables, 0.33);
     for (int i = 0; i < 2; i++) {
         const double tolerance = i == 0 ? 1e-3 : 1e-5, speed = i == 0 ? 0.1 : 0.02;
         struct cor_disk_hard_wall out;
-        assert_int_equal(hard_wall_collide(&out, &tables, tolerance, 0, speed, &room), COR_OK);
+        assert_int_equal(hard_wall_collide(&out, &tables, tolerance, 0, speed, &workspace), COR_OK);
         check(fabs(out.one_minus_eps2 - cor_disk_one_minus_eps2(speed, 0.33)) <=
                   tolerance + cor_disk_one_minus_eps2_uncertainty(speed, 0.33),
               "1 - eps^2 at v = %g: %.9f", speed, out.one_minus_eps2);
     }
     assert_true(tables.table[0].count > 100);
-    /* the room of a slow disk is too small for a fast one */
+    /* the workspace of a slow disk is too small for a fast one */
     struct cor_disk_hard_wall out[2][2];
     for (int fast_first = 0; fast_first < 2; fast_first++) {
-        free(room.bytes);
-        room = (struct sweep_room){NULL, 0};
+        free(workspace.bytes);
+        workspace = (struct workspace){NULL, 0};
         for (int i = 0; i < 2; i++) {
             const int fast = i ^ fast_first;
-            const int status = hard_wall_collide(&out[fast_first][fast], &tables, 1e-3, 0, fast ? 0.2 : 1e-6, &room);
+            const int status =
+                hard_wall_collide(&out[fast_first][fast], &tables, 1e-3, 0, fast ? 0.2 : 1e-6, &workspace);
             assert_int_equal(status, COR_OK);
         }
     }
     assert_memory_equal(out[0], out[1], sizeof out[0]);
-    free(room.bytes);
+    free(workspace.bytes);
     hard_wall_tables_clear(&tables);
 }
 
 int main(void)
 {
     console_start();
+    journal_start();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists),        cmocka_unit_test(test_wrong_lists), cmocka_unit_test(test_product),
-        cmocka_unit_test(test_crew),         cmocka_unit_test(test_journal),     cmocka_unit_test(test_ranks),
-        cmocka_unit_test(test_longest_list), cmocka_unit_test(test_hard_wall),   cmocka_unit_test(test_digits),
-        cmocka_unit_test(test_cost),
+        cmocka_unit_test(test_lists),           cmocka_unit_test(test_wrong_lists),
+        cmocka_unit_test(test_product),         cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_journal_damaged), cmocka_unit_test(test_journal_foreign),
+        cmocka_unit_test(test_journal_shared),  cmocka_unit_test(test_ranks),
+        cmocka_unit_test(test_longest_list),    cmocka_unit_test(test_hard_wall),
+        cmocka_unit_test(test_digits),          cmocka_unit_test(test_cost),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
