@@ -12,9 +12,10 @@ enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
  * syncs the temporary file and renames it over the path. The temporary file has no name before, where the file system
  * allows this (O_TMPFILE of Linux), so that it vanishes however the process ends. Elsewhere any failure, exit() at any
  * place, and SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT or SIGXCPU at any time removes it; after SIGKILL
- * .corgen-XXXXXX stays. The new file has the mode, owner and group of the file that it replaces. A file with several names, or with an owner that this process cannot set, is
- * overwritten in place from the complete temporary file, so that every name shows the new text. A symbolic link stays:
- * its target is written, even if the target does not exist yet.
+ * .corgen-XXXXXX stays. The new file has the mode, owner and group of the file that it replaces. A file with several
+ * names, or with an owner that this process cannot set, is overwritten in place from the complete temporary file, so
+ * that every name shows the new text. A symbolic link stays: its target is written, even if the target does not exist
+ * yet.
  *
  * All other paths are written directly: standard output (path NULL), a terminal, a pipe, /dev/null, and an open
  * descriptor such as /dev/stdout or /dev/fd/3, which keeps its position and its append mode. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sweeps: lists, rows, the threads that compute them, on one rank and on several, and the journal that survives whatever
- * ends it. */
+/* Sweeps: lists, rows, the threads that compute them, on one rank and on several, and the journal that survives
+ * whatever ends it. */
 #define _DEFAULT_SOURCE /* mkdtemp, truncate */
 #include <fcntl.h>
 #include <inttypes.h>
