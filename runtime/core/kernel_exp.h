@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* exp without a call, a jump or a table, for the loops of disk/rayleigh_kernel.h and disk/collision_kernel.h. */
+/* exp without a call, a jump or a table, for the loops of disk/rayleigh_kernel.c and disk/collision_kernel.c. */
 #ifndef COR_RUNTIME_KERNEL_EXP_H
 #define COR_RUNTIME_KERNEL_EXP_H
 

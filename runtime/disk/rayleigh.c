@@ -102,17 +102,14 @@ static void add_modes(struct cor_mode_sums *sums, struct cor_rayleigh_table *tab
 }
 
 /* Sets the tail from sums over all modes of the table. */
-static void rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
+static void rayleigh_finish(struct cor_disk_rayleigh *out, struct cor_rayleigh_table *table,
                             const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums)
 {
-    struct cor_surface_modes surface;
     struct cor_mode_chunk chunk;
     struct cor_mode_sums beyond = {0, 0, {0}, {0}};
-    cor_surface_modes_init(&surface, table);
-    int n = surface.known;
-    while (cor_surface_modes_next(&surface, table->set, &n, &chunk))
+    while (cor_surface_modes_next(&table->surface, table->set, &chunk))
         cor_rayleigh_add(spectrum, &chunk, &beyond, NULL);
-    cor_rayleigh_finish(out, table, spectrum, sums, &surface, beyond.faded, &chunk, n);
+    cor_rayleigh_finish(out, table, spectrum, sums, beyond.faded);
 }
 
 static int rayleigh_of_speed(const struct cor_disk_modes *modes, size_t n_modes, enum cor_disk_datum datum,
@@ -259,11 +256,9 @@ enum { FIRST_PIECE = -5, LAST_PIECE = 5 };
 /* Data that all speeds share: the modes with their weights, and the surface modes beyond them */
 struct list {
     struct cor_rayleigh_table table;
-    struct cor_surface_modes surface;
     struct cor_mode_chunk *chunk;      /* chunks of the n_modes modes, then of the other modes of the table, then of the
                                         * surface modes */
     size_t asked, taken, with_surface; /* chunks up to there */
-    int last_n;                        /* of the last surface mode */
     enum cor_disk_datum datum;
     size_t n_modes;
     double *room;                  /* of a piece */
@@ -276,27 +271,25 @@ static size_t chunks_of(size_t modes)
     return (modes + COR_LINES - 1) / COR_LINES;
 }
 
-/* Number of chunks of surface modes */
-static size_t count_surface(const struct list *list)
+/* Number of chunks of surface modes, which are continued to their end */
+static size_t count_surface(struct cor_rayleigh_table *table)
 {
     struct cor_mode_chunk chunk;
     size_t count = 0;
-    int n = list->surface.known;
-    while (cor_surface_modes_next(&list->surface, list->table.set, &n, &chunk))
+    while (cor_surface_modes_next(&table->surface, table->set, &chunk))
         count++;
     return count;
 }
 
-static void list_weigh(struct list *list)
+static void list_weigh(struct list *list, struct cor_surface_modes surface)
 {
     const size_t all = list->table.n_modes;
     for (size_t k = 0; k < list->asked; k++)
         cor_rayleigh_weigh_modes(&list->table, k * COR_LINES, list->n_modes, &list->chunk[k]);
     for (size_t k = list->asked; k < list->taken; k++)
         cor_rayleigh_weigh_modes(&list->table, list->n_modes + (k - list->asked) * COR_LINES, all, &list->chunk[k]);
-    list->last_n = list->surface.known;
     for (size_t k = list->taken; k < list->with_surface; k++)
-        cor_surface_modes_next(&list->surface, list->table.set, &list->last_n, &list->chunk[k]);
+        cor_surface_modes_next(&surface, list->table.set, &list->chunk[k]);
 }
 
 /* Returns 0 if memory is short. The caller calls list_free in either case. */
@@ -307,17 +300,17 @@ static int list_init(struct list *list, const struct cor_disk_modes *modes, size
     list->datum = datum;
     list->n_modes = n_modes;
     cor_rayleigh_table_init(&list->table, cor_rayleigh_set(cor_widest_set()), modes, all);
-    cor_surface_modes_init(&list->surface, &list->table);
+    const struct cor_surface_modes first = list->table.surface;
     list->asked = chunks_of(n_modes);
     list->taken = list->asked + chunks_of(all - n_modes);
-    list->with_surface = list->taken + count_surface(list);
+    list->with_surface = list->taken + count_surface(&list->table);
     list->chunk = malloc(list->with_surface * sizeof *list->chunk);
     list->room = malloc(cor_spectrum_piece_size(first_omega(), last_omega(modes, all)) * sizeof *list->room);
     list->spectrum = malloc(sizeof *list->spectrum);
     list->q0 = speeds < SIZE_MAX / sizeof *list->q0 ? malloc(speeds * sizeof *list->q0) : NULL;
     if (!list->chunk || !list->room || !list->spectrum || !list->q0)
         return 0;
-    list_weigh(list);
+    list_weigh(list, first);
     return 1;
 }
 
@@ -343,8 +336,7 @@ static void list_evaluate(const struct list *list, const struct cor_spectrum *sp
         cor_rayleigh_add(spectrum, &list->chunk[k], &beyond, NULL);
     struct cor_disk_rayleigh whole = *out;
     whole.fraction = sums.fraction;
-    cor_rayleigh_finish(&whole, &list->table, spectrum, &sums, &list->surface, beyond.faded,
-                        &list->chunk[list->with_surface - 1], list->last_n);
+    cor_rayleigh_finish(&whole, &list->table, spectrum, &sums, beyond.faded);
     out->tail = whole.fraction - out->fraction + whole.tail;
     out->error_estimate = whole.error_estimate;
 }

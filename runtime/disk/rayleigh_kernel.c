@@ -1,6 +1,104 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of rayleigh_kernel.h as functions, for one instruction set (instruction_set.h) */
-#include "runtime/disk/rayleigh_kernel.h"
+/* The loops of Rayleigh's energy over nodes and over modes, for one instruction set (instruction_set.h), free of calls;
+ * gcc 12 vectorises all of them, in the portable set too (-fopt-info-vec). No set may fuse a multiplication with an
+ * addition, and sums have sixteen parts for every width of a vector. All sets therefore give the same bits. */
+#include "runtime/disk/rayleigh_path.h"
+#include "runtime/disk/rayleigh_spectrum.h"
+
+/* ---- one panel of a leg ---- */
+
+/* The nodes of Gauss's rule in a panel, padded: d integral, then t and what Halley's method needs, each by its parts */
+enum { LANES = 16 };
+struct gauss_nodes {
+    double step_re[LANES], step_im[LANES], t_re[LANES], t_im[LANES], power_re[LANES], power_im[LANES], move[LANES];
+};
+
+KERNEL void nodes_begin(struct gauss_nodes *node, const struct cor_leg_path *path, int from_zero,
+                        const struct cor_leg_rule *rule, double panel, double top)
+{
+    for (int i = 0; i < LANES; i++) {
+        const double rho = kernel_decay(top - 0.5 * panel * (1 - rule->x[i]));
+        const struct path_point point = kernel_path(path, from_zero, rho);
+        const struct cx step = cx_scaled(0.5 * panel * rho, cx_of(-point.slope.im, point.slope.re));
+        const struct cx t = kernel_guess(path, from_zero, &point, &node->move[i]);
+        const struct cx power = cx_over(cx_of(1, 0), cx_times(point.sine, point.sine));
+        node->step_re[i] = step.re;
+        node->step_im[i] = step.im;
+        node->t_re[i] = t.re;
+        node->t_im[i] = t.im;
+        node->power_re[i] = power.re;
+        node->power_im[i] = power.im;
+    }
+}
+
+KERNEL void nodes_solve(struct gauss_nodes *node, const struct cor_leg_path *path, int from_zero)
+{
+    for (int k = 0; k < (from_zero ? STEPS_FROM_ZERO : STEPS_FROM_OTHER); k++)
+        for (int i = 0; i < LANES; i++) {
+            const struct cx t = kernel_halley(from_zero ? path->q0 : 0, cx_of(node->power_re[i], node->power_im[i]),
+                                              node->move[i], cx_of(node->t_re[i], node->t_im[i]));
+            node->t_re[i] = t.re;
+            node->t_im[i] = t.im;
+        }
+}
+
+/* step = sqrt(y/2) dh: dp of a node, but for the rule's weight */
+KERNEL void nodes_integrate(struct gauss_nodes *node)
+{
+    for (int i = 0; i < LANES; i++) {
+        const struct cx half = cx_of(0.5 * (1 + node->t_re[i]), 0.5 * node->t_im[i]);
+        const struct cx step = cx_times(cx_of(node->step_re[i], node->step_im[i]), cx_root(half));
+        node->step_re[i] = step.re;
+        node->step_im[i] = step.im;
+    }
+}
+
+/* p at LANES points, from the integrals of the rule */
+KERNEL void leg_add_p(struct cor_leg *restrict leg, const double (*row)[LANES], const struct gauss_nodes *node)
+{
+    double re[LANES], im[LANES];
+    for (int k = 0; k < LANES; k++) {
+        re[k] = leg->end_re;
+        im[k] = leg->end_im;
+    }
+    for (int i = 0; i < COR_LEG_GAUSS; i++)
+        for (int k = 0; k < LANES; k++) {
+            re[k] += row[i][k] * node->step_re[i];
+            im[k] += row[i][k] * node->step_im[i];
+        }
+    memcpy(leg->p_re + leg->n, re, sizeof re);
+    memcpy(leg->p_im + leg->n, im, sizeof im);
+}
+
+KERNEL void leg_add_weights(struct cor_leg *restrict leg, const struct cor_leg_path *path, int from_zero, int weights,
+                            double top)
+{
+    double *const w_re = leg->w_re + leg->n, *const w_im = leg->w_im + leg->n;
+    for (int k = 0; k < weights; k++) {
+        const double rho = kernel_decay(top - k * COR_LEG_STEP);
+        const struct path_point point = kernel_path(path, from_zero, rho);
+        const struct cx w = cx_times(point.slope, cx_scaled(COR_LEG_STEP * rho * path->scale, point.sine));
+        w_re[k] = w.re;
+        w_im[k] = w.im;
+    }
+}
+
+/* Computes a panel of a leg: p and weights at `steps` nodes, and p at the end. */
+KERNEL void kernel_panel(const struct cor_leg_path *path, int from_zero, const struct cor_leg_rule *rule, int steps,
+                         double top, struct cor_leg *restrict leg)
+{
+    struct gauss_nodes node;
+    nodes_begin(&node, path, from_zero, rule, steps * COR_LEG_STEP, top);
+    nodes_solve(&node, path, from_zero);
+    nodes_integrate(&node);
+    leg_add_p(leg, steps == COR_LEG_STEPS ? rule->to_steps : rule->to_short, &node);
+    leg_add_weights(leg, path, from_zero, steps == COR_LEG_STEPS ? COR_LEG_STEPS : COR_LEG_SHORT, top);
+    for (int i = 0; i < COR_LEG_GAUSS; i++) {
+        leg->end_re += rule->w[i] * node.step_re[i];
+        leg->end_im += rule->w[i] * node.step_im[i];
+    }
+    leg->n += steps;
+}
 
 static void panel(const struct cor_leg_path *path, const struct cor_leg_rule *rule, int steps, double top,
                   struct cor_leg *leg)
@@ -9,6 +107,247 @@ static void panel(const struct cor_leg_path *path, const struct cor_leg_rule *ru
         kernel_panel(path, 1, rule, steps, top, leg);
     else
         kernel_panel(path, 0, rule, steps, top, leg);
+}
+
+/* ---- sums ---- */
+
+KERNEL double kernel_total(const double part[COR_LEG_PART])
+{
+    double total = 0;
+    for (int l = 0; l < COR_LEG_PART; l++)
+        total += part[l];
+    return total;
+}
+
+/* exp(-omega p) */
+KERNEL void kernel_exponentials(int n, const double *restrict p_re, const double *restrict p_im, double omega,
+                                double *restrict e_re, double *restrict e_im)
+{
+    for (int i = 0; i < n; i++) {
+        const double size = kernel_decay(omega * p_re[i]);
+        const struct sine_cosine turn = kernel_sincos(omega * p_im[i]);
+        e_re[i] = size * turn.cosine;
+        e_im[i] = -size * turn.sine;
+    }
+}
+
+/* Returns the sum of w e, and squares e in place. n is a multiple of COR_LEG_PART. */
+KERNEL void kernel_sum_and_square(int n, const double *restrict w_re, const double *restrict w_im,
+                                  double *restrict e_re, double *restrict e_im, double *restrict sum_re,
+                                  double *restrict sum_im)
+{
+    double re[COR_LEG_PART] = {0}, im[COR_LEG_PART] = {0};
+    for (int i = 0; i < n; i += COR_LEG_PART)
+        for (int l = 0; l < COR_LEG_PART; l++) {
+            const double r = e_re[i + l], m = e_im[i + l];
+            re[l] += w_re[i + l] * r - w_im[i + l] * m;
+            im[l] += w_re[i + l] * m + w_im[i + l] * r;
+            e_re[i + l] = r * r - m * m;
+            e_im[i + l] = 2 * r * m;
+        }
+    *sum_re = kernel_total(re);
+    *sum_im = kernel_total(im);
+}
+
+/* Doubling the frequency squares the exponential. */
+static void kernel_octaves(const struct cor_leg *leg, double first, int octaves, double re[][COR_SPECTRUM_TERMS],
+                           double im[][COR_SPECTRUM_TERMS])
+{
+    /* cos(pi k/32), down to 0; tanh(ln(2)/4) */
+    static const double quarter[COR_SPECTRUM_TERMS + 1] = {1,
+                                                           0.995184726672196886,
+                                                           0.980785280403230449,
+                                                           0.956940335732208865,
+                                                           0.923879532511286756,
+                                                           0.88192126434835503,
+                                                           0.831469612302545237,
+                                                           0.773010453362736961,
+                                                           0.707106781186547524,
+                                                           0.634393284163645498,
+                                                           0.555570233019602225,
+                                                           0.471396736825997649,
+                                                           0.382683432365089772,
+                                                           0.290284677254462368,
+                                                           0.195090322016128268,
+                                                           0.098017140329560602,
+                                                           0};
+    const double half_width = 3 - 2 * 1.4142135623730951;
+    double e_re[COR_LEG_NODES], e_im[COR_LEG_NODES];
+    for (int k = 0; k < octaves; k++)
+        for (int j = 0; j < COR_SPECTRUM_TERMS; j++)
+            re[k][j] = im[k][j] = 0;
+    for (int j = 0; j < COR_SPECTRUM_TERMS; j++) {
+        double cosine[COR_SPECTRUM_TERMS]; /* cos(pi k (j + 1/2)/TERMS) */
+        for (int k = 0; k < COR_SPECTRUM_TERMS; k++) {
+            const int turn = k * (2 * j + 1) % (4 * COR_SPECTRUM_TERMS), half = 2 * COR_SPECTRUM_TERMS,
+                      up = turn < half ? turn : 2 * half - turn;
+            cosine[k] = up <= half / 2 ? quarter[up] : -quarter[half - up];
+        }
+        const double x = half_width * cosine[1];
+        double omega = first * 1.4142135623730951 * (1 + x) / (1 - x);
+        int n = leg->n;
+        kernel_exponentials(n, leg->p_re, leg->p_im, omega, e_re, e_im);
+        for (int octave = 0; octave < octaves; octave++, omega *= 2) {
+            double sum_re, sum_im;
+            while (n > COR_LEG_PART && omega * leg->p_re[n - COR_LEG_PART] > 60) /* 2^-86 */
+                n -= COR_LEG_PART;
+            kernel_sum_and_square(n, leg->w_re, leg->w_im, e_re, e_im, &sum_re, &sum_im);
+            const double factor = omega * omega / (double)COR_SPECTRUM_TERMS;
+            for (int k = 0; k < COR_SPECTRUM_TERMS; k++) {
+                const double c = (k == 0 ? factor : 2 * factor) * cosine[k];
+                re[octave][k] += c * sum_re;
+                im[octave][k] += c * sum_im;
+            }
+        }
+    }
+}
+
+/* Clenshaw's recurrence for lines of one octave, which begins at `start` */
+static void kernel_lines(const struct cor_spectrum *spectrum, int octave, double start, int n,
+                         const double *restrict omega, struct cor_lines *restrict lines)
+{
+    const double middle = 1.4142135623730951 * start, scale = 3 + 2 * 1.4142135623730951;
+    const double *const c_re = spectrum->a_re[octave], *const c_im = spectrum->a_im[octave];
+    for (int i = 0; i < n; i++) {
+        const double x = scale * (omega[i] - middle) / (omega[i] + middle), inverse = 1 / (omega[i] * omega[i]);
+        double r1 = c_re[COR_SPECTRUM_TERMS - 1], r2 = 0, m1 = c_im[COR_SPECTRUM_TERMS - 1], m2 = 0;
+        for (int k = COR_SPECTRUM_TERMS - 2; k > 0; k--) {
+            const double r = 2 * x * r1 - r2 + c_re[k], m = 2 * x * m1 - m2 + c_im[k];
+            r2 = r1;
+            r1 = r;
+            m2 = m1;
+            m1 = m;
+        }
+        const struct sine_cosine turn = kernel_sincos(omega[i] * spectrum->half_time);
+        lines->re[i] = (x * r1 - r2 + c_re[0]) * inverse;
+        lines->im[i] = (x * m1 - m2 + c_im[0]) * inverse;
+        lines->cosine[i] = turn.cosine;
+        lines->sine[i] = turn.sine;
+        lines->other[i] = 0;
+    }
+    if (octave >= spectrum->edges)
+        return;
+    const double *const c = spectrum->b[octave];
+    for (int i = 0; i < n; i++) {
+        const double x = scale * (omega[i] - middle) / (omega[i] + middle), inverse = 1 / (omega[i] * omega[i]);
+        double b1 = c[COR_SPECTRUM_TERMS - 1], b2 = 0;
+        for (int k = COR_SPECTRUM_TERMS - 2; k > 0; k--) {
+            const double b = 2 * x * b1 - b2 + c[k];
+            b2 = b1;
+            b1 = b;
+        }
+        lines->other[i] = (x * b1 - b2 + c[0]) * inverse * kernel_decay(omega[i] * spectrum->decay);
+    }
+}
+
+/* ---- sums over modes ---- */
+
+/* r(x), x = (omega/omega_max - 0.15)/0.85; r(0) = 0, r(1) = 1. With r = 1 beyond omega_max, an echo at T = tau + dT
+ * contributes to the sum
+ *
+ *     F(u) = int r z^(-3 - 1/2) exp(i u z) dz,     z = omega/omega_max, u = omega_max dT,
+ *
+ * times a factor that is the same for all r. max |F| = |F(0)| = 0.290, and |F| < 0.09 from u = 15 on, 0.03 from 30. A
+ * fade from 0.65 without a negative part has 0.66 instead of 0.29. No weight has less than about 0.18, the norm of the
+ * Hankel operator (1 + x + y)^(-7/2); weights near this bound fall off more slowly. */
+KERNEL double kernel_echo_weight(double x)
+{
+    const double y = x < 0 ? 0 : x, square = y * y;
+    return square * square * y * (5 + y * (16 * y - 20));
+}
+
+KERNEL double kernel_bump(double omega, const double window[2])
+{
+    const double x = (omega - window[0]) / (window[1] - window[0]), y = 4 * x * (1 - x), inside = y < 0 ? 0 : y;
+    const double square = inside * inside;
+    return square * square;
+}
+
+static void kernel_weigh(const struct cor_fading *fading, const double *restrict omega, const double *restrict beyond,
+                         const double *restrict through, struct cor_mode_weights *restrict weights,
+                         double *restrict low_strength, double *restrict high_strength)
+{
+    double all_low[COR_LINES], all_high[COR_LINES];
+    for (int i = 0; i < COR_LINES; i++) {
+        const double strength = weights->strength[i];
+        weights->mean[i] =
+            cor_rayleigh_fade((omega[i] - fading->mean_from) / (fading->to - fading->mean_from)) * strength;
+        weights->echo[i] = kernel_echo_weight((omega[i] - fading->echo_from) / (fading->to - fading->echo_from)) *
+                           strength * beyond[i];
+        all_low[i] = kernel_bump(omega[i], fading->low) * strength;
+        all_high[i] = kernel_bump(omega[i], fading->high) * strength;
+        weights->low[i] = all_low[i] * through[i];
+        weights->high[i] = all_high[i] * through[i];
+    }
+    for (int i = 0; i < COR_LINES; i++) {
+        *low_strength += all_low[i];
+        *high_strength += all_high[i];
+    }
+}
+
+/* part[l] += sum of x y over every COR_LEG_PART-th number */
+KERNEL double kernel_dot(const double *restrict x, const double *restrict y)
+{
+    double part[COR_LEG_PART] = {0};
+    for (int i = 0; i < COR_LINES; i += COR_LEG_PART)
+        for (int l = 0; l < COR_LEG_PART; l++)
+            part[l] += x[i + l] * y[i + l];
+    return kernel_total(part);
+}
+
+static void kernel_sum(const struct cor_lines *restrict lines, const struct cor_mode_weights *restrict weights,
+                       struct cor_mode_sums *restrict sums, double *restrict fraction)
+{
+    double mean[COR_LINES], more[COR_LINES], cosine[COR_LINES], sine[COR_LINES];
+    for (int i = 0; i < COR_LINES; i++) {
+        const double re = lines->re[i], im = lines->im[i], other = lines->other[i];
+        const double c = lines->cosine[i], s = lines->sine[i], x = 2 * (c * re - s * im + other);
+        fraction[i] = weights->strength[i] * (x * x);
+        mean[i] = 2 * (re * re + im * im) + 4 * other * other;
+        more[i] = x * x - mean[i];
+        cosine[i] = c * c - s * s;
+        sine[i] = 2 * c * s;
+    }
+    for (int i = 0; i < COR_LINES; i++) /* in sequence, as a caller would add them */
+        sums->fraction += fraction[i];
+    sums->faded += kernel_dot(weights->mean, mean) + kernel_dot(weights->echo, more);
+    sums->low[0] += kernel_dot(weights->low, cosine);
+    sums->low[1] += kernel_dot(weights->low, sine);
+    sums->low[2] += kernel_dot(weights->low, lines->cosine);
+    sums->low[3] += kernel_dot(weights->low, lines->sine);
+    sums->high[0] += kernel_dot(weights->high, cosine);
+    sums->high[1] += kernel_dot(weights->high, sine);
+    sums->high[2] += kernel_dot(weights->high, lines->cosine);
+    sums->high[3] += kernel_dot(weights->high, lines->sine);
+}
+
+/* Newton's interpolation in 1/n */
+KERNEL double kernel_newton(const struct cor_surface_fit *fit, const double *c, double x)
+{
+    double value = c[COR_SURFACE_FITTED - 1];
+    for (int i = COR_SURFACE_FITTED - 2; i >= 0; i--)
+        value = value * (x - fit->node[i]) + c[i];
+    return value;
+}
+
+static void kernel_surface(const struct cor_surface_fit *fit, int n, double *restrict omega, double *restrict strength)
+{
+    for (int i = 0; i < COR_LINES; i++) {
+        const double number = n + i, x = 1 / number;
+        omega[i] = fit->speed * number + kernel_newton(fit, fit->omega, x);
+        strength[i] = omega[i] * kernel_newton(fit, fit->strength, x);
+    }
+}
+
+static void kernel_blend(int nodes, const double *weight, const double *const *in, int count, double *out)
+{
+    for (int i = 0; i < count; i += COR_LEG_PART) {
+        double sum[COR_LEG_PART] = {0};
+        for (int k = 0; k < nodes; k++)
+            for (int l = 0; l < COR_LEG_PART; l++)
+                sum[l] += weight[k] * in[k][i + l];
+        memcpy(out + i, sum, sizeof sum);
+    }
 }
 
 const struct cor_rayleigh_set COR_OF_SET(cor_rayleigh) = {

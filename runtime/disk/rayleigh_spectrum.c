@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "runtime/core/lambert_w.h"
-#include "runtime/disk/rayleigh_kernel.h"
+#include "runtime/disk/rayleigh_path.h"
 
 #define PI 3.14159265358979323846
 #define LN2 0.69314718055994531
@@ -95,15 +95,15 @@ static void leg_init(struct cor_leg *leg, const struct cor_rayleigh_set *set, co
                      const struct cor_leg_path *path, double nearest, double enough)
 {
     const double last = -log(LEG_FARTHEST);
-    const struct number t = kernel_solve(path, nearest), y = plus(number(1, 0), t);
+    const struct cx t = kernel_solve(path, nearest), y = cx_plus(cx_of(1, 0), t);
     /* int_0^rho sqrt(y/2) drho by parts, y' = 2 y/(y - 1) in u; at the other base y is 1; the ray starts straight
      * down */
-    struct number p = scaled(nearest, root(scaled(0.5, y)));
+    struct cx p = cx_scaled(nearest, cx_root(cx_scaled(0.5, y)));
     if (path->from_zero) {
-        const struct number inverse = divided(number(1, 0), t), square = times(inverse, inverse);
+        const struct cx inverse = cx_over(cx_of(1, 0), t), square = cx_times(inverse, inverse);
         /* 1 + 1/t + 1/t^2 - 2 y/t^3 + ...: derivatives r'/r = 1/t, r''/r = 1/t^2 - 2 y/t^3 */
-        const struct number second = minus(square, scaled(2, times(y, times(square, inverse))));
-        p = times(p, plus(plus(number(1, 0), inverse), second));
+        const struct cx second = cx_minus(square, cx_scaled(2, cx_times(y, cx_times(square, inverse))));
+        p = cx_times(p, cx_plus(cx_plus(cx_of(1, 0), inverse), second));
     }
     leg->end_re = p.re;
     leg->end_im = p.im;

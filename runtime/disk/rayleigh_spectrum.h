@@ -20,6 +20,7 @@
 #include <stddef.h>
 
 #include "runtime/core/instruction_set.h"
+#include "runtime/core/kernel_exp.h" /* KERNEL */
 
 enum {
     COR_SPECTRUM_TERMS = 16,  /* terms of a polynomial in (omega - m)/(omega + m), where m is the geometric mean of an
@@ -37,11 +38,6 @@ struct cor_leg {
     double p_re[COR_LEG_NODES], p_im[COR_LEG_NODES], w_re[COR_LEG_NODES], w_im[COR_LEG_NODES];
 };
 
-struct cor_leg_path {
-    int from_zero;                      /* whether the base is 0 or pi/2 - i Theta */
-    double tilt, q0, tanh_theta, scale; /* scale: cosh(Theta) at the second base, 1 at the first */
-};
-
 /* Equal steps in u = -ln|theta - base|: their size, and their number in a panel. Where zeros of the sine are about as
  * near as the base, a panel has only COR_LEG_SHORT steps. */
 #define COR_LEG_STEP 0.14
@@ -56,6 +52,7 @@ struct cor_leg_rule {
 };
 
 /* The loops over nodes and over modes by instruction set: rayleigh_kernel.c. */
+struct cor_leg_path;
 struct cor_spectrum;
 struct cor_lines;
 
@@ -88,6 +85,13 @@ struct cor_mode_sums {
 struct cor_fading {
     double mean_from, echo_from, to, low[2], high[2];
 };
+
+/* A smooth step from 0 to 1, whose first three derivatives vanish at both ends */
+KERNEL double cor_rayleigh_fade(double x)
+{
+    const double y = x < 0 ? 0 : x > 1 ? 1 : x, square = y * y;
+    return square * square * (35 + y * (-84 + y * (70 - 20 * y)));
+}
 
 /* Newton's divided differences in 1/n of omega - speed n and of C^2/omega, for the modes l = 0 */
 enum { COR_SURFACE_FITTED = 5 };

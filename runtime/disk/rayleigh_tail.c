@@ -20,8 +20,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "runtime/disk/rayleigh_kernel.h"
-
 /* Frequencies in units of the highest frequency of the table. Chosen: the begin of the fading weight, the begin of the
  * echoes' weight (docs/derivation.md, 13), and the two windows that measure the strength of echoes. */
 #define FADE_FROM 0.65
@@ -67,23 +65,6 @@ static const double gauss_w[HALF_POINTS] = {0.249147045813402785, 0.233492536538
                                             0.160078328543346226, 0.106939325995318431, 0.0471753363865118272};
 
 /* ---- the modes of the table ---- */
-
-void cor_rayleigh_table_init(struct cor_rayleigh_table *table, const struct cor_rayleigh_set *set,
-                             const struct cor_disk_modes *modes, size_t n_modes)
-{
-    const double to = modes->mode[n_modes - 1].omega;
-    table->set = set;
-    table->modes = modes;
-    table->n_modes = n_modes;
-    table->fading.to = to;
-    table->fading.mean_from = fmax(FADE_FROM * to, COR_RAYLEIGH_LEAST_OMEGA - 0.1);
-    table->fading.echo_from = fmax(ECHO_FROM * to, COR_RAYLEIGH_LEAST_OMEGA - 0.1);
-    for (int end = 0; end < 2; end++) {
-        table->fading.low[end] = low_window[end] * to;
-        table->fading.high[end] = high_window[end] * to;
-    }
-    table->low_strength = table->high_strength = 0;
-}
 
 static void chunk_clear(struct cor_mode_chunk *chunk)
 {
@@ -148,22 +129,22 @@ static void divide_differences(const double *node, double *value)
 }
 
 /* omega - speed n and C^2/omega in powers of 1/n */
-void cor_surface_modes_init(struct cor_surface_modes *surface, const struct cor_rayleigh_table *table)
+static void surface_init(struct cor_surface_modes *surface, const struct cor_rayleigh_set *set,
+                         const struct cor_disk_modes *modes, size_t n_modes)
 {
-    const struct cor_disk_modes *const modes = table->modes;
     struct cor_surface_fit *const fit = &surface->fit;
     int last = 0, wanted[COR_SURFACE_FITTED], found = 0;
-    for (size_t i = 0; i < table->n_modes; i++)
+    for (size_t i = 0; i < n_modes; i++)
         if (modes->mode[i].l == 0 && modes->mode[i].n > last && modes->mode[i].n <= FIT_TO)
             last = modes->mode[i].n;
-    surface->known = 0;
-    surface->highest = modes->mode[table->n_modes - 1].omega;
+    surface->known = surface->n = 0;
+    surface->highest = modes->mode[n_modes - 1].omega;
     if (last < FIT_FROM)
         return;
     fit->speed = surface_speed(modes->nu);
     for (int k = 0; k < COR_SURFACE_FITTED; k++)
         wanted[k] = last - (last * k) / 8; /* from the last n down to half of it */
-    for (size_t i = 0; i < table->n_modes; i++)
+    for (size_t i = 0; i < n_modes; i++)
         for (int k = 0; k < COR_SURFACE_FITTED && modes->mode[i].l == 0; k++)
             if (modes->mode[i].n == wanted[k]) {
                 const struct cor_disk_mode *mode = &modes->mode[i];
@@ -179,12 +160,30 @@ void cor_surface_modes_init(struct cor_surface_modes *surface, const struct cor_
     /* In a complete table the next mode l = 0 follows closely, is not in the table, and travels at about the surface
      * speed. */
     double omega[COR_LINES], strength[COR_LINES];
-    table->set->surface(fit, last + 1, omega, strength);
+    set->surface(fit, last + 1, omega, strength);
     if (omega[0] > surface->highest && omega[0] < surface->highest + 2 && omega[0] < 1.5 * fit->speed * last)
-        surface->known = last;
+        surface->known = surface->n = last;
 }
 
-int cor_surface_modes_next(const struct cor_surface_modes *surface, const struct cor_rayleigh_set *set, int *n,
+void cor_rayleigh_table_init(struct cor_rayleigh_table *table, const struct cor_rayleigh_set *set,
+                             const struct cor_disk_modes *modes, size_t n_modes)
+{
+    const double to = modes->mode[n_modes - 1].omega;
+    table->set = set;
+    table->modes = modes;
+    table->n_modes = n_modes;
+    table->fading.to = to;
+    table->fading.mean_from = fmax(FADE_FROM * to, COR_RAYLEIGH_LEAST_OMEGA - 0.1);
+    table->fading.echo_from = fmax(ECHO_FROM * to, COR_RAYLEIGH_LEAST_OMEGA - 0.1);
+    for (int end = 0; end < 2; end++) {
+        table->fading.low[end] = low_window[end] * to;
+        table->fading.high[end] = high_window[end] * to;
+    }
+    table->low_strength = table->high_strength = 0;
+    surface_init(&table->surface, set, modes, n_modes);
+}
+
+int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_rayleigh_set *set,
                            struct cor_mode_chunk *chunk)
 {
     const double end = COR_RAYLEIGH_FAR * surface->highest;
@@ -192,38 +191,37 @@ int cor_surface_modes_next(const struct cor_surface_modes *surface, const struct
     if (surface->known == 0)
         return 0;
     /* the frequency of the previous mode shows whether the last chunk has reached the end */
-    set->surface(&surface->fit, *n, omega, strength);
-    if (*n > surface->known && !(omega[0] < end))
+    set->surface(&surface->fit, surface->n, omega, strength);
+    if (surface->n > surface->known && !(omega[0] < end))
         return 0;
-    set->surface(&surface->fit, *n + 1, omega, strength);
+    set->surface(&surface->fit, surface->n + 1, omega, strength);
     chunk_clear(chunk);
     chunk->count = 0;
     while (chunk->count < COR_LINES && (chunk->count == 0 || chunk->omega[chunk->count - 1] < end)) {
         if (!(omega[chunk->count] > surface->highest)) /* not the table of a disk */
             return 0;
-        chunk->omega[chunk->count] = omega[chunk->count];
-        chunk->weights.echo[chunk->count] = strength[chunk->count];
+        chunk->omega[chunk->count] = surface->omega = omega[chunk->count];
+        chunk->weights.echo[chunk->count] = surface->echo = strength[chunk->count];
         chunk->count++;
     }
-    *n += chunk->count;
+    surface->n += chunk->count;
     return 1;
 }
 
-/* The surface modes beyond the last one, n. Mode k has the term (n/k)^3, and the phase advances by the same angle from
- * mode to mode. The sum is about n/(2 - i n z) - 1/2, where z is 2 tan of half the angle. The formula is right for
- * small and for large n z, and within some percent between. */
-static double surface_rest(const struct cor_spectrum *spectrum, const struct cor_surface_modes *surface,
-                           const struct cor_mode_chunk *last, int n)
+/* The surface modes beyond mode n, to which they were continued. Mode k has the term (n/k)^3, and the phase advances
+ * by the same angle from mode to mode. The sum is about n/(2 - i n z) - 1/2, where z is 2 tan of half the angle. The
+ * formula is right for small and for large n z, and within some percent between. */
+static double surface_rest(const struct cor_spectrum *spectrum, const struct cor_surface_modes *surface)
 {
     struct cor_lines lines;
     double omega[COR_LINES], strength[COR_LINES];
-    const int i = last->count - 1;
+    const int n = surface->n;
     spectrum->set->surface(&surface->fit, n + 1, omega, strength);
-    cor_spectrum_lines(spectrum, 1, last->omega + i, &lines);
+    cor_spectrum_lines(spectrum, 1, &surface->omega, &lines);
     const double c = lines.cosine[0] * lines.re[0] - lines.sine[0] * lines.im[0];
     const double s = lines.cosine[0] * lines.im[0] + lines.sine[0] * lines.re[0];
-    const double term = last->weights.echo[i] * 2 * (c * c - s * s), quadrature = last->weights.echo[i] * 4 * c * s;
-    const double z = 2 * tan(spectrum->half_time * (omega[0] - last->omega[i]));
+    const double term = surface->echo * 2 * (c * c - s * s), quadrature = surface->echo * 4 * c * s;
+    const double z = 2 * tan(spectrum->half_time * (omega[0] - surface->omega));
     const double size = 4 + (n * z) * (n * z);
     return term * (2 * n / size - 0.5) - quadrature * (n * (n * z) / size);
 }
@@ -248,7 +246,8 @@ static void add_panel(struct integrals *sum, const struct cor_spectrum *spectrum
     cor_spectrum_lines(spectrum, 2 * HALF_POINTS, omega, &lines);
     for (int i = 0; i < 2 * HALF_POINTS; i++) {
         const double w = gauss_w[i < HALF_POINTS ? HALF_POINTS - 1 - i : i - HALF_POINTS];
-        const double weight = 0.5 * (high - low) * w * kernel_fade((omega[i] - fade_from) / (fade_to - fade_from));
+        const double weight =
+            0.5 * (high - low) * w * cor_rayleigh_fade((omega[i] - fade_from) / (fade_to - fade_from));
         const double mean = mean_response(&lines, i);
         sum->mean += weight * 2 * omega[i] * mean;
         sum->curvature += weight * mean;
@@ -291,17 +290,16 @@ static double echo_of(const double sums[2], const double window[2])
 }
 
 void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
-                         const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums,
-                         const struct cor_surface_modes *surface, double surface_sum, const struct cor_mode_chunk *last,
-                         int n)
+                         const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums, double surface_sum)
 {
+    const struct cor_surface_modes *const surface = &table->surface;
     const struct cor_fading *const fading = &table->fading;
     const double *const low = fading->low, *const high = fading->high;
     const struct integrals integrals = tail_integrate(spectrum, fading->mean_from, fading->to);
     const double more = table->low_strength - bump_density(low) + table->high_strength - bump_density(high);
     const double curvature = surface->known ? more / (bump_integral(low) + bump_integral(high)) : 0;
     if (surface->known)
-        surface_sum += surface_rest(spectrum, surface, last, n);
+        surface_sum += surface_rest(spectrum, surface);
     out->tail = integrals.mean + curvature * integrals.curvature - sums->faded + surface_sum;
 
     const double echo = echo_of(sums->high, high) + factors.echo_low * echo_of(sums->low, low);

@@ -18,12 +18,22 @@ struct cor_mode_chunk {
     struct cor_mode_weights weights;
 };
 
+/* The modes l = 0 beyond the table, which are continued in chunks */
+struct cor_surface_modes {
+    int known; /* the largest n of the table; 0 if the modes cannot be continued */
+    double highest;
+    struct cor_surface_fit fit;
+    int n;              /* up to which they have been continued */
+    double omega, echo; /* of that mode: its frequency and its weight */
+};
+
 /* Data for the tail of a table at every speed; the highest mode is number n_modes. */
 struct cor_rayleigh_table {
     const struct cor_rayleigh_set *set;
     const struct cor_disk_modes *modes;
     size_t n_modes;
     struct cor_fading fading;
+    struct cor_surface_modes surface;
     double low_strength, high_strength; /* sums of C^2 times the windows, complete after every mode has been weighted
                                          * once */
 };
@@ -39,24 +49,13 @@ void cor_rayleigh_weigh_modes(struct cor_rayleigh_table *table, size_t i, size_t
 void cor_rayleigh_add(const struct cor_spectrum *spectrum, const struct cor_mode_chunk *chunk,
                       struct cor_mode_sums *sums, double *mode_fraction);
 
-/* The modes l = 0 beyond the table, as chunks */
-struct cor_surface_modes {
-    int known; /* the largest n of the table; 0 if the modes cannot be continued */
-    double highest;
-    struct cor_surface_fit fit;
-};
-
-void cor_surface_modes_init(struct cor_surface_modes *surface, const struct cor_rayleigh_table *table);
-/* Computes the chunk after the modes up to *n. Returns 0 if no further chunk exists. */
-int cor_surface_modes_next(const struct cor_surface_modes *surface, const struct cor_rayleigh_set *set, int *n,
+/* Computes the chunk after the modes up to surface->n. Returns 0 if no further chunk exists. */
+int cor_surface_modes_next(struct cor_surface_modes *surface, const struct cor_rayleigh_set *set,
                            struct cor_mode_chunk *chunk);
 
 /* Sets the tail and the error estimate. `sums` are those of all modes of the table, and out->fraction is their
- * fraction. surface_sum is the sum `faded` of the surface modes' chunks, of which `last` is the last and ends with mode
- * n. */
+ * fraction. surface_sum is the sum `faded` of the chunks of all surface modes. */
 void cor_rayleigh_finish(struct cor_disk_rayleigh *out, const struct cor_rayleigh_table *table,
-                         const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums,
-                         const struct cor_surface_modes *surface, double surface_sum, const struct cor_mode_chunk *last,
-                         int n);
+                         const struct cor_spectrum *spectrum, const struct cor_mode_sums *sums, double surface_sum);
 
 #endif

@@ -1,0 +1,280 @@
+/* SPDX-License-Identifier: MIT */
+/* A point of the path of integration (rayleigh_spectrum.h), and t there, without a call, for loops that the compiler
+ * vectorises. */
+#ifndef COR_RUNTIME_DISK_RAYLEIGH_PATH_H
+#define COR_RUNTIME_DISK_RAYLEIGH_PATH_H
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "runtime/core/kernel_exp.h"
+
+struct cor_leg_path {
+    int from_zero;                      /* whether the base is 0 or pi/2 - i Theta */
+    double tilt, q0, tanh_theta, scale; /* scale: cosh(Theta) at the second base, 1 at the first */
+};
+
+struct sine_cosine {
+    double sine, cosine;
+};
+
+/* sin(x) and cos(x) for |x| < 2^20. pi/2 has three parts of 33 bits, so that k times the first two is exact. Taylor's
+ * series has terms down to 2^-55 at pi/4. The absolute error is below 2^-52 + 2^-53 |x|. */
+KERNEL struct sine_cosine kernel_sincos(double x)
+{
+    const double k = (x * 0.63661977236758134 + ROUND_TO_INTEGER) - ROUND_TO_INTEGER;
+    const double r = ((x - k * 0x1.921fb544p+0) - k * 0x1.0b4611a6p-34) - k * 0x1.3198a2e037073p-69;
+    const double z = r * r;
+    const double s =
+        r + r * z *
+                (-1.0 / 6 +
+                 z * (1.0 / 120 + z * (-1.0 / 5040 +
+                                       z * (1.0 / 362880 + z * (-1.0 / 39916800 + z * (1.0 / 6227020800 +
+                                                                                       z * (-1.0 / 1307674368000)))))));
+    const double c =
+        1 - z * (0.5 - z * (1.0 / 24 -
+                            z * (1.0 / 720 -
+                                 z * (1.0 / 40320 - z * (1.0 / 3628800 -
+                                                         z * (1.0 / 479001600 - z * (1.0 / 87178291200 -
+                                                                                     z * (1.0 / 20922789888000))))))));
+    /* the quadrant, -2 to 2 */
+    const double m = k - 4 * ((0.25 * k + ROUND_TO_INTEGER) - ROUND_TO_INTEGER);
+    const int odd = m * m == 1, sine_turns = (m == 2) | (m == -2) | (m == -1),
+              cosine_turns = (m == 2) | (m == -2) | (m == 1);
+    struct sine_cosine result = {odd ? c : s, odd ? s : c};
+    result.sine = sine_turns ? -result.sine : result.sine;
+    result.cosine = cosine_turns ? -result.cosine : result.cosine;
+    return result;
+}
+
+/* exp(-x), x > -700; 0 beyond 700 */
+KERNEL double kernel_decay(double x)
+{
+    const double e = kernel_exp(x < 700 ? -x : -700);
+    return x < 700 ? e : 0;
+}
+
+/* ---- complex numbers: <complex.h> would check every product for infinities ---- */
+
+struct cx {
+    double re, im;
+};
+
+KERNEL struct cx cx_of(double re, double im)
+{
+    const struct cx z = {re, im};
+    return z;
+}
+
+KERNEL struct cx cx_plus(struct cx x, struct cx y)
+{
+    return cx_of(x.re + y.re, x.im + y.im);
+}
+
+KERNEL struct cx cx_minus(struct cx x, struct cx y)
+{
+    return cx_of(x.re - y.re, x.im - y.im);
+}
+
+KERNEL struct cx cx_times(struct cx x, struct cx y)
+{
+    return cx_of(x.re * y.re - x.im * y.im, x.re * y.im + x.im * y.re);
+}
+
+KERNEL struct cx cx_scaled(double c, struct cx x)
+{
+    return cx_of(c * x.re, c * x.im);
+}
+
+KERNEL double cx_norm(struct cx x)
+{
+    return x.re * x.re + x.im * x.im;
+}
+
+KERNEL struct cx cx_over(struct cx x, struct cx y)
+{
+    return cx_scaled(1 / cx_norm(y), cx_times(x, cx_of(y.re, -y.im)));
+}
+
+/* The square root of x != 0 that has Re >= 0 */
+KERNEL struct cx cx_root(struct cx x)
+{
+    const double half = sqrt(0.5 * (sqrt(cx_norm(x)) + fabs(x.re))), other = 0.5 * x.im / half;
+    const double re = x.re >= 0 ? half : fabs(other), im = x.re >= 0 ? other : x.im < 0 ? -half : half;
+    return cx_of(re, im);
+}
+
+/* ln(x) for a normal x, and arg(x), with an absolute error of 1e-5, as start values: the series of atanh; Abramowitz
+ * and Stegun 4.4.49 */
+KERNEL double rough_log(double x)
+{
+    uint64_t bits, exponent;
+    double m, k;
+    memcpy(&bits, &x, sizeof bits);
+    exponent = (bits >> 52) | 0x4330000000000000; /* 2^52 + the exponent's bits */
+    bits = (bits & 0x000fffffffffffff) | 0x3ff0000000000000;
+    memcpy(&m, &bits, sizeof m);
+    memcpy(&k, &exponent, sizeof k);
+    const double f = (m - 1.4142135623730951) / (m + 1.4142135623730951), z = f * f;
+    return (k - 4503599627370496.0 - 1022.5) * 0.69314718055994531 + 2 * f * (1 + z * (1.0 / 3 + z * (1.0 / 5)));
+}
+
+KERNEL double rough_argument(struct cx x)
+{
+    const double a = fabs(x.re), b = fabs(x.im), r = a > b ? b / a : a / b, z = r * r;
+    const double t = r * (0.9998660 + z * (-0.3302995 + z * (0.1801410 + z * (-0.0851330 + z * 0.0208351))));
+    const double first = a > b ? t : 1.5707963267948966 - t, upper = x.re < 0 ? 3.1415926535897932 - first : first;
+    return x.im < 0 ? -upper : upper;
+}
+
+KERNEL struct cx cx_rough_log(struct cx x)
+{
+    return cx_of(0.5 * rough_log(cx_norm(x)), rough_argument(x));
+}
+
+/* ---- the path ---- */
+
+/* sin(x + i y) and cos(x + i y), |y| < 350 */
+struct cx_sine_cosine {
+    struct cx sine, cosine;
+    struct sine_cosine turn; /* sin(x) and cos(x) */
+};
+
+KERNEL struct cx_sine_cosine kernel_complex_sincos(struct cx x)
+{
+    const struct sine_cosine turn = kernel_sincos(x.re);
+    const double down = kernel_decay(x.im), up = 1 / down, cosh_im = 0.5 * (up + down), z = x.im * x.im;
+    const double series =
+        x.im * (1 + z * (1.0 / 6 +
+                         z * (1.0 / 120 +
+                              z * (1.0 / 5040 + z * (1.0 / 362880 + z * (1.0 / 39916800 + z * (1.0 / 6227020800)))))));
+    const double sinh_im = z < 0.25 ? series : 0.5 * (up - down);
+    const struct cx_sine_cosine result = {cx_of(turn.sine * cosh_im, turn.cosine * sinh_im),
+                                          cx_of(turn.cosine * cosh_im, -turn.sine * sinh_im), turn};
+    return result;
+}
+
+/* h(rho) = -i rho exp(-i tilt rho/(1 + rho)): the path starts straight down and then turns to the left, where
+ * exp(-omega p) decays without oscillation. The struct holds h, its derivative, and sin(theta), divided by cosh(Theta)
+ * at the base pi/2 - i Theta. */
+struct path_point {
+    struct cx h, slope, sine, beyond_one; /* beyond_one = sine - 1 */
+    struct sine_cosine turn;              /* sin and cos of Re(h) */
+};
+
+KERNEL struct path_point kernel_path(const struct cor_leg_path *path, int from_zero, double rho)
+{
+    struct path_point point;
+    const double inverse = 1 / (1 + rho), angle = path->tilt * rho * inverse, turn = angle * inverse;
+    const struct sine_cosine a = kernel_sincos(angle);
+    const struct cx down = cx_of(-a.sine, -a.cosine);
+    point.h = cx_scaled(rho, down);
+    point.slope = cx_times(down, cx_of(1, -turn));
+    if (from_zero) {
+        const struct cx_sine_cosine whole = kernel_complex_sincos(point.h);
+        point.sine = whole.sine;
+        point.turn = whole.turn;
+        point.beyond_one = cx_of(point.sine.re - 1, point.sine.im);
+    } else {
+        /* sin(theta)/cosh(Theta) = cos(h) + i tanh(Theta) sin(h) */
+        const struct cx_sine_cosine half = kernel_complex_sincos(cx_scaled(0.5, point.h));
+        const struct cx square = cx_times(half.sine, half.sine),
+                        full = cx_scaled(2 * path->tanh_theta, cx_times(half.sine, half.cosine));
+        point.beyond_one = cx_of(-2 * square.re - full.im, -2 * square.im + full.re);
+        point.sine = cx_of(1 + point.beyond_one.re, point.beyond_one.im);
+        point.turn.sine = 2 * half.turn.sine * half.turn.cosine;
+        point.turn.cosine = 1 - 2 * half.turn.sine * half.turn.sine;
+    }
+    return point;
+}
+
+/* A step of Halley's method on (1 + t) exp(q - t) = 1, exp(q - q0) = power; no step if move is 0 instead of 1. */
+KERNEL struct cx kernel_halley(double q0, struct cx power, double move, struct cx t)
+{
+    const struct cx one = cx_of(1, 0), six = cx_of(6, 0), y = cx_plus(one, t);
+    const struct sine_cosine turn = kernel_sincos(t.im);
+    const double size = kernel_decay(t.re - q0);
+    const struct cx d = cx_minus(cx_times(cx_times(y, power), cx_of(size * turn.cosine, -size * turn.sine)), one);
+    /* f = ln(1 + d) = d (6 + d)/(6 + 4 d) + O(d^4), e = -f/f', t -= e/(1 - e f''/(2 f')) */
+    const struct cx f = cx_over(cx_times(d, cx_plus(six, d)), cx_plus(six, cx_scaled(4, d))),
+                    e = cx_over(cx_times(f, y), t);
+    const struct cx step = cx_over(e, cx_plus(one, cx_over(cx_scaled(0.5, e), cx_times(t, y))));
+    return cx_plus(t, cx_scaled(move, step));
+}
+
+/* q = q0 - 2 ln(sin(theta)), Im(q) >= 0, with an absolute error of 1e-5, as a start value */
+KERNEL struct cx rough_q(const struct cor_leg_path *path, int from_zero, const struct path_point *point)
+{
+    const double pi = 3.14159265358979323846;
+    /* sin(theta) = exp(i theta)/(2 i) (1 - exp(-2 i theta)), Im(theta) < 0: this form gives its argument without a jump
+     * at any distance */
+    const struct cx back =
+        from_zero ? cx_of(point->turn.sine, point->turn.cosine) : cx_of(point->turn.cosine, -point->turn.sine);
+    const double turned = rough_argument(cx_times(point->sine, back));
+    const double q0 = from_zero ? path->q0 : 0, q_im = (from_zero ? pi : 0) - 2 * (point->h.re + turned);
+    return cx_of(q0 - rough_log(cx_norm(point->sine)), q_im > 0 ? q_im : 0);
+}
+
+/* q = -2 ln(1 + m) for theta near the branch point, where m = sin(theta) - 1 is small */
+KERNEL struct cx near_q(struct cx m)
+{
+    struct cx series = cx_plus(cx_scaled(-1.0 / 6, m), cx_of(1.0 / 5, 0));
+    series = cx_plus(cx_times(series, m), cx_of(-1.0 / 4, 0));
+    series = cx_plus(cx_times(series, m), cx_of(1.0 / 3, 0));
+    series = cx_plus(cx_times(series, m), cx_of(-1.0 / 2, 0));
+    series = cx_plus(cx_times(series, m), cx_of(1, 0));
+    return cx_scaled(-2, cx_times(series, m));
+}
+
+/* t of s = sqrt(2 q): the series at the branch point, with the coefficients of DLMF 5.11.3; below |s| = 0.1 its next
+ * term is 2^-60 */
+KERNEL struct cx near_t(struct cx s)
+{
+    const struct cx up = cx_of(s.im < 0 ? -s.re : s.re, fabs(s.im));
+    struct cx series = cx_of(-139.0 / 5443200, 0);
+    series = cx_plus(cx_times(series, up), cx_of(1.0 / 17010, 0));
+    series = cx_plus(cx_times(series, up), cx_of(1.0 / 4320, 0));
+    series = cx_plus(cx_times(series, up), cx_of(-1.0 / 270, 0));
+    series = cx_plus(cx_times(series, up), cx_of(1.0 / 36, 0));
+    series = cx_plus(cx_times(series, up), cx_of(1.0 / 3, 0));
+    return cx_times(cx_plus(cx_times(series, up), cx_of(1, 0)), up);
+}
+
+/* t of q far from the branch point */
+KERNEL struct cx far_t(struct cx q)
+{
+    const struct cx one = cx_of(1, 0);
+    return cx_plus(q, cx_rough_log(cx_plus(cx_plus(one, q), cx_rough_log(cx_plus(one, q)))));
+}
+
+/* The solution t of t - ln(1 + t) = q on the sheet where Im(t) > 0 for Im(q) > 0. Returns a start value for Halley's
+ * method, or t itself with *move = 0. */
+KERNEL struct cx kernel_guess(const struct cor_leg_path *path, int from_zero, const struct path_point *point,
+                              double *move)
+{
+    const int near = !from_zero && cx_norm(point->beyond_one) < 6e-6;
+    const struct cx rough = rough_q(path, from_zero, point), exact = near_q(point->beyond_one);
+    const struct cx q = cx_of(near ? exact.re : rough.re, near ? exact.im : rough.im), s = cx_root(cx_scaled(2, q));
+    const struct cx inside = near_t(s), outside = far_t(q);
+    const int is_outside = cx_norm(s) > 5;
+    *move = near ? 0 : 1;
+    return cx_of(is_outside ? outside.re : inside.re, is_outside ? outside.im : inside.im);
+}
+
+/* Number of steps from a start value to y with relative error 2^-48, sampled at q0 = 0 to 1400, for the second base to
+ * 30 */
+enum { STEPS_FROM_ZERO = 2, STEPS_FROM_OTHER = 3 };
+
+KERNEL struct cx kernel_solve(const struct cor_leg_path *path, double rho)
+{
+    double move;
+    const struct path_point point = kernel_path(path, path->from_zero, rho);
+    const struct cx power = cx_over(cx_of(1, 0), cx_times(point.sine, point.sine));
+    struct cx t = kernel_guess(path, path->from_zero, &point, &move);
+    for (int k = 0; k < (path->from_zero ? STEPS_FROM_ZERO : STEPS_FROM_OTHER); k++)
+        t = kernel_halley(path->from_zero ? path->q0 : 0, power, move, t);
+    return t;
+}
+
+#endif
