@@ -4,7 +4,7 @@
 # them, share/doc/cor.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS cor EXPORT cor-targets
+install(TARGETS cor cor_scene EXPORT cor-targets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -55,7 +55,6 @@ set(COR_GENERATOR_SOURCES
   gen/enclosure/taylor.c
   gen/enclosure/threshold.c
   gen/enclosure/wave_factor.c
-  gen/hosts/hosts.c
   gen/series/jet.c
   gen/series/law.c
   gen/series/power_bounds.c
@@ -96,11 +95,9 @@ set(COR_GENERATOR_CALLERS
   gen/cli/fit.c
   gen/cli/plan.c
   gen/cli/sample.c
-  gen/contact/contact_force.c
+  gen/contact/contact.c
   gen/contact/contact_host.c
-  gen/contact/contact_model.c
   gen/contact/contact_plot.c
-  gen/contact/contact_request.c
   gen/contact/contact_rows.c
   gen/contact/sample.c
   gen/contact/sample_function.c

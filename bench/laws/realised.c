@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What each simulator realises where a user asks for a restitution coefficient e, and the number to give it instead,
- * from the table of gen/hosts.
+ * from the table of cor/scene.h.
  *     cor_realised table      csv, at the values of e that docs/laws.md lists
  *     cor_realised curve      csv, at 0.01 to 0.99, for the picture
  *     cor_realised markdown   two tables of docs/laws.md; models with the same end and the same numbers share a row
@@ -10,20 +10,20 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "hosts/hosts.h"
+#include "cor/scene.h"
 
 static const double asked[] = {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99};
 enum { ASKED = sizeof asked / sizeof *asked };
 
-static double realised(const struct host_model *m, double e)
+static double realised(const struct cor_simulator_model *m, double e)
 {
-    return host_realised(m, e);
+    return cor_simulator_realised(m, e);
 }
 
-static double cure(const struct host_model *m, double e)
+static double cure(const struct cor_simulator_model *m, double e)
 {
-    enum host_cure_status status;
-    return host_cure(m, e, &status);
+    enum cor_simulator_status status;
+    return cor_simulator_e(m, e, &status);
 }
 
 /* ---- csv ---- */
@@ -42,11 +42,11 @@ static void print_number(const char *before, double x)
         printf("%.6f", x);
 }
 
-static void print_row(const struct host_model *m, double e)
+static void print_row(const struct cor_simulator_model *m, double e)
 {
-    printf("%s: ", m->host);
+    printf("%s: ", m->simulator);
     print_name(m->model);
-    printf(",%s,%g", host_end_name(m->end), e);
+    printf(",%s,%g", cor_end_names[m->end], e);
     print_number(",", realised(m, e));
     print_number(",", cure(m, e));
     printf("\n");
@@ -55,10 +55,10 @@ static void print_row(const struct host_model *m, double e)
 static void print_csv(int curve)
 {
     printf("model,end,asked,realised,cure\n");
-    for (size_t i = 0; i < host_model_count; i++)
-        if (host_models[i].damping_of_e)
+    for (size_t i = 0; i < cor_simulator_model_count; i++)
+        if (cor_simulator_models[i].damping_of_e)
             for (int k = 0; k < (curve ? 99 : ASKED); k++)
-                print_row(&host_models[i], curve ? (k + 1) / 100.0 : asked[k]);
+                print_row(&cor_simulator_models[i], curve ? (k + 1) / 100.0 : asked[k]);
 }
 
 /* ---- markdown ---- */
@@ -68,7 +68,7 @@ static int same_number(double a, double b)
     return isnan(a) ? isnan(b) : fabs(a - b) < 5e-7;
 }
 
-static int same_row(const struct host_model *a, const struct host_model *b)
+static int same_row(const struct cor_simulator_model *a, const struct cor_simulator_model *b)
 {
     int same = b->damping_of_e && a->end == b->end;
     for (int k = 0; same && k < ASKED; k++)
@@ -80,12 +80,12 @@ static int same_row(const struct host_model *a, const struct host_model *b)
 static int is_first_of_its_row(size_t i)
 {
     for (size_t k = 0; k < i; k++)
-        if (same_row(&host_models[k], &host_models[i]))
+        if (same_row(&cor_simulator_models[k], &cor_simulator_models[i]))
             return 0;
-    return host_models[i].damping_of_e != NULL;
+    return cor_simulator_models[i].damping_of_e != NULL;
 }
 
-static void print_table(const char *title, double (*quantity)(const struct host_model *m, double e))
+static void print_table(const char *title, double (*quantity)(const struct cor_simulator_model *m, double e))
 {
     printf("| %s |", title);
     for (int k = 0; k < ASKED; k++)
@@ -94,17 +94,17 @@ static void print_table(const char *title, double (*quantity)(const struct host_
     for (int k = 0; k < ASKED; k++)
         printf("---|");
     printf("\n");
-    for (size_t i = 0; i < host_model_count; i++) {
+    for (size_t i = 0; i < cor_simulator_model_count; i++) {
         if (!is_first_of_its_row(i))
             continue;
         printf("| ");
-        for (size_t k = i; k < host_model_count; k++)
-            if (same_row(&host_models[i], &host_models[k]))
-                printf("%s%s (%s): %s", k > i ? "<br>" : "", host_models[k].host, host_models[k].version,
-                       host_models[k].model);
+        for (size_t k = i; k < cor_simulator_model_count; k++)
+            if (same_row(&cor_simulator_models[i], &cor_simulator_models[k]))
+                printf("%s%s (%s): %s", k > i ? "<br>" : "", cor_simulator_models[k].simulator,
+                       cor_simulator_models[k].version, cor_simulator_models[k].model);
         printf(" |");
         for (int k = 0; k < ASKED; k++) {
-            print_number(" ", quantity(&host_models[i], asked[k]));
+            print_number(" ", quantity(&cor_simulator_models[i], asked[k]));
             printf(" |");
         }
         printf("\n");
@@ -115,10 +115,10 @@ static void print_models(void)
 {
     printf("| simulator | version | model | a user sets | law | end | what to know | file | known "
            "|\n|---|---|---|---|---|---|---|---|---|\n");
-    for (size_t i = 0; i < host_model_count; i++) {
-        const struct host_model *m = &host_models[i];
-        printf("| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", m->host, m->version, m->model, m->parameter,
-               host_law_name(m->law), host_end_name(m->end), m->advice, m->file, m->known);
+    for (size_t i = 0; i < cor_simulator_model_count; i++) {
+        const struct cor_simulator_model *m = &cor_simulator_models[i];
+        printf("| %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", m->simulator, m->version, m->model, m->parameter,
+               cor_law_names[m->law], cor_end_names[m->end], m->advice, m->file, m->known);
     }
 }
 

@@ -12,7 +12,7 @@
 
 #include <cor/cor.h>
 
-#include "hosts/hosts.h"
+#include "runtime/scene/simulators.h"
 #include "support/timing.h"
 
 #include "runtime/law/array.h"
@@ -121,9 +121,14 @@ static double formula_zeta_overlap(double e)
     return -l / sqrt(pi * pi + l * l);
 }
 
+static double formula_lankarani(double e)
+{
+    return 0.75 * (1 - e) * (1 + e);
+}
+
 static double formula_thornton(double e)
 {
-    return sqrt(1.2) * host_thornton_gamma(e);
+    return sqrt(1.2) * cor_thornton_gamma(e);
 }
 
 /* between 0 and 16, halved so often */
@@ -149,7 +154,7 @@ static double formula_bisected_full(double e)
 
 static double formula_tsuji_2026(double e)
 {
-    return sqrt(0.4) * host_tsuji_alpha(e);
+    return sqrt(0.4) * cor_tsuji_alpha(e);
 }
 
 /* Newton's method on the [1/4] Pade approximant of Mueller and Poeschel in v* = sqrt(beta), as simulators solve for A.
@@ -237,9 +242,9 @@ static const struct method {
     {"eps of beta; Hunt-Crossley", "cor", cor_hunt_crossley_eps, COR_LAW_hc_eps, exact_crossley, 0, 0.01, 5},
     {"eps of beta; Hunt-Crossley", "Newton's method with log1p", formula_crossley, NO_LOOP, exact_crossley, 0, 0.01, 5},
     {"beta of eps; Hunt-Crossley", "cor", cor_hunt_crossley_beta, COR_LAW_hc_beta, exact_crossley, 1, 0.1, 0.99},
-    {"beta of eps; Hunt-Crossley", "Flores: 8(1-e)/(5e)", host_crossley_flores, NO_LOOP, exact_crossley, 1, 0.1, 0.99},
-    {"beta of eps; Hunt-Crossley", "Lankarani and Nikravesh: 3(1-e^2)/4", host_crossley_lankarani, NO_LOOP,
-     exact_crossley, 1, 0.1, 0.99},
+    {"beta of eps; Hunt-Crossley", "Flores: 8(1-e)/(5e)", cor_flores_beta, NO_LOOP, exact_crossley, 1, 0.1, 0.99},
+    {"beta of eps; Hunt-Crossley", "Lankarani and Nikravesh: 3(1-e^2)/4", formula_lankarani, NO_LOOP, exact_crossley, 1,
+     0.1, 0.99},
     {"eps of beta; Hertz and constant dashpot; zero overlap", "cor", cor_hertz_dashpot_eps_zero_overlap,
      DASHPOT_LOOP(eps_zero_overlap), NULL, 0, 0.01, 1.1},
     {"eps of beta; Hertz and constant dashpot; zero force", "cor", cor_hertz_dashpot_eps_zero_force,

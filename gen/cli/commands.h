@@ -5,7 +5,6 @@
 
 #include "approximation/pade.h"
 #include "cli/subcommand.h"
-#include "contact/contact_request.h"
 #include "embed/request.h"
 #include "fit/data.h"
 #include "plan/plan.h"
@@ -92,10 +91,7 @@ struct plan_arguments {
 
 struct contact_arguments {
     struct option_common common;
-    union { /* the scene is the first member of the request */
-        struct embed_request scene;
-        struct contact_request request;
-    };
+    struct embed_request scene;
     struct values speed;
     struct decimal steps;
     const char *host, *plot; /* NULL: not given */
@@ -103,10 +99,7 @@ struct contact_arguments {
 
 struct sample_arguments {
     struct option_common common;
-    union {
-        struct embed_request scene;
-        struct contact_request request;
-    };
+    struct embed_request scene;
     bool log, cubic, duration;
 };
 

@@ -5,14 +5,14 @@
 #include <string.h>
 
 #include "cli/commands.h"
-#include "cli/contact_options.h"
+#include "cli/scene_options.h"
 #include "contact/contact_host.h"
 #include "contact/contact_plot.h"
 #include "contact/contact_rows.h"
 #include "support/console.h"
 #include "support/gnuplot.h"
 
-_Static_assert(OPTIONS_NOT_GIVEN == CONTACT_BOTH_ENDS, "--end that is not given stands for both ends");
+_Static_assert(OPTIONS_NOT_GIVEN == COR_BOTH_ENDS, "--end that is not given stands for both ends");
 
 #define DEFAULT_STEPS "50"
 
@@ -23,31 +23,29 @@ static double steps_of(const struct contact_arguments *o)
 
 /* ---- the tables ---- */
 
-static void print_summary(FILE *file, const struct contact_models *models, enum output_format format)
+static void print_summary(FILE *file, const struct contacts *contacts, enum output_format format)
 {
     struct table table;
-    contact_summary(&table, models, format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
-    if (format == FORMAT_TEXT) {
-        const struct contact_model *const model = &models->model[0];
-        fprintf(file, "%s%s\n\n", law_equation(&model->law).text, model->plate ? ", a plate" : "");
-    }
+    contact_summary(&table, contacts, format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
+    if (format == FORMAT_TEXT)
+        fprintf(file, "%s%s\n\n", law_equation(&contacts->law).text, contacts->scene.plate ? ", a plate" : "");
     table_print(&table, format, file);
     table_clear(&table);
 }
 
-static int print_tables(const struct contact_arguments *o, const struct contact_models *models)
+static int print_tables(const struct contact_arguments *o, const struct contacts *contacts)
 {
     const enum output_format format = (enum output_format)o->common.format;
     struct table rows;
     struct output out;
     int status = o->speed.count == 0 ? STATUS_OK
-                                     : contact_rows(&rows, models, o->speed.nearest, o->speed.count, steps_of(o),
+                                     : contact_rows(&rows, contacts, o->speed.nearest, o->speed.count, steps_of(o),
                                                     format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
     if (status == STATUS_OK)
         status = output_open(&out, o->common.output);
     if (status == STATUS_OK) {
         if (o->speed.count == 0 || format == FORMAT_TEXT)
-            print_summary(out.file, models, format);
+            print_summary(out.file, contacts, format);
         if (o->speed.count > 0) {
             if (format == FORMAT_TEXT)
                 fputs("\n", out.file);
@@ -66,7 +64,7 @@ enum { CURVE_POINTS = 201 };
 
 /* eps at one end, at speeds whose logarithms are equally far apart */
 static int fill_curve(double *speed_m_s, double *eps, const struct contact_arguments *o,
-                      const struct contact_model *model, enum contact_end end)
+                      const struct cor_scene_contact *contact, int end)
 {
     /* a single speed lies in the middle of two decades */
     const double margin = o->speed.count > 1 && values_least(&o->speed) < values_largest(&o->speed) ? 1 : 10;
@@ -74,7 +72,7 @@ static int fill_curve(double *speed_m_s, double *eps, const struct contact_argum
     for (int i = 0; i < CURVE_POINTS; i++) {
         progress("picture", i, CURVE_POINTS);
         speed_m_s[i] = low * pow(high / low, (double)i / (CURVE_POINTS - 1));
-        const int status = contact_model_eps(&eps[i], model, speed_m_s[i], end);
+        const int status = contact_status(cor_scene_eps(&eps[i], contact, speed_m_s[i], end));
         if (status != STATUS_OK)
             return status;
     }
@@ -82,33 +80,32 @@ static int fill_curve(double *speed_m_s, double *eps, const struct contact_argum
     return STATUS_OK;
 }
 
-static int draw(const struct contact_arguments *o, const struct contact_models *models)
+static int draw(const struct contact_arguments *o, const struct contacts *contacts)
 {
-    static const char *const title[CONTACT_ENDS] = {"contact ends at zero overlap", "contact ends at zero force"};
-    static double speed_m_s[CONTACT_ENDS][CURVE_POINTS], eps[CONTACT_ENDS][CURVE_POINTS];
-    struct contact_curve curve[CONTACT_ENDS];
+    static const char *const title[COR_SCENE_ENDS] = {"contact ends at zero overlap", "contact ends at zero force"};
+    static double speed_m_s[COR_SCENE_ENDS][CURVE_POINTS], eps[COR_SCENE_ENDS][CURVE_POINTS];
+    struct contact_curve curve[COR_SCENE_ENDS];
     size_t curves = 0;
-    for (int end = 0; end < CONTACT_ENDS; end++) {
-        const struct contact_model *const model = &models->model[models->count > 1 ? end : 0];
-        const bool wanted = o->request.end == OPTIONS_NOT_GIVEN || o->request.end == end;
-        if (!wanted || !contact_model_has_end(model, (enum contact_end)end) ||
-            (curves > 0 && !contact_model_ends_differ(model)))
+    for (int end = 0; end < COR_SCENE_ENDS; end++) {
+        const struct cor_scene_contact *const contact = &contacts->contact[contacts->count > 1 ? end : 0];
+        const bool wanted = o->scene.end == OPTIONS_NOT_GIVEN || o->scene.end == end;
+        if (!wanted || !cor_scene_has_end(contact, end) || (curves > 0 && !cor_scene_ends_differ(contact)))
             continue;
-        const int status = fill_curve(speed_m_s[curves], eps[curves], o, model, (enum contact_end)end);
+        const int status = fill_curve(speed_m_s[curves], eps[curves], o, contact, end);
         if (status != STATUS_OK)
             return status;
         curve[curves] = (struct contact_curve){title[end], speed_m_s[curves], eps[curves], CURVE_POINTS};
         curves++;
     }
-    return contact_plot(o->plot, law_equation(&models->model[0].law).text, curve, curves);
+    return contact_plot(o->plot, law_equation(&contacts->law).text, curve, curves);
 }
 
 /* ---- the command ---- */
 
-static int print_for_host(const struct contact_arguments *o, const struct contact_models *models)
+static int print_for_host(const struct contact_arguments *o, const struct contacts *contacts)
 {
     struct output out;
-    char *const text = contact_host_text(o->host, &o->request, models, o->speed.nearest, o->speed.count);
+    char *const text = contact_host_text(o->host, &o->scene, contacts, o->speed.nearest, o->speed.count);
     if (!text)
         return STATUS_USAGE;
     int status = output_open(&out, o->common.output);
@@ -132,21 +129,21 @@ static int list_hosts(const struct contact_arguments *o)
 static int run_contact(const void *arguments)
 {
     const struct contact_arguments *const o = arguments;
-    struct contact_models models;
+    struct contacts contacts;
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
     if (o->host && strcmp(o->host, CONTACT_HOST_LIST) == 0)
         return list_hosts(o);
     if (o->host && contact_host_check(o->host) != STATUS_OK)
         return STATUS_USAGE;
-    int status = contact_request_models(&models, &o->request);
+    int status = contacts_of_request(&contacts, &o->scene);
     if (status != STATUS_OK)
         return status;
     if (o->host)
-        return print_for_host(o, &models);
+        return print_for_host(o, &contacts);
     if (o->plot)
-        status = draw(o, &models);
-    return status == STATUS_OK ? print_tables(o, &models) : status;
+        status = draw(o, &contacts);
+    return status == STATUS_OK ? print_tables(o, &contacts) : status;
 }
 
 static const char help[] =
@@ -189,7 +186,7 @@ static const struct option_rule options[] = {
     {.name = NULL},
 };
 
-static const struct contact_arguments defaults = {.request.end = OPTIONS_NOT_GIVEN};
+static const struct contact_arguments defaults = {.scene.end = OPTIONS_NOT_GIVEN};
 
 const struct subcommand command_contact = {.name = "contact",
                                            .summary =

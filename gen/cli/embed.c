@@ -41,7 +41,7 @@ static int run_embed(const void *arguments)
     if (status != STATUS_OK)
         return status;
     profile_step("collisions, series");
-    embed_series_begin(&series, &law, o->scene.end);
+    embed_series_begin(&series, &law, (enum contact_end)o->scene.end);
     status = embed_scene_init(&scene, &o->scene);
     const int series_status = embed_series_end(&series);
     if (status == STATUS_OK)

@@ -14,63 +14,30 @@
 
 /* ---- bodies ---- */
 
-static const double pi = 3.14159265358979323846;
-
-static double number_of(const struct embed_request *scene, enum embed_number which, int body)
-{
-    return decimal_value(embed_number_of_body(scene, which, body));
-}
-
-static struct cor_body sphere_of(const struct embed_request *scene, int body)
-{
-    struct cor_body sphere = {.young_modulus_pa = number_of(scene, EMBED_YOUNG, body),
-                              .poisson_ratio = number_of(scene, EMBED_POISSON, body),
-                              .radius_m = number_of(scene, EMBED_RADIUS, body)};
-    sphere.mass_kg = embed_mass_is_given(scene, body)
-                         ? number_of(scene, EMBED_MASS, body)
-                         : 4 * pi / 3 * pow(sphere.radius_m, 3) * number_of(scene, EMBED_DENSITY, body);
-    return sphere;
-}
-
 static bool bodies_given(const struct embed_request *scene)
 {
-    for (enum embed_number number = EMBED_YOUNG; number <= EMBED_DISSIPATION_TIME_2; number++)
+    for (int number = COR_SCENE_YOUNG; number <= COR_SCENE_DISSIPATION_TIME_2; number++)
         if (embed_given(scene, number))
             return true;
     return scene->wall;
 }
 
-static int check_bodies(const struct embed_request *scene)
-{
-    static const enum embed_number needed[] = {EMBED_YOUNG, EMBED_POISSON, EMBED_RADIUS};
-    static const char rule[] = "bodies have --young, --poisson, --radius and --density or --mass, as --young 7e10 "
-                               "--poisson 0.24 --radius 0.01 --density 2500";
-    for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
-        if (!embed_given(scene, needed[i]))
-            return usage_error("--%s is missing: %s", embed_number_names[needed[i]], rule);
-    if (embed_given(scene, EMBED_DENSITY) == embed_given(scene, EMBED_MASS))
-        return usage_error("--density and --mass: give one of them; %s", rule);
-    if (embed_given(scene, EMBED_DENSITY_2) && embed_given(scene, EMBED_MASS_2))
-        return usage_error("--density-2 and --mass-2 exclude each other");
-    if (scene->wall && (embed_given(scene, EMBED_RADIUS_2) || embed_given(scene, EMBED_MASS_2)))
-        return usage_error("--wall is flat and held fast: no --radius-2 or --mass-2");
-    return STATUS_OK;
-}
-
 /* Fills the bodies. A wall may be a plate, if its density is known. */
-static int read_bodies(struct fit_bodies *bodies, const struct embed_request *scene)
+static int read_bodies(struct fit_bodies *bodies, const struct embed_request *request)
 {
-    const int status = check_bodies(scene);
+    struct cor_scene scene;
+    struct cor_scene_fault fault;
+    int status = embed_request_scene(&scene, request);
     if (status != STATUS_OK)
         return status;
-    bodies->body_1 = sphere_of(scene, 1);
-    bodies->body_2 = sphere_of(scene, 2);
-    bodies->density_2_kg_m3 = NAN;
-    if (scene->wall) {
-        bodies->body_2.radius_m = bodies->body_2.mass_kg = INFINITY;
-        if (!embed_mass_is_given(scene, 2))
-            bodies->density_2_kg_m3 = number_of(scene, EMBED_DENSITY, 2);
-    }
+    if (cor_scene_check_bodies(&fault, &scene, COR_SCENE_DENSE_WALL) != COR_FAULT_NONE)
+        return embed_refuse_bodies(&fault, "bodies have --young, --poisson, --radius and --density or --mass, as "
+                                           "--young 7e10 --poisson 0.24 --radius 0.01 --density 2500");
+    bodies->body_1 = cor_scene_body(&scene, 1);
+    bodies->body_2 = cor_scene_body(&scene, 2);
+    bodies->density_2_kg_m3 = scene.wall && !cor_scene_mass_is_given(&scene, 2)
+                                  ? cor_scene_of_body(&scene, COR_SCENE_DENSITY, 2)
+                                  : (double)NAN;
     const int wrong = fit_bodies_check(bodies);
     return wrong == COR_OK ? STATUS_OK : usage_error("the bodies make no contact: %s", cor_status_text(wrong));
 }
@@ -207,14 +174,15 @@ static const char help[] =
 
 #define AT(FIELD) offsetof(struct fit_arguments, FIELD)
 #define FIT_BODY(SUFFIX, NUMBER_SUFFIX, YOUNG)                                                                         \
-    SCENE_NUMBER(struct fit_arguments, "young" SUFFIX, EMBED_YOUNG##NUMBER_SUFFIX, YOUNG, false, NULL),                \
-        SCENE_NUMBER(struct fit_arguments, "poisson" SUFFIX, EMBED_POISSON##NUMBER_SUFFIX, &option_sphere_poisson,     \
+    SCENE_NUMBER(struct fit_arguments, "young" SUFFIX, COR_SCENE_YOUNG##NUMBER_SUFFIX, YOUNG, false, NULL),            \
+        SCENE_NUMBER(struct fit_arguments, "poisson" SUFFIX, COR_SCENE_POISSON##NUMBER_SUFFIX, &option_sphere_poisson, \
                      false, NULL),                                                                                     \
-        SCENE_NUMBER(struct fit_arguments, "radius" SUFFIX, EMBED_RADIUS##NUMBER_SUFFIX, &option_positive, false,      \
+        SCENE_NUMBER(struct fit_arguments, "radius" SUFFIX, COR_SCENE_RADIUS##NUMBER_SUFFIX, &option_positive, false,  \
                      NULL),                                                                                            \
-        SCENE_NUMBER(struct fit_arguments, "density" SUFFIX, EMBED_DENSITY##NUMBER_SUFFIX, &option_positive, false,    \
-                     NULL),                                                                                            \
-        SCENE_NUMBER(struct fit_arguments, "mass" SUFFIX, EMBED_MASS##NUMBER_SUFFIX, &option_positive, false, NULL)
+        SCENE_NUMBER(struct fit_arguments, "density" SUFFIX, COR_SCENE_DENSITY##NUMBER_SUFFIX, &option_positive,       \
+                     false, NULL),                                                                                     \
+        SCENE_NUMBER(struct fit_arguments, "mass" SUFFIX, COR_SCENE_MASS##NUMBER_SUFFIX, &option_positive, false,      \
+                     NULL)
 
 /* Single models only: a shell need not offer lists of them. */
 static const char *const law_words[] = {"all",   "viscoelastic",  "plate",         "constant",  "linear",

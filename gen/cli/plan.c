@@ -8,15 +8,15 @@
 static int plan_of_disks(struct plan *plan, const struct plan_arguments *o)
 {
     const struct decimal *const number = o->scene.number;
-    if (!embed_given(&o->scene, EMBED_POISSON))
+    if (!embed_given(&o->scene, COR_SCENE_POISSON))
         return usage_error("corgen plan --disks needs --poisson, as --poisson 0.33; see corgen plan --help");
-    const int status = options_disk_poisson(&number[EMBED_POISSON]);
+    const int status = options_disk_poisson(&number[COR_SCENE_POISSON]);
     if (status != STATUS_OK)
         return status;
     const struct plan_disks_request request = {number[EMBED_SPEED_MIN],
                                                number[EMBED_SPEED_MAX],
                                                number[EMBED_TOLERANCE],
-                                               number[EMBED_POISSON],
+                                               number[COR_SCENE_POISSON],
                                                o->quantity,
                                                o->points};
     return plan_disks(plan, &request);
@@ -24,8 +24,8 @@ static int plan_of_disks(struct plan *plan, const struct plan_arguments *o)
 
 static int plan_of_spheres(struct plan *plan, const struct plan_arguments *o)
 {
-    if (embed_given(&o->scene, EMBED_POISSON)) {
-        const int status = options_check_real("poisson", &option_sphere_poisson, &o->scene.number[EMBED_POISSON]);
+    if (embed_given(&o->scene, COR_SCENE_POISSON)) {
+        const int status = options_check_real("poisson", &option_sphere_poisson, &o->scene.number[COR_SCENE_POISSON]);
         if (status != STATUS_OK)
             return status;
     }

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* corgen sample: eps of a contact over a range of speeds as the fewest points. */
+#include <math.h>
+
 #include "cli/commands.h"
-#include "cli/contact_options.h"
+#include "cli/scene_options.h"
+#include "contact/contact.h"
 #include "contact/sample_table.h"
 #include "support/console.h"
 
@@ -39,22 +42,23 @@ static int write_sample(const struct sample_arguments *o, const struct sample_re
 static int run_sample(const void *arguments)
 {
     const struct sample_arguments *const o = arguments;
-    struct contact_request contact = o->request;
-    struct contact_models models;
-    if (contact.end == OPTIONS_NOT_GIVEN)
-        contact.end = END_ZERO_OVERLAP;
-    const struct sample_request request = {.model = &models.model[0],
-                                           .end = (enum contact_end)contact.end,
-                                           .speed_min = embed_number(&o->scene, EMBED_SPEED_MIN),
-                                           .speed_max = embed_number(&o->scene, EMBED_SPEED_MAX),
-                                           .tolerance = embed_number(&o->scene, EMBED_TOLERANCE),
+    struct embed_request scene = o->scene;
+    struct contacts contacts;
+    if (scene.end == OPTIONS_NOT_GIVEN)
+        scene.end = END_ZERO_OVERLAP;
+    const struct sample_request request = {.contact = &contacts.contact[0],
+                                           .law = &contacts.law,
+                                           .end = (enum contact_end)scene.end,
+                                           .speed_min = embed_number(&scene, EMBED_SPEED_MIN),
+                                           .speed_max = embed_number(&scene, EMBED_SPEED_MAX),
+                                           .tolerance = embed_number(&scene, EMBED_TOLERANCE),
                                            .log = o->log,
                                            .cubic = o->cubic,
                                            .duration = o->duration};
     int status = check_request(o, &request);
     if (status == STATUS_OK)
-        status = contact_request_models(&models, &contact);
-    if (status == STATUS_OK && o->duration && !contact_model_has_scales(&models.model[0]))
+        status = contacts_of_request(&contacts, &scene);
+    if (status == STATUS_OK && o->duration && isnan(contacts.contact[0].mass_kg))
         status = usage_error("--duration needs bodies, or --stiffness and --effective-mass, which set the unit of "
                              "time, as --stiffness 1e9 --effective-mass 1e-3");
     return status == STATUS_OK ? write_sample(o, &request) : status;
@@ -90,7 +94,7 @@ static const struct option_rule options[] = {
     {.name = NULL},
 };
 
-static const struct sample_arguments defaults = {.request.end = OPTIONS_NOT_GIVEN};
+static const struct sample_arguments defaults = {.scene.end = OPTIONS_NOT_GIVEN};
 
 const struct subcommand command_sample = {.name = "sample",
                                           .summary = "eps over speeds as the fewest points of a table",

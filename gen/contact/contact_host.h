@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "contact/contact_request.h"
+#include "contact/contact.h"
 
 /* The word that asks for the list instead of a host */
 #define CONTACT_HOST_LIST "list"
@@ -21,7 +21,7 @@ int contact_host_check(const char *host);
 /* The text of corgen contact --for HOST, malloc'ed; NULL after a message if the host cannot realise this contact. Where
  * the host has the contact's law, the lines hold at every speed. Otherwise they need one impact speed and hold there.
  */
-char *contact_host_text(const char *host, const struct contact_request *request, const struct contact_models *models,
+char *contact_host_text(const char *host, const struct embed_request *request, const struct contacts *contacts,
                         const double *speed_m_s, size_t speeds);
 
 #endif

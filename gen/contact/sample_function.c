@@ -21,17 +21,21 @@ struct sample_piece {
     int status;
 };
 
-static double duration_scale(const struct contact_model *model, double speed_m_s)
+static double duration_scale(const struct cor_scene_contact *contact, double speed_m_s)
 {
-    const double a = (double)model->law.a.num / (double)model->law.a.den;
+    const double a = (double)contact->law.elastic / (double)contact->law.denominator;
     return pow(speed_m_s, (1 - a) / (1 + a));
 }
 
 static int value_direct(double value[SAMPLE_QUANTITIES], const struct sample_function *f, double speed_m_s)
 {
+    struct cor_scene_impact impact;
     if (f->quantities == 1)
-        return contact_model_eps(&value[0], f->model, speed_m_s, f->end);
-    return contact_model_eps_duration(&value[0], &value[1], f->model, speed_m_s, f->end);
+        return contact_status(cor_scene_eps(&value[0], f->contact, speed_m_s, (int)f->end));
+    const int status = cor_scene_impact(&impact, f->contact, speed_m_s);
+    value[0] = impact.eps[f->end];
+    value[1] = impact.duration_s[f->end];
+    return contact_status(status);
 }
 
 /* ---- pieces ---- */
@@ -78,7 +82,7 @@ static void fill_point(void *context, slong i)
         piece->status = STATUS_FAILED;
     piece->value[0][k] = value[0];
     if (work->f->quantities > 1)
-        piece->value[1][k] = value[1] / duration_scale(work->f->model, speed_m_s);
+        piece->value[1][k] = value[1] / duration_scale(work->f->contact, speed_m_s);
 }
 
 /* The largest error relative to the value, between the points next to both ends and in the middle */
@@ -92,7 +96,7 @@ static int piece_error(double *error, const struct sample_function *f, const str
         if (value_direct(value, f, exp(u)) != STATUS_OK)
             return STATUS_FAILED;
         for (int q = 0; q < f->quantities; q++) {
-            const double exact = q == 1 ? value[q] / duration_scale(f->model, exp(u)) : value[q];
+            const double exact = q == 1 ? value[q] / duration_scale(f->contact, exp(u)) : value[q];
             *error = fmax(*error, fabs(piece_value(piece, q, u) / exact - 1));
         }
     }
@@ -137,13 +141,13 @@ static int fill_pieces(struct sample_function *f, double low, double high)
 void sample_function_direct(struct sample_function *f, const struct sample_request *request)
 {
     *f = (struct sample_function){
-        .model = request->model, .end = request->end, .log = request->log, .quantities = request->duration ? 2 : 1};
+        .contact = request->contact, .end = request->end, .log = request->log, .quantities = request->duration ? 2 : 1};
 }
 
 int sample_function_init(struct sample_function *f, const struct sample_request *request)
 {
     sample_function_direct(f, request);
-    if (!contact_model_is_enclosed(request->model))
+    if (!cor_scene_needs_solver(request->contact))
         return STATUS_OK;
     const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;
     return fill_pieces(f, log(request->speed_min) - margin, log(request->speed_max) + margin);
@@ -177,7 +181,7 @@ double sample_function_at_speed(const struct sample_function *f, int quantity, d
     while (i + 1 < f->pieces && u > f->piece[i].high)
         i++;
     const double y = piece_value(&f->piece[i], quantity, u);
-    return quantity == 1 ? y * duration_scale(f->model, speed_m_s) : y;
+    return quantity == 1 ? y * duration_scale(f->contact, speed_m_s) : y;
 }
 
 double sample_function_value(const struct sample_function *f, int quantity, double x)

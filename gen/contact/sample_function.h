@@ -6,13 +6,14 @@
 
 #include <stddef.h>
 
-#include "contact/contact_model.h"
+#include "contact/contact.h"
 
 enum { SAMPLE_QUANTITIES = 2 }; /* eps and duration */
 
 /* The request of corgen sample */
 struct sample_request {
-    const struct contact_model *model;
+    const struct cor_scene_contact *contact;
+    const struct law *law; /* for the title of the table */
     enum contact_end end;
     double speed_min, speed_max; /* m/s */
     double tolerance;            /* relative error, SAMPLE_FINEST to SAMPLE_COARSEST */
@@ -24,7 +25,7 @@ struct sample_request {
 struct sample_piece; /* of the interpolation in ln(speed) */
 
 struct sample_function {
-    const struct contact_model *model;
+    const struct cor_scene_contact *contact;
     enum contact_end end;
     bool log;
     int quantities; /* 1: eps; 2: eps and duration */

@@ -34,15 +34,16 @@ static void append_command(struct text *t, const struct embed_request *request)
     int column = 15;
     text_append(t, "Written by:  corgen embed");
     for (int i = 0; i < EMBED_NUMBERS; i++) {
-        if (!request->number[i].text)
+        const char *const text = request->number[embed_number_in_order(i)].text;
+        if (!text)
             continue;
-        const char *name = embed_number_names[i];
-        const int width = (int)(strlen(name) + strlen(request->number[i].text)) + 4;
+        const char *name = embed_number_name(embed_number_in_order(i));
+        const int width = (int)(strlen(name) + strlen(text)) + 4;
         if ((column += width) > 85) {
             text_append(t, " \\\n                ");
             column = width;
         }
-        text_append(t, " --%s %s", name, request->number[i].text);
+        text_append(t, " --%s %s", name, text);
     }
     char law[EMBED_LAW_OPTIONS];
     text_append(t, "%s%s \\\n                 --end %s --type %s --for %s", request->wall ? " --wall" : "",
@@ -265,7 +266,7 @@ static void emit_macros(struct emit *e, const char *name, const struct embed_req
 {
     static const struct {
         const char *suffix;
-        enum embed_number which;
+        int which;
     } macros[] = {{"SPEED_MIN", EMBED_SPEED_MIN}, {"SPEED_MAX", EMBED_SPEED_MAX}, {"TOLERANCE", EMBED_TOLERANCE}};
     for (size_t i = 0; i < sizeof macros / sizeof *macros; i++) {
         char macro[NAME_MAX_HERE], value[NAME_MAX_HERE];

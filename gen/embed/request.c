@@ -2,63 +2,47 @@
 #include "embed/request.h"
 
 #include <float.h>
-#include <stddef.h>
+#include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "support/console.h"
 
-const char *const embed_number_names[EMBED_NUMBERS] = {[EMBED_SPEED_MIN] = "speed-min",
-                                                       [EMBED_SPEED_MAX] = "speed-max",
-                                                       [EMBED_TOLERANCE] = "tolerance",
-                                                       [EMBED_G_STAR] = "g-star",
-                                                       [EMBED_YOUNG] = "young",
-                                                       [EMBED_POISSON] = "poisson",
-                                                       [EMBED_RADIUS] = "radius",
-                                                       [EMBED_DENSITY] = "density",
-                                                       [EMBED_MASS] = "mass",
-                                                       [EMBED_DISSIPATION_TIME] = "dissipation-time",
-                                                       [EMBED_YOUNG_2] = "young-2",
-                                                       [EMBED_POISSON_2] = "poisson-2",
-                                                       [EMBED_RADIUS_2] = "radius-2",
-                                                       [EMBED_DENSITY_2] = "density-2",
-                                                       [EMBED_MASS_2] = "mass-2",
-                                                       [EMBED_DISSIPATION_TIME_2] = "dissipation-time-2",
-                                                       [EMBED_BETA] = "beta",
-                                                       [EMBED_AT] = "at",
-                                                       [EMBED_STIFFNESS] = "stiffness",
-                                                       [EMBED_DAMPING_COEFFICIENT] = "damping-coefficient",
-                                                       [EMBED_EFFECTIVE_MASS] = "effective-mass"};
 const char *const embed_purpose_names[] = {
     [PURPOSE_BALANCED] = "balanced", [PURPOSE_SCALAR] = "scalar", [PURPOSE_ARRAY] = "array", NULL};
 const char *const embed_type_names[] = {[EMBED_DOUBLE] = "double", [EMBED_FLOAT] = "float", NULL};
 
-const char *const embed_law_names[] = {[EMBED_VISCOELASTIC] = "viscoelastic",
-                                       [EMBED_LINEAR] = "linear",
-                                       [EMBED_TSUJI] = "tsuji",
-                                       [EMBED_HUNT_CROSSLEY] = "hunt-crossley",
-                                       [EMBED_HERTZ_DASHPOT] = "hertz-dashpot",
-                                       [EMBED_LAWS] = NULL};
-
-bool embed_given(const struct embed_request *request, enum embed_number which)
+bool embed_given(const struct embed_request *request, int number)
 {
-    return request->number[which].text != NULL;
+    return request->number[number].text != NULL;
 }
 
-double embed_number(const struct embed_request *request, enum embed_number which)
+double embed_number(const struct embed_request *request, int number)
 {
-    return decimal_value(&request->number[which]);
+    return decimal_value(&request->number[number]);
 }
 
-const struct decimal *embed_number_of_body(const struct embed_request *request, enum embed_number which, int body)
+int embed_number_in_order(int i)
 {
-    const enum embed_number second = which + EMBED_BODY;
-    return &request->number[body == 2 && embed_given(request, second) ? second : which];
+    return (i + EMBED_SPEED_MIN) % EMBED_NUMBERS;
+}
+
+const char *embed_number_name(int number)
+{
+    static const char *const range[] = {"speed-min", "speed-max", "tolerance"};
+    return number < COR_SCENE_NUMBERS ? cor_scene_number_names[number] : range[number - COR_SCENE_NUMBERS];
+}
+
+const struct decimal *embed_number_of_body(const struct embed_request *request, int number, int body)
+{
+    const int second = number + COR_SCENE_BODY;
+    return &request->number[body == 2 && embed_given(request, second) ? second : number];
 }
 
 bool embed_mass_is_given(const struct embed_request *request, int body)
 {
-    const bool own = body == 2 && (embed_given(request, EMBED_MASS_2) || embed_given(request, EMBED_DENSITY_2));
-    return embed_given(request, own ? EMBED_MASS_2 : EMBED_MASS);
+    const bool own = body == 2 && (embed_given(request, COR_SCENE_MASS_2) || embed_given(request, COR_SCENE_DENSITY_2));
+    return embed_given(request, own ? COR_SCENE_MASS_2 : COR_SCENE_MASS);
 }
 
 /* The range of the header's type, and the attainable accuracy of eps */
@@ -67,7 +51,7 @@ struct type_limits {
     double speed_least, speed_most, tolerance_least;
 };
 
-static double rounded(const struct embed_request *request, enum embed_number which)
+static double rounded(const struct embed_request *request, int which)
 {
     const double x = embed_number(request, which);
     return request->type == EMBED_FLOAT ? (double)(float)x : x;
@@ -98,19 +82,13 @@ static int check_range(const struct embed_request *request)
 
 /* ---- the law ---- */
 
-/* eps of Hunt and Crossley's law is that of beta for every elastic exponent; it has 3/2 here. */
-static const struct {
-    const char *elastic, *damping;
-} exponents[EMBED_LAWS] = {[EMBED_VISCOELASTIC] = {"3/2", "1/2"},
-                           [EMBED_LINEAR] = {"1", "0"},
-                           [EMBED_TSUJI] = {"3/2", "1/4"},
-                           [EMBED_HUNT_CROSSLEY] = {"3/2", "3/2"},
-                           [EMBED_HERTZ_DASHPOT] = {"3/2", "0"}};
-
 int embed_request_law(struct law *law, const struct embed_request *request)
 {
-    const char *const elastic = request->elastic ? request->elastic : exponents[request->law].elastic;
-    const char *const damping = request->damping ? request->damping : exponents[request->law].damping;
+    const struct cor_exponents *const named = &cor_law_exponents[request->law];
+    const struct ratio_text a = ratio_text(ratio_make(named->elastic, named->denominator)),
+                            b = ratio_text(ratio_make(named->damping, named->denominator));
+    const char *const elastic = request->elastic ? request->elastic : a.text;
+    const char *const damping = request->damping ? request->damping : b.text;
     const char *const wrong = law_parse(law, elastic, damping);
     return wrong ? usage_error("--elastic %s --damping %s: %s", elastic, damping, wrong) : STATUS_OK;
 }
@@ -122,8 +100,8 @@ const char *embed_law_options(char text[EMBED_LAW_OPTIONS], const struct embed_r
         snprintf(text, EMBED_LAW_OPTIONS, "%s%s%s%s", request->elastic ? " --elastic " : "",
                  request->elastic ? request->elastic : "", request->damping ? " --damping " : "",
                  request->damping ? request->damping : "");
-    else if (request->law != EMBED_VISCOELASTIC)
-        snprintf(text, EMBED_LAW_OPTIONS, " --law %s", embed_law_names[request->law]);
+    else if (request->law != COR_LAW_VISCOELASTIC)
+        snprintf(text, EMBED_LAW_OPTIONS, " --law %s", cor_law_names[request->law]);
     return text;
 }
 
@@ -138,48 +116,94 @@ static int check_law(const struct law *law)
                        law_equation(law).text, name, name);
 }
 
-/* ---- the contact ---- */
+/* ---- the scene ---- */
 
-/* The numbers of one way to say how strong the damping is */
-struct contact_way {
-    enum embed_number first, last;
-};
+/* "ETA1,ETA2", both not negative; -1 for what is something else */
+static void parse_viscosity(double eta[2], const char *text)
+{
+    const char *const comma = strchr(text, ',');
+    eta[0] = eta[1] = -1;
+    for (int i = 0; comma && i < 2; i++) {
+        char part[64];
+        struct decimal x = {0};
+        const char *const start = i == 0 ? text : comma + 1;
+        const size_t length = i == 0 ? (size_t)(comma - text) : strlen(start);
+        if (length < sizeof part) {
+            snprintf(part, sizeof part, "%.*s", (int)length, start);
+            if (decimal_parse(&x, part, DECIMAL_EXPONENT_DIGITS) && x.forms == DECIMAL_PLAIN)
+                eta[i] = decimal_value(&x);
+        }
+        decimal_clear(&x);
+    }
+}
 
-static int given_among(const struct embed_request *request, struct contact_way way)
+int embed_request_scene(struct cor_scene *scene, const struct embed_request *request)
+{
+    struct law law;
+    const int status = embed_request_law(&law, request);
+    if (status != STATUS_OK)
+        return status;
+    *scene = (struct cor_scene){.law = {(int)law.ad, (int)law.bd, (int)law.d},
+                                .plate = request->law == COR_LAW_PLATE,
+                                .wall = request->wall,
+                                .end = request->end};
+    for (int i = 0; i < COR_SCENE_NUMBERS; i++)
+        scene->number[i] = embed_given(request, i) ? embed_number(request, i) : (double)NAN;
+    for (int body = 0; body < 2; body++)
+        if (request->viscosity[body])
+            parse_viscosity(&scene->number[COR_SCENE_VISCOSITY + body * COR_SCENE_BODY], request->viscosity[body]);
+    return STATUS_OK;
+}
+
+int embed_refuse_bodies(const struct cor_scene_fault *fault, const char *rule)
+{
+    const char *const number = cor_scene_number_names[fault->number], *const other =
+                                                                          cor_scene_number_names[fault->other];
+    if (fault->fault == COR_FAULT_MISSING)
+        return usage_error("--%s is missing: %s", number, rule);
+    if (fault->fault == COR_FAULT_ONE_OF)
+        return usage_error("--%s and --%s: give one of them; %s", number, other, rule);
+    if (fault->fault == COR_FAULT_EXCLUDED)
+        return usage_error("--%s and --%s exclude each other", number, other);
+    return usage_error("--wall is flat and held fast: no --radius-2%s or --mass-2",
+                       fault->number == COR_SCENE_DENSITY_2 ? ", --density-2" : "");
+}
+
+/* ---- the contact of a header ---- */
+
+static int given_among(const struct embed_request *request, int first, int last)
 {
     int count = 0;
-    for (enum embed_number number = way.first; number <= way.last; number++)
+    for (int number = first; number <= last; number++)
         count += embed_given(request, number);
     return count;
 }
 
 static int check_materials(const struct embed_request *request, const char *rule)
 {
-    static const enum embed_number body[] = {EMBED_YOUNG, EMBED_POISSON, EMBED_RADIUS, EMBED_DISSIPATION_TIME};
-    for (size_t i = 0; i < sizeof body / sizeof *body; i++)
-        if (!embed_given(request, body[i]))
-            return usage_error("--%s is missing: %s", embed_number_names[body[i]], rule);
-    if (embed_given(request, EMBED_DENSITY) == embed_given(request, EMBED_MASS))
-        return usage_error("--density and --mass: give one of them; %s", rule);
-    if (embed_given(request, EMBED_DENSITY_2) && embed_given(request, EMBED_MASS_2))
-        return usage_error("--density-2 and --mass-2 exclude each other");
-    if (request->wall && (embed_given(request, EMBED_RADIUS_2) || embed_given(request, EMBED_DENSITY_2) ||
-                          embed_given(request, EMBED_MASS_2)))
-        return usage_error("--wall is flat and held fast: no --radius-2, --density-2 or --mass-2");
-    if (fmpq_is_zero(embed_number_of_body(request, EMBED_DISSIPATION_TIME, 1)->value) &&
-        fmpq_is_zero(embed_number_of_body(request, EMBED_DISSIPATION_TIME, 2)->value))
+    struct cor_scene scene;
+    struct cor_scene_fault fault;
+    if (embed_request_scene(&scene, request) != STATUS_OK)
+        return STATUS_USAGE;
+    if (cor_scene_check_bodies(&fault, &scene, COR_SCENE_DISSIPATES) != COR_FAULT_NONE)
+        return embed_refuse_bodies(&fault, rule);
+    if (fmpq_is_zero(embed_number_of_body(request, COR_SCENE_DISSIPATION_TIME, 1)->value) &&
+        fmpq_is_zero(embed_number_of_body(request, COR_SCENE_DISSIPATION_TIME, 2)->value))
         return usage_error("--dissipation-time: no dissipation, so eps is 1 at every speed; no header is needed");
     return STATUS_OK;
 }
 
 static int check_contact(const struct embed_request *request, const struct law *law)
 {
-    enum { G_STAR, MATERIALS, BETA, FORCE, WAYS };
-    static const struct contact_way way[WAYS] = {[G_STAR] = {EMBED_G_STAR, EMBED_G_STAR},
-                                                 [MATERIALS] = {EMBED_YOUNG, EMBED_DISSIPATION_TIME_2},
-                                                 [BETA] = {EMBED_BETA, EMBED_AT},
-                                                 [FORCE] = {EMBED_STIFFNESS, EMBED_EFFECTIVE_MASS}};
-    static const char *const name[WAYS] = {"--g-star", "materials", "--beta", "--stiffness with --damping-coefficient"};
+    /* the numbers of one way to say how strong the damping is */
+    static const struct {
+        const char *name;
+        int first, last;
+    } way[] = {{"--g-star", COR_SCENE_G_STAR, COR_SCENE_G_STAR},
+               {"materials", COR_SCENE_YOUNG, COR_SCENE_DISSIPATION_TIME_2},
+               {"--beta", COR_SCENE_BETA, COR_SCENE_AT},
+               {"--stiffness with --damping-coefficient", COR_SCENE_STIFFNESS, COR_SCENE_EFFECTIVE_MASS}};
+    enum { MATERIALS = 1, WAYS = sizeof way / sizeof *way };
     const char *const rule =
         law_is_sphere(law)
             ? "a scene has --g-star, or --young, --poisson, --radius, --dissipation-time and --density or --mass, or "
@@ -188,10 +212,10 @@ static int check_contact(const struct embed_request *request, const struct law *
               "--effective-mass";
     int used = WAYS;
     for (int i = 0; i < WAYS; i++) {
-        if (given_among(request, way[i]) == 0 && !(i == MATERIALS && request->wall))
+        if (given_among(request, way[i].first, way[i].last) == 0 && !(i == MATERIALS && request->wall))
             continue;
         if (used < WAYS)
-            return usage_error("%s and %s exclude each other: %s", name[used], name[i], rule);
+            return usage_error("%s and %s exclude each other: %s", way[used].name, way[i].name, rule);
         used = i;
     }
     if (used == WAYS)
@@ -199,9 +223,9 @@ static int check_contact(const struct embed_request *request, const struct law *
     if (used == MATERIALS)
         return law_is_sphere(law) ? check_materials(request, rule)
                                   : usage_error("materials make a contact of viscoelastic spheres only: %s", rule);
-    for (enum embed_number number = way[used].first; number <= way[used].last; number++)
+    for (int number = way[used].first; number <= way[used].last; number++)
         if (!embed_given(request, number))
-            return usage_error("--%s is missing: %s", embed_number_names[number], rule);
+            return usage_error("--%s is missing: %s", embed_number_name(number), rule);
     return STATUS_OK;
 }
 

@@ -1,40 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* The request of corgen embed, and of corgen plan for spheres: parsed numbers with their texts */
+/* A scene as the subcommands embed, plan, contact, sample and fit read it: numbers with their texts, and the sentences
+ * for those that are missing or contradict one another (cor/scene.h) */
 #ifndef COR_GEN_EMBED_REQUEST_H
 #define COR_GEN_EMBED_REQUEST_H
 
+#include "cor/scene.h"
 #include "series/law.h"
 #include "series/series.h"
 #include "support/decimal.h"
 
-/* Speeds are in m/s, the tolerance is a relative error of eps, and the other numbers are in SI units. The index of a
- * number of body 2 is that of body 1 plus a constant. */
-enum embed_number {
-    EMBED_SPEED_MIN,
-    EMBED_SPEED_MAX,
-    EMBED_TOLERANCE,
-    EMBED_G_STAR,
-    EMBED_YOUNG,
-    EMBED_POISSON,
-    EMBED_RADIUS,
-    EMBED_DENSITY,
-    EMBED_MASS,
-    EMBED_DISSIPATION_TIME,
-    EMBED_YOUNG_2,
-    EMBED_POISSON_2,
-    EMBED_RADIUS_2,
-    EMBED_DENSITY_2,
-    EMBED_MASS_2,
-    EMBED_DISSIPATION_TIME_2,
-    EMBED_BETA, /* at the speed EMBED_AT */
-    EMBED_AT,
-    EMBED_STIFFNESS, /* K, C and m of m x'' + C x^b x' + K x^a = 0, SI units */
-    EMBED_DAMPING_COEFFICIENT,
-    EMBED_EFFECTIVE_MASS,
-    EMBED_NUMBERS,
-    EMBED_BODY = EMBED_YOUNG_2 - EMBED_YOUNG /* number of indices of a body */
-};
-extern const char *const embed_number_names[EMBED_NUMBERS]; /* names of the options: "speed-min", ... */
+/* The numbers of cor/scene.h and of a range of speeds, m/s; the tolerance is a relative error of eps. */
+enum { EMBED_SPEED_MIN = COR_SCENE_NUMBERS, EMBED_SPEED_MAX, EMBED_TOLERANCE, EMBED_NUMBERS };
 
 /* The purpose of a form: single calls, vectorised loops, or both */
 enum embed_purpose { PURPOSE_BALANCED, PURPOSE_SCALAR, PURPOSE_ARRAY };
@@ -43,24 +19,24 @@ extern const char *const embed_purpose_names[]; /* these two end with NULL */
 enum embed_type { EMBED_DOUBLE, EMBED_FLOAT };
 extern const char *const embed_type_names[];
 
-/* Laws with a name, --law. The exponents of the first are the default of --elastic and --damping. */
-enum embed_law { EMBED_VISCOELASTIC, EMBED_LINEAR, EMBED_TSUJI, EMBED_HUNT_CROSSLEY, EMBED_HERTZ_DASHPOT, EMBED_LAWS };
-extern const char *const embed_law_names[];
-
 struct embed_request {
-    struct decimal number[EMBED_NUMBERS]; /* text NULL: not given */
-    enum contact_end end;
+    struct decimal number[EMBED_NUMBERS]; /* text NULL: not given; none for viscosities */
+    const char *viscosity[2];             /* "ETA1,ETA2" in Pa s of each body; NULL: not given */
+    int end;                              /* enum contact_end or COR_BOTH_ENDS */
     enum embed_purpose purpose;
     enum embed_type type;
-    enum embed_law law;            /* by name */
-    const char *elastic, *damping; /* the exponents as written; NULL: those of the name */
+    int law;                       /* enum cor_law up to COR_LAW_PLATE */
+    const char *elastic, *damping; /* the exponents as written; NULL: those of the law */
     bool wall;                     /* body 2 is flat and held fast */
     const char *name;              /* name of the function; NULL: cor_scene_eps */
 };
 
-bool embed_given(const struct embed_request *request, enum embed_number which);
-double embed_number(const struct embed_request *request, enum embed_number which); /* the nearest double; whether the
-                                                                                    * number is given */
+bool embed_given(const struct embed_request *request, int number);
+double embed_number(const struct embed_request *request, int number); /* the nearest double */
+
+/* The options of the numbers in the order of a command line: " --speed-min 0.1", the i-th of EMBED_NUMBERS */
+int embed_number_in_order(int i);
+const char *embed_number_name(int number);
 
 #define EMBED_COARSEST 0.1 /* the coarsest tolerance of a header */
 
@@ -69,16 +45,21 @@ double embed_number(const struct embed_request *request, enum embed_number which
  * on stderr. */
 int embed_request_check(const struct embed_request *request);
 
-/* Sets the law of a request. Returns STATUS_OK, or STATUS_USAGE after a message. */
+/* The law of a request, and its scene without a solver. Both return STATUS_OK, or STATUS_USAGE after a message. A
+ * viscosity that cannot be read is negative. */
 int embed_request_law(struct law *law, const struct embed_request *request);
+int embed_request_scene(struct cor_scene *scene, const struct embed_request *request);
+
+/* Says what is wrong with bodies, by a fault of cor_scene_check_bodies; `rule` says what bodies have. Returns
+ * STATUS_USAGE. */
+int embed_refuse_bodies(const struct cor_scene_fault *fault, const char *rule);
 
 /* " --law tsuji", " --elastic 2 --damping 1/2", or nothing for viscoelastic spheres by default */
 enum { EMBED_LAW_OPTIONS = 192 };
 const char *embed_law_options(char text[EMBED_LAW_OPTIONS], const struct embed_request *request);
 
-/* The number of body 2 if it is given, otherwise that of body 1. A mass of body 2 replaces the density of body 1, and a
- * density the mass. */
-const struct decimal *embed_number_of_body(const struct embed_request *request, enum embed_number which, int body);
-bool embed_mass_is_given(const struct embed_request *request, int body); /* otherwise the density is given */
+/* As cor_scene_of_body and cor_scene_mass_is_given, exactly as written */
+const struct decimal *embed_number_of_body(const struct embed_request *request, int number, int body);
+bool embed_mass_is_given(const struct embed_request *request, int body);
 
 #endif

@@ -231,7 +231,7 @@ static int scene_prepare(struct embed_scene *s)
 
 int embed_scene_init(struct embed_scene *s, const struct embed_request *request)
 {
-    *s = (struct embed_scene){.end = request->end, .single = request->type == EMBED_FLOAT};
+    *s = (struct embed_scene){.end = (enum contact_end)request->end, .single = request->type == EMBED_FLOAT};
     arb_init(s->beta_per_root);
     arb_init(s->h_star_5);
     int status = embed_request_check(request);

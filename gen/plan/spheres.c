@@ -45,12 +45,12 @@ struct spheres {
     double *other; /* eps at the other end of contact, at every point */
 };
 
-static const char *end_option(enum contact_end end)
+static const char *end_option(int end)
 {
     return end == END_ZERO_FORCE ? "zero-force" : "zero-overlap";
 }
 
-static const char *end_name(enum contact_end end)
+static const char *end_name(int end)
 {
     return end == END_ZERO_FORCE ? "zero_force" : "zero_overlap";
 }
@@ -250,14 +250,14 @@ static void add_power_law(struct plan *plan, const struct spheres *s, const stru
 /* C statements that define `contact` */
 static char *contact_text(const struct embed_request *scene)
 {
-    if (scene->number[EMBED_G_STAR].text)
+    if (scene->number[COR_SCENE_G_STAR].text)
         return plan_text("struct cor_sphere_contact contact;\ncor_sphere_contact_init_g_star(&contact, %s);\n",
-                         scene->number[EMBED_G_STAR].text);
+                         scene->number[COR_SCENE_G_STAR].text);
     char body[2][TEXT];
     for (int second = 0; second < 2; second++) {
-        const char *text[EMBED_BODY];
-        for (int i = 0; i < EMBED_BODY; i++)
-            text[i] = embed_number_of_body(scene, EMBED_YOUNG + (enum embed_number)i, second + 1)->text;
+        const char *text[COR_SCENE_BODY];
+        for (int i = 0; i < COR_SCENE_BODY; i++)
+            text[i] = embed_number_of_body(scene, COR_SCENE_YOUNG + i, second + 1)->text;
         enum { YOUNG, POISSON, RADIUS, DENSITY, MASS, TIME };
         if (second && scene->wall)
             snprintf(body[second], TEXT, "{%s, %s, %s, INFINITY, INFINITY}", text[YOUNG], text[POISSON], text[TIME]);
@@ -374,10 +374,12 @@ static char *embed_command(const struct embed_request *scene, const char *tolera
 {
     char line[TEXT] = "", law[EMBED_LAW_OPTIONS];
     size_t length = 0;
-    for (int i = 0; i < EMBED_NUMBERS; i++)
-        if (scene->number[i].text && length < sizeof line)
-            length += (size_t)snprintf(line + length, sizeof line - length, " --%s %s", embed_number_names[i],
-                                       i == EMBED_TOLERANCE ? tolerance : scene->number[i].text);
+    for (int i = 0; i < EMBED_NUMBERS; i++) {
+        const int number = embed_number_in_order(i);
+        if (scene->number[number].text && length < sizeof line)
+            length += (size_t)snprintf(line + length, sizeof line - length, " --%s %s", embed_number_name(number),
+                                       number == EMBED_TOLERANCE ? tolerance : scene->number[number].text);
+    }
     return plan_text("corgen embed%s%s%s --end %s --for %s --output cor_scene_eps.h\n"
                      "#include \"cor_scene_eps.h\"\ndouble eps = cor_scene_eps(speed);\n",
                      line, scene->wall ? " --wall" : "", embed_law_options(law, scene), end_option(scene->end),
@@ -457,7 +459,7 @@ static void add_function_of_beta(struct plan *plan, const struct spheres *s, con
 
 static void add_other_end(struct plan *plan, const struct spheres *s, const struct embed_request *scene)
 {
-    const enum contact_end other = scene->end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
+    const int other = scene->end == END_ZERO_FORCE ? END_ZERO_OVERLAP : END_ZERO_FORCE;
     struct plan_model *m = plan_add(plan, "the other end: %s", end_option(other));
     memcpy(m->value, s->other, (size_t)plan->points * sizeof *m->value);
     plan_compare(plan, m, true);
@@ -537,7 +539,7 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     struct embed_series series;
     struct law law;
     embed_request_law(&law, scene); /* has been checked */
-    embed_series_begin(&series, &law, scene->end);
+    embed_series_begin(&series, &law, (enum contact_end)scene->end);
     profile_step("scene, series");
     int status = embed_scene_init(&s->scene, embed);
     if (status == STATUS_OK && s->scene.beta_max > BETA_LIMIT)
@@ -551,7 +553,7 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     plan->note = spheres_note(scene);
     profile_step("collisions");
     if (status == STATUS_OK)
-        status = find_truth(plan, s, scene->end);
+        status = find_truth(plan, s, (enum contact_end)scene->end);
     const int series_status = embed_series_end(&series);
     if (status == STATUS_OK)
         status = series_status;

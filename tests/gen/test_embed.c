@@ -20,13 +20,13 @@
 #include "enclosure/collision.h"
 
 /* The scene of a contact with g* = 0.2 m/s; to be cleared. */
-static struct embed_request scene_request(const char *min, const char *max, const char *tolerance, enum contact_end end)
+static struct embed_request scene_request(const char *min, const char *max, const char *tolerance, int end)
 {
     struct embed_request request = {.end = end};
     decimal_set(&request.number[EMBED_SPEED_MIN], min);
     decimal_set(&request.number[EMBED_SPEED_MAX], max);
     decimal_set(&request.number[EMBED_TOLERANCE], tolerance);
-    decimal_set(&request.number[EMBED_G_STAR], "0.2");
+    decimal_set(&request.number[COR_SCENE_G_STAR], "0.2");
     return request;
 }
 
@@ -144,7 +144,7 @@ static int check_scene(const struct embed_request *request, bool proved)
     struct embed_series series;
     struct embed_form form[FAMILIES];
     assert_int_equal(embed_scene_init(&s, request), STATUS_OK);
-    embed_series_begin(&series, &s.law, request->end);
+    embed_series_begin(&series, &s.law, (enum contact_end)request->end);
     assert_int_equal(embed_series_end(&series), STATUS_OK);
     embed_search(form, &s, &series);
     embed_series_clear(&series);
@@ -192,7 +192,8 @@ static void test_scenes(void **state)
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         if (!in_turn(i, 5))
             continue;
-        struct embed_request request = scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
+        struct embed_request request =
+            scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, (int)scenes[i].end);
         request.type = scenes[i].single ? EMBED_FLOAT : EMBED_DOUBLE;
         assert_true(check_scene(&request, true) >= scenes[i].least);
         request_clear(&request);
@@ -219,10 +220,11 @@ static void test_laws(void **state)
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         if (!in_turn(i, 6))
             continue;
-        struct embed_request request = scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, scenes[i].end);
-        decimal_clear(&request.number[EMBED_G_STAR]);
-        decimal_set(&request.number[EMBED_BETA], scenes[i].beta);
-        decimal_set(&request.number[EMBED_AT], "1");
+        struct embed_request request =
+            scene_request(scenes[i].min, scenes[i].max, scenes[i].tolerance, (int)scenes[i].end);
+        decimal_clear(&request.number[COR_SCENE_G_STAR]);
+        decimal_set(&request.number[COR_SCENE_BETA], scenes[i].beta);
+        decimal_set(&request.number[COR_SCENE_AT], "1");
         request.elastic = scenes[i].elastic;
         request.damping = scenes[i].damping;
         const int found = check_scene(&request, scenes[i].proved);
@@ -236,11 +238,11 @@ static void test_ways(void **state)
 {
     (void)state;
     static const struct {
-        enum embed_law law;
+        int law;
         double a, b, c_1;
-    } laws[] = {{EMBED_VISCOELASTIC, 1.5, 0.5, 1.153449},
-                {EMBED_HERTZ_DASHPOT, 1.5, 0, 1.787814144288357},
-                {EMBED_HUNT_CROSSLEY, 1.5, 1.5, 2 / 3.0}};
+    } laws[] = {{COR_LAW_VISCOELASTIC, 1.5, 0.5, 1.153449},
+                {COR_LAW_HERTZ_DASHPOT, 1.5, 0, 1.787814144288357},
+                {COR_LAW_HUNT_CROSSLEY, 1.5, 1.5, 2 / 3.0}};
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
         struct embed_request request = scene_request("1", "2", "1e-3", END_ZERO_OVERLAP);
         const double a = laws[i].a, b = laws[i].b, q = (2 * b - a + 1) / (a + 1);
@@ -251,16 +253,16 @@ static void test_ways(void **state)
         assert_int_equal(embed_request_law(&law, &request), STATUS_OK);
         embed_contact_beta_per_root(beta, &request, &law, 128); /* g* = 0.2: |C_1| beta(0.2) = 1 */
         assert_near(middle(beta) * pow(0.2, q) * laws[i].c_1, 1, 1e-6);
-        decimal_clear(&request.number[EMBED_G_STAR]);
-        decimal_set(&request.number[EMBED_STIFFNESS], "2000");
-        decimal_set(&request.number[EMBED_DAMPING_COEFFICIENT], "3");
-        decimal_set(&request.number[EMBED_EFFECTIVE_MASS], "0.5");
+        decimal_clear(&request.number[COR_SCENE_G_STAR]);
+        decimal_set(&request.number[COR_SCENE_STIFFNESS], "2000");
+        decimal_set(&request.number[COR_SCENE_DAMPING_COEFFICIENT], "3");
+        decimal_set(&request.number[COR_SCENE_EFFECTIVE_MASS], "0.5");
         embed_contact_beta_per_root(beta, &request, &law, 128);
         assert_near(middle(beta), 6 * pow(0.5 / 2000, (b + 1) / (a + 1)), 1e-14);
-        for (int k = EMBED_STIFFNESS; k <= EMBED_EFFECTIVE_MASS; k++)
+        for (int k = COR_SCENE_STIFFNESS; k <= COR_SCENE_EFFECTIVE_MASS; k++)
             decimal_clear(&request.number[k]);
-        decimal_set(&request.number[EMBED_BETA], "0.3");
-        decimal_set(&request.number[EMBED_AT], "32");
+        decimal_set(&request.number[COR_SCENE_BETA], "0.3");
+        decimal_set(&request.number[COR_SCENE_AT], "32");
         embed_contact_beta_per_root(beta, &request, &law, 128);
         assert_near(middle(beta), 0.3 * pow(32, -q), 1e-14);
         arb_clear(beta);
@@ -273,12 +275,12 @@ static void test_materials(void **state)
 {
     (void)state;
     struct embed_request request = scene_request("0.01", "1", "1e-6", END_ZERO_FORCE);
-    decimal_clear(&request.number[EMBED_G_STAR]);
-    decimal_set(&request.number[EMBED_YOUNG], "1e9");
-    decimal_set(&request.number[EMBED_POISSON], "0.3");
-    decimal_set(&request.number[EMBED_RADIUS], "0.01");
-    decimal_set(&request.number[EMBED_MASS], "0.012");
-    decimal_set(&request.number[EMBED_DISSIPATION_TIME], "2e-5");
+    decimal_clear(&request.number[COR_SCENE_G_STAR]);
+    decimal_set(&request.number[COR_SCENE_YOUNG], "1e9");
+    decimal_set(&request.number[COR_SCENE_POISSON], "0.3");
+    decimal_set(&request.number[COR_SCENE_RADIUS], "0.01");
+    decimal_set(&request.number[COR_SCENE_MASS], "0.012");
+    decimal_set(&request.number[COR_SCENE_DISSIPATION_TIME], "2e-5");
     const double rho = 4 * sqrt(0.005) / (3 * 2 * 0.91 / 1e9);
     struct embed_scene s;
     assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);

@@ -223,7 +223,7 @@ static void test_spheres(void **state)
     decimal_set(&request.scene.number[EMBED_SPEED_MIN], "0.01");
     decimal_set(&request.scene.number[EMBED_SPEED_MAX], "1");
     decimal_set(&request.scene.number[EMBED_TOLERANCE], "1e-3");
-    decimal_set(&request.scene.number[EMBED_G_STAR], "400");
+    decimal_set(&request.scene.number[COR_SCENE_G_STAR], "400");
     struct plan plan;
     assert_int_equal(plan_spheres(&plan, &request), STATUS_OK);
     const slong last = plan.points - 1;
@@ -318,7 +318,7 @@ static void test_strong_damping(void **state)
     decimal_set(&request.scene.number[EMBED_SPEED_MIN], "0.2");
     decimal_set(&request.scene.number[EMBED_SPEED_MAX], "0.8");
     decimal_set(&request.scene.number[EMBED_TOLERANCE], "1e-6");
-    decimal_set(&request.scene.number[EMBED_G_STAR], "1e-5");
+    decimal_set(&request.scene.number[COR_SCENE_G_STAR], "1e-5");
     struct plan plan;
     struct cor_sphere_contact contact;
     assert_int_equal(plan_spheres(&plan, &request), STATUS_OK);
@@ -488,13 +488,13 @@ static void test_contact_time(void **state)
 static struct embed_request wall_request(const char *young_2, const char *poisson_2)
 {
     struct embed_request request = {.wall = true};
-    decimal_set(&request.number[EMBED_YOUNG], "7e10");
-    decimal_set(&request.number[EMBED_POISSON], "0.25");
-    decimal_set(&request.number[EMBED_RADIUS], "0.005");
-    decimal_set(&request.number[EMBED_DENSITY], "2500");
+    decimal_set(&request.number[COR_SCENE_YOUNG], "7e10");
+    decimal_set(&request.number[COR_SCENE_POISSON], "0.25");
+    decimal_set(&request.number[COR_SCENE_RADIUS], "0.005");
+    decimal_set(&request.number[COR_SCENE_DENSITY], "2500");
     if (young_2) {
-        decimal_set(&request.number[EMBED_YOUNG_2], young_2);
-        decimal_set(&request.number[EMBED_POISSON_2], poisson_2);
+        decimal_set(&request.number[COR_SCENE_YOUNG_2], young_2);
+        decimal_set(&request.number[COR_SCENE_POISSON_2], poisson_2);
     }
     return request;
 }
@@ -538,7 +538,7 @@ static void test_waves(void **state)
         request.wall = false;
         assert_null(plan_wave_remark(&request, 1, 0.5));
         request.wall = true;
-        decimal_set(&request.number[EMBED_G_STAR], "1");
+        decimal_set(&request.number[COR_SCENE_G_STAR], "1");
         assert_null(plan_wave_remark(&request, 1, 0.5));
         wall_request_clear(&request);
     }

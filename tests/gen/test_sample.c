@@ -5,17 +5,24 @@
 
 #include "contact/sample.h"
 
-static struct contact_model sphere_of(double g_star)
+/* a contact whose mass and stiffness are not known */
+static struct cor_scene_contact contact_of(struct cor_exponents law, int way, double damping)
 {
-    struct contact_model model = contact_model_of_law(&law_sphere);
-    contact_model_set_g_star(&model, g_star);
-    return model;
+    struct cor_scene_contact contact = {
+        .law = law, .mass_kg = NAN, .stiffness = NAN, .radius_m = NAN, .solver = contact_enclosed};
+    assert_int_equal(cor_scene_set_damping(&contact, way, damping, 1, 0), 0);
+    return contact;
+}
+
+static struct cor_scene_contact sphere_of(double g_star)
+{
+    return contact_of(cor_law_exponents[COR_LAW_VISCOELASTIC], COR_SCENE_G_STAR, g_star);
 }
 
 static double eps_at(const struct sample_request *r, double speed)
 {
     double eps;
-    assert_int_equal(contact_model_eps(&eps, r->model, speed, r->end), 0);
+    assert_int_equal(cor_scene_eps(&eps, r->contact, speed, (int)r->end), 0);
     return eps;
 }
 
@@ -83,15 +90,15 @@ static void check_sample(const struct sample_request *r)
 static void tolerances_hold(void **state)
 {
     (void)state;
-    const struct contact_model model = sphere_of(0.2);
-    for (int end = 0; end < CONTACT_ENDS; end++)
+    const struct cor_scene_contact contact = sphere_of(0.2);
+    for (int end = 0; end < COR_SCENE_ENDS; end++)
         for (int kind = 0; kind < 4; kind++) {
             const bool cubic = kind / 2, log = kind % 2;
             if (!in_turn((size_t)end + (size_t)kind, 2)) /* one end for each kind */
                 continue;
             const double finest = (double)few_or_all(500, 1) * (cubic ? 1e-7 : 1e-6);
             for (double tolerance = 1e-2; tolerance > finest; tolerance /= 50)
-                check_sample(&(struct sample_request){.model = &model,
+                check_sample(&(struct sample_request){.contact = &contact,
                                                       .end = (enum contact_end)end,
                                                       .speed_min = 0.01,
                                                       .speed_max = 10,
@@ -129,8 +136,8 @@ static void no_smaller_table(void **state)
     (void)state;
     struct random_state random = random_start();
     for (int turn = 0; turn < (int)few_or_all(3, 40); turn++) {
-        const struct contact_model model = sphere_of(random_log(&random, 0.01, 1e4));
-        struct sample_request r = {.model = &model,
+        const struct cor_scene_contact contact = sphere_of(random_log(&random, 0.01, 1e4));
+        struct sample_request r = {.contact = &contact,
                                    .end = (enum contact_end)(turn % 2),
                                    .speed_min = 1e-3,
                                    .speed_max = random_log(&random, 0.1, 100),
@@ -169,19 +176,16 @@ static void no_smaller_table(void **state)
 static void other_laws(void **state)
 {
     (void)state;
-    struct law law;
-    assert_null(law_parse(&law, "2", "1"));
-    struct contact_model model = contact_model_of_law(&law);
-    contact_model_set_g_star(&model, 0.3);
-    model.mass_kg = 1e-3;
-    model.stiffness = 1e6;
+    struct cor_scene_contact contact = contact_of((struct cor_exponents){2, 1, 1}, COR_SCENE_G_STAR, 0.3);
+    contact.mass_kg = 1e-3;
+    contact.stiffness = 1e6;
     const struct sample_request r = {
-        .model = &model, .speed_min = 0.1, .speed_max = 1, .tolerance = 1e-3, .duration = true};
+        .contact = &contact, .speed_min = 0.1, .speed_max = 1, .tolerance = 1e-3, .duration = true};
     struct sample s;
-    struct contact_impact impact;
+    struct cor_scene_impact impact;
     assert_int_equal(sample_choose(&s, &r), 0);
     for (size_t i = 0; i < s.best.count; i += 5) {
-        assert_int_equal(contact_model_impact(&impact, &model, s.best.speed_m_s[i]), 0);
+        assert_int_equal(cor_scene_impact(&impact, &contact, s.best.speed_m_s[i]), 0);
         assert_true(fabs(s.best.value[0][i] / impact.eps[0] - 1) < 1e-12);
         assert_true(fabs(s.best.value[1][i] / impact.duration_s[0] - 1) < 1e-12);
     }
@@ -190,7 +194,7 @@ static void other_laws(void **state)
     /* so many decades that one polynomial is not enough */
     for (double speed_min = 1e-2; speed_min > 1e-10; speed_min /= 30) {
         const struct sample_request wide = {
-            .model = &model, .speed_min = speed_min, .speed_max = 1, .tolerance = 1e-2, .log = true};
+            .contact = &contact, .speed_min = speed_min, .speed_max = 1, .tolerance = 1e-2, .log = true};
         assert_int_equal(sample_choose(&s, &wide), 0);
         for (size_t i = 0; i < s.best.count; i++)
             check(fabs(s.best.value[0][i] / eps_at(&wide, s.best.speed_m_s[i]) - 1) < 1e-12, "eps at %g m/s",
@@ -199,17 +203,15 @@ static void other_laws(void **state)
     }
     /* slopes at the ends of a narrow range need values beyond them */
     const struct sample_request narrow = {
-        .model = &model, .speed_min = 0.5, .speed_max = 0.501, .tolerance = 1e-3, .cubic = true};
+        .contact = &contact, .speed_min = 0.5, .speed_max = 0.501, .tolerance = 1e-3, .cubic = true};
     assert_int_equal(sample_choose(&s, &narrow), 0);
     for (size_t i = 0; i < s.best.count; i++)
         check(fabs(s.best.slope[0][i] / slope_at(&narrow, s.best.speed_m_s[i]) - 1) < 1e-8, "slope at %g m/s",
               s.best.speed_m_s[i]);
     sample_clear(&s);
 
-    assert_null(law_parse(&law, "1", "0"));
-    model = contact_model_of_law(&law);
-    model.damping = 0.3;
-    const struct sample_request constant = {.model = &model, .speed_min = 0.1, .speed_max = 1, .tolerance = 1e-3};
+    contact = contact_of(cor_law_exponents[COR_LAW_LINEAR], COR_SCENE_ZETA, 0.3);
+    const struct sample_request constant = {.contact = &contact, .speed_min = 0.1, .speed_max = 1, .tolerance = 1e-3};
     assert_int_equal(sample_choose(&s, &constant), 0);
     assert_true(s.best.count == 2 && s.best.error < 1e-15);
     sample_clear(&s);
@@ -220,16 +222,15 @@ static void refusals(void **state)
     (void)state;
     struct sample s;
     if (few_or_all(0, 1)) { /* half a second; tests/cli/run has it in every run */
-        const struct contact_model model = sphere_of(0.2);
-        const struct sample_request fine = {.model = &model, .speed_min = 1e-6, .speed_max = 1e6, .tolerance = 1e-10};
+        const struct cor_scene_contact contact = sphere_of(0.2);
+        const struct sample_request fine = {
+            .contact = &contact, .speed_min = 1e-6, .speed_max = 1e6, .tolerance = 1e-10};
         assert_int_equal(sample_choose(&s, &fine), 2);
         sample_clear(&s);
     }
-    struct law law;
-    assert_null(law_parse(&law, "3/2", "0"));
-    struct contact_model dashpot = contact_model_of_law(&law);
-    contact_model_set_beta(&dashpot, 1, 1); /* never parts below 0.55 m/s */
-    const struct sample_request sticks = {.model = &dashpot, .speed_min = 0.1, .speed_max = 10, .tolerance = 1e-3};
+    /* never parts below 0.55 m/s */
+    const struct cor_scene_contact dashpot = contact_of(cor_law_exponents[COR_LAW_HERTZ_DASHPOT], COR_SCENE_BETA, 1);
+    const struct sample_request sticks = {.contact = &dashpot, .speed_min = 0.1, .speed_max = 10, .tolerance = 1e-3};
     assert_int_equal(sample_choose(&s, &sticks), 2);
     sample_clear(&s);
 }

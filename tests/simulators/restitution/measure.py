@@ -33,7 +33,7 @@ LAWS = ["linear", "tsuji", "viscoelastic", "hertz-dashpot", "hunt-crossley"]
 DAMPING_EXPONENT = {"linear": 1, "tsuji": 0.25, "viscoelastic": 0.5, "hertz-dashpot": 1, "hunt-crossley": 1.5}
 # Numbers of time steps within the contact; each is twice the one before.
 COUNTS = [5000, 10000, 20000]
-# Largest |eps - e| with the lines of corgen, and between a simulator's map and gen/hosts/hosts.c
+# Largest |eps - e| with the lines of corgen, and between a simulator's map and runtime/scene/simulators.c
 TOLERANCE = 1e-5
 # The bodies of the drivers: effective mass 1.6 g, effective radius 4 mm
 SPRING = ["--stiffness", "1e5", "--effective-mass", "1.6e-3"]
@@ -409,7 +409,7 @@ def judge(host, cases):
                        case.expected + 0.2 + TOLERANCE for case in group)
             verdict(good, "%s: from e to e + %.4f" % (name, error))
         else:
-            against = "the map of gen/hosts/hosts.c" if own else "e"
+            against = "the map of runtime/scene/simulators.c" if own else "e"
             verdict(error <= TOLERANCE, "%s: %d collisions, largest difference from %s %.1e" %
                     (name, len(group), against, error))
         errors[model, own] = error

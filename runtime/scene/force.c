@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "contact/contact_force.h"
-
+/* The largest force of a collision */
 #include <math.h>
 
-static double ratio_value(struct ratio x)
-{
-    return (double)x.num / (double)x.den;
-}
+#include "cor/scene.h"
+#include "runtime/scene/exponents.h"
 
 /* ---- q = 0: u = x^((a+1)/2) obeys u'' + 2 zeta w u' + w^2 u = 0 with w^2 = (a+1)/2 ----
  *
@@ -23,9 +20,9 @@ static double phase_limit(double p)
     return (3 - sqrt((p + 9) / (p + 1))) / 2;
 }
 
-static double force_linear(const struct law *law, double zeta)
+static double force_linear(const struct cor_exponents *law, double zeta)
 {
-    const double a = ratio_value(law->a), p = (a - 1) / (a + 1), root = sqrt((a + 1) / 2);
+    const double a = cor_elastic(law), p = (a - 1) / (a + 1), root = sqrt((a + 1) / 2);
     if (p == 0 && zeta >= 0.5)
         return 2 * zeta; /* at the first moment */
     const double sine = sqrt(fabs((1 - zeta) * (1 + zeta)));
@@ -33,7 +30,7 @@ static double force_linear(const struct law *law, double zeta)
         const double r = phase_limit(p);
         return pow(root * exp(-r), 1 + p) * pow(r, p) * (2 - r);
     }
-    const bool over = zeta > 1;
+    const int over = zeta > 1;
     const double phi = over ? asinh(sine) : atan2(sine, zeta);
     /* cos(3 phi - 2 theta) = 1 - 2 s^2: the form in half angles keeps its relative accuracy where phi is small */
     const double h1 = over ? sinh(phi / 2) : sin(phi / 2), h3 = over ? sinh(1.5 * phi) : sin(1.5 * phi);
@@ -59,9 +56,9 @@ static double log_rest(double z)
 
 /* The force is largest where a v = beta x^(a+1); with z = beta v that is a z + (a+1) f(z) = (a+1) f(beta), f =
  * log_rest. */
-static double force_hunt_crossley(const struct law *law, double beta)
+static double force_hunt_crossley(const struct cor_exponents *law, double beta)
 {
-    const double a = ratio_value(law->a), wanted = (a + 1) * log_rest(beta);
+    const double a = cor_elastic(law), wanted = (a + 1) * log_rest(beta);
     if (beta == 0)
         return pow((a + 1) / 2, a / (a + 1));
     double z = fmin(wanted / a, beta); /* convex and increasing: Newton's steps fall to the root from above */
@@ -201,22 +198,23 @@ static double force_overdamped(double b)
 #define FORCE_SPRING_LEAST 0x1p-48 /* of mu, below which the spring is left out */
 
 /* From beta = 1 on the damping sets the scales: x = beta^(-1/(b+1)) X, X'' + X^b X' + mu X^a = 0. */
-static double force_power(const struct law *law, double beta)
+static double force_power(const struct cor_exponents *law, double beta)
 {
-    const double b1 = ratio_value(law->b) + 1, a1 = ratio_value(law->a) + 1;
+    const double b1 = cor_damping(law) + 1, a1 = cor_elastic(law) + 1;
     if (beta <= 1)
-        return force_integrated(&(struct force_system){1, beta, law->d, law->ad, law->bd});
+        return force_integrated(&(struct force_system){1, beta, law->denominator, law->elastic, law->damping});
     const double mu = pow(beta, -a1 / b1);
-    return pow(beta, 1 / b1) * (mu < FORCE_SPRING_LEAST
-                                    ? force_overdamped(b1 - 1)
-                                    : force_integrated(&(struct force_system){mu, 1, law->d, law->ad, law->bd}));
+    return pow(beta, 1 / b1) *
+           (mu < FORCE_SPRING_LEAST
+                ? force_overdamped(b1 - 1)
+                : force_integrated(&(struct force_system){mu, 1, law->denominator, law->elastic, law->damping}));
 }
 
-double contact_force_max(const struct law *law, double damping)
+double cor_law_force_max(const struct cor_exponents *law, double damping)
 {
     if (!(damping >= 0 && damping < INFINITY))
-        return (double)NAN;
-    if (law_is_linear(law))
+        return NAN;
+    if (cor_law_is_constant(law))
         return force_linear(law, damping);
-    return (law_is_hunt_crossley(law) ? force_hunt_crossley : force_power)(law, damping);
+    return (cor_law_is_hunt_crossley(law) ? force_hunt_crossley : force_power)(law, damping);
 }

@@ -1,15 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The largest force of a collision: limits, and two routes that must meet. test_contact.c integrates the force. */
+/* The largest force of a collision: limits, and two routes that must meet.
+ * tests/gen/test_contact.c integrates the force. */
 #include "check.h"
 
-#include "contact/contact_force.h"
-
-static struct law law_named(const char *elastic, const char *damping)
-{
-    struct law law;
-    assert_null(law_parse(&law, elastic, damping));
-    return law;
-}
+#include "cor/scene.h"
 
 static void close_to(const char *what, double computed, double reference, double error)
 {
@@ -32,40 +26,42 @@ static double crossley_force(double a, double beta)
 static void forces(void **state)
 {
     (void)state;
-    const struct law linear = law_named("1", "0"), tsuji = law_named("3/2", "1/4"), crossley = law_named("3/2", "3/2");
+    const struct cor_exponents linear = cor_law_exponents[COR_LAW_LINEAR], tsuji = cor_law_exponents[COR_LAW_TSUJI],
+                               crossley = cor_law_exponents[COR_LAW_HUNT_CROSSLEY],
+                               sphere = cor_law_exponents[COR_LAW_VISCOELASTIC];
     /* zeta = 0: an elastic collision */
-    close_to("linear", contact_force_max(&linear, 0), 1, 1e-15);
-    close_to("Tsuji", contact_force_max(&tsuji, 0), pow(1.25, 0.6), 1e-15);
-    close_to("Hunt and Crossley", contact_force_max(&crossley, 0), pow(1.25, 0.6), 1e-15);
-    close_to("sphere", contact_force_max(&law_sphere, 0), pow(1.25, 0.6), 1e-12);
+    close_to("linear", cor_law_force_max(&linear, 0), 1, 1e-15);
+    close_to("Tsuji", cor_law_force_max(&tsuji, 0), pow(1.25, 0.6), 1e-15);
+    close_to("Hunt and Crossley", cor_law_force_max(&crossley, 0), pow(1.25, 0.6), 1e-15);
+    close_to("sphere", cor_law_force_max(&sphere, 0), pow(1.25, 0.6), 1e-12);
     /* linear: exp(-zeta (3 phi - pi)/sin(phi)), phi = acos(zeta), up to zeta = 1/2, then the first moment's 2 zeta */
     for (double zeta = 0.01; zeta < 0.5; zeta += 0.01) {
         const double phi = acos(zeta);
-        close_to("linear", contact_force_max(&linear, zeta), exp(-zeta * (3 * phi - 3.14159265358979323846) / sin(phi)),
+        close_to("linear", cor_law_force_max(&linear, zeta), exp(-zeta * (3 * phi - 3.14159265358979323846) / sin(phi)),
                  1e-14);
     }
-    close_to("linear", contact_force_max(&linear, 0.7), 1.4, 1e-15);
+    close_to("linear", cor_law_force_max(&linear, 0.7), 1.4, 1e-15);
     /* both branches of Tsuji's, and the limit between them */
-    const double middle = contact_force_max(&tsuji, 1);
+    const double middle = cor_law_force_max(&tsuji, 1);
     for (double gap = 1e-3; gap > 1e-15; gap /= 10)
         for (int sign = -1; sign <= 1; sign += 2)
-            check(fabs(contact_force_max(&tsuji, 1 + sign * gap) / middle - 1) < 1.5 * gap + 4e-15, "gap %g: %.17g",
-                  gap, contact_force_max(&tsuji, 1 + sign * gap));
-    assert_true(contact_force_max(&tsuji, 1e8) > 1e6 && isfinite(contact_force_max(&tsuji, 1e8)));
+            check(fabs(cor_law_force_max(&tsuji, 1 + sign * gap) / middle - 1) < 1.5 * gap + 4e-15, "gap %g: %.17g",
+                  gap, cor_law_force_max(&tsuji, 1 + sign * gap));
+    assert_true(cor_law_force_max(&tsuji, 1e8) > 1e6 && isfinite(cor_law_force_max(&tsuji, 1e8)));
     /* the integration, next to a closed form: (1, 0) and (3/2, 3/2) are limits of other exponents */
-    const struct law near = law_named("3/2", "24/16");
-    close_to("the same law", contact_force_max(&near, 3), contact_force_max(&crossley, 3), 1e-15);
+    const struct cor_exponents near = {6, 6, 4};
+    close_to("the same law", cor_law_force_max(&near, 3), cor_law_force_max(&crossley, 3), 1e-15);
     for (double beta = 0.05; beta < 100; beta *= 3)
-        close_to("first integral", contact_force_max(&crossley, beta), crossley_force(1.5, beta), 1e-6);
+        close_to("first integral", cor_law_force_max(&crossley, beta), crossley_force(1.5, beta), 1e-6);
     /* small and large damping of Hunt and Crossley's law: f(z) = z - ln(1 + z) for every size of z */
-    close_to("small", contact_force_max(&crossley, 1e-9), pow(1.25, 0.6), 1e-8);
-    close_to("both sides of 0.1", contact_force_max(&crossley, 0.1), contact_force_max(&crossley, nextafter(0.1, 1)),
+    close_to("small", cor_law_force_max(&crossley, 1e-9), pow(1.25, 0.6), 1e-8);
+    close_to("both sides of 0.1", cor_law_force_max(&crossley, 0.1), cor_law_force_max(&crossley, nextafter(0.1, 1)),
              1e-14);
-    assert_true(isnan(contact_force_max(&tsuji, -1)) && isnan(contact_force_max(&law_sphere, NAN)) &&
-                isnan(contact_force_max(&crossley, INFINITY)));
+    assert_true(isnan(cor_law_force_max(&tsuji, -1)) && isnan(cor_law_force_max(&sphere, NAN)) &&
+                isnan(cor_law_force_max(&crossley, INFINITY)));
     /* a sphere of strong damping: loading forgets the spring, F = beta^(2/3) max sqrt(X) V of X'' + sqrt(X) X' = 0,
      * V = 1 - (2/3) X^(3/2), so that F = beta^(2/3) (3/4) (3/8)^(1/3) */
-    close_to("strong", contact_force_max(&law_sphere, 1e9), pow(1e9, 2.0 / 3) * 0.75 * cbrt(0.375), 1e-12);
+    close_to("strong", cor_law_force_max(&sphere, 1e9), pow(1e9, 2.0 / 3) * 0.75 * cbrt(0.375), 1e-12);
 }
 
 /* The largest force to the first order of mu, x = beta^(-1/(b+1)) X: docs/derivation.md, 9. b > 0. */
@@ -100,23 +96,20 @@ static void strong_damping(void **state)
 {
     (void)state;
     struct random_state random = random_start();
-    const struct law dashpot = law_named("3/2", "0");
+    const struct cor_exponents dashpot = cor_law_exponents[COR_LAW_HERTZ_DASHPOT];
     const double weak = random_uniform(&random, 0.1, 1.2);
-    close_to("two maxima", contact_force_max(&dashpot, weak), force_by_steps(1.5, weak), 1e-7);
+    close_to("two maxima", cor_law_force_max(&dashpot, weak), force_by_steps(1.5, weak), 1e-7);
     for (size_t i = 0; i < points(2000); i++) {
         const size_t a4 = 1 + random_below(&random, 40), b4 = random_below(&random, 40);
         const double a = (double)a4 / 4, b = (double)b4 / 4, mu = random_log(&random, 1e-22, 1e-8);
         const double beta = pow(mu, -(b + 1) / (a + 1)), strongest = random_log(&random, 1, 1e308);
-        char elastic[32], damping[32];
-        snprintf(elastic, sizeof elastic, "%zu/4", a4);
-        snprintf(damping, sizeof damping, "%zu/4", b4);
-        const struct law law = law_named(elastic, damping);
-        if (law_is_linear(&law) || law_is_hunt_crossley(&law) || !(beta < 1e300) || (b4 == 0 && a4 < 4))
+        const struct cor_exponents law = {(int)a4, (int)b4, 4};
+        if (2 * b4 + 4 == a4 || a4 == b4 || !(beta < 1e300) || (b4 == 0 && a4 < 4))
             continue;
-        check(contact_force_max(&law, strongest) > 0, "%s, %s: %g", elastic, damping, strongest);
-        const double scaled = contact_force_max(&law, beta) / pow(beta, 1 / (b + 1));
+        check(cor_law_force_max(&law, strongest) > 0, "%g, %g: %g", a, b, strongest);
+        const double scaled = cor_law_force_max(&law, beta) / pow(beta, 1 / (b + 1));
         close_to("strong damping", scaled, b4 == 0 ? 1 : strongly_damped(a, b, mu),
-                 CONTACT_FORCE_MAX_ERROR + 1e4 * mu * mu);
+                 COR_LAW_FORCE_MAX_ERROR + 1e4 * mu * mu);
     }
 }
 

@@ -1,0 +1,312 @@
+/* SPDX-License-Identifier: MIT */
+/* From what is known of a contact to what a simulation needs: its damping, the numbers of an impact, and the settings
+ * of simulators. All quantities are in SI units.
+ *
+ * At the overlap x the force K x^a + C x^b x' acts between two bodies of effective mass m. At impact speed g,
+ *
+ *     beta = (C/m) (m/K)^((b+1)/(a+1)) g^q,     q = (2 b - a + 1)/(a + 1)
+ *
+ * is the one parameter of the dimensionless law x'' + beta x^b x' + x^a = 0. Where q = 0, that is for the linear
+ * dashpot and Tsuji's damping, zeta = beta/sqrt(2 (a + 1)) is the parameter, and eps is the same at every speed.
+ *
+ * These functions are a library of their own, libcor_scene (in CMake cor::scene), which needs libcor and libm. They
+ * compute in the floating-point environment of the caller, are safe in threads, and use no memory but a stack of a few
+ * kilobytes. Source: docs/derivation.md, 9, and docs/laws.md. */
+#ifndef COR_SCENE_H
+#define COR_SCENE_H
+
+#include <stddef.h>
+
+#include "contact.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- laws and ends of contact ---- */
+
+/* The exponents a = elastic/denominator and b = damping/denominator, which are not negative. In lowest terms: the
+ * largest force of a law without a closed form has powers of these three numbers. */
+struct cor_exponents {
+    int elastic, damping, denominator;
+};
+
+enum cor_law {
+    COR_LAW_VISCOELASTIC,  /* 3/2, 1/2 */
+    COR_LAW_LINEAR,        /* 1, 0 */
+    COR_LAW_TSUJI,         /* 3/2, 1/4 */
+    COR_LAW_HUNT_CROSSLEY, /* a, a; by name 3/2, 3/2 */
+    COR_LAW_HERTZ_DASHPOT, /* 3/2, 0 */
+    COR_LAW_PLATE,         /* a sphere on Zener's plate: 3/2, 1/2, and only the end zero overlap */
+    /* of simulators alone */
+    COR_LAW_LINEAR_ROOT, /* 1, 1/2 */
+    COR_LAW_IMPULSE,     /* no force: the rebound speed is e times the impact speed, and the damping is 1 - e */
+    COR_LAWS
+};
+/* The names of the laws before COR_LAW_PLATE, for lists of the caller */
+#define COR_LAW_NAMES "viscoelastic", "linear", "tsuji", "hunt-crossley", "hertz-dashpot"
+extern const char *const cor_law_names[COR_LAWS];
+extern const struct cor_exponents cor_law_exponents[COR_LAW_IMPULSE]; /* of the laws before COR_LAW_IMPULSE */
+
+enum cor_end {
+    COR_END_ZERO_OVERLAP,
+    COR_END_ZERO_FORCE,
+    /* of simulators alone */
+    COR_END_LIMITED,       /* the damping force is limited to the spring's */
+    COR_END_APPROACH_ONLY, /* damped only while the bodies approach */
+    COR_END_INSTANT,       /* of an impulse */
+    COR_ENDS,
+    COR_BOTH_ENDS = -1
+};
+enum { COR_SCENE_ENDS = 2 };                      /* zero overlap and zero force */
+extern const char *const cor_end_names[COR_ENDS]; /* "zero overlap" */
+
+/* eps of a damping parameter and back, for the laws with closed forms: linear and Tsuji (zeta), Hunt and Crossley
+ * (beta), an impulse. NaN for other laws, ends that the law does not have, and where the functions of law.h give NaN.
+ * Accuracy: that of the functions of law.h. */
+double cor_law_eps(enum cor_law law, enum cor_end end, double damping);
+double cor_law_damping(enum cor_law law, enum cor_end end, double eps);
+
+/* The largest value of x^a + beta x^b x' during the collision x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1; where
+ * q = 0 the damping is zeta. In SI units the largest force is m g/T times this number, where T is the unit of time.
+ * Where q = 0 and where a = b the result is a closed form. Otherwise an adaptive Runge-Kutta method integrates until no
+ * larger force can follow, or, where the spring is too weak to matter, the limit of strong damping is the result.
+ * Accuracy: COR_LAW_FORCE_MAX_ERROR, relative; sampled in tests/unit/test_scene_force.c and tests/gen/test_contact.c.
+ * Special values: damping negative, infinite or NaN -> NaN. */
+#define COR_LAW_FORCE_MAX_ERROR 1e-12
+double cor_law_force_max(const struct cor_exponents *law, double damping);
+
+/* ---- a contact ---- */
+
+/* Bound on the relative error of eps, durations, overlap and force of the functions below, with the damping parameter
+ * of the speed taken as exact. Sampled in tests/gen/test_contact.c. */
+#define COR_SCENE_MAX_ERROR 1e-12
+
+/* One collision of x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1. Arrays have an element for each end. */
+struct cor_scaled_impact {
+    double eps[COR_SCENE_ENDS], duration[COR_SCENE_ENDS], max_overlap;
+};
+/* Solves the collision of a law that libcor has no functions of, for beta > 0: everything where `end` is COR_BOTH_ENDS,
+ * otherwise at least eps of that end. Returns 0, or a negative number, which the functions below return in turn. */
+typedef int cor_scene_solver(struct cor_scaled_impact *impact, const struct cor_exponents *law, double beta, int end);
+
+/* A contact, filled by cor_scene_contacts or by the caller. libcor has functions of the laws that have a name, of every
+ * a = b, and of eps where q = 0. */
+struct cor_scene_contact {
+    struct cor_exponents law;
+    int plate;                /* whether it is Zener's plate */
+    double mass_kg;           /* m; NaN if not known, like the next two */
+    double stiffness;         /* K, N/m^a */
+    double radius_m;          /* effective radius; only simulators need it */
+    double damping;           /* beta g^-q, (m/s)^-q; where q = 0 zeta */
+    cor_scene_solver *solver; /* for all other laws; NULL: the functions below return COR_FAULT_SOLVER */
+};
+
+double cor_scene_speed_exponent(const struct cor_scene_contact *contact); /* q */
+/* Whether the contact can end in this way, and whether eps depends on the end */
+int cor_scene_has_end(const struct cor_scene_contact *contact, int end);
+int cor_scene_ends_differ(const struct cor_scene_contact *contact);
+/* Whether an impact takes the solver, for more than its eps where q = 0 */
+int cor_scene_needs_solver(const struct cor_scene_contact *contact);
+/* beta at the impact speed g > 0, m/s. Accuracy: 4 units of the last place, with `damping` taken as exact. */
+double cor_scene_beta(const struct cor_scene_contact *contact, double speed_m_s);
+
+/* One impact. Arrays have an element for each end of contact. Durations are infinite where the bodies never part. NaN:
+ * not defined, or mass and stiffness are not known. */
+struct cor_scene_impact {
+    double beta, eps[COR_SCENE_ENDS], duration_s[COR_SCENE_ENDS], max_overlap_m;
+};
+
+/* The impact at a speed above 0, m/s; its eps at one end alone; the largest force between the bodies, N, damping
+ * included, which takes an integration for some laws. Accuracy: COR_SCENE_MAX_ERROR. The first two return COR_OK,
+ * COR_FAULT_SOLVER, or what the solver returned. */
+int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s);
+int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end);
+double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s);
+
+/* ---- what is known of a contact ---- */
+
+/* The index of a number of body 2 is that of body 1 plus COR_SCENE_BODY. */
+enum cor_scene_number {
+    COR_SCENE_G_STAR, /* g*, m/s, with eps = 1 - (g/g*)^q + ... */
+    COR_SCENE_YOUNG,  /* Young's modulus, Pa */
+    COR_SCENE_POISSON,
+    COR_SCENE_RADIUS,           /* m */
+    COR_SCENE_DENSITY,          /* kg/m^3 */
+    COR_SCENE_MASS,             /* kg, instead of the density */
+    COR_SCENE_DISSIPATION_TIME, /* A of contact.h, s: C = (3/2) A K */
+    COR_SCENE_VISCOSITY,        /* eta_1 of cor_dissipation_time_viscous_s, Pa s, instead of A */
+    COR_SCENE_BULK_VISCOSITY,   /* eta_2 */
+    COR_SCENE_YOUNG_2,
+    COR_SCENE_POISSON_2,
+    COR_SCENE_RADIUS_2,
+    COR_SCENE_DENSITY_2,
+    COR_SCENE_MASS_2,
+    COR_SCENE_DISSIPATION_TIME_2,
+    COR_SCENE_VISCOSITY_2,
+    COR_SCENE_BULK_VISCOSITY_2,
+    COR_SCENE_BETA, /* at the speed COR_SCENE_AT; where q = 0 at every speed, like the restitution */
+    COR_SCENE_AT,   /* m/s */
+    COR_SCENE_STIFFNESS,
+    COR_SCENE_DAMPING_COEFFICIENT, /* C, N s/m^(b+1) */
+    COR_SCENE_EFFECTIVE_MASS,
+    COR_SCENE_RESTITUTION, /* eps at the speed COR_SCENE_AT, 0 < eps <= 1 */
+    COR_SCENE_ZETA,
+    COR_SCENE_PLATE_THICKNESS, /* m */
+    COR_SCENE_NUMBERS,
+    COR_SCENE_BODY = COR_SCENE_YOUNG_2 - COR_SCENE_YOUNG
+};
+extern const char *const cor_scene_number_names[COR_SCENE_NUMBERS]; /* "young", "young-2" */
+
+struct cor_scene {
+    double number[COR_SCENE_NUMBERS]; /* NaN: not known */
+    struct cor_exponents law;
+    int plate;                /* body 2 is a large plate; its density may be COR_SCENE_DENSITY_2 */
+    int wall;                 /* body 2 is flat and held fast */
+    int end;                  /* at which the restitution was measured, or COR_BOTH_ENDS */
+    cor_scene_solver *solver; /* of the contact, may be NULL */
+};
+
+/* What is wrong with a scene: `number` and `other` are the numbers that are to blame. */
+enum cor_fault {
+    COR_FAULT_NONE,           /* COR_OK */
+    COR_FAULT_SOLVER,         /* the law needs a solver */
+    COR_FAULT_NO_DAMPING,     /* the solver gives this restitution for no damping */
+    COR_FAULT_MISSING,        /* number is missing */
+    COR_FAULT_ONE_OF,         /* give one of number and other */
+    COR_FAULT_EXCLUDED,       /* number and other exclude each other */
+    COR_FAULT_WALL,           /* a wall has no radius, density or mass */
+    COR_FAULT_MATERIAL,       /* `status` of cor_sphere_contact_init or cor_plate_contact_init */
+    COR_FAULT_VISCOSITY,      /* number is negative or infinite */
+    COR_FAULT_PLATE_LAW,      /* a thickness, and another law than that of the plate */
+    COR_FAULT_PLATE_END,      /* a plate has the end zero overlap alone */
+    COR_FAULT_PLATE_BODIES,   /* a plate needs a sphere and a plate */
+    COR_FAULT_PLATE_NUMBERS,  /* a plate has thickness, modulus, Poisson's ratio and density alone */
+    COR_FAULT_PLATE_DENSITY,  /* the density of the plate is missing */
+    COR_FAULT_PLATE_DAMPING,  /* a plate takes no damping but the dissipation of its sphere */
+    COR_FAULT_TWO_CONTACTS,   /* bodies, and stiffness or effective mass */
+    COR_FAULT_SPRING,         /* number is missing: stiffness and effective mass go together */
+    COR_FAULT_NOT_HERTZ,      /* bodies, and a law without Hertz's force */
+    COR_FAULT_NO_WAY,         /* nothing gives the damping */
+    COR_FAULT_TWO_WAYS,       /* number and other both give the damping */
+    COR_FAULT_NOT_SPHERE,     /* number belongs to viscoelastic spheres */
+    COR_FAULT_CONSTANT,       /* g*, where q = 0 */
+    COR_FAULT_NOT_CONSTANT,   /* zeta, where q is not 0 */
+    COR_FAULT_NO_BODIES,      /* number needs bodies */
+    COR_FAULT_NO_SCALES,      /* number needs bodies, or stiffness and effective mass */
+    COR_FAULT_NO_SPEED,       /* number needs COR_SCENE_AT */
+    COR_FAULT_SPEED_ALONE,    /* COR_SCENE_AT, and neither restitution nor beta */
+    COR_FAULT_FIRST_MISSING,  /* number of body 2 needs other, that of body 1 */
+    COR_FAULT_NO_SECOND_BODY, /* number is that of a second viscoelastic body, and there is none */
+    COR_FAULT_RANGE           /* the damping is beyond a double */
+};
+struct cor_scene_fault {
+    int fault;         /* enum cor_fault */
+    int number, other; /* enum cor_scene_number */
+    int status;        /* enum cor_status */
+};
+
+int cor_scene_given(const struct cor_scene *scene, int number);
+/* The number of body 2 if it is given, otherwise that of body 1. A mass of body 2 replaces the density of body 1, and a
+ * density the mass. */
+double cor_scene_of_body(const struct cor_scene *scene, int number, int body);
+int cor_scene_mass_is_given(const struct cor_scene *scene, int body); /* otherwise the density counts */
+
+/* Checks that the numbers of two bodies are complete and do not contradict one another. `options` is a sum of
+ * COR_SCENE_DISSIPATES (the dissipation time is needed, too) and COR_SCENE_DENSE_WALL (a wall may have a density).
+ * Returns COR_OK, or the fault. */
+enum { COR_SCENE_DISSIPATES = 1, COR_SCENE_DENSE_WALL = 2 };
+int cor_scene_check_bodies(struct cor_scene_fault *fault, const struct cor_scene *scene, int options);
+/* Body 1 or 2 of a scene without that fault. A wall has infinite radius and mass. A dissipation time that is not known
+ * is 0. */
+struct cor_body cor_scene_body(const struct cor_scene *scene, int body);
+
+/* Fills *contacts, and sets *count to 1; or to 2 where a restitution is given whose end is not and matters: one contact
+ * for each end at which it may have been measured. Returns COR_OK, the fault, or what the solver returned; then *fault
+ * says more, and *count is 0.
+ * Accuracy of `damping`: 1e-14 relative, sampled in tests/gen/test_contact.c. */
+int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
+                       const struct cor_scene *scene);
+
+/* The ways to give the damping of a contact, and back: DISSIPATION_TIME, G_STAR, DAMPING_COEFFICIENT, BETA (back: at
+ * 1 m/s), ZETA and, not back, RESTITUTION. The first sets `damping` and needs the speed for BETA and RESTITUTION where
+ * q is not 0, the end for RESTITUTION. It returns COR_OK, COR_FAULT_SOLVER, COR_FAULT_NO_DAMPING or what the solver
+ * returned. NaN: the law has no such quantity, or a number that it needs is not known. */
+int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end);
+double cor_scene_damping(const struct cor_scene_contact *contact, int number);
+
+/* ---- simulators ---- */
+
+/* A contact model of a simulator. Its damping is the parameter of its law: zeta where q = 0, beta at the speed
+ * elsewhere. */
+struct cor_simulator_model {
+    const char *simulator; /* "lammps" */
+    const char *model;     /* its name in the simulator's input or documentation */
+    const char *parameter; /* the number that the user sets, with its unit; "e" for a restitution coefficient */
+    enum cor_law law;
+    enum cor_end end;
+
+    /* The damping that the simulator computes from e, for least <= e <= most; NULL if the user does not set e. */
+    double (*damping_of_e)(double e);
+    double least, most;
+
+    /* The number that the user sets from the damping at a speed, and back; NULL if the user sets e. They need mass,
+     * stiffness or radius of the contact, and nothing else of it. */
+    double (*number_of_damping)(double damping, const struct cor_scene_contact *contact, double speed_m_s);
+    double (*damping_of_number)(double number, const struct cor_scene_contact *contact, double speed_m_s);
+
+    const char *file;   /* the simulator's file that computes it */
+    const char *known;  /* "run", "source" or "documentation" */
+    const char *advice; /* a sentence for the user */
+
+    /* The version that was run or read, and lines for the input; NULL: none. `lines` starts with the opening of a
+     * comment in the language of the simulator and a bar. Words in braces stand for numbers: cor_simulator_word. */
+    const char *version, *lines;
+};
+extern const struct cor_simulator_model cor_simulator_models[];
+extern const size_t cor_simulator_model_count;
+
+/* The restitution that the model realises if a user sets e; NaN if the model has no e or refuses this one. */
+double cor_simulator_realised(const struct cor_simulator_model *model, double e);
+
+/* The e' that a user must set so that the model realises `wished`, or NaN with the reason in *status. */
+enum cor_simulator_status {
+    COR_SIMULATOR_OK,
+    COR_SIMULATOR_NOT_ASKED,      /* the model has no e, or its law has no closed form */
+    COR_SIMULATOR_TOO_SMALL,      /* the model's smallest e realises more than `wished` */
+    COR_SIMULATOR_TOO_LARGE,      /* the model's largest e realises less than `wished` */
+    COR_SIMULATOR_NO_CLOSED_FORM, /* the model's end has no closed form of the damping */
+    COR_SIMULATOR_NO_SCALES       /* mass, stiffness or radius is not known */
+};
+double cor_simulator_e(const struct cor_simulator_model *model, double wished, enum cor_simulator_status *status);
+
+/* The smallest and the largest restitution that the model can realise by its e */
+void cor_simulator_reach(const struct cor_simulator_model *model, double *least, double *most);
+
+/* Whether the model can realise the law of the contact at every speed; whether it can realise one eps of it, that of
+ * one speed; whether its lines call a function of the speed, and have no number. */
+int cor_simulator_has_law(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
+int cor_simulator_has_one_eps(const struct cor_simulator_model *model, const struct cor_scene_contact *contact);
+int cor_simulator_has_function(const struct cor_simulator_model *model);
+
+/* What a model is to realise: the contacts of a scene by cor_scene_contacts, at one speed or, NaN, at all; eps is that
+ * of the speed, or of all speeds; NaN if it depends on the speed or the end. */
+struct cor_simulator_wish {
+    const struct cor_scene *scene;
+    const struct cor_scene_contact *contacts;
+    int count;
+    double speed_m_s, eps;
+};
+/* The damping of the model for the wish, by its law (`same_law`) or by eps alone; the number that a user sets for it,
+ * and the value of a word of its lines: "n" (the number), "K", "young", ... NaN if there is none, with the reason. */
+double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+                             int same_law);
+double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+                            int same_law, enum cor_simulator_status *status);
+double cor_simulator_word(const char *word, const struct cor_simulator_wish *wish, double number);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

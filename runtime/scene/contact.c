@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: MIT */
+/* A contact in SI units: its damping, and its impacts by the functions of libcor or by the solver of the caller */
+#include <math.h>
+
+#include "cor/hertz_dashpot.h"
+#include "cor/law.h"
+#include "cor/scene.h"
+#include "cor/sphere.h"
+#include "runtime/scene/exponents.h"
+
+double cor_scene_speed_exponent(const struct cor_scene_contact *contact)
+{
+    const struct cor_exponents *const law = &contact->law;
+    return (double)(2 * law->damping - law->elastic + law->denominator) / (double)(law->elastic + law->denominator);
+}
+
+int cor_scene_has_end(const struct cor_scene_contact *contact, int end)
+{
+    return end == COR_END_ZERO_OVERLAP || !contact->plate;
+}
+
+int cor_scene_ends_differ(const struct cor_scene_contact *contact)
+{
+    return !contact->plate && contact->law.elastic > contact->law.damping;
+}
+
+/* ---- the damping ---- */
+
+/* (m/K)^(1/(a+1)), the unit of time at the speed 1 m/s */
+static double time_factor(const struct cor_scene_contact *contact)
+{
+    return pow(contact->mass_kg / contact->stiffness, 1 / (cor_elastic(&contact->law) + 1));
+}
+
+/* beta/zeta where q = 0; 1 elsewhere, where the damping is beta at 1 m/s */
+static double beta_per_damping(const struct cor_scene_contact *contact)
+{
+    return cor_law_is_constant(&contact->law) ? sqrt(2 * (cor_elastic(&contact->law) + 1)) : 1;
+}
+
+/* beta g^-q of C = 1 */
+static double beta_per_coefficient(const struct cor_scene_contact *contact)
+{
+    return pow(time_factor(contact), cor_damping(&contact->law) + 1) / contact->mass_kg;
+}
+
+/* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/derivation.md, 9 */
+static double first_coefficient(const struct cor_exponents *law)
+{
+    const double a1 = cor_elastic(law) + 1, s = (cor_damping(law) + 1) / a1;
+    return 2 / a1 * pow(a1 / 2, s) * tgamma(s) * tgamma(1.5) / tgamma(s + 1.5);
+}
+
+double cor_scene_beta(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double beta = contact->damping * beta_per_damping(contact);
+    return cor_law_is_constant(&contact->law) ? beta : beta * pow(speed_m_s, cor_scene_speed_exponent(contact));
+}
+
+double cor_scene_damping(const struct cor_scene_contact *contact, int number)
+{
+    const int constant = cor_law_is_constant(&contact->law);
+    const double coefficient = contact->damping * beta_per_damping(contact) / beta_per_coefficient(contact);
+    switch (number) {
+    case COR_SCENE_DAMPING_COEFFICIENT:
+        return coefficient;
+    case COR_SCENE_DISSIPATION_TIME:
+        return cor_law_is(&contact->law, 3, 1) ? coefficient / (1.5 * contact->stiffness) : NAN;
+    case COR_SCENE_ZETA:
+        return constant ? contact->damping : NAN;
+    case COR_SCENE_BETA:
+        return constant ? NAN : contact->damping;
+    case COR_SCENE_G_STAR:
+        return constant
+                   ? NAN
+                   : pow(contact->damping * first_coefficient(&contact->law), -1 / cor_scene_speed_exponent(contact));
+    default:
+        return NAN;
+    }
+}
+
+/* ---- collisions ---- */
+
+/* Functions of the damping parameter, zeta where q = 0 and beta elsewhere, by the ends of contact; `damping` is the
+ * inverse of eps. */
+struct functions {
+    double (*eps[COR_SCENE_ENDS])(double damping);
+    double (*duration[COR_SCENE_ENDS])(double damping);
+    double (*max_overlap)(double damping);
+    double (*damping[COR_SCENE_ENDS])(double eps);
+};
+#define OF_BOTH_ENDS(law, parameter)                                                                                   \
+    {                                                                                                                  \
+        {cor_##law##_eps_zero_overlap, cor_##law##_eps_zero_force},                                                    \
+            {cor_##law##_duration_zero_overlap, cor_##law##_duration_zero_force}, cor_##law##_max_overlap,             \
+        {                                                                                                              \
+            cor_##law##_##parameter##_zero_overlap, cor_##law##_##parameter##_zero_force                               \
+        }                                                                                                              \
+    }
+static const struct functions sphere = OF_BOTH_ENDS(sphere, beta), linear = OF_BOTH_ENDS(linear, zeta),
+                              tsuji = OF_BOTH_ENDS(tsuji, zeta), dashpot = OF_BOTH_ENDS(hertz_dashpot, beta),
+                              /* durations and overlap depend on the elastic exponent, too */
+    hunt_crossley = {{cor_hunt_crossley_eps, cor_hunt_crossley_eps},
+                     {NULL, NULL},
+                     NULL,
+                     {cor_hunt_crossley_beta, cor_hunt_crossley_beta}},
+                              /* eps of q = 0 is that of zeta, whatever the exponents are */
+    constant = {{cor_linear_eps_zero_overlap, cor_linear_eps_zero_force},
+                {NULL, NULL},
+                NULL,
+                {cor_linear_zeta_zero_overlap, cor_linear_zeta_zero_force}};
+
+/* NULL: not a law of the library */
+static const struct functions *functions_of(const struct cor_exponents *law)
+{
+    if (cor_law_is(law, 3, 1))
+        return &sphere;
+    if (cor_law_is(law, 3, 0))
+        return &dashpot;
+    if (cor_law_is_constant(law))
+        return cor_law_is(law, 2, 0) ? &linear : cor_law_is_hertz(law) ? &tsuji : &constant;
+    return cor_law_is_hunt_crossley(law) ? &hunt_crossley : NULL;
+}
+
+int cor_scene_needs_solver(const struct cor_scene_contact *contact)
+{
+    const struct functions *const f = functions_of(&contact->law);
+    return !f || f == &constant;
+}
+
+static double parameter_of(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    return cor_law_is_constant(&contact->law) ? contact->damping : cor_scene_beta(contact, speed_m_s);
+}
+
+static int solve(struct cor_scaled_impact *impact, const struct cor_scene_contact *contact, double beta, int end)
+{
+    return contact->solver ? contact->solver(impact, &contact->law, beta, end) : COR_FAULT_SOLVER;
+}
+
+static int scaled_impact(struct cor_scaled_impact *impact, const struct cor_scene_contact *contact, double parameter)
+{
+    const struct functions *const f = functions_of(&contact->law);
+    const double a = cor_elastic(&contact->law);
+    int status = COR_FAULT_NONE;
+    if (!f || f == &constant)
+        status = solve(impact, contact, parameter * beta_per_damping(contact), COR_BOTH_ENDS);
+    for (int end = 0; f && end < COR_SCENE_ENDS; end++) {
+        impact->eps[end] = f->eps[end](parameter);
+        if (f->duration[end])
+            impact->duration[end] = f->duration[end](parameter);
+        else if (f == &hunt_crossley)
+            impact->duration[end] = cor_hunt_crossley_duration(parameter, a);
+    }
+    if (f && f->max_overlap)
+        impact->max_overlap = f->max_overlap(parameter);
+    else if (f == &hunt_crossley)
+        impact->max_overlap = cor_hunt_crossley_max_overlap(parameter, a);
+    return status;
+}
+
+/* eps of the damping parameter, whether the contact has this end or not */
+static int eps_of(double *eps, const struct cor_scene_contact *contact, double parameter, int end)
+{
+    const struct functions *const f = functions_of(&contact->law);
+    if (f) {
+        *eps = f->eps[end](parameter);
+        return COR_FAULT_NONE;
+    }
+    const int at = cor_scene_ends_differ(contact) ? end : COR_END_ZERO_OVERLAP;
+    struct cor_scaled_impact impact = {{1, 1}, {0, 0}, 0};
+    const int status = parameter > 0 ? solve(&impact, contact, parameter, at) : COR_FAULT_NONE;
+    *eps = impact.eps[at];
+    return status;
+}
+
+int cor_scene_eps(double *eps, const struct cor_scene_contact *contact, double speed_m_s, int end)
+{
+    *eps = NAN;
+    return cor_scene_has_end(contact, end) ? eps_of(eps, contact, parameter_of(contact, speed_m_s), end)
+                                           : COR_FAULT_NONE;
+}
+
+/* The unit of time at a speed */
+static double time_unit(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double a = cor_elastic(&contact->law);
+    return time_factor(contact) * pow(speed_m_s, (1 - a) / (1 + a));
+}
+
+int cor_scene_impact(struct cor_scene_impact *impact, const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double time = time_unit(contact, speed_m_s);
+    struct cor_scaled_impact scaled;
+    const int status = scaled_impact(&scaled, contact, parameter_of(contact, speed_m_s));
+    impact->beta = cor_scene_beta(contact, speed_m_s);
+    for (int end = 0; end < COR_SCENE_ENDS; end++) {
+        const int defined = status == COR_FAULT_NONE && cor_scene_has_end(contact, end);
+        impact->eps[end] = defined ? scaled.eps[end] : NAN;
+        impact->duration_s[end] = defined ? scaled.duration[end] * time : NAN;
+    }
+    impact->max_overlap_m = status == COR_FAULT_NONE ? scaled.max_overlap * speed_m_s * time : NAN;
+    return status;
+}
+
+double cor_scene_force_max_n(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double parameter = parameter_of(contact, speed_m_s);
+    /* The plate takes up K x^a; the other term of the equation of motion is its own motion. */
+    const double force = contact->plate ? pow(cor_sphere_max_overlap(parameter), cor_elastic(&contact->law))
+                                        : cor_law_force_max(&contact->law, parameter);
+    return contact->mass_kg * speed_m_s / time_unit(contact, speed_m_s) * force;
+}
+
+/* ---- the damping from other quantities ---- */
+
+/* Solves eps(beta) = eps where eps falls with beta, by the Illinois method on ln(beta) and ln(eps). */
+static int solved_beta(double *beta, const struct cor_scene_contact *contact, double eps, int end)
+{
+    enum { MOST_STEPS = 400 };
+    const double wanted = log(eps);
+    double low = 0, high = 0, above = 0, below = 0, last = 0;
+    double x = log(fmax(1 - eps, 1e-16) / first_coefficient(&contact->law));
+    for (int k = 0; k < MOST_STEPS; k++) {
+        double got;
+        *beta = exp(x);
+        const int status = eps_of(&got, contact, *beta, end);
+        if (status != COR_FAULT_NONE)
+            return status;
+        const double rest = got > 0 ? log(got) - wanted : -1;
+        const int bracketed = below < 0 && above > 0;
+        if (fabs(rest) < 1e-15 * fmax(1, fabs(wanted)) || (bracketed && high - low < 1e-15 * fmax(1, fabs(x))))
+            return COR_FAULT_NONE;
+        if (rest > 0) {
+            below *= last > 0 ? 0.5 : 1;
+            low = x;
+            above = rest;
+        } else {
+            above *= last < 0 ? 0.5 : 1;
+            high = x;
+            below = rest;
+        }
+        last = rest;
+        if (below < 0 && above > 0)
+            x = (low * below - high * above) / (below - above);
+        else
+            x += above > 0 ? 1 : -1;
+    }
+    return COR_FAULT_NO_DAMPING;
+}
+
+int cor_scene_set_damping(struct cor_scene_contact *contact, int number, double value, double speed_m_s, int end)
+{
+    const int is_constant = cor_law_is_constant(&contact->law);
+    const double q = cor_scene_speed_exponent(contact);
+    const struct functions *const f = functions_of(&contact->law);
+    int status = COR_FAULT_NONE;
+    switch (number) {
+    case COR_SCENE_DISSIPATION_TIME:
+        value = 1.5 * value * contact->stiffness; /* C */
+        contact->damping = value * beta_per_coefficient(contact) / beta_per_damping(contact);
+        return status;
+    case COR_SCENE_DAMPING_COEFFICIENT:
+        contact->damping = value * beta_per_coefficient(contact) / beta_per_damping(contact);
+        return status;
+    case COR_SCENE_G_STAR:
+        contact->damping = is_constant ? NAN : pow(value, -q) / first_coefficient(&contact->law);
+        return status;
+    case COR_SCENE_BETA:
+        contact->damping = is_constant ? value / beta_per_damping(contact) : value * pow(speed_m_s, -q);
+        return status;
+    case COR_SCENE_ZETA:
+        contact->damping = is_constant ? value : NAN;
+        return status;
+    case COR_SCENE_RESTITUTION: {
+        double parameter = 0;
+        if (f)
+            parameter = f->damping[end](value);
+        else if (value < 1)
+            status = solved_beta(&parameter, contact, value, end);
+        contact->damping = is_constant ? parameter : parameter * pow(speed_m_s, -q);
+        return status;
+    }
+    default:
+        contact->damping = NAN;
+        return status;
+    }
+}

@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: MIT */
+/* From what is known to a contact: bodies or a spring, then the damping */
+#include <math.h>
+
+#include "cor/scene.h"
+#include "cor/status.h"
+#include "runtime/scene/exponents.h"
+
+static int refuse(struct cor_scene_fault *fault, int what, int number, int other)
+{
+    *fault = (struct cor_scene_fault){what, number, other, COR_OK};
+    return what;
+}
+
+/* ---- bodies, or a spring ---- */
+
+/* Anything of a body but its dissipation */
+static int has_bodies(const struct cor_scene *scene)
+{
+    int any = scene->wall || cor_scene_given(scene, COR_SCENE_PLATE_THICKNESS);
+    for (int number = COR_SCENE_YOUNG; number < COR_SCENE_DISSIPATION_TIME; number++)
+        any = any || cor_scene_given(scene, number) || cor_scene_given(scene, number + COR_SCENE_BODY);
+    return any;
+}
+
+static int check_bodies(struct cor_scene_fault *fault, const struct cor_scene *scene)
+{
+    const int thick = cor_scene_given(scene, COR_SCENE_PLATE_THICKNESS);
+    if (cor_scene_check_bodies(fault, scene, 0) != COR_FAULT_NONE)
+        return fault->fault;
+    if (!scene->plate)
+        return thick ? refuse(fault, COR_FAULT_PLATE_LAW, COR_SCENE_PLATE_THICKNESS, 0) : COR_FAULT_NONE;
+    if (!thick || cor_scene_given(scene, COR_SCENE_RADIUS_2) || cor_scene_given(scene, COR_SCENE_MASS_2) || scene->wall)
+        return refuse(fault, COR_FAULT_PLATE_NUMBERS, COR_SCENE_PLATE_THICKNESS, 0);
+    return cor_scene_given(scene, COR_SCENE_DENSITY_2) || cor_scene_given(scene, COR_SCENE_DENSITY)
+               ? COR_FAULT_NONE
+               : refuse(fault, COR_FAULT_PLATE_DENSITY, COR_SCENE_DENSITY_2, 0);
+}
+
+/* The number of a viscosity of a body, its own or that of body 1; -1: none is given */
+static int viscosity_of(const struct cor_scene *scene, int body)
+{
+    if (body == 2 && cor_scene_given(scene, COR_SCENE_VISCOSITY_2))
+        return COR_SCENE_VISCOSITY_2;
+    return cor_scene_given(scene, COR_SCENE_VISCOSITY) ? COR_SCENE_VISCOSITY : -1;
+}
+
+struct cor_body cor_scene_body(const struct cor_scene *scene, int body)
+{
+    static const double pi = 3.14159265358979323846;
+    const int viscosity = viscosity_of(scene, body);
+    const double time = cor_scene_of_body(scene, COR_SCENE_DISSIPATION_TIME, body);
+    struct cor_body b = {cor_scene_of_body(scene, COR_SCENE_YOUNG, body),
+                         cor_scene_of_body(scene, COR_SCENE_POISSON, body), isnan(time) ? 0 : time, INFINITY, INFINITY};
+    if (body == 1 || !scene->wall) {
+        b.radius_m = cor_scene_of_body(scene, COR_SCENE_RADIUS, body);
+        b.mass_kg = cor_scene_mass_is_given(scene, body)
+                        ? cor_scene_of_body(scene, COR_SCENE_MASS, body)
+                        : 4 * pi / 3 * pow(b.radius_m, 3) * cor_scene_of_body(scene, COR_SCENE_DENSITY, body);
+    }
+    if (viscosity >= 0)
+        b.dissipation_time_s = cor_dissipation_time_viscous_s(scene->number[viscosity], scene->number[viscosity + 1],
+                                                              b.young_modulus_pa, b.poisson_ratio);
+    return b;
+}
+
+/* Sets mass, stiffness and radius, and the damping that the materials themselves have. */
+static int set_materials(struct cor_scene_contact *contact, struct cor_scene_fault *fault,
+                         const struct cor_scene *scene)
+{
+    struct cor_sphere_contact sphere;
+    if (check_bodies(fault, scene) != COR_FAULT_NONE)
+        return fault->fault;
+    for (int body = 1; body <= (scene->plate ? 1 : 2); body++) {
+        const int eta = viscosity_of(scene, body);
+        if (eta >= 0 && !(scene->number[eta] >= 0 && scene->number[eta] < INFINITY && scene->number[eta + 1] >= 0 &&
+                          scene->number[eta + 1] < INFINITY))
+            return refuse(fault, COR_FAULT_VISCOSITY, eta, 0);
+    }
+    const struct cor_body body_1 = cor_scene_body(scene, 1), body_2 = cor_scene_body(scene, 2);
+    const struct cor_plate plate = {body_2.young_modulus_pa, body_2.poisson_ratio,
+                                    cor_scene_of_body(scene, COR_SCENE_DENSITY, 2),
+                                    scene->number[COR_SCENE_PLATE_THICKNESS]};
+    fault->status = scene->plate ? cor_plate_contact_init(&sphere, &body_1, &plate)
+                                 : cor_sphere_contact_init(&sphere, &body_1, &body_2);
+    if (fault->status != COR_OK)
+        return fault->fault = COR_FAULT_MATERIAL;
+    contact->mass_kg = sphere.effective_mass_kg;
+    contact->stiffness = sphere.elastic_constant_n_m15;
+    contact->radius_m = sphere.effective_radius_m;
+    contact->damping = sphere.beta_per_root;
+    return COR_FAULT_NONE;
+}
+
+static int set_scales(struct cor_scene_contact *contact, struct cor_scene_fault *fault, const struct cor_scene *scene)
+{
+    const int bodies = has_bodies(scene), stiff = cor_scene_given(scene, COR_SCENE_STIFFNESS),
+              massive = cor_scene_given(scene, COR_SCENE_EFFECTIVE_MASS);
+    if (bodies && (stiff || massive))
+        return refuse(fault, COR_FAULT_TWO_CONTACTS, COR_SCENE_STIFFNESS, COR_SCENE_YOUNG);
+    if (scene->plate && !bodies)
+        return refuse(fault, COR_FAULT_PLATE_BODIES, COR_SCENE_YOUNG, COR_SCENE_PLATE_THICKNESS);
+    if (bodies && !cor_law_is_hertz(&scene->law))
+        return refuse(fault, COR_FAULT_NOT_HERTZ, COR_SCENE_YOUNG, COR_SCENE_STIFFNESS);
+    if (bodies)
+        return set_materials(contact, fault, scene);
+    if (stiff != massive)
+        return refuse(fault, COR_FAULT_SPRING, stiff ? COR_SCENE_EFFECTIVE_MASS : COR_SCENE_STIFFNESS, 0);
+    contact->stiffness = scene->number[COR_SCENE_STIFFNESS];
+    contact->mass_kg = scene->number[COR_SCENE_EFFECTIVE_MASS];
+    return COR_FAULT_NONE;
+}
+
+/* ---- the damping ---- */
+
+/* The numbers that give the damping, in the order in which they are refused */
+static const int ways[] = {COR_SCENE_DISSIPATION_TIME,    COR_SCENE_VISCOSITY, COR_SCENE_G_STAR, COR_SCENE_RESTITUTION,
+                           COR_SCENE_DAMPING_COEFFICIENT, COR_SCENE_BETA,      COR_SCENE_ZETA};
+enum { WAYS = sizeof ways / sizeof *ways };
+
+static int is_material(int way)
+{
+    return way == COR_SCENE_DISSIPATION_TIME || way == COR_SCENE_VISCOSITY;
+}
+
+/* Sets *found to a number of ways[], or to -1 where there is none. */
+static int find_way(int *found, struct cor_scene_fault *fault, const struct cor_scene *scene)
+{
+    *found = -1;
+    for (int i = 0; i < WAYS; i++) {
+        if (!cor_scene_given(scene, ways[i]) &&
+            !(is_material(ways[i]) && cor_scene_given(scene, ways[i] + COR_SCENE_BODY)))
+            continue;
+        if (*found >= 0)
+            return refuse(fault, COR_FAULT_TWO_WAYS, *found, ways[i]);
+        *found = ways[i];
+    }
+    return *found < 0 && !scene->plate ? refuse(fault, COR_FAULT_NO_WAY, 0, 0) : COR_FAULT_NONE;
+}
+
+/* Whether this way suits the law and has the numbers that it needs */
+static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scene,
+                     const struct cor_scene_contact *contact, int way)
+{
+    const int constant = cor_law_is_constant(&scene->law), bodies = has_bodies(scene);
+    const int needs_at = way == COR_SCENE_RESTITUTION || way == COR_SCENE_BETA;
+    const int at = cor_scene_given(scene, COR_SCENE_AT);
+    if (scene->plate && way >= 0 && !is_material(way))
+        return refuse(fault, COR_FAULT_PLATE_DAMPING, way, 0);
+    if (is_material(way) && !cor_law_is(&scene->law, 3, 1))
+        return refuse(fault, COR_FAULT_NOT_SPHERE, way, 0);
+    if (way == COR_SCENE_G_STAR && constant)
+        return refuse(fault, COR_FAULT_CONSTANT, way, 0);
+    if (way == COR_SCENE_ZETA && !constant)
+        return refuse(fault, COR_FAULT_NOT_CONSTANT, way, 0);
+    if (way == COR_SCENE_VISCOSITY && !bodies)
+        return refuse(fault, COR_FAULT_NO_BODIES, way, 0);
+    if ((way == COR_SCENE_DISSIPATION_TIME || way == COR_SCENE_DAMPING_COEFFICIENT) &&
+        !(contact->mass_kg > 0 && contact->stiffness > 0))
+        return refuse(fault, COR_FAULT_NO_SCALES, way, 0);
+    if (needs_at && !constant && !at)
+        return refuse(fault, COR_FAULT_NO_SPEED, way, COR_SCENE_AT);
+    if (at && !needs_at)
+        return refuse(fault, COR_FAULT_SPEED_ALONE, COR_SCENE_AT, 0);
+    static const int second[] = {COR_SCENE_VISCOSITY, COR_SCENE_DISSIPATION_TIME};
+    for (int i = 0; i < 2; i++)
+        if (cor_scene_given(scene, second[i] + COR_SCENE_BODY) && !cor_scene_given(scene, second[i]))
+            return refuse(fault, COR_FAULT_FIRST_MISSING, second[i] + COR_SCENE_BODY, second[i]);
+    if (is_material(way) && cor_scene_given(scene, way + COR_SCENE_BODY) && (!bodies || scene->plate))
+        return refuse(fault, COR_FAULT_NO_SECOND_BODY, way + COR_SCENE_BODY, 0);
+    return COR_FAULT_NONE;
+}
+
+/* A restitution without its end is that of either end, in a contact for each. */
+static int set_damping(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
+                       const struct cor_scene *scene)
+{
+    int way, status = find_way(&way, fault, scene);
+    if (status == COR_FAULT_NONE)
+        status = check_way(fault, scene, &contacts[0], way);
+    if (status != COR_FAULT_NONE || way < 0 || (is_material(way) && has_bodies(scene)))
+        return status; /* set_materials has set it */
+    const double speed = cor_scene_given(scene, COR_SCENE_AT) ? scene->number[COR_SCENE_AT] : 1;
+    const int any = scene->end == COR_BOTH_ENDS;
+    *count = way == COR_SCENE_RESTITUTION && any && cor_scene_ends_differ(&contacts[0]) ? COR_SCENE_ENDS : 1;
+    contacts[1] = contacts[0];
+    for (int i = 0; i < *count && status == COR_FAULT_NONE; i++)
+        status = cor_scene_set_damping(&contacts[i], way, scene->number[way], speed, any ? i : scene->end);
+    fault->fault = status > 0 ? status : COR_FAULT_NONE;
+    return status;
+}
+
+int cor_scene_contacts(struct cor_scene_contact contacts[COR_SCENE_ENDS], int *count, struct cor_scene_fault *fault,
+                       const struct cor_scene *scene)
+{
+    const struct cor_scene_contact none = {scene->law, scene->plate, NAN, NAN, NAN, NAN, scene->solver};
+    refuse(fault, COR_FAULT_NONE, 0, 0);
+    *count = 0;
+    contacts[0] = contacts[1] = none;
+    if (scene->plate && scene->end == COR_END_ZERO_FORCE)
+        return refuse(fault, COR_FAULT_PLATE_END, 0, 0);
+    int contacts_set = 1, status = set_scales(&contacts[0], fault, scene);
+    if (status == COR_FAULT_NONE)
+        status = set_damping(contacts, &contacts_set, fault, scene);
+    for (int i = 0; i < contacts_set && status == COR_FAULT_NONE; i++)
+        if (!(contacts[i].damping >= 0 && contacts[i].damping < INFINITY))
+            status = refuse(fault, COR_FAULT_RANGE, 0, 0);
+    *count = status == COR_FAULT_NONE ? contacts_set : 0;
+    return status;
+}

@@ -1,0 +1,512 @@
+/* SPDX-License-Identifier: MIT */
+/* One table of the contact models of simulators; docs/laws.md explains it. For each model it holds the damping law, the
+ * end of contact, the damping that the model makes of the e that a user sets, and the number to set for a damping. No
+ * function with a table of its own. */
+#include "runtime/scene/simulators.h"
+
+#include <math.h>
+
+#include "cor/law.h"
+#include "cor/scene.h"
+
+/* ---- the damping that simulators compute from e ---- */
+
+double cor_thornton_gamma(double e)
+{
+    static const double h[] = {-6.918798, -16.41105, 146.8049,  -796.4559, 2928.711,
+                               -7206.864, 11494.29,  -11342.18, 6276.757,  -1489.915};
+    double sum = 0;
+    for (int k = 9; k >= 0; k--)
+        sum = e * (h[k] + sum);
+    return sqrt(1 / (1 - (1 + e) * (1 + e) * exp(sum)) - 1);
+}
+
+double cor_tsuji_alpha(double e)
+{
+    return 1.2728 + e * (-4.2783 + e * (11.087 + e * (-22.348 + e * (27.467 + e * (-18.022 + e * 4.8218)))));
+}
+
+double cor_flores_beta(double e)
+{
+    return 1.6 * (1 - e) / e;
+}
+
+#define MAP(name, formula)                                                                                             \
+    static double name(double e)                                                                                       \
+    {                                                                                                                  \
+        return formula;                                                                                                \
+    }
+
+/* Exact at zero overlap. LIGGGHTS, Chrono, MercuryDPM and others use it for every end of contact. */
+MAP(exact_at_zero_overlap, cor_linear_zeta_zero_overlap(e))
+/* The damping is 2 gamma sqrt(m k), where k = (3/2) K sqrt(x) is the tangent stiffness; zeta = sqrt(6/5) gamma. */
+MAP(thornton, sqrt(1.2) * cor_thornton_gamma(e))
+/* YADE: no damping at e = 1 exactly */
+MAP(thornton_yade, e == 1 ? 0 : thornton(e))
+/* Kratos raises e to at least 0.001, and has no damping above 0.999 */
+MAP(thornton_kratos, e > 0.999 ? 0 : thornton(e < 0.001 ? 0.001 : e))
+MAP(tsuji_until_2026, cor_tsuji_alpha(e) / sqrt(5))
+MAP(tsuji_since_2026, sqrt(0.4) * cor_tsuji_alpha(e))
+/* the same polynomial on a linear spring */
+MAP(tsuji_on_hooke_until_2026, cor_tsuji_alpha(e) / 2)
+MAP(tsuji_on_hooke_since_2026, cor_tsuji_alpha(e) / sqrt(2))
+/* the formula of the linear dashpot, with Hertz's force */
+MAP(mfix_hertz, 2 / sqrt(5) * cor_linear_zeta_zero_overlap(e))
+/* pi with 8 digits */
+#define ESYS_PI 3.1415927
+MAP(esys, e == 0 ? 1 : -log(e) / sqrt(ESYS_PI * ESYS_PI + log(e) * log(e)))
+/* The damping of an impulse is 1 - e. */
+MAP(loss_of_impulse, 1 - e)
+
+/* Kratos bisects for the root of the zero-force formula between 0 and 16, until the bracket is below 0.0001 */
+static double kratos_linear(double e)
+{
+    const double wanted = e < 0.001 ? 0.001 : e;
+    double low = 0, high = 16, gamma = 8;
+    if (wanted > 0.999)
+        return 0;
+    while (high - low > 0.0001) {
+        if (cor_linear_eps_zero_force(gamma) > wanted)
+            low = gamma;
+        else
+            high = gamma;
+        gamma = 0.5 * (low + high);
+    }
+    return gamma;
+}
+
+/* ---- numbers from the damping, and back ---- */
+
+#define SCALED(name, factor)                                                                                           \
+    static double name##_of_damping(double damping, const struct cor_scene_contact *c, double g)                       \
+    {                                                                                                                  \
+        (void)c;                                                                                                       \
+        (void)g;                                                                                                       \
+        return damping * (factor);                                                                                     \
+    }                                                                                                                  \
+    static double damping_of_##name(double number, const struct cor_scene_contact *c, double g)                        \
+    {                                                                                                                  \
+        (void)c;                                                                                                       \
+        (void)g;                                                                                                       \
+        return number / (factor);                                                                                      \
+    }
+
+#define M c->mass_kg
+#define K c->stiffness
+#define R c->radius_m
+#define G g
+
+SCALED(damping_ratio, 1.0)
+SCALED(dashpot, 2 * sqrt(K * M))          /* C = 2 zeta sqrt(K m), kg/s */
+SCALED(dashpot_per_mass, 2 * sqrt(K / M)) /* C/m, 1/s; per unit of mass */
+SCALED(pair_dashpot, 4 * sqrt(K * M))     /* two equal dashpots in series: each has twice C */
+SCALED(relaxation_time, 2 * sqrt(M / K))  /* tau of F = k x + k tau x' */
+SCALED(tangent_ratio, sqrt(5.0 / 6))      /* gamma of 2 gamma sqrt(m k_tangent) */
+SCALED(tsuji_beta, sqrt(5))               /* alpha of alpha sqrt(m K) x^(1/4) x' */
+SCALED(crossley_per_speed, 1 / G)         /* d = beta/g, s/m */
+SCALED(simbody, 2 / (3 * G))              /* c of (3/2) c x' */
+SCALED(crossley_beta, 1.0)
+SCALED(area_root, pow(K / M, 0.75) / sqrt(R * G))             /* eta m sqrt(R x) x' on a linear spring */
+SCALED(area_hertz, pow(K / M, 0.6) / (sqrt(R) * pow(G, 0.2))) /* the same on Hertz's force */
+SCALED(dissipation_time, 2.0 / 3 * pow(M / K, 0.4) / pow(G, 0.2))
+SCALED(dissipation_time_esys, pow(M / K, 0.4) / pow(G, 0.2))
+SCALED(hertz_velocity, pow(M, 0.6) * pow(K, 0.4) * pow(G, 0.2))
+SCALED(hertz_mass_velocity, pow(K / M, 0.4) * pow(G, 0.2))
+SCALED(chrono_hertz, pow(K / M, 0.6) / (R * pow(G, 0.2)))
+
+#undef M
+#undef K
+#undef R
+#undef G
+
+/* YADE from 2025 on takes P(sqrt(beta)) as en, where beta is that of the speed vn = 1 m/s, and P the Padé approximant
+ * of order [3/6] of eps at zero force (Müller and Pöschel, Phys. Rev. E 84, 021302 (2011)), in v = sqrt(beta). */
+static double yade_pade(double v)
+{
+    static const double above[] = {1, 1.07232, 0.574198, 0.141552};
+    static const double below[] = {1, 1.07232, 1.72765, 1.37842, 1.19449, 0.467273, 0.235585};
+    double p = 0, q = 0;
+    for (int k = 3; k >= 0; k--)
+        p = p * v + above[k];
+    for (int k = 6; k >= 0; k--)
+        q = q * v + below[k];
+    return p / q;
+}
+
+static double yade_en_of_damping(double damping, const struct cor_scene_contact *c, double g)
+{
+    (void)c;
+    return yade_pade(sqrt(damping * pow(g, -0.2)));
+}
+
+static double damping_of_yade_en(double en, const struct cor_scene_contact *c, double g)
+{
+    (void)c;
+    double low = 0, high = 1;
+    while (yade_pade(high) > en)
+        high *= 2;
+    for (int k = 0; k < 200 && nextafter(low, high) < high; k++) {
+        const double middle = (low + high) / 2;
+        if (yade_pade(middle) > en)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high * high * pow(g, 0.2);
+}
+
+/* ---- the table ---- */
+
+#define ASKED(map, least, most) map, least, most, NULL, NULL
+#define NUMBER(name) NULL, 0, 1, name##_of_damping, damping_of_##name
+#define OPEN 0x1p-1022 /* e > 0 */
+/* LIGGGHTS asks for these numbers even with tangential off. */
+#define LIGGGHTS_TANGENTIAL                                                                                            \
+    "fix cor_kt all property/global kt peratomtypepair 1 0\n"                                                          \
+    "fix cor_gammat all property/global gammat peratomtypepair 1 0\n"
+#define LAMMPS_PAIR(spring, damping)                                                                                   \
+    "#|pair_style granular\npair_coeff * * " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n"
+#define LAMMPS_FILE "src/GRANULAR/gran_sub_mod_damping.cpp"
+
+#define ROW(simulator, model, parameter, law, end, map, file, known, advice, version, lines)                           \
+    {                                                                                                                  \
+        simulator, model, parameter, COR_LAW_##law, COR_END_##end, map, file, known, advice, version, lines            \
+    }
+const struct cor_simulator_model cor_simulator_models[] = {
+    ROW("lammps", "granular hooke, damping velocity", "eta_n, kg/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot), LAMMPS_FILE,
+        "run", "With limit_damping the contact ends at zero force: use the row below.", "29 Sep 2021 to 4 Feb 2025",
+        LAMMPS_PAIR("hooke {K}", "velocity")),
+    ROW("lammps", "granular hooke, damping velocity, limit_damping", "eta_n, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot),
+        LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hooke {K}", "velocity limit_damping")),
+    ROW("lammps", "granular hooke, damping mass_velocity; gran/hooke", "eta_n or gamma_n, 1/s", LINEAR, ZERO_OVERLAP,
+        NUMBER(dashpot_per_mass), LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025",
+        LAMMPS_PAIR("hooke {K}", "mass_velocity")),
+    ROW("lammps", "granular hooke, damping mass_velocity, limit_damping", "eta_n, 1/s", LINEAR, ZERO_FORCE,
+        NUMBER(dashpot_per_mass), LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025",
+        LAMMPS_PAIR("hooke {K}", "mass_velocity limit_damping")),
+    ROW("lammps", "granular hooke, damping viscoelastic (the default)", "eta_n, 1/(m s)", LINEAR_ROOT, ZERO_OVERLAP,
+        NUMBER(area_root), LAMMPS_FILE, "run",
+        "The restitution depends on the impact speed: the number holds at one speed.", "29 Sep 2021 to 4 Feb 2025",
+        LAMMPS_PAIR("hooke {K}", "viscoelastic")),
+    ROW("lammps", "granular hertz, damping viscoelastic (the default); gran/hertz/history", "eta_n, 1/(m s)",
+        VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz), LAMMPS_FILE, "run",
+        "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.", "29 Sep 2021 to 4 Feb 2025",
+        LAMMPS_PAIR("hertz {kn}", "viscoelastic")),
+    ROW("lammps", "granular hertz, damping viscoelastic, limit_damping", "eta_n, 1/(m s)", VISCOELASTIC, ZERO_FORCE,
+        NUMBER(area_hertz), LAMMPS_FILE, "run", "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.",
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hertz {kn}", "viscoelastic limit_damping")),
+    ROW("lammps", "granular hertz, damping velocity", "eta_n, kg/s", HERTZ_DASHPOT, ZERO_OVERLAP,
+        NUMBER(hertz_velocity), LAMMPS_FILE, "run",
+        "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping.",
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hertz {kn}", "velocity")),
+    ROW("lammps", "granular hertz, damping mass_velocity", "eta_n, 1/s", HERTZ_DASHPOT, ZERO_OVERLAP,
+        NUMBER(hertz_mass_velocity), LAMMPS_FILE, "run",
+        "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping.",
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hertz {kn}", "mass_velocity")),
+    ROW("lammps", "granular hertz or hooke, damping coeff_restitution", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(exact_at_zero_overlap, OPEN, 1), LAMMPS_FILE, "source", "Exact.", "source 07b704ca, 2026",
+        LAMMPS_PAIR("{spring}", "coeff_restitution")),
+    ROW("lammps", "granular hertz or hooke, damping coeff_restitution, limit_damping", "e", TSUJI, ZERO_FORCE,
+        ASKED(exact_at_zero_overlap, OPEN, 1), LAMMPS_FILE, "source", "Realises more than asked: give it e'.",
+        "source 07b704ca, 2026", LAMMPS_PAIR("{spring}", "coeff_restitution limit_damping")),
+    ROW("lammps", "granular hertz, damping tsuji, releases to July 2026", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run",
+        "Realises up to 0.143 more than asked: give it e', or use coeff_restitution.", "29 Sep 2021 to 4 Feb 2025",
+        LAMMPS_PAIR("hertz {kn}", "tsuji")),
+    ROW("lammps", "granular hertz, damping tsuji, limit_damping, releases to July 2026", "e", TSUJI, ZERO_FORCE,
+        ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run",
+        "Realises up to 0.25 more than asked: give it e', or use coeff_restitution with its own e'.",
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hertz {kn}", "tsuji limit_damping")),
+    ROW("lammps", "granular hertz, damping tsuji, source after July 2026", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(tsuji_since_2026, 0, 1), LAMMPS_FILE, "source",
+        "Within 0.002 from e = 0.05 on; coeff_restitution is exact.", "source 07b704ca, 2026", NULL),
+    ROW("lammps", "granular hooke, damping tsuji, releases to July 2026", "e", LINEAR, ZERO_OVERLAP,
+        ASKED(tsuji_on_hooke_until_2026, 0, 1), LAMMPS_FILE, "run",
+        "A formula for Hertz's force on a linear spring: give it e', or use damping velocity.",
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hooke {K}", "tsuji")),
+    ROW("lammps", "granular hooke, damping tsuji, source after July 2026", "e", LINEAR, ZERO_OVERLAP,
+        ASKED(tsuji_on_hooke_since_2026, 0, 1), LAMMPS_FILE, "source",
+        "A formula for Hertz's force on a linear spring: give it e', which differs from that of older releases, or use "
+        "coeff_restitution.",
+        "source 07b704ca, 2026", LAMMPS_PAIR("hooke {K}", "tsuji")),
+    ROW("liggghts", "hertz or hooke, coefficientRestitution", "e", TSUJI, ZERO_OVERLAP,
+        ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "run", "Exact; it refuses e <= 0.05.",
+        "3.8, source 3d5c00f2",
+        "#|pair_style gran model {model} tangential off\nfix cor_e all property/global coefficientRestitution "
+        "peratomtypepair 1 {n}\n"),
+    ROW("liggghts", "hertz or hooke, coefficientRestitution, limitForce on", "e", TSUJI, ZERO_FORCE,
+        ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "run",
+        "Realises more than asked: give it e'; it refuses e' <= 0.05.", "3.8, source 3d5c00f2",
+        "#|pair_style gran model {model} tangential off limitForce on\nfix cor_e all property/global "
+        "coefficientRestitution peratomtypepair 1 {n}\n"),
+    ROW("liggghts", "hertz/stiffness, gamman", "gamman, 1/(m s)", VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz),
+        "src/normal_model_hertz_stiffness.h", "run", "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.",
+        "3.8, source 3d5c00f2",
+        "#|pair_style gran model hertz/stiffness tangential off\nfix cor_kn all property/global kn peratomtypepair 1 "
+        "{kn}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL),
+    ROW("liggghts", "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)", VISCOELASTIC, ZERO_FORCE,
+        NUMBER(area_hertz), "src/normal_model_hertz_stiffness.h", "run",
+        "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.", "3.8, source 3d5c00f2",
+        "#|pair_style gran model hertz/stiffness tangential off limitForce on\nfix cor_kn all property/global kn "
+        "peratomtypepair 1 {kn}\nfix cor_gamman all property/global gamman peratomtypepair 1 "
+        "{n}\n" LIGGGHTS_TANGENTIAL),
+    ROW("liggghts", "hooke/stiffness, gamman", "gamman, 1/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot_per_mass),
+        "src/normal_model_hooke_stiffness.h", "run", "Exact.", "3.8, source 3d5c00f2",
+        "#|pair_style gran model hooke/stiffness tangential off\nfix cor_kn all property/global kn peratomtypepair 1 "
+        "{K}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL),
+    ROW("liggghts", "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", LINEAR, ZERO_FORCE,
+        NUMBER(dashpot_per_mass), "src/normal_model_hooke_stiffness.h", "run", "Exact.", "3.8, source 3d5c00f2",
+        "#|pair_style gran model hooke/stiffness tangential off limitForce on\nfix cor_kn all property/global kn "
+        "peratomtypepair 1 {K}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL),
+    ROW("yade", "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE, ASKED(thornton_yade, 0.001, 1),
+        "pkg/dem/HertzMindlin.cpp", "run", "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.", "2023.02a",
+        "#|Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, es=1)\n"),
+    ROW("yade", "Mindlin, en (before 2023); SudoDEM", "e", TSUJI, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
+        "pkg/dem/HertzMindlin.cpp", "source", "Realises more than asked: give it e', or set betan.",
+        "before 2023.02a; SudoDEM 6666937", NULL),
+    ROW("yade", "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio), "pkg/dem/HertzMindlin.cpp", "run",
+        "Exact.", "2023.02a", "#|Ip2_FrictMat_FrictMat_MindlinPhys(betan={n}, betas=0)\n"),
+    ROW("yade", "Mindlin, en at vn = 1 m/s (2025)", "en", VISCOELASTIC, ZERO_FORCE, NUMBER(yade_en),
+        "pkg/dem/HertzMindlin.cpp", "run",
+        "The viscoelastic sphere: en is the Padé approximant of eps at vn, and A holds at every speed.", "2025.2.0",
+        "#|Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, vn=1.0)\n"),
+    ROW("yade", "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
+        "pkg/dem/ViscoelasticPM.cpp", "run", "Realises more than asked: give it e'. The contact is shorter than tc.",
+        "2023.02a", "#|ViscElMat(tc={tc}, en={n}, et=1)\n"),
+    ROW("yade", "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s", LINEAR, ZERO_FORCE,
+        NUMBER(pair_dashpot), "pkg/dem/ViscoelasticPM.cpp", "run",
+        "K is kn/2 of two equal bodies: the numbers of two bodies are in series.", "2023.02a",
+        "#|ViscElMat(kn={2K}, cn={n}, ks=0, cs=0)\n"),
+    ROW("mercurydpm", "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,
+        ASKED(exact_at_zero_overlap, 0, 1), "Kernel/Species/NormalForceSpecies/LinearViscoelasticNormalSpecies.cc",
+        "source", "Exact, with the mass of one particle; e = 0 sticks for ever.", "source fb0ebf1d",
+        "//|species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n"),
+    ROW("mercurydpm", "HertzianViscoelastic, setEffectiveElasticModulusAndRestitutionCoefficient", "e", TSUJI,
+        ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1),
+        "Kernel/Species/NormalForceSpecies/HertzianViscoelasticNormalSpecies.cc", "source", "Exact.", "source fb0ebf1d",
+        "//|species->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n"),
+    ROW("mercurydpm", "HertzianViscoelastic, dissipation", "dissipation", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta),
+        "Kernel/Species/NormalForceSpecies/HertzianViscoelasticNormalSpecies.cc", "source", "Exact.", "source fb0ebf1d",
+        "//|species->setEffectiveElasticModulus({E});\nspecies->setDissipation({n});\n"),
+    ROW("mercurydpm", "HertzianBSHPViscoelastic", "dissipation A, s", VISCOELASTIC, ZERO_FORCE,
+        NUMBER(dissipation_time), "Kernel/Species/NormalForceSpecies/HertzianBSHPViscoelasticNormalSpecies.cc",
+        "source", "The viscoelastic sphere: A holds at every speed.", "source fb0ebf1d",
+        "//|species->setEffectiveElasticModulus({E});\nspecies->setDissipation({n});\n"),
+    ROW("chrono", "SMC, Hooke or Hertz from material, cr", "e", TSUJI, ZERO_FORCE,
+        ASKED(exact_at_zero_overlap, 2.220446049250313e-16, 1 - 2.220446049250313e-16),
+        "src/chrono/physics/ChContactSMC.cpp", "source", "Realises more than asked: give it e'.", "source 7689fbc0",
+        "//"
+        "|system.UseMaterialProperties(true);\nsystem.SetContactForceModel(ChSystemSMC::ContactForceModel::{Model});"
+        "\nmaterial->SetRestitution({n});\n"),
+    ROW("chrono", "SMC Hooke, kn and gn", "gn, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass),
+        "src/chrono/physics/ChContactSMC.cpp", "source", "Exact.", "source 7689fbc0",
+        "//"
+        "|system.UseMaterialProperties(false);\nsystem.SetContactForceModel(ChSystemSMC::ContactForceModel::Hooke);"
+        "\nmaterial->SetKn({K});\nmaterial->SetGn({n});\n"),
+    ROW("chrono", "SMC Hertz, kn and gn", "gn, 1/s per m", VISCOELASTIC, ZERO_FORCE, NUMBER(chrono_hertz),
+        "src/chrono/physics/ChContactSMC.cpp", "source", "K is kn R. The viscoelastic sphere: one gn for every speed.",
+        "source 7689fbc0",
+        "//|// Type::BULLET finds no R and takes this one for every contact; Type::MULTICORE finds that of each pair "
+        "of "
+        "spheres\nChCollisionInfo::SetDefaultEffectiveCurvatureRadius({R});\nsystem.UseMaterialProperties(false);"
+        "\nsystem.SetContactForceModel(ChSystemSMC::ContactForceModel::Hertz);\nmaterial->SetKn({K/"
+        "R});\nmaterial->SetGn({n});\n"),
+    ROW("chrono-multicore", "Flores, cr, at the characteristic speed", "e", HUNT_CROSSLEY, ZERO_FORCE,
+        ASKED(cor_flores_beta, 0.01, 1), "src/chrono_multicore/physics", "source",
+        "Realises less than asked, at that speed: give it e'.", "source 7689fbc0", NULL),
+    ROW("mfix", "DEM, LSD", "e", LINEAR, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0, 1),
+        "model/check_data/check_solids_dem.f", "source", "Exact; e = 0 sticks for ever.", "21.3.2",
+        "!|DES_COLL_MODEL = 'LSD'\nKN = {K}\nDES_EN_INPUT(1) = {n}\n"),
+    ROW("mfix", "DEM, HERTZIAN", "e", TSUJI, ZERO_OVERLAP, ASKED(mfix_hertz, 0, 1),
+        "model/check_data/check_solids_dem.f", "source", "The linear formula on Hertz's force: give it e'.", "21.3.2",
+        "!|DES_COLL_MODEL = 'HERTZIAN'\nDES_EN_INPUT(1) = {n}\n"),
+    ROW("openfoam", "pairSpringSliderDashpot, b = 1.5", "alpha", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta),
+        "src/lagrangian/intermediate/submodels/Kinematic/CollisionModel/PairCollision", "source",
+        "The usual alpha = 0.12 is e = 0.84465.", "source 446e5777",
+        "//|pairModel pairSpringSliderDashpot;\npairSpringSliderDashpotCoeffs\n{\n    useEquivalentSize no;\n    alpha "
+        "{n};\n    b 1.5;\n    mu 0;\n    cohesionEnergyDensity 0;\n    collisionResolutionSteps 12;\n}\n"),
+    ROW("kratos", "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", TSUJI, ZERO_FORCE, ASKED(thornton_kratos, 0, 1),
+        "applications/DEMApplication/python_scripts", "source",
+        "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", "source 03f57bf0", NULL),
+    ROW("kratos", "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio),
+        "applications/DEMApplication/custom_constitutive", "source", "Exact.", "source 03f57bf0", NULL),
+    ROW("kratos", "DEM linear, COEFFICIENT_OF_RESTITUTION", "e", LINEAR, ZERO_FORCE, ASKED(kratos_linear, 0, 1),
+        "applications/DEMApplication/python_scripts", "source",
+        "The exact formula, bisected to 0.0001 in gamma: at e = 0.99 the loss is off by some percent.",
+        "source 03f57bf0", NULL),
+    ROW("kratos", "DEM linear, DAMPING_GAMMA", "DAMPING_GAMMA", LINEAR, ZERO_FORCE, NUMBER(damping_ratio),
+        "applications/DEMApplication/custom_constitutive", "source", "Exact.", "source 03f57bf0", NULL),
+    ROW("granulars.jl", "en", "e", TSUJI, ZERO_FORCE, ASKED(thornton, 0, 1), "src", "source",
+        "Within 0.0003 for 0.02 < e < 0.9; above, set gamma.", "source 32b1cfd", NULL),
+    ROW("esys-particle", "HertzianViscoElastic", "A, s", VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time_esys),
+        "Model", "source", "Its A is (3/2) of the dissipation time.", "2.3.5",
+        "#|HertzianViscoElasticPrms(name=\"contact\", A={n}, E={young}, nu={poisson})\n"),
+    ROW("esys-particle", "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1), "Model", "source",
+        "Right to 1e-8.", "2.3.5",
+        "#|HertzMindlinViscoPrms(name=\"contact\", E={E}, nu={poisson}, dynamicMu=0, COR={n})\n"),
+    ROW("dem-engine", "full Hertz model, CoR", "e", TSUJI, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1),
+        "src/DEM/DEMModelSnippets", "source", "Exact.", "source a1dc2312", NULL),
+    ROW("exadem", "damp_rate", "damp_rate", LINEAR, ZERO_FORCE, NUMBER(damping_ratio), "src/contact", "source",
+        "Exact.", "source 0d0dc656", NULL),
+    ROW("drake", "point contact or hydroelastic, hunt_crossley_dissipation", "d of the pair, s/m", HUNT_CROSSLEY,
+        ZERO_FORCE, NUMBER(crossley_per_speed), "multibody/plant", "source",
+        "One d holds at one speed; the rebound is never faster than 1/d.", "source be259df7",
+        "<!--|<drake:proximity_properties>\n  "
+        "<drake:hunt_crossley_dissipation>{n}</drake:hunt_crossley_dissipation>\n</drake:proximity_properties>\n"),
+    ROW("drake", "SAP, relaxation_time", "tau of the pair, s", LINEAR, ZERO_FORCE, NUMBER(relaxation_time),
+        "multibody/contact_solvers", "source", "As the step goes to zero; 0.1 s each if nothing is set.",
+        "source be259df7",
+        "<!--|<drake:proximity_properties>\n  <drake:point_contact_stiffness>{2K}</drake:point_contact_stiffness>\n  "
+        "<drake:relaxation_time>{n/2}</drake:relaxation_time>\n</drake:proximity_properties>\n"),
+    ROW("simbody", "HuntCrossleyForce; OpenSim", "c, s/m", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(simbody),
+        "Simbody/src/HuntCrossleyForce.cpp", "run", "e = 1 - c v is first order only: c v = 0.5 gives 0.663.",
+        "3.7, source f312d0dd",
+        "//|const double dissipation = {n}; // s/m, of both bodies\nforce.setBodyParameters(surface, stiffness, "
+        "dissipation, 0, 0, 0);\n"),
+    ROW("mujoco", "solref (timeconst, dampratio), dmin = dmax", "dampratio", LINEAR, ZERO_FORCE, NUMBER(damping_ratio),
+        "src/engine/engine_core_constraint.c", "run",
+        "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.", "2.2.2, source a7255075",
+        "<!--|<geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/>\n"),
+    ROW("mujoco", "solref (-stiffness, -damping), dmin = dmax", "damping, 1/s", LINEAR, ZERO_FORCE,
+        NUMBER(dashpot_per_mass), "src/engine/engine_core_constraint.c", "run",
+        "Stiffness and damping are per unit of mass.", "2.2.2, source a7255075",
+        "<!--|<geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/>\n"),
+    ROW("newton", "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY,
+        NUMBER(dashpot), "newton/_src/solvers/semi_implicit/kernels_contact.py", "source",
+        "The damper works while the bodies approach only.", "source 41a5392c", NULL),
+    ROW("modelica", "ElastoGap, n = 1", "d, kg/s", LINEAR, LIMITED, NUMBER(dashpot),
+        "Mechanics/Translational/Components/ElastoGap", "source", "The damping force is limited to the spring's.",
+        "Modelica Standard Library 4",
+        "//|Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1, s_rel0=0);\n"),
+    ROW("modelica", "ElastoGap, n = 1.5", "d, kg/s", HERTZ_DASHPOT, LIMITED, NUMBER(hertz_velocity),
+        "Mechanics/Translational/Components/ElastoGap", "source",
+        "The damping force is limited to the spring's; slow impacts lose more.", "Modelica Standard Library 4",
+        "//|Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n"),
+    ROW("opensees", "HertzDamp, xi", "xi", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_beta), "HertzDamp material",
+        "documentation", "The recommended 8 (1 - e)/(5 e) realises less than e.", "its documentation of 2026", NULL),
+    ROW("bullet", "setRestitution of both bodies, product e", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
+        "src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp", "run",
+        "Exact for spheres with these lines; Bullet's defaults add up to 0.2 to e, and treat impacts below 0.2 m/s as "
+        "e = 0.",
+        "3.24",
+        "//|body->setRestitution({root}); // each of two equal "
+        "bodies\nworld->getSolverInfo().m_restitutionVelocityThreshold = "
+        "0;\nworld->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n"),
+    ROW("bullet", "contact callback, e of the impact speed", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
+        "src/BulletCollision/CollisionDispatch/btManifoldResult.cpp", "run",
+        "Any law: eps of each impact is computed from its speed.", "3.24",
+        "//|// cor_eps.h: {embed}\n#include \"cor_eps.h\"\nstatic bool cor_contact_added(btManifoldPoint &p, const "
+        "btCollisionObjectWrapper *a, int, int,\n                              const btCollisionObjectWrapper *b, int, "
+        "int)\n{\n    const btRigidBody *first = btRigidBody::upcast(a->getCollisionObject());\n    const btRigidBody "
+        "*second = btRigidBody::upcast(b->getCollisionObject());\n    btVector3 v(0, 0, 0);\n    if (first)\n        v "
+        "+= first->getVelocityInLocalPoint(p.getPositionWorldOnA() - first->getCenterOfMassPosition());\n    if "
+        "(second)\n        v -= second->getVelocityInLocalPoint(p.getPositionWorldOnB() - "
+        "second->getCenterOfMassPosition());\n    p.m_combinedRestitution = "
+        "cor_eps(btFabs(v.dot(p.m_normalWorldOnB)));\n    return true;\n}\n// once: gContactAddedCallback = "
+        "cor_contact_added;\n// world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n// "
+        "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n// each body: "
+        "body->setCollisionFlags(body->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"),
+    ROW("rebound", "coefficient_of_restitution, constant", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
+        "src/collision.c", "source", "Exact for hard spheres.", "5.0.0",
+        "//|static double cor_restitution(const struct reb_simulation *const r, double v)\n{\n    return {n};\n}\n// "
+        "once: r->coefficient_of_restitution = cor_restitution;\n"),
+    ROW("rebound", "coefficient_of_restitution, e of the impact speed", "e", IMPULSE, INSTANT,
+        ASKED(loss_of_impulse, 0, 1), "src/collision.c", "run",
+        "Any law: eps of each impact is computed from its speed.", "5.0.0",
+        "//|// cor_eps.h: {embed}\n#include \"cor_eps.h\"\nstatic double cor_restitution(const struct reb_simulation "
+        "*const r, double v)\n{\n    return cor_eps(v < 0 ? -v : v); // cor_eps takes m/s: convert v from the units of "
+        "the simulation\n}\n// once: r->coefficient_of_restitution = cor_restitution;\n"),
+};
+const size_t cor_simulator_model_count = sizeof cor_simulator_models / sizeof *cor_simulator_models;
+
+/* ---- results from the table ---- */
+
+/* The parameter of a law from eps, or eps from the parameter */
+static double closed_form(enum cor_law law, enum cor_end end, double x, int from_eps)
+{
+    static double (*const linear[2][COR_ENDS])(double) = {
+        {cor_linear_eps_zero_overlap, cor_linear_eps_zero_force, cor_linear_eps_limited, cor_linear_eps_approach_only},
+        {cor_linear_zeta_zero_overlap, cor_linear_zeta_zero_force, cor_linear_zeta_limited,
+         cor_linear_zeta_approach_only}};
+    static double (*const crossley[2][COR_ENDS])(double) = {
+        {cor_hunt_crossley_eps, cor_hunt_crossley_eps, NULL, cor_hunt_crossley_eps_approach_only},
+        {cor_hunt_crossley_beta, cor_hunt_crossley_beta, NULL, cor_hunt_crossley_beta_approach_only}};
+    if (law == COR_LAW_IMPULSE)
+        return 1 - x;
+    double (*const function)(double) = law == COR_LAW_LINEAR || law == COR_LAW_TSUJI ? linear[from_eps][end]
+                                       : law == COR_LAW_HUNT_CROSSLEY                ? crossley[from_eps][end]
+                                                                                     : NULL;
+    return function ? function(x) : NAN;
+}
+
+double cor_law_eps(enum cor_law law, enum cor_end end, double damping)
+{
+    return closed_form(law, end, damping, 0);
+}
+
+double cor_law_damping(enum cor_law law, enum cor_end end, double eps)
+{
+    return closed_form(law, end, eps, 1);
+}
+
+double cor_simulator_realised(const struct cor_simulator_model *model, double e)
+{
+    if (!model->damping_of_e || !(e >= model->least && e <= model->most))
+        return NAN;
+    return cor_law_eps(model->law, model->end, model->damping_of_e(e));
+}
+
+/* The smallest positive damping and its e. Near e = 1 the fits are not monotonic, and some simulators have no damping
+ * from some e on. */
+static double weakest(const struct cor_simulator_model *model, double *at)
+{
+    const double most = nextafter(model->most, 0);
+    double least = INFINITY;
+    *at = most;
+    for (int k = 0; k <= 2000; k++) {
+        const double e = most - (most - model->least) * 0.1 * k / 2000, damping = model->damping_of_e(e);
+        if (damping > 0 && damping < least) {
+            least = damping;
+            *at = e;
+        }
+    }
+    return least;
+}
+
+void cor_simulator_reach(const struct cor_simulator_model *model, double *least, double *most)
+{
+    double at;
+    *least = *most = NAN;
+    if (!model->damping_of_e)
+        return;
+    *least = cor_simulator_realised(model, model->least);
+    *most = cor_law_eps(model->law, model->end, weakest(model, &at));
+}
+
+double cor_simulator_e(const struct cor_simulator_model *model, double wished, enum cor_simulator_status *status)
+{
+    const double damping = cor_law_damping(model->law, model->end, wished);
+    *status = COR_SIMULATOR_NOT_ASKED;
+    if (!model->damping_of_e || isnan(damping))
+        return NAN;
+    *status = COR_SIMULATOR_OK;
+    if (damping == model->damping_of_e(model->most))
+        return model->most;
+    double high;
+    *status = COR_SIMULATOR_TOO_LARGE;
+    if (damping < weakest(model, &high))
+        return NAN;
+    *status = COR_SIMULATOR_TOO_SMALL;
+    double low = model->least;
+    if (damping > model->damping_of_e(low))
+        return NAN;
+    *status = COR_SIMULATOR_OK;
+    for (int k = 0; k < 1100 && nextafter(low, 2) < high; k++) {
+        const double middle = low + (high - low) / 2;
+        if (model->damping_of_e(middle) > damping)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}

@@ -1,0 +1,423 @@
+/* SPDX-License-Identifier: MIT */
+/* cor/scene.h, the table of simulators: what each model makes of a restitution that a user asks for, the number
+ * that cures it, and every conversion to a simulator's own number against its force law, integrated in SI units. */
+#include "check.h"
+
+#include <stdbool.h>
+
+#include "cor/scene.h"
+
+/* The first model of a simulator whose name has this part, of those that have a number of their own or of all */
+static const struct cor_simulator_model *model_named(const char *simulator, const char *part, bool number)
+{
+    for (size_t i = 0; i < cor_simulator_model_count; i++)
+        if (strcmp(cor_simulator_models[i].simulator, simulator) == 0 && strstr(cor_simulator_models[i].model, part) &&
+            (!number || cor_simulator_models[i].number_of_damping))
+            return &cor_simulator_models[i];
+    fail_msg("no model %s %s", simulator, part);
+    return NULL;
+}
+
+static const double asked[] = {0.1, 0.2, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.99};
+enum { ASKED = sizeof asked / sizeof *asked };
+
+/* ---- realised for asked: numbers found by running or reading each simulator, five digits ---- */
+
+static void realised(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *simulator, *model;
+        double value[ASKED];
+    } row[] = {
+        {"chrono", "from material", {0.25273, 0.32486, 0.39714, 0.55028, 0.71820, 0.80810, 0.90203, 0.95051, 0.99002}},
+        {"liggghts", "limitForce", {0.25273, 0.32486, 0.39714, 0.55028, 0.71820, 0.80810, 0.90203, 0.95051, 0.99002}},
+        {"yade", "(2023 and later)", {0.10008, 0.20025, 0.30018, 0.50001, 0.69977, 0.79993, 0.89992, 0.94808, 0.97895}},
+        {"lammps",
+         "tsuji, releases",
+         {0.23501, 0.34335, 0.43960, 0.61608, 0.77767, 0.85338, 0.92836, 0.96515, 0.99302}},
+        {"lammps",
+         "tsuji, limit_damping",
+         {0.34996, 0.42921, 0.50258, 0.64584, 0.78768, 0.85774, 0.92940, 0.96540, 0.99303}},
+        {"lammps",
+         "hooke, damping tsuji, releases",
+         {0.18941, 0.29734, 0.39579, 0.58090, 0.75476, 0.83751, 0.92024, 0.96112, 0.99220}},
+        {"lammps",
+         "hooke, damping tsuji, source after",
+         {0.06241, 0.15576, 0.25363, 0.45845, 0.67065, 0.77789, 0.88906, 0.94545, 0.98898}},
+        {"lammps",
+         "hertz, damping tsuji, source after",
+         {0.09948, 0.20034, 0.29991, 0.49992, 0.69994, 0.79891, 0.90018, 0.95107, 0.99014}},
+        {"mfix", "HERTZIAN", {0.14128, 0.24582, 0.34597, 0.53957, 0.72716, 0.81915, 0.91008, 0.95516, 0.99105}},
+        {"chrono-multicore",
+         "Flores",
+         {0.06944, 0.15554, 0.25621, 0.47044, 0.68318, 0.78854, 0.89392, 0.94683, 0.98934}},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        const struct cor_simulator_model *m = model_named(row[i].simulator, row[i].model, false);
+        for (int k = 0; k < ASKED; k++)
+            check(fabs(cor_simulator_realised(m, asked[k]) - row[i].value[k]) <= 0.51e-5,
+                  "%s, %s at %g: %.6f, not %.5f", m->simulator, m->model, asked[k], cor_simulator_realised(m, asked[k]),
+                  row[i].value[k]);
+    }
+    /* the e' for one version of LAMMPS is not the one for another */
+    enum cor_simulator_status status;
+    const struct cor_simulator_model *const late = model_named("lammps", "hooke, damping tsuji, source after", false);
+    const double early = cor_simulator_e(model_named("lammps", "hooke, damping tsuji, releases", false), 0.5, &status);
+    assert_true(fabs(early - 0.411395) < 5e-7 && fabs(cor_simulator_realised(late, early) - 0.366035) < 5e-7);
+    /* exact ones */
+    const struct cor_simulator_model *exact[] = {
+        model_named("lammps", "coeff_restitution", false), model_named("liggghts", "coefficientRestitution", false),
+        model_named("mercurydpm", "LinearViscoelastic", false), model_named("mfix", "LSD", false),
+        model_named("dem-engine", "CoR", false)};
+    for (size_t i = 0; i < sizeof exact / sizeof *exact; i++)
+        for (int k = 0; k < ASKED; k++)
+            assert_true(fabs(cor_simulator_realised(exact[i], asked[k]) - asked[k]) < 1e-14);
+    for (int k = 0; k < ASKED; k++)
+        assert_true(fabs(cor_simulator_realised(model_named("esys-particle", "COR", false), asked[k]) - asked[k]) <
+                    2e-8);
+    /* 0.9 and 0.99 of Kratos's bisection: gamma good to 0.0001 */
+    assert_true(fabs(cor_simulator_realised(model_named("kratos", "linear, COEF", false), 0.99) / 0.99 - 1) < 3e-4);
+    assert_true(cor_simulator_realised(model_named("kratos", "Hertz, COEF", false), 0.9995) == 1);
+    /* Thornton's fit at e = 1 */
+    assert_true(fabs(cor_simulator_realised(model_named("granulars.jl", "en", false), 1) - 0.98459) < 1e-5);
+    assert_true(cor_simulator_realised(model_named("yade", "(2023", false), 1) == 1);
+    /* beta = sqrt(5) zeta, 0.12 in OpenFOAM's tutorials */
+    const struct cor_scene_contact contact = {.mass_kg = 1, .stiffness = 1, .radius_m = 1};
+    assert_true(fabs(cor_law_eps(COR_LAW_TSUJI, COR_END_ZERO_OVERLAP,
+                                 model_named("openfoam", "pair", false)->damping_of_number(0.12, &contact, 1)) -
+                     0.84465) < 1e-5);
+    /* MuJoCo's default */
+    assert_true(fabs(cor_law_eps(COR_LAW_LINEAR, COR_END_ZERO_FORCE, 1) - exp(-2)) < 1e-15);
+    /* Simbody's e = 1 - c v at c v = 0.5 */
+    assert_true(fabs(cor_law_eps(COR_LAW_HUNT_CROSSLEY, COR_END_ZERO_FORCE, 0.75) - 0.663) < 5e-4);
+}
+
+/* d g as a function of e: Hunt and Crossley (1975); Lankarani and Nikravesh (1990); Gonthier et al. (2004); Herbert and
+ * McWhannell (1977); Hu and Guo (2015); Flores et al. (2011) */
+#define MAP(name, formula)                                                                                             \
+    static double name(double e)                                                                                       \
+    {                                                                                                                  \
+        return formula;                                                                                                \
+    }
+MAP(hunt, 1.5 * (1 - e))
+MAP(lankarani, 0.75 * (1 - e) * (1 + e))
+MAP(gonthier, (1 - e) * (1 + e) / e)
+MAP(herbert, 6 * (1 - e) / ((2 * e - 1) * (2 * e - 1) + 3))
+MAP(hu, 1.5 * (1 - e) / e)
+MAP(flores, 1.6 * (1 - e) / e)
+
+static void formulas_for_hunt_and_crossley(void **state)
+{
+    (void)state;
+    static const struct {
+        double (*map)(double);
+        double value[3]; /* at 0.1, 0.5, 0.9 */
+        double digits;
+    } row[] = {
+        {hunt, {0.516, 0.663, 0.9090}, 6e-4},       {lankarani, {0.665, 0.725, 0.9132}, 6e-4},
+        {gonthier, {0.1010, 0.4877, 0.8764}, 6e-5}, {herbert, {0.491, 0.594, 0.9009}, 6e-4},
+        {hu, {0.0741, 0.4877, 0.8999}, 6e-5},       {flores, {0.0694, 0.4704, 0.8939}, 6e-5},
+    };
+    static const double at[] = {0.1, 0.5, 0.9};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++)
+        for (int k = 0; k < 3; k++)
+            check(fabs(cor_law_eps(COR_LAW_HUNT_CROSSLEY, COR_END_ZERO_FORCE, row[i].map(at[k])) - row[i].value[k]) <
+                      row[i].digits,
+                  "formula %zu at %g: %g", i, at[k],
+                  cor_law_eps(COR_LAW_HUNT_CROSSLEY, COR_END_ZERO_FORCE, row[i].map(at[k])));
+}
+
+/* ---- the cure ---- */
+
+static void cures(void **state)
+{
+    (void)state;
+    enum cor_simulator_status status;
+    /* the cure e' of the exact zero-overlap formula where the force is cut off */
+    static const double wanted[ASKED] = {NAN, 0.03446, 0.16522, 0.43629, 0.67919, 0.79117, 0.89789, 0.94948, 0.98998};
+    const struct cor_simulator_model *m = model_named("chrono", "from material", false);
+    for (int k = 0; k < ASKED; k++) {
+        const double cure = cor_simulator_e(m, asked[k], &status);
+        if (k == 0)
+            assert_true(status == COR_SIMULATOR_TOO_SMALL && isnan(cure)); /* below exp(-2) */
+        else
+            check(status == COR_SIMULATOR_OK && fabs(cure - wanted[k]) < 0.51e-5, "%g: %g", asked[k], cure);
+    }
+    /* MFiX Hertz: z0(e') = sqrt(5)/2 z0(e) */
+    m = model_named("mfix", "HERTZIAN", false);
+    static const double mfix[][2] = {{0.1, 0.06286}, {0.5, 0.45853}, {0.9, 0.88886}};
+    for (int k = 0; k < 3; k++)
+        assert_true(fabs(cor_simulator_e(m, mfix[k][0], &status) - mfix[k][1]) < 0.51e-5 && status == COR_SIMULATOR_OK);
+    /* Flores: 8/(8 + 5 beta) */
+    m = model_named("chrono-multicore", "Flores", false);
+    for (int k = 0; k < ASKED; k++) {
+        const double beta = cor_law_damping(COR_LAW_HUNT_CROSSLEY, COR_END_ZERO_FORCE, asked[k]);
+        assert_true(fabs(cor_simulator_e(m, asked[k], &status) - 8 / (8 + 5 * beta)) < 1e-14);
+    }
+    /* whatever takes an e realises what its cure says, or tells why not */
+    for (size_t i = 0; i < cor_simulator_model_count; i++) {
+        double least, most;
+        cor_simulator_reach(&cor_simulator_models[i], &least, &most);
+        for (double e = 0.005; e < 1; e += 0.005) {
+            const double cure = cor_simulator_e(&cor_simulator_models[i], e, &status);
+            if (!cor_simulator_models[i].damping_of_e) {
+                assert_true(status == COR_SIMULATOR_NOT_ASKED && isnan(cure) &&
+                            isnan(cor_simulator_realised(&cor_simulator_models[i], e)) && isnan(least));
+                continue;
+            }
+            if (status != COR_SIMULATOR_OK) {
+                check(isnan(cure) && (status == COR_SIMULATOR_TOO_SMALL ? e < least + 1e-6 : e > most - 1e-4),
+                      "%s, %s: %g refused", cor_simulator_models[i].simulator, cor_simulator_models[i].model, e);
+                continue;
+            }
+            const double back = cor_simulator_realised(&cor_simulator_models[i], cure);
+            const int bisected = strstr(cor_simulator_models[i].model, "linear, COEF") != NULL;
+            check(fabs(back - e) < (bisected ? 3e-4 : 1e-9), "%s, %s: %g by %g gives %g",
+                  cor_simulator_models[i].simulator, cor_simulator_models[i].model, e, cure, back);
+        }
+    }
+}
+
+static void limits(void **state)
+{
+    (void)state;
+    enum cor_simulator_status status;
+    double least, most;
+    /* LIGGGHTS takes nothing up to 0.05: with the force limit it cannot realise less than 0.2137 */
+    const struct cor_simulator_model *m = model_named("liggghts", "limitForce", false);
+    cor_simulator_reach(m, &least, &most);
+    assert_true(fabs(least - 0.2137) < 5e-5 && most > 1 - 1e-15 && isnan(cor_simulator_realised(m, 0.04)));
+    assert_true(isnan(cor_simulator_e(m, 0.2, &status)) && status == COR_SIMULATOR_TOO_SMALL);
+    assert_true(cor_simulator_e(m, 1, &status) == 1 && status == COR_SIMULATOR_OK);
+    /* Chrono's clamp: 0.1360 */
+    cor_simulator_reach(model_named("chrono", "from material", false), &least, &most);
+    assert_true(fabs(least - 0.1360) < 5e-5);
+    /* Thornton's fit reaches no more than 0.9846 */
+    m = model_named("granulars.jl", "en", false);
+    cor_simulator_reach(m, &least, &most);
+    assert_true(most < 0.9847 && most > 0.9845);
+    assert_true(isnan(cor_simulator_e(m, 0.99, &status)) && status == COR_SIMULATOR_TOO_LARGE);
+    assert_true(cor_simulator_e(m, 0.98, &status) < 1 && status == COR_SIMULATOR_OK);
+    /* clamps at both ends, nothing outside */
+    assert_true(isnan(cor_simulator_realised(m, 1.01)) && isnan(cor_simulator_realised(m, -0.1)) &&
+                isnan(cor_simulator_realised(m, NAN)));
+    assert_true(cor_simulator_realised(model_named("mfix", "LSD", false), 0) == 0 &&
+                fabs(cor_simulator_realised(model_named("mfix", "HERTZIAN", false), 0) - 0.00187) < 5e-6);
+}
+
+/* ---- units: the simulator's own force law in SI units against the scaled law ---- */
+
+struct motion {
+    double mass, stiffness, radius, speed; /* of the contact and the impact */
+    double a, b;                           /* of the scaled law */
+};
+typedef double force_law(double x, double v, double n, const struct motion *s);
+
+#define M s->mass
+#define K s->stiffness
+#define HOOKE (K * x)
+#define HERTZ (K * x * sqrt(x))
+#define FORCE(name, expression)                                                                                        \
+    static double name(double x, double v, double n, const struct motion *s)                                           \
+    {                                                                                                                  \
+        return expression;                                                                                             \
+    }
+FORCE(scaled, pow(x, s->a) + n * pow(x, s->b) * v)
+FORCE(hooke_velocity, HOOKE + n * v)
+FORCE(hooke_mass_velocity, HOOKE + n * M * v)
+FORCE(hooke_area, HOOKE + n * M * sqrt(s->radius * x) * v)
+FORCE(hertz_area, HERTZ + n * M * sqrt(s->radius * x) * v)
+FORCE(hertz_velocity, HERTZ + n * v)
+FORCE(hertz_mass_velocity, HERTZ + n * M * v)
+FORCE(hertz_tangent, HERTZ + 2 * n * sqrt(M * 1.5 * K * sqrt(x)) * v)
+FORCE(hertz_alpha, HERTZ + n * sqrt(M * K * sqrt(x)) * v)
+FORCE(hertz_time, HERTZ + 1.5 * n * K * sqrt(x) * v)
+FORCE(hertz_time_esys, HERTZ + n * K * sqrt(x) * v)
+FORCE(hertz_chrono, HERTZ + n * M * s->radius * sqrt(x) * v)
+FORCE(hooke_series, HOOKE + n / 2 * v)
+FORCE(hooke_ratio, HOOKE + 2 * n * sqrt(M * K) * v)
+FORCE(hooke_relaxation, HOOKE + K * n * v)
+FORCE(hooke_per_mass, M *(HOOKE + n * v)) /* with the mass 1 */
+FORCE(crossley_d, HERTZ *(1 + n * v))
+FORCE(crossley_simbody, HERTZ *(1 + 1.5 * n * v))
+FORCE(crossley_xi, HERTZ *(1 + n * v / s->speed))
+/* en at vn = 1 m/s: YADE solves P(v) = en and sets A = (2/3) v^2 vn^(-1/5) (K/m)^(-2/5). */
+static double yade_damping(double en)
+{
+    static double last, v;
+    if (en == last)
+        return v * v;
+    last = en;
+    v = 0.5;
+    for (int k = 0; k < 60; k++) {
+        const double p = 1 + v * (1.07232 + v * (0.574198 + v * 0.141552)),
+                     dp = 1.07232 + v * (2 * 0.574198 + v * 3 * 0.141552);
+        const double q =
+            1 + v * (1.07232 + v * (1.72765 + v * (1.37842 + v * (1.19449 + v * (0.467273 + v * 0.235585)))));
+        const double dq = 1.07232 + v * (3.4553 + v * (4.13526 + v * (4.77796 + v * (2.336365 + v * 1.41351))));
+        v -= (p - en * q) / (dp - en * dq);
+    }
+    return v * v;
+}
+FORCE(hertz_yade, HERTZ + yade_damping(n) * pow(K / M, -0.4) * K * sqrt(x) * v)
+
+static const struct {
+    const char *simulator, *model;
+    force_law *force;
+} forces[] = {
+    {"lammps", "hooke, damping velocity", hooke_velocity},
+    {"lammps", "hooke, damping velocity, limit_damping", hooke_velocity},
+    {"lammps", "hooke, damping mass_velocity; gran", hooke_mass_velocity},
+    {"lammps", "hooke, damping mass_velocity, limit", hooke_mass_velocity},
+    {"lammps", "hooke, damping viscoelastic", hooke_area},
+    {"lammps", "hertz, damping viscoelastic (the", hertz_area},
+    {"lammps", "hertz, damping viscoelastic, limit", hertz_area},
+    {"lammps", "hertz, damping velocity", hertz_velocity},
+    {"lammps", "hertz, damping mass_velocity", hertz_mass_velocity},
+    {"liggghts", "hertz/stiffness, gamman", hertz_area},
+    {"liggghts", "hertz/stiffness, gamman, limit", hertz_area},
+    {"liggghts", "hooke/stiffness, gamman", hooke_mass_velocity},
+    {"liggghts", "hooke/stiffness, gamman, limit", hooke_mass_velocity},
+    {"yade", "betan", hertz_tangent},
+    {"yade", "vn", hertz_yade},
+    {"yade", "kn and cn", hooke_series},
+    {"mercurydpm", "HertzianViscoelastic, dissipation", hertz_alpha},
+    {"mercurydpm", "BSHP", hertz_time},
+    {"chrono", "Hooke, kn and gn", hooke_mass_velocity},
+    {"chrono", "Hertz, kn and gn", hertz_chrono},
+    {"openfoam", "pair", hertz_alpha},
+    {"kratos", "Hertz, DAMPING", hertz_tangent},
+    {"kratos", "linear, DAMPING", hooke_ratio},
+    {"esys-particle", "ViscoElastic", hertz_time_esys},
+    {"exadem", "damp_rate", hooke_ratio},
+    {"drake", "point contact", crossley_d},
+    {"drake", "SAP", hooke_relaxation},
+    {"simbody", "Hunt", crossley_simbody},
+    {"mujoco", "timeconst", hooke_ratio},
+    {"mujoco", "-stiffness", hooke_per_mass},
+    {"newton", "Solver", hooke_velocity},
+    {"modelica", "n = 1", hooke_velocity},
+    {"modelica", "n = 1.5", hertz_velocity},
+    {"opensees", "xi", crossley_xi},
+};
+
+/* The force as the end of contact has it: damped while approaching only, or damping no larger than the spring's force
+ */
+static double ended_force(force_law *force, enum cor_end end, double x, double v, double n, const struct motion *s)
+{
+    const double whole = force(x, v, n, s), elastic = force(x, 0, n, s);
+    if (end == COR_END_APPROACH_ONLY && v < 0)
+        return elastic;
+    return end == COR_END_LIMITED && whole > 2 * elastic ? 2 * elastic : whole;
+}
+
+/* eps by the classical Runge-Kutta method with steps that are small where x is; accuracy 1e-6 */
+static double integrated_eps(force_law *force, enum cor_end end, double n, const struct motion *s, double time)
+{
+    double x = 0, v = s->speed;
+    for (long step = 0; step < 4000000; step++) {
+        const double h = 2e-4 * time * fmin(1, 1e-3 + sqrt(fmax(x, 0) / (s->speed * time)));
+        double dx[4] = {0}, dv[4] = {0};
+        for (int k = 0; k < 4; k++) {
+            const double part = k == 0 ? 0 : k == 3 ? h : h / 2;
+            const double at = k == 0 ? x : x + part * dx[k - 1], speed = k == 0 ? v : v + part * dv[k - 1];
+            dx[k] = speed;
+            dv[k] = at > 0 ? -ended_force(force, end, at, speed, n, s) / M : 0;
+        }
+        const double nx = x + h * (dx[0] + 2 * dx[1] + 2 * dx[2] + dx[3]) / 6;
+        const double nv = v + h * (dv[0] + 2 * dv[1] + 2 * dv[2] + dv[3]) / 6;
+        if (nx <= 0)
+            return -v / s->speed;
+        if (nv < 0 && (end == COR_END_ZERO_FORCE || end == COR_END_LIMITED) &&
+            ended_force(force, end, nx, nv, n, s) <= 0)
+            return -nv / s->speed;
+        x = nx;
+        v = nv;
+    }
+    return NAN;
+}
+
+static void units(void **state)
+{
+    (void)state;
+    struct random_state random = random_start();
+    size_t numbers = 0;
+    for (size_t i = 0; i < cor_simulator_model_count; i++)
+        numbers += cor_simulator_models[i].number_of_damping != NULL;
+    assert_int_equal(numbers, sizeof forces / sizeof *forces);
+    for (size_t i = 0; i < sizeof forces / sizeof *forces; i++) {
+        const struct cor_simulator_model *const m = model_named(forces[i].simulator, forces[i].model, true);
+        const struct cor_exponents *const law = &cor_law_exponents[m->law];
+        const double a = (double)law->elastic / law->denominator, b = (double)law->damping / law->denominator;
+        const bool ratio = m->law == COR_LAW_LINEAR || m->law == COR_LAW_TSUJI; /* the damping is zeta */
+        const struct motion unit = {1, 1, 1, 1, a, b};
+        const double damping = 0.35, beta = damping * (ratio ? sqrt(2 * (a + 1)) : 1);
+        const double eps = integrated_eps(scaled, m->end, beta, &unit, 1);
+        const double closed = cor_law_eps(m->law, m->end, damping);
+        assert_true(isnan(closed) || fabs(closed - eps) < 2e-5);
+        for (int turn = 0; turn < 2; turn++) {
+            const bool per_mass = strstr(m->model, "-stiffness") != NULL;
+            const struct motion s = {per_mass ? 1 : random_log(&random, 1e-6, 10),
+                                     random_log(&random, 1e2, 1e7),
+                                     random_log(&random, 1e-4, 1),
+                                     random_log(&random, 1e-3, 10),
+                                     a,
+                                     b};
+            const struct cor_scene_contact contact = {
+                .mass_kg = s.mass, .stiffness = s.stiffness, .radius_m = s.radius};
+            const double time = pow(s.mass / s.stiffness, 1 / (a + 1)) * pow(s.speed, (1 - a) / (a + 1));
+            const double number = m->number_of_damping(damping, &contact, s.speed);
+            assert_true(fabs(m->damping_of_number(number, &contact, s.speed) / damping - 1) < 1e-14);
+            const double si = integrated_eps(forces[i].force, m->end, number, &s, time);
+            check(fabs(si - eps) < 2e-5, "%s, %s: %g, not %g", m->simulator, m->model, si, eps);
+            /* the same number at another speed: the same eps where the law has a damping ratio, and nowhere else */
+            const double other = m->damping_of_number(number, &contact, 3 * s.speed);
+            const bool constant = ratio || strstr(m->model, "HertzDamp") != NULL;
+            assert_true(constant ? fabs(other / damping - 1) < 1e-14 : fabs(other / damping - 1) > 0.1);
+        }
+    }
+    /* MercuryDPM computes its dashpot from the mass of one particle, sqrt(2 mass k/(pi^2 + ln(e)^2)) (-ln(e)); two such
+     * particles have half of it as effective mass, and their collision realises e. */
+    const struct cor_simulator_model *const m = model_named("mercurydpm", "setStiffness", false);
+    for (int k = 0; k < ASKED; k++) {
+        const double mass = 0.3, stiffness = 2e4, l = log(asked[k]), pi = 3.14159265358979323846;
+        const struct motion pair = {.mass = mass / 2, .stiffness = stiffness, .speed = 0.7};
+        const double dashpot = sqrt(2 * mass * stiffness / (pi * pi + l * l)) * -l;
+        const double eps = integrated_eps(hooke_velocity, m->end, dashpot, &pair, sqrt(mass / 2 / stiffness));
+        check(fabs(eps - asked[k]) < 2e-5, "MercuryDPM realises %g, not %g", eps, asked[k]);
+    }
+}
+
+/* Every row says what a reader needs. */
+static void rows_are_whole(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < cor_simulator_model_count; i++) {
+        const struct cor_simulator_model *m = &cor_simulator_models[i];
+        const char *const words[] = {m->simulator, m->model, m->parameter, m->file, m->known, m->advice, m->version};
+        for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+            assert_non_null(words[k]);
+        assert_true(m->version[0] != '\0' && (!m->lines || strchr(m->lines, '|') != NULL));
+        assert_true((m->damping_of_e != NULL) != (m->number_of_damping != NULL));
+        assert_true((m->number_of_damping != NULL) == (m->damping_of_number != NULL));
+        assert_true((strcmp(m->parameter, "e") == 0) == (m->damping_of_e != NULL));
+        assert_true(strlen(cor_law_names[m->law]) > 0 && strlen(cor_end_names[m->end]) > 0);
+        assert_true(strcmp(m->known, "run") == 0 || strcmp(m->known, "source") == 0 ||
+                    strcmp(m->known, "documentation") == 0);
+        assert_true(m->advice[strlen(m->advice) - 1] == '.');
+        for (size_t k = 0; k < i; k++)
+            assert_true(strcmp(cor_simulator_models[k].simulator, m->simulator) != 0 ||
+                        strcmp(cor_simulator_models[k].model, m->model) != 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(realised), cmocka_unit_test(formulas_for_hunt_and_crossley),
+        cmocka_unit_test(cures),    cmocka_unit_test(limits),
+        cmocka_unit_test(units),    cmocka_unit_test(rows_are_whole),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
