@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The loops of array functions and disks: each <stem>_kernel.c is compiled once for each instruction set
-# (runtime/core/instruction_set.h), with the part of the library that it belongs to. cor_defaults forbids contraction,
+# (runtime/number/sets.h), with the part of the library that it belongs to. cor_defaults forbids contraction,
 # so that every set gives the same bits. The loops vectorise only where sqrt need not set errno and comparisons may be
 # evaluated ahead. -Wno-psabi: vectors are arguments of functions that are all inlined.
 set(cor_array_options $<$<NOT:$<CONFIG:Debug>>:-O3> -fno-math-errno -fno-trapping-math -Wno-psabi)

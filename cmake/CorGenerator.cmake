@@ -33,9 +33,9 @@ if(FLINT_FOUND AND Cminpack_FOUND)
   add_custom_command(OUTPUT ${evaluator}
     COMMAND ${CMAKE_COMMAND} -DRUNTIME=${PROJECT_SOURCE_DIR}/runtime -DOUTPUT=${evaluator}
       -P ${PROJECT_SOURCE_DIR}/cmake/EvaluatorText.cmake
-    DEPENDS ${PROJECT_SOURCE_DIR}/cmake/EvaluatorText.cmake ${PROJECT_SOURCE_DIR}/runtime/core/inline.h
-      ${PROJECT_SOURCE_DIR}/runtime/core/exact.h ${PROJECT_SOURCE_DIR}/runtime/core/fifth_root.h
-      ${PROJECT_SOURCE_DIR}/runtime/core/row.h ${PROJECT_SOURCE_DIR}/runtime/core/law_eval.h
+    DEPENDS ${PROJECT_SOURCE_DIR}/cmake/EvaluatorText.cmake ${PROJECT_SOURCE_DIR}/runtime/number/inline.h
+      ${PROJECT_SOURCE_DIR}/runtime/number/pair.h ${PROJECT_SOURCE_DIR}/runtime/number/fifth_root.h
+      ${PROJECT_SOURCE_DIR}/runtime/table/row.h ${PROJECT_SOURCE_DIR}/runtime/table/law.h
       ${PROJECT_SOURCE_DIR}/runtime/sphere/eval.h
     VERBATIM)
   # the processes of one mpirun share the rows of a sweep, or there is but one process

@@ -2,8 +2,8 @@
 # cmake -DRUNTIME=<runtime/> -DOUTPUT=<file.c> -P EvaluatorText.cmake
 # Writes the evaluator's sources as C arrays of bytes (gen/support/evaluator_text.h).
 set(text "#include \"support/evaluator_text.h\"\n")
-foreach(pair core/inline:inline core/exact:exact core/fifth_root:fifth_root core/row:row sphere/eval:sphere
-        core/law_eval:law)
+foreach(pair number/inline:inline number/pair:pair number/fifth_root:fifth_root table/row:row sphere/eval:sphere
+        table/law:law)
   string(REPLACE ":" ";" pair ${pair})
   list(GET pair 0 file)
   list(GET pair 1 name)

@@ -48,8 +48,8 @@
  * The functions classify arguments by their bits, as integers. Floating-point comparisons raise FE_INVALID for a NaN,
  * and -ffinite-math-only lets a compiler assume that no NaN occurs. A bit mask splits a factor. Veltkamp's
  * multiplication would give wrong results where a compiler fuses multiplications with additions. */
-#ifndef COR_RUNTIME_EXACT_H
-#define COR_RUNTIME_EXACT_H
+#ifndef COR_RUNTIME_PAIR_H
+#define COR_RUNTIME_PAIR_H
 
 
 /* Powers of two, in decimal because hexadecimal constants need C++17. */
@@ -167,6 +167,17 @@ COR_INLINE double cor_inline_power_of_two(int k)
     return cor_inline_from_bits((uint64_t)(1023 + k) << 52);
 }
 
+/* The exponent e of a normal x, 2^e <= |x| < 2^(e+1), and x 2^-e without its sign */
+COR_INLINE int cor_inline_exponent(double x)
+{
+    return (int)((cor_inline_bits(x) >> 52) & 2047) - 1023;
+}
+
+COR_INLINE double cor_inline_significand(double x)
+{
+    return cor_inline_from_bits((cor_inline_bits(x) & UINT64_C(0xfffffffffffff)) | UINT64_C(0x3ff0000000000000));
+}
+
 /* x 2^k for 2^-60 < |x| < 2^60 and k <= 960, rounded once. Unlike ldexp, this function does not set errno. */
 COR_INLINE double cor_inline_scaled(double x, int k)
 {
@@ -188,6 +199,14 @@ struct cor_inline_pair {
     double hi, lo;
 };
 
+COR_INLINE struct cor_inline_pair cor_pair(double hi, double lo)
+{
+    struct cor_inline_pair x;
+    x.hi = hi;
+    x.lo = lo;
+    return x;
+}
+
 /* hi + lo as a pair, exact where |hi| >= |lo| */
 COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
 {
@@ -195,6 +214,13 @@ COR_INLINE struct cor_inline_pair cor_inline_sum(double hi, double lo)
     sum.hi = COR_INLINE_KEEP(hi + lo);
     sum.lo = lo - COR_INLINE_KEEP(sum.hi - hi);
     return sum;
+}
+
+/* x + y exactly, for x and y in any order */
+COR_INLINE struct cor_inline_pair cor_pair_two_sum(double x, double y)
+{
+    const double hi = COR_INLINE_KEEP(x + y), part = COR_INLINE_KEEP(hi - x);
+    return cor_pair(hi, COR_INLINE_KEEP(x - COR_INLINE_KEEP(hi - part)) + COR_INLINE_KEEP(y - part));
 }
 
 /* x y with relative error 2^-104, if nothing underflows */
@@ -219,6 +245,18 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_over(struct cor_inline_pair x,
     const double q = x.hi / y.hi;
     const struct cor_inline_pair p = cor_inline_product(q, y.hi);
     return cor_inline_sum(q, (COR_INLINE_KEEP(COR_INLINE_KEEP(x.hi - p.hi) - p.lo) + (x.lo - q * y.lo)) / y.hi);
+}
+
+/* ln(x) of a normal, finite x >= 1. The absolute error is below 2^-53, or below 2^-53 ln(x) for large x, if that of
+ * log is below 1 ulp. */
+COR_INLINE struct cor_inline_pair cor_inline_log(double x)
+{
+    /* ln(2) in two parts; the first has 42 bits, so that its products with exponents are exact */
+    const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14;
+    /* significands above sqrt(2) are halved, so that |ln(m)| < 0.35: error 2^-54 */
+    const double half = cor_inline_significand(x);
+    const int up = half > 1.4142135623730951, e = cor_inline_exponent(x) + up;
+    return cor_inline_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
 }
 
 #endif
@@ -5413,7 +5451,7 @@ COR_INLINE const double *cor_rows_far_beta_zero_force(int i)
  * that tests/accuracy/test_accuracy --points 1e9 found. tests/unit/test_sphere.c tests these arguments.
  *
  * No function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its argument; FE_UNDERFLOW and
- * FE_INEXACT may be raised. Arguments that may be NaN are compared by their bits (core/exact.h). */
+ * FE_INEXACT may be raised. Arguments that may be NaN are compared by their bits (number/pair.h). */
 #ifndef COR_RUNTIME_SPHERE_EVAL_H
 #define COR_RUNTIME_SPHERE_EVAL_H
 
@@ -5430,28 +5468,6 @@ COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
     const struct cor_inline_pair cube = cor_inline_product(square, r);
     const double d = (COR_INLINE_KEEP(beta - cube.hi) - cube.lo) / beta; /* r^3 = beta (1 - d) */
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
-}
-
-/* The exponent e of a normal beta = m 2^e, 1 <= m < 2 */
-COR_INLINE int cor_inline_exponent(double beta)
-{
-    return (int)(cor_inline_bits(beta) >> 52) - 1023;
-}
-
-COR_INLINE double cor_inline_significand(double beta)
-{
-    return cor_inline_from_bits((cor_inline_bits(beta) & UINT64_C(0xfffffffffffff)) | UINT64_C(0x3ff0000000000000));
-}
-
-/* ln(beta) for 7 <= beta < infinity. The absolute error is below 2^-53 if that of log is below 1 ulp. */
-COR_INLINE struct cor_inline_pair cor_inline_log(double beta)
-{
-    /* ln(2) in two parts; the first has 42 bits, so that its products with exponents are exact */
-    const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14;
-    /* significands above sqrt(2) are halved, so that |ln(m)| < 0.35: error 2^-54 */
-    const double half = cor_inline_significand(beta);
-    const int up = half > 1.4142135623730951, e = cor_inline_exponent(beta) + up;
-    return cor_inline_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
 }
 
 /* The logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it, with the error of u times the slope.

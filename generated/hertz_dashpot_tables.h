@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Hertz's contact with a constant dashpot, x'' + beta x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1,
- * both ends of contact, for every beta. Evaluated by runtime/core/law_eval.h. Source: docs/derivation.md, 9;
+ * both ends of contact, for every beta. Evaluated by runtime/table/law.h. Source: docs/derivation.md, 9;
  * form: docs/header-format.md.
  *
  * Written by:  corgen tables
@@ -15,8 +15,8 @@
 #ifndef COR_GENERATED_HERTZ_DASHPOT_TABLES_H
 #define COR_GENERATED_HERTZ_DASHPOT_TABLES_H
 
-#include "runtime/core/law_eval.h"
-#include "runtime/core/rows.h"
+#include "runtime/table/law.h"
+#include "runtime/table/rows.h"
 
 /* A row: value = c_0 + (c_0' + t (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
  * c_0', c_1, ..., c_n. c_0' is the remainder of c_0 at the node. */
@@ -5684,7 +5684,7 @@ COR_INLINE const double *cor_rows_hertz_dashpot_far_time_of_max_overlap(int i)
     return row[i];
 }
 
-/* What runtime/core/law_eval.h needs of each quantity */
+/* What runtime/table/law.h needs of each quantity */
 
 COR_INLINE_LAW struct cor_inline_law_quantity cor_law_hertz_dashpot_eps_zero_overlap(void)
 {

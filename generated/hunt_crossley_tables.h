@@ -12,7 +12,7 @@
  * (sampled); errors of evaluation: include/cor/law.h (sampled). */
 #ifndef COR_GENERATED_HUNT_CROSSLEY_TABLES_H
 #define COR_GENERATED_HUNT_CROSSLEY_TABLES_H
-#include "runtime/core/rows.h"
+#include "runtime/table/rows.h"
 
 /* time of the largest overlap, a = 1: 70 rows of degree 10 in y = ln(1 + beta), nodes 0.1875 + i 0.375, 0 <= y <= 26.25.
  * Relative error of the approximation: 2^-56.7 at most, sampled at 25 places of each row. Bits of the rows:

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for float
- * arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/core/float_lanes.h. Source:
+ * arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/table/float_lanes.h. Source:
  * docs/derivation.md, 4 to 6 and 8; form: docs/header-format.md.
  *
  * Written by:  corgen tables
@@ -10,7 +10,7 @@
  * arithmetic: include/cor/sphere.h, measured at every float. */
 #ifndef COR_GENERATED_SPHERE_FLOAT_TABLES_H
 #define COR_GENERATED_SPHERE_FLOAT_TABLES_H
-#include "runtime/core/rows.h"
+#include "runtime/table/rows.h"
 
 /* A row: value = c_0 + (c_0' + t (c_1 + t (c_2 + t c_3))), t = beta - node, in columns c_0, c_1, c_2,
  * c_3. The node is 0 in row 0, and the middle of the cell in the other rows. The lower 16 bits of

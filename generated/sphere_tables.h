@@ -15,7 +15,7 @@
 #ifndef COR_GENERATED_SPHERE_TABLES_H
 #define COR_GENERATED_SPHERE_TABLES_H
 
-#include "runtime/core/rows.h"
+#include "runtime/table/rows.h"
 
 /* A row: value = c_0 + (c_0' + s (c_1 + c_2 t + ... + c_n t^(n-1))), t = y - node, in columns c_0,
  * c_0', c_1, ..., c_n. s = t; only in the rows of eps and of the loss at zero force from

@@ -11,7 +11,7 @@
  * (sampled); errors of evaluation: include/cor/law.h (sampled). */
 #ifndef COR_GENERATED_TSUJI_TABLES_H
 #define COR_GENERATED_TSUJI_TABLES_H
-#include "runtime/core/rows.h"
+#include "runtime/table/rows.h"
 
 /* time of the largest overlap: 49 rows of degree 10 in y = ln(1 + zeta), nodes 0.125 + i 0.25, 0 <= y <= 12.25.
  * Relative error of the approximation: 2^-56.7 at most, sampled at 25 places of each row. Bits of the rows:

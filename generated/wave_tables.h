@@ -9,7 +9,7 @@
  * Error: proved, see below. */
 #ifndef COR_GENERATED_WAVE_TABLES_H
 #define COR_GENERATED_WAVE_TABLES_H
-#include "runtime/core/inline.h"
+#include "runtime/number/inline.h"
 
 /* The polynomial of degree 109 through 110 enclosed samples is off by 2.1e-17 at most, proved: |J| is below 40 on
  * the ellipse with foci 0 and 7/4 and half axes that add up to 1.5 times 7/8 (tests/gen/test_waves.c). Keeping 40

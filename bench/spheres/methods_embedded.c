@@ -9,7 +9,7 @@
 #include <stdio.h>
 
 #include "cor_sphere.h"
-#include "runtime/core/instruction_set.h"
+#include "runtime/number/sets.h"
 
 #ifndef __AVX2__
 #define ROOT_OF_SCENE const double unit = scene->contact.beta5_per_speed

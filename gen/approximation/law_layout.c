@@ -14,7 +14,7 @@ enum {
     CONSTANT_BITS = 200,
     CHECK_POINTS = 5,
     DEGREE = 10,
-    HEAD_BITS = 26,       /* bits of c_0 in rows that are multiplied, runtime/core/row.h */
+    HEAD_BITS = 26,       /* bits of c_0 in rows that are multiplied, runtime/table/row.h */
     NEAR_OCTAVES = 3,     /* from near_end to the radius of convergence */
     MOST_POWER = 200,     /* largest 1/q; beyond it eps underflows inside the tables */
     DEVIATION_BITS = 60,  /* 1 - beta^(1/q) eps/v_f is negligible below 2^-60 */

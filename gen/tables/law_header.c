@@ -174,7 +174,7 @@ static int emit_law(struct emit *e, const struct law_tables *t, const char *name
     int status = law_tables_emit(e, t, false);
     if (status == STATUS_OK)
         status = emit_far(e, t, name);
-    emit_comment(e, "What runtime/core/law_eval.h needs of each quantity");
+    emit_comment(e, "What runtime/table/law.h needs of each quantity");
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
         if (!both && (q == EPS_ZERO_FORCE || q == DURATION_ZERO_FORCE))
             continue;
@@ -266,7 +266,7 @@ int law_header_write(FILE *file, const struct law *law, const char *name)
         struct emit e;
         emit_open(&e, file, capitals(guard, text), banner);
         e.decimal = true;
-        fprintf(file, "\n%s\n%s\n%s\n%s\n%s", always_inline, evaluator_inline, evaluator_exact, evaluator_row,
+        fprintf(file, "\n%s\n%s\n%s\n%s\n%s", always_inline, evaluator_inline, evaluator_pair, evaluator_row,
                 evaluator_law);
         status = emit_law(&e, t, name, name);
         emit_close(&e);
@@ -287,7 +287,7 @@ int hertz_dashpot_tables_write(FILE *file)
         snprintf(accuracy, sizeof accuracy, accuracy_text, t->error);
         snprintf(banner, sizeof banner,
                  "Hertz's contact with a constant dashpot, %s, x(0) = 0, x'(0) = 1,\n"
-                 "both ends of contact, for every beta. Evaluated by runtime/core/law_eval.h. Source: "
+                 "both ends of contact, for every beta. Evaluated by runtime/table/law.h. Source: "
                  "docs/derivation.md, 9;\n"
                  "form: docs/header-format.md.\n"
                  "\n"
@@ -299,7 +299,7 @@ int hertz_dashpot_tables_write(FILE *file)
                  law_equation(&law).text, accuracy);
         struct emit e;
         emit_open(&e, file, "COR_GENERATED_HERTZ_DASHPOT_TABLES_H", banner);
-        fprintf(file, "\n#include \"runtime/core/law_eval.h\"\n#include \"runtime/core/rows.h\"\n");
+        fprintf(file, "\n#include \"runtime/table/law.h\"\n#include \"runtime/table/rows.h\"\n");
         status = emit_law(&e, t, "hertz_dashpot", "cor_inline_hertz_dashpot");
         emit_close(&e);
     }

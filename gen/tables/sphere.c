@@ -243,7 +243,7 @@ int sphere_tables_write(FILE *file)
         return STATUS_FAILED;
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_SPHERE_TABLES_H", tables_banner);
-    fprintf(file, "\n#include \"runtime/core/rows.h\"\n");
+    fprintf(file, "\n#include \"runtime/table/rows.h\"\n");
     const int status = emit_tables(&e);
     emit_close(&e);
     return status;
@@ -284,7 +284,7 @@ int sphere_header_write(FILE *file)
     struct emit e;
     emit_open(&e, file, "COR_SPHERE_EMBEDDED_H", header_banner);
     e.decimal = true;
-    fprintf(file, "\n%s\n%s\n%s\n%s", evaluator_inline, evaluator_exact, evaluator_fifth_root, evaluator_row);
+    fprintf(file, "\n%s\n%s\n%s\n%s", evaluator_inline, evaluator_pair, evaluator_fifth_root, evaluator_row);
     const int status = emit_tables(&e);
     fprintf(file, "\n%s", evaluator_sphere);
     emit_close(&e);
@@ -293,7 +293,7 @@ int sphere_header_write(FILE *file)
 
 static const char floats_banner[] =
     "Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for float\n"
-    "arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/core/float_lanes.h. Source:\n"
+    "arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/table/float_lanes.h. Source:\n"
     "docs/derivation.md, 4 to 6 and 8; form: docs/header-format.md.\n"
     "\n"
     "Written by:  corgen tables\n"
@@ -308,7 +308,7 @@ int sphere_float_tables_write(FILE *file)
         return STATUS_FAILED;
     struct emit e;
     emit_open(&e, file, "COR_GENERATED_SPHERE_FLOAT_TABLES_H", floats_banner);
-    emit_include(&e, "\"runtime/core/rows.h\"");
+    emit_include(&e, "\"runtime/table/rows.h\"");
     emit_comment(&e,
                  "A row: value = c_0 + (c_0' + t (c_1 + t (c_2 + t c_3))), t = beta - node, in columns c_0, c_1, c_2,\n"
                  "c_3. The node is 0 in row 0, and the middle of the cell in the other rows. The lower 16 bits of\n"

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "cor/contact.h"
-#include "runtime/core/environment.h"
+#include "runtime/number/environment.h"
 
 static double dissipation_time(double eta1_pa_s, double eta2_pa_s, double young_modulus_pa, double poisson_ratio)
 {

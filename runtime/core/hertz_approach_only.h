@@ -4,7 +4,7 @@
 #ifndef COR_RUNTIME_HERTZ_APPROACH_ONLY_H
 #define COR_RUNTIME_HERTZ_APPROACH_ONLY_H
 
-#include "runtime/core/elementary.h"
+#include "runtime/number/elementary.h"
 
 /* sqrt(4/5) = (4/5)^(1/2) and (4/5)^(-1/10) as pairs */
 #define COR_HERTZ_SPEED 8.94427190999915855407e-01

@@ -20,7 +20,7 @@
 #include <string.h>
 
 #include "cor/status.h"
-#include "runtime/core/environment.h"
+#include "runtime/number/environment.h"
 
 /* Accuracy of a_n in bits, more than a double holds */
 enum { DOUBLE_BITS = 56, START_BITS = 8 };

@@ -10,7 +10,7 @@
 #include <stddef.h>
 
 #include "cor/disk.h"
-#include "runtime/core/instruction_set.h"
+#include "runtime/number/sets.h"
 
 /* Frequencies of one n that are evaluated at once, as independent ladders of Bessel functions */
 enum { COR_MODE_LANES = 16 };

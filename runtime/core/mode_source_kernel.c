@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Ladders of Bessel functions, for one instruction set (instruction_set.h). All sets give the same bits
+/* Ladders of Bessel functions, for one instruction set (sets.h). All sets give the same bits
  * (kernel_vector.h). */
 #include <stdint.h>
 
-#include "runtime/core/kernel_vector.h"
 #include "runtime/core/mode_source.h"
+#include "runtime/number/kernel_vector.h"
 
 #ifdef __GNUC__
 typedef __typeof__(all(0) < all(1)) changes; /* -1 for true */

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "cor/sphere.h"
-#include "runtime/core/fifth_root.h"
+#include "runtime/number/fifth_root.h"
 
 double cor_sphere_eps_simple(double beta)
 {

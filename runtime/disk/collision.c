@@ -15,8 +15,8 @@
 
 #include "cor/disk.h"
 #include "cor/status.h"
-#include "runtime/core/environment.h"
 #include "runtime/disk/collision_runs.h"
+#include "runtime/number/environment.h"
 
 /* COR_OK, or the status of the first error in the table and the options */
 static int collision_check(const struct cor_disk_modes *modes, size_t n_modes,

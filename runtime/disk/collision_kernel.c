@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of a collision over modes and over the rim, for one instruction set (instruction_set.h). All
+/* The loops of a collision over modes and over the rim, for one instruction set (sets.h). All
  * sets give the same bits (kernel_vector.h). */
 #include <math.h>
 
-#include "runtime/core/kernel_vector.h"
 #include "runtime/disk/collision_loops.h"
+#include "runtime/number/kernel_vector.h"
 
 /* Number of vectors in which a sum over terms or angles is accumulated. With it additions do not wait for each other
  * and registers suffice. */

@@ -13,7 +13,7 @@
 
 #include <stddef.h>
 
-#include "runtime/core/instruction_set.h"
+#include "runtime/number/sets.h"
 
 /* Rows of one block of modes */
 struct cor_mode_block {

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "cor/status.h"
-#include "runtime/core/environment.h"
+#include "runtime/number/environment.h"
 
 /* ---- constants, and the origin of their values ---- */
 

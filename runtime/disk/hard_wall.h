@@ -20,7 +20,7 @@
 #include <stddef.h>
 
 #include "cor/disk.h"
-#include "runtime/core/instruction_set.h"
+#include "runtime/number/sets.h"
 
 /* Number of kicks for one pass over the modes. The pass also predicts the sums over the modes of each n at the next
  * kicks without forces. Sums over products give the additions of the forces.

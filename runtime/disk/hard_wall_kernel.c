@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops of a disk at a rigid wall over modes, angles and rows of the compliance, for one instruction set
- * (instruction_set.h). All sets give the same bits (kernel_vector.h). */
-#include "runtime/core/kernel_vector.h"
+ * (sets.h). All sets give the same bits (kernel_vector.h). */
 #include "runtime/disk/hard_wall.h"
+#include "runtime/number/kernel_vector.h"
 
 /* Number of vectors of angles that are summed at once. With it additions do not wait for each other and registers
  * suffice. */

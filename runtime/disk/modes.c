@@ -10,8 +10,8 @@
 #include "cor/status.h"
 #include "generated/disk_modes_nu033.h"
 #include "generated/disk_modes_nu090.h"
-#include "runtime/core/environment.h"
 #include "runtime/core/mode_file.h"
+#include "runtime/number/environment.h"
 
 const struct cor_disk_modes cor_disk_modes_nu033 = COR_DISK_MODES_NU033;
 const struct cor_disk_modes cor_disk_modes_nu090 = COR_DISK_MODES_NU090;

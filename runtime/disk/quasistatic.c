@@ -11,8 +11,8 @@
  * double precision: the limits are pairs. Far from the limit their logarithms, which are linear in nu, suffice. */
 #include "runtime/disk/quasistatic.h"
 
-#include "runtime/core/environment.h"
-#include "runtime/core/lambert_w.h"
+#include "runtime/number/environment.h"
+#include "runtime/number/lambert_w.h"
 
 typedef struct cor_inline_pair pair;
 
@@ -35,7 +35,7 @@ static pair pair_of(double x)
 
 static pair pair_plus(pair x, pair y)
 {
-    const pair sum = cor_inline_two_sum(x.hi, y.hi);
+    const pair sum = cor_pair_two_sum(x.hi, y.hi);
     return cor_inline_sum(sum.hi, sum.lo + (x.lo + y.lo));
 }
 
@@ -307,7 +307,7 @@ static double time_of_t(double t)
         if (u > end)
             break;
         const double f = (t + u) * sqrt(u * (u + c) / (y * exp_less_two_terms(u) + t * u));
-        const pair next = cor_inline_two_sum(sum.hi, f);
+        const pair next = cor_pair_two_sum(sum.hi, f);
         sum.hi = next.hi;
         sum.lo += next.lo;
     }

@@ -7,9 +7,9 @@
 
 #include "cor/disk.h"
 #include "cor/status.h"
-#include "runtime/core/environment.h"
 #include "runtime/disk/quasistatic.h"
 #include "runtime/disk/rayleigh_tail.h"
+#include "runtime/number/environment.h"
 
 /* The tail uses this number of modes if the table has them, even if the caller asked for fewer. */
 enum { TAIL_MODES = 1800 };

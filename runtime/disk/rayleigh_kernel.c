@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops of Rayleigh's energy over nodes and over modes, for one instruction set (instruction_set.h), free of calls;
+/* The loops of Rayleigh's energy over nodes and over modes, for one instruction set (sets.h), free of calls;
  * gcc 12 vectorises all of them, in the portable set too (-fopt-info-vec). No set may fuse a multiplication with an
  * addition, and sums have sixteen parts for every width of a vector. All sets therefore give the same bits. */
 #include "runtime/disk/rayleigh_path.h"

@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "runtime/core/kernel_exp.h"
+#include "runtime/number/kernel_exp.h"
 
 struct cor_leg_path {
     int from_zero;                      /* whether the base is 0 or pi/2 - i Theta */

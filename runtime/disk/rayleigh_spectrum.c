@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "runtime/core/lambert_w.h"
 #include "runtime/disk/rayleigh_path.h"
+#include "runtime/number/lambert_w.h"
 
 #define PI 3.14159265358979323846
 #define LN2 0.69314718055994531

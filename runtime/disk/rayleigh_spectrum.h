@@ -19,8 +19,8 @@
 
 #include <stddef.h>
 
-#include "runtime/core/instruction_set.h"
-#include "runtime/core/kernel_exp.h" /* KERNEL */
+#include "runtime/number/kernel_exp.h" /* KERNEL */
+#include "runtime/number/sets.h"
 
 enum {
     COR_SPECTRUM_TERMS = 16,  /* terms of a polynomial in (omega - m)/(omega + m), where m is the geometric mean of an

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "runtime/law/array.h"
 
-#include "runtime/core/environment.h"
+#include "runtime/number/environment.h"
 
 void cor_law_array_by(cor_law_array_function *loop, const double *x, double *y, size_t n)
 {

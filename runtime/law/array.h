@@ -5,8 +5,8 @@
 
 #include <stddef.h>
 
-#include "runtime/core/instruction_set.h"
 #include "runtime/law/functions.h"
+#include "runtime/number/sets.h"
 
 typedef void cor_law_array_function(const double *in, double *out, size_t n);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions for the list COR_LAW_LOOPS, for one instruction set (instruction_set.h). No set may fuse a
+/* Array functions for the list COR_LAW_LOOPS, for one instruction set (sets.h). No set may fuse a
  * multiplication with an addition, so all sets and the scalar functions give the same bits. A loop that a compiler
  * vectorises processes blocks of numbers. Numbers outside the kernel's interval are then computed one by one. */
 #include "cor/law.h"

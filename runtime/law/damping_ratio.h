@@ -11,7 +11,7 @@
 #ifndef COR_RUNTIME_LAW_DAMPING_RATIO_H
 #define COR_RUNTIME_LAW_DAMPING_RATIO_H
 
-#include "runtime/core/elementary.h"
+#include "runtime/number/elementary.h"
 
 /* pi and pi/2, each as a pair */
 #define COR_RATIO_PI 3.14159265358979311600
@@ -34,7 +34,7 @@
 /* The largest double below 1 */
 #define COR_RATIO_BELOW_ONE 0.99999999999999988898
 
-/* ---- polynomials: see runtime/core/elementary.h ---- */
+/* ---- polynomials: see runtime/number/elementary.h ---- */
 
 /* (atan(sqrt(x))/sqrt(x) - 1)/x, atanh(sqrt(-x))/sqrt(-x) where x is negative, |x| <= 0.1717: the error times x is
  * below 2^-57. */

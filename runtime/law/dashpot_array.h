@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "runtime/core/instruction_set.h"
+#include "runtime/number/sets.h"
 
 /* The first row of each table of a quantity, or NULL. For the inverse `near` holds rows of the loss, and `middle` those
  * of eps. */

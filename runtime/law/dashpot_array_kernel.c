@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions of Hertz's contact with a constant dashpot by the loops of runtime/core/row_lanes.h. The first loop
+/* Array functions of Hertz's contact with a constant dashpot by the loops of runtime/table/row_lanes.h. The first loop
  * finds the row of each number among those near 0, by octaves of beta and by octaves of beta_c - beta; numbers beyond
  * these rows, and near 0 those whose variable is a cube root, are computed one by one. */
 #include "cor/hertz_dashpot.h"
 #include "generated/hertz_dashpot_tables.h" /* the geometry alone: no table is used here */
-#include "runtime/core/row_lanes.h"
 #include "runtime/law/dashpot_array.h"
+#include "runtime/table/row_lanes.h"
 
 /* The tables of a quantity, and the least beta > 0 that the loops take */
 struct dashpot {
@@ -53,7 +53,7 @@ KERNEL mask dashpot_reduce(struct reduced *r, const struct dashpot *d, const str
         }
         if (q->below.kind) { /* beta_c - beta exactly, as cor_inline_law_octave_row takes it */
             const double x = choose(is_below, in[j], q->middle.end);
-            const struct cor_inline_pair rest = cor_inline_two_sum(q->threshold.hi - x, q->threshold.lo);
+            const struct cor_inline_pair rest = cor_pair_two_sum(q->threshold.hi - x, q->threshold.lo);
             const uint64_t sign_less = UINT64_C(0x7ff0000000000000), twice_bias = UINT64_C(0x7fe0000000000000);
             const double unit = cor_inline_from_bits(twice_bias - (cor_inline_bits(rest.hi) & sign_less));
             row =

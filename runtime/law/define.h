@@ -3,8 +3,8 @@
 #ifndef COR_RUNTIME_LAW_DEFINE_H
 #define COR_RUNTIME_LAW_DEFINE_H
 
-#include "runtime/core/environment.h"
 #include "runtime/law/array.h"
+#include "runtime/number/environment.h"
 
 /* Whether 2^-900 <= |x| < 2^900. For such numbers no function raises an exception but underflow and inexact; for the
  * others it is computed in the default environment. */

@@ -9,7 +9,7 @@
 #ifndef COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 #define COR_RUNTIME_LAW_HUNT_CROSSLEY_H
 
-#include "runtime/core/elementary.h"
+#include "runtime/number/elementary.h"
 
 /* Below this beta, three terms of the series are exact to the last bit. */
 #define COR_HC_TINY 9.5367431640625e-07 /* 2^-20 */
@@ -28,7 +28,7 @@
 #define COR_HC_THIRD 3.33333333333333314830e-01
 #define COR_HC_THIRD_TAIL 1.85037170770859413132e-17
 
-/* ---- polynomials: see runtime/core/elementary.h ---- */
+/* ---- polynomials: see runtime/number/elementary.h ---- */
 
 /* ((y coth(y) - 1)/x - 1/3)/x with x = y^2, 0 <= x <= 2.26: the error times x, relative to c/x, is below 2^-55. */
 static const double cor_hc_coth_polynomial[13] = {

@@ -2,10 +2,10 @@
 /* Durations of Tsuji's damping and the time of its largest overlap, from generated/tsuji_tables.h. */
 #include "cor/law.h"
 #include "generated/tsuji_tables.h"
-#include "runtime/core/fifth_root.h"
-#include "runtime/core/row.h"
 #include "runtime/law/define.h"
 #include "runtime/law/linear.h"
+#include "runtime/number/fifth_root.h"
+#include "runtime/table/row.h"
 
 /* End of the rows in ln(1 + zeta): zeta = exp(12.25) - 1 */
 #define TSUJI_FAR 208980.0

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The sphere with damping during the approach only, from its largest overlap Y (runtime/core/hertz_approach_only.h). */
 #include "cor/sphere.h"
-#include "runtime/core/environment.h"
 #include "runtime/core/hertz_approach_only.h"
+#include "runtime/number/environment.h"
 #include "runtime/sphere/eval.h"
 #include "runtime/sphere/float_exceptions.h"
 

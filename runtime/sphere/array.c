@@ -2,7 +2,7 @@
 #include "runtime/sphere/array.h"
 
 #include "cor/sphere.h"
-#include "runtime/core/environment.h"
+#include "runtime/number/environment.h"
 #include "runtime/sphere/float_exceptions.h"
 
 static const struct cor_array_set *widest(void)

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "cor/contact.h"
-#include "runtime/core/instruction_set.h"
+#include "runtime/number/sets.h"
 
 /* X(quantity) for every function of sphere.h, of sphere.h in float arithmetic, of contact.h that takes speeds, and of
  * contact.h that takes speeds and eps. */

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Array functions of the sphere, of beta, eps or an impact speed, by the loops of runtime/core/row_lanes.h, for
- * one instruction set (instruction_set.h). */
+/* Array functions of the sphere, of beta, eps or an impact speed, by the loops of runtime/table/row_lanes.h, for
+ * one instruction set (sets.h). */
 #include <stddef.h>
 
 #include "cor/sphere.h"
-#include "runtime/core/row_lanes.h"
 #include "runtime/sphere/array.h"
 #include "runtime/sphere/contact_parts.h"
 #include "runtime/sphere/eval.h"
 #include "runtime/sphere/fast_float.h"
+#include "runtime/table/row_lanes.h"
 
 /* ---- tables in beta and in its root: the first loop ---- */
 

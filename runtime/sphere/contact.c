@@ -6,7 +6,7 @@
 
 #include "cor/sphere.h"
 #include "cor/status.h"
-#include "runtime/core/environment.h"
+#include "runtime/number/environment.h"
 #include "runtime/sphere/contact_parts.h"
 #include "runtime/sphere/eval.h"
 

@@ -5,7 +5,7 @@
 #define COR_RUNTIME_SPHERE_CONTACT_PARTS_H
 
 #include "cor/contact.h"
-#include "runtime/core/fifth_root.h"
+#include "runtime/number/fifth_root.h"
 
 #define COR_CONTACT_LEAST_SPEED COR_INLINE_2_M300
 #define COR_CONTACT_MOST_SPEED COR_INLINE_2_300

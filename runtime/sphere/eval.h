@@ -12,13 +12,13 @@
  * that tests/accuracy/test_accuracy --points 1e9 found. tests/unit/test_sphere.c tests these arguments.
  *
  * No function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its argument; FE_UNDERFLOW and
- * FE_INEXACT may be raised. Arguments that may be NaN are compared by their bits (core/exact.h). */
+ * FE_INEXACT may be raised. Arguments that may be NaN are compared by their bits (number/pair.h). */
 #ifndef COR_RUNTIME_SPHERE_EVAL_H
 #define COR_RUNTIME_SPHERE_EVAL_H
 
 #include "generated/sphere_tables.h"
-#include "runtime/core/fifth_root.h"
-#include "runtime/core/row.h"
+#include "runtime/number/fifth_root.h"
+#include "runtime/table/row.h"
 
 /* ---- tails ---- */
 
@@ -32,28 +32,6 @@ COR_INLINE struct cor_inline_pair cor_inline_two_thirds(double beta)
     const struct cor_inline_pair cube = cor_inline_product(square, r);
     const double d = (COR_INLINE_KEEP(beta - cube.hi) - cube.lo) / beta; /* r^3 = beta (1 - d) */
     return cor_inline_sum(square, square * (d * (2.0 / 3 + d * (5.0 / 9))));
-}
-
-/* The exponent e of a normal beta = m 2^e, 1 <= m < 2 */
-COR_INLINE int cor_inline_exponent(double beta)
-{
-    return (int)(cor_inline_bits(beta) >> 52) - 1023;
-}
-
-COR_INLINE double cor_inline_significand(double beta)
-{
-    return cor_inline_from_bits((cor_inline_bits(beta) & UINT64_C(0xfffffffffffff)) | UINT64_C(0x3ff0000000000000));
-}
-
-/* ln(beta) for 7 <= beta < infinity. The absolute error is below 2^-53 if that of log is below 1 ulp. */
-COR_INLINE struct cor_inline_pair cor_inline_log(double beta)
-{
-    /* ln(2) in two parts; the first has 42 bits, so that its products with exponents are exact */
-    const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14;
-    /* significands above sqrt(2) are halved, so that |ln(m)| < 0.35: error 2^-54 */
-    const double half = cor_inline_significand(beta);
-    const int up = half > 1.4142135623730951, e = cor_inline_exponent(beta) + up;
-    return cor_inline_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
 }
 
 /* The logarithmic factor of a tail. Up to u = end, rows in u = ln(beta) give it, with the error of u times the slope.

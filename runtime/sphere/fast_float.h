@@ -5,7 +5,7 @@
 #define COR_RUNTIME_SPHERE_FAST_FLOAT_H
 
 #include "generated/sphere_float_tables.h"
-#include "runtime/core/float_lanes.h"
+#include "runtime/table/float_lanes.h"
 
 #define FAST_FLOAT_TABLE(quantity, NAME, product)                                                                      \
     KERNEL struct float_table float_table_##quantity(void)                                                             \

@@ -5,7 +5,7 @@
 
 #include "cor/contact.h"
 #include "cor/status.h"
-#include "runtime/core/environment.h"
+#include "runtime/number/environment.h"
 
 static int is_positive(double x)
 {

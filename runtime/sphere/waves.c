@@ -5,8 +5,8 @@
 
 #include "cor/contact.h"
 #include "generated/wave_tables.h"
-#include "runtime/core/environment.h"
-#include "runtime/core/fifth_root.h"
+#include "runtime/number/environment.h"
+#include "runtime/number/fifth_root.h"
 
 /* 2 |C_1| (9/4)/(2 pi), C_1 = -(4/5) (5/4)^(4/5) B(4/5, 3/2) of x'' + beta x x' + x^(3/2) = 0 */
 #define WAVES_FIRST_ORDER 0.605718214220582471607

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The quasistatic contact law of the disk (cor/disk.h) and Lambert's W under it (runtime/core/lambert_w.h) against
+/* The quasistatic contact law of the disk (cor/disk.h) and Lambert's W under it (runtime/number/lambert_w.h) against
  * balls: random arguments of every size, nu up to its ends, the last doubles inside every limit and both sides of it,
  * one ulp around every branch of the code. W comes from arb_lambertw, and what is made of it is put back into (57); the
  * contact time comes from the integral over theta, by tanh-sinh with W at every point. Prints one line for each
@@ -7,7 +7,7 @@
 #include "cor/disk.h"
 
 #include "random.h"
-#include "runtime/core/lambert_w.h"
+#include "runtime/number/lambert_w.h"
 #include "support/flint.h"
 #include "support/local.h"
 #include "support/precision.h"

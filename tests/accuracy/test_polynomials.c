@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The polynomials of runtime/core/elementary.h, runtime/core/lambert_w.c and runtime/law/: the errors that stand
+/* The polynomials of runtime/number/elementary.h, runtime/number/lambert_w.c and runtime/law/: the errors that stand
  * beside them. Those that carry the accuracy of a kernel are proved: in each cell of the interval the error is
  * Taylor's polynomial in balls around the middle and a remainder enclosed over the cell. The start values of Newton's
  * method are sampled. */
@@ -8,9 +8,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "runtime/core/lambert_w.c"
 #include "runtime/law/damping_ratio.h"
 #include "runtime/law/hunt_crossley.h"
+#include "runtime/number/lambert_w.c"
 #include "support/flint.h"
 #include "tests/proof/disk_errors.h"
 

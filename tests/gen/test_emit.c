@@ -172,7 +172,7 @@ static void test_rows(void **state)
 
     file = create("main.c");
     fprintf(file,
-            "#include \"runtime/core/rows.h\"\n#include <stdio.h>\n#include \"header.h\"\n"
+            "#include \"runtime/table/rows.h\"\n#include <stdio.h>\n#include \"header.h\"\n"
             "int main(void)\n{\n"
             "    for (int i = 0; i < %d; i++)\n        for (int k = 0; k < %d; k++)\n"
             "            if (hexadecimal[i].i != i || decimal[i].k != -i ||\n"

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The goals of the contact law of the disk: part of goals.cpp. Each goal is about one stage of runtime/core/lambert_w.c
- * or runtime/disk/quasistatic.c: the result of `log` or `log1p` is a variable, so that a goal does not depend on the
- * accuracy of these functions. tests/accuracy/test_disk_proof.c adds the errors of the stages, times what the later
- * stages make of them, over cells that cover the domain; disk_errors.h has the errors for both programs. */
+/* The goals of the contact law of the disk: part of goals.cpp. Each goal is about one stage of
+ * runtime/number/lambert_w.c or runtime/disk/quasistatic.c: the result of `log` or `log1p` is a variable, so that a
+ * goal does not depend on the accuracy of these functions. tests/accuracy/test_disk_proof.c adds the errors of the
+ * stages, times what the later stages make of them, over cells that cover the domain; disk_errors.h has the errors for
+ * both programs. */
 #include "disk_errors.h"
 
 /* ---- parts of lists of operations ---- */
@@ -22,7 +23,7 @@ static void expect(bool yes, const char *what)
 static void exact_two_sum(gappa &g, const struct cor_inline_pair &pair)
 {
     const int hi = pair.hi.node(), lo = pair.lo.node();
-    const char *const name = "cor_inline_two_sum";
+    const char *const name = "cor_pair_two_sum";
     expect(what_is(hi) == ADD && what_is(lo) == ADD, name);
     const int x = first_of(hi), y = second_of(hi), left = first_of(lo), right = second_of(lo);
     expect(what_is(left) == SUBTRACT && what_is(right) == SUBTRACT && first_of(left) == x && first_of(right) == y,

@@ -13,7 +13,7 @@
 
 #include "support/flint.h"
 
-#include "runtime/core/lambert_w.c"
+#include "runtime/number/lambert_w.c"
 #include "runtime/disk/quasistatic.c"
 
 /* ---- intervals ---- */

@@ -43,7 +43,7 @@ static void cor_environment_leave(const cor_environment *)
 {
 }
 #define volatile
-#include "runtime/core/lambert_w.c"
+#include "runtime/number/lambert_w.c"
 #include "runtime/disk/quasistatic.c"
 #undef volatile
 #undef double

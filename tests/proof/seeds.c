@@ -5,7 +5,7 @@
  * and r by a fifth of that, which changes the quotient by less than 1e-6, because Halley's error has a slope below
  * 0.01 in x. Without an option the program takes five exponents, after which the seeds repeat but for one part in
  * 2^20; --all takes the exponents -1000 to 1000. */
-#include "runtime/core/fifth_root.h"
+#include "runtime/number/fifth_root.h"
 
 #include <stdio.h>
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The fifth root and the exact arithmetic under it (runtime/core/fifth_root.h, runtime/core/exact.h) against long
+/* The fifth root and the exact arithmetic under it (runtime/number/fifth_root.h, runtime/number/pair.h) against long
  * double. */
 #include "check.h"
 
-#include "runtime/core/fifth_root.h"
+#include "runtime/number/fifth_root.h"
 
 /* x^(1/5) by Newton's step on powl: good to a unit of long double */
 static long double root_exact(long double x)

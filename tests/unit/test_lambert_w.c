@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Lambert's W_-1 and t of q (runtime/core/lambert_w.h) against long double and against values of arbitrary precision.
+/* Lambert's W_-1 and t of q (runtime/number/lambert_w.h) against long double and against values of arbitrary precision.
  * tests/accuracy/test_disk_law.c has them against balls. */
 #include "check.h"
 
-#include "runtime/core/lambert_w.h"
+#include "runtime/number/lambert_w.h"
 
 static const long double slack = LDBL_MANT_DIG >= 64 ? 0.01L : 4;
 

@@ -7,7 +7,7 @@
 
 #include "dormand_prince.h"
 #include "reference_law.h"
-#include "runtime/core/elementary.h"
+#include "runtime/number/elementary.h"
 
 typedef double law_function(double);
 

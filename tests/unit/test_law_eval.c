@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of runtime/core/law_eval.h that only headers of `corgen law` use: the linear dashpot, and eps that falls
+/* The parts of runtime/table/law.h that only headers of `corgen law` use: the linear dashpot, and eps that falls
  * with a power of beta, both in closed form. tests/law/run tests them with the tables of such headers. */
 #include "check.h"
 
-#include "runtime/core/law_eval.h"
+#include "runtime/table/law.h"
 
 /* In place of a table: no closed form reads a row. */
 static const double *no_rows(int row)
@@ -137,8 +137,8 @@ static void sums_of_scaled_pairs(void **state)
         const double x = random_uniform(&r, 1, 2), y = random_uniform(&r, 1, 2);
         const int first = (int)random_uniform(&r, -900, 900), less = (int)random_uniform(&r, -300, 300);
         int exponent = first;
-        const struct cor_inline_pair sum = cor_inline_pair_plus(cor_inline_pair_of(x, 0x1p-60 * x), &exponent,
-                                                                cor_inline_pair_of(y, 0x1p-60 * y), first + less);
+        const struct cor_inline_pair sum =
+            cor_inline_pair_plus(cor_pair(x, 0x1p-60 * x), &exponent, cor_pair(y, 0x1p-60 * y), first + less);
         const long double total = ((long double)sum.hi + sum.lo) * powl(2, exponent - first);
         const long double exact = (x + y * powl(2, less)) * (1 + 0x1p-60L);
         check(fabsl(total / exact - 1) < 1e-18L, "%a and %a times 2^%d: %.20Lg, not %.20Lg", x, y, less, total, exact);

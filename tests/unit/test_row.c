@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tables of rows (runtime/core/row.h): each row and the next give the same number where their cells meet. A wrong
+/* Tables of rows (runtime/table/row.h): each row and the next give the same number where their cells meet. A wrong
  * number in any row shows, without a reference. */
 #include "check.h"
 
@@ -7,7 +7,7 @@
 #include "generated/hunt_crossley_tables.h"
 #include "generated/sphere_tables.h"
 #include "generated/tsuji_tables.h"
-#include "runtime/core/row.h"
+#include "runtime/table/row.h"
 
 #define MOST 2 /* units of DBL_EPSILON: two roundings, and the errors of two rows */
 

@@ -4,7 +4,7 @@
 #ifndef COR_RUNTIME_ELEMENTARY_H
 #define COR_RUNTIME_ELEMENTARY_H
 
-#include "runtime/core/exact.h"
+#include "runtime/number/pair.h"
 
 /* A function call in a loop would prevent the vectorisation of the loop. */
 #ifdef __GNUC__
@@ -51,21 +51,6 @@ static const double cor_kernel_log_polynomial[8] = {
 };
 
 /* ---- pairs ---- */
-
-COR_KERNEL struct cor_inline_pair cor_pair(double hi, double lo)
-{
-    struct cor_inline_pair x;
-    x.hi = hi;
-    x.lo = lo;
-    return x;
-}
-
-/* The exact sum of any two numbers */
-COR_KERNEL struct cor_inline_pair cor_pair_two_sum(double x, double y)
-{
-    const double hi = x + y, part = hi - x;
-    return cor_pair(hi, (x - (hi - part)) + (y - part));
-}
 
 /* x + y, relative error 2^-104 where both have the same sign */
 COR_KERNEL struct cor_inline_pair cor_pair_plus(struct cor_inline_pair x, struct cor_inline_pair y)

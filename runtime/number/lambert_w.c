@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "runtime/core/lambert_w.h"
+#include "runtime/number/lambert_w.h"
 
 /* Below this q the series applies. Above it the iteration does, where the subtraction in t - ln(1 + t) loses two bits
  * at most. */
@@ -101,8 +101,8 @@ struct cor_inline_pair cor_log_ratio_far(struct cor_inline_pair log_a, double x)
     const uint64_t bits = cor_inline_bits(x), power = (bits + (bias - root_half)) >> 52;
     exponent += (int)power;
     const double m = cor_inline_from_bits(bits - (power << 52) + bias);
-    const struct cor_inline_pair large = cor_inline_two_sum(log_a.hi, -exponent * ln2),
-                                 all = cor_inline_two_sum(large.hi, -log(m));
+    const struct cor_inline_pair large = cor_pair_two_sum(log_a.hi, -exponent * ln2),
+                                 all = cor_pair_two_sum(large.hi, -log(m));
     return cor_inline_sum(all.hi, all.lo + (large.lo + (log_a.lo - exponent * ln2_rest)));
 }
 
@@ -136,7 +136,6 @@ double cor_lambert_w_minus1(double z)
 {
     if (!(z < 0))
         return z == 0 ? -INFINITY : NAN;
-    const struct cor_inline_pair t = cor_lambert_t_pair(cor_log_ratio(&one_over_e, -z)),
-                                 y = cor_inline_two_sum(1, t.hi);
+    const struct cor_inline_pair t = cor_lambert_t_pair(cor_log_ratio(&one_over_e, -z)), y = cor_pair_two_sum(1, t.hi);
     return -(y.hi + (y.lo + t.lo));
 }

@@ -3,7 +3,7 @@
 #ifndef COR_RUNTIME_FIFTH_ROOT_H
 #define COR_RUNTIME_FIFTH_ROOT_H
 
-#include "runtime/core/exact.h"
+#include "runtime/number/pair.h"
 
 /* (1 + d)^(1/5) - 1 up to d^4 for |d| < 4e-4; the next term is below 2^-59. */
 COR_INLINE double cor_inline_fifth_root_rest(double d)

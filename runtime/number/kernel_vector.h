@@ -7,8 +7,8 @@
 
 #include <string.h>
 
-#include "runtime/core/instruction_set.h" /* COR_LANES */
-#include "runtime/core/kernel_exp.h"      /* KERNEL */
+#include "runtime/number/kernel_exp.h" /* KERNEL */
+#include "runtime/number/sets.h"       /* COR_LANES */
 
 #if defined(__AVX512F__)
 #define VECTOR 8

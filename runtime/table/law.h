@@ -14,10 +14,10 @@
  *
  * The first coefficient of a row is a double-double and dominates, so the final addition causes nearly all of the
  * rounding error. No function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its argument. */
-#ifndef COR_RUNTIME_LAW_EVAL_H
-#define COR_RUNTIME_LAW_EVAL_H
+#ifndef COR_RUNTIME_TABLE_LAW_H
+#define COR_RUNTIME_TABLE_LAW_H
 
-#include "runtime/core/row.h"
+#include "runtime/table/row.h"
 
 /* Functions with the structs below as arguments must be inlined, so that the structs are constants of each caller.
  * Otherwise their copies cost several times the evaluation. */
@@ -125,25 +125,10 @@ COR_INLINE_LAW struct cor_inline_law_inverse cor_inline_law_inverse_of(void)
 
 /* ---- pairs ---- */
 
-COR_INLINE struct cor_inline_pair cor_inline_pair_of(double hi, double lo)
-{
-    struct cor_inline_pair x;
-    x.hi = hi;
-    x.lo = lo;
-    return x;
-}
-
-/* x + y exactly, for x and y in any order */
-COR_INLINE struct cor_inline_pair cor_inline_two_sum(double x, double y)
-{
-    const double hi = COR_INLINE_KEEP(x + y), part = COR_INLINE_KEEP(hi - x);
-    return cor_inline_pair_of(hi, COR_INLINE_KEEP(x - COR_INLINE_KEEP(hi - part)) + COR_INLINE_KEEP(y - part));
-}
-
 /* x^n, n > 0. Relative error n 2^-102. */
 COR_INLINE struct cor_inline_pair cor_inline_pair_power(struct cor_inline_pair x, int n)
 {
-    struct cor_inline_pair power = cor_inline_pair_of(1, 0);
+    struct cor_inline_pair power = cor_pair(1, 0);
     while (n > 1) {
         if (n & 1)
             power = cor_inline_pair_times(power, x);
@@ -153,16 +138,10 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_power(struct cor_inline_pair x
     return cor_inline_pair_times(power, x);
 }
 
-/* the exponent e of a normal number x, 2^e <= |x| < 2^(e+1) */
-COR_INLINE int cor_inline_exponent_of(double x)
-{
-    return (int)((cor_inline_bits(x) >> 52) & 2047) - 1023;
-}
-
 /* (hi + lo) 2^k, rounded once, for hi > 0 and any k */
 COR_INLINE double cor_inline_pair_scaled(struct cor_inline_pair x, int k)
 {
-    const int e = cor_inline_exponent_of(x.hi), total = e + k;
+    const int e = cor_inline_exponent(x.hi), total = e + k;
     const double unit = cor_inline_power_of_two(-e), y = x.hi * unit + x.lo * unit; /* about between 1 and 2 */
     if (total < -1100)
         return 0;
@@ -196,12 +175,12 @@ COR_INLINE struct cor_inline_pair cor_inline_rational_power(struct cor_inline_pa
     const int n = power.num < 0 ? -power.num : power.num, den = power.den;
     const int whole = e >= 0 ? e / den : -((-e + den - 1) / den), rest = e - whole * den; /* 0 <= rest < den */
     const double unit = cor_inline_power_of_two(rest);
-    struct cor_inline_pair y = cor_inline_pair_of(x.hi * unit, x.lo * unit), result = cor_inline_pair_of(1, 0);
+    struct cor_inline_pair y = cor_pair(x.hi * unit, x.lo * unit), result = cor_pair(1, 0);
     *exponent = whole * power.num;
     if (n == 0)
         return result;
     if (den > 1) {
-        const struct cor_inline_pair r = cor_inline_pair_of(cor_inline_head(cor_inline_root_of(y.hi, den)), 0);
+        const struct cor_inline_pair r = cor_pair(cor_inline_head(cor_inline_root_of(y.hi, den)), 0);
         const struct cor_inline_pair back = cor_inline_pair_power(r, den);
         const double d = (COR_INLINE_KEEP(COR_INLINE_KEEP(y.hi - back.hi) - back.lo) + y.lo) / back.hi;
         /* y = r^den (1 + d) */
@@ -210,29 +189,15 @@ COR_INLINE struct cor_inline_pair cor_inline_rational_power(struct cor_inline_pa
     }
     result = cor_inline_pair_power(y, n);
     if (power.num < 0)
-        result = cor_inline_pair_over(cor_inline_pair_of(1, 0), result);
+        result = cor_inline_pair_over(cor_pair(1, 0), result);
     return result;
 }
 
 /* beta^(num/den) of a normal, finite beta > 0 */
 COR_INLINE struct cor_inline_pair cor_inline_beta_power(double beta, struct cor_inline_law_power power, int *exponent)
 {
-    const int e = cor_inline_exponent_of(beta);
-    const uint64_t fraction = cor_inline_bits(beta) & UINT64_C(0xfffffffffffff);
-    const double m = cor_inline_from_bits(fraction | UINT64_C(0x3ff0000000000000));
-    return cor_inline_rational_power(cor_inline_pair_of(m, 0), e, power, exponent);
-}
-
-/* ln(x) of a normal, finite x >= 1: absolute error below 2^-53, or below 2^-53 ln(x) for large x */
-COR_INLINE struct cor_inline_pair cor_inline_law_log(double x)
-{
-    /* ln(2) in two parts; the first has 42 bits, so that its products with exponents are exact */
-    const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14;
-    const uint64_t fraction = cor_inline_bits(x) & UINT64_C(0xfffffffffffff);
-    /* significands above sqrt(2) are halved, so that |ln(m)| < 0.35: error 2^-54 */
-    const double half = cor_inline_from_bits(fraction | UINT64_C(0x3ff0000000000000));
-    const int up = half > 1.4142135623730951, e = cor_inline_exponent_of(x) + up;
-    return cor_inline_two_sum(e * ln2_hi, e * ln2_lo + log(up ? half * 0.5 : half));
+    const int e = cor_inline_exponent(beta);
+    return cor_inline_rational_power(cor_pair(cor_inline_significand(beta), 0), e, power, exponent);
 }
 
 /* exp(-x) of 0 <= x < 2000 as a pair times 2^*exponent: relative error below 2^-56 */
@@ -240,7 +205,7 @@ COR_INLINE struct cor_inline_pair cor_inline_law_exp(struct cor_inline_pair x, i
 {
     const double ln2_hi = 0.69314718055989033, ln2_lo = 5.4979230187083712e-14; /* as above */
     const int k = (int)(x.hi * 1.4426950408889634 + 0.5);
-    const struct cor_inline_pair r = cor_inline_two_sum(k * ln2_hi - x.hi, k * ln2_lo - x.lo);
+    const struct cor_inline_pair r = cor_pair_two_sum(k * ln2_hi - x.hi, k * ln2_lo - x.lo);
     const double t = r.hi; /* |t| < 0.35: t^16/16! is below 2^-68 */
     const double c11 =
         1.0 / 39916800 +
@@ -248,7 +213,7 @@ COR_INLINE struct cor_inline_pair cor_inline_law_exp(struct cor_inline_pair x, i
     const double c7 = 1.0 / 5040 + t * (1.0 / 40320 + t * (1.0 / 362880 + t * (1.0 / 3628800 + t * c11)));
     const double c3 = 1.0 / 6 + t * (1.0 / 24 + t * (1.0 / 120 + t * (1.0 / 720 + t * c7)));
     const double rest = t * t * (0.5 + t * c3);
-    const struct cor_inline_pair sum = cor_inline_two_sum(1, t);
+    const struct cor_inline_pair sum = cor_pair_two_sum(1, t);
     *exponent = -k;
     return cor_inline_sum(sum.hi, sum.lo + (r.lo * (1 + t) + rest));
 }
@@ -275,8 +240,8 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_octave_row(struct cor_inlin
                                                                 struct cor_inline_pair x)
 {
     struct cor_inline_place place = cor_inline_law_octave(table, x.hi);
-    place.t += x.lo * cor_inline_power_of_two(-cor_inline_exponent_of(x.hi));
-    return cor_inline_pair_of(place.row[0], cor_inline_row(place));
+    place.t += x.lo * cor_inline_power_of_two(-cor_inline_exponent(x.hi));
+    return cor_pair(place.row[0], cor_inline_row(place));
 }
 
 /* Three orders in mu at u = ln(beta), a_0 + a_1 u + ... */
@@ -284,11 +249,11 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_far(struct cor_inline_law_q
 {
     const double *c = q.far(0);
     if (q.far_kind == 2)
-        return cor_inline_pair_of(c[0], c[1]);
+        return cor_pair(c[0], c[1]);
     /* mu < 6e-8, so its rounding errors are negligible; below exp(-60) mu itself is */
     const double v = u.hi, decay = v * q.mu.num / q.mu.den, mu = decay < 60 ? exp(-decay) : 0;
     const double orders = mu * ((c[4] + v * (c[5] + v * c[6])) + mu * (c[7] + v * (c[8] + v * (c[9] + v * c[10]))));
-    const struct cor_inline_pair slope = cor_inline_product(c[2], v), sum = cor_inline_two_sum(slope.hi, c[0]);
+    const struct cor_inline_pair slope = cor_inline_product(c[2], v), sum = cor_pair_two_sum(slope.hi, c[0]);
     return cor_inline_sum(sum.hi, sum.lo + (((slope.lo + c[2] * u.lo) + c[3] * v) + (c[1] + orders)));
 }
 
@@ -304,14 +269,14 @@ COR_INLINE struct cor_inline_pair cor_inline_pair_plus(struct cor_inline_pair x,
         return y;
     }
     const double unit = cor_inline_power_of_two(less);
-    const struct cor_inline_pair sum = cor_inline_two_sum(x.hi, y.hi * unit);
+    const struct cor_inline_pair sum = cor_pair_two_sum(x.hi, y.hi * unit);
     return cor_inline_sum(sum.hi, sum.lo + (x.lo + y.lo * unit));
 }
 
 /* The quantity for beta beyond the middle rows, as a pair times 2^*exponent */
 COR_INLINE_LAW struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_quantity q, double beta, int *exponent)
 {
-    const struct cor_inline_pair u = cor_inline_law_log(beta);
+    const struct cor_inline_pair u = cor_inline_log(beta);
     if (q.tail.kind && u.hi < q.tail.end) {
         const struct cor_inline_pair row = cor_inline_law_octave_row(q.tail, u);
         return cor_inline_pair_times(cor_inline_sum(row.hi, row.lo), cor_inline_beta_power(beta, q.power, exponent));
@@ -323,34 +288,32 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_tail(struct cor_inline_law_
     int other;
     const double *c = q.fall(0);
     const struct cor_inline_pair fall_power = cor_inline_beta_power(beta, q.fall_power, &other);
-    return cor_inline_pair_plus(value, exponent, cor_inline_pair_times(fall_power, cor_inline_pair_of(c[0], c[1])),
-                                other);
+    return cor_inline_pair_plus(value, exponent, cor_inline_pair_times(fall_power, cor_pair(c[0], c[1])), other);
 }
 
 /* beta_c - beta for 0 < beta < beta_c, or a number that is not above 0 */
 COR_INLINE_LAW struct cor_inline_pair cor_inline_law_below(struct cor_inline_law_quantity q, double beta)
 {
-    return cor_inline_is_finite(beta) ? cor_inline_two_sum(q.threshold.hi - beta, q.threshold.lo)
-                                      : cor_inline_pair_of(-1, 0);
+    return cor_inline_is_finite(beta) ? cor_pair_two_sum(q.threshold.hi - beta, q.threshold.lo) : cor_pair(-1, 0);
 }
 
 /* For q = 0: -ln(eps) at zero overlap = pi beta/sqrt(beta_c^2 - beta^2), 0 < beta < beta_c, with relative error 2^-90
  * where eps is not 0. Next to beta_c the result is 1e9. */
 COR_INLINE_LAW struct cor_inline_pair cor_inline_law_linear(struct cor_inline_law_quantity q, double beta)
 {
-    const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
+    const struct cor_inline_pair pi = cor_pair(3.141592653589793116, 1.2246467991473532e-16);
     const struct cor_inline_pair square = cor_inline_product(beta, beta);
-    const struct cor_inline_pair difference = cor_inline_two_sum(q.critical.hi, -square.hi);
+    const struct cor_inline_pair difference = cor_pair_two_sum(q.critical.hi, -square.hi);
     const struct cor_inline_pair om2 = cor_inline_sum(difference.hi, difference.lo + (q.critical.lo - square.lo));
     if (!(om2.hi > 1e-18))
-        return cor_inline_pair_of(1e9, 0);
+        return cor_pair(1e9, 0);
     const struct cor_inline_pair om = cor_inline_pair_root(om2);
     if (beta < COR_INLINE_2_M300) { /* the halves of a product would be subnormal */
         const struct cor_inline_pair slope = cor_inline_pair_over(pi, om);
-        const struct cor_inline_pair l = cor_inline_pair_times(slope, cor_inline_pair_of(beta * COR_INLINE_2_500, 0));
-        return cor_inline_pair_of((l.hi + l.lo) / COR_INLINE_2_500, 0);
+        const struct cor_inline_pair l = cor_inline_pair_times(slope, cor_pair(beta * COR_INLINE_2_500, 0));
+        return cor_pair((l.hi + l.lo) / COR_INLINE_2_500, 0);
     }
-    return cor_inline_pair_over(cor_inline_pair_times(pi, cor_inline_pair_of(beta, 0)), om);
+    return cor_inline_pair_over(cor_inline_pair_times(pi, cor_pair(beta, 0)), om);
 }
 
 /* ---- times and the largest overlap ---- */
@@ -371,9 +334,9 @@ COR_INLINE_LAW double cor_inline_law_value(struct cor_inline_law_quantity q, dou
         const struct cor_inline_pair row = cor_inline_law_octave_row(q.below, d);
         if (!q.linear)
             return row.hi + row.lo;
-        const struct cor_inline_pair faded = cor_inline_pair_over(
-            cor_inline_pair_times(cor_inline_law_linear(q, beta), cor_inline_pair_of(q.fading.num, 0)),
-            cor_inline_pair_of(q.fading.den, 0));
+        const struct cor_inline_pair faded =
+            cor_inline_pair_over(cor_inline_pair_times(cor_inline_law_linear(q, beta), cor_pair(q.fading.num, 0)),
+                                 cor_pair(q.fading.den, 0));
         if (!(faded.hi < 1500))
             return q.beyond;
         /* exp(faded) = 1/exp(-faded) */
@@ -405,16 +368,16 @@ COR_INLINE_LAW struct cor_inline_pair cor_inline_law_eps_parts(struct cor_inline
     *exponent = 0;
     if (cor_inline_below(beta, q.middle.end)) {
         const struct cor_inline_place place = cor_inline_law_octave(q.middle, beta);
-        return cor_inline_pair_of(place.row[0], cor_inline_row(place));
+        return cor_pair(place.row[0], cor_inline_row(place));
     }
     if (q.below.kind) {
         const struct cor_inline_pair d = cor_inline_law_below(q, beta);
         if (!(d.hi > 0))
-            return cor_inline_pair_of(0, 0);
+            return cor_pair(0, 0);
         return cor_inline_law_octave_row(q.below, d);
     }
     if (!cor_inline_is_finite(beta))
-        return cor_inline_pair_of(0, 0);
+        return cor_pair(0, 0);
     return cor_inline_law_tail(q, beta, exponent);
 }
 
@@ -455,14 +418,14 @@ COR_INLINE_LAW double cor_inline_law_linear_loss(struct cor_inline_pair l)
             1.0 / 39916800 - x * (1.0 / 479001600 - x * (1.0 / 6227020800.0 - x * (1.0 / 87178291200.0 - x * c15)));
         const double c7 = 1.0 / 5040 - x * (1.0 / 40320 - x * (1.0 / 362880 - x * (1.0 / 3628800 - x * c11)));
         const double c3 = 1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * (1.0 / 720 - x * c7)));
-        const struct cor_inline_pair square = x < 1e-100 ? cor_inline_pair_of(0, 0) : cor_inline_product(x, x);
-        const struct cor_inline_pair sum = cor_inline_two_sum(x, -0.5 * square.hi);
+        const struct cor_inline_pair square = x < 1e-100 ? cor_pair(0, 0) : cor_inline_product(x, x);
+        const struct cor_inline_pair sum = cor_pair_two_sum(x, -0.5 * square.hi);
         return sum.hi + (sum.lo + (l.lo * (1 - x) - 0.5 * square.lo + x * square.hi * c3));
     }
     int exponent;
     const struct cor_inline_pair eps = cor_inline_law_exp(l, &exponent);
     const double unit = cor_inline_power_of_two(exponent);
-    const struct cor_inline_pair loss = cor_inline_two_sum(1, -eps.hi * unit);
+    const struct cor_inline_pair loss = cor_pair_two_sum(1, -eps.hi * unit);
     return loss.hi + (loss.lo - eps.lo * unit);
 }
 
@@ -482,7 +445,7 @@ COR_INLINE_LAW double cor_inline_law_loss(struct cor_inline_law_quantity q, doub
     const struct cor_inline_pair eps = cor_inline_law_eps_parts(q, beta, &exponent);
     if (exponent != 0)
         return 1 - cor_inline_pair_scaled(eps, exponent);
-    const struct cor_inline_pair loss = cor_inline_two_sum(1, -eps.hi);
+    const struct cor_inline_pair loss = cor_pair_two_sum(1, -eps.hi);
     return loss.hi + (loss.lo - eps.lo);
 }
 
@@ -494,15 +457,14 @@ COR_INLINE_LAW double cor_inline_law_beta_fallen(struct cor_inline_law_quantity 
     const double *c = q.far(0);
     const int tiny = eps < COR_INLINE_2_M900;
     const double scaled = tiny ? eps * COR_INLINE_2_200 : eps;
-    const struct cor_inline_pair ratio =
-        cor_inline_pair_over(cor_inline_pair_of(c[0], c[1]), cor_inline_pair_of(scaled, 0));
-    const int e = cor_inline_exponent_of(ratio.hi);
+    const struct cor_inline_pair ratio = cor_inline_pair_over(cor_pair(c[0], c[1]), cor_pair(scaled, 0));
+    const int e = cor_inline_exponent(ratio.hi);
     const double unit = cor_inline_power_of_two(-e);
     struct cor_inline_law_power inverse;
     int exponent;
     inverse.num = q.power.den;
     inverse.den = -q.power.num;
-    const struct cor_inline_pair m = cor_inline_pair_of(ratio.hi * unit, ratio.lo * unit);
+    const struct cor_inline_pair m = cor_pair(ratio.hi * unit, ratio.lo * unit);
     const struct cor_inline_pair beta = cor_inline_rational_power(m, e + (tiny ? 200 : 0), inverse, &exponent);
     return cor_inline_pair_scaled(beta, exponent);
 }
@@ -514,15 +476,14 @@ COR_INLINE_LAW double cor_inline_law_beta_far(struct cor_inline_law_quantity q, 
     const double *c = q.far(0);
     const int tiny = eps < COR_INLINE_2_M900;
     const double scaled = tiny ? eps * COR_INLINE_2_200 : eps;
-    const struct cor_inline_pair ratio =
-        cor_inline_pair_over(cor_inline_pair_of(c[0], c[1]), cor_inline_pair_of(scaled, 0));
-    const int e = cor_inline_exponent_of(ratio.hi);
+    const struct cor_inline_pair ratio = cor_inline_pair_over(cor_pair(c[0], c[1]), cor_pair(scaled, 0));
+    const int e = cor_inline_exponent(ratio.hi);
     const double unit = cor_inline_power_of_two(-e), s = (double)q.power.den / -q.power.num;
     struct cor_inline_law_power inverse;
     int exponent;
     inverse.num = q.power.den;
     inverse.den = -q.power.num;
-    const struct cor_inline_pair m = cor_inline_pair_of(ratio.hi * unit, ratio.lo * unit);
+    const struct cor_inline_pair m = cor_pair(ratio.hi * unit, ratio.lo * unit);
     const struct cor_inline_pair root = cor_inline_rational_power(m, e + (tiny ? 200 : 0), inverse, &exponent);
     const double log_root = log(root.hi) + exponent * 0.6931471805599453;
     double x = 0;
@@ -554,7 +515,7 @@ COR_INLINE_LAW double cor_inline_law_root_rest(double loss, int root)
     if (root == 1 || loss < 0.00390625)
         return 0;
     const double y = cor_inline_root_of(loss, root);
-    const struct cor_inline_pair back = cor_inline_pair_power(cor_inline_pair_of(y, 0), root);
+    const struct cor_inline_pair back = cor_inline_pair_power(cor_pair(y, 0), root);
     return y * (COR_INLINE_KEEP(COR_INLINE_KEEP(loss - back.hi) - back.lo) / (root * back.hi));
 }
 
@@ -572,22 +533,22 @@ COR_INLINE_LAW double cor_inline_law_beta_near(struct cor_inline_law_inverse inv
 /* beta_c loss/pi for a loss that may be subnormal */
 COR_INLINE_LAW double cor_inline_law_linear_slope(struct cor_inline_law_quantity q, double loss)
 {
-    const struct cor_inline_pair pi = cor_inline_pair_of(3.141592653589793116, 1.2246467991473532e-16);
+    const struct cor_inline_pair pi = cor_pair(3.141592653589793116, 1.2246467991473532e-16);
     const struct cor_inline_pair slope = cor_inline_pair_over(q.threshold, pi);
-    const struct cor_inline_pair beta = cor_inline_pair_times(slope, cor_inline_pair_of(loss * COR_INLINE_2_200, 0));
+    const struct cor_inline_pair beta = cor_inline_pair_times(slope, cor_pair(loss * COR_INLINE_2_200, 0));
     return (beta.hi + beta.lo) * COR_INLINE_2_M200;
 }
 
 /* q = 0 at zero overlap: beta_c L/sqrt(pi^2 + L^2), L = -ln(eps) */
 COR_INLINE_LAW double cor_inline_law_beta_linear(struct cor_inline_law_quantity q, double eps, double loss)
 {
-    const struct cor_inline_pair pi2 = cor_inline_pair_of(9.869604401089358, 6.265295508739711e-16);
+    const struct cor_inline_pair pi2 = cor_pair(9.869604401089358, 6.265295508739711e-16);
     const double l = loss < 0.5 ? -log1p(-loss) : eps == 0 ? 1e9 : -log(eps);
     if (loss < 1e-100) /* L equals the loss, and its square underflows */
         return cor_inline_law_linear_slope(q, loss);
-    const struct cor_inline_pair square = cor_inline_product(l, l), sum = cor_inline_two_sum(pi2.hi, square.hi);
+    const struct cor_inline_pair square = cor_inline_product(l, l), sum = cor_pair_two_sum(pi2.hi, square.hi);
     const struct cor_inline_pair root = cor_inline_pair_root(cor_inline_sum(sum.hi, sum.lo + (pi2.lo + square.lo)));
-    const struct cor_inline_pair ratio = cor_inline_pair_over(cor_inline_pair_of(l, 0), root);
+    const struct cor_inline_pair ratio = cor_inline_pair_over(cor_pair(l, 0), root);
     const struct cor_inline_pair beta = cor_inline_pair_times(ratio, q.threshold);
     return eps == 0 ? q.threshold.hi : beta.hi + beta.lo;
 }

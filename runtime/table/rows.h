@@ -6,7 +6,7 @@
 #ifndef COR_RUNTIME_ROWS_H
 #define COR_RUNTIME_ROWS_H
 
-#include "runtime/core/inline.h"
+#include "runtime/number/inline.h"
 
 #if defined(__GNUC__)
 #define COR_ROWS_HIDDEN __attribute__((visibility("hidden")))

@@ -7,7 +7,7 @@
 #ifndef COR_RUNTIME_ROW_H
 #define COR_RUNTIME_ROW_H
 
-#include "runtime/core/exact.h"
+#include "runtime/number/pair.h"
 
 /* A row of degree 10 without its first coefficient c_0,
  *

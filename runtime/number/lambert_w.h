@@ -8,7 +8,7 @@
 #ifndef COR_RUNTIME_LAMBERT_W_H
 #define COR_RUNTIME_LAMBERT_W_H
 
-#include "runtime/core/exact.h"
+#include "runtime/number/pair.h"
 
 /* t of the unevaluated sum q = hi + lo. Domain: 0 <= q <= 2^400; q < 0 and NaN -> NaN. The relative error of t.hi +
  * t.lo is below 1.5 2^-52, that of 1 + t below 2^-53: proved for q <= 2000 by tests/proof/run if log is within 0.55 ulp
@@ -21,16 +21,6 @@ double cor_lambert_t(double q);
 /* W_-1(z) for -1/e < z < 0, with z taken as exact. Error below 2 ulp, proved as above. -0 and 0 -> -inf; outside and
  * NaN -> NaN. */
 double cor_lambert_w_minus1(double z);
-
-/* The exact sum of any two numbers */
-COR_INLINE struct cor_inline_pair cor_inline_two_sum(double x, double y)
-{
-    struct cor_inline_pair sum;
-    sum.hi = x + y;
-    const double part = sum.hi - x;
-    sum.lo = (x - (sum.hi - part)) + (y - part);
-    return sum;
-}
 
 /* A number and its logarithm, each with relative error 2^-104. */
 struct cor_logarithm {

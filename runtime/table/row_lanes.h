@@ -11,7 +11,7 @@
 
 #include <stddef.h>
 
-#include "runtime/core/row.h"
+#include "runtime/table/row.h"
 
 /* A compiler makes a separate loop of each call with a constant table. */
 #ifdef __GNUC__

@@ -8,7 +8,7 @@
 #ifndef COR_RUNTIME_FLOAT_LANES_H
 #define COR_RUNTIME_FLOAT_LANES_H
 
-#include "runtime/core/row_lanes.h" /* KERNEL */
+#include "runtime/table/row_lanes.h" /* KERNEL */
 
 /* ---- vectors of floats, and of words: their bits as signed integers ---- */
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The only dispatch by instruction set. Loops are written once, in <stem>_kernel.c, and end with a table of functions
  * COR_OF_SET(name). The build compiles the file once for each set, with COR_SET defined (cmake/CorArraySets.cmake). */
-#ifndef COR_RUNTIME_INSTRUCTION_SET_H
-#define COR_RUNTIME_INSTRUCTION_SET_H
+#ifndef COR_RUNTIME_SETS_H
+#define COR_RUNTIME_SETS_H
 
 #include <stddef.h>
 
