@@ -8,6 +8,7 @@
 #include "enclosure/collision.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/local.h"
 
 static const char *const column[] = {"beta",           "x_max",          "t_max",       "eps_zero_overlap",
                                      "t_zero_overlap", "eps_zero_force", "t_zero_force"};
@@ -73,8 +74,7 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
             printed[columns++] = column[i];
     table_init(table, printed, columns);
     table->kinds = "ddddddd";
-    arb_t beta;
-    arb_init(beta);
+    LOCAL(arb, beta);
     /* beta is rounded with extra bits, so that this rounding never decides the accuracy of the result */
     arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
     struct collision collision;
@@ -99,7 +99,6 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
             snprintf(undecided, PROVED_TABLE_NAME, "%s", column[i]);
     }
     collision_clear(&collision);
-    arb_clear(beta);
     return status;
 }
 

@@ -12,6 +12,7 @@
 #include "series/series.h"
 #include "support/c_names.h"
 #include "support/console.h"
+#include "support/local.h"
 #include "sweep/values.h"
 
 enum { LONG_OPTION = 256 /* beyond every character */ };
@@ -321,6 +322,9 @@ static int parse_all(void *arguments, const struct option_rule *rules, const str
     int status = parse_operands(arguments, rules, given, argc, argv);
     if (status == STATUS_OK)
         status = check_given(rules, given, argv[0]);
+    const struct option_common *const common = arguments;
+    if (status == STATUS_OK && common->json_strings && common->format != FORMAT_JSON)
+        return usage_error("--json-strings needs --format json; see corgen %s --help", argv[0]);
     return status == STATUS_OK ? check_files(arguments, rules, given) : status;
 }
 
@@ -370,14 +374,12 @@ int options_law(struct law *law, const struct option_law *text)
 int options_disk_poisson(const struct decimal *poisson)
 {
     struct decimal least = {0};
-    fmpq_t margin;
-    fmpq_init(margin);
+    LOCAL(fmpq, margin);
     fmpq_abs(margin, poisson->value);
     fmpq_sub_si(margin, margin, 1);
     fmpq_neg(margin, margin);
     decimal_set(&least, DISK_MARGIN);
     const bool apart = fmpq_cmp(margin, least.value) > 0;
-    fmpq_clear(margin);
     decimal_clear(&least);
     return apart ? STATUS_OK
                  : usage_error("--poisson: '%s' is nearer than " DISK_MARGIN " to -1 or 1, where a disk has no modes",

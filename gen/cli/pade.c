@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/local.h"
 #include "support/precision.h"
 #include "tables/pade.h"
 
@@ -29,8 +30,7 @@ static const char *const columns[] = {"polynomial", "power", "coefficient"};
 
 static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p, slong degree, slong digits)
 {
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     bool certain = true;
     for (slong i = 0; i <= degree && certain; i++) {
         arb_poly_get_coeff_arb(x, p, i);
@@ -42,7 +42,6 @@ static bool add_polynomial(struct table *t, const char *name, const arb_poly_t p
             table_add(t, text);
         }
     }
-    arb_clear(x);
     return certain;
 }
 

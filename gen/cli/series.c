@@ -7,17 +7,16 @@
 #include "series/restitution.h"
 #include "support/console.h"
 #include "support/digits.h"
+#include "support/local.h"
 
 enum { MAX_ORDER = 100000 };
 
 /* Adds the coefficient to the table, or returns false if its digits are not proved. */
 static bool add_coefficient(struct table *table, const arb_poly_t poly, slong k, slong digits)
 {
-    arb_t c;
-    arb_init(c);
+    LOCAL(arb, c);
     arb_poly_get_coeff_arb(c, poly, k);
     char *text = digits_of_ball(c, digits);
-    arb_clear(c);
     if (text)
         table_add(table, text);
     return text != NULL;
@@ -58,8 +57,7 @@ static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME
     const slong order = problem->arguments->order;
     profile_step("series");
     slong root = 1;
-    arb_poly_t eps;
-    arb_poly_init(eps);
+    LOCAL(arb_poly, eps);
     const int status = series_eps(eps, &root, END_ZERO_FORCE, order, &problem->law, bits);
     if (root == 1)
         snprintf(power, sizeof power, "power_of_beta");
@@ -75,7 +73,6 @@ static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME
         if (!add_coefficient(table, eps, k, problem->arguments->digits))
             snprintf(undecided, PROVED_TABLE_NAME, "coefficient %ld", (long)k);
     }
-    arb_poly_clear(eps);
     return status;
 }
 
@@ -86,8 +83,7 @@ static void fill_exact(struct table *table, slong order, const struct law *law)
     table_init(table, column, sizeof column / sizeof *column);
     table->kinds = "ntt"; /* fractions */
     fmpq_poly_t f[2];
-    fmpq_t c;
-    fmpq_init(c);
+    LOCAL(fmpq, c);
     fmpq_poly_init(f[0]);
     fmpq_poly_init(f[1]);
     profile_step("exact rationals");
@@ -101,7 +97,6 @@ static void fill_exact(struct table *table, slong order, const struct law *law)
             flint_free(text);
         }
     }
-    fmpq_clear(c);
     fmpq_poly_clear(f[0]);
     fmpq_poly_clear(f[1]);
 }

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "series/trajectory.h"
 #include "support/console.h"
+#include "support/local.h"
 
 #define COEFFICIENTS_MAX 10000000
 enum { MAX_ORDER = 100000, MAX_TERMS = 100000 };
@@ -63,8 +64,7 @@ static void print_row(FILE *file, const fmpq_poly_t row, slong k, const struct t
 {
     bool latex = o->common.format == FORMAT_LATEX;
     bool first = true;
-    fmpq_t c;
-    fmpq_init(c);
+    LOCAL(fmpq, c);
     for (slong j = 0; j <= o->terms; j++) {
         fmpq_poly_get_coeff_fmpq(c, row, j);
         int sign = fmpq_sgn(c);
@@ -80,7 +80,6 @@ static void print_row(FILE *file, const fmpq_poly_t row, slong k, const struct t
             (latex ? print_size_latex : print_size_text)(file, c);
         (latex ? print_power_latex : print_power_text)(file, term_exponent(law, k, j));
     }
-    fmpq_clear(c);
     fprintf(file, "%s%s", first ? "" : " + ", latex ? "\\cdots" : "...");
 }
 
@@ -104,8 +103,7 @@ static void print_table(FILE *file, const fmpq_poly_struct *row, const struct tr
     table_init(&table, column, sizeof column / sizeof *column);
     table.kinds = "nndd";
     table.json_strings = o->common.json_strings;
-    fmpq_t c;
-    fmpq_init(c);
+    LOCAL(fmpq, c);
     for (slong k = 0; k <= o->order; k++) {
         for (slong j = 0; j <= o->terms; j++) {
             fmpq_poly_get_coeff_fmpq(c, &row[k], j);
@@ -115,7 +113,6 @@ static void print_table(FILE *file, const fmpq_poly_struct *row, const struct tr
             table_add(&table, fmpz_get_str(NULL, 10, fmpq_denref(c)));
         }
     }
-    fmpq_clear(c);
     table_print(&table, (enum output_format)o->common.format, file);
     table_clear(&table);
 }

@@ -8,6 +8,7 @@
 #include "embed/fit.h"
 #include "enclosure/collision.h"
 #include "support/console.h"
+#include "support/local.h"
 
 enum {
     COARSE = 64, /* a first assessment uses every COARSE-th sample */
@@ -126,17 +127,13 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
 
 static void search_series(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series, slong root)
 {
-    arb_poly_t p, one;
-    arb_poly_init(p);
-    arb_poly_init(one);
+    LOCAL(arb_poly, p, one);
     arb_poly_one(one);
     for (slong degree = 1; degree <= SERIES_MAX; degree++) {
         arb_poly_set_trunc(p, series, degree + 1);
         if (try_quotient(best, s, p, one, root, degree, 0))
             break;
     }
-    arb_poly_clear(p);
-    arb_poly_clear(one);
     if (!best->found && s->beta_max > NEAR_CONVERGENCE * CONVERGENCE)
         snprintf(best->why, sizeof best->why, "beta leaves the circle of convergence, %g", CONVERGENCE);
 }

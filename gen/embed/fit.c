@@ -8,6 +8,7 @@
 
 #include "approximation/barycentric.h"
 #include "support/console.h"
+#include "support/local.h"
 
 enum { LANDEN_STEPS = 12, CHECK_CELLS = 2048, NODE_BITS = 40 };
 
@@ -55,11 +56,9 @@ static double fit_node(const struct embed_form *f, double lo, double hi, slong j
 /* eps at the variable x; an x that rounding moved out of the range is moved back. */
 static void eps_at(arb_t eps, const struct embed_form *f, const struct embed_scene *s, const arb_t x)
 {
-    arb_t g;
-    arb_init(g);
+    LOCAL(arb, g);
     arb_pow_ui(g, x, (ulong)embed_root_degree(f->variable), EMBED_BITS);
     embed_scene_eps(eps, s, g);
-    arb_clear(g);
 }
 
 /* ---- rounding ---- */
@@ -117,13 +116,11 @@ static bool finish_quotient(struct embed_form *f, arb_ptr c, slong scale)
     for (slong k = 0; k < count; k++)
         arb_mul_2exp_si(c + k, c + k, -scale * (k <= m ? k : k - m - 1));
     if (n > 0) {
-        arb_t top;
-        arb_init(top);
+        LOCAL(arb, top);
         arb_set(top, c + count - 1);
         for (slong k = 0; k < count; k++)
             arb_div(c + k, c + k, top, EMBED_BITS);
         arb_one(c + count - 1);
-        arb_clear(top);
     }
     if (!round_numbers(f, c, count))
         return false;
@@ -142,12 +139,9 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
     const double lo = pow(s->speed_min, power) * (1 + 1e-13), hi = pow(s->speed_max, power) * (1 - 1e-13);
     const slong scale = lround(log2(lo * hi) / 2);
     arb_mat_t a, b;
-    arb_t x, eps, term;
+    LOCAL(arb, x, eps, term);
     arb_mat_init(a, count, count);
     arb_mat_init(b, count, 1);
-    arb_init(x);
-    arb_init(eps);
-    arb_init(term);
     for (slong j = 0; j < count; j++) { /* p(x) - eps (q_0 + ... + q_(n-1) x^(n-1)) = eps x^n */
         arb_set_d(x, fit_node(f, lo, hi, j, count));
         eps_at(eps, f, s, x);
@@ -176,9 +170,6 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
     }
     arb_mat_clear(a);
     arb_mat_clear(b);
-    arb_clear(x);
-    arb_clear(eps);
-    arb_clear(term);
     return good;
 }
 
@@ -187,9 +178,7 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
 {
     const slong m = f->numerator, n = f->denominator;
     arb_ptr c = _arb_vec_init(m + n + 2);
-    arb_t unit, power;
-    arb_init(unit);
-    arb_init(power);
+    LOCAL(arb, unit, power);
     arb_root_ui(unit, s->beta_per_root, (ulong)root, EMBED_BITS); /* z = unit speed^(1/(5 root)) */
     for (slong k = 0; k <= m + n + 1; k++) {
         const slong degree = k <= m ? k : k - m - 1;
@@ -197,8 +186,6 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
         arb_pow_ui(power, unit, (ulong)degree, EMBED_BITS);
         arb_mul(c + k, c + k, power, EMBED_BITS);
     }
-    arb_clear(unit);
-    arb_clear(power);
     const bool good = finish_quotient(f, c, 0);
     _arb_vec_clear(c, m + n + 2);
     return good;
@@ -207,12 +194,10 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
 /* Fits a row: the polynomial in t through eps at `count` Chebyshev points t of [lo, hi]. */
 static void fit_row(arb_ptr row, arb_ptr t, arb_ptr eps, slong count)
 {
-    arb_poly_t polynomial;
-    arb_poly_init(polynomial);
+    LOCAL(arb_poly, polynomial);
     arb_poly_interpolate_newton(polynomial, t, eps, count, EMBED_BITS);
     for (slong k = 0; k < count; k++)
         arb_poly_get_coeff_arb(row + k, polynomial, k);
-    arb_poly_clear(polynomial);
 }
 
 bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s)
@@ -223,9 +208,7 @@ bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s)
     f->slope = embed_rounded(s, (double)f->rows / (hi - lo));
     f->shift = embed_rounded(s, -lo * f->slope);
     arb_ptr exact = _arb_vec_init(f->rows * columns), t = _arb_vec_init(columns), eps = _arb_vec_init(columns);
-    arb_t x, limit;
-    arb_init(x);
-    arb_init(limit);
+    LOCAL(arb, x);
     for (slong row = 0; row < f->rows; row++) {
         for (slong j = 0; j < columns; j++) {
             double y = ((double)row + (1 + chebyshev_point(j, columns)) / 2 - f->shift) / f->slope;
@@ -240,8 +223,6 @@ bool embed_fit_pieces_beta(struct embed_form *f, const struct embed_scene *s)
         fit_row(exact + row * columns, t, eps, columns);
     }
     const bool good = round_numbers(f, exact, f->rows * columns);
-    arb_clear(x);
-    arb_clear(limit);
     _arb_vec_clear(exact, f->rows * columns);
     _arb_vec_clear(t, columns);
     _arb_vec_clear(eps, columns);
@@ -259,8 +240,7 @@ bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, i
     if (bytes <= more_than || bytes > at_most)
         return false;
     arb_ptr exact = _arb_vec_init(f->rows * columns), t = _arb_vec_init(columns), eps = _arb_vec_init(columns);
-    arb_t g;
-    arb_init(g);
+    LOCAL(arb, g);
     for (slong row = 0; row < f->rows; row++) {
         const double start = embed_from_bits(f, (f->first + (uint64_t)row) << f->low_bits);
         const double end = embed_from_bits(f, (f->first + (uint64_t)row + 1) << f->low_bits);
@@ -276,7 +256,6 @@ bool embed_fit_pieces_speed(struct embed_form *f, const struct embed_scene *s, i
         fit_row(exact + row * columns, t, eps, used);
     }
     const bool good = round_numbers(f, exact, f->rows * columns);
-    arb_clear(g);
     _arb_vec_clear(exact, f->rows * columns);
     _arb_vec_clear(t, columns);
     _arb_vec_clear(eps, columns);

@@ -9,6 +9,7 @@
 #include "approximation/law_proof.h"
 #include "approximation/row_proof.h"
 #include "support/console.h"
+#include "support/local.h"
 #include "support/parallel.h"
 
 enum {
@@ -56,9 +57,7 @@ struct prover {
 /* eps at zero overlap for beta >= EMBED_FAR, as a function of x = ln(beta) */
 static void far_eps_overlap(arb_poly_t eps, const arb_poly_t x, const struct prover *w)
 {
-    arb_t radius, error;
-    arb_init(radius);
-    arb_init(error);
+    LOCAL(arb, radius, error);
     enclosed_exponential(eps, -5, 1, x);
     arb_poly_scalar_mul(eps, eps, w->s->h_star_5, ENCLOSED_BITS);
     enclosed_range(radius, eps);
@@ -66,27 +65,21 @@ static void far_eps_overlap(arb_poly_t eps, const arb_poly_t x, const struct pro
     arb_set_d(error, EMBED_FAR_ERROR);
     arb_mul(radius, radius, error, ENCLOSED_BITS);
     enclosed_add_radius(eps, radius);
-    arb_clear(radius);
-    arb_clear(error);
 }
 
 /* eps at zero force beyond the intervals; not finite without a proof */
 static void far_eps_force(arb_poly_t eps, const arb_poly_t x, const struct prover *w, const struct part *part)
 {
-    arb_poly_t power;
-    arb_poly_init(power);
+    LOCAL(arb_poly, power);
     enclosed_exponential(power, -5, 3, x);
     if (w->far_known && far_proof_function(eps, &w->far, EPS_ZERO_FORCE, part->lo, part->hi)) {
         enclosed_multiply(eps, eps, power);
     } else {
-        arb_t radius;
-        arb_init(radius);
+        LOCAL(arb, radius);
         arb_pos_inf(radius);
         arb_poly_zero(eps);
         enclosed_add_radius(eps, radius);
-        arb_clear(radius);
     }
-    arb_poly_clear(power);
 }
 
 /* x, beta and eps as functions of t; for laws other than the sphere's x = ln(beta), and not beta. Returns false without
@@ -183,12 +176,7 @@ static double part_error(const struct prover *w, const struct part *part, int de
     const double *const c = f->number + (f->rows > 0 ? part->row * (f->numerator + 1) : 0);
     const bool by_log =
         w->law || part->interval == FAR || interpolant_sphere_proof.interval[part->interval].variable == INTERVAL_LOG;
-    arb_poly_t eps, beta, x, y, p;
-    arb_poly_init(eps);
-    arb_poly_init(beta);
-    arb_poly_init(x);
-    arb_poly_init(y);
-    arb_poly_init(p);
+    LOCAL(arb_poly, eps, beta, x, y, p);
     double error = HUGE_VAL, known = 0;
     if (part_functions(eps, beta, x, w, part) && part_variable(y, beta, x, w, by_log)) {
         part_place(y, w, part->row);
@@ -203,11 +191,6 @@ static double part_error(const struct prover *w, const struct part *part, int de
         known = fmax(known * NEAR_KNOWN, w->enough);
         error = enclosed_largest_ratio(p, eps, known / 1.03, HALVINGS);
     }
-    arb_poly_clear(eps);
-    arb_poly_clear(beta);
-    arb_poly_clear(x);
-    arb_poly_clear(y);
-    arb_poly_clear(p);
     if (error <= known || depth == 0 || !(part->lo < part->hi))
         return error;
     const double middle = part->lo / 2 + part->hi / 2;
@@ -238,10 +221,8 @@ static void add_parts(struct prover *w, int interval, slong row, double lo, doub
 /* sqrt(beta) or ln(beta) at a speed, as the nearest double below it or above it */
 static double place_of_speed(const struct prover *w, double speed, bool by_log, bool above)
 {
-    arb_t x;
-    arf_t end;
-    arb_init(x);
-    arf_init(end);
+    LOCAL(arb, x);
+    LOCAL(arf, end);
     arb_set_d(x, speed);
     embed_scene_beta(x, w->s, x);
     if (by_log)
@@ -253,8 +234,6 @@ static double place_of_speed(const struct prover *w, double speed, bool by_log, 
     else
         arb_get_lbound_arf(end, x, EMBED_BITS);
     const double place = arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
-    arb_clear(x);
-    arf_clear(end);
     return place;
 }
 

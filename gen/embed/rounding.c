@@ -7,6 +7,7 @@
 
 #include "approximation/enclosed_function.h"
 #include "support/console.h"
+#include "support/local.h"
 #include "support/parallel.h"
 
 enum {
@@ -41,13 +42,24 @@ struct rounded {
     double error;
 };
 
+static struct rounded rounded_zero(void)
+{
+    return (struct rounded){.exact = {arb_local()}};
+}
+
+static void rounded_local_clear(struct rounded *x)
+{
+    arb_clear(x->exact);
+}
+
+/* A local variable that begins as rounded_zero() and clears itself, as those of support/local.h */
+#define ROUNDED __attribute__((cleanup(rounded_local_clear))) struct rounded
+
 static double magnitude(const arb_t x)
 {
-    mag_t m;
-    mag_init(m);
+    LOCAL(mag, m);
     arb_get_mag(m, x);
     const double size = mag_get_d(m);
-    mag_clear(m);
     return size;
 }
 
@@ -79,8 +91,7 @@ static double rounding_of(const struct rounded *x, const struct arithmetic *a)
 static void rounded_mul_add(struct rounded *z, const struct rounded *x, const struct rounded *y, double c,
                             const struct arithmetic *a)
 {
-    arb_t addend;
-    arb_init(addend);
+    LOCAL(arb, addend);
     arb_set_d(addend, c);
     double error = magnitude(x->exact) * y->error + rounded_size(y) * x->error;
     arb_mul(z->exact, x->exact, y->exact, BITS);
@@ -91,7 +102,6 @@ static void rounded_mul_add(struct rounded *z, const struct rounded *x, const st
         z->error += rounding_of(z, a);
     }
     z->error *= RAISE;
-    arb_clear(addend);
 }
 
 static void rounded_horner(struct rounded *y, const double *c, slong degree, slong step, const struct rounded *x,
@@ -111,10 +121,7 @@ static void rounded_polynomial(struct rounded *y, const double *c, slong degree,
         rounded_horner(y, c, degree, 1, x, a);
         return;
     }
-    struct rounded square, even, odd;
-    arb_init(square.exact);
-    arb_init(even.exact);
-    arb_init(odd.exact);
+    ROUNDED square = rounded_zero(), even = rounded_zero(), odd = rounded_zero();
     rounded_mul_add(&square, x, x, 0, a);
     rounded_horner(&even, c, degree - degree % 2, 2, &square, a);
     rounded_horner(&odd, c + 1, degree - 1 - (degree - 1) % 2, 2, &square, a);
@@ -122,9 +129,6 @@ static void rounded_polynomial(struct rounded *y, const double *c, slong degree,
     arb_add(y->exact, y->exact, even.exact, BITS);
     y->error += even.error;
     y->error = (y->error + rounding_of(y, a)) * RAISE;
-    arb_clear(square.exact);
-    arb_clear(even.exact);
-    arb_clear(odd.exact);
 }
 
 /* ---- the fifth root ---- */
@@ -144,87 +148,82 @@ static double seed_bound(const struct embed_form *f)
     return bound * (1 + 1e-9) + 1e-12;
 }
 
-/* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Returns a bound of its relative
- * distance from g^(-1/5). Without rounding that is h with (1 + h)^5 = S(e)^5 (1 - e). */
-static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
+static void poly_set_doubles(arb_poly_t p, const double *c, slong degree)
 {
-    arb_poly_t s, h, one;
-    arb_t half, zero;
-    struct rounded r, fourth, product, off, series;
-    arb_poly_init(s);
-    arb_poly_init(h);
-    arb_poly_init(one);
-    arb_init(half);
-    arb_init(zero);
-    arb_init(r.exact);
-    arb_init(fourth.exact);
-    arb_init(product.exact);
-    arb_init(off.exact);
-    arb_init(series.exact);
-    /* H(e) = S^5 (1 - e) - 1 */
+    LOCAL(arb, number);
     for (slong k = degree; k >= 0; k--) {
-        arb_set_d(half, c[k]);
-        arb_poly_set_coeff_arb(s, k, half);
+        arb_set_d(number, c[k]);
+        arb_poly_set_coeff_arb(p, k, number);
     }
-    arb_poly_pow_ui(h, s, 5, ENCLOSED_BITS);
+}
+
+/* A step takes r with |1 - g r^5| <= e to r S(1 - g r^5), S of degree `degree`. Without rounding, its relative distance
+ * from g^(-1/5) is h with (1 + h)^5 = 1 + H(x), H(x) = S(x)^5 (1 - x) - 1, |x| <= e. Returns a bound of |h|, infinite
+ * if |H| may reach 1/2. */
+static double root_step_distance(const double *c, slong degree, double e)
+{
+    LOCAL(arb_poly, h, one);
+    LOCAL(arb, middle, radius);
+    poly_set_doubles(h, c, degree);
+    arb_poly_pow_ui(h, h, 5, ENCLOSED_BITS);
     arb_poly_set_coeff_si(one, 1, -1);
     arb_poly_set_coeff_si(one, 0, 1);
     arb_poly_mul(h, h, one, ENCLOSED_BITS);
     enclosed_add_double(h, -1);
-    arb_set_d(half, e);
-    enclosed_rescale(h, h, zero, half, ENCLOSED_BITS);
+    arb_set_d(radius, e);
+    enclosed_rescale(h, h, middle, radius, ENCLOSED_BITS);
     arb_poly_one(one);
     double known = 0;
     for (int k = -16; k <= 16; k++)
         known = fmax(known, enclosed_ratio_at(h, one, k / 16.0));
     const double most = enclosed_largest_ratio(h, one, known, ROOT_HALVINGS);
-    const double exact = -power_of_error(-fmin(most, 0.5), 0.2) * RAISE + 1e-18;
+    return most < 0.5 ? -power_of_error(-most, 0.2) * RAISE + 1e-18 : HUGE_VAL;
+}
 
-    /* in units in which r = 1, so that g = 1 - e */
+/* The rounding error of the result of that step, in units in which r = 1, so that g = 1 - x */
+static double root_step_rounding(const double *c, slong degree, double e, const struct arithmetic *a)
+{
+    ROUNDED r = rounded_zero(), fourth = rounded_zero(), product = rounded_zero(), off = rounded_zero(),
+            series = rounded_zero();
+    LOCAL(arb, radius);
     arb_one(r.exact);
-    r.error = 0;
     rounded_mul_add(&fourth, &r, &r, 0, a);
     rounded_mul_add(&fourth, &fourth, &fourth, 0, a);
-    arb_set_d(half, e);
+    arb_set_d(radius, e);
     arb_one(product.exact);
-    arb_add_error(product.exact, half);
+    arb_add_error(product.exact, radius);
     arb_neg(product.exact, product.exact);
-    product.error = 0;
     product.error = rounding_of(&product, a);
     rounded_mul_add(&off, &product, &fourth, 1, a);
     rounded_horner(&series, c, degree, 1, &off, a);
     rounded_mul_add(&series, &r, &series, 0, a);
-    const double least = 1 / pow(1 + e, 0.2) * (1 - 2 * exact); /* of S */
-    const double bound = both(exact, series.error / least) * RAISE;
+    return series.error;
+}
 
-    arb_poly_clear(s);
-    arb_poly_clear(h);
-    arb_poly_clear(one);
-    arb_clear(half);
-    arb_clear(zero);
-    arb_clear(r.exact);
-    arb_clear(fourth.exact);
-    arb_clear(product.exact);
-    arb_clear(off.exact);
-    arb_clear(series.exact);
-    return most < 0.5 ? bound : HUGE_VAL;
+/* A bound of the relative distance of the step's result from g^(-1/5) */
+static double root_step(const double *c, slong degree, double e, const struct arithmetic *a)
+{
+    const double exact = root_step_distance(c, degree, e);
+    if (isinf(exact))
+        return HUGE_VAL;
+    const double least = 1 / pow(1 + e, 0.2) * (1 - 2 * exact); /* of S */
+    return both(exact, root_step_rounding(c, degree, e, a) / least) * RAISE;
 }
 
 /* Relative error of the fifth root of the speed */
 static double fifth_root_bound(const struct embed_form *f, const struct arithmetic *a)
 {
-    double c[4];
     const double e = seed_bound(f);
     if (!(e < SEED_LIMIT))
         return HUGE_VAL;
-    for (int i = 0; i < 4; i++)
-        c[i] = f->single ? (double)(float)embed_root_seed[i] : embed_root_seed[i];
-    double r = root_step(c, 3, e, a);
-    if (f->refinement > 0) {
-        for (int i = 0; i < 4; i++)
-            c[i] = f->single ? (double)(float)embed_root_step[i] : embed_root_step[i];
-        r = root_step(c, f->refinement, power_of_error(r, 5) * RAISE, a);
+    double seed[4], step[4];
+    for (int i = 0; i < 4; i++) {
+        seed[i] = f->single ? (double)(float)embed_root_seed[i] : embed_root_seed[i];
+        step[i] = f->single ? (double)(float)embed_root_step[i] : embed_root_step[i];
     }
+    double r = root_step(seed, 3, e, a);
+    if (f->refinement > 0)
+        r = root_step(step, f->refinement, power_of_error(r, 5) * RAISE, a);
     /* g (r^2)^2 */
     return both(power_of_error(r, 4), power_of_error(a->unit, 4)) * RAISE;
 }
@@ -249,34 +248,24 @@ static double variable_bound(const struct embed_form *f, const struct arithmetic
 
 /* ---- polynomials on a cell ---- */
 
-/* p on the cell middle + half t: its values, and those of its derivative */
-static void cell_values(arb_t value, arb_t slope, const double *c, slong degree, const arb_t middle, const arb_t half)
+/* p on the cell middle + radius t: its values, and those of its derivative */
+static void cell_values(arb_t value, arb_t slope, const double *c, slong degree, const arb_t middle, const arb_t radius)
 {
-    arb_poly_t p;
-    arb_t number;
-    arb_poly_init(p);
-    arb_init(number);
-    for (slong k = degree; k >= 0; k--) {
-        arb_set_d(number, c[k]);
-        arb_poly_set_coeff_arb(p, k, number);
-    }
-    enclosed_rescale(p, p, middle, half, ENCLOSED_BITS);
+    LOCAL(arb_poly, p);
+    poly_set_doubles(p, c, degree);
+    enclosed_rescale(p, p, middle, radius, ENCLOSED_BITS);
     enclosed_range(value, p);
     arb_poly_derivative(p, p, ENCLOSED_BITS);
     enclosed_range(slope, p);
-    arb_div(slope, slope, half, BITS);
-    arb_poly_clear(p);
-    arb_clear(number);
+    arb_div(slope, slope, radius, BITS);
 }
 
 /* Lower bound of |x| */
 static double least_size(const arb_t x)
 {
-    arf_t least;
-    arf_init(least);
+    LOCAL(arf, least);
     arb_get_abs_lbound_arf(least, x, 53);
     const double size = arf_get_d(least, ARF_RND_DOWN);
-    arf_clear(least);
     return size;
 }
 
@@ -286,29 +275,19 @@ static double cell_bound(const struct embed_form *f, const double *c, double lo,
 {
     const struct arithmetic a = arithmetic_of(f->single);
     const slong m = f->numerator, n = f->denominator;
-    arb_t middle, half, value, slope, q_value, q_slope;
-    struct rounded x, p, q;
-    arb_init(middle);
-    arb_init(half);
-    arb_init(value);
-    arb_init(slope);
-    arb_init(q_value);
-    arb_init(q_slope);
-    arb_init(x.exact);
-    arb_init(p.exact);
-    arb_init(q.exact);
+    LOCAL(arb, middle, radius, value, slope, q_value, q_slope);
+    ROUNDED x = rounded_zero(), p = rounded_zero(), q = rounded_zero();
     arb_set_d(middle, lo / 2 + hi / 2);
-    arb_set_d(half, ((hi - lo) / 2 + x_error + 1e-15 * fabs(hi) + DBL_MIN) * RAISE);
+    arb_set_d(radius, ((hi - lo) / 2 + x_error + 1e-15 * fabs(hi) + DBL_MIN) * RAISE);
     arb_set(x.exact, middle);
-    arb_add_error(x.exact, half);
-    x.error = 0;
+    arb_add_error(x.exact, radius);
     rounded_polynomial(&p, c, m, &x, f->rows == 0, &a);
-    cell_values(value, slope, c, m, middle, half);
+    cell_values(value, slope, c, m, middle, radius);
     double least = least_size(value), relative = p.error / least;
     arb_div(slope, slope, value, BITS);
     if (n > 0) {
         rounded_polynomial(&q, c + m + 1, n, &x, true, &a);
-        cell_values(q_value, q_slope, c + m + 1, n, middle, half);
+        cell_values(q_value, q_slope, c + m + 1, n, middle, radius);
         const double of_q = q.error / least_size(q_value);
         relative = of_q < 0.5 ? (relative + of_q) / (1 - of_q) : HUGE_VAL;
         relative += (1 + relative) * a.unit;
@@ -319,15 +298,6 @@ static double cell_bound(const struct embed_form *f, const double *c, double lo,
     }
     const double of_x = expm1(magnitude(slope) * x_error);
     const double bound = both(relative, of_x) * RAISE + 1e-18;
-    arb_clear(middle);
-    arb_clear(half);
-    arb_clear(value);
-    arb_clear(slope);
-    arb_clear(q_value);
-    arb_clear(q_slope);
-    arb_clear(x.exact);
-    arb_clear(p.exact);
-    arb_clear(q.exact);
     return least > 0 ? bound : HUGE_VAL; /* a NaN becomes a failure below */
 }
 
@@ -368,11 +338,8 @@ static void bound_cell(void *context, slong i)
 /* speed^(1/5) slope (1 + error) + shift - limit, as a lower or an upper bound */
 static double place_beyond(const struct embed_form *f, double speed, double error, double limit, bool above)
 {
-    arb_t y, number;
-    arf_t end;
-    arb_init(y);
-    arb_init(number);
-    arf_init(end);
+    LOCAL(arb, y, number);
+    LOCAL(arf, end);
     arb_set_d(y, speed);
     arb_root_ui(y, y, 5, ENCLOSED_BITS);
     arb_set_d(number, f->slope);
@@ -388,9 +355,6 @@ static double place_beyond(const struct embed_form *f, double speed, double erro
     else
         arb_get_lbound_arf(end, y, BITS);
     const double beyond = arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
-    arb_clear(y);
-    arb_clear(number);
-    arf_clear(end);
     return beyond;
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "support/flint.h"
+#include "support/local.h"
 
 enum { PRECISION = 256, SERIES_FROM = 1000, MANY = 10000, MAX_STEPS = 60 };
 
@@ -20,10 +21,7 @@ static double level_probability(enum distribution_level level)
 /* The regularised incomplete beta function I_x(a, b), x = part/(part + rest) */
 static double incomplete_beta(double a, double b, double part, double rest)
 {
-    arb_t x, first, second;
-    arb_init(x);
-    arb_init(first);
-    arb_init(second);
+    LOCAL(arb, x, first, second);
     arb_set_d(x, part);
     arb_set_d(second, rest);
     arb_add(second, second, x, PRECISION);
@@ -32,9 +30,6 @@ static double incomplete_beta(double a, double b, double part, double rest)
     arb_set_d(second, b);
     arb_hypgeom_beta_lower(x, first, second, x, 1, PRECISION);
     const double value = arf_get_d(arb_midref(x), ARF_RND_NEAR);
-    arb_clear(x);
-    arb_clear(first);
-    arb_clear(second);
     return value;
 }
 
@@ -81,16 +76,12 @@ double chi_squared_tail(double chi2, size_t degrees_of_freedom)
 {
     if (!(chi2 > 0))
         return 1;
-    arb_t shape, x;
-    arb_init(shape);
-    arb_init(x);
+    LOCAL(arb, shape, x);
     arb_set_d(shape, (double)degrees_of_freedom / 2);
     arb_set_d(x, chi2 / 2);
     arb_hypgeom_gamma_upper(x, shape, x, 1, PRECISION);
     const double probability = arf_get_d(arb_midref(x), ARF_RND_NEAR);
     const int known = arb_rel_accuracy_bits(x) > 10;
-    arb_clear(shape);
-    arb_clear(x);
     return known ? probability : chi_squared_tail_nearly(chi2, degrees_of_freedom);
 }
 

@@ -18,6 +18,7 @@
 #include "plan/waves.h"
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/local.h"
 #include "support/parallel.h"
 
 /* From this beta on, eps at zero overlap is h*^5 beta^-5 with relative error 2^-60. */
@@ -105,8 +106,7 @@ static void find_truth_at(void *context, slong i)
 {
     struct truth *const truth = context;
     struct plan *const plan = truth->plan;
-    arb_t beta;
-    arb_init(beta);
+    LOCAL(arb, beta);
     arb_set_d(beta, plan->speed[i]);
     embed_scene_beta(beta, &truth->spheres->scene, beta);
     double eps[2];
@@ -115,7 +115,6 @@ static void find_truth_at(void *context, slong i)
     plan->at[i] = ball_middle(beta);
     plan->truth[i] = eps[truth->end];
     truth->spheres->other[i] = eps[truth->end == END_ZERO_OVERLAP ? END_ZERO_FORCE : END_ZERO_OVERLAP];
-    arb_clear(beta);
 }
 
 static int find_truth(struct plan *plan, struct spheres *s, enum contact_end end)
@@ -318,13 +317,11 @@ static void add_pade(struct plan *plan, struct spheres *s, const struct embed_re
     if (m + n + 2 > PADE_COEFFICIENTS || s->pades == (int)(sizeof s->pade / sizeof *s->pade))
         return;
     double *c = s->pade[s->pades++];
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     for (slong k = 0; k <= m + n + 1; k++) {
         arb_poly_get_coeff_arb(x, k <= m ? f->p : f->q, k <= m ? k : k - m - 1);
         c[k] = ball_middle(x);
     }
-    arb_clear(x);
     struct plan_model *model = plan_add(plan, "%s [%ld/%ld]", two_point ? "two-point Pade" : "Pade", (long)m, (long)n);
     model->eps = eps_pade;
     model->coefficient = c;

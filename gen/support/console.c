@@ -65,15 +65,15 @@ static void print_message(const char *format, va_list arguments)
     const int size = vsnprintf(NULL, 0, format, again);
     va_end(again);
     char *text = size < 0 ? NULL : malloc((size_t)size + 1);
-    if (text) { /* without memory the message appears unshortened */
+    fputs("corgen: ", stderr);
+    if (text) {
         vsnprintf(text, (size_t)size + 1, format, arguments);
         shorten_words(text);
-        fprintf(stderr, "corgen: %s\n", text);
+        fputs(text, stderr);
         free(text);
-        return;
+    } else { /* without memory the message appears unshortened */
+        vfprintf(stderr, format, arguments);
     }
-    fputs("corgen: ", stderr);
-    vfprintf(stderr, format, arguments);
     fputc('\n', stderr);
 }
 
@@ -174,32 +174,27 @@ double console_memory(void)
     return limited && !(physical > 0 && physical < (double)limit.rlim_cur) ? (double)limit.rlim_cur : physical;
 }
 
+/* The shadow memory of a sanitizer exceeds the physical memory. */
+#if defined __has_feature
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
+#define SANITIZED 1
+#endif
+#elif defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__
+#define SANITIZED 1
+#endif
+#ifndef SANITIZED
+#define SANITIZED 0
+#endif
+
 /* Beyond the physical memory a machine swaps or kills the process. A refused allocation can be reported. */
 static void limit_memory_to_physical(void)
 {
-    const long page = sysconf(_SC_PAGESIZE);
     const rlim_t physical = (rlim_t)physical_memory();
     struct rlimit limit;
-    if (physical == 0 || getrlimit(RLIMIT_DATA, &limit) != 0)
+    if (SANITIZED || physical == 0 || getrlimit(RLIMIT_DATA, &limit) != 0 || limit.rlim_cur <= physical)
         return;
-
-    /* The shadow memory of a sanitizer exceeds the physical memory, so that no limit is set.
-     */
-    unsigned long data_pages = 0;
-    FILE *statm = fopen("/proc/self/statm", "r");
-    if (statm) {
-        char line[256];
-        if (fgets(line, sizeof line, statm)) {
-            char *field = line;
-            for (int i = 0; i < 6; i++)
-                data_pages = strtoul(field, &field, 10);
-        }
-        fclose(statm);
-    }
-    if ((rlim_t)data_pages * (rlim_t)page < physical / 2 && limit.rlim_cur > physical) {
-        limit.rlim_cur = physical;
-        setrlimit(RLIMIT_DATA, &limit);
-    }
+    limit.rlim_cur = physical;
+    setrlimit(RLIMIT_DATA, &limit);
 }
 
 void console_start(void)

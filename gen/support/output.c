@@ -578,20 +578,25 @@ static void print_progress(const struct table *t, long cell)
         progress("printing rows", cell / t->columns, t->cells / t->columns);
 }
 
+static char kind_of(const struct table *t, long cell)
+{
+    return t->kinds ? t->kinds[cell % t->columns] : TABLE_NUMBER;
+}
+
 static void print_csv(const struct table *t, FILE *file)
 {
     for (int j = 0; j < t->columns; j++)
         fprintf(file, "%s%c", t->column[j], j + 1 < t->columns ? ',' : '\n');
     for (long i = 0; i < t->cells; i++) {
         print_progress(t, i);
-        fprintf(file, "%s%c", t->cell[i], (i + 1) % t->columns ? ',' : '\n');
+        const bool missing = !*t->cell[i] && kind_of(t, i) != TABLE_TEXT;
+        fprintf(file, "%s%c", missing ? "nan" : t->cell[i], (i + 1) % t->columns ? ',' : '\n');
     }
 }
 
 /* A cell that is no number of JSON, as nan and inf, is null, and so is an empty text. */
-static void print_json_cell(const struct table *t, int column, const char *cell, FILE *file)
+static void print_json_cell(const struct table *t, char kind, const char *cell, FILE *file)
 {
-    const char kind = t->kinds ? t->kinds[column] : TABLE_NUMBER;
     if (kind == TABLE_TEXT ? !*cell : !is_json_number(cell))
         fputs("null", file);
     else if (kind == TABLE_TEXT || (kind == TABLE_DIGITS && t->json_strings))
@@ -608,7 +613,7 @@ static void print_json(const struct table *t, FILE *file)
         int j = (int)(i % t->columns);
         fputs(j ? ", " : i ? ",\n  {" : "\n  {", file);
         fprintf(file, "\"%s\": ", t->column[j]);
-        print_json_cell(t, j, t->cell[i], file);
+        print_json_cell(t, kind_of(t, i), t->cell[i], file);
         fputs(j + 1 == t->columns ? "}" : "", file);
     }
     fputs("\n]\n", file);

@@ -56,7 +56,8 @@ int output_commit_all(struct output *out, int n);
 void output_discard(struct output *out);
 
 /* A table of strings: the header row names the columns exactly as the contract does. In JSON the table is an array of
- * objects. Numbers are numbers, with all their digits; what is missing or infinite is null. */
+ * objects. Numbers are numbers, with all their digits; what is missing or infinite is null. In csv a missing number, an
+ * empty cell, is nan. */
 enum {
     TABLE_NUMBER = 'n',
     TABLE_DIGITS = 'd', /* numbers with more digits than a double may hold: texts with json_strings */

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "support/console.h"
+#include "support/local.h"
 
 enum { TOKEN_MAX = 200, BITS = 256, PARTS = 4 };
 
@@ -67,9 +68,7 @@ static void value_between(fmpq_t x, const struct values_rule *rule, bool geometr
         fmpq_canonicalise(x);
         fmpq_add(x, x, a);
     } else {
-        arb_t first, ratio;
-        arb_init(first);
-        arb_init(ratio);
+        LOCAL(arb, first, ratio);
         fmpq_div(x, b, a);
         arb_set_fmpq(ratio, x, BITS);
         arb_log(ratio, ratio, BITS);
@@ -81,8 +80,6 @@ static void value_between(fmpq_t x, const struct values_rule *rule, bool geometr
         if (!rule->whole)
             arf_set_round(arb_midref(first), arb_midref(first), DBL_MANT_DIG, ARF_RND_NEAR);
         arf_get_fmpq(x, arb_midref(first));
-        arb_clear(first);
-        arb_clear(ratio);
     }
     if (rule->whole) { /* floor(x + 1/2) */
         fmpz_mul_2exp(fmpq_numref(x), fmpq_numref(x), 1);
@@ -96,9 +93,7 @@ static void value_between(fmpq_t x, const struct values_rule *rule, bool geometr
 static int values_add_stepped(struct values *values, const struct values_rule *rule, const char *text, const fmpq_t a,
                               const fmpq_t b, const char *step_text, size_t *capacity)
 {
-    fmpq_t step, x;
-    fmpq_init(step);
-    fmpq_init(x);
+    LOCAL(fmpq, step, x);
     int status = STATUS_OK;
     if (step_text[1] == '-' || !value_read_number(step, step_text + 1) || fmpq_is_zero(step) ||
         (rule->whole && !fmpz_is_one(fmpq_denref(step)))) {
@@ -114,8 +109,6 @@ static int values_add_stepped(struct values *values, const struct values_rule *r
         for (fmpq_set(x, a); status == STATUS_OK && fmpq_cmp(x, b) * fmpq_sgn(step) <= 0; fmpq_add(x, x, step))
             status = values_add(values, rule, x, capacity);
     }
-    fmpq_clear(step);
-    fmpq_clear(x);
     return status;
 }
 
@@ -130,14 +123,12 @@ static int values_add_spread(struct values *values, const struct values_rule *ru
                            VALUES_MAX, ranges_are);
     if (geometric && (fmpq_sgn(a) <= 0 || fmpq_sgn(b) <= 0))
         return usage_error("--%s: '%s': both ends of a log range must be above 0", rule->option, text);
-    fmpq_t x;
-    fmpq_init(x);
+    LOCAL(fmpq, x);
     int status = STATUS_OK;
     for (slong i = 0; i < n && status == STATUS_OK; i++) {
         value_between(x, rule, geometric, a, b, i, n - 1);
         status = values_add(values, rule, x, capacity);
     }
-    fmpq_clear(x);
     return status;
 }
 
@@ -158,9 +149,7 @@ static int values_add_member(struct values *values, const struct values_rule *ru
     const bool spread = parts == 4 && (strcmp(part[2], "lin") == 0 || strcmp(part[2], "log") == 0);
     if (parts > 1 && !stepped && !spread)
         return usage_error("--%s: '%s' is not a range; %s", rule->option, whole, ranges_are);
-    fmpq_t a, b;
-    fmpq_init(a);
-    fmpq_init(b);
+    LOCAL(fmpq, a, b);
     int status = value_read(a, rule, part[0]);
     if (status == STATUS_OK && parts > 1)
         status = value_read(b, rule, part[1]);
@@ -168,8 +157,6 @@ static int values_add_member(struct values *values, const struct values_rule *ru
         status = stepped  ? values_add_stepped(values, rule, whole, a, b, part[2], capacity)
                  : spread ? values_add_spread(values, rule, whole, a, b, part[2], part[3], capacity)
                           : values_add(values, rule, a, capacity);
-    fmpq_clear(a);
-    fmpq_clear(b);
     return status;
 }
 

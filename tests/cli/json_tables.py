@@ -22,7 +22,7 @@ def cases(draw):
     beta = [f"{draw.uniform(0, 20):.6g}", f"{draw.randint(0, 40)}/{draw.randint(1, 30)}", f".{draw.randint(1, 999)}",
             f"00{draw.randint(0, 9)}.", f"{draw.randint(1, 9)}E-{draw.randint(1, 400)}"]
     speed = f"{draw.uniform(1e-3, 10):.5g}"
-    digits = str(draw.randint(1, 60))
+    digits = str(draw.randint(1, 24))
     bodies = "--young 7e10 --poisson 0.22 --radius 5e-3 --density 2500"
     for b in beta:
         yield f"collide --beta {b} --digits {digits}", "", True
@@ -34,7 +34,7 @@ def cases(draw):
     yield f"pade --numerator 2 --denominator 3 --digits {digits}", "polynomial", True
     yield f"disk-modes --poisson -{draw.randint(1, 9)}/10 --count 4 --digits {digits}", "", True
     yield f"disk-collide --speed 0.1,1e-9 --poisson 0.33 --alpha 50 --modes {draw.randint(1, 9)}", "status", False
-    yield "disk-collide --hard-wall --speed 0.05 --poisson 0.3,0.5 --tolerance 1e-2", "status", False
+    yield "disk-collide --hard-wall --speed 0.05 --poisson 0.3 --tolerance 1e-2", "status", False
     yield f"contact --beta {draw.uniform(0, 2)} --at 1 --speed {speed}", "", False
     yield f"contact --beta {draw.uniform(0, 2)} --at 1", "quantity unit", False
     yield "contact --elastic 1 --damping 0 --zeta 0.3", "quantity unit", False
@@ -43,8 +43,8 @@ def cases(draw):
     yield f"contact {bodies} --restitution 0.9 --at 1", "quantity unit", False
     yield f"contact {bodies} --dissipation-time 1e300 --speed {speed}", "", False
     yield f"sample --g-star {draw.uniform(0.1, 9)} --speed-min 0.01 --speed-max 1 --tolerance 1e-2", "", False
-    yield "fit docs/data/golf_ball_marble.csv", "model end parameter", False
-    yield "plan --g-star 20 --speed-min 0.01 --speed-max 1 --tolerance 1e-3", "model verdict", False
+    yield "fit docs/data/ice_bridges_1984_formula.csv", "model end parameter", False
+    yield "plan --g-star 20 --speed-min 0.5 --speed-max 1 --tolerance 1e-2 --points 2", "model verdict", False
     disks = "--disks --poisson 0.2 --speed-min 0.01 --speed-max 0.02 --tolerance 0.01 --points 2"
     yield f"plan {disks}", "model verdict", False
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Every function of cor/contact.h, and cor_status_text, on raw bit patterns: bodies that cannot be, contacts that no
- * init filled. */
+/* Every function of cor/contact.h but arrays (fuzz_functions.c has them), and cor_status_text, on raw bit patterns:
+ * bodies that cannot be, contacts that no init filled. */
 #include "cor/contact.h"
 #include "cor/sphere.h"
 #include "cor/status.h"
 #include "fuzz.h"
 
-enum { ARRAY_MAX = 40, LAST_STATUS = COR_ERROR_MEMORY };
+enum { LAST_STATUS = COR_ERROR_MEMORY };
 
 static const char *text_of(int status)
 {
@@ -111,34 +111,6 @@ static void check_calls(const struct cor_sphere_contact *contact, int good, stru
     }
 }
 
-/* filled: by an init, though it may have failed */
-static void check_arrays(const struct cor_sphere_contact *contact, int filled, struct input *in)
-{
-    void (*const array[])(const struct cor_sphere_contact *, const double *, double *,
-                          size_t) = {cor_contact_eps_zero_overlap_array, cor_contact_eps_zero_force_array};
-    double (*const one[])(const struct cor_sphere_contact *, double) = {cor_contact_eps_zero_overlap,
-                                                                        cor_contact_eps_zero_force};
-    const int end = take_byte(in) & 1, in_place = take_byte(in) & 1;
-    const size_t n = take_up_to(in, ARRAY_MAX);
-    if (n == 0) {
-        array[end](contact, NULL, NULL, 0);
-        return;
-    }
-    double *const x = exactly(n * sizeof *x), *const kept = exactly(n * sizeof *kept);
-    double *const y = in_place ? x : exactly(n * sizeof *y);
-    for (size_t i = 0; i < n; i++)
-        kept[i] = x[i] = take_double(in);
-    array[end](contact, x, y, n);
-    for (size_t i = 0; i < n; i++)
-        REQUIRE(filled ? same(y[i], one[end](contact, kept[i])) : !(y[i] < 0 || y[i] > 1),
-                "end %d of %zu%s, %zu: speed %a: %a, alone %a", end, n, in_place ? " in place" : "", i, kept[i], y[i],
-                one[end](contact, kept[i]));
-    if (!in_place)
-        free(y);
-    free(x);
-    free(kept);
-}
-
 static void check_material(struct input *in)
 {
     const double a = take_double(in), b = take_double(in), c = take_double(in), d = take_double(in);
@@ -188,7 +160,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     }
     check_calls(&contact, good, &in);
-    check_arrays(&contact, how % 4 != 0, &in);
     check_material(&in);
     return 0;
 }
