@@ -5,7 +5,10 @@ set(COR_GENERATOR_SOURCES
   gen/approximation/ellipse_bound.c
   gen/approximation/enclosed_function.c
   gen/approximation/far_proof.c
-  gen/approximation/interpolant.c
+  gen/approximation/interpolant_far.c
+  gen/approximation/interpolant_inverse.c
+  gen/approximation/interpolant_samples.c
+  gen/approximation/interpolant_values.c
   gen/approximation/law_layout.c
   gen/approximation/law_proof.c
   gen/approximation/law_tables.c

@@ -78,6 +78,20 @@ void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, cons
     arb_poly_compose(y, p, line, prec);
 }
 
+void enclosed_variable(arb_poly_t x, double lo, double hi)
+{
+    LOCAL(arb, a, b, middle);
+    arb_set_d(a, lo);
+    arb_set_d(b, hi);
+    arb_add(middle, a, b, ENCLOSED_BITS);
+    arb_sub(b, b, a, ENCLOSED_BITS);
+    arb_mul_2exp_si(middle, middle, -1);
+    arb_mul_2exp_si(b, b, -1);
+    arb_poly_zero(x);
+    arb_poly_set_coeff_arb(x, 1, b);
+    arb_poly_set_coeff_arb(x, 0, middle);
+}
+
 void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, const arb_poly_t x)
 {
     enum { TERMS = 30 };

@@ -26,6 +26,9 @@ void enclosed_range(arb_t range, const arb_poly_t p);
 /* p(middle + half t) */
 void enclosed_rescale(arb_poly_t y, const arb_poly_t p, const arb_t middle, const arb_t half, slong prec);
 
+/* The variable on lo <= x <= hi */
+void enclosed_variable(arb_poly_t x, double lo, double hi);
+
 /* exp(numerator/denominator x), where x has degree 1 */
 void enclosed_exponential(arb_poly_t y, double numerator, slong denominator, const arb_poly_t x);
 

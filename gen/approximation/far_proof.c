@@ -40,20 +40,6 @@ struct far_cell {
     arb_poly_t u, mu;
 };
 
-void far_proof_variable(arb_poly_t u, double lo, double hi)
-{
-    LOCAL(arb, half);
-    arb_poly_zero(u);
-    enclosed_add_double(u, hi);
-    enclosed_add_double(u, -lo);
-    arb_poly_get_coeff_arb(half, u, 0);
-    arb_mul_2exp_si(half, half, -1);
-    arb_poly_zero(u);
-    arb_poly_set_coeff_arb(u, 1, half);
-    enclosed_add_number(u, half);
-    enclosed_add_double(u, lo);
-}
-
 static void far_cell_init(struct far_cell *cell, double lo, double hi)
 {
     LOCAL(arb, x);
@@ -61,7 +47,7 @@ static void far_cell_init(struct far_cell *cell, double lo, double hi)
     cell->hi = hi;
     arb_poly_init(cell->u);
     arb_poly_init(cell->mu);
-    far_proof_variable(cell->u, lo, hi);
+    enclosed_variable(cell->u, lo, hi);
     if (hi <= WIDE_FROM) {
         enclosed_exponential(cell->mu, -5, 3, cell->u);
     } else {

@@ -25,9 +25,6 @@ struct far_proof {
 int far_proof_init(struct far_proof *proof, const struct interpolant_proof *rows);
 void far_proof_clear(struct far_proof *proof);
 
-/* u on lo <= u <= hi as a function of t */
-void far_proof_variable(arb_poly_t u, double lo, double hi);
-
 /* The quantity without its power of beta on lo <= u <= hi, as a function of t (enclosed_function.h). Returns false if
  * the quantity has no series. */
 bool far_proof_function(arb_poly_t y, const struct far_proof *proof, enum quantity quantity, double lo, double hi);

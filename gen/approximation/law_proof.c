@@ -236,15 +236,7 @@ bool law_proof_eps(arb_poly_t eps, arb_poly_t log_beta, const struct law_proof *
 {
     const struct interval *const interval = &interpolant_layout_of(proof->f)->interval[i];
     LOCAL(arb_poly, beta, w);
-    LOCAL(arb, middle, half);
-    arb_set_d(middle, lo);
-    arb_set_d(half, hi);
-    arb_sub(half, half, middle, ENCLOSED_BITS);
-    arb_mul_2exp_si(half, half, -1);
-    arb_add(middle, middle, half, ENCLOSED_BITS);
-    arb_poly_zero(log_beta);
-    arb_poly_set_coeff_arb(log_beta, 1, half);
-    arb_poly_set_coeff_arb(log_beta, 0, middle);
+    enclosed_variable(log_beta, lo, hi);
     enclosed_exponential(beta, 1, 1, log_beta);
     const bool done = isfinite(law_proof_error(proof, i)) && variable_of(w, proof, interval, log_beta, beta) &&
                       to_unit(w, w, interval);

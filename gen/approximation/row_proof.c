@@ -35,18 +35,14 @@ struct interpolant_proof {
 /* w = (x - middle)/half */
 static void to_unit(arb_t w, const arb_t x, const struct interval *interval)
 {
-    LOCAL(arb, c);
-    arb_set_d(c, interval->lo);
-    arb_sub(w, x, c, PREC);
-    arb_mul_2exp_si(w, w, 1);
-    arb_set_d(c, interval->hi);
-    arb_sub(w, w, c, PREC);
-    arb_set_d(c, interval->lo);
-    arb_add(w, w, c, PREC);
-    LOCAL(arb, length);
-    arb_set_d(length, interval->hi);
-    arb_sub(length, length, c, PREC);
-    arb_div(w, w, length, PREC);
+    LOCAL(arb, lo, hi);
+    arb_set_d(lo, interval->lo);
+    arb_set_d(hi, interval->hi);
+    arb_mul_2exp_si(w, x, 1);
+    arb_sub(w, w, lo, PREC);
+    arb_sub(w, w, hi, PREC);
+    arb_sub(hi, hi, lo, PREC);
+    arb_div(w, w, hi, PREC);
 }
 
 /* Exact Chebyshev point j of n in ascending order */
@@ -435,28 +431,23 @@ static void creep_duration(arb_poly_t y, const struct piece *w, const arb_t midd
 static void piece_init(struct piece *w, double lo, double hi)
 {
     const enum quantity stored = stored_quantity(w->p->quantity);
-    LOCAL(arb, a, b, middle, half);
+    LOCAL(arb, a, b, middle);
     arb_poly_init(w->x);
     arb_poly_init(w->stored);
     arb_poly_init(w->beta);
+    enclosed_variable(w->x, lo, hi);
     arb_set_d(a, lo);
     arb_set_d(b, hi);
-    arb_add(middle, a, b, PREC);
-    arb_sub(half, b, a, PREC);
-    arb_mul_2exp_si(middle, middle, -1);
-    arb_mul_2exp_si(half, half, -1);
-    arb_poly_set_coeff_arb(w->x, 1, half);
-    arb_poly_set_coeff_arb(w->x, 0, middle);
     to_unit(a, a, w->interval);
     to_unit(b, b, w->interval);
     arb_add(middle, a, b, PREC);
-    arb_sub(half, b, a, PREC);
+    arb_sub(b, b, a, PREC);
     arb_mul_2exp_si(middle, middle, -1);
-    arb_mul_2exp_si(half, half, -1);
+    arb_mul_2exp_si(b, b, -1);
     if (is_creep(w->interval, stored))
-        creep_duration(w->stored, w, middle, half);
+        creep_duration(w->stored, w, middle, b);
     else
-        stored_on(w->stored, w, stored, middle, half);
+        stored_on(w->stored, w, stored, middle, b);
     if (w->interval->variable == INTERVAL_ROOT)
         enclosed_multiply(w->beta, w->x, w->x);
     else
@@ -738,61 +729,90 @@ static bool is_inverse(const struct pieces *p)
     return p->variable == VARIABLE_LOSS || p->variable == VARIABLE_ROOT_LOSS || p->variable == VARIABLE_EPS_OCTAVES;
 }
 
-/* Whether an end of an inverse's range is not inside the cell. 1 - eps = 0 at beta = 0. */
-static bool end_reached(const struct interpolant_proof *proof, const struct pieces *p, slong row, int i, double x,
-                        bool first)
+/* The part of a cell that lies in interval i, lo <= x <= hi */
+struct part {
+    int interval;
+    double lo, hi;
+};
+enum { MOST_PARTS = 16 };
+
+/* The part of interval i from `reached` on, a place of the range's variable, which becomes that of the part's end. A
+ * range in sqrt(beta) that goes beyond the last such interval ends with ln(beta). For the duration at zero overlap a
+ * range in ln(beta) begins with sqrt(beta), up to CREEP_FROM at least. Returns 1, 0 if the interval has no part, or -1
+ * if it begins too late. */
+static int part_of(struct part *part, double *reached, const struct range *range, const struct interval *interval,
+                   enum quantity stored)
 {
-    const struct cell cell = pieces_cell(p, row);
-    const bool falls = p->variable == VARIABLE_EPS_OCTAVES, high = falls == first;
-    if (!is_inverse(p) || (first && x == 0 && cell.lo == 0))
-        return true;
-    return side_of(proof, p, row, i, x, high ? cell.hi : cell.lo) == (high ? 1 : -1);
+    const bool same = interval->variable == range->variable, by_log = !same && interval->variable == INTERVAL_LOG;
+    const bool by_root = !same && !by_log && stored == DURATION_ZERO_OVERLAP && *reached < CREEP_FROM;
+    double lo = *reached, hi = range->hi;
+    if (by_log) {
+        lo = 2 * log(lo) - SLACK;
+        hi = 2 * log(hi) + SLACK;
+    } else if (by_root) {
+        lo = exp(lo / 2) * (1 - SLACK);
+        hi = exp(hi / 2) * (1 + SLACK);
+    } else if (!same) {
+        return 0;
+    }
+    if (lo >= interval->hi || (is_creep(interval, stored) && lo < CREEP_FROM))
+        return 0;
+    if (lo < interval->lo)
+        return -1;
+    part->lo = lo;
+    part->hi = fmin(hi, interval->hi);
+    *reached = hi <= interval->hi ? range->hi : by_root ? 2 * log(part->hi) - SLACK : part->hi;
+    return 1;
 }
 
-/* Bound of the row's relative error in its whole cell; infinite without a proof. A range in sqrt(beta) that goes beyond
- * the last such interval ends with ln(beta). For the duration at zero overlap a range in ln(beta) begins with
- * sqrt(beta), up to CREEP_FROM at least. */
-static double row_error(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c)
+/* Splits a cell into parts that lie in intervals whose error is known. Returns their number, or 0 if they do not cover
+ * the cell. */
+static int split_cell(struct part *part, const struct interpolant_proof *proof, const struct pieces *p, slong row)
 {
     const struct interpolant_layout *const layout = interpolant_layout_of(proof->f);
     const enum quantity stored = stored_quantity(p->quantity);
     const struct cell cell = pieces_cell(p, row);
     struct range range;
-    double error = 0, reached;
-    bool first = true;
+    int parts = 0;
     if (!cell_range(&range, proof, p, &cell))
-        return HUGE_VAL;
-    reached = range.lo;
-    for (int i = 0; i < layout->intervals && reached < range.hi; i++) {
-        const struct interval *const interval = &layout->interval[i];
+        return 0;
+    double reached = range.lo;
+    for (int i = 0; i < layout->intervals && reached < range.hi && parts < MOST_PARTS; i++) {
         if (!arb_is_finite(&proof->error[i][stored]))
             continue;
-        double lo = reached, hi = range.hi;
-        const bool by_root = interval->variable == INTERVAL_ROOT && range.variable == INTERVAL_LOG &&
-                             stored == DURATION_ZERO_OVERLAP && reached < CREEP_FROM;
-        const bool by_log = interval->variable == INTERVAL_LOG && range.variable == INTERVAL_ROOT;
-        if (by_log) {
-            lo = 2 * log(lo) - SLACK;
-            hi = 2 * log(hi) + SLACK;
-        } else if (by_root) {
-            lo = exp(lo / 2) * (1 - SLACK);
-            hi = exp(hi / 2) * (1 + SLACK);
-        } else if (interval->variable != range.variable) {
-            continue;
-        }
-        if (lo >= interval->hi || (!by_root && is_creep(interval, stored) && lo < CREEP_FROM))
-            continue;
-        if (lo < interval->lo)
-            return HUGE_VAL;
-        const bool last = hi <= interval->hi;
-        hi = fmin(hi, interval->hi);
-        error = fmax(error, piece_error(proof, p, row, c, i, lo, hi));
-        if ((first && !end_reached(proof, p, row, i, lo, true)) || (last && !end_reached(proof, p, row, i, hi, false)))
-            return HUGE_VAL;
-        first = false;
-        reached = last ? range.hi : by_root ? 2 * log(hi) - SLACK : hi;
+        part[parts].interval = i;
+        const int more = part_of(&part[parts], &reached, &range, &layout->interval[i], stored);
+        if (more < 0)
+            return 0;
+        parts += more;
     }
-    return reached < range.hi ? HUGE_VAL : error;
+    return reached < range.hi ? 0 : parts;
+}
+
+/* Whether an end of an inverse's range is not inside the cell. 1 - eps = 0 at beta = 0. */
+static bool end_reached(const struct interpolant_proof *proof, const struct pieces *p, slong row,
+                        const struct part *part, bool first)
+{
+    const struct cell cell = pieces_cell(p, row);
+    const bool falls = p->variable == VARIABLE_EPS_OCTAVES, high = falls == first;
+    const double x = first ? part->lo : part->hi;
+    if (!is_inverse(p) || (first && x == 0 && cell.lo == 0))
+        return true;
+    return side_of(proof, p, row, part->interval, x, high ? cell.hi : cell.lo) == (high ? 1 : -1);
+}
+
+/* Bound of the row's relative error in its whole cell; infinite without a proof */
+static double row_error(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c)
+{
+    struct part part[MOST_PARTS];
+    const int parts = split_cell(part, proof, p, row);
+    if (parts == 0 || !end_reached(proof, p, row, &part[0], true) ||
+        !end_reached(proof, p, row, &part[parts - 1], false))
+        return HUGE_VAL;
+    double error = 0;
+    for (int i = 0; i < parts; i++)
+        error = fmax(error, piece_error(proof, p, row, c, part[i].interval, part[i].lo, part[i].hi));
+    return error;
 }
 
 double row_proof_bits(const struct interpolant_proof *proof, const struct pieces *p, slong row, const double *c)

@@ -93,7 +93,7 @@ static bool part_functions(arb_poly_t eps, arb_poly_t beta, arb_poly_t x, const 
         interpolant_proof_eps(eps, beta, x, w->interpolant, part->interval, w->quantity, part->lo, part->hi);
         return true;
     }
-    far_proof_variable(x, part->lo, part->hi);
+    enclosed_variable(x, part->lo, part->hi);
     enclosed_exponential(beta, 1, 1, x);
     if (w->quantity == EPS_ZERO_OVERLAP)
         far_eps_overlap(eps, x, w);

@@ -23,9 +23,9 @@ struct table {
     slong rows, columns;
     double *c, *bits; /* bits: the error that the comment states of each row, as -log2 */
     enum variable variable;
-    double first, step, worst; /* of the nodes; POWER: the first octave, 0; the worst of all bits */
+    double worst;
     /* the macros, NaN where there is none */
-    double macro_first, macro_step, macro_per_unit, macro_rows, macro_end, macro_plain, macro_octave, macro_bits;
+    double first, step, per_unit, count, end, plain, octave, octave_bits;
 };
 
 struct tables {
@@ -80,10 +80,6 @@ static void read_grid(struct table *t, const char *comment, const char *end)
         if (strcmp(variable, spelling[k]) == 0)
             t->variable = (enum variable)k;
     assert_true(t->variable != NONE);
-    if (by_octaves(t))
-        assert_int_equal(sscanf(strstr(at, "8 to each octave"), "8 to each octave k = %lf", &t->first), 1);
-    else
-        assert_int_equal(sscanf(strstr(at, "nodes"), "nodes %lf + i %lf", &t->first, &t->step), 2);
     assert_int_equal(sscanf(strstr(at, "approximation: 2^-"), "approximation: 2^-%lf", &t->worst), 1);
     char *bits = strstr(at, "Bits of the rows:");
     assert_true(bits && bits < end);
@@ -133,9 +129,14 @@ static void read_macros(struct table *t, const char *from, const char *to)
     const struct {
         const char *what;
         double *into;
-    } macros[] = {{"FIRST", &t->macro_first},         {"STEP", &t->macro_step},       {"PER_UNIT", &t->macro_per_unit},
-                  {"ROWS", &t->macro_rows},           {"END", &t->macro_end},         {"PLAIN_ROWS", &t->macro_plain},
-                  {"FIRST_OCTAVE", &t->macro_octave}, {"OCTAVE_BITS", &t->macro_bits}};
+    } macros[] = {{"FIRST", &t->first},
+                  {"STEP", &t->step},
+                  {"PER_UNIT", &t->per_unit},
+                  {"ROWS", &t->count},
+                  {"END", &t->end},
+                  {"PLAIN_ROWS", &t->plain},
+                  {"FIRST_OCTAVE", &t->octave},
+                  {"OCTAVE_BITS", &t->octave_bits}};
     for (size_t i = 0; i < sizeof macros / sizeof *macros; i++)
         *macros[i].into = read_macro(t, macros[i].what, from, to);
 }
@@ -214,61 +215,48 @@ static const struct table *find(const char *name)
 
 /* ---- what a table holds ---- */
 
+enum field { EPS_OVERLAP, EPS_FORCE, TIME_OVERLAP, TIME_FORCE, X_MAX, T_MAX };
+
 struct holds {
-    arb_srcptr (*field)(const struct collision *c);
-    bool unloading, loss;
+    const char *end; /* of the name */
+    enum field field;
+    bool loss;
     struct ratio power; /* of beta that a tail is divided by */
 };
 
-static arb_srcptr eps_overlap(const struct collision *c)
+static bool unloads(const struct holds *holds)
 {
-    return c->eps_zero_overlap;
-}
-static arb_srcptr eps_force(const struct collision *c)
-{
-    return c->eps_zero_force;
-}
-static arb_srcptr time_overlap(const struct collision *c)
-{
-    return c->t_zero_overlap;
-}
-static arb_srcptr time_force(const struct collision *c)
-{
-    return c->t_zero_force;
-}
-static arb_srcptr x_max(const struct collision *c)
-{
-    return c->x_max;
-}
-static arb_srcptr t_max(const struct collision *c)
-{
-    return c->t_max;
+    return holds->field == EPS_OVERLAP || holds->field == TIME_OVERLAP;
 }
 
-static struct holds holds_of(const char *name)
+static const struct holds *holds_of(const char *name)
 {
-    static const struct {
-        const char *end;
-        struct holds holds;
-    } known[] = {
-        {"eps_zero_overlap", {eps_overlap, true, false, {-5, 1}}},
-        {"eps_zero_force", {eps_force, false, false, {-5, 3}}},
-        {"duration_zero_overlap", {time_overlap, true, false, {1, 1}}},
-        {"duration_zero_force", {time_force, false, false, {-2, 3}}},
-        {"time_of_max_overlap", {t_max, false, false, {-2, 3}}},
-        {"max_overlap", {x_max, false, false, {-2, 3}}},
-        {"loss_zero_overlap", {eps_overlap, true, true, {1, 1}}},
-        {"loss_zero_force", {eps_force, false, true, {1, 1}}},
-        {"beta_zero_overlap", {eps_overlap, true, false, {1, 1}}},
-        {"beta_zero_force", {eps_force, false, false, {1, 1}}},
+    static const struct holds known[] = {
+        {"eps_zero_overlap", EPS_OVERLAP, false, {-5, 1}},      {"eps_zero_force", EPS_FORCE, false, {-5, 3}},
+        {"duration_zero_overlap", TIME_OVERLAP, false, {1, 1}}, {"duration_zero_force", TIME_FORCE, false, {-2, 3}},
+        {"time_of_max_overlap", T_MAX, false, {-2, 3}},         {"max_overlap", X_MAX, false, {-2, 3}},
+        {"loss_zero_overlap", EPS_OVERLAP, true, {1, 1}},       {"loss_zero_force", EPS_FORCE, true, {1, 1}},
+        {"beta_zero_overlap", EPS_OVERLAP, false, {1, 1}},      {"beta_zero_force", EPS_FORCE, false, {1, 1}},
     };
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         const size_t length = strlen(known[i].end), all = strlen(name);
         if (all >= length && strcmp(name + all - length, known[i].end) == 0)
-            return known[i].holds;
+            return &known[i];
     }
     fail_msg("what does %s hold?", name);
-    return known[0].holds;
+    return NULL;
+}
+
+/* What a table holds, of an enclosed collision */
+static void solve(arb_t value, const struct holds *holds, const arb_t beta, slong bits)
+{
+    struct collision c;
+    collision_init(&c);
+    assert_int_equal((unloads(holds) ? collision_solve : collision_solve_force)(&c, beta, &law_sphere, bits), 0);
+    const arb_srcptr fields[] = {c.eps_zero_overlap, c.eps_zero_force, c.t_zero_overlap,
+                                 c.t_zero_force,     c.x_max,          c.t_max};
+    arb_set(value, fields[holds->field]);
+    collision_clear(&c);
 }
 
 struct cell {
@@ -283,7 +271,7 @@ static struct cell cell_of(const struct table *t, slong row)
     struct cell cell = {.octave = 0};
     double half = t->step / 2;
     if (by_octaves(t)) {
-        cell.octave = (slong)t->first + row / 8;
+        cell.octave = (slong)t->octave + row / 8;
         half = 0.0625;
         cell.node = 1 + 0.125 * (double)(row % 8) + half;
     } else {
@@ -349,11 +337,8 @@ static void beta_of(arb_t beta, arb_t y, const struct table *t, const struct cel
  * the step is tiny: it comes from the row. */
 static void exact_inverse(arb_t value, const struct table *t, slong row, const arb_t y)
 {
-    const struct holds holds = holds_of(t->name);
     const struct cell cell = cell_of(t, row);
-    struct collision c;
     LOCAL(arb, x, beta, above, slope);
-    collision_init(&c);
     /* x = eps or 1 - eps */
     arb_mul_2exp_si(x, y, cell.octave);
     if (t->variable == ROOT_OF_LOSS)
@@ -372,10 +357,7 @@ static void exact_inverse(arb_t value, const struct table *t, slong row, const a
     arb_mul_2exp_si(slope, slope, 30); /* dbeta/dy */
     arb_set_round(beta, beta, 120);
     arb_get_mid_arb(beta, beta);
-    assert_int_equal(holds.unloading ? collision_solve(&c, beta, &law_sphere, 2 * BITS)
-                                     : collision_solve_force(&c, beta, &law_sphere, 2 * BITS),
-                     0);
-    arb_set(value, holds.field(&c));
+    solve(value, holds_of(t->name), beta, 2 * BITS);
     if (cell.near) {
         arb_sub_ui(value, value, 1, PREC);
         arb_neg(value, value);
@@ -388,28 +370,21 @@ static void exact_inverse(arb_t value, const struct table *t, slong row, const a
     arb_add(value, value, beta, PREC);
     if (cell.near)
         arb_div(value, value, x, PREC);
-    collision_clear(&c);
 }
 
 static void exact_value(arb_t value, const struct table *t, const arb_t beta, slong bits)
 {
-    const struct holds holds = holds_of(t->name);
-    struct collision c;
-    collision_init(&c);
-    assert_int_equal(holds.unloading ? collision_solve(&c, beta, &law_sphere, bits)
-                                     : collision_solve_force(&c, beta, &law_sphere, bits),
-                     0);
-    arb_set(value, holds.field(&c));
-    if (holds.loss) {
+    const struct holds *const holds = holds_of(t->name);
+    LOCAL(arb, power);
+    solve(value, holds, beta, bits);
+    if (holds->loss) {
         arb_sub_ui(value, value, 1, PREC);
         arb_neg(value, value);
         arb_div(value, value, beta, PREC);
     } else if (t->variable == LOGARITHM || t->variable == NONE) {
-        LOCAL(arb, power);
-        arb_pow_ratio(power, beta, holds.power, PREC);
+        arb_pow_ratio(power, beta, holds->power, PREC);
         arb_div(value, value, power, PREC);
     }
-    collision_clear(&c);
 }
 
 /* |x - exact| / |exact| as -log2 */
@@ -439,10 +414,9 @@ static double promised(const struct table *t, slong row)
 static void test_rows(void **state)
 {
     (void)state;
-    LOCAL(arb, y, beta, row, exact, gap);
+    LOCAL(arb, y, beta, row, exact);
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
-        const struct holds holds = holds_of(t->name[0] == 'h' ? "max_overlap" : t->name);
         /* the more a collision costs the fewer places */
         const int places = t->variable == POWER || t->variable == LOGARITHM ? 1 : 2;
         double least = INFINITY, worst = INFINITY;
@@ -452,8 +426,8 @@ static void test_rows(void **state)
         for (slong r = 0; r < t->rows; r++) {
             const struct cell cell = cell_of(t, r);
             least = fmin(least, t->bits[r]);
-            /* test_power_rows, test_loss_rows and test_inverse_rows have them all */
-            if ((t->variable == POWER && r % 4 != 1) || (holds.loss && r >= 3 && r % 8 != 1) ||
+            /* test_rows_agree has them all */
+            if ((t->variable == POWER && r % 4 != 1) || (holds_of(t->name)->loss && r >= 3 && r % 8 != 1) ||
                 (is_inverse(t) && r % 12 != 1))
                 continue;
             if (!in_turn((size_t)seen++, 6))
@@ -485,62 +459,27 @@ static void test_rows(void **state)
     }
 }
 
-/* Rows in x = beta^5 against those in beta or sqrt(beta), which are held against collisions at more places. */
-static void test_power_rows(void **state)
-{
-    (void)state;
-    enum { PLACES = 5 };
-    LOCAL(arb, y, beta, a, b);
-    int count = 0;
-    for (int i = 0; i < tables.count; i++) {
-        const struct table *t = &tables.table[i];
-        if (t->variable != POWER)
-            continue;
-        count++;
-        const struct table *base = find(t->name + strlen("power_"));
-        for (slong r = 0; r < t->rows; r++)
-            for (int k = 0; k < PLACES; k++) {
-                const struct cell cell = cell_of(t, r);
-                arb_set_d(y, cell.lo + (cell.hi - cell.lo) * k / (PLACES - 1));
-                beta_of(beta, y, t, &cell);
-                row_value(a, t, r, y);
-                if (base->variable == ROOT)
-                    arb_sqrt(beta, beta, PREC);
-                slong row = (slong)floor(arf_get_d(arb_midref(beta), ARF_RND_NEAR) / base->step + 0.5);
-                row = row < base->rows ? row : base->rows - 1;
-                row_value(b, base, row, beta);
-                const double bits = bits_between(a, b);
-                const double stated = -log2(exp2(BETWEEN - t->bits[r]) + exp2(BETWEEN - base->bits[row]));
-                if (!(bits >= stated))
-                    fail_msg("%s, row %ld, place %d: %.2f bits, not %.1f", t->name, (long)r, k, bits, stated);
-            }
-    }
-    assert_int_equal(count, 2);
-}
-
-/* The macros by which evaluators find a row say what the comment above the table says, and no table is used beyond its
- * last row. */
+/* What the macros say of a table fits its rows, and no table is used beyond its last row. */
 static void test_geometry(void **state)
 {
     (void)state;
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
         if (t->variable == NONE) {
-            assert_true(isnan(t->macro_first) && isnan(t->macro_rows));
+            assert_true(isnan(t->first) && isnan(t->count));
             continue;
         }
         print_message("%s\n", t->name);
-        assert_true(t->macro_rows == (double)t->rows);
+        assert_true(t->count == (double)t->rows);
         const struct cell last = cell_of(t, t->rows - 1);
         if (by_octaves(t)) {
-            assert_true(t->macro_octave == t->first && t->macro_first == ldexp(1, (int)t->first));
-            assert_true(t->macro_bits == 3);
-            assert_true(t->macro_end == ldexp(last.hi, (int)last.octave));
+            assert_true(t->first == ldexp(1, (int)t->octave) && t->octave_bits == 3);
+            assert_true(t->end == ldexp(last.hi, (int)last.octave));
             continue;
         }
-        assert_true(t->macro_first == t->first && t->macro_step == t->step && t->macro_per_unit * t->step == 1);
-        assert_true(t->macro_end <= (t->variable == ROOT || t->variable == ROOT_OF_LOSS ? last.hi * last.hi : last.hi));
-        assert_true(isnan(t->macro_plain) ? !last.square : t->macro_plain * t->step == 0.25 && last.square);
+        assert_true(t->per_unit * t->step == 1);
+        assert_true(t->end <= (t->variable == ROOT || t->variable == ROOT_OF_LOSS ? last.hi * last.hi : last.hi));
+        assert_true(isnan(t->plain) ? !last.square : t->plain * t->step == 0.25 && last.square);
     }
 }
 
@@ -560,109 +499,74 @@ static slong row_at(arb_t value, const struct table *t, const arb_t beta)
     return row;
 }
 
-/* The loss by its rows, and as 1 less eps by those of eps */
-static void test_loss_rows(void **state)
+/* The table of what a row of t gives again at a beta, or NULL where there is none */
+static const struct table *other_table(const struct table *t, double beta)
+{
+    const bool force = strstr(t->name, "force") != NULL;
+    const bool loss = t->variable == LOSS || t->variable == ROOT_OF_LOSS;
+    const struct table *const other = find(loss    ? force ? "loss_zero_force" : "loss_zero_overlap"
+                                           : force ? "eps_zero_force"
+                                                   : "eps_zero_overlap");
+    if (beta <= other->end || !is_inverse(t))
+        return other;
+    return force ? find("tail_eps_zero_force") : NULL; /* h*^5 beta^-5 */
+}
+
+/* Every row of a table in x = beta^5, of the loss and of an inverse against rows in beta, its root or ln(beta), which
+ * are held against collisions at more places: eps in x is eps, the loss is 1 - eps, and eps or the loss at the beta of
+ * an inverse is what it was taken at. */
+static void test_rows_agree(void **state)
 {
     (void)state;
     enum { PLACES = 4 };
-    LOCAL(arb, y, beta, a, b);
-    const char *const names[][2] = {{"loss_zero_overlap", "eps_zero_overlap"}, {"loss_zero_force", "eps_zero_force"}};
-    for (int i = 0; i < 2; i++) {
-        const struct table *t = find(names[i][0]), *eps = find(names[i][1]);
-        for (slong r = 0; r < t->rows; r++)
-            for (int k = 0; k < PLACES; k++) {
-                const struct cell cell = cell_of(t, r);
-                arb_set_d(y, cell.lo + (cell.hi - cell.lo) * (k + 0.5) / (double)PLACES);
-                beta_of(beta, y, t, &cell);
-                row_value(a, t, r, y);
-                arb_mul(a, a, beta, PREC);
-                const slong row = row_at(b, eps, beta);
-                const double value = arf_get_d(arb_midref(b), ARF_RND_NEAR);
-                arb_sub_ui(b, b, 1, PREC);
-                arb_neg(b, b);
-                const double stated =
-                    -log2(exp2(BETWEEN - t->bits[r]) + value / (1 - value) * exp2(BETWEEN - eps->bits[row]));
-                if (!(bits_between(a, b) >= stated))
-                    fail_msg("%s, row %ld, place %d: %.2f bits, not %.1f", t->name, (long)r, k, bits_between(a, b),
-                             stated);
-            }
-    }
-}
-
-/* eps at the beta of an inverse row is the eps that it was taken at: by the rows of eps, up to beta = 16 and beyond. */
-static void test_inverse_rows(void **state)
-{
-    (void)state;
-    enum { PLACES = 3 };
     LOCAL(arb, y, x, beta, value, power);
     slong count = 0;
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
-        for (slong r = 0; is_inverse(t) && r < t->rows; r++)
-            for (int k = 0; k < PLACES; k++) {
-                const struct cell cell = cell_of(t, r);
-                const bool force = strstr(t->name, "force") != NULL;
-                arb_set_d(y, cell.lo + (cell.hi - cell.lo) * (k + 0.5) / (double)PLACES);
+        const bool loss = t->variable != NONE && holds_of(t->name)->loss, inverse = is_inverse(t);
+        for (slong n = 0; (t->variable == POWER || loss || inverse) && n < t->rows * PLACES; n++) {
+            const slong r = n / PLACES;
+            const struct cell cell = cell_of(t, r);
+            arb_set_d(y, cell.lo + (cell.hi - cell.lo) * ((double)(n % PLACES) + 0.5) / (double)PLACES);
+            if (inverse) { /* x is what it was taken at */
                 arb_mul_2exp_si(x, y, cell.octave);
                 if (t->variable == ROOT_OF_LOSS)
                     arb_sqr(x, y, PREC);
                 row_value(beta, t, r, y);
                 if (cell.near)
                     arb_mul(beta, beta, x, PREC);
-                /* eps rows hold relative to eps: the loss by those of the loss */
-                const struct table *forward = find(cell.near ? force ? "loss_zero_force" : "loss_zero_overlap"
-                                                   : force   ? "eps_zero_force"
-                                                             : "eps_zero_overlap");
-                const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
-                if (b > forward->macro_end && !force) /* h*^5 beta^-5 */
-                    continue;
-                slong row;
-                double more = 0;
-                if (b > forward->macro_end) {
-                    forward = find("tail_eps_zero_force");
-                    more = TAIL_ERROR;
-                    row = row_at(value, forward, beta);
-                    arb_pow_ratio(power, beta, (struct ratio){-5, 3}, PREC);
-                    arb_mul(value, value, power, PREC);
-                } else {
-                    row = row_at(value, forward, beta);
-                    if (cell.near)
-                        arb_mul(value, value, beta, PREC);
-                }
-                /* |d ln x/d ln beta| is at most 5, and 1 for the loss */
-                const double slope = cell.near ? 1 : 5;
-                const double stated =
-                    -log2(slope * exp2(BETWEEN - t->bits[r]) + exp2(BETWEEN - forward->bits[row]) + more);
-                if (!(bits_between(value, x) >= stated))
-                    fail_msg("%s, row %ld, place %d: %.2f bits, not %.1f", t->name, (long)r, k, bits_between(value, x),
-                             stated);
-                count++;
+            } else {
+                beta_of(beta, y, t, &cell);
+                row_value(x, t, r, y);
+                if (loss)
+                    arb_mul(x, x, beta, PREC);
             }
-    }
-    print_message("%ld places\n", (long)count);
-    assert_true(count > 800);
-}
-
-/* Neighbouring rows agree where they meet, to what they state. */
-static void test_continuity(void **state)
-{
-    (void)state;
-    LOCAL(arb, y, a, b);
-    for (int i = 0; i < tables.count; i++) {
-        const struct table *t = &tables.table[i];
-        for (slong r = 0; t->variable != NONE && r + 1 < t->rows; r++) {
-            const struct cell here = cell_of(t, r), next = cell_of(t, r + 1);
-            arb_set_d(y, here.hi);
-            row_value(a, t, r, y);
-            arb_set_d(y, next.lo);
-            assert_true(here.hi == next.lo || (here.hi == 2 && next.lo == 1));
-            row_value(b, t, r + 1, y);
-            const double bits = bits_between(a, b), stated = fmin(t->bits[r], t->bits[r + 1]) - 1 - BETWEEN;
-            if (!(bits >= stated))
-                fail_msg("%s: rows %ld and %ld agree to %.2f bits, not %.1f", t->name, (long)r, (long)r + 1, bits,
-                         stated);
+            const struct table *const other = other_table(t, arf_get_d(arb_midref(beta), ARF_RND_NEAR));
+            if (!other)
+                continue;
+            const slong row = row_at(value, other, beta);
+            const double eps = arf_get_d(arb_midref(value), ARF_RND_NEAR);
+            if (other->variable == LOGARITHM) {
+                arb_pow_ratio(power, beta, (struct ratio){-5, 3}, PREC);
+                arb_mul(value, value, power, PREC);
+            } else if (cell.near) {
+                arb_mul(value, value, beta, PREC);
+            } else if (loss) {
+                arb_sub_ui(value, value, 1, PREC);
+                arb_neg(value, value);
+            }
+            /* |d ln x/d ln beta| is at most 5, and 1 for the loss */
+            const double stated = -log2((inverse && !cell.near ? 5 : 1) * exp2(BETWEEN - t->bits[r]) +
+                                        (loss ? eps / (1 - eps) : 1) * exp2(BETWEEN - other->bits[row]) +
+                                        (other->variable == LOGARITHM ? TAIL_ERROR : 0));
+            if (!(bits_between(value, x) >= stated))
+                fail_msg("%s, row %ld, place %ld: %.2f bits, not %.1f", t->name, (long)r, (long)n % PLACES,
+                         bits_between(value, x), stated);
+            count++;
         }
     }
+    print_message("%ld places\n", (long)count);
+    assert_true(count > 5000);
 }
 
 /* c_0 is the double nearest to the value at the node, c_0' what it lacks. */
@@ -678,7 +582,7 @@ static void test_nodes(void **state)
             int exponent;
             frexp(row[0], &exponent);
             /* a head of 26 bits, or all of a double */
-            const bool head = holds_of(t->name).loss || t->variable == LOSS || t->variable == ROOT_OF_LOSS;
+            const bool head = holds_of(t->name)->loss || t->variable == LOSS || t->variable == ROOT_OF_LOSS;
             assert_true(fabs(row[1]) <= ldexp(1, exponent - (head ? 27 : 54)));
             assert_true(!head || ldexp(row[0], 26 - exponent) == rint(ldexp(row[0], 26 - exponent)));
             const struct cell cell = cell_of(t, r);
@@ -835,17 +739,17 @@ static void test_far_inverse(void **state)
     print_message("worst found %.1f bits\n", worst);
 }
 
-static void assert_pair(const struct table *t, slong column, const arb_t exact, slong bits)
+/* c + c' of a pair of columns */
+static void assert_pair(const char *name, slong column, const arb_t exact)
 {
+    const struct table *const t = find(name);
     LOCAL(arb, sum, c);
     arb_set_d(sum, t->c[column]);
     arb_set_d(c, t->c[column + 1]);
     arb_add(sum, sum, c, PREC);
     arb_sub(sum, sum, exact, PREC);
-    if (mag_cmp_2exp_si(arb_radref(exact), -200) > 0 || arf_cmpabs_2exp_si(arb_midref(sum), -bits) > 0) {
-        arb_fprintd(stderr, sum, 10);
-        fail_msg(": %s, columns %ld and %ld", t->name, (long)column, (long)column + 1);
-    }
+    if (arf_cmpabs_2exp_si(arb_midref(sum), -60) > 0)
+        fail_msg("%s, columns %ld and %ld", name, (long)column, (long)column + 1);
 }
 
 /* mu -> 0 in closed form (docs/derivation.md, 8): X = (3/2)^(2/3) is the largest overlap and the speed at zero force;
@@ -854,52 +758,49 @@ static void assert_pair(const struct table *t, slong column, const arb_t exact, 
 static void test_leading_coefficients(void **state)
 {
     (void)state;
-    enum { HELD = 60 };
-    LOCAL(arb, X, K, zero, a, b);
+    static const char *const times[] = {"far_time_of_max_overlap", "far_duration_zero_force"};
+    LOCAL(arb, X, zero, a, b, log_3_and_K);
     arb_set_d(X, 1.5);
     arb_pow_ratio(X, X, (struct ratio){2, 3}, PREC);
-    arb_sqrt_ui(K, 3, PREC);
-    arb_const_pi(a, PREC);
-    arb_mul(K, K, a, PREC);
-    arb_div_si(K, K, -6, PREC);
-    arb_log_ui(a, 3, PREC);
-    arb_mul_2exp_si(b, a, -1);
-    arb_add(K, K, b, PREC);
-    const char *const limits[] = {"far_eps_zero_force", "far_max_overlap"};
+    arb_log_ui(a, 27, PREC);
+    arb_sqrt_ui(log_3_and_K, 3, PREC);
+    arb_const_pi(b, PREC);
+    arb_div_ui(b, b, 3, PREC);
+    arb_submul(a, log_3_and_K, b, PREC);
+    arb_mul_2exp_si(log_3_and_K, a, -1);
+    assert_pair("far_eps_zero_force", 0, X);
+    assert_pair("far_eps_zero_force", 2, zero);
+    assert_pair("far_max_overlap", 0, X);
+    assert_pair("far_max_overlap", 2, zero);
     for (int i = 0; i < 2; i++) {
-        assert_pair(find(limits[i]), 0, X, HELD);
-        assert_pair(find(limits[i]), 2, zero, HELD);
-    }
-    const char *const times[] = {"far_time_of_max_overlap", "far_duration_zero_force"};
-    for (int i = 0; i < 2; i++) {
-        /* ln(3) - ln(X)/(i + 1) + K, times (2/3) X */
         arb_log(b, X, PREC);
         arb_mul_2exp_si(b, b, -i);
-        arb_log_ui(a, 3, PREC);
-        arb_sub(a, a, b, PREC);
-        arb_add(a, a, K, PREC);
+        arb_sub(a, log_3_and_K, b, PREC);
         arb_mul(a, a, X, PREC);
         arb_mul_2exp_si(a, a, 1);
         arb_div_ui(a, a, 3, PREC);
-        assert_pair(find(times[i]), 0, a, HELD);
+        assert_pair(times[i], 0, a);
         arb_mul_si(a, X, 10 * (i + 1), PREC);
         arb_div_ui(a, a, 9, PREC);
-        assert_pair(find(times[i]), 2, a, HELD);
+        assert_pair(times[i], 2, a);
     }
     arb_set_si(a, 10);
     arb_div_ui(a, a, 3, PREC);
-    assert_pair(find("far_duration_zero_overlap"), 2, a, HELD);
+    assert_pair("far_duration_zero_overlap", 2, a);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_embedded_tables), cmocka_unit_test(test_h_star),
-        cmocka_unit_test(test_geometry),        cmocka_unit_test(test_continuity),
-        cmocka_unit_test(test_power_rows),      cmocka_unit_test(test_loss_rows),
-        cmocka_unit_test(test_inverse_rows),    cmocka_unit_test(test_leading_coefficients),
-        cmocka_unit_test(test_nodes),           cmocka_unit_test(test_far),
-        cmocka_unit_test(test_far_inverse),     cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_embedded_tables),
+        cmocka_unit_test(test_h_star),
+        cmocka_unit_test(test_geometry),
+        cmocka_unit_test(test_rows_agree),
+        cmocka_unit_test(test_nodes),
+        cmocka_unit_test(test_far),
+        cmocka_unit_test(test_far_inverse),
+        cmocka_unit_test(test_leading_coefficients),
+        cmocka_unit_test(test_rows),
     };
     return cmocka_run_group_tests(tests, setup, teardown);
 }

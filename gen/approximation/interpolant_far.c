@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: MIT */
+#include <stdatomic.h>
+
+#include "approximation/interpolant_parts.h"
+#include "support/console.h"
+#include "support/local.h"
+#include "support/parallel.h"
+
+enum {
+    FAR_BITS = 112,
+    SOLVING_BITS = 960 /* for the linear equations of the far coefficients, which may be ill-conditioned */
+};
+
+void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity)
+{
+    for (int k = 0; k < INTERPOLANT_FAR; k++)
+        arb_set(coefficient + k, &f->far[interpolant_end(f, quantity)][k]);
+}
+
+void interpolant_far_fall(arb_t coefficient, const struct interpolant *f)
+{
+    arb_set(coefficient, f->fall);
+}
+
+/* 1, u; mu, mu u, mu u^2; mu^2, mu^2 u, mu^2 u^2, mu^2 u^3 */
+static void far_basis(arb_mat_t a, slong row, const arb_t u, const struct law *law, slong prec)
+{
+    const struct ratio power = law_mu_power(law);
+    LOCAL(arb, mu, term);
+    arb_mul_si(mu, u, -power.num, prec);
+    arb_div_ui(mu, mu, (ulong)power.den, prec);
+    arb_exp(mu, mu, prec);
+    slong column = 0;
+    for (slong order = 0; order < 3; order++) {
+        arb_pow_ui(term, mu, (ulong)order, prec);
+        for (slong exponent = 0; exponent <= order + 1; exponent++) {
+            arb_set(arb_mat_entry(a, row, column++), term);
+            arb_mul(term, term, u, prec);
+        }
+    }
+}
+
+/* Whether the duration at zero overlap has a term beta^((a-1)/n) that is not among beta^(a/(b+1)) mu^i: kappa =
+ * (b-a+1)/n is neither 0 nor 1. The sphere's is 0. */
+static bool falls_apart(const struct law *law)
+{
+    const struct ratio n = law_fall_power(law);
+    if (n.num <= 0)
+        return false;
+    const struct ratio kappa = ratio_div(ratio_add(ratio_sub(law->b, law->a), (struct ratio){1, 1}), n);
+    return kappa.num != 0 && !(kappa.num == 1 && kappa.den == 1);
+}
+
+/* The exponent of beta of the sum over mu^i u^j, or of the fall's constant, minus that of the leading power */
+static struct ratio far_excess(const struct law *law, bool fall)
+{
+    const struct ratio one = {1, 1};
+    const struct ratio own =
+        fall ? ratio_div(ratio_sub(law->a, one), law_fall_power(law)) : ratio_div(law->a, ratio_add(law->b, one));
+    return ratio_sub(own, interpolant_tail_power(law, DURATION_ZERO_OVERLAP));
+}
+
+/* u of sample k: 9.5, 10, ... for spheres, larger if mu falls more slowly */
+static double far_place(const struct law *law, slong k)
+{
+    const struct ratio power = law_mu_power(law);
+    const double sphere = 5.0 / 3, own = (double)power.num / (double)power.den;
+    return (9.5 + 0.5 * (double)k) * (own == sphere ? 1 : sphere / own);
+}
+
+static bool has_far(const struct interpolant *f, enum quantity quantity)
+{
+    const struct interpolant_layout *layout = f->layout;
+    for (int i = 0; i < layout->intervals; i++)
+        if (layout->interval[i].variable == INTERVAL_LOG && layout->interval[i].form == FORM_POWER &&
+            holds(&layout->interval[i], quantity))
+            return quantity != EPS_ZERO_OVERLAP;
+    return false;
+}
+
+struct far_sampling {
+    const struct interpolant *f;
+    const struct interval *interval;
+    arb_mat_struct *value; /* a row for each place */
+    atomic_bool failed;
+};
+
+static void sample_far(void *context, slong k)
+{
+    struct far_sampling *const work = context;
+    arb_ptr value = _arb_vec_init(QUANTITIES);
+    LOCAL(arb, beta, u);
+    interpolant_place(beta, u, work->f, work->interval, far_place(&work->f->layout->law, k));
+    if (interpolant_solve(value, work->f, work->interval, beta, FAR_BITS) != STATUS_OK)
+        atomic_store(&work->failed, true);
+    for (int q = 0; q < QUANTITIES; q++)
+        arb_set(arb_mat_entry(work->value, k, q), value + q);
+    _arb_vec_clear(value, QUANTITIES);
+}
+
+int interpolant_make_far(struct interpolant *f)
+{
+    const struct law *law = &f->layout->law;
+    struct interval interval = {INTERVAL_LOG, 0, 0, 0, FAR_BITS, FORM_POWER, 0};
+    const slong columns = INTERPOLANT_FAR + (falls_apart(law) && has_far(f, DURATION_ZERO_OVERLAP));
+    arb_mat_t a, b, own;
+    LOCAL(arb, beta, u, excess);
+    int status = STATUS_OK;
+    for (int q = 0; q < QUANTITIES; q++)
+        if (has_far(f, (enum quantity)q))
+            interval.set |= 1u << q;
+    arb_mat_init(a, INTERPOLANT_FAR, INTERPOLANT_FAR);
+    arb_mat_init(own, columns, columns);
+    arb_mat_init(b, columns, QUANTITIES);
+    struct far_sampling work = {.f = f, .interval = &interval, .value = b};
+    parallel_for(sample_far, &work, columns, "collisions at large beta");
+    if (atomic_load(&work.failed))
+        status = STATUS_FAILED;
+    for (slong k = 0; k < columns; k++) {
+        interpolant_place(beta, u, f, &interval, far_place(law, k));
+        arb_log(u, beta, SOLVING_BITS);
+        far_basis(own, k, u, law, SOLVING_BITS);
+        for (slong j = 0; j < INTERPOLANT_FAR && k < INTERPOLANT_FAR; j++)
+            arb_set(arb_mat_entry(a, k, j), arb_mat_entry(own, k, j));
+        if (columns > INTERPOLANT_FAR) {
+            interpolant_power(excess, u, far_excess(law, false), SOLVING_BITS);
+            for (slong j = 0; j < INTERPOLANT_FAR; j++)
+                arb_mul(arb_mat_entry(own, k, j), arb_mat_entry(own, k, j), excess, SOLVING_BITS);
+            interpolant_power(arb_mat_entry(own, k, INTERPOLANT_FAR), u, far_excess(law, true), SOLVING_BITS);
+        }
+    }
+    arb_mat_t x, y;
+    arb_mat_init(x, INTERPOLANT_FAR, QUANTITIES);
+    arb_mat_init(y, columns, QUANTITIES);
+    for (slong k = 0; k < INTERPOLANT_FAR; k++)
+        for (int q = 0; q < QUANTITIES; q++)
+            arb_set(arb_mat_entry(x, k, q), arb_mat_entry(b, k, q));
+    if (status == STATUS_OK && (!arb_mat_solve(x, a, x, SOLVING_BITS) ||
+                                (columns > INTERPOLANT_FAR && !arb_mat_solve(y, own, b, SOLVING_BITS))))
+        status = fail("the far coefficients could not be solved for");
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
+        for (int k = 0; k < INTERPOLANT_FAR; k++)
+            arb_set(&f->far[q][k], q == DURATION_ZERO_OVERLAP && columns > INTERPOLANT_FAR ? arb_mat_entry(y, k, q)
+                                                                                           : arb_mat_entry(x, k, q));
+    if (columns > INTERPOLANT_FAR)
+        arb_set(f->fall, arb_mat_entry(y, INTERPOLANT_FAR, DURATION_ZERO_OVERLAP));
+    arb_mat_clear(a);
+    arb_mat_clear(b);
+    arb_mat_clear(own);
+    arb_mat_clear(x);
+    arb_mat_clear(y);
+    return status;
+}
+
+void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec)
+{
+    const struct law *law = &f->layout->law;
+    LOCAL(arb, term, power);
+    arb_mat_t basis;
+    arb_mat_init(basis, 1, INTERPOLANT_FAR);
+    far_basis(basis, 0, u, law, INTERPOLANT_BITS);
+    arb_zero(y);
+    for (slong k = 0; k < INTERPOLANT_FAR; k++)
+        arb_addmul(y, arb_mat_entry(basis, 0, k), &f->far[quantity][k], prec);
+    if (quantity == DURATION_ZERO_OVERLAP && !arb_is_zero(f->fall)) {
+        interpolant_power(power, u, far_excess(law, false), prec);
+        arb_mul(y, y, power, prec);
+        interpolant_power(power, u, far_excess(law, true), prec);
+        arb_addmul(y, f->fall, power, prec);
+    }
+    interpolant_power(power, u, interpolant_tail_power(law, quantity), prec);
+    arb_mul(y, y, power, prec);
+    arb_mat_clear(basis);
+}
+
+/* e = mu (1 + mu q_1(u) + mu^2 q_2(u)), u = -(3/5) ln(mu), solved for beta = mu^(-3/5) in powers of e: to first order
+ * (3/5) q_1(v), to second (9/25) (q_1 q_1' - 2 q_1^2) + (3/5) q_2. */
+void interpolant_far_inverse(arb_ptr coefficient, const struct interpolant *f)
+{
+    const slong prec = INTERPOLANT_BITS;
+    arb_srcptr far = f->far[EPS_ZERO_FORCE]; /* 1, u; mu (1, u, u^2); mu^2 (1, ..., u^3) */
+    LOCAL(arb_poly, q1, q2, second);
+    LOCAL(arb, c, d);
+    for (slong k = 0; k < 3; k++)
+        arb_poly_set_coeff_arb(q1, k, far + 2 + k);
+    for (slong k = 0; k < 4; k++)
+        arb_poly_set_coeff_arb(q2, k, far + 5 + k);
+    arb_poly_scalar_div(q1, q1, far, prec);
+    arb_poly_scalar_div(q2, q2, far, prec);
+    arb_poly_derivative(second, q1, prec);
+    arb_poly_sub(second, second, q1, prec);
+    arb_poly_sub(second, second, q1, prec);
+    arb_poly_mul(second, second, q1, prec);
+    arb_set(coefficient, far);
+    for (slong k = 0; k < INTERPOLANT_FAR_INVERSE - 1; k++) {
+        const slong power = k < 3 ? k : k - 3;
+        arb_poly_get_coeff_arb(c, k < 3 ? q1 : q2, power);
+        arb_mul_ui(c, c, 15, prec);
+        if (k >= 3) {
+            arb_poly_get_coeff_arb(d, second, power);
+            arb_addmul_ui(c, d, 9, prec);
+        }
+        arb_div_ui(coefficient + 1 + k, c, 25, prec);
+    }
+}

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "approximation/interpolant_parts.h"
+#include "support/console.h"
+#include "support/local.h"
+
+/* The search range of an inverse */
+struct search {
+    const struct interpolant *f;
+    enum quantity eps, loss_quotient;
+    bool of_loss;
+    enum interval_variable variable;
+    double lo, hi;
+};
+
+/* The function of w whose zero is the inverse, minus its value for the given number: the root of the loss, which has a
+ * slope also at beta = 0; or ln(eps), because eps may fall by many powers of ten within an interval */
+static void excess(arb_t y, const struct search *s, const arb_t w, const arb_t wanted)
+{
+    const slong prec = INTERPOLANT_BITS, root = s->f->layout->root;
+    interpolant_at(y, s->f, s->of_loss ? s->loss_quotient : s->eps, s->variable, w, prec);
+    if (s->of_loss) {
+        if (s->variable == INTERVAL_ROOT) {
+            arb_root_ui(y, y, (ulong)root, prec);
+            arb_mul(y, y, w, prec);
+        } else {
+            LOCAL(arb, beta);
+            interpolant_beta(beta, s->f, s->variable, w, prec);
+            arb_mul(y, y, beta, prec);
+            arb_root_ui(y, y, (ulong)root, prec);
+        }
+    } else {
+        arb_log(y, y, prec);
+    }
+    arb_sub(y, y, wanted, prec);
+    arb_get_mid_arb(y, y);
+}
+
+/* Whether w is beyond the zero. The loss rises with beta, eps falls, and v falls with beta. */
+static bool beyond(const struct search *s, double w, const arb_t wanted)
+{
+    LOCAL(arb, x, y);
+    arb_set_d(x, w);
+    excess(y, s, x, wanted);
+    const int sign = arf_sgn(arb_midref(y));
+    return (s->of_loss ? sign > 0 : sign < 0) != (s->variable == INTERVAL_BELOW);
+}
+
+/* Bisects to a short bracket and then applies the secant method. */
+static int solve_search(arb_t w, struct search *s, const arb_t wanted)
+{
+    enum { HALVINGS = 5, STEPS = 18, ENOUGH_BITS = 110 };
+    for (int k = 0; k < HALVINGS; k++) {
+        const double middle = (s->lo + s->hi) / 2;
+        if (beyond(s, middle, wanted))
+            s->hi = middle;
+        else
+            s->lo = middle;
+    }
+    LOCAL(arb, before, f0, f1, step);
+    arb_set_d(before, s->lo);
+    arb_set_d(w, s->hi);
+    excess(f0, s, before, wanted);
+    bool found = false;
+    for (int k = 0; k < STEPS && !found; k++) {
+        excess(f1, s, w, wanted);
+        arb_sub(f0, f1, f0, INTERPOLANT_BITS);
+        arb_sub(step, w, before, INTERPOLANT_BITS);
+        arb_set(before, w);
+        found = arb_is_zero(f1);
+        if (!found) {
+            arb_mul(step, step, f1, INTERPOLANT_BITS);
+            arb_div(step, step, f0, INTERPOLANT_BITS);
+            arb_sub(w, w, step, INTERPOLANT_BITS);
+            arb_get_mid_arb(w, w);
+            arb_set(f0, f1);
+            found = arf_cmpabs_2exp_si(arb_midref(step), -ENOUGH_BITS) < 0;
+        }
+    }
+    return found ? STATUS_OK : fail("an inverse of the collision was not found");
+}
+
+/* The end of the last interval in the root of beta that holds samples of eps */
+static double last_sampled_root(const struct interpolant *f, enum quantity eps)
+{
+    double last = f->layout->interval[0].hi;
+    for (int i = 0; i < f->layout->intervals; i++) {
+        const struct interval *const interval = &f->layout->interval[i];
+        if (interval->variable == INTERVAL_ROOT && holds(interval, eps) && f->samples[i].known)
+            last = fmax(last, interval->hi);
+    }
+    return last;
+}
+
+/* Chooses the first variable whose range reaches the zero. */
+static void choose_stretch(struct search *s, const arb_t wanted)
+{
+    const struct interpolant *f = s->f;
+    const struct interpolant_layout *layout = f->layout;
+    const enum quantity eps = interpolant_end(f, s->eps);
+    s->variable = INTERVAL_ROOT;
+    s->lo = 0;
+    s->hi = last_sampled_root(f, eps);
+    if (interpolant_last(f, eps, INTERVAL_LOG) > -HUGE_VAL && !beyond(s, s->hi, wanted)) {
+        s->variable = INTERVAL_LOG;
+        s->lo = (double)layout->root * log(s->hi);
+        s->hi = interpolant_last(f, eps, INTERVAL_LOG);
+        if (interpolant_last(f, eps, INTERVAL_BELOW) > -HUGE_VAL && !beyond(s, s->hi, wanted)) {
+            s->variable = INTERVAL_BELOW;
+            s->hi = log(arf_get_d(arb_midref(f->threshold), ARF_RND_NEAR) - exp(s->hi));
+            s->lo = HUGE_VAL;
+            for (int i = 0; i < layout->intervals; i++)
+                if (layout->interval[i].variable == INTERVAL_BELOW && holds(&layout->interval[i], eps))
+                    s->lo = fmin(s->lo, layout->interval[i].lo);
+        }
+    }
+}
+
+int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
+{
+    const bool force = quantity == BETA_ZERO_FORCE || quantity == BETA_QUOTIENT_ZERO_FORCE;
+    struct search s = {.f = f,
+                       .eps = force ? EPS_ZERO_FORCE : EPS_ZERO_OVERLAP,
+                       .loss_quotient = force ? LOSS_QUOTIENT_ZERO_FORCE : LOSS_QUOTIENT_ZERO_OVERLAP,
+                       .of_loss = quantity == BETA_QUOTIENT_ZERO_OVERLAP || quantity == BETA_QUOTIENT_ZERO_FORCE};
+    LOCAL(arb, w, wanted);
+    if (s.of_loss)
+        arb_root_ui(wanted, x, (ulong)f->layout->root, INTERPOLANT_BITS);
+    else
+        arb_log(wanted, x, INTERPOLANT_BITS);
+    choose_stretch(&s, wanted);
+    const int status = solve_search(w, &s, wanted);
+    if (s.of_loss) { /* (1 - eps)/beta has a limit at beta = 0 */
+        interpolant_at(y, f, s.loss_quotient, s.variable, w, prec);
+        arb_inv(y, y, prec);
+    } else {
+        interpolant_beta(y, f, s.variable, w, prec);
+    }
+    return status;
+}

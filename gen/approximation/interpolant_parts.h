@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* What the parts of the interpolant share: samples (interpolant_samples.c), values (interpolant_values.c), what follows
+ * the last interval (interpolant_far.c) and the inverse functions (interpolant_inverse.c). */
+#ifndef COR_GEN_APPROXIMATION_INTERPOLANT_PARTS_H
+#define COR_GEN_APPROXIMATION_INTERPOLANT_PARTS_H
+
+#include "approximation/interpolant.h"
+
+enum { INTERPOLANT_BITS = 320 /* working precision */ };
+
+struct samples {
+    bool known;
+    arb_ptr beta, node, weight, value[QUANTITIES];
+};
+
+struct interpolant {
+    const struct interpolant_layout *layout;
+    struct samples *samples;
+    arb_struct far[QUANTITIES][INTERPOLANT_FAR];
+    arb_t fall;                         /* interpolant_far_fall */
+    arb_t threshold, final_speed;       /* beta_c for q < 0 and q = 0, v_f for q > 0; else infinite, 0 */
+    arb_poly_t backward, backward_time; /* G and T, if an interval computes zero force from them */
+};
+
+static inline bool is_eps(enum quantity quantity)
+{
+    return quantity == EPS_ZERO_OVERLAP || quantity == EPS_ZERO_FORCE;
+}
+
+static inline bool holds(const struct interval *interval, enum quantity quantity)
+{
+    return interval->set & 1u << quantity;
+}
+
+/* An exact beta near the place x of an interval, and the value of the variable there. The width of an inexact beta
+ * would grow a thousandfold in a strongly damped collision. */
+void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval,
+                       double x);
+/* All numbers that an interval stores for the collision at an exact beta, rounded to `bits` bits, as exact numbers */
+int interpolant_solve(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
+                      slong bits);
+
+/* beta^power at beta = exp(u) */
+void interpolant_power(arb_t y, const arb_t u, struct ratio power, slong prec);
+/* beta at a place of a variable */
+void interpolant_beta(arb_t beta, const struct interpolant *f, enum interval_variable variable, const arb_t x,
+                      slong prec);
+/* For a <= b the two ends of contact coincide. */
+enum quantity interpolant_end(const struct interpolant *f, enum quantity quantity);
+/* The polynomial through the samples of interval i, at x */
+void interpolant_polynomial_at(arb_t y, const struct interpolant *f, int i, enum quantity quantity, const arb_t x,
+                               slong prec);
+/* The last place of a variable at which the quantity is sampled; if it is not sampled, a number below all places */
+double interpolant_last(const struct interpolant *f, enum quantity quantity, enum interval_variable variable);
+
+/* Fits the far coefficients to the same number of samples. */
+int interpolant_make_far(struct interpolant *f);
+/* The quantity at beta = exp(u) from the far coefficients */
+void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec);
+
+#endif

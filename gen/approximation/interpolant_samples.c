@@ -1,0 +1,410 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+#include "approximation/barycentric.h"
+#include "approximation/interpolant_parts.h"
+#include "enclosure/collision.h"
+#include "series/restitution.h"
+#include "support/console.h"
+#include "support/local.h"
+#include "support/parallel.h"
+
+enum {
+    GUARD_BITS = 16,
+    CONSTANT_BITS = 200, /* of beta_c and v_f */
+    BACKWARD_ORDER = 24  /* of order of G and T, which are used for w below 1/8 */
+};
+
+/* At strong damping zero overlap is expensive, but has a closed form except for the duration. Zero overlap is singular
+ * near 1.7 + 0.45 i, so the ellipse around the third interval would prove too little. The two intervals after it cover
+ * the same range; all values still come from the first. */
+static const struct interval sphere_intervals[] = {
+    {INTERVAL_ROOT, 0, 0.625, 40, 90, FORM_QUOTIENT, SET_ALL},
+    {INTERVAL_ROOT, 0.625, 1.25, 40, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 1.25, 1.875, 40, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 1.25, 1.5625, 36, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 1.5625, 1.875, 44, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 1.875, 2.375, 40, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 2.375, 2.875, 40, 90, FORM_VALUE, SET_ALL},
+    {INTERVAL_ROOT, 2.875, 4.125, 40, 90, FORM_VALUE, SET_LENGTHS | SET_ZERO_FORCE},
+    {INTERVAL_LOG, 2, 10, 52, 76, FORM_POWER, SET_LENGTHS | SET_ZERO_FORCE | 1 << DURATION_ZERO_OVERLAP},
+};
+const struct interpolant_layout interpolant_sphere_proof = {.law = {{3, 2}, {1, 2}, 2, 3, 1},
+                                                            .root = 2,
+                                                            .interval = sphere_intervals,
+                                                            .intervals =
+                                                                sizeof sphere_intervals / sizeof *sphere_intervals,
+                                                            .far = true};
+
+const struct law *interpolant_law(const struct interpolant *f)
+{
+    return &f->layout->law;
+}
+
+const struct interpolant_layout *interpolant_layout_of(const struct interpolant *f)
+{
+    return f->layout;
+}
+
+bool interpolant_samples(arb_srcptr *node, arb_srcptr *value, const struct interpolant *f, int i,
+                         enum quantity quantity)
+{
+    *node = f->samples[i].node;
+    *value = f->samples[i].value[quantity];
+    return f->samples[i].known;
+}
+
+slong interpolant_root(const struct interpolant *f)
+{
+    return f->layout->root;
+}
+
+const arb_struct *interpolant_final_speed(const struct interpolant *f)
+{
+    return f->final_speed;
+}
+
+const arb_struct *interpolant_threshold(const struct interpolant *f)
+{
+    return f->threshold;
+}
+
+/* ---- samples ---- */
+
+static arb_srcptr field(const struct collision *c, enum quantity quantity)
+{
+    const arb_srcptr fields[QUANTITIES] = {c->eps_zero_overlap, c->eps_zero_force, c->t_zero_overlap,
+                                           c->t_zero_force,     c->x_max,          c->t_max};
+    return fields[quantity];
+}
+
+/* The number that an interval stores for a collision */
+static void scaled(arb_t y, const struct law *law, const struct interval *interval, enum quantity quantity,
+                   const struct collision *c, const arb_t beta, slong prec)
+{
+    arb_set(y, field(c, quantity));
+    if (interval->form == FORM_POWER && interval->variable == INTERVAL_BELOW) {
+        const struct ratio one = {1, 1};
+        LOCAL(arb, power);
+        arb_pow_ratio(power, c->eps_zero_overlap, ratio_div(ratio_sub(law->a, one), ratio_add(law->a, one)), prec);
+        arb_mul(y, y, power, prec);
+        return;
+    }
+    if (interval->form == FORM_QUOTIENT && is_eps(quantity)) {
+        arb_sub_ui(y, y, 1, prec);
+        arb_neg(y, y);
+        arb_div(y, y, beta, prec);
+    } else if (interval->form == FORM_LOG && is_eps(quantity)) {
+        arb_log(y, y, prec);
+    } else if (interval->form == FORM_POWER) {
+        LOCAL(arb, power);
+        arb_pow_ratio(power, beta, interpolant_tail_power(law, quantity), prec);
+        arb_div(y, y, power, prec);
+    }
+}
+
+void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, const struct interval *interval,
+                       double x)
+{
+    const int bits = interval->variable == INTERVAL_LOG && x >= 2 ? 20 : 40;
+    switch (interval->variable) {
+    case INTERVAL_LOG:
+        arb_set_d(beta, nearbyint(ldexp(exp(x), bits)));
+        arb_mul_2exp_si(beta, beta, -bits);
+        arb_log(variable, beta, INTERPOLANT_BITS);
+        break;
+    case INTERVAL_ROOT:
+        arb_set_d(variable, nearbyint(ldexp(x, bits)));
+        arb_mul_2exp_si(variable, variable, -bits);
+        arb_pow_ui(beta, variable, (ulong)f->layout->root, INTERPOLANT_BITS);
+        break;
+    case INTERVAL_BELOW:
+        arb_set_d(variable, exp(x));
+        arb_sub(beta, f->threshold, variable, INTERPOLANT_BITS);
+        arb_get_mid_arb(beta, beta);
+        arb_sub(variable, f->threshold, beta, INTERPOLANT_BITS);
+        arb_log(variable, variable, INTERPOLANT_BITS);
+        break;
+    }
+}
+
+/* Computes all numbers that an interval stores for the collision at an exact beta, each to at least `bits` bits. */
+static int interval_solve(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
+                          slong bits)
+{
+    struct collision c;
+    collision_init(&c);
+    const struct law *law = &f->layout->law;
+    const slong prec = bits + 3 * GUARD_BITS;
+    slong more = GUARD_BITS;
+    if (interval->form == FORM_QUOTIENT)
+        more += FLINT_MAX(0, -(slong)arf_abs_bound_lt_2exp_si(arb_midref(beta)) + 1);
+    const bool overlap = interval->set & SET_ZERO_OVERLAP, force = interval->set & SET_ZERO_FORCE;
+    const int status = overlap && force ? collision_solve(&c, beta, law, bits + more)
+                       : overlap        ? collision_solve_overlap(&c, beta, law, bits + more)
+                                        : collision_solve_force(&c, beta, law, bits + more);
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
+        if (holds(interval, (enum quantity)q))
+            scaled(value + q, law, interval, (enum quantity)q, &c, beta, prec + more);
+    collision_clear(&c);
+    return status;
+}
+
+int interpolant_solve(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
+                      slong bits)
+{
+    for (slong extra = 0; extra < 200; extra += 40) {
+        bool decided = true;
+        if (interval_solve(value, f, interval, beta, bits + extra))
+            return STATUS_FAILED;
+        for (int q = 0; q < QUANTITIES; q++)
+            if (holds(interval, (enum quantity)q))
+                decided = sample_rounded(value + q, value + q, bits) && decided;
+        if (decided)
+            return STATUS_OK;
+    }
+    return fail("a sample of the collision could not be rounded to %ld bits", (long)bits);
+}
+
+/* Sets the Chebyshev points and the barycentric weights. */
+static void place_nodes(struct samples *s, const struct interpolant *f, const struct interval *interval)
+{
+    const slong n = interval->count;
+    for (slong j = 0; j < n; j++)
+        interpolant_place(s->beta + j, s->node + j, f, interval,
+                          (interval->lo + interval->hi) / 2 +
+                              (interval->hi - interval->lo) / 2 * chebyshev_point(j, n));
+    barycentric_weights(s->weight, s->node, n, INTERPOLANT_BITS);
+}
+
+/* ---- construction ---- */
+
+/* beta at a place of an interval, as a double */
+static double beta_near(const struct interpolant *f, const struct interval *interval, double x)
+{
+    switch (interval->variable) {
+    case INTERVAL_ROOT:
+        return pow(x, (double)f->layout->root);
+    case INTERVAL_LOG:
+        return exp(x);
+    default:
+        return arf_get_d(arb_midref(f->threshold), ARF_RND_NEAR) - exp(x);
+    }
+}
+
+/* Whether [beta_min, beta_max] meets an interval. The far coefficients continue the last u. */
+static bool needed(const struct interpolant *f, const struct interval *interval, double beta_min, double beta_max)
+{
+    const double x = beta_near(f, interval, interval->lo), y = beta_near(f, interval, interval->hi);
+    const bool last = interval == &f->layout->interval[f->layout->intervals - 1];
+    return beta_max >= fmin(x, y) && (beta_min <= fmax(x, y) || (last && interval->variable == INTERVAL_LOG));
+}
+
+static int make_constants(struct interpolant *f, double beta_max)
+{
+    const struct law *law = &f->layout->law;
+    const struct ratio n = law_fall_power(law);
+    arb_pos_inf(f->threshold);
+    if (n.num < 0) {
+        LOCAL(arb, height);
+        const int status = collision_threshold(f->threshold, height, law, INTERPOLANT_BITS);
+        return status;
+    }
+    if (n.num == 0) {
+        arb_set_ratio(f->threshold, ratio_mul((struct ratio){2, 1}, ratio_add(law->a, (struct ratio){1, 1})),
+                      INTERPOLANT_BITS);
+        arb_sqrt(f->threshold, f->threshold, INTERPOLANT_BITS);
+        return STATUS_OK;
+    }
+    const double root_end = pow(fmax(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_ROOT), 0), (double)f->layout->root);
+    const bool beyond_samples = beta_max >= fmax(root_end, exp(interpolant_last(f, EPS_ZERO_OVERLAP, INTERVAL_LOG)));
+    return beyond_samples ? collision_final_speed(f->final_speed, law, CONSTANT_BITS) : STATUS_OK;
+}
+
+/* Computes G and T if the intervals near beta = 0 do not sample zero force. */
+static void make_backward(struct interpolant *f)
+{
+    const struct interpolant_layout *layout = f->layout;
+    if (holds(&layout->interval[0], EPS_ZERO_FORCE) || !law_force_ends(&layout->law))
+        return;
+    LOCAL(fmpq_poly, G, T);
+    restitution_zero_force_exact(G, T, BACKWARD_ORDER, &layout->law);
+    arb_poly_set_fmpq_poly(f->backward, G, INTERPOLANT_BITS);
+    arb_poly_set_fmpq_poly(f->backward_time, T, INTERPOLANT_BITS);
+}
+
+static void samples_init(struct samples *s, slong count)
+{
+    s->known = false;
+    s->beta = _arb_vec_init(count);
+    s->node = _arb_vec_init(count);
+    s->weight = _arb_vec_init(count);
+    for (int q = 0; q < QUANTITIES; q++)
+        s->value[q] = _arb_vec_init(count);
+}
+
+static void samples_clear(struct samples *s, slong count)
+{
+    _arb_vec_clear(s->beta, count);
+    _arb_vec_clear(s->node, count);
+    _arb_vec_clear(s->weight, count);
+    for (int q = 0; q < QUANTITIES; q++)
+        _arb_vec_clear(s->value[q], count);
+}
+
+/* The samples of all intervals that are needed, as tasks */
+struct sampling {
+    struct interpolant *f;
+    struct {
+        int interval;
+        slong sample;
+    } * task;
+    slong tasks;
+    atomic_bool failed;
+};
+
+static void sample(void *context, slong i)
+{
+    struct sampling *const work = context;
+    const struct interval *const interval = &work->f->layout->interval[work->task[i].interval];
+    struct samples *const s = &work->f->samples[work->task[i].interval];
+    const slong j = work->task[i].sample;
+    if (atomic_load(&work->failed))
+        return;
+    arb_ptr value = _arb_vec_init(QUANTITIES);
+    if (interpolant_solve(value, work->f, interval, s->beta + j, interval->bits) != STATUS_OK)
+        atomic_store(&work->failed, true);
+    for (int q = 0; q < QUANTITIES; q++)
+        arb_set(s->value[q] + j, value + q);
+    _arb_vec_clear(value, QUANTITIES);
+}
+
+static int make_samples(struct interpolant *f, double beta_min, double beta_max)
+{
+    const struct interpolant_layout *const layout = f->layout;
+    struct sampling work = {.f = f};
+    slong most = 0;
+    for (int i = 0; i < layout->intervals; i++)
+        most += layout->interval[i].count;
+    work.task = xmalloc((size_t)most * sizeof *work.task);
+    for (int i = layout->intervals - 1; i >= 0; i--) { /* the longest collisions first */
+        f->samples[i].known = needed(f, &layout->interval[i], beta_min, beta_max);
+        if (!f->samples[i].known)
+            continue;
+        place_nodes(&f->samples[i], f, &layout->interval[i]);
+        for (slong j = layout->interval[i].count - 1; j >= 0; j--) {
+            work.task[work.tasks].interval = i;
+            work.task[work.tasks++].sample = j;
+        }
+    }
+    parallel_for(sample, &work, work.tasks, "collisions");
+    free(work.task);
+    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
+}
+
+struct interpolant *interpolant_new(const struct interpolant_layout *layout, double beta_min, double beta_max)
+{
+    struct interpolant *f = xmalloc(sizeof *f);
+    f->layout = layout;
+    f->samples = xmalloc((size_t)layout->intervals * sizeof *f->samples);
+    for (int i = 0; i < layout->intervals; i++)
+        samples_init(&f->samples[i], layout->interval[i].count);
+    for (int q = 0; q < QUANTITIES; q++)
+        for (int k = 0; k < INTERPOLANT_FAR; k++)
+            arb_init(&f->far[q][k]);
+    arb_init(f->fall);
+    arb_init(f->threshold);
+    arb_init(f->final_speed);
+    arb_poly_init(f->backward);
+    arb_poly_init(f->backward_time);
+
+    int status = make_constants(f, beta_max);
+    make_backward(f);
+    if (status == STATUS_OK)
+        status = make_samples(f, beta_min, beta_max);
+    const struct interval *last = &layout->interval[layout->intervals - 1];
+    if (status == STATUS_OK && layout->far && beta_max > exp(last->hi))
+        status = interpolant_make_far(f);
+    if (status == STATUS_OK)
+        return f;
+    interpolant_free(f);
+    return NULL;
+}
+
+void interpolant_free(struct interpolant *f)
+{
+    if (!f)
+        return;
+    for (int i = 0; i < f->layout->intervals; i++)
+        samples_clear(&f->samples[i], f->layout->interval[i].count);
+    free(f->samples);
+    for (int q = 0; q < QUANTITIES; q++)
+        for (int k = 0; k < INTERPOLANT_FAR; k++)
+            arb_clear(&f->far[q][k]);
+    arb_clear(f->fall);
+    arb_clear(f->threshold);
+    arb_clear(f->final_speed);
+    arb_poly_clear(f->backward);
+    arb_poly_clear(f->backward_time);
+    free(f);
+}
+
+/* The largest relative error of interval i at the place x */
+static int check_place(double *error, const struct interpolant *f, int i, double x)
+{
+    const struct interval *interval = &f->layout->interval[i];
+    arb_ptr value = _arb_vec_init(QUANTITIES);
+    LOCAL(arb, beta, variable, y);
+    interpolant_place(beta, variable, f, interval, x);
+    const int status = interval_solve(value, f, interval, beta, interval->bits);
+    for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++) {
+        if (!holds(interval, (enum quantity)q))
+            continue;
+        interpolant_polynomial_at(y, f, i, (enum quantity)q, variable, INTERPOLANT_BITS);
+        if (interval->form == FORM_LOG && is_eps((enum quantity)q)) {
+            arb_sub(y, y, value + q, INTERPOLANT_BITS); /* for a logarithm the absolute error counts */
+        } else {
+            arb_div(y, y, value + q, INTERPOLANT_BITS);
+            arb_sub_ui(y, y, 1, INTERPOLANT_BITS);
+        }
+        *error = fmax(*error, fabs(arf_get_d(arb_midref(y), ARF_RND_UP)));
+    }
+    _arb_vec_clear(value, QUANTITIES);
+    return status;
+}
+
+struct checking {
+    const struct interpolant *f;
+    int points;
+    double *error; /* of each task */
+    atomic_bool failed;
+};
+
+/* Checks point i % points of interval i / points. The points include the ends, where interpolation is worst. */
+static void check_point(void *context, slong i)
+{
+    struct checking *const work = context;
+    const int index = (int)(i / work->points), k = (int)(i % work->points);
+    const struct interval *const interval = &work->f->layout->interval[index];
+    const double s = work->points > 1 ? k / (double)(work->points - 1) : 0;
+    const bool at_zero = k == 0 && interval->variable == INTERVAL_ROOT && interval->lo == 0;
+    work->error[i] = 0;
+    if (work->f->samples[index].known &&
+        check_place(&work->error[i], work->f, index,
+                    interval->lo + (interval->hi - interval->lo) * (at_zero ? 1e-6 : s)))
+        atomic_store(&work->failed, true);
+}
+
+int interpolant_check(double *error, const struct interpolant *f, int points)
+{
+    const slong tasks = (slong)f->layout->intervals * points;
+    struct checking work = {.f = f, .points = points, .error = xmalloc((size_t)tasks * sizeof *work.error)};
+    parallel_for(check_point, &work, tasks, "collisions to check with");
+    *error = 0;
+    for (slong i = 0; i < tasks; i++)
+        *error = fmax(*error, work.error[i]);
+    free(work.error);
+    return atomic_load(&work.failed) ? STATUS_FAILED : STATUS_OK;
+}

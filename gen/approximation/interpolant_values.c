@@ -1,0 +1,281 @@
+/* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "approximation/barycentric.h"
+#include "approximation/interpolant_parts.h"
+#include "support/local.h"
+
+/* Powers of beta that the quantities follow for large beta. A duration at zero overlap is mainly the creep along the
+ * slow manifold or, if a - b > 1, the end of the creep. */
+struct ratio interpolant_tail_power(const struct law *law, enum quantity quantity)
+{
+    const struct ratio one = {1, 1}, minus = {-1, 1}, b1 = ratio_add(law->b, one);
+    switch (quantity) {
+    case EPS_ZERO_OVERLAP:
+        return ratio_div(minus, law_speed_exponent(law));
+    case EPS_ZERO_FORCE:
+        return ratio_mul(minus, law_mu_power(law));
+    case DURATION_ZERO_OVERLAP:
+        return ratio_sub(ratio_sub(law->a, law->b), one).num > 0
+                   ? ratio_div(ratio_sub(law->a, one), law_fall_power(law))
+                   : ratio_div(law->a, b1);
+    default:
+        return ratio_div(minus, b1);
+    }
+}
+
+void interpolant_power(arb_t y, const arb_t u, struct ratio power, slong prec)
+{
+    arb_mul_si(y, u, power.num, prec);
+    arb_div_ui(y, y, (ulong)power.den, prec);
+    arb_exp(y, y, prec);
+}
+
+/* q = 0: eps at zero overlap, exp(-pi beta/sqrt(beta_c^2 - beta^2)), and its logarithm */
+static void linear_log_eps(arb_t y, const struct interpolant *f, const arb_t beta, slong prec)
+{
+    LOCAL(arb, square);
+    arb_sqr(square, f->threshold, prec);
+    arb_sqr(y, beta, prec);
+    arb_sub(square, square, y, prec);
+    arb_sqrt(square, square, prec);
+    arb_const_pi(y, prec);
+    arb_mul(y, y, beta, prec);
+    arb_div(y, y, square, prec);
+    arb_neg(y, y);
+}
+
+void interpolant_polynomial_at(arb_t y, const struct interpolant *f, int i, enum quantity quantity, const arb_t x,
+                               slong prec)
+{
+    const struct samples *s = &f->samples[i];
+    barycentric_value(y, s->node, s->weight, s->value[quantity], f->layout->interval[i].count, x, prec);
+}
+
+/* The first interval of a variable that samples the quantity and does not end before x, or the last such interval, or
+ * -1. If `scaled`, only intervals of FORM_POWER count. */
+static int interval_at(const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
+                       const arb_t x, bool scaled_only)
+{
+    const double at = arf_get_d(arb_midref(x), ARF_RND_NEAR);
+    int found = -1;
+    for (int i = 0; i < f->layout->intervals; i++) {
+        const struct interval *interval = &f->layout->interval[i];
+        if (interval->variable != variable || !holds(interval, quantity) ||
+            (scaled_only && interval->form != FORM_POWER))
+            continue;
+        found = i;
+        if (at <= interval->hi)
+            break;
+    }
+    return found;
+}
+
+void interpolant_beta(arb_t beta, const struct interpolant *f, enum interval_variable variable, const arb_t x,
+                      slong prec)
+{
+    if (variable == INTERVAL_ROOT) {
+        arb_pow_ui(beta, x, (ulong)f->layout->root, prec);
+    } else {
+        arb_exp(beta, x, prec);
+        if (variable == INTERVAL_BELOW)
+            arb_sub(beta, f->threshold, beta, prec);
+    }
+}
+
+/* The quantity from the number that its interval stores */
+static void unscaled(arb_t y, const struct interpolant *f, const struct interval *interval, enum quantity quantity,
+                     const arb_t x, slong prec)
+{
+    LOCAL(arb, scale);
+    if (interval->form == FORM_VALUE || (interval->form != FORM_POWER && !is_eps(quantity)))
+        return;
+    if (interval->form == FORM_QUOTIENT) {
+        for (slong k = 0; k < f->layout->root; k++)
+            arb_mul(y, y, x, prec);
+        arb_sub_ui(y, y, 1, prec);
+        arb_neg(y, y);
+    } else if (interval->form == FORM_LOG) {
+        arb_exp(y, y, prec);
+    } else {
+        interpolant_power(scale, x, interpolant_tail_power(&f->layout->law, quantity), prec);
+        arb_mul(y, y, scale, prec);
+    }
+}
+
+/* (1 - eps)/beta from the number that the interval stores for eps */
+static void loss_quotient(arb_t y, const struct interpolant *f, const struct interval *interval, enum quantity eps,
+                          const arb_t x, slong prec)
+{
+    if (interval->form == FORM_QUOTIENT)
+        return;
+    if (interval->form == FORM_LOG) {
+        arb_expm1(y, y, prec);
+    } else {
+        unscaled(y, f, interval, eps, x, prec);
+        arb_sub_ui(y, y, 1, prec);
+    }
+    arb_neg(y, y);
+    if (interval->variable == INTERVAL_ROOT) {
+        for (slong k = 0; k < f->layout->root; k++)
+            arb_div(y, y, x, prec);
+    } else {
+        LOCAL(arb, beta);
+        interpolant_beta(beta, f, interval->variable, x, prec);
+        arb_div(y, y, beta, prec);
+    }
+}
+
+/* Zero force from zero overlap, near beta = 0: eps G(w), and the duration less eps^((1-a)/(1+a)) h^(1/(a-b)) T(w), h =
+ * beta eps^q, w = h^((a+1)/(a-b)) (docs/derivation.md, 5 and 9). The loss quotient needs only G - 1. */
+static void backward(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
+{
+    const struct law *law = &f->layout->law;
+    const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one), difference = ratio_sub(law->a, law->b);
+    const bool loss = quantity == LOSS_QUOTIENT_ZERO_FORCE;
+    LOCAL(arb, beta, eps, h, w, part);
+    interpolant_beta(beta, f, INTERVAL_ROOT, x, prec);
+    interpolant_value(eps, f, EPS_ZERO_OVERLAP, x, prec);
+    arb_pow_ratio(h, eps, law_speed_exponent(law), prec);
+    arb_mul(h, h, beta, prec);
+    if (arb_is_zero(beta))
+        arb_zero(w);
+    else
+        arb_pow_ratio(w, h, ratio_div(a1, difference), prec);
+    if (quantity == DURATION_ZERO_FORCE) {
+        arb_poly_evaluate(part, f->backward_time, w, prec);
+        if (arb_is_zero(beta))
+            arb_zero(h);
+        else
+            arb_pow_ratio(h, h, ratio_div(one, difference), prec);
+        arb_mul(part, part, h, prec);
+        arb_pow_ratio(w, eps, ratio_div(ratio_sub(one, law->a), a1), prec);
+        arb_mul(part, part, w, prec);
+        interpolant_value(y, f, DURATION_ZERO_OVERLAP, x, prec);
+        arb_sub(y, y, part, prec);
+    } else if (loss) {
+        /* (1 - eps G)/beta = (1 - eps)/beta - eps (G - 1)/beta */
+        arb_poly_evaluate(part, f->backward, w, prec);
+        arb_sub_ui(part, part, 1, prec);
+        arb_mul(part, part, eps, prec);
+        if (!arb_is_zero(beta))
+            arb_div(part, part, beta, prec);
+        interpolant_value(y, f, LOSS_QUOTIENT_ZERO_OVERLAP, x, prec);
+        arb_sub(y, y, part, prec);
+    } else {
+        arb_poly_evaluate(part, f->backward, w, prec);
+        arb_mul(y, eps, part, prec);
+    }
+}
+
+enum quantity interpolant_end(const struct interpolant *f, enum quantity quantity)
+{
+    if (law_force_ends(&f->layout->law))
+        return quantity;
+    switch (quantity) {
+    case EPS_ZERO_FORCE:
+        return EPS_ZERO_OVERLAP;
+    case DURATION_ZERO_FORCE:
+        return DURATION_ZERO_OVERLAP;
+    case LOSS_QUOTIENT_ZERO_FORCE:
+        return LOSS_QUOTIENT_ZERO_OVERLAP;
+    default:
+        return quantity;
+    }
+}
+
+void interpolant_at(arb_t y, const struct interpolant *f, enum quantity quantity, enum interval_variable variable,
+                    const arb_t x, slong prec)
+{
+    quantity = interpolant_end(f, quantity);
+    const bool loss = quantity == LOSS_QUOTIENT_ZERO_OVERLAP || quantity == LOSS_QUOTIENT_ZERO_FORCE;
+    const enum quantity stored = quantity == LOSS_QUOTIENT_ZERO_OVERLAP ? EPS_ZERO_OVERLAP
+                                 : quantity == LOSS_QUOTIENT_ZERO_FORCE ? EPS_ZERO_FORCE
+                                                                        : quantity;
+    const int i = interval_at(f, stored, variable, x, false);
+    if (i < 0 && stored == EPS_ZERO_OVERLAP) { /* q = 0 */
+        LOCAL(arb, beta);
+        interpolant_beta(beta, f, variable, x, prec);
+        linear_log_eps(y, f, beta, prec);
+        (loss ? arb_expm1 : arb_exp)(y, y, prec);
+        if (loss) {
+            arb_neg(y, y);
+            arb_div(y, y, beta, prec);
+        }
+        return;
+    }
+    if (i < 0) {
+        backward(y, f, quantity, x, prec);
+        return;
+    }
+    interpolant_polynomial_at(y, f, i, stored, x, prec);
+    if (loss)
+        loss_quotient(y, f, &f->layout->interval[i], stored, x, prec);
+    else
+        unscaled(y, f, &f->layout->interval[i], stored, x, prec);
+}
+
+void interpolant_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t z, slong prec)
+{
+    interpolant_at(y, f, quantity, INTERVAL_ROOT, z, prec);
+}
+
+void interpolant_tail(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec)
+{
+    quantity = interpolant_end(f, quantity);
+    interpolant_polynomial_at(y, f, interval_at(f, quantity, INTERVAL_LOG, u, true), quantity, u, prec);
+}
+
+void interpolant_below(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t v, slong prec)
+{
+    const int i = interval_at(f, quantity, INTERVAL_BELOW, v, false);
+    interpolant_polynomial_at(y, f, i, quantity, v, prec);
+    if (f->layout->interval[i].form != FORM_POWER)
+        unscaled(y, f, &f->layout->interval[i], quantity, v, prec);
+}
+
+/* ---- the quantity at any beta ---- */
+
+double interpolant_last(const struct interpolant *f, enum quantity quantity, enum interval_variable variable)
+{
+    double last = -HUGE_VAL;
+    for (int i = 0; i < f->layout->intervals; i++)
+        if (f->layout->interval[i].variable == variable && holds(&f->layout->interval[i], quantity))
+            last = fmax(last, f->layout->interval[i].hi);
+    return last;
+}
+
+void interpolant_at_beta(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t beta, slong prec)
+{
+    const struct interpolant_layout *layout = f->layout;
+    quantity = interpolant_end(f, quantity);
+    const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
+    const double root_end = pow(fmax(interpolant_last(f, quantity, INTERVAL_ROOT), 0), (double)layout->root);
+    const bool overlap = quantity == EPS_ZERO_OVERLAP || quantity == DURATION_ZERO_OVERLAP;
+    LOCAL(arb, x);
+    if (b <= root_end ||
+        (!holds(&layout->interval[0], quantity) && b <= pow(layout->interval[0].hi, (double)layout->root))) {
+        arb_root_ui(x, beta, (ulong)layout->root, prec);
+        interpolant_at(y, f, quantity, INTERVAL_ROOT, x, prec);
+    } else if (overlap && arb_is_finite(f->threshold) && b > exp(interpolant_last(f, quantity, INTERVAL_LOG))) {
+        arb_sub(x, f->threshold, beta, prec);
+        if (arb_is_positive(x)) {
+            arb_log(x, x, prec);
+            interpolant_at(y, f, quantity, INTERVAL_BELOW, x, prec);
+        } else if (quantity == EPS_ZERO_OVERLAP) {
+            arb_zero(y);
+        } else {
+            arb_pos_inf(y);
+        }
+    } else {
+        arb_log(x, beta, prec);
+        if (log(b) <= interpolant_last(f, quantity, INTERVAL_LOG)) {
+            interpolant_at(y, f, quantity, INTERVAL_LOG, x, prec);
+        } else if (quantity == EPS_ZERO_OVERLAP) {
+            interpolant_power(y, x, interpolant_tail_power(&layout->law, quantity), prec);
+            arb_mul(y, y, f->final_speed, prec);
+        } else {
+            interpolant_far_value(y, f, quantity, x, prec);
+        }
+    }
+}
