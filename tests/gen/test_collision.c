@@ -76,7 +76,7 @@ static void test_series(void **state)
          * (beta/0.75)^60. */
         arb_set_d(y, 0.75);
         arb_div(z, x, y, PREC);
-        arb_pow_ui(z, z, ORDER, PREC);
+        arb_pow_ui(z, z, (ulong)ORDER, PREC);
         arb_poly_evaluate(y, s.y, x, PREC);
         arb_add_error(y, z);
         assert_overlap(y, c.x_max, "x_max at beta", (slong)i);
