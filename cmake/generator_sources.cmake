@@ -103,7 +103,6 @@ set(COR_GENERATOR_CALLERS
   gen/contact/contact_plot.c
   gen/contact/contact_rows.c
   gen/contact/sample.c
-  gen/contact/sample_function.c
   gen/contact/sample_table.c
   gen/fit/compare.c
   gen/fit/data.c

@@ -4,6 +4,7 @@
 #include "cor/status.h"
 #include "enclosure/collision.h"
 #include "support/console.h"
+#include "support/local.h"
 
 const char *const contact_law_names[] = {COR_LAW_NAMES, "plate", NULL};
 
@@ -31,8 +32,7 @@ int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponent
             "beta is %g at an impact; allowed for x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0: up to %g", beta,
             (long)law.b.num, (long)law.b.den, (long)law.a.num, (long)law.a.den, ENCLOSED_BETA_MAX);
     struct collision c;
-    arb_t x;
-    arb_init(x);
+    LOCAL(arb, x);
     collision_init(&c);
     arb_set_d(x, beta);
     const int status = (end == COR_BOTH_ENDS        ? collision_solve
@@ -42,7 +42,6 @@ int contact_enclosed(struct cor_scaled_impact *impact, const struct cor_exponent
                                          {nearest(c.t_zero_overlap), nearest(c.t_zero_force)},
                                          nearest(c.x_max)};
     collision_clear(&c);
-    arb_clear(x);
     return status == 0 ? STATUS_OK : -STATUS_FAILED;
 }
 

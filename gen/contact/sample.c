@@ -4,9 +4,216 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "contact/sample_function.h"
 #include "support/console.h"
 #include "support/decimal.h"
+#include "support/parallel.h"
+
+/* ---- eps and duration as functions of x = speed or x = ln(speed), quick for every law: laws that take an enclosed
+ * collision for each speed are interpolated between Chebyshev points ---- */
+
+/* Step of the difference in ln(speed), and how many steps it reaches on either side */
+#define SLOPE_STEP 0.01
+enum { SLOPE_REACH = 3 };
+
+/* Chebyshev points of a piece, and the error of the interpolation that ends its division */
+enum { PIECE_POINTS = 24, PIECES_MOST = 512 };
+#define PIECE_ERROR 1e-13
+
+struct piece {
+    double low, high; /* of ln(speed) */
+    double value[SAMPLE_QUANTITIES][PIECE_POINTS];
+    int status;
+};
+
+struct function {
+    const struct cor_scene_contact *contact;
+    enum contact_end end;
+    bool log;
+    int quantities; /* 1: eps; 2: eps and duration */
+    struct piece *piece;
+    size_t pieces;
+};
+
+static double duration_scale(const struct cor_scene_contact *contact, double speed_m_s)
+{
+    const double a = (double)contact->law.elastic / (double)contact->law.denominator;
+    return pow(speed_m_s, (1 - a) / (1 + a));
+}
+
+static int value_direct(double value[SAMPLE_QUANTITIES], const struct function *f, double speed_m_s)
+{
+    struct cor_scene_impact impact;
+    if (f->quantities == 1)
+        return contact_status(cor_scene_eps(&value[0], f->contact, speed_m_s, (int)f->end));
+    const int status = cor_scene_impact(&impact, f->contact, speed_m_s);
+    value[0] = impact.eps[f->end];
+    value[1] = impact.duration_s[f->end];
+    return contact_status(status);
+}
+
+static double chebyshev_angle(int i)
+{
+    return 3.14159265358979323846 * i / (PIECE_POINTS - 1);
+}
+
+static double piece_point(const struct piece *piece, int i)
+{
+    return (piece->low + piece->high) / 2 - (piece->high - piece->low) / 2 * cos(chebyshev_angle(i));
+}
+
+/* The barycentric formula for Chebyshev points of the second kind */
+static double piece_value(const struct piece *piece, int quantity, double u)
+{
+    double above = 0, below = 0;
+    for (int i = 0; i < PIECE_POINTS; i++) {
+        const double distance = u - piece_point(piece, i);
+        if (distance == 0)
+            return piece->value[quantity][i];
+        const double end = i == 0 || i == PIECE_POINTS - 1 ? 0.5 : 1, weight = (i % 2 ? -end : end) / distance;
+        above += weight * piece->value[quantity][i];
+        below += weight;
+    }
+    return above / below;
+}
+
+struct piece_work {
+    const struct function *f;
+    struct piece *piece;
+};
+
+/* Point i of a list of pieces. Durations are divided by their scale, so that they vary slowly. */
+static void fill_point(void *context, slong i)
+{
+    struct piece_work *const work = context;
+    struct piece *const piece = &work->piece[i / PIECE_POINTS];
+    const int k = (int)(i % PIECE_POINTS);
+    const double speed_m_s = exp(piece_point(piece, k));
+    double value[SAMPLE_QUANTITIES];
+    if (value_direct(value, work->f, speed_m_s) != STATUS_OK)
+        piece->status = STATUS_FAILED;
+    piece->value[0][k] = value[0];
+    if (work->f->quantities > 1)
+        piece->value[1][k] = value[1] / duration_scale(work->f->contact, speed_m_s);
+}
+
+/* The largest error relative to the value, between the points next to both ends and in the middle */
+static int piece_error(double *error, const struct function *f, const struct piece *piece)
+{
+    static const double place[] = {0.004, 0.31, 0.52, 0.995};
+    *error = 0;
+    for (size_t i = 0; i < sizeof place / sizeof *place; i++) {
+        const double u = piece->low + (piece->high - piece->low) * place[i];
+        double value[SAMPLE_QUANTITIES];
+        if (value_direct(value, f, exp(u)) != STATUS_OK)
+            return STATUS_FAILED;
+        for (int q = 0; q < f->quantities; q++) {
+            const double exact = q == 1 ? value[q] / duration_scale(f->contact, exp(u)) : value[q];
+            *error = fmax(*error, fabs(piece_value(piece, q, u) / exact - 1));
+        }
+    }
+    return STATUS_OK;
+}
+
+static int fill_piece(struct function *f, struct piece *piece, double *error)
+{
+    struct piece_work work = {f, piece};
+    piece->status = STATUS_OK;
+    parallel_for(fill_point, &work, PIECE_POINTS, "collisions");
+    return piece->status == STATUS_OK ? piece_error(error, f, piece) : piece->status;
+}
+
+/* Divides [low, high] of ln(speed) until every piece is accurate. */
+static int fill_pieces(struct function *f, double low, double high)
+{
+    f->piece = xmalloc(PIECES_MOST * sizeof *f->piece);
+    double width = high - low, error;
+    while (low < high) {
+        if (f->pieces == PIECES_MOST)
+            return fail("eps changes too fast in this range of speeds to be sampled");
+        struct piece *const piece = &f->piece[f->pieces];
+        piece->low = low;
+        piece->high = low + width < high * (1 - 1e-12) - 1e-12 ? low + width : high;
+        if (fill_piece(f, piece, &error) != STATUS_OK)
+            return STATUS_FAILED;
+        if (error > PIECE_ERROR) {
+            width = (piece->high - piece->low) / 2;
+            if (width < 1e-3)
+                return fail("eps changes too fast near %g m/s to be sampled", exp(low));
+            continue;
+        }
+        f->pieces++;
+        low = piece->high;
+    }
+    return STATUS_OK;
+}
+
+/* The function without the interpolation: slow for some laws, and NaN where a collision fails */
+static void function_direct(struct function *f, const struct sample_request *request)
+{
+    *f = (struct function){
+        .contact = request->contact, .end = request->end, .log = request->log, .quantities = request->duration ? 2 : 1};
+}
+
+/* Returns STATUS_OK, or STATUS_FAILED after a message. In both cases function_clear frees the memory. */
+static int function_init(struct function *f, const struct sample_request *request)
+{
+    function_direct(f, request);
+    if (!cor_scene_needs_solver(request->contact))
+        return STATUS_OK;
+    const double margin = 1.01 * (double)SLOPE_REACH * SLOPE_STEP;
+    return fill_pieces(f, log(request->speed_min) - margin, log(request->speed_max) + margin);
+}
+
+static void function_clear(struct function *f)
+{
+    free(f->piece);
+    f->piece = NULL;
+}
+
+static double function_place(const struct function *f, double speed_m_s)
+{
+    return f->log ? log(speed_m_s) : speed_m_s;
+}
+
+static double function_speed(const struct function *f, double x)
+{
+    return f->log ? exp(x) : x;
+}
+
+static double function_at_speed(const struct function *f, int quantity, double speed_m_s)
+{
+    double value[SAMPLE_QUANTITIES] = {(double)NAN, (double)NAN};
+    if (!f->piece) {
+        value_direct(value, f, speed_m_s); /* the laws of the library never fail */
+        return value[quantity];
+    }
+    const double u = log(speed_m_s);
+    size_t i = 0;
+    while (i + 1 < f->pieces && u > f->piece[i].high)
+        i++;
+    const double y = piece_value(&f->piece[i], quantity, u);
+    return quantity == 1 ? y * duration_scale(f->contact, speed_m_s) : y;
+}
+
+static double function_value(const struct function *f, int quantity, double x)
+{
+    return function_at_speed(f, quantity, function_speed(f, x));
+}
+
+/* d value/dx at a speed, by a central difference of order 6 in ln(speed); relative error below 1e-12 */
+static double function_slope(const struct function *f, int quantity, double speed_m_s)
+{
+    static const double weight[SLOPE_REACH] = {3.0 / 4, -3.0 / 20, 1.0 / 60};
+    double sum = 0;
+    for (int k = 1; k <= SLOPE_REACH; k++) {
+        const double factor = exp(k * SLOPE_STEP);
+        sum += weight[k - 1] * (function_at_speed(f, quantity, speed_m_s * factor) -
+                                function_at_speed(f, quantity, speed_m_s / factor));
+    }
+    return sum / SLOPE_STEP / (f->log ? 1 : speed_m_s);
+}
+
+/* ---- segments ---- */
 
 enum { CHECK_PLACES = 64, SEARCH_PLACES = 16, SCAN_PLACES = 64, MANY_SEGMENTS = 1000 };
 
@@ -16,18 +223,17 @@ struct segment {
 };
 
 struct chooser {
-    struct sample_function f;
+    struct function f;
     bool cubic;
     double low, high; /* of x */
 };
 
 static struct segment segment_of(const struct chooser *c, int quantity, double left, double right)
 {
-    struct segment s = {{left, right},
-                        {sample_function_value(&c->f, quantity, left), sample_function_value(&c->f, quantity, right)},
-                        {0, 0}};
+    struct segment s = {
+        {left, right}, {function_value(&c->f, quantity, left), function_value(&c->f, quantity, right)}, {0, 0}};
     for (int i = 0; c->cubic && i < 2; i++)
-        s.slope[i] = sample_function_slope(&c->f, quantity, sample_function_speed(&c->f, s.x[i]));
+        s.slope[i] = function_slope(&c->f, quantity, function_speed(&c->f, s.x[i]));
     return s;
 }
 
@@ -43,7 +249,7 @@ static double segment_value(const struct chooser *c, const struct segment *s, do
 
 static double error_at(const struct chooser *c, const struct segment *s, int quantity, double t)
 {
-    const double exact = sample_function_value(&c->f, quantity, s->x[0] + t * (s->x[1] - s->x[0]));
+    const double exact = function_value(&c->f, quantity, s->x[0] + t * (s->x[1] - s->x[0]));
     return fabs(segment_value(c, s, t) / exact - 1);
 }
 
@@ -209,17 +415,17 @@ static void points_fill(struct sample_points *p, const struct chooser *c, const 
     for (size_t i = 0; i < p->count; i++) {
         p->speed_m_s[i] = i == 0              ? request->speed_min
                           : i + 1 == p->count ? request->speed_max
-                                              : printed_speed(sample_function_speed(&c->f, x[i]));
+                                              : printed_speed(function_speed(&c->f, x[i]));
         for (int q = 0; q < c->f.quantities; q++) {
-            p->value[q][i] = sample_function_at_speed(&c->f, q, p->speed_m_s[i]);
+            p->value[q][i] = function_at_speed(&c->f, q, p->speed_m_s[i]);
             if (c->cubic)
-                p->slope[q][i] = sample_function_slope(&c->f, q, p->speed_m_s[i]);
+                p->slope[q][i] = function_slope(&c->f, q, p->speed_m_s[i]);
         }
     }
     p->error = 0;
     for (size_t i = 0; i + 1 < p->count; i++)
-        p->error = fmax(p->error, segment_error(c, sample_function_place(&c->f, p->speed_m_s[i]),
-                                                sample_function_place(&c->f, p->speed_m_s[i + 1]), CHECK_PLACES));
+        p->error = fmax(p->error, segment_error(c, function_place(&c->f, p->speed_m_s[i]),
+                                                function_place(&c->f, p->speed_m_s[i + 1]), CHECK_PLACES));
 }
 
 static int choose_points(struct sample *sample, const struct chooser *c, const struct sample_request *request,
@@ -251,7 +457,7 @@ static int choose_points(struct sample *sample, const struct chooser *c, const s
 static int check_values(const struct chooser *c, const struct sample_request *request)
 {
     for (int q = 0; q < c->f.quantities; q++) {
-        const double low = sample_function_value(&c->f, q, c->low), high = sample_function_value(&c->f, q, c->high);
+        const double low = function_value(&c->f, q, c->low), high = function_value(&c->f, q, c->high);
         if (!(fmin(low, high) > 1e-280 && fmax(low, high) < 1e280))
             return usage_error("%s is %g at %g m/s and %g at %g m/s: a relative tolerance needs a number above 0; give "
                                "a narrower range of speeds, or --end zero-force",
@@ -264,18 +470,18 @@ int sample_choose(struct sample *sample, const struct sample_request *request)
 {
     struct chooser c = {.cubic = request->cubic};
     *sample = (struct sample){.error_of_fewer = INFINITY};
-    sample_function_direct(&c.f, request);
-    c.low = sample_function_place(&c.f, request->speed_min);
-    c.high = sample_function_place(&c.f, request->speed_max);
+    function_direct(&c.f, request);
+    c.low = function_place(&c.f, request->speed_min);
+    c.high = function_place(&c.f, request->speed_max);
     int status = check_values(&c, request);
     if (status == STATUS_OK)
-        status = sample_function_init(&c.f, request);
+        status = function_init(&c.f, request);
     if (status == STATUS_OK) {
         double *const x = xmalloc((SAMPLE_MOST_POINTS + 2) * sizeof *x);
         status = choose_points(sample, &c, request, x);
         free(x);
     }
-    sample_function_clear(&c.f);
+    function_clear(&c.f);
     progress_end();
     return status;
 }

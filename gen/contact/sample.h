@@ -12,13 +12,25 @@
 #ifndef COR_GEN_CONTACT_SAMPLE_H
 #define COR_GEN_CONTACT_SAMPLE_H
 
-#include <stddef.h>
-
-#include "contact/sample_function.h"
+#include "contact/contact.h"
 
 #define SAMPLE_FINEST 1e-10
 #define SAMPLE_COARSEST 0.1
 enum { SAMPLE_MOST_POINTS = 20000 };
+
+enum { SAMPLE_QUANTITIES = 2 }; /* eps and duration */
+
+/* The request of corgen sample */
+struct sample_request {
+    const struct cor_scene_contact *contact;
+    const struct law *law; /* for the title of the table */
+    enum contact_end end;
+    double speed_min, speed_max; /* m/s */
+    double tolerance;            /* relative error, SAMPLE_FINEST to SAMPLE_COARSEST */
+    bool log;                    /* interpolation in the logarithm of the speed */
+    bool cubic;                  /* cubic Hermite interpolation of values and slopes; otherwise linear */
+    bool duration;               /* the duration, too, within the same tolerance */
+};
 
 /* Points of a table. value[0] is eps, value[1] the duration in s if asked for. slope is d value/d speed, or d value/d
  * ln(speed) with `log`; only with `cubic`. error is the largest relative error of the interpolation, measured at 64

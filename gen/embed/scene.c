@@ -10,6 +10,7 @@
 #include "embed/contact.h"
 #include "enclosure/collision.h"
 #include "support/console.h"
+#include "support/local.h"
 #include "support/parallel.h"
 
 /* From this beta on, eps at zero overlap is h*^5 beta^-5 with relative error EMBED_FAR_ERROR (proof.h). The interpolant
@@ -33,9 +34,7 @@ double embed_rounded(const struct embed_scene *s, double x)
 static void far_force(arb_t y, const struct embed_scene *s, const arb_t beta, const arb_t u)
 {
     arb_ptr a = _arb_vec_init(INTERPOLANT_FAR);
-    arb_t mu, order;
-    arb_init(mu);
-    arb_init(order);
+    LOCAL(arb, mu, order);
     interpolant_far(a, s->interpolant, EPS_ZERO_FORCE);
     arb_pow_ratio(mu, beta, ratio_make(-5, 3), EMBED_BITS);
     /* ((a_8 u + ...) mu + (a_4 u + ...)) mu + a_1 u + a_0 */
@@ -50,8 +49,6 @@ static void far_force(arb_t y, const struct embed_scene *s, const arb_t beta, co
         arb_mul(y, y, mu, EMBED_BITS);
         arb_add(y, y, order, EMBED_BITS);
     }
-    arb_clear(mu);
-    arb_clear(order);
     _arb_vec_clear(a, INTERPOLANT_FAR);
 }
 
@@ -59,8 +56,7 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
 {
     const double b = arf_get_d(arb_midref(beta), ARF_RND_NEAR);
     const bool overlap = s->end == END_ZERO_OVERLAP;
-    arb_t z;
-    arb_init(z);
+    LOCAL(arb, z);
     if (overlap && b >= OVERLAP_FAR) {
         arb_pow_ui(z, beta, 5, EMBED_BITS);
         arb_div(eps, s->h_star_5, z, EMBED_BITS);
@@ -76,7 +72,6 @@ static void eps_of_beta(arb_t eps, const struct embed_scene *s, const arb_t beta
         arb_pow_ratio(z, beta, ratio_make(-5, 3), EMBED_BITS);
         arb_mul(eps, eps, z, EMBED_BITS);
     }
-    arb_clear(z);
     /* The interpolant's samples are exact, so the radius covers the rounding errors of this evaluation only. */
 }
 
@@ -96,14 +91,12 @@ static enum quantity quantity_of(const struct embed_scene *s)
 
 void embed_scene_eps(arb_t eps, const struct embed_scene *s, const arb_t speed)
 {
-    arb_t beta;
-    arb_init(beta);
+    LOCAL(arb, beta);
     embed_scene_beta(beta, s, speed);
     if (law_is_sphere(&s->law))
         eps_of_beta(eps, s, beta);
     else
         interpolant_at_beta(eps, s->interpolant, quantity_of(s), beta, EMBED_BITS);
-    arb_clear(beta);
 }
 
 /* ---- the scene ---- */
@@ -118,9 +111,7 @@ static void take_sample(void *context, slong i)
                          : i + 1 < EMBED_SAMPLES
                              ? embed_rounded(s, s->speed_min * pow(s->speed_max / s->speed_min, place))
                              : s->speed_max;
-    arb_t g, eps;
-    arb_init(g);
-    arb_init(eps);
+    LOCAL(arb, g, eps);
     samples->speed[i] = fmin(fmax(speed, s->speed_min), s->speed_max);
     arb_set_d(g, samples->speed[i]);
     embed_scene_eps(eps, s, g);
@@ -128,8 +119,6 @@ static void take_sample(void *context, slong i)
     arb_set_d(g, samples->eps[i]);
     arb_sub(eps, eps, g, EMBED_BITS);
     samples->rest[i] = arf_get_d(arb_midref(eps), ARF_RND_NEAR);
-    arb_clear(g);
-    arb_clear(eps);
 }
 
 static void take_samples(struct embed_scene *s)
