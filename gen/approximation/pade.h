@@ -32,6 +32,7 @@ struct pade {
 
 void pade_init(struct pade *f);
 void pade_clear(struct pade *f);
+LOCAL_STRUCT(pade)
 
 /* The [m/n] of any series c_0 + c_1 z + ..., known to z^(m+n). Returns false if the linear system cannot be proved
  * regular from these intervals, because the precision is too low or the entry is degenerate. */
@@ -76,6 +77,7 @@ struct pade_analysis {
 
 void pade_analysis_init(struct pade_analysis *a);
 void pade_analysis_clear(struct pade_analysis *a);
+LOCAL_STRUCT(pade_analysis)
 
 /* Isolates all poles and zeros. Returns false if the coefficients are too wide to isolate them or to decide which are
  * real. */

@@ -106,16 +106,14 @@ static void reference_collide(void *context, slong i)
 {
     struct collecting *const work = context;
     struct references *const s = work->references;
-    struct collision c;
+    LOCAL(collision, c);
     LOCAL(arb, beta);
-    collision_init(&c);
     reference_place(s->beta + i, work, i);
     arb_set_fmpq(beta, s->beta + i, 2 * BITS);
-    if (collision_solve(&c, beta, work->law, BITS) != STATUS_OK)
+    if (collision_solve(c, beta, work->law, BITS) != STATUS_OK)
         atomic_store(&work->failed, true);
-    arb_set(s->eps[END_ZERO_OVERLAP] + i, c.eps_zero_overlap);
-    arb_set(s->eps[END_ZERO_FORCE] + i, c.eps_zero_force);
-    collision_clear(&c);
+    arb_set(s->eps[END_ZERO_OVERLAP] + i, c->eps_zero_overlap);
+    arb_set(s->eps[END_ZERO_FORCE] + i, c->eps_zero_force);
 }
 
 int references_init(struct references *s, const struct law *law, slong beta_max, slong even, slong small)

@@ -15,6 +15,7 @@ struct pade_rounded {
 
 void pade_rounded_init(struct pade_rounded *r);
 void pade_rounded_clear(struct pade_rounded *r);
+LOCAL_STRUCT(pade_rounded)
 
 /* Returns 0, or 1 after reporting on stderr the coefficient that could not be rounded. */
 int pade_round(struct pade_rounded *r, const struct pade *f);
@@ -39,6 +40,7 @@ struct pade_error {
 
 void pade_error_init(struct pade_error *e);
 void pade_error_clear(struct pade_error *e);
+LOCAL_STRUCT(pade_error)
 
 /* Error of the exact functions of the rounded coefficients, which includes the rounding of the coefficients.
  * Sampled. */

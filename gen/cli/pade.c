@@ -238,30 +238,26 @@ static int run_pade(const void *arguments)
     if (status)
         return status;
 
-    struct pade f;
-    struct pade_analysis a;
+    LOCAL(pade, f);
+    LOCAL(pade_analysis, a);
     struct table t;
     slong bits = digits_to_bits(o->digits);
     if (o->header && bits < HEADER_BITS)
         bits = HEADER_BITS;
-    pade_init(&f);
-    pade_analysis_init(&a);
     profile_step("Padé");
-    status = compute_coefficients(&f, &a, &t, &request, o->digits, bits);
+    status = compute_coefficients(f, a, &t, &request, o->digits, bits);
     if (status == STATUS_OK) {
-        char *defects = pade_defects(&a);
+        char *defects = pade_defects(a);
         if (o->header && defects && !o->force)
             status = fail("no header for a Padé with %s (--force writes it)", defects);
         else if (o->header)
-            status = write_header(o, &request, &f, &a);
+            status = write_header(o, &request, f, a);
         free(defects);
         if (status == STATUS_OK)
-            status = print_result(o, &request, &f, &a, &t);
+            status = print_result(o, &request, f, a, &t);
         table_clear(&t);
     }
     profile_step(NULL);
-    pade_analysis_clear(&a);
-    pade_clear(&f);
     return status;
 }
 

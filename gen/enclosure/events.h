@@ -4,7 +4,6 @@
 #define COR_GEN_ENCLOSURE_EVENTS_H
 
 #include "series/law.h"
-#include "support/local.h"
 
 struct collision {
     arb_t x_max, t_max;
@@ -14,9 +13,6 @@ struct collision {
 
 void collision_init(struct collision *c);
 void collision_clear(struct collision *c);
-
-/* for LOCAL(collision, c) */
-typedef struct collision collision_t[1];
-LOCAL_TYPE(collision, struct collision)
+LOCAL_STRUCT(collision)
 
 #endif

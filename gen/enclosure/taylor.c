@@ -520,42 +520,40 @@ bool taylor_root(arb_t root, const struct taylor *y, enum taylor_component compo
 {
     /* The Illinois method on midpoints finds the zero; signs on both sides prove it. */
     enum { STEPS = 200 };
-    struct bracket b;
+    LOCAL(bracket, b);
     LOCAL(arb, x, f, width);
     bool found = false, proved = false;
-    bracket_init(&b);
-    arb_get_mid_arb(b.low, begin);
-    arb_get_mid_arb(b.high, end);
-    taylor_value(b.f_low, y, component, b.low);
-    taylor_value(b.f_high, y, component, b.high);
-    arb_get_mid_arb(b.f_low, b.f_low);
-    arb_get_mid_arb(b.f_high, b.f_high);
+    arb_get_mid_arb(b->low, begin);
+    arb_get_mid_arb(b->high, end);
+    taylor_value(b->f_low, y, component, b->low);
+    taylor_value(b->f_high, y, component, b->high);
+    arb_get_mid_arb(b->f_low, b->f_low);
+    arb_get_mid_arb(b->f_high, b->f_high);
     for (int i = 0; i < STEPS && !found; i++) {
-        bracket_guess(x, &b, y->prec);
+        bracket_guess(x, b, y->prec);
         taylor_value(f, y, component, x);
         found = arb_contains_zero(f);
         if (!found)
-            bracket_shrink(&b, x, f);
+            bracket_shrink(b, x, f);
     }
     arb_get_mid_arb(width, end);
     arb_mul_2exp_si(width, width, -y->prec);
     for (slong i = 0; i < y->prec && !proved; i++) {
-        arb_sub(b.low, x, width, y->prec);
-        arb_get_mid_arb(b.low, b.low);
-        arb_add(b.high, x, width, y->prec);
-        arb_get_mid_arb(b.high, b.high);
-        if (arb_lt(b.low, begin))
-            arb_get_mid_arb(b.low, begin);
-        if (arb_gt(b.high, end))
-            arb_get_mid_arb(b.high, end);
-        taylor_value(b.f_low, y, component, b.low);
-        taylor_value(b.f_high, y, component, b.high);
-        proved = arb_is_positive(b.f_low) && arb_is_negative(b.f_high);
+        arb_sub(b->low, x, width, y->prec);
+        arb_get_mid_arb(b->low, b->low);
+        arb_add(b->high, x, width, y->prec);
+        arb_get_mid_arb(b->high, b->high);
+        if (arb_lt(b->low, begin))
+            arb_get_mid_arb(b->low, begin);
+        if (arb_gt(b->high, end))
+            arb_get_mid_arb(b->high, end);
+        taylor_value(b->f_low, y, component, b->low);
+        taylor_value(b->f_high, y, component, b->high);
+        proved = arb_is_positive(b->f_low) && arb_is_negative(b->f_high);
         arb_mul_2exp_si(width, width, 1);
     }
     if (proved)
-        arb_union(root, b.low, b.high, y->prec);
-    bracket_clear(&b);
+        arb_union(root, b->low, b->high, y->prec);
     return proved;
 }
 

@@ -63,6 +63,7 @@ struct bracket {
 };
 void bracket_init(struct bracket *b);
 void bracket_clear(struct bracket *b);
+LOCAL_STRUCT(bracket)
 void bracket_guess(arb_t x, const struct bracket *b, slong prec);
 void bracket_shrink(struct bracket *b, const arb_t x, const arb_t f); /* the guess x, where the function is f */
 

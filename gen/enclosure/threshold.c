@@ -90,15 +90,13 @@ static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
 static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const struct law *law, slong prec)
 {
     const struct ratio power = ratio_div((struct ratio){2, 1}, law_fall_power(law));
-    struct collision c;
-    collision_init(&c);
-    const bool solved = motion_solve(&c, beta, law, MOTION_TURNING_POINT, prec) == MOTION_DONE;
+    LOCAL(collision, c);
+    const bool solved = motion_solve(c, beta, law, MOTION_TURNING_POINT, prec) == MOTION_DONE;
     if (solved) {
         arb_pow_ratio(f, beta, power, prec);
-        arb_mul(f, f, c.x_max, prec);
+        arb_mul(f, f, c->x_max, prec);
         arb_sub(f, f, c_star, prec);
     }
-    collision_clear(&c);
     return solved;
 }
 
@@ -106,41 +104,40 @@ static bool height_above(arb_t f, const arb_t beta, const arb_t c_star, const st
  * interval of relative width 2^-bits. C(beta) falls, so the interval contains the only root. */
 static bool find_threshold(arb_t beta_c, const arb_t c_star, const struct law *law, slong bits, slong prec)
 {
-    struct bracket b;
+    LOCAL(bracket, b);
     LOCAL(arb, x, f, width);
     bool enclosed = false;
-    bracket_init(&b);
-    arb_one(b.low);
-    bool sound = height_above(b.f_low, b.low, c_star, law, prec);
-    while (sound && arb_is_negative(b.f_low)) {
-        arb_mul_2exp_si(b.low, b.low, -1);
-        sound = height_above(b.f_low, b.low, c_star, law, prec);
+    arb_one(b->low);
+    bool sound = height_above(b->f_low, b->low, c_star, law, prec);
+    while (sound && arb_is_negative(b->f_low)) {
+        arb_mul_2exp_si(b->low, b->low, -1);
+        sound = height_above(b->f_low, b->low, c_star, law, prec);
     }
-    arb_mul_2exp_si(b.high, b.low, 1);
-    sound = sound && height_above(b.f_high, b.high, c_star, law, prec);
-    while (sound && arb_is_positive(b.f_high)) {
-        arb_swap(b.low, b.high);
-        arb_swap(b.f_low, b.f_high);
-        arb_mul_2exp_si(b.high, b.low, 1);
-        sound = height_above(b.f_high, b.high, c_star, law, prec);
+    arb_mul_2exp_si(b->high, b->low, 1);
+    sound = sound && height_above(b->f_high, b->high, c_star, law, prec);
+    while (sound && arb_is_positive(b->f_high)) {
+        arb_swap(b->low, b->high);
+        arb_swap(b->f_low, b->f_high);
+        arb_mul_2exp_si(b->high, b->low, 1);
+        sound = height_above(b->f_high, b->high, c_star, law, prec);
     }
     for (int i = 0; i < SEARCH_STEPS && sound && !enclosed; i++) {
-        bracket_guess(x, &b, prec);
+        bracket_guess(x, b, prec);
         sound = height_above(f, x, c_star, law, prec);
         enclosed = arf_cmpabs_2exp_si(arb_midref(f), -bits - GUARD_BITS / 4) < 0;
-        bracket_shrink(&b, x, f);
+        bracket_shrink(b, x, f);
     }
     if (sound && enclosed) {
         arb_mul_2exp_si(width, x, -bits - 2);
-        arb_sub(b.low, x, width, prec);
-        arb_get_mid_arb(b.low, b.low);
-        arb_add(b.high, x, width, prec);
-        arb_get_mid_arb(b.high, b.high);
-        sound = height_above(b.f_low, b.low, c_star, law, prec) && height_above(b.f_high, b.high, c_star, law, prec) &&
-                arb_is_positive(b.f_low) && arb_is_negative(b.f_high);
-        arb_union(beta_c, b.low, b.high, prec);
+        arb_sub(b->low, x, width, prec);
+        arb_get_mid_arb(b->low, b->low);
+        arb_add(b->high, x, width, prec);
+        arb_get_mid_arb(b->high, b->high);
+        sound = height_above(b->f_low, b->low, c_star, law, prec) &&
+                height_above(b->f_high, b->high, c_star, law, prec) && arb_is_positive(b->f_low) &&
+                arb_is_negative(b->f_high);
+        arb_union(beta_c, b->low, b->high, prec);
     }
-    bracket_clear(&b);
     return sound && enclosed;
 }
 

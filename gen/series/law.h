@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "support/flint.h"
+#include "support/local.h"
 
 struct ratio {
     slong num;

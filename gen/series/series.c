@@ -100,20 +100,18 @@ int series_compute(struct series *s, slong order, const struct law *law, slong b
 int series_eps(arb_poly_t eps, slong *root, enum contact_end end, slong order, const struct law *law, slong bits)
 {
     *root = end == END_ZERO_FORCE ? restitution_zero_force_root(law) : 1;
-    struct series s;
-    series_init(&s);
+    LOCAL(series, s);
     int status = STATUS_OK;
     for (slong extra = 16; status == STATUS_OK; extra *= 2) {
-        status = series_compute(&s, order / *root, law, bits + extra);
+        status = series_compute(s, order / *root, law, bits + extra);
         if (status != STATUS_OK)
             break;
         if (end == END_ZERO_FORCE)
-            restitution_zero_force(eps, s.c, order, law, bits + 4 * extra + order);
+            restitution_zero_force(eps, s->c, order, law, bits + 4 * extra + order);
         else
-            arb_poly_set(eps, s.c);
+            arb_poly_set(eps, s->c);
         if (reached_bits(eps, order) >= bits)
             break;
     }
-    series_clear(&s);
     return status;
 }

@@ -4,7 +4,6 @@
 #define COR_GEN_SERIES_SERIES_H
 
 #include "series/law.h"
-#include "support/local.h"
 
 enum contact_end { END_ZERO_OVERLAP, END_ZERO_FORCE };
 
@@ -17,10 +16,7 @@ struct series {
 
 void series_init(struct series *s);
 void series_clear(struct series *s);
-
-/* for LOCAL(series, s) */
-typedef struct series series_t[1];
-LOCAL_TYPE(series, struct series)
+LOCAL_STRUCT(series)
 
 /* Computes all coefficients 0..order to at least `bits` relative bits each (absolute bits for those that vanish).
  * Returns 0, or 1 after reporting the failure on stderr. */

@@ -33,6 +33,7 @@ struct trajectory_tail {
 
 void trajectory_tail_init(struct trajectory_tail *tail);
 void trajectory_tail_clear(struct trajectory_tail *tail);
+LOCAL_STRUCT(trajectory_tail)
 
 /* Finds delta, U and rho that make the bound useful at the interval t0. Returns false if the number of terms is too
  * small for the proof; the caller then takes more terms. */

@@ -177,28 +177,27 @@ static bool best_trial(struct trajectory_tail *tail, const struct power_evidence
                        const arb_t t0)
 {
     const struct ratio a1 = ratio_add(t->law.a, (struct ratio){1, 1});
-    struct trajectory_tail trial;
+    LOCAL(trajectory_tail, trial);
     double best = HUGE_VAL;
     LOCAL(arb, s0);
-    trajectory_tail_init(&trial);
     arb_pow_ratio(s0, t0, a1, NORM_BITS);
     arb_mul_2exp_si(s0, s0, -t->shift);
     for (int i = 0; i < TRIAL_PARTS; i++) {
         double best_here = HUGE_VAL;
-        arb_set_d(trial.rho, 1 + trial_part[i] * (law_elastic_radius(&t->law) - 1));
-        arb_pow_ratio(trial.rho, trial.rho, a1, NORM_BITS);
-        arb_mul(trial.rho, trial.rho, s0, NORM_BITS);
-        arb_get_mid_arb(trial.rho, trial.rho);
+        arb_set_d(trial->rho, 1 + trial_part[i] * (law_elastic_radius(&t->law) - 1));
+        arb_pow_ratio(trial->rho, trial->rho, a1, NORM_BITS);
+        arb_mul(trial->rho, trial->rho, s0, NORM_BITS);
+        arb_get_mid_arb(trial->rho, trial->rho);
         for (int k = TRIAL_U_MAX; k >= TRIAL_U_MIN; k--) {
-            arb_one(trial.U);
-            arb_mul_2exp_si(trial.U, trial.U, k);
-            if (!prove_at(trial.delta, e, t, trial.U, trial.rho))
+            arb_one(trial->U);
+            arb_mul_2exp_si(trial->U, trial->U, k);
+            if (!prove_at(trial->delta, e, t, trial->U, trial->rho))
                 continue;
-            const double quality = tail_quality(&trial, t, t0);
+            const double quality = tail_quality(trial, t, t0);
             if (quality < best) {
-                arb_set(tail->delta, trial.delta);
-                arb_set(tail->U, trial.U);
-                arb_set(tail->rho, trial.rho);
+                arb_set(tail->delta, trial->delta);
+                arb_set(tail->U, trial->U);
+                arb_set(tail->rho, trial->rho);
                 best = quality;
             }
             if (quality >= best_here)
@@ -206,7 +205,6 @@ static bool best_trial(struct trajectory_tail *tail, const struct power_evidence
             best_here = quality;
         }
     }
-    trajectory_tail_clear(&trial);
     return best < HUGE_VAL;
 }
 

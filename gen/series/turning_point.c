@@ -84,18 +84,17 @@ enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, sl
     enum turning_point_verdict verdict = TURNING_POINT_FEW_TERMS;
     const slong count = order + 2;
     struct trajectory t;
-    struct trajectory_tail tail;
+    LOCAL(trajectory_tail, tail);
     LOCAL(arb, y0, t0);
     turning_point_elastic(y0, t0, law, prec);
-    trajectory_tail_init(&tail);
     profile_step("trajectory");
     trajectory_init(&t, order, terms, law, prec);
     profile_step("truncation bound");
 
-    if (trajectory_tail_prove(&tail, &t, t0)) {
+    if (trajectory_tail_prove(tail, &t, t0)) {
         arb_poly_struct *jet = jet_new(count), *velocity = jet_new(count - 1);
         profile_step("Taylor coefficients at t_0");
-        const bool truncated = jets_at(jet, count, &t, &tail, t0, prec);
+        const bool truncated = jets_at(jet, count, &t, tail, t0, prec);
         profile_step("turning point");
         jet_derivative(velocity, jet, count, prec);
         jet_solve(tau, velocity, count - 1, order + 1, prec);
@@ -118,6 +117,5 @@ enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, sl
         jet_free(velocity, count - 1);
     }
     trajectory_clear(&t);
-    trajectory_tail_clear(&tail);
     return verdict;
 }

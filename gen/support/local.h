@@ -47,6 +47,11 @@
             type##_##action(all_[i_]);                                                                                 \
     } while (0)
 
+/* makes LOCAL(name, x) of a struct name with name_init and name_clear */
+#define LOCAL_STRUCT(name)                                                                                             \
+    typedef struct name name##_t[1];                                                                                   \
+    LOCAL_TYPE(name, struct name)
+
 LOCAL_TYPE(fmpz, fmpz)
 LOCAL_TYPE(fmpq, fmpq)
 LOCAL_TYPE(fmpq_poly, fmpq_poly_struct)

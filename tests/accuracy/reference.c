@@ -160,25 +160,24 @@ static int build_series(void)
 {
     const slong order = TERMS + 2;
     slong root;
-    struct series s;
+    LOCAL(series, s);
     LOCAL(arb_poly, f, g);
-    series_init(&s);
-    int failed = series_compute(&s, order, &law_sphere, BITS);
+    int failed = series_compute(s, order, &law_sphere, BITS);
     if (!failed) {
-        in_root(f, s.y);
+        in_root(f, s->y);
         small_set(&series[MAX_OVERLAP], f, 0);
-        approach_series(g, s.y, order);
+        approach_series(g, s->y, order);
         in_root(f, g);
         small_set(&series[EPS_APPROACH_ONLY], f, 0);
         arb_poly_neg(f, f);
         small_set(&series[LOSS_APPROACH_ONLY], f, 1);
-        in_root(f, s.tau);
+        in_root(f, s->tau);
         small_set(&series[TIME_OF_MAX_OVERLAP], f, 0);
-        in_root(f, s.c);
+        in_root(f, s->c);
         small_set(&series[EPS_ZERO_OVERLAP], f, 0);
         arb_poly_neg(f, f);
         small_set(&series[LOSS_ZERO_OVERLAP], f, 1);
-        duration_series(f, g, &s, 2 * order);
+        duration_series(f, g, s, 2 * order);
         small_set(&series[DURATION_ZERO_OVERLAP], f, 0);
         small_set(&series[DURATION_ZERO_FORCE], g, 0);
         failed = series_eps(f, &root, END_ZERO_FORCE, 2 * order, &law_sphere, BITS);
@@ -188,7 +187,6 @@ static int build_series(void)
         arb_poly_neg(f, f);
         small_set(&series[LOSS_ZERO_FORCE], f, 1);
     }
-    series_clear(&s);
     return failed;
 }
 

@@ -32,25 +32,24 @@ static double difference(enum quantity quantity, double beta, const arb_t exact)
 static void compare(double low, double high, size_t count)
 {
     double worst = 0, at = 0;
-    struct collision c;
+    LOCAL(collision, c);
     LOCAL(arb, beta, loss);
-    collision_init(&c);
     for (size_t i = 0; i < count; i++) {
         const double b = random_log(&state, low, high);
         arb_set_d(beta, b);
         /* 1 - eps loses what beta is small by; with more bits the collision is integrated to its end up to beta = 16 */
         const slong bits = b < 1 ? BITS - (slong)logb(b) : b > 8 && b < 16 ? 2 * BITS : BITS;
-        assert_int_equal(collision_solve(&c, beta, &law_sphere, bits), 0);
+        assert_int_equal(collision_solve(c, beta, &law_sphere, bits), 0);
         const arb_srcptr exact[QUANTITIES] = {
-            [EPS_ZERO_OVERLAP] = c.eps_zero_overlap,
-            [EPS_ZERO_FORCE] = c.eps_zero_force,
-            [DURATION_ZERO_OVERLAP] = c.t_zero_overlap,
-            [DURATION_ZERO_FORCE] = c.t_zero_force,
-            [MAX_OVERLAP] = c.x_max,
-            [TIME_OF_MAX_OVERLAP] = c.t_max,
+            [EPS_ZERO_OVERLAP] = c->eps_zero_overlap,
+            [EPS_ZERO_FORCE] = c->eps_zero_force,
+            [DURATION_ZERO_OVERLAP] = c->t_zero_overlap,
+            [DURATION_ZERO_FORCE] = c->t_zero_force,
+            [MAX_OVERLAP] = c->x_max,
+            [TIME_OF_MAX_OVERLAP] = c->t_max,
         };
         for (int q = 0; q < QUANTITIES; q++) {
-            arb_sub_si(loss, q == LOSS_ZERO_OVERLAP ? c.eps_zero_overlap : c.eps_zero_force, 1, 4 * BITS);
+            arb_sub_si(loss, q == LOSS_ZERO_OVERLAP ? c->eps_zero_overlap : c->eps_zero_force, 1, 4 * BITS);
             arb_neg(loss, loss);
             const double error = difference((enum quantity)q, b, exact[q] != NULL ? exact[q] : loss);
             if (error > worst) {
@@ -62,7 +61,6 @@ static void compare(double low, double high, size_t count)
     }
     print_message("%g <= beta <= %g: %zu points, worst relative difference %.3g = 2^%.2f at %a\n", low, high, count,
                   worst, log2(worst), at);
-    collision_clear(&c);
 }
 
 static void test_series(void **unused)

@@ -243,13 +243,12 @@ static void test_collisions(void **state)
     (void)state;
     static const double places[] = {FAR_MOTION_LEAST_U, 10, 12, 14, 17, 30};
     enum { PLACES = sizeof places / sizeof *places };
-    struct collision c;
+    LOCAL(collision, c);
     arb_ptr exact = _arb_vec_init(SERIES);
     LOCAL(arb, u, y, kept);
-    collision_init(&c);
     for (size_t k = 0; k < PLACES + points(6); k++) {
         arb_set_d(u, k < PLACES ? places[k] : random_uniform(&random_state, FAR_MOTION_LEAST_U, 14));
-        scaled_collision(exact, &c, u);
+        scaled_collision(exact, c, u);
         for (int i = 0; i < SERIES; i++) {
             struct far_series *const s = series_of(i);
             far_series_value(y, s, u, BITS);
@@ -279,7 +278,6 @@ static void test_collisions(void **state)
     arb_set_d(u, nextafter(FAR_MOTION_LEAST_U, 0));
     far_series_value(y, series_of(0), u, BITS);
     assert_false(arb_is_finite(y));
-    collision_clear(&c);
     _arb_vec_clear(exact, SERIES);
 }
 

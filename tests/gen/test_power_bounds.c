@@ -116,16 +116,14 @@ static void test_trajectories(void **state)
         for (int n = 0; n < 2; n++)
             for (int whole = 0; whole < 2; whole++) {
                 struct power_evidence e;
-                struct power_bounds b;
+                LOCAL(power_bounds, b);
                 LOCAL(arb, U, rho);
-                power_bounds_init(&b);
                 arb_set_d(U, weights[n][0]);
                 arb_set_d(rho, weights[n][1]);
                 power_evidence_init(&e, &t, whole ? ORDER + 1 : 2, whole ? TERMS + 1 : 3);
-                assert_true(power_bounds_prove(&b, &e, U, rho));
-                assert_bounds_of(&t, &b, U, rho, laws[i][0]);
+                assert_true(power_bounds_prove(b, &e, U, rho));
+                assert_bounds_of(&t, b, U, rho, laws[i][0]);
                 power_evidence_clear(&e);
-                power_bounds_clear(&b);
             }
         trajectory_clear(&t);
     }
@@ -138,9 +136,8 @@ static void test_one_term(void **state)
     enum { TERMS = 25, POWER = 20, BLOCK = 10 };
     struct trajectory t = {.law = law_sphere, .order = 0, .terms = TERMS, .prec = PREC, .shift = 0};
     struct power_evidence e;
-    struct power_bounds b;
+    LOCAL(power_bounds, b);
     LOCAL(arb, U, rho, norm);
-    power_bounds_init(&b);
     arb_one(U);
     t.x = jet_new(1);
     arb_poly_one(t.x);
@@ -150,20 +147,19 @@ static void test_one_term(void **state)
     power_evidence_init(&e, &t, 1, BLOCK);
 
     arb_one(rho);
-    assert_true(power_bounds_prove(&b, &e, U, rho));
-    assert_bounds_of(&t, &b, U, rho, "3/2");
+    assert_true(power_bounds_prove(b, &e, U, rho));
+    assert_bounds_of(&t, b, U, rho, "3/2");
     arb_set_d(norm, 1 / 0.75);
-    arb_sub(norm, norm, b.inverse, PREC);
+    arb_sub(norm, norm, b->inverse, PREC);
     arb_abs(norm, norm);
     arb_mul_2exp_si(norm, norm, 20);
     arb_sub_si(norm, norm, 1, PREC);
     assert_true(arb_is_negative(norm));
 
     arb_set_d(rho, 1.05); /* c rho^20 = 0.66 */
-    assert_false(power_bounds_prove(&b, &e, U, rho));
+    assert_false(power_bounds_prove(b, &e, U, rho));
 
     power_evidence_clear(&e);
-    power_bounds_clear(&b);
     jet_free(t.x, 1);
     jet_free(t.x_to_a, 1);
 }

@@ -57,15 +57,14 @@ static void true_value(arb_t x, const struct series *s, const struct published *
 static void test_values(void **state)
 {
     (void)state;
-    struct series s;
+    LOCAL(series, s);
     LOCAL(arb, x);
     int wrong = 0;
-    series_init(&s);
-    assert_int_equal(series_compute(&s, ORDER, &law_sphere, BITS), 0);
+    assert_int_equal(series_compute(s, ORDER, &law_sphere, BITS), 0);
     for (const struct published *row = published; row->printed; row++) {
         if (row->quantity == PUBLISHED_D)
             continue;
-        true_value(x, &s, row);
+        true_value(x, s, row);
         if (row->index == 1 && row->quantity == PUBLISHED_A) {
             assert_true(arb_contains_si(x, 1));
             continue;
@@ -84,7 +83,6 @@ static void test_values(void **state)
         wrong += !row->right;
     }
     assert_int_equal(wrong, 6); /* y_2, y_3, C_3, C_4, a_3, a_4 */
-    series_clear(&s);
 }
 
 /* The print is consistent with itself: a_k = |C_k|/|C_1|^k of the printed C_k, so the error came in

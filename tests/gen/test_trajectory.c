@@ -211,18 +211,17 @@ static void test_truncation_bound(void **state)
     for (int i = 0; i < 4; i++) {
         struct law law;
         struct trajectory cut, long_one;
-        struct trajectory_tail tail;
+        LOCAL(trajectory_tail, tail);
         LOCAL(arb, y0, t0, sum, term, c);
         LOCAL(mag, bound);
         assert_null(law_parse(&law, laws[i][0], laws[i][1]));
         turning_point_elastic(y0, t0, &law, PREC);
         trajectory_init(&cut, ORDER, TERMS, &law, PREC);
         trajectory_init(&long_one, ORDER, MORE, &law, PREC);
-        trajectory_tail_init(&tail);
-        assert_true(trajectory_tail_prove(&tail, &cut, t0));
+        assert_true(trajectory_tail_prove(tail, &cut, t0));
         for (slong k = 0; k <= ORDER; k++)
             for (slong m = 0; m <= 5; m += 5) {
-                trajectory_tail_jet(bound, &tail, &cut, k, m, t0);
+                trajectory_tail_jet(bound, tail, &cut, k, m, t0);
                 arb_zero(sum);
                 for (slong j = TERMS + 1; j <= MORE; j++) {
                     const slong e = k * (law.bd + law.d) + j * (law.ad + law.d) + law.d;
@@ -246,7 +245,6 @@ static void test_truncation_bound(void **state)
             }
         trajectory_clear(&cut);
         trajectory_clear(&long_one);
-        trajectory_tail_clear(&tail);
     }
 }
 
