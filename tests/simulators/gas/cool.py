@@ -7,8 +7,6 @@ compared with kinetic theory, into which cor's eps(g) goes (theory.c).
     tests/simulators/gas/cool.py --lattice 50x50x40:20 [--ranks 2] [--results FOLDER] [--write]
                                              100,000 spheres and, for the statistical error, eight gases of 2000.
                                              FOLDER keeps each gas; a gas that lies there is not simulated again
-    tests/simulators/gas/cool.py --cost [--ranks 2] [--results FOLDER]
-                                             the time of a step with 10^4, 10^5 and 10^6 spheres
 --write renews docs/gas/ and the numbers of docs/gas.md from the results.
 """
 import argparse
@@ -155,18 +153,16 @@ class Gas:
 
 
 class Cost:
-    """The time of all steps of a text of LAMMPS, in nanoseconds per sphere and step"""
+    """The ranks of a text of LAMMPS, and the time of all steps in nanoseconds of a processor per sphere and step"""
 
     def __init__(self, text):
         loop = r"Loop time of (\S+) on (\d+) procs for (\d+) steps with (\d+) atoms\s+([\d.]+)% CPU use"
         found = re.findall(loop, text)
         loops = [(float(s), int(r), int(n), int(a), float(share) / 100) for s, r, n, a, share in found if int(n) > 0]
-        self.ranks, self.spheres = loops[0][1], loops[0][3]
-        self.steps = sum(loop[2] for loop in loops)
-        self.clock_s = sum(loop[0] for loop in loops)
-        self.processor_s = self.ranks * sum(s * share for s, _, _, _, share in loops)
-        self.clock_ns, self.processor_ns = (1e9 * s / (self.steps * self.spheres)
-                                            for s in (self.clock_s, self.processor_s))
+        self.ranks, spheres = loops[0][1], loops[0][3]
+        steps = sum(loop[2] for loop in loops)
+        processor_s = self.ranks * sum(s * share for s, _, _, _, share in loops)
+        self.processor_ns = 1e9 * processor_s / (steps * spheres)
 
 
 # ---- theory ----
@@ -303,28 +299,6 @@ def large_gas(folder, work, lattice, stages, ranks):
                   len(gases), step_errors, stepped)
 
 
-# ---- the time of a step ----
-
-COST_LATTICES = {"25x20x20": 4000, "50x50x40": 400, "100x100x100": 60}  # lattice: number of steps
-
-
-def costs(folder, ranks):
-    """The Cost of each of COST_LATTICES, from a measurement that the folder keeps"""
-    gas, rows = Gas(folder), []
-    for lattice, steps in COST_LATTICES.items():
-        name = os.path.join(folder, "cost.%s.%d" % (lattice, ranks))
-        if not os.path.exists(name):
-            text = gas.gas(lattice, ranks, short=steps)
-            with open(name, "w", encoding="utf-8") as out:
-                out.write(text[text.rindex("Loop time"):])
-        with open(name, encoding="utf-8") as log:
-            cost = Cost(log.read())
-        rows.append(cost)
-        print("      %d spheres, %d ranks: %.1f ns of a processor per sphere and step, %.1f ns of the clock" %
-              (cost.spheres, cost.ranks, cost.processor_ns, cost.clock_ns), flush=True)
-    return rows
-
-
 # ---- docs/ ----
 
 
@@ -374,34 +348,31 @@ def column(result, log):
     return rows
 
 
-def numbers(results, rows, logs):
-    """The tables of docs/gas.md"""
+def numbers(results, logs):
+    """The table of docs/gas.md"""
     columns = [column(result, log) for result, log in zip(results, logs)]
     table = "| spheres | %s |\n|---|%s\n" % (" | ".join("%d" % r.spheres for r in results), "---|" * len(results))
     for name in columns[0]:
         table += "| %s | %s |\n" % (name, " | ".join(c[name] for c in columns))
-    yield table
-    yield "| spheres | ranks | ns of a processor per sphere and step |\n|---|---|---|\n" + "".join(
-        "| %d | %d | %.0f |\n" % (cost.spheres, cost.ranks, cost.processor_ns) for cost in rows)
+    return table
 
 
-def write_page(texts):
+def write_page(table):
     with open(PAGE, encoding="utf-8") as page:
         text = page.read()
-    for name, new in zip(("cooled", "cost"), texts):
-        begin, end = "<!-- %s: tests/simulators/gas/cool.py --write -->\n" % name, "<!-- end of %s -->\n" % name
-        text = text[:text.index(begin) + len(begin)] + new + text[text.index(end):]
+    begin, end = "<!-- cooled: tests/simulators/gas/cool.py --write -->\n", "<!-- end of cooled -->\n"
+    text = text[:text.index(begin) + len(begin)] + table + text[text.index(end):]
     with open(PAGE, "w", encoding="utf-8") as page:
         page.write(text)
 
 
-def write(results, rows, folder, lattices):
+def write(results, folder, lattices):
     logs = []
     for result, lattice in zip(results, lattices):
         write_csv(result)
         with open(os.path.join(folder, "gas.%s.1.log" % lattice), encoding="utf-8") as log:
             logs.append(Cost(log.read()))
-    write_page(numbers(results, rows, logs))
+    write_page(numbers(results, logs))
     output_of(["gnuplot", os.path.join(HERE, "cooling.gp")], cwd=ROOT)
     print("written: docs/gas.md and docs/gas/")
 
@@ -421,7 +392,6 @@ def main():
                         help="spheres along the three axes, as 50x50x40; 1 + t/t_1 grows by 1.1 in each of 20 stages")
     parser.add_argument("--ranks", type=int, default=2, help="of MPI, 2 if not given")
     parser.add_argument("--results", help="folder that keeps each gas")
-    parser.add_argument("--cost", action="store_true", help="measure the time of a step")
     parser.add_argument("--write", action="store_true", help="renew docs/gas.md; needs --lattice")
     options = parser.parse_args()
     gases = [re.fullmatch(r"([1-9]\d*x[1-9]\d*x[1-9]\d*)(?::(\d+))?", lattice) for lattice in options.lattice]
@@ -441,13 +411,10 @@ def main():
         os.environ["HOME"] = work  # Open MPI may write there
         folder = os.path.abspath(options.results or work)
         os.makedirs(folder, exist_ok=True)
-        rows = []
-        for ranks in sorted({1, options.ranks}) if options.cost or options.write else []:
-            rows += costs(folder, ranks)
         results = [large_gas(folder, work, gas[1], int(gas[2] or STAGES), options.ranks) for gas in gases]
         if options.write:
-            write(results, rows, folder, [gas[1] for gas in gases])
-        if not gases and not options.cost:
+            write(results, folder, [gas[1] for gas in gases])
+        if not gases:
             small_gas(work)
     print("%d passed, %d failed" % (passed, failed))
     return failed != 0
