@@ -60,7 +60,7 @@ static struct scene larger_scene(struct random_state *random)
 }
 
 /* How often the estimate may be too small, and by how much */
-static const double too_small_share = 0.005, too_small_factor = 3;
+static const double too_small_share = 0.005, too_small_factor = 4;
 
 struct tally {
     size_t scenes, ok, wrong, too_small, undecided, quad, broken;
