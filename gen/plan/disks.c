@@ -81,10 +81,10 @@ static void disks_collide_one(const struct disks *d, struct outcome *out, size_t
 {
     const struct cor_disk_collision_options options = {alpha, COLLISION_TOLERANCE, 0, 0};
     const size_t bytes = cor_disk_collision_workspace(&d->modes, modes, &options);
-    void *const room = xmalloc(bytes);
+    void *const memory = xmalloc(bytes);
     struct cor_disk_collision c = {(double)NAN, (double)NAN, (double)NAN, (double)NAN, (double)NAN, 0, (double)NAN};
-    const int status = cor_disk_collision_in(room, bytes, &d->modes, modes, &options, speed, &c, NULL);
-    free(room);
+    const int status = cor_disk_collision_in(memory, bytes, &d->modes, modes, &options, speed, &c, NULL);
+    free(memory);
     out->value[PLAN_EPS] = c.eps;
     out->value[PLAN_CONTACT_TIME] = c.contact_time;
     out->value[PLAN_COMPRESSION] = c.max_compression;

@@ -18,6 +18,7 @@
 #include "embed/fit.h"
 #include "embed/proof.h"
 #include "enclosure/collision.h"
+#include "support/local.h"
 
 /* The scene of a contact with g* = 0.2 m/s; to be cleared. */
 static struct embed_request scene_request(const char *min, const char *max, const char *tolerance, int end)
@@ -50,15 +51,13 @@ static double middle(const arb_t x)
 static double solved(const struct embed_scene *s, double speed)
 {
     struct collision c;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&c);
-    arb_init(beta);
     arb_set_d(beta, speed);
     arb_pow_ratio(beta, beta, law_speed_exponent(&s->law), EMBED_BITS);
     arb_mul(beta, beta, s->beta_per_root, EMBED_BITS);
     assert_int_equal(collision_solve(&c, beta, &s->law, 64), 0);
     const double eps = middle(s->end == END_ZERO_OVERLAP ? c.eps_zero_overlap : c.eps_zero_force);
-    arb_clear(beta);
     collision_clear(&c);
     return eps;
 }
@@ -107,9 +106,7 @@ static void check_proof(struct embed_form *f, const struct embed_scene *s)
     if (!(proof.rounding < (s->single ? 3e-6 : 1e-11) + 0.1 * s->tolerance))
         fail_msg("%s: %g proved, %g by rounding, %g sampled", embed_family_name(f->family, &s->law), proof.error,
                  proof.rounding, f->error);
-    arb_t g, eps;
-    arb_init(g);
-    arb_init(eps);
+    LOCAL(arb, g, eps);
     for (int k = 0; k < SPEEDS; k++) {
         double place = 0.61803398874989485 * k;
         place -= floor(place);
@@ -125,8 +122,6 @@ static void check_proof(struct embed_form *f, const struct embed_scene *s)
                          fabs(middle(g)), proof.error);
         }
     }
-    arb_clear(g);
-    arb_clear(eps);
     const double error = f->error, kept = f->number[0];
     f->number[0] *= 1 + 64 * s->tolerance;
     embed_form_assess(f, &s->samples, 1);
@@ -248,8 +243,7 @@ static void test_ways(void **state)
         const double a = laws[i].a, b = laws[i].b, q = (2 * b - a + 1) / (a + 1);
         request.law = laws[i].law;
         struct law law;
-        arb_t beta;
-        arb_init(beta);
+        LOCAL(arb, beta);
         assert_int_equal(embed_request_law(&law, &request), STATUS_OK);
         embed_contact_beta_per_root(beta, &request, &law, 128); /* g* = 0.2: |C_1| beta(0.2) = 1 */
         assert_near(middle(beta) * pow(0.2, q) * laws[i].c_1, 1, 1e-6);
@@ -265,7 +259,6 @@ static void test_ways(void **state)
         decimal_set(&request.number[COR_SCENE_AT], "32");
         embed_contact_beta_per_root(beta, &request, &law, 128);
         assert_near(middle(beta), 0.3 * pow(32, -q), 1e-14);
-        arb_clear(beta);
         request_clear(&request);
     }
 }
@@ -429,11 +422,8 @@ static void assert_power_law(double x, double limit)
 {
     enum { FAR_BITS = 128 };
     struct collision c;
-    arb_t beta, d, h_star;
+    LOCAL(arb, beta, d, h_star);
     collision_init(&c);
-    arb_init(beta);
-    arb_init(d);
-    arb_init(h_star);
     arb_set_d(d, x);
     arb_root_ui(beta, d, 5, 2 * FAR_BITS); /* with fewer bits no attempt of the collision reaches its own */
     assert_int_equal(collision_solve(&c, beta, &law_sphere, FAR_BITS), 0);
@@ -447,9 +437,6 @@ static void assert_power_law(double x, double limit)
     arb_set_d(h_star, limit);
     assert_true(arb_lt(d, h_star));
     collision_clear(&c);
-    arb_clear(beta);
-    arb_clear(d);
-    arb_clear(h_star);
 }
 
 /* The power law from EMBED_FAR on, and from where eps at a speed uses it (docs/derivation.md, 18). The proof of a form

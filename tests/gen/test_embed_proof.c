@@ -7,6 +7,7 @@
 #include "check.h"
 #include "embed/proof.h"
 #include "enclosure/collision.h"
+#include "support/local.h"
 
 #include <cor/sphere.h>
 
@@ -99,12 +100,10 @@ static void test_far_parts(void **state)
                                .number = number};
         if (i == 0) {
             const struct embed_proof proof = proof_of(&f, &s);
-            arb_t rest;
-            arb_init(rest);
+            LOCAL(arb, rest);
             arb_set_d(rest, h5);
             arb_sub(rest, rest, s.h_star_5, EMBED_BITS);
             const double least = fabs(arf_get_d(arb_midref(rest), ARF_RND_NEAR)) / h5 + EMBED_FAR_ERROR;
-            arb_clear(rest);
             if (!(proof.formula >= least * (1 - 1e-9) && proof.formula <= 1.1 * least))
                 fail_msg("h*^5/g is off by %g, %g proved", least, proof.formula);
         }

@@ -10,6 +10,7 @@
 #include "enclosure/collision.h"
 #include "plan/plan.h"
 #include "plan/waves.h"
+#include "support/local.h"
 
 #define G_STAR 400.0
 #define TOLERANCE 1e-3
@@ -28,14 +29,12 @@ static double beta_of(double speed)
 static void eps_solve(double *overlap, double *force, double beta_wanted)
 {
     struct collision c;
-    arb_t beta;
+    LOCAL(arb, beta);
     collision_init(&c);
-    arb_init(beta);
     arb_set_d(beta, beta_wanted);
     assert_int_equal(collision_solve(&c, beta, &law_sphere, 60), 0);
     *overlap = middle(c.eps_zero_overlap);
     *force = middle(c.eps_zero_force);
-    arb_clear(beta);
     collision_clear(&c);
 }
 
