@@ -65,8 +65,9 @@ int hard_wall_collide(struct cor_disk_hard_wall *out, struct hard_wall_tables *t
         if (status != COR_OK)
             break;
         const size_t needed = cor_disk_hard_wall_workspace(&table, table.count, &options, speed);
-        status = cor_disk_hard_wall_in(workspace_reserve(workspace, needed), needed, &table, table.count, &options,
-                                       speed, out, NULL);
+        workspace_reserve(workspace, needed);
+        status =
+            cor_disk_hard_wall_in(workspace->bytes, workspace->size, &table, table.count, &options, speed, out, NULL);
         if (status == COR_TOLERANCE_NOT_REACHED && out->omega_levels < (size_t)levels[i])
             break; /* the budget has ended, not the modes */
     }
