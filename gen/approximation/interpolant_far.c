@@ -155,7 +155,7 @@ int interpolant_make_far(struct interpolant *f)
 void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t u, slong prec)
 {
     const struct law *law = &f->layout->law;
-    LOCAL(arb, term, power);
+    LOCAL(arb, power);
     arb_mat_t basis;
     arb_mat_init(basis, 1, INTERPOLANT_FAR);
     far_basis(basis, 0, u, law, INTERPOLANT_BITS);

@@ -631,7 +631,7 @@ static void test_h_star(void **state)
 {
     (void)state;
     const struct table *t = find("h_star_5");
-    LOCAL(arb, h, c, bound);
+    LOCAL(arb, h, c);
     assert_int_equal(collision_h_star(h, 200), 0);
     arb_pow_ui(h, h, 5, PREC);
     assert_true(arf_get_d(arb_midref(h), ARF_RND_NEAR) == t->c[0]);
