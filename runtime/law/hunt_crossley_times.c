@@ -3,6 +3,7 @@
  * (generated/hunt_crossley_tables.h), quadrature for every other exponent and for negative damping. */
 #include "cor/law.h"
 #include "generated/hunt_crossley_tables.h"
+#include "runtime/core/hertz_approach_only.h"
 #include "runtime/law/define.h"
 #include "runtime/law/hunt_crossley.h"
 #include "runtime/table/row.h"
@@ -33,17 +34,10 @@ static struct crossley_tables crossley_tables_of(double a)
         t.far_max = cor_rows_crossley_far_time_of_max_overlap_3_2;
         t.far_rebound = cor_rows_crossley_far_rebound_3_2;
         t.exponent = cor_pair(0.6, 2.22044604925031308085e-17);
-        t.elastic = 1.60903272985952150442;
-        t.elastic_tail = 3.78449505742605387477e-17;
+        t.elastic = COR_HERTZ_HALF_DURATION;
+        t.elastic_tail = COR_HERTZ_HALF_DURATION_TAIL;
     }
     return t;
-}
-
-/* ln(1 + beta) */
-static struct cor_inline_pair crossley_log_plus_1(double beta)
-{
-    const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair_two_sum(1, beta));
-    return cor_pair(-minus.hi, -minus.lo);
 }
 
 /* The value of a row at s = head + tail, as a pair */
@@ -69,7 +63,7 @@ static struct cor_inline_pair crossley_far_unit(struct cor_inline_pair log_beta,
 /* The time of the largest overlap, 0 <= beta < inf */
 static struct cor_inline_pair crossley_max(const struct crossley_tables *tables, double beta)
 {
-    const struct cor_inline_pair s = crossley_log_plus_1(beta);
+    const struct cor_inline_pair s = cor_kernel_log_plus_1(beta);
     if (s.hi < COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1_END)
         return crossley_row(COR_INLINE_GRID(COR_ROWS_CROSSLEY_TIME_OF_MAX_OVERLAP_1), tables->max_rows, s);
     const double *c = tables->far_max(0), inverse = 1 / beta, v = s.hi;
@@ -108,7 +102,7 @@ static struct cor_inline_pair crossley_far_rebound(const struct crossley_tables 
 /* 0 <= beta < inf */
 static double crossley_table_duration(const struct crossley_tables *tables, double beta)
 {
-    const struct cor_inline_pair s = crossley_log_plus_1(beta);
+    const struct cor_inline_pair s = cor_kernel_log_plus_1(beta);
     if (s.hi < COR_ROWS_CROSSLEY_DURATION_1_END) {
         const struct cor_inline_pair t =
             crossley_row(COR_INLINE_GRID(COR_ROWS_CROSSLEY_DURATION_1), tables->duration_rows, s);
@@ -214,7 +208,7 @@ static double crossley_side_time(const struct crossley_side *side, double a)
 
 static double crossley_loading(double beta, double a)
 {
-    const struct crossley_side side = {crossley_log_plus_1(beta).hi, 0, beta, beta, 0};
+    const struct crossley_side side = {cor_kernel_log_plus_1(beta).hi, 0, beta, beta, 0};
     return crossley_side_time(&side, a);
 }
 
@@ -223,7 +217,7 @@ static double crossley_rebound(double beta, double a)
 {
     const int weak = beta < COR_HC_BETA_NEAR;
     const double h = beta * cor_hc_eps(beta), rest = weak ? 1 - h : cor_hc_rest(beta);
-    const double end = weak ? cor_kernel_minus_log_one_minus(h).hi : beta + 1 - crossley_log_plus_1(beta).hi - rest;
+    const double end = weak ? cor_kernel_minus_log_one_minus(h).hi : beta + 1 - cor_kernel_log_plus_1(beta).hi - rest;
     const struct crossley_side side = {end, rest, weak ? h : 1 - rest, beta, 1};
     return crossley_side_time(&side, a);
 }
@@ -239,7 +233,7 @@ static double crossley_half(double beta, double a, int rebound)
     const double eps = cor_hc_eps(beta), damped = -beta * eps;
     const struct cor_inline_pair power = cor_pair_over(cor_pair_two_sum(1, -a), cor_pair_two_sum(1, a));
     const double unit = crossley_power(cor_pair(eps, 0), power).hi;
-    const struct crossley_side backward = {-crossley_log_plus_1(beta).hi, 1 + beta, -beta, damped, 1};
+    const struct crossley_side backward = {-cor_kernel_log_plus_1(beta).hi, 1 + beta, -beta, damped, 1};
     return unit * (rebound ? crossley_loading(damped, a) : crossley_side_time(&backward, a));
 }
 

@@ -2,6 +2,7 @@
 /* Durations of Tsuji's damping and the time of its largest overlap, from generated/tsuji_tables.h. */
 #include "cor/law.h"
 #include "generated/tsuji_tables.h"
+#include "runtime/core/hertz_approach_only.h"
 #include "runtime/law/define.h"
 #include "runtime/law/linear.h"
 #include "runtime/number/fifth_root.h"
@@ -15,10 +16,6 @@
  * zeta^(4/5). */
 #define TSUJI_LEAST COR_INLINE_2_M200
 
-/* Half of the elastic collision's duration, X_0 sqrt(pi) Gamma(7/5)/Gamma(9/10), as a pair */
-#define TSUJI_HALF 1.60903272985952150442
-#define TSUJI_HALF_TAIL 3.78449505742605387477e-17
-
 /* The value of a row at y = head + tail */
 static double tsuji_row(struct cor_inline_grid grid, const double *(*rows)(int), struct cor_inline_pair y)
 {
@@ -26,12 +23,6 @@ static double tsuji_row(struct cor_inline_grid grid, const double *(*rows)(int),
     const double *c = rows(i);
     const double t = cor_inline_grid_t(grid, y.hi, i) + y.lo;
     return c[0] + cor_inline_row(cor_inline_place_of(c, t));
-}
-
-static struct cor_inline_pair tsuji_log_plus_1(double zeta)
-{
-    const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair_two_sum(1, zeta));
-    return cor_pair(-minus.hi, -minus.lo);
 }
 
 /* zeta^(-4/5) (c_0 + c_1 u + mu (...)), u = ln(zeta), mu = 1/zeta^2, for TSUJI_FAR <= zeta */
@@ -54,7 +45,7 @@ static double cor_tsuji_inline_time_of_max_overlap(double zeta)
         return NAN;
     if (zeta < TSUJI_FAR)
         return tsuji_row(COR_INLINE_GRID(COR_ROWS_TSUJI_TIME_OF_MAX_OVERLAP), cor_rows_tsuji_time_of_max_overlap,
-                         tsuji_log_plus_1(zeta));
+                         cor_kernel_log_plus_1(zeta));
     return isinf(zeta) ? 0 : tsuji_far(zeta, cor_rows_tsuji_far_time_of_max_overlap(0));
 }
 
@@ -73,7 +64,7 @@ static double cor_tsuji_inline_duration_zero_force(double zeta)
                           cor_rows_tsuji_duration_zero_force_weak, zeta);
     if (zeta < TSUJI_FAR)
         return tsuji_row(COR_INLINE_GRID(COR_ROWS_TSUJI_DURATION_ZERO_FORCE), cor_rows_tsuji_duration_zero_force,
-                         tsuji_log_plus_1(zeta));
+                         cor_kernel_log_plus_1(zeta));
     return isinf(zeta) ? 0 : tsuji_far(zeta, cor_rows_tsuji_far_duration_zero_force(0));
 }
 
@@ -86,7 +77,7 @@ static double cor_tsuji_inline_duration_limited(double zeta)
                           zeta);
     if (zeta < TSUJI_FAR)
         return tsuji_row(COR_INLINE_GRID(COR_ROWS_TSUJI_DURATION_LIMITED), cor_rows_tsuji_duration_limited,
-                         tsuji_log_plus_1(zeta));
+                         cor_kernel_log_plus_1(zeta));
     const double *c = cor_rows_tsuji_far_duration_limited(0);
     if (isinf(zeta))
         return c[0];
@@ -141,7 +132,8 @@ static double cor_tsuji_inline_duration_approach_only(double zeta)
     /* ln(eps)/5; L at zero force is twice that of this end */
     const struct cor_inline_pair part = cor_inline_pair_times(fifth, cor_ratio_force_exponent(zeta));
     const struct cor_inline_pair growth = cor_kernel_exp_minus_pair(cor_pair_scaled(part, -0.5));
-    const struct cor_inline_pair rebound = cor_inline_pair_times(growth, cor_pair(TSUJI_HALF, TSUJI_HALF_TAIL));
+    const struct cor_inline_pair rebound =
+        cor_inline_pair_times(growth, cor_pair(COR_HERTZ_HALF_DURATION, COR_HERTZ_HALF_DURATION_TAIL));
     return cor_pair_plus(rebound, cor_pair(cor_tsuji_inline_time_of_max_overlap(zeta), 0)).hi;
 }
 

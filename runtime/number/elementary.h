@@ -201,6 +201,13 @@ COR_KERNEL struct cor_inline_pair cor_kernel_minus_log(struct cor_inline_pair x)
     return cor_kernel_minus_log_of(cor_kernel_split(x));
 }
 
+/* ln(1 + x), 1 + x > 0 a normal double: the relative error of cor_kernel_minus_log */
+COR_INLINE struct cor_inline_pair cor_kernel_log_plus_1(double x)
+{
+    const struct cor_inline_pair minus = cor_kernel_minus_log(cor_pair_two_sum(1, x));
+    return cor_pair(-minus.hi, -minus.lo);
+}
+
 /* -ln(1 - loss), 0 <= loss < 1. For a small loss f = -loss exactly, in every rounding mode. */
 COR_KERNEL struct cor_inline_pair cor_kernel_minus_log_one_minus(double loss)
 {
