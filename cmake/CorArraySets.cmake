@@ -9,7 +9,7 @@ set(avx2 -mavx2)
 set(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512 -fno-tree-slp-vectorize)
 
 set(cor_with_tables_kernels law/dashpot_array sphere/array)
-set(cor_without_tables_kernels core/mode_source disk/collision disk/hard_wall disk/rayleigh law/array)
+set(cor_without_tables_kernels disk/mode_source disk/collision disk/hard_wall disk/rayleigh law/array)
 set(sets portable)
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   list(APPEND sets avx2 avx512)

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "runtime/core/mode_source.h"
+#include "runtime/disk/mode_source.h"
 #include "support/local.h"
 
 /* Let N = n + 1, u = a_{n+1}/(2N) and A = 1/(1 - u). Then a_n = (z/(2N)) A, and x = n - a_n. A is stored as h/d, and A

@@ -8,7 +8,7 @@
 
 #include "cor/status.h"
 #include "disk/equation.h"
-#include "runtime/core/mode_source.h"
+#include "runtime/disk/mode_source.h"
 #include "support/console.h"
 #include "support/digits.h"
 #include "support/local.h"

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "runtime/core/mode_file.h"
+#include "runtime/disk/mode_file.h"
 #include "support/clock.h"
 #include "support/console.h"
 #include "support/output.h"

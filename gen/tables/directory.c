@@ -10,7 +10,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "runtime/core/mode_file.h"
+#include "runtime/disk/mode_file.h"
 #include "support/console.h"
 #include "support/emit_c.h"
 #include "support/output.h"

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "disk/modes.h"
-#include "runtime/core/mode_file.h"
+#include "runtime/disk/mode_file.h"
 #include "support/console.h"
 #include "support/digits.h"
 #include "support/emit_c.h"

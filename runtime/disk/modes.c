@@ -10,7 +10,7 @@
 #include "cor/status.h"
 #include "generated/disk_modes_nu033.h"
 #include "generated/disk_modes_nu090.h"
-#include "runtime/core/mode_file.h"
+#include "runtime/disk/mode_file.h"
 #include "runtime/number/environment.h"
 
 const struct cor_disk_modes cor_disk_modes_nu033 = COR_DISK_MODES_NU033;

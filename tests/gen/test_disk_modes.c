@@ -8,7 +8,7 @@
 #include "check.h"
 #include "disk/equation.h"
 #include "disk/modes.h"
-#include "runtime/core/mode_source.h"
+#include "runtime/disk/mode_source.h"
 #include "support/digits.h"
 #include "support/local.h"
 #include "support/parallel.h"

@@ -20,7 +20,7 @@
 
 #include "cor/disk.h"
 #include "cor/status.h"
-#include "runtime/core/mode_file.h"
+#include "runtime/disk/mode_file.h"
 #include "sweep/hard_wall.h"
 #include "sweep/journal.h"
 #include "sweep/ranks.h"

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "runtime/core/mode_file.h"
+#include "runtime/disk/mode_file.h"
 
 /* ---- arguments ---- */
 

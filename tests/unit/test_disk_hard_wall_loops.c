@@ -4,8 +4,8 @@
 #define _XOPEN_SOURCE 600 /* j0, j1 */
 #include "check.h"
 
-#include "runtime/core/mode_source.h"
 #include "runtime/disk/hard_wall.h"
+#include "runtime/disk/mode_source.h"
 
 static const struct {
     const char *name;

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Rayleigh's energy (runtime/disk/rayleigh.c): modes against (65) to (67) integrated in time and against printed
- * values, sums and tails against sums over twenty thousand modes, the tolerance, statuses, the edges of the domain.
- * tests/accuracy/test_disk_rayleigh.c has the modes one by one, to all digits. */
+/* Rayleigh's energy (runtime/disk/rayleigh.c): modes against printed values, sums and tails against sums over twenty
+ * thousand modes, the tolerance, statuses, the edges of the domain. tests/accuracy/test_disk_rayleigh.c has the
+ * modes one by one against the motion, to all digits. */
 #include "check.h"
 
 #include <cor/disk.h>
 #include <cor/status.h>
-
-#include "reference_disk.h"
 
 enum { MODES = 1800 };
 
@@ -29,13 +27,6 @@ static struct cor_disk_modes lowest(const struct cor_disk_modes *modes, size_t n
     return few;
 }
 
-static double constant_b(double nu, enum cor_disk_datum datum)
-{
-    if (datum == COR_DISK_DATUM_CENTRE_OF_MASS)
-        return -2 * log(2) - (1 + nu) / 4;
-    return datum == COR_DISK_DATUM_DIAMETER ? -1 : -1 - nu;
-}
-
 static struct cor_disk_rayleigh rayleigh(const struct cor_disk_modes *modes, size_t n, enum cor_disk_datum datum,
                                          double speed, double *mode_fraction)
 {
@@ -43,38 +34,6 @@ static struct cor_disk_rayleigh rayleigh(const struct cor_disk_modes *modes, siz
     const int status = cor_disk_rayleigh(modes, n, datum, speed, &out, mode_fraction);
     check(status == COR_OK || status == COR_BEYOND_THEORY, "v = %a, %zu modes: %s", speed, n, cor_status_text(status));
     return out;
-}
-
-static void against_time(const struct cor_disk_modes *modes, size_t n, enum cor_disk_datum datum, double speed,
-                         double tolerance, double allowed)
-{
-    double expected[16], time;
-    check(reference_disk_rayleigh(modes->mode, n, constant_b(modes->nu, datum), speed, tolerance, expected, &time) > 0,
-          "v = %a", speed);
-    const struct cor_disk_rayleigh out = rayleigh(modes, n, datum, speed, fractions);
-    check(fabs(out.contact_time / time - 1) < allowed, "v = %a: %.15g, %.15g", speed, out.contact_time, time);
-    double sum = 0;
-    for (size_t i = 0; i < n; i++) {
-        sum += expected[i];
-        check(fabs(fractions[i] - expected[i]) < allowed * (out.fraction + expected[i]),
-              "v = %a, mode %zu: %.15g, %.15g", speed, i, fractions[i], expected[i]);
-    }
-    check(fabs(out.fraction / sum - 1) < allowed, "v = %a: %.15g, %.15g", speed, out.fraction, sum);
-}
-
-static void test_integration_in_time(void **unused)
-{
-    (void)unused;
-    against_time(&cor_disk_modes_nu033, 6, COR_DISK_DATUM_PRINTED, 1e-3, 1e-13, 1e-9);
-    against_time(&cor_disk_modes_nu033, 6, COR_DISK_DATUM_CENTRE_OF_MASS, 1e-2, 1e-13, 1e-9);
-    against_time(&cor_disk_modes_nu090, 6, COR_DISK_DATUM_DIAMETER, 0.1, 1e-13, 1e-9);
-    for (size_t i = 0; i < points(6); i++) {
-        const int t = i % 2 != 0;
-        const enum cor_disk_datum datum = datums[i % 3];
-        const double limit = cor_disk_speed_limit(table(t)->nu, datum);
-        const double speed = i == 0 ? limit : random_log(&state, 1e-12, limit);
-        against_time(table(t), 8, datum, speed, 1e-11, 1e-7);
-    }
 }
 
 /* Values of arbitrary precision: nu = 0.33; the constant b as printed, but for the last */
@@ -428,7 +387,6 @@ int main(void)
 {
     state = random_start();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_integration_in_time),
         cmocka_unit_test(test_values),
         cmocka_unit_test(test_tail),
         cmocka_unit_test(test_estimate_is_no_excuse),

@@ -13,7 +13,7 @@
  *     T0 = e d D - s k D - 2 K d,   T1 = d D,   T2 = h H
  *
  * Nothing cancels in it where nu is close to -1 or 1. */
-#include "runtime/core/mode_source.h"
+#include "runtime/disk/mode_source.h"
 
 #include <math.h>
 #include <stdlib.h>

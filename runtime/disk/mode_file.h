@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Definitions that the writer (gen/tables/disk.c) and the reader (runtime/disk/modes.c) of mode files share;
  * docs/mode-file.md. */
-#ifndef COR_RUNTIME_MODE_FILE_H
-#define COR_RUNTIME_MODE_FILE_H
+#ifndef COR_RUNTIME_DISK_MODE_FILE_H
+#define COR_RUNTIME_DISK_MODE_FILE_H
 
 #include <stddef.h>
 #include <stdint.h>

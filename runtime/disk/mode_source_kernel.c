@@ -3,7 +3,7 @@
  * (kernel_vector.h). */
 #include <stdint.h>
 
-#include "runtime/core/mode_source.h"
+#include "runtime/disk/mode_source.h"
 #include "runtime/number/kernel_vector.h"
 
 #ifdef __GNUC__

@@ -4,8 +4,8 @@
  *
  * With e = 1 + nu, s = 1 - nu and g = e omega^2, the squared arguments of the Bessel functions are z = s g
  * (longitudinal waves, kappa^2) and z = 2 g (transverse waves, kappa'^2). */
-#ifndef COR_RUNTIME_CORE_MODE_SOURCE_H
-#define COR_RUNTIME_CORE_MODE_SOURCE_H
+#ifndef COR_RUNTIME_DISK_MODE_SOURCE_H
+#define COR_RUNTIME_DISK_MODE_SOURCE_H
 
 #include <stddef.h>
 
