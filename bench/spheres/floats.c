@@ -104,9 +104,9 @@ static int add_lines(struct line *line, const struct quantity *q)
 
 static int add_sets(struct line *line)
 {
-    static const char *const set_name[] = {"portable", "AVX2"}; /* AVX-512 has the arrays of AVX2 */
+    static const char *const set_name[COR_INSTRUCTION_SETS] = {"portable", "AVX2", "AVX-512"};
     int n = 0;
-    for (int s = 0; s <= COR_AVX2; s++) {
+    for (int s = 0; s < COR_INSTRUCTION_SETS; s++) {
         const struct cor_array_set *const set = cor_array_set(s);
         int k = 0;
         if (set == NULL)

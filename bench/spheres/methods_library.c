@@ -32,7 +32,7 @@ static void float_array_each(const struct method *method, const struct scene *sc
 
 void add_library(struct methods *methods)
 {
-    static const char *const set_name[] = {"portable", "AVX2"}; /* AVX-512 has the arrays of AVX2 */
+    static const char *const set_name[COR_INSTRUCTION_SETS] = {"portable", "AVX2", "AVX-512"};
     static const struct method calls[] = {
         METHOD("cor", "", ZERO_OVERLAP, FROM_SPEED, 0, speed_overlap),
         METHOD("cor", "", ZERO_FORCE, FROM_SPEED, 0, speed_force),
@@ -53,7 +53,7 @@ void add_library(struct methods *methods)
         methods_add(methods, &array);
         array.curve = "cor";
         array.each = array_each;
-        for (array.number = COR_PORTABLE; array.number <= COR_AVX2; array.number++)
+        for (array.number = COR_PORTABLE; array.number < COR_INSTRUCTION_SETS; array.number++)
             for (array.input = FROM_SPEED; array.input <= FROM_BETA && cor_array_set(array.number); array.input++) {
                 array.instructions = set_name[array.number];
                 array.flags = ARRAY | (array.input == FROM_SPEED ? LARGE : 0);
