@@ -294,7 +294,7 @@ static void the_time_step_is_for_all_speeds(void **state)
     enum { SPEEDS = 5, STEP_COLUMN = 8 };
     struct random_state random = random_start();
     for (int ends = 1; ends <= 2; ends++) {
-        const struct contacts contacts = contacts_of(0, ends == 2 ? COR_BOTH_ENDS : END_ZERO_FORCE, GIVEN(BODIES),
+        const struct contacts contacts = contacts_of(0, ends == 2 ? COR_BOTH_ENDS : COR_END_ZERO_FORCE, GIVEN(BODIES),
                                                      GIVEN({COR_SCENE_RESTITUTION, 0.7}, {COR_SCENE_AT, 0.4}));
         assert_int_equal(contacts.count, ends);
         double speed[SPEEDS], least = INFINITY;
