@@ -152,10 +152,12 @@ int subcommand_run(const struct subcommand *const *table, const char *version, i
         console_show_usage_errors(ranks_mine() == 0);
         status = subcommand_parse_and_start(shared, argc - 1, argv + 1);
     } else if (ranks_mine() > 0) {
-        ranks_wait();
+        size_t size;
+        ranks_receive(0, RANKS_TAG_MAIN, &size);
     } else {
         status = run_alone(table, version, argc, argv);
-        ranks_release();
+        for (int rank = 1; rank < ranks_count(); rank++)
+            ranks_send(rank, RANKS_TAG_MAIN, NULL, 0);
     }
     ranks_stop();
     return status;

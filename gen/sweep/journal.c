@@ -28,17 +28,17 @@ static uint32_t line_check(uint32_t check, const char *line, size_t n)
     return cor_mode_file_check(cor_mode_file_check(check, line, n), " ", 1);
 }
 
-/* If the check sum at the end of the line is right, cuts it off, updates *check and returns true. Otherwise neither
- * changes. */
-static bool line_accept(uint32_t *check, char *line, size_t n)
+/* Cuts the check sum off the end of the line, if it is right, and updates *check. Otherwise neither changes. */
+static bool line_accept(uint32_t *check, char *line)
 {
-    if (n < CHECK_LENGTH + 1 || line[n - 1] != '\n' || memchr(line, '\0', n))
+    const size_t n = strlen(line);
+    if (n < CHECK_LENGTH + 1)
         return false;
     char expected[CHECK_LENGTH + 2];
     const size_t length = n - CHECK_LENGTH - 1;
     const uint32_t so_far = line_check(*check, line, length);
     snprintf(expected, sizeof expected, " %08" PRIx32 "\n", so_far);
-    if (memcmp(line + length, expected, CHECK_LENGTH + 1) != 0)
+    if (strcmp(line + length, expected) != 0)
         return false;
     *check = cor_mode_file_check(so_far, expected + 1, CHECK_LENGTH);
     line[length] = '\0';
@@ -111,19 +111,22 @@ static int journal_open_locked(struct journal *journal)
     for (;;) {
         struct stat opened, named;
         /* a symbolic link could lead anywhere, so it is not followed */
-        journal->fd = open(journal->path, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+        journal->fd = open(journal->path, O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (journal->fd < 0 && errno == ELOOP)
             return fail("cannot write %s: it is a symbolic link; remove it or choose another --output", journal->path);
         if (journal->fd < 0 || fstat(journal->fd, &opened) != 0)
             return journal_failure("write", journal);
+        journal->stream = fdopen(journal->fd, "r");
+        if (!journal->stream)
+            return journal_failure("read", journal);
         if (!S_ISREG(opened.st_mode))
             return fail("cannot write %s: it is not a regular file", journal->path);
         if (journal_lock(journal) != STATUS_OK)
             return STATUS_FAILED;
         if (stat(journal->path, &named) == 0 && named.st_ino == opened.st_ino && named.st_dev == opened.st_dev)
             return STATUS_OK;
-        close(journal->fd);
-        journal->fd = -1;
+        fclose(journal->stream);
+        journal->stream = NULL;
     }
 }
 
@@ -147,83 +150,49 @@ static bool same_sweep(const char *title, const char *other)
     return colon ? strncmp(title, other, (size_t)(colon - title) + 1) == 0 : strcmp(title, other) == 0;
 }
 
-/* Reads the lines of a journal without moving its descriptor, to which rows may be added meanwhile. */
-struct reader {
-    const struct journal *journal;
-    char *buffer; /* longer than any line of a journal */
-    size_t capacity, size, start;
-    off_t at;
-    uint32_t check;
-    bool failed;
-};
-
-static void reader_start(struct reader *r, const struct journal *journal)
+/* Reads the first line, or the next one, into journal->line and cuts off its check sum. False at the end, or if the
+ * line is incomplete or its check is wrong. */
+static bool read_line(struct journal *journal, bool first, uint32_t *check)
 {
-    enum { LINE = 1 << 16 };
-    *r =
-        (struct reader){.journal = journal, .capacity = journal->title_size + LINE, .check = COR_MODE_FILE_CHECK_START};
-    r->buffer = xmalloc(r->capacity);
-}
-
-/* The next line, its check sum cut off, or NULL if it is incomplete or its check is wrong. */
-static char *reader_next(struct reader *r)
-{
-    for (;;) {
-        char *const line = r->buffer + r->start, *const end = memchr(line, '\n', r->size - r->start);
-        const size_t left = r->size - r->start, n = end ? (size_t)(end - line) + 1 : left;
-        if (end) {
-            if (!line_accept(&r->check, line, n))
-                return NULL;
-            r->start += n;
-            return line;
-        }
-        memmove(r->buffer, line, left);
-        r->size = left;
-        r->start = 0;
-        const ssize_t got = pread(r->journal->fd, r->buffer + left, r->capacity - left, r->at);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0)
-            journal_failure("read", r->journal);
-        r->failed = got < 0;
-        if (got <= 0)
-            return NULL;
-        r->size += (size_t)got;
-        r->at += got;
+    if (first) {
+        *check = COR_MODE_FILE_CHECK_START;
+        fflush(journal->stream); /* forgets what was read before rows were added */
+        rewind(journal->stream);
     }
+    journal->line[0] = '\0';
+    return fgets(journal->line, (int)journal->line_size, journal->stream) && line_accept(check, journal->line);
 }
 
 /* Finds the good lines, and returns their size in bytes, or -1 after a message. */
 static off_t journal_recover(struct journal *journal, const char *title, uint64_t most)
 {
-    struct reader r;
-    reader_start(&r, journal);
+    struct stat status;
+    const size_t n = strlen(title);
     off_t good = 0;
-    const char *line = reader_next(&r);
-    if (!line) {
+    if (!read_line(journal, true, &journal->check)) {
         /* a prefix of the title was cut off while it was written; any other first line is from another program */
-        const size_t size = r.size, n = strlen(title);
-        const bool beginning = size <= n + CHECK_LENGTH && memcmp(r.buffer, title, size < n ? size : n) == 0;
-        if (!r.failed && !beginning)
+        const size_t size = strlen(journal->line);
+        const bool beginning = fstat(journal->fd, &status) == 0 && status.st_size == (off_t)size &&
+                               size <= n + CHECK_LENGTH && memcmp(journal->line, title, size < n ? size : n) == 0;
+        if (ferror(journal->stream))
+            return journal_failure("read", journal), -1;
+        if (!beginning)
             journal_refuse_foreign(journal, "");
-        good = !r.failed && beginning ? 0 : -1;
-    } else if (!same_sweep(title, line)) {
-        journal_refuse_foreign(journal, line);
-        good = -1;
+        return beginning ? 0 : -1;
     }
-    while (line && good >= 0) {
-        journal->check = r.check;
-        good = r.at - (off_t)(r.size - r.start);
-        if (journal->lines == most)
+    if (!same_sweep(title, journal->line)) {
+        journal_refuse_foreign(journal, journal->line);
+        return -1;
+    }
+    for (uint32_t check = journal->check;; journal->lines++) {
+        journal->check = check;
+        good = ftello(journal->stream);
+        if (journal->lines == most || !read_line(journal, false, &check))
             break;
-        if ((line = reader_next(&r))) {
-            free(journal->last);
-            journal->last = xstrdup(line);
-            journal->lines++;
-        }
+        free(journal->last);
+        journal->last = xstrdup(journal->line);
     }
-    free(r.buffer);
-    return r.failed ? -1 : good;
+    return ferror(journal->stream) ? journal_failure("read", journal), -1 : good;
 }
 
 /* A power cut can lose the name of a new file until its folder is synced. */
@@ -240,22 +209,22 @@ static void sync_folder(const char *path)
 
 int journal_open(struct journal *journal, const char *file, const char *title, uint64_t most)
 {
-    *journal = (struct journal){.fd = -1, .check = COR_MODE_FILE_CHECK_START, .synced = clock_seconds()};
+    enum { LINE = 1 << 16 };
     static const char extension[] = ".part";
+    *journal = (struct journal){.fd = -1, .synced = clock_seconds(), .line_size = strlen(title) + LINE};
+    journal->line = xmalloc(journal->line_size);
     const size_t size = strlen(file) + sizeof extension;
-    journal->title_size = strlen(title);
     journal->path = xmalloc(size);
     snprintf(journal->path, size, "%s%s", file, extension);
     output_handle_signals(); /* a write beyond a size limit must fail, which is reported, and not end the program */
     off_t good = -1;
     if (journal_open_locked(journal) == STATUS_OK)
         good = journal_recover(journal, title, most);
-    if (good >= 0 && (ftruncate(journal->fd, good) != 0 || lseek(journal->fd, good, SEEK_SET) != good)) {
-        journal_failure("write", journal);
-        good = -1;
-    }
     int status = good >= 0 ? STATUS_OK : STATUS_FAILED;
-    if (good == 0) {
+    if (status == STATUS_OK && ftruncate(journal->fd, good) != 0)
+        status = journal_failure("write", journal);
+    if (status == STATUS_OK && good == 0) {
+        journal->check = COR_MODE_FILE_CHECK_START;
         journal_add(journal, title);
         journal->lines = 0;
         status = journal_flush(journal);
@@ -272,28 +241,26 @@ int journal_read(struct journal *journal, void (*visit)(void *context, const cha
 {
     if (journal_flush(journal) != STATUS_OK)
         return STATUS_FAILED;
-    struct reader r;
-    reader_start(&r, journal);
+    uint32_t check;
     uint64_t number = 0;
-    for (const char *line; number <= journal->lines && (line = reader_next(&r)); number++) {
+    for (; number <= journal->lines && read_line(journal, number == 0, &check); number++)
         if (number > 0)
-            visit(context, line);
-    }
-    free(r.buffer);
+            visit(context, journal->line);
     if (number == journal->lines + 1)
         return STATUS_OK;
-    return r.failed ? STATUS_FAILED
-                    : fail("another program has changed %s; its rows from line %" PRIu64 " on are lost", journal->path,
-                           number);
+    if (ferror(journal->stream))
+        return journal_failure("read", journal);
+    return fail("another program has changed %s; its rows from line %" PRIu64 " on are lost", journal->path, number);
 }
 
 void journal_close(struct journal *journal, bool done)
 {
     if (done && unlink(journal->path) != 0)
         journal_failure("remove", journal);
-    if (journal->fd >= 0)
-        close(journal->fd);
+    if (journal->stream)
+        fclose(journal->stream);
     free(journal->path);
+    free(journal->line);
     free(journal->last);
     free(journal->pending);
     *journal = (struct journal){.fd = -1};

@@ -7,11 +7,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 struct journal {
     int fd; /* locked against other processes */
     char *path;
-    size_t title_size;
+    FILE *stream; /* reads it; writes go through fd, to its end */
+    char *line;   /* the line read last */
+    size_t line_size;
     uint32_t check;
     uint64_t lines; /* rows, without the title */
     char *last;     /* the last row that journal_open found, without its check sum; NULL if it found none */

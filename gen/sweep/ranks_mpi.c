@@ -2,15 +2,20 @@
 #include "sweep/ranks.h"
 
 #include <limits.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <time.h>
 
 #include <mpi.h>
 
+#include "support/clock.h"
 #include "support/console.h"
 
-enum { TAG_RELEASE = 0, PAUSE_NANOSECONDS = 20000000 };
+static const double SHORTEST_PAUSE = 5e-5, LONGEST_PAUSE = 0.02;
 
+static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER; /* MPI is called by one thread at a time */
 static int count = 1, mine;
 static bool joined;
 
@@ -31,14 +36,14 @@ int ranks_start(void)
     if (joined || !ranks_launched())
         return STATUS_OK;
     int given;
-    if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &given) != MPI_SUCCESS)
+    if (MPI_Init_thread(NULL, NULL, MPI_THREAD_SERIALIZED, &given) != MPI_SUCCESS)
         return fail("MPI does not start");
     joined = true;
     MPI_Comm_size(MPI_COMM_WORLD, &count);
     MPI_Comm_rank(MPI_COMM_WORLD, &mine);
-    if (given < MPI_THREAD_FUNNELED) {
+    if (given < MPI_THREAD_SERIALIZED) {
         ranks_stop();
-        return fail("this MPI does not allow threads (MPI_THREAD_FUNNELED)");
+        return fail("this MPI does not allow threads (MPI_THREAD_SERIALIZED)");
     }
     return STATUS_OK;
 }
@@ -54,24 +59,6 @@ void ranks_stop(void)
 int ranks_check(void)
 {
     return STATUS_OK;
-}
-
-/* Polls, because a waiting MPI keeps its processor busy. */
-void ranks_wait(void)
-{
-    const struct timespec pause = {0, PAUSE_NANOSECONDS};
-    int rank, tag;
-    void *bytes;
-    size_t n;
-    while (!ranks_receive(&rank, &tag, &bytes, &n))
-        nanosleep(&pause, NULL);
-    free(bytes);
-}
-
-void ranks_release(void)
-{
-    for (int rank = 1; rank < count; rank++)
-        ranks_send(rank, TAG_RELEASE, NULL, 0);
 }
 
 int ranks_count(void)
@@ -90,23 +77,32 @@ void ranks_send(int rank, int tag, const void *bytes, size_t n)
         fail("a message of %zu bytes is more than MPI sends", n);
         MPI_Abort(MPI_COMM_WORLD, STATUS_FAILED);
     }
+    pthread_mutex_lock(&mutex);
     MPI_Send(bytes, (int)n, MPI_BYTE, rank, tag, MPI_COMM_WORLD);
+    pthread_mutex_unlock(&mutex);
 }
 
-bool ranks_receive(int *rank, int *tag, void **bytes, size_t *n)
+/* Polls, because a waiting MPI keeps its processor busy: ever more rarely, so that a wait lasts an eighth longer or
+ * LONGEST_PAUSE more. */
+void *ranks_receive(int rank, int tag, size_t *n)
 {
-    if (count < 2)
-        return false;
-    int there = 0, size = 0;
     MPI_Status status;
-    MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
-    if (!there)
-        return false;
+    int there = 0, size = 0;
+    void *bytes = NULL;
+    const double start = clock_seconds();
+    for (;;) {
+        pthread_mutex_lock(&mutex);
+        MPI_Iprobe(rank, tag, MPI_COMM_WORLD, &there, &status);
+        if (there)
+            break;
+        pthread_mutex_unlock(&mutex);
+        const double pause = fmin(SHORTEST_PAUSE + (clock_seconds() - start) / 8, LONGEST_PAUSE);
+        nanosleep(&(struct timespec){0, (long)(1e9 * pause)}, NULL);
+    }
     MPI_Get_count(&status, MPI_BYTE, &size);
-    *rank = status.MPI_SOURCE;
-    *tag = status.MPI_TAG;
     *n = (size_t)size;
-    *bytes = size > 0 ? xmalloc(*n) : NULL;
-    MPI_Recv(*bytes, size, MPI_BYTE, *rank, *tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    return true;
+    bytes = size > 0 ? xmalloc(*n) : NULL;
+    MPI_Recv(bytes, size, MPI_BYTE, rank, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    pthread_mutex_unlock(&mutex);
+    return bytes;
 }

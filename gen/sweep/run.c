@@ -72,34 +72,27 @@ static int find_modes(struct collide *run, size_t material)
 }
 
 /* Sends the modes to the other ranks. */
-static void send_modes(struct threads *threads, const struct collide *run)
+static void send_modes(const struct collide *run)
 {
-    if (ranks_count() < 2)
-        return;
-    if (run->sweep.hard_wall) {
-        threads_broadcast(threads, &run->tables.nu, sizeof run->tables.nu);
-        return;
-    }
-    const size_t bytes = run->modes.count * sizeof *run->mode;
+    const size_t bytes = run->sweep.hard_wall ? 0 : run->modes.count * sizeof *run->mode;
     unsigned char *message = xmalloc(sizeof run->modes.nu + bytes);
-    memcpy(message, &run->modes.nu, sizeof run->modes.nu);
-    memcpy(message + sizeof run->modes.nu, run->mode, bytes);
-    threads_broadcast(threads, message, sizeof run->modes.nu + bytes);
+    memcpy(message, run->sweep.hard_wall ? &run->tables.nu : &run->modes.nu, sizeof run->modes.nu);
+    if (bytes > 0)
+        memcpy(message + sizeof run->modes.nu, run->mode, bytes);
+    for (int rank = 1; rank < ranks_count(); rank++)
+        ranks_send(rank, RANKS_TAG_MAIN, message, sizeof run->modes.nu + bytes);
     free(message);
 }
 
-static void receive_modes(void *context, const void *bytes, size_t n)
+static void receive_modes(struct collide *run, const void *bytes, size_t n)
 {
-    struct collide *run = context;
+    const size_t size = n - sizeof run->modes.nu;
+    memcpy(&run->modes.nu, bytes, sizeof run->modes.nu);
     if (run->sweep.hard_wall) {
-        double nu;
-        memcpy(&nu, bytes, sizeof nu);
-        hard_wall_tables_set(&run->tables, nu);
+        hard_wall_tables_set(&run->tables, run->modes.nu);
         return;
     }
-    const size_t size = n - sizeof run->modes.nu;
     run->mode = xrealloc(run->mode, size);
-    memcpy(&run->modes.nu, bytes, sizeof run->modes.nu);
     memcpy(run->mode, (const char *)bytes + sizeof run->modes.nu, size);
     run->modes.count = size / sizeof *run->mode;
     run->modes.mode = run->mode;
@@ -197,8 +190,9 @@ static int sweep_tick(void *context)
 }
 
 /* Collides all rows from `first` on. */
-static int collide_all(struct collide *run, struct threads *threads, uint64_t first)
+static int collide_all(struct collide *run, uint64_t first)
 {
+    const struct threads_work work = {run, sizeof(struct sweep_result), collide_row, row_finished, sweep_tick};
     const uint64_t each = sweep_rows_of_material(&run->sweep);
     bool checked = false;
     run->started = clock_seconds();
@@ -217,10 +211,10 @@ static int collide_all(struct collide *run, struct threads *threads, uint64_t fi
         if (status != STATUS_OK)
             return status;
         checked = true;
-        send_modes(threads, run);
+        send_modes(run);
         profile_step("collisions");
         run->rows_started = clock_seconds();
-        status = threads_run(threads, first, (first / each + 1) * each);
+        status = threads_run(&work, run->threads, first, (first / each + 1) * each);
         run->rows_seconds += clock_seconds() - run->rows_started;
         profile_step(NULL);
         if (run->journal.path && journal_flush(&run->journal) != STATUS_OK)
@@ -283,7 +277,7 @@ static char *title_of(const struct sweep *s)
     return title;
 }
 
-static int collide_to_file(struct collide *run, struct threads *threads, const struct sweep_request *request)
+static int collide_to_file(struct collide *run, const struct sweep_request *request)
 {
     /* fail now rather than after hours if the file cannot be written; this also installs output.c's signal handlers */
     struct output probe;
@@ -298,7 +292,7 @@ static int collide_to_file(struct collide *run, struct threads *threads, const s
     for (uint64_t i = 0; i < run->journal.lines; i++)
         run->cost_found += sweep_cost(&run->sweep, i);
     journal_say_on_interrupt(&run->journal);
-    status = collide_all(run, threads, run->journal.lines);
+    status = collide_all(run, run->journal.lines);
     journal_silent_on_interrupt(&run->journal);
     if (status == STATUS_OK)
         status = publish_journal(run, request);
@@ -306,13 +300,13 @@ static int collide_to_file(struct collide *run, struct threads *threads, const s
     return status == STATUS_OK ? report_rows(&run->printer) : status;
 }
 
-static int collide_to_stream(struct collide *run, struct threads *threads, const struct sweep_request *request)
+static int collide_to_stream(struct collide *run, const struct sweep_request *request)
 {
     struct output out;
     if (output_open(&out, request->output) != STATUS_OK)
         return STATUS_FAILED;
     sweep_print_start(&run->printer, &run->sweep, request->format, out.file);
-    int status = collide_all(run, threads, 0);
+    int status = collide_all(run, 0);
     if (status == STATUS_OK)
         sweep_print_end(&run->printer);
     if (status != STATUS_OK && !ferror(out.file)) {
@@ -323,6 +317,30 @@ static int collide_to_stream(struct collide *run, struct threads *threads, const
     return status == STATUS_OK ? report_rows(&run->printer) : status;
 }
 
+/* Another rank: does the rows of rank 0, one material after the other, until an empty message. */
+static int serve(struct collide *run)
+{
+    const struct threads_work work = {run, sizeof(struct sweep_result), collide_row, NULL, NULL};
+    size_t size;
+    for (void *modes; (modes = ranks_receive(0, RANKS_TAG_MAIN, &size)); free(modes)) {
+        receive_modes(run, modes, size);
+        threads_serve(&work, run->threads);
+    }
+    return STATUS_OK;
+}
+
+static int run_as_rank_0(struct collide *run, const struct sweep_request *request)
+{
+    int status = run->sweep.hard_wall ? STATUS_OK : refuse_memory(&run->sweep);
+    if (status == STATUS_OK && !run->sweep.hard_wall)
+        status = refuse_early(run);
+    if (status == STATUS_OK)
+        status = (output_is_direct(request->output) ? collide_to_stream : collide_to_file)(run, request);
+    for (int rank = 1; rank < ranks_count(); rank++)
+        ranks_send(rank, RANKS_TAG_MAIN, NULL, 0);
+    return status;
+}
+
 int sweep_run(const struct sweep_request *request)
 {
     struct collide run = {.sweep = request->sweep, .journal = {.fd = -1}};
@@ -331,25 +349,8 @@ int sweep_run(const struct sweep_request *request)
         status = sweep_count(&run.sweep);
     run.threads = request->threads > 0 ? request->threads : ranks_count() > 1 ? 1 : parallel_processors();
     hard_wall_tables_init(&run.tables);
-    struct threads *threads = NULL;
-    const struct threads_work work = {&run,         sizeof(struct sweep_result), collide_row, row_finished, sweep_tick,
-                                      receive_modes};
-    if (status == STATUS_OK && !(threads = threads_start(&work, run.threads)))
-        status = STATUS_FAILED;
-    /* not before the threads exists: threads_stop ends the other ranks */
-    if (status == STATUS_OK && ranks_mine() == 0 && !run.sweep.hard_wall)
-        status = refuse_memory(&run.sweep);
-    if (status == STATUS_OK && ranks_mine() == 0 && !run.sweep.hard_wall)
-        status = refuse_early(&run);
-    if (status == STATUS_OK) {
-        if (ranks_mine() > 0)
-            threads_serve(threads);
-        else if (!output_is_direct(request->output))
-            status = collide_to_file(&run, threads, request);
-        else
-            status = collide_to_stream(&run, threads, request);
-    }
-    threads_stop(threads);
+    if (status == STATUS_OK)
+        status = ranks_mine() > 0 ? serve(&run) : run_as_rank_0(&run, request);
     free(run.mode);
     hard_wall_tables_clear(&run.tables);
     return status;

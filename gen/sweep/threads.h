@@ -23,29 +23,19 @@ struct threads_work {
     void *context;
     size_t result_size;
     void (*work)(void *context, struct workspace *workspace, uint64_t task, void *result);
-    /* Rank 0: gets the results in order. A value other than 0 ends the run. */
+    /* Gets the results in order. A value other than 0 ends the run. */
     int (*finish)(void *context, uint64_t task, const void *result);
-    /* Rank 0: called several times a second; a value other than 0 ends the run. */
+    /* NULL, or called several times a second; a value other than 0 ends the run. */
     int (*tick)(void *context);
-    /* Other ranks: gets the bytes that rank 0 sends by threads_broadcast. */
-    void (*received)(void *context, const void *bytes, size_t n);
 };
 
-struct threads;
-
-/* Starts the threads. Returns NULL after a message if no thread can be started. */
-struct threads *threads_start(const struct threads_work *work, int count);
-void threads_stop(struct threads *threads); /* on rank 0 this also ends threads_serve on every other rank */
-
-/* Rank 0: runs tasks first, first + 1, ..., end - 1. Returns 0, or the value other than 0 that finish() or tick()
- * returned. Memory holds THREADS_AHEAD results for any number of tasks: a task is given out only if it is less than
+/* Runs tasks first, first + 1, ..., end - 1 on `count` threads of each rank; the other ranks are in threads_serve.
+ * Returns 0, or the value other than 0 that finish() or tick() returned, or STATUS_FAILED after a message if no thread
+ * can be started. Memory holds THREADS_AHEAD results for any number of tasks: a task begins only if it is less than
  * THREADS_AHEAD behind the first unfinished one. */
-int threads_run(struct threads *threads, uint64_t first, uint64_t end);
+int threads_run(const struct threads_work *work, int count, uint64_t first, uint64_t end);
 
-/* Rank 0, between runs: every other rank calls received() with these bytes before it gets further tasks. */
-void threads_broadcast(struct threads *threads, const void *bytes, size_t n);
-
-/* The other ranks: does tasks for rank 0 until rank 0 calls threads_stop. */
-void threads_serve(struct threads *threads);
+/* Another rank than 0: does the tasks that one threads_run of rank 0 gives to it, on as many threads. */
+void threads_serve(const struct threads_work *work, int count);
 
 #endif

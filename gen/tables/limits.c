@@ -181,19 +181,17 @@ static int collide_all(struct scene *scene, long count, struct journal *journal,
 {
     struct collisions run = {.scene = scene, .journal = journal, .name = name, .count = count};
     hard_wall_tables_init(&run.tables);
-    const struct threads_work work = {&run, sizeof(struct outcome), scene_collide, scene_finish, sweep_tick, NULL};
-    struct threads *const threads = threads_start(&work, parallel_processors());
-    int status = threads ? STATUS_OK : STATUS_FAILED;
+    const struct threads_work work = {&run, sizeof(struct outcome), scene_collide, scene_finish, sweep_tick};
+    int status = STATUS_OK;
     for (long first = 0, end; first < count && status == STATUS_OK; first = end) {
         for (end = first; end < count && scene[end].nu == scene[first].nu;)
             end++;
         hard_wall_tables_set(&run.tables, nu_at(scene[first].nu));
-        status = threads_run(threads, (uint64_t)first, (uint64_t)end);
+        status = threads_run(&work, parallel_processors(), (uint64_t)first, (uint64_t)end);
     }
     if (status == STATUS_OK && journal)
         status = journal_flush(journal);
     progress_end();
-    threads_stop(threads);
     hard_wall_tables_clear(&run.tables);
     return status;
 }

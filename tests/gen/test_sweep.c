@@ -320,30 +320,27 @@ static void test_threads(void **state)
     (void)state;
     for (int count = 1; count <= 3; count++) {
         struct crowd crowd = {.stop_at = UINT64_MAX, .slow = 100, .long_from = UINT64_MAX, .uneven = count > 1};
-        const struct threads_work work = {&crowd, sizeof(uint64_t), crowd_work, crowd_finish, NULL, NULL};
-        struct threads *threads = threads_start(&work, count);
-        assert_non_null(threads);
-        assert_int_equal(threads_run(threads, 0, 0), 0);
-        assert_int_equal(threads_run(threads, 0, 5), 0);
-        assert_int_equal(threads_run(threads, 5, TASKS), 0);
+        const struct threads_work work = {&crowd, sizeof(uint64_t), crowd_work, crowd_finish, NULL};
+        assert_int_equal(threads_run(&work, count, 0, 0), 0);
+        assert_int_equal(threads_run(&work, count, 0, 5), 0);
+        assert_int_equal(threads_run(&work, count, 5, TASKS), 0);
         assert_int_equal(crowd.next, TASKS);
         crowd.next = 1000;
         crowd.stop_at = 1234;
-        assert_int_equal(threads_run(threads, 1000, TASKS), 7);
+        assert_int_equal(threads_run(&work, count, 1000, TASKS), 7);
         assert_int_equal(crowd.next, 1235);
         /* of the tasks that wait then, none begins */
         crowd.next = 0;
         crowd.slow = UINT64_MAX;
         crowd.stop_at = 999;
         crowd.long_from = 1000;
-        assert_int_equal(threads_run(threads, 0, TASKS), 7);
+        assert_int_equal(threads_run(&work, count, 0, TASKS), 7);
         check(crowd.begun < 30 * count, "%d tasks of %d threads began", crowd.begun, count);
         crowd.long_from = UINT64_MAX;
         crowd.next = 3;
         crowd.stop_at = UINT64_MAX;
-        assert_int_equal(threads_run(threads, 3, 20), 0);
+        assert_int_equal(threads_run(&work, count, 3, 20), 0);
         assert_int_equal(crowd.next, 20);
-        threads_stop(threads);
     }
 }
 
@@ -356,7 +353,6 @@ struct message {
     unsigned char bytes[];
 };
 
-static _Thread_local int rank_of_thread;
 static int rank_count = 1;
 static struct message *inbox[2];
 static pthread_mutex_t inbox_mutex = PTHREAD_MUTEX_INITIALIZER;
@@ -377,13 +373,13 @@ int ranks_count(void)
 
 int ranks_mine(void)
 {
-    return rank_of_thread;
+    return 0;
 }
 
 void ranks_send(int rank, int tag, const void *bytes, size_t n)
 {
     struct message *message = xmalloc(sizeof *message + n);
-    *message = (struct message){.from = rank_of_thread, .tag = tag, .size = n};
+    *message = (struct message){.from = 1 - rank, .tag = tag, .size = n};
     if (n > 0)
         memcpy(message->bytes, bytes, n);
     pthread_mutex_lock(&inbox_mutex);
@@ -394,21 +390,24 @@ void ranks_send(int rank, int tag, const void *bytes, size_t n)
     pthread_mutex_unlock(&inbox_mutex);
 }
 
-bool ranks_receive(int *rank, int *tag, void **bytes, size_t *n)
+void *ranks_receive(int rank, int tag, size_t *n)
 {
-    pthread_mutex_lock(&inbox_mutex);
-    struct message *const message = inbox[rank_of_thread];
-    if (message)
-        inbox[rank_of_thread] = message->next;
-    pthread_mutex_unlock(&inbox_mutex);
-    if (!message)
-        return false;
-    *rank = message->from;
-    *tag = message->tag;
+    struct message *message = NULL;
+    while (!message) {
+        pthread_mutex_lock(&inbox_mutex);
+        struct message **at = &inbox[1 - rank];
+        while (*at && ((*at)->from != rank || (*at)->tag != tag))
+            at = &(*at)->next;
+        if ((message = *at))
+            *at = message->next;
+        pthread_mutex_unlock(&inbox_mutex);
+        if (!message)
+            nanosleep(&(struct timespec){0, 20000}, NULL);
+    }
     *n = message->size;
-    *bytes = message->size > 0 ? memcpy(xmalloc(message->size), message->bytes, message->size) : NULL;
+    void *const bytes = message->size > 0 ? memcpy(xmalloc(message->size), message->bytes, message->size) : NULL;
     free(message);
-    return true;
+    return bytes;
 }
 
 enum { SHARED_TASKS = 600, OTHERS_TASKS = 450, WAIT_MILLISECONDS = 8000 };
@@ -417,7 +416,6 @@ struct party {
     struct crowd crowd; /* what finish and ready count */
     atomic_int by_other;
     atomic_bool waited_in_vain;
-    int received;
 };
 
 static void nap(long milliseconds)
@@ -449,49 +447,38 @@ static void other_work(void *context, struct workspace *workspace, uint64_t task
     party->by_other++;
 }
 
-static void other_received(void *context, const void *bytes, size_t n)
-{
-    struct party *const party = context;
-    assert_true(n == 5 && memcmp(bytes, "hello", n) == 0);
-    party->received++;
-}
+enum { RUNS = 2, OTHERS_THREADS = 2 };
 
 static void *other_rank(void *context)
 {
-    const struct threads_work work = {context, sizeof(uint64_t), other_work, NULL, NULL, other_received};
-    rank_of_thread = 1;
-    struct threads *const threads = threads_start(&work, 1);
-    threads_serve(threads);
-    threads_stop(threads);
+    const struct threads_work work = {context, sizeof(uint64_t), other_work, NULL, NULL};
+    for (int i = 0; i < RUNS; i++)
+        threads_serve(&work, OTHERS_THREADS);
     return NULL;
 }
 
-/* The other rank is given tasks as long as there are any, whatever the size of the messages that its results come in;
- * and a run that is ended waits for what is away, and no longer. */
+/* The other rank is given tasks as long as there are any; and a run that is ended waits for what is away, and no
+ * longer. */
 static void test_ranks(void **state)
 {
     (void)state;
     static struct party party;
     party.crowd.stop_at = UINT64_MAX;
-    const struct threads_work work = {&party, sizeof(uint64_t), party_work, crowd_finish, NULL, NULL};
+    const struct threads_work work = {&party, sizeof(uint64_t), party_work, crowd_finish, NULL};
     pthread_t other;
     rank_count = 2;
-    struct threads *const threads = threads_start(&work, 1);
     assert_int_equal(pthread_create(&other, NULL, other_rank, &party), 0);
-    threads_broadcast(threads, "hello", 5);
-    assert_int_equal(threads_run(threads, 0, SHARED_TASKS), 0);
+    assert_int_equal(threads_run(&work, OTHERS_THREADS, 0, SHARED_TASKS), 0);
     assert_int_equal(party.crowd.next, SHARED_TASKS);
     check(!party.waited_in_vain, "the other rank was left with %d tasks", party.by_other);
 
     alarm(20); /* a run that waits for tasks that are not away does not end */
     party.crowd.next = 10;
     party.crowd.stop_at = 77;
-    assert_int_equal(threads_run(threads, 10, SHARED_TASKS), 7);
+    assert_int_equal(threads_run(&work, OTHERS_THREADS, 10, SHARED_TASKS), 7);
     assert_int_equal(party.crowd.next, 78);
-    alarm(0);
-    threads_stop(threads);
     assert_int_equal(pthread_join(other, NULL), 0);
-    assert_int_equal(party.received, 1);
+    alarm(0);
     assert_null(inbox[0]);
     assert_null(inbox[1]);
     rank_count = 1;
@@ -657,8 +644,12 @@ static void test_journal_damaged(void **state)
 static void test_journal_foreign(void **state)
 {
     (void)state;
-    static const char *const foreign[] = {"speed,nu\n0.1,0.33\n", "x", "\n", "corgen disk-collide of another day\n",
-                                          "corgen disk-collide, unfinished, sweep 1: --speed 0.1 01234567\n1,2,3\n"};
+    static const char *const foreign[] = {"speed,nu\n0.1,0.33\n",
+                                          "x",
+                                          "\n",
+                                          "corgen disk-collide of another day\n",
+                                          "corgen disk-collide, unfinished, sweep 1: --speed 0.1 01234567\n1,2,3\n",
+                                          "corgen disk-collide, unfinished, sweep 1: --speed 0.1 01234567\n"};
     for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
         assert_int_equal(go_on_from(foreign[i], strlen(foreign[i]), "foreign", i), -1);
         assert_part(foreign[i], strlen(foreign[i]), "foreign", i);
