@@ -31,7 +31,7 @@ double cor_sphere_eps_simple_fraction(double beta, int depth)
         return cor_inline_nan();
     /* For large beta, 1 is negligible beside c = |C_1| beta, and t would overflow where 1/t is still a double. t is
      * therefore in units of 2^500 = (2^100)^5. */
-    const int far = beta > COR_INLINE_2_500 && depth > 0;
+    const int far = beta > COR_INLINE_2_500;
     const double one = far ? 0 : 1, factor = -COR_SPHERE_C1 * (far ? beta * COR_INLINE_2_M300 : beta);
     double t = far ? COR_INLINE_2_M500 : 1;
     for (int k = 0; k < depth; k++) {
