@@ -199,7 +199,8 @@ static struct cor_sphere_contact contact(struct bit_source *source, int by_hand)
         drawn.effective_radius_m = any_number(source);
         drawn.elastic_constant_n_m15 = any_number(source);
         drawn.dissipation_time_s = any_number(source);
-        drawn.beta_per_root = any_number(source);
+        /* or so small that a half of it is subnormal */
+        drawn.beta_per_root = below(source, 4) ? by_size(source, 1e-307, 1e-303) : any_number(source);
         drawn.scale = any_number(source);
         drawn.beta5_per_speed = any_number(source);
         without_subnormals(&drawn, sizeof drawn);
