@@ -272,9 +272,8 @@ static void compare(double nu, enum cor_disk_datum datum, double v, const double
     }
 }
 
-static void test_hard_points(void **unused)
+TEST(test_hard_points)
 {
-    (void)unused;
     /* the lowest of any disk, of nu = 0.33 and 0.9, the 1800th, the 20000th */
     static const double omega[FREQUENCIES] = {
         1.1769, 1.20715112596031, 1.43853032762639, 1.6891017846666, 2.21008494893776, 4.3, 8.6, 25, 62.9, 211.44};
@@ -296,9 +295,8 @@ static int increasing(const void *x, const void *y)
     return (a > b) - (a < b);
 }
 
-static void test_random_points(void **unused)
+TEST(test_random_points)
 {
-    (void)unused;
     for (size_t i = 0; i < points(12); i++) {
         const enum cor_disk_datum datum = datums[i % 3];
         const double nu = random_uniform(&state, -0.99, 0.99), limit = cor_disk_speed_limit(nu, datum);
@@ -348,9 +346,8 @@ static void compare_tails(const struct cor_disk_modes *many, const struct cor_di
 
 /* The library's two tables; with COR_TEST_MULTIPLIER other materials too, for which disk.h has no promise but a remark.
  */
-static void test_tails(void **unused)
+TEST(test_tails)
 {
-    (void)unused;
     static struct cor_disk_mode mode[MANY];
     static const long percent[] = {33, 90, -90, -75, -50, -25, 0, 20, 25, 40, 50, 60, 70, 80, 95, 99};
     const size_t materials = points(1) > 1 ? sizeof percent / sizeof *percent : 2;
@@ -380,8 +377,7 @@ static void test_tails(void **unused)
 int main(void)
 {
     state = random_start();
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_hard_points), cmocka_unit_test(test_random_points),
-                                       cmocka_unit_test(test_tails)};
+    const struct CMUnitTest tests[] = {test_hard_points, test_random_points, test_tails};
     const int failed = cmocka_run_group_tests_name("disk_rayleigh", tests, NULL, NULL);
     flint_cleanup();
     return failed;

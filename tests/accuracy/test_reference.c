@@ -63,16 +63,14 @@ static void compare(double low, double high, size_t count)
                   worst, log2(worst), at);
 }
 
-static void test_series(void **unused)
+TEST(test_series)
 {
-    (void)unused;
     compare(1e-6, 0.125, points(few_or_all(7, 20)));
     compare(1e-60, 1e-6, points(few_or_all(2, 4)));
 }
 
-static void test_interpolation(void **unused)
+TEST(test_interpolation)
 {
-    (void)unused;
     compare(0.125, 1, points(few_or_all(6, 18)));
     compare(1, 4, points(few_or_all(6, 18)));
     compare(4, 8, points(few_or_all(4, 12)));
@@ -81,19 +79,14 @@ static void test_interpolation(void **unused)
     compare(64, 0x1p48, points(few_or_all(2, 6)));
 }
 
-static void test_asymptotics(void **unused)
+TEST(test_asymptotics)
 {
-    (void)unused;
     compare(0x1p48, 1e17, points(few_or_all(1, 3)));
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_series),
-        cmocka_unit_test(test_interpolation),
-        cmocka_unit_test(test_asymptotics),
-    };
+    const struct CMUnitTest tests[] = {test_series, test_interpolation, test_asymptotics};
     if (LDBL_MANT_DIG < 64) {
         print_message("skipped: long double has only %d bits\n", LDBL_MANT_DIG);
         return 77;

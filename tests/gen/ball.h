@@ -3,16 +3,7 @@
 #ifndef COR_TESTS_GEN_BALL_H
 #define COR_TESTS_GEN_BALL_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
-
+#include "check.h"
 #include "support/flint.h"
 #include "support/local.h"
 

@@ -2,9 +2,6 @@
 /* One enclosed collision of any power law: values from direct integrations by other programs, the series, closed forms
  * and the slow manifold against the motion, thresholds, and the asymptotics of docs/derivation.md, 9. */
 #include "ball.h"
-#include "check.h"
-
-#include <math.h>
 
 #include "enclosure/closed_form.h"
 #include "enclosure/collision.h"
@@ -41,9 +38,8 @@ static void collision_of(struct collision *c, const char *beta, const struct law
 
 /* ---- values ---- */
 
-static void test_final_speed(void **state)
+TEST(test_final_speed)
 {
-    (void)state;
     leave_to_turn(1, 3);
     static const char *const known[][3] = {
         {"3/2", "1/2", "5.158381704267685216414306"}, {"1", "1/2", "1.164851686794881988247080"},
@@ -68,9 +64,8 @@ static void test_final_speed(void **state)
     assert_int_equal(collision_final_speed(v, &hertz, 60), 1);
 }
 
-static void test_threshold(void **state)
+TEST(test_threshold)
 {
-    (void)state;
     static const char *const known[][3] = {
         {"2", "0", "0.893418920406822391217901"},   {"2", "1/4", "1.373179906839651113496148"},
         {"3", "0", "0.703904969011338841807913"},   {"5/2", "0", "0.774823419665093189770702"},
@@ -120,9 +115,8 @@ static const struct {
     {"3/2", "1/2", "10", NULL, NULL, NULL, NULL, "0.02509570443151839", NULL},
 };
 
-static void test_collisions(void **state)
+TEST(test_collisions)
 {
-    (void)state;
     LOCAL(collision, c);
     for (size_t i = 0; i < sizeof collisions / sizeof *collisions; i++) {
         const char *const text[6] = {collisions[i].x_max,     collisions[i].t_max,     collisions[i].eps_overlap,
@@ -149,9 +143,8 @@ static void test_collisions(void **state)
 }
 
 /* Tsuji's at zeta = 1/4 and 2, beta = sqrt(5) zeta in a ball. */
-static void test_tsuji(void **state)
+TEST(test_tsuji)
 {
-    (void)state;
     const struct law law = law_of("3/2", "1/4");
     LOCAL(collision, c);
     LOCAL(arb, beta);
@@ -178,9 +171,8 @@ static void test_tsuji(void **state)
 /* ---- two routes ---- */
 
 /* Inside the radius of convergence the series and the collision are the same function. */
-static void test_series(void **state)
+TEST(test_series)
 {
-    (void)state;
     const slong ORDER = 60;
     static const char *const betas[] = {"1/64", "1/8", "0.4", "0.5"};
     LOCAL(series, s);
@@ -215,9 +207,8 @@ static void test_series(void **state)
 }
 
 /* The involution: h^4 Y(-h) = beta^4 x_max, T = t_max + eps^(-1/5) t_max(-h), h = beta eps^(1/5) < h*. */
-static void test_involution(void **state)
+TEST(test_involution)
 {
-    (void)state;
     enum { ORDER = 80 };
     LOCAL(series, s);
     LOCAL(collision, c);
@@ -240,9 +231,8 @@ static void test_involution(void **state)
 }
 
 /* eps_zero_force = eps_zero_overlap G(w), t_zero_force = t_zero_overlap - eps^(-1/5) h T(w), w = h^(5/2). */
-static void test_backward_series(void **state)
+TEST(test_backward_series)
 {
-    (void)state;
     enum { ORDER = 24 };
     static const char *const betas[] = {"1e-12", "0.02", "0.1"};
     LOCAL(fmpq_poly, G, T);
@@ -281,9 +271,8 @@ static void assert_same_collision(const struct collision *c, const struct collis
 }
 
 /* The motion knows no closed form; overdamped it finds that the overlap creeps. */
-static void test_closed_forms(void **state)
+TEST(test_closed_forms)
 {
-    (void)state;
     static const char *const laws[][2] = {{"1", "0"}, {"3/2", "1/4"}, {"3", "1"},
                                           {"2", "2"}, {"1/2", "1/2"}, {"0", "0"}};
     static const char *const betas[] = {"1e-9", "0.3", "1.2", "1.99", "2.3", "4", "9"};
@@ -317,9 +306,8 @@ static void test_closed_forms(void **state)
 
 /* A(1 + d) = 1 - d/3 + 2 d^2/15 - 2 d^3/35 + O(d^4); the arc cosine and the hypergeometric function meet at 3/4 and
  * 5/4; A(0) = pi/2; zeta A -> ln(2 zeta). */
-static void test_angle(void **state)
+TEST(test_angle)
 {
-    (void)state;
     LOCAL(arb, zeta, x, y);
     for (int sign = -1; sign <= 1; sign++) {
         arb_set_si(zeta, sign);
@@ -367,9 +355,8 @@ static void test_angle(void **state)
 }
 
 /* The manifold serves 30 bits where the motion to the end serves hundreds: a - b below, at, above 1, a < b, a = b. */
-static void test_slow_manifold(void **state)
+TEST(test_slow_manifold)
 {
-    (void)state;
     leave_to_turn(0, 3);
     static const char *const cases[][3] = {
         {"1", "1/2", "22"}, {"2", "1", "16"},   {"5/2", "1", "12"}, {"3/2", "1", "32"},   {"3/2", "1/2", "12"},
@@ -391,9 +378,8 @@ static void test_slow_manifold(void **state)
 }
 
 /* eps = v_f beta^(-1/q) (1 - c beta^P exp(-k/mu)): from three collisions c changes little, with k and P of the law. */
-static void test_forgetting(void **state)
+TEST(test_forgetting)
 {
-    (void)state;
     leave_to_turn(4, 3);
     static const struct {
         const char *a, *b;
@@ -433,9 +419,8 @@ static void test_forgetting(void **state)
 
 /* (3/2, 1/3): the estimate of the contraction neglects beta^P, P = 41, and lets the motion miss the manifold at beta =
  * 4.1, where 12 bits are wanted. More bits never help it, and the unloading is integrated. */
-static void test_missed_manifold(void **state)
+TEST(test_missed_manifold)
 {
-    (void)state;
     leave_to_turn(3, 3);
     const struct law law = law_of("3/2", "1/3");
     LOCAL(collision, one, other);
@@ -455,9 +440,8 @@ static void test_missed_manifold(void **state)
 
 /* Next to the threshold of (3/2, 0): eps = s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)), beta t + ln(eps) -> 3.06410;
  * above it eps is exactly 0. */
-static void test_below_threshold(void **state)
+TEST(test_below_threshold)
 {
-    (void)state;
     leave_to_turn(2, 3);
     const struct law law = law_of("3/2", "0");
     LOCAL(collision, c);
@@ -500,9 +484,8 @@ static void test_below_threshold(void **state)
 
 /* eps = mu Xinf^(a-b) (1 - 2 (a-b) Xinf^(a-2b-1) mu ln(1/mu) + O(mu)), t = beta^(-1/(b+1)) (2 Xinf^-b ln(1/mu) + O(1))
  * at zero force. What is left over mu, and over 1, changes little with beta. */
-static void test_strong_force(void **state)
+TEST(test_strong_force)
 {
-    (void)state;
     static const char *const laws[][2] = {{"3/2", "0"},   {"1", "0"}, {"3/2", "1/4"},
                                           {"3/2", "1/2"}, {"2", "1"}, {"1", "1/2"}};
     LOCAL(collision, c);
@@ -539,9 +522,8 @@ static void test_strong_force(void **state)
 }
 
 /* The duration grows like (10/3) beta ln beta. */
-static void test_strong_damping(void **state)
+TEST(test_strong_damping)
 {
-    (void)state;
     static const char *const betas[3] = {"1e4", "1e5", "1e6"};
     LOCAL(collision, c);
     double t[3];
@@ -556,9 +538,8 @@ static void test_strong_damping(void **state)
 /* ---- hard cases ---- */
 
 /* a = b = 0, a constant force: x_max = (beta - ln(1+beta))/beta^2, duration (ln(1+beta) - ln(1 - beta eps))/beta. */
-static void test_constant_force(void **state)
+TEST(test_constant_force)
 {
-    (void)state;
     static const char *const betas[] = {"1e-9", "1/3", "10", "1e6"};
     const struct law law = law_of("0", "0");
     LOCAL(collision, c);
@@ -584,9 +565,8 @@ static void test_constant_force(void **state)
 }
 
 /* zeta = 1 and one unit to each side, and far beyond; beta so small that only 1 - eps says something. */
-static void test_critical(void **state)
+TEST(test_critical)
 {
-    (void)state;
     const struct law law = law_of("1", "0");
     LOCAL(collision, c);
     LOCAL(arb, beta, x);
@@ -618,9 +598,8 @@ static void test_critical(void **state)
 }
 
 /* One end alone is what both together give, and a turning point in the same step as the end is found. */
-static void test_one_end(void **state)
+TEST(test_one_end)
 {
-    (void)state;
     static const char *const cases[][3] = {{"3/2", "1/2", "1"}, {"1", "2", "0.5"},   {"3/2", "1/4", "1"},
                                            {"2", "2", "3"},     {"3/2", "0", "0.7"}, {"0", "1", "1e-10"},
                                            {"0", "2", "1e-10"}, {"2", "1", "1e3"}};
@@ -646,9 +625,8 @@ static void test_one_end(void **state)
     assert_int_equal(collision_solve_overlap(both, beta, &law_sphere, 60), 1);
 }
 
-static void test_edges(void **state)
+TEST(test_edges)
 {
-    (void)state;
     LOCAL(collision, c);
     LOCAL(arb, x, y0, t0);
     turning_point_elastic(y0, t0, &law_sphere, PREC);
@@ -669,19 +647,7 @@ static void test_edges(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_final_speed),     cmocka_unit_test(test_threshold),
-        cmocka_unit_test(test_collisions),      cmocka_unit_test(test_tsuji),
-        cmocka_unit_test(test_series),          cmocka_unit_test(test_involution),
-        cmocka_unit_test(test_backward_series), cmocka_unit_test(test_closed_forms),
-        cmocka_unit_test(test_angle),           cmocka_unit_test(test_slow_manifold),
-        cmocka_unit_test(test_forgetting),      cmocka_unit_test(test_missed_manifold),
-        cmocka_unit_test(test_below_threshold), cmocka_unit_test(test_strong_force),
-        cmocka_unit_test(test_strong_damping),  cmocka_unit_test(test_constant_force),
-        cmocka_unit_test(test_critical),        cmocka_unit_test(test_one_end),
-        cmocka_unit_test(test_edges),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_final_speed, test_threshold, test_collisions, test_tsuji, test_series, test_involution,
+          test_backward_series, test_closed_forms, test_angle, test_slow_manifold, test_forgetting,
+          test_missed_manifold, test_below_threshold, test_strong_force, test_strong_damping, test_constant_force,
+          test_critical, test_one_end, test_edges)

@@ -20,9 +20,8 @@ static void assert_value(const char *text, const char *exact)
     assert_null(x.text);
 }
 
-static void test_values(void **state)
+TEST(test_values)
 {
-    (void)state;
     assert_value("0", "0");
     assert_value("7", "7");
     assert_value("0.33", "33/100");
@@ -37,9 +36,8 @@ static void test_values(void **state)
 }
 
 /* Every way in which a text can fail to be a number, and the longest exponent with one digit more. */
-static void test_no_numbers(void **state)
+TEST(test_no_numbers)
 {
-    (void)state;
     static const char *const wrong[] = {
         "",      ".",     "-",     "--1",   "+1",    " 1",   "1 ",  "1,5",       "e3",        ".e3",  "1e",   "1e+",
         "1e-",   "1e.5",  "1e1e1", "1.2.3", "0x1",   "nan",  "inf", "1/",        "/2",        "1/0",  "1/00", "1/-2",
@@ -61,9 +59,8 @@ static void test_no_numbers(void **state)
 }
 
 /* strtod of glibc rounds correctly, subnormal numbers included; so must we. */
-static void test_nearest(void **state)
+TEST(test_nearest)
 {
-    (void)state;
     struct random_state random = random_start();
     static const char *const special[] = {
         "0",
@@ -115,9 +112,8 @@ static bool inside(const struct decimal_range *range, const char *text)
     return is;
 }
 
-static void test_ranges(void **state)
+TEST(test_ranges)
 {
-    (void)state;
     struct decimal_range range = {"-1", "1", true, false, false, ""};
     assert_true(inside(&range, "-1") && inside(&range, "0.99999999999999999999"));
     assert_false(inside(&range, "1") || inside(&range, "-1.00000000000000000001"));
@@ -132,9 +128,8 @@ static void test_ranges(void **state)
 }
 
 /* The shortest text of a double is read back as it. */
-static void test_texts(void **state)
+TEST(test_texts)
 {
-    (void)state;
     struct random_state random = random_start();
     char text[DECIMAL_TEXT];
     for (int i = 0; i < 2000; i++) {
@@ -146,11 +141,4 @@ static void test_texts(void **state)
     assert_string_equal(decimal_text(text, 0.1), "0.1");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values), cmocka_unit_test(test_no_numbers), cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_ranges), cmocka_unit_test(test_texts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_values, test_no_numbers, test_nearest, test_ranges, test_texts)

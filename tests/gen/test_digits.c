@@ -1,14 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Digits are printed only if the ball proves them, and then correctly rounded. */
-#include <float.h>
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-
-#include <cmocka.h>
+#include "check.h"
 
 #include "support/digits.h"
 #include "support/local.h"
@@ -23,7 +15,7 @@ static char *spelled(const char *text, slong prec, slong digits)
     return s;
 }
 
-static void test_spelling(void **state)
+TEST(test_spelling)
 {
     static const struct {
         const char *value, *spelling;
@@ -44,7 +36,6 @@ static void test_spelling(void **state)
         {"1e300", "1e300", 1},
         {"0", "0", 50},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         char *s = spelled(known[i].value, 300, known[i].digits);
         assert_non_null(s);
@@ -53,10 +44,9 @@ static void test_spelling(void **state)
     }
 }
 
-static void test_wide_balls(void **state)
+TEST(test_wide_balls)
 {
     static const char *const undecided[] = {"1.05 +/- 0.001", "0 +/- 1e-100", "1 +/- 2", "0.15 +/- 1e-50"};
-    (void)state;
     for (size_t i = 0; i < sizeof undecided / sizeof *undecided; i++)
         assert_null(spelled(undecided[i], 300, i == 0 ? 2 : 1));
 
@@ -74,9 +64,8 @@ static void test_wide_balls(void **state)
 }
 
 /* Exact ties are decided: half to even, as everywhere in IEEE arithmetic. */
-static void test_exact_ties(void **state)
+TEST(test_exact_ties)
 {
-    (void)state;
     char *s = spelled("0.125", 300, 2);
     assert_string_equal(s, "0.12");
     free(s);
@@ -101,9 +90,8 @@ static void check_double(double centre, slong exponent_of_offset, int sign, doub
     assert_true(y == expected);
 }
 
-static void test_doubles(void **state)
+TEST(test_doubles)
 {
-    (void)state;
     const double ulp = DBL_EPSILON;
     check_double(1, -200, 1, 1);
     check_double(1 - ulp / 2, -200, -1, 1 - ulp / 2);
@@ -116,9 +104,8 @@ static void test_doubles(void **state)
 }
 
 /* A midpoint of a few bits, 1 above all, and a radius that leaves no doubt: both ends must not be rounded to so few. */
-static void test_short_midpoints(void **state)
+TEST(test_short_midpoints)
 {
-    (void)state;
     static const double midpoint[] = {1, -1, 2, 0.5, -0.75, 5, 0x1p-1000, 0x1p900};
     LOCAL(arb, x);
     for (size_t i = 0; i < sizeof midpoint / sizeof *midpoint; i++) {
@@ -136,9 +123,8 @@ static void test_short_midpoints(void **state)
     }
 }
 
-static void test_doubles_undecided(void **state)
+TEST(test_doubles_undecided)
 {
-    (void)state;
     LOCAL(arb, x);
     double y = 7;
     arb_set_d(x, 1);
@@ -155,9 +141,8 @@ static void test_doubles_undecided(void **state)
 }
 
 /* Numbers beyond what MPFR holds have no digits. */
-static void test_far_numbers(void **state)
+TEST(test_far_numbers)
 {
-    (void)state;
     LOCAL(arb, x);
     double y;
     for (int sign = -1; sign <= 1; sign += 2) {
@@ -168,9 +153,8 @@ static void test_far_numbers(void **state)
     }
 }
 
-static void test_precision_ends(void **state)
+TEST(test_precision_ends)
 {
-    (void)state;
     struct precision p = precision_start(10);
     int raised = 0;
     slong before = p.bits;
@@ -191,13 +175,5 @@ static void test_precision_ends(void **state)
     assert_false(precision_raise(&p));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spelling),        cmocka_unit_test(test_wide_balls),
-        cmocka_unit_test(test_exact_ties),      cmocka_unit_test(test_doubles),
-        cmocka_unit_test(test_short_midpoints), cmocka_unit_test(test_doubles_undecided),
-        cmocka_unit_test(test_precision_ends),  cmocka_unit_test(test_far_numbers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_spelling, test_wide_balls, test_exact_ties, test_doubles, test_short_midpoints, test_doubles_undecided,
+          test_precision_ends, test_far_numbers)

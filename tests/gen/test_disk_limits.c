@@ -22,9 +22,8 @@ static char *file_text(const char *path, size_t *size)
 static const char path[] = "generated/" DISK_LIMITS_FILE;
 
 /* Read and written again: the same bytes. */
-static void test_file(void **state)
+TEST(test_file)
 {
-    (void)state;
     size_t size, written_size = 0;
     char *text = file_text(path, &size), *written = NULL;
     assert_int_equal(disk_limits_read(text, size, path), 0);
@@ -59,9 +58,8 @@ static void test_file(void **state)
 }
 
 /* A tree that is divided more often than any that corgen writes is refused, and not followed (a sanitizer sees it). */
-static void test_too_deep(void **state)
+TEST(test_too_deep)
 {
-    (void)state;
     enum { ROOTS = 100, DIVISIONS = 20, NODES = ROOTS + 4 * DIVISIONS, CELLS = NODES - DIVISIONS };
     char *text = NULL;
     size_t size = 0;
@@ -102,9 +100,8 @@ static int shift_values(char *text)
 }
 
 /* A sample tells numbers of a collision from others. */
-static void test_samples(void **state)
+TEST(test_samples)
 {
-    (void)state;
     size_t size;
     char *text = file_text(path, &size);
     for (size_t seed = 0; seed < points(1); seed++) {
@@ -118,12 +115,4 @@ static void test_samples(void **state)
     disk_limits_clear();
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_file),
-        cmocka_unit_test(test_too_deep),
-        cmocka_unit_test(test_samples),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_file, test_too_deep, test_samples)

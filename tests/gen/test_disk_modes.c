@@ -3,9 +3,6 @@
  * with Bessel functions from elsewhere, mode shapes integrated, sum rules, and the corners of nu. */
 #include "ball.h"
 
-#include <math.h>
-
-#include "check.h"
 #include "disk/equation.h"
 #include "disk/modes.h"
 #include "runtime/disk/mode_source.h"
@@ -35,9 +32,8 @@ static double middle(const arb_t x)
 
 /* ---- known values ---- */
 
-static void test_known(void **state)
+TEST(test_known)
 {
-    (void)state;
     static const struct {
         const char *nu;
         slong n, l;
@@ -100,9 +96,8 @@ static void assert_same_mode(const struct disk_mode *a, const struct disk_mode *
     assert_overlap(a->s, b->s, "S of n", a->n);
 }
 
-static void test_single_modes(void **state)
+TEST(test_single_modes)
 {
-    (void)state;
     static const char *const materials[] = {"33/100", "-7/10", "0"};
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
         struct disk_modes modes;
@@ -122,9 +117,8 @@ static void test_single_modes(void **state)
 }
 
 /* Two roots of n = 1 with a relative gap of 4.2e-4: both, and nothing between or beside them that is missing. */
-static void test_near_pair(void **state)
+TEST(test_near_pair)
 {
-    (void)state;
     LOCAL(fmpq, nu);
     struct disk_mode low, high;
     set_nu(nu, "33/100");
@@ -216,9 +210,8 @@ static slong ritz_count(const fmpq_t nu, slong n, const arb_t w, slong pairs)
     return negative;
 }
 
-static void test_ritz(void **state)
+TEST(test_ritz)
 {
-    (void)state;
     static const char *const materials[] = {"33/100", "9/10", "0", "-1/2", "-19/20"};
     static const slong orders[] = {0, 1, 2, 3, 7, 20};
     enum { PAIRS = 14, POINTS = 9 };
@@ -336,9 +329,8 @@ static void assert_root(const struct disk_mode *mode, const fmpq_t nu, slong bit
     arb_clear(shift);
 }
 
-static void test_printed_equation(void **state)
+TEST(test_printed_equation)
 {
-    (void)state;
     static const char *const materials[] = {"33/100", "9/10", "-3/5"};
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
         struct disk_modes modes;
@@ -402,9 +394,8 @@ static void shape(arb_t ur, arb_t uphi, const arb_t a, const arb_t b, slong n, c
 }
 
 /* A and B from C and S at the rim, then the shear stress there and the integral of (26), in Gauss-Legendre nodes. */
-static void test_normalisation(void **state)
+TEST(test_normalisation)
 {
-    (void)state;
     enum { NODES = 64 };
     static const slong PREC = 200;
     static const struct {
@@ -486,9 +477,8 @@ static void test_normalisation(void **state)
 /* sum_l C^2/omega^2 and sum_l C S/omega^2 of one n are exact, and so is how the first is missed below Omega,
  * 2 sqrt(1 - nu^2)/(pi Omega), half of it for n = 0; over all n, sum C^2 -> Omega^2; and the number of modes grows like
  * the area (Weyl), with a term from the rim that is linear in Omega. */
-static void test_sums(void **state)
+TEST(test_sums)
 {
-    (void)state;
     leave_to_turn(1, 3);
     static const char *const materials[] = {"33/100", "9/10", "-1/2"};
     enum { ORDERS = 6 };
@@ -550,9 +540,8 @@ static void assert_close(const arb_t x, double square, const char *what, slong i
     check(fabs(error) <= 1e-14 * sqrt(square), "%s %ld: %g", what, (long)index, error);
 }
 
-static void test_corners_of_nu(void **state)
+TEST(test_corners_of_nu)
 {
-    (void)state;
     LOCAL(fmpq, nu);
     struct disk_modes modes, other;
     disk_modes_init(&modes);
@@ -595,9 +584,8 @@ static void test_corners_of_nu(void **state)
 }
 
 /* No mode of any n >= cor_mode_orders(omega) is below omega, and not many n are looked at in vain. */
-static void test_orders(void **state)
+TEST(test_orders)
 {
-    (void)state;
     static const char *const materials[] = {"99/100", "33/100", "0", "-9/10", "-999999/1000000"};
     LOCAL(fmpq, nu);
     LOCAL(arb, w);
@@ -620,9 +608,8 @@ static void test_orders(void **state)
 }
 
 /* The same numbers to the bit from any number of threads, and the same modes in more digits. */
-static void test_threads_and_digits(void **state)
+TEST(test_threads_and_digits)
 {
-    (void)state;
     struct disk_modes modes, other;
     modes_solve(&modes, "1/3", 150, 20);
     for (int threads = 2; threads <= 4; threads++) {
@@ -657,19 +644,5 @@ static void test_threads_and_digits(void **state)
     disk_modes_clear(&modes);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known),
-        cmocka_unit_test(test_single_modes),
-        cmocka_unit_test(test_near_pair),
-        cmocka_unit_test(test_ritz),
-        cmocka_unit_test(test_printed_equation),
-        cmocka_unit_test(test_normalisation),
-        cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_corners_of_nu),
-        cmocka_unit_test(test_orders),
-        cmocka_unit_test(test_threads_and_digits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_known, test_single_modes, test_near_pair, test_ritz, test_printed_equation, test_normalisation,
+          test_sums, test_corners_of_nu, test_orders, test_threads_and_digits)

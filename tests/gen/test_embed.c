@@ -4,14 +4,6 @@
  * by tests/embed/run. */
 #include "support/console.h" /* before cmocka.h makes a macro of fail */
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "check.h"
 #include "embed/choose.h"
 #include "embed/contact.h"
@@ -171,9 +163,8 @@ static int check_scene(const struct embed_request *request, bool proved)
 }
 
 /* Every family over scenes of both ends, several tolerances and both types. */
-static void test_scenes(void **state)
+TEST(test_scenes)
 {
-    (void)state;
     static const struct {
         const char *min, *max, *tolerance;
         enum contact_end end;
@@ -197,9 +188,8 @@ static void test_scenes(void **state)
 
 /* Scenes of other laws: q of both signs, the rows below the threshold, beyond all rows, ends that coincide. The
  * families of a series are of spheres. */
-static void test_laws(void **state)
+TEST(test_laws)
 {
-    (void)state;
     static const struct {
         const char *elastic, *damping, *min, *max, *tolerance, *beta;
         enum contact_end end;
@@ -229,9 +219,8 @@ static void test_laws(void **state)
 }
 
 /* Three ways to the same beta of a law: beta at a speed, the coefficients of the force, g* by C_1 of the law. */
-static void test_ways(void **state)
+TEST(test_ways)
 {
-    (void)state;
     static const struct {
         int law;
         double a, b, c_1;
@@ -264,9 +253,8 @@ static void test_ways(void **state)
 }
 
 /* beta from materials: two equal balls, and the formula of include/cor/contact.h by hand. */
-static void test_materials(void **state)
+TEST(test_materials)
 {
-    (void)state;
     struct embed_request request = scene_request("0.01", "1", "1e-6", END_ZERO_FORCE);
     decimal_clear(&request.number[COR_SCENE_G_STAR]);
     decimal_set(&request.number[COR_SCENE_YOUNG], "1e9");
@@ -288,9 +276,8 @@ static void test_materials(void **state)
 }
 
 /* The root from bits: refined so far, off by so much. */
-static void test_root(void **state)
+TEST(test_root)
 {
-    (void)state;
     double number[] = {0, 1};
     for (int single = 0; single < 2; single++)
         for (int refinement = 0; refinement < EMBED_REFINEMENTS; refinement++) {
@@ -318,9 +305,8 @@ static void test_root(void **state)
 }
 
 /* What is counted, and that a square root keeps a loop from becoming vectors. */
-static void test_counts(void **state)
+TEST(test_counts)
 {
-    (void)state;
     double number[] = {1, 2, 3, 4, 5, 6, 1};
     struct embed_form f = {
         .family = FAMILY_RATIONAL_SPEED, .variable = SPEED, .numerator = 3, .denominator = 2, .number = number};
@@ -337,9 +323,8 @@ static void test_counts(void **state)
     assert_true(f.cost[USE_ARRAY] == f.cost[USE_SCALAR] && f.cost[USE_ARRAY] > without);
 }
 
-static void test_choice(void **state)
+TEST(test_choice)
 {
-    (void)state;
     struct embed_form form[FAMILIES];
     memset(form, 0, sizeof form);
     assert_int_equal(embed_choose(form, PURPOSE_BALANCED), FAMILIES);
@@ -354,9 +339,8 @@ static void test_choice(void **state)
 }
 
 /* One degree more makes a fit better, and eps beyond the table is a rational function of the speed: h*^5/(b^5 g). */
-static void test_fit(void **state)
+TEST(test_fit)
 {
-    (void)state;
     struct embed_request request = scene_request("0.1", "10", "1e-6", END_ZERO_OVERLAP);
     struct embed_scene s;
     assert_int_equal(embed_scene_init(&s, &request), STATUS_OK);
@@ -394,9 +378,8 @@ static void test_fit(void **state)
 }
 
 /* At zero force a scene that begins below beta = exp(10) and ends beyond is proved as a whole. */
-static void test_far_force(void **state)
+TEST(test_far_force)
 {
-    (void)state;
     leave_to_turn(1, 3);
     struct embed_request request = scene_request("1e21", "1e24", "1e-6", END_ZERO_FORCE);
     struct embed_scene s;
@@ -441,9 +424,8 @@ static void assert_power_law(double x, double limit)
 
 /* The power law from EMBED_FAR on, and from where eps at a speed uses it (docs/derivation.md, 18). The proof of a form
  * beyond EMBED_FAR shows a coefficient that is wrong in its 48th bit. */
-static void test_far(void **state)
+TEST(test_far)
 {
-    (void)state;
     assert_power_law(pow(EMBED_FAR, 5), EMBED_FAR_ERROR);
     assert_power_law(0x1p14, 4.1e-17);
 
@@ -468,13 +450,5 @@ static void test_far(void **state)
     request_clear(&request);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_choice),    cmocka_unit_test(test_counts),    cmocka_unit_test(test_root),
-        cmocka_unit_test(test_fit),       cmocka_unit_test(test_scenes),    cmocka_unit_test(test_laws),
-        cmocka_unit_test(test_far),       cmocka_unit_test(test_far_force), cmocka_unit_test(test_ways),
-        cmocka_unit_test(test_materials),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_choice, test_counts, test_root, test_fit, test_scenes, test_laws, test_far, test_far_force, test_ways,
+          test_materials)

@@ -79,9 +79,8 @@ static void bump(double *number, slong *numerator, slong *denominator, double y)
 
 /* eps = 32 h*^5/speed from beta = 8 to 20, beta = speed^(1/5)/2, where the power law replaces an interpolant: an error
  * at the ends and between them. The error of the power law itself, EMBED_FAR_ERROR, is part of the bound. */
-static void test_far_parts(void **state)
+TEST(test_far_parts)
 {
-    (void)state;
     struct random_state random = random_start();
     struct embed_scene s = scene_of(END_ZERO_OVERLAP, 16, 40, NULL);
     assert_int_equal(collision_h_star(s.h_star_5, 128), 0);
@@ -118,22 +117,14 @@ static void test_far_parts(void **state)
 
 /* ---- within the interpolant's intervals ---- */
 
-/* Up to beta = 1: two intervals. Tests that need none come first. */
-static struct interpolant *interpolant;
-
-static int make_interpolant(void **state)
+/* Up to beta = 1: two intervals, made for the first test that needs them */
+static struct interpolant *interpolant(void)
 {
-    (void)state;
-    if (!interpolant)
-        interpolant = interpolant_new(&interpolant_sphere_proof, 0, 1);
-    return interpolant ? 0 : 1;
-}
-
-static int clear_interpolant(void **state)
-{
-    (void)state;
-    interpolant_free(interpolant);
-    return 0;
+    static struct interpolant *made;
+    if (!made)
+        made = interpolant_new(&interpolant_sphere_proof, 0, 1);
+    assert_non_null(made);
+    return made;
 }
 
 static double eps_at(const struct embed_scene *s, double beta)
@@ -166,11 +157,10 @@ static void fit(double *c, slong degree, const struct embed_scene *s, double lo,
 }
 
 /* A polynomial in beta from 0.15 to 0.95 in two intervals, with an error at the ends and between them */
-static void test_intervals(void **state)
+TEST(test_intervals)
 {
-    (void)state;
     struct random_state random = random_start();
-    struct embed_scene s = scene_of(END_ZERO_OVERLAP, 0.15, 0.95, interpolant);
+    struct embed_scene s = scene_of(END_ZERO_OVERLAP, 0.15, 0.95, interpolant());
     for (int i = 0; i < 3; i++) {
         double number[40] = {0};
         struct embed_form f = {.family = FAMILY_RATIONAL_BETA,
@@ -192,12 +182,11 @@ static void test_intervals(void **state)
 }
 
 /* Rows in the speed and in beta: an error that grows through one row, to BUMP at its end or its start */
-static void test_rows(void **state)
+TEST(test_rows)
 {
-    (void)state;
     enum { DEGREE = 5, ROWS = 12 };
     struct random_state random = random_start();
-    struct embed_scene s = scene_of(END_ZERO_FORCE, 0.5, 1, interpolant);
+    struct embed_scene s = scene_of(END_ZERO_FORCE, 0.5, 1, interpolant());
     for (int of_speed = 0; of_speed < 2; of_speed++) {
         struct embed_form f = {.family = of_speed ? FAMILY_PIECES_SPEED : FAMILY_PIECES_BETA,
                                .variable = of_speed ? SPEED : FIFTH_ROOT_OF_SPEED,
@@ -247,11 +236,10 @@ static void test_rows(void **state)
 }
 
 /* The interpolant ends at beta = 25/16: no proof of a form that goes on to 2. */
-static void test_gap(void **state)
+TEST(test_gap)
 {
-    (void)state;
     double number[] = {1, 1};
-    struct embed_scene s = scene_of(END_ZERO_OVERLAP, 1, 2, interpolant);
+    struct embed_scene s = scene_of(END_ZERO_OVERLAP, 1, 2, interpolant());
     const struct embed_form f = {.family = FAMILY_POLYNOMIAL_BETA,
                                  .variable = FIFTH_ROOT_OF_SPEED,
                                  .speed_min = s.speed_min,
@@ -278,9 +266,8 @@ static void assert_rounding(struct embed_form f, double units, const char *what)
 
 /* Counts by hand for the speed x from 1/2 to 16, in units of 2^-53. Products, sums, the quotient and the roots are
  * rounded once each. */
-static void test_counts(void **state)
+TEST(test_counts)
 {
-    (void)state;
     const double x = 16, x4 = x * x * x * x;
     /* 3 + 2 x: 2 x once and the sum once; largest at x = 16 */
     assert_rounding((struct embed_form){.variable = SPEED, .numerator = 1, .number = (double[]){3, 2}},
@@ -309,9 +296,8 @@ static void test_counts(void **state)
 /* A polynomial with a zero and one that overflows: no bound. Without a refinement the bound of the fifth root is near
  * the error found. The place in a table has the error of a product and of a sum besides, and a table that is too short
  * is refused. */
-static void test_limits(void **state)
+TEST(test_limits)
 {
-    (void)state;
     struct embed_rounding bound;
     struct embed_form f = {
         .variable = SPEED, .speed_min = 0.5, .speed_max = 16, .numerator = 1, .number = (double[]){-3, 1}};
@@ -354,15 +340,4 @@ static void test_limits(void **state)
     assert_false(embed_rounding_bound(&bound, &f));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_counts),
-        cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_far_parts),
-        cmocka_unit_test_setup(test_intervals, make_interpolant),
-        cmocka_unit_test_setup(test_rows, make_interpolant),
-        cmocka_unit_test_setup(test_gap, make_interpolant),
-    };
-    return cmocka_run_group_tests(tests, NULL, clear_interpolant);
-}
+RUN_TESTS(test_counts, test_limits, test_far_parts, test_intervals, test_rows, test_gap)

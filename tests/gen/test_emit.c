@@ -63,9 +63,8 @@ static FILE *compile_and_run(void)
 }
 
 /* Doubles of every kind: exact, irrational, huge, tiny, subnormal, negative. */
-static void test_doubles(void **state)
+TEST(test_doubles)
 {
-    (void)state;
     enum { COUNT = 9 };
     arb_ptr x = _arb_vec_init(COUNT);
     double expected[COUNT];
@@ -118,9 +117,8 @@ static void test_doubles(void **state)
 
 /* Rows inside a function, hexadecimal and decimal: the same doubles. The digits of hexadecimal rows and structs read
  * back to them. */
-static void test_rows(void **state)
+TEST(test_rows)
 {
-    (void)state;
     enum { ROWS = 3, COLUMNS = 5 };
     arb_ptr x = _arb_vec_init(ROWS * COLUMNS);
     double expected[ROWS * COLUMNS];
@@ -207,9 +205,8 @@ static void test_rows(void **state)
 }
 
 /* The numbers of a grid, as macros under the table's name in capitals. */
-static void test_geometry(void **state)
+TEST(test_geometry)
 {
-    (void)state;
     const double real[] = {0, 7, 1048576, -2, 0.0625, 0x1p-40, 1.0 / 3, 1e300};
     enum { REALS = sizeof real / sizeof *real };
     struct emit e;
@@ -245,9 +242,8 @@ static void test_geometry(void **state)
 }
 
 /* A ball that straddles the middle of two doubles is refused, not rounded. */
-static void test_too_wide(void **state)
+TEST(test_too_wide)
 {
-    (void)state;
     LOCAL(arb, x);
     arb_one(x);
     mag_set_ui_2exp_si(arb_radref(x), 1, -40);
@@ -258,9 +254,8 @@ static void test_too_wide(void **state)
     assert_int_equal(fclose(file), 0);
 }
 
-static void test_bound(void **state)
+TEST(test_bound)
 {
-    (void)state;
     assert_string_equal(emit_bound(1.0).text, "1.0e+00");
     assert_string_equal(emit_bound(1.01e-10).text, "1.1e-10");
     assert_string_equal(emit_bound(9.91e-13).text, "1.0e-12");
@@ -348,9 +343,8 @@ static void check_pade_header(const struct pade_request *r, slong beta_max, stru
     collision_clear(&collision);
 }
 
-static void test_pade_header(void **state)
+TEST(test_pade_header)
 {
-    (void)state;
     static const struct {
         struct pade_request request;
         slong beta_max;
@@ -368,9 +362,8 @@ static void test_pade_header(void **state)
 }
 
 /* A cell in json by the kind of its column: a number with all its digits, a text, or null */
-static void test_json_cells(void **state)
+TEST(test_json_cells)
 {
-    (void)state;
     static const struct {
         const char *cell, *kinds;
         bool strings;
@@ -417,9 +410,8 @@ static void test_json_cells(void **state)
 
 enum { TWO_POINT_MAX = 20, TWO_POINT_PREC = 300 };
 
-static void test_two_point_headers(void **state)
+TEST(test_two_point_headers)
 {
-    (void)state;
     leave_to_turn(2, 3);
     LOCAL(arb_poly, series);
     LOCAL(arb, limit);
@@ -475,10 +467,7 @@ static void test_two_point_headers(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_doubles),           cmocka_unit_test(test_rows),       cmocka_unit_test(test_geometry),
-        cmocka_unit_test(test_too_wide),          cmocka_unit_test(test_bound),      cmocka_unit_test(test_pade_header),
-        cmocka_unit_test(test_two_point_headers), cmocka_unit_test(test_json_cells),
-    };
+    const struct CMUnitTest tests[] = {test_doubles, test_rows,        test_geometry,          test_too_wide,
+                                       test_bound,   test_pade_header, test_two_point_headers, test_json_cells};
     return cmocka_run_group_tests(tests, make_directory, remove_directory);
 }

@@ -3,9 +3,6 @@
  * enclosed collisions and closed forms, and the proofs of the stored formulas for large beta against sampled errors and
  * wrong coefficients. */
 #include "ball.h"
-#include "check.h"
-
-#include <math.h>
 
 #include "approximation/far_proof.h"
 #include "enclosure/collision.h"
@@ -78,9 +75,8 @@ static void domain_init(struct expansion_domain *domain, double a, double b)
 }
 
 /* Products, powers and substituted models contain what the numbers give. */
-static void test_models(void **state)
+TEST(test_models)
 {
-    (void)state;
     struct expansion_domain domain, inner;
     struct expansion x, y, z, tau, e;
     LOCAL(arb, at, other, f, g);
@@ -171,9 +167,8 @@ static void square_map(struct expansion *y, const struct expansion *x, void *con
 }
 
 /* x = a + b x^2 has the root 2 a/(1 + (1 - 4 a b)^(1/2)). A map that expands is refused. */
-static void test_fixed_point(void **state)
+TEST(test_fixed_point)
 {
-    (void)state;
     struct expansion_domain domain;
     struct expansion x;
     LOCAL(arb, c, exact, z);
@@ -238,9 +233,8 @@ static void scaled_collision(arb_ptr value, struct collision *c, const arb_t u)
 }
 
 /* The series contain enclosed collisions, and do not if a coefficient of mu^3 is wrong in its tenth bit at 9.5. */
-static void test_collisions(void **state)
+TEST(test_collisions)
 {
-    (void)state;
     static const double places[] = {FAR_MOTION_LEAST_U, 10, 12, 14, 17, 30};
     enum { PLACES = sizeof places / sizeof *places };
     LOCAL(collision, c);
@@ -292,9 +286,8 @@ static void assert_coefficient(int i, slong order, slong power, const arb_t exac
 }
 
 /* The leading terms, and the highest logarithms that the drift alone explains */
-static void test_closed_forms(void **state)
+TEST(test_closed_forms)
 {
-    (void)state;
     LOCAL(arb, limit, rate, K, x, y);
     arb_set_d(limit, 1.5); /* X* = (3/2)^(2/3), rate = (2/3) X* */
     arb_root_ui(limit, limit, 3, BITS);
@@ -383,9 +376,8 @@ static double formula_error(const struct formula *f, int i, double at)
 
 /* The proved bounds of the stored formulas are the largest sampled errors, or a little larger. Any wrong coefficient is
  * seen that changes the function by 2^-60 at u = 10; an ordinary run takes a quarter of them. */
-static void test_formulas(void **state)
+TEST(test_formulas)
 {
-    (void)state;
     for (int i = 0; i < FORMULAS; i++) {
         const struct formula *const f = &formulas[i];
         double c[INTERPOLANT_FAR + 2], worst = 0;
@@ -409,9 +401,8 @@ static void test_formulas(void **state)
 }
 
 /* The inverse, with right and wrong coefficients. Its error is that of the terms left out at eps = 2^-23. */
-static void test_inverse(void **state)
+TEST(test_inverse)
 {
-    (void)state;
     double c[INTERPOLANT_FAR_INVERSE + 1];
     memcpy(c, cor_rows_far_beta_zero_force(0), sizeof c);
     const double bits = far_proof_bits(&proof, BETA_ZERO_FORCE, c), e = 0x1p-23 / c[0], v = -0.6 * log(e);
@@ -434,9 +425,8 @@ static void test_inverse(void **state)
 }
 
 /* The duration at zero overlap needs collisions that take seconds: in a long run, and in `corgen tables`. */
-static void test_duration(void **state)
+TEST(test_duration)
 {
-    (void)state;
     if (!few_or_all(0, 1))
         skip();
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 6, 22000);
@@ -461,9 +451,8 @@ static void test_duration(void **state)
 }
 
 /* Where there is nothing to prove, the answer is NaN. */
-static void test_refused(void **state)
+TEST(test_refused)
 {
-    (void)state;
     double c[INTERPOLANT_FAR + 2] = {0};
     assert_true(isnan(far_proof_bits(&proof, EPS_ZERO_OVERLAP, c)));
     LOCAL(arb_poly, y);
@@ -475,10 +464,7 @@ static void test_refused(void **state)
 int main(void)
 {
     random_state = random_start();
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_models),       cmocka_unit_test(test_fixed_point), cmocka_unit_test(test_collisions),
-        cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_formulas),    cmocka_unit_test(test_inverse),
-        cmocka_unit_test(test_duration),     cmocka_unit_test(test_refused),
-    };
+    const struct CMUnitTest tests[] = {test_models,   test_fixed_point, test_collisions, test_closed_forms,
+                                       test_formulas, test_inverse,     test_duration,   test_refused};
     return cmocka_run_group_tests(tests, make_proof, clear_proof);
 }

@@ -15,6 +15,7 @@
 #include "fit/least_squares.h"
 
 enum { POINTS_MAX = 400, MODELS = 12 };
+static struct random_state random_state, *const r = &random_state; /* of every test */
 
 /* ---- distributions ---- */
 
@@ -22,9 +23,8 @@ enum { POINTS_MAX = 400, MODELS = 12 };
     check(fabs((computed) - (expected)) <= (tolerance)*fabs(expected), "%.17g, expected %.17g", (double)(computed),    \
           (double)(expected))
 
-static void quantiles_have_closed_forms(void **state)
+TEST(quantiles_have_closed_forms)
 {
-    (void)state;
     const double pi = acos(-1), level[LEVELS] = {0.68268949213708590, 0.95};
     for (int i = 0; i < LEVELS; i++) {
         const enum distribution_level l = (enum distribution_level)i;
@@ -41,9 +41,8 @@ static void quantiles_have_closed_forms(void **state)
     }
 }
 
-static void tails_have_closed_forms(void **state)
+TEST(tails_have_closed_forms)
 {
-    (void)state;
     for (double x = 0.01; x < 200; x *= 1.7) {
         check_close(chi_squared_tail(x, 2), exp(-x / 2), 1e-12);
         check_close(chi_squared_tail(x, 1), erfc(sqrt(x / 2)), 1e-12);
@@ -106,9 +105,8 @@ static double weight(const struct sample *s, size_t i)
 /* ---- fits by other routes ---- */
 
 /* At the minimum the residuals are orthogonal to both derivatives of the power law. */
-static void the_power_law_satisfies_the_normal_equations(void **state)
+TEST(the_power_law_satisfies_the_normal_equations)
 {
-    struct random_state *const r = *state;
     struct sample s;
     struct fit_estimate e;
     draw_sample(&s, FIT_POWER_LAW, 30, 0.02, true, r);
@@ -206,9 +204,8 @@ static void check_parameter(const struct sample *s, const struct fit_model *mode
     }
 }
 
-static void a_scan_finds_the_same_minimum_and_intervals(void **state)
+TEST(a_scan_finds_the_same_minimum_and_intervals)
 {
-    struct random_state *const r = *state;
     for (int with_sigma = 0; with_sigma < 2; with_sigma++) {
         for (size_t i = 0; i < fit_model_count; i++) {
             const struct fit_model *const model = &fit_models[i];
@@ -226,9 +223,8 @@ static void a_scan_finds_the_same_minimum_and_intervals(void **state)
 
 /* g* of ice, cm/s: least squares of eps at 400 speeds with equal steps in ln g, by golden section in ln g* with the
  * functions of contact.h; the program that found them preceded corgen fit. */
-static void ice_has_the_g_star_of_a_golden_section(void **state)
+TEST(ice_has_the_g_star_of_a_golden_section)
 {
-    (void)state;
     static const struct {
         enum fit_curve curve;
         double g_star_cm_s;
@@ -261,9 +257,8 @@ static void compare_all(struct fit_comparison *c, const struct sample *s, bool r
 
 /* Precise data of a curve: that curve has the least AIC and fits (p is as good as never so small by chance), and the
  * constant does not. */
-static void the_true_curve_ranks_first(void **state)
+TEST(the_true_curve_ranks_first)
 {
-    struct random_state *const r = *state;
     for (int curve = 0; curve < FIT_CURVES; curve++) {
         for (int way = 0; way < 4; way++) {
             struct sample s;
@@ -287,9 +282,8 @@ static void the_true_curve_ranks_first(void **state)
     }
 }
 
-static void aic_is_that_of_the_likelihood(void **state)
+TEST(aic_is_that_of_the_likelihood)
 {
-    struct random_state *const r = *state;
     struct sample s;
     struct fit_comparison c;
     draw_sample(&s, FIT_SPHERE_ZERO_FORCE, 20, 0.02, true, r);
@@ -341,9 +335,8 @@ static const struct coverage coverages[] = {
 
 /* Of `draws` intervals of 95 %, 93 to 97 of 100 hold the truth; fewer draws than 1000 have the exact binomial limits of
  * probability 1e-6 instead. The same holds for 68 % and for p values below FIT_SIGNIFICANCE. */
-static void intervals_hold_the_truth(void **state)
+TEST(intervals_hold_the_truth)
 {
-    struct random_state *const r = *state;
     const bool whole = few_or_all(0, 1) != 0;
     const int draws = whole ? 1000 : 40;
     for (size_t k = 0; k < sizeof coverages / sizeof *coverages; k++) {
@@ -384,9 +377,8 @@ static void intervals_hold_the_truth(void **state)
 
 /* The outliers, 60 sigma too low, move the plain fit by some 40 standard errors. The robust one moves by about one, and
  * its distance from the truth is that and its own error. */
-static void outliers_move_the_robust_fit_little(void **state)
+TEST(outliers_move_the_robust_fit_little)
 {
-    struct random_state *const r = *state;
     for (int with_sigma = 0; with_sigma < 2; with_sigma++) {
         struct sample s;
         struct fit_estimate plain, robust, clean;
@@ -407,9 +399,8 @@ static void outliers_move_the_robust_fit_little(void **state)
 
 /* ---- extreme data ---- */
 
-static void elastic_data_have_no_upper_end(void **state)
+TEST(elastic_data_have_no_upper_end)
 {
-    (void)state;
     double speed[] = {0.1, 1, 10}, eps[] = {1, 1, 1}, sigma[] = {0.01, 0.01, 0.01};
     const struct fit_data data = {.points = 3, .speed_m_s = speed, .eps = eps, .sigma = sigma};
     struct fit_estimate e;
@@ -424,9 +415,8 @@ static void elastic_data_have_no_upper_end(void **state)
 }
 
 /* One datum, eps = 0, has all the weight: beta is infinite, and its intervals hold it. The mirror image has eps = 1. */
-static void an_end_of_the_range_is_in_its_interval(void **state)
+TEST(an_end_of_the_range_is_in_its_interval)
 {
-    (void)state;
     double speed[] = {1, 2, 3, 4, 5, 5}, eps[] = {0, 1, 0.2, 0.1, 0.2, 0.2}, sigma[] = {1e-40, 1e20, 1, 1, 0.5, 1};
     const struct fit_data data = {.points = 6, .speed_m_s = speed, .eps = eps, .sigma = sigma};
     int infinite = 0;
@@ -450,9 +440,8 @@ static void an_end_of_the_range_is_in_its_interval(void **state)
     check(infinite > 2, "%d infinite values of beta", infinite);
 }
 
-static void few_points_are_not_judged(void **state)
+TEST(few_points_are_not_judged)
 {
-    (void)state;
     double speed[] = {0.1, 1}, eps[] = {0.9, 0.8};
     const struct fit_data data = {.points = 2, .speed_m_s = speed, .eps = eps};
     struct fit_estimate e;
@@ -487,9 +476,8 @@ static void check_points(const char *text, enum fit_unit unit)
     fit_data_clear(&data);
 }
 
-static void csv_forms_agree(void **state)
+TEST(csv_forms_agree)
 {
-    (void)state;
     check_points("speed_m_s,eps\n0.25,0.9\n1.5,0.75\n", FIT_UNIT_OF_COLUMN);
     check_points("speed_m_s,eps\r\n0.25,0.9\r\n1.5,0.75", FIT_M_S);
     check_points("\xef\xbb\xbf# a note\n\neps,\"speed_cm_s\",note\n0.75,150,\"a, b\"\n 0.9 ,25,\n", FIT_UNIT_OF_COLUMN);
@@ -502,9 +490,8 @@ static void csv_forms_agree(void **state)
 }
 
 /* By hand: flights of 1, 0.8 and 0.64 s, and of 0.5 and 0.45 s. */
-static void flights_give_speeds_and_eps(void **state)
+TEST(flights_give_speeds_and_eps)
 {
-    (void)state;
     struct fit_data data;
     assert_int_equal(read_text(&data, "run,t_s\na,0\na,1\na,1.8\na,2.44\nb,5\nb,5.5\nb,5.95\n", FIT_UNIT_OF_COLUMN),
                      STATUS_OK);
@@ -586,9 +573,8 @@ static const struct bounces bounces[] = {
     {FIT_SPHERE_ZERO_FORCE, 20, 7, 2e-4, 0, 0.05, true, 0.93, 0.985},
 };
 
-static void times_hold_the_truth(void **state)
+TEST(times_hold_the_truth)
 {
-    struct random_state *const r = *state;
     const bool whole = few_or_all(0, 1) != 0;
     const int draws = whole ? 600 : 12;
     for (size_t k = 0; k < sizeof bounces / sizeof *bounces; k++) {
@@ -891,9 +877,8 @@ static void check_fit(const struct fit_data *data, enum fit_curve curve, struct 
 
 /* Sampled with 120 seeds, the largest differences are 5e-10 of the likelihood, 4e-9 of a distance and 1e-6 of an
  * interval in theta. Those of the likelihood are the fit's slopes, by differences with a step of 1e-4 in ln g. */
-static void times_agree_with_dense_matrices(void **state)
+TEST(times_agree_with_dense_matrices)
 {
-    struct random_state *const r = *state;
     for (int draw = 0; draw < FIT_CURVES + 12; draw++) { /* a single drop often has two minima in lambda */
         const double sigma = random_log(r, 2e-5, 5e-4);
         const struct bounces b = {.curve = draw < FIT_CURVES ? (enum fit_curve)draw : FIT_CONSTANT,
@@ -914,9 +899,8 @@ static void times_agree_with_dense_matrices(void **state)
 
 /* Of clean draws at most 2 of 100 name a line. An error of 12 sigma is named in 90 of 100, with its line; in 75 of 100
  * where bounces scatter, too. Four of 40 points that are 60 sigma too low do not hide one another. */
-static void outliers_are_named(void **state)
+TEST(outliers_are_named)
 {
-    struct random_state *const r = *state;
     const int all = (int)few_or_all(30, 600);
     struct fit_request request = {.robust = false};
     assert_int_equal(fit_request_models(&request, "constant", NULL), STATUS_OK);
@@ -1028,9 +1012,8 @@ static int name_outliers(bool *out, double *distance, const struct sample *s)
     return (int)(n - rest);
 }
 
-static void outliers_follow_closed_forms(void **state)
+TEST(outliers_follow_closed_forms)
 {
-    struct random_state *const r = *state;
     struct fit_request request = {.robust = false};
     int lines[4] = {0}; /* draws that name none, one, two or more */
     assert_int_equal(fit_request_models(&request, "constant", NULL), STATUS_OK);
@@ -1063,31 +1046,29 @@ static void outliers_follow_closed_forms(void **state)
 
 int main(void)
 {
-    struct random_state random = random_start();
+    random_state = random_start();
     const int file = mkstemp(path);
     if (file < 0)
         return 1;
     close(file);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(quantiles_have_closed_forms),
-        cmocka_unit_test(tails_have_closed_forms),
-        cmocka_unit_test_prestate(the_power_law_satisfies_the_normal_equations, &random),
-        cmocka_unit_test_prestate(a_scan_finds_the_same_minimum_and_intervals, &random),
-        cmocka_unit_test(ice_has_the_g_star_of_a_golden_section),
-        cmocka_unit_test_prestate(the_true_curve_ranks_first, &random),
-        cmocka_unit_test_prestate(aic_is_that_of_the_likelihood, &random),
-        cmocka_unit_test_prestate(intervals_hold_the_truth, &random),
-        cmocka_unit_test_prestate(outliers_move_the_robust_fit_little, &random),
-        cmocka_unit_test(elastic_data_have_no_upper_end),
-        cmocka_unit_test(an_end_of_the_range_is_in_its_interval),
-        cmocka_unit_test(few_points_are_not_judged),
-        cmocka_unit_test(csv_forms_agree),
-        cmocka_unit_test(flights_give_speeds_and_eps),
-        cmocka_unit_test_prestate(times_hold_the_truth, &random),
-        cmocka_unit_test_prestate(times_agree_with_dense_matrices, &random),
-        cmocka_unit_test_prestate(outliers_are_named, &random),
-        cmocka_unit_test_prestate(outliers_follow_closed_forms, &random),
-    };
+    const struct CMUnitTest tests[] = {quantiles_have_closed_forms,
+                                       tails_have_closed_forms,
+                                       the_power_law_satisfies_the_normal_equations,
+                                       a_scan_finds_the_same_minimum_and_intervals,
+                                       ice_has_the_g_star_of_a_golden_section,
+                                       the_true_curve_ranks_first,
+                                       aic_is_that_of_the_likelihood,
+                                       intervals_hold_the_truth,
+                                       outliers_move_the_robust_fit_little,
+                                       elastic_data_have_no_upper_end,
+                                       an_end_of_the_range_is_in_its_interval,
+                                       few_points_are_not_judged,
+                                       csv_forms_agree,
+                                       flights_give_speeds_and_eps,
+                                       times_hold_the_truth,
+                                       times_agree_with_dense_matrices,
+                                       outliers_are_named,
+                                       outliers_follow_closed_forms};
     const int status = cmocka_run_group_tests(tests, NULL, NULL);
     unlink(path);
     return status;

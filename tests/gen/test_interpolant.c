@@ -2,9 +2,7 @@
 /* The interpolant of the collision against collisions at places of its own, and what it is made of: collisions without
  * their unloading, and one that once found no end. */
 #include "ball.h"
-#include "check.h"
 
-#include <math.h>
 #include <unistd.h>
 
 #include "approximation/barycentric.h"
@@ -37,9 +35,8 @@ static double relative(const arb_t x, const arb_t y)
 }
 
 /* Both functions enclose the same numbers, whichever way the first of them went. */
-static void test_loading_alone(void **state)
+TEST(test_loading_alone)
 {
-    (void)state;
     static const double betas[] = {1e-20, 0.01, 0.5, 1, 1.0000001, 3, 7, 12, 40, 1000, 1e6};
     struct collision whole, loading;
     LOCAL(arb, beta);
@@ -72,9 +69,8 @@ static void test_loading_alone(void **state)
 
 /* Between the methods: too early for the slow manifold at so many bits. It was tried for ever. The alarm ends the
  * test, and the answer is that of the loading and of h*^5 beta^-5. */
-static void test_between_methods(void **state)
+TEST(test_between_methods)
 {
-    (void)state;
     struct collision c, loading;
     LOCAL(arb, beta, h);
     collision_init(&c);
@@ -97,9 +93,8 @@ static void test_between_methods(void **state)
     collision_clear(&loading);
 }
 
-static void test_points(void **state)
+TEST(test_points)
 {
-    (void)state;
     for (slong n = 1; n < 60; n += 7)
         for (slong j = 0; j < n; j++) {
             const double x = chebyshev_point(j, n);
@@ -110,9 +105,8 @@ static void test_points(void **state)
 }
 
 /* Up to beta = 3/8, where the loss has a quotient of its own. */
-static void test_small_beta(void **state)
+TEST(test_small_beta)
 {
-    (void)state;
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 0, 0.375);
     struct collision c;
     LOCAL(arb, z, beta, y, exact);
@@ -145,9 +139,8 @@ static void test_small_beta(void **state)
 }
 
 /* Strong damping: sqrt(beta) up to 17, then ln(beta) with the powers taken out. */
-static void test_large_beta(void **state)
+TEST(test_large_beta)
 {
-    (void)state;
     if (!few_or_all(0, 1)) /* building takes 10 s; table.sphere_tables tests what is made of it */
         skip();
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 8.5, 9);
@@ -189,11 +182,4 @@ static void test_large_beta(void **state)
     collision_clear(&c);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_loading_alone), cmocka_unit_test(test_between_methods), cmocka_unit_test(test_points),
-        cmocka_unit_test(test_small_beta),    cmocka_unit_test(test_large_beta),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_loading_alone, test_between_methods, test_points, test_small_beta, test_large_beta)

@@ -3,10 +3,8 @@
  * integrals over them off it, ellipses that reach a singularity, and polynomials against collisions between their
  * samples. */
 #include "ball.h"
-#include "check.h"
 
 #include <complex.h>
-#include <math.h>
 
 #include "approximation/ellipse_bound.h"
 #include "approximation/enclosed_function.h"
@@ -72,9 +70,8 @@ static const struct {
 };
 enum { PLACES = sizeof places / sizeof *places };
 
-static void test_real_axis(void **state)
+TEST(test_real_axis)
 {
-    (void)state;
     for (size_t i = 0; i < PLACES; i++) {
         if (!in_turn(i, 2))
             continue;
@@ -89,9 +86,8 @@ static void test_real_axis(void **state)
 
 /* The mean over a circle is the value at its centre, by Cauchy's integral, and the next moment its derivative. Balls
  * between the points contain the points. */
-static void test_complex_plane(void **state)
+TEST(test_complex_plane)
 {
-    (void)state;
     enum { POINTS = 16 };
     const double radius = 0.2, step = 0.01;
     for (size_t i = 0; i < PLACES; i++) {
@@ -124,9 +120,8 @@ static void test_complex_plane(void **state)
 }
 
 /* Beyond the threshold beta_c = 1.128 of the dashpot nothing leaves: no ball there, and no ellipse that reaches it. */
-static void test_singular(void **state)
+TEST(test_singular)
 {
-    (void)state;
     const struct law law = law_of("3/2", "0");
     struct complex_ball y;
     assert_false(enclose(&y, &law, ball_of(log(1.2), 0), WAY_OVERLAP));
@@ -170,9 +165,8 @@ static double largest_error(const struct law_proof *proof, const struct law *law
 }
 
 /* In variables beta, ln(beta) and ln(beta_c - beta), both ends */
-static void test_polynomials(void **state)
+TEST(test_polynomials)
 {
-    (void)state;
     static const struct scene scenes[] = {{"3/2", "0", EPS_ZERO_OVERLAP, 0.06, 0.5, 1e-9},
                                           {"3/2", "3/2", EPS_ZERO_OVERLAP, 0.01, 0.3, 1e-12},
                                           {"3/2", "0", EPS_ZERO_FORCE, 0.05, 0.3, 1e-9}};
@@ -201,13 +195,4 @@ static void test_polynomials(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_real_axis),
-        cmocka_unit_test(test_complex_plane),
-        cmocka_unit_test(test_singular),
-        cmocka_unit_test(test_polynomials),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_real_axis, test_complex_plane, test_singular, test_polynomials)

@@ -2,9 +2,6 @@
 /* Padé approximants: exactly known ones, the defining conditions, the published one, the analysis.
  */
 #include "ball.h"
-#include "check.h"
-
-#include <string.h>
 
 #include "approximation/pade.h"
 #include "approximation/pade_rounded.h"
@@ -70,9 +67,8 @@ static struct pade_request ordinary(slong m, slong n, enum contact_end end)
 }
 
 /* [2/3] of exp: (1 + 2/5 z + 1/20 z^2)/(1 - 3/5 z + 3/20 z^2 - 1/60 z^3) */
-static void test_exponential(void **state)
+TEST(test_exponential)
 {
-    (void)state;
     LOCAL(pade, f);
     LOCAL(arb_poly, c);
     exponential(c, 5);
@@ -99,9 +95,8 @@ static void test_exponential(void **state)
     assert_rational(f->p, 0, 1, 1);
 }
 
-static void test_reexpansion(void **state)
+TEST(test_reexpansion)
 {
-    (void)state;
     static const struct {
         slong m, n;
         enum contact_end end;
@@ -120,9 +115,8 @@ static void test_reexpansion(void **state)
 }
 
 /* C_0..C_{m+4} at 0; h*^5/beta^5 (1 + 0 + ... + 0) at infinity. */
-static void test_two_point(void **state)
+TEST(test_two_point)
 {
-    (void)state;
     leave_to_turn(1, 3);
     enum { TWO_POINT_PREC = 128 }; /* seconds with twice as many */
     const slong m = 8, n = m + 5;
@@ -176,9 +170,8 @@ static void test_two_point(void **state)
 }
 
 /* Table I, from the printed a_k and a fifth that is 0. */
-static void test_published(void **state)
+TEST(test_published)
 {
-    (void)state;
     static const double d[] = {2.5840, 3.5840, 2.9840, 1.1487, 0.3265};
     const struct pade_request r = {
         .kind = PADE_AS_PUBLISHED, .numerator = 1, .denominator = 4, .end = END_ZERO_OVERLAP, .law = law_sphere};
@@ -198,9 +191,8 @@ static void test_published(void **state)
 }
 
 /* The [1/4] of the true series is another function, negative beyond beta = 2.9. */
-static void test_true_one_four(void **state)
+TEST(test_true_one_four)
 {
-    (void)state;
     const struct pade_request r = ordinary(1, 4, END_ZERO_OVERLAP);
     LOCAL(pade, f);
     LOCAL(pade_analysis, a);
@@ -238,9 +230,8 @@ static void multiply_pair(arb_poly_t p, double re, double im)
     arb_poly_mul(p, p, factor, PREC);
 }
 
-static void test_spurious_pair(void **state)
+TEST(test_spurious_pair)
 {
-    (void)state;
     LOCAL(pade, f);
     LOCAL(pade_analysis, a);
     f->root = 2;
@@ -298,9 +289,8 @@ static void test_spurious_pair(void **state)
 
 /* 1/(1 + z) + d/(1 - z/2): its [1/2] has a pole at 2 and a zero at 2 (1 + d)/(1 - 2 d), 6 d/(1 - 2 d) further. The
  * distance of a pair is relative to its size. */
-static void test_near_pair(void **state)
+TEST(test_near_pair)
 {
-    (void)state;
     static const slong power[] = {10, 53, 300};
     const slong prec = 1200;
     for (size_t i = 0; i < sizeof power / sizeof *power; i++) {
@@ -345,9 +335,8 @@ static slong sign_changes(const arb_poly_t p)
 }
 
 /* [m/n] of eps has as many poles and zeros on the positive axis as its polynomials change their sign there. */
-static void test_poles_of_eps(void **state)
+TEST(test_poles_of_eps)
 {
-    (void)state;
     const slong most = points(6) > 6 ? 14 : 6;
     for (slong m = 0; m <= most; m++)
         for (slong n = 1; m + n <= most; n++) {
@@ -377,9 +366,8 @@ static void assert_block(const arb_poly_t c, slong m, slong n, slong at_m, slong
     assert_true(b.open == open);
 }
 
-static void test_degenerate(void **state)
+TEST(test_degenerate)
 {
-    (void)state;
     LOCAL(pade, f);
     struct pade_block b;
     LOCAL(arb_poly, c);
@@ -432,9 +420,8 @@ static void assert_same_fraction(const struct pade_request *r, const struct pade
 
 /* 1/eps of the sphere has no beta^10, eps of (3/2, 0) none, by the involution: exact zeros, which no ball shows. The
  * true series of 1/eps, by another route, contains 0 there. */
-static void test_exact_zeros(void **state)
+TEST(test_exact_zeros)
 {
-    (void)state;
     LOCAL(series, s);
     LOCAL(arb_poly, reciprocal);
     assert_int_equal(series_compute(s, 12, &law_sphere, BITS), 0);
@@ -465,9 +452,8 @@ static void test_exact_zeros(void **state)
     assert_int_equal(pade_compute(f, NULL, &same, BITS), 1);
 }
 
-static void test_refusals(void **state)
+TEST(test_refusals)
 {
-    (void)state;
     struct pade_request r = ordinary(4, 4, END_ZERO_OVERLAP);
     assert_null(pade_refusal(&r));
     r.kind = PADE_TWO_POINT;
@@ -489,9 +475,8 @@ static void test_refusals(void **state)
 }
 
 /* The doubles of a Padé in beta^(1/root) and the largest error of their quotient, found here with double. */
-static void test_rounded(void **state)
+TEST(test_rounded)
 {
-    (void)state;
     static const struct {
         enum contact_end end;
         slong m, n;
@@ -534,13 +519,5 @@ static void test_rounded(void **state)
     references_clear(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_exponential),   cmocka_unit_test(test_reexpansion), cmocka_unit_test(test_two_point),
-        cmocka_unit_test(test_rounded),       cmocka_unit_test(test_published),   cmocka_unit_test(test_true_one_four),
-        cmocka_unit_test(test_spurious_pair), cmocka_unit_test(test_degenerate),  cmocka_unit_test(test_exact_zeros),
-        cmocka_unit_test(test_refusals),      cmocka_unit_test(test_near_pair),   cmocka_unit_test(test_poles_of_eps),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_exponential, test_reexpansion, test_two_point, test_rounded, test_published, test_true_one_four,
+          test_spurious_pair, test_degenerate, test_exact_zeros, test_refusals, test_near_pair, test_poles_of_eps)

@@ -56,9 +56,8 @@ static void beside(void *context)
     atomic_store(&party->other_done, true);
 }
 
-static void test_tasks(void **state)
+TEST(test_tasks)
 {
-    (void)state;
     for (int threads = 1; threads <= 5; threads++) {
         static struct party party;
         struct parallel_task task;
@@ -82,9 +81,8 @@ static void test_tasks(void **state)
 
 /* Where no thread can be had, for want of memory for its stack, the caller does all tasks. The first test, because
  * stacks are used again. */
-static void test_without_threads(void **state)
+TEST(test_without_threads)
 {
-    (void)state;
     struct party party = {.inner = 0};
     struct rlimit before = {0, 0}, little;
     unsigned long pages = 0;
@@ -109,8 +107,4 @@ static void test_without_threads(void **state)
     assert_int_equal(atomic_load(&party.most_at_once), 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_without_threads), cmocka_unit_test(test_tasks)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_without_threads, test_tasks)

@@ -2,9 +2,6 @@
 /* Tables cut from the interpolant: they reach the bits they state, and a table that misses its bound is refused. */
 #include "ball.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "approximation/pieces.h"
 #include "enclosure/collision.h"
 #include "support/digits.h"
@@ -88,9 +85,8 @@ static double evaluate(const struct pieces *p, slong r, double fraction, double 
     return c[0] + (c[1] + sum * (r < p->plain ? t : y * y - node * node));
 }
 
-static void test_rows_are_the_function(void **state)
+TEST(test_rows_are_the_function)
 {
-    (void)state;
     struct collision c;
     LOCAL(arb, x, loss);
     collision_init(&c);
@@ -123,9 +119,8 @@ static void test_rows_are_the_function(void **state)
 }
 
 /* The same rows to more bits than they have, and rows too wide for their degree. */
-static void test_bound_missed(void **state)
+TEST(test_bound_missed)
 {
-    (void)state;
     for (int kind = 0; kind < 4; kind++) {
         struct pieces p = table(kind);
         p.least_bits = 75;
@@ -149,9 +144,8 @@ static void test_bound_missed(void **state)
 
 /* What the tables' readers rely on: the comment has the grid, the bits of each row and the worst of them; macros have
  * the grid. */
-static void test_text(void **state)
+TEST(test_text)
 {
-    (void)state;
     struct pieces p = table(0);
     struct emit e;
     memset(&e, 0, sizeof e);
@@ -190,10 +184,6 @@ static void test_text(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rows_are_the_function),
-        cmocka_unit_test(test_bound_missed),
-        cmocka_unit_test(test_text),
-    };
+    const struct CMUnitTest tests[] = {test_rows_are_the_function, test_bound_missed, test_text};
     return cmocka_run_group_tests(tests, setup, teardown);
 }

@@ -214,9 +214,8 @@ static void check_output(const struct plan *plan)
 
 /* ---- spheres ---- */
 
-static void test_spheres(void **state)
+TEST(test_spheres)
 {
-    (void)state;
     struct random_state r = random_start();
     struct plan_spheres_request request = {.scene = {.end = END_ZERO_FORCE}, .points = 9};
     decimal_set(&request.scene.number[EMBED_SPEED_MIN], "0.01");
@@ -309,9 +308,8 @@ static void test_spheres(void **state)
 }
 
 /* Beyond beta = 7 eps at zero overlap is h*^5/beta^5. */
-static void test_strong_damping(void **state)
+TEST(test_strong_damping)
 {
-    (void)state;
     leave_to_turn(1, 3);
     struct plan_spheres_request request = {.scene = {.end = END_ZERO_OVERLAP}, .points = 3};
     decimal_set(&request.scene.number[EMBED_SPEED_MIN], "0.2");
@@ -382,9 +380,8 @@ static double disk_error(const struct plan_model *m, double speed)
     return fabs(value - cor_disk_eps(speed, 0.33));
 }
 
-static void test_disks(void **state)
+TEST(test_disks)
 {
-    (void)state;
     struct random_state r = random_start();
     struct plan_disks_request request = disk_request(PLAN_EPS, "0.01", "0.1", 3);
     struct plan plan;
@@ -447,9 +444,8 @@ static void test_disks(void **state)
     disk_request_clear(&request);
 }
 
-static void test_contact_time(void **state)
+TEST(test_contact_time)
 {
-    (void)state;
     leave_to_turn(0, 3);
     struct plan_disks_request request = disk_request(PLAN_CONTACT_TIME, "0.01", "0.02", 2);
     static const char *const law[] = {"quasistatic law: centre of mass", "quasistatic law: diameter",
@@ -505,9 +501,8 @@ static void wall_request_clear(struct embed_request *request)
 }
 
 /* Elastic waves, against the library, whose J is a Chebyshev series, and against Lam(1/4) = 1.1115324 */
-static void test_waves(void **state)
+TEST(test_waves)
 {
-    (void)state;
     const double mass = cor_sphere_mass_kg(0.005, 2500);
     struct embed_request request = wall_request(NULL, NULL);
     check(fabs(plan_wave_loss(&request, 2) / (1.1115324 * pow(2 / sqrt(7e10 / 2500), 0.6)) - 1) < 1e-7,
@@ -543,11 +538,4 @@ static void test_waves(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spheres),      cmocka_unit_test(test_strong_damping), cmocka_unit_test(test_disks),
-        cmocka_unit_test(test_contact_time), cmocka_unit_test(test_waves),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_spheres, test_strong_damping, test_disks, test_contact_time, test_waves)

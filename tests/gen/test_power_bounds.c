@@ -102,9 +102,8 @@ static void assert_bounds_of(const struct trajectory *t, const struct power_boun
 }
 
 /* Every bound holds, with a block that is the whole of Z and with one that leaves much of the proof to its rest. */
-static void test_trajectories(void **state)
+TEST(test_trajectories)
 {
-    (void)state;
     enum { ORDER = 4, TERMS = 30 };
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "1/4"}, {"2", "1/2"}, {"1/2", "1"}};
     static const double weights[][2] = {{0.125, 0.25}, {0.25, 0.2}};
@@ -130,9 +129,8 @@ static void test_trajectories(void **state)
 }
 
 /* Z = 1 - c s^20: 1/Z has the norm 1/(1 - c rho^20). The block 1 of 10 columns knows nothing of c. */
-static void test_one_term(void **state)
+TEST(test_one_term)
 {
-    (void)state;
     enum { TERMS = 25, POWER = 20, BLOCK = 10 };
     struct trajectory t = {.law = law_sphere, .order = 0, .terms = TERMS, .prec = PREC, .shift = 0};
     struct power_evidence e;
@@ -164,11 +162,4 @@ static void test_one_term(void **state)
     jet_free(t.x_to_a, 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_trajectories),
-        cmocka_unit_test(test_one_term),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_trajectories, test_one_term)

@@ -1,13 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The printed numbers beside the right ones: which prints are wrong, and that ours are not. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "check.h"
 
 #include "approximation/published.h"
 #include "series/series.h"
@@ -54,9 +47,8 @@ static void true_value(arb_t x, const struct series *s, const struct published *
     }
 }
 
-static void test_values(void **state)
+TEST(test_values)
 {
-    (void)state;
     LOCAL(series, s);
     LOCAL(arb, x);
     int wrong = 0;
@@ -87,9 +79,8 @@ static void test_values(void **state)
 
 /* The print is consistent with itself: a_k = |C_k|/|C_1|^k of the printed C_k, so the error came in
  * with the numbers and not with (70), (71). */
-static void test_print_is_consistent(void **state)
+TEST(test_print_is_consistent)
 {
-    (void)state;
     const double c1 = atof(published_value(PUBLISHED_C, 1));
     const double c3 = atof(published_value(PUBLISHED_C, 3));
     const double c4 = atof(published_value(PUBLISHED_C, 4));
@@ -99,21 +90,12 @@ static void test_print_is_consistent(void **state)
     assert_true(c4 / (c1 * c1 * c1 * c1) - a4 < 2e-6 && a4 - c4 / (c1 * c1 * c1 * c1) < 2e-6);
 }
 
-static void test_lookup(void **state)
+TEST(test_lookup)
 {
-    (void)state;
     assert_string_equal(published_value(PUBLISHED_Y, 2), "0.260542");
     assert_string_equal(published_value(PUBLISHED_D, 5), "0.3265");
     assert_null(published_value(PUBLISHED_A, 5));
     assert_null(published_value(PUBLISHED_D, 0));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_print_is_consistent),
-        cmocka_unit_test(test_lookup),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_values, test_print_is_consistent, test_lookup)

@@ -3,10 +3,8 @@
  * it, against a plain integration in time; ellipses that reach a singularity; rows with wrong coefficients, and
  * interpolants with wrong samples. The creep's series against enclosed collisions. */
 #include "ball.h"
-#include "check.h"
 
 #include <complex.h>
-#include <math.h>
 
 #include "approximation/enclosed_function.h"
 #include "approximation/row_proof.h"
@@ -33,9 +31,8 @@ static double real_value(const arb_t x)
     return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-static void test_real_axis(void **state)
+TEST(test_real_axis)
 {
-    (void)state;
     static const double places[] = {0.2, 0.6, 1.07, 1.3, 1.66, 1.68, 2.2, 2.8, 3.4, 4.1};
     struct collision exact;
     struct complex_collision c;
@@ -114,9 +111,8 @@ static void motion_event(double complex y[3], double complex beta, int event)
     }
 }
 
-static void test_complex_plane(void **state)
+TEST(test_complex_plane)
 {
-    (void)state;
     for (int i = 0; i < 12; i++) {
         const double complex z = random_uniform(&random_state, 0.5, 1.4) + I * random_uniform(&random_state, 0.05, 0.2);
         double complex y[3];
@@ -135,9 +131,8 @@ static void test_complex_plane(void **state)
 }
 
 /* Beyond h*, on the negative axis of beta, no motion turns: no ball there, and no ellipse that reaches it. */
-static void test_singular(void **state)
+TEST(test_singular)
 {
-    (void)state;
     leave_to_turn(0, 3);
     struct complex_collision c;
     struct ellipse_bound bound;
@@ -229,9 +224,8 @@ static void assert_row_guarded(struct pieces *p, slong row, double *c)
 
 /* The proved errors of two tables and one of an inverse, which differ from run to run, are those that sampling finds,
  * or a little larger. Wrong rows are refused. */
-static void test_rows(void **state)
+TEST(test_rows)
 {
-    (void)state;
     for (int i = 0; i < 3; i++) {
         struct pieces p =
             i < 2 ? tables[random_below(&random_state, sizeof tables / sizeof *tables)]
@@ -263,9 +257,8 @@ static void test_rows(void **state)
 }
 
 /* A sample that is wrong in its 52nd bit, or a node in its 40th: no proof. */
-static void test_samples(void **state)
+TEST(test_samples)
 {
-    (void)state;
     arb_srcptr node, value;
     LOCAL(arb, kept, factor);
     assert_true(interpolant_samples(&node, &value, interpolant, 1, EPS_ZERO_FORCE));
@@ -285,9 +278,8 @@ static void test_samples(void **state)
 }
 
 /* The proof knows its intervals, and no others. */
-static void test_unknown(void **state)
+TEST(test_unknown)
 {
-    (void)state;
     assert_true(interpolant_proof_error(proof, 0, EPS_ZERO_OVERLAP) < 1e-20);
     assert_true(interpolant_proof_bound(proof, 1)->rho > 3);
     assert_false(interpolant_proof_error(proof, 5, EPS_ZERO_OVERLAP) < HUGE_VAL);
@@ -334,9 +326,8 @@ static void creep_rest(arb_t rest, arb_t Y, arb_t bound, const struct creep_seri
 
 /* a_1 = 2, a_2 = 3/2, a_3 = 3, a_4 = 9 by hand. Enclosed collisions give the same C within the remainder, also where Y
  * is small and the remainder large; without the last term they do not. */
-static void test_creep_series(void **state)
+TEST(test_creep_series)
 {
-    (void)state;
     static const double first[] = {2, 1.5, 3, 9};
     struct creep_series s;
     LOCAL(arb, beta, constant, rest, Y, bound, x);
@@ -377,9 +368,8 @@ static void test_creep_series(void **state)
 }
 
 /* ln and 1/p of p = 2 + 0.3 t + 0.1 t^2, at random t and within 2^-90; none for a function with a zero. */
-static void test_enclosed_functions(void **state)
+TEST(test_enclosed_functions)
 {
-    (void)state;
     LOCAL(arb_poly, p, log_p, inverse);
     LOCAL(arb, t, x, y);
     enclosed_add_double(p, 2);
@@ -407,9 +397,8 @@ static void test_enclosed_functions(void **state)
 }
 
 /* exp(1 + w t) at t = 1, where the terms left out are larger than all roundings */
-static void test_enclosed_remainder(void **state)
+TEST(test_enclosed_remainder)
 {
-    (void)state;
     static const double w[] = {0.35, 0.5, 0.9};
     LOCAL(arb_poly, p, exponential);
     LOCAL(arb, x, y);
@@ -429,9 +418,8 @@ static void test_enclosed_remainder(void **state)
 
 /* Rows of the duration at zero overlap in ln(beta), with wrong rows and wrong samples. The samples take seconds: all
  * rows in a long run only; `corgen tables` proves the rows each time. */
-static void test_creep_rows(void **state)
+TEST(test_creep_rows)
 {
-    (void)state;
     if (!few_or_all(0, 1))
         skip();
     struct pieces p = TABLE(.quantity = DURATION_ZERO_OVERLAP, .variable = VARIABLE_LOG_BETA, .first = 2.0625,
@@ -476,16 +464,7 @@ int main(void)
 {
     random_state = random_start();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_real_axis),
-        cmocka_unit_test(test_complex_plane),
-        cmocka_unit_test(test_singular),
-        cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_samples),
-        cmocka_unit_test(test_unknown),
-        cmocka_unit_test(test_creep_series),
-        cmocka_unit_test(test_enclosed_functions),
-        cmocka_unit_test(test_enclosed_remainder),
-        cmocka_unit_test(test_creep_rows),
-    };
+        test_real_axis,    test_complex_plane,      test_singular,           test_rows,      test_samples, test_unknown,
+        test_creep_series, test_enclosed_functions, test_enclosed_remainder, test_creep_rows};
     return cmocka_run_group_tests(tests, make_proof, clear_proof);
 }

@@ -87,9 +87,8 @@ static void check_sample(const struct sample_request *r)
     sample_clear(&s);
 }
 
-static void tolerances_hold(void **state)
+TEST(tolerances_hold)
 {
-    (void)state;
     const struct cor_scene_contact contact = sphere_of(0.2);
     for (int end = 0; end < COR_SCENE_ENDS; end++)
         for (int kind = 0; kind < 4; kind++) {
@@ -131,9 +130,8 @@ static int fewest_on_grid(const struct sample_request *r, double tolerance)
     return best[GRID - 1] < GRID ? best[GRID - 1] : SAMPLE_MOST_POINTS;
 }
 
-static void no_smaller_table(void **state)
+TEST(no_smaller_table)
 {
-    (void)state;
     struct random_state random = random_start();
     for (int turn = 0; turn < (int)few_or_all(3, 40); turn++) {
         const struct cor_scene_contact contact = sphere_of(random_log(&random, 0.01, 1e4));
@@ -173,9 +171,8 @@ static void no_smaller_table(void **state)
 }
 
 /* A law whose collisions are enclosed, with durations; and constant eps, for which two points are enough */
-static void other_laws(void **state)
+TEST(other_laws)
 {
-    (void)state;
     struct cor_scene_contact contact = contact_of((struct cor_exponents){2, 1, 1}, COR_SCENE_G_STAR, 0.3);
     contact.mass_kg = 1e-3;
     contact.stiffness = 1e6;
@@ -217,9 +214,8 @@ static void other_laws(void **state)
     sample_clear(&s);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     struct sample s;
     if (few_or_all(0, 1)) { /* half a second; tests/cli/run has it in every run */
         const struct cor_scene_contact contact = sphere_of(0.2);
@@ -235,13 +231,4 @@ static void refusals(void **state)
     sample_clear(&s);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tolerances_hold),
-        cmocka_unit_test(no_smaller_table),
-        cmocka_unit_test(other_laws),
-        cmocka_unit_test(refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(tolerances_hold, no_smaller_table, other_laws, refusals)

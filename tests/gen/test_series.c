@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The restitution series: against enclosed collisions, which prove every coefficient, and in closed form. */
 #include "ball.h"
-#include "check.h"
-
-#include <math.h>
 
 #include "enclosure/collision.h"
 #include "series/restitution.h"
@@ -71,9 +68,8 @@ static void compare_with_collision(const struct law *law, slong order, slong shi
 
 /* Nothing is special to the sphere. The rows of (2, 1/2) grow fast with s: a bound of the truncation whose errors are
  * the same in every column proves nothing there. */
-static void test_collisions(void **state)
+TEST(test_collisions)
 {
-    (void)state;
     static const struct {
         const char *a, *b;
         slong few, all, shift;
@@ -89,9 +85,8 @@ static void test_collisions(void **state)
 
 /* q = -1/N with a whole N: C_2N = 0, exactly in the series, which knows it. So does the collision, which does not. For
  * (5, 0), q = -2/3, no coefficient vanishes. The value: docs/derivation.md, 9. */
-static void test_exact_zeros(void **state)
+TEST(test_exact_zeros)
 {
-    (void)state;
     static const struct {
         const char *a, *b;
         slong zero;
@@ -115,9 +110,8 @@ static void test_exact_zeros(void **state)
 }
 
 /* Too few bits or terms for what is promised are refused; a ball holds the truth in any case. */
-static void test_verdicts(void **state)
+TEST(test_verdicts)
 {
-    (void)state;
     enum { ORDER = 12 };
     static const struct {
         slong terms, bits, prec;
@@ -141,9 +135,8 @@ static void test_verdicts(void **state)
 /* ---- closed forms ---- */
 
 /* C_1 = -(2/(a+1)) X0^(b+1) B((b+1)/(a+1), 3/2), which is (30) for spheres; C_2 = (1+q)/2 C_1^2, (69). */
-static void test_first_terms(void **state)
+TEST(test_first_terms)
 {
-    (void)state;
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "0"}, {"1", "0"}, {"1", "1/2"},
                                           {"1/2", "0"},   {"0", "0"},   {"1", "2"}, {"24", "1/16"}};
     LOCAL(series, s);
@@ -199,9 +192,8 @@ static void dashpot(arb_poly_t eps, const arb_t scale, int both, slong n, slong 
 }
 
 /* Linear dashpot (1, 0), zeta = beta/2, and Tsuji's (3/2, 1/4), zeta = beta/sqrt(5): both ends */
-static void test_linear_laws(void **state)
+TEST(test_linear_laws)
 {
-    (void)state;
     const slong order = points(24) > 24 ? 40 : 24;
     const struct law laws[2] = {law_of("1", "0"), law_of("3/2", "1/4")};
     LOCAL(arb, scale);
@@ -219,9 +211,8 @@ static void test_linear_laws(void **state)
 }
 
 /* Hunt-Crossley (a, a): beta - ln(1 + beta) = -beta eps - ln(1 - beta eps), any a, both ends one. */
-static void test_hunt_crossley(void **state)
+TEST(test_hunt_crossley)
 {
-    (void)state;
     const slong order = points(24) > 24 ? 40 : 24;
     static const char *const exponent[] = {"1/2", "1", "3/2", "2"};
     LOCAL(arb_poly, eps, v, sum);
@@ -250,9 +241,8 @@ static void test_hunt_crossley(void **state)
 }
 
 /* G and T of docs/derivation.md, 5, for spheres and Hertz with a constant dashpot */
-static void test_zero_force(void **state)
+TEST(test_zero_force)
 {
-    (void)state;
     static const struct {
         const char *b, *G[5], *T[3];
     } known[] = {
@@ -273,9 +263,8 @@ static void test_zero_force(void **state)
 }
 
 /* |C_(k+1)/C_k| -> 1/h* */
-static void test_radius(void **state)
+TEST(test_radius)
 {
-    (void)state;
     LOCAL(series, s);
     LOCAL(arb, x, y, z);
     assert_int_equal(series_compute(s, 60, &law_sphere, 80), 0);
@@ -288,9 +277,8 @@ static void test_radius(void **state)
 }
 
 /* Peaks of memory in docs/speed/generator.csv, less the 7.5 MB of a program that computes little */
-static void test_memory(void **state)
+TEST(test_memory)
 {
-    (void)state;
     static const struct {
         slong order, digits;
         double megabytes;
@@ -301,12 +289,5 @@ static void test_memory(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_collisions),  cmocka_unit_test(test_exact_zeros), cmocka_unit_test(test_verdicts),
-        cmocka_unit_test(test_first_terms), cmocka_unit_test(test_linear_laws), cmocka_unit_test(test_hunt_crossley),
-        cmocka_unit_test(test_zero_force),  cmocka_unit_test(test_radius),      cmocka_unit_test(test_memory),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_collisions, test_exact_zeros, test_verdicts, test_first_terms, test_linear_laws, test_hunt_crossley,
+          test_zero_force, test_radius, test_memory)

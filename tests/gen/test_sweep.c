@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <inttypes.h>
 #include <pthread.h>
-#include <stdarg.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <sys/resource.h>
@@ -55,9 +54,8 @@ static void assert_exact(const struct values *values, size_t i, const char *expe
     flint_free(exact);
 }
 
-static void test_lists(void **state)
+TEST(test_lists)
 {
-    (void)state;
     assert_list(&any, "0.1", "0.1");
     assert_list(&any, "-1e2,1/3,5e-324,.5", "-100 0.3333333333333333 4.94065645841247e-324 0.5");
     assert_list(&any, "0.1:0.3:+0.1", "0.1 0.2 0.3"); /* exact: three times the double 0.1 is above 0.3 */
@@ -87,9 +85,8 @@ static void test_lists(void **state)
 }
 
 /* As many values as a list may have, and one more. */
-static void test_longest_list(void **state)
+TEST(test_longest_list)
 {
-    (void)state;
     static const struct values_rule many = {"many", {"1", "1e7", true, true, true, "a number from 1 to 1e7"}, true};
     struct values values;
     char text[64];
@@ -102,9 +99,8 @@ static void test_longest_list(void **state)
     assert_int_equal(values_parse(&values, &many, text), STATUS_USAGE);
 }
 
-static void test_wrong_lists(void **state)
+TEST(test_wrong_lists)
 {
-    (void)state;
     static const char *const wrong[] = {
         "",           ",",           "1,",           ",1",        "1,,2",       "1001",
         "-1000.1",    "x",           "1 ",           "+1",        "1:2",        "1:2:3",
@@ -137,9 +133,8 @@ static void make_sweep(struct sweep *sweep, const char *speed, const char *poiss
     assert_int_equal(values_parse(&sweep->modes, &sweep_modes, modes), STATUS_OK);
 }
 
-static void test_product(void **state)
+TEST(test_product)
 {
-    (void)state;
     struct sweep sweep;
     make_sweep(&sweep, "0.2,0.1,0.3", "0.9,-1/3", "500,100", "940,10,3600,1");
     assert_int_equal(sweep_count(&sweep), STATUS_OK);
@@ -213,9 +208,8 @@ static void test_product(void **state)
 }
 
 /* Digits end with the second one of the error, and the error is rounded up. */
-static void test_digits(void **state)
+TEST(test_digits)
 {
-    (void)state;
     struct sweep sweep = {.hard_wall = false};
     const struct sweep_row row = {0.2, 0.33, 4000, 100, 0};
     struct sweep_result result = {
@@ -252,9 +246,8 @@ static void test_digits(void **state)
 }
 
 /* The cost of a row is that of its steps within a factor, 2 here and 1.8 in the fit: what is left is told by it. */
-static void test_cost(void **state)
+TEST(test_cost)
 {
-    (void)state;
     struct sweep sweep;
     struct workspace workspace = {NULL, 0};
     double least = INFINITY, most = 0;
@@ -315,9 +308,8 @@ static int crowd_finish(void *context, uint64_t task, const void *result)
 
 /* Every task once and in order, from any number of threads, in runs one behind the other, and to where it is stopped.
  */
-static void test_threads(void **state)
+TEST(test_threads)
 {
-    (void)state;
     for (int count = 1; count <= 3; count++) {
         struct crowd crowd = {.stop_at = UINT64_MAX, .slow = 100, .long_from = UINT64_MAX, .uneven = count > 1};
         const struct threads_work work = {&crowd, sizeof(uint64_t), crowd_work, crowd_finish, NULL};
@@ -459,9 +451,8 @@ static void *other_rank(void *context)
 
 /* The other rank is given tasks as long as there are any; and a run that is ended waits for what is away, and no
  * longer. */
-static void test_ranks(void **state)
+TEST(test_ranks)
 {
-    (void)state;
     static struct party party;
     party.crowd.stop_at = UINT64_MAX;
     const struct threads_work work = {&party, sizeof(uint64_t), party_work, crowd_finish, NULL};
@@ -596,9 +587,8 @@ static void journal_start(void)
 }
 
 /* Cut off anywhere, damaged anywhere, or longer than it should be */
-static void test_journal_damaged(void **state)
+TEST(test_journal_damaged)
 {
-    (void)state;
     int last = 0;
     for (size_t cut = 0; cut <= whole_size; cut++) { /* all lines before the cut are taken over */
         const int found = go_on_from(whole_file, cut, "cut at", cut);
@@ -641,7 +631,7 @@ static void test_journal_damaged(void **state)
 }
 
 /* Somebody else's is refused and stays as it was. */
-static void test_journal_foreign(void **state)
+TEST(test_journal_foreign)
 {
     (void)state;
     static const char *const foreign[] = {"speed,nu\n0.1,0.33\n",
@@ -666,9 +656,8 @@ static void test_journal_foreign(void **state)
 }
 
 /* What other processes and a full disk do to it meanwhile */
-static void test_journal_shared(void **state)
+TEST(test_journal_shared)
 {
-    (void)state;
     struct journal journal;
     /* finished and removed by another process just before it is locked here: a new file, not the removed one */
     for (int again_made = 0; again_made < 2; again_made++) {
@@ -724,9 +713,8 @@ static void test_journal_shared(void **state)
 /* ---- rigid walls ---- */
 
 /* A collision that needs more levels than the first table has, and one that does not */
-static void test_hard_wall(void **state)
+TEST(test_hard_wall)
 {
-    (void)state;
     struct hard_wall_tables tables;
     struct workspace workspace = {NULL, 0};
     hard_wall_tables_init(&tables);
@@ -761,13 +749,8 @@ int main(void)
 {
     console_start();
     journal_start();
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists),           cmocka_unit_test(test_wrong_lists),
-        cmocka_unit_test(test_product),         cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_journal_damaged), cmocka_unit_test(test_journal_foreign),
-        cmocka_unit_test(test_journal_shared),  cmocka_unit_test(test_ranks),
-        cmocka_unit_test(test_longest_list),    cmocka_unit_test(test_hard_wall),
-        cmocka_unit_test(test_digits),          cmocka_unit_test(test_cost),
-    };
+    const struct CMUnitTest tests[] = {test_lists,           test_wrong_lists,     test_product,        test_threads,
+                                       test_journal_damaged, test_journal_foreign, test_journal_shared, test_ranks,
+                                       test_longest_list,    test_hard_wall,       test_digits,         test_cost};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

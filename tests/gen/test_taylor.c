@@ -17,9 +17,8 @@ static void taylor_start(struct taylor *y, const struct law *law, slong degree, 
 
 /* A short polynomial misses the truth, by a long one, by less than its remainder says; and the remainder is not
  * absurd. */
-static void test_remainder(void **state)
+TEST(test_remainder)
 {
-    (void)state;
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"}, {"3/2", "3/2"}, {"2", "1/3"}};
     static const char *const betas[] = {"0.1", "1", "3"};
     const slong prec = 600;
@@ -56,9 +55,8 @@ static void test_remainder(void **state)
 }
 
 /* A step of the linear oscillator, entire as its solution is, never spans a zero of the overlap unseen. */
-static void test_step_is_short(void **state)
+TEST(test_step_is_short)
 {
-    (void)state;
     struct law law;
     struct taylor y;
     LOCAL(arb, half_period);
@@ -83,9 +81,8 @@ static void multiply(arb_ptr product, arb_srcptr f)
 
 /* Long series are multiplied in blocks. They satisfy v' = -w^(d-1) (c1 w^bd v + c2 w^ad), with products term by term
  * and laws that have every kind of product. */
-static void test_online_products(void **state)
+TEST(test_online_products)
 {
-    (void)state;
     static const char *const laws[][2] = {{"3/2", "1/2"}, {"3/2", "3/4"}, {"1", "0"}};
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
         struct law law;
@@ -117,12 +114,4 @@ static void test_online_products(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_remainder),
-        cmocka_unit_test(test_online_products),
-        cmocka_unit_test(test_step_is_short),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_remainder, test_online_products, test_step_is_short)

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The exact trajectory: Eq. (49), the equation of motion by another route, and the proof of what is cut off. */
 #include "ball.h"
-#include "check.h"
-
-#include <math.h>
 
 #include "series/jet.h"
 #include "series/row_sums.h"
@@ -28,9 +25,8 @@ static void free_rows(fmpq_poly_struct *row, slong order)
 }
 
 /* Every rational of (49), and of (47); the t^10 of x_1 with the digits that the print lost. */
-static void test_equation_49(void **state)
+TEST(test_equation_49)
 {
-    (void)state;
     static const struct {
         slong k, j;
         const char *value;
@@ -157,9 +153,8 @@ static const char *const laws[][2] = {{"3/2", "1/2"}, {"1", "0"}, {"3/2", "1/4"}
                                       {"2", "1/3"},   {"0", "1"}, {"1/2", "2"}};
 enum { LAWS = sizeof laws / sizeof *laws };
 
-static void test_equation_of_motion(void **state)
+TEST(test_equation_of_motion)
 {
-    (void)state;
     for (int i = 0; i < LAWS; i++) {
         struct law law;
         const struct plane p = {i == 0 ? 8 : 4, i == 0 ? 9 : 5};
@@ -178,9 +173,8 @@ static void test_equation_of_motion(void **state)
     }
 }
 
-static void test_balls_contain_rationals(void **state)
+TEST(test_balls_contain_rationals)
 {
-    (void)state;
     enum { ORDER = 12, TERMS = 15, PREC = 200 };
     for (int i = 0; i < LAWS; i++) {
         struct law law;
@@ -204,9 +198,8 @@ static void test_balls_contain_rationals(void **state)
 }
 
 /* The bound on what is cut off holds for the terms that come next, and is not absurdly wide. */
-static void test_truncation_bound(void **state)
+TEST(test_truncation_bound)
 {
-    (void)state;
     enum { ORDER = 10, TERMS = 60, MORE = 140, PREC = 500 };
     for (int i = 0; i < 4; i++) {
         struct law law;
@@ -248,9 +241,8 @@ static void test_truncation_bound(void **state)
     }
 }
 
-static void test_law_parse(void **state)
+TEST(test_law_parse)
 {
-    (void)state;
     struct law law;
     assert_null(law_parse(&law, "1.5", "0.5"));
     assert_true(law_is_sphere(&law));
@@ -294,9 +286,8 @@ static void random_row(arb_poly_struct *row, arb_poly_struct *point, slong k, sl
 
 /* The sums contain the sum over one number of each interval, product by product, and are hardly wider than the sums of
  * intervals. */
-static void test_row_sums(void **state)
+TEST(test_row_sums)
 {
-    (void)state;
     enum { CUT = 100, EXACT = 4000 };
     static const struct {
         struct ratio p;
@@ -355,15 +346,5 @@ static void test_row_sums(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_equation_49),
-        cmocka_unit_test(test_equation_of_motion),
-        cmocka_unit_test(test_balls_contain_rationals),
-        cmocka_unit_test(test_truncation_bound),
-        cmocka_unit_test(test_row_sums),
-        cmocka_unit_test(test_law_parse),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_equation_49, test_equation_of_motion, test_balls_contain_rationals, test_truncation_bound, test_row_sums,
+          test_law_parse)

@@ -16,9 +16,8 @@ static void set_tau(acb_t tau, const char *nu, slong prec)
 }
 
 /* Miller and Pursey's half-space: J from two contours that agree to 30 digits */
-static void known_values(void **state)
+TEST(known_values)
 {
-    (void)state;
     static const struct {
         const char *nu, *j;
     } known[] = {{"0.25", "0.930752601914437910 +/- 6e-19"}, {"0.3", "0.862223129240137236 +/- 6e-19"}};
@@ -32,9 +31,8 @@ static void known_values(void **state)
     }
 }
 
-static void two_routes(void **state)
+TEST(two_routes)
 {
-    (void)state;
     static const char *const nu[] = {"-0.9", "-0.4", "0.1", "0.2", "0.33", "0.45"};
     LOCAL(acb, tau, axis, path);
     for (size_t i = 0; i < sizeof nu / sizeof *nu; i++) {
@@ -81,9 +79,8 @@ static int arc_holds(double angle, double radius, int depth)
 
 /* J is real on the real axis, so that the upper half is enough. All arcs and all of the inside with
  * COR_TEST_MULTIPLIER=160, some minutes. */
-static void bound_on_the_ellipse(void **state)
+TEST(bound_on_the_ellipse)
 {
-    (void)state;
     assert_true(WAVE_ELLIPSE == 1.5 && WAVE_TAU_END == 1.75);
     enum { ARCS = 400 };
     const size_t wanted = points(8), step = wanted < ARCS ? ARCS / wanted : 1;
@@ -119,9 +116,8 @@ static int square_holds(double x, double y, double h, int depth)
     return holds || depth < 8;
 }
 
-static void analytic_inside(void **state)
+TEST(analytic_inside)
 {
-    (void)state;
     const size_t wanted = points(2);
     size_t count = 0;
     const double h = 0.02;
@@ -134,8 +130,7 @@ static void analytic_inside(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(known_values), cmocka_unit_test(two_routes),
-                                       cmocka_unit_test(bound_on_the_ellipse), cmocka_unit_test(analytic_inside)};
+    const struct CMUnitTest tests[] = {known_values, two_routes, bound_on_the_ellipse, analytic_inside};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     flint_cleanup();
     return failed;

@@ -14,7 +14,7 @@
 
 struct CMUnitTest {
     const char *name;
-    void (*run)(void **state);
+    void (*test_func)(void **state);
     int (*teardown)(void **state);
 };
 
@@ -57,7 +57,7 @@ static inline int cmocka_run(const struct CMUnitTest *test, size_t count, int (*
     for (volatile size_t i = 0; i < count; i++) {
         switch (setjmp(cmocka_ended)) {
         case 0:
-            test[i].run(&state);
+            test[i].test_func(&state);
             break;
         case CMOCKA_SKIPPED:
             printf("skipped %s\n", test[i].name);

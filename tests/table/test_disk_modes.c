@@ -4,9 +4,6 @@
  * Bessel functions of Arb; the generator has none of them, but ratios of neighbouring orders. Each double must be the
  * one nearest to the exact number, and the modes as many as there are below the last. */
 #include "ball.h"
-#include "check.h"
-
-#include <math.h>
 
 #include "cor/disk.h"
 #include "generated/disk_modes_nu033.h"
@@ -301,9 +298,8 @@ static void check_mode(const struct material *m, const struct cor_disk_mode *mod
     bessel_clear(&k1);
 }
 
-static void every_mode(void **state)
+TEST(every_mode)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         struct material m;
         material_init(&m, table[i].nu_hundredths);
@@ -380,9 +376,8 @@ static slong count_below(const struct material *m, double omega)
     return count;
 }
 
-static void none_is_missing(void **state)
+TEST(none_is_missing)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         struct material m;
         material_init(&m, table[i].nu_hundredths);
@@ -406,8 +401,4 @@ static void none_is_missing(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_mode), cmocka_unit_test(none_is_missing)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(every_mode, none_is_missing)

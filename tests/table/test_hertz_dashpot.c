@@ -10,36 +10,31 @@
 static const struct law_functions functions = LAW_FUNCTIONS(
     "hertz_dashpot", "3/2", "0", cor_hertz_dashpot, COR_HERTZ_DASHPOT_EPS_MAX_ULP, COR_HERTZ_DASHPOT_TIME_MAX_ULP);
 
-static void test_bounds(void **state)
+TEST(test_bounds)
 {
-    (void)state;
     assert_true(COR_HERTZ_DASHPOT_LOSS_MAX_ULP == functions.one_ulp &&
                 COR_HERTZ_DASHPOT_MAX_OVERLAP_MAX_ULP == functions.one_ulp &&
                 COR_HERTZ_DASHPOT_BETA_MAX_ULP == functions.two_ulp);
 }
 
-static void test_special(void **state)
+TEST(test_special)
 {
-    (void)state;
     law_check_special(&functions);
     assert_true(cor_hertz_dashpot_beta_zero_overlap(0) == COR_HERTZ_DASHPOT_BETA_C);
 }
 
-static void test_random(void **state)
+TEST(test_random)
 {
-    (void)state;
     law_check_random(&functions, points(16));
 }
 
-static void test_borders(void **state)
+TEST(test_borders)
 {
-    (void)state;
     law_check_borders(&functions, points(4));
 }
 
-static void test_round_trip(void **state)
+TEST(test_round_trip)
 {
-    (void)state;
     law_check_round_trip(&functions, points(20000));
 }
 
@@ -136,9 +131,8 @@ static void check_approach(double worst[3], double beta, bool inverse)
 }
 
 /* Random beta, and the places where the series, the near rows, the octaves and the tail meet */
-static void test_approach_only(void **state)
+TEST(test_approach_only)
 {
-    (void)state;
     static const double borders[] = {0.0625, 0.125, 8};
     struct random_state r = random_start();
     double worst[3] = {0};
@@ -151,11 +145,4 @@ static void test_approach_only(void **state)
     print_message("approach only: eps %.3f, loss %.3f, duration %.3f ulp at the worst\n", worst[0], worst[1], worst[2]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bounds),  cmocka_unit_test(test_special),    cmocka_unit_test(test_random),
-        cmocka_unit_test(test_borders), cmocka_unit_test(test_round_trip), cmocka_unit_test(test_approach_only),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_bounds, test_special, test_random, test_borders, test_round_trip, test_approach_only)

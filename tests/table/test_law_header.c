@@ -10,27 +10,23 @@
 
 static const struct law_functions functions = LAW_FUNCTIONS(LAW_HEADER, LAW_ELASTIC, LAW_DAMPING, law, 1.0, 2.0);
 
-static void test_special(void **state)
+TEST(test_special)
 {
-    (void)state;
     law_check_special(&functions);
 }
 
-static void test_random(void **state)
+TEST(test_random)
 {
-    (void)state;
     law_check_random(&functions, points(200));
 }
 
-static void test_borders(void **state)
+TEST(test_borders)
 {
-    (void)state;
     law_check_borders(&functions, points(24));
 }
 
-static void test_round_trip(void **state)
+TEST(test_round_trip)
 {
-    (void)state;
     law_check_round_trip(&functions, points(20000));
 }
 
@@ -53,9 +49,8 @@ static void compare(law_function *one, law_function *other, double from, double 
     check(10 * same > 8 * n, "%s: the same bits at %zu of %zu places only", name, same, n);
 }
 
-static void test_sphere(void **state)
+TEST(test_sphere)
 {
-    (void)state;
 #define COMPARE(quantity, from, to, most) compare(law_##quantity, cor_sphere_##quantity, from, to, most, #quantity)
     COMPARE(eps_zero_overlap, 1e-300, 1e60, 2);
     COMPARE(eps_zero_force, 1e-300, 1e180, 2);
@@ -70,14 +65,4 @@ static void test_sphere(void **state)
 }
 #endif
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_special), cmocka_unit_test(test_random),
-        cmocka_unit_test(test_borders), cmocka_unit_test(test_round_trip),
-#ifdef LAW_IS_SPHERE
-        cmocka_unit_test(test_sphere),
-#endif
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_special, test_random, test_borders, test_round_trip, #ifdef LAW_IS_SPHERE test_sphere, #endif)

@@ -3,11 +3,8 @@
  * doubles are put into the formula of docs/header-format.md in exact arithmetic, and the result is held against
  * collisions enclosed at places of this test's own. The generator goes through high polynomials instead. */
 #include "ball.h"
-#include "check.h"
 
 #include <ctype.h>
-#include <math.h>
-#include <string.h>
 
 #include "enclosure/collision.h"
 #include "support/local.h"
@@ -411,9 +408,8 @@ static double promised(const struct table *t, slong row)
     return -log2(exp2(BETWEEN - t->bits[row]) + (t->variable == LOGARITHM ? TAIL_ERROR : 0));
 }
 
-static void test_rows(void **state)
+TEST(test_rows)
 {
-    (void)state;
     LOCAL(arb, y, beta, row, exact);
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
@@ -460,9 +456,8 @@ static void test_rows(void **state)
 }
 
 /* What the macros say of a table fits its rows, and no table is used beyond its last row. */
-static void test_geometry(void **state)
+TEST(test_geometry)
 {
-    (void)state;
     for (int i = 0; i < tables.count; i++) {
         const struct table *t = &tables.table[i];
         if (t->variable == NONE) {
@@ -515,9 +510,8 @@ static const struct table *other_table(const struct table *t, double beta)
 /* Every row of a table in x = beta^5, of the loss and of an inverse against rows in beta, its root or ln(beta), which
  * are held against collisions at more places: eps in x is eps, the loss is 1 - eps, and eps or the loss at the beta of
  * an inverse is what it was taken at. */
-static void test_rows_agree(void **state)
+TEST(test_rows_agree)
 {
-    (void)state;
     enum { PLACES = 4 };
     LOCAL(arb, y, x, beta, value, power);
     slong count = 0;
@@ -570,9 +564,8 @@ static void test_rows_agree(void **state)
 }
 
 /* c_0 is the double nearest to the value at the node, c_0' what it lacks. */
-static void test_nodes(void **state)
+TEST(test_nodes)
 {
-    (void)state;
     LOCAL(arb, y, beta, exact, sum, c);
     double worst = INFINITY;
     for (int i = 0; i < tables.count; i++) {
@@ -605,9 +598,8 @@ static void test_nodes(void **state)
 }
 
 /* cor_sphere.h holds the same doubles. */
-static void test_embedded_tables(void **state)
+TEST(test_embedded_tables)
 {
-    (void)state;
     slong numbers = 0;
     static struct tables embedded;
     read_tables(&embedded, "generated/cor_sphere.h");
@@ -627,9 +619,8 @@ static void test_embedded_tables(void **state)
     free_tables(&embedded);
 }
 
-static void test_h_star(void **state)
+TEST(test_h_star)
 {
-    (void)state;
     const struct table *t = find("h_star_5");
     LOCAL(arb, h, c);
     assert_int_equal(collision_h_star(h, 200), 0);
@@ -662,9 +653,8 @@ static void far_value(arb_t value, const struct table *t, const arb_t u)
             }
 }
 
-static void test_far(void **state)
+TEST(test_far)
 {
-    (void)state;
     static const double betas[] = {22027, 30000, 65536, 3e5, 1e6, 1e8};
     LOCAL(arb, beta, u, exact, value);
     int count = 0;
@@ -717,9 +707,8 @@ static void far_inverse(arb_t beta, const struct table *t, const arb_t eps)
 
 /* The collision at the far inverse's beta has the eps that the inverse was taken at; the relative error of beta is 3/5
  * of that of eps. */
-static void test_far_inverse(void **state)
+TEST(test_far_inverse)
 {
-    (void)state;
     const struct table *t = find("far_beta_zero_force");
     LOCAL(arb, eps, beta, exact, power);
     double worst = INFINITY;
@@ -755,9 +744,8 @@ static void assert_pair(const char *name, slong column, const arb_t exact)
 /* mu -> 0 in closed form (docs/derivation.md, 8): X = (3/2)^(2/3) is the largest overlap and the speed at zero force;
  * t_max -> (2/3) X (ln(3/X) + K + (5/3) u), t_zero_force -> (2/3) X (ln(3/sqrt(X)) + K + (10/3) u), with
  * K = ln(3)/2 - sqrt(3) pi/6; the fall takes (10/3) beta u and a constant. */
-static void test_leading_coefficients(void **state)
+TEST(test_leading_coefficients)
 {
-    (void)state;
     static const char *const times[] = {"far_time_of_max_overlap", "far_duration_zero_force"};
     LOCAL(arb, X, zero, a, b, log_3_and_K);
     arb_set_d(X, 1.5);
@@ -792,15 +780,7 @@ static void test_leading_coefficients(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_embedded_tables),
-        cmocka_unit_test(test_h_star),
-        cmocka_unit_test(test_geometry),
-        cmocka_unit_test(test_rows_agree),
-        cmocka_unit_test(test_nodes),
-        cmocka_unit_test(test_far),
-        cmocka_unit_test(test_far_inverse),
-        cmocka_unit_test(test_leading_coefficients),
-        cmocka_unit_test(test_rows),
-    };
+        test_embedded_tables,      test_h_star, test_geometry, test_rows_agree, test_nodes, test_far, test_far_inverse,
+        test_leading_coefficients, test_rows};
     return cmocka_run_group_tests(tests, setup, teardown);
 }

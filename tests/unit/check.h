@@ -21,6 +21,24 @@
 
 #include "random.h"
 
+/* TEST(name) { ... } is a test function, and RUN_TESTS(name, ...) the program that runs them in that order. */
+#define TEST(test)                                                                                                     \
+    static void test##_body(void);                                                                                     \
+    static void test##_run(void **state)                                                                               \
+    {                                                                                                                  \
+        (void)state;                                                                                                   \
+        test##_body();                                                                                                 \
+    }                                                                                                                  \
+    static const struct CMUnitTest test = {.name = #test, .test_func = test##_run};                                    \
+    static void test##_body(void)
+
+#define RUN_TESTS(...)                                                                                                 \
+    int main(void)                                                                                                     \
+    {                                                                                                                  \
+        const struct CMUnitTest tests[] = {__VA_ARGS__};                                                               \
+        return cmocka_run_group_tests(tests, NULL, NULL);                                                              \
+    }
+
 #define check(condition, ...)                                                                                          \
     do {                                                                                                               \
         if (!(condition)) {                                                                                            \

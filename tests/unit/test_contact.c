@@ -27,9 +27,8 @@ static struct cor_body wall(void)
  * rho = 2 * 7e10/(3 * 0.96) * sqrt(5e-4) = 4.86111...e10 * 0.0223606797749979 = 1.0869774890624e9,
  * rho/m = 2.1739549781248e14, its power 2/5 is 10^(0.4 * 14.3372505458) = 543125.531,
  * beta_per_root = 1.5 * 2e-7 * 543125.531 = 0.1629376593. */
-static void two_glass_spheres(void **state)
+TEST(two_glass_spheres)
 {
-    (void)state;
     struct cor_sphere_contact c;
     const struct cor_body body = glass();
     assert_int_equal(cor_sphere_contact_init(&c, &body, &body), COR_OK);
@@ -49,9 +48,8 @@ static void two_glass_spheres(void **state)
 
 /* By hand: the wall doubles both effective radius and effective mass, so rho grows by sqrt(2) and
  * rho/m falls by it: beta_per_root changes by the factor 2^(-1/5). */
-static void sphere_and_wall(void **state)
+TEST(sphere_and_wall)
 {
-    (void)state;
     struct cor_sphere_contact pair, single;
     const struct cor_body body = glass(), flat = wall();
     assert_int_equal(cor_sphere_contact_init(&pair, &body, &body), COR_OK);
@@ -66,9 +64,8 @@ static void sphere_and_wall(void **state)
  * E = 1/(1.82642857e-11) = 5.47516621e10; R = 0.75 mm;
  * rho = 4/3 * 5.47516621e10 * 0.0273861279 = 1.99925e9;
  * A = (2e-7 * 1.37142857 + 5e-8 * 0.455)/1.82642857 = 1.62632e-7 s. */
-static void different_materials(void **state)
+TEST(different_materials)
 {
-    (void)state;
     struct cor_sphere_contact c, swapped;
     const struct cor_body one = glass(), other = steel();
     assert_int_equal(cor_sphere_contact_init(&c, &one, &other), COR_OK);
@@ -96,9 +93,8 @@ static void different_materials(void **state)
     assert_true(COR_CONTACT_EPS_MAX_ERROR(1 + 2) == COR_CONTACT_EPS_MAX_ERROR(3));
 }
 
-static void against_long_double(void **state)
+TEST(against_long_double)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst[4] = {0};
     const long double c1 = 1.15344885809528879913L;
@@ -141,9 +137,8 @@ static void against_long_double(void **state)
         check(worst[k] <= COR_CONTACT_MAX_ULP, "%d: %Lg ulp", k, worst[k]);
 }
 
-static void speeds(void **state)
+TEST(speeds)
 {
-    (void)state;
     struct cor_sphere_contact c;
     assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
     const double bad[] = {-1, -smallest, -INFINITY, NAN};
@@ -176,9 +171,8 @@ static void speeds(void **state)
     assert_true(cor_contact_beta(&c, 0x1p1020) == 0x1p204);
 }
 
-static void characteristic_speed(void **state)
+TEST(characteristic_speed)
 {
-    (void)state;
     struct cor_sphere_contact c;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(2000); i++) {
@@ -262,9 +256,8 @@ static void refused(size_t member, double value, int status)
     all_nan(&c);
 }
 
-static void wrong_inputs(void **state)
+TEST(wrong_inputs)
 {
-    (void)state;
     const size_t young = offsetof(struct cor_body, young_modulus_pa);
     const size_t poisson = offsetof(struct cor_body, poisson_ratio);
     const size_t time = offsetof(struct cor_body, dissipation_time_s);
@@ -338,9 +331,8 @@ static void wrong_inputs(void **state)
     }
 }
 
-static void status_texts(void **state)
+TEST(status_texts)
 {
-    (void)state;
     /* a word that belongs to each sentence, by number */
     static const char *const word[] = {"No error",        "NULL",           "Young's modulus of",
                                        "Poisson's",       "dissipation",    "radius of",
@@ -377,9 +369,8 @@ static void in_doubles(double computed, long double exact, double bound)
 
 /* By hand: eta_1 = 1e3, eta_2 = 2e3 Pa s: (5e3)^2/8e3 = 3125; Y = 1e9 Pa, nu = 1/4:
  * (1 - 1/16)(1/2)/(1/16) = 7.5; A = 3125 * 7.5/3e9 = 7.8125e-6 s. */
-static void dissipation_time(void **state)
+TEST(dissipation_time)
 {
-    (void)state;
     check(relative_error(cor_dissipation_time_s(1e3, 2e3, 1e9, 0.25), 7.8125e-6L) < 1e-15L, "%.17g",
           cor_dissipation_time_s(1e3, 2e3, 1e9, 0.25));
     assert_true(cor_dissipation_time_s(3, 1, 1e9, 0.25) == 0); /* 3 eta_2 = eta_1 */
@@ -417,9 +408,8 @@ static void dissipation_time(void **state)
 }
 
 /* By hand: R = 1 cm of ice, 917 kg/m^3: 4.18879e-6 * 917 = 3.84112e-3 kg. */
-static void mass_of_a_sphere(void **state)
+TEST(mass_of_a_sphere)
 {
-    (void)state;
     check(relative_error(cor_sphere_mass_kg(0.01, 917), 3.84112e-3L) < 1e-6L, "%.10g", cor_sphere_mass_kg(0.01, 917));
     check(ulp_error(cor_sphere_mass_kg(1, 1), 4 * acosl(-1) / 3) <= 0.5L + 1e-3L, "4 pi/3");
     const double bad[] = {0, -1, NAN, -INFINITY};
@@ -468,9 +458,8 @@ static long double eps_error(int end, const struct cor_sphere_contact *c, double
     return fabsl(eps / exact - 1) / (bound + (LDBL_MANT_DIG >= 64 ? 0.02L : 16) * DBL_EPSILON);
 }
 
-static void eps_at_a_speed(void **state)
+TEST(eps_at_a_speed)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst[2] = {0};
     for (size_t i = 0; i < points(few_or_all(1000, 3000)); i++) {
@@ -508,9 +497,8 @@ static void eps_at_a_speed(void **state)
 }
 
 /* Contacts whose beta_per_root^5 is no double, with speeds that bring beta back to where something happens. */
-static void extreme_contacts(void **state)
+TEST(extreme_contacts)
 {
-    (void)state;
     struct cor_sphere_contact c;
     assert_int_equal(cor_sphere_contact_init_g_star(&c, 1), COR_OK);
     const double factor[] = {1e-61, 3e-61, 2e-60, 1e60, 3e61, 1e64, 1e-200, 1e200, 5e-310};
@@ -549,9 +537,8 @@ static void extreme_contacts(void **state)
     assert_true(cor_contact_eps_zero_force(&extreme, 1) == 1);
 }
 
-static void without_dissipation(void **state)
+TEST(without_dissipation)
 {
-    (void)state;
     struct cor_body elastic = glass();
     elastic.dissipation_time_s = 0;
     struct cor_sphere_contact c[2];
@@ -578,9 +565,8 @@ static void without_dissipation(void **state)
     no_dimensions(&c[1]);
 }
 
-static void special_values_of_dimensions(void **state)
+TEST(special_values_of_dimensions)
 {
-    (void)state;
     const struct cor_body body = glass();
     struct cor_sphere_contact c;
     assert_int_equal(cor_sphere_contact_init(&c, &body, &body), COR_OK);
@@ -617,9 +603,8 @@ static void special_values_of_dimensions(void **state)
 }
 
 /* From the materials, all in long double, and through the equation of motion. */
-static void dimensions_against_long_double(void **state)
+TEST(dimensions_against_long_double)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst[3] = {0};
     for (size_t i = 0; i < points(3000); i++) {
@@ -647,9 +632,8 @@ static void dimensions_against_long_double(void **state)
 }
 
 /* A -> eps -> A: what eps lost to rounding, and no more. */
-static void dissipation_time_from_eps(void **state)
+TEST(dissipation_time_from_eps)
 {
-    (void)state;
     struct random_state random = random_start();
     double (*const time[2])(const struct cor_sphere_contact *, double, double) = {
         cor_contact_dissipation_time_s_zero_overlap, cor_contact_dissipation_time_s_zero_force};
@@ -674,9 +658,8 @@ static void dissipation_time_from_eps(void **state)
     }
 }
 
-static void arrays(void **state)
+TEST(arrays)
 {
-    (void)state;
     enum { COUNT = 501 };
     static double speed[COUNT], eps[COUNT + 1];
     struct random_state random = random_start();
@@ -719,35 +702,14 @@ static void arrays(void **state)
         }
 }
 
-static void version(void **state)
+TEST(version)
 {
-    (void)state;
     char text[32];
     snprintf(text, sizeof text, "%d.%d.%d", COR_VERSION_MAJOR, COR_VERSION_MINOR, COR_VERSION_PATCH);
     assert_string_equal(text, COR_VERSION_STRING);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_glass_spheres),
-        cmocka_unit_test(sphere_and_wall),
-        cmocka_unit_test(different_materials),
-        cmocka_unit_test(against_long_double),
-        cmocka_unit_test(speeds),
-        cmocka_unit_test(characteristic_speed),
-        cmocka_unit_test(wrong_inputs),
-        cmocka_unit_test(status_texts),
-        cmocka_unit_test(dissipation_time),
-        cmocka_unit_test(mass_of_a_sphere),
-        cmocka_unit_test(eps_at_a_speed),
-        cmocka_unit_test(extreme_contacts),
-        cmocka_unit_test(without_dissipation),
-        cmocka_unit_test(special_values_of_dimensions),
-        cmocka_unit_test(dimensions_against_long_double),
-        cmocka_unit_test(dissipation_time_from_eps),
-        cmocka_unit_test(arrays),
-        cmocka_unit_test(version),
-    };
-    return cmocka_run_group_tests_name("contact", tests, NULL, NULL);
-}
+RUN_TESTS(two_glass_spheres, sphere_and_wall, different_materials, against_long_double, speeds, characteristic_speed,
+          wrong_inputs, status_texts, dissipation_time, mass_of_a_sphere, eps_at_a_speed, extreme_contacts,
+          without_dissipation, special_values_of_dimensions, dimensions_against_long_double, dissipation_time_from_eps,
+          arrays, version)

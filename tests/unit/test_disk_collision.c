@@ -70,9 +70,8 @@ static void same_results(const struct cor_disk_collision *x, const struct cor_di
 /* ---- values ---- */
 
 /* DISKS, section 4, to the digits given; nu = 0.33, alpha = 500, v = 0.1 */
-static void known_answers(void **state)
+TEST(known_answers)
 {
-    (void)state;
     static const struct {
         size_t n;
         double eps, unit;
@@ -138,9 +137,8 @@ static void as_reference(const struct cor_disk_modes *modes, size_t n, double al
           "N = %zu, alpha = %g, v = %g: a mode's mean energy is off %g", n, alpha, v, off_average);
 }
 
-static void reference(void **state)
+TEST(reference)
 {
-    (void)state;
     leave_to_turn(1, 3);
     static const struct {
         double nu;
@@ -232,9 +230,8 @@ static int any(const struct cor_disk_mode *m)
     return m->n > 0;
 }
 
-static void subsets(void **state)
+TEST(subsets)
 {
-    (void)state;
     static const struct {
         int (*kept)(const struct cor_disk_mode *);
         size_t count;
@@ -256,9 +253,8 @@ static void subsets(void **state)
 
 /* One strong mode takes nearly all the speed; the disk has left the wall by 0.07 when the rim comes again, 3.5 later.
  */
-static void second_contact(void **state)
+TEST(second_contact)
 {
-    (void)state;
     some[0] = (struct cor_disk_mode){2, 0, 1.2, 0.84, 0};
     const struct cor_disk_modes modes = {0.33, 1, some};
     as_reference(&modes, 1, 800, 0.1, 1e-11);
@@ -293,9 +289,8 @@ static void no_resonance(const struct cor_disk_modes *modes, size_t n, double al
 }
 
 /* n = 0, omega up to 4000: no resonance of the step with fast modes, and as the reference says */
-static void radial(void **state)
+TEST(radial)
 {
-    (void)state;
     leave_to_turn(0, 3);
     const struct cor_disk_modes modes = radial_modes(0.33, N_0);
     for (size_t i = 0, k = 0; i < TABLE; i++) /* as the table has them */
@@ -365,9 +360,8 @@ static void kept(const struct cor_disk_modes *modes, size_t n, double alpha, dou
           "N = %zu, alpha = %a, v = %a: %.17Lg and %.17g", n, alpha, v, sum, out.one_minus_eps2);
 }
 
-static void tolerances(void **state)
+TEST(tolerances)
 {
-    (void)state;
     leave_to_turn(2, 3);
     static const struct {
         double nu;
@@ -400,9 +394,8 @@ static void tolerances(void **state)
 }
 
 /* The lowest modes and the fast ones of n = 0: no multiple of pi of omega h feeds energy into a mode. */
-static void fast_radial(void **state)
+TEST(fast_radial)
 {
-    (void)state;
     static const double alpha[] = {200, 2000};
     double worst = 0;
     for (size_t i = 0; i < 4; i++) {
@@ -417,9 +410,8 @@ static void fast_radial(void **state)
 }
 
 /* At the edges of what may be asked for */
-static void extreme_tolerances(void **state)
+TEST(extreme_tolerances)
 {
-    (void)state;
     struct cor_disk_collision finest, coarsest;
     disk_collide(&cor_disk_modes_nu033, 3, 500, 0.1, COR_DISK_COLLISION_MIN_TOLERANCE, &finest);
     assert_true(finest.error_estimate < 1e-12);
@@ -430,9 +422,8 @@ static void extreme_tolerances(void **state)
 }
 
 /* The wall's force at angles of the caller's choice */
-static void phi_points(void **state)
+TEST(phi_points)
 {
-    (void)state;
     struct cor_disk_collision truth, out;
     assert_int_equal(disk_collide(&cor_disk_modes_nu033, 10, 500, 0.1, 1e-12, &truth), COR_OK);
     size_t kept_from = 0;
@@ -494,9 +485,8 @@ static void write_down(void *context, const struct cor_disk_moment *moment)
     d->count++;
 }
 
-static void moments(void **state)
+TEST(moments)
 {
-    (void)state;
     static const struct {
         double nu;
         size_t n;
@@ -543,9 +533,8 @@ static void moments(void **state)
 
 /* ---- the same every time ---- */
 
-static void same_every_time(void **state)
+TEST(same_every_time)
 {
-    (void)state;
     const struct cor_disk_collision_options options = {500, 1e-7, 0, 0};
     const struct cor_disk_collision_detail detail = {.energy_after = after, .energy_average = average};
     const size_t n = 20, bytes = cor_disk_collision_workspace(&cor_disk_modes_nu033, n, &options);
@@ -587,9 +576,8 @@ static void same_every_time(void **state)
 /* ---- hard cases ---- */
 
 /* Chaotic: eps moves in the third digit with the steps, the estimate says so, energy holds. */
-static void chaotic(void **state)
+TEST(chaotic)
 {
-    (void)state;
     if (points(2) < 2)
         return;
     struct cor_disk_collision out;
@@ -615,9 +603,8 @@ static void chaotic(void **state)
     assert_true(fabs(diary.drift) < 1e-4);
 }
 
-static void never_touched(void **state)
+TEST(never_touched)
 {
-    (void)state;
     const double speed[] = {0, -0.0, -1e-300, -0.1, -1, -INFINITY};
     for (size_t i = 0; i < sizeof speed / sizeof *speed; i++) {
         struct cor_disk_collision out;
@@ -629,9 +616,8 @@ static void never_touched(void **state)
 }
 
 /* Given up in the time of so many steps, before the contact if it can be foreseen */
-static void never_ended(void **state)
+TEST(never_ended)
 {
-    (void)state;
     static const struct {
         double alpha, v;
         size_t n;
@@ -655,9 +641,8 @@ static void never_ended(void **state)
 }
 
 /* Simulators trap these, and errno is theirs: whatever the speed, the wall and the angles, also where runs fail. */
-static void no_exceptions(void **state)
+TEST(no_exceptions)
 {
-    (void)state;
     static const double alpha[] = {40, 500, 4000, 1e5}, speed[] = {0x1p-1074, 1e-160, 1e-7, 0.003, 0.1, 0.5};
     static const size_t angles[] = {0, 1, 2, 7, 50};
     for (size_t i = 0; i < sizeof alpha / sizeof *alpha; i++)
@@ -679,9 +664,8 @@ static void no_exceptions(void **state)
 
 enum { CANARIES = 64 };
 
-static void workspaces(void **state)
+TEST(workspaces)
 {
-    (void)state;
     static const struct {
         double nu;
         size_t n;
@@ -732,9 +716,8 @@ static void workspaces(void **state)
 
 /* Many speeds have the bits of single calls, in any order: numbers of angles that stay, grow and shrink, speeds that
  * are refused, tolerances that are not reached, and a budget that each speed has for itself. */
-static void many_speeds(void **state)
+TEST(many_speeds)
 {
-    (void)state;
     static const double speed[] = {0.1, 0.1, 0.002, 0.3, NAN, 0.05, 0.500001, 0, -1, INFINITY, 0.5, 1e-9, 0.1, -0.0};
     enum { SPEEDS = sizeof speed / sizeof *speed, SCENES = 4 };
     static const struct {
@@ -802,9 +785,8 @@ static void refused(const struct cor_disk_modes *modes, size_t n, const struct c
     assert_memory_equal(&out, &untouched, sizeof out);
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
     const struct cor_disk_collision_options good = {500, 1e-3, 0, 0};
     struct cor_disk_collision out;
@@ -881,18 +863,6 @@ static void refusals(void **state)
                 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_answers),   cmocka_unit_test(reference),
-        cmocka_unit_test(subsets),         cmocka_unit_test(second_contact),
-        cmocka_unit_test(radial),          cmocka_unit_test(tolerances),
-        cmocka_unit_test(fast_radial),     cmocka_unit_test(extreme_tolerances),
-        cmocka_unit_test(phi_points),      cmocka_unit_test(moments),
-        cmocka_unit_test(same_every_time), cmocka_unit_test(chaotic),
-        cmocka_unit_test(never_touched),   cmocka_unit_test(never_ended),
-        cmocka_unit_test(no_exceptions),   cmocka_unit_test(workspaces),
-        cmocka_unit_test(many_speeds),     cmocka_unit_test(refusals),
-    };
-    return cmocka_run_group_tests_name("disk_collision", tests, NULL, NULL);
-}
+RUN_TESTS(known_answers, reference, subsets, second_contact, radial, tolerances, fast_radial, extreme_tolerances,
+          phi_points, moments, same_every_time, chaotic, never_touched, never_ended, no_exceptions, workspaces,
+          many_speeds, refusals)

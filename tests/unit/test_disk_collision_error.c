@@ -232,9 +232,8 @@ static void judge_all(int larger, size_t count, struct tally *t)
           "%zu estimates are too small, one by %.2g", t->too_small, t->worst_of_estimate);
 }
 
-static void random_scenes(void **state)
+TEST(random_scenes)
 {
-    (void)state;
     struct tally t;
     judge_all(0, points(few_or_all(2, 12)), &t);
     const double scenes = (double)t.scenes;
@@ -242,9 +241,8 @@ static void random_scenes(void **state)
     check((double)t.undecided <= 0.002 * scenes, "%zu of %zu scenes without a reference", t.undecided, t.scenes);
 }
 
-static void larger_scenes(void **state)
+TEST(larger_scenes)
 {
-    (void)state;
     struct tally t;
     judge_all(1, points(few_or_all(1, 12)), &t);
     const double scenes = (double)t.scenes;
@@ -333,16 +331,14 @@ static void scenes_known(size_t first, size_t end)
     }
 }
 
-static void known(void **state)
+TEST(known)
 {
-    (void)state;
     scenes_known(0, KNOWN - LONG_ONLY - IN_TURN);
     scenes_known(KNOWN - LONG_ONLY, few_or_all(KNOWN - LONG_ONLY, KNOWN));
 }
 
-static void known_in_turn(void **state)
+TEST(known_in_turn)
 {
-    (void)state;
     leave_to_turn(2, 3);
     scenes_known(KNOWN - LONG_ONLY - IN_TURN, KNOWN - LONG_ONLY - (points(2) < 2)); /* a tenth: without the last */
 }
@@ -352,9 +348,8 @@ static const double chaotic_eps = 0.7435;
 
 /* Chaotic: an ulp of v changes every digit of eps. The budget of 0 takes 5 s without sanitizers, so only where more
  * points are asked for. */
-static void chaotic_940_modes(void **state)
+TEST(chaotic_940_modes)
 {
-    (void)state;
     const struct scene s = {0.9, 940, 2000, 0.3, 1e-9};
     struct cor_disk_collision out;
     const double start = processor_seconds();
@@ -372,9 +367,8 @@ static void chaotic_940_modes(void **state)
 /* ---- the amplification of errors ---- */
 
 /* eps can be no better than an ulp of v times d eps/d v. */
-static void amplification(void **state)
+TEST(amplification)
 {
-    (void)state;
     leave_to_turn(0, 3);
     static const struct scene scene[] = {{0.33, 24, 4000, 0.1, 1e-9},
                                          {0.33, 52, 1313, 0.104, 1e-11},
@@ -396,9 +390,8 @@ static void amplification(void **state)
 
 /* ---- budgets ---- */
 
-static void budgets(void **state)
+TEST(budgets)
 {
-    (void)state;
     const struct scene s = {0.33, 20, 500, 0.1, 1e-9};
     struct reference_collision truth;
     struct cor_disk_collision out, free_of_budget;
@@ -441,12 +434,4 @@ static void budgets(void **state)
     assert_true(isnan(average[0]) && isnan(average[19]));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known),         cmocka_unit_test(known_in_turn), cmocka_unit_test(chaotic_940_modes),
-        cmocka_unit_test(amplification), cmocka_unit_test(budgets),       cmocka_unit_test(random_scenes),
-        cmocka_unit_test(larger_scenes),
-    };
-    return cmocka_run_group_tests_name("disk_collision_error", tests, NULL, NULL);
-}
+RUN_TESTS(known, known_in_turn, chaotic_940_modes, amplification, budgets, random_scenes, larger_scenes)

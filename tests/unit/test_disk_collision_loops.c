@@ -87,9 +87,8 @@ static void pass_through(const struct cor_collision_loops *loops, const struct i
     out->softened_load = loops->soften(in->points, in->factor, out->reach, out->softened, &out->greatest);
 }
 
-static void test_every_set(void **unused)
+TEST(test_every_set)
 {
-    (void)unused;
     struct random_state random = random_start();
     static struct input in;
     static struct output start, by_portable, by_set;
@@ -116,9 +115,8 @@ static int near(double computed, long double exact, size_t terms, double size)
     return fabsl(computed - exact) <= ((long double)terms + 4) * size * DBL_EPSILON;
 }
 
-static void test_meaning(void **unused)
+TEST(test_meaning)
 {
-    (void)unused;
     struct random_state random = random_start();
     static struct input in;
     static struct output start, out;
@@ -198,9 +196,8 @@ static void test_meaning(void **unused)
 }
 
 /* The exponential where it begins, where it ends, and where its pieces meet; NaN stays NaN or is 0, never a number */
-static void test_exponential(void **unused)
+TEST(test_exponential)
 {
-    (void)unused;
     static double reach[COR_PANEL], pressure[COR_PANEL], weight[COR_PANEL];
     for (size_t j = 0; j < COR_PANEL; j++)
         weight[j] = 1;
@@ -224,12 +221,4 @@ static void test_exponential(void **unused)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_set),
-        cmocka_unit_test(test_meaning),
-        cmocka_unit_test(test_exponential),
-    };
-    return cmocka_run_group_tests_name("disk_collision_loops", tests, NULL, NULL);
-}
+RUN_TESTS(test_every_set, test_meaning, test_exponential)

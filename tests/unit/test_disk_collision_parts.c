@@ -46,9 +46,8 @@ static void stage_end(struct stage *stage)
 
 /* ---- drift ---- */
 
-static void drift(void **state)
+TEST(drift)
 {
-    (void)state;
     enum { MODES = 9 };
     struct random_state random = random_start();
     struct stage stage;
@@ -116,9 +115,8 @@ static long double modified_potential(const struct potential *p, const long doub
 }
 
 /* A kick changes v and the modes' p by -h times the gradient, over m and over sqrt(m omega). */
-static void kick(void **state)
+TEST(kick)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t k = 0; k < points(20); k++) {
         const struct potential p = {48, random_log(&random, 50, 500), random_log(&random, 0.001, 0.02)};
@@ -162,9 +160,8 @@ static void kick(void **state)
 }
 
 /* h^2 alpha a may come up to 3, no further: it grows with the square of the step. */
-static void stiffness(void **state)
+TEST(stiffness)
 {
-    (void)state;
     static const struct {
         double stiffness;
         enum cor_collision_kick kick;
@@ -188,9 +185,8 @@ static void stiffness(void **state)
 }
 
 /* A scan says whether an angle outside the window had a pressure above 1e-14 of the load, unless the load is none. */
-static void window(void **state)
+TEST(window)
 {
-    (void)state;
     enum { PHI = 256 };
     static const struct {
         double alpha, depth;
@@ -232,9 +228,8 @@ static void window(void **state)
 /* ---- extrapolation ---- */
 
 /* Series in h^4, h^6, ... and h^2, h^4, ... with as many terms as there are runs less one are extrapolated exactly. */
-static void extrapolation(void **state)
+TEST(extrapolation)
 {
-    (void)state;
     struct random_state random = random_start();
     enum { LEVELS = COR_COLLISION_LEVELS };
     for (int levels = 2; levels <= LEVELS; levels++) {
@@ -286,9 +281,8 @@ static void extrapolation(void **state)
 }
 
 /* An energy below none counts as none, and the results say how much it was. */
-static void negative_energy(void **state)
+TEST(negative_energy)
 {
-    (void)state;
     double after[2][2] = {{0.2, 0.04}, {0.25, 0.01}}, found[2];
     struct cor_motion m;
     struct cor_collision_run run[2];
@@ -334,9 +328,8 @@ static struct cor_motion motion_at(double alpha_v)
     return m;
 }
 
-static void step_error(void **state)
+TEST(step_error)
 {
-    (void)state;
     struct cor_collision_evidence evidence;
     const struct cor_motion soft = motion_at(23.9);
     remainder_of(&evidence, 1, 0, 0.1);
@@ -369,9 +362,8 @@ static void step_error(void **state)
 }
 
 /* At a hard wall, the movements that are small by chance count less: alpha v = 24 is the first. */
-static void hard_wall_step_error(void **state)
+TEST(hard_wall_step_error)
 {
-    (void)state;
     struct cor_collision_evidence evidence;
     const struct cor_motion soft = motion_at(nextafter(24, 0)), hard = motion_at(24);
     remainder_of(&evidence, 1, 0, 0.1);
@@ -395,9 +387,8 @@ static void hard_wall_step_error(void **state)
 }
 
 /* Energies that move while eps does not count as well. */
-static void energies_move(void **state)
+TEST(energies_move)
 {
-    (void)state;
     double after[2][2] = {{0.2, 0.04}, {0.21, 0.03}};
     struct cor_motion m;
     struct cor_collision_run run[2];
@@ -413,9 +404,8 @@ static void energies_move(void **state)
 
 /* ---- the other errors ---- */
 
-static void other_errors(void **state)
+TEST(other_errors)
 {
-    (void)state;
     struct stage stage;
     stage_begin(&stage, 5, 500, 0.1, 96, 0.01);
     struct cor_collision_evidence calm, wild;
@@ -450,9 +440,8 @@ static void other_errors(void **state)
 
 /* The collision amplifies the error of the angles: by a bound, of which calm collisions have a thousandth, by what was
  * measured, or as a run with other angles shows. */
-static void angles_error(void **state)
+TEST(angles_error)
 {
-    (void)state;
     struct stage stage;
     stage_begin(&stage, 5, 500, 0.1, 96, 0.01);
     struct cor_collision_evidence evidence;
@@ -492,9 +481,8 @@ static void angles_error(void **state)
 }
 
 /* The mean of the moments with angles and with shifted ones is that with twice as many. */
-static void shifted_angles(void **state)
+TEST(shifted_angles)
 {
-    (void)state;
     enum { PHI = 19, TERMS = 8 };
     struct stage stage;
     double sum[TERMS] = {0};
@@ -515,9 +503,8 @@ static void shifted_angles(void **state)
 
 /* ---- the budget ---- */
 
-static void work(void **state)
+TEST(work)
 {
-    (void)state;
     struct stage stage;
     stage_begin(&stage, 5, 500, 0.1, 96, 0.01);
     struct cor_motion *const m = &stage.m;
@@ -543,16 +530,5 @@ static void work(void **state)
     stage_end(&stage);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(drift),         cmocka_unit_test(kick),
-        cmocka_unit_test(stiffness),     cmocka_unit_test(window),
-        cmocka_unit_test(extrapolation), cmocka_unit_test(negative_energy),
-        cmocka_unit_test(step_error),    cmocka_unit_test(hard_wall_step_error),
-        cmocka_unit_test(energies_move), cmocka_unit_test(other_errors),
-        cmocka_unit_test(angles_error),  cmocka_unit_test(shifted_angles),
-        cmocka_unit_test(work),
-    };
-    return cmocka_run_group_tests_name("disk_collision_parts", tests, NULL, NULL);
-}
+RUN_TESTS(drift, kick, stiffness, window, extrapolation, negative_energy, step_error, hard_wall_step_error,
+          energies_move, other_errors, angles_error, shifted_angles, work)

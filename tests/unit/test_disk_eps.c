@@ -15,9 +15,8 @@ enum { CELLS = sizeof cor_disk_limit_cell / sizeof *cor_disk_limit_cell };
 /* ---- the table ---- */
 
 /* Each node but the roots is one of the four quarters of one cell, and each cell belongs to one node. */
-static void test_tree(void **state)
+TEST(test_tree)
 {
-    (void)state;
     enum { NODES = sizeof cor_disk_limit_node / sizeof *cor_disk_limit_node };
     static int quarters_of[NODES], nodes_of[CELLS];
     for (int i = 0; i < NODES; i++) {
@@ -129,9 +128,8 @@ static long double joined(const struct place *at, long double x, long double y, 
     return 1e-7L * (neville(along, y_in) + neville(beside, x_in));
 }
 
-static void test_between(void **state)
+TEST(test_between)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t k = points(20000); k > 0; k--) {
         const double v = random_log(&random, COR_DISK_EPS_MIN_SPEED, COR_DISK_EPS_MAX_SPEED);
@@ -201,9 +199,8 @@ static const struct place *places_of_cells(void)
 }
 
 /* The sides of all cells, in v and in nu: no jump but rounding. COR_TEST_MULTIPLIER=250: 14 10^6 pairs. */
-static void test_borders(void **state)
+TEST(test_borders)
 {
-    (void)state;
     struct random_state random = random_start();
     const struct place *const of_cell = places_of_cells();
     size_t pairs = 0, unequal = 0;
@@ -258,9 +255,8 @@ static void tally_print(const struct tally *tally, const char *which)
 }
 
 /* At places off the grid, collisions: none farther off than the uncertainty. COR_TEST_MULTIPLIER=250: 1000 places. */
-static void test_uncertainty(void **state)
+TEST(test_uncertainty)
 {
-    (void)state;
     struct random_state random = random_start();
     const double first = pow(COR_DISK_EPS_MIN_SPEED, 0.125), last = pow(COR_DISK_EPS_MAX_SPEED, 0.125);
     struct tally tally = {0};
@@ -274,9 +270,8 @@ static void test_uncertainty(void **state)
 
 /* Where a cell ends and those beyond are smaller, and in the cell up to a third of it from there: the uncertainty of
  * either side covers the error. COR_TEST_MULTIPLIER=250: 500 places. */
-static void test_uncertainty_at_borders(void **state)
+TEST(test_uncertainty_at_borders)
 {
-    (void)state;
     struct random_state random = random_start();
     const struct place *const of_cell = places_of_cells();
     struct tally on = {0}, near = {0};
@@ -303,9 +298,8 @@ static void test_uncertainty_at_borders(void **state)
 
 /* ---- the functions ---- */
 
-static void test_one_another(void **state)
+TEST(test_one_another)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t k = points(20000); k > 0; k--) {
         const double v = random_log(&random, COR_DISK_EPS_MIN_SPEED, COR_DISK_EPS_MAX_SPEED);
@@ -330,9 +324,8 @@ static void expect_nan(double speed, double nu)
     assert_true(isnan(cor_disk_one_minus_eps2_uncertainty(speed, nu)));
 }
 
-static void test_domain(void **state)
+TEST(test_domain)
 {
-    (void)state;
     static const double speeds[] = {COR_DISK_EPS_MIN_SPEED, COR_DISK_EPS_MAX_SPEED};
     static const double nus[] = {COR_DISK_EPS_MIN_NU, COR_DISK_EPS_MAX_NU};
     for (int i = 0; i < 2; i++)
@@ -356,9 +349,8 @@ static void test_domain(void **state)
 /* ---- what else is known ---- */
 
 /* From the prototype of the method, another program by another hand, with the errors judged there */
-static void test_known(void **state)
+TEST(test_known)
 {
-    (void)state;
     static const struct {
         double speed, one_minus_eps2, error;
     } known[] = {{0.03, 0.0332486, 5e-7}, {0.1, 0.1030896, 5e-7}, {0.3, 0.293641, 3e-6}};
@@ -371,9 +363,8 @@ static void test_known(void **state)
 }
 
 /* Fewer modes and a softer wall: the limit lies beyond a collision with 1800 modes and a harder wall takes it there. */
-static void test_collisions(void **state)
+TEST(test_collisions)
 {
-    (void)state;
     static const double speeds[] = {0.03, 0.1, 0.3};
     for (int i = 0; i < 3; i++) {
         struct cor_disk_collision soft, hard;
@@ -390,9 +381,8 @@ static void test_collisions(void **state)
 }
 
 /* As slow as it gets, eps oscillates in ln v as Rayleigh's method has it, at other speeds but as much. */
-static void test_rayleigh(void **state)
+TEST(test_rayleigh)
 {
-    (void)state;
     double of_dynamics = 0, of_rayleigh = 0, place = 0, dip = 1, dip_place = 0;
     for (double v = 1e-3; v < 0.03; v *= 1.01) {
         const double loss = cor_disk_one_minus_eps2(v, 0.33);
@@ -417,19 +407,5 @@ static void test_rayleigh(void **state)
     check(place < 0.004 && dip_place > 0.013 && dip_place < 0.02, "largest at %.4f, least at %.4f", place, dip_place);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tree),
-        cmocka_unit_test(test_between),
-        cmocka_unit_test(test_uncertainty),
-        cmocka_unit_test(test_borders),
-        cmocka_unit_test(test_uncertainty_at_borders),
-        cmocka_unit_test(test_one_another),
-        cmocka_unit_test(test_domain),
-        cmocka_unit_test(test_known),
-        cmocka_unit_test(test_collisions),
-        cmocka_unit_test(test_rayleigh),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_tree, test_between, test_uncertainty, test_borders, test_uncertainty_at_borders, test_one_another,
+          test_domain, test_known, test_collisions, test_rayleigh)

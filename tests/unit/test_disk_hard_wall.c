@@ -52,9 +52,8 @@ static void same_results(const struct cor_disk_hard_wall *x, const struct cor_di
 /* ---- values ---- */
 
 /* From the prototype of the method, another program by another hand, with the errors judged there */
-static void known_answers(void **state)
+TEST(known_answers)
 {
-    (void)state;
     static const struct {
         double speed, one_minus_eps2, error;
     } known[] = {{0.03, 0.0332486, 5e-7}, {0.1, 0.1030896, 5e-7}, {0.3, 0.293641, 3e-6}};
@@ -77,9 +76,8 @@ static void known_answers(void **state)
 }
 
 /* The proved table of 1800 modes and as many computed ones; and fewer, which the table's length must not matter to */
-static void proved_modes(void **state)
+TEST(proved_modes)
 {
-    (void)state;
     const struct cor_disk_hard_wall_options options = {1e-3, 0};
     struct cor_disk_mode mode[2000];
     struct cor_disk_modes computed;
@@ -101,9 +99,8 @@ static void proved_modes(void **state)
 /* ---- the error ---- */
 
 /* At random scenes, the estimate is at least the error, judged by two more levels with finer steps and angles. */
-static void errors(void **state)
+TEST(errors)
 {
-    (void)state;
     static const double tolerances[] = {1e-3, 1e-4, 1e-5, 3e-6};
     struct random_state random = random_start();
     double worst = 0;
@@ -142,9 +139,8 @@ static void errors(void **state)
 
 /* At random scenes, a budget in operations is kept but for a batch of steps. Where it, or one in steps, ends the ladder
  * the result is that of the levels made, with their estimate, as from modes that end there. */
-static void budgets(void **state)
+TEST(budgets)
 {
-    (void)state;
     struct random_state random = random_start();
     int ended = 0;
     double worst = 0;
@@ -202,9 +198,8 @@ static void budgets(void **state)
 }
 
 /* The budget of cor_disk_hard_wall_nu, at a scene that took a minute */
-static void whole_budget(void **state)
+TEST(whole_budget)
 {
-    (void)state;
     if (!few_or_all(0, 1))
         skip();
     const struct cor_disk_hard_wall_options options = {1e-6, 0};
@@ -220,9 +215,8 @@ static void whole_budget(void **state)
 
 /* Ladders that agreed by chance: the fourth and fifth of six levels, and five levels that converged regularly before
  * the sixth moved. The values are those of ten and eleven levels. */
-static void levels_that_agree_by_chance(void **state)
+TEST(levels_that_agree_by_chance)
 {
-    (void)state;
     static const struct {
         double nu, speed, tolerance, one_minus_eps2, error;
     } scene[] = {{-0.39751903436160374, 0.1787946778185473, 1e-4, 0.141706, 5e-6},
@@ -251,9 +245,8 @@ static void levels_that_agree_by_chance(void **state)
 /* ---- any speed ---- */
 
 /* Rayleigh's theory is approached slowly; the ratio to its fraction oscillates at first. */
-static void slower_and_slower(void **state)
+TEST(slower_and_slower)
 {
-    (void)state;
     static const double exponents[] = {-3, -8, -30, -128, -300};
     const struct cor_disk_modes modes = modes_of(0.33, 8);
     double apart = INFINITY;
@@ -283,9 +276,8 @@ static void slower_and_slower(void **state)
 }
 
 /* The point contact and the full method meet, and the smallest normal and the smallest double are speeds too. */
-static void joins(void **state)
+TEST(joins)
 {
-    (void)state;
     const struct cor_disk_modes modes = modes_of(0.33, 8);
     const double speed = COR_DISK_HARD_WALL_POINT_SPEED;
     const struct cor_disk_hard_wall full = wall_collide(&modes, speed, 1e-5, COR_OK);
@@ -306,9 +298,8 @@ static void joins(void **state)
 }
 
 /* Without a table: what a table of as many modes gives */
-static void without_a_table(void **state)
+TEST(without_a_table)
 {
-    (void)state;
     const struct cor_disk_hard_wall_options options = {1e-5, 0};
     const struct cor_disk_modes modes = modes_of(0.25, 9);
     struct cor_disk_hard_wall out;
@@ -373,9 +364,8 @@ static void watch(void *context, const struct cor_disk_hard_wall_moment *moment)
     w->moments++;
 }
 
-static void details(void **state)
+TEST(details)
 {
-    (void)state;
     enum { N = 1800 };
     static double after[N], average[N], q[N], q_dot[N];
     static const double speeds[] = {0.1, 0.01, 1e-9};
@@ -423,9 +413,8 @@ static void details(void **state)
 
 /* ---- what is refused ---- */
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
     const struct cor_disk_hard_wall_options good = {1e-3, 0};
     struct cor_disk_hard_wall out = {7, 7, 7, 7, 7, 7};
@@ -506,9 +495,8 @@ static void refusals(void **state)
 
 /* The estimate at a calm scene is never below three times the last change, with noise and unseen waves: of tables that
  * end earlier and earlier, each gives one more level. */
-static void parts_of_the_estimate(void **state)
+TEST(parts_of_the_estimate)
 {
-    (void)state;
     enum { LEVELS = 6 };
     const double tolerance = 1e-6, noise = NOISE * pow(tolerance / 4e-6, 2.5 / 3);
     struct random_state random = random_start();
@@ -530,21 +518,5 @@ static void parts_of_the_estimate(void **state)
     free((void *)modes.mode);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_answers),
-        cmocka_unit_test(proved_modes),
-        cmocka_unit_test(errors),
-        cmocka_unit_test(budgets),
-        cmocka_unit_test(whole_budget),
-        cmocka_unit_test(levels_that_agree_by_chance),
-        cmocka_unit_test(slower_and_slower),
-        cmocka_unit_test(joins),
-        cmocka_unit_test(without_a_table),
-        cmocka_unit_test(details),
-        cmocka_unit_test(refusals),
-        cmocka_unit_test(parts_of_the_estimate),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(known_answers, proved_modes, errors, budgets, whole_budget, levels_that_agree_by_chance, slower_and_slower,
+          joins, without_a_table, details, refusals, parts_of_the_estimate)

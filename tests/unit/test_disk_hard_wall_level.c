@@ -97,9 +97,8 @@ static void as_written_out(double nu, double speed, double omega, enum cor_hard_
           speed, level.one_minus_eps2, reference);
 }
 
-static void written_out(void **state)
+TEST(written_out)
 {
-    (void)state;
     struct random_state random = random_start();
     as_written_out(0.33, 0.1, 20, COR_HARD_WALL_FADE);
     as_written_out(0.33, 0.1, 20, COR_HARD_WALL_PLAIN_FADE);
@@ -111,9 +110,8 @@ static void written_out(void **state)
 }
 
 /* nu -> 1 and speeds at which the contact splits: pivoting, and not one piece only */
-static void in_pieces(void **state)
+TEST(in_pieces)
 {
-    (void)state;
     leave_to_turn(3, 3);
     const double nu = 0.9, speed = 0.25, omega = 60;
     const struct cor_disk_modes modes = modes_of(nu, omega);
@@ -147,9 +145,8 @@ static double extrapolated(const struct cor_disk_modes *modes, double speed, dou
 }
 
 /* Both fades tend to one limit; at Omega = 170 they are within 2e-5 of it at hard scenes, closer elsewhere. */
-static void two_fades(void **state)
+TEST(two_fades)
 {
-    (void)state;
     leave_to_turn(0, 3);
     struct random_state random = random_start();
     const double omega = 120 * sqrt(2);
@@ -167,9 +164,8 @@ static void two_fades(void **state)
     print_message("largest difference %.1e\n", worst);
 }
 
-static void shifted_by_half_a_cell(void **state)
+TEST(shifted_by_half_a_cell)
 {
-    (void)state;
     leave_to_turn(2, 3);
     const double speed = 0.1, omega = 24;
     const struct cor_disk_modes modes = modes_of(0.33, omega);
@@ -190,9 +186,8 @@ static void shifted_by_half_a_cell(void **state)
 /* The compliance under kicks takes away the error h^2 of the steps: from Omega h = 0.8 to 0.2 nothing happens, where
  * plain kicks are off by 1e-4. So does true_depth for the largest depth. And energy is what the centre of mass has
  * lost. */
-static void steps_and_energy(void **state)
+TEST(steps_and_energy)
 {
-    (void)state;
     const double speed = 0.1, omega = 120;
     const struct cor_disk_modes modes = modes_of(0.33, omega);
     double l[3], depth[3];
@@ -213,9 +208,8 @@ static void steps_and_energy(void **state)
 
 /* A level gives up a few steps after half of the work that it needs, counted in multiplications or in steps. Its work
  * grows from level to level as the ladder expects. */
-static void budget(void **state)
+TEST(budget)
 {
-    (void)state;
     static const double speeds[] = {0.3, 0.01, 1e-9};
     for (int i = 0; i < 3; i++) {
         const struct cor_disk_modes modes = modes_of(0.33, 120);
@@ -245,9 +239,8 @@ static void budget(void **state)
 /* ---- other walls ---- */
 
 /* A wall of potential exp(alpha x)/alpha on the same compliance tends to the rigid wall like 1/alpha. */
-static void hard_limit(void **state)
+TEST(hard_limit)
 {
-    (void)state;
     leave_to_turn(1, 3);
     const double speed = 0.1, omega = 14;
     const struct cor_disk_modes modes = modes_of(0.33, omega);
@@ -267,9 +260,8 @@ static void hard_limit(void **state)
 
 /* All modes, at equal alpha: the compliance at once, Omega -> infinity, against cor_disk_collision with ever more modes
  * */
-static void soft_wall_of_all_modes(void **state)
+TEST(soft_wall_of_all_modes)
 {
-    (void)state;
     const double speed = 0.1, alpha = 280, nu = 0.33;
     double l[2], w[2], at_once[2];
     for (int i = 0; i < 2; i++) {
@@ -299,9 +291,8 @@ static void soft_wall_of_all_modes(void **state)
 }
 
 /* Where both hold, a point contact and the full method have one L at each Omega. */
-static void point_contact(void **state)
+TEST(point_contact)
 {
-    (void)state;
     static const double speeds[] = {1e-4, 1e-5, 1e-6, 1e-7};
     for (size_t i = 0; i < 4; i++) {
         const double omega = 60;
@@ -324,9 +315,8 @@ static void point_contact(void **state)
 
 /* Angles are never so coarse that they alias cosines of the rim's series, which ends at lanes, the largest n in whole
  * blocks. */
-static void coarse_angles(void **state)
+TEST(coarse_angles)
 {
-    (void)state;
     const double speed = 0.1, omega = 20;
     const struct cor_disk_modes modes = modes_of(0.33, omega);
     int n_max = 0;
@@ -344,9 +334,8 @@ static void coarse_angles(void **state)
 /* ---- hard inputs ---- */
 
 /* A range that the contact outgrows is reported, and modes that no disk has. */
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     struct cor_disk_modes modes = modes_of(0.33, 30);
     struct cor_hard_wall_settings settings = fine_settings(30, 0.1);
     settings.range = 0.3;
@@ -357,20 +346,5 @@ static void refusals(void **state)
     level_of(&modes, 0.1, &settings, COR_ERROR_MODES);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(written_out),
-        cmocka_unit_test(in_pieces),
-        cmocka_unit_test(two_fades),
-        cmocka_unit_test(shifted_by_half_a_cell),
-        cmocka_unit_test(steps_and_energy),
-        cmocka_unit_test(budget),
-        cmocka_unit_test(hard_limit),
-        cmocka_unit_test(point_contact),
-        cmocka_unit_test(soft_wall_of_all_modes),
-        cmocka_unit_test(refusals),
-        cmocka_unit_test(coarse_angles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(written_out, in_pieces, two_fades, shifted_by_half_a_cell, steps_and_energy, budget, hard_limit,
+          point_contact, soft_wall_of_all_modes, refusals, coarse_angles)

@@ -93,9 +93,8 @@ static void pass_through(const struct cor_hard_wall_loops *loops, const struct i
 static struct input in;
 static struct output start, out[SETS];
 
-static void same_on_every_set(void **state)
+TEST(same_on_every_set)
 {
-    (void)state;
     struct random_state random = random_start();
     int tried = 0;
     for (size_t i = 0; i < points(300); i++) {
@@ -115,9 +114,8 @@ static void same_on_every_set(void **state)
 }
 
 /* Kick by kick, as hard_wall.h defines it */
-static void as_defined(void **state)
+TEST(as_defined)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t draws = 0; draws < points(30); draws++) {
         draw_input(&random, &in, &start);
@@ -168,9 +166,8 @@ static void as_defined(void **state)
 }
 
 /* Quotients of Bessel functions and the number of their zeros, from J_0 and J_1 of the C library upwards */
-static void ladders(void **state)
+TEST(ladders)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t draws = 0; draws < points(200); draws++) {
         double kappa[COR_MODE_LANES], step[COR_MODE_LANES], first[COR_MODE_LANES];
@@ -209,12 +206,4 @@ static void ladders(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(same_on_every_set),
-        cmocka_unit_test(as_defined),
-        cmocka_unit_test(ladders),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(same_on_every_set, as_defined, ladders)

@@ -21,9 +21,8 @@ static struct cor_disk_modes compute(double nu, size_t count)
 }
 
 /* n, l, omega, c, s of every mode of a proved table */
-static void as_proved(void **state)
+TEST(as_proved)
 {
-    (void)state;
     const struct cor_disk_modes *const tables[] = {&cor_disk_modes_nu033, &cor_disk_modes_nu090};
     for (int t = 0; t < 2; t++) {
         const struct cor_disk_modes *const proved = tables[t];
@@ -45,9 +44,8 @@ static void as_proved(void **state)
 }
 
 /* A short table is the start of a long one, to rounding; its length is the count below the next frequency. */
-static void starts_alike(void **state)
+TEST(starts_alike)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(6); i++) {
         const double nu = random_uniform(&random, -0.99, 0.99);
@@ -97,9 +95,8 @@ static void sum_rules(double nu, size_t count)
     }
 }
 
-static void all_materials(void **state)
+TEST(all_materials)
 {
-    (void)state;
     struct random_state random = random_start();
     sum_rules(0.33, points(20000) < MOST ? points(20000) : MOST);
     sum_rules(0, 5000);
@@ -108,9 +105,8 @@ static void all_materials(void **state)
 }
 
 /* Next to nu = -1, where the lowest modes are the conformal maps, omega^2 = (n + 1)(n + 2)/2, and next to 1 */
-static void ends(void **state)
+TEST(ends)
 {
-    (void)state;
     static const double nus[] = {-1 + 0x1p-53, -1 + 1e-12, -1 + 1e-6, -0.999, 0.999, 1 - 1e-6, 1 - 1e-12, 1 - 0x1p-53};
     for (size_t i = 0; i < sizeof nus / sizeof *nus; i++) {
         compute(nus[i], 300);
@@ -135,9 +131,8 @@ static int place_of(int n, int l, size_t count)
 }
 
 /* Where two frequencies cross, doubles do not separate them: they still grow. */
-static void crossings(void **state)
+TEST(crossings)
 {
-    (void)state;
     enum { COUNT = 40 };
     struct random_state random = random_start();
     for (size_t found = 0; found < few_or_all(3, 20);) {
@@ -166,9 +161,8 @@ static void crossings(void **state)
     }
 }
 
-static void refusals(void **state)
+TEST(refusals)
 {
-    (void)state;
     struct cor_disk_modes modes = {7, 7, NULL};
     assert_int_equal(cor_disk_modes_compute(0.3, 10, NULL, &modes), COR_ERROR_NULL);
     assert_int_equal(cor_disk_modes_compute(0.3, 10, mode, NULL), COR_ERROR_NULL);
@@ -189,11 +183,4 @@ static void refusals(void **state)
     assert_true(mode[0].n == 2 && mode[0].l == 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_proved), cmocka_unit_test(starts_alike), cmocka_unit_test(all_materials),
-        cmocka_unit_test(ends),      cmocka_unit_test(crossings),    cmocka_unit_test(refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(as_proved, starts_alike, all_materials, ends, crossings, refusals)

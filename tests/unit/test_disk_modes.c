@@ -17,9 +17,8 @@ static char path[] = P_tmpdir "/cor-disk-modes-XXXXXX";
 /* ---- tables ---- */
 
 /* Every mode of both tables obeys the normalisation (26). */
-static void tables(void **state)
+TEST(tables)
 {
-    (void)state;
     const struct cor_disk_modes *const table[] = {&cor_disk_modes_nu033, &cor_disk_modes_nu090};
     for (int k = 0; k < 2; k++) {
         assert_true(same_bits(table[k]->nu, k == 0 ? 0.33 : 0.9) && table[k]->count == CAPACITY);
@@ -132,9 +131,8 @@ static size_t line_at(const struct text *t, size_t at)
     return line;
 }
 
-static void reads_what_was_written(void **state)
+TEST(reads_what_was_written)
 {
-    (void)state;
     for (size_t count = 1; count <= CAPACITY; count = count == 1 ? CAPACITY : count + 1) {
         struct text t = file_of(&cor_disk_modes_nu033, count);
         struct cor_disk_modes modes = {0, 0, NULL};
@@ -157,9 +155,8 @@ static void reads_what_was_written(void **state)
 }
 
 /* Any byte made any other, anywhere; any end too early; anything after the end. */
-static void harmed_bytes(void **state)
+TEST(harmed_bytes)
 {
-    (void)state;
     struct random_state random = random_start();
     struct text t = file_of(&cor_disk_modes_nu033, MODES_OF_FILE);
     const size_t first_line = (size_t)(strchr(t.bytes, '\n') - t.bytes);
@@ -180,9 +177,8 @@ static void harmed_bytes(void **state)
     test_free(t.bytes);
 }
 
-static void first_line(void **state)
+TEST(first_line)
 {
-    (void)state;
     static const char *const others[] = {"",
                                          "\n",
                                          "cor-disk-modes",
@@ -203,9 +199,8 @@ static void first_line(void **state)
 }
 
 /* Right checks around what no writer writes. */
-static void harmed_lines(void **state)
+TEST(harmed_lines)
 {
-    (void)state;
     const struct cor_disk_mode *const m = cor_disk_modes_nu033.mode;
     struct text t;
     static const char *const poisson[] = {"0x1p+0 1",    "-0x1p+0 -1", "0x1.8p+1 3", "0.33 0.33", "0x1.5p-2",   "nan 0",
@@ -285,9 +280,8 @@ static void harmed_lines(void **state)
         }
 }
 
-static void no_file(void **state)
+TEST(no_file)
 {
-    (void)state;
     struct cor_disk_modes modes = {7, 7, NULL};
     size_t line = 77;
     assert_int_equal(cor_disk_modes_read("no such directory/no such file", room, CAPACITY, &modes, &line),
@@ -310,19 +304,15 @@ static int lowest_descriptor(void)
 static int first_descriptor;
 
 /* After all tests above, most of which end in a refusal */
-static void files_are_closed(void **state)
+TEST(files_are_closed)
 {
-    (void)state;
     assert_int_equal(lowest_descriptor(), first_descriptor);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tables),           cmocka_unit_test(reads_what_was_written), cmocka_unit_test(harmed_bytes),
-        cmocka_unit_test(first_line),       cmocka_unit_test(harmed_lines),           cmocka_unit_test(no_file),
-        cmocka_unit_test(files_are_closed),
-    };
+    const struct CMUnitTest tests[] = {tables,  reads_what_was_written, harmed_bytes, first_line, harmed_lines,
+                                       no_file, files_are_closed};
     const int descriptor = mkstemp(path);
     if (descriptor < 0 || close(descriptor))
         return 1;

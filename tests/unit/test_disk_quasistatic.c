@@ -83,9 +83,8 @@ static double random_argument(struct random_state *r, double limit)
 /* ---- limits ---- */
 
 /* Each limit is the exact one rounded towards zero, and the last argument of its functions. */
-static void limits(void **state)
+TEST(limits)
 {
-    (void)state;
     static const struct {
         double (*value)(double, enum cor_disk_datum);
         double power;
@@ -115,9 +114,8 @@ static void limits(void **state)
 
 /* ---- the law in long double ---- */
 
-static void law(void **state)
+TEST(law)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst[2] = {0};
     for (size_t i = 0; i < points(20000); i++) {
@@ -135,9 +133,8 @@ static void law(void **state)
 }
 
 /* The inverses put back into the law, which is t/(1 + t) and 2 t/(1/2 + t) times as far off; V = pi v^2/2. */
-static void inverses(void **state)
+TEST(inverses)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(20000); i++) {
         const double nu = random_nu(&random);
@@ -169,9 +166,8 @@ static void inverses(void **state)
 }
 
 /* V = int P ddelta, by Gauss's rule of four points */
-static void energy_is_work(void **state)
+TEST(energy_is_work)
 {
-    (void)state;
     static const long double node[2] = {0.861136311594052575224L, 0.339981043584856264803L},
                              weight[2] = {0.347854845137453857373L, 0.652145154862546142627L};
     for (double nu = -0.9; nu < 1; nu += 0.3)
@@ -224,9 +220,8 @@ static long double contact_time_over_theta(double speed, double nu, enum cor_dis
     return sqrtl(2) * pi * pi / 2 * sum / steps;
 }
 
-static void contact_time(void **state)
+TEST(contact_time)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst = 0;
     for (size_t i = 0; i < points(300); i++) {
@@ -256,9 +251,8 @@ static void contact_time(void **state)
 
 /* ---- to leading logarithm ---- */
 
-static void leading_logarithms(void **state)
+TEST(leading_logarithms)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst[5] = {0};
     for (size_t i = 0; i < points(20000); i++) {
@@ -302,9 +296,8 @@ static void leading_logarithms(void **state)
 
 /* ---- special values ---- */
 
-static void special_values(void **state)
+TEST(special_values)
 {
-    (void)state;
     const double bad[] = {-smallest, -1, -INFINITY, INFINITY, NAN, 1e300};
     const double bad_nu[] = {-1, 1, nextafter(1, 2), nextafter(-1, -2), INFINITY, -INFINITY, NAN};
     for (int k = 0; k < FUNCTIONS; k++)
@@ -342,9 +335,8 @@ static void special_values(void **state)
 }
 
 /* Results that are no normal doubles: the same law in units in which they are. */
-static void subnormal_results(void **state)
+TEST(subnormal_results)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(5000); i++) {
         const double nu = random_nu(&random), x = random_log(&random, 1e-323, 1e-305);
@@ -366,17 +358,4 @@ static void subnormal_results(void **state)
     assert_true(cor_disk_energy_leading_log(smallest) == 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(limits),
-        cmocka_unit_test(law),
-        cmocka_unit_test(inverses),
-        cmocka_unit_test(energy_is_work),
-        cmocka_unit_test(contact_time),
-        cmocka_unit_test(special_values),
-        cmocka_unit_test(subnormal_results),
-        cmocka_unit_test(leading_logarithms),
-    };
-    return cmocka_run_group_tests_name("disk_quasistatic", tests, NULL, NULL);
-}
+RUN_TESTS(limits, law, inverses, energy_is_work, contact_time, special_values, subnormal_results, leading_logarithms)

@@ -37,9 +37,8 @@ static struct cor_disk_rayleigh rayleigh(const struct cor_disk_modes *modes, siz
 }
 
 /* Values of arbitrary precision: nu = 0.33; the constant b as printed, but for the last */
-static void test_values(void **unused)
+TEST(test_values)
 {
-    (void)unused;
     static const struct {
         double speed, lowest, sum;
     } rows[] = {{1e-8, 2.6210855651036e-3, 4.4486187796430e-3},
@@ -82,9 +81,8 @@ static const struct {
     {1, 0, 0.03, 5.083223410399e-01, 2e-10},   {1, 1, 0.1, 7.520479714269e-01, 5e-9},
 };
 
-static void test_tail(void **unused)
+TEST(test_tail)
 {
-    (void)unused;
     static const size_t counts[] = {1, 3, 10, 20, 33, 100, 333, 1000, 1300, MODES};
     for (size_t i = 0; i < sizeof sums / sizeof *sums; i++)
         for (size_t j = 0; j < sizeof counts / sizeof *counts; j++) {
@@ -107,9 +105,8 @@ static void test_tail(void **unused)
 }
 
 /* The estimate means something: typically a few times the error. */
-static void test_estimate_is_no_excuse(void **unused)
+TEST(test_estimate_is_no_excuse)
 {
-    (void)unused;
     static const size_t counts[] = {100, 333, 1000};
     for (size_t j = 0; j < sizeof counts / sizeof *counts; j++) {
         double error = 0, estimate = 0;
@@ -124,9 +121,8 @@ static void test_estimate_is_no_excuse(void **unused)
 }
 
 /* However many modes there are, sum and tail are the same, at any speed. */
-static void test_any_speed(void **unused)
+TEST(test_any_speed)
 {
-    (void)unused;
     for (size_t i = 0; i < points(60); i++) {
         const int t = i % 2 != 0;
         const enum cor_disk_datum datum = datums[i % 3];
@@ -158,9 +154,8 @@ static void test_any_speed(void **unused)
     }
 }
 
-static void test_tolerance(void **unused)
+TEST(test_tolerance)
 {
-    (void)unused;
     static const double tolerances[] = {0.3, 1e-2, 1e-3, 3e-5};
     for (size_t i = 0; i < points(24); i++) {
         const int t = i % 2 != 0;
@@ -240,9 +235,8 @@ static void against_one(const struct cor_disk_modes *modes, size_t n_modes, enum
     check(first == expected, "%d, %d", first, expected);
 }
 
-static void test_array(void **unused)
+TEST(test_array)
 {
-    (void)unused;
     double speed[LIST];
     for (int t = 0; t < 2; t++) {
         const enum cor_disk_datum datum = datums[(t + 1) % 3];
@@ -267,9 +261,8 @@ static void test_array(void **unused)
     against_one(&few, 7, COR_DISK_DATUM_DIAMETER, speed, 20, 1);
 }
 
-static void test_array_statuses(void **unused)
+TEST(test_array_statuses)
 {
-    (void)unused;
     const struct cor_disk_modes *const modes = &cor_disk_modes_nu033;
     const enum cor_disk_datum datum = COR_DISK_DATUM_DIAMETER;
     struct cor_disk_rayleigh out[2] = {{7, 7, 7, 7}, {7, 7, 7, 7}};
@@ -295,9 +288,8 @@ static void test_array_statuses(void **unused)
           "too fast for the law");
 }
 
-static void test_limits(void **unused)
+TEST(test_limits)
 {
-    (void)unused;
     struct cor_disk_rayleigh out = {1, 1, 1, 1};
     fractions[0] = fractions[1] = 1;
     check(cor_disk_rayleigh(&cor_disk_modes_nu033, 2, COR_DISK_DATUM_DIAMETER, 0, &out, fractions) == COR_OK, "v = 0");
@@ -317,9 +309,8 @@ static void test_limits(void **unused)
           "too fast");
 }
 
-static void test_statuses(void **unused)
+TEST(test_statuses)
 {
-    (void)unused;
     struct cor_disk_mode mode[] = {{2, 0, 1.44, 1.4, -0.4}, {1, 0, 1.69, 0.5, 2}, {0, 0, 2.2, 1.1, 0}};
     struct cor_disk_modes modes = {0.33, 3, mode};
     const enum cor_disk_datum datum = COR_DISK_DATUM_CENTRE_OF_MASS;
@@ -386,16 +377,8 @@ static void test_statuses(void **unused)
 int main(void)
 {
     state = random_start();
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_tail),
-        cmocka_unit_test(test_estimate_is_no_excuse),
-        cmocka_unit_test(test_any_speed),
-        cmocka_unit_test(test_tolerance),
-        cmocka_unit_test(test_array),
-        cmocka_unit_test(test_array_statuses),
-        cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_statuses),
-    };
+    const struct CMUnitTest tests[] = {test_values,         test_tail,      test_estimate_is_no_excuse,
+                                       test_any_speed,      test_tolerance, test_array,
+                                       test_array_statuses, test_limits,    test_statuses};
     return cmocka_run_group_tests_name("disk_rayleigh", tests, NULL, NULL);
 }

@@ -31,9 +31,8 @@ static void same_lines(const struct cor_rayleigh_set *set, const struct cor_spec
               "%s, tau = %a, omega = %a", set->name, 2 * x->half_time, omega[i]);
 }
 
-static void test_every_set(void **unused)
+TEST(test_every_set)
 {
-    (void)unused;
     struct random_state state = random_start();
     static struct cor_spectrum by_portable, by_set, by_best;
     int sets = 0;
@@ -68,9 +67,8 @@ static void test_every_set(void **unused)
 }
 
 /* The sums over modes, the surface modes and the interpolation in q0 */
-static void test_sums_by_every_set(void **unused)
+TEST(test_sums_by_every_set)
 {
-    (void)unused;
     struct random_state state = random_start();
     for (int i = 1; i < COR_INSTRUCTION_SETS; i++) {
         const struct cor_rayleigh_set *const set = cor_rayleigh_set(i), *const portable = cor_rayleigh_set(0);
@@ -119,9 +117,8 @@ static void test_sums_by_every_set(void **unused)
 }
 
 /* Interpolated in q0, at the ends of a piece, at a node and between */
-static void test_pieces(void **unused)
+TEST(test_pieces)
 {
-    (void)unused;
     struct random_state state = random_start();
     const double high = 440, allowed = 1e-13;
     const struct cor_rayleigh_set *const set = cor_rayleigh_set(cor_widest_set());
@@ -153,12 +150,4 @@ static void test_pieces(void **unused)
     free(room);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_set),
-        cmocka_unit_test(test_sums_by_every_set),
-        cmocka_unit_test(test_pieces),
-    };
-    return cmocka_run_group_tests_name("disk_rayleigh_spectrum", tests, NULL, NULL);
-}
+RUN_TESTS(test_every_set, test_sums_by_every_set, test_pieces)

@@ -27,9 +27,8 @@ static double time_of(struct material m)
 }
 
 /* A is d ln(E*)/ds at 0 with mu + s eta_1/2, k + s eta_2: six digits by a central difference */
-static void derivative_of_the_modulus(void **state)
+TEST(derivative_of_the_modulus)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(20000); i++) {
         const struct material m = random_material(&random);
@@ -44,9 +43,8 @@ static void derivative_of_the_modulus(void **state)
 }
 
 /* The formula in long double */
-static void rounding(void **state)
+TEST(rounding)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst = 0;
     for (size_t i = 0; i < points(100000); i++) {
@@ -62,9 +60,8 @@ static void rounding(void **state)
 
 /* Viscous constants proportional to the moduli: the stress is (1 + tau d/dt) times the elastic one, A is tau in both
  * formulas. */
-static void proportional_constants(void **state)
+TEST(proportional_constants)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(2000); i++) {
         const double nu = random_uniform(&random, 0.05, 0.45), young = random_log(&random, 1e3, 1e12), tau = 1e-4;
@@ -100,9 +97,8 @@ static long double hereditary_force(const struct material *m, long double rate, 
     return c0 * p + c1 * dp + c2 * memory;
 }
 
-static void finite_rates(void **state)
+TEST(finite_rates)
 {
-    (void)state;
     const struct material materials[] = {
         {3e4, 1e4, 1e7, 0.3}, {1e4, 5e5, 1e7, 0.1}, {2e4, 0, 1e6, 0.45}, {0, 3e4, 1e8, -0.3}};
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
@@ -118,9 +114,8 @@ static void finite_rates(void **state)
     }
 }
 
-static void limits(void **state)
+TEST(limits)
 {
-    (void)state;
     /* incompressible: shear viscosity over shear modulus, Y = 3 mu; (4) gives 0 */
     assert_true(relative_error(cor_dissipation_time_viscous_s(2e3, 7, 3e6, 0.5), 1e3 / 1e6L) < 1e-15);
     assert_true(cor_dissipation_time_s(2e3, 7e3, 3e6, 0.5) == 0);
@@ -141,14 +136,4 @@ static void limits(void **state)
     assert_true(cor_dissipation_time_viscous_s(1e-300, 1e-300, 1e300, 0.25) == 0);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(derivative_of_the_modulus),
-        cmocka_unit_test(rounding),
-        cmocka_unit_test(proportional_constants),
-        cmocka_unit_test(finite_rates),
-        cmocka_unit_test(limits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(derivative_of_the_modulus, rounding, proportional_constants, finite_rates, limits)

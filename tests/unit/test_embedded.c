@@ -73,9 +73,8 @@ static void compare(double x)
     }
 }
 
-static void the_same_bits(void **state)
+TEST(the_same_bits)
 {
-    (void)state;
     for (int k = 0; k < EMBEDDED_FUNCTIONS; k++)
         assert_string_equal(functions[k].name, embedded_functions[k].name);
     struct random_state random = random_start();
@@ -129,10 +128,4 @@ static void the_same_bits(void **state)
     print_message("largest difference of the other unit: %g ulp, %s(%a)\n", worst, worst_name, worst_at);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_same_bits),
-    };
-    return cmocka_run_group_tests_name("embedded", tests, NULL, NULL);
-}
+RUN_TESTS(the_same_bits)

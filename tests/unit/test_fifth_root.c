@@ -22,9 +22,8 @@ static long double error_of(long double computed, long double exact)
 
 static const long double slack = LDBL_MANT_DIG >= 64 ? 0.01L : 2;
 
-static void whole_range(void **state)
+TEST(whole_range)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst = 0;
     for (size_t i = 0; i < points(200000); i++) {
@@ -36,9 +35,8 @@ static void whole_range(void **state)
     print_message("fifth root: %.3Lf 2^-53\n", worst);
 }
 
-static void parts(void **state)
+TEST(parts)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst = 0, longest = 0;
     for (size_t i = 0; i < points(200000); i++) {
@@ -56,9 +54,8 @@ static void parts(void **state)
 }
 
 /* The bound of a pair, 2^-58, before the sum is rounded; long double has 11 bits more than a double. */
-static void of_pair(void **state)
+TEST(of_pair)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(20000); i++) {
         const double x = random_log(&random, 0x1p-1000, 0x1p1000);
@@ -70,18 +67,16 @@ static void of_pair(void **state)
 }
 
 /* The seed is a whole-number fifth of the bits: its error repeats every five octaves. All of them, finely. */
-static void five_octaves(void **state)
+TEST(five_octaves)
 {
-    (void)state;
     for (double x = 1; x < 32; x += 0x1p-12) {
         assert_true(error_of(cor_inline_fifth_root_normal(x), root_exact(x)) <= 1.5L + slack);
         assert_true(same_bits(cor_inline_fifth_root(x * 0x1p-500) * 0x1p100, cor_inline_fifth_root(x)));
     }
 }
 
-static void exact_powers(void **state)
+TEST(exact_powers)
 {
-    (void)state;
     for (int k = 1; k < 1500; k++) {
         const double x = k, power = x * x * x * x * x;
         check(cor_inline_fifth_root(power) == x, "%d", k);
@@ -92,9 +87,8 @@ static void exact_powers(void **state)
         check(cor_inline_fifth_root(ldexp(1, k)) == ldexp(1, k / 5), "2^%d", k);
 }
 
-static void special_values(void **state)
+TEST(special_values)
 {
-    (void)state;
     assert_true(same_bits(cor_inline_fifth_root(0.0), 0.0) && same_bits(cor_inline_fifth_root(-0.0), -0.0));
     assert_true(cor_inline_fifth_root(INFINITY) == INFINITY);
     assert_true(isnan(cor_inline_fifth_root(NAN)));
@@ -108,9 +102,8 @@ static void special_values(void **state)
     }
 }
 
-static void rising(void **state)
+TEST(rising)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(2000); i++) {
         double x = random_log(&random, 5e-324, DBL_MAX), last = cor_inline_fifth_root(x);
@@ -124,9 +117,8 @@ static void rising(void **state)
 }
 
 /* Products and quotients of pairs, where long double has room to tell: 11 bits. */
-static void pairs(void **state)
+TEST(pairs)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(50000); i++) {
         const double x = random_log(&random, 1e-100, 1e100), y = -random_log(&random, 1e-100, 1e100);
@@ -146,12 +138,4 @@ static void pairs(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(whole_range),  cmocka_unit_test(parts),          cmocka_unit_test(five_octaves),
-        cmocka_unit_test(exact_powers), cmocka_unit_test(special_values), cmocka_unit_test(rising),
-        cmocka_unit_test(pairs),        cmocka_unit_test(of_pair),
-    };
-    return cmocka_run_group_tests_name("fifth_root", tests, NULL, NULL);
-}
+RUN_TESTS(whole_range, parts, five_octaves, exact_powers, special_values, rising, pairs, of_pair)

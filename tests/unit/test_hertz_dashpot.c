@@ -16,9 +16,8 @@ static dashpot_function *const eps[] = {cor_hertz_dashpot_eps_zero_overlap, cor_
                                                     cor_hertz_dashpot_duration_zero_force};
 
 /* Integrations of another program, 18 digits */
-static void test_known_values(void **state)
+TEST(test_known_values)
 {
-    (void)state;
     const struct {
         dashpot_function *function;
         double beta;
@@ -42,9 +41,8 @@ static void test_known_values(void **state)
 }
 
 /* Just below beta_c: eps = s d (1 + pi sqrt(s d/beta_c^5) + O(d ln d)), s = 0.206987698804278902 */
-static void test_threshold(void **state)
+TEST(test_threshold)
 {
-    (void)state;
     const double s = 0.206987698804278902, beta_c = COR_HERTZ_DASHPOT_BETA_C, pi = 3.141592653589793;
     for (int k = 16; k <= 30; k++) {
         const double d = ldexp(1, -k), first = s * d * (1 + pi * sqrt(s * d / pow(beta_c, 5)));
@@ -58,9 +56,8 @@ static void test_threshold(void **state)
 }
 
 /* Impacts at and around the slowest speed that parts, g_c = C^5/(beta_c^5 m^3 K^2), in SI units */
-static void test_slowest_speed(void **state)
+TEST(test_slowest_speed)
 {
-    (void)state;
     static const double scene[][3] = {{0.01, 3e6, 2.5}, {1e-9, 40, 1e-7}, {7, 1e9, 4e4}}; /* m, K, C */
     for (size_t i = 0; i < sizeof scene / sizeof *scene; i++) {
         const double m = scene[i][0], K = scene[i][1], C = scene[i][2];
@@ -101,9 +98,8 @@ static void test_slowest_speed(void **state)
     FUNCTION(duration_approach_only)
 
 /* Arrays have the scalar's bits, in place too, and floats are doubles rounded once. */
-static void test_arrays_and_floats(void **state)
+TEST(test_arrays_and_floats)
 {
-    (void)state;
     enum { N = 603 };
     struct random_state r = random_start();
     double x[N], y[N];
@@ -133,9 +129,8 @@ static void test_arrays_and_floats(void **state)
 }
 
 /* eps falls and the loss rises, from one double to another */
-static void test_monotone(void **state)
+TEST(test_monotone)
 {
-    (void)state;
     struct random_state r = random_start();
     for (size_t i = 0; i < points(20000); i++) {
         const double beta = random_log(&r, 1e-9, 1e9), more = beta * (1 + random_uniform(&r, 0, 1e-12));
@@ -151,9 +146,8 @@ static void test_monotone(void **state)
 }
 
 /* The inverse has rows of its own: eps and loss come back as near as beta's last place lets them. */
-static void test_round_trip(void **state)
+TEST(test_round_trip)
 {
-    (void)state;
     struct random_state r = random_start();
     for (size_t i = 0; i < points(20000); i++)
         for (int end = 0; end < 2; end++) {
@@ -169,9 +163,8 @@ static void test_round_trip(void **state)
 
 /* Every size of eps and of 1 - eps, subnormal numbers included. At zero force eps falls like beta^(-5/2); at zero
  * overlap a rounding of beta next to beta_c moves eps by up to s 2^-53 in all, whatever its size. */
-static void test_every_size(void **state)
+TEST(test_every_size)
 {
-    (void)state;
     for (int k = -1074; k < 0; k++) {
         const double x = ldexp(k > -1050 ? 1.375 : 1, k);
         for (int end = 0; end < 2; end++) {
@@ -193,9 +186,8 @@ static void no_step(dashpot_function *function, double x, const char *name)
 }
 
 /* From a double to the next no function changes by more than its rounding, at the borders of rows and tables too. */
-static void test_no_steps(void **state)
+TEST(test_no_steps)
 {
-    (void)state;
     static dashpot_function *const lengths[] = {cor_hertz_dashpot_max_overlap, cor_hertz_dashpot_time_of_max_overlap};
     for (int k = -12 * 64; k < 6 * 64; k++) {
         const int octave = (k + 64 * 64) / 64 - 64;
@@ -227,9 +219,8 @@ static void test_no_steps(void **state)
 }
 
 /* Special values, the ends of the doubles, and eps -> beta -> eps over all sizes of eps and of 1 - eps */
-static void test_approach_only(void **state)
+TEST(test_approach_only)
 {
-    (void)state;
     assert_true(cor_hertz_dashpot_eps_approach_only(0) == 1 && cor_hertz_dashpot_eps_approach_only(-0.0) == 1);
     assert_true(cor_hertz_dashpot_eps_approach_only(INFINITY) == 0 &&
                 cor_hertz_dashpot_loss_approach_only(INFINITY) == 1);
@@ -275,14 +266,5 @@ static void test_approach_only(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known_values),      cmocka_unit_test(test_approach_only),
-        cmocka_unit_test(test_threshold),         cmocka_unit_test(test_monotone),
-        cmocka_unit_test(test_round_trip),        cmocka_unit_test(test_every_size),
-        cmocka_unit_test(test_slowest_speed),     cmocka_unit_test(test_no_steps),
-        cmocka_unit_test(test_arrays_and_floats),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(test_known_values, test_approach_only, test_threshold, test_monotone, test_round_trip, test_every_size,
+          test_slowest_speed, test_no_steps, test_arrays_and_floats)

@@ -38,9 +38,8 @@ static void check_t(double q, long double worst[2])
     check(relative <= 1 + slack, "1 + t(%a): %Lg 2^-53", q, relative);
 }
 
-static void t_of_q(void **state)
+TEST(t_of_q)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst[2] = {0};
     for (size_t i = 0; i < points(50000); i++) {
@@ -58,9 +57,8 @@ static void t_of_q(void **state)
 }
 
 /* The second part of q is not lost. */
-static void t_of_two_parts(void **state)
+TEST(t_of_two_parts)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(20000); i++) {
         const double hi = random_log(&random, 1e-30, 1e3), lo = hi * random_uniform(&random, -0x1p-53, 0x1p-53);
@@ -73,9 +71,8 @@ static void t_of_two_parts(void **state)
     }
 }
 
-static void series(void **state)
+TEST(series)
 {
-    (void)state;
     assert_true(cor_lambert_t(0) == 0);
     /* sqrt(2 q) (1 + sqrt(2 q)/3), the next term is too small */
     for (int exponent = -1074; exponent < -120; exponent++) {
@@ -97,9 +94,8 @@ static const struct {
     {-0x1.56e1fc2f8f359p-997, -697.32277629546016097L}, {-0x1p-1074, -751.061559539879080602L},
 };
 
-static void lower_branch(void **state)
+TEST(lower_branch)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         check(ulp_error(cor_lambert_w_minus1(known[i].z), known[i].w) <= 2, "W(%a) = %a", known[i].z,
               cor_lambert_w_minus1(known[i].z));
@@ -118,9 +114,8 @@ static void lower_branch(void **state)
 }
 
 /* ln(a/x) from the logarithm of a and from a */
-static void log_ratios(void **state)
+TEST(log_ratios)
 {
-    (void)state;
     const struct cor_logarithm pi = {{3.14159265358979312, 1.22464679914735321e-16},
                                      {1.14472988584940016, 1.02659511627078262e-17}};
     const long double exact_pi = 3.14159265358979323846264338327950288L;
@@ -139,11 +134,4 @@ static void log_ratios(void **state)
     assert_true(isnan(cor_log_ratio(&pi, INFINITY).hi) && isnan(cor_log_ratio(&pi, NAN).hi));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(t_of_q),       cmocka_unit_test(t_of_two_parts), cmocka_unit_test(series),
-        cmocka_unit_test(lower_branch), cmocka_unit_test(log_ratios),
-    };
-    return cmocka_run_group_tests_name("lambert_w", tests, NULL, NULL);
-}
+RUN_TESTS(t_of_q, t_of_two_parts, series, lower_branch, log_ratios)

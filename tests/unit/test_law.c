@@ -41,9 +41,8 @@ static const double smallest = 4.9406564584124654e-324, below_1 = 0x1.ffffffffff
     } while (0)
 
 /* Critical damping, where 0/0 stands in every formula; one unit of the last place to either side */
-static void critical_damping(void **state)
+TEST(critical_damping)
 {
-    (void)state;
     const long double at_1[ENDS] = {0, expl(-2), expl(-4.0L / 3), expl(-1)};
     for (int end = LAW_ZERO_FORCE; end < ENDS; end++) {
         for (int law = 0; law < 2; law++) {
@@ -76,9 +75,8 @@ static void critical_damping(void **state)
 
 /* ---- special values ---- */
 
-static void special_ratio(void **state)
+TEST(special_ratio)
 {
-    (void)state;
     for (int law = 0; law < 2; law++) {
         for (int end = 0; end < ENDS; end++) {
             law_function *const eps = eps_of[law][end], *const loss = loss_of[law][end],
@@ -130,9 +128,8 @@ static void special_ratio(void **state)
     assert_true(isnan(cor_tsuji_time_of_max_overlap(-1)) && cor_tsuji_time_of_max_overlap(INFINITY) == 0);
 }
 
-static void special_crossley(void **state)
+TEST(special_crossley)
 {
-    (void)state;
     law_function *const eps[] = {cor_hunt_crossley_eps, cor_hunt_crossley_eps_approach_only};
     law_function *const loss[] = {cor_hunt_crossley_loss, cor_hunt_crossley_loss_approach_only};
     law_function *const beta[] = {cor_hunt_crossley_beta, cor_hunt_crossley_beta_approach_only};
@@ -181,9 +178,8 @@ static void special_crossley(void **state)
     assert_true(cor_hunt_crossley_duration_approach_only(INFINITY, 1.5) == INFINITY);
 }
 
-static void special_sphere_approach(void **state)
+TEST(special_sphere_approach)
 {
-    (void)state;
     assert_true(cor_sphere_eps_approach_only(0) == 1 && cor_sphere_eps_approach_only(INFINITY) == 0);
     assert_true(cor_sphere_loss_approach_only(0) == 0 && cor_sphere_loss_approach_only(INFINITY) == 1);
     assert_true(cor_sphere_beta_approach_only(1) == 0 && cor_sphere_beta_approach_only(0) == INFINITY);
@@ -217,9 +213,8 @@ static struct cor_inline_pair pair_at(struct random_state *r, double x)
 }
 
 /* The stated errors of exp(-x) and 1 - exp(-x) of pairs */
-static void exponentials_of_pairs(void **state)
+TEST(exponentials_of_pairs)
 {
-    (void)state;
     struct random_state r = random_start();
     long double worst[3] = {0};
     for (size_t i = 0; i < points(20000); i++) {
@@ -243,9 +238,8 @@ static void exponentials_of_pairs(void **state)
 }
 
 /* The stated error of -ln(x 2^k): both halves of x count. */
-static void logarithms_of_pairs(void **state)
+TEST(logarithms_of_pairs)
 {
-    (void)state;
     struct random_state r = random_start();
     long double worst = 0;
     for (size_t i = 0; i < points(20000); i++) {
@@ -273,9 +267,8 @@ static void check_back(const char *name, law_function *inverse, law_function *ep
 /* Every size of e and of 1 - e, subnormal numbers included. eps is a power of the damping where it is small, so that a
  * rounding of the damping costs no more than two roundings of eps. At zero overlap it costs |d ln(eps)/d ln(zeta)| = L
  * (1 + L^2/pi^2). */
-static void every_size(void **state)
+TEST(every_size)
 {
-    (void)state;
     for (int k = -1074; k < 0; k++) {
         const double e = ldexp(k > -1050 ? 1.375 : 1, k), exponent = -log(e);
         const double cost = 4 + 2 * exponent * (1 + exponent * exponent / 9.869604401089358);
@@ -300,9 +293,8 @@ static void every_size(void **state)
 }
 
 /* Farther from critical damping, where slopes are Taylor series on one side of a seam, and quotients on the other */
-static void near_critical_damping(void **state)
+TEST(near_critical_damping)
 {
-    (void)state;
     for (int i = -64; i <= 64; i++)
         for (int law = 0; law < 2; law++)
             for (int end = LAW_ZERO_FORCE; end < ENDS; end++) {
@@ -313,9 +305,8 @@ static void near_critical_damping(void **state)
 }
 
 /* What the laws say of themselves */
-static void identities(void **state)
+TEST(identities)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(2000); i++) {
         const double zeta = random_log(&random, 1e-6, 1e6), beta = random_log(&random, 1e-6, 1e6);
@@ -434,9 +425,8 @@ static void compare(const char *what, double parameter, double computed, double 
           parameter, computed, integrated);
 }
 
-static void against_the_equation_of_motion(void **state)
+TEST(against_the_equation_of_motion)
 {
-    (void)state;
     static const double zetas[] = {0.05, 0.3, 0.8, 1, 1.6};
     for (int law = 0; law < 2; law++) {
         for (int end = 0; end < ENDS; end++) {
@@ -525,9 +515,8 @@ struct crossley_time {
 };
 
 /* Quadrature at run time: any exponent, pumped collisions */
-static void crossley_times(void **state)
+TEST(crossley_times)
 {
-    (void)state;
     static const struct crossley_time times[] = {
         {"time of the largest overlap", cor_hunt_crossley_time_of_max_overlap, reference_crossley_time_of_max_overlap},
         {"duration", cor_hunt_crossley_duration, reference_crossley_duration},
@@ -563,9 +552,8 @@ static void crossley_times(void **state)
 }
 
 /* Tsuji's times beyond the tables too; tests/accuracy has more of them. */
-static void tsuji_times(void **state)
+TEST(tsuji_times)
 {
-    (void)state;
     /* zero overlap: y = zeta/(10 sqrt(1 - zeta^2)) on both sides of where a series takes over from the tables, y = 10
      */
     static const double ys[] = {0.01, 0.3,  1,       3,    5.9,  6.4, 6.6, 7,  8, 9,
@@ -587,9 +575,8 @@ static void tsuji_times(void **state)
 }
 
 /* Every row of Tsuji's times, next to one of its ends: rows in zeta^(1/5), then in ln(1 + zeta) */
-static void tsuji_rows(void **state)
+TEST(tsuji_rows)
 {
-    (void)state;
     for (int i = 0; i < 42 + 43; i++) {
         const double part = i % 2 == 0 ? 0.96 : 0.04;
         const double zeta = i < 42 ? pow((i + part) / 32, 5) : expm1(1.5 + (i - 42 + part) / 4);
@@ -603,9 +590,8 @@ static void tsuji_rows(void **state)
 
 /* Every row of Hunt and Crossley's times, next to one of its ends: rows in ln(1 + beta), 36 of 1/8 for the duration, 70
  * of 3/8 for the time of the largest overlap. Then the series, where their last terms count most. */
-static void crossley_rows(void **state)
+TEST(crossley_rows)
 {
-    (void)state;
     static const double series[] = {89.02, 90, 95, 110, 150, 300, 2.516e11, 1e12, 1e14, 1e16};
     enum { SERIES = sizeof series / sizeof *series, SHORT = 36, LONG = 70 };
     for (int i = 0; i < SHORT + LONG + SERIES; i++) {
@@ -623,23 +609,6 @@ static void crossley_rows(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(critical_damping),
-        cmocka_unit_test(special_ratio),
-        cmocka_unit_test(special_crossley),
-        cmocka_unit_test(special_sphere_approach),
-        cmocka_unit_test(exponentials_of_pairs),
-        cmocka_unit_test(logarithms_of_pairs),
-        cmocka_unit_test(every_size),
-        cmocka_unit_test(near_critical_damping),
-        cmocka_unit_test(identities),
-        cmocka_unit_test(against_the_equation_of_motion),
-        cmocka_unit_test(crossley_times),
-        cmocka_unit_test(tsuji_times),
-        cmocka_unit_test(tsuji_rows),
-        cmocka_unit_test(crossley_rows),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(critical_damping, special_ratio, special_crossley, special_sphere_approach, exponentials_of_pairs,
+          logarithms_of_pairs, every_size, near_critical_damping, identities, against_the_equation_of_motion,
+          crossley_times, tsuji_times, tsuji_rows, crossley_rows)

@@ -66,9 +66,8 @@ static void loop_is_its_scalar(cor_law_array_function *loop, int k, const char *
     }
 }
 
-static void every_set(void **state)
+TEST(every_set)
 {
-    (void)state;
     struct random_state random = random_start();
     for (int set = 0; set < COR_INSTRUCTION_SETS; set++) {
         if (!cor_processor_has(set)) {
@@ -113,9 +112,8 @@ static double dashpot_argument(struct random_state *r, const double seam[4])
     return specials[(size_t)random_uniform(r, 0, SPECIALS)];
 }
 
-static void dashpot_every_set(void **state)
+TEST(dashpot_every_set)
 {
-    (void)state;
     struct random_state r = random_start();
     for (int set = 0; set < COR_INSTRUCTION_SETS; set++)
         for (int k = 0; k < COR_DASHPOT_LOOP_COUNT; k++)
@@ -139,8 +137,4 @@ static void dashpot_every_set(void **state)
             }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_set), cmocka_unit_test(dashpot_every_set)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(every_set, dashpot_every_set)

@@ -43,9 +43,8 @@ static void is_within(const char *name, double x, double computed, long double e
 }
 
 /* eps = exp(-pi beta/sqrt(4 - beta^2)) */
-static void linear_eps(void **state)
+TEST(linear_eps)
 {
-    (void)state;
     const long double pi = acosl(-1);
     struct random_state r = random_start();
     for (size_t i = 0; i < points(2000); i++) {
@@ -59,9 +58,8 @@ static void linear_eps(void **state)
 }
 
 /* beta = 2 L/sqrt(pi^2 + L^2), L = -ln(eps) */
-static void linear_beta(void **state)
+TEST(linear_beta)
 {
-    (void)state;
     const long double pi = acosl(-1);
     const struct cor_inline_law_inverse none = inverse_without_rows();
     struct random_state r = random_start();
@@ -86,9 +84,8 @@ static const double *rows_of_3_4(int row)
     return three_quarters;
 }
 
-static void fading_duration(void **state)
+TEST(fading_duration)
 {
-    (void)state;
     const long double pi = acosl(-1);
     struct random_state r = random_start();
     struct cor_inline_law_quantity q = linear();
@@ -111,9 +108,8 @@ static const double *falling(int i)
     return v_f + i;
 }
 
-static void falling_beta(void **state)
+TEST(falling_beta)
 {
-    (void)state;
     const struct cor_inline_law_inverse none = inverse_without_rows();
     struct random_state r = random_start();
     for (size_t i = 0; i < points(2000); i++) {
@@ -129,9 +125,8 @@ static void falling_beta(void **state)
 }
 
 /* Both exponents count, and a number 200 octaves below the other is left out. */
-static void sums_of_scaled_pairs(void **state)
+TEST(sums_of_scaled_pairs)
 {
-    (void)state;
     struct random_state r = random_start();
     for (size_t i = 0; i < points(2000); i++) {
         const double x = random_uniform(&r, 1, 2), y = random_uniform(&r, 1, 2);
@@ -145,11 +140,4 @@ static void sums_of_scaled_pairs(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sums_of_scaled_pairs), cmocka_unit_test(linear_eps),   cmocka_unit_test(linear_beta),
-        cmocka_unit_test(fading_duration),      cmocka_unit_test(falling_beta),
-    };
-    return cmocka_run_group_tests_name("law_eval", tests, NULL, NULL);
-}
+RUN_TESTS(sums_of_scaled_pairs, linear_eps, linear_beta, fading_duration, falling_beta)

@@ -22,9 +22,8 @@ static struct scene random_scene(struct random_state *r)
 
 /* ---- the fields ---- */
 
-static void fields(void **state)
+TEST(fields)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst = 0;
     for (size_t i = 0; i < points(20000); i++) {
@@ -51,9 +50,8 @@ static void fields(void **state)
     assert_true(worst <= COR_CONTACT_MAX_ULP);
 }
 
-static void refused(void **state)
+TEST(refused)
 {
-    (void)state;
     struct random_state random = random_start();
     const struct scene good = random_scene(&random);
     struct cor_sphere_contact c;
@@ -139,9 +137,8 @@ static double two_bodies_eps(double lambda, double step, double *duration)
     }
 }
 
-static void against_two_bodies(void **state)
+TEST(against_two_bodies)
 {
-    (void)state;
     struct random_state random = random_start();
     for (int i = 0; i < 40; i++) {
         const struct scene s = random_scene(&random);
@@ -210,9 +207,8 @@ static double square_plate_eps(double lambda, double side, double dt)
 }
 
 /* The least half width by cor_plate_least_half_width_m, in scaled units: 2 sqrt(pi t_0) (B/(rho h))^(1/4) */
-static void a_plate_with_edges(void **state)
+TEST(a_plate_with_edges)
 {
-    (void)state;
     static const struct {
         double lambda, tolerance;
     } row[] = {{0.2, 1.5e-4}, {0.6, 1.5e-3}, {1, 5e-3}};
@@ -230,9 +226,8 @@ static void a_plate_with_edges(void **state)
 
 /* ---- published ---- */
 
-static void published(void **state)
+TEST(published)
 {
-    (void)state;
     /* exp(-1.719 lambda), a fit to Zener's curve in use since 1941: its 1.719 is 1.73017 = -(3/2) C_1 at small lambda
      */
     for (double lambda = 0.01; lambda < 0.8; lambda += 0.01)
@@ -242,9 +237,8 @@ static void published(void **state)
 
 /* ---- what is taken for granted ---- */
 
-static void conditions(void **state)
+TEST(conditions)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(2000); i++) {
         const struct scene s = random_scene(&random);
@@ -279,15 +273,4 @@ static void conditions(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fields),
-        cmocka_unit_test(refused),
-        cmocka_unit_test(against_two_bodies),
-        cmocka_unit_test(a_plate_with_edges),
-        cmocka_unit_test(published),
-        cmocka_unit_test(conditions),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(fields, refused, against_two_bodies, a_plate_with_edges, published, conditions)

@@ -18,9 +18,8 @@ static struct relaxed_disk *finite_disk(size_t points)
 }
 
 /* Found by another program, which minimises over the amplitudes Q of all modes. */
-static void loads_of_1300_modes(void **state)
+TEST(loads_of_1300_modes)
 {
-    (void)state;
     struct relaxed_disk *disk = finite_disk(128);
     const struct {
         double compression, load;
@@ -46,9 +45,8 @@ static double kernel_mode_by_mode(size_t n_modes, double phi, double psi)
     return sum;
 }
 
-static void kernel_is_the_sum_over_modes_and_symmetric(void **state)
+TEST(kernel_is_the_sum_over_modes_and_symmetric)
 {
-    (void)state;
     enum { POINTS = 40 };
     const double step = pi / 2 / (double)POINTS;
     struct relaxed_disk *disk = finite_disk(POINTS);
@@ -80,9 +78,8 @@ static double energy_of_smooth_pressure(const struct relaxed_disk *disk, size_t 
 }
 
 /* What the modes beyond omega add is proportional to 1/omega: 2 G(4 N) - G(N) has nearly all of it. */
-static void all_modes_are_the_limit_of_many(void **state)
+TEST(all_modes_are_the_limit_of_many)
 {
-    (void)state;
     enum { POINTS = 60 };
     const struct cor_disk_modes *table[] = {&cor_disk_modes_nu033, &cor_disk_modes_nu090};
     for (size_t t = 0; t < 2; t++) {
@@ -102,9 +99,8 @@ static void all_modes_are_the_limit_of_many(void **state)
 }
 
 /* The equation of the header with what was found, and the load as the integral of the pressure */
-static void the_pressure_solves_the_equation(void **state)
+TEST(the_pressure_solves_the_equation)
 {
-    (void)state;
     const double alpha = 500, compression = 0.15;
     struct relaxed_disk *disk = relaxed_disk_of_all_modes(0.33, alpha, 100);
     const struct relaxed_state at = pressed(disk, compression);
@@ -124,9 +120,8 @@ static void the_pressure_solves_the_equation(void **state)
 }
 
 /* dE/dx_0 = P, from five points */
-static void the_load_is_the_slope_of_the_energy(void **state)
+TEST(the_load_is_the_slope_of_the_energy)
 {
-    (void)state;
     struct relaxed_disk *disks[] = {finite_disk(128), relaxed_disk_of_all_modes(0.9, 2000, 256)};
     const double compressions[] = {0.01, 0.1, 0.25}, h = 1e-3;
     for (size_t d = 0; d < 2; d++) {
@@ -141,9 +136,8 @@ static void the_load_is_the_slope_of_the_energy(void **state)
     }
 }
 
-static void neither_the_way_nor_the_number_of_points_matters(void **state)
+TEST(neither_the_way_nor_the_number_of_points_matters)
 {
-    (void)state;
     struct relaxed_disk *disk = relaxed_disk_of_all_modes(0.33, 500, 128);
     struct relaxed_disk *finer = relaxed_disk_of_all_modes(0.33, 500, 256);
     const double there = pressed(disk, 0.05).load;
@@ -158,9 +152,8 @@ static void neither_the_way_nor_the_number_of_points_matters(void **state)
 }
 
 /* Ten modes cannot follow a hard wall: it touches them at a few places only, and the way there has many stages. */
-static void a_hard_wall_and_few_modes(void **state)
+TEST(a_hard_wall_and_few_modes)
 {
-    (void)state;
     struct relaxed_disk *disk = relaxed_disk_of_modes(&cor_disk_modes_nu033, 10, 1e6, 256);
     const double delta = 0.3, h = 1e-4;
     const double rise = pressed(disk, delta + h).energy - pressed(disk, delta - h).energy;
@@ -171,9 +164,8 @@ static void a_hard_wall_and_few_modes(void **state)
 }
 
 /* The harder the wall, the nearer to the law of (57) with the centre of mass as datum. */
-static void a_hard_wall_gives_the_contact_law(void **state)
+TEST(a_hard_wall_gives_the_contact_law)
 {
-    (void)state;
     const double delta = 0.03, law = cor_disk_load(delta, 0.33, COR_DISK_DATUM_CENTRE_OF_MASS);
     const double alpha[] = {500, 2000, 2e4};
     double ratio[3];
@@ -186,9 +178,8 @@ static void a_hard_wall_gives_the_contact_law(void **state)
     check(ratio[0] > ratio[1] && ratio[1] > ratio[2], "%.6f, %.6f, %.6f", ratio[0], ratio[1], ratio[2]);
 }
 
-static void bad_input_is_refused(void **state)
+TEST(bad_input_is_refused)
 {
-    (void)state;
     const struct cor_disk_modes *modes = &cor_disk_modes_nu033;
     assert_null(relaxed_disk_of_modes(NULL, 10, 500, 64));
     assert_null(relaxed_disk_of_modes(modes, 0, 500, 64));
@@ -218,18 +209,7 @@ static void bad_input_is_refused(void **state)
     relaxed_disk_free(disk);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(loads_of_1300_modes),
-        cmocka_unit_test(kernel_is_the_sum_over_modes_and_symmetric),
-        cmocka_unit_test(all_modes_are_the_limit_of_many),
-        cmocka_unit_test(the_pressure_solves_the_equation),
-        cmocka_unit_test(the_load_is_the_slope_of_the_energy),
-        cmocka_unit_test(neither_the_way_nor_the_number_of_points_matters),
-        cmocka_unit_test(a_hard_wall_and_few_modes),
-        cmocka_unit_test(a_hard_wall_gives_the_contact_law),
-        cmocka_unit_test(bad_input_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(loads_of_1300_modes, kernel_is_the_sum_over_modes_and_symmetric, all_modes_are_the_limit_of_many,
+          the_pressure_solves_the_equation, the_load_is_the_slope_of_the_energy,
+          neither_the_way_nor_the_number_of_points_matters, a_hard_wall_and_few_modes,
+          a_hard_wall_gives_the_contact_law, bad_input_is_refused)

@@ -101,9 +101,8 @@ static double end_of(const struct table *t, int i, double side)
     return cor_inline_row_value(place);
 }
 
-static void rows_join(void **state)
+TEST(rows_join)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof tables / sizeof *tables; k++) {
         const struct table *const t = &tables[k];
         double worst = 0;
@@ -117,10 +116,4 @@ static void rows_join(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_join),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(rows_join)

@@ -110,9 +110,8 @@ static const struct {
 };
 enum { KNOWN = sizeof known / sizeof *known };
 
-static void known_answers(void **state)
+TEST(known_answers)
 {
-    (void)state;
     for (int i = 0; i < KNOWN; i++) {
         struct reference r = known[i].value;
         const double beta = known[i].beta;
@@ -130,9 +129,8 @@ static void known_answers(void **state)
 }
 
 /* The reference itself, so that a failure of the next tests points at the right side. */
-static void reference_is_right(void **state)
+TEST(reference_is_right)
 {
-    (void)state;
     for (int i = 0; i < KNOWN && known[i].beta <= 8; i++) {
         const struct reference r = reference_collision(known[i].beta);
         for (int k = 0; k < FUNCTIONS; k++) {
@@ -172,9 +170,8 @@ static void worst_report(const struct worst *worst)
     }
 }
 
-static void against_the_equation_of_motion(void **state)
+TEST(against_the_equation_of_motion)
 {
-    (void)state;
     struct random_state random = random_start();
     struct worst worst = {{0}, {0}};
     for (size_t i = 0; i < points(1500); i++) {
@@ -191,9 +188,8 @@ static void against_the_equation_of_motion(void **state)
 }
 
 /* Beyond the tables' uniform part: loading alone, h*^5 beta^-5, and no digit more than the reference has. */
-static void strong_damping(void **state)
+TEST(strong_damping)
 {
-    (void)state;
     struct random_state random = random_start();
     struct worst worst = {{0}, {0}};
     for (size_t i = 0; i < points(4000); i++) {
@@ -215,9 +211,8 @@ static void strong_damping(void **state)
  * (docs/derivation.md, 8): with X = (3/2)^(2/3), eps = X beta^(-5/3), x_max = X beta^(-2/3),
  * t_max = beta^(-2/3) (2/3) X (5/3 ln(beta) + ln(3/X) + K), K = ln(3)/2 - sqrt(3) pi/6, and at zero force twice the
  * logarithm and ln(3/sqrt(X)). */
-static void infinitely_strong_damping(void **state)
+TEST(infinitely_strong_damping)
 {
-    (void)state;
     struct random_state random = random_start();
     struct worst worst = {{0}, {0}};
     const long double x = cbrtl(2.25L), pi = acosl(-1), constant = logl(3) / 2 - sqrtl(3) * pi / 6;
@@ -269,9 +264,8 @@ static long double loss_quotient(int end, long double beta)
 }
 
 /* Where 1 - eps would have lost its digits, down to the smallest number. */
-static void loss_of_small_beta(void **state)
+TEST(loss_of_small_beta)
 {
-    (void)state;
     struct random_state random = random_start();
     for (int end = 0; end < 2; end++) {
         long double worst = 0;
@@ -295,9 +289,8 @@ static void loss_of_small_beta(void **state)
 /* ---- the inverse ---- */
 
 /* beta of the eps that belongs to beta, to first order in what eps lost to rounding. */
-static void inverse(void **state)
+TEST(inverse)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst[2] = {0};
     for (size_t i = 0; i < points(1500); i++) {
@@ -321,9 +314,8 @@ static void inverse(void **state)
 
 /* ---- special values ---- */
 
-static void special_values(void **state)
+TEST(special_values)
 {
-    (void)state;
     const double outside[] = {-INFINITY, NAN, -1, -smallest, -DBL_MIN, -DBL_MAX, -1e-30};
     for (int k = 0; k < FUNCTIONS; k++) {
         const struct function *f = &functions[k];
@@ -364,9 +356,8 @@ static void special_values(void **state)
 
 /* Arguments whose double result rounds to the wrong float; the right one is its neighbour. By 30 digits of `corgen
  * collide`, the first value is 1.8e-16 below the middle of two floats, the third 2.3e-18 below. */
-static void float_exceptions(void **state)
+TEST(float_exceptions)
 {
-    (void)state;
     static const struct {
         float (*one)(float);
         void (*array)(const float *, float *, size_t);
@@ -421,9 +412,8 @@ static void never_rises(int end, double beta, int count)
 /* Around every power of two 2^-k, at every double whose eps lies from 2^-k to 2^-k + u/2, u one ulp there: the only
  * doubles for which eps falling and errors below an ulp do not decide the order (docs/derivation.md, 18). The walk
  * begins with a result of 2^-k + 2 u and ends with 2^-k - u, so that eps itself is outside at both ends. */
-static void falls_at_powers_of_two(void **state)
+TEST(falls_at_powers_of_two)
 {
-    (void)state;
     enum { FARTHEST = 64 };
     for (int end = 0; end < 2; end++)
         for (int k = 1; k <= 1022; k++) {
@@ -453,9 +443,8 @@ static double creep(double beta)
 }
 
 /* The bounds of derivatives by ln(beta) in docs/derivation.md, 4. A difference quotient is between the bounds, too. */
-static void derivatives(void **state)
+TEST(derivatives)
 {
-    (void)state;
     struct random_state random = random_start();
     const double slack = 1e-9; /* rounding errors of a quotient */
     for (size_t i = 0; i < points(2000); i++) {
@@ -481,9 +470,8 @@ static void derivatives(void **state)
 
 /* ---- constants, and what is kept of 1999 ---- */
 
-static void constants(void **state)
+TEST(constants)
 {
-    (void)state;
     const long double c1 = c1_exact();
     const long double d = sqrtl(acosl(-1)) * tgammal(0.6L) / (5 * tgammal(2.1L));
     check(ulp_error(COR_SPHERE_C1, c1) <= 0.5L + 1e-3L, "C_1 = %.20Lg", c1);
@@ -506,9 +494,8 @@ static long double simple_exact(long double c)
     return expl((low + high) / 2);
 }
 
-static void simple_theory(void **state)
+TEST(simple_theory)
 {
-    (void)state;
     const long double c1 = -c1_exact();
     struct random_state random = random_start();
     long double worst[3] = {0};
@@ -532,9 +519,8 @@ static void simple_theory(void **state)
         check(worst[k] <= COR_SPHERE_EPS_SIMPLE_MAX_ULP, "%d: %Lg ulp", k, worst[k]);
 }
 
-static void simple_theory_special_values(void **state)
+TEST(simple_theory_special_values)
 {
-    (void)state;
     const double bad[] = {-1, -4.9406564584124654e-324, -INFINITY, NAN};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         assert_true(isnan(cor_sphere_eps_simple(bad[i])));
@@ -564,9 +550,8 @@ static void simple_theory_special_values(void **state)
 }
 
 /* How wrong the approximations of 1999 are is documented: sphere.h says these numbers. */
-static void documented_errors_of_1999(void **state)
+TEST(documented_errors_of_1999)
 {
-    (void)state;
     static const struct {
         double beta, published, simple;
     } claim[] = {{0.5, 1.006, 1.016}, {1, 1.05, 1.11}, {2, 1.51, 1.88}};
@@ -580,24 +565,6 @@ static void documented_errors_of_1999(void **state)
     check(fabs(cor_sphere_eps_published_pade(3) / cor_sphere_eps_zero_overlap(3) - 3.3) < 0.05, "beta = 3");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_answers),
-        cmocka_unit_test(reference_is_right),
-        cmocka_unit_test(against_the_equation_of_motion),
-        cmocka_unit_test(strong_damping),
-        cmocka_unit_test(infinitely_strong_damping),
-        cmocka_unit_test(loss_of_small_beta),
-        cmocka_unit_test(inverse),
-        cmocka_unit_test(special_values),
-        cmocka_unit_test(float_exceptions),
-        cmocka_unit_test(falls_at_powers_of_two),
-        cmocka_unit_test(derivatives),
-        cmocka_unit_test(constants),
-        cmocka_unit_test(simple_theory),
-        cmocka_unit_test(simple_theory_special_values),
-        cmocka_unit_test(documented_errors_of_1999),
-    };
-    return cmocka_run_group_tests_name("sphere", tests, NULL, NULL);
-}
+RUN_TESTS(known_answers, reference_is_right, against_the_equation_of_motion, strong_damping, infinitely_strong_damping,
+          loss_of_small_beta, inverse, special_values, float_exceptions, falls_at_powers_of_two, derivatives, constants,
+          simple_theory, simple_theory_special_values, documented_errors_of_1999)

@@ -60,9 +60,8 @@ static void fill(double *x, int count)
         }
 }
 
-static void lengths_and_places(void **state)
+TEST(lengths_and_places)
 {
-    (void)state;
     static double x[COUNT + 3], y[COUNT + 8];
     static float xf[COUNT + 3], yf[COUNT + 8];
     fill(x, COUNT + 3);
@@ -201,9 +200,8 @@ static void check_dissipation(const char *set, const char *name, cor_dissipation
         check(same(y[i], value(&a->contact[0], a->x[i], a->eps[i])), "%s, %s in place of eps", set, name);
 }
 
-static void every_set(void **state)
+TEST(every_set)
 {
-    (void)state;
     static struct arguments a;
     int sets = 0;
     fill(a.x, MANY);
@@ -290,9 +288,8 @@ static double float_error(float computed, double exact)
     return fabs((double)computed - exact) / ldexp(1, (exponent < FLT_MIN_EXP ? FLT_MIN_EXP : exponent) - FLT_MANT_DIG);
 }
 
-static void fast_special_values(void **state)
+TEST(fast_special_values)
 {
-    (void)state;
     for (int k = 0; k < FAST_FUNCTIONS; k++) {
         const struct fast_function *f = &fast_functions[k];
         const float x[] = {0, -0.0F, INFINITY, NAN, -NAN, -INFINITY, -1, -FLT_MIN, -1e-45F};
@@ -309,9 +306,8 @@ static void fast_special_values(void **state)
 
 /* The octaves of the tables, where the rows of an octave begin; their ends, 8 and 16; the least product, 2^-100; where
  * numbers become subnormal; and cells within */
-static void fast_around_each_branch(void **state)
+TEST(fast_around_each_branch)
 {
-    (void)state;
     enum { AROUND = 2, WIDE = 2 * AROUND + 1 };
     for (int k = 0; k < FAST_FUNCTIONS; k++) {
         const struct fast_function *f = &fast_functions[k];
@@ -362,9 +358,8 @@ static cor_float_array *fast_array_of(const struct cor_array_set *set, int funct
     return NULL;
 }
 
-static void fast_every_set(void **state)
+TEST(fast_every_set)
 {
-    (void)state;
     static double wide[MANY];
     static float x[2][MANY], expected[MANY]; /* with numbers outside the tables, and without */
     struct random_state random = random_start();
@@ -392,12 +387,4 @@ static void fast_every_set(void **state)
         }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lengths_and_places),  cmocka_unit_test(every_set),
-        cmocka_unit_test(fast_special_values), cmocka_unit_test(fast_around_each_branch),
-        cmocka_unit_test(fast_every_set),
-    };
-    return cmocka_run_group_tests_name("sphere_array", tests, NULL, NULL);
-}
+RUN_TESTS(lengths_and_places, every_set, fast_special_values, fast_around_each_branch, fast_every_set)

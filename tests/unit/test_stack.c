@@ -92,9 +92,8 @@ static size_t stack_stated(const struct public_function *function)
     return i < count && (function->elements || of_a_disk) ? stated[i].most : 4096;
 }
 
-static void stack_of_functions(void **state)
+TEST(stack_of_functions)
 {
-    (void)state;
 #if defined __SANITIZE_ADDRESS__ || !defined __OPTIMIZE__
     print_message("skipped: instrumented or not optimised, functions take more\n");
     skip();
@@ -146,9 +145,8 @@ void *__wrap_realloc(void *old, size_t size)
 }
 #endif
 
-static void only_these_allocate(void **state)
+TEST(only_these_allocate)
 {
-    (void)state;
 #ifndef COR_TEST_WRAPS_MALLOC
     print_message("skipped: this linker replaces no function of the library\n");
     skip();
@@ -176,9 +174,6 @@ static void only_these_allocate(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stack_of_functions),
-        cmocka_unit_test(only_these_allocate),
-    };
+    const struct CMUnitTest tests[] = {stack_of_functions, only_these_allocate};
     return cmocka_run_group_tests_name("stack", tests, setup, NULL);
 }

@@ -7,9 +7,8 @@
 
 #include <cor/cor.h>
 
-static void known_values(void **state)
+TEST(known_values)
 {
-    (void)state;
     assert_true(ulp_error(cor_half_space_wave_factor(0.25), 0.930752601914437910L) <= 8);
     static const struct {
         double nu, coefficient;
@@ -44,9 +43,8 @@ static long double factor_by_contour(long double nu)
     return sum * step;
 }
 
-static void another_contour(void **state)
+TEST(another_contour)
 {
-    (void)state;
     struct random_state random = random_start();
     long double worst = 0;
     for (size_t i = 0; i < points(40); i++) {
@@ -64,9 +62,8 @@ static struct cor_body sphere_of(double young, double nu, double density, double
     return (struct cor_body){young, nu, 0, radius, cor_sphere_mass_kg(radius, density)};
 }
 
-static void collisions(void **state)
+TEST(collisions)
 {
-    (void)state;
     struct random_state random = random_start();
     for (size_t i = 0; i < points(2000); i++) {
         const double young = random_log(&random, 1e6, 1e12), nu = random_uniform(&random, -0.5, 0.5);
@@ -109,9 +106,8 @@ static void collisions(void **state)
 
 /* Every size of each number, so that most of the powers and quotients in the formula are no doubles: against its
  * logarithm. From speed 0 on. */
-static void every_size(void **state)
+TEST(every_size)
 {
-    (void)state;
     struct random_state random = random_start();
     size_t moderate = 0;
     long double worst = 0;
@@ -148,9 +144,8 @@ static void every_size(void **state)
 
 /* The law of first order, x'' + beta x x' + x^(3/2) = 0: its loss by integration, against 2 |C_1| beta_w. The radiated
  * energy is kappa int F'^2 dt of the elastic collision. */
-static void first_order(void **state)
+TEST(first_order)
 {
-    (void)state;
     /* elastic collision in scaled units: F = x^(3/2), F' = (3/2) sqrt(x) v; int F'^2 dt = 2 int_0^X (9/4) x v dx */
     const long double x0 = powl(1.25L, 0.4L);
     long double sum = 0;
@@ -164,10 +159,4 @@ static void first_order(void **state)
     assert_true(fabsl(2 * radiated / 2.25L - 2 * 0.845742174195960231708L) < 1e-5L);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(known_values), cmocka_unit_test(another_contour),
-                                       cmocka_unit_test(collisions), cmocka_unit_test(every_size),
-                                       cmocka_unit_test(first_order)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(known_values, another_contour, collisions, every_size, first_order)
