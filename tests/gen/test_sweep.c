@@ -633,7 +633,6 @@ TEST(test_journal_damaged)
 /* Somebody else's is refused and stays as it was. */
 TEST(test_journal_foreign)
 {
-    (void)state;
     static const char *const foreign[] = {"speed,nu\n0.1,0.33\n",
                                           "x",
                                           "\n",
