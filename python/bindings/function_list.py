@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The list of all public functions, tests/unit/public_functions.inc, by which tests call every one of them.
+"""The list of all public functions, generated/public_functions.inc, by which tests call every one of them.
 
     python3 python/bindings/function_list.py [--check]        writes the file, or fails if it is another
 """
@@ -15,7 +15,7 @@ from bindings.calls import argument_names, calls, input_struct, is_input, is_val
 from bindings.declarations import Declarations, Function, Parameter  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
-LIST = ROOT / "tests" / "unit" / "public_functions.inc"
+LIST = ROOT / "generated" / "public_functions.inc"
 REALS = ("double", "float")
 
 MACROS = {
