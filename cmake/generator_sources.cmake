@@ -94,6 +94,7 @@ set(COR_GENERATOR_SOURCES
   gen/tables/waves.c)
 # Sources that call the library with its tables. COR_BOOTSTRAP=ON leaves them out.
 set(COR_GENERATOR_CALLERS
+  gen/cli/audit.c
   gen/cli/contact.c
   gen/cli/fit.c
   gen/cli/plan.c

@@ -23,7 +23,7 @@ static void print_subcommands(const struct subcommand *const *table, FILE *file)
 static bool takes_file(const struct subcommand *cmd)
 {
     const struct option_rule *rule = cmd->options;
-    while (rule->name && !(rule->operand && rule->kind == OPTION_FILE))
+    while (rule->name && !(rule->operand && (rule->kind == OPTION_FILE || rule->kind == OPTION_FILES)))
         rule++;
     return rule->name;
 }
@@ -34,7 +34,7 @@ static bool takes_file(const struct subcommand *cmd)
 static void print_bash_subcommand(const struct subcommand *cmd, FILE *file)
 {
     for (const struct option_rule *rule = cmd->options; rule->name; rule++) {
-        if (rule->kind == OPTION_FLAG)
+        if (rule->kind == OPTION_FLAG || rule->kind == OPTION_FILES)
             continue;
         fprintf(file, "        %s:--%s) ", cmd->name, rule->name);
         if (rule->kind == OPTION_FILE) {
@@ -48,7 +48,8 @@ static void print_bash_subcommand(const struct subcommand *cmd, FILE *file)
     }
     fprintf(file, "        %s:*) words='", cmd->name);
     for (const struct option_rule *rule = cmd->options; rule->name; rule++)
-        fprintf(file, "--%s ", rule->name);
+        if (rule->kind != OPTION_FILES)
+            fprintf(file, "--%s ", rule->name);
     fprintf(file, "--help'%s ;;\n", takes_file(cmd) ? " files=1" : "");
 }
 
@@ -98,7 +99,9 @@ static void print_bash(const struct subcommand *const *table, FILE *file)
 static void print_zsh_option(const struct option_rule *rule, FILE *file)
 {
     if (rule->operand)
-        fprintf(file, " '1:%s:_files'", rule->operand);
+        fprintf(file, " '%s:%s:_files'", rule->kind == OPTION_FILES ? "*" : "1", rule->operand);
+    if (rule->kind == OPTION_FILES)
+        return;
     fprintf(file, " '--%s", rule->name);
     if (rule->kind == OPTION_FILE) {
         fputs("=:file:_files", file);

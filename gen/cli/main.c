@@ -9,7 +9,7 @@ static const struct subcommand *const subcommands[] = {&command_trajectory, &com
                                                        &command_disk_modes, &command_disk_collide,
 #ifndef COR_BOOTSTRAP
                                                        &command_contact,    &command_sample,
-                                                       &command_fit,
+                                                       &command_fit,        &command_audit,
 #endif
                                                        &command_embed,      &command_law,
 #ifndef COR_BOOTSTRAP

@@ -152,6 +152,8 @@ static int parse_value(void *field, const struct option_rule *rule, const char *
         return values_parse(field, rule->range.values, text);
     case OPTION_C_NAME:
         return parse_c_name(field, rule, text);
+    case OPTION_FILES:
+        return usage_error("--%s: write the files alone, without it", rule->name);
     case OPTION_TEXT:
     case OPTION_FILE:
         break;
@@ -278,7 +280,7 @@ static int check_files(const void *arguments, const struct option_rule *rules, c
     return STATUS_OK;
 }
 
-/* Reads the arguments that are no options. A subcommand accepts at most one. */
+/* Reads the arguments that are no options. A subcommand accepts at most one, or a list of files. */
 static int parse_operands(void *arguments, const struct option_rule *rules, bool *given, int argc, char **argv)
 {
     size_t i = 0;
@@ -287,6 +289,12 @@ static int parse_operands(void *arguments, const struct option_rule *rules, bool
     if (optind < argc && !rules[i].name)
         return usage_error("corgen %s takes options only, not '%s'; see corgen %s --help", argv[0], argv[optind],
                            argv[0]);
+    if (optind < argc && rules[i].kind == OPTION_FILES) {
+        given[i] = true;
+        *(struct option_files *)((char *)arguments + rules[i].offset) =
+            (struct option_files){argv + optind, argc - optind};
+        return STATUS_OK;
+    }
     for (; optind < argc; optind++) {
         if (given[i])
             return usage_error("corgen %s takes one %s, not '%s' too; see corgen %s --help", argv[0], rules[i].operand,

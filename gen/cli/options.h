@@ -22,7 +22,13 @@ enum option_kind {
     OPTION_LIST,  /* a list according to `values`; struct values */
     OPTION_TEXT,  /* any nonempty text; const char *. range.words: texts that a shell offers, or NULL */
     OPTION_FILE,  /* the name of a file or directory; const char * */
+    OPTION_FILES, /* an operand: names of files; struct option_files */
     OPTION_C_NAME /* an identifier of C; const char * */
+};
+
+struct option_files {
+    char *const *name;
+    int count;
 };
 
 struct option_numbers {

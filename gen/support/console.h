@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 /* Exit statuses of every subcommand. */
-enum { STATUS_OK = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
+enum { STATUS_OK = 0, STATUS_FAILED = 1, STATUS_USAGE = 2, STATUS_NOT_AS_ASKED = 3 };
 
 /* main calls this first, once. Afterwards file descriptors 0..2 exist, and a failed allocation ends the program with a
  * message and STATUS_FAILED instead of an abort or the kernel's out-of-memory kill.

@@ -583,6 +583,18 @@ static char kind_of(const struct table *t, long cell)
     return t->kinds ? t->kinds[cell % t->columns] : TABLE_NUMBER;
 }
 
+/* A text, with `before` in front of each character of `escaped` */
+static void print_escaped(const char *text, const char *escaped, char before, FILE *file)
+{
+    fputc('"', file);
+    for (; *text; text++) {
+        if (strchr(escaped, *text))
+            fputc(before, file);
+        fputc((unsigned char)*text < ' ' ? ' ' : *text, file);
+    }
+    fputc('"', file);
+}
+
 static void print_csv(const struct table *t, FILE *file)
 {
     for (int j = 0; j < t->columns; j++)
@@ -590,7 +602,11 @@ static void print_csv(const struct table *t, FILE *file)
     for (long i = 0; i < t->cells; i++) {
         print_progress(t, i);
         const bool missing = !*t->cell[i] && kind_of(t, i) != TABLE_TEXT;
-        fprintf(file, "%s%c", missing ? "nan" : t->cell[i], (i + 1) % t->columns ? ',' : '\n');
+        if (strpbrk(t->cell[i], ",\"\n"))
+            print_escaped(t->cell[i], "\"", '"', file);
+        else
+            fputs(missing ? "nan" : t->cell[i], file);
+        fputc((i + 1) % t->columns ? ',' : '\n', file);
     }
 }
 
@@ -600,7 +616,7 @@ static void print_json_cell(const struct table *t, char kind, const char *cell, 
     if (kind == TABLE_TEXT ? !*cell : !is_json_number(cell))
         fputs("null", file);
     else if (kind == TABLE_TEXT || (kind == TABLE_DIGITS && t->json_strings))
-        fprintf(file, "\"%s\"", cell);
+        print_escaped(cell, "\"\\", '\\', file);
     else
         fputs(cell, file);
 }

@@ -1,0 +1,324 @@
+/* SPDX-License-Identifier: MIT */
+/* corgen audit: the restitution that the input of a simulator really gives. */
+#define _POSIX_C_SOURCE 200809L /* open_memstream */
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/commands.h"
+#include "contact/contact.h"
+#include "contact/contact_rows.h"
+#include "cor/audit.h"
+#include "support/console.h"
+#include "support/output.h"
+
+#define DEFAULT_TOLERANCE "0.01"
+enum { MOST_BYTES = 1 << 28 };
+
+/* ---- files ---- */
+
+/* The texts that were read; they last until the end. */
+struct texts {
+    struct cor_audit_text *text;
+    int count;
+};
+
+/* Reads a file, "-" for standard input. Returns 0, or an error number. */
+static int read_file(struct cor_audit_text *text, struct texts *texts, const char *path)
+{
+    const bool standard = strcmp(path, "-") == 0;
+    FILE *const file = standard ? stdin : fopen(path, "rb");
+    if (!file)
+        return errno;
+    char *bytes = NULL;
+    size_t size = 0, capacity = 0;
+    errno = 0;
+    do {
+        capacity = capacity ? 2 * capacity : 1 << 16;
+        bytes = xrealloc(bytes, capacity);
+        size += fread(bytes + size, 1, capacity - size, file);
+    } while (size == capacity && size < MOST_BYTES);
+    const int wrong = ferror(file) ? errno : size < MOST_BYTES ? 0 : EFBIG;
+    if (!standard)
+        fclose(file);
+    *text = (struct cor_audit_text){xstrdup(standard ? "standard input" : path), bytes, size};
+    texts->text = xrealloc(texts->text, (size_t)(texts->count + 1) * sizeof *texts->text);
+    texts->text[texts->count++] = *text;
+    return wrong;
+}
+
+static void clear_texts(struct texts *texts)
+{
+    for (int i = 0; i < texts->count; i++) {
+        free((char *)(uintptr_t)texts->text[i].name);
+        free((char *)(uintptr_t)texts->text[i].text);
+    }
+    free(texts->text);
+}
+
+/* ---- findings ---- */
+
+static const char *const columns[] = {"line",      "simulator", "model",     "pair",         "asked", "end",
+                                      "speed_m_s", "realised",  "step_bias", "step_scatter", "advice"};
+enum { COLUMNS = sizeof columns / sizeof *columns };
+
+struct audit_run {
+    struct texts texts;
+    FILE *file; /* text */
+    struct table table;
+    const char *name; /* of the file, which a line number of csv needs no name for; NULL: several */
+    int format;
+    int contacts, as_asked, not_as_asked;
+    double tolerance;
+};
+
+/* A name in the folder of the text that includes it, otherwise in that of the first text */
+static int open_included(void *context, struct cor_audit_text *included, const char *name, const char *from)
+{
+    struct audit_run *const run = context;
+    const char *const folders[] = {from, run->texts.text[0].name};
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
+        const char *const slash = strrchr(folders[i], '/');
+        const int folder = slash && *name != '/' ? (int)(slash + 1 - folders[i]) : 0;
+        const size_t size = (size_t)folder + strlen(name) + 1;
+        char *const path = xmalloc(size);
+        snprintf(path, size, "%.*s%s", folder, folders[i], name);
+        const int wrong = read_file(included, &run->texts, path);
+        free(path);
+        if (wrong == 0)
+            return 0;
+    }
+    return 1;
+}
+
+static void add_text(struct table *table, const char *text)
+{
+    table_add(table, xstrdup(text));
+}
+
+static void add_number(struct table *table, double x)
+{
+    if (isnan(x))
+        add_text(table, "");
+    else
+        table_add(table, contact_number_text(x, CONTACT_DIGITS));
+}
+
+static void add_row(struct audit_run *run, const struct cor_audit_finding *f)
+{
+    struct table *const table = &run->table;
+    char line[4096], advice[16384];
+    const bool named = !run->name || strcmp(run->name, f->file) != 0;
+    snprintf(line, sizeof line, "%s%s%ld", named ? f->file : "", named ? ":" : "", f->line);
+    snprintf(advice, sizeof advice, "%s%s%s%s", f->advice, *f->advice && *f->instead ? " " : "",
+             *f->instead ? "Write: " : "", f->instead);
+    add_text(table, line);
+    add_text(table, f->simulator);
+    add_text(table, f->model ? f->model : "");
+    add_text(table, f->pair);
+    add_number(table, f->asked);
+    add_text(table, f->end < 0 ? "" : cor_end_names[f->end]);
+    add_number(table, f->speed_m_s);
+    add_number(table, f->realised);
+    add_number(table, f->step_bias);
+    add_number(table, f->step_scatter);
+    add_text(table, advice);
+}
+
+static void print_finding(FILE *file, const struct cor_audit_finding *f)
+{
+    fprintf(file, "%s:%ld: ", f->file, f->line);
+    if (!f->model) {
+        fprintf(file, "%s\n", f->advice);
+        return;
+    }
+    fprintf(file, "%s %s, %s", f->simulator, f->model, f->pair);
+    if (!isnan(f->speed_m_s))
+        fprintf(file, ", %.6g m/s", f->speed_m_s);
+    fputs("\n    ", file);
+    if (!isnan(f->asked))
+        fprintf(file, "asked for %.6g, ", f->asked);
+    if (isnan(f->realised))
+        fputs("eps is not known", file);
+    else
+        fprintf(file, "eps = %.6g at %s", f->realised, cor_end_names[f->end]);
+    if (!isnan(f->asked))
+        fputs(f->as_asked ? ": as asked" : ": NOT AS ASKED", file);
+    if (!isnan(f->damping))
+        fprintf(file, "; %s, %s = %.6g", cor_law_names[f->law] ? cor_law_names[f->law] : "",
+                f->law == COR_LAW_LINEAR || f->law == COR_LAW_TSUJI ? "zeta" : "beta", f->damping);
+    if (!isnan(f->duration_s))
+        fprintf(file, "; contact %.3g s", f->duration_s);
+    if (!isnan(f->duration_s) && !isnan(f->time_step_s))
+        fprintf(file, " = %.4g steps", f->duration_s / f->time_step_s);
+    if (!isnan(f->step_bias))
+        fprintf(file, "; the step adds %.2g, scatter %.2g", f->step_bias, f->step_scatter);
+    fputs("\n", file);
+    if (*f->advice)
+        fprintf(file, "    %s\n", f->advice);
+    if (*f->instead)
+        fprintf(file, "    write: %s\n", f->instead);
+}
+
+static void take_finding(void *context, const struct cor_audit_finding *f)
+{
+    struct audit_run *const run = context;
+    run->contacts += f->model != NULL;
+    run->as_asked += f->as_asked == 1;
+    run->not_as_asked += f->as_asked == 0;
+    if (run->format == FORMAT_TEXT)
+        print_finding(run->file, f);
+    else
+        add_row(run, f);
+}
+
+/* ---- the command ---- */
+
+static double number_or_nan(const struct decimal *number)
+{
+    return number->text ? decimal_value(number) : (double)NAN;
+}
+
+/* Returns STATUS_OK, STATUS_NOT_AS_ASKED, or STATUS_USAGE after a message. */
+static int audit_file(struct audit_run *run, const struct audit_arguments *o, struct cor_audit_memory *memory,
+                      const char *path)
+{
+    const char *const simulator = o->simulator < 0 ? NULL : cor_audit_simulators[o->simulator];
+    const struct cor_audit_options options = {.simulator = simulator,
+                                              .speed_m_s = o->speed.nearest,
+                                              .speeds = o->speed.count,
+                                              .radius_m = number_or_nan(&o->radius),
+                                              .density_kg_m3 = number_or_nan(&o->density),
+                                              .time_step_s = number_or_nan(&o->time_step),
+                                              .tolerance = run->tolerance,
+                                              .solver = contact_enclosed,
+                                              .open = open_included,
+                                              .report = take_finding,
+                                              .context = run};
+    struct cor_audit_text text;
+    run->texts = (struct texts){0};
+    const int wrong = read_file(&text, &run->texts, path);
+    int status = STATUS_OK;
+    if (wrong != 0) {
+        status = usage_error("cannot read %s: %s", path, strerror(wrong));
+    } else {
+        run->name = o->files.count == 1 ? text.name : NULL;
+        switch (cor_audit(memory, &text, &options)) {
+        case COR_AUDIT_NOT_AS_ASKED:
+            status = STATUS_NOT_AS_ASKED;
+            break;
+        case COR_AUDIT_NO_CONTACT:
+            status = usage_error("%s: no contact could be made out; allowed: the input of %s", text.name,
+                                 simulator ? simulator : "a simulator that corgen audit --help names");
+            break;
+        case COR_AUDIT_NOT_TEXT:
+            status = usage_error("%s is not a text: it holds zero bytes", text.name);
+            break;
+        case COR_AUDIT_UNKNOWN:
+            status = usage_error("%s: no simulator is recognised; name it by --for, as --for lammps", text.name);
+            break;
+        default:
+            break;
+        }
+    }
+    clear_texts(&run->texts);
+    return status;
+}
+
+static void print_summary(const struct audit_run *run)
+{
+    fprintf(run->file, "%s%d contact%s: %d as asked within %.3g %%, %d not, %d asked for no e\n",
+            run->contacts ? "\n" : "", run->contacts, run->contacts == 1 ? "" : "s", run->as_asked,
+            100 * run->tolerance, run->not_as_asked, run->contacts - run->as_asked - run->not_as_asked);
+}
+
+static int run_audit(const void *arguments)
+{
+    const struct audit_arguments *const o = arguments;
+    struct audit_run run = {.format = o->common.format,
+                            .tolerance =
+                                o->tolerance.text ? decimal_value(&o->tolerance) : strtod(DEFAULT_TOLERANCE, NULL)};
+    struct output out;
+    char *text = NULL;
+    size_t size;
+    int status = STATUS_OK;
+    struct cor_audit_memory *const memory = xmalloc(sizeof *memory);
+    run.file = open_memstream(&text, &size);
+    table_init(&run.table, columns, COLUMNS);
+    run.table.kinds = o->files.count == 1 ? "ntttntnnnnt" : "ttttntnnnnt";
+    for (int i = 0; i < o->files.count && status != STATUS_USAGE; i++) {
+        const int found = audit_file(&run, o, memory, o->files.name[i]);
+        status = found > status ? found : status;
+        if (found == STATUS_USAGE)
+            status = STATUS_USAGE;
+    }
+    print_summary(&run);
+    fclose(run.file);
+    if (status != STATUS_USAGE) {
+        int written = output_open(&out, o->common.output);
+        if (written == STATUS_OK) {
+            if (run.format == FORMAT_TEXT)
+                fputs(text, out.file);
+            else
+                table_print(&run.table, (enum output_format)run.format, out.file);
+            written = output_commit(&out);
+        }
+        status = written == STATUS_OK ? status : written;
+    }
+    free(text);
+    table_clear(&run.table);
+    free(memory);
+    return status;
+}
+
+static const char help[] =
+    "Usage: corgen audit FILE... [OPTION]...\n\n"
+    "Reads the input of a simulator as it is, and prints for every contact that it describes the\n"
+    "restitution that was asked for, the one that is realised, and the line that realises what was\n"
+    "asked. Lines that cannot be read are named. Nothing is guessed.\n"
+    "\nInputs: scripts of LAMMPS (pair_style granular and gran/..., fix wall/gran) and LIGGGHTS.\n"
+    "\nOptions:\n"
+    "  --speed LIST     impact speeds, m/s (default: those of the file)\n"
+    "  --radius R       radius of the spheres, m, where the file does not say it\n"
+    "  --density RHO    their density, kg/m^3, where the file does not say it\n"
+    "  --time-step DT   time step, s (default: that of the file)\n"
+    "  --tolerance T    as asked: eps differs from e by at most T e (default " DEFAULT_TOLERANCE ")\n"
+    "  --for SIMULATOR  the simulator, where the file does not show it\n"
+    "  --format F       text (default), csv or json\n" HELP_COMMON
+    "\nColumns: line,simulator,model,pair,asked,end,speed_m_s,realised,step_bias,step_scatter,advice.\n"
+    "The line is FILE:LINE where several files are read.\n"
+    "\nExit status: 0 if every e that is asked for is realised, 3 if not or if a contact cannot be\n"
+    "judged, 2 if a file has no contact that could be made out.\n"
+    "\nExample: corgen audit in.chute --speed 0.1,1\n";
+
+static const struct values_rule speed_rule = {
+    "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
+
+#define AT(FIELD) offsetof(struct audit_arguments, FIELD)
+static const struct option_rule options[] = {
+    {.name = "files", .kind = OPTION_FILES, .offset = AT(files), .required = true, .operand = "FILE"},
+    {.name = "speed", .kind = OPTION_LIST, .offset = AT(speed), .range.values = &speed_rule},
+    {.name = "radius", .kind = OPTION_REAL, .offset = AT(radius), .range.number = &option_positive},
+    {.name = "density", .kind = OPTION_REAL, .offset = AT(density), .range.number = &option_positive},
+    {.name = "time-step", .kind = OPTION_REAL, .offset = AT(time_step), .range.number = &option_positive},
+    {.name = "tolerance", .kind = OPTION_REAL, .offset = AT(tolerance), .range.number = &option_positive},
+    {.name = "for",
+     .kind = OPTION_WORD,
+     .offset = AT(simulator),
+     .range.words = cor_audit_simulators,
+     .why = "a simulator"},
+    OPTION_FORMAT(struct audit_arguments, option_formats),
+    OPTION_COMMON(struct audit_arguments),
+    {.name = NULL},
+};
+
+static const struct audit_arguments defaults = {.simulator = OPTIONS_NOT_GIVEN};
+
+const struct subcommand command_audit = {.name = "audit",
+                                         .summary = "the restitution that a simulator's input really gives",
+                                         .help = help,
+                                         .options = options,
+                                         .size = sizeof defaults,
+                                         .defaults = &defaults,
+                                         .run = run_audit};

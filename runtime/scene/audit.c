@@ -1,0 +1,497 @@
+/* SPDX-License-Identifier: MIT */
+/* From the contacts of an input to what they realise: cor_simulator_models has every formula. */
+#include "runtime/scene/audit.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cor/status.h"
+#include "runtime/scene/exponents.h"
+
+const char *const cor_audit_simulators[] = {"lammps", "liggghts", NULL};
+
+/* ---- what readers say ---- */
+
+static struct cor_audit_finding empty_finding(const struct audit *a)
+{
+    const struct cor_audit_finding none = {a->text.name, a->line,     a->simulator, NULL,        "", (double)NAN,
+                                           -1,           (double)NAN, (double)NAN,  (double)NAN, -1, (double)NAN,
+                                           (double)NAN,  (double)NAN, (double)NAN,  -1,          "", ""};
+    return none;
+}
+
+void audit_remark(struct audit *a, const char *sentence, const char *word)
+{
+    char text[AUDIT_ADVICE] = "";
+    struct cor_audit_finding finding = empty_finding(a);
+    audit_append(text, sizeof text, word ? "$ $" : "$", sentence, word);
+    finding.advice = text;
+    finding.as_asked = 0;
+    a->unsettled++;
+    a->options->report(a->options->context, &finding);
+}
+
+struct audit_contact *audit_add(struct audit *a, const char *text)
+{
+    if (a->contacts == AUDIT_CONTACTS) {
+        audit_remark(a, "more contacts than can be read; not judged from here on", NULL);
+        a->contacts--;
+    }
+    struct audit_contact *const contact = &a->contact[a->contacts++];
+    const struct audit_contact fresh = {a->text.name,
+                                        audit_keep(a, text, strlen(text)),
+                                        a->line,
+                                        {-1, -1},
+                                        NULL,
+                                        0,
+                                        NULL,
+                                        {0, 0},
+                                        {0, 0},
+                                        0,
+                                        (double)NAN,
+                                        AUDIT_NO_SPRING,
+                                        (double)NAN,
+                                        (double)NAN,
+                                        0,
+                                        NULL,
+                                        0};
+    *contact = fresh;
+    return contact;
+}
+
+void audit_add_speed(struct audit *a, double speed)
+{
+    for (int i = 0; i < a->speeds; i++)
+        if (a->speed[i] == speed)
+            return;
+    if (a->speeds < AUDIT_SPEEDS && speed > 0 && isfinite(speed))
+        a->speed[a->speeds++] = speed;
+}
+
+/* ---- one contact ---- */
+
+static const struct cor_simulator_model *model_named(const char *simulator, const char *name)
+{
+    for (size_t i = 0; i < cor_simulator_model_count; i++)
+        if (audit_is(cor_simulator_models[i].simulator, simulator) && audit_is(cor_simulator_models[i].model, name))
+            return &cor_simulator_models[i];
+    return NULL;
+}
+
+/* The same model in another version */
+static const struct cor_simulator_model *other_version(const struct cor_simulator_model *model)
+{
+    static const char *const pairs[][2] = {{"granular hertz, damping tsuji, releases to July 2026",
+                                            "granular hertz, damping tsuji, source after July 2026"},
+                                           {"granular hooke, damping tsuji, releases to July 2026",
+                                            "granular hooke, damping tsuji, source after July 2026"},
+                                           {"Mindlin, en (2023 and later)", "Mindlin, en (before 2023); SudoDEM"}};
+    for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+        if (audit_is(pairs[i][0], model->model))
+            return model_named(model->simulator, pairs[i][1]);
+    return NULL;
+}
+
+/* Two bodies of the types i and j, the least or the largest of each */
+struct pair {
+    double radius, mass; /* effective; NaN: not known */
+    const struct audit_type *type[2];
+};
+
+static struct pair pair_of(const struct audit *a, const struct audit_contact *contact, int i, int j, int largest)
+{
+    static const double pi = 3.14159265358979323846;
+    struct pair pair = {0, 0, {&a->type[i], &a->type[j]}};
+    for (int k = 0; k < (contact->wall ? 1 : 2); k++) {
+        const double radius = pair.type[k]->radius[largest], mass = 4 * pi / 3 * pow(radius, 3) * pair.type[k]->density;
+        pair.radius += 1 / radius;
+        pair.mass += 1 / mass;
+    }
+    pair.radius = 1 / pair.radius;
+    pair.mass = 1 / pair.mass;
+    return pair;
+}
+
+static double modulus(const struct pair *pair)
+{
+    double compliance = 0;
+    for (int k = 0; k < 2; k++)
+        compliance += (1 - pair->type[k]->poisson * pair->type[k]->poisson) / pair->type[k]->young;
+    return 1 / compliance;
+}
+
+/* Sets mass, stiffness and radius. A mass that cancels, as where all numbers are per unit of mass, is 1. */
+static void set_scales(struct cor_scene_contact *scene, const struct audit_contact *contact, const struct pair *pair)
+{
+    static const double pi = 3.14159265358979323846;
+    const double root = sqrt(pair->radius), l = log(contact->number);
+    scene->radius_m = pair->radius;
+    scene->mass_kg = pair->mass;
+    switch (contact->spring) {
+    case AUDIT_HOOKE:
+        scene->stiffness = contact->stiffness;
+        break;
+    case AUDIT_HERTZ:
+        scene->stiffness = contact->stiffness * root;
+        break;
+    case AUDIT_MATERIAL:
+        scene->stiffness = 4.0 / 3 * modulus(pair) * root;
+        break;
+    case AUDIT_CHARACTERISTIC: {
+        const double elastic = 16.0 / 15 * root * modulus(pair);
+        scene->stiffness = elastic * pow(pair->mass * contact->speed * contact->speed / elastic, 0.2);
+        break;
+    }
+    case AUDIT_CONTACT_TIME:
+        scene->mass_kg = isnan(pair->mass) ? 1 : pair->mass;
+        scene->stiffness = scene->mass_kg * (pi * pi + l * l) / (contact->stiffness * contact->stiffness);
+        break;
+    case AUDIT_PER_MASS:
+        scene->mass_kg = 1;
+        scene->stiffness = contact->stiffness;
+        break;
+    case AUDIT_NO_SPRING:
+        scene->stiffness = (double)NAN;
+        break;
+    }
+}
+
+/* What a contact realises at one speed */
+struct outcome {
+    enum cor_end end;
+    double damping, eps, duration;
+    struct cor_scene_contact scene;
+};
+
+static int is_linear(const struct audit_contact *contact)
+{
+    return contact->spring != AUDIT_HERTZ && contact->spring != AUDIT_MATERIAL;
+}
+
+static struct outcome solve(const struct audit *a, const struct cor_simulator_model *model,
+                            const struct audit_contact *contact, const struct pair *pair, double speed)
+{
+    struct outcome o = {contact->limited ? COR_END_ZERO_FORCE : model->end,
+                        (double)NAN,
+                        (double)NAN,
+                        (double)NAN,
+                        {cor_law_exponents[model->law], 0, 0, 0, 0, (double)NAN, a->options->solver}};
+    if (model->law == COR_LAW_TSUJI && contact->spring != AUDIT_NO_SPRING && is_linear(contact))
+        o.scene.law = cor_law_exponents[COR_LAW_LINEAR];
+    set_scales(&o.scene, contact, pair);
+    if (!model->damping_of_e)
+        o.damping = model->damping_of_number(contact->number, &o.scene, speed);
+    else if (contact->number >= model->least && contact->number <= model->most)
+        o.damping = model->damping_of_e(contact->number);
+    const int constant = cor_law_is_constant(&o.scene.law);
+    if (!(o.damping >= 0 && o.damping < INFINITY) || (isnan(speed) && !constant))
+        return o;
+    o.scene.damping = constant ? o.damping : o.damping * pow(speed, -cor_scene_speed_exponent(&o.scene));
+    if ((int)o.end >= (int)COR_SCENE_ENDS) {
+        o.eps = cor_law_eps(model->law, o.end, o.damping);
+        return o;
+    }
+    const double at = isnan(speed) ? 1 : speed;
+    struct cor_scene_impact impact;
+    if (cor_scene_impact(&impact, &o.scene, at) == COR_OK) {
+        o.eps = impact.eps[o.end];
+        /* without a speed only a linear spring has one duration */
+        o.duration = isnan(speed) && !is_linear(contact) ? (double)NAN : impact.duration_s[o.end];
+    } else if (cor_scene_eps(&o.eps, &o.scene, at, (int)o.end) != COR_OK) {
+        o.eps = (double)NAN;
+    }
+    return o;
+}
+
+/* ---- advice ---- */
+
+static void say(struct audit *a, const char *sentence)
+{
+    audit_append(a->advice, sizeof a->advice, *a->advice ? " $" : "$", sentence);
+}
+
+/* The text of a contact with its e replaced */
+static void write_instead(struct audit *a, const struct audit_contact *contact, double e)
+{
+    int word = 0;
+    for (const char *at = contact->text; *at;) {
+        const size_t blank = strspn(at, " ");
+        audit_append(a->instead, sizeof a->instead, blank ? " " : "");
+        at += blank;
+        const size_t size = strcspn(at, " ");
+        char copy[2] = "";
+        if (word == contact->word[0] || word == contact->word[1])
+            audit_append(a->instead, sizeof a->instead, "%", e);
+        else
+            for (size_t i = 0; i < size; i++) {
+                copy[0] = at[i];
+                audit_append(a->instead, sizeof a->instead, "$", copy);
+            }
+        at += size;
+        word++;
+    }
+}
+
+static void advise_asked(struct audit *a, const struct cor_simulator_model *model, const struct audit_contact *contact,
+                         double realised)
+{
+    enum cor_simulator_status status;
+    struct cor_simulator_model ended = *model;
+    if (contact->limited)
+        ended.end = COR_END_ZERO_FORCE;
+    const double e = cor_simulator_e(&ended, contact->number, &status);
+    if (isnan(realised))
+        audit_append(a->advice, sizeof a->advice, "$$ accepts e from % to %.", *a->advice ? " " : "", a->simulator,
+                     model->least, model->most);
+    else
+        audit_append(a->advice, sizeof a->advice, "$e = % realises %.", *a->advice ? " " : "", contact->number,
+                     realised);
+    if (!isnan(e) && contact->word[0] >= 0)
+        write_instead(a, contact, e);
+    else if (isnan(e))
+        say(a, "No e realises it here.");
+}
+
+/* What is missing for eps, or for the duration */
+static void advise_missing(struct audit *a, const struct outcome *o, double speed)
+{
+    const int scales = !(o->scene.mass_kg > 0 && o->scene.stiffness > 0);
+    if (scales && isnan(o->scene.radius_m))
+        say(a, "The radius is not in the text: give --radius.");
+    else if (scales && isnan(o->scene.mass_kg))
+        say(a, "The density is not in the text: give --density.");
+    else if (scales)
+        say(a, "The stiffness could not be read.");
+    else if (isnan(speed))
+        say(a, "eps depends on the impact speed: give --speed.");
+    else
+        say(a, "This law has no function in libcor.");
+}
+
+/* ---- reports ---- */
+
+static void report(struct audit *a, const struct audit_contact *contact, const char *pair_name, const struct pair *pair,
+                   double speed)
+{
+    const struct cor_simulator_model *const model = contact->model ? model_named(a->simulator, contact->model) : NULL;
+    const double speed_here = speed * a->time / a->length; /* in the units of the text */
+    struct cor_audit_finding f = empty_finding(a);
+    f.file = contact->file;
+    f.line = contact->line;
+    f.pair = pair_name;
+    f.speed_m_s = speed;
+    f.time_step_s = a->time_step;
+    a->advice[0] = a->instead[0] = a->model[0] = '\0';
+    audit_append(a->model, sizeof a->model, "$$",
+                 model            ? model->model
+                 : contact->model ? contact->model
+                                  : "",
+                 model && contact->limited ? ", limit_damping" : "");
+    f.model = a->model;
+    if (contact->fault)
+        say(a, contact->fault);
+    f.as_asked = 0;
+    if (model && !contact->unknown) {
+        const struct outcome o = solve(a, model, contact, pair, speed_here);
+        const struct cor_simulator_model *const other = other_version(model);
+        const double tolerance = a->options->tolerance;
+        f.end = (int)o.end;
+        f.law = (int)model->law;
+        f.damping = o.damping;
+        f.realised = o.eps;
+        f.duration_s = o.duration * a->time;
+        if (model->damping_of_e) {
+            f.asked = contact->number;
+            f.as_asked = fabs(o.eps - f.asked) <= tolerance * f.asked;
+            if (!f.as_asked)
+                advise_asked(a, model, contact, o.eps);
+            if (other)
+                audit_append(a->advice, sizeof a->advice, "$The model $ realises %.", *a->advice ? " " : "",
+                             other->model, cor_simulator_realised(other, contact->number));
+        } else if (isnan(o.eps)) {
+            advise_missing(a, &o, speed);
+        } else {
+            f.as_asked = -1;
+            if (!cor_law_is_constant(&o.scene.law))
+                say(a, model->advice);
+        }
+    }
+    a->found++;
+    a->unsettled += f.as_asked == 0;
+    f.advice = a->advice;
+    f.instead = a->instead;
+    a->options->report(a->options->context, &f);
+}
+
+static void report_speeds(struct audit *a, const struct audit_contact *contact, const char *name,
+                          const struct pair *pair)
+{
+    const size_t given = a->options->speeds, speeds = given ? given : (size_t)a->speeds;
+    for (size_t i = 0; i < speeds; i++)
+        report(a, contact, name, pair, given ? a->options->speed_m_s[i] : a->speed[i]);
+    if (speeds == 0)
+        report(a, contact, name, pair, (double)NAN);
+}
+
+static int same_number(double x, double y)
+{
+    return x == y || (isnan(x) && isnan(y));
+}
+
+static int same_type(const struct audit_type *x, const struct audit_type *y)
+{
+    return same_number(x->radius[0], y->radius[0]) && same_number(x->radius[1], y->radius[1]) &&
+           same_number(x->density, y->density) && same_number(x->young, y->young) &&
+           same_number(x->poisson, y->poisson);
+}
+
+/* Whether a later line says something else of this pair */
+static int is_overridden(const struct audit *a, const struct audit_contact *contact, int i, int j)
+{
+    for (const struct audit_contact *next = contact + 1; next < a->contact + a->contacts; next++)
+        if (!contact->wall && !next->wall && !contact->pair && !next->pair &&
+            ((next->first[0] <= i && i <= next->last[0] && next->first[1] <= j && j <= next->last[1]) ||
+             (next->first[0] <= j && j <= next->last[0] && next->first[1] <= i && i <= next->last[1])))
+            return 1;
+    return 0;
+}
+
+static void name_types(struct audit *a, const struct audit_contact *contact, int i, int j, const int all[2], int size)
+{
+    static const char *const sizes[] = {"", ", least", ", largest"};
+    const int type[2] = {i, j};
+    a->pair[0] = '\0';
+    if (contact->pair) {
+        audit_append(a->pair, sizeof a->pair, "$", contact->pair);
+        return;
+    }
+    for (int k = 0; k < 2; k++) {
+        audit_append(a->pair, sizeof a->pair, k ? "-" : "");
+        if (k && contact->wall)
+            audit_append(a->pair, sizeof a->pair, "wall");
+        else if (all && all[k])
+            audit_append(a->pair, sizeof a->pair, "*");
+        else
+            audit_append(a->pair, sizeof a->pair, "%", (double)(type[k] + 1));
+    }
+    audit_append(a->pair, sizeof a->pair, "$", sizes[size]);
+}
+
+static void report_pair(struct audit *a, const struct audit_contact *contact, int i, int j, const int all[2])
+{
+    const int one_size = same_number(a->type[i].radius[0], a->type[i].radius[1]) &&
+                         same_number(a->type[j].radius[0], a->type[j].radius[1]);
+    for (int largest = 0; largest < (one_size ? 1 : 2); largest++) {
+        const struct pair pair = pair_of(a, contact, i, j, largest);
+        name_types(a, contact, i, j, all, one_size ? 0 : 1 + largest);
+        report_speeds(a, contact, a->pair, &pair);
+    }
+}
+
+static void report_contact(struct audit *a, struct audit_contact *contact)
+{
+    int alike = 1, all[2];
+    for (int k = 0; k < 2; k++) {
+        const int most = a->types > 0 ? a->types - 1 : 0, many = contact->first[k] < contact->last[k];
+        contact->first[k] = contact->first[k] < AUDIT_TYPES ? contact->first[k] : AUDIT_TYPES - 1;
+        if (contact->last[k] > most)
+            contact->last[k] = contact->first[k] > most ? contact->first[k] : most;
+        all[k] = many && (a->types == 0 || contact->first[k] < contact->last[k]);
+        for (int i = contact->first[k]; i <= contact->last[k]; i++)
+            alike = alike && (!is_overridden(a, contact, i, contact->first[1 - k])) &&
+                    same_type(&a->type[i], &a->type[contact->first[0]]);
+    }
+    if (alike) {
+        report_pair(a, contact, contact->first[0], contact->first[1], all);
+        return;
+    }
+    for (int i = contact->first[0]; i <= contact->last[0]; i++)
+        for (int j = contact->first[1]; j <= contact->last[1]; j++) {
+            const int twice = j < i && j >= contact->first[0] && i <= contact->last[1];
+            if (!twice && !is_overridden(a, contact, i, j))
+                report_pair(a, contact, i, j, NULL);
+        }
+}
+
+/* Bodies of which the text does not say enough are those of the options. */
+static void complete_types(struct audit *a)
+{
+    const double length = a->length, density = a->mass / (length * length * length);
+    for (int i = 0; i < AUDIT_TYPES; i++) {
+        struct audit_type *const type = &a->type[i];
+        if (isnan(type->radius[0]))
+            type->radius[0] = type->radius[1] = a->options->radius_m / length;
+        if (isnan(type->density))
+            type->density = a->options->density_kg_m3 / density;
+    }
+}
+
+void audit_flush(struct audit *a)
+{
+    complete_types(a);
+    for (int i = 0; i < a->contacts; i++)
+        report_contact(a, &a->contact[i]);
+    a->contacts = 0;
+}
+
+/* ---- the whole text ---- */
+
+static int contains(const struct cor_audit_text *text, const char *word)
+{
+    const size_t size = strlen(word);
+    const char *at = text->text, *const end = at + text->size;
+    while ((size_t)(end - at) >= size && (at = memchr(at, *word, (size_t)(end - at) - size + 1)) != NULL) {
+        if (memcmp(at, word, size) == 0)
+            return 1;
+        at++;
+    }
+    return 0;
+}
+
+static const char *simulator_of(const struct cor_audit_text *text)
+{
+    static const char *const signs[][2] = {{"property/global", "liggghts"},
+                                           {"particletemplate/", "liggghts"},
+                                           {"pair_style gran model", "liggghts"},
+                                           {"pair_style", "lammps"},
+                                           {"wall/gran", "lammps"}};
+    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
+        if (contains(text, signs[i][0]))
+            return signs[i][1];
+    return NULL;
+}
+
+static void clear(struct audit *a, const struct cor_audit_options *options, const struct cor_audit_text *text)
+{
+    memset(a, 0, sizeof *a);
+    a->options = options;
+    a->text = *text;
+    a->next_line = 1;
+    a->time_step = (double)NAN;
+    a->length = a->mass = a->time = 1;
+    a->simulator = options->simulator ? options->simulator : simulator_of(text);
+    for (int i = 0; i < AUDIT_TYPES; i++) {
+        struct audit_type *const type = &a->type[i];
+        type->radius[0] = type->radius[1] = type->density = type->young = type->poisson = (double)NAN;
+    }
+}
+
+int cor_audit(struct cor_audit_memory *memory, const struct cor_audit_text *text,
+              const struct cor_audit_options *options)
+{
+    typedef char audit_fits_into_its_memory[sizeof(struct audit) <= sizeof(struct cor_audit_memory) ? 1 : -1];
+    struct audit *const a = (struct audit *)(void *)memory;
+    (void)sizeof(audit_fits_into_its_memory);
+    clear(a, options, text);
+    if (text->size > 0 && memchr(text->text, '\0', text->size))
+        return COR_AUDIT_NOT_TEXT;
+    if (!a->simulator)
+        return COR_AUDIT_UNKNOWN;
+    if (!isnan(options->time_step_s))
+        a->time_step = options->time_step_s;
+    audit_script(a, text);
+    audit_flush(a);
+    if (a->found == 0)
+        return COR_AUDIT_NO_CONTACT;
+    return a->unsettled ? COR_AUDIT_NOT_AS_ASKED : COR_AUDIT_AS_ASKED;
+}

@@ -1,0 +1,397 @@
+/* SPDX-License-Identifier: MIT */
+/* Lines, numbers and expressions of the inputs of simulators */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "runtime/scene/audit.h"
+
+int audit_is(const char *text, const char *other)
+{
+    return strcmp(text, other) == 0;
+}
+
+int audit_starts(const char *text, const char *start)
+{
+    return strncmp(text, start, strlen(start)) == 0;
+}
+
+static int is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+static int is_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+static int is_space(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
+}
+
+/* Not strtod, which asks the locale for the decimal point. Exact for up to 15 digits and exponents up to 22; within
+ * some units of the last place elsewhere. */
+static double read_number(const char **text)
+{
+    const char *at = *text;
+    double mantissa = 0;
+    int digits = 0, point = 0;
+    long exponent = 0;
+    for (;; at++) {
+        if (*at == '.' && !point) {
+            point = 1;
+        } else if (is_digit(*at)) {
+            if (mantissa < 1e17) {
+                mantissa = 10 * mantissa + (*at - '0');
+                exponent -= point;
+            } else {
+                exponent += !point;
+            }
+            digits++;
+        } else {
+            break;
+        }
+    }
+    if (digits == 0)
+        return (double)NAN;
+    if (*at && strchr("eEdD", *at)) {
+        const char *power = at + 1;
+        const int negative = *power == '-';
+        long value = 0;
+        power += *power == '-' || *power == '+';
+        if (is_digit(*power)) {
+            for (; is_digit(*power); power++)
+                value = value < 100000 ? 10 * value + (*power - '0') : value;
+            exponent += negative ? -value : value;
+            at = power;
+        }
+    }
+    *text = at;
+    if (mantissa == 0)
+        return 0;
+    if (exponent < -300) /* 10^-exponent may overflow where the number does not vanish */
+        return mantissa / 1e200 / pow(10, (double)(-exponent - 200));
+    return exponent < 0 ? mantissa / pow(10, (double)-exponent) : mantissa * pow(10, (double)exponent);
+}
+
+double audit_number(const char *text)
+{
+    const int negative = *text == '-';
+    text += *text == '-' || *text == '+';
+    const double value = read_number(&text);
+    return *text ? (double)NAN : negative ? -value : value;
+}
+
+const char *audit_keep(struct audit *a, const char *text, size_t size)
+{
+    if (a->used + size + 1 > sizeof a->pool) {
+        a->unsettled++;
+        return "";
+    }
+    char *const kept = a->pool + a->used;
+    memcpy(kept, text, size);
+    kept[size] = '\0';
+    a->used += size + 1;
+    return kept;
+}
+
+void audit_append(char *text, size_t size, const char *format, ...)
+{
+    size_t length = strlen(text);
+    va_list arguments;
+    va_start(arguments, format);
+    for (; *format; format++) {
+        char number[32] = {*format, '\0'};
+        const char *part = number;
+        if (*format == '$') {
+            part = va_arg(arguments, const char *);
+        } else if (*format == '%' || *format == '@') {
+            snprintf(number, sizeof number, *format == '%' ? "%.6g" : "%.15g", va_arg(arguments, double));
+            char *const comma = strchr(number, ','); /* of the locale */
+            if (comma)
+                *comma = '.';
+        }
+        while (*part && length + 1 < size)
+            text[length++] = *part++;
+    }
+    va_end(arguments);
+    text[length] = '\0';
+}
+
+/* ---- lines ---- */
+
+static int starts_comment(char c, enum audit_language language)
+{
+    return c == '#' || (c == '!' && language == AUDIT_NAMELIST);
+}
+
+/* Ends a line that is too long by a remark, and skips the rest of it. */
+static void put(struct audit *a, size_t *used, char c)
+{
+    if (*used + 1 < sizeof a->raw)
+        a->raw[(*used)++] = c;
+    else if (*used + 1 == sizeof a->raw) {
+        audit_remark(a, "the line is longer than 8190 characters and is not read", NULL);
+        *used += 1;
+    }
+}
+
+int audit_next_line(struct audit *a, enum audit_language language)
+{
+    const char *const text = a->text.text;
+    size_t used = 0;
+    int open = 0; /* parentheses of Python */
+    char quote = '\0';
+    if (a->at >= a->text.size)
+        return 0;
+    a->line = a->next_line;
+    while (a->at < a->text.size) {
+        const char c = text[a->at++];
+        if (c == '\n') {
+            a->next_line++;
+            while (used > 0 && used < sizeof a->raw && is_space(a->raw[used - 1]))
+                used--;
+            const int more = language == AUDIT_PYTHON
+                                 ? open > 0 || (used > 0 && used < sizeof a->raw && a->raw[used - 1] == '\\')
+                                 : used > 0 && used < sizeof a->raw && a->raw[used - 1] == '&';
+            if (!more)
+                break;
+            if (open == 0)
+                used--;
+            put(a, &used, ' ');
+            if (language != AUDIT_SCRIPT)
+                quote = '\0';
+        } else if (quote) {
+            quote = c == quote ? '\0' : quote;
+            put(a, &used, c);
+        } else if (starts_comment(c, language)) {
+            while (a->at < a->text.size && text[a->at] != '\n')
+                a->at++;
+        } else {
+            if (c == '"' || c == '\'')
+                quote = c;
+            open += (strchr("([{", c) != NULL) - (strchr(")]}", c) != NULL);
+            put(a, &used, c);
+        }
+    }
+    a->raw[used < sizeof a->raw ? used : 0] = '\0';
+    return 1;
+}
+
+/* ---- expressions ---- */
+
+struct audit_variable *audit_variable_named(struct audit *a, const char *name, size_t size)
+{
+    for (int i = 0; i < a->variables; i++)
+        if (strlen(a->variable[i].name) == size && strncmp(a->variable[i].name, name, size) == 0)
+            return &a->variable[i];
+    return NULL;
+}
+
+void audit_set_variable(struct audit *a, const char *name, const char *text, int formula)
+{
+    struct audit_variable *variable = audit_variable_named(a, name, strlen(name));
+    if (!variable) {
+        if (a->variables == AUDIT_VARIABLES) {
+            audit_remark(a, "too many variables; not read:", name);
+            return;
+        }
+        variable = &a->variable[a->variables++];
+        variable->name = audit_keep(a, name, strlen(name));
+    }
+    variable->text = audit_keep(a, text, strlen(text));
+    variable->formula = formula;
+}
+
+struct parser {
+    struct audit *a;
+    const char *at;
+    int depth;
+};
+static double expression(struct parser *p, int level);
+
+static void skip_space(struct parser *p)
+{
+    while (is_space(*p->at))
+        p->at++;
+}
+
+static double variable_value(struct parser *p, const char *name, size_t size)
+{
+    const struct audit_variable *const variable = audit_variable_named(p->a, name, size);
+    if (!variable || p->depth >= AUDIT_DEPTH)
+        return (double)NAN;
+    struct parser inner = {p->a, variable->text, p->depth + 1};
+    const double value = expression(&inner, 0);
+    skip_space(&inner);
+    return *inner.at ? (double)NAN : value;
+}
+
+static double call(const char *name, size_t size, double x, double y)
+{
+    static const struct {
+        const char *name;
+        double (*one)(double), (*two)(double, double);
+    } functions[] = {{"sqrt", sqrt, NULL},   {"exp", exp, NULL},     {"ln", log, NULL},     {"log10", log10, NULL},
+                     {"abs", fabs, NULL},    {"sin", sin, NULL},     {"cos", cos, NULL},    {"tan", tan, NULL},
+                     {"asin", asin, NULL},   {"acos", acos, NULL},   {"atan", atan, NULL},  {"atan2", NULL, atan2},
+                     {"ceil", ceil, NULL},   {"floor", floor, NULL}, {"round", rint, NULL}, {"min", NULL, fmin},
+                     {"max", NULL, fmax},    {"pow", NULL, pow},     {"log", log, NULL},    {"float", NULL, NULL},
+                     {"radians", NULL, NULL}};
+    for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) {
+        if (strlen(functions[i].name) != size || strncmp(functions[i].name, name, size) != 0)
+            continue;
+        if (functions[i].one)
+            return functions[i].one(x);
+        if (functions[i].two)
+            return functions[i].two(x, y);
+        return *name == 'f' ? x : x * 3.14159265358979323846 / 180;
+    }
+    return (double)NAN;
+}
+
+/* A name with the arguments of a call, if there are any */
+static double named(struct parser *p)
+{
+    const char *name = p->at;
+    while (is_letter(*p->at) || is_digit(*p->at) || *p->at == '.')
+        p->at++;
+    const char *const end = p->at;
+    size_t size = (size_t)(end - name);
+    skip_space(p);
+    if (*p->at == '(') {
+        double argument[2] = {(double)NAN, (double)NAN};
+        int arguments = 0;
+        do {
+            p->at++;
+            p->depth++;
+            const double value = expression(p, 0);
+            p->depth--;
+            if (arguments < 2)
+                argument[arguments] = value;
+            arguments++;
+            skip_space(p);
+        } while (*p->at == ',');
+        if (*p->at != ')')
+            return (double)NAN;
+        p->at++;
+        for (size_t i = size; i > 0; i--) /* math.sqrt */
+            if (name[i - 1] == '.') {
+                name += i;
+                size -= i;
+                break;
+            }
+        return call(name, size, argument[0], argument[1]);
+    }
+    const double value = variable_value(p, name, size);
+    if (!isnan(value))
+        return value;
+    if (size > 2 && audit_starts(name, "v_"))
+        return variable_value(p, name + 2, size - 2);
+    if (size >= 2 && (audit_starts(end - 2, "pi") || audit_starts(end - 2, "PI")))
+        return 3.14159265358979323846;
+    return size == 2 && audit_starts(name, "dt") ? p->a->time_step / p->a->time : (double)NAN;
+}
+
+static double primary(struct parser *p)
+{
+    skip_space(p);
+    if (++p->a->evaluations > AUDIT_EVALUATIONS || p->depth >= AUDIT_DEPTH)
+        return (double)NAN;
+    if (*p->at == '(') {
+        p->at++;
+        p->depth++;
+        const double value = expression(p, 0);
+        p->depth--;
+        skip_space(p);
+        if (*p->at != ')')
+            return (double)NAN;
+        p->at++;
+        return value;
+    }
+    if (*p->at == '-' || *p->at == '+' || *p->at == '!') {
+        const char sign = *p->at++;
+        p->depth++;
+        const double value = expression(p, 5);
+        p->depth--;
+        return sign == '-' ? -value : sign == '+' ? value : (double)(value == 0);
+    }
+    return is_letter(*p->at) ? named(p) : read_number(&p->at);
+}
+
+/* The operator at `at` and its level; NULL: none. The longest come first. */
+static const char *operator_at(const char *at, int *level)
+{
+    static const struct {
+        const char *text;
+        int level;
+    } operators[] = {{"||", 0}, {"&&", 1}, {"==", 2}, {"!=", 2}, {"<=", 3}, {">=", 3}, {"**", 6}, {"//", -1},
+                     {"<", 3},  {">", 3},  {"+", 4},  {"-", 4},  {"*", 5},  {"/", 5},  {"%", 5},  {"^", 6}};
+    for (size_t i = 0; i < sizeof operators / sizeof *operators; i++)
+        if (audit_starts(at, operators[i].text)) {
+            *level = operators[i].level;
+            return operators[i].text;
+        }
+    return NULL;
+}
+
+static double operate(const char *operation, double x, double y)
+{
+    if (isnan(x) || isnan(y))
+        return (double)NAN;
+    switch (*operation) {
+    case '|':
+        return x != 0 || y != 0;
+    case '&':
+        return x != 0 && y != 0;
+    case '=':
+        return x == y;
+    case '!':
+        return x != y;
+    case '<':
+        return operation[1] ? x <= y : x < y;
+    case '>':
+        return operation[1] ? x >= y : x > y;
+    case '+':
+        return x + y;
+    case '-':
+        return x - y;
+    case '/':
+        return y == 0 ? (double)NAN : x / y;
+    case '%':
+        return y == 0 ? (double)NAN : fmod(x, y);
+    case '^':
+        return pow(x, y);
+    default:
+        return operation[1] ? pow(x, y) : x * y;
+    }
+}
+
+/* Operators of at least this level; those of one level from the left */
+static double expression(struct parser *p, int level)
+{
+    double value = primary(p);
+    for (;;) {
+        int next = -1;
+        skip_space(p);
+        const char *const operation = operator_at(p->at, &next);
+        if (!operation || next < level || p->a->evaluations > AUDIT_EVALUATIONS)
+            return value;
+        p->at += strlen(operation);
+        p->depth++;
+        const double right = expression(p, next + 1);
+        p->depth--;
+        value = operate(operation, value, right);
+    }
+}
+
+double audit_value(struct audit *a, const char *text)
+{
+    struct parser p = {a, text, 0};
+    const double value = expression(&p, 0);
+    skip_space(&p);
+    return *p.at || !isfinite(value) ? (double)NAN : value;
+}

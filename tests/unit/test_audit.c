@@ -1,0 +1,239 @@
+/* SPDX-License-Identifier: MIT */
+/* Inputs of simulators as texts, and the findings: restitutions of LAWS' own table and of closed forms here, what is
+ * missing, and texts that are none. */
+#include "check.h"
+
+#include <string.h>
+
+#include "cor/audit.h"
+#include "cor/sphere.h"
+
+enum { MOST = 64 };
+
+static struct seen {
+    struct cor_audit_finding finding[MOST];
+    char text[MOST][3][512]; /* model and pair; advice; instead */
+    int count;
+    const char *included; /* every include is this text */
+} seen;
+
+static void take(void *context, const struct cor_audit_finding *f)
+{
+    (void)context;
+    if (seen.count == MOST)
+        return;
+    char(*const text)[512] = seen.text[seen.count];
+    snprintf(text[0], sizeof text[0], "%s, %s", f->model ? f->model : "", f->pair);
+    snprintf(text[1], sizeof text[1], "%s", f->advice);
+    snprintf(text[2], sizeof text[2], "%s", f->instead);
+    seen.finding[seen.count++] = *f;
+}
+
+static int open_included(void *context, struct cor_audit_text *text, const char *name, const char *from)
+{
+    (void)context;
+    (void)from;
+    text->name = "included";
+    text->text = seen.included;
+    text->size = seen.included ? strlen(seen.included) : 0;
+    return strcmp(name, "missing") == 0;
+}
+
+static struct cor_audit_memory memory;
+
+static int audit_bytes(const char *simulator, const char *text, size_t size, double speed)
+{
+    const struct cor_audit_text input = {"input", text, size};
+    struct cor_audit_options options = {simulator, &speed, isnan(speed) ? 0u : 1u, NAN,  NAN, NAN,
+                                        0.01,      NULL,   open_included,          take, NULL};
+    seen.count = 0;
+    return cor_audit(&memory, &input, &options);
+}
+
+static int audit(const char *text, double speed)
+{
+    return audit_bytes(NULL, text, strlen(text), speed);
+}
+
+static void finds(int at, long line, double asked, double realised, const char *named)
+{
+    const struct cor_audit_finding *const f = &seen.finding[at];
+    assert_true(at < seen.count);
+    check(f->line == line, "finding %d: line %ld, not %ld", at, f->line, line);
+    check(fabs(f->asked - asked) < 1e-12 || (isnan(f->asked) && isnan(asked)), "line %ld asks for %g, not %g", line,
+          f->asked, asked);
+    check(isnan(realised) ? isnan(f->realised) : fabs(f->realised - realised) < 1e-5,
+          "line %ld realises %.9g, not %.9g", line, f->realised, realised);
+    check(strstr(seen.text[at][0], named) != NULL, "line %ld: %s, not %s", line, seen.text[at][0], named);
+}
+
+static void says(int at, int which, const char *part)
+{
+    check(strstr(seen.text[at][which], part) != NULL, "finding %d says: %s; not: %s", at, seen.text[at][which], part);
+}
+
+#define SPHERES                                                                                                        \
+    "units si\natom_style sphere\nregion b block 0 1 0 1 0 1\ncreate_box 2 b\ncreate_atoms 1 single 0 0 0\n"           \
+    "set type 1 diameter 0.01 density 2500\nset type 2 diameter 0.02 density 2500\ntimestep 1e-5\n"
+
+/* eps of e by the table of the laws, and what it gets from the numbers of a line */
+static void lammps(void **state)
+{
+    (void)state;
+    assert_int_equal(audit(SPHERES
+                           "pair_style granular\n"
+                           "variable e equal 1/2\n"
+                           "pair_coeff 1 1 hertz/material 1e7 ${e} 0.3 damping tsuji &\n tangential "
+                           "linear_nohistory 0 0 # a comment\n"
+                           "pair_coeff 2 2 hertz 1e7 0.8 limit_damping damping tsuji\n"
+                           "pair_coeff 1 2 hooke 1e4 0.2 damping tsuji\r\n"
+                           "fix w all wall/gran granular hertz 1e7 0.7 damping coeff_restitution zplane 0 NULL\n",
+                           1),
+                     COR_AUDIT_NOT_AS_ASKED);
+    assert_int_equal(seen.count, 5);
+    finds(0, 11, 0.5, 0.616076, "granular hertz, damping tsuji, releases to July 2026, 1-1");
+    says(0, 2, "pair_coeff 1 1 hertz/material 1e7 0.366651 0.3 damping tsuji tangential");
+    finds(1, 13, 0.8, 0.857737, "limit_damping, releases to July 2026, 2-2");
+    finds(2, 14, 0.2, 0.297340, "granular hooke, damping tsuji, releases to July 2026, 1-2");
+    finds(3, 15, 0.7, 0.7, "coeff_restitution, 1-wall");
+    finds(4, 15, 0.7, 0.7, "coeff_restitution, 2-wall");
+    assert_int_equal(seen.finding[3].as_asked, 1);
+    assert_true(seen.finding[0].as_asked == 0 && seen.finding[0].time_step_s == 1e-5);
+
+    /* a linear dashpot of two equal spheres, in closed form; duration pi/sqrt(1 - zeta^2) sqrt(m/K) */
+    const double pi = 3.14159265358979323846, mass = pi / 6 * 1e-6 * 2500 / 2, zeta = 0.05 / (2 * sqrt(1e3 * mass));
+    assert_int_equal(audit(SPHERES "pair_style granular\npair_coeff 1 1 hooke 1e3 0.05 damping velocity\n", NAN),
+                     COR_AUDIT_AS_ASKED);
+    finds(0, 10, NAN, exp(-pi * zeta / sqrt(1 - zeta * zeta)), "granular hooke, damping velocity, 1-1");
+    check(fabs(seen.finding[0].duration_s / (pi / sqrt(1 - zeta * zeta) * sqrt(mass / 1e3)) - 1) < 1e-12,
+          "duration %.15g", seen.finding[0].duration_s);
+    assert_true(fabs(seen.finding[0].damping / zeta - 1) < 1e-12 && seen.finding[0].as_asked == -1);
+
+    /* the older styles, cgs, a wall with the whole mass: zeta = (gamma/2) sqrt(m/K) */
+    const double wall = pi / 6 * 1e-3 * 2.5, ratio = 1000 / 2.0 * sqrt(wall / 1e6);
+    assert_int_equal(audit("units cgs\natom_style sphere\ncreate_box 1 b\nset type 1 diameter 0.1 density 2.5\n"
+                           "pair_style gran/hertz/history 1e9 NULL 5e4 NULL 0.5 0\npair_coeff * *\n"
+                           "fix w all wall/gran hooke/history 1e6 NULL 1000 NULL 0.5 0 zplane 0 NULL\n",
+                           0.1),
+                     COR_AUDIT_AS_ASKED);
+    const double m = wall / 2, radius = 0.025, k = 1e9 * sqrt(radius);
+    const double beta = 5e4 * sqrt(radius) * pow(m / k, 0.6) * pow(10, 0.2);
+    finds(0, 5, NAN, cor_sphere_eps_zero_overlap(beta), "gran/hertz/history, 1-1");
+    assert_true(fabs(seen.finding[0].damping / beta - 1) < 1e-12 && seen.finding[0].speed_m_s == 0.1);
+    finds(1, 7, NAN, exp(-pi * ratio / sqrt(1 - ratio * ratio)), "gran/hooke, 1-wall");
+
+    /* two sizes; the speed of fix pour; a pair without a line has the geometric mean */
+    assert_int_equal(
+        audit("units si\ncreate_box 2 b\npair_style granular\n"
+              "pair_coeff 1 1 hertz 1e7 0.9 damping coeff_restitution\n"
+              "pair_coeff 2 2 hertz 1e7 0.4 damping coeff_restitution\n"
+              "fix p all pour 100 1 4767548 vol 0.1 10 diam range 0.01 0.02 dens 2500 2500 vel 0 0 0 0 -3\n",
+              NAN),
+        COR_AUDIT_AS_ASKED);
+    assert_int_equal(seen.count, 5);
+    finds(1, 4, 0.9, 0.9, "1-1, largest");
+    assert_true(seen.finding[0].speed_m_s == 3);
+    finds(3, 5, 0.6, 0.6, "1-2, least");
+}
+
+static void missing(void **state)
+{
+    (void)state;
+    /* nothing says the radius; then the speed */
+    assert_int_equal(audit("units si\npair_style granular\npair_coeff * * hertz 1e7 5e4 damping viscoelastic\n", 1),
+                     COR_AUDIT_NOT_AS_ASKED);
+    finds(0, 3, NAN, NAN, "*-*");
+    says(0, 1, "give --radius");
+    assert_int_equal(audit(SPHERES "pair_style granular\npair_coeff * * hertz 1e7 5e4\n", NAN), COR_AUDIT_NOT_AS_ASKED);
+    says(0, 1, "give --speed");
+    says(0, 1, "takes viscoelastic");
+    /* values that are not there, a division by zero, variables in a circle and in a tower */
+    static const char *const broken[][2] = {
+        {"pair_coeff * * hertz 1e7 ${e}\n", "${e}"},
+        {"variable e equal 1/0\npair_coeff * * hertz 1e7 ${e}\n", "${e}"},
+        {"variable a equal v_b\nvariable b equal v_a\npair_coeff * * hertz 1e7 $a\n", "$a"},
+        {"variable a equal v_a+v_a\npair_coeff * * hertz 1e7 $(v_a*v_a)\n", "$(v_a*v_a)"},
+        {"pair_coeff * * hertz 1e7\n", "missing or no numbers"},
+        {"pair_coeff * * hertz 1e7 much\n", "missing or no numbers"},
+        {"pair_coeff 1 x hertz 1e7 0.5\n", "types"},
+        {"pair_coeff * * mdr 1 2 3 4 5 6\n", "mdr"},
+        {"pair_coeff * * hertz 1e7 0.5 damping magic\n", "magic"},
+        {"include missing\n", "cannot include missing"},
+        {"if \"$x > 1\" then \"pair_coeff * * hertz 1 1\"\n", "$x"},
+        {"timestep -1\n", "timestep"},
+        {"units metal\n", "metal"},
+        {"fix w all wall/gran cone 1 2\n", "cone"},
+        {"pair_style lj/cut 2.5\n", "lj/cut"}};
+    for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
+        char text[512];
+        snprintf(text, sizeof text, "pair_style granular\npair_coeff * * hertz 1e7 0.5 damping coeff_restitution\n%s",
+                 broken[i][0]);
+        assert_int_equal(audit(text, NAN), COR_AUDIT_NOT_AS_ASKED);
+        says(0, 1, broken[i][1]);
+        assert_true(seen.finding[0].line > 2 && !seen.finding[0].model);
+    }
+}
+
+static void control(void **state)
+{
+    (void)state;
+    /* branches, an index variable of the command line's kind, quotes, a commentary in quotes */
+    assert_int_equal(audit("variable e index 0.4 0.5\nvariable e index 0.9\npair_style granular\n"
+                           "if \"${e} == 0.4 && 2^3 > 7\" then \"pair_coeff * * hertz 1e7 ${e} damping "
+                           "coeff_restitution\" else \"pair_coeff * * hertz 1e7 0.1 damping tsuji\"\n"
+                           "print \"${unknown} # 'quoted\"\n",
+                           NAN),
+                     COR_AUDIT_AS_ASKED);
+    finds(0, 4, 0.4, 0.4, "*-*");
+    /* a cycle of includes ends */
+    seen.included = "include again\ninclude again\n";
+    assert_int_equal(
+        audit("pair_style granular\ninclude first\npair_coeff * * hertz 1 0.5 damping coeff_restitution\n", NAN),
+        COR_AUDIT_NOT_AS_ASKED);
+    says(0, 1, "does a file include itself");
+    assert_string_equal(seen.finding[0].file, "included");
+    seen.included = "pair_coeff * * hertz 1 0.5 damping coeff_restitution";
+    assert_int_equal(audit("pair_style granular\ninclude first\n", NAN), COR_AUDIT_AS_ASKED);
+    finds(0, 1, 0.5, 0.5, "*-*");
+    /* clear forgets the bodies */
+    assert_int_equal(audit(SPHERES "pair_style granular\npair_coeff 1 1 hooke 1e3 0.05 damping velocity\nclear\n"
+                                   "units si\npair_style granular\npair_coeff 1 1 hooke 1e3 0.05 damping velocity\n",
+                           NAN),
+                     COR_AUDIT_NOT_AS_ASKED);
+    assert_true(!isnan(seen.finding[0].realised) && isnan(seen.finding[1].realised));
+}
+
+static void texts(void **state)
+{
+    (void)state;
+    static char longest[1 << 20];
+    assert_int_equal(audit("", NAN), COR_AUDIT_UNKNOWN);
+    assert_int_equal(audit("hello\n", NAN), COR_AUDIT_UNKNOWN);
+    assert_int_equal(audit_bytes("lammps", "hello", 5, NAN), COR_AUDIT_NO_CONTACT);
+    assert_int_equal(audit_bytes("lammps", "pair_style\0granular", 19, NAN), COR_AUDIT_NOT_TEXT);
+    /* a line without an end, then every prefix and many damages of a text */
+    memset(longest, 'x', sizeof longest);
+    memcpy(longest, "pair_style granular &", 21);
+    assert_int_equal(audit_bytes(NULL, longest, sizeof longest, NAN), COR_AUDIT_NO_CONTACT);
+    says(0, 1, "longer than");
+    static const char text[] =
+        SPHERES "variable a loop 3\nvariable \"b\" equal (1+$a)*sqrt(v_a)^2 % 7\npair_style "
+                "granular\npair_coeff 1* *2 hertz 1e7 $(v_b/9:%g) damping tsuji &\nlimit_damping\n"
+                "if '$a<=2' then 'timestep 1e-6' elif 1 'clear' else \"include x\"\n";
+    const size_t size = sizeof text - 1;
+    for (size_t i = 0; i <= size; i++)
+        audit_bytes("lammps", text, i, 1);
+    for (size_t i = 0; i < size; i++)
+        for (const char *with = "\"$({&*\n-"; *with; with++) {
+            memcpy(longest, text, size);
+            longest[i] = *with;
+            audit_bytes("lammps", longest, size, 1);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(lammps), cmocka_unit_test(missing), cmocka_unit_test(control),
+                                       cmocka_unit_test(texts)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
