@@ -45,8 +45,7 @@ static void far_cell_init(struct far_cell *cell, double lo, double hi)
     LOCAL(arb, x);
     cell->lo = lo;
     cell->hi = hi;
-    arb_poly_init(cell->u);
-    arb_poly_init(cell->mu);
+    FOR_ALL(arb_poly, init, cell->u, cell->mu);
     enclosed_variable(cell->u, lo, hi);
     if (hi <= WIDE_FROM) {
         enclosed_exponential(cell->mu, -5, 3, cell->u);
@@ -60,8 +59,7 @@ static void far_cell_init(struct far_cell *cell, double lo, double hi)
 
 static void far_cell_clear(struct far_cell *cell)
 {
-    arb_poly_clear(cell->u);
-    arb_poly_clear(cell->mu);
+    FOR_ALL(arb_poly, clear, cell->u, cell->mu);
 }
 
 /* sum_k mu^k order_k(u), 0 <= k < orders */

@@ -88,14 +88,13 @@ struct far_sampling {
 static void sample_far(void *context, slong k)
 {
     struct far_sampling *const work = context;
-    arb_ptr value = _arb_vec_init(QUANTITIES);
+    LOCAL_VECTOR(value, QUANTITIES);
     LOCAL(arb, beta, u);
     interpolant_place(beta, u, work->f, work->interval, far_place(&work->f->layout->law, k));
     if (interpolant_solve(value, work->f, work->interval, beta, FAR_BITS) != STATUS_OK)
         atomic_store(&work->failed, true);
     for (int q = 0; q < QUANTITIES; q++)
         arb_set(arb_mat_entry(work->value, k, q), value + q);
-    _arb_vec_clear(value, QUANTITIES);
 }
 
 int interpolant_make_far(struct interpolant *f)
@@ -103,15 +102,14 @@ int interpolant_make_far(struct interpolant *f)
     const struct law *law = &f->layout->law;
     struct interval interval = {INTERVAL_LOG, 0, 0, 0, FAR_BITS, FORM_POWER, 0};
     const slong columns = INTERPOLANT_FAR + (falls_apart(law) && has_far(f, DURATION_ZERO_OVERLAP));
-    arb_mat_t a, b, own;
     LOCAL(arb, beta, u, excess);
     int status = STATUS_OK;
     for (int q = 0; q < QUANTITIES; q++)
         if (has_far(f, (enum quantity)q))
             interval.set |= 1u << q;
-    arb_mat_init(a, INTERPOLANT_FAR, INTERPOLANT_FAR);
-    arb_mat_init(own, columns, columns);
-    arb_mat_init(b, columns, QUANTITIES);
+    LOCAL_MATRIX(INTERPOLANT_FAR, INTERPOLANT_FAR, a);
+    LOCAL_MATRIX(columns, columns, own);
+    LOCAL_MATRIX(columns, QUANTITIES, b, y);
     struct far_sampling work = {.f = f, .interval = &interval, .value = b};
     parallel_for(sample_far, &work, columns, "collisions at large beta");
     if (atomic_load(&work.failed))
@@ -129,9 +127,7 @@ int interpolant_make_far(struct interpolant *f)
             interpolant_power(arb_mat_entry(own, k, INTERPOLANT_FAR), u, far_excess(law, true), SOLVING_BITS);
         }
     }
-    arb_mat_t x, y;
-    arb_mat_init(x, INTERPOLANT_FAR, QUANTITIES);
-    arb_mat_init(y, columns, QUANTITIES);
+    LOCAL_MATRIX(INTERPOLANT_FAR, QUANTITIES, x);
     for (slong k = 0; k < INTERPOLANT_FAR; k++)
         for (int q = 0; q < QUANTITIES; q++)
             arb_set(arb_mat_entry(x, k, q), arb_mat_entry(b, k, q));
@@ -144,11 +140,6 @@ int interpolant_make_far(struct interpolant *f)
                                                                                            : arb_mat_entry(x, k, q));
     if (columns > INTERPOLANT_FAR)
         arb_set(f->fall, arb_mat_entry(y, INTERPOLANT_FAR, DURATION_ZERO_OVERLAP));
-    arb_mat_clear(a);
-    arb_mat_clear(b);
-    arb_mat_clear(own);
-    arb_mat_clear(x);
-    arb_mat_clear(y);
     return status;
 }
 
@@ -156,8 +147,7 @@ void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity q
 {
     const struct law *law = &f->layout->law;
     LOCAL(arb, power);
-    arb_mat_t basis;
-    arb_mat_init(basis, 1, INTERPOLANT_FAR);
+    LOCAL_MATRIX(1, INTERPOLANT_FAR, basis);
     far_basis(basis, 0, u, law, INTERPOLANT_BITS);
     arb_zero(y);
     for (slong k = 0; k < INTERPOLANT_FAR; k++)
@@ -170,7 +160,6 @@ void interpolant_far_value(arb_t y, const struct interpolant *f, enum quantity q
     }
     interpolant_power(power, u, interpolant_tail_power(law, quantity), prec);
     arb_mul(y, y, power, prec);
-    arb_mat_clear(basis);
 }
 
 /* e = mu (1 + mu q_1(u) + mu^2 q_2(u)), u = -(3/5) ln(mu), solved for beta = mu^(-3/5) in powers of e: to first order

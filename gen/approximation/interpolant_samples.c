@@ -273,12 +273,11 @@ static void sample(void *context, slong i)
     const slong j = work->task[i].sample;
     if (atomic_load(&work->failed))
         return;
-    arb_ptr value = _arb_vec_init(QUANTITIES);
+    LOCAL_VECTOR(value, QUANTITIES);
     if (interpolant_solve(value, work->f, interval, s->beta + j, interval->bits) != STATUS_OK)
         atomic_store(&work->failed, true);
     for (int q = 0; q < QUANTITIES; q++)
         arb_set(s->value[q] + j, value + q);
-    _arb_vec_clear(value, QUANTITIES);
 }
 
 static int make_samples(struct interpolant *f, double beta_min, double beta_max)
@@ -314,11 +313,8 @@ struct interpolant *interpolant_new(const struct interpolant_layout *layout, dou
     for (int q = 0; q < QUANTITIES; q++)
         for (int k = 0; k < INTERPOLANT_FAR; k++)
             arb_init(&f->far[q][k]);
-    arb_init(f->fall);
-    arb_init(f->threshold);
-    arb_init(f->final_speed);
-    arb_poly_init(f->backward);
-    arb_poly_init(f->backward_time);
+    FOR_ALL(arb, init, f->fall, f->threshold, f->final_speed);
+    FOR_ALL(arb_poly, init, f->backward, f->backward_time);
 
     int status = make_constants(f, beta_max);
     make_backward(f);
@@ -343,11 +339,8 @@ void interpolant_free(struct interpolant *f)
     for (int q = 0; q < QUANTITIES; q++)
         for (int k = 0; k < INTERPOLANT_FAR; k++)
             arb_clear(&f->far[q][k]);
-    arb_clear(f->fall);
-    arb_clear(f->threshold);
-    arb_clear(f->final_speed);
-    arb_poly_clear(f->backward);
-    arb_poly_clear(f->backward_time);
+    FOR_ALL(arb, clear, f->fall, f->threshold, f->final_speed);
+    FOR_ALL(arb_poly, clear, f->backward, f->backward_time);
     free(f);
 }
 
@@ -355,7 +348,7 @@ void interpolant_free(struct interpolant *f)
 static int check_place(double *error, const struct interpolant *f, int i, double x)
 {
     const struct interval *interval = &f->layout->interval[i];
-    arb_ptr value = _arb_vec_init(QUANTITIES);
+    LOCAL_VECTOR(value, QUANTITIES);
     LOCAL(arb, beta, variable, y);
     interpolant_place(beta, variable, f, interval, x);
     const int status = interval_solve(value, f, interval, beta, interval->bits);
@@ -371,7 +364,6 @@ static int check_place(double *error, const struct interpolant *f, int i, double
         }
         *error = fmax(*error, fabs(arf_get_d(arb_midref(y), ARF_RND_UP)));
     }
-    _arb_vec_clear(value, QUANTITIES);
     return status;
 }
 

@@ -84,8 +84,7 @@ bool law_tables_have_fall(const struct law_tables *t, enum quantity quantity)
 {
     LOCAL(arb, fall);
     interpolant_far_fall(fall, t->f);
-    const bool has = quantity == DURATION_ZERO_OVERLAP && law_tables_have_far(t, quantity) && !arb_is_zero(fall);
-    return has;
+    return quantity == DURATION_ZERO_OVERLAP && law_tables_have_far(t, quantity) && !arb_is_zero(fall);
 }
 
 /* Splits a value into its nearest double and the remainder. */
@@ -98,11 +97,10 @@ static void split(arb_t value, arb_t rest)
 /* Writes a value as two doubles. */
 static int emit_pair(struct emit *e, const char *name, const arb_t value)
 {
-    arb_ptr row = _arb_vec_init(2);
+    LOCAL_VECTOR(row, 2);
     arb_set(row, value);
     split(row, row + 1);
     const int status = emit_one_row(e, name, row, 2);
-    _arb_vec_clear(row, 2);
     return status;
 }
 
@@ -134,10 +132,9 @@ void law_tables_far_inverse_row(arb_ptr row, const struct law_tables *t)
 
 int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantity quantity, const char *name)
 {
-    arb_ptr row = _arb_vec_init(FAR_COLUMNS);
+    LOCAL_VECTOR(row, FAR_COLUMNS);
     law_tables_far_row(row, t, quantity);
     const int status = emit_one_row(e, name, row, FAR_COLUMNS);
-    _arb_vec_clear(row, FAR_COLUMNS);
     return status;
 }
 
@@ -151,9 +148,8 @@ int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char 
 
 int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name)
 {
-    arb_ptr row = _arb_vec_init(INVERSE_COLUMNS);
+    LOCAL_VECTOR(row, INVERSE_COLUMNS);
     law_tables_far_inverse_row(row, t);
     const int status = emit_one_row(e, name, row, INVERSE_COLUMNS);
-    _arb_vec_clear(row, INVERSE_COLUMNS);
     return status;
 }

@@ -27,8 +27,7 @@ enum {
 
 void pade_init(struct pade *f)
 {
-    arb_poly_init(f->p);
-    arb_poly_init(f->q);
+    FOR_ALL(arb_poly, init, f->p, f->q);
     f->numerator = f->denominator = 0;
     f->root = 1;
     f->variable = "z";
@@ -36,8 +35,7 @@ void pade_init(struct pade *f)
 
 void pade_clear(struct pade *f)
 {
-    arb_poly_clear(f->p);
-    arb_poly_clear(f->q);
+    FOR_ALL(arb_poly, clear, f->p, f->q);
 }
 
 /* The coefficient c_k, or 0 for k < 0, which the system's matrix contains if n > m */
@@ -59,10 +57,8 @@ static void set_denominator(struct pade *f, const arb_mat_t q, slong n)
 /* sum_j q_j c_{i-j} = 0 for i = m+1..m+n, then P = Q c up to z^m. */
 bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong prec)
 {
-    arb_mat_t a, b, q;
-    arb_mat_init(a, n, n);
-    arb_mat_init(b, n, 1);
-    arb_mat_init(q, n, 1);
+    LOCAL_MATRIX(n, n, a);
+    LOCAL_MATRIX(n, 1, b, q);
     for (slong i = 0; i < n; i++) {
         for (slong j = 0; j < n; j++)
             coefficient(arb_mat_entry(a, i, j), c, m + i - j);
@@ -76,9 +72,6 @@ bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong 
         f->numerator = m;
         f->denominator = n;
     }
-    arb_mat_clear(a);
-    arb_mat_clear(b);
-    arb_mat_clear(q);
     return regular;
 }
 
@@ -87,10 +80,8 @@ bool pade_of_series(struct pade *f, const arb_poly_t c, slong m, slong n, slong 
 bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t limit, slong m, slong prec)
 {
     const slong n = m + TAIL_POWER;
-    arb_mat_t a, b, q;
-    arb_mat_init(a, n, n);
-    arb_mat_init(b, n, 1);
-    arb_mat_init(q, n, 1);
+    LOCAL_MATRIX(n, n, a);
+    LOCAL_MATRIX(n, 1, b, q);
     for (slong i = 0; i < n; i++) {
         for (slong j = 1; j <= n; j++)
             coefficient(arb_mat_entry(a, i, j - 1), c, i - j);
@@ -109,9 +100,6 @@ bool pade_two_point_of_series(struct pade *f, const arb_poly_t c, const arb_t li
         f->numerator = m;
         f->denominator = n;
     }
-    arb_mat_clear(a);
-    arb_mat_clear(b);
-    arb_mat_clear(q);
     return regular;
 }
 
@@ -148,16 +136,13 @@ static bool vanishes(const arb_poly_t c, slong m, slong n, slong prec)
 {
     if (n <= 0)
         return false;
-    arb_mat_t a;
     LOCAL(arb, det);
-    arb_mat_init(a, n, n);
+    LOCAL_MATRIX(n, n, a);
     for (slong i = 0; i < n; i++)
         for (slong j = 0; j < n; j++)
             coefficient(arb_mat_entry(a, i, j), c, m + i - j);
     arb_mat_det(det, a, prec);
-    const bool zero = arb_contains_zero(det);
-    arb_mat_clear(a);
-    return zero;
+    return arb_contains_zero(det);
 }
 
 /* Vanishing determinants fill squares whose upper left corner is the entry after the fraction's own degrees (Gragg

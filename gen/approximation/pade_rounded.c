@@ -23,23 +23,13 @@ enum {
 
 void pade_rounded_init(struct pade_rounded *r)
 {
-    arb_poly_init(r->p);
-    arb_poly_init(r->q);
-    arb_poly_init(r->l);
-    arb_poly_init(r->p_double);
-    arb_poly_init(r->q_double);
-    arb_poly_init(r->l_double);
+    FOR_ALL(arb_poly, init, r->p, r->q, r->l, r->p_double, r->q_double, r->l_double);
     r->root = 1;
 }
 
 void pade_rounded_clear(struct pade_rounded *r)
 {
-    arb_poly_clear(r->p);
-    arb_poly_clear(r->q);
-    arb_poly_clear(r->l);
-    arb_poly_clear(r->p_double);
-    arb_poly_clear(r->q_double);
-    arb_poly_clear(r->l_double);
+    FOR_ALL(arb_poly, clear, r->p, r->q, r->l, r->p_double, r->q_double, r->l_double);
 }
 
 static int round_polynomial(arb_poly_t rounded, const arb_poly_t exact, const char *name)
@@ -310,8 +300,7 @@ void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded 
     arb_t error[3];
     LOCAL(arb, z, low, high);
     for (int i = 0; i < 3; i++) {
-        arb_poly_init(magnitude[i]);
-        arb_poly_init(slope[i]);
+        FOR_ALL(arb_poly, init, magnitude[i], slope[i]);
         arb_init(error[i]);
         set_magnitude(magnitude[i], poly[i]);
         arb_poly_derivative(slope[i], poly[i], BITS);
@@ -329,8 +318,7 @@ void pade_evaluation_error(double *eps, double *loss, const struct pade_rounded 
         *loss = fmax(*loss, quotient_error(error[2], error[1], 2));
     }
     for (int i = 0; i < 3; i++) {
-        arb_poly_clear(magnitude[i]);
-        arb_poly_clear(slope[i]);
+        FOR_ALL(arb_poly, clear, magnitude[i], slope[i]);
         arb_clear(error[i]);
     }
 }

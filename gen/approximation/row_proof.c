@@ -109,7 +109,7 @@ static void polynomial_error(arb_t error, const struct ellipse_bound *bound, enu
 static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *bound, enum quantity quantity,
                                const arb_t error, slong n)
 {
-    arb_ptr value = _arb_vec_init(n);
+    LOCAL_VECTOR(value, n);
     LOCAL(arb, x, sum, limit);
     LOCAL(fmpq, angle);
     bool agree = true;
@@ -135,7 +135,6 @@ static bool coefficients_agree(const arb_poly_t p, const struct ellipse_bound *b
         arb_mul_2exp_si(limit, limit, 1);
         agree = agree && arb_le(sum, limit);
     }
-    _arb_vec_clear(value, n);
     return agree;
 }
 
@@ -146,7 +145,7 @@ int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *
     const slong n = interval->count;
     arb_srcptr node, value;
     interpolant_samples(&node, &value, f, i, quantity);
-    arb_ptr w = _arb_vec_init(n);
+    LOCAL_VECTOR(w, n);
     LOCAL(arb, constant);
     for (slong j = 0; j < n; j++)
         to_unit(w + j, node + j, interval);
@@ -154,7 +153,6 @@ int interpolant_polynomial(arb_poly_t p, arb_t error, const struct interpolant *
     arb_poly_interpolate_newton(p, w, value, n, PREC);
     polynomial_error(error, bound, quantity, constant, value, interval);
     const bool agree = coefficients_agree(p, bound, quantity, error, n);
-    _arb_vec_clear(w, n);
     return agree ? STATUS_OK
                  : fail("the interpolant of quantity %d on [%g, %g] is not the function's: a sample or a node is wrong",
                         quantity, interval->lo, interval->hi);
@@ -432,9 +430,7 @@ static void piece_init(struct piece *w, double lo, double hi)
 {
     const enum quantity stored = stored_quantity(w->p->quantity);
     LOCAL(arb, a, b, middle);
-    arb_poly_init(w->x);
-    arb_poly_init(w->stored);
-    arb_poly_init(w->beta);
+    FOR_ALL(arb_poly, init, w->x, w->stored, w->beta);
     enclosed_variable(w->x, lo, hi);
     arb_set_d(a, lo);
     arb_set_d(b, hi);
@@ -456,9 +452,7 @@ static void piece_init(struct piece *w, double lo, double hi)
 
 static void piece_clear(struct piece *w)
 {
-    arb_poly_clear(w->x);
-    arb_poly_clear(w->stored);
-    arb_poly_clear(w->beta);
+    FOR_ALL(arb_poly, clear, w->x, w->stored, w->beta);
 }
 
 /* 1 - eps, from what the interval stores for eps */

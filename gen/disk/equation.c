@@ -26,18 +26,12 @@ struct wave {
 
 static void wave_init(struct wave *a)
 {
-    arb_init(a->z);
-    arb_init(a->h);
-    arb_init(a->d);
-    arb_init(a->k);
+    FOR_ALL(arb, init, a->z, a->h, a->d, a->k);
 }
 
 static void wave_clear(struct wave *a)
 {
-    arb_clear(a->z);
-    arb_clear(a->h);
-    arb_clear(a->d);
-    arb_clear(a->k);
+    FOR_ALL(arb, clear, a->z, a->h, a->d, a->k);
 }
 
 /* Computes the wave from a->z. The zeros of J_m and J_{m+1} interlace, j_{m,k} < j_{m+1,k} < j_{m,k+1}: below kappa,
@@ -108,8 +102,7 @@ static void wave_derivative(arb_t h, arb_t d, arb_t k, const struct wave *a, slo
 void disk_init(struct disk *d, const fmpq_t nu, slong prec)
 {
     LOCAL(fmpq, x);
-    arb_init(d->e);
-    arb_init(d->s);
+    FOR_ALL(arb, init, d->e, d->s);
     fmpq_add_si(x, nu, 1);
     arb_set_fmpq(d->e, x, prec);
     fmpq_sub_si(x, x, 2);
@@ -122,8 +115,7 @@ void disk_init(struct disk *d, const fmpq_t nu, slong prec)
 
 void disk_init_round(struct disk *d, const struct disk *wide, slong prec)
 {
-    arb_init(d->e);
-    arb_init(d->s);
+    FOR_ALL(arb, init, d->e, d->s);
     arb_set_round(d->e, wide->e, prec);
     arb_set_round(d->s, wide->s, prec);
     d->e_double = wide->e_double;
@@ -133,8 +125,7 @@ void disk_init_round(struct disk *d, const struct disk *wide, slong prec)
 
 void disk_clear(struct disk *d)
 {
-    arb_clear(d->e);
-    arb_clear(d->s);
+    FOR_ALL(arb, clear, d->e, d->s);
 }
 
 struct waves {

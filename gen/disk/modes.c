@@ -29,16 +29,12 @@ enum {
 void disk_mode_init(struct disk_mode *mode)
 {
     *mode = (struct disk_mode){0};
-    arb_init(mode->omega);
-    arb_init(mode->c);
-    arb_init(mode->s);
+    FOR_ALL(arb, init, mode->omega, mode->c, mode->s);
 }
 
 void disk_mode_clear(struct disk_mode *mode)
 {
-    arb_clear(mode->omega);
-    arb_clear(mode->c);
-    arb_clear(mode->s);
+    FOR_ALL(arb, clear, mode->omega, mode->c, mode->s);
 }
 
 void disk_modes_init(struct disk_modes *modes)

@@ -138,10 +138,9 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
     /* a little inside the range, because x^5 must not leave it */
     const double lo = pow(s->speed_min, power) * (1 + 1e-13), hi = pow(s->speed_max, power) * (1 - 1e-13);
     const slong scale = lround(log2(lo * hi) / 2);
-    arb_mat_t a, b;
     LOCAL(arb, x, eps, term);
-    arb_mat_init(a, count, count);
-    arb_mat_init(b, count, 1);
+    LOCAL_MATRIX(count, count, a);
+    LOCAL_MATRIX(count, 1, b);
     for (slong j = 0; j < count; j++) { /* p(x) - eps (q_0 + ... + q_(n-1) x^(n-1)) = eps x^n */
         arb_set_d(x, fit_node(f, lo, hi, j, count));
         eps_at(eps, f, s, x);
@@ -168,8 +167,6 @@ bool embed_fit_rational(struct embed_form *f, const struct embed_scene *s)
         good = finish_quotient(f, c, scale);
         _arb_vec_clear(c, count + 1);
     }
-    arb_mat_clear(a);
-    arb_mat_clear(b);
     return good;
 }
 
@@ -177,7 +174,7 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
                         slong root)
 {
     const slong m = f->numerator, n = f->denominator;
-    arb_ptr c = _arb_vec_init(m + n + 2);
+    LOCAL_VECTOR(c, m + n + 2);
     LOCAL(arb, unit, power);
     arb_root_ui(unit, s->beta_per_root, (ulong)root, EMBED_BITS); /* z = unit speed^(1/(5 root)) */
     for (slong k = 0; k <= m + n + 1; k++) {
@@ -186,9 +183,7 @@ bool embed_fit_quotient(struct embed_form *f, const struct embed_scene *s, const
         arb_pow_ui(power, unit, (ulong)degree, EMBED_BITS);
         arb_mul(c + k, c + k, power, EMBED_BITS);
     }
-    const bool good = finish_quotient(f, c, 0);
-    _arb_vec_clear(c, m + n + 2);
-    return good;
+    return finish_quotient(f, c, 0);
 }
 
 /* Fits a row: the polynomial in t through eps at `count` Chebyshev points t of [lo, hi]. */

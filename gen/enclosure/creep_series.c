@@ -33,9 +33,7 @@ static void formal_time_init(struct formal_time *f)
     fmpq_poly_set_coeff_si(k, 1, 1);
     fmpq_poly_set_si(sum, -1);
     for (slong j = 1; j <= CREEP_SERIES_ORDER; j++) {
-        fmpq_poly_init(&f->q[j]);
-        fmpq_poly_init(&f->slope[j]);
-        fmpq_poly_init(&f->source[j]);
+        FOR_ALL(fmpq_poly, init, &f->q[j], &f->slope[j], &f->source[j]);
         fmpq_poly_set(&f->slope[j], sum);
         fmpq_poly_integral(&f->q[j], sum);
         fmpq_poly_get_coeff_fmpq(constant, sum, 0);
@@ -55,9 +53,7 @@ static void formal_time_init(struct formal_time *f)
 static void formal_time_clear(struct formal_time *f)
 {
     for (slong j = 1; j <= CREEP_SERIES_ORDER; j++) {
-        fmpq_poly_clear(&f->q[j]);
-        fmpq_poly_clear(&f->slope[j]);
-        fmpq_poly_clear(&f->source[j]);
+        FOR_ALL(fmpq_poly, clear, &f->q[j], &f->slope[j], &f->source[j]);
     }
 }
 
@@ -178,8 +174,7 @@ void creep_series_init(struct creep_series *s, slong prec)
     struct formal_time f;
     LOCAL(fmpq, constant);
     LOCAL(arb, r, x);
-    arb_init(s->start);
-    arb_init(s->factor);
+    FOR_ALL(arb, init, s->start, s->factor);
     formal_time_init(&f);
     s->a = _arb_vec_init(CREEP_SERIES_ORDER + 1);
     for (slong j = 1; j <= CREEP_SERIES_ORDER; j++) {
@@ -201,8 +196,7 @@ void creep_series_init(struct creep_series *s, slong prec)
 void creep_series_clear(struct creep_series *s)
 {
     _arb_vec_clear(s->a, CREEP_SERIES_ORDER + 1);
-    arb_clear(s->start);
-    arb_clear(s->factor);
+    FOR_ALL(arb, clear, s->start, s->factor);
 }
 
 /* The integral of (2/s) |dTheta/dk - dTheta_n/dk| from 0 to r */

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/expansion.h"
 
-#include "support/local.h"
-
 static slong term_index(slong i, slong j)
 {
     return (i + j) * (i + j + 1) / 2 + j;
@@ -162,73 +160,64 @@ static void add_product_rest(struct expansion *z, const struct expansion *x, con
 
 void expansion_multiply(struct expansion *z, const struct expansion *x, const struct expansion *y)
 {
-    struct expansion sum;
-    expansion_init(&sum, z->domain);
+    LOCAL_EXPANSION(z->domain, sum);
     for (slong m = 0; m <= EXPANSION_ORDER; m++)
         for (slong j = 0; j <= m; j++)
             for (slong n = 0; m + n <= EXPANSION_ORDER; n++)
                 for (slong l = 0; l <= n; l++)
-                    add_product(&sum, expansion_term_of(x, m - j, j), m - j, j, expansion_term_of(y, n - l, l), n - l,
+                    add_product(sum, expansion_term_of(x, m - j, j), m - j, j, expansion_term_of(y, n - l, l), n - l,
                                 l);
-    add_product_rest(&sum, x, y);
-    expansion_set(z, &sum);
-    expansion_clear(&sum);
+    add_product_rest(sum, x, y);
+    expansion_set(z, sum);
 }
 
 void expansion_times_a(struct expansion *y, const struct expansion *x, slong power)
 {
-    struct expansion product;
     LOCAL(mag, term, factor);
-    expansion_init(&product, y->domain);
-    mag_set(product.rest, x->rest);
+    LOCAL_EXPANSION(y->domain, product);
+    mag_set(product->rest, x->rest);
     for (slong m = 0; m <= EXPANSION_ORDER; m++)
         if (m + power > EXPANSION_ORDER) {
             expansion_norm_of_degree(term, x, m);
-            mag_add(product.rest, product.rest, term);
+            mag_add(product->rest, product->rest, term);
         } else {
             for (slong j = 0; j <= m; j++)
-                arb_poly_set(expansion_term(&product, m - j + power, j), expansion_term_of(x, m - j, j));
+                arb_poly_set(expansion_term(product, m - j + power, j), expansion_term_of(x, m - j, j));
         }
     mag_pow_ui(factor, y->domain->a, (ulong)power);
-    mag_mul(product.rest, product.rest, factor);
-    expansion_set(y, &product);
-    expansion_clear(&product);
+    mag_mul(product->rest, product->rest, factor);
+    expansion_set(y, product);
 }
 
 /* ---- power series ---- */
 
 void expansion_series(struct expansion *y, const struct expansion *x, arb_srcptr coefficient)
 {
-    struct expansion sum, small;
     LOCAL(mag, bound);
-    expansion_init(&sum, y->domain);
-    expansion_init(&small, y->domain);
-    expansion_set(&small, x);
-    polynomial_norm(bound, &small.c[0], 0);
-    expansion_add_rest(&small, bound);
-    arb_poly_zero(&small.c[0]);
+    LOCAL_EXPANSION(y->domain, sum, small);
+    expansion_set(small, x);
+    polynomial_norm(bound, &small->c[0], 0);
+    expansion_add_rest(small, bound);
+    arb_poly_zero(&small->c[0]);
     for (slong k = EXPANSION_ORDER; k >= 0; k--) {
-        expansion_multiply(&sum, &sum, &small);
-        expansion_add_number(&sum, 0, 0, coefficient + k);
+        expansion_multiply(sum, sum, small);
+        expansion_add_number(sum, 0, 0, coefficient + k);
     }
-    expansion_norm(bound, &small);
+    expansion_norm(bound, small);
     mag_geom_series(bound, bound, EXPANSION_ORDER + 1);
-    expansion_add_rest(&sum, bound);
-    expansion_set(y, &sum);
-    expansion_clear(&sum);
-    expansion_clear(&small);
+    expansion_add_rest(sum, bound);
+    expansion_set(y, sum);
 }
 
 void expansion_power(struct expansion *y, const struct expansion *x, slong p, slong q)
 {
-    arb_ptr c = _arb_vec_init(EXPANSION_ORDER + 1);
+    LOCAL_VECTOR(c, EXPANSION_ORDER + 1);
     arb_one(c);
     for (slong k = 0; k < EXPANSION_ORDER; k++) {
         arb_mul_si(c + k + 1, c + k, p - k * q, EXPANSION_BITS);
         arb_div_si(c + k + 1, c + k + 1, (k + 1) * q, EXPANSION_BITS);
     }
     expansion_series(y, x, c);
-    _arb_vec_clear(c, EXPANSION_ORDER + 1);
 }
 
 /* ---- substitution ---- */
@@ -254,29 +243,25 @@ static void polynomial_of(struct expansion *y, const arb_poly_t p, const struct 
 void expansion_substitute(struct expansion *y, const struct expansion *x, const struct expansion *tau,
                           const struct expansion *e)
 {
-    struct expansion sum, term;
     LOCAL(mag, bound, one);
-    expansion_init(&sum, y->domain);
-    expansion_init(&term, y->domain);
+    LOCAL_EXPANSION(y->domain, sum, term);
     mag_one(one);
     for (slong m = 0; m <= EXPANSION_ORDER; m++)
         for (slong j = 0; j <= m; j++) {
-            polynomial_of(&term, expansion_term_of(x, m - j, j), e);
+            polynomial_of(term, expansion_term_of(x, m - j, j), e);
             for (slong k = 0; k < j; k++)
-                expansion_multiply(&term, &term, tau);
-            expansion_times_a(&term, &term, m - j);
-            expansion_add(&sum, &sum, &term);
+                expansion_multiply(term, term, tau);
+            expansion_times_a(term, term, m - j);
+            expansion_add(sum, sum, term);
         }
-    expansion_add_rest(&sum, x->rest);
+    expansion_add_rest(sum, x->rest);
     expansion_norm(bound, tau);
     if (mag_cmp(bound, x->domain->b) > 0 || mag_cmp(y->domain->a, x->domain->a) > 0)
-        mag_inf(sum.rest);
+        mag_inf(sum->rest);
     expansion_norm(bound, e);
     if (mag_cmp(bound, one) > 0 || arb_poly_length(&e->c[0]))
-        mag_inf(sum.rest);
-    expansion_set(y, &sum);
-    expansion_clear(&sum);
-    expansion_clear(&term);
+        mag_inf(sum->rest);
+    expansion_set(y, sum);
 }
 
 /* ---- fixed points ---- */
@@ -292,27 +277,22 @@ static void to_numbers(struct expansion *x)
 
 bool expansion_fixed_point(struct expansion *x, expansion_map *map, void *context)
 {
-    struct expansion image, difference;
     LOCAL(mag, rest, bound);
-    expansion_init(&image, x->domain);
-    expansion_init(&difference, x->domain);
+    LOCAL_EXPANSION(x->domain, image, difference);
     for (int k = 0; k <= EXPANSION_ORDER; k++) {
-        map(&image, x, context);
-        expansion_set(x, &image);
+        map(image, x, context);
+        expansion_set(x, image);
         to_numbers(x);
     }
-    map(&image, x, context);
-    expansion_sub(&difference, &image, x);
-    expansion_norm(rest, &difference);
+    map(image, x, context);
+    expansion_sub(difference, image, x);
+    expansion_norm(rest, difference);
     mag_mul_2exp_si(rest, rest, 1);
     mag_set(x->rest, rest);
-    map(&image, x, context);
+    map(image, x, context);
     mag_zero(x->rest);
-    expansion_sub(&difference, &image, x);
-    expansion_norm(bound, &difference);
+    expansion_sub(difference, image, x);
+    expansion_norm(bound, difference);
     mag_set(x->rest, rest);
-    const bool proved = mag_is_finite(rest) && mag_cmp(bound, rest) <= 0;
-    expansion_clear(&image);
-    expansion_clear(&difference);
-    return proved;
+    return mag_is_finite(rest) && mag_cmp(bound, rest) <= 0;
 }

@@ -10,7 +10,7 @@
 
 #include <stdbool.h>
 
-#include "support/flint.h"
+#include "support/local.h"
 
 enum {
     EXPANSION_ORDER = 4,
@@ -32,6 +32,27 @@ struct expansion {
 
 void expansion_init(struct expansion *x, const struct expansion_domain *domain);
 void expansion_clear(struct expansion *x);
+
+/* LOCAL_EXPANSION(domain, x, y) declares models over a domain, which the end of their block clears. */
+typedef struct expansion expansion_struct, expansion_t[1];
+static inline struct expansion expansion_local(const struct expansion_domain *domain)
+{
+    struct expansion x;
+    expansion_init(&x, domain);
+    return x;
+}
+static inline void expansion_local_clear(expansion_t *x)
+{
+    expansion_clear(*x);
+}
+#define EXPANSIONS_INIT(domain, ...)                                                                                   \
+    do {                                                                                                               \
+        struct expansion *const all_[] = {__VA_ARGS__};                                                                \
+        for (size_t i_ = 0; i_ < sizeof all_ / sizeof *all_; i_++)                                                     \
+            expansion_init(all_[i_], domain);                                                                          \
+    } while (0)
+#define LOCAL_EXPANSION(domain, ...) LOCAL_FROM(expansion, expansion_local(domain), __VA_ARGS__)
+
 void expansion_zero(struct expansion *x);
 void expansion_set(struct expansion *y, const struct expansion *x);
 

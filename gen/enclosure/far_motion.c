@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "enclosure/far_motion.h"
 
-#include "support/local.h"
+#include "enclosure/slow_manifold.h"
 
 /* Scaled as in (8.1): X is the overlap, w = dX/ds, Y = sqrt(X), zeta = (2/3) X^(3/2). S = mu X P(r), r = mu/Y, is the
  * slow manifold without its minus sign, f = w + S the distance from it. */
@@ -10,9 +10,9 @@ enum {
     MANIFOLD_ORDER = 4 /* of P */
 };
 
-/* Coefficients of P and of dS/dX, and those that the manifold's equation lacks from r^MANIFOLD_ORDER on */
+/* P, dS/dX and what the manifold's equation lacks from r^MANIFOLD_ORDER on, in r */
 struct manifold {
-    arb_struct p[MANIFOLD_ORDER + 1], slope[MANIFOLD_ORDER + 1], lack[MANIFOLD_ORDER + 1];
+    arb_poly_t p, slope, lack;
 };
 
 /* What the two parts of the motion have in common */
@@ -32,51 +32,43 @@ struct motion {
 
 /* ---- the slow manifold ---- */
 
-/* p_m = sum of p_j p_k (1 - k/2), j + k = m - 1; the same sums with m - 1 >= MANIFOLD_ORDER remain. */
+/* y = x - x' r/degree: the coefficients times 1 - k/degree */
+static void less_slope(arb_poly_t y, const arb_poly_t x, ulong degree)
+{
+    LOCAL(arb_poly, term);
+    LOCAL(arb, factor);
+    arb_set_ui(factor, degree);
+    arb_poly_derivative(term, x, BITS);
+    arb_poly_shift_left(term, term, 1);
+    arb_poly_scalar_div(term, term, factor, BITS);
+    arb_poly_sub(y, x, term, BITS);
+}
+
+/* Order r^(k+1) of the manifold's equation is p_(k+1) = (1 - k/4) (p^2)_k; from MANIFOLD_ORDER on the right remains. */
 static void manifold_init(struct manifold *m)
 {
-    LOCAL(arb, term);
-    for (slong k = 0; k <= MANIFOLD_ORDER; k++) {
-        arb_init(&m->p[k]);
-        arb_init(&m->slope[k]);
-        arb_init(&m->lack[k]);
-    }
-    arb_one(&m->p[0]);
-    for (slong i = 0; i <= 2 * MANIFOLD_ORDER; i++) {
-        arb_ptr sum = i < MANIFOLD_ORDER ? &m->p[i + 1] : &m->lack[i - MANIFOLD_ORDER];
-        for (slong k = FLINT_MAX(0, i - MANIFOLD_ORDER); k <= FLINT_MIN(i, MANIFOLD_ORDER); k++) {
-            arb_mul(term, &m->p[i - k], &m->p[k], BITS);
-            arb_mul_si(term, term, 2 - k, BITS);
-            arb_mul_2exp_si(term, term, -1);
-            arb_add(sum, sum, term, BITS);
-        }
-    }
-    for (slong k = 0; k <= MANIFOLD_ORDER; k++) {
-        arb_mul_si(&m->slope[k], &m->p[k], 2 - k, BITS);
-        arb_mul_2exp_si(&m->slope[k], &m->slope[k], -1);
-    }
+    FOR_ALL(arb_poly, init, m->p, m->slope, m->lack);
+    slow_manifold_formal(m->p, &law_sphere, MANIFOLD_ORDER, BITS);
+    less_slope(m->slope, m->p, 2);
+    arb_poly_mul(m->lack, m->p, m->p, BITS);
+    less_slope(m->lack, m->lack, 4);
+    arb_poly_shift_right(m->lack, m->lack, MANIFOLD_ORDER);
 }
 
 static void manifold_clear(struct manifold *m)
 {
-    for (slong k = 0; k <= MANIFOLD_ORDER; k++) {
-        arb_clear(&m->p[k]);
-        arb_clear(&m->slope[k]);
-        arb_clear(&m->lack[k]);
-    }
+    FOR_ALL(arb_poly, clear, m->p, m->slope, m->lack);
 }
 
-/* sum of c_k r^(k - first), first <= k <= MANIFOLD_ORDER */
-static void manifold_sum(struct expansion *y, const arb_struct *c, slong first, const struct expansion *r)
+/* sum of c_k r^(k - first), k >= first */
+static void manifold_sum(struct expansion *y, const arb_poly_t c, slong first, const struct expansion *r)
 {
-    struct expansion sum;
-    expansion_init(&sum, y->domain);
-    for (slong k = MANIFOLD_ORDER; k >= first; k--) {
-        expansion_multiply(&sum, &sum, r);
-        expansion_add_number(&sum, 0, 0, c + k);
+    LOCAL_EXPANSION(y->domain, sum);
+    for (slong k = arb_poly_degree(c); k >= first; k--) {
+        expansion_multiply(sum, sum, r);
+        expansion_add_number(sum, 0, 0, arb_poly_get_coeff_ptr(c, k));
     }
-    expansion_set(y, &sum);
-    expansion_clear(&sum);
+    expansion_set(y, sum);
 }
 
 /* ---- the start: w as a function of zeta, 0 <= zeta <= 1/2 ---- */
@@ -108,18 +100,14 @@ static void half_power(struct expansion *y, slong p, slong q)
 /* x^(p/q), where 1 - z/2 is what x has without a and b */
 static void power_of_half(struct expansion *y, const struct expansion *x, slong p, slong q)
 {
-    struct expansion line, factor;
-    expansion_init(&line, y->domain);
-    expansion_init(&factor, y->domain);
-    set_line(expansion_term(&line, 0, 0));
-    expansion_sub(&line, x, &line);
-    half_power(&factor, -1, 1);
-    expansion_multiply(&line, &line, &factor);
-    expansion_power(y, &line, p, q);
-    half_power(&factor, p, q);
-    expansion_multiply(y, y, &factor);
-    expansion_clear(&line);
-    expansion_clear(&factor);
+    LOCAL_EXPANSION(y->domain, line, factor);
+    set_line(expansion_term(line, 0, 0));
+    expansion_sub(line, x, line);
+    half_power(factor, -1, 1);
+    expansion_multiply(line, line, factor);
+    expansion_power(y, line, p, q);
+    half_power(factor, p, q);
+    expansion_multiply(y, y, factor);
 }
 
 /* The map of 1/w = V: w = 1 - zeta - integral of mu X V. In eta = X* mu zeta^(5/3) and z = 2 zeta, the integral of
@@ -127,15 +115,14 @@ static void power_of_half(struct expansion *y, const struct expansion *x, slong 
 static void speed_map(struct expansion *w, const struct expansion *x, void *context)
 {
     (void)context;
-    struct expansion inverse;
     LOCAL(arb, c);
     LOCAL(mag, bound);
-    expansion_init(&inverse, x->domain);
-    power_of_half(&inverse, x, -1, 1);
+    LOCAL_EXPANSION(x->domain, inverse);
+    power_of_half(inverse, x, -1, 1);
     expansion_zero(w);
     set_line(expansion_term(w, 0, 0));
     for (slong k = 0; k < EXPANSION_ORDER; k++) {
-        const arb_poly_struct *const v = expansion_term_of(&inverse, k, 0);
+        const arb_poly_struct *const v = expansion_term_of(inverse, k, 0);
         for (slong n = 0; n < arb_poly_length(v); n++) {
             arb_mul_si(c, arb_poly_get_coeff_ptr(v, n), -3, BITS);
             arb_div_si(c, c, 5 * (k + 1) + 3 * n, BITS);
@@ -143,11 +130,10 @@ static void speed_map(struct expansion *w, const struct expansion *x, void *cont
         }
     }
     /* |integral of mu X g| <= (3/5) eta |g| */
-    expansion_norm_of_degree(bound, &inverse, EXPANSION_ORDER);
-    mag_add(bound, bound, inverse.rest);
+    expansion_norm_of_degree(bound, inverse, EXPANSION_ORDER);
+    mag_add(bound, bound, inverse->rest);
     mag_mul(bound, bound, x->domain->a);
     expansion_add_rest(w, bound);
-    expansion_clear(&inverse);
 }
 
 /* eta/mu = X* 2^(-5/3) where zeta = 1/2 */
@@ -163,14 +149,13 @@ static void end_ratio(arb_t ratio, const struct motion *m)
  * integral of eta^k zeta^n/Y is eta^k zeta^(n + 2/3)/(5 k/3 + n + 2/3)/(X*)^(1/2). */
 static void start_end(struct motion *m, const struct expansion *w)
 {
-    struct expansion inverse;
     LOCAL(arb, ratio, scale, sum, c);
-    expansion_init(&inverse, w->domain);
-    power_of_half(&inverse, w, -1, 1);
+    LOCAL_EXPANSION(w->domain, inverse);
+    power_of_half(inverse, w, -1, 1);
     end_ratio(ratio, m);
     arb_one(scale);
     for (slong k = 0; k <= EXPANSION_ORDER; k++) {
-        const arb_poly_struct *const speed = expansion_term_of(w, k, 0), *const v = expansion_term_of(&inverse, k, 0);
+        const arb_poly_struct *const speed = expansion_term_of(w, k, 0), *const v = expansion_term_of(inverse, k, 0);
         arb_one(c);
         arb_poly_evaluate(sum, speed, c, BITS);
         arb_mul(sum, sum, scale, BITS);
@@ -186,47 +171,40 @@ static void start_end(struct motion *m, const struct expansion *w)
         arb_mul(scale, scale, ratio, BITS);
     }
     expansion_add_rest(&m->first_distance, w->rest);
-    expansion_add_rest(&m->first_time, inverse.rest); /* twice, more than the 3/2 of the integral */
-    expansion_add_rest(&m->first_time, inverse.rest);
+    expansion_add_rest(&m->first_time, inverse->rest); /* twice, more than the 3/2 of the integral */
+    expansion_add_rest(&m->first_time, inverse->rest);
     /* zeta^(2/3)/(X*)^(1/2) */
     arb_set_d(c, 0.5);
     arb_root_ui(c, c, 3, BITS);
     arb_sqr(c, c, BITS);
     arb_div(c, c, m->root_of_limit, BITS);
     expansion_scale(&m->first_time, &m->first_time, c);
-    expansion_clear(&inverse);
 }
 
 /* Adds S to w where zeta = 1/2: X = X* 2^(-2/3). */
 static void add_manifold(struct motion *m)
 {
-    struct expansion inverse_root, S;
     LOCAL(arb, x);
-    expansion_init(&inverse_root, &m->fall);
-    expansion_init(&S, &m->fall);
+    LOCAL_EXPANSION(&m->fall, inverse_root, S);
     arb_set_ui(x, 2);
     arb_root_ui(x, x, 3, BITS);
     arb_div(x, x, m->root_of_limit, BITS);
-    expansion_add_number(&inverse_root, 1, 0, x);
-    manifold_sum(&S, m->manifold.p, 0, &inverse_root);
+    expansion_add_number(inverse_root, 1, 0, x);
+    manifold_sum(S, m->manifold.p, 0, inverse_root);
     arb_sqr(x, x, BITS);
     arb_inv(x, x, BITS);
-    expansion_scale(&S, &S, x);
-    expansion_times_a(&S, &S, 1);
-    expansion_add(&m->first_distance, &m->first_distance, &S);
-    expansion_clear(&inverse_root);
-    expansion_clear(&S);
+    expansion_scale(S, S, x);
+    expansion_times_a(S, S, 1);
+    expansion_add(&m->first_distance, &m->first_distance, S);
 }
 
 static void solve_start(struct motion *m)
 {
-    struct expansion w;
-    expansion_init(&w, &m->start);
-    set_line(expansion_term(&w, 0, 0));
-    m->proved = expansion_fixed_point(&w, speed_map, NULL) && m->proved;
-    start_end(m, &w);
+    LOCAL_EXPANSION(&m->start, w);
+    set_line(expansion_term(w, 0, 0));
+    m->proved = expansion_fixed_point(w, speed_map, NULL) && m->proved;
+    start_end(m, w);
     add_manifold(m);
-    expansion_clear(&w);
 }
 
 /* ---- the fall: zeta as a function of l, f = f_0 exp(-l), in mu, tau = mu l and e = exp(-l) ---- */
@@ -243,43 +221,29 @@ struct fall {
 
 static void fall_clear(struct fall *f)
 {
-    expansion_clear(&f->X);
-    expansion_clear(&f->inverse_root);
-    expansion_clear(&f->r);
-    expansion_clear(&f->slope);
-    expansion_clear(&f->S);
-    expansion_clear(&f->Q);
-    expansion_clear(&f->rate);
+    FOR_ALL(expansion, clear, &f->X, &f->inverse_root, &f->r, &f->slope, &f->S, &f->Q, &f->rate);
     mag_clear(f->defect);
 }
 
 /* |lack of the manifold's equation|/mu^(MANIFOLD_ORDER + 2) times the largest ds/dl */
 static void bound_defect(struct fall *f, const struct motion *m)
 {
-    struct expansion sum;
     LOCAL(mag, bound);
-    expansion_init(&sum, f->X.domain);
-    manifold_sum(&sum, m->manifold.lack, 0, &f->r);
-    expansion_norm(f->defect, &sum);
+    LOCAL_EXPANSION(f->X.domain, sum);
+    manifold_sum(sum, m->manifold.lack, 0, &f->r);
+    expansion_norm(f->defect, sum);
     /* X^(1 - MANIFOLD_ORDER/2) = 1/X */
     expansion_norm(bound, &f->inverse_root);
     mag_mul(f->defect, f->defect, bound);
     mag_mul(f->defect, f->defect, bound);
     expansion_norm(bound, &f->rate);
     mag_mul(f->defect, f->defect, bound);
-    expansion_clear(&sum);
 }
 
 static void fall_init(struct fall *f, const struct expansion *zeta, const struct motion *m)
 {
     LOCAL(arb, c);
-    expansion_init(&f->X, zeta->domain);
-    expansion_init(&f->inverse_root, zeta->domain);
-    expansion_init(&f->r, zeta->domain);
-    expansion_init(&f->slope, zeta->domain);
-    expansion_init(&f->S, zeta->domain);
-    expansion_init(&f->Q, zeta->domain);
-    expansion_init(&f->rate, zeta->domain);
+    EXPANSIONS_INIT(zeta->domain, &f->X, &f->inverse_root, &f->r, &f->slope, &f->S, &f->Q, &f->rate);
     mag_init(f->defect);
     power_of_half(&f->inverse_root, zeta, -1, 3);
     arb_inv(c, m->root_of_limit, BITS);
@@ -331,30 +295,28 @@ static void add_integral(struct expansion *y, const arb_t c, slong i, slong j, s
 static void zeta_of(struct expansion *zeta, const struct expansion *h, const struct expansion *distance,
                     const struct motion *m)
 {
-    struct expansion sum;
     LOCAL(arb, c);
     LOCAL(mag, bound);
-    expansion_init(&sum, zeta->domain);
+    LOCAL_EXPANSION(zeta->domain, sum);
     for (slong degree = 0; degree < EXPANSION_ORDER; degree++)
         for (slong j = 0; j <= degree; j++) {
             const slong i = degree - j;
             const arb_poly_struct *const p = expansion_term_of(h, i, j);
             for (slong n = 1; n < arb_poly_length(p); n++)
-                add_integral(&sum, arb_poly_get_coeff_ptr(p, n), i + 1, j, n);
+                add_integral(sum, arb_poly_get_coeff_ptr(p, n), i + 1, j, n);
             arb_poly_get_coeff_arb(c, p, 0);
             arb_div_si(c, c, j + 1, BITS);
-            expansion_add_number(&sum, i, j + 1, c);
+            expansion_add_number(sum, i, j + 1, c);
         }
     expansion_norm_of_degree(bound, h, EXPANSION_ORDER);
     mag_add(bound, bound, h->rest);
     mag_mul(bound, bound, h->domain->b);
-    expansion_add_rest(&sum, bound);
+    expansion_add_rest(sum, bound);
     arb_set_d(c, 0.5);
-    expansion_add_number(&sum, 0, 0, c);
-    expansion_add(&sum, &sum, &m->first_distance);
-    expansion_sub(&sum, &sum, distance);
-    expansion_set(zeta, &sum);
-    expansion_clear(&sum);
+    expansion_add_number(sum, 0, 0, c);
+    expansion_add(sum, sum, &m->first_distance);
+    expansion_sub(sum, sum, distance);
+    expansion_set(zeta, sum);
 }
 
 /* The map dzeta/dl = (f - S)/(1 - (dS/dX)/Y) = f + mu h. f is f_0 e up to the defect. */
@@ -362,25 +324,21 @@ static void fall_map(struct expansion *y, const struct expansion *zeta, void *co
 {
     const struct motion *const m = context;
     struct fall f;
-    struct expansion distance, h;
     LOCAL(mag, bound, factor);
     fall_init(&f, zeta, m);
-    expansion_init(&distance, zeta->domain);
-    expansion_init(&h, zeta->domain);
-    distance_of(&distance, m);
-    expansion_multiply(&h, &distance, &f.slope);
-    expansion_multiply(&h, &h, &f.inverse_root);
-    expansion_sub(&h, &h, &f.S);
-    expansion_multiply(&h, &h, &f.Q);
+    LOCAL_EXPANSION(zeta->domain, distance, h);
+    distance_of(distance, m);
+    expansion_multiply(h, distance, &f.slope);
+    expansion_multiply(h, h, &f.inverse_root);
+    expansion_sub(h, h, &f.S);
+    expansion_multiply(h, h, &f.Q);
     expansion_norm(bound, &f.Q);
     mag_mul(bound, bound, f.defect);
     mag_pow_ui(factor, zeta->domain->a, MANIFOLD_ORDER + 1);
     mag_mul(bound, bound, factor);
-    expansion_add_rest(&h, bound);
-    zeta_of(y, &h, &distance, m);
+    expansion_add_rest(h, bound);
+    zeta_of(y, h, distance, m);
     fall_clear(&f);
-    expansion_clear(&distance);
-    expansion_clear(&h);
 }
 
 /* s = time + l time_per_l: the integral of the rate over l. Without e it is l tau^j/(j + 1) for tau^j, and mu^(i-1)
@@ -434,17 +392,16 @@ struct event {
 static void place_of(struct expansion *tau, struct expansion *e, const struct expansion *theta,
                      const struct event *event)
 {
-    arb_ptr c = _arb_vec_init(EXPANSION_ORDER + 1);
-    struct expansion power;
+    LOCAL_VECTOR(c, EXPANSION_ORDER + 1);
     LOCAL(arb, leading);
-    expansion_init(&power, theta->domain);
+    LOCAL_EXPANSION(theta->domain, power);
     arb_poly_get_coeff_arb(leading, &theta->c[0], 0);
-    expansion_set(&power, theta);
-    arb_poly_zero(&power.c[0]);
+    expansion_set(power, theta);
+    arb_poly_zero(&power->c[0]);
     arb_one(c);
     for (slong k = 1; k <= EXPANSION_ORDER; k++)
         arb_div_si(c + k, c + k - 1, k, BITS);
-    expansion_series(e, &power, c);
+    expansion_series(e, power, c);
     arb_exp(leading, leading, BITS);
     expansion_scale(e, e, leading);
     expansion_times_a(e, e, event->power);
@@ -454,8 +411,6 @@ static void place_of(struct expansion *tau, struct expansion *e, const struct ex
     expansion_times_a(tau, tau, 1);
     arb_set_si(leading, event->power);
     expansion_add_number(tau, 0, 1, leading);
-    expansion_clear(&power);
-    _arb_vec_clear(c, EXPANSION_ORDER + 1);
 }
 
 /* 1/f_0, where f_0 is 1/2 without mu */
@@ -473,7 +428,7 @@ static void inverse_distance(struct expansion *y, const struct motion *m)
 
 static void logarithm(struct expansion *y, const struct expansion *x)
 {
-    arb_ptr c = _arb_vec_init(EXPANSION_ORDER + 1);
+    LOCAL_VECTOR(c, EXPANSION_ORDER + 1);
     LOCAL(arb, leading, inverse);
     arb_poly_get_coeff_arb(leading, &x->c[0], 0);
     arb_get_mid_arb(leading, leading);
@@ -488,29 +443,22 @@ static void logarithm(struct expansion *y, const struct expansion *x)
     expansion_series(y, y, c);
     arb_log(leading, leading, BITS);
     expansion_add_number(y, 0, 0, leading);
-    _arb_vec_clear(c, EXPANSION_ORDER + 1);
 }
 
 /* The map of theta = ln((speed - defect)/f_0) */
 static void event_map(struct expansion *y, const struct expansion *theta, void *context)
 {
     const struct event *const event = context;
-    struct expansion tau, e, inverse;
     LOCAL(mag, bound);
-    expansion_init(&tau, theta->domain);
-    expansion_init(&e, theta->domain);
-    expansion_init(&inverse, theta->domain);
-    place_of(&tau, &e, theta, event);
-    expansion_substitute(y, event->speed, &tau, &e);
+    LOCAL_EXPANSION(theta->domain, tau, e, inverse);
+    place_of(tau, e, theta, event);
+    expansion_substitute(y, event->speed, tau, e);
     mag_pow_ui(bound, theta->domain->a, (ulong)(MANIFOLD_ORDER + 2 - event->power));
     mag_mul(bound, bound, event->m->defect);
     expansion_add_rest(y, bound);
-    inverse_distance(&inverse, event->m);
-    expansion_multiply(y, y, &inverse);
+    inverse_distance(inverse, event->m);
+    expansion_multiply(y, y, inverse);
     logarithm(y, y);
-    expansion_clear(&tau);
-    expansion_clear(&e);
-    expansion_clear(&inverse);
 }
 
 /* ---- results ---- */
@@ -519,16 +467,14 @@ static void far_series_init(struct far_series *s)
 {
     for (slong k = 0; k <= EXPANSION_ORDER; k++)
         arb_poly_init(&s->order[k]);
-    mag_init(s->rest);
-    mag_init(s->rest_per_u);
+    FOR_ALL(mag, init, s->rest, s->rest_per_u);
 }
 
 static void far_series_clear(struct far_series *s)
 {
     for (slong k = 0; k <= EXPANSION_ORDER; k++)
         arb_poly_clear(&s->order[k]);
-    mag_clear(s->rest);
-    mag_clear(s->rest_per_u);
+    FOR_ALL(mag, clear, s->rest, s->rest_per_u);
 }
 
 /* Adds u^logarithms x. mu^i (mu ln(1/mu))^j is mu^(i+j) ((5/3) u)^j. */
@@ -557,36 +503,26 @@ static void solve_event(struct far_series *overlap, struct far_series *time, str
                         const struct expansion *speed)
 {
     struct event event = {.m = m, .power = power, .speed = speed};
-    struct expansion theta, tau, e, x, per_l;
     LOCAL(arb, c);
-    expansion_init(&theta, &m->event);
-    expansion_init(&tau, &m->event);
-    expansion_init(&e, &m->event);
-    expansion_init(&x, &m->event);
-    expansion_init(&per_l, &m->event);
-    m->proved = expansion_fixed_point(&theta, event_map, &event) && m->proved;
-    place_of(&tau, &e, &theta, &event);
-    expansion_substitute(&x, &m->overlap, &tau, &e);
-    add_series(overlap, &x, 0);
-    expansion_substitute(&per_l, &m->time_per_l, &tau, &e);
-    expansion_multiply(&theta, &theta, &per_l);
-    expansion_substitute(&x, &m->time, &tau, &e);
-    expansion_sub(&x, &x, &theta);
-    add_series(time, &x, 0);
+    LOCAL_EXPANSION(&m->event, theta, tau, e, x, per_l);
+    m->proved = expansion_fixed_point(theta, event_map, &event) && m->proved;
+    place_of(tau, e, theta, &event);
+    expansion_substitute(x, &m->overlap, tau, e);
+    add_series(overlap, x, 0);
+    expansion_substitute(per_l, &m->time_per_l, tau, e);
+    expansion_multiply(theta, theta, per_l);
+    expansion_substitute(x, &m->time, tau, e);
+    expansion_sub(x, x, theta);
+    add_series(time, x, 0);
     arb_set_si(c, 5 * power);
     arb_div_ui(c, c, 3, BITS);
-    expansion_scale(&per_l, &per_l, c);
-    add_series(time, &per_l, 1);
-    expansion_clear(&theta);
-    expansion_clear(&tau);
-    expansion_clear(&e);
-    expansion_clear(&x);
-    expansion_clear(&per_l);
+    expansion_scale(per_l, per_l, c);
+    add_series(time, per_l, 1);
 }
 
 /* ---- all of it ---- */
 
-enum { DOMAINS = 3, IN_FALL = 8 /* models over the domain of the fall */, SERIES = 4 };
+enum { SERIES = 4 };
 
 /* mu at FAR_MOTION_LEAST_U bounds mu, and 5/2 times mu ln(1/mu) there should bound tau. */
 static void set_domains(struct motion *m)
@@ -611,41 +547,25 @@ static void set_domains(struct motion *m)
 
 static void motion_init(struct motion *m)
 {
-    struct expansion *const in_fall[IN_FALL] = {&m->first_distance, &m->first_time,  &m->zeta, &m->overlap,
-                                                &m->manifold_speed, &m->force_speed, &m->time, &m->time_per_l};
-    struct expansion_domain *const domain[DOMAINS] = {&m->start, &m->fall, &m->event};
     m->proved = true;
-    mag_init(m->defect);
     manifold_init(&m->manifold);
-    arb_init(m->limit);
-    arb_init(m->root_of_limit);
+    FOR_ALL(mag, init, m->defect, m->start.a, m->start.b, m->fall.a, m->fall.b, m->event.a, m->event.b);
+    FOR_ALL(arb, init, m->limit, m->root_of_limit);
     arb_set_d(m->root_of_limit, 1.5);
     arb_root_ui(m->root_of_limit, m->root_of_limit, 3, BITS);
     arb_sqr(m->limit, m->root_of_limit, BITS);
-    for (int k = 0; k < DOMAINS; k++) {
-        mag_init(domain[k]->a);
-        mag_init(domain[k]->b);
-    }
     set_domains(m);
-    for (int k = 0; k < IN_FALL; k++)
-        expansion_init(in_fall[k], &m->fall);
+    EXPANSIONS_INIT(&m->fall, &m->first_distance, &m->first_time, &m->zeta, &m->overlap, &m->manifold_speed,
+                    &m->force_speed, &m->time, &m->time_per_l);
 }
 
 static void motion_clear(struct motion *m)
 {
-    struct expansion *const in_fall[IN_FALL] = {&m->first_distance, &m->first_time,  &m->zeta, &m->overlap,
-                                                &m->manifold_speed, &m->force_speed, &m->time, &m->time_per_l};
-    struct expansion_domain *const domain[DOMAINS] = {&m->start, &m->fall, &m->event};
-    for (int k = 0; k < IN_FALL; k++)
-        expansion_clear(in_fall[k]);
-    for (int k = 0; k < DOMAINS; k++) {
-        mag_clear(domain[k]->a);
-        mag_clear(domain[k]->b);
-    }
-    arb_clear(m->limit);
-    arb_clear(m->root_of_limit);
+    FOR_ALL(expansion, clear, &m->first_distance, &m->first_time, &m->zeta, &m->overlap, &m->manifold_speed,
+            &m->force_speed, &m->time, &m->time_per_l);
+    FOR_ALL(mag, clear, m->defect, m->start.a, m->start.b, m->fall.a, m->fall.b, m->event.a, m->event.b);
+    FOR_ALL(arb, clear, m->limit, m->root_of_limit);
     manifold_clear(&m->manifold);
-    mag_clear(m->defect);
 }
 
 bool far_motion_init(struct far_motion *m)

@@ -18,9 +18,7 @@ struct scales {
 
 static void scales_init(struct scales *s, const arb_t beta, const struct law *law, bool strong, slong prec)
 {
-    arb_init(s->length);
-    arb_init(s->c1);
-    arb_init(s->c2);
+    FOR_ALL(arb, init, s->length, s->c1, s->c2);
     if (strong) {
         const struct ratio one = {1, 1};
         LOCAL(arb, inverse);
@@ -37,9 +35,7 @@ static void scales_init(struct scales *s, const arb_t beta, const struct law *la
 
 static void scales_clear(struct scales *s)
 {
-    arb_clear(s->length);
-    arb_clear(s->c1);
-    arb_clear(s->c2);
+    FOR_ALL(arb, clear, s->length, s->c1, s->c2);
 }
 
 struct motion {

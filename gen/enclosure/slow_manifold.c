@@ -43,21 +43,20 @@ static void abs_tail(arb_t sum, const arb_poly_t f, slong first, const arb_t y, 
 }
 
 /* p_0 = 1, p_m = (p^2)_(m-1) (a - b - n (m-1)/2): order y^m of N(p) = 0, because p p' = (p^2)'/2. */
-static void formal_sum(struct slow_manifold *m, slong degree)
+void slow_manifold_formal(arb_poly_t p, const struct law *law, slong degree, slong prec)
 {
-    const struct ratio half_n = ratio_div(m->n, (struct ratio){2, 1});
+    const struct ratio half_n = ratio_div(law_fall_power(law), (struct ratio){2, 1}), slope = ratio_sub(law->a, law->b);
     LOCAL(arb, c, factor);
-    arb_poly_one(m->p);
-    arb_poly_fit_length(m->p, degree + 1);
+    arb_poly_one(p);
+    arb_poly_fit_length(p, degree + 1);
     for (slong k = 1; k <= degree; k++) {
-        arb_dot(c, NULL, 0, m->p->coeffs, 1, m->p->coeffs + k - 1, -1, k, m->prec);
-        arb_set_ratio(factor, ratio_sub(ratio_sub(m->law.a, m->law.b), ratio_mul(half_n, (struct ratio){k - 1, 1})),
-                      m->prec);
-        arb_mul(m->p->coeffs + k, c, factor, m->prec);
-        _arb_poly_set_length(m->p, k + 1);
+        arb_dot(c, NULL, 0, p->coeffs, 1, p->coeffs + k - 1, -1, k, prec);
+        arb_set_ratio(factor, ratio_sub(slope, ratio_mul(half_n, (struct ratio){k - 1, 1})), prec);
+        arb_mul(p->coeffs + k, c, factor, prec);
+        _arb_poly_set_length(p, k + 1);
     }
     /* the sum of Hunt and Crossley's law is 1 and may end with zeros */
-    _arb_poly_normalise(m->p);
+    _arb_poly_normalise(p);
 }
 
 /* N(P) = 1 - P + (a-b) y P^2 - (n/2) y^2 (P^2)', which starts at y^(degree+1). */
@@ -111,11 +110,10 @@ static bool tube_is_closed(const struct slow_manifold *m, const arb_t eta)
     arb_mul(x, x, m->last, prec);
     arb_mul_2exp_si(x, x, 1);
     arb_sub_si(x, x, 1, prec);
-    bool closed = arb_is_negative(x);
+    const bool closed = arb_is_negative(x);
     arb_mul_2exp_si(change, change, 2);
     arb_sub_si(change, change, 1, prec);
-    closed = closed && arb_is_negative(change);
-    return closed;
+    return closed && arb_is_negative(change);
 }
 
 /* The integral of y^(m-1-kappa): y^(m - kappa)/(m - kappa), or ln(y) if m = kappa */
@@ -202,26 +200,19 @@ static bool manifold_make(struct slow_manifold *m, const struct law *law, slong 
     m->n = law_fall_power(law);
     m->kappa = ratio_div(ratio_add(ratio_sub(law->b, law->a), (struct ratio){1, 1}), m->n);
     m->prec = prec;
-    arb_poly_init(m->p);
-    arb_poly_init(m->inverse);
-    arb_init(m->last);
-    arb_init(m->nu);
-    arb_init(m->time_error);
-    arb_init(m->final_speed);
-    arb_init(m->t_fall);
+    FOR_ALL(arb_poly, init, m->p, m->inverse);
+    FOR_ALL(arb, init, m->last, m->nu, m->time_error, m->final_speed, m->t_fall);
 
-    formal_sum(m, degree);
+    slow_manifold_formal(m->p, law, degree, prec);
     arb_set_ratio(m->last, ratio_mul(m->n, (struct ratio){2 * degree, 1}), prec);
     arb_inv(m->last, m->last, prec);
     arb_get_mid_arb(m->last, m->last);
     bound_defect(m, degree);
     eta_of(eta, m, bits);
-    bool closed = tube_is_closed(m, eta);
-    if (closed) {
-        bound_time_error(m, degree);
-        closed = enclose_fall(m, eta);
-    }
-    return closed;
+    if (!tube_is_closed(m, eta))
+        return false;
+    bound_time_error(m, degree);
+    return enclose_fall(m, eta);
 }
 
 /* All manifolds so far, the last one first. Threads that need a manifold wait while another computes one. */

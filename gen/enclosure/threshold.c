@@ -32,7 +32,7 @@ static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
     const slong terms = prec / SHRINK + 2;
     const struct ratio one = {1, 1}, two = {2, 1};
     const struct ratio b1 = ratio_add(law->b, one), m = ratio_mul((struct ratio){-1, 1}, law_fall_power(law));
-    arb_ptr c = _arb_vec_init(terms + 1);
+    LOCAL_VECTOR(c, terms + 1);
     LOCAL(arb, x, factor);
     arb_set_ratio(c, ratio_div(one, b1), prec);
     for (slong k = 1; k <= terms; k++) {
@@ -61,7 +61,6 @@ static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
     arb_inv(x, x, prec);
     arb_mul_2exp_si(x, x, -1 - SHRINK * (terms + 1));
     arb_add_error(g, x);
-    _arb_vec_clear(c, terms + 1);
 }
 
 /* Computes C* by steps from the end of the series to the turning point. */

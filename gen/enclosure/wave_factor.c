@@ -236,9 +236,7 @@ static void path_integral(acb_t y, const acb_t gamma2, slong prec)
 {
     struct path_parameters p = {.far = 0};
     LOCAL(acb, part, corner);
-    acb_init(p.from);
-    acb_init(p.step);
-    acb_init(p.gamma2);
+    FOR_ALL(acb, init, p.from, p.step, p.gamma2);
     acb_set(p.gamma2, gamma2);
     acb_set_d_d(corner, 0.875, 0.875);
     acb_set(p.step, corner);
@@ -249,9 +247,7 @@ static void path_integral(acb_t y, const acb_t gamma2, slong prec)
     acb_neg(p.step, p.step);
     wave_integral(part, path_integrand, &p, prec);
     acb_add(y, y, part, prec);
-    acb_clear(p.from);
-    acb_clear(p.step);
-    acb_clear(p.gamma2);
+    FOR_ALL(acb, clear, p.from, p.step, p.gamma2);
 }
 
 /* (I(gamma) - conj(I(conj(gamma))))/(2 i), which is Im(I) for real gamma */
@@ -271,8 +267,7 @@ void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
 {
     struct wave_parameters p;
     LOCAL(acb, part);
-    acb_init(p.gamma);
-    acb_init(p.gamma2);
+    FOR_ALL(acb, init, p.gamma, p.gamma2);
     acb_mul(p.gamma2, tau, tau, prec + 20);
     acb_add_ui(part, p.gamma2, 1, prec + 20);
     acb_div(p.gamma2, p.gamma2, part, prec + 20);
@@ -287,8 +282,7 @@ void wave_factor_by(acb_t j, enum wave_route route, const acb_t tau, slong prec)
         rayleigh_share(part, p.gamma2, prec + 20);
         acb_add(j, j, part, prec);
     }
-    acb_clear(p.gamma);
-    acb_clear(p.gamma2);
+    FOR_ALL(acb, clear, p.gamma, p.gamma2);
 }
 
 /* The integrals along the axis are fast except for gamma^2 within 0.02 of 1/2, which is tau = 1. */

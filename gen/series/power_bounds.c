@@ -79,8 +79,7 @@ static void rows_mul(arb_poly_struct *product, const arb_poly_struct *f, const a
             arb_poly_set_coeff_arb(product + k, j, packed[0]->coeffs + k * stride + j);
         arb_poly_scalar_mul_2exp_si(product + k, product + k, -ROW_BITS * k);
     }
-    arb_poly_clear(packed[0]);
-    arb_poly_clear(packed[1]);
+    FOR_ALL(arb_poly, clear, packed[0], packed[1]);
 }
 
 static void row_drop_error(arb_poly_struct *row)
@@ -173,8 +172,7 @@ void power_bounds_init(struct power_bounds *b)
 {
     arb_init(b->inverse);
     for (int i = 0; i < 2; i++) {
-        arb_init(b->error[i]);
-        arb_init(b->size[i]);
+        FOR_ALL(arb, init, b->error[i], b->size[i]);
     }
     arb_init(b->last_column);
 }
@@ -183,8 +181,7 @@ void power_bounds_clear(struct power_bounds *b)
 {
     arb_clear(b->inverse);
     for (int i = 0; i < 2; i++) {
-        arb_clear(b->error[i]);
-        arb_clear(b->size[i]);
+        FOR_ALL(arb, clear, b->error[i], b->size[i]);
     }
     arb_clear(b->last_column);
 }

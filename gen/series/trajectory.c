@@ -107,8 +107,7 @@ void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const str
     for (int i = 0; i < powers; i++) {
         power[i].p = p[i];
         power[i].row = exact_rows(order + 1);
-        fmpq_poly_init(power[i].slope);
-        fmpq_poly_init(power[i].rest);
+        FOR_ALL(fmpq_poly, init, power[i].slope, power[i].rest);
         fmpq_poly_one(power[i].row);
     }
 
@@ -155,8 +154,7 @@ void trajectory_exact(fmpq_poly_struct *row, slong order, slong terms, const str
         for (slong k = 0; k <= order; k++)
             fmpq_poly_clear(power[i].row + k);
         flint_free(power[i].row);
-        fmpq_poly_clear(power[i].slope);
-        fmpq_poly_clear(power[i].rest);
+        FOR_ALL(fmpq_poly, clear, power[i].slope, power[i].rest);
     }
 }
 
@@ -246,8 +244,7 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     for (int i = 0; i < powers; i++) {
         power[i].p = p[i];
         power[i].row = jet_new(order + 1);
-        arb_poly_init(power[i].slope);
-        arb_poly_init(power[i].rest);
+        FOR_ALL(arb_poly, init, power[i].slope, power[i].rest);
         power[i].sums = order + 1 < ROW_SUMS_MIN_ROWS ? NULL : &sums[i];
         if (power[i].sums)
             row_sums_init(power[i].sums, p[i], order + 1, length, prec);
@@ -307,8 +304,7 @@ void trajectory_init(struct trajectory *t, slong order, slong terms, const struc
     t->x_to_a = elastic->row;
     t->x_to_b1 = damping->row;
     for (int i = 0; i < powers; i++) {
-        arb_poly_clear(power[i].slope);
-        arb_poly_clear(power[i].rest);
+        FOR_ALL(arb_poly, clear, power[i].slope, power[i].rest);
         if (power[i].sums)
             row_sums_clear(power[i].sums);
     }

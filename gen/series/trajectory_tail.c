@@ -57,10 +57,7 @@ static void tail_proof_init(struct tail_proof *p, const struct power_evidence *e
     p->U = U;
     p->rho = rho;
     power_bounds_init(&p->bounds);
-    arb_init(p->first_exponent);
-    arb_init(p->last_divisor);
-    arb_init(p->delta);
-    arb_init(p->image);
+    FOR_ALL(arb, init, p->first_exponent, p->last_divisor, p->delta, p->image);
     arb_set_ratio(p->first_exponent, ratio_add(t->law.a, (struct ratio){1, 1}), NORM_BITS);
     arb_mul_si(p->first_exponent, p->first_exponent, e->J + 1, NORM_BITS);
     arb_add_si(p->last_divisor, p->first_exponent, 1, NORM_BITS);
@@ -69,10 +66,7 @@ static void tail_proof_init(struct tail_proof *p, const struct power_evidence *e
 static void tail_proof_clear(struct tail_proof *p)
 {
     power_bounds_clear(&p->bounds);
-    arb_clear(p->first_exponent);
-    arb_clear(p->last_divisor);
-    arb_clear(p->delta);
-    arb_clear(p->image);
+    FOR_ALL(arb, clear, p->first_exponent, p->last_divisor, p->delta, p->image);
 }
 
 /* (3.3): the radius of G's image of the ball |R| <= delta,
@@ -141,16 +135,12 @@ static bool prove_at(arb_t delta, const struct power_evidence *e, const struct t
 
 void trajectory_tail_init(struct trajectory_tail *tail)
 {
-    arb_init(tail->delta);
-    arb_init(tail->U);
-    arb_init(tail->rho);
+    FOR_ALL(arb, init, tail->delta, tail->U, tail->rho);
 }
 
 void trajectory_tail_clear(struct trajectory_tail *tail)
 {
-    arb_clear(tail->delta);
-    arb_clear(tail->U);
-    arb_clear(tail->rho);
+    FOR_ALL(arb, clear, tail->delta, tail->U, tail->rho);
 }
 
 /* log2 of the largest error that the tail causes in x_k^(m)(t0) t0^m/m!, k + m = order. */

@@ -35,7 +35,7 @@ static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *
     const slong d = t->law.d, du = t->law.bd + d, ds = t->law.ad + d;
     const struct ratio one = {1, 1};
     const struct ratio a1 = ratio_add(t->law.a, one), b1 = ratio_add(t->law.b, one);
-    arb_ptr term = _arb_vec_init(t->terms + 1);
+    LOCAL_VECTOR(term, t->terms + 1);
     LOCAL(arb, s0, u0, power, sum, scale, inverse);
     LOCAL(mag, missing);
     slong truncated = 0, rounded = 0;
@@ -74,7 +74,6 @@ static bool jets_at(arb_poly_struct *jet, slong count, const struct trajectory *
         }
     }
 
-    _arb_vec_clear(term, t->terms + 1);
     return truncated > rounded;
 }
 

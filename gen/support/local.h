@@ -6,27 +6,38 @@
  * declares arb_t x, y, initialised. Whatever way leads out of their block clears them, after the value of a return has
  * been computed (the attribute `cleanup` of gcc and clang). And members of a structure:
  *
- *     FOR_ALL(arb, init, s->x, s->y);    FOR_ALL(arb, clear, s->x, s->y); */
+ *     FOR_ALL(arb, init, s->x, s->y);    FOR_ALL(arb, clear, s->x, s->y);
+ *
+ * LOCAL_MATRIX(rows, columns, a, b) declares matrices, LOCAL_VECTOR(x, n) a vector. LOCAL_STRUCT and LOCAL_FROM make
+ * the same of structures. */
 #ifndef COR_GEN_SUPPORT_LOCAL_H
 #define COR_GEN_SUPPORT_LOCAL_H
 
 #include "support/flint.h"
 
-#define LOCAL(type, ...)                                                                                               \
+#define LOCAL(type, ...) LOCAL_FROM(type, type##_local(), __VA_ARGS__)
+#define LOCAL_MATRIX(rows, columns, ...) LOCAL_FROM(arb_mat, arb_mat_local(rows, columns), __VA_ARGS__)
+
+/* an arb_ptr to n numbers */
+#define LOCAL_VECTOR(x, n)                                                                                             \
+    __attribute__((cleanup(arb_vector_clear))) const struct arb_vector x##_vector = {_arb_vec_init(n), n};             \
+    arb_ptr x = x##_vector.entry
+
+#define LOCAL_FROM(type, value, ...)                                                                                   \
     __attribute__((cleanup(type##_local_clear))) type##_t LOCAL_OF(__VA_ARGS__, 9, 8, 7, 6, 5, 4, 3, 2, 1,             \
-                                                                   0)(type, __VA_ARGS__)
+                                                                   0)(value, __VA_ARGS__)
 
 /* LOCAL_n declares n variables, n <= 9. */
 #define LOCAL_OF(a, b, c, d, e, f, g, h, i, n, ...) LOCAL_##n
-#define LOCAL_1(type, x) x = {type##_local()}
-#define LOCAL_2(type, x, ...) LOCAL_1(type, x), LOCAL_1(type, __VA_ARGS__)
-#define LOCAL_3(type, x, ...) LOCAL_1(type, x), LOCAL_2(type, __VA_ARGS__)
-#define LOCAL_4(type, x, ...) LOCAL_1(type, x), LOCAL_3(type, __VA_ARGS__)
-#define LOCAL_5(type, x, ...) LOCAL_1(type, x), LOCAL_4(type, __VA_ARGS__)
-#define LOCAL_6(type, x, ...) LOCAL_1(type, x), LOCAL_5(type, __VA_ARGS__)
-#define LOCAL_7(type, x, ...) LOCAL_1(type, x), LOCAL_6(type, __VA_ARGS__)
-#define LOCAL_8(type, x, ...) LOCAL_1(type, x), LOCAL_7(type, __VA_ARGS__)
-#define LOCAL_9(type, x, ...) LOCAL_1(type, x), LOCAL_8(type, __VA_ARGS__)
+#define LOCAL_1(value, x) x = {value}
+#define LOCAL_2(value, x, ...) LOCAL_1(value, x), LOCAL_1(value, __VA_ARGS__)
+#define LOCAL_3(value, x, ...) LOCAL_1(value, x), LOCAL_2(value, __VA_ARGS__)
+#define LOCAL_4(value, x, ...) LOCAL_1(value, x), LOCAL_3(value, __VA_ARGS__)
+#define LOCAL_5(value, x, ...) LOCAL_1(value, x), LOCAL_4(value, __VA_ARGS__)
+#define LOCAL_6(value, x, ...) LOCAL_1(value, x), LOCAL_5(value, __VA_ARGS__)
+#define LOCAL_7(value, x, ...) LOCAL_1(value, x), LOCAL_6(value, __VA_ARGS__)
+#define LOCAL_8(value, x, ...) LOCAL_1(value, x), LOCAL_7(value, __VA_ARGS__)
+#define LOCAL_9(value, x, ...) LOCAL_1(value, x), LOCAL_8(value, __VA_ARGS__)
 
 #define LOCAL_TYPE(type, structure)                                                                                    \
     static inline structure type##_local(void)                                                                         \
@@ -61,5 +72,24 @@ LOCAL_TYPE(arb, arb_struct)
 LOCAL_TYPE(acb, acb_struct)
 LOCAL_TYPE(arb_poly, arb_poly_struct)
 LOCAL_TYPE(acb_poly, acb_poly_struct)
+
+struct arb_vector {
+    arb_ptr entry;
+    slong length;
+};
+static inline void arb_vector_clear(const struct arb_vector *x)
+{
+    _arb_vec_clear(x->entry, x->length);
+}
+static inline arb_mat_struct arb_mat_local(slong rows, slong columns)
+{
+    arb_mat_t x;
+    arb_mat_init(x, rows, columns);
+    return *x;
+}
+static inline void arb_mat_local_clear(arb_mat_t *x)
+{
+    arb_mat_clear(*x);
+}
 
 #endif

@@ -12,6 +12,7 @@
 #include "support/console.h"
 #include "support/digits.h"
 #include "support/emit_c.h"
+#include "support/local.h"
 
 enum {
     TABLE_DIGITS = 25 /* digits in the comments */,
@@ -130,7 +131,7 @@ int disk_header_write(FILE *file, const struct disk_table *table)
     emit_include(&e, table->embed ? "<cor/disk.h>" : "\"cor/disk.h\"");
     fprintf(file, "\n");
     emit_structs_open(&e, "cor_disk_mode", name, table->count);
-    arb_ptr value = _arb_vec_init(VALUES);
+    LOCAL_VECTOR(value, VALUES);
     int status = STATUS_OK;
     for (slong i = 0; i < table->count && status == STATUS_OK; i++) {
         if (i % PROGRESS_ROWS == 0)
@@ -139,7 +140,6 @@ int disk_header_write(FILE *file, const struct disk_table *table)
         numbers_of(value, i);
         status = emit_struct(&e, whole, 2, value, VALUES);
     }
-    _arb_vec_clear(value, VALUES);
     progress_end();
     emit_structs_close(&e);
     char macro[NU_NAME + 32], text[LINE_LENGTH];
@@ -185,7 +185,7 @@ int disk_file_write(FILE *file, const struct disk_table *table)
     put_line(&out, "source %s", command);
     put_line(&out, "poisson %a %s", last.nu, table->poisson.text);
     put_line(&out, "modes %ld", (long)table->count);
-    arb_ptr value = _arb_vec_init(VALUES);
+    LOCAL_VECTOR(value, VALUES);
     int status = STATUS_OK;
     for (slong i = 0; i < table->count && status == STATUS_OK; i++) {
         double x[VALUES];
@@ -198,7 +198,6 @@ int disk_file_write(FILE *file, const struct disk_table *table)
         put_line(&out, "mode %ld %ld %a %a %a", (long)last.modes.mode[i].n, (long)last.modes.mode[i].l, x[0], x[1],
                  x[2]);
     }
-    _arb_vec_clear(value, VALUES);
     progress_end();
     put_line(&out, "end");
     return status;

@@ -155,10 +155,9 @@ enum { FAR_MOST = 16 };
 static int far_solve(arb_ptr c, const struct far_form *f)
 {
     const slong n = f->terms;
-    arb_mat_t a, b;
-    arb_ptr basis = _arb_vec_init(n);
-    arb_mat_init(a, n, n);
-    arb_mat_init(b, n, 1);
+    LOCAL_VECTOR(basis, n);
+    LOCAL_MATRIX(n, n, a);
+    LOCAL_MATRIX(n, 1, b);
     for (slong i = 0; i < n; i++) {
         f->equation(basis, arb_mat_entry(b, i, 0), f, i);
         for (slong k = 0; k < n; k++)
@@ -167,9 +166,6 @@ static int far_solve(arb_ptr c, const struct far_form *f)
     const int solved = arb_mat_solve(b, a, b, FAR_BITS);
     for (slong k = 0; k < n; k++)
         arb_set(c + k, arb_mat_entry(b, k, 0));
-    arb_mat_clear(a);
-    arb_mat_clear(b);
-    _arb_vec_clear(basis, n);
     return solved ? STATUS_OK : fail("the coefficients of %s cannot be solved for", f->name);
 }
 
@@ -177,7 +173,7 @@ static int far_solve(arb_ptr c, const struct far_form *f)
 static slong far_row(arb_ptr row, const struct far_form *f)
 {
     const slong known = f->known, all = known + f->terms;
-    arb_ptr c = _arb_vec_init(all);
+    LOCAL_VECTOR(c, all);
     slong columns = 0;
     for (slong k = 0; k < known; k++)
         arb_set(c + k, f->constant + k);
@@ -187,16 +183,14 @@ static slong far_row(arb_ptr row, const struct far_form *f)
             arb_set_d(row + columns, arf_get_d(arb_midref(c + k), ARF_RND_NEAR));
             arb_sub(c + k, c + k, row + columns, FAR_BITS);
         }
-    _arb_vec_clear(c, all);
     return columns;
 }
 
 static int far_emit(struct emit *e, const struct far_form *f)
 {
-    arb_ptr row = _arb_vec_init(FAR_MOST);
+    LOCAL_VECTOR(row, FAR_MOST);
     const slong columns = far_row(row, f);
     const int status = columns > 0 ? emit_one_row(e, f->name, row, columns) : STATUS_FAILED;
-    _arb_vec_clear(row, FAR_MOST);
     return status;
 }
 
@@ -241,7 +235,7 @@ static void overlap_equation(arb_ptr basis, arb_t value, const struct far_form *
 /* Checks that the relative error of y^(4/5) V(y) from the row is below 2^-57, sampled from y = OVERLAP_END to 115. */
 static int overlap_far_check(const struct far_form *f)
 {
-    arb_ptr row = _arb_vec_init(FAR_MOST);
+    LOCAL_VECTOR(row, FAR_MOST);
     LOCAL(arb, y, v, sum);
     double worst = far_row(row, f) ? 0 : HUGE_VAL;
     for (double at = OVERLAP_END; at < 115; at *= 1.03125) {
@@ -260,7 +254,6 @@ static int overlap_far_check(const struct far_form *f)
         arb_sub_ui(sum, sum, 1, FAR_BITS);
         worst = fmax(worst, fabs(arf_get_d(arb_midref(sum), ARF_RND_NEAR)));
     }
-    _arb_vec_clear(row, FAR_MOST);
     return worst < 0x1p-57 ? STATUS_OK : fail("Tsuji's duration at zero overlap is off by %.3g far out", worst);
 }
 
@@ -422,7 +415,7 @@ static const struct far_form loading_far[] = {LOADING_FAR(1, 1, 2), LOADING_FAR(
 static int crossley_far_emit(struct emit *e, const struct far_form form[2],
                              void (*constants)(arb_ptr, const struct far_form *))
 {
-    arb_ptr constant = _arb_vec_init(FAR_MOST);
+    LOCAL_VECTOR(constant, FAR_MOST);
     int status = STATUS_OK;
     for (int i = 0; i < 2 && status == STATUS_OK; i++) {
         struct far_form f = form[i];
@@ -430,7 +423,6 @@ static int crossley_far_emit(struct emit *e, const struct far_form form[2],
         f.constant = constant;
         status = far_emit(e, &f);
     }
-    _arb_vec_clear(constant, FAR_MOST);
     return status;
 }
 

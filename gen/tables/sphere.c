@@ -9,6 +9,7 @@
 #include "support/console.h"
 #include "support/digits.h"
 #include "support/evaluator_text.h"
+#include "support/local.h"
 
 /* The sphere's layout, one instance of law_layout.h. Only this file defines its geometry; macros of the headers pass it
  * to the evaluators (approximation/pieces.h). If the bound is one unit of the last place, 57 bits limit the
@@ -130,7 +131,7 @@ static int prove_far_row(double *bits, const struct far_proof *proof, enum quant
 static int prove_far(const struct law_tables *t, const struct interpolant_proof *rows)
 {
     struct far_proof proof;
-    arb_ptr row = _arb_vec_init(FAR_COLUMNS);
+    LOCAL_VECTOR(row, FAR_COLUMNS);
     int status = far_proof_init(&proof, rows);
     for (int i = 0; i < FAR_TABLES && status == STATUS_OK; i++) {
         law_tables_far_row(row, t, far_tables[i].quantity);
@@ -141,7 +142,6 @@ static int prove_far(const struct law_tables *t, const struct interpolant_proof 
         status = prove_far_row(&data.inverse_bits, &proof, BETA_ZERO_FORCE, row, INVERSE_COLUMNS, INVERSE_BITS);
     }
     far_proof_clear(&proof);
-    _arb_vec_clear(row, FAR_COLUMNS);
     return status;
 }
 

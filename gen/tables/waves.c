@@ -81,7 +81,7 @@ static const char wave_banner[] =
 
 int wave_tables_write(FILE *file)
 {
-    arb_ptr c = _arb_vec_init(SAMPLES);
+    LOCAL_VECTOR(c, SAMPLES);
     chebyshev_series(c);
     const double rounded = round_series(c);
     /* Trefethen, Approximation Theory and Approximation Practice, theorem 8.2 */
@@ -100,6 +100,5 @@ int wave_tables_write(FILE *file)
     emit_geometry_integer(&e, "cor_wave_factor", "TERMS", TERMS);
     const int status = emit_one_row(&e, "cor_rows_wave_factor", c, TERMS);
     emit_close(&e);
-    _arb_vec_clear(c, SAMPLES);
     return status;
 }
