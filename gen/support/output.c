@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#define _GNU_SOURCE /* O_TMPFILE, realpath */
+#define _XOPEN_SOURCE 700 /* open_memstream, realpath */
 
 #include "support/output.h"
 
@@ -13,130 +13,39 @@
 
 #include "support/console.h"
 
-/* Unfinished files, for the signal handler. The handler may run between any two instructions. A name therefore enters
- * the list only when its string is complete, and leaves the list before the string is freed. */
-enum { OUTPUTS_MAX = 64 };
-static char *volatile unfinished[OUTPUTS_MAX];
-
-static const int fatal_signal[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT, SIGXCPU};
-enum { FATAL_SIGNALS = sizeof fatal_signal / sizeof *fatal_signal };
-
-static void remove_unfinished(void)
-{
-    for (int i = 0; i < OUTPUTS_MAX; i++) {
-        const char *name = unfinished[i];
-        if (name)
-            unlink(name);
-    }
-}
+/* ---- signals ---- */
 
 static const char *volatile interrupted_text;
 
-void output_say_on_interrupt(const char *text)
+/* The handler raises the signal again with its default action, so that the parent sees the expected exit status. */
+static void on_interrupt(int number)
 {
-    interrupted_text = text;
-}
-
-/* The handler raises the signal again with its default action, so that the parent sees the expected exit status.
- * SA_RESETHAND would not do: a terminal or timeout(1) sends two signals, and the second could end the process before
- * the first line of the handler. */
-static void on_fatal_signal(int number)
-{
-    remove_unfinished();
     const char *text = interrupted_text;
-    if (text && (number == SIGINT || number == SIGTERM || number == SIGHUP) &&
-        write(STDERR_FILENO, text, strlen(text)) < 0)
+    if (text && write(STDERR_FILENO, text, strlen(text)) < 0)
         text = NULL;
     signal(number, SIG_DFL);
     raise(number);
 }
 
-static void fatal_signals(sigset_t *set)
+void output_say_on_interrupt(const char *text)
 {
-    sigemptyset(set);
-    for (int i = 0; i < FATAL_SIGNALS; i++)
-        sigaddset(set, fatal_signal[i]);
-}
-
-static void block_signals(sigset_t *before)
-{
-    sigset_t set;
-    fatal_signals(&set);
-    sigprocmask(SIG_BLOCK, &set, before);
-}
-
-static void restore_signals(const sigset_t *before)
-{
-    sigprocmask(SIG_SETMASK, before, NULL);
-}
-
-void output_handle_signals(void)
-{
-    static bool installed;
-    if (installed)
-        return;
-    installed = true;
-    for (int i = 0; i < FATAL_SIGNALS; i++) {
+    static const int interrupting[] = {SIGINT, SIGTERM, SIGHUP};
+    interrupted_text = text;
+    for (size_t i = 0; i < sizeof interrupting / sizeof *interrupting; i++) {
         struct sigaction action;
         /* a signal that the parent ignores (nohup) stays ignored */
-        if (sigaction(fatal_signal[i], NULL, &action) != 0 || action.sa_handler == SIG_IGN)
-            continue;
-        memset(&action, 0, sizeof action);
-        action.sa_handler = on_fatal_signal;
-        fatal_signals(&action.sa_mask);
-        sigaction(fatal_signal[i], &action, NULL);
-    }
-    signal(SIGXFSZ, SIG_IGN); /* a write beyond the file size limit then fails and is reported */
-    atexit(remove_unfinished);
-}
-
-static int registry_add(char *name)
-{
-    for (int i = 0; i < OUTPUTS_MAX; i++) {
-        if (!unfinished[i]) {
-            unfinished[i] = name;
-            return 1;
+        if (sigaction(interrupting[i], NULL, &action) == 0 && action.sa_handler == SIG_DFL) {
+            memset(&action, 0, sizeof action);
+            action.sa_handler = on_interrupt;
+            sigfillset(&action.sa_mask);
+            sigaction(interrupting[i], &action, NULL);
         }
     }
-    return 0;
 }
 
-static void registry_remove(const char *name)
+void output_report_size_limit(void)
 {
-    for (int i = 0; i < OUTPUTS_MAX; i++) {
-        if (unfinished[i] == name)
-            unfinished[i] = NULL;
-    }
-}
-
-static const char *name_of(const struct output *out)
-{
-    return out->path ? out->path : "standard output";
-}
-
-static int output_failure(const char *verb, const struct output *out)
-{
-    return fail("cannot %s %s: %s", verb, name_of(out), errno ? strerror(errno) : "write error");
-}
-
-static void output_release(struct output *out)
-{
-    free(out->target);
-    free(out->temporary);
-    out->target = NULL;
-    out->temporary = NULL;
-    out->file = NULL;
-}
-
-void output_discard(struct output *out)
-{
-    if (out->file && out->path)
-        fclose(out->file);
-    if (out->temporary) {
-        unlink(out->temporary);
-        registry_remove(out->temporary);
-    }
-    output_release(out);
+    signal(SIGXFSZ, SIG_IGN);
 }
 
 /* ---- the file of a path ---- */
@@ -258,10 +167,67 @@ bool output_same_file(const char *path, const char *other)
     return same;
 }
 
-/* ---- the temporary file ---- */
+/* ---- opening ---- */
 
-/* Sets mode, owner and group to those of the file to be replaced. Returns false if that is not permitted; the file is
- * then written in place. */
+static int output_failure(const char *verb, const struct output *out)
+{
+    return fail("cannot %s %s: %s", verb, out->path ? out->path : "standard output",
+                errno ? strerror(errno) : "write error");
+}
+
+void output_discard(struct output *out)
+{
+    if (out->file && out->path)
+        fclose(out->file);
+    if (out->temporary)
+        unlink(out->temporary);
+    free(out->target);
+    free(out->temporary);
+    free(out->bytes);
+    *out = (struct output){.path = out->path};
+}
+
+/* Whether the file can be made or replaced; errno otherwise. A read-only file must be kept, though rename() would
+ * replace it. */
+static bool may_write(const char *target)
+{
+    if (access(target, F_OK) == 0 ? access(target, W_OK) != 0 : errno != ENOENT)
+        return false;
+    char *const folder = output_folder(target);
+    const bool writable = access(folder, W_OK | X_OK) == 0;
+    free(folder);
+    return writable;
+}
+
+int output_open(struct output *out, const char *path)
+{
+    int descriptor;
+    struct stat status;
+    *out = (struct output){.path = path};
+    output_report_size_limit();
+    errno = 0;
+    if (!path) {
+        out->file = stdout;
+        return STATUS_OK;
+    }
+    char *const target = follow_links(path, &descriptor);
+    if (descriptor != NOT_A_DESCRIPTOR) {
+        const int copy = dup(descriptor);
+        out->file = copy < 0 ? NULL : fdopen(copy, "w");
+    } else if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+        out->file = fopen(path, "w");
+    } else if (target && may_write(target)) {
+        out->file = open_memstream(&out->bytes, &out->size);
+        out->target = out->file ? xstrdup(target) : NULL;
+    }
+    const int reason = errno;
+    free(target);
+    return out->file ? STATUS_OK : fail("cannot write %s: %s", path, strerror(reason));
+}
+
+/* ---- committing ---- */
+
+/* Sets mode, owner and group to those of the file to be replaced. Returns false if that is not permitted. */
 static bool take_over(int fd, const struct stat *old)
 {
     struct stat mine;
@@ -271,212 +237,97 @@ static bool take_over(int fd, const struct stat *old)
     return (same_owner || fchown(fd, old->st_uid, old->st_gid) == 0) && fchmod(fd, old->st_mode & 07777) == 0;
 }
 
-static int set_mode(struct output *out, int fd)
+static mode_t mode_of_new_file(void)
 {
-    struct stat old;
-    if (stat(out->target, &old) == 0) {
-        out->in_place = old.st_nlink > 1 || !take_over(fd, &old);
-        return out->in_place ? fchmod(fd, 0600) : 0;
-    }
     const mode_t mask = umask(0);
     umask(mask);
-    return fchmod(fd, 0666 & ~mask);
+    return 0666 & ~mask;
 }
 
-enum { OWN_PATH = 64, NAME_ATTEMPTS = 100 };
-
-/* The path under which the kernel shows an open file to its process */
-static void own_path(char path[OWN_PATH], int fd)
+/* Writes all bytes to the disk and closes the descriptor; errno is that of the first failure. */
+static bool write_and_close(int fd, const struct output *out)
 {
-    snprintf(path, OWN_PATH, "/proc/self/fd/%d", fd);
+    bool good = true;
+    for (size_t done = 0; done < out->size && good;) {
+        const ssize_t n = write(fd, out->bytes + done, out->size - done);
+        good = n >= 0 || errno == EINTR;
+        done += n > 0 ? (size_t)n : 0;
+    }
+    good = good && ftruncate(fd, (off_t)out->size) == 0 && fsync(fd) == 0;
+    const int reason = errno;
+    const bool closed = close(fd) == 0;
+    errno = good ? errno : reason;
+    return good && closed;
 }
 
-/* A file without a name in the target's folder, which vanishes however the process ends; negative where the file system
- * has none, or where it could get no name later. */
-static int open_nameless(const char *target)
-{
-#ifdef O_TMPFILE
-    char path[OWN_PATH], *const folder = output_folder(target);
-    const int fd = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-    free(folder);
-    if (fd < 0)
-        return fd;
-    own_path(path, fd);
-    if (access(path, F_OK) == 0)
-        return fd;
-    close(fd);
-#else
-    (void)target;
-#endif
-    return -1;
-}
-
-/* A file with a name that the handler of signals removes. Negative after setting errno. */
-static int open_named(struct output *out)
-{
-    sigset_t before;
-    out->temporary = beside(out->target, ".corgen-XXXXXX");
-    block_signals(&before);
-    int fd = mkstemp(out->temporary);
-    if (fd >= 0 && !registry_add(out->temporary)) {
-        unlink(out->temporary);
-        close(fd);
-        fd = -1;
-        errno = EMFILE;
-    }
-    restore_signals(&before);
-    if (fd < 0) {
-        free(out->temporary);
-        out->temporary = NULL;
-    }
-    return fd;
-}
-
-static int make_temporary(struct output *out)
-{
-    int fd = open_nameless(out->target);
-    if (fd < 0)
-        fd = open_named(out);
-    if (fd >= 0 && (set_mode(out, fd) != 0 || !(out->file = fdopen(fd, "w+")))) {
-        int reason = errno;
-        close(fd);
-        errno = reason;
-        return -1;
-    }
-    return fd < 0 ? -1 : 0;
-}
-
-int output_open(struct output *out, const char *path)
-{
-    *out = (struct output){0};
-    out->path = path;
-    output_handle_signals();
-    errno = 0;
-    if (!path) {
-        out->file = stdout;
-        return STATUS_OK;
-    }
-
-    int descriptor;
-    struct stat status;
-    out->target = follow_links(path, &descriptor);
-    if (descriptor != NOT_A_DESCRIPTOR) {
-        const int copy = dup(descriptor);
-        out->file = copy < 0 ? NULL : fdopen(copy, "w");
-    } else if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
-        free(out->target);
-        out->target = NULL;
-        out->file = fopen(path, "w");
-    } else if (out->target) {
-        /* rename() would replace a read-only file without asking, but such a file must be kept. */
-        if (access(out->target, F_OK) != 0 || access(out->target, W_OK) == 0)
-            make_temporary(out);
-    }
-    if (!out->file) {
-        int reason = errno;
-        int result = fail("cannot write %s: %s", path, strerror(reason));
-        output_discard(out);
-        return result;
-    }
-    return STATUS_OK;
-}
-
-/* Completes the file except for the rename. */
+/* Closes what is written directly, and completes the bytes of the others. */
 static int output_complete(struct output *out)
 {
     errno = 0;
-    const bool written = fflush(out->file) == 0 && !ferror(out->file);
-    if (!written)
-        return output_failure("write", out);
-    if (!out->path)
-        return STATUS_OK;
-    if (out->target && fsync(fileno(out->file)) != 0)
-        return output_failure("write", out);
-    if (out->target && (out->in_place || !out->temporary))
-        return STATUS_OK; /* still to be read, or without a name */
-    const bool closed = fclose(out->file) == 0;
-    out->file = NULL;
-    return closed ? STATUS_OK : output_failure("write", out);
-}
-
-/* Copies `size` bytes of the stream to the descriptor. */
-static bool copy_bytes(FILE *from, int to, off_t size)
-{
-    char block[1 << 16];
-    rewind(from);
-    while (size > 0) {
-        const size_t n = fread(block, 1, sizeof block, from);
-        if (n == 0)
-            return false;
-        for (size_t done = 0; done < n;) {
-            const ssize_t written = write(to, block + done, n - done);
-            if (written < 0 && errno != EINTR)
-                return false;
-            done += written > 0 ? (size_t)written : 0;
-        }
-        size -= (off_t)n;
+    bool good = fflush(out->file) == 0 && !ferror(out->file);
+    if (good && out->path) {
+        good = fclose(out->file) == 0;
+        out->file = NULL;
     }
-    return true;
+    return good ? STATUS_OK : output_failure("write", out);
 }
 
-/* Writes the complete temporary file over the target. Space is reserved first, so that a full disk leaves the old
- * text. */
-static bool output_overwrite(struct output *out)
+/* Writes the bytes beside the target. Without a temporary file afterwards, the target is to be overwritten: it has
+ * several names, or an owner that this process cannot set. */
+static int output_prepare(struct output *out)
+{
+    struct stat old;
+    const bool exists = stat(out->target, &old) == 0;
+    if (exists && old.st_nlink > 1)
+        return STATUS_OK;
+    char *const name = beside(out->target, ".corgen-XXXXXX");
+    const int fd = mkstemp(name);
+    if (fd < 0) {
+        free(name);
+        return output_failure("write", out);
+    }
+    out->temporary = name;
+    if (exists && !take_over(fd, &old)) {
+        close(fd);
+        unlink(name);
+        free(name);
+        out->temporary = NULL;
+        return STATUS_OK;
+    }
+    if (!exists)
+        fchmod(fd, mode_of_new_file());
+    return write_and_close(fd, out) ? STATUS_OK : output_failure("write", out);
+}
+
+/* Writes the bytes over the target. Space is reserved first, so that a full disk leaves the old text. */
+static bool overwrite(const struct output *out)
 {
     const int fd = open(out->target, O_WRONLY | O_CLOEXEC);
-    struct stat old, now;
-    if (fd < 0)
-        return false;
-    bool good = fstat(fd, &old) == 0 && fstat(fileno(out->file), &now) == 0;
-    if (good && now.st_size > old.st_size) {
-        const int reason = posix_fallocate(fd, old.st_size, now.st_size - old.st_size);
-        if (reason != 0 && reason != EINVAL && reason != EOPNOTSUPP) {
-            good = false;
-            errno = ftruncate(fd, old.st_size) == 0 ? reason : errno;
-        }
+    struct stat old;
+    int reason = fd < 0 || fstat(fd, &old) != 0 ? errno : 0;
+    if (reason == 0 && (off_t)out->size > old.st_size) {
+        reason = posix_fallocate(fd, old.st_size, (off_t)out->size - old.st_size);
+        if (reason == EINVAL || reason == EOPNOTSUPP) /* the file system cannot reserve */
+            reason = 0;
+        else if (reason != 0 && ftruncate(fd, old.st_size) != 0)
+            reason = errno;
     }
-    good = good && copy_bytes(out->file, fd, now.st_size) && ftruncate(fd, now.st_size) == 0 && fsync(fd) == 0;
-    const int reason = errno;
-    if (close(fd) != 0 && good)
-        return false;
+    if (reason == 0)
+        return write_and_close(fd, out);
+    if (fd >= 0)
+        close(fd);
     errno = reason;
-    return good;
-}
-
-/* Gives a file without a name that of the target, or a temporary one if the target exists: no call replaces a file by
- * one without a name. */
-static bool give_name(struct output *out)
-{
-    char path[OWN_PATH], last[OWN_PATH];
-    own_path(path, fileno(out->file));
-    if (linkat(AT_FDCWD, path, AT_FDCWD, out->target, AT_SYMLINK_FOLLOW) == 0)
-        return true;
-    for (int i = 0; i < NAME_ATTEMPTS && errno == EEXIST; i++) {
-        snprintf(last, sizeof last, ".corgen-%ld-%d", (long)getpid(), i);
-        char *const name = beside(out->target, last);
-        if (linkat(AT_FDCWD, path, AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0) {
-            out->temporary = name;
-            return true;
-        }
-        const int reason = errno;
-        free(name);
-        errno = reason;
-    }
     return false;
 }
 
-/* Puts a complete temporary file in the place of the target. */
-static bool output_replace(struct output *out)
+static int output_replace(struct output *out)
 {
-    const bool good = out->in_place ? output_overwrite(out) : out->temporary || give_name(out);
+    const bool good = out->temporary ? rename(out->temporary, out->target) == 0 : overwrite(out);
     if (!good)
-        return false;
-    if (out->file)
-        fclose(out->file);
-    out->file = NULL;
-    if (!out->temporary)
-        return true;
-    return out->in_place ? unlink(out->temporary) == 0 : rename(out->temporary, out->target) == 0;
+        return output_failure("replace", out);
+    free(out->temporary);
+    out->temporary = NULL;
+    return STATUS_OK;
 }
 
 int output_commit_all(struct output *out, int n)
@@ -484,23 +335,16 @@ int output_commit_all(struct output *out, int n)
     int result = STATUS_OK;
     for (int i = 0; i < n && result == STATUS_OK; i++)
         result = output_complete(&out[i]);
-
-    sigset_t before;
-    block_signals(&before);
-    for (int i = 0; i < n && result == STATUS_OK; i++) {
-        if (!out[i].target)
-            continue;
-        if (!output_replace(&out[i])) {
-            result = output_failure("replace", &out[i]);
-        } else {
-            registry_remove(out[i].temporary);
-            output_release(&out[i]);
-        }
-    }
-    restore_signals(&before);
-
+    sigset_t all, before; /* an interruption leaves no temporary file, and all new files or none */
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before);
+    for (int i = 0; i < n && result == STATUS_OK; i++)
+        result = out[i].target ? output_prepare(&out[i]) : STATUS_OK;
+    for (int i = 0; i < n && result == STATUS_OK; i++)
+        result = out[i].target ? output_replace(&out[i]) : STATUS_OK;
     for (int i = 0; i < n; i++)
         output_discard(&out[i]);
+    sigprocmask(SIG_SETMASK, &before, NULL);
     return result;
 }
 

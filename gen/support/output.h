@@ -8,14 +8,11 @@
 
 enum output_format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_LATEX };
 
-/* If the path names a regular file or no file, the output goes to a temporary file in its folder. A commit flushes and
- * syncs the temporary file and renames it over the path. The temporary file has no name before, where the file system
- * allows this (O_TMPFILE of Linux), so that it vanishes however the process ends. Elsewhere any failure, exit() at any
- * place, and SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGABRT or SIGXCPU at any time removes it; after SIGKILL
- * .corgen-XXXXXX stays. The new file has the mode, owner and group of the file that it replaces. A file with several
- * names, or with an owner that this process cannot set, is overwritten in place from the complete temporary file, so
- * that every name shows the new text. A symbolic link stays: its target is written, even if the target does not exist
- * yet.
+/* If the path names a regular file or no file, the output stays in memory until it is committed. A commit writes and
+ * syncs a temporary file beside the file and renames it over it, while signals wait. So nothing but SIGKILL within this
+ * moment leaves a temporary file, .corgen-XXXXXX. The new file has the mode, owner and group of the file that it
+ * replaces. A file with several names, or with an owner that this process cannot set, is overwritten, so that every
+ * name shows the new text. A symbolic link stays: its target is written, even if the target does not exist yet.
  *
  * All other paths are written directly: standard output (path NULL), a terminal, a pipe, /dev/null, and an open
  * descriptor such as /dev/stdout or /dev/fd/3, which keeps its position and its append mode. */
@@ -23,13 +20,14 @@ struct output {
     FILE *file;
     const char *path; /* as given, for messages; NULL = standard output */
     char *target;     /* the file to be replaced, links resolved; NULL = written directly */
-    char *temporary;  /* its name; NULL = without a name */
-    bool in_place;    /* overwrite the target instead of renaming */
+    char *temporary;  /* its new text, while a commit runs */
+    char *bytes;      /* of the target */
+    size_t size;
 };
 
-/* Catches these signals, and lets a write beyond the limit of a file's size fail instead of ending the process. The
- * first output_open does this. */
-void output_handle_signals(void);
+/* Lets a write beyond the limit of a file's size fail, which is reported, instead of ending the process. output_open
+ * does this, too. */
+void output_report_size_limit(void);
 
 /* What SIGINT, SIGTERM and SIGHUP print before they end the process, kept by the caller; NULL: nothing. */
 void output_say_on_interrupt(const char *text);

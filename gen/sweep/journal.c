@@ -216,7 +216,7 @@ int journal_open(struct journal *journal, const char *file, const char *title, u
     const size_t size = strlen(file) + sizeof extension;
     journal->path = xmalloc(size);
     snprintf(journal->path, size, "%s%s", file, extension);
-    output_handle_signals(); /* a write beyond a size limit must fail, which is reported, and not end the program */
+    output_report_size_limit();
     off_t good = -1;
     if (journal_open_locked(journal) == STATUS_OK)
         good = journal_recover(journal, title, most);

@@ -279,7 +279,7 @@ static char *title_of(const struct sweep *s)
 
 static int collide_to_file(struct collide *run, const struct sweep_request *request)
 {
-    /* fail now rather than after hours if the file cannot be written; this also installs output.c's signal handlers */
+    /* fail now rather than after hours if the file cannot be written */
     struct output probe;
     if (output_open(&probe, request->output) != STATUS_OK)
         return STATUS_FAILED;
