@@ -167,61 +167,45 @@ COR_INLINE double cor_ratio_tiny_loss(double zeta, double share)
     return (share * (p.hi + (p.lo + z * COR_RATIO_PI_TAIL))) * COR_INLINE_2_M200;
 }
 
-/* ---- zero force ---- */
+/* ---- eps and 1 - eps of an end with L = exponent(zeta) ---- */
 
-COR_KERNEL double cor_ratio_eps_zero_force_near(double zeta)
-{
-    return cor_kernel_exp_minus(cor_ratio_force_near(zeta));
-}
+#define COR_RATIO_KERNELS(end, exponent)                                                                               \
+    COR_KERNEL double cor_ratio_eps_##end##_near(double zeta)                                                          \
+    {                                                                                                                  \
+        return cor_kernel_exp_minus(exponent(zeta));                                                                   \
+    }                                                                                                                  \
+    COR_KERNEL double cor_ratio_loss_##end##_near(double zeta)                                                         \
+    {                                                                                                                  \
+        return cor_kernel_one_minus_exp_minus(exponent(zeta));                                                         \
+    }
 
-COR_INLINE double cor_ratio_eps_zero_force(double zeta)
-{
-    if (zeta >= 0 && zeta <= COR_RATIO_FORCE_NEAR)
-        return cor_ratio_eps_zero_force_near(zeta);
-    return zeta > 0 ? cor_ratio_eps_force_far(zeta) : (double)NAN;
-}
+/* The kernels hold up to `largest`, and eps beyond it is beyond(zeta). */
+#define COR_RATIO_EPS(end, largest, beyond)                                                                            \
+    COR_INLINE double cor_ratio_eps_##end(double zeta)                                                                 \
+    {                                                                                                                  \
+        if (zeta >= 0 && zeta <= (largest))                                                                            \
+            return cor_ratio_eps_##end##_near(zeta);                                                                   \
+        return zeta > 0 ? beyond(zeta) : (double)NAN;                                                                  \
+    }
 
-COR_KERNEL double cor_ratio_loss_zero_force_near(double zeta)
-{
-    return cor_kernel_one_minus_exp_minus(cor_ratio_force_near(zeta));
-}
+/* share: of pi, see cor_ratio_tiny_loss */
+#define COR_RATIO_LOSS(end, largest, share, beyond)                                                                    \
+    COR_INLINE double cor_ratio_loss_##end(double zeta)                                                                \
+    {                                                                                                                  \
+        if (zeta >= COR_RATIO_TINY && zeta <= (largest))                                                               \
+            return cor_ratio_loss_##end##_near(zeta);                                                                  \
+        if (zeta >= 0 && zeta < 1)                                                                                     \
+            return cor_ratio_tiny_loss(zeta, share);                                                                   \
+        return zeta > 0 ? 1 - beyond(zeta) : (double)NAN;                                                              \
+    }
 
-COR_INLINE double cor_ratio_loss_zero_force(double zeta)
-{
-    if (zeta >= COR_RATIO_TINY && zeta <= COR_RATIO_FORCE_NEAR)
-        return cor_ratio_loss_zero_force_near(zeta);
-    if (zeta >= 0 && zeta < 1)
-        return cor_ratio_tiny_loss(zeta, 1);
-    return zeta > 0 ? 1 - cor_ratio_eps_force_far(zeta) : (double)NAN;
-}
+COR_RATIO_KERNELS(zero_force, cor_ratio_force_near)
+COR_RATIO_EPS(zero_force, COR_RATIO_FORCE_NEAR, cor_ratio_eps_force_far)
+COR_RATIO_LOSS(zero_force, COR_RATIO_FORCE_NEAR, 1, cor_ratio_eps_force_far)
 
-/* ---- damping during the approach only ---- */
-
-COR_KERNEL double cor_ratio_eps_approach_only_near(double zeta)
-{
-    return cor_kernel_exp_minus(cor_ratio_approach_near(zeta));
-}
-
-COR_INLINE double cor_ratio_eps_approach_only(double zeta)
-{
-    if (zeta >= 0 && zeta <= COR_RATIO_FORCE_NEAR)
-        return cor_ratio_eps_approach_only_near(zeta);
-    return zeta > 0 ? cor_ratio_eps_approach_far(zeta) : (double)NAN;
-}
-
-COR_KERNEL double cor_ratio_loss_approach_only_near(double zeta)
-{
-    return cor_kernel_one_minus_exp_minus(cor_ratio_approach_near(zeta));
-}
-
-COR_INLINE double cor_ratio_loss_approach_only(double zeta)
-{
-    if (zeta >= COR_RATIO_TINY && zeta <= COR_RATIO_FORCE_NEAR)
-        return cor_ratio_loss_approach_only_near(zeta);
-    if (zeta >= 0 && zeta < 1)
-        return cor_ratio_tiny_loss(zeta, 0.5);
-    return zeta > 0 ? 1 - cor_ratio_eps_approach_far(zeta) : (double)NAN;
-}
+COR_RATIO_KERNELS(approach_only, cor_ratio_approach_near)
+COR_RATIO_EPS(approach_only, COR_RATIO_FORCE_NEAR, cor_ratio_eps_approach_far)
+COR_RATIO_LOSS(approach_only, COR_RATIO_FORCE_NEAR, 0.5, cor_ratio_eps_approach_far)
 
 /* ---- zero overlap ---- */
 
@@ -260,31 +244,16 @@ COR_KERNEL struct cor_inline_pair cor_ratio_overlap_near(double zeta)
     return exponent;
 }
 
-COR_KERNEL double cor_ratio_eps_zero_overlap_near(double zeta)
+/* zeta >= 1 */
+COR_INLINE double cor_ratio_eps_overlap_far(double zeta)
 {
-    return cor_kernel_exp_minus(cor_ratio_overlap_near(zeta));
+    (void)zeta;
+    return 0;
 }
 
-COR_INLINE double cor_ratio_eps_zero_overlap(double zeta)
-{
-    if (zeta >= 0 && zeta < 1)
-        return cor_ratio_eps_zero_overlap_near(zeta);
-    return zeta >= 1 ? 0 : (double)NAN;
-}
-
-COR_KERNEL double cor_ratio_loss_zero_overlap_near(double zeta)
-{
-    return cor_kernel_one_minus_exp_minus(cor_ratio_overlap_near(zeta));
-}
-
-COR_INLINE double cor_ratio_loss_zero_overlap(double zeta)
-{
-    if (zeta >= COR_RATIO_TINY && zeta < 1)
-        return cor_ratio_loss_zero_overlap_near(zeta);
-    if (zeta >= 0 && zeta < 1)
-        return cor_ratio_tiny_loss(zeta, 1);
-    return zeta >= 1 ? 1 : (double)NAN;
-}
+COR_RATIO_KERNELS(zero_overlap, cor_ratio_overlap_near)
+COR_RATIO_EPS(zero_overlap, COR_RATIO_BELOW_ONE, cor_ratio_eps_overlap_far)
+COR_RATIO_LOSS(zero_overlap, COR_RATIO_BELOW_ONE, 1, cor_ratio_eps_overlap_far)
 
 /* ---- the limited damper: the damping force is at most the elastic one ----
  *
@@ -347,10 +316,13 @@ COR_INLINE struct cor_inline_pair cor_ratio_eps_limited_far(double zeta)
                                  cor_kernel_exp_minus_pair(cor_pair(-gain, 0)));
 }
 
-COR_KERNEL double cor_ratio_eps_limited_near(double zeta)
+COR_INLINE double cor_ratio_eps_limited_beyond(double zeta)
 {
-    return cor_kernel_exp_minus(cor_ratio_limited_near(zeta));
+    return isinf(zeta) ? 0 : cor_ratio_eps_limited_far(zeta).hi;
 }
+
+COR_RATIO_KERNELS(limited, cor_ratio_limited_near)
+COR_RATIO_LOSS(limited, COR_RATIO_LIMITED_NEAR, 1, cor_ratio_eps_limited_beyond)
 
 COR_INLINE double cor_ratio_eps_limited(double zeta)
 {
@@ -358,21 +330,7 @@ COR_INLINE double cor_ratio_eps_limited(double zeta)
         return cor_ratio_eps_limited_near(zeta);
     if (zeta >= 0 && zeta < 1)
         return 1;
-    return zeta > 0 ? (isinf(zeta) ? 0 : cor_ratio_eps_limited_far(zeta).hi) : (double)NAN;
-}
-
-COR_KERNEL double cor_ratio_loss_limited_near(double zeta)
-{
-    return cor_kernel_one_minus_exp_minus(cor_ratio_limited_near(zeta));
-}
-
-COR_INLINE double cor_ratio_loss_limited(double zeta)
-{
-    if (zeta >= COR_RATIO_TINY && zeta <= COR_RATIO_LIMITED_NEAR)
-        return cor_ratio_loss_limited_near(zeta);
-    if (zeta >= 0 && zeta < 1)
-        return cor_ratio_tiny_loss(zeta, 1);
-    return zeta > 0 ? (isinf(zeta) ? 1 : 1 - cor_ratio_eps_limited_far(zeta).hi) : (double)NAN;
+    return zeta > 0 ? cor_ratio_eps_limited_beyond(zeta) : (double)NAN;
 }
 
 /* ---- inverses ----
@@ -412,10 +370,40 @@ COR_INLINE double cor_ratio_of_phase_far(double x, struct cor_inline_pair decay)
     return cor_inline_pair_times(growth, correction).hi;
 }
 
-COR_KERNEL double cor_ratio_zeta_zero_force_near(double eps)
+/* loss/pi, or twice that, for a tiny loss */
+COR_INLINE double cor_ratio_of_tiny_loss(double loss, double share)
 {
-    return cor_ratio_of_phase_near(cor_pair_scaled(cor_kernel_minus_log(cor_pair(eps, 0)), 0.5));
+    const struct cor_inline_pair scaled = cor_pair(loss * (share * COR_INLINE_2_200), 0);
+    return cor_pair_over(scaled, cor_pair(COR_RATIO_PI, COR_RATIO_PI_TAIL)).hi * COR_INLINE_2_M200;
 }
+
+/* The kernels of zeta from eps and from the loss at an end with zeta = of(L) */
+#define COR_RATIO_INVERSE_KERNELS(end, of)                                                                             \
+    COR_KERNEL double cor_ratio_zeta_##end##_near(double eps)                                                          \
+    {                                                                                                                  \
+        return of(cor_kernel_minus_log(cor_pair(eps, 0)));                                                             \
+    }                                                                                                                  \
+    COR_KERNEL double cor_ratio_zeta_of_loss_##end##_near(double loss)                                                 \
+    {                                                                                                                  \
+        return of(cor_kernel_minus_log_one_minus(loss));                                                               \
+    }
+
+/* near: the kernel or a function with its bits, up to the loss `largest`; share: see cor_ratio_of_tiny_loss */
+#define COR_RATIO_OF_LOSS(end, near, largest, share)                                                                   \
+    COR_INLINE double cor_ratio_zeta_of_loss_##end(double loss)                                                        \
+    {                                                                                                                  \
+        if (loss >= COR_RATIO_TINY && loss <= (largest))                                                               \
+            return near(cor_kernel_minus_log_one_minus(loss));                                                         \
+        if (!(loss >= 0 && loss <= 1))                                                                                 \
+            return (double)NAN;                                                                                        \
+        return loss > 0.5 ? cor_ratio_zeta_##end(1 - loss) : cor_ratio_of_tiny_loss(loss, share);                      \
+    }
+
+COR_KERNEL double cor_ratio_of_force(struct cor_inline_pair exponent)
+{
+    return cor_ratio_of_phase_near(cor_pair_scaled(exponent, 0.5));
+}
+COR_RATIO_INVERSE_KERNELS(zero_force, cor_ratio_of_force)
 
 COR_INLINE double cor_ratio_zeta_zero_force(double eps)
 {
@@ -434,31 +422,9 @@ COR_INLINE double cor_ratio_zeta_zero_force(double eps)
     return cor_ratio_of_phase_far(0.5 * x.hi, root);
 }
 
-COR_KERNEL double cor_ratio_zeta_of_loss_zero_force_near(double loss)
-{
-    return cor_ratio_of_phase_near(cor_pair_scaled(cor_kernel_minus_log_one_minus(loss), 0.5));
-}
+COR_RATIO_OF_LOSS(zero_force, cor_ratio_of_force, 1 - COR_RATIO_EPS_FORCE_NEAR, 1)
 
-/* loss/pi, or twice that, for a tiny loss */
-COR_INLINE double cor_ratio_of_tiny_loss(double loss, double share)
-{
-    const struct cor_inline_pair scaled = cor_pair(loss * (share * COR_INLINE_2_200), 0);
-    return cor_pair_over(scaled, cor_pair(COR_RATIO_PI, COR_RATIO_PI_TAIL)).hi * COR_INLINE_2_M200;
-}
-
-COR_INLINE double cor_ratio_zeta_of_loss_zero_force(double loss)
-{
-    if (loss >= COR_RATIO_TINY && loss <= 1 - COR_RATIO_EPS_FORCE_NEAR)
-        return cor_ratio_zeta_of_loss_zero_force_near(loss);
-    if (!(loss >= 0 && loss <= 1))
-        return (double)NAN;
-    return loss > 0.5 ? cor_ratio_zeta_zero_force(1 - loss) : cor_ratio_of_tiny_loss(loss, 1);
-}
-
-COR_KERNEL double cor_ratio_zeta_approach_only_near(double eps)
-{
-    return cor_ratio_of_phase_near(cor_kernel_minus_log(cor_pair(eps, 0)));
-}
+COR_RATIO_INVERSE_KERNELS(approach_only, cor_ratio_of_phase_near)
 
 COR_INLINE double cor_ratio_zeta_approach_only(double eps)
 {
@@ -472,19 +438,7 @@ COR_INLINE double cor_ratio_zeta_approach_only(double eps)
     return cor_ratio_of_phase_far(cor_kernel_minus_log(e).hi, e);
 }
 
-COR_KERNEL double cor_ratio_zeta_of_loss_approach_only_near(double loss)
-{
-    return cor_ratio_of_phase_near(cor_kernel_minus_log_one_minus(loss));
-}
-
-COR_INLINE double cor_ratio_zeta_of_loss_approach_only(double loss)
-{
-    if (loss >= COR_RATIO_TINY && loss <= 1 - COR_RATIO_EPS_APPROACH_NEAR)
-        return cor_ratio_zeta_of_loss_approach_only_near(loss);
-    if (!(loss >= 0 && loss <= 1))
-        return (double)NAN;
-    return loss > 0.5 ? cor_ratio_zeta_approach_only(1 - loss) : cor_ratio_of_tiny_loss(loss, 2);
-}
+COR_RATIO_OF_LOSS(approach_only, cor_ratio_of_phase_near, 1 - COR_RATIO_EPS_APPROACH_NEAR, 2)
 
 /* L/sqrt(pi^2 + L^2) */
 COR_KERNEL double cor_ratio_of_overlap(struct cor_inline_pair exponent)
@@ -496,10 +450,7 @@ COR_KERNEL double cor_ratio_of_overlap(struct cor_inline_pair exponent)
     return cor_pair_over_with(exponent, cor_pair_root_with(square, root, inverse), inverse).hi;
 }
 
-COR_KERNEL double cor_ratio_zeta_zero_overlap_near(double eps)
-{
-    return cor_ratio_of_overlap(cor_kernel_minus_log(cor_pair(eps, 0)));
-}
+COR_RATIO_INVERSE_KERNELS(zero_overlap, cor_ratio_of_overlap)
 
 COR_INLINE double cor_ratio_zeta_zero_overlap(double eps)
 {
@@ -514,19 +465,7 @@ COR_INLINE double cor_ratio_zeta_zero_overlap(double eps)
     return cor_ratio_of_overlap(exponent);
 }
 
-COR_KERNEL double cor_ratio_zeta_of_loss_zero_overlap_near(double loss)
-{
-    return cor_ratio_of_overlap(cor_kernel_minus_log_one_minus(loss));
-}
-
-COR_INLINE double cor_ratio_zeta_of_loss_zero_overlap(double loss)
-{
-    if (loss >= COR_RATIO_TINY && loss < 1)
-        return cor_ratio_zeta_of_loss_zero_overlap_near(loss);
-    if (!(loss >= 0 && loss <= 1))
-        return (double)NAN;
-    return loss == 1 ? 1 : cor_ratio_of_tiny_loss(loss, 1);
-}
+COR_RATIO_OF_LOSS(zero_overlap, cor_ratio_of_overlap, COR_RATIO_BELOW_ONE, 1)
 
 /* dL/dzeta and d^2L/dzeta^2 of the limited damper for known L. With W = 1 - zeta^2 and N = 4 zeta (1 + 2 zeta^2)/(1 + 8
  * zeta^2), W L' = L/zeta - N. Near zeta = 1 the code uses Taylor's series, with relative error 2^-32. */
@@ -604,10 +543,7 @@ COR_INLINE double cor_ratio_of_limited_far(double eps)
     return zeta;
 }
 
-COR_KERNEL double cor_ratio_zeta_limited_near(double eps)
-{
-    return cor_ratio_of_limited_near(cor_kernel_minus_log(cor_pair(eps, 0)));
-}
+COR_RATIO_INVERSE_KERNELS(limited, cor_ratio_of_limited_near)
 
 COR_INLINE double cor_ratio_zeta_limited(double eps)
 {
@@ -618,19 +554,7 @@ COR_INLINE double cor_ratio_zeta_limited(double eps)
     return eps == 1 ? 0 : cor_ratio_of_limited_far(eps);
 }
 
-COR_KERNEL double cor_ratio_zeta_of_loss_limited_near(double loss)
-{
-    return cor_ratio_of_limited_near(cor_kernel_minus_log_one_minus(loss));
-}
-
-COR_INLINE double cor_ratio_zeta_of_loss_limited(double loss)
-{
-    if (loss >= COR_RATIO_TINY && loss <= 1 - COR_RATIO_EPS_LIMITED_NEAR)
-        return cor_ratio_of_limited(cor_kernel_minus_log_one_minus(loss));
-    if (!(loss >= 0 && loss <= 1))
-        return (double)NAN;
-    return loss > 0.5 ? cor_ratio_zeta_limited(1 - loss) : cor_ratio_of_tiny_loss(loss, 1);
-}
+COR_RATIO_OF_LOSS(limited, cor_ratio_of_limited, 1 - COR_RATIO_EPS_LIMITED_NEAR, 1)
 
 /* ---- times and the largest overlap ---- */
 
