@@ -1,22 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "tables/law_times.h"
-#include "support/local.h"
+
+#include "enclosure/closed_form.h"
 
 enum { GUARD_BITS = 40 };
-
-static void set_ratio(arb_t x, slong p, ulong q, slong prec)
-{
-    arb_set_si(x, p);
-    arb_div_ui(x, x, q, prec);
-}
-
-/* x^(p/q), x > 0 */
-static void pow_ratio(arb_t y, const arb_t x, slong p, ulong q, slong prec)
-{
-    LOCAL(arb, e);
-    set_ratio(e, p, q, prec);
-    arb_pow(y, x, e, prec);
-}
 
 /* Nodes and weights of the Gauss-Legendre rule on [0, 1] with GAUSS_BITS bits, computed once */
 enum { GAUSS_POINTS = 56, GAUSS_BITS = 320 };
@@ -101,7 +88,7 @@ static int tsuji_integrand(acb_ptr y, const acb_t x, void *parameters, slong ord
     acb_mul_arb(s, s, p->end, prec);
     acb_mul(sinc, s, p->om, prec);
     acb_sinc(sinc, sinc, prec);
-    set_ratio(e, -1, 5, prec);
+    arb_set_ratio(e, (struct ratio){-1, 5}, prec);
     acb_set_arb(power, e);
     acb_pow_analytic(y, sinc, power, order > 0, prec);
     acb_mul_arb(s, s, p->zeta, prec);
@@ -122,7 +109,7 @@ static void tsuji_integral(arb_t g, enum quadrature how, const arb_t zeta, const
     arb_neg(acb_realref(p.om), acb_realref(p.om));
     acb_sqrt(p.om, p.om, prec + GUARD_BITS);
     quadrature_integrate(g, how, tsuji_integrand, &p, prec);
-    pow_ratio(factor, end, 4, 5, prec);
+    arb_pow_ratio(factor, end, (struct ratio){4, 5}, prec);
     arb_mul_ui(factor, factor, 5, prec);
     arb_mul(g, g, factor, prec);
     acb_clear(p.om);
@@ -131,19 +118,8 @@ static void tsuji_integral(arb_t g, enum quadrature how, const arb_t zeta, const
 /* (5/4)^(-3/5), which is w0^(-6/5) */
 static void tsuji_unit(arb_t x, slong prec)
 {
-    set_ratio(x, 5, 4, prec);
-    pow_ratio(x, x, -3, 5, prec);
-}
-
-/* acos(zeta)/sqrt(1 - zeta^2) = 2F1(1, 1; 3/2; (1 - zeta)/2), also at zeta = 1 */
-static void phase_time(arb_t a, const arb_t zeta, slong prec)
-{
-    LOCAL(arb, one, half_3, z);
-    arb_one(one);
-    set_ratio(half_3, 3, 2, prec);
-    arb_sub(z, one, zeta, prec);
-    arb_mul_2exp_si(z, z, -1);
-    arb_hypgeom_2f1(a, one, one, half_3, z, 0, prec);
+    arb_set_ratio(x, (struct ratio){5, 4}, prec);
+    arb_pow_ratio(x, x, (struct ratio){-3, 5}, prec);
 }
 
 /* om = sqrt(1 - zeta^2), zeta < 1 */
@@ -158,7 +134,7 @@ static void omega(arb_t om, const arb_t zeta, slong prec)
 void tsuji_time_of_max_overlap(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
     LOCAL(arb, end);
-    phase_time(end, zeta, prec + GUARD_BITS);
+    closed_form_angle(end, zeta, prec + GUARD_BITS);
     tsuji_integral(t, how, zeta, end, prec);
     tsuji_unit(end, prec);
     arb_mul(t, t, end, prec);
@@ -170,7 +146,7 @@ void tsuji_overlap_factor(arb_t v, enum quadrature how, const arb_t y, slong pre
     (void)how;
     LOCAL(acb, z);
     LOCAL(arb, x);
-    set_ratio(acb_realref(z), 9, 10, prec);
+    arb_set_ratio(acb_realref(z), (struct ratio){9, 10}, prec);
     arb_set(acb_imagref(z), y);
     acb_lgamma(z, z, prec);
     arb_mul_2exp_si(v, acb_realref(z), 1);
@@ -179,11 +155,11 @@ void tsuji_overlap_factor(arb_t v, enum quadrature how, const arb_t y, slong pre
     arb_neg(v, v);
     arb_exp(v, v, prec);
     arb_mul(v, v, x, prec);
-    set_ratio(x, 4, 5, prec);
+    arb_set_ratio(x, (struct ratio){4, 5}, prec);
     arb_gamma(x, x, prec);
     arb_mul(v, v, x, prec);
     arb_set_ui(x, 2);
-    pow_ratio(x, x, 1, 5, prec);
+    arb_pow_ratio(x, x, (struct ratio){1, 5}, prec);
     arb_mul(v, v, x, prec);
     tsuji_unit(x, prec);
     arb_mul(v, v, x, prec);
@@ -202,7 +178,7 @@ static void tsuji_duration_zero_overlap(arb_t t, const arb_t zeta, slong prec)
     arb_mul_2exp_si(x, x, 1);
     arb_exp(x, x, prec);
     arb_mul(t, t, x, prec);
-    pow_ratio(x, om, -4, 5, prec);
+    arb_pow_ratio(x, om, (struct ratio){-4, 5}, prec);
     arb_mul(t, t, x, prec);
 }
 
@@ -233,11 +209,11 @@ static void tsuji_duration_zero_force_weak(arb_t t, enum quadrature how, const a
 void tsuji_duration_zero_force(arb_t t, enum quadrature how, const arb_t zeta, slong prec)
 {
     LOCAL(arb, x);
-    set_ratio(x, 7, 10, prec);
+    arb_set_ratio(x, (struct ratio){7, 10}, prec);
     if (arb_lt(zeta, x)) {
         tsuji_duration_zero_force_weak(t, how, zeta, prec);
     } else {
-        phase_time(x, zeta, prec + GUARD_BITS);
+        closed_form_angle(x, zeta, prec + GUARD_BITS);
         arb_mul_2exp_si(x, x, 1);
         tsuji_integral(t, how, zeta, x, prec);
         tsuji_unit(x, prec);
@@ -258,8 +234,8 @@ static void limited_phase(arb_t phase, const arb_t zeta, slong prec)
     arb_mul(square, square, k, prec);
     arb_mul(square, square, k, prec);
     arb_one(one);
-    set_ratio(half, 1, 2, prec);
-    set_ratio(half_3, 3, 2, prec);
+    arb_set_ratio(half, (struct ratio){1, 2}, prec);
+    arb_set_ratio(half_3, (struct ratio){3, 2}, prec);
     arb_hypgeom_2f1(phase, half, one, half_3, square, 0, prec);
     arb_mul(phase, phase, k, prec);
 }
@@ -273,11 +249,11 @@ static void limited_first_part(arb_t t, const arb_t zeta, slong prec)
     arb_mul_2exp_si(m, m, 3);
     arb_add_ui(a, m, 1, prec);
     arb_div(m, m, a, prec);
-    set_ratio(a, 2, 5, prec);
-    set_ratio(b, 1, 2, prec);
+    arb_set_ratio(a, (struct ratio){2, 5}, prec);
+    arb_set_ratio(b, (struct ratio){1, 2}, prec);
     arb_hypgeom_beta_lower(t, a, b, m, 0, prec);
     arb_mul(t, t, a, prec);
-    set_ratio(b, 5, 8, prec);
+    arb_set_ratio(b, (struct ratio){5, 8}, prec);
     arb_pow(b, b, a, prec);
     arb_mul(t, t, b, prec);
 }
@@ -321,18 +297,15 @@ struct crossley_integrand {
 /* (exp(x) - 1)/x */
 static void mean_exponential(acb_t y, const acb_t x, slong prec)
 {
-    acb_t term;
-    LOCAL(mag, size, tail);
+    LOCAL(mag, size, tail, factorial);
     acb_get_mag(size, x);
     if (mag_cmp_2exp_si(size, -1) > 0) {
-        acb_init(term);
+        LOCAL(acb, term);
         acb_expm1(term, x, prec);
         acb_div(y, term, x, prec);
-        acb_clear(term);
     } else {
         /* the series; the omitted terms are below twice the first of them */
         const slong terms = prec / 5 + 8;
-        acb_init(term);
         acb_one(y);
         for (slong k = terms; k >= 1; k--) {
             acb_mul(y, y, x, prec);
@@ -341,11 +314,9 @@ static void mean_exponential(acb_t y, const acb_t x, slong prec)
         }
         mag_pow_ui(tail, size, (ulong)terms + 1);
         mag_mul_2exp_si(tail, tail, 1);
-        LOCAL(mag, factorial);
         mag_fac_ui(factorial, (ulong)terms + 1);
         mag_div(tail, tail, factorial); /* (terms + 2)! is even larger */
         acb_add_error_mag(y, tail);
-        acb_clear(term);
     }
 }
 
@@ -368,7 +339,7 @@ static int crossley_integrand(acb_ptr y, const acb_t x, void *parameters, slong 
     acb_mul_ui(b, b, hertz ? 5 : 2, prec);
     if (hertz)
         acb_mul_2exp_si(b, b, -1);
-    set_ratio(acb_realref(power), hertz ? -3 : -1, hertz ? 5 : 2, prec);
+    arb_set_ratio(acb_realref(power), (struct ratio){hertz ? -3 : -1, hertz ? 5 : 2}, prec);
     acb_pow_analytic(y, b, power, order > 0, prec);
     if (hertz)
         acb_mul(y, y, x, prec);
@@ -384,10 +355,10 @@ static void crossley_part(arb_t t, enum quadrature how, enum crossley_exponent a
     LOCAL(arb, x);
     quadrature_integrate(t, how, crossley_integrand, &integrand, prec);
     arb_mul_ui(t, t, hertz ? 5 : 2, prec);
-    pow_ratio(x, end, hertz ? 2 : 1, hertz ? 5 : 2, prec);
+    arb_pow_ratio(x, end, (struct ratio){hertz ? 2 : 1, hertz ? 5 : 2}, prec);
     arb_mul(t, t, x, prec);
     if (hertz) {
-        pow_ratio(x, beta, 1, 5, prec);
+        arb_pow_ratio(x, beta, (struct ratio){1, 5}, prec);
         arb_mul(t, t, x, prec);
     }
 }
