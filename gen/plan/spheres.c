@@ -470,38 +470,20 @@ static void add_other_end(struct plan *plan, const struct spheres *s, const stru
 static char *spheres_title(const struct plan *plan, const struct embed_request *scene, const struct law *law)
 {
     const slong last = plan->points - 1;
-    if (!law_is_sphere(law))
-        return plan_text("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
-                         law_equation(law).text, scene->number[EMBED_SPEED_MIN].text,
-                         scene->number[EMBED_SPEED_MAX].text,
-                         scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
-                         plan->truth[0], plan->truth[last]);
-    return plan_text("Spheres at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
-                     scene->number[EMBED_SPEED_MIN].text, scene->number[EMBED_SPEED_MAX].text,
-                     scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap", plan->at[0], plan->at[last],
-                     plan->truth[0], plan->truth[last]);
+    return plan_text("%s at %s to %s m/s, contact to %s: beta from %.4g to %.4g, eps from %.4g to %.4g.\n",
+                     law_is_sphere(law) ? "Spheres" : law_equation(law).text, scene->number[EMBED_SPEED_MIN].text,
+                     scene->number[EMBED_SPEED_MAX].text, scene->end == END_ZERO_FORCE ? "zero force" : "zero overlap",
+                     plan->at[0], plan->at[last], plan->truth[0], plan->truth[last]);
 }
 
-static const char *spheres_note(const struct embed_request *scene)
-{
-    static const char *const notes[] = {
-        "Error: the largest of the points, against enclosed collisions, two digits, rounded up; taken below 0.97 of "
-        "the\n"
-        "tolerance. Of the library: what it promises. Cost: ns for one eps, (call + 4 in a loop)/5 (--for balanced).\n"
-        "Of Pade and header made of operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare\n"
-        "them; clocks differ.\n",
-        "Error: the largest of the points, against enclosed collisions, two digits, rounded up; taken below 0.97 of "
-        "the\n"
-        "tolerance. Of the library: what it promises. Cost: ns for one eps, in calls one at a time (--for scalar).\n"
-        "Of Pade and header made of operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare\n"
-        "them; clocks differ.\n",
-        "Error: the largest of the points, against enclosed collisions, two digits, rounded up; taken below 0.97 of "
-        "the\n"
-        "tolerance. Of the library: what it promises. Cost: ns for one eps, in a loop (--for array).\n"
-        "Of Pade and header made of operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare\n"
-        "them; clocks differ.\n"};
-    return notes[scene->purpose];
-}
+#define NOTE(times)                                                                                                    \
+    "Error: the largest of the points, against enclosed collisions, two digits, rounded up; taken below 0.97 of the\n" \
+    "tolerance. Of the library: what it promises. Cost: ns for one eps, " times ".\n"                                  \
+    "Of Pade and header made of operations, docs/embed.md; of the others as measured once, docs/plan.md. Compare\n"    \
+    "them; clocks differ.\n"
+static const char *const notes[] = {/* by purpose */
+                                    NOTE("(call + 4 in a loop)/5 (--for balanced)"),
+                                    NOTE("in calls one at a time (--for scalar)"), NOTE("in a loop (--for array)")};
 
 /* Adds all models after the reference and the series are known. `header` is the tolerance of the header. */
 static void add_models(struct plan *plan, struct spheres *s, const struct embed_request *scene,
@@ -547,7 +529,7 @@ static int plan_scene(struct plan *plan, const struct plan_spheres_request *requ
     plan->quantity = "eps";
     plan->unit = "relative error";
     plan->tolerance = embed_number(scene, EMBED_TOLERANCE);
-    plan->note = spheres_note(scene);
+    plan->note = notes[scene->purpose];
     profile_step("collisions");
     if (status == STATUS_OK)
         status = find_truth(plan, s, (enum contact_end)scene->end);
