@@ -119,11 +119,8 @@ static bool function_on(arb_poly_t y, const struct far_proof *proof, enum quanti
 
 bool far_proof_function(arb_poly_t y, const struct far_proof *proof, enum quantity quantity, double lo, double hi)
 {
-    struct far_cell cell;
-    far_cell_init(&cell, lo, hi);
-    const bool done = function_on(y, proof, quantity, &cell);
-    far_cell_clear(&cell);
-    return done;
+    LOCAL_INIT(far_cell, cell, (&cell, lo, hi));
+    return function_on(y, proof, quantity, &cell);
 }
 
 /* ---- formulas on a cell ---- */
@@ -200,10 +197,9 @@ static double relative(double x)
 
 static double cell_error(const struct far_proof *proof, enum quantity quantity, const double *c, double lo, double hi)
 {
-    struct far_cell cell;
     LOCAL(arb_poly, difference, scale);
     double known = SMALL_ENOUGH, error;
-    far_cell_init(&cell, lo, hi);
+    LOCAL_INIT(far_cell, cell, (&cell, lo, hi));
     bool done;
     if (quantity == BETA_ZERO_FORCE) {
         done = inverse_on(difference, proof, c, &cell);
@@ -216,7 +212,6 @@ static double cell_error(const struct far_proof *proof, enum quantity quantity, 
     for (int k = -POINTS; k <= POINTS && done; k++)
         known = fmax(known, enclosed_ratio_at(difference, scale, k / (double)POINTS));
     error = done ? enclosed_largest_ratio(difference, scale, known, HALVINGS) : HUGE_VAL;
-    far_cell_clear(&cell);
     return quantity == BETA_ZERO_FORCE ? relative(error) : error;
 }
 

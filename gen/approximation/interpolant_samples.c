@@ -134,8 +134,7 @@ void interpolant_place(arb_t beta, arb_t variable, const struct interpolant *f, 
 static int interval_solve(arb_ptr value, const struct interpolant *f, const struct interval *interval, const arb_t beta,
                           slong bits)
 {
-    struct collision c;
-    collision_init(&c);
+    LOCAL_INIT(collision, c, (&c));
     const struct law *law = &f->layout->law;
     const slong prec = bits + 3 * GUARD_BITS;
     slong more = GUARD_BITS;
@@ -148,7 +147,6 @@ static int interval_solve(arb_ptr value, const struct interpolant *f, const stru
     for (int q = 0; q < QUANTITIES && status == STATUS_OK; q++)
         if (holds(interval, (enum quantity)q))
             scaled(value + q, law, interval, (enum quantity)q, &c, beta, prec + more);
-    collision_clear(&c);
     return status;
 }
 

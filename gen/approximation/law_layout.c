@@ -166,9 +166,8 @@ static int find_threshold(struct law_layout *layout)
 /* Whether beta^(1/q) eps equals v_f to double precision */
 static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, double beta)
 {
-    struct collision c;
     LOCAL(arb, x, power);
-    collision_init(&c);
+    LOCAL_INIT(collision, c, (&c));
     arb_set_d(x, beta);
     const int status = collision_solve_overlap(&c, x, law, DEVIATION_BITS + 16);
     arb_pow_ratio(power, x, interpolant_tail_power(law, EPS_ZERO_OVERLAP), CONSTANT_BITS);
@@ -176,7 +175,6 @@ static int is_fallen(bool *fallen, const struct law *law, const arb_t v_f, doubl
     arb_div(x, c.eps_zero_overlap, power, CONSTANT_BITS);
     arb_sub_ui(x, x, 1, CONSTANT_BITS);
     *fallen = arf_cmpabs_2exp_si(arb_midref(x), -DEVIATION_BITS) < 0;
-    collision_clear(&c);
     return status;
 }
 

@@ -123,8 +123,7 @@ double law_proof_error(const struct law_proof *proof, int i)
 {
     LOCAL(mag, bound);
     arb_get_mag(bound, &proof->error[i]);
-    const double error = mag_get_d(bound);
-    return error;
+    return mag_get_d(bound);
 }
 
 int law_proof_interval(double *end, const struct law_proof *proof, double u)

@@ -100,8 +100,7 @@ static int emit_pair(struct emit *e, const char *name, const arb_t value)
     LOCAL_VECTOR(row, 2);
     arb_set(row, value);
     split(row, row + 1);
-    const int status = emit_one_row(e, name, row, 2);
-    return status;
+    return emit_one_row(e, name, row, 2);
 }
 
 int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, const char *name)
@@ -110,8 +109,7 @@ int law_tables_emit_final_speed(struct emit *e, const struct law_tables *t, cons
     arb_set(speed, interpolant_final_speed(t->f));
     if (law_is_hunt_crossley(&t->layout.interpolant.law)) /* an interval that contains 1 cannot be split */
         arb_one(speed);
-    const int status = emit_pair(e, name, speed);
-    return status;
+    return emit_pair(e, name, speed);
 }
 
 void law_tables_far_row(arb_ptr row, const struct law_tables *t, enum quantity quantity)
@@ -134,22 +132,19 @@ int law_tables_emit_far(struct emit *e, const struct law_tables *t, enum quantit
 {
     LOCAL_VECTOR(row, FAR_COLUMNS);
     law_tables_far_row(row, t, quantity);
-    const int status = emit_one_row(e, name, row, FAR_COLUMNS);
-    return status;
+    return emit_one_row(e, name, row, FAR_COLUMNS);
 }
 
 int law_tables_emit_fall(struct emit *e, const struct law_tables *t, const char *name)
 {
     LOCAL(arb, fall);
     interpolant_far_fall(fall, t->f);
-    const int status = emit_pair(e, name, fall);
-    return status;
+    return emit_pair(e, name, fall);
 }
 
 int law_tables_emit_far_inverse(struct emit *e, const struct law_tables *t, const char *name)
 {
     LOCAL_VECTOR(row, INVERSE_COLUMNS);
     law_tables_far_inverse_row(row, t);
-    const int status = emit_one_row(e, name, row, INVERSE_COLUMNS);
-    return status;
+    return emit_one_row(e, name, row, INVERSE_COLUMNS);
 }

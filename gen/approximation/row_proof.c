@@ -322,8 +322,7 @@ double interpolant_proof_error(const struct interpolant_proof *proof, int i, enu
 {
     LOCAL(mag, bound);
     arb_get_mag(bound, &proof->error[i][quantity]);
-    const double error = mag_get_d(bound);
-    return error;
+    return mag_get_d(bound);
 }
 
 const struct ellipse_bound *interpolant_proof_bound(const struct interpolant_proof *proof, int i)

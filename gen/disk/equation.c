@@ -253,9 +253,8 @@ static void three_clear(arb_struct t[3])
 
 slong disk_count(const struct disk *disk, slong n, const arb_t w)
 {
-    struct waves v;
     arb_struct t[3];
-    waves_init(&v);
+    LOCAL_INIT(waves, v, (&v));
     three_init(t);
     slong count = DISK_UNDECIDED;
     if (!waves_set(&v, disk, n, w)) {
@@ -275,19 +274,16 @@ slong disk_count(const struct disk *disk, slong n, const arb_t w)
             count = v.a.zeros + v.b.zeros + rim + (n > 1);
     }
     three_clear(t);
-    waves_clear(&v);
     return count;
 }
 
 int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
 {
     const slong prec = disk->prec;
-    struct waves v;
-    struct wave derivative;
     arb_struct t[3];
     LOCAL(arb, f, df, rest);
-    waves_init(&v);
-    wave_init(&derivative);
+    LOCAL_INIT(waves, v, (&v));
+    LOCAL_INIT(wave, derivative, (&derivative));
     three_init(t);
     int done = waves_set(&v, disk, n, w);
     if (done) {
@@ -313,8 +309,6 @@ int disk_newton(arb_t step, const struct disk *disk, slong n, const arb_t w)
         done = arb_is_finite(step);
     }
     three_clear(t);
-    wave_clear(&derivative);
-    waves_clear(&v);
     return done;
 }
 
@@ -335,9 +329,8 @@ int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const ar
         return arb_is_positive(c);
     }
 
-    struct waves v;
     LOCAL(arb, a, b, x, y, stiff);
-    waves_init(&v);
+    LOCAL_INIT(waves, v, (&v));
     int done = waves_set(&v, disk, n, w);
     if (done) {
         /* (g + x - n^2) C + n (x - 1) S = 0 = n (y - 1) C + (g + y - n^2) S. Each row degenerates for some modes, so
@@ -382,6 +375,5 @@ int disk_amplitudes(arb_t c, arb_t s, const struct disk *disk, slong n, const ar
             arb_mul(s, s, x, prec);
         }
     }
-    waves_clear(&v);
     return done;
 }

@@ -192,10 +192,8 @@ int disk_mode_solve(struct disk_mode *mode, const fmpq_t nu, slong n, slong l, s
     mode->n = n;
     mode->l = l;
     LOCAL(arb, none);
-    struct disk wide;
-    disk_init(&wide, nu, WIDE * (4 * bits + 1024));
+    LOCAL_INIT(disk, wide, (&wide, nu, WIDE * (4 * bits + 1024)));
     const bool done = enclose(mode, &wide, none, bits, 4 * bits + 1024);
-    disk_clear(&wide);
     return done ? STATUS_OK
                 : fail("mode n = %ld, l = %ld: %ld bits do not separate it from its neighbour", (long)n, (long)l,
                        (long)(4 * bits + 1024));

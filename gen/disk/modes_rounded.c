@@ -7,6 +7,7 @@
 #include "support/console.h"
 #include "support/decimal.h"
 #include "support/digits.h"
+#include "support/local.h"
 
 enum { MODE_DIGITS = 17 /* digits_to_double needs no more */ };
 
@@ -24,8 +25,7 @@ static int round_all(struct cor_disk_mode *mode, const struct disk_modes *exact)
 
 int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong count)
 {
-    struct disk_modes exact;
-    disk_modes_init(&exact);
+    LOCAL_INIT(disk_modes, exact, (&exact));
     int status = disk_modes_solve(&exact, nu, count, MODE_DIGITS);
     if (status == STATUS_OK) {
         struct cor_disk_mode *const mode = xmalloc((size_t)count * sizeof *mode);
@@ -34,6 +34,5 @@ int disk_modes_rounded(struct cor_disk_modes *modes, const fmpq_t nu, slong coun
         if (status != STATUS_OK)
             free(mode);
     }
-    disk_modes_clear(&exact);
     return status;
 }

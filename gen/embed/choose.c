@@ -140,15 +140,13 @@ static void search_series(struct embed_form *best, const struct embed_scene *s, 
 
 static void search_pade(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series, slong root)
 {
-    struct pade f;
-    pade_init(&f);
+    LOCAL_INIT(pade, f, (&f));
     for (slong total = 1; total <= PADE_MAX && !best->found; total++)
         for (slong skew = total % 2; skew <= PADE_SKEW && skew <= total && !best->found; skew += 2) {
             const slong m = (total - skew) / 2, n = total - m;
             if (pade_of_series(&f, series, m, n, SERIES_BITS))
                 try_quotient(best, s, f.p, f.q, root, m, n);
         }
-    pade_clear(&f);
 }
 
 static void search_two_point(struct embed_form *best, const struct embed_scene *s, const arb_poly_t series)
@@ -157,12 +155,10 @@ static void search_two_point(struct embed_form *best, const struct embed_scene *
         snprintf(best->why, sizeof best->why, "at zero force large beta has no power law to match");
         return;
     }
-    struct pade f;
-    pade_init(&f);
+    LOCAL_INIT(pade, f, (&f));
     for (slong m = 0; 2 * m + 5 <= PADE_MAX && !best->found; m++)
         if (pade_two_point_of_series(&f, series, s->h_star_5, m, SERIES_BITS))
             try_quotient(best, s, f.p, f.q, 1, m, m + 5);
-    pade_clear(&f);
 }
 
 /* ---- tables ---- */

@@ -233,8 +233,7 @@ static double place_of_speed(const struct prover *w, double speed, bool by_log, 
         arb_get_ubound_arf(end, x, EMBED_BITS);
     else
         arb_get_lbound_arf(end, x, EMBED_BITS);
-    const double place = arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
-    return place;
+    return arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
 }
 
 /* The same for a law other than the sphere's, where ln(beta) may rise or fall with the speed */

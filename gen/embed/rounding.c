@@ -59,8 +59,7 @@ static double magnitude(const arb_t x)
 {
     LOCAL(mag, m);
     arb_get_mag(m, x);
-    const double size = mag_get_d(m);
-    return size;
+    return mag_get_d(m);
 }
 
 /* (1 + x)(1 + y) - 1 and (1 + x)^n - 1 */
@@ -265,8 +264,7 @@ static double least_size(const arb_t x)
 {
     LOCAL(arf, least);
     arb_get_abs_lbound_arf(least, x, 53);
-    const double size = arf_get_d(least, ARF_RND_DOWN);
-    return size;
+    return arf_get_d(least, ARF_RND_DOWN);
 }
 
 /* Relative rounding error of the result for arguments lo <= x <= hi of the polynomials, whose own error is at most
@@ -354,8 +352,7 @@ static double place_beyond(const struct embed_form *f, double speed, double erro
         arb_get_ubound_arf(end, y, BITS);
     else
         arb_get_lbound_arf(end, y, BITS);
-    const double beyond = arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
-    return beyond;
+    return arf_get_d(end, above ? ARF_RND_CEIL : ARF_RND_FLOOR);
 }
 
 /* Absolute error of the place x slope + shift in a table; infinite if a place may be outside the table. Rounding keeps

@@ -171,11 +171,10 @@ static void first_r(arb_t r)
 
 void creep_series_init(struct creep_series *s, slong prec)
 {
-    struct formal_time f;
     LOCAL(fmpq, constant);
     LOCAL(arb, r, x);
     FOR_ALL(arb, init, s->start, s->factor);
-    formal_time_init(&f);
+    LOCAL_INIT(formal_time, f, (&f));
     s->a = _arb_vec_init(CREEP_SERIES_ORDER + 1);
     for (slong j = 1; j <= CREEP_SERIES_ORDER; j++) {
         fmpq_poly_get_coeff_fmpq(constant, &f.q[j], 0);
@@ -190,7 +189,6 @@ void creep_series_init(struct creep_series *s, slong prec)
     largest_in_tube(s->factor, &f.source[CREEP_SERIES_ORDER], r, 0);
     arb_mul_2exp_si(s->factor, s->factor, 1);
     arb_div(s->factor, s->factor, x, BOUND_BITS);
-    formal_time_clear(&f);
 }
 
 void creep_series_clear(struct creep_series *s)

@@ -323,9 +323,8 @@ static void zeta_of(struct expansion *zeta, const struct expansion *h, const str
 static void fall_map(struct expansion *y, const struct expansion *zeta, void *context)
 {
     const struct motion *const m = context;
-    struct fall f;
     LOCAL(mag, bound, factor);
-    fall_init(&f, zeta, m);
+    LOCAL_INIT(fall, f, (&f, zeta, m));
     LOCAL_EXPANSION(zeta->domain, distance, h);
     distance_of(distance, m);
     expansion_multiply(h, distance, &f.slope);
@@ -338,7 +337,6 @@ static void fall_map(struct expansion *y, const struct expansion *zeta, void *co
     mag_mul(bound, bound, factor);
     expansion_add_rest(h, bound);
     zeta_of(y, h, distance, m);
-    fall_clear(&f);
 }
 
 /* s = time + l time_per_l: the integral of the rate over l. Without e it is l tau^j/(j + 1) for tau^j, and mu^(i-1)
@@ -365,10 +363,9 @@ static void solve_time(struct motion *m, const struct expansion *rate)
 
 static void solve_fall(struct motion *m)
 {
-    struct fall f;
     set_line(expansion_term(&m->zeta, 0, 0));
     m->proved = expansion_fixed_point(&m->zeta, fall_map, m) && m->proved;
-    fall_init(&f, &m->zeta, m);
+    LOCAL_INIT(fall, f, (&f, &m->zeta, m));
     expansion_set(&m->overlap, &f.X);
     expansion_set(&m->manifold_speed, &f.S);
     mag_set(m->defect, f.defect);
@@ -377,7 +374,6 @@ static void solve_fall(struct motion *m)
     expansion_multiply(&m->force_speed, &m->force_speed, &f.X);
     expansion_multiply(&m->force_speed, &m->force_speed, &f.inverse_root);
     solve_time(m, &f.rate);
-    fall_clear(&f);
 }
 
 /* ---- the events: f = S, the largest overlap, and f = S - mu X, zero force ---- */
@@ -570,13 +566,12 @@ static void motion_clear(struct motion *m)
 
 bool far_motion_init(struct far_motion *m)
 {
-    struct motion motion;
     struct far_series *const series[SERIES] = {&m->max_overlap, &m->time_of_max_overlap, &m->eps_zero_force,
                                                &m->duration_zero_force};
     bool proved = true;
     for (int k = 0; k < SERIES; k++)
         far_series_init(series[k]);
-    motion_init(&motion);
+    LOCAL_INIT(motion, motion, (&motion));
     solve_start(&motion);
     solve_fall(&motion);
     solve_event(&m->max_overlap, &m->time_of_max_overlap, &motion, 1, &motion.manifold_speed);
@@ -584,7 +579,6 @@ bool far_motion_init(struct far_motion *m)
     proved = motion.proved;
     for (int k = 0; k < SERIES; k++)
         proved = proved && mag_is_finite(series[k]->rest) && mag_is_finite(series[k]->rest_per_u);
-    motion_clear(&motion);
     return proved;
 }
 

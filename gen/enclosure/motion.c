@@ -266,10 +266,8 @@ static enum motion_outcome motion_follow(struct motion *m, enum motion_goal goal
 enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const struct law *law, enum motion_goal goal,
                                  slong prec)
 {
-    struct motion m;
-    motion_init(&m, c, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec);
+    LOCAL_INIT(motion, m, (&m, c, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
     const enum motion_outcome outcome = motion_follow(&m, goal, NULL, 0);
-    motion_clear(&m);
     return outcome;
 }
 
@@ -306,11 +304,9 @@ enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, con
     const struct slow_manifold *const manifold = slow_manifold_of(law, bits, prec);
     if (!manifold)
         return MOTION_IMPRECISE;
-    struct motion m;
-    motion_init(&m, c, beta, law, true, prec);
+    LOCAL_INIT(motion, m, (&m, c, beta, law, true, prec));
     enum motion_outcome outcome = motion_follow(&m, MOTION_ZERO_OVERLAP, manifold, bits);
     if (outcome == MOTION_DONE && !m.parted && !add_fall(c, &m, manifold, beta, bits))
         outcome = MOTION_IMPRECISE;
-    motion_clear(&m);
     return outcome;
 }

@@ -155,9 +155,8 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
 {
     const struct law *law = &m->law;
     const struct ratio to_w = ratio_div((struct ratio){-1, law->d}, m->n);
-    struct taylor y;
     LOCAL(arb, value);
-    taylor_init(&y, law, taylor_degree(m->prec), m->prec);
+    LOCAL_INIT(taylor, y, (&y, law, taylor_degree(m->prec), m->prec));
     arb_one(y.c1);
     arb_one(y.c2);
     arb_pow_ratio(y.w, m->last, to_w, m->prec); /* w = z^(1/d), z = y^(-1/n) */
@@ -172,7 +171,6 @@ static bool fall(arb_t speed, arb_t time, const struct slow_manifold *m, const a
         arb_neg(speed, speed);
         taylor_value(time, &y, TAYLOR_T, value);
     }
-    taylor_clear(&y);
     return fallen;
 }
 

@@ -396,8 +396,7 @@ static bool no_hidden_zero(const struct step_proof *p)
 /* Sets the remainders on [0, h]. Returns false if the proof does not succeed. */
 static bool prove_step(struct taylor *y, const arb_t h)
 {
-    struct step_proof p;
-    step_proof_init(&p, y, h);
+    LOCAL_INIT(step_proof, p, (&p, y, h));
     residuals(&p);
     tube(&p);
     lipschitz(&p);
@@ -405,7 +404,6 @@ static bool prove_step(struct taylor *y, const arb_t h)
     arb_get_mag(y->error_w, p.error_w);
     arb_get_mag(y->error_v, p.error_v);
     arb_get_mag(y->error_t, p.error_t);
-    step_proof_clear(&p);
     return proved;
 }
 

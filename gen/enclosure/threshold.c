@@ -67,10 +67,9 @@ static void unstable_series(arb_t g, arb_t z, const struct law *law, slong prec)
 static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
 {
     const struct ratio m = ratio_mul((struct ratio){-1, 1}, law_fall_power(law));
-    struct taylor y;
     LOCAL(arb, g, z);
     unstable_series(g, z, law, prec);
-    taylor_init(&y, law, taylor_degree(prec), prec);
+    LOCAL_INIT(taylor, y, (&y, law, taylor_degree(prec), prec));
     arb_set_si(y.c1, -1);
     arb_one(y.c2);
     arb_pow_ratio(y.w, z, ratio_div((struct ratio){1, law->d}, m), prec);
@@ -81,7 +80,6 @@ static bool unstable_height(arb_t c_star, const struct law *law, slong prec)
         taylor_value(z, &y, TAYLOR_W, g);
         arb_pow_ui(c_star, z, (ulong)law->d, prec);
     }
-    taylor_clear(&y);
     return turned;
 }
 

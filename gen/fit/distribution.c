@@ -29,8 +29,7 @@ static double incomplete_beta(double a, double b, double part, double rest)
     arb_set_d(first, a);
     arb_set_d(second, b);
     arb_hypgeom_beta_lower(x, first, second, x, 1, PRECISION);
-    const double value = arf_get_d(arb_midref(x), ARF_RND_NEAR);
-    return value;
+    return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
 /* P(|T| < t) = I_x(1/2, nu/2), x = t^2/(nu + t^2) */

@@ -8,6 +8,7 @@
 
 #include "fit/least_squares.h"
 #include "support/console.h"
+#include "support/local.h"
 
 enum { SCAN_STEPS = 400, SCAN_POINTS = 1000, STARTS = 3, SCALE_ROUNDS = 40, ROOT_STEPS = 60 };
 enum {
@@ -590,8 +591,7 @@ static void problem_clear(struct problem *p)
 
 void fit_estimate_curve(struct fit_estimate *estimate, enum fit_curve curve, const struct fit_data *data, bool robust)
 {
-    struct problem p;
-    problem_init(&p, curve, data, robust);
+    LOCAL_INIT(problem, p, (&p, curve, data, robust));
     *estimate =
         (struct fit_estimate){.curve = curve, .parameters = p.parameters, .fitted = p.points > (size_t)p.parameters};
     if (estimate->fitted) {
@@ -605,7 +605,6 @@ void fit_estimate_curve(struct fit_estimate *estimate, enum fit_curve curve, con
         set_limit(estimate, &p);
         judge(estimate, &p);
     }
-    problem_clear(&p);
 }
 
 double fit_aic(const struct fit_estimate *estimate, const struct fit_data *data, bool robust,
@@ -616,12 +615,10 @@ double fit_aic(const struct fit_estimate *estimate, const struct fit_data *data,
         const double scale = fmax(estimate->scale * sqrt((n - estimate->parameters) / n), LEAST_RESIDUAL);
         return 2 * n * log(scale) + 2 * (estimate->parameters + 1);
     }
-    struct problem p;
-    problem_init(&p, estimate->curve, data, robust);
+    LOCAL_INIT(problem, p, (&p, estimate->curve, data, robust));
     p.scale = best->scale;
     p.ratio = best->ratio;
     const double q = objective(&p, estimate->theta);
-    problem_clear(&p);
     return q + 2 * estimate->parameters;
 }
 
@@ -675,8 +672,7 @@ static double time_distance(const struct problem *p, size_t item)
 
 void fit_distances(double *distance, const struct fit_estimate *estimate, const struct fit_data *data)
 {
-    struct problem p;
-    problem_init(&p, estimate->curve, data, false);
+    LOCAL_INIT(problem, p, (&p, estimate->curve, data, false));
     plain_residuals(&p, estimate->theta, p.buffer);
     if (p.bounce) {
         set_slopes(&p, estimate->theta);
@@ -686,5 +682,4 @@ void fit_distances(double *distance, const struct fit_estimate *estimate, const 
         distance[item] = !fit_is_item(data, item) ? 0
                          : p.bounce               ? time_distance(&p, item) / estimate->time_sigma_s
                                                   : p.buffer[item] / (p.sigma ? p.sigma[item] : estimate->scale);
-    problem_clear(&p);
 }

@@ -78,8 +78,7 @@ static double ball_middle(const arb_t x)
 /* Computes eps for both ends of contact. h_star is that of spheres. */
 static int collide_both_ends(double eps[2], const arb_t beta, const struct law *law, const arb_t h_star)
 {
-    struct collision c;
-    collision_init(&c);
+    LOCAL_INIT(collision, c, (&c));
     int status;
     if (ball_middle(beta) < OVERLAP_FAR || !law_is_sphere(law)) {
         status = collision_solve(&c, beta, law, TRUTH_BITS);
@@ -90,7 +89,6 @@ static int collide_both_ends(double eps[2], const arb_t beta, const struct law *
     }
     eps[END_ZERO_OVERLAP] = ball_middle(c.eps_zero_overlap);
     eps[END_ZERO_FORCE] = ball_middle(c.eps_zero_force);
-    collision_clear(&c);
     return status ? STATUS_FAILED : STATUS_OK;
 }
 
@@ -354,8 +352,7 @@ static void add_pades(struct plan *plan, struct spheres *s, const struct embed_r
 {
     static const slong ordinary[][2] = {{1, 4}, {2, 3}, {3, 5}, {4, 6}, {6, 9}, {8, 12}, {10, 15}};
     static const slong two_point[] = {2, 4, 8};
-    struct pade f;
-    pade_init(&f);
+    LOCAL_INIT(pade, f, (&f));
     for (size_t i = 0; i < sizeof ordinary / sizeof *ordinary; i++)
         if (pade_of_series(&f, series, ordinary[i][0], ordinary[i][1], PADE_BITS))
             add_pade(plan, s, scene, &f, root, false);
@@ -363,7 +360,6 @@ static void add_pades(struct plan *plan, struct spheres *s, const struct embed_r
         for (size_t i = 0; i < sizeof two_point / sizeof *two_point; i++)
             if (pade_two_point_of_series(&f, series, s->scene.h_star_5, two_point[i], PADE_BITS))
                 add_pade(plan, s, scene, &f, root, true);
-    pade_clear(&f);
 }
 
 /* The command line with the options of the scene and a tolerance */

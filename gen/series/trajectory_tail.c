@@ -125,11 +125,9 @@ static bool fixed_point(struct tail_proof *p)
 static bool prove_at(arb_t delta, const struct power_evidence *e, const struct trajectory *t, const arb_t U,
                      const arb_t rho)
 {
-    struct tail_proof p;
-    tail_proof_init(&p, e, t, U, rho);
+    LOCAL_INIT(tail_proof, p, (&p, e, t, U, rho));
     const bool proved = power_bounds_prove(&p.bounds, e, U, rho) && fixed_point(&p);
     arb_set(delta, p.delta);
-    tail_proof_clear(&p);
     return proved;
 }
 

@@ -82,12 +82,11 @@ enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, sl
 {
     enum turning_point_verdict verdict = TURNING_POINT_FEW_TERMS;
     const slong count = order + 2;
-    struct trajectory t;
     LOCAL(trajectory_tail, tail);
     LOCAL(arb, y0, t0);
     turning_point_elastic(y0, t0, law, prec);
     profile_step("trajectory");
-    trajectory_init(&t, order, terms, law, prec);
+    LOCAL_INIT(trajectory, t, (&t, order, terms, law, prec));
     profile_step("truncation bound");
 
     if (trajectory_tail_prove(tail, &t, t0)) {
@@ -115,6 +114,5 @@ enum turning_point_verdict turning_point_series(arb_poly_t y, arb_poly_t tau, sl
         jet_free(jet, count);
         jet_free(velocity, count - 1);
     }
-    trajectory_clear(&t);
     return verdict;
 }

@@ -23,6 +23,11 @@
     __attribute__((cleanup(arb_vector_clear))) const struct arb_vector x##_vector = {_arb_vec_init(n), n};             \
     arb_ptr x = x##_vector.entry
 
+/* a struct name, from name_init(arguments) to name_clear: LOCAL_INIT(taylor, y, (&y, law, prec)) */
+#define LOCAL_INIT(name, x, arguments)                                                                                 \
+    __attribute__((cleanup(name##_clear))) struct name x;                                                              \
+    name##_init arguments
+
 #define LOCAL_FROM(type, value, ...)                                                                                   \
     __attribute__((cleanup(type##_local_clear))) type##_t LOCAL_OF(__VA_ARGS__, 9, 8, 7, 6, 5, 4, 3, 2, 1,             \
                                                                    0)(value, __VA_ARGS__)

@@ -190,8 +190,7 @@ static int far_emit(struct emit *e, const struct far_form *f)
 {
     LOCAL_VECTOR(row, FAR_MOST);
     const slong columns = far_row(row, f);
-    const int status = columns > 0 ? emit_one_row(e, f->name, row, columns) : STATUS_FAILED;
-    return status;
+    return columns > 0 ? emit_one_row(e, f->name, row, columns) : STATUS_FAILED;
 }
 
 /* t zeta^(p/q) at u = ln(zeta) = 13, 13.75, ... by mu^j u^k */

@@ -10,6 +10,7 @@
 
 #include "approximation/published.h"
 #include "support/console.h"
+#include "support/local.h"
 
 enum { NAME_MAX_LENGTH = 128 };
 
@@ -116,11 +117,9 @@ static char *pade_comment(const struct pade_header *h, const struct pade *f, con
 
 int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f, const struct pade_analysis *a)
 {
-    struct pade_rounded r;
-    struct pade_error approximation;
     double eps, loss;
-    pade_rounded_init(&r);
-    pade_error_init(&approximation);
+    LOCAL_INIT(pade_rounded, r, (&r));
+    LOCAL_INIT(pade_error, approximation, (&approximation));
     int status = pade_round(&r, f);
     if (status == 0) {
         pade_evaluation_error(&eps, &loss, &r, h->beta_max);
@@ -149,7 +148,5 @@ int pade_emit(struct emit *e, const struct pade_header *h, const struct pade *f,
         if (status == 0)
             emit_functions(e, h->name, f);
     }
-    pade_rounded_clear(&r);
-    pade_error_clear(&approximation);
     return status;
 }

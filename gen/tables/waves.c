@@ -49,8 +49,7 @@ static double largest(const arb_t x)
 {
     LOCAL(mag, m);
     arb_get_mag(m, x);
-    const double size = mag_get_d(m);
-    return size;
+    return mag_get_d(m);
 }
 
 /* Rounds c to doubles. Returns a proved bound on the error from omitted terms, the enclosures of the samples and this
