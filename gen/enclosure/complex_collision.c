@@ -34,25 +34,19 @@ static struct slopes zeta_slopes(const struct path *p, struct complex_ball zeta,
                            ball_times(ball_mul(zeta, inverse), 2 * sign)};
 }
 
-static struct slopes loading(const struct path *p, struct complex_ball zeta, struct complex_ball rest,
-                             struct complex_ball g)
+static struct slopes loading(const struct path *p, struct complex_ball zeta, struct complex_ball g)
 {
-    (void)rest;
     return zeta_slopes(p, zeta, g, 1);
 }
 
-static struct slopes unloading(const struct path *p, struct complex_ball zeta, struct complex_ball rest,
-                               struct complex_ball g)
+static struct slopes unloading(const struct path *p, struct complex_ball zeta, struct complex_ball g)
 {
-    (void)rest;
     return zeta_slopes(p, zeta, g, -1);
 }
 
 /* dy/dkappa = -kappa y/(2 N), its derivative by y = -kappa^3/(2 N^2), dt/dkappa = 1/N */
-static struct slopes turning(const struct path *p, struct complex_ball kappa, struct complex_ball rest,
-                             struct complex_ball y)
+static struct slopes turning(const struct path *p, struct complex_ball kappa, struct complex_ball y)
 {
-    (void)rest;
     const struct complex_ball square = ball_sqr(kappa);
     const struct complex_ball force = ball_sub(p->c2, ball_mul(p->c1, kappa));
     const struct complex_ball inverse = ball_inv(ball_add(ball_mul(force, y), square));
@@ -62,9 +56,8 @@ static struct slopes turning(const struct path *p, struct complex_ball kappa, st
 
 /* The same with k = c1 kappa, c2 = 1, M = c1^2 y (1 - k) + k^2: dy/dk = -k y/(2 M), its derivative by y = -k^3/(2 M^2),
  * dt/dk = c1/M */
-static struct slopes force(const struct path *p, struct complex_ball k, struct complex_ball rest, struct complex_ball y)
+static struct slopes force(const struct path *p, struct complex_ball k, struct complex_ball y)
 {
-    (void)rest;
     const struct complex_ball square = ball_sqr(k);
     const struct complex_ball product = ball_mul(ball_sqr(p->c1), ball_mul(y, plus(ball_neg(k), 1)));
     const struct complex_ball inverse = ball_inv(ball_add(product, square));
@@ -73,10 +66,9 @@ static struct slopes force(const struct path *p, struct complex_ball k, struct c
 }
 
 /* r = 1/Y: dk/dr = 2 (1/k - 1 + k r)/r^2, its derivative by k = 2 (r - 1/k^2)/r^2, dt/dr = 2/(k r) */
-static struct slopes fall(const struct path *p, struct complex_ball r, struct complex_ball rest, struct complex_ball k)
+static struct slopes fall(const struct path *p, struct complex_ball r, struct complex_ball k)
 {
     (void)p;
-    (void)rest;
     const struct complex_ball a = ball_inv(k), b = ball_inv(r), square = ball_times(ball_sqr(b), 2);
     return (struct slopes){ball_mul(plus(ball_add(a, ball_mul(k, r)), -1), square),
                            ball_mul(ball_sub(r, ball_sqr(a)), square), ball_times(ball_mul(a, b), 2)};
@@ -84,11 +76,10 @@ static struct slopes fall(const struct path *p, struct complex_ball r, struct co
 
 /* kappa = -q, q = exp(L), r = mu/q = exp(rest), M = y (1 + r) + q: dy/dL = -q y/(2 M), its derivative by y =
  * -q^2/(2 M^2), dt/dL = -1/M */
-static struct slopes before(const struct path *p, struct complex_ball L, struct complex_ball rest,
-                            struct complex_ball y)
+static struct slopes before(const struct path *p, struct complex_ball L, struct complex_ball y)
 {
     (void)p;
-    const struct complex_ball q = ball_exp(L), r = ball_exp(rest);
+    const struct complex_ball q = ball_exp(L), r = ball_exp(p->rest);
     const struct complex_ball inverse = ball_inv(ball_add(ball_mul(plus(r, 1), y), q));
     const struct complex_ball part = ball_mul(q, inverse);
     return (struct slopes){ball_times(ball_mul(part, y), -0.5), ball_times(ball_sqr(part), -0.5), ball_neg(inverse)};
@@ -96,10 +87,8 @@ static struct slopes before(const struct path *p, struct complex_ball L, struct 
 
 /* kappa = -mu delta, M = y (1 + delta) + mu delta^2: dy/ddelta = -mu delta y/(2 M), its derivative by y =
  * -mu^2 delta^3/(2 M^2), dt/ddelta = -1/M */
-static struct slopes last(const struct path *p, struct complex_ball delta, struct complex_ball rest,
-                          struct complex_ball y)
+static struct slopes last(const struct path *p, struct complex_ball delta, struct complex_ball y)
 {
-    (void)rest;
     const struct complex_ball size = ball_mul(p->c2, delta);
     const struct complex_ball inverse = ball_inv(ball_add(ball_mul(plus(delta, 1), y), ball_mul(size, delta)));
     const struct complex_ball part = ball_mul(size, inverse);
@@ -109,9 +98,9 @@ static struct slopes last(const struct path *p, struct complex_ball delta, struc
 
 /* kappa = mu - q, q = exp(L), r = mu^2/q = exp(rest), M = y - 2 mu + q + r: dy/dL = kappa y/(2 M), its derivative by y
  * = kappa (M - y)/(2 M^2), dt/dL = -1/M */
-static struct slopes after(const struct path *p, struct complex_ball L, struct complex_ball rest, struct complex_ball y)
+static struct slopes after(const struct path *p, struct complex_ball L, struct complex_ball y)
 {
-    const struct complex_ball q = ball_exp(L), r = ball_exp(rest), kappa = ball_sub(p->c2, q);
+    const struct complex_ball q = ball_exp(L), r = ball_exp(p->rest), kappa = ball_sub(p->c2, q);
     const struct complex_ball others = ball_sub(ball_add(q, r), ball_times(p->c2, 2));
     const struct complex_ball inverse = ball_inv(ball_add(others, y));
     const struct complex_ball part = ball_times(ball_mul(kappa, inverse), 0.5);
@@ -120,10 +109,8 @@ static struct slopes after(const struct path *p, struct complex_ball L, struct c
 
 /* kappa = mu e, e = 1 - mu delta, M = y delta + e^2: dy/ddelta = y mu e/(2 M), its derivative by y = mu e^3/(2 M^2),
  * dt/ddelta = -1/M */
-static struct slopes last_of_fall(const struct path *p, struct complex_ball delta, struct complex_ball rest,
-                                  struct complex_ball y)
+static struct slopes last_of_fall(const struct path *p, struct complex_ball delta, struct complex_ball y)
 {
-    (void)rest;
     const struct complex_ball e = plus(ball_neg(ball_mul(p->c2, delta)), 1), square = ball_sqr(e);
     const struct complex_ball inverse = ball_inv(ball_add(ball_mul(y, delta), square));
     const struct complex_ball part = ball_times(ball_mul(p->c2, ball_mul(e, inverse)), 0.5);

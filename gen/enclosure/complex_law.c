@@ -40,10 +40,8 @@ static double number(struct ratio x)
 /* ---- the equation along a path, c1 and c2 as the path's user sets them ---- */
 
 /* dv/ds, c1 = beta */
-static struct slopes approach(const struct path *p, struct complex_ball s, struct complex_ball rest,
-                              struct complex_ball v)
+static struct slopes approach(const struct path *p, struct complex_ball s, struct complex_ball v)
 {
-    (void)rest;
     const struct complex_ball damping = ball_mul(p->c1, real_power(s, POWER * p->b + POWER - 1));
     const struct complex_ball inverse = ball_inv(v);
     const struct complex_ball elastic = ball_mul(real_power(s, POWER * p->a + POWER - 1), inverse);
@@ -52,10 +50,8 @@ static struct slopes approach(const struct path *p, struct complex_ball s, struc
 }
 
 /* dL/dkappa = -kappa/D, its derivative by L is kappa D_L/D^2; c1 = beta */
-static struct slopes turning(const struct path *p, struct complex_ball kappa, struct complex_ball rest,
-                             struct complex_ball L)
+static struct slopes turning(const struct path *p, struct complex_ball kappa, struct complex_ball L)
 {
-    (void)rest;
     const struct complex_ball elastic = exponential(L, p->a - 1);
     const struct complex_ball damping = ball_mul(ball_mul(p->c1, kappa), exponential(L, p->b));
     const struct complex_ball inverse = ball_inv(ball_add(ball_sub(elastic, damping), ball_sqr(kappa)));
@@ -65,10 +61,8 @@ static struct slopes turning(const struct path *p, struct complex_ball kappa, st
 }
 
 /* dl/ds; the difference is often small. c1 = beta X^(b+1)/W and c2 = X^(a+1)/W^2 */
-static struct slopes departure(const struct path *p, struct complex_ball s, struct complex_ball rest,
-                               struct complex_ball l)
+static struct slopes departure(const struct path *p, struct complex_ball s, struct complex_ball l)
 {
-    (void)rest;
     const double common = fmin(p->a, p->b);
     const struct complex_ball inverse = ball_exp(ball_neg(l));
     const struct complex_ball factor = ball_mul(real_power(s, POWER * common + POWER - 1), inverse);
@@ -79,9 +73,8 @@ static struct slopes departure(const struct path *p, struct complex_ball s, stru
 }
 
 /* dL/dk = -k/N, F = c1 x^n, c1 = beta^2; its derivative by L is k N_L/N^2 */
-static struct slopes force(const struct path *p, struct complex_ball k, struct complex_ball rest, struct complex_ball L)
+static struct slopes force(const struct path *p, struct complex_ball k, struct complex_ball L)
 {
-    (void)rest;
     const struct complex_ball damping = ball_mul(ball_mul(p->c1, exponential(L, p->n)), ball_add(one, ball_neg(k)));
     const struct complex_ball inverse = ball_inv(ball_add(damping, ball_times(ball_sqr(k), p->difference)));
     const struct complex_ball part = ball_neg(ball_mul(k, inverse));
@@ -89,19 +82,16 @@ static struct slopes force(const struct path *p, struct complex_ball k, struct c
 }
 
 /* The same with q = ln(k): dL/dq = -k^2/N */
-static struct slopes force_by_log(const struct path *p, struct complex_ball q, struct complex_ball rest,
-                                  struct complex_ball L)
+static struct slopes force_by_log(const struct path *p, struct complex_ball q, struct complex_ball L)
 {
     const struct complex_ball k = ball_exp(q);
-    const struct slopes f = force(p, k, rest, L);
+    const struct slopes f = force(p, k, L);
     return (struct slopes){ball_mul(k, f.slope), ball_mul(k, f.derivative), zero};
 }
 
 /* n dk/dln(F) = -N/k = -(F (1/k - 1) + (a-b) k); its derivative by k is F/k^2 - (a-b) */
-static struct slopes creep(const struct path *p, struct complex_ball log_F, struct complex_ball rest,
-                           struct complex_ball k)
+static struct slopes creep(const struct path *p, struct complex_ball log_F, struct complex_ball k)
 {
-    (void)rest;
     const struct complex_ball inverse = ball_inv(k), F = ball_exp(log_F);
     const struct complex_ball N_by_k =
         ball_add(ball_mul(F, ball_add(inverse, ball_of(-1, 0))), ball_times(k, p->difference));

@@ -16,14 +16,14 @@ enum { MAX_STEPS = 20000 };
 #define SMALLEST_STEP 1e-7
 
 /* The slopes with respect to s, for every s and every value of the dependent variable in balls */
-static struct slopes path_slopes(const struct path *p, struct complex_ball s, struct complex_ball y)
+static struct slopes path_slopes(struct path *p, struct complex_ball s, struct complex_ball y)
 {
     const struct complex_ball at = ball_widened(
         ball_add(ball_centre(p->begin), ball_mul(ball_centre(p->length), s)),
         COMPLEX_BALL_ROUNDING * ball_size(p->length) +
             raised(p->begin.radius * raised(1 - s.re + s.radius) + p->end.radius * raised(s.re + s.radius)));
-    const struct complex_ball rest = ball_sub(p->beyond, ball_mul(p->length, ball_add(s, ball_of(-1, 0))));
-    struct slopes f = p->equation(p, at, rest, y);
+    p->rest = ball_sub(p->beyond, ball_mul(p->length, ball_add(s, ball_of(-1, 0))));
+    struct slopes f = p->equation(p, at, y);
     f.slope = ball_mul(f.slope, p->length);
     f.derivative = ball_mul(f.derivative, p->length);
     f.time = ball_mul(f.time, p->length);
@@ -46,7 +46,7 @@ enum step_outcome { STEP_DONE, STEP_TOO_LONG, STEP_IMPOSSIBLE };
 /* One step from s to end. The line has the slope `mean`, that of the ball's centre in the middle of the step. The
  * distance e of a solution from the line obeys |e|' <= rate |e| + residual, where `rate` bounds the real part of the
  * slope's derivative between them. */
-static enum step_outcome step(const struct path *p, struct path_state *y, double s, double end)
+static enum step_outcome step(struct path *p, struct path_state *y, double s, double end)
 {
     const double h = end - s, longest = raised(h), radius = y->value.radius; /* h is exact, or right to 2^-53 */
     const struct complex_ball centre = ball_centre(y->value), middle = ball_of((s + end) / 2, 0);

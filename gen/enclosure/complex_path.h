@@ -17,18 +17,16 @@ struct slopes {
 
 struct path;
 
-/* The slopes for every place x and every value y in balls; `rest` is path.beyond at the end of the path, and grows by
- * its length towards the beginning. */
-typedef struct slopes path_equation(const struct path *p, struct complex_ball x, struct complex_ball rest,
-                                    struct complex_ball y);
+/* The slopes for every place x and every value y in balls */
+typedef struct slopes path_equation(const struct path *p, struct complex_ball x, struct complex_ball y);
 
 /* A straight path, begin + s length, 0 <= s <= 1, length = end - begin */
 struct path {
     path_equation *equation;
     struct complex_ball begin, end, length;
-    struct complex_ball c1, c2; /* coefficients of the equation */
-    struct complex_ball beyond;
-    double a, b; /* exponents of the equation; a - b and 2b + 1 - a, each rounded once */
+    struct complex_ball c1, c2;       /* coefficients of the equation */
+    struct complex_ball beyond, rest; /* rest is `beyond` at the end, and grows by the length towards the beginning */
+    double a, b;                      /* exponents of the equation; a - b and 2b + 1 - a, each rounded once */
     double difference, n;
     bool logarithm; /* y is a logarithm: its radius is compared with 1, not with |y| */
 };
