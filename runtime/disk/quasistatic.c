@@ -11,6 +11,7 @@
  * double precision: the limits are pairs. Far from the limit their logarithms, which are linear in nu, suffice. */
 #include "runtime/disk/quasistatic.h"
 
+#include "runtime/number/elementary.h"
 #include "runtime/number/environment.h"
 #include "runtime/number/lambert_w.h"
 
@@ -26,18 +27,6 @@ static const pair root_2_pi = {4.4428829381583661, 1.4522739312260849e-16};
 static const pair not_a_number = {NAN, 0};
 
 /* ---- pairs ---- */
-
-static pair pair_of(double x)
-{
-    const pair result = {x, 0};
-    return result;
-}
-
-static pair pair_plus(pair x, pair y)
-{
-    const pair sum = cor_pair_two_sum(x.hi, y.hi);
-    return cor_inline_sum(sum.hi, sum.lo + (x.lo + y.lo));
-}
 
 /* 0 -> 0 */
 static pair pair_sqrt(pair x)
@@ -61,14 +50,13 @@ static pair pair_exp(double x)
                                               {0.00138888888888888894, -5.30054395437357706e-20}};
     const double r = x / 512;
     const double rest = r * (1.0 / 5040 + r * (1.0 / 40320 + r * (1.0 / 362880 + r * (1.0 / 3628800))));
-    pair s = pair_of(rest);
+    pair s = cor_pair(rest, 0);
     for (int i = 5; i >= 0; i--)
-        s = cor_inline_pair_times(pair_plus(one_over_factorial[i], s), pair_of(r));
+        s = cor_inline_pair_times(cor_pair_plus(one_over_factorial[i], s), cor_pair(r, 0));
     for (int i = 0; i < 9; i++) {
-        const pair twice = {2 * s.hi, 2 * s.lo};
-        s = pair_plus(twice, cor_inline_pair_times(s, s));
+        s = cor_pair_plus(cor_pair_scaled(s, 2), cor_inline_pair_times(s, s));
     }
-    return pair_plus(pair_of(1), s);
+    return cor_pair_plus(cor_pair(1, 0), s);
 }
 
 /* x f, rounded once, also where the product is subnormal */
@@ -150,10 +138,10 @@ static double largest(pair x)
     return x.lo >= 0 ? x.hi : cor_inline_from_bits(cor_inline_bits(x.hi) - 1);
 }
 
-static double law_limit(double quantity, double nu, enum cor_disk_datum datum)
+static double law_limit(enum quantity quantity, double nu, enum cor_disk_datum datum)
 {
     struct limit limit;
-    return find_limit((enum quantity)(int)quantity, nu, datum, &limit) ? largest(limit_number(&limit)) : NAN;
+    return find_limit(quantity, nu, datum, &limit) ? largest(limit_number(&limit)) : NAN;
 }
 
 /* ln(limit/x), 0 < x; NaN outside the domain */
@@ -162,7 +150,7 @@ static pair depth(enum quantity quantity, double x, double nu, enum cor_disk_dat
     struct limit limit;
     if (!find_limit(quantity, nu, datum, &limit))
         return not_a_number;
-    const pair log = pair_plus(limit.at_zero.log, pair_of(limit.exponent)), q = cor_log_ratio_far(log, x);
+    const pair log = cor_pair_plus(limit.at_zero.log, cor_pair(limit.exponent, 0)), q = cor_log_ratio_far(log, x);
     return q.hi > COR_LOG_RATIO_NEAR ? q : cor_log_ratio_near(limit_number(&limit), x);
 }
 
@@ -177,7 +165,7 @@ static double not_positive(double x, double at_zero, double nu, enum cor_disk_da
 
 static pair one_plus(pair t)
 {
-    return pair_plus(pair_of(1), t);
+    return cor_pair_plus(cor_pair(1, 0), t);
 }
 
 static double law_load(double compression, double nu, enum cor_disk_datum datum)
@@ -201,7 +189,7 @@ static double law_energy(double load, double nu, enum cor_disk_datum datum)
     if (!(load > 0))
         return not_positive(load, 0, nu, datum);
     const pair t = depth(LOAD, load, nu, datum);
-    return square_times(load, cor_inline_pair_times(one_over_two_pi, pair_plus(pair_of(0.5), t)));
+    return square_times(load, cor_inline_pair_times(one_over_two_pi, cor_pair_plus(cor_pair(0.5, 0), t)));
 }
 
 static double law_load_of_energy(double energy, double nu, enum cor_disk_datum datum)
@@ -210,7 +198,7 @@ static double law_load_of_energy(double energy, double nu, enum cor_disk_datum d
         return not_positive(energy, 0, nu, datum);
     const pair t = cor_lambert_t_pair(depth(ENERGY, energy, nu, datum));
     const int small = energy < COR_INLINE_2_M900;
-    const pair scaled = pair_of(small ? energy * COR_INLINE_2_200 : energy);
+    const pair scaled = cor_pair(small ? energy * COR_INLINE_2_200 : energy, 0);
     const pair root = pair_sqrt(cor_inline_pair_over(cor_inline_pair_times(four_pi, scaled), one_plus(t)));
     return small ? root.hi / COR_INLINE_2_100 : root.hi;
 }
@@ -219,8 +207,7 @@ static double law_load_of_energy(double energy, double nu, enum cor_disk_datum d
 
 static pair t_of_speed(double speed, double nu, enum cor_disk_datum datum)
 {
-    const pair q = depth(SPEED, speed, nu, datum), twice = {2 * q.hi, 2 * q.lo};
-    return cor_lambert_t_pair(twice);
+    return cor_lambert_t_pair(cor_pair_scaled(depth(SPEED, speed, nu, datum), 2));
 }
 
 double cor_disk_depth(double speed, double nu, enum cor_disk_datum datum)
@@ -301,7 +288,7 @@ static double time_of_t(double t)
     const double y = 1 + t, between = t + t / y, c = between < least ? least : between;
     /* the head has few bits, so that k step is exact */
     const double step = cor_inline_head(0.2105 / sqrt(1 + c / 7.6));
-    pair sum = pair_of(sqrt(t * c) / 2);
+    pair sum = cor_pair(sqrt(t * c) / 2, 0);
     for (int k = 1;; k++) {
         const double m = expm1(k * step), u = c / 4 * (m * m / (1 + m));
         if (u > end)
@@ -311,7 +298,7 @@ static double time_of_t(double t)
         sum.hi = next.hi;
         sum.lo += next.lo;
     }
-    const pair tau = cor_inline_pair_times(cor_inline_pair_times(sum, pair_of(step / 2)), root_2);
+    const pair tau = cor_inline_pair_times(cor_inline_pair_times(sum, cor_pair(step / 2, 0)), root_2);
     return tau.hi;
 }
 
@@ -331,79 +318,58 @@ static const struct cor_logarithm log_four_pi = {{12.5663706143591725, 4.8985871
 /* the largest double below 4 pi/e */
 static const double load_end = 4.62290939916368604;
 
-static double leading_compression(double load, double nu, enum cor_disk_datum datum)
+static double leading_compression(double load)
 {
-    (void)nu;
-    (void)datum;
     if (!(load > 0 && load <= load_end))
         return load == 0 ? 0 : NAN;
     return times(load, cor_inline_pair_times(one_over_pi, cor_log_ratio(&log_four_pi, load)));
 }
 
-static double leading_load(double compression, double nu, enum cor_disk_datum datum)
+static double leading_load(double compression)
 {
-    (void)nu;
-    (void)datum;
     if (!(compression > 0 && compression < 4))
         return compression == 0 ? 0 : NAN;
     return times(compression, cor_inline_pair_over(pi, cor_log_ratio(&four, compression)));
 }
 
-static double leading_energy(double compression, double nu, enum cor_disk_datum datum)
+static double leading_energy(double compression)
 {
-    (void)nu;
-    (void)datum;
     if (!(compression > 0 && compression < 4))
         return compression == 0 ? 0 : NAN;
     return square_times(compression, cor_inline_pair_over(half_pi, cor_log_ratio(&four, compression)));
 }
 
-static double leading_max_compression(double speed, double nu, enum cor_disk_datum datum)
+static double leading_max_compression(double speed)
 {
-    (void)nu;
-    (void)datum;
     if (!(speed > 0 && speed <= 4))
         return speed == 0 ? 0 : NAN;
     return times(speed, pair_sqrt(cor_log_ratio(&four, speed)));
 }
 
-static double leading_contact_time(double speed, double nu, enum cor_disk_datum datum)
+static double leading_contact_time(double speed)
 {
-    (void)nu;
-    (void)datum;
     if (!(speed > 0 && speed <= 4))
         return speed == 0 ? INFINITY : NAN;
     return cor_inline_pair_times(pi, pair_sqrt(cor_log_ratio(&four, speed))).hi;
 }
 
-/* ---- the public functions ---- */
-
-/* Pairs need rounding to nearest. environment.h explains the volatile operands. */
-static double in_environment(double (*law)(double x, double nu, enum cor_disk_datum datum), double x, double nu,
-                             enum cor_disk_datum datum)
-{
-    const struct cor_environment caller = cor_environment_enter();
-    const volatile double argument = x, ratio = nu;
-    const volatile double value = law(argument, ratio, datum);
-    cor_environment_leave(&caller);
-    return value;
-}
+/* ---- the public functions: pairs need rounding to nearest ---- */
 
 #define LIMIT(name, quantity)                                                                                          \
-    double cor_disk_##name##_limit(double nu, enum cor_disk_datum datum)                                               \
+    static double law_##name##_limit(double nu, enum cor_disk_datum datum)                                             \
     {                                                                                                                  \
-        return in_environment(law_limit, quantity, nu, datum);                                                         \
-    }
+        return law_limit(quantity, nu, datum);                                                                         \
+    }                                                                                                                  \
+    COR_IN_ENVIRONMENT(double, cor_disk_##name##_limit, law_##name##_limit, (double nu, enum cor_disk_datum datum),    \
+                       (nu, datum))
 LIMIT(load, LOAD)
 LIMIT(compression, COMPRESSION)
 LIMIT(energy, ENERGY)
 LIMIT(speed, SPEED)
 
 #define LAW(name)                                                                                                      \
-    double cor_disk_##name(double x, double nu, enum cor_disk_datum datum)                                             \
-    {                                                                                                                  \
-        return in_environment(law_##name, x, nu, datum);                                                               \
-    }
+    COR_IN_ENVIRONMENT(double, cor_disk_##name, law_##name, (double x, double nu, enum cor_disk_datum datum),          \
+                       (x, nu, datum))
 LAW(load)
 LAW(compression)
 LAW(energy)
@@ -413,10 +379,7 @@ LAW(max_compression)
 LAW(contact_time)
 
 #define LEADING_LOGARITHM(name)                                                                                        \
-    double cor_disk_##name##_leading_log(double x)                                                                     \
-    {                                                                                                                  \
-        return in_environment(leading_##name, x, 0, COR_DISK_DATUM_DIAMETER);                                          \
-    }
+    COR_IN_ENVIRONMENT(double, cor_disk_##name##_leading_log, leading_##name, (double x), (x))
 LEADING_LOGARITHM(compression)
 LEADING_LOGARITHM(load)
 LEADING_LOGARITHM(energy)

@@ -280,7 +280,7 @@ static double off(const pair &x, const ball &exact)
     return size((ball(x.hi) + ball(x.lo)) / exact - ball(1)).above();
 }
 
-/* pair_plus(x, y) has two roundings, of sums of low parts below u |x|, u |y| and u |x + y|. */
+/* cor_pair_plus(x, y) has two roundings, of sums of low parts below u |x|, u |y| and u |x + y|. */
 static ball plus_error(const ball &x, const ball &y, const ball &sum)
 {
     return ball(1.001 * u * u) * (ball(2) * size(x) + ball(2) * size(y) + size(sum));

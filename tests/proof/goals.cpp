@@ -33,19 +33,13 @@ namespace trace
 #include "runtime/sphere/eval.h"
 /* the contact law of the disk; the caller's floating-point environment is not part of a formula */
 #define COR_RUNTIME_ENVIRONMENT_H
-struct cor_environment {
-};
-static cor_environment cor_environment_enter(void)
-{
-    return {};
-}
-static void cor_environment_leave(const cor_environment *)
-{
-}
-#define volatile
-#include "runtime/number/lambert_w.c"
+#define COR_IN_ENVIRONMENT(type, name, formula, parameters, arguments)                                                 \
+    type name parameters                                                                                               \
+    {                                                                                                                  \
+        return formula arguments;                                                                                      \
+    }
 #include "runtime/disk/quasistatic.c"
-#undef volatile
+#include "runtime/number/lambert_w.c"
 #undef double
 #undef uint64_t
 #undef memcpy
