@@ -243,7 +243,7 @@ static int find_speed(struct asked *asked, const char *host, const double *speed
     const struct cor_scene *const scene = &contacts->scene;
     const bool constant = law_is_linear(&contacts->law);
     const double at = scene->number[COR_SCENE_AT], speed = speeds == 1 ? speed_m_s[0] : at;
-    asked->wish = (struct cor_simulator_wish){scene, contacts->contact, contacts->count, speed, (double)NAN};
+    asked->wish = (struct cor_simulator_wish){scene, contacts->contact, contacts->count, speed, (double)NAN, 0};
     if (!has_law && isnan(speed))
         return usage_error("%s does not have the law %s; its lines hold at one impact speed: give it by --speed G, as "
                            "--speed 1",

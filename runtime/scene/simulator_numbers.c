@@ -62,8 +62,8 @@ static double speed_of(const struct cor_simulator_wish *wish)
     return isnan(wish->speed_m_s) ? 1 : wish->speed_m_s;
 }
 
-double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
-                             int same_law)
+static double exact_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+                            int same_law)
 {
     const struct cor_scene_contact *contact = wish->contacts;
     const int constant = cor_law_is_constant(&contact->law);
@@ -77,6 +77,13 @@ double cor_simulator_damping(const struct cor_simulator_model *model, const stru
         contact = &wish->contacts[model->end];
     }
     return constant ? contact->damping : cor_scene_beta(contact, speed_of(wish));
+}
+
+double cor_simulator_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
+                             int same_law)
+{
+    const double damping = exact_damping(model, wish, same_law);
+    return wish->steps > 0 ? cor_simulator_step_damping(model, wish, same_law, damping) : damping;
 }
 
 double cor_simulator_number(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,

@@ -356,7 +356,7 @@ static size_t host_realises(const char *host, int law, const struct given *bodie
     const struct contacts contacts = contacts_of(law, COR_BOTH_ENDS, bodies, given);
     const struct embed_request request = {.law = law, .end = COR_BOTH_ENDS};
     const double eps = 0.7, speed = 0.4;
-    const struct cor_simulator_wish wish = {&contacts.scene, contacts.contact, contacts.count, speed, eps};
+    const struct cor_simulator_wish wish = {&contacts.scene, contacts.contact, contacts.count, speed, eps, 0};
     char *const text = contact_host_text(host, &request, &contacts, &speed, 1);
     const bool same_law = text && !strstr(text, "alone: the host does not have this law");
     size_t found = 0;
