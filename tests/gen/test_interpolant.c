@@ -141,7 +141,7 @@ TEST(test_small_beta)
 /* Strong damping: sqrt(beta) up to 17, then ln(beta) with the powers taken out. */
 TEST(test_large_beta)
 {
-    if (!few_or_all(0, 1)) /* building takes 10 s; table.sphere_tables tests what is made of it */
+    if (!few_or_all(0, 1)) /* building takes 10 s; accuracy.functions tests what is made of it */
         skip();
     struct interpolant *f = interpolant_new(&interpolant_sphere_proof, 8.5, 9);
     struct collision c;
