@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Mode files: what is read is what was written, and what was harmed is refused at its line. The tables of the library
- * are proved in tests/table/test_disk_modes.c. */
+ * are proved in tests/gen/test_disk_modes.c. */
 #define _XOPEN_SOURCE 700 /* mkstemp, P_tmpdir */
 
 #include "check.h"
