@@ -290,7 +290,7 @@ static const char help[] =
     "The line is FILE:LINE where several files are read.\n"
     "\nExit status: 0 if every e that is asked for is realised, 3 if not or if a contact cannot be\n"
     "judged, 2 if a file has no contact that could be made out.\n"
-    "\nExample: corgen audit in.chute --speed 0.1,1\n";
+    "\nExample: corgen audit in.chute --radius 5e-3 --density 2500 --speed 0.1,1\n";
 
 static const struct values_rule speed_rule = {
     "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
@@ -316,7 +316,7 @@ static const struct option_rule options[] = {
 static const struct audit_arguments defaults = {.simulator = OPTIONS_NOT_GIVEN};
 
 const struct subcommand command_audit = {.name = "audit",
-                                         .summary = "the restitution that a simulator's input really gives",
+                                         .summary = "the restitution that the input of a simulator really gives",
                                          .help = help,
                                          .options = options,
                                          .size = sizeof defaults,

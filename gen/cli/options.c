@@ -207,10 +207,12 @@ static const char *example(const struct option_rule *rule)
 
 static int refuse_unknown(const char *command, const struct option_rule *rules, const char *option)
 {
-    const size_t n = count_rules(rules);
-    const char **name = xmalloc((n + 1) * sizeof *name);
-    for (size_t i = 0; i <= n; i++)
-        name[i] = rules[i].name;
+    const char **name = xmalloc((count_rules(rules) + 1) * sizeof *name);
+    size_t n = 0;
+    for (size_t i = 0; rules[i].name; i++)
+        if (rules[i].kind != OPTION_FILES)
+            name[n++] = rules[i].name;
+    name[n] = NULL;
     char *const allowed = joined(name, "--");
     const int status =
         usage_error("corgen %s does not know '%s'; allowed: %s, --%s", command, option, allowed, help_name);
