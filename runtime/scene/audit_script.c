@@ -134,7 +134,7 @@ int audit_range(const char *word, int *first, int *last)
     *first = 0;
     *last = AUDIT_TYPES - 1;
     if (!star) {
-        *first = *last = (int)(low >= 1 && low <= AUDIT_TYPES ? low - 1 : 0);
+        *first = *last = (int)(low >= 1 && low <= (double)AUDIT_TYPES ? low - 1 : 0);
         return low >= 1 && low <= AUDIT_TYPES;
     }
     if (star > word)

@@ -197,7 +197,7 @@ static int is_within(int *status, const struct cor_scene_contact *contact, doubl
     enum { PARTS = 8 };
     struct cor_step_error error;
     for (int k = 0; k < PARTS; k++) {
-        const double n = fmin(steps + (double)k / PARTS, COR_SCENE_STEPS_MAX);
+        const double n = fmin(steps + (double)k / (double)PARTS, COR_SCENE_STEPS_MAX);
         *status = cor_scene_step_error(&error, contact, speed_m_s, end, n, integrator);
         if (*status != COR_FAULT_NONE || fabs(error.bias) > tolerance || error.scatter > tolerance)
             return 0;
