@@ -135,7 +135,7 @@ int audit_range(const char *word, int *first, int *last)
     *last = AUDIT_TYPES - 1;
     if (!star) {
         *first = *last = (int)(low >= 1 && low <= (double)AUDIT_TYPES ? low - 1 : 0);
-        return low >= 1 && low <= AUDIT_TYPES;
+        return low >= 1 && low <= (double)AUDIT_TYPES;
     }
     if (star > word)
         *first = atoi(word) - 1;
@@ -218,7 +218,8 @@ static void read_create_atoms(struct audit *a, const struct audit_words *w)
 {
     static const double radius[2] = {0.5, 0.5};
     const double type = audit_number_at(w, 1);
-    if (audit_is(a->simulator, "lammps") && type >= 1 && type <= AUDIT_TYPES && isnan(a->type[(int)type - 1].radius[0]))
+    if (audit_is(a->simulator, "lammps") && type >= 1 && type <= (double)AUDIT_TYPES &&
+        isnan(a->type[(int)type - 1].radius[0]))
         set_body(a, (int)type - 1, (int)type - 1, radius, isnan(a->type[(int)type - 1].density) ? 1 : (double)NAN);
 }
 
@@ -227,7 +228,7 @@ static void read_pour(struct audit *a, const struct audit_words *w)
     const double type = audit_number_at(w, 5), kind = type - 1;
     const int diameter = audit_find(w, 6, "diam"), density = audit_find(w, 6, "dens"), speed = audit_find(w, 6, "vel");
     double radius[2] = {0.5, 0.5};
-    if (!(type >= 1 && type <= AUDIT_TYPES))
+    if (!(type >= 1 && type <= (double)AUDIT_TYPES))
         return;
     if (diameter >= 0) {
         const char *const how = audit_word(w, diameter + 1);
@@ -261,7 +262,7 @@ static void read_pour(struct audit *a, const struct audit_words *w)
 static void read_template(struct audit *a, const struct audit_words *w)
 {
     const double type = audit_number_at(w, audit_find(w, 4, "atom_type") + 1);
-    const int kind = (int)(type >= 1 && type <= AUDIT_TYPES ? type - 1 : 0);
+    const int kind = (int)(type >= 1 && type <= (double)AUDIT_TYPES ? type - 1 : 0);
     const int density = audit_find(w, 4, "density"), radius = audit_find(w, 4, "radius");
     const char *const how = audit_word(w, radius + 1);
     double least = audit_number_at(w, radius + 2);
@@ -425,7 +426,7 @@ static void read_timestep(struct audit *a, const struct audit_words *w)
 static void read_create_box(struct audit *a, const struct audit_words *w)
 {
     const double types = audit_number_at(w, 1);
-    if (types >= 1 && types <= AUDIT_TYPES)
+    if (types >= 1 && types <= (double)AUDIT_TYPES)
         a->types = (int)types;
 }
 
