@@ -277,7 +277,7 @@ static const char help[] =
     "Reads the input of a simulator as it is, and prints for every contact that it describes the\n"
     "restitution that was asked for, the one that is realised, and the line that realises what was\n"
     "asked. Lines that cannot be read are named. Nothing is guessed.\n"
-    "\nInputs: scripts of LAMMPS (pair_style granular and gran/..., fix wall/gran) and LIGGGHTS.\n"
+    "\nInputs: scripts of LAMMPS (pair_style granular and gran/..., fix wall/gran).\n"
     "\nOptions:\n"
     "  --speed LIST     impact speeds, m/s (default: those of the file)\n"
     "  --radius R       radius of the spheres, m, where the file does not say it\n"

@@ -8,7 +8,7 @@
 #include "cor/status.h"
 #include "runtime/scene/exponents.h"
 
-const char *const cor_audit_simulators[] = {"lammps", "liggghts", NULL};
+const char *const cor_audit_simulators[] = {"lammps", NULL};
 
 /* ---- what readers say ---- */
 
@@ -450,6 +450,7 @@ static int contains(const struct cor_audit_text *text, const char *word)
 
 static const char *simulator_of(const struct cor_audit_text *text)
 {
+    /* a script of LIGGGHTS is recognised, so that it is not read as one of LAMMPS */
     static const char *const signs[][2] = {{"property/global", "liggghts"},
                                            {"particletemplate/", "liggghts"},
                                            {"pair_style gran model", "liggghts"},

@@ -92,7 +92,7 @@ struct audit {
     double time_step;
     double length, mass, time; /* units of the text in SI */
 
-    /* scripts of LAMMPS and LIGGGHTS */
+    /* scripts of LAMMPS */
     const char *style, *style_file, *style_text;
     long style_line;
 
@@ -135,7 +135,7 @@ void audit_add_speed(struct audit *a, double speed);
 
 /* ---- readers ---- */
 
-/* LAMMPS and LIGGGHTS: audit_script.c. Words are counted from 0; one that is not there is "", its number NaN. */
+/* LAMMPS: audit_script.c. Words are counted from 0; one that is not there is "", its number NaN. */
 void audit_script(struct audit *a, const struct cor_audit_text *text);
 const char *audit_word(const struct audit_words *w, int i);
 double audit_number_at(const struct audit_words *w, int i);
