@@ -95,6 +95,7 @@ struct contact_arguments {
     struct values speed;
     struct decimal steps;
     const char *host, *plot; /* NULL: not given */
+    const char *version;     /* of the host; NULL: any */
 };
 
 struct sample_arguments {

@@ -105,7 +105,8 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
 static int print_for_host(const struct contact_arguments *o, const struct contacts *contacts)
 {
     struct output out;
-    char *const text = contact_host_text(o->host, &o->scene, contacts, o->speed.nearest, o->speed.count);
+    char *const text = contact_host_text(o->host, o->version, contacts, o->speed.nearest, o->speed.count,
+                                         o->steps.text ? decimal_value(&o->steps) : 0);
     if (!text)
         return STATUS_USAGE;
     int status = output_open(&out, o->common.output);
@@ -117,25 +118,15 @@ static int print_for_host(const struct contact_arguments *o, const struct contac
     return status;
 }
 
-static int list_hosts(const struct contact_arguments *o)
-{
-    struct output out;
-    if (output_open(&out, o->common.output) != STATUS_OK)
-        return STATUS_FAILED;
-    contact_host_list(out.file);
-    return output_commit(&out);
-}
-
 static int run_contact(const void *arguments)
 {
     const struct contact_arguments *const o = arguments;
     struct contacts contacts;
     if (o->plot && gnuplot_check(o->plot) != STATUS_OK)
         return STATUS_USAGE;
-    if (o->host && strcmp(o->host, CONTACT_HOST_LIST) == 0)
-        return list_hosts(o);
-    if (o->host && contact_host_check(o->host) != STATUS_OK)
-        return STATUS_USAGE;
+    /* a list, or a name that is none, needs no contact */
+    if (o->host && (contact_host_is_list(o->host, o->version) || !cor_simulator_named(o->host)))
+        return print_for_host(o, NULL);
     int status = contacts_of_request(&contacts, &o->scene);
     if (status != STATUS_OK)
         return status;
@@ -156,7 +147,8 @@ static const char help[] =
     "  --end E          zero-overlap or zero-force: where eps was measured, and what --plot shows\n"
     "                   (default: both)\n"
     "  --steps N        time_step_s is the shortest duration over N (default " DEFAULT_STEPS ")\n"
-    "  --for HOST       lines for the input of a simulator; --for list names the simulators\n"
+    "  --for HOST       lines for the input of a simulator, such as LAMMPS; --for list names them\n"
+    "  --simulator-version V   for this version, as '29 Sep 2021' or 3.8.1; list names the models\n"
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
@@ -179,7 +171,8 @@ static const struct option_rule options[] = {
      .kind = OPTION_TEXT,
      .offset = AT(host),
      .range.words = contact_host_names,
-     .excludes = "format steps plot"},
+     .excludes = "format plot"},
+    {.name = "simulator-version", .kind = OPTION_TEXT, .offset = AT(version), .needs = "for"},
     {.name = "plot", .kind = OPTION_FILE, .offset = AT(plot), .needs = "speed"},
     OPTION_FORMAT(struct contact_arguments, option_formats),
     OPTION_COMMON(struct contact_arguments),

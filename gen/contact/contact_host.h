@@ -1,27 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines for the input of a simulator (a host) that realise a contact */
+/* corgen contact --for: lines for the input of a simulator that realise a contact (cor/scene.h) */
 #ifndef COR_GEN_CONTACT_CONTACT_HOST_H
 #define COR_GEN_CONTACT_CONTACT_HOST_H
 
-#include <stdio.h>
-
 #include "contact/contact.h"
 
-/* The word that asks for the list instead of a host */
+/* The word that asks for the list of simulators instead of a name, or of the models of one instead of its version */
 #define CONTACT_HOST_LIST "list"
 
-extern const char *const contact_host_names[]; /* as in the list, then the word for it; ends with NULL */
+extern const char *const contact_host_names[]; /* of cor_simulators, then the word for the list; ends with NULL */
 
-/* The hosts, and the contact models of each for which there are lines */
-void contact_host_list(FILE *file);
-
-/* Returns STATUS_OK for one of the names, or STATUS_USAGE after a message that lists them. */
-int contact_host_check(const char *host);
-
-/* The text of corgen contact --for HOST, malloc'ed; NULL after a message if the host cannot realise this contact. Where
- * the host has the contact's law, the lines hold at every speed. Otherwise they need one impact speed and hold there.
- */
-char *contact_host_text(const char *host, const struct embed_request *request, const struct contacts *contacts,
-                        const double *speed_m_s, size_t speeds);
+/* The text of corgen contact --for HOST, malloc'ed; of a list where a word asks for it. NULL after a message if the
+ * simulator cannot realise this contact, or there is no such simulator. A list takes no contacts. `version` NULL: any;
+ * `steps` 0: the default */
+char *contact_host_text(const char *host, const char *version, const struct contacts *contacts, const double *speed_m_s,
+                        size_t speeds, double steps);
+bool contact_host_is_list(const char *host, const char *version);
 
 #endif

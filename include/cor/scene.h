@@ -318,9 +318,11 @@ struct cor_simulator_model {
     const char *known;  /* "run", "source" or "documentation" */
     const char *advice; /* a sentence for the user */
 
-    /* The version that was run or read, and lines for the input; NULL: none. `lines` starts with the opening of a
-     * comment in the language of the simulator and a bar. Words in braces stand for numbers: cor_simulator_word. */
-    const char *version, *lines;
+    /* The version that was run or read; lines for the input, and lines that make a contact of a sphere and a wall;
+     * NULL: none. Words in braces stand for numbers: cor_simulator_word. A line that starts with a question mark is left
+     * out where its numbers are not known, and {pair} repeats a line for the pairs of two types. */
+    const char *version, *lines, *wall_lines;
+    long since, until; /* the versions that have it, as cor_simulator_version has them; 0: no limit is known */
 };
 extern const struct cor_simulator_model cor_simulator_models[];
 extern const size_t cor_simulator_model_count;
@@ -369,6 +371,50 @@ double cor_simulator_number(const struct cor_simulator_model *model, const struc
 double cor_simulator_step_damping(const struct cor_simulator_model *model, const struct cor_simulator_wish *wish,
                                   int same_law, double damping);
 double cor_simulator_word(const char *word, const struct cor_simulator_wish *wish, double number);
+
+/* A simulator of whose models some have lines, and how its input is written */
+struct cor_simulator {
+    const char *name, *title;          /* "lammps", as in its models; "LAMMPS" */
+    const char *comment, *comment_end; /* a comment is one line, between these */
+    const char *setup;                 /* what its input must say elsewhere */
+    const char *time_step;             /* lines that set the time step, with the word {dt}; NULL: it takes none */
+    const char *version;               /* the version whose models come first: that of Debian 12; NULL: none */
+};
+extern const struct cor_simulator cor_simulators[];
+extern const size_t cor_simulator_count;
+
+/* The simulator of a name in upper or lower case, or of the part of it before a hyphen; NULL: there is none. */
+const struct cor_simulator *cor_simulator_named(const char *name);
+
+/* A version as a number that grows from release to release: "29 Sep 2021" is 20210929, "3.8.1" is 30801. 0: the text is
+ * neither. */
+long cor_simulator_version(const char *text);
+
+/* What cor_simulator_lines prints. The end of the scene is that at which contacts are to end. With a wall the lines make
+ * the contact of a sphere and a wall. */
+struct cor_simulator_request {
+    const char *simulator, *version;          /* a name of cor_simulator_named; NULL: any version */
+    const struct cor_scene *scene;            /* with the contacts that cor_scene_contacts makes of it */
+    const struct cor_scene_contact *contacts; /* (one, or one for each end) */
+    int count;
+    const double *speed_m_s; /* impact speeds, for which the text says what is realised */
+    size_t speeds;
+    double time_step_s; /* 0: the shortest contact at these speeds over `steps` */
+    double steps;       /* 0: 50 */
+};
+
+/* Writes the lines by which a simulator realises a contact, as a text that can be put into its input whole. One block is
+ * active: of the models with the law of the contact, the first that ends contacts as asked and that the version has.
+ * Other models follow as comments. Where the simulator does not have the law, the lines hold at one speed: that of the
+ * restitution, or the only one of the request.
+ * As snprintf: writes at most `size` characters, the last of which is 0, and returns the length that the whole text has.
+ * Negative: the simulator cannot realise the contact, or the request is incomplete; the text says why, in less than
+ * COR_SIMULATOR_REASON characters. */
+enum { COR_SIMULATOR_REASON = 1200 };
+long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request);
+
+/* The same for a list: a line for each simulator, or, if one is named, for each of its models */
+long cor_simulator_list(char *text, size_t size, const struct cor_simulator *simulator);
 
 #ifdef __cplusplus
 }

@@ -105,7 +105,8 @@ double cor_simulator_number(const struct cor_simulator_model *model, const struc
     return number;
 }
 
-/* zeta and natural frequency fix MuJoCo's time constant; contact time and e' those of YADE. */
+/* zeta and natural frequency fix MuJoCo's time constant; contact time and e' those of YADE. Simbody's stiffness s of
+ * each of two bodies is K = (4/3) sqrt(R) s/2^(3/2). */
 double cor_simulator_word(const char *word, const struct cor_simulator_wish *wish, double number)
 {
     static const double pi = 3.14159265358979323846;
@@ -127,8 +128,12 @@ double cor_simulator_word(const char *word, const struct cor_simulator_wish *wis
                  {"2m", 2 * m},
                  {"tc", sqrt(m / k * (pi * pi + l * l))},
                  {"timeconst", sqrt(m / k) / number},
+                 {"simbody", sqrt(4.5) * k / sqrt(radius)},
                  {"young", wish->scene->number[COR_SCENE_YOUNG]},
-                 {"poisson", wish->scene->number[COR_SCENE_POISSON]}};
+                 {"poisson", wish->scene->number[COR_SCENE_POISSON]},
+                 {"young2", wish->scene->number[COR_SCENE_YOUNG_2]},
+                 {"poisson2", wish->scene->number[COR_SCENE_POISSON_2]},
+                 {"0", 0}};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(words[i].word, word) == 0)
             return words[i].value;

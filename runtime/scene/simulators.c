@@ -160,262 +160,368 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 #define ASKED(map, least, most) map, least, most, NULL, NULL
 #define NUMBER(name) NULL, 0, 1, name##_of_damping, damping_of_##name
 #define OPEN 0x1p-1022 /* e > 0 */
-/* LIGGGHTS asks for these numbers even with tangential off. */
-#define LIGGGHTS_TANGENTIAL                                                                                            \
-    "fix cor_kt all property/global kt peratomtypepair 1 0\n"                                                          \
-    "fix cor_gammat all property/global gammat peratomtypepair 1 0\n"
-#define LAMMPS_PAIR(spring, damping)                                                                                   \
-    "#|pair_style granular\npair_coeff * * " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n"
+/* Lines for the input. Both kinds of lines: for two bodies, and for a body and a wall */
+#define EVERYWHERE(lines) lines, lines
+#define PAIRS(lines) lines, NULL
+#define LAMMPS(spring, damping)                                                                                        \
+    "pair_style granular\n"                                                                                            \
+    "pair_coeff {pair} " spring " {n} tangential linear_nohistory 0 0 damping " damping "\n",                          \
+        "fix cor_wall all wall/gran granular " spring " {n} tangential linear_nohistory 0 0 damping " damping          \
+        " zplane 0 NULL\n"
 #define LAMMPS_FILE "src/GRANULAR/gran_sub_mod_damping.cpp"
+/* A wall is of atom type 2, for its contacts have other numbers than those of two spheres. */
+#define LIGGGHTS(model, limit, properties)                                                                             \
+    LIGGGHTS_PAIR(model, limit, properties),                                                                           \
+        LIGGGHTS_PAIR(model, limit, properties) "fix cor_wall all wall/gran model " model " tangential off" limit      \
+                                                " primitive type 2 zplane 0\n"
+#define LIGGGHTS_PAIR(model, limit, properties)                                                                        \
+    "pair_style gran model " model " tangential off" limit "\n"                                                        \
+    "pair_coeff * *\n" properties
+#define LIGGGHTS_E                                                                                                     \
+    "?fix cor_young all property/global youngsModulus peratomtype {youngs}\n"                                          \
+    "?fix cor_poisson all property/global poissonsRatio peratomtype {poissons}\n"                                      \
+    "fix cor_e all property/global coefficientRestitution peratomtypepair {types} {n[]}\n"
+/* kt and gammat are asked for even with tangential off. */
+#define LIGGGHTS_STIFFNESS(stiffness)                                                                                  \
+    "fix cor_kn all property/global kn peratomtypepair {types} " stiffness "\n"                                        \
+    "fix cor_gamman all property/global gamman peratomtypepair {types} {n[]}\n"                                        \
+    "fix cor_kt all property/global kt peratomtypepair {types} {0[]}\n"                                                \
+    "fix cor_gammat all property/global gammat peratomtypepair {types} {0[]}\n"
+#define YADE(material, physics, law)                                                                                   \
+    EVERYWHERE(material "cor_contact = InteractionLoop(\n"                                                             \
+                        "    [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],\n"     \
+                        "    [" physics "],\n"                                                                         \
+                        "    [" law "])\n")
+#define YADE_FRICTION                                                                                                  \
+    "?cor_material = FrictMat(young={young}, poisson={poisson}, frictionAngle=0)\n"                                    \
+    "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, frictionAngle=0)\n"
 
-#define ROW(simulator, model, parameter, law, end, map, file, known, advice, version, lines)                           \
+/* Last come the two kinds of lines, since and until. */
+#define ROW(simulator, model, parameter, law, end, map, file, known, advice, version, ...)                             \
     {                                                                                                                  \
-        simulator, model, parameter, COR_LAW_##law, COR_END_##end, map, file, known, advice, version, lines            \
+        simulator, model, parameter, COR_LAW_##law, COR_END_##end, map, file, known, advice, version, __VA_ARGS__      \
     }
 const struct cor_simulator_model cor_simulator_models[] = {
     ROW("lammps", "granular hooke, damping velocity", "eta_n, kg/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot), LAMMPS_FILE,
-        "run", "With limit_damping the contact ends at zero force: use the row below.", "29 Sep 2021 to 4 Feb 2025",
-        LAMMPS_PAIR("hooke {K}", "velocity")),
+        "run", "eta_n is the dashpot itself.", "29 Sep 2021 to 4 Feb 2025", LAMMPS("hooke {K}", "velocity"), 0, 0),
     ROW("lammps", "granular hooke, damping velocity, limit_damping", "eta_n, kg/s", LINEAR, ZERO_FORCE, NUMBER(dashpot),
-        LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hooke {K}", "velocity limit_damping")),
+        LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025", LAMMPS("hooke {K}", "velocity limit_damping"), 0, 0),
     ROW("lammps", "granular hooke, damping mass_velocity; gran/hooke", "eta_n or gamma_n, 1/s", LINEAR, ZERO_OVERLAP,
         NUMBER(dashpot_per_mass), LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025",
-        LAMMPS_PAIR("hooke {K}", "mass_velocity")),
+        LAMMPS("hooke {K}", "mass_velocity"), 0, 0),
     ROW("lammps", "granular hooke, damping mass_velocity, limit_damping", "eta_n, 1/s", LINEAR, ZERO_FORCE,
         NUMBER(dashpot_per_mass), LAMMPS_FILE, "run", "Exact.", "29 Sep 2021 to 4 Feb 2025",
-        LAMMPS_PAIR("hooke {K}", "mass_velocity limit_damping")),
+        LAMMPS("hooke {K}", "mass_velocity limit_damping"), 0, 0),
     ROW("lammps", "granular hooke, damping viscoelastic (the default)", "eta_n, 1/(m s)", LINEAR_ROOT, ZERO_OVERLAP,
         NUMBER(area_root), LAMMPS_FILE, "run",
         "The restitution depends on the impact speed: the number holds at one speed.", "29 Sep 2021 to 4 Feb 2025",
-        LAMMPS_PAIR("hooke {K}", "viscoelastic")),
+        LAMMPS("hooke {K}", "viscoelastic"), 0, 0),
     ROW("lammps", "granular hertz, damping viscoelastic (the default); gran/hertz/history", "eta_n, 1/(m s)",
         VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz), LAMMPS_FILE, "run",
         "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.", "29 Sep 2021 to 4 Feb 2025",
-        LAMMPS_PAIR("hertz {kn}", "viscoelastic")),
+        LAMMPS("hertz {kn}", "viscoelastic"), 0, 0),
     ROW("lammps", "granular hertz, damping viscoelastic, limit_damping", "eta_n, 1/(m s)", VISCOELASTIC, ZERO_FORCE,
         NUMBER(area_hertz), LAMMPS_FILE, "run", "The viscoelastic sphere: eta_n = (3/2) A k_n/m for every speed.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hertz {kn}", "viscoelastic limit_damping")),
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "viscoelastic limit_damping"), 0, 0),
     ROW("lammps", "granular hertz, damping velocity", "eta_n, kg/s", HERTZ_DASHPOT, ZERO_OVERLAP,
         NUMBER(hertz_velocity), LAMMPS_FILE, "run",
         "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hertz {kn}", "velocity")),
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "velocity"), 0, 0),
     ROW("lammps", "granular hertz, damping mass_velocity", "eta_n, 1/s", HERTZ_DASHPOT, ZERO_OVERLAP,
         NUMBER(hertz_mass_velocity), LAMMPS_FILE, "run",
         "Slow impacts lose more, and below a threshold speed the bodies never part: use limit_damping.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hertz {kn}", "mass_velocity")),
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "mass_velocity"), 0, 0),
     ROW("lammps", "granular hertz or hooke, damping coeff_restitution", "e", TSUJI, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, OPEN, 1), LAMMPS_FILE, "source", "Exact.", "source 07b704ca, 2026",
-        LAMMPS_PAIR("{spring}", "coeff_restitution")),
+        LAMMPS("{spring}", "coeff_restitution"), 20250205, 0),
     ROW("lammps", "granular hertz or hooke, damping coeff_restitution, limit_damping", "e", TSUJI, ZERO_FORCE,
-        ASKED(exact_at_zero_overlap, OPEN, 1), LAMMPS_FILE, "source", "Realises more than asked: give it e'.",
-        "source 07b704ca, 2026", LAMMPS_PAIR("{spring}", "coeff_restitution limit_damping")),
+        ASKED(exact_at_zero_overlap, OPEN, 1), LAMMPS_FILE, "source",
+        "LAMMPS computes its damping for contacts that end at zero overlap: these realise more than its e.",
+        "source 07b704ca, 2026", LAMMPS("{spring}", "coeff_restitution limit_damping"), 20250205, 0),
     ROW("lammps", "granular hertz, damping tsuji, releases to July 2026", "e", TSUJI, ZERO_OVERLAP,
         ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run",
-        "Realises up to 0.143 more than asked: give it e', or use coeff_restitution.", "29 Sep 2021 to 4 Feb 2025",
-        LAMMPS_PAIR("hertz {kn}", "tsuji")),
+        "LAMMPS realises up to 0.143 more than its e; coeff_restitution of later versions is exact.",
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "tsuji"), 0, 20260731),
     ROW("lammps", "granular hertz, damping tsuji, limit_damping, releases to July 2026", "e", TSUJI, ZERO_FORCE,
-        ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run",
-        "Realises up to 0.25 more than asked: give it e', or use coeff_restitution with its own e'.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hertz {kn}", "tsuji limit_damping")),
+        ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run", "LAMMPS realises up to 0.25 more than its e.",
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "tsuji limit_damping"), 0, 20260731),
     ROW("lammps", "granular hertz, damping tsuji, source after July 2026", "e", TSUJI, ZERO_OVERLAP,
         ASKED(tsuji_since_2026, 0, 1), LAMMPS_FILE, "source",
-        "Within 0.002 from e = 0.05 on; coeff_restitution is exact.", "source 07b704ca, 2026", NULL),
+        "Within 0.002 from e = 0.05 on; coeff_restitution is exact.", "source 07b704ca, 2026", NULL, NULL, 20260801, 0),
     ROW("lammps", "granular hooke, damping tsuji, releases to July 2026", "e", LINEAR, ZERO_OVERLAP,
         ASKED(tsuji_on_hooke_until_2026, 0, 1), LAMMPS_FILE, "run",
-        "A formula for Hertz's force on a linear spring: give it e', or use damping velocity.",
-        "29 Sep 2021 to 4 Feb 2025", LAMMPS_PAIR("hooke {K}", "tsuji")),
+        "LAMMPS uses a formula for Hertz's force on a linear spring; damping velocity is exact.",
+        "29 Sep 2021 to 4 Feb 2025", LAMMPS("hooke {K}", "tsuji"), 0, 20260731),
     ROW("lammps", "granular hooke, damping tsuji, source after July 2026", "e", LINEAR, ZERO_OVERLAP,
         ASKED(tsuji_on_hooke_since_2026, 0, 1), LAMMPS_FILE, "source",
-        "A formula for Hertz's force on a linear spring: give it e', which differs from that of older releases, or use "
+        "LAMMPS uses a formula for Hertz's force on a linear spring, and another one than in older releases; "
         "coeff_restitution.",
-        "source 07b704ca, 2026", LAMMPS_PAIR("hooke {K}", "tsuji")),
+        "source 07b704ca, 2026", LAMMPS("hooke {K}", "tsuji"), 20260801, 0),
+    ROW("liggghts", "hooke/stiffness, gamman", "gamman, 1/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot_per_mass),
+        "src/normal_model_hooke_stiffness.h", "run", "Exact.", "3.8, source 3d5c00f2",
+        LIGGGHTS("hooke/stiffness", "", LIGGGHTS_STIFFNESS("{K[]}")), 0, 0),
+    ROW("liggghts", "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", LINEAR, ZERO_FORCE,
+        NUMBER(dashpot_per_mass), "src/normal_model_hooke_stiffness.h", "run", "Exact.", "3.8, source 3d5c00f2",
+        LIGGGHTS("hooke/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{K[]}")), 0, 0),
     ROW("liggghts", "hertz or hooke, coefficientRestitution", "e", TSUJI, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "run", "Exact; it refuses e <= 0.05.",
-        "3.8, source 3d5c00f2",
-        "#|pair_style gran model {model} tangential off\nfix cor_e all property/global coefficientRestitution "
-        "peratomtypepair 1 {n}\n"),
+        "3.8, source 3d5c00f2", LIGGGHTS("{model}", "", LIGGGHTS_E), 0, 0),
     ROW("liggghts", "hertz or hooke, coefficientRestitution, limitForce on", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, 0.05, 1), "src/normal_model_hertz.h", "run",
-        "Realises more than asked: give it e'; it refuses e' <= 0.05.", "3.8, source 3d5c00f2",
-        "#|pair_style gran model {model} tangential off limitForce on\nfix cor_e all property/global "
-        "coefficientRestitution peratomtypepair 1 {n}\n"),
+        "LIGGGHTS computes its damping for contacts that end at zero overlap: these realise more than its e.",
+        "3.8, source 3d5c00f2", LIGGGHTS("{model}", " limitForce on", LIGGGHTS_E), 0, 0),
     ROW("liggghts", "hertz/stiffness, gamman", "gamman, 1/(m s)", VISCOELASTIC, ZERO_OVERLAP, NUMBER(area_hertz),
         "src/normal_model_hertz_stiffness.h", "run", "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.",
-        "3.8, source 3d5c00f2",
-        "#|pair_style gran model hertz/stiffness tangential off\nfix cor_kn all property/global kn peratomtypepair 1 "
-        "{kn}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL),
+        "3.8, source 3d5c00f2", LIGGGHTS("hertz/stiffness", "", LIGGGHTS_STIFFNESS("{kn[]}")), 0, 0),
     ROW("liggghts", "hertz/stiffness, gamman, limitForce on", "gamman, 1/(m s)", VISCOELASTIC, ZERO_FORCE,
         NUMBER(area_hertz), "src/normal_model_hertz_stiffness.h", "run",
         "The viscoelastic sphere: gamman = (3/2) A k_n/m for every speed.", "3.8, source 3d5c00f2",
-        "#|pair_style gran model hertz/stiffness tangential off limitForce on\nfix cor_kn all property/global kn "
-        "peratomtypepair 1 {kn}\nfix cor_gamman all property/global gamman peratomtypepair 1 "
-        "{n}\n" LIGGGHTS_TANGENTIAL),
-    ROW("liggghts", "hooke/stiffness, gamman", "gamman, 1/s", LINEAR, ZERO_OVERLAP, NUMBER(dashpot_per_mass),
-        "src/normal_model_hooke_stiffness.h", "run", "Exact.", "3.8, source 3d5c00f2",
-        "#|pair_style gran model hooke/stiffness tangential off\nfix cor_kn all property/global kn peratomtypepair 1 "
-        "{K}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL),
-    ROW("liggghts", "hooke/stiffness, gamman, limitForce on", "gamman, 1/s", LINEAR, ZERO_FORCE,
-        NUMBER(dashpot_per_mass), "src/normal_model_hooke_stiffness.h", "run", "Exact.", "3.8, source 3d5c00f2",
-        "#|pair_style gran model hooke/stiffness tangential off limitForce on\nfix cor_kn all property/global kn "
-        "peratomtypepair 1 {K}\nfix cor_gamman all property/global gamman peratomtypepair 1 {n}\n" LIGGGHTS_TANGENTIAL),
+        LIGGGHTS("hertz/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{kn[]}")), 0, 0),
+    ROW("yade", "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio), "pkg/dem/HertzMindlin.cpp", "run",
+        "Exact.", "2023.02a",
+        YADE(YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(betan={n}, betas=0)",
+             "Law2_ScGeom_MindlinPhys_Mindlin()"),
+        0, 0),
     ROW("yade", "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE, ASKED(thornton_yade, 0.001, 1),
         "pkg/dem/HertzMindlin.cpp", "run", "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.", "2023.02a",
-        "#|Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, es=1)\n"),
+        YADE(YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, es=1)", "Law2_ScGeom_MindlinPhys_Mindlin()"),
+        20230200, 0),
     ROW("yade", "Mindlin, en (before 2023); SudoDEM", "e", TSUJI, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
-        "pkg/dem/HertzMindlin.cpp", "source", "Realises more than asked: give it e', or set betan.",
-        "before 2023.02a; SudoDEM 6666937", NULL),
-    ROW("yade", "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio), "pkg/dem/HertzMindlin.cpp", "run",
-        "Exact.", "2023.02a", "#|Ip2_FrictMat_FrictMat_MindlinPhys(betan={n}, betas=0)\n"),
+        "pkg/dem/HertzMindlin.cpp", "source", "YADE realises more than its e; betan is exact.",
+        "before 2023.02a; SudoDEM 6666937", NULL, NULL, 0, 0),
     ROW("yade", "Mindlin, en at vn = 1 m/s (2025)", "en", VISCOELASTIC, ZERO_FORCE, NUMBER(yade_en),
         "pkg/dem/HertzMindlin.cpp", "run",
         "The viscoelastic sphere: en is the Padé approximant of eps at vn, and A holds at every speed.", "2025.2.0",
-        "#|Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, vn=1.0)\n"),
-    ROW("yade", "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
-        "pkg/dem/ViscoelasticPM.cpp", "run", "Realises more than asked: give it e'. The contact is shorter than tc.",
-        "2023.02a", "#|ViscElMat(tc={tc}, en={n}, et=1)\n"),
+        YADE(YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, vn=1.0)", "Law2_ScGeom_MindlinPhys_Mindlin()"),
+        20250200, 0),
     ROW("yade", "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s", LINEAR, ZERO_FORCE,
         NUMBER(pair_dashpot), "pkg/dem/ViscoelasticPM.cpp", "run",
         "K is kn/2 of two equal bodies: the numbers of two bodies are in series.", "2023.02a",
-        "#|ViscElMat(kn={2K}, cn={n}, ks=0, cs=0)\n"),
+        YADE("cor_material = ViscElMat(kn={2K}, cn={n}, ks=0, cs=0, frictionAngle=0)\n",
+             "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()"),
+        0, 0),
+    ROW("yade", "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
+        "pkg/dem/ViscoelasticPM.cpp", "run",
+        "YADE realises more than its en, and its contacts are shorter than tc; kn and cn are exact.", "2023.02a",
+        YADE("cor_material = ViscElMat(tc={tc}, en={n}, et=1, frictionAngle=0)\n",
+             "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()"),
+        0, 0),
     ROW("mercurydpm", "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,
         ASKED(exact_at_zero_overlap, 0, 1), "Kernel/Species/NormalForceSpecies/LinearViscoelasticNormalSpecies.cc",
         "source", "Exact, with the mass of one particle; e = 0 sticks for ever.", "source fb0ebf1d",
-        "//|species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n"),
+        EVERYWHERE("species->setStiffnessAndRestitutionCoefficient({K}, {n}, {2m});\n"), 0, 0),
     ROW("mercurydpm", "HertzianViscoelastic, setEffectiveElasticModulusAndRestitutionCoefficient", "e", TSUJI,
         ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1),
         "Kernel/Species/NormalForceSpecies/HertzianViscoelasticNormalSpecies.cc", "source", "Exact.", "source fb0ebf1d",
-        "//|species->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n"),
+        EVERYWHERE("species->setEffectiveElasticModulusAndRestitutionCoefficient({E}, {n});\n"), 0, 0),
     ROW("mercurydpm", "HertzianViscoelastic, dissipation", "dissipation", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta),
         "Kernel/Species/NormalForceSpecies/HertzianViscoelasticNormalSpecies.cc", "source", "Exact.", "source fb0ebf1d",
-        "//|species->setEffectiveElasticModulus({E});\nspecies->setDissipation({n});\n"),
+        EVERYWHERE("species->setEffectiveElasticModulus({E});\n"
+                   "species->setDissipation({n});\n"),
+        0, 0),
     ROW("mercurydpm", "HertzianBSHPViscoelastic", "dissipation A, s", VISCOELASTIC, ZERO_FORCE,
         NUMBER(dissipation_time), "Kernel/Species/NormalForceSpecies/HertzianBSHPViscoelasticNormalSpecies.cc",
         "source", "The viscoelastic sphere: A holds at every speed.", "source fb0ebf1d",
-        "//|species->setEffectiveElasticModulus({E});\nspecies->setDissipation({n});\n"),
+        EVERYWHERE("species->setEffectiveElasticModulus({E});\n"
+                   "species->setDissipation({n});\n"),
+        0, 0),
     ROW("chrono", "SMC, Hooke or Hertz from material, cr", "e", TSUJI, ZERO_FORCE,
         ASKED(exact_at_zero_overlap, 2.220446049250313e-16, 1 - 2.220446049250313e-16),
-        "src/chrono/physics/ChContactSMC.cpp", "source", "Realises more than asked: give it e'.", "source 7689fbc0",
-        "//"
-        "|system.UseMaterialProperties(true);\nsystem.SetContactForceModel(ChSystemSMC::ContactForceModel::{Model});"
-        "\nmaterial->SetRestitution({n});\n"),
+        "src/chrono/physics/ChContactSMC.cpp", "source",
+        "Chrono computes its damping for contacts that end at zero overlap: these realise more than cr.",
+        "source 7689fbc0",
+        PAIRS("system.UseMaterialProperties(true);\n"
+              "system.SetContactForceModel(ChSystemSMC::ContactForceModel::{Model});\n"
+              "material->SetRestitution({n});\n"),
+        0, 0),
     ROW("chrono", "SMC Hooke, kn and gn", "gn, 1/s", LINEAR, ZERO_FORCE, NUMBER(dashpot_per_mass),
         "src/chrono/physics/ChContactSMC.cpp", "source", "Exact.", "source 7689fbc0",
-        "//"
-        "|system.UseMaterialProperties(false);\nsystem.SetContactForceModel(ChSystemSMC::ContactForceModel::Hooke);"
-        "\nmaterial->SetKn({K});\nmaterial->SetGn({n});\n"),
+        PAIRS("system.UseMaterialProperties(false);\n"
+              "system.SetContactForceModel(ChSystemSMC::ContactForceModel::Hooke);\n"
+              "material->SetKn({K});\n"
+              "material->SetGn({n});\n"),
+        0, 0),
     ROW("chrono", "SMC Hertz, kn and gn", "gn, 1/s per m", VISCOELASTIC, ZERO_FORCE, NUMBER(chrono_hertz),
         "src/chrono/physics/ChContactSMC.cpp", "source", "K is kn R. The viscoelastic sphere: one gn for every speed.",
         "source 7689fbc0",
-        "//|// Type::BULLET finds no R and takes this one for every contact; Type::MULTICORE finds that of each pair "
-        "of "
-        "spheres\nChCollisionInfo::SetDefaultEffectiveCurvatureRadius({R});\nsystem.UseMaterialProperties(false);"
-        "\nsystem.SetContactForceModel(ChSystemSMC::ContactForceModel::Hertz);\nmaterial->SetKn({K/"
-        "R});\nmaterial->SetGn({n});\n"),
+        PAIRS("// Type::BULLET finds no R and takes this one for every contact; Type::MULTICORE finds that of each "
+              "pair of spheres\n"
+              "ChCollisionInfo::SetDefaultEffectiveCurvatureRadius({R});\n"
+              "system.UseMaterialProperties(false);\n"
+              "system.SetContactForceModel(ChSystemSMC::ContactForceModel::Hertz);\n"
+              "material->SetKn({K/R});\n"
+              "material->SetGn({n});\n"),
+        0, 0),
     ROW("chrono-multicore", "Flores, cr, at the characteristic speed", "e", HUNT_CROSSLEY, ZERO_FORCE,
         ASKED(cor_flores_beta, 0.01, 1), "src/chrono_multicore/physics", "source",
-        "Realises less than asked, at that speed: give it e'.", "source 7689fbc0", NULL),
+        "Realises less than its cr at that speed.", "source 7689fbc0", NULL, NULL, 0, 0),
     ROW("mfix", "DEM, LSD", "e", LINEAR, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, 0, 1),
         "model/check_data/check_solids_dem.f", "source", "Exact; e = 0 sticks for ever.", "21.3.2",
-        "!|DES_COLL_MODEL = 'LSD'\nKN = {K}\nDES_EN_INPUT(1) = {n}\n"),
+        "DES_COLL_MODEL = 'LSD'\n"
+        "KN = {K}\n"
+        "DES_EN_INPUT(1) = {n}\n",
+        "DES_COLL_MODEL = 'LSD'\n"
+        "KN_W = {K}\n"
+        "DES_EN_WALL_INPUT(1) = {n}\n",
+        0, 0),
     ROW("mfix", "DEM, HERTZIAN", "e", TSUJI, ZERO_OVERLAP, ASKED(mfix_hertz, 0, 1),
-        "model/check_data/check_solids_dem.f", "source", "The linear formula on Hertz's force: give it e'.", "21.3.2",
-        "!|DES_COLL_MODEL = 'HERTZIAN'\nDES_EN_INPUT(1) = {n}\n"),
+        "model/check_data/check_solids_dem.f", "source",
+        "MFiX uses the formula of a linear spring on Hertz's force: it realises more than its e.", "21.3.2",
+        "DES_COLL_MODEL = 'HERTZIAN'\n"
+        "DES_EN_INPUT(1) = {n}\n",
+        "DES_COLL_MODEL = 'HERTZIAN'\n"
+        "DES_EN_WALL_INPUT(1) = {n}\n",
+        0, 0),
     ROW("openfoam", "pairSpringSliderDashpot, b = 1.5", "alpha", TSUJI, ZERO_OVERLAP, NUMBER(tsuji_beta),
         "src/lagrangian/intermediate/submodels/Kinematic/CollisionModel/PairCollision", "source",
         "The usual alpha = 0.12 is e = 0.84465.", "source 446e5777",
-        "//|pairModel pairSpringSliderDashpot;\npairSpringSliderDashpotCoeffs\n{\n    useEquivalentSize no;\n    alpha "
-        "{n};\n    b 1.5;\n    mu 0;\n    cohesionEnergyDensity 0;\n    collisionResolutionSteps 12;\n}\n"),
+        "pairModel pairSpringSliderDashpot;\n"
+        "pairSpringSliderDashpotCoeffs\n"
+        "{\n"
+        "    useEquivalentSize no;\n"
+        "    alpha {n};\n"
+        "    b 1.5;\n"
+        "    mu 0;\n"
+        "    cohesionEnergyDensity 0;\n"
+        "    collisionResolutionSteps 12;\n"
+        "}\n",
+        "wallModel wallSpringSliderDashpot;\n"
+        "wallSpringSliderDashpotCoeffs\n"
+        "{\n"
+        "    useEquivalentSize no;\n"
+        "?    youngsModulus {young};\n"
+        "?    poissonsRatio {poisson};\n"
+        "    alpha {n};\n"
+        "    b 1.5;\n"
+        "    mu 0;\n"
+        "    cohesionEnergyDensity 0;\n"
+        "    collisionResolutionSteps 12;\n"
+        "}\n",
+        0, 0),
     ROW("kratos", "DEM Hertz, COEFFICIENT_OF_RESTITUTION", "e", TSUJI, ZERO_FORCE, ASKED(thornton_kratos, 0, 1),
         "applications/DEMApplication/python_scripts", "source",
-        "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", "source 03f57bf0", NULL),
+        "Above 0.9 set DAMPING_GAMMA instead; above 0.999 nothing is damped.", "source 03f57bf0", NULL, NULL, 0, 0),
     ROW("kratos", "DEM Hertz, DAMPING_GAMMA", "DAMPING_GAMMA", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio),
-        "applications/DEMApplication/custom_constitutive", "source", "Exact.", "source 03f57bf0", NULL),
+        "applications/DEMApplication/custom_constitutive", "source", "Exact.", "source 03f57bf0", NULL, NULL, 0, 0),
     ROW("kratos", "DEM linear, COEFFICIENT_OF_RESTITUTION", "e", LINEAR, ZERO_FORCE, ASKED(kratos_linear, 0, 1),
         "applications/DEMApplication/python_scripts", "source",
         "The exact formula, bisected to 0.0001 in gamma: at e = 0.99 the loss is off by some percent.",
-        "source 03f57bf0", NULL),
+        "source 03f57bf0", NULL, NULL, 0, 0),
     ROW("kratos", "DEM linear, DAMPING_GAMMA", "DAMPING_GAMMA", LINEAR, ZERO_FORCE, NUMBER(damping_ratio),
-        "applications/DEMApplication/custom_constitutive", "source", "Exact.", "source 03f57bf0", NULL),
+        "applications/DEMApplication/custom_constitutive", "source", "Exact.", "source 03f57bf0", NULL, NULL, 0, 0),
     ROW("granulars.jl", "en", "e", TSUJI, ZERO_FORCE, ASKED(thornton, 0, 1), "src", "source",
-        "Within 0.0003 for 0.02 < e < 0.9; above, set gamma.", "source 32b1cfd", NULL),
+        "Within 0.0003 for 0.02 < e < 0.9; above, set gamma.", "source 32b1cfd", NULL, NULL, 0, 0),
     ROW("esys-particle", "HertzianViscoElastic", "A, s", VISCOELASTIC, ZERO_FORCE, NUMBER(dissipation_time_esys),
         "Model", "source", "Its A is (3/2) of the dissipation time.", "2.3.5",
-        "#|HertzianViscoElasticPrms(name=\"contact\", A={n}, E={young}, nu={poisson})\n"),
+        PAIRS("HertzianViscoElasticPrms(name=\"contact\", A={n}, E={young}, nu={poisson})\n"), 0, 0),
     ROW("esys-particle", "HertzMindlinVisco, COR", "e", TSUJI, ZERO_OVERLAP, ASKED(esys, OPEN, 1), "Model", "source",
         "Right to 1e-8.", "2.3.5",
-        "#|HertzMindlinViscoPrms(name=\"contact\", E={E}, nu={poisson}, dynamicMu=0, COR={n})\n"),
+        PAIRS("HertzMindlinViscoPrms(name=\"contact\", E={E}, nu={poisson}, dynamicMu=0, COR={n})\n"), 0, 0),
     ROW("dem-engine", "full Hertz model, CoR", "e", TSUJI, ZERO_OVERLAP, ASKED(exact_at_zero_overlap, OPEN, 1),
-        "src/DEM/DEMModelSnippets", "source", "Exact.", "source a1dc2312", NULL),
+        "src/DEM/DEMModelSnippets", "source", "Exact.", "source a1dc2312", NULL, NULL, 0, 0),
     ROW("exadem", "damp_rate", "damp_rate", LINEAR, ZERO_FORCE, NUMBER(damping_ratio), "src/contact", "source",
-        "Exact.", "source 0d0dc656", NULL),
+        "Exact.", "source 0d0dc656", NULL, NULL, 0, 0),
     ROW("drake", "point contact or hydroelastic, hunt_crossley_dissipation", "d of the pair, s/m", HUNT_CROSSLEY,
         ZERO_FORCE, NUMBER(crossley_per_speed), "multibody/plant", "source",
         "One d holds at one speed; the rebound is never faster than 1/d.", "source be259df7",
-        "<!--|<drake:proximity_properties>\n  "
-        "<drake:hunt_crossley_dissipation>{n}</drake:hunt_crossley_dissipation>\n</drake:proximity_properties>\n"),
+        EVERYWHERE("<drake:proximity_properties>\n"
+                   "  <drake:hunt_crossley_dissipation>{n}</drake:hunt_crossley_dissipation>\n"
+                   "</drake:proximity_properties>\n"),
+        0, 0),
     ROW("drake", "SAP, relaxation_time", "tau of the pair, s", LINEAR, ZERO_FORCE, NUMBER(relaxation_time),
         "multibody/contact_solvers", "source", "As the step goes to zero; 0.1 s each if nothing is set.",
         "source be259df7",
-        "<!--|<drake:proximity_properties>\n  <drake:point_contact_stiffness>{2K}</drake:point_contact_stiffness>\n  "
-        "<drake:relaxation_time>{n/2}</drake:relaxation_time>\n</drake:proximity_properties>\n"),
+        EVERYWHERE("<drake:proximity_properties>\n"
+                   "  <drake:point_contact_stiffness>{2K}</drake:point_contact_stiffness>\n"
+                   "  <drake:relaxation_time>{n/2}</drake:relaxation_time>\n"
+                   "</drake:proximity_properties>\n"),
+        0, 0),
     ROW("simbody", "HuntCrossleyForce; OpenSim", "c, s/m", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(simbody),
         "Simbody/src/HuntCrossleyForce.cpp", "run", "e = 1 - c v is first order only: c v = 0.5 gives 0.663.",
         "3.7, source f312d0dd",
-        "//|const double dissipation = {n}; // s/m, of both bodies\nforce.setBodyParameters(surface, stiffness, "
-        "dissipation, 0, 0, 0);\n"),
+        EVERYWHERE("?const double stiffness = {simbody}; // Pa, of both bodies\n"
+                   "const double dissipation = {n}; // s/m, of both bodies\n"
+                   "force.setBodyParameters(surface, stiffness, dissipation, 0, 0, 0);\n"),
+        0, 0),
     ROW("mujoco", "solref (timeconst, dampratio), dmin = dmax", "dampratio", LINEAR, ZERO_FORCE, NUMBER(damping_ratio),
         "src/engine/engine_core_constraint.c", "run",
         "The default 1 realises exp(-2) = 0.1353; step at most timeconst/2.", "2.2.2, source a7255075",
-        "<!--|<geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/>\n"),
+        EVERYWHERE("<default><geom solref=\"{timeconst} {n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n"),
+        0, 0),
     ROW("mujoco", "solref (-stiffness, -damping), dmin = dmax", "damping, 1/s", LINEAR, ZERO_FORCE,
         NUMBER(dashpot_per_mass), "src/engine/engine_core_constraint.c", "run",
         "Stiffness and damping are per unit of mass.", "2.2.2, source a7255075",
-        "<!--|<geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/>\n"),
+        EVERYWHERE("<default><geom solref=\"-{K/m} -{n}\" solimp=\"0.99 0.99 0.001\" condim=\"1\"/></default>\n"), 0,
+        0),
     ROW("newton", "SolverSemiImplicit, Featherstone; warp example_dem", "kd, kg/s", LINEAR, APPROACH_ONLY,
         NUMBER(dashpot), "newton/_src/solvers/semi_implicit/kernels_contact.py", "source",
-        "The damper works while the bodies approach only.", "source 41a5392c", NULL),
+        "The damper works while the bodies approach only.", "source 41a5392c", NULL, NULL, 0, 0),
     ROW("modelica", "ElastoGap, n = 1", "d, kg/s", LINEAR, LIMITED, NUMBER(dashpot),
         "Mechanics/Translational/Components/ElastoGap", "source", "The damping force is limited to the spring's.",
         "Modelica Standard Library 4",
-        "//|Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1, s_rel0=0);\n"),
+        EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1, s_rel0=0);\n"), 0, 0),
     ROW("modelica", "ElastoGap, n = 1.5", "d, kg/s", HERTZ_DASHPOT, LIMITED, NUMBER(hertz_velocity),
         "Mechanics/Translational/Components/ElastoGap", "source",
         "The damping force is limited to the spring's; slow impacts lose more.", "Modelica Standard Library 4",
-        "//|Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n"),
+        EVERYWHERE("Modelica.Mechanics.Translational.Components.ElastoGap gap(c={K}, d={n}, n=1.5, s_rel0=0);\n"), 0,
+        0),
     ROW("opensees", "HertzDamp, xi", "xi", HUNT_CROSSLEY, ZERO_FORCE, NUMBER(crossley_beta), "HertzDamp material",
-        "documentation", "The recommended 8 (1 - e)/(5 e) realises less than e.", "its documentation of 2026", NULL),
+        "documentation", "The recommended 8 (1 - e)/(5 e) realises less than e.", "its documentation of 2026", NULL,
+        NULL, 0, 0),
     ROW("bullet", "setRestitution of both bodies, product e", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
         "src/BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.cpp", "run",
         "Exact for spheres with these lines; Bullet's defaults add up to 0.2 to e, and treat impacts below 0.2 m/s as "
         "e = 0.",
         "3.24",
-        "//|body->setRestitution({root}); // each of two equal "
-        "bodies\nworld->getSolverInfo().m_restitutionVelocityThreshold = "
-        "0;\nworld->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n"),
+        EVERYWHERE("body->setRestitution({root}); // each of two equal bodies\n"
+                   "world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
+                   "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n"),
+        0, 0),
     ROW("bullet", "contact callback, e of the impact speed", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
         "src/BulletCollision/CollisionDispatch/btManifoldResult.cpp", "run",
         "Any law: eps of each impact is computed from its speed.", "3.24",
-        "//|// cor_eps.h: {embed}\n#include \"cor_eps.h\"\nstatic bool cor_contact_added(btManifoldPoint &p, const "
-        "btCollisionObjectWrapper *a, int, int,\n                              const btCollisionObjectWrapper *b, int, "
-        "int)\n{\n    const btRigidBody *first = btRigidBody::upcast(a->getCollisionObject());\n    const btRigidBody "
-        "*second = btRigidBody::upcast(b->getCollisionObject());\n    btVector3 v(0, 0, 0);\n    if (first)\n        v "
-        "+= first->getVelocityInLocalPoint(p.getPositionWorldOnA() - first->getCenterOfMassPosition());\n    if "
-        "(second)\n        v -= second->getVelocityInLocalPoint(p.getPositionWorldOnB() - "
-        "second->getCenterOfMassPosition());\n    p.m_combinedRestitution = "
-        "cor_eps(btFabs(v.dot(p.m_normalWorldOnB)));\n    return true;\n}\n// once: gContactAddedCallback = "
-        "cor_contact_added;\n// world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n// "
-        "world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n// each body: "
-        "body->setCollisionFlags(body->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"),
+        EVERYWHERE(
+            "// cor_eps.h: {embed}\n"
+            "#include \"cor_eps.h\"\n"
+            "static bool cor_contact_added(btManifoldPoint &p, const btCollisionObjectWrapper *a, int, int,\n"
+            "                              const btCollisionObjectWrapper *b, int, int)\n"
+            "{\n"
+            "    const btRigidBody *first = btRigidBody::upcast(a->getCollisionObject());\n"
+            "    const btRigidBody *second = btRigidBody::upcast(b->getCollisionObject());\n"
+            "    btVector3 v(0, 0, 0);\n"
+            "    if (first)\n"
+            "        v += first->getVelocityInLocalPoint(p.getPositionWorldOnA() - first->getCenterOfMassPosition());\n"
+            "    if (second)\n"
+            "        v -= second->getVelocityInLocalPoint(p.getPositionWorldOnB() - "
+            "second->getCenterOfMassPosition());\n"
+            "    p.m_combinedRestitution = cor_eps(btFabs(v.dot(p.m_normalWorldOnB)));\n"
+            "    return true;\n"
+            "}\n"
+            "// once: gContactAddedCallback = cor_contact_added;\n"
+            "// world->getSolverInfo().m_restitutionVelocityThreshold = 0;\n"
+            "// world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;\n"
+            "// each body: body->setCollisionFlags(body->getCollisionFlags() | "
+            "btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);\n"),
+        0, 0),
     ROW("rebound", "coefficient_of_restitution, constant", "e", IMPULSE, INSTANT, ASKED(loss_of_impulse, 0, 1),
         "src/collision.c", "source", "Exact for hard spheres.", "5.0.0",
-        "//|static double cor_restitution(const struct reb_simulation *const r, double v)\n{\n    return {n};\n}\n// "
-        "once: r->coefficient_of_restitution = cor_restitution;\n"),
+        PAIRS("static double cor_restitution(const struct reb_simulation *const r, double v)\n"
+              "{\n"
+              "    return {n};\n"
+              "}\n"
+              "// once: r->coefficient_of_restitution = cor_restitution;\n"),
+        0, 0),
     ROW("rebound", "coefficient_of_restitution, e of the impact speed", "e", IMPULSE, INSTANT,
         ASKED(loss_of_impulse, 0, 1), "src/collision.c", "run",
         "Any law: eps of each impact is computed from its speed.", "5.0.0",
-        "//|// cor_eps.h: {embed}\n#include \"cor_eps.h\"\nstatic double cor_restitution(const struct reb_simulation "
-        "*const r, double v)\n{\n    return cor_eps(v < 0 ? -v : v); // cor_eps takes m/s: convert v from the units of "
-        "the simulation\n}\n// once: r->coefficient_of_restitution = cor_restitution;\n"),
+        PAIRS("// cor_eps.h: {embed}\n"
+              "#include \"cor_eps.h\"\n"
+              "static double cor_restitution(const struct reb_simulation *const r, double v)\n"
+              "{\n"
+              "    return cor_eps(v < 0 ? -v : v); // cor_eps takes m/s: convert v from the units of the simulation\n"
+              "}\n"
+              "// once: r->coefficient_of_restitution = cor_restitution;\n"),
+        0, 0),
 };
 const size_t cor_simulator_model_count = sizeof cor_simulator_models / sizeof *cor_simulator_models;
 

@@ -85,11 +85,8 @@ def contact_at(time, speed):
 
 
 def lammps_lines(time):
-    """The lines of the model that ends at zero overlap; corgen prints those with limit_damping too"""
-    for block in contact("--dissipation-time", time, "--for", "lammps").split("\n\n"):
-        if re.match(r"# lammps: .*ends at zero overlap\n", block):
-            return "".join(line + "\n" for line in block.split("\n") if not line.startswith("#"))
-    return sys.exit("cool.py: corgen prints no lines that end at zero overlap")
+    """Lines of which those that end contacts at zero overlap are active"""
+    return contact("--dissipation-time", time, "--end", "zero-overlap", "--for", "lammps")
 
 
 # ---- LAMMPS ----

@@ -1,0 +1,857 @@
+/* SPDX-License-Identifier: MIT */
+/* The lines by which a simulator realises a contact: which of its models is active, what that model realises, and the
+ * other models as comments */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cor/scene.h"
+#include "cor/status.h"
+#include "runtime/scene/exponents.h"
+
+enum { INPUT_DIGITS = 12, TEXT_DIGITS = 6, NUMBER = 32, WORD = 16, SENTENCE = 800 };
+#define DEFAULT_STEPS 50
+
+/* ---- simulators ---- */
+
+#define XML "<!-- ", " -->"
+#define SCRIPT "# ", ""
+#define CPP "// ", ""
+const struct cor_simulator cor_simulators[] = {
+    {"lammps", "LAMMPS", SCRIPT, "Goes with: units si, atom_style sphere, newton off, comm_modify vel yes.",
+     "timestep {dt}\n", "29 Sep 2021"},
+    {"liggghts", "LIGGGHTS", SCRIPT,
+     "Goes with: units si, atom_style granular, newton off, communicate single vel yes, {types} in create_box.",
+     "timestep {dt}\n", "3.8.0"},
+    {"yade", "YADE", SCRIPT, "SI units. cor_contact is one of O.engines; NewtonIntegrator has damping=0.",
+     "O.dt = {dt}\n", "2023.02"},
+    {"mercurydpm", "MercuryDPM", CPP, "SI units.", "setTimeStep({dt});\n", NULL},
+    {"chrono", "Chrono", CPP, "SI units.", "const double time_step = {dt}; // s, for DoStepDynamics\n", NULL},
+    {"mfix", "MFiX", "! ", "", "UNITS = 'SI'; MFiX chooses its time step.", NULL, NULL},
+    {"openfoam", "OpenFOAM", CPP, "SI units.", NULL, NULL},
+    {"esys-particle", "ESyS-Particle", SCRIPT, "SI units.", "sim.setTimeStepSize({dt})\n", NULL},
+    {"mujoco", "MuJoCo", XML, "Units of the model: m, kg, s. To be put into <mujoco>.", "<option timestep=\"{dt}\"/>\n",
+     "2.2.2"},
+    {"drake", "Drake", XML, "SI units.", NULL, NULL},
+    {"simbody", "Simbody", CPP, "SI units. The integrator chooses the time step.", NULL, "3.7"},
+    {"bullet", "Bullet", CPP, "SI units.", NULL, "3.24"},
+    {"rebound", "REBOUND", CPP, "cor_eps takes m/s.", NULL, NULL},
+    {"modelica", "Modelica", CPP, "SI units. The integrator chooses the time step.", NULL, NULL},
+};
+const size_t cor_simulator_count = sizeof cor_simulators / sizeof *cor_simulators;
+
+static char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+/* The number of first letters of `text` that are those of `name`, which has no upper case */
+static size_t common_letters(const char *text, const char *name)
+{
+    size_t length = 0;
+    while (name[length] && lower(text[length]) == name[length])
+        length++;
+    return length;
+}
+
+const struct cor_simulator *cor_simulator_named(const char *name)
+{
+    for (size_t i = 0; i < cor_simulator_count; i++) {
+        const char *const own = cor_simulators[i].name;
+        const size_t length = common_letters(name, own);
+        if (name[length] == '\0' && length > 0 && (own[length] == '\0' || own[length] == '-'))
+            return &cor_simulators[i];
+    }
+    return NULL;
+}
+
+long cor_simulator_version(const char *text)
+{
+    static const char months[] = "janfebmaraprmayjunjulaugsepoctnovdec";
+    long part[3] = {0}, month = 0;
+    int parts = 0;
+    while (*text) {
+        if (*text >= '0' && *text <= '9') {
+            long value = 0;
+            for (; *text >= '0' && *text <= '9'; text++)
+                value = value < 100000000 ? 10 * value + (*text - '0') : value;
+            if (parts < 3)
+                part[parts++] = value;
+            continue;
+        }
+        for (long m = 0; m < 12; m++) {
+            const char name[] = {months[3 * m], months[3 * m + 1], months[3 * m + 2], '\0'};
+            if (common_letters(text, name) == 3)
+                month = m + 1;
+        }
+        text++;
+    }
+    if (month > 0)
+        return parts == 2 ? part[1] * 10000 + month * 100 + part[0] : 0;
+    return parts == 1 && part[0] >= 10000000 ? part[0] : part[0] * 10000 + part[1] * 100 + part[2];
+}
+
+/* ---- text in a buffer ---- */
+
+struct text {
+    char *to;
+    size_t size, length;
+    const struct cor_simulator *simulator;
+    int commented; /* each line becomes a comment */
+    int at_start;  /* of a line */
+    int known;     /* all numbers since it was set */
+};
+
+static void put_raw(struct text *t, const char *from)
+{
+    for (; *from; from++) {
+        if (t->length + 1 < t->size)
+            t->to[t->length] = *from;
+        t->length++;
+    }
+    if (t->size > 0)
+        t->to[t->length < t->size ? t->length : t->size - 1] = '\0';
+}
+
+static void put(struct text *t, const char *from)
+{
+    for (; *from; from++) {
+        const char one[] = {*from, '\0'};
+        if (t->commented && *t->simulator->comment_end && from[0] == '-' && from[1] == '-') {
+            from++; /* what XML has no place for: the hyphens of options */
+            continue;
+        }
+        if (t->commented && t->at_start && *from != '\n')
+            put_raw(t, t->simulator->comment);
+        if (t->commented && !t->at_start && *from == '\n')
+            put_raw(t, t->simulator->comment_end);
+        put_raw(t, one);
+        t->at_start = *from == '\n';
+    }
+}
+
+/* A comment of one line */
+static void comment(struct text *t, const char *format, ...)
+{
+    char line[SENTENCE];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(line, sizeof line, format, list);
+    va_end(list);
+    t->commented++;
+    put(t, line);
+    put(t, "\n");
+    t->commented--;
+}
+
+/* A number as text; with a point, whatever the locale has */
+struct number {
+    char text[NUMBER];
+};
+static struct number number_text(double value, int digits)
+{
+    struct number n;
+    snprintf(n.text, sizeof n.text, "%.*g", digits, value);
+    char *const comma = strchr(n.text, ',');
+    if (comma)
+        *comma = '.';
+    return n;
+}
+#define TEXT(value) number_text(value, TEXT_DIGITS).text
+
+/* ---- what is asked of a simulator ---- */
+
+enum { PAIR, LIKE_1, LIKE_2, PAIRS };
+struct task {
+    const struct cor_simulator_request *request;
+    const struct cor_simulator *simulator;
+    int types;   /* of bodies: 2 for two different ones, or a wall */
+    int has_law; /* some model has the law of the contact */
+    /* The contacts of two different bodies, of two like the first, and of two like the second; for each end at which the
+     * restitution may have been measured */
+    struct cor_scene_contact contact[PAIRS][COR_SCENE_ENDS];
+    struct cor_simulator_wish wish[PAIRS];
+};
+
+/* A model with its numbers for each pair */
+struct block {
+    const struct cor_simulator_model *model;
+    double number[PAIRS];
+    double damping, speed_m_s; /* for the pair of the request at this speed */
+    double time_step_s;        /* NaN: not known */
+};
+
+static int is_given(const struct cor_scene *scene, int number)
+{
+    return cor_scene_given(scene, number) && cor_scene_given(scene, number + COR_SCENE_BODY) &&
+           scene->number[number] != scene->number[number + COR_SCENE_BODY];
+}
+
+/* Whether the request is of two spheres that differ */
+static int bodies_differ(const struct cor_scene *scene)
+{
+    if (scene->wall || scene->plate || !cor_scene_given(scene, COR_SCENE_YOUNG))
+        return 0;
+    const struct cor_body one = cor_scene_body(scene, 1), two = cor_scene_body(scene, 2);
+    return one.radius_m != two.radius_m || one.mass_kg != two.mass_kg || one.young_modulus_pa != two.young_modulus_pa ||
+           one.poisson_ratio != two.poisson_ratio || one.dissipation_time_s != two.dissipation_time_s ||
+           is_given(scene, COR_SCENE_DENSITY);
+}
+
+/* Turns the contact of two bodies into that of two like one of them. The same material: its own dissipation time, or
+ * the same zeta, or the same C/K as the pair */
+static void make_like(struct cor_scene_contact *contact, const struct cor_scene *scene, int body)
+{
+    struct cor_sphere_contact sphere;
+    const struct cor_body one = cor_scene_body(scene, body);
+    const double ratio = cor_scene_damping(contact, COR_SCENE_DAMPING_COEFFICIENT) / contact->stiffness;
+    if (cor_sphere_contact_init(&sphere, &one, &one) != COR_OK)
+        return;
+    contact->mass_kg = sphere.effective_mass_kg;
+    contact->stiffness = sphere.elastic_constant_n_m15;
+    contact->radius_m = sphere.effective_radius_m;
+    if (one.dissipation_time_s > 0)
+        contact->damping = sphere.beta_per_root;
+    else if (!cor_law_is_constant(&contact->law))
+        cor_scene_set_damping(contact, COR_SCENE_DAMPING_COEFFICIENT, ratio * contact->stiffness, 0, 0);
+}
+
+/* The contacts of all pairs from that of the request, or from one that replaces it */
+static void fill_pairs(struct task *task, const struct cor_scene_contact *contacts, int count, double speed_m_s,
+                       double eps)
+{
+    const struct cor_scene *const scene = task->request->scene;
+    for (int pair = 0; pair < PAIRS; pair++) {
+        for (int i = 0; i < count; i++) {
+            task->contact[pair][i] = contacts[i];
+            /* a wall meets no wall */
+            if (task->types == 2 && pair != PAIR && !(scene->wall && pair == LIKE_2))
+                make_like(&task->contact[pair][i], scene, pair);
+        }
+        task->wish[pair] = (struct cor_simulator_wish){scene, task->contact[pair], count, speed_m_s, eps, 0};
+    }
+}
+
+static int is_of(const struct cor_simulator_model *model, const struct task *task)
+{
+    return model->lines && strcmp(model->simulator, task->simulator->name) == 0;
+}
+
+static int version_has(const struct cor_simulator_model *model, long version)
+{
+    return version == 0 || (version >= model->since && (model->until == 0 || version <= model->until));
+}
+
+static long version_of(const char *version)
+{
+    return version ? cor_simulator_version(version) : 0;
+}
+
+/* Whether lines of the model can be printed, but for their numbers */
+static int suits(const struct cor_simulator_model *model, const struct task *task, int has_law)
+{
+    return is_of(model, task) && version_has(model, version_of(task->request->version)) &&
+           (!task->request->scene->wall || model->wall_lines) &&
+           (has_law ? cor_simulator_has_law : cor_simulator_has_one_eps)(model, task->request->contacts);
+}
+
+static const char *template_of(const struct cor_simulator_model *model, const struct task *task)
+{
+    return task->request->scene->wall ? model->wall_lines : model->lines;
+}
+
+/* ---- what a model realises ---- */
+
+/* The contact that the model makes, for durations and eps */
+static struct cor_scene_contact contact_made(const struct block *block, const struct task *task)
+{
+    struct cor_scene_contact c = task->contact[PAIR][0];
+    if (!task->has_law) {
+        c.law = cor_law_exponents[block->model->law];
+        c.plate = 0;
+    }
+    cor_scene_set_damping(&c, cor_law_is_constant(&c.law) ? COR_SCENE_ZETA : COR_SCENE_BETA, block->damping,
+                          block->speed_m_s, 0);
+    return c;
+}
+
+/* eps at a speed; NaN: not known */
+static double realised(const struct block *block, const struct task *task, double speed_m_s)
+{
+    const struct cor_simulator_model *const model = block->model;
+    const double constant = cor_law_eps(model->law, model->end, block->damping);
+    double eps = NAN;
+    if (cor_simulator_has_function(model))
+        cor_scene_eps(&eps, task->request->contacts, speed_m_s,
+                      task->request->scene->end == COR_END_ZERO_FORCE ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP);
+    else if (model->law == COR_LAW_IMPULSE || cor_law_is_constant(&cor_law_exponents[model->law]))
+        eps = constant;
+    else if (model->end == COR_END_ZERO_OVERLAP || model->end == COR_END_ZERO_FORCE) {
+        const struct cor_scene_contact c = contact_made(block, task);
+        if (cor_scene_eps(&eps, &c, speed_m_s, (int)model->end) != COR_FAULT_NONE)
+            eps = NAN;
+    }
+    return eps;
+}
+
+/* The shortest contact over the number of steps; NaN where it is not known */
+static double time_step(const struct block *block, const struct task *task)
+{
+    const struct cor_simulator_request *const request = task->request;
+    const struct cor_exponents *const law = &request->contacts->law;
+    double least = INFINITY;
+    if (request->time_step_s > 0)
+        return request->time_step_s;
+    if (block->model->law == COR_LAW_IMPULSE || isnan(request->contacts->mass_kg))
+        return NAN;
+    if (request->speeds == 0 && isnan(task->wish[PAIR].speed_m_s) && law->elastic != law->denominator)
+        return NAN; /* the duration depends on the speed */
+    const struct cor_scene_contact c = contact_made(block, task);
+    if (c.law.elastic * law->denominator != law->elastic * c.law.denominator)
+        return NAN; /* another spring: its stiffness is the user's */
+    const size_t speeds = request->speeds > 0 ? request->speeds : 1;
+    for (size_t i = 0; i < speeds; i++) {
+        struct cor_scene_impact impact;
+        const double speed = request->speeds > 0 ? request->speed_m_s[i] : block->speed_m_s;
+        if (cor_scene_impact(&impact, &c, speed) != COR_FAULT_NONE)
+            return NAN;
+        least = fmin(least, impact.duration_s[block->model->end == COR_END_ZERO_OVERLAP ? 0 : 1]);
+    }
+    return least > 0 && least < INFINITY ? least / (request->steps > 0 ? request->steps : DEFAULT_STEPS) : NAN;
+}
+
+/* Finds the numbers of a model. Returns whether there are some; otherwise `reason` says why not. */
+static int fill_block(struct block *block, char reason[SENTENCE], const struct task *task,
+                      const struct cor_simulator_model *model)
+{
+    enum cor_simulator_status status = COR_SIMULATOR_OK;
+    const struct cor_simulator_wish *const wish = &task->wish[PAIR];
+    double least, most;
+    block->model = model;
+    block->speed_m_s = isnan(wish->speed_m_s) ? 1 : wish->speed_m_s;
+    for (int pair = PAIRS - 1; pair >= PAIR; pair--)
+        block->number[pair] = cor_simulator_number(model, &task->wish[pair], task->has_law, &status);
+    const double wished = cor_simulator_damping(model, wish, task->has_law), number = block->number[PAIR];
+    if (status == COR_SIMULATOR_NO_CLOSED_FORM) {
+        snprintf(reason, SENTENCE,
+                 "its end, %s, has no closed form of the damping: give --damping-coefficient C, or --end with "
+                 "--restitution",
+                 cor_end_names[model->end]);
+    } else if (status == COR_SIMULATOR_NO_SCALES) {
+        snprintf(reason, SENTENCE, "it needs %s: give bodies, or --stiffness and --effective-mass",
+                 isnan(wish->contacts->mass_kg) ? "mass and stiffness" : "the effective radius");
+    } else if (isnan(number)) {
+        cor_simulator_reach(model, &least, &most);
+        snprintf(reason, SENTENCE, "no e realises %s, the e of this model reach %s to %s%s",
+                 TEXT(cor_law_eps(model->law, model->end, wished)), TEXT(least), TEXT(most),
+                 status == COR_SIMULATOR_TOO_SMALL && model->end == COR_END_ZERO_FORCE
+                     ? " (its formula is that of contacts that end at zero overlap, and its force ends at zero, so "
+                       "e^-2 = 0.1353 is the least); set its damping coefficient instead, by --stiffness and "
+                       "--effective-mass, or wish a larger e"
+                     : "");
+    }
+    if (isnan(number))
+        return 0;
+    block->damping = cor_simulator_has_function(model) ? NAN
+                     : model->damping_of_e             ? model->damping_of_e(number)
+                                           : model->damping_of_number(number, wish->contacts, block->speed_m_s);
+    block->time_step_s = time_step(block, task);
+    return 1;
+}
+
+/* ---- lines ---- */
+
+/* The command that writes a header for this contact: g* holds every law whose eps depends on the speed. */
+static void put_embed(struct text *t, const struct task *task)
+{
+    const struct cor_simulator_request *const request = task->request;
+    const struct cor_exponents *const law = &request->scene->law;
+    char line[SENTENCE], name[64] = "";
+    double least = 1e-3, most = 100;
+    for (size_t i = 0; i < request->speeds; i++) {
+        least = i == 0 ? request->speed_m_s[i] : fmin(least, request->speed_m_s[i]);
+        most = i == 0 ? request->speed_m_s[i] : fmax(most, request->speed_m_s[i]);
+    }
+    if (least == most) {
+        least /= 10;
+        most *= 10;
+    }
+    snprintf(name, sizeof name, " --elastic %d/%d --damping %d/%d", law->elastic, law->denominator, law->damping,
+             law->denominator);
+    for (int i = 0; i < COR_LAW_PLATE; i++) {
+        const struct cor_exponents *const other = &cor_law_exponents[i];
+        if (other->elastic * law->denominator == law->elastic * other->denominator &&
+            other->damping * law->denominator == law->damping * other->denominator)
+            snprintf(name, sizeof name, "%s%s", i == COR_LAW_VISCOELASTIC ? "" : " --law ",
+                     i == COR_LAW_VISCOELASTIC ? "" : cor_law_names[i]);
+    }
+    snprintf(line, sizeof line,
+             "corgen embed%s --g-star %s --speed-min %s --speed-max %s --tolerance 1e-6 --end %s --name cor_eps "
+             "--output cor_eps.h",
+             name, number_text(cor_scene_damping(request->contacts, COR_SCENE_G_STAR), 15).text, TEXT(least),
+             TEXT(most), request->scene->end == COR_END_ZERO_FORCE ? "zero-force" : "zero-overlap");
+    put(t, line);
+}
+
+/* A word for the pair; t->known becomes 0 if its number is not known. */
+static void put_word(struct text *t, const char *word, const struct block *block, const struct task *task, int pair)
+{
+    static const char *const pairs[] = {"1 2", "1 1", "2 2"};
+    const struct cor_scene_contact *const contact = task->request->contacts;
+    const int hooke = cor_law_is(&contact->law, 2, 0);
+    const size_t length = strlen(word);
+    const int two = task->types == 2;
+    char types[4][WORD];
+    if (strcmp(word, "embed") == 0) {
+        put_embed(t, task);
+    } else if (strcmp(word, "model") == 0 || strcmp(word, "Model") == 0) {
+        put(t, word[0] == 'm' ? (hooke ? "hooke" : "hertz") : (hooke ? "Hooke" : "Hertz"));
+    } else if (strcmp(word, "pair") == 0) {
+        put(t, two ? pairs[pair] : "* *");
+    } else if (strcmp(word, "types") == 0) {
+        put(t, two ? "2" : "1");
+    } else if (strcmp(word, "spring") == 0) {
+        put(t, hooke ? "hooke " : "hertz ");
+        put_word(t, hooke ? "K" : "kn", block, task, pair);
+    } else if (length > 2 && length < WORD && strcmp(word + length - 2, "[]") == 0) {
+        /* the matrix of all pairs of types */
+        static const int order[] = {LIKE_1, PAIR, PAIR, LIKE_2};
+        snprintf(types[0], WORD, "%.*s", (int)length - 2, word);
+        for (int i = 0; i < (two ? 4 : 1); i++) {
+            put(t, i > 0 ? " " : "");
+            put_word(t, types[0], block, task, two ? order[i] : PAIR);
+        }
+    } else if (strcmp(word, "youngs") == 0 || strcmp(word, "poissons") == 0) {
+        for (int body = 1; body <= task->types; body++) {
+            const int what = word[0] == 'y' ? COR_SCENE_YOUNG : COR_SCENE_POISSON;
+            const double value = cor_scene_of_body(task->request->scene, what, body);
+            t->known = t->known && !isnan(value);
+            put(t, body > 1 ? " " : "");
+            put(t, number_text(value, INPUT_DIGITS).text);
+        }
+    } else {
+        const double value = strcmp(word, "dt") == 0 ? block->time_step_s
+                                                     : cor_simulator_word(word, &task->wish[pair], block->number[pair]);
+        t->known = t->known && !isnan(value);
+        put(t, number_text(value, strcmp(word, "dt") == 0 ? TEXT_DIGITS : INPUT_DIGITS).text);
+    }
+}
+
+/* One line of a template, from *from to the line break, for a pair */
+static const char *put_line(struct text *t, const char *from, const struct block *block, const struct task *task,
+                            int pair)
+{
+    while (*from && *from != '\n') {
+        const char *const close = strchr(from, '}');
+        const size_t length = close ? (size_t)(close - from) : 0;
+        char word[WORD];
+        /* Braces of the simulator's language hold a line break, and those of a template do not. */
+        if (*from == '{' && length > 1 && length < sizeof word && !memchr(from, '\n', length)) {
+            memcpy(word, from + 1, length - 1);
+            word[length - 1] = '\0';
+            put_word(t, word, block, task, pair);
+            from = close + 1;
+        } else {
+            const char one[] = {*from++, '\0'};
+            put(t, one);
+        }
+    }
+    put(t, "\n");
+    return *from ? from + 1 : from;
+}
+
+static int line_has(const char *line, const char *word)
+{
+    const char *const found = strstr(line, word), *const end = strchr(line, '\n');
+    return found && (!end || found < end);
+}
+
+/* The lines of a template. Returns whether all numbers are known. */
+static int put_template(struct text *t, const char *template, const struct block *block, const struct task *task)
+{
+    static const int order[] = {LIKE_1, LIKE_2, PAIR};
+    int all_known = 1;
+    while (*template) {
+        const struct text before = *t;
+        const int optional = *template == '?';
+        const int repeats = task->types == 2 && line_has(template, "{pair}") ? PAIRS : 1;
+        const char *next = template;
+        t->known = 1;
+        for (int i = 0; i < repeats; i++)
+            next = put_line(t, template + optional, block, task, repeats > 1 ? order[i] : PAIR);
+        if (!t->known && optional)
+            *t = before;
+        all_known = all_known && (t->known || optional);
+        template = next;
+    }
+    return all_known;
+}
+
+/* ---- comments of a block ---- */
+
+/* The factor by which the model's number grows with the effective mass: at the same eps where that depends on the
+ * damping alone, otherwise with the same material */
+static double mass_factor(const struct block *block, const struct task *task, double masses)
+{
+    const struct cor_simulator_model *const model = block->model;
+    struct cor_scene_contact c = task->contact[PAIR][0];
+    if (!model->number_of_damping || strstr(model->lines, "{K/m}") || isnan(c.mass_kg))
+        return 1;
+    const struct cor_exponents *const law = &cor_law_exponents[model->law];
+    const double power = (cor_damping(law) + 1) / (cor_elastic(law) + 1) - 1;
+    c.mass_kg *= masses;
+    const double damping = block->damping * (cor_law_is_constant(law) ? 1 : pow(masses, power));
+    return model->number_of_damping(damping, &c, block->speed_m_s) / block->number[PAIR];
+}
+
+static int needs_mass(const struct block *block, const struct task *task)
+{
+    return fabs(mass_factor(block, task, 2) - 1) > 1e-9 || strstr(block->model->lines, "{2m}") != NULL;
+}
+
+/* Which number depends on the mass, and what to do where masses differ */
+static void put_mass(struct text *t, const struct block *block, const struct task *task)
+{
+    const char *const lines = block->model->lines, *const parameter = block->model->parameter;
+    const int whole = strstr(lines, "{2m}") != NULL, wall = task->request->scene->wall;
+    const int pairs = task->types == 2 && !wall && line_has(lines, "{pair}");
+    const double power = log2(mass_factor(block, task, 2));
+    char name[SENTENCE], power_text[NUMBER + 40] = "";
+    snprintf(name, sizeof name, "%.*s", whole ? SENTENCE - 1 : (int)strcspn(parameter, ","),
+             whole ? "the last argument, twice their effective mass" : parameter);
+    if (block->model->law == COR_LAW_IMPULSE)
+        return;
+    if (!needs_mass(block, task)) {
+        comment(t, "Holds for every mass.");
+        return;
+    }
+    if (!whole && fabs(log2(mass_factor(block, task, 4)) - 2 * power) < 1e-6)
+        snprintf(power_text, sizeof power_text, " is proportional to m^%s", number_text(power, 3).text);
+    comment(t, "For this %s only, effective mass m = %s kg: %s%s. %s", wall ? "mass at the wall" : "pair of masses",
+            TEXT(task->contact[PAIR][0].mass_kg), name, power_text,
+            pairs  ? "The lines 1 1 and 2 2 are those of like spheres of the same material."
+            : wall ? "Where masses differ, each group of one mass needs a wall of its own."
+                   : "Where masses differ, each pair of types needs its own.");
+}
+
+static void put_realised(struct text *t, const struct block *block, const struct task *task)
+{
+    const struct cor_simulator_request *const request = task->request;
+    const enum cor_law law = block->model->law;
+    const int constant = law == COR_LAW_IMPULSE ? !cor_simulator_has_function(block->model)
+                                                : cor_law_is_constant(&cor_law_exponents[law]);
+    const double *const speed = request->speeds > 0 ? request->speed_m_s : &task->wish[PAIR].speed_m_s;
+    size_t speeds = request->speeds;
+    if (speeds == 0 && !isnan(*speed))
+        speeds = 1;
+    for (size_t i = 0; i < speeds; i++) {
+        const double eps = realised(block, task, speed[i]);
+        if (!isnan(eps))
+            comment(t, "realises eps = %s at %s m/s", TEXT(eps), TEXT(speed[i]));
+    }
+    if (speeds == 0 && constant)
+        comment(t, "realises eps = %s at every speed", TEXT(realised(block, task, 1)));
+    else if (!task->has_law)
+        comment(t, "Right at %s m/s alone: %s does not have the law of the contact.", TEXT(block->speed_m_s),
+                task->simulator->title);
+    else if (speeds == 0)
+        comment(t, "eps depends on the impact speed as that of the contact does: --speed LIST prints it here");
+}
+
+/* What the number is, if it is an e that is not realised */
+static void put_own_e(struct text *t, const struct block *block, const struct task *task)
+{
+    const double eps = cor_law_eps(block->model->law, block->model->end, block->damping);
+    if (!block->model->damping_of_e || cor_simulator_has_function(block->model) ||
+        fabs(block->number[PAIR] - eps) < 1e-7)
+        return;
+    const double back = cor_simulator_realised(block->model, eps);
+    if (isnan(back))
+        comment(t, "%s takes e = %s for it, and refuses e = %s.", task->simulator->title, TEXT(block->number[PAIR]),
+                TEXT(eps));
+    else
+        comment(t, "%s takes e = %s for it: its e = %s realises %s.", task->simulator->title, TEXT(block->number[PAIR]),
+                TEXT(eps), TEXT(back));
+}
+
+/* All of a model: comments, lines and time step. Returns whether the numbers are known. */
+static int put_block(struct text *t, const struct block *block, const struct task *task, const char *instead)
+{
+    char setup[SENTENCE];
+    const struct cor_simulator_model *const model = block->model;
+    const char *const types = strstr(task->simulator->setup, "{types}");
+    comment(t, "%s%s, %s (%s): contacts end at %s", instead, task->simulator->title, model->model, model->version,
+            cor_end_names[model->end]);
+    put_realised(t, block, task);
+    comment(t, "%s", model->advice);
+    put_own_e(t, block, task);
+    put_mass(t, block, task);
+    if (!*instead) {
+        snprintf(setup, sizeof setup, "%.*s%s%s", types ? (int)(types - task->simulator->setup) : (int)SENTENCE - 1,
+                 task->simulator->setup, types ? task->types == 2 ? "2 types" : "1 type" : "",
+                 types ? types + strlen("{types}") : "");
+        comment(t, "%s", setup);
+        if (!task->request->version && !version_has(model, version_of(task->simulator->version)))
+            comment(t, "%s %s, which Debian 12 has, lacks this model; --simulator-version %s asks for another one.",
+                    task->simulator->title, task->simulator->version, task->simulator->version);
+    }
+    t->commented += *instead != '\0';
+    const int known = put_template(t, template_of(model, task), block, task);
+    if (!isnan(block->time_step_s) && task->simulator->time_step)
+        put_template(t, task->simulator->time_step, block, task);
+    t->commented -= *instead != '\0';
+    if (!isnan(block->time_step_s) && !task->simulator->time_step)
+        comment(t, "time step: at most %s s", TEXT(block->time_step_s));
+    if (cor_simulator_has_function(model))
+        comment(t, "Outside these speeds cor_eps returns the value at the nearer end of their range.");
+    put(t, "\n");
+    return known;
+}
+
+/* ---- choice ---- */
+
+/* How well a model suits: first the end that is asked for, then the version */
+static int rank(const struct cor_simulator_model *model, const struct task *task)
+{
+    const int end = task->request->scene->end;
+    return 2 * (end == COR_BOTH_ENDS || (int)model->end == end || model->law == COR_LAW_IMPULSE) +
+           version_has(model, version_of(task->simulator->version));
+}
+
+/* Prints the model by which the simulator realises at its own end what was asked for at another one. */
+static void put_other_end(struct text *t, const struct block *active, const struct task *task)
+{
+    const struct cor_simulator_request *const request = task->request;
+    const struct cor_simulator_model *const model = active->model;
+    const int end = request->scene->end;
+    const double at = request->scene->number[COR_SCENE_AT];
+    const double speed = !isnan(at) ? at : request->speeds > 0 ? request->speed_m_s[0] : NAN;
+    double eps;
+    if (end == COR_BOTH_ENDS || (int)model->end == end || model->law == COR_LAW_IMPULSE || !task->has_law ||
+        !cor_scene_ends_differ(request->contacts))
+        return;
+    const int constant = cor_law_is_constant(&request->contacts->law);
+    comment(t, "%s has no contacts of this law that end at %s%s: those above have the damping of the contact.",
+            task->simulator->title, cor_end_names[end], request->version ? " in this version" : "");
+    if ((isnan(speed) && !constant) ||
+        cor_scene_eps(&eps, request->contacts, constant ? 1 : speed, end) != COR_FAULT_NONE)
+        return;
+    struct task cure = *task;
+    struct block block;
+    struct cor_scene_contact contact = *request->contacts;
+    char reason[SENTENCE], instead[SENTENCE];
+    const double closed = cor_law_damping(model->law, model->end, eps);
+    if (!isnan(closed))
+        contact.damping = closed;
+    else if (model->end > COR_END_ZERO_FORCE ||
+             cor_scene_set_damping(&contact, COR_SCENE_RESTITUTION, eps, speed, (int)model->end) != COR_FAULT_NONE)
+        return;
+    fill_pairs(&cure, &contact, 1, task->wish[PAIR].speed_m_s, task->wish[PAIR].eps);
+    snprintf(instead, sizeof instead, "For eps = %s%s%s%s: ", TEXT(eps), constant ? "" : " at ",
+             constant ? "" : TEXT(speed), constant ? "" : " m/s");
+    const struct text before = *t;
+    if (fill_block(&block, reason, &cure, model) && !put_block(t, &block, &cure, instead))
+        *t = before;
+}
+
+/* What the simulator would realise if its user gave it eps as e */
+static void put_own_maps(struct text *t, const struct task *task)
+{
+    const double eps = task->wish[PAIR].eps;
+    for (size_t i = 0; i < cor_simulator_model_count && !isnan(eps); i++) {
+        const struct cor_simulator_model *const model = &cor_simulator_models[i];
+        const double own = cor_simulator_realised(model, eps);
+        if (strcmp(model->simulator, task->simulator->name) != 0 || !model->damping_of_e ||
+            cor_simulator_has_function(model) || !version_has(model, version_of(task->request->version)))
+            continue;
+        if (isnan(own))
+            comment(t, "If e = %s is set by hand: %s (%s) refuses it.", TEXT(eps), model->model, model->version);
+        else
+            comment(t, "If e = %s is set by hand: %s (%s) realises %s.", TEXT(eps), model->model, model->version,
+                    TEXT(own));
+    }
+}
+
+/* Why a user may want a model instead of the active one */
+static void choose_reason(char instead[SENTENCE], const struct cor_simulator_model *model, const struct block *active,
+                          const struct task *task)
+{
+    if (!task->request->version && !version_has(model, version_of(task->simulator->version)))
+        snprintf(instead, SENTENCE, "Instead, in another version: ");
+    else if (model->end != active->model->end)
+        snprintf(instead, SENTENCE, "Instead, where contacts are to end at %s: ", cor_end_names[model->end]);
+    else if (model->damping_of_e && needs_mass(active, task))
+        snprintf(instead, SENTENCE, "Instead, where masses differ: ");
+    else
+        snprintf(instead, SENTENCE, "Instead, the same by another parameter: ");
+}
+
+/* Prints all that realises the contact. Returns whether something does; otherwise `refusal` is the reason of the first
+ * model, or empty. */
+static int put_all(struct text *t, char refusal[COR_SIMULATOR_REASON], const struct task *task)
+{
+    struct block block, active = {NULL, {0}, NAN, NAN, NAN};
+    char reason[SENTENCE], instead[SENTENCE];
+    refusal[0] = '\0';
+    for (int wanted = 3; wanted >= 0 && !active.model; wanted--)
+        for (size_t i = 0; i < cor_simulator_model_count && !active.model; i++) {
+            const struct cor_simulator_model *const model = &cor_simulator_models[i];
+            const struct text before = *t;
+            if (!suits(model, task, task->has_law) || rank(model, task) != wanted)
+                continue;
+            snprintf(reason, sizeof reason,
+                     "it needs numbers that are not given: bodies, or --stiffness and "
+                     "--effective-mass");
+            if (fill_block(&block, reason, task, model) && put_block(t, &block, task, ""))
+                active = block;
+            else {
+                *t = before;
+                if (!*refusal)
+                    snprintf(refusal, COR_SIMULATOR_REASON, "%s, %s: %s", task->simulator->name, model->model, reason);
+            }
+        }
+    if (!active.model)
+        return 0;
+    put_other_end(t, &active, task);
+    for (size_t i = 0; i < cor_simulator_model_count; i++) {
+        const struct cor_simulator_model *const model = &cor_simulator_models[i];
+        const struct text before = *t;
+        if (!suits(model, task, task->has_law) || model == active.model)
+            continue;
+        choose_reason(instead, model, &active, task);
+        snprintf(reason, sizeof reason, "it needs numbers that are not given");
+        if (!fill_block(&block, reason, task, model)) {
+            comment(t, "Not possible: %s: %s.", model->model, reason);
+            put(t, "\n");
+        } else if (!put_block(t, &block, task, instead))
+            *t = before;
+    }
+    put_own_maps(t, task);
+    return 1;
+}
+
+/* ---- the text ---- */
+
+static void law_text(char text[NUMBER], const struct cor_exponents *law)
+{
+    snprintf(text, NUMBER, "x^(%d/%d), x^(%d/%d) x'", law->elastic, law->denominator, law->damping, law->denominator);
+    for (int i = 0; i < COR_LAW_PLATE; i++)
+        if (cor_law_exponents[i].elastic * law->denominator == law->elastic * cor_law_exponents[i].denominator &&
+            cor_law_exponents[i].damping * law->denominator == law->damping * cor_law_exponents[i].denominator)
+            snprintf(text, NUMBER, "%s", cor_law_names[i]);
+}
+
+/* The one speed, and eps there, at which a simulator without the law of the contact is to agree. Returns whether the
+ * request has what it takes. */
+static int find_speed(struct task *task, char refusal[COR_SIMULATOR_REASON])
+{
+    const struct cor_simulator_request *const request = task->request;
+    const struct cor_scene *const scene = request->scene;
+    const int constant = cor_law_is_constant(&request->contacts->law);
+    const double at = scene->number[COR_SCENE_AT], speed = request->speeds == 1 ? request->speed_m_s[0] : at;
+    char law[NUMBER];
+    double eps = NAN;
+    law_text(law, &scene->law);
+    if (!task->has_law && isnan(speed)) {
+        snprintf(refusal, COR_SIMULATOR_REASON,
+                 "%s does not have the law %s; its lines hold at one impact speed: give it by --speed G, as --speed 1",
+                 task->simulator->name, law);
+        return 0;
+    }
+    if (cor_scene_given(scene, COR_SCENE_RESTITUTION) && (constant || speed == at)) {
+        eps = scene->number[COR_SCENE_RESTITUTION];
+    } else if (scene->end == COR_BOTH_ENDS && cor_scene_ends_differ(request->contacts)) {
+        if (!task->has_law && !constant) {
+            snprintf(refusal, COR_SIMULATOR_REASON,
+                     "eps of this contact at zero overlap differs from that at zero force; give the one that %s is to "
+                     "realise: --end zero-overlap or zero-force",
+                     task->simulator->name);
+            return 0;
+        }
+    } else if ((!isnan(speed) || constant) &&
+               cor_scene_eps(&eps, request->contacts, isnan(speed) ? 1 : speed,
+                             scene->end == COR_END_ZERO_FORCE ? COR_END_ZERO_FORCE : COR_END_ZERO_OVERLAP) !=
+                   COR_FAULT_NONE) {
+        snprintf(refusal, COR_SIMULATOR_REASON, "eps of the law %s is not known without a solver", law);
+        return 0;
+    }
+    fill_pairs(task, request->contacts, request->count, speed, eps);
+    return 1;
+}
+
+static long refuse(char *text, size_t size, const char *reason)
+{
+    snprintf(text, size, "%s", reason);
+    return -1;
+}
+
+long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request)
+{
+    char refusal[COR_SIMULATOR_REASON], law[NUMBER];
+    struct task task = {.request = request, .simulator = cor_simulator_named(request->simulator)};
+    int has_wall = 0;
+    if (!task.simulator) {
+        struct text t = {refusal, sizeof refusal, 0, NULL, 0, 0, 1};
+        put(&t, "'");
+        put(&t, request->simulator);
+        put(&t, "' is not a simulator that cor has lines for; allowed: ");
+        for (size_t i = 0; i < cor_simulator_count; i++) {
+            put(&t, i > 0 ? ", " : "");
+            put(&t, cor_simulators[i].name);
+        }
+        return refuse(text, size, refusal);
+    }
+    if (request->version && cor_simulator_version(request->version) == 0) {
+        snprintf(refusal, sizeof refusal, "'%.100s' is not a version of %s: write it as 29 Sep 2021 or as 3.8.1",
+                 request->version, task.simulator->title);
+        return refuse(text, size, refusal);
+    }
+    task.types = request->scene->wall || bodies_differ(request->scene) ? 2 : 1;
+    for (size_t i = 0; i < cor_simulator_model_count; i++) {
+        task.has_law = task.has_law || suits(&cor_simulator_models[i], &task, 1);
+        has_wall = has_wall || (is_of(&cor_simulator_models[i], &task) && cor_simulator_models[i].wall_lines);
+    }
+    if (request->scene->wall && !has_wall) {
+        snprintf(refusal, sizeof refusal, "no model of %s has lines for a wall", task.simulator->title);
+        return refuse(text, size, refusal);
+    }
+    if (!find_speed(&task, refusal))
+        return refuse(text, size, refusal);
+    struct text t = {text, size, 0, task.simulator, 0, 1, 1};
+    if (put_all(&t, refusal, &task))
+        return (long)t.length;
+    law_text(law, &request->scene->law);
+    if (!*refusal)
+        snprintf(refusal, sizeof refusal, "%s has no model for the law %s%s", task.simulator->name, law,
+                 request->version ? " in this version" : "");
+    return refuse(text, size, refusal);
+}
+
+long cor_simulator_list(char *text, size_t size, const struct cor_simulator *simulator)
+{
+    struct text t = {text, size, 0, NULL, 0, 1, 1};
+    char line[SENTENCE];
+    for (size_t i = 0; i < cor_simulator_count && !simulator; i++) {
+        const struct cor_simulator *const s = &cor_simulators[i];
+        int models = 0, walls = 0;
+        for (size_t k = 0; k < cor_simulator_model_count; k++) {
+            const struct cor_simulator_model *const model = &cor_simulator_models[k];
+            const int own = model->lines && strcmp(model->simulator, s->name) == 0;
+            models += own;
+            walls += own && model->wall_lines;
+        }
+        snprintf(line, sizeof line, "%-13s  %2d model%s%s%s%s\n", s->name, models, models > 1 ? "s" : "",
+                 walls ? ", walls too" : "", s->version ? "; first those of " : "", s->version ? s->version : "");
+        put(&t, line);
+    }
+    for (size_t k = 0; k < cor_simulator_model_count && simulator; k++) {
+        const struct cor_simulator_model *const model = &cor_simulator_models[k];
+        if (!model->lines || strcmp(model->simulator, simulator->name) != 0)
+            continue;
+        snprintf(line, sizeof line, "%s (%s, ends at %s%s; %s)\n", model->model, cor_law_names[model->law],
+                 cor_end_names[model->end], model->wall_lines ? ", walls too" : "", model->version);
+        put(&t, line);
+    }
+    return (long)t.length;
+}
