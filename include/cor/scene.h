@@ -319,8 +319,8 @@ struct cor_simulator_model {
     const char *advice; /* a sentence for the user */
 
     /* The version that was run or read; lines for the input, and lines that make a contact of a sphere and a wall;
-     * NULL: none. Words in braces stand for numbers: cor_simulator_word. A line that starts with a question mark is left
-     * out where its numbers are not known, and {pair} repeats a line for the pairs of two types. */
+     * NULL: none. Words in braces stand for numbers: cor_simulator_word. A line that starts with a question mark is
+     * left out where its numbers are not known, and {pair} repeats a line for the pairs of two types. */
     const char *version, *lines, *wall_lines;
     long since, until; /* the versions that have it, as cor_simulator_version has them; 0: no limit is known */
 };
@@ -390,8 +390,8 @@ const struct cor_simulator *cor_simulator_named(const char *name);
  * neither. */
 long cor_simulator_version(const char *text);
 
-/* What cor_simulator_lines prints. The end of the scene is that at which contacts are to end. With a wall the lines make
- * the contact of a sphere and a wall. */
+/* What cor_simulator_lines prints. The end of the scene is that at which contacts are to end. With a wall the lines
+ * make the contact of a sphere and a wall. */
 struct cor_simulator_request {
     const char *simulator, *version;          /* a name of cor_simulator_named; NULL: any version */
     const struct cor_scene *scene;            /* with the contacts that cor_scene_contacts makes of it */
@@ -403,13 +403,13 @@ struct cor_simulator_request {
     double steps;       /* 0: 50 */
 };
 
-/* Writes the lines by which a simulator realises a contact, as a text that can be put into its input whole. One block is
- * active: of the models with the law of the contact, the first that ends contacts as asked and that the version has.
+/* Writes the lines by which a simulator realises a contact, as a text that can be put into its input whole. One block
+ * is active: of the models with the law of the contact, the first that ends contacts as asked and that the version has.
  * Other models follow as comments. Where the simulator does not have the law, the lines hold at one speed: that of the
  * restitution, or the only one of the request.
- * As snprintf: writes at most `size` characters, the last of which is 0, and returns the length that the whole text has.
- * Negative: the simulator cannot realise the contact, or the request is incomplete; the text says why, in less than
- * COR_SIMULATOR_REASON characters. */
+ * As snprintf: writes at most `size` characters, the last of which is 0, and returns the length that the whole text
+ * has. Negative: the simulator cannot realise the contact, or the request is incomplete; the text says why, in less
+ * than COR_SIMULATOR_REASON characters. */
 enum { COR_SIMULATOR_REASON = 1200 };
 long cor_simulator_lines(char *text, size_t size, const struct cor_simulator_request *request);
 

@@ -168,8 +168,8 @@ struct task {
     const struct cor_simulator *simulator;
     int types;   /* of bodies: 2 for two different ones, or a wall */
     int has_law; /* some model has the law of the contact */
-    /* The contacts of two different bodies, of two like the first, and of two like the second; for each end at which the
-     * restitution may have been measured */
+    /* The contacts of two different bodies, of two like the first, and of two like the second; for each end at which
+     * the restitution may have been measured */
     struct cor_scene_contact contact[PAIRS][COR_SCENE_ENDS];
     struct cor_simulator_wish wish[PAIRS];
 };
