@@ -10,27 +10,36 @@
 #include "support/digits.h"
 #include "support/local.h"
 
-static const char *const column[] = {"beta",           "x_max",          "t_max",       "eps_zero_overlap",
-                                     "t_zero_overlap", "eps_zero_force", "t_zero_force"};
-enum { T_MAX = 2, EPS_ZERO_FORCE_COLUMN = 5, COLUMNS = sizeof column / sizeof *column };
+/* The dimensionless collision, and in SI units */
+static const char *const column[][8] = {
+    {"beta", "x_max", "t_max", "eps_zero_overlap", "t_zero_overlap", "eps_zero_force", "t_zero_force", NULL},
+    {"beta", "max_overlap_m", "time_of_max_overlap_s", "eps_zero_overlap", "duration_s_zero_overlap", "eps_zero_force",
+     "duration_s_zero_force", "max_force_n"}};
+enum { T_MAX = 2, EPS_ZERO_FORCE_COLUMN = 5, FORCE_COLUMN = 7, COLUMNS = sizeof *column / sizeof **column };
 
 static const char *const meaning[COLUMNS] = {
     "damping, the one parameter",  "largest overlap",
     "time of the largest overlap", "coefficient of restitution, contact ends at zero overlap",
     "duration of that contact",    "coefficient of restitution, contact ends at zero force",
-    "duration of that contact"};
+    "duration of that contact",    "largest force between the bodies"};
+
+#define BETA_MAX 1e6
 
 struct problem {
+    const struct collide_arguments *given;
     const struct decimal *beta;
     struct law law;
     slong digits;
     int end; /* OPTIONS_NOT_GIVEN: both */
+    bool in_si;
 };
 
 /* Whether column i is printed: those of an end that is not asked for are not even computed. */
-static bool is_printed(int i, int end)
+static bool is_printed(int i, const struct problem *problem)
 {
-    return i <= T_MAX || end == OPTIONS_NOT_GIVEN || (i >= EPS_ZERO_FORCE_COLUMN) == (end == END_ZERO_FORCE);
+    if (i <= T_MAX || i == FORCE_COLUMN)
+        return column[problem->in_si][i] != NULL;
+    return problem->end == OPTIONS_NOT_GIVEN || (i >= EPS_ZERO_FORCE_COLUMN) == (problem->end == END_ZERO_FORCE);
 }
 
 static int problem_solve(struct collision *c, const arb_t beta, const struct problem *problem, slong bits)
@@ -62,6 +71,48 @@ static char *beta_text(const struct problem *problem, const arb_t beta)
     return text;
 }
 
+/* In SI units: beta = (C/m) (m/K)^((b+1)/(a+1)) g^q, and what times of the scaled collision are multiplied by */
+static void scales(arb_t beta, arb_t time_unit, const struct problem *problem, slong prec)
+{
+    const struct collide_arguments *const o = problem->given;
+    const struct ratio one = {1, 1}, a1 = ratio_add(problem->law.a, one);
+    LOCAL(arb, softness, speed, x);
+    arb_set_fmpq(softness, o->effective_mass.value, prec);
+    arb_set_fmpq(x, o->stiffness.value, prec);
+    arb_div(softness, softness, x, prec);
+    arb_set_fmpq(speed, o->speed.value, prec);
+    arb_pow_ratio(time_unit, softness, ratio_div(one, a1), prec);
+    arb_pow_ratio(x, speed, ratio_div(ratio_sub(one, problem->law.a), a1), prec);
+    arb_mul(time_unit, time_unit, x, prec);
+    arb_pow_ratio(beta, softness, ratio_div(ratio_add(problem->law.b, one), a1), prec);
+    arb_pow_ratio(x, speed, law_speed_exponent(&problem->law), prec);
+    arb_mul(beta, beta, x, prec);
+    arb_set_fmpq(x, o->damping_coefficient.value, prec);
+    arb_mul(beta, beta, x, prec);
+    arb_set_fmpq(x, o->effective_mass.value, prec);
+    arb_div(beta, beta, x, prec);
+}
+
+static int to_si(struct collision *c, arb_t force, const struct problem *problem, const arb_t beta,
+                 const arb_t time_unit, slong bits)
+{
+    const struct collide_arguments *const o = problem->given;
+    const slong prec = 3 * bits + 256;
+    arb_ptr times[] = {c->t_max, c->t_zero_overlap, c->t_zero_force};
+    LOCAL(arb, speed, mass);
+    const int status = collision_force_max(force, beta, &problem->law, bits);
+    arb_set_fmpq(speed, o->speed.value, prec);
+    arb_set_fmpq(mass, o->effective_mass.value, prec);
+    for (size_t i = 0; i < sizeof times / sizeof *times; i++)
+        arb_mul(times[i], times[i], time_unit, prec);
+    arb_mul(c->x_max, c->x_max, time_unit, prec);
+    arb_mul(c->x_max, c->x_max, speed, prec);
+    arb_mul(force, force, mass, prec);
+    arb_mul(force, force, speed, prec);
+    arb_div(force, force, time_unit, prec);
+    return status;
+}
+
 /* Fills the table, which has one row. */
 static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], const void *arguments, slong bits)
 {
@@ -70,53 +121,76 @@ static int fill_table(struct table *table, char undecided[PROVED_TABLE_NAME], co
     static const char *printed[COLUMNS];
     int columns = 0;
     for (int i = 0; i < COLUMNS; i++)
-        if (is_printed(i, problem->end))
-            printed[columns++] = column[i];
+        if (is_printed(i, problem))
+            printed[columns++] = column[problem->in_si][i];
     table_init(table, printed, columns);
-    table->kinds = "ddddddd";
-    LOCAL(arb, beta);
+    table->kinds = "dddddddd";
+    LOCAL(arb, beta, time_unit, force);
     /* beta is rounded with extra bits, so that this rounding never decides the accuracy of the result */
-    arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
+    if (problem->in_si)
+        scales(beta, time_unit, problem, 3 * bits + 256);
+    else
+        arb_set_fmpq(beta, problem->beta->value, 3 * bits + 256);
     struct collision collision;
     collision_init(&collision);
-    const int status = problem_solve(&collision, beta, problem, bits);
+    int status = problem_solve(&collision, beta, problem, bits);
+    if (status == STATUS_OK && problem->in_si)
+        status = to_si(&collision, force, problem, beta, time_unit, bits);
     profile_step("digits");
-    const arb_struct *const value[COLUMNS] = {NULL,
+    const arb_struct *const value[COLUMNS] = {beta,
                                               collision.x_max,
                                               collision.t_max,
                                               collision.eps_zero_overlap,
                                               collision.t_zero_overlap,
                                               collision.eps_zero_force,
-                                              collision.t_zero_force};
-    table_add(table, beta_text(problem, beta));
-    for (int i = 1; i < COLUMNS && status == STATUS_OK && !*undecided; i++) {
-        if (!is_printed(i, problem->end))
+                                              collision.t_zero_force,
+                                              force};
+    if (!problem->in_si)
+        table_add(table, beta_text(problem, beta));
+    for (int i = problem->in_si ? 0 : 1; i < COLUMNS && status == STATUS_OK && !*undecided; i++) {
+        if (!is_printed(i, problem))
             continue;
         char *text = digits_of_ball(value[i], problem->digits);
         if (text)
             table_add(table, text);
         else
-            snprintf(undecided, PROVED_TABLE_NAME, "%s", column[i]);
+            snprintf(undecided, PROVED_TABLE_NAME, "%s", column[problem->in_si][i]);
     }
     collision_clear(&collision);
     return status;
+}
+
+static bool is_si(const struct table *table)
+{
+    return table->column[1] == column[1][1];
 }
 
 static void print_text(FILE *file, const struct table *table)
 {
     for (int k = 0; k < table->columns; k++)
         for (int i = 0; i < COLUMNS; i++)
-            if (table->column[k] == column[i])
-                fprintf(file, "%-16s  %s  (%s)\n", column[i], table->cell[k], meaning[i]);
+            if (table->column[k] == column[0][i] || table->column[k] == column[1][i])
+                fprintf(file, "%-*s  %s  (%s)\n", is_si(table) ? 23 : 16, table->column[k], table->cell[k], meaning[i]);
 }
 
 static int run_collide(const void *arguments)
 {
     const struct collide_arguments *const o = arguments;
-    struct problem problem = {.beta = &o->beta, .digits = o->digits, .end = o->end};
+    struct problem problem = {
+        .given = o, .beta = &o->beta, .digits = o->digits, .end = o->end, .in_si = o->stiffness.text != NULL};
     const int wrong = options_law(&problem.law, &o->law);
+    if (!problem.in_si && !o->beta.text)
+        return usage_error("collide needs --beta, as --beta 0.1, or a collision in SI units, as --stiffness 1e5 "
+                           "--effective-mass 1e-3 --damping-coefficient 5 --speed 1");
     if (wrong)
         return wrong;
+    if (problem.in_si) {
+        LOCAL(arb, beta, time_unit);
+        scales(beta, time_unit, &problem, 64);
+        if (arf_cmp_d(arb_midref(beta), BETA_MAX) > 0)
+            return usage_error("beta of this collision is %.3g; allowed: up to %g",
+                               arf_get_d(arb_midref(beta), ARF_RND_NEAR), BETA_MAX);
+    }
     const struct proved_table table = {o->digits, &problem, fill_table, print_text};
     return proved_table_write(&table, &o->common);
 }
@@ -126,19 +200,33 @@ static const char help[] =
     "Solves x'' + beta sqrt(x) x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1 and prints the largest\n"
     "overlap, its time, and restitution and duration at both ends of contact.\n\n"
     "  --beta B         dissipation parameter, from 0 to 1e6, such as 0.1, 1.5e-3 or 2/3\n"
+    "  --stiffness K --effective-mass M --damping-coefficient C --speed G\n"
+    "                   instead, a collision in SI units: the force K x^(3/2) + C sqrt(x) x' between bodies\n"
+    "                   with M = m_1 m_2/(m_1 + m_2), at the impact speed G; prints the largest force, too\n"
     "  --end E          compute only zero-overlap or zero-force, without waiting for the other end\n"
     "                   (default: both)\n" HELP_DIGITS
     "  --format F       text (default), csv or json\n" HELP_JSON_STRINGS HELP_LAW HELP_COMMON
     "\nColumns: beta,x_max,t_max,eps_zero_overlap,t_zero_overlap,eps_zero_force,t_zero_force;\n"
-    "with --end, without the columns of the other end.\n"
+    "with --end, without the columns of the other end. In SI units beta,max_overlap_m,\n"
+    "time_of_max_overlap_s,eps_zero_overlap,duration_s_zero_overlap,eps_zero_force,\n"
+    "duration_s_zero_force,max_force_n.\n"
     "\nExample: corgen collide --beta 0.1 --digits 30\n";
 
 static const struct option_numbers beta_numbers = {.range = {"0", "1e6", true, true, false, "a number from 0 to 1e6"},
                                                    .forms = DECIMAL_RATIO};
 
 #define AT(FIELD) offsetof(struct collide_arguments, FIELD)
+#define SI(NAME, FIELD, NUMBERS, NEEDS)                                                                                \
+    {                                                                                                                  \
+        .name = (NAME), .kind = OPTION_REAL, .offset = AT(FIELD), .range.number = (NUMBERS), .excludes = "beta",       \
+        .needs = (NEEDS)                                                                                               \
+    }
 static const struct option_rule options[] = {
-    {.name = "beta", .kind = OPTION_REAL, .offset = AT(beta), .range.number = &beta_numbers, .required = true},
+    {.name = "beta", .kind = OPTION_REAL, .offset = AT(beta), .range.number = &beta_numbers},
+    SI("stiffness", stiffness, &option_positive, "effective-mass"),
+    SI("effective-mass", effective_mass, &option_positive, "damping-coefficient"),
+    SI("damping-coefficient", damping_coefficient, &option_not_negative, "speed"),
+    SI("speed", speed, &option_positive, "stiffness"),
     OPTION_DIGITS(struct collide_arguments),
     OPTION_END(struct collide_arguments, end),
     OPTION_FORMAT(struct collide_arguments, option_formats),

@@ -37,8 +37,9 @@ struct pade_arguments {
 
 struct collide_arguments {
     struct option_common common;
-    struct decimal beta;
-    int end; /* enum contact_end; OPTIONS_NOT_GIVEN: both */
+    struct decimal beta, stiffness, effective_mass, damping_coefficient,
+        speed; /* of beta and the others, one is given */
+    int end;   /* enum contact_end; OPTIONS_NOT_GIVEN: both */
     slong digits;
     struct option_law law;
 };

@@ -146,6 +146,27 @@ int collision_solve_force(struct collision *c, const arb_t beta, const struct la
     return ends_solve(c, beta, law, ENDS_ZERO_FORCE, bits);
 }
 
+int collision_force_max(arb_t force, const arb_t beta, const struct law *law, slong bits)
+{
+    slong prec = bits + GUARD_BITS;
+    if (!law_force_has_one_peak(law))
+        return fail("the largest force of the law %s is not proved: it may have several peaks", law_equation(law).text);
+    if (arb_is_zero(beta)) {
+        LOCAL(arb, time);
+        turning_point_elastic(force, time, law, prec);
+        arb_pow_ratio(force, force, law->a, prec);
+        return STATUS_OK;
+    }
+    for (int i = 0; i < ATTEMPTS; i++) {
+        const enum motion_outcome outcome = motion_force_max(force, beta, law, prec);
+        progress_end();
+        if (outcome == MOTION_DONE && arb_rel_accuracy_bits(force) >= bits)
+            return STATUS_OK;
+        prec += prec / 2;
+    }
+    return fail("the largest force could not be enclosed to %ld bits", (long)bits);
+}
+
 int collision_final_speed(arb_t v_f, const struct law *law, slong bits)
 {
     if (law_fall_power(law).num <= 0)

@@ -17,6 +17,9 @@ int collision_solve_overlap(struct collision *c, const arb_t beta, const struct 
  * complete unloading and is cheap for any damping; otherwise the two ends coincide. */
 int collision_solve_force(struct collision *c, const arb_t beta, const struct law *law, slong bits);
 
+/* The largest value of x^a + beta x^b x'. Fails for the few laws of which law_force_has_one_peak does not hold. */
+int collision_force_max(arb_t force, const arb_t beta, const struct law *law, slong bits);
+
 /* q > 0: v_f = lim beta^(1/q) eps_zero_overlap for large beta. */
 int collision_final_speed(arb_t v_f, const struct law *law, slong bits);
 

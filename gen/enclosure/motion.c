@@ -310,3 +310,39 @@ enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, con
         outcome = MOTION_IMPRECISE;
     return outcome;
 }
+
+/* docs/derivation.md, 9. The force has one largest value within the contact, where its slope falls through zero while
+ * the bodies approach. Where b = 0 the first moment may have more; then a zero of the slope is a least value while the
+ * damping force exceeds the elastic one a/(a - 1) times. */
+enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct law *law, slong prec)
+{
+    LOCAL_INIT(motion, m, (&m, NULL, beta, law, arf_cmp_si(arb_midref(beta), 1) > 0, prec));
+    struct taylor *const y = &m.y;
+    LOCAL(arb, root, value, zero);
+    arb_zero(force);
+    if (law->bd == 0) {
+        arb_set(force, beta);
+        if (law->ad > law->d) {
+            if (!taylor_follow(root, y, TAYLOR_DAMPING_EXCESS, "largest force"))
+                return MOTION_IMPRECISE;
+            taylor_advance(y, root);
+        }
+        taylor_value(value, y, TAYLOR_FORCE_SLOPE, zero);
+        if (arb_is_nonpositive(value))
+            return MOTION_DONE;
+        if (!arb_is_positive(value))
+            return MOTION_IMPRECISE;
+    }
+    if (!taylor_follow(root, y, TAYLOR_FORCE_SLOPE, "largest force"))
+        return MOTION_IMPRECISE;
+    taylor_value(value, y, TAYLOR_V, root);
+    if (!arb_is_positive(value))
+        return MOTION_IMPRECISE;
+    taylor_value(value, y, TAYLOR_FORCE, root);
+    taylor_value(root, y, TAYLOR_W, root);
+    arb_pow_ui(root, root, (ulong)FLINT_MIN(law->ad, law->bd), prec);
+    arb_mul(value, value, root, prec);
+    arb_div(value, value, m.s.length, prec);
+    arb_max(force, force, value, prec);
+    return MOTION_DONE;
+}

@@ -26,4 +26,7 @@ enum motion_outcome motion_solve(struct collision *c, const arb_t beta, const st
 enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, const struct law *law, slong bits,
                                       slong prec);
 
+/* Encloses the largest value of x^a + beta x^b x' during the collision, for a law of which law_force_has_one_peak. */
+enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct law *law, slong prec);
+
 #endif

@@ -447,21 +447,51 @@ bool taylor_choose_step(struct taylor *y)
     return proved;
 }
 
+/* y += k c w^e v; v may be NULL */
+static void add_term(arb_t y, slong k, const arb_t c, const arb_t w, slong e, const arb_t v, slong prec)
+{
+    LOCAL(arb, x);
+    if (k == 0)
+        return;
+    arb_pow_ui(x, w, (ulong)e, prec);
+    arb_mul(x, x, c, prec);
+    if (v)
+        arb_mul(x, x, v, prec);
+    arb_addmul_si(y, x, k, prec);
+}
+
+/* Components that are formulas of the enclosed w and v */
+static void formula_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s)
+{
+    const slong d = y->law.d, ad = y->law.ad, bd = y->law.bd, prec = y->prec;
+    LOCAL(arb, w, v, x);
+    taylor_value(w, y, TAYLOR_W, s);
+    taylor_value(v, y, TAYLOR_V, s);
+    arb_zero(value);
+    if (component == TAYLOR_FORCE) {
+        const slong m = FLINT_MIN(ad, bd);
+        add_term(value, 1, y->c1, w, bd - m, v, prec);
+        add_term(value, 1, y->c2, w, ad - m, NULL, prec);
+    } else if (component == TAYLOR_DAMPING_EXCESS) {
+        add_term(value, ad - d, y->c1, w, 0, v, prec);
+        add_term(value, -ad, y->c2, w, ad, NULL, prec);
+    } else {
+        /* F' = (c2 a w^(ad-1) v + c1 b w^(bd-1) v^2) - c1 w^(bd+d-1) F, with d w' = v and v' = -w^(d-1) F */
+        const slong m = FLINT_MIN(ad > 0 ? ad - 1 : WORD_MAX, bd > 0 ? bd - 1 : d - 1);
+        add_term(x, 1, y->c1, w, bd, v, prec);
+        add_term(x, 1, y->c2, w, ad, NULL, prec);
+        add_term(value, -d, y->c1, w, bd + d - 1 - m, x, prec);
+        add_term(value, ad, y->c2, w, ad - 1 - m, v, prec);
+        arb_sqr(v, v, prec);
+        add_term(value, bd, y->c1, w, bd - 1 - m, v, prec);
+    }
+}
+
 void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s)
 {
     const arb_srcptr f = component == TAYLOR_W ? y->w : component == TAYLOR_V ? y->v : y->t;
-    if (component == TAYLOR_FORCE) {
-        /* c1 w^(bd-m) v + c2 w^(ad-m) from the enclosed w and v */
-        const slong m = FLINT_MIN(y->law.ad, y->law.bd);
-        LOCAL(arb, w, v, x);
-        taylor_value(w, y, TAYLOR_W, s);
-        taylor_value(v, y, TAYLOR_V, s);
-        arb_pow_ui(x, w, (ulong)(y->law.bd - m), y->prec);
-        arb_mul(v, v, x, y->prec);
-        arb_mul(v, v, y->c1, y->prec);
-        arb_pow_ui(x, w, (ulong)(y->law.ad - m), y->prec);
-        arb_mul(x, x, y->c2, y->prec);
-        arb_add(value, v, x, y->prec);
+    if (component >= TAYLOR_FORCE) {
+        formula_value(value, y, component, s);
         return;
     }
     _arb_poly_evaluate(value, f, y->degree + 1, s, y->prec);

@@ -38,7 +38,10 @@ void taylor_expand(struct taylor *y);
 /* Chooses a step and proves the remainders on it. Returns false if no step was found, because the state is too wide. */
 bool taylor_choose_step(struct taylor *y);
 
-enum taylor_component { TAYLOR_W, TAYLOR_V, TAYLOR_T, TAYLOR_FORCE };
+/* TAYLOR_FORCE is the force over w^min(ad, bd), TAYLOR_FORCE_SLOPE its derivative by sigma over the power of w that all
+ * terms have. Where b = 0 and a > 1, TAYLOR_DAMPING_EXCESS is positive while the damping force exceeds the elastic
+ * force a/(a - 1) times. */
+enum taylor_component { TAYLOR_W, TAYLOR_V, TAYLOR_T, TAYLOR_FORCE, TAYLOR_FORCE_SLOPE, TAYLOR_DAMPING_EXCESS };
 
 /* Component at sigma = s in [0, step], remainder included. */
 void taylor_value(arb_t value, const struct taylor *y, enum taylor_component component, const arb_t s);

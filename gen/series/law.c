@@ -149,6 +149,12 @@ bool law_is_hunt_crossley(const struct law *law)
     return law->ad == law->bd;
 }
 
+bool law_force_has_one_peak(const struct law *law)
+{
+    const slong a = law->ad, b = law->bd;
+    return b == 0 || 4 * a * b + (a + b) * law->d + 2 * b * b >= a * a;
+}
+
 double law_forgetting(const struct law *law)
 {
     const struct ratio n = law_fall_power(law);

@@ -59,6 +59,10 @@ bool law_is_linear(const struct law *law);
 /* a = b, Hunt and Crossley's. */
 bool law_is_hunt_crossley(const struct law *law);
 
+/* Whether docs/derivation.md, 9, proves that the force has one largest value within a contact: b = 0 or
+ * 4 a b + a + b + 2 b^2 >= a^2. */
+bool law_force_has_one_peak(const struct law *law);
+
 /* k, n > 0: the unloading of a strongly damped collision forgets its loading by exp(-k/mu), k = (b+1)^(n/(b+1))/n. */
 double law_forgetting(const struct law *law);
 
