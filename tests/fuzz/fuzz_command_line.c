@@ -117,8 +117,8 @@ static int fuzz_collide(const void *arguments)
     const struct collide_arguments *const o = arguments;
     require_number(&o->beta);
     require_whole(o->digits, 1, OPTIONS_MAX_DIGITS);
-    return run_if(no_law(&o->law) ||
-                      (o->digits <= 20 && short_number(&o->beta) && sphere(&o->law) && decimal_value(&o->beta) < 3),
+    return run_if(no_law(&o->law) || (o->digits <= 20 && short_number(&o->beta) && sphere(&o->law) &&
+                                      !o->stiffness.text && decimal_value(&o->beta) < 3),
                   &command_collide, &o->common);
 }
 

@@ -625,6 +625,30 @@ TEST(test_one_end)
     assert_int_equal(collision_solve_overlap(both, beta, &law_sphere, 60), 1);
 }
 
+/* The largest force, by a Taylor method of mpmath in 30 digits, with all peaks */
+TEST(test_force)
+{
+    static const char *const known[][4] = {
+        {"1", "0", "0.4", "0.820918521755729634032"},     {"1", "0", "3", "3.00000000000000000"},
+        {"3/2", "1/2", "0.5", "0.916480541415681004443"}, {"3/2", "1/2", "2", "1.02525803288663656746"},
+        {"3/2", "0", "0.7", "0.740467087348158470513"},   {"3/2", "0", "0.9", "0.900000000000000000"},
+        {"3/2", "0", "1.3", "1.30000000000000000"},       {"3/2", "1/4", "1", "0.828995201887272359413"},
+        {"3/2", "3/2", "2", "1.10425499427189254098"},    {"2", "1/2", "0.6", "0.918533331227900162579"},
+        {"1", "1/2", "1.5", "1.01785453302894993159"},    {"1", "2", "1", "1.03227986139330523459"},
+        {"3/2", "1/2", "0", "1.14326262981831586601"},
+    };
+    LOCAL(arb, beta, force);
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        const struct law law = law_of(known[i][0], known[i][1]);
+        set_number(beta, known[i][2]);
+        assert_int_equal(collision_force_max(force, beta, &law, 90), 0);
+        assert_digits(force, known[i][3]);
+        assert_bits(force, 90);
+    }
+    const struct law several = law_of("2", "1/8");
+    assert_int_equal(collision_force_max(force, beta, &several, 90), 1);
+}
+
 TEST(test_edges)
 {
     LOCAL(collision, c);
@@ -647,7 +671,7 @@ TEST(test_edges)
     }
 }
 
-RUN_TESTS(test_final_speed, test_threshold, test_collisions, test_tsuji, test_series, test_involution,
+RUN_TESTS(test_force, test_final_speed, test_threshold, test_collisions, test_tsuji, test_series, test_involution,
           test_backward_series, test_closed_forms, test_angle, test_slow_manifold, test_forgetting,
           test_missed_manifold, test_below_threshold, test_strong_force, test_strong_damping, test_constant_force,
           test_critical, test_one_end, test_edges)
