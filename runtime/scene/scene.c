@@ -14,10 +14,11 @@ static int refuse(struct cor_scene_fault *fault, int what, int number, int other
 
 /* ---- bodies, or a spring ---- */
 
-/* Anything of a body but its dissipation */
+/* Anything of a body but its dissipation. A spring may end at a wall. */
 static int has_bodies(const struct cor_scene *scene)
 {
-    int any = scene->wall || cor_scene_given(scene, COR_SCENE_PLATE_THICKNESS);
+    const int spring = cor_scene_given(scene, COR_SCENE_STIFFNESS) || cor_scene_given(scene, COR_SCENE_EFFECTIVE_MASS);
+    int any = (scene->wall && !spring) || cor_scene_given(scene, COR_SCENE_PLATE_THICKNESS);
     for (int number = COR_SCENE_YOUNG; number < COR_SCENE_DISSIPATION_TIME; number++)
         any = any || cor_scene_given(scene, number) || cor_scene_given(scene, number + COR_SCENE_BODY);
     return any;

@@ -172,8 +172,8 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
 /* A wall is of atom type 2, for its contacts have other numbers than those of two spheres. */
 #define LIGGGHTS(model, limit, properties)                                                                             \
     LIGGGHTS_PAIR(model, limit, properties),                                                                           \
-        LIGGGHTS_PAIR(model, limit, properties) "fix cor_wall all wall/gran model " model " tangential off" limit      \
-                                                " primitive type 2 zplane 0\n"
+        LIGGGHTS_PAIR(model, limit, properties) "fix cor_wall all wall/gran model " model " tangential off"            \
+                                                " primitive type 2 zplane 0" limit "\n"
 #define LIGGGHTS_PAIR(model, limit, properties)                                                                        \
     "pair_style gran model " model " tangential off" limit "\n"                                                        \
     "pair_coeff * *\n" properties
@@ -187,11 +187,11 @@ static double damping_of_yade_en(double en, const struct cor_scene_contact *c, d
     "fix cor_gamman all property/global gamman peratomtypepair {types} {n[]}\n"                                        \
     "fix cor_kt all property/global kt peratomtypepair {types} {0[]}\n"                                                \
     "fix cor_gammat all property/global gammat peratomtypepair {types} {0[]}\n"
-#define YADE(material, physics, law)                                                                                   \
-    EVERYWHERE(material "cor_contact = InteractionLoop(\n"                                                             \
-                        "    [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],\n"     \
-                        "    [" physics "],\n"                                                                         \
-                        "    [" law "])\n")
+#define YADE(where, material, physics, law)                                                                            \
+    where(material "cor_contact = InteractionLoop(\n"                                                                  \
+                   "    [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom(), Ig2_Wall_Sphere_ScGeom()],\n"          \
+                   "    [" physics "],\n"                                                                              \
+                   "    [" law "])\n")
 #define YADE_FRICTION                                                                                                  \
     "?cor_material = FrictMat(young={young}, poisson={poisson}, frictionAngle=0)\n"                                    \
     "?cor_material_2 = FrictMat(young={young2}, poisson={poisson2}, frictionAngle=0)\n"
@@ -279,12 +279,13 @@ const struct cor_simulator_model cor_simulator_models[] = {
         LIGGGHTS("hertz/stiffness", " limitForce on", LIGGGHTS_STIFFNESS("{kn[]}")), 0, 0),
     ROW("yade", "Mindlin, betan", "betan", TSUJI, ZERO_FORCE, NUMBER(tangent_ratio), "pkg/dem/HertzMindlin.cpp", "run",
         "Exact.", "2023.02a",
-        YADE(YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(betan={n}, betas=0)",
+        YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(betan={n}, betas=0)",
              "Law2_ScGeom_MindlinPhys_Mindlin()"),
         0, 0),
     ROW("yade", "Mindlin, en (2023 and later)", "e", TSUJI, ZERO_FORCE, ASKED(thornton_yade, 0.001, 1),
         "pkg/dem/HertzMindlin.cpp", "run", "Within 0.0003 for 0.02 < e < 0.9; above, set betan instead.", "2023.02a",
-        YADE(YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, es=1)", "Law2_ScGeom_MindlinPhys_Mindlin()"),
+        YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, es=1)",
+             "Law2_ScGeom_MindlinPhys_Mindlin()"),
         20230200, 0),
     ROW("yade", "Mindlin, en (before 2023); SudoDEM", "e", TSUJI, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
         "pkg/dem/HertzMindlin.cpp", "source", "YADE realises more than its e; betan is exact.",
@@ -292,18 +293,20 @@ const struct cor_simulator_model cor_simulator_models[] = {
     ROW("yade", "Mindlin, en at vn = 1 m/s (2025)", "en", VISCOELASTIC, ZERO_FORCE, NUMBER(yade_en),
         "pkg/dem/HertzMindlin.cpp", "run",
         "The viscoelastic sphere: en is the Padé approximant of eps at vn, and A holds at every speed.", "2025.2.0",
-        YADE(YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, vn=1.0)", "Law2_ScGeom_MindlinPhys_Mindlin()"),
+        YADE(EVERYWHERE, YADE_FRICTION, "Ip2_FrictMat_FrictMat_MindlinPhys(en={n}, vn=1.0)",
+             "Law2_ScGeom_MindlinPhys_Mindlin()"),
         20250200, 0),
     ROW("yade", "ViscElMat, kn and cn", "cn of each of two equal bodies, kg/s", LINEAR, ZERO_FORCE,
         NUMBER(pair_dashpot), "pkg/dem/ViscoelasticPM.cpp", "run",
         "K is kn/2 of two equal bodies: the numbers of two bodies are in series.", "2023.02a",
-        YADE("cor_material = ViscElMat(kn={2K}, cn={n}, ks=0, cs=0, frictionAngle=0)\n",
+        YADE(EVERYWHERE, "cor_material = ViscElMat(kn={2K}, cn={n}, ks=0, cs=0, frictionAngle=0)\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()"),
         0, 0),
     ROW("yade", "ViscElMat, tc and en", "e", LINEAR, ZERO_FORCE, ASKED(exact_at_zero_overlap, OPEN, 1),
         "pkg/dem/ViscoelasticPM.cpp", "run",
         "YADE realises more than its en, and its contacts are shorter than tc; kn and cn are exact.", "2023.02a",
-        YADE("cor_material = ViscElMat(tc={tc}, en={n}, et=1, frictionAngle=0)\n",
+        /* at a wall YADE makes half of these kn and cn */
+        YADE(PAIRS, "cor_material = ViscElMat(tc={tc}, en={n}, et=1, frictionAngle=0)\n",
              "Ip2_ViscElMat_ViscElMat_ViscElPhys()", "Law2_ScGeom_ViscElPhys_Basic()"),
         0, 0),
     ROW("mercurydpm", "LinearViscoelastic, setStiffnessAndRestitutionCoefficient", "e", LINEAR, ZERO_OVERLAP,

@@ -4,10 +4,12 @@
 corgen contact --for HOST, which the simulators read as they are. Two bodies meet head-on at 1 m/s.
 
     tests/simulators/restitution/measure.py            CORGEN, LMP, LIGGGHTS and YADE name the programs
+    tests/simulators/restitution/measure.py --short    two restitutions alone
     tests/simulators/restitution/measure.py --write    docs/simulators.md gets the tables
 
 A simulator that is not installed is skipped by name. tests/simulators/run runs this and adds its counts.
 """
+import copy
 import csv
 import datetime
 import io
@@ -28,6 +30,8 @@ LIGGGHTS = os.environ.get("LIGGGHTS", "liggghts")
 YADE = os.environ.get("YADE", "yade")
 
 RESTITUTIONS = ["0.1", "0.3", "0.5", "0.7", "0.9", "0.99"]
+# Those that are also wished with --end, at a wall, and in the short run
+FEW = ["0.5", "0.9"]
 LAWS = ["linear", "tsuji", "viscoelastic", "hertz-dashpot", "hunt-crossley"]
 # The exponent b of the damping: time steps h leave errors of the orders h and h^(1+b), h^2 where b = 0.
 DAMPING_EXPONENT = {"linear": 1, "tsuji": 0.25, "viscoelastic": 0.5, "hertz-dashpot": 1, "hunt-crossley": 1.5}
@@ -35,11 +39,15 @@ DAMPING_EXPONENT = {"linear": 1, "tsuji": 0.25, "viscoelastic": 0.5, "hertz-dash
 COUNTS = [5000, 10000, 20000]
 # Largest |eps - e| with the lines of corgen, and between a simulator's map and runtime/scene/simulators.c
 TOLERANCE = 1e-5
-# The bodies of the drivers: effective mass 1.6 g, effective radius 4 mm
-SPRING = ["--stiffness", "1e5", "--effective-mass", "1.6e-3"]
-BODIES = "--young 1e7 --poisson 0.3 --radius 5e-3 --mass 2e-3 --radius-2 2e-2 --mass-2 8e-3".split()
+# The bodies of the drivers: effective mass 1.6 g, effective radius 4 mm; at a wall the first of them
+SPRING = ["--stiffness", "1e5", "--effective-mass"]
+BODY = "--young 1e7 --poisson 0.3 --radius 5e-3 --mass 2e-3".split()
+SECOND = "--radius-2 2e-2 --mass-2 8e-3".split()
 # Impact speeds, m/s, for Bullet's contact callback
 CALLBACK_SPEEDS = [0.01, 0.1, 1, 10]
+
+# FEW restitutions, and nothing that is not pasted
+SHORT = "--short" in sys.argv[1:]
 
 passed = failed = skipped = 0
 
@@ -57,62 +65,92 @@ def skip(name, why):
 
 
 def output_of(command, **options):
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False, **options)
+    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False,
+                          errors="replace", **options)
     return done.stdout + (done.stderr if done.returncode else "")
 
 
 # ---- corgen ----
 
+if SHORT:
+    RESTITUTIONS, COUNTS = FEW, [1000, 2000, 4000]
 
-def contact_of(law, e):
+
+def contact_of(law, e, wall=False):
     """The options of corgen contact for a restitution at 1 m/s"""
-    return (["contact", "--law", law, "--restitution", e] + (SPRING if law == "linear" else BODIES) +
-            ([] if law in ("linear", "tsuji") else ["--at", "1"]))
+    if law == "linear":
+        bodies = SPRING + (["2e-3", "--wall"] if wall else ["1.6e-3"])
+    else:
+        bodies = BODY + (["--wall"] if wall else SECOND)
+    return ["contact", "--law", law, "--restitution", e] + bodies + ([] if law in ("linear", "tsuji") else ["--at", "1"])
 
 
-def duration_s(law, e, end):
+def row_of(options):
+    return next(csv.DictReader(io.StringIO(output_of([CORGEN] + options + ["--format", "csv"]))))
+
+
+def duration_s(law, e, end, wall=False):
     if end not in ("zero overlap", "zero force"):
         return math.nan
-    name = end.replace(" ", "_")
-    options = ["--end", end.replace(" ", "-"), "--speed", "1", "--format", "csv"]
-    text = output_of([CORGEN] + contact_of(law, e) + options)
-    return float(next(csv.DictReader(io.StringIO(text)))["duration_s_" + name])
+    options = contact_of(law, e, wall) + ["--end", end.replace(" ", "-"), "--speed", "1"]
+    return float(row_of(options)["duration_s_" + end.replace(" ", "_")])
 
 
 class Case:
-    """One collision: the lines that a simulator reads, and the restitution that is expected"""
+    """One collision: the text that a simulator reads, and the restitution that is expected"""
 
-    def __init__(self, model, law, end, e, lines, duration, expected, own):
-        self.model, self.law, self.end, self.e, self.lines = model, law, end, e, lines
-        self.duration, self.expected, self.own = duration, expected, own
+    def __init__(self, block, law, e, duration, expected, own=False, wall=False):
+        self.model, self.end, self.lines = block.model, block.end, block.lines
+        self.law, self.e, self.duration, self.expected, self.own, self.wall = law, e, duration, expected, own, wall
         self.eps = self.eps_most = None  # the same where the place within a time step does not matter
         self.change = 0.0
 
 
+HEADING = r"(Instead, [^:]*: |For eps = [^:]*: )?[^:,]*, (.*) \(([^()]*)\): contacts end at (.*)"
+
+
+class Block:
+    """A model in the text of corgen contact --for. The active one has the whole text for its lines: the others are
+    comments there. The lines of another one are what its comments hold."""
+
+    def __init__(self, rows, text):
+        found = re.fullmatch(HEADING, rows[0])
+        self.active, self.model, self.version, self.end = not found[1], found[2], found[3], found[4]
+        said = next((re.match(r"realises eps = (\S+) at ", row) for row in rows if row.startswith("realises")), None)
+        self.realised = float(said[1]) if said else math.nan
+        cure = next((re.search(r" takes e = (\S+) for it", row) for row in rows if " takes e = " in row), None)
+        self.given = float(cure[1]) if cure else None  # the e that the lines hold, None where they hold e or no e
+        self.lines = text.split("\n") if self.active else [row for row in rows[1:] if not is_prose(row)]
+
+
+def is_prose(row):
+    return re.match("realises eps|eps depends on|time step: at most", row) or row.endswith(".")
+
+
+def without_comment(row):
+    return re.sub(r"^(# |// |! |<!-- )(.*?)( -->)?$", r"\2", row)
+
+
 def blocks_of(text):
-    """(model, end, lines, number) of every model in the text of corgen contact --for; number is the e' that the
-    lines hold, None where they hold e or another number"""
-    for block in text.split("\n\n"):
-        rows = block.strip("\n").split("\n")
-        heading = re.match(r"\S+ [^:]*: (.*); made for (.*); the contact ends at (.*?)( -->)?$", rows[0])
-        if heading:
-            cure = re.search(r" e' = (\S+) is given; ", rows[3])
-            yield heading[1], heading[3], rows[4 if cure else 3:], float(cure[1]) if cure else None
+    for rows in text.split("\n\n"):
+        rows = [without_comment(row) for row in rows.strip("\n").split("\n")]
+        if re.fullmatch(HEADING, rows[0]):
+            yield Block(rows, text)
 
 
-OWN_MAP = r"own map: (.*) \(([^()]*)\)"  # model and version
+OWN_MAP = r"If e = \S+ is set by hand: (.*) \(([^()]*)\) "  # model and version
 
 
 def own_maps_of(text):
     """{model: restitution realised for e}, nan where the simulator refuses e"""
-    maps = {m[1]: float(m[3]) for m in re.finditer(OWN_MAP + r", given e = \S+ realises ([-+.e\d]+)", text)}
-    maps.update({m[1]: math.nan for m in re.finditer(OWN_MAP + " refuses e = ", text)})
+    maps = {m[1]: float(m[3]) for m in re.finditer(OWN_MAP + r"realises ([-+.e\d]+)\.", text)}
+    maps.update({m[1]: math.nan for m in re.finditer(OWN_MAP + "refuses it", text)})
     return maps
 
 
 def versions_of(text):
     """{model: version} of the same lines"""
-    return {m[1]: m[2] for m in re.finditer(OWN_MAP + "(?:, given| refuses) e = ", text)}
+    return {m[1]: m[2] for m in re.finditer(OWN_MAP + "(?:realises|refuses)", text)}
 
 
 def with_number(lines, old, new):
@@ -121,25 +159,46 @@ def with_number(lines, old, new):
             for line in lines]
 
 
-def cases_of(host, laws=LAWS, wanted=lambda model: True):
-    """All cases of a simulator: with the lines of corgen, and with e itself where corgen gives another number"""
+def text_for(host, law, e, *options, wall=False):
+    text = output_of([CORGEN] + contact_of(law, e, wall) + ["--for", host] + list(options))
+    return "" if "does not have the law" in text else text
+
+
+def pasted_cases(host, law, wanted, wall):
+    """With the text of corgen, whole, and with each alternative that it has as comments; at a wall and with --end for
+    few restitutions"""
+    seen = set()
+    for e in RESTITUTIONS:
+        for end in ((None, "zero-overlap", "zero-force") if e in FEW else (None, )):
+            if wall and e not in FEW:
+                continue
+            text = text_for(host, law, e, *(["--end", end] if end else []), wall=wall)
+            for block in blocks_of(text):
+                if not wanted(block) or (block.active and tuple(block.lines) in seen):
+                    continue
+                seen.add(tuple(block.lines))
+                # what is realised is e, or said to be something else where the model has the other end alone
+                expected = float(e) if abs(block.realised - float(e)) < 1e-6 else block.realised
+                if not math.isnan(expected):
+                    seconds = duration_s(law, "%.6g" % expected, block.end, wall)
+                    yield Case(block, law, e, seconds, expected, wall=wall)
+
+
+def cases_of(host, laws=LAWS, wanted=lambda block: True, walls=(False, True)):
+    """All cases of a simulator: with the text of corgen, and with e itself where corgen gives another number"""
     cases = []
     for law in laws:
-        texts = {e: output_of([CORGEN] + contact_of(law, e) + ["--for", host]) for e in RESTITUTIONS}
-        if not any("made for" in text for text in texts.values()) or "does not have this law" in texts["0.7"]:
-            continue
-        for e in RESTITUTIONS:
-            for model, end, lines, cure in blocks_of(texts[e]):
-                if wanted(model):
-                    cases.append(Case(model, law, end, e, lines, duration_s(law, e, end), float(e), False))
+        for wall in walls:
+            cases += pasted_cases(host, law, wanted, wall)
         # The lines for e = 0.7 exist for every model; the number in them becomes e.
-        for model, end, lines, cure in blocks_of(texts["0.7"]):
+        for block in blocks_of("" if SHORT else text_for(host, law, "0.7")):
+            lines = block.lines
             for e in RESTITUTIONS:
-                realised = own_maps_of(texts[e]).get(model)
-                if cure is None or not wanted(model) or realised is None or math.isnan(realised):
+                realised = own_maps_of(text_for(host, law, e)).get(block.model)
+                if block.given is None or not wanted(block) or realised is None or math.isnan(realised):
                     continue
-                seconds = duration_s(law, "%.6g" % realised, end)
-                cases.append(Case(model, law, end, e, with_number(lines, cure, e), seconds, realised, True))
+                block.lines = with_number(lines, block.given, e)
+                cases.append(Case(block, law, e, duration_s(law, "%.6g" % realised, block.end), realised, own=True))
     return cases
 
 
@@ -170,7 +229,7 @@ def read_steps(case, text, name):
 
 def file_of(case, work, number):
     path = os.path.join(work, "paste%d" % number)
-    with open(path, "w", encoding="ascii") as file:
+    with open(path, "w", encoding="utf-8") as file:
         file.write("\n".join(case.lines) + "\n")
     return path
 
@@ -178,17 +237,19 @@ def file_of(case, work, number):
 def run_lammps(cases, work):
     for number, case in enumerate(cases):
         command = [LMP, "-log", "none", "-in", os.path.join(HERE, "lammps.in"), "-var", "paste",
-                   file_of(case, work, number), "-var", "duration", "%.17g" % case.duration, "-var", "n"]
+                   file_of(case, work, number), "-var", "wall", "%d" % case.wall, "-var", "duration",
+                   "%.17g" % case.duration, "-var", "n"]
         read_steps(case, output_of(command + [str(n) for n in COUNTS]), "")
 
 
 def run_liggghts(cases, work):
     for number, case in enumerate(cases):
         text = ""
+        types = "2" if any("peratomtypepair 2" in line for line in case.lines) else "1"
         for n in COUNTS:
             text += output_of([LIGGGHTS, "-log", "none", "-in", os.path.join(HERE, "liggghts.in"), "-var", "paste",
-                               file_of(case, work, number), "-var", "duration", "%.17g" % case.duration, "-var", "n",
-                               str(n)])
+                               file_of(case, work, number), "-var", "wall", "%d" % case.wall, "-var", "types", types,
+                               "-var", "duration", "%.17g" % case.duration, "-var", "n", str(n)])
         read_steps(case, text, "")
 
 
@@ -196,7 +257,7 @@ def run_yade(cases, work):
     arguments = []
     names = [file_of(case, work, number) for number, case in enumerate(cases)]
     for name, case in zip(names, cases):
-        arguments += [name, "%.17g" % case.duration, ",".join(str(n) for n in COUNTS)]
+        arguments += [name, "%d" % case.wall, "%.17g" % case.duration, ",".join(str(n) for n in COUNTS)]
     text = output_of([YADE, "-x", "-n", "-j1", os.path.join(HERE, "yade.py")] + arguments)
     for name, case in zip(names, cases):
         read_steps(case, text, name + " ")
@@ -204,7 +265,8 @@ def run_yade(cases, work):
 
 def run_mujoco(cases, work):
     for number, case in enumerate(cases):
-        command = [os.path.join(work, "mujoco"), file_of(case, work, number), "%.17g" % case.duration]
+        command = [os.path.join(work, "mujoco"), file_of(case, work, number), "2e-3" if case.wall else "1.6e-3",
+                   "%.17g" % case.duration]
         read_steps(case, output_of(command + [str(n) for n in COUNTS]), "")
 
 
@@ -242,7 +304,7 @@ BULLET_FLAGS = ["-DBT_USE_DOUBLE_PRECISION", "-I/usr/include/bullet", "-lBulletD
 def run_simbody(cases, work):
     functions, rows = [], []
     for number, case in enumerate(cases):
-        functions.append("static void set_%d(HuntCrossleyForce &force, ContactSurfaceIndex surface, Real stiffness)\n"
+        functions.append("static void set_%d(HuntCrossleyForce &force, ContactSurfaceIndex surface)\n"
                          "{\n%s\n}" % (number, "\n".join(case.lines)))
         rows.append('{"%d", set_%d}' % (number, number))
     write_cases(work, "simbody", functions, rows)
@@ -253,13 +315,12 @@ def run_simbody(cases, work):
 
 
 def callback_lines(lines, work):
-    """File scope and calls of the contact callback: the lines name the command that writes the header, and have what
-    is called once as comments."""
+    """File scope and calls of the contact callback: the text names the command that writes the header, and has what is
+    called once as comments."""
     command = next(line for line in lines if "corgen embed" in line)
     subprocess.run([CORGEN] + command.split("corgen ")[1].split(), cwd=work, check=True, capture_output=True)
-    scope = [line for line in lines if not line.startswith("//")]
     calls = [re.sub(r"^// ((once|each body): )?", "", line) for line in lines if line.startswith("// ")]
-    return scope, [line if line.endswith(";") else line + ";" for line in calls if "corgen" not in line]
+    return lines, [line for line in calls if line.endswith(";")]
 
 
 def run_bullet(cases, work):
@@ -284,67 +345,65 @@ def run_bullet(cases, work):
 # ---- the simulators ----
 
 
-def lammps_has(model):
+def lammps_has(block):
     """29 Sep 2021 to 4 Feb 2025 have no coeff_restitution; in later releases it is measured. Tsuji's changed in July
     2026."""
     found = re.search(r" - (\d+ \w{3})\w* (\d{4})", output_of([LMP, "-h"]))
     date = datetime.datetime.strptime("%s %s" % found.groups(), "%d %b %Y") if found else None
+    model = block.model
     if "tsuji" in model:
         return ("source after" in model) == (date is not None and date >= datetime.datetime(2026, 8, 1))
     return not date or date.year >= 2025 or "coeff_restitution" not in model
 
 
-def yade_has(model):
+def yade_has(block):
     """2023.02a has no vn"""
     text = output_of([YADE, "-x", "-n", os.devnull])
-    return "vn" not in model or int(re.search(r"Welcome to Yade (\d+)", text)[1]) >= 2025
+    return "vn" not in block.model or int(re.search(r"Welcome to Yade (\d+)", text)[1]) >= 2025
 
 
 def liggghts_cases():
     """From a Young's modulus and a characteristic velocity, of 1 m/s, LIGGGHTS computes the stiffness of `hooke`."""
     cases = cases_of("liggghts")
-    mass, root = 1.6e-3, math.sqrt(4e-3) * 1e7 / (2 * (1 - 0.3**2))  # sqrt(R) E*
-    stiffness = 16 / 15 * root * (15 * mass / (16 * root))**0.2
     for case in cases:
         if case.law == "linear" and "coefficientRestitution" in case.model:
+            radius, mass = (5e-3, 2e-3) if case.wall else (4e-3, 1.6e-3)
+            root = math.sqrt(radius) * 1e7 / (2 * (1 - 0.3**2))  # sqrt(R) E*
+            stiffness = 16 / 15 * root * (15 * mass / (16 * root))**0.2
             case.duration *= math.sqrt(float(SPRING[1]) / stiffness)
     return cases
 
 
 def simbody_cases():
     """Hunt and Crossley's e = 1 - c v is the map of Simbody's documentation."""
-    cases = cases_of("simbody", ["hunt-crossley"])
-    for case in cases[:]:
-        lines = [re.sub(r"= \S+;", "= %.17g;" % (1 - float(case.e)), line) for line in case.lines]
-        beta = 1.5 * (1 - float(case.e))
-        text = output_of([CORGEN] + "collide --elastic 3/2 --damping 3/2 --digits 15 --format csv".split() +
-                         ["--beta", "%.17g" % beta])
-        row = next(csv.DictReader(io.StringIO(text)))
-        model = "HuntCrossleyForce, c = (1 - e)/v as its documentation says"
-        realised = float(row["eps_zero_force"])
-        cases.append(Case(model, case.law, case.end, case.e, lines, math.nan, realised, True))
+    cases = cases_of("simbody", ["hunt-crossley", "viscoelastic"])
+    blocks = {e: next(blocks_of(text_for("simbody", "hunt-crossley", e))) for e in RESTITUTIONS}
+    for e, block in blocks.items():
+        options = "collide --elastic 3/2 --damping 3/2 --digits 15 --beta".split() + ["%.17g" % (1.5 * (1 - float(e)))]
+        block.model = "HuntCrossleyForce, c = (1 - e)/v as its documentation says"
+        block.lines = [re.sub(r"dissipation = \S+;", "dissipation = %.17g;" % (1 - float(e)), line)
+                       for line in block.lines]
+        cases.append(Case(block, "hunt-crossley", e, math.nan, float(row_of(options)["eps_zero_force"]), own=True))
     return cases
 
 
 def bullet_cases():
     cases = []
-    for case in cases_of("bullet", ["linear"]):
+    for case in cases_of("bullet", ["linear"], walls=(False, )):
         case.speed = 1.0
         # Bullet's defaults; the number is the same
-        own = Case("setRestitution of both bodies, product e, Bullet's defaults", case.law, case.end, case.e,
-                   case.lines[:1], math.nan, float(case.e), True)
-        own.speed = 1.0
+        own = copy.copy(case)
+        own.model, own.own = "setRestitution of both bodies, product e, Bullet's defaults", True
+        own.lines = [line for line in case.lines if "setRestitution(" in line]
         cases += [case, own]
     # contact callback: the eps of viscoelastic spheres, 0.5 at 1 m/s
-    contact = contact_of("viscoelastic", "0.5") + ["--end", "zero-force"]
-    text = output_of([CORGEN] + contact + ["--for", "bullet"])
-    model, end, lines, _ = next(block for block in blocks_of(text) if "callback" in block[0])
+    text = text_for("bullet", "viscoelastic", "0.5", "--end", "zero-force")
+    block = next(block for block in blocks_of(text) if "callback" in block.model)
     for speed in CALLBACK_SPEEDS:
-        text = output_of([CORGEN] + contact + ["--speed", str(speed), "--format", "csv"])
-        eps = float(next(csv.DictReader(io.StringIO(text)))["eps_zero_force"])
-        case = Case(model, "viscoelastic", end, "eps(%g m/s)" % speed, lines, math.nan, eps, False)
-        case.speed = speed
-        cases.append(case)
+        eps = row_of(contact_of("viscoelastic", "0.5") + ["--end", "zero-force", "--speed", str(speed)])
+        expected = float(eps["eps_zero_force"])
+        cases.append(Case(block, "viscoelastic", "eps(%g m/s)" % speed, math.nan, expected))
+        cases[-1].speed = speed
     return cases
 
 
@@ -425,7 +484,7 @@ def number(x):
 
 def asked_rows(host, cases):
     """Rows of the first table: the restitution measured where a user asks for e"""
-    maps = {e: own_maps_of(output_of([CORGEN] + contact_of("tsuji", e) + ["--for", host.name])) for e in RESTITUTIONS}
+    maps = {e: own_maps_of(text_for(host.name, "tsuji", e)) for e in RESTITUTIONS}
     models = list(dict.fromkeys(case.model for case in cases if case.own or case.model in maps["0.5"]))
     for model in models:
         own = {case.e: case for case in cases if case.model == model and case.own}
@@ -438,7 +497,7 @@ def asked_rows(host, cases):
 
 def formula_rows(name, measured):
     def text_at(e):
-        texts = [output_of([CORGEN] + contact_of(law, e) + ["--for", name]) for law in ("tsuji", "linear")]
+        texts = [text_for(name, law, e) for law in ("tsuji", "linear")]
         return texts[0] if own_maps_of(texts[0]) else texts[1]
 
     maps = {e: own_maps_of(text_at(e)) for e in RESTITUTIONS}
@@ -459,12 +518,9 @@ def cured_rows(host, cases, errors):
 
 def listed_models():
     """(host, model, version)"""
-    host = ""
-    for line in output_of([CORGEN, "contact", "--for", "list"]).split("\n"):
-        if line and not line.startswith(" "):
-            host = line
-        elif line:
-            found = re.match(r"(.*) \((?:%s)\b.*; (.*)\)$" % "|".join(LAWS + ["impulse"]), line.strip())
+    for host in [line.split()[0] for line in output_of([CORGEN, "contact", "--for", "list"]).splitlines()]:
+        text = output_of([CORGEN, "contact", "--for", host, "--simulator-version", "list"])
+        for found in re.finditer(r"(?m)^(.*) \((?:%s)\b.*; (.*)\)$" % "|".join(LAWS + ["impulse"]), text):
             yield host, found[1], found[2]
 
 
@@ -508,7 +564,7 @@ def main():
     if not os.access(CORGEN, os.X_OK):
         sys.exit("measure.py: no program %s; build it, or name it by CORGEN" % CORGEN)
     results = []
-    only = [argument for argument in sys.argv[1:] if argument != "--write"]
+    only = [argument for argument in sys.argv[1:] if argument not in ("--write", "--short")]
     with tempfile.TemporaryDirectory() as work:
         os.environ["HOME"] = work  # simulators may write there
         for host in hosts_of(work):

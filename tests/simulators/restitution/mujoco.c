@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A sphere against a plane in MuJoCo, with the <geom> of corgen contact --for mujoco as the default.
- *     mujoco PASTE DURATION N [N]...
+/* A sphere against a plane in MuJoCo, with the text of corgen contact --for mujoco.
+ *     mujoco PASTE MASS DURATION N [N]...
  * prints for each N, with DURATION/(N + 1/2) s as the time step,
  *     eps N VALUE CHANGE
  * CHANGE of the velocity after the contact must be 0. `mujoco version` prints MuJoCo's. */
@@ -10,16 +10,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { XML = 4000, PASTE = 1000, MESSAGE = 300 };
+enum { XML = 8000, PASTE = 5000, MESSAGE = 300 };
 
-static mjModel *model_with(const char *paste, double step)
+static mjModel *model_with(const char *paste, const char *mass, double step)
 {
     char xml[XML], message[MESSAGE] = "";
     snprintf(xml, sizeof xml,
-             "<mujoco><default>%s</default><option timestep='%.17g' gravity='0 0 0' tolerance='1e-15'/><worldbody>"
+             "<mujoco>%s<option timestep='%.17g' gravity='0 0 0' tolerance='1e-15'/><worldbody>"
              "<geom type='plane' size='1 1 1'/><body pos='0 0 0.01'><freejoint/>"
-             "<geom type='sphere' size='0.01' mass='0.0016'/></body></worldbody></mujoco>",
-             paste, step);
+             "<geom type='sphere' size='0.01' mass='%s'/></body></worldbody></mujoco>",
+             paste, step, mass);
     mjVFS files;
     mj_defaultVFS(&files);
     if (mj_makeEmptyFileVFS(&files, "contact.xml", (int)strlen(xml)) != 0)
@@ -33,9 +33,9 @@ static mjModel *model_with(const char *paste, double step)
 }
 
 /* Runs the collision and prints its line */
-static int collide(const char *paste, double duration, int n)
+static int collide(const char *paste, const char *mass, double duration, int n)
 {
-    mjModel *const model = model_with(paste, duration / (n + 0.5));
+    mjModel *const model = model_with(paste, mass, duration / (n + 0.5));
     if (!model)
         return 1;
     mjData *const data = mj_makeData(model);
@@ -58,15 +58,15 @@ int main(int argc, char **argv)
         printf("%s\n", mj_versionString());
         return 0;
     }
-    FILE *const file = argc > 3 ? fopen(argv[1], "r") : NULL;
+    FILE *const file = argc > 4 ? fopen(argv[1], "r") : NULL;
     if (!file) {
-        fputs("usage: mujoco PASTE DURATION N [N]...\n", stderr);
+        fputs("usage: mujoco PASTE MASS DURATION N [N]...\n", stderr);
         return 2;
     }
     paste[fread(paste, 1, sizeof paste - 1, file)] = '\0';
     fclose(file);
     int status = 0;
-    for (int i = 3; i < argc; i++)
-        status |= collide(paste, strtod(argv[2], NULL), atoi(argv[i]));
+    for (int i = 4; i < argc; i++)
+        status |= collide(paste, argv[2], strtod(argv[3], NULL), atoi(argv[i]));
     return status;
 }

@@ -9,7 +9,7 @@
 
 using namespace SimTK;
 
-typedef void set_parameters(HuntCrossleyForce &force, ContactSurfaceIndex surface, Real stiffness);
+typedef void set_parameters(HuntCrossleyForce &force, ContactSurfaceIndex surface);
 
 static double rebound_speed(set_parameters *set, Real accuracy)
 {
@@ -24,7 +24,7 @@ static double rebound_speed(set_parameters *set, Real accuracy)
     contacts.addBody(surfaces, matter.updGround(), ContactGeometry::HalfSpace(), Transform());
     HuntCrossleyForce force(forces, contacts, surfaces);
     for (int i = 0; i < 2; i++)
-        set(force, ContactSurfaceIndex(i), 1e6);
+        set(force, ContactSurfaceIndex(i));
     State state = system.realizeTopology();
     sphere.setQ(state, -0.01); // the half-space is x > 0
     sphere.setU(state, 1);

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# Head-on collisions of two spheres in YADE with lines of corgen contact --for yade.
-#     yade -x -n -j1 yade.py PASTE DURATION N,N,N [PASTE DURATION N,N,N]...
+# Head-on collisions in YADE with the text of corgen contact --for yade: of two spheres, or of one with a wall.
+#     yade -x -n -j1 yade.py PASTE WALL DURATION N,N,N [PASTE WALL DURATION N,N,N]...
 # prints for each N, with DURATION/(N + 1/2) as the time step in s,
 #     eps PASTE N VALUE CHANGE
-# CHANGE of the velocity after the contact must be 0. SI units; the bodies are those of run.
+# CHANGE of the velocity after the contact must be 0. SI units; the bodies are those of run. WALL is 0 or 1.
 import atexit
 import os
 import shutil
@@ -13,43 +13,40 @@ import sys
 atexit.register(shutil.rmtree, os.path.dirname(O.tmpFilename()), ignore_errors=True)
 
 
-def engines(line):
-    """The material of the bodies and the functors of the contact, from one line of corgen"""
-    pasted = eval(line)
-    if isinstance(pasted, Material):
-        return pasted, [Ip2_ViscElMat_ViscElMat_ViscElPhys()], [Law2_ScGeom_ViscElPhys_Basic()]
-    return FrictMat(young=1e7, poisson=0.3, frictionAngle=0), [pasted], [Law2_ScGeom_MindlinPhys_Mindlin()]
-
-
-def collide(line, step, steps):
+def collide(text, wall, step, steps):
     O.reset()
-    material, physics, law = engines(line)
-    linear = isinstance(material, ViscElMat)
+    exec(text, globals())
+    materials = [cor_material, globals().get("cor_material_2", cor_material)]
     # the numbers of ViscElMat hold for two equal bodies
-    radius, mass = ((0.008, 0.008), (0.0032, 0.0032)) if linear else ((0.005, 0.02), (0.002, 0.008))
-    O.materials.append(material)
-    for i, side in enumerate((-1, 1)):
-        O.bodies.append(sphere((side * radius[i], 0, 0), radius[i], material=material))
-        O.bodies[i].state.mass = mass[i]
-    O.bodies[0].state.vel = (1, 0, 0)
+    equal = isinstance(cor_material, ViscElMat) and not wall
+    radius, mass = ((0.008, 0.008), (0.0032, 0.0032)) if equal else ((0.005, 0.02), (0.002, 0.008))
+    for material in materials:
+        O.materials.append(material)
+    O.bodies.append(sphere((0, 0, radius[0]), radius[0], material=materials[0]))
+    if wall:
+        O.bodies.append(utils.wall(0, axis=2, material=materials[0]))
+    else:
+        O.bodies.append(sphere((0, 0, -radius[1]), radius[1], material=materials[1]))
+        O.bodies[1].state.mass = mass[1]
+    O.bodies[0].state.mass = mass[0]
+    O.bodies[0].state.vel = (0, 0, -1)
     O.engines = [
         ForceResetter(),
-        InsertionSortCollider([Bo1_Sphere_Aabb()]),
-        InteractionLoop([Ig2_Sphere_Sphere_ScGeom()], physics, law),
+        InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Wall_Aabb()]), cor_contact,
         NewtonIntegrator(damping=0)
     ]
     O.dt = step
     speeds = []
     for length in (int(1.3 * steps), int(0.1 * steps)):
         O.run(length, True)
-        speeds.append(O.bodies[1].state.vel[0] - O.bodies[0].state.vel[0])
+        speeds.append(O.bodies[0].state.vel[2] - O.bodies[1].state.vel[2])
     return speeds
 
 
 arguments = sys.argv[1:]
 while arguments:
-    paste, duration, counts = arguments[:3]
-    arguments = arguments[3:]
+    paste, wall, duration, counts = arguments[:4]
+    arguments = arguments[4:]
     for count in counts.split(","):
-        before, after = collide(open(paste).read(), float(duration) / (int(count) + 0.5), int(count))
+        before, after = collide(open(paste).read(), wall == "1", float(duration) / (int(count) + 0.5), int(count))
         print("eps %s %s %.17g %.3g" % (paste, count, after, after - before))
