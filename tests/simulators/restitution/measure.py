@@ -164,6 +164,14 @@ def text_for(host, law, e, *options, wall=False):
     return "" if "does not have the law" in text else text
 
 
+def ends_of(law, e, end, wall):
+    """eps at both ends of a contact that has e at `end`"""
+    if not end:
+        return []
+    row = row_of(contact_of(law, e, wall) + ["--end", end, "--speed", "1"])
+    return [float(row["eps_zero_overlap"]), float(row["eps_zero_force"])]
+
+
 def pasted_cases(host, law, wanted, wall):
     """With the text of corgen, whole, and with each alternative that it has as comments; at a wall and with --end for
     few restitutions"""
@@ -173,13 +181,16 @@ def pasted_cases(host, law, wanted, wall):
             if wall and e not in FEW:
                 continue
             text = text_for(host, law, e, *(["--end", end] if end else []), wall=wall)
+            known = [float(e)] + ends_of(law, e, end, wall) if text else []
             for block in blocks_of(text):
                 if not wanted(block) or (block.active and tuple(block.lines) in seen):
                     continue
                 seen.add(tuple(block.lines))
-                # what is realised is e, or said to be something else where the model has the other end alone
-                expected = float(e) if abs(block.realised - float(e)) < 1e-6 else block.realised
-                if not math.isnan(expected):
+                # what the text says: e, or the restitution of the same contact at the other end
+                expected = next((eps for eps in known if abs(eps - block.realised) < 1e-6), math.nan)
+                if math.isnan(expected):
+                    verdict(False, "%s, %s: realises %g of %s" % (host, block.model, block.realised, known))
+                else:
                     seconds = duration_s(law, "%.6g" % expected, block.end, wall)
                     yield Case(block, law, e, seconds, expected, wall=wall)
 
