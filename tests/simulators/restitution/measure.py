@@ -499,7 +499,7 @@ def asked_rows(host, cases):
     models = list(dict.fromkeys(case.model for case in cases if case.own or case.model in maps["0.5"]))
     for model in models:
         own = {case.e: case for case in cases if case.model == model and case.own}
-        own = own or {case.e: case for case in cases if case.model == model}
+        own = own or {case.e: case for case in cases if case.model == model and case.expected == float(case.e)}
         cells = ["refused" if e not in own else number(own[e].eps) if own[e].eps_most - own[e].eps < 1e-6 else
                  "%s to %s" % (number(own[e].eps), number(own[e].eps_most)) for e in RESTITUTIONS]
         if any(e in own for e in RESTITUTIONS):
