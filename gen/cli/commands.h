@@ -94,7 +94,9 @@ struct contact_arguments {
     struct option_common common;
     struct embed_request scene;
     struct values speed;
-    struct decimal steps;
+    struct decimal steps, time_step, step_tolerance;
+    int integrator; /* enum cor_integrator; OPTIONS_NOT_GIVEN: that of the host */
+    bool step_corrected;
     const char *host, *plot; /* NULL: not given */
     const char *version;     /* of the host; NULL: any */
 };

@@ -16,9 +16,32 @@ _Static_assert(OPTIONS_NOT_GIVEN == COR_BOTH_ENDS, "--end that is not given stan
 
 #define DEFAULT_STEPS "50"
 
-static double steps_of(const struct contact_arguments *o)
+static struct contact_step step_of(const struct contact_arguments *o)
 {
-    return o->steps.text ? decimal_value(&o->steps) : strtod(DEFAULT_STEPS, NULL);
+    struct contact_step step = {.steps = o->steps.text ? decimal_value(&o->steps) : strtod(DEFAULT_STEPS, NULL),
+                                .integrator = o->integrator == OPTIONS_NOT_GIVEN ? COR_VERLET_HALF_STEP : o->integrator,
+                                .corrected = o->step_corrected};
+    if (o->time_step.text)
+        step.time_step_s = decimal_value(&o->time_step);
+    if (o->step_tolerance.text)
+        step.tolerance = decimal_value(&o->step_tolerance);
+    step.errors = o->steps.text || o->time_step.text || o->step_tolerance.text || step.corrected ||
+                  o->integrator != OPTIONS_NOT_GIVEN;
+    return step;
+}
+
+/* Refuses a step in seconds of a contact that has no seconds, and a correction for two ends. */
+static int check_step(const struct contact_arguments *o, const struct contacts *contacts)
+{
+    const char *const option = o->time_step.text ? "time-step" : o->step_tolerance.text ? "step-tolerance" : NULL;
+    if (option && isnan(contacts->contact[0].mass_kg))
+        return usage_error("--%s: mass and stiffness are not known; give bodies, or --stiffness and --effective-mass",
+                           option);
+    if (o->step_corrected && !o->host && contact_end(contacts, 0) == COR_BOTH_ENDS)
+        return usage_error("--step-corrected needs --end zero-overlap or zero-force: the damping differs");
+    if (o->step_corrected && o->host && o->speed.count > 1)
+        return usage_error("--step-corrected with --for: give one --speed, for the damping holds there");
+    return STATUS_OK;
 }
 
 /* ---- the tables ---- */
@@ -36,10 +59,11 @@ static void print_summary(FILE *file, const struct contacts *contacts, enum outp
 static int print_tables(const struct contact_arguments *o, const struct contacts *contacts)
 {
     const enum output_format format = (enum output_format)o->common.format;
+    const struct contact_step step = step_of(o);
     struct table rows;
     struct output out;
     int status = o->speed.count == 0 ? STATUS_OK
-                                     : contact_rows(&rows, contacts, o->speed.nearest, o->speed.count, steps_of(o),
+                                     : contact_rows(&rows, contacts, o->speed.nearest, o->speed.count, &step,
                                                     format == FORMAT_TEXT ? CONTACT_DIGITS_TEXT : CONTACT_DIGITS);
     if (status == STATUS_OK)
         status = output_open(&out, o->common.output);
@@ -104,9 +128,11 @@ static int draw(const struct contact_arguments *o, const struct contacts *contac
 
 static int print_for_host(const struct contact_arguments *o, const struct contacts *contacts)
 {
+    struct contact_step step = step_of(o);
     struct output out;
-    char *const text = contact_host_text(o->host, o->version, contacts, o->speed.nearest, o->speed.count,
-                                         o->steps.text ? decimal_value(&o->steps) : 0);
+    if (o->integrator == OPTIONS_NOT_GIVEN)
+        step.integrator = COR_NO_INTEGRATOR; /* that of the simulator */
+    char *const text = contact_host_text(o->host, o->version, contacts, o->speed.nearest, o->speed.count, &step);
     if (!text)
         return STATUS_USAGE;
     int status = output_open(&out, o->common.output);
@@ -128,6 +154,8 @@ static int run_contact(const void *arguments)
     if (o->host && (contact_host_is_list(o->host, o->version) || !cor_simulator_named(o->host)))
         return print_for_host(o, NULL);
     int status = contacts_of_request(&contacts, &o->scene);
+    if (status == STATUS_OK)
+        status = check_step(o, &contacts);
     if (status != STATUS_OK)
         return status;
     if (o->host)
@@ -147,12 +175,20 @@ static const char help[] =
     "  --end E          zero-overlap or zero-force: where eps was measured, and what --plot shows\n"
     "                   (default: both)\n"
     "  --steps N        time_step_s is the shortest duration over N (default " DEFAULT_STEPS ")\n"
+    "  --time-step DT   time_step_s is DT, s\n"
+    "  --step-tolerance T   time_step_s is the largest at which bias and scatter stay below T\n"
+    "                   each of the three adds the error of eps by this time step: step_bias, its mean\n"
+    "                   over the phases of the first step, and step_scatter, its standard deviation\n"
+    "  --step-corrected   also the damping that makes the mean exact, and the factor to it\n"
+    "  --integrator I   verlet-half-step (default, LAMMPS; the next two give the same), leapfrog,\n"
+    "                   symplectic-euler, verlet-full-step; with --for that of the simulator\n"
     "  --for HOST       lines for the input of a simulator, such as LAMMPS; --for list names them\n"
     "  --simulator-version V   for this version, as '29 Sep 2021' or 3.8.1; list names the models\n"
     "  --plot FILE      eps over the speed as .svg, .png or .pdf, by gnuplot\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nColumns: speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,\n"
-    "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s; measured_end where eps was measured\n"
+    "duration_s_zero_force,max_overlap_m,max_force_n,time_step_s; step_bias,step_scatter of the end,\n"
+    "or of both; damping_correction and the corrected damping; measured_end where eps was measured\n"
     "and --end is not given. Without --speed csv and json have quantity,value,unit.\n"
     "\nExample: corgen contact --young 7e10 --poisson 0.2 --radius 5e-3 --density 2500 --restitution 0.9 \\\n"
     "             --at 1 --end zero-force --speed 0.1,1,10\n";
@@ -161,12 +197,37 @@ static const struct values_rule speed_rule = {
     "speed", {"0", NULL, false, false, true, "a finite number above 0 m/s"}, false};
 static const struct option_numbers steps_numbers = {{"1", "1e9", true, true, true, "a number from 1 to 1e9"},
                                                     DECIMAL_PLAIN};
+static const struct option_numbers tolerance_numbers = {
+    {"1e-5", "1", true, true, true, "a number from 1e-5 to 1, the error of eps"}, DECIMAL_PLAIN};
 
 #define AT(FIELD) offsetof(struct contact_arguments, FIELD)
 static const struct option_rule options[] = {
     CONTACT_OPTIONS(struct contact_arguments),
     {.name = "speed", .kind = OPTION_LIST, .offset = AT(speed), .range.values = &speed_rule},
-    {.name = "steps", .kind = OPTION_REAL, .offset = AT(steps), .range.number = &steps_numbers, .needs = "speed"},
+    {.name = "steps",
+     .kind = OPTION_REAL,
+     .offset = AT(steps),
+     .range.number = &steps_numbers,
+     .needs = "speed",
+     .excludes = "time-step step-tolerance"},
+    {.name = "time-step",
+     .kind = OPTION_REAL,
+     .offset = AT(time_step),
+     .range.number = &option_positive,
+     .needs = "speed",
+     .excludes = "step-tolerance"},
+    {.name = "step-tolerance",
+     .kind = OPTION_REAL,
+     .offset = AT(step_tolerance),
+     .range.number = &tolerance_numbers,
+     .needs = "speed"},
+    {.name = "step-corrected", .kind = OPTION_FLAG, .offset = AT(step_corrected), .needs = "speed"},
+    {.name = "integrator",
+     .kind = OPTION_WORD,
+     .offset = AT(integrator),
+     .range.words = cor_integrator_names,
+     .why = "an integrator",
+     .needs = "speed"},
     {.name = "for",
      .kind = OPTION_TEXT,
      .offset = AT(host),
@@ -179,7 +240,7 @@ static const struct option_rule options[] = {
     {.name = NULL},
 };
 
-static const struct contact_arguments defaults = {.scene.end = OPTIONS_NOT_GIVEN};
+static const struct contact_arguments defaults = {.scene.end = OPTIONS_NOT_GIVEN, .integrator = OPTIONS_NOT_GIVEN};
 
 const struct subcommand command_contact = {.name = "contact",
                                            .summary =

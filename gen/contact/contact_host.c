@@ -24,7 +24,7 @@ static long write_text(char *text, size_t size, const char *host, const struct c
 }
 
 char *contact_host_text(const char *host, const char *version, const struct contacts *contacts, const double *speed_m_s,
-                        size_t speeds, double steps)
+                        size_t speeds, const struct contact_step *step)
 {
     char reason[COR_SIMULATOR_REASON];
     const struct cor_simulator_request request = {.simulator = host,
@@ -34,7 +34,12 @@ char *contact_host_text(const char *host, const char *version, const struct cont
                                                   .count = contacts ? contacts->count : 0,
                                                   .speed_m_s = speed_m_s,
                                                   .speeds = speeds,
-                                                  .steps = steps};
+                                                  .time_step_s = step->time_step_s,
+                                                  .steps = step->steps,
+                                                  .step_tolerance = step->tolerance,
+                                                  .step_corrected = step->corrected,
+                                                  .integrator = step->integrator,
+                                                  .step_errors = step->errors};
     if (strcmp(host, CONTACT_HOST_LIST) != 0 && !cor_simulator_named(host)) {
         cor_simulator_lines(reason, sizeof reason, &request);
         usage_error("--for: %s, " CONTACT_HOST_LIST, reason);

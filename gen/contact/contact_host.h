@@ -3,7 +3,7 @@
 #ifndef COR_GEN_CONTACT_CONTACT_HOST_H
 #define COR_GEN_CONTACT_CONTACT_HOST_H
 
-#include "contact/contact.h"
+#include "contact/contact_rows.h"
 
 /* The word that asks for the list of simulators instead of a name, or of the models of one instead of its version */
 #define CONTACT_HOST_LIST "list"
@@ -12,9 +12,9 @@ extern const char *const contact_host_names[]; /* of cor_simulators, then the wo
 
 /* The text of corgen contact --for HOST, malloc'ed; of a list where a word asks for it. NULL after a message if the
  * simulator cannot realise this contact, or there is no such simulator. A list takes no contacts. `version` NULL: any;
- * `steps` 0: the default */
+ * an integrator of `step` below 0: that of the simulator */
 char *contact_host_text(const char *host, const char *version, const struct contacts *contacts, const double *speed_m_s,
-                        size_t speeds, double steps);
+                        size_t speeds, const struct contact_step *step);
 bool contact_host_is_list(const char *host, const char *version);
 
 #endif

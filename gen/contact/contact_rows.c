@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "support/console.h"
 
@@ -63,50 +64,202 @@ void contact_summary(struct table *table, const struct contacts *contacts, int d
     }
 }
 
+/* ---- the time step ---- */
+
+int contact_end(const struct contacts *contacts, int contact)
+{
+    if (contacts->count > 1)
+        return contact;
+    if (contacts->scene.end != COR_BOTH_ENDS)
+        return contacts->scene.end;
+    return cor_scene_ends_differ(&contacts->contact[0]) ? COR_BOTH_ENDS : COR_END_ZERO_OVERLAP;
+}
+
+/* The impacts of the rows, in seconds, or in a unit of its own where mass and stiffness are not known */
+struct timed {
+    const double *speed_m_s;
+    size_t rows, speeds;
+    struct cor_scene_contact contact[COR_SCENE_ENDS];
+    int end[COR_SCENE_ENDS];
+    struct cor_scene_impact *impact;
+    bool known;
+    double time_step;
+};
+
+static double elastic_duration(const struct timed *t, size_t row)
+{
+    return cor_scene_elastic_duration_s(&t->contact[row / t->speeds], t->speed_m_s[row % t->speeds]);
+}
+
+static bool is_end(const struct timed *t, size_t row, int end)
+{
+    return t->end[row / t->speeds] == COR_BOTH_ENDS || t->end[row / t->speeds] == end;
+}
+
+/* The largest step for a tolerance, in three digits, of which the last is rounded down: cor_scene_step_for has no more.
+ */
+static int step_for(struct timed *t, const struct contact_step *step)
+{
+    double least = INFINITY, n;
+    for (size_t i = 0; i < t->rows; i++)
+        for (int end = 0; end < COR_SCENE_ENDS; end++) {
+            if (!is_end(t, i, end))
+                continue;
+            const int status = cor_scene_step_for(&n, &t->contact[i / t->speeds], t->speed_m_s[i % t->speeds], end,
+                                                  step->tolerance, step->integrator);
+            if (status == COR_FAULT_STEP)
+                return fail("no time step found at which bias and scatter of eps stay below %g at %g m/s",
+                            step->tolerance, t->speed_m_s[i % t->speeds]);
+            if (status != COR_FAULT_NONE)
+                return contact_status(status);
+            least = fmin(least, elastic_duration(t, i) / n);
+        }
+    const double unit = pow(10, floor(log10(least)) - 2);
+    t->time_step = floor(least / unit) * unit;
+    return STATUS_OK;
+}
+
+/* Fills all but speeds and rows. */
+static int timed_fill(struct timed *t, const struct contacts *contacts, const struct contact_step *step)
+{
+    double least = INFINITY; /* the shortest duration, of the ends that are known */
+    t->known = !isnan(contacts->contact[0].mass_kg);
+    for (int i = 0; i < contacts->count; i++) {
+        t->contact[i] = contacts->contact[i];
+        t->end[i] = contact_end(contacts, i);
+        if (!t->known)
+            t->contact[i].mass_kg = t->contact[i].stiffness = 1;
+    }
+    for (size_t i = 0; i < t->rows; i++) {
+        progress("impacts", (long)i, (long)t->rows);
+        const int status =
+            contact_status(cor_scene_impact(&t->impact[i], &t->contact[i / t->speeds], t->speed_m_s[i % t->speeds]));
+        if (status != STATUS_OK)
+            return status;
+        for (int end = 0; end < COR_SCENE_ENDS; end++)
+            least = fmin(least, t->impact[i].duration_s[end]);
+    }
+    t->time_step = step->time_step_s > 0 ? step->time_step_s : isinf(least) ? (double)NAN : least / step->steps;
+    return step->tolerance > 0 ? step_for(t, step) : STATUS_OK;
+}
+
 /* ---- the impacts ---- */
 
-int contact_rows(struct table *table, const struct contacts *contacts, const double *speed_m_s, size_t speeds,
-                 double steps, int digits)
+/* The quantity that is corrected */
+static const struct quantity *corrected_quantity(const struct contacts *contacts)
 {
-    static const char *const column[] = {"speed_m_s",
-                                         "beta",
-                                         "eps_zero_overlap",
-                                         "eps_zero_force",
-                                         "duration_s_zero_overlap",
-                                         "duration_s_zero_force",
-                                         "max_overlap_m",
-                                         "max_force_n",
-                                         "time_step_s",
-                                         "measured_end"};
-    const size_t rows = (size_t)contacts->count * speeds;
-    struct cor_scene_impact *const impact = xmalloc(rows * sizeof *impact);
-    double least = INFINITY; /* the shortest duration, of the ends that are known */
-    int status = STATUS_OK;
-    table_init(table, column, (int)(sizeof column / sizeof *column) - (contacts->count == 1));
-    table->kinds = "nnnnnnnnnt";
-    for (size_t i = 0; i < rows && status == STATUS_OK; i++) {
-        progress("impacts", (long)i, (long)rows);
-        status = contact_status(cor_scene_impact(&impact[i], &contacts->contact[i / speeds], speed_m_s[i % speeds]));
-        for (int end = 0; end < COR_SCENE_ENDS; end++)
-            least = fmin(least, impact[i].duration_s[end]);
+    static const int wanted[] = {COR_SCENE_ZETA, COR_SCENE_DISSIPATION_TIME, COR_SCENE_DAMPING_COEFFICIENT,
+                                 COR_SCENE_BETA};
+    for (size_t k = 0;; k++)
+        for (int i = 0; i < QUANTITIES; i++)
+            if (quantities[i].number == wanted[k] && !isnan(value_of(&contacts->contact[0], wanted[k])))
+                return &quantities[i];
+}
+
+enum { STEP_DIGITS = 4, CORRECTED_DIGITS = 6, NAME = 64 };
+
+static void table_add_number(struct table *table, double value, int digits)
+{
+    table_add(table, contact_number_text(value, digits));
+}
+
+/* Bias and scatter of a row, and its corrected damping; NaN where the step is too long or too short */
+static int add_step(struct table *table, const struct timed *t, size_t row, const struct contact_step *step,
+                    const struct quantity *quantity)
+{
+    const struct cor_scene_contact *const contact = &t->contact[row / t->speeds];
+    const double speed = t->speed_m_s[row % t->speeds], steps = elastic_duration(t, row) / t->time_step;
+    struct cor_step_error error;
+    struct cor_scene_contact corrected;
+    for (int end = 0; end < COR_SCENE_ENDS; end++) {
+        if (!is_end(t, row, end))
+            continue;
+        int status = cor_scene_step_error(&error, contact, speed, end, steps, step->integrator);
+        if (status != COR_FAULT_NONE && status != COR_FAULT_STEP)
+            return contact_status(status);
+        table_add_number(table, error.bias, STEP_DIGITS);
+        table_add_number(table, error.scatter, STEP_DIGITS);
+        if (!step->corrected)
+            continue;
+        status = cor_scene_step_corrected(&corrected, contact, speed, end, steps, step->integrator);
+        if (status < 0)
+            return contact_status(status);
+        const double factor = contact->damping > 0 ? corrected.damping / contact->damping : 1;
+        table_add_number(table, factor, CORRECTED_DIGITS);
+        table_add_number(table, value_of(contact, quantity->number) * factor, CORRECTED_DIGITS);
     }
-    for (size_t i = 0; i < rows && status == STATUS_OK; i++) {
-        const double value[] = {impact[i].beta,
-                                impact[i].eps[END_ZERO_OVERLAP],
-                                impact[i].eps[END_ZERO_FORCE],
-                                impact[i].duration_s[END_ZERO_OVERLAP],
-                                impact[i].duration_s[END_ZERO_FORCE],
-                                impact[i].max_overlap_m,
+    return STATUS_OK;
+}
+
+int contact_rows(struct table *table, const struct contacts *contacts, const double *speed_m_s, size_t speeds,
+                 const struct contact_step *step, int digits)
+{
+    static const char *const base[] = {"speed_m_s",
+                                       "beta",
+                                       "eps_zero_overlap",
+                                       "eps_zero_force",
+                                       "duration_s_zero_overlap",
+                                       "duration_s_zero_force",
+                                       "max_overlap_m",
+                                       "max_force_n",
+                                       "time_step_s"};
+    enum { BASE = sizeof base / sizeof *base };
+    static const char *const errors[] = {"step_bias",
+                                         "step_scatter",
+                                         "step_bias_zero_overlap",
+                                         "step_scatter_zero_overlap",
+                                         "step_bias_zero_force",
+                                         "step_scatter_zero_force"};
+    /* the table keeps no copies */
+    static const char *column[BASE + 6];
+    static char corrected[NAME], kinds[BASE + 7];
+    int columns = 0;
+    struct timed t = {.speed_m_s = speed_m_s, .rows = (size_t)contacts->count * speeds, .speeds = speeds};
+    t.impact = xmalloc(t.rows * sizeof *t.impact);
+    int status = timed_fill(&t, contacts, step);
+    const struct quantity *const quantity = corrected_quantity(contacts);
+    while (columns < BASE) {
+        column[columns] = base[columns];
+        columns++;
+    }
+    if (step->errors) {
+        const bool both = t.end[0] == COR_BOTH_ENDS;
+        for (int k = 0; k < (both ? 4 : 2); k++)
+            column[columns++] = errors[(both ? 2 : 0) + k];
+    }
+    if (step->corrected) {
+        snprintf(corrected, sizeof corrected, "corrected_%s", quantity->name);
+        column[columns++] = "damping_correction";
+        column[columns++] = corrected;
+    }
+    memset(kinds, 'n', sizeof kinds - 1);
+    if (contacts->count > 1) {
+        kinds[columns] = 't';
+        column[columns++] = "measured_end";
+    }
+    table_init(table, column, columns);
+    table->kinds = kinds;
+    for (size_t i = 0; i < t.rows && status == STATUS_OK; i++) {
+        const double known = t.known ? 1 : (double)NAN;
+        const double value[] = {t.impact[i].beta,
+                                t.impact[i].eps[END_ZERO_OVERLAP],
+                                t.impact[i].eps[END_ZERO_FORCE],
+                                t.impact[i].duration_s[END_ZERO_OVERLAP] * known,
+                                t.impact[i].duration_s[END_ZERO_FORCE] * known,
+                                t.impact[i].max_overlap_m * known,
                                 cor_scene_force_max_n(&contacts->contact[i / speeds], speed_m_s[i % speeds]),
-                                isinf(least) ? (double)NAN : least / steps};
+                                t.time_step * known};
         char text[DECIMAL_TEXT];
+        progress("impacts", (long)i, (long)t.rows);
         table_add(table, xstrdup(decimal_text(text, speed_m_s[i % speeds])));
         for (size_t k = 0; k < sizeof value / sizeof *value; k++)
-            table_add(table, contact_number_text(value[k], digits));
+            table_add_number(table, value[k], digits);
+        if (step->errors)
+            status = add_step(table, &t, i, step, quantity);
         if (contacts->count > 1)
             table_add(table, xstrdup(i < speeds ? "zero-overlap" : "zero-force"));
     }
-    free(impact);
+    free(t.impact);
     progress_end();
     return status;
 }

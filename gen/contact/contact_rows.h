@@ -16,10 +16,23 @@ char *contact_number_text(double x, int digits); /* malloc'ed */
  * which eps may have been measured. Quantities that are not known have no row. */
 void contact_summary(struct table *table, const struct contacts *contacts, int digits);
 
-/* A row for each contact and speed, in the columns of corgen contact; the last column, measured_end, only where
- * there are two contacts. time_step_s is the shortest duration of all rows over `steps`. Returns STATUS_OK or
- * STATUS_FAILED. */
+/* A time step, by one of three numbers; the others are 0. */
+struct contact_step {
+    double steps;       /* in the shortest contact of all rows */
+    double time_step_s; /* itself */
+    double tolerance;   /* the largest at which bias and scatter of eps stay below */
+    int integrator;     /* enum cor_integrator */
+    bool errors;        /* whether bias and scatter are shown */
+    bool corrected;     /* whether the damping is corrected for it, too */
+};
+
+/* A row for each contact and speed, in the columns of corgen contact. The last column, measured_end, is there only where
+ * there are two contacts. Errors of the step have two columns, or, where the end of contact is not given and matters,
+ * two for each end. A correction needs one end. Returns STATUS_OK or STATUS_FAILED. */
 int contact_rows(struct table *table, const struct contacts *contacts, const double *speed_m_s, size_t speeds,
-                 double steps, int digits);
+                 const struct contact_step *step, int digits);
+
+/* The end of a row: that of the contact, or COR_BOTH_ENDS */
+int contact_end(const struct contacts *contacts, int contact);
 
 #endif

@@ -141,7 +141,7 @@ enum cor_integrator {
     COR_INTEGRATORS,
     COR_NO_INTEGRATOR = -1 /* of simulators with impulses, implicit methods or steps of their own choice */
 };
-extern const char *const cor_integrator_names[COR_INTEGRATORS]; /* "verlet-half-step" */
+extern const char *const cor_integrator_names[COR_INTEGRATORS + 1]; /* "verlet-half-step"; ends with NULL */
 /* That of a simulator of cor_simulator_models, or COR_NO_INTEGRATOR if it has none of these or is not known */
 int cor_simulator_integrator(const char *simulator);
 
@@ -401,6 +401,11 @@ struct cor_simulator_request {
     size_t speeds;
     double time_step_s; /* 0: the shortest contact at these speeds over `steps` */
     double steps;       /* 0: 50 */
+    /* Not 0: the largest time step at which bias and scatter of eps stay below it; the text says bias and scatter; the
+     * damping is that of cor_scene_step_corrected */
+    double step_tolerance;
+    int step_errors, step_corrected;
+    int integrator; /* enum cor_integrator; COR_NO_INTEGRATOR: that of the simulator */
 };
 
 /* Writes the lines by which a simulator realises a contact, as a text that can be put into its input whole. One block

@@ -295,7 +295,13 @@ static double realised(const struct block *block, const struct task *task, doubl
     return eps;
 }
 
-/* The shortest contact over the number of steps; NaN where it is not known */
+static int integrator_of(const struct task *task)
+{
+    const int own = cor_simulator_integrator(task->simulator->name);
+    return own == COR_NO_INTEGRATOR || task->request->integrator == COR_NO_INTEGRATOR ? own : task->request->integrator;
+}
+
+/* The shortest contact over the number of steps, or the largest step for the tolerance; NaN where it is not known */
 static double time_step(const struct block *block, const struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -314,11 +320,58 @@ static double time_step(const struct block *block, const struct task *task)
     for (size_t i = 0; i < speeds; i++) {
         struct cor_scene_impact impact;
         const double speed = request->speeds > 0 ? request->speed_m_s[i] : block->speed_m_s;
+        double steps;
+        if (request->step_tolerance > 0) {
+            if (cor_scene_step_for(&steps, &c, speed, (int)block->model->end, request->step_tolerance,
+                                   integrator_of(task)) != COR_FAULT_NONE)
+                return NAN;
+            least = fmin(least, cor_scene_elastic_duration_s(&c, speed) / steps);
+            continue;
+        }
         if (cor_scene_impact(&impact, &c, speed) != COR_FAULT_NONE)
             return NAN;
         least = fmin(least, impact.duration_s[block->model->end == COR_END_ZERO_OVERLAP ? 0 : 1]);
     }
+    if (request->step_tolerance > 0)
+        return least;
     return least > 0 && least < INFINITY ? least / (request->steps > 0 ? request->steps : DEFAULT_STEPS) : NAN;
+}
+
+static double damping_of(const struct block *block, const struct task *task)
+{
+    const struct cor_simulator_model *const model = block->model;
+    return cor_simulator_has_function(model) ? NAN
+           : model->damping_of_e
+               ? model->damping_of_e(block->number[PAIR])
+               : model->damping_of_number(block->number[PAIR], task->wish[PAIR].contacts, block->speed_m_s);
+}
+
+/* Corrects the numbers for the time step, at the speed of the request, or at the one at which they hold. Returns whether
+ * that is possible; otherwise `reason` says why not. */
+static int correct(struct block *block, char reason[SENTENCE], const struct task *task)
+{
+    enum cor_simulator_status status;
+    double number[PAIRS];
+    if (block->model->law == COR_LAW_IMPULSE)
+        return 1;
+    snprintf(reason, SENTENCE, "its damping has no correction for the time step: %s",
+             integrator_of(task) == COR_NO_INTEGRATOR
+                 ? "its method is implicit, or chooses its steps"
+                 : "the step is not known, or so long that no damping makes the mean right");
+    for (int pair = PAIR; pair < PAIRS; pair++) {
+        struct cor_simulator_wish wish = task->wish[pair];
+        struct cor_scene_contact c = *wish.contacts;
+        c.law = contact_made(block, task).law;
+        if (task->has_law && task->request->speeds > 0)
+            wish.speed_m_s = *task->request->speed_m_s;
+        wish.steps = cor_scene_elastic_duration_s(&c, isnan(wish.speed_m_s) ? 1 : wish.speed_m_s) / block->time_step_s;
+        number[pair] = wish.steps > 0 ? cor_simulator_number(block->model, &wish, task->has_law, &status) : NAN;
+        if (isnan(number[pair]))
+            return 0;
+    }
+    memcpy(block->number, number, sizeof number);
+    block->damping = damping_of(block, task);
+    return 1;
 }
 
 /* Finds the numbers of a model. Returns whether there are some; otherwise `reason` says why not. */
@@ -353,11 +406,9 @@ static int fill_block(struct block *block, char reason[SENTENCE], const struct t
     }
     if (isnan(number))
         return 0;
-    block->damping = cor_simulator_has_function(model) ? NAN
-                     : model->damping_of_e             ? model->damping_of_e(number)
-                                           : model->damping_of_number(number, wish->contacts, block->speed_m_s);
+    block->damping = damping_of(block, task);
     block->time_step_s = time_step(block, task);
-    return 1;
+    return !task->request->step_corrected || correct(block, reason, task);
 }
 
 /* ---- lines ---- */
@@ -535,6 +586,24 @@ static void put_mass(struct text *t, const struct block *block, const struct tas
                    : "Where masses differ, each pair of types needs its own.");
 }
 
+/* eps with the time step */
+static void put_stepped(struct text *t, const struct block *block, const struct task *task, double speed_m_s,
+                        double eps)
+{
+    struct cor_step_error error;
+    const struct cor_scene_contact c = contact_made(block, task);
+    const double steps = cor_scene_elastic_duration_s(&c, speed_m_s) / block->time_step_s;
+    if (cor_scene_step_error(&error, &c, speed_m_s, (int)block->model->end, steps, integrator_of(task)) ==
+        COR_FAULT_NONE)
+        comment(t,
+                "realises eps = %s at %s m/s with this time step, in the mean; standard deviation %s; %s with short "
+                "steps",
+                number_text(eps + error.bias, 5).text, TEXT(speed_m_s), number_text(error.scatter, 2).text, TEXT(eps));
+    else
+        comment(t, "realises eps = %s at %s m/s with short steps; its time step is not known", TEXT(eps),
+                TEXT(speed_m_s));
+}
+
 static void put_realised(struct text *t, const struct block *block, const struct task *task)
 {
     const struct cor_simulator_request *const request = task->request;
@@ -547,7 +616,9 @@ static void put_realised(struct text *t, const struct block *block, const struct
         speeds = 1;
     for (size_t i = 0; i < speeds; i++) {
         const double eps = realised(block, task, speed[i]);
-        if (!isnan(eps))
+        if (!isnan(eps) && request->step_errors && block->model->law != COR_LAW_IMPULSE)
+            put_stepped(t, block, task, speed[i], eps);
+        else if (!isnan(eps))
             comment(t, "realises eps = %s at %s m/s", TEXT(eps), TEXT(speed[i]));
     }
     if (speeds == 0 && constant)

@@ -8,8 +8,8 @@
 #include "cor/scene.h"
 #include "runtime/scene/exponents.h"
 
-const char *const cor_integrator_names[COR_INTEGRATORS] = {"verlet-half-step", "leapfrog", "symplectic-euler",
-                                                           "verlet-full-step"};
+const char *const cor_integrator_names[COR_INTEGRATORS + 1] = {"verlet-half-step", "leapfrog", "symplectic-euler",
+                                                               "verlet-full-step", NULL};
 
 int cor_simulator_integrator(const char *simulator)
 {
