@@ -39,8 +39,6 @@ static int check_step(const struct contact_arguments *o, const struct contacts *
                            option);
     if (o->step_corrected && !o->host && contact_end(contacts, 0) == COR_BOTH_ENDS)
         return usage_error("--step-corrected needs --end zero-overlap or zero-force: the damping differs");
-    if (o->step_corrected && o->host && o->speed.count > 1)
-        return usage_error("--step-corrected with --for: give one --speed, for the damping holds there");
     return STATUS_OK;
 }
 

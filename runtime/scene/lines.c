@@ -355,16 +355,19 @@ static int correct(struct block *block, char reason[SENTENCE], const struct task
     if (block->model->law == COR_LAW_IMPULSE)
         return 1;
     snprintf(reason, SENTENCE, "its damping has no correction for the time step: %s",
-             integrator_of(task) == COR_NO_INTEGRATOR
+             task->request->speeds != 1 ? "it holds at one impact speed, which is to be given"
+             : integrator_of(task) == COR_NO_INTEGRATOR
                  ? "its method is implicit, or chooses its steps"
                  : "the step is not known, or so long that no damping makes the mean right");
+    if (task->request->speeds != 1)
+        return 0;
     for (int pair = PAIR; pair < PAIRS; pair++) {
         struct cor_simulator_wish wish = task->wish[pair];
         struct cor_scene_contact c = *wish.contacts;
         c.law = contact_made(block, task).law;
-        if (task->has_law && task->request->speeds > 0)
+        if (task->has_law || isnan(wish.speed_m_s))
             wish.speed_m_s = *task->request->speed_m_s;
-        wish.steps = cor_scene_elastic_duration_s(&c, isnan(wish.speed_m_s) ? 1 : wish.speed_m_s) / block->time_step_s;
+        wish.steps = cor_scene_elastic_duration_s(&c, wish.speed_m_s) / block->time_step_s;
         number[pair] = wish.steps > 0 ? cor_simulator_number(block->model, &wish, task->has_law, &status) : NAN;
         if (isnan(number[pair]))
             return 0;

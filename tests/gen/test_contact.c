@@ -372,6 +372,42 @@ static void the_time_step_is_for_all_speeds(void **state)
     }
 }
 
+/* Bias and scatter of velocity Verlet with half-step velocities, viscoelastic spheres, zero overlap, for e and steps in
+ * the elastic duration: means over 400 phases by another program, in two digits */
+static void errors_of_steps(void **state)
+{
+    (void)state;
+    enum { BIAS_COLUMN = 9 };
+    static const struct {
+        double e, steps, bias, scatter;
+    } known[] = {{0.5, 8, -8.3e-3, 5.1e-3}, {0.5, 12, -5.6e-3, 5.6e-3}, {0.5, 50, -1.5e-3, 5.9e-4},
+                 {0.7, 8, -2.1e-3, 4.8e-3}, {0.7, 20, -1.3e-3, 2.0e-3}, {0.7, 100, -2.8e-4, 7e-5},
+                 {0.9, 12, -4e-5, 1.5e-3},  {0.9, 50, -6e-5, 1.6e-4},   {0.9, 100, -3e-5, 4e-5}};
+    const double speed = 0.3;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        const struct contacts contacts = contacts_of(0, COR_END_ZERO_OVERLAP, GIVEN(BODIES),
+                                                     GIVEN({COR_SCENE_RESTITUTION, known[i].e}, {COR_SCENE_AT, speed}));
+        struct contact_step step = {
+            .time_step_s = cor_scene_elastic_duration_s(&contacts.contact[0], speed) / known[i].steps, .errors = true};
+        struct table table;
+        assert_int_equal(contact_rows(&table, &contacts, &speed, 1, &step, 17), 0);
+        const double bias = strtod(table.cell[BIAS_COLUMN], NULL), scatter = strtod(table.cell[BIAS_COLUMN + 1], NULL);
+        table_clear(&table);
+        check(fabs(bias - known[i].bias) < 0.03 * known[i].scatter + 0.07 * fabs(known[i].bias) &&
+                  fabs(scatter / known[i].scatter - 1) < 0.12,
+              "e = %g, %g steps: %g and %g", known[i].e, known[i].steps, bias, scatter);
+        /* the largest step for this bias and scatter is no shorter, and keeps them */
+        step = (struct contact_step){.tolerance = fmax(fabs(bias), scatter) * 1.2, .errors = true};
+        assert_int_equal(contact_rows(&table, &contacts, &speed, 1, &step, 17), 0);
+        const double found = strtod(table.cell[BIAS_COLUMN - 1], NULL);
+        check(fabs(strtod(table.cell[BIAS_COLUMN], NULL)) < step.tolerance &&
+                  strtod(table.cell[BIAS_COLUMN + 1], NULL) < step.tolerance &&
+                  cor_scene_elastic_duration_s(&contacts.contact[0], speed) / found < 1.6 * known[i].steps,
+              "e = %g, tolerance %g: step %g", known[i].e, step.tolerance, found);
+        table_clear(&table);
+    }
+}
+
 /* ---- --for: the numbers in the lines, put through the simulator's own conversion ---- */
 
 /* eps of a law for the damping, at either end, by the functions of the library */
@@ -509,8 +545,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(impacts_against_integration),     cmocka_unit_test(reference_collisions),
         cmocka_unit_test(every_way_of_a_sphere),           cmocka_unit_test(other_laws),
-        cmocka_unit_test(the_time_step_is_for_all_speeds), cmocka_unit_test(hosts_realise_what_is_wished),
-        cmocka_unit_test(chrono_finds_the_radius),
+        cmocka_unit_test(the_time_step_is_for_all_speeds), cmocka_unit_test(errors_of_steps),
+        cmocka_unit_test(hosts_realise_what_is_wished),    cmocka_unit_test(chrono_finds_the_radius),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
