@@ -26,7 +26,7 @@ struct contact_step {
     bool corrected;     /* whether the damping is corrected for it, too */
 };
 
-/* A row for each contact and speed, in the columns of corgen contact. The last column, measured_end, is there only where
+/* A row for each contact and speed, in the columns of corgen contact. The last one, measured_end, is there only where
  * there are two contacts. Errors of the step have two columns, or, where the end of contact is not given and matters,
  * two for each end. A correction needs one end. Returns STATUS_OK or STATUS_FAILED. */
 int contact_rows(struct table *table, const struct contacts *contacts, const double *speed_m_s, size_t speeds,

@@ -346,7 +346,7 @@ static double damping_of(const struct block *block, const struct task *task)
                : model->damping_of_number(block->number[PAIR], task->wish[PAIR].contacts, block->speed_m_s);
 }
 
-/* Corrects the numbers for the time step, at the speed of the request, or at the one at which they hold. Returns whether
+/* Corrects the numbers for the time step, at the speed of the request or at the one at which they hold. Returns whether
  * that is possible; otherwise `reason` says why not. */
 static int correct(struct block *block, char reason[SENTENCE], const struct task *task)
 {

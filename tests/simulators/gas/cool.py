@@ -7,6 +7,8 @@ compared with kinetic theory, into which cor's eps(g) goes (theory.c).
     tests/simulators/gas/cool.py --lattice 50x50x40:20 [--ranks 2] [--results FOLDER] [--write]
                                              100,000 spheres and, for the statistical error, eight gases of 2000.
                                              FOLDER keeps each gas; a gas that lies there is not simulated again
+A third number, as in 50x50x40:12:50, makes so many time steps in the shortest contact, with the damping of the lines.
+Without it they are 12, and the damping is corrected for them.
 --write renews docs/gas/ and the numbers of docs/gas.md from the results.
 """
 import argparse
@@ -33,6 +35,8 @@ YOUNG, POISSON, RADIUS, DENSITY = "1e6", "0.49", "5e-3", "1100"
 SPHERES = ["--young", YOUNG, "--poisson", POISSON, "--radius", RADIUS, "--density", DENSITY, "--end", "zero-overlap"]
 RESTITUTION = ["--restitution", "0.85", "--at", "0.1"]
 FRACTION = "0.03"  # of volume
+SPEED = 0.1  # sqrt(T/m) at first
+COARSE = 12  # time steps in the shortest contact, at 4 sqrt(2 T/m)
 STAGES = 20  # 1 + t/t_1 grows by 1.1 in each; t_1 is `unit` of in.gas
 SHORT_STAGES = 12
 
@@ -41,7 +45,7 @@ SCATTER_LATTICE, SCATTER_SEEDS = "20x10x10", range(101, 109)
 SCATTER = 0.45
 ALLOWED = 4.5  # standard errors
 ENDS_APART = 100000  # spheres that tell the two ends of contact apart
-STEP_ALLOWED = 0.004  # change of 1 - eps^2 by the time step
+STEP_ALLOWED = 2e-4  # change of 1 - eps^2 by the time step: the scatter of eps, squared, is 2e-5 of the loss
 
 State = collections.namedtuple("State", "time steps temperature kurtosis shear density")
 Theory = collections.namedtuple("Theory", "time temperature a2 collisions slope contact")
@@ -73,20 +77,25 @@ def contact(*options):
     return output_of([CORGEN, "contact"] + SPHERES + list(options), stdin=subprocess.DEVNULL)
 
 
-def dissipation_time():
-    rows = csv.DictReader(io.StringIO(contact(*RESTITUTION, "--format", "csv")))
+def dissipation_time(*restitution):
+    rows = csv.DictReader(io.StringIO(contact(*restitution, "--format", "csv")))
     return next(row["value"] for row in rows if row["quantity"] == "dissipation_time")
 
 
-def contact_at(time, speed):
+def contact_at(time, speed, *options):
     """{column: value} at an impact speed, m/s"""
-    text = contact("--dissipation-time", time, "--speed", speed, "--format", "csv")
+    text = contact("--dissipation-time", time, "--speed", speed, "--format", "csv", *options)
     return next(csv.DictReader(io.StringIO(text)))
 
 
 def lammps_lines(time):
     """Lines of which those that end contacts at zero overlap are active"""
-    return contact("--dissipation-time", time, "--end", "zero-overlap", "--for", "lammps")
+    return contact("--dissipation-time", time, "--for", "lammps")
+
+
+def impact_of(temperature):
+    """The impact speed of the collisions that lose most energy"""
+    return "%.6g" % (2.5 * math.sqrt(temperature))
 
 
 # ---- LAMMPS ----
@@ -97,15 +106,17 @@ class Gas:
 
     def __init__(self, folder):
         self.folder = folder
-        self.time = dissipation_time()
+        self.time = dissipation_time(*RESTITUTION)
+        pair = re.search(r"^pair_coeff \* \* hertz \S+ (\S+) ", lammps_lines(self.time), re.M)
+        self.damping = pair[1]
         for name, time in ("pair", self.time), ("elastic", "0"):
             with open(os.path.join(folder, name), "w", encoding="utf-8") as out:
-                out.write(lammps_lines(time))
+                out.write(lammps_lines(time).replace(" %s " % self.damping, " ${eta} "))
         self.duration = contact_at(self.time, "1")["duration_s_zero_overlap"]
 
     def lammps(self, script, ranks, **variables):
         """The text that LAMMPS prints"""
-        variables.update(pair="pair", duration=self.duration, radius=RADIUS, density=DENSITY)
+        variables = dict(pair="pair", duration=self.duration, radius=RADIUS, density=DENSITY, **variables)
         command = [LMP, "-log", "none", "-in", os.path.join(HERE, script)]
         for name, value in variables.items():
             command += ["-var", name, str(value)]
@@ -116,27 +127,49 @@ class Gas:
             ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_mpi_yield_when_idle"), "1")
         return output_of(command, stdin=subprocess.DEVNULL, cwd=self.folder, env=dict(os.environ, **mpi))
 
-    def gas(self, lattice, ranks, **variables):
+    def step(self, temperature, steps):
+        """The time step at this T/m"""
+        return float(self.duration) * (4 * math.sqrt(2 * temperature))**-0.2 / steps
+
+    def factor(self, temperature, steps):
+        """What the damping is multiplied by for this time step"""
+        if steps != COARSE:
+            return 1
+        row = contact_at(self.time, impact_of(temperature), "--time-step", "%.12g" % self.step(temperature, steps),
+                         "--step-corrected")
+        return float(row["damping_correction"])
+
+    def gas(self, lattice, ranks, steps, **variables):
+        """1 less the factor is nearly a power of T."""
+        first, last = SPEED**2, SPEED**2 / 25
+        correction = 1 - self.factor(first, steps)
+        power = math.log(correction / (1 - self.factor(last, steps))) / math.log(first / last) if correction else 0
         variables.update(zip(("nx", "ny", "nz"), lattice.split("x")))
-        return self.lammps("in.gas", ranks, elastic="elastic", fraction=FRACTION, **variables)
+        return self.lammps("in.gas", ranks, elastic="elastic", fraction=FRACTION, speed=SPEED, per_contact=steps,
+                           damping=self.damping, correction=correction, power=power, **variables)
 
-    def step_error(self, state):
-        """1 - eps^2 of contacts with the time step that the gas has in this state, over the exact value, less 1. The
-        collisions that lose most energy have impact speeds near 2.5 sqrt(T/m)."""
-        speed = math.sqrt(state.temperature)
-        impact = "%.6g" % (2.5 * speed)
-        text = self.lammps("in.pairs", 1, speed=speed, impact=impact)
+    def pairs(self, impact, step, eta, centre=0):
+        """Means of 1 - eps^2, eps and (eps - centre)^2 over places of first touch"""
+        text = self.lammps("in.pairs", 1, impact=impact, dt=step, eta=eta, centre=centre)
+        return [float(x) for x in re.search(r"^loss \S+ (\S+) (\S+) (\S+)$", text, re.M).groups()]
+
+    def step_error(self, state, steps):
+        """1 - eps^2 of contacts with the time step and damping that the gas has in this state, over the exact value,
+        less 1"""
+        impact = impact_of(state.temperature)
+        loss = self.pairs(impact, self.step(state.temperature, steps),
+                          float(self.damping) * self.factor(state.temperature, steps))[0]
         eps = float(contact_at(self.time, impact)["eps_zero_overlap"])
-        return float(re.search(r"^loss \S+ (\S+)", text, re.M)[1]) / (1 - eps * eps) - 1
+        return loss / (1 - eps * eps) - 1
 
-    def cooled(self, lattice, seed, stages, ranks):
+    def cooled(self, lattice, seed, stages, ranks, steps=COARSE):
         """The states of a gas at the ends of the stages"""
-        name = os.path.join(self.folder, "gas.%s.%d" % (lattice, seed))
+        name = os.path.join(self.folder, "gas.%s.%d.%d" % (lattice, seed, steps))
         if not os.path.exists(name):
             part = name + ".part"
             if os.path.exists(part):
                 os.remove(part)
-            text = self.gas(lattice, ranks, seed=seed, stages=stages, out=os.path.basename(part))
+            text = self.gas(lattice, ranks, steps, seed=seed, stages=stages, out=os.path.basename(part))
             if set(re.findall(r"Dangerous builds = (\d+)", text)) != {"0"}:
                 sys.exit("cool.py: LAMMPS may have missed contacts: dangerous builds")
             with open(name + ".log", "w", encoding="utf-8") as out:
@@ -227,12 +260,29 @@ def judge_limit(predictor, states):
     verdict(abs(late.slope + 5 / 3) < 1e-3, "theory: d ln T/d ln t tends to -5/3, %.5f after 1e14 s" % late.slope)
 
 
+def judge_steps(gas):
+    """Bias and scatter of eps that corgen states for a step, and its correction, against 40 pairs in LAMMPS"""
+    time, impact = dissipation_time("--restitution", "0.5", "--at", "0.1"), "0.1"
+    step = "%.12g" % (gas.step(SPEED**2 / 16, COARSE))
+    row = contact_at(time, impact, "--time-step", step, "--step-corrected")
+    eta = float(gas.damping) * float(time) / float(gas.time)
+    _, mean, square = gas.pairs(impact, step, eta, centre=0.5)
+    bias, scatter = mean - 0.5, math.sqrt(square - (mean - 0.5)**2)
+    stated = float(row["step_bias"]), float(row["step_scatter"])
+    verdict(abs(bias - stated[0]) < 0.1 * stated[1] and abs(scatter / stated[1] - 1) < 0.1 and abs(bias) > 4e-3,
+            "e = 0.5, %.2f us a step: eps off by %+.5f, scatter %.5f; corgen says %+.5f, %.5f" %
+            (1e6 * float(step), bias, scatter, *stated))
+    mean = gas.pairs(impact, step, eta * float(row["damping_correction"]))[1]
+    verdict(abs(mean - 0.5) < 0.1 * stated[1], "with the corrected damping: %+.5f" % (mean - 0.5))
+
+
 def small_gas(work):
     gas = Gas(work)
     states = gas.cooled("10x10x5", 1, SHORT_STAGES, 1)
     predictor = Predictor(work, gas.time)
     judge(500, states, predictor, SCATTER)
     judge_limit(predictor, states)
+    judge_steps(gas)
 
 
 Result = collections.namedtuple(
@@ -261,19 +311,19 @@ def unit_of(states, predictor):
     return step / math.log(first.temperature / second.temperature)
 
 
-def large_gas(folder, work, lattice, stages, ranks):
+def large_gas(folder, work, lattice, stages, steps, ranks):
     gas = Gas(folder)
     predictor = Predictor(work, gas.time)
     spheres, small = count_of(lattice), count_of(SCATTER_LATTICE)
     gases = [gas.cooled(SCATTER_LATTICE, seed, STAGES, 1) for seed in SCATTER_SEEDS]
-    states = gas.cooled(lattice, 1, stages, ranks)
+    states = gas.cooled(lattice, 1, stages, ranks, steps)
     scatter = math.sqrt(small) * scatter_of([deviations(g, predictor(g)) for g in gases])
     mean = root_mean_square([sum(row) / len(row) for row in zip(*[deviations(g, predictor(g)) for g in gases])])
     print("      %d gases of %d spheres: the scatter of ln T is %.3f/sqrt(N), their mean deviates by %.2f %%" %
           (len(gases), small, scatter, 100 * mean))
     error = judge(spheres, states, predictor, scatter)
     judge_limit(predictor, states)
-    step_errors = [gas.step_error(state) for state in (states[0], states[-1])]
+    step_errors = [gas.step_error(state, steps) for state in (states[0], states[-1])]
     verdict(largest(step_errors) < STEP_ALLOWED,
             "the time step changes 1 - eps^2 of contacts by %+.2f %% at first, %+.2f %% at last" %
             tuple(100 * x for x in step_errors))
@@ -385,15 +435,16 @@ def missing():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--lattice", action="append", default=[], metavar="LATTICE[:STAGES]",
+    parser.add_argument("--lattice", action="append", default=[], metavar="LATTICE[:STAGES[:STEPS]]",
                         help="spheres along the three axes, as 50x50x40; 1 + t/t_1 grows by 1.1 in each of 20 stages")
     parser.add_argument("--ranks", type=int, default=2, help="of MPI, 2 if not given")
     parser.add_argument("--results", help="folder that keeps each gas")
     parser.add_argument("--write", action="store_true", help="renew docs/gas.md; needs --lattice")
     options = parser.parse_args()
-    gases = [re.fullmatch(r"([1-9]\d*x[1-9]\d*x[1-9]\d*)(?::(\d+))?", lattice) for lattice in options.lattice]
-    if not all(gases) or any(int(gas[2] or STAGES) < 4 for gas in gases):
-        parser.error("--lattice takes three numbers, as 50x50x40, and at least 4 stages, as 50x50x40:20")
+    gases = [re.fullmatch(r"([1-9]\d*x[1-9]\d*x[1-9]\d*)(?::(\d+)(?::(\d+))?)?", lattice) for lattice in options.lattice]
+    if not all(gases) or any(int(gas[2] or STAGES) < 4 or int(gas[3] or COARSE) < 8 for gas in gases):
+        parser.error("--lattice takes three numbers, as 50x50x40, at least 4 stages, as 50x50x40:20, and at least 8 time "
+                     "steps, as 50x50x40:12:50")
     if options.ranks < 1:
         parser.error("--ranks takes a number from 1")
     if options.write and not gases:
@@ -408,7 +459,8 @@ def main():
         os.environ["HOME"] = work  # Open MPI may write there
         folder = os.path.abspath(options.results or work)
         os.makedirs(folder, exist_ok=True)
-        results = [large_gas(folder, work, gas[1], int(gas[2] or STAGES), options.ranks) for gas in gases]
+        results = [large_gas(folder, work, gas[1], int(gas[2] or STAGES), int(gas[3] or COARSE), options.ranks)
+                   for gas in gases]
         if options.write:
             write(results, folder, [gas[1] for gas in gases])
         if not gases:
