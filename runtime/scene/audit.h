@@ -9,7 +9,8 @@ enum {
     AUDIT_TYPES = 64,
     AUDIT_CONTACTS = 128,
     AUDIT_VARIABLES = 256,
-    AUDIT_PROPERTIES = 16,
+    AUDIT_PROPERTIES = 24,
+    AUDIT_VALUES = 100, /* of a property: ten types */
     AUDIT_SPEEDS = 8,
     AUDIT_POOL = 1 << 16,
     AUDIT_LINE = 1 << 13,
@@ -64,7 +65,8 @@ struct audit_property {
     const char *name, *file, *text;
     long line;
     int word, count; /* of its first value in `text` */
-    double value[AUDIT_TYPES];
+    int types;       /* rows of a matrix */
+    double value[AUDIT_VALUES];
 };
 
 struct audit_words {
@@ -143,9 +145,17 @@ int audit_find(const struct audit_words *w, int from, const char *word); /* -1: 
 int audit_range(const char *word, int *first, int *last);                /* whether it is a range of types */
 const char *audit_joined(struct audit *a, const struct audit_words *w, int first);
 
+const char *audit_keep_line(struct audit *a, const struct audit_words *w);
+
 /* audit_lammps.c */
 void audit_lammps_pair(struct audit *a, const struct audit_words *w);
 void audit_lammps_wall(struct audit *a, const struct audit_words *w);
 void audit_lammps_mix(struct audit *a);
+
+/* audit_liggghts.c */
+void audit_liggghts_property(struct audit *a, const struct audit_words *w);
+void audit_liggghts_pair(struct audit *a, const struct audit_words *w);
+void audit_liggghts_wall(struct audit *a, const struct audit_words *w);
+void audit_liggghts_pairs(struct audit *a);
 
 #endif

@@ -108,6 +108,12 @@ const char *audit_joined(struct audit *a, const struct audit_words *w, int first
     return a->instead;
 }
 
+const char *audit_keep_line(struct audit *a, const struct audit_words *w)
+{
+    const char *const text = audit_joined(a, w, 0);
+    return audit_keep(a, text, strlen(text));
+}
+
 const char *audit_word(const struct audit_words *w, int i)
 {
     return i >= 0 && i < w->count ? w->word[i] : "";
@@ -375,11 +381,19 @@ static void read_if(struct audit *a, const struct audit_words *w)
     }
 }
 
+/* The pairs that no line names of its own */
+static void end_of_system(struct audit *a)
+{
+    if (audit_is(a->simulator, "lammps"))
+        audit_lammps_mix(a);
+    else
+        audit_liggghts_pairs(a);
+}
+
 static void clear_system(struct audit *a, const struct audit_words *w)
 {
     (void)w;
-    if (audit_is(a->simulator, "lammps"))
-        audit_lammps_mix(a);
+    end_of_system(a);
     audit_flush(a);
     for (int i = 0; i < AUDIT_TYPES; i++) {
         struct audit_type *const type = &a->type[i];
@@ -391,8 +405,11 @@ static void clear_system(struct audit *a, const struct audit_words *w)
 static void read_fix(struct audit *a, const struct audit_words *w)
 {
     const char *const style = audit_word(w, 3);
+    const int lammps = audit_is(a->simulator, "lammps");
     if (audit_starts(style, "wall/gran"))
-        audit_lammps_wall(a, w);
+        (lammps ? audit_lammps_wall : audit_liggghts_wall)(a, w);
+    else if (audit_is(style, "property/global"))
+        audit_liggghts_property(a, w);
     else if (audit_is(style, "pour"))
         read_pour(a, w);
     else if (audit_starts(style, "particletemplate/sphere"))
@@ -436,6 +453,11 @@ static void read_velocities(struct audit *a, const struct audit_words *w)
         read_velocity(a, w, 2);
 }
 
+static void read_pair(struct audit *a, const struct audit_words *w)
+{
+    (audit_is(a->simulator, "lammps") ? audit_lammps_pair : audit_liggghts_pair)(a, w);
+}
+
 static const struct command {
     const char *name;
     void (*read)(struct audit *a, const struct audit_words *w);
@@ -451,8 +473,8 @@ static const struct command {
                 {"create_atoms", read_create_atoms, 0},
                 {"velocity", read_velocities, 0},
                 {"fix", read_fix, 0},
-                {"pair_style", audit_lammps_pair, 0},
-                {"pair_coeff", audit_lammps_pair, 0}};
+                {"pair_style", read_pair, 0},
+                {"pair_coeff", read_pair, 0}};
 
 /* Other commands do not matter to a contact, and neither do their variables. */
 static void execute(struct audit *a, const char *text)
@@ -487,6 +509,5 @@ void audit_script(struct audit *a, const struct cor_audit_text *text)
 {
     set_units(a, "lj");
     read_text(a, text);
-    if (audit_is(a->simulator, "lammps"))
-        audit_lammps_mix(a);
+    end_of_system(a);
 }
