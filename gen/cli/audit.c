@@ -69,7 +69,7 @@ struct audit_run {
     struct table table;
     const char *name; /* of the file, which a line number of csv needs no name for; NULL: several */
     int format;
-    int contacts, as_asked, not_as_asked;
+    int contacts, as_asked, not_as_asked, not_read;
     double tolerance;
 };
 
@@ -166,7 +166,8 @@ static void take_finding(void *context, const struct cor_audit_finding *f)
     struct audit_run *const run = context;
     run->contacts += f->model != NULL;
     run->as_asked += f->as_asked == 1;
-    run->not_as_asked += f->as_asked == 0;
+    run->not_as_asked += f->model && f->as_asked == 0;
+    run->not_read += !f->model;
     if (run->format == FORMAT_TEXT)
         print_finding(run->file, f);
     else
@@ -228,9 +229,12 @@ static int audit_file(struct audit_run *run, const struct audit_arguments *o, st
 
 static void print_summary(const struct audit_run *run)
 {
-    fprintf(run->file, "%s%d contact%s: %d as asked within %.3g %%, %d not, %d asked for no e\n",
+    fprintf(run->file, "%s%d contact%s: %d as asked within %.3g %%, %d not, %d asked for no e",
             run->contacts ? "\n" : "", run->contacts, run->contacts == 1 ? "" : "s", run->as_asked,
             100 * run->tolerance, run->not_as_asked, run->contacts - run->as_asked - run->not_as_asked);
+    if (run->not_read)
+        fprintf(run->file, "; %d line%s not read", run->not_read, run->not_read == 1 ? "" : "s");
+    fputs("\n", run->file);
 }
 
 static int run_audit(const void *arguments)
@@ -277,7 +281,8 @@ static const char help[] =
     "Reads the input of a simulator as it is, and prints for every contact that it describes the\n"
     "restitution that was asked for, the one that is realised, and the line that realises what was\n"
     "asked. Lines that cannot be read are named. Nothing is guessed.\n"
-    "\nInputs: scripts of LAMMPS (pair_style granular and gran/..., fix wall/gran).\n"
+    "\nInputs: scripts of LAMMPS (pair_style granular and gran/..., fix wall/gran) and LIGGGHTS\n"
+    "(pair_style gran model, fix property/global, fix wall/gran model).\n"
     "\nOptions:\n"
     "  --speed LIST     impact speeds, m/s (default: those of the file)\n"
     "  --radius R       radius of the spheres, m, where the file does not say it\n"

@@ -8,7 +8,7 @@
 #include "cor/status.h"
 #include "runtime/scene/exponents.h"
 
-const char *const cor_audit_simulators[] = {"lammps", NULL};
+const char *const cor_audit_simulators[] = {"lammps", "liggghts", NULL};
 
 /* ---- what readers say ---- */
 
@@ -34,7 +34,9 @@ void audit_remark(struct audit *a, const char *sentence, const char *word)
 struct audit_contact *audit_add(struct audit *a, const char *text)
 {
     if (a->contacts == AUDIT_CONTACTS) {
-        audit_remark(a, "more contacts than can be read; not judged from here on", NULL);
+        if (!a->is_full)
+            audit_remark(a, "more contacts than can be read; not judged from here on", NULL);
+        a->is_full = 1;
         a->contacts--;
     }
     struct audit_contact *const contact = &a->contact[a->contacts++];
@@ -450,7 +452,6 @@ static int contains(const struct cor_audit_text *text, const char *word)
 
 static const char *simulator_of(const struct cor_audit_text *text)
 {
-    /* a script of LIGGGHTS is recognised, so that it is not read as one of LAMMPS */
     static const char *const signs[][2] = {{"property/global", "liggghts"},
                                            {"particletemplate/", "liggghts"},
                                            {"pair_style gran model", "liggghts"},

@@ -82,6 +82,7 @@ struct audit {
     long line, next_line;       /* the first of the one that is read, and the one after it */
     size_t at;                  /* where the next one starts */
     int depth, includes, evaluations;
+    int is_full;          /* there are more contacts than memory for them */
     int found, unsettled; /* contacts reported; contacts or lines that are not known to be as asked */
 
     struct audit_type type[AUDIT_TYPES];
@@ -155,6 +156,7 @@ void audit_lammps_mix(struct audit *a);
 /* audit_liggghts.c */
 void audit_liggghts_property(struct audit *a, const struct audit_words *w);
 void audit_liggghts_pair(struct audit *a, const struct audit_words *w);
+void audit_liggghts_mesh(struct audit *a, const struct audit_words *w);
 void audit_liggghts_wall(struct audit *a, const struct audit_words *w);
 void audit_liggghts_pairs(struct audit *a);
 

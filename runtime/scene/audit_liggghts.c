@@ -9,7 +9,7 @@
 void audit_liggghts_property(struct audit *a, const struct audit_words *w)
 {
     const int pairs = audit_is(audit_word(w, 5), "peratomtypepair"), first = pairs ? 7 : 6;
-    if (a->properties == AUDIT_PROPERTIES) { /* the oldest is the least likely to matter */
+    if (a->properties == AUDIT_PROPERTIES) {
         audit_remark(a, "more properties than can be read:", audit_word(w, 4));
         return;
     }
@@ -27,7 +27,9 @@ void audit_liggghts_property(struct audit *a, const struct audit_words *w)
     p->line = a->line;
     p->text = audit_keep_line(a, w);
     p->word = first;
-    p->types = pairs ? (int)audit_number_at(w, 6) : w->count - first;
+    p->types = w->count - first;
+    if (pairs)
+        p->types = audit_number_at(w, 6) >= 1 && audit_number_at(w, 6) <= AUDIT_TYPES ? (int)audit_number_at(w, 6) : 0;
     p->count = 0;
     for (int i = first; i < w->count && p->count < AUDIT_VALUES; i++) {
         p->value[p->count] = audit_number_at(w, i);
@@ -40,29 +42,58 @@ void audit_liggghts_property(struct audit *a, const struct audit_words *w)
     }
 }
 
-/* gran model hertz tangential history limitForce on: the words from the model's name on, kept for the end */
-static void keep_model(struct audit *a, const struct audit_words *w, int at, int wall)
+/* The models by LIGGGHTS' names, and their rows of cor_simulator_models; the second row is that of limitForce. */
+static const struct model {
+    const char *name, *rows[2];
+    int stiff, hertz; /* by kn and gamman; Hertz's force */
+} models[] = {{"hertz",
+               {"hertz or hooke, coefficientRestitution", "hertz or hooke, coefficientRestitution, limitForce on"},
+               0,
+               1},
+              {"hooke",
+               {"hertz or hooke, coefficientRestitution", "hertz or hooke, coefficientRestitution, limitForce on"},
+               0,
+               0},
+              {"hertz/stiffness", {"hertz/stiffness, gamman", "hertz/stiffness, gamman, limitForce on"}, 1, 1},
+              {"hooke/stiffness", {"hooke/stiffness, gamman", "hooke/stiffness, gamman, limitForce on"}, 1, 0}};
+
+static const struct model *model_named(const char *name)
 {
-    static const char *const models[] = {"hertz", "hooke", "hertz/stiffness", "hooke/stiffness"};
-    size_t k = 0;
-    while (k < sizeof models / sizeof *models && !audit_is(models[k], audit_word(w, at)))
-        k++;
-    if (k == sizeof models / sizeof *models) {
+    for (size_t k = 0; k < sizeof models / sizeof *models; k++)
+        if (audit_is(models[k].name, name))
+            return &models[k];
+    return NULL;
+}
+
+static int is_on(const struct audit_words *w, int at, const char *switched)
+{
+    const int found = audit_find(w, at, switched);
+    return found >= 0 && !audit_is(audit_word(w, found + 1), "off");
+}
+
+/* model hertz tangential history limitForce on: the words from the model's name on, kept for the end. `type` counts
+ * from 0 and is that of a wall; -1: two spheres meet. */
+static void keep_model(struct audit *a, const struct audit_words *w, int at, int type)
+{
+    const struct model *const model = model_named(audit_word(w, at));
+    if (!model) {
         audit_remark(a, "cor does not know the contact model", audit_word(w, at));
         return;
     }
     struct audit_contact *const contact = audit_add(a, "");
-    const int limit = audit_find(w, at, "limitForce"), cohesion = audit_find(w, at, "cohesion");
-    const int type = audit_find(w, at, "type");
-    contact->model = models[k]; /* of LIGGGHTS, until audit_liggghts_pairs */
-    contact->limited = limit >= 0 && audit_is(audit_word(w, limit + 1), "on");
-    contact->wall = wall;
+    contact->model = model->name; /* until audit_liggghts_pairs */
+    contact->limited = is_on(w, at, "limitForce");
+    contact->wall = type >= 0;
     contact->last[0] = AUDIT_TYPES - 1;
-    contact->last[1] = wall ? 0 : AUDIT_TYPES - 1;
-    if (wall && audit_number_at(w, type + 1) >= 1 && audit_number_at(w, type + 1) <= AUDIT_TYPES)
-        contact->first[1] = contact->last[1] = (int)audit_number_at(w, type + 1) - 1;
-    if (cohesion >= 0 && !audit_is(audit_word(w, cohesion + 1), "off"))
-        contact->fault = "The cohesion changes eps; the number is that without it.";
+    contact->first[1] = type >= 0 ? type : 0;
+    contact->last[1] = type >= 0 ? type : AUDIT_TYPES - 1;
+    if (is_on(w, at, "cohesion"))
+        contact->fault = "The cohesion changes eps.";
+    else if (is_on(w, at, "viscous"))
+        contact->fault = "With viscous on the Stokes number of each impact sets the damping.";
+    else if (is_on(w, at, "absolute_damping"))
+        contact->fault = "With absolute_damping on gamman is replaced by gamman_abs, which is not read.";
+    contact->unknown = contact->fault != NULL;
 }
 
 void audit_liggghts_pair(struct audit *a, const struct audit_words *w)
@@ -70,20 +101,54 @@ void audit_liggghts_pair(struct audit *a, const struct audit_words *w)
     if (!audit_is(audit_word(w, 0), "pair_style"))
         return;
     if (audit_is(audit_word(w, 1), "gran") && audit_is(audit_word(w, 2), "model"))
-        keep_model(a, w, 3, 0);
-    else if (audit_starts(audit_word(w, 1), "gran/hertz"))
-        keep_model(a, w, -1, 0);
+        keep_model(a, w, 3, -1);
     else
         audit_remark(a, "this is no granular contact that cor knows:", audit_word(w, 1));
 }
 
-/* fix ID GROUP wall/gran model hertz ...; of a mesh each mesh has its type */
+/* A type from 0, after a remark -1 */
+static int type_of(struct audit *a, const char *word)
+{
+    int first, last;
+    if (audit_range(word, &first, &last) && first == last)
+        return first;
+    audit_remark(a, "the type of the wall is not read:", word);
+    return -1;
+}
+
+/* The type of a mesh is in its own fix; it is kept as a variable, whose name no script can use. */
+static const char *mesh_variable(struct audit *a, const char *id)
+{
+    a->pair[0] = '\0';
+    audit_append(a->pair, sizeof a->pair, "mesh $", id);
+    return a->pair;
+}
+
+void audit_liggghts_mesh(struct audit *a, const struct audit_words *w)
+{
+    audit_set_variable(a, mesh_variable(a, audit_word(w, 1)), audit_word(w, audit_find(w, 4, "type") + 1), 0);
+}
+
+/* fix ID GROUP wall/gran model hertz ... primitive type 1 zplane 0, or ... mesh n_meshes 2 meshes ID ID */
 void audit_liggghts_wall(struct audit *a, const struct audit_words *w)
 {
-    if (audit_is(audit_word(w, 4), "model"))
-        keep_model(a, w, 5, 1);
-    else
+    const int primitive = audit_find(w, 4, "primitive"), meshes = audit_find(w, 4, "meshes");
+    if (!audit_is(audit_word(w, 4), "model") || (primitive < 0 && meshes < 0)) {
         audit_remark(a, "cor does not know the wall", audit_word(w, 4));
+        return;
+    }
+    const double count = primitive < 0 ? audit_number_at(w, audit_find(w, 4, "n_meshes") + 1) : 1;
+    for (int i = 1; i <= count && (primitive >= 0 || meshes + i < w->count); i++) {
+        const char *type = audit_word(w, audit_find(w, 4, "type") + 1);
+        if (primitive < 0) {
+            const char *const name = mesh_variable(a, audit_word(w, meshes + i));
+            const struct audit_variable *const mesh = audit_variable_named(a, name, strlen(name));
+            type = mesh ? mesh->text : audit_word(w, meshes + i);
+        }
+        const int kind = type_of(a, type);
+        if (kind >= 0)
+            keep_model(a, w, 5, kind);
+    }
 }
 
 static const struct audit_property *property(const struct audit *a, const char *name)
@@ -102,42 +167,35 @@ static double value_of(const struct audit_property *p, int i)
 /* One pair of types by the matrices of the properties */
 static void add_pair(struct audit *a, const struct audit_contact *style, int i, int j)
 {
-    static const char *const models[][2] = {{"hertz", "hertz or hooke, coefficientRestitution"},
-                                            {"hooke", "hertz or hooke, coefficientRestitution"},
-                                            {"hertz/stiffness", "hertz/stiffness, gamman"},
-                                            {"hooke/stiffness", "hooke/stiffness, gamman"}};
-    const int stiff = strchr(style->model, '/') != NULL, hertz = audit_starts(style->model, "hertz");
-    const struct audit_property *const number = property(a, stiff ? "gamman" : "coefficientRestitution"),
-                                       *const speed = property(a, "characteristicVelocity"),
+    const struct model *const model = model_named(style->model);
+    const struct audit_property *const number = property(a, model->stiff ? "gamman" : "coefficientRestitution"),
                                        *const kn = property(a, "kn");
     struct audit_contact *const contact = audit_add(a, "");
-    const struct audit_contact fresh = *contact;
+    const char *const text = contact->text;
     *contact = *style;
-    contact->text = fresh.text;
-    for (size_t k = 0; k < sizeof models / sizeof *models; k++)
-        if (audit_is(models[k][0], style->model))
-            contact->model = models[k][1];
+    contact->text = text;
+    contact->model = model->rows[style->limited];
+    contact->limited = 0; /* the row says it */
     contact->first[0] = contact->last[0] = i;
     contact->first[1] = contact->last[1] = j;
     if (!number || i >= number->types || j >= number->types) {
         contact->unknown = 1;
-        contact->fault = stiff ? "gamman of these types could not be read."
-                               : "coefficientRestitution of these types "
-                                 "could not be read.";
+        contact->fault = model->stiff ? "gamman of these types could not be read."
+                                      : "coefficientRestitution of these types could not be read.";
         return;
     }
     contact->file = number->file;
     contact->line = number->line;
     contact->text = number->text;
     contact->number = value_of(number, i * number->types + j);
-    if (!stiff) {
+    if (!model->stiff) {
         contact->word[0] = number->word + i * number->types + j;
         contact->word[1] = number->word + j * number->types + i;
-        contact->spring = hertz ? AUDIT_MATERIAL : AUDIT_CHARACTERISTIC;
-        contact->speed = value_of(speed, 0);
+        contact->spring = model->hertz ? AUDIT_MATERIAL : AUDIT_CHARACTERISTIC;
+        contact->speed = value_of(property(a, "characteristicVelocity"), 0);
     } else {
-        contact->spring = hertz ? AUDIT_HERTZ : AUDIT_HOOKE;
-        contact->stiffness = kn ? value_of(kn, i * kn->types + j) : (double)NAN;
+        contact->spring = model->hertz ? AUDIT_HERTZ : AUDIT_HOOKE;
+        contact->stiffness = kn && i < kn->types && j < kn->types ? value_of(kn, i * kn->types + j) : (double)NAN;
     }
 }
 
@@ -147,13 +205,18 @@ void audit_liggghts_pairs(struct audit *a)
     const struct audit_property *const young = property(a, "youngsModulus"), *const poisson =
                                                                                  property(a, "poissonsRatio");
     const struct audit_property *const e = property(a, "coefficientRestitution"), *const kn = property(a, "gamman");
-    const int styles = a->contacts;
-    int types = a->types;
+    enum { MOST_STYLES = AUDIT_CONTACTS / 2 };
+    const int styles = a->contacts < MOST_STYLES ? a->contacts : MOST_STYLES;
+    int types = a->types, bodies = 0;
+    if (styles < a->contacts)
+        audit_remark(a, "more contact models than can be read", NULL);
+    a->contacts = styles;
     if (types == 0)
         types = e ? e->types : kn ? kn->types : 1;
     for (int i = 0; i < types && i < AUDIT_TYPES; i++) {
         a->type[i].young = value_of(young, i);
         a->type[i].poisson = value_of(poisson, i);
+        bodies += !isnan(a->type[i].radius[0]);
     }
     a->types = types;
     for (int n = 0; n < styles; n++) {
@@ -161,7 +224,8 @@ void audit_liggghts_pairs(struct audit *a)
         const int last = style.wall ? style.last[1] : types - 1;
         for (int i = 0; i < types; i++)
             for (int j = style.wall ? style.first[1] : i; j <= last; j++)
-                add_pair(a, &style, i, j);
+                if (bodies == 0 || !(isnan(a->type[i].radius[0]) || (!style.wall && isnan(a->type[j].radius[0]))))
+                    add_pair(a, &style, i, j); /* types without bodies are those of walls */
     }
     memmove(a->contact, a->contact + styles, (size_t)(a->contacts - styles) * sizeof *a->contact);
     a->contacts -= styles;

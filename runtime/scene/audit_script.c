@@ -408,6 +408,8 @@ static void read_fix(struct audit *a, const struct audit_words *w)
     const int lammps = audit_is(a->simulator, "lammps");
     if (audit_starts(style, "wall/gran"))
         (lammps ? audit_lammps_wall : audit_liggghts_wall)(a, w);
+    else if (!lammps && audit_starts(style, "mesh/surface"))
+        audit_liggghts_mesh(a, w);
     else if (audit_is(style, "property/global"))
         audit_liggghts_property(a, w);
     else if (audit_is(style, "pour"))

@@ -136,6 +136,63 @@ static void lammps(void **state)
     finds(3, 5, 0.6, 0.6, "1-2, least");
 }
 
+/* LIGGGHTS: matrices of numbers for each pair of types, a mesh, and its own springs */
+static void liggghts(void **state)
+{
+    (void)state;
+    static const char script[] =
+        "units si\ncreate_box 2 b\ntimestep 1e-5\n"
+        "fix m1 all property/global youngsModulus peratomtype 5e6 1e7\n"
+        "fix m2 all property/global poissonsRatio peratomtype 0.45 0.3\n"
+        "fix m3 all property/global coefficientRestitution peratomtypepair 2 0.5 0.7 0.7 0.9\n"
+        "fix m4 all property/global characteristicVelocity scalar 2\n"
+        "fix m5 all property/global kn peratomtypepair 2 2000 4000 4000 8000\n"
+        "fix m6 all property/global gamman peratomtypepair 2 300 50 50 300\n"
+        "fix t1 all particletemplate/sphere 1 atom_type 1 density constant 2500 radius constant 0.005\n"
+        "fix cad all mesh/surface file hopper.stl type 2 scale 0.001\n";
+    char text[4096];
+    snprintf(text, sizeof text, "%s%s", script,
+             "pair_style gran model hertz tangential history limitForce on\npair_coeff * *\n"
+             "fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes cad\n");
+    assert_int_equal(audit(text, NAN), COR_AUDIT_NOT_AS_ASKED);
+    assert_int_equal(seen.count, 2); /* no sphere has type 2 */
+    finds(0, 6, 0.5, 0.55028, "coefficientRestitution, limitForce on, 1-1");
+    says(0, 2, "peratomtypepair 2 0.436288 0.7 0.7 0.9");
+    finds(1, 6, 0.7, 0.7, "coefficientRestitution, 1-wall");
+
+    /* zeta = (gamma/2) sqrt(m/k), with the whole mass at a wall; then the stiffness of a characteristic speed */
+    const double pi = 3.14159265358979323846, mass = pi / 6 * 1e-6 * 2500, zeta = 25 * sqrt(mass / 4000);
+    snprintf(text, sizeof text, "%s%s", script,
+             "pair_style gran model hooke tangential off\nfix w all wall/gran model hooke/stiffness tangential off "
+             "primitive type 2 zplane 0\n");
+    assert_int_equal(audit(text, NAN), COR_AUDIT_AS_ASKED);
+    assert_int_equal(seen.count, 2);
+    finds(0, 6, 0.5, 0.5, "coefficientRestitution, 1-1");
+    finds(1, 9, NAN, exp(-pi * zeta / sqrt(1 - zeta * zeta)), "hooke/stiffness, gamman, 1-wall");
+    const double modulus = 5e6 / (2 * (1 - 0.45 * 0.45)), root = sqrt(0.0025), z = log(0.5);
+    const double k = 16 * modulus * root / 15 * pow(15 * mass / 2 * 4 / (16 * modulus * root), 0.2);
+    check(fabs(seen.finding[0].duration_s / sqrt(mass / 2 / k * (pi * pi + z * z)) - 1) < 1e-12, "duration %.15g",
+          seen.finding[0].duration_s);
+
+    static const char *const broken[][2] = {
+        {"pair_style gran model luding\n", "luding"},
+        {"pair_style gran/hertz/history 1 0\n", "gran/hertz/history"},
+        {"fix w all wall/gran model hertz mesh n_meshes 1 meshes other\n", "other"},
+        {"fix w all wall/gran model hertz primitive type 0 zplane 0\n", "type of the wall"},
+        {"fix x all property/global coefficientRestitution peratomtypepair 2 0.5 0.7 0.7\n", "each pair of types"},
+        {"fix x all property/global coefficientRestitution peratomtypepair 1e30 0.5\n", "each pair of types"},
+        {"fix x all property/global youngsModulus peratomtype stiff\n", "stiff"},
+        {"pair_style gran model hertz cohesion sjkr\n", "cohesion"},
+        {"pair_style gran model hooke viscous on\n", "Stokes"},
+        {"pair_style gran model hooke/stiffness absolute_damping on\n", "gamman_abs"}};
+    for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
+        snprintf(text, sizeof text, "%s%s", script, broken[i][0]);
+        assert_int_equal(audit_bytes("liggghts", text, strlen(text), NAN), COR_AUDIT_NOT_AS_ASKED);
+        says(0, 1, broken[i][1]);
+        check(isnan(seen.finding[0].realised), "%s realises %g", broken[i][0], seen.finding[0].realised);
+    }
+}
+
 static void missing(void **state)
 {
     (void)state;
@@ -233,7 +290,7 @@ static void texts(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(lammps), cmocka_unit_test(missing), cmocka_unit_test(control),
-                                       cmocka_unit_test(texts)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(lammps), cmocka_unit_test(liggghts), cmocka_unit_test(missing),
+                                       cmocka_unit_test(control), cmocka_unit_test(texts)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
