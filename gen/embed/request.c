@@ -157,16 +157,9 @@ int embed_request_scene(struct cor_scene *scene, const struct embed_request *req
 
 int embed_refuse_bodies(const struct cor_scene_fault *fault, const char *rule)
 {
-    const char *const number = cor_scene_number_names[fault->number], *const other =
-                                                                          cor_scene_number_names[fault->other];
-    if (fault->fault == COR_FAULT_MISSING)
-        return usage_error("--%s is missing: %s", number, rule);
-    if (fault->fault == COR_FAULT_ONE_OF)
-        return usage_error("--%s and --%s: give one of them; %s", number, other, rule);
-    if (fault->fault == COR_FAULT_EXCLUDED)
-        return usage_error("--%s and --%s exclude each other", number, other);
-    return usage_error("--wall is flat and held fast: no --radius-2%s or --mass-2",
-                       fault->number == COR_SCENE_DENSITY_2 ? ", --density-2" : "");
+    char text[COR_SCENE_FAULT_TEXT];
+    cor_scene_fault_text(text, sizeof text, fault, "", rule);
+    return usage_error("%s", text);
 }
 
 /* ---- the contact of a header ---- */

@@ -247,7 +247,7 @@ enum cor_fault {
     COR_FAULT_NOT_HERTZ,      /* bodies, and a law without Hertz's force */
     COR_FAULT_NO_WAY,         /* nothing gives the damping */
     COR_FAULT_TWO_WAYS,       /* number and other both give the damping */
-    COR_FAULT_NOT_SPHERE,     /* number belongs to viscoelastic spheres */
+    COR_FAULT_NOT_SPHERE,     /* number belongs to viscoelastic spheres; other: COR_SCENE_AT where q is not 0 */
     COR_FAULT_CONSTANT,       /* g*, where q = 0 */
     COR_FAULT_NOT_CONSTANT,   /* zeta, where q is not 0 */
     COR_FAULT_NO_BODIES,      /* number needs bodies */
@@ -264,6 +264,12 @@ struct cor_scene_fault {
     int number, other; /* enum cor_scene_number */
     int status;        /* enum cor_status */
 };
+/* Writes the fault as a sentence in which numbers have the names of corgen's options, "--young". As snprintf; less than
+ * COR_SCENE_FAULT_TEXT characters where law and rule are short. `law` is how the reader knows the law of the scene;
+ * `rule` says which numbers bodies have, NULL: those of corgen contact. */
+enum { COR_SCENE_FAULT_TEXT = 600 };
+long cor_scene_fault_text(char *text, size_t size, const struct cor_scene_fault *fault, const char *law,
+                          const char *rule);
 
 int cor_scene_given(const struct cor_scene *scene, int number);
 /* The number of body 2 if it is given, otherwise that of body 1. A mass of body 2 replaces the density of body 1, and a

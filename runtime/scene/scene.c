@@ -149,7 +149,7 @@ static int check_way(struct cor_scene_fault *fault, const struct cor_scene *scen
     if (scene->plate && way >= 0 && !is_material(way))
         return refuse(fault, COR_FAULT_PLATE_DAMPING, way, 0);
     if (is_material(way) && !cor_law_is(&scene->law, 3, 1))
-        return refuse(fault, COR_FAULT_NOT_SPHERE, way, 0);
+        return refuse(fault, COR_FAULT_NOT_SPHERE, way, constant ? 0 : COR_SCENE_AT);
     if (way == COR_SCENE_G_STAR && constant)
         return refuse(fault, COR_FAULT_CONSTANT, way, 0);
     if (way == COR_SCENE_ZETA && !constant)
