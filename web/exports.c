@@ -1,0 +1,405 @@
+/* SPDX-License-Identifier: MIT */
+/* What web/cor.js calls. A text that is returned is valid until the next call. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "runtime/scene/exponents.h"
+#include "web/web.h"
+
+/* ---- text ---- */
+
+static char *text;
+static size_t size, length;
+
+void web_text_clear(void)
+{
+    length = 0;
+    web_put("%s", "");
+}
+
+void web_put(const char *format, ...)
+{
+    va_list list, again;
+    va_start(list, format);
+    va_copy(again, list);
+    const int more = vsnprintf(text ? text + length : NULL, size - length, format, list);
+    if (length + (size_t)more >= size) {
+        char *const larger = realloc(text, 2 * (length + (size_t)more + 1));
+        if (larger) {
+            text = larger;
+            size = 2 * (length + (size_t)more + 1);
+            vsnprintf(text + length, size - length, format, again);
+        }
+    }
+    length += length + (size_t)more < size ? (size_t)more : 0;
+    va_end(again);
+    va_end(list);
+}
+
+void web_put_number(double x, int digits)
+{
+    if (isnan(x))
+        web_put("nan"); /* of either sign */
+    else
+        web_put("%.*g", digits, x);
+}
+
+const char *web_text(void)
+{
+    return text ? text : "";
+}
+
+/* The digits, 15 or more, that read back to the same double */
+static void put_exact(double x)
+{
+    char exact[40];
+    for (int digits = 15; digits <= 17; digits++) {
+        snprintf(exact, sizeof exact, "%.*g", digits, x);
+        if (strtod(exact, NULL) == x)
+            break;
+    }
+    web_put("%s", exact);
+}
+
+/* ---- the request ---- */
+
+/* Returns whether the options, lines NAME=VALUE, are a right request. If not, the last right one stays. */
+WEB_EXPORT(web_read) int web_read(const char *options)
+{
+    return web_request_read(&web_now, &web_wrong, options);
+}
+
+WEB_EXPORT(web_wrong_option) const char *web_wrong_option(void)
+{
+    return web_wrong.option;
+}
+
+WEB_EXPORT(web_wrong_text) const char *web_wrong_text(void)
+{
+    return web_wrong.text;
+}
+
+WEB_EXPORT(web_contact_count) int web_contact_count(void)
+{
+    return web_now.count;
+}
+
+WEB_EXPORT(web_equation) const char *web_equation(void)
+{
+    static const char *const equation[] = {[COR_LAW_VISCOELASTIC] = "x'' + beta sqrt(x) x' + x^(3/2) = 0",
+                                           [COR_LAW_LINEAR] = "x'' + beta x' + x = 0",
+                                           [COR_LAW_TSUJI] = "x'' + beta x^(1/4) x' + x^(3/2) = 0",
+                                           [COR_LAW_HUNT_CROSSLEY] = "x'' + beta x^(3/2) x' + x^(3/2) = 0",
+                                           [COR_LAW_HERTZ_DASHPOT] = "x'' + beta x' + x^(3/2) = 0",
+                                           [COR_LAW_PLATE] = "x'' + beta sqrt(x) x' + x^(3/2) = 0, a plate"};
+    return equation[web_now.law];
+}
+
+/* ---- the contact ---- */
+
+static const struct {
+    const char *name;
+    int number; /* of enum cor_scene_number; COR_SCENE_NUMBERS: q */
+    const char *unit;
+} quantities[] = {{"effective_mass", COR_SCENE_EFFECTIVE_MASS, "kg"},
+                  {"effective_radius", COR_SCENE_RADIUS, "m"},
+                  {"stiffness", COR_SCENE_STIFFNESS, "N/m^a"},
+                  {"dissipation_time", COR_SCENE_DISSIPATION_TIME, "s"},
+                  {"damping_coefficient", COR_SCENE_DAMPING_COEFFICIENT, "N s/m^(b+1)"},
+                  {"g_star", COR_SCENE_G_STAR, "m/s"},
+                  {"zeta", COR_SCENE_ZETA, "1"},
+                  {"beta_factor", COR_SCENE_BETA, "(m/s)^(-q)"},
+                  {"q", COR_SCENE_NUMBERS, "1"}};
+enum { QUANTITIES = sizeof quantities / sizeof *quantities };
+
+static double quantity(const struct cor_scene_contact *contact, int number)
+{
+    switch (number) {
+    case COR_SCENE_EFFECTIVE_MASS:
+        return contact->mass_kg;
+    case COR_SCENE_RADIUS:
+        return contact->radius_m;
+    case COR_SCENE_STIFFNESS:
+        return contact->stiffness;
+    case COR_SCENE_NUMBERS:
+        return cor_scene_speed_exponent(contact);
+    default:
+        return cor_scene_damping(contact, number);
+    }
+}
+
+/* The csv of corgen contact without --speed */
+WEB_EXPORT(web_summary) const char *web_summary(int digits)
+{
+    web_text_clear();
+    web_put(web_now.count == 1 ? "quantity,value,unit\n" : "quantity,value_zero_overlap,value_zero_force,unit\n");
+    for (int i = 0; i < QUANTITIES; i++) {
+        if (isnan(quantity(&web_now.contact[0], quantities[i].number)))
+            continue;
+        web_put("%s", quantities[i].name);
+        for (int k = 0; k < web_now.count; k++) {
+            web_put(",");
+            web_put_number(quantity(&web_now.contact[k], quantities[i].number), digits);
+        }
+        web_put(",%s\n", quantities[i].unit);
+    }
+    return web_text();
+}
+
+/* ---- impacts ---- */
+
+enum { BETA, EPS, DURATION = EPS + COR_SCENE_ENDS, OVERLAP = DURATION + COR_SCENE_ENDS, FORCE, TIME_STEP, COLUMNS };
+
+/* Fills `y` with columns of n numbers: beta, eps at both ends, durations, largest overlap and force, time step; for the
+ * second contact, if there is one, again. The time step is the shortest of all durations over the steps. */
+WEB_EXPORT(web_impacts) void web_impacts(const double *speed_m_s, double *y, size_t n)
+{
+    double least = INFINITY;
+    for (int k = 0; k < web_now.count; k++) {
+        double *const column = y + (size_t)(k * COLUMNS) * n;
+        for (size_t i = 0; i < n; i++) {
+            struct cor_scene_impact impact;
+            cor_scene_impact(&impact, &web_now.contact[k], speed_m_s[i]);
+            column[BETA * n + i] = impact.beta;
+            column[OVERLAP * n + i] = impact.max_overlap_m;
+            column[FORCE * n + i] = cor_scene_force_max_n(&web_now.contact[k], speed_m_s[i]);
+            for (size_t end = 0; end < COR_SCENE_ENDS; end++) {
+                column[(EPS + end) * n + i] = impact.eps[end];
+                column[(DURATION + end) * n + i] = impact.duration_s[end];
+                least = fmin(least, impact.duration_s[end]);
+            }
+        }
+    }
+    for (int k = 0; k < web_now.count; k++)
+        for (size_t i = 0; i < n; i++)
+            y[((size_t)(k * COLUMNS) + TIME_STEP) * n + i] = isinf(least) ? (double)NAN : least / web_now.steps;
+}
+
+/* The end at which a simulator is to end the contact */
+static int step_end(int contact)
+{
+    return web_now.scene.end != COR_BOTH_ENDS ? web_now.scene.end : web_now.count > 1 ? contact : COR_END_ZERO_OVERLAP;
+}
+
+static int integrator(void)
+{
+    return web_now.simulator ? cor_simulator_integrator(web_now.simulator->name) : COR_VERLET_HALF_STEP;
+}
+
+/* The name of the integrator for which web_step_errors holds; "": it has none of ours, and the errors are NaN */
+WEB_EXPORT(web_integrator) const char *web_integrator(void)
+{
+    return integrator() == COR_NO_INTEGRATOR ? "" : cor_integrator_names[integrator()];
+}
+
+/* Bias and scatter of eps at the time step, n of each; for the second contact, if there is one, again */
+WEB_EXPORT(web_step_errors)
+void web_step_errors(const double *speed_m_s, double *y, size_t n, double time_step_s)
+{
+    for (int k = 0; k < web_now.count; k++) {
+        for (size_t i = 0; i < n; i++) {
+            const double steps = cor_scene_elastic_duration_s(&web_now.contact[k], speed_m_s[i]) / time_step_s;
+            struct cor_step_error error = {NAN, NAN, NAN, NAN};
+            if (integrator() != COR_NO_INTEGRATOR && steps > 0)
+                cor_scene_step_error(&error, &web_now.contact[k], speed_m_s[i], step_end(k), steps, integrator());
+            y[(size_t)(2 * k) * n + i] = error.bias;
+            y[(size_t)(2 * k + 1) * n + i] = error.scatter;
+        }
+    }
+}
+
+/* The csv of corgen contact with the speeds of the request; with `errors` also the error of the time step */
+WEB_EXPORT(web_table) const char *web_table(int digits, int errors)
+{
+    static double y[COR_SCENE_ENDS * COLUMNS * WEB_SPEEDS], error[2 * COR_SCENE_ENDS * WEB_SPEEDS];
+    const size_t n = web_now.speeds, contacts = (size_t)web_now.count;
+    web_text_clear();
+    web_put("speed_m_s,beta,eps_zero_overlap,eps_zero_force,duration_s_zero_overlap,duration_s_zero_force,"
+            "max_overlap_m,max_force_n,time_step_s%s%s\n",
+            errors ? ",step_bias,step_scatter" : "", contacts > 1 ? ",measured_end" : "");
+    if (n > 0)
+        web_impacts(web_now.speed_m_s, y, n);
+    if (n > 0 && errors)
+        web_step_errors(web_now.speed_m_s, error, n, y[TIME_STEP * n]);
+    for (size_t row = 0; row < contacts * n; row++) {
+        const size_t k = row / n, i = row % n;
+        put_exact(web_now.speed_m_s[i]);
+        for (size_t c = 0; c < COLUMNS; c++) {
+            web_put(",");
+            web_put_number(y[(k * COLUMNS + c) * n + i], digits);
+        }
+        for (size_t c = 0; errors && c < 2; c++) {
+            web_put(",");
+            web_put_number(error[(2 * k + c) * n + i], 3);
+        }
+        web_put("%s\n", contacts == 1 ? "" : k == 0 ? ",zero-overlap" : ",zero-force");
+    }
+    return web_text();
+}
+
+/* eps at one end, of contact 0 or 1 */
+WEB_EXPORT(web_eps) void web_eps(const double *speed_m_s, double *y, size_t n, int contact, int end)
+{
+    for (size_t i = 0; i < n; i++)
+        cor_scene_eps(&y[i], &web_now.contact[contact], speed_m_s[i], end);
+}
+
+/* ---- simulators ---- */
+
+struct web_asked web_asked(const struct web_request *r)
+{
+    const double at = r->scene.number[COR_SCENE_AT], given = r->scene.number[COR_SCENE_RESTITUTION];
+    struct web_asked a = {!isnan(at)      ? at
+                          : r->speeds > 0 ? r->speed_m_s[0]
+                                          : 1,
+                          given, r->scene.end == COR_BOTH_ENDS ? COR_END_ZERO_OVERLAP : r->scene.end};
+    if (isnan(given))
+        cor_scene_eps(&a.eps, &r->contact[0], a.speed_m_s, a.end);
+    return a;
+}
+
+int web_is_model_of(const struct cor_simulator_model *model, const struct web_request *r)
+{
+    const long version = *r->version ? cor_simulator_version(r->version) : 0;
+    return r->simulator && strcmp(model->simulator, r->simulator->name) == 0 && model->damping_of_e &&
+           !cor_simulator_has_function(model) &&
+           (version == 0 || (version >= model->since && (model->until == 0 || version <= model->until)));
+}
+
+double web_realised(const struct cor_simulator_model *model, const struct web_request *r, double speed_m_s)
+{
+    const struct web_asked asked = web_asked(r);
+    const double own = cor_simulator_realised(model, asked.eps);
+    struct cor_scene_contact c = r->contact[0];
+    double eps = NAN;
+    if (model->law == COR_LAW_IMPULSE || isnan(own) || cor_law_is_constant(&cor_law_exponents[model->law]))
+        return own;
+    c.law = cor_law_exponents[model->law];
+    c.plate = 0;
+    cor_scene_set_damping(&c, COR_SCENE_BETA, model->damping_of_e(asked.eps), asked.speed_m_s, 0);
+    if (model->end == COR_END_ZERO_OVERLAP || model->end == COR_END_ZERO_FORCE)
+        cor_scene_eps(&eps, &c, speed_m_s, (int)model->end);
+    return eps;
+}
+
+/* csv of the simulators: name,title */
+WEB_EXPORT(web_simulators) const char *web_simulators(void)
+{
+    web_text_clear();
+    for (size_t i = 0; i < cor_simulator_count; i++)
+        web_put("%s,%s\n", cor_simulators[i].name, cor_simulators[i].title);
+    return web_text();
+}
+
+/* What the chosen simulator makes of e, as csv with tabs: model, version, e set by hand, eps realised, e to be set; a
+ * line before says what is asked. */
+WEB_EXPORT(web_models) const char *web_models(int digits)
+{
+    const struct web_asked asked = web_asked(&web_now);
+    web_text_clear();
+    web_put_number(asked.eps, digits);
+    web_put("\t");
+    web_put_number(asked.speed_m_s, digits);
+    web_put("\t%s\n", cor_end_names[asked.end]);
+    for (size_t i = 0; i < cor_simulator_model_count; i++) {
+        const struct cor_simulator_model *const model = &cor_simulator_models[i];
+        enum cor_simulator_status status;
+        if (!web_is_model_of(model, &web_now))
+            continue;
+        web_put("%s\t%s\t%s\t%s\t", model->model, model->version ? model->version : "", cor_law_names[model->law],
+                cor_end_names[model->end]);
+        web_put_number(web_realised(model, &web_now, asked.speed_m_s), digits);
+        web_put("\t");
+        web_put_number(cor_simulator_e(model, asked.eps, &status), digits);
+        web_put("\n");
+    }
+    return web_text();
+}
+
+/* The text of corgen contact --for, or NULL with the reason in web_wrong_text */
+WEB_EXPORT(web_lines) const char *web_lines(void)
+{
+    const struct web_request *const r = &web_now;
+    const struct cor_simulator_request lines = {.simulator = r->simulator ? r->simulator->name : "",
+                                                .version = *r->version ? r->version : NULL,
+                                                .scene = &r->scene,
+                                                .contacts = r->contact,
+                                                .count = r->count,
+                                                .speed_m_s = r->speed_m_s,
+                                                .speeds = r->speeds,
+                                                .steps = strstr(r->options, "steps=") ? r->steps : 0};
+    const long all = cor_simulator_lines(web_wrong.text, sizeof web_wrong.text, &lines);
+    snprintf(web_wrong.option, sizeof web_wrong.option, "for");
+    if (all < 0)
+        return NULL;
+    web_text_clear();
+    web_put("%*s", (int)all, ""); /* makes room */
+    cor_simulator_lines(text, size, &lines);
+    return web_text();
+}
+
+/* ---- commands ---- */
+
+/* The command line of corgen that prints the same numbers */
+WEB_EXPORT(web_command) const char *web_command(void)
+{
+    static const char *const other[] = {"for", "simulator-version", "speed-min", "speed-max", "tolerance", "label"};
+    web_text_clear();
+    web_put("corgen contact");
+    for (const char *line = web_now.options; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+        const size_t name = strcspn(line, "="), all = strcspn(line, "\n");
+        int skip = all <= name + 1;
+        for (size_t i = 0; i < sizeof other / sizeof *other; i++)
+            skip = skip || (strlen(other[i]) == name && memcmp(line, other[i], name) == 0);
+        if (skip)
+            continue;
+        web_put(" --%.*s ", (int)name, line);
+        for (size_t i = name + 1; i < all && strncmp(line, "wall", name) != 0; i++)
+            if (line[i] != ' ')
+                web_put("%c", line[i]);
+        if (strncmp(line, "wall", name) == 0)
+            length--;
+    }
+    text[length] = '\0';
+    return web_text();
+}
+
+/* The command that writes a C header of eps over the speeds; where eps is the same at every speed, the header */
+WEB_EXPORT(web_header) const char *web_header(void)
+{
+    const struct web_request *const r = &web_now;
+    web_text_clear();
+    for (int end = 0; end < COR_SCENE_ENDS; end++) {
+        const struct cor_scene_contact *const contact = &r->contact[r->count > 1 ? end : 0];
+        const int wanted = r->scene.end == COR_BOTH_ENDS || r->scene.end == end;
+        const char *const name = end == COR_END_ZERO_OVERLAP ? "zero-overlap" : "zero-force";
+        double eps;
+        if (!wanted || !cor_scene_has_end(contact, end) || (length > 0 && !cor_scene_ends_differ(contact)))
+            continue;
+        web_put(length > 0 ? "\n" : "");
+        if (cor_law_is_constant(&contact->law)) {
+            cor_scene_eps(&eps, contact, 1, end);
+            web_put(
+                "/* eps of the law %s, contact ends at %s */\nstatic inline double cor_scene_eps%s(double speed_m_s)\n"
+                "{\n    (void)speed_m_s; /* the same at every speed */\n    return ",
+                cor_law_names[r->law], cor_end_names[end],
+                r->scene.end != COR_BOTH_ENDS ? ""
+                : end                         ? "_zero_force"
+                                              : "_zero_overlap");
+            put_exact(eps);
+            web_put(";\n}\n");
+        } else if (contact->damping > 0) {
+            web_put("corgen embed%s%s --g-star ", r->law == COR_LAW_VISCOELASTIC || contact->plate ? "" : " --law ",
+                    r->law == COR_LAW_VISCOELASTIC || contact->plate ? "" : cor_law_names[r->law]);
+            web_put_number(cor_scene_damping(contact, COR_SCENE_G_STAR), 15);
+            web_put(" --speed-min %.15g --speed-max %.15g --tolerance %.15g --end %s --output cor_scene_eps.h\n",
+                    r->speed_min_m_s, r->speed_max_m_s, r->tolerance, name);
+        } else {
+            web_put("/* no dissipation: eps is 1 at every speed */\n");
+        }
+    }
+    return web_text();
+}

@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: MIT */
+/* Options as text become a request. The ranges and sentences are those of corgen. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cor/status.h"
+#include "web/web.h"
+
+struct web_request web_now;
+struct web_wrong web_wrong;
+
+static int refuse(struct web_wrong *wrong, const char *option, const char *text)
+{
+    snprintf(wrong->option, sizeof wrong->option, "%s", option);
+    snprintf(wrong->text, sizeof wrong->text, "%s", text);
+    return 0;
+}
+
+/* ---- numbers ---- */
+
+static const struct range {
+    double least, most;
+    int least_allowed;
+    const char *allowed;
+} positive = {0, INFINITY, 0, "a finite number above 0"}, not_negative = {0, INFINITY, 1, "a finite number, 0 or more"},
+  restitution = {0, 1, 0, "a number above 0 and up to 1"}, poisson = {-1, 0.5, 0, "a number above -1 and up to 0.5"},
+  steps = {1, 1e9, 1, "a number from 1 to 1e9"}, tolerances = {1e-15, 0.1, 1, "a number from 1e-15 to 0.1"};
+
+static const struct range *range_of(int number)
+{
+    switch (number) {
+    case COR_SCENE_POISSON:
+    case COR_SCENE_POISSON_2:
+        return &poisson;
+    case COR_SCENE_RESTITUTION:
+        return &restitution;
+    case COR_SCENE_DISSIPATION_TIME:
+    case COR_SCENE_DISSIPATION_TIME_2:
+    case COR_SCENE_ZETA:
+        return &not_negative;
+    default:
+        return &positive;
+    }
+}
+
+/* Whether the text from `from` to `to` is a decimal number in the range */
+static int is_number(double *value, const char *from, const char *to, const struct range *range)
+{
+    char *end;
+    while (from < to && *from == ' ')
+        from++;
+    while (to > from && to[-1] == ' ')
+        to--;
+    /* strtod would also take hexadecimal numbers, inf and nan */
+    if (from == to || strspn(from, "0123456789.eE+-") < (size_t)(to - from))
+        return 0;
+    *value = strtod(from, &end);
+    return end == to && isfinite(*value) && (range->least_allowed ? *value >= range->least : *value > range->least) &&
+           *value <= range->most;
+}
+
+static int read_number(double *value, struct web_wrong *wrong, const char *option, const char *text,
+                       const struct range *range)
+{
+    char why[300];
+    if (is_number(value, text, text + strlen(text), range))
+        return 1;
+    snprintf(why, sizeof why, "--%s: '%s' is not %s, written as 0.1, 1.5e-3", option, text, range->allowed);
+    return refuse(wrong, option, why);
+}
+
+static int read_viscosity(double eta[2], struct web_wrong *wrong, const char *option, const char *text)
+{
+    char why[300];
+    const char *const comma = strchr(text, ',');
+    if (comma && is_number(&eta[0], text, comma, &not_negative) &&
+        is_number(&eta[1], comma + 1, text + strlen(text), &not_negative))
+        return 1;
+    snprintf(why, sizeof why,
+             "--%s: '%s' is not two numbers, 0 or more, with a comma between them: ETA1,ETA2 in Pa s, as 1e3,2e3",
+             option, text);
+    return refuse(wrong, option, why);
+}
+
+static int read_speeds(struct web_request *r, struct web_wrong *wrong, const char *option, const char *text)
+{
+    char why[300];
+    r->speeds = 0;
+    for (const char *from = text;; from++) {
+        const char *const to = from + strcspn(from, ",");
+        if (r->speeds == WEB_SPEEDS || !is_number(&r->speed_m_s[r->speeds++], from, to, &positive)) {
+            snprintf(why, sizeof why,
+                     "--%s: '%.*s' is not a finite number above 0 m/s; allowed: up to %d of them, with commas, as "
+                     "0.1,1,10",
+                     option, (int)(to - from), from, WEB_SPEEDS);
+            return refuse(wrong, option, why);
+        }
+        from = to;
+        if (*from == '\0')
+            return 1;
+    }
+}
+
+/* ---- words ---- */
+
+static int read_law(struct web_request *r, struct web_wrong *wrong, const char *text)
+{
+    char why[300];
+    for (int law = 0; law <= COR_LAW_PLATE; law++) {
+        if (strcmp(text, cor_law_names[law]) == 0) {
+            r->law = (enum cor_law)law;
+            return 1;
+        }
+    }
+    snprintf(why, sizeof why, "--law: '%s' is not a law; allowed: ", text);
+    for (int law = 0; law <= COR_LAW_PLATE; law++)
+        snprintf(why + strlen(why), sizeof why - strlen(why), "%s%s", law > 0 ? ", " : "", cor_law_names[law]);
+    return refuse(wrong, "law", why);
+}
+
+static int read_end(struct web_request *r, struct web_wrong *wrong, const char *text)
+{
+    char why[200];
+    r->scene.end = strcmp(text, "zero-overlap") == 0 ? COR_END_ZERO_OVERLAP
+                   : strcmp(text, "zero-force") == 0 ? COR_END_ZERO_FORCE
+                                                     : COR_BOTH_ENDS;
+    snprintf(why, sizeof why, "--end: '%s' is not an end of contact; allowed: zero-overlap, zero-force", text);
+    return r->scene.end != COR_BOTH_ENDS || refuse(wrong, "end", why);
+}
+
+static int read_simulator(struct web_request *r, struct web_wrong *wrong, const char *text)
+{
+    char why[COR_SIMULATOR_REASON];
+    const struct cor_simulator_request unknown = {.simulator = text};
+    r->simulator = cor_simulator_named(text);
+    if (r->simulator)
+        return 1;
+    cor_simulator_lines(why, sizeof why, &unknown);
+    return refuse(wrong, "for", why);
+}
+
+/* ---- options ---- */
+
+static int read_option(struct web_request *r, struct web_wrong *wrong, const char *name, const char *value)
+{
+    const struct {
+        const char *name;
+        double *value;
+        const struct range *range;
+    } own[] = {{"steps", &r->steps, &steps},
+               {"speed-min", &r->speed_min_m_s, &positive},
+               {"speed-max", &r->speed_max_m_s, &positive},
+               {"tolerance", &r->tolerance, &tolerances}};
+    char why[200];
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        if (strcmp(name, own[i].name) == 0)
+            return read_number(own[i].value, wrong, name, value, own[i].range);
+    if (strcmp(name, "speed") == 0)
+        return read_speeds(r, wrong, name, value);
+    if (strcmp(name, "law") == 0)
+        return read_law(r, wrong, value);
+    if (strcmp(name, "end") == 0)
+        return read_end(r, wrong, value);
+    if (strcmp(name, "for") == 0)
+        return read_simulator(r, wrong, value);
+    if (strcmp(name, "simulator-version") == 0 || strcmp(name, "label") == 0) {
+        snprintf(name[0] == 'l' ? r->label : r->version, WEB_VALUE, "%s", value);
+        return 1;
+    }
+    if (strcmp(name, "wall") == 0)
+        return r->scene.wall = 1;
+    for (int number = 0; number < COR_SCENE_NUMBERS; number++) {
+        if (strcmp(name, cor_scene_number_names[number]) != 0 || strncmp(name, "bulk", 4) == 0)
+            continue;
+        if (number == COR_SCENE_VISCOSITY || number == COR_SCENE_VISCOSITY_2)
+            return read_viscosity(&r->scene.number[number], wrong, name, value);
+        return read_number(&r->scene.number[number], wrong, name, value, range_of(number));
+    }
+    snprintf(why, sizeof why, "'%s' is not an option; allowed are those of corgen contact, as young", name);
+    return refuse(wrong, name, why);
+}
+
+/* The option at which a fault is shown: that of its number, or what lacks */
+static const char *option_of(const struct cor_scene_fault *fault)
+{
+    static const char *const of_status[] = {[COR_ERROR_YOUNG_MODULUS] = "young",
+                                            [COR_ERROR_POISSON_RATIO] = "poisson",
+                                            [COR_ERROR_DISSIPATION_TIME] = "dissipation-time",
+                                            [COR_ERROR_RADIUS] = "radius",
+                                            [COR_ERROR_MASS] = "mass"};
+    const size_t status = (size_t)fault->status;
+    switch (fault->fault) {
+    case COR_FAULT_MATERIAL:
+        return status < sizeof of_status / sizeof *of_status && of_status[status] ? of_status[status] : "radius";
+    case COR_FAULT_NO_SPEED:
+    case COR_FAULT_SPEED_ALONE:
+        return "at";
+    case COR_FAULT_NO_WAY:
+    case COR_FAULT_NO_DAMPING:
+    case COR_FAULT_RANGE:
+        return "restitution";
+    case COR_FAULT_WALL:
+        return "wall";
+    case COR_FAULT_PLATE_END:
+        return "end";
+    case COR_FAULT_SOLVER:
+    case COR_FAULT_NOT_HERTZ:
+        return "law";
+    default:
+        return cor_scene_number_names[fault->number];
+    }
+}
+
+static int make_contact(struct web_request *r, struct web_wrong *wrong)
+{
+    char why[COR_SCENE_FAULT_TEXT];
+    struct cor_scene_fault fault = {0, 0, 0, 0};
+    r->scene.law = cor_law_exponents[r->law];
+    r->scene.plate = r->law == COR_LAW_PLATE;
+    if (cor_scene_contacts(r->contact, &r->count, &fault, &r->scene) != COR_FAULT_NONE) {
+        cor_scene_fault_text(why, sizeof why, &fault, cor_law_names[r->law], NULL);
+        return refuse(wrong, option_of(&fault), why);
+    }
+    if (!(r->speed_min_m_s < r->speed_max_m_s)) {
+        snprintf(why, sizeof why, "--speed-min %g is not below --speed-max %g", r->speed_min_m_s, r->speed_max_m_s);
+        return refuse(wrong, "speed-max", why);
+    }
+    return 1;
+}
+
+int web_request_read(struct web_request *request, struct web_wrong *wrong, const char *options)
+{
+    static struct web_request r;
+    r = (struct web_request){.scene = {.end = COR_BOTH_ENDS}, .steps = 50, .tolerance = 1e-6};
+    r.speed_min_m_s = 1e-3;
+    r.speed_max_m_s = 10;
+    for (int i = 0; i < COR_SCENE_NUMBERS; i++)
+        r.scene.number[i] = NAN;
+    if (strlen(options) >= WEB_OPTIONS)
+        return refuse(wrong, "", "the options are too long");
+    snprintf(r.options, sizeof r.options, "%s", options);
+    for (const char *line = options; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+        char name[WEB_NAME], value[WEB_VALUE];
+        const size_t length = strcspn(line, "\n"), to = strcspn(line, "=\n");
+        if (length > to && to < sizeof name && length - to - 1 < sizeof value) {
+            snprintf(name, sizeof name, "%.*s", (int)to, line);
+            snprintf(value, sizeof value, "%.*s", (int)(length - to - 1), line + to + 1);
+            if (*value && !read_option(&r, wrong, name, value))
+                return 0;
+        } else if (length > 0) {
+            return refuse(wrong, "", "an option is a line NAME=VALUE of up to 100 characters");
+        }
+    }
+    if (!make_contact(&r, wrong))
+        return 0;
+    *request = r;
+    return 1;
+}

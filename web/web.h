@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: MIT */
+/* What the sources of the browser's module share: a request, read from text, and text that is written. The module keeps
+ * one request; every export reads or writes it, so that JavaScript passes text and arrays of doubles and computes
+ * nothing. */
+#ifndef COR_WEB_WEB_H
+#define COR_WEB_WEB_H
+
+#include <stddef.h>
+
+#include "cor/scene.h"
+
+#if defined(__wasm__)
+#define WEB_EXPORT(name) __attribute__((export_name(#name)))
+#else
+#define WEB_EXPORT(name)
+#endif
+
+/* ---- a request ---- */
+
+enum { WEB_SPEEDS = 64, WEB_VALUE = 100, WEB_OPTIONS = 2048, WEB_NAME = 32 };
+
+/* What options say: those of corgen contact, and speed-min, speed-max, tolerance of corgen embed */
+struct web_request {
+    struct cor_scene scene;
+    enum cor_law law;
+    struct cor_scene_contact contact[COR_SCENE_ENDS];
+    int count;
+    double speed_m_s[WEB_SPEEDS];
+    size_t speeds;
+    double steps;                                       /* in the shortest contact */
+    double speed_min_m_s, speed_max_m_s, tolerance;     /* of picture and header */
+    const struct cor_simulator *simulator;              /* NULL: none is chosen */
+    char version[WEB_VALUE], label[WEB_VALUE];          /* of the simulator; of the curves */
+    char options[WEB_OPTIONS];                          /* as they were given */
+};
+
+/* What is wrong: the name of an option, and a sentence */
+struct web_wrong {
+    char option[WEB_NAME], text[COR_SIMULATOR_REASON];
+};
+
+/* Reads lines "name=value"; an empty value counts as not given. Returns whether the request is right; otherwise *wrong
+ * says why not, and *request is not touched. */
+int web_request_read(struct web_request *request, struct web_wrong *wrong, const char *options);
+
+extern struct web_request web_now;
+extern struct web_wrong web_wrong;
+
+/* ---- text that is written ---- */
+
+void web_text_clear(void);
+void web_put(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void web_put_number(double x, int digits);
+const char *web_text(void);
+
+/* ---- what is asked of a simulator, and what it makes of it ---- */
+
+/* The speed, the end and the eps that a person would set as e */
+struct web_asked {
+    double speed_m_s, eps;
+    int end;
+};
+struct web_asked web_asked(const struct web_request *request);
+
+/* eps at a speed if the eps that is asked is set as e; NaN: the model takes no e or refuses this one */
+double web_realised(const struct cor_simulator_model *model, const struct web_request *request, double speed_m_s);
+int web_is_model_of(const struct cor_simulator_model *model, const struct web_request *request);
+
+#endif
