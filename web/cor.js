@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// libcor and libcor_scene, compiled for WebAssembly, as functions of JavaScript. All arithmetic is in the module; this
+// file passes text and arrays. Types and what each function does: cor.d.ts.
+
+export class CorError extends Error {
+    constructor(text, option) {
+        super(text);
+        this.name = "CorError";
+        this.option = option;
+    }
+}
+
+// The columns that web_impacts fills
+const COLUMNS = ["beta", "eps_zero_overlap", "eps_zero_force", "duration_s_zero_overlap", "duration_s_zero_force",
+    "max_overlap_m", "max_force_n", "time_step_s"];
+const ENDS = ["zero-overlap", "zero-force"];
+
+// The module's bytes beside this file, in node and in a page
+async function bytes() {
+    const place = new URL("./cor.wasm", import.meta.url);
+    if (place.protocol === "file:")
+        return (await import("node:fs/promises")).readFile(place);
+    return (await fetch(place)).arrayBuffer();
+}
+
+export async function load(source) {
+    const nothing = () => 52; // ENOSYS: the module has no files
+    const { instance } = await WebAssembly.instantiate(source ?? await bytes(), {
+        wasi_snapshot_preview1: { fd_close: nothing, fd_seek: nothing, fd_write: nothing },
+    });
+    return wrap(instance.exports);
+}
+
+function wrap(c) {
+    // ---- memory of the module; it moves when it grows ----
+
+    const text = (at) => {
+        const memory = new Uint8Array(c.memory.buffer);
+        return new TextDecoder().decode(memory.slice(at, memory.indexOf(0, at)));
+    };
+    const allocate = (size) => {
+        const at = c.malloc(Math.max(size, 8));
+        if (at === 0)
+            throw new CorError("There is no memory for so large an array.", "");
+        return at;
+    };
+    const withText = (value, use) => {
+        const coded = new TextEncoder().encode(value), at = allocate(coded.length + 1);
+        new Uint8Array(c.memory.buffer).set([...coded, 0], at);
+        try {
+            return use(at);
+        } finally {
+            c.free(at);
+        }
+    };
+    // use(x, y, n) reads n numbers at x and writes `columns` times as many at y
+    const withArray = (array, columns, use) => {
+        if (typeof array !== "object" || array === null || typeof array.length !== "number")
+            throw new TypeError("cor takes an array of numbers");
+        const given = array instanceof Float64Array ? array : Float64Array.from(array), n = given.length;
+        const x = allocate(8 * n * (1 + columns)), y = x + 8 * n;
+        try {
+            new Float64Array(c.memory.buffer, x, n).set(given);
+            use(x, y, n);
+            return new Float64Array(c.memory.buffer, y, n * columns).slice();
+        } finally {
+            c.free(x);
+        }
+    };
+
+    // ---- functions of one number ----
+
+    const cor = { CorError };
+    for (let i = 0, name; c.web_function_name(i) !== 0; i++) {
+        const takesExponent = i >= c.web_functions_with_exponent();
+        name = text(c.web_function_name(i)).split(".");
+        (cor[name[0]] ??= {})[name[1]] = (array, exponent) => {
+            if (takesExponent && typeof exponent !== "number")
+                throw new TypeError(`${name} takes an array and the elastic exponent`);
+            return withArray(array, 1, (x, y, n) => c.web_map(i, x, y, n, takesExponent ? exponent : 0));
+        };
+    }
+
+    // ---- a contact ----
+
+    // Text that holds options, one a line; JavaScript's name of an option has _ for each hyphen.
+    const lines = (options) => Object.entries(options)
+        .filter(([, value]) => value !== undefined && value !== null && value !== false)
+        .map(([name, value]) => `${name.replace(/_/g, "-")}=${String(value === true ? "yes" : value).replace(/\n/g, " ")}\n`)
+        .join("");
+    const wrong = () => new CorError(text(c.web_wrong_text()), text(c.web_wrong_option()));
+    const read = (options) => {
+        if (withText(lines(options), c.web_read) === 0)
+            throw wrong();
+    };
+    const table = (at) => text(at).trimEnd().split("\n").map((line) => line.split(","));
+
+    class Contact {
+        constructor(options) {
+            this.options = { ...options };
+            read(this.options);
+            this.count = c.web_contact_count();
+            const [head, ...rows] = table(c.web_summary(17));
+            this.summary = Object.fromEntries(rows.map((row) => [row[0], row.slice(1, head.length - 1).map(Number)]));
+        }
+
+        // For each end at which the restitution may have been measured, one object of columns
+        #each(columns, names) {
+            const n = columns.length / this.count / names.length;
+            return Array.from({ length: this.count }, (_, k) => Object.fromEntries(names.map((name, i) =>
+                [name, columns.slice((k * names.length + i) * n, (k * names.length + i + 1) * n)])));
+        }
+
+        impacts(speeds) {
+            read(this.options);
+            return this.#each(withArray(speeds, this.count * COLUMNS.length, c.web_impacts), COLUMNS);
+        }
+
+        eps(speeds, end, measured = 0) {
+            const index = ENDS.indexOf(end);
+            if (index < 0)
+                throw new CorError(`--end: '${end}' is not an end of contact; allowed: ${ENDS.join(", ")}`, "end");
+            if (!(measured >= 0 && measured < this.count))
+                throw new RangeError(`this contact has ${this.count} of them`);
+            read(this.options);
+            return withArray(speeds, 1, (x, y, n) => c.web_eps(x, y, n, measured, index));
+        }
+
+        stepErrors(speeds, timeStep) {
+            read(this.options);
+            return this.#each(withArray(speeds, 2 * this.count, (x, y, n) => c.web_step_errors(x, y, n, timeStep)),
+                ["bias", "scatter"]);
+        }
+
+        lines(simulator, { speed, version, steps } = {}) {
+            read({ ...this.options, for: simulator, "simulator-version": version, speed: speed && [...speed].join(","),
+                steps });
+            const at = c.web_lines();
+            if (at === 0)
+                throw wrong();
+            return text(at);
+        }
+
+        header({ speed_min, speed_max, tolerance } = {}) {
+            read({ ...this.options, speed_min, speed_max, tolerance });
+            return text(c.web_header());
+        }
+    }
+    cor.contact = (options) => new Contact(options);
+    cor.simulators = () => table(c.web_simulators()).map(([name, title]) => ({ name, title }));
+
+    // For the page: the last request that was right, as text
+    cor.page = {
+        read: (options) => read(options),
+        text: (name, ...given) => {
+            const at = c[`web_${name}`](...given);
+            if (at === 0)
+                throw wrong();
+            return text(at);
+        },
+        call: (name, ...given) => c[`web_${name}`](...given),
+    };
+    return cor;
+}
