@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: MIT */
+/* The functions of the browser's module, compiled by the compiler at hand: hashes of their results, by which
+ * tests/web/module.mjs compares those of WebAssembly.
+ *     native COUNT FILE     writes COUNT arguments into FILE, as doubles, and prints NAME HASH NANOSECONDS */
+#define _POSIX_C_SOURCE 200809L
+#include <inttypes.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "web/web.h"
+
+const char *web_function_name(int i);
+int web_functions_with_exponent(void);
+void web_map(int i, const double *x, double *y, size_t n, double exponent);
+
+static uint64_t state = 34;
+
+static uint64_t random_bits(void)
+{
+    state += 0x9e3779b97f4a7c15u;
+    uint64_t z = state;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+/* In turn: from 0 to 1, from 0 to 3, from 2^-40 to 2^40, any double */
+static double argument(size_t i)
+{
+    static const double special[] = {0, -0.0, 1, -1, INFINITY, -INFINITY, NAN, 0.5, 5e-324, 1.7976931348623157e308};
+    const uint64_t bits = random_bits();
+    const double unit = (double)(bits >> 11) * 0x1p-53;
+    double any;
+    if (i < sizeof special / sizeof *special)
+        return special[i];
+    memcpy(&any, &bits, sizeof any);
+    return i % 4 == 0 ? unit : i % 4 == 1 ? 3 * unit : i % 4 == 2 ? exp2(80 * unit - 40) : any;
+}
+
+/* FNV-1a over words of 32 bits, the lower one first; every NaN counts as one. */
+static uint32_t hash_of(const double *y, size_t n)
+{
+    uint32_t hash = 2166136261u;
+    for (size_t i = 0; i < n; i++) {
+        uint64_t bits = 0x7ff8000000000000u;
+        if (!isnan(y[i]))
+            memcpy(&bits, &y[i], sizeof bits);
+        hash = (hash ^ (uint32_t)bits) * 16777619u;
+        hash = (hash ^ (uint32_t)(bits >> 32)) * 16777619u;
+        hash ^= hash >> 15;
+    }
+    return hash;
+}
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+int main(int argc, char **argv)
+{
+    const size_t n = argc == 3 ? strtoul(argv[1], NULL, 10) : 0;
+    double *const x = malloc(2 * n * sizeof *x), *const y = x + n;
+    FILE *const file = n > 0 && x ? fopen(argv[2], "wb") : NULL;
+    if (!file)
+        return 2;
+    for (size_t i = 0; i < n; i++)
+        x[i] = argument(i);
+    if (fwrite(x, sizeof *x, n, file) != n || fclose(file) != 0)
+        return 1;
+    for (int i = 0; web_function_name(i); i++) {
+        /* the quadrature of Hunt and Crossley's times takes ten microseconds */
+        const int slow = i >= web_functions_with_exponent() && strstr(web_function_name(i), "overlap") == NULL;
+        const size_t some = slow ? n / 20 : n;
+        const double start = seconds();
+        web_map(i, x, y, some, 1.5);
+        printf("%s %08" PRIx32 " %.2f\n", web_function_name(i), hash_of(y, some),
+               1e9 * (seconds() - start) / (double)some);
+    }
+    free(x);
+    return 0;
+}
