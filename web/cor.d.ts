@@ -1,1 +1,96 @@
 // SPDX-License-Identifier: MIT
+// The coefficient of restitution, eps, of colliding viscoelastic bodies, computed by libcor in WebAssembly. Functions
+// take arrays and return new ones; a number outside a function's domain gives NaN, as in C. All numbers are in SI units.
+// Each function of a group is cor_GROUP_NAME of include/cor/sphere.h, law.h or hertz_dashpot.h, where formula, domain
+// and error stand.
+
+export type Numbers = ArrayLike<number>;
+export type Elementwise = (x: Numbers) => Float64Array;
+/** of beta, and of the exponent a of the elastic force K x^a */
+export type OfBetaAndExponent = (beta: Numbers, elasticExponent: number) => Float64Array;
+
+/** beta is the dimensionless damping; `beta...` are the inverses of eps, `loss` is 1 - eps. */
+type SphereName = "eps_zero_overlap" | "eps_zero_force" | "eps_approach_only" | "loss_zero_overlap" | "loss_zero_force"
+    | "loss_approach_only" | "beta_zero_overlap" | "beta_zero_force" | "beta_approach_only"
+    | "beta_of_loss_approach_only" | "duration_zero_overlap" | "duration_zero_force" | "duration_approach_only"
+    | "max_overlap" | "time_of_max_overlap";
+type DashpotName = SphereName | "beta_of_loss_zero_overlap" | "beta_of_loss_zero_force";
+/** of the damping ratio zeta */
+type RatioName = "eps_zero_overlap" | "eps_zero_force" | "eps_limited" | "eps_approach_only" | "loss_zero_overlap"
+    | "loss_zero_force" | "loss_limited" | "loss_approach_only" | "zeta_zero_overlap" | "zeta_zero_force"
+    | "zeta_limited" | "zeta_approach_only" | "zeta_of_loss_zero_overlap" | "zeta_of_loss_zero_force"
+    | "zeta_of_loss_limited" | "zeta_of_loss_approach_only" | "duration_zero_overlap" | "duration_zero_force"
+    | "duration_limited" | "duration_approach_only" | "max_overlap" | "time_of_max_overlap";
+type CrossleyName = "eps" | "eps_approach_only" | "loss" | "loss_approach_only" | "beta" | "beta_approach_only"
+    | "beta_of_loss" | "beta_of_loss_approach_only";
+type CrossleyTime = "duration" | "duration_approach_only" | "max_overlap" | "time_of_max_overlap";
+
+export type Law = "viscoelastic" | "linear" | "tsuji" | "hunt-crossley" | "hertz-dashpot" | "plate";
+export type End = "zero-overlap" | "zero-force";
+export type Simulator = "lammps" | "liggghts" | "yade" | "mercurydpm" | "chrono" | "mfix" | "openfoam"
+    | "esys-particle" | "mujoco" | "drake" | "simbody" | "bullet" | "rebound" | "modelica";
+
+/** The options of `corgen contact`, with _ for each hyphen: bodies or a spring, one way to give the damping, a law. */
+export interface ContactOptions {
+    young?: number; poisson?: number; radius?: number; density?: number; mass?: number;
+    young_2?: number; poisson_2?: number; radius_2?: number; density_2?: number; mass_2?: number;
+    /** body 2 is flat and held fast */
+    wall?: boolean;
+    plate_thickness?: number;
+    stiffness?: number; effective_mass?: number;
+    dissipation_time?: number; dissipation_time_2?: number;
+    /** "ETA1,ETA2", Pa s */
+    viscosity?: string; viscosity_2?: string;
+    g_star?: number;
+    /** eps measured at the speed `at`; at the end `end`, or, if that is not given, at either */
+    restitution?: number; at?: number; end?: End;
+    damping_coefficient?: number; beta?: number; zeta?: number;
+    law?: Law;
+    /** time_step_s is the shortest duration over it; 50 */
+    steps?: number;
+    /** whose way to move bodies stepErrors takes */
+    for?: Simulator;
+}
+
+export interface Impacts {
+    beta: Float64Array; eps_zero_overlap: Float64Array; eps_zero_force: Float64Array;
+    duration_s_zero_overlap: Float64Array; duration_s_zero_force: Float64Array;
+    max_overlap_m: Float64Array; max_force_n: Float64Array; time_step_s: Float64Array;
+}
+
+/** Results are lists of one element, or of two where a restitution is given without its end: measured at zero overlap,
+ * and at zero force. */
+export interface Contact {
+    readonly options: ContactOptions;
+    readonly count: number;
+    /** effective_mass, dissipation_time, g_star, ...: those that are known */
+    readonly summary: Record<string, number[]>;
+    impacts(speeds: Numbers): Impacts[];
+    eps(speeds: Numbers, end: End, measured?: number): Float64Array;
+    /** eps that a simulator realises less the exact one: mean and standard deviation over phases of the first step */
+    stepErrors(speeds: Numbers, timeStep: number): { bias: Float64Array; scatter: Float64Array }[];
+    /** the lines to paste into a simulator's input */
+    lines(simulator: Simulator, more?: { speed?: Numbers; version?: string; steps?: number }): string;
+    /** the corgen command that writes a C header; where eps is the same at every speed, the header */
+    header(more?: { speed_min?: number; speed_max?: number; tolerance?: number }): string;
+}
+
+/** What cor refuses: the sentence of corgen, and the option that it is about */
+export declare class CorError extends Error {
+    readonly option: string;
+}
+
+export interface Cor {
+    CorError: typeof CorError;
+    sphere: Record<SphereName, Elementwise>;
+    hertz_dashpot: Record<DashpotName, Elementwise>;
+    linear: Record<RatioName, Elementwise>;
+    tsuji: Record<RatioName, Elementwise>;
+    hunt_crossley: Record<CrossleyName, Elementwise> & Record<CrossleyTime, OfBetaAndExponent>;
+    /** @throws CorError */
+    contact(options: ContactOptions): Contact;
+    simulators(): { name: Simulator; title: string }[];
+}
+
+/** The bytes of cor.wasm; without them those beside this module are read. */
+export declare function load(source?: BufferSource): Promise<Cor>;

@@ -14,17 +14,21 @@
 #define ONE(f, group, name) f(group, name) f(group, name##_approach_only)
 #define SPHERES(f)                                                                                                     \
     WITH_APPROACH(f, sphere, eps)                                                                                      \
-    WITH_APPROACH(f, sphere, loss) WITH_APPROACH(f, sphere, beta) f(sphere, beta_of_loss_approach_only)                \
-        WITH_APPROACH(f, sphere, duration) f(sphere, max_overlap) f(sphere, time_of_max_overlap)
+    WITH_APPROACH(f, sphere, loss)                                                                                     \
+    WITH_APPROACH(f, sphere, beta)                                                                                     \
+    f(sphere, beta_of_loss_approach_only) WITH_APPROACH(f, sphere, duration) f(sphere, max_overlap)                    \
+        f(sphere, time_of_max_overlap)
 #define DASHPOTS(f)                                                                                                    \
     WITH_APPROACH(f, hertz_dashpot, eps)                                                                               \
-    WITH_APPROACH(f, hertz_dashpot, loss) WITH_APPROACH(f, hertz_dashpot, beta)                                        \
-        WITH_APPROACH(f, hertz_dashpot, beta_of_loss) WITH_APPROACH(f, hertz_dashpot, duration)                        \
-            f(hertz_dashpot, max_overlap) f(hertz_dashpot, time_of_max_overlap)
+    WITH_APPROACH(f, hertz_dashpot, loss)                                                                              \
+    WITH_APPROACH(f, hertz_dashpot, beta)                                                                              \
+    WITH_APPROACH(f, hertz_dashpot, beta_of_loss)                                                                      \
+    WITH_APPROACH(f, hertz_dashpot, duration) f(hertz_dashpot, max_overlap) f(hertz_dashpot, time_of_max_overlap)
 #define RATIOS(f, group)                                                                                               \
     FOUR(f, group, eps)                                                                                                \
-    FOUR(f, group, loss) FOUR(f, group, zeta) FOUR(f, group, zeta_of_loss) FOUR(f, group, duration)                    \
-        f(group, max_overlap) f(group, time_of_max_overlap)
+    FOUR(f, group, loss)                                                                                               \
+    FOUR(f, group, zeta)                                                                                               \
+    FOUR(f, group, zeta_of_loss) FOUR(f, group, duration) f(group, max_overlap) f(group, time_of_max_overlap)
 #define CROSSLEYS(f)                                                                                                   \
     ONE(f, hunt_crossley, eps)                                                                                         \
     ONE(f, hunt_crossley, loss) ONE(f, hunt_crossley, beta) ONE(f, hunt_crossley, beta_of_loss)

@@ -27,11 +27,11 @@ struct web_request {
     int count;
     double speed_m_s[WEB_SPEEDS];
     size_t speeds;
-    double steps;                                       /* in the shortest contact */
-    double speed_min_m_s, speed_max_m_s, tolerance;     /* of picture and header */
-    const struct cor_simulator *simulator;              /* NULL: none is chosen */
-    char version[WEB_VALUE], label[WEB_VALUE];          /* of the simulator; of the curves */
-    char options[WEB_OPTIONS];                          /* as they were given */
+    double steps;                                   /* in the shortest contact */
+    double speed_min_m_s, speed_max_m_s, tolerance; /* of picture and header */
+    const struct cor_simulator *simulator;          /* NULL: none is chosen */
+    char version[WEB_VALUE], label[WEB_VALUE];      /* of the simulator; of the curves */
+    char options[WEB_OPTIONS];                      /* as they were given */
 };
 
 /* What is wrong: the name of an option, and a sentence */

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The scenes of tests/web/scenes.txt, and what corgen prints of them.
+import { execFileSync, spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+
+const corgen = process.env.CORGEN ?? "build/gcc/corgen";
+
+// Options as the module takes them, and as arguments
+export function scenes() {
+    return readFileSync("tests/web/scenes.txt", "utf8").split("\n").filter((line) => line && !line.startsWith("#"))
+        .map((line) => ({ line, options: optionsOf(line.split(" ")) }));
+}
+
+function optionsOf(words) {
+    const options = {};
+    for (let i = 0; i < words.length; i++) {
+        const name = words[i].slice(2);
+        options[name] = words[i + 1]?.startsWith("--") || i + 1 === words.length ? "yes" : words[++i];
+    }
+    return options;
+}
+
+function argumentsOf(options, without) {
+    return Object.entries(options).filter(([name]) => !without.includes(name))
+        .flatMap(([name, value]) => name === "wall" ? ["--wall"] : [`--${name}`, value]);
+}
+
+// The table of impacts, the summary, and the lines of the simulator or the reason why there are none
+export function byCorgen(options) {
+    const run = (more, without) => execFileSync(corgen, ["contact", ...argumentsOf(options, without), ...more],
+        { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+    const result = { summary: run(["--format", "csv"], ["for", "speed", "steps"]) };
+    if (options.speed)
+        result.table = run(["--format", "csv"], ["for"]);
+    if (options.for) {
+        const lines = spawnSync(corgen, ["contact", ...argumentsOf(options, [])], { encoding: "utf8" });
+        result.lines = lines.status === 0 ? lines.stdout : lines.stderr.replace(/^corgen: /, "").trimEnd();
+    }
+    return result;
+}
