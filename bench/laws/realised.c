@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* What each simulator realises where a user asks for a restitution coefficient e, and the number to give it instead,
  * from the table of cor/scene.h.
- *     cor_realised table      csv, at the values of e that docs/laws.md lists
+ *     cor_realised table      csv, at the values of e of docs/simulators.md
  *     cor_realised curve      csv, at 0.01 to 0.99, for the picture
- *     cor_realised markdown   two tables of docs/laws.md; models with the same end and the same numbers share a row
+ *     cor_realised markdown   a table of docs/simulators.md; models with the same end and the same numbers share a row
  *     cor_realised models     another one: all models, with law, end, and a sentence for the user
  * An empty cell: the model refuses this e, or no e makes it realise this one. */
 #include <math.h>
@@ -129,8 +129,6 @@ int main(int argc, char **argv)
         print_csv(*form == 'c');
     } else if (strcmp(form, "markdown") == 0) {
         print_table("realised where a user asks for e =", realised);
-        printf("\n");
-        print_table("what to give instead, to realise e =", cure);
     } else if (strcmp(form, "models") == 0) {
         print_models();
     } else {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Damping laws of simulators, each in its own dimensionless parameter: the functions compute restitution from damping
- * and damping from restitution. docs/laws.md lists the law of each simulator and the parameters to set there.
+ * and damping from restitution. docs/simulators.md lists the law of each simulator, docs/laws.md the parameters to set.
  *
  * Two bodies of effective mass m meet with speed g. At the overlap x the force K x^a + C x^b x' acts between them. In
  * units of time T = (m/K)^(1/(a+1)) g^((1-a)/(a+1)) and of length g T,

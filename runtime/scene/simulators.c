@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One table of the contact models of simulators; docs/laws.md explains it. For each model it holds the damping law, the
+/* One table of the contact models of simulators; docs/simulators.md explains it. For each model it holds the damping law, the
  * end of contact, the damping that the model makes of the e that a user sets, and the number to set for a damping. No
  * function with a table of its own. */
 #include "runtime/scene/simulators.h"
@@ -243,7 +243,7 @@ const struct cor_simulator_model cor_simulator_models[] = {
         "LAMMPS realises up to 0.143 more than its e; coeff_restitution of later versions is exact.",
         "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "tsuji"), 0, 20260731),
     ROW("lammps", "granular hertz, damping tsuji, limit_damping, releases to July 2026", "e", TSUJI, ZERO_FORCE,
-        ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run", "LAMMPS realises up to 0.25 more than its e.",
+        ASKED(tsuji_until_2026, 0, 1), LAMMPS_FILE, "run", "LAMMPS realises up to 0.263 more than its e.",
         "29 Sep 2021 to 4 Feb 2025", LAMMPS("hertz {kn}", "tsuji limit_damping"), 0, 20260731),
     ROW("lammps", "granular hertz, damping tsuji, source after July 2026", "e", TSUJI, ZERO_OVERLAP,
         ASKED(tsuji_since_2026, 0, 1), LAMMPS_FILE, "source",
