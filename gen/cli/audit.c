@@ -144,7 +144,7 @@ static void print_finding(FILE *file, const struct cor_audit_finding *f)
     else
         fprintf(file, "eps = %.6g at %s", f->realised, cor_end_names[f->end]);
     if (!isnan(f->asked))
-        fputs(f->as_asked ? ": as asked" : ": NOT AS ASKED", file);
+        fputs(f->as_asked == 1 ? ": as asked" : ": NOT AS ASKED", file);
     if (!isnan(f->damping))
         fprintf(file, "; %s, %s = %.6g", cor_law_names[f->law] ? cor_law_names[f->law] : "",
                 f->law == COR_LAW_LINEAR || f->law == COR_LAW_TSUJI ? "zeta" : "beta", f->damping);
@@ -153,7 +153,7 @@ static void print_finding(FILE *file, const struct cor_audit_finding *f)
     if (!isnan(f->duration_s) && !isnan(f->time_step_s))
         fprintf(file, " = %.4g steps", f->duration_s / f->time_step_s);
     if (!isnan(f->step_bias))
-        fprintf(file, "; the step adds %.2g, scatter %.2g", f->step_bias, f->step_scatter);
+        fprintf(file, "; the step adds %.2g in the mean, with scatter %.2g", f->step_bias, f->step_scatter);
     fputs("\n", file);
     if (*f->advice)
         fprintf(file, "    %s\n", f->advice);
@@ -187,6 +187,7 @@ static int audit_file(struct audit_run *run, const struct audit_arguments *o, st
 {
     const char *const simulator = o->simulator < 0 ? NULL : cor_audit_simulators[o->simulator];
     const struct cor_audit_options options = {.simulator = simulator,
+                                              .version = o->version ? cor_simulator_version(o->version) : 0,
                                               .speed_m_s = o->speed.nearest,
                                               .speeds = o->speed.count,
                                               .radius_m = number_or_nan(&o->radius),
@@ -247,6 +248,8 @@ static int run_audit(const void *arguments)
     char *text = NULL;
     size_t size;
     int status = STATUS_OK;
+    if (o->version && cor_simulator_version(o->version) == 0)
+        return usage_error("--simulator-version: '%s' is no version; allowed: as '29 Sep 2021' or 3.8.1", o->version);
     struct cor_audit_memory *const memory = xmalloc(sizeof *memory);
     run.file = open_memstream(&text, &size);
     table_init(&run.table, columns, COLUMNS);
@@ -288,8 +291,10 @@ static const char help[] =
     "  --radius R       radius of the spheres, m, where the file does not say it\n"
     "  --density RHO    their density, kg/m^3, where the file does not say it\n"
     "  --time-step DT   time step, s (default: that of the file)\n"
-    "  --tolerance T    as asked: eps differs from e by at most T e (default " DEFAULT_TOLERANCE ")\n"
+    "  --tolerance T    as asked: the mean eps differs from e by at most T e, and the time step\n"
+    "                   scatters it by no more (default " DEFAULT_TOLERANCE ")\n"
     "  --for SIMULATOR  the simulator, where the file does not show it\n"
+    "  --simulator-version V   its version, as '29 Sep 2021' or 3.8.1: known faults depend on it\n"
     "  --format F       text (default), csv or json\n" HELP_COMMON
     "\nColumns: line,simulator,model,pair,asked,end,speed_m_s,realised,step_bias,step_scatter,advice.\n"
     "The line is FILE:LINE where several files are read.\n"
@@ -313,6 +318,7 @@ static const struct option_rule options[] = {
      .offset = AT(simulator),
      .range.words = cor_audit_simulators,
      .why = "a simulator"},
+    {.name = "simulator-version", .kind = OPTION_TEXT, .offset = AT(version)},
     OPTION_FORMAT(struct audit_arguments, option_formats),
     OPTION_COMMON(struct audit_arguments),
     {.name = NULL},

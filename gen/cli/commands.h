@@ -112,7 +112,8 @@ struct audit_arguments {
     struct option_files files;
     struct values speed;
     struct decimal radius, density, time_step, tolerance;
-    int simulator; /* of cor_audit_simulators; OPTIONS_NOT_GIVEN: found in the text */
+    int simulator;       /* of cor_audit_simulators; OPTIONS_NOT_GIVEN: found in the text */
+    const char *version; /* of it; NULL: not given */
 };
 
 struct tables_arguments {

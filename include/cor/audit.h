@@ -37,8 +37,8 @@ struct cor_audit_finding {
     int law;             /* enum cor_law, or -1 */
     double duration_s;   /* of the contact */
     double time_step_s;  /* of the text or the options */
-    double step_bias;    /* mean error of eps by the time step, and its standard deviation */
-    double step_scatter; /* over the phases of the first step */
+    double step_bias;    /* mean error of eps by the time step, and its standard deviation, over the phases of the */
+    double step_scatter; /* first step; NaN: no time step, no speed, or no integrator of cor_scene_step_error */
     int as_asked;        /* 1; 0: eps differs from e, or is not known; -1: eps is known, and no e was asked for */
     const char *advice;  /* sentences; "" if there is nothing to say */
     const char *instead; /* the line that realises e; "" if the line does, or none can */
@@ -59,10 +59,11 @@ typedef void cor_audit_report(void *context, const struct cor_audit_finding *fin
 
 struct cor_audit_options {
     const char *simulator;                       /* one of cor_audit_simulators; NULL: found in the text */
+    long version;                                /* of the simulator, by cor_simulator_version; 0: not known */
     const double *speed_m_s;                     /* impact speeds */
     size_t speeds;                               /* 0: those that the text says */
     double radius_m, density_kg_m3, time_step_s; /* where the text does not say them; NaN: not known */
-    double tolerance;                            /* as asked: |eps - e| <= tolerance e */
+    double tolerance;                            /* as asked: |eps + bias - e|, scatter <= tolerance e */
     cor_scene_solver *solver;                    /* for laws without functions, or NULL */
     cor_audit_open *open;                        /* NULL: no text can be included */
     cor_audit_report *report;
@@ -77,7 +78,8 @@ struct cor_audit_memory {
 extern const char *const cor_audit_simulators[]; /* ends with NULL */
 
 /* Reports all contacts that the text describes, in its order. Any bytes are a valid text; the time is proportional to
- * its size. Returns enum cor_audit_status. */
+ * its size, and some seconds more for errors of time steps; those that would take longer are left out. Returns enum
+ * cor_audit_status. */
 int cor_audit(struct cor_audit_memory *memory, const struct cor_audit_text *text,
               const struct cor_audit_options *options);
 

@@ -94,6 +94,11 @@ static const struct cor_simulator_model *other_version(const struct cor_simulato
     return NULL;
 }
 
+static int has_version(const struct cor_simulator_model *model, long version)
+{
+    return version >= model->since && (model->until == 0 || version <= model->until);
+}
+
 /* Two bodies of the types i and j, the least or the largest of each */
 struct pair {
     double radius, mass; /* effective; NaN: not known */
@@ -270,12 +275,62 @@ static void advise_missing(struct audit *a, const struct outcome *o, double spee
         say(a, "This law has no function in libcor.");
 }
 
+/* ---- the time step ---- */
+
+enum { PHASES = 128, PHASES_LEAST = 16, STEPS_OF_PHASES = 1 << 20 }; /* of cor_scene_step_error */
+#define STEPS_IN_ALL 2e8                                             /* some seconds */
+#define STEPS_OF_SEARCH 2e7                                          /* of cor_scene_step_for, with this tolerance */
+#define LEAST_SEARCHED 1e-4
+
+/* Adds the error of the time step. Returns whether eps stays as near as the tolerance allows to `asked`, or, where that
+ * is NaN, to what a time step of zero realises. */
+static int add_step(struct audit *a, struct cor_audit_finding *f, const struct outcome *o, double speed, double asked)
+{
+    const double at = isnan(speed) ? 1 : speed, step = a->time_step / a->time;
+    const double elastic = cor_scene_elastic_duration_s(&o->scene, at), steps = elastic / step;
+    const double collision = o->duration / step, wished = isnan(asked) ? o->eps : asked;
+    const double allowed = a->options->tolerance * wished;
+    struct cor_step_error error;
+    /* without a speed o->duration is NaN where the number of steps depends on it */
+    if (a->integrator == COR_NO_INTEGRATOR || !(collision > 0 && collision < INFINITY))
+        return 1;
+    if (steps < COR_SCENE_STEPS_MIN) {
+        say(a, "The contact takes less than two time steps: eps is left to chance.");
+        return 0;
+    }
+    const double cost = fmax(PHASES_LEAST * collision, fmin(PHASES * collision, STEPS_OF_PHASES));
+    if (cost > a->steps_left ||
+        cor_scene_step_error(&error, &o->scene, at, (int)o->end, steps, a->integrator) != COR_OK)
+        return 1;
+    a->steps_left -= cost;
+    f->step_bias = error.bias;
+    f->step_scatter = error.scatter;
+    if (fabs(o->eps + error.bias - wished) <= allowed && error.scatter <= allowed)
+        return 1;
+    if (fabs(error.bias) <= allowed && error.scatter <= allowed)
+        return 0; /* it is not the step that is to blame */
+    audit_append(a->advice, sizeof a->advice, "$The time step makes eps % in the mean, with the standard deviation %.",
+                 *a->advice ? " " : "", o->eps + error.bias, error.scatter);
+    double least;
+    if (allowed >= LEAST_SEARCHED && a->steps_left >= STEPS_OF_SEARCH) {
+        a->steps_left -= STEPS_OF_SEARCH;
+        if (cor_scene_step_for(&least, &o->scene, at, (int)o->end, allowed, a->integrator) == COR_OK)
+            audit_append(a->advice, sizeof a->advice, " A time step of % or less keeps both errors below %.",
+                         elastic / least, allowed);
+    }
+    return 0;
+}
+
 /* ---- reports ---- */
 
 static void report(struct audit *a, const struct audit_contact *contact, const char *pair_name, const struct pair *pair,
                    double speed)
 {
-    const struct cor_simulator_model *const model = contact->model ? model_named(a->simulator, contact->model) : NULL;
+    const struct cor_simulator_model *model = contact->model ? model_named(a->simulator, contact->model) : NULL;
+    const struct cor_simulator_model *other = model ? other_version(model) : NULL;
+    const long version = a->options->version;
+    if (other && version != 0 && !has_version(model, version))
+        model = other;
     const double speed_here = speed * a->time / a->length; /* in the units of the text */
     struct cor_audit_finding f = empty_finding(a);
     f.file = contact->file;
@@ -293,10 +348,10 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
     if (contact->fault)
         say(a, contact->fault);
     f.as_asked = 0;
+    if (model && version != 0 && !has_version(model, version))
+        say(a, "This version does not have the model.");
     if (model && !contact->unknown) {
         const struct outcome o = solve(a, model, contact, pair, speed_here);
-        const struct cor_simulator_model *const other = other_version(model);
-        const double tolerance = a->options->tolerance;
         f.end = (int)o.end;
         f.law = (int)model->law;
         f.damping = o.damping;
@@ -304,16 +359,18 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
         f.duration_s = o.duration * a->time;
         if (model->damping_of_e) {
             f.asked = contact->number;
-            f.as_asked = fabs(o.eps - f.asked) <= tolerance * f.asked;
+            f.as_asked = fabs(o.eps - f.asked) <= a->options->tolerance * f.asked;
             if (!f.as_asked)
                 advise_asked(a, model, contact, o.eps);
-            if (other)
+            f.as_asked = add_step(a, &f, &o, speed_here, f.asked) && f.as_asked;
+            if (other && version == 0)
                 audit_append(a->advice, sizeof a->advice, "$The model $ realises %.", *a->advice ? " " : "",
                              other->model, cor_simulator_realised(other, contact->number));
         } else if (isnan(o.eps)) {
             advise_missing(a, &o, speed);
         } else {
             f.as_asked = -1;
+            add_step(a, &f, &o, speed_here, (double)NAN);
             if (!cor_law_is_constant(&o.scene.law))
                 say(a, model->advice);
         }
@@ -470,6 +527,7 @@ static void clear(struct audit *a, const struct cor_audit_options *options, cons
     a->text = *text;
     a->next_line = 1;
     a->time_step = (double)NAN;
+    a->steps_left = STEPS_IN_ALL;
     a->length = a->mass = a->time = 1;
     a->simulator = options->simulator ? options->simulator : simulator_of(text);
     for (int i = 0; i < AUDIT_TYPES; i++) {
@@ -489,6 +547,7 @@ int cor_audit(struct cor_audit_memory *memory, const struct cor_audit_text *text
         return COR_AUDIT_NOT_TEXT;
     if (!a->simulator)
         return COR_AUDIT_UNKNOWN;
+    a->integrator = cor_simulator_integrator(a->simulator);
     if (!isnan(options->time_step_s))
         a->time_step = options->time_step_s;
     audit_script(a, text);

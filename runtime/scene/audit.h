@@ -82,6 +82,8 @@ struct audit {
     long line, next_line;       /* the first of the one that is read, and the one after it */
     size_t at;                  /* where the next one starts */
     int depth, includes, evaluations;
+    int integrator;       /* of the simulator, or COR_NO_INTEGRATOR */
+    double steps_left;    /* that the errors of time steps may still take */
     int is_full;          /* there are more contacts than memory for them */
     int found, unsettled; /* contacts reported; contacts or lines that are not known to be as asked */
 
