@@ -219,6 +219,9 @@ module cor
   type(cor_disk_modes_t), protected, public, bind(c, name="cor_disk_modes_nu033") :: cor_disk_modes_nu033
   type(cor_disk_modes_t), protected, public, bind(c, name="cor_disk_modes_nu090") :: cor_disk_modes_nu090
   interface
+    pure real(c_double) function c_cor_sphere_mass_kg(radius_m, density_kg_m3) bind(c, name="cor_sphere_mass_kg")
+      import; real(c_double), value :: radius_m; real(c_double), value :: density_kg_m3
+    end function
     integer(c_int) function cor_sphere_contact_init(contact, body_1, body_2) bind(c)
       import; type(cor_sphere_contact_t), intent(inout) :: contact; type(cor_body_t), intent(in) :: body_1
       type(cor_body_t), intent(in) :: body_2
@@ -343,9 +346,6 @@ module cor
       name="cor_contact_wave_loss")
       import; type(cor_sphere_contact_t), intent(in) :: contact; type(cor_half_space_t), intent(in) :: half_space
       real(c_double), value :: speed_m_s
-    end function
-    pure real(c_double) function c_cor_sphere_mass_kg(radius_m, density_kg_m3) bind(c, name="cor_sphere_mass_kg")
-      import; real(c_double), value :: radius_m; real(c_double), value :: density_kg_m3
     end function
     integer(c_int) function cor_disk_modes_read(path, mode, capacity, modes, line) bind(c)
       import; character(kind=c_char), intent(in) :: path(*); type(cor_disk_mode_t), intent(inout) :: mode(*)
@@ -2166,8 +2166,8 @@ module cor
       import; real(c_float), intent(in) :: x(*); real(c_float), intent(inout) :: y(*); integer(c_size_t), value :: n
     end subroutine
   end interface
-  public :: cor_sphere_contact_init, cor_sphere_contact_init_g_star, cor_contact_g_star_m_s, cor_contact_beta, &
-    cor_contact_beta_array, cor_contact_eps_zero_overlap, cor_contact_eps_zero_overlap_array, &
+  public :: cor_sphere_mass_kg, cor_sphere_contact_init, cor_sphere_contact_init_g_star, cor_contact_g_star_m_s, &
+    cor_contact_beta, cor_contact_beta_array, cor_contact_eps_zero_overlap, cor_contact_eps_zero_overlap_array, &
     cor_contact_eps_zero_force, cor_contact_eps_zero_force_array, cor_contact_duration_s_zero_overlap, &
     cor_contact_duration_s_zero_overlap_array, cor_contact_duration_s_zero_force, &
     cor_contact_duration_s_zero_force_array, cor_contact_max_overlap_m, cor_contact_max_overlap_m_array, &
@@ -2176,7 +2176,7 @@ module cor
     cor_dissipation_time_viscous_s, cor_dissipation_time_s, cor_plate_contact_init, cor_plate_lambda, &
     cor_plate_contact_radius_ratio, cor_plate_shear_crossings, cor_plate_sphere_crossings, &
     cor_plate_least_half_width_m, cor_half_space_wave_factor, cor_half_space_wave_coefficient, cor_contact_wave_loss, &
-    cor_sphere_mass_kg, cor_disk_modes_read, cor_disk_modes_compute, cor_disk_modes_below, cor_disk_load_limit, &
+    cor_disk_modes_read, cor_disk_modes_compute, cor_disk_modes_below, cor_disk_load_limit, &
     cor_disk_compression_limit, cor_disk_energy_limit, cor_disk_speed_limit, cor_disk_load, cor_disk_compression, &
     cor_disk_energy, cor_disk_load_of_energy, cor_disk_max_load, cor_disk_max_compression, cor_disk_contact_time, &
     cor_disk_compression_leading_log, cor_disk_load_leading_log, cor_disk_energy_leading_log, &
@@ -2262,6 +2262,10 @@ module cor
     cor_sphere_eps_published_pade, cor_status_text
 
 contains
+  elemental real(c_double) function cor_sphere_mass_kg(radius_m, density_kg_m3) result(value)
+    real(c_double), intent(in) :: radius_m, density_kg_m3
+    value = c_cor_sphere_mass_kg(radius_m, density_kg_m3)
+  end function
   elemental real(c_double) function cor_contact_g_star_m_s(contact) result(value)
     type(cor_sphere_contact_t), intent(in) :: contact
     value = c_cor_contact_g_star_m_s(contact)
@@ -2344,10 +2348,6 @@ contains
     type(cor_sphere_contact_t), intent(in) :: contact; type(cor_half_space_t), intent(in) :: half_space
     real(c_double), intent(in) :: speed_m_s
     value = c_cor_contact_wave_loss(contact, half_space, speed_m_s)
-  end function
-  elemental real(c_double) function cor_sphere_mass_kg(radius_m, density_kg_m3) result(value)
-    real(c_double), intent(in) :: radius_m, density_kg_m3
-    value = c_cor_sphere_mass_kg(radius_m, density_kg_m3)
   end function
   elemental integer(c_size_t) function cor_disk_modes_below(nu, omega) result(value)
     real(c_double), intent(in) :: nu, omega

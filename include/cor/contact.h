@@ -1,7 +1,20 @@
 /* SPDX-License-Identifier: MIT */
 /* The functions of this header compute beta of sphere.h, and eps at an impact speed, from materials and sizes in SI
- * units, for two spheres or a sphere and a wall. Equation numbers are those of sphere.h. What it says of the
- * floating-point environment, threads and memory holds here, too, with COR_CONTACT_MAX_STACK. */
+ * units, for two spheres or a sphere and a wall.
+ *
+ *     bodies, filling a contact   cor_sphere_mass_kg, cor_sphere_contact_init, _init_g_star, cor_contact_g_star_m_s
+ *     eps at a speed              cor_contact_beta, cor_contact_eps_zero_overlap, _zero_force
+ *     duration and overlap        cor_contact_duration_s_zero_overlap, _zero_force, cor_contact_max_overlap_m
+ *     A from one measured eps     cor_contact_dissipation_time_s_zero_overlap, _zero_force
+ *     arrays                      the functions of a speed with _array at their end: cor_contact_eps_zero_force_array
+ *     A from viscosities          cor_dissipation_time_viscous_s; as published in 1999: cor_dissipation_time_s
+ *     thin plates                 cor_plate_contact_init, cor_plate_lambda, cor_plate_contact_radius_ratio,
+ *                                 _shear_crossings, _sphere_crossings, _least_half_width_m
+ *     elastic waves               cor_contact_wave_loss, cor_half_space_wave_factor, _wave_coefficient
+ *
+ * Equation numbers are those of sphere.h. cor.h says what holds of threads, memory and the floating-point environment;
+ * at subnormal or extreme speeds these functions round to nearest in every mode. No function uses more bytes of stack
+ * than COR_CONTACT_MAX_STACK. */
 #ifndef COR_CONTACT_H
 #define COR_CONTACT_H
 
@@ -24,6 +37,8 @@ extern "C" {
 /* Bytes of stack; 20.5 kB are measured in an optimised build, libm included. */
 #define COR_CONTACT_MAX_STACK 24576
 
+/* ---- bodies, and filling a contact ---- */
+
 /* One of the two bodies. A wall has radius_m = mass_kg = INFINITY. */
 struct cor_body {
     double young_modulus_pa;   /* Y > 0; INFINITY is a rigid body */
@@ -32,6 +47,10 @@ struct cor_body {
     double radius_m;           /* R > 0; INFINITY is flat */
     double mass_kg;            /* > 0; INFINITY is held fast */
 };
+
+/* Mass of a homogeneous sphere, (4/3) pi R^3 times density, kg. Domain: radius and density > 0; all other arguments ->
+ * NaN. Accuracy: 4 units of the last place. */
+COR_API double cor_sphere_mass_kg(double radius_m, double density_kg_m3);
 
 /* A pair of bodies, filled by one of the init functions. Callers may read every field, but a changed field does not
  * update the others. At impact speed g, beta = beta_per_root g^(1/5). */
@@ -49,9 +68,9 @@ struct cor_sphere_contact {
 
 /* Fills *contact for two bodies, in either order. With c_i = (1 - nu_i^2)/Y_i,
  *
- *     1/E = c_1 + c_2,     rho = (4/3) E sqrt(R),     A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2)
+ *     1/E* = c_1 + c_2,     rho = (4/3) E* sqrt(R),     A = (A_1 c_1 + A_2 c_2)/(c_1 + c_2)
  *
- * rho is the constant of Hertz's law with his combined modulus; for equal materials it equals (2). The formula of A
+ * rho is the constant of Hertz's law with his combined modulus E*; for equal materials it equals (2). The formula of A
  * follows from three facts. Both bodies carry the same force F = f_i(xi_i + A_i xi_i'), which is (13) to first order in
  * A_i. The inverse of f_i is proportional to c_i. The overlaps xi_i add up to xi. The compliances c_i are therefore the
  * weights of the mean. For equal materials the mean is exact; for unequal ones it is a model, good while A_1 and A_2
@@ -81,6 +100,8 @@ COR_API int cor_sphere_contact_init_g_star(struct cor_sphere_contact *contact, d
  * failed -> NaN. */
 COR_API double cor_contact_g_star_m_s(const struct cor_sphere_contact *contact);
 
+/* ---- eps at a speed ---- */
+
 /* beta = beta_per_root g^(1/5) at impact speed g >= 0, m/s.
  * Accuracy: COR_CONTACT_MAX_ULP, of which 1.5 units of the last place come from this function; subnormal speeds
  * included.
@@ -97,6 +118,8 @@ COR_API double cor_contact_beta(const struct cor_sphere_contact *contact, double
 COR_API double cor_contact_eps_zero_overlap(const struct cor_sphere_contact *contact, double speed_m_s);
 COR_API double cor_contact_eps_zero_force(const struct cor_sphere_contact *contact, double speed_m_s);
 
+/* ---- duration and overlap ---- */
+
 /* Duration of a contact at impact speed g > 0, s: scale g^(-1/5) cor_sphere_duration_...(beta).
  * Accuracy: COR_CONTACT_MAX_ULP. Special values: speed 0 -> +inf; speed +inf -> 0, but +inf at zero overlap with
  * dissipation, where the duration grows with ln(g). A negative or NaN speed, or a contact whose scale is not known
@@ -109,6 +132,8 @@ COR_API double cor_contact_duration_s_zero_force(const struct cor_sphere_contact
  * scale is not known (init failed, or filled from g* alone) -> NaN. */
 COR_API double cor_contact_max_overlap_m(const struct cor_sphere_contact *contact, double speed_m_s);
 
+/* ---- A from one measured eps ---- */
+
 /* Dissipation time A of the pair, s, from eps measured at impact speed g > 0, m/s: A = (2/3) beta(eps) scale g^(-1/5)
  * with cor_sphere_beta_.... The contact may have been filled with any A.
  * Accuracy: COR_CONTACT_MAX_ULP, with the given eps taken as exact (sphere.h, the inverse).
@@ -119,7 +144,9 @@ COR_API double cor_contact_dissipation_time_s_zero_overlap(const struct cor_sphe
 COR_API double cor_contact_dissipation_time_s_zero_force(const struct cor_sphere_contact *contact, double speed_m_s,
                                                          double eps);
 
-/* Arrays: y[i] has the bits of cor_contact_...(contact, speed_m_s[i]), or of the function of speed_m_s[i] and eps[i],
+/* ---- arrays ---- */
+
+/* y[i] has the bits of cor_contact_...(contact, speed_m_s[i]), or of the function of speed_m_s[i] and eps[i],
  * for i < n. If n is 0, the array pointers may be NULL. y may be one of the argument arrays, but arrays must not
  * overlap otherwise. */
 #define COR_CONTACT_DECLARE_(quantity)                                                                                 \
@@ -139,15 +166,17 @@ COR_API void cor_contact_dissipation_time_s_zero_force_array(const struct cor_sp
                                                              const double *speed_m_s, const double *eps, double *y,
                                                              size_t n);
 
+/* ---- A from viscosities ---- */
+
 /* Dissipation time A of a Kelvin-Voigt solid, s. Use it for a material whose viscous constants are known. The arguments
  * are Young's modulus Y > 0 (Pa), Poisson's ratio -1 < nu <= 1/2 and the viscous constants eta_1, eta_2 >= 0 (Pa s) in
  * the notation of (4): eta_1 is twice the shear viscosity, eta_2 the bulk viscosity.
  *
  *     A = (1 + nu)/((1 - nu) Y) ((2/3) (1 - nu + nu^2) eta_1 + (1 - 2 nu)^2 eta_2)
  *
- * A is the derivative of ln(Y/(1 - nu^2)) along (eta_1/2, eta_2) in the space of shear modulus mu and bulk modulus K.
+ * A is the derivative of ln(Y/(1 - nu^2)) along (eta_1/2, eta_2) in the space of shear modulus mu and bulk modulus k.
  * docs/laws.md derives the formula from the contact of a rigid body with a Kelvin-Voigt half-space. It is exact where
- * eta_1 : eta_2 is 2 mu : K, where it agrees with (4), and of first order in A over the duration otherwise. The
+ * eta_1 : eta_2 is 2 mu : k, where it agrees with (4), and of first order in A over the duration otherwise. The
  * derivation holds while the contact grows; A is used while it shrinks, too, which first order in the rate justifies.
  * Unlike (4), this A is finite and positive for every nu. It agrees with the correction of (4) by Goldobin, Susloparov,
  * Pimenova and Brilliantov, Eur. Phys. J. E 38, 55 (2015), whose eta_1 is the shear viscosity.
@@ -158,7 +187,7 @@ COR_API double cor_dissipation_time_viscous_s(double eta1_pa_s, double eta2_pa_s
 
 /* A of (4), s, as published in 1999. The derivation of (4) neglects the change that the viscous stress makes to the
  * quasi-static displacement field. This A vanishes at nu = 1/2, is singular at nu = 0, and is right only where
- * eta_1/eta_2 is near 2 mu/K. Call this function only to reproduce results that were computed with (4). The arguments
+ * eta_1/eta_2 is near 2 mu/k. Call this function only to reproduce results that were computed with (4). The arguments
  * are those of cor_dissipation_time_viscous_s.
  *
  *     A = (1/3) (3 eta_2 - eta_1)^2/(3 eta_2 + 2 eta_1) (1 - nu^2)(1 - 2 nu)/(Y nu^2)
@@ -171,17 +200,17 @@ COR_API double cor_dissipation_time_s(double eta1_pa_s, double eta2_pa_s, double
 
 /* ---- A sphere on a thin plate (Zener) ----
  *
- * A force F at a point of a large thin plate moves that point with the velocity F/Z, where Z = 8 sqrt(B rho_p h) and B
- * = E_p h^3/(12 (1 - nu_p^2)). Bending waves carry the energy away. A sphere that hits the plate obeys the equation of
+ * A force F at a point of a large thin plate moves that point with the velocity F/Z, where Z = 8 sqrt(B d_p h) and B =
+ * Y_p h^3/(12 (1 - nu_p^2)). Bending waves carry the energy away. A sphere that hits the plate obeys the equation of
  * sphere.h with the dissipation time A = m/Z, and beta = (3/2) lambda with Zener's inelasticity parameter lambda. The
  * plate is at rest when the contact force vanishes, which is at zero overlap. cor_contact_eps_zero_overlap therefore
  * gives the restitution; functions of the zero-force end have no meaning here.
  * Source: Zener, Phys. Rev. 59, 669 (1941); docs/laws.md. */
 
 struct cor_plate {
-    double young_modulus_pa; /* E_p > 0, finite */
+    double young_modulus_pa; /* Y_p > 0, finite */
     double poisson_ratio;    /* -1 < nu_p <= 1/2 */
-    double density_kg_m3;    /* rho_p > 0, finite */
+    double density_kg_m3;    /* d_p > 0, finite */
     double thickness_m;      /* h > 0, finite */
 };
 
@@ -203,12 +232,12 @@ COR_API double cor_plate_lambda(const struct cor_sphere_contact *contact, double
  *
  * _contact_radius_ratio   the largest contact radius sqrt(R x_max) over h. It must be well below 1.
  * _shear_crossings        how often a shear wave crosses the thickness of the plate during contact: the duration times
- *                         sqrt(E_p/(2 (1 + nu_p) rho_p)) over h. It must be well above 1; otherwise the plate is a
+ *                         sqrt(Y_p/(2 (1 + nu_p) d_p)) over h. It must be well above 1; otherwise the plate is a
  *                         half-space (cor_contact_wave_loss).
- * _sphere_crossings       the duration times sqrt(E/rho) of the sphere over its diameter. It must be well above 1. The
- *                         sphere is assumed to be homogeneous.
+ * _sphere_crossings       the duration times sqrt(Y/density) of the sphere over its diameter. It must be well above 1.
+ *                         The sphere is assumed to be homogeneous.
  * _least_half_width_m     the distance, m, to the nearest edge below which echoes return during contact:
- *                         2 sqrt(pi duration) (B/(rho_p h))^(1/4), from the group velocity of bending waves of
+ *                         2 sqrt(pi duration) (B/(d_p h))^(1/4), from the group velocity of bending waves of
  *                         frequency 4 pi/duration. On a simply supported square plate of that half width, eps is off
  *                         by 0.5 % at lambda = 1 and by 0.01 % at 0.2 (tests/unit/test_plate.c). */
 COR_API double cor_plate_contact_radius_ratio(const struct cor_sphere_contact *contact, const struct cor_plate *plate,
@@ -223,21 +252,21 @@ COR_API double cor_plate_least_half_width_m(const struct cor_sphere_contact *con
 /* ---- Energy lost to elastic waves in a massive block ----
  *
  * An ideally elastic sphere that hits a half-space loses energy to the waves it excites. Any contact with a large body
- * loses at least that energy. A slow force history F(t) radiates J(nu)/(2 pi rho c_s^3) int F'^2 dt, where c_s is the
+ * loses at least that energy. A slow force history F(t) radiates J(nu)/(2 pi d c_s^3) int F'^2 dt, where c_s is the
  * shear wave speed. To first order
  *
- *     1 - eps^2 = 2 |C_1| beta_w,   beta_w = (9/4) J/(2 pi rho c_s^3) K^(6/5) m^(-1/5) g^(3/5),
- *     C_1 = -0.8457421741960...
+ *     1 - eps^2 = 2 c_w beta_w,   beta_w = (9/4) J/(2 pi d c_s^3) rho^(6/5) m^(-1/5) g^(3/5),
+ *     c_w = 0.8457421741960...
  *
- * with K and m of the contact and C_1 of the law x'' + beta x x' + x^(3/2) = 0. The formula holds while the result is
- * well below 1, the block is deeper than half the duration times the pressure wave speed, and no material yields. Other
- * losses add to this one at first order only.
+ * with the density d of the block, rho and m of the contact, and c_w = |C_1| of the law x'' + beta x x' + x^(3/2) = 0.
+ * The formula holds while the result is well below 1, the block is deeper than half the duration times the pressure
+ * wave speed, and no material yields. Other losses add to this one at first order only.
  * Source: docs/laws.md; Hunter, J. Mech. Phys. Solids 5, 162 (1957), whose constant is 6 to 8 % smaller. */
 
 struct cor_half_space {
-    double young_modulus_pa; /* E > 0, finite */
+    double young_modulus_pa; /* Y > 0, finite */
     double poisson_ratio;    /* -1 < nu <= 1/2 */
-    double density_kg_m3;    /* rho > 0, finite */
+    double density_kg_m3;    /* d > 0, finite */
 };
 
 /* The dimensionless factor J(nu): 0.9307526... at nu = 1/4. Domain: -1 < nu <= 1/2; outside and NaN -> NaN. Accuracy:
@@ -246,7 +275,7 @@ struct cor_half_space {
 #define COR_WAVE_MAX_ERROR 1e-15
 COR_API double cor_half_space_wave_factor(double poisson_ratio);
 
-/* The coefficient Lam of 1 - eps^2 = Lam (g/c)^(3/5), c = sqrt(E/rho), for a sphere and a half-space of the same
+/* The coefficient Lam of 1 - eps^2 = Lam (g/c)^(3/5), c = sqrt(Y/d), for a sphere and a half-space of the same
  * material: 1.1115324... at nu = 1/4. Domain: as J. Accuracy: as J, with 16 ulp of rounding. */
 COR_API double cor_half_space_wave_coefficient(double poisson_ratio);
 
@@ -257,10 +286,6 @@ COR_API double cor_half_space_wave_coefficient(double poisson_ratio);
  * NaN. */
 COR_API double cor_contact_wave_loss(const struct cor_sphere_contact *contact, const struct cor_half_space *half_space,
                                      double speed_m_s);
-
-/* Mass of a homogeneous sphere, (4/3) pi R^3 times density, kg. Domain: radius and density > 0; all other arguments ->
- * NaN. Accuracy: 4 units of the last place. */
-COR_API double cor_sphere_mass_kg(double radius_m, double density_kg_m3);
 
 #ifdef __cplusplus
 }

@@ -1,5 +1,38 @@
 /* SPDX-License-Identifier: MIT */
-/* cor computes coefficients of restitution of colliding viscoelastic bodies. This header includes all others. */
+/* cor computes the coefficient of restitution eps of a collision, the rebound speed over the impact speed. This header
+ * includes those of the library libcor, which needs libm alone:
+ *
+ *     I have                                              I want                                     header
+ *     materials or one measured eps, and a speed, SI      eps, duration, overlap; A; g*              contact.h
+ *     beta, the dimensionless damping                     eps of viscoelastic spheres, its inverse   sphere.h
+ *     a dashpot: linear, Tsuji's, Hunt and Crossley's     eps, the damping for an eps, durations     law.h
+ *     Hertz's force with a constant dashpot               the same                                   hertz_dashpot.h
+ *     an elastic disk                                     modes, contact law, energy, collisions     disk.h
+ *     a status                                            its sentence                               status.h
+ *
+ * and beside it, in the library libcor_scene: scene.h, one contact as a simulator has it, and audit.h, the input of a
+ * simulator.
+ *
+ *     struct cor_body glass = {70e9, 0.22, 0.4e-6, 5e-3, cor_sphere_mass_kg(5e-3, 2500)};
+ *     struct cor_sphere_contact contact;
+ *     if (cor_sphere_contact_init(&contact, &glass, &glass) == COR_OK)
+ *         printf("%g\n", cor_contact_eps_zero_force(&contact, 0.1));
+ *
+ * What holds for every function, unless its header says otherwise:
+ *
+ * Threads, memory: no function has state, so that several threads may call it at once. None allocates memory. Each
+ * header bounds the stack.
+ * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
+ * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. The bounds on errors
+ * hold for rounding to nearest. In the other rounding modes, and where subnormal numbers are flushed to zero, results
+ * of scalar functions change by a relative 1e-9 at most (floats: 1.2e-7), and eps and loss stay in [0, 1]. Array
+ * functions round to nearest in every mode.
+ * Arrays: a function whose name ends in _array sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the
+ * pointers may be NULL. x and y may be the same array, but must not overlap otherwise. A name that ends in f is the
+ * function in float: it rounds the double result once.
+ * Bits: the same input gives the same bits on every processor. The library chooses an instruction set at run time, and
+ * none changes a result.
+ * tests/unit/test_environment.c and test_stack.c assert this of every function. */
 #ifndef COR_COR_H
 #define COR_COR_H
 

@@ -12,15 +12,20 @@
  * material has moved to. Elasticity is linear: at v = 0.3 compressions reach a third of the radius, far outside it, so
  * that digits of eps beyond 1e-3 there are digits of the model, not of a disk.
  *
- * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
- * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. Every function
+ *     one rigid collision from a table    cor_disk_eps, cor_disk_one_minus_eps2, each with _uncertainty
+ *     collisions with a rigid wall        cor_disk_hard_wall, cor_disk_hard_wall_nu, _in, _workspace
+ *     collisions with a soft wall         cor_disk_collision, cor_disk_collision_array, _in, _workspace
+ *     Rayleigh's energy                   cor_disk_rayleigh, _array, _tolerance
+ *     contact law, contact time           cor_disk_load, _compression, _energy, _load_of_energy, _max_load,
+ *                                         _max_compression, _contact_time, and the limits cor_disk_load_limit, ...
+ *     modes                               cor_disk_modes_nu033, _nu090, _read, _compute, _below
+ *
+ * cor.h says what holds of threads, memory and the floating-point environment, with three exceptions. Every function
  * rounds to nearest and keeps subnormal numbers in every mode of the caller; results of cor_disk_eps and the three
  * functions beside it alone change, by a relative 1e-9 at most. observe is called in the default environment and must
- * return.
- * Threads, memory: no function has state, so that several threads may call it at once. Six functions allocate memory
- * and free it: cor_disk_modes_compute, cor_disk_rayleigh_array, cor_disk_collision, cor_disk_collision_array,
- * cor_disk_hard_wall and cor_disk_hard_wall_nu. (cor_disk_modes_read opens a file, for which the C library may allocate
- * a buffer.) tests/unit/test_environment.c and test_stack.c assert this of every function.
+ * return. Six functions allocate memory and free it: cor_disk_modes_compute, cor_disk_rayleigh_array,
+ * cor_disk_collision, cor_disk_collision_array, cor_disk_hard_wall and cor_disk_hard_wall_nu. (cor_disk_modes_read
+ * opens a file, for which the C library may allocate a buffer.)
  *
  * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 17,
  * derives them again and lists where the print is wrong. */

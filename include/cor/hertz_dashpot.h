@@ -12,10 +12,15 @@
  *                     C^5/(COR_HERTZ_DASHPOT_BETA_C^5 m^3 K^2)
  *     zero_force      x'' = 0; no attraction
  *
- * Every function has four forms: double, float (its name ends in f; it rounds the double result once), and arrays of
- * either. An array function sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the pointers may be NULL. x
- * and y may be the same array, but must not overlap otherwise. Floating-point environment, threads and memory: as law.h
- * says. Source: docs/derivation.md, 9. */
+ * Each name below stands for four functions, NAME, NAMEf, NAME_array and NAME_arrayf; <end> is zero_overlap, zero_force
+ * or approach_only:
+ *
+ *     cor_hertz_dashpot_eps_<end>     cor_hertz_dashpot_beta_<end>             cor_hertz_dashpot_max_overlap
+ *     cor_hertz_dashpot_loss_<end>    cor_hertz_dashpot_beta_of_loss_<end>     cor_hertz_dashpot_time_of_max_overlap
+ *     cor_hertz_dashpot_duration_<end>
+ *
+ * cor.h says what holds of threads, memory, the floating-point environment and arrays, law.h of the stack.
+ * Source: docs/derivation.md, 9. */
 #ifndef COR_HERTZ_DASHPOT_H
 #define COR_HERTZ_DASHPOT_H
 

@@ -14,20 +14,23 @@
  *     limited         the damping force is at most as large as the elastic force: 0 <= F <= 2 K x^a
  *     approach_only   the force is damped while the bodies approach, and elastic from the turning point on
  *
- * Every function has four forms: double, float (its name ends in f; it rounds the double result once), and arrays of
- * either. An array function sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the pointers may be NULL. x
- * and y may be the same array, but must not overlap otherwise. The same input gives the same bits on every processor:
- * the library chooses an instruction set at run time, none changes a result, and sqrt is the only function of the C
- * library in use.
+ * Each name below stands for four functions, NAME, NAMEf, NAME_array and NAME_arrayf. <end> is one of the four ends:
+ * cor_linear_eps_zero_force and so on.
  *
- * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
- * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. The bounds below
- * hold for rounding to nearest. In the other rounding modes, and where subnormal numbers are flushed to zero, results
- * of scalar functions change by a relative 1e-9 at most (floats: 1.2e-7), and eps and loss stay in [0, 1] where
- * beta >= 0. Array functions round to nearest in every mode.
- * Threads, memory: no function has state, so that several threads may call it at once. None allocates memory, and
- * none uses more bytes of stack than COR_LAW_MAX_STACK (4 kB, if it is not of arrays).
- * tests/unit/test_environment.c and test_stack.c assert this of every function. */
+ *     cor_linear_eps_<end>               cor_tsuji_eps_<end>                cor_hunt_crossley_eps
+ *     cor_linear_loss_<end>              cor_tsuji_loss_<end>               cor_hunt_crossley_loss
+ *     cor_linear_zeta_<end>              cor_tsuji_zeta_<end>               cor_hunt_crossley_beta
+ *     cor_linear_zeta_of_loss_<end>      cor_tsuji_zeta_of_loss_<end>       cor_hunt_crossley_beta_of_loss
+ *     cor_linear_duration_<end>          cor_tsuji_duration_<end>           cor_hunt_crossley_duration
+ *     cor_linear_max_overlap             cor_tsuji_max_overlap              cor_hunt_crossley_max_overlap
+ *     cor_linear_time_of_max_overlap     cor_tsuji_time_of_max_overlap      cor_hunt_crossley_time_of_max_overlap
+ *
+ * Those of Hunt and Crossley but the last two also end in _approach_only. hertz_dashpot.h, which this header includes,
+ * has Hertz's force with a constant dashpot, and sphere.h the viscoelastic sphere.
+ *
+ * cor.h says what holds of threads, memory, the floating-point environment and arrays; eps and loss stay in [0, 1]
+ * where beta >= 0. No function uses more bytes of stack than COR_LAW_MAX_STACK (4 kB, if it is not of arrays), and sqrt
+ * is the only function of the C library in use. */
 #ifndef COR_LAW_H
 #define COR_LAW_H
 

@@ -12,14 +12,20 @@
  *     zero overlap     x = 0 again; the force is attractive just before
  *     zero force       x'' = 0, that is x = -beta x'; no attraction
  *
- * Floating-point environment: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW or sets errno, whatever its
- * argument, so that programs may trap these exceptions. FE_UNDERFLOW and FE_INEXACT may be raised. The bounds below
- * hold for rounding to nearest. In the other rounding modes, and where subnormal numbers are flushed to zero, results
- * of scalar functions change by a relative 1e-9 at most (floats: 1.2e-7), and eps and loss stay in [0, 1]. Array
- * functions round to nearest in every mode, as do the functions of contact.h at subnormal or extreme speeds.
- * Threads, memory: no function has state, so that several threads may call it at once. None allocates memory, and
- * none uses more bytes of stack than COR_SPHERE_MAX_STACK (4 kB, if it is not of arrays).
- * tests/unit/test_environment.c and test_stack.c assert this of every function.
+ * Each name below stands for four functions, NAME, NAMEf, NAME_array and NAME_arrayf:
+ *
+ *     cor_sphere_eps_zero_overlap         cor_sphere_eps_zero_force          cor_sphere_eps_approach_only
+ *     cor_sphere_loss_zero_overlap        cor_sphere_loss_zero_force         cor_sphere_loss_approach_only
+ *     cor_sphere_beta_zero_overlap        cor_sphere_beta_zero_force         cor_sphere_beta_approach_only
+ *     cor_sphere_duration_zero_overlap    cor_sphere_duration_zero_force     cor_sphere_duration_approach_only
+ *     cor_sphere_max_overlap              cor_sphere_time_of_max_overlap     cor_sphere_beta_of_loss_approach_only
+ *
+ * Those of beta but approach_only also exist in float arithmetic, as NAME_fastf and NAME_fast_arrayf. Published
+ * approximations: cor_sphere_eps_simple, cor_sphere_eps_simple_fraction, cor_sphere_eps_published_pade.
+ *
+ * cor.h says what holds of threads, memory, the floating-point environment and arrays. No function uses more bytes of
+ * stack than COR_SPHERE_MAX_STACK (4 kB, if it is not of arrays). Beyond beta = 8, or 16 for eps at zero force, the
+ * functions call cbrt and log of the C library, and its bits are theirs.
  *
  * Equation numbers (n) are those of Ramirez, Poeschel, Brilliantov and Schwager, Phys. Rev. E 60,
  * 4465 (1999); docs/derivation.md derives them again and lists where the print is wrong. */
@@ -61,11 +67,7 @@ extern "C" {
  * by (30). The constant is rounded to the nearest double. */
 #define COR_SPHERE_C1 (-1.15344885809528879913)
 
-/* Every function has four forms: double, float (its name ends in f; it rounds the double result once), and arrays of
- * either. An array function sets y[i] to the bits of function(x[i]) for i < n. If n is 0, the pointers may be NULL. x
- * and y may be the same array, but must not overlap otherwise. The same input gives the same bits on every processor:
- * the library chooses an instruction set at run time, and none changes a result. (Beyond beta = 8, or 16 for eps at
- * zero force, the functions call cbrt and log of the C library.) */
+/* Double, float, and arrays of either: cor.h */
 #define COR_SPHERE_DECLARE_(quantity)                                                                                  \
     COR_API double cor_sphere_##quantity(double x);                                                                    \
     COR_API float cor_sphere_##quantity##f(float x);                                                                   \
@@ -132,7 +134,7 @@ COR_SPHERE_DECLARE_(time_of_max_overlap)
  * every float (tests/accuracy/test_fast_floats). Beta >= 8 (eps, loss and duration at zero overlap)
  * or 16 (the others), -0 and, for the loss, 0 < beta < 2^-100 take the correctly rounded function, which is slower.
  * Special values: those of the double functions; beta = 0 gives the float nearest to the exact value.
- * Floating-point environment, n, x and y: as above. Source: that of each function. */
+ * Source: that of each function. */
 #define COR_SPHERE_FAST_FLOAT_MAX_ULP 0.75
 #define COR_SPHERE_DECLARE_FAST_(quantity)                                                                             \
     COR_API float cor_sphere_##quantity##_fastf(float x);                                                              \
