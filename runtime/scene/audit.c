@@ -8,7 +8,7 @@
 #include "cor/status.h"
 #include "runtime/scene/exponents.h"
 
-const char *const cor_audit_simulators[] = {"lammps", "liggghts", NULL};
+const char *const cor_audit_simulators[] = {"lammps", "liggghts", "yade", "kratos", "mfix", "mujoco", NULL};
 
 /* ---- what readers say ---- */
 
@@ -20,15 +20,25 @@ static struct cor_audit_finding empty_finding(const struct audit *a)
     return none;
 }
 
-void audit_remark(struct audit *a, const char *sentence, const char *word)
+static void report_line(struct audit *a, const char *sentence, const char *word, int as_asked)
 {
     char text[AUDIT_ADVICE] = "";
     struct cor_audit_finding finding = empty_finding(a);
     audit_append(text, sizeof text, word ? "$ $" : "$", sentence, word);
     finding.advice = text;
-    finding.as_asked = 0;
-    a->unsettled++;
+    finding.as_asked = as_asked;
     a->options->report(a->options->context, &finding);
+}
+
+void audit_remark(struct audit *a, const char *sentence, const char *word)
+{
+    a->unsettled++;
+    report_line(a, sentence, word, 0);
+}
+
+void audit_note(struct audit *a, const char *sentence, const char *word)
+{
+    report_line(a, sentence, word, -1);
 }
 
 struct audit_contact *audit_add(struct audit *a, const char *text)
@@ -350,6 +360,8 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
     f.as_asked = 0;
     if (model && version != 0 && !has_version(model, version))
         say(a, "This version does not have the model.");
+    if (model && model->damping_of_e)
+        f.asked = contact->number;
     if (model && !contact->unknown) {
         const struct outcome o = solve(a, model, contact, pair, speed_here);
         f.end = (int)o.end;
@@ -358,7 +370,6 @@ static void report(struct audit *a, const struct audit_contact *contact, const c
         f.realised = o.eps;
         f.duration_s = o.duration * a->time;
         if (model->damping_of_e) {
-            f.asked = contact->number;
             f.as_asked = fabs(o.eps - f.asked) <= a->options->tolerance * f.asked;
             if (!f.as_asked)
                 advise_asked(a, model, contact, o.eps);
@@ -430,6 +441,8 @@ static void name_types(struct audit *a, const struct audit_contact *contact, int
             audit_append(a->pair, sizeof a->pair, "wall");
         else if (all && all[k])
             audit_append(a->pair, sizeof a->pair, "*");
+        else if (a->type[type[k]].name)
+            audit_append(a->pair, sizeof a->pair, "$", a->type[type[k]].name);
         else
             audit_append(a->pair, sizeof a->pair, "%", (double)(type[k] + 1));
     }
@@ -513,7 +526,15 @@ static const char *simulator_of(const struct cor_audit_text *text)
                                            {"particletemplate/", "liggghts"},
                                            {"pair_style gran model", "liggghts"},
                                            {"pair_style", "lammps"},
-                                           {"wall/gran", "lammps"}};
+                                           {"wall/gran", "lammps"},
+                                           {"O.engines", "yade"},
+                                           {"Ip2_", "yade"},
+                                           {"ViscElMat(", "yade"},
+                                           {"<mujoco", "mujoco"},
+                                           {"DES_EN_", "mfix"},
+                                           {"des_en_", "mfix"},
+                                           {"\"COEFFICIENT_OF_RESTITUTION\"", "kratos"},
+                                           {"\"DAMPING_GAMMA\"", "kratos"}};
     for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
         if (contains(text, signs[i][0]))
             return signs[i][1];
@@ -540,6 +561,8 @@ int cor_audit(struct cor_audit_memory *memory, const struct cor_audit_text *text
               const struct cor_audit_options *options)
 {
     typedef char audit_fits_into_its_memory[sizeof(struct audit) <= sizeof(struct cor_audit_memory) ? 1 : -1];
+    static void (*const readers[])(struct audit *) = {audit_script, audit_script, audit_yade,
+                                                      audit_kratos, audit_mfix,   audit_mujoco};
     struct audit *const a = (struct audit *)(void *)memory;
     (void)sizeof(audit_fits_into_its_memory);
     clear(a, options, text);
@@ -550,7 +573,9 @@ int cor_audit(struct cor_audit_memory *memory, const struct cor_audit_text *text
     a->integrator = cor_simulator_integrator(a->simulator);
     if (!isnan(options->time_step_s))
         a->time_step = options->time_step_s;
-    audit_script(a, text);
+    for (size_t i = 0; cor_audit_simulators[i]; i++)
+        if (audit_is(cor_audit_simulators[i], a->simulator))
+            readers[i](a);
     audit_flush(a);
     if (a->found == 0)
         return COR_AUDIT_NO_CONTACT;

@@ -119,9 +119,14 @@ const char *audit_keep(struct audit *a, const char *text, size_t size);
 /* Appends to a text of `size` bytes what fits; % stands for a double, @ for one with 15 digits, $ for a text. */
 void audit_append(char *text, size_t size, const char *format, ...);
 
-/* Reads the next line into a->raw, without its comment, with its continuations. 0: there is none. */
+/* Reads the next line into a->raw, without its comment, with its continuations; those of Python keep their line ends.
+ * 0: there is none. */
 enum audit_language { AUDIT_SCRIPT, AUDIT_PYTHON, AUDIT_NAMELIST };
 int audit_next_line(struct audit *a, enum audit_language language);
+
+/* Reads into a->raw the text up to one of the characters `ends`, behind the character `start` where there is one, and
+ * without comments of XML. Commas in brackets end nothing. 0: there is none. */
+int audit_next_part(struct audit *a, const char *ends, const char *start);
 
 /* The value of an expression of numbers, names, functions and operators; NaN if it has none. */
 double audit_value(struct audit *a, const char *text);
@@ -132,6 +137,8 @@ void audit_set_variable(struct audit *a, const char *name, const char *text, int
 
 /* Names a line that cannot be read; `word` may be NULL. */
 void audit_remark(struct audit *a, const char *sentence, const char *word);
+/* The same where the contacts can be judged nevertheless */
+void audit_note(struct audit *a, const char *sentence, const char *word);
 /* A new contact of the present line, with no number known; never NULL. */
 struct audit_contact *audit_add(struct audit *a, const char *text);
 /* Reports all contacts since the last call. */
@@ -140,8 +147,10 @@ void audit_add_speed(struct audit *a, double speed);
 
 /* ---- readers ---- */
 
-/* LAMMPS: audit_script.c. Words are counted from 0; one that is not there is "", its number NaN. */
-void audit_script(struct audit *a, const struct cor_audit_text *text);
+/* LAMMPS and LIGGGHTS: audit_script.c. Words are counted from 0; one that is not there is "", its number NaN. */
+void audit_script(struct audit *a);
+/* Reads another text, and goes on with this one. */
+void audit_include(struct audit *a, const char *name, void (*read)(struct audit *a, void *context), void *context);
 const char *audit_word(const struct audit_words *w, int i);
 double audit_number_at(const struct audit_words *w, int i);
 int audit_find(const struct audit_words *w, int from, const char *word); /* -1: not there */
@@ -154,6 +163,12 @@ const char *audit_keep_line(struct audit *a, const struct audit_words *w);
 void audit_lammps_pair(struct audit *a, const struct audit_words *w);
 void audit_lammps_wall(struct audit *a, const struct audit_words *w);
 void audit_lammps_mix(struct audit *a);
+
+/* audit_keys.c */
+void audit_yade(struct audit *a);
+void audit_kratos(struct audit *a);
+void audit_mfix(struct audit *a);
+void audit_mujoco(struct audit *a);
 
 /* audit_liggghts.c */
 void audit_liggghts_property(struct audit *a, const struct audit_words *w);

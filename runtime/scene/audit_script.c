@@ -197,6 +197,27 @@ static void set_radius(struct audit *a, int type, double least, double largest)
     set_body(a, type, type, radius, (double)NAN);
 }
 
+/* group NAME type N: kept as a variable, whose name no script can use */
+static const char *group_variable(struct audit *a, const char *name)
+{
+    a->pair[0] = '\0';
+    audit_append(a->pair, sizeof a->pair, "group $", name);
+    return a->pair;
+}
+
+static const char *group_types(struct audit *a, const char *name)
+{
+    const char *const variable = group_variable(a, name);
+    const struct audit_variable *const types = audit_variable_named(a, variable, strlen(variable));
+    return types ? types->text : NULL;
+}
+
+static void read_group(struct audit *a, const struct audit_words *w)
+{
+    if (audit_is(audit_word(w, 2), "type") && w->count == 4)
+        audit_set_variable(a, group_variable(a, audit_word(w, 1)), audit_word(w, 3), 0);
+}
+
 /* set type N diameter D density RHO; set group all ... */
 static void read_set(struct audit *a, const struct audit_words *w)
 {
@@ -213,10 +234,15 @@ static void read_set(struct audit *a, const struct audit_words *w)
         audit_remark(a, "the diameter or density is no number", NULL);
         return;
     }
-    if (audit_is(audit_word(w, 1), "type") && audit_range(audit_word(w, 2), &first, &last))
+    const char *const name = audit_word(w, 2), *const types = group_types(a, name);
+    if (audit_is(audit_word(w, 1), "type") && audit_range(name, &first, &last))
         set_body(a, first, last, radius, rho);
-    else if (audit_is(audit_word(w, 1), "group") || audit_is(audit_word(w, 1), "atom"))
+    else if (audit_is(audit_word(w, 1), "group") && types && audit_range(types, &first, &last))
+        set_body(a, first, last, radius, rho);
+    else if (audit_is(audit_word(w, 1), "atom") || audit_is(name, "all"))
         set_body(a, 0, AUDIT_TYPES - 1, radius, rho);
+    else
+        audit_remark(a, "the types of this group are not known:", name);
 }
 
 /* LAMMPS makes atoms of diameter 1 and density 1. */
@@ -299,9 +325,7 @@ static void read_velocity(struct audit *a, const struct audit_words *w, int set)
 
 /* ---- commands ---- */
 
-static void read_text(struct audit *a, const struct cor_audit_text *text);
-
-static void include(struct audit *a, const char *name)
+void audit_include(struct audit *a, const char *name, void (*read)(struct audit *a, void *context), void *context)
 {
     struct cor_audit_text text;
     if (a->depth >= AUDIT_INCLUDES || a->includes >= AUDIT_INCLUDES_IN_ALL) {
@@ -317,7 +341,10 @@ static void include(struct audit *a, const char *name)
     const long line = a->line, next_line = a->next_line;
     a->depth++;
     a->includes++;
-    read_text(a, &text);
+    a->text = text;
+    a->at = 0;
+    a->next_line = 1;
+    read(a, context);
     a->depth--;
     a->text = outer;
     a->at = at;
@@ -346,6 +373,7 @@ static void read_variable(struct audit *a, const struct audit_words *w)
 }
 
 static void execute(struct audit *a, const char *text);
+static void read_lines(struct audit *a, void *context);
 
 /* if CONDITION then COMMAND ... elif CONDITION COMMAND ... else COMMAND ... */
 static void read_if(struct audit *a, const struct audit_words *w)
@@ -430,7 +458,7 @@ static void read_include(struct audit *a, const struct audit_words *w)
 {
     char name[AUDIT_ADVICE] = ""; /* the words will be those of the included file */
     audit_append(name, sizeof name, "$", audit_word(w, 1));
-    include(a, name);
+    audit_include(a, name, read_lines, NULL);
 }
 
 static void read_timestep(struct audit *a, const struct audit_words *w)
@@ -464,19 +492,13 @@ static const struct command {
     const char *name;
     void (*read)(struct audit *a, const struct audit_words *w);
     int expanded_later; /* by the branch that is taken */
-} commands[] = {{"units", read_units, 0},
-                {"variable", read_variable, 0},
-                {"include", read_include, 0},
-                {"if", read_if, 1},
-                {"clear", clear_system, 0},
-                {"timestep", read_timestep, 0},
-                {"create_box", read_create_box, 0},
-                {"set", read_set, 0},
-                {"create_atoms", read_create_atoms, 0},
-                {"velocity", read_velocities, 0},
-                {"fix", read_fix, 0},
-                {"pair_style", read_pair, 0},
-                {"pair_coeff", read_pair, 0}};
+} commands[] = {{"units", read_units, 0},           {"variable", read_variable, 0},
+                {"include", read_include, 0},       {"if", read_if, 1},
+                {"clear", clear_system, 0},         {"timestep", read_timestep, 0},
+                {"create_box", read_create_box, 0}, {"set", read_set, 0},
+                {"group", read_group, 0},           {"create_atoms", read_create_atoms, 0},
+                {"velocity", read_velocities, 0},   {"fix", read_fix, 0},
+                {"pair_style", read_pair, 0},       {"pair_coeff", read_pair, 0}};
 
 /* Other commands do not matter to a contact, and neither do their variables. */
 static void execute(struct audit *a, const char *text)
@@ -498,18 +520,16 @@ static void execute(struct audit *a, const char *text)
     }
 }
 
-static void read_text(struct audit *a, const struct cor_audit_text *text)
+static void read_lines(struct audit *a, void *context)
 {
-    a->text = *text;
-    a->at = 0;
-    a->next_line = 1;
+    (void)context;
     while (audit_next_line(a, AUDIT_SCRIPT))
         execute(a, a->raw);
 }
 
-void audit_script(struct audit *a, const struct cor_audit_text *text)
+void audit_script(struct audit *a)
 {
     set_units(a, "lj");
-    read_text(a, text);
+    read_lines(a, NULL);
     end_of_system(a);
 }

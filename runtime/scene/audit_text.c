@@ -139,6 +139,22 @@ static void put(struct audit *a, size_t *used, char c)
     }
 }
 
+/* Skips a text of Python between triple quotes, of which the first is read. Returns 0 if it is none. */
+static int skip_text_of_lines(struct audit *a, char quote)
+{
+    const char *const text = a->text.text;
+    size_t at = a->at;
+    if (at + 2 > a->text.size || text[at] != quote || text[at + 1] != quote)
+        return 0;
+    for (at += 2; at < a->text.size; at++) {
+        a->next_line += text[at] == '\n';
+        if (at + 2 < a->text.size && text[at] == quote && text[at + 1] == quote && text[at + 2] == quote)
+            break;
+    }
+    a->at = at + 3 < a->text.size ? at + 3 : a->text.size;
+    return 1;
+}
+
 int audit_next_line(struct audit *a, enum audit_language language)
 {
     const char *const text = a->text.text;
@@ -161,12 +177,14 @@ int audit_next_line(struct audit *a, enum audit_language language)
                 break;
             if (open == 0)
                 used--;
-            put(a, &used, ' ');
+            put(a, &used, language == AUDIT_PYTHON ? '\n' : ' ');
             if (language != AUDIT_SCRIPT)
                 quote = '\0';
         } else if (quote) {
             quote = c == quote ? '\0' : quote;
             put(a, &used, c);
+        } else if (language == AUDIT_PYTHON && (c == '"' || c == '\'') && skip_text_of_lines(a, c)) {
+            put(a, &used, '"');
         } else if (starts_comment(c, language)) {
             while (a->at < a->text.size && text[a->at] != '\n')
                 a->at++;
@@ -179,6 +197,47 @@ int audit_next_line(struct audit *a, enum audit_language language)
     }
     a->raw[used < sizeof a->raw ? used : 0] = '\0';
     return 1;
+}
+
+static int is_at(const struct audit *a, const char *word)
+{
+    const size_t size = strlen(word);
+    return a->text.size - a->at >= size && memcmp(a->text.text + a->at, word, size) == 0;
+}
+
+int audit_next_part(struct audit *a, const char *ends, const char *start)
+{
+    const char *const text = a->text.text;
+    size_t used = 0;
+    int started = *start == '\0', depth = 0;
+    char quote = '\0';
+    for (; a->at < a->text.size; a->at++) {
+        const char c = text[a->at];
+        a->next_line += c == '\n';
+        if (is_at(a, "<!--") && *start) {
+            while (a->at + 1 < a->text.size && !is_at(a, "-->")) {
+                a->at++;
+                a->next_line += text[a->at] == '\n';
+            }
+        } else if (!started) {
+            started = c == *start;
+        } else if (!quote && strchr(ends, c) && !(c == ',' && depth > 0)) {
+            if (used > 0)
+                break;
+            depth = 0;
+        } else if (used > 0 || !is_space(c)) {
+            if (used == 0)
+                a->line = a->next_line;
+            if (quote || c == '"' || (c == '\'' && *start))
+                quote = !quote ? c : c == quote ? '\0' : quote;
+            else
+                depth += (c == '[') - (c == ']');
+            put(a, &used, c == '\n' ? ' ' : c);
+        }
+    }
+    a->at += a->at < a->text.size;
+    a->raw[used < sizeof a->raw ? used : 0] = '\0';
+    return used > 0;
 }
 
 /* ---- expressions ---- */
