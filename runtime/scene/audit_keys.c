@@ -96,7 +96,7 @@ static struct audit_contact *add(struct audit *a, const char *text, const char *
     int words = 0;
     char *const copy = a->instead;
     size_t used = 0;
-    for (const char *at = text; *at && used + 3 < sizeof a->instead; at++) {
+    for (const char *at = text + strspn(text, " \t\n"); *at && used + 3 < sizeof a->instead; at++) {
         if (at == value || (value && at == value + size))
             copy[used++] = ' ';
         copy[used] = is_blank(*at) ? ' ' : *at;
@@ -207,11 +207,12 @@ static void read_yade_material(struct audit *a, const char *name, const char *te
     if (!*label)
         label = audit_keep(a, number, strlen(number));
     const int type = type_of(a, label);
-    a->type[type].young = number_of(a, text, "young", 1e9);
-    a->type[type].poisson = number_of(a, text, "poisson", 0.25);
     a->type[type].density = number_of(a, text, "density", 1000);
-    if (audit_is(name, "FrictMat"))
+    if (audit_is(name, "FrictMat")) {
+        a->type[type].young = number_of(a, text, "young", 1e9);
+        a->type[type].poisson = number_of(a, text, "poisson", 0.25);
         return;
+    }
     const int by_time = value_of(text, "tc", &size) != NULL, by_spring = value_of(text, "kn", &size) != NULL;
     struct audit_contact *const contact = add_call(a, name, text, by_spring ? "cn" : "en");
     between(a, contact, type, type);
@@ -233,7 +234,6 @@ static void read_mindlin(struct audit *a, const char *name, const char *text)
     struct audit_contact *const contact = add_call(a, name, text, en ? "en" : "betan");
     contact->model = en ? "Mindlin, en (2023 and later)" : "Mindlin, betan";
     contact->spring = AUDIT_MATERIAL;
-    contact->last[0] = contact->last[1] = AUDIT_TYPES - 1;
     if (!en && !betan)
         contact->number = 0;
     if (en && betan)
@@ -292,6 +292,21 @@ static void read_sphere(struct audit *a, const char *text, double radius[2])
     radius[1] = radius[1] > r ? radius[1] : r;
 }
 
+/* A contact of two bodies of FrictMat, for each pair of these materials: those that have a modulus */
+static void add_pairs(struct audit *a, int n)
+{
+    const struct audit_contact contact = a->contact[n];
+    int pairs = 0;
+    for (int i = 0; i < a->types; i++)
+        for (int j = i; j < a->types; j++) {
+            if (isnan(a->type[i].young) || isnan(a->type[j].young))
+                continue;
+            struct audit_contact *const now = pairs++ == 0 ? &a->contact[n] : audit_add(a, "");
+            *now = contact;
+            between(a, now, i, j);
+        }
+}
+
 void audit_yade(struct audit *a)
 {
     static const struct {
@@ -321,6 +336,9 @@ void audit_yade(struct audit *a)
         memcpy(a->type[i].radius, radius, sizeof radius);
     for (int i = 0; damped && i < a->contacts; i++)
         cannot_be_known(&a->contact[i], damped);
+    for (int n = a->contacts - 1; n >= 0; n--)
+        if (a->contact[n].spring == AUDIT_MATERIAL)
+            add_pairs(a, n);
 }
 
 /* ---- Kratos ---- */

@@ -41,6 +41,7 @@ static int open_included(void *context, struct cor_audit_text *text, const char 
 
 static struct cor_audit_memory memory;
 static long version;
+static double tolerance = 0.01;
 
 static int audit_bytes(const char *simulator, const char *text, size_t size, double speed)
 {
@@ -52,7 +53,7 @@ static int audit_bytes(const char *simulator, const char *text, size_t size, dou
                                               .radius_m = NAN,
                                               .density_kg_m3 = NAN,
                                               .time_step_s = NAN,
-                                              .tolerance = 0.01,
+                                              .tolerance = tolerance,
                                               .open = open_included,
                                               .report = take};
     seen.count = 0;
@@ -249,6 +250,125 @@ static void steps(void **state)
     version = 0;
 }
 
+static const char yade_text[] =
+    "# a comment: tc = 1\n\"\"\"en = 1\ntc = 1\"\"\"\n"
+    "tc, rho = 0.001, 2000\nen = 0.3\ntc = 1e-3\nk = 2*1.e4\n"
+    "if fast:\n\tk = 1\n"
+    "m = O.materials.append(ViscElMat(density=2500, tc=tc, en=en, et=1, label='grain'))\n"
+    "n = ViscElMat(kn=2e4, cn=4.0, ks=0,\n   cs=0, label='soft')\n"
+    "O.materials.append(FrictMat(young=1e7, poisson=0.3, density=2500, label='glass'))\n"
+    "O.bodies.append([sphere((0, 0, 0), .005, material='glass'), "
+    "utils.sphere(center=(0,0,1), radius=.005)])\n"
+    "O.engines = [ForceResetter(), InteractionLoop([Ig2_Sphere_Sphere_ScGeom()],\n"
+    "  [Ip2_FrictMat_FrictMat_MindlinPhys(frictAngle=0, en=MatchMaker(val=0.5), es=1)], # no\n"
+    "  [Law2_ScGeom_MindlinPhys_Mindlin()]), NewtonIntegrator(damping=0)]\n"
+    "O.dt = .02 * tc\n";
+static const char kratos_text[] =
+    "{ \"materials\":[{\n \"material_name\": \"a, b\", \"Variables\":{ \"PARTICLE_DENSITY\": 4000.0,\n"
+    "\"YOUNG_MODULUS\": 3.8e11, \"POISSON_RATIO\": 0.23 } }, { \"material_name\": \"c\", \"Variables\": {} }],\n"
+    "\"material_relations\":[{ \"material_names_list\":[\"a, b\", \"c\"], \"Variables\":{\n"
+    "\"COEFFICIENT_OF_RESTITUTION\": 0.99,\n"
+    "\"DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME\": \"DEM_D_Hertz_viscous_Coulomb\" } },\n"
+    "{ \"material_names_list\":[\"c\", \"c\"], \"Variables\":{\n"
+    "\"DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME\": \"DEM_D_Linear_viscous_Coulomb\", \"DAMPING_GAMMA\": 0.25 } },\n"
+    "{ \"material_names_list\":[\"c\", \"a, b\"], \"Variables\":{ \"COEFFICIENT_OF_RESTITUTION\": 0.5,\n"
+    "\"DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME\": \"DEM_D_JKR_Cohesive_Law\" } }] }";
+static const char mfix_text[] = " units = 'SI' ! a comment\n mmax = 2\n d_p0(1) = 2e-3\n D_P0(2) = 4d-3\n"
+                                " ro_s0(1:2) = 2500. 1000. # both\n des_coll_model = 'HERTZIAN'\n"
+                                " e_young(1) = 1e7\n e_young(2) = 2e7\n v_poisson(1) = 0.3\n v_poisson(2) = 0.2\n"
+                                " ew_young = 1e9\n vw_poisson = 0.3\n des_en_input(1) = 0.9\n"
+                                " DES_EN_INPUT(2:3) = 2*0.5\n des_en_wall_input = 0.7, 0.1\n";
+static const char mujoco_text[] = "<mujoco>\n<!-- <geom solref=\"1 1\"/>\n -->\n<option timestep=\"1e-5\"/>\n"
+                                  "<default><geom solref=\"0.01 0.25\" solimp=\"0.99 0.99 0.001\"/>\n"
+                                  "<default class=\"stiff\"><geom solref=\"-1e4 -50\"/></default>\n"
+                                  "<default class=\"soft\"><geom solimp=\"0.9 0.95\"/></default></default>\n"
+                                  "<worldbody><geom name=\"floor\" type='plane'/>\n"
+                                  "<body childclass=\"stiff\"><body><geom size=\"0.1\"/></body>\n"
+                                  "<geom class=\"main\" solref=\"9 9\" contype=\"0\" conaffinity=\"0\"/></body>\n"
+                                  "<geom name=\"cushion\" class=\"soft\" solref=\"0.01 0.3\"/></worldbody>\n"
+                                  "<contact><pair geom1=\"a\" geom2=\"b\" solref=\"1e-5 1\"/></contact></mujoco>\n";
+
+/* Simulators whose inputs give values to keywords. The restitutions are LAWS' table and exp(-2 zeta A(zeta)). */
+static void keywords(void **state)
+{
+    (void)state;
+    const double pi = 3.14159265358979323846;
+    assert_int_equal(audit(yade_text, NAN), COR_AUDIT_NOT_AS_ASKED);
+    assert_int_equal(seen.count, 3);
+    finds(0, 10, 0.3, 0.397140, "ViscElMat, tc and en, grain-grain");
+    says(0, 2, "ViscElMat(density=2500, tc=tc, en= 0.165219 , et=1, label='grain')");
+    const double l = log(0.3),
+                 steps = 2 * acos(0.35785663) / sqrt(1 - 0.35785663 * 0.35785663) / sqrt(pi * pi + l * l) * 50;
+    check(fabs(seen.finding[0].duration_s / seen.finding[0].time_step_s - steps) < 1e-4, "%g steps, not %g",
+          seen.finding[0].duration_s / seen.finding[0].time_step_s, steps);
+    /* the density of YADE's class: springs in series */
+    const double mass = pi / 6 * 1e-6 * 1000 / 2, zeta = 2.0 / (2 * sqrt(1e4 * mass));
+    finds(1, 11, NAN, exp(-2 * zeta * acos(zeta) / sqrt(1 - zeta * zeta)), "ViscElMat, kn and cn, soft-soft");
+    finds(2, 16, 0.5, 0.50001, "Mindlin, en (2023 and later), glass-glass");
+    version = 20220000;
+    audit(yade_text, NAN);
+    finds(2, 16, 0.5, 0.550283, "before 2023");
+    version = 0;
+
+    assert_int_equal(audit(kratos_text, NAN), COR_AUDIT_NOT_AS_ASKED);
+    assert_int_equal(seen.count, 4);
+    says(0, 1, "DEM_D_JKR_Cohesive_Law");
+    finds(1, 5, 0.99, 0.97895, "DEM Hertz, COEFFICIENT_OF_RESTITUTION, a, b-c");
+    finds(2, 8, NAN, 0.506277, "DEM linear, DAMPING_GAMMA, c-c");
+    finds(3, 9, NAN, NAN, "c-a, b");
+
+    assert_int_equal(audit(mfix_text, 1), COR_AUDIT_NOT_AS_ASKED);
+    assert_int_equal(seen.count, 5);
+    finds(0, 13, 0.9, 0.910079, "DEM, HERTZIAN, 1-1");
+    says(0, 2, "des_en_input(1) = 0.88886");
+    finds(1, 14, 0.5, 0.539574, "1-2");
+    finds(2, 14, 0.5, 0.539574, "2-2");
+    finds(3, 15, 0.7, 0.72716, "1-wall");
+    says(3, 2, "des_en_wall_input = 0.670");
+    finds(4, 15, 0.1, 0.141277, "2-wall");
+    assert_true(seen.finding[1].duration_s > seen.finding[0].duration_s);
+
+    assert_int_equal(audit(mujoco_text, NAN), COR_AUDIT_NOT_AS_ASKED);
+    assert_int_equal(seen.count, 4);
+    finds(0, 8, NAN, 0.506277, "timeconst, dampratio), dmin = dmax, floor-floor");
+    check(fabs(seen.finding[0].duration_s / (2 * acos(0.25) / sqrt(1 - 0.0625) * 0.0025) - 1) < 1e-9, "duration %g",
+          seen.finding[0].duration_s);
+    finds(1, 9, NAN, 0.506277, "solref (-stiffness, -damping), dmin = dmax, geom-geom");
+    finds(2, 11, NAN, NAN, "cushion-cushion");
+    says(2, 1, "dmin and dmax differ");
+    finds(3, 12, NAN, exp(-2), "a-b");
+    says(3, 1, "raises timeconst");
+    seen.included = "<geom solref='0.01 0.25' solimp='1 1'/>";
+    assert_int_equal(audit("<mujoco><include file='geoms.xml'/>", NAN), COR_AUDIT_AS_ASKED);
+    finds(0, 1, NAN, 0.506277, "geom-geom");
+    seen.included = "<include file='again.xml'/>\n<include file='again.xml'/>";
+    assert_int_equal(audit("<mujoco><include file='geoms.xml'/>", NAN), COR_AUDIT_NO_CONTACT);
+    says(0, 1, "does a file include itself");
+
+    static const char *const broken[][3] = {
+        {"yade", "ViscElMat(tc=1e-3, en=en)\n", "could not be read"},
+        {"yade", "en = 0.5\nif 1:\n  en = 0.6\nViscElMat(tc=1e-3, en=en)\n", "could not be read"},
+        {"yade", "ViscElMat(young=1e7, en=0.5)\n", "young and en"},
+        {"yade", "ViscElMat(tc=1e-3, kn=1, cn=1, en=0.5)\n", "tc and kn"},
+        {"yade", "Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, betan=0.5)\n", "en and betan"},
+        {"yade", "Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, vn=1)\n", "viscoelastic sphere"},
+        {"yade", "Ip2_FrictMat_FrictMat_MindlinPhys(en=MatchMaker(matches=((0,0,.5),)))\n", "could not be read"},
+        {"yade", "ViscElMat(tc=1e-3, en=0.5)\nO.engines=[NewtonIntegrator()]\n", "damps all motions"},
+        {"yade", "ip.betan = 0.5\nIp2_FrictMat_FrictMat_MindlinPhys(label='ip')\n", "outside of its constructor"},
+        {"mfix", "des_en_input(1) = ${e}\n", "could not be read"},
+        {"mfix", "mmax = 1\ndes_en_input(2) = 0.5\n", "could not be made out"},
+        {"mfix", "use_cohesion = .True.\ndes_en_input(1) = 0.5\n", "cohesion"},
+        {"mfix", "d_p0(1) = wide\ndes_en_input(1) = 0.5\n", "D_P0"},
+        {"mujoco", "<geom solref=\"0.02\" solimp=\"1 x\"/>", "dmin and dmax"},
+        {"mujoco", "<geom solref=\"-1 x\" solimp=\"1 1\"/>", "could not be read"},
+        {"mujoco", "<flag override=\"enable\"/><geom/>", "o_solref"},
+        {"kratos", "{\"material_name\": \"a\", \"COEFFICIENT_OF_RESTITUTION\": 0.5}", "is not read"}};
+    for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
+        assert_int_equal(audit_bytes(broken[i][0], broken[i][1], strlen(broken[i][1]), NAN), COR_AUDIT_NOT_AS_ASKED);
+        says(0, 1, broken[i][2]);
+    }
+}
+
 static void missing(void **state)
 {
     (void)state;
@@ -333,20 +453,26 @@ static void texts(void **state)
         SPHERES "variable a loop 3\nvariable \"b\" equal (1+$a)*sqrt(v_a)^2 % 7\npair_style "
                 "granular\npair_coeff 1* *2 hertz 1e7 $(v_b/9:%g) damping tsuji &\nlimit_damping\n"
                 "if '$a<=2' then 'timestep 1e-6' elif 1 'clear' else \"include x\"\n";
-    const size_t size = sizeof text - 1;
-    for (size_t i = 0; i <= size; i++)
-        audit_bytes("lammps", text, i, 1);
-    for (size_t i = 0; i < size; i++)
-        for (const char *with = "\"$({&*\n-"; *with; with++) {
-            memcpy(longest, text, size);
-            longest[i] = *with;
-            audit_bytes("lammps", longest, size, 1);
-        }
+    static const char *const inputs[][2] = {{"lammps", text},        {"liggghts", text},  {"yade", yade_text},
+                                            {"kratos", kratos_text}, {"mfix", mfix_text}, {"mujoco", mujoco_text}};
+    tolerance = 1e-9; /* too small to look for a time step, which takes long */
+    for (size_t k = 0; k < sizeof inputs / sizeof *inputs; k++) {
+        const size_t size = strlen(inputs[k][1]);
+        for (size_t i = k; i <= size; i += 2)
+            audit_bytes(inputs[k][0], inputs[k][1], i, NAN);
+        for (size_t i = k; i < size; i += 5)
+            for (const char *with = "\"$({&*\n-/"; *with; with++) {
+                memcpy(longest, inputs[k][1], size);
+                longest[i] = *with;
+                audit_bytes(inputs[k][0], longest, size, NAN);
+            }
+    }
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(lammps),  cmocka_unit_test(liggghts), cmocka_unit_test(steps),
-                                       cmocka_unit_test(missing), cmocka_unit_test(control),  cmocka_unit_test(texts)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lammps),  cmocka_unit_test(liggghts), cmocka_unit_test(steps), cmocka_unit_test(keywords),
+        cmocka_unit_test(missing), cmocka_unit_test(control),  cmocka_unit_test(texts)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
