@@ -17,7 +17,7 @@
  *
  * The same evaluator and tables as libcor, where domain, special values and accuracy are documented
  * (include/cor/sphere.h): eps, loss and largest overlap within 1 unit of the last place, times and inverse
- * within 2: proved for every double, if log is within 1 unit and cbrt within 64 (docs/derivation.md, 8 and 18);
+ * within 2: proved for every double, if log is within 1 unit and cbrt within 64 (docs/theory.md, 8 and 18);
  * eps at a speed within (2 + 2 kappa) 2^-53, kappa = |d ln eps/d ln beta|: sampled. beta = 0 -> 1, +inf -> 0
  * (eps); negative or NaN -> NaN. Any flags are safe: no argument leads beyond a table, and -ffast-math and
  * -march=native change a result by 4 units at most (sampled).
@@ -332,7 +332,7 @@ COR_INLINE double cor_inline_fifth_root(double x)
 
 /* Tables of short polynomials on a grid, for any function: these functions find the row of a number and evaluate it.
  *
- * Macros COR_ROWS_NAME_FIRST, _STEP, ... give the geometry of a generated table cor_rows_NAME(i); docs/header-format.md
+ * Macros COR_ROWS_NAME_FIRST, _STEP, ... give the geometry of a generated table cor_rows_NAME(i); docs/internals.md
  * describes the form. The functions below take the geometry as a struct, COR_INLINE_GRID(COR_ROWS_NAME), whose fields a
  * compiler turns into constants. */
 #ifndef COR_RUNTIME_ROW_H

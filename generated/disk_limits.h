@@ -8,7 +8,7 @@
  *
  * Uncertainty of a cell: the root of the squares of two parts, 1.5 times what its polynomial misses at most
  * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.
- * It is an estimate, no bound, and at most 3.4e-05 in cells below v = 0.16439, 7.3e-05 in the others,
+ * It is an estimate, no bound, and at most 3.4e-05 in cells below v = 0.16439, 7.35e-05 in the others,
  * 1.6e-05 in half of all.
  *
  * Written by:  corgen tables --all, in 2565 seconds of processor time

@@ -5,7 +5,7 @@
  *     static const struct cor_disk_modes modes = COR_DISK_MODES_NU090;
  *
  * omega: frequency, a root of (25) of Gerl and Zippelius (1999); C = u_r(1), S = u_phi(1): (28), normalised by (26);
- * docs/derivation.md, 11. Each double is the one nearest to the exact value (proved); corgen tables --digits prints 25 digits.
+ * docs/theory-disks.md, 11. Each double is the one nearest to the exact value (proved); corgen tables --digits prints 25 digits.
  *
  * Written by:  corgen tables
  * Checked by:  corgen tables --check */

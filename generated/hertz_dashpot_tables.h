@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Hertz's contact with a constant dashpot, x'' + beta x' + x^(3/2) = 0, x(0) = 0, x'(0) = 1,
- * both ends of contact, for every beta. Evaluated by runtime/table/law.h. Source: docs/derivation.md, 9;
- * form: docs/header-format.md.
+ * both ends of contact, for every beta. Evaluated by runtime/table/law.h. Source: docs/theory.md, 9;
+ * form: docs/internals.md.
  *
  * Written by:  corgen tables
  * Checked by:  corgen tables --check

@@ -2,7 +2,7 @@
 /* Times of Hunt and Crossley's law F = K x^a (1 + d x') with a = 1 and 3/2, for every beta = d g >= 0, in units of
  * (m/K)^(1/(a+1)) g^((1-a)/(a+1)): rows of short polynomials around the nodes of uniform grids in ln(1 + beta), and
  * what follows at large beta. Evaluated by runtime/law/hunt_crossley_times.c. Source: docs/laws.md; form:
- * docs/header-format.md.
+ * docs/internals.md.
  *
  * Written by:  corgen tables
  * Checked by:  corgen tables --check

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for float
  * arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/table/float_lanes.h. Source:
- * docs/derivation.md, 4 to 6 and 8; form: docs/header-format.md.
+ * docs/theory.md, 4 to 6 and 8; form: docs/internals.md.
  *
  * Written by:  corgen tables
  * Checked by:  corgen tables --check

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for
  * every beta: rows of short polynomials around the nodes of uniform grids, and what follows at large
- * beta. Evaluated by runtime/sphere/eval.h. Source: docs/derivation.md, 4 to 6 and 8; form:
- * docs/header-format.md.
+ * beta. Evaluated by runtime/sphere/eval.h. Source: docs/theory.md, 4 to 6 and 8; form:
+ * docs/internals.md.
  *
  * Written by:  corgen tables
  * Checked by:  corgen tables --check
  *
  * Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of
  * each. Errors of the rows stand above each table, those of the formulas for large beta above the
- * formulas, proved for every argument (docs/derivation.md, 8). The rows interpolate
+ * formulas, proved for every argument (docs/theory.md, 8). The rows interpolate
  * polynomials of high degree through collisions enclosed to 76 bits or more (proved). Errors of
  * evaluation: include/cor/sphere.h. */
 #ifndef COR_GENERATED_SPHERE_TABLES_H

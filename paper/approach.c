@@ -42,10 +42,9 @@ static int write_approach(FILE *csv, char verdict[VERDICT_SIZE])
         part[k] = 100 * sqrt(difference[k] / whole[k]);
     snprintf(verdict, VERDICT_SIZE,
              "Rayleigh's theory, in which vibrations do not act back on the load, is approached slowly, about like "
-             "1/sqrt(ln(1/v)). Its "
-             "energy and that of all modes at a rigid wall (nu = 0.33, centre of mass) differ by %.0f %%, root mean "
-             "square, from v = 1e-3 to 1e-10, by %.0f %% down to 1e-30, by %.0f %% down to 1e-100, and by %.0f %% down "
-             "to 1e-300.",
+             "1/sqrt(ln(1/v)). Its energy and that of all modes at a rigid wall (nu = 0.33, centre of mass) differ "
+             "by %.0f %%, root mean square, from v = 1e-3 to 1e-10. Down to 1e-30 they differ by %.0f %%, down to "
+             "1e-100 by %.0f %%, and down to 1e-300 by %.0f %%.",
              part[0], part[1], part[2], part[3]);
     return 1;
 }

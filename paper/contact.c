@@ -57,16 +57,16 @@ static int write_contact(FILE *csv, char verdict[VERDICT_SIZE])
                                                collision_find(nu, modes, rate, 0.1),
                                                collision_find(nu, modes, rate, 0.3)};
     snprintf(verdict, VERDICT_SIZE,
-             "Agrees: the contact time grows like the root of a logarithm as v falls, tau v/(pi delta_max) tends to "
-             "1, slowly (%.4f at v = 1e-2, %.4f at 1e-4, %.4f at 1e-8), and (61) is good, for what it leaves out "
-             "beside its logarithm, b and half the logarithm of that, nearly cancels at the speeds drawn: against "
-             "the law as printed its tau is off by %+.1f %% at v = %g and by %+.1f %% at %g, its delta_max by %+.1f "
-             "%% and %+.1f %%. With the centre of mass as datum tau(%g) = %.4f in place of the printed law's %.4f, "
-             "with the diameter %.4f. The law ends at v = %.4f, %.4f and %.4f. The "
-             "full dynamics (%d modes, alpha = %g/v, contact while the load is above a thousandth of its largest) "
-             "agrees with the law for the centre of mass: tau(%g) = %.2f, law %.2f, and delta_max %.1f %% below the "
-             "law's. It parts from it where the law ends: tau(%g) = %.2f, law %.2f, and goes on to %.2f at v = %g. "
-             "The black line is all modes at a rigid wall: tau(%g) = %.4f, tau(%g) = %.4f, delta_max(%g) = %.5f.",
+             "Agrees: the contact time grows like the root of a logarithm as v falls. tau v/(pi delta_max) tends to "
+             "1 slowly (%.4f at v = 1e-2, %.4f at 1e-4, %.4f at 1e-8). (61) is good, because the terms that it "
+             "leaves out, b and half the logarithm of its logarithm, nearly cancel at the speeds drawn. Against the "
+             "law as printed its tau is off by %+.1f %% at v = %g and by %+.1f %% at %g, its delta_max by %+.1f %% "
+             "and %+.1f %%. With the centre of mass as datum tau(%g) = %.4f instead of the printed law's %.4f; with "
+             "the diameter it is %.4f. The law ends at v = %.4f, %.4f and %.4f. The full dynamics has %d modes and "
+             "alpha = %g/v; its contact lasts while the load is above a thousandth of its largest. It agrees with "
+             "the law for the centre of mass: tau(%g) = %.2f, law %.2f, and delta_max %.1f %% below the law's. It "
+             "departs from the law where that ends: tau(%g) = %.2f, law %.2f, and goes on to %.2f at v = %g. The "
+             "black line is all modes at a rigid wall: tau(%g) = %.4f, tau(%g) = %.4f, delta_max(%g) = %.5f.",
              rebound_ratio(1e-2), rebound_ratio(1e-4), rebound_ratio(1e-8), 100 * time_off(slow), slow,
              100 * time_off(fast), fast, 100 * compression_off(slow), 100 * compression_off(fast), slow,
              cor_disk_contact_time(slow, nu, COR_DISK_DATUM_CENTRE_OF_MASS),

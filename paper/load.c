@@ -78,13 +78,13 @@ static int write_curves(FILE *csv, struct curve curve[CURVES], char verdict[VERD
         coarse = fmax(coarse, curve[k].coarse_error);
     const double limit = law(small, COR_DISK_DATUM_CENTRE_OF_MASS);
     snprintf(verdict, VERDICT_SIZE,
-             "Agrees: the relaxed disk (alpha = %g, %d modes: P = %.6f at delta = 0.05, %.6f at 0.2) and the contact "
-             "law differ at large delta. At small delta the relaxed disk does not follow the printed law: x_0 in (41) "
-             "is the centre of mass, and P tends to the law with that datum as the wall hardens. At delta = %g the "
-             "ratio of both is %.4f for alpha = %g (%d modes; a soft wall pushes before it is touched), %.4f for %g "
-             "and %.4f for %g (all modes). The printed law, (57), lies %.1f %% below that limit there, the law of the "
-             "diameter %.1f %%. At delta = %g the hardest wall carries %.3f of the law, which assumes a small "
-             "contact. Halving the number of points changes no load by more than the fraction %.0e.",
+             "Agrees: the relaxed disk (alpha = %g, %d modes: P = %.6f at delta = 0.05, %.6f at 0.2) and the "
+             "contact law differ at large delta. At small delta the relaxed disk does not follow the printed law: "
+             "x_0 in (41) is the centre of mass. P tends to the law with that datum as the wall hardens. At delta = "
+             "%g the ratio of both is %.4f for alpha = %g (%d modes), %.4f for %g and %.4f for %g (all modes). A "
+             "soft wall pushes before it is touched. There the printed law, (57), is %.1f %% below that limit, the "
+             "law of the diameter %.1f %%. At delta = %g the hardest wall carries %.3f of the law, which assumes a "
+             "small contact. Halving the number of points changes no load by more than the fraction %.0e.",
              paper_alpha, PAPER_MODES, load_of(&curve[PAPER], 0.05), load_of(&curve[PAPER], 0.2), small,
              ratio_small[PAPER], paper_alpha, PAPER_MODES, ratio_small[HARD], hard_alpha, ratio_small[HARDEST],
              hardest_alpha, 100 * (1 - law(small, COR_DISK_DATUM_PRINTED) / limit),

@@ -80,10 +80,10 @@ static int write_load_dynamic(FILE *csv, char verdict[VERDICT_SIZE])
         snprintf(
             verdict, VERDICT_SIZE,
             "In a collision (below; alpha = %g, %d modes) the loads are higher, as in the paper, and closer to the "
-            "relaxed disk at the smaller speed. At half the largest delta, on the way in, the load is %.4f against "
-            "%.4f of the relaxed disk at v = %g (delta = %.4f), a ratio of %.2f, and %.4f against %.4f at v = %g "
-            "(delta = %.4f), a ratio of %.2f. On the way out it is %.4f and %.4f. At larger delta the load of v = %g "
-            "falls below that of the relaxed disk and oscillates with the fast modes.",
+            "relaxed disk at the smaller speed. Compare at half the largest delta, on the way in. The load is %.4f "
+            "against %.4f of the relaxed disk at v = %g (delta = %.4f), a ratio of %.2f. It is %.4f against %.4f at "
+            "v = %g (delta = %.4f), a ratio of %.2f. On the way out it is %.4f and %.4f. At larger delta the load "
+            "of v = %g falls below that of the relaxed disk and oscillates with the fast modes.",
             alpha, MODES, watched[0].load[0], watched[0].relaxed, speed[0], watched[0].half,
             watched[0].load[0] / watched[0].relaxed, watched[1].load[0], watched[1].relaxed, speed[1], watched[1].half,
             watched[1].load[0] / watched[1].relaxed, watched[0].load[1], watched[1].load[1], speed[0]);

@@ -33,13 +33,13 @@ static int write_mode_limit(FILE *csv, char verdict[VERDICT_SIZE])
     }
     const double slow = 0.02, fast = 0.3;
     snprintf(verdict, VERDICT_SIZE,
-             "Agrees: more modes leave eps closer to one (from v = 0.02 on; %d of the %d steps from one N to the next "
-             "go the other way), about in a straight line in 1/sqrt(N), and the faster the collision the more modes it "
-             "takes to be one: the slope of N = 300 to 940 is %.2f of that of N = 940 to 1800 at v = %g, %.2f at %g. "
-             "Hence the limits of the paper's four N and of N = 940 to 1800 differ by up to %.4f; from the limit of "
-             "all modes, computed (dots), they differ by up to %.4f and %.4f. Does not agree at "
-             "the smallest speed: at v = 0.005 N = 300 leaves %.4f, 600 %.4f and 1800 %.4f, for few modes make a "
-             "disk that is stiff where the contact is small.",
+             "Agrees: from v = 0.02 on more modes leave eps closer to one. %d of the %d steps from one N to the "
+             "next go the other way. 1 - eps^2 is about a straight line in 1/sqrt(N), and a faster collision needs "
+             "more modes to reach the line. The slope of N = 300 to 940 is %.2f of that of N = 940 to 1800 at v = "
+             "%g, %.2f at %g. Hence the limits of the paper's four N and of N = 940 to 1800 differ by up to %.4f. "
+             "From the computed limit of all modes (dots) they differ by up to %.4f and %.4f. Does not agree at the "
+             "smallest speed: at v = 0.005 N = 300 leaves %.4f, 600 %.4f and 1800 %.4f. Few modes make a disk that "
+             "is stiff where the contact is small.",
              fewer_leave_less, pairs,
              size_line(0.33, slow, 0, WALL_SIZE).slope / size_line(0.33, slow, LARGE_FROM, SIZES - 1).slope, slow,
              size_line(0.33, fast, 0, WALL_SIZE).slope / size_line(0.33, fast, LARGE_FROM, SIZES - 1).slope, fast,

@@ -61,13 +61,13 @@ static int write_oscillation(FILE *csv, char verdict[VERDICT_SIZE])
     extremes(rayleigh, SLOW_SPEEDS, &rayleigh_top, &rayleigh_bottom);
     snprintf(
         verdict, VERDICT_SIZE,
-        "1 - eps^2 does not fall steadily with v, in the full dynamics either: at nu = 0.33, with %d modes and a "
-        "hard wall, it falls from a maximum of %.4f at v = %.2g by %.0f %% to a minimum at v = %.2g, and rises again. "
-        "Rayleigh's curve, with the centre of mass, falls from %.4f at v = %.2g by %.0f %% to v = %.2g: as high, "
-        "but at half the speed, and much deeper. From v = %.2g on extrapolations know the limit to %.0f %%, and "
-        "are drawn; at smaller speeds the contact is too narrow for 1800 modes, and N = 940, 1300 and 1800, drawn for "
-        "all, do not yet lie on a line. The black line is the limit itself, all modes at a rigid wall: %.5f at v = "
-        "0.0023, %.5f at 0.015.",
+        "1 - eps^2 does not fall steadily with v, in the full dynamics either. At nu = 0.33, with %d modes and a "
+        "hard wall, it falls from a maximum of %.4f at v = %.2g by %.0f %% to a minimum at v = %.2g. Then it rises "
+        "again. Rayleigh's curve, with the centre of mass, falls from %.4f at v = %.2g by %.0f %% to v = %.2g. It "
+        "is as high, but at half the speed, and much deeper. From v = %.2g on extrapolations know the limit to %.0f "
+        "%%, and are drawn. At smaller speeds the contact is too narrow for 1800 modes, and N = 940, 1300 and 1800, "
+        "drawn for all, do not yet form a line. The black line is the limit itself, all modes at a rigid wall: %.5f "
+        "at v = 0.0023, %.5f at 0.015.",
         size[SIZES - 1], dynamic[top], slow_speed(top), 100 * (1 - dynamic[bottom] / dynamic[top]), slow_speed(bottom),
         rayleigh[rayleigh_top], slow_speed(rayleigh_top),
         100 * (1 - rayleigh[rayleigh_bottom] / rayleigh[rayleigh_top]), slow_speed(rayleigh_bottom),

@@ -110,11 +110,12 @@ static int write_ranking(FILE *csv, char verdict[VERDICT_SIZE])
     }
     int used = snprintf(
         verdict, VERDICT_SIZE,
-        "Agrees: the quadrupole leads, then (3, 0), and %d of the ten modes are among the first ten here; the "
+        "Agrees: the quadrupole leads, then (3, 0), and %d of the ten modes are among the first ten here. The "
         "averages of those with n > 0 are %.2f to %.2f times the printed ones. Not reproduced: the rows with n = 0 "
-        "except the first, whose modes hold a third of the printed energy; the energies after the collision, %.2f to "
-        "%.2f times the printed ones (all ten together %.4f, printed %.4f, of 1 - eps^2 = %.4f here); and \"75 %% of "
-        "the most significant modes have n = 0\": of the first 100 here %.0f %%, of the first 300 %.0f %%.\n\n",
+        "except the first, whose modes hold a third of the printed energy. The energies after the collision differ, "
+        "too: %.2f to %.2f times the printed ones, all ten together %.4f, printed %.4f, of 1 - eps^2 = %.4f here. "
+        "Nor do \"75 %% of the most significant modes have n = 0\": of the first 100 here %.0f %%, of the first 300 "
+        "%.0f %%.\n\n",
         among_ten, low, high, low_after, high_after, sum, sum_printed, out.one_minus_eps2, share_of_n_0(entry, 100),
         share_of_n_0(entry, 300));
     for (int i = 0; i < RANKS; i++) {

@@ -115,16 +115,16 @@ static void describe(const struct search *search, char verdict[VERDICT_SIZE])
     }
     snprintf(verdict, VERDICT_SIZE,
              "Agrees in size, and in the quadrupole as the mode that takes most: %.0f %% at the maximum, though "
-             "nothing in the dips. Does not agree in where the maximum is, near v = 1e-2 in print: the quadrupole's "
-             "share follows cos^2(omega tau/2), so the fraction oscillates as tau grows with -ln v, and is largest "
-             "(datum: centre of mass, diameter, as printed) with %s for nu = 0.33 and with %s for nu = 0.9; the "
-             "constant b only shifts the curve along ln v. After the maximum come a dip and then a rise, not a "
-             "fall: beyond v = %g, shaded, perturbation theory has ended, and gives up to %.2f times the energy "
-             "there is. The modes above the lowest 1800 add %.2g of the fraction at most, too little to be seen. "
-             "The full dynamics, all modes at a rigid wall, agrees in size, as printed, but its dip is shallow "
-             "and its "
-             "rise less steep: at nu = 0.33 it gives %.4f at v = 0.01 where Rayleigh, with the centre of mass, has "
-             "%.4f, and %.4f at 0.1 for %.2f; at nu = 0.9 %.4f for %.4f, and %.4f for %.2f.",
+             "nothing in the dips. Does not agree in the place of the maximum, near v = 1e-2 in print. The "
+             "quadrupole's share follows cos^2(omega tau/2), so the fraction oscillates as tau grows with -ln v. "
+             "For the centre of mass, the diameter and the printed datum its largest values at nu = 0.33 are %s. At "
+             "nu = 0.9 they are %s. The constant b only shifts the curve along ln v. After the maximum come a dip "
+             "and then a rise, not a fall. Beyond v = %g, shaded, perturbation theory has ended, and gives up to "
+             "%.2f times the energy there is. The modes above the lowest 1800 add %.2g of the fraction at most, too "
+             "little to be seen. The full dynamics, all modes at a rigid wall, agrees in size with the print, but "
+             "its dip is shallow and its rise less steep. At nu = 0.33 it gives %.4f at v = 0.01 where Rayleigh, "
+             "with the centre of mass, has %.4f, and %.4f at 0.1 for %.2f. At nu = 0.9 it gives %.4f for %.4f, and "
+             "%.4f for %.2f.",
              100 * search->quadrupole[0][0][at] / search->whole[0][0][at], maxima[0], maxima[1],
              COR_DISK_RAYLEIGH_MAX_SPEED, search->largest_beyond, search->largest_tail, dynamic[0][0], at_slow[0],
              dynamic[0][1], at_fast[0], dynamic[1][0], at_slow[1], dynamic[1][1], at_fast[1]);

@@ -61,18 +61,17 @@ static int write_restitution(FILE *csv, char verdict[VERDICT_SIZE])
     for (int i = 0; i < PAPER_SPEEDS; i++)
         if (limit[0][i].one_minus_eps2 < limit[0][best].one_minus_eps2)
             best = i;
-    snprintf(
-        verdict, VERDICT_SIZE,
-        "Agrees: eps falls as v grows, and is smaller for nu = 0.9. Here eps(%g) = %.3f at nu = 0.33 and %.3f at "
-        "0.9, eps(%g) = %.3f and %.3f; uncertain by at most %.4f, narrower than the points, which is the largest "
-        "change when fewer or other modes and walls are extrapolated. The line is the limit itself, all modes at a "
-        "rigid wall: %.5f and %.5f at v = 0.1, %.5f and %.5f at 0.3; the points "
-        "are within %.1f times of what both are uncertain by. Does not agree: at nu = 0.9, v = 0.3 the "
-        "text says about 0.65. And eps does not simply tend to one as v falls: at nu = 0.33 it is %.4f at v = %g "
-        "but %.4f at %g, as the last figure shows.",
-        paper_speed(at_01), eps_of(&limit[0][at_01]), eps_of(&limit[1][at_01]), paper_speed(last),
-        eps_of(&limit[0][last]), eps_of(&limit[1][last]), worst, eps_at(0, at_01), eps_at(1, at_01), eps_at(0, last),
-        eps_at(1, last), apart, eps_of(&limit[0][best]), paper_speed(best), eps_of(&limit[0][0]), paper_speed(0));
+    snprintf(verdict, VERDICT_SIZE,
+             "Agrees: eps falls as v grows, and is smaller for nu = 0.9. Here eps(%g) = %.3f at nu = 0.33 and %.3f at "
+             "0.9, eps(%g) = %.3f and %.3f. These values are uncertain by at most %.4f, narrower than the points: the "
+             "largest change when fewer or other modes and walls are extrapolated. The line is the limit itself, all "
+             "modes at a rigid wall: %.5f and %.5f at v = 0.1, %.5f and %.5f at 0.3. The points are within %.1f times "
+             "both uncertainties together. Does not agree: at nu = 0.9, v = 0.3 the text says about 0.65. Nor does eps "
+             "simply tend to one as v falls: at nu = 0.33 it is %.4f at v = %g but %.4f at %g (last figure).",
+             paper_speed(at_01), eps_of(&limit[0][at_01]), eps_of(&limit[1][at_01]), paper_speed(last),
+             eps_of(&limit[0][last]), eps_of(&limit[1][last]), worst, eps_at(0, at_01), eps_at(1, at_01),
+             eps_at(0, last), eps_at(1, last), apart, eps_of(&limit[0][best]), paper_speed(best), eps_of(&limit[0][0]),
+             paper_speed(0));
     return 1;
 }
 

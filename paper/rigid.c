@@ -85,13 +85,6 @@ static void count_miss(struct miss *miss, double extrapolated, double uncertaint
     miss->of++;
 }
 
-/* What cor_disk_one_minus_eps2 and its uncertainty were in the first version, from fits to 20 softer walls each */
-static const struct {
-    double nu, speed, value, uncertainty;
-} first_version[] = {{0.33, 0.01, 0.031410, 9.3e-4}, {0.33, 0.1, 0.102843, 1.2e-3}, {0.33, 0.2, 0.211823, 1.2e-3},
-                     {0.33, 0.3, 0.292543, 1.6e-3},  {0.9, 0.01, 0.039170, 9.3e-4}, {0.9, 0.1, 0.239953, 1.3e-3},
-                     {0.9, 0.2, 0.364873, 1.2e-3},   {0.9, 0.3, 0.440099, 1.5e-3}};
-
 /* ---- the figure: what the others draw as a line ---- */
 
 static void write_line(FILE *csv, double nu)
@@ -108,7 +101,7 @@ static void write_line(FILE *csv, double nu)
 static int write_rigid_wall(FILE *csv, char verdict[VERDICT_SIZE])
 {
     fputs("nu,speed,one_minus_eps2,uncertainty,eps,contact_time,max_compression\n", csv);
-    struct miss of_paper = {0}, of_many[MATERIALS] = {{0}}, of_slow = {0}, of_first = {0};
+    struct miss of_paper = {0}, of_many[MATERIALS] = {{0}}, of_slow = {0};
     double largest_estimate = 0;
     for (int m = 0; m < MATERIALS; m++) {
         write_line(csv, nu_of[m]);
@@ -125,23 +118,17 @@ static int write_rigid_wall(FILE *csv, char verdict[VERDICT_SIZE])
     for (int i = 0; i < SLOW_SPEEDS; i++)
         count_miss(&of_slow, limit_of(0.33, slow_speed(i)).one_minus_eps2, limit_of(0.33, slow_speed(i)).uncertainty,
                    0.33, slow_speed(i));
-    for (size_t i = 0; i < sizeof first_version / sizeof *first_version; i++)
-        count_miss(&of_first, first_version[i].value, first_version[i].uncertainty, first_version[i].nu,
-                   first_version[i].speed);
     snprintf(
         verdict, VERDICT_SIZE,
-        "The limit itself, all modes at a rigid wall, is computed by cor_disk_hard_wall, good to %.0e in 1 - eps^2 "
-        "at the paper's speeds. At nu = 0.33 the extrapolation from the paper's N = 300 to 940 ends up to %+.1e "
-        "from it, at v = %g (%+.1f %%); that from N = 940 to 1800 up to %+.1e, at v = %g (%+.1f %%), and %d of its "
-        "%d points are farther off than they say they are. At nu = 0.9 the latter ends up to %+.1e off, at v = %g "
-        "(%+.1f %%), %d of %d beyond what they say. At the small speeds of the last figure it ends up to %+.1e off, "
-        "at v = %.2g (%+.0f %%). The first version of cor_disk_eps, from fits to 20 walls and up to 7500 modes "
-        "each, was off by up to %+.1e at %d places of these two materials, %d of them beyond what it said, which "
-        "was about 1e-3.",
+        "cor_disk_hard_wall computes the limit itself, all modes at a rigid wall, to %.0e in 1 - eps^2 at the "
+        "paper's speeds. At nu = 0.33 the extrapolation from the paper's N = 300 to 940 ends up to %+.1e from it, "
+        "at v = %g (%+.1f %%). That from N = 940 to 1800 ends up to %+.1e from it, at v = %g (%+.1f %%); %d of its "
+        "%d points are farther off than both uncertainties together. At nu = 0.9 the latter ends up to %+.1e off, "
+        "at v = %g (%+.1f %%), %d of %d beyond these uncertainties. At the small speeds of the last figure it ends "
+        "up to %+.1e off, at v = %.2g (%+.0f %%).",
         largest_estimate, of_paper.most, of_paper.at, 100 * of_paper.relative, of_many[0].most, of_many[0].at,
         100 * of_many[0].relative, of_many[0].beyond, of_many[0].of, of_many[1].most, of_many[1].at,
-        100 * of_many[1].relative, of_many[1].beyond, of_many[1].of, of_slow.most, of_slow.at, 100 * of_slow.relative,
-        of_first.most, of_first.of, of_first.beyond);
+        100 * of_many[1].relative, of_many[1].beyond, of_many[1].of, of_slow.most, of_slow.at, 100 * of_slow.relative);
     return !isnan(largest_estimate);
 }
 

@@ -90,10 +90,11 @@ static int write_shapes(FILE *csv, char verdict[VERDICT_SIZE])
         return 0;
     }
     snprintf(verdict, VERDICT_SIZE,
-             "Agrees with the text (the caption names no modes): the three lowest modes are the quadrupole (n, l) = "
-             "(2, 0) at omega = %.6f, (1, 0) at %.6f, whose centre moves against the rim, and (0, 0) at %.6f. The "
-             "displacements are those of (19); (27), which repeats it, exchanges kappa and kappa' in u_phi. "
-             "Normalised by (26), u_r and u_phi at the rim equal C and S of the mode table to better than 1e-9.",
+             "Agrees with the text (the caption names no modes). The three lowest modes are the quadrupole (n, l) = "
+             "(2, 0) at omega = %.6f, (1, 0) at %.6f and (0, 0) at %.6f. The centre of (1, 0) moves against the "
+             "rim. The displacements are those of (19); (27), which repeats it, exchanges kappa and kappa' in "
+             "u_phi. Normalised by (26), u_r and u_phi at the rim equal C and S of the mode table to better than "
+             "1e-9.",
              omega[0], omega[1], omega[2]);
     return 1;
 }

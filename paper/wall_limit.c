@@ -28,16 +28,14 @@ static int write_wall_limit(FILE *csv, char verdict[VERDICT_SIZE])
             *largest = fmax(*largest, off);
         }
     }
-    snprintf(
-        verdict, VERDICT_SIZE,
-        "Agrees: 1 - eps^2 grows with alpha and is a straight line in 1/alpha, once alpha v is 25: from there to 100, "
-        "where the lines are drawn through, no point is off by more than %.2f %% of the limit. Softer walls, down "
-        "to alpha v = 10, are off by up to %.1f %%. At alpha v = 200, still harder, points are off "
-        "by up to %.1f %%: %d modes cannot follow such a wall, and the limit of the wall has to be taken before "
-        "it. The walls go with the speed, alpha v = 10 to 200, for the paper does not say which were taken. Dots: the "
-        "limit of all modes at a rigid wall; of it the lines "
-        "end between %+.1f %% and %+.1f %%.",
-        100 * on_line, 100 * soft, 100 * hard, size[WALL_SIZE], 100 * below, 100 * above);
+    snprintf(verdict, VERDICT_SIZE,
+             "Agrees: 1 - eps^2 grows with alpha and is a straight line in 1/alpha, once alpha v is 25. From there to "
+             "100, where the lines are drawn through, no point is off by more than %.2f %% of the limit. Softer walls, "
+             "down to alpha v = 10, are off by up to %.1f %%. At alpha v = 200, still harder, points are off by up to "
+             "%.1f %%: %d modes cannot follow such a wall. Its limit has to be taken before it. The walls are scaled "
+             "with the speed, alpha v = 10 to 200, because the paper does not say which were taken. Dots are the limit "
+             "of all modes at a rigid wall. The lines end between %+.1f %% and %+.1f %% from it.",
+             100 * on_line, 100 * soft, 100 * hard, size[WALL_SIZE], 100 * below, 100 * above);
     return 1;
 }
 

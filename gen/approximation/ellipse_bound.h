@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Bounds of the sphere's quantities on Bernstein ellipses around the intervals of the interpolant (docs/derivation.md,
+/* Bounds of the sphere's quantities on Bernstein ellipses around the intervals of the interpolant (docs/theory.md,
  * 8). The ellipse of [lo, hi] has the foci lo and hi and the semi-axes (hi - lo)/4 (rho +- 1/rho). */
 #ifndef COR_GEN_APPROXIMATION_ELLIPSE_BOUND_H
 #define COR_GEN_APPROXIMATION_ELLIPSE_BOUND_H

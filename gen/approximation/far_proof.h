@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Proofs that the formulas of the sphere's tables beyond their rows, in mu = beta^(-5/3) and u = ln(beta), are close to
- * the functions for every finite double (docs/derivation.md, 8). far_motion.h encloses the functions; on cells of u,
+ * the functions for every finite double (docs/theory.md, 8). far_motion.h encloses the functions; on cells of u,
  * the last of which are long, formula and function become polynomials of one variable. */
 #ifndef COR_GEN_APPROXIMATION_FAR_PROOF_H
 #define COR_GEN_APPROXIMATION_FAR_PROOF_H

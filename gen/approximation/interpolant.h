@@ -117,7 +117,7 @@ int interpolant_inverse(arb_t y, const struct interpolant *f, enum quantity quan
 /* Coefficients for u beyond the last interval. The scaled quantity is a sum of 1, u; mu, mu u, mu u^2; mu^2, ..., mu^2
  * u^3 up to terms in mu^3, mu = beta^(-(a+1)/(b+1)). For laws other than the sphere's, the duration at zero overlap is
  * this sum times beta^(a/(b+1)) plus interpolant_far_fall times beta^((a-1)/n). interpolant_far_fall is 0 if a - b = 1
- * or n = 1 - a, where the sum contains that term (docs/derivation.md, 9). */
+ * or n = 1 - a, where the sum contains that term (docs/theory.md, 9). */
 enum { INTERPOLANT_FAR = 9 };
 void interpolant_far(arb_ptr coefficient, const struct interpolant *f, enum quantity quantity);
 void interpolant_far_fall(arb_t coefficient, const struct interpolant *f);

@@ -127,7 +127,7 @@ static void loss_quotient(arb_t y, const struct interpolant *f, const struct int
 }
 
 /* Zero force from zero overlap, near beta = 0: eps G(w), and the duration less eps^((1-a)/(1+a)) h^(1/(a-b)) T(w), h =
- * beta eps^q, w = h^((a+1)/(a-b)) (docs/derivation.md, 5 and 9). The loss quotient needs only G - 1. */
+ * beta eps^q, w = h^((a+1)/(a-b)) (docs/theory.md, 5 and 9). The loss quotient needs only G - 1. */
 static void backward(arb_t y, const struct interpolant *f, enum quantity quantity, const arb_t x, slong prec)
 {
     const struct law *law = &f->layout->law;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The sample intervals and the tables of any law (docs/derivation.md, 9; form: docs/header-format.md). The layout of
+/* The sample intervals and the tables of any law (docs/theory.md, 9; form: docs/internals.md). The layout of
  * spheres is given as data (tables/sphere.c); that of another law is derived from its exponents:
  *
  *   near    beta < near_end, a power of two, an eighth of the radius of convergence of the series in beta or less: rows

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Proofs that the polynomials of any law's interpolant are close to eps (docs/derivation.md, 9): ellipse_bound_of_law
+/* Proofs that the polynomials of any law's interpolant are close to eps (docs/theory.md, 9): ellipse_bound_of_law
  * bounds eps in an ellipse around an interval, and row_proof.h the error of the polynomial. Intervals whose ellipses
  * cannot be covered have no proof: those of zero force near beta = 0, and those where eps is tiny. */
 #ifndef COR_GEN_APPROXIMATION_LAW_PROOF_H

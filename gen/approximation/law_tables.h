@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* All numbers of a law's tables, cut from one interpolant: the rows of a layout (law_layout.h) and the coefficients
- * beyond the rows (form: docs/header-format.md). */
+ * beyond the rows (form: docs/internals.md). */
 #ifndef COR_GEN_APPROXIMATION_LAW_TABLES_H
 #define COR_GEN_APPROXIMATION_LAW_TABLES_H
 

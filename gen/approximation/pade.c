@@ -17,7 +17,7 @@
 #include "support/precision.h"
 
 enum {
-    TAIL_POWER = 5,      /* eps -> h*^5/beta^5 at zero overlap, docs/derivation.md, 4 */
+    TAIL_POWER = 5,      /* eps -> h*^5/beta^5 at zero overlap, docs/theory.md, 4 */
     GUARD_BITS = 64,     /* more bits than requested */
     LOSS_PER_DEGREE = 5, /* bits that the solution of the system loses per degree, start value */
     ATTEMPTS = 4,        /* the last has eight times the bits of the first */
@@ -494,7 +494,7 @@ int pade_compute(struct pade *f, struct pade_analysis *a, const struct pade_requ
         corner.numerator = block.m;
         corner.denominator = block.n;
         if (r->numerator > block.m && r->denominator > block.n)
-            return fail_in_block(r, &block, "proved: docs/derivation.md, 4");
+            return fail_in_block(r, &block, "proved: docs/theory.md, 4");
         if (r->numerator > block.m || r->denominator > block.n) {
             const int status = pade_compute(f, a, &corner, bits);
             f->numerator = r->numerator;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Padé approximants P(z)/Q(z) of eps at either end of contact, q_0 = 1 (docs/derivation.md, 7).
+/* Padé approximants P(z)/Q(z) of eps at either end of contact, q_0 = 1 (docs/theory.md, 7).
  *
  * z = beta at zero overlap, z = beta^(1/root) at zero force (root = 2 for the sphere). Coefficients are intervals (Arb
  * balls). The precision of the series is raised until they are as narrow as requested. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Proofs that rows of the sphere's tables are close to the functions, everywhere in their cells (docs/derivation.md,
+/* Proofs that rows of the sphere's tables are close to the functions, everywhere in their cells (docs/theory.md,
  * 8).
  *
  * The interpolant of an interval is within `error` of the function: ellipse_bound.h bounds the function in an ellipse

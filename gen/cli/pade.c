@@ -132,7 +132,7 @@ static int write_header(const struct pade_arguments *o, const struct pade_reques
     snprintf(banner, sizeof banner,
              "Restitution coefficient of x'' + beta x^(%ld/%ld) x' + x^(%ld/%ld) = 0:\n"
              "    eps = P(z)/Q(z),    1 - eps = %s L(z)/Q(z),    z = %s%s%s.\n"
-             "Arrays hold ascending powers of z; q[0] = 1. Source: docs/derivation.md, 7.\n"
+             "Arrays hold ascending powers of z; q[0] = 1. Source: docs/theory.md, 7.\n"
              "\n"
              "Written by:  %s\n"
              "Checked by:  the same command, whose output is the same to the byte\n"

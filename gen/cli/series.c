@@ -76,7 +76,7 @@ static int fill_zero_force(struct table *table, char undecided[PROVED_TABLE_NAME
     return status;
 }
 
-/* G and T of docs/derivation.md, 5. They are exact rationals, so that the precision loop is not needed. */
+/* G and T of docs/theory.md, 5. They are exact rationals, so that the precision loop is not needed. */
 static void fill_exact(struct table *table, slong order, const struct law *law)
 {
     static const char *const column[] = {"power_of_w", "G", "T"};

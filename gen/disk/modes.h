@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The lowest free modes of an elastic disk, without gaps and with every number enclosed; docs/derivation.md, 11. */
+/* The lowest free modes of an elastic disk, without gaps and with every number enclosed; docs/theory-disks.md, 11. */
 #ifndef COR_GEN_DISK_MODES_H
 #define COR_GEN_DISK_MODES_H
 

@@ -120,7 +120,7 @@ static bool try_quotient(struct embed_form *best, const struct embed_scene *s, c
     return good;
 }
 
-/* The radius of convergence of eps in powers of beta: h*, rounded (docs/derivation.md, 3). And how near to it, chosen,
+/* The radius of convergence of eps in powers of beta: h*, rounded (docs/theory.md, 3). And how near to it, chosen,
  * a search that fails is said to fail for it. */
 #define CONVERGENCE 1.388
 #define NEAR_CONVERGENCE 0.97

@@ -36,7 +36,7 @@ static void mass_of(arb_t mass, const struct embed_request *request, int body, s
     arb_div_ui(mass, mass, 3, prec);
 }
 
-/* beta g^(-1/5) = (3/2) A (rho/m)^(2/5), docs/derivation.md, (1.1), with rho = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1
+/* beta g^(-1/5) = (3/2) A (rho/m)^(2/5), docs/theory.md, (1.1), with rho = (4/3) sqrt(R)/(c_1 + c_2) and A = (A_1
  * c_1 + A_2 c_2)/(c_1 + c_2). A wall has 1/R = 1/m = 0. */
 static void beta_of_materials(arb_t beta, const struct embed_request *request, slong prec)
 {
@@ -73,7 +73,7 @@ static void beta_of_materials(arb_t beta, const struct embed_request *request, s
 
 /* ---- the characteristic speed ---- */
 
-/* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/derivation.md, 9. For spheres this
+/* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9. For spheres this
  * is sqrt(pi) Gamma(3/5)/(2^(1/5) 5^(2/5) Gamma(21/10)), (30) of Ramirez et al. (1999). */
 static void first_coefficient(arb_t c, const struct law *law, slong prec)
 {
@@ -119,7 +119,7 @@ static void beta_of_beta(arb_t beta, const struct embed_request *request, const 
 
 /* ---- the force K x^a + C x^b x' ---- */
 
-/* beta g^-q = (C/m) (m/K)^((b+1)/(a+1)): docs/derivation.md, 9 */
+/* beta g^-q = (C/m) (m/K)^((b+1)/(a+1)): docs/theory.md, 9 */
 static void beta_of_force(arb_t beta, const struct embed_request *request, const struct law *law, slong prec)
 {
     const struct ratio one = {1, 1};

@@ -9,7 +9,7 @@
 #include "embed/rounding.h"
 
 /* eps at zero overlap is h*^5 beta^-5 (1 - d) with 0 < d < EMBED_FAR_ERROR for beta >= EMBED_FAR.
- * tests/gen/test_embed.c encloses d at EMBED_FAR; d falls as beta grows (docs/derivation.md, 4). */
+ * tests/gen/test_embed.c encloses d at EMBED_FAR; d falls as beta grows (docs/theory.md, 4). */
 #define EMBED_FAR 7.0
 #define EMBED_FAR_ERROR 2.7e-17
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions in closed form (docs/derivation.md, 9): laws with q = 0, whose u = x^((a+1)/2) obeys a linear equation,
+/* Collisions in closed form (docs/theory.md, 9): laws with q = 0, whose u = x^((a+1)/2) obeys a linear equation,
  * and Hunt and Crossley's, a = b. */
 #ifndef COR_GEN_ENCLOSURE_CLOSED_FORM_H
 #define COR_GEN_ENCLOSURE_CLOSED_FORM_H

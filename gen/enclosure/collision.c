@@ -43,7 +43,7 @@ enum {
 };
 
 /* Where the motion contracts, intervals grow by the same number of bits: by ln(1/mu) twice during loading and release
- * (docs/derivation.md, 8), and by k/mu in unloading to zero overlap (9). The slow manifold replaces this unloading if
+ * (docs/theory.md, 8), and by k/mu in unloading to zero overlap (9). The slow manifold replaces this unloading if
  * k/mu suffices to reach its last place with the requested bits. This estimate neglects a power of beta, so that a
  * motion just above the limit may miss the manifold; no precision helps then, and the unloading is integrated. */
 static struct route route_of(const arb_t beta, const struct law *law, enum ends ends, slong bits)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One collision, enclosed, at any precision and for any damping (docs/derivation.md, 6 and 9). */
+/* One collision, enclosed, at any precision and for any damping (docs/theory.md, 6 and 9). */
 #ifndef COR_GEN_ENCLOSURE_COLLISION_H
 #define COR_GEN_ENCLOSURE_COLLISION_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Collisions of spheres at complex damping, enclosed for all values in a ball at once (docs/derivation.md, 8).
+/* Collisions of spheres at complex damping, enclosed for all values in a ball at once (docs/theory.md, 8).
  *
  * With y = sqrt(x), kappa = -v/x and zeta = kappa^(-1/2), g = y/zeta, so that g^2 = |v| for real motion, the equation
  * x'' + c1 sqrt(x) x' + c2 x^(3/2) = 0 is a scalar rational equation between fixed ends:

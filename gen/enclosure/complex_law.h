@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* eps of any law's collision at complex damping, enclosed for all beta in a ball at once (docs/derivation.md, 9).
+/* eps of any law's collision at complex damping, enclosed for all beta in a ball at once (docs/theory.md, 9).
  *
  * With L = ln(x), kappa = -x'/x, the equation x'' + beta x^b x' + x^a = 0 is a scalar equation between fixed ends:
  *

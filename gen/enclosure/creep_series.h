@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Time of a sphere from zero force to zero overlap at strong damping: a divergent series, its remainder bounded for
- * every beta (docs/derivation.md, 8).
+ * every beta (docs/theory.md, 8).
  *
  * With x = beta^-4 z, t = beta t', k = -z'/z and r = z^(-1/2), the fall begins at k = 1 and r = 1/Y, where Y = beta^2
  * sqrt(x) at zero force, and

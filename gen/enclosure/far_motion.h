@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Collisions of spheres at strong damping: series in mu = beta^(-5/3) with the logarithm u = ln(beta), proved for every
- * u >= FAR_MOTION_LEAST_U (docs/derivation.md, 8). With K = EXPANSION_ORDER, a quantity without its power of beta is
+ * u >= FAR_MOTION_LEAST_U (docs/theory.md, 8). With K = EXPANSION_ORDER, a quantity without its power of beta is
  *
  *     sum_k mu^k order_k(u) + error,   |error| <= rest + rest_per_u u,   k <= K,
  *

@@ -311,7 +311,7 @@ enum motion_outcome motion_solve_slow(struct collision *c, const arb_t beta, con
     return outcome;
 }
 
-/* docs/derivation.md, 9. The force has one largest value within the contact, where its slope falls through zero while
+/* docs/theory.md, 9. The force has one largest value within the contact, where its slope falls through zero while
  * the bodies approach. Where b = 0 the first moment may have more; then a zero of the slope is a least value while the
  * damping force exceeds the elastic one a/(a - 1) times. */
 enum motion_outcome motion_force_max(arb_t force, const arb_t beta, const struct law *law, slong prec)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Unloading at strong damping, laws with n = 2b - a + 1 > 0: z'' + z^b z' + z^a = 0 falls onto a slow manifold.
  *
- * With x = beta^(-2/n) z, time in beta^((a-1)/n), p = -z'/z^(a-b) and y = z^-n the fall is (docs/derivation.md, 9)
+ * With x = beta^(-2/n) z, time in beta^((a-1)/n), p = -z'/z^(a-b) and y = z^-n the fall is (docs/theory.md, 9)
  *
  *   N(p) = 1 - p + (a-b) y p^2 - n y^2 p dp/dy = 0,    dt' = dy/(n y^(1+kappa) p),   kappa = (b-a+1)/n,
  *

@@ -233,7 +233,7 @@ static void monomial(arb_t y, slong k, const arb_t c, const arb_t M, slong e)
 }
 
 /* The proof of one step on [0, h] in the norm max(kappa |e_w|, |e_v|), e the distance of the exact solution from the
- * polynomials: docs/derivation.md, 6, equations (6.2) to (6.5). */
+ * polynomials: docs/theory.md, 6, equations (6.2) to (6.5). */
 struct step_proof {
     const struct taylor *y;
     mag_t h_mag;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Enclosed Taylor steps on the polynomial form of the equation of motion (docs/derivation.md, 6),
+/* Enclosed Taylor steps on the polynomial form of the equation of motion (docs/theory.md, 6),
  *
  *   x = w^d, dt = w^(d-1) dsigma:   dw/dsigma = v/d,  dv/dsigma = -w^(d-1) (c1 w^(bd) v + c2 w^(ad)),
  *                                   dt/dsigma = w^(d-1),

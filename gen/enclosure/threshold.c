@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* With q < 0 the bodies part only below a threshold beta_c (docs/derivation.md, 9).
+/* With q < 0 the bodies part only below a threshold beta_c (docs/theory.md, 9).
  *
  * In backward time from an end with eps = 0, and with x = beta^(2/m) X, m = -n > 0, the motion is the unstable manifold
  * of the law with negative damping X'' - X^b X' + X^a = 0,

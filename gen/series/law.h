@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact law x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1 (docs/derivation.md, 1 and 9).
+/* The contact law x'' + beta x^b x' + x^a = 0, x(0) = 0, x'(0) = 1 (docs/theory.md, 1 and 9).
  * Everything that corgen computes is a function of the two rational exponents below. */
 #ifndef COR_GEN_SERIES_LAW_H
 #define COR_GEN_SERIES_LAW_H
@@ -43,7 +43,7 @@ struct ratio ratio_div(struct ratio x, struct ratio y); /* y != 0 */
 /* beta is proportional to g^q; q = (2 b - a + 1)/(1 + a). eps is independent of g iff q = 0, (12). */
 struct ratio law_speed_exponent(const struct law *law);
 
-/* n = q (a + 1) = 2 b - a + 1. With x = beta^(-2/n) z the law is z'' + z^b z' + z^a = 0 (docs/derivation.md, 9). */
+/* n = q (a + 1) = 2 b - a + 1. With x = beta^(-2/n) z the law is z'' + z^b z' + z^a = 0 (docs/theory.md, 9). */
 struct ratio law_fall_power(const struct law *law);
 
 /* mu = beta^(-(a+1)/(b+1)): with x = beta^(-1/(b+1)) X the law is X'' + X^b X' + mu X^a = 0. This is (a+1)/(b+1). */
@@ -59,7 +59,7 @@ bool law_is_linear(const struct law *law);
 /* a = b, Hunt and Crossley's. */
 bool law_is_hunt_crossley(const struct law *law);
 
-/* Whether docs/derivation.md, 9, proves that the force has one largest value within a contact: b = 0 or
+/* Whether docs/theory.md, 9, proves that the force has one largest value within a contact: b = 0 or
  * 4 a b + a + b + 2 b^2 >= a^2. */
 bool law_force_has_one_peak(const struct law *law);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Proved bounds of powers of a truncated trajectory: docs/derivation.md, 3, equations (3.1) and (3.2).
+/* Proved bounds of powers of a truncated trajectory: docs/theory.md, 3, equations (3.1) and (3.2).
  *
  * A is the Banach algebra of power series in s whose coefficients are polynomials in u cut after u^order, with the norm
  * |f| = sum |f_kj| U^k rho^j. Z is the truncated X of s-degree J, and P the truncated row polynomial of X^p, p = a and

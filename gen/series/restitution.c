@@ -13,7 +13,7 @@ static void series_pow(arb_poly_t z, const arb_poly_t x, struct ratio e, slong n
     arb_poly_pow_arb_series(z, x, exponent, n, prec);
 }
 
-/* -h is an involution of beta, and residues before and after it give (docs/derivation.md, 4)
+/* -h is an involution of beta, and residues before and after it give (docs/theory.md, 4)
  *
  *     [beta^k] (h/beta)^p = (-1)^k p/(k+p) [beta^k] (h/beta)^(-k-p),      eps^power = (h/beta)^p, p = power/q,
  *

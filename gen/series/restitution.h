@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Restitution for both ends of contact from the turning point (docs/derivation.md, 4 and 5). */
+/* Restitution for both ends of contact from the turning point (docs/theory.md, 4 and 5). */
 #ifndef COR_GEN_SERIES_RESTITUTION_H
 #define COR_GEN_SERIES_RESTITUTION_H
 

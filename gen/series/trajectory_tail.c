@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The proof of the truncation error of a trajectory: docs/derivation.md, 3, equations (3.3) and (3.4).
+/* The proof of the truncation error of a trajectory: docs/theory.md, 3, equations (3.3) and (3.4).
  *
  * In the algebra A of power_bounds.h, X = Z + R. The tail R is the fixed point of
  *

@@ -256,8 +256,8 @@ static int know_limits(bool *known, const struct tables_request *request, const 
         return fail("cannot read %s: %s", path, strerror(errno));
     if (!text) {
         fprintf(stderr,
-                "corgen: " DISK_LIMITS_FILE " is left out, for there is no %s; --all makes it, in hours of processor "
-                "time\n",
+                "corgen: " DISK_LIMITS_FILE " is left out, for there is no %s; --all makes it, in most of an hour of "
+                "CPU time\n",
                 path);
         return STATUS_OK;
     }

@@ -105,7 +105,7 @@ static const char banner_format[] =
     "\n"
     "omega: frequency, a root of (25) of Gerl and Zippelius (1999); C = u_r(1), S = u_phi(1): (28), normalised by "
     "(26);\n"
-    "docs/derivation.md, 11. Each double is the one nearest to the exact value (proved)%s.\n"
+    "docs/theory-disks.md, 11. Each double is the one nearest to the exact value (proved)%s.\n"
     "\n"
     "Written by:  %s\n"
     "Checked by:  %s --check\n";
@@ -151,7 +151,7 @@ int disk_header_write(FILE *file, const struct disk_table *table)
     return status;
 }
 
-/* ---- the file to load, docs/mode-file.md ---- */
+/* ---- the file to load, docs/disks.md ---- */
 
 struct lines {
     FILE *file;

@@ -288,8 +288,8 @@ int hertz_dashpot_tables_write(FILE *file)
         snprintf(banner, sizeof banner,
                  "Hertz's contact with a constant dashpot, %s, x(0) = 0, x'(0) = 1,\n"
                  "both ends of contact, for every beta. Evaluated by runtime/table/law.h. Source: "
-                 "docs/derivation.md, 9;\n"
-                 "form: docs/header-format.md.\n"
+                 "docs/theory.md, 9;\n"
+                 "form: docs/internals.md.\n"
                  "\n"
                  "Written by:  corgen tables\n"
                  "Checked by:  corgen tables --check\n"

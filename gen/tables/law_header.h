@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Headers of one law x'' + beta x^b x' + x^a = 0: its tables (approximation/law_layout.h) with the functions that
- * evaluate them by runtime/table/law.h (docs/header-format.md). */
+ * evaluate them by runtime/table/law.h (docs/internals.md). */
 #ifndef COR_GEN_TABLES_LAW_HEADER_H
 #define COR_GEN_TABLES_LAW_HEADER_H
 

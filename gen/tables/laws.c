@@ -285,7 +285,7 @@ static const struct far_form overlap_far = {
 static const char tsuji_banner[] =
     "Times of Tsuji's damping, x'' + sqrt(5) zeta x^(1/4) x' + x^(3/2) = 0, for every damping ratio zeta, in the\n"
     "sphere's unit: rows of short polynomials around the nodes of uniform grids, and what follows at large\n"
-    "zeta. Evaluated by runtime/law/tsuji.c. Source: docs/laws.md; form: docs/header-format.md.\n"
+    "zeta. Evaluated by runtime/law/tsuji.c. Source: docs/laws.md; form: docs/internals.md.\n"
     "\n" SOURCE_OF_ROWS;
 
 int tsuji_tables_write(FILE *file)
@@ -430,7 +430,7 @@ static const char crossley_banner[] =
     "(m/K)^(1/(a+1)) g^((1-a)/(a+1)): rows of short polynomials around the nodes of uniform grids in ln(1 + beta), "
     "and\n"
     "what follows at large beta. Evaluated by runtime/law/hunt_crossley_times.c. Source: docs/laws.md; form:\n"
-    "docs/header-format.md.\n"
+    "docs/internals.md.\n"
     "\n" SOURCE_OF_ROWS;
 
 int hunt_crossley_tables_write(FILE *file)

@@ -23,7 +23,7 @@
 #define NU_STEP 0.1375
 enum { X_ROOTS = 20, NU_ROOTS = 5, ROOTS = X_ROOTS * NU_ROOTS };
 #define LAST_NU (FIRST_NU + (double)NU_ROOTS * NU_STEP)
-/* Largest number of divisions of a cell. A fifth helps little (docs/rigid-wall.md). Coordinates are in sixths of the
+/* Largest number of divisions of a cell. A fifth helps little (docs/disks.md). Coordinates are in sixths of the
  * side of a cell that is divided FINEST times, so that they do not depend on this number. */
 enum { MOST_CUTS = 4, FINEST = 8, SIXTHS = 6, ROOT_SIDE = SIXTHS << FINEST };
 
@@ -488,7 +488,7 @@ static void write_banner(FILE *file, const struct limits *limits)
         " *\n"
         " * Uncertainty of a cell: the root of the squares of two parts, %g times what its polynomial misses at most\n"
         " * at 9 collisions between the 16 (measured) and the largest estimate of the errors of these 25 collisions.\n"
-        " * It is an estimate, no bound, and at most %.1e in cells below v = %g, %.1e in the others,\n"
+        " * It is an estimate, no bound, and at most %.1e in cells below v = %g, %.2e in the others,\n"
         " * %.1e in half of all.\n"
         " *\n" SECONDS_START "%ld seconds of processor time\n"
         " * Checked by:  corgen tables --check, which collides at places of one cell again, and corgen tables\n"

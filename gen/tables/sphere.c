@@ -225,15 +225,15 @@ static int emit_tables(struct emit *e)
 static const char tables_banner[] =
     "Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for\n"
     "every beta: rows of short polynomials around the nodes of uniform grids, and what follows at large\n"
-    "beta. Evaluated by runtime/sphere/eval.h. Source: docs/derivation.md, 4 to 6 and 8; form:\n"
-    "docs/header-format.md.\n"
+    "beta. Evaluated by runtime/sphere/eval.h. Source: docs/theory.md, 4 to 6 and 8; form:\n"
+    "docs/internals.md.\n"
     "\n"
     "Written by:  corgen tables\n"
     "Checked by:  corgen tables --check\n"
     "\n"
     "Each double is the one nearest to its coefficient: proved; corgen tables --digits prints 25 digits of\n"
     "each. Errors of the rows stand above each table, those of the formulas for large beta above the\n"
-    "formulas, proved for every argument (docs/derivation.md, 8). The rows interpolate\n"
+    "formulas, proved for every argument (docs/theory.md, 8). The rows interpolate\n"
     "polynomials of high degree through collisions enclosed to 76 bits or more (proved). Errors of\n"
     "evaluation: include/cor/sphere.h.\n";
 
@@ -268,7 +268,7 @@ static const char header_banner[] =
     "\n"
     "The same evaluator and tables as libcor, where domain, special values and accuracy are documented\n"
     "(include/cor/sphere.h): eps, loss and largest overlap within 1 unit of the last place, times and inverse\n"
-    "within 2: proved for every double, if log is within 1 unit and cbrt within 64 (docs/derivation.md, 8 and 18);\n"
+    "within 2: proved for every double, if log is within 1 unit and cbrt within 64 (docs/theory.md, 8 and 18);\n"
     "eps at a speed within (2 + 2 kappa) 2^-53, kappa = |d ln eps/d ln beta|: sampled. beta = 0 -> 1, +inf -> 0\n"
     "(eps); negative or NaN -> NaN. Any flags are safe: no argument leads beyond a table, and -ffast-math and\n"
     "-march=native change a result by 4 units at most (sampled).\n"
@@ -294,7 +294,7 @@ int sphere_header_write(FILE *file)
 static const char floats_banner[] =
     "Collisions of viscoelastic spheres, x'' + beta sqrt(x) x' + x^(3/2) = 0, both ends of contact, for float\n"
     "arithmetic: rows of cubics by octaves of beta. Evaluated by runtime/table/float_lanes.h. Source:\n"
-    "docs/derivation.md, 4 to 6 and 8; form: docs/header-format.md.\n"
+    "docs/theory.md, 4 to 6 and 8; form: docs/internals.md.\n"
     "\n"
     "Written by:  corgen tables\n"
     "Checked by:  corgen tables --check\n"

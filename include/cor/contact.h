@@ -28,10 +28,10 @@ extern "C" {
 
 /* Bound on the rounding error of the functions below, in units of the last place, against the exact formula of the
  * given inputs. Sampled in tests/unit/test_contact.c from materials on. Proved for durations, largest overlap and A at
- * a speed from 2^-300 to 2^300 m/s, where the filled contact counts as exact (docs/derivation.md, 18). */
+ * a speed from 2^-300 to 2^300 m/s, where the filled contact counts as exact (docs/theory.md, 18). */
 #define COR_CONTACT_MAX_ULP 12.0
 /* Bound on the relative error of eps at a speed: (2 + 2 kappa) 2^-53, where kappa = |d ln eps/d ln beta|. Proved
- * (docs/derivation.md, 18). A subnormal eps may be off by another 2^-1075. */
+ * (docs/theory.md, 18). A subnormal eps may be off by another 2^-1075. */
 #define COR_CONTACT_EPS_MAX_ERROR(kappa) ((2 + 2 * (kappa)) * 1.1102230246251565e-16)
 
 /* Bytes of stack; 20.5 kB are measured in an optimised build, libm included. */

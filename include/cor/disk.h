@@ -27,7 +27,7 @@
  * cor_disk_collision, cor_disk_collision_array, cor_disk_hard_wall and cor_disk_hard_wall_nu. (cor_disk_modes_read
  * opens a file, for which the C library may allocate a buffer.)
  *
- * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/derivation.md, 11 to 17,
+ * Equation numbers (n) are those of Gerl and Zippelius, Phys. Rev. E 59, 2361 (1999); docs/theory-disks.md, 11 to 17,
  * derives them again and lists where the print is wrong. */
 #ifndef COR_DISK_H
 #define COR_DISK_H
@@ -45,7 +45,7 @@ extern "C" {
 #endif
 #endif
 
-/* Bounds on the error of the functions below. COR_DISK_LAW_MAX_ULP is proved (tests/proof/run; docs/derivation.md, 18)
+/* Bounds on the error of the functions below. COR_DISK_LAW_MAX_ULP is proved (tests/proof/run; docs/theory.md, 18)
  * if log and log1p of the C library are within 1 ulp. In one case it is sampled only: the limit of the law exceeds the
  * argument by less than one part in 2^92, which happens for about one nu in 2^39. The other bounds are sampled. The
  * tests assert all of them; docs/accuracy.md records the worst cases found. Unless a bound says otherwise, it holds for
@@ -94,7 +94,7 @@ struct cor_disk_modes {
 COR_API extern const struct cor_disk_modes cor_disk_modes_nu033;
 COR_API extern const struct cor_disk_modes cor_disk_modes_nu090;
 
-/* Reads a mode file that corgen wrote (docs/mode-file.md) into mode[0..capacity-1], and sets *modes, whose mode is then
+/* Reads a mode file that corgen wrote (docs/disks.md) into mode[0..capacity-1], and sets *modes, whose mode is then
  * that array. On failure *modes is unchanged, except that COR_ERROR_CAPACITY sets modes->count to the number of modes
  * in the file. To query that number, pass capacity 0; mode may then be NULL. *line, if line is not NULL, becomes the
  * number of the wrong line of the file, or 0. Returns COR_OK or
@@ -194,7 +194,7 @@ COR_API double cor_disk_contact_time_leading_log(double speed);
  *
  * First order neglects the force of the vibrations on the contact. At nu = 0.33 the energy that all modes keep
  * (cor_disk_hard_wall) is 3.3 times this energy at v = 1e-2, 0.75 times at 1e-3, 0.59 times at 1e-4, and still differs
- * by a tenth at 1e-30: docs/rigid-wall.md. */
+ * by a tenth at 1e-30: docs/disks.md. */
 struct cor_disk_rayleigh {
     double fraction;       /* sum over the n_modes modes */
     double tail;           /* sum over all higher modes */
@@ -280,7 +280,7 @@ struct cor_disk_collision {
 };
 
 /* Computes one collision. Domain: 0 < v <= COR_DISK_COLLISION_MAX_SPEED, 1 <= n_modes <= modes->count. The function
- * extrapolates several runs with smaller and smaller steps (docs/derivation.md, 15). It allocates its workspace once
+ * extrapolates several runs with smaller and smaller steps (docs/theory-disks.md, 15). It allocates its workspace once
  * and frees it.
  *
  * error_estimate is the sum of four parts: the remainder of the extrapolation and, times the amplification of errors by
@@ -290,7 +290,7 @@ struct cor_disk_collision {
  * Accuracy, sampled in 8640 random scenes of 1 to 60 modes of nu = 0.33 and 0.9 (alpha 200 to 8000, v 0.003 to 0.3,
  * tolerances 1e-3 to 1e-11) and in 8640 of 10 to 1800 modes (alpha 100 to 8000, v 0.003 to 0.45, tolerances 1e-2 to
  * 1e-6): where the status is COR_OK the error is at most 0.86 of the tolerance. In 6 scenes it exceeds error_estimate,
- * by at most 3.7 times: docs/derivation.md, 15. Near chaos, round-off alone may exceed a small tolerance; below 1e-12
+ * by at most 3.7 times: docs/theory-disks.md, 15. Near chaos, round-off alone may exceed a small tolerance; below 1e-12
  * it mostly does. one_minus_eps2 is as accurate as eps. contact_time and max_compression, which are taken during the
  * contact, are less accurate. energy_drift is eps^2 + one_minus_eps2 - 1. The same arguments give the same bits on
  * every instruction set.
@@ -360,7 +360,7 @@ COR_API int cor_disk_collision_in(void *workspace, size_t bytes, const struct co
 /* ---- the hard wall ---- */
 
 /* A collision of the disk of all its modes with a rigid wall: the limit of cor_disk_collision for alpha -> infinity and
- * n_modes -> infinity, computed directly. docs/derivation.md, 17.
+ * n_modes -> infinity, computed directly. docs/theory-disks.md, 17.
  *
  * Modes below a frequency Omega move, under a weight that fades smoothly to 0 at Omega. The rest of the static
  * compliance, which is known for all modes, acts at once. The wall is rigid. L = 1 - eps^2 then tends to its limit like

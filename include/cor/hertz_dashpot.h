@@ -20,7 +20,7 @@
  *     cor_hertz_dashpot_duration_<end>
  *
  * cor.h says what holds of threads, memory, the floating-point environment and arrays, law.h of the stack.
- * Source: docs/derivation.md, 9. */
+ * Source: docs/theory.md, 9. */
 #ifndef COR_HERTZ_DASHPOT_H
 #define COR_HERTZ_DASHPOT_H
 

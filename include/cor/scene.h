@@ -11,7 +11,7 @@
  *
  * These functions are a library of their own, libcor_scene (in CMake cor::scene), which needs libcor and libm. They
  * compute in the floating-point environment of the caller, are safe in threads, and use no memory but a stack of a few
- * kilobytes. Source: docs/derivation.md, 9, and docs/laws.md. */
+ * kilobytes. Source: docs/theory.md, 9, and docs/laws.md. */
 #ifndef COR_SCENE_H
 #define COR_SCENE_H
 

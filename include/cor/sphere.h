@@ -28,7 +28,7 @@
  * functions call cbrt and log of the C library, and its bits are theirs.
  *
  * Equation numbers (n) are those of Ramirez, Poeschel, Brilliantov and Schwager, Phys. Rev. E 60,
- * 4465 (1999); docs/derivation.md derives them again and lists where the print is wrong. */
+ * 4465 (1999); docs/theory.md derives them again and lists where the print is wrong. */
 #ifndef COR_SPHERE_H
 #define COR_SPHERE_H
 
@@ -42,7 +42,7 @@ extern "C" {
 
 /* Bounds on the error of the functions below, in units of the last place of the exact value, over every double in
  * their domains, subnormal arguments and results included. Proved for rounding to nearest without fused operations, if
- * log of the C library is within 1 unit and cbrt within 64 (docs/derivation.md, 8 and 18). tests/accuracy asserts them
+ * log of the C library is within 1 unit and cbrt within 64 (docs/theory.md, 8 and 18). tests/accuracy asserts them
  * too, against an independent reference; docs/accuracy.md records the proved bounds and the worst found. */
 #define COR_SPHERE_EPS_MAX_ULP 1.0
 #define COR_SPHERE_LOSS_MAX_ULP 1.0
@@ -77,11 +77,11 @@ extern "C" {
 /* double cor_sphere_eps_zero_overlap(double beta), cor_sphere_eps_zero_force: restitution coefficient for the end of
  * contact that the name says.
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_EPS_MAX_ULP. 0 <= eps <= 1, and from one double beta to the next eps
- * never rises by more than one unit of its last place: proved (docs/derivation.md, 18).
+ * never rises by more than one unit of its last place: proved (docs/theory.md, 18).
  * Large beta: h*^5 beta^-5, h*^5 = 5.1583817..., exact in double precision from beta = 7 on (zero overlap);
  * (3/2)^(2/3) beta^(-5/3) and corrections of relative size beta^(-5/3) ln(beta) (zero force).
  * Special values: +-0 -> exactly 1, +inf -> 0; negative and NaN -> NaN.
- * Source: (10), by the equation of motion itself; docs/derivation.md, 4 to 6 and 8. */
+ * Source: (10), by the equation of motion itself; docs/theory.md, 4 to 6 and 8. */
 COR_SPHERE_DECLARE_(eps_zero_overlap)
 COR_SPHERE_DECLARE_(eps_zero_force)
 
@@ -106,7 +106,7 @@ COR_SPHERE_DECLARE_(beta_zero_force)
  * Domain: 0 <= beta <= inf. Accuracy: COR_SPHERE_TIME_MAX_ULP.
  * Large beta: (10/3) beta ln(beta) (zero overlap); beta^(-2/3) (2.9119... ln(beta) + 0.5292...) (zero force).
  * Special values: +-0 -> 2 tau_0 of (51), 3.2180...; +inf -> +inf (zero overlap), 0 (zero force); negative and
- * NaN -> NaN. Source: docs/derivation.md, 4 to 6 and 8. */
+ * NaN -> NaN. Source: docs/theory.md, 4 to 6 and 8. */
 COR_SPHERE_DECLARE_(duration_zero_overlap)
 COR_SPHERE_DECLARE_(duration_zero_force)
 
@@ -218,7 +218,7 @@ COR_API double cor_sphere_eps_simple_fraction(double beta, int depth);
  *     (1 + d_1 s)/(1 + d_2 s + d_3 s^2 + d_4 s^3 + d_5 s^4),     s = (g/g*)^(1/5) = |C_1| beta,
  *     d_1 ... d_5 = 2.5839, 3.5839, 2.9839, 1.1487, 0.3265
  *
- * It is inaccurate for two reasons: the published a_3 and a_4 are wrong (docs/derivation.md), and the series behind it
+ * It is inaccurate for two reasons: the published a_3 and a_4 are wrong (docs/theory.md), and the series behind it
  * ends after a_4. Against eps at zero overlap it is 0.6 % too large at beta = 0.5, 5 % at 1, 51 % at 2, a factor 3.3 at
  * 3, and falls like beta^(-3) instead of beta^(-5). Call it to reproduce old simulations and figures only, and
  * cor_sphere_eps_zero_overlap for the restitution itself.

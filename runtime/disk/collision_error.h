@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The parts of the error of eps, and their estimates; docs/derivation.md, 15. */
+/* The parts of the error of eps, and their estimates; docs/theory-disks.md, 15. */
 #ifndef COR_RUNTIME_DISK_COLLISION_ERROR_H
 #define COR_RUNTIME_DISK_COLLISION_ERROR_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* One step of a collision: a drift over h and a kick of the wall, docs/derivation.md, 15. */
+/* One step of a collision: a drift over h and a kick of the wall, docs/theory-disks.md, 15. */
 #ifndef COR_RUNTIME_DISK_COLLISION_STEP_H
 #define COR_RUNTIME_DISK_COLLISION_STEP_H
 

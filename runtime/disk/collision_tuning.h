@@ -96,7 +96,7 @@ static const struct cor_collision_tuning cor_tuning = {
      * number is the error of such runs over the larger of the last two movements. Fitted. */
     .no_convergence = 0.5,
     .scatter = 4,
-    /* Smallest alpha v of a hard wall, at which runs may agree by chance; docs/derivation.md, 15. Fitted. */
+    /* Smallest alpha v of a hard wall, at which runs may agree by chance; docs/theory-disks.md, 15. Fitted. */
     .hard = 24,
     /* At a hard wall, lower bounds on the error: over the movement after two runs, over the last movement less
      * round-off, and over the movement before. Fitted. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* An elastic disk at a rigid wall: definitions that the parts of the solver share. docs/derivation.md, 17, has the
+/* An elastic disk at a rigid wall: definitions that the parts of the solver share. docs/theory-disks.md, 17, has the
  * formulas.
  *
  * Modes below the frequency Omega of a level move. The rim functions of mode i have the factor sqrt(w_i), where
@@ -103,7 +103,7 @@ struct cor_hard_wall_contact {
 /* Takes the arrays from the store. */
 void cor_hard_wall_contact_arrange(struct cor_hard_wall_contact *contact, struct cor_hard_wall_store *store,
                                    size_t points);
-/* Sets the compliance from T_k, k < t_terms, and Q_n, n < q_terms, of docs/derivation.md, 17; the others are 0.
+/* Sets the compliance from T_k, k < t_terms, and Q_n, n < q_terms, of docs/theory-disks.md, 17; the others are 0.
  * twice_cosine[i] = 2 cos(i d), i < 2 points; scratch has 2 points elements. */
 void cor_hard_wall_contact_begin(struct cor_hard_wall_contact *contact, size_t t_terms, const double *t, size_t q_terms,
                                  const double *q, const double *twice_cosine, double constant, double *scratch);

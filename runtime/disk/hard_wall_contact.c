@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Contact of the rim with a rigid wall: y >= 0, reach - K y <= 0, y (reach - K y) = 0, where the positive definite
- * matrix K is the compliance that acts at once. docs/derivation.md, 17.
+ * matrix K is the compliance that acts at once. docs/theory-disks.md, 17.
  *
  * Nearly always the contact is one piece, angles 0 to m - 1. The leading block of the Cholesky factor, K = L L', is the
  * factor of the leading block, so one factor serves every m. z = L^-1 reach determines m: z_j <= 0 means that angle j

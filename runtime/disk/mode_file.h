@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Definitions that the writer (gen/tables/disk.c) and the reader (runtime/disk/modes.c) of mode files share;
- * docs/mode-file.md. */
+ * docs/disks.md. */
 #ifndef COR_RUNTIME_DISK_MODE_FILE_H
 #define COR_RUNTIME_DISK_MODE_FILE_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Free modes of an elastic disk in double arithmetic. These modes are not proved; gen/disk/modes.c encloses and proves
- * them, and the tests compare both. docs/derivation.md, 11.
+ * them, and the tests compare both. docs/theory-disks.md, 11.
  *
  * With e = 1 + nu, s = 1 - nu and g = e omega^2, the squared arguments of the Bessel functions are z = s g
  * (longitudinal waves, kappa^2) and z = 2 g (transverse waves, kappa'^2). */

@@ -21,7 +21,7 @@
 #include <string.h>
 
 /* Frequencies in units of the highest frequency of the table. Chosen: the begin of the fading weight, the begin of the
- * echoes' weight (docs/derivation.md, 13), and the two windows that measure the strength of echoes. */
+ * echoes' weight (docs/theory-disks.md, 13), and the two windows that measure the strength of echoes. */
 #define FADE_FROM 0.65
 #define ECHO_FROM 0.15
 static const double low_window[2] = {0.35, 0.75}, high_window[2] = {0.6, 1};

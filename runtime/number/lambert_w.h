@@ -12,7 +12,7 @@
 
 /* t of the unevaluated sum q = hi + lo. Domain: 0 <= q <= 2^400; q < 0 and NaN -> NaN. The relative error of t.hi +
  * t.lo is below 1.5 2^-52, that of 1 + t below 2^-53: proved for q <= 2000 by tests/proof/run if log is within 0.55 ulp
- * (docs/derivation.md, 18), sampled beyond. */
+ * (docs/theory.md, 18), sampled beyond. */
 struct cor_inline_pair cor_lambert_t_pair(struct cor_inline_pair q);
 
 /* The same as one double, below 2 ulp: proved and sampled as above */

@@ -44,7 +44,7 @@ static double beta_per_coefficient(const struct cor_scene_contact *contact)
     return pow(time_factor(contact), cor_damping(&contact->law) + 1) / contact->mass_kg;
 }
 
-/* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/derivation.md, 9 */
+/* |C_1| = (2/(a+1)) X_0^(b+1) B((b+1)/(a+1), 3/2), X_0 = ((a+1)/2)^(1/(a+1)): docs/theory.md, 9 */
 static double first_coefficient(const struct cor_exponents *law)
 {
     const double a1 = cor_elastic(law) + 1, s = (cor_damping(law) + 1) / a1;

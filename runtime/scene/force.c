@@ -189,7 +189,7 @@ static double force_integrated(const struct force_system *system)
 }
 
 /* The largest force where mu = 0: X^b (1 - X^(b+1)/(b+1)) at X^(b+1) = b (b+1)/(2 b + 1). The spring changes it by less
- * than 50 mu of itself (docs/derivation.md, 9). */
+ * than 50 mu of itself (docs/theory.md, 9). */
 static double force_overdamped(double b)
 {
     return (b + 1) / (2 * b + 1) * pow(b * (b + 1) / (2 * b + 1), b / (b + 1));

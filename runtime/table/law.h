@@ -3,7 +3,7 @@
  * eps, for every beta. Functions of the generated header fill structs with the constants of a law. A compiler therefore
  * drops the parts of each function that the law does not need.
  *
- * With increasing beta a quantity is given by (docs/derivation.md, 9; form: docs/header-format.md):
+ * With increasing beta a quantity is given by (docs/theory.md, 9; form: docs/internals.md):
  *
  *   near     a row on a grid in beta or a root of it; eps is 1 minus that of the loss
  *   middle   a row by octaves of beta

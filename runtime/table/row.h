@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Tables of short polynomials on a grid, for any function: these functions find the row of a number and evaluate it.
  *
- * Macros COR_ROWS_NAME_FIRST, _STEP, ... give the geometry of a generated table cor_rows_NAME(i); docs/header-format.md
+ * Macros COR_ROWS_NAME_FIRST, _STEP, ... give the geometry of a generated table cor_rows_NAME(i); docs/internals.md
  * describes the form. The functions below take the geometry as a struct, COR_INLINE_GRID(COR_ROWS_NAME), whose fields a
  * compiler turns into constants. */
 #ifndef COR_RUNTIME_ROW_H

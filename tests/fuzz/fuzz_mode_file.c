@@ -16,7 +16,7 @@ enum { CAPACITY = 64, CHECK = 8, PATH_MAX_LENGTH = 64 };
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t max_size);
 size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t max_size, unsigned seed);
 
-/* FNV-1a as docs/mode-file.md says it */
+/* FNV-1a as docs/disks.md says it */
 static uint32_t check_of(uint32_t check, const uint8_t *bytes, size_t n)
 {
     for (size_t i = 0; i < n; i++) {

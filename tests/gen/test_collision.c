@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* One enclosed collision of any power law: values from direct integrations by other programs, the series, closed forms
- * and the slow manifold against the motion, thresholds, and the asymptotics of docs/derivation.md, 9. */
+ * and the slow manifold against the motion, thresholds, and the asymptotics of docs/theory.md, 9. */
 #include "ball.h"
 
 #include "enclosure/closed_form.h"

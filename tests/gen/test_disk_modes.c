@@ -669,7 +669,7 @@ static double logarithmic(arb_srcptr j, slong n, const arb_t z)
     return (double)n - ratio;
 }
 
-/* docs/derivation.md, (11.3) */
+/* docs/theory-disks.md, (11.3) */
 static slong count_below(const struct material *m, double omega)
 {
     arb_ptr j = _arb_vec_init(ORDERS), j1 = _arb_vec_init(ORDERS);

@@ -422,7 +422,7 @@ static void assert_power_law(double x, double limit)
     collision_clear(&c);
 }
 
-/* The power law from EMBED_FAR on, and from where eps at a speed uses it (docs/derivation.md, 18). The proof of a form
+/* The power law from EMBED_FAR on, and from where eps at a speed uses it (docs/theory.md, 18). The proof of a form
  * beyond EMBED_FAR shows a coefficient that is wrong in its 48th bit. */
 TEST(test_far)
 {

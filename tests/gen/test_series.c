@@ -84,7 +84,7 @@ TEST(test_collisions)
 }
 
 /* q = -1/N with a whole N: C_2N = 0, exactly in the series, which knows it. So does the collision, which does not. For
- * (5, 0), q = -2/3, no coefficient vanishes. The value: docs/derivation.md, 9. */
+ * (5, 0), q = -2/3, no coefficient vanishes. The value: docs/theory.md, 9. */
 TEST(test_exact_zeros)
 {
     static const struct {
@@ -240,7 +240,7 @@ TEST(test_hunt_crossley)
     }
 }
 
-/* G and T of docs/derivation.md, 5, for spheres and Hertz with a constant dashpot */
+/* G and T of docs/theory.md, 5, for spheres and Hertz with a constant dashpot */
 TEST(test_zero_force)
 {
     static const struct {

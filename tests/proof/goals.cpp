@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes one Gappa file for every piece of the sphere functions: an interval of arguments for which the evaluator
- * carries out the same list of operations. docs/derivation.md, "Rounding errors, proved", says why this is a proof.
+ * carries out the same list of operations. docs/theory.md, "Rounding errors, proved", says why this is a proof.
  *
  *     goals OUTPUT-DIRECTORY TABLES.h [PART PARTS [PATTERN...]]
  *

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the proofs of rounding errors assume of the C library (docs/derivation.md, 18): bounds on the errors of its
+/* What the proofs of rounding errors assume of the C library (docs/theory.md, 18): bounds on the errors of its
  * functions, in units of the last place. tests/proof/goals.cpp and tests/proof/disk_bounds.cpp have them as hypotheses,
  * tests/accuracy/test_libm.c measures the platform's functions. */
 #ifndef COR_TESTS_PROOF_LIBM_ERRORS_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The functions of an impact speed (cor/contact.h): part of goals.cpp. They combine functions that other goals are
- * about: the errors add up here, and no sum may exceed the public bound. docs/derivation.md, 4, bounds the derivatives
+ * about: the errors add up here, and no sum may exceed the public bound. docs/theory.md, 4, bounds the derivatives
  * by which the error of beta enters. A contact counts as exact, as its user filled it. */
 
 /* Errors are relative and in units of 2^-53, half the distance of doubles beyond 1. n ulp are at most 2 n units. */

@@ -71,7 +71,7 @@ static void note(struct law_case *c, int end, int what, double computed, const a
 }
 
 /* beta < 1e-100, where 1 - eps = -C_1 beta and, at zero force, (a-b)/((a+1)(b+1)) beta^((a+1)/(a-b)) less
- * (docs/derivation.md, 2 and 5); C_1 = -(2/(a+1)) X^(b+1) B((b+1)/(a+1), 3/2), X = ((a+1)/2)^(1/(a+1)). */
+ * (docs/theory.md, 2 and 5); C_1 = -(2/(a+1)) X^(b+1) B((b+1)/(a+1), 3/2), X = ((a+1)/2)^(1/(a+1)). */
 static void first_order_loss(arb_t loss, const struct law *law, int end, const arb_t beta)
 {
     const struct ratio one = {1, 1}, a1 = ratio_add(law->a, one), b1 = ratio_add(law->b, one);

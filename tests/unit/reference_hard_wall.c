@@ -27,7 +27,7 @@ static double angle_of(const struct reference_wall *wall, int j)
     return (j + wall->offset) * pi / wall->nyquist;
 }
 
-/* Static compliance of every n up to Nyquist's number, docs/disk.md, Fig. 10, times pi */
+/* Static compliance of every n up to Nyquist's number, docs/paper-figures.md, Fig. 10, times pi */
 static double static_compliance(double nu, int nyquist, double phi, double psi)
 {
     double sum = (1 - nu) / 2 * cos(phi) * cos(psi);

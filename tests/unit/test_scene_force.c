@@ -64,7 +64,7 @@ static void forces(void **state)
     close_to("strong", cor_law_force_max(&sphere, 1e9), pow(1e9, 2.0 / 3) * 0.75 * cbrt(0.375), 1e-12);
 }
 
-/* The largest force to the first order of mu, x = beta^(-1/(b+1)) X: docs/derivation.md, 9. b > 0. */
+/* The largest force to the first order of mu, x = beta^(-1/(b+1)) X: docs/theory.md, 9. b > 0. */
 static double strongly_damped(double a, double b, double mu)
 {
     enum { STEPS = 400 };

@@ -208,7 +208,7 @@ TEST(strong_damping)
 }
 
 /* Where mu = beta^(-5/3) is below the last bit, everything but the duration at zero overlap is in closed form
- * (docs/derivation.md, 8): with X = (3/2)^(2/3), eps = X beta^(-5/3), x_max = X beta^(-2/3),
+ * (docs/theory.md, 8): with X = (3/2)^(2/3), eps = X beta^(-5/3), x_max = X beta^(-2/3),
  * t_max = beta^(-2/3) (2/3) X (5/3 ln(beta) + ln(3/X) + K), K = ln(3)/2 - sqrt(3) pi/6, and at zero force twice the
  * logarithm and ln(3/sqrt(X)). */
 TEST(infinitely_strong_damping)
@@ -410,7 +410,7 @@ static void never_rises(int end, double beta, int count)
 }
 
 /* Around every power of two 2^-k, at every double whose eps lies from 2^-k to 2^-k + u/2, u one ulp there: the only
- * doubles for which eps falling and errors below an ulp do not decide the order (docs/derivation.md, 18). The walk
+ * doubles for which eps falling and errors below an ulp do not decide the order (docs/theory.md, 18). The walk
  * begins with a result of 2^-k + 2 u and ends with 2^-k - u, so that eps itself is outside at both ends. */
 TEST(falls_at_powers_of_two)
 {
@@ -442,7 +442,7 @@ static double creep(double beta)
     return (cor_sphere_duration_zero_overlap(beta) - cor_sphere_duration_zero_force(beta)) / beta;
 }
 
-/* The bounds of derivatives by ln(beta) in docs/derivation.md, 4. A difference quotient is between the bounds, too. */
+/* The bounds of derivatives by ln(beta) in docs/theory.md, 4. A difference quotient is between the bounds, too. */
 TEST(derivatives)
 {
     struct random_state random = random_start();
